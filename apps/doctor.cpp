@@ -1,0 +1,117 @@
+// darwinop-doctor: looks at computer, port, board and servos, and says what mends what is wrong.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <sstream>
+#include <string>
+
+#include "hal/cm730/host_checks.hpp"
+#include "hal/cm730/port_check.hpp"
+#include "hal/cm730/probe.hpp"
+#include "hal/cm730/serial_open.hpp"
+#include "safety/start_pose.hpp"
+
+namespace {
+
+using namespace darwinop;
+using cm730::Finding;
+using cm730::Findings;
+using cm730::Level;
+
+constexpr int kLoopPriority = 80;  // as the loop's thread asks for
+
+constexpr const char* kExample =
+    "Examples:\n"
+    "  darwinop doctor                        the first USB serial port, or DARWINOP_ROBOT\n"
+    "  darwinop doctor --robot /dev/ttyUSB1\n"
+    "  darwinop doctor --fix                  also sets return delay 0 and status level 2 where they differ\n"
+    "Nothing moves: torque stays as it is. Servo power is switched on if it is off.\n"
+    "Exit code: 0 the robot can be driven (warnings allowed), 1 it cannot.";
+
+/// Tells the user at once, keeps count for the end.
+class Report {
+ public:
+  void heading(const char* title) { std::printf("%s\n", title); }
+  void add(const Findings& findings) {
+    for (const Finding& finding : findings) {
+      std::fputs(cm730::toText(finding).c_str(), stdout);
+      ++count_[static_cast<std::size_t>(finding.level)];
+    }
+    std::fflush(stdout);
+  }
+  int finish() {
+    const bool drivable = count_[2] == 0;
+    std::printf("%d ok, %d to look at, %d to mend: the robot %s be driven\n", count_[0], count_[1], count_[2],
+                drivable ? "can" : "cannot");
+    return drivable ? 0 : 1;
+  }
+
+ private:
+  int count_[3] = {0, 0, 0};
+};
+
+/// A robot in another pose is no fault: the loop moves there slowly. But somebody should look first.
+Findings startPoseRows(const cm730::RobotFacts& facts) {
+  Sensors seen;
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    if (!facts.servo[i].readable) continue;
+    seen.joint[i].motion.received();
+    seen.joint[i].position = facts.servo[i].position;
+  }
+  if (facts.board.readable) {
+    seen.board.motion.received();
+    seen.board.accelerometer = facts.board.accelerometer;
+  }
+  const safety::StartPoseCheck check = safety::checkStartPose(seen);
+  const Level level = check.secure() ? Level::kOk : Level::kWarning;
+  Findings rows;
+  std::istringstream lines{safety::describe(check)};
+  for (std::string line; std::getline(lines, line);) rows.push_back({level, line, {}});
+  if (!check.secure())
+    rows.back().mend = "sit the robot down upright before a controller starts, or hold it while it moves there slowly";
+  return rows;
+}
+
+int examine(const std::string& asked, bool fix) {
+  Report report;
+  report.heading("computer");
+  report.add(cm730::diagnoseHost(cm730::measureHost(kLoopPriority)));
+
+  report.heading("port");
+  const std::string path = cm730::choosePort(asked, cm730::candidatePorts());
+  const cm730::PortCheck check = cm730::checkPort(path);
+  report.add(check.findings);
+  if (!check.port) return report.finish();
+
+  report.heading("robot");
+  cm730::ProbeOptions options = cm730::ProbeOptions::thorough();
+  options.port = path;
+  options.correct = fix;
+  const cm730::ProbeReport probed = cm730::probe(*check.port, options);
+  report.add(probed.findings);
+  if (probed.facts.board.readable && probed.facts.board.power_on) {
+    report.heading("pose");
+    report.add(startPoseRows(probed.facts));
+  }
+  return report.finish();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Checks computer, port, board and servos; one line each, with what mends it."};
+  app.footer(kExample);
+  std::string robot;
+  bool fix = false;
+  app.add_option("--robot", robot, "serial port or pty of the robot")->envname("DARWINOP_ROBOT");
+  app.add_flag("--fix", fix, "write wrong servo settings (EEPROM) while torque is off");
+  app.set_version_flag("--version", DARWINOP_VERSION);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    return examine(robot, fix);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "darwinop-doctor: %s\n", error.what());
+    return 1;
+  }
+}

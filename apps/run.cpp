@@ -1,0 +1,59 @@
+// darwinop-run: runs a controller on a robot and reports how the loop fared.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "runtime/controller_run.hpp"
+
+namespace {
+
+constexpr const char* kRobotHelp =
+    "which robot: runtime (the daemon), a serial device or pty (/dev/ttyUSB0), virtual (in the controller's process, "
+    "simulated time). Unset: DARWINOP_ROBOT, or else what is there";
+
+/// A controller changes to its own folder before it looks at names.
+std::string absolute(const std::string& path) {
+  return path.empty() ? path : std::filesystem::absolute(path).string();
+}
+
+bool isPath(const std::string& robot) {
+  return robot.find('/') != std::string::npos && robot.find("://") == std::string::npos;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  darwinop::runtime::RunRequest request;
+  int period_ms = 0;
+  CLI::App app{
+      "Runs a controller on a robot and reports how the loop fared. The last line begins with \"report:\" and is made "
+      "for scripts.\n\n  darwinop run [OPTIONS] CONTROLLER [arguments of the controller]\n\n"
+      "CONTROLLER is the built program, or its folder. After -- everything is the controller's.",
+      "darwinop run"};
+  app.add_option("--robot", request.robot, kRobotHelp);
+  app.add_option("--record", request.record, "write every cycle to this CSV file, see docs/logs.md");
+  app.add_option("--period", period_ms, "period of the loop in ms: 16, or 8 when only goals are sent")
+      ->check(CLI::Range(1, 1000));
+  app.footer("Example, without a robot:\n  darwinop run --robot virtual controllers/01_hello_head");
+  app.allow_extras();  // what is no option of ours belongs to the controller, in the order given
+  CLI11_PARSE(app, count, arguments);
+  request.command = app.remaining();
+  const auto all_theirs = std::find(request.command.begin(), request.command.end(), "--");
+  if (all_theirs != request.command.end()) request.command.erase(all_theirs);
+  if (request.command.empty()) {
+    std::cerr << "darwinop run: which controller?\n\n" << app.help();
+    return 2;
+  }
+
+  if (isPath(request.robot)) request.robot = absolute(request.robot);
+  request.record = absolute(request.record);
+  if (period_ms != 0) request.period_ms = std::to_string(period_ms);
+  try {
+    return darwinop::runtime::runController(request);
+  } catch (const std::runtime_error& error) {
+    std::cerr << "darwinop run: " << error.what() << '\n';
+    return 2;
+  }
+}

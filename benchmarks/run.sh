@@ -1,0 +1,115 @@
+#!/usr/bin/env bash
+# Runs benchmarks and prints each figure as "bench: NAME ours=... peer=... ratio=... unit=...".
+# usage: run.sh BUILD_FOLDER [NAME]
+set -euo pipefail
+
+build=$1
+wanted=${2:-}
+folder=$(mktemp -d)
+virtual_robot=
+cleanup() {
+  [ -z "$virtual_robot" ] || kill "$virtual_robot" 2>/dev/null || true
+  rm -rf "$folder"
+}
+trap cleanup EXIT
+
+# bench NAME OURS PEER UNIT
+bench() { awk -v n="$1" -v o="$2" -v p="$3" -v u="$4" \
+  'BEGIN { printf "bench: %s ours=%s peer=%s ratio=%.3f unit=%s\n", n, o, p, o / p, u }'; }
+
+# --- CPU instructions a cycle: the same on every machine, loaded or not
+
+# instructions KIND SERVOS
+instructions() {
+  local log=$folder/callgrind
+  valgrind --tool=callgrind --collect-atstart=no --callgrind-out-file=/dev/null \
+    "$build/bin/cycle_instructions" "$1" "$2" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
+  sed -nE 's/.*Collected *: *([0-9]+).*/\1/p' "$log" | awk '{ printf "%d", $1 / 320 }'
+}
+
+# Peer: a plain wrapper that does the same traffic without safety, ages, statistics or a second thread.
+cycle_instructions() {
+  local n
+  for n in 5 10 20; do bench "cycle_instructions_$n" "$(instructions loop $n)" "$(instructions plain $n)" instructions; done
+}
+
+# Peer: the packet handling of that wrapper. 30 servos: as many as fit with goals alone.
+codec_instructions() {
+  local n
+  for n in 5 10 20 30; do
+    bench "codec_instructions_$n" "$(instructions codec $n)" "$(instructions plain-goals $n)" instructions
+  done
+}
+
+# --- CPU time a cycle
+
+cycle_time() {
+  local n figures=$folder/cycle_time
+  "$build/bin/cycle_time" --benchmark_format=csv 2>/dev/null | sed -n '/^name,/,$p' | tr -d '"' >"$figures"
+  time_of() { awk -F, -v name="$1" '$1 ~ "^" name "(/iterations.*)?$" { printf "%.0f", $4 }' "$figures"; }
+  for n in 5 10 20; do bench "cycle_time_$n" "$(time_of "loop/$n")" "$(time_of "plain/$n")" ns; done
+  for n in 5 10 20 30; do bench "codec_time_$n" "$(time_of "codec/$n")" "$(time_of "plainGoals/$n")" ns; done
+}
+
+# --- on a real pty, paced at 1 Mbaud
+
+start_virtual_robot() {
+  [ -z "$virtual_robot" ] || return 0
+  "$build/bin/darwinop-virtual-robot" --link "$folder/robot" >"$folder/log" 2>&1 &
+  virtual_robot=$!
+  for _ in $(seq 100); do
+    [ ! -e "$folder/robot" ] || return 0
+    sleep 0.05
+  done
+  cat "$folder/log" >&2
+  return 1
+}
+
+# run_loop PERIOD_MS: drives the virtual robot for 20 s; leaves the report line in $folder/report.
+run_loop() {
+  start_virtual_robot
+  "$build/bin/darwinop-run" --robot "$folder/robot" --period "$1" \
+    "$build/controllers/01_hello_head/01_hello_head" --seconds 20 >"$folder/out" 2>&1 || { cat "$folder/out" >&2; return 1; }
+  grep '^report: ' "$folder/out" | tee "$folder/report"
+}
+figure() { sed -nE "s/.* $1=([^ ]+).*/\1/p" "$folder/report"; }
+
+# Peer: the wire itself, which no program can beat.
+bus_overhead() {
+  local period
+  for period in 16 8; do
+    run_loop $period
+    bench "bus_overhead_${period}ms" "$(figure bus_ms_median)" "$(figure wire_ms)" ms
+  done
+}
+
+# Peer: cyclictest in the same seconds, at the same priority and period.
+wake_latency() {
+  if ! command -v cyclictest >/dev/null; then
+    echo "wake_latency: cyclictest is not installed" >&2
+    return 1
+  fi
+  local period=16 q
+  start_virtual_robot
+  cyclictest --mlockall --priority=80 --interval=$((period * 1000)) --loops=1250 --histogram=50000 --quiet \
+    >"$folder/cyclictest" 2>/dev/null &
+  local tester=$!
+  run_loop $period
+  wait $tester || { echo "cyclictest may not use real-time priority here" >&2; return 1; }
+  quantile() {
+    awk -v q="$1" '/^[0-9]+ [0-9]+$/ { n[++rows] = $2; us[rows] = $1; total += $2 }
+      END { for (i = 1; i <= rows; i++) if ((seen += n[i]) >= q * total) { print us[i] + 1; exit } }' "$folder/cyclictest"
+  }
+  for q in 50 99; do
+    bench "wake_latency_p$q" "$(figure wake_p${q}_us)" "$(quantile 0.$q)" us
+  done
+  bench wake_latency_max "$(figure wake_max_us)" "$(quantile 1)" us
+}
+
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency)
+for name in "${all[@]}"; do
+  [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue
+  "$name"
+  ran=yes
+done
+[ -n "${ran:-}" ] || { echo "no benchmark '$wanted'; there are: ${all[*]}" >&2; exit 1; }

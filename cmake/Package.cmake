@@ -1,0 +1,56 @@
+# What a controller builds against: one static library with every room in it, the public headers, and the three ways
+# to find them (find_package(darwinop), pkg-config darwinop, Makefile.include). Component "sdk" of the install.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+get_property(rooms GLOBAL PROPERTY DARWINOP_ROOMS)
+foreach(room IN LISTS rooms)
+  list(APPEND room_objects $<TARGET_OBJECTS:${room}>)
+endforeach()
+
+# inih goes into the library, so that neither a controller's build nor the robot needs it.
+find_library(DARWINOP_INIH_ARCHIVE libinih.a)
+set(inih_flag)
+if(DARWINOP_INIH_ARCHIVE)
+  execute_process(COMMAND "${CMAKE_AR}" t "${DARWINOP_INIH_ARCHIVE}" OUTPUT_VARIABLE members
+    OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  string(REPLACE "\n" ";" members "${members}")
+  set(unpacked "${PROJECT_BINARY_DIR}/inih")
+  file(MAKE_DIRECTORY "${unpacked}")
+  list(TRANSFORM members PREPEND "${unpacked}/" OUTPUT_VARIABLE inih_objects)
+  add_custom_command(OUTPUT ${inih_objects} DEPENDS "${DARWINOP_INIH_ARCHIVE}" WORKING_DIRECTORY "${unpacked}"
+    COMMAND "${CMAKE_AR}" x "${DARWINOP_INIH_ARCHIVE}" COMMENT "Taking inih apart" VERBATIM)
+  set_source_files_properties(${inih_objects} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
+else()
+  set(inih_flag inih)
+endif()
+
+# Not named darwinop: that is the command's target.
+add_library(darwinop_sdk STATIC ${room_objects} ${inih_objects})
+add_library(darwinop::darwinop ALIAS darwinop_sdk)
+set_target_properties(darwinop_sdk PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME darwinop EXPORT_NAME darwinop)
+target_include_directories(darwinop_sdk INTERFACE
+  "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/webots/include;${PROJECT_SOURCE_DIR}/managers/include>"
+  "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/darwinop;${CMAKE_INSTALL_INCLUDEDIR}/darwinop/managers>")
+target_compile_definitions(darwinop_sdk INTERFACE CROSSCOMPILATION LINUX)
+target_link_libraries(darwinop_sdk INTERFACE Threads::Threads rt ${inih_flag})
+
+install(TARGETS darwinop_sdk EXPORT darwinop ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT sdk)
+install(DIRECTORY webots/include/webots DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/darwinop" COMPONENT sdk)
+install(DIRECTORY managers/include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/darwinop/managers" COMPONENT sdk)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/darwinop")
+install(EXPORT darwinop NAMESPACE darwinop:: FILE darwinopTargets.cmake DESTINATION "${package_dir}" COMPONENT sdk)
+configure_package_config_file(cmake/darwinopConfig.cmake.in darwinopConfig.cmake INSTALL_DESTINATION "${package_dir}")
+write_basic_package_version_file(darwinopConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/darwinopConfig.cmake" "${PROJECT_BINARY_DIR}/darwinopConfigVersion.cmake"
+  DESTINATION "${package_dir}" COMPONENT sdk)
+
+# Both find the library beside themselves, so that an installed tree can be moved as a whole.
+set(pc_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+file(RELATIVE_PATH DARWINOP_PC_PREFIX "/${pc_dir}" "/")
+list(TRANSFORM inih_flag PREPEND " -l" OUTPUT_VARIABLE DARWINOP_INIH_FLAG)
+configure_file(cmake/darwinop.pc.in darwinop.pc @ONLY)
+configure_file(cmake/Makefile.include.in Makefile.include @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/darwinop.pc" DESTINATION "${pc_dir}" COMPONENT sdk)
+install(FILES "${PROJECT_BINARY_DIR}/Makefile.include" DESTINATION "${CMAKE_INSTALL_DATADIR}/darwinop" COMPONENT sdk)

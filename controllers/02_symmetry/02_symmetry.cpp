@@ -1,0 +1,44 @@
+// The right arm is limp: move it by hand, and the left arm does the same. Ends after --seconds N, or with Ctrl-C.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <webots/Motor.hpp>
+#include <webots/PositionSensor.hpp>
+#include <webots/Robot.hpp>
+
+using namespace webots;
+
+// "--seconds 10" as first argument; without it the example goes on for ever.
+static double secondsToRun(int argc, char** argv) {
+  return argc > 2 && std::strcmp(argv[1], "--seconds") == 0 ? std::atof(argv[2]) : INFINITY;
+}
+
+int main(int argc, char** argv) {
+  const double end = secondsToRun(argc, argv);
+  Robot robot;
+  const int time_step = static_cast<int>(robot.getBasicTimeStep());
+
+  const char* joints[] = {"Shoulder", "ArmUpper", "ArmLower"};
+  PositionSensor* right[3];
+  Motor* left[3];
+  for (int i = 0; i < 3; ++i) {
+    right[i] = robot.getPositionSensor(std::string(joints[i]) + "RS");
+    right[i]->enable(time_step);
+    robot.getMotor(std::string(joints[i]) + "R")->setAvailableTorque(0);  // limp
+    left[i] = robot.getMotor(std::string(joints[i]) + "L");
+    left[i]->setVelocity(3);  // rad/s: lively, but no whip
+  }
+  std::cout << "The right arm is limp now. Move it." << std::endl;
+
+  while (robot.step(time_step) != -1 && robot.getTime() < end) {
+    for (int i = 0; i < 3; ++i) {
+      const double angle = right[i]->getValue();
+      if (std::isnan(angle)) continue;  // the servo did not answer: no news is no reason to move
+      // The arms are mounted as mirror images.
+      left[i]->setPosition(std::clamp(-angle, left[i]->getMinPosition(), left[i]->getMaxPosition()));
+    }
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,46 @@
+// The lights follow the push buttons on the back. Hold MODE for a quarter of a second and the robot lets go of all
+// its joints: press it briefly. Ends after --seconds N, or with Ctrl-C.
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <webots/LED.hpp>
+#include <webots/Robot.hpp>
+#include <webots/TouchSensor.hpp>
+
+using namespace webots;
+
+// "--seconds 10" as first argument; without it the example goes on for ever.
+static double secondsToRun(int argc, char** argv) {
+  return argc > 2 && std::strcmp(argv[1], "--seconds") == 0 ? std::atof(argv[2]) : INFINITY;
+}
+
+int main(int argc, char** argv) {
+  const double end = secondsToRun(argc, argv);
+  Robot robot;
+  const int time_step = static_cast<int>(robot.getBasicTimeStep());
+
+  TouchSensor* mode = robot.getTouchSensor("ButtonMode");
+  TouchSensor* start = robot.getTouchSensor("ButtonStart");
+  mode->enable(time_step);
+  start->enable(time_step);
+  LED* eyes = robot.getLED("EyeLed");
+  LED* head = robot.getLED("HeadLed");
+  LED* red = robot.getLED("BackLedRed");
+  LED* green = robot.getLED("BackLedGreen");
+
+  int presses = 0;
+  bool was_pressed = false;
+  while (robot.step(time_step) != -1 && robot.getTime() < end) {
+    // 1 pressed, 0 not, NaN unknown; only "pressed" is equal to 1.
+    const bool mode_pressed = mode->getValue() == 1;
+    const bool start_pressed = start->getValue() == 1;
+    eyes->set(start_pressed ? 0x00FF00 : 0x0000FF);
+    head->set(mode_pressed ? 0xFF0000 : 0x00FF00);
+    red->set(mode_pressed);
+    green->set(start_pressed);
+    if (start_pressed && !was_pressed) std::cout << "START pressed " << ++presses << " times" << std::endl;
+    was_pressed = start_pressed;
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,90 @@
+// What a controller asks of the robot in one cycle. Newest wins; a default-built image asks for nothing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include "core/joints.hpp"
+#include "core/units.hpp"
+
+namespace darwinop {
+
+/// One joint's wishes. A field counts only when its bit in `set` is on; use the functions, they set it.
+/// Values are as the controller gave them: safety judges them, nobody before it.
+struct JointCommand {
+  enum Bit : std::uint8_t { kGoal = 1, kSpeedLimit = 2, kTorqueLimit = 4, kPGain = 8, kTorque = 16 };
+
+  std::uint8_t set = 0;
+  bool torque_on = false;    // false: the joint is limp
+  Rad goal;                  // rad, limits of the joint table
+  RadPerSec speed_limit;     // rad/s, sign ignored; 0 is the slowest, never "no limit"
+  NewtonMeter torque_limit;  // N m, 0..2.5
+  double p_gain = 0;         // Kp = register 28 / 8, 0..31.75
+
+  [[nodiscard]] constexpr bool has(Bit bit) const { return (set & bit) != 0; }
+  constexpr void setGoal(Rad v) {
+    goal = v;
+    set |= kGoal;
+  }
+  constexpr void setSpeedLimit(RadPerSec v) {
+    speed_limit = v;
+    set |= kSpeedLimit;
+  }
+  constexpr void setTorqueLimit(NewtonMeter v) {
+    torque_limit = v;
+    set |= kTorqueLimit;
+  }
+  constexpr void setPGain(double v) {
+    p_gain = v;
+    set |= kPGain;
+  }
+  constexpr void setTorque(bool on) {
+    torque_on = on;
+    set |= kTorque;
+  }
+};
+
+/// Colours of the board. RGB15: bits 0-4 red, 5-9 green, 10-14 blue. Panel: 1 red, 2 blue, 4 green.
+struct LedCommand {
+  enum Bit : std::uint8_t { kPanel = 1, kHead = 2, kEye = 4 };
+
+  std::uint8_t set = 0;
+  std::uint8_t panel = 0;           // 0..7
+  std::uint16_t head = 0, eye = 0;  // 0..0x7FFF
+
+  constexpr bool operator==(const LedCommand&) const = default;
+  [[nodiscard]] constexpr bool has(Bit bit) const { return (set & bit) != 0; }
+  constexpr void setPanel(std::uint8_t v) {
+    panel = v;
+    set |= kPanel;
+  }
+  constexpr void setHead(std::uint16_t v) {
+    head = v;
+    set |= kHead;
+  }
+  constexpr void setEye(std::uint16_t v) {
+    eye = v;
+    set |= kEye;
+  }
+};
+
+struct Commands {
+  std::array<JointCommand, kJoints> joint{};
+  LedCommand led{};
+  /// Who drives. 0: nobody has yet. A new driver gets a new number, so that safety starts it gently.
+  std::uint32_t session = 0;
+  /// Counts the images of a session; a number that stops moving is a controller that stalled.
+  std::uint64_t sequence = 0;
+  /// When the image was made, ns on the clock of the loop.
+  std::int64_t made_ns = 0;
+  /// True in the last image of a controller that ends tidily.
+  bool farewell = false;
+  /// Counts requests to clear latched faults; a change is one request.
+  std::uint32_t fault_resets = 0;
+  /// Skip the slow move to the start pose that a new session begins with, and take over where the robot is.
+  bool start_where_it_is = false;
+};
+static_assert(std::is_trivially_copyable_v<Commands>);
+
+}  // namespace darwinop

@@ -1,0 +1,97 @@
+// Exact conversions between register counts and SI units. One law for the runtime and the virtual robot.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/units.hpp"
+
+namespace darwinop {
+
+// Source: MX-28 control table. 4096 steps a turn, 2048 is the middle of the range.
+inline constexpr int kTickCentre = 2048;
+inline constexpr int kTickMax = 4095;
+inline constexpr double kRadPerTick = 2.0 * kPi / 4096.0;  // 1.533981 mrad
+
+// Source: MX-28 control table, moving speed and present speed: 0.114 rpm a count.
+inline constexpr double kRadPerSecPerCount = 0.114 * kPi / 30.0;  // 0.0119381 rad/s
+
+// Source: MX-28 data sheet: stall torque 2.5 N m at 12 V is a torque limit of 1023.
+inline constexpr double kMaxTorqueNm = 2.5;
+inline constexpr int kTorqueMax = 1023;
+
+/// Ticks to rad; exact. Any integer is allowed: a difference of ticks converts with `ticks * kRadPerTick`.
+constexpr Rad radFromTicks(int ticks) {
+  return Rad{(ticks - kTickCentre) * kRadPerTick};
+}
+
+/// Nearest tick, clamped to 0..4095. The argument must be finite.
+inline int ticksFromRad(Rad angle) {
+  const double ticks = std::nearbyint(angle.value / kRadPerTick) + kTickCentre;
+  return static_cast<int>(std::clamp(ticks, 0.0, static_cast<double>(kTickMax)));
+}
+
+/// Present speed register (38): ten bits of magnitude, bit 10 set when turning clockwise.
+constexpr RadPerSec velocityFromRegister(std::uint16_t raw) {
+  const double magnitude = (raw & 1023) * kRadPerSecPerCount;
+  return RadPerSec{(raw & 1024) != 0 ? -magnitude : magnitude};
+}
+
+/// Inverse of velocityFromRegister, saturating at 1023 counts.
+inline std::uint16_t registerFromVelocity(RadPerSec velocity) {
+  const double counts = std::min(1023.0, std::nearbyint(std::abs(velocity.value) / kRadPerSecPerCount));
+  const auto magnitude = static_cast<std::uint16_t>(counts);
+  return velocity.value < 0 && magnitude > 0 ? static_cast<std::uint16_t>(magnitude | 1024) : magnitude;
+}
+
+/// Moving speed register (32): 1..1023; 0 would mean "no limit", so a limit never becomes 0.
+inline std::uint16_t registerFromSpeedLimit(RadPerSec limit) {
+  const double counts = std::nearbyint(std::abs(limit.value) / kRadPerSecPerCount);
+  return static_cast<std::uint16_t>(std::clamp(counts, 1.0, 1023.0));
+}
+
+/// Present load register (40): fraction of the greatest torque, -1..1, positive when pushing counter-clockwise.
+constexpr double loadFromRegister(std::uint16_t raw) {
+  const double magnitude = (raw & 1023) / 1023.0;
+  return (raw & 1024) != 0 ? -magnitude : magnitude;
+}
+
+inline std::uint16_t registerFromLoad(double load) {
+  const auto magnitude = static_cast<std::uint16_t>(std::nearbyint(std::min(1.0, std::abs(load)) * 1023.0));
+  return load < 0 && magnitude > 0 ? static_cast<std::uint16_t>(magnitude | 1024) : magnitude;
+}
+
+/// Torque limit register (34), 0..1023 for 0..2.5 N m; clamped.
+inline std::uint16_t registerFromTorque(NewtonMeter torque) {
+  const double counts = std::nearbyint(torque.value / kMaxTorqueNm * kTorqueMax);
+  return static_cast<std::uint16_t>(std::clamp(counts, 0.0, static_cast<double>(kTorqueMax)));
+}
+
+constexpr NewtonMeter torqueFromRegister(std::uint16_t raw) {
+  return NewtonMeter{(raw & 1023) * kMaxTorqueNm / kTorqueMax};
+}
+
+/// P gain register (28): Kp * 8, 0..254 (MX-28 manual: Kp = P / 8).
+inline std::uint8_t registerFromPGain(double kp) {
+  return static_cast<std::uint8_t>(std::clamp(std::nearbyint(kp * 8.0), 0.0, 254.0));
+}
+
+/// Registers in tenths of a volt (MX-28 42, CM-730 50).
+constexpr Volt voltFromRegister(std::uint8_t raw) {
+  return Volt{raw * 0.1};
+}
+
+// What the on-robot wrapper of 2013 did instead, for controllers that were tuned on it. Its two factors are
+// not each other's inverse: 11.378 ticks a degree on the way out (truncated towards zero), 0.088 degrees a tick
+// on the way back (0.125 % too large). 1 rad went out as 2699 where 2700 is nearest; 0.5 rad read back as
+// 0.49916. This runtime uses the exact law above; a controller can see a difference of one tick going out
+// and of at most 4 mrad coming back at the ends of the range.
+constexpr int ticksFromRadAsIn2013(Rad angle) {
+  return static_cast<int>(angle.value * 180.0 / kPi * 11.378) + kTickCentre;
+}
+constexpr Rad radFromTicksAsIn2013(int ticks) {
+  return Rad{(ticks - kTickCentre) * 0.088 * kRadPerDegree};
+}
+
+}  // namespace darwinop

@@ -1,0 +1,124 @@
+// Faults and limits: what can go wrong, what the robot does about it, what a person should do.
+// One row a fault; log lines, docs/faults.md and remote messages are these rows.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace darwinop {
+
+/// Latched until a reset is asked for. Numbers are stable: they stand in logs and in users' scripts.
+enum class Fault : std::uint8_t {
+  kNone = 0,
+  kBusSilent = 10,
+  kBoardReset = 11,
+  kServoSilent = 12,
+  kBatteryLow = 20,
+  kBatteryEmpty = 21,
+  kServoHot = 22,
+  kServoOverheat = 23,
+  kServoOverload = 24,
+  kServoVoltage = 25,
+  kFell = 30,
+  kReleasedByButton = 31,
+  kControllerStalled = 40,
+  kControllerGone = 41,
+};
+
+/// What safety does, from mildest to strongest. A reaction must be one the fault still permits.
+enum class Reaction : std::uint8_t {
+  kReport,       // tell, nothing else
+  kSlow,         // joints move at the gentle speed
+  kHold,         // keep the last safe goals
+  kKneel,        // slow move to the start pose (sitting), then limp
+  kLimp,         // torque off; the robot may drop
+  kStopSending,  // nothing can be told to a bus that does not answer
+};
+
+struct FaultRow {
+  Fault fault;
+  Reaction reaction;
+  bool latched;          // false: goes away with its cause
+  bool ends_controller;  // true: step() returns -1
+  std::string_view name, meaning, remedy;
+};
+
+// Thresholds named here stand in safety/config.hpp.
+inline constexpr auto kFaultTable = std::to_array<FaultRow>({
+    {Fault::kBusSilent, Reaction::kStopSending, false, false, "bus_silent",
+     "the CM-730 board has not answered for 5 cycles",
+     "check the USB cable and the robot's power switch; the runtime goes on by itself when the board is back"},
+    {Fault::kBoardReset, Reaction::kHold, false, false, "board_reset",
+     "the CM-730 reports that servo power is off: its RESET button was pressed or its supply dipped",
+     "nothing: power is switched on again and the joints are taken over where they are, slowly"},
+    {Fault::kServoSilent, Reaction::kReport, false, false, "servo_silent", "a servo has not answered for half a second",
+     "check the cable that leads to the first silent servo of its chain"},
+    {Fault::kBatteryLow, Reaction::kReport, false, false, "battery_low", "the supply is under 11.0 V for 2 s",
+     "charge or change the battery soon"},
+    {Fault::kBatteryEmpty, Reaction::kKneel, true, true, "battery_empty", "the supply is under 10.0 V for 2 s",
+     "change the battery, then reset the faults"},
+    {Fault::kServoHot, Reaction::kSlow, false, false, "servo_hot", "a servo is at 65 deg C or more",
+     "give the robot a rest; joints move at the gentle speed until it has cooled to 60 deg C"},
+    {Fault::kServoOverheat, Reaction::kKneel, true, true, "servo_overheat",
+     "a servo is at 75 deg C or more, or has set its overheating bit (it shuts itself off at 80)",
+     "let it cool, look for a joint that works against a stop, then reset the faults"},
+    {Fault::kServoOverload, Reaction::kKneel, true, true, "servo_overload",
+     "a servo has set its overload bit and shut itself off",
+     "free the joint, then reset the faults: torque limit and torque are restored together"},
+    {Fault::kServoVoltage, Reaction::kReport, false, false, "servo_voltage",
+     "a servo reports a supply outside its limits (6 to 16 V)", "check battery and cables"},
+    {Fault::kFell, Reaction::kReport, false, false, "fell", "the trunk is tilted by more than 60 deg for 0.5 s",
+     "stand the robot up; a controller that can get up may do so (set [Safety] on_fall = limp to forbid it)"},
+    {Fault::kReleasedByButton, Reaction::kLimp, true, true, "released_by_button",
+     "the MODE button was held for a quarter of a second: torque is off",
+     "hold the robot, reset the faults or start the controller again"},
+    {Fault::kControllerStalled, Reaction::kHold, false, false, "controller_stalled",
+     "the controller has not called step() for 500 ms",
+     "the last safe goals are held; it goes on when step() is called"},
+    {Fault::kControllerGone, Reaction::kKneel, false, false, "controller_gone",
+     "the controller has been silent for 10 s, or has ended",
+     "the robot sits down slowly and lets go; start a controller to take over"},
+});
+
+inline constexpr FaultRow kNoFault{Fault::kNone, Reaction::kReport, false, false, "none", "all is well", ""};
+
+/// The row of a fault; kNoFault for kNone and for numbers that are no fault.
+constexpr const FaultRow& row(Fault fault) {
+  for (const FaultRow& r : kFaultTable)
+    if (r.fault == fault) return r;
+  return kNoFault;
+}
+inline constexpr std::size_t kFaults = kFaultTable.size();
+
+/// Limits act on a command and are counted; they are not faults.
+enum class Limit : std::uint8_t {
+  kPosition,   // goal outside the joint's range: clamped
+  kRate,       // goal further away than the joint may move in a cycle: approached step by step
+  kNotFinite,  // NaN or infinity: the previous goal is kept
+  kSpeed,      // speed limit out of range: clamped
+  kTorque,     // torque limit out of range: clamped
+  kGain,       // P gain out of range: clamped
+  kCount
+};
+inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kCount);
+inline constexpr std::array<std::string_view, kLimits> kLimitNames{"position", "rate",   "not_finite",
+                                                                   "speed",    "torque", "gain"};
+
+/// Where the robot is between "no contact" and "a controller drives". Transitions: safety/states.hpp.
+enum class State : std::uint8_t {
+  kOffline,     // the board does not answer; nothing is sent
+  kLimp,        // the board answers, torque is off, everything is read
+  kTakingOver,  // goals are at the present pose, torque comes on
+  kStarting,    // slow move to the start pose
+  kDriven,      // a controller's commands are carried out
+  kHolding,     // the controller is silent: last safe goals
+  kKneeling,    // slow move to the start pose, then limp
+  kCount
+};
+inline constexpr std::size_t kStates = static_cast<std::size_t>(State::kCount);
+inline constexpr std::array<std::string_view, kStates> kStateNames{"offline", "limp",    "taking_over", "starting",
+                                                                   "driven",  "holding", "kneeling"};
+
+}  // namespace darwinop

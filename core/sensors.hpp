@@ -1,0 +1,110 @@
+// What is known of the robot after a cycle. Not received is never zero: every device carries its age.
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include "core/faults.hpp"
+#include "core/joints.hpp"
+#include "core/units.hpp"
+
+namespace darwinop {
+
+/// Age of a measurement in cycles. 0: received in this cycle.
+struct Freshness {
+  static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t age = kNever;
+
+  [[nodiscard]] constexpr bool fresh() const { return age == 0; }
+  [[nodiscard]] constexpr bool ever() const { return age != kNever; }
+  constexpr void received() { age = 0; }
+  constexpr void missed() {
+    if (age < kNever - 1) ++age;
+  }
+};
+
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Values are the last received ones; NaN until the first. `motion` and `health` tell how old they are.
+struct JointSensors {
+  Freshness motion;             // age of position, velocity, load, error_bits
+  Rad position;                 // rad
+  RadPerSec velocity;           // rad/s
+  double load = kUnknown;       // fraction of the greatest torque, -1..1, positive pushes counter-clockwise
+  std::uint8_t error_bits = 0;  // error byte of the last status packet, see error_bit
+
+  Freshness health;  // age of what follows: each servo is looked at in turn, all within a second
+  Volt voltage;
+  Celsius temperature;
+  NewtonMeter torque_limit;  // as the servo has it; 0 after it shut itself off
+  bool torque_enabled = false;
+
+  Rad commanded;        // goal sent last, after safety; NaN while the joint is not driven
+  bool driven = false;  // true: the joint gets goals
+};
+
+struct BoardSensors {
+  Freshness motion;                           // age of everything here
+  std::array<RadPerSec, 3> gyro;              // x, y, z, rad/s
+  std::array<MeterPerSec2, 3> accelerometer;  // x, y, z, m/s2; upright 0, 0, +9.8
+  std::uint8_t buttons = 0;                   // 1 MODE, 2 START
+  Volt voltage;
+  double microphone_left = kUnknown;  // 0..1023
+  bool servo_power = false;
+  std::uint8_t led_panel = 0;
+  std::uint16_t led_head = 0, led_eye = 0;
+  std::uint8_t error_bits = 0;
+};
+
+/// Cumulative since the loop started.
+struct LinkCounters {
+  std::uint32_t exchanges = 0;   // BulkReads sent
+  std::uint32_t incomplete = 0;  // of these, answered in part or not at all
+  std::uint32_t retries = 0;     // times a silent device was asked again
+  std::uint32_t bad_checksums = 0;
+  std::uint32_t garbage_bytes = 0;
+  std::uint32_t late_replies = 0;  // answers to an earlier request, thrown away
+  std::uint32_t reconnects = 0;
+};
+
+/// Figures of one cycle on the wire.
+struct WireFigures {
+  std::uint32_t bytes_out = 0, bytes_in = 0;
+  std::int64_t wire_ns = 0;  // bytes at the baud rate: what the cycle cannot be faster than
+  std::int64_t bus_ns = 0;   // from the first byte written to the last one decoded
+};
+
+struct SafetyReport {
+  State state = State::kOffline;
+  std::bitset<kFaults> active;   // by row of kFaultTable
+  Fault worst = Fault::kNone;    // strongest reaction among the active ones, first of equals
+  std::uint8_t worst_joint = 0;  // servo id it concerns, 0: none
+  Reaction reaction = Reaction::kReport;
+  std::array<std::uint32_t, kLimits> limit_hits{};  // cumulative, all joints
+  bool controller_must_end = false;
+  std::uint32_t session = 0;  // session whose commands are obeyed
+  std::bitset<kJoints> tripped;       // shut themselves off; left alone until a reset is asked for
+  std::bitset<kJoints> missed_start;  // did not reach the start pose in time, in the last slow move to it
+  std::uint32_t start_timeouts = 0;   // slow moves to the start pose that ended without all joints there
+};
+
+struct Sensors {
+  std::uint64_t cycle = 0;           // counts from 1; 0: no cycle has run
+  std::int64_t time_ns = 0;          // release time of the cycle on the loop's clock
+  std::int64_t period_ns = 0;        // nominal
+  std::int64_t wake_latency_ns = 0;  // how late the cycle began
+  std::int64_t slack_ns = 0;         // time left before the next release, of the previous cycle
+  std::uint32_t overruns = 0;        // cycles that ended after the next release, cumulative
+  std::array<JointSensors, kJoints> joint{};
+  BoardSensors board{};
+  LinkCounters link{};
+  WireFigures wire{};
+  SafetyReport safety{};
+  std::bitset<kJoints> silent;  // servos given up on for now; asked again about twice a second
+};
+static_assert(std::is_trivially_copyable_v<Sensors>);
+
+}  // namespace darwinop

@@ -1,0 +1,25 @@
+// Turns what a probe has measured into findings, each with the sentence that mends it.
+#pragma once
+
+#include <cstdint>
+
+#include "hal/cm730/finding.hpp"
+#include "hal/cm730/robot_facts.hpp"
+
+namespace darwinop::cm730 {
+
+/// Newer firmware has 4096 steps a turn and PID gains; older has 1024 steps and other registers. Source: MX-28 manual.
+inline constexpr std::uint8_t kOldestFirmware = 27;
+/// Greatest return delay that is left alone: 20 servos x 50 us cost a cycle 1 ms.
+inline constexpr std::uint8_t kMostReturnDelay = 25;  // counts of 2 us
+/// A short read takes 0.16 ms on the wire and 1 to 2 ms through USB; from here on the chip's timer is to blame.
+inline constexpr Nanos kLatencySignature{8'000'000};
+/// Single losses are normal (0.2 to 0.4 % is what others measure); alarm is on the rate, never on one miss.
+inline constexpr double kLossAlarm = 0.01, kLossFatal = 0.10;
+
+Findings diagnose(const RobotFacts& facts);
+
+/// Time of a full cycle with twenty servos: bytes, return delays, and what the round trip adds to them.
+Nanos cycleTime(const RobotFacts& facts);
+
+}  // namespace darwinop::cm730

@@ -1,0 +1,88 @@
+// Tries what a real-time loop needs of the kernel.
+#include "hal/cm730/host_checks.hpp"
+
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <string>
+#include <thread>
+
+namespace darwinop::cm730 {
+namespace {
+
+// A kernel without high-resolution timers reports its tick, 1 to 10 ms.
+constexpr Nanos kFineClock{1'000};
+
+// A controller's process with its libraries and thread stacks; the usual limit of 8 MB is too little.
+constexpr std::size_t kLockedBytes = 48 * 1024 * 1024;
+
+constexpr const char* kLimitsFile = "/etc/security/limits.d/darwinop.conf";
+
+int tryPriority(int priority) {
+  int error = 0;
+  std::thread{[&] {
+    sched_param wanted{};
+    wanted.sched_priority = priority;
+    error = ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted);
+  }}.join();
+  return error;
+}
+
+int tryLocking() {
+  void* const memory = ::mmap(nullptr, kLockedBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return errno;
+  const int error = ::mlock(memory, kLockedBytes) == 0 ? 0 : errno;
+  ::munmap(memory, kLockedBytes);
+  return error;
+}
+
+std::string limitLine(const std::string& line) {
+  return "echo \"$USER - " + line + "\" | sudo tee -a " + kLimitsFile + "   (then log out and in again)";
+}
+
+Finding priorityRow(const HostFacts& facts) {
+  const std::string name = "real-time priority " + std::to_string(facts.priority);
+  if (facts.priority_error == 0) return {Level::kOk, name + " is permitted", {}};
+  return {Level::kWarning, name + " is refused (" + std::strerror(facts.priority_error) + "): cycles would come late",
+          limitLine("rtprio 90")};
+}
+
+Finding memoryRow(const HostFacts& facts) {
+  if (facts.memory_error == 0) return {Level::kOk, "locking memory is permitted", {}};
+  std::string what = "locking memory is refused (" + std::string{std::strerror(facts.memory_error)} + ")";
+  if (facts.memory_limit) what += ", the limit is " + std::to_string(*facts.memory_limit / 1024) + " KiB";
+  return {Level::kWarning, what + ": a page fault could stall the loop", limitLine("memlock unlimited")};
+}
+
+Finding clockRow(const HostFacts& facts) {
+  const std::string what = "clock resolution " + std::to_string(facts.clock_resolution.count()) + " ns";
+  if (facts.clock_resolution <= kFineClock) return {Level::kOk, what, {}};
+  return {Level::kError, what + ": too coarse for a 16 ms loop",
+          "boot a kernel with high-resolution timers (CONFIG_HIGH_RES_TIMERS), without highres=off"};
+}
+
+}  // namespace
+
+HostFacts measureHost(int priority) {
+  HostFacts facts;
+  facts.priority = priority;
+  facts.priority_error = tryPriority(priority);
+  facts.memory_error = tryLocking();
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) facts.memory_limit = limit.rlim_cur;
+  timespec resolution{};
+  ::clock_getres(CLOCK_MONOTONIC, &resolution);
+  facts.clock_resolution = std::chrono::seconds{resolution.tv_sec} + Nanos{resolution.tv_nsec};
+  return facts;
+}
+
+Findings diagnoseHost(const HostFacts& facts) {
+  return {priorityRow(facts), memoryRow(facts), clockRow(facts)};
+}
+
+}  // namespace darwinop::cm730

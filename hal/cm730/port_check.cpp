@@ -1,0 +1,42 @@
+// The doctor's look at a port.
+#include "hal/cm730/port_check.hpp"
+
+#include <stdexcept>
+
+#include "hal/cm730/serial_open.hpp"
+#include "hal/cm730/usb_serial.hpp"
+
+namespace darwinop::cm730 {
+
+Findings latencyRows(const std::string& path, const std::optional<int>& timer) {
+  if (!timer) return {};
+  const std::string what = "FTDI latency timer of " + ttyName(path) + " is " + std::to_string(*timer) + " ms";
+  if (*timer <= 1) return {{Level::kOk, what, {}}};
+  return {{Level::kError, what + ", a cycle needs 1",
+           latencyCommand(path) + "   (for good: the udev rule in docs/doctor.md)"}};
+}
+
+PortCheck checkPort(const std::string& path) {
+  PortCheck check;
+  try {
+    check.port = std::make_unique<SerialPort>(path);
+  } catch (const std::runtime_error& error) {
+    check.findings.push_back({Level::kError, error.what(), {}});
+    return check;
+  }
+  check.findings.push_back({Level::kOk, "port " + path + " is there, permitted and free; set to 1 Mbaud", {}});
+  const Findings latency = latencyRows(path, latencyTimer(path));
+  check.findings.insert(check.findings.end(), latency.begin(), latency.end());
+  return check;
+}
+
+std::string choosePort(const std::string& asked, const std::vector<std::string>& candidates) {
+  if (asked.empty()) return candidates.empty() ? "/dev/ttyUSB0" : candidates.front();
+  if (asked.find('/') == std::string::npos || asked.find("://") != std::string::npos)
+    throw std::runtime_error{"'" + asked +
+                             "' is no serial port: the doctor looks at a robot's port, for example "
+                             "--robot /dev/ttyUSB0, or the path that `darwinop virtual-robot` prints"};
+  return asked;
+}
+
+}  // namespace darwinop::cm730

@@ -1,0 +1,201 @@
+// The measurements of a probe, in order.
+#include "hal/cm730/probe.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "core/conversions.hpp"
+#include "core/packet.hpp"
+#include "core/registers.hpp"
+#include "hal/cm730/diagnosis.hpp"
+#include "hal/cm730/transactions.hpp"
+
+namespace darwinop::cm730 {
+namespace {
+
+constexpr std::uint8_t kServoBytes = servo::kPresentTemperature + 1;       // 0..43
+constexpr std::uint8_t kBoardBytes = find(kCm730, "voltage").address + 1;  // 0..50
+constexpr std::uint8_t kCwLimit = find(kMx28, "cw_limit").address, kCcwLimit = find(kMx28, "ccw_limit").address;
+constexpr std::uint8_t kReturnDelayWanted = 0, kStatusLevelWanted = 2;
+constexpr Nanos kServoBoot{300'000'000};       // upstream waits as long after switching servo power on
+constexpr Nanos kStallMargin{10'000'000};      // a busy PC is late by this much now and then; that is no loss
+constexpr Nanos kSecondLookTime{300'000'000};  // for all servos that were silent at first
+constexpr Nanos kMarginOverMedian{3'000'000};  // other programs and USB frames delay an answer now and then
+
+class Probe {
+ public:
+  Probe(ByteLine& line, const ProbeOptions& options) : line_{line}, options_{options} { facts_.port = options.port; }
+
+  RobotFacts run() {
+    const Nanos began = line_.now();
+    if (measureBoard()) {
+      measureRoundTrip();
+      switchServosOn();
+      if (facts_.board.power_on) measureServos();
+      measureLosses();
+    }
+    facts_.took = line_.now() - began;
+    return facts_;
+  }
+
+ private:
+  const Answer& note(const Answer& answer) {
+    if (answer.status == LineStatus::kLost) facts_.lost = true;
+    return answer;
+  }
+  Answer ping(std::uint8_t id) { return note(cm730::ping(line_, id, patience_)); }
+  Answer read(std::uint8_t id, std::uint8_t address, std::uint8_t count) {
+    return note(readRegisters(line_, id, address, count, patience_));
+  }
+  /// Asked once: an answer that gets lost must not wear the EEPROM twice.
+  Answer writeOnce(std::uint8_t id, std::uint8_t address, std::uint8_t value) {
+    return note(writeRegisters(line_, id, address, Bytes{&value, 1}, {1, patience_.margin}));
+  }
+
+  bool measureBoard() {
+    BoardFacts& board = facts_.board;
+    const Answer pinged = ping(kBoardId);
+    board.found = pinged.ok();
+    board.garbled = pinged.garbled && !pinged.ok();
+    if (!board.found) return false;
+    const Answer table = read(kBoardId, 0, kBoardBytes);
+    board.garbled |= table.garbled && !table.ok();
+    if (!table.ok()) return false;
+    board.readable = true;
+    const Bytes data = table.data();
+    board.model = wordAt(data, 0);
+    board.firmware = data[board::kFirmware];
+    board.power_was_on = board.power_on = data[board::kDxlPower] != 0;
+    board.voltage = voltFromRegister(data[find(kCm730, "voltage").address]);
+    std::size_t axis = 0;
+    for (const char* name : {"accel_x", "accel_y", "accel_z"}) {
+      const Register& reg = find(kCm730, name);
+      board.accelerometer[axis++] = MeterPerSec2{(wordAt(data, reg.address) - reg.zero) * reg.scale};
+    }
+    return true;
+  }
+
+  void measureRoundTrip() {
+    std::vector<Nanos> took;
+    for (int i = 0; i < options_.round_trip_reads && !facts_.lost; ++i)
+      if (const Answer answer = read(kBoardId, 0, 2); answer.ok() && answer.tries == 1) took.push_back(answer.took);
+    facts_.round_trip_reads = static_cast<int>(took.size());
+    if (took.empty()) return;
+    const auto middle = took.begin() + static_cast<std::ptrdiff_t>(took.size() / 2);
+    std::ranges::nth_element(took, middle);
+    facts_.round_trip = *middle;
+    // From now on a silent servo costs little time.
+    patience_.margin = std::min(patience_.margin, *middle + kMarginOverMedian);
+  }
+
+  void switchServosOn() {
+    BoardFacts& board = facts_.board;
+    if (board.power_on || facts_.lost) return;
+    const std::uint8_t on = 1;
+    note(writeRegisters(line_, kBoardId, board::kDxlPower, Bytes{&on, 1}, patience_));
+    if (pass(line_, kServoBoot) == LineStatus::kLost) facts_.lost = true;
+    const Answer answer = read(kBoardId, board::kDxlPower, 1);
+    board.power_on = answer.ok() && answer.data()[0] == 1;
+  }
+
+  void measureServos() {
+    for (std::size_t i = 0; i < kJoints && !facts_.lost; ++i) measureServo(kJointTable[i].id, facts_.servo[i]);
+    lookAgainAtSilentOnes();
+  }
+
+  /// A servo is not called silent because this computer was busy for a moment.
+  void lookAgainAtSilentOnes() {
+    const auto unheard = [](const ServoFacts& servo) { return !servo.found && !servo.garbled; };
+    const auto silent = std::ranges::count_if(facts_.servo, unheard);
+    if (silent == 0) return;
+    const Patience before = patience_;
+    patience_ = {1, std::min(Patience{}.margin, kSecondLookTime / silent)};
+    for (std::size_t i = 0; i < kJoints && !facts_.lost; ++i)
+      if (unheard(facts_.servo[i])) measureServo(kJointTable[i].id, facts_.servo[i]);
+    patience_ = before;
+  }
+
+  void measureServo(std::uint8_t id, ServoFacts& servo) {
+    const Answer pinged = ping(id);
+    servo.found = pinged.ok();
+    servo.garbled = pinged.garbled && !pinged.ok();
+    if (!servo.found) return;
+    readTable(id, servo);
+    // It answers to pings and is silent when read: status level 0. Level and torque cannot be read, so one write
+    // is tried; a servo whose torque is on ignores it.
+    if (!servo.readable && !servo.garbled && !facts_.lost) {
+      servo.level_mending = mend(id, servo::kStatusLevel, kStatusLevelWanted, false);
+      if (servo.level_mending == Mending::kDone) readTable(id, servo);
+    } else if (servo.readable && servo.status_level != kStatusLevelWanted) {
+      servo.level_mending = mend(id, servo::kStatusLevel, kStatusLevelWanted, servo.torque_on);
+      if (servo.level_mending == Mending::kDone) servo.status_level = kStatusLevelWanted;
+    }
+    if (!servo.readable || servo.return_delay <= kMostReturnDelay) return;
+    servo.return_delay_was = servo.return_delay;
+    servo.delay_mending = mend(id, servo::kReturnDelay, kReturnDelayWanted, servo.torque_on);
+    if (servo.delay_mending == Mending::kDone) servo.return_delay = kReturnDelayWanted;
+  }
+
+  void readTable(std::uint8_t id, ServoFacts& servo) {
+    const Answer table = read(id, 0, kServoBytes);
+    servo.garbled |= table.garbled && !table.ok();
+    if (!table.ok()) return;
+    const Bytes data = table.data();
+    servo.readable = true;
+    servo.error_bits = table.error_bits;
+    servo.model = wordAt(data, 0);
+    servo.firmware = data[servo::kFirmware];
+    servo.return_delay = data[servo::kReturnDelay];
+    servo.status_level = data[servo::kStatusLevel];
+    servo.wheel_mode = wordAt(data, kCwLimit) == 0 && wordAt(data, kCcwLimit) == 0;
+    servo.torque_on = data[servo::kTorqueEnable] != 0;
+    servo.torque_limit = wordAt(data, servo::kTorqueLimit);
+    servo.position = radFromTicks(wordAt(data, servo::kPresentPosition));
+    servo.voltage = voltFromRegister(data[servo::kPresentVoltage]);
+    servo.temperature = Celsius{static_cast<double>(data[servo::kPresentTemperature])};
+  }
+
+  Mending mend(std::uint8_t id, std::uint8_t address, std::uint8_t wanted, bool torque_on) {
+    if (!options_.correct) return Mending::kNotAsked;
+    if (torque_on) return Mending::kTorqueOn;
+    for (int attempt = 0; attempt < 2 && !facts_.lost; ++attempt) {
+      writeOnce(id, address, wanted);
+      const Answer now = read(id, address, 1);
+      if (now.ok() && now.data()[0] == wanted) return Mending::kDone;
+    }
+    return Mending::kRefused;
+  }
+
+  void measureLosses() {
+    const Nanos until = line_.now() + options_.loss_budget;
+    for (int round = 0; round < options_.loss_reads_per_servo; ++round)
+      for (std::size_t i = 0; i < kJoints; ++i) {
+        ServoFacts& servo = facts_.servo[i];
+        if (!servo.readable) continue;
+        if (facts_.lost || line_.now() >= until) return;
+        ++servo.reads;
+        const Answer answer = note(
+            readRegisters(line_, kJointTable[i].id, servo::kPresentPosition, 2, {1, facts_.round_trip + kStallMargin}));
+        if (!answer.ok()) ++servo.losses;
+      }
+  }
+
+  ByteLine& line_;
+  const ProbeOptions& options_;
+  RobotFacts facts_;
+  Patience patience_;
+};
+
+}  // namespace
+
+RobotFacts measure(ByteLine& line, const ProbeOptions& options) {
+  return Probe{line, options}.run();
+}
+
+ProbeReport probe(ByteLine& line, const ProbeOptions& options) {
+  ProbeReport report{measure(line, options), {}};
+  report.findings = diagnose(report.facts);
+  return report;
+}
+
+}  // namespace darwinop::cm730

@@ -1,0 +1,119 @@
+#include "hal/cm730/reply_decoder.hpp"
+
+#include "core/conversions.hpp"
+#include "core/registers.hpp"
+
+namespace darwinop::cm730 {
+namespace {
+
+/// A register's raw value out of a block that starts at `window`.
+std::uint16_t raw(Bytes block, std::uint8_t first, const Register& r) noexcept {
+  const std::size_t at = static_cast<std::size_t>(r.address - first);
+  return r.bytes == 2 ? wordAt(block, at) : block[at];
+}
+
+double si(Bytes block, std::uint8_t first, const Register& r) noexcept {
+  return (raw(block, first, r) - r.zero) * r.scale;
+}
+
+constexpr const auto& kGyroX = find(kCm730, "gyro_x");
+constexpr const auto& kGyroY = find(kCm730, "gyro_y");
+constexpr const auto& kGyroZ = find(kCm730, "gyro_z");
+constexpr const auto& kAccelX = find(kCm730, "accel_x");
+constexpr const auto& kAccelY = find(kCm730, "accel_y");
+constexpr const auto& kAccelZ = find(kCm730, "accel_z");
+constexpr const auto& kPower = find(kCm730, "dxl_power");
+constexpr const auto& kPanel = find(kCm730, "led_panel");
+constexpr const auto& kHeadLed = find(kCm730, "led_head");
+constexpr const auto& kEyeLed = find(kCm730, "led_eye");
+constexpr const auto& kButtons = find(kCm730, "buttons");
+constexpr const auto& kVoltage = find(kCm730, "voltage");
+constexpr const auto& kMicLeft = find(kCm730, "mic_left");
+constexpr const auto& kPosition = find(kMx28, "present_position");
+constexpr const auto& kSpeed = find(kMx28, "present_speed");
+constexpr const auto& kLoad = find(kMx28, "present_load");
+constexpr const auto& kServoVoltage = find(kMx28, "present_voltage");
+constexpr const auto& kTemperature = find(kMx28, "present_temperature");
+constexpr const auto& kTorqueLimit = find(kMx28, "torque_limit");
+constexpr const auto& kTorqueEnable = find(kMx28, "torque_enable");
+
+}  // namespace
+
+void ReplyDecoder::begin(std::span<const ReadList::Entry> list, std::uint8_t board_bytes,
+                         BusReadings& readings) noexcept {
+  list_ = list;
+  board_bytes_ = board_bytes;
+  readings_ = &readings;
+  board_answered_ = false;
+  position_ = 0;
+  answered_.reset();
+}
+
+std::size_t ReplyDecoder::nextFrameBytes() const noexcept {
+  if (!board_answered_) return board_bytes_ + kFrameOverhead;
+  if (position_ == list_.size()) return 0;
+  return list_[position_].look ? kServoLook.frameBytes() : kServoWindow.frameBytes();
+}
+
+void ReplyDecoder::take(const Frame& frame) noexcept {
+  if (frame.id == kBoardId)
+    takeBoard(frame);
+  else
+    takeServo(frame);
+}
+
+void ReplyDecoder::takeBoard(const Frame& frame) noexcept {
+  if (frame.params.empty()) return;  // acknowledges a write
+  if (frame.params.size() != board_bytes_ || board_answered_) {
+    ++late_;
+    return;
+  }
+  board_answered_ = true;
+  const Bytes b = frame.params;
+  constexpr std::uint8_t kFirst = kBoardWindow.address;
+  BoardReading& out = readings_->board;
+  out.answered = true;
+  out.gyro = {RadPerSec{si(b, kFirst, kGyroX)}, RadPerSec{si(b, kFirst, kGyroY)}, RadPerSec{si(b, kFirst, kGyroZ)}};
+  out.accelerometer = {MeterPerSec2{si(b, kFirst, kAccelX)}, MeterPerSec2{si(b, kFirst, kAccelY)},
+                       MeterPerSec2{si(b, kFirst, kAccelZ)}};
+  out.buttons = static_cast<std::uint8_t>(raw(b, kFirst, kButtons));
+  out.voltage = Volt{si(b, kFirst, kVoltage)};
+  out.microphone_left = raw(b, kFirst, kMicLeft);
+  out.servo_power = raw(b, kFirst, kPower) != 0;
+  out.led_panel = static_cast<std::uint8_t>(raw(b, kFirst, kPanel));
+  out.led_head = raw(b, kFirst, kHeadLed);
+  out.led_eye = raw(b, kFirst, kEyeLed);
+  out.error_bits = frame.code;
+}
+
+void ReplyDecoder::takeServo(const Frame& frame) noexcept {
+  std::size_t at = position_;
+  while (at < list_.size() && kJointTable[list_[at].joint].id != frame.id) ++at;
+  if (!board_answered_ || at == list_.size()) {
+    ++late_;
+    return;
+  }
+  const ReadList::Entry entry = list_[at];
+  const Window window = entry.look ? kServoLook : kServoWindow;
+  const Bytes b = frame.params;
+  if (b.size() != window.count || raw(b, window.address, kPosition) > kTickMax) {
+    ++late_;  // not what was asked for
+    return;
+  }
+  position_ = at + 1;
+  answered_.set(entry.joint);
+  ServoReading& out = readings_->servo[entry.joint];
+  out.answered = true;
+  out.position = radFromTicks(raw(b, window.address, kPosition));
+  out.velocity = velocityFromRegister(raw(b, window.address, kSpeed));
+  out.load = loadFromRegister(raw(b, window.address, kLoad));
+  out.error_bits = frame.code;
+  if (!entry.look) return;
+  out.looked = true;
+  out.torque_enabled = raw(b, window.address, kTorqueEnable) != 0;
+  out.torque_limit = torqueFromRegister(raw(b, window.address, kTorqueLimit));
+  out.voltage = Volt{si(b, window.address, kServoVoltage)};
+  out.temperature = Celsius{si(b, window.address, kTemperature)};
+}
+
+}  // namespace darwinop::cm730

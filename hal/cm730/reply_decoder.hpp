@@ -1,0 +1,45 @@
+// Turns the answers to one BulkRead into readings in SI units. What is not received stays absent.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "core/packet.hpp"
+#include "hal/cm730/read_list.hpp"
+#include "hal/cm730/wire.hpp"
+#include "hal/servo_bus.hpp"
+
+namespace darwinop::cm730 {
+
+/// Judges the frames of one reply stream.
+///
+/// A late answer to an earlier request must never pass for a fresh one. The board is asked first, and for a
+/// number of bytes that differs from one doubtful request to the next (`board_bytes`); nothing counts until an
+/// answer of exactly that length has come, and then only in list order.
+class ReplyDecoder {
+ public:
+  void begin(std::span<const ReadList::Entry> list, std::uint8_t board_bytes, BusReadings& readings) noexcept;
+  void take(const Frame& frame) noexcept;
+
+  /// True when nothing more is to come.
+  [[nodiscard]] bool complete() const noexcept { return board_answered_ && position_ == list_.size(); }
+  /// Bytes of the frame that is due next; 0 when complete.
+  [[nodiscard]] std::size_t nextFrameBytes() const noexcept;
+  [[nodiscard]] bool boardAnswered() const noexcept { return board_answered_; }
+  [[nodiscard]] const ReadList::Mask& answered() const noexcept { return answered_; }
+  [[nodiscard]] std::uint32_t lateReplies() const noexcept { return late_; }
+
+ private:
+  void takeBoard(const Frame& frame) noexcept;
+  void takeServo(const Frame& frame) noexcept;
+
+  std::span<const ReadList::Entry> list_;
+  BusReadings* readings_ = nullptr;
+  std::uint8_t board_bytes_ = 0;
+  bool board_answered_ = false;
+  std::size_t position_ = 0;  // entries before it have answered or lost their turn
+  ReadList::Mask answered_;
+  std::uint32_t late_ = 0;
+};
+
+}  // namespace darwinop::cm730

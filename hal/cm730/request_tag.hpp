@@ -1,0 +1,35 @@
+// Tells the answer to this request from a late answer to an earlier one. Protocol 1.0 has no sequence number, so
+// the length of the board's block serves as one: it differs from each request to the next.
+#pragma once
+
+#include <cstdint>
+
+#include "core/registers.hpp"
+#include "hal/cm730/wire.hpp"
+
+namespace darwinop::cm730 {
+
+class RequestTag {
+ public:
+  /// Bytes to ask the board for, from address 24 on.
+  [[nodiscard]] std::uint8_t boardBytes() const noexcept {
+    return static_cast<std::uint8_t>(kBoardWindow.count + tag_);
+  }
+
+  /// Call after every exchange. `doubtful`: the board's answer is missing and may still come, who knows when.
+  void note(bool doubtful) noexcept {
+    if (doubtful)
+      wary_ = kWaryCycles;
+    else if (wary_ > 0)
+      --wary_;
+    tag_ = (tag_ + 1) % (wary_ > 0 ? kAllTags : kCalmTags);
+  }
+
+ private:
+  static constexpr int kAllTags = kBoardTableSize - kBoardWindow.address - kBoardWindow.count + 1;  // 28
+  static constexpr int kCalmTags = 4;  // 15 us a cycle in the mean; an answer is never three cycles late unnoticed
+  static constexpr int kWaryCycles = 64;
+  int tag_ = 0, wary_ = 0;
+};
+
+}  // namespace darwinop::cm730

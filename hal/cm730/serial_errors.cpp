@@ -1,0 +1,100 @@
+// Words for a port that could not be opened.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "hal/cm730/serial_open.hpp"
+
+namespace darwinop::cm730 {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool holds(const fs::path& process, const std::string& real) {
+  std::error_code error;
+  for (fs::directory_iterator it{process / "fd", error}, end; !error && it != end; it.increment(error)) {
+    std::error_code unreadable;
+    if (fs::read_symlink(it->path(), unreadable) == real) return true;
+  }
+  return false;
+}
+
+/// "process 1234 (darwinop-runtime)", or nothing: the files of other users' processes are not for all to see.
+std::string holder(const std::string& path) {
+  std::error_code error;
+  const std::string real = fs::canonical(path, error).string();
+  if (error) return {};
+  for (fs::directory_iterator it{"/proc", error}, end; !error && it != end; it.increment(error)) {
+    const std::string pid = it->path().filename().string();
+    if (pid.find_first_not_of("0123456789") != std::string::npos || !holds(it->path(), real)) continue;
+    if (pid == std::to_string(::getpid())) return "this process";
+    std::string name;
+    std::getline(std::ifstream{it->path() / "comm"}, name);
+    return "process " + pid + " (" + name + ")";
+  }
+  return {};
+}
+
+std::string choices() {
+  const auto ports = candidatePorts();
+  if (ports.empty())
+    return "no USB serial port is there at all: check the USB cable and the robot's power switch, or start "
+           "`darwinop virtual-robot` and use the path it prints";
+  std::string text = "ports that are there:";
+  for (const std::string& port : ports) text += " " + port;
+  return text + "; choose one with --robot or DARWINOP_ROBOT";
+}
+
+std::string inUse(const std::string& path) {
+  const std::string who = holder(path);
+  if (who.empty()) return path + " is in use by another program: find it with `sudo fuser -v " + path + "` and stop it";
+  if (who.find("(darwinop-runtim") != std::string::npos)  // the kernel keeps 15 letters of a name
+    return path + " is in use by the daemon, " + who + ": drive through it with --robot runtime, or stop it first";
+  return path + " is in use by " + who + ": stop it first";
+}
+
+}  // namespace
+
+std::string explain(const std::string& path, const OpenAttempt& failed) {
+  using Step = OpenAttempt::Step;
+  switch (failed.error) {
+    case ENOENT:
+    case ENODEV:
+    case ENXIO:
+    case ENOTDIR:
+      return "there is no " + path + "; " + choices();
+    case EACCES:
+    case EPERM:
+      return "no permission to open " + path + ": run `sudo usermod -aG dialout $USER`, then log out and in again";
+    case EBUSY:
+    case EWOULDBLOCK:
+      return inUse(path);
+    case ENOTTY:
+    case EISDIR:
+      return path + " is not a serial port; " + choices();
+    default:
+      break;
+  }
+  const std::string reason = std::strerror(failed.error);
+  if (failed.step == Step::kTerminal)
+    return path + " does not take 1 Mbaud and raw bytes (" + reason + "): it is not the port of a CM-730; " + choices();
+  return path + " cannot be opened (" + reason + "): unplug the USB cable, plug it in again and retry";
+}
+
+std::vector<std::string> candidatePorts(const std::string& dev) {
+  std::vector<std::string> ports;
+  std::error_code error;
+  for (fs::directory_iterator it{dev, error}, end; !error && it != end; it.increment(error)) {
+    const std::string name = it->path().filename().string();
+    if (name.starts_with("ttyUSB") || name.starts_with("ttyACM")) ports.push_back(it->path().string());
+  }
+  std::ranges::sort(ports);
+  return ports;
+}
+
+}  // namespace darwinop::cm730

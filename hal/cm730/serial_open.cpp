@@ -1,0 +1,126 @@
+// Opening, setting up and finding again of serial ports.
+#include "hal/cm730/serial_open.hpp"
+
+#include <fcntl.h>
+#include <linux/serial.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace darwinop::cm730 {
+namespace {
+
+using Step = OpenAttempt::Step;
+
+bool makeRaw(int fd) {
+  termios settings{};
+  if (::tcgetattr(fd, &settings) != 0) return false;
+  ::cfmakeraw(&settings);
+  settings.c_cflag |= CLOCAL | CREAD;
+  settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS | CSTOPB);
+  settings.c_cc[VMIN] = 0;  // a read takes what is there and returns; with nothing there it returns 0
+  settings.c_cc[VTIME] = 0;
+  ::cfsetspeed(&settings, B1000000);
+  if (::tcsetattr(fd, TCSANOW, &settings) != 0) return false;
+  // tcsetattr() is content when any of its wishes came true.
+  termios now{};
+  if (::tcgetattr(fd, &now) != 0) return false;
+  if (::cfgetospeed(&now) != B1000000 || (now.c_lflag & (ICANON | ECHO)) != 0) {
+    errno = EINVAL;
+    return false;
+  }
+  return true;
+}
+
+/// The FTDI driver sets its latency timer to 1 ms for this flag, and needs no root for it. A pty has no such call.
+void askForLowLatency(int fd) {
+  serial_struct settings{};
+  if (::ioctl(fd, TIOCGSERIAL, &settings) != 0) return;
+  settings.flags |= ASYNC_LOW_LATENCY;
+  ::ioctl(fd, TIOCSSERIAL, &settings);
+}
+
+bool isPty(int fd) {
+  struct stat info {};
+  constexpr unsigned kFirstPtyMajor = 136, kLastPtyMajor = 143;  // Linux: UNIX98 pty slaves
+  if (::fstat(fd, &info) != 0) return false;
+  const unsigned major_number = static_cast<unsigned>((info.st_rdev >> 8) & 0xFFF);
+  return major_number >= kFirstPtyMajor && major_number <= kLastPtyMajor;
+}
+
+/// The lock stops root too, TIOCEXCL also stops programs that do not ask for locks. A pty keeps TIOCEXCL after its
+/// last user went, which would shut out the next one, so it gets the lock only.
+bool lock(int fd) {
+  if (::flock(fd, LOCK_EX | LOCK_NB) != 0) return false;
+  return isPty(fd) || ::ioctl(fd, TIOCEXCL) == 0;
+}
+
+}  // namespace
+
+OpenAttempt openSerial(const std::string& path) {
+  const int fd = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (fd < 0) return {-1, Step::kOpen, errno};
+  const auto giveUp = [fd](Step step) {
+    const OpenAttempt failed{-1, step, errno};
+    ::close(fd);
+    return failed;
+  };
+  if (::isatty(fd) == 0) return giveUp(Step::kTerminal);
+  // Lock first: the settings of a port that somebody else uses are not ours to change.
+  if (!lock(fd)) return giveUp(Step::kLock);
+  if (!makeRaw(fd)) return giveUp(Step::kTerminal);
+  askForLowLatency(fd);
+  if (latencyTimer(path).value_or(1) > 1) setLatencyTimer(path, 1);
+  ::tcflush(fd, TCIOFLUSH);
+  return {fd, Step::kOpen, 0};
+}
+
+void closeSerial(int fd) {
+  if (fd < 0) return;
+  ::ioctl(fd, TIOCNXCL);
+  ::close(fd);
+}
+
+PortMemory::PortMemory(std::string path)
+    : path_{std::move(path)}, identity_{usbIdentity(path_)}, link_{markOf(path_)} {}
+
+std::optional<PortMemory::LinkMark> PortMemory::markOf(const std::string& path) {
+  struct stat info {};
+  if (::lstat(path.c_str(), &info) != 0 || !S_ISLNK(info.st_mode)) return std::nullopt;
+  return LinkMark{info.st_ino, info.st_mtim.tv_sec, info.st_mtim.tv_nsec};
+}
+
+/// A pty that hung up is gone for ever, and its name may be somebody's terminal now: it is ours only when the link
+/// to it was made anew. A USB port must be the device it was.
+bool PortMemory::mayBeOurs() const {
+  std::error_code error;
+  const std::string real = std::filesystem::canonical(path_, error).string();
+  if (error) return false;
+  if (real.starts_with("/dev/pts/")) {
+    const auto link = markOf(path_);
+    return link && link != link_;
+  }
+  return !identity_ || usbIdentity(path_) == identity_;
+}
+
+int PortMemory::reopen() const {
+  if (mayBeOurs()) {
+    const OpenAttempt attempt = openSerial(path_);
+    if (attempt.fd >= 0) return attempt.fd;
+  }
+  if (!path_.starts_with("/dev/ttyUSB")) return -1;
+  for (const std::string& other : siblings(path_, identity_)) {
+    const OpenAttempt attempt = openSerial(other);
+    if (attempt.fd >= 0) return attempt.fd;
+  }
+  return -1;
+}
+
+}  // namespace darwinop::cm730

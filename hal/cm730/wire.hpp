@@ -1,0 +1,39 @@
+// What a byte costs on the bus, and which registers a cycle reads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "core/packet.hpp"
+#include "core/registers.hpp"
+#include "hal/byte_line.hpp"
+
+namespace darwinop::cm730 {
+
+/// 1 Mbaud, one start and one stop bit: 10 us a byte.
+inline constexpr Nanos kByteTime{10'000};
+constexpr Nanos wireTime(std::size_t bytes) {
+  return kByteTime * static_cast<std::int64_t>(bytes);
+}
+
+/// Registers from `address` on.
+struct Window {
+  std::uint8_t address, count;
+  [[nodiscard]] constexpr std::size_t frameBytes() const { return count + kFrameOverhead; }
+};
+
+// Board: power, LEDs, buttons, gyro, accelerometer, voltage, left microphone.
+inline constexpr Window kBoardWindow{24, 30};  // 24..53
+
+// Servos: position, speed, load in every cycle. Torque limit (34, 35) is left to the look: the error byte that
+// comes with every answer tells a shutdown sooner, and 20 x 2 bytes would cost 0.4 ms of each cycle.
+inline constexpr Window kServoWindow{36, 6};  // 36..41
+
+// One servo a cycle, in turn, is looked at whole: torque enable, gains, goal, limits, motion, voltage,
+// temperature. 14 bytes more: 0.14 ms; twenty servos take 0.32 s at 16 ms.
+inline constexpr Window kServoLook{24, 20};  // 24..43
+
+static_assert(kServoWindow.address == servo::kPresentPosition);
+static_assert(kServoLook.address + kServoLook.count == servo::kPresentTemperature + 1);
+
+}  // namespace darwinop::cm730

@@ -1,0 +1,43 @@
+// What a virtual board moves: joints pushed by their servos, and the inertial sensor of the trunk.
+// A physics twin may stand in for the plain body.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/joints.hpp"
+#include "hal/byte_line.hpp"
+
+namespace darwinop::hil {
+
+/// One servo's registers as the motion sees them.
+struct ServoDrive {
+  bool torque_on = false;  // false: limp, whatever else is said
+  double goal_rad = 0;
+  double speed_limit_rad_s = 0;               // infinity: no limit
+  double torque_limit = 0;                    // 0..1 of the greatest torque
+  double p_gain = 4, i_gain = 0, d_gain = 0;  // Kp, Ki, Kd of the MX-28 manual
+  double supply_v = 12;
+};
+using Drives = std::array<ServoDrive, kJoints>;
+
+struct JointMotion {
+  double position_rad = 0, velocity_rad_s = 0;
+  double load = 0;  // -1..1 of the greatest torque, positive pushes counter-clockwise
+};
+
+struct BodyState {
+  std::array<JointMotion, kJoints> joint{};
+  std::array<double, 3> gyro_rad_s{};               // x, y, z
+  std::array<double, 3> accel_m_s2{0, 0, 9.80665};  // x, y, z; upright and at rest
+  std::uint8_t buttons = 0;                         // 1 MODE, 2 START
+};
+
+class Body {
+ public:
+  virtual ~Body() = default;
+  virtual void step(Nanos dt, const Drives& drives) noexcept = 0;
+  [[nodiscard]] virtual const BodyState& state() const noexcept = 0;
+};
+
+}  // namespace darwinop::hil

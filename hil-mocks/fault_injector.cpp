@@ -1,0 +1,178 @@
+// Beginning, lasting and ending of faults.
+#include "hil-mocks/fault_injector.hpp"
+
+#include <algorithm>
+
+#include "hil-mocks/wire_faults.hpp"
+
+namespace darwinop::hil {
+namespace {
+
+constexpr Nanos kRampStep = std::chrono::milliseconds{100};
+constexpr double kGravity = 9.80665;
+
+Nanos seconds(double s) {
+  return std::chrono::duration_cast<Nanos>(std::chrono::duration<double>(s));
+}
+
+/// From `normal` to the fault's amount, in a straight line if it takes its time.
+double ramped(const Fault& fault, double normal, Nanos now) {
+  const Nanos gone = now - fault.at;
+  if (gone >= fault.over) return fault.amount;
+  return normal + (fault.amount - normal) * static_cast<double>(gone.count()) / static_cast<double>(fault.over.count());
+}
+
+/// What the accelerometer reads of a robot that lies. Face down the y axis points up (firmware: y < 512 - 80).
+std::array<double, 3> lying(Fall fall) {
+  switch (fall) {
+    case Fall::kFront:
+      return {0, -kGravity, 0};
+    case Fall::kBack:
+      return {0, kGravity, 0};
+    case Fall::kLeft:
+      return {-kGravity, 0, 0};
+    case Fall::kRight:
+      return {kGravity, 0, 0};
+  }
+  return {0, 0, kGravity};
+}
+
+}  // namespace
+
+FaultInjector::FaultInjector(std::uint64_t seed) : seed_{seed}, random_{seed} {
+  waiting_.reserve(kRoom);
+  active_.reserve(kRoom);
+}
+
+void FaultInjector::add(const Fault& fault) {
+  const auto place = std::ranges::lower_bound(waiting_, fault.at, std::ranges::greater{}, &Fault::at);
+  waiting_.insert(place, fault);
+  next_change_ = std::min(next_change_, fault.at);
+}
+
+void FaultInjector::add(std::span<const Fault> faults) {
+  for (const Fault& fault : faults) add(fault);
+}
+
+void FaultInjector::clear() noexcept {
+  waiting_.clear();
+  active_.clear();
+  wire_faults_ = false;
+  next_change_ = Nanos{0};  // the effects are taken back at once
+}
+
+void FaultInjector::apply(Nanos now, VirtualBoard& board) noexcept {
+  std::erase_if(active_, [now](const Active& a) {
+    return a.fault.end() <= now && !(isWireFault(a.fault.kind) && a.fault.lasts == Nanos{0});
+  });
+  for (std::size_t i = 0; i < active_.size(); ++i)
+    if (active_[i].fault.kind == FaultKind::kRandom) draw(active_[i], now);
+  while (!waiting_.empty() && waiting_.back().at <= now) {
+    begin(waiting_.back(), board);
+    waiting_.pop_back();
+  }
+  wire_faults_ = std::ranges::any_of(active_, [](const Active& a) { return isWireFault(a.fault.kind); });
+  showEffects(now, board);
+  planNext(now);
+}
+
+void FaultInjector::begin(const Fault& fault, VirtualBoard& board) noexcept {
+  ++begun_;
+  if (fault.kind == FaultKind::kReset) return board.pressReset();
+  active_.push_back({fault, fault.at});
+  if (fault.kind == FaultKind::kRandom)
+    active_.back().next_draw = fault.at + seconds(random_.between(0, 2 / fault.amount));
+}
+
+void FaultInjector::draw(Active& source, Nanos now) noexcept {
+  if (source.fault.amount <= 0) return;
+  while (source.next_draw <= now) {
+    FaultKinds kinds = source.fault.kinds;
+    kinds.reset(static_cast<std::size_t>(FaultKind::kRandom));
+    if (kinds.any() && waiting_.size() < waiting_.capacity() && active_.size() < kRoom / 2) {
+      std::size_t kind = random_.below(kFaultKinds);
+      while (!kinds[kind]) kind = (kind + 1) % kFaultKinds;
+      add(randomFault(static_cast<FaultKind>(kind), source.next_draw));
+    }
+    source.next_draw += seconds(random_.between(0, 2 / source.fault.amount)) + Nanos{1};
+  }
+}
+
+Fault FaultInjector::randomFault(FaultKind kind, Nanos at) noexcept {
+  Fault fault;
+  fault.at = at;
+  fault.kind = kind;
+  fault.lasts = seconds(random_.between(0.02, 2.0));
+  fault.joints.set(random_.below(kJoints));
+  fault.fall = static_cast<Fall>(random_.below(4));
+  fault.way = static_cast<Way>(1 + random_.below(3));
+  fault.bits = static_cast<std::uint8_t>(random_.below(128));
+  fault.chance = 0.01 + 0.2 * random_.fraction();
+  fault.amount = 1 + random_.below(8);  // bytes or ms
+  if (kind == FaultKind::kHeat) fault.amount = random_.between(40, 90);
+  if (kind == FaultKind::kVoltage) fault.amount = random_.between(5, 16.5);
+  if (kind == FaultKind::kButton) fault.bits = static_cast<std::uint8_t>(1 + random_.below(3));
+  return fault;
+}
+
+void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
+  const BoardOptions& normal = board.options();
+  std::bitset<kJoints> dead;
+  std::array<std::uint8_t, kJoints> errors{};
+  std::array<double, kJoints> celsius;
+  celsius.fill(normal.temperature_c);
+  double supply_v = normal.supply_v;
+  std::uint8_t buttons = 0;
+  std::optional<std::array<double, 3>> acceleration;
+  Nanos stalled_until{0};
+  unplugged_ = false;
+
+  for (const auto& [fault, next_draw] : active_) {
+    for (std::size_t i = 0; i < kJoints; ++i) {
+      if (!fault.joints[i]) continue;
+      if (fault.kind == FaultKind::kErrors) errors[i] |= fault.bits;
+      if (fault.kind == FaultKind::kHeat) celsius[i] = ramped(fault, normal.temperature_c, now);
+    }
+    if (fault.kind == FaultKind::kDead) dead |= fault.joints;
+    if (fault.kind == FaultKind::kVoltage) supply_v = ramped(fault, normal.supply_v, now);
+    if (fault.kind == FaultKind::kButton) buttons |= fault.bits;
+    if (fault.kind == FaultKind::kFallen) acceleration = lying(fault.fall);
+    if (fault.kind == FaultKind::kStall) stalled_until = std::max(stalled_until, fault.end());
+    if (fault.kind == FaultKind::kUnplug) unplugged_ = true;
+  }
+
+  board.stallUntil(stalled_until);
+  board.setSupply(supply_v);
+  board.setButtons(buttons);
+  board.setAcceleration(acceleration);
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const Joint joint = static_cast<Joint>(i);
+    board.setServoErrors(joint, errors[i]);
+    board.setTemperature(joint, celsius[i]);
+    if (dead[i] != dead_[i]) board.setServoDead(joint, dead[i]);
+  }
+  dead_ = dead;
+}
+
+void FaultInjector::planNext(Nanos now) noexcept {
+  next_change_ = waiting_.empty() ? Nanos::max() : waiting_.back().at;
+  for (const auto& [fault, next_draw] : active_) {
+    if (fault.end() > now) next_change_ = std::min(next_change_, fault.end());
+    const Nanos reached = fault.at + fault.over;
+    if (now < reached) next_change_ = std::min({next_change_, reached, now + kRampStep});
+    if (fault.kind == FaultKind::kRandom) next_change_ = std::min(next_change_, next_draw);
+  }
+}
+
+void FaultInjector::pass(Chunk& chunk, Way way) noexcept {
+  if (!wire_faults_) return;
+  std::erase_if(active_, [&](const Active& a) {
+    const Fault& fault = a.fault;
+    const bool same_way = (static_cast<int>(fault.way) & static_cast<int>(way)) != 0;
+    if (!isWireFault(fault.kind) || !same_way || random_.fraction() >= fault.chance) return false;
+    spoil(chunk, fault, random_);
+    return fault.lasts == Nanos{0};
+  });
+}
+
+}  // namespace darwinop::hil

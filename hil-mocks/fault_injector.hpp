@@ -1,0 +1,65 @@
+// Makes the faults of a script, of calls, or of chance happen to a virtual board and its line.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hil-mocks/chunk.hpp"
+#include "hil-mocks/fault.hpp"
+#include "hil-mocks/random.hpp"
+#include "hil-mocks/virtual_board.hpp"
+
+namespace darwinop::hil {
+
+/// Same seed, same faults, same bytes. Not thread-safe.
+class FaultInjector {
+ public:
+  explicit FaultInjector(std::uint64_t seed = 1);
+
+  /// A fault whose time has passed begins at the next apply().
+  void add(const Fault& fault);
+  void add(std::span<const Fault> faults);
+  /// Ends every fault, those to come too.
+  void clear() noexcept;
+
+  /// When apply() has something to do.
+  [[nodiscard]] Nanos nextChange() const noexcept { return next_change_; }
+  void apply(Nanos now, VirtualBoard& board) noexcept;
+  /// Spoils a frame on its way if a wire fault says so.
+  void pass(Chunk& chunk, Way way) noexcept;
+  [[nodiscard]] bool portOpen() const noexcept { return !unplugged_; }
+
+  [[nodiscard]] std::uint64_t seed() const noexcept { return seed_; }
+  /// Faults begun so far.
+  [[nodiscard]] std::uint64_t begun() const noexcept { return begun_; }
+  /// Faults that last, now.
+  [[nodiscard]] std::size_t active() const noexcept { return active_.size(); }
+
+ private:
+  struct Active {
+    Fault fault;
+    Nanos next_draw{0};  // random
+  };
+
+  static constexpr std::size_t kRoom = 256;  // faults at a time; more are not drawn
+
+  void begin(const Fault& fault, VirtualBoard& board) noexcept;
+  void draw(Active& source, Nanos now) noexcept;
+  [[nodiscard]] Fault randomFault(FaultKind kind, Nanos at) noexcept;
+  void showEffects(Nanos now, VirtualBoard& board) noexcept;
+  void planNext(Nanos now) noexcept;
+
+  std::uint64_t seed_;
+  Random random_;
+  std::vector<Fault> waiting_;  // latest first
+  std::vector<Active> active_;
+  std::uint64_t begun_ = 0;
+  Nanos next_change_ = Nanos::max();
+  std::bitset<kJoints> dead_;
+  bool unplugged_ = false, wire_faults_ = false;
+};
+
+}  // namespace darwinop::hil

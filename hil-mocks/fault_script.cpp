@@ -1,0 +1,254 @@
+// Parser of fault scripts.
+#include "hil-mocks/fault_script.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include "core/packet.hpp"
+
+namespace darwinop::hil {
+namespace {
+
+constexpr double kLongest_s = 1e6;
+
+enum class Argument : std::uint8_t { kNone, kNumber, kBits, kButton, kFall };
+enum class For : std::uint8_t { kAllowed, kNeeded, kForbidden };
+
+struct KindRow {
+  FaultKind kind;
+  bool servo;
+  Argument argument;
+  double low, high;
+  std::string_view unit;
+  For lasts;
+  bool over;
+};
+
+constexpr auto kKinds = std::to_array<KindRow>({
+    {FaultKind::kDead, true, Argument::kNone, 0, 0, "", For::kAllowed, false},
+    {FaultKind::kErrors, true, Argument::kBits, 0, 0, "", For::kAllowed, false},
+    {FaultKind::kHeat, true, Argument::kNumber, 0, 255, "deg C", For::kAllowed, true},
+    {FaultKind::kVoltage, false, Argument::kNumber, 0, 25, "V", For::kAllowed, true},
+    {FaultKind::kReset, false, Argument::kNone, 0, 0, "", For::kForbidden, false},
+    {FaultKind::kButton, false, Argument::kButton, 0, 0, "", For::kAllowed, false},
+    {FaultKind::kFallen, false, Argument::kFall, 0, 0, "", For::kAllowed, false},
+    {FaultKind::kStall, false, Argument::kNone, 0, 0, "", For::kNeeded, false},
+    {FaultKind::kUnplug, false, Argument::kNone, 0, 0, "", For::kNeeded, false},
+    {FaultKind::kDrop, false, Argument::kNumber, 1, 255, "bytes", For::kAllowed, false},
+    {FaultKind::kCorrupt, false, Argument::kNumber, 1, 255, "bytes", For::kAllowed, false},
+    {FaultKind::kRepeat, false, Argument::kNumber, 1, 255, "bytes", For::kAllowed, false},
+    {FaultKind::kRepeatFrame, false, Argument::kNone, 0, 0, "", For::kAllowed, false},
+    {FaultKind::kDelay, false, Argument::kNumber, 0, 10000, "ms", For::kAllowed, false},
+    {FaultKind::kGarbage, false, Argument::kNumber, 1, 255, "bytes", For::kAllowed, false},
+    {FaultKind::kRandom, false, Argument::kNumber, 0.001, 1000, "faults a second", For::kAllowed, false},
+});
+static_assert(kKinds.size() == kFaultKinds);
+
+struct BitName {
+  std::string_view name;
+  std::uint8_t bits;
+};
+constexpr auto kErrorNames = std::to_array<BitName>({{"voltage", error_bit::kVoltage},
+                                                     {"angle_limit", error_bit::kAngleLimit},
+                                                     {"overheat", error_bit::kOverheat},
+                                                     {"range", error_bit::kRange},
+                                                     {"checksum", error_bit::kChecksum},
+                                                     {"overload", error_bit::kOverload},
+                                                     {"instruction", error_bit::kInstruction}});
+constexpr auto kButtonNames = std::to_array<BitName>({{"mode", 1}, {"start", 2}});
+constexpr auto kFallNames = std::to_array<std::string_view>({"front", "back", "left", "right"});
+constexpr auto kWayNames = std::to_array<std::string_view>({"replies", "requests", "both"});  // Way, less one
+constexpr Nanos kButtonPress = std::chrono::milliseconds{300};
+
+std::string textOf(double number) {
+  std::ostringstream out;
+  out << number;
+  return out.str();
+}
+
+template <class Range, class Name>
+std::string listOf(const Range& range, Name&& name) {
+  std::string list;
+  for (const auto& item : range) list += (list.empty() ? "" : ", ") + std::string(name(item));
+  return list;
+}
+
+/// One line, word by word.
+class Line {
+ public:
+  Line(std::string_view text, std::string_view file, std::size_t number) : rest_{text}, file_{file}, number_{number} {
+    rest_ = rest_.substr(0, rest_.find('#'));
+  }
+
+  /// The next word; empty at the end of the line.
+  std::string_view next() {
+    constexpr std::string_view kBlank = " \t\r";
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(kBlank), rest_.size()));
+    word_ = rest_.substr(0, rest_.find_first_of(kBlank));
+    rest_.remove_prefix(word_.size());
+    return word_;
+  }
+
+  [[noreturn]] void fail(const std::string& allowed) const {
+    const std::string field = word_.empty() ? "end of line" : "field '" + std::string(word_) + "'";
+    throw std::runtime_error(std::string(file_) + ":" + std::to_string(number_) + ": " + field + ": " + allowed);
+  }
+
+  /// The next word as a number.
+  double number(std::string_view what, double low, double high) {
+    const std::string_view word = next();
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size() || !(value >= low && value <= high))
+      fail(std::string(what) + " is a number from " + textOf(low) + " to " + textOf(high));
+    return value;
+  }
+
+  Nanos time(std::string_view what, double low_s) {
+    const std::chrono::duration<double> seconds{number(what, low_s, kLongest_s)};
+    return std::chrono::duration_cast<Nanos>(seconds);
+  }
+
+  /// Calls `take` with each part of the next word, "a+b+c".
+  template <class F>
+  void parts(F&& take) {
+    std::string_view word = next();
+    while (true) {
+      const std::size_t plus = word.find('+');
+      take(word.substr(0, plus));
+      if (plus == word.npos) return;
+      word.remove_prefix(plus + 1);
+    }
+  }
+
+ private:
+  std::string_view rest_, word_, file_;
+  std::size_t number_;
+};
+
+void readServos(Line& line, Fault& fault) {
+  line.parts([&](std::string_view name) {
+    if (name == "all") return void(fault.joints.set());
+    const auto found = std::ranges::find_if(
+        kJointTable, [&](const JointRow& row) { return name == row.name || name == std::to_string(row.id); });
+    if (found == kJointTable.end())
+      line.fail("allowed are a servo's name or id, several joined by '+', or all; names are " +
+                listOf(kJointTable, [](const JointRow& row) { return row.name; }));
+    fault.joints.set(found->id - std::size_t{1});
+  });
+}
+
+template <std::size_t N>
+void readBits(Line& line, const std::array<BitName, N>& names, Fault& fault) {
+  line.parts([&](std::string_view name) {
+    const auto found = std::ranges::find(names, name, &BitName::name);
+    if (found == names.end())
+      line.fail("allowed, several joined by '+', are " + listOf(names, [](const BitName& row) { return row.name; }));
+    fault.bits |= found->bits;
+  });
+}
+
+void readFall(Line& line, Fault& fault) {
+  const auto found = std::ranges::find(kFallNames, line.next());
+  if (found == kFallNames.end()) line.fail("allowed are " + listOf(kFallNames, std::identity{}));
+  fault.fall = static_cast<Fall>(found - kFallNames.begin());
+}
+
+void readKinds(Line& line, Fault& fault) {
+  fault.kinds.reset();
+  line.parts([&](std::string_view name) {
+    const auto found = std::ranges::find(kFaultKindNames, name);
+    if (found == kFaultKindNames.end() || name == "random")
+      line.fail("allowed, several joined by '+', are the other kinds of faults");
+    fault.kinds.set(static_cast<std::size_t>(found - kFaultKindNames.begin()));
+  });
+}
+
+void readArgument(Line& line, const KindRow& row, Fault& fault) {
+  switch (row.argument) {
+    case Argument::kNone:
+      break;
+    case Argument::kNumber:
+      fault.amount = line.number(row.unit, row.low, row.high);
+      break;
+    case Argument::kBits:
+      readBits(line, kErrorNames, fault);
+      break;
+    case Argument::kButton:
+      readBits(line, kButtonNames, fault);
+      fault.lasts = kButtonPress;
+      break;
+    case Argument::kFall:
+      readFall(line, fault);
+      break;
+  }
+}
+
+/// What may stand behind a fault, in any order.
+void readOptions(Line& line, const KindRow& row, Fault& fault) {
+  const bool wire = isWireFault(row.kind);
+  bool has_for = false, has_chance = false;
+  while (true) {
+    const std::string_view word = line.next();
+    const auto way = std::ranges::find(kWayNames, word);
+    if (word.empty()) break;
+    if (word == "for" && row.lasts != For::kForbidden) {
+      fault.lasts = line.time("seconds", 0.001);
+      has_for = true;
+    } else if (word == "over" && row.over) {
+      fault.over = line.time("seconds", 0);
+    } else if (word == "chance" && wire) {
+      fault.chance = line.number("a probability", 0, 1);
+      has_chance = true;
+    } else if (wire && way != kWayNames.end()) {
+      fault.way = static_cast<Way>(1 + (way - kWayNames.begin()));
+    } else if (word == "of" && row.kind == FaultKind::kRandom) {
+      readKinds(line, fault);
+    } else {
+      line.fail(std::string("here may stand ") + (row.lasts == For::kForbidden ? "nothing" : "'for SECONDS'") +
+                (row.over ? ", 'over SECONDS'" : "") +
+                (wire ? ", 'chance PROBABILITY', 'replies', 'requests', 'both'" : "") +
+                (row.kind == FaultKind::kRandom ? ", 'of KIND+KIND'" : ""));
+    }
+  }
+  if (row.lasts == For::kNeeded && !has_for) line.fail("'for SECONDS' is needed");
+  if (wire && !has_for && !has_chance) fault.lasts = Nanos{0};
+}
+
+}  // namespace
+
+std::vector<Fault> parseFaultScript(std::string_view text, std::string_view file_name) {
+  std::vector<Fault> faults;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view content = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+
+    if (Line{content, file_name, number}.next().empty()) continue;
+    Line line{content, file_name, number};
+    Fault fault;
+    fault.at = line.time("seconds from the start", 0);
+    const auto name = std::ranges::find(kFaultKindNames, line.next());
+    if (name == kFaultKindNames.end()) line.fail("the kinds of faults are " + listOf(kFaultKindNames, std::identity{}));
+    const KindRow& row = kKinds[static_cast<std::size_t>(name - kFaultKindNames.begin())];
+    fault.kind = row.kind;
+    if (row.servo) readServos(line, fault);
+    readArgument(line, row, fault);
+    readOptions(line, row, fault);
+    faults.push_back(fault);
+  }
+  return faults;
+}
+
+std::vector<Fault> loadFaultScript(const std::string& path) {
+  std::ifstream file{path, std::ios::binary};
+  if (!file) throw std::runtime_error("cannot read the fault script " + path);
+  const std::string text{std::istreambuf_iterator<char>{file}, {}};
+  return parseFaultScript(text, path);
+}
+
+}  // namespace darwinop::hil

@@ -1,0 +1,55 @@
+// A line in memory with a simulated clock: a run is as fast as the machine allows and repeats bit for bit.
+#pragma once
+
+#include <cstdint>
+
+#include "core/packet.hpp"
+#include "hal/byte_line.hpp"
+#include "hil-mocks/virtual_robot.hpp"
+
+namespace darwinop::hil {
+
+/// Sees what goes over a line; for tests and recordings.
+class WireObserver {
+ public:
+  virtual ~WireObserver() = default;
+  /// A frame the PC sent, when it was handed over. Bytes that make no frame are not shown.
+  virtual void request(const Frame& frame, Nanos at) noexcept = 0;
+  /// Bytes the PC read, after faults: normally one status frame.
+  virtual void reply(Bytes bytes, Nanos at) noexcept = 0;
+};
+
+struct LineCounters {
+  std::uint64_t frames = 0, sync_writes = 0, bulk_reads = 0;
+  std::uint64_t bytes_out = 0, bytes_in = 0;
+};
+
+/// The clock is the line's: writing takes no time, reading jumps to the next reply or to the deadline, and
+/// advanceTo() to wherever the caller wants to be next.
+class MemoryLine : public ByteLine {
+ public:
+  explicit MemoryLine(VirtualRobot& robot) : robot_{robot} {}
+
+  [[nodiscard]] Nanos now() noexcept override { return now_; }
+  LineStatus write(std::span<const std::uint8_t> bytes) noexcept override;
+  LineStatus read(std::span<std::uint8_t> into, std::size_t& count, Nanos deadline) noexcept override;
+  void discardInput() noexcept override;
+  [[nodiscard]] std::uint32_t reconnects() const noexcept override { return robot_.replugs(); }
+
+  /// Lets simulated time pass; a time in the past is ignored.
+  void advanceTo(Nanos when) noexcept;
+
+  [[nodiscard]] VirtualRobot& robot() noexcept { return robot_; }
+  [[nodiscard]] const LineCounters& counters() const noexcept { return counters_; }
+  /// Null: nobody.
+  void observe(WireObserver* observer) noexcept { observer_ = observer; }
+
+ private:
+  VirtualRobot& robot_;
+  Nanos now_{0};
+  FrameReader sent_;
+  LineCounters counters_;
+  WireObserver* observer_ = nullptr;
+};
+
+}  // namespace darwinop::hil

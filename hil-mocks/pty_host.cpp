@@ -1,0 +1,126 @@
+// The thread behind the pseudo terminal.
+#include "hil-mocks/pty_host.hpp"
+
+#include <poll.h>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/eventfd.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+
+namespace darwinop::hil {
+namespace {
+
+constexpr Nanos kIdle = std::chrono::milliseconds{50};    // the body moves at least so often
+constexpr Nanos kQuiet = std::chrono::milliseconds{500};  // no client is so long without a word
+constexpr int kPriority = 70;
+
+void becomeRealTime() {
+  sched_param parameters{};
+  parameters.sched_priority = kPriority;
+  pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);  // refused: a little later, all the same
+  prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
+}
+
+}  // namespace
+
+PtyHost::PtyHost(VirtualRobot& robot, const PtyOptions& options)
+    : robot_{robot},
+      options_{options},
+      pty_{std::make_unique<Pty>(options.link)},
+      latency_{options.latency_timer},
+      start_{std::chrono::steady_clock::now() - robot.now()},
+      event_fd_{eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)} {
+  if (event_fd_ < 0) throw std::runtime_error(std::string("cannot make an eventfd: ") + std::strerror(errno));
+  thread_ = std::thread{[this] { serve(); }};
+}
+
+PtyHost::~PtyHost() {
+  stop_ = true;
+  wake();
+  thread_.join();
+  close(event_fd_);
+}
+
+std::string PtyHost::path() const {
+  const std::lock_guard lock{mutex_};
+  return pty_ ? pty_->path() : std::string{};
+}
+
+void PtyHost::wake() noexcept {
+  const std::uint64_t one = 1;
+  [[maybe_unused]] const ssize_t written = write(event_fd_, &one, sizeof one);
+}
+
+void PtyHost::serve() {
+  becomeRealTime();
+  while (!stop_) {
+    Nanos next;
+    {
+      const std::lock_guard lock{mutex_};
+      takeInput();
+      const Nanos time = now();
+      robot_.advance(time);
+      plugOrUnplug();
+      deliver(time);
+      next = nextWake(time);
+    }
+    sleepUntil(next);
+  }
+}
+
+void PtyHost::takeInput() noexcept {
+  std::array<std::uint8_t, 4096> bytes;
+  if (!pty_) return;
+  while (const std::size_t count = pty_->read(bytes)) {
+    last_input_ = now();
+    robot_.receive(Bytes{bytes}.first(count), last_input_);
+  }
+}
+
+void PtyHost::plugOrUnplug() {
+  if (robot_.portOpen() == (pty_ != nullptr)) return;
+  latency_.clear();
+  if (!robot_.portOpen()) return pty_.reset();
+  try {
+    pty_ = std::make_unique<Pty>(options_.link);
+  } catch (const std::exception&) {
+    // Tried again at the next wake: the old client may still hold the last pseudo terminal there is.
+  }
+}
+
+void PtyHost::deliver(Nanos now) noexcept {
+  if (!pty_) return;
+  const auto send = [this](Bytes bytes) { pty_->write(bytes); };
+  for (ChunkRing& output = robot_.output(); !output.empty() && output.front().at <= now; output.pop())
+    latency_.take(output.front().bytes(), output.front().at, send);
+  latency_.expire(now, send);
+  if (now - last_input_ > kQuiet) {
+    last_input_ = now;
+    pty_->dropStaleClaim();
+  }
+}
+
+Nanos PtyHost::nextWake(Nanos now) const noexcept {
+  return std::min({robot_.nextWake().value_or(Nanos::max()), latency_.due(), now + kIdle});
+}
+
+void PtyHost::sleepUntil(Nanos when) noexcept {
+  const Nanos wait = std::max(when - now(), Nanos{0});
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(wait);
+  const timespec timeout{static_cast<time_t>(seconds.count()), static_cast<long>((wait - seconds).count())};
+  std::array<pollfd, 2> fds{{{event_fd_, POLLIN, 0}, {pty_ ? pty_->fd() : -1, POLLIN, 0}}};
+  if (ppoll(fds.data(), fds.size(), &timeout, nullptr) > 0 && (fds[0].revents & POLLIN) != 0) {
+    std::uint64_t count;
+    [[maybe_unused]] const ssize_t taken = ::read(event_fd_, &count, sizeof count);
+  }
+}
+
+}  // namespace darwinop::hil

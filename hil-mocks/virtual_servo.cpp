@@ -1,0 +1,141 @@
+// Registers, power and protections of a virtual MX-28.
+#include "hil-mocks/virtual_servo.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "core/conversions.hpp"
+
+namespace darwinop::hil {
+namespace {
+
+constexpr std::uint8_t addressOf(std::string_view name) {
+  return find(kMx28, name).address;
+}
+constexpr std::uint8_t kCwLimit = addressOf("cw_limit"), kCcwLimit = addressOf("ccw_limit");
+constexpr std::uint8_t kTemperatureLimit = addressOf("temperature_limit");
+constexpr std::uint8_t kLowVoltage = addressOf("low_voltage_limit"), kHighVoltage = addressOf("high_voltage_limit");
+constexpr std::uint8_t kMaxTorque = addressOf("max_torque"), kShutdown = addressOf("shutdown");
+constexpr std::uint8_t kDGain = addressOf("d_gain"), kIGain = addressOf("i_gain");
+constexpr std::uint8_t kPresentSpeed = addressOf("present_speed"), kPresentLoad = addressOf("present_load");
+constexpr std::uint8_t kRegistered = addressOf("registered"), kMoving = addressOf("moving"), kLock = addressOf("lock");
+constexpr int kMovingTicks = 4;  // further than this from the goal counts as moving
+
+}  // namespace
+
+VirtualServo::VirtualServo(Joint joint, const ServoOptions& options)
+    : Device{kServoLayout}, missing_{options.missing}, position_{row(joint).start} {
+  table_.setByte(servo::kId, options.id == 0 ? row(joint).id : options.id);
+  table_.setByte(servo::kFirmware, options.firmware);
+  table_.setByte(servo::kReturnDelay, options.return_delay);
+  table_.setByte(servo::kStatusLevel, options.status_level);
+  table_.setByte(kBaudAddress, options.baud);
+}
+
+std::uint8_t VirtualServo::rounded(double value) {
+  return static_cast<std::uint8_t>(std::clamp(std::nearbyint(value), 0.0, 255.0));
+}
+
+void VirtualServo::powerUp(Nanos now, Nanos boot) {
+  if (powered_ || missing_ || dead_) return;
+  powered_ = true;
+  awake_at_ = now + boot;
+  goal_refused_ = false;
+  forgetRegistered();
+  const std::uint8_t temperature = table_.byte(servo::kPresentTemperature);
+  table_.reset(Memory::kRam);
+  table_.setByte(servo::kPresentTemperature, temperature);
+  setSupply(supply_v_);
+  table_.setWord(servo::kGoalPosition, position_);
+  table_.setWord(servo::kPresentPosition, position_);
+  table_.setWord(servo::kTorqueLimit, table_.word(kMaxTorque));
+  updateDrive();
+}
+
+std::uint8_t VirtualServo::standingErrors() const {
+  std::uint8_t bits = injected_errors_;
+  const std::uint8_t volt = table_.byte(servo::kPresentVoltage);
+  if (volt < table_.byte(kLowVoltage) || volt > table_.byte(kHighVoltage)) bits |= error_bit::kVoltage;
+  if (table_.byte(servo::kPresentTemperature) > table_.byte(kTemperatureLimit)) bits |= error_bit::kOverheat;
+  if (goal_refused_) bits |= error_bit::kAngleLimit;
+  return bits;
+}
+
+bool VirtualServo::goalWithinLimits(std::uint16_t goal) const {
+  const std::uint16_t low = table_.word(kCwLimit), high = table_.word(kCcwLimit);
+  const bool wheel = low == 0 && high == 0, multi_turn = low == 4095 && high == 4095;
+  return wheel || multi_turn || (goal >= low && goal <= high);
+}
+
+std::uint8_t VirtualServo::objections(std::uint8_t address, Bytes data) const {
+  if (!table_.accepts(address, data)) return error_bit::kRange;
+  if (table_.byte(kLock) != 0 && table_.touches(Memory::kEeprom, address, data)) return error_bit::kRange;
+  const bool has_goal = address <= servo::kGoalPosition && address + data.size() > servo::kGoalPosition;
+  if (has_goal && !goalWithinLimits(wordAt(data, servo::kGoalPosition - std::size_t{address})))
+    return error_bit::kAngleLimit;
+  return 0;
+}
+
+void VirtualServo::noteRefusal(std::uint8_t errors) {
+  goal_refused_ = (errors & error_bit::kAngleLimit) != 0;
+}
+
+void VirtualServo::write(std::uint8_t address, Bytes data) {
+  const bool was_locked = table_.byte(kLock) != 0;
+  table_.write(address, data);
+  if (was_locked) table_.setByte(kLock, 1);  // only a power cycle unlocks
+  // Protocol 1 servos switch torque on by themselves when they are given a goal.
+  if (address <= servo::kGoalPosition && address + data.size() > servo::kGoalPosition)
+    table_.setByte(servo::kTorqueEnable, 1);
+  updateDrive();
+}
+
+void VirtualServo::factoryReset() {
+  table_.reset(Memory::kEeprom);
+  updateDrive();
+}
+
+void VirtualServo::showRegistered(bool waiting) {
+  table_.setByte(kRegistered, waiting ? 1 : 0);
+}
+
+void VirtualServo::measure(const JointMotion& motion) {
+  position_ = static_cast<std::uint16_t>(ticksFromRad(Rad{motion.position_rad}));
+  if (!powered_) return;
+  table_.setWord(servo::kPresentPosition, position_);
+  table_.setWord(kPresentSpeed, registerFromVelocity(RadPerSec{motion.velocity_rad_s}));
+  table_.setWord(kPresentLoad, registerFromLoad(motion.load));
+  const int away = std::abs(int{table_.word(servo::kGoalPosition)} - int{position_});
+  table_.setByte(kMoving, table_.byte(servo::kTorqueEnable) != 0 && away > kMovingTicks ? 1 : 0);
+}
+
+void VirtualServo::updateDrive() {
+  const std::uint16_t speed = table_.word(servo::kMovingSpeed);
+  drive_.torque_on = table_.byte(servo::kTorqueEnable) != 0;
+  drive_.goal_rad = radFromTicks(table_.word(servo::kGoalPosition)).value;
+  drive_.speed_limit_rad_s = speed == 0 ? std::numeric_limits<double>::infinity() : speed * kRadPerSecPerCount;
+  drive_.torque_limit = table_.word(servo::kTorqueLimit) / static_cast<double>(kTorqueMax);
+  drive_.p_gain = table_.byte(servo::kPGain) * find(kMx28, "p_gain").scale;
+  drive_.i_gain = table_.byte(kIGain) * find(kMx28, "i_gain").scale;
+  drive_.d_gain = table_.byte(kDGain) * find(kMx28, "d_gain").scale;
+}
+
+const ServoDrive& VirtualServo::drive() {
+  drive_.supply_v = supply_v_;
+  if (!powered_) {
+    drive_.torque_on = false;
+    return drive_;
+  }
+  const std::uint8_t tripped = standingErrors() & table_.byte(kShutdown);
+  if (tripped != 0) {
+    table_.setWord(servo::kTorqueLimit, 0);
+    table_.setByte(servo::kTorqueEnable, 0);
+    updateDrive();
+  }
+  drive_.torque_on = table_.byte(servo::kTorqueEnable) != 0;
+  return drive_;
+}
+
+}  // namespace darwinop::hil

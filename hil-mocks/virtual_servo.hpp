@@ -1,0 +1,71 @@
+// One MX-28 on the virtual bus: its registers, its power, its protections.
+#pragma once
+
+#include "hil-mocks/body.hpp"
+#include "hil-mocks/device.hpp"
+
+namespace darwinop::hil {
+
+/// How a servo comes to the robot. Default: as the robot's own set-up tool leaves it.
+struct ServoOptions {
+  std::uint8_t id = 0;  // 0: the joint's own
+  std::uint8_t firmware = 36, return_delay = 0, status_level = 2;
+  std::uint8_t baud = 1;  // the bus runs at 1 Mbaud; another value makes the servo unreachable
+  bool missing = false;
+
+  /// A replaced servo that nobody has set up. `baud` 1: somebody got as far as that.
+  static constexpr ServoOptions factoryFresh(std::uint8_t baud_register = 34) {
+    return {1, 36, 250, 2, baud_register, false};
+  }
+};
+
+class VirtualServo : public Device {
+ public:
+  VirtualServo(Joint joint, const ServoOptions& options);
+
+  /// Supply of the bus switched at `now`; hears nothing until `boot` later. RAM starts from its reset values.
+  void powerUp(Nanos now, Nanos boot);
+  void powerDown() { powered_ = false; }
+  [[nodiscard]] bool listens(Nanos now) const { return powered_ && now >= awake_at_ && table_.byte(kBaudAddress) == 1; }
+
+  // -- what a fault does to it
+  /// Its plug is out: no supply either. Back in, it starts from its reset values with the next powerUp().
+  void setDead(bool dead) {
+    dead_ = dead;
+    powered_ = powered_ && !dead;
+  }
+  void setErrors(std::uint8_t bits) { injected_errors_ = bits; }
+  void setTemperature(double celsius) { table_.setByte(servo::kPresentTemperature, rounded(celsius)); }
+  void setSupply(double volt) {
+    supply_v_ = volt;
+    table_.setByte(servo::kPresentVoltage, rounded(volt * 10));
+  }
+
+  /// Brings the measuring registers up to date.
+  void measure(const JointMotion& motion);
+  /// What the motor is told, after the servo's own protections had their say.
+  [[nodiscard]] const ServoDrive& drive();
+
+ private:
+  static constexpr std::uint8_t kBaudAddress = find(kMx28, "baud").address;
+  static std::uint8_t rounded(double value);
+
+  [[nodiscard]] std::uint8_t standingErrors() const override;
+  [[nodiscard]] std::uint8_t objections(std::uint8_t address, Bytes data) const override;
+  void write(std::uint8_t address, Bytes data) override;
+  void noteRefusal(std::uint8_t errors) override;
+  void factoryReset() override;
+  void showRegistered(bool waiting) override;
+  [[nodiscard]] bool goalWithinLimits(std::uint16_t goal) const;
+  void updateDrive();
+
+  bool missing_, dead_ = false, powered_ = false;
+  bool goal_refused_ = false;
+  std::uint8_t injected_errors_ = 0;
+  double supply_v_ = 0;
+  Nanos awake_at_{0};
+  std::uint16_t position_;  // ticks; survives power-off as the horn does
+  ServoDrive drive_;
+};
+
+}  // namespace darwinop::hil

@@ -1,0 +1,14 @@
+// Spoils the bytes of one frame.
+#pragma once
+
+#include "hil-mocks/chunk.hpp"
+#include "hil-mocks/fault.hpp"
+#include "hil-mocks/random.hpp"
+
+namespace darwinop::hil {
+
+/// Drops, corrupts or repeats `fault.amount` bytes at random places, repeats or delays the frame, or puts
+/// garbage before it. The chunk may end empty.
+void spoil(Chunk& chunk, const Fault& fault, Random& random) noexcept;
+
+}  // namespace darwinop::hil

@@ -1,0 +1,95 @@
+#include "link/connect.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+
+#include "hal/cm730/diagnosis.hpp"
+#include "hal/cm730/probe.hpp"
+#include "hal/cm730/serial_port.hpp"
+#include "link/lockstep_robot.hpp"
+#include "link/owned_bus.hpp"
+#include "link/setting.hpp"
+#include "runtime/daemon_link.hpp"
+#include "runtime/threaded_link.hpp"
+
+namespace darwinop::link {
+namespace {
+
+runtime::LoopConfig loopConfig(const Request& request) {
+  runtime::LoopConfig config;
+  config.period = request.period;
+  config.safety = request.safety;
+  config.robot = request.robot_name;
+  config.record_path = request.record_path;
+  return config;
+}
+
+std::unique_ptr<runtime::RobotLink> serialRobot(const Request& request, const std::string& port) {
+  runtime::LoopConfig config = loopConfig(request);
+  config.real_time.demand = runtime::realTimeFromEnvironment();
+  OpenedBus opened = openSerialBus(port, request.period);
+  config.port = opened.description;
+  if (!opened.warnings.empty()) std::cerr << opened.warnings;
+  auto link = std::make_unique<runtime::ThreadedLink>(config, std::move(opened.bus));
+  if (!link->warning().empty()) std::cerr << "darwinop: " << link->warning() << '\n';
+  return link;
+}
+
+std::string troubles(const cm730::Findings& findings) {
+  std::string text;
+  for (const cm730::Finding& finding : findings)
+    if (finding.level != cm730::Level::kOk) text += cm730::toText(finding);
+  return text;
+}
+
+int servosFound(const cm730::RobotFacts& facts) {
+  return static_cast<int>(std::ranges::count_if(facts.servo, &cm730::ServoFacts::readable));
+}
+
+std::string describe(const std::string& port, const cm730::RobotFacts& facts) {
+  return port + " (CM-730 firmware " + std::to_string(facts.board.firmware) + ", " +
+         std::to_string(servosFound(facts)) + " servos)";
+}
+
+/// A robot that lacks a few servos can be driven without them; one that cannot be understood cannot.
+cm730::ProbeReport lookAt(ByteLine& line, const std::string& port) {
+  cm730::ProbeOptions options = cm730::ProbeOptions::quick();
+  options.port = port;
+  cm730::ProbeReport report = cm730::probe(line, options);
+  const auto too_old = [](const cm730::ServoFacts& servo) {
+    return servo.readable && servo.firmware < cm730::kOldestFirmware;
+  };
+  const cm730::RobotFacts& facts = report.facts;
+  if (!facts.board.readable || servosFound(facts) == 0 || std::ranges::any_of(facts.servo, too_old))
+    throw std::runtime_error("the robot on " + port + " cannot be driven:\n" + troubles(report.findings) +
+                             "Ask for the whole list with: darwinop doctor --robot " + port);
+  return report;
+}
+
+}  // namespace
+
+OpenedBus openSerialBus(const std::string& port, Nanos period) {
+  auto line = std::make_unique<cm730::SerialPort>(port);
+  const cm730::ProbeReport probed = lookAt(*line, port);
+  OpenedBus opened;
+  opened.description = describe(port, probed.facts);
+  opened.warnings = troubles(probed.findings);
+  opened.bus = std::make_unique<OwnedBus<cm730::SerialPort>>(std::move(line), cm730::BusConfig::forPeriod(period));
+  return opened;
+}
+
+std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
+  const Setting setting = readSetting(request.setting);
+  switch (setting.kind) {
+    case Kind::kDaemon:
+      return std::make_unique<runtime::DaemonLink>();
+    case Kind::kSerial:
+      return serialRobot(request, setting.port);
+    case Kind::kVirtual:
+      return lockstepRobot(loopConfig(request));
+  }
+  throw std::logic_error("a kind of robot that connect() does not know");
+}
+
+}  // namespace darwinop::link

@@ -1,0 +1,47 @@
+#include "link/lockstep_robot.hpp"
+
+#include "hil-mocks/memory_line.hpp"
+#include "hil-mocks/virtual_robot.hpp"
+#include "link/owned_bus.hpp"
+
+namespace darwinop::link {
+namespace {
+
+/// The line and, behind it, the robot it ends at.
+class VirtualLine final : public ByteLine {
+ public:
+  [[nodiscard]] Nanos now() noexcept override { return line_.now(); }
+  LineStatus write(std::span<const std::uint8_t> bytes) noexcept override { return line_.write(bytes); }
+  LineStatus read(std::span<std::uint8_t> into, std::size_t& count, Nanos deadline) noexcept override {
+    return line_.read(into, count, deadline);
+  }
+  void discardInput() noexcept override { line_.discardInput(); }
+  [[nodiscard]] std::uint32_t reconnects() const noexcept override { return line_.reconnects(); }
+  [[nodiscard]] hil::MemoryLine& memory() noexcept { return line_; }
+
+ private:
+  hil::VirtualRobot robot_;
+  hil::MemoryLine line_{robot_};
+};
+
+/// The loop sleeps by letting the line's time pass.
+class LineClock final : public runtime::Clock {
+ public:
+  explicit LineClock(hil::MemoryLine& line) : line_{line} {}
+  [[nodiscard]] Nanos now() const noexcept override { return line_.now(); }
+  void sleepUntil(Nanos time) noexcept override { line_.advanceTo(time); }
+
+ private:
+  hil::MemoryLine& line_;
+};
+
+}  // namespace
+
+std::unique_ptr<runtime::RobotLink> lockstepRobot(const runtime::LoopConfig& config) {
+  auto line = std::make_unique<VirtualLine>();
+  auto clock = std::make_unique<LineClock>(line->memory());
+  auto bus = std::make_unique<OwnedBus<VirtualLine>>(std::move(line), cm730::BusConfig::forPeriod(config.period));
+  return std::make_unique<runtime::LockstepLink>(config, std::move(bus), std::move(clock));
+}
+
+}  // namespace darwinop::link

@@ -1,0 +1,45 @@
+#include "link/setting.hpp"
+
+#include <sys/stat.h>
+
+#include <stdexcept>
+
+#include "runtime/daemon_link.hpp"
+
+namespace darwinop::link {
+namespace {
+
+constexpr const char* kRobotsPort = "/dev/ttyUSB0";  // the CM-730's FTDI bridge on a stock robot
+
+bool exists(const std::string& path) {
+  struct stat info {};
+  return ::stat(path.c_str(), &info) == 0;
+}
+
+Setting whateverIsThere() {
+  if (runtime::daemonPid(runtime::RuntimeFiles{}) != 0) return {Kind::kDaemon, {}};
+  if (exists(kRobotsPort)) return {Kind::kSerial, kRobotsPort};
+  throw std::runtime_error("no robot found: no runtime daemon is running and " + std::string{kRobotsPort} +
+                           " does not exist. Connect the robot, or say which one is meant with DARWINOP_ROBOT or "
+                           "--robot:\n" +
+                           settingChoices());
+}
+
+}  // namespace
+
+std::string settingChoices() {
+  return "  runtime        the daemon on this computer (start it with: darwinop runtime)\n"
+         "  /dev/ttyUSB0   a robot on a serial port; any device or pty\n"
+         "  virtual        a virtual robot in this process, in simulated time";
+}
+
+Setting readSetting(const std::string& text) {
+  if (text.empty()) return whateverIsThere();
+  if (text == "runtime") return {Kind::kDaemon, {}};
+  if (text == "virtual") return {Kind::kVirtual, {}};
+  if (text.find('/') != std::string::npos && text.find("://") == std::string::npos) return {Kind::kSerial, text};
+  throw std::runtime_error("'" + text + "' is no robot this version knows. DARWINOP_ROBOT or --robot can be:\n" +
+                           settingChoices());
+}
+
+}  // namespace darwinop::link

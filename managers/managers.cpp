@@ -1,0 +1,44 @@
+// The managers' interfaces, so that controllers that use them build; their insides come later.
+#include "DARwInOPDirectoryManager.hpp"
+#include "DARwInOPGaitManager.hpp"
+#include "DARwInOPMotionManager.hpp"
+#include "DARwInOPVisionManager.hpp"
+#include "RobotisOp2DirectoryManager.hpp"
+#include "webots/notices.hpp"
+
+namespace managers {
+
+using darwinop::facade::warnOnce;
+
+DARwInOPGaitManager::DARwInOPGaitManager(webots::Robot*, const std::string&) {
+  warnOnce("GaitManager: this version cannot walk yet; every call does nothing");
+}
+
+DARwInOPMotionManager::DARwInOPMotionManager(webots::Robot*, const std::string&) {
+  warnOnce("MotionManager: this version cannot play pages yet; every call returns at once");
+}
+
+void DARwInOPMotionManager::playPage(int id, bool) {
+  warnOnce("MotionManager: page " + std::to_string(id) + " is skipped");
+}
+
+DARwInOPVisionManager::DARwInOPVisionManager(int, int, int, int, int, int, int, int) {
+  warnOnce("VisionManager: this version cannot see yet; there never is a ball");
+}
+
+bool DARwInOPVisionManager::getBallCenter(double& x, double& y, const unsigned char*) {
+  x = y = 0;
+  return false;
+}
+
+const std::string& DARwInOPDirectoryManager::getDataDirectory() {
+  static const std::string directory = "/darwin/Data/";
+  return directory;
+}
+
+const std::string& RobotisOp2DirectoryManager::getDataDirectory() {
+  static const std::string directory = "/robotis/Data/";
+  return directory;
+}
+
+}  // namespace managers

@@ -1,0 +1,178 @@
+// `darwinop run`: starts a controller, hands signals on, reports.
+#include "runtime/controller_run.hpp"
+
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "runtime/exchange.hpp"
+#include "runtime/names.hpp"
+#include "runtime/operator.hpp"
+#include "runtime/report.hpp"
+
+namespace darwinop::runtime {
+namespace {
+
+constexpr int kHandedOn[] = {SIGINT, SIGTERM, SIGHUP};
+volatile sig_atomic_t child_pid = 0;
+
+/// Ctrl-C in a terminal reaches the controller by itself; what another process sends reaches only us.
+void handOn(int signal, siginfo_t* info, void*) {
+  const int error = errno;
+  if (child_pid > 0 && info->si_code <= 0) kill(static_cast<pid_t>(child_pid), signal);
+  errno = error;
+}
+
+/// Keeps signals back until the controller's pid is known.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &before_);
+  }
+  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+void catchSignals() {
+  struct sigaction action {};
+  action.sa_sigaction = handOn;
+  action.sa_flags = SA_SIGINFO | SA_RESTART;
+  for (const int signal : kHandedOn) sigaction(signal, &action, nullptr);
+}
+
+/// File in which a controller that hosts the loop itself leaves its figures. It outlives a kill -9.
+class LookOn {
+ public:
+  LookOn() : path_{"/dev/shm/darwinop-run-" + std::to_string(getpid())} { forget(); }
+  ~LookOn() { forget(); }
+  LookOn(const LookOn&) = delete;
+  LookOn& operator=(const LookOn&) = delete;
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  void forget() const { unlink(path_.c_str()); }
+  std::string path_;
+};
+
+/// Figures of a loop over the run.
+class Figures {
+ public:
+  explicit Figures(Exchange exchange) : exchange_{std::move(exchange)} { exchange_.block().stats.copyTo(*before_); }
+  /// Counts from the start of the loop.
+  void fromTheBeginning() { *before_ = StatsView{}; }
+
+  void print() const {
+    const auto now = std::make_unique<StatsView>();
+    exchange_.block().stats.copyTo(*now);
+    Sensors last;
+    (void)exchange_.block().sensors.read(last);
+    const auto run = std::make_unique<StatsView>(now->since(*before_));
+    std::cout << '\n' << reportText(*run, last) << reportLine(*run, last) << std::endl;
+  }
+
+ private:
+  Exchange exchange_;
+  std::unique_ptr<StatsView> before_ = std::make_unique<StatsView>();
+};
+
+std::optional<Figures> tryAttach(Exchange (*attach)(const RuntimeFiles&), const RuntimeFiles& files) {
+  try {
+    return Figures{attach(files)};
+  } catch (const std::runtime_error&) {
+    return std::nullopt;  // no daemon, or a controller that never made a robot: nothing to report on
+  }
+}
+
+void setIfGiven(const char* name, const std::string& value) {
+  if (!value.empty()) setenv(name, value.c_str(), 1);
+}
+
+/// Returns in the parent only.
+pid_t start(const RunRequest& request, const std::string& program, const std::string& look_on) {
+  std::vector<char*> arguments;
+  for (const std::string& argument : request.command) arguments.push_back(const_cast<char*>(argument.c_str()));
+  arguments.front() = const_cast<char*>(program.c_str());
+  arguments.push_back(nullptr);
+  const pid_t parent = getpid();
+  {
+    const SignalsHeld held;
+    const pid_t pid = fork();
+    if (pid < 0) throw std::runtime_error(std::string{"cannot start the controller: "} + std::strerror(errno));
+    child_pid = pid;
+    if (pid == 0)
+      for (const int signal : kHandedOn) std::signal(signal, SIG_DFL);
+    else
+      return pid;
+  }
+  prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);  // ends with us, even if we are killed
+  if (getppid() != parent) _exit(143);
+  setIfGiven("DARWINOP_ROBOT", request.robot);
+  setIfGiven("DARWINOP_RECORD", request.record);
+  setIfGiven("DARWINOP_PERIOD_MS", request.period_ms);
+  setenv("DARWINOP_EXCHANGE", look_on.c_str(), 1);
+  execv(program.c_str(), arguments.data());
+  std::cerr << "cannot run " << program << ": " << std::strerror(errno) << std::endl;
+  _exit(errno == ENOENT ? 127 : 126);
+}
+
+int waitFor(pid_t pid) {
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0)
+    if (errno != EINTR) return 1;
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+}  // namespace
+
+std::string controllerProgram(const std::string& controller) {
+  namespace fs = std::filesystem;
+  fs::path path{controller};
+  if (fs::is_directory(path)) path /= fs::canonical(path).filename();
+  if (!fs::exists(path))
+    throw std::runtime_error("there is no controller " + path.string() +
+                             (fs::is_directory(controller) ? "; build it first (make, or ./dev build)" : ""));
+  if (access(path.c_str(), X_OK) != 0)
+    throw std::runtime_error(path.string() + " is not a program that may be run; name the built controller");
+  // A name without a slash is a file here, not a command in PATH.
+  return path.has_parent_path() ? path.string() : "./" + path.string();
+}
+
+int runController(const RunRequest& request) {
+  const std::string program = controllerProgram(request.command.at(0));
+  const LookOn look_on;
+  const std::optional<Figures> daemon = tryAttach(attachToDaemon, RuntimeFiles{});
+  catchSignals();
+  const int status = waitFor(start(request, program, look_on.path()));
+  if (status > 128) std::cerr << "the controller was ended by signal " << status - 128 << std::endl;
+
+  const auto attach = [](const RuntimeFiles& files) { return Exchange::attach(files.exchange); };
+  if (auto embedded = tryAttach(attach, RuntimeFiles{look_on.path()})) {
+    embedded->fromTheBeginning();
+    embedded->print();
+  } else if (daemon) {
+    daemon->print();
+  } else {
+    std::cout << '\n' << reportText({}, {}) << reportLine({}, {}) << std::endl;
+  }
+  return status;
+}
+
+}  // namespace darwinop::runtime

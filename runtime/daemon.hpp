@@ -1,0 +1,47 @@
+// The loop in a process of its own, which outlives its controllers.
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "runtime/clock.hpp"
+#include "runtime/file_lock.hpp"
+#include "runtime/loop_host.hpp"
+#include "runtime/names.hpp"
+
+namespace darwinop::runtime {
+
+/// The right to be the one daemon of that name. Taken before the port is opened. Throws std::runtime_error that
+/// names the pid of the one that runs.
+FileLock claimRuntime(const RuntimeFiles& files, gid_t group);
+
+class Daemon {
+ public:
+  /// Starts the loop and lets controllers in. Throws std::runtime_error with what to do.
+  Daemon(const LoopConfig& config, const RuntimeFiles& files, FileLock claim, gid_t group,
+         std::unique_ptr<ServoBus> bus);
+  /// Removes the exchange, so that nobody attaches to a dead loop.
+  ~Daemon();
+
+  /// Returns when `stop` became true and safety has brought the robot to rest.
+  void run(const std::atomic<bool>& stop);
+
+  /// What real time was refused and how to mend it; empty when all is as it should be.
+  [[nodiscard]] const std::string& warning() const { return driver_.warning(); }
+
+ private:
+  [[nodiscard]] Sensors sensors() const;
+
+  RuntimeFiles files_;
+  FileLock claim_;
+  Exchange exchange_;
+  Rest rest_;
+  MonotonicClock clock_;
+  LoopHost host_;
+  PeriodicDriver driver_;  // last: it ends first
+};
+
+}  // namespace darwinop::runtime

@@ -1,0 +1,67 @@
+// A controller that drives the loop of a daemon.
+#include "runtime/daemon_link.hpp"
+
+#include <stdexcept>
+
+#include "runtime/operator.hpp"
+
+namespace darwinop::runtime {
+namespace {
+
+FileLock takeLease(const RuntimeFiles& files) {
+  if (auto lease = FileLock::tryTake(files.drive_lock)) return std::move(*lease);
+  throw std::runtime_error("another controller (pid " + std::to_string(FileLock::holder(files.drive_lock)) +
+                           ") drives this robot; end it first, or look on without driving: darwinop runtime --status");
+}
+
+}  // namespace
+
+pid_t daemonPid(const RuntimeFiles& files) {
+  return FileLock::holder(files.loop_lock);
+}
+
+DaemonLink::DaemonLink(const RuntimeFiles& files)
+    : ExchangeLink{attachToDaemon(files)}, files_{files}, lease_{takeLease(files)} {
+  beginSession();
+}
+
+DaemonLink::~DaemonLink() {
+  sayFarewell();
+}
+
+bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
+  constexpr Nanos kLook{100'000'000};
+  std::uint32_t seen = block().finished.value();
+  Nanos asleep_since = now();
+  for (;;) {
+    if (stop.load()) return end(kAskedToStop);
+    if (block().closing.load() != 0) return end("the runtime was told to end; start it again with: darwinop runtime");
+    if (releasedByOperator())
+      return end("an operator has released the robot: torque is off; start the controller again to take over");
+    if (finished(cycle)) return true;
+    block().finished.waitWhile(seen, kLook);
+    const std::uint32_t value = block().finished.value();
+    if (value != seen) {
+      seen = value;
+      asleep_since = now();
+    } else if (now() - asleep_since >= kLook && !daemonAnswers(asleep_since)) {
+      return false;
+    }
+  }
+}
+
+/// No cycle for longer than the longest period: is there still a loop?
+bool DaemonLink::daemonAnswers(Nanos asleep_since) {
+  constexpr Nanos kHung{5'000'000'000};
+  const std::string pid = std::to_string(block().info.pid);
+  const pid_t living = daemonPid(files_);  // another pid is a later daemon, with a memory of its own
+  if (living != block().info.pid && living != -1)
+    return end("the runtime (pid " + pid + ") has died; the robot holds its last goals and nobody watches over it. " +
+               "Start it again with: darwinop runtime");
+  if (now() - asleep_since > kHung)
+    return end("the runtime (pid " + pid +
+               ") lives but has not run a cycle for 5 s; look at it with: " + "darwinop runtime --status");
+  return true;
+}
+
+}  // namespace darwinop::runtime

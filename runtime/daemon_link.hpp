@@ -1,0 +1,34 @@
+// A controller that drives the loop of a daemon through shared memory.
+#pragma once
+
+#include "runtime/clock.hpp"
+#include "runtime/exchange_link.hpp"
+#include "runtime/file_lock.hpp"
+#include "runtime/names.hpp"
+
+namespace darwinop::runtime {
+
+/// Pid of the daemon that hosts the loop, 0: none runs.
+pid_t daemonPid(const RuntimeFiles& files);
+
+class DaemonLink final : public ExchangeLink {
+ public:
+  /// Takes the driving lease. Throws std::runtime_error, with what to do, when no daemon runs, when it is of another
+  /// version, or when another controller drives.
+  explicit DaemonLink(const RuntimeFiles& files = RuntimeFiles{});
+  /// Says farewell and gives the lease back; the daemon sees to the robot.
+  ~DaemonLink() override;
+
+  [[nodiscard]] Nanos now() const override { return clock_.now(); }
+  [[nodiscard]] bool realTime() const override { return true; }
+  [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
+
+ private:
+  [[nodiscard]] bool daemonAnswers(Nanos asleep_since);
+
+  RuntimeFiles files_;
+  MonotonicClock clock_;
+  FileLock lease_;
+};
+
+}  // namespace darwinop::runtime

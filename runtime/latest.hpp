@@ -1,0 +1,82 @@
+// Newest-value mailbox: one writer, many readers, in plain or shared memory. Neither side ever waits.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace darwinop::runtime {
+
+/// Holds no pointers, so it may lie in memory that processes share. A writer that dies in the middle of a publish
+/// leaves the value before it in force, and the next writer carries on.
+///
+/// How: the writer fills slots in turn; `newest_` counts the publications and names the finished slot. A slot
+/// carries the count it was filled for, 0 while it is being filled, so a reader that was overtaken notices.
+/// Words are stored with release and loaded with acquire order (plain moves on x86): a reader that sees one word
+/// of a newer value is bound to see the slot's count gone as well. 32-bit words are lock-free on i686.
+template <class T>
+class Latest {
+  static_assert(std::is_trivially_copyable_v<T>);
+  static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
+
+ public:
+  static constexpr std::uint32_t kSlots = 4;  // a reader is disturbed only when three values come while it copies
+  static constexpr int kAttempts = 8;
+
+  /// Writing thread only. Wait-free.
+  void publish(const T& value) noexcept {
+    std::uint32_t count = newest_.load(std::memory_order_relaxed) + 1;
+    if (count == 0) count = kSlots;  // 0 means "never"; same slot, so the order of the slots is kept
+    Slot& slot = slots_[count % kSlots];
+    slot.filled_for.store(0, std::memory_order_relaxed);
+    const auto* bytes = reinterpret_cast<const unsigned char*>(&value);
+    for (std::size_t i = 0; i < kWords; ++i) {
+      std::uint32_t word = 0;
+      std::memcpy(&word, bytes + 4 * i, std::min<std::size_t>(4, sizeof(T) - 4 * i));
+      slot.words[i].store(word, std::memory_order_release);
+    }
+    slot.filled_for.store(count, std::memory_order_release);
+    newest_.store(count, std::memory_order_release);
+  }
+
+  /// Any thread. True: `into` is the newest value. False: nothing was ever published, or (very seldom) the writer
+  /// overtook every attempt; `into` then keeps what it held.
+  [[nodiscard]] bool read(T& into) const noexcept {
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+      const std::uint32_t count = newest_.load(std::memory_order_acquire);
+      if (count == 0) return false;
+      if (copy(slots_[count % kSlots], count, into)) return true;
+    }
+    return false;
+  }
+
+  /// Number of publications, wrapping past 0. A change means that there is something new.
+  [[nodiscard]] std::uint32_t count() const noexcept { return newest_.load(std::memory_order_acquire); }
+
+ private:
+  friend struct LatestForTests;
+  static constexpr std::size_t kWords = (sizeof(T) + 3) / 4;
+
+  struct Slot {
+    std::atomic<std::uint32_t> filled_for{0};
+    std::array<std::atomic<std::uint32_t>, kWords> words{};
+  };
+
+  static bool copy(const Slot& slot, std::uint32_t count, T& into) noexcept {
+    std::array<std::uint32_t, kWords> image;
+    if (slot.filled_for.load(std::memory_order_acquire) != count) return false;
+    for (std::size_t i = 0; i < kWords; ++i) image[i] = slot.words[i].load(std::memory_order_acquire);
+    if (slot.filled_for.load(std::memory_order_relaxed) != count) return false;
+    std::memcpy(static_cast<void*>(&into), image.data(), sizeof(T));
+    return true;
+  }
+
+  std::atomic<std::uint32_t> newest_{0};
+  std::array<Slot, kSlots> slots_{};
+};
+
+}  // namespace darwinop::runtime

@@ -1,0 +1,63 @@
+#include "runtime/merge.hpp"
+
+namespace darwinop::runtime {
+namespace {
+
+void mergeJoint(const ServoReading& reading, JointSensors& joint) noexcept {
+  if (reading.answered) {
+    joint.motion.received();
+    joint.position = reading.position;
+    joint.velocity = reading.velocity;
+    joint.load = reading.load;
+    joint.error_bits = reading.error_bits;
+  } else {
+    joint.motion.missed();
+  }
+  if (reading.answered && reading.looked) {
+    joint.health.received();
+    joint.voltage = reading.voltage;
+    joint.temperature = reading.temperature;
+    joint.torque_limit = reading.torque_limit;
+    joint.torque_enabled = reading.torque_enabled;
+  } else {
+    joint.health.missed();
+  }
+}
+
+void mergeBoard(const BoardReading& reading, BoardSensors& board) noexcept {
+  if (!reading.answered) {
+    board.motion.missed();
+    return;
+  }
+  board.motion.received();
+  board.gyro = reading.gyro;
+  board.accelerometer = reading.accelerometer;
+  board.buttons = reading.buttons;
+  board.voltage = reading.voltage;
+  board.microphone_left = reading.microphone_left;
+  board.servo_power = reading.servo_power;
+  board.led_panel = reading.led_panel;
+  board.led_head = reading.led_head;
+  board.led_eye = reading.led_eye;
+  board.error_bits = reading.error_bits;
+}
+
+}  // namespace
+
+void merge(const BusReadings& readings, Sensors& sensors) noexcept {
+  for (std::size_t i = 0; i < kJoints; ++i) mergeJoint(readings.servo[i], sensors.joint[i]);
+  mergeBoard(readings.board, sensors.board);
+  sensors.link = readings.link;
+  sensors.wire = readings.wire;
+  sensors.silent = readings.silent;
+}
+
+void noteCommanded(const SafeCommands& sent, Sensors& sensors) noexcept {
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    JointSensors& joint = sensors.joint[i];
+    joint.driven = sent.driven().test(i);
+    joint.commanded = joint.driven ? sent.goal(static_cast<Joint>(i)).goal : Rad{};
+  }
+}
+
+}  // namespace darwinop::runtime

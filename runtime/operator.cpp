@@ -1,0 +1,45 @@
+// What a person may ask of a running daemon.
+#include "runtime/operator.hpp"
+
+#include <memory>
+#include <stdexcept>
+
+#include "runtime/file_lock.hpp"
+#include "runtime/report.hpp"
+
+namespace darwinop::runtime {
+
+Exchange attachToDaemon(const RuntimeFiles& files) {
+  Exchange exchange = Exchange::attach(files.exchange);
+  if (FileLock::holder(files.loop_lock) == 0)
+    throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) +
+                             ") has ended; start it again with: darwinop runtime");
+  return exchange;
+}
+
+std::string daemonStatus(const RuntimeFiles& files) {
+  const Exchange exchange = attachToDaemon(files);
+  const ExchangeBlock& block = exchange.block();
+  const pid_t driver = FileLock::holder(files.drive_lock);
+  const auto stats = std::make_unique<StatsView>();
+  block.stats.copyTo(*stats);
+  Sensors last;
+  const bool any = block.sensors.read(last);
+  std::string text = "runtime       pid " + std::to_string(block.info.pid) + ", " + block.info.robot + " on " +
+                     block.info.port + "\n" + "driver        " +
+                     (driver == 0 ? "none" : "pid " + std::to_string(driver)) + ", session " +
+                     std::to_string(block.session.load()) + "\n";
+  if (any) text += robotText(last);
+  return text + reportText(*stats, last);
+}
+
+void resetFaults(const RuntimeFiles& files) {
+  attachToDaemon(files).block().fault_resets.fetch_add(1);
+}
+
+void releaseRobot(const RuntimeFiles& files) {
+  const Exchange exchange = attachToDaemon(files);
+  exchange.block().released.store(exchange.block().session.fetch_add(1) + 1);
+}
+
+}  // namespace darwinop::runtime

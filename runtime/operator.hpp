@@ -1,0 +1,24 @@
+// What a person may ask of a running daemon without driving the robot.
+#pragma once
+
+#include <string>
+
+#include "runtime/exchange.hpp"
+#include "runtime/names.hpp"
+
+namespace darwinop::runtime {
+
+/// Attaches to a daemon that lives. Throws std::runtime_error with what to do.
+Exchange attachToDaemon(const RuntimeFiles& files);
+
+/// State, faults and what to do about them, battery, who drives, loop figures.
+std::string daemonStatus(const RuntimeFiles& files);
+
+/// Latched faults are forgotten; the servos that shut themselves off may be driven again.
+void resetFaults(const RuntimeFiles& files);
+
+/// Torque off on every joint, now, whoever drives: hold the robot. The controller is told to end; the next one takes
+/// over as usual.
+void releaseRobot(const RuntimeFiles& files);
+
+}  // namespace darwinop::runtime

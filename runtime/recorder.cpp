@@ -1,0 +1,135 @@
+// Writes every cycle to a CSV file.
+#include "runtime/recorder.hpp"
+
+#include <pthread.h>
+#include <time.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <iostream>
+#include <stdexcept>
+
+#include "runtime/log_columns.hpp"
+#include "runtime/version.hpp"
+
+namespace darwinop::runtime {
+namespace {
+
+/// Whole numbers as they are, others with seven digits: a tenth of a microradian at pi. NaN: an empty field.
+void append(std::string& line, double value) {
+  if (std::isnan(value)) return;
+  char text[40];
+  const bool whole = value == std::nearbyint(value) && std::abs(value) < 9e15;
+  const auto end = whole ? std::to_chars(text, text + sizeof text, static_cast<long long>(value))
+                         : std::to_chars(text, text + sizeof text, value, std::chars_format::general, 7);
+  line.append(text, end.ptr);
+}
+
+void appendSeconds(std::string& line, std::int64_t ns) {
+  char text[40];
+  const int length = std::snprintf(text, sizeof text, "%lld.%06lld", static_cast<long long>(ns / 1'000'000'000),
+                                   static_cast<long long>(ns % 1'000'000'000 / 1000));
+  line.append(text, static_cast<std::size_t>(length));
+}
+
+void appendName(std::string& line, std::string_view name, std::string_view unit) {
+  line += name;
+  if (!unit.empty()) line.append(" [").append(unit).append("]");
+}
+
+std::string today() {
+  const time_t now = time(nullptr);
+  tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32];
+  return {text, strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc)};
+}
+
+}  // namespace
+
+Recorder::Recorder(const std::string& path, const LogHead& head, Writer writer)
+    : path_{path}, file_{std::fopen(path.c_str(), "we")}, ring_{std::make_unique<Ring<LogRow, kRows>>()} {
+  if (file_ == nullptr)
+    throw std::runtime_error("cannot write the recording " + path + ": " + std::strerror(errno) +
+                             "; choose another file with --record");
+  line_.reserve(8192);
+  writeHead(head);
+  if (writer == Writer::kThread) thread_ = std::thread{[this] { run(); }};
+}
+
+Recorder::~Recorder() {
+  stop_.store(true, std::memory_order_relaxed);
+  if (thread_.joinable()) thread_.join();
+  drain();
+  if (const std::uint32_t lost = ring_->dropped(); lost != 0)
+    put("# lost rows: " + std::to_string(lost) + " (the disk was too slow)\n");
+  put("# end\n");
+  if (std::fclose(file_) != 0 && !failed_)
+    std::cerr << "the recording " << path_ << " is not complete: " << std::strerror(errno) << '\n';
+}
+
+void Recorder::push(const Commands& asked, const Sensors& sensors) noexcept {
+  ring_->push(LogRow{asked, sensors});
+}
+
+void Recorder::drain() {
+  while (const LogRow* row = ring_->front()) {
+    writeRow(*row);
+    ring_->pop();
+  }
+  if (!failed_ && std::fflush(file_) != 0) put("");
+}
+
+void Recorder::run() {
+  pthread_setname_np(pthread_self(), "darwinop-record");
+  const timespec pause{0, 100'000'000};
+  while (!stop_.load(std::memory_order_relaxed)) {
+    drain();
+    nanosleep(&pause, nullptr);
+  }
+}
+
+void Recorder::writeHead(const LogHead& head) {
+  std::string text = "# darwinop log, format 1\n# robot: " + head.robot + "\n# model: " + head.model +
+                     "\n# version: " + version() + "\n# date: " + today() + "\n# period_s: ";
+  append(text, std::chrono::duration<double>(head.period).count());
+  text += "\n# safety.state:";
+  for (std::size_t i = 0; i < kStates; ++i)
+    text.append(" ").append(std::to_string(i)).append(" ").append(kStateNames[i]);
+  text += "\n";
+  for (const LogColumn& column : kLogColumns) {
+    if (&column != kLogColumns.data()) text += ',';
+    appendName(text, column.name, column.unit);
+  }
+  for (const JointRow& joint : kJointTable)
+    for (const JointLogColumn& column : kJointLogColumns)
+      appendName(text, "," + std::string{joint.name} + "." + std::string{column.name}, column.unit);
+  put(text + "\n");
+}
+
+void Recorder::writeRow(const LogRow& row) {
+  line_.clear();
+  appendSeconds(line_, row.sensors.time_ns);
+  for (std::size_t i = 1; i < kLogColumns.size(); ++i) {
+    line_ += ',';
+    append(line_, kLogColumns[i].get(row));
+  }
+  for (std::size_t joint = 0; joint < kJoints; ++joint)
+    for (const JointLogColumn& column : kJointLogColumns) {
+      line_ += ',';
+      append(line_, column.get(row.asked.joint[joint], row.sensors.joint[joint]));
+    }
+  line_ += '\n';
+  put(line_);
+}
+
+void Recorder::put(const std::string& text) {
+  if (failed_) return;
+  if (std::fwrite(text.data(), 1, text.size(), file_) == text.size() && std::ferror(file_) == 0) return;
+  failed_ = true;
+  std::cerr << "the recording " << path_ << " ends here: " << std::strerror(errno) << "; the robot goes on\n";
+}
+
+}  // namespace darwinop::runtime

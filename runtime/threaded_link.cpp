@@ -1,0 +1,33 @@
+// Embedded home: the controller's process hosts the loop.
+#include "runtime/threaded_link.hpp"
+
+namespace darwinop::runtime {
+
+ThreadedLink::ThreadedLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus)
+    : ExchangeLink{Exchange::embedded()},
+      rest_{config.safety.on_exit},
+      host_{config, std::move(bus), block(), LoopStats::Timed::kYes, Recorder::Writer::kThread},
+      driver_{host_.loop(), clock_, config.period, config.real_time} {
+  beginSession();
+}
+
+bool ThreadedLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
+  constexpr Nanos kLook{50'000'000};  // a signal ends the sleep; this is for a flag that another thread sets
+  for (;;) {
+    if (stop.load()) return end(kAskedToStop);
+    const std::uint32_t seen = block().finished.value();
+    if (finished(cycle)) return true;
+    block().finished.waitWhile(seen, kLook);
+  }
+}
+
+ThreadedLink::~ThreadedLink() {
+  sayFarewell();
+  const std::uint64_t first = sensors().cycle;
+  const Nanos give_up = now() + Rest::kAtMost;
+  const std::atomic<bool> go_on{false};
+  for (Sensors seen = sensors(); !rest_.reached(seen.cycle - first, seen) && now() < give_up; seen = sensors())
+    (void)waitForCycle(seen.cycle + 1, go_on);
+}
+
+}  // namespace darwinop::runtime

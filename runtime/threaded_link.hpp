@@ -1,0 +1,34 @@
+// Embedded home: the controller's process hosts the loop, in a thread of its own.
+#pragma once
+
+#include <memory>
+
+#include "runtime/clock.hpp"
+#include "runtime/exchange_link.hpp"
+#include "runtime/loop_host.hpp"
+
+namespace darwinop::runtime {
+
+class ThreadedLink final : public ExchangeLink {
+ public:
+  /// Starts the loop. The exchange lies in private memory, or in the file that DARWINOP_EXCHANGE names, where
+  /// others can look on. Throws std::runtime_error with what to do.
+  ThreadedLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus);
+  /// Says farewell, lets safety bring the robot to rest, ends the loop.
+  ~ThreadedLink() override;
+
+  [[nodiscard]] Nanos now() const override { return clock_.now(); }
+  [[nodiscard]] bool realTime() const override { return true; }
+  [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
+
+  /// What real time was refused and how to mend it; empty when all is as it should be.
+  [[nodiscard]] const std::string& warning() const { return driver_.warning(); }
+
+ private:
+  Rest rest_;
+  MonotonicClock clock_;
+  LoopHost host_;
+  PeriodicDriver driver_;  // last: it ends first
+};
+
+}  // namespace darwinop::runtime

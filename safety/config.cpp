@@ -1,0 +1,136 @@
+// Reads settings of the safety layer from text.
+#include "safety/config.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <stdexcept>
+#include <tuple>
+#include <type_traits>
+
+namespace darwinop::safety {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == text.npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::optional<double> number(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::string show(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+[[noreturn]] void refuse(std::string_view section, std::string_view key, std::string_view value,
+                         const std::string& allowed) {
+  throw std::runtime_error("config.ini, [" + std::string{section} + "] " + std::string{key} + " = " +
+                           std::string{value} + ": " + allowed);
+}
+
+/// Visitor that sets the one field whose name is `key`.
+struct Setter {
+  std::string_view key, value;
+  bool found = false;
+
+  void operator()(std::string_view name, double& field, double low, double high, std::string_view unit,
+                  std::string_view) {
+    if (name != key) return;
+    found = true;
+    const auto parsed = number(value);
+    if (!parsed || *parsed < low || *parsed > high) {
+      std::string allowed = "give a number from " + show(low) + " to " + show(high);
+      if (!unit.empty()) allowed += " " + std::string{unit};
+      refuse("Safety", key, value, allowed);
+    }
+    field = *parsed;
+  }
+
+  template <class Choice>
+  requires std::is_enum_v<Choice>
+  void operator()(std::string_view name, Choice& field, std::span<const std::string_view> choices, std::string_view) {
+    if (name != key) return;
+    found = true;
+    std::string allowed = "give one of";
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      if (choices[i] == value) {
+        field = static_cast<Choice>(i);
+        return;
+      }
+      allowed += (i == 0 ? " " : ", ") + std::string{choices[i]};
+    }
+    refuse("Safety", key, value, allowed);
+  }
+};
+
+std::string knownKeys(const Config& config) {
+  std::string keys;
+  config.visit([&](std::string_view name, const auto&...) { keys += (keys.empty() ? "" : ", ") + std::string{name}; });
+  return keys;
+}
+
+void setRange(std::array<JointRange, kJoints>& ranges, std::string_view key, std::string_view value) {
+  const auto joint = findJoint(key);
+  if (!joint) refuse("Limits", key, value, "no joint has this name; joints are called as in Webots, e.g. Neck");
+  const JointRange hard = hardRange(*joint);
+  const auto comma = value.find(',');
+  const auto low = number(value.substr(0, comma));
+  const auto high = comma == value.npos ? std::nullopt : number(value.substr(comma + 1));
+  // Half a tick of slack, so that a limit printed with a few digits can be given back.
+  const double slack = kRadPerTick / 2;
+  if (!low || !high || *low >= *high || *low < hard.low.value - slack || *high > hard.high.value + slack)
+    refuse("Limits", key, value,
+           "give two numbers, low, high, in rad, from " + show(hard.low.value) + " to " + show(hard.high.value) +
+               ": limits can be narrowed, not widened");
+  ranges[index(*joint)] = {Rad{std::max(*low, hard.low.value)}, Rad{std::min(*high, hard.high.value)}};
+}
+
+}  // namespace
+
+void Config::set(std::string_view section, std::string_view key, std::string_view value) {
+  key = trimmed(key);
+  value = trimmed(value);
+  if (section == "Limits") return setRange(range, key, value);
+  if (section != "Safety") refuse(section, key, value, "safety reads the sections [Safety] and [Limits]");
+  Setter setter{key, value};
+  visit(setter);
+  if (!setter.found) refuse(section, key, value, "no such setting; there are " + knownKeys(*this));
+}
+
+void Config::check() const {
+  visit([](std::string_view name, const auto& field, const auto&... rest) {
+    if constexpr (sizeof...(rest) == 4) {  // a number: low, high, unit, why
+      const auto [low, high, unit, why] = std::tuple{rest...};
+      if (!(field >= low && field <= high))
+        refuse("Safety", name, show(field), "give a number from " + show(low) + " to " + show(high));
+    }
+  });
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const JointRange hard = hardRange(static_cast<Joint>(i));
+    if (!(range[i].low >= hard.low && range[i].high <= hard.high && range[i].low < range[i].high))
+      refuse("Limits", kJointTable[i].name, show(range[i].low.value) + ", " + show(range[i].high.value),
+             "limits can be narrowed, not widened");
+  }
+  const auto require = [](bool good, const char* sentence) {
+    if (!good) throw std::runtime_error(std::string{"config.ini, [Safety]: "} + sentence);
+  };
+  require(gentle_speed <= max_joint_speed, "gentle_speed must not be above max_joint_speed");
+  require(battery_empty <= battery_low, "battery_empty must not be above battery_low");
+  require(hot <= overheat, "hot must not be above overheat");
+  require(stall_ms / 1000 <= gone_s, "stall_ms must not be above gone_s");
+  require(period > Nanos{0}, "the period of the loop must be above 0");
+}
+
+}  // namespace darwinop::safety

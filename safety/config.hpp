@@ -1,0 +1,119 @@
+// Settings of the safety layer: default, unit, range and reason of each; section [Safety] of config.ini.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/conversions.hpp"
+#include "core/joints.hpp"
+#include "core/units.hpp"
+
+namespace darwinop::safety {
+
+using Nanos = std::chrono::nanoseconds;
+
+enum class OnFall : std::uint8_t { kReport, kLimp };
+enum class OnExit : std::uint8_t { kHold, kKneel, kLimp };
+enum class ReleaseButton : std::uint8_t { kMode, kNone };
+enum class StartMove : std::uint8_t { kPose, kHold };
+
+// In the order of the enumerators.
+inline constexpr std::array<std::string_view, 2> kOnFallNames{"report", "limp"};
+inline constexpr std::array<std::string_view, 3> kOnExitNames{"hold", "kneel", "limp"};
+inline constexpr std::array<std::string_view, 2> kReleaseButtonNames{"mode", "none"};
+inline constexpr std::array<std::string_view, 2> kStartMoveNames{"pose", "hold"};
+
+/// Goals a joint may be given, rad.
+struct JointRange {
+  Rad low, high;
+};
+
+/// What the mechanics allow. A configuration may narrow it, never widen it.
+constexpr JointRange hardRange(Joint joint) {
+  return {radFromTicks(row(joint).low), radFromTicks(row(joint).high)};
+}
+constexpr std::array<JointRange, kJoints> hardRanges() {
+  std::array<JointRange, kJoints> all{};
+  for (std::size_t i = 0; i < kJoints; ++i) all[i] = hardRange(static_cast<Joint>(i));
+  return all;
+}
+
+struct Config {
+  /// Period taken before the loop has told its own.
+  Nanos period{std::chrono::milliseconds{16}};
+
+  double max_joint_speed = 12.26;
+  double gentle_speed = 1.194;
+  double default_speed = 12.21;
+  double default_torque = 2.5;
+  double default_p_gain = 4.0;
+  double silent_s = 0.5;
+  double take_over_s = 1.0;
+  double start_tolerance = 0.15;
+  double stall_ms = 500;
+  double gone_s = 10;
+  double battery_low = 11.0;
+  double battery_empty = 10.0;
+  double hot = 65;
+  double overheat = 75;
+  double fall_tilt = 60;
+  OnFall on_fall = OnFall::kReport;
+  OnExit on_exit = OnExit::kKneel;
+  ReleaseButton release_button = ReleaseButton::kMode;
+  StartMove start = StartMove::kPose;
+
+  /// Section [Limits]: `Neck = -1.0, 1.0`.
+  std::array<JointRange, kJoints> range = hardRanges();
+
+  /// Calls v(name, value, low, high, unit, why) for each number and v(name, value, choices, why) for each choice.
+  template <class V>
+  void visit(V&& v) {
+    visitFields(*this, v);
+  }
+  template <class V>
+  void visit(V&& v) const {
+    visitFields(*this, v);
+  }
+
+  /// Takes one line of an INI file. Throws std::runtime_error that names the key and what is allowed.
+  void set(std::string_view section, std::string_view key, std::string_view value);
+
+  /// Throws std::runtime_error when settings contradict each other.
+  void check() const;
+
+ private:
+  template <class Self, class V>
+  static void visitFields(Self& c, V& v) {
+    v("max_joint_speed", c.max_joint_speed, 0.1, 12.26, "rad/s", "a goal never moves faster; 12.26 is the MX-28");
+    v("gentle_speed", c.gentle_speed, 0.05, 3.0, "rad/s", "start, kneel, hot servos, joints that come back");
+    v("default_speed", c.default_speed, 0.0119, 12.21, "rad/s", "speed limit of a joint that was given none");
+    v("default_torque", c.default_torque, 0.05, 2.5, "N m", "torque limit of a joint that was given none");
+    v("default_p_gain", c.default_p_gain, 0.125, 31.75, "", "P gain of a joint that was given none");
+    v("silent_s", c.silent_s, 0.1, 5.0, "s", "a servo unheard for longer is reported and taken over anew");
+    v("take_over_s", c.take_over_s, 0.1, 10.0, "s", "wait for servos to answer before starting without them");
+    v("start_tolerance", c.start_tolerance, 0.02, 1.0, "rad", "a joint this close has reached the start pose");
+    v("stall_ms", c.stall_ms, 50.0, 10000.0, "ms", "a controller silent for longer is held");
+    v("gone_s", c.gone_s, 0.1, 3600.0, "s", "a controller silent for longer is given up");
+    v("battery_low", c.battery_low, 6.0, 16.0, "V", "reported under this; 3 LiPo cells at 3.67 V");
+    v("battery_empty", c.battery_empty, 6.0, 16.0, "V", "kneels under this; LiPo cells are harmed under 3.3 V");
+    v("hot", c.hot, 30.0, 79.0, "deg C", "joints move gently from here on");
+    v("overheat", c.overheat, 30.0, 79.0, "deg C", "kneels from here on; servos shut themselves off at 80");
+    v("fall_tilt", c.fall_tilt, 20.0, 170.0, "deg", "a trunk tilted by more has fallen");
+    v("on_fall", c.on_fall, std::span<const std::string_view>{kOnFallNames}, "limp protects the gears");
+    v("on_exit", c.on_exit, std::span<const std::string_view>{kOnExitNames}, "after a controller has ended tidily");
+    v("release_button", c.release_button, std::span<const std::string_view>{kReleaseButtonNames},
+      "held for 0.25 s it switches torque off");
+    v("start", c.start, std::span<const std::string_view>{kStartMoveNames},
+      "pose: a new controller starts from the start pose; hold: from where the robot is");
+  }
+};
+
+constexpr Nanos fromSeconds(double s) {
+  return Nanos{static_cast<Nanos::rep>(s * 1e9)};
+}
+
+}  // namespace darwinop::safety

@@ -1,0 +1,50 @@
+// Conditions that must last before they count.
+#pragma once
+
+#include "safety/config.hpp"
+
+namespace darwinop::safety {
+
+/// On after `rise` of uninterrupted `set`, off after `fall` of uninterrupted `clear`. Between the two thresholds,
+/// where neither holds, it stays as it is.
+class Debounce {
+ public:
+  constexpr Debounce(Nanos rise, Nanos fall) : rise_{rise}, fall_{fall} {}
+
+  constexpr bool update(bool set, bool clear, Nanos dt) noexcept {
+    set_for_ = set ? set_for_ + dt : Nanos{0};
+    clear_for_ = clear ? clear_for_ + dt : Nanos{0};
+    if (!on_ && set && set_for_ >= rise_) on_ = true;
+    if (on_ && clear && clear_for_ >= fall_) on_ = false;
+    return on_;
+  }
+  [[nodiscard]] constexpr bool on() const noexcept { return on_; }
+  constexpr void forget() noexcept { *this = Debounce{rise_, fall_}; }
+
+ private:
+  Nanos rise_, fall_;
+  Nanos set_for_{0}, clear_for_{0};
+  bool on_ = false;
+};
+
+/// On after two samples in a row, off after two in a row: one corrupted reading changes nothing.
+class Confirm {
+ public:
+  constexpr bool update(bool set, bool clear) noexcept {
+    set_ = set ? set_ + (set_ < 2 ? 1 : 0) : 0;
+    clear_ = clear ? clear_ + (clear_ < 2 ? 1 : 0) : 0;
+    if (set_ == 2) on_ = true;
+    if (clear_ == 2) on_ = false;
+    return on_;
+  }
+  [[nodiscard]] constexpr bool on() const noexcept { return on_; }
+  /// One sample says so, the next one has to confirm it.
+  [[nodiscard]] constexpr bool suspected() const noexcept { return !on_ && set_ == 1; }
+  constexpr void forget() noexcept { *this = Confirm{}; }
+
+ private:
+  int set_ = 0, clear_ = 0;
+  bool on_ = false;
+};
+
+}  // namespace darwinop::safety

@@ -1,0 +1,164 @@
+// One cycle of the safety layer: listen, watch, note faults, change state, compose what may be sent.
+#include "safety/guard.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "safety/start_pose.hpp"
+
+namespace darwinop::safety {
+namespace {
+
+template <std::size_t... I>
+std::array<JointGuard, kJoints> makeJoints(const Config& config, std::index_sequence<I...>) {
+  return {JointGuard{static_cast<Joint>(I), config}...};
+}
+
+const Config& checked(const Config& config) {
+  config.check();
+  return config;
+}
+
+LedCommand limitLed(LedCommand led) noexcept {
+  led.panel &= 7;
+  led.head &= 0x7FFF;
+  led.eye &= 0x7FFF;
+  return led;
+}
+
+}  // namespace
+
+Guard::Guard(const Config& config)
+    : config_{checked(config)},
+      start_pose_{startPose(config_)},
+      driver_{config_},
+      board_{config_},
+      faults_{config_},
+      joints_{makeJoints(config_, std::make_index_sequence<kJoints>{})},
+      move_{config_} {}
+
+SafeCommands Guard::vet(const Commands& asked, const Sensors& seen) noexcept {
+  // The nominal period, never the time that went by: the first step after an overrun is no longer than any other.
+  const Nanos dt = seen.period_ns > 0 ? Nanos{seen.period_ns} : config_.period;
+  hear(asked, dt);
+  watch(seen, dt);
+  noteFaults();
+  changeState(seen, dt);
+  for (JointGuard& joint : joints_) joint.engage(drives(state_) && board_.powered());
+  SafeCommands safe = compose(dt);
+  if (state_ != State::kOffline) safe.led_ = limitLed(asked.led);
+  safe.power_on_ = board_.wantsPower();
+  writeReport();
+  return safe;
+}
+
+void Guard::hear(const Commands& asked, Nanos dt) noexcept {
+  const bool moves_by_itself = state_ == State::kTakingOver || state_ == State::kStarting;
+  driver_.update(asked, moves_by_itself, dt);
+  if (driver_.came()) {
+    in_place_ = asked.start_where_it_is || config_.start == StartMove::kHold;
+    started_ = false;
+    for (JointGuard& joint : joints_) joint.forgetWishes();
+  }
+  if (driver_.resetAsked()) {
+    faults_.reset();
+    for (JointGuard& joint : joints_) joint.resetTrip();
+  }
+  if (!driver_.obeyed()) return;
+  for (std::size_t i = 0; i < kJoints; ++i) joints_[i].listen(asked.joint[i], report_.limit_hits);
+}
+
+void Guard::watch(const Sensors& seen, Nanos dt) noexcept {
+  board_.update(seen.board, dt);
+  for (std::size_t i = 0; i < kJoints; ++i) joints_[i].observe(seen.joint[i], seen.silent[i], board_.poweredFor(), dt);
+  if (board_.powerLost()) holding_up_ = false;
+}
+
+template <class Is>
+void Guard::noteServos(Fault fault, Is is) noexcept {
+  std::uint8_t id = 0;
+  for (std::size_t i = kJoints; i-- > 0;)
+    if (is(joints_[i])) id = kJointTable[i].id;
+  faults_.note(fault, id != 0, id);
+}
+
+void Guard::noteFaults() noexcept {
+  using Trip = JointGuard::Trip;
+  faults_.note(Fault::kBusSilent, board_.silent());
+  faults_.note(Fault::kBoardReset, board_.powerLost());
+  noteServos(Fault::kServoSilent, [](const JointGuard& j) { return j.watch().silent(); });
+  faults_.note(Fault::kBatteryLow, board_.batteryLow());
+  faults_.note(Fault::kBatteryEmpty, board_.batteryEmpty());
+  noteServos(Fault::kServoHot, [](const JointGuard& j) { return j.watch().hot(); });
+  noteServos(Fault::kServoOverheat,
+             [](const JointGuard& j) { return j.watch().overheated() || j.trip() == Trip::kOverheat; });
+  noteServos(Fault::kServoOverload, [](const JointGuard& j) { return j.trip() == Trip::kOverload; });
+  noteServos(Fault::kServoVoltage, [](const JointGuard& j) { return j.watch().badVoltage(); });
+  faults_.note(Fault::kFell, board_.fell());
+  faults_.note(Fault::kReleasedByButton, board_.released());
+  faults_.note(Fault::kControllerStalled, driver_.stalled());
+  faults_.note(Fault::kControllerGone, driver_.gone());
+}
+
+Rad Guard::target(std::size_t joint) const noexcept {
+  switch (state_) {
+    case State::kStarting:
+    case State::kKneeling:
+      return start_pose_[joint];
+    case State::kDriven:
+      return joints_[joint].wish();
+    case State::kTakingOver:
+    case State::kHolding:
+    case State::kOffline:
+    case State::kLimp:
+    case State::kCount:
+      return Rad{};
+  }
+  return Rad{};
+}
+
+SafeCommands Guard::compose(Nanos dt) noexcept {
+  SafeCommands safe;
+  if (state_ == State::kOffline) return safe;
+  const bool slow = state_ == State::kStarting || state_ == State::kKneeling || faults_.slow();
+  const double speed = slow ? config_.gentle_speed : config_.max_joint_speed;
+  const double seconds = std::chrono::duration<double>(dt).count();
+  // A board that did not answer may not have heard the last goals either: they wait for it, so that what it hears
+  // next is one step away from what it heard last.
+  const bool heard = board_.answersNow();
+  // For the same reason torque comes on only after a goal that was heard; torque off goes out in any case.
+  const bool switches = std::ranges::any_of(joints_, [=](const auto& j) { return j.offDue() || (heard && j.onDue()); });
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    JointGuard& joint = joints_[i];
+    if (switches) {
+      safe.torque_off_[i] = joint.offDue();
+      safe.torque_on_[i] = heard && joint.onDue();
+      joint.switchTorque(heard);
+    } else if (heard && !joint.move(target(i), config_.gentle_speed * seconds, speed * seconds) &&
+               state_ == State::kDriven) {
+      ++report_.limit_hits[static_cast<std::size_t>(Limit::kRate)];
+    }
+    if (!joint.driven()) continue;
+    safe.driven_[i] = true;
+    safe.goal_[i] = joint.goal(RadPerSec{speed});
+  }
+  if (switches)
+    safe.write_ = SafeCommands::Write::kTorque;
+  else if (safe.driven_.any())
+    safe.write_ = SafeCommands::Write::kGoals;
+  if (safe.driven_.any()) holding_up_ = true;
+  return safe;
+}
+
+void Guard::writeReport() noexcept {
+  report_.state = state_;
+  report_.active = faults_.all();
+  report_.worst = faults_.worst();
+  report_.worst_joint = faults_.servo(report_.worst);
+  report_.reaction = faults_.reaction(report_.worst);
+  report_.controller_must_end = faults_.endsController();
+  report_.session = driver_.session();
+  for (std::size_t i = 0; i < kJoints; ++i) report_.tripped[i] = joints_[i].trip() != JointGuard::Trip::kNone;
+}
+
+}  // namespace darwinop::safety

@@ -1,0 +1,77 @@
+// The last step before the encoder: turns what a controller asks for into what the robot may be told.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/commands.hpp"
+#include "core/safe_commands.hpp"
+#include "core/sensors.hpp"
+#include "safety/board_watch.hpp"
+#include "safety/config.hpp"
+#include "safety/driver_watch.hpp"
+#include "safety/fault_book.hpp"
+#include "safety/joint_guard.hpp"
+#include "safety/pose_move.hpp"
+#include "safety/states.hpp"
+
+namespace darwinop::safety {
+
+/// Owned by the loop. Deterministic: no I/O, no clock, no heap; time is the number of cycles times the period.
+class Guard {
+ public:
+  /// Throws std::runtime_error when the configuration is out of range or contradicts itself.
+  explicit Guard(const Config& config);
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
+
+  /// One cycle. `asked` is the newest image (session 0: nobody has driven yet); `seen` is the result of the
+  /// cycle before, default-built before the first.
+  [[nodiscard]] SafeCommands vet(const Commands& asked, const Sensors& seen) noexcept;
+
+  /// What vet() decided in its last call.
+  [[nodiscard]] const SafetyReport& report() const noexcept { return report_; }
+
+ private:
+  using Joints = std::array<JointGuard, kJoints>;
+
+  void hear(const Commands& asked, Nanos dt) noexcept;
+  void watch(const Sensors& seen, Nanos dt) noexcept;
+  void noteFaults() noexcept;
+  template <class Is>
+  void noteServos(Fault fault, Is is) noexcept;
+
+  void changeState(const Sensors& seen, Nanos dt) noexcept;
+  [[nodiscard]] Reaction demanded() const noexcept;
+  [[nodiscard]] std::optional<Event> findEvent() const noexcept;
+  [[nodiscard]] std::optional<Event> findEventOf(State state, bool wanted, bool hold) const noexcept;
+  [[nodiscard]] bool takenOver() const noexcept;
+  void runTimers(const Sensors& seen, Nanos dt) noexcept;
+  void act(Event event) noexcept;
+  void finishStart() noexcept;
+
+  [[nodiscard]] SafeCommands compose(Nanos dt) noexcept;
+  [[nodiscard]] Rad target(std::size_t joint) const noexcept;
+  void writeReport() noexcept;
+
+  Config config_;
+  std::array<Rad, kJoints> start_pose_;
+  DriverWatch driver_;
+  BoardWatch board_;
+  FaultBook faults_;
+  Joints joints_;
+
+  State state_ = State::kOffline;
+  bool in_place_ = false;    // this session starts where the robot is
+  bool started_ = false;     // this session's start is over
+  bool holding_up_ = false;  // torque was switched on by us, and not off since
+  Nanos taking_over_for_{0};
+  PoseMove move_;
+  PoseMove::Progress progress_ = PoseMove::Progress::kMoving;
+  Nanos sat_for_{0};
+
+  SafetyReport report_{};
+};
+
+}  // namespace darwinop::safety

@@ -1,0 +1,142 @@
+// The part of the guard that turns faults, timers and arrivals into events, and carries out what a change means.
+#include <algorithm>
+
+#include "safety/guard.hpp"
+
+namespace darwinop::safety {
+namespace {
+
+// After the robot sits: time to come to rest before it lets go.
+constexpr Nanos kRest{std::chrono::seconds{1}};
+
+Reaction atExit(OnExit wish) noexcept {
+  switch (wish) {
+    case OnExit::kHold:
+      return Reaction::kHold;
+    case OnExit::kKneel:
+      return Reaction::kKneel;
+    case OnExit::kLimp:
+      return Reaction::kLimp;
+  }
+  return Reaction::kKneel;
+}
+
+}  // namespace
+
+Reaction Guard::demanded() const noexcept {
+  const Reaction by_fault = faults_.reaction(faults_.worst());
+  // A controller that ends because the robot kneels must not make it drop half-way.
+  if (!driver_.ended() || state_ == State::kKneeling) return by_fault;
+  return std::max(by_fault, atExit(config_.on_exit));
+}
+
+std::optional<Event> Guard::findEvent() const noexcept {
+  if (!board_.online()) return state_ == State::kOffline ? std::nullopt : std::optional{Event::kBoardLost};
+  if (state_ == State::kOffline) return board_.answersNow() ? std::optional{Event::kBoardFound} : std::nullopt;
+  const Reaction demand = demanded();
+  const bool up = state_ != State::kLimp || holding_up_;
+  if (demand >= Reaction::kLimp) return up ? std::optional{Event::kRelease} : std::nullopt;
+  if (demand == Reaction::kKneel && state_ != State::kKneeling) return up ? std::optional{Event::kKneel} : std::nullopt;
+  const bool wanted = driver_.present() && demand < Reaction::kKneel;
+  if (driver_.came() && wanted) return Event::kDriverCame;
+  return findEventOf(state_, wanted, demand == Reaction::kHold);
+}
+
+std::optional<Event> Guard::findEventOf(State state, bool wanted, bool hold) const noexcept {
+  const auto when = [](bool condition, Event event) { return condition ? std::optional{event} : std::nullopt; };
+  const bool arrived = progress_ != PoseMove::Progress::kMoving;
+  switch (state) {
+    case State::kLimp:
+      return when(wanted, Event::kDriverCame);
+    case State::kTakingOver:
+      return when(takenOver(), in_place_ || started_ ? Event::kTakenOverInPlace : Event::kTakenOver);
+    case State::kStarting:
+      return hold ? Event::kHold : when(arrived, Event::kStartDone);
+    case State::kDriven:
+      return when(hold, Event::kHold);
+    case State::kHolding:
+      return when(!hold && wanted, started_ ? Event::kResume : Event::kDriverCame);
+    case State::kKneeling:
+      if (wanted) return Event::kDriverCame;
+      // A robot that lost its power has sat down already, one way or another.
+      return when(board_.powerLost() || (arrived && sat_for_ >= kRest), Event::kKnelt);
+    case State::kOffline:
+    case State::kCount:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+bool Guard::takenOver() const noexcept {
+  if (!board_.powered()) return false;
+  const auto settled = [](const JointGuard& j) { return j.channel().out() || j.channel().moving(); };
+  const auto moving = [](const JointGuard& j) { return j.channel().moving(); };
+  if (std::ranges::all_of(joints_, settled)) return true;
+  return taking_over_for_ >= fromSeconds(config_.take_over_s) && std::ranges::any_of(joints_, moving);
+}
+
+void Guard::changeState(const Sensors& seen, Nanos dt) noexcept {
+  runTimers(seen, dt);
+  const auto event = findEvent();
+  if (!event) return;
+  act(*event);
+  state_ = next(state_, *event);
+}
+
+void Guard::runTimers(const Sensors& seen, Nanos dt) noexcept {
+  if (state_ == State::kTakingOver && board_.powered()) taking_over_for_ += dt;
+  if (state_ != State::kStarting && state_ != State::kKneeling) return;
+  PoseMove::Mask moving;
+  PoseMove::Angles position{};
+  bool expected = false;
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const JointChannel& channel = joints_[i].channel();
+    moving[i] = channel.moving();
+    position[i] = seen.joint[i].position;
+    expected = expected || joints_[i].expected() || (moving[i] && channel.goal() != start_pose_[i]);
+  }
+  progress_ = move_.update(moving, expected, position, start_pose_, dt);
+  sat_for_ = progress_ == PoseMove::Progress::kMoving ? Nanos{0} : sat_for_ + dt;
+}
+
+void Guard::act(Event event) noexcept {
+  switch (event) {
+    case Event::kRelease:
+    case Event::kKnelt:
+      for (JointGuard& joint : joints_) joint.orderOff();
+      holding_up_ = started_ = false;
+      break;
+    case Event::kDriverCame:
+      for (JointGuard& joint : joints_) joint.restart();
+      taking_over_for_ = Nanos{0};
+      break;
+    case Event::kKneel:
+    case Event::kTakenOver:
+      started_ = false;
+      move_.begin();
+      progress_ = PoseMove::Progress::kMoving;
+      sat_for_ = Nanos{0};
+      break;
+    case Event::kTakenOverInPlace:
+      started_ = true;
+      break;
+    case Event::kStartDone:
+      finishStart();
+      break;
+    case Event::kBoardLost:
+    case Event::kBoardFound:
+    case Event::kHold:
+    case Event::kResume:
+    case Event::kCount:
+      break;
+  }
+}
+
+void Guard::finishStart() noexcept {
+  started_ = true;
+  report_.missed_start = move_.missing();
+  if (progress_ == PoseMove::Progress::kTimedOut) ++report_.start_timeouts;
+  for (std::size_t i = 0; i < kJoints; ++i) joints_[i].wishIfNone(start_pose_[i]);
+}
+
+}  // namespace darwinop::safety

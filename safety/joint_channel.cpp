@@ -1,0 +1,62 @@
+// One joint's way from limp to driven.
+#include "safety/joint_channel.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/conversions.hpp"
+
+namespace darwinop::safety {
+namespace {
+
+// Two readings agree within 8 ticks. A limb that swings faster than 0.77 rad/s (at 16 ms) is waited for.
+constexpr double kAgreement = 8.5 * kRadPerTick;
+// Readings further apart than this say nothing about each other.
+constexpr std::uint32_t kApart = 5;  // cycles
+
+}  // namespace
+
+void PositionConfirmer::update(const JointSensors& seen) noexcept {
+  if (!seen.motion.fresh() || !std::isfinite(seen.position.value)) {
+    confirmed_.reset();
+    if (++missed_ > kApart) forget();
+    return;
+  }
+  const bool agrees = last_.known() && std::abs(seen.position.value - last_.value) <= kAgreement;
+  confirmed_ = agrees ? std::optional{seen.position} : std::nullopt;
+  last_ = seen.position;
+  missed_ = 0;
+}
+
+void JointChannel::restart() noexcept {
+  phase_ = Phase::kConfirming;
+  confirmer_.forget();
+}
+
+void JointChannel::observe(const JointSensors& seen, Nanos dt) noexcept {
+  if (phase_ == Phase::kConfirming) confirmer_.update(seen);
+  if (moving()) driven_for_ += dt;
+}
+
+void JointChannel::place(const JointRange& range) noexcept {
+  goal_ = Rad{std::clamp(confirmer_.confirmed()->value, range.low.value, range.high.value)};
+  phase_ = Phase::kPlaced;
+}
+
+void JointChannel::torqueOn() noexcept {
+  phase_ = Phase::kGentle;
+  driven_for_ = Nanos{0};
+}
+
+bool JointChannel::advance(Rad target, double gentle_step, double full_step) noexcept {
+  goal_ = stepTowards(goal_, target, gentle() ? gentle_step : full_step);
+  if (goal_ != target) return false;
+  phase_ = Phase::kFree;
+  return true;
+}
+
+std::optional<Nanos> JointChannel::drivenFor() const noexcept {
+  return moving() ? std::optional{driven_for_} : std::nullopt;
+}
+
+}  // namespace darwinop::safety

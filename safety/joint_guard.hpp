@@ -1,0 +1,79 @@
+// All that protects one joint: what the controller wishes, whether the servo is well, how it is driven.
+#pragma once
+
+#include <cstdint>
+
+#include "core/commands.hpp"
+#include "core/safe_commands.hpp"
+#include "core/sensors.hpp"
+#include "safety/config.hpp"
+#include "safety/joint_channel.hpp"
+#include "safety/joint_limiter.hpp"
+#include "safety/servo_watch.hpp"
+#include "safety/trip_watch.hpp"
+
+namespace darwinop::safety {
+
+class JointGuard {
+ public:
+  enum class Trip : std::uint8_t { kNone, kOverload, kOverheat };
+
+  JointGuard(Joint joint, const Config& config);
+
+  // -- what the controller wishes
+  /// A new driver starts without the wishes of the one before.
+  void forgetWishes() noexcept;
+  void listen(const JointCommand& asked, LimitHits& hits) noexcept;
+  /// Where the joint stays when the controller has not said anything yet.
+  void wishIfNone(Rad goal) noexcept;
+
+  // -- what the servo tells
+  void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
+  [[nodiscard]] const ServoWatch& watch() const noexcept { return watch_; }
+  [[nodiscard]] Trip trip() const noexcept { return trip_; }
+  /// Asked for: a servo that shut itself off may be driven again.
+  void resetTrip() noexcept;
+
+  // -- how it is driven
+  /// `wanted`: the state of the robot is one in which joints are driven, and servos have power.
+  void engage(bool wanted) noexcept;
+  void restart() noexcept;
+  void orderOff() noexcept { off_due_ = true; }
+  [[nodiscard]] bool offDue() const noexcept { return off_due_; }
+  [[nodiscard]] bool onDue() const noexcept { return channel_.placed(); }
+  /// Wanted, heard, and not driven yet.
+  [[nodiscard]] bool expected() const noexcept;
+  [[nodiscard]] const JointChannel& channel() const noexcept { return channel_; }
+  /// May get goals in this cycle.
+  [[nodiscard]] bool driven() const noexcept { return channel_.hasGoal() && !suspect_; }
+  [[nodiscard]] Rad wish() const noexcept { return wish_goal_; }
+
+  /// This cycle's write carries torque switches: takes the orders that are due; `on`: also those to switch on.
+  void switchTorque(bool on) noexcept;
+  /// This cycle's write carries goals: places the joint, or moves it towards `target` (unknown: stays).
+  /// False when the step was cut short.
+  bool move(Rad target, double gentle_step, double full_step) noexcept;
+  /// What goes on the wire. `speed_cap`: no faster than this.
+  [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap) const noexcept;
+
+ private:
+  void takeTorqueWish(bool on) noexcept;
+
+  const Config& config_;
+  JointRange range_;
+  Rad wish_goal_;  // unknown: none yet
+  RadPerSec wish_speed_;
+  NewtonMeter wish_torque_;
+  double wish_p_gain_ = 0;
+  bool limp_ = false;  // the controller has switched its torque off
+
+  ServoWatch watch_;
+  TripWatch trip_watch_;
+  JointChannel channel_;
+  Trip trip_ = Trip::kNone;
+  bool suspect_ = false;
+  bool off_due_ = false;      // torque off has to be sent
+  bool off_ordered_ = false;  // it was; a look that says otherwise means that the write was lost
+};
+
+}  // namespace darwinop::safety

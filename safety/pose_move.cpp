@@ -1,0 +1,41 @@
+// A slow move of all driven joints to one pose.
+#include "safety/pose_move.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace darwinop::safety {
+namespace {
+
+// Half as long again as the way takes, and two seconds for gearboxes and loads.
+constexpr double kPatience = 1.5;
+constexpr double kSettle = 2.0;  // s
+
+}  // namespace
+
+void PoseMove::begin() noexcept {
+  elapsed_ = deadline_ = Nanos{0};
+  seen_.reset();
+  missing_.reset();
+}
+
+PoseMove::Progress PoseMove::update(const Mask& moving, bool others_expected, const Angles& position,
+                                    const Angles& target, Nanos dt) noexcept {
+  elapsed_ += dt;
+  deadline_ = std::max(deadline_, fromSeconds(kSettle));
+  missing_.reset();
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    if (!moving[i]) continue;
+    const double way = std::abs(target[i].value - position[i].value);
+    if (!seen_[i]) {  // a joint that joins late gets its time, once
+      const double way_or_most = std::isfinite(way) ? way : 2 * kPi;
+      deadline_ = std::max(deadline_, elapsed_ + fromSeconds(kPatience * way_or_most / speed_ + kSettle));
+    }
+    missing_[i] = !(way <= tolerance_);
+  }
+  seen_ |= moving;
+  if (elapsed_ >= deadline_) return Progress::kTimedOut;
+  return missing_.none() && !others_expected ? Progress::kArrived : Progress::kMoving;
+}
+
+}  // namespace darwinop::safety

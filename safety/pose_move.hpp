@@ -1,0 +1,34 @@
+// A slow move of all driven joints to one pose, with an end to waiting.
+#pragma once
+
+#include <array>
+#include <bitset>
+
+#include "core/joints.hpp"
+#include "core/units.hpp"
+#include "safety/config.hpp"
+
+namespace darwinop::safety {
+
+class PoseMove {
+ public:
+  enum class Progress : std::uint8_t { kMoving, kArrived, kTimedOut };
+  using Mask = std::bitset<kJoints>;
+  using Angles = std::array<Rad, kJoints>;
+
+  explicit PoseMove(const Config& config) : speed_{config.gentle_speed}, tolerance_{config.start_tolerance} {}
+
+  void begin() noexcept;
+  /// Once a cycle: the joints that move, where they are, where they go, and who else is still expected to join.
+  Progress update(const Mask& moving, bool others_expected, const Angles& position, const Angles& target,
+                  Nanos dt) noexcept;
+  /// Joints that moved and are not within the tolerance.
+  [[nodiscard]] const Mask& missing() const noexcept { return missing_; }
+
+ private:
+  double speed_, tolerance_;
+  Nanos elapsed_{0}, deadline_{0};
+  Mask seen_, missing_;
+};
+
+}  // namespace darwinop::safety

@@ -1,0 +1,97 @@
+// Reads every frame that goes out and holds it against the promises of the safety layer.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include "core/conversions.hpp"
+#include "core/joints.hpp"
+#include "core/packet.hpp"
+#include "core/registers.hpp"
+#include "core/sensors.hpp"
+#include "hil-mocks/memory_line.hpp"
+
+namespace darwinop {
+
+class WireJudge final : public hil::WireObserver {
+ public:
+  WireJudge(hil::VirtualRobot& robot, Nanos period, double max_joint_speed)
+      : robot_{robot}, max_step_{max_joint_speed * std::chrono::duration<double>(period).count() / kRadPerTick + 1.0} {}
+
+  void beginCycle() {
+    sync_writes_ = bulk_reads_ = 0;
+    torque_ = false;
+  }
+  /// A joint that is not driven starts anew with its next goal.
+  void endCycle(const Sensors& seen) {
+    for (std::size_t joint = 0; joint < kJoints; ++joint)
+      if (!seen.joint[joint].driven) goal_[joint].reset();
+  }
+  void request(const Frame& frame, Nanos at) noexcept override {
+    (void)at;
+    if (frame.code == static_cast<std::uint8_t>(Instruction::kBulkRead) && ++bulk_reads_ > 1) blame("two BulkReads");
+    if (frame.code != static_cast<std::uint8_t>(Instruction::kSyncWrite)) return;
+    if (++sync_writes_ > 1) blame("two SyncWrites");
+    judgeSyncWrite(frame.params);
+  }
+  void reply(Bytes bytes, Nanos at) noexcept override { (void)bytes, (void)at; }
+
+  [[nodiscard]] const std::string& complaint() const { return complaint_; }
+  [[nodiscard]] long goalsSeen() const { return goals_; }
+
+ private:
+  void judgeSyncWrite(Bytes params) {
+    const std::uint8_t address = params[0], length = params[1];
+    if (address == servo::kLock) return;
+    torque_ = address == servo::kTorqueEnable;
+    if (!torque_ && (address > servo::kGoalPosition || address + length < servo::kGoalPosition + 2))
+      return blame("registers nobody asked for: " + std::to_string(address));
+    for (std::size_t at = 2; at + length < params.size(); at += length + 1U) {
+      const std::size_t joint = params[at] - 1U;
+      if (joint >= kJoints) return blame("a servo that does not exist");
+      if (torque_) {
+        if (params[at + 1] == 0) goal_[joint].reset();
+        continue;
+      }
+      const std::size_t goal_at = at + 1 + (servo::kGoalPosition - address);
+      judgeGoal(joint, wordAt(params, goal_at));
+    }
+  }
+
+  void judgeGoal(std::size_t joint, int ticks) {
+    ++goals_;
+    const JointRow& r = kJointTable[joint];
+    if (ticks < r.low || ticks > r.high) blame(std::string{r.name} + " goal out of limits: " + std::to_string(ticks));
+    if (goal_[joint] && std::abs(ticks - *goal_[joint]) > max_step_)
+      blame(std::string{r.name} + " jumped " + std::to_string(ticks - *goal_[joint]) + " ticks");
+    if (!goal_[joint]) judgeFirst(joint, ticks);
+    goal_[joint] = ticks;
+  }
+
+  /// A joint that was not driven starts from where it is (or from its limit, when it hangs outside).
+  void judgeFirst(std::size_t joint, int ticks) {
+    const double truth = robot_.body().state().joint[joint].position_rad / kRadPerTick + kTickCentre;
+    const double expected = std::clamp<double>(truth, kJointTable[joint].low, kJointTable[joint].high);
+    // 0.1 rad: a joint that swings by itself moves on between the reading and the write.
+    if (std::abs(ticks - expected) > 65)
+      blame(std::string{kJointTable[joint].name} + " taken over " + std::to_string(ticks - expected) + " ticks off");
+  }
+
+  void blame(const std::string& what) {
+    if (complaint_.empty()) complaint_ = what;
+  }
+
+  hil::VirtualRobot& robot_;
+  double max_step_;
+  std::array<std::optional<int>, kJoints> goal_{};
+  bool torque_ = false;
+  int sync_writes_ = 0, bulk_reads_ = 0;
+  long goals_ = 0;
+  std::string complaint_;
+};
+
+}  // namespace darwinop

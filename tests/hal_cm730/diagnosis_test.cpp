@@ -1,0 +1,147 @@
+// What is concluded from figures.
+#include "hal/cm730/diagnosis.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hal/cm730/chains.hpp"
+
+namespace darwinop::cm730 {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+RobotFacts healthy() {
+  RobotFacts facts;
+  facts.port = "/dev/ttyUSB0";
+  facts.board = {.found = true,
+                 .garbled = false,
+                 .readable = true,
+                 .model = 0x7300,
+                 .firmware = 0x13,
+                 .power_was_on = true,
+                 .power_on = true,
+                 .voltage = Volt{12.0},
+                 .accelerometer = {}};
+  for (ServoFacts& servo : facts.servo) {
+    servo.found = servo.readable = true;
+    servo.model = 29;
+    servo.firmware = 36;
+    servo.status_level = 2;
+    servo.torque_limit = 1023;
+    servo.voltage = Volt{11.8};
+    servo.temperature = Celsius{30};
+    servo.position = Rad{0};
+    servo.reads = 3;
+  }
+  facts.round_trip = 1200us;
+  facts.round_trip_reads = 9;
+  return facts;
+}
+
+Finding rowWith(const Findings& rows, const std::string& text) {
+  for (const Finding& row : rows)
+    if (row.what.find(text) != std::string::npos) return row;
+  return {Level::kError, "(no such row)", {}};
+}
+
+TEST(Diagnosis, OneMissIsNoAlarmTwoInSixtyAre) {
+  RobotFacts facts = healthy();
+  facts.servo[4].losses = 1;
+  EXPECT_EQ(worst(diagnose(facts)), Level::kOk);
+  facts.servo[4].losses = 2;
+  const Finding row = rowWith(diagnose(facts), "2 of 60 single reads were lost");
+  EXPECT_EQ(row.level, Level::kWarning);
+  EXPECT_THAT(row.mend, HasSubstr("most at servo 5 ArmLowerR"));
+  facts.servo[6].losses = 3;
+  facts.servo[4].losses = 3;
+  facts.servo[5].losses = 1;
+  EXPECT_EQ(rowWith(diagnose(facts), "single reads were lost").level, Level::kError);
+}
+
+TEST(Diagnosis, TheLatencySignatureBeginsAtEightMilliseconds) {
+  RobotFacts facts = healthy();
+  facts.round_trip = 7999us;
+  EXPECT_EQ(rowWith(diagnose(facts), "a short read takes").level, Level::kOk);
+  facts.round_trip = 8ms;
+  EXPECT_EQ(rowWith(diagnose(facts), "a short read takes").level, Level::kError);
+}
+
+TEST(Diagnosis, ACycleIsBytesDelaysAndUsb) {
+  RobotFacts facts = healthy();
+  facts.round_trip = 160us;  // wire time only
+  // 188 + 70 + 36 + 19 x 12 + 26 bytes
+  EXPECT_EQ(cycleTime(facts), 5480us);
+  facts.servo[0].return_delay = 250;
+  EXPECT_EQ(cycleTime(facts), 5980us);
+  facts.round_trip = 1160us;
+  EXPECT_EQ(cycleTime(facts), 7980us);
+}
+
+TEST(Diagnosis, AServoThatIsNoMx28OrTurnsLikeAWheelCannotBeDriven) {
+  RobotFacts facts = healthy();
+  facts.servo[2].model = 12;
+  facts.servo[3].wheel_mode = true;
+  const Findings rows = diagnose(facts);
+  EXPECT_THAT(rowWith(rows, "servo 3 ").what, HasSubstr("model 12 is no MX-28"));
+  EXPECT_THAT(rowWith(rows, "servo 4 ").what, HasSubstr("wheel mode"));
+  EXPECT_EQ(worst(rows), Level::kError);
+}
+
+TEST(Diagnosis, ATorqueLimitOfZeroIsAShutdown) {
+  RobotFacts facts = healthy();
+  facts.servo[2].torque_limit = 0;
+  EXPECT_THAT(rowWith(diagnose(facts), "servo 3 ").what, HasSubstr("has shut itself off"));
+}
+
+TEST(Diagnosis, PowerThatDoesNotComeOnHidesTheServos) {
+  RobotFacts facts = healthy();
+  facts.board.power_on = false;
+  const Findings rows = diagnose(facts);
+  EXPECT_EQ(rowWith(rows, "servo power is off").level, Level::kError);
+  EXPECT_EQ(rowWith(rows, "servo 1 ").what, "(no such row)");
+}
+
+TEST(Diagnosis, BytesThatAreNoAnswersPointAtTheWrongPort) {
+  RobotFacts facts;
+  facts.port = "/dev/ttyUSB0";
+  facts.board.garbled = true;
+  EXPECT_THAT(diagnose(facts)[0].what, HasSubstr("no answers of a CM-730"));
+}
+
+TEST(Diagnosis, EveryRowThatIsNotWellSaysWhatMendsItUnlessAnotherRowDoes) {
+  RobotFacts facts = healthy();
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    facts.servo[i].error_bits = static_cast<std::uint8_t>(1u << (i % 7));
+    facts.servo[i].found = facts.servo[i].readable = i % 3 != 0;
+  }
+  facts.board.voltage = Volt{9.0};
+  facts.round_trip = 17ms;
+  for (const Finding& row : diagnose(facts)) {
+    const bool another_row_does = row.what.find("behind servo") != std::string::npos;
+    EXPECT_TRUE(row.level == Level::kOk || another_row_does || !row.mend.empty()) << row.what;
+  }
+}
+
+TEST(Chains, EveryBreakIsFoundWhereItIs) {
+  for (std::size_t broken = 0; broken < kJoints; ++broken) {
+    const Joint first = static_cast<Joint>(broken);
+    RobotFacts facts = healthy();
+    for (std::size_t i = broken; i < kJoints; ++i)
+      if (kJointTable[i].chain == row(first).chain) facts.servo[i].found = false;
+    const ChainBreak found = findBreak(facts, row(first).chain);
+    ASSERT_TRUE(found.first_silent);
+    EXPECT_EQ(*found.first_silent, first);
+    // Legs and arms count up by two along a chain, the head by one; 1, 2, 7, 8 and 19 hang on the board.
+    const int id = row(first).id;
+    const bool on_the_board = id == 1 || id == 2 || id == 7 || id == 8 || id == 19;
+    EXPECT_EQ(found.last_heard.has_value(), !on_the_board) << id;
+    if (found.last_heard) {
+      EXPECT_EQ(row(*found.last_heard).id, id == 20 ? 19 : id - 2);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace darwinop::cm730

@@ -1,0 +1,95 @@
+// Fault scripts: what they mean, and what a mistake in one says.
+#include "hil-mocks/fault_script.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/packet.hpp"
+
+namespace darwinop::hil {
+namespace {
+
+using namespace std::chrono_literals;
+
+Fault one(const std::string& line) {
+  const std::vector<Fault> faults = parseFaultScript(line, "f");
+  EXPECT_EQ(faults.size(), 1u) << line;
+  return faults.at(0);
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    static_cast<void>(parseFaultScript(text, "my.faults"));
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(FaultScript, DeadServoByNameByIdAndSeveral) {
+  const Fault named = one("2.0 dead Neck for 1.5");
+  EXPECT_EQ(named.kind, FaultKind::kDead);
+  EXPECT_EQ(named.at, 2s);
+  EXPECT_EQ(named.lasts, 1500ms);
+  EXPECT_EQ(named.joints.to_ulong(), 1ul << 18);
+  EXPECT_EQ(one("0 dead 19").joints, named.joints);
+  EXPECT_EQ(one("0 dead 19").lasts, Fault::kForEver);
+  EXPECT_EQ(one("0 dead Neck+20+ShoulderR").joints.count(), 3u);
+  EXPECT_TRUE(one("0 dead all").joints.all());
+}
+
+TEST(FaultScript, EveryKindHasItsArguments) {
+  EXPECT_EQ(one("1 errors Head overload+overheat").bits, error_bit::kOverload | error_bit::kOverheat);
+  EXPECT_EQ(one("1 heat Head 85 over 20").amount, 85);
+  EXPECT_EQ(one("1 heat Head 85 over 20").over, 20s);
+  EXPECT_EQ(one("1 voltage 9.8 for 3").amount, 9.8);
+  EXPECT_EQ(one("1 reset").kind, FaultKind::kReset);
+  EXPECT_EQ(one("1 button mode").lasts, 300ms);
+  EXPECT_EQ(one("1 button mode+start for 2").bits, 3);
+  EXPECT_EQ(one("1 fallen back for 2").fall, Fall::kBack);
+  EXPECT_EQ(one("1 stall for 2").lasts, 2s);
+  EXPECT_EQ(one("1 unplug for 0.5").lasts, 500ms);
+  EXPECT_EQ(one("1 repeat-frame requests").way, Way::kRequests);
+  EXPECT_EQ(one("1 delay 2.5 both chance 0.1").way, Way::kBoth);
+  EXPECT_EQ(one("1 random 2 for 60").amount, 2);
+  EXPECT_EQ(one("1 random 2 of dead+stall").kinds.count(), 2u);
+}
+
+TEST(FaultScript, WireFaultHitsOneFrameUnlessChanceOrTimeIsGiven) {
+  EXPECT_EQ(one("1 drop 3").lasts, 0s);
+  EXPECT_EQ(one("1 drop 3").way, Way::kReplies);
+  EXPECT_EQ(one("1 drop 3 chance 0.5").lasts, Fault::kForEver);
+  EXPECT_EQ(one("1 garbage 20 chance 0.01 for 4").lasts, 4s);
+  EXPECT_EQ(one("1 corrupt 1 for 4").chance, 1);
+}
+
+TEST(FaultScript, CommentsBlanksAndLineEndsOfWindowsAreFine) {
+  EXPECT_EQ(parseFaultScript("# a comment\n\n \t\n1 reset # why\r\n2\treset", "f").size(), 2u);
+  EXPECT_EQ(parseFaultScript("", "f").size(), 0u);
+}
+
+TEST(FaultScript, MistakesNameFileLineFieldAndWhatIsAllowed) {
+  EXPECT_EQ(complaint("1 reset\n1 stall"), "my.faults:2: end of line: 'for SECONDS' is needed");
+  EXPECT_EQ(complaint("x reset"), "my.faults:1: field 'x': seconds from the start is a number from 0 to 1e+06");
+  EXPECT_EQ(complaint("1 reset for 2"), "my.faults:1: field 'for': here may stand nothing");
+  EXPECT_EQ(complaint("1 heat Neck 300"), "my.faults:1: field '300': deg C is a number from 0 to 255");
+  EXPECT_EQ(complaint("1 fallen up"), "my.faults:1: field 'up': allowed are front, back, left, right");
+  EXPECT_EQ(complaint("1 button Mode"), "my.faults:1: field 'Mode': allowed, several joined by '+', are mode, start");
+  EXPECT_EQ(complaint("1 drop 3 chance 2"), "my.faults:1: field '2': a probability is a number from 0 to 1");
+  EXPECT_EQ(complaint("1 drop 3 sometimes"),
+            "my.faults:1: field 'sometimes': here may stand 'for SECONDS', 'chance PROBABILITY', 'replies', "
+            "'requests', 'both'");
+  EXPECT_EQ(complaint("1 explode").find("my.faults:1: field 'explode': the kinds of faults are dead, errors"), 0u);
+  EXPECT_EQ(complaint("1 dead Nek for 2").find("my.faults:1: field 'Nek for'"), std::string::npos);
+  EXPECT_NE(complaint("1 dead Nek").find("names are ShoulderR, ShoulderL"), std::string::npos);
+  for (const char* bad : {"1", "nan reset", "inf reset", "-1 reset", "1 heat Neck", "1 heat Neck 1e999", "1 dead",
+                          "1 dead Neck+", "1 dead Neck for", "1 dead Neck for 0", "1 random 2 of random", "1 drop 0",
+                          "1 errors Neck 32", "1 dead 21", "1 dead 0"})
+    EXPECT_NE(complaint(bad), "none") << bad;
+}
+
+TEST(FaultScript, FileThatIsNotThereIsNamed) {
+  EXPECT_THROW(static_cast<void>(loadFaultScript("/nowhere/at.all")), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace darwinop::hil

@@ -1,0 +1,221 @@
+// Faults on a virtual robot.
+#include <gtest/gtest.h>
+
+#include "bench.hpp"
+#include "hil-mocks/virtual_robot.hpp"
+#include "hil-mocks/wire_faults.hpp"
+
+namespace darwinop::hil {
+namespace {
+
+Fault faultOf(FaultKind kind, Nanos at, Nanos lasts) {
+  Fault fault;
+  fault.kind = kind;
+  fault.at = at;
+  fault.lasts = lasts;
+  return fault;
+}
+
+struct Robot : VirtualRobot {
+  explicit Robot(std::uint64_t seed = 1) : VirtualRobot{Bench::powered(), seed} {}
+
+  std::string send(const std::string& hex, Nanos wait = 5ms) {
+    receive(bytesOf(hex), now());
+    advance(now() + wait);
+    std::string all;
+    for (; !output().empty(); output().pop()) all += (all.empty() ? "" : " | ") + hexOf(output().front().bytes());
+    return all;
+  }
+  std::string readServo(const std::string& id, const std::string& address) {
+    return send(withChecksum("FF FF " + id + " 04 02 " + address + " 01"));
+  }
+};
+
+constexpr const char* kPing = "FF FF 13 02 01 E9";
+
+TEST(Faults, DeadServoIsSilentForItsTime) {
+  Robot robot;
+  Fault dead = faultOf(FaultKind::kDead, 100ms, 50ms);
+  dead.joints.set(index(Joint::kNeck));
+  robot.faults().add(dead);
+  EXPECT_NE(robot.send(kPing), "");
+  robot.advance(100ms);
+  EXPECT_EQ(robot.send(kPing), "");
+  EXPECT_NE(robot.send("FF FF 01 02 01 FB"), "") << "only the neck";
+  robot.advance(150ms);
+  EXPECT_NE(robot.send(kPing), "");
+}
+
+TEST(Faults, TwoThatOverlapEndTogetherWithTheLater) {
+  Robot robot;
+  for (const Nanos at : {10ms, 20ms}) {
+    Fault dead = faultOf(FaultKind::kDead, at, 50ms);
+    dead.joints.set(index(Joint::kNeck));
+    robot.faults().add(dead);
+  }
+  robot.advance(61ms);
+  EXPECT_EQ(robot.send(kPing), "");
+  robot.advance(70ms);
+  EXPECT_NE(robot.send(kPing), "");
+}
+
+TEST(Faults, TemperatureRampsAndGoesBack) {
+  Robot robot;
+  Fault heat = faultOf(FaultKind::kHeat, 0ms, 3s);
+  heat.joints.set(index(Joint::kNeck));
+  heat.amount = 70;
+  heat.over = 2s;
+  robot.faults().add(heat);
+  robot.advance(1s);
+  EXPECT_EQ(robot.readServo("13", "2B"), withChecksum("FF FF 13 03 00 32")) << "50 deg C half way";
+  robot.advance(2s);
+  EXPECT_EQ(robot.readServo("13", "2B"), withChecksum("FF FF 13 03 00 46"));
+  robot.advance(3s);
+  EXPECT_EQ(robot.readServo("13", "2B"), withChecksum("FF FF 13 03 00 1E"));
+}
+
+TEST(Faults, LowVoltageShowsOnBoardAndServos) {
+  Robot robot;
+  Fault low = faultOf(FaultKind::kVoltage, 0ms, 1s);
+  low.amount = 9.9;
+  robot.faults().add(low);
+  EXPECT_EQ(robot.readServo("C8", "32"), withChecksum("FF FF C8 03 00 63"));
+  EXPECT_EQ(robot.readServo("13", "2A"), withChecksum("FF FF 13 03 00 63"));
+}
+
+TEST(Faults, ButtonsErrorsAndFallShow) {
+  Robot robot;
+  Fault button = faultOf(FaultKind::kButton, 0ms, 1s);
+  button.bits = 1;
+  robot.faults().add(button);
+  Fault errors = faultOf(FaultKind::kErrors, 0ms, 1s);
+  errors.joints.set(index(Joint::kNeck));
+  errors.bits = error_bit::kOverload;
+  robot.faults().add(errors);
+  Fault fallen = faultOf(FaultKind::kFallen, 0ms, 1s);
+  fallen.fall = Fall::kFront;
+  robot.faults().add(fallen);
+  EXPECT_EQ(robot.readServo("C8", "1E"), withChecksum("FF FF C8 03 00 01"));
+  EXPECT_EQ(robot.send(kPing), withChecksum("FF FF 13 02 20"));
+  EXPECT_EQ(robot.send(withChecksum("FF FF C8 04 02 2C 06")), withChecksum("FF FF C8 08 00 00 02 80 01 00 02"))
+      << "y is 384: below 512 - 80";
+  robot.advance(1s);
+  EXPECT_EQ(robot.readServo("C8", "1E"), withChecksum("FF FF C8 03 00 00"));
+  EXPECT_EQ(robot.send(kPing), withChecksum("FF FF 13 02 00"));
+}
+
+TEST(Faults, BoardResetCutsServoPower) {
+  Robot robot;
+  robot.faults().add(faultOf(FaultKind::kReset, 10ms, 0ms));
+  EXPECT_NE(robot.send(kPing), "");
+  robot.advance(10ms);
+  EXPECT_EQ(robot.send(kPing), "");
+  robot.send("FF FF C8 04 03 18 01 17");
+  EXPECT_NE(robot.send(kPing), "");
+}
+
+TEST(Faults, StalledBoardAnswersLater) {
+  Robot robot;
+  robot.faults().add(faultOf(FaultKind::kStall, 10ms, 90ms));
+  robot.advance(20ms);
+  EXPECT_EQ(robot.send(kPing, 70ms), "");
+  EXPECT_EQ(robot.send("", 20ms), "FF FF 13 02 00 EA");
+}
+
+TEST(Faults, ClearEndsAllOfThem) {
+  Robot robot;
+  Fault dead = faultOf(FaultKind::kDead, 0ms, Fault::kForEver);
+  dead.joints.set();
+  robot.faults().add(dead);
+  robot.faults().add(faultOf(FaultKind::kStall, 0ms, 10s));
+  robot.faults().add(faultOf(FaultKind::kUnplug, 0ms, 10s));
+  robot.advance(20ms);
+  EXPECT_FALSE(robot.portOpen());
+  robot.faults().clear();
+  robot.advance(21ms);
+  EXPECT_TRUE(robot.portOpen());
+  EXPECT_NE(robot.send(kPing), "");
+}
+
+TEST(WireFaults, OneShotSpoilsOneFrameOnly) {
+  Robot robot;
+  Fault drop = faultOf(FaultKind::kDrop, 0ms, 0ms);
+  drop.amount = 1;
+  robot.faults().add(drop);
+  EXPECT_EQ(robot.send(kPing).size(), 5u * 3 - 1);
+  EXPECT_EQ(robot.send(kPing), "FF FF 13 02 00 EA");
+}
+
+TEST(WireFaults, RequestsAreSpoiledOnTheirWay) {
+  Robot robot;
+  Fault corrupt = faultOf(FaultKind::kRepeatFrame, 0ms, 1s);
+  corrupt.way = Way::kRequests;
+  robot.faults().add(corrupt);
+  robot.advance(1ms);
+  EXPECT_EQ(robot.send(kPing), "FF FF 13 02 00 EA | FF FF 13 02 00 EA");
+}
+
+TEST(WireFaults, DelayedFrameHoldsUpThoseBehindIt) {
+  Robot robot;
+  Fault delay = faultOf(FaultKind::kDelay, 0ms, 0ms);
+  delay.amount = 3;
+  robot.faults().add(delay);
+  robot.advance(1ms);
+  robot.receive(bytesOf(kPing), robot.now());
+  robot.receive(bytesOf(kPing), robot.now());
+  robot.advance(2ms);
+  ASSERT_FALSE(robot.output().empty());
+  EXPECT_EQ(robot.output().front().at, 1ms + 120us + 3ms);
+  robot.output().pop();
+  EXPECT_EQ(robot.output().front().at, 1ms + 120us + 3ms);
+}
+
+TEST(WireFaults, ChanceIsAboutWhatItSays) {
+  Robot robot;
+  Fault corrupt = faultOf(FaultKind::kCorrupt, 0ms, Fault::kForEver);
+  corrupt.amount = 1;
+  corrupt.chance = 0.25;
+  robot.faults().add(corrupt);
+  robot.advance(1ms);
+  int spoiled = 0;
+  for (int i = 0; i < 1000; ++i) spoiled += robot.send(kPing, 1ms) == "FF FF 13 02 00 EA" ? 0 : 1;
+  EXPECT_NEAR(spoiled, 250, 50);
+}
+
+TEST(WireFaults, EachKindChangesTheFrameAsItsNameSays) {
+  const auto frame = bytesOf("FF FF 13 02 00 EA");
+  Random random{5};
+  const auto spoiledBy = [&](FaultKind kind, double amount) {
+    Fault fault = faultOf(kind, 0ms, 0ms);
+    fault.amount = amount;
+    Chunk chunk{frame, 1ms};
+    spoil(chunk, fault, random);
+    return chunk;
+  };
+  EXPECT_EQ(spoiledBy(FaultKind::kDrop, 2).size, 4u);
+  EXPECT_EQ(spoiledBy(FaultKind::kDrop, 99).size, 0u);
+  EXPECT_EQ(spoiledBy(FaultKind::kRepeat, 2).size, 8u);
+  EXPECT_EQ(spoiledBy(FaultKind::kRepeatFrame, 0).size, 12u);
+  EXPECT_EQ(spoiledBy(FaultKind::kGarbage, 9).size, 15u);
+  EXPECT_EQ(spoiledBy(FaultKind::kGarbage, 100000).size, Chunk::kCapacity);
+  EXPECT_EQ(spoiledBy(FaultKind::kDelay, 2.5).at, 3500us);
+  EXPECT_NE(hexOf(spoiledBy(FaultKind::kCorrupt, 1).bytes()), hexOf(frame));
+}
+
+TEST(RandomFaults, ComeAtTheirRateAndOnlyOfTheKindsAllowed) {
+  Robot robot;
+  Fault random = faultOf(FaultKind::kRandom, 0ms, 100s);
+  random.amount = 5;
+  random.kinds.reset();
+  random.kinds.set(static_cast<std::size_t>(FaultKind::kHeat));
+  robot.faults().add(random);
+  robot.advance(100s);
+  EXPECT_NEAR(static_cast<double>(robot.faults().begun()), 500, 60);
+  EXPECT_NE(robot.send(kPing), "");
+  EXPECT_TRUE(robot.portOpen());
+  robot.advance(110s);
+  EXPECT_EQ(robot.faults().active(), 0u) << "all over a while after the last";
+}
+
+}  // namespace
+}  // namespace darwinop::hil

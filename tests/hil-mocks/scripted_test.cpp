@@ -1,0 +1,128 @@
+// The scripted doubles: they play their script, and complain about every departure from it.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "bench.hpp"
+#include "hil-mocks/scripted_bus.hpp"
+#include "hil-mocks/scripted_line.hpp"
+
+namespace darwinop {
+
+struct SafeCommandsForTests {
+  static SafeCommands make() { return {}; }
+};
+
+namespace hil {
+namespace {
+
+const auto kPing = bytesOf("FF FF 01 02 01 FB");
+const auto kPong = bytesOf("FF FF 01 02 00 FC");
+
+struct Complaints {
+  std::vector<std::string> said;
+  ScriptFailure collect() {
+    return [this](const std::string& what) { said.push_back(what); };
+  }
+};
+
+std::string read(ScriptedLine& line, Nanos deadline) {
+  std::array<std::uint8_t, 64> into;
+  std::size_t count = 0;
+  const LineStatus status = line.read(into, count, deadline);
+  if (status == LineStatus::kOk) return hexOf(Bytes{into}.first(count));
+  return status == LineStatus::kLost ? "lost" : "timeout";
+}
+
+TEST(ScriptedLine, PlaysItsScriptOnItsClock) {
+  ScriptedLine line;
+  line.expect(kPing).answer(kPong, 120us).silence().lose().expect(kPing);
+  line.advanceTo(1ms);
+  EXPECT_EQ(line.write(kPing), LineStatus::kOk);
+  EXPECT_EQ(read(line, 5ms), hexOf(kPong));
+  EXPECT_EQ(line.now(), 1120us);
+  EXPECT_EQ(read(line, 5ms), "timeout");
+  EXPECT_EQ(line.now(), 5ms);
+  EXPECT_EQ(read(line, 6ms), "lost");
+  EXPECT_EQ(line.reconnects(), 1u);
+  EXPECT_EQ(line.write(kPing), LineStatus::kOk);
+  EXPECT_TRUE(line.finished());
+}
+
+TEST(ScriptedLine, AnswerThatIsTooLateWaits) {
+  ScriptedLine line;
+  line.expect(kPing).answer(kPong, 3ms);
+  EXPECT_EQ(line.write(kPing), LineStatus::kOk);
+  EXPECT_EQ(read(line, 2ms), "timeout");
+  EXPECT_EQ(read(line, 4ms), hexOf(kPong));
+  EXPECT_EQ(line.now(), 3ms);
+}
+
+TEST(ScriptedLine, DiscardTakesAnswersThatAreDue) {
+  ScriptedLine line;
+  line.expect(kPing).answer(kPong).expect(kPing);
+  line.write(kPing);
+  line.discardInput();
+  line.write(kPing);
+}
+
+TEST(ScriptedLine, ComplainsAboutWrongUnexpectedAndMissingWritesAndUnreadAnswers) {
+  Complaints complaints;
+  {
+    ScriptedLine line{complaints.collect()};
+    line.expect(kPing).answer(kPong).expect(kPing);
+    line.write(kPong);
+    line.write(kPing);
+  }
+  EXPECT_EQ(complaints.said,
+            (std::vector<std::string>{"expected FF FF 01 02 01 FB, but FF FF 01 02 00 FC was written",
+                                      "nobody expected a write now, but FF FF 01 02 01 FB was written",
+                                      "2 steps were not reached; the first is the reading of FF FF 01 02 00 FC"}));
+}
+
+TEST(ScriptedBus, PlaysItsCyclesAndShowsWhatIsWritten) {
+  ScriptedBus bus;
+  int checked = 0;
+  bus.cycles(2, readingsAtRest()).expectWrite([&](const SafeCommands&) { ++checked; }).cycles(1, BusReadings{});
+  BusReadings seen;
+  for (const bool answered : {true, true, false}) {
+    bus.write(SafeCommandsForTests::make());
+    bus.read(seen);
+    EXPECT_EQ(seen.board.answered, answered);
+    EXPECT_EQ(seen.servo[18].position.known(), answered);
+  }
+  EXPECT_EQ(checked, 2);
+}
+
+TEST(ScriptedBus, ComplainsAboutCyclesLeftOverCyclesTooManyAndWrongOrder) {
+  Complaints complaints;
+  BusReadings seen;
+  {
+    ScriptedBus bus{complaints.collect()};
+    bus.cycles(3, readingsAtRest());
+    bus.read(seen);
+    bus.write(SafeCommandsForTests::make());
+    bus.write(SafeCommandsForTests::make());
+  }
+  {
+    ScriptedBus bus{complaints.collect()};
+    bus.write(SafeCommandsForTests::make());
+  }
+  EXPECT_EQ(complaints.said,
+            (std::vector<std::string>{"read before it was written in cycle 1", "written twice in cycle 2",
+                                      "2 scripted cycles were not reached, 1 were",
+                                      "written after the last scripted cycle, number 0"}));
+}
+
+TEST(ScriptedDoublesDeathTest, AbortByDefaultWhenTheScriptIsNotConsumed) {
+  EXPECT_DEATH(
+      {
+        ScriptedLine line;
+        line.expect(kPing);
+      },
+      "1 steps were not reached");
+}
+
+}  // namespace
+}  // namespace hil
+}  // namespace darwinop

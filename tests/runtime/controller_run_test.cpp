@@ -1,0 +1,91 @@
+// `darwinop run`: exit status, signals, environment, and the report as the last line.
+#include "runtime/controller_run.hpp"
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <filesystem>
+#include <stdexcept>
+
+#include "environment.hpp"
+#include "temporary_folder.hpp"
+
+namespace darwinop::runtime {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct Outcome {
+  int status;
+  std::string said, last_line;
+};
+
+Outcome run(const std::string& argument) {
+  const Environment away{"DARWINOP_RUNTIME_NAME", "darwinop-test-none"};
+  testing::internal::CaptureStdout();
+  Outcome outcome;
+  outcome.status = runController({{MINI_CONTROLLER, argument}, "virtual", "", "8"});
+  outcome.said = testing::internal::GetCapturedStdout();
+  const std::string text = outcome.said.substr(0, outcome.said.size() - 1);
+  outcome.last_line = text.substr(text.rfind('\n') + 1);
+  return outcome;
+}
+
+TEST(Run, PassesTheStatusOnAndEndsWithTheReportOfTheWholeRun) {
+  const Outcome outcome = run("");
+  EXPECT_EQ(outcome.status, 7);
+  EXPECT_THAT(outcome.said, HasSubstr("robot=virtual period=8\n"));
+  EXPECT_THAT(outcome.last_line, ContainsRegex("^report: cycles=[2-9][0-9]+ overruns=0 wake_p50_us=nan .* stale=0$"));
+}
+
+TEST(Run, ReportsAControllerThatWasKilled) {
+  const Outcome outcome = run("die");
+  EXPECT_EQ(outcome.status, 128 + SIGKILL);
+  EXPECT_THAT(outcome.last_line, StartsWith("report: cycles=20 "));
+}
+
+TEST(Run, HandsOnASignalThatAnotherProcessSends) {
+  EXPECT_EQ(run("wait").status, 5);
+}
+
+TEST(Run, ReportsNothingRunForAProgramThatIsNoController) {
+  const Environment away{"DARWINOP_RUNTIME_NAME", "darwinop-test-none"};
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(runController({{"/bin/false"}, "", "", ""}), 1);
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("\nreport: cycles=0 overruns=0 wake_p50_us=nan"));
+}
+
+TEST(Run, LeavesNoFileBehind) {
+  run("die");
+  for (const auto& entry : std::filesystem::directory_iterator{"/dev/shm"})
+    EXPECT_THAT(entry.path().string(), testing::Not(HasSubstr("darwinop-run-" + std::to_string(getpid()))));
+}
+
+TEST(Run, TakesAFolderForTheProgramOfItsName) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "walk");
+  std::filesystem::create_symlink("/bin/true", folder / "walk/walk");
+  EXPECT_EQ(controllerProgram(folder / "walk"), folder / "walk/walk");
+  EXPECT_EQ(controllerProgram(folder / "walk/"), folder / "walk/walk");
+}
+
+std::string refusal(const std::string& controller) {
+  try {
+    return "accepted " + controllerProgram(controller);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+TEST(Run, SaysWhatItLookedFor) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder / "walk");
+  EXPECT_THAT(refusal(folder / "none"), HasSubstr("there is no controller " + (folder / "none")));
+  EXPECT_THAT(refusal(folder / "walk"), HasSubstr("build it first"));
+  EXPECT_THAT(refusal("/etc/passwd"), HasSubstr("not a program"));
+}
+
+}  // namespace
+}  // namespace darwinop::runtime

@@ -1,0 +1,184 @@
+// The loop in a process of its own: who may drive, and what happens when somebody is killed.
+#include "runtime/daemon.hpp"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <thread>
+
+#include "child.hpp"
+#include "fake_bus.hpp"
+#include "runtime/daemon_link.hpp"
+#include "runtime/operator.hpp"
+#include "temporary_folder.hpp"
+
+namespace darwinop::runtime {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+std::atomic<bool> told_to_end{false};
+
+/// A daemon with a fake robot, 4 ms, in a child process.
+class DaemonTest : public testing::Test {
+ protected:
+  static void serve(const RuntimeFiles& files, std::unique_ptr<Daemon>& daemon) {
+    LoopConfig config;
+    config.period = 4ms;
+    config.port = "a fake";
+    daemon =
+        std::make_unique<Daemon>(config, files, claimRuntime(files, getgid()), getgid(), std::make_unique<FakeBus>());
+    std::signal(SIGTERM, [](int) { told_to_end = true; });
+    std::thread{[&daemon] {
+      daemon->run(told_to_end);
+      daemon.reset();
+      _exit(0);
+    }}.detach();
+  }
+
+  static Commands neckTo(double angle) {
+    Commands commands;
+    commands.start_where_it_is = true;
+    commands.joint[index(Joint::kNeck)].setGoal(Rad{angle});
+    return commands;
+  }
+
+  /// Drives until the robot obeys and the neck is there.
+  static void drive(DaemonLink& link, double neck, const std::atomic<bool>& stop) {
+    for (int i = 0; i < 2000; ++i) {
+      link.publish(neckTo(neck));
+      ASSERT_TRUE(link.waitForCycle(link.sensors().cycle + 1, stop)) << link.whyEnded();
+      if (std::abs(link.sensors().joint[index(Joint::kNeck)].position.value - neck) < 1e-6) return;
+    }
+    FAIL() << "the neck did not get there";
+  }
+
+  std::string refusal() const {
+    try {
+      const DaemonLink link{files_};
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  TemporaryFolder folder_;
+  RuntimeFiles files_{folder_ / "runtime"};
+  std::unique_ptr<Daemon> daemon_;  // lives in the child
+  Child child_{[this] { serve(files_, daemon_); }};
+  std::atomic<bool> stop_{false};
+};
+
+TEST_F(DaemonTest, LetsAControllerDrive) {
+  DaemonLink link{files_};
+  drive(link, 0.2, stop_);
+  EXPECT_EQ(link.period(), 4ms);
+  EXPECT_EQ(link.sensors().safety.state, State::kDriven);
+}
+
+TEST_F(DaemonTest, RefusesASecondControllerAndNamesTheFirst) {
+  const Child first{[this] { static const DaemonLink link{files_}; }};
+  EXPECT_THAT(refusal(), HasSubstr("another controller (pid " + std::to_string(first.pid()) + ") drives"));
+}
+
+TEST_F(DaemonTest, IsTheOnlyOneOfItsName) {
+  try {
+    claimRuntime(files_, getgid());
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("(pid " + std::to_string(child_.pid()) + ")"));
+  }
+}
+
+TEST_F(DaemonTest, GoesOnWhenItsControllerIsKilledAndTheNextOneTakesOverWithoutAJump) {
+  Child controller{[this] {
+    static DaemonLink link{files_};
+    drive(link, 0.5, stop_);
+  }};
+  controller.kill(SIGKILL);
+  const Exchange onlooker = attachToDaemon(files_);
+  Sensors before;
+  ASSERT_TRUE(onlooker.block().sensors.read(before));
+  EXPECT_NEAR(before.joint[index(Joint::kNeck)].position.value, 0.5, 1e-3) << "held where the dead one left it";
+
+  DaemonLink next{files_};
+  double last = before.joint[index(Joint::kNeck)].position.value;
+  for (int i = 0; i < 400 && last > -0.4; ++i) {
+    next.publish(neckTo(-0.5));
+    ASSERT_TRUE(next.waitForCycle(next.sensors().cycle + 1, stop_));
+    const Sensors seen = next.sensors();
+    const double neck = seen.joint[index(Joint::kNeck)].position.value;
+    const auto cycles = static_cast<double>(seen.cycle - before.cycle);
+    EXPECT_LE(std::abs(neck - last), cycles * 0.004 * 12.26 + 1e-6) << "no faster than a joint may move";
+    last = neck;
+    before = seen;
+  }
+  EXPECT_LT(last, -0.4);
+  EXPECT_EQ(before.safety.session, 2u);
+}
+
+TEST_F(DaemonTest, ItsDeathEndsTheControllersStepWithinASecond) {
+  DaemonLink link{files_};
+  drive(link, 0.1, stop_);
+  child_.kill(SIGKILL);
+  const Nanos killed = link.now();
+  EXPECT_FALSE(link.waitForCycle(link.sensors().cycle + 1000, stop_));
+  EXPECT_LT(link.now() - killed, 1s);
+  EXPECT_THAT(link.whyEnded(), HasSubstr("has died"));
+  EXPECT_THAT(link.whyEnded(), HasSubstr("darwinop runtime"));
+  EXPECT_EQ(daemonPid(files_), 0);
+  EXPECT_THAT(refusal(), HasSubstr("has ended"));
+}
+
+TEST_F(DaemonTest, ASecondDaemonReplacesADeadOneAndTheOldControllerIsTold) {
+  DaemonLink old{files_};
+  drive(old, 0.1, stop_);
+  child_.kill(SIGKILL);
+  std::unique_ptr<Daemon> daemon;
+  const Child next{[&] { serve(files_, daemon); }};
+  EXPECT_EQ(daemonPid(files_), next.pid());
+  EXPECT_FALSE(old.waitForCycle(old.sensors().cycle + 1000, stop_)) << "the new loop is not the old one";
+  EXPECT_THAT(old.whyEnded(), HasSubstr("has died"));
+}
+
+TEST_F(DaemonTest, ToldToEndItEndsTheControllerAndLeavesTheRobotLimp) {
+  DaemonLink link{files_};
+  drive(link, 0.1, stop_);
+  const Exchange onlooker = attachToDaemon(files_);
+  kill(child_.pid(), SIGTERM);
+  while (link.waitForCycle(link.sensors().cycle + 1, stop_)) link.publish(neckTo(0.1));
+  EXPECT_THAT(link.whyEnded(), HasSubstr("told to end"));
+  child_.kill(SIGCONT);  // waits until it is gone
+  Sensors last;
+  ASSERT_TRUE(onlooker.block().sensors.read(last));
+  EXPECT_EQ(last.safety.state, State::kLimp);
+  EXPECT_THAT(refusal(), HasSubstr("no runtime has been started"));
+}
+
+TEST_F(DaemonTest, AnOperatorCanReleaseTheRobotUnderAController) {
+  DaemonLink link{files_};
+  drive(link, 0.1, stop_);
+  releaseRobot(files_);
+  EXPECT_FALSE(link.waitForCycle(link.sensors().cycle + 1000, stop_));
+  EXPECT_THAT(link.whyEnded(), HasSubstr("operator"));
+}
+
+TEST_F(DaemonTest, StatusTellsWhoDrivesAndHowTheLoopFares) {
+  EXPECT_THAT(daemonStatus(files_), HasSubstr("driver        none"));
+  const Child controller{[this] {
+    static DaemonLink link{files_};
+    drive(link, 0.1, stop_);
+  }};
+  const std::string status = daemonStatus(files_);
+  EXPECT_THAT(status, HasSubstr("pid " + std::to_string(child_.pid()) + ", darwin-op on a fake"));
+  EXPECT_THAT(status, HasSubstr("driver        pid " + std::to_string(controller.pid()) + ", session 1"));
+  EXPECT_THAT(status, HasSubstr("state         driven"));
+  EXPECT_THAT(status, HasSubstr("battery       11.8 V"));
+  EXPECT_THAT(status, HasSubstr("stale devices none"));
+}
+
+}  // namespace
+}  // namespace darwinop::runtime

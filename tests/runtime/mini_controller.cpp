@@ -1,0 +1,32 @@
+// A controller for tests of `darwinop run`: twenty cycles on a fake robot, then it does what it is told.
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <string_view>
+
+#include "simulated_robot.hpp"
+
+namespace {
+std::atomic<bool>* told = nullptr;
+}
+
+int main(int count, char** arguments) {
+  using namespace darwinop::runtime;
+  const std::string_view end = count > 1 ? arguments[1] : "";
+  SimulatedRobot sim;
+  told = &sim.stop;
+  sim.step({}, 20);
+  std::cout << "robot=" << std::getenv("DARWINOP_ROBOT") << " period=" << std::getenv("DARWINOP_PERIOD_MS")
+            << std::endl;
+  if (end == "die") std::raise(SIGKILL);
+  if (end == "wait") {
+    std::signal(SIGTERM, [](int) { *told = true; });
+    kill(getppid(), SIGTERM);  // it must come back to us
+    while (!sim.stop) usleep(1000);
+    return 5;
+  }
+  sim.link.reset();
+  return 7;
+}

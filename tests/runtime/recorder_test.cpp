@@ -1,0 +1,161 @@
+// Recordings: written, read back, described.
+#include "runtime/recorder.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "core/conversions.hpp"
+#include "runtime/log_columns.hpp"
+#include "temporary_folder.hpp"
+
+namespace darwinop::runtime {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+/// What a spreadsheet makes of the file.
+struct Table {
+  std::vector<std::string> comments, columns;
+  std::vector<std::map<std::string, std::string>> rows;
+
+  explicit Table(const std::string& path) {
+    std::ifstream file{path};
+    for (std::string line; std::getline(file, line);) {
+      if (line.starts_with('#')) {
+        comments.push_back(line);
+        continue;
+      }
+      std::vector<std::string> fields;
+      std::stringstream stream{line + ","};
+      for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+      if (columns.empty()) {
+        columns = fields;
+        continue;
+      }
+      if (fields.size() != columns.size()) throw std::runtime_error("a row of another length: " + line);
+      rows.emplace_back();
+      for (std::size_t i = 0; i < fields.size(); ++i) rows.back()[columns[i]] = fields[i];
+    }
+  }
+};
+
+Sensors sensorsOf(std::uint64_t cycle) {
+  Sensors s;
+  s.cycle = cycle;
+  s.time_ns = 1'000'000'000 + static_cast<std::int64_t>(cycle) * 16'000'000;
+  JointSensors& neck = s.joint[index(Joint::kNeck)];
+  neck.motion.received();
+  neck.position = radFromTicks(2049);
+  neck.load = -0.25;
+  JointSensors& head = s.joint[index(Joint::kHead)];
+  head.motion.age = 1;  // was heard in the cycle before
+  head.position = Rad{0.5};
+  return s;
+}
+
+TEST(Recorder, WhatIsReadBackIsWhatTheLoopSaw) {
+  const TemporaryFolder folder;
+  {
+    Recorder recorder{folder / "log.csv", {"Darwin 7", "test", Nanos{16'000'000}}, Recorder::Writer::kByHand};
+    Commands asked;
+    asked.joint[index(Joint::kNeck)].setGoal(Rad{-0.1});
+    for (std::uint64_t cycle = 1; cycle <= 3; ++cycle) recorder.push(asked, sensorsOf(cycle));
+  }
+  const Table table{folder / "log.csv"};
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(table.columns.at(0), "time_s");
+  EXPECT_EQ(table.columns.at(1), "cycle");
+  EXPECT_EQ(table.rows[1].at("time_s"), "1.032000");
+  EXPECT_EQ(table.rows[1].at("cycle"), "2");
+  EXPECT_NEAR(std::stod(table.rows[0].at("Neck.position [rad]")), kRadPerTick, 1e-9);
+  EXPECT_EQ(table.rows[0].at("Neck.load"), "-0.25");
+  EXPECT_EQ(table.rows[0].at("Neck.asked [rad]"), "-0.1");
+}
+
+TEST(Recorder, LeavesAFieldEmptyForWhatWasNotAskedNotHeardOrNotHeardInThisCycle) {
+  const TemporaryFolder folder;
+  { Recorder{folder / "log.csv", {}, Recorder::Writer::kByHand}.push(Commands{}, sensorsOf(1)); }
+  const Table table{folder / "log.csv"};
+  for (const char* name : {"Neck.asked [rad]", "Neck.commanded [rad]", "Head.position [rad]", "FootL.position [rad]",
+                           "gyro.x [rad/s]", "Neck.temperature [degC]"})
+    EXPECT_EQ(table.rows.at(0).at(name), "") << name;
+}
+
+TEST(Recorder, HeadTellsRobotModelVersionDateAndPeriod) {
+  const TemporaryFolder folder;
+  {
+    const Recorder recorder{
+        folder / "log.csv", {"Darwin 7", "/dev/ttyUSB0", Nanos{8'000'000}}, Recorder::Writer::kByHand};
+  }
+  const Table table{folder / "log.csv"};
+  for (const char* line : {"# robot: Darwin 7", "# model: /dev/ttyUSB0", "# period_s: 0.008"})
+    EXPECT_THAT(table.comments, Contains(line));
+  EXPECT_THAT(table.comments, Contains(HasSubstr("# version: ")));
+  EXPECT_THAT(table.comments, Contains(testing::ContainsRegex("# date: 2...-..-..T..:..:..Z")));
+  EXPECT_EQ(table.comments.back(), "# end");
+}
+
+TEST(Recorder, CountsRowsThatDidNotFitAndSaysSoAtTheEnd) {
+  const TemporaryFolder folder;
+  {
+    Recorder recorder{folder / "log.csv", {}, Recorder::Writer::kByHand};
+    for (std::uint64_t cycle = 1; cycle <= 600; ++cycle) recorder.push(Commands{}, sensorsOf(cycle));
+  }
+  const Table table{folder / "log.csv"};
+  EXPECT_EQ(table.rows.size(), 512u);
+  EXPECT_THAT(table.comments, Contains(HasSubstr("# lost rows: 88")));
+}
+
+TEST(Recorder, ThreadWritesEverythingBeforeItEnds) {
+  const TemporaryFolder folder;
+  {
+    Recorder recorder{folder / "log.csv", {}, Recorder::Writer::kThread};
+    for (std::uint64_t cycle = 1; cycle <= 300; ++cycle) recorder.push(Commands{}, sensorsOf(cycle));
+  }
+  EXPECT_EQ(Table{folder / "log.csv"}.rows.size(), 300u);
+}
+
+TEST(Recorder, SaysWhyItCannotBegin) {
+  try {
+    Recorder{"/no/such/folder/log.csv", {}, Recorder::Writer::kByHand};
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/no/such/folder/log.csv"));
+    EXPECT_THAT(error.what(), HasSubstr("--record"));
+  }
+}
+
+TEST(Recorder, GoesOnWhenTheDiskIsFull) {
+  testing::internal::CaptureStderr();
+  {
+    Recorder recorder{"/dev/full", {}, Recorder::Writer::kByHand};
+    for (std::uint64_t cycle = 1; cycle <= 400; ++cycle) {
+      recorder.push(Commands{}, sensorsOf(cycle));
+      recorder.drain();
+    }
+  }
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("No space left"));
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+}
+
+TEST(LogColumns, AreAllDescribedInTheDocumentationWithTheirUnits) {
+  std::ifstream file{DARWINOP_SOURCE_DIR "/docs/logs.md"};
+  std::stringstream text;
+  text << file.rdbuf();
+  const auto line = [](std::string_view name, std::string_view unit, std::string_view meaning) {
+    return "| `" + std::string{name} + "` | " + std::string{unit} + " | " + std::string{meaning} + " |";
+  };
+  for (const LogColumn& c : kLogColumns) EXPECT_THAT(text.str(), HasSubstr(line(c.name, c.unit, c.meaning)));
+  for (const JointLogColumn& c : kJointLogColumns)
+    EXPECT_THAT(text.str(), HasSubstr(line("<joint>." + std::string{c.name}, c.unit, c.meaning)));
+}
+
+}  // namespace
+}  // namespace darwinop::runtime

@@ -1,0 +1,118 @@
+// One joint's way from limp to driven.
+#include "safety/joint_channel.hpp"
+
+#include <gtest/gtest.h>
+
+namespace darwinop::safety {
+namespace {
+
+constexpr Nanos kCycle{std::chrono::milliseconds{16}};
+constexpr JointRange kRange{Rad{-1}, Rad{1}};
+
+JointSensors reading(double position) {
+  JointSensors s;
+  s.motion.received();
+  s.position = Rad{position};
+  return s;
+}
+
+TEST(PositionConfirmer, BelievesTwoReadingsInARowThatAgree) {
+  PositionConfirmer c;
+  c.update(reading(0.5));
+  EXPECT_FALSE(c.confirmed());
+  c.update(reading(0.51));
+  ASSERT_TRUE(c.confirmed());
+  EXPECT_EQ(*c.confirmed(), Rad{0.51});
+}
+
+TEST(PositionConfirmer, DoesNotBelieveACorruptedReadingNorTheOneAfterIt) {
+  PositionConfirmer c;
+  c.update(reading(0.5));
+  c.update(reading(2.9));
+  EXPECT_FALSE(c.confirmed());
+  c.update(reading(0.5));
+  EXPECT_FALSE(c.confirmed());
+  c.update(reading(0.5));
+  EXPECT_TRUE(c.confirmed());
+}
+
+TEST(PositionConfirmer, ForgetsWhatIsTooLongAgo) {
+  PositionConfirmer c;
+  c.update(reading(0.5));
+  JointSensors stale = reading(0.5);
+  for (int i = 0; i < 6; ++i) {
+    stale.motion.missed();
+    c.update(stale);
+  }
+  c.update(reading(0.5));
+  EXPECT_FALSE(c.confirmed());
+}
+
+TEST(PositionConfirmer, StaleAndUnknownReadingsConfirmNothing) {
+  PositionConfirmer c;
+  c.update(reading(0.5));
+  JointSensors stale = reading(0.5);
+  stale.motion.missed();
+  c.update(stale);
+  EXPECT_FALSE(c.confirmed());
+  c.update(reading(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_FALSE(c.confirmed());
+}
+
+TEST(JointChannel, GoesFromOutThroughPresentPoseAndGentleToFree) {
+  JointChannel channel;
+  EXPECT_TRUE(channel.out());
+  channel.restart();
+  channel.observe(reading(0.5), kCycle);
+  EXPECT_FALSE(channel.ready());
+  channel.observe(reading(0.5), kCycle);
+  ASSERT_TRUE(channel.ready());
+  EXPECT_FALSE(channel.hasGoal());
+  channel.place(kRange);
+  EXPECT_EQ(channel.goal(), Rad{0.5});
+  EXPECT_FALSE(channel.moving());
+  channel.torqueOn();
+  EXPECT_FALSE(channel.advance(Rad{0.875}, 0.125, 0.5)) << "gentle until it has caught up";
+  EXPECT_EQ(channel.goal(), Rad{0.625});
+  channel.advance(Rad{0.875}, 0.125, 0.5);
+  EXPECT_TRUE(channel.advance(Rad{0.875}, 0.125, 0.5));
+  EXPECT_FALSE(channel.gentle());
+  EXPECT_FALSE(channel.advance(Rad{-0.875}, 0.125, 0.5));
+  EXPECT_EQ(channel.goal(), Rad{0.375});
+}
+
+TEST(JointChannel, APoseOutsideTheRangeIsMovedToItsEdge) {
+  JointChannel channel;
+  channel.restart();
+  channel.observe(reading(1.05), kCycle);
+  channel.observe(reading(1.05), kCycle);
+  channel.place(kRange);
+  EXPECT_EQ(channel.goal(), Rad{1});
+}
+
+TEST(JointChannel, RestartForgetsReadingsFromBefore) {
+  JointChannel channel;
+  channel.restart();
+  channel.observe(reading(0.5), kCycle);
+  channel.observe(reading(0.5), kCycle);
+  channel.restart();
+  EXPECT_FALSE(channel.ready());
+}
+
+TEST(JointChannel, CountsTheTimeItIsDriven) {
+  JointChannel channel;
+  channel.restart();
+  channel.observe(reading(0), kCycle);
+  channel.observe(reading(0), kCycle);
+  channel.place(kRange);
+  EXPECT_FALSE(channel.drivenFor());
+  channel.torqueOn();
+  channel.observe(reading(0), kCycle);
+  channel.observe(reading(0), kCycle);
+  EXPECT_EQ(channel.drivenFor(), 2 * kCycle);
+  channel.leaveOut();
+  EXPECT_FALSE(channel.drivenFor());
+}
+
+}  // namespace
+}  // namespace darwinop::safety

@@ -1,0 +1,190 @@
+// How the robot lets go: farewell, a controller that is gone, the button.
+#include <gtest/gtest.h>
+
+#include "safety/rig.hpp"
+#include "safety/start_pose.hpp"
+
+namespace darwinop::safety {
+namespace {
+
+void stand(Rig& rig) {
+  rig.start();
+  rig.joint(Joint::kLegLowerR).setGoal(Rad{0.3});
+  rig.joint(Joint::kLegLowerL).setGoal(Rad{-0.3});
+  rig.runFor(1);
+}
+
+Config exitBy(OnExit how) {
+  Config config;
+  config.on_exit = how;
+  return config;
+}
+
+void expectLimp(const Rig& rig) {
+  EXPECT_EQ(rig.state(), State::kLimp);
+  for (const FakeServo& servo : rig.robot.servo) EXPECT_FALSE(servo.torque);
+}
+
+TEST(Kneel, AFarewellMakesTheRobotSitDownSlowlyAndLetGo) {
+  Rig rig{exitBy(OnExit::kKneel)};
+  stand(rig);
+  rig.commands.farewell = true;
+  rig.cycle();
+  EXPECT_EQ(rig.state(), State::kKneeling);
+  double last = rig.robot[Joint::kLegLowerR].position;
+  while (rig.state() == State::kKneeling) {
+    rig.cycle();
+    ASSERT_LE(std::abs(rig.robot[Joint::kLegLowerR].position - last), 1.194 * 0.016 + 1e-9);
+    last = rig.robot[Joint::kLegLowerR].position;
+  }
+  EXPECT_NEAR(last, startPose(rig.config)[index(Joint::kLegLowerR)].value, 0.01);
+  expectLimp(rig);
+  rig.runFor(5);
+  EXPECT_EQ(rig.state(), State::kLimp);
+  EXPECT_EQ(rig.safe->write(), Write::kNothing);
+  EXPECT_TRUE(rig.report().active.none()) << "a tidy end is no fault";
+}
+
+TEST(Kneel, ItRestsForASecondBeforeItLetsGo) {
+  Rig rig;
+  rig.start();
+  rig.commands.farewell = true;
+  const int cycles = rig.runUntil([&] { return rig.state() == State::kLimp; });
+  EXPECT_GE(cycles * 0.016, 0.98);
+}
+
+TEST(Kneel, AFarewellCanBeToHold) {
+  Rig rig{exitBy(OnExit::kHold)};
+  stand(rig);
+  rig.commands.farewell = true;
+  rig.runFor(20);
+  EXPECT_EQ(rig.state(), State::kHolding);
+  EXPECT_EQ(rig.goal(Joint::kLegLowerR), 0.3);
+  rig.commands = {.session = 2, .start_where_it_is = true};
+  EXPECT_TRUE(rig.reach(State::kDriven));
+  EXPECT_NEAR(rig.robot[Joint::kLegLowerR].position, 0.3, 0.01);
+}
+
+TEST(Kneel, AFarewellCanBeToLetGoAtOnce) {
+  Rig rig{exitBy(OnExit::kLimp)};
+  stand(rig);
+  rig.commands.farewell = true;
+  rig.cycle();
+  EXPECT_EQ(rig.safe->write(), Write::kTorque);
+  EXPECT_TRUE(rig.safe->torqueOff().all());
+  expectLimp(rig);
+}
+
+TEST(Kneel, AControllerThatIsGoneIsHeldThenTheRobotKneelsThenItIsLimp) {
+  Rig rig;
+  stand(rig);
+  rig.steps = false;
+  EXPECT_NEAR(rig.runUntil([&] { return rig.state() == State::kHolding; }) * 0.016, 0.5, 0.03);
+  EXPECT_TRUE(rig.active(Fault::kControllerStalled));
+  EXPECT_NEAR(rig.runUntil([&] { return rig.state() == State::kKneeling; }) * 0.016, 9.5, 0.03);
+  EXPECT_TRUE(rig.active(Fault::kControllerGone));
+  EXPECT_EQ(rig.report().worst, Fault::kControllerGone);
+  ASSERT_TRUE(rig.reach(State::kLimp));
+  expectLimp(rig);
+  rig.runFor(3);
+  EXPECT_EQ(rig.state(), State::kLimp);
+}
+
+TEST(Kneel, ANewSessionBreaksOffTheKneelOfAControllerThatIsGone) {
+  Rig rig;
+  stand(rig);
+  rig.steps = false;
+  ASSERT_TRUE(rig.reach(State::kKneeling));
+  rig.run(10);
+  rig.steps = true;
+  rig.newSession();
+  rig.cycle();
+  EXPECT_EQ(rig.state(), State::kTakingOver);
+  EXPECT_TRUE(rig.reach(State::kDriven));
+  EXPECT_TRUE(rig.report().active.none());
+}
+
+TEST(Kneel, AControllerThatWasOnlySuspendedTakesOverAgainGently) {
+  Rig rig;
+  stand(rig);
+  rig.steps = false;
+  ASSERT_TRUE(rig.reach(State::kKneeling));
+  ASSERT_TRUE(rig.reach(State::kLimp));
+  rig.steps = true;
+  ASSERT_TRUE(rig.reach(State::kStarting));
+  ASSERT_TRUE(rig.reach(State::kDriven));
+  rig.runFor(3);
+  EXPECT_NEAR(rig.robot[Joint::kLegLowerR].position, 0.3, 0.01);
+}
+
+TEST(Kneel, AJointThatIsWishedLimpStaysLimpInTheKneel) {
+  Rig rig;
+  stand(rig);
+  rig.joint(Joint::kShoulderR).setTorque(false);
+  rig.run(3);
+  rig.commands.farewell = true;
+  while (rig.state() != State::kLimp) {
+    rig.cycle();
+    ASSERT_FALSE(rig.driven(Joint::kShoulderR));
+  }
+}
+
+TEST(Kneel, AnEndingControllerDoesNotMakeAKneelingRobotDrop) {
+  Rig rig{exitBy(OnExit::kLimp)};
+  stand(rig);
+  rig.robot.volt = 9.5;
+  ASSERT_TRUE(rig.reach(State::kKneeling));
+  EXPECT_TRUE(rig.report().controller_must_end);
+  rig.commands.farewell = true;
+  rig.run(5);
+  EXPECT_EQ(rig.state(), State::kKneeling);
+  EXPECT_TRUE(rig.reach(State::kLimp));
+}
+
+TEST(Kneel, ABlockedJointDoesNotMakeItKneelForever) {
+  Rig rig;
+  stand(rig);
+  rig.robot[Joint::kLegLowerR].follows = false;
+  rig.commands.farewell = true;
+  EXPECT_TRUE(rig.reach(State::kLimp));
+}
+
+TEST(Kneel, TheButtonReleasesAllJointsAtOnceAndStaysReleased) {
+  Rig rig;
+  stand(rig);
+  rig.robot.buttons = 1;
+  const int cycles = rig.runUntil([&] { return rig.state() == State::kLimp; });
+  EXPECT_GE(cycles * 0.016, 0.25);
+  EXPECT_LE(cycles * 0.016, 0.30);
+  EXPECT_TRUE(rig.safe->torqueOff().all());
+  EXPECT_TRUE(rig.report().controller_must_end);
+  rig.robot.buttons = 0;
+  rig.runFor(2);
+  expectLimp(rig);
+  EXPECT_TRUE(rig.active(Fault::kReleasedByButton));
+  rig.newSession();
+  EXPECT_TRUE(rig.reach(State::kDriven)) << "start the controller again";
+}
+
+TEST(Kneel, AShortPressOrTheOtherButtonReleasesNothing) {
+  Rig rig;
+  rig.start();
+  rig.robot.buttons = 1;
+  rig.runFor(0.2);
+  rig.robot.buttons = 2;
+  rig.runFor(2);
+  EXPECT_EQ(rig.state(), State::kDriven);
+}
+
+TEST(Kneel, TheReleaseButtonCanBeGivenToTheController) {
+  Config config;
+  config.release_button = ReleaseButton::kNone;
+  Rig rig{config};
+  rig.start();
+  rig.robot.buttons = 1;
+  rig.runFor(2);
+  EXPECT_EQ(rig.state(), State::kDriven);
+}
+
+}  // namespace
+}  // namespace darwinop::safety

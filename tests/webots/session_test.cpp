@@ -1,0 +1,229 @@
+// Pacing of step(), its return values, and how a session begins and ends. Time is simulated.
+#include "webots/session.hpp"
+
+#include <gmock/gmock.h>
+
+#include "fixture.hpp"
+
+namespace darwinop::facade {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+using testing::internal::CaptureStderr;
+using testing::internal::GetCapturedStderr;
+
+class SessionTest : public Facade {};
+
+TEST_F(SessionTest, AStepTakesExactlyItsTimeHoweverLongTheControllerComputes) {
+  robot();
+  const Nanos start = fake.now;
+  for (int i = 1; i <= 100; ++i) {
+    fake.pass(milliseconds{i % 11});
+    EXPECT_EQ(robot().step(16), 0);
+    EXPECT_EQ(fake.now - start, i * milliseconds{16});
+  }
+}
+
+TEST_F(SessionTest, AStepOfTwoPeriodsSkipsACycle) {
+  fake.period = milliseconds{8};
+  robot();
+  const Nanos start = fake.now;
+  EXPECT_EQ(robot().step(16), 0);
+  EXPECT_EQ(fake.now - start, milliseconds{16});
+}
+
+TEST_F(SessionTest, StepsThatAreNoMultipleOfThePeriodKeepTheirMeanRate) {
+  robot();
+  const Nanos start = fake.now;
+  for (int i = 0; i < 160; ++i) EXPECT_EQ(robot().step(20), 0);
+  EXPECT_EQ(fake.now - start, milliseconds{3200});
+}
+
+TEST_F(SessionTest, StepsShorterThanThePeriodAreNotLate) {
+  robot();
+  for (int i = 0; i < 100; ++i) {
+    fake.pass(milliseconds{3});
+    EXPECT_EQ(robot().step(8), 0) << i;
+  }
+}
+
+TEST_F(SessionTest, ALateStepReturnsTheExcessAtOnce) {
+  robot();
+  fake.pass(milliseconds{21});
+  const Nanos called = fake.now;
+  EXPECT_EQ(robot().step(16), 5);
+  EXPECT_EQ(fake.now, called);
+}
+
+TEST_F(SessionTest, AStepLateByCyclesReturnsAllOfIt) {
+  robot();
+  fake.pass(milliseconds{16 + 50});
+  EXPECT_EQ(robot().step(16), 50);
+}
+
+TEST_F(SessionTest, AfterALateStepTheNextOneIsInTimeAgain) {
+  robot();
+  fake.pass(milliseconds{1000});
+  EXPECT_GT(robot().step(16), 900);
+  const Nanos late = fake.now;
+  EXPECT_EQ(robot().step(16), 0);
+  EXPECT_LE(fake.now - late, milliseconds{16});
+  EXPECT_GT(fake.now, late);
+}
+
+TEST_F(SessionTest, ALateStepStillPublishesAndReadsTheNewestImage) {
+  robot();
+  const std::size_t before = fake.published.size();
+  fake.pass(milliseconds{100});
+  fake.image.board.voltage = Volt{9};
+  EXPECT_GT(robot().step(16), 0);
+  EXPECT_EQ(fake.published.size(), before + 1);
+  EXPECT_EQ(robot().batterySensorGetValue(), 9);
+}
+
+TEST_F(SessionTest, TheTwoHalvesOfAStepLetTheControllerComputeMeanwhile) {
+  robot();
+  const Nanos start = fake.now;
+  const std::size_t before = fake.published.size();
+  EXPECT_EQ(robot().stepBegin(16), 0);
+  EXPECT_EQ(fake.published.size(), before + 1);
+  EXPECT_EQ(fake.now, start);
+  fake.pass(milliseconds{9});
+  EXPECT_EQ(robot().stepEnd(), 0);
+  EXPECT_EQ(fake.now - start, milliseconds{16});
+}
+
+TEST_F(SessionTest, TimeCountsFromTheMomentTheRobotStoodReady) {
+  robot();
+  EXPECT_EQ(robot().getTime(), 0);
+  EXPECT_EQ(robot().step(16), 0);
+  EXPECT_DOUBLE_EQ(robot().getTime(), 0.016);
+  fake.pass(milliseconds{5});
+  EXPECT_DOUBLE_EQ(robot().getTime(), 0.021);
+}
+
+TEST_F(SessionTest, GettersKeepTheirImageBetweenSteps) {
+  robot();
+  fake.image.board.voltage = Volt{9};
+  fake.pass(milliseconds{50});
+  EXPECT_DOUBLE_EQ(robot().batterySensorGetValue(), 11.8);
+}
+
+TEST_F(SessionTest, TheFirstImageIsThereBeforeTheFirstStep) {
+  EXPECT_DOUBLE_EQ(robot().batterySensorGetValue(), 11.8);
+}
+
+TEST_F(SessionTest, BeginWaitsForTheStartMove) {
+  fake.image.safety.state = State::kStarting;
+  fake.on_cycle = [&](std::uint64_t cycle) {
+    if (cycle == 200) fake.image.safety.state = State::kDriven;
+  };
+  robot();
+  EXPECT_EQ(why_not, "");
+  EXPECT_EQ(fake.finished(), 200u);
+  EXPECT_GE(fake.published.size(), 200u) << "a controller that waits must not look stalled";
+}
+
+TEST_F(SessionTest, BeginDoesNotTrustAnImageFromBeforeItsOwnCommands) {
+  fake.pass(milliseconds{1000});
+  fake.image.safety.controller_must_end = true;  // left behind by the controller before
+  fake.image.safety.worst = Fault::kReleasedByButton;
+  const std::uint64_t before = fake.finished();
+  fake.on_cycle = [&](std::uint64_t cycle) {
+    if (cycle == before + 2) fake.image.safety.controller_must_end = false;
+  };
+  robot();
+  EXPECT_EQ(why_not, "");
+}
+
+TEST_F(SessionTest, BeginSaysWhichFaultForbidsToStart) {
+  fake.image.safety.controller_must_end = true;
+  fake.image.safety.worst = Fault::kBatteryEmpty;
+  robot();
+  EXPECT_THAT(why_not, HasSubstr("the supply is under 10.0 V"));
+  EXPECT_THAT(why_not, HasSubstr("change the battery"));
+}
+
+TEST_F(SessionTest, BeginGivesUpOnARobotThatStaysSilentAndSaysSoMeanwhile) {
+  fake.image.safety.state = State::kOffline;
+  fake.image.safety.worst = Fault::kBusSilent;
+  CaptureStderr();
+  robot();
+  EXPECT_THAT(GetCapturedStderr(), HasSubstr("waiting: the robot is offline"));
+  EXPECT_THAT(why_not, HasSubstr("power switch"));
+  EXPECT_GT(fake.now, std::chrono::seconds{30});
+  EXPECT_LT(fake.now, std::chrono::seconds{31});
+}
+
+TEST_F(SessionTest, BeginIsPatientWithASlowStartMove) {
+  fake.image.safety.state = State::kStarting;
+  fake.on_cycle = [&](std::uint64_t) {
+    if (fake.now > std::chrono::seconds{120}) fake.image.safety.state = State::kDriven;
+  };
+  robot();
+  EXPECT_EQ(why_not, "");
+}
+
+TEST_F(SessionTest, BeginEndsWhenTheUserAsks) {
+  stop = true;
+  robot();
+  EXPECT_THAT(why_not, HasSubstr("asked to end"));
+}
+
+TEST_F(SessionTest, StopMakesStepReturnMinusOneForEver) {
+  robot();
+  stop = true;
+  EXPECT_EQ(robot().step(16), -1);
+  EXPECT_EQ(robot().step(16), -1);
+  const std::size_t before = fake.published.size();
+  EXPECT_EQ(robot().step(16), -1);
+  EXPECT_EQ(fake.published.size(), before) << "nothing is asked of the robot any more";
+}
+
+TEST_F(SessionTest, ALateStepEndsOnStopToo) {
+  robot();
+  fake.pass(milliseconds{1000});
+  stop = true;
+  EXPECT_EQ(robot().step(16), -1);
+}
+
+TEST_F(SessionTest, AFaultThatEndsControllersIsExplainedOnce) {
+  robot();
+  fake.image.safety.controller_must_end = true;
+  fake.image.safety.worst = Fault::kServoOverload;
+  fake.image.safety.worst_joint = 14;
+  CaptureStderr();
+  EXPECT_EQ(robot().step(16), -1);
+  EXPECT_EQ(robot().step(16), -1);
+  EXPECT_EQ(GetCapturedStderr(),
+            "darwinop: a servo has set its overload bit and shut itself off (LegLowerL, id 14); free the joint, then "
+            "reset the faults: torque limit and torque are restored together\n");
+}
+
+TEST_F(SessionTest, ALinkThatEndsIsExplainedOnce) {
+  robot();
+  fake.gone = true;
+  CaptureStderr();
+  EXPECT_EQ(robot().step(16), -1);
+  EXPECT_EQ(robot().step(16), -1);
+  EXPECT_EQ(GetCapturedStderr(), "darwinop: the daemon has gone\n");
+}
+
+TEST_F(SessionTest, OtherFaultsDoNotEndTheController) {
+  robot();
+  fake.image.safety.worst = Fault::kBatteryLow;
+  fake.image.safety.active.set(3);
+  EXPECT_EQ(robot().step(16), 0);
+}
+
+TEST_F(SessionTest, StartInPlaceIsAskedForInEveryImage) {
+  config.safety.start = safety::StartMove::kHold;
+  robot();
+  EXPECT_TRUE(fake.published.front().start_where_it_is);
+  EXPECT_EQ(robot().step(16), 0);
+  EXPECT_TRUE(fake.last().start_where_it_is);
+}
+
+}  // namespace
+}  // namespace darwinop::facade

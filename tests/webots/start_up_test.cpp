@@ -1,0 +1,151 @@
+// Robot(): environment, config.ini, signals, and how it ends the program. The link is replaced at link time.
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "fixture.hpp"
+#include "link/connect.hpp"
+#include "webots/stop_signals.hpp"
+
+namespace {
+darwinop::facade::FakeRobot* robot_to_meet = nullptr;
+darwinop::link::Request request_seen;
+}  // namespace
+
+namespace darwinop::link {
+std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
+  request_seen = request;
+  if (!robot_to_meet) throw std::runtime_error("no robot at " + request.setting + ": switch it on");
+  return std::make_unique<facade::FakeLink>(*robot_to_meet);
+}
+}  // namespace darwinop::link
+
+namespace darwinop::facade {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StartUp : public testing::Test {
+ protected:
+  StartUp() {
+    forgetWarnings();
+    robot_to_meet = &fake_;
+    for (const char* name : {"DARWINOP_ROBOT", "DARWINOP_PERIOD_MS", "DARWINOP_RECORD", "DARWINOP_KEEP_CWD"})
+      unsetenv(name);
+  }
+  ~StartUp() override {
+    fs::current_path(before_);
+    fs::remove(programDirectory() + "/config.ini");
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+  }
+  static void writeConfig(const std::string& text) { std::ofstream{programDirectory() + "/config.ini"} << text; }
+
+  FakeRobot fake_;
+  const fs::path before_ = fs::current_path();
+};
+using StartUpDeathTest = StartUp;
+
+TEST_F(StartUp, TheProgramWorksInItsOwnDirectory) {
+  fs::current_path("/");
+  const webots::Robot robot;
+  EXPECT_EQ(fs::current_path(), programDirectory());
+}
+
+TEST_F(StartUp, TheWorkingDirectoryIsKeptOnRequest) {
+  fs::current_path("/");
+  setenv("DARWINOP_KEEP_CWD", "1", 1);
+  const webots::Robot robot;
+  EXPECT_EQ(fs::current_path(), "/");
+}
+
+TEST_F(StartUp, TheEnvironmentChoosesTheRobot) {
+  setenv("DARWINOP_ROBOT", "/dev/ttyUSB7", 1);
+  setenv("DARWINOP_PERIOD_MS", "8", 1);
+  setenv("DARWINOP_RECORD", "/tmp/log.csv", 1);
+  const webots::Robot robot;
+  EXPECT_EQ(request_seen.setting, "/dev/ttyUSB7");
+  EXPECT_EQ(request_seen.period, std::chrono::milliseconds{8});
+  EXPECT_EQ(request_seen.safety.period, std::chrono::milliseconds{8});
+  EXPECT_EQ(request_seen.record_path, "/tmp/log.csv");
+}
+
+TEST_F(StartUp, ConfigIniBesideTheProgramIsRead) {
+  fs::current_path("/");
+  writeConfig("[Robot Config]\ntime_step=24\n[Safety]\nstall_ms=250\n");
+  const webots::Robot robot;
+  EXPECT_EQ(robot.getBasicTimeStep(), 24);
+  EXPECT_EQ(request_seen.safety.stall_ms, 250);
+}
+
+TEST_F(StartUp, CtrlCMakesStepReturnMinusOneAndRestoresTheDefault) {
+  webots::Robot robot;
+  EXPECT_EQ(robot.step(16), 0);
+  fake_.signal_during_wait = SIGINT;
+  EXPECT_EQ(robot.step(16), -1);
+  struct sigaction now {};
+  sigaction(SIGINT, nullptr, &now);
+  EXPECT_EQ(now.sa_handler, SIG_DFL);
+}
+
+TEST_F(StartUp, SigtermMakesStepReturnMinusOne) {
+  webots::Robot robot;
+  std::raise(SIGTERM);
+  EXPECT_EQ(robot.step(16), -1);
+}
+
+TEST_F(StartUp, ASignalThatTheParentIgnoresStaysIgnored) {
+  std::signal(SIGINT, SIG_IGN);
+  webots::Robot robot;
+  std::raise(SIGINT);
+  EXPECT_EQ(robot.step(16), 0);
+}
+
+TEST_F(StartUpDeathTest, NoRobotIsASentenceAndStatusOne) {
+  robot_to_meet = nullptr;
+  setenv("DARWINOP_ROBOT", "/dev/ttyUSB0", 1);
+  EXPECT_EXIT(webots::Robot{}, testing::ExitedWithCode(1), "darwinop: no robot at /dev/ttyUSB0: switch it on");
+}
+
+TEST_F(StartUpDeathTest, AFaultAtTheStartIsASentenceAndStatusOne) {
+  fake_.image.safety.controller_must_end = true;
+  fake_.image.safety.worst = Fault::kBatteryEmpty;
+  EXPECT_EXIT(webots::Robot{}, testing::ExitedWithCode(1), "darwinop: the supply is under 10.0 V");
+}
+
+TEST_F(StartUpDeathTest, ABadConfigIsASentenceAndStatusOne) {
+  writeConfig("[Robot Config]\ntime_step=never\n");
+  EXPECT_EXIT(webots::Robot{}, testing::ExitedWithCode(1), "config.ini, line 2: time_step = never");
+}
+
+TEST_F(StartUpDeathTest, ABadPeriodIsASentenceAndStatusOne) {
+  setenv("DARWINOP_PERIOD_MS", "sixteen", 1);
+  EXPECT_EXIT(webots::Robot{}, testing::ExitedWithCode(1), "DARWINOP_PERIOD_MS = sixteen");
+}
+
+TEST_F(StartUpDeathTest, ASecondRobotIsASentenceAndStatusOne) {
+  const webots::Robot first;
+  EXPECT_EXIT(webots::Robot{}, testing::ExitedWithCode(1), "a second Robot was made");
+}
+
+TEST_F(StartUpDeathTest, ExitSaysFarewellForARobotThatNobodyDeletes) {
+  struct Told {
+    FakeRobot& fake;
+    ~Told() { std::fputs(fake.farewell ? "farewell was said\n" : "not a word\n", stderr); }
+  };
+  EXPECT_EXIT(
+      {
+        static const Told told{fake_};
+        new webots::Robot;
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "farewell was said");
+}
+
+}  // namespace
+}  // namespace darwinop::facade

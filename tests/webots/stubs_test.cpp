@@ -1,0 +1,96 @@
+// Camera, speaker, keyboard, motions and managers: harmless, and they say once that they are not there yet.
+#include <gmock/gmock.h>
+
+#include <DARwInOPGaitManager.hpp>
+#include <DARwInOPMotionManager.hpp>
+#include <RobotisOp2DirectoryManager.hpp>
+#include <RobotisOp2GaitManager.hpp>
+#include <RobotisOp2MotionManager.hpp>
+#include <RobotisOp2VisionManager.hpp>
+#include <webots/Camera.hpp>
+#include <webots/Keyboard.hpp>
+#include <webots/Speaker.hpp>
+#include <webots/utils/Motion.hpp>
+
+#include "fixture.hpp"
+
+namespace darwinop::facade {
+namespace {
+
+using testing::HasSubstr;
+
+/// What is said on stderr from here to the end.
+class StubTest : public Facade {
+ protected:
+  StubTest() {
+    robot();
+    testing::internal::CaptureStderr();
+  }
+  static long lines(const std::string& text) { return std::ranges::count(text, '\n'); }
+};
+
+TEST_F(StubTest, TheCameraGivesABlackPictureOfTheConfiguredSize) {
+  webots::Camera& camera = *robot().getCamera("Camera");
+  EXPECT_EQ(camera.getImage(), nullptr) << "disabled";
+  camera.enable(32);
+  camera.enable(32);
+  const unsigned char* image = camera.getImage();
+  ASSERT_NE(image, nullptr);
+  for (int y = 0; y < camera.getHeight(); ++y)
+    for (int x = 0; x < camera.getWidth(); ++x) {
+      ASSERT_EQ(webots::Camera::imageGetRed(image, camera.getWidth(), x, y), 0);
+      ASSERT_EQ(image[4 * (y * camera.getWidth() + x) + 3], 255);
+    }
+  EXPECT_EQ(lines(testing::internal::GetCapturedStderr()), 1);
+}
+
+TEST_F(StubTest, PixelsAreReadAsBlueGreenRed) {
+  const unsigned char pixels[] = {1, 2, 3, 255, 10, 20, 30, 255};
+  EXPECT_EQ(webots::Camera::imageGetRed(pixels, 2, 1, 0), 30);
+  EXPECT_EQ(webots::Camera::imageGetGreen(pixels, 2, 1, 0), 20);
+  EXPECT_EQ(webots::Camera::imageGetBlue(pixels, 2, 1, 0), 10);
+  EXPECT_EQ(webots::Camera::imageGetGrey(pixels, 2, 1, 0), 19);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST_F(StubTest, TheSpeakerIsSilentInBothStyles) {
+  webots::Speaker& speaker = *robot().getSpeaker("Speaker");
+  speaker.speak("hello", "en", 120);
+  speaker.speak("hello");
+  speaker.speak("hello", 1.0);
+  speaker.playFile("x.wav");
+  webots::Speaker::playSound(&speaker, &speaker, "x.wav", 1, 1, 0, false);
+  EXPECT_FALSE(speaker.isSpeaking());
+  EXPECT_EQ(lines(testing::internal::GetCapturedStderr()), 1);
+}
+
+TEST_F(StubTest, NoKeyIsZeroIn2013AndMinusOneToday) {
+  robot().keyboardEnable(16);
+  EXPECT_EQ(robot().keyboardGetKey(), 0);
+  robot().getKeyboard()->enable(16);
+  EXPECT_EQ(robot().getKeyboard()->getKey(), -1);
+  EXPECT_EQ(lines(testing::internal::GetCapturedStderr()), 1);
+}
+
+TEST_F(StubTest, MotionsAndManagersSayThatTheyDoNothing) {
+  webots::Motion motion{"hand_high.motion"};
+  motion.play();
+  EXPECT_FALSE(motion.isValid());
+  managers::RobotisOp2MotionManager pages{&robot()};
+  pages.playPage(9);
+  managers::DARwInOPGaitManager gait{&robot(), "config.ini"};
+  gait.start();
+  managers::RobotisOp2VisionManager vision{320, 240, 355, 15, 60, 15, 0, 30};
+  double x = 1, y = 1;
+  EXPECT_FALSE(vision.getBallCenter(x, y, nullptr));
+  EXPECT_EQ(x, 0);
+  EXPECT_FALSE(pages.isCorrectlyInitialized() || gait.isCorrectlyInitialized());
+  EXPECT_EQ(managers::RobotisOp2DirectoryManager::getDataDirectory(), "/robotis/Data/");
+  const std::string said = testing::internal::GetCapturedStderr();
+  for (const char* what :
+       {"Motion: ", "hand_high.motion", "MotionManager: ", "page 9", "GaitManager: ", "VisionManager: "})
+    EXPECT_THAT(said, HasSubstr(what));
+}
+
+}  // namespace
+}  // namespace darwinop::facade

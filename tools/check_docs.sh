@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Checks that the documentation tells the truth where a program can tell: relative links lead somewhere, commands
+# that pages show exist, and the package table is the one in ./dev.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+failed=0
+wrong() {
+  echo "$1" >&2
+  failed=1
+}
+
+pages=$(git ls-files --cached --others --exclude-standard -- '*.md')
+
+for page in $pages; do
+  [ -e "$page" ] || continue
+  folder=$(dirname "$page")
+
+  while read -r target; do
+    [ -e "$folder/$target" ] || wrong "$page: the link to $target leads nowhere"
+  done < <(grep -oE '\]\([^)#: ]+' "$page" | sed 's/^](//')
+
+  while read -r command; do
+    ./dev help | grep -q "^  $command " || wrong "$page: there is no command ./dev $command"
+  done < <(grep -oE '\./dev [a-z]+' "$page" | sed 's/.* //' | sort -u)
+
+  while read -r noun; do
+    grep -q "darwinop-$noun" apps/CMakeLists.txt || wrong "$page: there is no command darwinop $noun"
+  done < <(sed -n '/^```/,/^```/p' "$page" | grep -oE '(^|[|&;] *)darwinop [a-z][a-z-]*' | sed 's/.* //' | sort -u)
+
+  while read -r example; do
+    [ -d "$example" ] || wrong "$page: there is no $example"
+  done < <(grep -oE 'controllers/[0-9][a-z0-9_]+' "$page" | sort -u)
+done
+
+if ! diff <(./dev help packages) <(sed '1,/^<!-- packages -->$/d' docs/dependencies.md) >&2; then
+  wrong "docs/dependencies.md: the table is not that of ./dev; run ./dev docs"
+fi
+[ $failed = 0 ] && echo "docs: links, commands and package table are right"
+exit $failed

@@ -1,0 +1,113 @@
+// Prints docs/registers.md from the tables of core/; with `--check FILE` tells whether FILE still says the same.
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <span>
+#include <sstream>
+#include <string>
+
+#include "core/conversions.hpp"
+#include "core/joints.hpp"
+#include "core/registers.hpp"
+
+namespace {
+
+using namespace darwinop;
+
+constexpr const char* kHowToRenew = "./dev docs";
+
+std::string number(double value, const char* format) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string range(const Register& r) {
+  if (r.access == Access::kRead) return "";
+  return std::to_string(r.low) + ".." + std::to_string(r.high);
+}
+
+/// SI value = (raw - zero) * scale, as a person would write it; empty where the count is the value.
+std::string law(const Register& r) {
+  if (r.zero == 0 && r.scale == 1) return "";
+  const std::string raw = r.zero == 0 ? "raw" : "(raw - " + number(r.zero, "%g") + ")";
+  return raw + " x " + number(r.scale, "%.6g");
+}
+
+void printTable(std::ostream& out, std::span<const Register> table) {
+  out << "| Address | Name | Bytes | Access | Memory | Reset | Range | SI value | Unit | Note |\n"
+         "|---:|---|---:|---|---|---:|---|---|---|---|\n";
+  for (const Register& r : table) {
+    out << "| " << int{r.address} << " | `" << r.name << "` | " << int{r.bytes} << " | "
+        << (r.access == Access::kRead ? "read" : "write") << " | " << (r.memory == Memory::kEeprom ? "EEPROM" : "RAM")
+        << " | " << r.reset << " | " << range(r) << " | " << law(r) << " | " << r.unit << " | " << r.note << " |\n";
+  }
+}
+
+std::string_view name(Chain chain) {
+  switch (chain) {
+    case Chain::kRightArm:
+      return "right arm";
+    case Chain::kLeftArm:
+      return "left arm";
+    case Chain::kHead:
+      return "head";
+    case Chain::kRightLeg:
+      return "right leg";
+    case Chain::kLeftLeg:
+      return "left leg";
+  }
+  return "";
+}
+
+std::string radian(int ticks) {
+  return number(radFromTicks(ticks).value, "%+.4f");
+}
+
+void printJoints(std::ostream& out) {
+  out << "| Id | Webots name | Joint | Chain | Low, ticks | High, ticks | Start, ticks | Low, rad | High, rad | Start, "
+         "rad |\n"
+         "|---:|---|---|---|---:|---:|---:|---:|---:|---:|\n";
+  for (const JointRow& j : kJointTable) {
+    out << "| " << int{j.id} << " | `" << j.name << "` | " << j.anatomical << " | " << name(j.chain) << " | " << j.low
+        << " | " << j.high << " | " << j.start << " | " << radian(j.low) << " | " << radian(j.high) << " | "
+        << radian(j.start) << " |\n";
+  }
+}
+
+std::string page() {
+  std::ostringstream out;
+  out << "# Joints and registers\n\n"
+         "Generated from `core/joints.hpp` and `core/registers.hpp` by `"
+      << kHowToRenew
+      << "`; do not edit.\n"
+         "Where sources disagree, the comments of those two files name the conflict and the choice.\n\n"
+         "## Joints\n\n"
+         "2048 ticks are 0 rad, 4096 ticks are a turn. A rising tick is a positive angle, for every joint.\n\n";
+  printJoints(out);
+  out << "\n## CM-730, id " << int{kBoardId} << "\n\nA word has its low byte at the lower address.\n\n";
+  printTable(out, kCm730);
+  out << "\n## MX-28, ids 1 to " << kJoints << "\n\nProtocol 1.0, firmware 27 or newer.\n\n";
+  printTable(out, kMx28);
+  return out.str();
+}
+
+int check(const char* path) {
+  std::ifstream file{path};
+  const std::string have{std::istreambuf_iterator<char>{file}, {}};
+  if (have == page()) return 0;
+  std::cerr << path << " is out of date: run `" << kHowToRenew << "` and commit the result\n";
+  return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 3 && std::string{argv[1]} == "--check") return check(argv[2]);
+  if (argc != 1) {
+    std::cerr << "usage: " << argv[0] << " [--check FILE]\n";
+    return 2;
+  }
+  std::cout << page();
+}

@@ -1,0 +1,17 @@
+// What all devices of a robot have in common: a name.
+#include "webots/Device.hpp"
+
+#include "webots/robot_impl.hpp"
+
+namespace webots {
+
+Device::Device(const std::string& name, int node_type, darwinop::facade::RobotImpl& robot)
+    : robot_(robot), name_(name), node_type_(node_type), tag_(robot.nextTag()) {}
+
+Device::~Device() = default;
+
+std::string Device::getModel() const {
+  return {};
+}
+
+}  // namespace webots

@@ -1,0 +1,38 @@
+// Hands the lines of an INI text to inih one by one, with the liberties that robots' files have taken since 2013.
+#include "webots/ini_lines.hpp"
+
+#include <algorithm>
+
+namespace darwinop::facade {
+
+namespace {
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r\n\v\f";
+  const auto first = text.find_first_not_of(kBlank);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+}  // namespace
+
+std::string_view withoutComment(std::string_view line) {
+  return trimmed(line.substr(0, std::min(line.find_first_of(";#"), line.size())));
+}
+
+std::string_view withoutQuotes(std::string_view value) {
+  value = trimmed(value);
+  if (value.size() >= 2 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
+  return value;
+}
+
+char* IniLines::next(char* into, int size) {
+  if (rest_.empty() || size < 2) return nullptr;
+  const std::size_t length = std::min(rest_.find('\n'), rest_.size());
+  std::string_view line = withoutComment(rest_.substr(0, length));
+  rest_.remove_prefix(std::min(length + 1, rest_.size()));
+  ++number_;
+  line = line.substr(0, std::min(line.find('\0'), static_cast<std::size_t>(size) - 1));
+  *std::copy(line.begin(), line.end(), into) = '\0';
+  return into;
+}
+
+}  // namespace darwinop::facade

@@ -1,0 +1,151 @@
+// A servo motor of the robot, under today's name and that of 2013.
+#include "webots/Motor.hpp"
+
+#include <string>
+
+#include "webots/Node.hpp"
+#include "webots/PositionSensor.hpp"
+#include "webots/Servo.hpp"
+#include "webots/notices.hpp"
+#include "webots/robot_impl.hpp"
+
+namespace webots {
+
+using darwinop::facade::warnOnce;
+
+Motor::Motor(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::facade::MotorControl& control)
+    : Device(name, Node::ROTATIONAL_MOTOR, robot), control_(control), torque_period_(0), position_period_(0) {}
+
+Motor::~Motor() = default;
+
+void Motor::setPosition(double position) {
+  control_.setPosition(position);
+}
+
+double Motor::getTargetPosition() const {
+  if (control_.position()) return *control_.position();
+  const darwinop::JointRow& joint = control_.joint();
+  const darwinop::Rad held = robot_.lastKnown(static_cast<darwinop::Joint>(joint.id - 1)).commanded;
+  return held.known() ? held.value : darwinop::radFromTicks(joint.start).value;
+}
+
+void Motor::setVelocity(double velocity) {
+  control_.setVelocity(velocity);
+}
+void Motor::setAcceleration(double acceleration) {
+  control_.setAcceleration(acceleration);
+}
+void Motor::setAvailableTorque(double torque) {
+  control_.setAvailableTorque(torque);
+}
+void Motor::setAvailableForce(double force) {
+  control_.setAvailableTorque(force);
+}
+void Motor::setForce(double force) {
+  setTorque(force);
+}
+
+void Motor::setTorque(double torque) {
+  if (torque != torque) return warnOnce("setTorque(NaN) of " + getName() + " is ignored");
+  control_.setTorque(torque);
+}
+
+void Motor::setControlPID(double p, double i, double d) {
+  if (i != 0 || d != 0)
+    warnOnce("setControlPID() of " + getName() + ": i and d have no effect on this robot, only p has");
+  if (p < 0) return warnOnce("setControlPID() of " + getName() + ": a negative p is ignored");
+  if (p < 3) warnOnce("setControlPID() of " + getName() + ": with p under 3 the motor may not reach its goal");
+  control_.setPGain(p);
+}
+
+double Motor::getVelocity() const {
+  return control_.velocity();
+}
+double Motor::getMaxVelocity() const {
+  return darwinop::facade::kMaxVelocity;
+}
+double Motor::getAcceleration() const {
+  return control_.acceleration();
+}
+double Motor::getAvailableTorque() const {
+  return control_.availableTorque();
+}
+double Motor::getAvailableForce() const {
+  return control_.availableTorque();
+}
+double Motor::getMaxTorque() const {
+  return darwinop::kMaxTorqueNm;
+}
+double Motor::getMaxForce() const {
+  return darwinop::kMaxTorqueNm;
+}
+double Motor::getMultiplier() const {
+  return 1;
+}
+double Motor::getMinPosition() const {
+  return control_.low();
+}
+double Motor::getMaxPosition() const {
+  return control_.high();
+}
+
+PositionSensor* Motor::getPositionSensor() const {
+  return dynamic_cast<PositionSensor*>(robot_.find(getName() + "S"));
+}
+
+void Motor::enableTorqueFeedback(int sampling_period) {
+  torque_period_ = sampling_period;
+}
+void Motor::disableTorqueFeedback() {
+  torque_period_ = 0;
+}
+void Motor::enableForceFeedback(int sampling_period) {
+  enableTorqueFeedback(sampling_period);
+}
+void Motor::disableForceFeedback() {
+  disableTorqueFeedback();
+}
+double Motor::getForceFeedback() const {
+  return getTorqueFeedback();
+}
+
+double Motor::getTorqueFeedback() const {
+  const auto* seen = robot_.joint(static_cast<darwinop::Joint>(control_.joint().id - 1), getName());
+  // The sign of 2013, clockwise positive, which setTorque() shares.
+  return seen ? -seen->load * darwinop::kMaxTorqueNm : darwinop::kUnknown;
+}
+
+void Motor::enablePosition(int sampling_period) {
+  position_period_ = sampling_period;
+}
+void Motor::disablePosition() {
+  position_period_ = 0;
+}
+
+double Motor::getPosition() const {
+  const auto* seen = robot_.joint(static_cast<darwinop::Joint>(control_.joint().id - 1), getName());
+  return seen ? seen->position.value : darwinop::kUnknown;
+}
+
+Servo::Servo(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::facade::MotorControl& control)
+    : Motor(name, robot, control) {}
+
+Servo::~Servo() = default;
+
+void Servo::setMotorForce(double force) {
+  setAvailableTorque(force);
+}
+void Servo::setControlP(double p) {
+  setControlPID(p, 0, 0);
+}
+void Servo::enableMotorForceFeedback(int sampling_period) {
+  enableTorqueFeedback(sampling_period);
+}
+void Servo::disableMotorForceFeedback() {
+  disableTorqueFeedback();
+}
+double Servo::getMotorForceFeedback() const {
+  return getTorqueFeedback();
+}
+
+}  // namespace webots

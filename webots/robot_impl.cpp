@@ -1,0 +1,106 @@
+// What stands behind webots::Robot: the session, the command image, the devices.
+#include "webots/robot_impl.hpp"
+
+#include "webots/Accelerometer.hpp"
+#include "webots/Camera.hpp"
+#include "webots/Gyro.hpp"
+#include "webots/LED.hpp"
+#include "webots/PositionSensor.hpp"
+#include "webots/Servo.hpp"
+#include "webots/Speaker.hpp"
+#include "webots/TouchSensor.hpp"
+#include "webots/notices.hpp"
+
+namespace darwinop::facade {
+
+namespace {
+// Two cycles may be lost without the controller noticing; at 16 ms a value is then 48 ms old.
+bool usable(Freshness freshness) {
+  return freshness.age <= 3;
+}
+
+void warnMissing(const std::string& device) {
+  warnOnce(device + " has not answered for 3 cycles: its values are NaN (not a number) until it does");
+}
+}  // namespace
+
+RobotImpl::RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerConfig& config,
+                     const std::atomic<bool>& stop)
+    : config_{config}, session_{std::move(link), stop} {
+  commands_.start_where_it_is = config.safety.start == safety::StartMove::kHold;
+  addDevices();
+}
+
+RobotImpl::~RobotImpl() = default;
+
+void RobotImpl::addDevices() {
+  for (const JointRow& row : kJointTable) {
+    const std::string name{row.name};
+    MotorControl& control = motors_.emplace_back(static_cast<Joint>(row.id - 1));
+    add(new webots::Servo(name, *this, control));
+    add(new webots::PositionSensor(name + "S", *this, row.id - 1U));
+  }
+  accelerometer_ = add(new webots::Accelerometer("Accelerometer", *this));
+  gyro_ = add(new webots::Gyro("Gyro", *this));
+  add(new webots::Camera("Camera", *this, config_.camera_width, config_.camera_height));
+  add(new webots::LED("EyeLed", *this, webots::LED::EYE, 0));
+  add(new webots::LED("HeadLed", *this, webots::LED::HEAD, 0));
+  add(new webots::LED("BackLedRed", *this, webots::LED::BACK, 1));
+  add(new webots::LED("BackLedBlue", *this, webots::LED::BACK, 2));
+  add(new webots::LED("BackLedGreen", *this, webots::LED::BACK, 4));
+  add(new webots::Speaker("Speaker", *this));
+  add(new webots::TouchSensor("ButtonMode", *this, 1));
+  add(new webots::TouchSensor("ButtonStart", *this, 2));
+}
+
+template <class T>
+T* RobotImpl::add(T* device) {
+  devices_.emplace_back(device);
+  by_name_.emplace(device->getName(), device);
+  return device;
+}
+
+std::string RobotImpl::begin() {
+  std::string sentence = session_.begin(commands_);
+  refresh();
+  return sentence;
+}
+
+void RobotImpl::stepBegin(int ms) {
+  for (std::size_t i = 0; i < kJoints; ++i)
+    commands_.joint[i] = motors_[i].command(session_.sensors().joint[i], std::max(ms, 0) / 1000.0);
+  session_.publish(commands_, ms);
+}
+
+int RobotImpl::stepEnd() {
+  const int result = session_.wait();
+  refresh();
+  return result;
+}
+
+/// Controllers may keep the pointers of getValues() and expect to see every step through them.
+void RobotImpl::refresh() {
+  const BoardSensors& board = session_.sensors().board;
+  accelerometer_->refresh(usable(board.motion) ? &board : nullptr);
+  gyro_->refresh(usable(board.motion) ? &board : nullptr);
+}
+
+webots::Device* RobotImpl::find(const std::string& name) const {
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? nullptr : found->second;
+}
+
+const BoardSensors* RobotImpl::board(const std::string& device) const {
+  const BoardSensors& board = session_.sensors().board;
+  if (usable(board.motion)) return &board;
+  warnMissing(device);
+  return nullptr;
+}
+
+const JointSensors* RobotImpl::joint(Joint joint, const std::string& device) const {
+  if (usable(lastKnown(joint).motion)) return &lastKnown(joint);
+  warnMissing(device);
+  return nullptr;
+}
+
+}  // namespace darwinop::facade

@@ -1,0 +1,86 @@
+// What stands behind webots::Robot: the session, the command image, the devices.
+#pragma once
+
+#include <atomic>
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "webots/Keyboard.hpp"
+#include "webots/config_ini.hpp"
+#include "webots/motor_control.hpp"
+#include "webots/session.hpp"
+
+namespace webots {
+class Accelerometer;
+class Device;
+class Gyro;
+}  // namespace webots
+
+namespace darwinop::facade {
+
+class RobotImpl {
+ public:
+  /// `stop` becomes true when the user asks the controller to end.
+  RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerConfig& config, const std::atomic<bool>& stop);
+  ~RobotImpl();
+  RobotImpl(const RobotImpl&) = delete;
+  RobotImpl& operator=(const RobotImpl&) = delete;
+
+  /// Waits for the robot to stand ready. Empty: it does; else why not.
+  [[nodiscard]] std::string begin();
+  void stepBegin(int ms);
+  [[nodiscard]] int stepEnd();
+
+  [[nodiscard]] const ControllerConfig& config() const { return config_; }
+  [[nodiscard]] const Session& session() const { return session_; }
+  [[nodiscard]] LedCommand& led() { return commands_.led; }
+  [[nodiscard]] webots::Keyboard& keyboard() { return keyboard_; }
+
+  /// Null when the robot has no such device.
+  [[nodiscard]] webots::Device* find(const std::string& name) const;
+  [[nodiscard]] const std::vector<std::unique_ptr<webots::Device>>& devices() const { return devices_; }
+  [[nodiscard]] int nextTag() const { return static_cast<int>(devices_.size()) + 1; }
+
+  /// The board's or a joint's values, or null when they are older than 3 cycles; `device` is then named, once.
+  [[nodiscard]] const BoardSensors* board(const std::string& device) const;
+  [[nodiscard]] const JointSensors* joint(Joint joint, const std::string& device) const;
+  /// The same without a word, whatever its age.
+  [[nodiscard]] const JointSensors& lastKnown(Joint joint) const { return session_.sensors().joint[index(joint)]; }
+
+  int battery_period = 0;  // as the controller gave it
+  std::string custom_data;
+
+ private:
+  void addDevices();
+  template <class T>
+  T* add(T* device);
+  void refresh();
+
+  ControllerConfig config_;
+  Session session_;
+  Commands commands_{};
+  std::deque<MotorControl> motors_;  // by joint
+  webots::Keyboard keyboard_;
+  std::vector<std::unique_ptr<webots::Device>> devices_;
+  std::map<std::string, webots::Device*, std::less<>> by_name_;
+  webots::Accelerometer* accelerometer_ = nullptr;
+  webots::Gyro* gyro_ = nullptr;
+};
+
+/// Finds the robot as environment and config.ini say, and waits until it stands ready. Ends the program with a
+/// sentence when that fails.
+RobotImpl* connectOrExit();
+
+/// Where the running program lies; config.ini is beside it.
+std::string programDirectory();
+
+/// Makes `robot` the one of this process; for tests.
+RobotImpl* adopt(RobotImpl* robot);
+
+/// Deletes `robot` if it is still the one of this process; it then says farewell. Done at the end of the program, too.
+void release(RobotImpl* robot);
+
+}  // namespace darwinop::facade

@@ -1,0 +1,103 @@
+// A controller's time with a robot: publish, wait, read one consistent image, know when to end.
+#include "webots/session.hpp"
+
+#include <algorithm>
+
+#include "webots/notices.hpp"
+
+namespace darwinop::facade {
+
+namespace {
+constexpr Nanos kQuiet = std::chrono::seconds{3};      // then say what is being waited for
+constexpr Nanos kPatience = std::chrono::seconds{30};  // for a robot that does not even start to move
+constexpr Nanos kLongest = std::chrono::seconds{180};  // 6 rad at the slowest gentle_speed, 0.05 rad/s, and some
+
+std::string describe(const SafetyReport& report) {
+  const FaultRow& fault = row(report.worst);
+  std::string text{fault.meaning};
+  if (report.worst_joint >= 1 && report.worst_joint <= kJoints)
+    text += " (" + std::string{kJointTable[report.worst_joint - 1U].name} + ", id " +
+            std::to_string(report.worst_joint) + ")";
+  return text + "; " + std::string{fault.remedy};
+}
+
+std::string whatIsAwaited(const SafetyReport& report) {
+  const auto state = static_cast<std::size_t>(report.state);
+  std::string text = "the robot is " + std::string{kStateNames[std::min(state, kStates - 1)]};
+  if (report.worst != Fault::kNone) text += ": " + describe(report);
+  return text;
+}
+}  // namespace
+
+Session::Session(std::unique_ptr<runtime::RobotLink> link, const std::atomic<bool>& stop)
+    : link_{std::move(link)}, stop_{stop} {}
+
+std::string Session::begin(const Commands& first) {
+  const Nanos started = link_->now();
+  // The cycle under way may have begun before the first image was there: only the one after it speaks of us.
+  const std::uint64_t first_of_ours = link_->sensors().cycle + 2;
+  bool told = false;
+  for (;;) {
+    link_->publish(first);
+    if (!link_->waitForCycle(link_->sensors().cycle + 1, stop_))
+      return stop_ ? "asked to end before the robot was ready" : link_->whyEnded();
+    sensors_ = link_->sensors();
+    if (sensors_.cycle >= first_of_ours) {
+      if (sensors_.safety.controller_must_end) return describe(sensors_.safety);
+      if (sensors_.safety.state == State::kDriven) break;
+    }
+    const Nanos waited = link_->now() - started;
+    const State state = sensors_.safety.state;
+    if (waited > (state == State::kStarting ? kLongest : kPatience))
+      return "the robot is not ready; " + whatIsAwaited(sensors_.safety);
+    if (waited > kQuiet && !told && state == State::kOffline) {
+      say("waiting: " + whatIsAwaited(sensors_.safety));
+      told = true;
+    }
+  }
+  line_ = TimeLine{link_->period(), sensors_.cycle};
+  target_ = served_ = sensors_.cycle;
+  origin_ = link_->now();
+  return {};
+}
+
+void Session::publish(const Commands& commands, int ms) {
+  if (ended_) return;
+  link_->publish(commands);
+  target_ = line_.advance(std::chrono::milliseconds{std::max(ms, 0)});
+}
+
+int Session::wait() {
+  if (ended_) return -1;
+  if (stop_) return end({});
+  int late = 0;
+  if (link_->sensors().cycle < target_) {
+    if (!link_->waitForCycle(target_, stop_)) return end(stop_ ? std::string{} : link_->whyEnded());
+    sensors_ = link_->sensors();
+  } else {
+    sensors_ = link_->sensors();
+    // A step shorter than the period may share its cycle with the one before: that is not late.
+    if (target_ > served_ || sensors_.cycle > target_) late = millisecondsLate(target_);
+    if (sensors_.cycle > target_) line_.restartAt(sensors_.cycle);
+  }
+  served_ = sensors_.cycle;
+  if (sensors_.safety.controller_must_end) return end(describe(sensors_.safety));
+  return late;
+}
+
+int Session::end(const std::string& sentence) {
+  ended_ = true;
+  if (!sentence.empty()) say(sentence);
+  return -1;
+}
+
+/// How long ago `target` ended, counted back from the newest cycle.
+int Session::millisecondsLate(std::uint64_t target) const {
+  const auto cycles_behind = static_cast<std::int64_t>(sensors_.cycle - target);
+  const Nanos newest_ended{sensors_.time_ns + sensors_.wake_latency_ns + sensors_.wire.bus_ns};
+  const Nanos late = link_->now() - newest_ended + cycles_behind * link_->period();
+  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(late).count();
+  return static_cast<int>(std::clamp<std::int64_t>(ms, 0, 1'000'000'000));
+}
+
+}  // namespace darwinop::facade

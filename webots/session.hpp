@@ -1,0 +1,47 @@
+// A controller's time with a robot: publish, wait, read one consistent image, know when to end.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+#include "core/commands.hpp"
+#include "core/sensors.hpp"
+#include "runtime/robot_link.hpp"
+#include "webots/time_line.hpp"
+
+namespace darwinop::facade {
+
+/// Used by one thread.
+class Session {
+ public:
+  /// `stop` becomes true when the user asks the controller to end.
+  Session(std::unique_ptr<runtime::RobotLink> link, const std::atomic<bool>& stop);
+
+  /// Offers `first` until the robot stands ready and obeys. Empty: it does; else a sentence that says why not.
+  [[nodiscard]] std::string begin(const Commands& first);
+
+  /// Offers the image to the loop and sets the end of the step, `ms` after the end of the one before.
+  void publish(const Commands& commands, int ms);
+  /// Waits for that end and takes the newest image. 0 in time, positive: ms late, -1: the controller must end.
+  [[nodiscard]] int wait();
+
+  [[nodiscard]] const Sensors& sensors() const { return sensors_; }
+  /// Since the robot stood ready.
+  [[nodiscard]] Nanos time() const { return link_->now() - origin_; }
+  [[nodiscard]] Nanos period() const { return link_->period(); }
+
+ private:
+  int end(const std::string& sentence);
+  [[nodiscard]] int millisecondsLate(std::uint64_t target) const;
+
+  std::unique_ptr<runtime::RobotLink> link_;
+  const std::atomic<bool>& stop_;
+  Sensors sensors_{};
+  TimeLine line_;
+  std::uint64_t target_ = 0, served_ = 0;  // cycle this step ends with; cycle the last one ended with
+  Nanos origin_{0};
+  bool ended_ = false;
+};
+
+}  // namespace darwinop::facade

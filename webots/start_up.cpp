@@ -1,0 +1,91 @@
+// From environment and config.ini to a robot that stands ready, or a sentence and the end of the program.
+#include <unistd.h>
+
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "link/connect.hpp"
+#include "webots/notices.hpp"
+#include "webots/robot_impl.hpp"
+#include "webots/stop_signals.hpp"
+
+namespace darwinop::facade {
+
+namespace {
+
+RobotImpl* current = nullptr;
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value ? value : "";
+}
+
+Nanos periodFromEnvironment() {
+  const std::string text = environment("DARWINOP_PERIOD_MS");
+  if (text.empty()) return link::Request{}.period;
+  int ms = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ms);
+  if (error != std::errc{} || end != text.data() + text.size() || ms < 1 || ms > 1000)
+    throw std::runtime_error("DARWINOP_PERIOD_MS = " + text + ": give the loop's period in ms, 1 to 1000 (16 or 8)");
+  return std::chrono::milliseconds{ms};
+}
+
+std::unique_ptr<RobotImpl> start() {
+  const std::string directory = programDirectory();
+  // Files are named relative to the program, as on the robot since 2013.
+  if (environment("DARWINOP_KEEP_CWD") != "1") std::filesystem::current_path(directory);
+  const ConfigReading reading = readConfig(directory + "/config.ini");
+  for (const std::string& warning : reading.warnings) say(warning);
+
+  link::Request request;
+  request.setting = environment("DARWINOP_ROBOT");
+  request.period = periodFromEnvironment();
+  request.safety = reading.config.safety;
+  request.safety.period = request.period;
+  request.record_path = environment("DARWINOP_RECORD");
+  auto robot = std::make_unique<RobotImpl>(link::connect(request), reading.config, stopRequested());
+  const std::string why_not = robot->begin();
+  if (!why_not.empty()) throw std::runtime_error(why_not);
+  return robot;
+}
+
+[[noreturn]] void giveUp(std::string_view sentence) {
+  say(sentence);
+  std::exit(EXIT_FAILURE);
+}
+
+}  // namespace
+
+RobotImpl* connectOrExit() {
+  if (current) giveUp("a second Robot was made in this program: there can be one only");
+  installStopSignals();
+  try {
+    current = start().release();
+  } catch (const std::exception& error) {
+    giveUp(error.what());
+  }
+  // Controllers call exit() and never delete their Robot: the farewell must be said all the same.
+  std::atexit([] { release(current); });
+  return current;
+}
+
+std::string programDirectory() {
+  std::error_code unknown;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+  return unknown ? "." : program.parent_path().string();
+}
+
+RobotImpl* adopt(RobotImpl* robot) {
+  return current = robot;
+}
+
+void release(RobotImpl* robot) {
+  if (!robot || robot != current) return;
+  current = nullptr;
+  delete robot;
+}
+
+}  // namespace darwinop::facade
