@@ -99,7 +99,7 @@ int examine(const std::string& asked, bool fix) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   CLI::App app{"Checks computer, port, board and servos; one line each, with what mends it."};
   app.footer(kExample);
   std::string robot;
@@ -108,10 +108,8 @@ int main(int argc, char** argv) {
   app.add_flag("--fix", fix, "write wrong servo settings (EEPROM) while torque is off");
   app.set_version_flag("--version", DARWINOP_VERSION);
   CLI11_PARSE(app, argc, argv);
-  try {
-    return examine(robot, fix);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "darwinop-doctor: %s\n", error.what());
-    return 1;
-  }
+  return examine(robot, fix);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "darwinop-doctor: %s\n", error.what());
+  return 1;
 }

@@ -83,16 +83,21 @@ int serve(const Arguments& a) {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App app{"A virtual DARwIn-OP: CM-730 board and twenty MX-28 servos on a pseudo terminal, paced at 1 Mbaud.",
                "darwinop-virtual-robot"};
   Arguments arguments;
   describe(app, arguments);
+  app.set_version_flag("--version", DARWINOP_VERSION);
   CLI11_PARSE(app, argc, argv);
+  return serve(arguments);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   try {
-    return serve(arguments);
+    return run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "darwinop-virtual-robot: %s\n", error.what());
     return 1;

@@ -13,7 +13,7 @@
 namespace darwinop::hil {
 namespace {
 
-constexpr double kLongest_s = 1e6;
+constexpr double kLongestSeconds = 1e6;
 
 enum class Argument : std::uint8_t { kNone, kNumber, kBits, kButton, kFall };
 enum class For : std::uint8_t { kAllowed, kNeeded, kForbidden };
@@ -109,7 +109,7 @@ class Line {
   }
 
   Nanos time(std::string_view what, double low_s) {
-    const std::chrono::duration<double> seconds{number(what, low_s, kLongest_s)};
+    const std::chrono::duration<double> seconds{number(what, low_s, kLongestSeconds)};
     return std::chrono::duration_cast<Nanos>(seconds);
   }
 

@@ -54,7 +54,7 @@ class SignalsHeld {
 void catchSignals() {
   struct sigaction action {};
   action.sa_sigaction = handOn;
-  action.sa_flags = SA_SIGINFO | SA_RESTART;
+  action.sa_flags = SA_SIGINFO;
   for (const int signal : kHandedOn) sigaction(signal, &action, nullptr);
 }
 

@@ -12,8 +12,7 @@ void FaultBook::note(Fault fault, bool cause, std::uint8_t servo) noexcept {
 }
 
 void FaultBook::reset() noexcept {
-  for (std::size_t i = 0; i < kFaults; ++i)
-    if (kFaultTable[i].latched) active_[i] = false;
+  active_.reset();
 }
 
 Fault FaultBook::worst() const noexcept {

@@ -23,7 +23,7 @@ class FaultBook {
 
   /// The cause of `fault` as it is in this cycle; `servo`: id it concerns, 0 for none.
   void note(Fault fault, bool cause, std::uint8_t servo = 0) noexcept;
-  /// Forgets latched faults. Those whose cause is still there are noted again in the same cycle.
+  /// Forgets all. Those whose cause is still there are noted again in the same cycle.
   void reset() noexcept;
 
   [[nodiscard]] bool active(Fault fault) const noexcept { return active_[rowIndex(fault)]; }

@@ -71,8 +71,11 @@ bool Guard::takenOver() const noexcept {
   if (!board_.powered()) return false;
   const auto settled = [](const JointGuard& j) { return j.channel().out() || j.channel().moving(); };
   const auto moving = [](const JointGuard& j) { return j.channel().moving(); };
-  if (std::ranges::all_of(joints_, settled)) return true;
-  return taking_over_for_ >= fromSeconds(config_.take_over_s) && std::ranges::any_of(joints_, moving);
+  // None moving: they have not been asked yet, or servos are still starting, or all are wanted limp.
+  const bool some = std::ranges::any_of(joints_, moving);
+  if (std::ranges::all_of(joints_, settled) && some) return true;
+  const bool waited = taking_over_for_ >= fromSeconds(config_.take_over_s);
+  return waited && (some || std::ranges::all_of(joints_, settled));
 }
 
 void Guard::changeState(const Sensors& seen, Nanos dt) noexcept {
@@ -88,14 +91,14 @@ void Guard::runTimers(const Sensors& seen, Nanos dt) noexcept {
   if (state_ != State::kStarting && state_ != State::kKneeling) return;
   PoseMove::Mask moving;
   PoseMove::Angles position{};
-  bool expected = false;
+  bool on_the_way = false;
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointChannel& channel = joints_[i].channel();
     moving[i] = channel.moving();
     position[i] = seen.joint[i].position;
-    expected = expected || joints_[i].expected() || (moving[i] && channel.goal() != start_pose_[i]);
+    on_the_way = on_the_way || (moving[i] && channel.goal() != start_pose_[i]);
   }
-  progress_ = move_.update(moving, expected, position, start_pose_, dt);
+  progress_ = move_.update(moving, on_the_way, position, start_pose_, dt);
   sat_for_ = progress_ == PoseMove::Progress::kMoving ? Nanos{0} : sat_for_ + dt;
 }
 

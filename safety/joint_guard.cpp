@@ -66,10 +66,6 @@ void JointGuard::restart() noexcept {
   if (!channel_.out()) channel_.restart();
 }
 
-bool JointGuard::expected() const noexcept {
-  return !channel_.out() && !channel_.moving() && !watch_.lost();
-}
-
 void JointGuard::switchTorque(bool on) noexcept {
   if (off_due_) {
     off_due_ = false;
@@ -84,7 +80,7 @@ bool JointGuard::move(Rad target, double gentle_step, double full_step) noexcept
     off_ordered_ = false;
     return true;
   }
-  if (!channel_.moving() || suspect_ || !target.known()) return true;
+  if (!channel_.moving() || !target.known()) return true;
   return channel_.advance(target, gentle_step, full_step);
 }
 

@@ -41,8 +41,6 @@ class JointGuard {
   void orderOff() noexcept { off_due_ = true; }
   [[nodiscard]] bool offDue() const noexcept { return off_due_; }
   [[nodiscard]] bool onDue() const noexcept { return channel_.placed(); }
-  /// Wanted, heard, and not driven yet.
-  [[nodiscard]] bool expected() const noexcept;
   [[nodiscard]] const JointChannel& channel() const noexcept { return channel_; }
   /// May get goals in this cycle.
   [[nodiscard]] bool driven() const noexcept { return channel_.hasGoal() && !suspect_; }

@@ -19,8 +19,8 @@ void PoseMove::begin() noexcept {
   missing_.reset();
 }
 
-PoseMove::Progress PoseMove::update(const Mask& moving, bool others_expected, const Angles& position,
-                                    const Angles& target, Nanos dt) noexcept {
+PoseMove::Progress PoseMove::update(const Mask& moving, bool on_the_way, const Angles& position, const Angles& target,
+                                    Nanos dt) noexcept {
   elapsed_ += dt;
   deadline_ = std::max(deadline_, fromSeconds(kSettle));
   missing_.reset();
@@ -35,7 +35,7 @@ PoseMove::Progress PoseMove::update(const Mask& moving, bool others_expected, co
   }
   seen_ |= moving;
   if (elapsed_ >= deadline_) return Progress::kTimedOut;
-  return missing_.none() && !others_expected ? Progress::kArrived : Progress::kMoving;
+  return missing_.none() && !on_the_way ? Progress::kArrived : Progress::kMoving;
 }
 
 }  // namespace darwinop::safety

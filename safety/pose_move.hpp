@@ -19,9 +19,8 @@ class PoseMove {
   explicit PoseMove(const Config& config) : speed_{config.gentle_speed}, tolerance_{config.start_tolerance} {}
 
   void begin() noexcept;
-  /// Once a cycle: the joints that move, where they are, where they go, and who else is still expected to join.
-  Progress update(const Mask& moving, bool others_expected, const Angles& position, const Angles& target,
-                  Nanos dt) noexcept;
+  /// Once a cycle: the joints that are driven, whether goals are still on their way, where joints are and go.
+  Progress update(const Mask& moving, bool on_the_way, const Angles& position, const Angles& target, Nanos dt) noexcept;
   /// Joints that moved and are not within the tolerance.
   [[nodiscard]] const Mask& missing() const noexcept { return missing_; }
 

@@ -21,7 +21,7 @@ ServoWatch::ServoWatch(const Config& config)
 
 void ServoWatch::update(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept {
   const bool heard = seen.motion.fresh();
-  unheard_ = heard || powered_for == Nanos{0} ? Nanos{0} : unheard_ + dt;
+  unheard_ = heard ? Nanos{0} : unheard_ + dt;
   silent_now_ = powered_for >= kStartUp && (lost() || given_up);
   if (heard) {
     const bool overheat = (seen.error_bits & error_bit::kOverheat) != 0;

@@ -55,6 +55,7 @@ class Reader {
 
   ConfigReading read() {
     const int bad_line = ini_parse_stream(&Reader::nextLine, this, &Reader::takePair, this);
+    if (lines_.cut() > 0) throw std::runtime_error(where(lines_.cut()) + ": the line is too long");
     if (!error_.empty()) throw std::runtime_error(error_);
     if (bad_line > 0) warn(bad_line, "is no [section], no key = value and no comment; it is ignored");
     finish();

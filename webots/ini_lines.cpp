@@ -30,7 +30,9 @@ char* IniLines::next(char* into, int size) {
   std::string_view line = withoutComment(rest_.substr(0, length));
   rest_.remove_prefix(std::min(length + 1, rest_.size()));
   ++number_;
-  line = line.substr(0, std::min(line.find('\0'), static_cast<std::size_t>(size) - 1));
+  const std::size_t room = static_cast<std::size_t>(size) - 1;
+  if (line.size() > room) cut_ = number_;
+  line = line.substr(0, std::min(line.find('\0'), room));
   *std::copy(line.begin(), line.end(), into) = '\0';
   return into;
 }

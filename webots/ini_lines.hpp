@@ -17,10 +17,12 @@ class IniLines {
 
   /// Of the line handed out last, from 1.
   [[nodiscard]] int number() const { return number_; }
+  /// Number of the last line that had to be cut, 0: none.
+  [[nodiscard]] int cut() const { return cut_; }
 
  private:
   std::string_view rest_;
-  int number_ = 0;
+  int number_ = 0, cut_ = 0;
 };
 
 /// `line` up to the first ; or #, without white space at its ends.

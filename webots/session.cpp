@@ -56,48 +56,40 @@ std::string Session::begin(const Commands& first) {
     }
   }
   line_ = TimeLine{link_->period(), sensors_.cycle};
-  target_ = served_ = sensors_.cycle;
-  origin_ = link_->now();
+  origin_ = returned_ = link_->now();
   return {};
 }
 
 void Session::publish(const Commands& commands, int ms) {
   if (ended_) return;
   link_->publish(commands);
-  target_ = line_.advance(std::chrono::milliseconds{std::max(ms, 0)});
+  const std::chrono::milliseconds step{std::max(ms, 0)};
+  target_ = line_.advance(step);
+  due_ = returned_ + step;
 }
 
 int Session::wait() {
   if (ended_) return -1;
   if (stop_) return end({});
-  int late = 0;
+  Nanos late{0};
   if (link_->sensors().cycle < target_) {
     if (!link_->waitForCycle(target_, stop_)) return end(stop_ ? std::string{} : link_->whyEnded());
     sensors_ = link_->sensors();
   } else {
     sensors_ = link_->sensors();
-    // A step shorter than the period may share its cycle with the one before: that is not late.
-    if (target_ > served_ || sensors_.cycle > target_) late = millisecondsLate(target_);
+    late = link_->now() - due_;
     if (sensors_.cycle > target_) line_.restartAt(sensors_.cycle);
   }
-  served_ = sensors_.cycle;
+  returned_ = link_->now();
   if (sensors_.safety.controller_must_end) return end(describe(sensors_.safety));
-  return late;
+  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(late).count();
+  return static_cast<int>(std::clamp<std::int64_t>(ms, 0, 1'000'000'000));
 }
 
 int Session::end(const std::string& sentence) {
   ended_ = true;
   if (!sentence.empty()) say(sentence);
   return -1;
-}
-
-/// How long ago `target` ended, counted back from the newest cycle.
-int Session::millisecondsLate(std::uint64_t target) const {
-  const auto cycles_behind = static_cast<std::int64_t>(sensors_.cycle - target);
-  const Nanos newest_ended{sensors_.time_ns + sensors_.wake_latency_ns + sensors_.wire.bus_ns};
-  const Nanos late = link_->now() - newest_ended + cycles_behind * link_->period();
-  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(late).count();
-  return static_cast<int>(std::clamp<std::int64_t>(ms, 0, 1'000'000'000));
 }
 
 }  // namespace darwinop::facade

@@ -33,13 +33,13 @@ class Session {
 
  private:
   int end(const std::string& sentence);
-  [[nodiscard]] int millisecondsLate(std::uint64_t target) const;
 
   std::unique_ptr<runtime::RobotLink> link_;
   const std::atomic<bool>& stop_;
   Sensors sensors_{};
   TimeLine line_;
-  std::uint64_t target_ = 0, served_ = 0;  // cycle this step ends with; cycle the last one ended with
+  std::uint64_t target_ = 0;    // cycle that this step ends with
+  Nanos returned_{0}, due_{0};  // when the last step ended; when this one should
   Nanos origin_{0};
   bool ended_ = false;
 };

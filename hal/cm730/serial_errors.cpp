@@ -35,7 +35,7 @@ std::string holder(const std::string& path) {
     if (pid == std::to_string(::getpid())) return "this process";
     std::string name;
     std::getline(std::ifstream{it->path() / "comm"}, name);
-    return "process " + pid + " (" + name + ")";
+    return std::string{"process "}.append(pid).append(" (").append(name).append(")");
   }
   return {};
 }

@@ -67,15 +67,15 @@ bool lock(int fd) {
 OpenAttempt openSerial(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (fd < 0) return {-1, Step::kOpen, errno};
-  const auto giveUp = [fd](Step step) {
+  const auto give_up = [fd](Step step) {
     const OpenAttempt failed{-1, step, errno};
     ::close(fd);
     return failed;
   };
-  if (::isatty(fd) == 0) return giveUp(Step::kTerminal);
+  if (::isatty(fd) == 0) return give_up(Step::kTerminal);
   // Lock first: the settings of a port that somebody else uses are not ours to change.
-  if (!lock(fd)) return giveUp(Step::kLock);
-  if (!makeRaw(fd)) return giveUp(Step::kTerminal);
+  if (!lock(fd)) return give_up(Step::kLock);
+  if (!makeRaw(fd)) return give_up(Step::kTerminal);
   askForLowLatency(fd);
   if (latencyTimer(path).value_or(1) > 1) setLatencyTimer(path, 1);
   ::tcflush(fd, TCIOFLUSH);

@@ -51,11 +51,10 @@ struct Bench {
   WriteWatch writes;
 };
 
-const Finding& rowWith(const ProbeReport& report, const std::string& text) {
-  static const Finding kNothing{Level::kError, "(no such row)", {}};
+Finding rowWith(const ProbeReport& report, const std::string& text) {
   for (const Finding& row : report.findings)
     if (row.what.find(text) != std::string::npos) return row;
-  return kNothing;
+  return {Level::kError, "(no such row)", {}};
 }
 
 std::string allRows(const ProbeReport& report) {
@@ -132,7 +131,7 @@ TEST(Probe, FactoryReturnDelayOnAllServosBreaksTheCycle) {
   ProbeOptions look = ProbeOptions::quick();
   look.correct = false;
   const ProbeReport report = bench.probe(look);
-  const Finding& row = rowWith(report, "a full cycle takes");
+  const Finding row = rowWith(report, "a full cycle takes");
   EXPECT_EQ(row.level, Level::kError);
   EXPECT_THAT(row.what, AllOf(HasSubstr("10.0 of return delays"), HasSubstr("too long")));
 }
@@ -146,7 +145,7 @@ TEST(Probe, WritesNoSettingIntoAServoWhoseTorqueIsOnAndSaysWhy) {
   const ProbeReport report = bench.probe();
   EXPECT_EQ(bench.writes.eeprom_writes, 0);
   EXPECT_EQ(report.facts.servo[at(Joint::kNeck)].delay_mending, Mending::kTorqueOn);
-  const Finding& row = rowWith(report, "servo 19 Neck");
+  const Finding row = rowWith(report, "servo 19 Neck");
   EXPECT_EQ(row.level, Level::kWarning);
   EXPECT_THAT(row.what, HasSubstr("every answer waits 500 us"));
   EXPECT_THAT(row.mend, HasSubstr("its torque is on"));
@@ -193,7 +192,7 @@ TEST(Probe, RefusesOldFirmware) {
   BoardOptions options = Bench::powered();
   options.servo[at(Joint::kAnkleR)].firmware = 26;
   Bench bench{options};
-  const Finding& row = rowWith(bench.probe(), "servo 15 AnkleR");
+  const Finding row = rowWith(bench.probe(), "servo 15 AnkleR");
   EXPECT_EQ(row.level, Level::kError);
   EXPECT_THAT(row.what, HasSubstr("firmware is older than 27"));
 }
@@ -203,7 +202,7 @@ TEST(Probe, NamesAMissingServoAndWhatAReplacedOneNeeds) {
   options.servo[at(Joint::kArmUpperR)].missing = true;
   Bench bench{options};
   const ProbeReport report = bench.probe();
-  const Finding& row = rowWith(report, "servo 3 ArmUpperR");
+  const Finding row = rowWith(report, "servo 3 ArmUpperR");
   EXPECT_EQ(row.level, Level::kError);
   EXPECT_THAT(row.what, HasSubstr("silent"));
   EXPECT_THAT(row.mend, HasSubstr("id 1 and 57142 baud: connect it alone and give it id 3"));
@@ -263,7 +262,7 @@ TEST(Probe, TwoServosWithIdOneAreToldFromABadCable) {
   options.servo[at(Joint::kHead)] = ServoOptions::factoryFresh(1);
   Bench bench{options};
   const ProbeReport report = bench.probe();
-  const Finding& row = rowWith(report, "servo 1 ShoulderR");
+  const Finding row = rowWith(report, "servo 1 ShoulderR");
   EXPECT_EQ(row.level, Level::kError);
   EXPECT_THAT(row.mend, HasSubstr("two servos may share id 1"));
   EXPECT_EQ(rowWith(report, "servo 20 Head").level, Level::kError);
@@ -297,7 +296,7 @@ TEST(Probe, KnowsAnFtdiTimerByItsSignatureAndNamesTheCommand) {
   ProbeOptions options = ProbeOptions::quick();
   options.port = "/dev/ttyUSB1";
   const ProbeReport report = probe(slow, options);
-  const Finding& row = rowWith(report, "a short read takes 16.");
+  const Finding row = rowWith(report, "a short read takes 16.");
   EXPECT_EQ(row.level, Level::kError);
   EXPECT_THAT(row.mend, HasSubstr("/sys/bus/usb-serial/devices/ttyUSB1/latency_timer"));
   EXPECT_EQ(rowWith(report, "servo 13 ").level, Level::kOk) << "slow is not silent";
@@ -323,7 +322,7 @@ TEST(Probe, ANoisyLineIsReportedByItsRate) {
   Bench bench;
   bench.robot.faults().add(losing(0.05));
   const ProbeReport report = bench.probe(ProbeOptions::thorough());
-  const Finding& row = rowWith(report, "single reads were lost");
+  const Finding row = rowWith(report, "single reads were lost");
   EXPECT_EQ(row.level, Level::kWarning) << allRows(report);
   EXPECT_THAT(row.mend, HasSubstr("most at servo"));
   for (const ServoFacts& servo : report.facts.servo) EXPECT_TRUE(servo.readable) << "noise is not silence";

@@ -10,6 +10,7 @@ const std::string kBulkOneTwoThree = "FF FF FE 0C 92 00 02 01 24 02 02 24 02 03 
 
 std::vector<std::string> ids(const std::vector<Bench::Reply>& replies) {
   std::vector<std::string> ids;
+  ids.reserve(replies.size());
   for (const Bench::Reply& reply : replies) ids.push_back(reply.hex.substr(6, 2));
   return ids;
 }

@@ -185,21 +185,21 @@ TEST(WireFaults, ChanceIsAboutWhatItSays) {
 TEST(WireFaults, EachKindChangesTheFrameAsItsNameSays) {
   const auto frame = bytesOf("FF FF 13 02 00 EA");
   Random random{5};
-  const auto spoiledBy = [&](FaultKind kind, double amount) {
+  const auto spoiled_by = [&](FaultKind kind, double amount) {
     Fault fault = faultOf(kind, 0ms, 0ms);
     fault.amount = amount;
     Chunk chunk{frame, 1ms};
     spoil(chunk, fault, random);
     return chunk;
   };
-  EXPECT_EQ(spoiledBy(FaultKind::kDrop, 2).size, 4u);
-  EXPECT_EQ(spoiledBy(FaultKind::kDrop, 99).size, 0u);
-  EXPECT_EQ(spoiledBy(FaultKind::kRepeat, 2).size, 8u);
-  EXPECT_EQ(spoiledBy(FaultKind::kRepeatFrame, 0).size, 12u);
-  EXPECT_EQ(spoiledBy(FaultKind::kGarbage, 9).size, 15u);
-  EXPECT_EQ(spoiledBy(FaultKind::kGarbage, 100000).size, Chunk::kCapacity);
-  EXPECT_EQ(spoiledBy(FaultKind::kDelay, 2.5).at, 3500us);
-  EXPECT_NE(hexOf(spoiledBy(FaultKind::kCorrupt, 1).bytes()), hexOf(frame));
+  EXPECT_EQ(spoiled_by(FaultKind::kDrop, 2).size, 4u);
+  EXPECT_EQ(spoiled_by(FaultKind::kDrop, 99).size, 0u);
+  EXPECT_EQ(spoiled_by(FaultKind::kRepeat, 2).size, 8u);
+  EXPECT_EQ(spoiled_by(FaultKind::kRepeatFrame, 0).size, 12u);
+  EXPECT_EQ(spoiled_by(FaultKind::kGarbage, 9).size, 15u);
+  EXPECT_EQ(spoiled_by(FaultKind::kGarbage, 100000).size, Chunk::kCapacity);
+  EXPECT_EQ(spoiled_by(FaultKind::kDelay, 2.5).at, 3500us);
+  EXPECT_NE(hexOf(spoiled_by(FaultKind::kCorrupt, 1).bytes()), hexOf(frame));
 }
 
 TEST(RandomFaults, ComeAtTheirRateAndOnlyOfTheKindsAllowed) {

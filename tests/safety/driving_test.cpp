@@ -83,6 +83,43 @@ TEST(Driving, AFarGoalIsApproachedAtTheGreatestSpeedPerNominalPeriod) {
   }
 }
 
+TEST(Driving, ThePeriodOfTheLoopCountsNotThatOfTheConfiguration) {
+  Rig rig;
+  rig.robot.period_ns = 8'000'000;
+  rig.start();
+  const double before = rig.goal(Joint::kNeck);
+  rig.joint(Joint::kNeck).setGoal(Rad{1.6});
+  rig.cycle();
+  EXPECT_NEAR(rig.goal(Joint::kNeck) - before, 12.26 * 0.008, 1e-9);
+}
+
+TEST(Driving, GoalsWaitForABoardThatDoesNotAnswer) {
+  Rig rig;
+  rig.start();
+  rig.joint(Joint::kNeck).setGoal(Rad{1.6});
+  rig.robot.board_answers = false;
+  rig.run(1);
+  const double sent = rig.goal(Joint::kNeck);
+  rig.run(3);
+  EXPECT_EQ(rig.goal(Joint::kNeck), sent) << "it may have heard none of them";
+  rig.robot.board_answers = true;
+  rig.run(2);
+  EXPECT_GT(rig.goal(Joint::kNeck), sent);
+}
+
+TEST(Driving, ImagesOfNobodyAreNotObeyed) {
+  Rig rig;
+  rig.start();
+  rig.steps = false;
+  rig.commands.session = 0;  // the lease is free; what stands in the image is left over
+  rig.joint(Joint::kNeck).setGoal(Rad{1});
+  const double before = rig.goal(Joint::kNeck);
+  rig.run(10);
+  EXPECT_EQ(rig.goal(Joint::kNeck), before);
+  EXPECT_EQ(rig.report().session, 1u);
+  EXPECT_TRUE(rig.reach(State::kKneeling));
+}
+
 TEST(Driving, AnOverrunDoesNotMakeTheNextStepLonger) {
   Rig rig;
   rig.start();

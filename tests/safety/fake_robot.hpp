@@ -23,7 +23,8 @@ struct FakeServo {
   bool torque = false;
   bool answers = true;
   bool hears = true;
-  bool follows = true;  // false: blocked
+  bool follows = true;     // false: blocked
+  bool remembers = false;  // says overload as long as its torque is off
   std::uint8_t error_bits = 0;
   double celsius = 35;
   double corruption = 0;  // rad, added to the next reading only
@@ -111,6 +112,7 @@ struct FakeRobot {
     j.position = radFromTicks(ticks);
     s.corruption = 0;
     j.error_bits = s.error_bits;
+    if (s.remembers && !s.torque) j.error_bits |= error_bit::kOverload;
     if (seen.cycle % kJoints != i) return j.health.missed();
     j.health.received();
     j.temperature = Celsius{s.celsius};

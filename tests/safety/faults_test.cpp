@@ -175,6 +175,81 @@ TEST(Faults, HysteresisKeepsAFaultBetweenItsThresholds) {
   EXPECT_TRUE(rig.active(Fault::kFell));
 }
 
+TEST(Faults, ALatchedCauseIsGoneOnlyPastItsHysteresis) {
+  Rig rig;
+  rig.start();
+  rig.robot.volt = 9.9;
+  rig.robot.servo[3].celsius = 76;
+  rig.runFor(5);
+  rig.robot.volt = 10.2;
+  rig.robot.servo[3].celsius = 72;
+  rig.runFor(5);
+  ++rig.commands.fault_resets;
+  rig.cycle();
+  EXPECT_TRUE(rig.active(Fault::kBatteryEmpty));
+  EXPECT_TRUE(rig.active(Fault::kServoOverheat));
+}
+
+TEST(Faults, ALatchedFaultGoesOnNamingTheServoThatRaisedIt) {
+  Rig rig;
+  rig.start();
+  rig.robot.servo[16].celsius = 76;
+  rig.runFor(1);
+  EXPECT_EQ(rig.report().worst_joint, 17);
+  rig.robot.servo[2].celsius = 76;
+  rig.runFor(1);
+  EXPECT_EQ(rig.report().worst_joint, 17);
+  rig.robot.servo[2].celsius = rig.robot.servo[16].celsius = 40;
+  rig.runFor(2);
+  EXPECT_EQ(rig.report().worst_joint, 17);
+}
+
+TEST(Faults, AmongEqualsTheFirstRowIsTheWorst) {
+  Rig rig;
+  rig.start();
+  rig.robot.volt = 10.5;
+  rig.robot.servo[2].error_bits = error_bit::kVoltage;
+  rig.runFor(3);
+  ASSERT_TRUE(rig.active(Fault::kServoVoltage));
+  EXPECT_EQ(rig.report().worst, Fault::kBatteryLow);
+}
+
+TEST(Faults, AServoTheBusHasGivenUpIsReportedAtOnce) {
+  Rig rig;
+  rig.start();
+  rig.runFor(1.5);
+  rig.robot.given_up.set(4);
+  rig.run(2);
+  EXPECT_TRUE(rig.active(Fault::kServoSilent));
+  EXPECT_EQ(rig.report().worst_joint, 5);
+}
+
+TEST(Faults, ServosThatStartUpAreNotSilentYet) {
+  Rig rig;
+  rig.run(3);
+  rig.robot.servo_power = rig.robot.power_obeys = false;
+  rig.runFor(2);
+  rig.robot.servo_power = true;
+  for (FakeServo& servo : rig.robot.servo) servo.answers = false;
+  rig.robot.given_up.set();
+  for (int i = 0; i < 40; ++i) {
+    rig.cycle();
+    ASSERT_FALSE(rig.active(Fault::kServoSilent)) << i;
+  }
+  for (FakeServo& servo : rig.robot.servo) servo.answers = true;
+  rig.robot.given_up.reset();
+  rig.runFor(1);
+  EXPECT_TRUE(rig.report().active.none());
+}
+
+TEST(Faults, FreeFallTellsNoDirection) {
+  Rig rig;
+  rig.start();
+  rig.robot.acceleration = {1.5, 0, 0.5};
+  rig.runFor(2);
+  EXPECT_FALSE(rig.active(Fault::kFell));
+}
+
 TEST(Faults, WhatIsNotKnownIsNoFault) {
   Rig rig;
   rig.robot.volt = kUnknown;

@@ -117,6 +117,33 @@ TEST(Kneel, AControllerThatWasOnlySuspendedTakesOverAgainGently) {
   EXPECT_NEAR(rig.robot[Joint::kLegLowerR].position, 0.3, 0.01);
 }
 
+TEST(Kneel, AControllerThatReturnsInTheMiddleOfTheKneelTakesOver) {
+  Rig rig;
+  stand(rig);
+  rig.steps = false;
+  ASSERT_TRUE(rig.reach(State::kKneeling));
+  rig.run(20);
+  rig.steps = true;
+  rig.run(2);
+  EXPECT_EQ(rig.state(), State::kTakingOver);
+  EXPECT_TRUE(rig.reach(State::kDriven));
+}
+
+TEST(Kneel, ARobotThatLosesItsPowerInTheKneelIsNotRaisedAgain) {
+  Rig rig;
+  stand(rig);
+  rig.commands.farewell = true;
+  rig.run(10);
+  rig.robot.servo_power = rig.robot.power_obeys = false;
+  rig.run(5);
+  rig.robot.power_obeys = true;
+  for (int i = 0; i < 200; ++i) {
+    rig.cycle();
+    ASSERT_EQ(rig.state(), State::kLimp);
+    ASSERT_TRUE(rig.safe->driven().none());
+  }
+}
+
 TEST(Kneel, AJointThatIsWishedLimpStaysLimpInTheKneel) {
   Rig rig;
   stand(rig);
@@ -164,6 +191,32 @@ TEST(Kneel, TheButtonReleasesAllJointsAtOnceAndStaysReleased) {
   EXPECT_TRUE(rig.active(Fault::kReleasedByButton));
   rig.newSession();
   EXPECT_TRUE(rig.reach(State::kDriven)) << "start the controller again";
+}
+
+TEST(Kneel, AfterAReleaseAResetLeadsThroughTheStartPose) {
+  Rig rig;
+  stand(rig);
+  rig.robot.buttons = 1;
+  ASSERT_TRUE(rig.reach(State::kLimp));
+  rig.robot.buttons = 0;
+  rig.run(3);
+  ++rig.commands.fault_resets;
+  ASSERT_TRUE(rig.reach(State::kTakingOver));
+  EXPECT_TRUE(rig.runUntil([&] { return rig.state() != State::kTakingOver; }) >= 0);
+  EXPECT_EQ(rig.state(), State::kStarting);
+}
+
+TEST(Kneel, TimeInWhichTheBoardIsNotHeardDoesNotCountAsPressed) {
+  Rig rig;
+  rig.start();
+  rig.robot.buttons = 1;
+  rig.run(13);
+  rig.robot.board_answers = false;
+  rig.run(5);
+  rig.robot.board_answers = true;
+  rig.robot.buttons = 0;
+  rig.runFor(1);
+  EXPECT_EQ(rig.state(), State::kDriven);
 }
 
 TEST(Kneel, AShortPressOrTheOtherButtonReleasesNothing) {

@@ -98,6 +98,47 @@ TEST(Recovery, AfterABoardResetPowerComesOnAndJointsAreTakenOverGently) {
   EXPECT_FALSE(rig.active(Fault::kBoardReset));
 }
 
+TEST(Recovery, ABoardResetInTheStartMoveStillEndsInTheStartPose) {
+  Rig rig;
+  rig.robot[Joint::kNeck].position = 1.5;
+  rig.newSession();
+  ASSERT_TRUE(rig.reach(State::kStarting));
+  rig.robot.servo_power = rig.robot.power_obeys = false;
+  rig.run(20);
+  EXPECT_EQ(rig.state(), State::kHolding);
+  rig.robot.power_obeys = true;
+  ASSERT_TRUE(rig.reach(State::kStarting));
+  ASSERT_TRUE(rig.reach(State::kDriven));
+  EXPECT_NEAR(rig.robot[Joint::kNeck].position, 0.003, 0.005);
+}
+
+TEST(Recovery, ARobotWithoutTorqueIsNotRaisedInOrderToKneel) {
+  Rig rig;
+  look(rig);
+  rig.robot.servo_power = rig.robot.power_obeys = false;
+  rig.run(5);
+  rig.robot.board_answers = false;
+  rig.steps = false;
+  rig.runFor(12);
+  rig.robot.board_answers = rig.robot.servo_power = true;
+  for (int i = 0; i < 100; ++i) {
+    rig.cycle();
+    ASSERT_TRUE(rig.safe->driven().none());
+  }
+  EXPECT_EQ(rig.state(), State::kLimp);
+}
+
+TEST(Recovery, AJointThatWasNeverCommandedReturnsToTheStartPose) {
+  Rig rig;
+  rig.start();
+  rig.robot[Joint::kHead].answers = false;
+  rig.runFor(1);
+  rig.robot[Joint::kHead].position = rig.robot[Joint::kHead].goal = 0.8;
+  rig.robot[Joint::kHead].answers = true;
+  rig.runFor(1.5);
+  EXPECT_NEAR(rig.robot[Joint::kHead].position, radFromTicks(2173).value, 0.005);
+}
+
 TEST(Recovery, OneCorruptedPowerBitIsNoReset) {
   Rig rig;
   look(rig);

@@ -111,6 +111,16 @@ TEST(TakeOver, AJointThatDoesNotGetToTheStartPoseIsReportedAndNotWaitedForForeve
   EXPECT_TRUE(rig.report().missed_start[index(Joint::kHead)]);
 }
 
+TEST(TakeOver, ALongWayGetsTheTimeItTakes) {
+  Config config;
+  config.gentle_speed = 0.2;
+  Rig rig{config};
+  rig.robot[Joint::kHead].position += 0.7;
+  rig.start();
+  EXPECT_NEAR(rig.robot[Joint::kHead].position, radFromTicks(2173).value, 0.005);
+  EXPECT_EQ(rig.report().start_timeouts, 0u);
+}
+
 TEST(TakeOver, StartWhereItIsSkipsTheMove) {
   for (const bool by_config : {false, true}) {
     Config config;
@@ -215,6 +225,34 @@ TEST(TakeOver, ANewSessionStartsFromTheConfirmedPresentPoseWithoutAJump) {
   EXPECT_NEAR(rig.robot[Joint::kNeck].position, rest, 0.015) << "the wishes of the old session are forgotten";
 }
 
+TEST(TakeOver, EverySessionGoesThroughTheStartPoseInItsOwnTime) {
+  Rig rig;
+  for (std::uint32_t session = 1; session <= 4; ++session) {
+    rig.commands = {.session = session};
+    ASSERT_TRUE(rig.reach(State::kStarting));
+    ASSERT_TRUE(rig.reach(State::kDriven));
+    EXPECT_NEAR(rig.robot[Joint::kShoulderR].position, radFromTicks(1500).value, 0.01);
+    EXPECT_EQ(rig.report().start_timeouts, 0u);
+    rig.joint(Joint::kShoulderR).setGoal(Rad{1});
+    rig.runFor(1);
+  }
+}
+
+TEST(TakeOver, EverySessionWaitsForItsJoints) {
+  Rig rig;
+  rig.robot[Joint::kHead].answers = false;
+  rig.start();  // waits a second for the head
+  rig.robot[Joint::kHead].answers = true;
+  rig.runFor(1);
+  rig.newSession();
+  rig.robot[Joint::kNeck].answers = false;
+  rig.run(20);
+  EXPECT_EQ(rig.state(), State::kTakingOver);
+  rig.robot[Joint::kNeck].answers = true;
+  EXPECT_TRUE(rig.reach(State::kStarting));
+  EXPECT_TRUE(rig.safe->driven().all());
+}
+
 TEST(TakeOver, WaitsForServoPowerAndAsksForIt) {
   Rig rig;
   rig.robot.servo_power = false;
@@ -240,9 +278,17 @@ TEST(TakeOver, TorqueComesOnOnlyAfterAGoalThatTheBoardHeard) {
     rig.cycle();
     ASSERT_EQ(rig.safe->write(), Write::kGoals) << i;
   }
+  rig.joint(Joint::kHead).setTorque(false);
+  rig.cycle();
+  EXPECT_EQ(rig.safe->write(), Write::kTorque);
+  EXPECT_TRUE(rig.safe->torqueOn().none()) << "off goes out in any case, on does not";
   rig.robot.board_answers = true;
-  ASSERT_GE(rig.runUntil([&] { return rig.safe->write() == Write::kTorque; }), 0);
-  for (const FakeServo& servo : rig.robot.servo) EXPECT_NEAR(servo.goal, servo.position, 0.03);
+  ASSERT_GE(rig.runUntil([&] { return rig.safe->torqueOn().any(); }), 0);
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    if (rig.safe->torqueOn()[i]) {
+      EXPECT_NEAR(rig.robot.servo[i].goal, rig.robot.servo[i].position, 0.03);
+    }
+  }
 }
 
 TEST(TakeOver, ALostTorqueOnIsSentAgain) {

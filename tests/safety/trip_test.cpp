@@ -59,7 +59,8 @@ TEST(Trip, OneCorruptedErrorByteIsNoFaultAndTheJointRestartsWhereItIs) {
   rig.robot[kKnee].error_bits = 0;
   rig.cycle();
   EXPECT_FALSE(rig.driven(kKnee));
-  rig.robot[kKnee].position += 0.2;  // should it have been off, it has swung away
+  rig.robot[kKnee].torque = false;  // it was off after all, and swung away
+  rig.robot[kKnee].position += 0.2;
   ASSERT_GE(rig.runUntil([&] { return rig.driven(kKnee); }), 0);
   EXPECT_NEAR(rig.goal(kKnee), rig.robot[kKnee].position, 0.02);
   EXPECT_TRUE(rig.report().active.none());
@@ -95,6 +96,15 @@ TEST(Trip, AnOverloadThatIsStillThereAfterAResetTripsAgain) {
   ++rig.commands.fault_resets;
   ASSERT_GE(rig.runUntil([&] { return rig.active(Fault::kServoOverload); }), 0);
   EXPECT_TRUE(rig.reach(State::kLimp));
+}
+
+TEST(Trip, AnOverloadBitThatGoesAwayUnderTorqueIsOnlyAMemory) {
+  Rig rig;
+  rig.robot[kKnee].remembers = true;
+  rig.start();
+  rig.runFor(2);
+  EXPECT_TRUE(rig.driven(kKnee));
+  EXPECT_TRUE(rig.report().active.none());
 }
 
 TEST(Trip, AnOverheatedServoIsNotDrivenByAResetWhileItsBitIsSet) {

@@ -73,6 +73,12 @@ TEST(ConfigIni, ALineThatIsNothingIsNamed) {
   EXPECT_THAT(parseConfig(kSound + "time step\n", "config.ini").warnings, ElementsAre(HasSubstr("line 5")));
 }
 
+TEST(ConfigIni, ALineThatIsTooLongIsAnErrorAndNotCutInSilence) {
+  EXPECT_EQ(errorOf(kSound + "\ntime_step = " + std::string(200, '1') + "\n"),
+            "config.ini, line 6: the line is too long");
+  EXPECT_EQ(errorOf(kSound + "time_step = 16 ; " + std::string(900, '1') + "\n"), "no error");
+}
+
 TEST(ConfigIni, AnImpossibleCameraSizeBecomesTheDefault) {
   const ConfigReading reading =
       parseConfig("[Robot Config]\ntime_step=16\ncamera_width=160\ncamera_height=120\n", "config.ini");

@@ -62,6 +62,16 @@ TEST_F(SessionTest, AStepLateByCyclesReturnsAllOfIt) {
   EXPECT_EQ(robot().step(16), 50);
 }
 
+TEST_F(SessionTest, AControllerThatIsAlwaysTooSlowIsToldTheSameExcessEveryTime) {
+  robot();
+  const Nanos start = fake.now;
+  for (int i = 0; i < 100; ++i) {
+    fake.pass(milliseconds{20});
+    EXPECT_EQ(robot().step(16), 4) << i;
+  }
+  EXPECT_EQ(fake.now - start, milliseconds{2000}) << "and it is not slowed down further";
+}
+
 TEST_F(SessionTest, AfterALateStepTheNextOneIsInTimeAgain) {
   robot();
   fake.pass(milliseconds{1000});

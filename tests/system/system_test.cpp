@@ -1,0 +1,160 @@
+// The whole chain with real processes on a real pty: what a user starts, and what happens when parts of it fail.
+#include <gmock/gmock.h>
+
+#include <array>
+#include <thread>
+
+#include "system/rig.hpp"
+
+namespace darwinop {
+namespace {
+
+using std::chrono::seconds;
+using testing::HasSubstr;
+
+constexpr double kDriven = 4;  // safety.state
+
+using Goals = std::array<double, 2>;
+
+/// What went to neck and elbow while the controller drove, without repetitions: a controller that comes a moment
+/// late has its goal sent twice.
+std::vector<Goals> goalsSent(const std::string& recording) {
+  const Recording log{recording};
+  std::vector<Goals> goals;
+  for (std::size_t i = 0; i < log.rows(); ++i) {
+    if (log.at(i, "safety.state") != kDriven) continue;
+    const Goals now{log.at(i, "Neck.commanded [rad]"), log.at(i, "ArmLowerR.commanded [rad]")};
+    if (goals.empty() || goals.back() != now) goals.push_back(now);
+  }
+  return goals;
+}
+
+using WholeChain = Rig;
+
+TEST_F(WholeChain, OneControllerSendsTheSameGoalsEmbeddedThroughTheDaemonAndInLockstep) {
+  run("virtual", {"--record", file("lockstep.csv")}, {"200"});
+
+  startVirtualRobot();
+  run(port(), {"--record", file("embedded.csv")}, {"200"});
+
+  Program daemon{{program("darwinop-runtime"), "--robot", port(), "--record", file("daemon.csv")}, file("daemon.txt")};
+  ASSERT_TRUE(daemon.says("ready:", seconds{20})) << daemon.output();
+  run("runtime", {}, {"200"});
+  daemon.kill(SIGTERM);
+  ASSERT_EQ(daemon.wait(seconds{20}), 0) << daemon.output();
+
+  const auto lockstep = goalsSent(file("lockstep.csv"));
+  ASSERT_GE(lockstep.size(), 200U);
+  EXPECT_EQ(goalsSent(file("embedded.csv")), lockstep);
+  EXPECT_EQ(goalsSent(file("daemon.csv")), lockstep);
+}
+
+class Period : public Rig, public testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(Ms, Period, testing::Values(16, 8));
+
+TEST_P(Period, ACycleIsOneSyncWriteAndOneBulkReadCloseToTheirWireTime) {
+  startVirtualRobot();
+  const std::string output = run(port(), {"--period", std::to_string(GetParam())}, {"400"});
+  const auto report = reportLine(output);
+  const auto board = countersOfVirtualRobot();
+  EXPECT_LE(report.at("bus_ratio"), 1.10) << output;
+  EXPECT_GE(report.at("cycles"), 400) << output;
+  EXPECT_LE(report.at("overruns"), 0.02 * report.at("cycles")) << output;
+  EXPECT_LE(board.at("bulk reads"), report.at("cycles") + 1);
+  EXPECT_LE(board.at("sync writes"), report.at("cycles"));
+  EXPECT_GE(board.at("bulk reads"), 0.95 * report.at("cycles"));
+}
+
+TEST_F(WholeChain, AnUnpluggedCableComesBackWithoutRestartingTheController) {
+  startVirtualRobot("6 unplug for 1\n");
+  const std::string output = run(port(), {"--record", file("log.csv")}, {"600"});
+  EXPECT_THAT(output, HasSubstr("done"));
+  EXPECT_THAT(output, HasSubstr("reconnects 1"));
+  const Recording log{file("log.csv")};
+  std::size_t unheard = 0;
+  for (std::size_t i = 0; i < log.rows(); ++i) unheard += std::isnan(log.at(i, "Neck.position [rad]")) ? 1 : 0;
+  EXPECT_GT(unheard, 40U);  // a second without values, and they are absent, not old
+  EXPECT_LT(unheard, 200U);
+}
+
+TEST_F(WholeChain, ADeadServoIsNamedAndTheOthersGoOn) {
+  startVirtualRobot("0 dead LegUpperR\n");
+  const std::string output = run(port(), {"--record", file("log.csv")}, {"100"});
+  EXPECT_THAT(output, HasSubstr("LegUpperR"));
+  const Recording log{file("log.csv")};
+  std::size_t missing = 0, driven = 0;
+  for (std::size_t i = 0; i < log.rows(); ++i) {
+    if (log.at(i, "safety.state") != kDriven) continue;
+    ++driven;
+    EXPECT_TRUE(std::isnan(log.at(i, "LegUpperR.position [rad]")));
+    missing += std::isnan(log.at(i, "FootR.position [rad]")) ? 1 : 0;
+  }
+  EXPECT_GE(driven, 100U);
+  EXPECT_LE(missing, driven / 50);
+}
+
+TEST_F(WholeChain, AKilledControllerLeavesTheRobotToTheDaemonAndTheNextOneTakesOverWithoutAJump) {
+  startVirtualRobot();
+  Program daemon{{program("darwinop-runtime"), "--robot", port(), "--record", file("log.csv")}, file("daemon.txt")};
+  ASSERT_TRUE(daemon.says("ready:", seconds{20})) << daemon.output();
+  setenv("DARWINOP_ROBOT", "runtime", 1);
+  {
+    Program first{{controller(), "100000"}, file("first.txt")};
+    ASSERT_TRUE(first.says("ready", seconds{20})) << first.output();
+    Program second{{controller(), "10"}, file("second.txt")};
+    EXPECT_EQ(second.wait(seconds{10}), 1);
+    EXPECT_THAT(second.output(), HasSubstr(std::to_string(first.pid())));
+    std::this_thread::sleep_for(seconds{1});
+    first.kill(SIGKILL);
+    EXPECT_EQ(first.wait(seconds{5}), 128 + SIGKILL);
+  }
+  std::this_thread::sleep_for(seconds{1});  // longer than the 500 ms after which a controller counts as stalled
+  Program next{{controller(), "50"}, file("next.txt")};
+  EXPECT_EQ(next.wait(seconds{20}), 0) << next.output();
+  unsetenv("DARWINOP_ROBOT");
+  daemon.kill(SIGTERM);
+  EXPECT_EQ(daemon.wait(seconds{20}), 0) << daemon.output();
+
+  const Recording log{file("log.csv")};
+  bool held = false;
+  for (std::size_t i = 1; i < log.rows(); ++i) {
+    held = held || log.at(i, "safety.state") == 5;
+    const double step = log.at(i, "Neck.commanded [rad]") - log.at(i - 1, "Neck.commanded [rad]");
+    EXPECT_FALSE(std::abs(step) > 12.26 * 0.016 + 1e-9) << "row " << i;  // NaN where the neck is not driven
+  }
+  EXPECT_TRUE(held);
+}
+
+TEST_F(WholeChain, AKilledDaemonEndsTheControllerWithASentence) {
+  startVirtualRobot();
+  Program daemon{{program("darwinop-runtime"), "--robot", port()}, file("daemon.txt")};
+  ASSERT_TRUE(daemon.says("ready:", seconds{20})) << daemon.output();
+  setenv("DARWINOP_ROBOT", "runtime", 1);
+  Program driving{{controller(), "100000"}, file("controller.txt")};
+  unsetenv("DARWINOP_ROBOT");
+  ASSERT_TRUE(driving.says("ready", seconds{20})) << driving.output();
+  daemon.kill(SIGKILL);
+  EXPECT_EQ(driving.wait(seconds{5}), 0) << driving.output();
+  EXPECT_THAT(driving.output(), HasSubstr("told to end"));
+  EXPECT_THAT(driving.output(), HasSubstr("runtime"));
+}
+
+TEST_F(WholeChain, CtrlCEndsAControllerTidilyAndTheReportIsTheLastLine) {
+  startVirtualRobot();
+  Program running{{program("darwinop-run"), "--robot", port(), controller(), "100000"}, file("run.txt")};
+  ASSERT_TRUE(running.says("ready", seconds{20})) << running.output();
+  running.kill(SIGINT);
+  EXPECT_EQ(running.wait(seconds{20}), 0) << running.output();
+  const std::string output = running.output();
+  EXPECT_THAT(output, HasSubstr("told to end"));
+  EXPECT_EQ(output.find('\n', output.rfind("report: ")), output.size() - 1);
+}
+
+TEST_F(WholeChain, APortThatIsNotThereIsOneSentenceAndAFailure) {
+  Program running{{program("darwinop-run"), "--robot", file("nothing"), controller()}, file("run.txt")};
+  EXPECT_EQ(running.wait(seconds{20}), 1);
+  EXPECT_THAT(running.output(), HasSubstr("there is no " + file("nothing")));
+}
+
+}  // namespace
+}  // namespace darwinop
