@@ -65,7 +65,7 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "a servo is at 75 deg C or more, or has set its overheating bit (it shuts itself off at 80)",
      "let it cool, look for a joint that works against a stop, then reset the faults"},
     {Fault::kServoOverload, Reaction::kKneel, true, true, "servo_overload",
-     "a servo has set its overload bit and shut itself off",
+     "a servo has shut itself off: its overload bit is set, or its torque or torque limit is found off",
      "free the joint, then reset the faults: torque limit and torque are restored together"},
     {Fault::kServoVoltage, Reaction::kReport, false, false, "servo_voltage",
      "a servo reports a supply outside its limits (6 to 16 V)", "check battery and cables"},
@@ -78,7 +78,7 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "the controller has not called step() for 500 ms",
      "the last safe goals are held; it goes on when step() is called"},
     {Fault::kControllerGone, Reaction::kKneel, false, false, "controller_gone",
-     "the controller has been silent for 10 s, or has ended",
+     "the controller has been silent for 10 s and has not said farewell",
      "the robot sits down slowly and lets go; start a controller to take over"},
 });
 

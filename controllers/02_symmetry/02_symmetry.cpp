@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
       const double angle = right[i]->getValue();
       if (std::isnan(angle)) continue;  // the servo did not answer: no news is no reason to move
       // The arms are mounted as mirror images.
-      left[i]->setPosition(std::clamp(-angle, left[i]->getMinPosition(), left[i]->getMaxPosition()));
+      left[i]->setPosition(std::max(left[i]->getMinPosition(), std::min(left[i]->getMaxPosition(), -angle)));
     }
   }
   return EXIT_SUCCESS;

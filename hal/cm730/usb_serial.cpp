@@ -67,7 +67,9 @@ bool setLatencyTimer(const std::string& path, int ms, const std::string& sys_tty
 }
 
 std::string latencyCommand(const std::string& path) {
-  return "echo 1 | sudo tee /sys/bus/usb-serial/devices/" + ttyName(path) + "/latency_timer";
+  const std::string name = ttyName(path);
+  if (!name.starts_with("ttyUSB")) return "set the latency timer of what drives " + path + " to 1 ms";
+  return "echo 1 | sudo tee /sys/bus/usb-serial/devices/" + name + "/latency_timer";
 }
 
 }  // namespace darwinop::cm730

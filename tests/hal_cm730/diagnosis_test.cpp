@@ -143,5 +143,12 @@ TEST(Chains, EveryBreakIsFoundWhereItIs) {
   }
 }
 
+TEST(Chains, SilenceInTheMiddleIsNoBreakBecauseTheCablesPassOn) {
+  RobotFacts facts = healthy();
+  facts.servo[index(Joint::kLegUpperR)].found = facts.servo[index(Joint::kLegLowerR)].found = false;
+  EXPECT_FALSE(findBreak(facts, Chain::kRightLeg).first_silent);
+  EXPECT_EQ(findBreak(facts, Chain::kRightLeg).silent, 0);
+}
+
 }  // namespace
 }  // namespace darwinop::cm730

@@ -300,6 +300,7 @@ TEST(Probe, KnowsAnFtdiTimerByItsSignatureAndNamesTheCommand) {
   EXPECT_EQ(row.level, Level::kError);
   EXPECT_THAT(row.mend, HasSubstr("/sys/bus/usb-serial/devices/ttyUSB1/latency_timer"));
   EXPECT_EQ(rowWith(report, "servo 13 ").level, Level::kOk) << "slow is not silent";
+  EXPECT_LT(report.facts.took, 1300ms) << "loss reads must stop when their time is over";
 }
 
 TEST(Probe, AQuickAdapterIsWell) {

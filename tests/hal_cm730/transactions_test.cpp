@@ -112,7 +112,7 @@ TEST(Transactions, TellGarbledFromSilent) {
 
 TEST(Transactions, NoiseThatLeavesNothingBehindIsGarbledToo) {
   Line line;
-  line.expect(pingFrame(1)).answer(Octets(100, 0x55)).silence();
+  line.expect(pingFrame(1)).answer(joined({0x55, 0x55}, statusFrame(2))).silence();
   EXPECT_TRUE(ping(line, 1, {1, 2ms}).garbled);
 }
 

@@ -59,7 +59,7 @@ make_way() { # FOLDER NAME=VALUE...
   mkdir -p "$controllers/symmetry"
   cp "$source/tests/webots/api/2013/symmetry/"* "$controllers/symmetry"
   echo 'include ../Makefile.include' >"$controllers/symmetry/Makefile.darwin-op"
-  make -s -C "$controllers/symmetry" -f Makefile.darwin-op "$@" CXXFLAGS="$CXXFLAGS" LFLAGS="$LDFLAGS"
+  make -s -C "$controllers/symmetry" -f Makefile.darwin-op "$@" CXXFLAGS="$CXXFLAGS" CFLAGS="$CXXFLAGS" LFLAGS="$LDFLAGS"
   runs "$controllers/symmetry/symmetry"
   make -s -C "$controllers/symmetry" -f Makefile.darwin-op "$@" clean
   [ ! -e "$controllers/symmetry/symmetry" ] || { echo "make clean left the program"; exit 1; }

@@ -36,12 +36,13 @@ TEST(SafetyConfig, EveryNumberIsSetByItsNameAndRefusedOutsideItsRange) {
       const auto [low, high, unit, why] = std::tuple{rest...};
       EXPECT_LT(low, high) << name;
       EXPECT_FALSE(std::string_view{why}.empty()) << name;
+      const double wanted = low + (high - low) * 0.25;
       Config config;
-      config.set("Safety", name, std::to_string(low + (high - low) * 0.25));
+      config.set("Safety", name, std::to_string(wanted));
       bool changed = false;
       config.visit([&](std::string_view other, const auto& value, const auto&...) {
         if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>)
-          if (other == name) changed = std::abs(value - (low + (high - low) * 0.25)) < 1e-4;
+          if (other == name) changed = std::abs(value - wanted) < 1e-4;
       });
       EXPECT_TRUE(changed) << name;
       EXPECT_THAT(refusal("Safety", name, std::to_string(high * 1.5 + 1)), HasSubstr(std::string{name}));
