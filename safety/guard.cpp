@@ -2,6 +2,7 @@
 #include "safety/guard.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "safety/start_pose.hpp"
@@ -117,6 +118,21 @@ Rad Guard::target(std::size_t joint) const noexcept {
   return Rad{};
 }
 
+/// Share of the full step each joint takes. On the way to a pose the joint that has furthest to go sets the pace and
+/// all arrive together: knees, hips and ankles of a robot that stands bend in proportion, and its feet stay flat.
+Guard::Shares Guard::shares() const noexcept {
+  Shares shares;
+  shares.fill(1.0);
+  if (state_ != State::kStarting && state_ != State::kKneeling) return shares;
+  Shares way{};
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (joints_[i].channel().moving()) way[i] = std::abs(target(i).value - joints_[i].channel().goal().value);
+  const double furthest = std::ranges::max(way);
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (furthest > 0) shares[i] = way[i] / furthest;
+  return shares;
+}
+
 SafeCommands Guard::compose(Nanos dt) noexcept {
   SafeCommands safe;
   if (state_ == State::kOffline) return safe;
@@ -128,13 +144,14 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
   const bool heard = board_.answersNow();
   // For the same reason torque comes on only after a goal that was heard; torque off goes out in any case.
   const bool switches = std::ranges::any_of(joints_, [=](const auto& j) { return j.offDue() || (heard && j.onDue()); });
+  const Shares share = shares();
   for (std::size_t i = 0; i < kJoints; ++i) {
     JointGuard& joint = joints_[i];
     if (switches) {
       safe.torque_off_[i] = joint.offDue();
       safe.torque_on_[i] = heard && joint.onDue();
       joint.switchTorque(heard);
-    } else if (heard && !joint.move(target(i), config_.gentle_speed * seconds, speed * seconds) &&
+    } else if (heard && !joint.move(target(i), share[i] * config_.gentle_speed * seconds, share[i] * speed * seconds) &&
                state_ == State::kDriven) {
       ++report_.limit_hits[static_cast<std::size_t>(Limit::kRate)];
     }

@@ -35,6 +35,7 @@ class Guard {
 
  private:
   using Joints = std::array<JointGuard, kJoints>;
+  using Shares = std::array<double, kJoints>;
 
   void hear(const Commands& asked, Nanos dt) noexcept;
   void watch(const Sensors& seen, Nanos dt) noexcept;
@@ -51,6 +52,7 @@ class Guard {
   void act(Event event) noexcept;
   void finishStart() noexcept;
 
+  [[nodiscard]] Shares shares() const noexcept;
   [[nodiscard]] SafeCommands compose(Nanos dt) noexcept;
   [[nodiscard]] Rad target(std::size_t joint) const noexcept;
   void writeReport() noexcept;

@@ -45,6 +45,28 @@ TEST(Kneel, AFarewellMakesTheRobotSitDownSlowlyAndLetGo) {
   EXPECT_TRUE(rig.report().active.none()) << "a tidy end is no fault";
 }
 
+TEST(Kneel, AllJointsArriveTogetherSoThatTheFeetStayFlatOnTheWayDown) {
+  Rig rig{exitBy(OnExit::kKneel)};
+  rig.start();
+  const std::array leg{Joint::kLegUpperR, Joint::kLegLowerR, Joint::kAnkleR};
+  for (const Joint joint : leg) rig.joint(joint).setGoal(Rad{0});  // straight
+  rig.runFor(3);
+  rig.commands.farewell = true;
+  std::array<double, 3> begin{}, end{};
+  for (std::size_t i = 0; i < leg.size(); ++i) {
+    begin[i] = rig.goal(leg[i]);
+    end[i] = startPose(rig.config)[index(leg[i])].value;
+  }
+  rig.cycle();
+  while (rig.state() == State::kKneeling && rig.driven(leg[1])) {
+    // The same part of the way is done by each joint.
+    const double knee = (rig.goal(leg[1]) - begin[1]) / (end[1] - begin[1]);
+    for (std::size_t i = 0; i < leg.size(); ++i)
+      ASSERT_NEAR((rig.goal(leg[i]) - begin[i]) / (end[i] - begin[i]), knee, 1e-6) << row(leg[i]).name;
+    rig.cycle();
+  }
+}
+
 TEST(Kneel, ItRestsForASecondBeforeItLetsGo) {
   Rig rig;
   rig.start();
