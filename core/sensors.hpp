@@ -85,7 +85,7 @@ struct SafetyReport {
   Reaction reaction = Reaction::kReport;
   std::array<std::uint32_t, kLimits> limit_hits{};  // cumulative, all joints
   bool controller_must_end = false;
-  std::uint32_t session = 0;  // session whose commands are obeyed
+  std::uint32_t session = 0;          // session whose commands are obeyed
   std::bitset<kJoints> tripped;       // shut themselves off; left alone until a reset is asked for
   std::bitset<kJoints> missed_start;  // did not reach the start pose in time, in the last slow move to it
   std::uint32_t start_timeouts = 0;   // slow moves to the start pose that ended without all joints there

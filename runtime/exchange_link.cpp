@@ -16,13 +16,16 @@ Sensors ExchangeLink::sensors() const {
   return sensors_;
 }
 
-void ExchangeLink::beginSession() { session_ = block().session.fetch_add(1) + 1; }
+void ExchangeLink::beginSession() {
+  session_ = block().session.fetch_add(1) + 1;
+}
 
-void ExchangeLink::sayFarewell() {
-  if (sequence_ == 0) return;  // it never drove
+bool ExchangeLink::sayFarewell() {
+  if (sequence_ == 0) return false;
   Commands farewell = last_;
   farewell.farewell = true;
   publish(farewell);
+  return true;
 }
 
 bool ExchangeLink::finished(std::uint64_t cycle) const {

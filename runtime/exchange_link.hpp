@@ -21,8 +21,9 @@ class ExchangeLink : public RobotLink {
   [[nodiscard]] ExchangeBlock& block() const { return exchange_.block(); }
   /// Gives this controller a number of its own. Only the holder of the driving lease may do this.
   void beginSession();
-  /// Publishes the last image once more, saying farewell.
-  void sayFarewell();
+  /// Publishes the last image once more, saying farewell. False: this controller never drove, so there is nothing to
+  /// bring to rest.
+  bool sayFarewell();
   /// True when this session was ended by `darwinop runtime --release`.
   [[nodiscard]] bool releasedByOperator() const;
   [[nodiscard]] bool finished(std::uint64_t cycle) const;

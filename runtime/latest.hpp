@@ -18,13 +18,14 @@ namespace darwinop::runtime {
 /// carries the count it was filled for, 0 while it is being filled, so a reader that was overtaken notices.
 /// Words are stored with release and loaded with acquire order (plain moves on x86): a reader that sees one word
 /// of a newer value is bound to see the slot's count gone as well. 32-bit words are lock-free on i686.
-template <class T>
+///
+/// With four slots a reader is disturbed only when three more values come while it copies.
+template <class T, std::uint32_t kSlots = 4>
 class Latest {
   static_assert(std::is_trivially_copyable_v<T>);
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 
  public:
-  static constexpr std::uint32_t kSlots = 4;  // a reader is disturbed only when three values come while it copies
   static constexpr int kAttempts = 8;
 
   /// Writing thread only. Wait-free.

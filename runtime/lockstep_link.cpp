@@ -26,7 +26,7 @@ void LockstepLink::run() {
 }
 
 LockstepLink::~LockstepLink() {
-  sayFarewell();
+  if (!sayFarewell()) return;
   const auto at_most = static_cast<std::uint64_t>(Rest::kAtMost / period());
   for (std::uint64_t cycles = 0; !rest_.reached(cycles, sensors()) && cycles < at_most; ++cycles) run();
 }

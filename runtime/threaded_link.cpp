@@ -22,7 +22,7 @@ bool ThreadedLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& st
 }
 
 ThreadedLink::~ThreadedLink() {
-  sayFarewell();
+  if (!sayFarewell()) return;
   const std::uint64_t first = sensors().cycle;
   const Nanos give_up = now() + Rest::kAtMost;
   const std::atomic<bool> go_on{false};

@@ -14,9 +14,9 @@ namespace darwinop::runtime {
 
 /// Leaves the mailbox as a writer does that is killed after `words` words of its value.
 struct LatestForTests {
-  template <class T>
-  static void dieWhilePublishing(Latest<T>& latest, std::uint32_t rubbish, std::size_t words) {
-    auto& slot = latest.slots_[(latest.newest_.load() + 1) % Latest<T>::kSlots];
+  template <class T, std::uint32_t kSlots>
+  static void dieWhilePublishing(Latest<T, kSlots>& latest, std::uint32_t rubbish, std::size_t words) {
+    auto& slot = latest.slots_[(latest.newest_.load() + 1) % kSlots];
     slot.filled_for.store(0);
     for (std::size_t i = 0; i < words; ++i) slot.words[i].store(rubbish);
   }
@@ -77,8 +77,10 @@ TEST(Latest, KeepsSizesThatAreNoMultipleOfAWord) {
   EXPECT_EQ(std::string(seen.text.data(), 7), "darwin!");
 }
 
-TEST(Latest, NeverGivesATornOrOlderValueToReadersInOtherThreads) {
-  const auto latest = std::make_unique<Latest<Payload>>();
+/// One writer, two readers, each as fast as it can.
+template <std::uint32_t kSlots>
+void raceForTornValues() {
+  const auto latest = std::make_unique<Latest<Payload, kSlots>>();
   std::atomic<bool> done{false};
   std::atomic<std::uint64_t> reads{0};
   const auto reader = [&] {
@@ -98,6 +100,14 @@ TEST(Latest, NeverGivesATornOrOlderValueToReadersInOtherThreads) {
   done = true;
   for (std::thread& thread : readers) thread.join();
   EXPECT_GE(reads, 1000u);
+}
+
+TEST(Latest, NeverGivesATornOrOlderValueToReadersInOtherThreads) {
+  raceForTornValues<4>();
+}
+
+TEST(Latest, NeverGivesATornValueEvenWhenEveryPublishHitsTheSlotThatIsRead) {
+  raceForTornValues<1>();
 }
 
 TEST(Latest, KeepsTheOldValueWhenTheWriterDiesHalfWayAndLetsTheNextWriterCarryOn) {

@@ -137,7 +137,21 @@ TEST(Operator, ReleaseTakesAllTorqueAwayAndHoldsWhateverTheControllerDoes) {
   EXPECT_TRUE(o.sim.limp());
   o.sim.step(neckTo(-0.5), 2000);
   EXPECT_TRUE(o.sim.limp());
+  EXPECT_EQ(o.sim.link->sensors().safety.worst, Fault::kNone) << "the operator is there and stays";
   EXPECT_NEAR(o.sim.robot->position[index(Joint::kNeck)].value, 0.5, 1e-9);
+}
+
+TEST(Lockstep, AControllerThatNeverDroveDoesNotEndTheSessionOfAnother) {
+  Operated o;
+  Commands other = neckTo(0.5);
+  other.session = 7;
+  for (; other.sequence < 300; ++other.sequence) {
+    o.desk.block().commands.publish(other);
+    (void)o.sim.link->waitForCycle(o.sim.link->sensors().cycle + 1, o.sim.stop);
+  }
+  ASSERT_FALSE(o.sim.limp());
+  o.sim.link.reset();
+  EXPECT_FALSE(o.sim.limp());
 }
 
 TEST(Operator, AfterAReleaseTheNextSessionTakesOver) {

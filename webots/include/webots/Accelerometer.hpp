@@ -20,16 +20,16 @@ class Accelerometer : public Device {
   int getSamplingPeriod() const { return period_; }
   /// Three raw counts 0..1023, axes X, Y, Z; 128 counts a g; upright 512, 512, 640. The pointer stays valid, the
   /// values change with every step. NaN: the board has not answered for 3 cycles.
-  const double *getValues() const;
+  const double* getValues() const;
   /// Two rows of SI value, count, 0: the law between them is a straight line.
   int getLookupTableSize() const { return 2; }
-  const double *getLookupTable() const { return lookup_; }
+  const double* getLookupTable() const { return lookup_; }
 
  private:
   friend class darwinop::facade::RobotImpl;
-  Accelerometer(const std::string &name, darwinop::facade::RobotImpl &robot);
+  Accelerometer(const std::string& name, darwinop::facade::RobotImpl& robot);
   /// NULL: too old.
-  void refresh(const darwinop::BoardSensors *board);
+  void refresh(const darwinop::BoardSensors* board);
   double values_[3];
   double lookup_[6];
   int period_;

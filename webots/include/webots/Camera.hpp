@@ -15,7 +15,7 @@ class Camera : public Device {
   virtual void disable();
   int getSamplingPeriod() const { return period_; }
   /// BGRA, 4 bytes a pixel, rows from top to bottom, valid until the next step. NULL while disabled.
-  const unsigned char *getImage() const;
+  const unsigned char* getImage() const;
   int getWidth() const;
   int getHeight() const;
   int getType() const { return WB_CAMERA_COLOR; }
@@ -33,30 +33,30 @@ class Camera : public Device {
   double getMinFocalDistance() const;
   virtual void setFocalDistance(double focal_distance);
   /// -1: not in this version.
-  int saveImage(const std::string &filename, int quality) const;
+  int saveImage(const std::string& filename, int quality) const;
 
   /// Sizes that the robot's camera can deliver.
   static bool checkResolution(int width, int height);
-  static unsigned char imageGetRed(const unsigned char *image, int width, int x, int y) {
+  static unsigned char imageGetRed(const unsigned char* image, int width, int x, int y) {
     return image[4 * (y * width + x) + 2];
   }
-  static unsigned char imageGetGreen(const unsigned char *image, int width, int x, int y) {
+  static unsigned char imageGetGreen(const unsigned char* image, int width, int x, int y) {
     return image[4 * (y * width + x) + 1];
   }
-  static unsigned char imageGetBlue(const unsigned char *image, int width, int x, int y) {
+  static unsigned char imageGetBlue(const unsigned char* image, int width, int x, int y) {
     return image[4 * (y * width + x)];
   }
-  static unsigned char imageGetGray(const unsigned char *image, int width, int x, int y) {
-    const unsigned char *pixel = image + 4 * (y * width + x);
+  static unsigned char imageGetGray(const unsigned char* image, int width, int x, int y) {
+    const unsigned char* pixel = image + 4 * (y * width + x);
     return static_cast<unsigned char>(pixel[2] / 3 + pixel[1] / 3 + pixel[0] / 3);
   }
-  static unsigned char imageGetGrey(const unsigned char *image, int width, int x, int y) {
+  static unsigned char imageGetGrey(const unsigned char* image, int width, int x, int y) {
     return imageGetGray(image, width, x, y);
   }
 
  private:
   friend class darwinop::facade::RobotImpl;
-  Camera(const std::string &name, darwinop::facade::RobotImpl &robot, int width, int height);
+  Camera(const std::string& name, darwinop::facade::RobotImpl& robot, int width, int height);
   int width_, height_, period_;
   std::string frame_;
 };

@@ -20,7 +20,7 @@ namespace webots {
 class Device {
  public:
   virtual ~Device();
-  const std::string &getName() const { return name_; }
+  const std::string& getName() const { return name_; }
   /// Empty: the robot does not tell.
   std::string getModel() const;
   /// One of Node::Type.
@@ -29,13 +29,13 @@ class Device {
   int getTag() const { return tag_; }
 
  protected:
-  Device(const std::string &name, int node_type, darwinop::facade::RobotImpl &robot);
-  darwinop::facade::RobotImpl &robot_;
+  Device(const std::string& name, int node_type, darwinop::facade::RobotImpl& robot);
+  darwinop::facade::RobotImpl& robot_;
 
  private:
   friend class darwinop::facade::RobotImpl;
-  Device(const Device &);
-  Device &operator=(const Device &);
+  Device(const Device&);
+  Device& operator=(const Device&);
   std::string name_;
   int node_type_, tag_;
 };

@@ -43,8 +43,8 @@ class Keyboard {
  private:
   friend class darwinop::facade::RobotImpl;
   Keyboard() : period_(0) {}
-  Keyboard(const Keyboard &);
-  Keyboard &operator=(const Keyboard &);
+  Keyboard(const Keyboard&);
+  Keyboard& operator=(const Keyboard&);
   int period_;
 };
 

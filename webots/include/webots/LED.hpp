@@ -18,7 +18,7 @@ class LED : public Device {
  private:
   friend class darwinop::facade::RobotImpl;
   enum Which { EYE, HEAD, BACK };
-  LED(const std::string &name, darwinop::facade::RobotImpl &robot, Which which, int panel_bit);
+  LED(const std::string& name, darwinop::facade::RobotImpl& robot, Which which, int panel_bit);
   Which which_;
   int panel_bit_, value_;
   bool set_;

@@ -56,8 +56,8 @@ class Motor : public Device {
   double getMaxPosition() const;
   Type getType() const { return ROTATIONAL; }
   /// NULL: servos have none.
-  Brake *getBrake() const { return 0; }
-  PositionSensor *getPositionSensor() const;
+  Brake* getBrake() const { return 0; }
+  PositionSensor* getPositionSensor() const;
 
   /// Feedback is read in every step, enabled or not. NaN: the servo has not answered for 3 cycles.
   virtual void enableTorqueFeedback(int sampling_period);
@@ -77,10 +77,10 @@ class Motor : public Device {
   double getPosition() const;
 
  protected:
-  Motor(const std::string &name, darwinop::facade::RobotImpl &robot, darwinop::facade::MotorControl &control);
+  Motor(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::facade::MotorControl& control);
 
  private:
-  darwinop::facade::MotorControl &control_;
+  darwinop::facade::MotorControl& control_;
   int torque_period_, position_period_;
 };
 

@@ -22,12 +22,12 @@ class PositionSensor : public Device {
   double getValue() const;
   Type getType() const { return ROTATIONAL; }
   /// NULL: servos have none.
-  Brake *getBrake() const { return 0; }
-  Motor *getMotor() const;
+  Brake* getBrake() const { return 0; }
+  Motor* getMotor() const;
 
  private:
   friend class darwinop::facade::RobotImpl;
-  PositionSensor(const std::string &name, darwinop::facade::RobotImpl &robot, unsigned joint);
+  PositionSensor(const std::string& name, darwinop::facade::RobotImpl& robot, unsigned joint);
   unsigned joint_;
   int period_;
 };

@@ -87,20 +87,20 @@ class Robot {
   double getBasicTimeStep() const;
 
   // NULL: no such device.
-  Accelerometer *getAccelerometer(const std::string &name) const;
-  Camera *getCamera(const std::string &name) const;
-  Gyro *getGyro(const std::string &name) const;
-  Keyboard *getKeyboard() const;
-  LED *getLED(const std::string &name) const;
-  Motor *getMotor(const std::string &name) const;
-  PositionSensor *getPositionSensor(const std::string &name) const;
-  Servo *getServo(const std::string &name) const;
-  Speaker *getSpeaker(const std::string &name) const;
+  Accelerometer* getAccelerometer(const std::string& name) const;
+  Camera* getCamera(const std::string& name) const;
+  Gyro* getGyro(const std::string& name) const;
+  Keyboard* getKeyboard() const;
+  LED* getLED(const std::string& name) const;
+  Motor* getMotor(const std::string& name) const;
+  PositionSensor* getPositionSensor(const std::string& name) const;
+  Servo* getServo(const std::string& name) const;
+  Speaker* getSpeaker(const std::string& name) const;
   /// "ButtonMode" and "ButtonStart".
-  TouchSensor *getTouchSensor(const std::string &name) const;
-  Device *getDevice(const std::string &name) const;
+  TouchSensor* getTouchSensor(const std::string& name) const;
+  Device* getDevice(const std::string& name) const;
   int getNumberOfDevices() const;
-  Device *getDeviceByIndex(int index) const;
+  Device* getDeviceByIndex(int index) const;
 
   /// The battery's voltage in V (the simulator gives joules). NaN: the board has not answered for 3 cycles.
   virtual void batterySensorEnable(int sampling_period);
@@ -114,33 +114,33 @@ class Robot {
   int keyboardGetKey() const;
 
   /// The robot of this process; NULL before its constructor has ended.
-  static Robot *getInstance();
+  static Robot* getInstance();
   std::string getProjectPath() const;
   std::string getCustomData() const;
-  void setCustomData(const std::string &data);
+  void setCustomData(const std::string& data);
   std::string getData() const;
-  void setData(const std::string &data);
+  void setData(const std::string& data);
 
   // Of the simulator only. Each says once that it has no effect here.
   std::string getWorldPath() const;
   std::string getUrdf(std::string prefix = "") const;
   bool getSupervisor() const { return false; }
   bool getSynchronization() const { return false; }
-  virtual void setMode(Mode mode, const char *arg);
+  virtual void setMode(Mode mode, const char* arg);
   UserInputEvent waitForUserInputEvent(UserInputEvent event_type, int timeout);
-  void wwiSend(const char *data, int size);
-  void wwiSendText(const std::string &text);
-  const char *wwiReceive(int *size);
+  void wwiSend(const char* data, int size);
+  void wwiSendText(const std::string& text);
+  const char* wwiReceive(int* size);
   std::string wwiReceiveText();
 
  protected:
   /// For tests: a robot made elsewhere, which this object then owns.
-  explicit Robot(darwinop::facade::RobotImpl *impl);
+  explicit Robot(darwinop::facade::RobotImpl* impl);
 
  private:
-  Robot(const Robot &);
-  Robot &operator=(const Robot &);
-  darwinop::facade::RobotImpl *impl_;
+  Robot(const Robot&);
+  Robot& operator=(const Robot&);
+  darwinop::facade::RobotImpl* impl_;
 };
 
 }  // namespace webots

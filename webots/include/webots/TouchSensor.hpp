@@ -21,7 +21,7 @@ class TouchSensor : public Device {
 
  private:
   friend class darwinop::facade::RobotImpl;
-  TouchSensor(const std::string &name, darwinop::facade::RobotImpl &robot, int bit);
+  TouchSensor(const std::string& name, darwinop::facade::RobotImpl& robot, int bit);
   int bit_, period_;
 };
 

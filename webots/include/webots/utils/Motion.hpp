@@ -12,7 +12,7 @@ namespace webots {
 
 class Motion {
  public:
-  explicit Motion(const std::string &fileName);
+  explicit Motion(const std::string& fileName);
   virtual ~Motion() {}
   bool isValid() const { return false; }
   virtual void play() {}
@@ -26,8 +26,8 @@ class Motion {
   bool isOver() const { return true; }
 
  private:
-  Motion(const Motion &);
-  Motion &operator=(const Motion &);
+  Motion(const Motion&);
+  Motion& operator=(const Motion&);
 };
 
 }  // namespace webots
