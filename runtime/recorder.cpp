@@ -2,6 +2,7 @@
 #include "runtime/recorder.hpp"
 
 #include <pthread.h>
+#include <signal.h>
 #include <time.h>
 
 #include <cerrno>
@@ -84,6 +85,9 @@ void Recorder::drain() {
 
 void Recorder::run() {
   pthread_setname_np(pthread_self(), "darwinop-record");
+  sigset_t all;  // a signal shall end the controller's sleep, not this thread's
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
   const timespec pause{0, 100'000'000};
   while (!stop_.load(std::memory_order_relaxed)) {
     drain();

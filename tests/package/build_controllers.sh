@@ -14,7 +14,8 @@ step() { echo "== $*"; }
 # Runs a controller on the robot in memory for a moment; Ctrl-C must end it with status 0.
 runs() {
   local status=0
-  DARWINOP_ROBOT=virtual timeout --preserve-status --signal=INT --kill-after=20 1 "$1" >"$work/out" 2>&1 || status=$?
+  # --foreground: one signal, to the program alone; a second one ends it at once.
+  DARWINOP_ROBOT=virtual timeout --foreground --preserve-status --signal=INT --kill-after=20 1 "$1" >"$work/out" 2>&1 || status=$?
   if [ $status -ne 0 ]; then
     echo "$1 ended with status $status:"
     cat "$work/out"

@@ -74,7 +74,7 @@ TEST(Pacer, AfterALongStallRunsOneCycleAndNoBurst) {
 }
 
 TEST(Pacer, ReleasesAreGridPointsThatOnlyGoUpAndNoneIsUnaccounted) {
-  rc::check([](const std::vector<std::uint32_t>& busy_us) {
+  EXPECT_TRUE(rc::check([](const std::vector<std::uint32_t>& busy_us) {
     Drive run;
     for (const std::uint32_t us : busy_us) run.cycle(std::chrono::microseconds{us % 100'000});
     for (std::size_t i = 0; i < run.seen.size(); ++i) {
@@ -86,7 +86,7 @@ TEST(Pacer, ReleasesAreGridPointsThatOnlyGoUpAndNoneIsUnaccounted) {
     run.cycle(0ms);
     const auto skipped = run.release(run.seen.size() - 1) / 16ms - static_cast<std::int64_t>(run.seen.size());
     RC_ASSERT(skipped == run.pacer.skipped());
-  });
+  }));
 }
 
 }  // namespace
