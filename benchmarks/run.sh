@@ -27,18 +27,24 @@ instructions() {
   sed -nE 's/.*Collected *: *([0-9]+).*/\1/p' "$log" | awk '{ printf "%d", $1 / 320 }'
 }
 
+# compare_instructions NAME KIND PEER_KIND SERVOS
+compare_instructions() {
+  local ours peer
+  ours=$(instructions "$2" "$4")
+  peer=$(instructions "$3" "$4")
+  bench "$1" "$ours" "$peer" instructions
+}
+
 # Peer: a plain wrapper that does the same traffic without safety, ages, statistics or a second thread.
 cycle_instructions() {
   local n
-  for n in 5 10 20; do bench "cycle_instructions_$n" "$(instructions loop $n)" "$(instructions plain $n)" instructions; done
+  for n in 5 10 20; do compare_instructions "cycle_instructions_$n" loop plain $n; done
 }
 
 # Peer: the packet handling of that wrapper. 30 servos: as many as fit with goals alone.
 codec_instructions() {
   local n
-  for n in 5 10 20 30; do
-    bench "codec_instructions_$n" "$(instructions codec $n)" "$(instructions plain-goals $n)" instructions
-  done
+  for n in 5 10 20 30; do compare_instructions "codec_instructions_$n" codec plain-goals $n; done
 }
 
 # --- CPU time a cycle

@@ -1,12 +1,14 @@
 #include "link/connect.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
 #include <stdexcept>
 
 #include "hal/cm730/diagnosis.hpp"
 #include "hal/cm730/probe.hpp"
 #include "hal/cm730/serial_port.hpp"
+#include "link/daemon_warnings.hpp"
 #include "link/lockstep_robot.hpp"
 #include "link/owned_bus.hpp"
 #include "link/setting.hpp"
@@ -15,6 +17,9 @@
 
 namespace darwinop::link {
 namespace {
+
+constexpr Nanos kShortestPeriod{8'000'000};
+constexpr Nanos kSpare{1'000'000};  // of a period, for what is no bus time
 
 runtime::LoopConfig loopConfig(const Request& request) {
   runtime::LoopConfig config;
@@ -36,6 +41,18 @@ std::unique_ptr<runtime::RobotLink> serialRobot(const Request& request, const st
   return link;
 }
 
+std::unique_ptr<runtime::RobotLink> daemonsRobot(const Request& request) {
+  auto link = std::make_unique<runtime::DaemonLink>();
+  std::cerr << daemonWarnings(request, link->period());
+  return link;
+}
+
+std::string inMs(Nanos time) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f ms", std::chrono::duration<double, std::milli>(time).count());
+  return text;
+}
+
 std::string troubles(const cm730::Findings& findings) {
   std::string text;
   for (const cm730::Finding& finding : findings)
@@ -53,7 +70,7 @@ std::string describe(const std::string& port, const cm730::RobotFacts& facts) {
 }
 
 /// A robot that lacks a few servos can be driven without them; one that cannot be understood cannot.
-cm730::ProbeReport lookAt(ByteLine& line, const std::string& port) {
+cm730::ProbeReport lookAt(ByteLine& line, const std::string& port, Nanos period) {
   cm730::ProbeOptions options = cm730::ProbeOptions::quick();
   options.port = port;
   cm730::ProbeReport report = cm730::probe(line, options);
@@ -61,17 +78,25 @@ cm730::ProbeReport lookAt(ByteLine& line, const std::string& port) {
     return servo.readable && servo.firmware < cm730::kOldestFirmware;
   };
   const cm730::RobotFacts& facts = report.facts;
+  const std::string ask_more = "Ask for the whole list with: darwinop doctor --robot " + port;
   if (!facts.board.readable || servosFound(facts) == 0 || std::ranges::any_of(facts.servo, too_old))
     throw std::runtime_error("the robot on " + port + " cannot be driven:\n" + troubles(report.findings) +
-                             "Ask for the whole list with: darwinop doctor --robot " + port);
+                             ask_more);
+  // The bus would give up on the servos at the end of the chain in every cycle, and they would count as silent.
+  if (const Nanos cycle = cm730::cycleTime(facts); cycle > period - kSpare)
+    throw std::runtime_error("the robot on " + port + " cannot be driven with a period of " + inMs(period) +
+                             ": a cycle takes " + inMs(cycle) + "\n" + troubles(report.findings) + ask_more);
   return report;
 }
 
 }  // namespace
 
 OpenedBus openSerialBus(const std::string& port, Nanos period) {
+  if (period < kShortestPeriod)
+    throw std::runtime_error("a period of " + std::to_string(period.count() / 1'000) +
+                             " us is too short for the bus, where a cycle takes up to 5.5 ms; choose 8 ms or more");
   auto line = std::make_unique<cm730::SerialPort>(port);
-  const cm730::ProbeReport probed = lookAt(*line, port);
+  const cm730::ProbeReport probed = lookAt(*line, port, period);
   OpenedBus opened;
   opened.description = describe(port, probed.facts);
   opened.warnings = troubles(probed.findings);
@@ -83,7 +108,7 @@ std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
   const Setting setting = readSetting(request.setting);
   switch (setting.kind) {
     case Kind::kDaemon:
-      return std::make_unique<runtime::DaemonLink>();
+      return daemonsRobot(request);
     case Kind::kSerial:
       return serialRobot(request, setting.port);
     case Kind::kVirtual:

@@ -37,7 +37,8 @@ class LineClock final : public runtime::Clock {
 
 }  // namespace
 
-std::unique_ptr<runtime::RobotLink> lockstepRobot(const runtime::LoopConfig& config) {
+std::unique_ptr<runtime::RobotLink> lockstepRobot(runtime::LoopConfig config) {
+  config.port = "virtual robot in memory";
   auto line = std::make_unique<VirtualLine>();
   auto clock = std::make_unique<LineClock>(line->memory());
   auto bus = std::make_unique<OwnedBus<VirtualLine>>(std::move(line), cm730::BusConfig::forPeriod(config.period));

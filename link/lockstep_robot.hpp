@@ -8,6 +8,6 @@
 namespace darwinop::link {
 
 /// The same bus code as on a robot, so the same bytes; only the wire is memory. Repeatable to the bit.
-std::unique_ptr<runtime::RobotLink> lockstepRobot(const runtime::LoopConfig& config);
+std::unique_ptr<runtime::RobotLink> lockstepRobot(runtime::LoopConfig config);
 
 }  // namespace darwinop::link

@@ -56,19 +56,35 @@ void catchSignals() {
   action.sa_sigaction = handOn;
   action.sa_flags = SA_SIGINFO;
   for (const int signal : kHandedOn) sigaction(signal, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);  // who pipes the output into head must not lose the end of the run
 }
 
 /// File in which a controller that hosts the loop itself leaves its figures. It outlives a kill -9.
 class LookOn {
  public:
-  LookOn() : path_{"/dev/shm/darwinop-run-" + std::to_string(getpid())} { forget(); }
+  LookOn() : path_{kPrefix + std::to_string(getpid())} {
+    sweep();
+    forget();
+  }
   ~LookOn() { forget(); }
   LookOn(const LookOn&) = delete;
   LookOn& operator=(const LookOn&) = delete;
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
+  static constexpr const char* kPrefix = "/dev/shm/darwinop-run-";
+
   void forget() const { unlink(path_.c_str()); }
+  /// Removes what runs left behind that were killed themselves.
+  static void sweep() {
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator{"/dev/shm", unreadable}) {
+      const std::string path = entry.path();
+      if (!path.starts_with(kPrefix)) continue;
+      const long pid = std::strtol(path.c_str() + std::strlen(kPrefix), nullptr, 10);
+      if (pid > 0 && kill(static_cast<pid_t>(pid), 0) != 0 && errno == ESRCH) unlink(path.c_str());
+    }
+  }
   std::string path_;
 };
 
@@ -118,7 +134,7 @@ pid_t start(const RunRequest& request, const std::string& program, const std::st
     if (pid < 0) throw std::runtime_error(std::string{"cannot start the controller: "} + std::strerror(errno));
     child_pid = pid;
     if (pid == 0)
-      for (const int signal : kHandedOn) std::signal(signal, SIG_DFL);
+      for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
     else
       return pid;
   }

@@ -4,7 +4,10 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <iostream>
 #include <stdexcept>
+
+#include "runtime/fault_announcer.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -18,7 +21,11 @@ void doze() {
 }  // namespace
 
 FileLock claimRuntime(const RuntimeFiles& files, gid_t group) {
-  if (auto claim = FileLock::tryTake(files.loop_lock, group)) return std::move(*claim);
+  if (auto claim = FileLock::tryTake(files.loop_lock, group)) {
+    // Made here, so that it is the group's and not that of the first controller's user.
+    (void)FileLock::tryTake(files.drive_lock, group);
+    return std::move(*claim);
+  }
   const std::string pid = std::to_string(FileLock::holder(files.loop_lock));
   throw std::runtime_error("a runtime with this name runs already (pid " + pid + "); end it with: kill " + pid +
                            "  or start this one under another name with --name");
@@ -29,7 +36,7 @@ Daemon::Daemon(const LoopConfig& config, const RuntimeFiles& files, FileLock cla
     : files_{files},
       claim_{std::move(claim)},
       exchange_{Exchange::create(files.exchange, group)},
-      rest_{config.safety.on_exit},
+      rest_{checked(config).safety, config.period},
       host_{config, std::move(bus), exchange_.block(), LoopStats::Timed::kYes, Recorder::Writer::kThread},
       driver_{host_.loop(), clock_, config.period, config.real_time} {}
 
@@ -38,12 +45,14 @@ Daemon::~Daemon() {
 }
 
 void Daemon::run(const std::atomic<bool>& stop) {
-  while (!stop.load()) doze();
+  FaultAnnouncer announcer{std::cerr};
+  for (; !stop.load(); doze()) announcer.look(sensors());
   exchange_.block().closing.store(1);  // ends the controller, and brings the robot to rest
-  const std::uint64_t first = sensors().cycle;
-  const Nanos give_up = clock_.now() + Rest::kAtMost;
-  for (Sensors seen = sensors(); !rest_.reached(seen.cycle - first, seen) && clock_.now() < give_up; seen = sensors())
+  const Nanos give_up = clock_.now() + rest_.atMost();
+  for (Sensors seen = sensors(); !rest_.reached(seen) && clock_.now() < give_up; seen = sensors()) {
+    announcer.look(seen);
     doze();
+  }
 }
 
 Sensors Daemon::sensors() const {

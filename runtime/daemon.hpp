@@ -10,6 +10,7 @@
 #include "runtime/clock.hpp"
 #include "runtime/file_lock.hpp"
 #include "runtime/loop_host.hpp"
+#include "runtime/rest.hpp"
 #include "runtime/names.hpp"
 
 namespace darwinop::runtime {

@@ -1,6 +1,8 @@
 // A controller that drives the loop of a daemon.
 #include "runtime/daemon_link.hpp"
 
+#include <unistd.h>
+
 #include <stdexcept>
 
 #include "runtime/operator.hpp"
@@ -17,7 +19,9 @@ FileLock takeLease(const RuntimeFiles& files) {
 }  // namespace
 
 pid_t daemonPid(const RuntimeFiles& files) {
-  return FileLock::holder(files.loop_lock);
+  const pid_t pid = FileLock::holder(files.loop_lock);
+  // A lock file outlives its daemon, so one that may not be looked into says nothing without the exchange.
+  return pid == -1 && access(files.exchange.c_str(), F_OK) != 0 ? 0 : pid;
 }
 
 DaemonLink::DaemonLink(const RuntimeFiles& files)

@@ -8,7 +8,7 @@
 
 namespace darwinop::runtime {
 
-/// Pid of the daemon that hosts the loop, 0: none runs.
+/// Pid of the daemon that hosts the loop, 0: none runs, -1: there seems to be one, of another user.
 pid_t daemonPid(const RuntimeFiles& files);
 
 class DaemonLink final : public ExchangeLink {

@@ -2,6 +2,7 @@
 #include "runtime/exchange.hpp"
 
 #include <fcntl.h>
+#include <grp.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -31,6 +32,17 @@ void* map(int fd, const std::string& path) {
   void* memory = mmap(nullptr, sizeof(ExchangeBlock), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
   if (memory == MAP_FAILED) fail("cannot map " + path, errno, "");
   return memory;
+}
+
+/// The file is another user's.
+std::string notPermitted(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return "cannot open " + path + ": its folder may not be read";
+  const group* found = getgrgid(status.st_gid);
+  const std::string name = found == nullptr ? std::to_string(status.st_gid) : found->gr_name;
+  return "a runtime of another user runs (" + path + ") and you are not permitted to use it: only its user and group '" +
+         name + "' are. Become a member of a group of your own choice, have the runtime started with --group GROUP, "
+         "and log in again. If that runtime has ended, remove what is left of it: sudo rm " + path;
 }
 
 void unmap(ExchangeBlock* block) {
@@ -79,9 +91,8 @@ Exchange Exchange::attach(const std::string& path) {
   if (file.fd < 0 && errno == ENOENT)
     throw std::runtime_error("no runtime has been started here (" + path +
                              " does not exist); start one with: darwinop runtime");
-  if (file.fd < 0)
-    fail("cannot open " + path, errno,
-         "become a member of the group that the runtime was started with (darwinop runtime --group GROUP)");
+  if (file.fd < 0 && errno == EACCES) throw std::runtime_error(notPermitted(path));
+  if (file.fd < 0) fail("cannot open " + path, errno, "");
   struct stat status {};
   if (fstat(file.fd, &status) != 0) fail("cannot look at " + path, errno, "");
   // The size is looked at before mapping, the rest after: a file that is too short would kill its reader.

@@ -44,8 +44,10 @@ std::optional<FileLock> FileLock::tryTake(const std::string& path, gid_t group) 
   FileLock lock{openLockFile(path, group)};
   if (lock.fd_ < 0)
     throw std::runtime_error("cannot open the lock file " + path + ": " + std::strerror(errno) +
-                             (errno == EACCES ? "; it belongs to another user: run as that user, or start the runtime "
-                                                "with --group and a group that you are a member of"
+                             (errno == EACCES ? "; it belongs to another user: run as that user, or have the runtime "
+                                                "started with --group and a group that you are a member of. If that "
+                                                "user's runtime has ended, remove what is left of it: sudo rm " +
+                                                    path
                                               : ""));
   // Somebody who only looks may hold it for an instant (see holder()).
   for (int attempt = 0; flock(lock.fd_, LOCK_EX | LOCK_NB) != 0; ++attempt) {
@@ -59,7 +61,7 @@ std::optional<FileLock> FileLock::tryTake(const std::string& path, gid_t group) 
 
 pid_t FileLock::holder(const std::string& path) {
   const FileLock file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
-  if (file.fd_ < 0) return 0;
+  if (file.fd_ < 0) return errno == EACCES ? -1 : 0;
   if (flock(file.fd_, LOCK_SH | LOCK_NB) == 0) return 0;  // closing the file gives it back
   const pid_t pid = writtenPid(file.fd_);
   return pid > 0 ? pid : -1;  // -1: held, by somebody who has not written the name yet

@@ -15,7 +15,7 @@ class FileLock {
   /// when the file can be neither opened nor made. `group`: who else may use the file, -1: unchanged.
   static std::optional<FileLock> tryTake(const std::string& path, gid_t group = static_cast<gid_t>(-1));
 
-  /// Pid of the holder, 0: nobody holds it. Never disturbs the holder.
+  /// Pid of the holder, 0: nobody holds it, -1: not to be told (the file is another user's). Never disturbs the holder.
   static pid_t holder(const std::string& path);
 
   FileLock(FileLock&& other) noexcept;

@@ -1,14 +1,17 @@
 // A robot in simulated time.
 #include "runtime/lockstep_link.hpp"
 
+#include <iostream>
+
 namespace darwinop::runtime {
 
 LockstepLink::LockstepLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus, std::unique_ptr<Clock> clock)
     : ExchangeLink{Exchange::embedded()},
-      rest_{config.safety.on_exit},
+      rest_{checked(config).safety, config.period},
       clock_{std::move(clock)},
       host_{config, std::move(bus), block(), LoopStats::Timed::kNo, Recorder::Writer::kByHand},
-      driver_{host_.loop(), *clock_, config.period} {
+      driver_{host_.loop(), *clock_, config.period},
+      announcer_{std::cerr} {
   beginSession();
 }
 
@@ -23,12 +26,13 @@ bool LockstepLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& st
 void LockstepLink::run() {
   driver_.run(1);
   if (host_.recorder() != nullptr) host_.recorder()->drain();
+  announcer_.look(sensors());
 }
 
 LockstepLink::~LockstepLink() {
   if (!sayFarewell()) return;
-  const auto at_most = static_cast<std::uint64_t>(Rest::kAtMost / period());
-  for (std::uint64_t cycles = 0; !rest_.reached(cycles, sensors()) && cycles < at_most; ++cycles) run();
+  const auto at_most = static_cast<std::uint64_t>(rest_.atMost() / period());
+  for (std::uint64_t cycles = 0; !rest_.reached(sensors()) && cycles < at_most; ++cycles) run();
 }
 
 }  // namespace darwinop::runtime

@@ -5,8 +5,10 @@
 
 #include "runtime/clock.hpp"
 #include "runtime/exchange_link.hpp"
+#include "runtime/fault_announcer.hpp"
 #include "runtime/lockstep_driver.hpp"
 #include "runtime/loop_host.hpp"
+#include "runtime/rest.hpp"
 
 namespace darwinop::runtime {
 
@@ -27,6 +29,7 @@ class LockstepLink final : public ExchangeLink {
   std::unique_ptr<Clock> clock_;
   LoopHost host_;
   LockstepDriver driver_;
+  FaultAnnouncer announcer_;
 };
 
 }  // namespace darwinop::runtime

@@ -8,14 +8,6 @@
 namespace darwinop::runtime {
 namespace {
 
-const LoopConfig& checked(const LoopConfig& config) {
-  using namespace std::chrono_literals;
-  if (config.period < 1ms || config.period > 1s)
-    throw std::runtime_error("a period of " + std::to_string(config.period.count() / 1'000) +
-                             " us is not possible; choose 8 to 1000 ms (16 is usual)");
-  return config;
-}
-
 safety::Config withPeriod(safety::Config safety, Nanos period) {
   safety.period = period;
   return safety;
@@ -35,6 +27,14 @@ void tell(LoopInfo& info, const LoopConfig& config) {
 
 }  // namespace
 
+const LoopConfig& checked(const LoopConfig& config) {
+  using namespace std::chrono_literals;
+  if (config.period < 1ms || config.period > 1s)
+    throw std::runtime_error("a period of " + std::to_string(config.period.count() / 1'000) +
+                             " us is not possible; choose 8 to 1000 ms (16 is usual)");
+  return config;
+}
+
 LoopHost::LoopHost(const LoopConfig& config, std::unique_ptr<ServoBus> bus, ExchangeBlock& block,
                    LoopStats::Timed timed, Recorder::Writer writer)
     : bus_{std::move(bus)},
@@ -42,13 +42,6 @@ LoopHost::LoopHost(const LoopConfig& config, std::unique_ptr<ServoBus> bus, Exch
       recorder_{makeRecorder(config, writer)},
       loop_{*bus_, guard_, block, recorder_.get(), config.period, timed} {
   tell(block.info, config);
-}
-
-bool Rest::reached(std::uint64_t cycles, const Sensors& sensors) const {
-  constexpr std::uint64_t kTakenIn = 3;  // until the farewell is seen, acted upon and reported
-  if (cycles < kTakenIn) return false;
-  if (on_exit_ == safety::OnExit::kHold) return true;
-  return sensors.safety.state == State::kLimp || sensors.safety.state == State::kOffline;
 }
 
 }  // namespace darwinop::runtime

@@ -23,6 +23,9 @@ struct LoopConfig {
   RealTimeConfig real_time{};       // not used in lockstep
 };
 
+/// The same. Throws std::runtime_error for a period out of range.
+const LoopConfig& checked(const LoopConfig& config);
+
 class LoopHost {
  public:
   /// Throws std::runtime_error for a period out of range or a recording that cannot be written.
@@ -37,19 +40,6 @@ class LoopHost {
   safety::Guard guard_;
   std::unique_ptr<Recorder> recorder_;
   Loop loop_;
-};
-
-/// What is left to do after a farewell.
-class Rest {
- public:
-  explicit Rest(safety::OnExit on_exit) : on_exit_{on_exit} {}
-  /// True when safety has done what on_exit asks for, `cycles` after the farewell.
-  [[nodiscard]] bool reached(std::uint64_t cycles, const Sensors& sensors) const;
-  /// A kneel at the gentle speed takes four seconds at most; nobody waits longer than this for it.
-  static constexpr Nanos kAtMost{10'000'000'000};
-
- private:
-  safety::OnExit on_exit_;
 };
 
 }  // namespace darwinop::runtime

@@ -27,9 +27,15 @@ std::string daemonStatus(const RuntimeFiles& files) {
   const bool any = block.sensors.read(last);
   std::string text = "runtime       pid " + std::to_string(block.info.pid) + ", " + block.info.robot + " on " +
                      block.info.port + "\n" + "driver        " +
-                     (driver == 0 ? "none" : "pid " + std::to_string(driver)) + ", session " +
+                     (driver == 0  ? "none"
+                      : driver < 0 ? "of another user"
+                                   : "pid " + std::to_string(driver)) +
+                     ", session " +
                      std::to_string(block.session.load()) + "\n";
-  if (any) text += robotText(last);
+  // The last session is the operator's own: no controller has come since.
+  const std::uint32_t released = block.released.load();
+  const bool limp = released != 0 && released == block.session.load() && last.safety.state != State::kOffline;
+  if (any) text += robotText(last, limp ? "released by an operator; joints are limp until a controller starts" : "");
   return text + reportText(*stats, last);
 }
 

@@ -81,8 +81,9 @@ std::string reportText(const StatsView& stats, const Sensors& last) {
          joined(staleDevices(last)) + "\n";
 }
 
-std::string robotText(const Sensors& last) {
-  std::string text = "state         " + std::string{kStateNames[static_cast<std::size_t>(last.safety.state)]} + "\n";
+std::string robotText(const Sensors& last, const std::string& instead) {
+  const std::string state{kStateNames[static_cast<std::size_t>(last.safety.state)]};
+  std::string text = "state         " + (instead.empty() ? state : instead) + "\n";
   for (std::size_t i = 0; i < kFaults; ++i) {
     if (!last.safety.active[i]) continue;
     const FaultRow& fault = kFaultTable[i];

@@ -5,9 +5,10 @@ namespace darwinop::runtime {
 
 ThreadedLink::ThreadedLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus)
     : ExchangeLink{Exchange::embedded()},
-      rest_{config.safety.on_exit},
+      rest_{checked(config).safety, config.period},
       host_{config, std::move(bus), block(), LoopStats::Timed::kYes, Recorder::Writer::kThread},
-      driver_{host_.loop(), clock_, config.period, config.real_time} {
+      driver_{host_.loop(), clock_, config.period, config.real_time},
+      watch_{block().sensors} {
   beginSession();
 }
 
@@ -23,10 +24,9 @@ bool ThreadedLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& st
 
 ThreadedLink::~ThreadedLink() {
   if (!sayFarewell()) return;
-  const std::uint64_t first = sensors().cycle;
-  const Nanos give_up = now() + Rest::kAtMost;
+  const Nanos give_up = now() + rest_.atMost();
   const std::atomic<bool> go_on{false};
-  for (Sensors seen = sensors(); !rest_.reached(seen.cycle - first, seen) && now() < give_up; seen = sensors())
+  for (Sensors seen = sensors(); !rest_.reached(seen) && now() < give_up; seen = sensors())
     (void)waitForCycle(seen.cycle + 1, go_on);
 }
 

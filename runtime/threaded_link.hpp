@@ -5,7 +5,9 @@
 
 #include "runtime/clock.hpp"
 #include "runtime/exchange_link.hpp"
+#include "runtime/fault_watch.hpp"
 #include "runtime/loop_host.hpp"
+#include "runtime/rest.hpp"
 
 namespace darwinop::runtime {
 
@@ -28,7 +30,8 @@ class ThreadedLink final : public ExchangeLink {
   Rest rest_;
   MonotonicClock clock_;
   LoopHost host_;
-  PeriodicDriver driver_;  // last: it ends first
+  PeriodicDriver driver_;  // after what it uses: it ends before them
+  FaultWatch watch_;
 };
 
 }  // namespace darwinop::runtime

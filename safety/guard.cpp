@@ -123,7 +123,7 @@ Rad Guard::target(std::size_t joint) const noexcept {
 Guard::Shares Guard::shares() const noexcept {
   Shares shares;
   shares.fill(1.0);
-  if (state_ != State::kStarting && state_ != State::kKneeling) return shares;
+  if (!movesByItself()) return shares;
   Shares way{};
   for (std::size_t i = 0; i < kJoints; ++i)
     if (joints_[i].channel().moving()) way[i] = std::abs(target(i).value - joints_[i].channel().goal().value);
@@ -136,7 +136,7 @@ Guard::Shares Guard::shares() const noexcept {
 SafeCommands Guard::compose(Nanos dt) noexcept {
   SafeCommands safe;
   if (state_ == State::kOffline) return safe;
-  const bool slow = state_ == State::kStarting || state_ == State::kKneeling || faults_.slow();
+  const bool slow = movesByItself() || faults_.slow();
   const double speed = slow ? config_.gentle_speed : config_.max_joint_speed;
   const double seconds = std::chrono::duration<double>(dt).count();
   // A board that did not answer may not have heard the last goals either: they wait for it, so that what it hears
@@ -157,7 +157,7 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
     }
     if (!joint.driven()) continue;
     safe.driven_[i] = true;
-    safe.goal_[i] = joint.goal(RadPerSec{speed});
+    safe.goal_[i] = joint.goal(RadPerSec{speed}, movesByItself());
   }
   if (switches)
     safe.write_ = SafeCommands::Write::kTorque;

@@ -52,6 +52,8 @@ class Guard {
   void act(Event event) noexcept;
   void finishStart() noexcept;
 
+  /// On the way to a pose that safety has chosen.
+  [[nodiscard]] bool movesByItself() const noexcept { return state_ == State::kStarting || state_ == State::kKneeling; }
   [[nodiscard]] Shares shares() const noexcept;
   [[nodiscard]] SafeCommands compose(Nanos dt) noexcept;
   [[nodiscard]] Rad target(std::size_t joint) const noexcept;
@@ -67,6 +69,7 @@ class Guard {
   State state_ = State::kOffline;
   bool in_place_ = false;    // this session starts where the robot is
   bool started_ = false;     // this session's start is over
+  int stiff_for_ = 0;        // cycles in limp in which some servo holds its joint all the same
   bool holding_up_ = false;  // torque was switched on by us, and not off since
   Nanos taking_over_for_{0};
   PoseMove move_;

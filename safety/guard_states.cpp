@@ -6,6 +6,8 @@
 namespace darwinop::safety {
 namespace {
 
+// Cycles in which every servo is looked at once, and some: so old may the news of a servo's torque be.
+constexpr int kLookRound = kJoints + 5;
 // After the robot sits: time to come to rest before it lets go.
 constexpr Nanos kRest{std::chrono::seconds{1}};
 
@@ -34,7 +36,7 @@ std::optional<Event> Guard::findEvent() const noexcept {
   if (!board_.online()) return state_ == State::kOffline ? std::nullopt : std::optional{Event::kBoardLost};
   if (state_ == State::kOffline) return board_.answersNow() ? std::optional{Event::kBoardFound} : std::nullopt;
   const Reaction demand = demanded();
-  const bool up = state_ != State::kLimp || holding_up_;
+  const bool up = state_ != State::kLimp || holding_up_ || stiff_for_ > kLookRound;
   if (demand >= Reaction::kLimp) return up ? std::optional{Event::kRelease} : std::nullopt;
   if (demand == Reaction::kKneel && state_ != State::kKneeling) return up ? std::optional{Event::kKneel} : std::nullopt;
   const bool wanted = driver_.present() && demand < Reaction::kKneel;
@@ -87,6 +89,9 @@ void Guard::changeState(const Sensors& seen, Nanos dt) noexcept {
 }
 
 void Guard::runTimers(const Sensors& seen, Nanos dt) noexcept {
+  // Servos keep their torque when whoever drove them dies: the robot may be stiff before anybody drives it here.
+  const bool stiff = std::ranges::any_of(joints_, [](const JointGuard& j) { return j.stiff(); });
+  stiff_for_ = state_ == State::kLimp && stiff ? std::min(stiff_for_ + 1, kLookRound + 1) : 0;
   if (state_ == State::kTakingOver && board_.powered()) taking_over_for_ += dt;
   if (state_ != State::kStarting && state_ != State::kKneeling) return;
   PoseMove::Mask moving;

@@ -11,6 +11,10 @@ namespace {
 
 // Two readings agree within 8 ticks. A limb that swings faster than 0.77 rad/s (at 16 ms) is waited for.
 constexpr double kAgreement = 8.5 * kRadPerTick;
+// So far may a joint lag behind its goal (rad); at P gain 4 it lags 0.1 rad at the gentle speed.
+constexpr double kCaughtUp = 0.15;
+// A weight may hold a joint off its goal; it is not kept gentle for ever.
+constexpr Nanos kHeldUp{std::chrono::seconds{3}};
 // Readings further apart than this say nothing about each other.
 constexpr std::uint32_t kApart = 5;  // cycles
 
@@ -35,12 +39,14 @@ void JointChannel::restart() noexcept {
 
 void JointChannel::observe(const JointSensors& seen, Nanos dt) noexcept {
   if (phase_ == Phase::kConfirming) confirmer_.update(seen);
+  if (seen.motion.fresh()) seen_ = seen.position;
   if (moving()) driven_for_ += dt;
 }
 
 void JointChannel::place(const JointRange& range) noexcept {
   goal_ = Rad{std::clamp(confirmer_.confirmed()->value, range.low.value, range.high.value)};
   phase_ = Phase::kPlaced;
+  placed_writes_ = 1;
 }
 
 void JointChannel::torqueOn() noexcept {
@@ -51,7 +57,9 @@ void JointChannel::torqueOn() noexcept {
 bool JointChannel::advance(Rad target, double gentle_step, double full_step) noexcept {
   goal_ = stepTowards(goal_, target, gentle() ? gentle_step : full_step);
   if (goal_ != target) return false;
-  phase_ = Phase::kFree;
+  // A joint that is held, or that came from outside its range, is still on its way when its goal has arrived.
+  const bool there = std::abs(seen_.value - goal_.value) <= kCaughtUp;
+  if (there || driven_for_ >= kHeldUp) phase_ = Phase::kFree;
   return true;
 }
 

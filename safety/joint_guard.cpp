@@ -45,7 +45,9 @@ void JointGuard::observe(const JointSensors& seen, bool given_up, Nanos powered_
   if (was_suspect && !suspect_) restart();
   if (verdict == TripWatch::Verdict::kOverload) trip_ = Trip::kOverload;
   if (verdict == TripWatch::Verdict::kOverheat) trip_ = Trip::kOverheat;
-  if (verdict == TripWatch::Verdict::kLostPower || watch_.lost()) restart();
+  if (verdict == TripWatch::Verdict::kLostPower || watch_.lost() || given_up) restart();
+  if (seen.health.fresh()) stiff_ = seen.torque_enabled;
+  if (watch_.lost()) stiff_ = false;
   if (off_ordered_ && seen.health.fresh() && seen.torque_enabled) orderOff();
   channel_.observe(seen, dt);
 }
@@ -71,7 +73,7 @@ void JointGuard::switchTorque(bool on) noexcept {
     off_due_ = false;
     off_ordered_ = true;
   }
-  if (on && channel_.placed()) channel_.torqueOn();
+  if (on && onDue()) channel_.torqueOn();
 }
 
 bool JointGuard::move(Rad target, double gentle_step, double full_step) noexcept {
@@ -80,12 +82,14 @@ bool JointGuard::move(Rad target, double gentle_step, double full_step) noexcept
     off_ordered_ = false;
     return true;
   }
+  if (channel_.placed()) channel_.placeAgain();
   if (!channel_.moving() || !target.known()) return true;
   return channel_.advance(target, gentle_step, full_step);
 }
 
-SafeCommands::JointGoal JointGuard::goal(RadPerSec speed_cap) const noexcept {
+SafeCommands::JointGoal JointGuard::goal(RadPerSec speed_cap, bool by_itself) const noexcept {
   const double cap = channel_.gentle() ? std::min(config_.gentle_speed, speed_cap.value) : speed_cap.value;
+  if (by_itself) return {channel_.goal(), RadPerSec{cap}, NewtonMeter{config_.default_torque}, config_.default_p_gain};
   return {channel_.goal(), RadPerSec{std::min(wish_speed_.value, cap)}, wish_torque_, wish_p_gain_};
 }
 

@@ -31,6 +31,8 @@ class JointGuard {
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
   [[nodiscard]] const ServoWatch& watch() const noexcept { return watch_; }
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
+  /// As far as is known the servo holds its joint, whoever told it to.
+  [[nodiscard]] bool stiff() const noexcept { return stiff_; }
   /// Asked for: a servo that shut itself off may be driven again.
   void resetTrip() noexcept;
 
@@ -40,7 +42,7 @@ class JointGuard {
   void restart() noexcept;
   void orderOff() noexcept { off_due_ = true; }
   [[nodiscard]] bool offDue() const noexcept { return off_due_; }
-  [[nodiscard]] bool onDue() const noexcept { return channel_.placed(); }
+  [[nodiscard]] bool onDue() const noexcept { return channel_.placedForSure(); }
   [[nodiscard]] const JointChannel& channel() const noexcept { return channel_; }
   /// May get goals in this cycle.
   [[nodiscard]] bool driven() const noexcept { return channel_.hasGoal() && !suspect_; }
@@ -52,7 +54,8 @@ class JointGuard {
   /// False when the step was cut short.
   bool move(Rad target, double gentle_step, double full_step) noexcept;
   /// What goes on the wire. `speed_cap`: no faster than this.
-  [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap) const noexcept;
+  /// `by_itself`: safety moves the robot, and what the controller wished for speed, torque and gain does not count.
+  [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap, bool by_itself) const noexcept;
 
  private:
   void takeTorqueWish(bool on) noexcept;
@@ -63,6 +66,7 @@ class JointGuard {
   RadPerSec wish_speed_;
   NewtonMeter wish_torque_;
   double wish_p_gain_ = 0;
+  bool stiff_ = false;
   bool limp_ = false;  // the controller has switched its torque off
 
   ServoWatch watch_;

@@ -8,6 +8,7 @@
 namespace darwinop::facade {
 
 namespace {
+constexpr Nanos kBeat = std::chrono::milliseconds{200};
 constexpr Nanos kQuiet = std::chrono::seconds{3};      // then say what is being waited for
 constexpr Nanos kPatience = std::chrono::seconds{30};  // for a robot that does not even start to move
 constexpr Nanos kLongest = std::chrono::seconds{180};  // 6 rad at the slowest gentle_speed, 0.05 rad/s, and some
@@ -63,6 +64,7 @@ std::string Session::begin(const Commands& first) {
 void Session::publish(const Commands& commands, int ms) {
   if (ended_) return;
   link_->publish(commands);
+  asked_ = commands;
   const std::chrono::milliseconds step{std::max(ms, 0)};
   target_ = line_.advance(step);
   due_ = returned_ + step;
@@ -73,7 +75,7 @@ int Session::wait() {
   if (stop_) return end({});
   Nanos late{0};
   if (link_->sensors().cycle < target_) {
-    if (!link_->waitForCycle(target_, stop_)) return end(stop_ ? std::string{} : link_->whyEnded());
+    if (!waitForTarget()) return end(stop_ ? std::string{} : link_->whyEnded());
     sensors_ = link_->sensors();
   } else {
     sensors_ = link_->sensors();
@@ -84,6 +86,16 @@ int Session::wait() {
   if (sensors_.safety.controller_must_end) return end(describe(sensors_.safety));
   const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(late).count();
   return static_cast<int>(std::clamp<std::int64_t>(ms, 0, 1'000'000'000));
+}
+
+/// A controller inside a long step is alive, and says so: safety holds the robot of one that is silent for 500 ms.
+bool Session::waitForTarget() {
+  const auto beat = static_cast<std::uint64_t>(std::max<Nanos::rep>(1, kBeat / link_->period()));
+  for (std::uint64_t now = link_->sensors().cycle; now < target_; now = link_->sensors().cycle) {
+    if (!link_->waitForCycle(std::min(target_, now + beat), stop_)) return false;
+    if (now + beat < target_) link_->publish(asked_);
+  }
+  return true;
 }
 
 int Session::end(const std::string& sentence) {

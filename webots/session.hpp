@@ -32,10 +32,12 @@ class Session {
   [[nodiscard]] Nanos period() const { return link_->period(); }
 
  private:
+  [[nodiscard]] bool waitForTarget();
   int end(const std::string& sentence);
 
   std::unique_ptr<runtime::RobotLink> link_;
   const std::atomic<bool>& stop_;
+  Commands asked_{};
   Sensors sensors_{};
   TimeLine line_;
   std::uint64_t target_ = 0;    // cycle that this step ends with

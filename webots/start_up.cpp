@@ -3,8 +3,10 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "link/connect.hpp"
@@ -17,6 +19,16 @@ namespace darwinop::facade {
 namespace {
 
 RobotImpl* current = nullptr;
+pid_t owner = 0;  // a child that this process forks must not say farewell for it
+std::thread::id owning_thread;
+std::terminate_handler usual_end = nullptr;
+
+/// An uncaught exception ends the program; the robot is brought to rest first.
+void endAfterException() {
+  if (std::this_thread::get_id() == owning_thread) release(current);
+  if (usual_end) usual_end();
+  std::abort();
+}
 
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
@@ -67,6 +79,9 @@ RobotImpl* connectOrExit() {
   } catch (const std::exception& error) {
     giveUp(error.what());
   }
+  owner = getpid();
+  owning_thread = std::this_thread::get_id();
+  usual_end = std::set_terminate(endAfterException);
   // Controllers call exit() and never delete their Robot: the farewell must be said all the same.
   std::atexit([] { release(current); });
   return current;
@@ -83,7 +98,7 @@ RobotImpl* adopt(RobotImpl* robot) {
 }
 
 void release(RobotImpl* robot) {
-  if (!robot || robot != current) return;
+  if (!robot || robot != current || (owner != 0 && getpid() != owner)) return;
   current = nullptr;
   delete robot;
 }

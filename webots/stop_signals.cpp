@@ -20,7 +20,7 @@ const std::atomic<bool>& stopRequested() {
 
 void installStopSignals() {
   stop_requested = false;
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     action.sa_handler = onSignal;
     action.sa_flags = static_cast<int>(SA_RESETHAND);

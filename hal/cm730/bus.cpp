@@ -28,9 +28,9 @@ void Cm730Bus::write(const SafeCommands& commands) noexcept {
   led_wanted_ = commands.led();
   power_wanted_ = commands.powerOn();
   Bytes frame = goals_.encode(commands);
-  if (frame.empty() && lock_due_ && silent_cycles_ == 0 && list_.servosAreUp()) {
+  if (frame.empty() && locks_due_ > 0 && silent_cycles_ == 0 && list_.servosAreUp()) {
     frame = goals_.encodeLock();  // safety drives nobody in the first cycles after power came on
-    lock_due_ = false;
+    --locks_due_;
   }
   if (!frame.empty()) send(frame);
 }
@@ -85,12 +85,14 @@ std::size_t Cm730Bus::sendRequest(std::span<const ReadList::Entry> list) noexcep
   return wire_.bytes_out;
 }
 
-/// Waits for each answer as long as the wire needs for it plus the margin, and no longer.
+/// Waits for each answer as long as the wire needs for it plus the margin, and for all of them together no longer
+/// than they need plus twice the margin: a line that babbles must not keep the loop.
 void Cm730Bus::receive(Nanos request_done) noexcept {
+  const Nanos end = request_done + wireTime(decoder_.answerBytes()) + 2 * config_.margin;
   Nanos last = request_done;
-  while (!decoder_.complete()) {
+  while (!decoder_.complete() && line_.now() < end) {
     std::size_t count = 0;
-    const Nanos deadline = last + wireTime(decoder_.nextFrameBytes()) + config_.margin;
+    const Nanos deadline = std::min(end, last + wireTime(decoder_.nextFrameBytes()) + config_.margin);
     if (line_.read(incoming_, count, deadline) != LineStatus::kOk) break;
     last = std::max(last, line_.now());
     wire_.bytes_in += static_cast<std::uint32_t>(count);
@@ -119,7 +121,7 @@ void Cm730Bus::learn(std::span<const ReadList::Entry> list) noexcept {
   } else {
     list_.powerIsOff();
     goals_.forget();
-    lock_due_ = true;
+    locks_due_ = kLocks;
   }
 }
 

@@ -23,7 +23,8 @@ struct BusConfig {
   /// FTDI chip holds back the end of an answer for 1 ms, and a plain kernel may be late by milliseconds.
   Nanos margin{5'000'000};
 
-  /// As patient as the period allows: a full cycle takes 5.5 ms, and a missing answer must not make it overrun.
+  /// As patient as the period allows: a full cycle takes 5.5 ms. At 8 ms a missing answer can make its cycle overrun;
+  /// less patience would take late USB frames for missing answers.
   static constexpr BusConfig forPeriod(Nanos period) {
     return {period, std::clamp(period - Nanos{5'500'000}, Nanos{1'000'000}, Nanos{5'000'000})};
   }
@@ -65,7 +66,8 @@ class Cm730Bus final : public ServoBus {
   std::uint32_t reconnects_seen_ = 0;
   LedCommand led_wanted_{};
   bool power_wanted_ = false;
-  bool lock_due_ = true;
+  static constexpr int kLocks = 2;  // frames; nobody acknowledges them
+  int locks_due_ = kLocks;
   int board_write_wait_ = 0;
   BoardReading board_{};
 };

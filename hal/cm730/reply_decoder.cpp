@@ -16,26 +16,26 @@ double si(Bytes block, std::uint8_t first, const Register& r) noexcept {
   return (raw(block, first, r) - r.zero) * r.scale;
 }
 
-constexpr const auto& kGyroX = find(kCm730, "gyro_x");
-constexpr const auto& kGyroY = find(kCm730, "gyro_y");
-constexpr const auto& kGyroZ = find(kCm730, "gyro_z");
-constexpr const auto& kAccelX = find(kCm730, "accel_x");
-constexpr const auto& kAccelY = find(kCm730, "accel_y");
-constexpr const auto& kAccelZ = find(kCm730, "accel_z");
-constexpr const auto& kPower = find(kCm730, "dxl_power");
-constexpr const auto& kPanel = find(kCm730, "led_panel");
-constexpr const auto& kHeadLed = find(kCm730, "led_head");
-constexpr const auto& kEyeLed = find(kCm730, "led_eye");
-constexpr const auto& kButtons = find(kCm730, "buttons");
-constexpr const auto& kVoltage = find(kCm730, "voltage");
-constexpr const auto& kMicLeft = find(kCm730, "mic_left");
-constexpr const auto& kPosition = find(kMx28, "present_position");
-constexpr const auto& kSpeed = find(kMx28, "present_speed");
-constexpr const auto& kLoad = find(kMx28, "present_load");
-constexpr const auto& kServoVoltage = find(kMx28, "present_voltage");
-constexpr const auto& kTemperature = find(kMx28, "present_temperature");
-constexpr const auto& kTorqueLimit = find(kMx28, "torque_limit");
-constexpr const auto& kTorqueEnable = find(kMx28, "torque_enable");
+constexpr Register kGyroX = find(kCm730, "gyro_x");
+constexpr Register kGyroY = find(kCm730, "gyro_y");
+constexpr Register kGyroZ = find(kCm730, "gyro_z");
+constexpr Register kAccelX = find(kCm730, "accel_x");
+constexpr Register kAccelY = find(kCm730, "accel_y");
+constexpr Register kAccelZ = find(kCm730, "accel_z");
+constexpr Register kPower = find(kCm730, "dxl_power");
+constexpr Register kPanel = find(kCm730, "led_panel");
+constexpr Register kHeadLed = find(kCm730, "led_head");
+constexpr Register kEyeLed = find(kCm730, "led_eye");
+constexpr Register kButtons = find(kCm730, "buttons");
+constexpr Register kVoltage = find(kCm730, "voltage");
+constexpr Register kMicLeft = find(kCm730, "mic_left");
+constexpr Register kPosition = find(kMx28, "present_position");
+constexpr Register kSpeed = find(kMx28, "present_speed");
+constexpr Register kLoad = find(kMx28, "present_load");
+constexpr Register kServoVoltage = find(kMx28, "present_voltage");
+constexpr Register kTemperature = find(kMx28, "present_temperature");
+constexpr Register kTorqueLimit = find(kMx28, "torque_limit");
+constexpr Register kTorqueEnable = find(kMx28, "torque_enable");
 
 }  // namespace
 
@@ -47,6 +47,12 @@ void ReplyDecoder::begin(std::span<const ReadList::Entry> list, std::uint8_t boa
   board_answered_ = false;
   position_ = 0;
   answered_.reset();
+}
+
+std::size_t ReplyDecoder::answerBytes() const noexcept {
+  std::size_t bytes = board_bytes_ + kFrameOverhead;
+  for (const ReadList::Entry entry : list_) bytes += (entry.look ? kServoLook : kServoWindow).frameBytes();
+  return bytes;
 }
 
 std::size_t ReplyDecoder::nextFrameBytes() const noexcept {

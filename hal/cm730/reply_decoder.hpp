@@ -23,6 +23,8 @@ class ReplyDecoder {
 
   /// True when nothing more is to come.
   [[nodiscard]] bool complete() const noexcept { return board_answered_ && position_ == list_.size(); }
+  /// Bytes of all answers to this request.
+  [[nodiscard]] std::size_t answerBytes() const noexcept;
   /// Bytes of the frame that is due next; 0 when complete.
   [[nodiscard]] std::size_t nextFrameBytes() const noexcept;
   [[nodiscard]] bool boardAnswered() const noexcept { return board_answered_; }

@@ -33,8 +33,15 @@ long cyclesFromEnvironment(long usual) {
   return usual;
 }
 
+/// A servo that gets its supply back needs a while to start, like a real one.
+hil::BoardOptions slowStarters() {
+  hil::BoardOptions options;
+  options.servo_boot = Nanos{200'000'000};
+  return options;
+}
+
 struct Campaign {
-  explicit Campaign(std::uint64_t seed) : robot{{}, seed}, controller{seed} { line.observe(&judge); }
+  explicit Campaign(std::uint64_t seed) : robot{slowStarters(), seed}, controller{seed} { line.observe(&judge); }
 
   void cycle(const Commands& asked) {
     release += kPeriod;

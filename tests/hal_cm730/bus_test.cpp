@@ -163,5 +163,32 @@ TEST_F(Bus, CountsWhatWasLost) {
   EXPECT_EQ(readings.link.exchanges, 41U);
 }
 
+/// A servo whose transmitter is stuck: there is always another byte.
+class BabblingLine final : public ByteLine {
+ public:
+  [[nodiscard]] Nanos now() noexcept override { return now_; }
+  LineStatus write(std::span<const std::uint8_t>) noexcept override { return LineStatus::kOk; }
+  LineStatus read(std::span<std::uint8_t> into, std::size_t& count, Nanos) noexcept override {
+    now_ += Nanos{100'000};
+    std::ranges::fill(into.first(10), std::uint8_t{0x55});
+    count = 10;
+    return LineStatus::kOk;
+  }
+  void discardInput() noexcept override {}
+  [[nodiscard]] std::uint32_t reconnects() const noexcept override { return 0; }
+
+ private:
+  Nanos now_{0};
+};
+
+TEST(BusOnABadLine, BabbleDoesNotKeepTheLoop) {
+  BabblingLine line;
+  Cm730Bus bus{line, BusConfig::forPeriod(kPeriod)};
+  BusReadings readings;
+  bus.read(readings);
+  EXPECT_FALSE(readings.board.answered);
+  EXPECT_LT(line.now(), kPeriod);
+}
+
 }  // namespace
 }  // namespace darwinop::cm730

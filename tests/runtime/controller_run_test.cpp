@@ -2,9 +2,12 @@
 #include "runtime/controller_run.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 #include "environment.hpp"
@@ -61,6 +64,20 @@ TEST(Run, LeavesNoFileBehind) {
   run("die");
   for (const auto& entry : std::filesystem::directory_iterator{"/dev/shm"})
     EXPECT_THAT(entry.path().string(), testing::Not(HasSubstr("darwinop-run-" + std::to_string(getpid()))));
+}
+
+TEST(Run, SweepsUpAfterARunThatWasKilledItself) {
+  const pid_t dead = fork();
+  if (dead == 0) _exit(0);
+  waitpid(dead, nullptr, 0);
+  const std::string left = "/dev/shm/darwinop-run-" + std::to_string(dead);
+  const std::string alive = "/dev/shm/darwinop-run-" + std::to_string(getppid());
+  std::ofstream{left} << "x";
+  std::ofstream{alive} << "x";
+  run("");
+  EXPECT_FALSE(std::filesystem::exists(left));
+  EXPECT_TRUE(std::filesystem::exists(alive));
+  std::filesystem::remove(alive);
 }
 
 TEST(Run, TakesAFolderForTheProgramOfItsName) {

@@ -76,9 +76,28 @@ TEST(JointChannel, GoesFromOutThroughPresentPoseAndGentleToFree) {
   EXPECT_EQ(channel.goal(), Rad{0.625});
   channel.advance(Rad{0.875}, 0.125, 0.5);
   EXPECT_TRUE(channel.advance(Rad{0.875}, 0.125, 0.5));
+  EXPECT_TRUE(channel.gentle()) << "the goal is there, the joint is not";
+  channel.observe(reading(0.8), kCycle);
+  EXPECT_TRUE(channel.advance(Rad{0.875}, 0.125, 0.5));
   EXPECT_FALSE(channel.gentle());
   EXPECT_FALSE(channel.advance(Rad{-0.875}, 0.125, 0.5));
   EXPECT_EQ(channel.goal(), Rad{0.375});
+}
+
+TEST(JointChannel, AJointThatIsHeldOffItsGoalIsNotGentleForEver) {
+  JointChannel channel;
+  channel.restart();
+  channel.observe(reading(0.5), kCycle);
+  channel.observe(reading(0.5), kCycle);
+  channel.place(kRange);
+  channel.torqueOn();
+  int cycles = 0;
+  for (; channel.gentle(); ++cycles) {
+    channel.observe(reading(0.5), kCycle);
+    (void)channel.advance(Rad{0.875}, 0.125, 0.5);
+    ASSERT_LT(cycles, 1000);
+  }
+  EXPECT_NEAR(cycles * 0.016, 3.0, 0.1);
 }
 
 TEST(JointChannel, APoseOutsideTheRangeIsMovedToItsEdge) {

@@ -67,6 +67,38 @@ TEST(Kneel, AllJointsArriveTogetherSoThatTheFeetStayFlatOnTheWayDown) {
   }
 }
 
+TEST(Kneel, WhatTheControllerWishedForSpeedTorqueAndGainDoesNotSlowOrWeakenIt) {
+  Rig rig{exitBy(OnExit::kKneel)};
+  stand(rig);
+  for (JointCommand& joint : rig.commands.joint) {
+    joint.setSpeedLimit(RadPerSec{0.1});
+    joint.setTorqueLimit(NewtonMeter{0.01});
+    joint.setPGain(0);
+  }
+  rig.cycle();
+  rig.commands.farewell = true;
+  rig.cycle();
+  ASSERT_EQ(rig.state(), State::kKneeling);
+  const SafeCommands::JointGoal& knee = rig.safe->goal(Joint::kLegLowerR);
+  EXPECT_DOUBLE_EQ(knee.speed_limit.value, rig.config.gentle_speed);
+  EXPECT_DOUBLE_EQ(knee.torque_limit.value, rig.config.default_torque);
+  EXPECT_DOUBLE_EQ(knee.p_gain, rig.config.default_p_gain);
+}
+
+TEST(Release, TheButtonLetsGoOfARobotThatSomebodyElseLeftStiff) {
+  Rig rig;
+  for (FakeServo& servo : rig.robot.servo) servo.torque = true;  // its controller was killed
+  rig.runFor(1);
+  EXPECT_EQ(rig.state(), State::kLimp) << "nobody drives";
+  EXPECT_TRUE(rig.robot[Joint::kNeck].torque) << "and it is left as it is";
+  rig.robot.buttons = 1;
+  rig.runFor(1);
+  expectLimp(rig);
+  rig.robot.buttons = 0;
+  rig.runFor(2);
+  EXPECT_EQ(rig.safe->write(), Write::kNothing) << "once is enough";
+}
+
 TEST(Kneel, ItRestsForASecondBeforeItLetsGo) {
   Rig rig;
   rig.start();

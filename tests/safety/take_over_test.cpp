@@ -26,7 +26,7 @@ TEST(TakeOver, WithoutADriverNothingIsEverSent) {
   EXPECT_TRUE(rig.report().active.none());
 }
 
-TEST(TakeOver, GoalIsThePresentPositionFirstAndTorqueComesWithTheNextWrite) {
+TEST(TakeOver, GoalIsThePresentPositionTwiceAndThenTorqueComes) {
   Rig rig;
   rig.run(5);
   rig.newSession();
@@ -39,6 +39,8 @@ TEST(TakeOver, GoalIsThePresentPositionFirstAndTorqueComesWithTheNextWrite) {
     EXPECT_NEAR(goal.speed_limit.value, 1.194, 1e-9);
     EXPECT_FALSE(rig.robot.servo[i].torque);
   }
+  rig.cycle();
+  EXPECT_EQ(rig.safe->write(), Write::kGoals) << "a lost frame must not let torque find an older goal";
   rig.cycle();
   EXPECT_EQ(rig.safe->write(), Write::kTorque);
   EXPECT_TRUE(rig.safe->torqueOn().all());
@@ -295,6 +297,7 @@ TEST(TakeOver, ALostTorqueOnIsSentAgain) {
   Rig rig;
   rig.newSession();
   ASSERT_GE(rig.runUntil([&] { return rig.safe->write() == Write::kGoals; }), 0);
+  rig.cycle();
   rig.robot[Joint::kNeck].hears = false;  // just that one frame is lost
   rig.cycle();
   ASSERT_EQ(rig.safe->write(), Write::kTorque);

@@ -1,0 +1,14 @@
+// What a controller asks for that a daemon does not do for it.
+#pragma once
+
+#include <string>
+
+#include "link/connect.hpp"
+
+namespace darwinop::link {
+
+/// The daemon has a period, a recording and settings of its own. One line for each wish it does not grant, with what
+/// to do; empty: none.
+std::string daemonWarnings(const Request& request, Nanos daemons_period);
+
+}  // namespace darwinop::link

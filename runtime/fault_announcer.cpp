@@ -1,0 +1,59 @@
+// Tells a person when a fault begins and when it is over.
+#include "runtime/fault_announcer.hpp"
+
+#include <ostream>
+
+namespace darwinop::runtime {
+namespace {
+
+std::string nameOf(const FaultRow& fault) {
+  return "darwinop: fault " + std::to_string(static_cast<int>(fault.fault)) + " " + std::string{fault.name};
+}
+
+/// Only of the worst fault is it known which joint it concerns.
+std::string jointOf(const FaultRow& fault, const SafetyReport& safety) {
+  if (fault.fault != safety.worst || safety.worst_joint < 1 || safety.worst_joint > kJoints) return {};
+  return " (" + std::string{kJointTable[safety.worst_joint - 1U].name} + ", id " + std::to_string(safety.worst_joint) +
+         ")";
+}
+
+std::string times(std::uint32_t count) {
+  return std::to_string(count) + (count == 1 ? " time" : " times");
+}
+
+}  // namespace
+
+void FaultAnnouncer::look(const Sensors& seen) {
+  if (seen.cycle == 0) return;
+  for (std::size_t i = 0; i < kFaults; ++i) {
+    const std::string line = change(memory_[i], i, seen);
+    if (!line.empty()) out_ << line << std::flush;  // in one piece: others write there, too
+  }
+}
+
+std::string FaultAnnouncer::change(Memory& memory, std::size_t fault, const Sensors& seen) {
+  const FaultRow& row = kFaultTable[fault];
+  const bool active = seen.safety.active[fault];
+  const bool begins = active && !memory.active;
+  memory.active = active;
+  if (memory.told) {
+    memory.told = active;
+    return active ? "" : nameOf(row) + " is over\n";
+  }
+  if (memory.ever && seen.time_ns - memory.told_ns < kQuiet_ns) {
+    if (begins) ++memory.left_out;
+    return {};
+  }
+  // One that began in the quiet time and still lasts is told now as what it is, not as one left out.
+  if (active && !begins && memory.left_out > 0) --memory.left_out;
+  std::string line;
+  if (memory.left_out > 0) line = nameOf(row) + " came and went " + times(memory.left_out) + " more\n";
+  memory.left_out = 0;
+  if (!active) return line;
+  memory.told = memory.ever = true;
+  memory.told_ns = seen.time_ns;
+  return line + nameOf(row) + jointOf(row, seen.safety) + ": " + std::string{row.meaning} + "; " +
+         std::string{row.remedy} + "\n";
+}
+
+}  // namespace darwinop::runtime

@@ -1,0 +1,39 @@
+// A thread that tells of faults while an embedded loop runs.
+#include "runtime/fault_watch.hpp"
+
+#include <pthread.h>
+#include <signal.h>
+
+#include <chrono>
+#include <iostream>
+
+#include "runtime/fault_announcer.hpp"
+
+namespace darwinop::runtime {
+
+FaultWatch::FaultWatch(const Latest<Sensors>& sensors) : sensors_{sensors}, thread_{[this] { run(); }} {}
+
+FaultWatch::~FaultWatch() {
+  {
+    const std::lock_guard lock{mutex_};
+    stop_ = true;
+  }
+  ending_.notify_one();
+  thread_.join();
+}
+
+void FaultWatch::run() {
+  pthread_setname_np(pthread_self(), "darwinop-faults");
+  sigset_t all;  // a signal shall end the controller's sleep, not this thread's
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  FaultAnnouncer announcer{std::cerr};
+  Sensors seen;
+  std::unique_lock lock{mutex_};
+  for (bool last = false; !last;) {
+    last = ending_.wait_for(lock, std::chrono::milliseconds{100}, [this] { return stop_; });
+    if (sensors_.read(seen)) announcer.look(seen);
+  }
+}
+
+}  // namespace darwinop::runtime

@@ -1,0 +1,31 @@
+// A thread that tells of faults while an embedded loop runs.
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "runtime/exchange.hpp"
+
+namespace darwinop::runtime {
+
+/// Looks at the newest sensors ten times a second and writes to stderr. The loop knows nothing of it.
+class FaultWatch {
+ public:
+  explicit FaultWatch(const Latest<Sensors>& sensors);
+  /// Looks once more, so that nothing of a short run is lost.
+  ~FaultWatch();
+  FaultWatch(const FaultWatch&) = delete;
+  FaultWatch& operator=(const FaultWatch&) = delete;
+
+ private:
+  void run();
+
+  const Latest<Sensors>& sensors_;
+  std::mutex mutex_;
+  std::condition_variable ending_;
+  bool stop_ = false;
+  std::thread thread_;
+};
+
+}  // namespace darwinop::runtime

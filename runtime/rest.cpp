@@ -1,0 +1,44 @@
+#include "runtime/rest.hpp"
+
+#include "core/units.hpp"
+
+namespace darwinop::runtime {
+namespace {
+
+constexpr std::uint64_t kTakenIn = 3;  // cycles until a farewell is seen, acted upon and reported
+// Torque off is a broadcast that nobody acknowledges. After this many cycles every servo has been looked at once
+// and one that did not hear it was told again.
+constexpr std::uint64_t kLookedAtAll = kJoints + 5;
+// A line that hiccups comes back and the kneel goes on; one that stays away for longer cannot be told anything.
+constexpr Nanos kOfflineForGood{3'000'000'000};
+
+}  // namespace
+
+Rest::Rest(const safety::Config& safety, Nanos period)
+    : on_exit_{safety.on_exit},
+      gentle_speed_{safety.gentle_speed},
+      offline_cycles_{static_cast<std::uint64_t>(kOfflineForGood / period)} {}
+
+std::uint64_t Rest::cyclesIn(State state, const Sensors& seen, std::optional<std::uint64_t>& since) noexcept {
+  if (seen.safety.state != state)
+    since.reset();
+  else if (!since)
+    since = seen.cycle;
+  return since ? seen.cycle - *since : 0;
+}
+
+bool Rest::reached(const Sensors& seen) noexcept {
+  if (!first_) first_ = seen.cycle;
+  const std::uint64_t limp = cyclesIn(State::kLimp, seen, limp_since_);
+  const std::uint64_t offline = cyclesIn(State::kOffline, seen, offline_since_);
+  if (seen.cycle - *first_ < kTakenIn) return false;
+  if (on_exit_ == safety::OnExit::kHold) return true;
+  return limp >= kLookedAtAll || offline >= offline_cycles_;
+}
+
+Nanos Rest::atMost() const noexcept {
+  // No joint's range is wider than a turn; half as much again, and time to take over and to come to rest.
+  return safety::fromSeconds(1.5 * 2 * kPi / gentle_speed_ + 5);
+}
+
+}  // namespace darwinop::runtime
