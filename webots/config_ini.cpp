@@ -6,10 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
-#include <cmath>
-#include <fstream>
-#include <iterator>
+#include <cstdio>
+#include <cstring>
+#include <memory>
 #include <stdexcept>
 
 #include "webots/ini_lines.hpp"
@@ -38,6 +39,20 @@ std::string_view jointName(std::string_view key) {
   return key;
 }
 
+/// A key of [Safety] or [Limits]: where such a one is ignored, a limit does not limit.
+bool isLimit(std::string_view key) {
+  bool found = findJoint(jointName(key)).has_value();
+  safety::Config{}.visit([&](std::string_view name, const auto&...) { found = found || name == lowered(key); });
+  return found;
+}
+
+/// Safety's own sentences begin with the usual name of the file; ours have its path.
+std::string_view withoutFile(std::string_view sentence) {
+  constexpr std::string_view kFile = "config.ini, ";
+  if (sentence.starts_with(kFile)) sentence.remove_prefix(kFile.size());
+  return sentence;
+}
+
 /// A whole number from 1 to `high`; "16.0" counts as one, fractions are cut off as they always were.
 int number(std::string_view key, std::string_view value, int high) {
   double parsed = 0;
@@ -54,17 +69,37 @@ class Reader {
   Reader(std::string_view text, const std::string& file) : lines_{text}, file_{file} {}
 
   ConfigReading read() {
-    const int bad_line = ini_parse_stream(&Reader::nextLine, this, &Reader::takePair, this);
+    ini_parse_stream(&Reader::nextLine, this, &Reader::takePair, this);
     if (lines_.cut() > 0) throw std::runtime_error(where(lines_.cut()) + ": the line is too long");
     if (!error_.empty()) throw std::runtime_error(error_);
-    if (bad_line > 0) warn(bad_line, "is no [section], no key = value and no comment; it is ignored");
     finish();
     return std::move(reading_);
   }
 
  private:
   static char* nextLine(char* into, int size, void* self) {
-    return static_cast<Reader*>(self)->lines_.next(into, size);
+    auto* const reader = static_cast<Reader*>(self);
+    char* const line = reader->lines_.next(into, size);
+    if (line != nullptr) reader->look(line);
+    return line;
+  }
+
+  /// Finds what inih passes over in silence.
+  void look(std::string_view line) {
+    if (line.starts_with('[')) {
+      const auto end = line.find(']');
+      if (end == line.npos) return fail("the section's closing bracket ] is missing");
+      if (line.find_first_of("=:", end) != line.npos) return fail("put the key into a line of its own");
+      room_ = lowered(line.substr(1, end - 1));
+    } else if (!line.empty() && line.find_first_of("=:") == line.npos) {
+      if (room_ == "safety" || room_ == "limits") return fail("\"" + std::string{line} + "\" is no key = value");
+      warn(lines_.number(), "is no [section], no key = value and no comment; it is ignored");
+    }
+  }
+
+  /// The first error counts.
+  void fail(std::string_view what) {
+    if (error_.empty()) error_ = where(lines_.number()) + ": " + std::string{withoutFile(what)};
   }
 
   static int takePair(void* self, const char* section, const char* key, const char* value) {
@@ -77,7 +112,7 @@ class Reader {
     try {
       place(section, key, value);
     } catch (const std::exception& wrong) {
-      error_ = where(lines_.number()) + ": " + wrong.what();
+      fail(wrong.what());
     }
   }
 
@@ -94,6 +129,10 @@ class Reader {
       if (name == "camera_width") return keep(config.camera_width, has_width_, number(key, value, 4096));
       if (name == "camera_height") return keep(config.camera_height, has_height_, number(key, value, 4096));
     }
+    if (isLimit(key))
+      throw std::runtime_error("key \"" + std::string{key} + "\" stands in section [" + std::string{section} +
+                               "], where it would limit nothing; it belongs into [Safety], names of joints into "
+                               "[Limits]");
     warn(lines_.number(), "key \"" + std::string{key} + "\" of section [" + std::string{section} +
                               "] means nothing to this version; it is ignored");
   }
@@ -119,7 +158,7 @@ class Reader {
     try {
       config.safety.check();
     } catch (const std::exception& wrong) {
-      throw std::runtime_error(file_ + ": " + wrong.what());
+      throw std::runtime_error(file_ + ", " + std::string{withoutFile(wrong.what())});
     }
   }
 
@@ -130,6 +169,7 @@ class Reader {
   const std::string& file_;
   ConfigReading reading_;
   std::string error_;
+  std::string room_;  // section of the line at hand, in lower case
   bool has_time_step_ = false, has_width_ = false, has_height_ = false;
 };
 
@@ -144,9 +184,20 @@ bool cameraHasSize(int width, int height) {
 }
 
 ConfigReading readConfig(const std::string& path) {
-  std::ifstream in{path};
-  if (!in) return {{}, {"there is no " + path + ": a time step of 16 ms and a camera of 320x240 are used"}};
-  const std::string text{std::istreambuf_iterator<char>{in}, {}};
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file{std::fopen(path.c_str(), "rb"), &std::fclose};
+  if (!file && errno == ENOENT)
+    return {{}, {"there is no " + path + ": a time step of 16 ms and a camera of 320x240 are used"}};
+  std::string text;
+  std::array<char, 4096> part{};
+  while (file) {
+    const std::size_t size = std::fread(part.data(), 1, part.size(), file.get());
+    text.append(part.data(), size);
+    if (size == 0) break;
+  }
+  // The limits of this robot may stand in it: without them nothing may move.
+  if (!file || std::ferror(file.get()))
+    throw std::runtime_error("cannot read " + path + ": " + std::strerror(errno) +
+                             "; make it a file that you may read (chmod a+r), or remove it to use the defaults");
   return parseConfig(text, path);
 }
 

@@ -27,7 +27,7 @@ ConfigReading parseConfig(std::string_view text, const std::string& file);
 /// True for the sizes that the robot's camera offers.
 bool cameraHasSize(int width, int height);
 
-/// Reads `path`; a file that is not there gives the defaults and a warning.
+/// Reads `path`; a file that is not there gives the defaults and a warning, one that cannot be read throws.
 ConfigReading readConfig(const std::string& path);
 
 }  // namespace darwinop::facade

@@ -24,6 +24,11 @@ std::string_view withoutQuotes(std::string_view value) {
   return value;
 }
 
+IniLines::IniLines(std::string_view text) : rest_{text} {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors begin files with it
+  if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+}
+
 char* IniLines::next(char* into, int size) {
   if (rest_.empty() || size < 2) return nullptr;
   const std::size_t length = std::min(rest_.find('\n'), rest_.size());

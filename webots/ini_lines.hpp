@@ -10,7 +10,7 @@ namespace darwinop::facade {
 /// parser that controllers' files were written for took `16.0;text` and `16 # text`, and ignored indentation.
 class IniLines {
  public:
-  explicit IniLines(std::string_view text) : rest_{text} {}
+  explicit IniLines(std::string_view text);
 
   /// As fgets: the next line without indentation and comments, cut to `size`; null at the end. For ini_parse_stream.
   char* next(char* into, int size);

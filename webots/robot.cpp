@@ -73,8 +73,8 @@ int Robot::getType() const {
 }
 
 double Robot::getTime() const {
-  const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(impl_->session().time()).count();
-  return static_cast<double>(ms) / 1000;
+  const auto ms = std::chrono::round<std::chrono::milliseconds>(impl_->session().time());
+  return static_cast<double>(ms.count()) / 1000;
 }
 
 double Robot::getBasicTimeStep() const {

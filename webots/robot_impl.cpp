@@ -1,6 +1,7 @@
 // What stands behind webots::Robot: the session, the command image, the devices.
 #include "webots/robot_impl.hpp"
 
+#include "runtime/daemon_link.hpp"
 #include "webots/Accelerometer.hpp"
 #include "webots/Camera.hpp"
 #include "webots/Gyro.hpp"
@@ -19,6 +20,18 @@ bool usable(Freshness freshness) {
   return freshness.age <= 3;
 }
 
+std::string_view farewell(safety::OnExit on_exit) {
+  switch (on_exit) {
+    case safety::OnExit::kHold:
+      return "ending: the robot holds its pose; its joints stay under torque";
+    case safety::OnExit::kKneel:
+      return "ending: the robot sits down and lets go; a second Ctrl-C would leave its joints under torque";
+    case safety::OnExit::kLimp:
+      break;
+  }
+  return "ending: the robot lets go; a second Ctrl-C would leave its joints under torque";
+}
+
 void warnMissing(const std::string& device) {
   warnOnce(device + " has not answered for 3 cycles: its values are NaN (not a number) until it does");
 }
@@ -26,12 +39,17 @@ void warnMissing(const std::string& device) {
 
 RobotImpl::RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerConfig& config,
                      const std::atomic<bool>& stop)
-    : config_{config}, session_{std::move(link), stop} {
+    : config_{config},
+      stop_{stop},
+      ends_with_us_{link->realTime() && dynamic_cast<const runtime::DaemonLink*>(link.get()) == nullptr},
+      session_{std::move(link), stop} {
   commands_.start_where_it_is = config.safety.start == safety::StartMove::kHold;
   addDevices();
 }
 
-RobotImpl::~RobotImpl() = default;
+RobotImpl::~RobotImpl() {
+  if (stop_ && ends_with_us_) say(farewell(config_.safety.on_exit));
+}
 
 void RobotImpl::addDevices() {
   for (const JointRow& row : kJointTable) {

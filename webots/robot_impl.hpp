@@ -25,6 +25,7 @@ class RobotImpl {
  public:
   /// `stop` becomes true when the user asks the controller to end.
   RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerConfig& config, const std::atomic<bool>& stop);
+  /// The robot comes to rest meanwhile, which takes seconds; a user who asked for the end is told so.
   ~RobotImpl();
   RobotImpl(const RobotImpl&) = delete;
   RobotImpl& operator=(const RobotImpl&) = delete;
@@ -60,6 +61,8 @@ class RobotImpl {
   void refresh();
 
   ControllerConfig config_;
+  const std::atomic<bool>& stop_;
+  bool ends_with_us_;  // the loop: in real time, in this process
   Session session_;
   Commands commands_{};
   std::deque<MotorControl> motors_;  // by joint

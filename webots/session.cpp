@@ -57,8 +57,13 @@ std::string Session::begin(const Commands& first) {
     }
   }
   line_ = TimeLine{link_->period(), sensors_.cycle};
-  origin_ = returned_ = link_->now();
+  origin_ = Nanos{sensors_.time_ns};
+  returned_ = link_->now();
   return {};
+}
+
+Nanos Session::time() const {
+  return reached_ + (link_->realTime() ? link_->now() - returned_ : Nanos{0});
 }
 
 void Session::publish(const Commands& commands, int ms) {
@@ -77,8 +82,10 @@ int Session::wait() {
   if (link_->sensors().cycle < target_) {
     if (!waitForTarget()) return end(stop_ ? std::string{} : link_->whyEnded());
     sensors_ = link_->sensors();
+    reached_ = Nanos{sensors_.time_ns} - origin_;
   } else {
     sensors_ = link_->sensors();
+    reached_ = std::max(time(), Nanos{sensors_.time_ns} - origin_);
     late = link_->now() - due_;
     if (sensors_.cycle > target_) line_.restartAt(sensors_.cycle);
   }

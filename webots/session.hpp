@@ -27,8 +27,9 @@ class Session {
   [[nodiscard]] int wait();
 
   [[nodiscard]] const Sensors& sensors() const { return sensors_; }
-  /// Since the robot stood ready.
-  [[nodiscard]] Nanos time() const { return link_->now() - origin_; }
+  /// Since the robot stood ready. After a step in time it is that of the newest image, so that steps add up exactly;
+  /// it goes on from there, except in lockstep.
+  [[nodiscard]] Nanos time() const;
   [[nodiscard]] Nanos period() const { return link_->period(); }
 
  private:
@@ -42,7 +43,8 @@ class Session {
   TimeLine line_;
   std::uint64_t target_ = 0;    // cycle that this step ends with
   Nanos returned_{0}, due_{0};  // when the last step ended; when this one should
-  Nanos origin_{0};
+  Nanos origin_{0};             // release of the cycle that found the robot ready
+  Nanos reached_{0};            // time() when the last step ended
   bool ended_ = false;
 };
 

@@ -81,7 +81,7 @@ RobotImpl* connectOrExit() {
   }
   owner = getpid();
   owning_thread = std::this_thread::get_id();
-  usual_end = std::set_terminate(endAfterException);
+  if (std::get_terminate() != endAfterException) usual_end = std::set_terminate(endAfterException);
   // Controllers call exit() and never delete their Robot: the farewell must be said all the same.
   std::atexit([] { release(current); });
   return current;

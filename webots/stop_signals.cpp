@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM as a flag, so that a controller can end tidily.
+// Ctrl-C, SIGTERM and SIGHUP as a flag, so that a controller can end tidily; SIGPIPE without effect.
 #include "webots/stop_signals.hpp"
 
 #include <csignal>
@@ -12,6 +12,22 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it"
 void onSignal(int) {
   stop_requested.store(true);
 }
+
+/// A handler and not SIG_IGN, which programs that the controller starts would inherit.
+void onBrokenPipe(int) {}
+
+void handle(int signal, void (*handler)(int), int flags) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigaction(signal, &action, nullptr);
+}
+
+/// What the program or its parent chose for this signal; flags do not matter.
+bool has(int signal, void (*handler)(int)) {
+  struct sigaction now {};
+  return sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) == 0 && now.sa_handler == handler;
+}
 }  // namespace
 
 const std::atomic<bool>& stopRequested() {
@@ -20,14 +36,11 @@ const std::atomic<bool>& stopRequested() {
 
 void installStopSignals() {
   stop_requested = false;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction action {};
-    action.sa_handler = onSignal;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    struct sigaction previous {};
-    if (sigaction(signal, nullptr, &previous) == 0 && previous.sa_handler != SIG_IGN)
-      sigaction(signal, &action, nullptr);
-  }
+  for (const int signal : {SIGINT, SIGTERM})
+    if (!has(signal, SIG_IGN)) handle(signal, onSignal, static_cast<int>(SA_RESETHAND));
+  // A terminal that goes away says so twice, through the kernel and the shell; that is not a user who insists.
+  if (!has(SIGHUP, SIG_IGN)) handle(SIGHUP, onSignal, 0);
+  if (has(SIGPIPE, SIG_DFL)) handle(SIGPIPE, onBrokenPipe, SA_RESTART);
 }
 
 }  // namespace darwinop::facade

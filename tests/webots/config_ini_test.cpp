@@ -2,7 +2,9 @@
 #include "webots/config_ini.hpp"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 namespace darwinop::facade {
@@ -106,6 +108,60 @@ TEST(ConfigIni, ASafetySettingThatIsWrongIsAnError) {
   EXPECT_THAT(errorOf("[Safety]\nstal_ms = 5\n"), HasSubstr("stal_ms"));
   EXPECT_THAT(errorOf("[Safety]\nbattery_low = 9\n"), HasSubstr("battery_empty")) << "the two contradict each other";
   EXPECT_THAT(errorOf("[Limits]\nNose = 0, 1\n"), HasSubstr("Nose"));
+}
+
+TEST(ConfigIni, ASettingOfSafetyInAnotherSectionIsAnErrorAndNotIgnored) {
+  EXPECT_THAT(errorOf("[Saftey]\nStall_ms = 250\n"), HasSubstr("line 2: key \"Stall_ms\" stands in section [Saftey]"));
+  EXPECT_THAT(errorOf("[Limit]\nneck = -0.5, 0.5\n"), HasSubstr("it belongs into [Safety], names of joints into"));
+  EXPECT_THAT(errorOf("Neck = -0.5, 0.5\n"), HasSubstr("line 1"));
+  EXPECT_THAT(errorOf("[Robot Config]\non_exit = limp\n"), HasSubstr("on_exit"));
+  EXPECT_EQ(errorOf("[My Game]\nnose = 1\n"), "no error");
+}
+
+TEST(ConfigIni, ASectionWithoutItsClosingBracketIsAnError) {
+  const std::string expected = "config.ini, line 5: the section's closing bracket ] is missing";
+  EXPECT_EQ(errorOf(kSound + "[Limits\nNeck = -0.5, 0.5\n"), expected);
+  EXPECT_EQ(errorOf(kSound + "[Limits ; ]\nNeck = -0.5, 0.5\n"), expected);
+  EXPECT_EQ(errorOf("\xEF\xBB\xBF[Limits\n"), "config.ini, line 1: the section's closing bracket ] is missing");
+}
+
+TEST(ConfigIni, AKeyBehindItsSectionIsAnErrorAndNotIgnored) {
+  EXPECT_EQ(errorOf("[Limits] Neck = -0.5, 0.5\n"), "config.ini, line 1: put the key into a line of its own");
+}
+
+TEST(ConfigIni, ALimitWithoutAnEqualsSignIsAnError) {
+  EXPECT_EQ(errorOf("[Limits]\nNeck -0.5, 0.5\n"), "config.ini, line 2: \"Neck -0.5, 0.5\" is no key = value");
+  EXPECT_EQ(errorOf("[safety]\non_exit limp\n"), "config.ini, line 2: \"on_exit limp\" is no key = value");
+}
+
+TEST(ConfigIni, EveryLineThatIsNothingIsNamed) {
+  EXPECT_EQ(parseConfig(kSound + "a b\nc d\n", "config.ini").warnings.size(), 2u);
+}
+
+TEST(ConfigIni, AnErrorNamesTheFileOnce) {
+  for (const char* text : {"[Safety]\nstall_ms = never\n", "[Limits]\nNeck = 1, 0\n", "[Safety]\nbattery_low = 9\n"}) {
+    const std::string error = errorOf(text);
+    EXPECT_THAT(error, testing::StartsWith("config.ini, "));
+    EXPECT_EQ(error.find("config.ini", 1), std::string::npos) << error;
+  }
+}
+
+TEST(ConfigIni, AFileThatCannotBeReadIsAnErrorAndNotTakenForAbsent) {
+  const std::string path = testing::TempDir() + "darwinop_config_" + std::to_string(getpid());
+  const auto error = [&] {
+    try {
+      static_cast<void>(readConfig(path));
+    } catch (const std::runtime_error& wrong) {
+      return std::string{wrong.what()};
+    }
+    return std::string{"no error"};
+  };
+  std::filesystem::create_directory(path);
+  EXPECT_THAT(error(), HasSubstr("cannot read " + path + ": Is a directory; "));
+  std::filesystem::remove(path);
+  std::filesystem::create_symlink(path, path);
+  EXPECT_THAT(error(), HasSubstr("cannot read " + path + ": Too many levels of symbolic links; "));
+  std::filesystem::remove(path);
 }
 
 }  // namespace

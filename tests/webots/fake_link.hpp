@@ -24,6 +24,7 @@ struct FakeRobot {
   std::function<void(std::uint64_t cycle)> on_cycle;  // may change the image
   bool gone = false;                                  // the daemon died
   bool farewell = false;
+  bool real_time = true;       // the controller's process hosts the loop; false: lockstep
   int signal_during_wait = 0;  // raised once, inside waitForCycle
 
   FakeRobot() {
@@ -58,7 +59,7 @@ class FakeLink : public runtime::RobotLink {
 
   [[nodiscard]] Nanos period() const override { return robot_.period; }
   [[nodiscard]] Nanos now() const override { return robot_.now; }
-  [[nodiscard]] bool realTime() const override { return false; }
+  [[nodiscard]] bool realTime() const override { return robot_.real_time; }
   void publish(Commands commands) override { robot_.published.push_back(commands); }
 
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override {

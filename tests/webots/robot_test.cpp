@@ -77,6 +77,24 @@ TEST_F(RobotTest, ReleasingTheRobotBeforeItsOwnerIsHarmless) {
   EXPECT_TRUE(fake.farewell);
 }
 
+TEST_F(RobotTest, AUserWhoAsksForTheEndIsToldWhatTheRobotDoesMeanwhile) {
+  const auto said = [&](safety::OnExit on_exit, bool asked, bool real_time) {
+    config.safety.on_exit = on_exit;
+    fake.real_time = real_time;
+    auto impl = std::make_unique<RobotImpl>(std::make_unique<FakeLink>(fake), config, stop);
+    stop = asked;
+    testing::internal::CaptureStderr();
+    impl.reset();
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(said(safety::OnExit::kKneel, true, true),
+            "darwinop: ending: the robot sits down and lets go; a second Ctrl-C would leave its joints under torque\n");
+  EXPECT_THAT(said(safety::OnExit::kLimp, true, true), HasSubstr("ending: the robot lets go"));
+  EXPECT_THAT(said(safety::OnExit::kHold, true, true), HasSubstr("ending: the robot holds its pose"));
+  EXPECT_EQ(said(safety::OnExit::kKneel, false, true), "") << "nobody waits at a terminal";
+  EXPECT_EQ(said(safety::OnExit::kKneel, true, false), "") << "a simulation takes no time";
+}
+
 TEST_F(RobotTest, CustomDataIsKept) {
   robot().setCustomData("left foot");
   EXPECT_EQ(robot().getCustomData(), "left foot");

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <webots/Motor.hpp>
+
 #include "fixture.hpp"
 
 namespace darwinop::facade {
@@ -111,6 +113,67 @@ TEST_F(SessionTest, TimeCountsFromTheMomentTheRobotStoodReady) {
   EXPECT_DOUBLE_EQ(robot().getTime(), 0.016);
   fake.pass(milliseconds{5});
   EXPECT_DOUBLE_EQ(robot().getTime(), 0.021);
+}
+
+TEST_F(SessionTest, StepsAddUpExactlyHoweverLongTheBusTook) {
+  for (const bool real_time : {true, false}) {
+    FakeRobot other;
+    other.real_time = real_time;
+    other.on_cycle = [&](std::uint64_t cycle) { other.now += std::chrono::microseconds{cycle % 7 * 700}; };
+    RobotImpl impl{std::make_unique<FakeLink>(other), config, stop};
+    ASSERT_EQ(impl.begin(), "");
+    for (int n = 1; n <= 100; ++n) {
+      impl.stepBegin(16);
+      ASSERT_EQ(impl.stepEnd(), 0);
+      EXPECT_EQ(impl.session().time(), n * milliseconds{16});
+    }
+  }
+}
+
+TEST_F(SessionTest, TimeIsRoundedToMilliseconds) {
+  robot();
+  fake.pass(std::chrono::microseconds{2600});
+  EXPECT_DOUBLE_EQ(robot().getTime(), 0.003);
+}
+
+TEST_F(SessionTest, InLockstepTimeStandsStillBetweenSteps) {
+  fake.real_time = false;
+  robot();
+  EXPECT_EQ(robot().step(16), 0);
+  fake.pass(milliseconds{9});
+  EXPECT_DOUBLE_EQ(robot().getTime(), 0.016);
+}
+
+TEST_F(SessionTest, TimeDoesNotGoBackOnALateStep) {
+  robot();
+  EXPECT_EQ(robot().step(16), 0);
+  fake.pass(milliseconds{21});
+  EXPECT_DOUBLE_EQ(robot().getTime(), 0.037);
+  EXPECT_GT(robot().step(16), 0);
+  EXPECT_DOUBLE_EQ(robot().getTime(), 0.037);
+}
+
+TEST_F(SessionTest, AControllerInALongStepIsNotTakenForAStalledOne) {
+  robot().getMotor("Neck")->setPosition(0.25);
+  EXPECT_EQ(robot().step(16), 0);
+  std::size_t published = fake.published.size();
+  Nanos heard = fake.now, longest{0};
+  fake.on_cycle = [&](std::uint64_t) {
+    if (fake.published.size() > published) heard = fake.now;
+    published = fake.published.size();
+    longest = std::max(longest, fake.now - heard);
+    EXPECT_DOUBLE_EQ(fake.last().joint[index(Joint::kNeck)].position.value, 0.25);
+  };
+  EXPECT_EQ(robot().step(2000), 0);
+  EXPECT_LT(longest, milliseconds{400}) << "safety holds the robot of a controller that is silent for 500 ms";
+}
+
+TEST_F(SessionTest, ALongStepEndsAtOnceWhenTheUserAsks) {
+  robot();
+  const Nanos start = fake.now;
+  fake.on_cycle = [&](std::uint64_t) { stop = fake.now - start > milliseconds{500}; };
+  EXPECT_EQ(robot().step(10000), -1);
+  EXPECT_LT(fake.now - start, milliseconds{1000});
 }
 
 TEST_F(SessionTest, GettersKeepTheirImageBetweenSteps) {

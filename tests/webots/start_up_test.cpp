@@ -1,12 +1,15 @@
 // Robot(): environment, config.ini, signals, and how it ends the program. The link is replaced at link time.
 #include <gmock/gmock.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <thread>
 
 #include "fixture.hpp"
 #include "link/connect.hpp"
@@ -41,8 +44,7 @@ class StartUp : public testing::Test {
   ~StartUp() override {
     fs::current_path(before_);
     fs::remove(programDirectory() + "/config.ini");
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
   }
   static void writeConfig(const std::string& text) { std::ofstream{programDirectory() + "/config.ini"} << text; }
 
@@ -99,6 +101,27 @@ TEST_F(StartUp, SigtermMakesStepReturnMinusOne) {
   EXPECT_EQ(robot.step(16), -1);
 }
 
+TEST_F(StartUp, ATerminalThatGoesAwayMakesStepReturnMinusOneHoweverOftenItSaysSo) {
+  webots::Robot robot;
+  std::raise(SIGHUP);
+  std::raise(SIGHUP);
+  EXPECT_EQ(robot.step(16), -1);
+}
+
+TEST_F(StartUp, APipeThatNobodyReadsDoesNotEndTheController) {
+  webots::Robot robot;
+  std::raise(SIGPIPE);
+  EXPECT_EQ(robot.step(16), 0);
+}
+
+TEST_F(StartUp, AHandlerThatTheControllerHasForPipesStays) {
+  static int caught = 0;
+  std::signal(SIGPIPE, [](int) { ++caught; });
+  webots::Robot robot;
+  std::raise(SIGPIPE);
+  EXPECT_EQ(caught, 1);
+}
+
 TEST_F(StartUp, ASignalThatTheParentIgnoresStaysIgnored) {
   std::signal(SIGINT, SIG_IGN);
   webots::Robot robot;
@@ -134,18 +157,56 @@ TEST_F(StartUpDeathTest, ASecondRobotIsASentenceAndStatusOne) {
   EXPECT_EXIT(webots::Robot{}, testing::ExitedWithCode(1), "a second Robot was made");
 }
 
+/// At the end of the program or when std::terminate() has been called.
+void tellOfFarewell() {
+  std::fputs(robot_to_meet->farewell ? "farewell was said\n" : "not a word\n", stderr);
+}
+struct TellAtExit {
+  ~TellAtExit() { tellOfFarewell(); }
+};
+
 TEST_F(StartUpDeathTest, ExitSaysFarewellForARobotThatNobodyDeletes) {
-  struct Told {
-    FakeRobot& fake;
-    ~Told() { std::fputs(fake.farewell ? "farewell was said\n" : "not a word\n", stderr); }
-  };
   EXPECT_EXIT(
       {
-        static const Told told{fake_};
+        static const TellAtExit told;
         new webots::Robot;
         std::exit(0);
       },
       testing::ExitedWithCode(0), "farewell was said");
+}
+
+TEST_F(StartUpDeathTest, AChildThatTheControllerForksSaysNoFarewellForIt) {
+  EXPECT_EXIT(
+      {
+        static const TellAtExit told;
+        new webots::Robot;
+        if (fork() == 0) std::exit(0);
+        wait(nullptr);
+        _exit(0);
+      },
+      testing::ExitedWithCode(0), "not a word");
+}
+
+TEST_F(StartUpDeathTest, AnUncaughtExceptionSaysFarewellBeforeTheUsualEnd) {
+  EXPECT_EXIT(
+      {
+        std::set_terminate(tellOfFarewell);
+        { const webots::Robot before; }
+        fake_.farewell = false;
+        new webots::Robot;
+        []() noexcept { throw std::runtime_error("a mistake"); }();
+      },
+      testing::KilledBySignal(SIGABRT), "farewell was said");
+}
+
+TEST_F(StartUpDeathTest, AnUncaughtExceptionOfAnotherThreadLeavesTheLinkAlone) {
+  EXPECT_EXIT(
+      {
+        std::set_terminate(tellOfFarewell);
+        new webots::Robot;
+        std::thread{[] { throw std::runtime_error("a mistake"); }}.join();
+      },
+      testing::KilledBySignal(SIGABRT), "not a word");
 }
 
 }  // namespace
