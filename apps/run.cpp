@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 
 #include "runtime/controller_run.hpp"
@@ -12,6 +13,14 @@ namespace {
 constexpr const char* kRobotHelp =
     "which robot: runtime (the daemon), a serial device or pty (/dev/ttyUSB0), virtual (in the controller's process, "
     "simulated time). Unset: DARWINOP_ROBOT, or else what is there";
+
+/// CLI11 knows nothing of what allow_extras() lets through.
+class Usage : public CLI::Formatter {
+ public:
+  std::string make_usage(const CLI::App*, std::string name) const override {
+    return "Usage: " + name + " [OPTIONS] CONTROLLER [arguments of the controller]\n";
+  }
+};
 
 /// A controller changes to its own folder before it looks at names.
 std::string absolute(const std::string& path) {
@@ -29,14 +38,16 @@ int main(int count, char** arguments) {
   int period_ms = 0;
   CLI::App app{
       "Runs a controller on a robot and reports how the loop fared. The last line begins with \"report:\" and is made "
-      "for scripts.\n\n  darwinop run [OPTIONS] CONTROLLER [arguments of the controller]\n\n"
+      "for scripts.\n\n"
       "CONTROLLER is the built program, or its folder. After -- everything is the controller's.",
       "darwinop run"};
+  app.formatter(std::make_shared<Usage>());
+  app.set_version_flag("--version", DARWINOP_VERSION);
   app.add_option("--robot", request.robot, kRobotHelp);
   app.add_option("--record", request.record, "write every cycle to this CSV file, see docs/logs.md");
   app.add_option("--period", period_ms, "period of the loop in ms: 16, or 8 when only goals are sent")
       ->check(CLI::Range(1, 1000));
-  app.footer("Example, without a robot:\n  darwinop run --robot virtual controllers/01_hello_head");
+  app.footer("Example, without a robot:\n  darwinop run --robot virtual build/release/controllers/01_hello_head");
   app.allow_extras();  // what is no option of ours belongs to the controller, in the order given
   CLI11_PARSE(app, count, arguments);
   request.command = app.remaining();

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -44,6 +45,8 @@ runtime::LoopConfig loopConfig(const Arguments& given) {
   config.record_path = given.record;
   config.real_time.demand = runtime::realTimeFromText(given.real_time);
   if (given.config.empty()) return config;
+  if (!std::ifstream{given.config})
+    throw std::runtime_error("cannot read " + given.config + "; name a file that is there with --config");
   const facade::ConfigReading reading = facade::readConfig(given.config);
   for (const std::string& warning : reading.warnings) std::cerr << warning << '\n';
   config.safety = reading.config.safety;
@@ -103,11 +106,13 @@ int main(int count, char** arguments) {
       app.add_flag("--status", given.status, "tell state, faults, battery, who drives and how the loop fares"),
       app.add_flag("--reset-faults", given.reset_faults, "forget latched faults"),
       app.add_flag("--release", given.release, "torque off on every joint, now: hold the robot")};
+  app.set_version_flag("--version", DARWINOP_VERSION);
   ask[0]->excludes(ask[1])->excludes(ask[2]);
   ask[1]->excludes(ask[2]);
   app.footer(
       "Example, without a robot:\n  darwinop virtual-robot --link /tmp/robot &\n"
-      "  darwinop runtime --robot /tmp/robot &\n  darwinop run --robot runtime controllers/01_hello_head");
+      "  darwinop runtime --robot /tmp/robot &\n  darwinop run --robot runtime "
+      "build/release/controllers/01_hello_head");
   CLI11_PARSE(app, count, arguments);
   try {
     return carryOut(given);

@@ -30,11 +30,12 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_flag("--fast", a.fast, "Answer at once instead of at 1 Mbaud");
   app.add_option("--faults", a.faults, "What goes wrong when; format: docs/virtual-robot.md")->check(CLI::ExistingFile);
   app.add_option("--seed", a.seed, "Of everything random")->capture_default_str();
-  app.add_option("--for", a.for_s, "End after so many seconds")->check(CLI::PositiveNumber);
+  app.add_option("--for", a.for_s, "End after so many seconds")->check(CLI::Range(0.01, 1e6));
   app.add_option("--latency-timer", a.latency_ms, "Hold replies back as an FTDI bridge does, ms (16 is its default)")
       ->check(CLI::Range(0, 255));
   app.footer(
-      "Example:\n  darwinop-virtual-robot --link /tmp/darwin &\n  darwinop run ./my_controller --robot /tmp/darwin\n");
+      "Example:\n  darwinop-virtual-robot --link /tmp/darwin &\n  darwinop run --robot /tmp/darwin "
+      "build/release/controllers/01_hello_head\n");
 }
 
 /// Until SIGINT, SIGTERM, or the time is over. The signals are blocked in every thread.

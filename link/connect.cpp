@@ -80,8 +80,7 @@ cm730::ProbeReport lookAt(ByteLine& line, const std::string& port, Nanos period)
   const cm730::RobotFacts& facts = report.facts;
   const std::string ask_more = "Ask for the whole list with: darwinop doctor --robot " + port;
   if (!facts.board.readable || servosFound(facts) == 0 || std::ranges::any_of(facts.servo, too_old))
-    throw std::runtime_error("the robot on " + port + " cannot be driven:\n" + troubles(report.findings) +
-                             ask_more);
+    throw std::runtime_error("the robot on " + port + " cannot be driven:\n" + troubles(report.findings) + ask_more);
   // The bus would give up on the servos at the end of the chain in every cycle, and they would count as silent.
   if (const Nanos cycle = cm730::cycleTime(facts); cycle > period - kSpare)
     throw std::runtime_error("the robot on " + port + " cannot be driven with a period of " + inMs(period) +

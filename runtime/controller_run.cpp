@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -91,9 +92,23 @@ class LookOn {
 /// Figures of a loop over the run.
 class Figures {
  public:
-  explicit Figures(Exchange exchange) : exchange_{std::move(exchange)} { exchange_.block().stats.copyTo(*before_); }
+  explicit Figures(Exchange exchange) : exchange_{std::move(exchange)}, session_{exchange_.block().session.load()} {
+    exchange_.block().stats.copyTo(*before_);
+  }
   /// Counts from the start of the loop.
   void fromTheBeginning() { *before_ = StatsView{}; }
+
+  /// Somebody has begun to drive since. A daemon may well run while the controller drives another robot.
+  [[nodiscard]] bool driven() const { return exchange_.block().session.load() != session_; }
+
+  /// The loop ended, together with its process, while joints of a real robot may have had torque.
+  [[nodiscard]] bool leftTorque() const {
+    const auto now = std::make_unique<StatsView>();
+    exchange_.block().stats.copyTo(*now);
+    Sensors last;
+    const bool timed = !std::isnan(now->wake.max());  // in simulated time nothing is measured
+    return timed && exchange_.block().sensors.read(last) && last.safety.state != State::kLimp;
+  }
 
   void print() const {
     const auto now = std::make_unique<StatsView>();
@@ -106,6 +121,7 @@ class Figures {
 
  private:
   Exchange exchange_;
+  std::uint32_t session_;
   std::unique_ptr<StatsView> before_ = std::make_unique<StatsView>();
 };
 
@@ -149,11 +165,17 @@ pid_t start(const RunRequest& request, const std::string& program, const std::st
   _exit(errno == ENOENT ? 127 : 126);
 }
 
-int waitFor(pid_t pid) {
+struct Ending {
+  int status;     // for the shell
+  bool a_signal;  // ended it
+};
+
+Ending waitFor(pid_t pid) {
   int status = 0;
   while (waitpid(pid, &status, 0) < 0)
-    if (errno != EINTR) return 1;
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    if (errno != EINTR) return {1, false};
+  if (WIFSIGNALED(status)) return {128 + WTERMSIG(status), true};
+  return {WEXITSTATUS(status), false};
 }
 
 }  // namespace
@@ -176,14 +198,19 @@ int runController(const RunRequest& request) {
   const LookOn look_on;
   const std::optional<Figures> daemon = tryAttach(attachToDaemon, RuntimeFiles{});
   catchSignals();
-  const int status = waitFor(start(request, program, look_on.path()));
-  if (status > 128) std::cerr << "the controller was ended by signal " << status - 128 << std::endl;
+  const auto [status, a_signal] = waitFor(start(request, program, look_on.path()));
+  if (a_signal) std::cerr << "the controller was ended by signal " << status - 128 << std::endl;
 
   const auto attach = [](const RuntimeFiles& files) { return Exchange::attach(files.exchange); };
   if (auto embedded = tryAttach(attach, RuntimeFiles{look_on.path()})) {
+    if (a_signal && embedded->leftTorque())
+      std::cerr
+          << "no loop is left: the joints keep their torque and last goals. Hold the robot; pressing RESET on its "
+             "back (or `darwinop run` again) lets go"
+          << std::endl;
     embedded->fromTheBeginning();
     embedded->print();
-  } else if (daemon) {
+  } else if (daemon && daemon->driven()) {
     daemon->print();
   } else {
     std::cout << '\n' << reportText({}, {}) << reportLine({}, {}) << std::endl;

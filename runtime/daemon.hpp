@@ -10,8 +10,8 @@
 #include "runtime/clock.hpp"
 #include "runtime/file_lock.hpp"
 #include "runtime/loop_host.hpp"
-#include "runtime/rest.hpp"
 #include "runtime/names.hpp"
+#include "runtime/rest.hpp"
 
 namespace darwinop::runtime {
 

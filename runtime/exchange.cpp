@@ -40,9 +40,11 @@ std::string notPermitted(const std::string& path) {
   if (stat(path.c_str(), &status) != 0) return "cannot open " + path + ": its folder may not be read";
   const group* found = getgrgid(status.st_gid);
   const std::string name = found == nullptr ? std::to_string(status.st_gid) : found->gr_name;
-  return "a runtime of another user runs (" + path + ") and you are not permitted to use it: only its user and group '" +
-         name + "' are. Become a member of a group of your own choice, have the runtime started with --group GROUP, "
-         "and log in again. If that runtime has ended, remove what is left of it: sudo rm " + path;
+  return "a runtime of another user runs (" + path +
+         ") and you are not permitted to use it: only its user and group '" + name +
+         "' are. Become a member of a group of your own choice, have the runtime started with --group GROUP, "
+         "and log in again. If that runtime has ended, remove what is left of it: sudo rm " +
+         path;
 }
 
 void unmap(ExchangeBlock* block) {

@@ -24,11 +24,11 @@ class FaultAnnouncer {
 
  private:
   struct Memory {
-    bool active = false;           // in the image before
-    bool told = false;             // its begin was told, its end not yet
-    bool ever = false;             // its begin was told at `told_ns`
+    bool active = false;  // in the image before
+    bool told = false;    // its begin was told, its end not yet
+    bool ever = false;    // its begin was told at `told_ns`
     std::int64_t told_ns = 0;
-    std::uint32_t left_out = 0;    // begins nobody was told of
+    std::uint32_t left_out = 0;  // begins nobody was told of
   };
   [[nodiscard]] static std::string change(Memory& memory, std::size_t fault, const Sensors& seen);
 

@@ -30,8 +30,7 @@ std::string daemonStatus(const RuntimeFiles& files) {
                      (driver == 0  ? "none"
                       : driver < 0 ? "of another user"
                                    : "pid " + std::to_string(driver)) +
-                     ", session " +
-                     std::to_string(block.session.load()) + "\n";
+                     ", session " + std::to_string(block.session.load()) + "\n";
   // The last session is the operator's own: no controller has come since.
   const std::uint32_t released = block.released.load();
   const bool limp = released != 0 && released == block.session.load() && last.safety.state != State::kOffline;

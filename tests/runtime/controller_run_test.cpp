@@ -10,7 +10,10 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "child.hpp"
 #include "environment.hpp"
+#include "fake_bus.hpp"
+#include "runtime/daemon.hpp"
 #include "temporary_folder.hpp"
 
 namespace darwinop::runtime {
@@ -22,15 +25,17 @@ using testing::StartsWith;
 
 struct Outcome {
   int status;
-  std::string said, last_line;
+  std::string said, warned, last_line;
 };
 
 Outcome run(const std::string& argument) {
   const Environment away{"DARWINOP_RUNTIME_NAME", "darwinop-test-none"};
   testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
   Outcome outcome;
   outcome.status = runController({{MINI_CONTROLLER, argument}, "virtual", "", "8"});
   outcome.said = testing::internal::GetCapturedStdout();
+  outcome.warned = testing::internal::GetCapturedStderr();
   const std::string text = outcome.said.substr(0, outcome.said.size() - 1);
   outcome.last_line = text.substr(text.rfind('\n') + 1);
   return outcome;
@@ -40,13 +45,19 @@ TEST(Run, PassesTheStatusOnAndEndsWithTheReportOfTheWholeRun) {
   const Outcome outcome = run("");
   EXPECT_EQ(outcome.status, 7);
   EXPECT_THAT(outcome.said, HasSubstr("robot=virtual period=8\n"));
-  EXPECT_THAT(outcome.last_line, ContainsRegex("^report: cycles=[2-9][0-9]+ overruns=0 wake_p50_us=nan .* stale=0$"));
+  EXPECT_THAT(outcome.last_line,
+              ContainsRegex("^report: cycles=([2-9][0-9]|[1-9][0-9][0-9]) overruns=0 wake_p50_us=nan .* stale=0$"));
 }
 
 TEST(Run, ReportsAControllerThatWasKilled) {
   const Outcome outcome = run("die");
   EXPECT_EQ(outcome.status, 128 + SIGKILL);
   EXPECT_THAT(outcome.last_line, StartsWith("report: cycles=20 "));
+  EXPECT_THAT(outcome.warned, testing::Not(HasSubstr("torque"))) << "a robot in simulated time has none to hold";
+}
+
+TEST(Run, SaysThatNoLoopIsLeftWhenTheControllerThatHadItIsKilled) {
+  EXPECT_THAT(run("crash").warned, HasSubstr("no loop is left: the joints keep their torque and last goals"));
 }
 
 TEST(Run, HandsOnASignalThatAnotherProcessSends) {
@@ -58,6 +69,19 @@ TEST(Run, ReportsNothingRunForAProgramThatIsNoController) {
   testing::internal::CaptureStdout();
   EXPECT_EQ(runController({{"/bin/false"}, "", "", ""}), 1);
   EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("\nreport: cycles=0 overruns=0 wake_p50_us=nan"));
+}
+
+TEST(Run, LeavesTheFiguresOfADaemonAloneThatItDidNotDrive) {
+  const TemporaryFolder folder;
+  const RuntimeFiles files{folder / "runtime"};
+  const Child daemon{[&] {
+    static Daemon serving{LoopConfig{}, files, claimRuntime(files, getgid()), getgid(), std::make_unique<FakeBus>()};
+    usleep(50'000);
+  }};
+  const Environment there{"DARWINOP_RUNTIME_NAME", files.exchange};
+  testing::internal::CaptureStdout();
+  EXPECT_EQ(runController({{MINI_CONTROLLER, "away"}, "", "", ""}), 3);
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("has not run a cycle"));
 }
 
 TEST(Run, LeavesNoFileBehind) {

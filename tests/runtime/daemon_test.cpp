@@ -2,10 +2,13 @@
 #include "runtime/daemon.hpp"
 
 #include <gmock/gmock.h>
+#include <grp.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "child.hpp"
@@ -164,6 +167,40 @@ TEST_F(DaemonTest, AnOperatorCanReleaseTheRobotUnderAController) {
   releaseRobot(files_);
   EXPECT_FALSE(link.waitForCycle(link.sensors().cycle + 1000, stop_));
   EXPECT_THAT(link.whyEnded(), HasSubstr("operator"));
+  EXPECT_THAT(daemonStatus(files_), HasSubstr("state         released by an operator; joints are limp"));
+}
+
+TEST_F(DaemonTest, TellsOfAFaultWhenItBeginsAndWhenItIsOver) {
+  testing::internal::CaptureStderr();
+  const RuntimeFiles files{folder_ / "other"};
+  std::unique_ptr<Daemon> daemon;
+  {
+    const Child other{[&] { serve(files, daemon); }};
+    DaemonLink link{files};
+    drive(link, 0.1, stop_);
+    std::this_thread::sleep_for(800ms);  // 500 ms make a stalled controller
+    drive(link, 0.2, stop_);
+    std::this_thread::sleep_for(200ms);
+  }
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(told, HasSubstr("darwinop: fault 40 controller_stalled: "));
+  EXPECT_THAT(told, HasSubstr("darwinop: fault 40 controller_stalled is over\n"));
+}
+
+TEST_F(DaemonTest, WhoMayNotUseItIsToldSo) {
+  const TemporaryFolder folder;
+  chmod((folder / "").c_str(), 0777);
+  chmod((folder_ / "").c_str(), 0755);
+  const std::string said = folder / "said";
+  const Child nobody{[&] {
+    if (getuid() == 0 && setgroups(0, nullptr) == 0 && setgid(65534) == 0 && setuid(65534) == 0)
+      std::ofstream{said} << daemonPid(files_) << ' ' << refusal();
+  }};
+  std::ifstream in{said};
+  if (!in) GTEST_SKIP() << "only root can become another user";
+  const std::string told{std::istreambuf_iterator<char>{in}, {}};
+  EXPECT_THAT(told, HasSubstr("-1 a runtime of another user runs"));
+  EXPECT_THAT(told, HasSubstr("sudo rm " + files_.exchange));
 }
 
 TEST_F(DaemonTest, StatusTellsWhoDrivesAndHowTheLoopFares) {

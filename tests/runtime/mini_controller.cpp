@@ -6,15 +6,34 @@
 #include <iostream>
 #include <string_view>
 
+#include "runtime/threaded_link.hpp"
 #include "simulated_robot.hpp"
 
 namespace {
 std::atomic<bool>* told = nullptr;
+
+/// In the middle of driving a robot in real time.
+void crash() {
+  using namespace darwinop;
+  runtime::LoopConfig config;
+  config.period = std::chrono::milliseconds{2};
+  runtime::ThreadedLink link{config, std::make_unique<runtime::FakeBus>()};
+  const std::atomic<bool> stop{false};
+  Commands commands;
+  commands.start_where_it_is = true;
+  while (link.sensors().safety.state != State::kDriven) {
+    link.publish(commands);
+    (void)link.waitForCycle(link.sensors().cycle + 1, stop);
+  }
+  std::raise(SIGKILL);
 }
+}  // namespace
 
 int main(int count, char** arguments) {
   using namespace darwinop::runtime;
   const std::string_view end = count > 1 ? arguments[1] : "";
+  if (end == "away") return 3;  // never makes a robot here
+  if (end == "crash") crash();
   SimulatedRobot sim;
   told = &sim.stop;
   sim.step({}, 20);

@@ -58,6 +58,16 @@ TEST(ThreadedLink, GoesOnWhileTheControllerDoesNothing) {
   EXPECT_GT(link.sensors().cycle, 10u);
 }
 
+TEST(ThreadedLink, TellsOfAFaultWhileItRuns) {
+  testing::internal::CaptureStderr();
+  {
+    ThreadedLink link{quick(), std::make_unique<FakeBus>()};
+    link.publish({});
+    std::this_thread::sleep_for(700ms);
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("darwinop: fault 40 controller_stalled: "));
+  }
+}
+
 /// Runs in a process without rights, whoever runs the tests; what it prints comes back.
 std::string asNobody(RealTime demand) {
   const TemporaryFolder folder;

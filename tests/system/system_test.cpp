@@ -29,6 +29,17 @@ std::vector<Goals> goalsSent(const std::string& recording) {
   return goals;
 }
 
+/// The same goals in the same order. In real time the newest image wins: a controller that the machine kept waiting
+/// may offer two within a cycle, and the first of them is never sent. That is allowed for one in ten.
+void expectTheSame(const std::vector<Goals>& sent, const std::vector<Goals>& lockstep) {
+  std::size_t at = 0;
+  for (const Goals& goals : sent) {
+    while (at < lockstep.size() && lockstep[at] != goals) ++at;
+    ASSERT_LT(at, lockstep.size()) << "neck " << goals[0] << ", elbow " << goals[1] << ": never sent in lockstep";
+  }
+  EXPECT_GE(sent.size(), lockstep.size() * 9 / 10);
+}
+
 using WholeChain = Rig;
 
 TEST_F(WholeChain, OneControllerSendsTheSameGoalsEmbeddedThroughTheDaemonAndInLockstep) {
@@ -45,8 +56,8 @@ TEST_F(WholeChain, OneControllerSendsTheSameGoalsEmbeddedThroughTheDaemonAndInLo
 
   const auto lockstep = goalsSent(file("lockstep.csv"));
   ASSERT_GE(lockstep.size(), 200U);
-  EXPECT_EQ(goalsSent(file("embedded.csv")), lockstep);
-  EXPECT_EQ(goalsSent(file("daemon.csv")), lockstep);
+  expectTheSame(goalsSent(file("embedded.csv")), lockstep);
+  expectTheSame(goalsSent(file("daemon.csv")), lockstep);
 }
 
 class Period : public Rig, public testing::WithParamInterface<int> {};

@@ -162,7 +162,7 @@ TEST_F(SessionTest, AControllerInALongStepIsNotTakenForAStalledOne) {
     if (fake.published.size() > published) heard = fake.now;
     published = fake.published.size();
     longest = std::max(longest, fake.now - heard);
-    EXPECT_DOUBLE_EQ(fake.last().joint[index(Joint::kNeck)].position.value, 0.25);
+    EXPECT_DOUBLE_EQ(fake.last().joint[index(Joint::kNeck)].goal.value, 0.25);
   };
   EXPECT_EQ(robot().step(2000), 0);
   EXPECT_LT(longest, milliseconds{400}) << "safety holds the robot of a controller that is silent for 500 ms";

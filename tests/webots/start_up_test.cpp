@@ -157,6 +157,10 @@ TEST_F(StartUpDeathTest, ASecondRobotIsASentenceAndStatusOne) {
   EXPECT_EXIT(webots::Robot{}, testing::ExitedWithCode(1), "a second Robot was made");
 }
 
+void failUncaught() {
+  throw std::runtime_error("a mistake");
+}
+
 /// At the end of the program or when std::terminate() has been called.
 void tellOfFarewell() {
   std::fputs(robot_to_meet->farewell ? "farewell was said\n" : "not a word\n", stderr);
@@ -194,7 +198,7 @@ TEST_F(StartUpDeathTest, AnUncaughtExceptionSaysFarewellBeforeTheUsualEnd) {
         { const webots::Robot before; }
         fake_.farewell = false;
         new webots::Robot;
-        []() noexcept { throw std::runtime_error("a mistake"); }();
+        []() noexcept { failUncaught(); }();
       },
       testing::KilledBySignal(SIGABRT), "farewell was said");
 }
@@ -204,7 +208,7 @@ TEST_F(StartUpDeathTest, AnUncaughtExceptionOfAnotherThreadLeavesTheLinkAlone) {
       {
         std::set_terminate(tellOfFarewell);
         new webots::Robot;
-        std::thread{[] { throw std::runtime_error("a mistake"); }}.join();
+        std::thread{failUncaught}.join();
       },
       testing::KilledBySignal(SIGABRT), "not a word");
 }

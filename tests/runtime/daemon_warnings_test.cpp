@@ -1,0 +1,43 @@
+// What a controller is told when it asks a daemon for what only the daemon's own start can give.
+#include "link/daemon_warnings.hpp"
+
+#include <gmock/gmock.h>
+
+namespace darwinop::link {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+TEST(DaemonWarnings, SayNothingWhenNothingIsAskedFor) {
+  EXPECT_EQ(daemonWarnings(Request{}, 16ms), "");
+}
+
+TEST(DaemonWarnings, NameTheRightWayToRecord) {
+  Request request;
+  request.record_path = "/tmp/walk.csv";
+  EXPECT_THAT(daemonWarnings(request, 16ms), HasSubstr("darwinop runtime --record FILE"));
+}
+
+TEST(DaemonWarnings, NameBothPeriods) {
+  Request request;
+  request.period = 8ms;
+  const std::string told = daemonWarnings(request, 16ms);
+  EXPECT_THAT(told, HasSubstr("period of 16 ms holds, not the 8 ms"));
+  EXPECT_THAT(told, HasSubstr("darwinop runtime --period 8\n"));
+}
+
+TEST(DaemonWarnings, TellOfSettingsRangesAndChoicesThatDoNotHold) {
+  const auto warned = [](auto change) {
+    Request request;
+    change(request.safety);
+    return daemonWarnings(request, 16ms).find("[Safety] and [Limits]") != std::string::npos;
+  };
+  EXPECT_TRUE(warned([](safety::Config& c) { c.stall_ms = 400; }));
+  EXPECT_TRUE(warned([](safety::Config& c) { c.on_exit = safety::OnExit::kLimp; }));
+  EXPECT_TRUE(warned([](safety::Config& c) { c.range[18].low = Rad{-0.5}; }));
+  EXPECT_FALSE(warned([](safety::Config& c) { c.period = 8ms; })) << "the loop's own period, no setting";
+}
+
+}  // namespace
+}  // namespace darwinop::link

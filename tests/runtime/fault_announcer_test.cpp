@@ -1,0 +1,97 @@
+// What a person is told of faults, and how often.
+#include "runtime/fault_announcer.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace darwinop::runtime {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+/// Images 0.1 s apart and what was told of each.
+struct Listener {
+  std::ostringstream out;
+  FaultAnnouncer announcer{out};
+  Sensors seen;
+
+  std::string look() {
+    ++seen.cycle;
+    seen.time_ns += 100'000'000;
+    out.str("");
+    announcer.look(seen);
+    return out.str();
+  }
+  void set(Fault fault, bool active) {
+    for (std::size_t i = 0; i < kFaults; ++i)
+      if (kFaultTable[i].fault == fault) seen.safety.active[i] = active;
+  }
+  std::string look(Fault fault, bool active) {
+    set(fault, active);
+    return look();
+  }
+};
+
+TEST(FaultAnnouncer, TellsTheBeginOnceWithJointMeaningAndRemedyAndThenTheEnd) {
+  Listener l;
+  l.seen.safety.worst = Fault::kServoOverload;
+  l.seen.safety.worst_joint = 19;
+  const FaultRow& fault = row(Fault::kServoOverload);
+  EXPECT_EQ(l.look(Fault::kServoOverload, true),
+            "darwinop: fault 24 servo_overload (Neck, id 19): " + std::string{fault.meaning} + "; " +
+                std::string{fault.remedy} + "\n");
+  for (int i = 0; i < 100; ++i) EXPECT_THAT(l.look(), IsEmpty());
+  EXPECT_EQ(l.look(Fault::kServoOverload, false), "darwinop: fault 24 servo_overload is over\n");
+  EXPECT_THAT(l.look(), IsEmpty());
+}
+
+TEST(FaultAnnouncer, NamesTheJointOfTheWorstFaultOnly) {
+  Listener l;
+  l.seen.safety.worst = Fault::kBatteryEmpty;
+  l.seen.safety.worst_joint = 0;
+  EXPECT_THAT(l.look(Fault::kBatteryEmpty, true), StartsWith("darwinop: fault 21 battery_empty: "));
+  l.seen.safety.worst_joint = 3;
+  EXPECT_THAT(l.look(Fault::kServoHot, true), StartsWith("darwinop: fault 22 servo_hot: "));
+}
+
+TEST(FaultAnnouncer, CountsWhatComesAndGoesWithinFiveSeconds) {
+  Listener l;
+  std::string told;
+  for (int i = 0; i < 20; ++i) told += l.look(Fault::kServoSilent, i % 2 == 0);
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 2) << told;
+  told.clear();
+  for (int i = 0; i < 50; ++i) told += l.look();
+  EXPECT_EQ(told, "darwinop: fault 12 servo_silent came and went 9 times more\n");
+  EXPECT_THAT(l.look(Fault::kServoSilent, true), HasSubstr(row(Fault::kServoSilent).meaning)) << "as new again";
+}
+
+TEST(FaultAnnouncer, TellsAfterFiveSecondsOfOneThatBeganMeanwhileAndLasts) {
+  Listener l;
+  l.look(Fault::kFell, true);
+  l.look(Fault::kFell, false);
+  EXPECT_THAT(l.look(Fault::kFell, true), IsEmpty());
+  std::string told;
+  for (int i = 0; i < 50; ++i) told += l.look();
+  EXPECT_THAT(told, StartsWith("darwinop: fault 30 fell: "));
+  EXPECT_EQ(l.look(Fault::kFell, false), "darwinop: fault 30 fell is over\n");
+}
+
+TEST(FaultAnnouncer, OneFaultDoesNotSilenceAnother) {
+  Listener l;
+  l.look(Fault::kFell, true);
+  EXPECT_THAT(l.look(Fault::kBatteryLow, true), StartsWith("darwinop: fault 20 battery_low: "));
+}
+
+TEST(FaultAnnouncer, SaysNothingBeforeTheFirstCycle) {
+  Listener l;
+  l.set(Fault::kBusSilent, true);
+  l.announcer.look(l.seen);
+  EXPECT_THAT(l.out.str(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace darwinop::runtime
