@@ -8,12 +8,11 @@
 #include <vector>
 
 #include "hil-mocks/pty.hpp"
-#include "runtime/temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace darwinop::cm730 {
 
 using hil::Pty;
-using runtime::TemporaryFolder;
 
 inline void send(Pty& pty, Bytes bytes) {
   ASSERT_EQ(pty.write(bytes), bytes.size());

@@ -7,29 +7,12 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <cstdlib>
 #include <ctime>
-#include <new>
 #include <optional>
 #include <thread>
 
 #include "hal_cm730/pty.hpp"
-
-namespace {
-thread_local long allocations = 0;
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc{};
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "support/allocation_probe.hpp"
 
 namespace darwinop::cm730 {
 namespace {
@@ -177,7 +160,7 @@ TEST(SerialPort, AllocatesNothingInUseNorWhenItIsLost) {
   send(*pty, kBytes);
   std::array<std::uint8_t, 8> into{};
   std::size_t count = 0;
-  const long before = allocations;
+  const long before = allocationsOfThisThread();
   EXPECT_EQ(port.write(kBytes), LineStatus::kOk);
   EXPECT_EQ(port.read(into, count, port.now() + 1s), LineStatus::kOk);
   EXPECT_EQ(port.read(into, count, port.now() + 1ms), LineStatus::kTimeout);
@@ -185,7 +168,7 @@ TEST(SerialPort, AllocatesNothingInUseNorWhenItIsLost) {
   pty.reset();
   EXPECT_EQ(port.read(into, count, port.now() + 1s), LineStatus::kLost);
   EXPECT_EQ(port.write(kBytes), LineStatus::kLost);
-  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(allocationsOfThisThread() - before, 0);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include "environment.hpp"
 #include "fake_bus.hpp"
 #include "runtime/daemon.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace darwinop::runtime {
 namespace {

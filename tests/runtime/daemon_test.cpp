@@ -15,7 +15,7 @@
 #include "fake_bus.hpp"
 #include "runtime/daemon_link.hpp"
 #include "runtime/operator.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace darwinop::runtime {
 namespace {

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "child.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace darwinop::runtime {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "child.hpp"
 #include "runtime/file_lock.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace darwinop::runtime {
 namespace {

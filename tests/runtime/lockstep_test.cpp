@@ -9,7 +9,7 @@
 #include "runtime/operator.hpp"
 #include "runtime/report.hpp"
 #include "simulated_robot.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace darwinop::runtime {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "core/conversions.hpp"
 #include "runtime/log_columns.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace darwinop::runtime {
 namespace {

@@ -10,7 +10,7 @@
 #include "environment.hpp"
 #include "fake_bus.hpp"
 #include "runtime/threaded_link.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace darwinop::runtime {
 namespace {

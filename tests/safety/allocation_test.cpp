@@ -1,28 +1,11 @@
 // The guard allocates nothing after construction, whatever happens.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 #include "safety/fake_robot.hpp"
 #include "safety/guard.hpp"
-
-namespace {
-std::size_t allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc{};
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
+#include "support/allocation_probe.hpp"
 
 namespace darwinop::safety {
 namespace {
@@ -33,7 +16,7 @@ TEST(GuardAllocation, NothingIsAllocatedInAnyState) {
   Commands commands;
   commands.session = 1;
   std::size_t states_seen = 0;
-  const std::size_t before = allocations;
+  const long before = allocationsOfThisThread();
   for (int i = 0; i < 8000; ++i) {
     if (i < 3000) ++commands.sequence;
     commands.joint[3].setGoal(Rad{i % 7 == 0 ? std::numeric_limits<double>::quiet_NaN() : i * 1.0});
@@ -46,7 +29,7 @@ TEST(GuardAllocation, NothingIsAllocatedInAnyState) {
     robot.cycle(safe);
     if (i == 2800) ++commands.fault_resets;
   }
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(allocationsOfThisThread(), before);
   EXPECT_EQ(states_seen, (std::size_t{1} << kStates) - 1) << "the test has not been through every state";
 }
 

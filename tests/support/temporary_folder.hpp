@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace darwinop::runtime {
+namespace darwinop {
 
 class TemporaryFolder {
  public:
@@ -29,4 +29,4 @@ class TemporaryFolder {
   std::string path_;
 };
 
-}  // namespace darwinop::runtime
+}  // namespace darwinop
