@@ -40,7 +40,7 @@ std::string FaultAnnouncer::change(Memory& memory, std::size_t fault, const Sens
     memory.told = active;
     return active ? "" : nameOf(row) + " is over\n";
   }
-  if (memory.ever && seen.time_ns - memory.told_ns < kQuiet_ns) {
+  if (memory.ever && seen.time_ns - memory.told_ns < kQuietNs) {
     if (begins) ++memory.left_out;
     return {};
   }

@@ -15,7 +15,7 @@ class FaultAnnouncer {
  public:
   /// A fault that comes and goes all the time gets one begin and one end in this time (on the loop's clock), then a
   /// count of what was left out.
-  static constexpr std::int64_t kQuiet_ns = 5'000'000'000;
+  static constexpr std::int64_t kQuietNs = 5'000'000'000;
 
   explicit FaultAnnouncer(std::ostream& out) : out_{out} {}
 

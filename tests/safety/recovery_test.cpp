@@ -66,6 +66,22 @@ TEST(Recovery, ALinkLostInTheStartMoveEndsInTheStartPose) {
   EXPECT_NEAR(rig.robot[Joint::kNeck].position, 0.003, 0.005);
 }
 
+TEST(Recovery, AServoThatTheBusHasGivenUpGetsNoGoalsUntilItsPositionIsConfirmed) {
+  Rig rig;
+  look(rig);
+  rig.robot[Joint::kNeck].answers = false;
+  rig.robot.given_up.set(index(Joint::kNeck));
+  rig.run(2);
+  EXPECT_FALSE(rig.driven(Joint::kNeck)) << "it may have restarted, and then it knows no speed limit";
+  EXPECT_TRUE(rig.driven(Joint::kHead));
+  rig.robot[Joint::kNeck].answers = true;
+  rig.robot[Joint::kNeck].position = -0.4;  // it swung meanwhile
+  rig.robot.given_up.reset();
+  ASSERT_GE(rig.runUntil([&] { return rig.driven(Joint::kNeck); }), 0);
+  EXPECT_NEAR(rig.goal(Joint::kNeck), -0.4, kRadPerTick);
+  EXPECT_LE(rig.safe->goal(Joint::kNeck).speed_limit.value, rig.config.gentle_speed);
+}
+
 TEST(Recovery, AControllerThatDiedWhileTheLinkWasLostDoesNotDriveAgain) {
   Rig rig;
   look(rig);
