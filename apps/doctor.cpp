@@ -3,14 +3,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <sstream>
 #include <string>
 
 #include "hal/cm730/host_checks.hpp"
 #include "hal/cm730/port_check.hpp"
 #include "hal/cm730/probe.hpp"
 #include "hal/cm730/serial_open.hpp"
-#include "safety/start_pose.hpp"
+#include "link/start_pose_findings.hpp"
 
 namespace {
 
@@ -51,28 +50,6 @@ class Report {
   int count_[3] = {0, 0, 0};
 };
 
-/// A robot in another pose is no fault: the loop moves there slowly. But somebody should look first.
-Findings startPoseRows(const cm730::RobotFacts& facts) {
-  Sensors seen;
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    if (!facts.servo[i].readable) continue;
-    seen.joint[i].motion.received();
-    seen.joint[i].position = facts.servo[i].position;
-  }
-  if (facts.board.readable) {
-    seen.board.motion.received();
-    seen.board.accelerometer = facts.board.accelerometer;
-  }
-  const safety::StartPoseCheck check = safety::checkStartPose(seen);
-  const Level level = check.secure() ? Level::kOk : Level::kWarning;
-  Findings rows;
-  std::istringstream lines{safety::describe(check)};
-  for (std::string line; std::getline(lines, line);) rows.push_back({level, line, {}});
-  if (!check.secure())
-    rows.back().mend = "sit the robot down upright before a controller starts, or hold it while it moves there slowly";
-  return rows;
-}
-
 int examine(const std::string& asked, bool fix) {
   Report report;
   report.heading("computer");
@@ -92,7 +69,7 @@ int examine(const std::string& asked, bool fix) {
   report.add(probed.findings);
   if (probed.facts.board.readable && probed.facts.board.power_on) {
     report.heading("pose");
-    report.add(startPoseRows(probed.facts));
+    report.add(link::startPoseFindings(probed.facts));
   }
   return report.finish();
 }

@@ -12,6 +12,7 @@
 #include "link/lockstep_robot.hpp"
 #include "link/owned_bus.hpp"
 #include "link/setting.hpp"
+#include "link/start_pose_findings.hpp"
 #include "runtime/daemon_link.hpp"
 #include "runtime/threaded_link.hpp"
 
@@ -98,7 +99,7 @@ OpenedBus openSerialBus(const std::string& port, Nanos period) {
   const cm730::ProbeReport probed = lookAt(*line, port, period);
   OpenedBus opened;
   opened.description = describe(port, probed.facts);
-  opened.warnings = troubles(probed.findings);
+  opened.warnings = troubles(probed.findings) + troubles(startPoseFindings(probed.facts));
   opened.bus = std::make_unique<OwnedBus<cm730::SerialPort>>(std::move(line), cm730::BusConfig::forPeriod(period));
   return opened;
 }

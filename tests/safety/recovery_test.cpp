@@ -75,7 +75,7 @@ TEST(Recovery, AServoThatTheBusHasGivenUpGetsNoGoalsUntilItsPositionIsConfirmed)
   EXPECT_FALSE(rig.driven(Joint::kNeck)) << "it may have restarted, and then it knows no speed limit";
   EXPECT_TRUE(rig.driven(Joint::kHead));
   rig.robot[Joint::kNeck].answers = true;
-  rig.robot[Joint::kNeck].torque = false;  // it has restarted
+  rig.robot[Joint::kNeck].torque = false;   // it has restarted
   rig.robot[Joint::kNeck].position = -0.4;  // and swung
   rig.robot.given_up.reset();
   ASSERT_GE(rig.runUntil([&] { return rig.driven(Joint::kNeck); }), 0);
