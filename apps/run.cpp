@@ -63,7 +63,7 @@ int main(int count, char** arguments) {
   if (period_ms != 0) request.period_ms = std::to_string(period_ms);
   try {
     return darwinop::runtime::runController(request);
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     std::cerr << "darwinop run: " << error.what() << '\n';
     return 2;
   }

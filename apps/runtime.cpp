@@ -116,7 +116,7 @@ int main(int count, char** arguments) {
   CLI11_PARSE(app, count, arguments);
   try {
     return carryOut(given);
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     std::cerr << "darwinop runtime: " << error.what() << '\n';
     return 1;
   }
