@@ -23,6 +23,10 @@ namespace {
 using hil::FaultKind;
 constexpr Nanos kPeriod{16'000'000};
 
+double seconds(Nanos time) {
+  return std::chrono::duration<double>(time).count();
+}
+
 std::uint64_t seedFromEnvironment() {
   if (const char* text = std::getenv("DARWINOP_SEED")) return std::strtoull(text, nullptr, 10);
   return std::random_device{}();
@@ -59,8 +63,12 @@ struct Campaign {
       const JointSensors& joint = loop.sensors().joint[i];
       if (!joint.motion.fresh()) continue;
       ++readings;
-      const auto [low, high] = std::minmax(before.joint[i].position_rad, after.joint[i].position_rad);
-      const double slack = 4 * kRadPerTick;  // quantisation, and a joint that turns back within the cycle
+      const hil::JointMotion &then = before.joint[i], &now = after.joint[i];
+      const auto [low, high] = std::minmax(then.position_rad, now.position_rad);
+      // A joint that turned back within the cycle was further out in between than at both ends.
+      const double speed = std::max(std::abs(then.velocity_rad_s), std::abs(now.velocity_rad_s));
+      const double turn = then.velocity_rad_s * now.velocity_rad_s < 0 ? speed * seconds(kPeriod) / 2 : 0;
+      const double slack = turn + 4 * kRadPerTick;  // and quantisation
       if (joint.position.value < low - slack || joint.position.value > high + slack) ++wrong;
     }
     for (const hil::JointMotion& joint : after.joint) fastest = std::max(fastest, std::abs(joint.velocity_rad_s));
