@@ -16,7 +16,6 @@ namespace {
 using namespace darwinop;
 using cm730::Finding;
 using cm730::Findings;
-using cm730::Level;
 
 constexpr int kLoopPriority = 80;  // as the loop's thread asks for
 
