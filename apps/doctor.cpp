@@ -9,6 +9,7 @@
 #include "hal/cm730/port_check.hpp"
 #include "hal/cm730/probe.hpp"
 #include "hal/cm730/serial_open.hpp"
+#include "link/robot_file.hpp"
 #include "link/start_pose_findings.hpp"
 
 namespace {
@@ -21,7 +22,7 @@ constexpr int kLoopPriority = 80;  // as the loop's thread asks for
 
 constexpr const char* kExample =
     "Examples:\n"
-    "  darwinop doctor                        the first USB serial port, or DARWINOP_ROBOT\n"
+    "  darwinop doctor                        DARWINOP_ROBOT, else robot.ini's port, else the first USB one\n"
     "  darwinop doctor --robot /dev/ttyUSB1\n"
     "  darwinop doctor --fix                  also sets return delay 0 and status level 2 where they differ\n"
     "Nothing moves: torque stays as it is. Servo power is switched on if it is off.\n"
@@ -49,13 +50,29 @@ class Report {
   int count_[3] = {0, 0, 0};
 };
 
+/// The robot that the file describes; a stock one, and an error in the report, when the file cannot be used.
+link::RobotFile readRobotFile(Report& report) {
+  try {
+    link::RobotFile robot = link::readRobotFile();
+    report.add({{cm730::Level::kOk, link::describe(robot), {}}});
+    return robot;
+  } catch (const std::exception& wrong) {
+    report.add(
+        {{cm730::Level::kError, wrong.what(), "correct the file (docs/robot-file.md); nothing of it is used here"}});
+    return {};
+  }
+}
+
 int examine(const std::string& asked, bool fix) {
   Report report;
   report.heading("computer");
   report.add(cm730::diagnoseHost(cm730::measureHost(kLoopPriority)));
 
+  const link::RobotFile robot = readRobotFile(report);
+
   report.heading("port");
-  const std::string path = cm730::choosePort(asked, cm730::candidatePorts());
+  const std::string wanted = asked.empty() ? robot.port.value_or("") : asked;
+  const std::string path = cm730::choosePort(wanted, cm730::candidatePorts());
   const cm730::PortCheck check = cm730::checkPort(path);
   report.add(check.findings);
   if (!check.port) return report.finish();
@@ -63,6 +80,7 @@ int examine(const std::string& asked, bool fix) {
   report.heading("robot");
   cm730::ProbeOptions options = cm730::ProbeOptions::thorough();
   options.port = path;
+  options.offsets = robot.offsets;
   options.correct = fix;
   const cm730::ProbeReport probed = cm730::probe(*check.port, options);
   report.add(probed.findings);

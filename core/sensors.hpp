@@ -68,6 +68,7 @@ struct LinkCounters {
   std::uint32_t garbage_bytes = 0;
   std::uint32_t late_replies = 0;  // answers to an earlier request, thrown away
   std::uint32_t reconnects = 0;
+  std::uint32_t clamped_goals = 0;  // kept within the joint table's range at the wire; 0 unless there is a bug
 };
 
 /// Figures of one cycle on the wire.

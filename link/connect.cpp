@@ -6,11 +6,13 @@
 #include <stdexcept>
 
 #include "hal/cm730/diagnosis.hpp"
+#include "hal/cm730/not_ready.hpp"
 #include "hal/cm730/probe.hpp"
 #include "hal/cm730/serial_port.hpp"
 #include "link/daemon_warnings.hpp"
 #include "link/lockstep_robot.hpp"
 #include "link/owned_bus.hpp"
+#include "link/robot_file.hpp"
 #include "link/setting.hpp"
 #include "link/start_pose_findings.hpp"
 #include "runtime/daemon_link.hpp"
@@ -24,7 +26,7 @@ constexpr Nanos kSpare{1'000'000};  // of a period, for what is no bus time
 
 runtime::LoopConfig loopConfig(const Request& request) {
   runtime::LoopConfig config;
-  config.period = request.period;
+  config.period = request.period.value_or(kUsualPeriod);
   config.safety = request.safety;
   config.robot = request.robot_name;
   config.record_path = request.record_path;
@@ -32,9 +34,12 @@ runtime::LoopConfig loopConfig(const Request& request) {
 }
 
 std::unique_ptr<runtime::RobotLink> serialRobot(const Request& request, const std::string& port) {
+  const RobotFile robot = readRobotFile();
   runtime::LoopConfig config = loopConfig(request);
+  config.period = request.period.value_or(robot.period.value_or(kUsualPeriod));
+  config.safety = safetyOn(robot, request.safety, request.config_file);
   config.real_time.demand = runtime::realTimeFromEnvironment();
-  OpenedBus opened = openSerialBus(port, request.period);
+  OpenedBus opened = openSerialBus(port, config.period, robot.offsets);
   config.port = opened.description;
   if (!opened.warnings.empty()) std::cerr << opened.warnings;
   auto link = std::make_unique<runtime::ThreadedLink>(config, std::move(opened.bus));
@@ -71,15 +76,18 @@ std::string describe(const std::string& port, const cm730::RobotFacts& facts) {
 }
 
 /// A robot that lacks a few servos can be driven without them; one that cannot be understood cannot.
-cm730::ProbeReport lookAt(ByteLine& line, const std::string& port, Nanos period) {
+cm730::ProbeReport lookAt(ByteLine& line, const std::string& port, Nanos period, const cm730::JointOffsets& offsets) {
   cm730::ProbeOptions options = cm730::ProbeOptions::quick();
   options.port = port;
+  options.offsets = offsets;
   cm730::ProbeReport report = cm730::probe(line, options);
   const auto too_old = [](const cm730::ServoFacts& servo) {
     return servo.readable && servo.firmware < cm730::kOldestFirmware;
   };
   const cm730::RobotFacts& facts = report.facts;
   const std::string ask_more = "Ask for the whole list with: darwinop doctor --robot " + port;
+  if (facts.lost || (!facts.board.found && !facts.board.garbled))
+    throw cm730::NotReady("the robot on " + port + " cannot be driven:\n" + troubles(report.findings) + ask_more);
   if (!facts.board.readable || servosFound(facts) == 0 || std::ranges::any_of(facts.servo, too_old))
     throw std::runtime_error("the robot on " + port + " cannot be driven:\n" + troubles(report.findings) + ask_more);
   // The bus would give up on the servos at the end of the chain in every cycle, and they would count as silent.
@@ -91,16 +99,17 @@ cm730::ProbeReport lookAt(ByteLine& line, const std::string& port, Nanos period)
 
 }  // namespace
 
-OpenedBus openSerialBus(const std::string& port, Nanos period) {
+OpenedBus openSerialBus(const std::string& port, Nanos period, const cm730::JointOffsets& offsets) {
   if (period < kShortestPeriod)
     throw std::runtime_error("a period of " + std::to_string(period.count() / 1'000) +
                              " us is too short for the bus, where a cycle takes up to 5.5 ms; choose 8 ms or more");
   auto line = std::make_unique<cm730::SerialPort>(port);
-  const cm730::ProbeReport probed = lookAt(*line, port, period);
+  const cm730::ProbeReport probed = lookAt(*line, port, period, offsets);
   OpenedBus opened;
   opened.description = describe(port, probed.facts);
   opened.warnings = troubles(probed.findings) + troubles(startPoseFindings(probed.facts));
-  opened.bus = std::make_unique<OwnedBus<cm730::SerialPort>>(std::move(line), cm730::BusConfig::forPeriod(period));
+  opened.bus =
+      std::make_unique<OwnedBus<cm730::SerialPort>>(std::move(line), cm730::BusConfig::forPeriod(period, offsets));
   return opened;
 }
 

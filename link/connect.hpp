@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "hal/byte_line.hpp"
+#include "hal/cm730/joint_offsets.hpp"
 #include "hal/servo_bus.hpp"
 #include "runtime/robot_link.hpp"
 #include "safety/config.hpp"
@@ -15,9 +17,10 @@ namespace darwinop::link {
 struct Request {
   /// As link/setting.hpp reads it: "runtime", a serial device or pty, "virtual", or empty.
   std::string setting;
-  Nanos period{16'000'000};  // 8 ms or more on a real line
+  std::optional<Nanos> period;  // 8 ms or more on a real line; nothing: what robot.ini says, else 16 ms
   safety::Config safety{};
-  std::string record_path;  // CSV of every cycle; empty: none
+  std::string config_file = "config.ini";  // where `safety` was read, for sentences
+  std::string record_path;                 // CSV of every cycle; empty: none
   std::string robot_name = "darwin-op";
 };
 
@@ -32,7 +35,8 @@ struct OpenedBus {
   std::string warnings;     // findings of the start-up probe, one a line; empty: none
 };
 
-/// Opens a serial device and looks at the robot behind it. Throws as connect() does.
-OpenedBus openSerialBus(const std::string& port, Nanos period);
+/// Opens a serial device and looks at the robot behind it. Throws as connect() does; cm730::NotReady when port or
+/// board may come yet.
+OpenedBus openSerialBus(const std::string& port, Nanos period, const cm730::JointOffsets& offsets = {});
 
 }  // namespace darwinop::link

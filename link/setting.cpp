@@ -4,12 +4,11 @@
 
 #include <stdexcept>
 
+#include "link/robot_file.hpp"
 #include "runtime/daemon_link.hpp"
 
 namespace darwinop::link {
 namespace {
-
-constexpr const char* kRobotsPort = "/dev/ttyUSB0";  // the CM-730's FTDI bridge on a stock robot
 
 bool exists(const std::string& path) {
   struct stat info {};
@@ -18,8 +17,9 @@ bool exists(const std::string& path) {
 
 Setting whateverIsThere() {
   if (runtime::daemonPid(runtime::RuntimeFiles{}) != 0) return {Kind::kDaemon, {}};
-  if (exists(kRobotsPort)) return {Kind::kSerial, kRobotsPort};
-  throw std::runtime_error("no robot found: no runtime daemon is running and " + std::string{kRobotsPort} +
+  const std::string port = readRobotFile().serialPort();
+  if (exists(port)) return {Kind::kSerial, port};
+  throw std::runtime_error("no robot found: no runtime daemon is running and " + port +
                            " does not exist. Connect the robot, or say which one is meant with DARWINOP_ROBOT or "
                            "--robot:\n" +
                            settingChoices());

@@ -12,7 +12,7 @@ struct Setting {
   std::string port;  // kSerial: the device
 };
 
-/// Reads a setting; an empty one means the daemon if one runs, else the robot's serial port. Throws
+/// Reads a setting; an empty one means the daemon if one runs, else the serial port of robot.ini. Throws
 /// std::runtime_error, with the choices, for anything that is no robot.
 Setting readSetting(const std::string& text);
 

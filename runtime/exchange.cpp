@@ -2,7 +2,6 @@
 #include "runtime/exchange.hpp"
 
 #include <fcntl.h>
-#include <grp.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -13,6 +12,8 @@
 #include <cstring>
 #include <new>
 #include <stdexcept>
+
+#include "runtime/groups.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -38,10 +39,8 @@ void* map(int fd, const std::string& path) {
 std::string notPermitted(const std::string& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return "cannot open " + path + ": its folder may not be read";
-  const group* found = getgrgid(status.st_gid);
-  const std::string name = found == nullptr ? std::to_string(status.st_gid) : found->gr_name;
   return "a runtime of another user runs (" + path +
-         ") and you are not permitted to use it: only its user and group '" + name +
+         ") and you are not permitted to use it: only its user and group '" + groupName(status.st_gid) +
          "' are. Become a member of a group of your own choice, have the runtime started with --group GROUP, "
          "and log in again. If that runtime has ended, remove what is left of it: sudo rm " +
          path;

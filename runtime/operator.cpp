@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "runtime/clock.hpp"
 #include "runtime/file_lock.hpp"
 #include "runtime/report.hpp"
 
@@ -45,6 +46,25 @@ void resetFaults(const RuntimeFiles& files) {
 void releaseRobot(const RuntimeFiles& files) {
   const Exchange exchange = attachToDaemon(files);
   exchange.block().released.store(exchange.block().session.fetch_add(1) + 1);
+}
+
+safety::StartPoseCheck startPoseNow(const RuntimeFiles& files) {
+  // Longer than the longest period: an image that does not change is one of a loop that hangs.
+  constexpr Nanos kPatience{3'000'000'000}, kLook{100'000'000};
+  const Exchange exchange = attachToDaemon(files);
+  WakeWord& finished = exchange.block().finished;
+  const std::uint32_t before = finished.value();
+  const MonotonicClock clock;
+  const Nanos end = clock.now() + kPatience;
+  while (finished.value() == before) {
+    if (clock.now() > end)
+      throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) +
+                               ") has not run a cycle for 3 s, so nothing is known of the robot; restart it");
+    finished.waitWhile(before, kLook);
+  }
+  Sensors seen;
+  (void)exchange.block().sensors.read(seen);
+  return safety::checkStartPose(seen);
 }
 
 }  // namespace darwinop::runtime

@@ -5,6 +5,7 @@
 
 #include "runtime/exchange.hpp"
 #include "runtime/names.hpp"
+#include "safety/start_pose.hpp"
 
 namespace darwinop::runtime {
 
@@ -20,5 +21,8 @@ void resetFaults(const RuntimeFiles& files);
 /// Torque off on every joint, now, whoever drives: hold the robot. The controller is told to end; the next one takes
 /// over as usual.
 void releaseRobot(const RuntimeFiles& files);
+
+/// Where the robot is now, judged by a cycle that ends after the call. Throws std::runtime_error when none does.
+safety::StartPoseCheck startPoseNow(const RuntimeFiles& files);
 
 }  // namespace darwinop::runtime

@@ -78,7 +78,10 @@ std::string reportText(const StatsView& stats, const Sensors& last) {
          shown(stats.slack.percentile(0.01) * 1e-3, 2, " ms") + "\n" + "answers       incomplete " +
          std::to_string(stats.incomplete) + ", late " + std::to_string(stats.late_replies) + ", retries " +
          std::to_string(stats.retries) + ", reconnects " + std::to_string(stats.reconnects) + "\n" + "stale devices " +
-         joined(staleDevices(last)) + "\n";
+         joined(staleDevices(last)) + "\n" +
+         (last.link.clamped_goals == 0 ? ""
+                                       : "goals kept within the joint table at the wire: " +
+                                             std::to_string(last.link.clamped_goals) + " (a bug; please report it)\n");
 }
 
 std::string robotText(const Sensors& last, const std::string& instead) {

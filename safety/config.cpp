@@ -2,31 +2,16 @@
 #include "safety/config.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
 
+#include "core/number_text.hpp"
+
 namespace darwinop::safety {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-std::optional<double> number(std::string_view text) {
-  text = trimmed(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 std::string show(double value) {
   std::array<char, 32> text{};
@@ -43,13 +28,15 @@ std::string show(double value) {
 /// Visitor that sets the one field whose name is `key`.
 struct Setter {
   std::string_view key, value;
-  bool found = false;
+  std::size_t seen = 0;  // settings visited so far
+  std::optional<std::size_t> found{};
 
   void operator()(std::string_view name, double& field, double low, double high, std::string_view unit,
                   std::string_view) {
+    const std::size_t at = seen++;
     if (name != key) return;
-    found = true;
-    const auto parsed = number(value);
+    found = at;
+    const auto parsed = numberFromText(value);
     if (!parsed || *parsed < low || *parsed > high) {
       std::string allowed = "give a number from " + show(low) + " to " + show(high);
       if (!unit.empty()) allowed += " " + std::string{unit};
@@ -61,8 +48,9 @@ struct Setter {
   template <class Choice>
   requires std::is_enum_v<Choice>
   void operator()(std::string_view name, Choice& field, std::span<const std::string_view> choices, std::string_view) {
+    const std::size_t at = seen++;
     if (name != key) return;
-    found = true;
+    found = at;
     std::string allowed = "give one of";
     for (std::size_t i = 0; i < choices.size(); ++i) {
       if (choices[i] == value) {
@@ -86,8 +74,8 @@ void setRange(std::array<JointRange, kJoints>& ranges, std::string_view key, std
   if (!joint) refuse("Limits", key, value, "no joint has this name; joints are called as in Webots, e.g. Neck");
   const JointRange hard = hardRange(*joint);
   const auto comma = value.find(',');
-  const auto low = number(value.substr(0, comma));
-  const auto high = comma == value.npos ? std::nullopt : number(value.substr(comma + 1));
+  const auto low = numberFromText(value.substr(0, comma));
+  const auto high = comma == value.npos ? std::nullopt : numberFromText(value.substr(comma + 1));
   // Half a tick of slack, so that a limit printed with a few digits can be given back.
   const double slack = kRadPerTick / 2;
   if (!low || !high || *low >= *high || *low < hard.low.value - slack || *high > hard.high.value + slack)
@@ -100,13 +88,14 @@ void setRange(std::array<JointRange, kJoints>& ranges, std::string_view key, std
 }  // namespace
 
 void Config::set(std::string_view section, std::string_view key, std::string_view value) {
-  key = trimmed(key);
-  value = trimmed(value);
+  key = withoutBlanks(key);
+  value = withoutBlanks(value);
   if (section == "Limits") return setRange(range, key, value);
   if (section != "Safety") refuse(section, key, value, "safety reads the sections [Safety] and [Limits]");
   Setter setter{key, value};
   visit(setter);
   if (!setter.found) refuse(section, key, value, "no such setting; there are " + knownKeys(*this));
+  named.set(*setter.found);
 }
 
 void Config::check() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <chrono>
 #include <cstdint>
 #include <span>
@@ -68,6 +69,9 @@ struct Config {
 
   /// Section [Limits]: `Neck = -1.0, 1.0`.
   std::array<JointRange, kJoints> range = hardRanges();
+
+  /// Settings of [Safety] that a file named, in the order of visit(); the others are defaults. safety/layers.hpp
+  std::bitset<32> named;
 
   /// Calls v(name, value, low, high, unit, why) for each number and v(name, value, choices, why) for each choice.
   template <class V>

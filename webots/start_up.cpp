@@ -2,9 +2,11 @@
 #include <unistd.h>
 
 #include <charconv>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -35,9 +37,9 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-Nanos periodFromEnvironment() {
+std::optional<Nanos> periodFromEnvironment() {
   const std::string text = environment("DARWINOP_PERIOD_MS");
-  if (text.empty()) return link::Request{}.period;
+  if (text.empty()) return std::nullopt;
   int ms = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ms);
   if (error != std::errc{} || end != text.data() + text.size() || ms < 1 || ms > 1000)
@@ -56,7 +58,8 @@ std::unique_ptr<RobotImpl> start() {
   request.setting = environment("DARWINOP_ROBOT");
   request.period = periodFromEnvironment();
   request.safety = reading.config.safety;
-  request.safety.period = request.period;
+  if (request.period) request.safety.period = *request.period;
+  request.config_file = directory + "/config.ini";
   request.record_path = environment("DARWINOP_RECORD");
   auto robot = std::make_unique<RobotImpl>(link::connect(request), reading.config, stopRequested());
   const std::string why_not = robot->begin();
@@ -74,6 +77,8 @@ std::unique_ptr<RobotImpl> start() {
 RobotImpl* connectOrExit() {
   if (current) giveUp("a second Robot was made in this program: there can be one only");
   installStopSignals();
+  // Into a pipe (to a PC, to a log) output goes by lines, too: it is there when it happens, and survives a crash.
+  if (isatty(STDOUT_FILENO) == 0) (void)std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   try {
     current = start().release();
   } catch (const std::exception& error) {

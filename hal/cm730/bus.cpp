@@ -14,7 +14,8 @@ constexpr int kBoardWriteWait = 3;
 
 }  // namespace
 
-Cm730Bus::Cm730Bus(ByteLine& line, const BusConfig& config) : line_{line}, config_{config}, list_{config.period} {}
+Cm730Bus::Cm730Bus(ByteLine& line, const BusConfig& config)
+    : line_{line}, config_{config}, goals_{config.offsets}, list_{config.period}, decoder_{config.offsets} {}
 
 void Cm730Bus::send(Bytes frame) noexcept {
   if (!wrote_) began_ = line_.now();
@@ -56,6 +57,7 @@ void Cm730Bus::read(BusReadings& readings) noexcept {
   link_.bad_checksums = reader_.badChecksums();
   link_.garbage_bytes = reader_.garbageBytes();
   link_.late_replies = decoder_.lateReplies();
+  link_.clamped_goals = goals_.clamped();
   link_.reconnects = line_.reconnects();
   readings.wire = wire_;
   readings.link = link_;

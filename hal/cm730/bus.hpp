@@ -10,6 +10,7 @@
 #include "core/packet.hpp"
 #include "hal/byte_line.hpp"
 #include "hal/cm730/goal_writer.hpp"
+#include "hal/cm730/joint_offsets.hpp"
 #include "hal/cm730/read_list.hpp"
 #include "hal/cm730/reply_decoder.hpp"
 #include "hal/cm730/request_tag.hpp"
@@ -22,11 +23,12 @@ struct BusConfig {
   /// How long past its wire time an answer may take before it counts as missing. USB delivers in 1 ms frames, the
   /// FTDI chip holds back the end of an answer for 1 ms, and a plain kernel may be late by milliseconds.
   Nanos margin{5'000'000};
+  JointOffsets offsets{};
 
   /// As patient as the period allows: a full cycle takes 5.5 ms. At 8 ms a missing answer can make its cycle overrun;
   /// less patience would take late USB frames for missing answers.
-  static constexpr BusConfig forPeriod(Nanos period) {
-    return {period, std::clamp(period - Nanos{5'500'000}, Nanos{1'000'000}, Nanos{5'000'000})};
+  static constexpr BusConfig forPeriod(Nanos period, const JointOffsets& offsets = {}) {
+    return {period, std::clamp(period - Nanos{5'500'000}, Nanos{1'000'000}, Nanos{5'000'000}), offsets};
   }
 };
 

@@ -1,5 +1,7 @@
 #include "hal/cm730/goal_writer.hpp"
 
+#include <algorithm>
+
 #include "core/conversions.hpp"
 #include "core/registers.hpp"
 
@@ -9,11 +11,14 @@ namespace {
 constexpr std::uint8_t kFullBytes = 8;  // 28 P gain, 29 reserved, 30 goal, 32 speed, 34 torque limit
 static_assert(servo::kTorqueLimit + 2 - servo::kPGain == kFullBytes);
 
-std::uint16_t goalTicks(const SafeCommands::JointGoal& goal) noexcept {
-  return static_cast<std::uint16_t>(ticksFromRad(goal.goal));
-}
-
 }  // namespace
+
+std::uint16_t GoalWriter::goalTicks(Joint joint, Rad goal) noexcept {
+  const int wanted = offsets_.servoTicks(joint, goal);
+  const int ticks = std::clamp<int>(wanted, row(joint).low, row(joint).high);
+  if (ticks != wanted) ++clamped_;
+  return static_cast<std::uint16_t>(ticks);
+}
 
 std::span<const std::uint8_t> GoalWriter::encode(const SafeCommands& commands) noexcept {
   switch (commands.write()) {
@@ -52,7 +57,8 @@ std::span<const std::uint8_t> GoalWriter::encodeGoals(const SafeCommands& comman
       full ? SyncWriteEncoder{frame_, servo::kPGain, kFullBytes} : SyncWriteEncoder{frame_, servo::kGoalPosition, 2};
   for (std::size_t i = 0; i < kJoints; ++i) {
     if (!commands.driven()[i]) continue;
-    const std::uint16_t ticks = goalTicks(commands.goal(static_cast<Joint>(i)));
+    const auto joint = static_cast<Joint>(i);
+    const std::uint16_t ticks = goalTicks(joint, commands.goal(joint).goal);
     const Settings& s = settings_[i];
     const std::array<std::uint8_t, kFullBytes> data{
         s.p_gain,          0, lowByte(ticks), highByte(ticks), lowByte(s.speed), highByte(s.speed), lowByte(s.torque),

@@ -32,6 +32,14 @@ PortCheck checkPort(const std::string& path) {
 
 std::string choosePort(const std::string& asked, const std::vector<std::string>& candidates) {
   if (asked.empty()) return candidates.empty() ? "/dev/ttyUSB0" : candidates.front();
+  if (asked == "runtime")
+    throw std::runtime_error{
+        "'runtime' is the daemon, and the daemon has the robot's port for itself: ask it with `darwinop runtime "
+        "--status`, or end it and name the port, for example: darwinop doctor --robot /dev/ttyUSB0"};
+  if (asked == "virtual")
+    throw std::runtime_error{
+        "'virtual' is a robot in the memory of one controller, and there is nothing to look at from outside: start "
+        "`darwinop virtual-robot` and name the path that it prints, for example: darwinop doctor --robot /tmp/robot"};
   if (asked.find('/') == std::string::npos || asked.find("://") != std::string::npos)
     throw std::runtime_error{"'" + asked +
                              "' is no serial port: the doctor looks at a robot's port, for example "

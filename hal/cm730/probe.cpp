@@ -150,7 +150,7 @@ class Probe {
     servo.wheel_mode = wordAt(data, kCwLimit) == 0 && wordAt(data, kCcwLimit) == 0;
     servo.torque_on = data[servo::kTorqueEnable] != 0;
     servo.torque_limit = wordAt(data, servo::kTorqueLimit);
-    servo.position = radFromTicks(wordAt(data, servo::kPresentPosition));
+    servo.position = options_.offsets.jointAngle(static_cast<Joint>(id - 1), wordAt(data, servo::kPresentPosition));
     servo.voltage = voltFromRegister(data[servo::kPresentVoltage]);
     servo.temperature = Celsius{static_cast<double>(data[servo::kPresentTemperature])};
   }

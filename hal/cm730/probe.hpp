@@ -5,6 +5,7 @@
 
 #include "hal/byte_line.hpp"
 #include "hal/cm730/finding.hpp"
+#include "hal/cm730/joint_offsets.hpp"
 #include "hal/cm730/robot_facts.hpp"
 
 namespace darwinop::cm730 {
@@ -16,6 +17,7 @@ struct ProbeOptions {
   int round_trip_reads = 9;
   int loss_reads_per_servo = 3;
   Nanos loss_budget{300'000'000};  // no more loss reads are begun after this time
+  JointOffsets offsets{};          // taken off the positions
 
   /// Before a loop: well under a second on a healthy robot, 300 ms more when servo power was off.
   static ProbeOptions quick() { return {}; }

@@ -110,7 +110,7 @@ void ReplyDecoder::takeServo(const Frame& frame) noexcept {
   answered_.set(entry.joint);
   ServoReading& out = readings_->servo[entry.joint];
   out.answered = true;
-  out.position = radFromTicks(raw(b, window.address, kPosition));
+  out.position = offsets_.jointAngle(static_cast<Joint>(entry.joint), raw(b, window.address, kPosition));
   out.velocity = velocityFromRegister(raw(b, window.address, kSpeed));
   out.load = loadFromRegister(raw(b, window.address, kLoad));
   out.error_bits = frame.code;

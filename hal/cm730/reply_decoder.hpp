@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/packet.hpp"
+#include "hal/cm730/joint_offsets.hpp"
 #include "hal/cm730/read_list.hpp"
 #include "hal/cm730/wire.hpp"
 #include "hal/servo_bus.hpp"
@@ -18,6 +19,8 @@ namespace darwinop::cm730 {
 /// answer of exactly that length has come, and then only in list order.
 class ReplyDecoder {
  public:
+  explicit ReplyDecoder(const JointOffsets& offsets = {}) : offsets_{offsets} {}
+
   void begin(std::span<const ReadList::Entry> list, std::uint8_t board_bytes, BusReadings& readings) noexcept;
   void take(const Frame& frame) noexcept;
 
@@ -35,6 +38,7 @@ class ReplyDecoder {
   void takeBoard(const Frame& frame) noexcept;
   void takeServo(const Frame& frame) noexcept;
 
+  JointOffsets offsets_;
   std::span<const ReadList::Entry> list_;
   BusReadings* readings_ = nullptr;
   std::uint8_t board_bytes_ = 0;

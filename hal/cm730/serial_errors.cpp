@@ -60,6 +60,19 @@ std::string inUse(const std::string& path) {
 
 }  // namespace
 
+bool mayComeYet(const OpenAttempt& failed) {
+  switch (failed.error) {
+    case ENOENT:
+    case ENODEV:
+    case ENXIO:
+    case EBUSY:
+    case EWOULDBLOCK:
+      return true;
+    default:
+      return false;
+  }
+}
+
 std::string explain(const std::string& path, const OpenAttempt& failed) {
   using Step = OpenAttempt::Step;
   switch (failed.error) {

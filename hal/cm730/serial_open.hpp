@@ -22,6 +22,9 @@ struct OpenAttempt {
 OpenAttempt openSerial(const std::string& path);
 void closeSerial(int fd);
 
+/// True: the port is not there, or in use; it may be otherwise in a while.
+[[nodiscard]] bool mayComeYet(const OpenAttempt& failed);
+
 /// One sentence: what is wrong with this port and what to do about it.
 std::string explain(const std::string& path, const OpenAttempt& failed);
 

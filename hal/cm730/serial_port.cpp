@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/cm730/not_ready.hpp"
 #include "hal/cm730/serial_open.hpp"
 #include "hal/cm730/wire.hpp"
 
@@ -23,6 +24,7 @@ constexpr int kMostDiscards = 16;
 
 int openOrThrow(const std::string& path) {
   const OpenAttempt attempt = openSerial(path);
+  if (attempt.fd < 0 && mayComeYet(attempt)) throw NotReady{explain(path, attempt)};
   if (attempt.fd < 0) throw std::runtime_error{explain(path, attempt)};
   return attempt.fd;
 }

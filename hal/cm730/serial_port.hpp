@@ -12,7 +12,8 @@ namespace darwinop::cm730 {
 
 class SerialPort final : public ByteLine {
  public:
-  /// A tty, a pty, or a link to one. Throws std::runtime_error that says what is wrong and what to do.
+  /// A tty, a pty, or a link to one. Throws std::runtime_error that says what is wrong and what to do; NotReady
+  /// when the port may come yet.
   explicit SerialPort(const std::string& path);
   /// For tests: a file that is open already, and who brings another when it is lost.
   SerialPort(int fd, PortKeeper::Config keeper);

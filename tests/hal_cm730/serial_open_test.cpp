@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -211,8 +212,26 @@ TEST(ChoosePort, TakesWhatIsAskedForElseTheFirstThatIsThere) {
   EXPECT_EQ(choosePort("/tmp/robot", {"/dev/ttyUSB3"}), "/tmp/robot");
   EXPECT_EQ(choosePort("", {"/dev/ttyUSB3", "/dev/ttyUSB4"}), "/dev/ttyUSB3");
   EXPECT_EQ(choosePort("", {}), "/dev/ttyUSB0");
-  EXPECT_THROW(choosePort("runtime", {}), std::runtime_error);
   EXPECT_THROW(choosePort("tcp://robot", {}), std::runtime_error);
+}
+
+TEST(ChoosePort, SaysWhatToDoWithARobotThatIsNoPort) {
+  const auto error = [](const char* asked) -> std::string {
+    try {
+      return choosePort(asked, {});
+    } catch (const std::runtime_error& wrong) {
+      return wrong.what();
+    }
+  };
+  EXPECT_THAT(error("runtime"), HasSubstr("ask it with `darwinop runtime --status`"));
+  EXPECT_THAT(error("virtual"), HasSubstr("start `darwinop virtual-robot`"));
+}
+
+TEST(OpenSerial, TellsAPortThatMayComeYetFromOneThatWillNot) {
+  for (const int error : {ENOENT, ENODEV, ENXIO, EBUSY, EWOULDBLOCK})
+    EXPECT_TRUE(mayComeYet({-1, Step::kOpen, error})) << std::strerror(error);
+  for (const int error : {EACCES, EPERM, ENOTTY, EISDIR, ENOTDIR, EINVAL, EIO})
+    EXPECT_FALSE(mayComeYet({-1, Step::kOpen, error})) << std::strerror(error);
 }
 
 TEST(CheckPort, SaysOnceWhyAPortCannotBeOpened) {

@@ -119,7 +119,7 @@ TEST_F(WholeChain, AKilledControllerLeavesTheRobotToTheDaemonAndTheNextOneTakesO
     first.kill(SIGKILL);
     EXPECT_EQ(first.wait(seconds{5}), 128 + SIGKILL);
   }
-  std::this_thread::sleep_for(seconds{1});  // longer than the 500 ms after which a controller counts as stalled
+  ASSERT_TRUE(daemon.says("controller_stalled", seconds{20})) << daemon.output();
   Program next{{controller(), "50"}, file("next.txt")};
   EXPECT_EQ(next.wait(seconds{20}), 0) << next.output();
   unsetenv("DARWINOP_ROBOT");

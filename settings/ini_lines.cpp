@@ -1,25 +1,18 @@
 // Hands the lines of an INI text to inih one by one, with the liberties that robots' files have taken since 2013.
-#include "webots/ini_lines.hpp"
+#include "settings/ini_lines.hpp"
 
 #include <algorithm>
 
-namespace darwinop::facade {
+#include "core/number_text.hpp"
 
-namespace {
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlank = " \t\r\n\v\f";
-  const auto first = text.find_first_not_of(kBlank);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
-}
-}  // namespace
+namespace darwinop::settings {
 
 std::string_view withoutComment(std::string_view line) {
-  return trimmed(line.substr(0, std::min(line.find_first_of(";#"), line.size())));
+  return withoutBlanks(line.substr(0, std::min(line.find_first_of(";#"), line.size())));
 }
 
 std::string_view withoutQuotes(std::string_view value) {
-  value = trimmed(value);
+  value = withoutBlanks(value);
   if (value.size() >= 2 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
   return value;
 }
@@ -42,4 +35,4 @@ char* IniLines::next(char* into, int size) {
   return into;
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::settings

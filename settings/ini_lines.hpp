@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace darwinop::facade {
+namespace darwinop::settings {
 
 /// inih takes only " ;" for a comment after a value and reads an indented line as more of the value above; the
 /// parser that controllers' files were written for took `16.0;text` and `16 # text`, and ignored indentation.
@@ -31,4 +31,4 @@ std::string_view withoutComment(std::string_view line);
 /// `value` without the double quotes around it.
 std::string_view withoutQuotes(std::string_view value);
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::settings

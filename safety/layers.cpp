@@ -1,0 +1,87 @@
+#include "safety/layers.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+namespace darwinop::safety {
+namespace {
+
+struct Numbers {
+  std::vector<double> all;
+  void operator()(std::string_view, double value, double, double, std::string_view, std::string_view) {
+    all.push_back(value);
+  }
+  template <class Choice>
+  void operator()(std::string_view, Choice value, std::span<const std::string_view>, std::string_view) {
+    all.push_back(static_cast<double>(value));
+  }
+};
+
+/// Of a setting that both files name.
+double winner(std::string_view name, double robot, double controller) {
+  const auto* const rule = std::ranges::find(kStricterWins, name, &StricterRow::name);
+  if (rule == kStricterWins.end()) return controller;
+  return rule->wins == Stricter::kHigher ? std::max(robot, controller) : std::min(robot, controller);
+}
+
+/// Visitor that puts what the robot's file names into the controller's settings.
+struct Merger {
+  const std::vector<double>& robots;
+  const std::bitset<32>&robot_named, &controller_named;
+  std::size_t at = 0;
+
+  template <class Field, class... Rest>
+  void operator()(std::string_view name, Field& field, const Rest&...) {
+    if (robot_named[at]) {
+      const double robot = robots[at];
+      field = static_cast<Field>(controller_named[at] ? winner(name, robot, static_cast<double>(field)) : robot);
+    }
+    ++at;
+  }
+};
+
+std::string show(const JointRange& range) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.4g, %.4g", range.low.value, range.high.value);
+  return text.data();
+}
+
+void intersect(JointRange& range, const JointRange& with, std::string_view joint, const Layer& robot,
+               const Layer& controller) {
+  const JointRange both{std::max(range.low, with.low), std::min(range.high, with.high)};
+  if (both.low >= both.high)
+    throw std::runtime_error("[Limits] " + std::string{joint} + ": " + robot.file + " allows " + show(with) + " and " +
+                             controller.file + " allows " + show(range) +
+                             " rad, and no angle is in both; change one of the two");
+  range = both;
+}
+
+}  // namespace
+
+std::vector<double> numbers(const Config& config) {
+  Numbers found;
+  config.visit(found);
+  for (const JointRange& range : config.range) found.all.insert(found.all.end(), {range.low.value, range.high.value});
+  return found.all;
+}
+
+Config layered(const Layer& robot, const Layer& controller) {
+  Config config = controller.config;
+  const std::vector<double> robots = numbers(robot.config);
+  config.visit(Merger{robots, robot.config.named, controller.config.named});
+  config.named |= robot.config.named;
+  for (std::size_t i = 0; i < kJoints; ++i)
+    intersect(config.range[i], robot.config.range[i], kJointTable[i].name, robot, controller);
+  try {
+    config.check();
+  } catch (const std::runtime_error& wrong) {
+    std::string_view sentence = wrong.what();
+    constexpr std::string_view kFile = "config.ini, ";
+    if (sentence.starts_with(kFile)) sentence.remove_prefix(kFile.size());
+    throw std::runtime_error(robot.file + " and " + controller.file + " together: " + std::string{sentence});
+  }
+  return config;
+}
+
+}  // namespace darwinop::safety
