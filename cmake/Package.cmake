@@ -54,3 +54,9 @@ configure_file(cmake/darwinop.pc.in darwinop.pc @ONLY)
 configure_file(cmake/Makefile.include.in Makefile.include @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/darwinop.pc" DESTINATION "${pc_dir}" COMPONENT sdk)
 install(FILES "${PROJECT_BINARY_DIR}/Makefile.include" DESTINATION "${CMAKE_INSTALL_DATADIR}/darwinop" COMPONENT sdk)
+
+# Makefile.include reads it, and whoever else builds for the robot without CMake.
+if(CMAKE_CROSSCOMPILING)
+  configure_file(cmake/robot-toolchain.mk.in robot-toolchain.mk @ONLY)
+  install(FILES "${PROJECT_BINARY_DIR}/robot-toolchain.mk" DESTINATION "${CMAKE_INSTALL_DATADIR}/darwinop" COMPONENT sdk)
+endif()
