@@ -1,0 +1,63 @@
+// darwinop-supervisor: parent of runtime and default controller on a robot, and what a person may ask of it.
+#include "supervisor/supervisor.hpp"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+#include "supervisor/ask.hpp"
+
+namespace {
+
+using namespace darwinop;
+
+struct Arguments {
+  std::string home;
+  bool status = false, stop = false, stop_controller = false, restart_controller = false;
+};
+
+/// Beside this program.
+std::string runtimeProgram() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "darwinop-runtime";
+}
+
+int carryOut(const Arguments& given) {
+  const runtime::RuntimeFiles files;
+  if (given.status) return supervisor::printStatus(files);
+  if (given.stop) return supervisor::stop(files);
+  if (given.stop_controller) return supervisor::stopController(files);
+  if (given.restart_controller) return supervisor::restartController(files);
+  if (given.home.empty()) throw std::runtime_error("which installation? Name its folder: --home /opt/darwinop");
+  return supervisor::Supervisor{{std::filesystem::absolute(given.home), runtimeProgram()}}.run();
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  Arguments given;
+  CLI::App app{
+      "Starts runtime and default controller, watches them, and brings the robot to rest when the runtime fails.",
+      "darwinop supervisor"};
+  CLI::Option* what[] = {
+      app.add_option("--home", given.home, "run as the supervisor of this installation (robot.ini, default, log/)"),
+      app.add_flag("--status", given.status, "tell what it is doing; exit code 1 when none runs"),
+      app.add_flag("--stop-controller", given.stop_controller,
+                   "the default controller ends, the robot sits down; returns when it has ended"),
+      app.add_flag("--restart-controller", given.restart_controller,
+                   "the default controller begins anew, also after it was given up or the runtime had failed"),
+      app.add_flag("--stop", given.stop, "end everything; returns when the robot is at rest and all have ended")};
+  for (CLI::Option* one : what)
+    for (CLI::Option* other : what)
+      if (one != other) one->excludes(other);
+  app.set_version_flag("--version", DARWINOP_VERSION);
+  app.footer("Example, without a robot: see docs/supervisor.md");
+  CLI11_PARSE(app, count, arguments);
+  try {
+    return carryOut(given);
+  } catch (const std::exception& error) {
+    std::cerr << "darwinop supervisor: " << error.what() << '\n';
+    return 1;
+  }
+}

@@ -1,0 +1,123 @@
+// What a person may ask of a supervisor that runs.
+#include "supervisor/ask.hpp"
+
+#include <signal.h>
+#include <time.h>
+
+#include <cerrno>
+#include <cstring>
+#include <functional>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+#include "runtime/clock.hpp"
+#include "runtime/file_lock.hpp"
+#include "supervisor/orders.hpp"
+#include "supervisor/status.hpp"
+
+namespace darwinop::supervisor {
+namespace {
+
+// A controller gets 3 s to end, a crouch at the slowest usual speed 13 s; and somebody may have to be killed twice.
+constexpr Nanos kPatience{60'000'000'000};
+
+pid_t runningOne(const runtime::RuntimeFiles& files) {
+  const SupervisorFiles ours{files};
+  const pid_t pid = runtime::FileLock::holder(ours.lock);
+  if (pid < 0) throw std::runtime_error("a supervisor of another user runs (" + ours.lock + "); ask as root: sudo ...");
+  return pid;
+}
+
+int noneRuns(int code) {
+  std::cout << "no supervisor runs\n";
+  return code;
+}
+
+void order(pid_t supervisor, int signal) {
+  if (kill(supervisor, signal) != 0 && errno != ESRCH)
+    throw std::runtime_error("cannot reach the supervisor (pid " + std::to_string(supervisor) +
+                             "): " + std::strerror(errno) + "; ask as root: sudo ...");
+}
+
+bool becomesTrue(const std::function<bool()>& condition) {
+  const runtime::MonotonicClock clock;
+  const Nanos end = clock.now() + kPatience;
+  while (!condition()) {
+    if (clock.now() > end) return false;
+    const timespec pause{0, 20'000'000};
+    nanosleep(&pause, nullptr);
+  }
+  return true;
+}
+
+std::string stateOf(const runtime::RuntimeFiles& files) {
+  const auto status = read(SupervisorFiles{files}.status);
+  return status ? status->state : "not known";
+}
+
+/// Sends the order and waits until the supervisor has taken it, and `done` holds.
+int carryOut(const runtime::RuntimeFiles& files, int signal, const std::function<bool(const Status&)>& done) {
+  const pid_t pid = runningOne(files);
+  if (pid == 0) return noneRuns(1);
+  const std::string path = SupervisorFiles{files}.status;
+  const auto before = read(path);
+  const std::uint32_t orders = before ? before->orders : 0;
+  order(pid, signal);
+  bool ended = false;
+  const bool carried_out = becomesTrue([&] {
+    ended = runningOne(files) != pid;
+    const auto status = read(path);
+    return ended || (status && status->orders != orders && done(*status));
+  });
+  if (ended) throw std::runtime_error("the supervisor ended meanwhile");
+  if (!carried_out)
+    throw std::runtime_error("the supervisor (pid " + std::to_string(pid) +
+                             ") has not carried this out within a minute; it says: " + stateOf(files));
+  std::cout << stateOf(files) << '\n';
+  return 0;
+}
+
+std::string process(pid_t pid) {
+  return pid == 0 ? "does not run" : "pid " + std::to_string(pid);
+}
+
+}  // namespace
+
+int printStatus(const runtime::RuntimeFiles& files) {
+  const pid_t pid = runningOne(files);
+  if (pid == 0) return noneRuns(1);
+  const auto status = read(SupervisorFiles{files}.status);
+  std::cout << "supervisor    pid " << pid << '\n';
+  if (!status) {
+    std::cout << "state         just starting\n";
+    return 0;
+  }
+  const std::string name = status->controller.empty() ? "none" : status->controller;
+  std::cout << "home          " << status->home << "\nstate         " << status->state << "\nruntime       "
+            << process(status->runtime_pid) << "\ncontroller    " << name << ", " << process(status->controller_pid)
+            << ", crashes within a minute: " << status->crashes << '\n';
+  return 0;
+}
+
+int stop(const runtime::RuntimeFiles& files) {
+  const pid_t pid = runningOne(files);
+  if (pid == 0) return noneRuns(0);
+  order(pid, SIGTERM);
+  // The lock is given back by the kernel when the process is gone: nothing of it is left then.
+  if (!becomesTrue([&] { return runningOne(files) != pid; }))
+    throw std::runtime_error("the supervisor (pid " + std::to_string(pid) +
+                             ") has not ended within a minute; it says: " + stateOf(files));
+  std::cout << "the supervisor has ended\n";
+  return 0;
+}
+
+int stopController(const runtime::RuntimeFiles& files) {
+  return carryOut(files, kStopControllerSignal, [](const Status& status) { return status.controller_ended; });
+}
+
+int restartController(const runtime::RuntimeFiles& files) {
+  return carryOut(files, kRestartControllerSignal, [](const Status&) { return true; });
+}
+
+}  // namespace darwinop::supervisor

@@ -1,0 +1,36 @@
+// Takes the place of a controller that was given up.
+#include "supervisor/holder.hpp"
+
+namespace darwinop::supervisor {
+
+LedCommand redLights() {
+  LedCommand led;
+  led.setPanel(1);
+  led.setHead(0x1F);
+  return led;
+}
+
+Commands asItIs(const Sensors& seen) {
+  Commands commands;
+  commands.start_where_it_is = true;
+  commands.led = redLights();
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const JointSensors& joint = seen.joint[i];
+    const bool holds = joint.driven || (joint.health.ever() && joint.torque_enabled);
+    if (!holds) commands.joint[i].setTorque(false);
+  }
+  return commands;
+}
+
+Holder::Holder(const runtime::RuntimeFiles& files) : link_{files}, commands_{asItIs(link_.sensors())} {
+  link_.publish(commands_);
+}
+
+bool Holder::hold() {
+  const std::atomic<bool> go_on{false};
+  if (!link_.waitForCycle(link_.sensors().cycle, go_on)) return false;  // that cycle is over: does not wait
+  link_.publish(commands_);
+  return true;
+}
+
+}  // namespace darwinop::supervisor

@@ -1,0 +1,21 @@
+// What the supervisor has to say.
+#include "supervisor/journal.hpp"
+
+#include <time.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace darwinop::supervisor {
+
+void say(const std::string& text) {
+  const time_t now = time(nullptr);
+  tm parts{};
+  char stamp[32] = "";
+  if (localtime_r(&now, &parts) != nullptr) strftime(stamp, sizeof stamp, "%Y-%m-%d %H:%M:%S", &parts);
+  // In one piece: the runtime writes to the same file.
+  const std::string line = std::string{stamp} + " darwinop supervisor: " + text + "\n";
+  if (write(STDERR_FILENO, line.data(), line.size()) < 0) errno = 0;
+}
+
+}  // namespace darwinop::supervisor

@@ -1,0 +1,37 @@
+// What a person asked of the running supervisor.
+#include "supervisor/orders.hpp"
+
+#include <atomic>
+
+namespace darwinop::supervisor {
+namespace {
+
+// Lock-free, so that a handler may store and the loop may take.
+std::atomic<bool> stop{false};
+std::atomic<int> last{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+
+void handle(int signal) {
+  if (signal == kStopControllerSignal || signal == kRestartControllerSignal)
+    last.store(signal);
+  else
+    stop.store(true);
+}
+
+}  // namespace
+
+void listenForOrders() {
+  struct sigaction action {};
+  action.sa_handler = handle;
+  action.sa_flags = SA_RESTART;  // the sleep between two looks is cut short all the same
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP, kStopControllerSignal, kRestartControllerSignal})
+    sigaction(signal, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+Orders takeOrders() {
+  const int order = last.exchange(0);
+  return {stop.exchange(false), order == kStopControllerSignal, order == kRestartControllerSignal};
+}
+
+}  // namespace darwinop::supervisor

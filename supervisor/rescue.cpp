@@ -1,0 +1,143 @@
+// Brings a robot to rest whose runtime is gone.
+#include "supervisor/rescue.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "link/connect.hpp"
+#include "runtime/daemon.hpp"
+#include "supervisor/holder.hpp"
+
+namespace darwinop::supervisor {
+namespace {
+
+constexpr Nanos kFirstWait{100'000'000}, kLongestWait{1'000'000'000};
+constexpr std::uint32_t kSession = 1;  // of a driver who says farewell with the first word
+
+runtime::LoopConfig loopConfig(const RobotSettings& robot, const std::string& port) {
+  runtime::LoopConfig config;
+  config.period = robot.period;
+  config.safety = robot.safety;
+  // Stopping where it is would leave the robot as it was found, and letting go would drop it.
+  config.safety.on_exit = safety::OnExit::kKneel;
+  config.port = port;
+  return config;
+}
+
+/// The port of old, or the name it has now.
+link::OpenedBus openBus(const RobotSettings& robot) {
+  try {
+    return link::openSerialBus(robot.port, robot.period, robot.offsets);
+  } catch (const std::runtime_error&) {
+    if (!robot.identity) throw;
+    const auto others = cm730::siblings(robot.port, robot.identity);
+    if (others.empty()) throw;
+    return link::openSerialBus(others.front(), robot.period, robot.offsets);
+  }
+}
+
+}  // namespace
+
+class Rescue::OwnLoop {
+ public:
+  OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files)
+      : OwnLoop{robot, files, runtime::claimRuntime(files, robot.group)} {}
+  ~OwnLoop() { unlink(path_.c_str()); }
+  OwnLoop(const OwnLoop&) = delete;
+  OwnLoop& operator=(const OwnLoop&) = delete;
+
+  RescueWatch::Step look() {
+    (void)exchange_.block().sensors.read(seen_);
+    const RescueWatch::Step step = watch_.look(seen_);
+    if (step == RescueWatch::Step::kCrouch && !farewell_) sayFarewell();
+    return step;
+  }
+  [[nodiscard]] bool online() const { return watch_.online(); }
+
+ private:
+  OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, runtime::FileLock claim)
+      : OwnLoop{robot, files, std::move(claim), openBus(robot)} {}
+
+  OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, runtime::FileLock claim,
+          link::OpenedBus opened)
+      : path_{files.exchange},
+        claim_{std::move(claim)},
+        exchange_{closedExchange(path_, robot.group)},
+        watch_{robot.period, runtime::Rest{robot.safety, robot.period}.atMost()},
+        host_{loopConfig(robot, opened.description), std::move(opened.bus), exchange_.block(),
+              runtime::LoopStats::Timed::kYes, runtime::Recorder::Writer::kThread},
+        driver_{host_.loop(), clock_, robot.period, {}} {}
+
+  /// Red lights, nobody drives, and nobody can: whoever attaches reads that the loop is closing.
+  static runtime::Exchange closedExchange(const std::string& path, gid_t group) {
+    runtime::Exchange exchange = runtime::Exchange::create(path, group);
+    exchange.block().closing.store(1);
+    Commands nobody;
+    nobody.led = redLights();
+    exchange.block().commands.publish(nobody);
+    return exchange;
+  }
+
+  /// Safety then does with the robot what it does when a controller has ended: see safety/guard_states.cpp, stiff_for_.
+  void sayFarewell() {
+    Commands farewell;
+    farewell.led = redLights();
+    farewell.session = kSession;
+    farewell.sequence = 1;
+    farewell.farewell = true;
+    exchange_.block().session.store(kSession);
+    exchange_.block().commands.publish(farewell);
+    farewell_ = true;
+  }
+
+  std::string path_;
+  runtime::FileLock claim_;
+  runtime::Exchange exchange_;
+  RescueWatch watch_;
+  Sensors seen_;
+  bool farewell_ = false;
+  runtime::MonotonicClock clock_;
+  runtime::LoopHost host_;
+  runtime::PeriodicDriver driver_;  // last: it ends first
+};
+
+Rescue::Rescue(const RobotSettings& robot, const runtime::RuntimeFiles& files)
+    : robot_{robot}, files_{files}, wait_{kFirstWait} {}
+
+Rescue::~Rescue() = default;
+
+bool Rescue::online() const {
+  return loop_ && loop_->online();
+}
+
+void Rescue::open(Nanos now) {
+  if (now < next_try_) return;
+  next_try_ = now + wait_;
+  wait_ = std::min(2 * wait_, kLongestWait);
+  try {
+    loop_ = std::make_unique<OwnLoop>(robot_, files_);
+    obstacle_.clear();
+  } catch (const std::exception& error) {
+    obstacle_ = error.what();
+  }
+}
+
+Rescue::Step Rescue::look(Nanos now) {
+  if (!loop_) open(now);
+  if (!loop_) return Step::kOpening;
+  switch (loop_->look()) {
+    case RescueWatch::Step::kHold:
+      return Step::kHold;
+    case RescueWatch::Step::kCrouch:
+      return Step::kCrouch;
+    case RescueWatch::Step::kAtRest:
+      return Step::kAtRest;
+    case RescueWatch::Step::kStiff:
+      return Step::kStiff;
+  }
+  return Step::kHold;
+}
+
+}  // namespace darwinop::supervisor

@@ -1,0 +1,51 @@
+// The course of a rescue.
+#include "supervisor/rescue_watch.hpp"
+
+#include <algorithm>
+
+namespace darwinop::supervisor {
+namespace {
+
+// Safety looks at one servo in each cycle: after two rounds the news of each is younger than the torque switch.
+constexpr std::uint64_t kTwoRounds = 2 * (kJoints + 5);
+
+std::uint64_t cyclesIn(Nanos time, Nanos period) {
+  return static_cast<std::uint64_t>(time / period);
+}
+
+}  // namespace
+
+bool anyStiff(const Sensors& seen) noexcept {
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const JointSensors& joint = seen.joint[i];
+    const bool heard = joint.motion.ever() && joint.motion.age < kTwoRounds && joint.health.ever();
+    if (heard && joint.torque_enabled) return true;
+  }
+  return false;
+}
+
+RescueWatch::RescueWatch(Nanos period, Nanos crouch_at_most)
+    : hold_{std::max(cyclesIn(kHold, period), kTwoRounds)},
+      settled_{kTwoRounds},
+      at_most_{cyclesIn(crouch_at_most, period) + kTwoRounds} {}
+
+RescueWatch::Step RescueWatch::look(const Sensors& seen) noexcept {
+  const std::uint64_t passed = seen.cycle - std::min(last_, seen.cycle);
+  last_ = seen.cycle;
+  online_ = seen.cycle != 0 && seen.safety.state != State::kOffline;
+  if (!online_) {
+    // Safety begins its crouch anew when the board is back, and so does the time that it may take: a robot on a poor
+    // cable is never given up.
+    limp_ = 0;
+    crouching_ = std::min<std::uint64_t>(crouching_, 1);
+    return crouching_ > 0 ? Step::kCrouch : Step::kHold;
+  }
+  heard_ += passed;
+  if (heard_ <= hold_) return Step::kHold;
+  crouching_ += passed;
+  limp_ = seen.safety.state == State::kLimp && !anyStiff(seen) ? limp_ + passed : 0;
+  if (limp_ >= settled_) return Step::kAtRest;
+  return crouching_ > at_most_ ? Step::kStiff : Step::kCrouch;
+}
+
+}  // namespace darwinop::supervisor

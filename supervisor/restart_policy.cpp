@@ -1,0 +1,29 @@
+// What follows when the default controller ends.
+#include "supervisor/restart_policy.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace darwinop::supervisor {
+
+std::string describe(const Ending& ending) {
+  if (!ending.by_signal) return "with exit code " + std::to_string(ending.code);
+  return "by signal " + std::to_string(ending.code) + " (" + strsignal(ending.code) + ")";
+}
+
+std::size_t RestartPolicy::crashes(Nanos now) const {
+  return static_cast<std::size_t>(
+      std::count_if(at_.begin(), at_.begin() + count_, [=](Nanos at) { return now - at <= kWindow; }));
+}
+
+RestartPolicy::Verdict RestartPolicy::ended(const Ending& ending, Nanos now) {
+  if (ending.tidy()) return Verdict::kOver;
+  if (count_ == kCrashes) {
+    std::rotate(at_.begin(), at_.begin() + 1, at_.end());
+    --count_;
+  }
+  at_[count_++] = now;
+  return crashes(now) >= kCrashes ? Verdict::kGivenUp : Verdict::kAgain;
+}
+
+}  // namespace darwinop::supervisor

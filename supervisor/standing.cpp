@@ -1,0 +1,42 @@
+// Priority, locked memory and protection of the supervisor's process.
+#include "supervisor/standing.hpp"
+
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstring>
+
+namespace darwinop::supervisor {
+namespace {
+
+bool writeTo(const char* path, const char* text) {
+  const int fd = open(path, O_WRONLY | O_CLOEXEC);
+  if (fd < 0) return false;
+  const bool written = write(fd, text, strlen(text)) > 0;
+  close(fd);
+  return written;
+}
+
+}  // namespace
+
+std::string standFast() {
+  std::string refused;
+  sched_param parameter{};
+  parameter.sched_priority = kWatchPriority;
+  if (sched_setscheduler(0, SCHED_FIFO, &parameter) != 0) refused = "real-time priority";
+  // What is there now. The rescue needs more, and takes it as it comes: it is not in a hurry.
+  if (mlockall(MCL_CURRENT) != 0) refused += refused.empty() ? "locked memory" : " and locked memory";
+  // When memory runs out, the kernel shall not choose this process. The second name is that before Linux 2.6.36.
+  if (!writeTo("/proc/self/oom_score_adj", "-1000")) (void)writeTo("/proc/self/oom_adj", "-17");
+  if (refused.empty()) return {};
+  return "the kernel refused " + refused + ", so a loop that hangs may be noticed late; run as root";
+}
+
+void standDown() {
+  const sched_param none{};
+  (void)sched_setscheduler(0, SCHED_OTHER, &none);
+}
+
+}  // namespace darwinop::supervisor

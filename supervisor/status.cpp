@@ -1,0 +1,58 @@
+// What the supervisor is doing, as a small file.
+#include "supervisor/status.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace darwinop::supervisor {
+namespace {
+
+std::string oneLine(std::string text) {
+  for (char& letter : text)
+    if (letter == '\n') letter = ' ';
+  return text;
+}
+
+}  // namespace
+
+bool write(const Status& status, const std::string& path) {
+  std::ostringstream text;
+  text << "home " << oneLine(status.home) << "\nstate " << oneLine(status.state) << "\ncontroller "
+       << oneLine(status.controller) << "\nruntime_pid " << status.runtime_pid << "\ncontroller_pid "
+       << status.controller_pid << "\ncrashes " << status.crashes << "\norders " << status.orders
+       << "\ncontroller_ended " << status.controller_ended << '\n';
+  const std::string fresh = path + ".new";
+  unlink(fresh.c_str());
+  const int fd = open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0644);
+  if (fd < 0) return false;
+  const std::string bytes = text.str();
+  const bool written = ::write(fd, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
+  close(fd);
+  return written && rename(fresh.c_str(), path.c_str()) == 0;
+}
+
+std::optional<Status> read(const std::string& path) {
+  std::ifstream file{path};
+  std::map<std::string, std::string> found;
+  for (std::string name, value; file >> name && file.get() && std::getline(file, value);) found[name] = value;
+  if (!found.contains("controller_ended")) return std::nullopt;  // the last line
+  const auto number = [&](const char* name) { return std::strtol(found[name].c_str(), nullptr, 10); };
+  Status status;
+  status.home = found["home"];
+  status.state = found["state"];
+  status.controller = found["controller"];
+  status.runtime_pid = static_cast<pid_t>(number("runtime_pid"));
+  status.controller_pid = static_cast<pid_t>(number("controller_pid"));
+  status.crashes = static_cast<std::size_t>(number("crashes"));
+  status.orders = static_cast<std::uint32_t>(number("orders"));
+  status.controller_ended = number("controller_ended") != 0;
+  return status;
+}
+
+}  // namespace darwinop::supervisor

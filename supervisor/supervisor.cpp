@@ -1,0 +1,130 @@
+// Parent of runtime and default controller: its life and its orders. What it does with the runtime:
+// supervisor_runtime.cpp
+#include "supervisor/supervisor.hpp"
+
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <utility>
+
+#include "supervisor/robot_settings.hpp"
+#include "supervisor/standing.hpp"
+
+namespace darwinop::supervisor {
+namespace {
+
+runtime::FileLock claim(const std::string& path) {
+  listenForOrders();  // before anybody can see whom to send them to
+  if (auto lock = runtime::FileLock::tryTake(path)) return std::move(*lock);
+  throw std::runtime_error("a supervisor runs already (pid " + std::to_string(runtime::FileLock::holder(path)) +
+                           "); end it with: darwinop supervisor --stop");
+}
+
+const std::string& checkedHome(const std::string& home) {
+  struct stat info {};
+  if (stat(home.c_str(), &info) != 0 || !S_ISDIR(info.st_mode))
+    throw std::runtime_error("there is no folder " + home + "; name the one of the installation with --home");
+  if (mkdir((home + "/log").c_str(), 0755) != 0 && errno != EEXIST)
+    throw std::runtime_error("cannot make " + home + "/log: run as root");
+  return home;
+}
+
+void doze() {
+  const timespec pause{0, 20'000'000};
+  nanosleep(&pause, nullptr);  // an order ends it early
+}
+
+}  // namespace
+
+Supervisor::Supervisor(const Setup& setup)
+    : setup_{setup},
+      own_{files_},
+      claim_{claim(own_.lock)},
+      controller_{checkedHome(setup.home), files_},
+      logs_{{setup.home + "/log/supervisor.log", setup.home + "/log/controller.log"}},
+      start_wait_{kFirstWait} {}
+
+Supervisor::~Supervisor() {
+  unlink(own_.status.c_str());
+}
+
+int Supervisor::run() {
+  useRobotFileOf(setup_.home);
+  if (const std::string refused = standFast(); !refused.empty()) say(refused);
+  say("starts, pid " + std::to_string(getpid()) + ", home " + setup_.home);
+  now_ = clock_.now();
+  startRuntime();
+  for (;; doze()) {
+    now_ = clock_.now();
+    look();
+    publishStatus();
+    if (phase_ == Phase::kOver) break;
+  }
+  say("ends" + robot_);
+  return failed_ ? 1 : 0;
+}
+
+void Supervisor::look() {
+  take(takeOrders());
+  if (phase_ != Phase::kRuntime && phase_ != Phase::kStopping) controller_.lookWithoutRuntime(now_);
+  switch (phase_) {
+    case Phase::kRuntime:
+    case Phase::kStopping:
+      return lookAtRuntime();
+    case Phase::kBackOff:
+      if (now_ >= next_start_) startRuntime();
+      return;
+    case Phase::kRescue:
+      return lookAtRescue();
+    case Phase::kDown:
+      if (stop_asked_ && controller_.over()) phase_ = Phase::kOver;
+      return;
+    case Phase::kOver:
+      return;
+  }
+}
+
+void Supervisor::become(Phase phase, const std::string& told) {
+  phase_ = phase;
+  told_ = told;
+  once_.forget();
+  say(told);
+}
+
+void Supervisor::take(const Orders& orders) {
+  orders_ += orders.stop || orders.stop_controller || orders.restart_controller ? 1 : 0;
+  if (orders.stop && !stop_asked_) {
+    stop_asked_ = true;
+    restart_asked_ = false;
+    controller_.stop(now_);
+    stop_rescue_at_ = now_ + kTimeToReachRobot;
+    if (phase_ == Phase::kRuntime) become(Phase::kStopping, "is told to stop");
+    if (phase_ == Phase::kBackOff) become(Phase::kDown, "is told to stop");
+  }
+  if (stop_asked_) return;
+  if (orders.stop_controller) controller_.stop(now_);
+  if (!orders.restart_controller) return;
+  if (phase_ == Phase::kRescue) {
+    restart_asked_ = true;  // the robot comes to rest first
+    return;
+  }
+  controller_.restart(now_);
+  if (phase_ == Phase::kDown || phase_ == Phase::kBackOff) startRuntime();
+}
+
+void Supervisor::publishStatus() {
+  Status status;
+  controller_.tell(status, now_);
+  status.home = setup_.home;
+  status.runtime_pid = runtime_ ? runtime_->process().pid() : 0;
+  status.orders = orders_;
+  const bool up = phase_ == Phase::kRuntime && told_ == kReady;
+  if (!up) status.state = told_;
+  if (status == published_) return;
+  if (write(status, own_.status)) published_ = status;
+}
+
+}  // namespace darwinop::supervisor

@@ -1,0 +1,111 @@
+#include "supervisor/child.hpp"
+
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "support/temporary_folder.hpp"
+
+namespace darwinop::supervisor {
+namespace {
+
+using testing::HasSubstr;
+
+template <class Condition>
+bool soon(Condition condition) {
+  for (int i = 0; i < 1000; ++i, std::this_thread::sleep_for(std::chrono::milliseconds{5}))
+    if (condition()) return true;
+  return false;
+}
+
+Ending endOf(Child& child) {
+  EXPECT_TRUE(soon([&] { return child.ended().has_value(); }));
+  return child.ended().value_or(Ending{-1, true});
+}
+
+std::string textOf(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream{path}.rdbuf();
+  return text.str();
+}
+
+Start shell(const std::string& script, const std::string& log = "") {
+  Start start;
+  start.command = {"/bin/sh", "-c", script};
+  start.log = log;
+  return start;
+}
+
+TEST(Child, TellsExitCodeAndSignal) {
+  Child failed{shell("exit 3")};
+  EXPECT_EQ(describe(endOf(failed)), "with exit code 3");
+  Child killed{shell("kill -SEGV $$")};
+  EXPECT_EQ(describe(endOf(killed)), "by signal 11 (Segmentation fault)");
+}
+
+TEST(Child, AppendsItsOutputAndHasItsFolderAndEnvironment) {
+  const TemporaryFolder folder;
+  std::ofstream{folder / "log"} << "before\n";
+  setenv("SUPERVISOR_TEST", "old", 1);
+  Start start = shell("pwd; echo $SUPERVISOR_TEST >&2", folder / "log");
+  start.folder = "/";
+  start.environment = {{"SUPERVISOR_TEST", "new"}};
+  Child child{start};
+  EXPECT_TRUE(endOf(child).tidy());
+  EXPECT_EQ(textOf(folder / "log"), "before\n/\nnew\n");
+}
+
+TEST(Child, AProgramThatIsNotThereIsCode127AndASentence) {
+  const TemporaryFolder folder;
+  Start start;
+  start.command = {folder / "nothing"};
+  start.log = folder / "log";
+  Child child{start};
+  EXPECT_EQ(endOf(child).code, 127);
+  EXPECT_THAT(textOf(folder / "log"), HasSubstr("cannot run " + (folder / "nothing")));
+}
+
+TEST(Child, RunsInAGroupOfItsOwnWithNoSignalBlocked) {
+  sigset_t all, before;
+  sigfillset(&all);
+  sigprocmask(SIG_BLOCK, &all, &before);
+  Child child{shell("exec sleep 100")};
+  sigprocmask(SIG_SETMASK, &before, nullptr);
+  EXPECT_TRUE(soon([&] { return getpgid(child.pid()) == child.pid(); }));
+  child.signal(SIGTERM);
+  const Ending ending = endOf(child);
+  EXPECT_TRUE(ending.by_signal);
+  EXPECT_EQ(ending.code, SIGTERM);
+}
+
+TEST(Child, IsToldToEndAndNotKilledWhenNobodyLooksAfterItAnyMore) {
+  const TemporaryFolder folder;
+  {
+    const Child child{shell("trap 'echo told; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log")};
+    EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\n"; }));
+  }
+  EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\ntold\n"; }));
+}
+
+TEST(Child, IsToldToEndWhenItsParentIsKilled) {
+  const TemporaryFolder folder;
+  const pid_t parent = fork();
+  if (parent == 0) {
+    const Child child{shell("trap 'echo told; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log")};
+    for (;;) pause();
+  }
+  EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\n"; }));
+  kill(parent, SIGKILL);
+  waitpid(parent, nullptr, 0);
+  EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\ntold\n"; }));
+}
+
+}  // namespace
+}  // namespace darwinop::supervisor

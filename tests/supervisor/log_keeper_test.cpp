@@ -1,0 +1,52 @@
+#include "supervisor/log_keeper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "support/temporary_folder.hpp"
+
+namespace darwinop::supervisor {
+namespace {
+
+std::string textOf(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream{path}.rdbuf();
+  return text.str();
+}
+
+TEST(LogKeeper, ASmallLogIsLeftAlone) {
+  const TemporaryFolder folder;
+  std::ofstream{folder / "log"} << "short";
+  EXPECT_TRUE(bound(folder / "log", 100));
+  EXPECT_EQ(textOf(folder / "log"), "short");
+  EXPECT_FALSE(std::filesystem::exists(folder / "log.1"));
+}
+
+TEST(LogKeeper, AFullOneMovesOnAndItsWriterGoesOnWriting) {
+  const TemporaryFolder folder;
+  std::ofstream writer{folder / "log", std::ios::app};
+  writer << std::string(90, 'a') << std::string(60, 'b') << std::flush;
+  EXPECT_TRUE(bound(folder / "log", 100));
+  EXPECT_EQ(textOf(folder / "log.1"), std::string(40, 'a') + std::string(60, 'b'));
+  writer << "more" << std::flush;
+  EXPECT_EQ(textOf(folder / "log"), "more");
+}
+
+TEST(LogKeeper, OneThatCannotBeCopiedIsEmptiedAllTheSame) {
+  const TemporaryFolder folder;
+  std::ofstream{folder / "log"} << std::string(150, 'a');
+  std::filesystem::create_directory(folder / "log.1");
+  EXPECT_FALSE(bound(folder / "log", 100));
+  EXPECT_EQ(textOf(folder / "log"), "");
+}
+
+TEST(LogKeeper, ALogThatIsNotThereIsNoError) {
+  const TemporaryFolder folder;
+  EXPECT_TRUE(bound(folder / "log", 100));
+}
+
+}  // namespace
+}  // namespace darwinop::supervisor

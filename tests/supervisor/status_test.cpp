@@ -1,0 +1,39 @@
+#include "supervisor/status.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/temporary_folder.hpp"
+
+namespace darwinop::supervisor {
+namespace {
+
+TEST(Status, WhatIsWrittenIsRead) {
+  const TemporaryFolder folder;
+  Status status;
+  status.home = "/opt/dar win";
+  status.state = "two\nlines";
+  status.runtime_pid = 12;
+  status.crashes = 2;
+  status.orders = 7;
+  status.controller_ended = true;
+  ASSERT_TRUE(write(status, folder / "status"));
+  status.state = "two lines";
+  EXPECT_EQ(read(folder / "status"), status);
+}
+
+TEST(Status, NoFileAndAnUnfinishedOneAreNothing) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read(folder / "status"), std::nullopt);
+  std::ofstream{folder / "status"} << "home /opt\nstate x\n";
+  EXPECT_EQ(read(folder / "status"), std::nullopt);
+}
+
+TEST(Status, AFolderThatIsNotThereIsToldByFalse) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(write(Status{}, folder / "nowhere/status"));
+}
+
+}  // namespace
+}  // namespace darwinop::supervisor

@@ -1,0 +1,230 @@
+// Supervisor, runtime and default controller as a robot has them, and what becomes of the robot when one of them fails.
+#include <gmock/gmock.h>
+
+#include "supervisor/home.hpp"
+
+namespace darwinop::supervisor {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kGentle = 2.0;     // rad/s, [Safety] gentle_speed of home.hpp: not the usual 1.194
+constexpr double kStretched = 0.9;  // rad from the start pose, at least, when the test's controller stands
+constexpr std::size_t kKnee = index(Joint::kLegLowerR);
+
+/// Looks at every image until nobody publishes any more.
+struct Course {
+  double fastest = 0;  // rad/s of the knee's goal, from image to image
+  bool crouched = false, red = false, offline = false;
+
+  void look(const Sensors& seen) {
+    if (seen.cycle == before.cycle) return;
+    const bool next = seen.cycle > before.cycle;
+    const double step = seen.joint[kKnee].commanded.value - before.joint[kKnee].commanded.value;
+    const double time = static_cast<double>(seen.time_ns - before.time_ns) * 1e-9;
+    if (next && std::isfinite(step)) fastest = std::max(fastest, std::abs(step) / time);
+    crouched = crouched || seen.safety.state == State::kKneeling;
+    red = red || (seen.board.led_panel == 1 && seen.board.led_head == 0x1F);
+    before = seen;
+  }
+  Sensors before;
+};
+
+class RuntimeFails : public Home, public testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(By, RuntimeFails, testing::Values(SIGKILL, SIGSTOP),
+                         [](const auto& by) { return by.param == SIGKILL ? "Death" : "Silence"; });
+
+TEST_P(RuntimeFails, AndTheRobotCrouchesGentlyToTheStartPoseAndLetsGo) {
+  startVirtualRobot();
+  plan("hold");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  const Sensors standing = sensors();
+  ASSERT_GT(std::abs(standing.joint[kKnee].position.value - radFromTicks(row(Joint::kLegLowerR).start).value),
+            kStretched);
+  const pid_t failed = status().runtime_pid;
+  kill(failed, GetParam());
+
+  Course course;
+  ASSERT_TRUE(within(seconds{40},
+                     [&] {  // a machine that stalls for 80 ms silences the board, and the crouch begins anew
+                       const Sensors seen = sensors();
+                       if (seen.cycle != 0 && kill(failed, 0) != 0) course.look(seen);
+                       return supervisor_->output().find("torque is off") != std::string::npos;
+                     }))
+      << supervisor_->output();
+  EXPECT_TRUE(course.crouched);
+  EXPECT_TRUE(course.red);
+  EXPECT_GT(course.fastest, 0.9 * kGentle);  // with the settings of robot.ini, not the usual ones
+  EXPECT_LE(course.fastest, 1.01 * kGentle);
+
+  const Registers robot = registers();  // the port is free again
+  EXPECT_EQ(robot.silent, 0);
+  EXPECT_EQ(robot.stiff, 0);
+  EXPECT_LT(robot.furthest, 0.1);
+  EXPECT_EQ(robot.panel, 1);
+  EXPECT_EQ(robot.head, 0x1F);
+
+  if (GetParam() == SIGSTOP) return;
+  std::this_thread::sleep_for(milliseconds{2500});  // longer than the pause before a restart
+  EXPECT_EQ(status().runtime_pid, 0);
+  EXPECT_EQ(status().controller_pid, 0);
+  EXPECT_EQ(ask("--status"), 0);
+  EXPECT_THAT(said_, HasSubstr("the robot is at rest"));
+}
+
+TEST_F(Home, ALimpRobotWhoseRuntimeDiesStaysLimp) {
+  startVirtualRobot();
+  startSupervisor();  // without a default controller
+  ASSERT_TRUE(says("runtime: ready")) << supervisor_->output();
+  const pid_t failed = status().runtime_pid;
+  kill(failed, SIGKILL);
+  bool driven = false;
+  ASSERT_TRUE(within(seconds{12}, [&] {
+    const Sensors seen = sensors();
+    for (const JointSensors& joint : seen.joint) driven = driven || joint.driven || joint.torque_enabled;
+    return supervisor_->output().find("torque is off") != std::string::npos;
+  })) << supervisor_->output();
+  EXPECT_FALSE(driven);
+  EXPECT_EQ(registers().stiff, 0);
+
+  plan("once");
+  EXPECT_EQ(ask("--restart-controller"), 0) << said_;
+  EXPECT_TRUE(says("walk has ended by itself")) << supervisor_->output();
+  EXPECT_NE(status().runtime_pid, 0);
+  EXPECT_EQ(ask("--stop"), 0) << said_;
+}
+
+TEST_F(Home, ARuntimeThatDiesWhileTheCableIsOutIsMadeUpForWhenItIsBack) {
+  startVirtualRobot("8 unplug for 4\n");  // it stands after 3 s; a busy machine may take longer
+  plan("hold");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands", seconds{8})) << supervisor_->output() << controllerLog();
+  ASSERT_TRUE(within(seconds{12}, [&] {
+    const Sensors seen = sensors();
+    return seen.cycle != 0 && seen.safety.state == State::kOffline;
+  }));
+  kill(status().runtime_pid, SIGKILL);
+  ASSERT_TRUE(says("cannot reach the robot yet, and keeps trying", seconds{3})) << supervisor_->output();
+  ASSERT_TRUE(says("torque is off")) << supervisor_->output();
+  const std::string output = supervisor_->output();
+  EXPECT_EQ(output.find("cannot reach"), output.rfind("cannot reach"));
+  const Registers robot = registers();
+  EXPECT_EQ(robot.stiff, 0);
+  EXPECT_LT(robot.furthest, 0.1);
+}
+
+TEST_F(Home, AControllerThatCrashesThreeTimesIsGivenUpAndTheRobotIsHeldWithRedLights) {
+  startVirtualRobot();
+  plan("crash");
+  startSupervisor();
+  ASSERT_TRUE(says("is given up: 3 crashes within 60 s, the last one by signal 6", seconds{25}))
+      << supervisor_->output();
+  ASSERT_TRUE(within(seconds{3}, [&] { return sensors().board.led_head == 0x1F; }));
+  std::this_thread::sleep_for(milliseconds{300});  // it was given up in the middle of a movement
+  const Sensors held = sensors();
+  std::this_thread::sleep_for(milliseconds{2500});
+  const Sensors later = sensors();
+  EXPECT_EQ(later.safety.state, State::kDriven);
+  EXPECT_EQ(later.board.led_panel, 1);
+  EXPECT_EQ(later.board.led_head, 0x1F);
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    EXPECT_TRUE(later.joint[i].torque_enabled) << i;
+    EXPECT_NEAR(later.joint[i].position.value, held.joint[i].position.value, 0.02) << i;
+  }
+  EXPECT_EQ(status().controller_pid, 0);
+  EXPECT_EQ(status().crashes, 3U);
+  EXPECT_EQ(ask("--status"), 0);
+  EXPECT_THAT(said_, HasSubstr("is given up"));
+
+  plan("hold");
+  EXPECT_EQ(ask("--restart-controller"), 0);
+  EXPECT_TRUE(controllerSays("stands")) << supervisor_->output();
+  EXPECT_EQ(ask("--stop-controller"), 0);
+  EXPECT_THAT(said_, HasSubstr("walk is stopped"));
+  EXPECT_THAT(controllerLog(), HasSubstr("told to end"));
+  EXPECT_EQ(status().controller_pid, 0);
+  EXPECT_TRUE(within(seconds{8}, [&] { return sensors().safety.state == State::kLimp; }));
+  std::this_thread::sleep_for(milliseconds{1500});  // the robot sits now
+  EXPECT_EQ(status().controller_pid, 0);            // it stays ended all the same
+}
+
+TEST_F(Home, AKilledSupervisorTakesTheRestWithItTidily) {
+  startVirtualRobot();
+  plan("hold");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  const Status before = status();
+  supervisor_->kill(SIGKILL);
+  EXPECT_TRUE(within(seconds{10}, [&] { return runtime::FileLock::holder(runtime::RuntimeFiles{}.loop_lock) == 0; }));
+  EXPECT_TRUE(within(seconds{2}, [&] { return kill(before.controller_pid, 0) != 0; }));
+  const Registers robot = registers();
+  EXPECT_EQ(robot.silent, 0);
+  EXPECT_EQ(robot.stiff, 0);
+  EXPECT_LT(robot.furthest, 0.1);
+}
+
+TEST_F(Home, StopEndsEvenAControllerThatDoesNotListen) {
+  startVirtualRobot();
+  plan("deaf");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  Program second{{program("darwinop-supervisor"), "--home", file("home")}, file("second.txt")};
+  EXPECT_EQ(second.wait(seconds{5}), 1);
+  EXPECT_THAT(second.output(), HasSubstr("runs already (pid " + std::to_string(supervisor_->pid())));
+  EXPECT_EQ(ask("--stop"), 0) << said_;
+  EXPECT_EQ(supervisor_->wait(seconds{1}), 0) << supervisor_->output();
+  EXPECT_THAT(supervisor_->output(), HasSubstr("has not ended within 3 s and is killed"));
+  EXPECT_FALSE(std::filesystem::exists(SupervisorFiles{runtime::RuntimeFiles{}}.status));
+  const Registers robot = registers();
+  EXPECT_EQ(robot.stiff, 0);
+  EXPECT_LT(robot.furthest, 0.1);
+}
+
+TEST_F(Home, TheDefaultControllerWaitsUntilTheRobotSitsUpright) {
+  startVirtualRobot("0 fallen front for 3\n");
+  plan("once");
+  startSupervisor();
+  ASSERT_TRUE(says("waits until the robot sits upright")) << supervisor_->output();
+  Program pose{{program("darwinop-runtime"), "--check-pose"}, file("pose.txt")};
+  EXPECT_EQ(pose.wait(seconds{5}), 3);
+  EXPECT_THAT(pose.output(), HasSubstr("not upright"));
+  ASSERT_TRUE(says("walk has ended by itself")) << supervisor_->output();
+  const std::string output = supervisor_->output();
+  EXPECT_EQ(output.find("waits until the robot sits"), output.rfind("waits until the robot sits"));
+  EXPECT_THAT(controllerLog(), HasSubstr("plan once"));
+  Program again{{program("darwinop-runtime"), "--check-pose"}, file("pose.txt")};
+  EXPECT_EQ(again.wait(seconds{5}), 0);
+  EXPECT_EQ(again.output(), "start pose: ok\n");
+}
+
+TEST_F(Home, AMistakeInRobotIniIsToldOnceAndNoRuntimeStartsBeforeItIsCorrected) {
+  startVirtualRobot();
+  const std::string sound = "[Robot]\nport = " + port() + "\n";
+  std::ofstream{file("home/robot.ini")} << sound << "speed = 3\n";
+  startSupervisor();
+  ASSERT_TRUE(says("robot.ini, line 3: [Robot] speed = 3: no such key")) << supervisor_->output();
+  std::this_thread::sleep_for(milliseconds{2500});  // it is tried again after 2 s
+  const std::string output = supervisor_->output();
+  EXPECT_EQ(output.find("no such key"), output.rfind("no such key")) << output;
+  EXPECT_EQ(status().runtime_pid, 0);
+  EXPECT_EQ(ask("--status"), 0);
+  EXPECT_THAT(said_, HasSubstr("line 3"));
+
+  std::ofstream{file("home/robot.ini")} << sound;
+  EXPECT_EQ(ask("--restart-controller"), 0) << said_;
+  EXPECT_TRUE(says("runtime: ready")) << supervisor_->output();
+  EXPECT_EQ(ask("--stop"), 0) << said_;
+  EXPECT_TRUE(says("ends; the robot is at rest")) << supervisor_->output();
+}
+
+TEST_F(Home, WithoutASupervisorQuestionsAreAnsweredAllTheSame) {
+  EXPECT_EQ(ask("--status"), 1);
+  EXPECT_EQ(ask("--stop"), 0);
+  EXPECT_EQ(ask("--stop-controller"), 1);
+  EXPECT_EQ(ask("--restart-controller"), 1);
+  EXPECT_THAT(said_, HasSubstr("no supervisor runs"));
+}
+
+}  // namespace
+}  // namespace darwinop::supervisor

@@ -1,0 +1,36 @@
+// The default controller of the system tests. The file "plan" in its folder says what it does:
+//   hold    stretches both knees and stays so until it is told to end
+//   crash   the same, and dies in the middle of it
+//   deaf    the same, and then neither steps nor listens
+//   once    ends at once
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <webots/Motor.hpp>
+#include <webots/Robot.hpp>
+
+int main() {
+  std::string plan;
+  std::ifstream{"plan"} >> plan;
+  std::cout << "plan " << plan << std::endl;
+  if (plan == "once") return 0;
+  webots::Robot robot;
+  const int step_ms = static_cast<int>(robot.getBasicTimeStep());
+  robot.getMotor("LegLowerR")->setPosition(1.2);
+  robot.getMotor("LegLowerL")->setPosition(-1.2);
+  int steps = 0;
+  while (robot.step(step_ms) != -1) {
+    if (++steps == 10 && plan == "crash") std::abort();
+    if (steps != 40) continue;
+    std::cout << "stands" << std::endl;
+    if (plan == "deaf") std::signal(SIGTERM, SIG_IGN);
+    while (plan == "deaf") pause();
+  }
+  std::cout << "told to end" << std::endl;
+  return 0;
+}
