@@ -1,0 +1,47 @@
+# shellcheck shell=sh disable=SC2154  # variables are shared with the other files
+# What the command does, once the arguments are known: each action is a few calls of functions on the robot.
+
+robot_settings() { quote force="$force" without_robot="$without_robot" port="$port" autostart="$autostart" dry_run="$dry_run"; }
+
+# on_robot FUNCTION [WORDS]: with the settings as arguments, WORDS quoted for eval.
+on_robot() {
+  robot_function=$1
+  eval "set -- $(robot_settings)${2:-}"
+  robot_run "$robot_function" "$@"
+}
+
+install_on_robot() {
+  open_bundle
+  say "version $version ($((archive_bytes / 1024)) kB) for $target"
+  connect
+  status=0
+  on_robot preflight "$(bundle_settings)" </dev/null || status=$?
+  [ "$status" != 10 ] || exit 0
+  end_unless_well "$status"
+  if [ "$dry_run" = 1 ]; then
+    say "nothing speaks against it; without --dry-run version $version would now be installed into /opt/darwinop/versions"
+    exit 0
+  fi
+  status=0
+  changing=1
+  send_with_progress "$bundle" "$archive_bytes" | on_robot install_bundle "$(bundle_settings)" || status=$?
+  end_unless_well "$status"
+}
+
+other_action() {
+  connect
+  [ "$action" = status ] || [ "$dry_run" = 1 ] || changing=1
+  status=0
+  on_robot "$1" </dev/null || status=$?
+  end_unless_well "$status"
+}
+
+# The robot's program says what is wrong for the codes that it knows; the others are said here.
+end_unless_well() {
+  case $1 in
+    0) return ;;
+    1 | 3 | 4 | 5) exit "$1" ;;
+    255) die "the connection to $target was lost; the robot ends the step that it was in and runs either the old or the new version. Look with --status, then try again" ;;
+    *) die "the program on $target was ended in the middle (status $1); the robot runs either the old or the new version. Run the same command again to complete it" ;;
+  esac
+}

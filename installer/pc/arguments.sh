@@ -1,0 +1,123 @@
+# shellcheck shell=sh disable=SC2034  # what is set here is read by the other files
+# The command line. Everything that it can say is a variable with its default here.
+
+action=install       # install, uninstall, status, rollback, controller
+target=darwin@192.168.123.1
+dry_run=0
+force=0
+without_robot=0
+port=
+autostart=           # empty: the robot's kind decides
+bundle=
+new_host=0
+ssh_options=         # words quoted for eval
+controller_dir=
+controller_action=   # send, run, make-default, stop, logs
+controller_arguments= # words quoted for eval
+logs_follow=0
+passed=0             # 1: there was a --
+
+usage() {
+  cat <<'END'
+usage: darwinop install [OPTIONS] [USER@HOST]
+       darwinop install --controller DIR [--run | --make-default] [OPTIONS] [USER@HOST] [-- ARGUMENTS...]
+       darwinop install --stop | --logs [-f] [OPTIONS] [USER@HOST]
+
+Installs darwinop-rt on a robot over ssh (default darwin@192.168.123.1; an OP2 has robotis@...), or sends a controller.
+Nothing is changed before everything was checked; a version that fails its self-test goes back by itself.
+
+  --dry-run              check everything and say what would be done; change nothing. With --controller: build only
+  --status               what is installed and what runs
+  --rollback             go back to the version before
+  --uninstall            remove everything and restore /etc/rc.local
+  --force                install an older version over a newer one; go on when the supervisor does not stop;
+                         with --run: start it whatever the robot's pose is (hold the robot)
+  --without-robot        no serial device is there now: no self-test, and the supervisor is not started
+  --port DEVICE          serial device of the CM-730, for a new robot.ini (default /dev/ttyUSB0)
+  --autostart KIND       rc.local, systemd or none (default: what the robot has)
+  --bundle FILE          the archive to install (default: the newest of ./dev build --robot)
+  --controller DIR       build the controller in DIR and send it with its data files
+    --run                and run it here; Ctrl-C stops it safely. What follows -- are its arguments
+    --make-default       and start it at every boot
+  --stop                 end the controller that runs, safely; the default one starts again at the next boot
+  --logs [-f]            show the robot's logs; -f goes on showing
+  --new-host             accept the key of a robot that is not known yet, without asking
+  -p PORT, -i KEY, -o OPTION, -F FILE   as for ssh
+
+A password is asked for once, or taken from DARWINOP_PASSWORD. Example: darwinop install --dry-run darwin@192.168.123.1
+Exit code: 0 done, 1 refused or failed and the robot is as before, 2 wrong usage, 3 the start pose is not safe,
+4 failed and the previous version is back, 5 another installation is running.
+END
+}
+
+wrong_usage() {
+  say "$*; see 'darwinop install --help'"
+  exit 2
+}
+
+parse_arguments() {
+  have_target=0
+  while [ $# -gt 0 ]; do
+    case $1 in
+      --port | --autostart | --bundle | --controller | -p | -i | -o | -F) [ $# -ge 2 ] || wrong_usage "$1 needs a value" ;;
+    esac
+    case $1 in
+      -h | --help) usage && exit 0 ;;
+      --dry-run) dry_run=1 ;;
+      --status | --rollback | --uninstall) set_action "${1#--}" ;;
+      --force) force=1 ;;
+      --without-robot) without_robot=1 ;;
+      --port) port=$2 && shift ;;
+      --autostart) autostart=$2 && shift ;;
+      --bundle) bundle=$2 && shift ;;
+      --controller) set_action controller && controller_dir=$2 && shift ;;
+      --run | --make-default) set_controller_action "${1#--}" ;;
+      --stop | --logs) set_action controller && set_controller_action "${1#--}" ;;
+      -f) logs_follow=1 ;;
+      --new-host) new_host=1 ;;
+      -p | -i | -o | -F) ssh_options="$ssh_options$(quote "$1" "$2")" && shift ;;
+      --) shift && controller_arguments=$(quote "$@") && set -- -- && passed=1 ;;
+      -*) wrong_usage "there is no option $1" ;;
+      *)
+        [ $have_target = 0 ] || wrong_usage "one robot at a time: $target or $1"
+        target=$1 have_target=1
+        ;;
+    esac
+    shift
+  done
+  check_arguments
+}
+
+set_action() {
+  [ "$action" = install ] || wrong_usage "--$action and --$1 do not go together"
+  action=$1
+}
+
+set_controller_action() {
+  [ -z "$controller_action" ] || wrong_usage "--$controller_action and --$1 do not go together"
+  controller_action=$1
+}
+
+check_arguments() {
+  case $target in
+    -* | *[!A-Za-z0-9@._:%-]* | *@ | @* | '') wrong_usage "'$target' is not user@host" ;;
+    *@*) ;;
+    *) target=darwin@$target ;;
+  esac
+  case $autostart in '' | rc.local | systemd | none) ;; *) wrong_usage "--autostart takes rc.local, systemd or none, not '$autostart'" ;; esac
+  case $port in
+    '' | /dev/?*) ;;
+    *) wrong_usage "--port takes a device such as /dev/ttyUSB0, not '$port'" ;;
+  esac
+  case $port in *[!A-Za-z0-9/._:-]*) wrong_usage "--port takes a device such as /dev/ttyUSB0, not '$port'" ;; esac
+  [ "$logs_follow" = 0 ] || [ "$controller_action" = logs ] || wrong_usage "-f goes with --logs"
+  [ "$dry_run" = 0 ] || [ "$controller_action" != stop ] || wrong_usage "--dry-run does not go with --stop"
+  case $action:$controller_action in
+    controller:run) ;;
+    controller:stop | controller:logs) [ -z "$controller_dir" ] || wrong_usage "--$controller_action takes no --controller" ;;
+    controller:) controller_action=send ;;
+    controller:*) ;;
+    *:?*) wrong_usage "--$controller_action goes with --controller" ;;
+  esac
+  [ "$passed" = 0 ] || [ "$controller_action" = run ] || wrong_usage "arguments after -- go with --controller DIR --run"
+}

@@ -1,0 +1,116 @@
+# shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
+# One ssh connection to the robot: `connect` logs in once, every `robot_run` is a session of it, `disconnect` ends it.
+# In: $target (user@host), $ssh_options (words quoted for eval), $new_host (1: accept an unknown host key), $installer.
+
+# Not what the environment happens to call so: `disconnect` removes this folder.
+connection=
+sudo_password=
+ssh_apart=
+
+connect() {
+  command -v ssh >/dev/null 2>&1 || die "there is no ssh on this machine. Install it: sudo apt-get install openssh-client"
+  connection=$(mktemp -d "${TMPDIR:-/tmp}/darwinop-install.XXXXXX") || die "cannot make a temporary folder"
+  chmod 700 "$connection"
+  host_keys=ask
+  [ "${new_host:-0}" = 0 ] || host_keys=accept-new
+  legacy_options=
+  log_in_with_key || log_in_with_password
+  look_for_root
+}
+
+disconnect() {
+  trap '' INT TERM HUP
+  restore_terminal
+  [ -n "${connection:-}" ] || return 0
+  [ ! -S "$connection/socket" ] || ssh_call -O exit "$target" >/dev/null 2>&1 || :
+  rm -rf "$connection"
+  connection=
+}
+
+# robot_run FUNCTION ARGUMENTS... <DATA: runs a function of installer/robot/*.sh as root on the robot, DATA its stdin.
+# The program is the command line, so that stdin is free. Status is the function's, 255 means that the link was lost.
+robot_run() {
+  robot_program=$(robot_text && printf '\nmain ' && quote "$@") || die "cannot read $installer/robot"
+  robot_command="${as_root}sh -c $(quote "$robot_program")"
+  { [ -z "${sudo_password:-}" ] || printf '%s\n' "$password"; printf 'darwinop-stream\n'; cat; } |
+    ssh_session "$robot_command"
+}
+
+# The functions, and the small files that they write, as shell variables.
+robot_text() {
+  cat "$installer"/robot/*.sh || return 1
+  for robot_file in start:start unit:darwinop.service.template rc_local:../rc.local.template; do
+    robot_file_text=$(cat "$installer/${robot_file#*:}") || return 1
+    printf '\ntext_%s=' "${robot_file%%:*}"
+    quote "$robot_file_text"
+  done
+}
+
+# ssh_call ARGUMENTS: ssh over the socket, with what the user asked for first: ssh takes the first value it sees.
+ssh_call() { ssh_with "" "$@"; }
+
+# ssh_session COMMAND: over the master only; when that is gone this fails and does not log in anew.
+ssh_session() { ssh_with "-o ProxyCommand=false" -o ControlMaster=no -o BatchMode=yes -T "$target" "$1"; }
+
+ssh_with() { # WORDS-BEFORE-THE-USERS ARGUMENTS
+  ssh_words="$1 $ssh_options -S \"\$connection/socket\" -o ConnectTimeout=10 -o ServerAliveInterval=5 \
+    -o ServerAliveCountMax=3 $legacy_options"
+  shift
+  eval "set -- $ssh_words \"\$@\""
+  ${ssh_apart:-} ssh "$@"  # a word before it: see attended() in controller.sh
+}
+
+# open_master OPTIONS: what ssh says goes to $connection/said, its questions to the terminal.
+open_master() { ssh_call -M -N -f -o ControlPersist=no -o ClearAllForwardings=yes "$@" "$target" </dev/null 2>"$connection/said"; }
+
+# Keys, agents: whatever needs no password of the robot. Status 1: the robot asks for one.
+log_in_with_key() {
+  open_master -o StrictHostKeyChecking="$host_keys" -o PasswordAuthentication=no -o KbdInteractiveAuthentication=no && return
+  if grep -q -e 'no matching' -e 'Unable to negotiate' "$connection/said" && [ -z "$legacy_options" ]; then
+    say "$target speaks only old ssh algorithms, which today's ssh leaves out as weak; they are allowed for this robot and this command alone"
+    legacy_options=$(legacy_ssh_options)
+    log_in_with_key
+    return
+  fi
+  if grep -q -e 'Permission denied' -e 'Too many authentication failures' "$connection/said"; then return 1; fi
+  explain_ssh
+}
+
+log_in_with_password() {
+  if grep 'Permission denied' "$connection/said" | grep -v -q -e password -e keyboard-interactive; then
+    die "$target takes keys only and none of yours; copy one to it from a machine that can log in, or name it with -i"
+  fi
+  need_password "login"
+  [ "$host_keys" = accept-new ] || host_keys=yes
+  # The helper hands ssh the password out of its environment: it is in no file and in no argument list.
+  # shellcheck disable=SC2016
+  printf '#!/bin/sh\nprintf "%%s\\n" "$DARWINOP_PASSWORD"\n' >"$connection/askpass"
+  chmod 700 "$connection/askpass"
+  (
+    export DARWINOP_PASSWORD="$password" SSH_ASKPASS="$connection/askpass" SSH_ASKPASS_REQUIRE=force DISPLAY="${DISPLAY:-:0}"
+    open_master -o StrictHostKeyChecking="$host_keys" -o PubkeyAuthentication=no -o NumberOfPasswordPrompts=1
+  ) && return
+  if grep -q 'Permission denied' "$connection/said"; then
+    die "$target did not take the password; a DARwIn-OP comes with 'darwin' and 111111, an OP2 with 'robotis' and 111111"
+  fi
+  explain_ssh
+}
+
+# Sets $as_root, the words before a command, and $sudo_password when sudo wants one.
+look_for_root() {
+  as_root=
+  sudo_password=
+  case $(ssh_session 'id -u; sudo -n true 2>/dev/null && echo free; command -v sudo' </dev/null) in
+    0*) return ;;
+    *free*) as_root="sudo -n " ;;
+    */*)
+      as_root="sudo -S -p '' "
+      need_password "sudo"
+      printf '%s\n' "$password" | ssh_session "sudo -S -p '' true" >/dev/null 2>&1 ||
+        die "sudo on $target did not take the password, or this user may not use sudo; log in as a user who may"
+      sudo_password=1
+      ;;
+    "") die "$target took the login, but ran no command; does 'ssh $target id' work?" ;;
+    *) die "$target has no sudo; log in as root" ;;
+  esac
+}

@@ -1,0 +1,104 @@
+# shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
+# How the robot starts us at boot: a block in /etc/rc.local, or a systemd unit, or not at all.
+
+unit_file() { echo "$etc/systemd/system/darwinop.service"; }
+unit_link() { echo "$etc/systemd/system/multi-user.target.wants/darwinop.service"; }
+
+# rc.local, systemd or none: what this call says, else what was chosen at the last installation, else what the robot has.
+autostart_wanted() {
+  if [ -n "$autostart" ]; then
+    echo "$autostart"
+  elif [ -s "$home/kept/autostart" ] && [ "$(version_current)" != - ]; then
+    cat "$home/kept/autostart"
+  elif [ -d /run/systemd/system ]; then
+    echo systemd
+  else
+    echo rc.local
+  fi
+}
+
+# What is set up now.
+autostart_kind() {
+  if [ -e "$(unit_link)" ]; then
+    echo systemd
+  elif grep -q '^# >>> darwinop-rt' "$etc/rc.local" 2>/dev/null && grep -q '/opt/darwinop/start' "$etc/rc.local"; then
+    echo rc.local
+  else
+    echo none
+  fi
+}
+
+# autostart_is KIND: is everything as autostart_set would make it?
+autostart_is() {
+  [ "$(autostart_kind)" = "$1" ] || return
+  case $1 in
+    rc.local) [ ! -e "$(unit_file)" ] && [ -x "$etc/rc.local" ] && rc_local_is_ours "$(rc_local_file)" ;;
+    systemd) [ "$(cat "$(unit_file)")" = "$text_unit" ] ;;
+    none) ! rc_local_touched "$(rc_local_file)" && [ ! -e "$(unit_file)" ] ;;
+  esac
+}
+
+# autostart_set KIND. The new way is set up before the old one goes.
+autostart_set() {
+  case $1 in
+    rc.local) rc_local_put 1 && unit_remove ;;
+    systemd) unit_put && rc_local_without_start ;;
+    none) autostart_remove ;;
+    *) return 1 ;;
+  esac
+}
+
+# With a unit, rc.local is touched only where it would start the ROBOTIS demo beside us.
+rc_local_without_start() {
+  file=$(rc_local_file)
+  [ -f "$file" ] || return 0
+  if rc_local_touched "$file" || [ -n "$(rc_local_demo "$file")" ]; then
+    rc_local_restore && if [ -f "$file" ] && [ -n "$(rc_local_demo "$file")" ]; then rc_local_put 0; fi
+  fi
+}
+
+unit_put() {
+  # >>> transaction
+  make_folder "$etc/systemd/system/multi-user.target.wants" || return
+  printf '%s\n' "$text_unit" | put "$(unit_file)" || return
+  point "$(unit_link)" "$(unit_file)" || return
+  sync
+  # <<< transaction
+}
+
+unit_remove() {
+  [ -e "$(unit_file)" ] || [ -L "$(unit_link)" ] || return 0
+  # >>> transaction
+  rm -f "$(unit_link)"
+  rm -f "$(unit_file)"
+  # <<< transaction
+  if [ -d /run/systemd/system ] && command -v systemctl >/dev/null 2>&1; then systemctl daemon-reload; fi
+}
+
+autostart_remove() {
+  unit_remove && rc_local_restore
+}
+
+autostart_touched() { rc_local_touched "$(rc_local_file)" || [ -e "$(unit_file)" ] || [ -L "$(unit_link)" ]; }
+
+autostart_leftovers() {
+  rm -f "$(rc_local_file)".new-[0-9]* "$(unit_file)".new-[0-9]* "$(unit_link)".new-[0-9]*
+}
+
+# What the user should know beforehand, to be put behind a sentence.
+autostart_notes() {
+  [ "$(autostart_wanted)" != none ] && [ -f "$(rc_local_file)" ] || return 0
+  demo=$(rc_local_demo "$(rc_local_file)")
+  [ -z "$demo" ] || printf '%s' "; in $etc/rc.local the ROBOTIS demo is disabled: $demo"
+}
+
+check_autostart() {
+  [ "$(autostart_wanted)" = none ] || check_rc_local
+}
+
+# make_folder DIR: with all above it; those that are new are written down, and uninstall takes them away when empty.
+make_folder() {
+  [ -d "$1" ] || {
+    make_folder "$(dirname "$1")" && mkdir -p "$1" && mkdir -p "$home/kept" && echo "$1" >>"$home/kept/made"
+  }
+}

@@ -1,0 +1,102 @@
+# shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
+# The programs that run on the robot: bringing them to rest, testing, starting.
+
+demo_ended=
+
+# bring_to_rest: the controller ends, the robot sits down, the daemon and its supervisor end. Returns when done.
+bring_to_rest() {
+  [ -x "$home/current/bin/darwinop-supervisor" ] || return 0
+  say "bringing the robot to rest"
+  within 90 "$home/current/bin/darwinop-supervisor" --stop >&2 </dev/null && return
+  [ "$force" = 0 ] || { say "the supervisor did not stop; going on, as --force says" && return; }
+  die "the supervisor did not bring the robot to rest: see above; nothing was changed. Switch the robot off and on, or add --force"
+}
+
+# The ROBOTIS demo holds the serial port. It ends on SIGTERM; the servos keep their last goals.
+end_demo() {
+  for process in /proc/[0-9]*; do
+    case $(readlink "$process/exe" 2>/dev/null) in
+      */Linux/project/demo/demo)
+        say "ending the ROBOTIS demo (process ${process#/proc/}); the servos keep their pose"
+        demo_ended=1
+        kill -TERM "${process#/proc/}" 2>/dev/null
+        seconds=0
+        while [ -d "$process" ] && [ "$seconds" -lt 5 ]; do
+          sleep 1
+          seconds=$((seconds + 1))
+        done
+        ;;
+    esac
+  done
+}
+
+# self_test: darwinop-doctor of the new version on the robot's port. What it says is shown.
+self_test() {
+  if [ "$without_robot" = 1 ]; then
+    say "no self-test, as --without-robot says; 'darwinop install --status' and $home/current/bin/darwinop-doctor tell more later"
+    return 0
+  fi
+  say "self-test of version $target on $(robot_port)"
+  within 120 "$home/versions/$target/bin/darwinop-doctor" --robot "$(robot_port)" >&2 </dev/null
+}
+
+# within SECONDS COMMAND...: its status, or 1 when it took too long. (`timeout` is younger than some robots.)
+within() {
+  limit=$1
+  shift
+  "$@" &
+  child=$!
+  (
+    # Not holding the connection open, and gone when the program is.
+    exec >/dev/null 2>&1
+    while [ "$limit" -gt 0 ] && kill -0 "$child"; do
+      sleep 1
+      limit=$((limit - 1))
+    done
+    kill -KILL "$child"
+  ) &
+  guard=$!
+  wait "$child"
+  result=$?
+  kill "$guard" 2>/dev/null
+  wait "$guard" 2>/dev/null
+  [ "$result" -lt 128 ] || say "it was ended after taking too long, or by signal $((result - 128))"
+  return "$result"
+}
+
+# start_supervisor: as a boot would, free of this connection.
+start_supervisor() {
+  if [ "$without_robot" = 1 ] || [ "$(autostart_kind)" = none ]; then
+    say "the supervisor is not started now"
+    return 0
+  fi
+  launch_supervisor
+}
+
+launch_supervisor() {
+  if [ -d /run/systemd/system ] && [ -f "$etc/systemd/system/darwinop.service" ] && command -v systemctl >/dev/null 2>&1; then
+    systemctl daemon-reload
+    systemctl restart darwinop.service || say "systemd did not start darwinop.service; see 'systemctl status darwinop'"
+    return 0
+  fi
+  free=
+  for program in nohup setsid; do
+    if command -v "$program" >/dev/null 2>&1; then free="$free $program"; fi
+  done
+  # shellcheck disable=SC2086
+  (cd / && trap - PIPE && exec $free "$home/start") </dev/null >/dev/null 2>&1 &
+  await_supervisor
+}
+
+await_supervisor() {
+  tries=0
+  while [ "$tries" -lt 10 ]; do
+    tries=$((tries + 1))
+    if "$home/current/bin/darwinop-supervisor" --status >/dev/null 2>&1 </dev/null; then
+      say "the supervisor runs"
+      return
+    fi
+    sleep 0.3 2>/dev/null || sleep 1
+  done
+  say "the supervisor has not come up yet; look with --status and into $home/log/supervisor.log"
+}

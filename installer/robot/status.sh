@@ -1,0 +1,54 @@
+# shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
+# What is installed, and going back by one version.
+
+status() {
+  settings "$@"
+  now=$(version_current)
+  if [ "$now" = - ] && [ ! -e "$home" ]; then
+    echo "version:    none; nothing is installed"
+    return
+  fi
+  if [ -e "$home/pending" ]; then
+    echo "version:    $now (not confirmed; the next start returns to $(sed 's/^-$/none/' "$home/pending"))"
+  elif [ "$now" = - ]; then
+    echo "version:    none (an installation was cut; run it again, or uninstall)"
+  else
+    echo "version:    $now (confirmed)"
+  fi
+  echo "previous:   $(version_previous | sed 's/^-$/none/')"
+  echo "autostart:  $(autostart_kind)"
+  echo "supervisor: $(supervisor_state)"
+  echo "controller: $(readlink "$home/default" 2>/dev/null | sed 's|.*/||' | grep . || echo none)"
+  echo "port:       $(robot_port)"
+  echo "disk:       $(du -s -k "$home" | cut -f 1) kB used, $(free_kb) kB free"
+  if [ -e "$home/lock" ]; then
+    if lock_alive "$(cat "$home/lock")"; then echo "lock:       an installation is running"; else echo "lock:       an installation was cut; run it again"; fi
+  fi
+}
+
+supervisor_state() {
+  if [ ! -x "$home/current/bin/darwinop-supervisor" ]; then
+    echo none
+  else
+    "$home/current/bin/darwinop-supervisor" --status 2>&1 </dev/null | sed 's/^supervisor: *//; 2,$s/^/            /'
+  fi
+}
+
+# roll_back SETTINGS...: to the version before, by the same steps as an installation. Again: forth.
+roll_back() {
+  settings "$@"
+  keep_target=1
+  if [ ! -e "$home" ]; then die "nothing is installed on this robot, so there is no version to go back to"; fi
+  target=$(version_previous)
+  # Unconfirmed: what is being tried goes, what it came from returns.
+  [ ! -s "$home/pending" ] || target=$(cat "$home/pending")
+  if [ "$target" = - ]; then die "there is no version to go back to; only $(version_current) is installed"; fi
+  whole "$home/versions/$target" || die "version $target is damaged; nothing was changed. Install the version that you want instead"
+  if [ "$dry_run" = 1 ]; then say "would go back from $(version_current) to $target" && return; fi
+  lock
+  remove_leftovers
+  kind=$(autostart_wanted)
+  before=$(version_current)
+  say "going back from $before to $target"
+  switch_to "$target" "$before" "$kind"
+}
