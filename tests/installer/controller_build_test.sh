@@ -1,0 +1,173 @@
+#!/usr/bin/env bash
+# Building a controller for the robot on the PC: what is built, what is left alone, what is refused. Needs no robot.
+set -euo pipefail
+here=$(dirname "$(readlink -f "$0")")
+installer=$(readlink -f "$here/../../installer")
+command -v i686-linux-gnu-g++ >/dev/null || { echo "not on this machine: i686-linux-gnu-g++. Install: g++-i686-linux-gnu"; exit 1; }
+LAB=$(mktemp -d)
+trap 'rm -rf "$LAB"' EXIT
+export SOURCE; SOURCE=$(readlink -f "$here/../..")
+# shellcheck source=controller_sources.sh
+. "$here/controller_sources.sh"
+make_sdk "$LAB/sdk"
+
+fail() { echo "FAIL $scenario: $*"; [ ! -s "$LAB/said" ] || sed 's/^/  /' "$LAB/said"; exit 1; }
+
+# build_controller FOLDER: as `darwinop install` does, in dash and with what a PC's environment may hold. Sets $status and $program.
+build_controller() {
+  status=0
+  # shellcheck disable=SC2016  # dash reads it
+  CXXFLAGS=-march=native TARGET=other DARWINOP_ROBOT_SDK=${sdk:-$LAB/sdk} XDG_CACHE_HOME=$LAB/cache dash -c '
+    set -u
+    installer=$1
+    for part in "$installer"/pc/*.sh; do . "$part"; done
+    compile_controller "$2"
+    printf "%s\n" "$controller_program"' - "$installer" "$1" >"$LAB/program" 2>"$LAB/said" || status=$?
+  program=$(cat "$LAB/program")
+}
+expect() { [ "$status" = "$1" ] || fail "status $status instead of $1"; }
+expect_said() { grep -qE -- "$1" "$LAB/said" || fail "not said: $1"; }
+
+scenario_a_folder_without_makefile_becomes_one_program() {
+  controller walker 'return helper();' 'int helper();'
+  echo 'int helper() { return 21; }' >"$LAB/pc/walker/helper.cpp"
+  find "$LAB/pc/walker" | sort >"$LAB/before"
+  build_controller "$LAB/pc/walker"
+  expect 0
+  result=0; "$program" || result=$?
+  [ $result = 21 ] || fail "the program does not run"
+  [ "${program##*/}" = walker ] || fail "the program is called ${program##*/}"
+  find "$LAB/pc/walker" | sort | cmp -s - "$LAB/before" || fail "something was left in the student's folder"
+}
+
+scenario_unchanged_sources_are_not_built_again() {
+  controller walker 'return 1;'
+  build_controller "$LAB/pc/walker"
+  before=$(stat -c %Y.%i "$program" "${program%/*}/main.o")
+  sleep 1.1
+  touch "$LAB/pc/walker/main.cpp"
+  build_controller "$LAB/pc/walker"
+  [ "$(stat -c %Y.%i "$program" "${program%/*}/main.o")" = "$before" ] || fail "it was built again"
+}
+
+scenario_a_source_that_came_back_from_a_backup_is_built() {
+  controller walker 'return 1;'
+  build_controller "$LAB/pc/walker"
+  controller walker 'return 2;'
+  touch -d 2001-01-01 "$LAB/pc/walker/main.cpp"
+  build_controller "$LAB/pc/walker"
+  result=0; "$program" || result=$?
+  [ $result = 2 ] || fail "the old program was kept"
+}
+
+scenario_a_source_that_is_gone_is_not_linked() {
+  controller walker 'return 1;'
+  echo 'struct S { S(); } s; S::S() { throw 1; }' >"$LAB/pc/walker/other.cpp"
+  build_controller "$LAB/pc/walker"
+  rm "$LAB/pc/walker/other.cpp"
+  build_controller "$LAB/pc/walker"
+  result=0; "$program" || result=$?
+  [ $result = 1 ] || fail "what was removed is still in the program"
+}
+
+scenario_its_own_makefile_is_used() {
+  controller walker 'return ANSWER;'
+  for makefile in darwin-op robotis-op2; do
+    rm -f "$LAB/pc/walker"/Makefile.*
+    printf 'CXX = g++\nTARGET = stroll\nCXXFLAGS += -DANSWER=33\ninclude ../Makefile.include\n' >"$LAB/pc/walker/Makefile.$makefile"
+    echo 'all: ; false' >"$LAB/pc/walker/Makefile"
+    build_controller "$LAB/pc/walker"
+    expect 0
+    result=0; "$program" || result=$?
+    [ $result = 33 ] || fail "Makefile.$makefile was not used"
+  done
+}
+
+scenario_a_makefile_for_the_old_libraries_is_left_aside() {
+  controller walker 'return 3;'
+  printf 'all:\n\tg++ main.cpp /robotis/Linux/lib/darwin.a -o walker\n' >"$LAB/pc/walker/Makefile.robotis-op2"
+  build_controller "$LAB/pc/walker"
+  expect 0
+  expect_said 'all \*.cpp of the folder are built instead'
+}
+
+scenario_warnings_are_shown_and_are_no_failure() {
+  controller walker 'int unused; return 0;'
+  build_controller "$LAB/pc/walker"
+  expect 0
+  expect_said 'main.cpp:[0-9]+:[0-9]+: warning: unused variable'
+}
+
+scenario_errors_end_it_with_the_compilers_lines() {
+  controller walker 'return nonsense;'
+  build_controller "$LAB/pc/walker"
+  expect 1
+  expect_said 'main.cpp:[0-9]+:[0-9]+: error: .nonsense. was not declared'
+  expect_said 'walker does not compile'
+}
+
+scenario_a_program_of_the_pc_is_never_sent() {
+  controller walker 'return 0;'
+  g++ "$LAB/pc/walker/main.cpp" -o "$LAB/pc/walker/walker"
+  build_controller "$LAB/pc/walker"
+  expect 0
+  cmp -s "$program" "$LAB/pc/walker/walker" && fail "the student's own build would be sent"
+  for flags in '' -m32 '-static'; do
+    [ "$flags" != -m32 ] || flags='-no-pie'  # a loader is asked for
+    compiler=g++
+    [ "$flags" != -no-pie ] || compiler=i686-linux-gnu-g++
+    printf 'all:\n\t%s %s main.cpp -o walker\n' $compiler "$flags" >"$LAB/pc/walker/Makefile.darwin-op"
+    build_controller "$LAB/pc/walker"
+    expect 1
+    expect_said 'no program that the robot can run'
+    rm -rf "$LAB/cache"
+  done
+}
+
+scenario_blanks_and_umlauts_in_the_folders_name_work() {
+  controller 'Mein Läufer $1 #2' 'return 5;'
+  build_controller "$LAB/pc/Mein Läufer \$1 #2"
+  expect 0
+  result=0; "$program" || result=$?
+  [ $result = 5 ] || fail "it does not run"
+}
+
+scenario_what_cannot_be_sent_is_refused_first() {
+  controller walker 'return 0;'
+  ln -s nowhere "$LAB/pc/walker/sound.wav"
+  build_controller "$LAB/pc/walker"
+  expect 1
+  expect_said 'sound.wav is a link that leads nowhere'
+  rm "$LAB/pc/walker/sound.wav"
+  ln -s .. "$LAB/pc/walker/round"
+  build_controller "$LAB/pc/walker"
+  expect 1
+  expect_said 'loop'
+  rm "$LAB/pc/walker/round"
+  mkfifo "$LAB/pc/walker/pipe"
+  build_controller "$LAB/pc/walker"
+  expect 1
+  expect_said 'is no file and no folder'
+}
+
+scenario_without_library_or_sources_it_says_what_to_do() {
+  controller walker 'return 0;'
+  sdk=$LAB/none build_controller "$LAB/pc/walker"
+  expect 1
+  expect_said './dev build --robot'
+  build_controller "$LAB/pc/nobody"
+  expect 1
+  expect_said 'there is no folder'
+  mkdir -p "$LAB/pc/empty"
+  build_controller "$LAB/pc/empty"
+  expect 1
+  expect_said 'nothing to build'
+}
+
+# shellcheck disable=SC2046  # one name a line
+[ $# -gt 0 ] || set -- $(sed -n 's/^scenario_\([a-zA-Z0-9_]*\)().*/\1/p' "$0")
+for scenario; do
+  rm -rf "$LAB/pc" "$LAB/cache"
+  "scenario_$scenario"
+  echo "ok   $scenario"
+done

@@ -1,0 +1,236 @@
+#!/usr/bin/env bash
+# Sending, running, stopping and making default of controllers, on a robot with a runtime of shell scripts. The
+# controllers are real: small programs for the robot's processor, without our library.
+# shellcheck disable=SC2154  # controller_lab.sh and robot.sh set what is read here
+. "$(dirname "$(readlink -f "$0")")/controller_lab.sh"
+
+scenario_without_a_runtime_it_says_to_install_first() {
+  rm -rf "$ROBOT/opt/darwinop"
+  controller walker 'return 0;'
+  run_install --controller "$LAB/pc/walker" --run
+  expect_status 1
+  expect_said 'Install it first: darwinop install'
+  [ ! -e "$ROBOT/opt/darwinop" ] || fail "something was put on the robot"
+}
+
+scenario_program_and_data_arrive_and_nothing_else() {
+  controller walker 'return 0;'
+  mkdir -p "$LAB/pc/walker/Töne und mehr" "$LAB/pc/walker/.git" "$LAB/pc/walker/build"
+  echo hello >"$LAB/pc/walker/Töne und mehr/a b.wav"
+  echo shared >"$LAB/pc/shared.motion"
+  ln -s ../shared.motion "$LAB/pc/walker/linked.motion"
+  touch "$LAB/pc/walker/"{.git/config,build/old,walker.cpp~,helper.hpp,-odd.txt}
+  run_install --controller "$LAB/pc/walker"
+  expect_status 0
+  (cd "$ROBOT/opt/darwinop/controllers/walker" && find . -type f | sort) >"$LAB/arrived"
+  printf '%s\n' ./-odd.txt './Töne und mehr/a b.wav' ./config.ini ./linked.motion ./walker | sort | diff - "$LAB/arrived" ||
+    fail "other files arrived than expected"
+  [ "$(cat "$ROBOT/opt/darwinop/controllers/walker/linked.motion")" = shared ] || fail "a link was not followed"
+  [ -z "$(find "$ROBOT/opt/darwinop/controllers/walker/" ! -user root -o -perm /022)" ] || fail "rights or owner are the student's"
+  (cd "$LAB/pc/walker" && [ "$(find . -name '*.o' -o -name walker)" = "" ]) || fail "the student's folder was built in"
+}
+
+scenario_a_folder_with_blanks_and_umlauts_runs() {
+  controller "Mein Läufer" 'puts("it runs"); return 0;'
+  run_install --controller "$LAB/pc/Mein Läufer" --run
+  expect_status 0
+  expect_said '^it runs$'
+}
+
+scenario_output_arguments_and_status_come_back() {
+  controller walker 'for (int i = 1; i < argc; i++) printf("<%s>\n", argv[i]); fputs("this is stderr\n", stderr); return 42;'
+  start_install --controller "$LAB/pc/walker" --run "$login@$ADDRESS" -- 'a b' "it's" '' '$HOME' '*' --stop
+  wait_install
+  expect_status 42
+  printf '%s\n' '<a b>' "<it's>" '<>' '<$HOME>' '<*>' '<--stop>' | diff - "$LAB/stdout" || fail "arguments or output changed on the way"
+  grep -q '^this is stderr$' "$LAB/stderr" || fail "stderr did not come on stderr"
+}
+
+scenario_a_crash_is_said_in_words() {
+  controller walker 'raise(SIGSEGV); return 0;'
+  run_install --controller "$LAB/pc/walker" --run
+  expect_status 139
+  expect_said 'walker crashed: it used memory that is not its own'
+}
+
+scenario_output_comes_live_and_ctrl_c_ends_it_tidily() {
+  controller walker "$until_stopped"
+  start_install --controller "$LAB/pc/walker" --run "$login@$ADDRESS"
+  wait_for "$LAB/stdout" '^walking$'
+  kill -INT -- "-$install_pid"
+  wait_for "$LAB/stdout" '^kneeling$'
+  kill -INT -- "-$install_pid"
+  wait_install
+  expect_status 7
+  grep -q '^done$' "$LAB/stdout" || fail "the second Ctrl-C cut the end of the controller"
+  grep -q 'already being stopped' "$LAB/stderr" || fail "the second Ctrl-C was not answered"
+  robot_quiet
+}
+
+scenario_a_killed_installer_stops_the_controller() {
+  controller walker "$until_stopped"
+  start_install --controller "$LAB/pc/walker" --run "$login@$ADDRESS"
+  wait_for "$LAB/stdout" '^walking$'
+  kill -KILL "$install_pid"
+  wait_install
+  wait_for "$ROBOT/tmp/ended" "^done$"
+  robot_quiet
+}
+
+scenario_a_link_that_falls_silent_stops_the_controller() {
+  controller walker "$until_stopped"
+  start_install --controller "$LAB/pc/walker" --run "$login@$ADDRESS"
+  wait_for "$LAB/stdout" '^walking$'
+  local begun=$SECONDS
+  silence_link
+  wait_for "$ROBOT/tmp/ended" "^done$" 20
+  [ $((SECONDS - begun)) -ge 8 ] || fail "stopped after $((SECONDS - begun)) s already: a hiccup of the WLAN would do"
+  wait_install
+  expect_status 255
+  grep -q 'the link to the robot was lost' "$LAB/stderr" || fail "the lost link was not said"
+}
+
+scenario_a_controller_that_ignores_everything_is_ended() {
+  controller walker 'signal(SIGINT, SIG_IGN); signal(SIGTERM, SIG_IGN); puts("walking"); fflush(stdout); for (;;) pause();'
+  start_install --controller "$LAB/pc/walker" --run "$login@$ADDRESS"
+  wait_for "$LAB/stdout" '^walking$'
+  kill -INT -- "-$install_pid"
+  wait_install 25
+  expect_status 137
+  robot_quiet
+}
+
+scenario_stop_ends_a_controller_that_another_terminal_runs() {
+  controller walker "$until_stopped"
+  start_install --controller "$LAB/pc/walker" --run "$login@$ADDRESS"
+  wait_for "$LAB/stdout" '^walking$'
+  run_install --stop
+  expect_status 0
+  expect_said 'walker is stopped'
+  wait_install
+  expect_status 7
+  grep -q '^done$' "$LAB/stdout" || fail "it did not end tidily"
+  run_install --stop
+  expect_status 0
+}
+
+scenario_a_second_run_is_refused_while_one_runs() {
+  controller walker "$until_stopped"
+  controller other 'return 0;'
+  start_install --controller "$LAB/pc/walker" --run "$login@$ADDRESS"
+  wait_for "$LAB/stdout" '^walking$'
+  run_install --controller "$LAB/pc/other" --run
+  expect_status 1
+  expect_said 'walker runs on this robot already; stop it first'
+  # A new version may come meanwhile; what runs keeps its files.
+  run_install --controller "$LAB/pc/walker"
+  expect_status 0
+  [ "$(find "$ROBOT/opt/darwinop/controllers" -maxdepth 1 -name '.sent-*' | wc -l)" = 3 ] || fail "the files of what runs are gone"
+  kill -INT -- "-$install_pid"
+  wait_install
+  run_install --controller "$LAB/pc/other"
+  [ "$(find "$ROBOT/opt/darwinop/controllers" -maxdepth 1 -name '.*-*' | wc -l)" = 2 ] || fail "old versions are left on the disk"
+}
+
+scenario_nothing_runs_out_of_the_start_pose() {
+  controller walker 'puts("walking"); return 0;'
+  echo 'knee is 0.8 rad off' >"$ROBOT/run/pose-unsafe"
+  run_install --controller "$LAB/pc/walker" --run
+  expect_status 3
+  expect_said 'knee is 0.8 rad off'
+  expect_said 'nothing was started'
+  expect_not_said '^walking$'
+  run_install --controller "$LAB/pc/walker" --run --force
+  expect_status 0
+  expect_said '^walking$'
+}
+
+scenario_the_default_controller_is_stopped_first() {
+  controller walker 'return 0;'
+  ln -s controllers/other "$ROBOT/opt/darwinop/default"
+  start_runtime
+  run_install --controller "$LAB/pc/walker" --run
+  expect_status 0
+  expect_said 'stopping the default controller'
+  grep -q -e --stop-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not asked"
+}
+
+scenario_make_default_links_it_and_tells_the_supervisor() {
+  controller walker 'return 0;'
+  start_runtime
+  run_install --controller "$LAB/pc/walker" --make-default
+  expect_status 0
+  expect_said 'starts at every boot'
+  [ "$(readlink "$ROBOT/opt/darwinop/default")" = controllers/walker ] || fail "default is $(readlink "$ROBOT/opt/darwinop/default")"
+  [ -x "$ROBOT/opt/darwinop/default/walker" ] || fail "default leads nowhere"
+  grep -q -e --restart-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not told"
+}
+
+scenario_a_cut_sending_leaves_the_old_controller() {
+  controller walker 'puts("old"); return 0;'
+  run_install --controller "$LAB/pc/walker"
+  expect_status 0
+  controller walker 'puts("new"); return 0;'
+  head -c 3000000 /dev/urandom >"$LAB/pc/walker/sound.wav"
+  mv "$ROBOT/bin/cksum" "$ROBOT/bin/cksum.real"
+  printf '#!/bin/sh\necho 1 1\n' >"$ROBOT/bin/cksum"
+  chmod 755 "$ROBOT/bin/cksum"
+  run_install --controller "$LAB/pc/walker"
+  expect_status 1
+  expect_said 'walker was not changed'
+  [ "$(chroot "$ROBOT" /opt/darwinop/controllers/walker/walker)" = old ] || fail "the old controller is gone"
+  [ "$(find "$ROBOT/opt/darwinop/controllers" -maxdepth 1 -name '.*-*' | wc -l)" = 1 ] || fail "half of the new one is left"
+  mv "$ROBOT/bin/cksum.real" "$ROBOT/bin/cksum"
+  run_install --controller "$LAB/pc/walker"
+  expect_status 0
+  [ "$(chroot "$ROBOT" /opt/darwinop/controllers/walker/walker)" = new ] || fail "the new controller did not come"
+}
+
+scenario_a_full_disk_is_refused_before_anything_is_sent() {
+  controller walker 'return 0;'
+  mkdir "$ROBOT/opt/darwinop/controllers"
+  mount -t tmpfs -o size=15m small "$ROBOT/opt/darwinop/controllers"
+  mv "$ROBOT/bin/df" "$ROBOT/bin/df.real"
+  printf '#!/bin/sh\nexec df.real -P -k /opt/darwinop/controllers\n' >"$ROBOT/bin/df"
+  chmod 755 "$ROBOT/bin/df"
+  run_install --controller "$LAB/pc/walker"
+  expect_status 1
+  expect_said 'disk is too full: [0-9]+ kB are free, [0-9]+ kB are needed'
+}
+
+scenario_logs_show_the_last_lines_and_follow() {
+  run_install --logs
+  expect_status 1
+  expect_said 'there is no log yet'
+  mkdir -p "$ROBOT/opt/darwinop/log"
+  seq 300 >"$ROBOT/opt/darwinop/log/controller.log"
+  run_install --logs
+  expect_status 0
+  expect_said '^300$'
+  expect_not_said '^100$'
+  start_install --logs -f "$login@$ADDRESS"
+  wait_for "$LAB/stdout" '^300$'
+  echo later >>"$ROBOT/opt/darwinop/log/controller.log"
+  wait_for "$LAB/stdout" '^later$'
+  kill -INT -- "-$install_pid"
+  wait_install
+  expect_status 0
+  robot_quiet
+}
+
+scenario_all_of_it_works_with_busybox() {
+  robot_new busybox
+  controller walker "$until_stopped"
+  start_install --controller "$LAB/pc/walker" --run "$login@$ADDRESS"
+  wait_for "$LAB/stdout" '^walking$'
+  kill -INT -- "-$install_pid"
+  wait_install
+  expect_status 7
+  run_install --controller "$LAB/pc/walker" --make-default
+  expect_status 0
+  run_install --stop
+  expect_status 0
+  robot_quiet
+}
+
+run_scenarios "$@"

@@ -1,0 +1,280 @@
+#!/usr/bin/env bash
+# What the installer refuses or takes back: full disks, wrong machines, broken bundles, failed self-tests, two at once.
+. "$(dirname "$(readlink -f "$0")")/robot.sh"
+
+limit_disk() { mount -t tmpfs -o "size=$1,mode=755" disk "$ROBOT/opt"; }
+
+scenario_disk_full_is_seen_before_any_change() {
+  local v1; v1=$(fake_bundle 0.1.0+a 800)
+  limit_disk 400k
+  remember_disk --touched
+  run_install --bundle "$v1"
+  expect_status 1
+  expect_said '/opt has [0-9]+ kB free, the installation needs [0-9]+ kB'
+  expect_not_said 'sending'
+  robot_quiet
+  expect_same_disk --touched "a robot without room was changed"
+}
+
+# Somebody else fills the disk after the check: df says what is not so.
+lying_df() {
+  rm "$ROBOT/bin/df"
+  printf '%s\n' '#!/bin/sh' 'echo "Filesystem 1024-blocks Used Available Capacity Mounted on"' \
+    'echo "/dev/sda1 3000000 1000000 2000000 34% /"' >"$ROBOT/bin/df"
+  chmod 755 "$ROBOT/bin/df"
+}
+
+scenario_disk_runs_full_while_unpacking() {
+  local v1; v1=$(fake_bundle 0.1.0+a 800)
+  limit_disk 400k
+  lying_df
+  run_install --bundle "$v1"
+  expect_status 1
+  expect_version none
+  umount "$ROBOT/opt"
+  run_install --bundle "$v1"
+  expect_status 0
+  expect_boots 0.1.0+a
+}
+
+scenario_disk_runs_full_during_an_upgrade() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a 100); v2=$(fake_bundle 0.2.0+b 800)
+  limit_disk 700k
+  run_install --bundle "$v1"
+  expect_status 0
+  lying_df
+  robot_quiet
+  remember_disk
+  run_install --bundle "$v2"
+  expect_status 1
+  expect_version 0.1.0+a
+  robot_quiet
+  expect_same_disk "the failed upgrade left something behind"
+  expect_boots 0.1.0+a
+  mount -o remount,size=3m "$ROBOT/opt"
+  run_install --bundle "$v2"
+  expect_status 0
+  expect_version 0.2.0+b
+}
+
+scenario_all_that_is_wrong_with_the_machine_is_said_at_once() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  local flags; flags=$(sed 's/ ssse3//' "$LAB/cpuinfo")
+  echo "$flags" >"$LAB/cpuinfo"
+  ! grep -q ssse3 "$ROBOT/proc/cpuinfo" || fail "the test did not take ssse3 from the processor"
+  echo 2.6.18-6-686 >"$ROBOT/run/kernel"
+  rm "$ROBOT/dev/ttyUSB0"
+  remember_disk --touched
+  run_install --bundle "$v1"
+  expect_status 1
+  expect_said 'ssse3|SSSE3'
+  expect_said '2\.6\.18'
+  expect_said '/dev/ttyUSB0'
+  robot_quiet
+  expect_same_disk --touched "a robot that cannot run it was changed"
+}
+
+scenario_without_robot_leaves_device_and_self_test_out() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  rm "$ROBOT/dev/ttyUSB0"
+  run_install --bundle "$v1"
+  expect_status 1
+  expect_said '--without-robot'
+  run_install --without-robot --bundle "$v1"
+  expect_status 0
+  expect_version 0.1.0+a
+  [ ! -e "$ROBOT/run/doctor-calls" ] || fail "a self-test was run without a robot"
+  expect_boots 0.1.0+a
+}
+
+scenario_port_goes_into_a_new_robot_ini() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  mv "$ROBOT/dev/ttyUSB0" "$ROBOT/dev/ttyUSB3"
+  run_install --port /dev/ttyUSB3 --bundle "$v1"
+  expect_status 0
+  grep -qE '^port *= */dev/ttyUSB3' "$ROBOT/opt/darwinop/robot.ini" || fail "robot.ini does not name the port"
+}
+
+scenario_port_that_an_existing_robot_ini_contradicts_is_refused() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a) v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v1"
+  run_install --port /dev/ttyUSB0 --bundle "$v2" --dry-run
+  expect_status 0
+  remember_disk --touched
+  run_install --port /dev/ttyUSB3 --bundle "$v2"
+  expect_status 1
+  expect_said 'robot.ini names the port /dev/ttyUSB0 and is kept'
+  expect_same_disk --touched "a port that cannot be had changed something"
+  mv "$ROBOT/dev/ttyUSB0" "$ROBOT/dev/ttyUSB3"
+  run_install --bundle "$v2"
+  expect_status 1
+  expect_said 'has to be named in /opt/darwinop/robot.ini'
+}
+
+scenario_port_of_robot_ini_is_read_as_the_programs_read_it() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  run_install --bundle "$v1"
+  printf '[Safety]\nport = /dev/wrong\n [ROBOT]\r\n Port : "/dev/ttyUSB7"  # the other one\r\n' >"$ROBOT/opt/darwinop/robot.ini"
+  run_install --status
+  expect_said 'port: +/dev/ttyUSB7$'
+}
+
+scenario_failed_self_test_on_a_fresh_robot() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  : >"$ROBOT/run/fail-self-test"
+  remember_disk
+  run_install --bundle "$v1"
+  expect_status 1
+  expect_said 'servo 11'
+  robot_quiet
+  expect_same_disk "a first version that failed its self-test left something behind"
+  expect_boots_nothing_of_ours
+  rm "$ROBOT/run/fail-self-test"
+  run_install --bundle "$v1"
+  expect_status 0
+  expect_boots 0.1.0+a
+}
+
+scenario_failed_self_test_brings_the_previous_version_back() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v1"
+  echo 0.2.0+b >"$ROBOT/run/fail-self-test"
+  run_install --bundle "$v2"
+  expect_status 4
+  expect_said 'servo 11'
+  expect_said '0\.1\.0\+a'
+  expect_version 0.1.0+a
+  expect_confirmed
+  expect_boots 0.1.0+a
+  rm "$ROBOT/run/fail-self-test"
+  run_install --bundle "$v2"
+  expect_status 0
+  expect_version 0.2.0+b
+}
+
+scenario_bundle_whose_manifest_lies() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v1"
+  robot_quiet
+  remember_disk
+  printf X | dd of="$LAB/bundles/0.2.0+b/share/darwinop/ballast" bs=1 seek=77 conv=notrunc status=none
+  pack "$LAB/bundles/0.2.0+b" "$v2"
+  run_install --bundle "$v2"
+  expect_status 1
+  robot_quiet
+  expect_same_disk "a bundle with a damaged file was let in"
+  expect_version 0.1.0+a
+}
+
+scenario_bundle_that_is_cut_or_no_bundle() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b 200)
+  run_install --bundle "$v1"
+  robot_quiet
+  remember_disk
+  truncate -s 100000 "$v2"
+  run_install --bundle "$v2"
+  expect_status 1 2
+  echo 'no archive' >"$v2"
+  run_install --bundle "$v2"
+  expect_status 1 2
+  robot_quiet
+  expect_same_disk "a broken bundle changed something"
+}
+
+# Bytes that change on their way: the PC says another checksum than that of what it sends.
+scenario_digest_that_is_wrong() {
+  local v1 v2 name; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v1"
+  robot_quiet
+  remember_disk
+  for name in cksum md5sum sha1sum sha256sum; do
+    pc_program $name <<END
+#!/bin/sh
+: >$LAB/digest_asked_for
+/usr/bin/$name "\$@" | sed 's/^[0-9a-f]/1&/'
+END
+  done
+  run_install --bundle "$v2"
+  [ -e "$LAB/digest_asked_for" ] || fail "the installer took no checksum on the PC"
+  rm "$LAB"/pc/bin/*
+  expect_status 1
+  robot_quiet
+  expect_same_disk "an archive with a wrong checksum changed something"
+  expect_version 0.1.0+a
+}
+
+# hold_an_install BUNDLE: runs one in the background that is in its self-test now; $held is its process.
+hold_an_install() {
+  local tries=0
+  : >"$ROBOT/run/hold-self-test"
+  rm -f "$ROBOT/run/self-test-begun"
+  (run_install --bundle "$1"; cp "$LAB/out" "$LAB/held_out"; exit "$status") &
+  held=$!
+  until [ -e "$ROBOT/run/self-test-begun" ]; do
+    [ $((tries += 1)) -lt 500 ] || fail "the install did not come to its self-test"
+    sleep 0.02
+  done
+}
+
+scenario_two_installs_at_once() {
+  local v1 v2 first=0; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  hold_an_install "$v1"
+  run_install --bundle "$v2"
+  expect_status 5
+  run_install --uninstall
+  expect_status 5
+  rm "$ROBOT/run/hold-self-test"
+  wait "$held" || first=$?
+  [ $first = 0 ] || fail "the first install ended with $first"
+  expect_version 0.1.0+a
+  expect_confirmed
+  run_install --bundle "$v2"
+  expect_status 0
+  expect_version 0.2.0+b
+}
+
+scenario_lock_of_a_dead_install_is_taken_over() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v1"
+  hold_an_install "$v2"
+  robot_kill_sessions
+  wait "$held" || true
+  [ -e "$ROBOT/opt/darwinop/lock" ] || fail "the test does not show what it wants: no lock was left"
+  rm "$ROBOT/run/hold-self-test"
+  run_install --bundle "$v2"
+  expect_status 0
+  expect_version 0.2.0+b
+  expect_confirmed
+}
+
+scenario_unconfirmed_version_goes_at_the_next_boot() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v1"
+  hold_an_install "$v2"
+  robot_kill_sessions
+  rm "$ROBOT/run/hold-self-test"
+  robot_boot
+  wait "$held" || true
+  [ "$booted" = 0.1.0+a ] || fail "after the power cut runs: ${booted:-nothing}"
+  expect_version 0.1.0+a
+  run_install --bundle "$v2"
+  expect_status 0
+  expect_boots 0.2.0+b
+}
+
+scenario_unconfirmed_first_version_goes_at_the_next_boot() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  hold_an_install "$v1"
+  robot_kill_sessions
+  rm "$ROBOT/run/hold-self-test"
+  robot_boot 25
+  wait "$held" || true
+  [ -z "$booted" ] || fail "an unconfirmed first version runs after the power cut: $booted"
+  run_install --status
+  expect_said 'not confirmed|none'
+  run_install --bundle "$v1"
+  expect_status 0
+  expect_boots 0.1.0+a
+}
+
+run_scenarios "$@"

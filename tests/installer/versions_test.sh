@@ -1,0 +1,246 @@
+#!/usr/bin/env bash
+# Which version runs on the robot after what: install, again, upgrade, downgrade, rollback, status, uninstall.
+. "$(dirname "$(readlink -f "$0")")/robot.sh"
+
+scenario_fresh_robot() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  run_install --bundle "$v1"
+  expect_status 0
+  expect_version 0.1.0+a
+  expect_confirmed
+  grep -q '^0.1.0+a' "$ROBOT/run/doctor-calls" || fail "no self-test was run on the robot"
+  [ -s "$ROBOT/opt/darwinop/robot.ini" ] || fail "there is no robot.ini to edit"
+  expect_boots 0.1.0+a
+  expect_no_demo
+}
+
+scenario_same_version_again_changes_nothing() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  run_install --bundle "$v1"
+  expect_status 0
+  robot_quiet
+  remember_disk --touched
+  run_install --bundle "$v1"
+  expect_status 0
+  expect_said 'nothing to do'
+  robot_quiet
+  expect_same_disk --touched "installing the same version twice changed something"
+}
+
+scenario_upgrade_keeps_robot_ini() {
+  local v1 v2; v1=$(fake_bundle 0.9.0+a); v2=$(fake_bundle 0.10.0+b)  # by number, not by letter
+  run_install --bundle "$v1"
+  printf '[Robot]\nport = /dev/ttyUSB7\n' >"$ROBOT/opt/darwinop/robot.ini"
+  ln -s ttyUSB0 "$ROBOT/dev/ttyUSB7"
+  run_install --bundle "$v2"
+  expect_status 0
+  expect_version 0.10.0+b
+  expect_confirmed
+  grep -q ttyUSB7 "$ROBOT/opt/darwinop/robot.ini" || fail "the upgrade overwrote robot.ini"
+  expect_boots 0.10.0+b
+}
+
+scenario_downgrade_is_refused_unless_forced() {
+  local old new; old=$(fake_bundle 0.9.0+a); new=$(fake_bundle 0.10.0+b)
+  run_install --bundle "$new"
+  robot_quiet
+  remember_disk --touched
+  run_install --bundle "$old"
+  expect_status 1
+  expect_said '--force'
+  expect_version 0.10.0+b
+  robot_quiet
+  expect_same_disk --touched "a refused downgrade changed something"
+  run_install --force --bundle "$old"
+  expect_status 0
+  expect_version 0.9.0+a
+  expect_boots 0.9.0+a
+}
+
+scenario_another_build_of_the_same_number_is_installed() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+1111111); v2=$(fake_bundle 0.1.0+0000000.dirty)
+  run_install --bundle "$v1"
+  run_install --bundle "$v2"
+  expect_status 0
+  expect_version 0.1.0+0000000.dirty
+}
+
+scenario_rollback_there_and_back() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  run_install --bundle "$v1"
+  run_install --bundle "$v2"
+  expect_version 0.2.0+b
+  run_install --rollback
+  expect_status 0
+  expect_version 0.1.0+a
+  expect_confirmed
+  expect_boots 0.1.0+a
+  run_install --bundle "$v2"
+  expect_status 0
+  expect_version 0.2.0+b
+}
+
+scenario_rollback_with_nothing_to_go_back_to() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  run_install --rollback
+  expect_status 1
+  run_install --bundle "$v1"
+  run_install --rollback
+  expect_status 1
+  expect_version 0.1.0+a
+}
+
+scenario_status_tells_and_changes_nothing() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  remember_disk --touched
+  run_install --status
+  expect_status 0
+  expect_said 'nothing is installed'
+  expect_same_disk --touched "--status changed something on a fresh robot"
+  run_install --bundle "$v1"
+  robot_quiet
+  remember_disk --touched
+  run_install --status
+  expect_status 0
+  expect_said '0\.1\.0\+a'
+  expect_same_disk --touched "--status changed something"
+}
+
+scenario_dry_run_changes_nothing() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  remember_disk --touched
+  run_install --dry-run --bundle "$v1"
+  expect_status 0
+  expect_said '0\.1\.0\+a'
+  expect_said 'rc\.local'
+  robot_quiet
+  expect_same_disk --touched "--dry-run changed something on a fresh robot"
+  run_install --bundle "$v1"
+  robot_quiet
+  remember_disk --touched
+  run_install --dry-run --bundle "$v2"
+  expect_status 0
+  expect_said '0\.2\.0\+b'
+  run_install --dry-run --uninstall
+  expect_status 0
+  robot_quiet
+  expect_same_disk --touched "--dry-run changed something"
+  expect_version 0.1.0+a
+}
+
+scenario_uninstall_leaves_the_disk_as_it_was() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  remember_disk
+  cp -a "$ROBOT/etc/rc.local" "$LAB/rc.local"
+  run_install --bundle "$v1"
+  run_install --bundle "$v2"
+  expect_boots 0.2.0+b
+  mkdir -p "$ROBOT/opt/darwinop/controllers/mine"
+  run_install --uninstall
+  expect_status 0
+  robot_quiet
+  [ -z "$(pgrep -f darwinop-supervisor || true)" ] || fail "the supervisor still runs after uninstall"
+  expect_same_disk "uninstall did not bring the disk back"
+  expect_boots_nothing_of_ours
+}
+
+scenario_uninstall_shows_what_was_written_into_robot_ini() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  run_install --bundle "$v1"
+  printf '%s\n' '[Offsets]' 'Neck = 0.012' >>"$ROBOT/opt/darwinop/robot.ini"
+  run_install --uninstall
+  expect_status 0
+  expect_said '^    Neck = 0\.012$'
+  expect_not_said '^    \[Robot\]'
+  run_install --bundle "$v1"
+  run_install --uninstall
+  expect_not_said 'not as delivered'
+}
+
+scenario_uninstall_twice_and_on_a_robot_without() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  remember_disk
+  run_install --uninstall
+  expect_status 0
+  expect_same_disk "uninstalling nothing changed something"
+  run_install --bundle "$v1"
+  run_install --uninstall
+  expect_status 0
+  run_install --uninstall
+  expect_status 0
+  expect_said 'nothing|not installed'
+  expect_same_disk "the second uninstall changed something"
+  run_install --bundle "$v1"
+  expect_status 0
+  expect_boots 0.1.0+a
+}
+
+# What busybox's sh and tools cannot do, a robot of 2009 may not be able to do either.
+scenario_a_life_on_a_robot_with_nothing_but_busybox() {
+  local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b)
+  robot_new busybox
+  remember_disk
+  run_install --bundle "$v1"
+  expect_status 0
+  expect_version 0.1.0+a
+  run_install --bundle "$v2"
+  expect_status 0
+  expect_boots 0.2.0+b
+  expect_no_demo
+  run_install --rollback
+  expect_status 0
+  expect_boots 0.1.0+a
+  run_install --status
+  expect_status 0
+  expect_not_said 'not found|unrecognized|invalid option|applet'
+  run_install --uninstall
+  expect_status 0
+  robot_quiet
+  expect_same_disk "uninstall did not bring the disk back"
+}
+
+scenario_pc_with_busybox_sh() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  pc_program busybox-install <<END
+#!/bin/sh
+exec busybox sh "$installer" "\$@"
+END
+  installer=$LAB/pc/bin/busybox-install
+  run_install --bundle "$v1"
+  expect_status 0
+  expect_version 0.1.0+a
+}
+
+scenario_default_bundle_is_the_newest_built_one() {
+  local copy=$LAB/copy
+  mkdir -p "$copy/build/robot"
+  cp -r "$SOURCE/installer" "$SOURCE"/rc.local.template "$copy/"
+  cp "$(fake_bundle 0.1.0+a)" "$copy/build/robot/"
+  touch -d '1 hour ago' "$copy/build/robot/"*
+  cp "$(fake_bundle 0.2.0+b)" "$copy/build/robot/"
+  installer=$copy/installer/darwinop-install
+  run_install
+  rm -rf "$copy"
+  expect_status 0
+  expect_version 0.2.0+b
+}
+
+scenario_the_environment_of_the_user_does_no_harm() {
+  mkdir "$LAB/precious"
+  status=0
+  connection=$LAB/precious "$installer" --bundle /nonexistent >"$LAB/out" 2>&1 || status=$?
+  expect_status 1
+  [ -d "$LAB/precious" ] || fail "the installer removed a folder that a variable of the user names"
+}
+
+scenario_wrong_command_lines() {
+  run_install --no-such-option
+  expect_status 2
+  run_install --dry-run --stop  # would stop something
+  expect_status 2
+  run_install --bundle /nowhere/bundle.tar.gz
+  expect_status 1 2
+  expect_said '/nowhere/bundle.tar.gz'
+}
+
+run_scenarios "$@"
