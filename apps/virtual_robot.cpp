@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cinttypes>
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include <exception>
 #include <string>
 
+#include "core/joints.hpp"
 #include "hil-mocks/fault_script.hpp"
 #include "hil-mocks/pty_host.hpp"
 
@@ -38,16 +40,27 @@ void describe(CLI::App& app, Arguments& a) {
       "build/release/controllers/01_hello_head\n");
 }
 
+/// Where every joint is, in one line: asked for by SIGUSR1.
+void printJoints(hil::PtyHost& host) {
+  const hil::BodyState body = host.withRobot([](hil::VirtualRobot& robot) { return robot.body().state(); });
+  std::printf("joints: %.2f s", std::chrono::duration<double>(host.now()).count());
+  for (std::size_t i = 0; i < darwinop::kJoints; ++i)
+    std::printf(" %s=%+.3f", std::string{darwinop::kJointTable[i].name}.c_str(), body.joint[i].position_rad);
+  std::printf(" rad\n");
+  std::fflush(stdout);
+}
+
 /// Until SIGINT, SIGTERM, or the time is over. The signals are blocked in every thread.
-void waitForEnd(const sigset_t& signals, double for_s) {
-  if (for_s <= 0) {
-    int signal = 0;
-    sigwait(&signals, &signal);
-    return;
+void waitForEnd(const sigset_t& signals, double for_s, hil::PtyHost& host) {
+  const double end_s = for_s > 0 ? for_s : 1e9;
+  for (;;) {
+    const double left_s = std::max(end_s - std::chrono::duration<double>(host.now()).count(), 0.0);
+    const auto seconds = static_cast<time_t>(left_s);
+    const timespec time{seconds, static_cast<long>((left_s - static_cast<double>(seconds)) * 1e9)};
+    const int signal = sigtimedwait(&signals, nullptr, &time);
+    if (signal != SIGUSR1) return;
+    printJoints(host);
   }
-  const timespec time{static_cast<time_t>(for_s),
-                      static_cast<long>((for_s - static_cast<double>(static_cast<time_t>(for_s))) * 1e9)};
-  sigtimedwait(&signals, nullptr, &time);
 }
 
 void report(const hil::VirtualRobot& robot, double seconds) {
@@ -63,6 +76,7 @@ int serve(const Arguments& a) {
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
+  sigaddset(&signals, SIGUSR1);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before the first thread, so that only waitForEnd() gets them
 
   hil::BoardOptions options;
@@ -77,7 +91,7 @@ int serve(const Arguments& a) {
     if (!a.link.empty()) std::printf("link: %s\n", a.link.c_str());
     if (!a.faults.empty()) std::printf("faults: %s, seed %" PRIu64 "\n", a.faults.c_str(), a.seed);
     std::fflush(stdout);
-    waitForEnd(signals, a.for_s);
+    waitForEnd(signals, a.for_s, host);
     served = host.now();
   }
   report(robot, std::chrono::duration<double>(served).count());

@@ -22,10 +22,10 @@ for page in $pages; do
 
   while read -r command; do
     ./dev help | grep -q "^  $command " || wrong "$page: there is no command ./dev $command"
-  done < <(grep -oE '\./dev [a-z]+' "$page" | sed 's/.* //' | sort -u)
+  done < <(grep -oE '\./dev [a-z][a-z-]*' "$page" | sed 's/.* //' | sort -u)
 
   while read -r noun; do
-    grep -q "darwinop-$noun" apps/CMakeLists.txt || wrong "$page: there is no command darwinop $noun"
+    grep -q "darwinop-$noun" apps/CMakeLists.txt || [ -e "installer/darwinop-$noun" ] || wrong "$page: there is no command darwinop $noun"
   done < <(sed -n '/^```/,/^```/p' "$page" | grep -oE '(^|[|&;] *)darwinop [a-z][a-z-]*' | sed 's/.* //' | sort -u)
 
   while read -r example; do

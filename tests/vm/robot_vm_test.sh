@@ -1,0 +1,111 @@
+#!/usr/bin/env bash
+# The whole life of an installation on the virtual robot's computer (docs/robot-vm.md): install over ssh with a
+# password, default controller, reboot, upgrades with power cuts, uninstall. Needs: ./dev build --robot, and the
+# virtual robot of a build for this machine (DARWINOP_VIRTUAL_ROBOT, default: that of ./dev build).
+#
+#   robot_vm_test.sh [rc.local] [systemd]     ways to start at boot; default: rc.local, as on a robot
+#
+# Six minutes on two cores, two more with systemd; the first time, half a minute for the disk image.
+set -euo pipefail
+started=$SECONDS
+repository=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../..
+# In memory where there is room: the machine's disk is flushed often.
+scratch=$(mktemp -d "$([ -w /dev/shm ] && echo /dev/shm || echo /tmp)/robot-vm-test.XXXXXX")
+. "$(dirname "${BASH_SOURCE[0]}")/machine.sh"
+export ROBOT_VM_PORT=${ROBOT_VM_PORT:-$((20000 + $$ % 10000))}
+ways=${*:-rc.local}
+
+clean_up() {
+  local status=$?
+  vm reset || true
+  wait || true
+  if [ $status = 0 ]; then echo "robot_vm_test: passed"; else echo "robot_vm_test: failed, status $status"; fi
+  rm -rf "$scratch"
+}
+trap clean_up EXIT
+trap 'exit 130' INT TERM
+
+# The bundle once more under a higher version: the same programs, another VERSION, another MANIFEST.
+make_newer_bundle() {
+  mkdir "$scratch/newer"
+  tar -xzf "$bundle" -C "$scratch/newer"
+  (
+    cd "$scratch/newer"
+    echo "$newer" >VERSION
+    rm MANIFEST
+    find . -type f | sed 's,^\./,,' | LC_ALL=C sort | xargs cksum >"$scratch/MANIFEST"
+    mv "$scratch/MANIFEST" .
+    tar -czf "$scratch/newer.tar.gz" --format=ustar -- *
+  )
+}
+
+# boot_again WHERE VERSIONS: one of these versions runs then, and the joints move.
+boot_again() {
+  vm start 2>&1 | sed 's/^/        /'
+  expect_motion "after the power cut $1"
+  expect_version "$2" "after the power cut $1"
+}
+
+demo_runs() { guest 'cat /darwin/demo-has-run 2>/dev/null | wc -l'; }
+
+install_first() {
+  install --bundle "$bundle" --autostart "$1" || fail "the first installation"
+  said "version $version is installed and confirmed"
+  say "version $version is installed, autostart by $1, over ssh with a password"
+  install --controller "$repository/controllers/01_hello_head" --make-default || fail "the default controller was not taken"
+  say "01_hello_head is cross-compiled, sent, and the default controller"
+}
+
+reboot_without_demo() {
+  local demo
+  demo=$(demo_runs)
+  vm reboot
+  expect_motion "after a reboot"
+  guest 'while [ -e /run/systemd/system ] && systemctl list-jobs | grep -q rc-local; do sleep 1; done'
+  [ "$(demo_runs)" = "$demo" ] || fail "the ROBOTIS demo was started, though it is disabled"
+  say "/etc/rc.local ran to its end without the ROBOTIS demo"
+}
+
+newer=0.99.0+test
+swapped="[ \"\$(readlink $home/current)\" = versions/$newer ]"
+upgrade_with_power_cuts() {
+  # While the archive comes in: nothing of the old version is touched.
+  power_cut "in the transfer" "[ \"\$(cat $home/versions/.staging-*/archive.tar.gz 2>/dev/null | wc -c)\" -gt 1000000 ]" \
+    --bundle "$scratch/newer.tar.gz"
+  boot_again "in the transfer" "$version"
+  # The new version is in place, and has not shown yet that it can run here.
+  power_cut "in the self-test" "[ -e $home/pending ] && $swapped" --bundle "$scratch/newer.tar.gz"
+  boot_again "in the self-test" "$version"
+  power_cut "behind the confirmation" "[ ! -e $home/pending ] && $swapped" --bundle "$scratch/newer.tar.gz"
+  boot_again "behind the confirmation" "$version $newer"
+  install --bundle "$scratch/newer.tar.gz" || fail "the installation after the power cuts"
+  expect_motion "the same command again"
+  expect_version "$newer" "the same command again"
+}
+
+uninstall() {
+  install --uninstall || fail "uninstall"
+  listing >"$scratch/after"
+  diff "$scratch/before" "$scratch/after" || fail "the disk is not as before the installation"
+  say "uninstalled; all $(wc -l <"$scratch/after") lines about the disk are as before"
+}
+
+bundle=$(ls "$repository"/build/robot/darwinop-*-i686.tar.gz)
+version=$(tar -xzOf "$bundle" VERSION)
+make_newer_bundle
+
+vm start 2>&1 | sed 's/^/        /'
+guest 'cat /proc/version; grep -m 1 "model name" /proc/cpuinfo; ls -l /dev/ttyUSB0 /dev/video0' | sed 's/^/        /'
+until [ "$(demo_runs)" -gt 0 ]; do sleep 1; done
+say "the machine is up; as delivered, /etc/rc.local has started the ROBOTIS demo"
+listing >"$scratch/before"
+moves 4 && fail "the head moves, though nothing is installed"
+
+for way in $ways; do
+  install_first "$way"
+  expect_motion "$way"
+  reboot_without_demo
+  guest "$home/current/bin/darwinop-runtime --status" | sed 's/^/        /'
+  [ "$way" != rc.local ] || upgrade_with_power_cuts
+  uninstall
+done
