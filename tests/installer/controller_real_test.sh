@@ -18,19 +18,6 @@ put_real_runtime() {
   mkdir -p "$home/log"
 }
 
-plug_virtual_robot() {
-  local program=${DARWINOP_BIN:-$SOURCE/build/debug/bin}/darwinop-virtual-robot
-  [ -x "$program" ] || fail "there is no $program; run: ./dev build, or set DARWINOP_BIN"
-  "$program" --link "$LAB/serial" >"$LAB/virtual_robot.log" 2>&1 &
-  local tries=0
-  until [ -e "$LAB/serial" ]; do
-    [ $((tries += 1)) -lt 250 ] || fail "the virtual robot did not start: $(cat "$LAB/virtual_robot.log")"
-    sleep 0.02
-  done
-  rm "$ROBOT/dev/ttyUSB0"
-  ln -s "$(readlink "$LAB/serial")" "$ROBOT/dev/ttyUSB0"
-}
-
 state() { chroot "$ROBOT" /opt/darwinop/current/bin/darwinop-supervisor --status; }
 
 scenario_hello_head_runs_until_ctrl_c_and_as_default() {

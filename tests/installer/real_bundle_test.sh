@@ -13,19 +13,6 @@ real_bundle() {
 
 program_says() { chroot "$ROBOT" /opt/darwinop/current/bin/darwinop --version >/dev/null && cat "$ROBOT/opt/darwinop/current/VERSION"; }
 
-# A CM-730 with twenty servos behind the robot's /dev/ttyUSB0.
-plug_virtual_robot() {
-  local tries=0 program=${DARWINOP_BIN:-$SOURCE/build/debug/bin}/darwinop-virtual-robot
-  [ -x "$program" ] || fail "there is no $program; run: ./dev build, or set DARWINOP_BIN"
-  "$program" --link "$LAB/serial" >"$LAB/virtual_robot.log" 2>&1 &
-  until [ -e "$LAB/serial" ]; do
-    [ $((tries += 1)) -lt 250 ] || fail "the virtual robot did not start: $(cat "$LAB/virtual_robot.log")"
-    sleep 0.02
-  done
-  rm "$ROBOT/dev/ttyUSB0"
-  ln -s "$(readlink "$LAB/serial")" "$ROBOT/dev/ttyUSB0"
-}
-
 scenario_install_boot_and_uninstall() {
   local bundle version tries=0; bundle=$(real_bundle)
   version=$(tar -xzOf "$bundle" VERSION)

@@ -261,3 +261,16 @@ robot_kill_sessions() {
   # shellcheck disable=SC2086  # one id a word
   [ -z "$all" ] || kill -9 $all 2>/dev/null || true
 }
+
+# A CM-730 with twenty servos behind the robot's /dev/ttyUSB0.
+plug_virtual_robot() {
+  local tries=0 program=${DARWINOP_BIN:-$SOURCE/build/debug/bin}/darwinop-virtual-robot
+  [ -x "$program" ] || fail "there is no $program; run: ./dev build, or set DARWINOP_BIN"
+  "$program" --link "$LAB/serial" >"$LAB/virtual_robot.log" 2>&1 &
+  until [ -e "$LAB/serial" ]; do
+    [ $((tries += 1)) -lt 250 ] || fail "the virtual robot did not start: $(cat "$LAB/virtual_robot.log")"
+    sleep 0.02
+  done
+  rm "$ROBOT/dev/ttyUSB0"
+  ln -s "$(readlink "$LAB/serial")" "$ROBOT/dev/ttyUSB0"
+}

@@ -18,8 +18,19 @@ fail() {
   exit 1
 }
 
-# install ARGUMENTS...: the command under test. What it says is in install.log.
+# install ARGUMENTS...: the command under test. What it says is in install.log. A busy PC makes the emulated USB too slow
+# for a cycle of 16 ms, and then the self-test rightly fails: that is this PC's fault, and another try is fair.
 install() {
+  local tries=0
+  until install_once "$@"; do
+    grep -q '^FAIL  a full cycle takes' "$scratch/install.log" || return 1
+    [ $((tries += 1)) -lt 4 ] || return 1
+    say "this PC is too busy: $(grep '^FAIL  a full cycle takes' "$scratch/install.log"); trying again"
+    sleep 20
+  done
+}
+
+install_once() {
   DARWINOP_PASSWORD=111111 "$repository/installer/darwinop-install" --new-host -p "$ROBOT_VM_PORT" -F none \
     -o UserKnownHostsFile="$scratch/known_hosts" -o IdentitiesOnly=yes "$@" darwin@127.0.0.1 \
     >"$scratch/install.log" 2>&1 </dev/null
