@@ -123,7 +123,8 @@ run_install_on_terminal() {
   mkfifo "$LAB/keyboard"
   exec 7<>"$LAB/keyboard"
   : >"$LAB/out"
-  printf '%q ' env -u DARWINOP_PASSWORD timeout -k 5 60 "$installer" "$@" "$login@$ADDRESS" >"$LAB/command"
+  # exec: whatever shell script(1) takes, the installer's process group is the one that the terminal listens to.
+  printf '%q ' exec env -u DARWINOP_PASSWORD timeout -k 5 60 "$installer" "$@" "$login@$ADDRESS" >"$LAB/command"
   script -qefc "$(cat "$LAB/command")" /dev/null <&7 >>"$LAB/out" 2>&1 &
   for step in "${steps[@]}"; do
     tries=0
