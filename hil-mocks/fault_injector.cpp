@@ -119,8 +119,7 @@ void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
   const BoardOptions& normal = board.options();
   std::bitset<kJoints> dead;
   std::array<std::uint8_t, kJoints> errors{};
-  std::array<double, kJoints> celsius;
-  celsius.fill(normal.temperature_c);
+  std::array<std::optional<double>, kJoints> celsius;  // nothing: as the body says
   double supply_v = normal.supply_v;
   std::uint8_t buttons = 0;
   std::optional<std::array<double, 3>> acceleration;

@@ -1,7 +1,7 @@
 // A body without physics library: every joint is a motor with its own inertia, nothing pulls at it.
 #pragma once
 
-#include "hil-mocks/body.hpp"
+#include "hal/body.hpp"
 
 namespace darwinop::hil {
 

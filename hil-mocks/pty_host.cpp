@@ -18,7 +18,6 @@
 namespace darwinop::hil {
 namespace {
 
-constexpr Nanos kIdle = std::chrono::milliseconds{50};    // the body moves at least so often
 constexpr Nanos kQuiet = std::chrono::milliseconds{500};  // no client is so long without a word
 constexpr int kPriority = 70;
 
@@ -61,13 +60,14 @@ void PtyHost::wake() noexcept {
 
 void PtyHost::serve() {
   becomeRealTime();
+  Nanos next = now();
   while (!stop_) {
-    Nanos next;
     {
       const std::lock_guard lock{mutex_};
       takeInput();
       const Nanos time = now();
       robot_.advance(time);
+      worst_lag_.store(std::max(worstLag(), now() - std::min(next, time)), std::memory_order_relaxed);
       plugOrUnplug();
       deliver(time);
       next = nextWake(time);
@@ -109,7 +109,7 @@ void PtyHost::deliver(Nanos now) noexcept {
 }
 
 Nanos PtyHost::nextWake(Nanos now) const noexcept {
-  return std::min({robot_.nextWake().value_or(Nanos::max()), latency_.due(), now + kIdle});
+  return std::min({robot_.nextWake().value_or(Nanos::max()), latency_.due(), now + options_.at_rest});
 }
 
 void PtyHost::sleepUntil(Nanos when) noexcept {

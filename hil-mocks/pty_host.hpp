@@ -19,6 +19,7 @@ namespace darwinop::hil {
 struct PtyOptions {
   std::string link;        // symbolic link to the port, re-pointed after every replug; empty: none
   Nanos latency_timer{0};  // FTDI's; 16 ms is the default of its driver, 0 is none
+  Nanos at_rest = std::chrono::milliseconds{50};  // the body moves at least so often; the less it costs, the longer
 };
 
 /// One thread, at SCHED_FIFO 70 where that is allowed. Whole status frames leave at the time at which 1 Mbaud
@@ -35,6 +36,8 @@ class PtyHost {
   [[nodiscard]] std::string path() const;
   /// Time on the robot's clock.
   [[nodiscard]] Nanos now() const { return std::chrono::steady_clock::now() - start_; }
+  /// How late the robot was, at most, with what was due: computing a body takes time, and so do other programs.
+  [[nodiscard]] Nanos worstLag() const { return worst_lag_.load(std::memory_order_relaxed); }
   /// Runs `action` on the robot, which the thread does not touch meanwhile.
   template <class F>
   auto withRobot(F&& action) {
@@ -66,6 +69,7 @@ class PtyHost {
   Nanos last_input_{0};
   int event_fd_ = -1;
   std::atomic<bool> stop_{false};
+  std::atomic<Nanos> worst_lag_{Nanos{0}};
   std::thread thread_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace darwinop::hil {
 namespace {
@@ -46,7 +47,7 @@ VirtualBoard::VirtualBoard(const BoardOptions& options, Body& body)
   servos_.reserve(kJoints);
   for (std::size_t i = 0; i < kJoints; ++i) {
     servos_.emplace_back(static_cast<Joint>(i), options.servo[i]);
-    servos_[i].setTemperature(options.temperature_c);
+    servos_[i].setUsualTemperature(options.temperature_c);
     servos_[i].setSupply(options.supply_v);
     servos_[i].measure(body_.state().joint[i]);
   }
@@ -93,8 +94,12 @@ void VirtualBoard::advance(Nanos until, bool stop_at_reply) noexcept {
 
 void VirtualBoard::stepBody(Nanos until) noexcept {
   while (body_time_ + options_.body_step <= until) {
-    for (std::size_t i = 0; i < kJoints; ++i) drives_[i] = servos_[i].drive();
+    for (std::size_t i = 0; i < kJoints; ++i) drives_[i] = servos_[i].drive(body_.state().joint[i]);
     body_.step(options_.body_step, drives_);
+    if (body_.trouble() != nullptr && !silenced_) {
+      silenced_ = true;
+      std::fprintf(stderr, "darwinop: %s\n", body_.trouble());
+    }
     body_time_ += options_.body_step;
   }
 }
@@ -109,6 +114,7 @@ void VirtualBoard::takeByte() noexcept {
 void VirtualBoard::execute(bool good_checksum) noexcept {
   const std::uint8_t id = parser_.id(), instruction = parser_.instruction();
   const Bytes params = parser_.params();
+  if (silenced_) return;
   ++counters_.frames;
   if (!good_checksum) ++counters_.bad_checksums;
   if (id != kBroadcastId) return executeUnicast(id, instruction, params, good_checksum);

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "hil-mocks/body.hpp"
+#include "hal/body.hpp"
 #include "hil-mocks/chunk.hpp"
 #include "hil-mocks/device.hpp"
 #include "hil-mocks/input_queue.hpp"
@@ -15,6 +15,9 @@
 #include "hil-mocks/virtual_servo.hpp"
 
 namespace darwinop::hil {
+
+/// BoardOptions::body_step of a body with physics: as often as a servo looks at its encoder.
+inline constexpr Nanos kPhysicsStep = std::chrono::milliseconds{1};
 
 struct BoardOptions {
   Nanos byte_time = std::chrono::microseconds{10};  // 1 Mbaud, 8N1; 0: unpaced
@@ -68,7 +71,8 @@ class VirtualBoard {
   // -- faults; each lasts until it is taken back
   void setServoDead(Joint joint, bool dead) noexcept;
   void setServoErrors(Joint joint, std::uint8_t bits) noexcept { servoOf(joint).setErrors(bits); }
-  void setTemperature(Joint joint, double celsius) noexcept { servoOf(joint).setTemperature(celsius); }
+  /// Nothing: as the body says, or else BoardOptions.
+  void setTemperature(Joint joint, std::optional<double> celsius) noexcept { servoOf(joint).setTemperature(celsius); }
   void setSupply(double volt) noexcept;
   /// Pressed by a fault, besides what the body says.
   void setButtons(std::uint8_t bits) noexcept { buttons_ = bits; }
@@ -121,6 +125,7 @@ class VirtualBoard {
   ChunkRing output_{1024};
   InstructionParser parser_;
   BoardCounters counters_;
+  bool silenced_ = false;  // the body is in trouble: a robot that hangs answers nothing
 
   Nanos now_{0}, body_time_{0};
   Nanos line_free_{0};      // bus: bytes of a request or reply until then

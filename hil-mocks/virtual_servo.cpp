@@ -20,6 +20,7 @@ constexpr std::uint8_t kLowVoltage = addressOf("low_voltage_limit"), kHighVoltag
 constexpr std::uint8_t kMaxTorque = addressOf("max_torque"), kShutdown = addressOf("shutdown");
 constexpr std::uint8_t kDGain = addressOf("d_gain"), kIGain = addressOf("i_gain");
 constexpr std::uint8_t kPresentSpeed = addressOf("present_speed"), kPresentLoad = addressOf("present_load");
+constexpr std::uint8_t kGoalAcceleration = addressOf("goal_acceleration");
 constexpr std::uint8_t kRegistered = addressOf("registered"), kMoving = addressOf("moving"), kLock = addressOf("lock");
 constexpr int kMovingTicks = 4;  // further than this from the goal counts as moving
 
@@ -42,12 +43,12 @@ void VirtualServo::powerUp(Nanos now, Nanos boot) {
   if (powered_ || missing_ || dead_) return;
   powered_ = true;
   awake_at_ = now + boot;
-  goal_refused_ = false;
+  goal_refused_ = overloaded_ = false;
   forgetRegistered();
-  const std::uint8_t temperature = table_.byte(servo::kPresentTemperature);
+  const std::uint8_t temperature = table_.byte(servo::kPresentTemperature), volt = table_.byte(servo::kPresentVoltage);
   table_.reset(Memory::kRam);
   table_.setByte(servo::kPresentTemperature, temperature);
-  setSupply(supply_v_);
+  table_.setByte(servo::kPresentVoltage, volt);
   table_.setWord(servo::kGoalPosition, position_);
   table_.setWord(servo::kPresentPosition, position_);
   table_.setWord(servo::kTorqueLimit, table_.word(kMaxTorque));
@@ -60,6 +61,7 @@ std::uint8_t VirtualServo::standingErrors() const {
   if (volt < table_.byte(kLowVoltage) || volt > table_.byte(kHighVoltage)) bits |= error_bit::kVoltage;
   if (table_.byte(servo::kPresentTemperature) > table_.byte(kTemperatureLimit)) bits |= error_bit::kOverheat;
   if (goal_refused_) bits |= error_bit::kAngleLimit;
+  if (overloaded_) bits |= error_bit::kOverload;
   return bits;
 }
 
@@ -101,7 +103,18 @@ void VirtualServo::showRegistered(bool waiting) {
   table_.setByte(kRegistered, waiting ? 1 : 0);
 }
 
+/// What the protections judge by, always up to date.
+void VirtualServo::feel(const JointMotion& motion) {
+  const double celsius = std::isnan(motion.temperature_c) ? usual_temperature_c_ : motion.temperature_c;
+  const double volt = std::isnan(motion.supply_v) ? supply_v_ : motion.supply_v;
+  table_.setByte(servo::kPresentTemperature, rounded(forced_temperature_c_.value_or(celsius)));
+  table_.setByte(servo::kPresentVoltage, rounded(volt * 10));
+  // Without torque a body feels no load any more: the bit stands until the torque limit is written again.
+  overloaded_ = motion.overload || (overloaded_ && table_.word(servo::kTorqueLimit) == 0);
+}
+
 void VirtualServo::measure(const JointMotion& motion) {
+  feel(motion);
   position_ = static_cast<std::uint16_t>(ticksFromRad(Rad{motion.position_rad}));
   if (!powered_) return;
   table_.setWord(servo::kPresentPosition, position_);
@@ -116,13 +129,17 @@ void VirtualServo::updateDrive() {
   drive_.torque_on = table_.byte(servo::kTorqueEnable) != 0;
   drive_.goal_rad = radFromTicks(table_.word(servo::kGoalPosition)).value;
   drive_.speed_limit_rad_s = speed == 0 ? std::numeric_limits<double>::infinity() : speed * kRadPerSecPerCount;
+  const std::uint8_t acceleration = table_.byte(kGoalAcceleration);
+  drive_.accel_limit_rad_s2 = acceleration == 0 ? std::numeric_limits<double>::infinity()
+                                                : acceleration * find(kMx28, "goal_acceleration").scale;
   drive_.torque_limit = table_.word(servo::kTorqueLimit) / static_cast<double>(kTorqueMax);
   drive_.p_gain = table_.byte(servo::kPGain) * find(kMx28, "p_gain").scale;
   drive_.i_gain = table_.byte(kIGain) * find(kMx28, "i_gain").scale;
   drive_.d_gain = table_.byte(kDGain) * find(kMx28, "d_gain").scale;
 }
 
-const ServoDrive& VirtualServo::drive() {
+const ServoDrive& VirtualServo::drive(const JointMotion& motion) {
+  feel(motion);
   drive_.supply_v = supply_v_;
   if (!powered_) {
     drive_.torque_on = false;

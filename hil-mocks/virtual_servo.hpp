@@ -1,7 +1,9 @@
 // One MX-28 on the virtual bus: its registers, its power, its protections.
 #pragma once
 
-#include "hil-mocks/body.hpp"
+#include <optional>
+
+#include "hal/body.hpp"
 #include "hil-mocks/device.hpp"
 
 namespace darwinop::hil {
@@ -35,16 +37,17 @@ class VirtualServo : public Device {
     powered_ = powered_ && !dead;
   }
   void setErrors(std::uint8_t bits) { injected_errors_ = bits; }
-  void setTemperature(double celsius) { table_.setByte(servo::kPresentTemperature, rounded(celsius)); }
-  void setSupply(double volt) {
-    supply_v_ = volt;
-    table_.setByte(servo::kPresentVoltage, rounded(volt * 10));
-  }
+  /// Whatever the body says of it; nothing: as the body says.
+  void setTemperature(std::optional<double> celsius) { forced_temperature_c_ = celsius; }
+  /// What the bus supplies. How much of it reaches the servo is for the body to say.
+  void setSupply(double volt) { supply_v_ = volt; }
+  /// Where the body does not say.
+  void setUsualTemperature(double celsius) { usual_temperature_c_ = celsius; }
 
   /// Brings the measuring registers up to date.
   void measure(const JointMotion& motion);
-  /// What the motor is told, after the servo's own protections had their say.
-  [[nodiscard]] const ServoDrive& drive();
+  /// What the motor is told in that motion, after the servo's own protections had their say.
+  [[nodiscard]] const ServoDrive& drive(const JointMotion& motion);
 
  private:
   static constexpr std::uint8_t kBaudAddress = find(kMx28, "baud").address;
@@ -57,12 +60,14 @@ class VirtualServo : public Device {
   void factoryReset() override;
   void showRegistered(bool waiting) override;
   [[nodiscard]] bool goalWithinLimits(std::uint16_t goal) const;
+  void feel(const JointMotion& motion);
   void updateDrive();
 
   bool missing_, dead_ = false, powered_ = false;
-  bool goal_refused_ = false;
+  bool goal_refused_ = false, overloaded_ = false;
   std::uint8_t injected_errors_ = 0;
-  double supply_v_ = 0;
+  double supply_v_ = 0, usual_temperature_c_ = 25;
+  std::optional<double> forced_temperature_c_;
   Nanos awake_at_{0};
   std::uint16_t position_;  // ticks; survives power-off as the horn does
   ServoDrive drive_;

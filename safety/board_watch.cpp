@@ -59,7 +59,7 @@ void BoardWatch::update(const BoardSensors& seen, Nanos dt) noexcept {
 void BoardWatch::watchPower(const BoardSensors& seen) noexcept {
   power_bit_ = seen.servo_power;
   power_off_.update(!seen.servo_power, seen.servo_power);
-  if (seen.servo_power) powered_ = had_power_ = true;
+  if (seen.servo_power && !power_off_.on()) powered_ = had_power_ = true;  // as often confirmed as its loss
   if (power_off_.on()) powered_ = false;
 }
 

@@ -3,6 +3,7 @@
 
 #include <ini.h>
 
+#include <algorithm>
 #include <exception>
 #include <stdexcept>
 
@@ -44,6 +45,9 @@ class Pass {
       const auto end = line.find(']');
       if (end == line.npos) throw std::runtime_error("the section's closing bracket ] is missing");
       if (line.find_first_of("=:", end) != line.npos) throw std::runtime_error("put the key into a line of its own");
+      const auto rest = line.find_first_not_of(" \t\r\n", end + 1);
+      if (rest != line.npos && line[rest] != ';' && line[rest] != '#')
+        throw std::runtime_error("there is something behind the section's closing bracket ]");
       section_ = line.substr(1, end - 1);
       reader_.section(section_, lines_.number());
     } else if (!line.empty() && line.find_first_of("=:") == line.npos) {
@@ -74,6 +78,9 @@ std::string where(const std::string& file, int line) {
 }
 
 void readIni(std::string_view text, const std::string& file, IniReader& reader) {
+  if (const auto nul = text.find('\0'); nul != text.npos)
+    throw std::runtime_error(where(file, 1 + static_cast<int>(std::count(text.begin(), text.begin() + nul, '\n'))) +
+                             ": there is a zero byte, so this is no text file, or a damaged one");
   Pass{text, file, reader}.run();
 }
 

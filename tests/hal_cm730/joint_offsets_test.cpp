@@ -18,7 +18,7 @@
 namespace darwinop::cm730 {
 namespace {
 
-constexpr Nanos kPeriod{16'000'000};
+constexpr Nanos kCycle{16'000'000};
 
 JointOffsets with(Joint joint, Rad offset) {
   JointOffsets offsets;
@@ -115,12 +115,12 @@ struct OffsetRobot : ::testing::Test {
 };
 
 TEST_F(OffsetRobot, ServoStandsShiftedAndTheJointReadsWhatWasCommanded) {
-  Cm730Bus bus{line, BusConfig::forPeriod(kPeriod, offsets)};
+  Cm730Bus bus{line, BusConfig::forPeriod(kCycle, offsets)};
   const auto there =
       SafeCommandsForTests{}.drive(Joint::kNeck, radFromTicks(2300)).drive(Joint::kHead, radFromTicks(2100)).commands;
   BusReadings readings;
   for (int i = 1; i <= 150; ++i) {
-    line.advanceTo(i * kPeriod);
+    line.advanceTo(i * kCycle);
     bus.write(there);
     bus.read(readings);
   }
@@ -132,7 +132,7 @@ TEST_F(OffsetRobot, ServoStandsShiftedAndTheJointReadsWhatWasCommanded) {
 }
 
 TEST_F(OffsetRobot, AGoalBeyondTheTableIsCounted) {
-  Cm730Bus bus{line, BusConfig::forPeriod(kPeriod, offsets)};
+  Cm730Bus bus{line, BusConfig::forPeriod(kCycle, offsets)};
   BusReadings readings;
   bus.write(SafeCommandsForTests{}.drive(Joint::kNeck, radFromTicks(row(Joint::kNeck).high)).commands);
   bus.read(readings);

@@ -9,11 +9,11 @@
 namespace darwinop::cm730 {
 namespace {
 
-constexpr Nanos kPeriod{16'000'000};
+constexpr Nanos kRound{16'000'000};
 
 /// Devices on a daisy chain of replies: a dead one silences all behind it in the list.
 struct Chain {
-  ReadList list{kPeriod};
+  ReadList list{kRound};
   ReadList::Mask dead;
   ReadList::Mask answered;
   std::vector<int> order;
@@ -42,7 +42,7 @@ TEST(ReadList, AsksAllTwentyInIdOrderWhenAllIsWell) {
 }
 
 TEST(ReadList, LooksAtEveryServoWithinTwentyCycles) {
-  ReadList list{kPeriod};
+  ReadList list{kRound};
   ReadList::Mask seen;
   for (std::size_t i = 0; i < kJoints; ++i) {
     int looks = 0;
@@ -78,7 +78,7 @@ TEST_P(DeadServo, IsBackWithinASecondOfItsReturn) {
   int cycles = 0;
   while (!chain.answered[GetParam()]) {
     chain.cycle();
-    ASSERT_LT(++cycles, 1'000'000'000 / kPeriod.count());
+    ASSERT_LT(++cycles, 1'000'000'000 / kRound.count());
   }
   EXPECT_TRUE(chain.list.silent().none());
 }
@@ -89,12 +89,12 @@ TEST(ReadList, SixServosBehindABrokenLeadAreAllBackWithinASecond) {
   chain.cycles(200);
   EXPECT_EQ(chain.list.silent(), chain.dead);
   chain.dead.reset();
-  chain.cycles(static_cast<int>(1'000'000'000 / kPeriod.count()));
+  chain.cycles(static_cast<int>(1'000'000'000 / kRound.count()));
   EXPECT_TRUE(chain.list.silent().none());
 }
 
 TEST(ReadList, OneDamagedFrameMovesNobody) {
-  ReadList list{kPeriod};
+  ReadList list{kRound};
   list.next();
   list.answered(~ReadList::Mask{}.set(4));  // its neighbours heard it: only our copy was damaged
   EXPECT_TRUE(list.silent().none());
@@ -113,7 +113,7 @@ TEST(ReadList, AServoThatAnswersNowAndThenHurtsOnlyItself) {
 }
 
 TEST(ReadList, NobodyIsAskedWhileServoPowerIsOffAndForATimeAfter) {
-  ReadList list{kPeriod};
+  ReadList list{kRound};
   list.next();
   list.powerIsOff();
   EXPECT_TRUE(list.next().empty());
@@ -122,7 +122,7 @@ TEST(ReadList, NobodyIsAskedWhileServoPowerIsOffAndForATimeAfter) {
     list.powerIsOn();
     ASSERT_LT(++cycles, 100);
   }
-  EXPECT_GE(cycles * kPeriod, Nanos{300'000'000});
+  EXPECT_GE(cycles * kRound, Nanos{300'000'000});
   EXPECT_EQ(list.next().size(), kJoints);
 }
 

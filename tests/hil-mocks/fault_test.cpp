@@ -31,19 +31,19 @@ struct Robot : VirtualRobot {
   }
 };
 
-constexpr const char* kPing = "FF FF 13 02 01 E9";
+constexpr const char* kNeckPing = "FF FF 13 02 01 E9";
 
 TEST(Faults, DeadServoIsSilentForItsTime) {
   Robot robot;
   Fault dead = faultOf(FaultKind::kDead, 100ms, 50ms);
   dead.joints.set(index(Joint::kNeck));
   robot.faults().add(dead);
-  EXPECT_NE(robot.send(kPing), "");
+  EXPECT_NE(robot.send(kNeckPing), "");
   robot.advance(100ms);
-  EXPECT_EQ(robot.send(kPing), "");
+  EXPECT_EQ(robot.send(kNeckPing), "");
   EXPECT_NE(robot.send("FF FF 01 02 01 FB"), "") << "only the neck";
   robot.advance(150ms);
-  EXPECT_NE(robot.send(kPing), "");
+  EXPECT_NE(robot.send(kNeckPing), "");
 }
 
 TEST(Faults, TwoThatOverlapEndTogetherWithTheLater) {
@@ -54,9 +54,9 @@ TEST(Faults, TwoThatOverlapEndTogetherWithTheLater) {
     robot.faults().add(dead);
   }
   robot.advance(61ms);
-  EXPECT_EQ(robot.send(kPing), "");
+  EXPECT_EQ(robot.send(kNeckPing), "");
   robot.advance(70ms);
-  EXPECT_NE(robot.send(kPing), "");
+  EXPECT_NE(robot.send(kNeckPing), "");
 }
 
 TEST(Faults, TemperatureRampsAndGoesBack) {
@@ -96,29 +96,29 @@ TEST(Faults, ButtonsErrorsAndFallShow) {
   fallen.fall = Fall::kFront;
   robot.faults().add(fallen);
   EXPECT_EQ(robot.readServo("C8", "1E"), withChecksum("FF FF C8 03 00 01"));
-  EXPECT_EQ(robot.send(kPing), withChecksum("FF FF 13 02 20"));
+  EXPECT_EQ(robot.send(kNeckPing), withChecksum("FF FF 13 02 20"));
   EXPECT_EQ(robot.send(withChecksum("FF FF C8 04 02 2C 06")), withChecksum("FF FF C8 08 00 00 02 80 01 00 02"))
       << "y is 384: below 512 - 80";
   robot.advance(1s);
   EXPECT_EQ(robot.readServo("C8", "1E"), withChecksum("FF FF C8 03 00 00"));
-  EXPECT_EQ(robot.send(kPing), withChecksum("FF FF 13 02 00"));
+  EXPECT_EQ(robot.send(kNeckPing), withChecksum("FF FF 13 02 00"));
 }
 
 TEST(Faults, BoardResetCutsServoPower) {
   Robot robot;
   robot.faults().add(faultOf(FaultKind::kReset, 10ms, 0ms));
-  EXPECT_NE(robot.send(kPing), "");
+  EXPECT_NE(robot.send(kNeckPing), "");
   robot.advance(10ms);
-  EXPECT_EQ(robot.send(kPing), "");
+  EXPECT_EQ(robot.send(kNeckPing), "");
   robot.send("FF FF C8 04 03 18 01 17");
-  EXPECT_NE(robot.send(kPing), "");
+  EXPECT_NE(robot.send(kNeckPing), "");
 }
 
 TEST(Faults, StalledBoardAnswersLater) {
   Robot robot;
   robot.faults().add(faultOf(FaultKind::kStall, 10ms, 90ms));
   robot.advance(20ms);
-  EXPECT_EQ(robot.send(kPing, 70ms), "");
+  EXPECT_EQ(robot.send(kNeckPing, 70ms), "");
   EXPECT_EQ(robot.send("", 20ms), "FF FF 13 02 00 EA");
 }
 
@@ -134,7 +134,7 @@ TEST(Faults, ClearEndsAllOfThem) {
   robot.faults().clear();
   robot.advance(21ms);
   EXPECT_TRUE(robot.portOpen());
-  EXPECT_NE(robot.send(kPing), "");
+  EXPECT_NE(robot.send(kNeckPing), "");
 }
 
 TEST(WireFaults, OneShotSpoilsOneFrameOnly) {
@@ -142,8 +142,8 @@ TEST(WireFaults, OneShotSpoilsOneFrameOnly) {
   Fault drop = faultOf(FaultKind::kDrop, 0ms, 0ms);
   drop.amount = 1;
   robot.faults().add(drop);
-  EXPECT_EQ(robot.send(kPing).size(), 5u * 3 - 1);
-  EXPECT_EQ(robot.send(kPing), "FF FF 13 02 00 EA");
+  EXPECT_EQ(robot.send(kNeckPing).size(), 5u * 3 - 1);
+  EXPECT_EQ(robot.send(kNeckPing), "FF FF 13 02 00 EA");
 }
 
 TEST(WireFaults, RequestsAreSpoiledOnTheirWay) {
@@ -152,7 +152,7 @@ TEST(WireFaults, RequestsAreSpoiledOnTheirWay) {
   corrupt.way = Way::kRequests;
   robot.faults().add(corrupt);
   robot.advance(1ms);
-  EXPECT_EQ(robot.send(kPing), "FF FF 13 02 00 EA | FF FF 13 02 00 EA");
+  EXPECT_EQ(robot.send(kNeckPing), "FF FF 13 02 00 EA | FF FF 13 02 00 EA");
 }
 
 TEST(WireFaults, DelayedFrameHoldsUpThoseBehindIt) {
@@ -161,8 +161,8 @@ TEST(WireFaults, DelayedFrameHoldsUpThoseBehindIt) {
   delay.amount = 3;
   robot.faults().add(delay);
   robot.advance(1ms);
-  robot.receive(bytesOf(kPing), robot.now());
-  robot.receive(bytesOf(kPing), robot.now());
+  robot.receive(bytesOf(kNeckPing), robot.now());
+  robot.receive(bytesOf(kNeckPing), robot.now());
   robot.advance(2ms);
   ASSERT_FALSE(robot.output().empty());
   EXPECT_EQ(robot.output().front().at, 1ms + 120us + 3ms);
@@ -178,7 +178,7 @@ TEST(WireFaults, ChanceIsAboutWhatItSays) {
   robot.faults().add(corrupt);
   robot.advance(1ms);
   int spoiled = 0;
-  for (int i = 0; i < 1000; ++i) spoiled += robot.send(kPing, 1ms) == "FF FF 13 02 00 EA" ? 0 : 1;
+  for (int i = 0; i < 1000; ++i) spoiled += robot.send(kNeckPing, 1ms) == "FF FF 13 02 00 EA" ? 0 : 1;
   EXPECT_NEAR(spoiled, 250, 50);
 }
 
@@ -211,7 +211,7 @@ TEST(RandomFaults, ComeAtTheirRateAndOnlyOfTheKindsAllowed) {
   robot.faults().add(random);
   robot.advance(100s);
   EXPECT_NEAR(static_cast<double>(robot.faults().begun()), 500, 60);
-  EXPECT_NE(robot.send(kPing), "");
+  EXPECT_NE(robot.send(kNeckPing), "");
   EXPECT_TRUE(robot.portOpen());
   robot.advance(110s);
   EXPECT_EQ(robot.faults().active(), 0u) << "all over a while after the last";

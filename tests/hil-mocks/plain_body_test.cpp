@@ -16,7 +16,7 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 Drives allTo(double goal_rad, double speed = kNoLimit) {
   Drives drives;
-  drives.fill({true, goal_rad, speed, 1.0, 4.0, 0, 0, 12.0});
+  drives.fill({.torque_on = true, .goal_rad = goal_rad, .speed_limit_rad_s = speed, .torque_limit = 1.0});
   return drives;
 }
 

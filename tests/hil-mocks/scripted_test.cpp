@@ -16,8 +16,8 @@ struct SafeCommandsForTests {
 namespace hil {
 namespace {
 
-const auto kPing = bytesOf("FF FF 01 02 01 FB");
-const auto kPong = bytesOf("FF FF 01 02 00 FC");
+const auto kPingBytes = bytesOf("FF FF 01 02 01 FB");
+const auto kPongBytes = bytesOf("FF FF 01 02 00 FC");
 
 struct Complaints {
   std::vector<std::string> said;
@@ -36,43 +36,43 @@ std::string read(ScriptedLine& line, Nanos deadline) {
 
 TEST(ScriptedLine, PlaysItsScriptOnItsClock) {
   ScriptedLine line;
-  line.expect(kPing).answer(kPong, 120us).silence().lose().expect(kPing);
+  line.expect(kPingBytes).answer(kPongBytes, 120us).silence().lose().expect(kPingBytes);
   line.advanceTo(1ms);
-  EXPECT_EQ(line.write(kPing), LineStatus::kOk);
-  EXPECT_EQ(read(line, 5ms), hexOf(kPong));
+  EXPECT_EQ(line.write(kPingBytes), LineStatus::kOk);
+  EXPECT_EQ(read(line, 5ms), hexOf(kPongBytes));
   EXPECT_EQ(line.now(), 1120us);
   EXPECT_EQ(read(line, 5ms), "timeout");
   EXPECT_EQ(line.now(), 5ms);
   EXPECT_EQ(read(line, 6ms), "lost");
   EXPECT_EQ(line.reconnects(), 1u);
-  EXPECT_EQ(line.write(kPing), LineStatus::kOk);
+  EXPECT_EQ(line.write(kPingBytes), LineStatus::kOk);
   EXPECT_TRUE(line.finished());
 }
 
 TEST(ScriptedLine, AnswerThatIsTooLateWaits) {
   ScriptedLine line;
-  line.expect(kPing).answer(kPong, 3ms);
-  EXPECT_EQ(line.write(kPing), LineStatus::kOk);
+  line.expect(kPingBytes).answer(kPongBytes, 3ms);
+  EXPECT_EQ(line.write(kPingBytes), LineStatus::kOk);
   EXPECT_EQ(read(line, 2ms), "timeout");
-  EXPECT_EQ(read(line, 4ms), hexOf(kPong));
+  EXPECT_EQ(read(line, 4ms), hexOf(kPongBytes));
   EXPECT_EQ(line.now(), 3ms);
 }
 
 TEST(ScriptedLine, DiscardTakesAnswersThatAreDue) {
   ScriptedLine line;
-  line.expect(kPing).answer(kPong).expect(kPing);
-  line.write(kPing);
+  line.expect(kPingBytes).answer(kPongBytes).expect(kPingBytes);
+  line.write(kPingBytes);
   line.discardInput();
-  line.write(kPing);
+  line.write(kPingBytes);
 }
 
 TEST(ScriptedLine, ComplainsAboutWrongUnexpectedAndMissingWritesAndUnreadAnswers) {
   Complaints complaints;
   {
     ScriptedLine line{complaints.collect()};
-    line.expect(kPing).answer(kPong).expect(kPing);
-    line.write(kPong);
-    line.write(kPing);
+    line.expect(kPingBytes).answer(kPongBytes).expect(kPingBytes);
+    line.write(kPongBytes);
+    line.write(kPingBytes);
   }
   EXPECT_EQ(complaints.said,
             (std::vector<std::string>{"expected FF FF 01 02 01 FB, but FF FF 01 02 00 FC was written",
@@ -118,7 +118,7 @@ TEST(ScriptedDoublesDeathTest, AbortByDefaultWhenTheScriptIsNotConsumed) {
   EXPECT_DEATH(
       {
         ScriptedLine line;
-        line.expect(kPing);
+        line.expect(kPingBytes);
       },
       "1 steps were not reached");
 }

@@ -6,8 +6,8 @@
 namespace darwinop::safety {
 namespace {
 
-constexpr Nanos kCycle{std::chrono::milliseconds{16}};
-constexpr JointRange kRange{Rad{-1}, Rad{1}};
+constexpr Nanos kStep{std::chrono::milliseconds{16}};
+constexpr JointRange kElbow{Rad{-1}, Rad{1}};
 
 JointSensors reading(double position) {
   JointSensors s;
@@ -63,12 +63,12 @@ TEST(JointChannel, GoesFromOutThroughPresentPoseAndGentleToFree) {
   JointChannel channel;
   EXPECT_TRUE(channel.out());
   channel.restart();
-  channel.observe(reading(0.5), kCycle);
+  channel.observe(reading(0.5), kStep);
   EXPECT_FALSE(channel.ready());
-  channel.observe(reading(0.5), kCycle);
+  channel.observe(reading(0.5), kStep);
   ASSERT_TRUE(channel.ready());
   EXPECT_FALSE(channel.hasGoal());
-  channel.place(kRange);
+  channel.place(kElbow);
   EXPECT_EQ(channel.goal(), Rad{0.5});
   EXPECT_FALSE(channel.moving());
   channel.torqueOn();
@@ -77,7 +77,7 @@ TEST(JointChannel, GoesFromOutThroughPresentPoseAndGentleToFree) {
   channel.advance(Rad{0.875}, 0.125, 0.5);
   EXPECT_TRUE(channel.advance(Rad{0.875}, 0.125, 0.5));
   EXPECT_TRUE(channel.gentle()) << "the goal is there, the joint is not";
-  channel.observe(reading(0.8), kCycle);
+  channel.observe(reading(0.8), kStep);
   EXPECT_TRUE(channel.advance(Rad{0.875}, 0.125, 0.5));
   EXPECT_FALSE(channel.gentle());
   EXPECT_FALSE(channel.advance(Rad{-0.875}, 0.125, 0.5));
@@ -87,13 +87,13 @@ TEST(JointChannel, GoesFromOutThroughPresentPoseAndGentleToFree) {
 TEST(JointChannel, AJointThatIsHeldOffItsGoalIsNotGentleForEver) {
   JointChannel channel;
   channel.restart();
-  channel.observe(reading(0.5), kCycle);
-  channel.observe(reading(0.5), kCycle);
-  channel.place(kRange);
+  channel.observe(reading(0.5), kStep);
+  channel.observe(reading(0.5), kStep);
+  channel.place(kElbow);
   channel.torqueOn();
   int cycles = 0;
   for (; channel.gentle(); ++cycles) {
-    channel.observe(reading(0.5), kCycle);
+    channel.observe(reading(0.5), kStep);
     (void)channel.advance(Rad{0.875}, 0.125, 0.5);
     ASSERT_LT(cycles, 1000);
   }
@@ -103,17 +103,17 @@ TEST(JointChannel, AJointThatIsHeldOffItsGoalIsNotGentleForEver) {
 TEST(JointChannel, APoseOutsideTheRangeIsMovedToItsEdge) {
   JointChannel channel;
   channel.restart();
-  channel.observe(reading(1.05), kCycle);
-  channel.observe(reading(1.05), kCycle);
-  channel.place(kRange);
+  channel.observe(reading(1.05), kStep);
+  channel.observe(reading(1.05), kStep);
+  channel.place(kElbow);
   EXPECT_EQ(channel.goal(), Rad{1});
 }
 
 TEST(JointChannel, RestartForgetsReadingsFromBefore) {
   JointChannel channel;
   channel.restart();
-  channel.observe(reading(0.5), kCycle);
-  channel.observe(reading(0.5), kCycle);
+  channel.observe(reading(0.5), kStep);
+  channel.observe(reading(0.5), kStep);
   channel.restart();
   EXPECT_FALSE(channel.ready());
 }
@@ -121,14 +121,14 @@ TEST(JointChannel, RestartForgetsReadingsFromBefore) {
 TEST(JointChannel, CountsTheTimeItIsDriven) {
   JointChannel channel;
   channel.restart();
-  channel.observe(reading(0), kCycle);
-  channel.observe(reading(0), kCycle);
-  channel.place(kRange);
+  channel.observe(reading(0), kStep);
+  channel.observe(reading(0), kStep);
+  channel.place(kElbow);
   EXPECT_FALSE(channel.drivenFor());
   channel.torqueOn();
-  channel.observe(reading(0), kCycle);
-  channel.observe(reading(0), kCycle);
-  EXPECT_EQ(channel.drivenFor(), 2 * kCycle);
+  channel.observe(reading(0), kStep);
+  channel.observe(reading(0), kStep);
+  EXPECT_EQ(channel.drivenFor(), 2 * kStep);
   channel.leaveOut();
   EXPECT_FALSE(channel.drivenFor());
 }

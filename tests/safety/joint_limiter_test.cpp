@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr JointRange kRange{Rad{-1}, Rad{2}};
+constexpr JointRange kLegRange{Rad{-1}, Rad{2}};
 
 std::uint32_t count(const LimitHits& hits, Limit limit) {
   return hits[static_cast<std::size_t>(limit)];
@@ -18,17 +18,17 @@ std::uint32_t count(const LimitHits& hits, Limit limit) {
 
 TEST(JointLimiter, ClampsAGoalToTheRangeAndCountsIt) {
   LimitHits hits{};
-  EXPECT_EQ(limitGoal(Rad{0.5}, Rad{0}, kRange, hits), Rad{0.5});
-  EXPECT_EQ(limitGoal(Rad{2}, Rad{0}, kRange, hits), Rad{2});
+  EXPECT_EQ(limitGoal(Rad{0.5}, Rad{0}, kLegRange, hits), Rad{0.5});
+  EXPECT_EQ(limitGoal(Rad{2}, Rad{0}, kLegRange, hits), Rad{2});
   EXPECT_EQ(count(hits, Limit::kPosition), 0u);
-  EXPECT_EQ(limitGoal(Rad{2.001}, Rad{0}, kRange, hits), Rad{2});
-  EXPECT_EQ(limitGoal(Rad{-1e300}, Rad{0}, kRange, hits), Rad{-1});
+  EXPECT_EQ(limitGoal(Rad{2.001}, Rad{0}, kLegRange, hits), Rad{2});
+  EXPECT_EQ(limitGoal(Rad{-1e300}, Rad{0}, kLegRange, hits), Rad{-1});
   EXPECT_EQ(count(hits, Limit::kPosition), 2u);
 }
 
 TEST(JointLimiter, KeepsThePreviousGoalWhenTheNewOneIsNotFinite) {
   LimitHits hits{};
-  for (const double bad : {kNan, kInf, -kInf}) EXPECT_EQ(limitGoal(Rad{bad}, Rad{0.25}, kRange, hits), Rad{0.25});
+  for (const double bad : {kNan, kInf, -kInf}) EXPECT_EQ(limitGoal(Rad{bad}, Rad{0.25}, kLegRange, hits), Rad{0.25});
   EXPECT_EQ(count(hits, Limit::kNotFinite), 3u);
 }
 

@@ -115,6 +115,19 @@ TEST(Recovery, AfterABoardResetPowerComesOnAndJointsAreTakenOverGently) {
   EXPECT_FALSE(rig.active(Fault::kBoardReset));
 }
 
+TEST(Recovery, ARobotThatIsSwitchedOnHasLostNoPower) {
+  Rig rig;
+  rig.robot.servo_power = false;
+  rig.robot.power_obeys = false;
+  rig.newSession();
+  for (int i = 0; i < 400 && rig.state() != State::kDriven; ++i) {
+    if (i == 4) rig.robot.power_obeys = true;
+    rig.cycle();
+    EXPECT_FALSE(rig.active(Fault::kBoardReset)) << "cycle " << i;
+  }
+  EXPECT_EQ(rig.state(), State::kDriven);
+}
+
 TEST(Recovery, ABoardResetInTheStartMoveStillEndsInTheStartPose) {
   Rig rig;
   rig.robot[Joint::kNeck].position = 1.5;

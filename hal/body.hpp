@@ -1,20 +1,22 @@
 // What a virtual board moves: joints pushed by their servos, and the inertial sensor of the trunk.
-// A physics twin may stand in for the plain body.
+// Two bodies exist: a plain one without physics library, and the physics twin.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "core/joints.hpp"
 #include "hal/byte_line.hpp"
 
-namespace darwinop::hil {
+namespace darwinop {
 
 /// One servo's registers as the motion sees them.
 struct ServoDrive {
   bool torque_on = false;  // false: limp, whatever else is said
   double goal_rad = 0;
-  double speed_limit_rad_s = 0;               // infinity: no limit
+  double speed_limit_rad_s = 0;  // infinity: no limit
+  double accel_limit_rad_s2 = std::numeric_limits<double>::infinity();
   double torque_limit = 0;                    // 0..1 of the greatest torque
   double p_gain = 4, i_gain = 0, d_gain = 0;  // Kp, Ki, Kd of the MX-28 manual
   double supply_v = 12;
@@ -23,7 +25,11 @@ using Drives = std::array<ServoDrive, kJoints>;
 
 struct JointMotion {
   double position_rad = 0, velocity_rad_s = 0;
-  double load = 0;  // -1..1 of the greatest torque, positive pushes counter-clockwise
+  double load = 0;  // -1..1 as the servo reports it, positive pushes counter-clockwise
+  // What only a body with physics knows. NaN: it does not say, the board's own setting stands.
+  double temperature_c = std::numeric_limits<double>::quiet_NaN();
+  double supply_v = std::numeric_limits<double>::quiet_NaN();  // at the servo
+  bool overload = false;                                       // the servo's protection has tripped
 };
 
 struct BodyState {
@@ -38,6 +44,8 @@ class Body {
   virtual ~Body() = default;
   virtual void step(Nanos dt, const Drives& drives) noexcept = 0;
   [[nodiscard]] virtual const BodyState& state() const noexcept = 0;
+  /// Why it does not move any more, in a sentence; null: all is well. The state is the last good one then.
+  [[nodiscard]] virtual const char* trouble() const noexcept { return nullptr; }
 };
 
-}  // namespace darwinop::hil
+}  // namespace darwinop

@@ -1,0 +1,38 @@
+// How a body comes out of a shared library: the physics twin is loaded when somebody asks for it, so that controllers
+// and robots need no physics library. Plain C functions, so that both sides may come from different compilers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "hal/body.hpp"
+
+namespace darwinop {
+
+inline constexpr const char* kTwinLibraryFile = "libdarwinop-twin.so";
+inline constexpr const char* kBodyLibraryEntry = "darwinop_body_library";
+
+/// What the entry function returns. No function throws.
+struct BodyLibrary {
+  const char* version;  // bodyLibraryVersion() of the library's build
+  /// `model`: name or file, empty for the usual one. Null: refused, and `error` says why, in at most `size` bytes.
+  void* (*make)(const char* model, std::uint64_t seed, char* error, std::size_t size);
+  void (*step)(void* body, std::int64_t dt_ns, const ServoDrive* drives);  // kJoints of them
+  const BodyState* (*state)(const void* body);
+  const char* (*trouble)(const void* body);  // as Body::trouble()
+  void (*end)(void* body);
+};
+using BodyLibraryEntry = const BodyLibrary* (*)();
+
+/// Differs when the two sides do not understand each other: the release, a number to be raised when a meaning changes,
+/// and the sizes of what is handed over.
+inline std::string bodyLibraryVersion(const char* release) {
+  constexpr int kMeaning = 2;
+  std::string text = std::string{release} + ", interface";
+  for (const std::size_t part : {std::size_t{kMeaning}, kJoints, sizeof(ServoDrive), sizeof(BodyState)})
+    text += ' ' + std::to_string(part);
+  return text;
+}
+
+}  // namespace darwinop

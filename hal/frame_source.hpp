@@ -1,0 +1,28 @@
+// Where pictures come from: a camera on the robot, or the twin's head.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "hal/byte_line.hpp"
+
+namespace darwinop {
+
+/// A picture as a controller gets it: four bytes a pixel, blue, green, red, 255; top row first, no gaps.
+struct CameraFrame {
+  std::uint64_t sequence = 0;  // 0: there is none yet; a jump: frames between were lost
+  Nanos time{0};               // when it was taken, on the source's clock
+  int width = 0, height = 0;
+  std::span<const std::uint8_t> bgra;
+};
+
+/// Used by one thread.
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+  /// The newest complete frame; the same one again when nothing newer is there. Its bytes stay as they are until the
+  /// next call.
+  virtual CameraFrame newest() = 0;
+};
+
+}  // namespace darwinop
