@@ -1,0 +1,98 @@
+// A pendulum on a servo.
+#include "twin/bench/bench.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace darwinop::twin {
+namespace {
+
+constexpr double kLightest = 1e-6;  // kg m2; at a soft gear an arm has to have some inertia of its own
+
+void check(double value, double low, const char* what) {
+  if (std::isfinite(value) && value >= low) return;
+  throw std::runtime_error("pendulum: " + std::string{what} + " is " + std::to_string(value) +
+                           "; it must be a number that is not negative");
+}
+
+}  // namespace
+
+Bench::Bench(const ServoParameters& parameters, std::vector<std::unique_ptr<Effect>> effects, const Pendulum& pendulum)
+    : servo_{parameters, std::move(effects)} {
+  check(pendulum.payload_kg, 0, "payload (kg)");
+  check(pendulum.arm_mass_kg, 0, "mass of the arm (kg)");
+  check(pendulum.length_m, 0, "length (m)");
+  check(pendulum.gravity_m_s2, 0, "gravity (m/s2)");
+  const LoadChange& change = servo_.load();
+  const double m = pendulum.payload_kg * change.mass_scale, arm = pendulum.arm_mass_kg * change.mass_scale;
+  // A weight that is drawn in stops at the axis.
+  const double out = std::max(0.0, pendulum.length_m + change.com_shift_m);
+  const double middle = std::max(0.0, pendulum.length_m / 2 + change.com_shift_m);
+  arm_kgm2_ = m * out * out + arm * (pendulum.length_m * pendulum.length_m / 12 + middle * middle);
+  weight_nm_ = (m * out + arm * middle) * pendulum.gravity_m_s2;
+  hangs_at_rad_ = change.angle_offset_rad;
+  rotor_kgm2_ = parameters.armature_kgm2 + change.armature_kgm2;
+  if (!(inertia_kgm2() > 0))
+    throw std::runtime_error("pendulum: nothing on it has inertia; give it a payload, or the servo an armature");
+  reset({});
+}
+
+void Bench::reset(const BenchOptions& options) {
+  if (options.steps_per_period < 1)
+    throw std::runtime_error("bench: " + std::to_string(options.steps_per_period) +
+                             " mechanical steps in a firmware period; 1 and more are allowed");
+  servo_.reset(options.start_rad, options.session_time_s);
+  position_ = options.start_rad;
+  velocity_ = options.start_rad_s;
+  transmission_.reset(position_, velocity_, rotor_kgm2_);
+  steps_ = options.steps_per_period;
+}
+
+void Bench::step(const ServoDrive& drive) noexcept {
+  if (!servo_.softGear()) {
+    servo_.firmware(drive, position_, velocity_);
+    stepRigid(steps_);
+    return;
+  }
+  const Signals& s = servo_.signals();
+  servo_.firmware(drive, transmission_.encoderRad(s, position_), transmission_.gearVelocity());
+  stepSoft(std::max(steps_, transmission_.stepsFor(s, arm_kgm2_, servo_.parameters().firmware_period_s)));
+}
+
+void Bench::stepRigid(int steps) noexcept {
+  const double h = servo_.parameters().firmware_period_s / steps;
+  for (int i = 0; i < steps; ++i) {
+    position_ += velocity_ * h / 2;
+    const double gravity = gravityAt(position_);
+    const Actuation actuation = servo_.actuate(position_, velocity_, gravity);
+    velocity_ = shaft_.kick(velocity_, actuation, gravity, inertia_kgm2(), h);
+    if (actuation.follows_speed) servo_.noteMotorTorque(shaft_.motorTorque());
+    position_ += velocity_ * h / 2;
+  }
+}
+
+void Bench::stepSoft(int steps) noexcept {
+  const double h = servo_.parameters().firmware_period_s / steps, arm_kgm2 = std::max(arm_kgm2_, kLightest);
+  for (int i = 0; i < steps; ++i) {
+    // Gear side and arm go through the same middle of the step.
+    const double middle = position_ + velocity_ * h / 2, gravity = gravityAt(middle);
+    const double gear = transmission_.step(servo_, {position_, velocity_, arm_kgm2, gravity}, h);
+    velocity_ += (gravity + gear) / arm_kgm2 * h;
+    position_ = middle + velocity_ * h / 2;
+  }
+}
+
+double Bench::gravityAt(double position_rad) const noexcept {
+  return -weight_nm_ * std::sin(position_rad - hangs_at_rad_);
+}
+
+double Bench::energy_j() const noexcept {
+  const double height = weight_nm_ * (1 - std::cos(position_ - hangs_at_rad_));
+  const double arm = arm_kgm2_ * velocity_ * velocity_ / 2 + height;
+  if (servo_.softGear()) return arm + transmission_.energy_j(servo_.signals(), position_);
+  return arm + rotor_kgm2_ * velocity_ * velocity_ / 2;
+}
+
+}  // namespace darwinop::twin

@@ -1,0 +1,55 @@
+// A limit of the acceleration of the set point on its way to the goal; with the law speed_p, of the motor.
+#include <algorithm>
+
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kAccelLimit;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "accel",
+              .unit = "rad/s2",
+              .meaning = "fastest change of the speed of the set point; 10000: no limit",
+              .low = 5,
+              .high = 10000,
+              .neutral = 10000,
+              .typical = 55,
+              .logarithmic = true},
+};
+constexpr auto kConfusedWith =
+    std::to_array<std::string_view>({"speed_limit", "torque_limit", "transport_delay", "inertia"});
+
+class AccelLimit final : public EffectOf<kAccelLimit, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kCommandHook; }
+  void command(Signals& s, double /*dt_s*/) noexcept override {
+    const auto& [accel] = values_;
+    if (accel < kParameters[0].neutral) s.profile_accel_rad_s2 = std::min(s.profile_accel_rad_s2, accel);
+  }
+};
+
+}  // namespace
+
+const EffectInfo kAccelLimit{
+    .id = "accel_limit",
+    .title = "limit of the acceleration",
+    .place = Place::kCommand,
+    .equation = "|d2 set_point/dt2| <= accel; law speed_p: |dw/dt| <= accel",
+    .signature =
+        "Round starts and stops after large steps, nothing on slow moves; error grows with the number of reversals.",
+    .separated_by =
+        "Steps of three sizes, load away from its limit: time grows with the root of the size (speed_limit: with the "
+        "size).",
+    .source =
+        "2013 thesis 5.3.1: 55 rad/s2 brings simulated and measured speed tests together; upper end widened until "
+        "nothing is limited",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<AccelLimit>,
+};
+
+}  // namespace darwinop::twin

@@ -1,0 +1,50 @@
+// Play between the gears and the horn: the encoder sits on the horn, the motor first has to cross the gap.
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kBacklash;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "play",
+              .unit = "rad",
+              .meaning = "total gap, from one flank to the other",
+              .low = 0,
+              .high = 0.06,
+              .neutral = 0,
+              .typical = 0.0058,
+              .logarithmic = true},
+};
+constexpr auto kConfusedWith = std::to_array<std::string_view>({"deadband", "coulomb", "joint_flex", "encoder_offset"});
+
+class Backlash final : public EffectOf<kBacklash, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kMechanicsHook; }
+  void mechanics(Signals& s) noexcept override {
+    const auto& [play] = values_;
+    s.backlash_rad = play;
+  }
+};
+
+}  // namespace
+
+const EffectInfo kBacklash{
+    .id = "backlash",
+    .title = "play in the gears",
+    .place = Place::kTransmission,
+    .equation = "no torque between gears and horn while |q_gears - q_horn| < play / 2",
+    .signature =
+        "Moves freely where the load changes its sign, hunts around there; the first swing after a release is odd.",
+    .separated_by =
+        "Hold at three angles where gravity pulls one way, not at all, the other way; a small sine around hanging "
+        "against one at 60 degrees.",
+    .source = "MX-28: gear play of 20 arc minutes; simulator model of the OP2: 0.01 rad; range assumed",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<Backlash>,
+};
+
+}  // namespace darwinop::twin

@@ -1,0 +1,72 @@
+// One row an effect; the order is the order in which they act.
+#include "twin/effects/catalogue.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace darwinop::twin {
+
+// Each is defined in the file of its name.
+extern const EffectInfo kLostPackets, kTransportDelay, kGearScale, kSpeedLimit, kAccelLimit;
+extern const EffectInfo kEncoderQuantisation, kPOnTorque, kDeadband, kKpScale, kIntegral, kDerivative, kTorqueLimit;
+extern const EffectInfo kCoulomb, kViscous, kStribeck, kLoadDependentFriction, kDirectionalLoadFriction,
+    kQuadraticLoadFriction, kTempDrift;
+extern const EffectInfo kKtError, kResistanceError, kSupplySag, kCogging;
+extern const EffectInfo kBacklash, kJointFlex, kComMass, kInertia, kEncoderOffset;
+
+std::span<const EffectInfo* const> catalogue() {
+  static constexpr std::array kTable{
+      // from the host to the set point
+      &kLostPackets,
+      &kTransportDelay,
+      &kGearScale,
+      &kSpeedLimit,
+      &kAccelLimit,
+      // from the set point to the duty
+      &kEncoderQuantisation,
+      &kPOnTorque,
+      &kDeadband,
+      &kKpScale,
+      &kIntegral,
+      &kDerivative,
+      &kTorqueLimit,
+      // friction; the drift scales what stands before it
+      &kCoulomb,
+      &kViscous,
+      &kStribeck,
+      &kLoadDependentFriction,
+      &kDirectionalLoadFriction,
+      &kQuadraticLoadFriction,
+      &kTempDrift,
+      // the motor, then the supply, which depends on it
+      &kKtError,
+      &kResistanceError,
+      &kSupplySag,
+      &kCogging,
+      // from the gears to what the joint carries
+      &kBacklash,
+      &kJointFlex,
+      &kComMass,
+      &kInertia,
+      &kEncoderOffset,
+  };
+  return kTable;
+}
+
+const EffectInfo* findEffect(std::string_view id) {
+  const auto table = catalogue();
+  const auto found = std::ranges::find(table, id, &EffectInfo::id);
+  return found == table.end() ? nullptr : *found;
+}
+
+std::vector<const EffectInfo*> doublesOf(const EffectInfo& effect) {
+  const auto lists = [](const EffectInfo& a, const EffectInfo& b) {
+    return std::ranges::find(a.confused_with, b.id) != a.confused_with.end();
+  };
+  std::vector<const EffectInfo*> found;
+  for (const EffectInfo* other : catalogue())
+    if (lists(effect, *other) || lists(*other, effect)) found.push_back(other);
+  return found;
+}
+
+}  // namespace darwinop::twin

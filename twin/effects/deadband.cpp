@@ -1,0 +1,65 @@
+// A controller that does nothing about small errors, and perhaps starts with a punch beyond them.
+#include <cmath>
+
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kDeadband;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "width",
+              .unit = "rad",
+              .meaning = "errors up to this size, either way, give no duty",
+              .low = 0,
+              .high = 0.04,
+              .neutral = 0,
+              .typical = 0.01,
+              .logarithmic = true},
+    Parameter{.key = "punch",
+              .unit = "",
+              .meaning = "least duty outside the dead band",
+              .low = 0,
+              .high = 0.1,
+              .neutral = 0,
+              .typical = 0,
+              .secondary = true},
+};
+constexpr auto kConfusedWith = std::to_array<std::string_view>({"coulomb", "backlash", "stribeck"});
+
+class Deadband final : public EffectOf<kDeadband, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kControllerHook; }
+  void controller(Signals& s, double /*dt_s*/) noexcept override {
+    const auto& [width, punch] = values_;
+    const double beyond = std::abs(s.error_rad) - width;
+    const double error = s.error_rad;
+    if (beyond <= 0) {
+      s.error_rad = 0;
+    } else if (width > 0 || punch > 0) {
+      s.error_rad = std::copysign(beyond, error);
+      s.duty_offset += std::copysign(punch, error);
+    }
+  }
+};
+
+}  // namespace
+
+const EffectInfo kDeadband{
+    .id = "deadband",
+    .title = "dead band of the controller",
+    .place = Place::kController,
+    .equation = "u = 0 if |e| <= width; else K P (e - width sign e) + punch sign e",
+    .signature = "Load exactly 0 while the error is not; stops anywhere within the band.",
+    .separated_by =
+        "Plot load against error: the flat piece around 0 is the band. Friction and play leave that line straight.",
+    .source = "Compliance margin and punch of this servo family's older registers; range assumed",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<Deadband>,
+};
+
+}  // namespace darwinop::twin

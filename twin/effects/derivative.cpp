@@ -1,0 +1,49 @@
+// A derivative part of the position law that the model does not have.
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kDerivative;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "gain",
+              .unit = "s",
+              .meaning = "Kd of the manual: register 26 times 4 / 1000",
+              .low = 0,
+              .high = 1.016,
+              .neutral = 0,
+              .typical = 0.05,
+              .logarithmic = true},
+};
+constexpr auto kConfusedWith = std::to_array<std::string_view>({"viscous", "kt_error"});
+
+class Derivative final : public EffectOf<kDerivative, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kControllerHook; }
+  void controller(Signals& s, double /*dt_s*/) noexcept override {
+    const auto& [gain] = values_;
+    s.d_gain += gain;
+  }
+};
+
+}  // namespace
+
+const EffectInfo kDerivative{
+    .id = "derivative",
+    .title = "derivative part of the controller",
+    .place = Place::kController,
+    .equation = "u += 8 K gain de/dt",
+    .signature =
+        "Damped steps, a spike of the load when the goal jumps, rough load on a smooth move (it sees single encoder "
+        "steps).",
+    .separated_by = "Torque-off swing against a powered one: damping by the controller is gone with the torque.",
+    .source = "MX-28 manual, registers 26 to 28",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<Derivative>,
+};
+
+}  // namespace darwinop::twin

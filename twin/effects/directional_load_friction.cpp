@@ -1,0 +1,86 @@
+// Gears that rub otherwise when the motor drives the load than when the load drives the motor.
+#include <cmath>
+
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kDirectionalLoadFriction;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "motor",
+              .unit = "",
+              .meaning = "friction per torque of the motor",
+              .low = 0,
+              .high = 0.5,
+              .neutral = 0,
+              .typical = 0.1,
+              .logarithmic = true},
+    Parameter{.key = "load",
+              .unit = "",
+              .meaning = "friction per torque of the load",
+              .low = 0,
+              .high = 0.5,
+              .neutral = 0,
+              .typical = 0.05,
+              .logarithmic = true},
+    Parameter{.key = "slow_motor",
+              .unit = "",
+              .meaning = "the same, only at low speed",
+              .low = 0,
+              .high = 0.5,
+              .neutral = 0,
+              .typical = 0,
+              .secondary = true},
+    Parameter{.key = "slow_load",
+              .unit = "",
+              .meaning = "the same, only at low speed",
+              .low = 0,
+              .high = 0.5,
+              .neutral = 0,
+              .typical = 0,
+              .secondary = true},
+    Parameter{.key = "slow_speed",
+              .unit = "rad/s",
+              .meaning = "where the low-speed part has faded to 37 %",
+              .low = 0.05,
+              .high = 3,
+              .neutral = 0.2,
+              .typical = 0.2,
+              .logarithmic = true,
+              .secondary = true},
+};
+constexpr auto kConfusedWith =
+    std::to_array<std::string_view>({"load_dependent_friction", "com_mass", "quadratic_load_friction"});
+
+class DirectionalLoadFriction final : public EffectOf<kDirectionalLoadFriction, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kMechanicsHook; }
+  void mechanics(Signals& s) noexcept override {
+    const auto& [motor, load, slow_motor, slow_load, slow_speed] = values_;
+    s.dry_friction_nm += std::abs(motor * s.motor_torque_nm - load * s.external_torque_nm);
+    if (slow_motor == 0 && slow_load == 0) return;
+    s.dry_friction_nm += std::abs(slow_motor * s.motor_torque_nm - slow_load * s.external_torque_nm) *
+                         std::exp(-std::abs(s.velocity_rad_s) / slow_speed);
+  }
+};
+
+}  // namespace
+
+const EffectInfo kDirectionalLoadFriction{
+    .id = "directional_load_friction",
+    .title = "friction of a gear that is easier to drive one way",
+    .place = Place::kFriction,
+    .equation = "F += |motor tm - load te| + |slow_motor tm - slow_load te| exp(-|w| / slow_speed)",
+    .signature = "Lifting needs more, or lowering less, than friction in proportion to the load predicts.",
+    .separated_by = "Up and down under load at two payloads, and pushed back by hand with the torque off.",
+    .source = "After the friction models of Rhoban's BAM; range assumed",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<DirectionalLoadFriction>,
+};
+
+}  // namespace darwinop::twin

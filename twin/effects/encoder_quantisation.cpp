@@ -1,0 +1,52 @@
+// An encoder with fewer steps than the parameters of the servo say.
+#include <cmath>
+
+#include "core/units.hpp"
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kEncoderQuantisation;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "ticks",
+              .unit = "",
+              .meaning = "steps per turn; 65536: as fine as the servo itself",
+              .low = 256,
+              .high = 65536,
+              .neutral = 65536,
+              .typical = 1024,
+              .logarithmic = true},
+};
+constexpr auto kConfusedWith = std::to_array<std::string_view>({"deadband"});
+
+class EncoderQuantisation final : public EffectOf<kEncoderQuantisation, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kSensorHook; }
+  void sensor(Signals& s, double /*dt_s*/) noexcept override {
+    const auto& [ticks] = values_;
+    if (ticks >= kParameters[0].neutral) return;
+    const double tick = 2 * kPi / ticks;
+    s.measured_rad = std::nearbyint(s.measured_rad / tick) * tick;
+  }
+};
+
+}  // namespace
+
+const EffectInfo kEncoderQuantisation{
+    .id = "encoder_quantisation",
+    .title = "coarse encoder",
+    .place = Place::kSensor,
+    .equation = "measured = round(q ticks / 2 pi) 2 pi / ticks",
+    .signature = "Positions on a coarse grid; at rest the load moves in steps. Raises the noise floor, nothing else.",
+    .separated_by = "Sort the positions of a slow move: the smallest difference between two is the step.",
+    .source = "MX-28 manual: 4096 steps per turn; servos of the generation before have 1024",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<EncoderQuantisation>,
+};
+
+}  // namespace darwinop::twin

@@ -1,0 +1,48 @@
+// An integral part of the position law that the model does not have.
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kIntegral;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "gain",
+              .unit = "1/s",
+              .meaning = "Ki of the manual: register 27 times 1000 / 2048",
+              .low = 0,
+              .high = 124,
+              .neutral = 0,
+              .typical = 4,
+              .logarithmic = true},
+};
+constexpr auto kConfusedWith = std::to_array<std::string_view>({"coulomb", "p_on_torque", "kp_scale"});
+
+class Integral final : public EffectOf<kIntegral, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kControllerHook; }
+  void controller(Signals& s, double /*dt_s*/) noexcept override {
+    const auto& [gain] = values_;
+    s.i_gain += gain;
+  }
+};
+
+}  // namespace
+
+const EffectInfo kIntegral{
+    .id = "integral",
+    .title = "integral part of the controller",
+    .place = Place::kController,
+    .equation = "u += 8 K gain integral(e dt), held within the limit of the duty",
+    .signature = "What is missing at the end of a move under load creeps to 0; overshoot after long errors.",
+    .separated_by =
+        "Hold for 5 s under load: the error decays for an integral part and stays for friction or a low P gain.",
+    .source = "MX-28 manual, registers 26 to 28",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<Integral>,
+};
+
+}  // namespace darwinop::twin

@@ -1,0 +1,58 @@
+// A spring between the gears and the horn: bracket, horn and gears that give.
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kJointFlex;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "stiffness",
+              .unit = "N m/rad",
+              .meaning = "of the spring; 1000: rigid",
+              .low = 2,
+              .high = 1000,
+              .neutral = 1000,
+              .typical = 50,
+              .logarithmic = true},
+    Parameter{.key = "damping",
+              .unit = "N m s/rad",
+              .meaning = "of the spring",
+              .low = 0,
+              .high = 0.5,
+              .neutral = 0.01,
+              .typical = 0.01,
+              .logarithmic = true,
+              .secondary = true},
+};
+constexpr auto kConfusedWith = std::to_array<std::string_view>({"backlash", "transport_delay", "cogging", "inertia"});
+
+class JointFlex final : public EffectOf<kJointFlex, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kMechanicsHook; }
+  void mechanics(Signals& s) noexcept override {
+    const auto& [stiffness, damping] = values_;
+    if (stiffness >= kParameters[0].neutral) return;
+    s.flex_stiffness_nm_rad = stiffness;
+    s.flex_damping_nms_rad = damping;
+  }
+};
+
+}  // namespace
+
+const EffectInfo kJointFlex{
+    .id = "joint_flex",
+    .title = "elastic joint",
+    .place = Place::kTransmission,
+    .equation = "t = stiffness (q_gears - q_horn) + damping (w_gears - w_horn)",
+    .signature = "Rings after steps, at a frequency that falls with the payload; the motor side barely moves.",
+    .separated_by = "Tap the arm; change the payload: the frequency goes with one over the root of the inertia.",
+    .source = "Range assumed, upper end widened until nothing gives",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<JointFlex>,
+};
+
+}  // namespace darwinop::twin

@@ -1,0 +1,49 @@
+// A P gain that is not what its register says.
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kKpScale;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "scale",
+              .unit = "",
+              .meaning = "real gain per gain of the register",
+              .low = 0.5,
+              .high = 2,
+              .neutral = 1,
+              .typical = 1.2,
+              .logarithmic = true},
+};
+constexpr auto kConfusedWith =
+    std::to_array<std::string_view>({"resistance_error", "supply_sag", "gear_scale", "deadband"});
+
+class KpScale final : public EffectOf<kKpScale, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kControllerHook; }
+  void controller(Signals& s, double /*dt_s*/) noexcept override {
+    const auto& [scale] = values_;
+    s.p_register *= scale;
+  }
+};
+
+}  // namespace
+
+const EffectInfo kKpScale{
+    .id = "kp_scale",
+    .title = "scale of the P gain",
+    .place = Place::kController,
+    .equation = "u = scale K P e",
+    .signature = "Stops short by another amount than the model, by the same factor at every load.",
+    .separated_by =
+        "Slope of the load against the error, from the log alone: the controller block shows it without any mechanics.",
+    .source = "Range assumed; benches of this servo family find other gains than the manual",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<KpScale>,
+};
+
+}  // namespace darwinop::twin

@@ -1,0 +1,69 @@
+// Gears whose friction grows faster than the torque through them.
+#include <cmath>
+
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kQuadraticLoadFriction;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "motor",
+              .unit = "1/(N m)",
+              .meaning = "friction per square of the torque of the motor",
+              .low = 0,
+              .high = 0.01,
+              .neutral = 0,
+              .typical = 0.005,
+              .logarithmic = true},
+    Parameter{.key = "load",
+              .unit = "1/(N m)",
+              .meaning = "friction per square of the torque of the load",
+              .low = 0,
+              .high = 0.01,
+              .neutral = 0,
+              .typical = 0,
+              .logarithmic = true},
+    Parameter{.key = "fade_speed",
+              .unit = "rad/s",
+              .meaning = "where it has faded to 37 %; 1000: the same at all speeds",
+              .low = 0.05,
+              .high = 1000,
+              .neutral = 1000,
+              .typical = 1000,
+              .logarithmic = true,
+              .secondary = true},
+};
+constexpr auto kConfusedWith =
+    std::to_array<std::string_view>({"directional_load_friction", "load_dependent_friction"});
+
+class QuadraticLoadFriction final : public EffectOf<kQuadraticLoadFriction, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kMechanicsHook; }
+  void mechanics(Signals& s) noexcept override {
+    const auto& [motor, load, fade_speed] = values_;
+    const double friction = motor * s.motor_torque_nm * s.motor_torque_nm +  //
+                            load * s.external_torque_nm * s.external_torque_nm;
+    s.dry_friction_nm += friction * std::exp(-std::abs(s.velocity_rad_s) / fade_speed);
+  }
+};
+
+}  // namespace
+
+const EffectInfo kQuadraticLoadFriction{
+    .id = "quadratic_load_friction",
+    .title = "friction with the square of the load",
+    .place = Place::kFriction,
+    .equation = "F += (motor tm^2 + load te^2) exp(-|w| / fade_speed)",
+    .signature = "Small: some milliradians at the largest loads only. Expect that data cannot tell.",
+    .separated_by = "High load only: the same hold at half and at full payload, approached from both sides.",
+    .source = "After the friction models of Rhoban's BAM, where it makes 0.5 to 2.4 mrad; range assumed",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<QuadraticLoadFriction>,
+};
+
+}  // namespace darwinop::twin

@@ -1,0 +1,47 @@
+// A winding whose resistance is not that of the data sheet.
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kResistanceError;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "change",
+              .unit = "",
+              .meaning = "share by which the resistance is larger",
+              .low = -0.15,
+              .high = 0.15,
+              .neutral = 0,
+              .typical = 0.05},
+};
+constexpr auto kConfusedWith = std::to_array<std::string_view>({"kt_error", "kp_scale", "supply_sag"});
+
+class ResistanceError final : public EffectOf<kResistanceError, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kMotorHook; }
+  void motor(Signals& s, double /*dt_s*/) noexcept override {
+    const auto& [change] = values_;
+    s.resistance_ohm *= 1 + change;
+  }
+};
+
+}  // namespace
+
+const EffectInfo kResistanceError{
+    .id = "resistance_error",
+    .title = "resistance of the winding off",
+    .place = Place::kMotor,
+    .equation = "R = R (1 + change)",
+    .signature = "Every torque of the motor scales; a load needs another duty than the model says.",
+    .separated_by =
+        "Hold a known payload and read the load; then again with the servo warm (copper: 0.39 % per kelvin).",
+    .source = "Stall current 1.4 A at 12 V includes cables and bridge; range assumed",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<ResistanceError>,
+};
+
+}  // namespace darwinop::twin

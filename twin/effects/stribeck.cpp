@@ -1,0 +1,67 @@
+// Dry friction that is larger at rest and fades as the joint moves: why it starts with a jerk.
+#include <cmath>
+
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kStribeck;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "friction",
+              .unit = "N m",
+              .meaning = "what comes on top at rest",
+              .low = 0,
+              .high = 0.3,
+              .neutral = 0,
+              .typical = 0.05,
+              .logarithmic = true},
+    Parameter{.key = "speed",
+              .unit = "rad/s",
+              .meaning = "where it has faded to 37 %",
+              .low = 0.05,
+              .high = 3,
+              .neutral = 0.2,
+              .typical = 0.2,
+              .logarithmic = true},
+    Parameter{.key = "exponent",
+              .unit = "",
+              .meaning = "how sharply it fades",
+              .low = 0.8,
+              .high = 3,
+              .neutral = 1,
+              .typical = 1,
+              .secondary = true},
+};
+constexpr auto kConfusedWith = std::to_array<std::string_view>({"coulomb", "cogging"});
+
+class Stribeck final : public EffectOf<kStribeck, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kMechanicsHook; }
+  void mechanics(Signals& s) noexcept override {
+    const auto& [friction, speed, exponent] = values_;
+    const double ratio = std::abs(s.velocity_rad_s) / speed;
+    s.dry_friction_nm += friction * std::exp(-(exponent == 1 ? ratio : std::pow(ratio, exponent)));
+  }
+};
+
+}  // namespace
+
+const EffectInfo kStribeck{
+    .id = "stribeck",
+    .title = "extra friction at low speed",
+    .place = Place::kFriction,
+    .equation = "F += friction exp(-(|w| / speed)^exponent)",
+    .signature = "Sticks and slips on slow moves, nothing on fast ones.",
+    .separated_by =
+        "Triangle at 0.05, 0.2 and 1 rad/s: the extra friction fades from one to the next, dry friction does not.",
+    .source = "Stribeck curve; range assumed",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<Stribeck>,
+};
+
+}  // namespace darwinop::twin

@@ -1,0 +1,64 @@
+// Resistance of battery and cables, and a battery that runs down.
+#include <algorithm>
+
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kSupplySag;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "resistance",
+              .unit = "ohm",
+              .meaning = "of battery and cables, for the current of this one servo",
+              .low = 0,
+              .high = 4,
+              .neutral = 0,
+              .typical = 0.5,
+              .logarithmic = true},
+    Parameter{.key = "droop",
+              .unit = "V/s",
+              .meaning = "loss of voltage over the session",
+              .low = 0,
+              .high = 0.01,
+              .neutral = 0,
+              .typical = 0,
+              .secondary = true},
+};
+constexpr auto kConfusedWith =
+    std::to_array<std::string_view>({"torque_limit", "speed_limit", "resistance_error", "kt_error", "kp_scale"});
+
+class SupplySag final : public EffectOf<kSupplySag, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kMotorHook; }
+  // The current depends on the voltage again; solved for it, nothing lags and nothing rings.
+  void motor(Signals& s, double /*dt_s*/) noexcept override {
+    const auto& [resistance, droop] = values_;
+    const double battery_v = std::max(0.0, s.supply_v - droop * s.session_time_s);
+    const double current =
+        (s.duty * battery_v - s.back_emf_vs_rad * s.velocity_rad_s) / (s.resistance_ohm + resistance * s.duty * s.duty);
+    const double most = s.torque_limit_nm / s.kt_nm_a;
+    s.supply_v = battery_v - resistance * s.duty * std::clamp(current, -most, most);
+  }
+};
+
+}  // namespace
+
+const EffectInfo kSupplySag{
+    .id = "supply_sag",
+    .title = "supply that sags",
+    .place = Place::kSupply,
+    .equation = "V = V0 - resistance u i - droop t",
+    .signature =
+        "The voltage dips with the square of the load; top speed and torque fall with it, at the same reported load.",
+    .separated_by = "Log the voltage; make the same move without payload and with the largest.",
+    .source = "The bridge draws duty times motor current from its supply; range assumed",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<SupplySag>,
+};
+
+}  // namespace darwinop::twin

@@ -1,0 +1,60 @@
+// A cap on the duty of the bridge, as the register Torque Limit sets it, or on the torque of the motor.
+#include <algorithm>
+
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kTorqueLimit;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "duty",
+              .unit = "",
+              .meaning = "greatest duty; 1: no limit",
+              .low = 0.15,
+              .high = 1,
+              .neutral = 1,
+              .typical = 0.6},
+    Parameter{.key = "torque",
+              .unit = "N m",
+              .meaning = "greatest torque of the motor; 10: no limit",
+              .low = 0.2,
+              .high = 10,
+              .neutral = 10,
+              .typical = 10,
+              .logarithmic = true},
+};
+constexpr auto kConfusedWith = std::to_array<std::string_view>({"supply_sag", "accel_limit", "resistance_error"});
+
+class TorqueLimit final : public EffectOf<kTorqueLimit, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kControllerHook | kMotorHook; }
+  void controller(Signals& s, double /*dt_s*/) noexcept override {
+    const auto& [duty, torque] = values_;
+    s.duty_limit = std::min(s.duty_limit, duty);
+  }
+  void motor(Signals& s, double /*dt_s*/) noexcept override {
+    const auto& [duty, torque] = values_;
+    if (torque < kParameters[1].neutral) s.torque_limit_nm = std::min(s.torque_limit_nm, torque);
+  }
+};
+
+}  // namespace
+
+const EffectInfo kTorqueLimit{
+    .id = "torque_limit",
+    .title = "limit of the torque",
+    .place = Place::kController,
+    .equation = "|u| <= duty and |tm| <= torque",
+    .signature = "Load flat at a value below 100 % (duty), or flat torque at any speed; lifts fail at high payload.",
+    .separated_by = "Step with payload, and read the load: a limit is a straight line in it, a sagging supply is not.",
+    .source = "MX-28 manual, register 34; stall torque 2.5 N m at 12 V; range assumed",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<TorqueLimit>,
+};
+
+}  // namespace darwinop::twin

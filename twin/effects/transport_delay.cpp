@@ -1,0 +1,94 @@
+// Delay between the host and the controller of the servo: goals act later, or positions are read later.
+#include <algorithm>
+#include <cmath>
+
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::twin {
+
+extern const EffectInfo kTransportDelay;
+
+namespace {
+
+constexpr std::array kParameters{
+    Parameter{.key = "delay",
+              .unit = "s",
+              .meaning = "how much later a goal acts",
+              .low = 0,
+              .high = 0.08,
+              .neutral = 0,
+              .typical = 0.008,
+              .logarithmic = true},
+    Parameter{.key = "reading",
+              .unit = "s",
+              .meaning = "age of the position that the controller sees",
+              .low = 0,
+              .high = 0.02,
+              .neutral = 0,
+              .typical = 0,
+              .secondary = true},
+};
+constexpr auto kConfusedWith =
+    std::to_array<std::string_view>({"viscous", "accel_limit", "lost_packets", "inertia", "joint_flex"});
+
+// Gives back what went in some periods ago; between two samples when the delay is no whole number of periods, so that
+// a fit sees a smooth function of the delay.
+class DelayLine {
+ public:
+  void fill(double value) noexcept { ring_.fill(value); }
+  double pass(double value, double periods) noexcept {
+    ring_[++head_ % kSize] = value;
+    periods = std::min(periods, kSize - 2.0);
+    const double nearest = std::nearbyint(periods);
+    if (std::abs(periods - nearest) < 1e-6) return ago(nearest);  // 0.007 / 0.001 is no whole number in floating point
+    const double whole = std::floor(periods);
+    return ago(whole) + (periods - whole) * (ago(whole + 1) - ago(whole));
+  }
+
+ private:
+  static constexpr std::uint32_t kSize = 1024;  // 80 ms at a period of 0.1 ms, with room to spare
+  [[nodiscard]] double ago(double periods) const noexcept {
+    return ring_[(head_ - static_cast<std::uint32_t>(periods)) % kSize];
+  }
+
+  std::array<double, kSize> ring_{};
+  std::uint32_t head_ = 0;
+};
+
+class TransportDelay final : public EffectOf<kTransportDelay, kParameters.size()> {
+ public:
+  using EffectOf::EffectOf;
+  [[nodiscard]] std::uint8_t hooks() const noexcept override { return kCommandHook | kSensorHook; }
+  void reset(const Signals& now) noexcept override {
+    goals_.fill(now.goal_rad);
+    readings_.fill(now.measured_rad);
+  }
+  void command(Signals& s, double dt_s) noexcept override { s.goal_rad = goals_.pass(s.goal_rad, values_[0] / dt_s); }
+  void sensor(Signals& s, double dt_s) noexcept override {
+    s.measured_rad = readings_.pass(s.measured_rad, values_[1] / dt_s);
+  }
+
+ private:
+  DelayLine goals_, readings_;
+};
+
+}  // namespace
+
+const EffectInfo kTransportDelay{
+    .id = "transport_delay",
+    .title = "delay of the commands",
+    .place = Place::kCommand,
+    .equation = "goal(t) = goal sent at t - delay; measured(t) = measured at t - reading",
+    .signature =
+        "Error in proportion to the speed of the goal, with its sign and at every P gain; dead time after a step. "
+        "Below one host period the controller block does not show it.",
+    .separated_by =
+        "Chirp: the lag in phase grows linearly with frequency. Step: first reaction comes late, then with full "
+        "acceleration.",
+    .source = "A write takes about 1 ms on the bus and up to a host period of 16 ms to be sent; range assumed",
+    .confused_with = kConfusedWith,
+    .parameters = kParameters,
+    .make = makeEffect<TransportDelay>,
+};
+
+}  // namespace darwinop::twin

@@ -1,0 +1,180 @@
+#include "twin/model/number.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "core/number_text.hpp"
+#include "core/units.hpp"
+#include "settings/safety_sections.hpp"
+
+namespace darwinop::twin {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::string_view kNone = "none";
+
+/// Units that people write for those of the files, and what they are worth.
+struct OtherUnit {
+  std::string_view written, meant;
+  double factor;
+};
+constexpr double kRadPerDegree = kPi / 180;
+constexpr OtherUnit kOtherUnits[] = {
+    {"deg", "rad", kRadPerDegree},
+    {"degree", "rad", kRadPerDegree},
+    {"degrees", "rad", kRadPerDegree},
+    {"°", "rad", kRadPerDegree},
+    {"deg/s", "rad/s", kRadPerDegree},
+    {"°/s", "rad/s", kRadPerDegree},
+    {"dps", "rad/s", kRadPerDegree},
+    {"deg/s2", "rad/s2", kRadPerDegree},
+    {"°/s2", "rad/s2", kRadPerDegree},
+    {"rpm", "rad/s", 2 * kPi / 60},
+    {"arcmin", "rad", kRadPerDegree / 60},
+    {"mrad", "rad", 1e-3},
+    {"mrad/s", "rad/s", 1e-3},
+    {"ms", "s", 1e-3},
+    {"us", "s", 1e-6},
+    {"mm", "m", 1e-3},
+    {"cm", "m", 1e-2},
+    {"g", "kg", 1e-3},
+    {"g", "m/s2", 9.80665},
+    {"mN m", "N m", 1e-3},
+    {"N mm", "N m", 1e-3},
+    {"g cm2", "kg m2", 1e-7},
+    {"%", "", 1e-2},
+    {"mV", "V", 1e-3},
+    {"mA", "A", 1e-3},
+    {"mohm", "ohm", 1e-3},
+    {"kohm", "ohm", 1e3},
+};
+
+/// Exact; 0.0001 and 100000 as people write them, without an exponent as long as that is short.
+std::string shortest(double value) {
+  constexpr std::size_t kShort = 10;
+  std::array<char, 32> text{};
+  char* const last = text.data() + text.size();
+  const auto [end, error] = std::to_chars(text.data(), text.data() + kShort, value, std::chars_format::fixed);
+  if (error == std::errc{}) return {text.data(), end};
+  return {text.data(), std::to_chars(text.data(), last, value).ptr};
+}
+
+std::string sixDigits(double value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6).ptr};
+}
+
+std::string withUnit(std::string number, std::string_view unit) {
+  if (!unit.empty()) (number += ' ') += unit;
+  return number;
+}
+
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw std::runtime_error(sentence);
+}
+
+/// With one blank where there were several.
+std::string squeezed(std::string_view text) {
+  std::string out;
+  for (const char c : withoutBlanks(text)) {
+    const bool blank = c == ' ' || c == '\t';
+    if (!blank || out.back() != ' ') out += blank ? ' ' : c;
+  }
+  return out;
+}
+
+std::string lettersOf(std::string_view unit) {
+  constexpr std::string_view kBetween = " *^()\xc2\xb7";  // the last two are one dot, in UTF-8
+  std::string out;
+  for (const char c : unit)
+    if (kBetween.find(c) == kBetween.npos) out += c;
+  return settings::lowered(out);
+}
+
+[[noreturn]] void refuseUnit(double value, const std::string& unit, const NumberRule& rule) {
+  std::string sentence = rule.unit.empty() ? "this is a pure number, without the unit " + unit
+                                           : "the unit is " + std::string{rule.unit} + ", not " + unit;
+  const auto* const other =
+      std::ranges::find_if(kOtherUnits, [&](const OtherUnit& o) { return o.written == unit && o.meant == rule.unit; });
+  if (other != std::end(kOtherUnits))
+    sentence += "; write " + withUnit(sixDigits(value * other->factor), rule.unit);
+  else if (!rule.unit.empty() && lettersOf(unit) == lettersOf(rule.unit))
+    sentence += "; write " + withUnit(shortest(value), rule.unit);
+  else
+    sentence += "; give " + allowed(rule);
+  refuse(sentence);
+}
+
+/// May stand behind a number without a blank between: a letter, a per cent sign, a sign of degrees.
+bool beginsUnit(char c) {
+  return c == ' ' || c == '\t' || c == '%' || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+void checkRange(double value, const NumberRule& rule) {
+  if (!(value >= rule.low && value <= rule.high)) refuse("out of range; give " + allowed(rule));
+}
+
+}  // namespace
+
+std::string allowed(const NumberRule& rule) {
+  const auto end = [&](double value) { return withUnit(shortest(value), rule.unit); };
+  std::string text;
+  if (std::isfinite(rule.low) && std::isfinite(rule.high))
+    text = shortest(rule.low) + " to " + end(rule.high);
+  else if (std::isfinite(rule.low))
+    text = end(rule.low) + " or more";
+  else if (std::isfinite(rule.high))
+    text = end(rule.high) + " or less";
+  else
+    text = withUnit("any number", rule.unit.empty() ? "" : "of " + std::string{rule.unit});
+  return text + (rule.may_be_none ? ", or none for no limit" : "");
+}
+
+double readNumber(std::string_view text, const NumberRule& rule) {
+  text = withoutBlanks(text);
+  if (settings::lowered(text) == kNone) {
+    if (rule.may_be_none) return kInfinity;
+    refuse("this is no limit that can be left open; give " + allowed(rule));
+  }
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const std::string_view rest{end, text.data() + text.size()};
+  if (error == std::errc::result_out_of_range) refuse("out of range; give " + allowed(rule));
+  if (error != std::errc{} || (!rest.empty() && !beginsUnit(rest.front())))
+    refuse("not a number; give " + allowed(rule) + (rest.starts_with(',') ? ", with a point for decimals" : ""));
+  if (!std::isfinite(value)) refuse("not a finite number; give " + allowed(rule));
+  const std::string unit = squeezed(rest);
+  if (unit.empty() && !rule.unit.empty()) refuse("the unit is missing; write " + withUnit(shortest(value), rule.unit));
+  if (unit != rule.unit) refuseUnit(value, unit, rule);
+  checkRange(value, rule);
+  return value;
+}
+
+std::array<double, 3> readAxes(std::string_view text, const NumberRule& rule) {
+  const auto first = text.find(','), second = first == text.npos ? text.npos : text.find(',', first + 1);
+  if (second != text.npos && text.find(',', second + 1) == text.npos) {
+    const auto x = numberFromText(text.substr(0, first));
+    const auto y = numberFromText(text.substr(first + 1, second - first - 1));
+    if (x && y) {
+      const double z = readNumber(text.substr(second + 1), rule);
+      for (const double value : {*x, *y}) checkRange(value, rule);
+      return {*x, *y, z};
+    }
+  }
+  refuse("give three numbers, for the axes x, y and z, as in " + writeAxes({rule.low, 0, rule.high}, rule));
+}
+
+std::string writeNumber(double value, const NumberRule& rule) {
+  return rule.may_be_none && value == kInfinity ? std::string{kNone} : withUnit(shortest(value), rule.unit);
+}
+
+std::string writeAxes(const std::array<double, 3>& values, const NumberRule& rule) {
+  return withUnit(shortest(values[0]) + ", " + shortest(values[1]) + ", " + shortest(values[2]), rule.unit);
+}
+
+}  // namespace darwinop::twin

@@ -1,0 +1,90 @@
+#include "twin/model/sections.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "settings/safety_sections.hpp"
+#include "twin/effects/catalogue.hpp"
+#include "twin/model/keys.hpp"
+#include "twin/model/nearest.hpp"
+
+namespace darwinop::twin {
+namespace {
+
+constexpr std::string_view kEffect = "effect";
+
+std::vector<std::string_view> wordsOf(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t";
+  std::vector<std::string_view> words;
+  for (std::size_t at = text.find_first_not_of(kBlanks); at != text.npos; at = text.find_first_not_of(kBlanks, at)) {
+    const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
+    words.push_back(text.substr(at, end - at));
+    at = end;
+  }
+  return words;
+}
+
+std::string quoted(std::string_view word) {
+  return '"' + std::string{word} + '"';
+}
+
+const EffectInfo& effectCalled(std::string_view id) {
+  if (const EffectInfo* const info = findEffect(settings::lowered(id))) return *info;
+  throw std::runtime_error("there is no effect " + quoted(id) + "; " + suggestion(id, effectIds()));
+}
+
+Joint jointCalled(std::string_view name) {
+  if (const auto joint = findJoint(settings::jointName(name))) return *joint;
+  std::vector<std::string_view> names;
+  names.reserve(kJoints);
+  for (const JointRow& row : kJointTable) names.push_back(row.name);
+  throw std::runtime_error("there is no joint " + quoted(name) + "; " + suggestion(name, names));
+}
+
+}  // namespace
+
+SectionName sectionFrom(std::string_view text) {
+  const auto words = wordsOf(text);
+  if (words.size() == 1) {
+    const auto plain = std::ranges::find(plainSections(), settings::lowered(words[0]));
+    if (plain != plainSections().end()) return {.plain = *plain};
+  }
+  if (!words.empty() && settings::lowered(words[0]) == kEffect) {
+    if (words.size() == 1 || words.size() > 3)
+      throw std::runtime_error(
+          "[" + std::string{text} +
+          "]: write [effect NAME], or [effect NAME JOINT] for one joint, as in [effect coulomb Neck]");
+    SectionName name{.info = &effectCalled(words[1])};
+    if (words.size() == 3) name.joint = jointCalled(words[2]);
+    return name;
+  }
+  std::string sentence = "there is no section [" + std::string{text} + "]; ";
+  if (const EffectInfo* const info = words.empty() ? nullptr : findEffect(settings::lowered(words[0])))
+    throw std::runtime_error(sentence + "an effect is switched on by [effect " + std::string{info->id} + "]");
+  std::vector<std::string_view> known(plainSections().begin(), plainSections().end());
+  if (const auto near = nearest(text, known))
+    throw std::runtime_error(sentence + "did you mean [" + std::string{*near} + "]?");
+  throw std::runtime_error(sentence + "there are [model], [servo], [body], [imu] and [effect NAME]");
+}
+
+std::string text(const SectionName& name) {
+  if (name.info == nullptr) return std::string{name.plain};
+  std::string out{kEffect};
+  (out += ' ') += name.info->id;
+  if (name.joint) (out += ' ') += row(*name.joint).name;
+  return out;
+}
+
+std::vector<std::string_view> effectIds() {
+  std::vector<std::string_view> ids;
+  for (const EffectInfo* info : catalogue()) ids.push_back(info->id);
+  return ids;
+}
+
+std::vector<std::string_view> parametersOf(const EffectInfo& info) {
+  std::vector<std::string_view> keys;
+  for (const Parameter& parameter : info.parameters) keys.push_back(parameter.key);
+  return keys;
+}
+
+}  // namespace darwinop::twin

@@ -1,0 +1,58 @@
+// A model as text, and the effects of one joint.
+#include <algorithm>
+#include <stdexcept>
+
+#include "twin/effects/catalogue.hpp"
+#include "twin/model/keys.hpp"
+#include "twin/model/section_text.hpp"
+
+namespace darwinop::twin {
+namespace {
+
+std::string textOf(const Model& model) {
+  std::string out;
+  for (const std::string_view section : plainSections()) {
+    out += (out.empty() ? "[" : "\n[") + std::string{section} + "]\n";
+    for (const KeyRow& row : keyTable())
+      if (row.section == section) out += std::string{row.key} + " = " + writeValue(model, row) + "\n";
+  }
+  for (const EffectSetting& setting : model.effects) {
+    out += '\n';
+    for (const std::string& line : sectionLines(setting)) out += line + '\n';
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> sectionLines(const EffectSetting& setting) {
+  if (setting.info == nullptr || setting.values.size() != setting.info->parameters.size())
+    throw std::runtime_error("an effect without values for each of its parameters cannot be written");
+  std::vector<std::string> lines{"[" + text({.info = setting.info, .joint = setting.joint}) + "]"};
+  for (std::size_t i = 0; i < setting.values.size(); ++i) {
+    const Parameter& parameter = setting.info->parameters[i];
+    lines.push_back(std::string{parameter.key} + " = " + writeNumber(setting.values[i], ruleOf(parameter)));
+  }
+  return lines;
+}
+
+std::string writeModel(const Model& model) {
+  std::string text = textOf(model);
+  if (textOf(parseModel(text, "the model to be written")) != text)
+    throw std::runtime_error(
+        "the model cannot be written: its name and body.xml may have no quotes, ; or #, and no blank at an end");
+  return text;
+}
+
+std::vector<std::unique_ptr<Effect>> effectsOf(const Model& model, Joint joint) {
+  std::vector<std::unique_ptr<Effect>> effects;
+  for (const EffectInfo* const info : catalogue()) {
+    const EffectSetting* chosen = nullptr;
+    for (const EffectSetting& setting : model.effects)
+      if (setting.info == info && (setting.joint == joint || (!setting.joint && chosen == nullptr))) chosen = &setting;
+    if (chosen != nullptr) effects.push_back(info->make(chosen->values));
+  }
+  return effects;
+}
+
+}  // namespace darwinop::twin

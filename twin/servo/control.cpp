@@ -1,0 +1,75 @@
+// The position loop of one servo: profile, then one of two laws.
+#include <algorithm>
+#include <cmath>
+
+#include "twin/servo/servo.hpp"
+
+namespace darwinop::twin {
+namespace {
+
+constexpr double kRegisterPerGain = 8;  // Kp = register / 8 (manual)
+
+}  // namespace
+
+// The servo's own law follows a profile. Webots has none: there speed and acceleration limit the motor itself.
+void Servo::followGoal(double dt_s) noexcept {
+  Signals& s = signals_;
+  if (!s.torque_on) {  // torque coming on starts from where the joint is
+    s.set_point_rad = s.measured_rad;
+    profile_.stop();
+  } else if (s.law == Law::kSpeedP) {
+    s.set_point_rad = s.goal_rad;
+  } else {
+    s.set_point_rad =
+        profile_.advance(s.set_point_rad, s.goal_rad, s.profile_speed_rad_s, s.profile_accel_rad_s2, dt_s);
+  }
+}
+
+void Servo::control(const ServoDrive& drive, double dt_s) noexcept {
+  Signals& s = signals_;
+  s.error_rad = s.set_point_rad - s.measured_rad;
+  s.p_register = drive.p_gain * kRegisterPerGain;
+  s.i_gain = drive.i_gain;
+  s.d_gain = drive.d_gain;
+  s.duty_offset = 0;
+  s.duty_limit = std::min(std::clamp(drive.torque_limit, 0.0, 1.0), parameters_.duty_max);
+  for (Effect* effect : controller_) effect->controller(s, dt_s);
+
+  if (!s.torque_on) {
+    s.duty = s.speed_command_rad_s = integral_ = 0;
+    was_on_ = false;
+    return;
+  }
+  if (!was_on_) last_error_ = s.error_rad;
+  was_on_ = true;
+  if (s.law == Law::kVoltageP)
+    pushByError(dt_s);
+  else
+    turnByError(dt_s);
+}
+
+// P, I and D of the error set the share of the supply that the bridge gives to the motor.
+void Servo::pushByError(double dt_s) noexcept {
+  Signals& s = signals_;
+  // Ki and Kd have Kp's scale: one unit of Kp is 8 units of the register.
+  const double scale = kRegisterPerGain * parameters_.duty_per_kp_per_rad;
+  integral_ += s.i_gain * scale * s.error_rad * dt_s;
+  integral_ = s.i_gain == 0 ? 0 : std::clamp(integral_, -s.duty_limit, s.duty_limit);  // no wind-up
+  const double derivative = s.d_gain * scale * (s.error_rad - last_error_) / dt_s;
+  last_error_ = s.error_rad;
+  const double law = parameters_.duty_per_kp_per_rad * s.p_register * s.error_rad;
+  s.duty = std::clamp(law + integral_ + derivative + s.duty_offset, -s.duty_limit, s.duty_limit);
+  s.speed_command_rad_s = 0;
+}
+
+// Webots' motor: P of the error sets a speed; that is limited, and then how fast it changes.
+void Servo::turnByError(double dt_s) noexcept {
+  Signals& s = signals_;
+  const double most = std::min(parameters_.speed_max_rad_s, s.profile_speed_rad_s);
+  const double wanted = std::clamp(parameters_.speed_gain_per_kp_1_s * s.p_register * s.error_rad, -most, most);
+  const double step = std::min(parameters_.accel_max_rad_s2, s.profile_accel_rad_s2) * dt_s;
+  s.speed_command_rad_s += std::clamp(wanted - s.speed_command_rad_s, -step, step);
+  s.duty = integral_ = 0;
+}
+
+}  // namespace darwinop::twin
