@@ -1,0 +1,68 @@
+#include "twin/render/head_camera.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+
+#include "twin/body/robot_body.hpp"
+#include "twin/render/egl.hpp"
+#include "twin/render/offscreen.hpp"
+#include "twin/render/test_pattern.hpp"
+
+namespace darwinop::twin {
+namespace {
+
+Nanos clockOf(const RobotBody& body) {
+  return std::chrono::round<Nanos>(std::chrono::duration<double>(body.time_s()));
+}
+
+void sayOnce(const std::string& blindness) {
+  static std::atomic<bool> said{false};
+  if (!said.exchange(true)) std::fprintf(stderr, "twin: the head camera gives a test pattern: %s\n", blindness.c_str());
+}
+
+}  // namespace
+
+HeadCamera::HeadCamera(RobotBody& body, const Options& options) : body_{body}, options_{options} {
+  try {
+    offscreen_ = std::make_unique<Offscreen>(*body.mujocoModel(), options.width, options.height, Quality::kEye);
+    offscreen_->scene().lookFrom(Viewpoint::kHead);
+  } catch (const NoGraphics& none) {
+    blindness_ = none.what();
+    sayOnce(blindness_);
+  }
+  bgra_.resize(4 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
+}
+
+HeadCamera::~HeadCamera() = default;
+
+void HeadCamera::take() {
+  if (offscreen_) {
+    offscreen_->scene().show(poseOf(body_));
+    picture_ = offscreen_->draw();
+  } else {
+    picture_ = testPattern(options_.width, options_.height, blindness_, static_cast<unsigned>(sequence_));
+  }
+  const std::uint8_t* rgb = picture_.rgb.data();
+  for (std::size_t i = 0; i < bgra_.size(); i += 4, rgb += 3) {
+    bgra_[i] = rgb[2];
+    bgra_[i + 1] = rgb[1];
+    bgra_[i + 2] = rgb[0];
+    bgra_[i + 3] = 255;
+  }
+}
+
+CameraFrame HeadCamera::newest() {
+  const Nanos now = clockOf(body_);
+  // On a grid of periods: asked every 16 ms for a picture every 33 ms, it still gives 30 a second.
+  const auto slot = [this](Nanos time) { return time / options_.period; };
+  if (sequence_ == 0 || slot(now) != slot(taken_)) {
+    take();
+    sequence_ += sequence_ == 0 ? 1 : static_cast<std::uint64_t>(std::max<std::int64_t>(slot(now) - slot(taken_), 1));
+    taken_ = now;
+  }
+  return {sequence_, taken_, options_.width, options_.height, bgra_};
+}
+
+}  // namespace darwinop::twin

@@ -1,0 +1,51 @@
+// What the robot's head camera sees in the twin.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/frame_source.hpp"
+#include "twin/render/picture.hpp"
+
+namespace darwinop::twin {
+
+class RobotBody;
+class Offscreen;
+
+/// Takes a picture when it is asked for one and `period` has gone by on the body's clock, so that a lockstep run sees
+/// the same pictures every time. The body must not step meanwhile, and must live longer. Where nothing can be drawn it
+/// gives a test pattern that says why, and says so once on standard error.
+class HeadCamera final : public FrameSource {
+ public:
+  struct Options {
+    int width = 320, height = 240;
+    Nanos period{33'333'333};  // 30 pictures a second, as the robot's camera
+  };
+
+  /// Throws std::runtime_error for a size out of range.
+  HeadCamera(RobotBody& body, const Options& options);
+  explicit HeadCamera(RobotBody& body) : HeadCamera{body, Options{}} {}
+  ~HeadCamera() override;
+
+  CameraFrame newest() override;
+
+  /// The same picture as newest() gave, RGB.
+  [[nodiscard]] const Picture& picture() const noexcept { return picture_; }
+  /// Why there is only a test pattern; empty: the camera sees.
+  [[nodiscard]] const std::string& blindness() const noexcept { return blindness_; }
+
+ private:
+  void take();
+
+  RobotBody& body_;
+  Options options_;
+  std::unique_ptr<Offscreen> offscreen_;  // null: blind
+  std::string blindness_;
+  Picture picture_;
+  std::vector<std::uint8_t> bgra_;
+  std::uint64_t sequence_ = 0;
+  Nanos taken_{0};
+};
+
+}  // namespace darwinop::twin

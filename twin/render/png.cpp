@@ -1,0 +1,38 @@
+#include "twin/render/png.hpp"
+
+#include <lodepng.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace darwinop::twin {
+namespace {
+
+constexpr unsigned kFileTrouble = 79;  // lodepng: the file could not be opened for writing
+
+[[noreturn]] void fail(const char* what, const std::string& file, unsigned error) {
+  const char* const why = error == kFileTrouble && errno != 0 ? std::strerror(errno) : lodepng_error_text(error);
+  throw std::runtime_error(std::string{"cannot "} + what + " the picture " + file + ": " + why);
+}
+
+}  // namespace
+
+void writePng(const std::string& file, const Picture& picture) {
+  errno = 0;
+  const unsigned error = lodepng::encode(file, picture.rgb, static_cast<unsigned>(picture.width),
+                                         static_cast<unsigned>(picture.height), LCT_RGB);
+  if (error != 0) fail("write", file, error);
+}
+
+Picture readPng(const std::string& file) {
+  Picture picture;
+  unsigned width = 0, height = 0;
+  const unsigned error = lodepng::decode(picture.rgb, width, height, file, LCT_RGB);
+  if (error != 0) fail("read", file, error);
+  picture.width = static_cast<int>(width);
+  picture.height = static_cast<int>(height);
+  return picture;
+}
+
+}  // namespace darwinop::twin

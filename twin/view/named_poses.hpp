@@ -1,0 +1,35 @@
+// Poses of the robot that have a name.
+#pragma once
+
+#include <array>
+#include <numbers>
+#include <string_view>
+
+#include "core/conversions.hpp"
+#include "core/joints.hpp"
+
+namespace darwinop::twin {
+
+using Angles = std::array<double, kJoints>;  // rad
+
+/// Kneeling, as a robot is switched on; from the table of the joints.
+inline Angles startAngles() {
+  Angles angles{};
+  for (std::size_t i = 0; i < kJoints; ++i) angles[i] = (kJointTable[i].start - 2048) * kRadPerTick;
+  return angles;
+}
+
+/// Upright on straight legs, arms beside the body, looking ahead.
+inline Angles standingAngles() {
+  Angles angles{};
+  constexpr double kRight = std::numbers::pi / 2;
+  // At zero the upper arms stand 45 deg off and the elbows are bent by 90 deg.
+  angles[index(Joint::kArmUpperR)] = -0.6;
+  angles[index(Joint::kArmUpperL)] = 0.6;
+  angles[index(Joint::kArmLowerR)] = 0.4 - kRight;
+  angles[index(Joint::kArmLowerL)] = kRight - 0.4;
+  angles[index(Joint::kHead)] = 0.6;
+  return angles;
+}
+
+}  // namespace darwinop::twin
