@@ -20,7 +20,9 @@ struct Noun {
 constexpr Noun kNouns[] = {
     {"run", "run a controller on a robot and report how the loop fared"},
     {"runtime", "the daemon: the 16 ms loop in a process of its own; also --status, --release"},
+    {"experiment", "run, list and plot experiments: files that say what moves, how, and what is recorded"},
     {"virtual-robot", "a CM-730 with 20 MX-28 on a pty, for work without a robot"},
+    {"twin", "the physics twin: watch it, film it, list its models and effects"},
     {"supervisor", "parent of runtime and default controller on a robot; also --status, --stop-controller"},
     {"install", "install on a robot over ssh, send controllers; also --status, --rollback, --uninstall"},
     {"doctor", "check port, servos and real-time rights, and say how to mend what is wrong"},

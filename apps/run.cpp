@@ -1,18 +1,22 @@
 // darwinop-run: runs a controller on a robot and reports how the loop fared.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
+#include "hal/body_library.hpp"
 #include "runtime/controller_run.hpp"
 
 namespace {
 
 constexpr const char* kRobotHelp =
     "which robot: runtime (the daemon), a serial device or pty (/dev/ttyUSB0), virtual (in the controller's process, "
-    "simulated time). Unset: DARWINOP_ROBOT, or else what is there";
+    "simulated time), twin or twin:MODEL (the same with physics). Unset: DARWINOP_ROBOT, or else what is there";
 
 /// CLI11 knows nothing of what allow_extras() lets through.
 class Usage : public CLI::Formatter {
@@ -27,13 +31,30 @@ std::string absolute(const std::string& path) {
   return path.empty() ? path : std::filesystem::absolute(path).string();
 }
 
-bool isPath(const std::string& robot) {
-  return robot.find('/') != std::string::npos && robot.find("://") == std::string::npos;
+/// Files in the name of a robot: a port, or the twin's model.
+std::string withAbsolutePath(const std::string& robot) {
+  constexpr std::string_view kTwin = "twin:";
+  if (robot.starts_with(kTwin)) {
+    const std::string model = robot.substr(kTwin.size());
+    const bool is_file = model.find('/') != std::string::npos || model.ends_with(".ini");
+    return is_file ? std::string{kTwin} + absolute(model) : robot;
+  }
+  const bool is_file = robot.find('/') != std::string::npos && robot.find("://") == std::string::npos;
+  return is_file ? absolute(robot) : robot;
+}
+
+/// A controller may lie anywhere; the twin's library lies beside this program.
+void tellWhereTheTwinIs() {
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  const fs::path home = fs::read_symlink("/proc/self/exe", unknown).parent_path();
+  const fs::path library = home.parent_path() / "lib" / darwinop::kTwinLibraryFile;
+  if (fs::exists(library, unknown)) setenv("DARWINOP_TWIN_LIBRARY", library.c_str(), 0);
 }
 
 }  // namespace
 
-int main(int count, char** arguments) {
+int main(int count, char** arguments) try {
   darwinop::runtime::RunRequest request;
   int period_ms = 0;
   CLI::App app{
@@ -58,13 +79,12 @@ int main(int count, char** arguments) {
     return 2;
   }
 
-  if (isPath(request.robot)) request.robot = absolute(request.robot);
+  tellWhereTheTwinIs();
+  request.robot = withAbsolutePath(request.robot);
   request.record = absolute(request.record);
   if (period_ms != 0) request.period_ms = std::to_string(period_ms);
-  try {
-    return darwinop::runtime::runController(request);
-  } catch (const std::exception& error) {
-    std::cerr << "darwinop run: " << error.what() << '\n';
-    return 2;
-  }
+  return darwinop::runtime::runController(request);
+} catch (const std::exception& error) {
+  std::cerr << "darwinop run: " << error.what() << '\n';
+  return 2;
 }

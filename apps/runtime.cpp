@@ -115,7 +115,7 @@ int carryOut(const Arguments& given) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
+int main(int count, char** arguments) try {
   Arguments given;
   CLI::App app{"The loop in a process of its own: controllers come and go (--robot runtime), the robot stays safe.",
                "darwinop runtime"};
@@ -146,10 +146,8 @@ int main(int count, char** arguments) {
       "  darwinop runtime --robot /tmp/robot &\n  darwinop run --robot runtime "
       "build/release/controllers/01_hello_head");
   CLI11_PARSE(app, count, arguments);
-  try {
-    return carryOut(given);
-  } catch (const std::exception& error) {
-    std::cerr << "darwinop runtime: " << error.what() << '\n';
-    return 1;
-  }
+  return carryOut(given);
+} catch (const std::exception& error) {
+  std::cerr << "darwinop runtime: " << error.what() << '\n';
+  return 1;
 }

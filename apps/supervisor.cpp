@@ -26,7 +26,7 @@ std::string runtimeProgram() {
 int carryOut(const Arguments& given) {
   const runtime::RuntimeFiles files;
   if (given.status) return supervisor::printStatus(files);
-  if (given.stop) return supervisor::stop(files);
+  if (given.stop) return supervisor::stopSupervisor(files);
   if (given.stop_controller) return supervisor::stopController(files);
   if (given.restart_controller) return supervisor::restartController(files);
   if (given.home.empty()) throw std::runtime_error("which installation? Name its folder: --home /opt/darwinop");
@@ -35,7 +35,7 @@ int carryOut(const Arguments& given) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
+int main(int count, char** arguments) try {
   Arguments given;
   CLI::App app{
       "Starts runtime and default controller, watches them, and brings the robot to rest when the runtime fails.",
@@ -54,10 +54,8 @@ int main(int count, char** arguments) {
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer("Example, without a robot: see docs/supervisor.md");
   CLI11_PARSE(app, count, arguments);
-  try {
-    return carryOut(given);
-  } catch (const std::exception& error) {
-    std::cerr << "darwinop supervisor: " << error.what() << '\n';
-    return 1;
-  }
+  return carryOut(given);
+} catch (const std::exception& error) {
+  std::cerr << "darwinop supervisor: " << error.what() << '\n';
+  return 1;
 }

@@ -9,19 +9,28 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <optional>
+#include <stdexcept>
 #include <string>
 
 #include "core/joints.hpp"
 #include "hil-mocks/fault_script.hpp"
 #include "hil-mocks/pty_host.hpp"
+#include "link/setting.hpp"
+#include "link/twin_library.hpp"
 
 namespace {
 
 using darwinop::Nanos;
 namespace hil = darwinop::hil;
+namespace link_room = darwinop::link;  // `link` is a system call
+
+constexpr Nanos kPhysicsRest = std::chrono::milliseconds{2};  // so that a request never waits for many steps at once
+constexpr Nanos kTooLate = std::chrono::milliseconds{16};     // a whole cycle of the loop
 
 struct Arguments {
-  std::string link, faults;
+  std::string link, faults, body = "plain";
   bool fast = false;
   std::uint64_t seed = 1;
   double for_s = 0, latency_ms = 0;
@@ -29,6 +38,7 @@ struct Arguments {
 
 void describe(CLI::App& app, Arguments& a) {
   app.add_option("--link", a.link, "Keep a symbolic link to the port here");
+  app.add_option("--body", a.body, "What the servos move: plain, twin, or twin:MODEL")->capture_default_str();
   app.add_flag("--fast", a.fast, "Answer at once instead of at 1 Mbaud");
   app.add_option("--faults", a.faults, "What goes wrong when; format: docs/virtual-robot.md")->check(CLI::ExistingFile);
   app.add_option("--seed", a.seed, "Of everything random")->capture_default_str();
@@ -42,7 +52,7 @@ void describe(CLI::App& app, Arguments& a) {
 
 /// Where every joint is, in one line: asked for by SIGUSR1.
 void printJoints(hil::PtyHost& host) {
-  const hil::BodyState body = host.withRobot([](hil::VirtualRobot& robot) { return robot.body().state(); });
+  const darwinop::BodyState body = host.withRobot([](hil::VirtualRobot& robot) { return robot.body().state(); });
   std::printf("joints: %.2f s", std::chrono::duration<double>(host.now()).count());
   for (std::size_t i = 0; i < darwinop::kJoints; ++i)
     std::printf(" %s=%+.3f", std::string{darwinop::kJointTable[i].name}.c_str(), body.joint[i].position_rad);
@@ -50,25 +60,49 @@ void printJoints(hil::PtyHost& host) {
   std::fflush(stdout);
 }
 
+std::unique_ptr<darwinop::Body> makeBody(const Arguments& a) {
+  if (a.body == "plain") return nullptr;
+  if (const std::optional<std::string> model = link_room::twinModel(a.body)) return link_room::makeTwin(*model, a.seed);
+  throw std::runtime_error("--body " + a.body + ": it can be plain, twin, or twin:MODEL");
+}
+
+double ms(Nanos time) {
+  return std::chrono::duration<double, std::milli>(time).count();
+}
+
+/// Says it once. True when it is said.
+bool warnOfLag(const hil::PtyHost& host, bool physics) {
+  if (host.worstLag() < kTooLate) return false;
+  std::fprintf(stderr,
+               "darwinop-virtual-robot: this machine is too slow or too busy: the robot was %.0f ms behind real time, "
+               "and its answers came late. Close other programs%s\n",
+               ms(host.worstLag()), physics ? ", or use --body plain" : "");
+  return true;
+}
+
 /// Until SIGINT, SIGTERM, or the time is over. The signals are blocked in every thread.
-void waitForEnd(const sigset_t& signals, double for_s, hil::PtyHost& host) {
+void waitForEnd(const sigset_t& signals, double for_s, bool physics, hil::PtyHost& host) {
   const double end_s = for_s > 0 ? for_s : 1e9;
+  bool warned = false;
   for (;;) {
+    warned = warned || warnOfLag(host, physics);
     const double left_s = std::max(end_s - std::chrono::duration<double>(host.now()).count(), 0.0);
-    const auto seconds = static_cast<time_t>(left_s);
-    const timespec time{seconds, static_cast<long>((left_s - static_cast<double>(seconds)) * 1e9)};
+    const double wait_s = std::min(left_s, 1.0);
+    const auto seconds = static_cast<time_t>(wait_s);
+    const timespec time{seconds, static_cast<long>((wait_s - static_cast<double>(seconds)) * 1e9)};
     const int signal = sigtimedwait(&signals, nullptr, &time);
-    if (signal != SIGUSR1) return;
-    printJoints(host);
+    if (signal == SIGUSR1) printJoints(host);
+    if (signal == SIGINT || signal == SIGTERM || (signal < 0 && left_s <= wait_s)) return;
   }
 }
 
-void report(const hil::VirtualRobot& robot, double seconds) {
+void report(const hil::VirtualRobot& robot, double seconds, Nanos lag) {
   const hil::BoardCounters& c = robot.board().counters();
   std::printf("\nframes: %" PRIu64 "  sync writes: %" PRIu64 "  bulk reads: %" PRIu64 "  replies: %" PRIu64
               "  checksum errors: %" PRIu64 "  lost bytes: %" PRIu64 "\n",
               c.frames, c.sync_writes, c.bulk_reads, c.replies, c.bad_checksums, c.lost_bytes);
   std::printf("cycles per second: %.1f over %.1f s\n", static_cast<double>(c.bulk_reads) / seconds, seconds);
+  std::printf("behind real time: at most %.1f ms\n", ms(lag));
 }
 
 int serve(const Arguments& a) {
@@ -81,20 +115,30 @@ int serve(const Arguments& a) {
 
   hil::BoardOptions options;
   if (a.fast) options.byte_time = Nanos{0};
-  hil::VirtualRobot robot{options, a.seed};
+  hil::PtyOptions pty;
+  pty.link = a.link;
+  pty.latency_timer = std::chrono::duration_cast<Nanos>(std::chrono::duration<double, std::milli>(a.latency_ms));
+  std::unique_ptr<darwinop::Body> body = makeBody(a);
+  const bool physics = body != nullptr;
+  if (physics) {
+    options.body_step = hil::kPhysicsStep;
+    pty.at_rest = kPhysicsRest;
+  }
+  hil::VirtualRobot robot{options, a.seed, std::move(body)};
   if (!a.faults.empty()) robot.faults().add(hil::loadFaultScript(a.faults));
-  const auto latency = std::chrono::duration_cast<Nanos>(std::chrono::duration<double, std::milli>(a.latency_ms));
-  Nanos served{0};
+  Nanos served{0}, lag{0};
   {
-    hil::PtyHost host{robot, {a.link, latency}};
+    hil::PtyHost host{robot, pty};
     std::printf("port: %s\n", host.path().c_str());
     if (!a.link.empty()) std::printf("link: %s\n", a.link.c_str());
+    std::printf("body: %s\n", a.body.c_str());
     if (!a.faults.empty()) std::printf("faults: %s, seed %" PRIu64 "\n", a.faults.c_str(), a.seed);
     std::fflush(stdout);
-    waitForEnd(signals, a.for_s, host);
+    waitForEnd(signals, a.for_s, physics, host);
     served = host.now();
+    lag = host.worstLag();
   }
-  report(robot, std::chrono::duration<double>(served).count());
+  report(robot, std::chrono::duration<double>(served).count(), lag);
   return 0;
 }
 

@@ -15,6 +15,7 @@
 #include "link/robot_file.hpp"
 #include "link/setting.hpp"
 #include "link/start_pose_findings.hpp"
+#include "link/twin_library.hpp"
 #include "runtime/daemon_link.hpp"
 #include "runtime/threaded_link.hpp"
 
@@ -30,6 +31,7 @@ runtime::LoopConfig loopConfig(const Request& request) {
   config.safety = request.safety;
   config.robot = request.robot_name;
   config.record_path = request.record_path;
+  config.record_notes = request.record_notes;
   return config;
 }
 
@@ -51,6 +53,18 @@ std::unique_ptr<runtime::RobotLink> daemonsRobot(const Request& request) {
   auto link = std::make_unique<runtime::DaemonLink>();
   std::cerr << daemonWarnings(request, link->period());
   return link;
+}
+
+std::unique_ptr<runtime::RobotLink> virtualRobot(const Request& request) {
+  runtime::LoopConfig config = loopConfig(request);
+  config.port = "virtual robot in memory";
+  return lockstepRobot(config);
+}
+
+std::unique_ptr<runtime::RobotLink> twin(const Request& request, const std::string& model) {
+  runtime::LoopConfig config = loopConfig(request);
+  config.port = "twin in memory, model " + (model.empty() ? kUsualTwin : model);
+  return lockstepRobot(config, makeTwin(model, twinSeed()));
 }
 
 std::string inMs(Nanos time) {
@@ -121,7 +135,9 @@ std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
     case Kind::kSerial:
       return serialRobot(request, setting.port);
     case Kind::kVirtual:
-      return lockstepRobot(loopConfig(request));
+      return virtualRobot(request);
+    case Kind::kTwin:
+      return twin(request, setting.model);
   }
   throw std::logic_error("a kind of robot that connect() does not know");
 }

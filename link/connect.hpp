@@ -15,12 +15,13 @@ namespace darwinop::link {
 
 /// What a controller brings along. The defaults are those of a DARwIn-OP on its own computer.
 struct Request {
-  /// As link/setting.hpp reads it: "runtime", a serial device or pty, "virtual", or empty.
+  /// As link/setting.hpp reads it: "runtime", a serial device or pty, "virtual", "twin[:MODEL]", or empty.
   std::string setting;
   std::optional<Nanos> period;  // 8 ms or more on a real line; nothing: what robot.ini says, else 16 ms
   safety::Config safety{};
   std::string config_file = "config.ini";  // where `safety` was read, for sentences
   std::string record_path;                 // CSV of every cycle; empty: none
+  std::string record_notes;                // further lines of its head, "key: value"
   std::string robot_name = "darwin-op";
 };
 

@@ -8,7 +8,7 @@
 namespace darwinop::link {
 namespace {
 
-std::string inMs(Nanos time) {
+std::string milliseconds(Nanos time) {
   std::string text = std::to_string(std::chrono::duration<double, std::milli>(time).count());
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
@@ -23,8 +23,9 @@ std::string daemonWarnings(const Request& request, Nanos daemons_period) {
     text += "darwinop: " + request.record_path +
             " is not written: the loop runs in the daemon, which records by itself: darwinop runtime --record FILE\n";
   if (request.period && *request.period != daemons_period)
-    text += "darwinop: the daemon's period of " + inMs(daemons_period) + " ms holds, not the " + inMs(*request.period) +
-            " ms asked for; restart it with: darwinop runtime --period " + inMs(*request.period) + "\n";
+    text += "darwinop: the daemon's period of " + milliseconds(daemons_period) + " ms holds, not the " +
+            milliseconds(*request.period) + " ms asked for; restart it with: darwinop runtime --period " +
+            milliseconds(*request.period) + "\n";
   if (safety::numbers(request.safety) != safety::numbers(safety::Config{}))
     text +=
         "darwinop: [Safety] and [Limits] of this controller's config.ini do not hold: the daemon has its own; give "

@@ -1,5 +1,7 @@
 #include "link/lockstep_robot.hpp"
 
+#include <utility>
+
 #include "hil-mocks/memory_line.hpp"
 #include "hil-mocks/virtual_robot.hpp"
 #include "link/owned_bus.hpp"
@@ -10,6 +12,7 @@ namespace {
 /// The line and, behind it, the robot it ends at.
 class VirtualLine final : public ByteLine {
  public:
+  VirtualLine(const hil::BoardOptions& options, std::unique_ptr<Body> body) : robot_{options, 1, std::move(body)} {}
   [[nodiscard]] Nanos now() noexcept override { return line_.now(); }
   LineStatus write(std::span<const std::uint8_t> bytes) noexcept override { return line_.write(bytes); }
   LineStatus read(std::span<std::uint8_t> into, std::size_t& count, Nanos deadline) noexcept override {
@@ -37,9 +40,10 @@ class LineClock final : public runtime::Clock {
 
 }  // namespace
 
-std::unique_ptr<runtime::RobotLink> lockstepRobot(runtime::LoopConfig config) {
-  config.port = "virtual robot in memory";
-  auto line = std::make_unique<VirtualLine>();
+std::unique_ptr<runtime::RobotLink> lockstepRobot(const runtime::LoopConfig& config, std::unique_ptr<Body> body) {
+  hil::BoardOptions options;
+  if (body) options.body_step = hil::kPhysicsStep;
+  auto line = std::make_unique<VirtualLine>(options, std::move(body));
   auto clock = std::make_unique<LineClock>(line->memory());
   auto bus = std::make_unique<OwnedBus<VirtualLine>>(std::move(line), cm730::BusConfig::forPeriod(config.period));
   return std::make_unique<runtime::LockstepLink>(config, std::move(bus), std::move(clock));

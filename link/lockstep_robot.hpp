@@ -3,11 +3,14 @@
 
 #include <memory>
 
+#include "hal/body.hpp"
 #include "runtime/lockstep_link.hpp"
 
 namespace darwinop::link {
 
-/// The same bus code as on a robot, so the same bytes; only the wire is memory. Repeatable to the bit.
-std::unique_ptr<runtime::RobotLink> lockstepRobot(runtime::LoopConfig config);
+/// The same bus code as on a robot, so the same bytes; only the wire is memory. Repeatable to the bit. Without a body
+/// the joints are plain motors. `config.port` names the robot in recordings.
+std::unique_ptr<runtime::RobotLink> lockstepRobot(const runtime::LoopConfig& config,
+                                                  std::unique_ptr<Body> body = nullptr);
 
 }  // namespace darwinop::link

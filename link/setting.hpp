@@ -1,20 +1,25 @@
 // Which robot is meant by DARWINOP_ROBOT or --robot.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace darwinop::link {
 
-enum class Kind { kDaemon, kSerial, kVirtual };
+enum class Kind { kDaemon, kSerial, kVirtual, kTwin };
 
 struct Setting {
   Kind kind;
-  std::string port;  // kSerial: the device
+  std::string port;   // kSerial: the device
+  std::string model;  // kTwin: name or file of the model; empty: the usual one
 };
 
 /// Reads a setting; an empty one means the daemon if one runs, else the serial port of robot.ini. Throws
 /// std::runtime_error, with the choices, for anything that is no robot.
 Setting readSetting(const std::string& text);
+
+/// The model in "twin" (empty: the usual one) or "twin:MODEL"; nothing: no twin is meant.
+std::optional<std::string> twinModel(const std::string& text);
 
 /// The choices, one line each, for error messages and --help.
 std::string settingChoices();

@@ -90,9 +90,9 @@ class LookOn {
 };
 
 /// Figures of a loop over the run.
-class Figures {
+class LoopFigures {
  public:
-  explicit Figures(Exchange exchange) : exchange_{std::move(exchange)}, session_{exchange_.block().session.load()} {
+  explicit LoopFigures(Exchange exchange) : exchange_{std::move(exchange)}, session_{exchange_.block().session.load()} {
     exchange_.block().stats.copyTo(*before_);
   }
   /// Counts from the start of the loop.
@@ -125,9 +125,9 @@ class Figures {
   std::unique_ptr<StatsView> before_ = std::make_unique<StatsView>();
 };
 
-std::optional<Figures> tryAttach(Exchange (*attach)(const RuntimeFiles&), const RuntimeFiles& files) {
+std::optional<LoopFigures> tryAttach(Exchange (*attach)(const RuntimeFiles&), const RuntimeFiles& files) {
   try {
-    return Figures{attach(files)};
+    return LoopFigures{attach(files)};
   } catch (const std::runtime_error&) {
     return std::nullopt;  // no daemon, or a controller that never made a robot: nothing to report on
   }
@@ -196,7 +196,7 @@ std::string controllerProgram(const std::string& controller) {
 int runController(const RunRequest& request) {
   const std::string program = controllerProgram(request.command.at(0));
   const LookOn look_on;
-  const std::optional<Figures> daemon = tryAttach(attachToDaemon, RuntimeFiles{});
+  const std::optional<LoopFigures> daemon = tryAttach(attachToDaemon, RuntimeFiles{});
   catchSignals();
   const auto [status, a_signal] = waitFor(start(request, program, look_on.path()));
   if (a_signal) std::cerr << "the controller was ended by signal " << status - 128 << std::endl;

@@ -15,7 +15,8 @@ safety::Config withPeriod(safety::Config safety, Nanos period) {
 
 std::unique_ptr<Recorder> makeRecorder(const LoopConfig& config, Recorder::Writer writer) {
   if (config.record_path.empty()) return nullptr;
-  return std::make_unique<Recorder>(config.record_path, LogHead{config.robot, config.port, config.period}, writer);
+  const LogHead head{config.robot, config.port, config.period, config.record_notes};
+  return std::make_unique<Recorder>(config.record_path, head, writer);
 }
 
 void tell(LoopInfo& info, const LoopConfig& config) {

@@ -20,6 +20,7 @@ struct LoopConfig {
   std::string robot = "darwin-op";  // a person's name for it, for the recording and for --status
   std::string port;                 // what the bus is, as OpenedBus describes it
   std::string record_path;          // empty: no recording
+  std::string record_notes;         // LogHead::notes
   RealTimeConfig real_time{};       // not used in lockstep
 };
 

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <time.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -38,6 +39,17 @@ void appendSeconds(std::string& line, std::int64_t ns) {
 void appendName(std::string& line, std::string_view name, std::string_view unit) {
   line += name;
   if (!unit.empty()) line.append(" [").append(unit).append("]");
+}
+
+/// Each line as one of the head.
+std::string commented(std::string_view lines) {
+  std::string text;
+  while (!lines.empty()) {
+    const std::size_t length = std::min(lines.find('\n'), lines.size());
+    if (length > 0) text.append("# ").append(lines.substr(0, length)).append("\n");
+    lines.remove_prefix(std::min(length + 1, lines.size()));
+  }
+  return text;
 }
 
 std::string today() {
@@ -99,7 +111,7 @@ void Recorder::writeHead(const LogHead& head) {
   std::string text = "# darwinop log, format 1\n# robot: " + head.robot + "\n# model: " + head.model +
                      "\n# version: " + version() + "\n# date: " + today() + "\n# period_s: ";
   append(text, std::chrono::duration<double>(head.period).count());
-  text += "\n# safety.state:";
+  text += "\n" + commented(head.notes) + "# safety.state:";
   for (std::size_t i = 0; i < kStates; ++i)
     text.append(" ").append(std::to_string(i)).append(" ").append(kStateNames[i]);
   text += "\n";

@@ -19,6 +19,7 @@ struct LogHead {
   std::string robot = "darwin-op";
   std::string model;  // what answered: a serial port, a simulation
   Nanos period{0};
+  std::string notes{};  // further lines, "key: value", as whoever asked for the recording wants them; empty: none
 };
 
 class Recorder {

@@ -52,7 +52,7 @@ bool becomesTrue(const std::function<bool()>& condition) {
 }
 
 std::string stateOf(const runtime::RuntimeFiles& files) {
-  const auto status = read(SupervisorFiles{files}.status);
+  const auto status = readStatus(SupervisorFiles{files}.status);
   return status ? status->state : "not known";
 }
 
@@ -61,13 +61,13 @@ int carryOut(const runtime::RuntimeFiles& files, int signal, const std::function
   const pid_t pid = runningOne(files);
   if (pid == 0) return noneRuns(1);
   const std::string path = SupervisorFiles{files}.status;
-  const auto before = read(path);
+  const auto before = readStatus(path);
   const std::uint32_t orders = before ? before->orders : 0;
   order(pid, signal);
   bool ended = false;
   const bool carried_out = becomesTrue([&] {
     ended = runningOne(files) != pid;
-    const auto status = read(path);
+    const auto status = readStatus(path);
     return ended || (status && status->orders != orders && done(*status));
   });
   if (ended) throw std::runtime_error("the supervisor ended meanwhile");
@@ -87,7 +87,7 @@ std::string process(pid_t pid) {
 int printStatus(const runtime::RuntimeFiles& files) {
   const pid_t pid = runningOne(files);
   if (pid == 0) return noneRuns(1);
-  const auto status = read(SupervisorFiles{files}.status);
+  const auto status = readStatus(SupervisorFiles{files}.status);
   std::cout << "supervisor    pid " << pid << '\n';
   if (!status) {
     std::cout << "state         just starting\n";
@@ -100,7 +100,7 @@ int printStatus(const runtime::RuntimeFiles& files) {
   return 0;
 }
 
-int stop(const runtime::RuntimeFiles& files) {
+int stopSupervisor(const runtime::RuntimeFiles& files) {
   const pid_t pid = runningOne(files);
   if (pid == 0) return noneRuns(0);
   order(pid, SIGTERM);

@@ -10,7 +10,7 @@ namespace darwinop::supervisor {
 /// 0: a supervisor runs, 1: none.
 int printStatus(const runtime::RuntimeFiles& files);
 /// Returns when the supervisor and all that it started have ended. 0 also when none runs.
-int stop(const runtime::RuntimeFiles& files);
+int stopSupervisor(const runtime::RuntimeFiles& files);
 /// Returns when the default controller has ended. 0 also when it had ended before; 1: no supervisor runs.
 int stopController(const runtime::RuntimeFiles& files);
 /// Returns when the supervisor has taken the order. 1: no supervisor runs.

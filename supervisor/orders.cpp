@@ -7,15 +7,15 @@ namespace darwinop::supervisor {
 namespace {
 
 // Lock-free, so that a handler may store and the loop may take.
-std::atomic<bool> stop{false};
-std::atomic<int> last{0};
+std::atomic<bool> stop_asked{false};
+std::atomic<int> last_signal{0};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
 void handle(int signal) {
   if (signal == kStopControllerSignal || signal == kRestartControllerSignal)
-    last.store(signal);
+    last_signal.store(signal);
   else
-    stop.store(true);
+    stop_asked.store(true);
 }
 
 }  // namespace
@@ -30,8 +30,8 @@ void listenForOrders() {
 }
 
 Orders takeOrders() {
-  const int order = last.exchange(0);
-  return {stop.exchange(false), order == kStopControllerSignal, order == kRestartControllerSignal};
+  const int order = last_signal.exchange(0);
+  return {stop_asked.exchange(false), order == kStopControllerSignal, order == kRestartControllerSignal};
 }
 
 }  // namespace darwinop::supervisor

@@ -21,7 +21,7 @@ std::string oneLine(std::string text) {
 
 }  // namespace
 
-bool write(const Status& status, const std::string& path) {
+bool writeStatus(const Status& status, const std::string& path) {
   std::ostringstream text;
   text << "home " << oneLine(status.home) << "\nstate " << oneLine(status.state) << "\ncontroller "
        << oneLine(status.controller) << "\nruntime_pid " << status.runtime_pid << "\ncontroller_pid "
@@ -37,7 +37,7 @@ bool write(const Status& status, const std::string& path) {
   return written && rename(fresh.c_str(), path.c_str()) == 0;
 }
 
-std::optional<Status> read(const std::string& path) {
+std::optional<Status> readStatus(const std::string& path) {
   std::ifstream file{path};
   std::map<std::string, std::string> found;
   for (std::string name, value; file >> name && file.get() && std::getline(file, value);) found[name] = value;

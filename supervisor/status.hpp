@@ -31,8 +31,8 @@ struct Status {
 };
 
 /// Replaces the file in one step. A full or read-only /dev/shm is no reason to stop: false.
-bool write(const Status& status, const std::string& path);
+bool writeStatus(const Status& status, const std::string& path);
 /// Nothing when there is no file, or one that is not understood.
-std::optional<Status> read(const std::string& path);
+std::optional<Status> readStatus(const std::string& path);
 
 }  // namespace darwinop::supervisor

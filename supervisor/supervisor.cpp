@@ -124,7 +124,7 @@ void Supervisor::publishStatus() {
   const bool up = phase_ == Phase::kRuntime && told_ == kReady;
   if (!up) status.state = told_;
   if (status == published_) return;
-  if (write(status, own_.status)) published_ = status;
+  if (writeStatus(status, own_.status)) published_ = status;
 }
 
 }  // namespace darwinop::supervisor

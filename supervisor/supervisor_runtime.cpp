@@ -14,9 +14,9 @@ namespace darwinop::supervisor {
 namespace {
 
 // A runtime that cannot start (a mistake in robot.ini, no servo answers) is tried again, ever more seldom.
-constexpr Nanos kLongestWait{60'000'000'000};
+constexpr Nanos kLongestStartWait{60'000'000'000};
 // Beside what the crouch itself may take (runtime/rest.cpp): a recording is written out, a process ends.
-constexpr Nanos kTimeToEnd{5'000'000'000};
+constexpr Nanos kTimeToStop{5'000'000'000};
 // A loop that stops turning while it is told to end has a moment left to end its process.
 constexpr Nanos kLastMoment{2'000'000'000};
 
@@ -44,7 +44,7 @@ void Supervisor::startRuntime() {
 /// Says why once, as long as it stays the reason.
 void Supervisor::backOff(const std::string& why) {
   next_start_ = now_ + start_wait_;
-  start_wait_ = std::min(2 * start_wait_, kLongestWait);
+  start_wait_ = std::min(2 * start_wait_, kLongestStartWait);
   if (phase_ != Phase::kBackOff || told_ != why) become(Phase::kBackOff, why);
 }
 
@@ -67,7 +67,7 @@ void Supervisor::lookAtRuntime() {
 
 void Supervisor::endRuntime() {
   if (kill_at_ == Nanos{0}) {
-    kill_at_ = now_ + runtime::Rest{settings_.safety, settings_.period}.atMost() + kTimeToEnd;
+    kill_at_ = now_ + runtime::Rest{settings_.safety, settings_.period}.atMost() + kTimeToStop;
     runtime_->process().signal(SIGTERM);
   }
   if (now_ >= kill_at_) rescue("runtime: was told to end and does not");

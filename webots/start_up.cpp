@@ -61,6 +61,7 @@ std::unique_ptr<RobotImpl> start() {
   if (request.period) request.safety.period = *request.period;
   request.config_file = directory + "/config.ini";
   request.record_path = environment("DARWINOP_RECORD");
+  request.record_notes = environment("DARWINOP_RECORD_NOTES");
   auto robot = std::make_unique<RobotImpl>(link::connect(request), reading.config, stopRequested());
   const std::string why_not = robot->begin();
   if (!why_not.empty()) throw std::runtime_error(why_not);

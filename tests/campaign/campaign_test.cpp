@@ -58,12 +58,12 @@ struct Campaign {
   }
 
   /// A value that says it is fresh must lie where the joint was during this very cycle.
-  void checkReadings(const hil::BodyState& before, const hil::BodyState& after) {
+  void checkReadings(const BodyState& before, const BodyState& after) {
     for (std::size_t i = 0; i < kJoints; ++i) {
       const JointSensors& joint = loop.sensors().joint[i];
       if (!joint.motion.fresh()) continue;
       ++readings;
-      const hil::JointMotion &then = before.joint[i], &now = after.joint[i];
+      const JointMotion &then = before.joint[i], &now = after.joint[i];
       const auto [low, high] = std::minmax(then.position_rad, now.position_rad);
       // A joint that turned back within the cycle was further out in between than at both ends.
       const double speed = std::max(std::abs(then.velocity_rad_s), std::abs(now.velocity_rad_s));
@@ -71,7 +71,7 @@ struct Campaign {
       const double slack = turn + 4 * kRadPerTick;  // and quantisation
       if (joint.position.value < low - slack || joint.position.value > high + slack) ++wrong;
     }
-    for (const hil::JointMotion& joint : after.joint) fastest = std::max(fastest, std::abs(joint.velocity_rad_s));
+    for (const JointMotion& joint : after.joint) fastest = std::max(fastest, std::abs(joint.velocity_rad_s));
   }
 
   [[nodiscard]] bool well() const {

@@ -8,10 +8,10 @@
 
 #include <chrono>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::supervisor {
 namespace {
@@ -28,12 +28,6 @@ bool soon(Condition condition) {
 Ending endOf(Child& child) {
   EXPECT_TRUE(soon([&] { return child.ended().has_value(); }));
   return child.ended().value_or(Ending{-1, true});
-}
-
-std::string textOf(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream{path}.rdbuf();
-  return text.str();
 }
 
 Start shell(const std::string& script, const std::string& log = "") {

@@ -71,7 +71,7 @@ class Home : public Rig {
   }
 
   [[nodiscard]] Status status() const {
-    return read(SupervisorFiles{runtime::RuntimeFiles{}}.status).value_or(Status{});
+    return readStatus(SupervisorFiles{runtime::RuntimeFiles{}}.status).value_or(Status{});
   }
   [[nodiscard]] std::string controllerLog() const {
     std::ostringstream text;

@@ -4,18 +4,12 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::supervisor {
 namespace {
-
-std::string textOf(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream{path}.rdbuf();
-  return text.str();
-}
 
 TEST(LogKeeper, ASmallLogIsLeftAlone) {
   const TemporaryFolder folder;

@@ -18,21 +18,21 @@ TEST(Status, WhatIsWrittenIsRead) {
   status.crashes = 2;
   status.orders = 7;
   status.controller_ended = true;
-  ASSERT_TRUE(write(status, folder / "status"));
+  ASSERT_TRUE(writeStatus(status, folder / "status"));
   status.state = "two lines";
-  EXPECT_EQ(read(folder / "status"), status);
+  EXPECT_EQ(readStatus(folder / "status"), status);
 }
 
 TEST(Status, NoFileAndAnUnfinishedOneAreNothing) {
   const TemporaryFolder folder;
-  EXPECT_EQ(read(folder / "status"), std::nullopt);
+  EXPECT_EQ(readStatus(folder / "status"), std::nullopt);
   std::ofstream{folder / "status"} << "home /opt\nstate x\n";
-  EXPECT_EQ(read(folder / "status"), std::nullopt);
+  EXPECT_EQ(readStatus(folder / "status"), std::nullopt);
 }
 
 TEST(Status, AFolderThatIsNotThereIsToldByFalse) {
   const TemporaryFolder folder;
-  EXPECT_FALSE(write(Status{}, folder / "nowhere/status"));
+  EXPECT_FALSE(writeStatus(Status{}, folder / "nowhere/status"));
 }
 
 }  // namespace

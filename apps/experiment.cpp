@@ -1,0 +1,216 @@
+// darwinop-experiment: lists, shows, runs and plots experiments.
+#include <time.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <webots/Robot.hpp>
+
+#include "experiments/battery.hpp"
+#include "experiments/gentle_stop.hpp"
+#include "experiments/hardware.hpp"
+#include "experiments/plan.hpp"
+#include "experiments/progress.hpp"
+#include "experiments/reader.hpp"
+#include "experiments/runner.hpp"
+#include "link/robot_file.hpp"
+#include "link/setting.hpp"
+#if __has_include("experiments/plot/plot.hpp")
+#include "experiments/plot/plot.hpp"
+#define DARWINOP_CAN_PLOT
+#endif
+
+namespace {
+
+using namespace darwinop::experiments;
+namespace link_room = darwinop::link;  // `link` is a system call
+
+// Exit statuses, docs/experiments.md.
+constexpr int kDone = 0, kEnded = 1, kWrong = 2, kNeedsYes = 3, kStopped = 130;
+
+struct Arguments {
+  std::string experiment, robot, record;
+  int period_ms = 0;
+  bool yes = false, no_record = false;
+};
+
+int list() {
+  int status = kDone;
+  const std::vector<std::string> files = batteryFiles();
+  for (const std::string& file : files) try {
+      const Experiment experiment = readExperiment(file);
+      const Plan plan = makePlan(experiment, darwinop::safety::hardRanges());
+      std::printf("%s\n  %s%s%s\n  %s\n  %.0f s at most%s\n", experiment.name.c_str(), experiment.title.c_str(),
+                  experiment.source.empty() ? "" : ", ", experiment.source.c_str(), movedText(plan).c_str(),
+                  plan.seconds(),
+                  plan.falls     ? ", falls at the end"
+                  : plan.on_feet ? ", on its feet"
+                                 : "");
+    } catch (const std::exception& wrong) {
+      std::cerr << "darwinop experiment: " << wrong.what() << '\n';
+      status = kWrong;
+    }
+  if (files.empty()) throw std::runtime_error("there are no experiments in " + batteryFolders().back());
+  return status;
+}
+
+int show(const std::string& name) {
+  const Experiment experiment = readExperiment(findExperiment(name));
+  std::cout << planText(experiment, makePlan(experiment, darwinop::safety::hardRanges()));
+  return kDone;
+}
+
+/// What this robot allows: its own file may narrow the joints' ranges.
+Ranges rangesOf(const link_room::Setting& robot) {
+  if (robot.kind != link_room::Kind::kSerial) return darwinop::safety::hardRanges();
+  return link_room::safetyOn(link_room::readRobotFile(), {}, "config.ini").range;
+}
+
+/// "speed-20260102-150405-twin.csv".
+std::string logName(const Experiment& experiment, const std::string& robot) {
+  char date[32];
+  const time_t now = time(nullptr);
+  tm local{};
+  localtime_r(&now, &local);
+  strftime(date, sizeof date, "-%Y%m%d-%H%M%S-", &local);
+  std::string name = robot.empty() ? "robot" : std::filesystem::path{robot}.stem().string();
+  std::ranges::replace_if(
+      name, [](unsigned char c) { return std::isalnum(c) == 0; }, '-');
+  return experiment.name + date + name + ".csv";
+}
+
+void setIfGiven(const char* name, const std::string& value) {
+  if (!value.empty()) setenv(name, value.c_str(), 1);
+}
+
+/// On the robot that the environment now says; the robot is at rest and the recording complete when this returns.
+Outcome drive(const Experiment& experiment, const Plan& plan) {
+  webots::Robot robot;
+  const std::atomic<bool>& stop = installGentleStop();
+  Progress progress{plan.seconds()};
+  const auto tell = [&](const std::string& phase, double seconds) { progress.tell(phase, seconds); };
+  return Runner{robot, experiment, stop, tell}.run();
+}
+
+int tellEnd(Outcome outcome, const std::string& record) {
+  if (!record.empty()) std::cout << "recorded: " << record << std::endl;
+  switch (outcome) {
+    case Outcome::kStopped:
+      std::cerr << "stopped when asked to; the recording holds what was done until then\n";
+      return kStopped;
+    case Outcome::kEnded:
+      std::cerr << "the robot ended the experiment, as said above\n";
+      return kEnded;
+    case Outcome::kFell:
+      std::cerr << "the robot fell on its way to the first pose: nothing was measured. Set it upright on level floor, "
+                   "in its start pose, and try again\n";
+      return kEnded;
+    case Outcome::kFellIn:
+      std::cerr << "the robot fell where it should not: the experiment ended there, and what the recording holds from "
+                   "the fall on means nothing\n";
+      return kEnded;
+    default:
+      return kDone;
+  }
+}
+
+int run(Arguments a) {
+  const Experiment experiment = readExperiment(findExperiment(a.experiment));
+  if (const char* usual = std::getenv("DARWINOP_ROBOT"); a.robot.empty() && usual != nullptr) a.robot = usual;
+  const link_room::Setting robot = link_room::readSetting(a.robot);
+  const Plan plan = makePlan(experiment, rangesOf(robot));
+  std::cout << planText(experiment, plan) << std::endl;
+  if (!a.yes && mayBeHardware(a.robot)) {
+    std::cerr << "darwinop experiment: this would move a real robot, as shown above. If nothing is in its way and "
+                 "somebody holds it, say so with --yes\n";
+    return kNeedsYes;
+  }
+  if (robot.kind == link_room::Kind::kDaemon && !a.no_record)
+    throw std::runtime_error(
+        "the daemon drives this robot and makes recordings by itself: start it with darwinop runtime --record FILE, "
+        "and run the experiment with --no-record");
+  if (a.record.empty() && !a.no_record) a.record = logName(experiment, a.robot);
+  setIfGiven("DARWINOP_ROBOT", a.robot);
+  if (a.period_ms != 0) setIfGiven("DARWINOP_PERIOD_MS", std::to_string(a.period_ms));
+  unsetenv("DARWINOP_RECORD");
+  setIfGiven("DARWINOP_RECORD", a.record);
+  setIfGiven("DARWINOP_RECORD_NOTES", recordNotes(experiment));
+  setenv("DARWINOP_KEEP_CWD", "1", 1);  // names of files are the user's
+  return tellEnd(drive(experiment, plan), a.record);
+}
+
+void describeRun(CLI::App& app, Arguments& a) {
+  app.add_option("EXPERIMENT", a.experiment, "name of a delivered one, or a file: ./mine.ini")->required();
+  app.add_option("--robot", a.robot,
+                 "which robot; unset: DARWINOP_ROBOT, or else what is there:\n" + link_room::settingChoices());
+  app.add_option("--record", a.record, "the recording; unset: NAME-DATE-ROBOT.csv in this folder");
+  app.add_flag("--no-record", a.no_record, "make no recording")->excludes("--record");
+  app.add_option("--period", a.period_ms, "period of the loop in ms, 16 or 8")->check(CLI::Range(1, 1000));
+  app.add_flag("--yes", a.yes, "move a real robot, too");
+  app.footer("Exit status: 0 done, 1 ended by the robot, 2 a mistake in file or arguments, 3 needs --yes, 130 Ctrl-C");
+}
+
+#ifdef DARWINOP_CAN_PLOT
+void describePlot(CLI::App& app, darwinop::plot::PlotOptions& options) {
+  app.add_option("LOG", options.logs, "recordings, laid over each other")->required()->check(CLI::ExistingFile);
+  app.add_option("-o,--output", options.output, "name of picture and page, without ending; unset: the first log's");
+  app.add_option("--columns", options.columns, "columns to draw, * for any text, ? for one letter")->delimiter(',');
+  app.add_option("--x", options.x, "column of the horizontal axis; unset: time");
+}
+#endif
+
+int command(int count, char** arguments) {
+  CLI::App app{
+      "Experiments: one file says what moves, how, and what is recorded. It runs on the twin, on a virtual "
+      "robot and on a robot. docs/experiments.md",
+      "darwinop experiment"};
+  app.set_version_flag("--version", DARWINOP_VERSION);
+  app.require_subcommand(1);
+  app.footer("Example:\n  darwinop experiment run speed --robot virtual");
+  Arguments a;
+  CLI::App& lists = *app.add_subcommand("list", "the delivered experiments: what moves, how far, how long");
+  CLI::App& shows = *app.add_subcommand("show", "what an experiment does, step by step; nothing moves");
+  shows.add_option("EXPERIMENT", a.experiment, "name or file")->required();
+  CLI::App& runs = *app.add_subcommand("run", "show it, check it, run it");
+  describeRun(runs, a);
+#ifdef DARWINOP_CAN_PLOT
+  darwinop::plot::PlotOptions options;
+  CLI::App& plots = *app.add_subcommand("plot", "the curves of one or several recordings as PNG and HTML");
+  describePlot(plots, options);
+#else
+  CLI::App& plots = *app.add_subcommand("plot", "the curves of recordings; on a PC only")->allow_extras();
+#endif
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& mistake) {
+    return app.exit(mistake) == 0 ? 0 : kWrong;
+  }
+  if (lists.parsed()) return list();
+  if (shows.parsed()) return show(a.experiment);
+#ifdef DARWINOP_CAN_PLOT
+  if (plots.parsed()) return darwinop::plot::plotCommand(options);
+#else
+  if (plots.parsed())
+    throw std::runtime_error(
+        "plots are drawn on a PC, not on a robot: copy the recording there and run darwinop experiment plot FILE");
+#endif
+  return run(a);
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  try {
+    return command(count, arguments);
+  } catch (const std::exception& error) {
+    std::cerr << "darwinop experiment: " << error.what() << '\n';
+    return kWrong;
+  }
+}

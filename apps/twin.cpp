@@ -1,0 +1,173 @@
+// darwinop-twin: looks at the physics twin: a window or a film of a run, a picture, the models, the effects.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "twin/body/robot_body.hpp"
+#include "twin/effects/catalogue.hpp"
+#include "twin/model/model.hpp"
+#include "twin/model/shelf.hpp"
+#include "twin/render/offscreen.hpp"
+#include "twin/render/png.hpp"
+#include "twin/view/named_poses.hpp"
+#include "twin/view/show.hpp"
+
+namespace {
+
+namespace twin = darwinop::twin;
+
+constexpr int kWrong = 2;  // exit status: a mistake in the arguments, or what makes them impossible
+constexpr const char* kModelHelp = "Name of a model that is shipped ('darwinop twin models'), or an INI file";
+
+std::map<std::string, twin::Viewpoint> viewpoints() {
+  std::map<std::string, twin::Viewpoint> table;
+  for (std::size_t i = 0; i < twin::kViewpoints.size(); ++i)
+    table[std::string{twin::kViewpoints.at(i)}] = static_cast<twin::Viewpoint>(i);
+  return table;
+}
+
+/// "640x480"
+std::string readSize(const std::string& text, int& width, int& height) {
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2 &&
+      std::min(width, height) >= twin::Offscreen::kSmallest && std::max(width, height) <= twin::Offscreen::kLargest)
+    return {};
+  return "'" + text + "' is no size: write WIDTHxHEIGHT in pixels, " + std::to_string(twin::Offscreen::kSmallest) +
+         " to " + std::to_string(twin::Offscreen::kLargest) + " each, as in 640x480";
+}
+
+struct Arguments {
+  twin::ShowOptions show;
+  std::string size, picture, pose = "start", camera = "follow";
+};
+
+void describeLook(CLI::App& command, Arguments& a) {
+  command.add_option("--model", a.show.model, kModelHelp)->capture_default_str();
+  std::string names;
+  for (const std::string_view name : twin::kViewpoints) names += (names.empty() ? "" : ", ") + std::string{name};
+  command.add_option("--camera", a.camera, "From where: " + names)
+      ->type_name("NAME")
+      ->capture_default_str()
+      ->check(CLI::IsMember(viewpoints()))
+      ->each([&a](const std::string& name) { a.show.from = viewpoints().at(name); });
+  command.add_option("--size", a.size, "Pixels, as in 640x480 (default 960x720)")
+      ->type_name("WxH")
+      ->check(CLI::Validator{[&a](std::string& text) { return readSize(text, a.show.width, a.show.height); }, ""});
+}
+
+CLI::App& describeView(CLI::App& app, Arguments& a) {
+  CLI::App& view = *app.add_subcommand("view", "show a run in a window, or make a film of it");
+  view.description(
+      "Starts a virtual robot with the twin's body on a pseudo terminal, in real time, and shows it. CONTROLLER drives "
+      "it; without one the port is printed, for 'darwinop run --robot PORT' elsewhere. In the window H tells the "
+      "keys.");
+  view.add_option("controller", a.show.controller, "The built program or its folder; after -- its own options");
+  view.add_option("--record", a.show.record,
+                  "No window, no display needed: a film.mp4 (by ffmpeg), or a folder for PNG pictures");
+  view.add_option("--seconds", a.show.seconds, "End after so many seconds")->check(CLI::Range(0.01, 1e6));
+  view.add_option("--fps", a.show.per_second, "Pictures a second of a film")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 120));
+  describeLook(view, a);
+  view.footer(
+      "Examples:\n  darwinop twin view build/release/controllers/01_hello_head\n"
+      "  darwinop twin view --record hello.mp4 --seconds 10 build/release/controllers/01_hello_head");
+  return view;
+}
+
+CLI::App& describePicture(CLI::App& app, Arguments& a) {
+  CLI::App& picture = *app.add_subcommand("picture", "draw the robot into a PNG file");
+  picture.add_option("FILE", a.picture, "Where to; ends in .png")->required();
+  picture.add_option("--pose", a.pose, "start (kneeling) or standing")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"start", "standing"}));
+  describeLook(picture, a);
+  picture.footer("Example:\n  darwinop twin picture robot.png --pose standing --camera front");
+  return picture;
+}
+
+/// The first sentence of a model file's first comment.
+std::string titleOf(const std::string& file) {
+  std::ifstream text{file};
+  std::string title;
+  for (std::string line; std::getline(text, line) && line.starts_with(';');) {
+    line.erase(0, line.find_first_not_of("; "));
+    title += (title.empty() ? "" : " ") + line;
+    if (const std::size_t end = title.find_first_of(".:"); end != std::string::npos) return title.substr(0, end);
+  }
+  return title;
+}
+
+int printModels() {
+  const std::vector<std::string> names = twin::shippedModels();
+  if (names.empty()) throw std::runtime_error(twin::shippedOnes());
+  for (const std::string& name : names) {
+    const std::string file = twin::findModel(name);
+    std::cout << name << std::string(name.size() < 15 ? 15 - name.size() : 1, ' ') << titleOf(file) << '\n'
+              << std::string(15, ' ') << file << '\n';
+  }
+  return 0;
+}
+
+int printEffects() {
+  for (const twin::EffectInfo* effect : twin::catalogue()) {
+    std::cout << effect->id << ": " << effect->title << "\n    " << effect->equation << '\n';
+    for (const twin::Parameter& p : effect->parameters)
+      std::cout << "    " << p.key << " = " << p.typical << (p.unit.empty() ? "" : " ") << p.unit << "  (" << p.low
+                << " to " << p.high << ")  " << p.meaning << '\n';
+    std::cout << "    source: " << effect->source << "\n\n";
+  }
+  std::cout << "Switched on in a model file by its section: [effect NAME], or [effect NAME JOINT] for one joint.\n";
+  return 0;
+}
+
+int drawPicture(const Arguments& a) {
+  if (!a.picture.ends_with(".png"))
+    throw std::runtime_error("the picture '" + a.picture + "' cannot be written: its name must end in .png");
+  twin::RobotBody body{twin::readModel(twin::findModel(a.show.model))};
+  body.place(a.pose == "standing" ? twin::standingAngles() : twin::startAngles());
+  twin::Offscreen offscreen{*body.mujocoModel(), a.show.width, a.show.height, twin::Quality::kStill};
+  offscreen.scene().show(twin::poseOf(body));
+  offscreen.scene().lookFrom(a.show.from);
+  twin::writePng(a.picture, offscreen.draw());
+  std::cout << "picture: " << a.picture << '\n';
+  return 0;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"The physics twin: a DARwIn-OP that falls, swings and slips.", "darwinop twin"};
+  Arguments a;
+  const CLI::App& view = describeView(app, a);
+  const CLI::App& picture = describePicture(app, a);
+  const CLI::App& models = *app.add_subcommand("models", "list the models that are shipped");
+  app.add_subcommand("effects", "list what a servo may do that an ideal one does not");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", DARWINOP_VERSION);
+  app.footer("Example:\n  darwinop twin view build/release/controllers/01_hello_head");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& mistake) {
+    return app.exit(mistake) == 0 ? 0 : kWrong;
+  }
+  if (view.parsed()) return twin::show(a.show);
+  if (picture.parsed()) return drawPicture(a);
+  return models.parsed() ? printModels() : printEffects();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "darwinop twin: %s\n", error.what());
+    return kWrong;
+  }
+}
