@@ -112,7 +112,32 @@ wake_latency() {
   bench wake_latency_max "$(figure wake_max_us)" "$(quantile 1)" us
 }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency)
+# --- the physics twin
+
+# Simulated seconds per second of CPU time. Peers: a loop written by hand for this one case, and MuJoCo's hinge.
+twin_bench() { "$build/bin/twin_bench_rate"; }
+
+# CPU time of a simulated millisecond of the whole body, and how many times real time that is. Peer: the plain step of
+# the same MuJoCo body. Best of several turns: whatever else runs on the machine only makes them slower.
+twin_body() {
+  local pose ours peer figures=$folder/twin_body
+  "$build/bin/twin_body_rate" --benchmark_format=csv --benchmark_min_time=0.2 --benchmark_repetitions=8 \
+    --benchmark_enable_random_interleaving=true 2>"$folder/log" >"$figures" || { cat "$folder/log" >&2; return 1; }
+  if grep -q '"the robot fell over"' "$figures"; then echo "twin_body: the robot fell over" >&2; return 1; fi
+  best_of() {
+    tr -d '"' <"$figures" | awk -F, -v name="$1" '$1 == name && (!best || $4 < best) { best = $4 }
+      END { printf "%.2f", best / 1000 }'
+  }
+  for pose in kneeling standing squatting squatting_webots_2013; do
+    ours=$(best_of "ours/$pose")
+    peer=$(best_of "plain/$pose")
+    bench "twin_body_$pose" "$ours" "$peer" us
+    bench "twin_body_${pose}_rate" "$(awk "BEGIN { printf \"%.1f\", 1000 / $ours }")" \
+      "$(awk "BEGIN { printf \"%.1f\", 1000 / $peer }")" s/s
+  done
+}
+
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue
   "$name"
