@@ -4,9 +4,17 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 get_property(rooms GLOBAL PROPERTY DARWINOP_ROOMS)
+list(FILTER rooms EXCLUDE REGEX "^(twin_.*|plot|logs)$")  # PC only; the twin is loaded on demand
 foreach(room IN LISTS rooms)
   list(APPEND room_objects $<TARGET_OBJECTS:${room}>)
 endforeach()
+
+# Where a controller's process looks for it: beside the running program, then where it was built, then where it is
+# installed. The robot's programs are told nothing: they cannot load a library, and say so.
+if(NOT CMAKE_CROSSCOMPILING)
+  set_source_files_properties(link/twin_library.cpp PROPERTIES COMPILE_DEFINITIONS
+    "DARWINOP_TWIN_FOLDERS=\"lib\",\"${CMAKE_INSTALL_LIBDIR}\",\"${CMAKE_BINARY_DIR}/lib\",\"${CMAKE_INSTALL_FULL_LIBDIR}\";DARWINOP_VERSION=\"${PROJECT_VERSION}\"")
+endif()
 
 # inih goes into the library, so that neither a controller's build nor the robot needs it.
 find_library(DARWINOP_INIH_ARCHIVE libinih.a)

@@ -1,7 +1,9 @@
 # One target per room. A room sees its own headers and those of the rooms it links to, nothing else:
 # an include of a higher room does not compile.
 #
-#   darwinop_room(NAME PATH [USES room ...])
+#   darwinop_room(NAME PATH [SEPARATE] [USES room ...])
+#
+# SEPARATE: its files repeat each other's names and cannot be compiled together.
 #
 # The headers of PATH are offered as "PATH/header.hpp" through a folder that holds links to them and to
 # nothing else; the folder is what the target's users get as include path.
@@ -14,7 +16,7 @@ target_compile_options(darwinop_options INTERFACE
   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 
 function(darwinop_room NAME PATH)
-  cmake_parse_arguments(ROOM "" "" "USES" ${ARGN})
+  cmake_parse_arguments(ROOM "SEPARATE" "" "USES" ${ARGN})
   file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${PATH}/*.hpp")
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${PATH}/*.cpp")
 
@@ -31,6 +33,9 @@ function(darwinop_room NAME PATH)
     set(scope PUBLIC)
     set_property(GLOBAL APPEND PROPERTY DARWINOP_ROOMS ${NAME})
     target_link_libraries(${NAME} PRIVATE darwinop_options)
+    if(ROOM_SEPARATE)
+      set_target_properties(${NAME} PROPERTIES UNITY_BUILD OFF)
+    endif()
   else()
     add_library(${NAME} INTERFACE)
     set(scope INTERFACE)
