@@ -11,7 +11,7 @@
 namespace darwinop::supervisor {
 namespace {
 
-bool protectBy(const char* path, const char* text) {
+bool tryWriteTo(const char* path, const char* text) {
   const int fd = open(path, O_WRONLY | O_CLOEXEC);
   if (fd < 0) return false;
   const bool written = write(fd, text, strlen(text)) > 0;
@@ -29,7 +29,7 @@ std::string standFast() {
   // What is there now. The rescue needs more, and takes it as it comes: it is not in a hurry.
   if (mlockall(MCL_CURRENT) != 0) refused += refused.empty() ? "locked memory" : " and locked memory";
   // When memory runs out, the kernel shall not choose this process. The second name is that before Linux 2.6.36.
-  if (!protectBy("/proc/self/oom_score_adj", "-1000")) (void)protectBy("/proc/self/oom_adj", "-17");
+  if (!tryWriteTo("/proc/self/oom_score_adj", "-1000")) (void)tryWriteTo("/proc/self/oom_adj", "-17");
   if (refused.empty()) return {};
   return "the kernel refused " + refused + ", so a loop that hangs may be noticed late; run as root";
 }
