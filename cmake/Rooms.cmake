@@ -1,9 +1,12 @@
 # One target per room. A room sees its own headers and those of the rooms it links to, nothing else:
 # an include of a higher room does not compile.
 #
-#   darwinop_room(NAME PATH [SEPARATE] [USES room ...])
+#   darwinop_room(NAME PATH [SEPARATE] [COMPUTES] [USES room ...])
 #
 # SEPARATE: its files repeat each other's names and cannot be compiled together.
+#
+# COMPUTES: what it is for is arithmetic, hours of simulated time; optimised in debug builds, too, or tests would take
+# ten times as long.
 #
 # The headers of PATH are offered as "PATH/header.hpp" through a folder that holds links to them and to
 # nothing else; the folder is what the target's users get as include path.
@@ -16,7 +19,7 @@ target_compile_options(darwinop_options INTERFACE
   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 
 function(darwinop_room NAME PATH)
-  cmake_parse_arguments(ROOM "SEPARATE" "" "USES" ${ARGN})
+  cmake_parse_arguments(ROOM "SEPARATE;COMPUTES" "" "USES" ${ARGN})
   file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${PATH}/*.hpp")
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${PATH}/*.cpp")
 
@@ -33,6 +36,9 @@ function(darwinop_room NAME PATH)
     set(scope PUBLIC)
     set_property(GLOBAL APPEND PROPERTY DARWINOP_ROOMS ${NAME})
     target_link_libraries(${NAME} PRIVATE darwinop_options)
+    if(ROOM_COMPUTES)
+      target_compile_options(${NAME} PRIVATE $<$<CONFIG:Debug>:-O2>)
+    endif()
     if(ROOM_SEPARATE)
       set_target_properties(${NAME} PROPERTIES UNITY_BUILD OFF)
     endif()

@@ -1,5 +1,10 @@
 # Makes a C++ source of files: cmake -DOUT=FILE "-DPARTS=kName=FILE;…" -P embed.cmake
-set(text "// Made by embed.cmake.\n#include \"experiments/plot/page_parts.hpp\"\n\nnamespace darwinop::plot::page_parts {\nnamespace {\n\n")
+# Other rooms add "-DHEADER=PATH/page_parts.hpp" and -DNAMESPACE=…, where these names are declared.
+if(NOT DEFINED HEADER)
+  set(HEADER experiments/plot/page_parts.hpp)
+  set(NAMESPACE darwinop::plot::page_parts)
+endif()
+set(text "// Made by embed.cmake.\n#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\nnamespace {\n\n")
 set(names "")
 foreach(part IN LISTS PARTS)
   string(REGEX MATCH "^([^=]+)=(.+)$" ignored "${part}")
@@ -17,4 +22,4 @@ foreach(part IN LISTS PARTS)
   string(APPEND names
     "const std::string_view ${name}{reinterpret_cast<const char*>(${name}Bytes), sizeof ${name}Bytes};\n")
 endforeach()
-file(WRITE "${OUT}" "${text}\n}  // namespace\n\n${names}\n}  // namespace darwinop::plot::page_parts\n")
+file(WRITE "${OUT}" "${text}\n}  // namespace\n\n${names}\n}  // namespace ${NAMESPACE}\n")

@@ -84,6 +84,10 @@ void Bench::stepSoft(int steps) noexcept {
   }
 }
 
+double Bench::encoder_rad() const noexcept {
+  return servo_.softGear() ? transmission_.encoderRad(servo_.signals(), position_) : position_;
+}
+
 double Bench::gravityAt(double position_rad) const noexcept {
   return -weight_nm_ * std::sin(position_rad - hangs_at_rad_);
 }

@@ -42,6 +42,8 @@ class Bench {
   [[nodiscard]] double time_s() const noexcept { return servo_.signals().time_s; }
   [[nodiscard]] double position_rad() const noexcept { return position_; }  // of the arm
   [[nodiscard]] double velocity_rad_s() const noexcept { return velocity_; }
+  /// What an encoder without error would say; with a soft gear it does not see all of the arm.
+  [[nodiscard]] double encoder_rad() const noexcept;
   /// Kinetic energy of arm and rotor, that of a bent gear, and potential energy against hanging down, J.
   [[nodiscard]] double energy_j() const noexcept;
   /// Of arm and rotor, kg m2.

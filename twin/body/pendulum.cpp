@@ -1,0 +1,55 @@
+#include "twin/body/pendulum.hpp"
+
+#include <mujoco/mujoco.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/units.hpp"
+#include "twin/body/mujoco_guard.hpp"
+#include "twin/body/mujoco_model.hpp"
+
+namespace darwinop::twin {
+namespace {
+
+/// The trunk's frame is the world's, and gravity points where the trunk feels it. Trunk: left, up, forward.
+void pointDown(mjModel& m, mjData& d, const BodyMap& map, const std::array<double, 3>& accel) {
+  const double most = mju_norm3(m.opt.gravity), told = std::hypot(accel[0], accel[1], accel[2]);
+  const double down[3] = {accel[0], -accel[2], -accel[1]};
+  for (int k = 0; k < 3; ++k) m.opt.gravity[k] = down[k] / told * most;
+  const double upright[4] = {1, 0, 0, 0};
+  mju_copy4(d.qpos + map.trunk_qpos + 3, upright);
+}
+
+}  // namespace
+
+JointPendulum pendulumOf(const Model& model, Joint joint, const std::array<double, kJoints>& angles_rad,
+                         const std::array<double, 3>& accel_m_s2) {
+  const MjModelPtr body = loadBody(model, /*ball=*/false);
+  mjModel& m = *body;
+  const MjDataPtr data = dataFor(m, model.body.xml);
+  mjData& d = *data;
+  const BodyMap map = mapBody(m, model.body.xml);
+  m.opt.disableflags |= mjDSBL_CONSTRAINT;
+  pointDown(m, d, map, accel_m_s2);
+  for (std::size_t i = 0; i < kJoints; ++i) d.qpos[map.qpos[i]] = angles_rad[i];
+  const auto i = static_cast<std::size_t>(joint);
+  const int dof = map.dof[i];
+  // Torque that holds the link: weight sin(q - hangs_at).
+  std::array<double, 2> holding{};
+  std::vector<double> inertia(static_cast<std::size_t>(m.nv) * static_cast<std::size_t>(m.nv));
+  orThrow(model.body.xml, [&] {
+    for (int k = 0; k < 2; ++k) {
+      d.qpos[map.qpos[i]] = k * kPi / 2;
+      mj_forward(&m, &d);
+      holding[static_cast<std::size_t>(k)] = d.qfrc_bias[dof];
+    }
+    mj_fullM(&m, inertia.data(), d.qM);
+  });
+  const double own = inertia[static_cast<std::size_t>(dof) * static_cast<std::size_t>(m.nv + 1)];
+  return {.weight_nm = std::hypot(holding[0], holding[1]),
+          .hangs_at_rad = std::atan2(-holding[0], holding[1]),
+          .inertia_kgm2 = own - m.dof_armature[dof]};
+}
+
+}  // namespace darwinop::twin
