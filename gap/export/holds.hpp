@@ -1,0 +1,40 @@
+// The table of what each target can hold: one row an effect, and one for each number of a servo that a target may
+// lack. Exports, their lists of losses and docs/gap/export.md are made from it.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "gap/export/target.hpp"
+#include "gap/sim/hypothesis.hpp"
+
+namespace darwinop::gap {
+
+enum class Fate : std::uint8_t { kHeld, kApproximated, kLost };
+
+struct Holding {
+  Fate fate;
+  std::string_view how;  // "frictionloss"; for what is lost: why, and what to do
+};
+
+struct HoldingRow {
+  std::string_view what;  // id of an effect, or "back EMF"
+  std::array<Holding, kTargets> by_target;
+  /// Of a number: whether this servo has it. Null for effects.
+  bool (*applies)(const Hypothesis& hypothesis) = nullptr;
+
+  [[nodiscard]] const Holding& of(Target target) const { return by_target[static_cast<std::size_t>(target)]; }
+};
+
+std::span<const HoldingRow> effectHoldings();  // in the order of the catalogue
+std::span<const HoldingRow> numberHoldings();
+/// Throws std::logic_error for an effect without row.
+const HoldingRow& holdingOf(std::string_view effect);
+
+std::string_view name(Fate fate);
+/// Both tables in Markdown.
+std::string holdingsAsMarkdown();
+
+}  // namespace darwinop::gap

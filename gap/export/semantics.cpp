@@ -1,0 +1,138 @@
+#include "gap/export/semantics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "gap/export/joints.hpp"
+#include "gap/sim/parallel.hpp"
+#include "gap/sim/roll_out.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kHeldBefore = 1.0;  // s; as a twin's roll-out: the host held the first goal for a while
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// Rows of a log and steps of a target are two clocks: commands come with the rows.
+void replay(const Trajectory& log, GoalOrder order, TargetJoint& joint, double step_s, std::vector<double>& position) {
+  constexpr double kSameInstant = 1e-6;  // of a step
+  const bool after_read = order == GoalOrder::kAfterRead, held = after_read && log.torque_on[0] != 0;
+  joint.reset(held ? log.goal_rad[0] : log.position_rad[0]);
+  if (held)
+    for (long i = std::lround(kHeldBefore / step_s); i > 0; --i) joint.step(true, log.goal_rad[0]);
+  long steps = 0;
+  position.resize(log.rows());
+  for (std::size_t row = 0, command = 0; row < log.rows(); ++row) {
+    const double time_s = log.time_s[row] - log.time_s[0];
+    for (; static_cast<double>(steps + 1) <= time_s / step_s + kSameInstant; ++steps)
+      joint.step(log.torque_on[command] != 0, log.goal_rad[command]);
+    position[row] = joint.position_rad() + joint.velocity_rad_s() * (time_s - static_cast<double>(steps) * step_s);
+    command = after_read ? row : std::min(row + 1, log.rows() - 1);
+  }
+}
+
+struct SquareSum {
+  double sum = 0;
+  std::size_t count = 0;
+  void add(const std::vector<double>& measured, const std::vector<double>& simulated) {
+    for (std::size_t i = 0; i < measured.size(); ++i)
+      if (const double off = simulated[i] - measured[i]; !std::isnan(measured[i])) {
+        sum += off * off;
+        ++count;
+      }
+  }
+  void add(const SquareSum& other) {
+    sum += other.sum;
+    count += other.count;
+  }
+  [[nodiscard]] double rmsMrad() const { return count == 0 ? kNan : 1e3 * std::sqrt(sum / static_cast<double>(count)); }
+};
+
+}  // namespace
+
+ExportSettings settingsFor(const Case& given) {
+  ExportSettings settings;
+  settings.model = "case " + given.name;
+  bool first = true;
+  double sum = 0;
+  std::size_t count = 0;
+  for (const Trajectory& log : given.logs) {
+    if (log.score) continue;
+    if (first) {
+      settings.p_register = log.p_register;
+      settings.payload_kg = log.payload_kg;
+      first = false;
+    }
+    for (const double temperature : log.temp_c)
+      if (!std::isnan(temperature)) {
+        sum += temperature;
+        ++count;
+      }
+  }
+  if (count > 0) settings.temperature_c = sum / static_cast<double>(count);
+  return settings;
+}
+
+ReMeasured remeasure(Target target, const Case& given, const Hypothesis& hypothesis, const ExportSettings& settings) {
+  const double step_s = settings.stepOf(target);
+  std::vector<SquareSum> twin(given.logs.size()), there(given.logs.size());
+  forEach(given.logs.size(), [&](std::size_t i) {
+    const Trajectory& log = given.logs[i];
+    Trace trace;
+    rollOut(given, i, hypothesis, {}, trace);
+    twin[i].add(log.position_rad, trace.position_rad);
+
+    Conditions conditions = settings.conditions();
+    conditions.p_register = log.p_register;
+    if (log.speed_limit_rad_s > 0) conditions.speed_limit_rad_s = log.speed_limit_rad_s;
+    const auto joint = jointOf(target, numbersOf(hypothesis, conditions), armOf(hypothesis, log.payload_kg), step_s);
+    std::vector<double> position;
+    replay(log, given.goal_order, *joint, step_s, position);
+    there[i].add(log.position_rad, position);
+  });
+
+  SquareSum sums[2][2];  // fit and score; twin and target
+  ReMeasured out{.target = target,
+                 .step_s = step_s,
+                 .logs = {},
+                 .twin_fit_mrad = kNan,
+                 .target_fit_mrad = kNan,
+                 .twin_score_mrad = kNan,
+                 .target_score_mrad = kNan};
+  for (std::size_t i = 0; i < given.logs.size(); ++i) {
+    const Trajectory& log = given.logs[i];
+    out.logs.push_back({log.file, log.score, twin[i].rmsMrad(), there[i].rmsMrad()});
+    sums[log.score ? 1 : 0][0].add(twin[i]);
+    sums[log.score ? 1 : 0][1].add(there[i]);
+  }
+  out.twin_fit_mrad = sums[0][0].rmsMrad();
+  out.target_fit_mrad = sums[0][1].rmsMrad();
+  out.twin_score_mrad = sums[1][0].rmsMrad();
+  out.target_score_mrad = sums[1][1].rmsMrad();
+  return out;
+}
+
+ReMeasured remeasure(Target target, const Case& given, const Hypothesis& hypothesis) {
+  return remeasure(target, given, hypothesis, settingsFor(given));
+}
+
+std::string asText(const ReMeasured& measured) {
+  const auto row = [](const std::string& what, double twin, double there) {
+    char line[128];
+    std::snprintf(line, sizeof line, "%-32.32s %12.2f %12.2f\n", what.c_str(), twin, there);
+    return std::string{line};
+  };
+  char head[128];
+  std::snprintf(head, sizeof head, "%-32s %12s %12s\n", "rms position error, mrad", "twin",
+                std::string{infoOf(measured.target).title}.c_str());
+  std::string text = head;
+  for (const LogGap& log : measured.logs)
+    text += row(log.file + (log.score ? " (score)" : ""), log.twin_mrad, log.target_mrad);
+  text += row("all logs that were fitted", measured.twin_fit_mrad, measured.target_fit_mrad);
+  if (!std::isnan(measured.twin_score_mrad))
+    text += row("all logs kept for judging", measured.twin_score_mrad, measured.target_score_mrad);
+  return text;
+}
+
+}  // namespace darwinop::gap

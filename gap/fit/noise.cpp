@@ -1,0 +1,164 @@
+#include "gap/fit/noise.hpp"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/conversions.hpp"
+#include "gap/sim/parallel.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr Eigen::Index kHalfWindow = 3;       // samples on either side: what changes faster is rough
+constexpr Eigen::Index kSpread = 5;           // samples on either side over which roughness is averaged
+constexpr double kSmallestMode = 0.5;         // sigma; smaller ones do not show
+constexpr double kFewRuns = 1.1;              // the spread of a few dozen runs is a little small
+constexpr double kLoadStep = 0.001;           // of the register: 0.1 %
+const double kUniform = std::sqrt(1.0 / 12);  // standard deviation of a rounding step of 1
+
+/// Mean over a window that is cut at the ends.
+Eigen::VectorXd smoothed(const Eigen::Ref<const Eigen::VectorXd>& values, Eigen::Index half) {
+  const Eigen::Index n = values.size();
+  Eigen::VectorXd mean(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index from = std::max<Eigen::Index>(0, i - half), to = std::min(n - 1, i + half);
+    mean[i] = values.segment(from, to - from + 1).mean();
+  }
+  return mean;
+}
+
+/// Deviations of the runs with noise from the one without: positions above loads, a column a run.
+Eigen::MatrixXd deviations(const Case& given, std::size_t log, const Hypothesis& hypothesis,
+                           const NoiseOptions& options, const Trace& quiet, const LoadResidual& load_residual) {
+  const auto n = static_cast<Eigen::Index>(given.logs[log].rows());
+  Eigen::MatrixXd all(2 * n, options.runs);
+  Trace noisy;
+  for (int run = 0; run < options.runs; ++run) {
+    Disturbance disturbance = options.disturbance;
+    disturbance.seed = (options.seed * 1'000 + log) * 1'000 + static_cast<std::uint64_t>(run);
+    rollOut(given, log, hypothesis, {.disturbance = &disturbance}, noisy);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const auto row = static_cast<std::size_t>(i);
+      all(i, run) = noisy.position_rad[row] - quiet.position_rad[row];
+      const double load = std::round(noisy.load[row] / kLoadStep) * kLoadStep;
+      all(n + i, run) = load_residual(load, noisy.position_rad[row], quiet.load[row], quiet.position_rad[row]);
+    }
+  }
+  return all;
+}
+
+/// Takes the rough part out of `part`; returns its standard deviation.
+Eigen::VectorXd takeRoughness(Eigen::Ref<Eigen::MatrixXd> part) {
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(part.rows());
+  constexpr double kLost = 1 + 1.0 / (2 * kHalfWindow);  // of a white noise's variance, by taking the mean away
+  for (Eigen::Index run = 0; run < part.cols(); ++run) {
+    const Eigen::VectorXd smooth = smoothed(part.col(run), kHalfWindow);
+    variance += kLost * (part.col(run) - smooth).cwiseAbs2() / static_cast<double>(part.cols());
+    part.col(run) = smooth;
+  }
+  return smoothed(variance, kSpread).cwiseSqrt();
+}
+
+/// A load is that of the last period of the firmware, and which one that was is known to a period only: what it changes
+/// in that time, sample by sample.
+Eigen::VectorXd loadJitter(const Trajectory& log, const Trace& quiet, double period_s) {
+  const auto n = static_cast<Eigen::Index>(log.rows());
+  Eigen::VectorXd jitter = Eigen::VectorXd::Zero(n);
+  for (std::size_t row = 1; row < log.rows(); ++row) {
+    const double rate = std::abs(quiet.load[row] - quiet.load[row - 1]) / (log.time_s[row] - log.time_s[row - 1]);
+    for (const std::size_t at : {row - 1, row})
+      jitter[static_cast<Eigen::Index>(at)] =
+          std::max(jitter[static_cast<Eigen::Index>(at)], rate * period_s * kUniform);
+  }
+  return jitter;
+}
+
+bool loadIsDuty(const Hypothesis& hypothesis) {
+  return hypothesis.servo.law == twin::Law::kVoltageP;
+}
+
+}  // namespace
+
+LoadResidual::LoadResidual(const Hypothesis& hypothesis, double p_register)
+    : gain_{loadIsDuty(hypothesis) ? hypothesis.servo.duty_per_kp_per_rad * p_register : 0},
+      most_{0.99 * hypothesis.servo.duty_max} {
+  if (const twin::EffectSetting* const scaled = hypothesis.find("kp_scale")) gain_ *= scaled->values[0];
+}
+
+double LoadResidual::operator()(double load, double position, double model_load, double model_position) const {
+  const bool follows = model_load != 0 && load != 0 && std::abs(load) < most_ && std::abs(model_load) < most_;
+  return load - model_load + (follows ? gain_ * (position - model_position) : 0);
+}
+
+LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothesis, const NoiseOptions& options)
+    : load_residual_{hypothesis, given.logs[log].p_register} {
+  const Trajectory& measured = given.logs[log];
+  const auto n = static_cast<Eigen::Index>(measured.rows());
+  Trace quiet;
+  rollOut(given, log, hypothesis, {}, quiet);
+  Eigen::MatrixXd spread = deviations(given, log, hypothesis, options, quiet, load_residual_);
+  const double tick = 2 * kPi / hypothesis.servo.ticks_per_rev;
+  const double reading = tick * std::hypot(kUniform, options.disturbance.encoder_ticks);
+  position_sigma_ = takeRoughness(spread.topRows(n)).cwiseMax(reading);
+  const double gain = hypothesis.servo.duty_per_kp_per_rad * measured.p_register;
+  const double duty = std::hypot(gain * reading, kLoadStep * kUniform);
+  load_sigma_ = takeRoughness(spread.bottomRows(n)).cwiseMax(duty);
+  load_sigma_ = load_sigma_.cwiseAbs2() + loadJitter(measured, quiet, hypothesis.servo.firmware_period_s).cwiseAbs2();
+  load_sigma_ = load_sigma_.cwiseSqrt().eval();
+  // The torque feedback of law speed_p tells about that law's motor, which no servo has.
+  if (!loadIsDuty(hypothesis)) load_sigma_.setConstant(std::numeric_limits<double>::infinity());
+
+  spread.topRows(n).array().colwise() /= position_sigma_.array();
+  spread.bottomRows(n).array().colwise() /= load_sigma_.array();
+  const Eigen::BDCSVD<Eigen::MatrixXd> svd{spread / std::sqrt(static_cast<double>(options.runs)), Eigen::ComputeThinU};
+  Eigen::Index count = 0;
+  while (count < svd.singularValues().size() && svd.singularValues()[count] > kSmallestMode) ++count;
+  modes_ = svd.matrixU().leftCols(count);
+  mode_sigma_ = kFewRuns * svd.singularValues().head(count);
+}
+
+void LogNoise::residuals(const Trajectory& measured, const Trace& simulated, Eigen::Ref<Eigen::VectorXd> out) const {
+  const Eigen::Index n = position_sigma_.size();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    const double position = (measured.position_rad[row] - simulated.position_rad[row]) / position_sigma_[i];
+    const double load = load_residual_(measured.load[row], measured.position_rad[row], simulated.load[row],
+                                       simulated.position_rad[row]) /
+                        load_sigma_[i];
+    out[i] = std::isfinite(position) ? position : 0;
+    out[n + i] = std::isfinite(load) ? load : 0;
+  }
+  if (mode_sigma_.size() == 0) return;
+  // C = 1 + U s2 U': its inverse root takes from each mode what exceeds 1.
+  const Eigen::VectorXd in_modes = modes_.transpose() * out;
+  const Eigen::ArrayXd excess = 1 - (1 + mode_sigma_.array().square()).rsqrt();
+  out -= modes_ * (excess * in_modes.array()).matrix();
+}
+
+double LogNoise::logDeterminant() const {
+  double sum = (1 + mode_sigma_.array().square()).log().sum() + 2 * position_sigma_.array().log().sum();
+  for (const double sigma : load_sigma_)
+    if (std::isfinite(sigma)) sum += 2 * std::log(sigma);
+  return sum;
+}
+
+Eigen::VectorXd LogNoise::positionSigma() const {
+  const Eigen::Index n = position_sigma_.size();
+  const Eigen::ArrayXd together = (modes_.topRows(n) * mode_sigma_.asDiagonal()).rowwise().squaredNorm();
+  return (position_sigma_.array() * (1 + together).sqrt()).matrix();
+}
+
+std::vector<LogNoise> noiseOf(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis,
+                              const NoiseOptions& options) {
+  std::vector<std::optional<LogNoise>> found(logs.size());
+  forEach(logs.size(), [&](std::size_t i) { found[i].emplace(given, logs[i], hypothesis, options); });
+  std::vector<LogNoise> noise;
+  noise.reserve(logs.size());
+  for (auto& one : found) noise.push_back(std::move(*one));
+  return noise;
+}
+
+}  // namespace darwinop::gap

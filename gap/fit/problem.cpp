@@ -1,0 +1,82 @@
+#include "gap/fit/problem.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "gap/data/plausible.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kImpossible = 1e3;  // sigma: of every sample of a hypothesis that cannot be
+
+}  // namespace
+
+Eigen::Index Evidence::size() const {
+  Eigen::Index all = 0;
+  for (const LogNoise& log : noise) all += log.size();
+  return all;
+}
+
+double Evidence::logDeterminant() const {
+  double all = 0;
+  for (const LogNoise& log : noise) all += log.logDeterminant();
+  return all;
+}
+
+Evidence evidenceOf(const Case& given, const Hypothesis& hypothesis, bool score, const NoiseOptions& options) {
+  Evidence evidence{.given = &given, .logs = {}, .noise = {}};
+  const auto copies = duplicates(given);  // the same rows again say nothing new
+  for (std::size_t i = 0; i < given.logs.size(); ++i)
+    if (given.logs[i].score == score && !copies[i]) evidence.logs.push_back(i);
+  evidence.noise = noiseOf(given, evidence.logs, hypothesis, options);
+  return evidence;
+}
+
+// Pseudo-Huber: smooth, so that a search by derivatives does not stumble.
+double costOf(double residual) {
+  const double share = residual / kRobust;
+  return 2 * kRobust * kRobust * (std::sqrt(1 + share * share) - 1);
+}
+
+void Problem::residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const {
+  thread_local Trace trace;
+  const Hypothesis hypothesis = at(x);
+  Eigen::Index row = 0;
+  for (std::size_t i = 0; i < evidence_->logs.size(); ++i) {
+    const LogNoise& noise = evidence_->noise[i];
+    try {
+      rollOut(*evidence_->given, evidence_->logs[i], hypothesis, {}, trace);
+      noise.residuals(evidence_->given->logs[evidence_->logs[i]], trace, out.segment(row, noise.size()));
+    } catch (const std::runtime_error&) {
+      out.segment(row, noise.size()).setConstant(kImpossible);
+    }
+    row += noise.size();
+  }
+}
+
+double Problem::cost(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd all(evidence_->size());
+  residuals(x, all);
+  return all.unaryExpr(&costOf).sum() + priorCost(x);
+}
+
+double Problem::priorCost(const Eigen::VectorXd& x) const {
+  double cost = 0;
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+    const Unknown& unknown = unknowns_[i];
+    if (!std::isfinite(unknown.sigma)) continue;
+    const double off = (unknown.fromSearch(x[static_cast<Eigen::Index>(i)]) - unknown.expected) / unknown.sigma;
+    cost += off * off;
+  }
+  return cost;
+}
+
+Eigen::VectorXd Problem::expected() const {
+  Eigen::VectorXd x(static_cast<Eigen::Index>(unknowns_.size()));
+  for (std::size_t i = 0; i < unknowns_.size(); ++i)
+    x[static_cast<Eigen::Index>(i)] = unknowns_[i].toSearch(unknowns_[i].expected);
+  return x;
+}
+
+}  // namespace darwinop::gap

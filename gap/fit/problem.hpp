@@ -1,0 +1,54 @@
+// A hypothesis with unknowns, held against logs: how far off it is, in units of the noise.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "gap/fit/noise.hpp"
+#include "gap/fit/unknown.hpp"
+
+namespace darwinop::gap {
+
+/// The logs that a fit sees, with their noise.
+struct Evidence {
+  const Case* given = nullptr;
+  std::vector<std::size_t> logs;
+  std::vector<LogNoise> noise;
+
+  [[nodiscard]] Eigen::Index size() const;
+  [[nodiscard]] double logDeterminant() const;
+};
+/// Logs that are kept for judging are left out, or taken alone.
+Evidence evidenceOf(const Case& given, const Hypothesis& hypothesis, bool score = false,
+                    const NoiseOptions& options = {});
+
+/// Large residuals count linearly: |r| beyond this many sigma.
+inline constexpr double kRobust = 3;
+/// Twice the negative log likelihood of one residual.
+double costOf(double residual);
+
+class Problem {
+ public:
+  Problem(const Evidence& evidence, Hypothesis hypothesis, std::vector<Unknown> unknowns)
+      : evidence_{&evidence}, hypothesis_{std::move(hypothesis)}, unknowns_{std::move(unknowns)} {}
+
+  /// Of all logs, one behind the other.
+  void residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const;
+  /// Sum of costOf() over all residuals and of the prior.
+  [[nodiscard]] double cost(const Eigen::VectorXd& x) const;
+  [[nodiscard]] double priorCost(const Eigen::VectorXd& x) const;
+  [[nodiscard]] Hypothesis at(const Eigen::VectorXd& x) const { return applied(hypothesis_, unknowns_, x.data()); }
+  /// Every unknown at its expected value.
+  [[nodiscard]] Eigen::VectorXd expected() const;
+
+  [[nodiscard]] const Evidence& evidence() const { return *evidence_; }
+  [[nodiscard]] const Hypothesis& hypothesis() const { return hypothesis_; }
+  [[nodiscard]] const std::vector<Unknown>& unknowns() const { return unknowns_; }
+
+ private:
+  const Evidence* evidence_;
+  Hypothesis hypothesis_;
+  std::vector<Unknown> unknowns_;
+};
+
+}  // namespace darwinop::gap

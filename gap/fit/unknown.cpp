@@ -1,0 +1,153 @@
+#include "gap/fit/unknown.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "twin/effects/catalogue.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kFarthest = 6;  // sigma of a prior: beyond that the number is wrong, and the effect that says so wins
+
+// Scales that a logarithm can hold: what is smaller than this share of the range has no effect.
+constexpr double kSmallest = 1e-4;
+
+template <class... F>
+struct Cases : F... {
+  using F::operator()...;
+};
+template <class... F>
+Cases(F...) -> Cases<F...>;
+
+void move(Hypothesis& hypothesis, const Unknown& unknown, double value) {
+  std::visit(Cases{[&](LoadFactor factor) {
+                     if (factor == LoadFactor::kPayload)
+                       hypothesis.payload_scale *= value;
+                     else
+                       hypothesis.pendulum.length_m *= value;
+                   },
+                   [&](ServoFactor number) {
+                     hypothesis.servo.*number *= value;
+                     // One constant makes torque and back EMF.
+                     if (number == &twin::ServoParameters::kt_nm_a) hypothesis.servo.back_emf_vs_rad *= value;
+                   },
+                   [&](const EffectParameter& parameter) {
+                     hypothesis.with(*parameter.info).values[parameter.index] = value;
+                   }},
+             unknown.what);
+}
+
+struct KnownFactor {
+  std::string_view name;
+  std::variant<LoadFactor, ServoFactor> what;
+};
+const std::array kFactors{
+    KnownFactor{"kt", &twin::ServoParameters::kt_nm_a},
+    KnownFactor{"resistance", &twin::ServoParameters::resistance_ohm},
+    KnownFactor{"armature", &twin::ServoParameters::armature_kgm2},
+    KnownFactor{"supply", &twin::ServoParameters::supply_v},
+    KnownFactor{"duty_per_kp", &twin::ServoParameters::duty_per_kp_per_rad},
+    KnownFactor{"speed_gain", &twin::ServoParameters::speed_gain_per_kp_1_s},
+    KnownFactor{"payload", LoadFactor::kPayload},
+    KnownFactor{"length", LoadFactor::kLength},
+};
+
+Unknown factor(const KnownFactor& known, double sigma) {
+  Unknown unknown{.name = std::string{known.name}, .what = {}, .sigma = sigma};
+  std::visit([&](auto what) { unknown.what = what; }, known.what);
+  unknown.low = std::max(0.2, 1 - kFarthest * sigma);
+  unknown.high = 1 + kFarthest * sigma;
+  return unknown;
+}
+
+bool drivesAMotor(const Hypothesis& hypothesis) {
+  return hypothesis.servo.law == twin::Law::kVoltageP || hypothesis.find("p_on_torque") != nullptr;
+}
+
+/// Not what switches the whole effect, and not what another number says as well.
+bool canRefine(const twin::EffectInfo& info, const twin::Parameter& parameter) {
+  return info.id != "p_on_torque" && parameter.key != "reference" && parameter.key != "seed";
+}
+
+bool isOfTheMotor(std::string_view name) {
+  return name == "kt" || name == "resistance" || name == "supply" || name == "duty_per_kp";
+}
+
+}  // namespace
+
+double Unknown::toSearch(double value) const {
+  return logarithmic ? std::log(std::max(value, low)) : value;
+}
+
+double Unknown::fromSearch(double x) const {
+  return logarithmic ? std::exp(x) : x;
+}
+
+double Unknown::firstStep() const {
+  if (logarithmic) return 0.02;
+  return std::isfinite(sigma) ? 0.2 * sigma : 0.003 * (high - low);
+}
+
+std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis) {
+  std::vector<Unknown> unknowns;
+  const bool motor = drivesAMotor(hypothesis), other_law = hypothesis.servo.law != twin::Law::kVoltageP;
+  for (const KnownFactor& known : kFactors) {
+    double sigma = 0;
+    for (const Prior& prior : given.priors)
+      if (prior.number == known.name) sigma = prior.relative_sigma;
+    if (isOfTheMotor(known.name)) {
+      if (!motor) continue;
+      if (other_law)  // the numbers are the data sheet's
+        sigma =
+            given.datasheet && (known.name == "kt" || known.name == "resistance") ? given.datasheet->relative_sigma : 0;
+    }
+    if (sigma > 0) unknowns.push_back(factor(known, sigma));
+  }
+  for (const Prior& prior : given.priors) {
+    const std::size_t dot = prior.number.find('.');
+    if (dot == std::string::npos) continue;
+    const twin::EffectSetting* const effect = hypothesis.find(prior.number.substr(0, dot));
+    if (effect == nullptr) continue;
+    for (std::size_t i = 0; i < effect->values.size(); ++i) {
+      if (effect->info->parameters[i].key != prior.number.substr(dot + 1) || effect->values[i] == 0) continue;
+      const double value = effect->values[i], sigma = std::abs(value) * prior.relative_sigma;
+      unknowns.push_back({.name = prior.number,
+                          .what = EffectParameter{effect->info, i},
+                          .expected = value,
+                          .sigma = sigma,
+                          .low = std::max(0.2 * value, value - kFarthest * sigma),
+                          .high = value + kFarthest * sigma});
+    }
+  }
+  return unknowns;
+}
+
+std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, bool refined) {
+  std::vector<Unknown> unknowns;
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    const twin::Parameter& parameter = info.parameters[i];
+    if (parameter.secondary && !(refined && canRefine(info, parameter))) continue;
+    Unknown unknown{.name = std::string{info.id} + "." + std::string{parameter.key},
+                    .what = EffectParameter{&info, i},
+                    .expected = parameter.typical,
+                    .low = parameter.low,
+                    .high = parameter.high,
+                    .logarithmic = parameter.logarithmic};
+    if (unknown.logarithmic && unknown.low <= 0) unknown.low = kSmallest * unknown.high;
+    if (unknown.logarithmic && unknown.expected <= unknown.low)
+      unknown.expected = std::sqrt(unknown.low * unknown.high);
+    unknowns.push_back(std::move(unknown));
+  }
+  return unknowns;
+}
+
+Hypothesis applied(Hypothesis hypothesis, const std::vector<Unknown>& unknowns, const double* x) {
+  for (std::size_t i = 0; i < unknowns.size(); ++i) move(hypothesis, unknowns[i], unknowns[i].fromSearch(x[i]));
+  return hypothesis;
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,46 @@
+// A number that a fit may move: of the servo, of the load, or of an effect.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "gap/sim/hypothesis.hpp"
+
+namespace darwinop::gap {
+
+/// Payload or length of the pendulum, as a factor of what was weighed or measured.
+enum class LoadFactor { kPayload, kLength };
+/// A number of the servo, as a factor.
+using ServoFactor = double twin::ServoParameters::*;
+/// A parameter of an effect, in its own unit.
+struct EffectParameter {
+  const twin::EffectInfo* info = nullptr;
+  std::size_t index = 0;
+};
+
+struct Unknown {
+  std::string name;  // "kt", "coulomb.friction"
+  std::variant<LoadFactor, ServoFactor, EffectParameter> what;
+  double expected = 1;                                     // mean of the prior; where a search begins
+  double sigma = std::numeric_limits<double>::infinity();  // of the prior; infinity: nothing is known
+  double low = 0, high = 0;                                // bounds of the search
+  bool logarithmic = false;                                // searched in its logarithm
+
+  /// Between value and search variable.
+  [[nodiscard]] double toSearch(double value) const;
+  [[nodiscard]] double fromSearch(double x) const;
+  /// What one step of a difference quotient is, in the search variable.
+  [[nodiscard]] double firstStep() const;
+};
+
+/// The numbers of the baseline that its priors let move. Those of effects are for effects that the hypothesis has.
+std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis);
+/// The parameters of an effect, without prior: those that a first search moves, or with those that refine it.
+std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, bool refined = false);
+
+/// `hypothesis` with the unknowns at these values of the search variables.
+Hypothesis applied(Hypothesis hypothesis, const std::vector<Unknown>& unknowns, const double* x);
+
+}  // namespace darwinop::gap

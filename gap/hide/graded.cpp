@@ -1,0 +1,131 @@
+#include "gap/hide/graded.hpp"
+
+#include <algorithm>
+
+#include "twin/effects/catalogue.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr std::size_t kLargestSet = 3;  // effects that an honest ambiguity may have
+constexpr std::size_t kPlaces = 3;      // of an answer that are looked at
+
+/// Block of the loop that a place belongs to.
+std::string_view blockOf(std::string_view place) {
+  for (const std::string_view part : {"motor", "friction", "transmission", "load"})
+    if (place == part) return "plant";
+  return place;
+}
+
+std::string listed(const std::vector<std::string>& words, const char* between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+template <class List>
+std::string idsOf(const List& effects) {
+  std::vector<std::string> ids;
+  ids.reserve(effects.size());
+  for (const auto& effect : effects) ids.push_back(effect.id);
+  return listed(ids, " + ");
+}
+
+}  // namespace
+
+bool Graded::said(std::string_view verdict) const {
+  return answer != nullptr && answer->verdict == verdict;
+}
+
+bool Graded::hides(const std::string& id) const {
+  return std::ranges::find(key.effects, id, &KeyEffect::id) != key.effects.end();
+}
+
+bool Graded::firstRight() const {
+  return answer != nullptr && !answer->effects.empty() && hides(answer->effects.front().id);
+}
+
+bool Graded::namedFirst() const {
+  return said("named") && firstRight();
+}
+
+bool Graded::namedAll() const {
+  if (!said("named") || answer->effects.size() != key.effects.size()) return false;
+  return std::ranges::all_of(key.effects, [&](const KeyEffect& hidden) {
+    return std::ranges::find(answer->effects, hidden.id, &AnswerEffect::id) != answer->effects.end();
+  });
+}
+
+bool Graded::honest() const {
+  if (namedFirst()) return true;
+  return said("ambiguous") && std::ranges::any_of(answer->ambiguity, [&](const std::vector<std::string>& set) {
+           return set.size() <= kLargestSet && std::ranges::any_of(set, [&](const auto& id) { return hides(id); });
+         });
+}
+
+bool Graded::alarm() const {
+  return answer == nullptr || said("named") || said("ambiguous") || said("unknown") || said("bad_input");
+}
+
+bool Graded::rightPlace() const {
+  if (key.places.empty()) return true;
+  if (answer == nullptr) return false;
+  for (std::size_t i = 0; i < std::min(kPlaces, answer->places.size()); ++i)
+    for (const KeyPlace& place : key.places) {
+      const AnswerPlace& told = answer->places[i];
+      if (told.file == place.file && told.from_s <= place.to_s && told.to_s >= place.from_s) return true;
+    }
+  return false;
+}
+
+bool Graded::rightBlock() const {
+  if (answer == nullptr) return false;
+  std::string_view told = blockOf(answer->block);
+  if (told.empty() && !answer->places.empty()) told = blockOf(answer->places.front().block);
+  return std::ranges::any_of(key.effects, [&](const KeyEffect& effect) {
+    const twin::EffectInfo* const info = twin::findEffect(effect.id);
+    return told == (info != nullptr ? blockOf(twin::name(info->place)) : "plant");
+  });
+}
+
+bool Graded::right() const {
+  switch (key.kind) {
+    case CaseClass::kSingle:
+    case CaseClass::kDouble:
+      return namedAll();
+    case CaseClass::kEffectFree:
+      return said("none");
+    case CaseClass::kOutside:
+      return said("unknown") && rightPlace();
+  }
+  return false;
+}
+
+bool Graded::fair() const {
+  switch (key.kind) {
+    case CaseClass::kSingle:
+    case CaseClass::kDouble:
+      return honest();
+    case CaseClass::kEffectFree:
+      return !alarm();
+    case CaseClass::kOutside:
+      return said("unknown");
+  }
+  return false;
+}
+
+std::string Graded::truth() const {
+  return key.effects.empty() ? "nothing" : idsOf(key.effects);
+}
+
+std::string Graded::answered() const {
+  if (answer == nullptr) return "no answer in time";
+  if (said("none")) return "nothing";
+  if (said("named")) return idsOf(answer->effects);
+  if (said("ambiguous"))
+    return "ambiguous: " + (answer->ambiguity.empty() ? idsOf(answer->effects) : listed(answer->ambiguity[0], " or "));
+  if (said("unknown") && key.kind == CaseClass::kOutside) return "unknown, another place";
+  return answer->verdict;
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,40 @@
+// What a fitted set of effects says, and the rules by which it becomes a verdict.
+#pragma once
+
+#include "gap/name/naming.hpp"
+#include "gap/name/replicas.hpp"
+
+namespace darwinop::gap {
+
+inline constexpr double kMisfit = 4;        // standard deviations of a right model's cost: beyond, something is missing
+inline constexpr double kStrained = 3;      // sigma of a prior: beyond, the number is wrong
+inline constexpr double kSuspicious = 2.4;  // sigma: effects that mean this number are tried
+inline constexpr double kStrainGain = 4;    // of freeing such a number: most of what its sigmas cost
+inline constexpr double kPlain = 6;         // thresholds that a gain has to pass where noise alone explains all
+
+// A gap that has shrunk to this: what is left is how the effect is written, not another effect.
+inline constexpr double kNearMisfit = 60, kNearFloors = 1.5, kNearShare = 0.15;
+
+/// In standard deviations of what the same model shows on data of its own.
+double misfitOf(const Settled& fitted, const Replicas& replicas);
+/// |sigma| of the number that is farthest out of its prior.
+double mostStrained(const Settled& fitted);
+/// Of a number of the baseline that an effect has freed: how far it moved, in sigmas of its prior; infinite where there
+/// was none.
+double sigmasOfFreed(const Case& given, const Settled& fitted, const twin::EffectInfo& effect);
+/// Those beyond kStrained.
+std::vector<Strained> strainedOf(const Settled& fitted);
+/// `excess`: cost over what noise makes of it, 1 for a right model; beyond, the intervals grow.
+std::vector<Estimate> estimatesOf(const Settled& fitted, const twin::EffectInfo& effect, double excess);
+/// What was fitted; an effect's number that the data say nothing about is left at its neutral value.
+Hypothesis withoutUnseen(const Settled& fitted);
+std::vector<std::string> idsOf(const Effects& effects);
+
+/// Rms of measured minus simulated position, closed loop, over the logs for fitting or those for judging; rad.
+double gapOf(const Case& given, const Hypothesis& hypothesis, bool score);
+/// The same of a right model: what noise alone makes.
+double floorOf(const Settled& fitted);
+
+Verdict verdictOf(const Naming& naming);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,56 @@
+// Forward, one effect at a time; after each, whoever is no longer needed goes; at the end, whoever stands in for
+// another is replaced. With the numbers of the baseline as they were given, or with the freedom that their priors
+// leave.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gap/name/naming.hpp"
+#include "gap/name/replicas.hpp"
+#include "gap/name/screen.hpp"
+#include "gap/name/settled.hpp"
+
+namespace darwinop::gap {
+
+class Search {
+ public:
+  /// Settles the baseline alone. `given` and `options` have to outlive this.
+  Search(const Case& given, const NameOptions& options, Numbers numbers);
+
+  void run();
+  /// What another search found, with this one's numbers.
+  void take(const Search& other);
+  /// Another search's effects, but only these; nothing else is looked for.
+  void take(const Search& other, const Effects& effects);
+
+  /// What is left is noise, or what two ways to write the same effect differ by, and no number had to leave its prior.
+  [[nodiscard]] bool reachedNoise() const;
+  [[nodiscard]] const Settled& present() const { return present_; }
+  /// Effects that came close to one that was taken.
+  [[nodiscard]] const std::vector<const twin::EffectInfo*>& seconds() const { return seconds_; }
+  [[nodiscard]] Naming told() const;
+
+ private:
+  void judge(const Screen* screen);
+  bool accept(const Screen& screen);
+  bool acceptOneOf(const std::vector<Settled>& candidates);
+  void take(const Settled& best, double gain, const std::vector<Settled>& candidates, double needed);
+  void refine();
+  void dropTheNeedless();
+  bool replaceOne();
+  [[nodiscard]] bool isPractically() const;
+  [[nodiscard]] double neededFor(const twin::EffectInfo& effect) const;
+  void say(const std::string& what) const { options_.tell(what); }
+
+  const Case& given_;
+  const NameOptions& options_;
+  std::vector<const twin::EffectInfo*> suspects_;
+  Settled present_;
+  std::vector<double> gains_;  // one an effect
+  std::vector<Rival> rivals_;
+  std::vector<const twin::EffectInfo*> seconds_;
+  double threshold_ = 0, misfit_ = 0, excess_cost_ = 0;
+};
+
+}  // namespace darwinop::gap

@@ -1,0 +1,114 @@
+#include "gap/name/settled.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kNoBetter = 0.5;  // of the total: not worth another round
+constexpr double kStays = 30;      // squared sigmas: a fit that moved less has the noise that belongs to it
+constexpr double kPulled = 15;     // cost of the priors: the numbers may have been pulled away
+
+NoiseOptions manyRuns() {
+  NoiseOptions options;
+  options.runs = 96;  // as many modes; what lies between the modes of fewer runs looks like an effect
+  return options;
+}
+
+double square(double value) {
+  return value * value;
+}
+
+/// The steps that another fit found fine enough, for the unknowns that both have.
+Eigen::VectorXd stepsFrom(const Problem& problem, const Problem& known, const Eigen::VectorXd& known_steps) {
+  Eigen::VectorXd steps(static_cast<Eigen::Index>(problem.unknowns().size()));
+  for (std::size_t i = 0; i < problem.unknowns().size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    steps[at] = problem.unknowns()[i].firstStep();
+    for (std::size_t j = 0; j < known.unknowns().size(); ++j)
+      if (problem.unknowns()[i].name == known.unknowns()[j].name && known_steps.size() > static_cast<Eigen::Index>(j))
+        steps[at] = known_steps[static_cast<Eigen::Index>(j)];
+  }
+  return steps;
+}
+
+Eigen::VectorXd startAfresh(const Problem& problem, const Problem& known, const Eigen::VectorXd& x) {
+  Eigen::VectorXd start = startFrom(problem, known, x);
+  const Eigen::VectorXd expected = problem.expected();
+  for (std::size_t i = 0; i < problem.unknowns().size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    if (std::isfinite(problem.unknowns()[i].sigma)) start[at] = expected[at];
+  }
+  return start;
+}
+
+}  // namespace
+
+double evidenceFor(const Settled& fitted) {
+  double evidence = -fitted.total;
+  Eigen::MatrixXd information = fitted.fit.information;
+  for (Eigen::Index i = 0; i < information.cols(); ++i) {
+    const Unknown& unknown = fitted.problem.unknowns()[static_cast<std::size_t>(i)];
+    const double value = unknown.logarithmic ? unknown.fromSearch(fitted.fit.x[i]) : 1;
+    const double width = unknown.toSearch(unknown.high) - unknown.toSearch(unknown.low);
+    // A range says as much as a bell of its standard deviation.
+    const double before = std::isfinite(unknown.sigma) ? square(value / unknown.sigma) : 12 / square(width);
+    if (!std::isfinite(unknown.sigma)) information(i, i) += before;
+    evidence += std::log(before);
+  }
+  if (information.cols() > 0) evidence -= std::log(std::max(1e-300, information.determinant()));
+  return evidence;
+}
+
+Settled settle(const Effects& effects, Numbers numbers, const Problem& from, const Fit& known, int rounds) {
+  const Case& given = *from.evidence().given;
+  Hypothesis at = from.at(known.x);
+  std::optional<Settled> best;
+  for (int round = 0; round < rounds; ++round) {
+    auto evidence = std::make_shared<const Evidence>(evidenceOf(given, at, false, manyRuns()));
+    Problem problem = problemWith(*evidence, effects, numbers);
+    const Problem& last = best ? best->problem : from;
+    const Fit& last_fit = best ? best->fit : known;
+    const Eigen::VectorXd start = startFrom(problem, last, last_fit.x);
+    Fit fit = solve(problem, start, {.steps = stepsFrom(problem, last, last_fit.steps)});
+    if (numbers == Numbers::kFree && round == 0 && fit.prior > kPulled) {  // by a model that was far off
+      const Fit afresh = solve(problem, startAfresh(problem, last, last_fit.x));
+      if (afresh.cost < fit.cost) fit = afresh;
+    }
+    const double total = fit.cost + evidence->logDeterminant();
+    const Eigen::VectorXd moved = fit.x - start;
+    const bool stays = moved.dot(fit.information * moved) < kStays;
+    at = problem.at(fit.x);
+    const bool enough = stays || (best && total > best->total - kNoBetter);
+    if (!best || total < best->total)
+      best = Settled{effects, numbers, std::move(evidence), std::move(problem), std::move(fit), total};
+    if (enough) break;
+  }
+  return std::move(*best);
+}
+
+Settled withFreeNumbers(const Settled& fitted) {
+  Problem problem = problemWith(*fitted.evidence, fitted.effects, Numbers::kFree);
+  const Eigen::VectorXd x = startFrom(problem, fitted.problem, fitted.fit.x);
+  Fit fit = solve(problem, x, {.iterations = 0, .steps = stepsFrom(problem, fitted.problem, fitted.fit.steps)});
+  const double total = fit.cost + fitted.evidence->logDeterminant();
+  return {fitted.effects, Numbers::kFree, fitted.evidence, std::move(problem), std::move(fit), total};
+}
+
+Settled onNoiseOf(const Settled& other, const Settled& judge, bool slopes) {
+  return onNoiseOf(other.effects, other.numbers, other.problem, other.fit, judge, slopes);
+}
+
+Settled onNoiseOf(const Effects& effects, Numbers numbers, const Problem& from, const Fit& known, const Settled& judge,
+                  bool slopes) {
+  Problem problem = problemWith(*judge.evidence, effects, numbers);
+  Fit fit = solve(problem, startFrom(problem, from, known.x),
+                  {.iterations = 8, .refine = slopes, .steps = stepsFrom(problem, from, known.steps)});
+  const double total = fit.cost + judge.evidence->logDeterminant();
+  return {effects, numbers, judge.evidence, std::move(problem), std::move(fit), total};
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,12 @@
+// Experiments for a bench that the battery has not: the ones that the catalogue names to tell effects apart.
+#pragma once
+
+#include <vector>
+
+#include "gap/plan/stand.hpp"
+
+namespace darwinop::gap {
+
+std::vector<experiments::Experiment> benchExperiments(const Stand& stand);
+
+}  // namespace darwinop::gap

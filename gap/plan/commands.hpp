@@ -1,0 +1,26 @@
+// What an experiment will ask of its joint, as logs without measurement: what a hypothesis foretells of it is what it
+// makes of these.
+#pragma once
+
+#include <vector>
+
+#include "gap/plan/candidate.hpp"
+
+namespace darwinop::gap {
+
+inline constexpr double kPlannedRow = 0.016;  // s, of the host
+
+/// A part of a round with one P gain and one speed limit, as a log has.
+struct Stretch {
+  Trajectory log;
+  double begins_s = 0;  // of its first row within the round
+};
+
+/// Throws std::runtime_error, a sentence, for what cannot be foretold: a torque given directly, an end that depends on
+/// what the joint does.
+std::vector<Stretch> commandsOf(const Candidate& candidate, const experiments::Round& round, const Stand& stand);
+
+/// `given` with these logs in place of its own. Goals are written after the read: each log begins held.
+Case planned(const Case& given, const std::vector<Stretch>& stretches);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,14 @@
+// An experiment as the text of a file that `darwinop experiment run` takes: the inverse of its reader.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/experiment.hpp"
+
+namespace darwinop::gap {
+
+/// `comments`: lines above it, without their ';'. A sweep is written out, round after round.
+std::string experimentText(const experiments::Experiment& experiment, const std::vector<std::string>& comments);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,113 @@
+// Effects and numbers into the text of a model file.
+#include "gap/report/addition.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "gap/report/model_text.hpp"
+#include "twin/effects/catalogue.hpp"
+#include "twin/model/keys.hpp"
+#include "twin/model/nearest.hpp"
+#include "twin/model/sections.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+const twin::EffectInfo& effectCalled(const std::string& id) {
+  if (const twin::EffectInfo* const info = twin::findEffect(id)) return *info;
+  throw std::runtime_error("there is no effect '" + id + "'; " + twin::suggestion(id, twin::effectIds()) +
+                           " (docs/twin/effects.md)");
+}
+
+std::size_t parameterCalled(const twin::EffectInfo& info, const std::string& key) {
+  const auto found = std::ranges::find(info.parameters, key, &twin::Parameter::key);
+  if (found == info.parameters.end())
+    throw std::runtime_error("effect " + std::string{info.id} + " has no parameter '" + key + "'; " +
+                             twin::suggestion(key, twin::parametersOf(info)));
+  return static_cast<std::size_t>(found - info.parameters.begin());
+}
+
+void checkRange(const twin::EffectInfo& info, const twin::Parameter& parameter, double value) {
+  if (std::isfinite(value) && value >= parameter.low && value <= parameter.high) return;
+  throw std::runtime_error(std::string{info.id} + "." + std::string{parameter.key} + " = " +
+                           withUnit(value, parameter.unit) + " is none that a servo has; give " +
+                           twin::allowed(twin::ruleOf(parameter)));
+}
+
+std::string withEffectNumber(const std::string& text, const AddedNumber& number) {
+  const std::size_t dot = number.key.find('.');
+  const twin::EffectInfo& info = effectCalled(number.key.substr(0, dot));
+  const std::size_t i = parameterCalled(info, number.key.substr(dot + 1));
+  twin::Model model = twin::parseModel(text, "the model");
+  const auto there = std::ranges::find_if(
+      model.effects, [&](const twin::EffectSetting& effect) { return effect.info == &info && !effect.joint; });
+  if (there == model.effects.end())
+    throw std::runtime_error("the model has no [effect " + std::string{info.id} + "] whose number could be changed");
+  checkRange(info, info.parameters[i], number.value);
+  const std::string was = withUnit(there->values[i], info.parameters[i].unit);
+  there->values[i] = number.value;
+  return twin::withEffect(text, *there, {"Moved by the fit, within how far it may be trusted; was " + was});
+}
+
+twin::EffectSetting settingOf(const AddedEffect& added, std::vector<std::string>& comments) {
+  const twin::EffectInfo& info = effectCalled(added.id);
+  twin::EffectSetting setting{.info = &info, .values = {}, .joint = {}};
+  for (const twin::Parameter& parameter : info.parameters) setting.values.push_back(parameter.typical);
+  std::vector<bool> given(info.parameters.size(), false);
+  for (const AddedValue& value : added.values) {
+    const std::size_t i = parameterCalled(info, value.key);
+    checkRange(info, info.parameters[i], value.value);
+    setting.values[i] = value.value;
+    given[i] = true;
+    if (std::isfinite(value.low) && std::isfinite(value.high))
+      comments.push_back(value.key + ": 90 % interval " + interval(value.low, value.high, info.parameters[i].unit));
+  }
+  if (std::ranges::find(given, true) == given.end())
+    throw std::runtime_error("effect " + added.id + " comes without a value; give one, " + added.id + "." +
+                             std::string{info.parameters.front().key} + "=VALUE");
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (!given[i]) comments.push_back(std::string{info.parameters[i].key} + ": not known, the typical value");
+  return setting;
+}
+
+}  // namespace
+
+Additions additionsFrom(const std::vector<std::string>& texts) {
+  Additions additions;
+  for (const std::string& text : texts) {
+    const std::size_t dot = text.find('.'), equals = text.find('=');
+    const std::string wanted = "'" + text + "' says no effect; write ID.PARAMETER=VALUE, as in coulomb.friction=0.05";
+    if (dot == std::string::npos || equals == std::string::npos || dot > equals) throw std::runtime_error(wanted);
+    const std::string id = text.substr(0, dot), key = text.substr(dot + 1, equals - dot - 1);
+    double value = 0;
+    try {
+      std::size_t used = 0;
+      value = std::stod(text.substr(equals + 1), &used);
+      if (equals + 1 + used != text.size()) throw std::invalid_argument(text);
+    } catch (const std::logic_error&) {
+      throw std::runtime_error(wanted + "; the value is a number without unit, in the unit of docs/twin/effects.md");
+    }
+    auto effect = std::ranges::find(additions.effects, id, &AddedEffect::id);
+    if (effect == additions.effects.end())
+      effect = additions.effects.insert(effect, {id, {}, {"Put in by hand: darwinop gap add"}});
+    if (std::ranges::find(effect->values, key, &AddedValue::key) != effect->values.end())
+      throw std::runtime_error("'" + text + "': this number is given twice; keep one of the two");
+    effect->values.push_back({key, value, std::nan(""), std::nan("")});
+  }
+  return additions;
+}
+
+std::string withAdditions(std::string text, const Additions& additions) {
+  for (const AddedNumber& number : additions.numbers)
+    text = number.key.find('.') == std::string::npos ? withServoNumber(text, number.key, number.value)
+                                                     : withEffectNumber(text, number);
+  for (const AddedEffect& added : additions.effects) {
+    std::vector<std::string> comments = added.because;
+    const twin::EffectSetting setting = settingOf(added, comments);
+    text = twin::withEffect(text, setting, wrapped(comments));
+  }
+  return text;
+}
+
+}  // namespace darwinop::gap

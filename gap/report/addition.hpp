@@ -1,0 +1,45 @@
+// What goes into a model file: effects, numbers that moved, and how anybody knows.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gap/data/case.hpp"
+
+namespace darwinop::gap {
+
+/// A value of an effect's parameter. The interval holds the truth in nine of ten cases; NaN: nobody knows one.
+struct AddedValue {
+  std::string key;  // "friction"
+  double value = 0, low = 0, high = 0;
+};
+
+/// One effect. Parameters that are not given stand at what is typical, and a comment says so.
+struct AddedEffect {
+  std::string id;
+  std::vector<AddedValue> values;
+  std::vector<std::string> because;  // comments above its section
+};
+
+/// A number of the model that a fit has moved inside its prior.
+struct AddedNumber {
+  std::string key;  // "kt" of [servo], "viscous.damping" of an effect that the model has
+  double value = 0;
+};
+
+struct Additions {
+  std::vector<AddedNumber> numbers;
+  std::vector<AddedEffect> effects;
+};
+
+/// "coulomb.friction=0.05"; several of one effect belong together. Throws std::runtime_error with a sentence.
+Additions additionsFrom(const std::vector<std::string>& texts);
+/// Of this case, from what `run --json` or `battery` wrote. Throws std::runtime_error for a verdict that names nothing.
+Additions additionsIn(std::string_view results, const std::string& file, const Case& given);
+
+/// The model file `text` with them; everything else in it stays. Throws std::runtime_error with a sentence for an
+/// effect or parameter that does not exist, and for a value that no servo has.
+std::string withAdditions(std::string text, const Additions& additions);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,90 @@
+#include "gap/report/comparison.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "gap/fit/noise.hpp"
+#include "gap/sim/parallel.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+/// Sums of squares of one log, or of several.
+struct Squares {
+  double before = 0, after = 0, floor = 0, rows = 0;
+
+  void add(const Squares& other) {
+    before += other.before, after += other.after, floor += other.floor, rows += other.rows;
+  }
+  [[nodiscard]] Gap rms() const {
+    Gap gap;
+    if (rows == 0) return gap;
+    gap.before_rad = std::sqrt(before / rows);
+    gap.after_rad = std::sqrt(after / rows);
+    gap.floor_rad = std::sqrt(floor / rows);
+    return gap;
+  }
+};
+
+double squareOf(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return sum;
+}
+
+/// Rms of the positions' residuals in units of the noise.
+double shareOf(const LogNoise& noise, const Trajectory& log, const Trace& trace) {
+  Eigen::VectorXd residuals(noise.size());
+  noise.residuals(log, trace, residuals);
+  const Eigen::Index positions = noise.size() / 2;  // loads follow
+  return std::sqrt(residuals.head(positions).squaredNorm() / static_cast<double>(positions));
+}
+
+Squares compareOne(const Case& given, const Hypothesis& before, const Hypothesis& after, LogComparison& one) {
+  const Trajectory& log = given.logs[one.log];
+  const LogNoise noise{given, one.log, after, {}};
+  Trace trace;
+  rollOut(given, one.log, before, {}, trace);
+  one.before_rad = trace.position_rad;
+  rollOut(given, one.log, after, {}, trace);
+  one.after_rad = trace.position_rad;
+  Squares squares{.before = squareOf(log.position_rad, one.before_rad),
+                  .after = squareOf(log.position_rad, one.after_rad),
+                  .floor = noise.positionSigma().squaredNorm(),
+                  .rows = static_cast<double>(log.rows())};
+  one.gap = squares.rms();
+  one.noise_share = shareOf(noise, log, trace);
+  one.below_floor = one.gap.after_rad < one.gap.floor_rad && one.noise_share < kBelowFloor;
+  return squares;
+}
+
+}  // namespace
+
+Gap::Gap() : before_rad{std::numeric_limits<double>::quiet_NaN()}, after_rad{before_rad}, floor_rad{before_rad} {}
+
+bool Comparison::anyBelowFloor(const Case& given, bool kept) const {
+  return std::ranges::any_of(logs,
+                             [&](const auto& one) { return one.below_floor && given.logs[one.log].score == kept; });
+}
+
+Comparison compare(const Case& given, const Hypothesis& before, const Hypothesis& after) {
+  Comparison out;
+  out.logs.resize(given.logs.size());
+  std::vector<Squares> squares(given.logs.size());
+  forEach(given.logs.size(), [&](std::size_t i) {
+    out.logs[i].log = i;
+    squares[i] = compareOne(given, before, after, out.logs[i]);
+  });
+  Squares score, fit;
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    (given.logs[i].score ? score : fit).add(squares[i]);
+    ++(given.logs[i].score ? out.score_logs : out.fit_logs);
+  }
+  out.score = score.rms();
+  out.fit = fit.rms();
+  return out;
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,42 @@
+// Two models on the same logs: how far each is off, beside what noise alone makes.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "gap/sim/hypothesis.hpp"
+
+namespace darwinop::gap {
+
+/// Rms position errors of the closed loop, rad; NaN where there is no log.
+struct Gap {
+  double before_rad, after_rad;
+  double floor_rad;  // what a right model would show: noise alone
+  Gap();
+  [[nodiscard]] double floorsBefore() const { return before_rad / floor_rad; }
+  [[nodiscard]] double floorsAfter() const { return after_rad / floor_rad; }
+};
+
+struct LogComparison {
+  std::size_t log = 0;  // index in the case
+  Gap gap;
+  // What the second model leaves, sample by sample in units of its noise: 1 where it is right.
+  double noise_share = 1;
+  bool below_floor = false;                   // closer to the data than noise lets any model come
+  std::vector<double> before_rad, after_rad;  // simulated positions, one a row
+};
+
+struct Comparison {
+  std::vector<LogComparison> logs;  // all of the case
+  Gap score, fit;                   // over all rows of the logs that were kept, and of those that are fitted
+  std::size_t score_logs = 0, fit_logs = 0;
+  [[nodiscard]] bool anyBelowFloor(const Case& given, bool kept) const;
+};
+
+/// Less than this share of the noise: there is less noise than the bench is assumed to have, or the model has seen it.
+inline constexpr double kBelowFloor = 0.7;
+
+/// The noise is that of `after`. Deterministic.
+Comparison compare(const Case& given, const Hypothesis& before, const Hypothesis& after);
+
+}  // namespace darwinop::gap

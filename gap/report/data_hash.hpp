@@ -1,0 +1,23 @@
+// What a report was made from, so that another run can tell whether it saw the same data.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "gap/data/case.hpp"
+
+namespace darwinop::gap {
+
+/// FIPS 180-4, in 64 hexadecimal digits.
+std::string sha256(std::string_view data);
+
+/// Of case.json and the logs behind each other, in the order of the case:
+/// `cd CASE && cat case.json fit_1.csv … | sha256sum` gives the same. Empty: a case that lies in no folder.
+std::string dataHash(const Case& given);
+/// That command, to be run in the folder of the case.
+std::string hashCommand(const Case& given);
+
+/// A word for a POSIX shell, in quotes where it needs them.
+std::string shellWord(const std::string& text);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,106 @@
+#include "gap/report/model_text.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "twin/model/keys.hpp"
+#include "twin/model/nearest.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr std::size_t kLine = 110;  // of the 200 characters that a line may have
+
+std::string fourDigits(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+const twin::KeyRow& servoRow(const std::string& key) {
+  twin::Model some;
+  const twin::KeyRow* const row = twin::findKey("servo", key);
+  if (row == nullptr || !std::holds_alternative<double*>(row->in(some)))
+    throw std::runtime_error("[servo] has no number '" + key + "'; " + twin::suggestion(key, twin::keysOf("servo")));
+  return *row;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+/// "kt" of "kt = 1.786 N m/A"; empty: no pair.
+std::string_view keyIn(std::string_view line) {
+  const std::size_t equals = line.find('=');
+  return equals == std::string_view::npos || trimmed(line).starts_with(';') ? std::string_view{}
+                                                                            : trimmed(line.substr(0, equals));
+}
+
+}  // namespace
+
+std::string withServoNumber(std::string_view text, const std::string& key, double value) {
+  const twin::KeyRow& row = servoRow(key);
+  twin::Model changed = twin::parseModel(text, "the model");
+  const std::string was = twin::writeValue(changed, row);
+  *std::get<double*>(row.in(changed)) = value;
+  const std::string now = std::string{row.key} + " = " + twin::writeValue(changed, row) + "  ; was " + was;
+  std::string out;
+  std::size_t below = std::string::npos;  // in `out`: behind the last line of the section that says something
+  bool in_servo = false, done = false;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = text.substr(at, end - at);
+    const bool header = trimmed(line).starts_with('[');
+    if (header) in_servo = trimmed(line).starts_with("[servo]");
+    const bool here = in_servo && !done && keyIn(line) == row.key;
+    out += (here ? now : std::string{line}) + "\n";
+    done = done || here;
+    if (in_servo && (header || !keyIn(line).empty())) below = out.size();
+    at = end + 1;
+  }
+  if (!done && below == std::string::npos)
+    out += "\n[servo]\n" + now + "\n";
+  else if (!done)
+    out.insert(below, now + "\n");
+  twin::parseModel(out, "the model");  // a value out of its range is refused here
+  return out;
+}
+
+std::vector<MovedNumber> movedNumbers(const twin::ServoParameters& before, const twin::ServoParameters& after) {
+  std::vector<MovedNumber> moved;
+  twin::Model old_model, new_model;
+  old_model.servo = before, new_model.servo = after;
+  for (const twin::KeyRow& row : twin::keyTable()) {
+    if (row.section != "servo" || !std::holds_alternative<double*>(row.in(old_model))) continue;
+    const double was = *std::get<double*>(row.in(old_model)), now = *std::get<double*>(row.in(new_model));
+    if (was != now) moved.push_back({std::string{row.key}, std::string{row.number.unit}, was, now});
+  }
+  return moved;
+}
+
+std::vector<std::string> wrapped(const std::vector<std::string>& comments) {
+  std::vector<std::string> lines;
+  for (std::string rest : comments) {
+    while (rest.size() > kLine) {
+      std::size_t cut = rest.rfind(' ', kLine);
+      if (cut == std::string::npos || cut < 3) cut = kLine;  // one long word; 2: the indent
+      lines.push_back(rest.substr(0, cut));
+      rest = "  " + rest.substr(std::min(rest.size(), rest.find_first_not_of(' ', cut)));
+    }
+    lines.push_back(rest);
+  }
+  return lines;
+}
+
+std::string withUnit(double value, std::string_view unit) {
+  return fourDigits(value) + (unit.empty() ? "" : " ") + std::string{unit};
+}
+
+std::string interval(double low, double high, std::string_view unit) {
+  return fourDigits(low) + " to " + withUnit(high, unit);
+}
+
+}  // namespace darwinop::gap

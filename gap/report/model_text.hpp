@@ -1,0 +1,31 @@
+// The text of a model file: one number changed, and the words of its comments.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "twin/model/model.hpp"
+
+namespace darwinop::gap {
+
+/// `text` with another number for `key` of [servo], and what it was behind it as a comment. No other line changes.
+/// Throws std::runtime_error for what is no such number, or out of its range.
+std::string withServoNumber(std::string_view text, const std::string& key, double value);
+
+/// A number of [servo] of two models that is not the same in both.
+struct MovedNumber {
+  std::string key, unit;
+  double before = 0, after = 0;
+};
+std::vector<MovedNumber> movedNumbers(const twin::ServoParameters& before, const twin::ServoParameters& after);
+
+/// Comments in lines that a model file may have.
+std::vector<std::string> wrapped(const std::vector<std::string>& comments);
+
+/// Four digits: "0.0812 N m".
+std::string withUnit(double value, std::string_view unit);
+/// "0.0781 to 0.0853 N m".
+std::string interval(double low, double high, std::string_view unit);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,46 @@
+// Puts the page together: what is written in page/, the plotting library, and the report.
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "gap/report/html.hpp"
+#include "gap/report/page_parts.hpp"
+#include "gap/report/page_sections.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+/// Who made the plotting library, and under which licence: as the page of plots says it.
+std::string libraryNote() {
+  constexpr std::string_view kBegin = "<footer>", kEnd = "</footer>";
+  const std::string_view page = page_parts::kPlotPage;
+  const std::size_t begin = page.find(kBegin) + kBegin.size();
+  return std::string{page.substr(begin, page.find(kEnd) - begin)};
+}
+
+}  // namespace
+
+std::string asHtml(const Report& report) {
+  const std::string body =
+      verdictSection(report) + headlineSection(report) + whatSection(report) + whereSection(report);
+  const std::array<std::pair<std::string_view, std::string>, 8> parts{{
+      {"@TITLE@", html::text("darwinop gap: " + report.given->name)},
+      {"@STYLE@", std::string{page_parts::kLibraryStyle} + std::string{page_parts::kStyle}},
+      {"@FINDINGS@", body},
+      {"@DETAILS@", logsSection(report) + modelSection(report) + againSection(report)},
+      {"@LIBRARY_NOTE@", libraryNote()},
+      {"@CURVES@", curvesAsJson(report)},
+      {"@LIBRARY@", std::string{page_parts::kLibrary}},
+      {"@SCRIPT@", std::string{page_parts::kScript}},
+  }};
+  std::string page;
+  std::string_view rest = page_parts::kPage;
+  for (const auto& [place, text] : parts) {  // they stand in the page in this order
+    const std::size_t at = rest.find(place);
+    page.append(rest.substr(0, at)).append(text);
+    rest.remove_prefix(at + place.size());
+  }
+  return page.append(rest);
+}
+
+}  // namespace darwinop::gap

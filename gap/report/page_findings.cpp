@@ -1,0 +1,151 @@
+// What is missing and where it shows: the parts of the page that need a search.
+#include <cmath>
+#include <cstdio>
+
+#include "gap/report/html.hpp"
+#include "gap/report/model_text.hpp"
+#include "gap/report/page_sections.hpp"
+#include "gap/report/sentences.hpp"
+#include "twin/effects/catalogue.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using html::element;
+using html::wrap;
+
+std::string shortly(double value, const char* format) {
+  char text[48];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string estimateRow(const Estimate& estimate) {
+  const bool known = estimate.seen && std::isfinite(estimate.low) && std::isfinite(estimate.high);
+  return "<tr><th scope=\"row\">" + html::text(estimate.name) + "</th><td>" +
+         html::number(estimate.value, withUnit(estimate.value, estimate.unit)) + "</td><td>" +
+         (known ? html::number(estimate.low, withUnit(estimate.low, "")) + " to " +
+                      html::number(estimate.high, withUnit(estimate.high, estimate.unit))
+                : std::string{"these data say nothing about it"}) +
+         "</td></tr>\n";
+}
+
+std::string foundText(const Found& found) {
+  std::string rows;
+  for (const Estimate& estimate : found.estimates) rows += estimateRow(estimate);
+  const std::string title{found.effect->title};
+  return wrap("article",
+              wrap("h3", html::text(title) + " " + wrap("code", html::text(found.effect->id))) +
+                  wrap("p", wrap("code", html::text(found.effect->equation))) + element("p", found.effect->signature) +
+                  "<div class=\"wide\"><table><thead><tr><th>parameter</th><th>value</th><th>90 % interval</th></tr>"
+                  "</thead><tbody>\n" +
+                  rows + "</tbody></table></div>" +
+                  wrap("p", "Without it the fit is worse by " + html::number(found.gain, shortly(found.gain, "%.0f")) +
+                                ".")) +
+         "\n";
+}
+
+std::string rivalsText(const Naming& naming) {
+  if (naming.rivals.empty()) return "";
+  std::string items;
+  for (const Rival& rival : naming.rivals)
+    items += wrap("li", wrap("code", html::text(joined(rival.effects, " + "))) + " instead: the fit is worse by " +
+                            html::number(rival.behind, shortly(rival.behind, "%.0f")) +
+                            (rival.behind < kClose ? ", <strong>too little to decide</strong>" : "")) +
+             "\n";
+  return "<h3>Rivals</h3>" + wrap("ul", items) +
+         wrap("p", "A gain of " + html::number(naming.threshold, shortly(naming.threshold, "%.0f")) +
+                       " comes by chance once in a hundred cases; rivals less than " + shortly(kClose, "%.0f") +
+                       " behind are as good as the winner.");
+}
+
+/// How to tell the effect from its rivals.
+std::string experimentText(const Naming& naming) {
+  if (naming.verdict != Verdict::kAmbiguous || naming.found.empty()) return "";
+  return "<h3>What would decide</h3>" + element("p", naming.found.back().effect->separated_by);
+}
+
+std::string strainedText(const Naming& naming) {
+  std::string items;
+  for (const Strained& one : naming.strained)
+    items += wrap("li", wrap("code", html::text(one.number)) + " has to be " +
+                            html::number(one.factor, shortly(one.factor, "%.3f")) + " times what was given, " +
+                            html::number(one.sigmas, shortly(std::abs(one.sigmas), "%.1f")) + " sigma of its prior") +
+             "\n";
+  if (items.empty()) return "";
+  return "<h3>Numbers pulled out of their priors</h3>" + wrap("ul", items) +
+         element("p",
+                 "Measure these again: a number that has to go so far stands for something that is not in the "
+                 "model, or was noted down wrongly.");
+}
+
+/// What no model file holds.
+std::string benchText(const Report& report) {
+  const Hypothesis& model = report.outcome->naming.model;
+  const double length = model.pendulum.length_m / report.given->pendulum.length_m;
+  if (model.payload_scale == 1 && length == 1) return "";
+  return wrap("p", "The fit also moved what case.json says of the arm, inside its priors: payload times " +
+                       html::number(model.payload_scale, shortly(model.payload_scale, "%.4f")) + ", length times " +
+                       html::number(length, shortly(length, "%.4f")) +
+                       ". That belongs to the bench, so it is not in the model file.");
+}
+
+/// Zooms the curve there.
+std::string placeLink(const Report& report, const Place& place) {
+  std::string file = html::text(place.file);
+  for (std::size_t i = 0; i < report.given->logs.size(); ++i)
+    if (report.given->logs[i].file == place.file) {
+      const std::string from = "<a href=\"#curves\" data-log=\"" + std::to_string(i) + "\" data-from=\"" +
+                               shortly(place.t0_s, "%.3f") + "\" data-to=\"" + shortly(place.t1_s, "%.3f") + "\">";
+      return from + file + ", " + shortly(place.t0_s, "%.2f") + " to " + shortly(place.t1_s, "%.2f") + " s</a>";
+    }
+  return file;
+}
+
+std::string placeRow(const Report& report, const Place& place) {
+  return "<tr><td>" + placeLink(report, place) + "</td>" + element("td", place.happens) + element("td", place.signal) +
+         "<td>" + html::number(place.size, shortly(place.size, "%.3g")) + " " + html::text(place.unit) + "</td>" +
+         element("td", place.block ? std::string{name(*place.block)} : "-") + "</tr>\n";
+}
+
+std::string sectionOf(std::string_view id, const std::string& title, const std::string& inside) {
+  return wrap("section", element("h2", title) + inside, " id=\"" + std::string{id} + "\"") + "\n";
+}
+
+}  // namespace
+
+std::string whatSection(const Report& report) {
+  if (report.outcome == nullptr) return "";
+  const Naming& naming = report.outcome->naming;
+  std::string inside;
+  if (naming.found.empty()) inside += element("p", "No effect was named.");
+  if (naming.verdict == Verdict::kUnknown && !naming.found.empty())
+    inside += element("p", "These help, and are not enough; they are no names for what is missing.");
+  for (const Found& found : naming.found) inside += foundText(found);
+  if (!report.outcome->remains.empty())
+    inside += "<h3>What nobody explains</h3>" + element("p", report.outcome->remains);
+  inside += rivalsText(naming) + experimentText(naming) + strainedText(naming) + benchText(report);
+  return sectionOf("what", naming.verdict == Verdict::kUnknown ? "What helps" : "What is missing", inside);
+}
+
+std::string whereSection(const Report& report) {
+  if (report.outcome == nullptr) return "";
+  const Where& where = report.outcome->where;
+  std::string inside;
+  if (where.blocks.first)
+    inside += wrap(
+        "p", "Cut open, the loop does not close at the " + wrap("strong", html::text(name(*where.blocks.first))) + ".");
+  if (where.places.empty()) {
+    inside += element("p", "Nowhere do the logs of the fit differ from the model by more than noise.");
+  } else {
+    std::string rows;
+    for (const Place& place : where.places) rows += placeRow(report, place);
+    inside +=
+        "<div class=\"wide\"><table id=\"places\"><thead><tr><th>place, strongest first</th><th>what happens "
+        "there</th><th>signal</th><th>size</th><th>part of the loop</th></tr></thead><tbody>\n" +
+        rows + "</tbody></table></div>";
+  }
+  return sectionOf("where", "Where it is", inside);
+}
+
+}  // namespace darwinop::gap

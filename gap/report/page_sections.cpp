@@ -1,0 +1,152 @@
+// The page, from the verdict down to the commands.
+#include "gap/report/page_sections.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "gap/report/data_hash.hpp"
+#include "gap/report/html.hpp"
+#include "gap/report/line_diff.hpp"
+#include "gap/report/sentences.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using html::element;
+using html::wrap;
+
+std::string floors(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, value < 9.95 ? "%.1f" : "%.0f", value);
+  return text;
+}
+
+double rounded2(double value) {
+  return std::round(value * 100) / 100;
+}
+
+std::string section(std::string_view id, std::string_view title, const std::string& inside) {
+  return wrap("section", wrap("h2", html::text(title)) + inside, " id=\"" + std::string{id} + "\"") + "\n";
+}
+
+/// A bar as long as its share of the longest.
+std::string bar(std::string_view kind, const std::string& label, double rad, double longest) {
+  char width[80];
+  std::snprintf(width, sizeof width, " class=\"bar %s\" style=\"width:%.1f%%\"", std::string{kind}.c_str(),
+                std::max(0.4, 100 * rad / longest));
+  return wrap("div", element("dt", label) +
+                         wrap("dd", html::number(mradOf(rad), inMrad(rad)) + " mrad" + wrap("span", "", width)));
+}
+
+std::string gapCells(const Gap& gap, bool below_floor) {
+  const auto cell = [](const std::string& inside, std::string_view attributes = "") {
+    return wrap("td", inside, attributes);
+  };
+  std::string after_floors = html::number(rounded2(gap.floorsAfter()), floors(gap.floorsAfter()));
+  if (below_floor) after_floors += " <strong class=\"flag\">below the floor</strong>";
+  return cell(html::number(mradOf(gap.before_rad), inMrad(gap.before_rad))) +
+         cell(html::number(mradOf(gap.after_rad), inMrad(gap.after_rad))) +
+         cell(html::number(mradOf(gap.floor_rad), inMrad(gap.floor_rad))) +
+         cell(html::number(rounded2(gap.floorsBefore()), floors(gap.floorsBefore()))) + cell(after_floors);
+}
+
+std::string titleRow(const Comparison& comparison, bool score) {
+  const std::size_t count = score ? comparison.score_logs : comparison.fit_logs;
+  if (count == 0) return "";
+  return "<tr class=\"all\"><th scope=\"row\">" + std::to_string(count) + (count == 1 ? " log" : " logs") +
+         "</th><td>" + (score ? "kept" : "fitted") + "</td>" +
+         gapCells(score ? comparison.score : comparison.fit, false) + "</tr>\n";
+}
+
+}  // namespace
+
+std::string verdictSection(const Report& report) {
+  std::string inside = element("p", "darwinop gap, case " + report.given->name);
+  std::string sentences;
+  if (report.outcome == nullptr) {
+    inside += wrap("h1", "two models compared");
+    sentences = helpSentence(report.comparison);
+  } else {
+    std::string name{nameOf(report.outcome->naming.verdict)};
+    std::ranges::replace(name, '_', ' ');
+    inside += wrap("h1", html::text(name), " class=\"" + std::string{nameOf(report.outcome->naming.verdict)} + "\"");
+    sentences = joined(verdictSentences(*report.outcome, report.comparison), " ");
+  }
+  return wrap("header", inside + wrap("p", html::text(sentences), " id=\"verdict\"")) + "\n";
+}
+
+std::string headlineSection(const Report& report) {
+  const Comparison& all = report.comparison;
+  if (all.score_logs == 0)
+    return section("headline", "Before and after",
+                   element("p",
+                           "No log of this case is kept for judging. Mark one or two with \"role\": \"score\" in "
+                           "case.json: errors on logs that were fitted show nothing."));
+  const Gap& gap = all.score;
+  const double longest = std::max({gap.before_rad, gap.after_rad, gap.floor_rad});
+  std::string inside =
+      wrap("dl", bar("before", "before", gap.before_rad, longest) + bar("after", "after", gap.after_rad, longest) +
+                     bar("floor", "noise alone", gap.floor_rad, longest));
+  inside += element("p", "Position error of the closed loop, root of the mean square, on the " +
+                             std::to_string(all.score_logs) + (all.score_logs == 1 ? " log" : " logs") +
+                             " that no fit has seen. Noise alone is what a right model would show.");
+  if (all.anyBelowFloor(*report.given, true)) inside += wrap("p", html::text(kBelowFloorSentence), " class=\"flag\"");
+  return section("headline", "Before and after", inside);
+}
+
+std::string logsSection(const Report& report) {
+  const Comparison& all = report.comparison;
+  std::string rows;
+  for (const bool score : {true, false}) {
+    rows += titleRow(all, score);
+    for (const LogComparison& one : all.logs) {
+      const Trajectory& log = report.given->logs[one.log];
+      if (log.score != score) continue;
+      rows += "<tr><th scope=\"row\"><a href=\"#curves\" data-log=\"" + std::to_string(one.log) + "\">" +
+              html::text(log.file) + "</a> " + wrap("small", html::text(log.kind)) + "</th><td>" +
+              (score ? "kept" : "fitted") + "</td>" + gapCells(one.gap, one.below_floor) + "</tr>\n";
+    }
+  }
+  std::string inside =
+      "<div class=\"wide\"><table id=\"logs\"><thead><tr><th>log</th><th>role</th><th>before, mrad</th>"
+      "<th>after, mrad</th><th>noise, mrad</th><th>before, floors</th><th>after, floors</th></tr>"
+      "</thead><tbody>\n" +
+      rows + "</tbody></table></div>";
+  inside += element("p",
+                    "A floor is what noise alone makes on that motion. About 1 is as good as a model can be; 3 and "
+                    "more is a gap. Only kept logs say whether a model is better.");
+  if (all.anyBelowFloor(*report.given, true) || all.anyBelowFloor(*report.given, false))
+    inside += wrap("p", html::text(kBelowFloorSentence), " class=\"flag\"");
+  return section("log-by-log", "Log by log", inside);
+}
+
+std::string modelSection(const Report& report) {
+  std::string lines;
+  for (const DiffLine& line : lineDiff(report.model_before, report.model_after)) {
+    const std::string text = html::text(line.text);
+    if (line.kind == '+')
+      lines += "<ins>+ " + text + "</ins>\n";
+    else if (line.kind == '-')
+      lines += "<del>- " + text + "</del>\n";
+    else
+      lines += line.kind == '@' ? "<span class=\"cut\">  …</span>\n" : "  " + text + "\n";
+  }
+  const std::string inside = lines.empty()
+                                 ? element("p", "Nothing: both model files are the same.")
+                                 : wrap("pre", lines, " tabindex=\"0\" aria-label=\"Changes of the model file\"");
+  return section("model", "What changes in the model file", inside);
+}
+
+std::string againSection(const Report& report) {
+  std::string inside;
+  if (!report.commands.empty())
+    inside += wrap("pre", html::text(joined(report.commands, "\n")), " tabindex=\"0\" aria-label=\"Commands\"");
+  if (!report.data_hash.empty())
+    inside += wrap("p", "sha256 of the data: " + wrap("code", report.data_hash, " id=\"hash\"")) +
+              wrap("p", "The same number, made in the folder of the case:") +
+              wrap("pre", html::text(hashCommand(*report.given)), " tabindex=\"0\" aria-label=\"Command of the hash\"");
+  return inside.empty() ? "" : section("again", "Make it again", inside);
+}
+
+}  // namespace darwinop::gap

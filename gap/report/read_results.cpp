@@ -1,0 +1,71 @@
+// Effects out of results.json or report.json.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "gap/report/addition.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using nlohmann::json;
+
+const json& resultOf(const json& all, const std::string& name) {
+  if (all.is_object()) return all;
+  for (const json& one : all)
+    if (one.value("case", "") == name) return one;
+  throw std::runtime_error("has no result of case " + name + "; give the results of this case");
+}
+
+/// The verdict has to name something.
+void checkVerdict(const json& result, const std::string& name) {
+  const std::string of = result.at("case"), verdict = result.at("verdict");
+  if (of != name) throw std::runtime_error("is of case " + of + ", not of " + name + "; give its own results");
+  if (verdict == "none") throw std::runtime_error("says that nothing is missing: there is nothing to add");
+  if (verdict != "named" && verdict != "ambiguous")
+    throw std::runtime_error("has the verdict " + verdict +
+                             ", which names no effect; if you want one all the same, give it with --effect");
+  if (result.at("effects").empty()) throw std::runtime_error("names no effect: there is nothing to add");
+}
+
+AddedEffect effectIn(const json& from, const json& result) {
+  AddedEffect effect{.id = from.at("id"), .values = {}, .because = {}};
+  const json intervals = from.value("interval_90", json::object());
+  const json& values = from.contains("in_model") ? from["in_model"] : from.at("params");
+  for (const auto& [key, value] : values.items()) {
+    AddedValue added{key, value.get<double>(), std::nan(""), std::nan("")};
+    if (intervals.contains(key) && intervals[key].size() == 2 && intervals[key][0].is_number() &&
+        intervals[key][1].is_number())
+      added.low = intervals[key][0], added.high = intervals[key][1];
+    effect.values.push_back(added);
+  }
+  if (from.contains("because"))
+    effect.because = from["because"].get<std::vector<std::string>>();
+  else
+    effect.because = {"Found by darwinop gap in case " + result.at("case").get<std::string>() + ", verdict " +
+                      result.at("verdict").get<std::string>()};
+  return effect;
+}
+
+}  // namespace
+
+Additions additionsIn(std::string_view results, const std::string& file, const Case& given) {
+  try {
+    const json all = json::parse(results);
+    const json& result = resultOf(all, given.name);
+    checkVerdict(result, given.name);
+    Additions additions;
+    for (const json& effect : result.at("effects")) additions.effects.push_back(effectIn(effect, result));
+    for (const json& number : result.value("numbers", json::array()))
+      additions.numbers.push_back({number.at("number"), number.at("after")});
+    return additions;
+  } catch (const json::exception& error) {
+    throw std::runtime_error(file + ": is no results of darwinop gap (" + error.what() +
+                             "); `darwinop gap run` writes report.json, `battery` results.json");
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(file + ": " + error.what());
+  }
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,73 @@
+#include "gap/report/report.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "gap/report/data_hash.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+namespace fs = std::filesystem;
+
+void writeInto(const fs::path& path, const std::string& text) {
+  std::ofstream file{path, std::ios::binary};
+  file << text;
+  file.close();
+  if (!file)
+    throw std::runtime_error(path.string() + ": cannot be written; is there room, and may you write there? " +
+                             "Name another folder with --report");
+}
+
+}  // namespace
+
+Report reportOf(const Case& given, const Outcome& outcome, const std::string& model) {
+  Report report;
+  report.given = &given;
+  report.outcome = &outcome;
+  report.comparison = compare(given, baselineOf(given), outcome.naming.model);
+  report.model_before = model.empty() ? caseModel(given) : model;
+  report.data_hash = dataHash(given);
+  report.model_after = withAdditions(report.model_before, additionsOf(given, outcome, report.data_hash));
+  return report;
+}
+
+Report reportOn(const Case& given, const std::string& before, const std::string& after) {
+  Report report;
+  report.given = &given;
+  const Case old_case = withModel(given, twin::parseModel(before, "the model before"));
+  const Case new_case = withModel(given, twin::parseModel(after, "the model after"));
+  report.comparison = compare(given, baselineOf(old_case), baselineOf(new_case));
+  report.model_before = before;
+  report.model_after = after;
+  report.data_hash = dataHash(given);
+  return report;
+}
+
+Case withModel(Case given, const twin::Model& model) {
+  given.model = model;
+  std::erase_if(given.model.effects, [](const twin::EffectSetting& effect) { return effect.joint.has_value(); });
+  // A number that the model does not have needs no prior.
+  std::erase_if(given.priors, [&](const Prior& prior) {
+    const std::size_t dot = prior.number.find('.');
+    return dot != std::string::npos && std::ranges::none_of(given.model.effects, [&](const auto& effect) {
+             return effect.info->id == prior.number.substr(0, dot);
+           });
+  });
+  return given;
+}
+
+void writeReport(const Report& report, const std::string& folder) {
+  std::error_code wrong;
+  fs::create_directories(folder, wrong);
+  if (wrong) throw std::runtime_error(folder + ": cannot be made: " + wrong.message() + "; name another with --report");
+  writeInto(fs::path{folder} / "report.html", asHtml(report));
+  writeInto(fs::path{folder} / "report.json",
+            asJson(report).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  if (report.outcome != nullptr) writeInto(fs::path{folder} / "repaired.ini", report.model_after);
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,123 @@
+// What a terminal shows: at most 24 lines.
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+#include "gap/name/judge.hpp"
+#include "gap/report/model_text.hpp"
+#include "gap/report/outcome.hpp"
+#include "gap/report/sentences.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr std::size_t kColumns = 100;
+constexpr std::size_t kEstimatesShown = 4, kRivalsShown = 2, kStrainedShown = 2;
+
+[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
+  char text[300];
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(text, sizeof text, format, values);
+  va_end(values);
+  std::string out = text;
+  if (out.size() > kColumns) out = out.substr(0, kColumns - 3) + "...";
+  return out + "\n";
+}
+
+/// Words in lines of a terminal.
+std::string inLines(std::string text) {
+  std::string out;
+  while (text.size() > kColumns) {
+    std::size_t cut = text.rfind(' ', kColumns);
+    if (cut == std::string::npos || cut == 0) cut = kColumns;
+    out += text.substr(0, cut) + "\n";
+    text.erase(0, text.find_first_not_of(' ', cut));
+  }
+  return out + text + "\n";
+}
+
+std::string whereText(const Where& where) {
+  std::string text;
+  const std::string block = where.blocks.first ? "; loop: the " + std::string{name(*where.blocks.first)} : "";
+  if (!where.places.empty()) {
+    const Place& place = where.places.front();
+    text = line("where     %s, %.1f to %.1f s (%s), %.3g %s%s", place.file.c_str(), place.t0_s, place.t1_s,
+                place.happens.c_str(), place.size, place.unit.c_str(), block.c_str());
+  } else if (!block.empty()) {
+    text = line("where     %s", block.substr(2).c_str());
+  }
+  return text;
+}
+
+std::string whatText(const Naming& naming) {
+  std::string text;
+  std::size_t left = kEstimatesShown;
+  for (const Found& found : naming.found)
+    for (const Estimate& estimate : found.estimates) {
+      if (left == 0) return text + "          and more: see the report\n";
+      --left;
+      const std::string known =
+          estimate.seen ? "90 %: " + interval(estimate.low, estimate.high, estimate.unit) : "not seen in these data";
+      text += line("%-9s %s = %s   (%s), gain %.0f",
+                   text.empty() ? (naming.verdict == Verdict::kUnknown ? "helps" : "what") : "", estimate.name.c_str(),
+                   withUnit(estimate.value, estimate.unit).c_str(), known.c_str(), found.gain);
+    }
+  return text;
+}
+
+std::string rivalText(const Naming& naming) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kRivalsShown, naming.rivals.size()); ++i)
+    text += line("%-9s %s instead: worse by %.0f%s", i == 0 ? "rivals" : "",
+                 joined(naming.rivals[i].effects, " + ").c_str(), naming.rivals[i].behind,
+                 naming.rivals[i].behind < kClose ? ", which decides nothing" : "");
+  for (std::size_t i = 0; i < std::min(kStrainedShown, naming.strained.size()); ++i) {
+    const Strained& one = naming.strained[i];
+    text += line("%-9s %s has to be %.3f times what was given: %.1f sigma", i == 0 ? "strained" : "",
+                 one.number.c_str(), one.factor, std::abs(one.sigmas));
+  }
+  return text;
+}
+
+std::string rowText(const std::string& what, const Gap& gap, bool below_floor) {
+  return line("  %-30s %10s %10s %10s %12s%s", what.c_str(), inMrad(gap.before_rad).c_str(),
+              inMrad(gap.after_rad).c_str(), inMrad(gap.floor_rad).c_str(),
+              std::isfinite(gap.after_rad) ? (std::to_string(gap.floorsAfter()).substr(0, 5) + " floors").c_str() : "-",
+              below_floor ? "  below the floor!" : "");
+}
+
+std::string tableText(const Case& given, const Comparison& comparison) {
+  return line("%-32s %10s %10s %10s %12s", "position error, rms, mrad", "before", "after", "noise", "after in") +
+         rowText("kept logs (" + std::to_string(comparison.score_logs) + ")", comparison.score,
+                 comparison.anyBelowFloor(given, true)) +
+         rowText("logs of the fit (" + std::to_string(comparison.fit_logs) + ")", comparison.fit,
+                 comparison.anyBelowFloor(given, false));
+}
+
+}  // namespace
+
+std::string asText(const Case& given, const Comparison& comparison) {
+  return "case " + given.name + ": two models compared\n" + inLines(helpSentence(comparison)) + "\n" +
+         tableText(given, comparison);
+}
+
+std::string asText(const Case& given, const Outcome& outcome, const Comparison& comparison) {
+  const Naming& naming = outcome.naming;
+  std::string text = "case " + given.name + ": " + std::string{nameOf(naming.verdict)} + "\n";
+  for (const std::string& sentence : verdictSentences(outcome, comparison)) text += inLines(sentence);
+  if (!outcome.remains.empty()) text += inLines(outcome.remains);
+  text += "\n" + whereText(outcome.where) + whatText(naming) + rivalText(naming);
+  text += "\n" + tableText(given, comparison);
+  return text + line(
+                    "\nchance gives a gain of %.0f once in a hundred cases; left are %.1f sigma of misfit "
+                    "(a gap: %.0f); %.0f s",
+                    naming.threshold, naming.misfit, kMisfit, outcome.runtime_s);
+}
+
+std::string asText(const Case& given, const Outcome& outcome) {
+  return asText(given, outcome, compare(given, baselineOf(given), outcome.naming.model));
+}
+
+}  // namespace darwinop::gap
