@@ -23,6 +23,7 @@ constexpr Noun kNouns[] = {
     {"experiment", "run, list and plot experiments: files that say what moves, how, and what is recorded"},
     {"virtual-robot", "a CM-730 with 20 MX-28 on a pty, for work without a robot"},
     {"twin", "the physics twin: watch it, film it, list its models and effects"},
+    {"gap", "find where simulation and measurement disagree, name what is missing, add it to the model"},
     {"supervisor", "parent of runtime and default controller on a robot; also --status, --stop-controller"},
     {"install", "install on a robot over ssh, send controllers; also --status, --rollback, --uninstall"},
     {"doctor", "check port, servos and real-time rights, and say how to mend what is wrong"},

@@ -1,0 +1,163 @@
+// Searches, reports, and puts effects into models.
+#include <fcntl.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "gap/report/data_hash.hpp"
+#include "gap/report/report.hpp"
+#include "gap/sim/ranks.hpp"
+#include "gap_commands.hpp"
+#include "gap_progress.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const std::string& path) {
+  std::ifstream file{path, std::ios::binary};
+  if (!file) throw std::runtime_error(path + ": cannot be read; is the name right?");
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+void writeTo(const std::string& path, const std::string& text) {
+  std::ofstream file{path, std::ios::binary};
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error(path + ": cannot be written; is there room, and may you write there?");
+}
+
+/// A name of a case that is also one of a folder.
+std::string folderName(const std::string& name) {
+  std::string out;
+  for (const char c : name) {
+    const bool plain =
+        std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || (c == '.' && !out.empty());
+    out += plain ? c : '_';
+  }
+  return out.empty() ? "case" : out;
+}
+
+std::string reportFolder(const Arguments& given, const std::string& otherwise) {
+  return given.report.empty() ? (fs::path{"gap-report"} / folderName(otherwise)).string() : given.report;
+}
+
+/// Where a person sits in front of a screen; not at the far end of an ssh.
+bool someoneIsThere() {
+  const auto set = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+  };
+  return isatty(STDOUT_FILENO) == 1 && (set("DISPLAY") || set("WAYLAND_DISPLAY")) && !set("SSH_CONNECTION");
+}
+
+/// The desktop's own program for pages; nothing happens where there is none.
+void openInBrowser(const std::string& path) {
+  posix_spawn_file_actions_t quiet;
+  posix_spawn_file_actions_init(&quiet);
+  posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&quiet, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  std::string program = "xdg-open", page = path;
+  char* const words[] = {program.data(), page.data(), nullptr};
+  pid_t child = 0;
+  if (posix_spawnp(&child, program.c_str(), &quiet, nullptr, words, environ) != 0)
+    std::cerr << "darwinop gap: there is no xdg-open here; open the page yourself\n";
+  posix_spawn_file_actions_destroy(&quiet);
+}
+
+void deliver(const Report& report, const Arguments& given, const std::string& folder) {
+  writeReport(report, folder);
+  const std::string page = (fs::path{folder} / "report.html").string();
+  std::cerr << "darwinop gap: " << page << " shows it, report.json beside it is for programs"
+            << (report.outcome == nullptr ? "" : ", repaired.ini is the model with what was found") << '\n';
+  if (given.open || (!given.no_open && !given.json && someoneIsThere())) openInBrowser(page);
+}
+
+std::string modelOption(const Arguments& given) {
+  return given.model.empty() ? "" : " --model " + shellWord(given.model);
+}
+
+std::string dumped(const nlohmann::json& json) {
+  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+bool hasEffect(const std::string& model, const std::string& id) {
+  for (const twin::EffectSetting& effect : twin::parseModel(model, "the model").effects)
+    if (effect.info->id == id && !effect.joint) return true;
+  return false;
+}
+
+/// The model that a case starts from, as a file has it.
+std::string startModel(const Arguments& given, const Case& read) {
+  return given.model.empty() ? caseModel(read) : textOf(twin::findModel(given.model));
+}
+
+}  // namespace
+
+Case readGiven(const Arguments& given) {
+  Case read = readCase(given.folder);
+  return given.model.empty() ? read : withModel(std::move(read), twin::readModel(twin::findModel(given.model)));
+}
+
+int run(const Arguments& given) {
+  const Case read = readGiven(given);
+  ProgressLine progress{given.json || !Ranks::isFirst()};
+  NameOptions options;
+  options.tell = [&](const std::string& what) { progress.tell(what); };
+  const Outcome outcome = investigate(read, options);
+  Report report = reportOf(read, outcome, startModel(given, read));
+  progress.end();
+  const std::string folder = reportFolder(given, read.name), on = shellWord(given.folder);
+  report.commands = {"darwinop gap run" + modelOption(given) + " " + on,
+                     "darwinop gap add" + modelOption(given) + " " + on + " " + shellWord(folder + "/report.json") +
+                         " --out repaired.ini",
+                     "darwinop gap report --after repaired.ini" +
+                         (given.model.empty() ? "" : " --before " + shellWord(given.model)) + " " + on};
+  const int code = exitCodeOf(outcome.naming.verdict);
+  if (!Ranks::isFirst()) return code;
+  std::cout << (given.json ? dumped(asJson(read, outcome)) : asText(report)) << std::flush;
+  if (!given.out.empty()) {
+    writeTo(given.out, report.model_after);
+    std::cerr << "darwinop gap: " << given.out << " is the model with what was found; the twin takes it as it is\n";
+  }
+  if (!given.no_report) deliver(report, given, folder);
+  return code;
+}
+
+int compareModels(const Arguments& given) {
+  const Case read = readCase(given.folder);
+  const std::string before = given.before.empty() ? caseModel(read) : textOf(twin::findModel(given.before));
+  Report report = reportOn(read, before, textOf(twin::findModel(given.after)));
+  report.commands = {"darwinop gap report" + (given.before.empty() ? "" : " --before " + shellWord(given.before)) +
+                     " --after " + shellWord(given.after) + " " + shellWord(given.folder)};
+  std::cout << (given.json ? dumped(asJson(report)) : asText(report)) << std::flush;
+  if (!given.no_report) deliver(report, given, reportFolder(given, read.name + "-compared"));
+  return 0;
+}
+
+int addEffects(const Arguments& given) {
+  const Case read = readGiven(given);
+  if (given.results.empty() == given.effects.empty())
+    throw std::runtime_error(
+        "what is to be added? give report.json of a run, or --effect ID.PARAMETER=VALUE; one of the two");
+  const Additions additions =
+      given.results.empty() ? additionsFrom(given.effects) : additionsIn(textOf(given.results), given.results, read);
+  const std::string before = startModel(given, read), text = withAdditions(before, additions);
+  if (given.out.empty())
+    std::cout << text;
+  else
+    writeTo(given.out, text);
+  for (const AddedEffect& effect : additions.effects)
+    std::cerr << "darwinop gap: " << effect.id
+              << (hasEffect(before, effect.id) ? " replaces what the model had of it\n" : " is in it now\n");
+  return 0;
+}
+
+}  // namespace darwinop::gap

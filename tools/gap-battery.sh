@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# gap-battery.sh BIN [--cases N] [--seed N]: the whole battery of `darwinop gap`, blind and scored: the examples of
+# another simulator, if ../shared/gap-cases is there, and our own cases. What is done stays in build/gap-battery: the
+# same command goes on where it was stopped, and another build of the program begins anew.
+set -euo pipefail
+bin=$(cd "$1" && pwd)
+shift
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+
+cases=0 seed=20131
+while [ $# -gt 0 ]; do
+  case $1 in
+    --cases) cases=${2:?--cases needs a number} ;;
+    --seed) seed=${2:?--seed needs a number} ;;
+    *)
+      echo "gap-battery: no option '$1'; there are --cases N and --seed N" >&2
+      exit 2
+      ;;
+  esac
+  shift 2
+done
+
+program=$(sha256sum "$bin/darwinop-gap" | cut -c1-12)
+gap() { "$bin/darwinop-gap" "$@"; }
+
+# run NAME CASES KEY: answers what has no answer yet, and says how good all of it is.
+run() {
+  local results=build/gap-battery/$1.$program.json status=0
+  gap battery "$2" --out "$results" --resume || status=$?
+  echo
+  echo "== $1: darwinop gap score $results $3"
+  gap score "$results" "$3" | tee "build/gap-battery/$1.$program.txt"
+  return "$status"
+}
+
+mkdir -p build/gap-battery
+status=0
+own=own-$seed
+[ "$cases" = 0 ] || own=$own-$cases
+if [ ! -e "build/gap-battery/$own/key.json" ]; then
+  rm -rf "build/gap-battery/$own"  # a key is written last: without one the cases are not all there
+  gap make-battery --part all --seed "$seed" --cases "$cases" --out "build/gap-battery/$own"
+fi
+examples=../shared/gap-cases
+if [ -e "$examples/key.json" ] && [ "$cases" = 0 ]; then
+  run examples "$examples/cases" "$examples/key.json" || status=$?
+fi
+run "$own" "build/gap-battery/$own/cases" "build/gap-battery/$own/key.json" || status=$?
+exit "$status"
