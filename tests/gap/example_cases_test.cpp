@@ -1,0 +1,107 @@
+// The example cases of other simulators, and logs of a real servo: they are read, and nothing is odd about them.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "gap/data/data_check.hpp"
+#include "gap/data/write_case.hpp"
+#include "logs/read_log.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder beside the project, or beside $DARWINOP_SHARED.
+fs::path shared(const std::string& name) {
+  const char* const folder = std::getenv("DARWINOP_SHARED");
+  return fs::path{folder != nullptr ? folder : DARWINOP_SHARED} / name;
+}
+
+std::vector<fs::path> exampleCases() {
+  std::vector<fs::path> found;
+  if (!fs::exists(shared("gap-cases/cases"))) return found;
+  for (const auto& entry : fs::directory_iterator{shared("gap-cases/cases")}) found.push_back(entry.path());
+  std::ranges::sort(found);
+  return found;
+}
+
+std::vector<std::string_view> hidden(const DataCheck& check) {
+  std::vector<std::string_view> ids;
+  for (const Finding& finding : check.findings)
+    if (!finding.reveals) ids.push_back(finding.id);
+  return ids;
+}
+
+TEST(ExampleCases, AreReadWithoutAWarning) {
+  const auto cases = exampleCases();
+  if (cases.empty()) GTEST_SKIP() << "no example cases in " << shared("gap-cases/cases");
+  for (const fs::path& folder : cases) {
+    const Case c = readCase(folder);
+    const DataCheck check = checkData(c);
+    EXPECT_THAT(check.warnings, testing::ElementsAre()) << folder;
+    EXPECT_EQ(c.name, folder.filename());
+    EXPECT_EQ(c.logs.size(), 10u);
+    EXPECT_TRUE(c.datasheet.has_value());
+    EXPECT_TRUE(check.has_repeats);
+    for (const char* id : {"load_column", "torque_off", "payloads", "temperature", "repeats", "both_sides"})
+      EXPECT_THAT(hidden(check), testing::Not(testing::Contains(id))) << folder;
+  }
+}
+
+TEST(ExampleCases, AreWrittenWithoutLoss) {
+  const auto cases = exampleCases();
+  if (cases.size() < 5) GTEST_SKIP() << "no example cases in " << shared("gap-cases/cases");
+  const TemporaryFolder folder;
+  for (const std::size_t i : {0u, 4u}) {  // one of each law
+    const Case c = readCase(cases[i]);
+    EXPECT_TRUE(fitsBaseline(c));
+    writeCase(c, folder / c.name);
+    const Case back = readCase(folder / c.name);
+    EXPECT_EQ(caseAsJson(back, false), caseAsJson(c, false));
+    for (std::size_t log = 0; log < c.logs.size(); ++log) {
+      EXPECT_EQ(back.logs[log].position_rad, c.logs[log].position_rad);  // to the last bit: few digits
+      EXPECT_EQ(back.logs[log].time_s, c.logs[log].time_s);
+      EXPECT_EQ(logAsCsv(back.logs[log]), logAsCsv(c.logs[log]));
+    }
+  }
+}
+
+TEST(ExampleCases, InDegreesAreRefused) {
+  const auto cases = exampleCases();
+  if (cases.empty()) GTEST_SKIP() << "no example cases in " << shared("gap-cases/cases");
+  constexpr double kDegrees = 57.29577951308232;
+  for (std::size_t i = 0; i < cases.size(); i += 4) {
+    const fs::path& path = cases[i];
+    Case c = readCase(path);
+    for (Trajectory& log : c.logs) {
+      for (double& goal : log.goal_rad) goal *= kDegrees;
+      for (double& position : log.position_rad) position *= kDegrees;
+    }
+    const TemporaryFolder folder;
+    writeCase(c, folder / "degrees");
+    EXPECT_THROW(readCase(folder / "degrees"), BadInput) << path;
+  }
+}
+
+TEST(RealServo, IsReadAndItsLimitsAreSaid) {
+  if (!fs::exists(shared("real-servo"))) GTEST_SKIP() << "no logs of a real servo in " << shared("real-servo");
+  const Case c = readCase(shared("real-servo"));
+  EXPECT_EQ(c.goal_order, GoalOrder::kBeforeRead);
+  EXPECT_EQ(c.logs.size(), 12u);
+  EXPECT_EQ(c.model.effects.size(), 0u);  // the manual says nothing of friction
+  ASSERT_TRUE(c.datasheet.has_value());
+  EXPECT_NEAR(c.datasheet->servo.kt_nm_a, 0.354, 0.001);
+  EXPECT_NEAR(c.datasheet->servo.resistance_ohm, 3.4, 0.01);
+  EXPECT_NEAR(c.datasheet->servo.duty_per_kp_per_rad, 0.005755, 1e-6);
+  const DataCheck check = checkData(c);
+  EXPECT_THAT(check.warnings, testing::ElementsAre());
+  EXPECT_THAT(hidden(check), testing::IsSupersetOf({"payloads", "temperature", "repeats"}));
+  EXPECT_THAT(hidden(check), testing::Not(testing::Contains("torque_off")));
+}
+
+}  // namespace
+}  // namespace darwinop::gap

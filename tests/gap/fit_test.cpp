@@ -1,0 +1,95 @@
+// Noise that is calibrated, unknowns that are found.
+#include <gtest/gtest.h>
+
+#include "gap/fit/solve.hpp"
+#include "small_case.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+double share(const Eigen::VectorXd& residuals) {
+  return residuals.unaryExpr(&costOf).sum() / static_cast<double>(residuals.size());
+}
+
+Eigen::VectorXd residualsOf(const Case& bench) {
+  const Evidence evidence = evidenceOf(bench, baselineOf(bench));
+  const Problem problem{evidence, baselineOf(bench), {}};
+  Eigen::VectorXd residuals(evidence.size());
+  problem.residuals({}, residuals);
+  return residuals;
+}
+
+TEST(Noise, ARightModelCostsAboutOneASample) {
+  const Case bench = smallBench();
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const double cost = share(residualsOf(measured(bench, baselineOf(bench), seed)));
+    EXPECT_GT(cost, 0.5) << seed;
+    EXPECT_LT(cost, 1.1) << seed;
+  }
+}
+
+TEST(Noise, AWrongModelCostsMore) {
+  const Case bench = smallBench();
+  EXPECT_GT(share(residualsOf(measured(bench, withEffect(bench, "encoder_offset", "offset", 0.01), 1))), 1.5);
+}
+
+TEST(Noise, WhatIsNotKnownCountsNothing) {
+  Case bench = measured(smallBench(), baselineOf(smallBench()), 1);
+  for (double& load : bench.logs[0].load) load = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(residualsOf(bench).allFinite());
+}
+
+TEST(Noise, TheFloorIsAtLeastWhatTheEncoderRounds) {
+  const Case bench = smallBench();
+  const double tick = 2 * 3.14159265 / 4096;
+  for (const LogNoise& log : evidenceOf(bench, baselineOf(bench)).noise) {
+    EXPECT_GE(log.positionSigma().minCoeff(), 0.4 * tick);
+    EXPECT_LT(log.positionSigma().minCoeff(), 0.6 * tick) << "somewhere the arm just stands";
+  }
+}
+
+TEST(Solve, FindsAMovedNumberAndSaysHowSurely) {
+  const Case bench = smallBench();
+  Hypothesis truth = baselineOf(bench);
+  truth.servo.kt_nm_a *= 1.03;
+  truth.servo.back_emf_vs_rad *= 1.03;
+  const Case given = measured(bench, truth, 4);
+  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  std::vector<Unknown> unknowns;
+  for (Unknown& unknown : nuisancesOf(given, baselineOf(given)))
+    if (unknown.name == "kt") unknowns.push_back(unknown);
+  ASSERT_EQ(unknowns.size(), 1U);
+  const Problem problem{evidence, baselineOf(given), unknowns};
+  const Fit fit = solve(problem, problem.expected());
+  const double sigma = std::sqrt(fit.covariance(0, 0));
+  EXPECT_NEAR(fit.x[0], 1.03, 4 * sigma);
+  EXPECT_GT(sigma, 1e-5);
+  EXPECT_LT(sigma, 0.005) << "the prior of 2 % is not what decides";
+  EXPECT_LE(fit.cost, problem.cost(problem.expected()));
+}
+
+TEST(Solve, AnUnknownThatChangesNothingHasNoCovariance) {
+  const Case given = measured(smallBench(), baselineOf(smallBench()), 5);
+  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  // A ripple without amplitude: its phase cannot be known.
+  Hypothesis flat = baselineOf(given);
+  flat.with(*twin::findEffect("cogging"));
+  const Problem problem{evidence, flat, {unknownsOf(*twin::findEffect("cogging")).at(2)}};
+  const Fit fit = solve(problem, problem.expected());
+  EXPECT_FALSE(std::isfinite(fit.covariance(0, 0)));
+}
+
+TEST(Unknowns, AreThoseThatThePriorsName) {
+  const Case bench = smallBench();
+  std::vector<std::string> names;
+  for (const Unknown& unknown : nuisancesOf(bench, baselineOf(bench))) names.push_back(unknown.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"kt", "resistance", "armature", "payload", "length"}));
+  Case slow = bench;
+  slow.model.servo.law = twin::Law::kSpeedP;  // has no motor constants
+  names.clear();
+  for (const Unknown& unknown : nuisancesOf(slow, baselineOf(slow))) names.push_back(unknown.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"armature", "payload", "length"}));
+}
+
+}  // namespace
+}  // namespace darwinop::gap

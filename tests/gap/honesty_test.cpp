@@ -1,0 +1,87 @@
+// What must not change a verdict does not, on small benches; docs/gap/battery.md says why each of these is asked.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "gap/name/naming.hpp"
+#include "small_case.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kFriction = 0.04;  // N m
+
+std::vector<std::string> effectsOf(const Naming& naming) {
+  std::vector<std::string> ids;
+  for (const Found& found : naming.found) ids.emplace_back(found.effect->id);
+  return ids;
+}
+
+const Case& rubbing() {
+  static const Case bench = smallBench();
+  static const Case given = measured(bench, withEffect(bench, "coulomb", "friction", kFriction), 21);
+  return given;
+}
+
+const Naming& namedAsItIs() {
+  static const Naming naming = nameEffects(rubbing());
+  return naming;
+}
+
+const Estimate& frictionIn(const Naming& naming) {
+  return naming.found.at(0).estimates.at(0);
+}
+
+double widthOf(const Estimate& estimate) {
+  return estimate.high - estimate.low;
+}
+
+TEST(Honesty, OrderNamesAndLabelsOfLogsAreNoEvidence) {
+  Case shuffled = rubbing();
+  std::rotate(shuffled.logs.begin(), shuffled.logs.begin() + 2, shuffled.logs.end());
+  std::swap(shuffled.logs[0], shuffled.logs[1]);
+  const std::array names{"deadband", "coulomb", "none", "backlash"};
+  for (std::size_t i = 0; i < shuffled.logs.size(); ++i) {
+    shuffled.logs[i].file = std::string{names[i]} + ".csv";
+    shuffled.logs[i].kind = names[shuffled.logs.size() - 1 - i];
+  }
+  shuffled.name = shuffled.folder = shuffled.model.name = "effect_free";
+  const Naming &before = namedAsItIs(), after = nameEffects(shuffled);
+  EXPECT_EQ(before.verdict, Verdict::kNamed);
+  EXPECT_EQ(after.verdict, before.verdict);
+  ASSERT_EQ(effectsOf(after), effectsOf(before));
+  // The dice of the noise fall otherwise for another order of the logs.
+  EXPECT_NEAR(frictionIn(after).value, frictionIn(before).value, widthOf(frictionIn(before)));
+}
+
+TEST(Honesty, ACopyOfALogMakesNothingSurer) {
+  Case twice = rubbing();
+  for (std::size_t i = 0; i < 2; ++i) {
+    twice.logs.push_back(twice.logs[i]);
+    twice.logs.back().file = "again_" + twice.logs[i].file;
+  }
+  EXPECT_EQ(evidenceOf(twice, baselineOf(twice)).logs, evidenceOf(rubbing(), baselineOf(rubbing())).logs);
+  const Naming &once = namedAsItIs(), after = nameEffects(twice);
+  ASSERT_EQ(effectsOf(after), effectsOf(once));
+  EXPECT_NEAR(after.found[0].gain, once.found[0].gain, 0.01 * once.found[0].gain);
+  EXPECT_NEAR(widthOf(frictionIn(after)), widthOf(frictionIn(once)), 0.01 * widthOf(frictionIn(once)));
+}
+
+// At the 4 % that the issue allows, 2 of 4 would alarm once in 110 such runs: 1 - P(0) - P(1) = 0.009.
+TEST(Honesty, FreshDataOfARightModelRaiseNoAlarm) {
+  const char* const seed = std::getenv("DARWINOP_SEED");
+  const std::uint64_t first = seed != nullptr ? std::strtoull(seed, nullptr, 10) : 4'000;
+  RecordProperty("seed", std::to_string(first));
+  const Case bench = smallBench();
+  int alarms = 0;
+  for (std::uint64_t i = 0; i < 4; ++i) {
+    const Naming naming = nameEffects(measured(bench, baselineOf(bench), first + i));
+    alarms += naming.verdict == Verdict::kNone || naming.verdict == Verdict::kCannotTell ? 0 : 1;
+  }
+  EXPECT_LE(alarms, 1) << "DARWINOP_SEED=" << first << " shows it again";
+}
+
+}  // namespace
+}  // namespace darwinop::gap

@@ -1,0 +1,73 @@
+// Names what is missing, and is silent when nothing is.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "gap/report/outcome.hpp"
+#include "small_case.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+Naming namedIn(const Case& given) {
+  return nameEffects(given);
+}
+
+std::string idOf(const Naming& naming) {
+  return naming.found.empty() ? "" : std::string{naming.found.front().effect->id};
+}
+
+TEST(Naming, AModelThatIsRightMissesNothing) {
+  const Case bench = smallBench();
+  const Naming naming = namedIn(measured(bench, baselineOf(bench), 11));
+  EXPECT_EQ(naming.verdict, Verdict::kNone) << idOf(naming);
+  EXPECT_LT(std::abs(naming.misfit), 4);
+}
+
+TEST(Naming, NumbersThatAreOffWithinTheirPriorsAreNoEffect) {
+  const Case bench = smallBench();
+  Hypothesis truth = baselineOf(bench);
+  truth.servo.resistance_ohm *= 1.03;
+  truth.servo.armature_kgm2 *= 0.93;
+  truth.payload_scale = 1.007;
+  const Naming naming = namedIn(measured(bench, truth, 12));
+  EXPECT_EQ(naming.verdict, Verdict::kNone) << idOf(naming);
+  EXPECT_GT(naming.gap_before_rad, 1.5 * naming.gap_after_rad) << "they do move";
+}
+
+TEST(Naming, DryFriction) {
+  const Case bench = smallBench();
+  const Naming naming = namedIn(measured(bench, withEffect(bench, "coulomb", "friction", 0.04), 13));
+  ASSERT_EQ(naming.verdict, Verdict::kNamed) << idOf(naming);
+  ASSERT_EQ(idOf(naming), "coulomb");
+  const Estimate& friction = naming.found.front().estimates.front();
+  EXPECT_NEAR(friction.value, 0.04, 0.002);
+  EXPECT_LT(friction.low, friction.value);
+  EXPECT_GT(friction.high, friction.value);
+  EXPECT_LT(naming.gap_after_rad, 2 * naming.floor_rad);
+}
+
+TEST(Naming, ADeadBandIsToldFromDryFriction) {
+  const Case bench = smallBench();
+  const Naming naming = namedIn(measured(bench, withEffect(bench, "deadband", "width", 0.01), 14));
+  EXPECT_EQ(idOf(naming), "deadband");
+}
+
+TEST(Outcome, TheRepairedModelHasTheEffectAndReadsBack) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 15);
+  const Outcome outcome = investigate(given);
+  ASSERT_EQ(idOf(outcome.naming), "encoder_offset");
+  EXPECT_LT(outcome.score_after_rad, 0.3 * outcome.score_before_rad) << "on a log that no fit has seen";
+  const twin::Model repaired = twin::parseModel(repairedModel(given, outcome), "repaired.ini");
+  ASSERT_EQ(repaired.effects.size(), 2U);
+  const nlohmann::json json = asJson(given, outcome);
+  EXPECT_EQ(json["verdict"], "named");
+  EXPECT_NEAR(json["effects"][0]["params"]["offset"].get<double>(), 0.03, 0.001);
+  const std::string text = asText(given, outcome);
+  EXPECT_NE(text.find("encoder_offset"), std::string::npos);
+  EXPECT_NE(text.find("kept logs"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace darwinop::gap

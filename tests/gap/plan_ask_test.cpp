@@ -1,0 +1,84 @@
+// What is asked follows from what is open.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "gap/plan/ask.hpp"
+#include "plan_rig.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+const Tell kQuietly = [](const std::string&) {};
+
+/// One log of steps: one payload, one gain, no torque off.
+Case poorCase() {
+  Case bench = smallBench();
+  bench.logs = {commanded("steps", 2.1, 16, 0.3, [](double t) { return t < 0.4 ? 0.0 : t < 1.2 ? 0.9 : -0.4; })};
+  bench.priors = {{"kt", 0.02}};
+  return measured(bench, baselineOf(bench), 3);
+}
+
+std::vector<std::string> contendersOf(const Question& question) {
+  std::vector<std::string> names;
+  for (const Contender& one : question.contenders) names.push_back(one.name);
+  return names;
+}
+
+std::string saidOf(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+TEST(Question, WithNothingFoundIsWhatTheseLogsCannotShow) {
+  const Question question = questionAfter(poorCase(), Naming{}, kQuietly);
+  EXPECT_EQ(question.aim, Aim::kReveal);
+  EXPECT_EQ(question.contenders.at(0).name, kNothing);
+  EXPECT_THAT(contendersOf(question), Contains("load_dependent_friction"));
+  EXPECT_THAT(contendersOf(question), Not(Contains("lost_packets")));
+}
+
+TEST(Question, OfCloseRivalsIsWhatSeparatesThem) {
+  Naming naming;
+  naming.found.push_back({twin::findEffect("com_mass"), {}, 40});
+  naming.rivals = {{{"encoder_offset"}, 3}, {{"accel_limit"}, 60}};
+  const Question question = questionAfter(poorCase(), naming, kQuietly);
+  EXPECT_EQ(question.aim, Aim::kSeparate);
+  EXPECT_THAT(contendersOf(question), testing::ElementsAre("com_mass", "encoder_offset"));
+}
+
+TEST(Question, OfAnEffectWithoutRivalsIsHowLargeItIs) {
+  Naming naming;
+  naming.found.push_back({twin::findEffect("coulomb"), {}, 40});
+  const Question question = questionAfter(poorCase(), naming, kQuietly);
+  EXPECT_EQ(question.aim, Aim::kNarrow);
+  EXPECT_EQ(question.contenders.at(0).unknowns.at(question.unknown).name, "coulomb.friction");
+}
+
+TEST(Question, ACopiedLogMakesNobodySurer) {
+  Case once = poorCase(), twice = once;
+  twice.logs.push_back(twice.logs.front());
+  twice.logs.back().file = "copy.csv";
+  const Eigen::VectorXd sigmas = questionBetween(once, {"coulomb"}, kQuietly).contenders.at(1).sigmas();
+  EXPECT_EQ(questionBetween(twice, {"coulomb"}, kQuietly).contenders.at(1).sigmas(), sigmas);
+}
+
+TEST(Question, KnowsItsEffects) {
+  const Case given = poorCase();
+  EXPECT_THAT(saidOf([&] {
+                questionBetween(given, {"colomb", "viscous"}, kQuietly);
+              }),
+              HasSubstr("there is no effect 'colomb'; did you mean coulomb?"));
+  EXPECT_THAT(saidOf([&] { questionBetween(given, {"lost_packets"}, kQuietly); }), HasSubstr("cannot be fitted here"));
+  EXPECT_THAT(saidOf([&] { questionBetween(given, {"viscous", "viscous"}, kQuietly); }), HasSubstr("stands twice"));
+}
+
+}  // namespace
+}  // namespace darwinop::gap

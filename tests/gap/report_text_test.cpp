@@ -1,0 +1,145 @@
+// What a terminal shows, and the figures behind it.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "gap/report/data_hash.hpp"
+#include "report_rig.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::string> linesOfText(const std::string& text) {
+  std::istringstream stream{text};
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Without line ends: where a terminal breaks a sentence does not matter here.
+std::string inOneLine(std::string text) {
+  for (char& c : text)
+    if (c == '\n') c = ' ';
+  return text;
+}
+
+TEST(Summary, TellsWhereWhatHowSureAndHowMuchItHelps) {
+  const Told told;
+  const std::string text = inOneLine(asText(told.report));
+  EXPECT_THAT(text, HasSubstr("The model lacks dry friction: friction 0.0423 N m, with nine chances in ten between "
+                              "0.0401 and"));
+  EXPECT_THAT(text, HasSubstr("falls from 31.0 mrad to 0.93 mrad; noise alone makes 0.89."));
+  EXPECT_THAT(text, HasSubstr("coulomb.friction = 0.0423 N m   (90 %: 0.0401 to 0.0447 N m), gain 312"));
+  EXPECT_THAT(text, HasSubstr("deadband instead: worse by 45"));
+  EXPECT_THAT(text, HasSubstr("length has to be 1.034 times what was given: 3.4 sigma"));
+  EXPECT_THAT(text, HasSubstr("loop: the plant"));
+}
+
+TEST(Summary, FitsAScreenHoweverMuchWasFound) {
+  Told told;
+  Naming& naming = told.outcome.naming;
+  naming.verdict = Verdict::kAmbiguous;
+  for (const char* id : {"stribeck", "backlash", "supply_sag"})
+    naming.found.push_back(
+        {twin::findEffect(id),
+         {{std::string{id} + ".one", "N m", 0.1, 0.09, 0.11}, {std::string{id} + ".two", "", 1, 0, 2}},
+         100});
+  naming.rivals.assign(9, {{"deadband", "load_dependent_friction", "directional_load_friction"}, 5});
+  naming.strained.assign(9, {"duty_per_kp", 3.3, 1.2});
+  told.make();
+  const std::vector<std::string> lines = linesOfText(asText(told.report));
+  EXPECT_LE(lines.size(), 24U);
+  for (const std::string& line : lines) EXPECT_LE(line.size(), 100U) << line;
+}
+
+TEST(Summary, GivesNoIntervalForWhatTheDataSayNothingAbout) {
+  Told told;
+  told.outcome.naming.found.front().estimates.front().seen = false;
+  told.make();
+  EXPECT_THAT(asText(told.report), HasSubstr("(not seen in these data)"));
+  EXPECT_THAT(asHtml(told.report), HasSubstr("these data say nothing about it"));
+  EXPECT_THAT(told.report.model_after, HasSubstr("; friction: these data say nothing about it"));
+  EXPECT_THAT(told.report.model_after, Not(HasSubstr("90 % interval")));
+}
+
+TEST(Summary, WarnsOfAModelThatGotWorseAndOfOneThatIsTooGood) {
+  Told told;
+  told.report.comparison.score = gapOfMrad(10, 20, 1);
+  EXPECT_THAT(inOneLine(asText(told.report)), HasSubstr("do not use the changed model"));
+  EXPECT_THAT(asText(told.report), Not(HasSubstr("below the floor")));
+  told.report.comparison.logs[1].below_floor = true;
+  EXPECT_THAT(asText(told.report), HasSubstr("below the floor!"));
+}
+
+TEST(Summary, HasASentenceForEachVerdict) {
+  Told told;
+  const std::pair<Verdict, const char*> sentences[] = {
+      {Verdict::kNone, "what is left is noise"},
+      {Verdict::kAmbiguous, "these logs do not decide: dry friction, or dead band"},
+      {Verdict::kUnknown, "known effects explains; it shows most between 0.3 and 0.6 s of fit"},
+      {Verdict::kCannotTell, "by too little"}};
+  told.outcome.naming.rivals.front().behind = 3;
+  for (const auto& [verdict, words] : sentences) {
+    told.outcome.naming.verdict = verdict;
+    EXPECT_THAT(verdictSentences(told.outcome, told.report.comparison).front(), HasSubstr(words));
+  }
+}
+
+TEST(Compare, ARightModelIsAtTheFloorAndAWrongOneAbove) {
+  const Case bench = twoLogs();
+  const Hypothesis truth = withEffect(bench, "coulomb", "friction", 0.06);
+  const Comparison found = compare(measured(bench, truth, 3), baselineOf(bench), truth);
+  EXPECT_EQ(found.score_logs, 1U);
+  EXPECT_GT(found.score.floorsBefore(), 3);
+  EXPECT_NEAR(found.score.floorsAfter(), 1, 0.5);
+  EXPECT_FALSE(found.anyBelowFloor(bench, true)) << found.logs[1].noise_share;
+}
+
+TEST(Compare, DataWithoutNoiseAreBelowTheFloor) {
+  Case bench = twoLogs();
+  Trace trace;
+  for (std::size_t i = 0; i < bench.logs.size(); ++i) {
+    rollOut(bench, i, baselineOf(bench), {}, trace);
+    bench.logs[i].position_rad = trace.position_rad;
+  }
+  const Comparison found = compare(bench, baselineOf(bench), baselineOf(bench));
+  EXPECT_TRUE(found.anyBelowFloor(bench, true)) << "no servo agrees to the last digit with a simulation";
+}
+
+TEST(DataHash, IsThatOfSha256sum) {
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256(std::string(1'000'000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(DataHash, ChangesWithTheDataAndNotWithTheFolder) {
+  Case given = twoLogs();
+  for (Trajectory& log : given.logs) log.file = log.score ? "score 1.csv" : "fit_1.csv";
+  EXPECT_EQ(dataHash(given), "") << "it lies in no folder";
+  given.folder = testing::TempDir() + "/darwinop_data_hash";
+  std::filesystem::create_directories(given.folder);
+  for (const char* file : {"case.json", "fit_1.csv", "score 1.csv"})
+    std::ofstream{std::filesystem::path{given.folder} / file} << file;
+  EXPECT_EQ(dataHash(given), sha256("case.jsonfit_1.csvscore 1.csv"));
+  EXPECT_EQ(hashCommand(given), "cat case.json fit_1.csv 'score 1.csv' | sha256sum");
+}
+
+TEST(WriteReport, SaysWhatToDoWhenItCannot) {
+  const Told told;
+  const std::string file = testing::TempDir() + "/darwinop_no_folder";
+  std::ofstream{file} << "a file";
+  try {
+    writeReport(told.report, file + "/report");
+    FAIL() << "a file is no folder";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("name another with --report"));
+  }
+}
+
+}  // namespace
+}  // namespace darwinop::gap

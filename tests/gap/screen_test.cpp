@@ -1,0 +1,70 @@
+// Who is suspected, before any fit.
+#include "gap/name/screen.hpp"
+
+#include <gtest/gtest.h>
+
+#include "gap/name/judge.hpp"
+#include "small_case.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+Settled nothingSaid(const Case& given, Numbers numbers) {
+  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Problem problem = problemWith(evidence, {}, numbers);
+  Fit start;
+  start.x = problem.expected();
+  return settle({}, numbers, problem, start, 1);
+}
+
+const twin::EffectInfo* const kSuspects[] = {twin::findEffect("encoder_offset"), twin::findEffect("transport_delay"),
+                                             twin::findEffect("supply_sag")};
+
+TEST(Screen, WhatIsMissingPromisesMost) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 21);
+  const Settled present = nothingSaid(given, Numbers::kHeld);
+  const Screen screen{present, {std::begin(kSuspects), std::end(kSuspects)}};
+  EXPECT_EQ(screen.probes().front().effect->id, "encoder_offset");
+  EXPECT_GT(screen.probes().front().promise, 100);
+}
+
+TEST(Screen, ASharpenedProbeIsWhereTheTruthIs) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 22);
+  const Settled present = nothingSaid(given, Numbers::kFree);
+  const Screen screen{present, {twin::findEffect("encoder_offset")}};
+  const Probe first = screen.probes().front();
+  const Sharpened sharp = screen.sharpened(first);
+  EXPECT_NEAR(sharp.probe.values[0], 0.03, 0.003);
+  EXPECT_GT(sharp.probe.promise, 0.9 * first.promise);
+}
+
+TEST(Screen, NoisePromisesLittle) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, baselineOf(bench), 23);
+  const Settled present = nothingSaid(given, Numbers::kHeld);
+  const Screen screen{present, {std::begin(kSuspects), std::end(kSuspects)}};
+  EXPECT_LT(screen.probes().front().promise, 30);
+  EXPECT_LT(screen.greatestPromise(Eigen::VectorXd::Zero(present.evidence->size())), 1e-9);
+}
+
+TEST(Estimates, WhatTheDataSayNothingAboutIsLeftNeutral) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "torque_limit", "duty", 0.6), 24);
+  const twin::EffectInfo& limit = *twin::findEffect("torque_limit");
+  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Problem problem = problemWith(evidence, {{&limit}}, Numbers::kHeld);
+  Fit start;
+  start.x = problem.expected();
+  const Settled fitted = settle({{&limit}}, Numbers::kHeld, problem, start, 2);
+  const std::vector<Estimate> estimates = estimatesOf(fitted, limit, 1);
+  ASSERT_EQ(estimates.size(), 2U);
+  EXPECT_TRUE(estimates[0].seen);
+  EXPECT_NEAR(estimates[0].value, 0.6, 0.01);
+  EXPECT_FALSE(estimates[1].seen) << "a torque that the motor never reaches limits nothing";
+  EXPECT_EQ(withoutUnseen(fitted).find("torque_limit")->values[1], limit.parameters[1].neutral);
+}
+
+}  // namespace
+}  // namespace darwinop::gap
