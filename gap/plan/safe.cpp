@@ -74,7 +74,7 @@ std::optional<Danger> dangerOf(const Candidate& candidate, const Round& round, c
     Watch watch{stand, hypothesis};
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       rollOut(coming, i, hypothesis, {}, trace);
-      if (const auto danger = watch.look(stretches[i], trace)) return danger;
+      if (auto danger = watch.look(stretches[i], trace)) return danger;
     }
   }
   return std::nullopt;
