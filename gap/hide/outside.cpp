@@ -4,25 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "gap/sim/unlisted.hpp"
+
 namespace darwinop::gap {
 namespace {
 
 using Values = std::span<const double>;
 
-std::unique_ptr<twin::Effect> notOfTheCatalogue(Values) {
-  return nullptr;
-}
-
-const twin::EffectInfo kOutsideInfo{.id = "outside",
-                                    .title = "something that no catalogue has",
-                                    .place = twin::Place::kLoad,
-                                    .equation = "",
-                                    .signature = "",
-                                    .separated_by = "",
-                                    .source = "",
-                                    .confused_with = {},
-                                    .parameters = {},
-                                    .make = notOfTheCatalogue};
+const twin::EffectInfo kOutsideInfo = unlisted("outside", "something that no catalogue has", twin::Place::kLoad);
 
 class Outside : public twin::Effect {
  public:

@@ -8,6 +8,7 @@
 #include "gap/locate/cuts.hpp"
 #include "gap/locate/firmware_run.hpp"
 #include "gap/sim/surroundings.hpp"
+#include "gap/sim/unlisted.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -15,20 +16,8 @@ namespace {
 constexpr double kStride = 0.045;  // s
 constexpr double kMargin = 0.04;   // s; from the ends of the log: a speed needs rows on both sides
 
-std::unique_ptr<twin::Effect> nobodyMakesADrive(std::span<const double>) {
-  return nullptr;
-}
-
-const twin::EffectInfo kGivenDrive{.id = "given_drive",
-                                   .title = "what was measured drives the motor",
-                                   .place = twin::Place::kController,
-                                   .equation = "",
-                                   .signature = "",
-                                   .separated_by = "",
-                                   .source = "",
-                                   .confused_with = {},
-                                   .parameters = {},
-                                   .make = nobodyMakesADrive};
+const twin::EffectInfo kGivenDrive =
+    unlisted("given_drive", "what was measured drives the motor", twin::Place::kController);
 
 struct Drive {
   double duty = 0, speed_rad_s = 0, supply_v = 0;

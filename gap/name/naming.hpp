@@ -24,7 +24,8 @@ struct Estimate {
 struct Found {
   const twin::EffectInfo* effect = nullptr;
   std::vector<Estimate> estimates;
-  double gain = 0;  // cost that it takes away, the others being there
+  double gain = 0;         // cost that it takes away, the others being there
+  bool corrected = false;  // the baseline had it, with other numbers
 };
 
 /// A number of the baseline that the data pull out of its prior.

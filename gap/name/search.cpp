@@ -11,9 +11,9 @@ namespace darwinop::gap {
 namespace {
 
 constexpr double kLeastShare = 0.05;  // of what noise does not explain: less is what any effect happens to explain
-constexpr double kHalf = 0.5;
-constexpr double kAtBound = 1e-3;  // of the range
-constexpr int kMostHeld = 2;       // with every number held, more effects are a sign that the numbers are what is off
+constexpr double kTooMuchLeft = 0.5;  // of the gap: what took the rest is no name, either
+constexpr double kAtBound = 1e-3;     // of the range
+constexpr int kMostHeld = 2;  // with every number held, more effects are a sign that the numbers are what is off
 
 Settled nothingMissing(const Case& given, Numbers numbers) {
   const Evidence first = evidenceOf(given, baselineOf(given));
@@ -135,7 +135,8 @@ void Search::take(const Settled& best, double gain, const std::vector<Settled>& 
   rivals_.clear();
   for (const Settled& other : candidates) {
     if (&other == &best) continue;
-    seconds_.push_back(other.effects.back().info);
+    if (std::ranges::find(seconds_, other.effects.back().info) == seconds_.end())
+      seconds_.push_back(other.effects.back().info);
     if (neededFor(*other.effects.back().info) <= needed)
       rivals_.push_back({idsOf(other.effects), evidenceFor(best) - evidenceFor(other)});
   }
@@ -205,13 +206,14 @@ Naming Search::told() const {
   const Settled wide = withFreeNumbers(present_);
   const double size = present_.fit.cost - present_.fit.prior, excess = size / (size - excess_cost_);
   for (std::size_t i = 0; i < present_.effects.size(); ++i)
-    naming.found.push_back({present_.effects[i].info, estimatesOf(wide, *present_.effects[i].info, excess), gains_[i]});
+    naming.found.push_back({present_.effects[i].info, estimatesOf(wide, *present_.effects[i].info, excess), gains_[i],
+                            baselineOf(given_).find(present_.effects[i].info->id) != nullptr});
   naming.gap_before_rad = gapOf(given_, baselineOf(given_), false);
   naming.gap_after_rad = gapOf(given_, naming.model, false);
   naming.floor_rad = floorOf(present_);
   naming.verdict = verdictOf(naming);
   // Half a gap that nobody can name is no reason to believe in what took the other half.
-  if (naming.verdict == Verdict::kUnknown && naming.gap_after_rad > kHalf * naming.gap_before_rad) {
+  if (naming.verdict == Verdict::kUnknown && naming.gap_after_rad > kTooMuchLeft * naming.gap_before_rad) {
     naming.found.clear();
     naming.rivals.clear();
     naming.strained.clear();

@@ -63,6 +63,8 @@ std::string firstSentence(const Outcome& outcome) {
     case Verdict::kNone:
       return "The model explains these logs: what is left is noise.";
     case Verdict::kNamed:
+      if (std::ranges::all_of(naming.found, &Found::corrected))
+        return "The model has " + titlesOf(naming.found) + ", but with a wrong number" + firstNumber(naming) + ".";
       return "The model lacks " + titlesOf(naming.found) + firstNumber(naming) + ".";
     case Verdict::kAmbiguous:
       return "The model lacks something that these logs do not decide: " + namedByRivals(naming) + ".";

@@ -2,23 +2,13 @@
 
 #include <cmath>
 
+#include "gap/sim/unlisted.hpp"
+
 namespace darwinop::gap {
 namespace {
 
-std::unique_ptr<twin::Effect> nobodyMakesOne(std::span<const double>) {
-  return nullptr;
-}
-
-const twin::EffectInfo kSurroundings{.id = "surroundings",
-                                     .title = "temperature and noise of the bench",
-                                     .place = twin::Place::kLoad,
-                                     .equation = "",
-                                     .signature = "",
-                                     .separated_by = "",
-                                     .source = "",
-                                     .confused_with = {},
-                                     .parameters = {},
-                                     .make = nobodyMakesOne};
+const twin::EffectInfo kSurroundings =
+    unlisted("surroundings", "temperature and noise of the bench", twin::Place::kLoad);
 
 }  // namespace
 
