@@ -1,5 +1,6 @@
 #include "gap/fit/problem.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -70,6 +71,14 @@ double Problem::priorCost(const Eigen::VectorXd& x) const {
     cost += off * off;
   }
   return cost;
+}
+
+Eigen::VectorXd Problem::inBounds(Eigen::VectorXd x) const {
+  for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+    double& value = x[static_cast<Eigen::Index>(i)];
+    value = std::clamp(value, unknowns_[i].toSearch(unknowns_[i].low), unknowns_[i].toSearch(unknowns_[i].high));
+  }
+  return x;
 }
 
 Eigen::VectorXd Problem::expected() const {

@@ -38,6 +38,7 @@ class Problem {
   [[nodiscard]] double cost(const Eigen::VectorXd& x) const;
   [[nodiscard]] double priorCost(const Eigen::VectorXd& x) const;
   [[nodiscard]] Hypothesis at(const Eigen::VectorXd& x) const { return applied(hypothesis_, unknowns_, x.data()); }
+  [[nodiscard]] Eigen::VectorXd inBounds(Eigen::VectorXd x) const;
   /// Every unknown at its expected value.
   [[nodiscard]] Eigen::VectorXd expected() const;
 

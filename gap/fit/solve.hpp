@@ -10,7 +10,7 @@ namespace darwinop::gap {
 struct Fit {
   Eigen::VectorXd x;            // search variables
   double cost = 0, prior = 0;   // as Problem::cost(); its part that is the prior's
-  Eigen::VectorXd steps;        // of the difference quotients, as fine as the data resolve
+  Eigen::MatrixXd steps;        // of the difference quotients, a column each; slopes.hpp
   Eigen::VectorXd residuals;    // without the prior
   Eigen::MatrixXd slopes;       // of the residuals by x, without the prior
   Eigen::MatrixXd information;  // of x, the priors' included
@@ -19,8 +19,8 @@ struct Fit {
 
 struct SolveOptions {
   int iterations = 12;
-  bool refine = true;  // once more, with steps as large as what the data resolve; else no slopes and no covariance
-  Eigen::VectorXd steps = {};  // of the difference quotients; empty: those that suit a first look
+  bool refine = true;          // once more, along what the data resolve; else no slopes and no covariance
+  Eigen::MatrixXd steps = {};  // of the difference quotients; empty: those that suit a first look
 };
 
 /// Begins at `start`; never ends worse. From far off, large residuals count in full at first: a swing that is out of

@@ -10,7 +10,6 @@ namespace darwinop::gap {
 namespace {
 
 constexpr double kNineInTen = 1.645;  // sigma on either side
-constexpr double kRivalry = 10;       // cost: closer than that, the data do not decide
 constexpr double kFits = 1.15;        // cost over what noise makes of it: as a right model has it
 constexpr double kTogether = 8;       // samples of 16 ms that are off together where a model is wrong
 constexpr double kRemains = 3;        // floors that may remain when most of a large gap is gone

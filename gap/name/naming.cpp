@@ -2,10 +2,12 @@
 // explanation wins, by its evidence.
 #include "gap/name/naming.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
 #include "gap/name/search.hpp"
+#include "gap/name/unseen.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -35,6 +37,12 @@ std::optional<Search> withMovedNumbers(const Search& exact, const Search& moved)
   return best;
 }
 
+/// Several effects, one of which means a number of the baseline: it may stand for many numbers, each a little off.
+bool leansOnANumber(const Case& given, const Effects& effects) {
+  return effects.size() > 1 &&
+         std::ranges::any_of(effects, [&](const Chosen& effect) { return freesAPrior(given, *effect.info); });
+}
+
 }  // namespace
 
 std::string_view nameOf(Verdict verdict) {
@@ -53,7 +61,7 @@ Naming nameEffects(const Case& given, const NameOptions& options) {
 
   options.tell("letting the numbers of the baseline move within their priors");
   Search moved{given, options, Numbers::kFree};
-  if (exact.reachedNoise()) {
+  if (exact.reachedNoise() && !leansOnANumber(given, exact.present().effects)) {
     const std::optional<Search> other = withMovedNumbers(exact, moved);
     return other ? other->told() : exact.told();
   }
@@ -64,7 +72,10 @@ Naming nameEffects(const Case& given, const NameOptions& options) {
   }
   if (exact.reachedNoise() && evidenceFor(exact.present()) > evidenceFor(moved.present())) return exact.told();
   // Numbers that were pulled about for nothing explain nothing, and do harm elsewhere.
-  return moved.reachedNoise() ? moved.told() : exact.told();
+  if (moved.explainsAll()) return moved.told();
+  if (moved.present().effects.empty() || moved.isHopeless()) return exact.told();
+  const Foretold told = foretold(exact.present(), moved.present());
+  return told.mean > told.error ? moved.told() : exact.told();
 }
 
 }  // namespace darwinop::gap

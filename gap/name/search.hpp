@@ -3,6 +3,7 @@
 // leave.
 #pragma once
 
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,12 @@ class Search {
   /// Another search's effects, but only these; nothing else is looked for.
   void take(const Search& other, const Effects& effects);
 
-  /// What is left is noise, or what two ways to write the same effect differ by, and no number had to leave its prior.
+  /// What is left is noise, or what two ways to write the same effect differ by.
+  [[nodiscard]] bool explainsAll() const;
+  /// And no number had to leave its prior.
   [[nodiscard]] bool reachedNoise() const;
+  /// Two effects, and still half of the gap.
+  [[nodiscard]] bool isHopeless() const;
   [[nodiscard]] const Settled& present() const { return present_; }
   /// Effects that came close to one that was taken.
   [[nodiscard]] const std::vector<const twin::EffectInfo*>& seconds() const { return seconds_; }
@@ -35,13 +40,19 @@ class Search {
   void judge(const Screen* screen);
   bool accept(const Screen& screen);
   bool acceptOneOf(const std::vector<Settled>& candidates);
+  [[nodiscard]] bool isProven(const Settled& best, double gain) const;
   void take(const Settled& best, double gain, const std::vector<Settled>& candidates, double needed);
   void refine();
   void dropTheNeedless();
   bool replaceOne();
   [[nodiscard]] bool isPractically() const;
   [[nodiscard]] double neededFor(const twin::EffectInfo& effect) const;
-  void say(const std::string& what) const { options_.tell(what); }
+  template <class... Values>
+  void say(const char* format, Values... values) const {
+    char text[200];
+    std::snprintf(text, sizeof text, format, values...);
+    options_.tell(text);
+  }
 
   const Case& given_;
   const NameOptions& options_;

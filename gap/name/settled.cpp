@@ -1,9 +1,13 @@
 #include "gap/name/settled.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
+#include <vector>
+
+#include "gap/fit/slopes.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -22,16 +26,21 @@ double square(double value) {
   return value * value;
 }
 
-/// The steps that another fit found fine enough, for the unknowns that both have.
-Eigen::VectorXd stepsFrom(const Problem& problem, const Problem& known, const Eigen::VectorXd& known_steps) {
-  Eigen::VectorXd steps(static_cast<Eigen::Index>(problem.unknowns().size()));
-  for (std::size_t i = 0; i < problem.unknowns().size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
-    steps[at] = problem.unknowns()[i].firstStep();
-    for (std::size_t j = 0; j < known.unknowns().size(); ++j)
-      if (problem.unknowns()[i].name == known.unknowns()[j].name && known_steps.size() > static_cast<Eigen::Index>(j))
-        steps[at] = known_steps[static_cast<Eigen::Index>(j)];
+/// The steps of another fit, and first steps for what it does not have; none of its, if it has what `problem` lacks.
+Eigen::MatrixXd stepsFrom(const Problem& problem, const Problem& known, const Eigen::MatrixXd& known_steps) {
+  Eigen::MatrixXd steps = firstSteps(problem);
+  std::vector<Eigen::Index> places;
+  for (const Unknown& unknown : known.unknowns()) {
+    const auto& mine = problem.unknowns();
+    const auto there = std::ranges::find(mine, unknown.name, &Unknown::name);
+    if (there == mine.end()) return steps;
+    places.push_back(there - mine.begin());
   }
+  if (known_steps.cols() != static_cast<Eigen::Index>(places.size())) return steps;
+  for (std::size_t row = 0; row < places.size(); ++row)
+    for (std::size_t column = 0; column < places.size(); ++column)
+      steps(places[row], places[column]) =
+          known_steps(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
   return steps;
 }
 

@@ -50,6 +50,11 @@ bool has(const Effects& effects, const twin::EffectInfo& effect) {
   return std::any_of(effects.begin(), effects.end(), [&](const Chosen& chosen) { return chosen.info == &effect; });
 }
 
+Effects without(Effects effects, std::size_t i) {
+  effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(i));
+  return effects;
+}
+
 bool freesAPrior(const Case& given, const twin::EffectInfo& effect) {
   for (const auto& [id, number] : kSameAs) {
     if (id != effect.id) continue;

@@ -68,6 +68,36 @@ TEST(Solve, FindsAMovedNumberAndSaysHowSurely) {
   EXPECT_LE(fit.cost, problem.cost(problem.expected()));
 }
 
+// Resistance, payload and length together leave hardly a trace: only the priors say where along that valley to end.
+TEST(Solve, NumbersThatTradeAgainstEachOtherEndWhereTheirPriorsWantThem) {
+  const Case given = measured(smallBench(), baselineOf(smallBench()), 6);
+  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Problem problem{evidence, baselineOf(given), nuisancesOf(given, baselineOf(given))};
+  Eigen::VectorXd far = problem.expected();
+  for (std::size_t i = 0; i < problem.unknowns().size(); ++i) {
+    const std::string& name = problem.unknowns()[i].name;
+    if (name == "resistance") far[static_cast<Eigen::Index>(i)] = 0.9;
+    if (name == "payload" || name == "length") far[static_cast<Eigen::Index>(i)] = 1.05;
+  }
+  ASSERT_GT(problem.priorCost(far), 50);
+  EXPECT_LT(solve(problem, far).prior, 2);
+}
+
+// Goals that come a period later or earlier make a cost with steps in it.
+TEST(Solve, FindsADelayFromPeriodsAway) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "transport_delay", "delay", 0.0292), 7);
+  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const twin::EffectInfo& delay = *twin::findEffect("transport_delay");
+  Hypothesis with = baselineOf(given);
+  with.with(delay);
+  const Problem problem{evidence, with, unknownsOf(delay)};
+  for (const double begin : {0.025, 0.031, 0.034}) {
+    const Fit fit = solve(problem, Eigen::VectorXd::Constant(1, problem.unknowns()[0].toSearch(begin)));
+    EXPECT_NEAR(problem.unknowns()[0].fromSearch(fit.x[0]), 0.0292, 0.0005) << begin;
+  }
+}
+
 TEST(Solve, AnUnknownThatChangesNothingHasNoCovariance) {
   const Case given = measured(smallBench(), baselineOf(smallBench()), 5);
   const Evidence evidence = evidenceOf(given, baselineOf(given));

@@ -53,6 +53,24 @@ TEST(Naming, ADeadBandIsToldFromDryFriction) {
   EXPECT_EQ(idOf(naming), "deadband");
 }
 
+// As strong as the catalogue allows: what only stands in for something else ends there, too.
+TEST(Naming, AnEffectThatIsAsStrongAsItCanBe) {
+  const Case bench = smallBench();
+  const Naming naming = namedIn(measured(bench, withEffect(bench, "deadband", "width", 0.04), 16));
+  EXPECT_EQ(naming.verdict, Verdict::kNamed);
+  EXPECT_EQ(idOf(naming), "deadband");
+}
+
+// Two sigma off, while six other numbers are right to a tenth of theirs.
+TEST(Naming, TheOneNumberThatIsWrong) {
+  Case bench = smallBench();
+  bench.priors.push_back({"viscous.damping", 0.1});
+  const Naming naming = namedIn(measured(bench, withEffect(bench, "viscous", "damping", 0.018), 17));
+  EXPECT_EQ(naming.verdict, Verdict::kNamed);
+  ASSERT_EQ(idOf(naming), "viscous");
+  EXPECT_NEAR(naming.found.front().estimates.front().value, 0.018, 0.0005);
+}
+
 TEST(Outcome, TheRepairedModelHasTheEffectAndReadsBack) {
   const Case bench = smallBench();
   const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 15);

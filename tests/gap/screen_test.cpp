@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "gap/name/judge.hpp"
+#include "gap/name/unseen.hpp"
 #include "small_case.hpp"
 
 namespace darwinop::gap {
@@ -47,6 +50,30 @@ TEST(Screen, NoisePromisesLittle) {
   const Screen screen{present, {std::begin(kSuspects), std::end(kSuspects)}};
   EXPECT_LT(screen.probes().front().promise, 30);
   EXPECT_LT(screen.greatestPromise(Eigen::VectorXd::Zero(present.evidence->size())), 1e-9);
+}
+
+Settled settledWith(const Case& given, std::string_view effect) {
+  const twin::EffectInfo& info = *twin::findEffect(effect);
+  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Problem problem = problemWith(evidence, {{&info}}, Numbers::kHeld);
+  Fit start;
+  start.x = problem.expected();
+  return settle({{&info}}, Numbers::kHeld, problem, start, 1);
+}
+
+TEST(Foretold, WhatIsMissingHelpsOnLogsThatWereNotFitted) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 25);
+  const Foretold told = foretold(nothingSaid(given, Numbers::kHeld), settledWith(given, "encoder_offset"));
+  EXPECT_EQ(told.logs, 3);
+  EXPECT_TRUE(told.better());
+  EXPECT_GT(told.mean, std::log(2));
+}
+
+TEST(Foretold, WhatIsNotThereDoesNot) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 26);
+  EXPECT_FALSE(foretold(nothingSaid(given, Numbers::kHeld), settledWith(given, "supply_sag")).better());
 }
 
 TEST(Estimates, WhatTheDataSayNothingAboutIsLeftNeutral) {

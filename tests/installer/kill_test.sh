@@ -51,9 +51,10 @@ find_places() {
   [ ${#places[@]} -gt 5 ] || fail "the installer hardly came by a command between the markers"
 }
 
-# kill_at PLACES_FIRST STEP CHECK ARGS...: dies at every STEP-th of $places; CHECK gets the name of the place.
+# kill_at PLACES_FIRST STEP CHECK ARGS...: dies at every STEP-th of $places; CHECK gets the name of the place. Of these
+# one in $every, after the first $skip.
 kill_at() {
-  local number=$1 step=$2 check=$3 died=0
+  local number=$(($1 + $2 * skip)) step=$(($2 * every)) check=$3 died=0
   shift 3
   for (( ; number < ${#places[@]}; number += step)); do
     robot_restore
@@ -64,6 +65,7 @@ kill_at() {
     died=$((died + 1))
     "$check" "killed before ${places[number]}"
   done
+  [ $died -gt 0 ] || fail "of ${#places[@]} places none was tried"
   echo "killed at $died of ${#places[@]} places"
 }
 

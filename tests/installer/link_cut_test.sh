@@ -8,9 +8,10 @@ install_over_cut_link() {
   run_install -i "$LAB/pc/key" -o "ProxyCommand=$HERE/cut_link.sh $1 %h %p ${2:-/dev/null}" --bundle "$new_bundle"
 }
 
-# cut_points COUNT FIRST STEP: the FIRST-th, then every STEP-th of COUNT points over the whole conversation.
+# cut_points COUNT FIRST STEP: the FIRST-th, then every STEP-th of COUNT points over the whole conversation. Of these one
+# in $every, after the first $skip.
 cut_points() {
-  local count=$1 point=$2 step=$3 total bytes
+  local count=$1 point=$(($2 + $3 * skip)) step=$(($3 * every)) total bytes
   rm -f "$LAB/sent"
   install_over_cut_link 1000000000 "$LAB/sent"
   expect_status 0

@@ -1,0 +1,96 @@
+#include "gap/fit/levenberg.hpp"
+
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/fit/slopes.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kLeastGain = 1e-5;  // of the cost: the search is over
+
+/// Pseudo-Huber's signed root.
+double rootOfCost(double residual, double width) {
+  const double share = residual / width;
+  return std::copysign(width * std::sqrt(2 * (std::sqrt(1 + share * share) - 1)), residual);
+}
+
+/// All residuals, each as the root of its cost, so that a plain sum of squares is robust; then the priors.
+class RobustCost final : public ceres::CostFunction {
+ public:
+  RobustCost(const Problem& problem, Eigen::MatrixXd steps, double width)
+      : problem_{problem}, steps_{std::move(steps)}, width_{width} {
+    const int unknowns = static_cast<int>(problem.unknowns().size());
+    set_num_residuals(static_cast<int>(problem.evidence().size()) + unknowns);
+    mutable_parameter_block_sizes()->push_back(unknowns);
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    const Eigen::Index rows = problem_.evidence().size(), unknowns = steps_.cols();
+    const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], unknowns);
+    Eigen::VectorXd plain(rows);
+    problem_.residuals(x, plain);
+    Eigen::Map<Eigen::VectorXd> out{residuals, rows + unknowns};
+    out.head(rows) = plain.unaryExpr([this](double r) { return rootOfCost(r, width_); });
+    for (Eigen::Index i = 0; i < unknowns; ++i) {
+      const Unknown& unknown = problem_.unknowns()[static_cast<std::size_t>(i)];
+      const double sigma = unknown.sigma;
+      out[rows + i] = std::isfinite(sigma) ? (unknown.fromSearch(x[i]) - unknown.expected) / sigma : 0;
+    }
+    if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+
+    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::Map<RowMajor> slopes{jacobians[0], rows + unknowns, unknowns};
+    slopes.setZero();
+    const Eigen::VectorXd chain = plain.binaryExpr(out.head(rows), [this](double r, double root) {
+      return root == 0 ? 1 : r / (root * std::sqrt(1 + r * r / (width_ * width_)));
+    });
+    slopes.topRows(rows) = chain.asDiagonal() * slopesAt(problem_, x, plain, steps_);
+    for (Eigen::Index i = 0; i < unknowns; ++i)
+      slopes(rows + i, i) = priorWeight(problem_.unknowns()[static_cast<std::size_t>(i)], x[i]);
+    return true;
+  }
+
+ private:
+  const Problem& problem_;
+  const Eigen::MatrixXd steps_;
+  const double width_;
+};
+
+}  // namespace
+
+double priorWeight(const Unknown& unknown, double x) {
+  if (!std::isfinite(unknown.sigma)) return 0;
+  return (unknown.logarithmic ? unknown.fromSearch(x) : 1) / unknown.sigma;
+}
+
+Eigen::VectorXd searched(const Problem& problem, Eigen::VectorXd x, const Eigen::MatrixXd& steps, int iterations,
+                         double width) {
+  RobustCost cost{problem, steps, width};
+  ceres::Problem::Options plain;
+  plain.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  ceres::Problem robust{plain};
+  robust.AddResidualBlock(&cost, nullptr, x.data());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const Unknown& unknown = problem.unknowns()[static_cast<std::size_t>(i)];
+    const double low = unknown.toSearch(unknown.low), high = unknown.toSearch(unknown.high);
+    x[i] = std::clamp(x[i], low, high);
+    robust.SetParameterLowerBound(x.data(), static_cast<int>(i), low);
+    robust.SetParameterUpperBound(x.data(), static_cast<int>(i), high);
+  }
+  ceres::Solver::Options options;
+  options.max_num_iterations = iterations;
+  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  options.function_tolerance = kLeastGain;
+  options.parameter_tolerance = 1e-7;
+  options.max_num_consecutive_invalid_steps = 3;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &robust, &summary);
+  return x;
+}
+
+}  // namespace darwinop::gap

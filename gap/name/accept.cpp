@@ -1,0 +1,122 @@
+// Which of several candidates a search believes, and what it does about those it believed before.
+#include <algorithm>
+#include <cmath>
+
+#include "gap/name/contest.hpp"
+#include "gap/name/judge.hpp"
+#include "gap/name/search.hpp"
+#include "gap/name/unseen.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kLeastShare = 0.05;  // of what noise does not explain: less is what any effect happens to explain
+constexpr double kNearlyAll = 0.8;    // of the same
+constexpr double kPlainlyWrong = 2;   // cost a residual, beyond what noise explains
+constexpr double kInside = 1;         // sigma: where one number is off and all others are right, it is named beyond
+constexpr double kAtBound = 1e-3;     // of the range
+
+/// An effect that had to be as strong as it can be stands in for something else, unless it explains nearly all.
+bool isAtItsBound(const Settled& fitted, const twin::EffectInfo& effect) {
+  const auto& unknowns = fitted.problem.unknowns();
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
+    if (parameter == nullptr || parameter->info != &effect || std::isfinite(unknowns[i].sigma)) continue;
+    const double low = unknowns[i].toSearch(unknowns[i].low), high = unknowns[i].toSearch(unknowns[i].high);
+    const double neutral = unknowns[i].toSearch(effect.parameters[parameter->index].neutral);
+    const double x = fitted.fit.x[static_cast<Eigen::Index>(i)], near = kAtBound * (high - low);
+    if ((x < low + near && neutral > low + near) || (x > high - near && neutral < high - near)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool Search::accept(const Screen& screen) {
+  // Where noise explains the rest, a number that is pulled out of its prior comes first: what it stands for may be all.
+  if (mostStrained(present_) > kSuspicious && misfit_ < kMisfit) {
+    std::vector<const twin::EffectInfo*> freed;
+    for (const auto* effect : suspects_)
+      if (freesAPrior(given_, *effect) && !has(present_.effects, *effect)) freed.push_back(effect);
+    if (!freed.empty() && acceptOneOf(contest(present_, screen, freed))) return true;
+  }
+  return acceptOneOf(contest(present_, screen));
+}
+
+bool Search::acceptOneOf(const std::vector<Settled>& candidates) {
+  for (const Settled& best : candidates) {
+    const twin::EffectInfo& next = *best.effects.back().info;
+    const double gain = onNoiseOf(present_, best).fit.cost - best.fit.cost, needed = neededFor(next);
+    say("%s would gain %.0f, %.0f needed", std::string{next.id}.c_str(), gain, needed);
+    if (gain < needed || (isAtItsBound(best, next) && gain < kNearlyAll * excess_cost_)) continue;
+    // A number that moves as its prior lets it is no finding.
+    const double inside = present_.numbers == Numbers::kHeld ? kInside : kSuspicious;
+    if (freesAPrior(given_, next) && sigmasOfFreed(given_, best, next) < inside) continue;
+    if (!isProven(best, gain)) continue;
+    take(best, gain, candidates, needed);
+    return true;
+  }
+  return false;
+}
+
+// Under a model that is plainly wrong still, each further effect fits something. It has to foretell, too.
+bool Search::isProven(const Settled& best, double gain) const {
+  if (present_.effects.empty() || excess_cost_ - gain < kPlainlyWrong * static_cast<double>(best.fit.residuals.size()))
+    return true;
+  const Foretold told = foretold(onNoiseOf(present_, best), best);
+  say("foretells logs it has not seen %.2f times as well, %.2f to %.2f", std::exp(told.mean),
+      std::exp(told.mean - 2 * told.error), std::exp(told.mean + 2 * told.error));
+  return told.better();
+}
+
+void Search::take(const Settled& best, double gain, const std::vector<Settled>& candidates, double needed) {
+  rivals_.clear();
+  for (const Settled& other : candidates) {
+    if (&other == &best) continue;
+    if (std::ranges::find(seconds_, other.effects.back().info) == seconds_.end())
+      seconds_.push_back(other.effects.back().info);
+    if (neededFor(*other.effects.back().info) > needed) continue;
+    double behind = evidenceFor(best) - evidenceFor(other);
+    // Who has to bend a number of the baseline, where the best need not, leaves something to be named.
+    if (mostStrained(other) > kSuspicious && mostStrained(best) < kSuspicious) behind = std::max(behind, kRivalry);
+    rivals_.push_back({idsOf(other.effects), behind});
+  }
+  gains_.push_back(gain);
+  present_ = best.fit.slopes.size() > 0 ? best : settle(best.effects, best.numbers, best.problem, best.fit, 1);
+  refine();
+  dropTheNeedless();
+}
+
+double Search::neededFor(const twin::EffectInfo& effect) const {
+  if (freesAPrior(given_, effect) && mostStrained(present_) > kSuspicious) return kStrainGain;
+  return std::max((misfit_ < kMisfit ? kPlain : 1) * threshold_, kLeastShare * excess_cost_);
+}
+
+// What is left may be the shape of the effect just found, before it is another effect.
+void Search::refine() {
+  const Chosen& last = present_.effects.back();
+  if (unknownsOf(*last.info, true).size() == unknownsOf(*last.info).size()) return;
+  Effects finer = present_.effects;
+  finer.back().refined = true;
+  const Settled refined = onNoiseOf(finer, present_.numbers, present_.problem, present_.fit, present_);
+  if (present_.fit.cost - refined.fit.cost > threshold_)
+    present_ = settle(finer, refined.numbers, refined.problem, refined.fit, 2);
+}
+
+// An effect that stood in for one found later.
+void Search::dropTheNeedless() {
+  for (std::size_t i = 0; present_.effects.size() > 1 && i + 1 < present_.effects.size();) {
+    const Settled less =
+        onNoiseOf(without(present_.effects, i), present_.numbers, present_.problem, present_.fit, present_);
+    const double gain = less.fit.cost - present_.fit.cost;
+    if (gain < (freesAPrior(given_, *present_.effects[i].info) ? kStrainGain : threshold_)) {
+      say("%s is no longer needed", std::string{present_.effects[i].info->id}.c_str());
+      present_ = settle(less.effects, less.numbers, less.problem, less.fit, 2);
+      gains_.erase(gains_.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      gains_[i++] = gain;
+    }
+  }
+}
+
+}  // namespace darwinop::gap
