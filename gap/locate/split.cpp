@@ -25,13 +25,20 @@ constexpr double kRestIsNone = 0.1;  // of the cost: less at rest is none
 /// Values to try for one parameter, from hardly visible to plain.
 std::vector<double> valuesToTry(const twin::Parameter& parameter) {
   std::vector<double> values;
+  constexpr std::array kShares{0.02, 0.05, 0.1, 0.25, 0.5, 0.8};  // of the way from neutral to an end
+  if (parameter.logarithmic && parameter.neutral > parameter.low && parameter.neutral < parameter.high) {
+    for (const double share : kShares)
+      for (const double end : {std::max(parameter.low, parameter.neutral / 300), parameter.high})
+        values.push_back(parameter.neutral * std::pow(end / parameter.neutral, share));
+    return values;
+  }
   if (parameter.logarithmic) {
     const double low = std::max(parameter.low, parameter.high / 300);
     for (double share = 0; share <= 1.001; share += 1.0 / 9)
       values.push_back(low * std::pow(parameter.high / low, share));
     return values;
   }
-  for (const double share : {0.02, 0.05, 0.1, 0.25, 0.5, 0.8})
+  for (const double share : kShares)
     for (const double end : {parameter.low, parameter.high})
       if (end != parameter.neutral) values.push_back(parameter.neutral + share * (end - parameter.neutral));
   return values;
