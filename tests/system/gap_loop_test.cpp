@@ -82,10 +82,10 @@ void GapLoop::closeTheLoop(double floor_rad) {
   std::ofstream{hidden} << textOf(original) << "\n[effect accel_limit]\naccel = 30 rad/s2\n";
 
   robotIs(hidden);
-  const std::string steps = measured("steps", "steps.csv"), bang = measured("bang", "bang.csv"),
+  const std::string steps = measured("steps", "steps.csv"), slow = measured("slow_triangle", "slow.csv"),
                     chirp = measured("chirp", "chirp.csv");
 
-  ASSERT_EQ(command({"darwinop-gap", "case", steps, bang, "--keep", chirp, "--joint", "ShoulderR", "--model", original,
+  ASSERT_EQ(command({"darwinop-gap", "case", steps, slow, "--keep", chirp, "--joint", "ShoulderR", "--model", original,
                      "--out", file("case")},
                     seconds{20}),
             0)
