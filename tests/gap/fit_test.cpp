@@ -1,6 +1,7 @@
 // Noise that is calibrated, unknowns that are found.
 #include <gtest/gtest.h>
 
+#include "gap/fit/slopes.hpp"
 #include "gap/fit/solve.hpp"
 #include "small_case.hpp"
 
@@ -68,19 +69,24 @@ TEST(Solve, FindsAMovedNumberAndSaysHowSurely) {
   EXPECT_LE(fit.cost, problem.cost(problem.expected()));
 }
 
-// Resistance, payload and length together leave hardly a trace: only the priors say where along that valley to end.
-TEST(Solve, NumbersThatTradeAgainstEachOtherEndWhereTheirPriorsWantThem) {
+// Torque constant, resistance, payload and length together leave hardly a trace, and what is left of the sum of their
+// slopes is mostly the curvature of the steps, unless a step goes along that valley.
+TEST(Slopes, SayWhatAMoveAlongAValleyChanges) {
   const Case given = measured(smallBench(), baselineOf(smallBench()), 6);
   const Evidence evidence = evidenceOf(given, baselineOf(given));
   const Problem problem{evidence, baselineOf(given), nuisancesOf(given, baselineOf(given))};
-  Eigen::VectorXd far = problem.expected();
-  for (std::size_t i = 0; i < problem.unknowns().size(); ++i) {
-    const std::string& name = problem.unknowns()[i].name;
-    if (name == "resistance") far[static_cast<Eigen::Index>(i)] = 0.9;
-    if (name == "payload" || name == "length") far[static_cast<Eigen::Index>(i)] = 1.05;
-  }
-  ASSERT_GT(problem.priorCost(far), 50);
-  EXPECT_LT(solve(problem, far).prior, 2);
+  const Eigen::VectorXd x = problem.expected();
+  Eigen::VectorXd here(evidence.size()), there(evidence.size());
+  problem.residuals(x, here);
+  const Eigen::MatrixXd first = slopesAt(problem, x, here, firstSteps(problem));
+  const Eigen::MatrixXd along = stepsAlong(problem, first.transpose() * first);
+  const Eigen::VectorXd move = along.col(0) / 2;  // the direction that the data see least
+  problem.residuals(x + move, there);
+  const auto error = [&](const Eigen::MatrixXd& slopes) {
+    return (slopes * move - (there - here)).norm() / (there - here).norm();
+  };
+  EXPECT_LT(error(slopesAt(problem, x, here, along)), 0.2);
+  EXPECT_GT(error(first), 0.3) << "where the first steps do as well, this test shows nothing";
 }
 
 // Goals that come a period later or earlier make a cost with steps in it.
