@@ -96,6 +96,7 @@ listing() {
 power_cut() {
   local name=$1 condition=$2 installing
   shift 2
+  : >"$scratch/watch"  # The last cut's word must be gone before the loop below looks for this one's.
   guest "until $condition; do sleep 0.05; done; echo now" >"$scratch/watch" &
   install "$@" &
   installing=$!
