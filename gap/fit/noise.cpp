@@ -76,22 +76,7 @@ Eigen::VectorXd loadJitter(const Trajectory& log, const Trace& quiet, double per
   return jitter;
 }
 
-bool loadIsDuty(const Hypothesis& hypothesis) {
-  return hypothesis.servo.law == twin::Law::kVoltageP;
-}
-
 }  // namespace
-
-LoadResidual::LoadResidual(const Hypothesis& hypothesis, double p_register)
-    : gain_{loadIsDuty(hypothesis) ? hypothesis.servo.duty_per_kp_per_rad * p_register : 0},
-      most_{0.99 * hypothesis.servo.duty_max} {
-  if (const twin::EffectSetting* const scaled = hypothesis.find("kp_scale")) gain_ *= scaled->values[0];
-}
-
-double LoadResidual::operator()(double load, double position, double model_load, double model_position) const {
-  const bool follows = model_load != 0 && load != 0 && std::abs(load) < most_ && std::abs(model_load) < most_;
-  return load - model_load + (follows ? gain_ * (position - model_position) : 0);
-}
 
 LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothesis, const NoiseOptions& options)
     : load_residual_{hypothesis, given.logs[log].p_register} {
@@ -118,6 +103,21 @@ LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothe
   while (count < svd.singularValues().size() && svd.singularValues()[count] > kSmallestMode) ++count;
   modes_ = svd.matrixU().leftCols(count);
   mode_sigma_ = kFewRuns * svd.singularValues().head(count);
+  if (options.unexplained.any()) bearWith(options.unexplained, measured.duration_s() / static_cast<double>(n - 1));
+}
+
+// What drifts in a right model is far less than what this one leaves: it needs no modes of its own.
+void LogNoise::bearWith(const Unexplained& unexplained, double period_s) {
+  const Eigen::Index n = position_sigma_.size();
+  const Eigen::ArrayXd drift = (modes_ * mode_sigma_.asDiagonal()).rowwise().squaredNorm();
+  const auto widen = [](Eigen::VectorXd& sigma, const auto& part, double more) {
+    sigma = (sigma.array().square() * (1 + part) + more * more).sqrt().matrix();
+  };
+  widen(position_sigma_, drift.head(n), unexplained.position_rad);
+  widen(load_sigma_, drift.tail(n), unexplained.load);
+  modes_.resize(2 * n, 0);
+  mode_sigma_.resize(0);
+  together_ = std::max(1.0, unexplained.together_s / period_s);
 }
 
 void LogNoise::residuals(const Trajectory& measured, const Trace& simulated, Eigen::Ref<Eigen::VectorXd> out) const {
@@ -131,6 +131,7 @@ void LogNoise::residuals(const Trajectory& measured, const Trace& simulated, Eig
     out[i] = std::isfinite(position) ? position : 0;
     out[n + i] = std::isfinite(load) ? load : 0;
   }
+  if (together_ > 0) out = out.unaryExpr(&softened) / std::sqrt(together_);
   if (mode_sigma_.size() == 0) return;
   // C = 1 + U s2 U': its inverse root takes from each mode what exceeds 1.
   const Eigen::VectorXd in_modes = modes_.transpose() * out;
@@ -142,7 +143,7 @@ double LogNoise::logDeterminant() const {
   double sum = (1 + mode_sigma_.array().square()).log().sum() + 2 * position_sigma_.array().log().sum();
   for (const double sigma : load_sigma_)
     if (std::isfinite(sigma)) sum += 2 * std::log(sigma);
-  return sum;
+  return together_ > 0 ? sum / together_ : sum;
 }
 
 Eigen::VectorXd LogNoise::positionSigma() const {

@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "gap/fit/load_residual.hpp"
+#include "gap/fit/unexplained.hpp"
 #include "gap/sim/roll_out.hpp"
 
 namespace darwinop::gap {
@@ -15,18 +17,7 @@ struct NoiseOptions {
   int runs = 32;  // of each log
   Disturbance disturbance;
   std::uint64_t seed = 1;
-};
-
-/// Off by so much: of a load, given where the servo saw itself. A duty follows the position; where the arm stuck a tick
-/// away from where the model has it, the position says so already, and the load need not say it again.
-class LoadResidual {
- public:
-  explicit LoadResidual(const Hypothesis& hypothesis, double p_register);
-  [[nodiscard]] double operator()(double load, double position, double model_load, double model_position) const;
-
- private:
-  double gain_;  // duty per rad; 0: the load is no duty
-  double most_;  // beyond, it does not follow
+  Unexplained unexplained;
 };
 
 /// Residuals of one log in units of its noise: positions, then loads. Independent, of variance 1, where the model is
@@ -44,7 +35,10 @@ class LogNoise {
   [[nodiscard]] Eigen::VectorXd positionSigma() const;
 
  private:
+  void bearWith(const Unexplained& unexplained, double period_s);
+
   LoadResidual load_residual_;
+  double together_ = 0;  // samples that count as one, where the model leaves much unexplained; 0: it need not
   Eigen::VectorXd position_sigma_, load_sigma_;  // of what is independent; infinite: not counted
   Eigen::MatrixXd modes_;                        // orthonormal columns, in units of the sigmas
   Eigen::VectorXd mode_sigma_;                   // of each mode, same units

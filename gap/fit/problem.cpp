@@ -26,7 +26,7 @@ double Evidence::logDeterminant() const {
 }
 
 Evidence evidenceOf(const Case& given, const Hypothesis& hypothesis, bool score, const NoiseOptions& options) {
-  Evidence evidence{.given = &given, .logs = {}, .noise = {}};
+  Evidence evidence{.given = &given, .logs = {}, .noise = {}, .unexplained = options.unexplained};
   const auto copies = duplicates(given);  // the same rows again say nothing new
   for (std::size_t i = 0; i < given.logs.size(); ++i)
     if (given.logs[i].score == score && !copies[i]) evidence.logs.push_back(i);

@@ -9,7 +9,7 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr std::size_t kMostSharpened = 10, kStarts = 3, kMostFitted = 6, kMostRivals = 5;
+constexpr std::size_t kMostSharpened = 10, kMostInHeats = 16, kStarts = 3, kMostFitted = 6, kMostRivals = 5;
 constexpr double kNear = 0.15;    // of the best gain: who is that close is compared on the best one's noise
 constexpr double kNearCost = 60;  // or that close in cost
 constexpr double kDragged = 15;   // cost of the priors: the numbers have been pulled away, so try from where they were
@@ -30,12 +30,13 @@ Effects withOneMore(const Settled& present, const twin::EffectInfo& effect) {
   return effects;
 }
 
-std::vector<Probe> promising(const Screen& screen, const std::vector<const twin::EffectInfo*>& only) {
+std::vector<Probe> promising(const Screen& screen, const std::vector<const twin::EffectInfo*>& only,
+                             std::size_t most = kMostSharpened) {
   std::vector<Probe> chosen;
   std::map<const twin::EffectInfo*, std::size_t> starts;
   for (const Probe& probe : screen.probes()) {
     if (!only.empty() && std::find(only.begin(), only.end(), probe.effect) == only.end()) continue;
-    const bool wanted = starts.contains(probe.effect) || starts.size() < kMostSharpened;
+    const bool wanted = starts.contains(probe.effect) || starts.size() < most;
     if (wanted && starts[probe.effect]++ < kStarts) chosen.push_back(probe);
   }
   return chosen;
@@ -135,6 +136,19 @@ std::vector<Settled> contest(const Settled& present, const Screen& screen,
   std::stable_sort(ranked.begin() + 1, ranked.end(),
                    [](const Settled& a, const Settled& b) { return evidenceFor(a) > evidenceFor(b); });
   return ranked;
+}
+
+std::vector<Settled> heats(const Settled& present, const Screen& screen) {
+  std::vector<Entrant> entrants = sharpest(screen, promising(screen, {}, kMostInHeats));
+  fitAll(present, entrants);
+  if (entrants.size() > kMostFitted) entrants.resize(kMostFitted);
+  std::vector<Settled> fitted;
+  for (const Entrant& entrant : entrants)
+    fitted.push_back(onNoiseOf(withOneMore(present, *entrant.effect), present.numbers, *entrant.problem, entrant.fit,
+                               present, true));
+  std::stable_sort(fitted.begin(), fitted.end(),
+                   [](const Settled& a, const Settled& b) { return evidenceFor(a) > evidenceFor(b); });
+  return fitted;
 }
 
 }  // namespace darwinop::gap

@@ -148,6 +148,8 @@ double floorOf(const Settled& fitted) {
 }
 
 Verdict verdictOf(const Naming& naming) {
+  if (naming.remains)
+    return naming.gap_after_rad < (1 - kMost) * naming.gap_before_rad ? Verdict::kNamed : Verdict::kUnknown;
   const bool explained = naming.misfit < kMisfit || (naming.gap_after_rad < kRemains * naming.floor_rad &&
                                                      naming.gap_after_rad < (1 - kMost) * naming.gap_before_rad);
   if (naming.found.empty()) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "gap/name/rough.hpp"
 #include "gap/name/search.hpp"
 #include "gap/name/unseen.hpp"
 
@@ -43,6 +44,29 @@ bool leansOnANumber(const Case& given, const Effects& effects) {
          std::ranges::any_of(effects, [&](const Chosen& effect) { return freesAPrior(given, *effect.info); });
 }
 
+/// What the loads and goals alone show: no number of the mechanics can stand in for it.
+Effects inTheFirmware(const Effects& effects) {
+  Effects proven;
+  for (const Chosen& effect : effects)
+    if (effect.info->place == twin::Place::kCommand || effect.info->place == twin::Place::kController)
+      proven.push_back({effect.info});
+  return proven;
+}
+
+Naming nameOnRoughNumbers(const Case& given, const NameOptions& options) {
+  options.tell("nobody has measured this motor: its numbers move within their priors");
+  NameOptions few = options;
+  few.most_effects = 2;
+  Search moved{given, few, Numbers::kFree};
+  moved.run();
+  if (moved.explainsAll() || moved.present().effects.empty()) return moved.told();
+  options.tell("what is left is no noise: looking for what foretells best");
+  RoughSearch rough{given, options, inTheFirmware(moved.present().effects), moved.present()};
+  rough.run();
+  const Naming naming = rough.told();
+  return naming.verdict == Verdict::kNamed ? naming : moved.told();
+}
+
 }  // namespace
 
 std::string_view nameOf(Verdict verdict) {
@@ -54,6 +78,7 @@ int exitCodeOf(Verdict verdict) {
 }
 
 Naming nameEffects(const Case& given, const NameOptions& options) {
+  if (isRoughlyKnown(given)) return nameOnRoughNumbers(given, options);
   options.tell("comparing with the baseline as it is");
   Search exact{given, options, Numbers::kHeld};
   exact.run();

@@ -39,16 +39,26 @@ struct Rival {
   double behind = 0;                 // in evidence, twice its logarithm
 };
 
+/// Why an effect that fits these logs better all the same is not named: the measured voltage says no; it foretells some
+/// logs and others not; it foretells none.
+enum class Doubt : std::uint8_t { kVoltage, kUndecided, kForetellsNothing };
+struct Doubted {
+  const twin::EffectInfo* effect = nullptr;
+  Doubt why = Doubt::kForetellsNothing;
+};
+
 struct Naming {
   Verdict verdict = Verdict::kNone;
   std::vector<Found> found;   // in the order found
   std::vector<Rival> rivals;  // nearest first
   std::vector<Strained> strained;
+  std::vector<Doubted> doubted;
   double threshold = 0;  // gain that chance exceeds once in a hundred cases
   double misfit = 0;     // of the final model, in standard deviations of what a right model shows
   double gap_before_rad = 0, gap_after_rad = 0;  // rms position error over the fit logs, closed loop
   double floor_rad = 0;                          // the same of a right model
   Hypothesis model;                              // with what was found
+  bool remains = false;                          // named, and something is left that none of the effects explains
 };
 
 struct NameOptions {

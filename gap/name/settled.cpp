@@ -16,9 +16,11 @@ constexpr double kNoBetter = 0.5;  // of the total: not worth another round
 constexpr double kStays = 30;      // squared sigmas: a fit that moved less has the noise that belongs to it
 constexpr double kPulled = 15;     // cost of the priors: the numbers may have been pulled away
 
-NoiseOptions manyRuns() {
+NoiseOptions manyRuns(const Unexplained& unexplained) {
   NoiseOptions options;
-  options.runs = 96;  // as many modes; what lies between the modes of fewer runs looks like an effect
+  options.unexplained = unexplained;
+  // As many modes; what lies between the modes of fewer runs looks like an effect.
+  options.runs = unexplained.any() ? 24 : 96;
   return options;
 }
 
@@ -44,16 +46,6 @@ Eigen::MatrixXd stepsFrom(const Problem& problem, const Problem& known, const Ei
   return steps;
 }
 
-Eigen::VectorXd startAfresh(const Problem& problem, const Problem& known, const Eigen::VectorXd& x) {
-  Eigen::VectorXd start = startFrom(problem, known, x);
-  const Eigen::VectorXd expected = problem.expected();
-  for (std::size_t i = 0; i < problem.unknowns().size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
-    if (std::isfinite(problem.unknowns()[i].sigma)) start[at] = expected[at];
-  }
-  return start;
-}
-
 }  // namespace
 
 double evidenceFor(const Settled& fitted) {
@@ -77,7 +69,8 @@ Settled settle(const Effects& effects, Numbers numbers, const Problem& from, con
   Hypothesis at = from.at(known.x);
   std::optional<Settled> best;
   for (int round = 0; round < rounds; ++round) {
-    auto evidence = std::make_shared<const Evidence>(evidenceOf(given, at, false, manyRuns()));
+    auto evidence =
+        std::make_shared<const Evidence>(evidenceOf(given, at, false, manyRuns(from.evidence().unexplained)));
     Problem problem = problemWith(*evidence, effects, numbers);
     const Problem& last = best ? best->problem : from;
     const Fit& last_fit = best ? best->fit : known;
@@ -105,6 +98,15 @@ Settled withFreeNumbers(const Settled& fitted) {
   Fit fit = solve(problem, x, {.iterations = 0, .steps = stepsFrom(problem, fitted.problem, fitted.fit.steps)});
   const double total = fit.cost + fitted.evidence->logDeterminant();
   return {fitted.effects, Numbers::kFree, fitted.evidence, std::move(problem), std::move(fit), total};
+}
+
+Settled onNoiseOfItsOwn(const Settled& fitted) {
+  auto evidence =
+      std::make_shared<const Evidence>(evidenceOf(*fitted.evidence->given, fitted.hypothesis(), false, manyRuns({})));
+  Problem problem{*evidence, fitted.problem.hypothesis(), fitted.problem.unknowns()};
+  Fit fit = solve(problem, fitted.fit.x, {.iterations = 0, .refine = false});
+  const double total = fit.cost + evidence->logDeterminant();
+  return {fitted.effects, fitted.numbers, std::move(evidence), std::move(problem), std::move(fit), total};
 }
 
 Settled onNoiseOf(const Settled& other, const Settled& judge, bool slopes) {

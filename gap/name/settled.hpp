@@ -29,6 +29,9 @@ Settled settle(const Effects& effects, Numbers numbers, const Problem& from, con
 /// The same values, with the slopes and the covariance that the freedom of all numbers gives them.
 Settled withFreeNumbers(const Settled& fitted);
 
+/// The same values on the noise that they themselves make, whatever they leave unexplained.
+Settled onNoiseOfItsOwn(const Settled& fitted);
+
 /// The same effects on the noise of another fit, for a comparison sample by sample; without slopes, but for `slopes`.
 Settled onNoiseOf(const Settled& other, const Settled& judge, bool slopes = false);
 Settled onNoiseOf(const Effects& effects, Numbers numbers, const Problem& from, const Fit& known, const Settled& judge,

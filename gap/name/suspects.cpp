@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "twin/effects/catalogue.hpp"
@@ -19,6 +20,8 @@ template <class List>
 bool contains(const List& list, std::string_view id) {
   return std::find(list.begin(), list.end(), id) != list.end();
 }
+
+constexpr double kRoughly = 0.1;  // of a number: no worse, and a measurement stands behind it
 
 // A number of the baseline whose error is what the effect means.
 constexpr auto kSameAs = std::to_array<std::pair<std::string_view, std::string_view>>({
@@ -64,6 +67,12 @@ bool freesAPrior(const Case& given, const twin::EffectInfo& effect) {
   return false;
 }
 
+bool isRoughlyKnown(const Case& given) {
+  return std::ranges::any_of(given.priors, [](const Prior& prior) {
+    return (prior.number == "kt" || prior.number == "resistance") && prior.relative_sigma >= kRoughly;
+  });
+}
+
 Problem problemWith(const Evidence& evidence, const Effects& effects, Numbers numbers) {
   Hypothesis hypothesis = baselineOf(*evidence.given);
   std::vector<Unknown> own;
@@ -97,6 +106,16 @@ Eigen::VectorXd startFrom(const Problem& problem, const Problem& known, const Ei
         const double value = known.unknowns()[j].fromSearch(x[static_cast<Eigen::Index>(j)]);
         start[static_cast<Eigen::Index>(i)] = problem.unknowns()[i].toSearch(value);
       }
+  return start;
+}
+
+Eigen::VectorXd startAfresh(const Problem& problem, const Problem& known, const Eigen::VectorXd& x) {
+  Eigen::VectorXd start = startFrom(problem, known, x);
+  const Eigen::VectorXd expected = problem.expected();
+  for (std::size_t i = 0; i < problem.unknowns().size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    if (std::isfinite(problem.unknowns()[i].sigma)) start[at] = expected[at];
+  }
   return start;
 }
 

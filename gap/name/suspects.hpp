@@ -27,6 +27,9 @@ Effects without(Effects effects, std::size_t i);
 /// True: the effect only frees a number of the baseline that has a prior (coulomb where there is friction already).
 bool freesAPrior(const Case& given, const twin::EffectInfo& effect);
 
+/// A motor that nobody has measured: its numbers are a manual's, or another servo's.
+bool isRoughlyKnown(const Case& given);
+
 /// The numbers of the baseline: exactly as given, or moved as far as their priors let them.
 enum class Numbers : std::uint8_t { kHeld, kFree };
 
@@ -35,5 +38,8 @@ Problem problemWith(const Evidence& evidence, const Effects& effects, Numbers nu
 
 /// A start for `problem`: each unknown as in `known` where it was known there, else as expected.
 Eigen::VectorXd startFrom(const Problem& problem, const Problem& known, const Eigen::VectorXd& x);
+
+/// The same for the effects; the numbers of the baseline as expected.
+Eigen::VectorXd startAfresh(const Problem& problem, const Problem& known, const Eigen::VectorXd& x);
 
 }  // namespace darwinop::gap

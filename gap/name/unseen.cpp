@@ -9,7 +9,7 @@ namespace {
 constexpr int kIterations = 6;  // from where all logs together wanted to be
 
 Evidence leftOut(const Evidence& all, std::size_t left_out) {
-  Evidence rest{.given = all.given, .logs = {}, .noise = {}};
+  Evidence rest{.given = all.given, .logs = {}, .noise = {}, .unexplained = all.unexplained};
   for (std::size_t i = 0; i < all.logs.size(); ++i) {
     if (i == left_out) continue;
     rest.logs.push_back(all.logs[i]);
@@ -18,7 +18,7 @@ Evidence leftOut(const Evidence& all, std::size_t left_out) {
   return rest;
 }
 
-/// Position error of this log, rms, rad, when the others alone are fitted.
+/// Mean |position error| of this log, rad, when the others alone are fitted.
 double errorOn(const Settled& fitted, std::size_t left_out) {
   const Evidence rest = leftOut(*fitted.evidence, left_out);
   const Problem problem{rest, fitted.problem.hypothesis(), fitted.problem.unknowns()};
@@ -29,22 +29,30 @@ double errorOn(const Settled& fitted, std::size_t left_out) {
   rollOut(*rest.given, log, problem.at(fit.x), {}, trace);
   double sum = 0;
   for (std::size_t row = 0; row < measured.rows(); ++row)
-    sum += std::pow(measured.position_rad[row] - trace.position_rad[row], 2);
-  return std::sqrt(sum / static_cast<double>(measured.rows()));
+    sum += std::abs(measured.position_rad[row] - trace.position_rad[row]);
+  return sum / static_cast<double>(measured.rows());
 }
 
 }  // namespace
 
-Foretold foretold(const Settled& without, const Settled& with) {
-  std::vector<double> gains;
-  for (std::size_t i = 0; i < with.evidence->logs.size(); ++i)
-    gains.push_back(std::log(errorOn(without, i) / errorOn(with, i)));
-  Foretold told{.mean = 0, .error = 0, .logs = static_cast<int>(gains.size())};
-  const auto count = static_cast<double>(gains.size());
-  for (const double gain : gains) told.mean += gain / count;
-  for (const double gain : gains) told.error += std::pow(gain - told.mean, 2) / (count * (count - 1));
+std::vector<double> errorsUnseen(const Settled& fitted) {
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < fitted.evidence->logs.size(); ++i) errors.push_back(errorOn(fitted, i));
+  return errors;
+}
+
+Foretold foretold(const std::vector<double>& without, const std::vector<double>& with) {
+  Foretold told{.mean = 0, .error = 0, .logs = static_cast<int>(with.size())};
+  const auto count = static_cast<double>(with.size());
+  for (std::size_t i = 0; i < with.size(); ++i) told.mean += std::log(without[i] / with[i]) / count;
+  for (std::size_t i = 0; i < with.size(); ++i)
+    told.error += std::pow(std::log(without[i] / with[i]) - told.mean, 2) / (count * (count - 1));
   told.error = std::sqrt(told.error);
   return told;
+}
+
+Foretold foretold(const Settled& without, const Settled& with) {
+  return foretold(errorsUnseen(without), errorsUnseen(with));
 }
 
 }  // namespace darwinop::gap

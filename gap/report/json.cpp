@@ -1,4 +1,5 @@
 // What programs read.
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -63,6 +64,10 @@ json asJson(const Case& given, const Outcome& outcome) {
   json strained = json::array();
   for (const Strained& one : naming.strained)
     strained.push_back({{"number", one.number}, {"sigma", one.sigmas}, {"factor", one.factor}});
+  json doubted = json::array();
+  constexpr std::array<std::string_view, 3> kWhy{"voltage", "undecided", "foretells_nothing"};
+  for (const Doubted& one : naming.doubted)
+    doubted.push_back({{"id", one.effect->id}, {"why", kWhy.at(static_cast<std::size_t>(one.why))}});
   return {{"case", given.name},
           {"verdict", nameOf(naming.verdict)},
           {"effects", effects},
@@ -70,6 +75,7 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"where", asJson(outcome.where)["places"]},
           {"block", outcome.where.blocks.first ? json(name(*outcome.where.blocks.first)) : json(nullptr)},
           {"remains", outcome.remains},
+          {"doubted", doubted},
           {"strained", strained},
           {"numbers", numbersOf(additions)},
           {"bench", benchOf(given, naming)},

@@ -34,6 +34,7 @@ std::vector<std::string> reasonsFor(const Case& given, const Naming& naming, con
                                  rounded(naming.threshold) + " comes by chance once in a hundred cases"};
   if (naming.verdict == Verdict::kUnknown)
     lines.emplace_back("It helps, and leaves a gap that no known effect explains");
+  if (naming.remains) lines.emplace_back("Something else is left in these logs that no known effect explains");
   if (naming.verdict == Verdict::kAmbiguous && &found == &naming.found.back())
     for (const Rival& rival : closeRivals(naming))
       lines.push_back("Not certain: " + joined(rival.effects, " + ") + " explains the logs nearly as well");
@@ -78,7 +79,7 @@ Outcome investigate(const Case& given, const NameOptions& options) {
   options.tell("3 of 3: before and after on the kept logs");
   outcome.score_before_rad = gapOf(given, baselineOf(given), true);
   outcome.score_after_rad = gapOf(given, naming.model, true);
-  if (naming.verdict == Verdict::kUnknown) {
+  if (naming.verdict == Verdict::kUnknown || naming.remains) {
     const Case left = withModel(given, naming.model);
     outcome.remains = whatRemains(locate(left, evidenceOf(left, naming.model)));
   }

@@ -16,7 +16,8 @@ struct Outcome {
   Naming naming;
   // Rms position error of the closed loop on logs that no fit has seen, rad; NaN: the case has none.
   double score_before_rad = 0, score_after_rad = 0;
-  std::string remains;  // for `unknown`: what is left, where, when and on what it depends, in sentences
+  std::string remains;  // for `unknown`, and `named` with a remainder: what is left, where, when and on what it
+                        // depends, in sentences
   double runtime_s = 0;
 };
 

@@ -124,6 +124,7 @@ std::string whatSection(const Report& report) {
   for (const Found& found : naming.found) inside += foundText(found);
   if (!report.outcome->remains.empty())
     inside += "<h3>What nobody explains</h3>" + element("p", report.outcome->remains);
+  for (const Doubted& doubted : naming.doubted) inside += element("p", doubtSentence(doubted));
   inside += rivalsText(naming) + experimentText(naming) + strainedText(naming) + benchText(report);
   return sectionOf("what", naming.verdict == Verdict::kUnknown ? "What helps" : "What is missing", inside);
 }

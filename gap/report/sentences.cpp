@@ -1,6 +1,7 @@
 #include "gap/report/sentences.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -65,7 +66,8 @@ std::string firstSentence(const Outcome& outcome) {
     case Verdict::kNamed:
       if (std::ranges::all_of(naming.found, &Found::corrected))
         return "The model has " + titlesOf(naming.found) + ", but with a wrong number" + firstNumber(naming) + ".";
-      return "The model lacks " + titlesOf(naming.found) + firstNumber(naming) + ".";
+      return "The model lacks " + titlesOf(naming.found) + firstNumber(naming) +
+             (naming.remains ? "; something is left that none of the known effects explains." : ".");
     case Verdict::kAmbiguous:
       return "The model lacks something that these logs do not decide: " + namedByRivals(naming) + ".";
     case Verdict::kUnknown:
@@ -108,6 +110,37 @@ std::vector<Rival> closeRivals(const Naming& naming) {
   for (const Rival& rival : naming.rivals)
     if (rival.behind < kClose && !rival.effects.empty()) close.push_back(rival);
   return close;
+}
+
+std::string shortDoubt(const Doubted& doubted) {
+  const std::string id{doubted.effect->id};
+  switch (doubted.why) {
+    case Doubt::kVoltage:
+      return id + ": fits, but the measured voltage does not dip as it would have to";
+    case Doubt::kUndecided:
+      return id + ": may be there, too; the report says which experiment decides";
+    case Doubt::kForetellsNothing:
+      break;
+  }
+  return id + ": fits these logs, and foretells no other";
+}
+
+std::string doubtSentence(const Doubted& doubted) {
+  std::string title{doubted.effect->title};
+  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  switch (doubted.why) {
+    case Doubt::kVoltage:
+      return title + " would fit these logs better, but the measured voltage does not dip as it would have to.";
+    case Doubt::kUndecided:
+      break;
+    case Doubt::kForetellsNothing:
+      return title + " would fit these logs better, and foretells none that it has not seen.";
+  }
+  std::vector<std::string> doubles;
+  for (const std::string_view id : doubted.effect->confused_with) doubles.emplace_back(twin::findEffect(id)->title);
+  return title + " may be there, too, or one of its doubles (" + joined(doubles, ", ") +
+         "): it foretells some of the logs better and others worse. What decides: " +
+         std::string{doubted.effect->separated_by};
 }
 
 std::string helpSentence(const Comparison& comparison) {

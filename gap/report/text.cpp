@@ -13,7 +13,7 @@ namespace darwinop::gap {
 namespace {
 
 constexpr std::size_t kColumns = 100;
-constexpr std::size_t kEstimatesShown = 4, kRivalsShown = 2, kStrainedShown = 2;
+constexpr std::size_t kEstimatesShown = 5, kRivalsShown = 2, kStrainedShown = 2, kDoubtsShown = 2;
 
 [[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
   char text[300];
@@ -78,6 +78,8 @@ std::string rivalText(const Naming& naming) {
     text += line("%-9s %s has to be %.3f times what was given: %.1f sigma", i == 0 ? "strained" : "",
                  one.number.c_str(), one.factor, std::abs(one.sigmas));
   }
+  for (std::size_t i = 0; i < std::min(kDoubtsShown, naming.doubted.size()); ++i)
+    text += line("%-9s %s", i == 0 ? "not named" : "", shortDoubt(naming.doubted[i]).c_str());
   return text;
 }
 

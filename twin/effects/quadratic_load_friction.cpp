@@ -37,7 +37,7 @@ constexpr std::array kParameters{
               .secondary = true},
 };
 constexpr auto kConfusedWith =
-    std::to_array<std::string_view>({"directional_load_friction", "load_dependent_friction"});
+    std::to_array<std::string_view>({"directional_load_friction", "load_dependent_friction", "torque_limit"});
 
 class QuadraticLoadFriction final : public EffectOf<kQuadraticLoadFriction, kParameters.size()> {
  public:

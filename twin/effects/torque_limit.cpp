@@ -26,7 +26,8 @@ constexpr std::array kParameters{
               .typical = 10,
               .logarithmic = true},
 };
-constexpr auto kConfusedWith = std::to_array<std::string_view>({"supply_sag", "accel_limit", "resistance_error"});
+constexpr auto kConfusedWith =
+    std::to_array<std::string_view>({"supply_sag", "accel_limit", "resistance_error", "quadratic_load_friction"});
 
 class TorqueLimit final : public EffectOf<kTorqueLimit, kParameters.size()> {
  public:
@@ -50,7 +51,10 @@ const EffectInfo kTorqueLimit{
     .place = Place::kController,
     .equation = "|u| <= duty and |tm| <= torque",
     .signature = "Load flat at a value below 100 % (duty), or flat torque at any speed; lifts fail at high payload.",
-    .separated_by = "Step with payload, and read the load: a limit is a straight line in it, a sagging supply is not.",
+    .separated_by =
+        "Step with payload, and read the load: a limit is a straight line in it, a sagging supply is "
+        "not. Lift slowly with more and more payload: a limit stops at one torque, a loss with the square "
+        "of the load grows all the way.",
     .source = "MX-28 manual, register 34; stall torque 2.5 N m at 12 V; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

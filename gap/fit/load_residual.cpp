@@ -1,0 +1,22 @@
+#include "gap/fit/load_residual.hpp"
+
+#include <cmath>
+
+namespace darwinop::gap {
+
+bool loadIsDuty(const Hypothesis& hypothesis) {
+  return hypothesis.servo.law == twin::Law::kVoltageP;
+}
+
+LoadResidual::LoadResidual(const Hypothesis& hypothesis, double p_register)
+    : gain_{loadIsDuty(hypothesis) ? hypothesis.servo.duty_per_kp_per_rad * p_register : 0},
+      most_{0.99 * hypothesis.servo.duty_max} {
+  if (const twin::EffectSetting* const scaled = hypothesis.find("kp_scale")) gain_ *= scaled->values[0];
+}
+
+double LoadResidual::operator()(double load, double position, double model_load, double model_position) const {
+  const bool follows = model_load != 0 && load != 0 && std::abs(load) < most_ && std::abs(model_load) < most_;
+  return load - model_load + (follows ? gain_ * (position - model_position) : 0);
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,50 @@
+#include "gap/fit/unexplained.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/conversions.hpp"
+#include "gap/fit/load_residual.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kTogether = 0.3;     // s: a third of a swing of an arm of 0.1 m
+constexpr double kOfMedian = 1.4826;  // standard deviation of a normal distribution over its median |deviation|
+constexpr double kLeastLoad = 0.002;  // of the register: two steps
+constexpr double kSoft = 2;           // sigma: from here on linearly
+
+double spreadOf(std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return kOfMedian * *middle;
+}
+
+}  // namespace
+
+Unexplained unexplainedBy(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis) {
+  std::vector<double> positions, loads;
+  Trace trace;
+  for (const std::size_t index : logs) {
+    const Trajectory& log = given.logs[index];
+    const LoadResidual load_residual{hypothesis, log.p_register};
+    rollOut(given, index, hypothesis, {}, trace);
+    for (std::size_t row = 0; row < log.rows(); ++row) {
+      positions.push_back(std::abs(log.position_rad[row] - trace.position_rad[row]));
+      const double load = load_residual(log.load[row], log.position_rad[row], trace.load[row], trace.position_rad[row]);
+      if (log.torque_on[row] != 0 && std::isfinite(load)) loads.push_back(std::abs(load));
+    }
+  }
+  const double tick = 2 * kPi / hypothesis.servo.ticks_per_rev;
+  return {.position_rad = std::max(tick, spreadOf(positions)),
+          .load = std::max(kLeastLoad, spreadOf(loads)),
+          .together_s = kTogether};
+}
+
+double softened(double residual) {
+  const double share = residual / kSoft;
+  return std::copysign(kSoft * std::sqrt(2 * (std::sqrt(1 + share * share) - 1)), residual);
+}
+
+}  // namespace darwinop::gap
