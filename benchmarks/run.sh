@@ -137,7 +137,15 @@ twin_body() {
   done
 }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body)
+# --- darwinop gap
+
+# Roll-outs, scaling with threads and logs; peer: a global optimiser on the same data. Minutes.
+gap() {
+  local part
+  for part in rollout scaling peer; do "$build/bin/gap_bench" "$part"; done
+}
+
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue
   "$name"
