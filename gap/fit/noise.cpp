@@ -103,18 +103,18 @@ LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothe
   while (count < svd.singularValues().size() && svd.singularValues()[count] > kSmallestMode) ++count;
   modes_ = svd.matrixU().leftCols(count);
   mode_sigma_ = kFewRuns * svd.singularValues().head(count);
-  if (options.unexplained.any()) bearWith(options.unexplained, measured.duration_s() / static_cast<double>(n - 1));
+  if (options.unexplained.any()) bearWith(options.unexplained, log, measured.duration_s() / static_cast<double>(n - 1));
 }
 
 // What drifts in a right model is far less than what this one leaves: it needs no modes of its own.
-void LogNoise::bearWith(const Unexplained& unexplained, double period_s) {
+void LogNoise::bearWith(const Unexplained& unexplained, std::size_t log, double period_s) {
   const Eigen::Index n = position_sigma_.size();
   const Eigen::ArrayXd drift = (modes_ * mode_sigma_.asDiagonal()).rowwise().squaredNorm();
   const auto widen = [](Eigen::VectorXd& sigma, const auto& part, double more) {
     sigma = (sigma.array().square() * (1 + part) + more * more).sqrt().matrix();
   };
   widen(position_sigma_, drift.head(n), unexplained.position_rad);
-  widen(load_sigma_, drift.tail(n), unexplained.load);
+  widen(load_sigma_, drift.tail(n), unexplained.load[log]);
   modes_.resize(2 * n, 0);
   mode_sigma_.resize(0);
   together_ = std::max(1.0, unexplained.together_s / period_s);

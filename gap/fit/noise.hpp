@@ -35,7 +35,7 @@ class LogNoise {
   [[nodiscard]] Eigen::VectorXd positionSigma() const;
 
  private:
-  void bearWith(const Unexplained& unexplained, double period_s);
+  void bearWith(const Unexplained& unexplained, std::size_t log, double period_s);
 
   LoadResidual load_residual_;
   double together_ = 0;  // samples that count as one, where the model leaves much unexplained; 0: it need not

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/conversions.hpp"
 #include "gap/fit/load_residual.hpp"
 
 namespace darwinop::gap {
@@ -24,22 +23,24 @@ double spreadOf(std::vector<double>& values) {
 }  // namespace
 
 Unexplained unexplainedBy(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis) {
-  std::vector<double> positions, loads;
+  Unexplained unexplained{
+      .position_rad = 0, .load = std::vector<double>(given.logs.size(), 0), .together_s = kTogether};
+  std::vector<double> positions;
   Trace trace;
   for (const std::size_t index : logs) {
     const Trajectory& log = given.logs[index];
     const LoadResidual load_residual{hypothesis, log.p_register};
     rollOut(given, index, hypothesis, {}, trace);
+    double squares = 0, count = 0;
     for (std::size_t row = 0; row < log.rows(); ++row) {
       positions.push_back(std::abs(log.position_rad[row] - trace.position_rad[row]));
       const double load = load_residual(log.load[row], log.position_rad[row], trace.load[row], trace.position_rad[row]);
-      if (log.torque_on[row] != 0 && std::isfinite(load)) loads.push_back(std::abs(load));
+      if (log.torque_on[row] != 0 && std::isfinite(load)) squares += load * load, ++count;
     }
+    unexplained.load[index] = count > 0 ? std::sqrt(squares / count) : 0;
   }
-  const double tick = 2 * kPi / hypothesis.servo.ticks_per_rev;
-  return {.position_rad = std::max(tick, spreadOf(positions)),
-          .load = std::max(kLeastLoad, spreadOf(loads)),
-          .together_s = kTogether};
+  unexplained.position_rad = spreadOf(positions);
+  return unexplained;
 }
 
 double softened(double residual) {

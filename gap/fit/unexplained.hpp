@@ -4,13 +4,16 @@
 // samples that noise disturbs least. Here all samples count alike, outliers little, and neighbours together as one.
 #pragma once
 
+#include <vector>
+
 #include "gap/sim/roll_out.hpp"
 
 namespace darwinop::gap {
 
 struct Unexplained {
-  double position_rad = 0, load = 0;  // standard deviation, of what is not far off
-  double together_s = 0;              // samples that near are off together; 0: nothing is left unexplained
+  double position_rad = 0;   // standard deviation, of what is not far off
+  std::vector<double> load;  // rms, one a log of the case; a gain multiplies what the clocks differ by
+  double together_s = 0;     // samples that near are off together; 0: nothing is left unexplained
 
   [[nodiscard]] bool any() const { return together_s > 0; }
 };

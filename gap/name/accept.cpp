@@ -14,21 +14,6 @@ constexpr double kLeastShare = 0.05;  // of what noise does not explain: less is
 constexpr double kNearlyAll = 0.8;    // of the same
 constexpr double kPlainlyWrong = 2;   // cost a residual, beyond what noise explains
 constexpr double kInside = 1;         // sigma: where one number is off and all others are right, it is named beyond
-constexpr double kAtBound = 1e-3;     // of the range
-
-/// An effect that had to be as strong as it can be stands in for something else, unless it explains nearly all.
-bool isAtItsBound(const Settled& fitted, const twin::EffectInfo& effect) {
-  const auto& unknowns = fitted.problem.unknowns();
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
-    if (parameter == nullptr || parameter->info != &effect || std::isfinite(unknowns[i].sigma)) continue;
-    const double low = unknowns[i].toSearch(unknowns[i].low), high = unknowns[i].toSearch(unknowns[i].high);
-    const double neutral = unknowns[i].toSearch(effect.parameters[parameter->index].neutral);
-    const double x = fitted.fit.x[static_cast<Eigen::Index>(i)], near = kAtBound * (high - low);
-    if ((x < low + near && neutral > low + near) || (x > high - near && neutral < high - near)) return true;
-  }
-  return false;
-}
 
 }  // namespace
 

@@ -14,6 +14,7 @@ constexpr double kFits = 1.15;        // cost over what noise makes of it: as a 
 constexpr double kTogether = 8;       // samples of 16 ms that are off together where a model is wrong
 constexpr double kRemains = 3;        // floors that may remain when most of a large gap is gone
 constexpr double kMost = 0.85;        // of the gap
+constexpr double kAtBound = 1e-3;     // of the range
 constexpr double kLeast = 2;          // floors: a smaller gap without a name tells too little
 
 double sigmasOff(const Settled& fitted, std::size_t i) {
@@ -122,6 +123,19 @@ std::vector<std::string> idsOf(const Effects& effects) {
   return ids;
 }
 
+bool isAtItsBound(const Settled& fitted, const twin::EffectInfo& effect) {
+  const auto& unknowns = fitted.problem.unknowns();
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
+    if (parameter == nullptr || parameter->info != &effect || std::isfinite(unknowns[i].sigma)) continue;
+    const double low = unknowns[i].toSearch(unknowns[i].low), high = unknowns[i].toSearch(unknowns[i].high);
+    const double neutral = unknowns[i].toSearch(effect.parameters[parameter->index].neutral);
+    const double x = fitted.fit.x[static_cast<Eigen::Index>(i)], near = kAtBound * (high - low);
+    if ((x < low + near && neutral > low + near) || (x > high - near && neutral < high - near)) return true;
+  }
+  return false;
+}
+
 double gapOf(const Case& given, const Hypothesis& hypothesis, bool score) {
   double sum = 0, count = 0;
   Trace trace;
@@ -138,6 +152,20 @@ double gapOf(const Case& given, const Hypothesis& hypothesis, bool score) {
   return count == 0 ? std::numeric_limits<double>::quiet_NaN() : std::sqrt(sum / count);
 }
 
+double meanErrorOf(const Case& given, const Hypothesis& hypothesis, bool score) {
+  double sum = 0, count = 0;
+  Trace trace;
+  for (std::size_t i = 0; i < given.logs.size(); ++i) {
+    const Trajectory& log = given.logs[i];
+    if (log.score != score) continue;
+    rollOut(given, i, hypothesis, {}, trace);
+    for (std::size_t row = 0; row < log.rows(); ++row)
+      sum += std::abs(log.position_rad[row] - trace.position_rad[row]) / static_cast<double>(log.rows());
+    ++count;
+  }
+  return count == 0 ? std::numeric_limits<double>::quiet_NaN() : sum / count;
+}
+
 double floorOf(const Settled& fitted) {
   double sum = 0, count = 0;
   for (const LogNoise& noise : fitted.evidence->noise) {
@@ -148,8 +176,6 @@ double floorOf(const Settled& fitted) {
 }
 
 Verdict verdictOf(const Naming& naming) {
-  if (naming.remains)
-    return naming.gap_after_rad < (1 - kMost) * naming.gap_before_rad ? Verdict::kNamed : Verdict::kUnknown;
   const bool explained = naming.misfit < kMisfit || (naming.gap_after_rad < kRemains * naming.floor_rad &&
                                                      naming.gap_after_rad < (1 - kMost) * naming.gap_before_rad);
   if (naming.found.empty()) {

@@ -27,13 +27,17 @@ double sigmasOfFreed(const Case& given, const Settled& fitted, const twin::Effec
 std::vector<Strained> strainedOf(const Settled& fitted);
 /// `excess`: cost over what noise makes of it, 1 for a right model; beyond, the intervals grow.
 std::vector<Estimate> estimatesOf(const Settled& fitted, const twin::EffectInfo& effect, double excess);
+/// An effect that had to be as strong as it can be stands in for something else, unless it explains nearly all.
+bool isAtItsBound(const Settled& fitted, const twin::EffectInfo& effect);
 /// What was fitted; an effect's number that the data say nothing about is left at its neutral value.
 Hypothesis withoutUnseen(const Settled& fitted);
 std::vector<std::string> idsOf(const Effects& effects);
 
 /// Rms of measured minus simulated position, closed loop, over the logs for fitting or those for judging; rad.
 double gapOf(const Case& given, const Hypothesis& hypothesis, bool score);
-/// The same of a right model: what noise alone makes.
+/// Mean |measured - simulated| of each log, and of these the mean, rad: a swing that is out of phase counts less.
+double meanErrorOf(const Case& given, const Hypothesis& hypothesis, bool score);
+/// Gap of a right model: what noise alone makes.
 double floorOf(const Settled& fitted);
 
 Verdict verdictOf(const Naming& naming);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gap/name/judge.hpp"
 #include "gap/report/outcome.hpp"
 #include "gap/report/sentences.hpp"
 
@@ -86,6 +87,8 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"floor_fit_mrad", mradOrNull(naming.floor_rad)},
           {"gap_score_before_mrad", mradOrNull(outcome.score_before_rad)},
           {"gap_score_after_mrad", mradOrNull(outcome.score_after_rad)},
+          {"mean_error_score_before_mrad", mradOrNull(meanErrorOf(given, baselineOf(given), true))},
+          {"mean_error_score_after_mrad", mradOrNull(meanErrorOf(given, naming.model, true))},
           {"runtime_s", std::round(outcome.runtime_s * 10) / 10}};
 }
 

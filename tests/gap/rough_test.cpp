@@ -149,7 +149,8 @@ TEST(Unexplained, NeighboursCountAsOne) {
   const Case bench = manualBench();
   const Case given = measuredInTheWind(bench, baselineOf(bench), 0);
   NoiseOptions bearing = fewRuns();
-  bearing.unexplained = {.position_rad = 0.02, .load = 0.01, .together_s = 20 * kRow};
+  bearing.unexplained = {
+      .position_rad = 0.02, .load = std::vector<double>(given.logs.size(), 0.01), .together_s = 20 * kRow};
   Hypothesis off = baselineOf(given);
   off.pendulum.length_m *= 1.005;
   const auto cost = [&](const NoiseOptions& options) {
