@@ -15,9 +15,9 @@ namespace darwinop::gap {
 
 struct NoiseOptions {
   int runs = 32;  // of each log
-  Disturbance disturbance;
+  Disturbance disturbance = {};
   std::uint64_t seed = 1;
-  Unexplained unexplained;
+  Unexplained unexplained = {};
 };
 
 /// Residuals of one log in units of its noise: positions, then loads. Independent, of variance 1, where the model is

@@ -14,7 +14,7 @@ struct Evidence {
   const Case* given = nullptr;
   std::vector<std::size_t> logs;
   std::vector<LogNoise> noise;
-  Unexplained unexplained;
+  Unexplained unexplained = {};
 
   [[nodiscard]] Eigen::Index size() const;
   [[nodiscard]] double logDeterminant() const;

@@ -11,9 +11,9 @@
 namespace darwinop::gap {
 
 struct Unexplained {
-  double position_rad = 0;   // standard deviation, of what is not far off
-  std::vector<double> load;  // rms, one a log of the case; a gain multiplies what the clocks differ by
-  double together_s = 0;     // samples that near are off together; 0: nothing is left unexplained
+  double position_rad = 0;        // standard deviation, of what is not far off
+  std::vector<double> load = {};  // rms, one a log of the case; a gain multiplies what the clocks differ by
+  double together_s = 0;          // samples that near are off together; 0: nothing is left unexplained
 
   [[nodiscard]] bool any() const { return together_s > 0; }
 };

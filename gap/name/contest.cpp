@@ -143,6 +143,7 @@ std::vector<Settled> heats(const Settled& present, const Screen& screen) {
   fitAll(present, entrants);
   if (entrants.size() > kMostFitted) entrants.resize(kMostFitted);
   std::vector<Settled> fitted;
+  fitted.reserve(entrants.size());
   for (const Entrant& entrant : entrants)
     fitted.push_back(onNoiseOf(withOneMore(present, *entrant.effect), present.numbers, *entrant.problem, entrant.fit,
                                present, true));
