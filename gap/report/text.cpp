@@ -53,7 +53,9 @@ std::string whereText(const Where& where) {
 
 std::string whatText(const Naming& naming) {
   std::string text;
-  std::size_t left = kEstimatesShown;
+  std::size_t all = 0;
+  for (const Found& found : naming.found) all += found.estimates.size();
+  std::size_t left = all > kEstimatesShown ? kEstimatesShown - 1 : kEstimatesShown;
   for (const Found& found : naming.found)
     for (const Estimate& estimate : found.estimates) {
       if (left == 0) return text + "          and more: see the report\n";
@@ -78,7 +80,8 @@ std::string rivalText(const Naming& naming) {
     text += line("%-9s %s has to be %.3f times what was given: %.1f sigma", i == 0 ? "strained" : "",
                  one.number.c_str(), one.factor, std::abs(one.sigmas));
   }
-  for (std::size_t i = 0; i < std::min(kDoubtsShown, naming.doubted.size()); ++i)
+  const std::size_t doubts = naming.strained.empty() ? kDoubtsShown : 0;
+  for (std::size_t i = 0; i < std::min(doubts, naming.doubted.size()); ++i)
     text += line("%-9s %s", i == 0 ? "not named" : "", shortDoubt(naming.doubted[i]).c_str());
   return text;
 }
