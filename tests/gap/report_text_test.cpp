@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "gap/report/data_hash.hpp"
@@ -38,6 +39,25 @@ TEST(Summary, TellsWhereWhatHowSureAndHowMuchItHelps) {
   EXPECT_THAT(text, HasSubstr("deadband instead: worse by 45"));
   EXPECT_THAT(text, HasSubstr("length has to be 1.034 times what was given: 3.4 sigma"));
   EXPECT_THAT(text, HasSubstr("loop: the plant"));
+}
+
+TEST(Summary, SaysWhyAnEffectThatFitsIsNotNamed) {
+  Told told;
+  Naming& naming = told.outcome.naming;
+  naming.remains = true;
+  naming.strained.clear();
+  naming.doubted = {{twin::findEffect("supply_sag"), Doubt::kVoltage},
+                    {twin::findEffect("torque_limit"), Doubt::kUndecided}};
+  told.make();
+  const std::string text = inOneLine(asText(told.report));
+  EXPECT_THAT(text, HasSubstr("supply_sag: fits, but the measured voltage does not dip"));
+  EXPECT_THAT(text, HasSubstr("torque_limit: may be there, too"));
+  EXPECT_THAT(text, HasSubstr("something is left that none of the known effects explains."));
+  const nlohmann::json answer = asJson(told.given, told.outcome);
+  EXPECT_EQ(answer["doubted"][0]["why"], "voltage");
+  EXPECT_EQ(answer["doubted"][1]["id"], "torque_limit");
+  EXPECT_THAT(doubtSentence(naming.doubted[1]), HasSubstr(twin::findEffect("quadratic_load_friction")->title));
+  EXPECT_THAT(doubtSentence(naming.doubted[1]), HasSubstr(twin::findEffect("torque_limit")->separated_by));
 }
 
 TEST(Summary, FitsAScreenHoweverMuchWasFound) {
