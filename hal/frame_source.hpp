@@ -16,13 +16,23 @@ struct CameraFrame {
   std::span<const std::uint8_t> bgra;
 };
 
+/// What has happened to a source since it was made. All but `seeing` only grow.
+struct CameraHealth {
+  bool seeing = false;        // a frame came within the last 2 s
+  std::uint64_t frames = 0;   // whole ones
+  std::uint64_t dropped = 0;  // the camera counted them and we never got them
+  std::uint64_t damaged = 0;  // too short, or marked bad by the driver; never shown
+  std::uint64_t reopened = 0;
+};
+
 /// Used by one thread.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
   /// The newest complete frame; the same one again when nothing newer is there. Its bytes stay as they are until the
-  /// next call.
+  /// next call. Never waits.
   virtual CameraFrame newest() = 0;
+  [[nodiscard]] virtual CameraHealth health() const = 0;
 };
 
 }  // namespace darwinop

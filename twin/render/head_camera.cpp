@@ -61,6 +61,7 @@ CameraFrame HeadCamera::newest() {
     take();
     sequence_ += sequence_ == 0 ? 1 : static_cast<std::uint64_t>(std::max<std::int64_t>(slot(now) - slot(taken_), 1));
     taken_ = now;
+    ++pictures_;
   }
   return {sequence_, taken_, options_.width, options_.height, bgra_};
 }

@@ -29,6 +29,7 @@ class HeadCamera final : public FrameSource {
   ~HeadCamera() override;
 
   CameraFrame newest() override;
+  [[nodiscard]] CameraHealth health() const override { return {.seeing = true, .frames = pictures_}; }
 
   /// The same picture as newest() gave, RGB.
   [[nodiscard]] const Picture& picture() const noexcept { return picture_; }
@@ -44,7 +45,7 @@ class HeadCamera final : public FrameSource {
   std::string blindness_;
   Picture picture_;
   std::vector<std::uint8_t> bgra_;
-  std::uint64_t sequence_ = 0;
+  std::uint64_t sequence_ = 0, pictures_ = 0;
   Nanos taken_{0};
 };
 

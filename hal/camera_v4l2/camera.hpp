@@ -1,0 +1,45 @@
+// The robot's camera: a thread of its own takes pictures from a V4L2 device and keeps the newest one ready.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "hal/frame_source.hpp"
+
+namespace darwinop::v4l2 {
+
+/// Controls of the camera. Defaults: what the robot's software of 2013 sets (ref: framework's camera settings).
+struct CameraSettings {
+  static constexpr int kDriversDefault = -1;
+  int brightness = kDriversDefault, contrast = kDriversDefault, saturation = kDriversDefault;  // 0..255
+  int gain = 255;                                                                              // 0..255
+  int exposure = 1000;  // 0..10000, units of 100 us
+  bool auto_exposure = false, auto_white_balance = false, auto_gain = false, auto_hue = false;
+};
+
+struct CameraOptions {
+  std::string device = "/dev/video0";
+  int width = 320, height = 240;  // a size that the device does not give becomes 320x240, with a message
+  CameraSettings settings{};
+  /// Told a sentence when the camera is lost, is back, or does not do as asked; from the camera's thread.
+  std::function<void(const std::string&)> say;
+};
+
+/// newest() and health() are wait-free and take no part in the camera's work. A camera that is absent, unplugged or
+/// silent is no error here: `say` is told once, and it is tried again with growing pauses.
+class Camera final : public FrameSource {
+ public:
+  explicit Camera(CameraOptions options);
+  ~Camera() override;  // within 0.2 s, whatever the device does
+
+  /// The size of the frames is that of the first one; frames are all-black and `sequence` 0 before it.
+  CameraFrame newest() override;
+  [[nodiscard]] CameraHealth health() const override;
+
+ private:
+  class Thread;
+  std::unique_ptr<Thread> thread_;
+};
+
+}  // namespace darwinop::v4l2

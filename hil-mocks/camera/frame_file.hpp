@@ -1,0 +1,47 @@
+// What a virtual camera and whoever paints its pictures share: one file, mapped by both.
+//
+// The painter (darwinop-virtual-camera, darwinop-virtual-robot) makes it and fills one picture after the other; the
+// shim in the process that opens /dev/videoN reads them, and writes the size that it negotiated. Each side tolerates
+// that the other is gone.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+namespace darwinop::hil {
+
+inline constexpr std::uint32_t kFrameFileMagic = 0x4d415643;  // "CVAM"
+inline constexpr std::uint32_t kFrameFileVersion = 1;
+inline constexpr int kMostWidth = 800, kMostHeight = 600;  // the largest size of the robot's camera
+inline constexpr std::uint32_t kMostBytes = 2u * kMostWidth * kMostHeight;
+
+/// What is wrong with the camera from now on; set by a test, seen by the shim at the next frame.
+enum class CameraFault : std::uint32_t {
+  kNone,
+  kGone,         // unplugged: ENODEV on every call, open() finds no file
+  kSilent,       // no frames
+  kShort,        // frames with half of their bytes
+  kFlagged,      // frames that the driver marks V4L2_BUF_FLAG_ERROR
+  kIoError,      // VIDIOC_DQBUF fails with EIO
+  kSlow,         // five frames a second
+  kBusy,         // VIDIOC_STREAMON and S_FMT fail with EBUSY
+  kNoAccess,     // open() fails with EACCES
+  kOtherFormat,  // the driver gives MJPEG instead of YUYV
+  kOneBuffer,    // the driver grants a single buffer
+  kNoMmap,       // the driver does no streaming
+  kDrops,        // every third frame is lost, and counted
+};
+
+/// Lies at the start of the file; the picture (YUYV, rows of 2 * width bytes, as a camera mounted upside down sends it)
+/// follows at kPictureAt.
+struct FrameFile {
+  std::uint32_t magic = kFrameFileMagic, version = kFrameFileVersion;
+  std::atomic<std::uint32_t> fault{0};                               // CameraFault
+  std::atomic<std::uint32_t> wanted_width{320}, wanted_height{240};  // written by the shim
+  std::atomic<std::uint32_t> version_of_picture{0};                  // odd while it is painted
+  std::atomic<std::uint32_t> width{0}, height{0};  // of the picture; differs from wanted for a moment after a change
+};
+inline constexpr std::uint32_t kPictureAt = 4096;
+inline constexpr std::uint32_t kFrameFileSize = kPictureAt + kMostBytes;
+
+}  // namespace darwinop::hil
