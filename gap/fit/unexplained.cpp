@@ -8,9 +8,8 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kTogether = 0.3;     // s: a third of a swing of an arm of 0.1 m
+constexpr double kTogether = 0.3;     // s: half a swing of an arm of 0.1 m, 2 pi sqrt(0.1 m / g) / 2
 constexpr double kOfMedian = 1.4826;  // standard deviation of a normal distribution over its median |deviation|
-constexpr double kLeastLoad = 0.002;  // of the register: two steps
 constexpr double kSoft = 2;           // sigma: from here on linearly
 
 double spreadOf(std::vector<double>& values) {

@@ -12,7 +12,7 @@ namespace darwinop::gap {
 std::vector<Settled> contest(const Settled& present, const Screen& screen,
                              const std::vector<const twin::EffectInfo*>& only = {});
 
-/// The same, but all that promise something, and on the noise of `present`.
+/// The same, but on the noise of `present`, and not only those near the best: the six that fit best.
 std::vector<Settled> heats(const Settled& present, const Screen& screen);
 
 }  // namespace darwinop::gap

@@ -155,9 +155,10 @@ double gapOf(const Case& given, const Hypothesis& hypothesis, bool score) {
 double meanErrorOf(const Case& given, const Hypothesis& hypothesis, bool score) {
   double sum = 0, count = 0;
   Trace trace;
+  const auto copies = duplicates(given);
   for (std::size_t i = 0; i < given.logs.size(); ++i) {
     const Trajectory& log = given.logs[i];
-    if (log.score != score) continue;
+    if (log.score != score || copies[i]) continue;
     rollOut(given, i, hypothesis, {}, trace);
     for (std::size_t row = 0; row < log.rows(); ++row)
       sum += std::abs(log.position_rad[row] - trace.position_rad[row]) / static_cast<double>(log.rows());

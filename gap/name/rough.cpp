@@ -153,11 +153,18 @@ bool RoughSearch::found(const std::vector<std::string>& effects) const {
                              [&](const std::string& id) { return has(present_.effects, *twin::findEffect(id)); });
 }
 
+// Most of the error is gone, or what took some of it may stand for something else.
+Verdict RoughSearch::verdictOnRemains(const Naming& naming) const {
+  const double before = meanErrorOf(given_, baselineOf(given_), false);
+  const bool mostly = meanErrorOf(given_, naming.model, false) < kMostLeft * before;
+  return mostly && !naming.found.empty() ? Verdict::kNamed : Verdict::kUnknown;
+}
+
 Naming RoughSearch::told() const {
   Naming naming;
   naming.model = present_.hypothesis();
   naming.strained = strainedOf(present_);
-  naming.threshold = kLeastGain;
+  naming.threshold = std::numeric_limits<double>::quiet_NaN();  // chance was not asked: who is rare has to foretell
   naming.doubted = doubted_;
   for (std::size_t i = 0; i < present_.effects.size(); ++i) {
     const twin::EffectInfo& effect = *present_.effects[i].info;
@@ -172,8 +179,7 @@ Naming RoughSearch::told() const {
   naming.gap_before_rad = gapOf(given_, baselineOf(given_), false);
   naming.gap_after_rad = gapOf(given_, naming.model, false);
   naming.remains = naming.misfit > kMisfit;
-  const double before = meanErrorOf(given_, baselineOf(given_), false);
-  naming.verdict = meanErrorOf(given_, naming.model, false) < kMostLeft * before ? Verdict::kNamed : Verdict::kUnknown;
+  naming.verdict = naming.remains ? verdictOnRemains(naming) : verdictOf(naming);
   return naming;
 }
 

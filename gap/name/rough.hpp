@@ -23,8 +23,9 @@ class RoughSearch {
   void takeTheUsual();
   [[nodiscard]] bool takeNext();
   void dropTheNeedless();
-  /// What the fit loses without its effect `i`.
+  /// The fit without its effect `i`, on the noise of the fit with it.
   [[nodiscard]] Settled less(std::size_t i) const;
+  [[nodiscard]] Verdict verdictOnRemains(const Naming& naming) const;
   [[nodiscard]] bool found(const std::vector<std::string>& effects) const;
 
   const Case& given_;

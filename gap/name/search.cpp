@@ -36,6 +36,7 @@ void Search::run() {
     const bool quiet = misfit_ < kMisfit && screen.probes().front().promise < kPlain * threshold_;
     if (enough || (quiet && mostStrained(present_) < kSuspicious)) return;
     if (static_cast<int>(present_.effects.size()) < most && !isHopeless() && accept(screen)) continue;
+    // A rough baseline has another search behind this one, which weighs what stands for what (gap/name/rough.hpp).
     if (replaced || reachedNoise() || isRoughlyKnown(given_) || !replaceOne()) return;
     replaced = true;
   }

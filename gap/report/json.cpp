@@ -81,7 +81,7 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"numbers", numbersOf(additions)},
           {"bench", benchOf(given, naming)},
           {"misfit_sigma", naming.misfit},
-          {"threshold", naming.threshold},
+          {"threshold", std::isfinite(naming.threshold) ? json(naming.threshold) : json(nullptr)},
           {"gap_fit_before_mrad", mradOrNull(naming.gap_before_rad)},
           {"gap_fit_after_mrad", mradOrNull(naming.gap_after_rad)},
           {"floor_fit_mrad", mradOrNull(naming.floor_rad)},

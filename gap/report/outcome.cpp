@@ -30,8 +30,9 @@ double forReading(double value) {
 std::vector<std::string> reasonsFor(const Case& given, const Naming& naming, const Found& found,
                                     const std::string& data_hash) {
   std::vector<std::string> lines{"Found by darwinop gap in the logs of case " + given.name +
-                                 ": without it the fit is worse by " + rounded(found.gain) + "; " +
-                                 rounded(naming.threshold) + " comes by chance once in a hundred cases"};
+                                 ": without it the fit is worse by " + rounded(found.gain)};
+  if (std::isfinite(naming.threshold))
+    lines.front() += "; " + rounded(naming.threshold) + " comes by chance once in a hundred cases";
   if (naming.verdict == Verdict::kUnknown)
     lines.emplace_back("It helps, and leaves a gap that no known effect explains");
   if (naming.remains) lines.emplace_back("Something else is left in these logs that no known effect explains");

@@ -53,10 +53,12 @@ std::string rivalsText(const Naming& naming) {
                             html::number(rival.behind, shortly(rival.behind, "%.0f")) +
                             (rival.behind < kClose ? ", <strong>too little to decide</strong>" : "")) +
              "\n";
+  std::string chance;
+  if (std::isfinite(naming.threshold))
+    chance = "A gain of " + html::number(naming.threshold, shortly(naming.threshold, "%.0f")) +
+             " comes by chance once in a hundred cases. ";
   return "<h3>Rivals</h3>" + wrap("ul", items) +
-         wrap("p", "A gain of " + html::number(naming.threshold, shortly(naming.threshold, "%.0f")) +
-                       " comes by chance once in a hundred cases; rivals less than " + shortly(kClose, "%.0f") +
-                       " behind are as good as the winner.");
+         wrap("p", chance + "Rivals less than " + shortly(kClose, "%.0f") + " behind are as good as the winner.");
 }
 
 /// How to tell the effect from its rivals.

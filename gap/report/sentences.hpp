@@ -11,11 +11,11 @@ namespace darwinop::gap {
 /// Two sentences for a student: what is the matter, and what it does to logs that no fit has seen.
 std::vector<std::string> verdictSentences(const Outcome& outcome, const Comparison& comparison);
 /// The second one alone.
+std::string helpSentence(const Comparison& comparison);
+
 /// Why an effect is not named though it fits: in a line of a terminal, and in full.
 std::string shortDoubt(const Doubted& doubted);
 std::string doubtSentence(const Doubted& doubted);
-
-std::string helpSentence(const Comparison& comparison);
 
 /// Rivals that the data do not decide against.
 std::vector<Rival> closeRivals(const Naming& naming);

@@ -115,10 +115,11 @@ std::string asText(const Case& given, const Outcome& outcome, const Comparison& 
   if (!outcome.remains.empty()) text += inLines(outcome.remains);
   text += "\n" + whereText(outcome.where) + whatText(naming) + rivalText(naming);
   text += "\n" + tableText(given, comparison);
-  return text + line(
-                    "\nchance gives a gain of %.0f once in a hundred cases; left are %.1f sigma of misfit "
-                    "(a gap: %.0f); %.0f s",
-                    naming.threshold, naming.misfit, kMisfit, outcome.runtime_s);
+  text += '\n';
+  if (std::isfinite(naming.threshold))
+    text += line("chance gives a gain of %.0f once in a hundred cases; ", naming.threshold);
+  return text +
+         line("left are %.1f sigma of misfit (a gap: %.0f); %.0f s", naming.misfit, kMisfit, outcome.runtime_s);
 }
 
 std::string asText(const Case& given, const Outcome& outcome) {
