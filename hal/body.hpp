@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <memory>
 
 #include "core/joints.hpp"
 #include "hal/byte_line.hpp"
+#include "hal/frame_source.hpp"
 
 namespace darwinop {
 
@@ -39,6 +41,14 @@ struct BodyState {
   std::uint8_t buttons = 0;                         // 1 MODE, 2 START
 };
 
+/// The camera of a body that has one. The body has to outlive it.
+class Eyes : public FrameSource {
+ public:
+  /// Remembers what there is to see; the body must not step meanwhile. newest() then draws it, which may take
+  /// milliseconds, and the body may step.
+  virtual void look() noexcept = 0;
+};
+
 class Body {
  public:
   virtual ~Body() = default;
@@ -46,6 +56,9 @@ class Body {
   [[nodiscard]] virtual const BodyState& state() const noexcept = 0;
   /// Why it does not move any more, in a sentence; null: all is well. The state is the last good one then.
   [[nodiscard]] virtual const char* trouble() const noexcept { return nullptr; }
+  /// Its camera, with pictures of this size; null: it has none. Throws std::runtime_error when the size is out of
+  /// range.
+  [[nodiscard]] virtual std::unique_ptr<Eyes> openEyes(int /*width*/, int /*height*/) { return nullptr; }
 };
 
 }  // namespace darwinop

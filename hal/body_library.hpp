@@ -13,6 +13,14 @@ namespace darwinop {
 inline constexpr const char* kTwinLibraryFile = "libdarwinop-twin.so";
 inline constexpr const char* kBodyLibraryEntry = "darwinop_body_library";
 
+/// A picture that the body's eyes keep until they are asked for the next one: 4 * width * height bytes.
+struct BodyPicture {
+  std::uint64_t sequence;
+  std::int64_t time_ns;
+  int width, height;
+  const std::uint8_t* bgra;
+};
+
 /// What the entry function returns. No function throws.
 struct BodyLibrary {
   const char* version;  // bodyLibraryVersion() of the library's build
@@ -22,15 +30,21 @@ struct BodyLibrary {
   const BodyState* (*state)(const void* body);
   const char* (*trouble)(const void* body);  // as Body::trouble()
   void (*end)(void* body);
+  // Eyes, as hal/body.hpp has them. Null: refused, as with make().
+  void* (*open_eyes)(void* body, int width, int height, char* error, std::size_t size);
+  void (*look)(void* eyes);
+  void (*newest)(void* eyes, BodyPicture* picture);
+  void (*close_eyes)(void* eyes);
 };
 using BodyLibraryEntry = const BodyLibrary* (*)();
 
 /// Differs when the two sides do not understand each other: the release, a number to be raised when a meaning changes,
 /// and the sizes of what is handed over.
 inline std::string bodyLibraryVersion(const char* release) {
-  constexpr int kMeaning = 2;
+  constexpr int kMeaning = 3;
   std::string text = std::string{release} + ", interface";
-  for (const std::size_t part : {std::size_t{kMeaning}, kJoints, sizeof(ServoDrive), sizeof(BodyState)})
+  for (const std::size_t part :
+       {std::size_t{kMeaning}, kJoints, sizeof(ServoDrive), sizeof(BodyState), sizeof(BodyPicture)})
     text += ' ' + std::to_string(part);
   return text;
 }

@@ -21,10 +21,25 @@ class VirtualLine final : public ByteLine {
   void discardInput() noexcept override { line_.discardInput(); }
   [[nodiscard]] std::uint32_t reconnects() const noexcept override { return line_.reconnects(); }
   [[nodiscard]] hil::MemoryLine& memory() noexcept { return line_; }
+  [[nodiscard]] Body& body() noexcept { return robot_.body(); }
 
  private:
   hil::VirtualRobot robot_;
   hil::MemoryLine line_{robot_};
+};
+
+/// Looks whenever it is asked: nothing steps the body meanwhile.
+class LockstepEyes final : public FrameSource {
+ public:
+  explicit LockstepEyes(std::unique_ptr<Eyes> eyes) : eyes_{std::move(eyes)} {}
+  CameraFrame newest() override {
+    eyes_->look();
+    return eyes_->newest();
+  }
+  [[nodiscard]] CameraHealth health() const override { return eyes_->health(); }
+
+ private:
+  std::unique_ptr<Eyes> eyes_;
 };
 
 /// The loop sleeps by letting the line's time pass.
@@ -45,8 +60,13 @@ std::unique_ptr<runtime::RobotLink> lockstepRobot(const runtime::LoopConfig& con
   if (body) options.body_step = hil::kPhysicsStep;
   auto line = std::make_unique<VirtualLine>(options, std::move(body));
   auto clock = std::make_unique<LineClock>(line->memory());
+  const auto open_eyes = [&body_of_robot = line->body()](int width, int height) -> std::unique_ptr<FrameSource> {
+    std::unique_ptr<Eyes> eyes = body_of_robot.openEyes(width, height);
+    if (eyes == nullptr) return nullptr;
+    return std::make_unique<LockstepEyes>(std::move(eyes));
+  };
   auto bus = std::make_unique<OwnedBus<VirtualLine>>(std::move(line), cm730::BusConfig::forPeriod(config.period));
-  return std::make_unique<runtime::LockstepLink>(config, std::move(bus), std::move(clock));
+  return std::make_unique<runtime::LockstepLink>(config, std::move(bus), std::move(clock), open_eyes);
 }
 
 }  // namespace darwinop::link

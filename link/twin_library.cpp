@@ -46,6 +46,39 @@ namespace {
 
 constexpr const char* kVariable = "DARWINOP_TWIN_LIBRARY";
 
+/// What `make` gives; throws the sentence that it gives instead.
+template <class Make>
+void* orThrow(Make&& make) {
+  std::array<char, 2000> error{};
+  void* const made = make(error.data(), error.size());
+  if (made == nullptr) throw std::runtime_error(error.data());
+  return made;
+}
+
+class LibraryEyes final : public Eyes {
+ public:
+  LibraryEyes(const BodyLibrary& library, void* eyes) : library_{library}, eyes_{eyes} {}
+  ~LibraryEyes() override { library_.close_eyes(eyes_); }
+  LibraryEyes(const LibraryEyes&) = delete;
+  LibraryEyes& operator=(const LibraryEyes&) = delete;
+
+  void look() noexcept override { library_.look(eyes_); }
+  CameraFrame newest() override {
+    BodyPicture picture{};
+    library_.newest(eyes_, &picture);
+    if (picture.sequence != shown_) ++frames_;
+    shown_ = picture.sequence;
+    const auto bytes = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    return {picture.sequence, Nanos{picture.time_ns}, picture.width, picture.height, {picture.bgra, bytes}};
+  }
+  [[nodiscard]] CameraHealth health() const override { return {.seeing = true, .frames = frames_}; }
+
+ private:
+  const BodyLibrary& library_;
+  void* eyes_;
+  std::uint64_t shown_ = 0, frames_ = 0;
+};
+
 class LibraryBody final : public Body {
  public:
   LibraryBody(const BodyLibrary& library, void* body) : library_{library}, body_{body} {}
@@ -56,6 +89,11 @@ class LibraryBody final : public Body {
   void step(Nanos dt, const Drives& drives) noexcept override { library_.step(body_, dt.count(), drives.data()); }
   [[nodiscard]] const BodyState& state() const noexcept override { return *library_.state(body_); }
   [[nodiscard]] const char* trouble() const noexcept override { return library_.trouble(body_); }
+  [[nodiscard]] std::unique_ptr<Eyes> openEyes(int width, int height) override {
+    return std::make_unique<LibraryEyes>(library_, orThrow([&](char* error, std::size_t size) {
+                                           return library_.open_eyes(body_, width, height, error, size);
+                                         }));
+  }
 
  private:
   const BodyLibrary& library_;
@@ -115,9 +153,8 @@ std::vector<std::string> twinLibraryPlaces() {
 
 std::unique_ptr<Body> makeTwin(const std::string& model, std::uint64_t seed) {
   const BodyLibrary& library = load(findLibrary());
-  std::array<char, 2000> error{};
-  void* const body = library.make(model.c_str(), seed, error.data(), error.size());
-  if (body == nullptr) throw std::runtime_error(error.data());
+  void* const body =
+      orThrow([&](char* error, std::size_t size) { return library.make(model.c_str(), seed, error, size); });
   return std::make_unique<LibraryBody>(library, body);
 }
 

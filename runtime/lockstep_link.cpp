@@ -2,15 +2,18 @@
 #include "runtime/lockstep_link.hpp"
 
 #include <iostream>
+#include <utility>
 
 namespace darwinop::runtime {
 
-LockstepLink::LockstepLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus, std::unique_ptr<Clock> clock)
+LockstepLink::LockstepLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus, std::unique_ptr<Clock> clock,
+                           EyeOpener open_eyes)
     : ExchangeLink{Exchange::embedded()},
       rest_{checked(config).safety, config.period},
       clock_{std::move(clock)},
       host_{config, std::move(bus), block(), LoopStats::Timed::kNo, Recorder::Writer::kByHand},
       driver_{host_.loop(), *clock_, config.period},
+      open_eyes_{std::move(open_eyes)},
       announcer_{std::cerr} {
   beginSession();
 }
@@ -21,6 +24,10 @@ bool LockstepLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& st
     run();
   }
   return stop.load() ? end(kAskedToStop) : true;
+}
+
+std::unique_ptr<FrameSource> LockstepLink::openEyes(int width, int height) {
+  return open_eyes_ ? open_eyes_(width, height) : nullptr;
 }
 
 void LockstepLink::run() {

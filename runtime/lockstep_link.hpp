@@ -1,6 +1,7 @@
 // A robot in simulated time: a cycle runs when the controller waits for it, in the controller's thread.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "runtime/clock.hpp"
@@ -14,13 +15,18 @@ namespace darwinop::runtime {
 
 class LockstepLink final : public ExchangeLink {
  public:
+  /// Makes what the robot behind the bus sees.
+  using EyeOpener = std::function<std::unique_ptr<FrameSource>(int width, int height)>;
+
   /// `clock` is the simulation's. Throws std::runtime_error with what to do.
-  LockstepLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus, std::unique_ptr<Clock> clock);
+  LockstepLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus, std::unique_ptr<Clock> clock,
+               EyeOpener open_eyes = {});
   ~LockstepLink() override;
 
   [[nodiscard]] Nanos now() const override { return clock_->now(); }
   [[nodiscard]] bool realTime() const override { return false; }
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
+  [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height) override;
 
  private:
   void run();
@@ -29,6 +35,7 @@ class LockstepLink final : public ExchangeLink {
   std::unique_ptr<Clock> clock_;
   LoopHost host_;
   LockstepDriver driver_;
+  EyeOpener open_eyes_;
   FaultAnnouncer announcer_;
 };
 

@@ -3,11 +3,13 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "core/commands.hpp"
 #include "core/sensors.hpp"
 #include "hal/byte_line.hpp"
+#include "hal/frame_source.hpp"
 
 namespace darwinop::runtime {
 
@@ -34,6 +36,10 @@ class RobotLink {
   [[nodiscard]] virtual Sensors sensors() const = 0;
 
   [[nodiscard]] virtual std::string whyEnded() const = 0;
+
+  /// What a simulated robot sees, for pictures of this size; the link has to outlive it, and the thread that waits for
+  /// cycles uses it. Null: the robot's eye is a camera of this computer, or it has none.
+  [[nodiscard]] virtual std::unique_ptr<FrameSource> openEyes(int /*width*/, int /*height*/) { return nullptr; }
 };
 
 }  // namespace darwinop::runtime

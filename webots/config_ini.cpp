@@ -54,8 +54,9 @@ class Reader final : public settings::IniReader {
     const std::string room = settings::lowered(section);
     ControllerConfig& config = reading_.config;
     if (settings::takeSafety(config.safety, section, key, value)) return;
-    // Read by the gait, the camera and the servo offsets, each by itself.
-    if (room == "walking config" || room == "camera" || room == "offset") return;
+    if (room == "camera") return takeCamera(config.camera, key, value, line);
+    // Read by the gait and the servo offsets, each by itself.
+    if (room == "walking config" || room == "offset") return;
     if (room == "robot config") {
       const std::string name = settings::lowered(key);
       if (name == "time_step") return keep(config.time_step_ms, has_time_step_, number(key, value, 10000));
@@ -68,6 +69,31 @@ class Reader final : public settings::IniReader {
                                "[Limits]");
     warn(line, "key \"" + std::string{key} + "\" of section [" + std::string{section} +
                    "] means nothing to this version; it is ignored");
+  }
+
+  void takeCamera(v4l2::CameraSettings& camera, std::string_view key, std::string_view value, int line) {
+    struct Control {
+      std::string_view name;
+      int v4l2::CameraSettings::*field;
+      int high;
+    };
+    static constexpr auto kControls = std::to_array<Control>({{"brightness", &v4l2::CameraSettings::brightness, 255},
+                                                              {"contrast", &v4l2::CameraSettings::contrast, 255},
+                                                              {"saturation", &v4l2::CameraSettings::saturation, 255},
+                                                              {"gain", &v4l2::CameraSettings::gain, 255},
+                                                              {"exposure", &v4l2::CameraSettings::exposure, 10000}});
+    const auto* const control = std::ranges::find(kControls, settings::lowered(key), &Control::name);
+    if (control == kControls.end())
+      return warn(line, "key \"" + std::string{key} +
+                            "\" of section [Camera] means nothing to this version; there are " +
+                            "Brightness, Contrast, Saturation, Gain and Exposure");
+    const std::optional<double> parsed = numberFromText(value);
+    // -2 stands for a key that is not there, in files of 2013.
+    if (parsed && *parsed == -2) return;
+    if (!parsed || !(*parsed >= v4l2::CameraSettings::kDriversDefault && *parsed < control->high + 1.0))
+      throw std::runtime_error(std::string{key} + " = " + std::string{value} + ": give a number from 0 to " +
+                               std::to_string(control->high) + ", or -1 for the driver's own");
+    camera.*control->field = static_cast<int>(*parsed);
   }
 
   static void keep(int& field, bool& has, int value) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/camera_v4l2/camera.hpp"
 #include "safety/config.hpp"
 
 namespace darwinop::facade {
@@ -12,6 +13,7 @@ namespace darwinop::facade {
 struct ControllerConfig {
   int time_step_ms = 16;  // 1..10000
   int camera_width = 320, camera_height = 240;
+  v4l2::CameraSettings camera{};
   safety::Config safety{};
 };
 

@@ -1,6 +1,8 @@
 // What stands behind webots::Robot: the session, the command image, the devices.
 #include "webots/robot_impl.hpp"
 
+#include <chrono>
+
 #include "runtime/daemon_link.hpp"
 #include "webots/Accelerometer.hpp"
 #include "webots/Camera.hpp"
@@ -60,7 +62,7 @@ void RobotImpl::addDevices() {
   }
   accelerometer_ = add(new webots::Accelerometer("Accelerometer", *this));
   gyro_ = add(new webots::Gyro("Gyro", *this));
-  add(new webots::Camera("Camera", *this, config_.camera_width, config_.camera_height));
+  camera_ = add(new webots::Camera("Camera", *this, config_.camera_width, config_.camera_height));
   add(new webots::LED("EyeLed", *this, webots::LED::EYE, 0));
   add(new webots::LED("HeadLed", *this, webots::LED::HEAD, 0));
   add(new webots::LED("BackLedRed", *this, webots::LED::BACK, 1));
@@ -96,11 +98,12 @@ int RobotImpl::stepEnd() {
   return result;
 }
 
-/// Controllers may keep the pointers of getValues() and expect to see every step through them.
+/// Controllers may keep the pointers of getValues() and getImage(), and expect to see every step through them.
 void RobotImpl::refresh() {
   const BoardSensors& board = session_.sensors().board;
   accelerometer_->refresh(usable(board.motion) ? &board : nullptr);
   gyro_->refresh(usable(board.motion) ? &board : nullptr);
+  camera_->refresh(std::chrono::duration<double>(session_.time()).count());
 }
 
 webots::Device* RobotImpl::find(const std::string& name) const {

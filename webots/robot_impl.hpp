@@ -15,6 +15,7 @@
 
 namespace webots {
 class Accelerometer;
+class Camera;
 class Device;
 class Gyro;
 }  // namespace webots
@@ -51,6 +52,11 @@ class RobotImpl {
   /// The same without a word, whatever its age.
   [[nodiscard]] const JointSensors& lastKnown(Joint joint) const { return session_.sensors().joint[index(joint)]; }
 
+  /// What the robot sees; says by itself what goes wrong later. Throws std::runtime_error when it has no eyes.
+  [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height) {
+    return session_.openEyes(width, height, config_.camera);
+  }
+
   int battery_period = 0;  // as the controller gave it
   std::string custom_data;
 
@@ -71,6 +77,7 @@ class RobotImpl {
   std::map<std::string, webots::Device*, std::less<>> by_name_;
   webots::Accelerometer* accelerometer_ = nullptr;
   webots::Gyro* gyro_ = nullptr;
+  webots::Camera* camera_ = nullptr;
 };
 
 /// Finds the robot as environment and config.ini say, and waits until it stands ready. Ends the program with a

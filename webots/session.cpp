@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "link/eyes.hpp"
 #include "webots/notices.hpp"
 
 namespace darwinop::facade {
@@ -32,6 +33,13 @@ std::string whatIsAwaited(const SafetyReport& report) {
 
 Session::Session(std::unique_ptr<runtime::RobotLink> link, const std::atomic<bool>& stop)
     : link_{std::move(link)}, stop_{stop} {}
+
+std::unique_ptr<FrameSource> Session::openEyes(int width, int height, const v4l2::CameraSettings& settings) {
+  return link::openEyes(*link_,
+                        {.width = width, .height = height, .settings = settings, .say = [](const std::string& what) {
+                           say("Camera: " + what);
+                         }});
+}
 
 std::string Session::begin(const Commands& first) {
   const Nanos started = link_->now();

@@ -7,6 +7,7 @@
 
 #include "core/commands.hpp"
 #include "core/sensors.hpp"
+#include "hal/camera_v4l2/camera.hpp"
 #include "runtime/robot_link.hpp"
 #include "webots/time_line.hpp"
 
@@ -31,6 +32,8 @@ class Session {
   /// it goes on from there, except in lockstep.
   [[nodiscard]] Nanos time() const;
   [[nodiscard]] Nanos period() const { return link_->period(); }
+  /// What this robot sees; it must not outlive the session. Throws std::runtime_error when it has no eyes.
+  [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height, const v4l2::CameraSettings& settings);
 
  private:
   [[nodiscard]] bool waitForTarget();

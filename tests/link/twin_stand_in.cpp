@@ -37,10 +37,39 @@ void end(void* body) {
   delete static_cast<BodyState*>(body);
 }
 
+// Eyes that see one pixel; blue counts the looks.
+struct OnePixel {
+  std::uint64_t looks = 0;
+  std::uint8_t bgra[4] = {0, 0, 0, 255};
+};
+
+void* openEyes(void* /*body*/, int width, int /*height*/, char* error, std::size_t size) {
+  if (width > 1) {
+    std::strncpy(error, "these eyes see one pixel", size - 1);
+    return nullptr;
+  }
+  return new OnePixel;
+}
+
+void look(void* eyes) {
+  auto& pixel = *static_cast<OnePixel*>(eyes);
+  pixel.bgra[0] = static_cast<std::uint8_t>(++pixel.looks);
+}
+
+void newest(void* eyes, darwinop::BodyPicture* picture) {
+  const auto& pixel = *static_cast<OnePixel*>(eyes);
+  *picture = {pixel.looks, static_cast<std::int64_t>(pixel.looks) * 1000, 1, 1, pixel.bgra};
+}
+
+void closeEyes(void* eyes) {
+  delete static_cast<OnePixel*>(eyes);
+}
+
 }  // namespace
 
 extern "C" const darwinop::BodyLibrary* TWIN_ENTRY() {
   static const std::string version = darwinop::bodyLibraryVersion(TWIN_VERSION);
-  static const darwinop::BodyLibrary library{version.c_str(), make, step, state, trouble, end};
+  static const darwinop::BodyLibrary library{version.c_str(), make, step,   state,    trouble, end,
+                                             openEyes,        look, newest, closeEyes};
   return &library;
 }

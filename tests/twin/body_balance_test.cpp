@@ -76,7 +76,7 @@ TEST(Ball, LiesWhereItIsPutAndRollsWhenHit) {
 }
 
 TEST(Ball, IsNotThereWhenNotWanted) {
-  RobotBody body{modelWith(), {.ball = false}};
+  RobotBody body{modelWith(), {.ball = Ball::kNone}};
   EXPECT_EQ(mj_name2id(body.mujocoModel(), mjOBJ_BODY, "ball"), -1);
   body.placeBall(1, 1);  // and nobody minds
   EXPECT_EQ(body.mujocoModel()->nv, 26);

@@ -13,7 +13,7 @@ Pose armOut() {
 
 TEST(DryFriction, HoldsALoadBelowItWithoutCreeping) {
   for (const double friction : {0.25, 1.0}) {
-    RobotBody body{modelWith(friction), {.ball = false}};
+    RobotBody body{modelWith(friction), {.ball = Ball::kNone}};
     hangUp(body, armOut());
     run(body, limp(), 0.5);  // the first shock is over
     const double before = angleOf(body, Joint::kArmUpperR);
@@ -24,14 +24,14 @@ TEST(DryFriction, HoldsALoadBelowItWithoutCreeping) {
 }
 
 TEST(DryFriction, LetsGoOfALoadAboveIt) {
-  RobotBody body{modelWith(0.05), {.ball = false}};
+  RobotBody body{modelWith(0.05), {.ball = Ball::kNone}};
   hangUp(body, armOut());
   run(body, limp(), 1);
   EXPECT_LT(angleOf(body, Joint::kArmUpperR), 0.4);
 }
 
 TEST(DryFriction, NeverAddsEnergy) {
-  RobotBody body{modelWith(0.02), {.ball = false}};
+  RobotBody body{modelWith(0.02), {.ball = Ball::kNone}};
   hangUp(body, armOut());
   mjData& d = *body.mujocoData();
   double speed = 0;
@@ -44,7 +44,7 @@ TEST(DryFriction, NeverAddsEnergy) {
 
 // Where the arm comes to rest when it is told to go up, from hanging.
 double armAfter(const Model& model, double p_gain, double seconds = 3) {
-  RobotBody body{model, {.ball = false}};
+  RobotBody body{model, {.ball = Ball::kNone}};
   Pose down{};
   down[index(Joint::kArmUpperR)] = -0.6;
   hangUp(body, down);
@@ -68,7 +68,7 @@ TEST(LawSpeedP, ReachesItsGoalWhateverPIs) {
 TEST(LawSpeedP, ReportsTheTorqueThatTheArmAsksFor) {
   Model model = modelWith();
   model.servo.law = Law::kSpeedP;
-  RobotBody body{model, {.ball = false}};
+  RobotBody body{model, {.ball = Ball::kNone}};
   hangUp(body, armOut());
   run(body, holding(armOut()), 1);
   mjData& d = *body.mujocoData();
@@ -81,7 +81,7 @@ TEST(LawSpeedP, ReportsTheTorqueThatTheArmAsksFor) {
 TEST(LawSpeedP, ReportsNoTorqueOnceItMayUseNone) {
   Model model = modelWith();
   model.servo.law = Law::kSpeedP;
-  RobotBody body{model, {.ball = false}};
+  RobotBody body{model, {.ball = Ball::kNone}};
   hangUp(body, armOut());
   Drives drives = holding(armOut());
   run(body, drives, 1);

@@ -22,7 +22,7 @@ RobotBody robot(TrunkCom com, TrunkInertia inertia = TrunkInertia::kBox) {
   Model model = modelWith();
   model.body.trunk_com = com;
   model.body.trunk_inertia = inertia;
-  return RobotBody{model, {.ball = false}};
+  return RobotBody{model, {.ball = Ball::kNone}};
 }
 
 Vec centreOfMass(RobotBody& body) {
@@ -37,7 +37,7 @@ TEST(Mass, OfEveryLinkIsTheThesis) {
 }
 
 TEST(Mass, OfTheRobotIs2925Grams) {
-  RobotBody body{modelWith(), {.ball = false}};
+  RobotBody body{modelWith(), {.ball = Ball::kNone}};
   EXPECT_NEAR(mj_getTotalmass(body.mujocoModel()), 2.9253241, 1e-7);
 }
 

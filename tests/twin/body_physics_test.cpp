@@ -17,7 +17,7 @@ double energyOf(RobotBody& body) {
 }
 
 TEST(Flight, KeepsEnergyAndAngularMomentum) {
-  RobotBody body{modelWith(), {.ball = false}};
+  RobotBody body{modelWith(), {.ball = Ball::kNone}};
   body.place(Pose{});
   lift(body, 5);
   mju_copy3(trunkQvel(body) + 3, Vec{1, 2, 0.5}.data());
@@ -40,7 +40,7 @@ TEST(Flight, KeepsEnergyAndAngularMomentum) {
 
 // The right arm as it hangs, upper and lower arm straight, and what it is as a pendulum about the shoulder.
 struct HangingArm {
-  explicit HangingArm(const Model& model) : body{model, {.ball = false}} {
+  explicit HangingArm(const Model& model) : body{model, {.ball = Ball::kNone}} {
     Pose straight{};
     straight[index(Joint::kArmUpperR)] = -0.68;
     hangUp(body, straight);
@@ -139,7 +139,7 @@ TEST(Runs, DoNotDependOnHowTimeIsCut) {
 }
 
 RC_GTEST_PROP(Place, PutsTheLowestPointOnTheFloor, ()) {
-  static RobotBody body{modelWith(), {.ball = false}};
+  static RobotBody body{modelWith(), {.ball = Ball::kNone}};
   Pose angles{};
   for (std::size_t i = 0; i < kJoints; ++i) {
     const double share = *rc::gen::inRange(0, 1001) / 1000.0;

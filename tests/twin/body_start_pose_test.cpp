@@ -85,7 +85,7 @@ TEST(StartPose, AsksOfHipsKneesAndAnklesWhatTheTableSays) {
   for (const HoldRow& hold : kHolds) {
     Model model = modelWith();
     model.body.trunk_com = hold.com;
-    RobotBody body{model, {.ball = false}};
+    RobotBody body{model, {.ball = Ball::kNone}};
     mj_forward(body.mujocoModel(), body.mujocoData());
     const double digit = 0.002;  // of the table
     EXPECT_NEAR(weightOn(body, Joint::kLegUpperR, Joint::kLegUpperL), hold.hip_nm, digit);
@@ -99,7 +99,7 @@ TEST(StartPose, StaysFromTheFrictionOnThatTheTableSays) {
     for (const bool stays : {false, true}) {
       Model model = modelWith(stays ? hold.stays_nm : hold.falls_nm, 0.002);
       model.body.trunk_com = hold.com;
-      RobotBody body{model, {.ball = false}};
+      RobotBody body{model, {.ball = Ball::kNone}};
       run(body, limp(), 10);
       EXPECT_EQ(legsFromStart(body) < 0.06, stays) << static_cast<int>(hold.com) << ", " << legsFromStart(body);
     }
@@ -120,7 +120,7 @@ TEST(HoldUntilDriven, KeepsWhateverPoseNobodyDrove) {
 }
 
 TEST(HoldUntilDriven, EndsForEachJointWhenItIsDrivenFirst) {
-  RobotBody body{shipped("webots-2013"), {.ball = false}};
+  RobotBody body{shipped("webots-2013"), {.ball = Ball::kNone}};
   Pose out{};
   out[index(Joint::kArmUpperR)] = 0.8;
   out[index(Joint::kArmUpperL)] = -0.8;

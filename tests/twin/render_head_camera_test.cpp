@@ -50,6 +50,7 @@ class Eyes : public testing::Test {
     mj_forward(body_.mujocoModel(), body_.mujocoData());
     if (!camera_) camera_ = std::make_unique<HeadCamera>(body_);  // the dear part of a test
     EXPECT_EQ(camera_->blindness(), "");
+    camera_->look();
     (void)camera_->newest();
     return redSpot(camera_->picture());
   }
@@ -98,6 +99,7 @@ TEST_F(Eyes, GiveANewPictureThirtyTimesASecondAndTheSameOneBetween) {
   const Drives limp{};
   std::uint64_t pictures = 0, last = 0;
   for (int cycle = 0; cycle < 63; ++cycle) {  // 1 s in cycles of 16 ms
+    camera.look();
     const CameraFrame frame = camera.newest();
     if (frame.sequence != last) ++pictures;
     EXPECT_LE(frame.sequence, last + 1);
@@ -116,6 +118,7 @@ TEST_F(Eyes, LookingChangesNothing) {
   for (int i = 0; i < 30; ++i) {
     body_.step(std::chrono::milliseconds{10}, limp);
     unseen.step(std::chrono::milliseconds{10}, limp);
+    camera.look();
     (void)camera.newest();
   }
   const int count = body_.mujocoModel()->nq;

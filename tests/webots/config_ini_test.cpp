@@ -81,6 +81,34 @@ TEST(ConfigIni, ALineThatIsTooLongIsAnErrorAndNotCutInSilence) {
   EXPECT_EQ(errorOf(kSound + "time_step = 16 ; " + std::string(900, '1') + "\n"), "no error");
 }
 
+TEST(ConfigIni, TheCameraHasSettings) {
+  const ConfigReading reading = parseConfig(
+      kSound + "[Camera]\nBrightness=128\ncontrast = 32\nSATURATION=28.0\nGain=-1\nExposure = 10000\n", "config.ini");
+  EXPECT_EQ(reading.config.camera.brightness, 128);
+  EXPECT_EQ(reading.config.camera.contrast, 32);
+  EXPECT_EQ(reading.config.camera.saturation, 28);
+  EXPECT_EQ(reading.config.camera.gain, v4l2::CameraSettings::kDriversDefault);
+  EXPECT_EQ(reading.config.camera.exposure, 10000);
+  EXPECT_THAT(reading.warnings, IsEmpty());
+}
+
+TEST(ConfigIni, ACameraSettingThatIsNotThereKeepsItsDefault) {
+  const ConfigReading reading = parseConfig(kSound + "[Camera]\nGain = -2\n", "config.ini");
+  EXPECT_EQ(reading.config.camera.gain, 255);
+  EXPECT_EQ(reading.config.camera.exposure, 1000);
+  EXPECT_EQ(reading.config.camera.brightness, v4l2::CameraSettings::kDriversDefault);
+}
+
+TEST(ConfigIni, AWrongCameraSettingIsNamed) {
+  for (const char* wrong : {"Gain = 256", "Exposure = -3", "Contrast = high", "Brightness = nan"})
+    EXPECT_THAT([&] { (void)parseConfig(kSound + "[Camera]\n" + wrong, "config.ini"); },
+                testing::ThrowsMessage<std::runtime_error>(
+                    testing::AllOf(HasSubstr("config.ini, line 6"), HasSubstr("-1 for the driver's own"))))
+        << wrong;
+  EXPECT_THAT(parseConfig(kSound + "[Camera]\nZoom = 3\n", "config.ini").warnings,
+              ElementsAre(AllOf(HasSubstr("Zoom"), HasSubstr("Saturation"))));
+}
+
 TEST(ConfigIni, AnImpossibleCameraSizeBecomesTheDefault) {
   const ConfigReading reading =
       parseConfig("[Robot Config]\ntime_step=16\ncamera_width=160\ncamera_height=120\n", "config.ini");

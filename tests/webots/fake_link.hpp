@@ -22,7 +22,8 @@ struct FakeRobot {
   Sensors image;  // served with cycle number and times filled in
   std::vector<Commands> published;
   std::function<void(std::uint64_t cycle)> on_cycle;  // may change the image
-  bool gone = false;                                  // the daemon died
+  std::function<std::unique_ptr<FrameSource>(int width, int height)> open_eyes;
+  bool gone = false;  // the daemon died
   bool farewell = false;
   bool real_time = true;       // the controller's process hosts the loop; false: lockstep
   int signal_during_wait = 0;  // raised once, inside waitForCycle
@@ -61,6 +62,9 @@ class FakeLink : public runtime::RobotLink {
   [[nodiscard]] Nanos now() const override { return robot_.now; }
   [[nodiscard]] bool realTime() const override { return robot_.real_time; }
   void publish(Commands commands) override { robot_.published.push_back(commands); }
+  [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height) override {
+    return robot_.open_eyes ? robot_.open_eyes(width, height) : nullptr;
+  }
 
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override {
     if (robot_.signal_during_wait != 0) std::raise(std::exchange(robot_.signal_during_wait, 0));

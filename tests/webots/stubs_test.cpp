@@ -1,4 +1,4 @@
-// Camera, speaker, keyboard, motions and managers: harmless, and they say once that they are not there yet.
+// Speaker, keyboard, motions and managers: harmless, and they say once that they are not there yet.
 #include <gmock/gmock.h>
 
 #include <DARwInOPGaitManager.hpp>
@@ -28,21 +28,6 @@ class StubTest : public Facade {
   }
   static long lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 };
-
-TEST_F(StubTest, TheCameraGivesABlackPictureOfTheConfiguredSize) {
-  webots::Camera& camera = *robot().getCamera("Camera");
-  EXPECT_EQ(camera.getImage(), nullptr) << "disabled";
-  camera.enable(32);
-  camera.enable(32);
-  const unsigned char* image = camera.getImage();
-  ASSERT_NE(image, nullptr);
-  for (int y = 0; y < camera.getHeight(); ++y)
-    for (int x = 0; x < camera.getWidth(); ++x) {
-      ASSERT_EQ(webots::Camera::imageGetRed(image, camera.getWidth(), x, y), 0);
-      ASSERT_EQ(image[4 * (y * camera.getWidth() + x) + 3], 255);
-    }
-  EXPECT_EQ(lines(testing::internal::GetCapturedStderr()), 1);
-}
 
 TEST_F(StubTest, PixelsAreReadAsBlueGreenRed) {
   const unsigned char pixels[] = {1, 2, 3, 255, 10, 20, 30, 255};

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "twin/body/ball.hpp"
 #include "twin/body/imu.hpp"
 #include "twin/body/joint_torques.hpp"
 #include "twin/body/mujoco_guard.hpp"
@@ -50,11 +51,12 @@ struct RobotBody::Parts {
   Parts(const Model& asked, const RobotBodyOptions& options)
       : servos{servosOf(asked)},
         model{steppedFor(asked, servos)},
-        m{loadBody(model, options.ball)},
+        m{loadBody(model, options.ball != Ball::kNone)},
         map{mapBody(*m, model.body.xml)},
         torques{*m, map, servos, model.body.hold_until_driven},
         d{dataFor(*m, model.body.xml)},
         imu{*m, map, model.imu, options.seed},
+        ball_circles{options.ball == Ball::kCircles},
         step_ns{nanosOf(model.body.step_s)},
         firmware_ns{nanosOf(model.servo.firmware_period_s)} {}
 
@@ -71,6 +73,7 @@ struct RobotBody::Parts {
   JointTorques torques;
   MjDataPtr d;
   Imu imu;
+  bool ball_circles;
   std::int64_t step_ns, firmware_ns;
   std::int64_t now_ns = 0, next_firmware_ns = 0, pending_ns = 0, push_until_ns = 0;
   std::uint64_t samples = 0;
@@ -99,6 +102,7 @@ void RobotBody::Parts::physicsStep(const Drives& drives) noexcept {
   for (; next_firmware_ns <= now_ns; next_firmware_ns += firmware_ns)
     for (std::size_t i = 0; i < kJoints; ++i)
       servos[i].firmware(drives[i], torques.encoderRad(servos[i], i, data.qpos[map.qpos[i]]), data.qvel[map.dof[i]]);
+  if (ball_circles) leadBall(data, map, static_cast<double>(now_ns) * 1e-9);
   torques.step(*m, data, map, servos);
   now_ns += step_ns;
   ++samples;

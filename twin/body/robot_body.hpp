@@ -13,10 +13,16 @@ struct mjData_;
 
 namespace darwinop::twin {
 
+/// What lies on the floor before the robot: nothing, a ball at rest, or one that somebody leads round in a circle.
+enum class Ball { kNone, kRests, kCircles };
+
 struct RobotBodyOptions {
   std::uint64_t seed = 1;  // of noise; the same seed gives the same run to the last bit
-  bool ball = true;        // a ball lies on the floor
+  Ball ball = Ball::kRests;
 };
+
+/// DARWINOP_TWIN_BALL: none, rests (or nothing), circles. Throws std::runtime_error for another word.
+Ball ballFromEnvironment();
 
 /// Starts in the start pose, kneeling on the floor, at rest. Throws std::runtime_error for a model that MuJoCo refuses.
 /// Not thread-safe; step() allocates nothing.

@@ -7,6 +7,7 @@
 #include "hal/body_library.hpp"
 #include "twin/body/robot_body.hpp"
 #include "twin/model/model.hpp"
+#include "twin/render/head_camera.hpp"
 
 namespace darwinop::twin {
 namespace {
@@ -19,16 +20,25 @@ void tell(const char* sentence, char* error, std::size_t size) {
   error[size - 1] = '\0';
 }
 
-void* make(const char* model, std::uint64_t seed, char* error, std::size_t size) {
+/// What `make` makes; null when it throws, and `error` says why.
+template <class Make>
+void* orTell(char* error, std::size_t size, Make&& make) {
   try {
-    const std::string name = *model == '\0' ? kUsualModel : model;
-    return std::make_unique<RobotBody>(readModel(findModel(name)), RobotBodyOptions{.seed = seed}).release();
+    return make();
   } catch (const std::exception& wrong) {
     tell(wrong.what(), error, size);
   } catch (...) {
     tell("the twin cannot be made, for a reason that it does not tell", error, size);
   }
   return nullptr;
+}
+
+void* make(const char* model, std::uint64_t seed, char* error, std::size_t size) {
+  return orTell(error, size, [&] {
+    const std::string name = *model == '\0' ? kUsualModel : model;
+    const RobotBodyOptions options{.seed = seed, .ball = ballFromEnvironment()};
+    return std::make_unique<RobotBody>(readModel(findModel(name)), options).release();
+  });
 }
 
 void step(void* body, std::int64_t dt_ns, const ServoDrive* drives) {
@@ -49,12 +59,40 @@ void end(void* body) {
   delete static_cast<RobotBody*>(body);
 }
 
+void* openEyes(void* body, int width, int height, char* error, std::size_t size) {
+  return orTell(error, size, [&] {
+    const HeadCamera::Options options{.width = width, .height = height};
+    return std::make_unique<HeadCamera>(*static_cast<RobotBody*>(body), options).release();
+  });
+}
+
+void look(void* eyes) {
+  static_cast<HeadCamera*>(eyes)->look();
+}
+
+void newest(void* eyes, BodyPicture* picture) {
+  const CameraFrame frame = static_cast<HeadCamera*>(eyes)->newest();
+  *picture = {frame.sequence, frame.time.count(), frame.width, frame.height, frame.bgra.data()};
+}
+
+void closeEyes(void* eyes) {
+  delete static_cast<HeadCamera*>(eyes);
+}
+
 }  // namespace
 }  // namespace darwinop::twin
 
 extern "C" const darwinop::BodyLibrary* darwinop_body_library() {
   static const std::string version = darwinop::bodyLibraryVersion(DARWINOP_VERSION);
-  static const darwinop::BodyLibrary library{version.c_str(),       darwinop::twin::make,    darwinop::twin::step,
-                                             darwinop::twin::state, darwinop::twin::trouble, darwinop::twin::end};
+  static const darwinop::BodyLibrary library{.version = version.c_str(),
+                                             .make = darwinop::twin::make,
+                                             .step = darwinop::twin::step,
+                                             .state = darwinop::twin::state,
+                                             .trouble = darwinop::twin::trouble,
+                                             .end = darwinop::twin::end,
+                                             .open_eyes = darwinop::twin::openEyes,
+                                             .look = darwinop::twin::look,
+                                             .newest = darwinop::twin::newest,
+                                             .close_eyes = darwinop::twin::closeEyes};
   return &library;
 }

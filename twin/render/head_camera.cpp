@@ -37,9 +37,20 @@ HeadCamera::HeadCamera(RobotBody& body, const Options& options) : body_{body}, o
 
 HeadCamera::~HeadCamera() = default;
 
-void HeadCamera::take() {
+void HeadCamera::look() noexcept {
+  const Nanos now = clockOf(body_);
+  // On a grid of periods: asked every 16 ms for a picture every 33 ms, it still gives 30 a second.
+  const auto slot = [this](Nanos time) { return time / options_.period; };
+  if (sequence_ != 0 && slot(now) == slot(taken_)) return;
+  pose_ = poseOf(body_);
+  looked_ = true;
+  sequence_ += sequence_ == 0 ? 1 : static_cast<std::uint64_t>(std::max<std::int64_t>(slot(now) - slot(taken_), 1));
+  taken_ = now;
+}
+
+void HeadCamera::draw() {
   if (offscreen_) {
-    offscreen_->scene().show(poseOf(body_));
+    offscreen_->scene().show(pose_);
     picture_ = offscreen_->draw();
   } else {
     picture_ = testPattern(options_.width, options_.height, blindness_, static_cast<unsigned>(sequence_));
@@ -54,13 +65,9 @@ void HeadCamera::take() {
 }
 
 CameraFrame HeadCamera::newest() {
-  const Nanos now = clockOf(body_);
-  // On a grid of periods: asked every 16 ms for a picture every 33 ms, it still gives 30 a second.
-  const auto slot = [this](Nanos time) { return time / options_.period; };
-  if (sequence_ == 0 || slot(now) != slot(taken_)) {
-    take();
-    sequence_ += sequence_ == 0 ? 1 : static_cast<std::uint64_t>(std::max<std::int64_t>(slot(now) - slot(taken_), 1));
-    taken_ = now;
+  if (looked_) {
+    draw();
+    looked_ = false;
     ++pictures_;
   }
   return {sequence_, taken_, options_.width, options_.height, bgra_};

@@ -5,18 +5,19 @@
 #include <string>
 #include <vector>
 
-#include "hal/frame_source.hpp"
+#include "hal/body.hpp"
 #include "twin/render/picture.hpp"
+#include "twin/render/pose.hpp"
 
 namespace darwinop::twin {
 
 class RobotBody;
 class Offscreen;
 
-/// Takes a picture when it is asked for one and `period` has gone by on the body's clock, so that a lockstep run sees
-/// the same pictures every time. The body must not step meanwhile, and must live longer. Where nothing can be drawn it
-/// gives a test pattern that says why, and says so once on standard error.
-class HeadCamera final : public FrameSource {
+/// Takes a picture when it has looked and `period` has gone by on the body's clock, so that a lockstep run sees the
+/// same pictures every time. Where nothing can be drawn it gives a test pattern that says why, and says so once on
+/// standard error.
+class HeadCamera final : public Eyes {
  public:
   struct Options {
     int width = 320, height = 240;
@@ -28,6 +29,7 @@ class HeadCamera final : public FrameSource {
   explicit HeadCamera(RobotBody& body) : HeadCamera{body, Options{}} {}
   ~HeadCamera() override;
 
+  void look() noexcept override;
   CameraFrame newest() override;
   [[nodiscard]] CameraHealth health() const override { return {.seeing = true, .frames = pictures_}; }
 
@@ -37,7 +39,7 @@ class HeadCamera final : public FrameSource {
   [[nodiscard]] const std::string& blindness() const noexcept { return blindness_; }
 
  private:
-  void take();
+  void draw();
 
   RobotBody& body_;
   Options options_;
@@ -45,6 +47,8 @@ class HeadCamera final : public FrameSource {
   std::string blindness_;
   Picture picture_;
   std::vector<std::uint8_t> bgra_;
+  Pose pose_;
+  bool looked_ = false;  // and not drawn what was seen
   std::uint64_t sequence_ = 0, pictures_ = 0;
   Nanos taken_{0};
 };

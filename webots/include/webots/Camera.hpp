@@ -1,20 +1,29 @@
-// The camera in the head, "Camera". This version has no picture yet: every frame is black.
+// The camera in the head, "Camera".
 #ifndef CAMERA_HPP
 #define CAMERA_HPP
 
 #include <webots/Device.hpp>
 
+namespace darwinop {
+namespace facade {
+class CameraView;
+}
+}  // namespace darwinop
+
 namespace webots {
 
+/// Sizes, settings and what the messages mean: docs/camera.md.
 class Camera : public Device {
  public:
   enum { WB_CAMERA_COLOR = 99 };
 
   virtual ~Camera();
+  /// A new picture every so many ms, at the end of a step; the camera itself takes 30 a second, or fewer.
   virtual void enable(int sampling_period);
   virtual void disable();
   int getSamplingPeriod() const { return period_; }
-  /// BGRA, 4 bytes a pixel, rows from top to bottom, valid until the next step. NULL while disabled.
+  /// BGRA, 4 bytes a pixel, rows from top to bottom, valid until the next step. NULL while disabled. All black until
+  /// the first picture has come, and again while the camera has been silent for 2 s: nothing is to be followed then.
   const unsigned char* getImage() const;
   int getWidth() const;
   int getHeight() const;
@@ -32,7 +41,7 @@ class Camera : public Device {
   double getMaxFocalDistance() const;
   double getMinFocalDistance() const;
   virtual void setFocalDistance(double focal_distance);
-  /// -1: not in this version.
+  /// -1: not in this version, no file is written.
   int saveImage(const std::string& filename, int quality) const;
 
   /// Sizes that the robot's camera can deliver.
@@ -57,8 +66,12 @@ class Camera : public Device {
  private:
   friend class darwinop::facade::RobotImpl;
   Camera(const std::string& name, darwinop::facade::RobotImpl& robot, int width, int height);
+  Camera(const Camera&);
+  Camera& operator=(const Camera&);
+  void refresh(double time_s);
   int width_, height_, period_;
-  std::string frame_;
+  double due_s_;                        // of the next picture
+  darwinop::facade::CameraView* view_;  // NULL while disabled
 };
 
 }  // namespace webots

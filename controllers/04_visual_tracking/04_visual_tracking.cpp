@@ -1,0 +1,75 @@
+// The head follows a red ball. Eyes green: it is seen; red: the head looks for it. Ends after --seconds N, or with
+// Ctrl-C. Without a robot, with a ball that moves:
+//
+//   DARWINOP_TWIN_BALL=circles darwinop run --robot twin build/release/controllers/04_visual_tracking --seconds 20
+#include <RobotisOp2VisionManager.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <webots/Camera.hpp>
+#include <webots/LED.hpp>
+#include <webots/Motor.hpp>
+#include <webots/Robot.hpp>
+
+using namespace webots;
+
+// "--seconds 10" as first argument; without it the example goes on for ever.
+static double secondsToRun(int argc, char** argv) {
+  return argc > 2 && std::strcmp(argv[1], "--seconds") == 0 ? std::atof(argv[2]) : INFINITY;
+}
+
+// One joint of the head, kept within its range.
+class HeadJoint {
+ public:
+  explicit HeadJoint(Motor* motor) : motor_(motor) {}
+  void turnTo(double angle) {
+    angle_ = std::max(motor_->getMinPosition(), std::min(motor_->getMaxPosition(), angle));
+    motor_->setPosition(angle_);
+  }
+  void turnBy(double angle) { turnTo(angle_ + angle); }
+  double angle() const { return angle_; }
+
+ private:
+  Motor* motor_;
+  double angle_ = 0;
+};
+
+int main(int argc, char** argv) {
+  const double end = secondsToRun(argc, argv);
+  Robot robot;
+  const int time_step = static_cast<int>(robot.getBasicTimeStep());
+  Camera* camera = robot.getCamera("Camera");
+  camera->enable(2 * time_step);  // the camera gives 30 pictures a second
+  LED* eyes = robot.getLED("EyeLed");
+  HeadJoint neck(robot.getMotor("Neck")), head(robot.getMotor("Head"));
+
+  // Hue and tolerance in degrees, least saturation and value in percent; the ball fills 0 to 30 % of the picture.
+  managers::RobotisOp2VisionManager vision(camera->getWidth(), camera->getHeight(), 355, 15, 60, 15, 0, 30);
+
+  const double kGain = 0.1;  // rad a step, for a ball at the edge of the picture: half a turn of the eye in 0.3 s
+  double last_seen = 0;
+  long steps = 0, seen = 0;
+  while (robot.step(time_step) != -1 && robot.getTime() < end) {
+    double x, y;
+    const bool found = vision.getBallCenter(x, y, camera->getImage());
+    ++steps;
+    eyes->set(found ? 0x00FF00 : 0xFF0000);
+    if (found) {
+      ++seen;
+      last_seen = robot.getTime();
+      neck.turnBy(-kGain * (x / camera->getWidth() - 0.5));
+      head.turnBy(-kGain * (y / camera->getHeight() - 0.5));
+    } else if (robot.getTime() > last_seen + 1) {  // a moment's patience, then look around
+      const double t = robot.getTime() - last_seen - 1;
+      neck.turnTo(0.8 * std::sin(t));
+      head.turnTo(0.3 * std::cos(t / 3));
+    }
+    if (steps % 62 == 0)
+      std::cout << (found ? "I see the ball" : "No ball") << ", the neck is at " << std::lround(neck.angle() * 180 / M_PI)
+                << " degrees, the head at " << std::lround(head.angle() * 180 / M_PI) << std::endl;
+  }
+  if (steps > 0) std::cout << "The ball was in view " << 100 * seen / steps << " % of the time." << std::endl;
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,22 @@
+#include "link/eyes.hpp"
+
+#include <stdexcept>
+
+#include "link/robot_file.hpp"
+
+namespace darwinop::link {
+
+std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& robot, const EyesRequest& request) {
+  if (auto simulated = robot.openEyes(request.width, request.height)) return simulated;
+  // Real time has nothing to do with simulated time.
+  if (!robot.realTime()) throw std::runtime_error("this virtual robot has no camera: the twin has one, --robot twin");
+  v4l2::CameraOptions options;
+  if (const RobotFile file = readRobotFile(); file.camera) options.device = *file.camera;
+  options.width = request.width;
+  options.height = request.height;
+  options.settings = request.settings;
+  options.say = request.say;
+  return std::make_unique<v4l2::Camera>(std::move(options));
+}
+
+}  // namespace darwinop::link

@@ -1,0 +1,26 @@
+// What a robot sees, whichever kind it is.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "hal/camera_v4l2/camera.hpp"
+#include "hal/frame_source.hpp"
+#include "runtime/robot_link.hpp"
+
+namespace darwinop::link {
+
+struct EyesRequest {
+  int width = 320, height = 240;
+  v4l2::CameraSettings settings{};
+  std::function<void(const std::string&)>
+      say;  // what goes wrong and what comes back; may be called from another thread
+};
+
+/// The twin's head camera in lockstep; else the camera of this computer that robot.ini names, or /dev/video0. The link
+/// has to outlive it. A camera that is not there is no error: it may come, and `say` is told. Throws
+/// std::runtime_error when the robot has no eyes, or robot.ini is wrong.
+std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& robot, const EyesRequest& request);
+
+}  // namespace darwinop::link

@@ -1,0 +1,54 @@
+#include "webots/camera_view.hpp"
+
+#include <cstring>
+#include <utility>
+
+namespace darwinop::facade {
+namespace {
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+}  // namespace
+
+CameraView::CameraView(int width, int height, std::unique_ptr<FrameSource> source)
+    : width_{width},
+      height_{height},
+      source_{std::move(source)},
+      black_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+      shown_{black_.data()} {
+  for (std::size_t alpha = 3; alpha < black_.size(); alpha += 4) black_[alpha] = 255;
+}
+
+std::string CameraView::refresh() {
+  shown_ = black_.data();
+  if (source_ == nullptr) return {};
+  const CameraFrame frame = source_->newest();
+  // An old picture would be followed as if it were the world.
+  if (frame.sequence == 0 || !source_->health().seeing) return {};
+  if (frame.width == width_ && frame.height == height_) {
+    shown_ = frame.bgra.data();
+    return {};
+  }
+  stretch(frame);
+  shown_ = stretched_.data();
+  if (std::exchange(complained_, true)) return {};
+  return "Camera: pictures of " + sizeText(frame.width, frame.height) + " are stretched to " +
+         sizeText(width_, height_) + "; say in config.ini camera_width = " + std::to_string(frame.width) +
+         ", camera_height = " + std::to_string(frame.height) + " and they are as they come";
+}
+
+// Each pixel is its nearest one.
+void CameraView::stretch(const CameraFrame& frame) {
+  stretched_.resize(black_.size());
+  std::uint8_t* into = stretched_.data();
+  for (int row = 0; row < height_; ++row) {
+    const int from_row = (2 * row + 1) * frame.height / (2 * height_);
+    const std::uint8_t* const line = frame.bgra.data() + 4 * static_cast<std::ptrdiff_t>(from_row) * frame.width;
+    for (int column = 0; column < width_; ++column, into += 4)
+      std::memcpy(into, line + 4 * static_cast<std::ptrdiff_t>((2 * column + 1) * frame.width / (2 * width_)), 4);
+  }
+}
+
+}  // namespace darwinop::facade
