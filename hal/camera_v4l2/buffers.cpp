@@ -35,11 +35,11 @@ std::uint32_t grantedBuffers(const Device& device) {
   wish.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   wish.memory = V4L2_MEMORY_MMAP;
   const int error = request(device.fd(), VIDIOC_REQBUFS, wish);
-  if (error == EINVAL) throw CameraRefused{Trouble::kNoStreaming, explain(Trouble::kNoStreaming, device.path())};
+  if (error == EINVAL) throw CameraRefused{Trouble::kNoStreaming, device.path()};
   if (error != 0) refuse(device.path(), error);
   if (wish.count < StreamBuffers::kNeeded) {
     const std::string granted = wish.count == 0 ? "no buffer" : "a single buffer";
-    throw CameraRefused{Trouble::kFewBuffers, explain(Trouble::kFewBuffers, device.path(), granted)};
+    throw CameraRefused{Trouble::kFewBuffers, device.path(), granted};
   }
   return wish.count;
 }

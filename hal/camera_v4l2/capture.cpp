@@ -49,7 +49,7 @@ bool Capture::attempt() {
   try {
     return session();
   } catch (const CameraRefused& refused) {
-    tell(refused.trouble, refused.what());
+    tell(refused.trouble(), refused.what());
   } catch (const std::bad_alloc&) {
     tell(Trouble::kOutOfMemory, explain(Trouble::kOutOfMemory, options_.device));
   }
@@ -83,8 +83,7 @@ PictureShape Capture::agree(const Device& device) {
   // Whoever looks at the pictures knows their size by now.
   const PictureShape shape = negotiate(device, fixed_, [](const std::string&) {});
   if (shape.size != fixed_)
-    throw CameraRefused{Trouble::kOtherSize, explain(Trouble::kOtherSize, options_.device,
-                                                     text(shape.size) + " instead of " + text(fixed_))};
+    throw CameraRefused{Trouble::kOtherSize, options_.device, text(shape.size) + " instead of " + text(fixed_)};
   return shape;
 }
 

@@ -56,21 +56,17 @@ PictureShape askFor(const Device& device, Size wanted) {
   pixels.field = V4L2_FIELD_INTERLACED;
   if (const int error = request(device.fd(), VIDIOC_S_FMT, format); error != 0) {
     // The device took VIDIOC_QUERYCAP: what it does not like is the format.
-    if (error == EINVAL)
-      throw CameraRefused{Trouble::kOtherFormat,
-                          explain(Trouble::kOtherFormat, device.path(), "something else than YUYV")};
+    if (error == EINVAL) throw CameraRefused{Trouble::kOtherFormat, device.path(), "something else than YUYV"};
     refuse(device.path(), error);
   }
   if (pixels.pixelformat != V4L2_PIX_FMT_YUYV)
-    throw CameraRefused{Trouble::kOtherFormat,
-                        explain(Trouble::kOtherFormat, device.path(), lettersOf(pixels.pixelformat))};
+    throw CameraRefused{Trouble::kOtherFormat, device.path(), lettersOf(pixels.pixelformat)};
   // Pixels of YUYV come in pairs. The limit keeps products of these numbers within 32 bits.
   constexpr std::uint32_t kMost = 8192, kMostBytesPerRow = 65536;
   if (pixels.width < 2 || pixels.width % 2 != 0 || pixels.width > kMost || pixels.height < 1 || pixels.height > kMost ||
       pixels.bytesperline > kMostBytesPerRow)
-    throw CameraRefused{Trouble::kOtherFormat, explain(Trouble::kOtherFormat, device.path(),
-                                                       std::to_string(pixels.width) + "x" +
-                                                           std::to_string(pixels.height) + " pixels of YUYV")};
+    throw CameraRefused{Trouble::kOtherFormat, device.path(),
+                        std::to_string(pixels.width) + "x" + std::to_string(pixels.height) + " pixels of YUYV"};
   return shapeOf(pixels);
 }
 

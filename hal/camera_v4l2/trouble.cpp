@@ -105,8 +105,7 @@ std::string explain(Trouble trouble, const std::string& device, const std::strin
 }
 
 void refuse(const std::string& device, int error) {
-  const Trouble trouble = troubleOf(error);
-  throw CameraRefused{trouble, explain(trouble, device, std::strerror(error))};
+  throw CameraRefused{troubleOf(error), device, std::strerror(error)};
 }
 
 std::vector<std::string> videoDevices(const std::string& dev) {

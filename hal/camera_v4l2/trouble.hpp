@@ -27,13 +27,6 @@ enum class Trouble : std::uint8_t {
   kCount
 };
 
-/// Thrown while a camera is being opened; what() is the sentence.
-class CameraRefused : public std::runtime_error {
- public:
-  CameraRefused(Trouble trouble, const std::string& sentence) : runtime_error{sentence}, trouble{trouble} {}
-  Trouble trouble;
-};
-
 /// Which trouble an errno of open() or of a call on the way to the first picture means.
 [[nodiscard]] Trouble troubleOf(int error);
 
@@ -41,6 +34,17 @@ class CameraRefused : public std::runtime_error {
 /// are looked for.
 [[nodiscard]] std::string explain(Trouble trouble, const std::string& device, const std::string& detail = {},
                                   const std::string& dev = "/dev");
+
+/// Thrown while a camera is being opened; what() is the sentence.
+class CameraRefused : public std::runtime_error {
+ public:
+  CameraRefused(Trouble trouble, const std::string& device, const std::string& detail = {})
+      : runtime_error{explain(trouble, device, detail)}, trouble_{trouble} {}
+  [[nodiscard]] Trouble trouble() const noexcept { return trouble_; }
+
+ private:
+  Trouble trouble_;
+};
 
 /// CameraRefused for an errno.
 [[noreturn]] void refuse(const std::string& device, int error);
