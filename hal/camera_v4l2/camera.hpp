@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "hal/frame_source.hpp"
 
@@ -18,28 +19,41 @@ struct CameraSettings {
   bool auto_exposure = false, auto_white_balance = false, auto_gain = false, auto_hue = false;
 };
 
+/// How long to wait before something is done. Tests are in more of a hurry.
+struct CameraPatience {
+  Nanos silent = std::chrono::seconds{2};              // without a whole picture; then the device is opened anew
+  Nanos first_pause = std::chrono::milliseconds{500};  // before it is opened again; doubles
+  Nanos longest_pause = std::chrono::seconds{5};
+};
+
 struct CameraOptions {
   std::string device = "/dev/video0";
   int width = 320, height = 240;  // a size that the device does not give becomes 320x240, with a message
   CameraSettings settings{};
   /// Told a sentence when the camera is lost, is back, or does not do as asked; from the camera's thread.
   std::function<void(const std::string&)> say;
+  CameraPatience patience{};
 };
 
 /// newest() and health() are wait-free and take no part in the camera's work. A camera that is absent, unplugged or
 /// silent is no error here: `say` is told once, and it is tried again with growing pauses.
 class Camera final : public FrameSource {
  public:
+  /// Throws std::system_error when the process has no files or threads left, nothing else.
   explicit Camera(CameraOptions options);
-  ~Camera() override;  // within 0.2 s, whatever the device does
+  ~Camera() override;  // within 0.2 s, whatever the device does; nothing is said after it
+  Camera(const Camera&) = delete;
+  Camera& operator=(const Camera&) = delete;
 
-  /// The size of the frames is that of the first one; frames are all-black and `sequence` 0 before it.
+  /// All-black, and `sequence` 0, before the first one. Of the size that was asked for until the device was opened for
+  /// the first time; then of the device's, for good: a camera that comes back with another size is not used.
   CameraFrame newest() override;
   [[nodiscard]] CameraHealth health() const override;
 
  private:
-  class Thread;
-  std::unique_ptr<Thread> thread_;
+  struct Work;
+  std::shared_ptr<Work> work_;
+  std::thread thread_;
 };
 
 }  // namespace darwinop::v4l2

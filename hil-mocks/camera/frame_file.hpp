@@ -11,7 +11,7 @@
 namespace darwinop::hil {
 
 inline constexpr std::uint32_t kFrameFileMagic = 0x4d415643;  // "CVAM"
-inline constexpr std::uint32_t kFrameFileVersion = 1;
+inline constexpr std::uint32_t kFrameFileVersion = 2;
 inline constexpr int kMostWidth = 800, kMostHeight = 600;  // the largest size of the robot's camera
 inline constexpr std::uint32_t kMostBytes = 2u * kMostWidth * kMostHeight;
 
@@ -32,16 +32,21 @@ enum class CameraFault : std::uint32_t {
   kDrops,        // every third frame is lost, and counted
 };
 
-/// Lies at the start of the file; the picture (YUYV, rows of 2 * width bytes, as a camera mounted upside down sends it)
-/// follows at kPictureAt.
+/// Lies at the start of the file. Two pictures follow (YUYV, rows of 2 * width bytes, as a camera mounted upside down
+/// sends them): the painter fills one while the shim reads the other, so that neither waits, and a painter that died
+/// amid its work leaves a whole picture. Picture number n, counted from 1, lies at pictureAt(n).
 struct FrameFile {
   std::uint32_t magic = kFrameFileMagic, version = kFrameFileVersion;
   std::atomic<std::uint32_t> fault{0};                               // CameraFault
   std::atomic<std::uint32_t> wanted_width{320}, wanted_height{240};  // written by the shim
-  std::atomic<std::uint32_t> version_of_picture{0};                  // odd while it is painted
-  std::atomic<std::uint32_t> width{0}, height{0};  // of the picture; differs from wanted for a moment after a change
+  std::atomic<std::uint32_t> pictures{0};  // complete ones; unchanged after reading: what was read is whole
+  std::atomic<std::uint32_t> width[2] = {}, height[2] = {};  // of picture n: at [n % 2]; not always what is wanted
 };
 inline constexpr std::uint32_t kPictureAt = 4096;
-inline constexpr std::uint32_t kFrameFileSize = kPictureAt + kMostBytes;
+inline constexpr std::uint32_t kFrameFileSize = kPictureAt + 2 * kMostBytes;
+constexpr std::uint32_t pictureAt(std::uint32_t number) {
+  return kPictureAt + number % 2 * kMostBytes;
+}
+static_assert(sizeof(FrameFile) <= kPictureAt && std::atomic<std::uint32_t>::is_always_lock_free);
 
 }  // namespace darwinop::hil

@@ -1,0 +1,120 @@
+// Memory-mapped streaming.
+#include "hal/camera_v4l2/buffers.hpp"
+
+#include <linux/videodev2.h>
+#include <sys/mman.h>
+
+#include <algorithm>
+#include <string>
+
+#include "hal/camera_v4l2/monotonic.hpp"
+#include "hal/camera_v4l2/trouble.hpp"
+
+namespace darwinop::v4l2 {
+namespace {
+
+v4l2_buffer bufferNumber(std::uint32_t index) noexcept {
+  v4l2_buffer buffer{};
+  buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  buffer.memory = V4L2_MEMORY_MMAP;
+  buffer.index = index;
+  return buffer;
+}
+
+/// Old drivers stamp with the time of day, which may jump; theirs is replaced by the time it is now.
+std::chrono::nanoseconds timeOf(const v4l2_buffer& buffer) noexcept {
+  constexpr std::int64_t kSecond = 1'000'000'000, kMicrosecond = 1'000;
+  if ((buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC)
+    return std::chrono::nanoseconds{kSecond * buffer.timestamp.tv_sec + kMicrosecond * buffer.timestamp.tv_usec};
+  return monotonicNow();
+}
+
+std::uint32_t grantedBuffers(const Device& device) {
+  v4l2_requestbuffers wish{};
+  wish.count = StreamBuffers::kAsked;
+  wish.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  wish.memory = V4L2_MEMORY_MMAP;
+  const int error = request(device.fd(), VIDIOC_REQBUFS, wish);
+  if (error == EINVAL) throw CameraRefused{Trouble::kNoStreaming, device.path()};
+  if (error != 0) refuse(device.path(), error);
+  if (wish.count < StreamBuffers::kNeeded) {
+    const std::string granted = wish.count == 0 ? "no buffer" : "a single buffer";
+    throw CameraRefused{Trouble::kFewBuffers, device.path(), granted};
+  }
+  return wish.count;
+}
+
+}  // namespace
+
+StreamBuffers::StreamBuffers(const Device& device) : device_{device} {
+  try {
+    map();
+    for (std::uint32_t i = 0; i < count(); ++i)
+      if (const int error = giveBack(i); error != 0) refuse(device_.path(), error);
+    int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+    if (const int error = request(device_.fd(), VIDIOC_STREAMON, type); error != 0) refuse(device_.path(), error);
+  } catch (...) {
+    release();
+    throw;
+  }
+}
+
+StreamBuffers::~StreamBuffers() {
+  int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  static_cast<void>(request(device_.fd(), VIDIOC_STREAMOFF, type));
+  release();
+}
+
+void StreamBuffers::map() {
+  const std::uint32_t granted = grantedBuffers(device_);
+  mapped_.reserve(granted);
+  for (std::uint32_t i = 0; i < granted; ++i) {
+    v4l2_buffer buffer = bufferNumber(i);
+    if (const int error = request(device_.fd(), VIDIOC_QUERYBUF, buffer); error != 0) refuse(device_.path(), error);
+    void* memory = ::mmap(nullptr, buffer.length, PROT_READ | PROT_WRITE, MAP_SHARED, device_.fd(),
+                          static_cast<off_t>(buffer.m.offset));
+    if (memory == MAP_FAILED) refuse(device_.path(), errno);
+    mapped_.emplace_back(static_cast<std::uint8_t*>(memory), buffer.length);
+  }
+}
+
+void StreamBuffers::release() noexcept {
+  for (const auto memory : mapped_) ::munmap(memory.data(), memory.size());
+  mapped_.clear();
+}
+
+Filled StreamBuffers::take() noexcept {
+  v4l2_buffer buffer = bufferNumber(0);
+  Filled filled;
+  filled.error = request(device_.fd(), VIDIOC_DQBUF, buffer);
+  if (filled.error != 0) return filled;
+  if (buffer.index >= count()) {
+    filled.error = EPROTO;  // a driver that hands over what it was never given
+    return filled;
+  }
+  filled.index = buffer.index;
+  filled.sequence = buffer.sequence;
+  filled.marked_bad = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0;
+  filled.time = timeOf(buffer);
+  const auto memory = mapped_[buffer.index];
+  filled.bytes = memory.first(std::min<std::size_t>(buffer.bytesused, memory.size()));
+  return filled;
+}
+
+int StreamBuffers::giveBack(std::uint32_t index) noexcept {
+  v4l2_buffer buffer = bufferNumber(index);
+  return request(device_.fd(), VIDIOC_QBUF, buffer);
+}
+
+int StreamBuffers::giveBackStrays() noexcept {
+  constexpr std::uint32_t kDrivers = V4L2_BUF_FLAG_QUEUED | V4L2_BUF_FLAG_DONE;
+  for (std::uint32_t i = 0; i < count(); ++i) {
+    v4l2_buffer buffer = bufferNumber(i);
+    int error = request(device_.fd(), VIDIOC_QUERYBUF, buffer);
+    if (error == 0 && (buffer.flags & kDrivers) == 0) error = giveBack(i);
+    if (error != 0) return error;
+  }
+  return 0;
+}
+
+}  // namespace darwinop::v4l2

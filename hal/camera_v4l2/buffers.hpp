@@ -1,0 +1,52 @@
+// Pictures in memory that a device and we share: it fills one buffer after the other, we give each back.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hal/camera_v4l2/device.hpp"
+
+namespace darwinop::v4l2 {
+
+/// A buffer that the driver handed over.
+struct Filled {
+  int error = 0;  // errno; EAGAIN: none is ready
+  std::uint32_t index = 0;
+  std::uint32_t sequence = 0;
+  bool marked_bad = false;
+  std::chrono::nanoseconds time{0};     // CLOCK_MONOTONIC
+  std::span<const std::uint8_t> bytes;  // as many as the driver says it filled
+};
+
+/// Streams from its making to its end.
+class StreamBuffers {
+ public:
+  static constexpr std::uint32_t kAsked = 4, kNeeded = 2;
+
+  /// Throws CameraRefused. `device` must outlive it.
+  explicit StreamBuffers(const Device& device);
+  ~StreamBuffers();
+  StreamBuffers(const StreamBuffers&) = delete;
+  StreamBuffers& operator=(const StreamBuffers&) = delete;
+
+  [[nodiscard]] std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(mapped_.size()); }
+  /// The oldest picture that is ready. Never waits.
+  [[nodiscard]] Filled take() noexcept;
+  /// 0, or the errno.
+  int giveBack(std::uint32_t index) noexcept;
+  /// Linux 2.6.31 reports a damaged picture as EIO, and keeps its buffer without telling which: all that lie idle are
+  /// given back. We must hold none. 0, or the errno.
+  int giveBackStrays() noexcept;
+
+ private:
+  void map();
+  void release() noexcept;
+
+  const Device& device_;
+  std::vector<std::span<std::uint8_t>> mapped_;
+};
+
+}  // namespace darwinop::v4l2

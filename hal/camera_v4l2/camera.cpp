@@ -1,0 +1,84 @@
+// The camera that a controller sees, and the life of its thread.
+#include "hal/camera_v4l2/camera.hpp"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <csignal>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "hal/camera_v4l2/capture.hpp"
+
+namespace darwinop::v4l2 {
+namespace {
+
+// Well within the 0.2 s that the destructor promises.
+constexpr std::chrono::milliseconds kGraceAtEnd{100};
+
+/// The thread may be started by a real-time one; pictures must not delay the loop.
+void becomeOrdinaryThread() {
+  const sched_param none{};
+  ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &none);
+  ::pthread_setname_np(::pthread_self(), "darwinop-camera");
+}
+
+}  // namespace
+
+/// Outlives the Camera when a driver does not return: a USB camera that is being unplugged may keep a call for seconds.
+struct Camera::Work {
+  explicit Work(CameraOptions options) : capture{std::move(options)} {}
+
+  void run() {
+    becomeOrdinaryThread();
+    capture.run();
+    const std::lock_guard lock{mutex};
+    ended = true;
+    changed.notify_all();
+  }
+  bool endsWithin(std::chrono::milliseconds grace) {
+    std::unique_lock lock{mutex};
+    return changed.wait_for(lock, grace, [this] { return ended; });
+  }
+
+  Capture capture;
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool ended = false;
+};
+
+Camera::Camera(CameraOptions options) : work_{std::make_shared<Work>(std::move(options))} {
+  sigset_t all, before;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);  // inherited by the new thread: signals are for the main one
+  try {
+    thread_ = std::thread{[work = work_] { work->run(); }};
+  } catch (...) {
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    throw;
+  }
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+Camera::~Camera() {
+  work_->capture.stop();
+  if (work_->endsWithin(kGraceAtEnd)) {
+    thread_.join();
+    return;
+  }
+  work_->capture.mute();  // whoever listens may be gone soon
+  thread_.detach();
+}
+
+CameraFrame Camera::newest() {
+  return work_->capture.newest();
+}
+
+CameraHealth Camera::health() const {
+  return work_->capture.health();
+}
+
+}  // namespace darwinop::v4l2

@@ -1,0 +1,60 @@
+// What the camera's thread does all its life: open, take pictures, tell what is wrong, pause, open again.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "hal/camera_v4l2/camera.hpp"
+#include "hal/camera_v4l2/device.hpp"
+#include "hal/camera_v4l2/frame_count.hpp"
+#include "hal/camera_v4l2/picture.hpp"
+#include "hal/camera_v4l2/triple_buffer.hpp"
+#include "hal/camera_v4l2/voice.hpp"
+#include "hal/camera_v4l2/wake.hpp"
+
+namespace darwinop::v4l2 {
+
+class StreamBuffers;
+class PictureTaker;
+
+class Capture {
+ public:
+  explicit Capture(CameraOptions options);
+
+  /// The thread: until stop(). Nothing is thrown out of it.
+  void run() noexcept;
+
+  /// Any other thread.
+  void stop() noexcept { wake_.stop(); }
+  void mute() { voice_.mute(); }  // nothing is said after it
+
+  /// The user's thread. Wait-free.
+  CameraFrame newest() noexcept;
+  [[nodiscard]] CameraHealth health() const noexcept;
+
+ private:
+  struct Ending {
+    Trouble trouble = Trouble::kOther;
+    std::string detail;
+  };
+  bool attempt();
+  bool session();
+  [[nodiscard]] PictureShape agree(const Device& device);
+  Ending watch(const Device& device, PictureTaker& taker);
+  static Ending lost(int error);
+  void tell(Trouble trouble, const std::string& sentence);
+
+  CameraOptions options_;
+  Wake wake_;
+  Voice voice_;
+  Counters counters_;
+  FrameCount count_;
+  bool streamed_ = false;
+  Size fixed_{};  // once it has streamed
+
+  Picture black_;                                    // the user's, until there are pictures
+  std::unique_ptr<TripleBuffer<Picture>> pictures_;  // made by the thread, once
+  std::atomic<TripleBuffer<Picture>*> shown_{nullptr};
+};
+
+}  // namespace darwinop::v4l2

@@ -1,0 +1,45 @@
+// Opening a V4L2 device.
+#include "hal/camera_v4l2/device.hpp"
+
+#include <fcntl.h>
+#include <linux/videodev2.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <utility>
+
+#include "hal/camera_v4l2/trouble.hpp"
+
+namespace darwinop::v4l2 {
+namespace {
+
+void checkCapabilities(int fd, const std::string& path) {
+  v4l2_capability able{};
+  const int error = request(fd, VIDIOC_QUERYCAP, able);
+  // Devices that know nothing of V4L2 say ENOTTY; drivers of old said EINVAL.
+  if (error == ENOTTY || error == EINVAL) throw CameraRefused{Trouble::kNotACamera, path, std::strerror(error)};
+  if (error != 0) refuse(path, error);
+  // One camera may have several devices, one of them for pictures. Linux 2.6.31 does not tell them apart.
+  const auto caps = (able.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? able.device_caps : able.capabilities;
+  if ((caps & V4L2_CAP_VIDEO_CAPTURE) == 0) throw CameraRefused{Trouble::kNotACamera, path, "it takes no pictures"};
+  if ((caps & V4L2_CAP_STREAMING) == 0) throw CameraRefused{Trouble::kNoStreaming, path};
+}
+
+}  // namespace
+
+Device::Device(std::string path) : path_{std::move(path)} {
+  fd_ = ::open(path_.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+  if (fd_ < 0) refuse(path_, errno);
+  try {
+    checkCapabilities(fd_, path_);
+  } catch (...) {
+    ::close(fd_);
+    throw;
+  }
+}
+
+Device::~Device() {
+  ::close(fd_);
+}
+
+}  // namespace darwinop::v4l2

@@ -1,0 +1,16 @@
+// The clock of pictures.
+#pragma once
+
+#include <chrono>
+#include <ctime>
+
+namespace darwinop::v4l2 {
+
+/// CLOCK_MONOTONIC, by its name: drivers stamp with it.
+[[nodiscard]] inline std::chrono::nanoseconds monotonicNow() noexcept {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::chrono::seconds{now.tv_sec} + std::chrono::nanoseconds{now.tv_nsec};
+}
+
+}  // namespace darwinop::v4l2

@@ -1,0 +1,91 @@
+// Cropping, format and rate of a V4L2 device.
+#include "hal/camera_v4l2/negotiate.hpp"
+
+#include <linux/videodev2.h>
+
+#include <algorithm>
+
+#include "hal/camera_v4l2/trouble.hpp"
+
+namespace darwinop::v4l2 {
+namespace {
+
+/// Many drivers cannot crop, and say so with an error that means nothing to us.
+void resetCropping(int fd) {
+  v4l2_cropcap able{};
+  able.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  if (request(fd, VIDIOC_CROPCAP, able) != 0) return;
+  v4l2_crop crop{};
+  crop.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  crop.c = able.defrect;
+  static_cast<void>(request(fd, VIDIOC_S_CROP, crop));
+}
+
+/// The driver picks the nearest rate it has for this size. One that has no choice has no such call.
+void askForRate(int fd) {
+  constexpr unsigned kPicturesPerSecond = 30;
+  v4l2_streamparm rate{};
+  rate.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  rate.parm.capture.timeperframe = {1, kPicturesPerSecond};
+  static_cast<void>(request(fd, VIDIOC_S_PARM, rate));
+}
+
+/// "MJPG", as the letters lie in the number.
+std::string lettersOf(std::uint32_t code) {
+  std::string letters;
+  for (int shift = 0; shift < 32; shift += 8) {
+    const char letter = static_cast<char>((code >> shift) & 0x7F);
+    letters += letter > ' ' ? letter : '?';
+  }
+  return letters;
+}
+
+PictureShape shapeOf(const v4l2_pix_format& given) {
+  // Some drivers leave bytesperline 0.
+  return {{static_cast<int>(given.width), static_cast<int>(given.height)},
+          std::max<std::size_t>(given.bytesperline, 2u * given.width)};
+}
+
+PictureShape askFor(const Device& device, Size wanted) {
+  v4l2_format format{};
+  format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  v4l2_pix_format& pixels = format.fmt.pix;
+  pixels.width = static_cast<std::uint32_t>(wanted.width);
+  pixels.height = static_cast<std::uint32_t>(wanted.height);
+  pixels.pixelformat = V4L2_PIX_FMT_YUYV;
+  pixels.field = V4L2_FIELD_INTERLACED;
+  if (const int error = request(device.fd(), VIDIOC_S_FMT, format); error != 0) {
+    // The device took VIDIOC_QUERYCAP: what it does not like is the format.
+    if (error == EINVAL) throw CameraRefused{Trouble::kOtherFormat, device.path(), "something else than YUYV"};
+    refuse(device.path(), error);
+  }
+  if (pixels.pixelformat != V4L2_PIX_FMT_YUYV)
+    throw CameraRefused{Trouble::kOtherFormat, device.path(), lettersOf(pixels.pixelformat)};
+  // Pixels of YUYV come in pairs. The limit keeps products of these numbers within 32 bits.
+  constexpr std::uint32_t kMost = 8192, kMostBytesPerRow = 65536;
+  if (pixels.width < 2 || pixels.width % 2 != 0 || pixels.width > kMost || pixels.height < 1 || pixels.height > kMost ||
+      pixels.bytesperline > kMostBytesPerRow)
+    throw CameraRefused{Trouble::kOtherFormat, device.path(),
+                        std::to_string(pixels.width) + "x" + std::to_string(pixels.height) + " pixels of YUYV"};
+  return shapeOf(pixels);
+}
+
+}  // namespace
+
+std::string text(Size size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+PictureShape negotiate(const Device& device, Size wanted, const Remark& remark) {
+  resetCropping(device.fd());
+  PictureShape given = askFor(device, wanted);
+  if (given.size != wanted) {
+    if (given.size != kFallback) given = askFor(device, kFallback);
+    remark(device.path() + " gives no pictures of " + text(wanted) + ": they are " + text(given.size) +
+           " now; `v4l2-ctl -d " + device.path() + " --list-formats-ext` shows the sizes it has");
+  }
+  askForRate(device.fd());
+  return given;
+}
+
+}  // namespace darwinop::v4l2

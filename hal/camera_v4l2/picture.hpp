@@ -1,0 +1,36 @@
+// A picture on its way from the camera's thread to whoever looks at it, and what is counted on the way.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "hal/camera_v4l2/negotiate.hpp"
+#include "hal/frame_source.hpp"
+
+namespace darwinop::v4l2 {
+
+struct Picture {
+  CameraFrame asFrame() const noexcept { return {sequence, time, size.width, size.height, bgra}; }
+
+  std::uint64_t sequence = 0;
+  Nanos time{0};
+  Size size;
+  std::vector<std::uint8_t> bgra;
+};
+
+[[nodiscard]] inline Picture blackPicture(Size size) {
+  Picture black{0, Nanos{0}, size, {}};
+  black.bgra.resize(4u * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+  for (std::size_t alpha = 3; alpha < black.bgra.size(); alpha += 4) black.bgra[alpha] = 255;
+  return black;
+}
+
+/// Written by the camera's thread, read by any.
+struct Counters {
+  static_assert(std::atomic<std::uint64_t>::is_always_lock_free);  // also on the robot's 32-bit CPU
+  std::atomic<std::uint64_t> frames{0}, dropped{0}, damaged{0}, reopened{0};
+  std::atomic<std::int64_t> last_frame_ns{0};  // CLOCK_MONOTONIC when the last whole one was taken over
+};
+
+}  // namespace darwinop::v4l2

@@ -1,0 +1,77 @@
+// From the driver's buffers to the picture that is shown.
+#include "hal/camera_v4l2/picture_taker.hpp"
+
+#include <cerrno>
+#include <optional>
+
+#include "hal/camera_v4l2/monotonic.hpp"
+#include "hal/pixels/yuyv_to_bgra.hpp"
+
+namespace darwinop::v4l2 {
+
+PictureTaker::Outcome PictureTaker::takeAll() noexcept {
+  Outcome outcome;
+  std::optional<Numbered> newest;
+  outcome.idle = true;
+  // A bound, should a driver have pictures ready faster than they are taken.
+  for (std::uint32_t i = 0; i < buffers_.count(); ++i) {
+    const Filled filled = buffers_.take();
+    if (filled.error == EAGAIN) break;
+    outcome.idle = false;
+    if (filled.error != 0) {
+      outcome.error = filled.error;
+      break;
+    }
+    errors_in_a_row_ = 0;
+    const Numbered taken = number(filled);
+    std::uint32_t done = filled.index;
+    if (filled.marked_bad || !isWhole(imageOf(filled))) {
+      counters_.damaged.fetch_add(1, std::memory_order_relaxed);
+    } else {
+      counters_.frames.fetch_add(1, std::memory_order_relaxed);
+      if (newest) done = newest->filled.index;
+      const bool keeps_it = !newest;
+      newest = taken;
+      if (keeps_it) continue;
+    }
+    if ((outcome.error = buffers_.giveBack(done)) != 0) break;
+  }
+  if (newest) {
+    show(*newest);
+    outcome.shown = true;
+    const int error = buffers_.giveBack(newest->filled.index);
+    if (outcome.error == 0) outcome.error = error;
+  }
+  if (outcome.error == EIO) outcome.error = readError(outcome.error);
+  return outcome;
+}
+
+PictureTaker::Numbered PictureTaker::number(const Filled& filled) noexcept {
+  const FrameCount::Number number = count_.next(filled.sequence);
+  counters_.dropped.fetch_add(number.dropped, std::memory_order_relaxed);
+  return {filled, number.sequence};
+}
+
+/// One or a few are damaged pictures, many in a row a broken device: 0, or the error.
+int PictureTaker::readError(int error) noexcept {
+  constexpr int kMostInARow = 8;
+  if (++errors_in_a_row_ > kMostInARow) return error;
+  counters_.damaged.fetch_add(1, std::memory_order_relaxed);
+  count_.unnumbered();
+  return buffers_.giveBackStrays();
+}
+
+pixels::YuyvImage PictureTaker::imageOf(const Filled& filled) const noexcept {
+  return {filled.bytes, shape_.size.width, shape_.size.height, shape_.stride};
+}
+
+void PictureTaker::show(const Numbered& newest) noexcept {
+  Picture& picture = pictures_.back();
+  pixels::yuyvToBgraRotated(imageOf(newest.filled), picture.bgra);
+  picture.sequence = newest.sequence;
+  picture.time = newest.filled.time;
+  pictures_.publish();
+  counters_.last_frame_ns.store(monotonicNow().count(), std::memory_order_release);
+}
+
+}  // namespace darwinop::v4l2

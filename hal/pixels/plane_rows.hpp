@@ -1,0 +1,22 @@
+// Rows of YUYV to rows of planes, last pixel first; of use to yuyv_to_planes.cpp alone.
+#pragma once
+
+#include <cstdint>
+
+namespace darwinop::pixels {
+
+/// Writes `width` bytes.
+using LumaRow = void(const std::uint8_t* yuyv, int width, std::uint8_t* y) noexcept;
+
+/// The mean of two rows' chroma, which may be the same row. Writes pairsOf(width) bytes to each.
+using ChromaRow = void(const std::uint8_t* upper, const std::uint8_t* lower, int width, std::uint8_t* u,
+                       std::uint8_t* v) noexcept;
+
+LumaRow lumaRowScalar;
+ChromaRow chromaRowScalar;
+#ifdef __SSE2__
+LumaRow lumaRowSse2;
+ChromaRow chromaRowSse2;
+#endif
+
+}  // namespace darwinop::pixels

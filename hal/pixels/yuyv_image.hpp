@@ -1,0 +1,38 @@
+// A picture as a USB camera gives it: YUYV, two pixels in four bytes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace darwinop::pixels {
+
+/// Bytes Y0 U Y1 V for each pair of pixels. Of an odd width's last pair only Y0 is a pixel; U and V count.
+struct YuyvImage {
+  std::span<const std::uint8_t> bytes;
+  int width = 0, height = 0;
+  std::size_t stride = 0;  // bytes from row to row, as the driver says
+};
+
+/// Pairs of pixels in a row; of chroma samples in a row of planes, too.
+constexpr std::size_t pairsOf(int width) {
+  return (static_cast<std::size_t>(width) + 1) / 2;
+}
+
+/// Bytes of a row without what the driver puts behind it.
+constexpr std::size_t yuyvRowBytes(int width) {
+  return 4 * pairsOf(width);
+}
+
+/// Bytes from the first to the last of a picture; behind the last row nothing is read or written.
+constexpr std::size_t yuyvBytes(int width, int height, std::size_t stride) {
+  return stride * (static_cast<std::size_t>(height) - 1) + yuyvRowBytes(width);
+}
+
+/// What every function of this room expects of a picture. A driver may hand out less; look before converting.
+constexpr bool isWhole(const YuyvImage& image) {
+  return image.width > 0 && image.height > 0 && image.stride >= yuyvRowBytes(image.width) &&
+         image.bytes.size() >= yuyvBytes(image.width, image.height, image.stride);
+}
+
+}  // namespace darwinop::pixels
