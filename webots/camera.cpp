@@ -18,7 +18,7 @@ using darwinop::facade::CameraView;
 using darwinop::facade::warnOnce;
 
 Camera::Camera(const std::string& name, darwinop::facade::RobotImpl& robot, int width, int height)
-    : Device(name, Node::CAMERA, robot), width_(width), height_(height), period_(0), due_s_(0), view_(nullptr) {}
+    : Device(name, Node::CAMERA, robot), width_(width), height_(height), period_(0), due_s_(-1), view_(nullptr) {}
 
 Camera::~Camera() {
   delete view_;
@@ -27,7 +27,7 @@ Camera::~Camera() {
 void Camera::enable(int sampling_period) {
   if (sampling_period <= 0) return disable();
   period_ = sampling_period;
-  due_s_ = 0;
+  due_s_ = -1;
   if (view_ != nullptr) return;
   std::unique_ptr<darwinop::FrameSource> source;
   try {
@@ -48,7 +48,7 @@ void Camera::refresh(double time_s) {
   if (view_ == nullptr || time_s + kHalfCycle < due_s_) return;
   // On a grid, so that 40 ms asked for in steps of 16 ms are 40 ms on average.
   const double period_s = period_ / 1000.0;
-  due_s_ = due_s_ + period_s > time_s ? due_s_ + period_s : time_s + period_s;
+  due_s_ = due_s_ >= 0 && due_s_ + period_s > time_s ? due_s_ + period_s : time_s + period_s;
   const std::string complaint = view_->refresh();
   if (!complaint.empty()) darwinop::facade::say(complaint);
 }

@@ -70,7 +70,7 @@ class Camera : public Device {
   Camera& operator=(const Camera&);
   void refresh(double time_s);
   int width_, height_, period_;
-  double due_s_;                        // of the next picture
+  double due_s_;                        // of the next picture; negative: at once
   darwinop::facade::CameraView* view_;  // NULL while disabled
 };
 
