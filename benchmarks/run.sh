@@ -145,7 +145,12 @@ gap() {
   for part in rollout scaling peer; do "$build/bin/gap_bench" "$part"; done
 }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap)
+# --- the vision manager
+
+# CPU time of a picture; peers: OpenCV's steps, and plain ones a pixel at a time.
+vision() { "$build/bin/vision_bench"; }
+
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap vision)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue
   "$name"

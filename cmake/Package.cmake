@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 get_property(rooms GLOBAL PROPERTY DARWINOP_ROOMS)
-list(FILTER rooms EXCLUDE REGEX "^(twin_.*|plot|logs)$")  # PC only; the twin is loaded on demand
+list(FILTER rooms EXCLUDE REGEX "^(twin_.*|gap_.*|hil_camera|plot|logs)$")  # PC only; the twin is loaded on demand
 foreach(room IN LISTS rooms)
   list(APPEND room_objects $<TARGET_OBJECTS:${room}>)
 endforeach()

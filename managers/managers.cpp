@@ -1,8 +1,7 @@
-// The managers' interfaces, so that controllers that use them build; their insides come later.
+// Managers whose insides come later: their interfaces, so that controllers that use them build.
 #include "DARwInOPDirectoryManager.hpp"
 #include "DARwInOPGaitManager.hpp"
 #include "DARwInOPMotionManager.hpp"
-#include "DARwInOPVisionManager.hpp"
 #include "RobotisOp2DirectoryManager.hpp"
 #include "webots/notices.hpp"
 
@@ -20,15 +19,6 @@ DARwInOPMotionManager::DARwInOPMotionManager(webots::Robot*, const std::string&)
 
 void DARwInOPMotionManager::playPage(int id, bool) {
   warnOnce("MotionManager: page " + std::to_string(id) + " is skipped");
-}
-
-DARwInOPVisionManager::DARwInOPVisionManager(int, int, int, int, int, int, int, int) {
-  warnOnce("VisionManager: this version cannot see yet; there never is a ball");
-}
-
-bool DARwInOPVisionManager::getBallCenter(double& x, double& y, const unsigned char*) {
-  x = y = 0;
-  return false;
 }
 
 const std::string& DARwInOPDirectoryManager::getDataDirectory() {

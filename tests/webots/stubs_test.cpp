@@ -1,4 +1,4 @@
-// Speaker, keyboard, motions and managers: harmless, and they say once that they are not there yet.
+// Speaker, keyboard, motions and two managers: harmless, and they say once that they are not there yet.
 #include <gmock/gmock.h>
 
 #include <DARwInOPGaitManager.hpp>
@@ -6,7 +6,6 @@
 #include <RobotisOp2DirectoryManager.hpp>
 #include <RobotisOp2GaitManager.hpp>
 #include <RobotisOp2MotionManager.hpp>
-#include <RobotisOp2VisionManager.hpp>
 #include <webots/Camera.hpp>
 #include <webots/Keyboard.hpp>
 #include <webots/Speaker.hpp>
@@ -65,15 +64,10 @@ TEST_F(StubTest, MotionsAndManagersSayThatTheyDoNothing) {
   pages.playPage(9);
   managers::DARwInOPGaitManager gait{&robot(), "config.ini"};
   gait.start();
-  managers::RobotisOp2VisionManager vision{320, 240, 355, 15, 60, 15, 0, 30};
-  double x = 1, y = 1;
-  EXPECT_FALSE(vision.getBallCenter(x, y, nullptr));
-  EXPECT_EQ(x, 0);
   EXPECT_FALSE(pages.isCorrectlyInitialized() || gait.isCorrectlyInitialized());
   EXPECT_EQ(managers::RobotisOp2DirectoryManager::getDataDirectory(), "/robotis/Data/");
   const std::string said = testing::internal::GetCapturedStderr();
-  for (const char* what :
-       {"Motion: ", "hand_high.motion", "MotionManager: ", "page 9", "GaitManager: ", "VisionManager: "})
+  for (const char* what : {"Motion: ", "hand_high.motion", "MotionManager: ", "page 9", "GaitManager: "})
     EXPECT_THAT(said, HasSubstr(what));
 }
 

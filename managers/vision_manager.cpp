@@ -1,0 +1,132 @@
+// The upstream vision manager on top of the colour finder: whole numbers brought into range, and no exception outwards.
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "DARwInOPVisionManager.hpp"
+#include "managers/vision/colour_finder.hpp"
+#include "webots/notices.hpp"
+
+namespace managers {
+
+using darwinop::facade::warnOnce;
+namespace vision = darwinop::vision;
+
+namespace {
+
+int brought(const std::string& what, int value, int into) {
+  if (value != into)
+    warnOnce("VisionManager: " + what + " " + std::to_string(value) + " is out of range; " + std::to_string(into) +
+             " is taken");
+  return into;
+}
+
+/// An angle: what is out of range is the same direction.
+int hueInRange(int hue) {
+  if (hue >= 0 && hue <= 360) return hue;
+  return brought("hue", hue, (hue % 360 + 360) % 360);
+}
+
+int toleranceInRange(int tolerance) {
+  return brought("hue tolerance", tolerance, std::clamp(tolerance, 0, 180));
+}
+
+/// -1 takes colours without any saturation or value, too; less says the same.
+int minimumInRange(const std::string& what, int minimum) {
+  return brought(what, minimum, std::clamp(minimum, -1, 100));
+}
+
+int percentInRange(const std::string& what, int percent) {
+  return brought(what, percent, std::clamp(percent, 0, 100));
+}
+
+}  // namespace
+
+struct DARwInOPVisionManager::Eye {
+  std::optional<vision::ColourFinder> finder;  // none: the image has an impossible size, and nothing is ever found
+  vision::Thresholds thresholds;
+  vision::PercentLimits limits;
+
+  void renew() {
+    if (!finder) return;
+    finder->setThresholds(thresholds);
+    finder->setLimits(limits);
+  }
+};
+
+DARwInOPVisionManager::DARwInOPVisionManager(int width, int height, int hue, int hueTolerance, int minSaturation,
+                                             int minValue, int minPercent, int maxPercent)
+    : eye_{new Eye} {
+  try {
+    eye_->finder.emplace(width, height, eye_->thresholds);
+  } catch (const std::exception& why) {
+    warnOnce(std::string{"VisionManager: "} + why.what() + "; it will find nothing");
+  }
+  setHue(hue);
+  setHueTolerance(hueTolerance);
+  setMinSaturation(minSaturation);
+  setMinValue(minValue);
+  setMinPercent(minPercent);
+  setmaxPercent(maxPercent);
+}
+
+DARwInOPVisionManager::DARwInOPVisionManager(const DARwInOPVisionManager& other) : eye_{new Eye{*other.eye_}} {}
+
+DARwInOPVisionManager& DARwInOPVisionManager::operator=(const DARwInOPVisionManager& other) {
+  if (this != &other) *eye_ = *other.eye_;
+  return *this;
+}
+
+DARwInOPVisionManager::~DARwInOPVisionManager() {
+  delete eye_;
+}
+
+bool DARwInOPVisionManager::getBallCenter(double& x, double& y, const unsigned char* image) {
+  x = y = 0;
+  if (image == nullptr) warnOnce("VisionManager: getBallCenter() was given no image; is the camera enabled?");
+  if (!eye_->finder) return false;
+  vision::ColourFinder& finder = *eye_->finder;
+  const std::size_t bytes = 4 * static_cast<std::size_t>(finder.width()) * static_cast<std::size_t>(finder.height());
+  const auto centre = image == nullptr ? finder.find({}) : finder.find({image, bytes});
+  if (!centre) return false;
+  x = centre->x;
+  y = centre->y;
+  return true;
+}
+
+bool DARwInOPVisionManager::isDetected(int x, int y) {
+  return eye_->finder && eye_->finder->isDetected(x, y);
+}
+
+void DARwInOPVisionManager::setHue(int hue) {
+  eye_->thresholds.hue = hueInRange(hue);
+  eye_->renew();
+}
+
+void DARwInOPVisionManager::setHueTolerance(int hueTolerance) {
+  eye_->thresholds.hue_tolerance = toleranceInRange(hueTolerance);
+  eye_->renew();
+}
+
+void DARwInOPVisionManager::setMinSaturation(int minSaturation) {
+  eye_->thresholds.min_saturation = minimumInRange("minimum saturation", minSaturation);
+  eye_->renew();
+}
+
+void DARwInOPVisionManager::setMinValue(int minValue) {
+  eye_->thresholds.min_value = minimumInRange("minimum value", minValue);
+  eye_->renew();
+}
+
+void DARwInOPVisionManager::setMinPercent(int minPercent) {
+  eye_->limits.min = percentInRange("minimum percent", minPercent);
+  eye_->renew();
+}
+
+void DARwInOPVisionManager::setmaxPercent(int maxPercent) {
+  eye_->limits.max = percentInRange("maximum percent", maxPercent);
+  eye_->renew();
+}
+
+}  // namespace managers
