@@ -123,6 +123,13 @@ TEST(YuyvToBgra, PlainKernelComesFirstAndIsAlwaysUsable) {
     if (!kernel.usable) GTEST_LOG_(INFO) << "not tried, this CPU has no " << kernel.name;
 }
 
+#ifdef __SSE2__
+TEST(YuyvToBgra, TheRobotsAtomWorksWithSse2) {
+  if (!__builtin_cpu_is("bonnell")) GTEST_SKIP() << "not an Atom like the robot's";
+  EXPECT_EQ(usable(bgraKernels()).back().name, "sse2");
+}
+#endif
+
 TEST(YuyvImage, TooFewBytesOrTooNarrowRowsAreNoWholePicture) {
   const std::vector<std::uint8_t> bytes(64);
   EXPECT_TRUE(isWhole({bytes, 8, 4, 16}));
