@@ -137,6 +137,7 @@ TEST(YuyvImage, TooFewBytesOrTooNarrowRowsAreNoWholePicture) {
   EXPECT_FALSE(isWhole({bytes, 9, 3, 16}));
   EXPECT_FALSE(isWhole({bytes, 8, 5, 16}));
   EXPECT_TRUE(isWhole({bytes, 4, 3, 28})) << "nothing has to follow the last row's pixels";
+  EXPECT_FALSE(isWhole({std::span{bytes}.first(63), 4, 3, 28}));
   EXPECT_FALSE(isWhole({bytes, 4, 3, 29}));
   EXPECT_FALSE(isWhole({bytes, 0, 4, 16}));
   EXPECT_FALSE(isWhole({bytes, 8, 0, 16}));
