@@ -35,11 +35,10 @@ class FencedPages {
 
   /// Whether all around the last place is as it was.
   [[nodiscard]] bool restUntouched() const {
-    const std::uint8_t* end = place_.data() + place_.size();
-    const auto untouched = [](std::uint8_t byte) { return byte == kUntouched; };
-    return std::all_of(static_cast<const std::uint8_t*>(inside_), static_cast<const std::uint8_t*>(place_.data()),
-                       untouched) &&
-           std::all_of(end, static_cast<const std::uint8_t*>(inside_) + kInside, untouched);
+    const auto untouched = [](const std::uint8_t* begin, const std::uint8_t* end) {
+      return std::memcmp(begin, kClear.data(), static_cast<std::size_t>(end - begin)) == 0;
+    };
+    return untouched(inside_, place_.data()) && untouched(place_.data() + place_.size(), inside_ + kInside);
   }
 
   void clear() { std::memset(inside_, kUntouched, kInside); }
@@ -47,6 +46,7 @@ class FencedPages {
  private:
   static constexpr std::size_t kInside = 16384;  // a multiple of any page here
   static constexpr std::uint8_t kUntouched = 0xA5;
+  inline static const std::vector<std::uint8_t> kClear = std::vector<std::uint8_t>(kInside, kUntouched);
   std::size_t page_ = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
   std::uint8_t* inside_ = nullptr;
   std::span<std::uint8_t> place_;

@@ -59,7 +59,7 @@ struct Bgra {
 /// The definition, in real numbers, all of which a double holds exactly.
 inline Bgra colourOf(const Yuv& pixel) {
   const double u = pixel.u - 128, v = pixel.v - 128;
-  const auto limited = [](double x) { return static_cast<std::uint8_t>(std::clamp(std::floor(x), 0.0, 255.0)); };
+  const auto limited = [](double x) { return static_cast<std::uint8_t>(x < 0 ? 0 : x > 255 ? 255 : std::floor(x)); };
   return {limited(pixel.y + u * 454 / 256), limited(pixel.y - u * 88 / 256 - v * 183 / 256),
           limited(pixel.y + v * 359 / 256), 255};
 }
