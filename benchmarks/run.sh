@@ -150,7 +150,12 @@ gap() {
 # CPU time of a picture; peers: OpenCV's steps, and plain ones a pixel at a time.
 vision() { "$build/bin/vision_bench"; }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap vision)
+# --- the camera
+
+# YUYV to BGRA by each kernel that this CPU has, and to planes. Peers: libyuv, five passes, and memcpy, which is the limit.
+camera() { "$build/bin/camera_bench"; }
+
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue
   "$name"
