@@ -55,7 +55,7 @@ void Device::closing(int fd) {
 }
 
 int Device::control(int fd, std::uint32_t request, void* argument) {
-  if (argument == nullptr) return EFAULT;
+  if (argument == nullptr) return _IOC_SIZE(request) == 0 ? ENOTTY : EFAULT;
   const Lock lock{mutex_};
   const std::uint32_t handle = handleOf(fd);
   if (handle == kNobody) return EBADF;
