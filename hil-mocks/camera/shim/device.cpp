@@ -84,7 +84,7 @@ CameraFault Device::fault() {
 
 /// Whoever has it open learns of it: by a descriptor that is readable, and ENODEV.
 void Device::unplug() {
-  stop();
+  if (streaming_) stop();  // once: it takes back the signals that follow
   for (std::uint32_t i = 0; i < kMostHandles; ++i) {
     const std::uint64_t one = 1;
     const int fd = fds_[i].load() - 1;
