@@ -32,7 +32,7 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 constexpr double kFramesPerSecond = 30;
-constexpr double kPatience_s = 5;  // for a command that was told to end
+constexpr double kPatienceS = 5;   // for a command that was told to end
 constexpr int kCannotStart = 127;  // as shells say it
 
 struct Arguments {
@@ -118,7 +118,7 @@ int paintOn(Studio& studio, const Arguments& a, const sigset_t& signals, pid_t c
     if (over) {
       kill(child, told ? SIGKILL : SIGTERM);
       told = true;
-      end_s = now_s + kPatience_s;
+      end_s = now_s + kPatienceS;
     }
     if (signal < 0) studio.paint(now_s);
   }

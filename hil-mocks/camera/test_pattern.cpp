@@ -38,7 +38,7 @@ std::uint32_t frameNumber(const Picture& picture) {
 }
 
 Ball ballAt(int width, int height, double seconds) {
-  const double angle = 2 * std::numbers::pi * seconds / kBallTurn_s, circle = height / 4.0;
+  const double angle = 2 * std::numbers::pi * seconds / kBallTurnS, circle = height / 4.0;
   return {width / 2.0 + circle * std::cos(angle), height / 2.0 + circle * std::sin(angle), kRadiusShare * height};
 }
 

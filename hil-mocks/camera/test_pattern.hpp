@@ -16,7 +16,7 @@ void drawBars(Picture& picture, std::uint32_t frame);
 /// The number that drawBars() left (16 bits), also after the way through a camera.
 std::uint32_t frameNumber(const Picture& picture);
 
-inline constexpr double kBallTurn_s = 4;  // once round, clockwise as seen
+inline constexpr double kBallTurnS = 4;  // once round, clockwise as seen
 inline constexpr Colour kBallColour{220, 30, 30}, kLawnColour{40, 110, 50};
 
 struct Ball {

@@ -20,7 +20,7 @@
 namespace darwinop::hil {
 
 inline constexpr const char* kDevice = "/dev/video0";
-inline constexpr int kPatience_ms = 2000;
+inline constexpr int kPatienceMs = 2000;
 
 /// A painter whose file the camera in this process reads.
 struct Eyes {
@@ -90,7 +90,7 @@ class Client {
     if (error == 0) error = mapAndQueue();
     return error == 0 ? stream() : error;
   }
-  [[nodiscard]] bool readable(int wait_ms = kPatience_ms) const {
+  [[nodiscard]] bool readable(int wait_ms = kPatienceMs) const {
     pollfd one{fd, POLLIN, 0};
     return poll(&one, 1, wait_ms) == 1;
   }

@@ -7,7 +7,7 @@
 namespace darwinop::hil {
 namespace {
 
-constexpr int kSomeFrames_ms = 300;
+constexpr int kSomeFramesMs = 300;
 
 /// Streams, then has the fault. Frames from before may still wait: they are taken.
 struct Faulty {
@@ -36,7 +36,7 @@ TEST(CameraFault, GoneEndsTheDescriptorForGood) {
 
 TEST(CameraFault, SilentIsAQuietDescriptorUntilItIsOver) {
   Faulty camera{CameraFault::kSilent};
-  EXPECT_FALSE(camera.client.readable(kSomeFrames_ms));
+  EXPECT_FALSE(camera.client.readable(kSomeFramesMs));
   camera.eyes.painter.setFault(CameraFault::kNone);
   EXPECT_EQ(camera.client.frame(), 0);
 }

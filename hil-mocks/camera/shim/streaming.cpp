@@ -13,14 +13,14 @@ namespace darwinop::hil::shim {
 namespace {
 
 constexpr std::size_t kStack = std::size_t{256} * 1024;  // a process that locks its memory locks this, too
-constexpr long kSecond_ns = 1'000'000'000;
-constexpr double kSlow_s = 0.2;                  // CameraFault::kSlow
-constexpr int kLookAgain_ms = 50;                // while a program waits in DQBUF: did somebody switch off?
+constexpr long kSecondNs = 1'000'000'000;
+constexpr double kSlowS = 0.2;                   // CameraFault::kSlow
+constexpr int kLookAgainMs = 50;                 // while a program waits in DQBUF: did somebody switch off?
 constexpr std::uint32_t kFramesPerRefresh = 30;  // then it looks for another painter
 
 timespec later(timespec time, double seconds) {
-  const auto nanoseconds = time.tv_nsec + static_cast<long>(seconds * static_cast<double>(kSecond_ns));
-  return {time.tv_sec + nanoseconds / kSecond_ns, nanoseconds % kSecond_ns};
+  const auto nanoseconds = time.tv_nsec + static_cast<long>(seconds * static_cast<double>(kSecondNs));
+  return {time.tv_sec + nanoseconds / kSecondNs, nanoseconds % kSecondNs};
 }
 
 bool before(const timespec& a, const timespec& b) {
@@ -106,7 +106,7 @@ int Device::dequeue(std::uint32_t handle, v4l2_buffer& buffer) {
     if (!waits) return EAGAIN;
     pthread_mutex_unlock(&mutex_);
     pollfd one{fd, POLLIN, 0};
-    const int error = poll(&one, 1, kLookAgain_ms) < 0 ? errno : 0;
+    const int error = poll(&one, 1, kLookAgainMs) < 0 ? errno : 0;
     pthread_mutex_lock(&mutex_);
     if (error != 0) return error;
   }
@@ -156,8 +156,9 @@ int Device::startThread() {
   ++generation_;
   pthread_sigmask(SIG_SETMASK, &all, &mine);  // no signal of the program's is for this thread
   pthread_t thread = {};
-  const int error =
-      pthread_create(&thread, &attributes, runThread, reinterpret_cast<void*>(std::uintptr_t{generation_}));
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)  a number is all that it is told, and pthread wants a pointer
+  auto* const number = reinterpret_cast<void*>(std::uintptr_t{generation_});
+  const int error = pthread_create(&thread, &attributes, runThread, number);
   pthread_sigmask(SIG_SETMASK, &mine, nullptr);
   pthread_attr_destroy(&attributes);
   if (error == 0) {
@@ -177,7 +178,7 @@ void Device::deliver(std::uint32_t generation) {
   timespec next = now();
   std::uint32_t frames = 0;
   while (generation == generation_) {
-    const double slow = reader_.fault() == CameraFault::kSlow ? kSlow_s : 0;
+    const double slow = reader_.fault() == CameraFault::kSlow ? kSlowS : 0;
     const double period = seconds(interval_);
     next = later(next, period > slow ? period : slow);
     if (before(next, now())) next = now();  // stopped for a while
