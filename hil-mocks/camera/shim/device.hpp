@@ -59,12 +59,16 @@ class Device {
   int streamOff(std::uint32_t handle, int type);
   void stop();
   void describe(std::uint32_t index, v4l2_buffer& buffer);
+  void takeSignal();
+
+  // delivering.cpp
   int startThread();
   static void* runThread(void* generation);
   void deliver(std::uint32_t generation);
   bool frame();  // false: the camera is gone
   void signal();
-  void takeSignal();
+
+  // device.cpp
   void unplug();
 
   pthread_mutex_t mutex_ = PTHREAD_MUTEX_INITIALIZER;  // over all but fds_ and process_
