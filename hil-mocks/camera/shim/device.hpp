@@ -33,7 +33,7 @@ class Device {
   [[nodiscard]] CameraFault fault();
 
  private:
-  static constexpr std::uint32_t kMostHandles = 16;
+  static constexpr std::uint32_t kMostHandles = 128;
   static constexpr std::uint32_t kNobody = kMostHandles;
 
   [[nodiscard]] std::uint32_t handleOf(int fd) const;
@@ -59,12 +59,16 @@ class Device {
   int streamOff(std::uint32_t handle, int type);
   void stop();
   void describe(std::uint32_t index, v4l2_buffer& buffer);
+  void takeSignal();
+
+  // delivering.cpp
   int startThread();
   static void* runThread(void* generation);
   void deliver(std::uint32_t generation);
   bool frame();  // false: the camera is gone
   void signal();
-  void takeSignal();
+
+  // device.cpp
   void unplug();
 
   pthread_mutex_t mutex_ = PTHREAD_MUTEX_INITIALIZER;  // over all but fds_ and process_
