@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -19,6 +20,10 @@
 #include "hil-mocks/pty_host.hpp"
 #include "link/setting.hpp"
 #include "link/twin_library.hpp"
+#ifdef DARWINOP_VIRTUAL_CAMERA  // on a PC
+#include "virtual_camera_command.hpp"
+#include "virtual_robot_camera.hpp"
+#endif
 
 namespace {
 
@@ -30,7 +35,7 @@ constexpr Nanos kPhysicsRest = std::chrono::milliseconds{2};  // so that a reque
 constexpr Nanos kTooLate = std::chrono::milliseconds{16};     // a whole cycle of the loop
 
 struct Arguments {
-  std::string link, faults, body = "plain";
+  std::string link, faults, body = "plain", camera;
   bool fast = false;
   std::uint64_t seed = 1;
   double for_s = 0, latency_ms = 0;
@@ -39,6 +44,9 @@ struct Arguments {
 void describe(CLI::App& app, Arguments& a) {
   app.add_option("--link", a.link, "Keep a symbolic link to the port here");
   app.add_option("--body", a.body, "What the servos move: plain, twin, or twin:MODEL")->capture_default_str();
+#ifdef DARWINOP_VIRTUAL_CAMERA
+  app.add_option("--camera", a.camera, "Paint what it sees into this file, for programs started as is then told");
+#endif
   app.add_flag("--fast", a.fast, "Answer at once instead of at 1 Mbaud");
   app.add_option("--faults", a.faults, "What goes wrong when; format: docs/virtual-robot.md")->check(CLI::ExistingFile);
   app.add_option("--seed", a.seed, "Of everything random")->capture_default_str();
@@ -105,6 +113,18 @@ void report(const hil::VirtualRobot& robot, double seconds, Nanos lag) {
   std::printf("behind real time: at most %.1f ms\n", ms(lag));
 }
 
+#ifdef DARWINOP_VIRTUAL_CAMERA
+std::unique_ptr<darwinop::app::RobotCamera> makeCamera(hil::PtyHost& host, const std::string& file) {
+  if (file.empty()) return nullptr;
+  const std::string path = std::filesystem::absolute(file);
+  auto camera = std::make_unique<darwinop::app::RobotCamera>(host, path);
+  std::printf("camera: /dev/video0, for programs started with\n");
+  for (const std::string& setting : darwinop::app::cameraSettings(path, "/dev/video0"))
+    std::printf("export %s\n", setting.c_str());
+  return camera;
+}
+#endif
+
 int serve(const Arguments& a) {
   sigset_t signals;
   sigemptyset(&signals);
@@ -131,6 +151,9 @@ int serve(const Arguments& a) {
     hil::PtyHost host{robot, pty};
     std::printf("port: %s\n", host.path().c_str());
     if (!a.link.empty()) std::printf("link: %s\n", a.link.c_str());
+#ifdef DARWINOP_VIRTUAL_CAMERA
+    const auto camera = makeCamera(host, a.camera);
+#endif
     std::printf("body: %s\n", a.body.c_str());
     if (!a.faults.empty()) std::printf("faults: %s, seed %" PRIu64 "\n", a.faults.c_str(), a.seed);
     std::fflush(stdout);

@@ -1,5 +1,7 @@
 #include "twin/render/head_camera.hpp"
 
+#include <mujoco/mujoco.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -24,14 +26,9 @@ void sayOnce(const std::string& blindness) {
 
 }  // namespace
 
-HeadCamera::HeadCamera(RobotBody& body, const Options& options) : body_{body}, options_{options} {
-  try {
-    offscreen_ = std::make_unique<Offscreen>(*body.mujocoModel(), options.width, options.height, Quality::kEye);
-    offscreen_->scene().lookFrom(Viewpoint::kHead);
-  } catch (const NoGraphics& none) {
-    blindness_ = none.what();
-    sayOnce(blindness_);
-  }
+HeadCamera::HeadCamera(RobotBody& body, const Options& options)
+    : body_{body}, options_{options}, model_{mj_copyModel(nullptr, body.mujocoModel())} {
+  Offscreen::checkSize(options.width, options.height);
   bgra_.resize(4 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
 }
 
@@ -48,7 +45,19 @@ void HeadCamera::look() noexcept {
   taken_ = now;
 }
 
+void HeadCamera::openGraphics() {
+  try {
+    offscreen_ = std::make_unique<Offscreen>(*model_, options_.width, options_.height, Quality::kEye);
+    offscreen_->scene().lookFrom(Viewpoint::kHead);
+  } catch (const NoGraphics& none) {
+    blindness_ = none.what();
+    sayOnce(blindness_);
+  }
+  model_.reset();
+}
+
 void HeadCamera::draw() {
+  if (model_) openGraphics();
   if (offscreen_) {
     offscreen_->scene().show(pose_);
     picture_ = offscreen_->draw();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/body.hpp"
+#include "twin/body/mujoco_model.hpp"
 #include "twin/render/picture.hpp"
 #include "twin/render/pose.hpp"
 
@@ -15,8 +16,8 @@ class RobotBody;
 class Offscreen;
 
 /// Takes a picture when it has looked and `period` has gone by on the body's clock, so that a lockstep run sees the
-/// same pictures every time. Where nothing can be drawn it gives a test pattern that says why, and says so once on
-/// standard error.
+/// same pictures every time. Graphics are opened for the first one, which takes a moment. Where nothing can be drawn it
+/// gives a test pattern that says why, and says so once on standard error.
 class HeadCamera final : public Eyes {
  public:
   struct Options {
@@ -35,15 +36,17 @@ class HeadCamera final : public Eyes {
 
   /// The same picture as newest() gave, RGB.
   [[nodiscard]] const Picture& picture() const noexcept { return picture_; }
-  /// Why there is only a test pattern; empty: the camera sees.
+  /// Why there is only a test pattern; empty: the camera sees. Known from the first picture on.
   [[nodiscard]] const std::string& blindness() const noexcept { return blindness_; }
 
  private:
   void draw();
+  void openGraphics();
 
   RobotBody& body_;
   Options options_;
-  std::unique_ptr<Offscreen> offscreen_;  // null: blind
+  MjModelPtr model_;                      // a copy of the body's, until graphics are open
+  std::unique_ptr<Offscreen> offscreen_;  // null: not open yet, or blind
   std::string blindness_;
   Picture picture_;
   std::vector<std::uint8_t> bgra_;

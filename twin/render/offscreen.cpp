@@ -12,11 +12,7 @@ namespace darwinop::twin {
 namespace {
 
 Scene prepared(const mjModel& model, int width, int height, Quality quality) {
-  for (const int side : {width, height})
-    if (side < Offscreen::kSmallest || side > Offscreen::kLargest)
-      throw std::runtime_error("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
-                               " cannot be drawn: width and height are from " + std::to_string(Offscreen::kSmallest) +
-                               " to " + std::to_string(Offscreen::kLargest) + " pixels");
+  Offscreen::checkSize(width, height);
   Scene scene{model};
   scene.reserve(width, height, quality == Quality::kStill, quality != Quality::kEye);
   scene.showShadows(quality != Quality::kEye);
@@ -50,6 +46,14 @@ struct Offscreen::Parts {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 };
+
+void Offscreen::checkSize(int width, int height) {
+  for (const int side : {width, height})
+    if (side < kSmallest || side > kLargest)
+      throw std::runtime_error("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                               " cannot be drawn: width and height are from " + std::to_string(kSmallest) + " to " +
+                               std::to_string(kLargest) + " pixels");
+}
 
 Offscreen::Offscreen(const mjModel& model, int width, int height, Quality quality)
     : parts_{std::make_unique<Parts>(model, width, height, quality)} {}

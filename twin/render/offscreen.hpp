@@ -17,6 +17,9 @@ class Offscreen {
  public:
   static constexpr int kSmallest = 16, kLargest = 4096;  // pixels a side
 
+  /// Throws std::runtime_error for a size out of range.
+  static void checkSize(int width, int height);
+
   /// Throws NoGraphics, and std::runtime_error for a size out of range.
   Offscreen(const mjModel_& model, int width, int height, Quality quality);
   ~Offscreen();
