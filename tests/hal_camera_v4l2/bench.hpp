@@ -110,7 +110,7 @@ class Ears {
 inline CameraOptions inAHurry(Ears& ears) {
   CameraOptions options;
   options.say = ears.listen();
-  options.patience = {400ms, 5ms, 20ms};
+  options.patience = {700ms, 5ms, 20ms};
   return options;
 }
 
