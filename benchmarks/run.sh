@@ -145,7 +145,12 @@ gap() {
   for part in rollout scaling peer; do "$build/bin/gap_bench" "$part"; done
 }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap)
+# --- the camera
+
+# YUYV to BGRA by each kernel that this CPU has, and to planes. Peers: libyuv, five passes, and memcpy, which is the limit.
+camera() { "$build/bin/camera_bench"; }
+
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue
   "$name"

@@ -1,4 +1,4 @@
-// Rows of BGRA with SSE2, SSSE3 (the robot's Atom has no more) and AVX2: 8 or 16 pixels at a time.
+// Rows of BGRA with SSE2, SSSE3 (the most that the robot's Atom has) and AVX2: 8 or 16 pixels at a time.
 //
 // 256 Y has no bits below the shift, so (256 Y + c) >> 8 is Y + (c >> 8): what the chroma adds is worked out once a
 // pair, and Y is added in 16 bits, where nothing overflows. With the chroma in the upper byte of a word, pmulhw

@@ -37,7 +37,7 @@ Colour colourAt(const std::uint8_t* bgra) {
   return {bgra[0], bgra[1], bgra[2]};
 }
 
-/// `bits` of 1/2 to be dropped: 16, and one more for a sum over two pixels.
+/// Divides by 2^bits: 16, and one more for a sum over two pixels.
 std::uint8_t weighed(const Weights& w, const Colour& c, int bits, int middle) {
   const int sum = w.b * c.b + w.g * c.g + w.r * c.r;  // at most 2 * 255 * 65536
   return static_cast<std::uint8_t>(std::clamp(middle + ((sum + (1 << (bits - 1))) >> bits), 0, 255));

@@ -13,7 +13,7 @@ struct Kernel {
   bool usable;  // on this CPU
 };
 
-/// Kernels are listed from slow to fast; the first one, plain C++, is usable everywhere.
+/// Kernels are listed from slow to fast on this CPU; the first one, plain C++, is usable everywhere.
 template <class Function>
 const Kernel<Function>& fastest(std::span<const Kernel<Function>> kernels) noexcept {
   const Kernel<Function>* best = &kernels.front();
