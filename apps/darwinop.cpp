@@ -22,6 +22,7 @@ constexpr Noun kNouns[] = {
     {"runtime", "the daemon: the 16 ms loop in a process of its own; also --status, --release"},
     {"experiment", "run, list and plot experiments: files that say what moves, how, and what is recorded"},
     {"virtual-robot", "a CM-730 with 20 MX-28 on a pty, for work without a robot"},
+    {"virtual-camera", "a camera like the robot's for one program, which needs no driver and no rights"},
     {"twin", "the physics twin: watch it, film it, list its models and effects"},
     {"gap", "find where simulation and measurement disagree, name what is missing, add it to the model"},
     {"supervisor", "parent of runtime and default controller on a robot; also --status, --stop-controller"},

@@ -20,6 +20,11 @@ std::uint32_t rowOf(std::uint32_t id) {
   return kControlCount;
 }
 
+/// Not a control, but the name of the group that follows.
+bool isHeading(std::uint32_t row) {
+  return kControls[row].type == V4L2_CTRL_TYPE_CTRL_CLASS;
+}
+
 std::int32_t clamped(const ControlRow& row, std::int32_t value) {
   return value < row.least ? row.least : value > row.most ? row.most : value;
 }
@@ -27,6 +32,7 @@ std::int32_t clamped(const ControlRow& row, std::int32_t value) {
 }  // namespace
 
 std::uint32_t Controls::flags(std::uint32_t row) const {
+  if (isHeading(row)) return V4L2_CTRL_FLAG_READ_ONLY | V4L2_CTRL_FLAG_WRITE_ONLY;
   if (kControls[row].id != V4L2_CID_EXPOSURE_ABSOLUTE) return 0;
   return value_[rowOf(V4L2_CID_EXPOSURE_AUTO)] == V4L2_EXPOSURE_MANUAL ? 0 : V4L2_CTRL_FLAG_INACTIVE;
 }
@@ -41,7 +47,7 @@ int Controls::describe(v4l2_queryctrl& query) const {
   std::snprintf(reinterpret_cast<char*>(query.name), sizeof query.name, "%s", row.name);
   query.minimum = row.least;
   query.maximum = row.most;
-  query.step = 1;
+  query.step = isHeading(i) ? 0 : 1;
   query.default_value = row.usual;
   query.flags = flags(i);
   return 0;
@@ -57,7 +63,7 @@ int Controls::describe(v4l2_query_ext_ctrl& query) const {
   std::snprintf(query.name, sizeof query.name, "%s", reinterpret_cast<const char*>(plain.name));
   query.minimum = plain.minimum;
   query.maximum = plain.maximum;
-  query.step = 1;
+  query.step = static_cast<std::uint32_t>(plain.step);
   query.default_value = plain.default_value;
   query.flags = plain.flags;
   query.elem_size = sizeof(std::int32_t);
@@ -81,6 +87,7 @@ int Controls::describe(v4l2_querymenu& query) {
 int Controls::get(std::uint32_t id, std::int32_t& value) const {
   const std::uint32_t i = rowOf(id & ~kNext);
   if (i == kControlCount || (id & kNext) != 0) return EINVAL;
+  if (isHeading(i)) return EACCES;
   value = value_[i];
   return 0;
 }
@@ -88,6 +95,7 @@ int Controls::get(std::uint32_t id, std::int32_t& value) const {
 int Controls::check(std::uint32_t id, std::int32_t& value, std::uint32_t& row) const {
   row = rowOf(id & ~kNext);
   if (row == kControlCount || (id & kNext) != 0) return EINVAL;
+  if (isHeading(row)) return EACCES;
   if ((flags(row) & V4L2_CTRL_FLAG_INACTIVE) != 0) return EACCES;  // exposure is automatic
   if (kControls[row].type != V4L2_CTRL_TYPE_MENU) {
     value = clamped(kControls[row], value);

@@ -55,7 +55,7 @@ void Device::closing(int fd) {
 }
 
 int Device::control(int fd, std::uint32_t request, void* argument) {
-  if (argument == nullptr) return EFAULT;
+  if (argument == nullptr) return _IOC_SIZE(request) == 0 ? ENOTTY : EFAULT;
   const Lock lock{mutex_};
   const std::uint32_t handle = handleOf(fd);
   if (handle == kNobody) return EBADF;
@@ -84,7 +84,7 @@ CameraFault Device::fault() {
 
 /// Whoever has it open learns of it: by a descriptor that is readable, and ENODEV.
 void Device::unplug() {
-  stop();
+  if (streaming_) stop();  // once: it takes back the signals that follow
   for (std::uint32_t i = 0; i < kMostHandles; ++i) {
     const std::uint64_t one = 1;
     const int fd = fds_[i].load() - 1;

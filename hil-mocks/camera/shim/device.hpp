@@ -33,7 +33,7 @@ class Device {
   [[nodiscard]] CameraFault fault();
 
  private:
-  static constexpr std::uint32_t kMostHandles = 16;
+  static constexpr std::uint32_t kMostHandles = 128;
   static constexpr std::uint32_t kNobody = kMostHandles;
 
   [[nodiscard]] std::uint32_t handleOf(int fd) const;

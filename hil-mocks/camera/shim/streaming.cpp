@@ -83,6 +83,7 @@ int Device::queryBuffer(v4l2_buffer& buffer) {
 
 int Device::queue(std::uint32_t handle, v4l2_buffer& buffer) {
   if (buffer.type != V4L2_BUF_TYPE_VIDEO_CAPTURE || buffer.memory != V4L2_MEMORY_MMAP) return EINVAL;
+  if ((buffer.flags & V4L2_BUF_FLAG_REQUEST_FD) != 0) return EINVAL;
   if (owner_ != kNobody && owner_ != handle) return EBUSY;
   if (buffer.index >= buffers_.count() || buffers_[buffer.index].state != Buffer::kWithProgram) return EINVAL;
   buffers_[buffer.index].state = Buffer::kQueued;

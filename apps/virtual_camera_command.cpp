@@ -1,0 +1,61 @@
+#include "virtual_camera_command.hpp"
+
+#include <signal.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+namespace darwinop::app {
+namespace {
+
+std::string libraryPath() {
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
+  std::filesystem::path path = self.parent_path().parent_path() / "lib" / "libdarwinop-virtual-camera.so";
+  if (!std::filesystem::exists(path))
+    throw std::runtime_error("there is no " + path.string() + ": build it with ninja darwinop_virtual_camera");
+  return path;
+}
+
+}  // namespace
+
+std::vector<std::string> cameraSettings(const std::string& file, const std::string& device) {
+  const std::string library = libraryPath();
+  const char* const others = std::getenv("LD_PRELOAD");
+  const bool alone = others == nullptr || *others == '\0';
+  // Behind the others: a sanitizer's library wants to be the first.
+  return {"LD_PRELOAD=" + (alone ? library : std::string{others} + ":" + library), "DARWINOP_VIRTUAL_CAMERA=" + file,
+          "DARWINOP_VIRTUAL_CAMERA_DEVICE=" + device};
+}
+
+pid_t startWith(std::vector<std::string> environment, const std::vector<std::string>& command) {
+  for (char** one = environ; *one != nullptr; ++one) {
+    const std::string text = *one, name = text.substr(0, text.find('=') + 1);
+    if (std::ranges::none_of(environment, [&](const std::string& set) { return set.starts_with(name); }))
+      environment.push_back(text);
+  }
+  std::vector<char*> words, variables;
+  for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
+  for (const std::string& variable : environment) variables.push_back(const_cast<char*>(variable.c_str()));
+  words.push_back(nullptr);
+  variables.push_back(nullptr);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  pid_t child = -1;
+  const int error = posix_spawnp(&child, words[0], nullptr, &attributes, words.data(), variables.data());
+  posix_spawnattr_destroy(&attributes);
+  if (error == 0) return child;
+  std::fprintf(stderr, "darwinop-virtual-camera: cannot start %s: %s\n", words[0], std::strerror(error));
+  return -1;
+}
+
+}  // namespace darwinop::app

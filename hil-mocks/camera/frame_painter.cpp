@@ -1,0 +1,103 @@
+#include "hil-mocks/camera/frame_painter.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <new>
+#include <stdexcept>
+#include <utility>
+
+#include "hal/pixels/bgra_to_yuyv.hpp"
+
+namespace darwinop::hil {
+namespace {
+
+[[noreturn]] void fail(const std::string& path, int error) {
+  throw std::runtime_error("cannot make the frame file " + path + ": " + std::strerror(error) +
+                           ". Name a file in a folder that you may write to, as --file /dev/shm/camera");
+}
+
+std::size_t yuyvBytes(PictureSize size) {
+  return 2 * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+}
+
+void check(bool good, const char* what) {
+  if (!good) throw std::invalid_argument(what);
+}
+
+}  // namespace
+
+FramePainter::FramePainter(std::string path) : path_{std::move(path)} {
+  // Under another name first: nobody shall map half a file, and a camera that has the old one open keeps it whole.
+  std::string name = path_ + ".XXXXXX";
+  const int fd = mkostemp(name.data(), O_CLOEXEC);
+  if (fd < 0) fail(path_, errno);
+  int error = ftruncate(fd, kFrameFileSize) == 0 ? 0 : errno;
+  void* const memory =
+      error == 0 ? mmap(nullptr, kFrameFileSize, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0) : MAP_FAILED;
+  if (error == 0 && memory == MAP_FAILED) error = errno;
+  close(fd);
+  if (error == 0) {
+    file_ = new (memory) FrameFile;
+    error = std::rename(name.c_str(), path_.c_str()) == 0 ? 0 : errno;
+  }
+  if (error == 0) return;
+  if (memory != MAP_FAILED) munmap(memory, kFrameFileSize);
+  unlink(name.c_str());
+  fail(path_, error);
+}
+
+FramePainter::~FramePainter() {
+  unlink(path_.c_str());
+  munmap(file_, kFrameFileSize);
+}
+
+PictureSize FramePainter::wanted() const {
+  const auto within = [](std::uint32_t value, int most) {
+    return static_cast<int>(std::clamp(value, 2u, static_cast<std::uint32_t>(most)));
+  };
+  return {within(file_->wanted_width.load(), kMostWidth), within(file_->wanted_height.load(), kMostHeight)};
+}
+
+std::span<std::uint8_t> FramePainter::begin(PictureSize size) {
+  check(size.width > 0 && size.height > 0 && size.width <= kMostWidth && size.height <= kMostHeight &&
+            size.width % 2 == 0,
+        "a picture for the virtual camera has an even width up to 800 and a height up to 600");
+  const std::uint32_t next = file_->pictures.load() + 1;
+  std::atomic_thread_fence(std::memory_order_seq_cst);  // the number that is complete is seen before what comes now
+  file_->width[next % 2].store(static_cast<std::uint32_t>(size.width));
+  file_->height[next % 2].store(static_cast<std::uint32_t>(size.height));
+  return {reinterpret_cast<std::uint8_t*>(file_) + pictureAt(next), yuyvBytes(size)};
+}
+
+void FramePainter::complete() {
+  file_->pictures.fetch_add(1, std::memory_order_release);
+}
+
+void FramePainter::paint(PictureSize size, std::span<const std::uint8_t> bgra) {
+  check(bgra.size() == 2 * yuyvBytes(size), "a picture has four bytes a pixel");
+  pixels::bgraToYuyvRotated(bgra, size.width, size.height, begin(size), 2 * static_cast<std::size_t>(size.width));
+  complete();
+}
+
+void FramePainter::paintYuyv(PictureSize size, std::span<const std::uint8_t> yuyv) {
+  check(yuyv.size() == yuyvBytes(size), "a YUYV picture has two bytes a pixel");
+  std::ranges::copy(yuyv, begin(size).begin());
+  complete();
+}
+
+void FramePainter::setFault(CameraFault fault) {
+  file_->fault.store(static_cast<std::uint32_t>(fault));
+}
+
+std::uint32_t FramePainter::painted() const {
+  return file_->pictures.load();
+}
+
+}  // namespace darwinop::hil
