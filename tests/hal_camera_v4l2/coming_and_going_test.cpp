@@ -127,7 +127,7 @@ TEST_F(ComingAndGoing, TakesNothingFromTheHeapPerPicture) {
   };
   Camera camera{options};
   // "is back", pictures, "is gone": what is allocated between the two are the words, however many pictures came.
-  const auto comesAndGoes = [&](std::uint64_t pictures) {
+  const auto comes_and_goes = [&](std::uint64_t pictures) {
     const std::size_t before = said();
     device.fault(CameraFault::kNone);
     EXPECT_TRUE(waitFor([&] { return said() == before + 1; }));
@@ -140,14 +140,14 @@ TEST_F(ComingAndGoing, TakesNothingFromTheHeapPerPicture) {
   ASSERT_TRUE(waitForFrames(camera, 1));
   device.fault(CameraFault::kGone);
   ASSERT_TRUE(waitFor([&] { return said() == 1; }));
-  comesAndGoes(1);  // this vector grows
-  comesAndGoes(1);
+  comes_and_goes(1);  // this vector grows
+  comes_and_goes(1);
   {
     const std::lock_guard lock{mutex};
     allocations.reserve(100);
   }
-  const long few = comesAndGoes(2);
-  EXPECT_EQ(comesAndGoes(20), few);
+  const long few = comes_and_goes(2);
+  EXPECT_EQ(comes_and_goes(20), few);
 }
 
 }  // namespace

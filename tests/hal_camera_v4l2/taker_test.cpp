@@ -83,13 +83,13 @@ TEST_F(TakerTest, ShowsAWholePictureBehindWhichABrokenOneCame) {
 }
 
 TEST_F(TakerTest, TakesNothingFromTheHeap) {
-  const auto takeSome = [this] {
+  const auto take_some = [this] {
     const std::uint64_t goal = counters.frames + 3;
     EXPECT_TRUE(waitFor([&] { return taker.takeAll(), counters.frames >= goal; }));
   };
-  takeSome();
+  take_some();
   const long before = allocationsOfThisThread();
-  takeSome();
+  take_some();
   EXPECT_EQ(allocationsOfThisThread(), before);
 }
 
