@@ -67,9 +67,10 @@ class Plain {
     nine(mask_, other_, 9);
     nine(other_, mask_, 1);
     long count = 0, sum_x = 0, sum_y = 0;
+    const std::uint8_t* pixel = mask_.data();
     for (int y = 0; y < image_.height; ++y)
       for (int x = 0; x < image_.width; ++x)
-        if (mask_[static_cast<std::size_t>(y * image_.width + x)]) ++count, sum_x += x, sum_y += y;
+        if (*pixel++ != 0) ++count, sum_x += x, sum_y += y;
     const double all = static_cast<double>(pixels()), part = static_cast<double>(count);
     if (count == 0 || part <= all * kLimits.min / 100 || part > all * kLimits.max / 100) return {};
     return Pixel{static_cast<int>(sum_x / count), static_cast<int>(sum_y / count)};
@@ -86,7 +87,7 @@ class Plain {
         const std::uint8_t* p = from.data() + y * width + x;
         const int count =
             p[-width - 1] + p[-width] + p[-width + 1] + p[-1] + p[0] + p[1] + p[width - 1] + p[width] + p[width + 1];
-        to[static_cast<std::size_t>(y * width + x)] = count >= wanted;
+        to.data()[y * width + x] = count >= wanted;
       }
   }
 

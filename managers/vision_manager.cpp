@@ -55,8 +55,8 @@ struct DARwInOPVisionManager::Eye {
   }
 };
 
-DARwInOPVisionManager::DARwInOPVisionManager(int width, int height, int hue, int hueTolerance, int minSaturation,
-                                             int minValue, int minPercent, int maxPercent)
+DARwInOPVisionManager::DARwInOPVisionManager(int width, int height, int hue, int hue_tolerance, int min_saturation,
+                                             int min_value, int min_percent, int max_percent)
     : eye_{new Eye} {
   try {
     eye_->finder.emplace(width, height, eye_->thresholds);
@@ -64,11 +64,11 @@ DARwInOPVisionManager::DARwInOPVisionManager(int width, int height, int hue, int
     warnOnce(std::string{"VisionManager: "} + why.what() + "; it will find nothing");
   }
   setHue(hue);
-  setHueTolerance(hueTolerance);
-  setMinSaturation(minSaturation);
-  setMinValue(minValue);
-  setMinPercent(minPercent);
-  setmaxPercent(maxPercent);
+  setHueTolerance(hue_tolerance);
+  setMinSaturation(min_saturation);
+  setMinValue(min_value);
+  setMinPercent(min_percent);
+  setmaxPercent(max_percent);
 }
 
 DARwInOPVisionManager::DARwInOPVisionManager(const DARwInOPVisionManager& other) : eye_{new Eye{*other.eye_}} {}
@@ -104,28 +104,28 @@ void DARwInOPVisionManager::setHue(int hue) {
   eye_->renew();
 }
 
-void DARwInOPVisionManager::setHueTolerance(int hueTolerance) {
-  eye_->thresholds.hue_tolerance = toleranceInRange(hueTolerance);
+void DARwInOPVisionManager::setHueTolerance(int hue_tolerance) {
+  eye_->thresholds.hue_tolerance = toleranceInRange(hue_tolerance);
   eye_->renew();
 }
 
-void DARwInOPVisionManager::setMinSaturation(int minSaturation) {
-  eye_->thresholds.min_saturation = minimumInRange("minimum saturation", minSaturation);
+void DARwInOPVisionManager::setMinSaturation(int min_saturation) {
+  eye_->thresholds.min_saturation = minimumInRange("minimum saturation", min_saturation);
   eye_->renew();
 }
 
-void DARwInOPVisionManager::setMinValue(int minValue) {
-  eye_->thresholds.min_value = minimumInRange("minimum value", minValue);
+void DARwInOPVisionManager::setMinValue(int min_value) {
+  eye_->thresholds.min_value = minimumInRange("minimum value", min_value);
   eye_->renew();
 }
 
-void DARwInOPVisionManager::setMinPercent(int minPercent) {
-  eye_->limits.min = percentInRange("minimum percent", minPercent);
+void DARwInOPVisionManager::setMinPercent(int min_percent) {
+  eye_->limits.min = percentInRange("minimum percent", min_percent);
   eye_->renew();
 }
 
-void DARwInOPVisionManager::setmaxPercent(int maxPercent) {
-  eye_->limits.max = percentInRange("maximum percent", maxPercent);
+void DARwInOPVisionManager::setmaxPercent(int max_percent) {
+  eye_->limits.max = percentInRange("maximum percent", max_percent);
   eye_->renew();
 }
 

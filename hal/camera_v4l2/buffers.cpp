@@ -13,6 +13,9 @@
 namespace darwinop::v4l2 {
 namespace {
 
+// With 64-bit times on a 32-bit CPU, VIDIOC_DQBUF is another call, which Linux 2.6.31 does not know.
+static_assert(sizeof(timeval) == 2 * sizeof(long));
+
 v4l2_buffer bufferNumber(std::uint32_t index) noexcept {
   v4l2_buffer buffer{};
   buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;

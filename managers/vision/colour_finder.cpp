@@ -13,8 +13,8 @@ ColourFinder::ColourFinder(int width, int height, const Thresholds& wanted, Perc
 
 std::optional<Pixel> ColourFinder::find(std::span<const std::uint8_t> bgra) {
   const std::size_t row_bytes = 4 * static_cast<std::size_t>(width());
-  const std::size_t bytes = row_bytes * static_cast<std::size_t>(height());
-  if (bgra.size() != bytes || test_.nothing) {
+  const std::size_t pixels = static_cast<std::size_t>(width()) * static_cast<std::size_t>(height());
+  if (bgra.size() != 4 * pixels || test_.nothing) {
     mask_.clear();
     return {};
   }
@@ -22,7 +22,7 @@ std::optional<Pixel> ColourFinder::find(std::span<const std::uint8_t> bgra) {
   for (int y = 0; y < height(); ++y, from += row_bytes) classify_(test_, from, width(), mask_.row(y).data());
 
   const Moments found = open(mask_, scratch_);
-  const auto count = static_cast<double>(found.count), all = static_cast<double>(bytes / 4);
+  const auto count = static_cast<double>(found.count), all = static_cast<double>(pixels);
   if (found.count == 0 || count <= all * limits_.min / 100 || count > all * limits_.max / 100) return {};
   return Pixel{static_cast<int>(found.x / found.count), static_cast<int>(found.y / found.count)};
 }

@@ -13,6 +13,7 @@ namespace {
 TEST(ColourFinderAllocation, NoPictureAndNoSettingAllocates) {
   std::mt19937 dice{1};
   std::vector<Picture> pictures;
+  pictures.reserve(20);
   for (int i = 0; i < 20; ++i) pictures.push_back(randomPicture(160, 120, dice));
   ColourFinder finder{160, 120, {}, {0, 100}};
   int found = 0;

@@ -112,15 +112,15 @@ TEST(ColourFinder, ImpossibleSizesThrow) {
 
 TEST(ColourFinder, TwoThousandRandomPicturesAreSeenAsTheNaiveChainSeesThem) {
   std::mt19937 dice{20131016};
-  const auto upTo = [&](int most) { return std::uniform_int_distribution<int>{0, most}(dice); };
+  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>{0, most}(dice); };
   int found = 0;
   for (int i = 0; i < 2000; ++i) {
-    const int width = 1 + upTo(i % 10 == 0 ? 199 : 79), height = 1 + upTo(29);
+    const int width = 1 + up_to(i % 10 == 0 ? 199 : 79), height = 1 + up_to(29);
     const Picture picture = randomPicture(width, height, dice);
     // Half of them look for about red, so that something is found; the others for anything.
-    const Thresholds wanted = i % 2 == 0 ? Thresholds{(350 + upTo(20)) % 361, 5 + upTo(30), upTo(60), upTo(40)}
-                                         : Thresholds{upTo(360), upTo(180), upTo(101) - 1, upTo(101) - 1};
-    const PercentLimits limits{upTo(3) * 0.7, 20 + 20.0 * upTo(4)};
+    const Thresholds wanted = i % 2 == 0 ? Thresholds{(350 + up_to(20)) % 361, 5 + up_to(30), up_to(60), up_to(40)}
+                                         : Thresholds{up_to(360), up_to(180), up_to(101) - 1, up_to(101) - 1};
+    const PercentLimits limits{up_to(3) * 0.7, 20 + 20.0 * up_to(4)};
     const naive::Result expected = naive::find(
         picture.data(), width, height, {wanted.hue, wanted.hue_tolerance, wanted.min_saturation, wanted.min_value},
         limits.min, limits.max);

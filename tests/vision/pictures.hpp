@@ -46,16 +46,16 @@ class Picture {
 
 /// Boxes of a few colours, so that there is something to make thinner, and single pixels of any colour.
 inline Picture randomPicture(int width, int height, std::mt19937& dice) {
-  const auto upTo = [&](int most) { return std::uniform_int_distribution<int>{0, most}(dice); };
-  const auto any = [&] { return static_cast<std::uint8_t>(upTo(255)); };
+  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>{0, most}(dice); };
+  const auto any = [&] { return static_cast<std::uint8_t>(up_to(255)); };
   Picture picture{width, height, {any(), any(), any()}};
-  for (int boxes = upTo(12); boxes > 0; --boxes) {
-    const int x = upTo(width - 1), y = upTo(height - 1);
-    picture.box(x, y, 1 + upTo(width - x - 1), 1 + upTo(height - y - 1),
-                upTo(2) == 0 ? Rgb{any(), any(), any()} : kRed);
+  for (int boxes = up_to(12); boxes > 0; --boxes) {
+    const int x = up_to(width - 1), y = up_to(height - 1);
+    picture.box(x, y, 1 + up_to(width - x - 1), 1 + up_to(height - y - 1),
+                up_to(2) == 0 ? Rgb{any(), any(), any()} : kRed);
   }
-  for (int dots = upTo(width * height / 4); dots > 0; --dots)
-    picture.set(upTo(width - 1), upTo(height - 1), {any(), any(), any()});
+  for (int dots = up_to(width * height / 4); dots > 0; --dots)
+    picture.set(up_to(width - 1), up_to(height - 1), {any(), any(), any()});
   return picture;
 }
 

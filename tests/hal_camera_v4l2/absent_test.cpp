@@ -1,0 +1,92 @@
+// A camera that is none.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "hal/camera_v4l2/camera.hpp"
+#include "hal/camera_v4l2/device.hpp"
+#include "hal/camera_v4l2/trouble.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace darwinop::v4l2 {
+namespace {
+
+using namespace std::chrono_literals;
+
+Trouble troubleWith(const std::string& path) {
+  try {
+    const Device device{path};
+  } catch (const CameraRefused& refused) {
+    EXPECT_THAT(refused.what(), testing::HasSubstr(path));
+    return refused.trouble();
+  }
+  ADD_FAILURE() << path << " was taken for a camera";
+  return Trouble::kOther;
+}
+
+TEST(AbsentCamera, IsToldFromAFileThatIsNone) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(troubleWith(folder / "video0"), Trouble::kAbsent);
+  EXPECT_EQ(troubleWith("/dev/null"), Trouble::kNotACamera);
+  EXPECT_EQ(troubleWith("/tmp"), Trouble::kNotACamera);
+}
+
+TEST(AbsentCamera, IsBlackAndLeavesPromptly) {
+  const TemporaryFolder folder;
+  std::atomic<int> said{0};
+  CameraOptions options;
+  options.device = folder / "video0";
+  options.width = 64;
+  options.height = 48;
+  options.say = [&said](const std::string&) {
+    ++said;
+    throw std::runtime_error("a listener that throws");
+  };
+  options.patience.first_pause = options.patience.longest_pause = 1ms;
+  auto camera = std::make_unique<Camera>(options);
+  const CameraFrame frame = camera->newest();
+  EXPECT_EQ(frame.sequence, 0u);
+  EXPECT_EQ(frame.width, 64);
+  EXPECT_EQ(frame.height, 48);
+  ASSERT_EQ(frame.bgra.size(), 4u * 64 * 48);
+  for (std::size_t i = 0; i < frame.bgra.size(); ++i) ASSERT_EQ(frame.bgra[i], i % 4 == 3 ? 255 : 0);
+  while (said == 0) std::this_thread::sleep_for(1ms);
+  std::this_thread::sleep_for(30ms);  // many more attempts
+  EXPECT_EQ(said, 1);
+  EXPECT_FALSE(camera->health().seeing);
+  EXPECT_EQ(camera->health().reopened, 0u);
+}
+
+TEST(AbsentCamera, DoesNotKeepItsOwnerWaitingDuringALongPause) {
+  const TemporaryFolder folder;
+  CameraOptions options;
+  options.device = folder / "video0";
+  options.patience.first_pause = options.patience.longest_pause = 60s;
+  std::atomic<bool> said{false};
+  options.say = [&said](const std::string&) { said = true; };
+  auto camera = std::make_unique<Camera>(options);
+  while (!said) std::this_thread::sleep_for(1ms);
+  const auto begun = std::chrono::steady_clock::now();
+  camera.reset();
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, 10s);
+}
+
+TEST(AbsentCamera, MayBeAskedForAnImpossibleSize) {
+  const TemporaryFolder folder;
+  CameraOptions options;
+  options.device = folder / "video0";
+  for (const int width : {0, -5, 321, 1'000'000}) {
+    options.width = width;
+    Camera camera{options};
+    EXPECT_EQ(camera.newest().width, 320);
+    EXPECT_EQ(camera.newest().height, 240);
+  }
+}
+
+}  // namespace
+}  // namespace darwinop::v4l2

@@ -1,0 +1,153 @@
+// A virtual camera for one test, its painter, and ears for what is said about it.
+#pragma once
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <mutex>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hal/camera_v4l2/camera.hpp"
+#include "hal/camera_v4l2/negotiate.hpp"
+#include "hil-mocks/camera/frame_file.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace darwinop::v4l2 {
+
+using hil::CameraFault;
+using namespace std::chrono_literals;
+
+template <class Condition>
+bool waitFor(Condition&& met) {
+  const auto limit = std::chrono::steady_clock::now() + 20s;
+  while (!met()) {
+    if (std::chrono::steady_clock::now() > limit) return false;
+    std::this_thread::sleep_for(1ms);
+  }
+  return true;
+}
+
+/// Bytes of picture `number`: noise, another one for each number.
+inline std::uint8_t noise(std::uint32_t number, std::size_t at) {
+  const std::uint32_t mixed = (static_cast<std::uint32_t>(at) + 977 * number) * 2654435761u;
+  return static_cast<std::uint8_t>(mixed >> 23);
+}
+
+class VirtualCamera {
+ public:
+  VirtualCamera() {
+    const std::string path = folder_ / "camera";
+    const int fd = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (fd < 0 || ::ftruncate(fd, hil::kFrameFileSize) != 0) throw std::runtime_error("cannot make " + path);
+    void* const memory = ::mmap(nullptr, hil::kFrameFileSize, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+    ::close(fd);
+    if (memory == MAP_FAILED) throw std::runtime_error("cannot map " + path);
+    file_ = new (memory) hil::FrameFile;
+    ::setenv("DARWINOP_VIRTUAL_CAMERA", path.c_str(), 1);
+    paint(1, kFallback);
+  }
+  ~VirtualCamera() { ::munmap(file_, hil::kFrameFileSize); }
+  VirtualCamera(const VirtualCamera&) = delete;
+  VirtualCamera& operator=(const VirtualCamera&) = delete;
+
+  void fault(CameraFault fault) { file_->fault.store(static_cast<std::uint32_t>(fault)); }
+
+  void paint(std::uint32_t number, Size size) {
+    const std::uint32_t next = file_->pictures.load() + 1;
+    file_->width[next % 2].store(static_cast<std::uint32_t>(size.width));
+    file_->height[next % 2].store(static_cast<std::uint32_t>(size.height));
+    std::uint8_t* const bytes = reinterpret_cast<std::uint8_t*>(file_) + hil::pictureAt(next);
+    for (std::size_t i = 0; i < 2u * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height); ++i)
+      bytes[i] = noise(number, i);
+    file_->pictures.store(next);
+  }
+
+ private:
+  TemporaryFolder folder_;
+  hil::FrameFile* file_ = nullptr;
+};
+
+/// Keeps what was said.
+class Ears {
+ public:
+  std::function<void(const std::string&)> listen() {
+    return [this](const std::string& sentence) {
+      const std::lock_guard lock{mutex_};
+      heard_.push_back(sentence);
+    };
+  }
+  std::vector<std::string> heard() {
+    const std::lock_guard lock{mutex_};
+    return heard_;
+  }
+  int times(const std::string& words) {
+    const auto all = heard();
+    return static_cast<int>(std::count_if(all.begin(), all.end(), [&](const std::string& sentence) {
+      return sentence.find(words) != std::string::npos;
+    }));
+  }
+  bool hears(const std::string& words) {
+    return waitFor([&] { return times(words) > 0; });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::string> heard_;
+};
+
+/// A camera that is tried again soon, and soon taken for silent.
+inline CameraOptions inAHurry(Ears& ears) {
+  CameraOptions options;
+  options.say = ears.listen();
+  options.patience = {700ms, 5ms, 20ms};
+  return options;
+}
+
+inline CameraFrame waitForPicture(Camera& camera, std::uint64_t newer_than = 0) {
+  CameraFrame frame;
+  EXPECT_TRUE(waitFor([&] { return (frame = camera.newest()).sequence > newer_than; })) << "no picture came";
+  return frame;
+}
+
+inline bool waitForFrames(const Camera& camera, std::uint64_t more) {
+  const std::uint64_t goal = camera.health().frames + more;
+  return waitFor([&] { return camera.health().frames >= goal; });
+}
+
+/// Pixels of `frame` that are not what picture `number` makes them; the camera's picture may be larger than the frame.
+inline int wrongPixels(const CameraFrame& frame, std::uint32_t number, std::size_t stride) {
+  int wrong = 0;
+  for (int y = 0; y < frame.height; ++y)
+    for (int x = 0; x < frame.width; ++x) {
+      // Turned by 180 degrees: the camera is mounted upside down.
+      const auto from_x = static_cast<std::size_t>(frame.width - 1 - x);
+      const std::size_t row = static_cast<std::size_t>(frame.height - 1 - y) * stride;
+      const std::size_t pair = row + from_x / 2 * 4;
+      const int luma = 256 * noise(number, row + 2 * from_x);
+      const int u = noise(number, pair + 1) - 128, v = noise(number, pair + 3) - 128;
+      const auto limit = [](int value) { return std::clamp(value >> 8, 0, 255); };
+      const std::uint8_t* is =
+          frame.bgra.data() +
+          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.width) + static_cast<std::size_t>(x));
+      if (is[0] != limit(luma + 454 * u) || is[1] != limit(luma - 88 * u - 183 * v) || is[2] != limit(luma + 359 * v) ||
+          is[3] != 255)
+        ++wrong;
+    }
+  return wrong;
+}
+inline int wrongPixels(const CameraFrame& frame, std::uint32_t number) {
+  return wrongPixels(frame, number, 2u * static_cast<std::size_t>(frame.width));
+}
+
+}  // namespace darwinop::v4l2

@@ -1,0 +1,97 @@
+// From buffers to the newest picture, by hand: no thread.
+#include <linux/videodev2.h>
+
+#include "hal/camera_v4l2/picture_taker.hpp"
+#include "hal/camera_v4l2/trouble.hpp"
+#include "hal_camera_v4l2/bench.hpp"
+#include "support/allocation_probe.hpp"
+
+namespace darwinop::v4l2 {
+namespace {
+
+struct TakerTest : testing::Test {
+  VirtualCamera camera;
+  Device device{"/dev/video0"};
+  PictureShape shape = negotiate(device, kFallback, [](const std::string&) {});
+  StreamBuffers buffers{device};
+  TripleBuffer<Picture> pictures{blackPicture(shape.size)};
+  FrameCount count;
+  Counters counters;
+  PictureTaker taker{buffers, shape, pictures, count, counters};
+
+  [[nodiscard]] std::uint32_t filled() const {
+    std::uint32_t done = 0;
+    for (std::uint32_t i = 0; i < buffers.count(); ++i) {
+      v4l2_buffer buffer{};
+      buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+      buffer.index = i;
+      EXPECT_EQ(request(device.fd(), VIDIOC_QUERYBUF, buffer), 0);
+      if ((buffer.flags & V4L2_BUF_FLAG_DONE) != 0) ++done;
+    }
+    return done;
+  }
+  bool waitForFilled(std::uint32_t many) {
+    return waitFor([&] { return filled() >= many; });
+  }
+};
+
+TEST_F(TakerTest, ShowsTheNewestOfWhatIsReady) {
+  ASSERT_TRUE(waitForFilled(buffers.count()));
+  const PictureTaker::Outcome outcome = taker.takeAll();
+  EXPECT_TRUE(outcome.shown);
+  EXPECT_EQ(outcome.error, 0);
+  ASSERT_TRUE(pictures.update());
+  EXPECT_EQ(pictures.front().sequence, buffers.count());
+  EXPECT_EQ(counters.frames, buffers.count()) << "those that were not shown are counted, too";
+  EXPECT_EQ(counters.dropped, 0u);
+}
+
+TEST_F(TakerTest, GivesAllBuffersBackAndCountsWhatWasLostMeanwhile) {
+  ASSERT_TRUE(waitForFilled(buffers.count()));
+  std::this_thread::sleep_for(80ms);  // the camera has no buffer for what it sees now
+  EXPECT_TRUE(taker.takeAll().shown);
+  ASSERT_TRUE(waitForFilled(buffers.count()));
+  EXPECT_TRUE(taker.takeAll().shown);
+  EXPECT_EQ(counters.frames, 2u * buffers.count());
+  EXPECT_GT(counters.dropped, 0u);
+  pictures.update();
+  EXPECT_EQ(pictures.front().sequence, counters.frames + counters.dropped);
+}
+
+TEST_F(TakerTest, IsIdleWhenNothingIsReady) {
+  camera.fault(CameraFault::kSilent);
+  EXPECT_TRUE(waitFor([&] { return taker.takeAll().idle; }));
+  pictures.update();
+  const PictureTaker::Outcome outcome = taker.takeAll();
+  EXPECT_TRUE(outcome.idle);
+  EXPECT_FALSE(outcome.shown);
+  EXPECT_FALSE(pictures.update());
+}
+
+TEST_F(TakerTest, ShowsAWholePictureBehindWhichABrokenOneCame) {
+  // Again if this thread was so late that all were whole.
+  EXPECT_TRUE(waitFor([&] {
+    camera.fault(CameraFault::kNone);
+    EXPECT_TRUE(waitForFilled(1));
+    camera.fault(CameraFault::kShort);
+    EXPECT_TRUE(waitForFilled(buffers.count()));
+    const std::uint64_t damaged = counters.damaged;
+    EXPECT_TRUE(taker.takeAll().shown);
+    EXPECT_TRUE(pictures.update());
+    return counters.damaged > damaged && wrongPixels(pictures.front().asFrame(), 1) == 0;
+  }));
+}
+
+TEST_F(TakerTest, TakesNothingFromTheHeap) {
+  const auto take_some = [this] {
+    const std::uint64_t goal = counters.frames + 3;
+    EXPECT_TRUE(waitFor([&] { return taker.takeAll(), counters.frames >= goal; }));
+  };
+  take_some();
+  const long before = allocationsOfThisThread();
+  take_some();
+  EXPECT_EQ(allocationsOfThisThread(), before);
+}
+
+}  // namespace
+}  // namespace darwinop::v4l2
