@@ -1,0 +1,122 @@
+// The whole way of a picture: from a ball before a robot to a head that follows it.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+#include "system/rig.hpp"
+
+namespace darwinop {
+namespace {
+
+using std::chrono::seconds;
+using testing::HasSubstr;
+
+/// For as long as this lives.
+class Setting {
+ public:
+  Setting(const char* name, const std::string& value) : name_{name} { setenv(name, value.c_str(), 1); }
+  ~Setting() { unsetenv(name_); }
+  Setting(const Setting&) = delete;
+  Setting& operator=(const Setting&) = delete;
+
+ private:
+  const char* name_;
+};
+
+class EyesOfARobot : public Rig {
+ protected:
+  /// The example, for `time` of the robot's clock.
+  std::string track(const std::string& robot, const std::string& time) {
+    Program running{{program("darwinop-run"), "--robot", robot, DARWINOP_VISUAL_TRACKING, "--seconds", time},
+                    file("run.txt")};
+    EXPECT_EQ(running.wait(seconds{120}), 0) << running.output();
+    return running.output();
+  }
+  /// Percent, as the example counted it.
+  static double inView(const std::string& output) {
+    const std::string before = "The ball was in view ";
+    const auto at = output.find(before);
+    EXPECT_NE(at, std::string::npos) << output;
+    return at == std::string::npos ? 0 : std::strtod(output.c_str() + at + before.size(), nullptr);
+  }
+  static double rangeOf(const std::string& recording, const std::string& column) {
+    const Recording log{recording};
+    double low = 10, high = -10;
+    for (std::size_t row = 0; row < log.rows(); ++row) {
+      const double value = log.at(row, column);
+      if (!std::isnan(value)) low = std::min(low, value), high = std::max(high, value);
+    }
+    return high - low;
+  }
+};
+
+TEST_F(EyesOfARobot, FollowAMovingBallInTheTwin) {
+  const Setting ball{"DARWINOP_TWIN_BALL", "circles"};
+  const Setting recording{"DARWINOP_RECORD", file("log.csv")};
+  EXPECT_GE(inView(track("twin", "10")), 95);
+  EXPECT_GT(rangeOf(file("log.csv"), "Neck.position [rad]"), 0.4) << "0.15 m either side, 0.55 m ahead";
+}
+
+TEST_F(EyesOfARobot, SeeTheSameInEveryRun) {
+  const Setting ball{"DARWINOP_TWIN_BALL", "circles"};
+  EXPECT_EQ(track("twin", "4"), track("twin", "4"));
+}
+
+TEST_F(EyesOfARobot, SeeNoBallWhereThereIsNone) {
+  const Setting ball{"DARWINOP_TWIN_BALL", "none"};
+  EXPECT_EQ(inView(track("twin", "4")), 0);
+}
+
+TEST_F(EyesOfARobot, AreUsedByControllersOfBothStyles) {
+  const Setting ball{"DARWINOP_TWIN_BALL", "circles"};
+  const Setting recording{"DARWINOP_RECORD", file("log.csv")};
+  for (const char* controller : {DARWINOP_TRACKING_OF_2013, DARWINOP_TRACKING_OF_TODAY}) {
+    Program running{{program("darwinop-run"), "--robot", "twin", controller}, file("run.txt")};
+    EXPECT_FALSE(running.wait(seconds{6}).has_value()) << "it goes on for ever: " << running.output();
+    running.kill(SIGINT);
+    EXPECT_EQ(running.wait(seconds{20}), 0) << running.output();
+    EXPECT_GT(rangeOf(file("log.csv"), "Neck.position [rad]"), 0.4) << controller << ": " << running.output();
+  }
+}
+
+class EyesInRealTime : public EyesOfARobot {
+ protected:
+  /// A robot with a body on a serial line, and programs of this test see what it sees.
+  void startSeeingRobot() {
+    virtual_robot_ =
+        std::make_unique<Program>(std::vector<std::string>{program("darwinop-virtual-robot"), "--body", "twin",
+                                                           "--link", port(), "--camera", file("frames")},
+                                  file("virtual-robot.txt"));
+    ASSERT_TRUE(virtual_robot_->says("body:", seconds{20})) << virtual_robot_->output();
+    preload_.emplace("LD_PRELOAD", DARWINOP_VIRTUAL_CAMERA_LIBRARY);
+    file_.emplace("DARWINOP_VIRTUAL_CAMERA", file("frames"));
+  }
+
+  std::optional<Setting> preload_, file_;
+};
+
+TEST_F(EyesInRealTime, FollowTheBallOfARobotOnASerialLine) {
+  startSeeingRobot();
+  EXPECT_THAT(virtual_robot_->output(), HasSubstr("export LD_PRELOAD="));
+  EXPECT_GE(inView(track(port(), "5")), 60) << "it begins with looking for it";
+}
+
+TEST_F(EyesInRealTime, ACameraThatIsPulledOutStopsNobody) {
+  startVirtualRobot();
+  Program running{{program("darwinop-virtual-camera"), "--fault", "gone", "--fault-at", "4", "--fault-for", "2", "--",
+                   program("darwinop-run"), "--robot", port(), DARWINOP_VISUAL_TRACKING, "--seconds", "8"},
+                  file("run.txt")};
+  EXPECT_EQ(running.wait(seconds{60}), 0) << running.output();
+  const std::string said = running.output();
+  EXPECT_THAT(said, HasSubstr("/dev/video0"));
+  EXPECT_THAT(said, HasSubstr("back"));
+  EXPECT_GT(inView(said), 20);
+  EXPECT_LT(inView(said), 90);
+  EXPECT_GE(reportLine(said)["cycles"], 500) << "8 s of 16 ms: " << said;
+}
+
+}  // namespace
+}  // namespace darwinop
