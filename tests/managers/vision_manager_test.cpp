@@ -153,6 +153,9 @@ TYPED_TEST(VisionManager, ACopyGoesItsOwnWay) {
     other->setHue(180);
     EXPECT_FALSE(this->found(*other, this->ball));
   }
+  TypeParam of_cyan{manager};
+  of_cyan.setMinPercent(0);
+  EXPECT_FALSE(this->found(of_cyan, this->ball)) << "one setting changes, the copied ones stay";
   TypeParam& itself = manager;
   manager = itself;
   manager.setHue(0);

@@ -77,6 +77,13 @@ TEST(BitRows, ReadAndAreEmptyOutside) {
     EXPECT_FALSE(bits.at(x, y)) << x << ' ' << y;
 }
 
+TEST(BitRows, BehindAFullRowTheNextOneIsNotRead) {
+  BitRows bits{64, 2};
+  bits.row(1)[0] = ~std::uint64_t{0};
+  EXPECT_FALSE(bits.at(64, 0));
+  EXPECT_TRUE(bits.at(63, 1));
+}
+
 TEST(BitRows, ImpossibleSizesAreRefusedWithASentence) {
   for (const auto& [width, height] : {std::pair{0, 5}, {5, 0}, {-3, 5}, {5, 1 << 20}}) {
     try {

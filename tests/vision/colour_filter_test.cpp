@@ -78,9 +78,14 @@ void compareRow(int red, std::span<const Thresholds> sets) {
 }
 
 TEST(ColourFilter, EveryWayAgreesWithTheRulesOnEveryColour) {
-  // The default, both examples, through 0 the other way round, all but a few degrees, and greys too.
-  constexpr auto kSets = std::to_array<Thresholds>(
-      {{}, {28, 20, 50, 45}, {0, 170, 0, 0}, {15, 3, -1, -1}, {180, 179, 99, 99}, {211, 1, -1, 37}});
+  // The default, an example, through 0 the other way round, greys, and all but a few degrees, once those of grey.
+  constexpr auto kSets = std::to_array<Thresholds>({{},
+                                                    {28, 20, 50, 45},
+                                                    {0, 170, 0, 0},
+                                                    {15, 3, -1, -1},
+                                                    {180, 179, 99, 99},
+                                                    {195, 179, -1, -1},
+                                                    {211, 1, -1, 37}});
   for (int red = 0; red < 256; ++red) compareRow(red, kSets);
 }
 
