@@ -162,6 +162,8 @@ TEST(VirtualCamera, IsNotInheritedByAChildWhichMayCloseEverything) {
   const pid_t child = fork();
   if (child == 0) {
     alarm(5);
+    v4l2_capability capability = {};
+    if (client.ask(VIDIOC_QUERYCAP, capability) != ENOTTY) _exit(1);
     for (int fd = 3; fd < 64; ++fd) close(fd);
     _exit(0);
   }
