@@ -1,7 +1,7 @@
 // The head follows a red ball. Eyes green: it is seen; red: the head looks for it. Ends after --seconds N, or with
 // Ctrl-C. Without a robot, with a ball that moves:
 //
-//   DARWINOP_TWIN_BALL=circles darwinop run --robot twin build/release/controllers/04_visual_tracking --seconds 20
+//   DARWINOP_TWIN_BALL=circles darwinop run build/release/controllers/04_visual_tracking --robot twin -- --seconds 20
 #include <RobotisOp2VisionManager.hpp>
 #include <algorithm>
 #include <cmath>
