@@ -83,7 +83,7 @@ TEST_F(ComingAndGoing, DoesNotKeepItsOwnerWaitingForASilentCamera) {
 /// A driver that does not return.
 struct StuckDriver final : Quirk {
   int call(int fd, unsigned long request, void* argument) override {
-    if (request == VIDIOC_DQBUF)
+    if (request == VIDIOC_S_FMT)
       while (stuck) {
         reached = true;
         std::this_thread::sleep_for(1ms);

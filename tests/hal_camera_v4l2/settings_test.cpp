@@ -91,6 +91,7 @@ TEST_F(SettingsTest, SwitchTheAutomaticsOffFirstAndThenSetWhatDiffers) {
   CameraSettings other;
   other.brightness = 130;
   other.auto_gain = true;
+  other.gain = 200;
   const Written brighter{{V4L2_CID_AUTOGAIN, 1}, {V4L2_CID_BRIGHTNESS, 130}};
   EXPECT_EQ(writtenFor(other), brighter) << "a gain that the camera chooses is left to it";
 
