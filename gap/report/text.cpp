@@ -115,11 +115,11 @@ std::string asText(const Case& given, const Outcome& outcome, const Comparison& 
   if (!outcome.remains.empty()) text += inLines(outcome.remains);
   text += "\n" + whereText(outcome.where) + whatText(naming) + rivalText(naming);
   text += "\n" + tableText(given, comparison);
-  text += '\n';
+  std::string chance;
   if (std::isfinite(naming.threshold))
-    text += line("chance gives a gain of %.0f once in a hundred cases; ", naming.threshold);
-  return text +
-         line("left are %.1f sigma of misfit (a gap: %.0f); %.0f s", naming.misfit, kMisfit, outcome.runtime_s);
+    chance = "chance gives a gain of " + std::to_string(std::lround(naming.threshold)) + " once in a hundred cases; ";
+  return text + line("\n%sleft are %.1f sigma of misfit (a gap: %.0f); %.0f s", chance.c_str(), naming.misfit, kMisfit,
+                     outcome.runtime_s);
 }
 
 std::string asText(const Case& given, const Outcome& outcome) {
