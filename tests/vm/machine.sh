@@ -30,9 +30,11 @@ install() {
   done
 }
 
+# What stands behind -- goes to the controller.
+for_controller=()
 install_once() {
   DARWINOP_PASSWORD=111111 "$repository/installer/darwinop-install" --new-host -p "$ROBOT_VM_PORT" -F none \
-    -o UserKnownHostsFile="$scratch/known_hosts" -o IdentitiesOnly=yes "$@" darwin@127.0.0.1 \
+    -o UserKnownHostsFile="$scratch/known_hosts" -o IdentitiesOnly=yes "$@" darwin@127.0.0.1 "${for_controller[@]}" \
     >"$scratch/install.log" 2>&1 </dev/null
 }
 

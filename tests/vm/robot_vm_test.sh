@@ -48,10 +48,20 @@ boot_again() {
 
 demo_runs() { guest 'cat /darwin/demo-has-run 2>/dev/null | wc -l'; }
 
+# vivid, the kernel's own test camera, shows colour bars: the red one passes for a ball.
+sees() {
+  for_controller=(-- --seconds 4)
+  install --controller "$repository/controllers/04_visual_tracking" --run || fail "04_visual_tracking did not run"
+  for_controller=()
+  said "I see the ball"
+  say "04_visual_tracking sees red in the pictures of the kernel's test camera"
+}
+
 install_first() {
   install --bundle "$bundle" --autostart "$1" || fail "the first installation"
   said "version $version is installed and confirmed"
   say "version $version is installed, autostart by $1, over ssh with a password"
+  [ "$1" != rc.local ] || sees
   install --controller "$repository/controllers/01_hello_head" --make-default || fail "the default controller was not taken"
   say "01_hello_head is cross-compiled, sent, and the default controller"
 }
