@@ -111,7 +111,7 @@ int paintOn(Studio& studio, const Arguments& a, const sigset_t& signals, pid_t c
     int status = 0;
     if (child > 0 && waitpid(child, &status, WNOHANG) == child)
       return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    const bool asked = signal == SIGINT || signal == SIGTERM;
+    const bool asked = signal == SIGINT || signal == SIGTERM || signal == SIGHUP;
     const bool over = now_s >= end_s;
     if (child <= 0 && (asked || over)) return 0;
     if (asked && info.si_code != SI_KERNEL) kill(child, signal);  // the terminal told the command itself
@@ -130,7 +130,7 @@ int serve(Arguments& a) {
   const std::vector<std::string> environment = darwinop::app::cameraSettings(a.file, a.device);
   sigset_t signals;
   sigemptyset(&signals);
-  for (const int signal : {SIGINT, SIGTERM, SIGCHLD}) sigaddset(&signals, signal);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&signals, signal);
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   Studio studio{a};
   if (a.command.empty()) {

@@ -21,8 +21,9 @@ class Painting {
     if (const hil::PictureSize wanted = painter_.wanted(); !(wanted == size_)) {
       size_ = wanted;
       eyes_.reset();
-      eyes_ =
-          host_.withRobot([&](hil::VirtualRobot& robot) { return robot.body().openEyes(size_.width, size_.height); });
+      // Not while the robot waits: this copies a whole model. It reads of it only what no step changes.
+      Body& body = *host_.withRobot([](hil::VirtualRobot& robot) { return &robot.body(); });
+      eyes_ = body.openEyes(size_.width, size_.height);
       pattern_ = hil::Picture{size_.width, size_.height};
     }
     if (eyes_ == nullptr) {

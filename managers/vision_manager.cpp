@@ -15,30 +15,29 @@ namespace vision = darwinop::vision;
 
 namespace {
 
-int brought(const std::string& what, int value, int into) {
-  if (value != into)
-    warnOnce("VisionManager: " + what + " " + std::to_string(value) + " is out of range; " + std::to_string(into) +
-             " is taken");
+/// Said once a parameter: a controller may sweep one.
+int brought(const std::string& what, const char* range, int value, int into) {
+  if (value != into) warnOnce("VisionManager: " + what + " is out of range and brought into it, " + range);
   return into;
 }
 
 /// An angle: what is out of range is the same direction.
 int hueInRange(int hue) {
   if (hue >= 0 && hue <= 360) return hue;
-  return brought("hue", hue, (hue % 360 + 360) % 360);
+  return brought("hue", "0 to 360: the same direction", hue, (hue % 360 + 360) % 360);
 }
 
 int toleranceInRange(int tolerance) {
-  return brought("hue tolerance", tolerance, std::clamp(tolerance, 0, 180));
+  return brought("hue tolerance", "0 to 180", tolerance, std::clamp(tolerance, 0, 180));
 }
 
 /// -1 takes colours without any saturation or value, too; less says the same.
 int minimumInRange(const std::string& what, int minimum) {
-  return brought(what, minimum, std::clamp(minimum, -1, 100));
+  return brought(what, "-1 to 100", minimum, std::clamp(minimum, -1, 100));
 }
 
 int percentInRange(const std::string& what, int percent) {
-  return brought(what, percent, std::clamp(percent, 0, 100));
+  return brought(what, "0 to 100", percent, std::clamp(percent, 0, 100));
 }
 
 }  // namespace

@@ -82,11 +82,30 @@ class Reader final : public settings::IniReader {
                                                               {"saturation", &v4l2::CameraSettings::saturation, 255},
                                                               {"gain", &v4l2::CameraSettings::gain, 255},
                                                               {"exposure", &v4l2::CameraSettings::exposure, 10000}});
+    struct Switch {
+      std::string_view name;
+      bool v4l2::CameraSettings::*field;
+    };
+    static constexpr auto kSwitches =
+        std::to_array<Switch>({{"auto_exposure", &v4l2::CameraSettings::auto_exposure},
+                               {"auto_white_balance", &v4l2::CameraSettings::auto_white_balance},
+                               {"auto_gain", &v4l2::CameraSettings::auto_gain},
+                               {"auto_hue", &v4l2::CameraSettings::auto_hue}});
+    if (const auto* const found = std::ranges::find(kSwitches, settings::lowered(key), &Switch::name);
+        found != kSwitches.end()) {
+      const std::string said = settings::lowered(value);
+      if (said != "on" && said != "off")
+        throw std::runtime_error(std::string{key} + " = " + std::string{value} + ": give on or off");
+      camera.*found->field = said == "on";
+      return;
+    }
     const auto* const control = std::ranges::find(kControls, settings::lowered(key), &Control::name);
     if (control == kControls.end())
-      return warn(line, "key \"" + std::string{key} +
-                            "\" of section [Camera] means nothing to this version; there are " +
-                            "Brightness, Contrast, Saturation, Gain and Exposure");
+      return warn(
+          line,
+          "key \"" + std::string{key} + "\" of section [Camera] means nothing to this version; there are " +
+              "Brightness, Contrast, Saturation, Gain, Exposure, Auto_exposure, Auto_white_balance, Auto_gain and "
+              "Auto_hue");
     const std::optional<double> parsed = numberFromText(value);
     // -2 stands for a key that is not there, in files of 2013.
     if (parsed && *parsed == -2) return;

@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   // Hue and tolerance in degrees, least saturation and value in percent; the ball fills 0 to 30 % of the picture.
   managers::RobotisOp2VisionManager vision(camera->getWidth(), camera->getHeight(), 355, 15, 60, 15, 0, 30);
 
-  const double kGain = 0.1;  // rad a step, for a ball at the edge of the picture: half a turn of the eye in 0.3 s
+  const double kGain = 0.1;  // rad a step and picture: from the edge, half a picture away, 3 rad/s
   double last_seen = 0;
   long steps = 0, seen = 0;
   while (robot.step(time_step) != -1 && robot.getTime() < end) {

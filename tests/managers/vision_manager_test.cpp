@@ -116,9 +116,12 @@ TYPED_TEST(VisionManager, WhatIsOutOfRangeIsSaidOnceAndBroughtIntoIt) {
   TypeParam manager{40, 30, -5, 200, -9, 101, -1, 400};
   manager.setHue(-5);
   const std::string said = this->heard();
-  for (const char* what : {"hue -5 is out of range; 355 is taken\n", "hue tolerance 200 is out of range; 180",
-                           "minimum saturation -9 is out of range; -1", "minimum value 101 is out of range; 100",
-                           "minimum percent -1 is out of range; 0", "maximum percent 400 is out of range; 100"})
+  for (const char* what : {"hue is out of range and brought into it, 0 to 360: the same direction\n",
+                           "hue tolerance is out of range and brought into it, 0 to 180",
+                           "minimum saturation is out of range and brought into it, -1 to 100",
+                           "minimum value is out of range and brought into it, -1 to 100",
+                           "minimum percent is out of range and brought into it, 0 to 100",
+                           "maximum percent is out of range and brought into it, 0 to 100"})
     EXPECT_THAT(said, HasSubstr(what));
   EXPECT_EQ(std::ranges::count(said, '\n'), 6) << said;
   manager.setHueTolerance(15);

@@ -82,8 +82,14 @@ TEST(ConfigIni, ALineThatIsTooLongIsAnErrorAndNotCutInSilence) {
 }
 
 TEST(ConfigIni, TheCameraHasSettings) {
-  const ConfigReading reading = parseConfig(
-      kSound + "[Camera]\nBrightness=128\ncontrast = 32\nSATURATION=28.0\nGain=-1\nExposure = 10000\n", "config.ini");
+  const ConfigReading reading =
+      parseConfig(kSound +
+                      "[Camera]\nBrightness=128\ncontrast = 32\nSATURATION=28.0\nGain=-1\nExposure = 10000\n"
+                      "Auto_White_Balance = ON\nauto_gain = off\n",
+                  "config.ini");
+  EXPECT_TRUE(reading.config.camera.auto_white_balance);
+  EXPECT_FALSE(reading.config.camera.auto_gain);
+  EXPECT_FALSE(reading.config.camera.auto_exposure);
   EXPECT_EQ(reading.config.camera.brightness, 128);
   EXPECT_EQ(reading.config.camera.contrast, 32);
   EXPECT_EQ(reading.config.camera.saturation, 28);
@@ -103,6 +109,7 @@ TEST(ConfigIni, AWrongCameraSettingIsNamed) {
   for (const char* wrong : {"Gain = 256", "Exposure = -3", "Contrast = high", "Brightness = nan"})
     EXPECT_THAT(errorOf(kSound + "[Camera]\n" + wrong),
                 testing::AllOf(HasSubstr("config.ini, line 6"), HasSubstr("-1 for the driver's own")));
+  EXPECT_THAT(errorOf(kSound + "[Camera]\nAuto_gain = 1\n"), HasSubstr("Auto_gain = 1: give on or off"));
   EXPECT_THAT(parseConfig(kSound + "[Camera]\nZoom = 3\n", "config.ini").warnings,
               ElementsAre(testing::AllOf(HasSubstr("Zoom"), HasSubstr("Saturation"))));
 }

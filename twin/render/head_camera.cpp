@@ -6,6 +6,8 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <exception>
+#include <utility>
 
 #include "twin/body/robot_body.hpp"
 #include "twin/render/egl.hpp"
@@ -46,24 +48,25 @@ void HeadCamera::look() noexcept {
 }
 
 void HeadCamera::openGraphics() {
-  try {
-    offscreen_ = std::make_unique<Offscreen>(*model_, options_.width, options_.height, Quality::kEye);
-    offscreen_->scene().lookFrom(Viewpoint::kHead);
-  } catch (const NoGraphics& none) {
-    blindness_ = none.what();
-    sayOnce(blindness_);
-  }
-  model_.reset();
+  const MjModelPtr model = std::move(model_);
+  offscreen_ = std::make_unique<Offscreen>(*model, options_.width, options_.height, Quality::kEye);
+  offscreen_->scene().lookFrom(Viewpoint::kHead);
 }
 
 void HeadCamera::draw() {
-  if (model_) openGraphics();
-  if (offscreen_) {
-    offscreen_->scene().show(pose_);
-    picture_ = offscreen_->draw();
-  } else {
-    picture_ = testPattern(options_.width, options_.height, blindness_, static_cast<unsigned>(sequence_));
+  try {
+    if (model_) openGraphics();
+    if (offscreen_) {
+      offscreen_->scene().show(pose_);
+      picture_ = offscreen_->draw();
+    }
+  } catch (const std::exception& blind) {  // who looks is a controller, and does not expect one
+    offscreen_.reset();
+    blindness_ = blind.what();
+    sayOnce(blindness_);
   }
+  if (!offscreen_)
+    picture_ = testPattern(options_.width, options_.height, blindness_, static_cast<unsigned>(sequence_));
   const std::uint8_t* rgb = picture_.rgb.data();
   for (std::size_t i = 0; i < bgra_.size(); i += 4, rgb += 3) {
     bgra_[i] = rgb[2];

@@ -44,6 +44,10 @@ class Camera : public Device {
   /// -1: not in this version, no file is written.
   int saveImage(const std::string& filename, int quality) const;
 
+  /// The simulator recognises objects of its world; a robot's camera does not.
+  bool hasRecognition() const { return false; }
+  bool hasRecognitionSegmentation() const { return false; }
+
   /// Sizes that the robot's camera can deliver.
   static bool checkResolution(int width, int height);
   static unsigned char imageGetRed(const unsigned char* image, int width, int x, int y) {
