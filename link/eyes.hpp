@@ -14,8 +14,8 @@ namespace darwinop::link {
 struct EyesRequest {
   int width = 320, height = 240;
   v4l2::CameraSettings settings{};
-  std::function<void(const std::string&)>
-      say;  // what goes wrong and what comes back; may be called from another thread
+  /// Told what goes wrong and what comes back, perhaps from another thread.
+  std::function<void(const std::string&)> say = {};
 };
 
 /// The twin's head camera in lockstep; else the camera of this computer that robot.ini names, or /dev/video0. The link
