@@ -7,6 +7,7 @@
 #include <iterator>
 #include <optional>
 
+#include "runtime/environment.hpp"
 #include "system/rig.hpp"
 
 namespace darwinop {
@@ -17,18 +18,6 @@ using testing::HasSubstr;
 using testing::Not;
 
 constexpr long kARoundOfTheBall = 700;  // cycles; 8 s are 500, and the robot takes its time to be ready
-
-/// For as long as this lives.
-class Setting {
- public:
-  Setting(const char* name, const std::string& value) : name_{name} { setenv(name, value.c_str(), 1); }
-  ~Setting() { unsetenv(name_); }
-  Setting(const Setting&) = delete;
-  Setting& operator=(const Setting&) = delete;
-
- private:
-  const char* name_;
-};
 
 class EyesOfARobot : public Rig {
  protected:
@@ -62,25 +51,25 @@ class EyesOfARobot : public Rig {
 };
 
 TEST_F(EyesOfARobot, FollowAMovingBallInTheTwin) {
-  const Setting ball{"DARWINOP_TWIN_BALL", "circles"};
-  const Setting recording{"DARWINOP_RECORD", file("log.csv")};
+  const runtime::Environment ball{"DARWINOP_TWIN_BALL", "circles"};
+  const runtime::Environment recording{"DARWINOP_RECORD", file("log.csv")};
   EXPECT_GE(inView(track("twin", "10")), 95);
   EXPECT_GT(rangeOf(file("log.csv"), "Neck.position [rad]"), 0.4) << "0.15 m either side, 0.55 m ahead";
 }
 
 TEST_F(EyesOfARobot, SeeTheSameInEveryRun) {
-  const Setting ball{"DARWINOP_TWIN_BALL", "circles"};
+  const runtime::Environment ball{"DARWINOP_TWIN_BALL", "circles"};
   EXPECT_EQ(track("twin", "4"), track("twin", "4"));
 }
 
 TEST_F(EyesOfARobot, SeeNoBallWhereThereIsNone) {
-  const Setting ball{"DARWINOP_TWIN_BALL", "none"};
+  const runtime::Environment ball{"DARWINOP_TWIN_BALL", "none"};
   EXPECT_EQ(inView(track("twin", "4")), 0);
 }
 
 TEST_F(EyesOfARobot, AreUsedByControllersOfBothStyles) {
-  const Setting ball{"DARWINOP_TWIN_BALL", "circles"};
-  const Setting recording{"DARWINOP_RECORD", file("log.csv")};
+  const runtime::Environment ball{"DARWINOP_TWIN_BALL", "circles"};
+  const runtime::Environment recording{"DARWINOP_RECORD", file("log.csv")};
   for (const char* controller : {DARWINOP_TRACKING_OF_2013, DARWINOP_TRACKING_OF_TODAY}) {
     Program running{{program("darwinop-run"), "--robot", "twin", controller}, file("run.txt")};
     for (int tries = 0; tries < 60 && linesOf(file("log.csv")) < kARoundOfTheBall; ++tries)
@@ -105,7 +94,7 @@ class EyesInRealTime : public EyesOfARobot {
     file_.emplace("DARWINOP_VIRTUAL_CAMERA", file("frames"));
   }
 
-  std::optional<Setting> preload_, file_;
+  std::optional<runtime::Environment> preload_, file_;
 };
 
 TEST_F(EyesInRealTime, FollowTheBallOfARobotOnASerialLine) {
