@@ -112,8 +112,9 @@ struct DARwInOPGaitManager::Walker {
     if (!moves) return;
     for (std::size_t i = 0; i < motors.size(); ++i) motors[i]->setPosition(walk.pose()[i]);
     if (!walked && walk.walking() && balance && !walk.knowsBalance())
-      warn("the robot was moved, or its gyroscope is silent, so that balance cannot be calibrated; it walks without. "
-           "Let it stand still for a second before start()");
+      warn(
+          "the robot was moved, or its gyroscope is silent, so that balance cannot be calibrated; it walks without. "
+          "Let it stand still for a second before start()");
     if (walk.resting()) giveMotorsBack();
   }
 

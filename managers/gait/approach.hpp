@@ -22,7 +22,7 @@ inline Pose poseOf(const Goals& goals) {
 class Approach {
  public:
   /// The joint with the longest way takes this speed on average, and half as much again in the middle. A robot that
-  /// gets up from its start pose, sitting, then takes 2.6 s.
+  /// gets up from its start pose, sitting, then takes 2.7 s.
   static constexpr double kSpeed_rad_s = 0.5;
   /// Nearer than this is there: the sway of a stance, not worth a wait.
   static constexpr double kThere_rad = 0.05;

@@ -1,4 +1,5 @@
-// What a gait is made of: names, defaults, ranges and units of [Walking Config]. Parser, tests and docs read this table.
+// What a gait is made of: names, defaults, ranges and units of [Walking Config]. Parser, tests and docs read this
+// table.
 #pragma once
 
 #include <array>

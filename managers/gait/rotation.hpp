@@ -31,8 +31,7 @@ inline Rotation aboutZ(double angle) {
 constexpr Rotation operator*(const Rotation& a, const Rotation& b) {
   Rotation out{};
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      out.m[i][j] = a.m[i][0] * b.m[0][j] + a.m[i][1] * b.m[1][j] + a.m[i][2] * b.m[2][j];
+    for (int j = 0; j < 3; ++j) out.m[i][j] = a.m[i][0] * b.m[0][j] + a.m[i][1] * b.m[1][j] + a.m[i][2] * b.m[2][j];
   return out;
 }
 

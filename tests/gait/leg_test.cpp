@@ -80,9 +80,9 @@ TEST(Leg, TheFlawIsThisLargeAtTheSole) {
 }
 
 TEST(Leg, SaysWhatItCannotReach) {
-  EXPECT_FALSE(legFor({0, 0, -1, 0, 0, 0}, Ik::kFlawed));       // longer than it is
-  EXPECT_FALSE(legFor({150, 0, 10, 0, 0, 0}, Ik::kExact));      // the same, aside
-  EXPECT_FALSE(legFor({0, 0, 186, 0, 0, 0}, Ik::kFlawed));      // folded into a point
+  EXPECT_FALSE(legFor({0, 0, -1, 0, 0, 0}, Ik::kFlawed));   // longer than it is
+  EXPECT_FALSE(legFor({150, 0, 10, 0, 0, 0}, Ik::kExact));  // the same, aside
+  EXPECT_FALSE(legFor({0, 0, 186, 0, 0, 0}, Ik::kFlawed));  // folded into a point
   EXPECT_FALSE(legFor({std::nan(""), 0, 20, 0, 0, 0}, Ik::kFlawed));
   EXPECT_TRUE(legFor({0, 0, 1, 0, 0, 0}, Ik::kFlawed));
 }
