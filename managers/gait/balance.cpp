@@ -17,8 +17,8 @@ int counts(double from_centre) {
   return static_cast<int>(std::clamp(from_centre, -kMostCounts, kMostCounts));
 }
 
-int ticks(int counts, double gain) {
-  return static_cast<int>(counts * gain * kFinerTicks);
+int correction(int from_centre, double gain) {
+  return static_cast<int>(from_centre * gain * kFinerTicks);
 }
 
 }  // namespace
@@ -26,8 +26,8 @@ int ticks(int counts, double gain) {
 void addBalance(Goals& goals, const Tilt& tilt, const Parameters& p) {
   if (!std::isfinite(tilt.roll) || !std::isfinite(tilt.pitch)) return;
   const int roll = counts(tilt.roll), pitch = counts(tilt.pitch);
-  const int hip = ticks(roll, p.balance_hip_roll_gain), foot = ticks(roll, p.balance_ankle_roll_gain);
-  const int knee = ticks(pitch, p.balance_knee_gain), ankle = ticks(pitch, p.balance_ankle_pitch_gain);
+  const int hip = correction(roll, p.balance_hip_roll_gain), foot = correction(roll, p.balance_ankle_roll_gain);
+  const int knee = correction(pitch, p.balance_knee_gain), ankle = correction(pitch, p.balance_ankle_pitch_gain);
   goals[Joint::kPelvR] -= hip;
   goals[Joint::kPelvL] -= hip;
   goals[Joint::kLegLowerR] -= knee;

@@ -17,7 +17,7 @@ constexpr double kShoulderR_deg = -48.345, kShoulderL_deg = 41.313, kArmUpperR_d
 constexpr double kArmLowerR_deg = 29.300, kArmLowerL_deg = -29.593;
 
 /// Both parts lose their fractions, as they always did.
-int ticks(double rest_deg, double from_rest_deg) {
+int goalTick(double rest_deg, double from_rest_deg) {
   return kTickCentre + static_cast<int>(rest_deg * kTicksPerDegree) + static_cast<int>(from_rest_deg * kTicksPerDegree);
 }
 
@@ -37,12 +37,12 @@ constexpr LegJoints kLeftLeg{Joint::kPelvYL,    Joint::kPelvL,  Joint::kLegUpper
 
 void addLeg(Goals& goals, const Leg& leg, const LegJoints& joint, const Directions& way, double pelvis_deg,
             double hip_pitch_offset_deg) {
-  goals[joint.hip_yaw] = ticks(0, way.hip_yaw * leg.hip_yaw * kDegreePerRad);
-  goals[joint.hip_roll] = ticks(0, way.hip_roll * (leg.hip_roll * kDegreePerRad + pelvis_deg));
-  goals[joint.hip_pitch] = ticks(0, way.hip_pitch * (leg.hip_pitch * kDegreePerRad - hip_pitch_offset_deg));
-  goals[joint.knee] = ticks(0, way.knee * leg.knee * kDegreePerRad);
-  goals[joint.ankle_pitch] = ticks(0, way.ankle_pitch * leg.ankle_pitch * kDegreePerRad);
-  goals[joint.ankle_roll] = ticks(0, way.ankle_roll * leg.ankle_roll * kDegreePerRad);
+  goals[joint.hip_yaw] = goalTick(0, way.hip_yaw * leg.hip_yaw * kDegreePerRad);
+  goals[joint.hip_roll] = goalTick(0, way.hip_roll * (leg.hip_roll * kDegreePerRad + pelvis_deg));
+  goals[joint.hip_pitch] = goalTick(0, way.hip_pitch * (leg.hip_pitch * kDegreePerRad - hip_pitch_offset_deg));
+  goals[joint.knee] = goalTick(0, way.knee * leg.knee * kDegreePerRad);
+  goals[joint.ankle_pitch] = goalTick(0, way.ankle_pitch * leg.ankle_pitch * kDegreePerRad);
+  goals[joint.ankle_roll] = goalTick(0, way.ankle_roll * leg.ankle_roll * kDegreePerRad);
 }
 
 }  // namespace
@@ -51,12 +51,12 @@ std::optional<Goals> goalsFor(const Feet& feet, const Parameters& p) {
   const std::optional<Leg> right = legFor(feet.right, p.ik), left = legFor(feet.left, p.ik);
   if (!right || !left) return std::nullopt;
   Goals goals;
-  goals[Joint::kShoulderR] = ticks(kShoulderR_deg, feet.arm_right);
-  goals[Joint::kShoulderL] = ticks(kShoulderL_deg, -feet.arm_left);
-  goals[Joint::kArmUpperR] = ticks(kArmUpperR_deg, 0);
-  goals[Joint::kArmUpperL] = ticks(kArmUpperL_deg, 0);
-  goals[Joint::kArmLowerR] = ticks(kArmLowerR_deg, 0);
-  goals[Joint::kArmLowerL] = ticks(kArmLowerL_deg, 0);
+  goals[Joint::kShoulderR] = goalTick(kShoulderR_deg, feet.arm_right);
+  goals[Joint::kShoulderL] = goalTick(kShoulderL_deg, -feet.arm_left);
+  goals[Joint::kArmUpperR] = goalTick(kArmUpperR_deg, 0);
+  goals[Joint::kArmUpperL] = goalTick(kArmUpperL_deg, 0);
+  goals[Joint::kArmLowerR] = goalTick(kArmLowerR_deg, 0);
+  goals[Joint::kArmLowerL] = goalTick(kArmLowerL_deg, 0);
   addLeg(goals, *right, kRightLeg, kRight, feet.pelvis_right, p.hip_pitch_offset);
   addLeg(goals, *left, kLeftLeg, kLeft, feet.pelvis_left, p.hip_pitch_offset);
   return goals;

@@ -1,5 +1,4 @@
-// Leg inverse kinematics: six joint angles from the place of the sole. With the flaw that gaits were tuned on, or
-// without.
+// Leg inverse kinematics: joint angles from the place of the sole, with the flaw that gaits were tuned on, or without.
 #pragma once
 
 #include <optional>

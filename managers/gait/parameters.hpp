@@ -1,5 +1,4 @@
-// What a gait is made of: names, defaults, ranges and units of [Walking Config]. Parser, tests and docs read this
-// table.
+// What a gait is made of: names, defaults, ranges, units of [Walking Config]. Parser, tests and docs read this table.
 #pragma once
 
 #include <array>
