@@ -1,6 +1,5 @@
 // Managers whose insides come later: their interfaces, so that controllers that use them build.
 #include "DARwInOPDirectoryManager.hpp"
-#include "DARwInOPGaitManager.hpp"
 #include "DARwInOPMotionManager.hpp"
 #include "RobotisOp2DirectoryManager.hpp"
 #include "webots/notices.hpp"
@@ -8,10 +7,6 @@
 namespace managers {
 
 using darwinop::facade::warnOnce;
-
-DARwInOPGaitManager::DARwInOPGaitManager(webots::Robot*, const std::string&) {
-  warnOnce("GaitManager: this version cannot walk yet; every call does nothing");
-}
 
 DARwInOPMotionManager::DARwInOPMotionManager(webots::Robot*, const std::string&) {
   warnOnce("MotionManager: this version cannot play pages yet; every call returns at once");

@@ -1,10 +1,8 @@
-// Speaker, keyboard, motions and two managers: harmless, and they say once that they are not there yet.
+// Speaker, keyboard, motions and their manager: harmless, and they say once that they are not there yet.
 #include <gmock/gmock.h>
 
-#include <DARwInOPGaitManager.hpp>
 #include <DARwInOPMotionManager.hpp>
 #include <RobotisOp2DirectoryManager.hpp>
-#include <RobotisOp2GaitManager.hpp>
 #include <RobotisOp2MotionManager.hpp>
 #include <webots/Camera.hpp>
 #include <webots/Keyboard.hpp>
@@ -62,12 +60,10 @@ TEST_F(StubTest, MotionsAndManagersSayThatTheyDoNothing) {
   EXPECT_FALSE(motion.isValid());
   managers::RobotisOp2MotionManager pages{&robot()};
   pages.playPage(9);
-  managers::DARwInOPGaitManager gait{&robot(), "config.ini"};
-  gait.start();
-  EXPECT_FALSE(pages.isCorrectlyInitialized() || gait.isCorrectlyInitialized());
+  EXPECT_FALSE(pages.isCorrectlyInitialized());
   EXPECT_EQ(managers::RobotisOp2DirectoryManager::getDataDirectory(), "/robotis/Data/");
   const std::string said = testing::internal::GetCapturedStderr();
-  for (const char* what : {"Motion: ", "hand_high.motion", "MotionManager: ", "page 9", "GaitManager: "})
+  for (const char* what : {"Motion: ", "hand_high.motion", "MotionManager: ", "page 9"})
     EXPECT_THAT(said, HasSubstr(what));
 }
 

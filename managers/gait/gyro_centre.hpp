@@ -1,0 +1,59 @@
+// Where the gyroscope's two balance axes rest: measured while the robot stands still.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "managers/gait/balance.hpp"
+
+namespace darwinop::gait {
+
+/// Source: the ROBOTIS engine: 100 samples, 8 ms apart, whose standard deviations are below 2 counts.
+class GyroCentre {
+ public:
+  static constexpr int kSamples = 100;
+  static constexpr double kStill_counts = 2;
+
+  /// Raw counts; NaN is no sample. Full and not still: begins again.
+  void add(double roll, double pitch) {
+    if (centre_ || !std::isfinite(roll) || !std::isfinite(pitch)) return;
+    roll_[count_] = roll;
+    pitch_[count_] = pitch;
+    if (++count_ < kSamples) return;
+    count_ = 0;
+    const Spread roll_spread = spreadOf(roll_), pitch_spread = spreadOf(pitch_);
+    if (roll_spread.deviation < kStill_counts && pitch_spread.deviation < kStill_counts)
+      centre_ = Tilt{roll_spread.mean, pitch_spread.mean};
+  }
+
+  /// Forgets samples, for what was before the robot began to stand still; not a centre.
+  void beginAgain() { count_ = 0; }
+
+  [[nodiscard]] bool known() const { return centre_.has_value(); }
+  /// Raw counts to counts from the centre; NaN as long as it is not known.
+  [[nodiscard]] Tilt tilt(double roll, double pitch) const {
+    if (!centre_) return {std::nan(""), std::nan("")};
+    return {roll - centre_->roll, pitch - centre_->pitch};
+  }
+
+ private:
+  using Samples = std::array<double, kSamples>;
+  struct Spread {
+    double mean, deviation;
+  };
+
+  static Spread spreadOf(const Samples& samples) {
+    double sum = 0, squares = 0;
+    for (double sample : samples) sum += sample;
+    const double mean = sum / kSamples;
+    for (double sample : samples) squares += (sample - mean) * (sample - mean);
+    return {mean, std::sqrt(squares / kSamples)};
+  }
+
+  Samples roll_{}, pitch_{};
+  std::size_t count_ = 0;
+  std::optional<Tilt> centre_;
+};
+
+}  // namespace darwinop::gait

@@ -1,0 +1,36 @@
+// When each foot is in the air: the times of one gait period, in ms.
+#pragma once
+
+#include "managers/gait/parameters.hpp"
+
+namespace darwinop::gait {
+
+/// One engine call stands for this much time.
+inline constexpr double kTick_ms = 8;
+
+struct Timing {
+  explicit constexpr Timing(const Parameters& p)
+      : period{p.period_time},
+        swing_share{1 - p.dsp_ratio},
+        left_up{(1 - swing_share) * period / 4},
+        left_down{(1 + swing_share) * period / 4},
+        right_up{(3 - swing_share) * period / 4},
+        right_down{(3 + swing_share) * period / 4} {}
+
+  double period, swing_share;
+  double left_up, left_down, right_up, right_down;  // the left foot swings first
+
+  [[nodiscard]] constexpr double middleOfLeft() const { return (left_up + left_down) / 2; }
+  [[nodiscard]] constexpr double middle() const { return (left_down + right_up) / 2; }
+  [[nodiscard]] constexpr double middleOfRight() const { return (right_up + right_down) / 2; }
+  /// A foot goes from its rear end to its front end in half of this; lifts and sets down in `lift()`.
+  [[nodiscard]] constexpr double move() const { return swing_share * period; }
+  [[nodiscard]] constexpr double lift() const { return swing_share * period / 2; }
+};
+
+/// True in the one call that is nearest to `moment`.
+constexpr bool isAt(double time, double moment) {
+  return moment - kTick_ms / 2 <= time && time < moment + kTick_ms / 2;
+}
+
+}  // namespace darwinop::gait

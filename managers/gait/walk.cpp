@@ -1,0 +1,59 @@
+// A whole walk: from any pose to the stance, standing still for the gyroscope, steps, and rest again.
+#include "managers/gait/walk.hpp"
+
+namespace darwinop::gait {
+
+void Walk::start(const Pose& from) {
+  stopping_ = false;
+  if (phase_ == Phase::kWalk) return engine_.start();
+  if (phase_ != Phase::kRest) return;
+  approach_ = Approach{from, poseOf(engine_.goals())};
+  phase_ = Phase::kApproach;
+}
+
+void Walk::stop() {
+  stopping_ = true;
+  if (phase_ == Phase::kWalk) engine_.stop();
+}
+
+void Walk::tick(const Wish& wish, bool balance, const GyroCounts& gyro) {
+  if (phase_ == Phase::kRest) return centre_.add(gyro.roll, gyro.pitch);
+  if (phase_ == Phase::kApproach) approach();
+  if (phase_ == Phase::kSettle) settle(balance, gyro);
+  if (phase_ == Phase::kWalk) walk(wish, balance, gyro);
+}
+
+void Walk::approach() {
+  if (!approach_.done()) {
+    pose_ = approach_.next();
+    return;
+  }
+  pose_ = poseOf(engine_.goals());
+  settled_ms_ = 0;
+  centre_.beginAgain();
+  phase_ = Phase::kSettle;
+}
+
+void Walk::settle(bool balance, const GyroCounts& gyro) {
+  if (stopping_) {
+    phase_ = Phase::kRest;
+  } else if (!balance || centre_.known() || settled_ms_ >= kPatience_ms) {
+    phase_ = Phase::kWalk;
+    engine_.start();
+  } else {
+    centre_.add(gyro.roll, gyro.pitch);
+    settled_ms_ += kTick_ms;
+  }
+}
+
+void Walk::walk(const Wish& wish, bool balance, const GyroCounts& gyro) {
+  const Tilt unseen{std::nan(""), std::nan("")};
+  engine_.next(wish, balance ? centre_.tilt(gyro.roll, gyro.pitch) : unseen);
+  if (!engine_.running()) {
+    engine_.next({}, unseen);  // what balance added in the last tick is not for ever
+    phase_ = Phase::kRest;
+  }
+  pose_ = poseOf(engine_.goals());
+}
+
+}  // namespace darwinop::gait

@@ -1,0 +1,91 @@
+// Reads the gait's parameters from an INI file, section [Walking Config].
+#include "managers/gait/walking_config.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <stdexcept>
+
+#include "core/number_text.hpp"
+#include "settings/ini_text.hpp"
+#include "settings/safety_sections.hpp"
+#include "settings/text_file.hpp"
+
+namespace darwinop::gait {
+
+namespace {
+
+// In files of 2013, a key that is not there.
+constexpr double kAbsent = -1024;
+
+/// "0.1", not "0.100000".
+std::string shortText(double value) {
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  return error == std::errc{} ? std::string{digits.data(), end} : std::to_string(value);
+}
+
+class Reader final : public settings::IniReader {
+ public:
+  explicit Reader(const std::string& file) : file_{file} {}
+
+  WalkingConfig read(std::string_view text) {
+    settings::readIni(text, file_, *this);
+    return std::move(config_);
+  }
+
+ private:
+  static bool ours(std::string_view section) { return settings::lowered(section) == "walking config"; }
+
+  void stray(std::string_view section, std::string_view, int line) override {
+    if (ours(section)) warn(line, "is no key = value and no comment; it is ignored");
+  }
+
+  void pair(std::string_view section, std::string_view key, std::string_view value, int line) override {
+    if (!ours(section)) return;
+    const std::string name = settings::lowered(key);
+    if (name == "ik") return takeIk(value);
+    const auto* const row = std::ranges::find(kParameters, name, &ParameterRow::name);
+    if (row == kParameters.end())
+      return warn(line, "key \"" + std::string{key} +
+                            "\" of section [Walking Config] means nothing to this version; it is ignored");
+    const std::optional<double> number = numberFromText(value);
+    if (number && *number == kAbsent) return;
+    if (!number || !(*number >= row->low && *number <= row->high))
+      throw std::runtime_error(std::string{key} + " = " + std::string{value} + ": give a number from " +
+                               shortText(row->low) + " to " + shortText(row->high) + " (" + std::string{row->unit} +
+                               ")");
+    config_.parameters.*row->field = *number;
+    if ((name == "i_gain" || name == "d_gain") && *number != 0)
+      warn(line, "key \"" + name + "\" has no effect on this robot, only p_gain has");
+  }
+
+  void takeIk(std::string_view value) {
+    const std::string choice = settings::lowered(value);
+    if (choice != "flawed" && choice != "exact")
+      throw std::runtime_error("ik = " + std::string{value} + ": give flawed or exact");
+    config_.parameters.ik = choice == "exact" ? Ik::kExact : Ik::kFlawed;
+  }
+
+  void warn(int line, const std::string& what) {
+    config_.warnings.push_back(settings::where(file_, line) + ": " + what);
+  }
+
+  const std::string& file_;
+  WalkingConfig config_;
+};
+
+}  // namespace
+
+WalkingConfig parseWalkingConfig(std::string_view text, const std::string& file) {
+  return Reader{file}.read(text);
+}
+
+WalkingConfig readWalkingConfig(const std::string& path) {
+  const std::optional<std::string> text = settings::readTextFile(path);
+  if (!text) return {{}, {"there is no " + path + ": the gait's default parameters are used"}};
+  return parseWalkingConfig(*text, path);
+}
+
+}  // namespace darwinop::gait

@@ -1,0 +1,271 @@
+// The gait manager as controllers use it, on a robot in memory.
+#include <gmock/gmock.h>
+
+#include <DARwInOPGaitManager.hpp>
+#include <RobotisOp2GaitManager.hpp>
+#include <fstream>
+#include <memory>
+#include <webots/Motor.hpp>
+
+#include "gait/golden.hpp"
+#include "support/temporary_folder.hpp"
+#include "webots/fixture.hpp"
+
+namespace darwinop::facade {
+namespace {
+
+using managers::DARwInOPGaitManager;
+using testing::HasSubstr;
+
+constexpr std::size_t kWalking = gait::kWalkingJoints;
+
+class GaitManager : public Facade {
+ protected:
+  GaitManager() { write("[Walking Config]\nbalance_hip_roll_gain = 0\nbalance_ankle_roll_gain = 0\n"); }
+
+  void write(const std::string& text) { std::ofstream{ini()} << text; }
+  [[nodiscard]] std::string ini() const { return folder_ / "config.ini"; }
+
+  /// Standing in the stance, without balance: its first step is the first call of the engine.
+  DARwInOPGaitManager& standing() {
+    for (std::size_t i = 0; i < kWalking; ++i)
+      fake.image.joint[i].position = fake.image.joint[i].commanded = radFromTicks(gait::kStanding.tick[i]);
+    manager().setBalanceEnable(false);
+    return manager();
+  }
+  DARwInOPGaitManager& manager() {
+    if (!manager_) manager_ = std::make_unique<DARwInOPGaitManager>(&robot(), ini());
+    return *manager_;
+  }
+
+  int steps(int count, int ms = 16) {
+    for (int i = 0; i < count; ++i) {
+      manager().step(ms);
+      if (robot().step(ms) == -1) return i;
+    }
+    return count;
+  }
+  std::array<int, kWalking> goals() {
+    std::array<int, kWalking> ticks{};
+    for (std::size_t i = 0; i < kWalking; ++i) {
+      const JointCommand& command = fake.last().joint[i];
+      ticks[i] = command.has(JointCommand::kGoal) ? ticksFromRad(command.goal) : -1;
+    }
+    return ticks;
+  }
+  void expectUntouched() {
+    for (const JointCommand& command : fake.last().joint) EXPECT_EQ(command.set, 0);
+  }
+  static long lines(const std::string& text) { return std::ranges::count(text, '\n'); }
+
+ private:
+  TemporaryFolder folder_;
+  std::unique_ptr<DARwInOPGaitManager> manager_;
+};
+
+std::vector<std::array<int, kWalking>> goldenOf(const std::string& scenario) {
+  std::vector<std::array<int, kWalking>> calls;
+  for (const gait::GoldenCall& call : gait::goldenCalls())
+    if (call.scenario == scenario) calls.push_back(call.tick);
+  return calls;
+}
+
+TEST_F(GaitManager, SendsWhatTheReferenceWalks) {
+  standing().setXAmplitude(1);
+  manager().start();
+  const auto golden = goldenOf("G2_forward");
+  for (std::size_t call = 1; call < golden.size(); call += 2) {
+    steps(1);
+    ASSERT_EQ(goals(), golden[call]) << call;
+  }
+  EXPECT_EQ(fake.last().joint[index(Joint::kNeck)].set, 0);
+  EXPECT_EQ(fake.last().joint[index(Joint::kHead)].set, 0);
+}
+
+TEST_F(GaitManager, CarriesTheRestOfAStepOver) {
+  standing().start();
+  const auto golden = goldenOf("G1_inplace");
+  for (std::size_t step = 1; step <= 80; ++step) {
+    steps(1, 20);
+    ASSERT_EQ(goals(), golden[step * 20 / 8 - 1]) << step;
+  }
+}
+
+TEST_F(GaitManager, ClampsAmplitudesAndIgnoresNaN) {
+  testing::internal::CaptureStderr();
+  standing().setXAmplitude(1.7);
+  manager().setXAmplitude(NAN);
+  manager().setYAmplitude(NAN);
+  manager().setAAmplitude(NAN);
+  manager().start();
+  steps(112);
+  EXPECT_EQ(goals(), goldenOf("G2_forward")[223]);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("setXAmplitude(NaN) is ignored"));
+  EXPECT_THAT(said, HasSubstr("setAAmplitude(NaN) is ignored"));
+}
+
+TEST_F(GaitManager, SetsThePGainsAndTakesSpeedLimitsAway) {
+  write("[Walking Config]\np_gain = 40\n");
+  webots::Motor& knee = *robot().getMotor("LegLowerR");
+  knee.setVelocity(0.5);
+  knee.setAcceleration(3);
+  standing().start();
+  steps(1);
+  const auto& joints = fake.last().joint;
+  EXPECT_EQ(joints[index(Joint::kLegLowerR)].p_gain, 5);
+  EXPECT_EQ(joints[index(Joint::kFootL)].p_gain, 5);
+  EXPECT_EQ(joints[index(Joint::kArmUpperL)].p_gain, 1);
+  EXPECT_GT(joints[index(Joint::kLegLowerR)].speed_limit.value, 12);
+  EXPECT_FALSE(joints[index(Joint::kLegLowerL)].has(JointCommand::kSpeedLimit));
+  manager().stop();
+  EXPECT_EQ(knee.getVelocity(), 0.5);
+  EXPECT_EQ(knee.getAcceleration(), 3);
+  EXPECT_EQ(fake.last().joint[index(Joint::kArmUpperL)].p_gain, 4);
+}
+
+TEST_F(GaitManager, TheGyroscopeDrivesBalance) {
+  standing().setBalanceEnable(true);
+  steps(50);  // calibrates, 8 ms a sample
+  expectUntouched();
+  manager().start();
+  steps(3);
+  const auto golden = goldenOf("G1_inplace");
+  EXPECT_EQ(goals(), golden[5]);
+  fake.image.board.gyro[1] = RadPerSec{-1.0};  // falls forwards: 16 counts
+  robot().step(16);
+  steps(1);
+  const auto falling = goals();
+  EXPECT_NEAR(falling[index(Joint::kLegLowerR)] - golden[7][index(Joint::kLegLowerR)], 19, 1);
+  EXPECT_NEAR(falling[index(Joint::kAnkleR)] - golden[7][index(Joint::kAnkleR)], -57, 2);
+  EXPECT_NEAR(falling[index(Joint::kAnkleL)] - golden[7][index(Joint::kAnkleL)], 57, 2);
+}
+
+TEST_F(GaitManager, StandsUntilTheGyroscopeIsCalibrated) {
+  standing().setBalanceEnable(true);
+  fake.image.board.gyro[0] = RadPerSec{0.3};  // its rest is not 512
+  robot().step(16);
+  manager().start();
+  for (int i = 0; i < 50; ++i) {
+    steps(1);
+    ASSERT_EQ(goals(), gait::kStanding.tick) << i;
+  }
+  steps(3);
+  EXPECT_EQ(goals(), goldenOf("G1_inplace")[5]);
+}
+
+TEST_F(GaitManager, ARobotThatIsMovedWalksWithoutBalance) {
+  standing().setBalanceEnable(true);
+  fake.on_cycle = [this](std::uint64_t cycle) { fake.image.board.gyro[0] = RadPerSec{cycle % 2 == 0 ? 1.0 : -1.0}; };
+  testing::internal::CaptureStderr();
+  manager().start();
+  steps(150 + 1 + 20);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("balance cannot be calibrated"));
+  EXPECT_EQ(goals(), goldenOf("G1_inplace")[41]);
+}
+
+TEST_F(GaitManager, AGyroscopeThatFallsSilentGivesNoNaN) {
+  standing().setBalanceEnable(true);
+  steps(50);
+  manager().start();
+  fake.image.board.motion.age = 10;
+  steps(20);
+  EXPECT_EQ(goals(), goldenOf("G1_inplace")[39]);
+}
+
+TEST_F(GaitManager, StopReturnsInTheStanceAndThenLeavesTheMotorsAlone) {
+  standing().setXAmplitude(1);
+  manager().start();
+  steps(60);
+  const Nanos before = fake.now;
+  manager().stop();
+  EXPECT_LE(fake.now - before, std::chrono::milliseconds{920});
+  EXPECT_EQ(goals(), gait::kStanding.tick);
+  robot().getMotor("ShoulderR")->setPosition(0.1);
+  steps(20);
+  EXPECT_EQ(goals()[0], ticksFromRad(Rad{0.1}));
+  manager().stop();  // nothing to do
+}
+
+TEST_F(GaitManager, StopEndsWhenTheControllerMust) {
+  standing().setXAmplitude(1);
+  manager().start();
+  steps(60);
+  fake.gone = true;
+  testing::internal::CaptureStderr();
+  manager().stop();
+  EXPECT_EQ(robot().step(16), -1);
+  testing::internal::GetCapturedStderr();
+}
+
+TEST_F(GaitManager, GoesToItsStanceGently) {
+  manager().setBalanceEnable(false);
+  manager().start();
+  steps(1);
+  std::array<int, kWalking> last{};
+  for (std::size_t i = 0; i < kWalking; ++i) last[i] = kJointTable[i].start;
+  int taken = 1;
+  for (; goals() != gait::kStanding.tick && taken < 1000; ++taken) {
+    for (std::size_t i = 0; i < kWalking; ++i) ASSERT_LE(std::abs(goals()[i] - last[i]), 9) << i;
+    last = goals();
+    steps(1);
+  }
+  EXPECT_NEAR(taken * 16, 2675, 40);
+}
+
+TEST_F(GaitManager, ShortStepsSaySoOnce) {
+  testing::internal::CaptureStderr();
+  standing().start();
+  for (int i = 0; i < 10; ++i) manager().step(4);
+  manager().step(-5);
+  robot().step(16);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("GaitManager: step(4) is too short"));
+  EXPECT_EQ(goals()[0], -1);
+}
+
+TEST_F(GaitManager, NamesAWrongFileAndDoesNothing) {
+  write("[Walking Config]\nperiod_time = 10\n");
+  testing::internal::CaptureStderr();
+  EXPECT_FALSE(manager().isCorrectlyInitialized());
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("config.ini, line 2: period_time = 10: give a number"));
+  manager().start();
+  steps(20);
+  expectUntouched();
+  manager().stop();
+}
+
+TEST_F(GaitManager, WalksWithoutAFileAndSaysSoOnce) {
+  testing::internal::CaptureStderr();
+  managers::RobotisOp2GaitManager one{&robot(), "/nowhere/config.ini"}, other{&robot(), "/nowhere/config.ini"};
+  EXPECT_TRUE(one.isCorrectlyInitialized() && other.isCorrectlyInitialized());
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("there is no /nowhere/config.ini: the gait's default parameters are used"));
+  EXPECT_EQ(lines(said), 1);
+}
+
+TEST_F(GaitManager, SaysThatItWasGivenNoRobot) {
+  testing::internal::CaptureStderr();
+  DARwInOPGaitManager nobody{nullptr, ini()};
+  nobody.start();
+  nobody.step(16);
+  nobody.stop();
+  EXPECT_FALSE(nobody.isCorrectlyInitialized());
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("it was given no robot"));
+}
+
+TEST_F(GaitManager, CopiesWalkOnTheirOwn) {
+  standing().start();
+  steps(5);
+  DARwInOPGaitManager copy = manager();
+  DARwInOPGaitManager assigned{&robot(), ini()};
+  assigned = copy;
+  copy.stop();
+  assigned.step(16);
+  robot().step(16);
+  EXPECT_EQ(goals(), goldenOf("G1_inplace")[11]);
+}
+
+}  // namespace
+}  // namespace darwinop::facade
