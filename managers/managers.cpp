@@ -1,7 +1,6 @@
 // Managers whose insides come later: their interfaces, so that controllers that use them build.
 #include "DARwInOPDirectoryManager.hpp"
 #include "DARwInOPGaitManager.hpp"
-#include "DARwInOPMotionManager.hpp"
 #include "RobotisOp2DirectoryManager.hpp"
 #include "webots/notices.hpp"
 
@@ -11,14 +10,6 @@ using darwinop::facade::warnOnce;
 
 DARwInOPGaitManager::DARwInOPGaitManager(webots::Robot*, const std::string&) {
   warnOnce("GaitManager: this version cannot walk yet; every call does nothing");
-}
-
-DARwInOPMotionManager::DARwInOPMotionManager(webots::Robot*, const std::string&) {
-  warnOnce("MotionManager: this version cannot play pages yet; every call returns at once");
-}
-
-void DARwInOPMotionManager::playPage(int id, bool) {
-  warnOnce("MotionManager: page " + std::to_string(id) + " is skipped");
 }
 
 const std::string& DARwInOPDirectoryManager::getDataDirectory() {
