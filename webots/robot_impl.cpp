@@ -12,6 +12,7 @@
 #include "webots/Servo.hpp"
 #include "webots/Speaker.hpp"
 #include "webots/TouchSensor.hpp"
+#include "webots/motion_playback.hpp"
 #include "webots/notices.hpp"
 
 namespace darwinop::facade {
@@ -87,6 +88,7 @@ std::string RobotImpl::begin() {
 }
 
 void RobotImpl::stepBegin(int ms) {
+  advanceMotions(*this);
   for (std::size_t i = 0; i < kJoints; ++i) {
     commands_.joint[i] = motors_[i].command(session_.sensors().joint[i], std::max(ms, 0) / 1000.0);
     addLentGain(i);
