@@ -12,6 +12,7 @@
 #include "webots/Servo.hpp"
 #include "webots/Speaker.hpp"
 #include "webots/TouchSensor.hpp"
+#include "webots/motion_playback.hpp"
 #include "webots/notices.hpp"
 
 namespace darwinop::facade {
@@ -87,9 +88,23 @@ std::string RobotImpl::begin() {
 }
 
 void RobotImpl::stepBegin(int ms) {
-  for (std::size_t i = 0; i < kJoints; ++i)
+  advanceMotions(*this);
+  for (std::size_t i = 0; i < kJoints; ++i) {
     commands_.joint[i] = motors_[i].command(session_.sensors().joint[i], std::max(ms, 0) / 1000.0);
+    addLentGain(i);
+  }
   session_.publish(commands_, ms);
+}
+
+/// What is not said stays as it was: a gain that was lent has to be taken back by a number.
+void RobotImpl::addLentGain(std::size_t joint) {
+  JointCommand& command = commands_.joint[joint];
+  if (lent_gain_[joint]) {
+    was_lent_[joint] = true;
+    command.setPGain(*lent_gain_[joint]);
+  } else if (was_lent_[joint] && !command.has(JointCommand::kPGain)) {
+    command.setPGain(config_.safety.default_p_gain);
+  }
 }
 
 int RobotImpl::stepEnd() {

@@ -1,10 +1,12 @@
 // What stands behind webots::Robot: the session, the command image, the devices.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +59,9 @@ class RobotImpl {
     return session_.openEyes(width, height, config_.camera);
   }
 
+  /// Takes this P gain instead of the controller's until it is none: then the controller's again, which Motor keeps.
+  void lendGain(Joint joint, std::optional<double> kp) { lent_gain_[index(joint)] = kp; }
+
   int battery_period = 0;  // as the controller gave it
   std::string custom_data;
 
@@ -64,6 +69,7 @@ class RobotImpl {
   void addDevices();
   template <class T>
   T* add(T* device);
+  void addLentGain(std::size_t joint);
   void refresh();
 
   ControllerConfig config_;
@@ -72,6 +78,8 @@ class RobotImpl {
   Session session_;
   Commands commands_{};
   std::deque<MotorControl> motors_;  // by joint
+  std::array<std::optional<double>, kJoints> lent_gain_{};
+  std::array<bool, kJoints> was_lent_{};  // once: from then on every image says the gain
   webots::Keyboard keyboard_;
   std::vector<std::unique_ptr<webots::Device>> devices_;
   std::map<std::string, webots::Device*, std::less<>> by_name_;
@@ -83,6 +91,9 @@ class RobotImpl {
 /// Finds the robot as environment and config.ini say, and waits until it stands ready. Ends the program with a
 /// sentence when that fails.
 RobotImpl* connectOrExit();
+
+/// The one of this process, or null.
+RobotImpl* currentRobot();
 
 /// Where the running program lies; config.ini is beside it.
 std::string programDirectory();

@@ -99,6 +99,10 @@ std::string programDirectory() {
   return unknown ? "." : program.parent_path().string();
 }
 
+RobotImpl* currentRobot() {
+  return current;
+}
+
 RobotImpl* adopt(RobotImpl* robot) {
   return current = robot;
 }

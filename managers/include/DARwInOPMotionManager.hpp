@@ -1,4 +1,4 @@
-// Plays the pages of a motion file. This version cannot yet: isCorrectlyInitialized() is false, nothing moves.
+// Plays the pages of a motion file: docs/motions.md.
 #ifndef DARWIN_OP_MOTION_MANAGER_HPP
 #define DARWIN_OP_MOTION_MANAGER_HPP
 
@@ -10,15 +10,34 @@ class Robot;
 
 namespace managers {
 
+/// While a page is played its goals and P gains are those of all twenty joints. They begin where the robot has its
+/// goals, so that nothing jumps, and the goals stay when the page has ended; the P gains become the controller's again.
 class DARwInOPMotionManager {
  public:
+  /// The file is customMotionFile, or motion_4096.bin in the data directory when that is "".
   explicit DARwInOPMotionManager(webots::Robot* robot, const std::string& customMotionFile = "");
-  virtual ~DARwInOPMotionManager() {}
-  bool isCorrectlyInitialized() { return false; }
-  /// Returns at once.
+  /// The same file for the same robot; the copy plays nothing yet.
+  DARwInOPMotionManager(const DARwInOPMotionManager& other);
+  DARwInOPMotionManager& operator=(const DARwInOPMotionManager& other);
+  virtual ~DARwInOPMotionManager();
+
+  /// False: there is no motion file, or it is broken. It was said which, and nothing will be played.
+  bool isCorrectlyInitialized();
+  /// Page 1 to 255. sync: calls Robot::step() with the basic time step until the page and those that follow it have
+  /// ended, or until it gives -1. Not sync: returns at once; step() plays it. While a page is played another one is
+  /// refused, and this is said.
   void playPage(int id, bool sync = true);
-  void step(int) {}
-  bool isMotionPlaying() { return false; }
+  /// Goes on by this many ms with a page that is not sync; call it before each Robot::step(). What is left over 8 ms is
+  /// kept for the next call.
+  void step(int ms);
+  bool isMotionPlaying();
+
+ protected:
+  DARwInOPMotionManager(webots::Robot* robot, const std::string& customMotionFile, const std::string& dataDirectory);
+
+ private:
+  struct Stage;
+  Stage* stage_;  // never NULL
 };
 
 }  // namespace managers

@@ -1,15 +1,16 @@
-// DARwInOPMotionManager under its newer name.
+// DARwInOPMotionManager under its newer name; its motion file is in the data directory of the ROBOTIS OP2.
 #ifndef ROBOTIS_OP2_MOTION_MANAGER_HPP
 #define ROBOTIS_OP2_MOTION_MANAGER_HPP
 
 #include <DARwInOPMotionManager.hpp>
+#include <RobotisOp2DirectoryManager.hpp>
 
 namespace managers {
 
 class RobotisOp2MotionManager : public DARwInOPMotionManager {
  public:
   explicit RobotisOp2MotionManager(webots::Robot* robot, const std::string& customMotionFile = "")
-      : DARwInOPMotionManager(robot, customMotionFile) {}
+      : DARwInOPMotionManager(robot, customMotionFile, RobotisOp2DirectoryManager::getDataDirectory()) {}
 };
 
 }  // namespace managers

@@ -31,6 +31,9 @@ class Facade : public testing::Test {
     return *robot_;
   }
 
+  /// Ends this robot; robot() makes another one.
+  void end() { robot_.reset(); }
+
   /// One step, and what the robot was told about this joint.
   JointCommand told(Joint joint) {
     EXPECT_EQ(robot().step(16), 0);

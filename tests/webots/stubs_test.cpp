@@ -1,13 +1,11 @@
-// Speaker, keyboard, motions and their manager: harmless, and they say once that they are not there yet.
+// Speaker and keyboard: harmless, and they say once that they are not there yet.
 #include <gmock/gmock.h>
 
-#include <DARwInOPMotionManager.hpp>
+#include <DARwInOPDirectoryManager.hpp>
 #include <RobotisOp2DirectoryManager.hpp>
-#include <RobotisOp2MotionManager.hpp>
 #include <webots/Camera.hpp>
 #include <webots/Keyboard.hpp>
 #include <webots/Speaker.hpp>
-#include <webots/utils/Motion.hpp>
 
 #include "fixture.hpp"
 
@@ -54,17 +52,10 @@ TEST_F(StubTest, NoKeyIsZeroIn2013AndMinusOneToday) {
   EXPECT_EQ(lines(testing::internal::GetCapturedStderr()), 1);
 }
 
-TEST_F(StubTest, MotionsAndManagersSayThatTheyDoNothing) {
-  webots::Motion motion{"hand_high.motion"};
-  motion.play();
-  EXPECT_FALSE(motion.isValid());
-  managers::RobotisOp2MotionManager pages{&robot()};
-  pages.playPage(9);
-  EXPECT_FALSE(pages.isCorrectlyInitialized());
+TEST_F(StubTest, EachRobotHasItsDataDirectory) {
+  EXPECT_EQ(managers::DARwInOPDirectoryManager::getDataDirectory(), "/darwin/Data/");
   EXPECT_EQ(managers::RobotisOp2DirectoryManager::getDataDirectory(), "/robotis/Data/");
-  const std::string said = testing::internal::GetCapturedStderr();
-  for (const char* what : {"Motion: ", "hand_high.motion", "MotionManager: ", "page 9"})
-    EXPECT_THAT(said, HasSubstr(what));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace

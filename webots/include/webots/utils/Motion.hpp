@@ -1,4 +1,4 @@
-// Plays a motion file. This version cannot yet: isValid() is false and nothing moves.
+// Plays a .motion file: docs/motions.md.
 #ifndef MOTION_HPP
 #define MOTION_HPP
 
@@ -8,26 +8,43 @@
 
 #include <string>
 
+namespace darwinop {
+namespace facade {
+class MotionPlayback;
+}
+}  // namespace darwinop
+
 namespace webots {
 
+/// Between play() and its end, or stop(), each Robot::step() moves the motors that the file names. At any other time
+/// they are the controller's.
 class Motion {
  public:
+  /// A relative name is looked for beside the program.
   explicit Motion(const std::string& fileName);
-  virtual ~Motion() {}
-  bool isValid() const { return false; }
-  virtual void play() {}
-  virtual void stop() {}
-  virtual void setLoop(bool) {}
-  virtual void setReverse(bool) {}
-  virtual void setTime(int) {}
+  virtual ~Motion();
+  /// False: the file is missing or broken, which was said with its line and field. The other calls then do nothing.
+  bool isValid() const;
+  /// Goes on from the present time; from the beginning when it is at the end (from the end when reversed).
+  virtual void play();
+  /// Keeps the present time and the goals that the motors have.
+  virtual void stop();
+  /// At its end it begins anew. Not looped (default): it is over there.
+  virtual void setLoop(bool loop);
+  /// The clock runs backwards.
+  virtual void setReverse(bool reverse);
+  /// ms, brought into 0 to getDuration().
+  virtual void setTime(int time);
   /// ms.
-  int getDuration() const { return 0; }
-  int getTime() const { return 0; }
-  bool isOver() const { return true; }
+  int getDuration() const;
+  int getTime() const;
+  /// True at the end (at the beginning when reversed), unless it is looped; true if the file is not valid.
+  bool isOver() const;
 
  private:
   Motion(const Motion&);
   Motion& operator=(const Motion&);
+  darwinop::facade::MotionPlayback* playback_;  // never NULL
 };
 
 }  // namespace webots
