@@ -3,6 +3,7 @@
 
 #include <DARwInOPGaitManager.hpp>
 #include <RobotisOp2GaitManager.hpp>
+#include <cmath>
 #include <fstream>
 #include <memory>
 #include <webots/Motor.hpp>
@@ -83,7 +84,8 @@ TEST_F(GaitManager, SendsWhatTheReferenceWalks) {
 }
 
 TEST_F(GaitManager, CarriesTheRestOfAStepOver) {
-  standing().start();
+  standing().step(12);  // at rest: what remains of it is nobody's
+  manager().start();
   const auto golden = goldenOf("G1_inplace");
   for (std::size_t step = 1; step <= 80; ++step) {
     steps(1, 20);
@@ -196,6 +198,8 @@ TEST_F(GaitManager, StopEndsWhenTheControllerMust) {
   testing::internal::CaptureStderr();
   manager().stop();
   EXPECT_EQ(robot().step(16), -1);
+  const double stance = radFromTicks(gait::kStanding[Joint::kShoulderR]).value;
+  EXPECT_GT(std::abs(robot().getMotor("ShoulderR")->getTargetPosition() - stance), 0.05);  // it did not walk on
   testing::internal::GetCapturedStderr();
 }
 
