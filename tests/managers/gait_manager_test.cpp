@@ -9,6 +9,7 @@
 #include <webots/Motor.hpp>
 
 #include "gait/golden.hpp"
+#include "managers/gait/engine.hpp"
 #include "support/temporary_folder.hpp"
 #include "webots/fixture.hpp"
 
@@ -188,6 +189,28 @@ TEST_F(GaitManager, StopReturnsInTheStanceAndThenLeavesTheMotorsAlone) {
   steps(20);
   EXPECT_EQ(goals()[0], ticksFromRad(Rad{0.1}));
   manager().stop();  // nothing to do
+}
+
+TEST_F(GaitManager, CallsFromInsideOfAStopAreNotHeard) {
+  standing().setXAmplitude(1);
+  manager().start();
+  steps(60);
+  gait::Engine engine{gait::shipped()};
+  engine.start();
+  for (int call = 0; call < 120; ++call) engine.next({1, 0, 0, false}, {NAN, NAN});
+  engine.stop();
+  int calls = 0;
+  for (; engine.running(); ++calls) engine.next({}, {NAN, NAN});
+  // As a controller does whose own Robot::step() walks, too.
+  fake.on_cycle = [this](std::uint64_t) {
+    manager().step(16);
+    manager().start();
+    manager().stop();
+  };
+  const Nanos before = fake.now;
+  manager().stop();
+  EXPECT_EQ((fake.now - before) / std::chrono::milliseconds{16}, (calls + 1) / 2);
+  fake.on_cycle = {};
 }
 
 TEST_F(GaitManager, StopEndsWhenTheControllerMust) {
