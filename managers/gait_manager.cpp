@@ -20,7 +20,7 @@ namespace gait = darwinop::gait;
 
 namespace {
 
-constexpr int kTick = static_cast<int>(gait::kTick_ms);
+constexpr int kTick = static_cast<int>(gait::kTickMs);
 constexpr int kLongestStep = 10'000;  // ms, as that of Robot::step() in config.ini
 // Servos have this gain unless somebody says otherwise: Motor::setControlPID.
 constexpr double kDefaultKp = 4;
@@ -123,7 +123,7 @@ struct DARwInOPGaitManager::Walker {
     walk.stop();
     stopping = true;
     const int basic = std::max(1, static_cast<int>(robot->getBasicTimeStep()));
-    double left_ms = walk.approach_ms() + 2 * walk.parameters().period_time;
+    double left_ms = walk.approachMs() + 2 * walk.parameters().period_time;
     while (!walk.resting() && left_ms > -basic) {
       advance(basic);
       if (robot->step(basic) == -1) break;

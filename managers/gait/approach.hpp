@@ -21,12 +21,12 @@ inline Pose poseOf(const Goals& goals) {
 
 class Approach {
  public:
-  /// The joint with the longest way takes this speed on average, and half as much again in the middle. A robot that
-  /// gets up from its start pose, sitting, then takes 2.7 s.
-  static constexpr double kSpeed_rad_s = 0.5;
-  /// Nearer than this is there: the sway of a stance, not worth a wait.
-  static constexpr double kThere_rad = 0.05;
-  static constexpr double kLongest_ms = 6000;
+  /// rad/s. The joint with the longest way takes this speed on average, and half as much again in the middle. A robot
+  /// that gets up from its start pose, sitting, then takes 2.7 s.
+  static constexpr double kSpeed = 0.5;
+  /// rad. Nearer than this is there: the sway of a stance, not worth a wait.
+  static constexpr double kThere = 0.05;
+  static constexpr double kLongestMs = 6000;
 
   Approach() = default;
   /// A joint whose `from` is not known starts at its goal.
@@ -36,15 +36,15 @@ class Approach {
       if (!std::isfinite(from_[i])) from_[i] = to_[i];
       way = std::max(way, std::abs(to_[i] - from_[i]));
     }
-    if (way > kThere_rad) duration_ms_ = std::min(way / kSpeed_rad_s * 1000, kLongest_ms);
+    if (way > kThere) duration_ms_ = std::min(way / kSpeed * 1000, kLongestMs);
   }
 
-  [[nodiscard]] double duration_ms() const { return duration_ms_; }
+  [[nodiscard]] double durationMs() const { return duration_ms_; }
   [[nodiscard]] bool done() const { return time_ms_ >= duration_ms_; }
 
   /// At rest at both ends.
   Pose next() {
-    time_ms_ = std::min(time_ms_ + kTick_ms, duration_ms_);
+    time_ms_ = std::min(time_ms_ + kTickMs, duration_ms_);
     if (done()) return to_;
     const double t = time_ms_ / duration_ms_, share = t * t * (3 - 2 * t);
     Pose pose{};

@@ -29,7 +29,7 @@ const Goals& Engine::next(const Wish& wish, const Tilt& tilt) {
   turnThePage();
   const Feet feet = feetAt(time_ms_, timing_, stride_, parameters_);
   if (running_) {
-    time_ms_ += kTick_ms;
+    time_ms_ += kTickMs;
     if (time_ms_ >= timing_.period) time_ms_ = 0;
   }
   if (std::optional<Goals> reached = goalsFor(feet, parameters_)) {

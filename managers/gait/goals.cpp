@@ -13,8 +13,8 @@ constexpr double kDegreePerRad = 180 / kPi;
 constexpr double kArmPGain = 8;
 
 // Rest of the arms, deg. Source: the ROBOTIS engine.
-constexpr double kShoulderR_deg = -48.345, kShoulderL_deg = 41.313, kArmUpperR_deg = -17.873, kArmUpperL_deg = 17.580;
-constexpr double kArmLowerR_deg = 29.300, kArmLowerL_deg = -29.593;
+constexpr double kRestShoulderR = -48.345, kRestShoulderL = 41.313, kRestArmUpperR = -17.873, kRestArmUpperL = 17.580;
+constexpr double kRestArmLowerR = 29.300, kRestArmLowerL = -29.593;
 
 /// Both parts lose their fractions, as they always did.
 int goalTick(double rest_deg, double from_rest_deg) {
@@ -51,12 +51,12 @@ std::optional<Goals> goalsFor(const Feet& feet, const Parameters& p) {
   const std::optional<Leg> right = legFor(feet.right, p.ik), left = legFor(feet.left, p.ik);
   if (!right || !left) return std::nullopt;
   Goals goals;
-  goals[Joint::kShoulderR] = goalTick(kShoulderR_deg, feet.arm_right);
-  goals[Joint::kShoulderL] = goalTick(kShoulderL_deg, -feet.arm_left);
-  goals[Joint::kArmUpperR] = goalTick(kArmUpperR_deg, 0);
-  goals[Joint::kArmUpperL] = goalTick(kArmUpperL_deg, 0);
-  goals[Joint::kArmLowerR] = goalTick(kArmLowerR_deg, 0);
-  goals[Joint::kArmLowerL] = goalTick(kArmLowerL_deg, 0);
+  goals[Joint::kShoulderR] = goalTick(kRestShoulderR, feet.arm_right);
+  goals[Joint::kShoulderL] = goalTick(kRestShoulderL, -feet.arm_left);
+  goals[Joint::kArmUpperR] = goalTick(kRestArmUpperR, 0);
+  goals[Joint::kArmUpperL] = goalTick(kRestArmUpperL, 0);
+  goals[Joint::kArmLowerR] = goalTick(kRestArmLowerR, 0);
+  goals[Joint::kArmLowerL] = goalTick(kRestArmLowerL, 0);
   addLeg(goals, *right, kRightLeg, kRight, feet.pelvis_right, p.hip_pitch_offset);
   addLeg(goals, *left, kLeftLeg, kLeft, feet.pelvis_left, p.hip_pitch_offset);
   return goals;

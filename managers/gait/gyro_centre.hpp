@@ -13,7 +13,7 @@ namespace darwinop::gait {
 class GyroCentre {
  public:
   static constexpr int kSamples = 100;
-  static constexpr double kStill_counts = 2;
+  static constexpr double kStillCounts = 2;
 
   /// Raw counts; NaN is no sample. Full and not still: begins again.
   void add(double roll, double pitch) {
@@ -23,7 +23,7 @@ class GyroCentre {
     if (++count_ < kSamples) return;
     count_ = 0;
     const Spread roll_spread = spreadOf(roll_), pitch_spread = spreadOf(pitch_);
-    if (roll_spread.deviation < kStill_counts && pitch_spread.deviation < kStill_counts)
+    if (roll_spread.deviation < kStillCounts && pitch_spread.deviation < kStillCounts)
       centre_ = Tilt{roll_spread.mean, pitch_spread.mean};
   }
 

@@ -21,10 +21,9 @@ std::optional<Leg> legFor(const Foot& foot, Ik ik) {
                      from_hip.z + kAnkle * sole.m[2][2]};
   Leg leg{};
 
-  // The law of cosines; a bend beyond -1..1 has no knee.
+  // The law of cosines; NaN for a place that is too far, and for everything below that comes of it.
   const double reach2 = ankle.x * ankle.x + ankle.y * ankle.y + ankle.z * ankle.z;
   const double bend = (reach2 - kThigh * kThigh - kCalf * kCalf) / (2 * kThigh * kCalf);
-  if (!(std::abs(bend) <= 1)) return std::nullopt;
   leg.knee = std::acos(bend);
 
   // The hip as seen from the sole: the ankle's roll axis must point at it.
@@ -49,7 +48,7 @@ std::optional<Leg> legFor(const Foot& foot, Ik ik) {
   const double s = (k * up + l * forward) / (k * k + l * l);
   leg.hip_pitch = std::atan2(s, (up - k * s) / l);
   leg.ankle_pitch = pitch - leg.knee - leg.hip_pitch;
-  if (!std::isfinite(leg.ankle_pitch)) return std::nullopt;  // folded into a point
+  if (!std::isfinite(leg.ankle_pitch)) return std::nullopt;  // too far, or folded into a point
   return leg;
 }
 

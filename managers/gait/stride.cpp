@@ -45,15 +45,15 @@ void addPelvis(Feet& feet, double t, const Timing& timing, double pelvis_deg) {
 }  // namespace
 
 Stride::Stride(const Wish& wish, const Parameters& p)
-    : x{kGreatestX_mm * wish.x},
+    : x{kGreatestX * wish.x},
       body_x{x * p.step_forward_back_ratio},
-      y{kGreatestY_mm * wish.y / 2},
+      y{kGreatestY * wish.y / 2},
       y_offset{std::abs(y)},
       body_y{p.swing_right_left + y_offset * kSwingPerSpread},
       z{p.foot_height / 2},
       z_offset{z / 2},
       body_z{p.swing_top_down},
-      yaw{kGreatestA_deg * wish.a * kRadPerDegree / 2},
+      yaw{kGreatestA * wish.a * kRadPerDegree / 2},
       yaw_offset{std::abs(yaw)},
       stands{wish.stands()} {
   if (wish.aim) {

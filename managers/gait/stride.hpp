@@ -6,8 +6,8 @@
 
 namespace darwinop::gait {
 
-/// Greatest step at an amplitude of 1. Source: the upstream managers.
-inline constexpr double kGreatestX_mm = 20, kGreatestY_mm = 40, kGreatestA_deg = 50;
+/// Greatest step at an amplitude of 1: mm, mm, deg. Source: the upstream managers.
+inline constexpr double kGreatestX = 20, kGreatestY = 40, kGreatestA = 50;
 
 /// What the user asks for. `aim`: turns around what is in front, stepping to the other side.
 struct Wish {

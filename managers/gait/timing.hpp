@@ -6,7 +6,7 @@
 namespace darwinop::gait {
 
 /// One engine call stands for this much time.
-inline constexpr double kTick_ms = 8;
+inline constexpr double kTickMs = 8;
 
 struct Timing {
   explicit constexpr Timing(const Parameters& p)
@@ -30,7 +30,7 @@ struct Timing {
 
 /// True in the one call that is nearest to `moment`.
 constexpr bool isAt(double time, double moment) {
-  return moment - kTick_ms / 2 <= time && time < moment + kTick_ms / 2;
+  return moment - kTickMs / 2 <= time && time < moment + kTickMs / 2;
 }
 
 }  // namespace darwinop::gait

@@ -37,12 +37,12 @@ void Walk::approach() {
 void Walk::settle(bool balance, const GyroCounts& gyro) {
   if (stopping_) {
     phase_ = Phase::kRest;
-  } else if (!balance || centre_.known() || settled_ms_ >= kPatience_ms) {
+  } else if (!balance || centre_.known() || settled_ms_ >= kPatienceMs) {
     phase_ = Phase::kWalk;
     engine_.start();
   } else {
     centre_.add(gyro.roll, gyro.pitch);
-    settled_ms_ += kTick_ms;
+    settled_ms_ += kTickMs;
   }
 }
 

@@ -15,7 +15,7 @@ struct GyroCounts {
 class Walk {
  public:
   /// So long it stands still to learn where the gyroscope rests, three times what that takes.
-  static constexpr double kPatience_ms = 3 * GyroCentre::kSamples * kTick_ms;
+  static constexpr double kPatienceMs = 3 * GyroCentre::kSamples * kTickMs;
 
   explicit Walk(const Parameters& parameters) : engine_{parameters}, pose_{poseOf(engine_.goals())} {}
 
@@ -30,7 +30,7 @@ class Walk {
   [[nodiscard]] bool walking() const { return phase_ == Phase::kWalk; }
   [[nodiscard]] bool knowsBalance() const { return centre_.known(); }
   /// ms that remain until the robot stands in the stance.
-  [[nodiscard]] double approach_ms() const { return approach_.duration_ms(); }
+  [[nodiscard]] double approachMs() const { return approach_.durationMs(); }
   /// rad. At rest that of the last walk's end; before the first one, the stance.
   [[nodiscard]] const Pose& pose() const { return pose_; }
   [[nodiscard]] const Parameters& parameters() const { return engine_.parameters(); }

@@ -60,7 +60,7 @@ RC_GTEST_PROP(Gait, ComesToRestWhateverTheFileAsksFor, ()) {
   engine.stop();
   int calls = 0;
   for (; engine.running() && calls < 2000; ++calls) engine.next(anyWish(), {0, 0});
-  RC_ASSERT(calls <= 1.5 * p.period_time / kTick_ms + 3);
+  RC_ASSERT(calls <= 1.5 * p.period_time / kTickMs + 3);
 }
 
 /// Greatest step between two calls, ticks, over stretches of different wishes.

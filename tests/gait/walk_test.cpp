@@ -35,11 +35,11 @@ int ticksToWalk(Walk& walk, bool balance, const GyroCounts& gyro) {
 
 TEST(Approach, GoesGentlyFromSittingToTheStance) {
   Approach approach{sitting(), kStance};
-  EXPECT_NEAR(approach.duration_ms(), 2675, 1);
+  EXPECT_NEAR(approach.durationMs(), 2675, 1);
   Pose last = sitting();
   while (!approach.done()) {
     const Pose next = approach.next();
-    EXPECT_LT(greatestStep(last, next) / 0.008, 1.5 * Approach::kSpeed_rad_s + 1e-9);
+    EXPECT_LT(greatestStep(last, next) / 0.008, 1.5 * Approach::kSpeed + 1e-9);
     last = next;
   }
   EXPECT_EQ(last, kStance);
@@ -105,6 +105,13 @@ TEST(Walk, LearnsTheCentreWhileItRests) {
   EXPECT_EQ(ticksToWalk(walk, true, kLevel), 1);
 }
 
+TEST(Walk, ForgetsSamplesOfAnotherStance) {
+  Walk walk{Parameters{}};
+  for (int i = 0; i < 60; ++i) walk.tick({}, true, {511, 511});
+  walk.start(kStance);
+  EXPECT_EQ(ticksToWalk(walk, true, kLevel), GyroCentre::kSamples + 1);
+}
+
 TEST(Walk, WalksWithoutBalanceWhenItCannotCalibrate) {
   Walk walk{Parameters{}}, blind{Parameters{}}, unbalanced{Parameters{}};
   for (Walk* one : {&walk, &blind, &unbalanced}) one->start(kStance);
@@ -141,7 +148,7 @@ TEST(Walk, AStopOnTheWayToTheStanceEndsThere) {
   walk.stop();
   int ticks = 0;
   for (; !walk.resting() && ticks < 1000; ++ticks) walk.tick({}, true, kLevel);
-  EXPECT_NEAR(ticks * kTick_ms, 2675 - 50 * kTick_ms, 20);
+  EXPECT_NEAR(ticks * kTickMs, 2675 - 50 * kTickMs, 20);
   EXPECT_EQ(walk.pose(), kStance);
 }
 

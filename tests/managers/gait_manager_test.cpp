@@ -3,11 +3,13 @@
 
 #include <DARwInOPGaitManager.hpp>
 #include <RobotisOp2GaitManager.hpp>
+#include <cmath>
 #include <fstream>
 #include <memory>
 #include <webots/Motor.hpp>
 
 #include "gait/golden.hpp"
+#include "managers/gait/engine.hpp"
 #include "support/temporary_folder.hpp"
 #include "webots/fixture.hpp"
 
@@ -83,7 +85,8 @@ TEST_F(GaitManager, SendsWhatTheReferenceWalks) {
 }
 
 TEST_F(GaitManager, CarriesTheRestOfAStepOver) {
-  standing().start();
+  standing().step(12);  // at rest: what remains of it is nobody's
+  manager().start();
   const auto golden = goldenOf("G1_inplace");
   for (std::size_t step = 1; step <= 80; ++step) {
     steps(1, 20);
@@ -188,6 +191,28 @@ TEST_F(GaitManager, StopReturnsInTheStanceAndThenLeavesTheMotorsAlone) {
   manager().stop();  // nothing to do
 }
 
+TEST_F(GaitManager, CallsFromInsideOfAStopAreNotHeard) {
+  standing().setXAmplitude(1);
+  manager().start();
+  steps(60);
+  gait::Engine engine{gait::shipped()};
+  engine.start();
+  for (int call = 0; call < 120; ++call) engine.next({1, 0, 0, false}, {NAN, NAN});
+  engine.stop();
+  int calls = 0;
+  for (; engine.running(); ++calls) engine.next({}, {NAN, NAN});
+  // As a controller does whose own Robot::step() walks, too.
+  fake.on_cycle = [this](std::uint64_t) {
+    manager().step(16);
+    manager().start();
+    manager().stop();
+  };
+  const Nanos before = fake.now;
+  manager().stop();
+  EXPECT_EQ((fake.now - before) / std::chrono::milliseconds{16}, (calls + 1) / 2);
+  fake.on_cycle = {};
+}
+
 TEST_F(GaitManager, StopEndsWhenTheControllerMust) {
   standing().setXAmplitude(1);
   manager().start();
@@ -196,6 +221,8 @@ TEST_F(GaitManager, StopEndsWhenTheControllerMust) {
   testing::internal::CaptureStderr();
   manager().stop();
   EXPECT_EQ(robot().step(16), -1);
+  const double stance = radFromTicks(gait::kStanding[Joint::kShoulderR]).value;
+  EXPECT_GT(std::abs(robot().getMotor("ShoulderR")->getTargetPosition() - stance), 0.05);  // it did not walk on
   testing::internal::GetCapturedStderr();
 }
 
