@@ -80,6 +80,7 @@ TEST_F(MotionManagerTest, ASynchronousPageEndsWithTheController) {
   manager.playPage(1);
   EXPECT_FALSE(manager.isMotionPlaying());
   EXPECT_THAT(necks(), ElementsAre(2003, 2012, 2037, 2062)) << "the step that gave -1 had been published";
+  EXPECT_EQ(ticksFromRad(Rad{robot().getMotor("Neck")->getTargetPosition()}), 2062) << "and no further";
   EXPECT_EQ(robot().step(16), -1);
 }
 

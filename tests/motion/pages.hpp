@@ -48,25 +48,25 @@ inline Page pageOf(std::initializer_list<Step> steps, std::uint8_t acceleration 
 
 /// Any pages that a file may hold, chained at random.
 inline PageFile randomFile(std::mt19937& dice) {
-  const auto upTo = [&dice](int most) { return static_cast<int>(dice() % static_cast<unsigned>(most + 1)); };
-  const auto byte = [&upTo](int most) { return static_cast<std::uint8_t>(upTo(most)); };
+  const auto up_to = [&dice](int most) { return static_cast<int>(dice() % static_cast<unsigned>(most + 1)); };
+  const auto byte = [&up_to](int most) { return static_cast<std::uint8_t>(up_to(most)); };
   PageFile pages = emptyFile();
   for (std::size_t i = 1; i < 12; ++i) {
     Page& page = pages[i];
     page.steps = byte(7);
     page.repeat = byte(3);
-    page.schedule = upTo(3) == 0 ? kSpeedBased : kTimeBased;
-    page.speed = static_cast<std::uint8_t>(1 + upTo(upTo(1) == 0 ? 63 : 254));
-    page.acceleration = byte(upTo(1) == 0 ? 8 : 255);
+    page.schedule = up_to(3) == 0 ? kSpeedBased : kTimeBased;
+    page.speed = static_cast<std::uint8_t>(1 + up_to(up_to(1) == 0 ? 63 : 254));
+    page.acceleration = byte(up_to(1) == 0 ? 8 : 255);
     page.next = byte(14);
     page.exit = byte(14);
     for (std::uint8_t& slopes : page.slopes) slopes = byte(255);
     for (std::uint8_t& rest : page.rest) rest = byte(255);
     for (Step& step : page.step) {
-      step.time = byte(upTo(1) == 0 ? 12 : 255);
-      step.pause = upTo(2) == 0 ? byte(20) : std::uint8_t{0};
+      step.time = byte(up_to(1) == 0 ? 12 : 255);
+      step.pause = up_to(2) == 0 ? byte(20) : std::uint8_t{0};
       for (std::uint16_t& word : step.position)
-        word = upTo(5) == 0 ? std::uint16_t{0x4200} : static_cast<std::uint16_t>(upTo(kTickMax));
+        word = up_to(5) == 0 ? std::uint16_t{0x4200} : static_cast<std::uint16_t>(up_to(kTickMax));
     }
   }
   return pages;

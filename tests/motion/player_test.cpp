@@ -142,6 +142,23 @@ TEST(Player, AStopLetsThePageEndAndGoesThroughItsExit) {
   EXPECT_THAT(visits(pages, 15), ElementsAre(1, 1, 5)) << "the last step had chosen already";
 }
 
+TEST(Player, AStopIsForgottenByTheNextStart) {
+  PageFile pages = emptyFile();
+  pages[1] = pages[2] = pageOf({stepTo(2100, 10)});
+  pages[1].next = 2;
+  Player player{pages};
+  const auto ticks = [&player] {
+    int count = 0;
+    while (player.tick()) ++count;
+    return count;
+  };
+  ASSERT_TRUE(player.start(1, everywhere(2000)));
+  player.requestStop();
+  EXPECT_EQ(ticks(), 13);
+  ASSERT_TRUE(player.start(1, everywhere(2000)));
+  EXPECT_EQ(ticks(), 26);
+}
+
 TEST(Player, ABrakeEndsItWhereItIs) {
   const PageFile pages = fileOf(pageOf({stepTo(2100, 10)}));
   Player player{pages};

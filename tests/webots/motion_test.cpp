@@ -1,6 +1,8 @@
 // The .motion player as controllers use it: when it moves motors, where to, and what it says of bad files.
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <webots/Motor.hpp>
 #include <webots/utils/Motion.hpp>
@@ -34,8 +36,8 @@ class MotionTest : public Facade {
   double neckAfterStep() { return goalOf(told(Joint::kNeck)); }
   double headOfLastStep() { return goalOf(fake.last().joint[index(Joint::kHead)]); }
   std::vector<double> necks(int steps) {
-    std::vector<double> seen;
-    for (int i = 0; i < steps; ++i) seen.push_back(std::round(neckAfterStep() * 1000) / 1000);
+    std::vector<double> seen(static_cast<std::size_t>(steps));
+    for (double& goal : seen) goal = std::round(neckAfterStep() * 1000) / 1000;
     return seen;
   }
   /// What is said about a file with this text.
@@ -109,10 +111,10 @@ TEST_F(MotionTest, PlayedAgainItBeginsAnew) {
 
 TEST_F(MotionTest, AnotherPlayWhileItPlaysChangesNothing) {
   webots::Motion motion{file(kNod)};
-  std::vector<double> seen;
-  for (int i = 0; i < 5; ++i) {
+  std::array<double, 5> seen{};
+  for (double& goal : seen) {
     motion.play();
-    seen.push_back(necks(1).front());
+    goal = necks(1).front();
   }
   EXPECT_THAT(seen, ElementsAre(0, 0.2, 0.4, 0.2, 0));
 }
