@@ -16,9 +16,6 @@
 namespace darwinop::v4l2 {
 namespace {
 
-// Well within the 0.2 s that the destructor promises.
-constexpr std::chrono::milliseconds kGraceAtEnd{100};
-
 /// The thread may be started by a real-time one; pictures must not delay the loop.
 void becomeOrdinaryThread() {
   const sched_param none{};
@@ -39,7 +36,7 @@ struct Camera::Work {
     ended = true;
     changed.notify_all();
   }
-  bool endsWithin(std::chrono::milliseconds grace) {
+  bool endsWithin(Nanos grace) {
     std::unique_lock lock{mutex};
     return changed.wait_for(lock, grace, [this] { return ended; });
   }
@@ -50,10 +47,13 @@ struct Camera::Work {
   bool ended = false;
 };
 
-Camera::Camera(CameraOptions options) : work_{std::make_shared<Work>(std::move(options))} {
+Camera::Camera(CameraOptions options)
+    : grace_{options.patience.grace}, work_{std::make_shared<Work>(std::move(options))} {
   sigset_t all, before;
   ::sigfillset(&all);
-  ::pthread_sigmask(SIG_SETMASK, &all, &before);  // inherited by the new thread: signals are for the main one
+  // What the thread does wrong itself still ends the process as it should.
+  for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::sigdelset(&all, own);
+  ::pthread_sigmask(SIG_BLOCK, &all, &before);  // inherited by the new thread: signals are for the main one
   try {
     thread_ = std::thread{[work = work_] { work->run(); }};
   } catch (...) {
@@ -65,11 +65,11 @@ Camera::Camera(CameraOptions options) : work_{std::make_shared<Work>(std::move(o
 
 Camera::~Camera() {
   work_->capture.stop();
-  if (work_->endsWithin(kGraceAtEnd)) {
+  if (work_->endsWithin(grace_)) {
     thread_.join();
     return;
   }
-  work_->capture.mute();  // whoever listens may be gone soon
+  work_->capture.leaveBehind();
   thread_.detach();
 }
 

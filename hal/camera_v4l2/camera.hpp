@@ -24,6 +24,8 @@ struct CameraPatience {
   Nanos silent = std::chrono::seconds{2};              // without a whole picture; then the device is opened anew
   Nanos first_pause = std::chrono::milliseconds{500};  // before it is opened again; doubles
   Nanos longest_pause = std::chrono::seconds{5};
+  // For the thread at the camera's end; then it is left behind. Well within what the destructor promises.
+  Nanos grace = std::chrono::milliseconds{100};
 };
 
 struct CameraOptions {
@@ -42,7 +44,7 @@ class Camera final : public FrameSource {
  public:
   /// Throws std::system_error when the process has no files or threads left, nothing else.
   explicit Camera(CameraOptions options);
-  ~Camera() override;  // within 0.2 s, whatever the device does; nothing is said after it
+  ~Camera() override;  // within 0.2 s (`grace` and a little), whatever the device does; nothing is said after it
   Camera(const Camera&) = delete;
   Camera& operator=(const Camera&) = delete;
 
@@ -53,6 +55,7 @@ class Camera final : public FrameSource {
 
  private:
   struct Work;
+  Nanos grace_;
   std::shared_ptr<Work> work_;
   std::thread thread_;
 };

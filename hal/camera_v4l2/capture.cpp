@@ -23,10 +23,23 @@ Size askable(const CameraOptions& options) {
   return good ? Size{options.width, options.height} : kFallback;
 }
 
+// How many of this process are left behind. Their devices are not told apart: a robot has one camera.
+constinit std::atomic<int> left_behind{0};
+
 }  // namespace
 
 Capture::Capture(CameraOptions options)
     : options_{std::move(options)}, voice_{options_.say}, black_{blackPicture(askable(options_))} {}
+
+Capture::~Capture() {
+  if (left_behind_) left_behind.fetch_sub(1);
+}
+
+void Capture::leaveBehind() {
+  voice_.mute();  // whoever listens may be gone soon
+  left_behind_ = true;
+  left_behind.fetch_add(1);
+}
 
 void Capture::run() noexcept {
   const CameraPatience& patience = options_.patience;
@@ -46,14 +59,25 @@ void Capture::run() noexcept {
 }
 
 bool Capture::attempt() {
-  try {
-    return session();
-  } catch (const CameraRefused& refused) {
-    tell(refused.trouble(), refused.what());
-  } catch (const std::bad_alloc&) {
-    tell(Trouble::kOutOfMemory, explain(Trouble::kOutOfMemory, options_.device));
+  // A predecessor whose driver does not return keeps the device busy: no other program is to blame, yet.
+  constexpr std::chrono::seconds kHandOver{1};
+  constexpr std::chrono::milliseconds kLookAgain{20};
+  const Nanos quiet_until = monotonicNow() + kHandOver;
+  for (;;) {
+    const bool has_predecessor = left_behind.load() != 0;  // asked first: it may let go while we are refused
+    try {
+      return session();
+    } catch (const CameraRefused& refused) {
+      if (refused.trouble() != Trouble::kBusy || !has_predecessor || monotonicNow() >= quiet_until) {
+        tell(refused.trouble(), refused.what());
+        return false;
+      }
+    } catch (const std::bad_alloc&) {
+      tell(Trouble::kOutOfMemory, explain(Trouble::kOutOfMemory, options_.device));
+      return false;
+    }
+    if (wake_.wait(-1, kLookAgain) == Wake::Why::kStop) return false;
   }
-  return false;
 }
 
 /// From opening to losing it. True: pictures came.

@@ -20,13 +20,18 @@ class PictureTaker;
 class Capture {
  public:
   explicit Capture(CameraOptions options);
+  ~Capture();
+  Capture(const Capture&) = delete;
+  Capture& operator=(const Capture&) = delete;
 
   /// The thread: until stop(). Nothing is thrown out of it.
   void run() noexcept;
 
   /// Any other thread.
   void stop() noexcept { wake_.stop(); }
-  void mute() { voice_.mute(); }  // nothing is said after it
+  /// After stop(), by an owner who leaves although run() has not returned: nothing is said after it, and the cameras of
+  /// this process know that one of them may still have its device open.
+  void leaveBehind();
 
   /// The user's thread. Wait-free.
   CameraFrame newest() noexcept;
@@ -49,6 +54,7 @@ class Capture {
   Voice voice_;
   Counters counters_;
   FrameCount count_;
+  bool left_behind_ = false;  // its owner's alone
   bool streamed_ = false;
   Size fixed_{};  // once it has streamed
 

@@ -4,6 +4,8 @@
 #include <linux/videodev2.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 #include "hal/camera_v4l2/trouble.hpp"
 
@@ -21,13 +23,39 @@ void resetCropping(int fd) {
   static_cast<void>(request(fd, VIDIOC_S_CROP, crop));
 }
 
-/// The driver picks the nearest rate it has for this size. One that has no choice has no such call.
-void askForRate(int fd) {
+/// Pictures a second of the robot's camera (thesis, table 4.1). 0: it does not have this size.
+double usualRate(Size size) {
+  struct Row {
+    Size size;
+    double rate;
+  };
+  constexpr std::array<Row, 6> kTable{
+      {{{320, 240}, 30}, {{640, 360}, 30}, {{640, 400}, 30}, {{640, 480}, 30}, {{768, 480}, 28}, {{800, 600}, 22.5}}};
+  const auto* const row = std::ranges::find(kTable, size, &Row::size);
+  return row == kTable.end() ? 0 : row->rate;
+}
+
+std::string oneDecimal(double value) {
+  std::array<char, 32> digits{};
+  return {digits.data(),
+          std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, 1).ptr};
+}
+
+/// The driver picks the nearest rate it has for this size. One that has no choice has no such call, or answers 0.
+void askForRate(const Device& device, Size size, const Remark& remark) {
   constexpr unsigned kPicturesPerSecond = 30;
+  constexpr double kClearlySlower = 0.9;
   v4l2_streamparm rate{};
   rate.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   rate.parm.capture.timeperframe = {1, kPicturesPerSecond};
-  static_cast<void>(request(fd, VIDIOC_S_PARM, rate));
+  if (request(device.fd(), VIDIOC_S_PARM, rate) != 0) return;
+  const v4l2_fract& interval = rate.parm.capture.timeperframe;
+  if (interval.numerator == 0 || interval.denominator == 0) return;
+  const double granted = static_cast<double>(interval.denominator) / static_cast<double>(interval.numerator);
+  if (granted < kClearlySlower * usualRate(size))
+    remark(device.path() + " gives " + oneDecimal(granted) + " pictures a second of " + text(size) +
+           ", the robot's own camera " + oneDecimal(usualRate(size)) + ": `v4l2-ctl -d " + device.path() +
+           " --list-formats-ext` shows which size comes faster");
 }
 
 /// "MJPG", as the letters lie in the number.
@@ -84,7 +112,7 @@ PictureShape negotiate(const Device& device, Size wanted, const Remark& remark) 
     remark(device.path() + " gives no pictures of " + text(wanted) + ": they are " + text(given.size) +
            " now; `v4l2-ctl -d " + device.path() + " --list-formats-ext` shows the sizes it has");
   }
-  askForRate(device.fd());
+  askForRate(device, given.size, remark);
   return given;
 }
 

@@ -22,7 +22,7 @@ PictureTaker::Outcome PictureTaker::takeAll() noexcept {
       outcome.error = filled.error;
       break;
     }
-    errors_in_a_row_ = 0;
+    errors_.over();
     const Numbered taken = number(filled);
     std::uint32_t done = filled.index;
     if (filled.marked_bad || !isWhole(imageOf(filled))) {
@@ -52,10 +52,9 @@ PictureTaker::Numbered PictureTaker::number(const Filled& filled) noexcept {
   return {filled, number.sequence};
 }
 
-/// One or a few are damaged pictures, many in a row a broken device: 0, or the error.
+/// A damaged picture, or a broken device: 0, or the error.
 int PictureTaker::readError(int error) noexcept {
-  constexpr int kMostInARow = 8;
-  if (++errors_in_a_row_ > kMostInARow) return error;
+  if (errors_.add(monotonicNow())) return error;
   counters_.damaged.fetch_add(1, std::memory_order_relaxed);
   count_.unnumbered();
   return buffers_.giveBackStrays();

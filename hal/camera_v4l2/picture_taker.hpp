@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hal/camera_v4l2/buffers.hpp"
+#include "hal/camera_v4l2/error_burst.hpp"
 #include "hal/camera_v4l2/frame_count.hpp"
 #include "hal/camera_v4l2/picture.hpp"
 #include "hal/camera_v4l2/triple_buffer.hpp"
@@ -42,7 +43,7 @@ class PictureTaker {
   TripleBuffer<Picture>& pictures_;
   FrameCount& count_;
   Counters& counters_;
-  int errors_in_a_row_ = 0;
+  ErrorBurst errors_;
 };
 
 }  // namespace darwinop::v4l2

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -42,6 +43,10 @@ FramePainter::FramePainter(std::string path) : path_{std::move(path)} {
   void* const memory =
       error == 0 ? mmap(nullptr, kFrameFileSize, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0) : MAP_FAILED;
   if (error == 0 && memory == MAP_FAILED) error = errno;
+  struct stat status {};
+  if (error == 0 && fstat(fd, &status) != 0) error = errno;
+  device_ = status.st_dev;
+  inode_ = status.st_ino;
   close(fd);
   if (error == 0) {
     file_ = new (memory) FrameFile;
@@ -54,7 +59,8 @@ FramePainter::FramePainter(std::string path) : path_{std::move(path)} {
 }
 
 FramePainter::~FramePainter() {
-  unlink(path_.c_str());
+  struct stat status {};  // another painter may have replaced the file
+  if (stat(path_.c_str(), &status) == 0 && status.st_dev == device_ && status.st_ino == inode_) unlink(path_.c_str());
   munmap(file_, kFrameFileSize);
 }
 

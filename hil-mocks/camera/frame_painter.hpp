@@ -1,6 +1,8 @@
 // The painting end of the frame file: makes the file, fills it with pictures, sets what is wrong with the camera.
 #pragma once
 
+#include <sys/types.h>
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -15,8 +17,8 @@ struct PictureSize {
   bool operator==(const PictureSize&) const = default;
 };
 
-/// One thread paints; faults may be set by any. The file is removed at the end; a camera that is open then keeps its
-/// last picture.
+/// One thread paints; faults may be set by any. The file is removed at the end, unless another painter replaced it; a
+/// camera that is open then keeps its last picture.
 class FramePainter {
  public:
   explicit FramePainter(std::string path);  // replaces what is there; throws std::runtime_error
@@ -40,6 +42,8 @@ class FramePainter {
 
   std::string path_;
   FrameFile* file_ = nullptr;
+  dev_t device_ = 0;
+  ino_t inode_ = 0;
 };
 
 }  // namespace darwinop::hil

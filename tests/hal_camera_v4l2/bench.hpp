@@ -1,26 +1,21 @@
 // A virtual camera for one test, its painter, and ears for what is said about it.
 #pragma once
 
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <mutex>
-#include <new>
-#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "hal/camera_v4l2/camera.hpp"
 #include "hal/camera_v4l2/negotiate.hpp"
-#include "hil-mocks/camera/frame_file.hpp"
+#include "hil-mocks/camera/frame_painter.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::v4l2 {
@@ -47,35 +42,21 @@ inline std::uint8_t noise(std::uint32_t number, std::size_t at) {
 class VirtualCamera {
  public:
   VirtualCamera() {
-    const std::string path = folder_ / "camera";
-    const int fd = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (fd < 0 || ::ftruncate(fd, hil::kFrameFileSize) != 0) throw std::runtime_error("cannot make " + path);
-    void* const memory = ::mmap(nullptr, hil::kFrameFileSize, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
-    ::close(fd);
-    if (memory == MAP_FAILED) throw std::runtime_error("cannot map " + path);
-    file_ = new (memory) hil::FrameFile;
-    ::setenv("DARWINOP_VIRTUAL_CAMERA", path.c_str(), 1);
+    ::setenv("DARWINOP_VIRTUAL_CAMERA", painter_.path().c_str(), 1);
     paint(1, kFallback);
   }
-  ~VirtualCamera() { ::munmap(file_, hil::kFrameFileSize); }
-  VirtualCamera(const VirtualCamera&) = delete;
-  VirtualCamera& operator=(const VirtualCamera&) = delete;
 
-  void fault(CameraFault fault) { file_->fault.store(static_cast<std::uint32_t>(fault)); }
+  void fault(CameraFault fault) { painter_.setFault(fault); }
 
   void paint(std::uint32_t number, Size size) {
-    const std::uint32_t next = file_->pictures.load() + 1;
-    file_->width[next % 2].store(static_cast<std::uint32_t>(size.width));
-    file_->height[next % 2].store(static_cast<std::uint32_t>(size.height));
-    std::uint8_t* const bytes = reinterpret_cast<std::uint8_t*>(file_) + hil::pictureAt(next);
-    for (std::size_t i = 0; i < 2u * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height); ++i)
-      bytes[i] = noise(number, i);
-    file_->pictures.store(next);
+    std::vector<std::uint8_t> bytes(2u * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = noise(number, i);
+    painter_.paintYuyv({size.width, size.height}, bytes);
   }
 
  private:
   TemporaryFolder folder_;
-  hil::FrameFile* file_ = nullptr;
+  hil::FramePainter painter_{folder_ / "camera"};
 };
 
 /// Keeps what was said.
@@ -106,11 +87,12 @@ class Ears {
   std::vector<std::string> heard_;
 };
 
-/// A camera that is tried again soon, and soon taken for silent.
+/// A camera that is tried again soon, and soon taken for silent. Its thread is waited for at the end: it must not meet
+/// the next test's camera.
 inline CameraOptions inAHurry(Ears& ears) {
   CameraOptions options;
   options.say = ears.listen();
-  options.patience = {700ms, 5ms, 20ms};
+  options.patience = {700ms, 5ms, 20ms, 20s};
   return options;
 }
 

@@ -56,6 +56,7 @@ TEST_F(ComingAndGoing, CountsAllPictures) {
 TEST_F(ComingAndGoing, IsSeenForTwoSecondsAfterTheLastPicture) {
   CameraOptions options = inAHurry(ears);
   options.patience = {};  // as on the robot
+  options.patience.grace = inAHurry(ears).patience.grace;
   Camera camera{options};
   waitForPicture(camera);
   device.fault(CameraFault::kSilent);
@@ -71,34 +72,38 @@ TEST_F(ComingAndGoing, IsSeenForTwoSecondsAfterTheLastPicture) {
 TEST_F(ComingAndGoing, DoesNotKeepItsOwnerWaitingForASilentCamera) {
   CameraOptions options = inAHurry(ears);
   options.patience.silent = 60s;
+  const auto token = std::make_shared<int>(0);
+  options.say = [token](const std::string&) {};
   auto camera = std::make_unique<Camera>(options);
+  options.say = nullptr;
   waitForPicture(*camera);
   device.fault(CameraFault::kSilent);
   std::this_thread::sleep_for(50ms);
   const auto begun = std::chrono::steady_clock::now();
   camera.reset();
   EXPECT_LT(std::chrono::steady_clock::now() - begun, 10s);
+  EXPECT_EQ(token.use_count(), 1) << "its thread was left behind";
 }
 
-/// A driver that does not return.
+/// A driver that does not return from its first call of one kind, until it is told.
 struct StuckDriver final : Quirk {
+  explicit StuckDriver(unsigned long where) : in{where} {}
   int call(int fd, unsigned long request, void* argument) override {
-    if (request == VIDIOC_S_FMT)
-      while (stuck) {
-        reached = true;
-        std::this_thread::sleep_for(1ms);
-      }
+    if (request == in && !reached.exchange(true)) waitFor([this] { return !stuck; });
     return next(fd, request, argument);
   }
+  const unsigned long in;
   std::atomic<bool> stuck{true}, reached{false};
+  const InForce in_force{*this};  // the last member: the first to go
 };
 
 TEST_F(ComingAndGoing, DoesNotKeepItsOwnerWaitingForADriverThatIsStuck) {
-  StuckDriver driver;
+  StuckDriver driver{VIDIOC_S_FMT};
   const auto token = std::make_shared<int>(0);
   std::atomic<int> said{0};
   CameraOptions options = inAHurry(ears);
   options.say = [token, &said](const std::string&) { ++said; };
+  options.patience.grace = 100ms;
   auto camera = std::make_unique<Camera>(options);
   options.say = nullptr;
   ASSERT_TRUE(waitFor([&] { return driver.reached.load(); }));
@@ -110,7 +115,39 @@ TEST_F(ComingAndGoing, DoesNotKeepItsOwnerWaitingForADriverThatIsStuck) {
   driver.stuck = false;
   EXPECT_TRUE(waitFor([&] { return token.use_count() == 1; })) << "the thread still holds its listener";
   EXPECT_EQ(said, 0);
-  std::this_thread::sleep_for(50ms);  // it leaves the driver
+}
+
+TEST_F(ComingAndGoing, DoesNotBlameOthersForAPredecessorThatIsStuck) {
+  StuckDriver driver{VIDIOC_DQBUF};
+  const auto token = std::make_shared<int>(0);
+  CameraOptions options = inAHurry(ears);
+  options.say = [token](const std::string&) {};
+  options.patience.grace = 10ms;
+  auto predecessor = std::make_unique<Camera>(options);
+  options.say = nullptr;
+  ASSERT_TRUE(waitFor([&] { return driver.reached.load(); }));
+  predecessor.reset();
+  ASSERT_NE(token.use_count(), 1) << "its thread is not left behind";
+  Camera camera{inAHurry(ears)};
+  std::this_thread::sleep_for(100ms);  // it is refused, several times
+  EXPECT_EQ(camera.health().frames, 0u);
+  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+  driver.stuck = false;
+  waitForPicture(camera);
+  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+}
+
+TEST_F(ComingAndGoing, TellsWhenAPredecessorStaysStuck) {
+  StuckDriver driver{VIDIOC_DQBUF};
+  CameraOptions options = inAHurry(ears);
+  options.patience.grace = 10ms;
+  auto predecessor = std::make_unique<Camera>(options);
+  ASSERT_TRUE(waitFor([&] { return driver.reached.load(); }));
+  predecessor.reset();
+  Camera camera{inAHurry(ears)};
+  EXPECT_TRUE(ears.hears("is in use"));
+  driver.stuck = false;
+  EXPECT_TRUE(ears.hears("is back"));
 }
 
 TEST_F(ComingAndGoing, TakesNothingFromTheHeapPerPicture) {

@@ -24,6 +24,7 @@ class Changed final : public Quirk {
  private:
   unsigned long request_;
   Change change_;
+  const InForce in_force_{*this};  // the last member: the first to go
 };
 
 struct OddDriver : testing::Test {
@@ -57,9 +58,42 @@ TEST_F(OddDriver, OfLinux2_6_31KeepsTheBufferOfADamagedPicture) {
   EXPECT_LE(counted, last + 1) << "a damaged picture is not a dropped one, too";  // the last one has no number yet
 }
 
+TEST_F(OddDriver, AnswersEveryReadWithAnErrorAtOnce) {
+  struct : Quirk {
+    int call(int fd, unsigned long request, void* argument) override {
+      return request == VIDIOC_DQBUF ? fails(EIO) : next(fd, request, argument);  // the picture stays: no pace
+    }
+  } quirk;
+  const InForce in_force{quirk};
+  CameraOptions options = inAHurry(ears);
+  options.patience.silent = 60s;  // it is noticed before that
+  Camera camera{options};
+  ASSERT_TRUE(ears.hears("cannot be read (Input/output error)"));
+  EXPECT_EQ(camera.newest().sequence, 0u);
+}
+
+TEST_F(OddDriver, IsSlowerThanTheRobotsCamera) {
+  const Changed quirk{VIDIOC_S_PARM, [](int result, void* answer) {
+                        static_cast<v4l2_streamparm*>(answer)->parm.capture.timeperframe = {2, 15};
+                        return result;
+                      }};
+  Camera camera{inAHurry(ears)};
+  EXPECT_TRUE(ears.hears("/dev/video0 gives 7.5 pictures a second of 320x240, the robot's own camera 30.0: "));
+}
+
+TEST_F(OddDriver, DoesNotTellItsRate) {
+  const Changed quirk{VIDIOC_S_PARM, [](int result, void* answer) {
+                        static_cast<v4l2_streamparm*>(answer)->parm.capture.timeperframe = {0, 0};
+                        return result;
+                      }};
+  Camera camera{inAHurry(ears)};
+  waitForPicture(camera);
+  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+}
+
 TEST_F(OddDriver, PadsItsRows) {
   // In truth 640x480, of which it shows the upper left quarter.
-  const struct Padded final : Quirk {
+  struct Padded final : Quirk {
     int call(int fd, unsigned long request, void* argument) override {
       if (request != VIDIOC_S_FMT) return next(fd, request, argument);
       v4l2_pix_format& pixels = static_cast<v4l2_format*>(argument)->fmt.pix;
@@ -72,6 +106,7 @@ TEST_F(OddDriver, PadsItsRows) {
       return result;
     }
   } quirk;
+  const InForce in_force{quirk};
   device.paint(5, {640, 480});
   Camera camera{inAHurry(ears)};
   const CameraFrame frame = waitForPicture(camera);
@@ -89,12 +124,13 @@ TEST_F(OddDriver, LeavesTheLengthOfARowOpen) {
 }
 
 TEST_F(OddDriver, GrantsTwoBuffers) {
-  const struct Two final : Quirk {
+  struct Two final : Quirk {
     int call(int fd, unsigned long request, void* argument) override {
       if (request == VIDIOC_REQBUFS) static_cast<v4l2_requestbuffers*>(argument)->count = 2;
       return next(fd, request, argument);
     }
   } quirk;
+  const InForce in_force{quirk};
   Camera camera{inAHurry(ears)};
   EXPECT_TRUE(waitForFrames(camera, 10));
   EXPECT_THAT(ears.heard(), testing::IsEmpty());
@@ -149,6 +185,7 @@ TEST_F(OddDriver, SaysReadyAndHasNothing) {
     }
     std::atomic<int> calls{0};
   } quirk;
+  const InForce in_force{quirk};
   Camera camera{inAHurry(ears)};
   EXPECT_TRUE(ears.hears("sends no pictures"));
   EXPECT_LT(quirk.calls, 1000) << "it keeps a CPU busy";

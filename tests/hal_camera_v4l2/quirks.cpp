@@ -5,20 +5,24 @@
 #include <sys/ioctl.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdarg>
+#include <thread>
 
 namespace darwinop::v4l2 {
 namespace {
 
 std::atomic<Quirk*> in_force{nullptr};
+std::atomic<int> inside{0};
 
 }  // namespace
 
-Quirk::Quirk() {
-  in_force.store(this);
+InForce::InForce(Quirk& quirk) {
+  in_force.store(&quirk);
 }
-Quirk::~Quirk() {
+InForce::~InForce() {
   in_force.store(nullptr);
+  while (inside.load() != 0) std::this_thread::sleep_for(std::chrono::milliseconds{1});
 }
 
 int Quirk::next(int fd, unsigned long request, void* argument) {
@@ -35,6 +39,9 @@ extern "C" int ioctl(int fd, unsigned long request, ...) noexcept {
   void* const argument = va_arg(list, void*);
   va_end(list);
   using darwinop::v4l2::Quirk;
+  darwinop::v4l2::inside.fetch_add(1);  // first: whoever waits for us to leave sees us, or we see that it is over
   Quirk* const quirk = darwinop::v4l2::in_force.load();
-  return quirk != nullptr ? quirk->call(fd, request, argument) : Quirk::next(fd, request, argument);
+  const int result = quirk != nullptr ? quirk->call(fd, request, argument) : Quirk::next(fd, request, argument);
+  darwinop::v4l2::inside.fetch_sub(1);
+  return result;
 }

@@ -43,6 +43,7 @@ struct Notes final : Quirk {
   std::atomic<std::uint32_t> disabled{0}, unknown{0}, refuses{0};
   std::mutex mutex;
   Written written;
+  const InForce in_force{*this};  // the last member: the first to go
 };
 
 /// The virtual camera keeps what was written as long as the process lives.

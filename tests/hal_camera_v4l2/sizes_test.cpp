@@ -58,6 +58,7 @@ struct OneSize final : Quirk {
     return next(fd, request, argument);
   }
   std::atomic<int> width, height;
+  const InForce in_force{*this};  // the last member: the first to go
 };
 
 TEST_F(OtherSizesTest, AreTakenWhenTheCameraHasNothingElse) {

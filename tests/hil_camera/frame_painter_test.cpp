@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 
 #include "hil-mocks/camera/camera_fault.hpp"
@@ -100,6 +101,17 @@ TEST(FramePainter, ReplacesAFileThatACameraStillHasOpen) {
   FramePainter second{folder / "camera"};
   EXPECT_EQ(camera.byte(1, 0), 11);
   EXPECT_EQ(Mapped{folder / "camera"}.file->pictures, 0u);
+}
+
+TEST(FramePainter, LeavesTheFileOfItsSuccessor) {
+  const TemporaryFolder folder;
+  auto first = std::make_unique<FramePainter>(folder / "camera");
+  {
+    const FramePainter second{folder / "camera"};
+    first.reset();
+    EXPECT_TRUE(std::filesystem::exists(folder / "camera"));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(folder / "."));
 }
 
 TEST(FramePainter, RefusesPicturesThatDoNotFit) {

@@ -34,13 +34,14 @@ timespec now() {
 int Device::startThread() {
   sigset_t all, mine;
   sigfillset(&all);
+  for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigdelset(&all, own);  // its own faults stay fatal
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
   pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
   pthread_attr_setstacksize(&attributes, kStack);
   pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);  // SCHED_OTHER, whoever switches it on
   ++generation_;
-  pthread_sigmask(SIG_SETMASK, &all, &mine);  // no signal of the program's is for this thread
+  pthread_sigmask(SIG_BLOCK, &all, &mine);  // no signal of the program's is for this thread
   pthread_t thread = {};
   // NOLINTNEXTLINE(performance-no-int-to-ptr)  a number is all that it is told, and pthread wants a pointer
   auto* const number = reinterpret_cast<void*>(std::uintptr_t{generation_});

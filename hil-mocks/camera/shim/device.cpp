@@ -22,8 +22,28 @@ bool Device::owns(int fd) const {
   return handleOf(fd) != kNobody && process_.load() == getpid();
 }
 
+/// No thread is amid its work while the process is copied.
+void Device::beforeFork() {
+  pthread_mutex_lock(&the_camera.mutex_);
+}
+
+void Device::afterForkInParent() {
+  pthread_mutex_unlock(&the_camera.mutex_);
+}
+
+/// The thread that delivers and all that is open are the parent's.
+void Device::afterForkInChild() {
+  the_camera.changed_ = PTHREAD_COND_INITIALIZER;  // or it would wait for those who waited there
+  for (std::uint32_t i = 0; i < kMostHandles; ++i) the_camera.fds_[i].store(0);
+  the_camera.owner_ = kNobody;
+  the_camera.streaming_ = false;
+  the_camera.buffers_.release();
+  pthread_mutex_unlock(&the_camera.mutex_);
+}
+
 int Device::open(int flags) {
   const Lock lock{mutex_};
+  if (!minds_forks_) minds_forks_ = pthread_atfork(beforeFork, afterForkInParent, afterForkInChild) == 0;
   reader_.refresh();
   const CameraFault fault = reader_.fault();
   std::uint32_t handle = 0;

@@ -18,8 +18,8 @@ namespace darwinop::hil::shim {
 /// A descriptor of ours is an eventfd that is readable while a filled buffer waits, so poll(), select() and epoll
 /// need no help. A timer would wake a program although the camera is silent.
 ///
-/// Any thread may call anything. A child after fork() has no camera. Never destroyed: other threads may still use it
-/// while the process ends.
+/// Any thread may call anything. A child after fork() has no camera until it opens one. Never destroyed: other threads
+/// may still use it while the process ends.
 class Device {
  public:
   constexpr Device() = default;
@@ -70,6 +70,9 @@ class Device {
 
   // device.cpp
   void unplug();
+  static void beforeFork();
+  static void afterForkInParent();
+  static void afterForkInChild();
 
   pthread_mutex_t mutex_ = PTHREAD_MUTEX_INITIALIZER;  // over all but fds_ and process_
   pthread_cond_t changed_ = PTHREAD_COND_INITIALIZER;  // generation_
@@ -78,6 +81,7 @@ class Device {
   bool dead_[kMostHandles + 1] = {};  // unplugged while open: ENODEV until closed
   std::uint32_t owner_ = kNobody;     // whose buffers they are
   bool streaming_ = false;
+  bool minds_forks_ = false;
   std::uint32_t generation_ = 0;  // of the thread; another one ends it
   std::uint32_t sequence_ = 0;
   std::uint32_t size_ = 0, priority_ = V4L2_PRIORITY_DEFAULT;
