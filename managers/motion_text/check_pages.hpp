@@ -1,0 +1,24 @@
+// What a robot would stumble over in a motion file: one finding a line, with page, step and joint.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "managers/motion/page_file.hpp"
+
+namespace darwinop::motion {
+
+/// What the servo can do at its best: Source: MX-28 manual, 117.07 rpm is the top of its speed register.
+inline constexpr double kServoMaxSpeed = 12.26;  // rad/s; as safety/config.hpp has it
+
+/// Chains to pages that cannot be played, positions beyond the joints' limits, speeds beyond the servo's. Only pages
+/// that can be played are looked at.
+[[nodiscard]] std::vector<std::string> checkPages(const PageFile& pages);
+
+/// One sentence for each page of a binary file that is damaged, as decodePages() tells it. `pages` gets the others,
+/// and empty pages for these; it has none when the length is wrong.
+[[nodiscard]] std::vector<std::string> checkBytes(std::span<const std::uint8_t> bytes, PageFile& pages);
+
+}  // namespace darwinop::motion
