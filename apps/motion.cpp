@@ -11,6 +11,7 @@
 #include "managers/motion_text/check_pages.hpp"
 #include "managers/motion_text/mirror.hpp"
 #include "managers/motion_text/motion_file.hpp"
+#include "managers/motion_text/page_section.hpp"
 #include "managers/motion_text/page_text.hpp"
 #include "motion_print.hpp"
 
@@ -19,9 +20,9 @@ namespace {
 using namespace darwinop;
 using namespace darwinop::motion;
 
-constexpr int kFound = 1;                  // exit status: check found something
-constexpr int kWrong = 2;                  // a mistake in the arguments, or a file that cannot be used
-constexpr std::uint8_t kFirstSteps = 125;  // 1 s, slow enough for any way to the start pose
+constexpr int kFound = 1;                 // exit status: check found something
+constexpr int kWrong = 2;                 // a mistake in the arguments, or a file that cannot be used
+constexpr std::uint8_t kFirstTime = 125;  // 1 s, slow enough for any way to the start pose
 constexpr const char* kFileHelp = "motion file, binary or text; what it is, is seen from what is in it";
 
 struct Arguments {
@@ -111,24 +112,16 @@ int mirror(const Arguments& a) {
 int begin(const Arguments& a) {
   if (std::filesystem::exists(a.out))
     throw std::runtime_error(a.out + ": it is there already, and is left alone; choose another name");
-  Page page = emptyPage();
+  PageSection section{numberOf(a.page)};
+  section.set("name", '"' + a.name + '"');
+  Page page = section.finish();
   page.steps = 1;
-  page.step.front().time = kFirstSteps;
+  page.step.front().time = kFirstTime;
   for (const JointRow& joint : kJointTable) page.step.front().position.at(joint.id) = joint.start;
-  const std::string title = std::string{kTextTitle} + "\n";
-  const std::string text = title +
-                           "\n# One row a joint, in degrees; one column a step, up to seven. Times in seconds.\n"
-                           "# 'keep' leaves a joint where it is. Fields: docs/motion-command.md.\n" +
-                           writePage(page, numberOf(a.page));
-  // The name as the user wrote it is looked at by the one reader there is.
-  const std::size_t at = text.find(']') + 2;
-  const std::string named = text.substr(0, at) + "name           = \"" + a.name + "\"\n" + text.substr(at);
-  try {
-    (void)parsePages(named, a.out);
-  } catch (const std::runtime_error& why) {
-    throw std::runtime_error(std::string{"--name: "} + why.what());
-  }
-  writeText(a.out, named);
+  const std::string remarks =
+      "# One row a joint, in degrees; one column a step, up to seven. Times in seconds.\n"
+      "# 'keep' leaves a joint where it is. Fields: docs/motion-command.md.\n";
+  writeText(a.out, std::string{kTextTitle} + "\n\n" + remarks + writePage(page, numberOf(a.page)));
   std::cout << "page " << a.page << " in " << a.out << ", one step: the start pose\n";
   return 0;
 }

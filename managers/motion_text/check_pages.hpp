@@ -10,8 +10,9 @@
 
 namespace darwinop::motion {
 
-/// What the servo can do at its best: Source: MX-28 manual, 117.07 rpm is the top of its speed register.
-inline constexpr double kServoMaxSpeed = 12.26;  // rad/s; as safety/config.hpp has it
+// Source: MX-28 control table, the top of the moving speed, 117.07 rpm; the runtime's safety lets nothing pass that is
+// faster (max_joint_speed). Without a load and at 12 V the servo does about half of it.
+inline constexpr double kServoMaxSpeed = 12.26;  // rad/s
 
 /// Chains to pages that cannot be played, positions beyond the joints' limits, speeds beyond the servo's. Only pages
 /// that can be played are looked at.

@@ -1,4 +1,4 @@
-// Plays one page by itself, as the robot's engine does.
+// Goes through one page by itself.
 #include "managers/motion_text/rehearsal.hpp"
 
 #include <algorithm>
@@ -8,25 +8,48 @@
 
 namespace darwinop::motion {
 
+namespace {
+
+/// As the player has it: by time the page's speed scales it, by speed the longest way sets it. Source: docs/motions.md.
+int moveTicks(const Page& page, const Step& step, int longest) {
+  const int scaled = std::max(1, (step.time * page.speed) >> 5);
+  return page.schedule == kTimeBased ? scaled : 40 * longest / (3 * scaled);
+}
+
+/// Adds the step to `moves`, and goes to it.
+void take(std::vector<Move>& moves, const PageFile& pages, int number, std::size_t at, Pose& pose) {
+  const Page& page = pages.at(static_cast<std::size_t>(number));
+  const Step& step = page.step.at(at);
+  Move move{number, at, 0, {}};
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const std::uint16_t word = step.position.at(i + 1);  // by servo id
+    const int target = (word & (kKeep | kTorqueOff)) != 0 ? pose[i] : std::min<int>(word, kTickMax);
+    move.distance[i] = std::abs(target - pose[i]);
+    pose[i] = target;
+  }
+  move.ticks = moveTicks(page, step, *std::ranges::max_element(move.distance));
+  moves.push_back(move);
+}
+
+}  // namespace
+
 Pose firstPose(const Page& page) {
   Pose pose{};
   for (std::size_t i = 0; i < kJoints; ++i) {
     pose[i] = kJointTable[i].start;
     for (std::size_t step = 0; step < page.steps; ++step) {
       const std::uint16_t word = page.step.at(step).position.at(i + 1);  // by servo id
-      if (word > kTickMax) continue;
-      pose[i] = word;
+      if ((word & (kKeep | kTorqueOff)) != 0) continue;
+      pose[i] = std::min<int>(word, kTickMax);
       break;
     }
   }
   return pose;
 }
 
-namespace {
-
-constexpr int kLongestStep = 70'000;  // ticks: at speed 1 across the whole range, and the longest pause
-
-int ticksOnce(const Page& asked) {
+int ticksOf(const PageFile& pages, int page) {
+  const Page& asked = pages.at(static_cast<std::size_t>(page));
+  if (!asked.canPlay()) return 0;
   PageFile alone(2, emptyPage());
   alone[1] = asked;
   alone[1].repeat = 1;
@@ -35,35 +58,19 @@ int ticksOnce(const Page& asked) {
   int ticks = 0;
   player.start(1, firstPose(asked));
   while (player.tick()) ++ticks;
-  return ticks;
+  return ticks * asked.repeat;
 }
 
-}  // namespace
-
-int ticksOf(const PageFile& pages, int page) {
+std::vector<Move> movesOf(const PageFile& pages, int page) {
+  std::vector<Move> moves;
   const Page& asked = pages.at(static_cast<std::size_t>(page));
-  return asked.canPlay() ? ticksOnce(asked) * asked.repeat : 0;
-}
-
-std::vector<StepSpeeds> rehearse(const PageFile& pages, int page) {
-  std::vector<StepSpeeds> steps;
-  const Page& asked = pages.at(static_cast<std::size_t>(page));
-  Player player{pages};
-  Pose before = firstPose(asked);
-  player.start(page, before);
-  const std::size_t wanted = asked.steps + 1U;  // and the first step of what comes next
-  // A page of one step that repeats looks the same each time: twice is enough.
-  for (int left = asked.canPlay() ? 2 * ticksOnce(asked) + kLongestStep : 0; left > 0 && player.tick(); --left) {
-    const auto step = static_cast<std::size_t>(player.step());
-    const bool new_step = steps.empty() || steps.back().page != player.page() || steps.back().step != step;
-    if (new_step && steps.size() == wanted) break;
-    if (new_step) steps.push_back({player.page(), step, {}});
-    for (std::size_t i = 0; i < kJoints; ++i) {
-      steps.back().most[i] = std::max(steps.back().most[i], std::abs(player.pose()[i] - before[i]));
-    }
-    before = player.pose();
-  }
-  return steps;
+  if (!asked.canPlay()) return moves;
+  Pose pose = firstPose(asked);
+  for (std::size_t i = 0; i < asked.steps; ++i) take(moves, pages, page, i, pose);
+  Pose after = pose;
+  if (asked.repeat > 1) take(moves, pages, page, 0, after);
+  if (asked.next != 0 && pages.at(asked.next).canPlay()) take(moves, pages, asked.next, 0, pose);
+  return moves;
 }
 
 }  // namespace darwinop::motion

@@ -1,8 +1,7 @@
-// Plays one page by itself, as the robot's engine does, to see how long it takes and how fast the joints must be.
+// Goes through one page by itself: how long it takes, and how far each step moves the joints.
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "managers/motion/player.hpp"
@@ -17,15 +16,15 @@ namespace darwinop::motion {
 /// a first step that takes longer the farther the robot is from it: this is the least.
 [[nodiscard]] int ticksOf(const PageFile& pages, int page);
 
-/// How far the goal of each joint moves in one tick at most, in servo ticks.
-struct StepSpeeds {
+struct Move {
   int page = 0;
-  std::size_t step = 0;  // from 0
-  std::array<int, kJoints> most{};
+  std::size_t step = 0;                 // from 0
+  int ticks = 0;                        // of 8 ms, without the pause
+  std::array<int, kJoints> distance{};  // servo ticks, never negative
 };
 
 /// The page's steps from its first pose, the first one again when it repeats, and the first step of the page that
 /// follows.
-[[nodiscard]] std::vector<StepSpeeds> rehearse(const PageFile& pages, int page);
+[[nodiscard]] std::vector<Move> movesOf(const PageFile& pages, int page);
 
 }  // namespace darwinop::motion
