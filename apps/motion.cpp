@@ -134,20 +134,20 @@ void describe(CLI::App& app, Arguments& a, Action& action) {
     added.callback([&action, does] { action = does; });
     return added;
   };
-  const auto withFile = [&a](CLI::App& added) -> CLI::App& {
+  const auto with_file = [&a](CLI::App& added) -> CLI::App& {
     added.add_option("FILE", a.file, kFileHelp)->required();
     return added;
   };
-  withFile(command("list", list, "one line a page that can be played", "list motion_4096.bin"));
-  CLI::App& shown = withFile(command("show", show, "angles, times and gains of a page", "show motion_4096.bin 12"));
+  with_file(command("list", list, "one line a page that can be played", "list motion_4096.bin"));
+  CLI::App& shown = with_file(command("show", show, "angles, times and gains of a page", "show motion_4096.bin 12"));
   addPage(shown, "PAGE", a.page, "number of the page")->required();
-  withFile(command("check", check, "what a robot would stumble over, one line each; exit code 1: there is something",
-                   "check motion_4096.bin"));
+  with_file(command("check", check, "what a robot would stumble over, one line each; exit code 1: there is something",
+                    "check motion_4096.bin"));
   CLI::App& converted = command("convert", convert, "make text of a binary file, and a binary file of text",
                                 "convert motion_4096.bin motion.txt");
   converted.add_option("FROM", a.file, kFileHelp)->required();
   converted.add_option("TO", a.to_file, "file of the other kind; overwritten when it is there")->required();
-  CLI::App& swapped = withFile(
+  CLI::App& swapped = with_file(
       command("mirror", mirror, "swap left and right of a page", "mirror motion.txt 12 --to 13 --out both_kicks.txt"));
   addPage(swapped, "PAGE", a.page, "number of the page")->required();
   addPage(swapped, "--to", a.to, "page that becomes the mirrored one (default: PAGE itself)");

@@ -56,7 +56,8 @@ std::string moveText(const Page& page, const Step& step) {
 }
 
 std::string pauseText(const Page& page, const Step& step) {
-  return fixed((step.pause * kUsualSpeed) / page.speed * kTickSeconds, 3);
+  const int ticks = step.pause * kUsualSpeed / page.speed;
+  return fixed(ticks * kTickSeconds, 3);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
 }
 
 /// What somebody wrote, fit for a sentence: no more than a line holds, and nothing that a terminal would obey.
-std::string quoted(std::string_view text) {
+std::string excerpt(std::string_view text) {
   constexpr std::size_t kMost = 40;
   std::string shown{text.substr(0, kMost)};
   std::ranges::replace_if(
@@ -37,7 +37,7 @@ std::string quoted(std::string_view text) {
 
 template <class Value>
 Value required(std::optional<Value> value, const std::string& field, std::string_view text, const std::string& what) {
-  if (!value) throw std::runtime_error(field + ": " + quoted(text) + " is not " + what);
+  if (!value) throw std::runtime_error(field + ": " + excerpt(text) + " is not " + what);
   return *value;
 }
 
@@ -56,7 +56,7 @@ void setBytes(std::array<Byte, kSize>& bytes, const std::string& key, std::strin
 void PageSection::set(const std::string& key, std::string_view value) {
   if (!seen_.insert(key).second) throw std::runtime_error(key + ": the page has it twice");
   if (!setHeader(key, value) && !setGain(key, value) && !setRow(key, value))
-    throw std::runtime_error(quoted(key) +
+    throw std::runtime_error(excerpt(key) +
                              " is no field of a page; it is a joint's name, or one of name, repeat, next, exit, "
                              "speed, acceleration, schedule, steps, time, rate, pause, gain JOINT, others");
 }
@@ -118,7 +118,7 @@ bool PageSection::setGain(const std::string& key, std::string_view value) {
 }
 
 std::vector<std::string_view> PageSection::columnsOf(const std::string& key, std::string_view value) {
-  const auto words = wordsOf(value);
+  auto words = wordsOf(value);
   if (words.empty() || words.size() > kSteps)
     throw std::runtime_error(key + ": it has " + std::to_string(words.size()) + " values; a page has 1 to 7 steps");
   if (!columns_) {

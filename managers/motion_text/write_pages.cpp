@@ -67,25 +67,33 @@ std::size_t columnsOf(const Page& page, const Page& usual) {
   return columns;
 }
 
+bool othersAreUsual(const Step& step, const Step& usual) {
+  for (std::size_t id = 0; id < kServos; ++id)
+    if (!isJoint(id) && step.position.at(id) != usual.position.at(id)) return false;
+  return true;
+}
+
+/// "keep" in a row for all of them means the usual words, which are not the same everywhere.
+bool othersAreAlike(const Step& step) {
+  for (std::size_t id = 0; id < kServos; ++id)
+    if (!isJoint(id) && step.position.at(id) != step.position.front()) return false;
+  return step.position.front() != kUnusedWord;
+}
+
 /// The places of the file that have no joint: mostly all alike, and then one row says it.
 std::string otherRows(const Page& page, const Page& usual, std::size_t columns) {
   bool all_usual = true, one_row = true;
-  const auto isUsual = [&](std::size_t step) {
-    for (std::size_t id = 0; id < kServos; ++id)
-      if (!isJoint(id) && page.step.at(step).position.at(id) != usual.step.at(step).position.at(id)) return false;
-    return true;
-  };
   for (std::size_t i = 0; i < columns; ++i) {
-    bool alike = true;
-    for (std::size_t id = 0; id < kServos; ++id)
-      alike = alike && (isJoint(id) || page.step.at(i).position.at(id) == page.step.at(i).position.front());
-    all_usual = all_usual && isUsual(i);
-    one_row = one_row && (isUsual(i) || (alike && page.step.at(i).position.front() != kUnusedWord));
+    const bool as_usual = othersAreUsual(page.step.at(i), usual.step.at(i));
+    all_usual = all_usual && as_usual;
+    one_row = one_row && (as_usual || othersAreAlike(page.step.at(i)));
   }
   if (all_usual) return "";
   if (one_row)
-    return rowOf("others", columns,
-                 [&](std::size_t i) { return isUsual(i) ? "keep" : angleText(page.step.at(i).position.front()); });
+    return rowOf("others", columns, [&](std::size_t i) {
+      const Step& step = page.step.at(i);
+      return othersAreUsual(step, usual.step.at(i)) ? "keep" : angleText(step.position.front());
+    });
   std::string text;
   for (std::size_t id = 0; id < kServos; ++id)
     if (!isJoint(id))
