@@ -1,0 +1,189 @@
+// darwinop-motion: motion pages as a person handles them: list, show, check, convert, mirror, new.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+#include "managers/motion_text/check_pages.hpp"
+#include "managers/motion_text/mirror.hpp"
+#include "managers/motion_text/motion_file.hpp"
+#include "managers/motion_text/page_section.hpp"
+#include "managers/motion_text/page_text.hpp"
+#include "motion_print.hpp"
+
+namespace {
+
+using namespace darwinop;
+using namespace darwinop::motion;
+
+constexpr int kFound = 1;                 // exit status: check found something
+constexpr int kWrong = 2;                 // a mistake in the arguments, or a file that cannot be used
+constexpr std::uint8_t kFirstTime = 125;  // 1 s, slow enough for any way to the start pose
+constexpr const char* kFileHelp = "motion file, binary or text; what it is, is seen from what is in it";
+
+struct Arguments {
+  std::string file, to_file, out, name;
+  int page = 1, to = 0;
+};
+
+CLI::App& addCommand(CLI::App& app, const char* name, const char* what, const char* example) {
+  CLI::App& command = *app.add_subcommand(name, what);
+  command.footer(std::string{"Example:\n  darwinop motion "} + example);
+  return command;
+}
+
+CLI::Option* addPage(CLI::App& command, const char* name, int& page, const char* help) {
+  return command.add_option(name, page, help)->check(CLI::Range(1, static_cast<int>(kPages) - 1));
+}
+
+std::size_t numberOf(int page) {
+  return static_cast<std::size_t>(page);
+}
+
+/// The page, which must hold something.
+const Page& usedPage(const Arguments& a, const PageFile& pages) {
+  const Page& page = pages.at(numberOf(a.page));
+  if (!page.canPlay())
+    throw std::runtime_error(a.file + ": page " + std::to_string(a.page) +
+                             " holds nothing to play; 'darwinop motion list " + a.file + "' shows those that do");
+  return page;
+}
+
+int list(const Arguments& a) {
+  std::cout << listOf(readMotionFile(a.file).pages);
+  return 0;
+}
+
+int show(const Arguments& a) {
+  const MotionFile file = readMotionFile(a.file);
+  (void)usedPage(a, file.pages);
+  std::cout << pictureOf(file.pages, a.page);
+  return 0;
+}
+
+/// What is wrong with the file as such goes into `findings`; the pages are those that could be read.
+PageFile readForCheck(const std::string& path, std::vector<std::string>& findings) {
+  const std::vector<std::uint8_t> bytes = readBytes(path);
+  PageFile pages;
+  if (!isText(bytes)) {
+    findings = checkBytes(bytes, pages);
+    return pages;
+  }
+  try {
+    pages = readMotionFile(path).pages;
+  } catch (const std::runtime_error& why) {
+    findings.emplace_back(why.what());
+  }
+  return pages;
+}
+
+int check(const Arguments& a) {
+  std::vector<std::string> findings;
+  const PageFile pages = readForCheck(a.file, findings);
+  for (std::string& finding : checkPages(pages)) findings.push_back(std::move(finding));
+  for (const std::string& finding : findings) std::cout << finding << '\n';
+  if (!findings.empty()) return kFound;
+  const auto used = std::ranges::count_if(pages, [](const Page& page) { return page.canPlay(); });
+  std::cout << a.file << ": " << used << " pages to play, nothing wrong\n";
+  return 0;
+}
+
+int convert(const Arguments& a) {
+  MotionFile file = readMotionFile(a.file);
+  file.is_text = !file.is_text;
+  writeMotionFile(a.to_file, file);
+  std::cout << (file.is_text ? "text: " : "binary: ") << a.to_file << '\n';
+  return 0;
+}
+
+int mirror(const Arguments& a) {
+  MotionFile file = readMotionFile(a.file);
+  const int to = a.to == 0 ? a.page : a.to;
+  file.pages.at(numberOf(to)) = mirrored(usedPage(a, file.pages));
+  writeMotionFile(a.out, file);
+  std::cout << "page " << to << " of " << a.out << " is page " << a.page << ", left and right swapped\n";
+  return 0;
+}
+
+int begin(const Arguments& a) {
+  if (std::filesystem::exists(a.out))
+    throw std::runtime_error(a.out + ": it is there already, and is left alone; choose another name");
+  PageSection section{numberOf(a.page)};
+  section.set("name", '"' + a.name + '"');
+  Page page = section.finish();
+  page.steps = 1;
+  page.step.front().time = kFirstTime;
+  for (const JointRow& joint : kJointTable) page.step.front().position.at(joint.id) = joint.start;
+  const std::string remarks =
+      "# One row a joint, in degrees; one column a step, up to seven. Times in seconds.\n"
+      "# 'keep' leaves a joint where it is. Fields: docs/motion-command.md.\n";
+  writeText(a.out, std::string{kTextTitle} + "\n\n" + remarks + writePage(page, numberOf(a.page)));
+  std::cout << "page " << a.page << " in " << a.out << ", one step: the start pose\n";
+  return 0;
+}
+
+using Action = int (*)(const Arguments&);
+
+void describe(CLI::App& app, Arguments& a, Action& action) {
+  const auto command = [&](const char* name, Action does, const char* what, const char* example) -> CLI::App& {
+    CLI::App& added = addCommand(app, name, what, example);
+    added.callback([&action, does] { action = does; });
+    return added;
+  };
+  const auto with_file = [&a](CLI::App& added) -> CLI::App& {
+    added.add_option("FILE", a.file, kFileHelp)->required();
+    return added;
+  };
+  with_file(command("list", list, "one line a page that can be played", "list motion_4096.bin"));
+  CLI::App& shown = with_file(command("show", show, "angles, times and gains of a page", "show motion_4096.bin 12"));
+  addPage(shown, "PAGE", a.page, "number of the page")->required();
+  with_file(command("check", check, "what a robot would stumble over, one line each; exit code 1: there is something",
+                    "check motion_4096.bin"));
+  CLI::App& converted = command("convert", convert, "make text of a binary file, and a binary file of text",
+                                "convert motion_4096.bin motion.txt");
+  converted.add_option("FROM", a.file, kFileHelp)->required();
+  converted.add_option("TO", a.to_file, "file of the other kind; overwritten when it is there")->required();
+  CLI::App& swapped = with_file(
+      command("mirror", mirror, "swap left and right of a page", "mirror motion.txt 12 --to 13 --out both_kicks.txt"));
+  addPage(swapped, "PAGE", a.page, "number of the page")->required();
+  addPage(swapped, "--to", a.to, "page that becomes the mirrored one (default: PAGE itself)");
+  swapped.add_option("--out", a.out, "the whole file with it, of the same kind as FILE")->required();
+  CLI::App& begun =
+      command("new", begin, "a text file with one page to begin with: the start pose", "new --name bow --out bow.txt");
+  begun.add_option("--name", a.name, "of the page, up to 13 letters")->required();
+  begun.add_option("--out", a.out, "text file, which must not be there yet")->required();
+  addPage(begun, "--page", a.page, "its number")->capture_default_str();
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Motion pages: poses of the robot, and how to get from one to the next.", "darwinop motion"};
+  Arguments a;
+  Action action = nullptr;
+  describe(app, a, action);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", DARWINOP_VERSION);
+  app.footer(
+      "Example:\n  darwinop motion list /darwin/Data/motion_4096.bin\nExit code: 0 well, 1 'check' found "
+      "something, 2 a mistake in the arguments or a file that cannot be used.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& mistake) {
+    return app.exit(mistake) == 0 ? 0 : kWrong;
+  }
+  return action(a);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "darwinop motion: %s\n", error.what());
+    return kWrong;
+  }
+}

@@ -1,0 +1,119 @@
+// What a robot would stumble over in a motion file.
+#include "managers/motion_text/check_pages.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/conversions.hpp"
+#include "managers/motion_text/rehearsal.hpp"
+#include "managers/motion_text/values.hpp"
+
+namespace darwinop::motion {
+
+namespace {
+
+constexpr double kTickSeconds = kTickMs / 1000.0;
+
+std::string degrees(int ticks) {
+  return fixed((ticks - kTickCentre) * kDegreesPerTick, 2);
+}
+
+std::string at(std::size_t page, std::size_t step, std::size_t joint) {
+  return "page " + std::to_string(page) + ", step " + std::to_string(step + 1) + ", " +
+         std::string{kJointTable.at(joint).name} + ": ";
+}
+
+class Check {
+ public:
+  explicit Check(const PageFile& pages) : pages_{pages} {}
+
+  std::vector<std::string> run() {
+    for (std::size_t i = 1; i < pages_.size(); ++i) {
+      if (!pages_[i].canPlay()) continue;
+      checkLink(i, "next", pages_[i].next);
+      checkLink(i, "exit", pages_[i].exit);
+      for (std::size_t step = 0; step < pages_[i].steps; ++step) checkPositions(i, step);
+      checkSpeeds(i);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void checkLink(std::size_t page, const std::string& which, std::uint8_t target) {
+    if (target != 0 && !pages_[target].canPlay())
+      found_.push_back("page " + std::to_string(page) + ": " + which + " is page " + std::to_string(target) +
+                       ", which holds nothing to play");
+  }
+
+  void checkPositions(std::size_t page, std::size_t step) {
+    for (std::size_t i = 0; i < kJoints; ++i) {
+      const std::uint16_t word = pages_[page].step.at(step).position.at(i + 1);  // by servo id
+      if ((word & (kKeep | kTorqueOff)) != 0) continue;
+      const JointRow& joint = kJointTable.at(i);
+      if (word > kTickMax)
+        found_.push_back(at(page, step, i) + angleText(word) + " is neither a position nor 'keep'");
+      else if (word < joint.low)
+        found_.push_back(at(page, step, i) + degrees(word) + " degrees is below the joint's limit, " +
+                         degrees(joint.low));
+      else if (word > joint.high)
+        found_.push_back(at(page, step, i) + degrees(word) + " degrees is above the joint's limit, " +
+                         degrees(joint.high));
+    }
+  }
+
+  /// By the mean: a step that asks for more even then cannot be done, however the engine shapes it.
+  void checkSpeeds(std::size_t page) {
+    for (const Move& move : movesOf(pages_, static_cast<int>(page))) {
+      const double seconds = std::max(1, move.ticks) * kTickSeconds;
+      const std::string before =
+          move.page == static_cast<int>(page) ? "" : ", coming from page " + std::to_string(page);
+      for (std::size_t i = 0; i < kJoints; ++i) {
+        const double way = move.distance.at(i) * kDegreesPerTick;
+        if (way * kRadPerDegree / seconds <= kServoMaxSpeed) continue;
+        keep(at(static_cast<std::size_t>(move.page), move.step, i) + fixed(way, 2) + " degrees in " +
+             fixed(seconds, 3) + " s are " + fixed(way / seconds, 0) + " degrees/s; the servo's most is " +
+             fixed(kServoMaxSpeed / kRadPerDegree, 0) + before);
+      }
+    }
+  }
+  /// A page that repeats comes to its first step twice.
+  void keep(const std::string& finding) {
+    if (std::ranges::find(found_, finding) == found_.end()) found_.push_back(finding);
+  }
+
+  const PageFile& pages_;
+  std::vector<std::string> found_;
+};
+
+}  // namespace
+
+std::vector<std::string> checkPages(const PageFile& pages) {
+  return Check{pages}.run();
+}
+
+std::vector<std::string> checkBytes(std::span<const std::uint8_t> bytes, PageFile& pages) {
+  pages.clear();
+  try {
+    pages = decodePages(bytes);
+    return {};
+  } catch (const std::runtime_error& why) {
+    if (bytes.size() != kFileBytes) return {why.what()};
+  }
+  // Each page alone in an empty file, so that one damage does not hide another.
+  std::vector<std::string> damages;
+  pages.assign(kPages, emptyPage());
+  const std::vector<std::uint8_t> empty = encodePages(pages);
+  for (std::size_t i = 0; i < kPages; ++i) {
+    std::vector<std::uint8_t> alone = empty;
+    std::ranges::copy(bytes.subspan(i * kPageBytes, kPageBytes),
+                      alone.begin() + static_cast<std::ptrdiff_t>(i * kPageBytes));
+    try {
+      pages[i] = decodePages(alone)[i];
+    } catch (const std::runtime_error& why) {
+      damages.emplace_back(why.what());
+    }
+  }
+  return damages;
+}
+
+}  // namespace darwinop::motion

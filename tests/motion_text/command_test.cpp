@@ -1,0 +1,114 @@
+// The command itself: what it prints, what it writes, and its exit codes.
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "managers/motion_text/motion_file.hpp"
+#include "motion/pages.hpp"
+#include "support/temporary_folder.hpp"
+#include "system/program.hpp"
+
+namespace darwinop::motion {
+namespace {
+
+using testing::HasSubstr;
+
+class MotionCommand : public testing::Test {
+ protected:
+  /// The exit code; what it prints is in `said_`.
+  int run(std::vector<std::string> words) {
+    words.insert(words.begin(), DARWINOP_MOTION);
+    Program program{words, folder_ / "output"};
+    const int code = program.wait(std::chrono::seconds{60}).value_or(-1);
+    said_ = program.output();
+    return code;
+  }
+  /// A binary file with one page, 12.
+  std::string binaryFile() {
+    PageFile pages = emptyFile();
+    pages[12] = pageOf({stepTo(2048, 125), stepTo(2048, 125)}, 32);
+    pages[12].name = {'r', 'k'};
+    writeMotionFile(folder_ / "motion.bin", {pages, false});
+    return folder_ / "motion.bin";
+  }
+  static std::vector<std::uint8_t> bytesOf(const std::string& path) { return readBytes(path); }
+
+  TemporaryFolder folder_;
+  std::string said_;
+};
+
+TEST_F(MotionCommand, ListsAndShows) {
+  const std::string file = binaryFile();
+  EXPECT_EQ(run({"list", file}), 0);
+  EXPECT_EQ(said_,
+            "page  name           steps  repeat  next  exit    duration\n"
+            "  12  rk                 2       1     -     -     2.048 s\n");
+  EXPECT_EQ(run({"show", file, "12"}), 0);
+  EXPECT_THAT(said_, HasSubstr("page 12 \"rk\": 2.048 s, repeat 1, next -, exit -, acceleration 0.256 s, speed 32\n"));
+  EXPECT_THAT(said_, HasSubstr("move, s           1.000    1.000\n"));
+  EXPECT_THAT(said_, HasSubstr("Head               0.00     0.00      32\n"));
+  EXPECT_EQ(run({"show", file, "13"}), 2);
+  EXPECT_THAT(said_, HasSubstr("page 13 holds nothing to play"));
+}
+
+TEST_F(MotionCommand, ConvertsThereAndBack) {
+  const std::string file = binaryFile(), text = folder_ / "a", back = folder_ / "b";
+  EXPECT_EQ(run({"convert", file, text}), 0) << said_;
+  EXPECT_EQ(run({"convert", text, back}), 0) << said_;
+  EXPECT_TRUE(isText(bytesOf(text)));
+  EXPECT_EQ(bytesOf(back), bytesOf(file));
+  EXPECT_EQ(run({"convert", file, folder_ / "no such folder/a"}), 2);
+  EXPECT_THAT(said_, HasSubstr("it cannot be written"));
+}
+
+TEST_F(MotionCommand, ConvertsTheVendorsFileThereAndBack) {
+  if (!std::filesystem::exists(vendorsFile())) GTEST_SKIP() << "the vendor's motion file is not at hand";
+  ASSERT_EQ(run({"convert", vendorsFile(), folder_ / "a"}), 0) << said_;
+  ASSERT_EQ(run({"convert", folder_ / "a", folder_ / "b"}), 0) << said_;
+  EXPECT_EQ(bytesOf(folder_ / "b"), bytesOf(vendorsFile()));
+}
+
+TEST_F(MotionCommand, ChecksAndTellsByItsExitCode) {
+  const std::string file = binaryFile();
+  EXPECT_EQ(run({"check", file}), 0);
+  EXPECT_EQ(said_, file + ": 1 pages to play, nothing wrong\n");
+  std::vector<std::uint8_t> bytes = bytesOf(file);
+  bytes[12 * kPageBytes + 70] ^= 1U;
+  std::ofstream{file, std::ios::binary}.write(reinterpret_cast<const char*>(bytes.data()),
+                                              static_cast<std::streamsize>(bytes.size()));
+  EXPECT_EQ(run({"check", file}), 1);
+  EXPECT_THAT(said_, HasSubstr("page 12, byte 6175: the checksum is wrong"));
+  std::ofstream{file} << "darwinop motion 1\n[page 1]\nNeck = x\n";
+  EXPECT_EQ(run({"check", file}), 1);
+  EXPECT_THAT(said_, HasSubstr(file + ", line 3, page 1: Neck, step 1: 'x' is not an angle"));
+  EXPECT_EQ(run({"check", folder_ / "none"}), 2);
+}
+
+TEST_F(MotionCommand, BeginsAPageAndMirrorsIt) {
+  const std::string file = folder_ / "bow.txt", both = folder_ / "both.txt";
+  EXPECT_EQ(run({"new", "--name", "bow", "--out", file}), 0) << said_;
+  EXPECT_EQ(run({"check", file}), 0) << said_;
+  EXPECT_EQ(run({"new", "--name", "bow", "--out", file}), 2) << "it is there already";
+  EXPECT_EQ(run({"new", "--name", "a\"b", "--out", folder_ / "c"}), 2);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "c"));
+  EXPECT_EQ(run({"mirror", file, "1", "--to", "2", "--out", both}), 0) << said_;
+  const PageFile pages = readMotionFile(both).pages;
+  EXPECT_TRUE(isText(bytesOf(both)));
+  EXPECT_EQ(pages[1].nameText(), "bow");
+  for (const JointRow& joint : kJointTable) EXPECT_EQ(pages[1].step[0].position.at(joint.id), joint.start);
+  EXPECT_EQ(pages[2].step[0].position[1], 4096 - row(Joint::kShoulderL).start);
+  EXPECT_EQ(run({"mirror", both, "1", "--out", both}), 0) << "into itself";
+  EXPECT_EQ(readMotionFile(both).pages[1], pages[2]);
+}
+
+TEST_F(MotionCommand, MistakesInTheArgumentsAreTold) {
+  EXPECT_EQ(run({}), 2);
+  EXPECT_EQ(run({"show", "x", "256"}), 2);
+  EXPECT_EQ(run({"list", folder_ / "none"}), 2);
+  EXPECT_EQ(said_, "darwinop motion: " + (folder_ / "none") + ": it cannot be opened\n");
+  EXPECT_EQ(run({"mirror", "--help"}), 0);
+  EXPECT_THAT(said_, HasSubstr("Example:"));
+}
+
+}  // namespace
+}  // namespace darwinop::motion
