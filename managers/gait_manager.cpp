@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <webots/Gyro.hpp>
@@ -12,6 +13,7 @@
 #include "managers/gait/walk.hpp"
 #include "managers/gait/walking_config.hpp"
 #include "webots/notices.hpp"
+#include "webots/robot_impl.hpp"
 
 namespace managers {
 
@@ -22,8 +24,6 @@ namespace {
 
 constexpr int kTick = static_cast<int>(gait::kTickMs);
 constexpr int kLongestStep = 10'000;  // ms, as that of Robot::step() in config.ini
-// Servos have this gain unless somebody says otherwise: Motor::setControlPID.
-constexpr double kDefaultKp = 4;
 constexpr double kRegisterPerKp = 8;
 // A joint further than this from its goal is held by something, or limp: rad.
 constexpr double kSag = 0.1;
@@ -87,7 +87,7 @@ struct DARwInOPGaitManager::Walker {
       acceleration[i] = motor.getAcceleration();
       if (acceleration[i] > 0) motor.setAcceleration(-1);
       if (std::abs(speed[i]) < motor.getMaxVelocity()) motor.setVelocity(motor.getMaxVelocity());
-      motor.setControlPID(gait::pGain(static_cast<darwinop::Joint>(i), walk.parameters()) / kRegisterPerKp, 0, 0);
+      lendGain(i, gait::pGain(static_cast<darwinop::Joint>(i), walk.parameters()) / kRegisterPerKp);
     }
   }
 
@@ -96,9 +96,13 @@ struct DARwInOPGaitManager::Walker {
       webots::Motor& motor = *motors[i];
       if (motor.getVelocity() != speed[i]) motor.setVelocity(speed[i]);
       if (acceleration[i] > 0) motor.setAcceleration(acceleration[i]);
-      // Arms that hang softly after the walk would miss the goals of whatever comes next.
-      if (!darwinop::isLeg(static_cast<darwinop::Joint>(i))) motor.setControlPID(kDefaultKp, 0, 0);
+      lendGain(i, {});
     }
+  }
+
+  static void lendGain(std::size_t joint, std::optional<double> kp) {
+    if (auto* const inside = darwinop::facade::currentRobot())
+      inside->lendGain(static_cast<darwinop::Joint>(joint), kp);
   }
 
   void advance(int ms) {
