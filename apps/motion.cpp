@@ -88,7 +88,7 @@ int check(const Arguments& a) {
   for (const std::string& finding : findings) std::cout << finding << '\n';
   if (!findings.empty()) return kFound;
   const auto used = std::ranges::count_if(pages, [](const Page& page) { return page.canPlay(); });
-  std::cout << a.file << ": " << used << " pages to play, nothing wrong\n";
+  std::cout << a.file << ": " << used << (used == 1 ? " page" : " pages") << " to play, nothing wrong\n";
   return 0;
 }
 

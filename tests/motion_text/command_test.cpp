@@ -71,7 +71,7 @@ TEST_F(MotionCommand, ConvertsTheVendorsFileThereAndBack) {
 TEST_F(MotionCommand, ChecksAndTellsByItsExitCode) {
   const std::string file = binaryFile();
   EXPECT_EQ(run({"check", file}), 0);
-  EXPECT_EQ(said_, file + ": 1 pages to play, nothing wrong\n");
+  EXPECT_EQ(said_, file + ": 1 page to play, nothing wrong\n");
   std::vector<std::uint8_t> bytes = bytesOf(file);
   bytes[12 * kPageBytes + 70] ^= 1U;
   std::ofstream{file, std::ios::binary}.write(reinterpret_cast<const char*>(bytes.data()),
