@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/camera_sizes.hpp"
 #include "core/number_text.hpp"
 #include "settings/ini_text.hpp"
 #include "settings/safety_sections.hpp"
@@ -15,13 +16,6 @@
 namespace darwinop::facade {
 
 namespace {
-
-struct Size {
-  int width, height;
-};
-// Source: what the robot's camera offers; the other sizes of the simulator do not exist on it.
-constexpr auto kCameraSizes =
-    std::to_array<Size>({{320, 240}, {640, 360}, {640, 400}, {640, 480}, {768, 480}, {800, 600}});
 
 /// A whole number from 1 to `high`; "16.0" counts as one, fractions are cut off as they always were.
 int number(std::string_view key, std::string_view value, int high) {
@@ -152,7 +146,7 @@ ConfigReading parseConfig(std::string_view text, const std::string& file) {
 }
 
 bool cameraHasSize(int width, int height) {
-  return std::ranges::any_of(kCameraSizes, [=](Size size) { return size.width == width && size.height == height; });
+  return cameraSize(width, height) != nullptr;  // the other sizes of the simulator do not exist on the robot
 }
 
 ConfigReading readConfig(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 
+#include "core/camera_sizes.hpp"
 #include "hal/camera_v4l2/trouble.hpp"
 
 namespace darwinop::v4l2 {
@@ -21,18 +22,6 @@ void resetCropping(int fd) {
   crop.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   crop.c = able.defrect;
   static_cast<void>(request(fd, VIDIOC_S_CROP, crop));
-}
-
-/// Pictures a second of the robot's camera (thesis, table 4.1). 0: it does not have this size.
-double usualRate(Size size) {
-  struct Row {
-    Size size;
-    double rate;
-  };
-  constexpr std::array<Row, 6> kTable{
-      {{{320, 240}, 30}, {{640, 360}, 30}, {{640, 400}, 30}, {{640, 480}, 30}, {{768, 480}, 28}, {{800, 600}, 22.5}}};
-  const auto* const row = std::ranges::find(kTable, size, &Row::size);
-  return row == kTable.end() ? 0 : row->rate;
 }
 
 std::string oneDecimal(double value) {
@@ -52,9 +41,10 @@ void askForRate(const Device& device, Size size, const Remark& remark) {
   const v4l2_fract& interval = rate.parm.capture.timeperframe;
   if (interval.numerator == 0 || interval.denominator == 0) return;
   const double granted = static_cast<double>(interval.denominator) / static_cast<double>(interval.numerator);
-  if (granted < kClearlySlower * usualRate(size))
+  const CameraSize* const usual = cameraSize(size.width, size.height);
+  if (usual != nullptr && granted < kClearlySlower * usual->rate_hz)
     remark(device.path() + " gives " + oneDecimal(granted) + " pictures a second of " + text(size) +
-           ", the robot's own camera " + oneDecimal(usualRate(size)) + ": `v4l2-ctl -d " + device.path() +
+           ", the robot's own camera " + oneDecimal(usual->rate_hz) + ": `v4l2-ctl -d " + device.path() +
            " --list-formats-ext` shows which size comes faster");
 }
 

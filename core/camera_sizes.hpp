@@ -1,0 +1,23 @@
+// The sizes of the robot's camera, and how fast each comes: thesis of 2013, table 4.1.
+#pragma once
+
+#include <array>
+
+namespace darwinop {
+
+struct CameraSize {
+  int width, height;  // pixels
+  double rate_hz;     // at best
+};
+
+inline constexpr std::array<CameraSize, 6> kCameraSizes{
+    {{320, 240, 30}, {640, 360, 30}, {640, 400, 30}, {640, 480, 30}, {768, 480, 28}, {800, 600, 22.5}}};
+
+/// Null: the robot's camera does not have this size.
+constexpr const CameraSize* cameraSize(int width, int height) {
+  for (const CameraSize& size : kCameraSizes)
+    if (size.width == width && size.height == height) return &size;
+  return nullptr;
+}
+
+}  // namespace darwinop
