@@ -46,15 +46,31 @@ void takeAmplitude(double& amplitude, double wanted, const char* call) {
 }  // namespace
 
 struct DARwInOPGaitManager::Walker {
-  webots::Robot* robot = nullptr;  // null: it cannot walk
+  webots::Robot* robot = nullptr;                 // null: it cannot walk
+  darwinop::facade::RobotImpl* inside = nullptr;  // of that robot
   std::array<webots::Motor*, gait::kWalkingJoints> motors{};
   webots::Gyro* gyro = nullptr;
   gait::Walk walk{gait::Parameters{}};
   gait::Wish wish;
   bool balance = true;
+  bool wanted = false;    // between start() and stop()
   bool stopping = false;  // inside stop(): a Robot::step() of the user may call us
+  bool lifted = false;    // the motors' limits
   int carried_ms = 0;
-  std::array<double, gait::kWalkingJoints> speed{}, acceleration{};  // of the motors, while they walk
+  std::array<double, gait::kWalkingJoints> speed{}, acceleration{};  // of the motors, while they are lifted
+
+  Walker() = default;
+  /// The same robot and wishes, at rest.
+  Walker(const Walker& other)
+      : robot{other.robot},
+        inside{other.inside},
+        motors{other.motors},
+        gyro{other.gyro},
+        walk{other.walk.parameters()},
+        wish{other.wish},
+        balance{other.balance} {}
+  Walker& operator=(const Walker&) = delete;
+  ~Walker() { giveMotorsBack(); }
 
   void prepare(webots::Robot& with, const std::string& ini) {
     gait::WalkingConfig config = gait::readWalkingConfig(ini);
@@ -67,13 +83,18 @@ struct DARwInOPGaitManager::Walker {
     gyro = with.getGyro("Gyro");
     if (gyro != nullptr) gyro->enable(static_cast<int>(with.getBasicTimeStep()));
     robot = &with;
+    inside = darwinop::facade::currentRobot();
   }
 
-  void start() {
-    if (robot == nullptr || stopping) return;
-    if (!walk.resting()) return;
+  /// False: the robot has gone, and its motors with it.
+  [[nodiscard]] bool canWalk() const { return robot != nullptr && darwinop::facade::currentRobot() == inside; }
+  [[nodiscard]] const void* jointsTakenBy() const { return inside != nullptr ? inside->joints_taken_by : this; }
+
+  /// From where the joints are now.
+  void begin() {
     gait::Pose from{};
     std::ranges::transform(motors, from.begin(), [](const webots::Motor* motor) { return whereIs(*motor); });
+    if (!walk.resting()) walk.abandon();  // a page was played in the middle of a step
     walk.start(from);
     carried_ms = 0;
     takeMotors();
@@ -81,31 +102,38 @@ struct DARwInOPGaitManager::Walker {
 
   /// Walking needs what the servos can give: a speed limit of the controller's would make it fall.
   void takeMotors() {
+    if (inside != nullptr) inside->joints_taken_by = this;
     for (std::size_t i = 0; i < motors.size(); ++i) {
       webots::Motor& motor = *motors[i];
-      speed[i] = motor.getVelocity();
-      acceleration[i] = motor.getAcceleration();
+      if (!lifted) speed[i] = motor.getVelocity(), acceleration[i] = motor.getAcceleration();
       if (acceleration[i] > 0) motor.setAcceleration(-1);
       if (std::abs(speed[i]) < motor.getMaxVelocity()) motor.setVelocity(motor.getMaxVelocity());
       lendGain(i, gait::pGain(static_cast<darwinop::Joint>(i), walk.parameters()) / kRegisterPerKp);
     }
+    lifted = true;
   }
 
   void giveMotorsBack() {
+    if (!lifted || !canWalk()) return;
+    lifted = false;
+    const bool ours = jointsTakenBy() == this;  // else their gains are a page's
     for (std::size_t i = 0; i < motors.size(); ++i) {
       webots::Motor& motor = *motors[i];
       if (motor.getVelocity() != speed[i]) motor.setVelocity(speed[i]);
       if (acceleration[i] > 0) motor.setAcceleration(acceleration[i]);
-      lendGain(i, {});
+      if (ours) lendGain(i, {});
     }
+    if (ours && inside != nullptr) inside->joints_taken_by = nullptr;
   }
 
-  static void lendGain(std::size_t joint, std::optional<double> kp) {
-    if (auto* const inside = darwinop::facade::currentRobot())
-      inside->lendGain(static_cast<darwinop::Joint>(joint), kp);
+  void lendGain(std::size_t joint, std::optional<double> kp) {
+    if (inside != nullptr) inside->lendGain(static_cast<darwinop::Joint>(joint), kp);
   }
 
   void advance(int ms) {
+    const void* const taken_by = jointsTakenBy();
+    if (wanted && taken_by != nullptr && taken_by != this) return;  // until the page has ended
+    if (wanted && (walk.resting() || taken_by == nullptr)) begin();
     const bool walked = walk.walking();
     const double* const counts = gyro != nullptr ? gyro->getValues() : nullptr;
     const gait::GyroCounts seen =
@@ -123,9 +151,19 @@ struct DARwInOPGaitManager::Walker {
   }
 
   void stop() {
-    if (robot == nullptr || stopping || walk.resting()) return;
+    if (!canWalk() || stopping) return;
+    wanted = false;
+    if (walk.resting()) return;
+    if (jointsTakenBy() != this) {  // there is no step to end
+      walk.abandon();
+      return giveMotorsBack();
+    }
     walk.stop();
     stopping = true;
+    const struct Stopped {  // also when the user's Robot::step() throws
+      bool& stopping;
+      ~Stopped() { stopping = false; }
+    } stopped{stopping};
     const int basic = std::max(1, static_cast<int>(robot->getBasicTimeStep()));
     double left_ms = walk.approachMs() + 2 * walk.parameters().period_time;
     while (!walk.resting() && left_ms > -basic) {
@@ -133,7 +171,6 @@ struct DARwInOPGaitManager::Walker {
       if (robot->step(basic) == -1) break;
       left_ms -= basic;
     }
-    stopping = false;
   }
 };
 
@@ -149,7 +186,10 @@ DARwInOPGaitManager::DARwInOPGaitManager(webots::Robot* robot, const std::string
 DARwInOPGaitManager::DARwInOPGaitManager(const DARwInOPGaitManager& other) : walker_{new Walker{*other.walker_}} {}
 
 DARwInOPGaitManager& DARwInOPGaitManager::operator=(const DARwInOPGaitManager& other) {
-  if (this != &other) *walker_ = *other.walker_;
+  if (this == &other) return *this;
+  Walker* const copy = new Walker{*other.walker_};
+  delete walker_;
+  walker_ = copy;
   return *this;
 }
 
@@ -182,11 +222,11 @@ void DARwInOPGaitManager::setBalanceEnable(bool on) {
 }
 
 void DARwInOPGaitManager::start() {
-  walker_->start();
+  if (walker_->canWalk() && !walker_->stopping) walker_->wanted = true;
 }
 
 void DARwInOPGaitManager::step(int ms) {
-  if (walker_->robot == nullptr || walker_->stopping) return;
+  if (!walker_->canWalk() || walker_->stopping) return;
   if (ms < kTick)
     return warn("step(" + std::to_string(ms) + ") is too short and does nothing; give 8 ms or more, best a multiple");
   walker_->advance(std::min(ms, kLongestStep));

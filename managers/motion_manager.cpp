@@ -60,6 +60,7 @@ struct DARwInOPMotionManager::Stage {
   std::unique_ptr<motion::Player> player;
   int left_ms = 0;              // of the last step(), less than a tick
   bool gains_are_lent = false;  // the joints have the page's
+  bool waited_for = false;      // inside playPage(): a Robot::step() of the user may call us
 
   Stage(webots::Robot* whose, std::shared_ptr<const motion::PageFile> file) : robot{whose}, pages{std::move(file)} {
     if (pages) player = std::make_unique<motion::Player>(*pages);
@@ -96,7 +97,10 @@ bool DARwInOPMotionManager::Stage::start(int page) {
     present[i] = presentTicks(inside->lastKnown(joint), *motor);
   }
   left_ms = 0;
-  if (player->start(page, present)) return true;
+  if (player->start(page, present)) {
+    inside->joints_taken_by = this;
+    return true;
+  }
   warnOnce(name + (page < 1 || page > 255 ? " does not exist: pages are 1 to 255" : " is empty: nothing is played"));
   return false;
 }
@@ -109,7 +113,10 @@ bool DARwInOPMotionManager::Stage::advance(int ms) {
     if (!player->tick()) break;
     moved = true;
   }
-  if (moved) setGoals();
+  if (const auto* const inside = darwinop::facade::currentRobot(); inside && inside->joints_taken_by != this)
+    player->brake();  // somebody else moves them by now
+  else if (moved)
+    setGoals();
   if (!player->isPlaying()) end();
   return moved || player->isPlaying();
 }
@@ -130,8 +137,11 @@ void DARwInOPMotionManager::Stage::end() {
   if (player) player->brake();
   left_ms = 0;
   darwinop::facade::RobotImpl* const inside = darwinop::facade::currentRobot();
-  if (inside && gains_are_lent)
-    for (std::size_t i = 0; i < kJoints; ++i) inside->lendGain(static_cast<Joint>(i), {});
+  if (inside && inside->joints_taken_by == this) {
+    inside->joints_taken_by = nullptr;
+    if (gains_are_lent)
+      for (std::size_t i = 0; i < kJoints; ++i) inside->lendGain(static_cast<Joint>(i), {});
+  }
   gains_are_lent = false;
 }
 
@@ -168,12 +178,20 @@ bool DARwInOPMotionManager::isCorrectlyInitialized() {
 void DARwInOPMotionManager::playPage(int id, bool sync) {
   if (!stage_->start(id) || !sync) return;
   const int step_ms = std::max(1, static_cast<int>(stage_->robot->getBasicTimeStep()));
+  stage_->waited_for = true;
+  const struct Waited {  // also when the user's Robot::step() throws
+    Stage& stage;
+    ~Waited() {
+      stage.waited_for = false;
+      stage.end();
+    }
+  } waited{*stage_};
   while (stage_->advance(step_ms))
-    if (stage_->robot->step(step_ms) == -1) return stage_->end();
+    if (stage_->robot->step(step_ms) == -1) return;
 }
 
 void DARwInOPMotionManager::step(int ms) {
-  if (stage_->isPlaying()) stage_->advance(ms);
+  if (stage_->isPlaying() && !stage_->waited_for) stage_->advance(ms);
 }
 
 bool DARwInOPMotionManager::isMotionPlaying() {

@@ -62,6 +62,8 @@ class RobotImpl {
   /// Takes this P gain instead of the controller's until it is none: then the controller's again, which Motor keeps.
   void lendGain(Joint joint, std::optional<double> kp) { lent_gain_[index(joint)] = kp; }
 
+  /// Who moves joints by itself, a walk or a page; null: nobody. The later one has them, and the other one notices.
+  const void* joints_taken_by = nullptr;
   int battery_period = 0;  // as the controller gave it
   std::string custom_data;
 

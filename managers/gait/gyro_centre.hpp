@@ -9,11 +9,13 @@
 
 namespace darwinop::gait {
 
-/// Source: the ROBOTIS engine: 100 samples, 8 ms apart, whose standard deviations are below 2 counts.
+/// Source: the ROBOTIS engine: 100 samples, 8 ms apart, whose standard deviations are below 2 counts. Ours: a mean that
+/// no gyroscope at rest has, 70 deg/s and more, is that of a robot which is being turned.
 class GyroCentre {
  public:
   static constexpr int kSamples = 100;
   static constexpr double kStillCounts = 2;
+  static constexpr double kMiddle = 512, kFarthestOff = 20;  // counts
 
   /// Raw counts; NaN is no sample. Full and not still: begins again.
   void add(double roll, double pitch) {
@@ -23,8 +25,7 @@ class GyroCentre {
     if (++count_ < kSamples) return;
     count_ = 0;
     const Spread roll_spread = spreadOf(roll_), pitch_spread = spreadOf(pitch_);
-    if (roll_spread.deviation < kStillCounts && pitch_spread.deviation < kStillCounts)
-      centre_ = Tilt{roll_spread.mean, pitch_spread.mean};
+    if (roll_spread.isRest() && pitch_spread.isRest()) centre_ = Tilt{roll_spread.mean, pitch_spread.mean};
   }
 
   /// Forgets samples, for what was before the robot began to stand still; not a centre.
@@ -41,6 +42,7 @@ class GyroCentre {
   using Samples = std::array<double, kSamples>;
   struct Spread {
     double mean, deviation;
+    [[nodiscard]] bool isRest() const { return deviation < kStillCounts && std::abs(mean - kMiddle) < kFarthestOff; }
   };
 
   static Spread spreadOf(const Samples& samples) {

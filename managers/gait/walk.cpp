@@ -16,6 +16,13 @@ void Walk::stop() {
   if (phase_ == Phase::kWalk) engine_.stop();
 }
 
+void Walk::abandon() {
+  engine_ = Engine{engine_.parameters()};
+  pose_ = poseOf(engine_.goals());
+  phase_ = Phase::kRest;
+  stopping_ = false;
+}
+
 void Walk::tick(const Wish& wish, bool balance, const GyroCounts& gyro) {
   if (phase_ == Phase::kRest) return centre_.add(gyro.roll, gyro.pitch);
   if (phase_ == Phase::kApproach) approach();

@@ -23,6 +23,8 @@ class Walk {
   void start(const Pose& from);
   /// Rests at the end of the steps under way.
   void stop();
+  /// Rests at once, wherever the joints are: somebody else has moved them. What the gyroscope showed stays known.
+  void abandon();
   /// The next 8 ms. While it rests, a robot that is not moved tells where its gyroscope rests.
   void tick(const Wish& wish, bool balance, const GyroCounts& gyro);
 

@@ -11,7 +11,8 @@ class Robot;
 namespace managers {
 
 /// Moves the joints 1..18, all but the head, from start() until stop() has returned, and never else. One object at a
-/// time may walk. Copies share the robot and nothing else.
+/// time may walk; a page that is played meanwhile has the joints until its end, and the walk then begins anew. Copies
+/// share the robot, and begin at rest.
 class DARwInOPGaitManager {
  public:
   /// Enables the gyroscope and reads section [Walking Config] of the file. A file that is not there gives the

@@ -60,7 +60,6 @@ class GaitManager : public Facade {
   }
   static long lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 
- private:
   TemporaryFolder folder_;
   std::unique_ptr<DARwInOPGaitManager> manager_;
 };
@@ -282,16 +281,62 @@ TEST_F(GaitManager, SaysThatItWasGivenNoRobot) {
   EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("it was given no robot"));
 }
 
-TEST_F(GaitManager, CopiesWalkOnTheirOwn) {
+TEST_F(GaitManager, CopiesBeginAtRest) {
   standing().start();
   steps(5);
   DARwInOPGaitManager copy = manager();
   DARwInOPGaitManager assigned{&robot(), ini()};
   assigned = copy;
-  copy.stop();
-  assigned.step(16);
+  const auto there = goals();
+  for (int i = 0; i < 5; ++i) {
+    copy.step(16);
+    assigned.step(16);
+    robot().step(16);
+  }
+  EXPECT_EQ(goals(), there);
+}
+
+TEST_F(GaitManager, GivesGainsAndLimitsBackWhenItGoesInTheMiddleOfAStep) {
+  webots::Motor& knee = *robot().getMotor("LegLowerR");
+  knee.setVelocity(2);
+  knee.setControlPID(6, 0, 0);
+  standing().start();
+  steps(5);
+  EXPECT_NE(fake.last().joint[index(Joint::kLegLowerR)].p_gain, 6);
+  manager_.reset();
   robot().step(16);
-  EXPECT_EQ(goals(), goldenOf("G1_inplace")[11]);
+  EXPECT_EQ(fake.last().joint[index(Joint::kLegLowerR)].p_gain, 6);
+  EXPECT_EQ(knee.getVelocity(), 2);
+}
+
+TEST_F(GaitManager, LeavesTheJointsToWhoTakesThemAndBeginsAnewBehindThat) {
+  standing().start();
+  steps(20);
+  const auto mid_step = goals();
+  int page = 0;
+  currentRobot()->joints_taken_by = &page;
+  steps(5);
+  EXPECT_EQ(goals(), mid_step);
+  for (std::size_t i = 0; i < kWalking; ++i)  // the page has left it sitting
+    fake.image.joint[i].position = fake.image.joint[i].commanded = radFromTicks(kJointTable[i].start);
+  for (std::size_t i = 0; i < kWalking; ++i)
+    robot().getMotor(std::string{kJointTable[i].name})->setPosition(radFromTicks(kJointTable[i].start).value);
+  robot().step(16);
+  currentRobot()->joints_taken_by = nullptr;
+  steps(1);
+  for (std::size_t i = 0; i < kWalking; ++i) EXPECT_NEAR(goals()[i], kJointTable[i].start, 12) << "gently, from there";
+}
+
+TEST_F(GaitManager, AnExceptionOutOfAStepLeavesItUsable) {
+  standing().start();
+  steps(30);
+  fake.on_cycle = [](std::uint64_t) { throw std::runtime_error("the controller's own"); };
+  EXPECT_THROW(manager().stop(), std::runtime_error);
+  fake.on_cycle = {};
+  manager().stop();
+  const auto stance = goals();
+  steps(5);
+  EXPECT_EQ(goals(), stance) << "it rests";
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 
 #include "fixture.hpp"
 #include "link/connect.hpp"
+#include "link/eyes.hpp"
 #include "webots/stop_signals.hpp"
 
 namespace {
@@ -25,6 +26,10 @@ std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
   request_seen = request;
   if (!robot_to_meet) throw std::runtime_error("no robot at " + request.setting + ": switch it on");
   return std::make_unique<facade::FakeLink>(*robot_to_meet);
+}
+// Or its library would be linked after all, with the true connect().
+std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& /*robot*/, const EyesRequest& /*request*/) {
+  return nullptr;
 }
 }  // namespace darwinop::link
 
