@@ -1,19 +1,17 @@
 // The upstream gait manager on top of the walking engine: what it says, and which joints get what it computes.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <webots/Gyro.hpp>
-#include <webots/Motor.hpp>
 #include <webots/Robot.hpp>
 
 #include "DARwInOPGaitManager.hpp"
+#include "managers/borrowed_motors.hpp"
 #include "managers/gait/walk.hpp"
 #include "managers/gait/walking_config.hpp"
 #include "webots/notices.hpp"
-#include "webots/robot_impl.hpp"
 
 namespace managers {
 
@@ -24,18 +22,9 @@ namespace {
 
 constexpr int kTick = static_cast<int>(gait::kTickMs);
 constexpr int kLongestStep = 10'000;  // ms, as that of Robot::step() in config.ini
-constexpr double kRegisterPerKp = 8;
-// A joint further than this from its goal is held by something, or limp: rad.
-constexpr double kSag = 0.1;
 
 void warn(const std::string& what) {
   warnOnce("GaitManager: " + what);
-}
-
-/// Where the robot thinks this joint is.
-double whereIs(const webots::Motor& motor) {
-  const double goal = motor.getTargetPosition(), measured = motor.getPosition();
-  return std::isfinite(goal) && !(std::abs(goal - measured) > kSag) ? goal : measured;
 }
 
 void takeAmplitude(double& amplitude, double wanted, const char* call) {
@@ -46,117 +35,76 @@ void takeAmplitude(double& amplitude, double wanted, const char* call) {
 }  // namespace
 
 struct DARwInOPGaitManager::Walker {
-  webots::Robot* robot = nullptr;                 // null: it cannot walk
-  darwinop::facade::RobotImpl* inside = nullptr;  // of that robot
-  std::array<webots::Motor*, gait::kWalkingJoints> motors{};
+  webots::Robot* robot = nullptr;  // null: it cannot walk
+  BorrowedMotors motors;
   webots::Gyro* gyro = nullptr;
   gait::Walk walk{gait::Parameters{}};
   gait::Wish wish;
   bool balance = true;
   bool wanted = false;    // between start() and stop()
   bool stopping = false;  // inside stop(): a Robot::step() of the user may call us
-  bool lifted = false;    // the motors' limits
   int carried_ms = 0;
-  std::array<double, gait::kWalkingJoints> speed{}, acceleration{};  // of the motors, while they are lifted
 
   Walker() = default;
   /// The same robot and wishes, at rest.
   Walker(const Walker& other)
       : robot{other.robot},
-        inside{other.inside},
         motors{other.motors},
         gyro{other.gyro},
         walk{other.walk.parameters()},
         wish{other.wish},
         balance{other.balance} {}
   Walker& operator=(const Walker&) = delete;
-  ~Walker() { giveMotorsBack(); }
 
   void prepare(webots::Robot& with, const std::string& ini) {
     gait::WalkingConfig config = gait::readWalkingConfig(ini);
     for (const std::string& warning : config.warnings) warn(warning);
     walk = gait::Walk{config.parameters};
-    for (std::size_t i = 0; i < motors.size(); ++i) {
-      motors[i] = with.getMotor(std::string{darwinop::kJointTable[i].name});
-      if (motors[i] == nullptr) throw std::runtime_error("a joint is missing");
-    }
+    motors = BorrowedMotors{with};
     gyro = with.getGyro("Gyro");
     if (gyro != nullptr) gyro->enable(static_cast<int>(with.getBasicTimeStep()));
     robot = &with;
-    inside = darwinop::facade::currentRobot();
   }
 
-  /// False: the robot has gone, and its motors with it.
-  [[nodiscard]] bool canWalk() const { return robot != nullptr && darwinop::facade::currentRobot() == inside; }
-  [[nodiscard]] const void* jointsTakenBy() const { return inside != nullptr ? inside->joints_taken_by : this; }
+  [[nodiscard]] bool canWalk() const { return robot != nullptr && motors.exist() && !stopping; }
 
   /// From where the joints are now.
   void begin() {
-    gait::Pose from{};
-    std::ranges::transform(motors, from.begin(), [](const webots::Motor* motor) { return whereIs(*motor); });
+    const gait::Pose from = motors.present();
     if (!walk.resting()) walk.abandon();  // a page was played in the middle of a step
     walk.start(from);
     carried_ms = 0;
-    takeMotors();
+    motors.take(walk.parameters());
   }
 
-  /// Walking needs what the servos can give: a speed limit of the controller's would make it fall.
-  void takeMotors() {
-    if (inside != nullptr) inside->joints_taken_by = this;
-    for (std::size_t i = 0; i < motors.size(); ++i) {
-      webots::Motor& motor = *motors[i];
-      if (!lifted) speed[i] = motor.getVelocity(), acceleration[i] = motor.getAcceleration();
-      if (acceleration[i] > 0) motor.setAcceleration(-1);
-      if (std::abs(speed[i]) < motor.getMaxVelocity()) motor.setVelocity(motor.getMaxVelocity());
-      lendGain(i, gait::pGain(static_cast<darwinop::Joint>(i), walk.parameters()) / kRegisterPerKp);
-    }
-    lifted = true;
-  }
-
-  void giveMotorsBack() {
-    if (!lifted || !canWalk()) return;
-    lifted = false;
-    const bool ours = jointsTakenBy() == this;  // else their gains are a page's
-    for (std::size_t i = 0; i < motors.size(); ++i) {
-      webots::Motor& motor = *motors[i];
-      if (motor.getVelocity() != speed[i]) motor.setVelocity(speed[i]);
-      if (acceleration[i] > 0) motor.setAcceleration(acceleration[i]);
-      if (ours) lendGain(i, {});
-    }
-    if (ours && inside != nullptr) inside->joints_taken_by = nullptr;
-  }
-
-  void lendGain(std::size_t joint, std::optional<double> kp) {
-    if (inside != nullptr) inside->lendGain(static_cast<darwinop::Joint>(joint), kp);
+  [[nodiscard]] gait::GyroCounts gyroCounts() const {
+    const double* const counts = gyro != nullptr ? gyro->getValues() : nullptr;
+    return counts != nullptr ? gait::GyroCounts{counts[0], counts[1]} : gait::GyroCounts{std::nan(""), std::nan("")};
   }
 
   void advance(int ms) {
-    const void* const taken_by = jointsTakenBy();
-    if (wanted && taken_by != nullptr && taken_by != this) return;  // until the page has ended
-    if (wanted && (walk.resting() || taken_by == nullptr)) begin();
-    const bool walked = walk.walking();
-    const double* const counts = gyro != nullptr ? gyro->getValues() : nullptr;
-    const gait::GyroCounts seen =
-        counts != nullptr ? gait::GyroCounts{counts[0], counts[1]} : gait::GyroCounts{std::nan(""), std::nan("")};
+    if (wanted && motors.areAnothers()) return;  // until the page has ended
+    if (wanted && !motors.areOurs()) begin();
+    const bool walked = walk.walking(), moves = !walk.resting();
+    const gait::GyroCounts seen = gyroCounts();
     carried_ms += ms;
-    const bool moves = !walk.resting();
     for (; carried_ms >= kTick; carried_ms -= kTick) walk.tick(wish, balance, seen);
     if (!moves) return;
-    for (std::size_t i = 0; i < motors.size(); ++i) motors[i]->setPosition(walk.pose()[i]);
+    motors.setGoals(walk.pose());
     if (!walked && walk.walking() && balance && !walk.knowsBalance())
       warn(
           "the robot was moved, or its gyroscope is silent, so that balance cannot be calibrated; it walks without. "
           "Let it stand still for a second before start()");
-    if (walk.resting()) giveMotorsBack();
+    if (walk.resting()) motors.giveBack();
   }
 
   void stop() {
-    if (!canWalk() || stopping) return;
+    if (!canWalk()) return;
     wanted = false;
     if (walk.resting()) return;
-    if (jointsTakenBy() != this) {  // there is no step to end
+    if (!motors.areOurs()) {  // there is no step to end
       walk.abandon();
-      return giveMotorsBack();
+      return motors.giveBack();
     }
     walk.stop();
     stopping = true;
@@ -222,11 +170,11 @@ void DARwInOPGaitManager::setBalanceEnable(bool on) {
 }
 
 void DARwInOPGaitManager::start() {
-  if (walker_->canWalk() && !walker_->stopping) walker_->wanted = true;
+  if (walker_->canWalk()) walker_->wanted = true;
 }
 
 void DARwInOPGaitManager::step(int ms) {
-  if (!walker_->canWalk() || walker_->stopping) return;
+  if (!walker_->canWalk()) return;
   if (ms < kTick)
     return warn("step(" + std::to_string(ms) + ") is too short and does nothing; give 8 ms or more, best a multiple");
   walker_->advance(std::min(ms, kLongestStep));

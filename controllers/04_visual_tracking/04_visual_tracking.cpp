@@ -67,8 +67,9 @@ int main(int argc, char** argv) {
       head.turnTo(0.3 * std::cos(t / 3));
     }
     if (steps % 62 == 0)
-      std::cout << (found ? "I see the ball" : "No ball") << ", the neck is at " << std::lround(neck.angle() * 180 / M_PI)
-                << " degrees, the head at " << std::lround(head.angle() * 180 / M_PI) << std::endl;
+      std::cout << (found ? "I see the ball" : "No ball") << ", the neck is at "
+                << std::lround(neck.angle() * 180 / M_PI) << " degrees, the head at "
+                << std::lround(head.angle() * 180 / M_PI) << std::endl;
   }
   if (steps > 0) std::cout << "The ball was in view " << 100 * seen / steps << " % of the time." << std::endl;
   return EXIT_SUCCESS;

@@ -327,6 +327,16 @@ TEST_F(GaitManager, LeavesTheJointsToWhoTakesThemAndBeginsAnewBehindThat) {
   for (std::size_t i = 0; i < kWalking; ++i) EXPECT_NEAR(goals()[i], kJointTable[i].start, 12) << "gently, from there";
 }
 
+TEST_F(GaitManager, MayOutliveItsRobot) {
+  standing().start();
+  steps(5);
+  end();
+  manager().step(16);
+  manager().stop();
+  manager().start();
+  manager().step(16);
+}
+
 TEST_F(GaitManager, AnExceptionOutOfAStepLeavesItUsable) {
   standing().start();
   steps(30);

@@ -274,6 +274,18 @@ TEST_F(MotionManagerTest, ACopyPlaysOnItsOwn) {
   EXPECT_TRUE(copy.isMotionPlaying());
 }
 
+TEST_F(MotionManagerTest, AStepFromInsideOfAStepPlaysNothingTwice) {
+  DARwInOPMotionManager manager{&robot(), path_};
+  const auto cyclesOf = [&](int page) {
+    const std::size_t before = fake.published.size();
+    manager.playPage(page);
+    return fake.published.size() - before;
+  };
+  const std::size_t alone = cyclesOf(1);
+  fake.on_cycle = [&](std::uint64_t) { manager.step(16); };
+  EXPECT_EQ(cyclesOf(1), alone);
+}
+
 TEST_F(MotionManagerTest, MayOutliveItsRobot) {
   DARwInOPMotionManager manager{&robot(), path_};
   manager.playPage(1, false);
