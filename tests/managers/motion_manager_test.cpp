@@ -276,14 +276,14 @@ TEST_F(MotionManagerTest, ACopyPlaysOnItsOwn) {
 
 TEST_F(MotionManagerTest, AStepFromInsideOfAStepPlaysNothingTwice) {
   DARwInOPMotionManager manager{&robot(), path_};
-  const auto cyclesOf = [&](int page) {
+  const auto cycles_of = [&](int page) {
     const std::size_t before = fake.published.size();
     manager.playPage(page);
     return fake.published.size() - before;
   };
-  const std::size_t alone = cyclesOf(1);
+  const std::size_t alone = cycles_of(1);
   fake.on_cycle = [&](std::uint64_t) { manager.step(16); };
-  EXPECT_EQ(cyclesOf(1), alone);
+  EXPECT_EQ(cycles_of(1), alone);
 }
 
 TEST_F(MotionManagerTest, MayOutliveItsRobot) {
