@@ -18,7 +18,7 @@ std::string libraryPath() {
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
   std::filesystem::path path = self.parent_path().parent_path() / "lib" / "libdarwinop-virtual-camera.so";
   if (!std::filesystem::exists(path))
-    throw std::runtime_error("there is no " + path.string() + ": build it with ninja darwinop_virtual_camera");
+    throw std::runtime_error("there is no " + path.string() + ": ./dev build makes it, beside the program");
   if (path.string().find_first_of(" :") != std::string::npos)
     throw std::runtime_error(path.string() + " cannot be preloaded: its path has a blank or a colon. Build elsewhere");
   return path;

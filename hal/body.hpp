@@ -56,9 +56,8 @@ class Body {
   [[nodiscard]] virtual const BodyState& state() const noexcept = 0;
   /// Why it does not move any more, in a sentence; null: all is well. The state is the last good one then.
   [[nodiscard]] virtual const char* trouble() const noexcept { return nullptr; }
-  /// Its camera, with pictures of this size; null: it has none. The body may step meanwhile; what
-  /// takes long is left to the first picture. Throws
-  /// std::runtime_error when the size is out of range.
+  /// Its camera, with pictures of this size; null: it has none. The body may step meanwhile; what takes long is left to
+  /// the first picture. Throws std::runtime_error when the size is out of range.
   [[nodiscard]] virtual std::unique_ptr<Eyes> openEyes(int /*width*/, int /*height*/) { return nullptr; }
 };
 

@@ -68,15 +68,17 @@ class LibraryEyes final : public Eyes {
     library_.newest(eyes_, &picture);
     if (picture.sequence != shown_) ++frames_;
     shown_ = picture.sequence;
+    seeing_ = picture.seeing != 0;
     const auto bytes = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     return {picture.sequence, Nanos{picture.time_ns}, picture.width, picture.height, {picture.bgra, bytes}};
   }
-  [[nodiscard]] CameraHealth health() const override { return {.seeing = true, .frames = frames_}; }
+  [[nodiscard]] CameraHealth health() const override { return {.seeing = seeing_, .frames = frames_}; }
 
  private:
   const BodyLibrary& library_;
   void* eyes_;
   std::uint64_t shown_ = 0, frames_ = 0;
+  bool seeing_ = false;
 };
 
 class LibraryBody final : public Body {

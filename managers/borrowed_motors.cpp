@@ -1,12 +1,12 @@
 #include "managers/borrowed_motors.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 #include <webots/Motor.hpp>
 #include <webots/Robot.hpp>
 
+#include "core/conversions.hpp"
 #include "core/joints.hpp"
 #include "webots/robot_impl.hpp"
 
@@ -21,10 +21,11 @@ constexpr double kRegisterPerKp = 8;
 // A joint further than this from its goal is held by something, or limp: rad.
 constexpr double kSag = 0.1;
 
-/// Where the robot thinks this joint is.
-double whereIs(const webots::Motor& motor) {
+/// Where the robot thinks this joint is. `start`: for one that is silent and was given no goal that is a number.
+double whereIs(const webots::Motor& motor, double start) {
   const double goal = motor.getTargetPosition(), measured = motor.getPosition();
-  return std::isfinite(goal) && !(std::abs(goal - measured) > kSag) ? goal : measured;
+  if (std::isfinite(goal) && !(std::abs(goal - measured) > kSag)) return goal;
+  return std::isfinite(measured) ? measured : start;
 }
 
 }  // namespace
@@ -79,7 +80,8 @@ void BorrowedMotors::giveBack() {
 
 gait::Pose BorrowedMotors::present() const {
   gait::Pose pose{};
-  std::ranges::transform(motors_, pose.begin(), [](const webots::Motor* motor) { return whereIs(*motor); });
+  for (std::size_t i = 0; i < pose.size(); ++i)
+    pose[i] = whereIs(*motors_[i], darwinop::radFromTicks(darwinop::kJointTable[i].start).value);
   return pose;
 }
 

@@ -29,12 +29,12 @@ Sole soleOf(const Leg& leg) {
   return {{thigh.x + calf.x + foot.x, thigh.y + calf.y + foot.y, thigh.z + calf.z + foot.z + kStretched}, sole};
 }
 
-double apart_mm(const Foot& wanted, const Sole& got) {
+double apartMm(const Foot& wanted, const Sole& got) {
   return std::hypot(wanted.x - got.place.x, wanted.y - got.place.y, wanted.z - got.place.z);
 }
 
 /// Angle between where the sole points and where it should, deg.
-double turned_deg(const Foot& wanted, const Sole& got) {
+double turnedDeg(const Foot& wanted, const Sole& got) {
   const Rotation error = inverse(aboutZ(wanted.yaw) * aboutY(wanted.pitch) * aboutX(wanted.roll)) * got.turned;
   const double trace = error.m[0][0] + error.m[1][1] + error.m[2][2];
   return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)) / kRadPerDegree;
@@ -52,8 +52,8 @@ TEST(Leg, ExactPutsTheSoleWhereItWasAsked) {
               const auto leg = legFor(foot, Ik::kExact);
               if (!leg) continue;
               ++reached;
-              EXPECT_LT(apart_mm(foot, soleOf(*leg)), 1e-9);
-              EXPECT_LT(turned_deg(foot, soleOf(*leg)), 1e-5);
+              EXPECT_LT(apartMm(foot, soleOf(*leg)), 1e-9);
+              EXPECT_LT(turnedDeg(foot, soleOf(*leg)), 1e-5);
             }
   EXPECT_GT(reached, 800);
 }
@@ -75,8 +75,8 @@ TEST(Leg, TheFlawIsThisLargeAtTheSole) {
   const Foot sideways{0, 20, 20, 0, 0, 0}, turned{0, 0, 20, 0, 0, 25 * kRadPerDegree};
   const Sole aside = soleOf(*legFor(sideways, Ik::kFlawed)), around = soleOf(*legFor(turned, Ik::kFlawed));
   EXPECT_NEAR(aside.place.y, 8.0, 0.05);
-  EXPECT_NEAR(turned_deg(sideways, aside), 3.43, 0.05);
-  EXPECT_NEAR(turned_deg(turned, around), 12.5, 0.01);
+  EXPECT_NEAR(turnedDeg(sideways, aside), 3.43, 0.05);
+  EXPECT_NEAR(turnedDeg(turned, around), 12.5, 0.01);
 }
 
 TEST(Leg, SaysWhatItCannotReach) {

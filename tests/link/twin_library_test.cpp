@@ -47,6 +47,33 @@ TEST_F(TwinLibrary, GivesABodyThatIsDrivenAndLookedAt) {
   EXPECT_EQ(body->state().joint[0].temperature_c, 7) << "the seed";
 }
 
+TEST_F(TwinLibrary, GivesEyesThatLookWhenTheyAreTold) {
+  use(DARWINOP_TWIN_STAND_IN);
+  const std::unique_ptr<Body> body = makeTwin("", 1);
+  const std::unique_ptr<Eyes> eyes = body->openEyes(1, 1);
+  eyes->look();
+  for (int again = 0; again < 2; ++again) {
+    const CameraFrame frame = eyes->newest();
+    EXPECT_EQ(frame.sequence, 1U);
+    EXPECT_EQ(frame.time, Nanos{1000});
+    ASSERT_EQ(frame.bgra.size(), 4U);
+    EXPECT_EQ(frame.bgra[0], 1);
+  }
+  EXPECT_TRUE(eyes->health().seeing);
+  EXPECT_EQ(eyes->health().frames, 1U);
+  eyes->look();
+  eyes->look();
+  EXPECT_EQ(eyes->newest().sequence, 3U);
+  EXPECT_FALSE(eyes->health().seeing) << "the library says that they are blind";
+}
+
+TEST_F(TwinLibrary, SaysWhyItGivesNoEyes) {
+  use(DARWINOP_TWIN_STAND_IN);
+  const std::unique_ptr<Body> body = makeTwin("", 1);
+  EXPECT_THAT([&] { (void)body->openEyes(2, 1); },
+              testing::ThrowsMessage<std::runtime_error>(HasSubstr("these eyes see one pixel")));
+}
+
 TEST_F(TwinLibrary, ThatIsNotThereIsLookedForInNamedPlacesAndTheSentenceSaysWhatToDo) {
   use("/nowhere/libdarwinop-twin.so");
   EXPECT_THAT(refusal(), HasSubstr("/nowhere/libdarwinop-twin.so"));

@@ -37,7 +37,7 @@ void end(void* body) {
   delete static_cast<BodyState*>(body);
 }
 
-// Eyes that see one pixel; blue counts the looks.
+// Eyes that see one pixel; blue counts the looks. At the third they are blind.
 struct OnePixel {
   std::uint64_t looks = 0;
   std::uint8_t bgra[4] = {0, 0, 0, 255};
@@ -58,7 +58,7 @@ void look(void* eyes) {
 
 void newest(void* eyes, darwinop::BodyPicture* picture) {
   const auto& pixel = *static_cast<OnePixel*>(eyes);
-  *picture = {pixel.looks, static_cast<std::int64_t>(pixel.looks) * 1000, 1, 1, pixel.bgra};
+  *picture = {pixel.looks, static_cast<std::int64_t>(pixel.looks) * 1000, 1, 1, pixel.bgra, pixel.looks < 3 ? 1 : 0};
 }
 
 void closeEyes(void* eyes) {

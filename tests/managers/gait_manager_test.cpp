@@ -327,6 +327,21 @@ TEST_F(GaitManager, LeavesTheJointsToWhoTakesThemAndBeginsAnewBehindThat) {
   for (std::size_t i = 0; i < kWalking; ++i) EXPECT_NEAR(goals()[i], kJointTable[i].start, 12) << "gently, from there";
 }
 
+TEST_F(GaitManager, AJointThatIsSilentAndWasToTurnForEverIsGivenNumbersOnly) {
+  standing();
+  const std::size_t knee = index(Joint::kLegLowerR);
+  robot().getMotor("LegLowerR")->setPosition(INFINITY);
+  fake.image.joint[knee].position = fake.image.joint[knee].commanded = {};
+  robot().step(16);
+  manager().start();
+  for (int i = 0; i < 20; ++i) {
+    steps(1);
+    const JointCommand& command = fake.last().joint[knee];
+    ASSERT_TRUE(command.has(JointCommand::kGoal));
+    ASSERT_TRUE(std::isfinite(command.goal.value));
+  }
+}
+
 TEST_F(GaitManager, MayOutliveItsRobot) {
   standing().start();
   steps(5);

@@ -67,6 +67,13 @@ TEST_F(EyesOfARobot, SeeNoBallWhereThereIsNone) {
   EXPECT_EQ(inView(track("twin", "4")), 0);
 }
 
+TEST_F(EyesOfARobot, SeeNothingInATestPattern) {
+  const runtime::Environment blind{"DARWINOP_TWIN_GL", "off"};
+  const std::string said = track("twin", "4");
+  EXPECT_THAT(said, HasSubstr("test pattern: ")) << "and why";
+  EXPECT_EQ(inView(said), 0) << "its red bar is no ball";
+}
+
 TEST_F(EyesOfARobot, AreUsedByControllersOfBothStyles) {
   const runtime::Environment ball{"DARWINOP_TWIN_BALL", "circles"};
   const runtime::Environment recording{"DARWINOP_RECORD", file("log.csv")};

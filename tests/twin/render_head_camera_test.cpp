@@ -139,6 +139,7 @@ TEST_F(Eyes, WithoutGraphicsThereIsATestPatternThatSaysWhy) {
   EXPECT_THAT(said, testing::HasSubstr(camera.blindness()));
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;  // once for both
   EXPECT_THAT(camera.blindness(), testing::HasSubstr("DARWINOP_TWIN_GL"));
+  EXPECT_FALSE(camera.health().seeing) << "a test pattern is nothing to act on";
 
   EXPECT_EQ(frame.sequence, 1U);
   const Picture& p = camera.picture();

@@ -71,8 +71,10 @@ void look(void* eyes) {
 }
 
 void newest(void* eyes, BodyPicture* picture) {
-  const CameraFrame frame = static_cast<HeadCamera*>(eyes)->newest();
-  *picture = {frame.sequence, frame.time.count(), frame.width, frame.height, frame.bgra.data()};
+  HeadCamera& camera = *static_cast<HeadCamera*>(eyes);
+  const CameraFrame frame = camera.newest();
+  const int seeing = camera.health().seeing ? 1 : 0;
+  *picture = {frame.sequence, frame.time.count(), frame.width, frame.height, frame.bgra.data(), seeing};
 }
 
 void closeEyes(void* eyes) {

@@ -32,7 +32,8 @@ class HeadCamera final : public Eyes {
 
   void look() noexcept override;
   CameraFrame newest() override;
-  [[nodiscard]] CameraHealth health() const override { return {.seeing = true, .frames = pictures_}; }
+  /// A test pattern is not seen: its red bar is no ball.
+  [[nodiscard]] CameraHealth health() const override { return {.seeing = blindness_.empty(), .frames = pictures_}; }
 
   /// The same picture as newest() gave, RGB.
   [[nodiscard]] const Picture& picture() const noexcept { return picture_; }
