@@ -11,10 +11,11 @@ namespace darwinop::svg {
 
 using Points = std::vector<std::pair<double, double>>;
 
+/// The same on every machine: a value in the middle of two goes up, whatever its last bits are.
 inline std::string number(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value + 0.0);
-  return text[0] == '-' && std::string{text} == "-0.0" ? "0.0" : text;
+  std::snprintf(text, sizeof text, "%.1f", value + 1e-6);
+  return std::string{text} == "-0.0" ? "0.0" : text;
 }
 
 class Picture {
