@@ -156,6 +156,24 @@ TEST_F(GaitManager, StandsUntilTheGyroscopeIsCalibrated) {
   EXPECT_EQ(goals(), goldenOf("G1_inplace")[6]);
 }
 
+TEST_F(GaitManager, AReadingOfTheGyroscopeCountsOnceHoweverOftenItIsLookedAt) {
+  standing().setBalanceEnable(true);
+  manager().start();
+  for (int cycle = 0; cycle < 98; ++cycle) {
+    manager().step(8);
+    manager().step(8);
+    robot().step(16);
+    ASSERT_EQ(goals(), gait::kStanding.tick) << cycle;
+  }
+  fake.image.board.motion.age = 1;  // not read in the next cycle
+  steps(1);
+  fake.image.board.motion.age = 0;
+  steps(2);
+  EXPECT_EQ(goals(), gait::kStanding.tick) << "the 100th has just been seen";
+  steps(3);
+  EXPECT_NE(goals(), gait::kStanding.tick);
+}
+
 TEST_F(GaitManager, ARobotThatIsMovedWalksWithoutBalance) {
   standing().setBalanceEnable(true);
   fake.on_cycle = [this](std::uint64_t cycle) { fake.image.board.gyro[0] = RadPerSec{cycle % 2 == 0 ? 1.0 : -1.0}; };
