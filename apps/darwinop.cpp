@@ -25,6 +25,7 @@ constexpr Noun kNouns[] = {
     {"virtual-robot", "a CM-730 with 20 MX-28 on a pty, for work without a robot"},
     {"virtual-camera", "a camera like the robot's for one program, which needs no driver and no rights"},
     {"twin", "the physics twin: watch it, film it, list its models and effects"},
+    {"demo", "the twin gets up, walks, turns and stops: a film, or a window"},
     {"gap", "find where simulation and measurement disagree, name what is missing, add it to the model"},
     {"supervisor", "parent of runtime and default controller on a robot; also --status, --stop-controller"},
     {"install", "install on a robot over ssh, send controllers; also --status, --rollback, --uninstall"},

@@ -1,11 +1,9 @@
 // darwinop-twin: looks at the physics twin: a window or a film of a run, a picture, the models, the effects.
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -18,49 +16,18 @@
 #include "twin/render/png.hpp"
 #include "twin/view/named_poses.hpp"
 #include "twin/view/show.hpp"
+#include "twin_look.hpp"
 
 namespace {
 
 namespace twin = darwinop::twin;
 
 constexpr int kWrong = 2;  // exit status: a mistake in the arguments, or what makes them impossible
-constexpr const char* kModelHelp = "Name of a model that is shipped ('darwinop twin models'), or an INI file";
-
-std::map<std::string, twin::Viewpoint> viewpoints() {
-  std::map<std::string, twin::Viewpoint> table;
-  for (std::size_t i = 0; i < twin::kViewpoints.size(); ++i)
-    table[std::string{twin::kViewpoints.at(i)}] = static_cast<twin::Viewpoint>(i);
-  return table;
-}
-
-/// "640x480"
-std::string readSize(const std::string& text, int& width, int& height) {
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2 &&
-      std::min(width, height) >= twin::Offscreen::kSmallest && std::max(width, height) <= twin::Offscreen::kLargest)
-    return {};
-  return "'" + text + "' is no size: write WIDTHxHEIGHT in pixels, " + std::to_string(twin::Offscreen::kSmallest) +
-         " to " + std::to_string(twin::Offscreen::kLargest) + " each, as in 640x480";
-}
 
 struct Arguments {
   twin::ShowOptions show;
-  std::string size, picture, pose = "start", camera = "follow";
+  std::string picture, pose = "start";
 };
-
-void describeLook(CLI::App& command, Arguments& a) {
-  command.add_option("--model", a.show.model, kModelHelp)->capture_default_str();
-  std::string names;
-  for (const std::string_view name : twin::kViewpoints) names += (names.empty() ? "" : ", ") + std::string{name};
-  command.add_option("--camera", a.camera, "From where: " + names)
-      ->type_name("NAME")
-      ->capture_default_str()
-      ->check(CLI::IsMember(viewpoints()))
-      ->each([&a](const std::string& name) { a.show.from = viewpoints().at(name); });
-  command.add_option("--size", a.size, "Pixels, as in 640x480 (default 960x720)")
-      ->type_name("WxH")
-      ->check(CLI::Validator{[&a](std::string& text) { return readSize(text, a.show.width, a.show.height); }, ""});
-}
 
 CLI::App& describeView(CLI::App& app, Arguments& a) {
   CLI::App& view = *app.add_subcommand("view", "show a run in a window, or make a film of it");
@@ -75,7 +42,7 @@ CLI::App& describeView(CLI::App& app, Arguments& a) {
   view.add_option("--fps", a.show.per_second, "Pictures a second of a film")
       ->capture_default_str()
       ->check(CLI::Range(1, 120));
-  describeLook(view, a);
+  describeLook(view, a.show);
   view.footer(
       "Examples:\n  darwinop twin view build/release/controllers/01_hello_head\n"
       "  darwinop twin view --record hello.mp4 --seconds 10 build/release/controllers/01_hello_head");
@@ -88,7 +55,7 @@ CLI::App& describePicture(CLI::App& app, Arguments& a) {
   picture.add_option("--pose", a.pose, "start (kneeling) or standing")
       ->capture_default_str()
       ->check(CLI::IsMember({"start", "standing"}));
-  describeLook(picture, a);
+  describeLook(picture, a.show);
   picture.footer("Example:\n  darwinop twin picture robot.png --pose standing --camera front");
   return picture;
 }

@@ -150,12 +150,45 @@ gap() {
 # CPU time of a picture; peers: OpenCV's steps, and plain ones a pixel at a time.
 vision() { "$build/bin/vision_bench"; }
 
+# --- the walking engine
+
+# gait_call PROGRAM ours|plain: instructions of one call.
+gait_call() {
+  local calls counted=()
+  for calls in 1000 4000; do
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$1" "$2" "$calls" >"$folder/gait" 2>&1 ||
+      { cat "$folder/gait" >&2; return 1; }
+    counted+=("$(sed -nE 's/.*Collected *: *([0-9]+).*/\1/p' "$folder/gait")")
+  done
+  echo $(((counted[1] - counted[0]) / 3000))
+}
+
+# One call, 8 ms of walking. Peer: the published algorithm written down as it reads, with the same ticks. Time here;
+# instructions here and, when it has been built, of the robot's program.
+gait() {
+  local ours peer program robot=$build/../robot/bin/gait_instructions
+  "$build/bin/gait_time" --benchmark_format=csv --benchmark_min_time=0.1 --benchmark_repetitions=10 \
+    --benchmark_enable_random_interleaving=true 2>"$folder/log" | tr -d '"' >"$folder/gait_time" ||
+    { cat "$folder/log" >&2; return 1; }
+  best_call() { awk -F, -v name="$1" '$1 == name && (!best || $4 < best) { best = $4 } END { printf "%.0f", best }' \
+    "$folder/gait_time"; }
+  bench gait_time "$(best_call ours)" "$(best_call plain)" ns
+  for program in "$build/bin/gait_instructions" "$robot"; do
+    [ -x "$program" ] || { echo "gait: without the robot's instructions, there is no $robot" >&2; continue; }
+    "$program" check 1 || { echo "gait: the two gaits of $program are not the same" >&2; return 1; }
+    ours=$(gait_call "$program" ours)
+    peer=$(gait_call "$program" plain)
+    if [ "$program" = "$robot" ]; then bench gait_instructions_i686 "$ours" "$peer" instructions
+    else bench gait_instructions "$ours" "$peer" instructions; fi
+  done
+}
+
 # --- the camera
 
 # YUYV to BGRA by each kernel that this CPU has, and to planes. Peers: libyuv, five passes, and memcpy, which is the limit.
 camera() { "$build/bin/camera_bench"; }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision)
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision gait)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue
   "$name"

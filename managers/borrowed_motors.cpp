@@ -78,6 +78,11 @@ void BorrowedMotors::giveBack() {
   if (ours) inside_->joints_taken_by = nullptr;
 }
 
+std::uint64_t BorrowedMotors::cycleOfReading() const {
+  const darwinop::Sensors& sensors = inside_->session().sensors();
+  return sensors.cycle - sensors.board.motion.age;
+}
+
 gait::Pose BorrowedMotors::present() const {
   gait::Pose pose{};
   for (std::size_t i = 0; i < pose.size(); ++i)

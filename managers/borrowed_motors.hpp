@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "managers/gait/approach.hpp"
 #include "managers/gait/goals.hpp"
@@ -37,6 +38,8 @@ class BorrowedMotors {
   void take(const darwinop::gait::Parameters& gains);
   void giveBack();
 
+  /// Cycle of the loop in which the board, whose gyroscope a walk looks at, was read last.
+  [[nodiscard]] std::uint64_t cycleOfReading() const;
   /// rad.
   [[nodiscard]] darwinop::gait::Pose present() const;
   void setGoals(const darwinop::gait::Pose& goals);

@@ -1,9 +1,11 @@
 // The upstream gait manager on top of the walking engine: what it says, and which joints get what it computes.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <webots/Gyro.hpp>
 #include <webots/Robot.hpp>
 
@@ -22,6 +24,7 @@ namespace {
 
 constexpr int kTick = static_cast<int>(gait::kTickMs);
 constexpr int kLongestStep = 10'000;  // ms, as that of Robot::step() in config.ini
+constexpr double kCatchUpMs = 600;    // of goals that are as fast as servos: half a turn takes 256 ms
 
 void warn(const std::string& what) {
   warnOnce("GaitManager: " + what);
@@ -44,6 +47,7 @@ struct DARwInOPGaitManager::Walker {
   bool wanted = false;    // between start() and stop()
   bool stopping = false;  // inside stop(): a Robot::step() of the user may call us
   int carried_ms = 0;
+  std::uint64_t reading = 0;  // cycle of the newest one that was looked at
 
   Walker() = default;
   /// The same robot and wishes, at rest.
@@ -77,18 +81,24 @@ struct DARwInOPGaitManager::Walker {
     motors.take(walk.parameters());
   }
 
-  [[nodiscard]] gait::GyroCounts gyroCounts() const {
+  /// Fresh when the board has answered since the last look, or does not answer any more.
+  gait::GyroCounts gyroCounts() {
     const double* const counts = gyro != nullptr ? gyro->getValues() : nullptr;
-    return counts != nullptr ? gait::GyroCounts{counts[0], counts[1]} : gait::GyroCounts{std::nan(""), std::nan("")};
+    if (counts == nullptr || std::isnan(counts[0])) return {std::nan(""), std::nan("")};
+    const std::uint64_t before = std::exchange(reading, motors.cycleOfReading());
+    return {counts[0], counts[1], reading != before};
   }
 
   void advance(int ms) {
     if (wanted && motors.areAnothers()) return;  // until the page has ended
     if (wanted && !motors.areOurs()) begin();
     const bool walked = walk.walking(), moves = !walk.resting();
-    const gait::GyroCounts seen = gyroCounts();
+    gait::GyroCounts seen = gyroCounts();
     carried_ms += ms;
-    for (; carried_ms >= kTick; carried_ms -= kTick) walk.tick(wish, balance, seen);
+    for (; carried_ms >= kTick; carried_ms -= kTick) {
+      walk.tick(wish, balance, seen);
+      seen.fresh = false;
+    }
     if (!moves) return;
     motors.setGoals(walk.pose());
     if (!walked && walk.walking() && balance && !walk.knowsBalance())
@@ -113,7 +123,7 @@ struct DARwInOPGaitManager::Walker {
       ~Stopped() { stopping = false; }
     } stopped{stopping};
     const int basic = std::max(1, static_cast<int>(robot->getBasicTimeStep()));
-    double left_ms = walk.approachMs() + 2 * walk.parameters().period_time;
+    double left_ms = walk.approachMs() + 2 * walk.parameters().period_time + kCatchUpMs;
     while (!walk.resting() && left_ms > -basic) {
       advance(basic);
       if (robot->step(basic) == -1) break;

@@ -28,8 +28,8 @@ int main(int argc, char** argv) {
   gait.setYAmplitude(option(argc, argv, "--y", 0));
   gait.setAAmplitude(option(argc, argv, "--a", 0));
   gait.start();
-  // Before the first step: 2.7 s to the stance, and 0.8 s of standing still for the gyroscope.
-  const double end = robot.getTime() + 3.5 + option(argc, argv, "--seconds", 10);
+  // Before the first step: 2.7 s to the stance, and 1.6 s of standing still for the gyroscope.
+  const double end = robot.getTime() + 4.3 + option(argc, argv, "--seconds", 10);
   const int kFallen =
       30;  // steps in which gravity was not where it is in an upright robot, 128 counts above the middle
   int lying = 0;

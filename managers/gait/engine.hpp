@@ -27,7 +27,7 @@ class Engine {
 
   /// The next 8 ms. The wish is followed from the middle of the next swing, and not any more after stop(). `tilt` is
   /// what the gyroscope saw; one that is not known leaves the balance alone. A place out of a leg's reach keeps the
-  /// goals as they are.
+  /// goals as they are; after it, and when feet open for a turn, they jump (servo_speed.hpp).
   const Goals& next(const Wish& wish, const Tilt& tilt);
   /// Those of the last call; before the first, standing.
   [[nodiscard]] const Goals& goals() const { return goals_; }

@@ -9,8 +9,9 @@
 
 namespace darwinop::gait {
 
-/// Source: the ROBOTIS engine: 100 samples, 8 ms apart, whose standard deviations are below 2 counts. Ours: a mean that
-/// no gyroscope at rest has, 70 deg/s and more, is that of a robot which is being turned.
+/// Source: the ROBOTIS engine: 100 samples whose standard deviations are below 2 counts. Ours: each is a reading of its
+/// own, 16 ms apart on a robot, not 8; a mean that no gyroscope at rest has, 70 deg/s and more, is that of a robot
+/// which is being turned.
 class GyroCentre {
  public:
   static constexpr int kSamples = 100;

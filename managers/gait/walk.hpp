@@ -7,15 +7,17 @@
 
 namespace darwinop::gait {
 
-/// The two axes that keep balance, raw counts as the board gives them; NaN: not known.
+/// The two axes that keep balance, raw counts as the board gives them; NaN: not known. `fresh`: no tick has seen this
+/// reading yet. A robot is read every 16 ms, for two ticks.
 struct GyroCounts {
   double roll, pitch;
+  bool fresh = true;
 };
 
 class Walk {
  public:
-  /// So long it stands still to learn where the gyroscope rests, three times what that takes.
-  static constexpr double kPatienceMs = 3 * GyroCentre::kSamples * kTickMs;
+  /// For so many readings, which may have failed, it stands still to learn where the gyroscope rests.
+  static constexpr int kPatience = 3 * GyroCentre::kSamples;
 
   explicit Walk(const Parameters& parameters) : engine_{parameters}, pose_{poseOf(engine_.goals())} {}
 
@@ -33,7 +35,7 @@ class Walk {
   [[nodiscard]] bool knowsBalance() const { return centre_.known(); }
   /// ms that remain until the robot stands in the stance.
   [[nodiscard]] double approachMs() const { return approach_.durationMs(); }
-  /// rad. At rest that of the last walk's end; before the first one, the stance.
+  /// rad; never faster than servos. At rest that of the last walk's end; before the first one, the stance.
   [[nodiscard]] const Pose& pose() const { return pose_; }
   [[nodiscard]] const Parameters& parameters() const { return engine_.parameters(); }
 
@@ -42,6 +44,7 @@ class Walk {
 
   void approach();
   void settle(bool balance, const GyroCounts& gyro);
+  void learn(const GyroCounts& gyro);
   void walk(const Wish& wish, bool balance, const GyroCounts& gyro);
 
   Engine engine_;
@@ -49,7 +52,7 @@ class Walk {
   Approach approach_;
   Pose pose_;
   Phase phase_ = Phase::kRest;
-  double settled_ms_ = 0;
+  int waited_ = 0;  // readings
   bool stopping_ = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <random>
 
@@ -103,6 +104,33 @@ TEST(Walk, LearnsTheCentreWhileItRests) {
   EXPECT_TRUE(walk.knowsBalance());
   walk.start(kStance);
   EXPECT_EQ(ticksToWalk(walk, true, kLevel), 1);
+}
+
+TEST(Walk, TakesEveryReadingOfTheGyroscopeOnce) {
+  Walk walk{Parameters{}};
+  walk.start(kStance);
+  int ticks = 0;
+  for (; !walk.walking() && ticks < 2000; ++ticks) walk.tick({}, true, {512, 512, ticks % 2 == 0});
+  EXPECT_EQ(ticks, 2 * GyroCentre::kSamples) << "of a robot that is read every 16 ms";
+}
+
+TEST(Walk, GoesToAFarStrideAtTheSpeedOfServos) {
+  Engine engine{Parameters{}};
+  Walk walk{Parameters{}};
+  engine.start();
+  walk.start(kStance);
+  ticksToWalk(walk, false, kLevel);
+  engine.next({0, 1, 0, false}, {kSilent, kSilent});
+  int late = 0;
+  double fastest = 0;
+  for (int tick = 1; tick < 225; ++tick) {
+    const Pose before = walk.pose();
+    walk.tick({0, 1, 0, false}, false, kLevel);
+    fastest = std::max(fastest, greatestStep(before, walk.pose()) / 0.008);
+    if (walk.pose() != poseOf(engine.next({0, 1, 0, false}, {kSilent, kSilent}))) ++late;
+  }
+  EXPECT_NEAR(fastest, 12.26, 1e-9) << "the feet open in a single call of the engine";
+  EXPECT_EQ(late, 1) << "of all other calls not one was changed";
 }
 
 TEST(Walk, ForgetsSamplesOfAnotherStance) {

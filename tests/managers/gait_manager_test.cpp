@@ -128,7 +128,7 @@ TEST_F(GaitManager, SetsThePGainsAndTakesSpeedLimitsAway) {
 
 TEST_F(GaitManager, TheGyroscopeDrivesBalance) {
   standing().setBalanceEnable(true);
-  steps(50);  // calibrates, 8 ms a sample
+  steps(100);  // calibrates, a sample a cycle
   expectUntouched();
   manager().start();
   steps(3);
@@ -148,12 +148,30 @@ TEST_F(GaitManager, StandsUntilTheGyroscopeIsCalibrated) {
   fake.image.board.gyro[0] = RadPerSec{0.3};  // its rest is not 512
   robot().step(16);
   manager().start();
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 100; ++i) {
     steps(1);
     ASSERT_EQ(goals(), gait::kStanding.tick) << i;
   }
   steps(3);
-  EXPECT_EQ(goals(), goldenOf("G1_inplace")[5]);
+  EXPECT_EQ(goals(), goldenOf("G1_inplace")[6]);
+}
+
+TEST_F(GaitManager, AReadingOfTheGyroscopeCountsOnceHoweverOftenItIsLookedAt) {
+  standing().setBalanceEnable(true);
+  manager().start();
+  for (int cycle = 0; cycle < 98; ++cycle) {
+    manager().step(8);
+    manager().step(8);
+    robot().step(16);
+    ASSERT_EQ(goals(), gait::kStanding.tick) << cycle;
+  }
+  fake.image.board.motion.age = 1;  // not read in the next cycle
+  steps(1);
+  fake.image.board.motion.age = 0;
+  steps(2);
+  EXPECT_EQ(goals(), gait::kStanding.tick) << "the 100th has just been seen";
+  steps(3);
+  EXPECT_NE(goals(), gait::kStanding.tick);
 }
 
 TEST_F(GaitManager, ARobotThatIsMovedWalksWithoutBalance) {
@@ -161,15 +179,15 @@ TEST_F(GaitManager, ARobotThatIsMovedWalksWithoutBalance) {
   fake.on_cycle = [this](std::uint64_t cycle) { fake.image.board.gyro[0] = RadPerSec{cycle % 2 == 0 ? 1.0 : -1.0}; };
   testing::internal::CaptureStderr();
   manager().start();
-  steps(150 + 1 + 20);
+  steps(300 + 1 + 20);
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_THAT(said, HasSubstr("balance cannot be calibrated"));
-  EXPECT_EQ(goals(), goldenOf("G1_inplace")[41]);
+  EXPECT_EQ(goals(), goldenOf("G1_inplace")[42]);
 }
 
 TEST_F(GaitManager, AGyroscopeThatFallsSilentGivesNoNaN) {
   standing().setBalanceEnable(true);
-  steps(50);
+  steps(100);
   manager().start();
   fake.image.board.motion.age = 10;
   steps(20);

@@ -1,4 +1,4 @@
-// The gait on a body that can fall: it must not, and it must get somewhere.
+// The gait on a body that can fall: it must not, and it must get somewhere. Runs are long, so each shows many things.
 #include <gmock/gmock.h>
 
 #include <DARwInOPGaitManager.hpp>
@@ -8,8 +8,10 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <webots/Accelerometer.hpp>
 #include <webots/Robot.hpp>
 
+#include "core/units.hpp"
 #include "link/lockstep_robot.hpp"
 #include "twin/body/robot_body.hpp"
 #include "webots/robot_impl.hpp"
@@ -19,97 +21,125 @@ namespace {
 
 namespace facade = darwinop::facade;
 namespace twin = darwinop::twin;
+using std::chrono::milliseconds;
 
 class TwinRobot : public webots::Robot {
  public:
   explicit TwinRobot(facade::RobotImpl* impl) : Robot(impl) {}
 };
 
-class Walk : public testing::Test {
+class WalkInTheTwin : public testing::Test {
  protected:
-  Walk() {
+  WalkInTheTwin() {
     auto body = std::make_unique<twin::RobotBody>(twin::readModel(twin::findModel("darwin-op")),
                                                   twin::RobotBodyOptions{.ball = twin::Ball::kNone});
     body_ = body.get();
     darwinop::runtime::LoopConfig config;
     auto impl = std::make_unique<facade::RobotImpl>(darwinop::link::lockstepRobot(config, std::move(body)),
                                                     facade::ControllerConfig{}, stop_);
-    const std::string why_not = impl->begin();
-    EXPECT_EQ(why_not, "");
+    EXPECT_EQ(impl->begin(), "");
     robot_ = std::make_unique<TwinRobot>(impl.release());
+    accelerometer_ = robot_->getAccelerometer("Accelerometer");
+    accelerometer_->enable(16);
     gait_ = std::make_unique<DARwInOPGaitManager>(robot_.get(), "there is no such file");
   }
 
-  /// Takes its stance, walks for so long and stops.
-  void walk(double seconds) {
-    const double end = robot_->getTime() + kStance + seconds;
-    from_ = body_->trunkPosition();
-    gait_->start();
+  void step(double seconds, bool walking) {
+    const double end = robot_->getTime() + seconds;
     while (robot_->getTime() < end) {
-      gait_->step(16);
+      if (walking) gait_->step(16);
       ASSERT_EQ(robot_->step(16), 0);
       lowest_ = std::min(lowest_, body_->upright());
+      turned_ += std::remainder(body_->heading() - heading_, 2 * darwinop::kPi);
+      heading_ = body_->heading();
+      lying_ = accelerometer_->getValues()[2] < 550 ? lying_ + 1 : 0;  // upright: 640
+      lying_longest_ = std::max(lying_longest_, lying_);
     }
-    gait_->stop();
   }
-  /// m since walk() began: 0 forwards, 1 to the left.
-  [[nodiscard]] double went(std::size_t axis) const { return body_->trunkPosition()[axis] - from_[axis]; }
+  /// From the start pose until the next tick is that of the first step.
+  void standUp() {
+    gait_->start();
+    step(kStance, true);
+    from_ = body_->trunkPosition();
+  }
+  void walk(double seconds, double x, double y, double a) {
+    gait_->setXAmplitude(x);
+    gait_->setYAmplitude(y);
+    gait_->setAAmplitude(a);
+    from_ = body_->trunkPosition();
+    turned_ = 0;
+    step(seconds, true);
+  }
+  void push(const std::array<double, 3>& newton) { body_->push(newton, kPush); }
 
-  static constexpr double kStance = 3.5;  // s: 2.7 to the stance, 0.8 for the gyroscope
+  /// m since the last walk() began, as the world has it and the robot at its start: 0 forwards, 1 to the left.
+  [[nodiscard]] double went(std::size_t axis) const { return body_->trunkPosition()[axis] - from_[axis]; }
+  [[nodiscard]] double turnedDeg() const { return turned_ / darwinop::kRadPerDegree; }
+
+  static constexpr double kStance = 4.3;  // s: 2.7 to the stance, 1.6 for the gyroscope
+  static constexpr milliseconds kPush{100};
   std::atomic<bool> stop_{false};
   twin::RobotBody* body_ = nullptr;
   std::unique_ptr<TwinRobot> robot_;
+  webots::Accelerometer* accelerometer_ = nullptr;
   std::unique_ptr<DARwInOPGaitManager> gait_;
   std::array<double, 3> from_{};
-  double lowest_ = 1;
+  double lowest_ = 1, heading_ = 0, turned_ = 0;
+  int lying_ = 0, lying_longest_ = 0;  // steps in a row in which gravity was not where an upright robot has it
 };
 
-// Measured: 1.60 m forwards, 0.41 m to the left, 0.33 m of drift on the spot, 0.32 m back; the trunk never leans by
-// more than 16 degrees. The limits leave room for a better model of the body.
-constexpr double kLeans = 0.9;
+// Limits leave room for a better model of the body; what was measured stands beside them, more in docs/gait.md.
+constexpr double kLeans = 0.9;  // 0.96: 16 degrees
+constexpr int kFallen = 30;     // steps, as in 05_walk; no step of these walks shakes it so far
 
-TEST_F(Walk, ForwardsGetsForwards) {
-  gait_->setXAmplitude(1);
-  walk(10);
-  EXPECT_GT(went(0), 1.0);
-  EXPECT_LT(std::abs(went(1)), 0.3);
+TEST_F(WalkInTheTwin, GetsUpWalksFarTurnsStopsAndStands) {
+  EXPECT_LT(body_->trunkPosition()[2], 0.26) << "it sits";
+  standUp();
+  EXPECT_GT(body_->trunkPosition()[2], 0.28);
+
+  walk(30, 1, 0, 0);
+  EXPECT_GT(went(0), 0.6 * 0.133 * 30) << "kinematics promises 4.0 m";  // 4.6
+  EXPECT_LT(std::abs(turnedDeg()), 45);                                 // 5
+
+  walk(3, 0, 0, 1);
+  EXPECT_GT(turnedDeg(), 90);                    // 256
+  EXPECT_LT(std::hypot(went(0), went(1)), 0.3);  // 0.1
+
+  gait_->stop();
+  step(1, false);
+  from_ = body_->trunkPosition();
+  step(1, false);
+  EXPECT_LT(std::hypot(went(0), went(1)), 0.005);
+  EXPECT_GT(body_->upright(), 0.97);
   EXPECT_GT(lowest_, kLeans);
+  EXPECT_LT(lying_longest_, kFallen);
 }
 
-TEST_F(Walk, SidewaysGetsToTheLeft) {
-  gait_->setYAmplitude(1);
-  walk(10);
+TEST_F(WalkInTheTwin, GoesSidewaysBackAndOnTheSpot) {
+  standUp();
+  walk(8, 0, 1, 0);
   EXPECT_GT(went(1), 0.2);
+  walk(6, -0.5, 0, 0);
+  EXPECT_LT(went(0), -0.05);
+  walk(6, 0, 0, 0);
+  EXPECT_LT(std::hypot(went(0), went(1)), 0.5);
   EXPECT_GT(lowest_, kLeans);
 }
 
-TEST_F(Walk, OnTheSpotStaysNear) {
-  walk(10);
-  EXPECT_LT(std::hypot(went(0), went(1)), 0.6);
-  EXPECT_GT(lowest_, kLeans);
-}
+TEST_F(WalkInTheTwin, SurvivesASmallPushAndALargeOneTopplesIt) {
+  standUp();
+  walk(3, 1, 0, 0);
+  push({8, 0, 0});  // 10 whenever it comes; 12.5 fells it at the wrong moment
+  walk(3, 1, 0, 0);
+  push({0, 4, 0});  // 5, and 7.5
+  walk(3, 1, 0, 0);
+  EXPECT_GT(body_->upright(), kLeans);
+  EXPECT_LT(lying_longest_, kFallen) << "its accelerometer gives no false alarm";
 
-TEST_F(Walk, TurningStaysUpright) {
-  gait_->setAAmplitude(0.5);
-  walk(10);
-  EXPECT_LT(std::hypot(went(0), went(1)), 0.6);
-  EXPECT_GT(lowest_, kLeans);
-}
-
-TEST_F(Walk, BackwardsGetsBack) {
-  gait_->setXAmplitude(-0.5);
-  walk(10);
-  EXPECT_LT(went(0), -0.1);
-  EXPECT_GT(lowest_, kLeans);
-}
-
-TEST_F(Walk, AfterStopItStandsStill) {
-  gait_->setXAmplitude(1);
-  walk(3);
-  const std::array<double, 3> there = body_->trunkPosition();
-  for (int i = 0; i < 125; ++i) ASSERT_EQ(robot_->step(16), 0);  // 2 s
-  EXPECT_LT(std::hypot(body_->trunkPosition()[0] - there[0], body_->trunkPosition()[1] - there[1]), 0.02);
-  EXPECT_GT(body_->upright(), 0.95);
+  push({40, 0, 0});
+  walk(3, 1, 0, 0);
+  EXPECT_LT(body_->upright(), 0.3) << "it lies";
+  EXPECT_GE(lying_longest_, kFallen) << "and its accelerometer says so, though its legs walk on";
 }
 
 }  // namespace

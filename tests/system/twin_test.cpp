@@ -155,6 +155,18 @@ TEST_F(OnTheTwin, ARobotThatStandsAndLetsGoFallsAndTheSafetyLayerReportsIt) {
   EXPECT_EQ(log.atSecond(7.9, "safety.fault"), kFell);
 }
 
+TEST_F(OnTheTwin, TheExampleWalksOverThePtyInRealTimeAndStands) {
+  const auto robot = twinOnAPort();
+  const std::string output = runOn(port(), {DARWINOP_WALK, "--seconds", "3"}, "log.csv");
+  EXPECT_THAT(output, HasSubstr("It walked, and stands."));
+  EXPECT_THAT(output, testing::Not(HasSubstr("fault 30")));
+  const Drive log{file("log.csv")};
+  const std::vector<double> knee = log.read(position("LegLowerR"));
+  int bends = 0;  // over 1.2 rad; standing 0.93, in the air 1.47
+  for (std::size_t i = knee.size() / 2; i < knee.size(); ++i) bends += knee[i - 1] < 1.2 && knee[i] >= 1.2 ? 1 : 0;
+  EXPECT_GE(bends, 4) << "a step every 0.6 s";
+}
+
 TEST_F(OnTheTwin, AFallIsToldByTheStatusOfTheDaemon) {
   const auto robot = twinOnAPort();
   const Program daemon{{program("darwinop-runtime"), "--robot", port()}, file("daemon.txt")};

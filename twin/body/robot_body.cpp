@@ -196,6 +196,13 @@ double RobotBody::upright() const noexcept {
   return world[2];
 }
 
+double RobotBody::heading() const noexcept {
+  const mjtNum forward[3] = {0, 0, 1};  // of the trunk
+  mjtNum world[3];
+  mju_rotVecQuat(world, forward, parts_->d->qpos + parts_->map.trunk_qpos + 3);
+  return std::atan2(world[1], world[0]);
+}
+
 double RobotBody::time_s() const noexcept {
   return static_cast<double>(parts_->now_ns) * 1e-9;
 }

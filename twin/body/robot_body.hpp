@@ -48,6 +48,8 @@ class RobotBody final : public Body {
   [[nodiscard]] std::array<double, 3> trunkPosition() const noexcept;  // m, world
   /// 1 upright, 0 lying, -1 upside down: cosine between the trunk's up and the world's.
   [[nodiscard]] double upright() const noexcept;
+  /// Which way the trunk faces, rad from -pi to pi, counter-clockwise from the start; means nothing when it lies.
+  [[nodiscard]] double heading() const noexcept;
   [[nodiscard]] double time_s() const noexcept;
 
   /// For drawing, and for checks against the model. Valid until the next call of place() or step().

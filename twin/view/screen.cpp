@@ -91,8 +91,7 @@ std::unique_ptr<Screen> makeScreen(const ShowOptions& options, const mjModel_& m
   try {
     return std::make_unique<LiveScreen>(options, model, std::move(keys));
   } catch (const NoDisplay& none) {
-    throw NoDisplay(std::string{none.what()} +
-                    "; a film needs none: darwinop twin view --record FILE.mp4 (or a folder for pictures)");
+    throw NoDisplay(std::string{none.what()} + "; a film needs none: --record FILE.mp4 (or a folder for pictures)");
   }
 }
 
