@@ -1,4 +1,4 @@
-// darwinop-motion: motion pages as a person handles them: list, show, check, convert, mirror, new.
+// darwinop-motion: motion pages as a person handles them: list, show, check, convert, mirror, new, play, plot.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -8,11 +8,15 @@
 #include <stdexcept>
 #include <string>
 
+#include "link/setting.hpp"
 #include "managers/motion_text/check_pages.hpp"
 #include "managers/motion_text/mirror.hpp"
 #include "managers/motion_text/motion_file.hpp"
 #include "managers/motion_text/page_section.hpp"
 #include "managers/motion_text/page_text.hpp"
+#include "motion_own.hpp"
+#include "motion_play.hpp"
+#include "motion_plot.hpp"
 #include "motion_print.hpp"
 
 namespace {
@@ -23,11 +27,14 @@ using namespace darwinop::motion;
 constexpr int kFound = 1;                 // exit status: check found something
 constexpr int kWrong = 2;                 // a mistake in the arguments, or a file that cannot be used
 constexpr std::uint8_t kFirstTime = 125;  // 1 s, slow enough for any way to the start pose
-constexpr const char* kFileHelp = "motion file, binary or text; what it is, is seen from what is in it";
+constexpr const char* kFileHelp =
+    "motion file, binary or text; what it is, is seen from what is in it; 'own': the pages of the runtime itself";
 
 struct Arguments {
   std::string file, to_file, out, name;
   int page = 1, to = 0;
+  PlayRequest play;
+  PlotRequest plot;
 };
 
 CLI::App& addCommand(CLI::App& app, const char* name, const char* what, const char* example) {
@@ -44,29 +51,21 @@ std::size_t numberOf(int page) {
   return static_cast<std::size_t>(page);
 }
 
-/// The page, which must hold something.
-const Page& usedPage(const Arguments& a, const PageFile& pages) {
-  const Page& page = pages.at(numberOf(a.page));
-  if (!page.canPlay())
-    throw std::runtime_error(a.file + ": page " + std::to_string(a.page) +
-                             " holds nothing to play; 'darwinop motion list " + a.file + "' shows those that do");
-  return page;
-}
-
 int list(const Arguments& a) {
-  std::cout << listOf(readMotionFile(a.file).pages);
+  std::cout << listOf(openMotions(a.file).pages);
   return 0;
 }
 
 int show(const Arguments& a) {
-  const MotionFile file = readMotionFile(a.file);
-  (void)usedPage(a, file.pages);
+  const MotionFile file = openMotions(a.file);
+  (void)usedPage(file.pages, a.page, a.file);
   std::cout << pictureOf(file.pages, a.page);
   return 0;
 }
 
 /// What is wrong with the file as such goes into `findings`; the pages are those that could be read.
 PageFile readForCheck(const std::string& path, std::vector<std::string>& findings) {
+  if (path == kOwn) return ownPages();
   const std::vector<std::uint8_t> bytes = readBytes(path);
   PageFile pages;
   if (!isText(bytes)) {
@@ -93,7 +92,7 @@ int check(const Arguments& a) {
 }
 
 int convert(const Arguments& a) {
-  MotionFile file = readMotionFile(a.file);
+  MotionFile file = openMotions(a.file);
   file.is_text = !file.is_text;
   writeMotionFile(a.to_file, file);
   std::cout << (file.is_text ? "text: " : "binary: ") << a.to_file << '\n';
@@ -101,9 +100,9 @@ int convert(const Arguments& a) {
 }
 
 int mirror(const Arguments& a) {
-  MotionFile file = readMotionFile(a.file);
+  MotionFile file = openMotions(a.file);
   const int to = a.to == 0 ? a.page : a.to;
-  file.pages.at(numberOf(to)) = mirrored(usedPage(a, file.pages));
+  file.pages.at(numberOf(to)) = mirrored(usedPage(file.pages, a.page, a.file));
   writeMotionFile(a.out, file);
   std::cout << "page " << to << " of " << a.out << " is page " << a.page << ", left and right swapped\n";
   return 0;
@@ -124,6 +123,26 @@ int begin(const Arguments& a) {
   writeText(a.out, std::string{kTextTitle} + "\n\n" + remarks + writePage(page, numberOf(a.page)));
   std::cout << "page " << a.page << " in " << a.out << ", one step: the start pose\n";
   return 0;
+}
+
+void describePlay(CLI::App& command, PlayRequest& play) {
+  command.add_option("FILE", play.file, "motion file, binary or text, a .motion file, or 'own'")->required();
+  command.add_option("PAGE", play.pages, "pages, one after the other; none for a .motion file")
+      ->check(CLI::Range(1, static_cast<int>(kPages) - 1));
+  command.add_option("--robot", play.robot,
+                     "which robot; unset: DARWINOP_ROBOT, or else the twin:\n" + darwinop::link::settingChoices());
+  command.add_option("--record", play.record, "write every cycle to this CSV file, see docs/logs.md");
+  command.add_option("--period", play.period_ms, "period of the loop in ms, 16 or 8")->check(CLI::Range(1, 1000));
+  command.add_flag("--yes", play.yes, "move a real robot without a question");
+}
+
+void describePlot(CLI::App& command, PlotRequest& plot) {
+  command.add_option("FILE", plot.file, kFileHelp)->required();
+  addPage(command, "PAGE", plot.page, "number of the page")->required();
+  command.add_option("--out", plot.out, "picture.png, or page.html to zoom in")->required();
+  command.add_option("--from", plot.from, "where the robot is before: first (the page's own first pose) or start")
+      ->check(CLI::IsMember({"first", "start"}))
+      ->capture_default_str();
 }
 
 using Action = int (*)(const Arguments&);
@@ -152,6 +171,14 @@ void describe(CLI::App& app, Arguments& a, Action& action) {
   addPage(swapped, "PAGE", a.page, "number of the page")->required();
   addPage(swapped, "--to", a.to, "page that becomes the mirrored one (default: PAGE itself)");
   swapped.add_option("--out", a.out, "the whole file with it, of the same kind as FILE")->required();
+  describePlay(command(
+                   "play", [](const Arguments& all) { return play(all.play); },
+                   "play pages or a .motion file on the twin or on a robot, and say what it did to it", "play own 9"),
+               a.play);
+  describePlot(command(
+                   "plot", [](const Arguments& all) { return plotPage(all.plot); },
+                   "the goals of a page over time, as a picture or a page", "plot own 9 --out page.png"),
+               a.plot);
   CLI::App& begun =
       command("new", begin, "a text file with one page to begin with: the start pose", "new --name bow --out bow.txt");
   begun.add_option("--name", a.name, "of the page, up to 13 letters")->required();
@@ -167,8 +194,10 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
-      "Example:\n  darwinop motion list /darwin/Data/motion_4096.bin\nExit code: 0 well, 1 'check' found "
-      "something, 2 a mistake in the arguments or a file that cannot be used.");
+      "Example:\n  darwinop motion list /darwin/Data/motion_4096.bin\nExit code: 0 well, 1 'check' found something or "
+      "the "
+      "robot ended 'play', 2 a mistake in the arguments or a file that cannot be used, 3 'play' needs --yes, 130 "
+      "Ctrl-C.");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& mistake) {

@@ -25,13 +25,6 @@ std::string linkText(std::uint8_t page) {
   return page == 0 ? "-" : std::to_string(page);
 }
 
-/// A name from a file may hold anything; a terminal shall not obey it.
-std::string nameOf(const Page& page) {
-  std::string name;
-  for (const char letter : page.nameText()) name += letter >= ' ' && letter <= '~' ? letter : '?';
-  return name;
-}
-
 std::string durationText(const PageFile& pages, int page) {
   const bool by_speed = pages.at(static_cast<std::size_t>(page)).schedule == kSpeedBased;
   return (by_speed ? ">" : "") + fixed(ticksOf(pages, page) * kTickSeconds, 3) + " s";
@@ -61,6 +54,12 @@ std::string pauseText(const Page& page, const Step& step) {
 }
 
 }  // namespace
+
+std::string nameOf(const Page& page) {
+  std::string name;
+  for (const char letter : page.nameText()) name += letter >= ' ' && letter <= '~' ? letter : '?';
+  return name;
+}
 
 std::string listOf(const PageFile& pages) {
   std::string text = "page  name           steps  repeat  next  exit    duration\n";

@@ -7,6 +7,8 @@
 
 namespace darwinop::motion {
 
+/// A name from a file may hold anything; a terminal shall not obey it.
+[[nodiscard]] std::string nameOf(const Page& page);
 /// A table of the pages that can be played.
 [[nodiscard]] std::string listOf(const PageFile& pages);
 /// Times and angles by step, and gains, as a person reads them.

@@ -1,7 +1,7 @@
 // The upstream motion manager on top of the player: 8 ms ticks into steps, ticks into goals, and no exception outwards.
 #include <algorithm>
-#include <cmath>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <webots/Motor.hpp>
@@ -10,8 +10,13 @@
 #include "DARwInOPDirectoryManager.hpp"
 #include "DARwInOPMotionManager.hpp"
 #include "core/conversions.hpp"
+#include "managers/motion/first_step.hpp"
 #include "managers/motion/player.hpp"
+#include "managers/motion_text/motion_file.hpp"
+#include "managers/own_pages/own_pages.hpp"
+#include "webots/lead_in.hpp"
 #include "webots/notices.hpp"
+#include "webots/present_goal.hpp"
 #include "webots/robot_impl.hpp"
 
 namespace managers {
@@ -25,44 +30,56 @@ namespace {
 
 constexpr const char* kFileName = "motion_4096.bin";
 
-// A servo with the usual P gain, 4, pulls with all it has from 256 ticks (22.5 degrees) on. A goal that is farther from
-// where the joint is pulls no harder, so that one this far away is no jump, and a page need not begin any farther.
-constexpr int kFullPullTicks = 256;
+using Pages = std::shared_ptr<const motion::PageFile>;
 
-std::shared_ptr<const motion::PageFile> read(const std::string& path) {
-  try {
-    return std::make_shared<motion::PageFile>(motion::readPageFile(path));
-  } catch (const std::exception& why) {
-    warnOnce(std::string{"MotionManager: "} + why.what() + "; no page will be played");
-    return nullptr;
-  }
+/// The library's own, which nobody has to delete.
+Pages own() {
+  return {&motion::ownPages(), [](const motion::PageFile*) {}};
 }
 
-/// The goal that the joint has, as the robot holds it after safety and not as the controller wishes it. For a limp
-/// joint where it is, and what was wished last when nobody knows.
-int presentTicks(const darwinop::JointSensors& joint, const webots::Motor& motor) {
-  if (!joint.commanded.known()) {
-    const double wished = motor.getTargetPosition();
-    if (joint.position.known()) return ticksFromRad(joint.position);
-    return std::isfinite(wished) ? ticksFromRad(darwinop::Rad{wished}) : darwinop::kTickCentre;
+/// What is there is never replaced by something else, however broken it is.
+bool isThere(const std::string& path) {
+  std::error_code unknown;
+  return std::filesystem::symlink_status(path, unknown).type() != std::filesystem::file_type::not_found;
+}
+
+Pages read(const std::string& custom, const std::string& directory) try {
+  if (custom == motion::kOwn) return own();
+  const std::string path = custom.empty() ? directory + kFileName : custom;
+  if (custom.empty() && !isThere(path)) {
+    warnOnce("MotionManager: there is no " + path + ": the runtime's own pages are played (darwinop motion list own)");
+    return own();
   }
-  const int held = ticksFromRad(joint.commanded);
-  if (!joint.position.known()) return held;
-  const int seen = ticksFromRad(joint.position);
-  return std::clamp(held, seen - kFullPullTicks, seen + kFullPullTicks);
+  return std::make_shared<motion::PageFile>(motion::readMotionFile(path).pages);
+} catch (const std::exception& why) {
+  warnOnce(std::string{"MotionManager: "} + why.what() + "; no page will be played");
+  return nullptr;
+}
+
+motion::Pose inTicks(const darwinop::facade::LeadIn::Pose& pose) {
+  motion::Pose ticks{};
+  for (std::size_t i = 0; i < kJoints; ++i) ticks[i] = ticksFromRad(darwinop::Rad{pose[i]});
+  return ticks;
+}
+
+darwinop::facade::LeadIn::Pose inRad(const motion::Pose& ticks) {
+  darwinop::facade::LeadIn::Pose pose{};
+  for (std::size_t i = 0; i < kJoints; ++i) pose[i] = darwinop::radFromTicks(ticks[i]).value;
+  return pose;
 }
 
 }  // namespace
 
 struct DARwInOPMotionManager::Stage {
   webots::Robot* robot = nullptr;
-  std::shared_ptr<const motion::PageFile> pages;  // none: nothing is ever played
+  Pages pages;  // none: nothing is ever played
   std::unique_ptr<motion::Player> player;
-  int left_ms = 0;              // of the last step(), less than a tick
-  bool gains_are_lent = false;  // the joints have the page's
-  bool waited_for = false;      // inside playPage(): a Robot::step() of the user may call us
+  darwinop::facade::LeadIn lead_in;  // before the page's first tick; done when the robot is near enough
+  int left_ms = 0;                   // of the last step(), less than a tick
+  bool gains_are_lent = false;       // the joints have the page's
+  bool waited_for = false;           // inside playPage(): a Robot::step() of the user may call us
 
-  Stage(webots::Robot* whose, std::shared_ptr<const motion::PageFile> file) : robot{whose}, pages{std::move(file)} {
+  Stage(webots::Robot* whose, Pages file) : robot{whose}, pages{std::move(file)} {
     if (pages) player = std::make_unique<motion::Player>(*pages);
   }
   Stage(const Stage&) = delete;
@@ -75,7 +92,10 @@ struct DARwInOPMotionManager::Stage {
   void end();
 
  private:
+  void leadIn(const motion::Page& page, const motion::Pose& here);
+  bool tick();
   void setGoals();
+  [[nodiscard]] darwinop::facade::LeadIn::Pose present(const darwinop::facade::RobotImpl& inside) const;
 };
 
 /// False: it cannot be played, which was said.
@@ -90,19 +110,43 @@ bool DARwInOPMotionManager::Stage::start(int page) {
     warnOnce(name + " is refused: page " + std::to_string(player->page()) + " is still being played");
     return false;
   }
-  motion::Pose present;
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    const auto joint = static_cast<Joint>(i);
-    const webots::Motor* const motor = robot->getMotor(std::string{row(joint).name});
-    present[i] = presentTicks(inside->lastKnown(joint), *motor);
-  }
   left_ms = 0;
-  if (player->start(page, present)) {
+  const motion::Pose here = inTicks(present(*inside));
+  if (player->start(page, here)) {
     inside->joints_taken_by = this;
+    leadIn((*pages)[static_cast<std::size_t>(page)], here);
     return true;
   }
   warnOnce(name + (page < 1 || page > 255 ? " does not exist: pages are 1 to 255" : " is empty: nothing is played"));
   return false;
+}
+
+darwinop::facade::LeadIn::Pose DARwInOPMotionManager::Stage::present(const darwinop::facade::RobotImpl& inside) const {
+  darwinop::facade::LeadIn::Pose pose{};
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const auto joint = static_cast<Joint>(i);
+    const webots::Motor* const motor = robot->getMotor(std::string{row(joint).name});
+    pose[i] = darwinop::facade::presentGoal(inside.lastKnown(joint), motor->getTargetPosition());
+  }
+  return pose;
+}
+
+/// A first step that asks for more than a robot can do is not jumped into: the joints are led to its target first, and
+/// the page begins there. Any other page begins at once, as the vendor's engine does it.
+void DARwInOPMotionManager::Stage::leadIn(const motion::Page& page, const motion::Pose& here) {
+  lead_in = {};
+  if (motion::firstStepSpeed(page, here) <= motion::kFastestFirstStep) return;
+  const motion::Pose target = motion::firstTarget(page, here);
+  lead_in = {inRad(here), inRad(target)};
+  player->brake();
+  player->start(player->page(), target);
+}
+
+/// The next 8 ms. False: the last page has ended.
+bool DARwInOPMotionManager::Stage::tick() {
+  if (lead_in.done()) return player->tick();
+  lead_in.advance(motion::kTickMs);
+  return true;
 }
 
 /// Plays this much longer. False: the page has ended, and the joints have their goals already.
@@ -110,7 +154,7 @@ bool DARwInOPMotionManager::Stage::advance(int ms) {
   bool moved = false;
   // No step is longer than an hour; a greater number would play no more than the longest of pages anyway.
   for (left_ms += std::clamp(ms, 0, 3'600'000); left_ms >= motion::kTickMs; left_ms -= motion::kTickMs) {
-    if (!player->tick()) break;
+    if (!tick()) break;
     moved = true;
   }
   if (const auto* const inside = darwinop::facade::currentRobot(); inside && inside->joints_taken_by != this)
@@ -124,9 +168,10 @@ bool DARwInOPMotionManager::Stage::advance(int ms) {
 void DARwInOPMotionManager::Stage::setGoals() {
   darwinop::facade::RobotImpl* const inside = darwinop::facade::currentRobot();
   if (!inside) return player->brake();
+  const darwinop::facade::LeadIn::Pose page = inRad(player->pose());
   for (std::size_t i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
-    robot->getMotor(std::string{row(joint).name})->setPosition(darwinop::radFromTicks(player->pose()[i]).value);
+    robot->getMotor(std::string{row(joint).name})->setPosition(lead_in.done() ? page[i] : lead_in.at(i));
     inside->lendGain(joint, player->pGainRegister(joint) / 8.0);
   }
   gains_are_lent = true;
@@ -135,6 +180,7 @@ void DARwInOPMotionManager::Stage::setGoals() {
 /// Ends here, and the gains are the controller's again.
 void DARwInOPMotionManager::Stage::end() {
   if (player) player->brake();
+  lead_in = {};
   left_ms = 0;
   darwinop::facade::RobotImpl* const inside = darwinop::facade::currentRobot();
   if (inside && inside->joints_taken_by == this) {
@@ -152,8 +198,7 @@ DARwInOPMotionManager::DARwInOPMotionManager(webots::Robot* robot, const std::st
                                              const std::string& data_directory)
     : stage_{nullptr} {
   if (!robot) warnOnce("MotionManager: it was given no robot; no page will be played");
-  const std::string path = custom_motion_file.empty() ? data_directory + kFileName : custom_motion_file;
-  stage_ = new Stage{robot, robot ? read(path) : nullptr};
+  stage_ = new Stage{robot, robot ? read(custom_motion_file, data_directory) : nullptr};
 }
 
 DARwInOPMotionManager::DARwInOPMotionManager(const DARwInOPMotionManager& other)

@@ -6,6 +6,7 @@
 
 #include "webots/Motor.hpp"
 #include "webots/notices.hpp"
+#include "webots/present_goal.hpp"
 #include "webots/robot_impl.hpp"
 
 namespace darwinop::facade {
@@ -16,6 +17,10 @@ namespace {
 std::vector<MotionPlayback*>& playbacks() {
   static auto* const list = new std::vector<MotionPlayback*>;
   return *list;
+}
+
+double inMs(Nanos time) {
+  return std::chrono::duration<double, std::milli>(time).count();
 }
 
 void nameMissing(const std::string& file, const MotionText& text) {
@@ -46,31 +51,56 @@ void MotionPlayback::play() {
   if (!valid_ || playing_) return;
   if (isAtEnd()) time_ = start();
   last_.reset();
+  lead_in_ = {};
   playing_ = true;
 }
 
 void MotionPlayback::setTime(std::chrono::milliseconds time) {
   time_ = std::clamp(time, std::chrono::milliseconds{0}, duration());
+  if (isLeading()) last_.reset();  // to another pose, from where it is by now
 }
 
 void MotionPlayback::advance(RobotImpl& robot, Nanos now) {
   if (!playing_) return;
-  if (last_) {
-    if (loop_ && isAtEnd()) time_ = start();
-    const Nanos passed = std::max(now - *last_, Nanos{0});
-    time_ = std::clamp<Nanos>(time_ + (reverse_ ? -passed : passed), Nanos{0}, duration());
-  }
+  if (!last_) lead_in_ = leadIn(robot);
+  const Nanos passed = last_ ? std::max(now - *last_, Nanos{0}) : Nanos{0};
+  const bool begun = last_.has_value();
   last_ = now;
+  if (isLeading())
+    lead_in_.advance(inMs(passed));
+  else if (begun)
+    goOn(passed);
   setMotors(robot);
   if (isOver()) playing_ = false;
 }
 
-void MotionPlayback::setMotors(RobotImpl& robot) const {
-  const double ms = std::chrono::duration<double, std::milli>(time_).count();
+void MotionPlayback::goOn(Nanos passed) {
+  if (loop_ && isAtEnd()) time_ = start();
+  time_ = std::clamp<Nanos>(time_ + (reverse_ ? -passed : passed), Nanos{0}, duration());
+}
+
+/// Done at once when all motors are near their values of the present time. Motors without one by then are left alone.
+LeadIn MotionPlayback::leadIn(const RobotImpl& robot) const {
+  LeadIn::Pose from{}, to{};
+  double way = 0;
   for (const MotionCurve& curve : text_.curves) {
-    const auto rad = curve.at(ms);
+    const auto joint = findJoint(curve.motor);
+    const auto rad = curve.at(inMs(time_));
+    const auto* const motor = joint ? dynamic_cast<const webots::Motor*>(robot.find(curve.motor)) : nullptr;
+    if (!motor || !rad) continue;
+    const std::size_t i = index(*joint);
+    from[i] = presentGoal(robot.lastKnown(*joint), motor->getTargetPosition());
+    to[i] = std::clamp(*rad, motor->getMinPosition(), motor->getMaxPosition());
+    way = std::max(way, std::abs(to[i] - from[i]));
+  }
+  return way > kNear ? LeadIn{from, to} : LeadIn{};
+}
+
+void MotionPlayback::setMotors(RobotImpl& robot) const {
+  for (const MotionCurve& curve : text_.curves) {
+    const auto rad = curve.at(inMs(time_));
     auto* const motor = rad ? dynamic_cast<webots::Motor*>(robot.find(curve.motor)) : nullptr;
-    if (motor) motor->setPosition(*rad);
+    if (motor) motor->setPosition(isLeading() ? lead_in_.at(index(*findJoint(curve.motor))) : *rad);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/joints.hpp"
 #include "hal/byte_line.hpp"
+#include "webots/lead_in.hpp"
 #include "webots/motion_text.hpp"
 
 namespace darwinop::facade {
@@ -30,21 +31,29 @@ class MotionPlayback {
   void setTime(std::chrono::milliseconds time);
   [[nodiscard]] std::chrono::milliseconds duration() const { return std::chrono::milliseconds{text_.duration_ms}; }
   [[nodiscard]] Nanos time() const { return time_; }
-  [[nodiscard]] bool isOver() const { return !valid_ || (!loop_ && isAtEnd()); }
+  [[nodiscard]] bool isOver() const { return !valid_ || (!loop_ && isAtEnd() && !isLeading()); }
+
+  /// A motor farther from its first value than this, rad, is led there: 5.7 degrees.
+  static constexpr double kNear = 0.1;
 
   /// A step of the robot begins. The first one after play() sets the pose of the present time, each further one that
-  /// of as much later as the robot's clock has gone on.
+  /// of as much later as the robot's clock has gone on. If that first pose is far away, all motors are led there
+  /// before, and the time stands still meanwhile.
   void advance(RobotImpl& robot, Nanos now);
 
  private:
   [[nodiscard]] Nanos start() const { return reverse_ ? duration() : Nanos{0}; }
   [[nodiscard]] bool isAtEnd() const { return time_ == (reverse_ ? Nanos{0} : Nanos{duration()}); }
+  [[nodiscard]] bool isLeading() const { return playing_ && !lead_in_.done(); }
+  [[nodiscard]] LeadIn leadIn(const RobotImpl& robot) const;
+  void goOn(Nanos passed);
   void setMotors(RobotImpl& robot) const;
 
   MotionText text_;
   bool valid_ = false, playing_ = false, loop_ = false, reverse_ = false;
   Nanos time_{0};              // 0 to duration()
-  std::optional<Nanos> last_;  // of the robot's clock, when time_ was set; none: not since play()
+  std::optional<Nanos> last_;  // of the robot's clock, in the step before; none: not since play()
+  LeadIn lead_in_;
 };
 
 /// Once in every step, before the motors' wishes are gathered. Of two that move one motor the younger one wins.

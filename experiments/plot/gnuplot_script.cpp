@@ -43,6 +43,12 @@ class Script {
     line("set tics nomirror");
     line("set key left top vertical Left reverse samplen 2 noenhanced font ',9'");
     data();
+    for (const double mark : figure_.marks) {
+      std::string at;
+      appendNumber(at, mark, 10);
+      line("set arrow from " + at + ", graph 0 to " + at +
+           ", graph 1 nohead back dashtype (3,5) linecolor rgb '#888888'");
+    }
     line("set multiplot");
     labels();
     for (std::size_t i = 0; i < figure_.panels.size(); ++i) panel(i);

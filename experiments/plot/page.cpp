@@ -107,7 +107,7 @@ std::string figureText(const Figure& figure) {
   return R"({"title":)" + json(figure.title) + ",\"xLabel\":" + json(figure.x_label) +
          ",\"sources\":" + array(figure.sources, [](std::string& out, const Source& s) { out += sourceText(s); }) +
          ",\"notes\":" + array(figure.notes, text) + ",\"colours\":" + array(kColours, colour) +
-         ",\"panels\":" + panels + ",\n\"axes\":" + axes.write() + "}";
+         ",\"marks\":" + numbers(figure.marks, 10) + ",\"panels\":" + panels + ",\n\"axes\":" + axes.write() + "}";
 }
 
 }  // namespace

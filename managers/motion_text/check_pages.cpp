@@ -13,6 +13,11 @@ namespace darwinop::motion {
 namespace {
 
 constexpr double kTickSeconds = kTickMs / 1000.0;
+// A leg with a register of 4 pulls with all it has from 180 degrees on: it gives way under the robot.
+constexpr int kWeakestLegGain = 8;
+// The engine has no time to move a joint in a step of so few ticks (StepTimes::fitted).
+constexpr int kNoTime = 2;
+constexpr int kJump = 12;  // ticks, 1.05 degrees: less is no jump
 
 std::string degrees(int ticks) {
   return fixed((ticks - kTickCentre) * kDegreesPerTick, 2);
@@ -32,6 +37,8 @@ class Check {
       if (!pages_[i].canPlay()) continue;
       checkLink(i, "next", pages_[i].next);
       checkLink(i, "exit", pages_[i].exit);
+      checkRing(i);
+      checkGains(i);
       for (std::size_t step = 0; step < pages_[i].steps; ++step) checkPositions(i, step);
       checkSpeeds(i);
     }
@@ -43,6 +50,36 @@ class Check {
     if (target != 0 && !pages_[target].canPlay())
       found_.push_back("page " + std::to_string(page) + ": " + which + " is page " + std::to_string(target) +
                        ", which holds nothing to play");
+  }
+
+  /// Each ring is told once, with the lowest of its pages.
+  void checkRing(std::size_t page) {
+    std::vector<std::size_t> ring;
+    bool has_exit = false;
+    for (std::size_t at = page; std::ranges::find(ring, at) == ring.end(); at = pages_[at].next) {
+      if (!pages_[at].canPlay() || at < page) return;
+      ring.push_back(at);
+      has_exit = has_exit || pages_[at].exit != 0;
+      if (pages_[at].next == 0) return;
+    }
+    if (has_exit || pages_[ring.back()].next != page) return;
+    std::string way;
+    for (const std::size_t one : ring) way += std::to_string(one) + " -> ";
+    found_.push_back("page " + std::to_string(page) + ": " + way + std::to_string(page) +
+                     " goes round for ever, and none of it has an exit");
+  }
+
+  /// Every joint has the page's gain while it is played, also one without a part in it.
+  void checkGains(std::size_t page) {
+    for (std::size_t i = 0; i < kJoints; ++i) {
+      const int gain = pGainRegister(pages_[page].slopes.at(i + 1));  // by servo id
+      const std::string joint = "page " + std::to_string(page) + ", " + std::string{kJointTable.at(i).name} + ": ";
+      if (gain == 0)
+        found_.push_back(joint + "its P gain is 0, the joint is limp while the page is played");
+      else if (gain < kWeakestLegGain && isLeg(static_cast<Joint>(i)))
+        found_.push_back(joint + "with a P gain of " + std::to_string(gain) + " the leg gives way; the least is " +
+                         std::to_string(kWeakestLegGain));
+    }
   }
 
   void checkPositions(std::size_t page, std::size_t step) {
@@ -67,6 +104,7 @@ class Check {
       const double seconds = std::max(1, move.ticks) * kTickSeconds;
       const std::string before =
           move.page == static_cast<int>(page) ? "" : ", coming from page " + std::to_string(page);
+      checkJump(move, seconds, before);
       for (std::size_t i = 0; i < kJoints; ++i) {
         const double way = move.distance.at(i) * kDegreesPerTick;
         if (way * kRadPerDegree / seconds <= kServoMaxSpeed) continue;
@@ -75,6 +113,14 @@ class Check {
              fixed(kServoMaxSpeed / kRadPerDegree, 0) + before);
       }
     }
+  }
+  void checkJump(const Move& move, double seconds, const std::string& before) {
+    const auto farthest = std::ranges::max_element(move.distance);
+    if (move.ticks > kNoTime || *farthest < kJump) return;
+    keep(
+        at(static_cast<std::size_t>(move.page), move.step, static_cast<std::size_t>(farthest - move.distance.begin())) +
+        "the goal jumps by " + fixed(*farthest * kDegreesPerTick, 2) + " degrees: " + fixed(seconds, 3) +
+        " s are too short to move in" + before);
   }
   /// A page that repeats comes to its first step twice.
   void keep(const std::string& finding) {

@@ -73,4 +73,31 @@ std::vector<Move> movesOf(const PageFile& pages, int page) {
   return moves;
 }
 
+Rehearsal rehearse(const PageFile& pages, int page, const Pose& from) {
+  constexpr std::size_t kMost = 60'000 / kTickMs;
+  PageFile ending = pages;  // a page that follows itself cannot be told from a repetition
+  for (std::size_t i = 0; i < ending.size(); ++i)
+    if (ending[i].next == i) ending[i].next = 0;
+  Rehearsal played;
+  played.poses.push_back(from);
+  Player player{ending};
+  player.start(page, from);
+  int step = -1;
+  while (player.tick()) {
+    const int now = player.page();
+    const bool new_page = played.sections.empty() || played.sections.back().page != now;
+    const auto seen = [now](const Rehearsal::Section& section) { return section.page == now; };
+    played.cut = played.poses.size() > kMost || (new_page && std::ranges::any_of(played.sections, seen));
+    if (played.cut) break;
+    const std::size_t at = played.poses.size() - 1;  // what was reached before this tick
+    if (new_page) played.sections.push_back({now, at, {}});
+    if (new_page || player.step() != step) played.sections.back().steps.push_back(at);
+    step = player.step();
+    played.poses.push_back(player.pose());
+  }
+  const auto last = static_cast<std::size_t>(played.sections.back().page);
+  played.cut = played.cut || pages[last].next == last;
+  return played;
+}
+
 }  // namespace darwinop::motion

@@ -27,4 +27,19 @@ struct Move {
 /// follows.
 [[nodiscard]] std::vector<Move> movesOf(const PageFile& pages, int page);
 
+/// A page and those that follow it, played from a pose.
+struct Rehearsal {
+  struct Section {
+    int page = 0;
+    std::size_t begin = 0;           // index in poses
+    std::vector<std::size_t> steps;  // where its steps begin, in every repetition
+  };
+  std::vector<Pose> poses;  // every 8 ms, the first one is where it began
+  std::vector<Section> sections;
+  bool cut = false;  // it would go on: a ring of pages, or longer than a minute
+};
+
+/// In a ring each page is played once. The page can be played.
+[[nodiscard]] Rehearsal rehearse(const PageFile& pages, int page, const Pose& from);
+
 }  // namespace darwinop::motion

@@ -60,6 +60,50 @@ TEST(CheckPages, TheServoCanFollow) {
   EXPECT_THAT(checkPages(fileWith(page)), IsEmpty());
 }
 
+TEST(CheckPages, AStepTooShortToMoveInIsAJump) {
+  Page page = pageOf({middle(125), middle(2), middle(125)});
+  page.step[1].position[19] = 2048 + 12;
+  page.step[1].position[20] = 2048 - 11;
+  EXPECT_THAT(checkPages(fileWith(page)),
+              ElementsAre("page 5, step 2, Neck: the goal jumps by 1.05 degrees: 0.016 s are too short to move in"));
+  --page.step[1].position[19];
+  EXPECT_THAT(checkPages(fileWith(page)), IsEmpty()) << "too little to be a jump";
+  page.step[1].position[19] = 2048 + 100;
+  page.step[1].time = 3;
+  page.step[1].position[19] = 2048 + 30;
+  EXPECT_THAT(checkPages(fileWith(page)), IsEmpty()) << "short, but a move";
+}
+
+TEST(CheckPages, AJointWithoutAGainIsLimp) {
+  Page page = pageOf({middle(125)});
+  page.slopes[19] = 0x99;
+  page.slopes[20] = page.slopes[2] = 0x88;
+  page.slopes[13] = 0x8F;
+  page.slopes[14] = 0x77;
+  page.slopes[21] = 0xFF;
+  EXPECT_THAT(checkPages(fileWith(page)),
+              ElementsAre("page 5, LegLowerR: with a P gain of 4 the leg gives way; the least is 8",
+                          "page 5, Neck: its P gain is 0, the joint is limp while the page is played"));
+  page.repeat = 0;
+  EXPECT_THAT(checkPages(fileWith(page)), IsEmpty()) << "it is never played";
+}
+
+TEST(CheckPages, ARingWithoutAnExitIsToldOnce) {
+  PageFile pages = fileWith(pageOf({middle(125)}));
+  pages[7] = pages[6] = pages[5];
+  pages[5].next = 7;
+  pages[7].next = 5;
+  pages[6].next = 7;
+  EXPECT_THAT(checkPages(pages), ElementsAre("page 5: 5 -> 7 -> 5 goes round for ever, and none of it has an exit"));
+  pages[7].exit = 6;
+  EXPECT_THAT(checkPages(pages), IsEmpty());
+  pages[7].exit = 0;
+  pages[7].next = 7;
+  EXPECT_THAT(checkPages(pages), ElementsAre("page 7: 7 -> 7 goes round for ever, and none of it has an exit"));
+  pages[7].next = 0;
+  EXPECT_THAT(checkPages(pages), IsEmpty()) << "a chain ends";
+}
+
 TEST(CheckPages, TheWayBackToTheFirstStepCountsToo) {
   Page page = pageOf({middle(10), middle(125)});
   page.step[1].position[19] = 2800;
@@ -107,6 +151,41 @@ TEST(Duration, IsWhatTheEngineTakes) {
   EXPECT_EQ(ticksOf(fileWith(page), 5), 3 * (28 + 28 + 51));
   page.repeat = 0;
   EXPECT_EQ(ticksOf(fileWith(page), 5), 0);
+}
+
+TEST(Rehearse, APageAndThoseThatFollowIt) {
+  Page page = pageOf({middle(50), stepTo(2100, 25)}, 8);
+  page.next = 6;
+  PageFile pages = fileWith(page);
+  pages[6] = pageOf({stepTo(2000, 20)}, 8);
+  const Rehearsal played = rehearse(pages, 5, everywhere(2048));
+  ASSERT_EQ(played.sections.size(), 2u);
+  EXPECT_THAT(played.sections[0].steps, ElementsAre(0u, 53u)) << "a step takes 3 ticks more than it says";
+  EXPECT_EQ(played.sections[1].page, 6);
+  EXPECT_EQ(played.sections[1].begin, 53u + 28u);
+  EXPECT_EQ(played.poses.size(), 1u + 53 + 28 + 23);
+  EXPECT_EQ(played.poses.front(), everywhere(2048));
+  EXPECT_EQ(played.poses.back(), everywhere(2000));
+  EXPECT_FALSE(played.cut);
+}
+
+TEST(Rehearse, ARingIsPlayedOnceAndNothingForMoreThanAMinute) {
+  PageFile pages = fileWith(pageOf({middle(50)}));
+  pages[6] = pages[5];
+  pages[5].next = 6;
+  pages[6].next = 5;
+  const Rehearsal ring = rehearse(pages, 5, everywhere(2048));
+  EXPECT_EQ(ring.sections.size(), 2u);
+  EXPECT_TRUE(ring.cut);
+  pages[5].next = 5;
+  const Rehearsal itself = rehearse(pages, 5, everywhere(2048));
+  EXPECT_TRUE(itself.cut);
+  EXPECT_EQ(itself.poses.size(), 1u + 53);
+  pages[5].next = 0;
+  pages[5].repeat = 255;
+  const Rehearsal long_one = rehearse(pages, 5, everywhere(2048));
+  EXPECT_TRUE(long_one.cut);
+  EXPECT_NEAR(static_cast<double>(long_one.poses.size()) * 0.008, 60, 0.1);
 }
 
 }  // namespace

@@ -1,7 +1,12 @@
 // The command itself: what it prints, what it writes, and its exit codes.
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <stdlib.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <fstream>
+#include <sstream>
 
 #include "managers/motion_text/motion_file.hpp"
 #include "motion/pages.hpp"
@@ -99,6 +104,108 @@ TEST_F(MotionCommand, BeginsAPageAndMirrorsIt) {
   EXPECT_EQ(pages[2].step[0].position[1], 4096 - row(Joint::kShoulderL).start);
   EXPECT_EQ(run({"mirror", both, "1", "--out", both}), 0) << "into itself";
   EXPECT_EQ(readMotionFile(both).pages[1], pages[2]);
+}
+
+TEST_F(MotionCommand, OwnStandsForTheRuntimesPages) {
+  EXPECT_EQ(run({"list", "own"}), 0);
+  EXPECT_THAT(said_, HasSubstr("\n   9  "));
+  EXPECT_EQ(run({"check", "own"}), 0) << said_;
+  EXPECT_THAT(said_, HasSubstr("to play, nothing wrong"));
+  EXPECT_EQ(run({"convert", "own", folder_ / "own.bin"}), 0) << said_;
+  EXPECT_FALSE(isText(bytesOf(folder_ / "own.bin")));
+  EXPECT_EQ(run({"mirror", "own", "9", "--to", "200", "--out", folder_ / "own.txt"}), 0) << said_;
+  EXPECT_EQ(readMotionFile(folder_ / "own.txt").pages[9], readMotionFile(folder_ / "own.bin").pages[9]);
+  EXPECT_EQ(run({"show", "own", "9"}), 0) << said_;
+}
+
+TEST_F(MotionCommand, PlotDrawsThePageAndThoseThatFollow) {
+  PageFile pages = emptyFile();
+  pages[12] = pageOf({stepTo(2048, 125), stepTo(2148, 125)}, 32);
+  pages[12].next = 13;
+  pages[13] = pageOf({stepTo(2048, 50)});
+  pages[13].slopes[19] = 0x77;
+  writeMotionFile(folder_ / "two.bin", {pages, false});
+  const std::string out = folder_ / "two.html";
+  ASSERT_EQ(run({"plot", folder_ / "two.bin", "12", "--out", out}), 0) << said_;
+  std::stringstream page;
+  page << std::ifstream{out}.rdbuf();
+  EXPECT_THAT(page.str(), HasSubstr("\"Neck, P 32 8\""));
+  EXPECT_THAT(page.str(), HasSubstr("\"marks\":[0,1.024,2.048]")) << "where steps begin";
+  EXPECT_EQ(run({"plot", folder_ / "two.bin", "12", "--out", folder_ / "two.txt"}), 2);
+  EXPECT_THAT(said_, HasSubstr("call it something.png"));
+  EXPECT_EQ(run({"plot", folder_ / "two.bin", "14", "--out", out}), 2);
+}
+
+/// A program of its own each: there is one robot a process.
+class MotionPlay : public MotionCommand {
+ protected:
+  MotionPlay() {
+    unsetenv("DARWINOP_ROBOT");
+    // What it would ask somebody at a terminal, nobody is here to answer.
+    EXPECT_NE(std::freopen("/dev/null", "r", stdin), nullptr);
+  }
+};
+
+TEST_F(MotionPlay, SaysWhatItWillDoAndWhatItDid) {
+  EXPECT_EQ(run({"play", "own", "9", "--robot", "virtual", "--record", folder_ / "log.csv"}), 0) << said_;
+  EXPECT_THAT(said_, HasSubstr("page 9 \""));
+  EXPECT_THAT(said_, HasSubstr("degrees away (LegLower"));
+  EXPECT_THAT(said_, HasSubstr("on: virtual\n"));
+  EXPECT_THAT(said_, HasSubstr("\nLegLowerR  "));
+  EXPECT_THAT(said_, HasSubstr("no faults, no goal cut, nothing lost on the bus\nthe robot stands\n"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "log.csv"));
+}
+
+TEST_F(MotionPlay, LeadsToAPageThatIsFarAwayAndSaysSo) {
+  PageFile pages = emptyFile();
+  pages[1] = pageOf({stepTo(2048, 2)});
+  writeMotionFile(folder_ / "far.bin", {pages, false});
+  EXPECT_EQ(run({"play", folder_ / "far.bin", "1", "--robot", "virtual"}), 0) << said_;
+  EXPECT_THAT(said_,
+              HasSubstr("its first pose is 129.8 degrees away (LegLowerL): the joints are led there in 2.8 s\n"));
+  EXPECT_THAT(said_, HasSubstr("no goal cut")) << "slow enough for the safety layer";
+}
+
+TEST_F(MotionPlay, PlaysAMotionFile) {
+  const std::string file = folder_ / "nod";
+  std::ofstream{file} << "#WEBOTS_MOTION,V1.0,Neck\n00:00:000,A,1\n00:00:500,B,0.5\n";
+  EXPECT_EQ(run({"play", file, "--robot", "virtual"}), 0) << said_;
+  EXPECT_THAT(said_, HasSubstr("nod: 0.5 s; its first pose is 57.1 degrees away (Neck): the joints are led there"));
+  EXPECT_THAT(said_, HasSubstr("played for 1.8 s"));
+  EXPECT_EQ(run({"play", file, "3", "--robot", "virtual"}), 2) << "it has no pages";
+}
+
+TEST_F(MotionPlay, NothingMovesWhenSomethingIsWrong) {
+  EXPECT_EQ(run({"play", "own", "--robot", "virtual"}), 2);
+  EXPECT_THAT(said_, HasSubstr("which page?"));
+  EXPECT_EQ(run({"play", binaryFile(), "12", "13", "--robot", "virtual"}), 2);
+  EXPECT_THAT(said_, HasSubstr("page 13 holds nothing to play"));
+  EXPECT_EQ(run({"play", "own", "9", "--robot", "nonsense"}), 2);
+  EXPECT_THAT(said_, HasSubstr("twin[:MODEL]"));
+}
+
+TEST_F(MotionPlay, ARealRobotNeedsYesAndHearsNothing) {
+  const int master = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
+  ASSERT_GE(master, 0);
+  ASSERT_EQ(grantpt(master) + unlockpt(master), 0);
+  EXPECT_EQ(run({"play", "own", "9", "--robot", ptsname(master)}), 3);
+  EXPECT_THAT(said_, HasSubstr("page 9 \""));
+  EXPECT_THAT(said_, HasSubstr("--yes"));
+  char byte = 0;
+  EXPECT_LT(read(master, &byte, 1), 1) << "a byte was sent";
+  close(master);
+}
+
+TEST_F(MotionPlay, CtrlCEndsAPageThatNeverEnds) {
+  PageFile pages = emptyFile();
+  pages[1] = pageOf({stepTo(2048, 125), stepTo(2000, 125)});
+  pages[1].next = 1;
+  writeMotionFile(folder_ / "ring.bin", {pages, false});
+  Program program{{DARWINOP_MOTION, "play", folder_ / "ring.bin", "1", "--robot", "virtual"}, folder_ / "output"};
+  ASSERT_TRUE(program.says("time step of 16 ms", std::chrono::seconds{60})) << "from then on it listens";
+  program.kill(SIGINT);
+  EXPECT_EQ(program.wait(std::chrono::seconds{60}), 130);
+  EXPECT_THAT(program.output(), HasSubstr("and on until it is stopped"));
 }
 
 TEST_F(MotionCommand, MistakesInTheArgumentsAreTold) {

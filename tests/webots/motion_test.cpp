@@ -9,6 +9,7 @@
 
 #include "fixture.hpp"
 #include "support/temporary_folder.hpp"
+#include "webots/lead_in.hpp"
 #include "webots/motion_text.hpp"
 
 namespace darwinop::facade {
@@ -31,6 +32,22 @@ class MotionTest : public Facade {
   std::string file(const std::string& text, const std::string& name = "test.motion") {
     std::ofstream{folder_ / name} << text;
     return folder_ / name;
+  }
+  /// The robot has its neck there, so that a motion that begins near it begins at once.
+  void neckIsAt(double rad) {
+    JointSensors& neck = fake.image.joint[index(Joint::kNeck)];
+    neck.commanded = neck.position = Rad{rad};
+    robot().step(16);
+  }
+  /// As a robot does it: what was asked for is where the joints are in the next cycle.
+  void jointsFollow() {
+    fake.on_cycle = [this](std::uint64_t) {
+      for (std::size_t i = 0; i < kJoints; ++i) {
+        const JointCommand& asked = fake.last().joint[i];
+        JointSensors& joint = fake.image.joint[i];
+        if (asked.has(JointCommand::kGoal)) joint.commanded = joint.position = asked.goal;
+      }
+    };
   }
   /// The goal in the next step; NaN: none was ever set.
   double neckAfterStep() { return goalOf(told(Joint::kNeck)); }
@@ -96,6 +113,7 @@ TEST_F(MotionTest, StopKeepsTheTimeAndPlayGoesOnFromIt) {
   robot().getMotor("Neck")->setPosition(0.7);
   EXPECT_THAT(necks(10), testing::Each(0.7));
   EXPECT_EQ(motion.getTime(), 16);
+  neckIsAt(0.25);
   motion.play();
   EXPECT_THAT(necks(3), ElementsAre(0.2, 0.4, 0.2)) << "the pause does not count";
 }
@@ -132,6 +150,7 @@ TEST_F(MotionTest, LoopedItShowsItsEndOnceAndIsNeverOver) {
 TEST_F(MotionTest, ReversedItRunsToItsBeginning) {
   webots::Motion motion{file("#WEBOTS_MOTION,V1.0,Neck\n00:00:000,A,0\n00:00:032,B,0.4\n")};
   motion.setReverse(true);
+  neckIsAt(0.4);
   motion.play();
   EXPECT_EQ(motion.getTime(), 32);
   EXPECT_THAT(necks(3), ElementsAre(0.4, 0.2, 0));
@@ -151,8 +170,67 @@ TEST_F(MotionTest, SetTimeIsBroughtIntoTheMotion) {
   EXPECT_EQ(motion.getTime(), 64);
   EXPECT_TRUE(motion.isOver());
   motion.setTime(24);
+  neckIsAt(0.3);
   motion.play();
   EXPECT_THAT(necks(2), ElementsAre(0.3, 0.3));
+}
+
+TEST_F(MotionTest, AFirstPoseThatIsFarAwayIsNotJumpedToAndTheTimeWaits) {
+  jointsFollow();
+  webots::Motion motion{file("#WEBOTS_MOTION,V1.0,Neck,Head\n00:00:000,A,1.2,*\n00:00:032,B,1.4,0.1\n")};
+  motion.play();
+  double before = fake.image.joint[index(Joint::kNeck)].commanded.value;
+  int steps = 0;
+  for (double goal = 0; steps < 1000 && motion.getTime() == 0; ++steps) {
+    goal = neckAfterStep();
+    EXPECT_LE(std::abs(goal - before), LeadIn::kSpeed * 0.016 + 1e-9) << "rad in a step of 16 ms, step " << steps;
+    EXPECT_FALSE(motion.isOver());
+    EXPECT_TRUE(std::isnan(headOfLastStep())) << "it has no first value";
+    before = goal;
+    if (goal == 1.2) break;
+  }
+  EXPECT_NEAR(steps * 0.016, 1.5 * 1.2 / LeadIn::kSpeed, 0.032) << "1.2 rad, in the middle at the greatest speed";
+  EXPECT_EQ(motion.getTime(), 0);
+  EXPECT_THAT(necks(2), ElementsAre(1.3, 1.4));
+  EXPECT_TRUE(motion.isOver());
+  motion.play();
+  EXPECT_THAT(necks(1), ElementsAre(1.4)) << "back to the first pose, from where it is";
+  EXPECT_FALSE(motion.isOver());
+}
+
+TEST_F(MotionTest, AFirstPoseThatIsNearComesAtOnce) {
+  neckIsAt(0.5);
+  for (const double first : {0.41, 0.59}) {
+    webots::Motion motion{
+        file("#WEBOTS_MOTION,V1.0,Neck\n00:00:000,A," + std::to_string(first) + "\n00:00:032,B,0.5\n")};
+    motion.play();
+    EXPECT_EQ(neckAfterStep(), first);
+    neckAfterStep();
+    EXPECT_EQ(motion.getTime(), 16);
+  }
+}
+
+TEST_F(MotionTest, AMotionOfOnePoseIsOverWhenItsMotorsAreThere) {
+  jointsFollow();
+  webots::Motion motion{file("#WEBOTS_MOTION,V1.0,Neck\n00:00:000,A,0.5\n")};
+  motion.play();
+  int steps = 0;
+  do neckAfterStep();
+  while (!motion.isOver() && ++steps < 1000);
+  EXPECT_GT(steps, 30);
+  EXPECT_EQ(fake.last().joint[index(Joint::kNeck)].goal.value, 0.5);
+}
+
+TEST_F(MotionTest, AnotherTimeOnTheWayToTheFirstPoseIsAnotherWay) {
+  jointsFollow();
+  webots::Motion motion{file("#WEBOTS_MOTION,V1.0,Neck\n00:00:000,A,1\n00:00:032,B,-1\n")};
+  motion.play();
+  necks(20);
+  const double there = neckAfterStep();
+  motion.setTime(32);
+  EXPECT_NEAR(neckAfterStep(), there, 1e-9) << "no jump";
+  for (int i = 0; i < 300 && !motion.isOver(); ++i) neckAfterStep();
+  EXPECT_EQ(neckAfterStep(), -1);
 }
 
 TEST_F(MotionTest, TheClockIsTheRobotsWhateverTheStep) {
@@ -170,6 +248,8 @@ TEST_F(MotionTest, TwoMotionsPlayAtOnceAndADeletedOneNoMore) {
   webots::Motion nod{file(kNod)};
   auto arm = std::make_unique<webots::Motion>(file("#WEBOTS_MOTION,V1.0,Neck\n00:00:000,A,1\n00:10:000,B,1\n", "b"));
   nod.play();
+  necks(1);
+  neckIsAt(1);
   arm->play();
   EXPECT_THAT(necks(1), ElementsAre(1)) << "the younger one wins";
   arm.reset();
@@ -181,6 +261,7 @@ TEST_F(MotionTest, MotorsThatTheRobotDoesNotHaveAreNamedOnceAndLeftOut) {
   CaptureStderr();
   webots::Motion motion{path};
   const webots::Motion again{path};
+  neckIsAt(0.5);
   EXPECT_EQ(GetCapturedStderr(),
             "darwinop: Motion: " + path + ": this robot has no motor Tail, Wing; it is left out\n");
   motion.play();

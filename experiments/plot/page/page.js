@@ -113,6 +113,20 @@
     gridLineColor: dark() ? "#363a42" : "#dddddd",
   });
 
+  function drawMarks(context, area, graph) {
+    context.strokeStyle = "#888888";
+    context.lineWidth = 1;
+    context.setLineDash([2, 4]);
+    for (const mark of figure.marks) {
+      const x = graph.toDomXCoord(mark);
+      context.beginPath();
+      context.moveTo(x, area.y);
+      context.lineTo(x, area.y + area.h);
+      context.stroke();
+    }
+    context.setLineDash([]);
+  }
+
   function addPanel(panel) {
     const section = element("section", document.getElementById("panels"));
     const heading = element("h2", section, panel.title + " ");
@@ -151,6 +165,7 @@
       axisLabelFontSize: 13,
       highlightCircleSize: 4,
       yRangePad: 6,
+      underlayCallback: drawMarks,
       axes: {
         x: { pixelsPerLabel: 80, axisLabelFormatter: tick },
         y: { axisLabelWidth: 70, pixelsPerLabel: 36, axisLabelFormatter: tick },

@@ -1,0 +1,24 @@
+// `darwinop motion play`: plays pages or a .motion file on the twin, the virtual robot or a robot.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace darwinop::motion {
+
+struct PlayRequest {
+  std::string file;        // pages, .motion, or "own"
+  std::vector<int> pages;  // one after the other; none for a .motion file
+  std::string robot;       // empty: DARWINOP_ROBOT, else the twin
+  std::string record;      // empty: no recording
+  int period_ms = 0;       // 0: as usual
+  bool yes = false;        // move a real robot without a question
+};
+
+// Exit statuses, docs/motion-command.md.
+inline constexpr int kPlayed = 0, kPlayEnded = 1, kPlayNeedsYes = 3, kPlayStopped = 130;
+
+/// Throws std::runtime_error before anything moves.
+int play(PlayRequest request);
+
+}  // namespace darwinop::motion
