@@ -21,7 +21,7 @@ constexpr Noun kNouns[] = {
     {"run", "run a controller on a robot and report how the loop fared"},
     {"runtime", "the daemon: the 16 ms loop in a process of its own; also --status, --release"},
     {"experiment", "run, list and plot experiments: files that say what moves, how, and what is recorded"},
-    {"motion", "look at motion pages, check, convert, mirror and begin them"},
+    {"motion", "look at motion pages, check, convert, play and draw them"},
     {"virtual-robot", "a CM-730 with 20 MX-28 on a pty, for work without a robot"},
     {"virtual-camera", "a camera like the robot's for one program, which needs no driver and no rights"},
     {"twin", "the physics twin: watch it, film it, list its models and effects"},

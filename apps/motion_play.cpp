@@ -115,6 +115,7 @@ class Stage {
 
 int perform(const PlayRequest& request, bool is_motion) {
   Stage stage;
+  std::cout << "the robot is ready; Ctrl-C ends it" << std::endl;
   bool whole = true;
   if (is_motion) whole = stage.motion(request.file);
   for (std::size_t i = 0; whole && i < request.pages.size(); ++i) whole = stage.page(request.file, request.pages[i]);

@@ -123,8 +123,8 @@ int plotPage(const PlotRequest& request) {
 
 #else
 
-int plotPage(const PlotRequest& request) {
-  throw std::runtime_error("plots are drawn on a PC, not on a robot: copy " + request.file + " there");
+int plotPage(const PlotRequest&) {
+  throw std::runtime_error("plots are drawn on a PC, not on a robot: run the same command there");
 }
 
 #endif

@@ -1,5 +1,5 @@
 // Motion pages as text against any text: refused with a sentence, or what comes out is a file that can be written,
-// read again, checked and mirrored.
+// read again, checked, mirrored and rehearsed.
 #include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
@@ -8,6 +8,7 @@
 #include "managers/motion_text/check_pages.hpp"
 #include "managers/motion_text/mirror.hpp"
 #include "managers/motion_text/page_text.hpp"
+#include "managers/motion_text/rehearsal.hpp"
 
 namespace {
 
@@ -23,6 +24,13 @@ void requireSound(const PageFile& pages) {
   for (const std::string& finding : checkPages(pages)) require(finding.starts_with("page "));
   for (const Page& page : pages)
     if (page.canPlay()) require(mirrored(mirrored(mirrored(page))) == mirrored(page));
+  // One of them: a page may take a minute of ticks.
+  for (std::size_t i = 1; i < pages.size(); ++i)
+    if (pages[i].canPlay()) {
+      const Rehearsal played = rehearse(pages, static_cast<int>(i), firstPose(pages[i]));
+      require(!played.sections.empty() && played.poses.size() < 8000);
+      break;
+    }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "managers/motion/first_step.hpp"
 #include "managers/motion/player.hpp"
 #include "tests/motion/naive.hpp"
 
@@ -53,6 +54,8 @@ void playAll(const PageFile& pages, int stop_at) {
   present.fill(2048);
   for (int page = 0; page < 4; ++page) {
     if (!player.start(page, present)) continue;
+    const double speed = firstStepSpeed(pages[static_cast<std::size_t>(page)], present);
+    require(speed >= 0 && speed < 400);  // half a turn in 8 ms is 393 rad/s
     const auto expected = compare ? naive::play(pages, page, present, kTicks, stop_at) : std::vector<naive::Row>{};
     for (int tick = 0; tick < static_cast<int>(kTicks); ++tick) {
       if (tick == stop_at) player.requestStop();

@@ -1,7 +1,5 @@
 // The upstream motion manager on top of the player: 8 ms ticks into steps, ticks into goals, and no exception outwards.
 #include <algorithm>
-#include <exception>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <webots/Motor.hpp>
@@ -12,8 +10,7 @@
 #include "core/conversions.hpp"
 #include "managers/motion/first_step.hpp"
 #include "managers/motion/player.hpp"
-#include "managers/motion_text/motion_file.hpp"
-#include "managers/own_pages/own_pages.hpp"
+#include "managers/motion_source.hpp"
 #include "webots/lead_in.hpp"
 #include "webots/notices.hpp"
 #include "webots/present_goal.hpp"
@@ -27,34 +24,6 @@ using darwinop::facade::warnOnce;
 namespace motion = darwinop::motion;
 
 namespace {
-
-constexpr const char* kFileName = "motion_4096.bin";
-
-using Pages = std::shared_ptr<const motion::PageFile>;
-
-/// The library's own, which nobody has to delete.
-Pages own() {
-  return {&motion::ownPages(), [](const motion::PageFile*) {}};
-}
-
-/// What is there is never replaced by something else, however broken it is.
-bool isThere(const std::string& path) {
-  std::error_code unknown;
-  return std::filesystem::symlink_status(path, unknown).type() != std::filesystem::file_type::not_found;
-}
-
-Pages read(const std::string& custom, const std::string& directory) try {
-  if (custom == motion::kOwn) return own();
-  const std::string path = custom.empty() ? directory + kFileName : custom;
-  if (custom.empty() && !isThere(path)) {
-    warnOnce("MotionManager: there is no " + path + ": the runtime's own pages are played (darwinop motion list own)");
-    return own();
-  }
-  return std::make_shared<motion::PageFile>(motion::readMotionFile(path).pages);
-} catch (const std::exception& why) {
-  warnOnce(std::string{"MotionManager: "} + why.what() + "; no page will be played");
-  return nullptr;
-}
 
 motion::Pose inTicks(const darwinop::facade::LeadIn::Pose& pose) {
   motion::Pose ticks{};
@@ -72,14 +41,14 @@ darwinop::facade::LeadIn::Pose inRad(const motion::Pose& ticks) {
 
 struct DARwInOPMotionManager::Stage {
   webots::Robot* robot = nullptr;
-  Pages pages;  // none: nothing is ever played
+  MotionPages pages;  // none: nothing is ever played
   std::unique_ptr<motion::Player> player;
   darwinop::facade::LeadIn lead_in;  // before the page's first tick; done when the robot is near enough
   int left_ms = 0;                   // of the last step(), less than a tick
   bool gains_are_lent = false;       // the joints have the page's
   bool waited_for = false;           // inside playPage(): a Robot::step() of the user may call us
 
-  Stage(webots::Robot* whose, Pages file) : robot{whose}, pages{std::move(file)} {
+  Stage(webots::Robot* whose, MotionPages file) : robot{whose}, pages{std::move(file)} {
     if (pages) player = std::make_unique<motion::Player>(*pages);
   }
   Stage(const Stage&) = delete;
@@ -198,7 +167,7 @@ DARwInOPMotionManager::DARwInOPMotionManager(webots::Robot* robot, const std::st
                                              const std::string& data_directory)
     : stage_{nullptr} {
   if (!robot) warnOnce("MotionManager: it was given no robot; no page will be played");
-  stage_ = new Stage{robot, robot ? read(custom_motion_file, data_directory) : nullptr};
+  stage_ = new Stage{robot, robot ? readMotionPages(custom_motion_file, data_directory) : nullptr};
 }
 
 DARwInOPMotionManager::DARwInOPMotionManager(const DARwInOPMotionManager& other)

@@ -37,7 +37,7 @@ struct Figure {
   std::vector<Source> sources;
   std::vector<std::string> notes;  // what a reader has to know, such as joints that are not shown
   std::vector<Panel> panels;
-  std::vector<double> marks;  // of the horizontal axis: a thin line through all panels, where something begins
+  std::vector<double> marks = {};  // of the horizontal axis: a thin line through all panels, where something begins
 };
 
 /// Colours that stay apart for colour-blind eyes, on white and (the second) on black paper. Okabe and Ito, "Color

@@ -46,8 +46,9 @@ class Script {
     for (const double mark : figure_.marks) {
       std::string at;
       appendNumber(at, mark, 10);
-      line("set arrow from " + at + ", graph 0 to " + at +
-           ", graph 1 nohead back dashtype (3,5) linecolor rgb '#888888'");
+      std::string arrow = "set arrow from ";
+      arrow.append(at).append(", graph 0 to ").append(at).append(", graph 1 nohead back");
+      line(arrow.append(" dashtype (3,5) linecolor rgb '#888888'"));
     }
     line("set multiplot");
     labels();

@@ -73,13 +73,13 @@ TEST(ExampleCases, AreWrittenWithoutLoss) {
 TEST(ExampleCases, InDegreesAreRefused) {
   const auto cases = exampleCases();
   if (cases.empty()) GTEST_SKIP() << "no example cases in " << shared("gap-cases/cases");
-  constexpr double kDegrees = 57.29577951308232;
+  constexpr double degrees_a_rad = 57.29577951308232;
   for (std::size_t i = 0; i < cases.size(); i += 4) {
     const fs::path& path = cases[i];
     Case c = readCase(path);
     for (Trajectory& log : c.logs) {
-      for (double& goal : log.goal_rad) goal *= kDegrees;
-      for (double& position : log.position_rad) position *= kDegrees;
+      for (double& goal : log.goal_rad) goal *= degrees_a_rad;
+      for (double& position : log.position_rad) position *= degrees_a_rad;
     }
     const TemporaryFolder folder;
     writeCase(c, folder / "degrees");

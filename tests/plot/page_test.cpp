@@ -54,6 +54,12 @@ TEST(Page, CarriesEveryNumberOfTheFigure) {
     EXPECT_THAT(figure, HasSubstr(text));
 }
 
+TEST(Page, CarriesWhereSomethingBegins) {
+  Figure figure = oneCurve("a");
+  figure.marks = {0, 1.25};
+  EXPECT_THAT(htmlPage(figure), HasSubstr("\"marks\":[0,1.25]"));
+}
+
 TEST(Page, WritesTimesThatCurvesShareOnce) {
   const Figure figure = makeFigure({twoJoints("a.csv"), twoJoints("b.csv", 70)}, {{"a.csv", "b.csv"}, "", {}, ""});
   const std::string text = figureIn(htmlPage(figure));

@@ -102,6 +102,13 @@ TEST(Picture, HasItsSizeAndEveryCurveInItsColour) {
   EXPECT_FALSE(colours.contains("#009E73")) << "no fourth curve";
 }
 
+TEST(Picture, ALineStandsWhereSomethingBegins) {
+  Figure figure = waves(1);
+  EXPECT_THAT(gnuplotScript(figure), Not(HasSubstr("set arrow")));
+  figure.marks = {0.5, 1};
+  EXPECT_THAT(gnuplotScript(figure), HasSubstr("set arrow from 1, graph 0 to 1, graph 1 nohead"));
+}
+
 TEST(Picture, AGapIsNotDrawnOver) {
   DARWINOP_NEEDS_GNUPLOT();
   const TemporaryFolder folder;

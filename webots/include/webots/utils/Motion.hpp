@@ -25,7 +25,8 @@ class Motion {
   virtual ~Motion();
   /// False: the file is missing or broken, which was said with its line and field. The other calls then do nothing.
   bool isValid() const;
-  /// Goes on from the present time; from the beginning when it is at the end (from the end when reversed).
+  /// Goes on from the present time; from the beginning when it is at the end (from the end when reversed). Motors that
+  /// are far from there are led there slowly, and the time waits.
   virtual void play();
   /// Keeps the present time and the goals that the motors have.
   virtual void stop();

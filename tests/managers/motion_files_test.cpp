@@ -1,0 +1,86 @@
+// Which file a motion manager reads, and when it plays the runtime's own pages.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "motion_rig.hpp"
+
+namespace darwinop::facade {
+namespace {
+
+using managers::DARwInOPMotionManager;
+using testing::HasSubstr;
+using testing::internal::CaptureStderr;
+using testing::internal::GetCapturedStderr;
+
+using MotionFiles = MotionManagerTest;
+
+/// With a data directory of its own.
+struct Elsewhere : DARwInOPMotionManager {
+  Elsewhere(webots::Robot* robot, const std::string& file, const std::string& directory)
+      : DARwInOPMotionManager(robot, file, directory) {}
+};
+
+TEST_F(MotionFiles, WithoutACustomFileItIsTheOneInTheDataDirectory) {
+  std::filesystem::copy(path_, folder_ / "motion_4096.bin");
+  CaptureStderr();
+  EXPECT_TRUE((Elsewhere{&robot(), path_, "/nowhere/"}.isCorrectlyInitialized()));
+  Elsewhere manager{&robot(), "", folder_ / ""};
+  EXPECT_TRUE(manager.isCorrectlyInitialized());
+  EXPECT_EQ(GetCapturedStderr(), "");
+  manager.playPage(2);
+  EXPECT_EQ(fake.published.size(), 8u) << "16 ticks of 8 ms";
+}
+
+TEST_F(MotionFiles, WithoutAnyFileItPlaysOwnPagesAndSaysSoOnce) {
+  CaptureStderr();
+  Elsewhere missing{&robot(), "", folder_ / ""}, again{&robot(), "", folder_ / ""};
+  EXPECT_EQ(GetCapturedStderr(), "darwinop: MotionManager: there is no " + (folder_ / "motion_4096.bin") +
+                                     ": the runtime's own pages are played (darwinop motion list own)\n");
+  EXPECT_TRUE(missing.isCorrectlyInitialized());
+  missing.playPage(9, false);
+  EXPECT_TRUE(missing.isMotionPlaying());
+  missing.step(1000);
+  EXPECT_EQ(robot().step(16), 0);
+  EXPECT_NE(ticksOf(Joint::kLegLowerR), 2000) << "it stands up";
+}
+
+TEST_F(MotionFiles, OwnPagesCanBeAskedForByName) {
+  std::filesystem::copy(path_, folder_ / "motion_4096.bin");
+  CaptureStderr();
+  Elsewhere manager{&robot(), "own", folder_ / ""};
+  manager.playPage(9, false);
+  EXPECT_TRUE(manager.isMotionPlaying()) << "the file in the directory has no page 9";
+  EXPECT_EQ(GetCapturedStderr(), "");
+}
+
+TEST_F(MotionFiles, OwnPagesNeverReplaceAFile) {
+  CaptureStderr();
+  DARwInOPMotionManager missing{&robot(), folder_ / "none.bin"};
+  EXPECT_FALSE(missing.isCorrectlyInitialized());
+  EXPECT_EQ(GetCapturedStderr(),
+            "darwinop: MotionManager: " + (folder_ / "none.bin") + ": it cannot be opened; no page will be played\n");
+  std::ofstream{folder_ / "motion_4096.bin"} << "darwinop motion 1\n[page 1]\nNeck = x\n";
+  CaptureStderr();
+  Elsewhere broken{&robot(), "", folder_ / ""};
+  EXPECT_FALSE(broken.isCorrectlyInitialized());
+  EXPECT_THAT(GetCapturedStderr(), HasSubstr("motion_4096.bin, line 3, page 1: Neck, step 1: 'x' is not an angle"));
+  std::filesystem::remove(folder_ / "motion_4096.bin");
+  std::filesystem::create_symlink("/nowhere/at/all", folder_ / "motion_4096.bin");
+  forgetWarnings();
+  CaptureStderr();
+  EXPECT_FALSE((Elsewhere{&robot(), "", folder_ / ""}.isCorrectlyInitialized())) << "a link to a disk that is away";
+  EXPECT_THAT(GetCapturedStderr(), HasSubstr("it cannot be opened; no page will be played"));
+}
+
+TEST_F(MotionFiles, ACustomFileMayBeText) {
+  std::ofstream{folder_ / "mine.txt"} << "darwinop motion 1\n[page 3]\ntime = 1\nNeck = 4\n";
+  DARwInOPMotionManager manager{&robot(), folder_ / "mine.txt"};
+  EXPECT_TRUE(manager.isCorrectlyInitialized());
+  manager.playPage(3);
+  EXPECT_EQ(ticksOf(Joint::kNeck), 2048 + 46) << "4 degrees";
+}
+
+}  // namespace
+}  // namespace darwinop::facade
