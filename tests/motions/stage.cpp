@@ -39,7 +39,6 @@ Watched Stage::play(const PageFile& pages, int page, double after_s) {
 void Stage::watchJoints(Watched& seen) {
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointMotion& joint = body_->state().joint[i];
-    // The twin's load is the share of the voltage; what the turning motor gives back of it makes no torque.
     const double torque = std::abs(joint.load - back_emf_share_ * joint.velocity_rad_s);
     seen.peak = std::max(seen.peak, torque);
     squares_[i] += torque * torque;
