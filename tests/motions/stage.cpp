@@ -56,8 +56,8 @@ void Stage::watchContacts(Watched& seen) {
   const mjData& d = *body_->mujocoData();
   for (int c = 0; c < d.ncon; ++c) {
     const mjContact& contact = d.contact[c];
-    const auto ofRobot = [&](int geom) { return m.body_rootid[m.geom_bodyid[geom]] == map_.trunk; };
-    if (contact.dist > -kTouch || !ofRobot(contact.geom1) || !ofRobot(contact.geom2)) continue;
+    const auto of_robot = [&](int geom) { return m.body_rootid[m.geom_bodyid[geom]] == map_.trunk; };
+    if (contact.dist > -kTouch || !of_robot(contact.geom1) || !of_robot(contact.geom2)) continue;
     seen.touching.insert(std::string{mj_id2name(&m, mjOBJ_GEOM, contact.geom1)} + " and " +
                          mj_id2name(&m, mjOBJ_GEOM, contact.geom2));
   }

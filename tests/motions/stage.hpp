@@ -116,6 +116,11 @@ class Stage {
   }
 
   [[nodiscard]] bool stands() { return body_->upright() > 0.95 && std::abs(body_->trunkPosition()[2] - 0.317) < 0.006; }
+  /// The chest looks down.
+  [[nodiscard]] bool liesOnFront() {
+    const mjtNum* const turned = body_->mujocoData()->xmat + 9L * map_.trunk;
+    return turned[8] < 0;  // world's up of the trunk's z, forward
+  }
   [[nodiscard]] twin::RobotBody& body() { return *body_; }
   /// Middle of a shape, m, world.
   [[nodiscard]] std::array<double, 2> placeOf(const char* shape) {
