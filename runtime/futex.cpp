@@ -24,9 +24,9 @@ void WakeWord::advance() noexcept {
 }
 
 void WakeWord::waitWhile(std::uint32_t seen, Nanos at_most) noexcept {
-  constexpr long long kSecond = 1'000'000'000;
-  const KernelTimespec timeout{static_cast<long>(at_most.count() / kSecond),
-                               static_cast<long>(at_most.count() % kSecond)};
+  constexpr long long a_second = 1'000'000'000;
+  const KernelTimespec timeout{static_cast<long>(at_most.count() / a_second),
+                               static_cast<long>(at_most.count() % a_second)};
   sleepers_.fetch_add(1);
   if (value_.load() == seen) syscall(SYS_futex, &value_, FUTEX_WAIT, seen, &timeout, nullptr, 0);
   sleepers_.fetch_sub(1);

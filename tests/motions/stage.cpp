@@ -39,7 +39,6 @@ Watched Stage::play(const PageFile& pages, int page, double after_s) {
 void Stage::watchJoints(Watched& seen) {
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointMotion& joint = body_->state().joint[i];
-    // The twin's load is the share of the voltage; what the turning motor gives back of it makes no torque.
     const double torque = std::abs(joint.load - back_emf_share_ * joint.velocity_rad_s);
     seen.peak = std::max(seen.peak, torque);
     squares_[i] += torque * torque;
@@ -57,8 +56,8 @@ void Stage::watchContacts(Watched& seen) {
   const mjData& d = *body_->mujocoData();
   for (int c = 0; c < d.ncon; ++c) {
     const mjContact& contact = d.contact[c];
-    const auto ofRobot = [&](int geom) { return m.body_rootid[m.geom_bodyid[geom]] == map_.trunk; };
-    if (contact.dist > -kTouch || !ofRobot(contact.geom1) || !ofRobot(contact.geom2)) continue;
+    const auto of_robot = [&](int geom) { return m.body_rootid[m.geom_bodyid[geom]] == map_.trunk; };
+    if (contact.dist > -kTouch || !of_robot(contact.geom1) || !of_robot(contact.geom2)) continue;
     seen.touching.insert(std::string{mj_id2name(&m, mjOBJ_GEOM, contact.geom1)} + " and " +
                          mj_id2name(&m, mjOBJ_GEOM, contact.geom2));
   }
