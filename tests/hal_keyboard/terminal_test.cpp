@@ -21,7 +21,6 @@
 namespace darwinop::link {
 namespace {
 
-using testing::EndsWith;
 using testing::HasSubstr;
 
 std::atomic<bool> told_to_end{false};
