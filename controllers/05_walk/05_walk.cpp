@@ -2,6 +2,7 @@
 // --seconds 10 --x 1 --y 0 --a 0.
 #include <DARwInOPGaitManager.hpp>
 #include <DARwInOPMotionManager.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -57,14 +58,17 @@ class Keys {
   bool was_down_ = false;
 };
 
-// Gravity along the robot's front for half a second: it lies. 512 counts are 0 g, 128 are 1 g; lying on its face, the
-// robot reads 384. A step shakes it for a moment only. Not a number (the board is silent) is no fall.
+// It lies when for half a second gravity pulls along its front and not along its height. 512 counts are 0 g, 128 are
+// 1 g: on its face the robot reads 384 and 512, upright 512 and 640. Not a number (the board is silent) is no fall.
 class Fall {
  public:
   // The page that gets it up; 0: it does not lie on face or back.
-  int page(double front) {
-    face_ = front < 512 - 80 ? face_ + 1 : 0;
-    back_ = front > 512 + 80 ? back_ + 1 : 0;
+  int page(const double* acceleration) {
+    const double front = acceleration[1], height = acceleration[2];
+    const bool tilted = height < 512 + 64;  // by more than 60 degrees; a step shakes it for a moment only,
+    // and so do legs that go on walking in the air
+    face_ = tilted && front < 512 - 80 ? face_ + 1 : std::max(0, face_ - 1);
+    back_ = tilted && front > 512 + 80 ? back_ + 1 : std::max(0, back_ - 1);
     return face_ > kSteps ? kGetUpFromFront : back_ > kSteps ? kGetUpFromBack : 0;
   }
 
@@ -114,7 +118,7 @@ int main(int argc, char** argv) {
     gait.step(time_step);
     if (robot.step(time_step) == -1) return scripted ? EXIT_FAILURE : EXIT_SUCCESS;
 
-    const int page = fall.page(accelerometer->getValues()[1]);
+    const int page = fall.page(accelerometer->getValues());
     if (page == 0) continue;
     std::cout << (page == kGetUpFromFront ? "It fell on its face." : "It fell on its back.") << std::endl;
     if (!motion.isCorrectlyInitialized()) return EXIT_FAILURE;  // nothing to get up with
