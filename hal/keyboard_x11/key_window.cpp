@@ -58,12 +58,12 @@ void KeyWindow::make() {
 
 void KeyWindow::name() {
   xcb_connection_t* const to = connection_.get();
-  const auto setText = [&](xcb_atom_t property, std::string_view text) {
+  const auto set_text = [&](xcb_atom_t property, std::string_view text) {
     ::xcb_change_property(to, XCB_PROP_MODE_REPLACE, window_, property, XCB_ATOM_STRING, 8,
                           static_cast<std::uint32_t>(text.size()), text.data());
   };
-  setText(XCB_ATOM_WM_NAME, kTitle);
-  setText(XCB_ATOM_WM_CLASS, kClass);
+  set_text(XCB_ATOM_WM_NAME, kTitle);
+  set_text(XCB_ATOM_WM_CLASS, kClass);
   // ICCCM: flag 1 says that the next number counts, and 1 that the window wants the keyboard.
   constexpr std::array<std::uint32_t, 9> kHints{1, 1};
   ::xcb_change_property(to, XCB_PROP_MODE_REPLACE, window_, XCB_ATOM_WM_HINTS, XCB_ATOM_WM_HINTS, 32, kHints.size(),

@@ -29,34 +29,31 @@ void onInterrupt(int) {
   told_to_end = true;
 }
 
-/// What a controller does: asks every few ms, and prints what changes. Q ends it, X by a crash, W hangs until killed.
+/// What a controller does: asks every few ms, and prints what changes. Q ends it, X by a crash.
 [[noreturn]] void controller(const std::string& from) {
   prctl(PR_SET_DUMPABLE, 0L);
   static_cast<void>(std::setvbuf(stdout, nullptr, _IONBF, 0));
   signal(SIGINT, onInterrupt);
-  {
-    const auto keys = openKeys({.from = from,
-                                .display = "",
-                                .say = [](const std::string& what) { std::printf("said: %s\r\n", what.c_str()); }},
-                               told_to_end);
-    std::printf("listening\r\n");
-    for (std::vector<Key> before; !told_to_end;) {
-      const std::vector<Key> now = keys->take();
-      if (now != before) {
-        std::printf("[");
-        for (const Key key : now) std::printf(" %d", key);
-        std::printf(" ]\r\n");
-      }
-      for (const Key key : now) {
-        if (key == 'Q') std::exit(0);
-        if (key == 'X') std::abort();
-      }
-      before = now;
-      std::this_thread::sleep_for(std::chrono::milliseconds{2});
+  const auto keys = openKeys(
+      {.from = from, .display = "", .say = [](const std::string& what) { std::printf("said: %s\r\n", what.c_str()); }},
+      told_to_end);
+  std::printf("listening\r\n");
+  for (std::vector<Key> before; !told_to_end;) {
+    const std::vector<Key> now = keys->take();
+    if (now != before) {
+      std::printf("[");
+      for (const Key key : now) std::printf(" %d", key);
+      std::printf(" ]\r\n");
     }
-    // It sits down for a while, and does not look at its keys any more.
-    if (from == "terminal") std::this_thread::sleep_for(std::chrono::minutes{1});
+    for (const Key key : now) {
+      if (key == 'Q') std::exit(0);
+      if (key == 'X') std::abort();
+    }
+    before = now;
+    std::this_thread::sleep_for(std::chrono::milliseconds{2});
   }
+  // It sits down for a while, and does not look at its keys any more.
+  if (from == "terminal") std::this_thread::sleep_for(std::chrono::minutes{1});
   std::exit(0);
 }
 
