@@ -16,32 +16,39 @@ if(NOT CMAKE_CROSSCOMPILING)
     "DARWINOP_TWIN_FOLDERS=\"lib\",\"${CMAKE_INSTALL_LIBDIR}\",\"${CMAKE_BINARY_DIR}/lib\",\"${CMAKE_INSTALL_FULL_LIBDIR}\";DARWINOP_VERSION=\"${PROJECT_VERSION}\"")
 endif()
 
-# inih goes into the library, so that neither a controller's build nor the robot needs it.
-find_library(DARWINOP_INIH_ARCHIVE libinih.a)
-set(inih_flag)
-if(DARWINOP_INIH_ARCHIVE)
-  execute_process(COMMAND "${CMAKE_AR}" t "${DARWINOP_INIH_ARCHIVE}" OUTPUT_VARIABLE members
+# inih and libxcb go into the library, so that neither a controller's build nor the robot needs them.
+set(darwinop_taken_in)     # their objects
+set(darwinop_other_flags)  # those that have no archive here
+function(darwinop_take_in NAME)
+  find_library(DARWINOP_${NAME}_ARCHIVE lib${NAME}.a)
+  if(NOT DARWINOP_${NAME}_ARCHIVE)
+    set(darwinop_other_flags ${darwinop_other_flags} ${NAME} PARENT_SCOPE)
+    return()
+  endif()
+  execute_process(COMMAND "${CMAKE_AR}" t "${DARWINOP_${NAME}_ARCHIVE}" OUTPUT_VARIABLE members
     OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE "\n" ";" members "${members}")
-  set(unpacked "${PROJECT_BINARY_DIR}/inih")
+  set(unpacked "${PROJECT_BINARY_DIR}/${NAME}")
   file(MAKE_DIRECTORY "${unpacked}")
-  list(TRANSFORM members PREPEND "${unpacked}/" OUTPUT_VARIABLE inih_objects)
-  add_custom_command(OUTPUT ${inih_objects} DEPENDS "${DARWINOP_INIH_ARCHIVE}" WORKING_DIRECTORY "${unpacked}"
-    COMMAND "${CMAKE_AR}" x "${DARWINOP_INIH_ARCHIVE}" COMMENT "Taking inih apart" VERBATIM)
-  set_source_files_properties(${inih_objects} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
-else()
-  set(inih_flag inih)
-endif()
+  list(TRANSFORM members PREPEND "${unpacked}/" OUTPUT_VARIABLE objects)
+  add_custom_command(OUTPUT ${objects} DEPENDS "${DARWINOP_${NAME}_ARCHIVE}" WORKING_DIRECTORY "${unpacked}"
+    COMMAND "${CMAKE_AR}" x "${DARWINOP_${NAME}_ARCHIVE}" COMMENT "Taking ${NAME} apart" VERBATIM)
+  set_source_files_properties(${objects} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
+  set(darwinop_taken_in ${darwinop_taken_in} ${objects} PARENT_SCOPE)
+endfunction()
+foreach(library IN ITEMS inih xcb Xau)
+  darwinop_take_in(${library})
+endforeach()
 
 # Not named darwinop: that is the command's target.
-add_library(darwinop_sdk STATIC ${room_objects} ${inih_objects})
+add_library(darwinop_sdk STATIC ${room_objects} ${darwinop_taken_in})
 add_library(darwinop::darwinop ALIAS darwinop_sdk)
 set_target_properties(darwinop_sdk PROPERTIES LINKER_LANGUAGE CXX OUTPUT_NAME darwinop EXPORT_NAME darwinop)
 target_include_directories(darwinop_sdk INTERFACE
   "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/webots/include;${PROJECT_SOURCE_DIR}/managers/include>"
   "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/darwinop;${CMAKE_INSTALL_INCLUDEDIR}/darwinop/managers>")
 target_compile_definitions(darwinop_sdk INTERFACE CROSSCOMPILATION LINUX)
-target_link_libraries(darwinop_sdk INTERFACE Threads::Threads rt ${inih_flag})
+target_link_libraries(darwinop_sdk INTERFACE Threads::Threads rt ${darwinop_other_flags})
 
 install(TARGETS darwinop_sdk EXPORT darwinop ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT sdk)
 install(DIRECTORY webots/include/webots DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/darwinop" COMPONENT sdk)
@@ -57,7 +64,8 @@ install(FILES "${PROJECT_BINARY_DIR}/darwinopConfig.cmake" "${PROJECT_BINARY_DIR
 # Both find the library beside themselves, so that an installed tree can be moved as a whole.
 set(pc_dir "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 file(RELATIVE_PATH DARWINOP_PC_PREFIX "/${pc_dir}" "/")
-list(TRANSFORM inih_flag PREPEND " -l" OUTPUT_VARIABLE DARWINOP_INIH_FLAG)
+list(TRANSFORM darwinop_other_flags PREPEND " -l" OUTPUT_VARIABLE flags)
+string(JOIN "" DARWINOP_OTHER_FLAGS ${flags})
 configure_file(cmake/darwinop.pc.in darwinop.pc @ONLY)
 configure_file(cmake/Makefile.include.in Makefile.include @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/darwinop.pc" DESTINATION "${pc_dir}" COMPONENT sdk)

@@ -11,6 +11,7 @@
 #include "webots/config_ini.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
+#include "webots/sampling_grid.hpp"
 
 namespace webots {
 
@@ -44,11 +45,7 @@ void Camera::disable() {
 }
 
 void Camera::refresh(double time_s) {
-  constexpr double kHalfCycle = 0.004;  // of the shortest loop: a step that ends early by jitter still counts
-  if (view_ == nullptr || time_s + kHalfCycle < due_s_) return;
-  // On a grid, so that 40 ms asked for in steps of 16 ms are 40 ms on average.
-  const double period_s = period_ / 1000.0;
-  due_s_ = due_s_ >= 0 && due_s_ + period_s > time_s ? due_s_ + period_s : time_s + period_s;
+  if (view_ == nullptr || !darwinop::facade::isDue(due_s_, time_s, period_)) return;
   const std::string complaint = view_->refresh();
   if (!complaint.empty()) darwinop::facade::say(complaint);
 }

@@ -1,20 +1,67 @@
-// Keys pressed by a person: all calls, no keys yet.
+// Keys pressed by a person.
 #include "webots/Keyboard.hpp"
 
+#include <exception>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "webots/key_queue.hpp"
 #include "webots/notices.hpp"
+#include "webots/robot_impl.hpp"
+#include "webots/sampling_grid.hpp"
 
 namespace webots {
 
+namespace {
+constexpr bool same(int here, darwinop::Key there) {
+  return here == there;
+}
+static_assert(same(Keyboard::END, darwinop::kKeyEnd) && same(Keyboard::HOME, darwinop::kKeyHome) &&
+              same(Keyboard::LEFT, darwinop::kKeyLeft) && same(Keyboard::UP, darwinop::kKeyUp) &&
+              same(Keyboard::RIGHT, darwinop::kKeyRight) && same(Keyboard::DOWN, darwinop::kKeyDown) &&
+              same(Keyboard::PAGEUP, darwinop::kKeyPageUp) && same(Keyboard::PAGEDOWN, darwinop::kKeyPageDown) &&
+              same(Keyboard::NUMPAD_HOME, darwinop::kKeyNumpadHome) &&
+              same(Keyboard::NUMPAD_LEFT, darwinop::kKeyNumpadLeft) &&
+              same(Keyboard::NUMPAD_UP, darwinop::kKeyNumpadUp) &&
+              same(Keyboard::NUMPAD_RIGHT, darwinop::kKeyNumpadRight) &&
+              same(Keyboard::NUMPAD_DOWN, darwinop::kKeyNumpadDown) &&
+              same(Keyboard::NUMPAD_END, darwinop::kKeyNumpadEnd) && same(Keyboard::KEY, darwinop::kKeyCodeMask) &&
+              same(Keyboard::SHIFT, darwinop::kKeyShift) && same(Keyboard::CONTROL, darwinop::kKeyControl) &&
+              same(Keyboard::ALT, darwinop::kKeyAlt));
+}  // namespace
+
+Keyboard::Keyboard(darwinop::facade::RobotImpl& robot) : robot_(robot), period_(0), due_s_(-1), queue_(nullptr) {}
+
+Keyboard::~Keyboard() {
+  delete queue_;
+}
+
 void Keyboard::enable(int sampling_period) {
-  darwinop::facade::warnOnce("Keyboard: this version reads no keys yet; none is ever pressed");
+  if (sampling_period <= 0) return disable();
   period_ = sampling_period;
+  due_s_ = -1;
+  if (queue_ != nullptr) return;
+  std::unique_ptr<darwinop::KeySource> source;
+  try {
+    source = robot_.openKeys();
+  } catch (const std::exception& error) {
+    darwinop::facade::warnOnce(std::string{"Keyboard: no key is ever pressed: "} + error.what());
+  }
+  queue_ = new darwinop::facade::KeyQueue(std::move(source));
 }
 
 void Keyboard::disable() {
   period_ = 0;
+  delete std::exchange(queue_, nullptr);
 }
+
+void Keyboard::refresh(double time_s) {
+  if (queue_ != nullptr && darwinop::facade::isDue(due_s_, time_s, period_)) queue_->refresh();
+}
+
 int Keyboard::getKey() const {
-  return -1;
+  return queue_ != nullptr ? queue_->next() : -1;
 }
 
 }  // namespace webots

@@ -2,7 +2,9 @@
 #include "webots/robot_impl.hpp"
 
 #include <chrono>
+#include <cstdlib>
 
+#include "link/keys.hpp"
 #include "runtime/daemon_link.hpp"
 #include "webots/Accelerometer.hpp"
 #include "webots/Camera.hpp"
@@ -35,6 +37,18 @@ std::string_view farewell(safety::OnExit on_exit) {
   return "ending: the robot lets go; a second Ctrl-C would leave its joints under torque";
 }
 
+/// DARWINOP_KEYS: window, terminal or none instead of what there is.
+std::unique_ptr<KeySource> openTheUsualKeys(const std::atomic<bool>& stop) {
+  const auto environment = [](const char* name) {
+    const char* const value = std::getenv(name);
+    return std::string{value != nullptr ? value : ""};
+  };
+  return link::openKeys({.from = environment("DARWINOP_KEYS"),
+                         .display = environment("DISPLAY"),
+                         .say = [](const std::string& what) { say("Keyboard: " + what); }},
+                        stop);
+}
+
 void warnMissing(const std::string& device) {
   warnOnce(device + " has not answered for 3 cycles: its values are NaN (not a number) until it does");
 }
@@ -42,7 +56,8 @@ void warnMissing(const std::string& device) {
 
 RobotImpl::RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerConfig& config,
                      const std::atomic<bool>& stop)
-    : config_{config},
+    : open_keys{[&stop] { return openTheUsualKeys(stop); }},
+      config_{config},
       stop_{stop},
       ends_with_us_{link->realTime() && dynamic_cast<const runtime::DaemonLink*>(link.get()) == nullptr},
       session_{std::move(link), stop} {
@@ -118,7 +133,9 @@ void RobotImpl::refresh() {
   const BoardSensors& board = session_.sensors().board;
   accelerometer_->refresh(usable(board.motion) ? &board : nullptr);
   gyro_->refresh(usable(board.motion) ? &board : nullptr);
-  camera_->refresh(std::chrono::duration<double>(session_.time()).count());
+  const double time_s = std::chrono::duration<double>(session_.time()).count();
+  camera_->refresh(time_s);
+  keyboard_.refresh(time_s);
 }
 
 webots::Device* RobotImpl::find(const std::string& name) const {

@@ -4,12 +4,14 @@
 #include <array>
 #include <atomic>
 #include <deque>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "hal/keyboard.hpp"
 #include "webots/Keyboard.hpp"
 #include "webots/config_ini.hpp"
 #include "webots/motor_control.hpp"
@@ -59,6 +61,11 @@ class RobotImpl {
     return session_.openEyes(width, height, config_.camera);
   }
 
+  /// Where keys come from; throws std::runtime_error when DARWINOP_KEYS is wrong. Another one than the usual: for
+  /// tests.
+  [[nodiscard]] std::unique_ptr<KeySource> openKeys() const { return open_keys(); }
+  std::function<std::unique_ptr<KeySource>()> open_keys;
+
   /// Takes this P gain instead of the controller's until it is none: then the controller's again, which Motor keeps.
   void lendGain(Joint joint, std::optional<double> kp) { lent_gain_[index(joint)] = kp; }
 
@@ -82,7 +89,7 @@ class RobotImpl {
   std::deque<MotorControl> motors_;  // by joint
   std::array<std::optional<double>, kJoints> lent_gain_{};
   std::array<bool, kJoints> was_lent_{};  // once: from then on every image says the gain
-  webots::Keyboard keyboard_;
+  webots::Keyboard keyboard_{*this};
   std::vector<std::unique_ptr<webots::Device>> devices_;
   std::map<std::string, webots::Device*, std::less<>> by_name_;
   webots::Accelerometer* accelerometer_ = nullptr;

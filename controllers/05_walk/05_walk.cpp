@@ -1,13 +1,20 @@
-// Takes its stance, walks, and stops: no keys. --seconds N --x X --y Y --a A; forwards for ten seconds without.
+// Walks where the arrow keys say, and gets up after a fall; space starts and stops. Without keys, for some seconds:
+// --seconds 10 --x 1 --y 0 --a 0.
 #include <DARwInOPGaitManager.hpp>
+#include <DARwInOPMotionManager.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <webots/Accelerometer.hpp>
+#include <webots/Keyboard.hpp>
 #include <webots/Robot.hpp>
 
 using namespace webots;
+
+// Pages of the motion file, docs/motions.md.
+static const int kStandUp = 9, kGetUpFromFront = 10, kGetUpFromBack = 11;
 
 // "--seconds 10": the number after this word, or else `usual`.
 static double option(int argc, char** argv, const char* word, double usual) {
@@ -16,33 +23,120 @@ static double option(int argc, char** argv, const char* word, double usual) {
   return usual;
 }
 
+// What the keys ask for since the last step.
+class Keys {
+ public:
+  explicit Keys(Keyboard* keyboard) : keyboard_(keyboard) {}
+  double x = 0, a = 0;  // forwards, to the left: -1 to 1
+  bool space = false;   // was pressed; it may stay down for many steps
+  void read() {
+    x = a = 0;
+    bool down = false;
+    for (int key = keyboard_->getKey(); key != -1; key = keyboard_->getKey()) switch (key) {
+        case ' ':
+          down = true;
+          break;
+        case Keyboard::UP:
+          x = 1;
+          break;
+        case Keyboard::DOWN:
+          x = -1;
+          break;
+        case Keyboard::LEFT:
+          a = 0.5;
+          break;
+        case Keyboard::RIGHT:
+          a = -0.5;
+          break;
+      }
+    space = down && !was_down_;
+    was_down_ = down;
+  }
+
+ private:
+  Keyboard* keyboard_;
+  bool was_down_ = false;
+};
+
+// It lies when for half a second gravity pulls along its front and not along its height. 512 counts are 0 g, 128 are
+// 1 g: on its face the robot reads 384 and 512, upright 512 and 640. Not a number (the board is silent) is no fall.
+class Fall {
+ public:
+  // The page that gets it up; 0: it does not lie on face or back.
+  int page(const double* acceleration) {
+    const double front = acceleration[1], height = acceleration[2];
+    const bool tilted = height < 512 + 64;  // by more than 60 degrees; a step shakes it for a moment only,
+    // and so do legs that go on walking in the air
+    face_ = tilted && front < 512 - 80 ? face_ + 1 : std::max(0, face_ - 1);
+    back_ = tilted && front > 512 + 80 ? back_ + 1 : std::max(0, back_ - 1);
+    return face_ > kSteps ? kGetUpFromFront : back_ > kSteps ? kGetUpFromBack : 0;
+  }
+
+ private:
+  static const int kSteps = 30;
+  int face_ = 0, back_ = 0;
+};
+
 int main(int argc, char** argv) {
   Robot robot;
   const int time_step = static_cast<int>(robot.getBasicTimeStep());
   Accelerometer* accelerometer = robot.getAccelerometer("Accelerometer");
   accelerometer->enable(time_step);
+  managers::DARwInOPMotionManager motion(&robot);
   managers::DARwInOPGaitManager gait(&robot, "config.ini");
   if (!gait.isCorrectlyInitialized()) return EXIT_FAILURE;
 
-  gait.setXAmplitude(option(argc, argv, "--x", 1));
-  gait.setYAmplitude(option(argc, argv, "--y", 0));
-  gait.setAAmplitude(option(argc, argv, "--a", 0));
-  gait.start();
-  // Before the first step: 2.7 s to the stance, and 1.6 s of standing still for the gyroscope.
-  const double end = robot.getTime() + 4.3 + option(argc, argv, "--seconds", 10);
-  const int kFallen =
-      30;  // steps in which gravity was not where it is in an upright robot, 128 counts above the middle
-  int lying = 0;
-  while (robot.getTime() < end && lying < kFallen) {
-    gait.step(time_step);
-    if (robot.step(time_step) == -1) return EXIT_FAILURE;
-    // Every step shakes it for a moment. Not a number: the board is silent, and nobody knows.
-    lying = accelerometer->getValues()[2] < 550 ? lying + 1 : 0;
+  const bool scripted = argc > 1;
+  Keys keys(robot.getKeyboard());
+  Fall fall;
+  int falls = 0;
+  bool walks = scripted;
+  double end = INFINITY;
+  if (scripted) {
+    gait.setXAmplitude(option(argc, argv, "--x", 1));
+    gait.setYAmplitude(option(argc, argv, "--y", 0));
+    gait.setAAmplitude(option(argc, argv, "--a", 0));
+    gait.start();
+    // Before the first step: 2.7 s to the stance, and 1.6 s of standing still for the gyroscope.
+    end = robot.getTime() + 4.3 + option(argc, argv, "--seconds", 10);
+  } else {
+    std::cout << "Space starts and stops the walk; the arrow keys say where to." << std::endl;
+    robot.getKeyboard()->enable(time_step);
+    motion.playPage(kStandUp);
   }
+
+  while (robot.getTime() < end) {
+    if (!scripted) {
+      keys.read();
+      gait.setXAmplitude(keys.x);
+      gait.setAAmplitude(keys.a);
+      if (keys.space) {
+        walks = !walks;
+        walks ? gait.start() : gait.stop();
+      }
+    }
+    gait.step(time_step);
+    if (robot.step(time_step) == -1) return scripted ? EXIT_FAILURE : EXIT_SUCCESS;
+
+    const int page = fall.page(accelerometer->getValues());
+    if (page == 0) continue;
+    std::cout << (page == kGetUpFromFront ? "It fell on its face." : "It fell on its back.") << std::endl;
+    if (!motion.isCorrectlyInitialized()) return EXIT_FAILURE;  // nothing to get up with
+    ++falls;
+    motion.playPage(page);
+    motion.playPage(kStandUp);  // the walk then begins anew by itself
+    fall = Fall();
+  }
+
   gait.stop();
-  const double up = accelerometer->getValues()[2];
-  if (std::isnan(up)) std::cout << "It walked; whether it stands, its accelerometer does not say." << std::endl;
-  const bool fell = lying >= kFallen || up < 550;
-  if (!std::isnan(up)) std::cout << (fell ? "It fell." : "It walked, and stands.") << std::endl;
-  return fell ? EXIT_FAILURE : EXIT_SUCCESS;
+  const double up = accelerometer->getValues()[2];  // 640 when it stands
+  if (std::isnan(up))
+    std::cout << "It walked; whether it stands, its accelerometer does not say." << std::endl;
+  else if (up < 550)
+    std::cout << "It fell." << std::endl;
+  else if (falls > 0)
+    std::cout << "It walked, fell " << falls << " times, and stands." << std::endl;
+  else
+    std::cout << "It walked, and stands." << std::endl;
+  return falls > 0 || up < 550 ? EXIT_FAILURE : EXIT_SUCCESS;
 }

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "support/temporary_folder.hpp"
+#include "support/x_server.hpp"
 #include "twin/render/png.hpp"
 #include "twin/render_support.hpp"
 
@@ -89,40 +90,6 @@ TEST_F(View, TakesAWrongArgumentForAReasonToExplain) {
   EXPECT_THAT(shell(kTwin + " picture robot.jpg").said, HasSubstr(".png"));
 }
 
-/// An X server of its own, without a screen that anybody sees.
-class Display {
- public:
-  Display() {
-    int ends[2];
-    if (pipe(ends) != 0) return;
-    pid_ = fork();
-    if (pid_ == 0) {
-      const std::string end = std::to_string(ends[1]);
-      execlp("Xvfb", "Xvfb", "-displayfd", end.c_str(), "-screen", "0", "800x600x24", "-nolisten", "tcp",
-             static_cast<char*>(nullptr));
-      _exit(127);
-    }
-    close(ends[1]);
-    // It writes the number first and the end of the line later.
-    std::string number;
-    for (char next = 0; read(ends[0], &next, 1) == 1 && next != '\n';) number += next;
-    close(ends[0]);
-    if (!number.empty()) name_ = ":" + number;
-  }
-  ~Display() {
-    kill(pid_, SIGTERM);
-    waitpid(pid_, nullptr, 0);
-  }
-  Display(const Display&) = delete;
-  Display& operator=(const Display&) = delete;
-
-  [[nodiscard]] const std::string& name() const { return name_; }
-
- private:
-  pid_t pid_ = 0;
-  std::string name_;
-};
-
 std::size_t colours(const Picture& p) {
   std::set<std::array<std::uint8_t, 3>> seen;
   for (int y = 0; y < p.height; ++y)
@@ -131,7 +98,7 @@ std::size_t colours(const Picture& p) {
 }
 
 TEST_F(View, OpensAWindowThatShowsTheRobotAndClosesTidily) {
-  const Display display;
+  const XServer display;
   ASSERT_NE(display.name(), "") << "Xvfb does not start";
   const pid_t view = fork();
   if (view == 0) {

@@ -1,10 +1,9 @@
-// Speaker and keyboard: harmless, and they say once that they are not there yet.
+// The speaker: harmless, and it says once that it is not there yet. Small things.
 #include <gmock/gmock.h>
 
 #include <DARwInOPDirectoryManager.hpp>
 #include <RobotisOp2DirectoryManager.hpp>
 #include <webots/Camera.hpp>
-#include <webots/Keyboard.hpp>
 #include <webots/Speaker.hpp>
 
 #include "fixture.hpp"
@@ -12,7 +11,6 @@
 namespace darwinop::facade {
 namespace {
 
-using testing::HasSubstr;
 
 /// What is said on stderr from here to the end.
 class StubTest : public Facade {
@@ -41,14 +39,6 @@ TEST_F(StubTest, TheSpeakerIsSilentInBothStyles) {
   speaker.playFile("x.wav");
   webots::Speaker::playSound(&speaker, &speaker, "x.wav", 1, 1, 0, false);
   EXPECT_FALSE(speaker.isSpeaking());
-  EXPECT_EQ(lines(testing::internal::GetCapturedStderr()), 1);
-}
-
-TEST_F(StubTest, NoKeyIsZeroIn2013AndMinusOneToday) {
-  robot().keyboardEnable(16);
-  EXPECT_EQ(robot().keyboardGetKey(), 0);
-  robot().getKeyboard()->enable(16);
-  EXPECT_EQ(robot().getKeyboard()->getKey(), -1);
   EXPECT_EQ(lines(testing::internal::GetCapturedStderr()), 1);
 }
 

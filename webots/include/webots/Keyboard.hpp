@@ -1,9 +1,10 @@
-// Keys pressed by a person. This version has no keys yet: nothing is ever pressed.
+// Keys pressed by a person, in a window or in the controller's terminal: docs/keyboard.md.
 #ifndef KEYBOARD_HPP
 #define KEYBOARD_HPP
 
 namespace darwinop {
 namespace facade {
+class KeyQueue;
 class RobotImpl;
 }
 }  // namespace darwinop
@@ -33,19 +34,26 @@ class Keyboard {
     ALT = 0x00040000
   };
 
-  virtual ~Keyboard() {}
+  virtual ~Keyboard();
+  /// Opens the window, or the terminal where there can be none. Keys are looked at every so many ms, at the end of a
+  /// step. 0: disable().
   virtual void enable(int sampling_period);
   virtual void disable();
   int getSamplingPeriod() const { return period_; }
-  /// Next key pressed since the last step; -1: no more.
+  /// The next one of the keys that were down when they were looked at last, or went down since the time before; each
+  /// once, with SHIFT, CONTROL and ALT or-ed. -1: that was all.
   int getKey() const;
 
  private:
   friend class darwinop::facade::RobotImpl;
-  Keyboard() : period_(0) {}
+  explicit Keyboard(darwinop::facade::RobotImpl& robot);
   Keyboard(const Keyboard&);
   Keyboard& operator=(const Keyboard&);
+  void refresh(double time_s);
+  darwinop::facade::RobotImpl& robot_;
   int period_;
+  double due_s_;
+  darwinop::facade::KeyQueue* queue_;  // NULL: disabled
 };
 
 }  // namespace webots

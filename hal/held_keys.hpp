@@ -1,0 +1,88 @@
+// Which keys are down: told by a device's thread, asked by the controller's.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include "hal/keyboard.hpp"
+
+namespace darwinop {
+
+/// A key that goes down and up between two questions is answered once. The lock is held for a few moves in memory; the
+/// loop never asks.
+class HeldKeys {
+ public:
+  /// `id` says which key of the keyboard it is: two of them may have one code.
+  void press(std::uint32_t id, Key code, Key modifiers) {
+    const std::lock_guard lock{mutex_};
+    const auto known = find(id);
+    if (known == keys_.end())
+      keys_.push_back({id, code, modifiers, modifiers, true});
+    else
+      *known = {id, code, modifiers, modifiers, true};
+  }
+
+  void release(std::uint32_t id) {
+    const std::lock_guard lock{mutex_};
+    const auto known = find(id);
+    if (known != keys_.end()) up(*known);
+    forgetTheTaken();
+  }
+
+  void releaseAll() {
+    const std::lock_guard lock{mutex_};
+    for (Held& key : keys_) up(key);
+    forgetTheTaken();
+  }
+
+  /// Shift and the like went down or up while other keys are held. A key that nobody has been told of yet is told with
+  /// what was held when it went down.
+  void setModifiers(Key modifiers) {
+    const std::lock_guard lock{mutex_};
+    for (Held& key : keys_)
+      if (key.down) key.next_modifiers = modifiers;
+  }
+
+  [[nodiscard]] std::vector<Key> down() const {
+    const std::lock_guard lock{mutex_};
+    std::vector<Key> all;
+    for (const Held& key : keys_)
+      if (key.down) addOnce(all, key.code | key.next_modifiers);
+    return all;
+  }
+
+  /// As KeySource::take().
+  std::vector<Key> take() {
+    const std::lock_guard lock{mutex_};
+    std::vector<Key> all;
+    for (Held& key : keys_) {
+      addOnce(all, key.code | (key.taken ? key.next_modifiers : key.modifiers));
+      key.taken = true;
+    }
+    forgetTheTaken();
+    return all;
+  }
+
+ private:
+  struct Held {
+    std::uint32_t id;
+    Key code, modifiers, next_modifiers;
+    bool down, taken = false;
+  };
+
+  static void addOnce(std::vector<Key>& all, Key key) {
+    if (std::ranges::find(all, key) == all.end()) all.push_back(key);
+  }
+  static void up(Held& key) { key.down = false; }
+  std::vector<Held>::iterator find(std::uint32_t id) { return std::ranges::find(keys_, id, &Held::id); }
+  void forgetTheTaken() {
+    std::erase_if(keys_, [](const Held& key) { return !key.down && key.taken; });
+  }
+
+  mutable std::mutex mutex_;
+  std::vector<Held> keys_;  // in the order of pressing
+};
+
+}  // namespace darwinop

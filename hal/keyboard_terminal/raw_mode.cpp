@@ -1,0 +1,98 @@
+#include "hal/keyboard_terminal/raw_mode.hpp"
+
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+namespace darwinop::terminal {
+namespace {
+
+// What a signal handler needs; written before the handlers are there.
+termios before;
+std::atomic<int> raw_fd{-1};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
+
+constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
+
+/// tcsetattr() may be called in signal handlers. From the background it would stop the process, but for the blocking.
+void restore() {
+  const int fd = raw_fd.exchange(-1);
+  if (fd < 0) return;
+  sigset_t own, kept;
+  sigemptyset(&own);
+  sigaddset(&own, SIGTTOU);
+  pthread_sigmask(SIG_BLOCK, &own, &kept);
+  tcsetattr(fd, TCSANOW, &before);
+  pthread_sigmask(SIG_SETMASK, &kept, nullptr);
+}
+
+/// Its own effect comes next: the signal's usual one is back by now.
+void onCrash(int signal) {
+  const int error = errno;
+  restore();
+  static_cast<void>(raise(signal));  // waits until this handler has returned, to where the fault was
+  errno = error;
+}
+
+void watchForCrashes() {
+  for (const int signal : kCrashes) {
+    struct sigaction now {};
+    // Sanitizers and programs with handlers of their own keep them.
+    if (sigaction(signal, nullptr, &now) != 0 || (now.sa_flags & SA_SIGINFO) != 0 || now.sa_handler != SIG_DFL)
+      continue;
+    struct sigaction action {};
+    action.sa_handler = onCrash;
+    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_ONSTACK);
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+void watchNoMore() {
+  for (const int signal : kCrashes) {
+    struct sigaction now {};
+    if (sigaction(signal, nullptr, &now) != 0 || (now.sa_flags & SA_SIGINFO) != 0 || now.sa_handler != onCrash)
+      continue;
+    struct sigaction usual {};
+    usual.sa_handler = SIG_DFL;
+    sigaction(signal, &usual, nullptr);
+  }
+}
+
+}  // namespace
+
+RawMode::RawMode(int fd) {
+  if (isatty(fd) == 0) throw std::runtime_error("standard input is no terminal");
+  if (tcgetpgrp(fd) != getpgrp()) throw std::runtime_error("this program runs in the background of its terminal");
+  if (raw_fd >= 0) throw std::runtime_error("keys are read from this terminal already");
+  if (tcgetattr(fd, &before) != 0) throw std::runtime_error(std::string{"the terminal: "} + std::strerror(errno));
+  termios raw = before;
+  raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | IEXTEN);
+  raw.c_iflag &= ~static_cast<tcflag_t>(IXON | ICRNL);  // Ctrl-S must not stop the output
+  raw.c_cc[VSUSP] = _POSIX_VDISABLE;
+  raw.c_cc[VMIN] = 0;  // read() never waits
+  raw.c_cc[VTIME] = 0;
+  watchForCrashes();
+  [[maybe_unused]] static const int at_exit = std::atexit(restore);  // exit() destroys no local object
+  raw_fd = fd;
+  if (tcsetattr(fd, TCSANOW, &raw) != 0) {
+    const int error = errno;
+    raw_fd = -1;
+    watchNoMore();
+    throw std::runtime_error(std::string{"the terminal: "} + std::strerror(error));
+  }
+}
+
+RawMode::~RawMode() {
+  restore();
+  watchNoMore();
+}
+
+}  // namespace darwinop::terminal

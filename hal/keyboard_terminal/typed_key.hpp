@@ -1,0 +1,45 @@
+// A terminal tells that a key was typed, never that it was let go. How long it counts as held.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "hal/held_keys.hpp"
+
+namespace darwinop::terminal {
+
+/// A key that is held is typed again after 0.25 s (Linux console), 0.5 s (GNOME) or 0.66 s (plain X11), and from then
+/// on every 33 to 100 ms. So it counts as held for 0.7 s after the first time, so that there is no gap, and for 0.2 s
+/// after each later one. Only the last key is typed again: another one ends it at once, and there is one at a time.
+class TypedKey {
+ public:
+  using Nanos = std::chrono::nanoseconds;
+  static constexpr Nanos kFirst = std::chrono::milliseconds{700}, kRepeated = std::chrono::milliseconds{200};
+
+  /// `keys` must outlive it.
+  explicit TypedKey(HeldKeys& keys) : keys_{keys} {}
+
+  void type(Key key, Nanos now) {
+    expire(now);
+    const bool repeated = until_ && key == key_;
+    if (!repeated) keys_.releaseAll();
+    keys_.press(static_cast<std::uint32_t>(key), key & kKeyCodeMask, key & ~kKeyCodeMask);
+    key_ = key;
+    until_ = now + (repeated ? kRepeated : kFirst);
+  }
+
+  /// When expire() has something to do; nothing: no key is held.
+  [[nodiscard]] std::optional<Nanos> due() const { return until_; }
+  void expire(Nanos now) {
+    if (!until_ || now < *until_) return;
+    until_.reset();
+    keys_.releaseAll();
+  }
+
+ private:
+  HeldKeys& keys_;
+  Key key_ = 0;
+  std::optional<Nanos> until_;
+};
+
+}  // namespace darwinop::terminal

@@ -1,0 +1,30 @@
+// From the text in DISPLAY to a connection with that X server.
+#pragma once
+
+#include <xcb/xcb.h>
+
+#include <memory>
+#include <string>
+
+namespace darwinop::x11 {
+
+/// "[host]:number[.screen]". No host: a socket of this computer.
+struct DisplayName {
+  std::string host;
+  int number = 0, screen = 0;
+  bool operator==(const DisplayName&) const = default;
+};
+
+/// Throws std::runtime_error.
+[[nodiscard]] DisplayName parseDisplay(const std::string& text);
+
+struct Disconnect {
+  void operator()(xcb_connection_t* connection) const { xcb_disconnect(connection); }
+};
+using Connection = std::unique_ptr<xcb_connection_t, Disconnect>;
+
+/// Throws std::runtime_error with the reason. The socket is opened here, not by libxcb: a static program cannot look
+/// hosts up, and what libxcb would do about them must not be linked. Over TCP it gives up after 3 s.
+[[nodiscard]] Connection connectTo(const DisplayName& display);
+
+}  // namespace darwinop::x11

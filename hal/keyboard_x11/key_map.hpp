@@ -1,0 +1,36 @@
+// What the keys of this X server's keyboard are.
+#pragma once
+
+#include <xcb/xcb.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hal/keyboard.hpp"
+
+namespace darwinop::x11 {
+
+class KeyMap {
+ public:
+  /// Asks the server; again after it says that the map has changed.
+  explicit KeyMap(xcb_connection_t* connection);
+
+  [[nodiscard]] std::optional<Key> key(xcb_keycode_t code, bool num_lock) const;
+  [[nodiscard]] Key modifier(xcb_keycode_t code) const;
+
+ private:
+  [[nodiscard]] std::span<const std::uint32_t> keysyms(xcb_keycode_t code) const;
+
+  xcb_keycode_t first_ = 0;
+  std::size_t per_key_ = 0;
+  std::vector<std::uint32_t> keysyms_;
+};
+
+/// The server's own word on whether a key is down. While a key repeats by itself it is told to go up and down again;
+/// in truth it stays down.
+[[nodiscard]] bool isDown(xcb_connection_t* connection, xcb_keycode_t code);
+
+}  // namespace darwinop::x11
