@@ -3,13 +3,11 @@
 
 #include <RobotisOp2MotionManager.hpp>
 #include <atomic>
-#include <fstream>
 #include <memory>
 #include <webots/Robot.hpp>
 
 #include "link/lockstep_robot.hpp"
-#include "motions/own_pages.hpp"
-#include "support/temporary_folder.hpp"
+#include "motions/promised_poses.hpp"
 #include "twin/body/robot_body.hpp"
 #include "webots/robot_impl.hpp"
 
@@ -22,10 +20,6 @@ class TwinRobot : public webots::Robot {
 };
 
 TEST(ThroughTheManager, ARobotThatWasPushedOverGetsUpOnEitherSideAndSitsDown) {
-  TemporaryFolder folder;
-  const std::string path = folder / "own.bin";
-  writeMotionFile(path, {ownPages(), false});
-
   auto made = std::make_unique<twin::RobotBody>(twin::readModel(twin::findModel("darwin-op")),
                                                 twin::RobotBodyOptions{.ball = twin::Ball::kNone});
   twin::RobotBody& body = *made;
@@ -34,7 +28,7 @@ TEST(ThroughTheManager, ARobotThatWasPushedOverGetsUpOnEitherSideAndSitsDown) {
       std::make_unique<facade::RobotImpl>(link::lockstepRobot({}, std::move(made)), facade::ControllerConfig{}, stop);
   ASSERT_EQ(impl->begin(), "");
   TwinRobot robot{impl.release()};
-  managers::RobotisOp2MotionManager pages{&robot, path};
+  managers::RobotisOp2MotionManager pages{&robot, "own"};
   ASSERT_TRUE(pages.isCorrectlyInitialized());
   const auto steps = [&](double seconds) {
     for (double t = 0; t < seconds; t += 0.016) robot.step(16);

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <random>
 
+#include "managers/own_pages/own_pages.hpp"
 #include "motions/stage.hpp"
 
 namespace darwinop::motion {

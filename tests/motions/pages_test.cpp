@@ -7,7 +7,8 @@
 #include "managers/gait/walk.hpp"
 #include "managers/motion_text/check_pages.hpp"
 #include "managers/motion_text/mirror.hpp"
-#include "motions/own_pages.hpp"
+#include "managers/own_pages/own_pages.hpp"
+#include "motions/promised_poses.hpp"
 
 namespace darwinop::motion {
 namespace {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "motions/own_pages.hpp"
+#include "motions/promised_poses.hpp"
 #include "twin/body/mujoco_model.hpp"
 #include "twin/body/robot_body.hpp"
 

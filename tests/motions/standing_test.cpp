@@ -1,6 +1,7 @@
 // Pages that begin and end on the feet, on a body that can fall.
 #include <gmock/gmock.h>
 
+#include "managers/own_pages/own_pages.hpp"
 #include "motions/stage.hpp"
 
 namespace darwinop::motion {

@@ -14,6 +14,7 @@
 #include "fixture.hpp"
 #include "link/connect.hpp"
 #include "link/eyes.hpp"
+#include "link/keys.hpp"
 #include "webots/stop_signals.hpp"
 
 namespace {
@@ -27,8 +28,11 @@ std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
   if (!robot_to_meet) throw std::runtime_error("no robot at " + request.setting + ": switch it on");
   return std::make_unique<facade::FakeLink>(*robot_to_meet);
 }
-// Or its library would be linked after all, with the true connect().
+// Or their library would be linked after all, with the true connect().
 std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& /*robot*/, const EyesRequest& /*request*/) {
+  return nullptr;
+}
+std::unique_ptr<KeySource> openKeys(KeysRequest /*request*/, const std::atomic<bool>& /*ending*/) {
   return nullptr;
 }
 }  // namespace darwinop::link
