@@ -8,6 +8,7 @@
 
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
+#include "webots/present_goal.hpp"
 #include "webots/robot_impl.hpp"
 
 namespace managers {
@@ -18,15 +19,6 @@ using darwinop::Joint;
 namespace {
 
 constexpr double kRegisterPerKp = 8;
-// A joint further than this from its goal is held by something, or limp: rad.
-constexpr double kSag = 0.1;
-
-/// Where the robot thinks this joint is. `start`: for one that is silent and was given no goal that is a number.
-double whereIs(const webots::Motor& motor, double start) {
-  const double goal = motor.getTargetPosition(), measured = motor.getPosition();
-  if (std::isfinite(goal) && !(std::abs(goal - measured) > kSag)) return goal;
-  return std::isfinite(measured) ? measured : start;
-}
 
 }  // namespace
 
@@ -85,8 +77,13 @@ std::uint64_t BorrowedMotors::cycleOfReading() const {
 
 gait::Pose BorrowedMotors::present() const {
   gait::Pose pose{};
-  for (std::size_t i = 0; i < pose.size(); ++i)
-    pose[i] = whereIs(*motors_[i], darwinop::radFromTicks(darwinop::kJointTable[i].start).value);
+  for (std::size_t i = 0; i < pose.size(); ++i) {
+    const double wished = motors_[i]->getTargetPosition();
+    // The start pose is for a joint that is silent and was given no goal that is a number.
+    pose[i] = darwinop::facade::presentGoal(
+        inside_->lastKnown(static_cast<Joint>(i)),
+        std::isfinite(wished) ? wished : darwinop::radFromTicks(darwinop::kJointTable[i].start).value);
+  }
   return pose;
 }
 

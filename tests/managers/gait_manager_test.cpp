@@ -258,6 +258,15 @@ TEST_F(GaitManager, GoesToItsStanceGently) {
   EXPECT_NEAR(taken * 16, 2675, 40);
 }
 
+TEST_F(GaitManager, AKneeThatHangsBelowItsGoalIsNotLetDown) {
+  JointSensors& knee = fake.image.joint[index(Joint::kLegLowerR)];
+  const int goal = ticksFromRad(knee.commanded);
+  knee.position.value -= 0.15;
+  manager().start();
+  steps(1);
+  EXPECT_NEAR(goals()[index(Joint::kLegLowerR)], goal, 9);
+}
+
 TEST_F(GaitManager, ShortStepsSaySoOnce) {
   testing::internal::CaptureStderr();
   standing().start();
