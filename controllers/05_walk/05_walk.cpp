@@ -23,6 +23,17 @@ static double option(int argc, char** argv, const char* word, double usual) {
   return usual;
 }
 
+// False: a word that is none of ours, or one without its number.
+static bool areKnown(int argc, char** argv) {
+  for (int i = 1; i < argc; i += 2) {
+    const char* const word = argv[i];
+    const bool known = std::strcmp(word, "--seconds") == 0 || std::strcmp(word, "--x") == 0 ||
+                       std::strcmp(word, "--y") == 0 || std::strcmp(word, "--a") == 0;
+    if (!known || i + 1 == argc) return false;
+  }
+  return true;
+}
+
 // What the keys ask for since the last step.
 class Keys {
  public:
@@ -78,6 +89,10 @@ class Fall {
 };
 
 int main(int argc, char** argv) {
+  if (!areKnown(argc, argv)) {  // before anything moves
+    std::cerr << "usage: 05_walk [--seconds N] [--x X] [--y Y] [--a A]; without any of these, keys steer" << std::endl;
+    return EXIT_FAILURE;
+  }
   Robot robot;
   const int time_step = static_cast<int>(robot.getBasicTimeStep());
   Accelerometer* accelerometer = robot.getAccelerometer("Accelerometer");

@@ -87,10 +87,12 @@ bool Player::goOn() {
   head_motor_->setPosition(head_);
   gait_.step(time_step_);
   if (step(time_step_) == -1) return false;
-  // Lying, gravity is along the axis from back to front: 128 counts from the middle. Silence (NaN) is no fall.
+  // Lying, gravity is along the axis from back to front, 128 counts from the middle, and not along the height. One step
+  // back for each that says no: legs that walk on in the air shake a robot that lies. Silence (NaN) is no fall.
   const double forwards = accelerometer_->getValues()[1];
-  on_front_ = forwards < 512 - 80 ? on_front_ + 1 : 0;
-  on_back_ = forwards > 512 + 80 ? on_back_ + 1 : 0;
+  const bool tilted = accelerometer_->getValues()[2] < 512 + 64;
+  on_front_ = tilted && forwards < 512 - 80 ? on_front_ + 1 : std::max(0, on_front_ - 1);
+  on_back_ = tilted && forwards > 512 + 80 ? on_back_ + 1 : std::max(0, on_back_ - 1);
   return true;
 }
 
@@ -157,9 +159,10 @@ void Player::kick() {
 }
 
 void Player::getUpAfterAFall() {
-  std::cout << "I fell on my " << (on_front_ > 0 ? "front." : "back.") << std::endl;
+  const bool on_front = on_front_ > on_back_;
+  std::cout << "I fell on my " << (on_front ? "front." : "back.") << std::endl;
   gait_.stop();
-  motion_.playPage(on_front_ > 0 ? kUpFromFront : kUpFromBack);
+  motion_.playPage(on_front ? kUpFromFront : kUpFromBack);
   gait_.start();
   on_front_ = on_back_ = 0;
 }
@@ -181,7 +184,12 @@ void Player::play(double end) {
 }
 
 int main(int argc, char** argv) {
+  const bool has_end = argc == 3 && std::strcmp(argv[1], "--seconds") == 0;
+  if (argc > 1 && !has_end) {  // before anything moves
+    std::cerr << "usage: 06_soccer [--seconds N]" << std::endl;
+    return EXIT_FAILURE;
+  }
   Player player;
-  player.play(argc > 2 && std::strcmp(argv[1], "--seconds") == 0 ? std::atof(argv[2]) : INFINITY);
+  player.play(has_end ? std::atof(argv[2]) : INFINITY);
   return EXIT_SUCCESS;
 }

@@ -1,4 +1,5 @@
-// Goals move no faster than a servo can: what the engine asks for beyond that is reached a few calls later.
+// Goals move no faster than the safety layer lets them: what the engine asks for beyond that is reached a few calls
+// later.
 #pragma once
 
 #include "managers/gait/approach.hpp"
@@ -6,7 +7,8 @@
 
 namespace darwinop::gait {
 
-/// rad/s. Source: MX-28 without load at 12 V. The engine asks for less, 7.5, at the knees of a walk; for 18 in one call
+/// rad/s, full scale of the servo's speed register. No servo turns so fast: an MX-28 without a load at 12 V does 5.76
+/// (managers/motion/first_step.hpp). The engine asks for less, 7.5, at the knees of a walk; for 18 in one call
 /// when feet open for a sidestep or a turn; for anything when a foot comes back from where the leg did not reach.
 inline constexpr double kServoSpeed = 12.26;
 /// The way of one call, 64 ticks.

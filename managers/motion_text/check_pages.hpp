@@ -14,7 +14,7 @@ namespace darwinop::motion {
 // faster (max_joint_speed). Without a load and at 12 V the servo does about half of it.
 inline constexpr double kServoMaxSpeed = 12.26;  // rad/s
 
-/// Chains to pages that cannot be played, rings without an exit, gains that leave a joint limp, positions beyond the
+/// Chains to pages that cannot be played, rings, gains that leave a joint limp, positions beyond the
 /// joints' limits, goals that jump, speeds beyond the servo's. Only pages that can be played are looked at.
 [[nodiscard]] std::vector<std::string> checkPages(const PageFile& pages);
 

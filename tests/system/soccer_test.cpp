@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "runtime/environment.hpp"
 #include "system/rig.hpp"
@@ -32,6 +33,17 @@ TEST_F(Soccer, AtABallThatRestsItIsKickedFarAway) {
   const auto at = said.find(before);
   ASSERT_NE(at, std::string::npos) << said;
   EXPECT_GT(std::strtol(said.c_str() + at + before.size(), nullptr, 10), 60) << "cm, and it was at 13";
+}
+
+TEST_F(Soccer, AWordThatItDoesNotKnowMovesNothing) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{DARWINOP_SOCCER, "--help"},
+                                                {DARWINOP_SOCCER, "--seconds"},
+                                                {DARWINOP_WALK, "--help"},
+                                                {DARWINOP_WALK, "--seconds", "1", "--x"}}) {
+    Program running{words, file("run.txt")};
+    EXPECT_EQ(running.wait(std::chrono::seconds{60}), 1);
+    EXPECT_THAT(running.output(), HasSubstr("usage: ")) << words.back();
+  }
 }
 
 TEST_F(Soccer, WithoutABallItLooksForOneAndKicksNothing) {
