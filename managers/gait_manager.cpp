@@ -112,10 +112,6 @@ struct DARwInOPGaitManager::Walker {
     if (!canWalk()) return;
     wanted = false;
     if (walk.resting()) return;
-    if (!motors.areOurs()) {  // there is no step to end
-      walk.abandon();
-      return motors.giveBack();
-    }
     walk.stop();
     stopping = true;
     const struct Stopped {  // also when the user's Robot::step() throws
@@ -125,6 +121,10 @@ struct DARwInOPGaitManager::Walker {
     const int basic = std::max(1, static_cast<int>(robot->getBasicTimeStep()));
     double left_ms = walk.approachMs() + 2 * walk.parameters().period_time + kCatchUpMs;
     while (!walk.resting() && left_ms > -basic) {
+      if (!motors.areOurs()) {  // a page has moved them, before or inside of the user's Robot::step(): no step to end
+        walk.abandon();
+        return motors.giveBack();
+      }
       advance(basic);
       if (robot->step(basic) == -1) break;
       left_ms -= basic;

@@ -1,9 +1,11 @@
 #include "hal/keyboard_x11/key_window.hpp"
 
 #include <poll.h>
+#include <xcb/xcbext.h>
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <string_view>
 
 #include "hal/keyboard_x11/keysym.hpp"
@@ -12,6 +14,7 @@
 namespace darwinop::x11 {
 namespace {
 
+constexpr int kAskMs = 500;
 constexpr std::string_view kTitle = "darwinop: keys for the robot";
 constexpr std::string_view kClass{"darwinop-keys\0darwinop", 22};  // instance and class, as X11 wants them
 
@@ -89,16 +92,32 @@ KeyWindow::End KeyWindow::run(int stop_fd) {
     if (closed_) end = End::kClosed;
     if (::xcb_connection_has_error(connection_.get()) != 0) end = End::kServerGone;
     if (end != End::kStopped) break;
-    if (::poll(files.data(), files.size(), -1) < 0 && errno != EINTR) break;
-    if (files[0].revents != 0) break;
+    const int ready = ::poll(files.data(), files.size(), keys_.down().empty() ? -1 : kAskMs);
+    if (ready < 0 && errno != EINTR) break;
+    if (ready > 0 && files[0].revents != 0) break;
+    if (ready == 0) askWhetherItIsThere();
   }
   keys_.releaseAll();
   return end;
 }
 
+/// While keys are down and the server says nothing: over a network that hangs nobody would tell when they go up.
+void KeyWindow::askWhetherItIsThere() {
+  if (asked_) {
+    keys_.releaseAll();
+    changed_ = true;
+  } else {
+    asked_ = ::xcb_get_input_focus(connection_.get()).sequence;
+    ::xcb_flush(connection_.get());
+  }
+}
+
 /// True: there was something.
 bool KeyWindow::handleAll() {
   bool any = false;
+  void* answer = nullptr;
+  if (asked_ && ::xcb_poll_for_reply(connection_.get(), *asked_, &answer, nullptr) == 1) asked_.reset();
+  std::free(answer);
   for (;;) {
     const Reply<xcb_generic_event_t> event{::xcb_poll_for_event(connection_.get())};
     if (!event) return any;

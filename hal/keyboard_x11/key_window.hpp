@@ -4,6 +4,7 @@
 #include <xcb/xcb.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "hal/held_keys.hpp"
@@ -22,7 +23,8 @@ class KeyWindow {
   /// `display`: the text of DISPLAY. `keys` must outlive it. Throws std::runtime_error: there is no window, and why.
   KeyWindow(HeldKeys& keys, const std::string& display);
 
-  /// Until `stop_fd` can be read, the user closes the window, or the server goes away. No key is down then.
+  /// Until `stop_fd` can be read, the user closes the window, or the server goes away. No key is down then, nor
+  /// when the server has not answered for a second.
   End run(int stop_fd);
 
  private:
@@ -30,6 +32,7 @@ class KeyWindow {
   void name();
   /// Without a window manager nobody else gives a window the focus.
   void takeFocusIfNobodyHasIt();
+  void askWhetherItIsThere();
   [[nodiscard]] bool handleAll();
   void handle(const xcb_generic_event_t& event);
   void handlePress(const xcb_key_press_event_t& event);
@@ -45,6 +48,7 @@ class KeyWindow {
   KeyMap map_;
   Picture picture_;
   xcb_atom_t delete_window_ = XCB_NONE;
+  std::optional<unsigned> asked_;  // number of a question that the server has not answered yet
   bool focused_ = false, changed_ = true, closed_ = false;
 };
 

@@ -153,6 +153,15 @@ TEST_F(KeyWindowTest, ClosedItSaysSoAndTheControllerGoesOn) {
   EXPECT_THAT(held({}), IsEmpty());
 }
 
+TEST_F(KeyWindowTest, BehindANetworkThatHangsNoKeyStaysDown) {
+  tool("keydown Up");
+  EXPECT_THAT(held({kKeyUp}), ElementsAre(kKeyUp));
+  std::this_thread::sleep_for(std::chrono::milliseconds{1100});  // two questions
+  EXPECT_THAT(keys->take(), ElementsAre(kKeyUp)) << "a server that answers is believed";
+  server.hang();
+  EXPECT_THAT(held({}), IsEmpty());
+}
+
 TEST_F(KeyWindowTest, AServerThatDiesIsSaidAndTheControllerGoesOn) {
   tool("keydown Up");
   EXPECT_THAT(held({kKeyUp}), ElementsAre(kKeyUp));

@@ -230,6 +230,18 @@ TEST_F(GaitManager, CallsFromInsideOfAStopAreNotHeard) {
   fake.on_cycle = {};
 }
 
+TEST_F(GaitManager, APageThatBeginsInsideOfAStopHasTheJoints) {
+  standing().start();
+  steps(60);
+  int page = 0;
+  fake.on_cycle = [&page](std::uint64_t) { currentRobot()->joints_taken_by = &page; };
+  const Nanos before = fake.now;
+  manager().stop();
+  EXPECT_EQ(fake.now - before, std::chrono::milliseconds{16});
+  EXPECT_EQ(currentRobot()->joints_taken_by, &page);
+  fake.on_cycle = {};
+}
+
 TEST_F(GaitManager, StopEndsWhenTheControllerMust) {
   standing().setXAmplitude(1);
   manager().start();

@@ -35,9 +35,12 @@ class XServer {
   /// For DISPLAY; empty: it did not start.
   [[nodiscard]] const std::string& name() const { return name_; }
 
+  /// As behind a network that hangs: connected, and silent.
+  void hang() const { kill(pid_, SIGSTOP); }
   void end() {
     if (pid_ <= 0) return;
     kill(pid_, SIGTERM);
+    kill(pid_, SIGCONT);
     waitpid(pid_, nullptr, 0);
     pid_ = 0;
   }
