@@ -100,11 +100,6 @@ std::vector<Key> KeyDecoder::feed(std::string_view bytes, Nanos now) {
   return keys;
 }
 
-std::optional<Nanos> KeyDecoder::due() const {
-  if (state_ == State::kPlain) return std::nullopt;
-  return last_byte_ + kEscapeAlone;
-}
-
 std::optional<Key> KeyDecoder::settle(Nanos now) {
   if (state_ == State::kPlain || now < last_byte_ + kEscapeAlone) return std::nullopt;
   const State was = state_;

@@ -23,8 +23,6 @@ class KeyDecoder {
 
   /// The keys that these bytes end; several, when they came at once.
   std::vector<Key> feed(std::string_view bytes, Nanos now);
-  /// When what came so far has to be settled; nothing: there is no need to.
-  [[nodiscard]] std::optional<Nanos> due() const;
   /// The Escape key, when it is that.
   std::optional<Key> settle(Nanos now);
 

@@ -28,8 +28,6 @@ class TypedKey {
     until_ = now + (repeated ? kRepeated : kFirst);
   }
 
-  /// When expire() has something to do; nothing: no key is held.
-  [[nodiscard]] std::optional<Nanos> due() const { return until_; }
   void expire(Nanos now) {
     if (!until_ || now < *until_) return;
     until_.reset();
