@@ -52,6 +52,7 @@ class KeyWork {
     constexpr std::chrono::milliseconds kGrace{200};
     std::unique_lock lock{mutex_};
     request_.say = nullptr;
+    stopping_ = true;
     return changed_.wait_for(lock, kGrace, [this] { return ended_; });
   }
 
@@ -90,6 +91,10 @@ class KeyWork {
   }
 
   bool fromTerminal(std::string& why) {
+    {
+      const std::lock_guard lock{mutex_};
+      if (stopping_) return true;  // a terminal must not be changed while the program ends
+    }
     try {
       terminal::KeyTerminal terminal{keys};
       say("no window (" + why + "): keys are read from this terminal, one at a time; Ctrl-C ends the controller");
@@ -112,7 +117,7 @@ class KeyWork {
   int stop_fd_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  bool ended_ = false;
+  bool stopping_ = false, ended_ = false;
 };
 
 class Keys final : public KeySource {

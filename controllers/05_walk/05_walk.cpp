@@ -78,14 +78,18 @@ class Fall {
     const double front = acceleration[1], height = acceleration[2];
     const bool tilted = height < 512 + 64;  // by more than 60 degrees; a step shakes it for a moment only,
     // and so do legs that go on walking in the air
+    lies_ = tilted ? lies_ + 1 : 0;
+    stands_ = tilted ? 0 : stands_ + 1;
     face_ = tilted && front < 512 - 80 ? face_ + 1 : std::max(0, face_ - 1);
     back_ = tilted && front > 512 + 80 ? back_ + 1 : std::max(0, back_ - 1);
     return face_ > kSteps ? kGetUpFromFront : back_ > kSteps ? kGetUpFromBack : 0;
   }
+  bool isOver() const { return stands_ > 2 * kSteps; }
+  bool needsHelp() const { return lies_ > 8 * kSteps; }  // on a side, where no page helps
 
  private:
   static const int kSteps = 30;
-  int face_ = 0, back_ = 0;
+  int face_ = 0, back_ = 0, lies_ = 0, stands_ = 0;
 };
 
 int main(int argc, char** argv) {
@@ -104,7 +108,7 @@ int main(int argc, char** argv) {
   const bool scripted = argc > 1;
   Keys keys(robot.getKeyboard());
   Fall fall;
-  int falls = 0;
+  int falls = 0, tries = 0;
   bool walks = scripted;
   double end = INFINITY;
   if (scripted) {
@@ -134,6 +138,12 @@ int main(int argc, char** argv) {
     if (robot.step(time_step) == -1) return scripted ? EXIT_FAILURE : EXIT_SUCCESS;
 
     const int page = fall.page(accelerometer->getValues());
+    if (fall.isOver()) tries = 0;
+    if (fall.needsHelp() || (page != 0 && ++tries > 3)) {  // or somebody carries it
+      std::cout << "It cannot get up: help it." << std::endl;
+      gait.stop();
+      return EXIT_FAILURE;
+    }
     if (page == 0) continue;
     std::cout << (page == kGetUpFromFront ? "It fell on its face." : "It fell on its back.") << std::endl;
     if (!motion.isCorrectlyInitialized()) return EXIT_FAILURE;  // nothing to get up with

@@ -64,7 +64,8 @@ class Player : public Robot {
   managers::RobotisOp2VisionManager vision_;
   double neck_ = 0, head_ = 0;  // rad
   Ball ball_;
-  int on_front_ = 0, on_back_ = 0, ready_ = 0;  // steps for which it has been so
+  int on_front_ = 0, on_back_ = 0, lies_ = 0, stands_ = 0, ready_ = 0;  // steps for which it has been so
+  int tries_ = 0;                                                       // to get up, since it stood last
 };
 
 Player::Player()
@@ -91,6 +92,9 @@ bool Player::goOn() {
   // back for each that says no: legs that walk on in the air shake a robot that lies. Silence (NaN) is no fall.
   const double forwards = accelerometer_->getValues()[1];
   const bool tilted = accelerometer_->getValues()[2] < 512 + 64;
+  lies_ = tilted ? lies_ + 1 : 0;
+  stands_ = tilted ? 0 : stands_ + 1;
+  if (stands_ > 60) tries_ = 0;
   on_front_ = tilted && forwards < 512 - 80 ? on_front_ + 1 : std::max(0, on_front_ - 1);
   on_back_ = tilted && forwards > 512 + 80 ? on_back_ + 1 : std::max(0, on_back_ - 1);
   return true;
@@ -164,13 +168,19 @@ void Player::getUpAfterAFall() {
   gait_.stop();
   motion_.playPage(on_front ? kUpFromFront : kUpFromBack);
   gait_.start();
-  on_front_ = on_back_ = 0;
+  on_front_ = on_back_ = lies_ = 0;
+  ++tries_;
 }
 
 void Player::play(double end) {
   if (!gait_.isCorrectlyInitialized() || !motion_.isCorrectlyInitialized()) return;
   gait_.start();
   while (goOn() && getTime() < end) {
+    // On a side, where no page helps, or in somebody's hands.
+    if (lies_ > 250 || tries_ > 3) {
+      std::cout << "I cannot get up: help me." << std::endl;
+      break;
+    }
     if (on_front_ > 20 || on_back_ > 20) getUpAfterAFall();
     look();
     if (getTime() - ball_.seen_at > 1)
