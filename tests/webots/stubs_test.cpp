@@ -11,7 +11,6 @@
 namespace darwinop::facade {
 namespace {
 
-
 /// What is said on stderr from here to the end.
 class StubTest : public Facade {
  protected:

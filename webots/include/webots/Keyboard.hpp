@@ -6,7 +6,7 @@ namespace darwinop {
 namespace facade {
 class KeyQueue;
 class RobotImpl;
-}
+}  // namespace facade
 }  // namespace darwinop
 
 namespace webots {
