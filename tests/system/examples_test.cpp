@@ -1,7 +1,9 @@
-// Everything at once: eyes, legs and pages of a robot that plays alone.
+// The examples that use legs, on the twin: one that plays alone, and one that falls and gets up.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -51,6 +53,33 @@ TEST_F(Soccer, WithoutABallItLooksForOneAndKicksNothing) {
   const std::string said = play("8");
   EXPECT_THAT(said, Not(HasSubstr("I kick")));
   EXPECT_THAT(said, Not(HasSubstr("I fell")));
+}
+
+class Walker : public Rig {
+ protected:
+  /// 05_walk with a trunk that leans by so much that it falls, more than once.
+  std::string walk(const std::string& lean) {
+    const runtime::Environment ball{"DARWINOP_TWIN_BALL", "none"};
+    const std::string copy = file("05_walk");
+    std::filesystem::copy_file(DARWINOP_WALK, copy);
+    std::ofstream{file("config.ini")} << "[Robot Config]\ntime_step = 16\n[Walking Config]\nhip_pitch_offset = " << lean
+                                      << '\n';
+    Program running{{program("darwinop-run"), "--robot", "twin", copy, "--seconds", "15"}, file("run.txt")};
+    EXPECT_EQ(running.wait(std::chrono::seconds{240}), 1) << running.output();
+    return running.output();
+  }
+};
+
+TEST_F(Walker, ThatLeansTooFarForwardsFallsOnItsFaceAndGetsUp) {
+  const std::string said = walk("38");
+  EXPECT_THAT(said, HasSubstr("It fell on its face."));
+  EXPECT_THAT(said, HasSubstr("fault 30 fell is over")) << "the safety layer's word for it";
+}
+
+TEST_F(Walker, ThatLeansBackFallsOnItsBackAndGetsUp) {
+  const std::string said = walk("5");
+  EXPECT_THAT(said, HasSubstr("It fell on its back."));
+  EXPECT_THAT(said, HasSubstr("fault 30 fell is over")) << "the safety layer's word for it";
 }
 
 }  // namespace
