@@ -71,6 +71,7 @@ class Stage {
   bool page(const std::string& file, int number) {
     if (!manager_) manager_ = std::make_unique<managers::DARwInOPMotionManager>(&robot_, file);
     manager_->playPage(number, false);
+    if (!manager_->isMotionPlaying()) return false;  // it said why
     while (manager_->isMotionPlaying()) {
       manager_->step(step_ms_);
       if (!step()) return false;
