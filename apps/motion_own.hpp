@@ -1,6 +1,7 @@
 // FILE of `darwinop motion`: a motion file, or the word that stands for the own pages.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "managers/motion_text/motion_file.hpp"

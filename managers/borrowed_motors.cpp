@@ -78,11 +78,8 @@ std::uint64_t BorrowedMotors::cycleOfReading() const {
 gait::Pose BorrowedMotors::present() const {
   gait::Pose pose{};
   for (std::size_t i = 0; i < pose.size(); ++i) {
-    const double wished = motors_[i]->getTargetPosition();
-    // The start pose is for a joint that is silent and was given no goal that is a number.
-    pose[i] = darwinop::facade::presentGoal(
-        inside_->lastKnown(static_cast<Joint>(i)),
-        std::isfinite(wished) ? wished : darwinop::radFromTicks(darwinop::kJointTable[i].start).value);
+    const auto joint = static_cast<Joint>(i);
+    pose[i] = darwinop::facade::presentGoal(joint, inside_->lastKnown(joint), motors_[i]->getTargetPosition());
   }
   return pose;
 }

@@ -95,7 +95,7 @@ darwinop::facade::LeadIn::Pose DARwInOPMotionManager::Stage::present(const darwi
   for (std::size_t i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
     const webots::Motor* const motor = robot->getMotor(std::string{row(joint).name});
-    pose[i] = darwinop::facade::presentGoal(inside.lastKnown(joint), motor->getTargetPosition());
+    pose[i] = darwinop::facade::presentGoal(joint, inside.lastKnown(joint), motor->getTargetPosition());
   }
   return pose;
 }

@@ -89,7 +89,7 @@ LeadIn MotionPlayback::leadIn(const RobotImpl& robot) const {
     const auto* const motor = joint ? dynamic_cast<const webots::Motor*>(robot.find(curve.motor)) : nullptr;
     if (!motor || !rad) continue;
     const std::size_t i = index(*joint);
-    from[i] = presentGoal(robot.lastKnown(*joint), motor->getTargetPosition());
+    from[i] = presentGoal(*joint, robot.lastKnown(*joint), motor->getTargetPosition());
     to[i] = std::clamp(*rad, motor->getMinPosition(), motor->getMaxPosition());
     way = std::max(way, std::abs(to[i] - from[i]));
   }

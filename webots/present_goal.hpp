@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/conversions.hpp"
+#include "core/joints.hpp"
 #include "core/sensors.hpp"
 
 namespace darwinop::facade {
@@ -14,12 +15,14 @@ namespace darwinop::facade {
 inline constexpr double kFullPull = 256 * kRadPerTick;
 
 /// rad. The goal that the joint has, as the robot holds it after safety and not as the controller wishes it. For a limp
-/// joint where it is, and `wished` when nobody knows.
-inline double presentGoal(const JointSensors& joint, double wished) {
-  if (!joint.commanded.known())
-    return joint.position.known() ? joint.position.value : std::isfinite(wished) ? wished : 0;
-  if (!joint.position.known()) return joint.commanded.value;
-  return std::clamp(joint.commanded.value, joint.position.value - kFullPull, joint.position.value + kFullPull);
+/// joint where it is. When nobody knows, `wished`; and its start pose, where that is no number.
+inline double presentGoal(Joint joint, const JointSensors& sensors, double wished) {
+  if (!sensors.commanded.known()) {
+    if (sensors.position.known()) return sensors.position.value;
+    return std::isfinite(wished) ? wished : radFromTicks(row(joint).start).value;
+  }
+  const double goal = sensors.commanded.value, here = sensors.position.value;
+  return sensors.position.known() ? std::clamp(goal, here - kFullPull, here + kFullPull) : goal;
 }
 
 }  // namespace darwinop::facade

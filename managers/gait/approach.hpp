@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/gentle_move.hpp"
 #include "managers/gait/goals.hpp"
 #include "managers/gait/timing.hpp"
 
@@ -19,7 +20,7 @@ inline Pose poseOf(const Goals& goals) {
   return pose;
 }
 
-class Approach {
+class Approach : public GentleMove<kWalkingJoints> {
  public:
   /// rad/s. The joint with the longest way takes this speed on average, and half as much again in the middle. A robot
   /// that gets up from its start pose, sitting, then takes 2.7 s.
@@ -30,31 +31,19 @@ class Approach {
 
   Approach() = default;
   /// A joint whose `from` is not known starts at its goal.
-  Approach(const Pose& from, const Pose& to) : from_{from}, to_{to} {
-    double way = 0;
-    for (std::size_t i = 0; i < kWalkingJoints; ++i) {
-      if (!std::isfinite(from_[i])) from_[i] = to_[i];
-      way = std::max(way, std::abs(to_[i] - from_[i]));
-    }
-    if (way > kThere) duration_ms_ = std::min(way / kSpeed * 1000, kLongestMs);
+  Approach(Pose from, const Pose& to) {
+    for (std::size_t i = 0; i < kWalkingJoints; ++i)
+      if (!std::isfinite(from[i])) from[i] = to[i];
+    const double way = longestWay(from, to);
+    GentleMove::operator=({from, to, way > kThere ? std::min(way / kSpeed * 1000, kLongestMs) : 0});
   }
 
-  [[nodiscard]] double durationMs() const { return duration_ms_; }
-  [[nodiscard]] bool done() const { return time_ms_ >= duration_ms_; }
-
-  /// At rest at both ends.
   Pose next() {
-    time_ms_ = std::min(time_ms_ + kTickMs, duration_ms_);
-    if (done()) return to_;
-    const double t = time_ms_ / duration_ms_, share = t * t * (3 - 2 * t);
+    advance(kTickMs);
     Pose pose{};
-    for (std::size_t i = 0; i < kWalkingJoints; ++i) pose[i] = from_[i] + share * (to_[i] - from_[i]);
+    for (std::size_t i = 0; i < kWalkingJoints; ++i) pose[i] = at(i);
     return pose;
   }
-
- private:
-  Pose from_{}, to_{};
-  double duration_ms_ = 0, time_ms_ = 0;
 };
 
 }  // namespace darwinop::gait

@@ -1,12 +1,10 @@
 // `darwinop demo walk` as a user runs it: a film, with figures, on a PC without a display.
 #include <gmock/gmock.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <string>
 
+#include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 #include "twin/render/png.hpp"
 
@@ -14,20 +12,6 @@ namespace darwinop::demo {
 namespace {
 
 using testing::HasSubstr;
-
-struct Outcome {
-  int status;
-  std::string said;
-};
-
-Outcome shell(const std::string& command) {
-  std::FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
-  std::string said;
-  std::array<char, 4096> part{};
-  while (const std::size_t count = std::fread(part.data(), 1, part.size(), pipe)) said.append(part.data(), count);
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), said};
-}
 
 /// Share of pixels that differ plainly; noise of the video does not.
 double changed(const twin::Picture& a, const twin::Picture& b) {

@@ -1,68 +1,17 @@
-// The gait manager as controllers use it, on a robot in memory.
+// How the gait manager walks, on a robot in memory.
 #include <gmock/gmock.h>
 
-#include <DARwInOPGaitManager.hpp>
-#include <RobotisOp2GaitManager.hpp>
 #include <cmath>
-#include <fstream>
-#include <memory>
 #include <webots/Motor.hpp>
 
 #include "gait/golden.hpp"
-#include "managers/gait/engine.hpp"
-#include "support/temporary_folder.hpp"
-#include "webots/fixture.hpp"
+#include "gait_rig.hpp"
 
 namespace darwinop::facade {
 namespace {
 
 using managers::DARwInOPGaitManager;
 using testing::HasSubstr;
-
-constexpr std::size_t kWalking = gait::kWalkingJoints;
-
-class GaitManager : public Facade {
- protected:
-  GaitManager() { write("[Walking Config]\nbalance_hip_roll_gain = 0\nbalance_ankle_roll_gain = 0\n"); }
-
-  void write(const std::string& text) { std::ofstream{ini()} << text; }
-  [[nodiscard]] std::string ini() const { return folder_ / "config.ini"; }
-
-  /// Standing in the stance, without balance: its first step is the first call of the engine.
-  DARwInOPGaitManager& standing() {
-    for (std::size_t i = 0; i < kWalking; ++i)
-      fake.image.joint[i].position = fake.image.joint[i].commanded = radFromTicks(gait::kStanding.tick[i]);
-    manager().setBalanceEnable(false);
-    return manager();
-  }
-  DARwInOPGaitManager& manager() {
-    if (!manager_) manager_ = std::make_unique<DARwInOPGaitManager>(&robot(), ini());
-    return *manager_;
-  }
-
-  int steps(int count, int ms = 16) {
-    for (int i = 0; i < count; ++i) {
-      manager().step(ms);
-      if (robot().step(ms) == -1) return i;
-    }
-    return count;
-  }
-  std::array<int, kWalking> goals() {
-    std::array<int, kWalking> ticks{};
-    for (std::size_t i = 0; i < kWalking; ++i) {
-      const JointCommand& command = fake.last().joint[i];
-      ticks[i] = command.has(JointCommand::kGoal) ? ticksFromRad(command.goal) : -1;
-    }
-    return ticks;
-  }
-  void expectUntouched() {
-    for (const JointCommand& command : fake.last().joint) EXPECT_EQ(command.set, 0);
-  }
-  static long lines(const std::string& text) { return std::ranges::count(text, '\n'); }
-
-  TemporaryFolder folder_;
-  std::unique_ptr<DARwInOPGaitManager> manager_;
-};
 
 std::vector<std::array<int, kWalking>> goldenOf(const std::string& scenario) {
   std::vector<std::array<int, kWalking>> calls;
@@ -288,119 +237,6 @@ TEST_F(GaitManager, ShortStepsSaySoOnce) {
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_THAT(said, HasSubstr("GaitManager: step(4) is too short"));
   EXPECT_EQ(goals()[0], -1);
-}
-
-TEST_F(GaitManager, NamesAWrongFileAndDoesNothing) {
-  write("[Walking Config]\nperiod_time = 10\n");
-  testing::internal::CaptureStderr();
-  EXPECT_FALSE(manager().isCorrectlyInitialized());
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("config.ini, line 2: period_time = 10: give a number"));
-  manager().start();
-  steps(20);
-  expectUntouched();
-  manager().stop();
-}
-
-TEST_F(GaitManager, WalksWithoutAFileAndSaysSoOnce) {
-  testing::internal::CaptureStderr();
-  managers::RobotisOp2GaitManager one{&robot(), "/nowhere/config.ini"}, other{&robot(), "/nowhere/config.ini"};
-  EXPECT_TRUE(one.isCorrectlyInitialized() && other.isCorrectlyInitialized());
-  const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(said, HasSubstr("there is no /nowhere/config.ini: the gait's default parameters are used"));
-  EXPECT_EQ(lines(said), 1);
-}
-
-TEST_F(GaitManager, SaysThatItWasGivenNoRobot) {
-  testing::internal::CaptureStderr();
-  DARwInOPGaitManager nobody{nullptr, ini()};
-  nobody.start();
-  nobody.step(16);
-  nobody.stop();
-  EXPECT_FALSE(nobody.isCorrectlyInitialized());
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("it was given no robot"));
-}
-
-TEST_F(GaitManager, CopiesBeginAtRest) {
-  standing().start();
-  steps(5);
-  DARwInOPGaitManager copy = manager();
-  DARwInOPGaitManager assigned{&robot(), ini()};
-  assigned = copy;
-  const auto there = goals();
-  for (int i = 0; i < 5; ++i) {
-    copy.step(16);
-    assigned.step(16);
-    robot().step(16);
-  }
-  EXPECT_EQ(goals(), there);
-}
-
-TEST_F(GaitManager, GivesGainsAndLimitsBackWhenItGoesInTheMiddleOfAStep) {
-  webots::Motor& knee = *robot().getMotor("LegLowerR");
-  knee.setVelocity(2);
-  knee.setControlPID(6, 0, 0);
-  standing().start();
-  steps(5);
-  EXPECT_NE(fake.last().joint[index(Joint::kLegLowerR)].p_gain, 6);
-  manager_.reset();
-  robot().step(16);
-  EXPECT_EQ(fake.last().joint[index(Joint::kLegLowerR)].p_gain, 6);
-  EXPECT_EQ(knee.getVelocity(), 2);
-}
-
-TEST_F(GaitManager, LeavesTheJointsToWhoTakesThemAndBeginsAnewBehindThat) {
-  standing().start();
-  steps(20);
-  const auto mid_step = goals();
-  int page = 0;
-  currentRobot()->joints_taken_by = &page;
-  steps(5);
-  EXPECT_EQ(goals(), mid_step);
-  for (std::size_t i = 0; i < kWalking; ++i)  // the page has left it sitting
-    fake.image.joint[i].position = fake.image.joint[i].commanded = radFromTicks(kJointTable[i].start);
-  for (std::size_t i = 0; i < kWalking; ++i)
-    robot().getMotor(std::string{kJointTable[i].name})->setPosition(radFromTicks(kJointTable[i].start).value);
-  robot().step(16);
-  currentRobot()->joints_taken_by = nullptr;
-  steps(1);
-  for (std::size_t i = 0; i < kWalking; ++i) EXPECT_NEAR(goals()[i], kJointTable[i].start, 12) << "gently, from there";
-}
-
-TEST_F(GaitManager, AJointThatIsSilentAndWasToTurnForEverIsGivenNumbersOnly) {
-  standing();
-  const std::size_t knee = index(Joint::kLegLowerR);
-  robot().getMotor("LegLowerR")->setPosition(INFINITY);
-  fake.image.joint[knee].position = fake.image.joint[knee].commanded = {};
-  robot().step(16);
-  manager().start();
-  for (int i = 0; i < 20; ++i) {
-    steps(1);
-    const JointCommand& command = fake.last().joint[knee];
-    ASSERT_TRUE(command.has(JointCommand::kGoal));
-    ASSERT_TRUE(std::isfinite(command.goal.value));
-  }
-}
-
-TEST_F(GaitManager, MayOutliveItsRobot) {
-  standing().start();
-  steps(5);
-  end();
-  manager().step(16);
-  manager().stop();
-  manager().start();
-  manager().step(16);
-}
-
-TEST_F(GaitManager, AnExceptionOutOfAStepLeavesItUsable) {
-  standing().start();
-  steps(30);
-  fake.on_cycle = [](std::uint64_t) { throw std::runtime_error("the controller's own"); };
-  EXPECT_THROW(manager().stop(), std::runtime_error);
-  fake.on_cycle = {};
-  manager().stop();
-  const auto stance = goals();
-  steps(5);
-  EXPECT_EQ(goals(), stance) << "it rests";
 }
 
 }  // namespace

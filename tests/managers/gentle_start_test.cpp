@@ -2,15 +2,25 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "motion_rig.hpp"
 #include "webots/lead_in.hpp"
+#include "webots/present_goal.hpp"
 
 namespace darwinop::facade {
 namespace {
 
 using managers::DARwInOPMotionManager;
+
+TEST(PresentGoal, OfAJointThatNobodyKnowsIsItsStartPoseAndNotTheMiddle) {
+  const double start = radFromTicks(row(Joint::kLegLowerR).start).value;
+  EXPECT_GT(std::abs(start), 0.5);
+  EXPECT_EQ(presentGoal(Joint::kLegLowerR, {}, INFINITY), start);
+  EXPECT_EQ(presentGoal(Joint::kLegLowerR, {}, NAN), start);
+  EXPECT_EQ(presentGoal(Joint::kLegLowerR, {}, 0.2), 0.2) << "the controller's wish";
+}
 
 /// As a robot does it: what was asked for is where the joints are in the next cycle.
 class GentleStart : public MotionManagerTest {

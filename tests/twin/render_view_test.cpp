@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -13,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/x_server.hpp"
 #include "twin/render/png.hpp"
@@ -22,20 +22,6 @@ namespace darwinop::twin {
 namespace {
 
 using testing::HasSubstr;
-
-struct Outcome {
-  int status;
-  std::string said;
-};
-
-Outcome shell(const std::string& command) {
-  std::FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
-  std::string said;
-  std::array<char, 4096> part{};
-  while (const std::size_t count = std::fread(part.data(), 1, part.size(), pipe)) said.append(part.data(), count);
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), said};
-}
 
 const std::string kTwin = DARWINOP_BIN "/darwinop-twin";
 

@@ -1,0 +1,133 @@
+// What the gait manager leaves behind: wrong files, copies, joints that others want, robots and exceptions that go.
+#include <gmock/gmock.h>
+
+#include <RobotisOp2GaitManager.hpp>
+#include <cmath>
+#include <stdexcept>
+#include <webots/Motor.hpp>
+
+#include "gait_rig.hpp"
+
+namespace darwinop::facade {
+namespace {
+
+using managers::DARwInOPGaitManager;
+using testing::HasSubstr;
+
+using GaitLending = GaitManager;
+
+TEST_F(GaitLending, NamesAWrongFileAndDoesNothing) {
+  write("[Walking Config]\nperiod_time = 10\n");
+  testing::internal::CaptureStderr();
+  EXPECT_FALSE(manager().isCorrectlyInitialized());
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("config.ini, line 2: period_time = 10: give a number"));
+  manager().start();
+  steps(20);
+  expectUntouched();
+  manager().stop();
+}
+
+TEST_F(GaitLending, WalksWithoutAFileAndSaysSoOnce) {
+  testing::internal::CaptureStderr();
+  managers::RobotisOp2GaitManager one{&robot(), "/nowhere/config.ini"}, other{&robot(), "/nowhere/config.ini"};
+  EXPECT_TRUE(one.isCorrectlyInitialized() && other.isCorrectlyInitialized());
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(said, HasSubstr("there is no /nowhere/config.ini: the gait's default parameters are used"));
+  EXPECT_EQ(lines(said), 1);
+}
+
+TEST_F(GaitLending, SaysThatItWasGivenNoRobot) {
+  testing::internal::CaptureStderr();
+  DARwInOPGaitManager nobody{nullptr, ini()};
+  nobody.start();
+  nobody.step(16);
+  nobody.stop();
+  EXPECT_FALSE(nobody.isCorrectlyInitialized());
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("it was given no robot"));
+}
+
+TEST_F(GaitLending, CopiesBeginAtRest) {
+  standing().start();
+  steps(5);
+  DARwInOPGaitManager copy = manager();
+  DARwInOPGaitManager assigned{&robot(), ini()};
+  assigned = copy;
+  const auto there = goals();
+  for (int i = 0; i < 5; ++i) {
+    copy.step(16);
+    assigned.step(16);
+    robot().step(16);
+  }
+  EXPECT_EQ(goals(), there);
+}
+
+TEST_F(GaitLending, GivesGainsAndLimitsBackWhenItGoesInTheMiddleOfAStep) {
+  webots::Motor& knee = *robot().getMotor("LegLowerR");
+  knee.setVelocity(2);
+  knee.setControlPID(6, 0, 0);
+  standing().start();
+  steps(5);
+  EXPECT_NE(fake.last().joint[index(Joint::kLegLowerR)].p_gain, 6);
+  manager_.reset();
+  robot().step(16);
+  EXPECT_EQ(fake.last().joint[index(Joint::kLegLowerR)].p_gain, 6);
+  EXPECT_EQ(knee.getVelocity(), 2);
+}
+
+TEST_F(GaitLending, LeavesTheJointsToWhoTakesThemAndBeginsAnewBehindThat) {
+  standing().start();
+  steps(20);
+  const auto mid_step = goals();
+  int page = 0;
+  currentRobot()->joints_taken_by = &page;
+  steps(5);
+  EXPECT_EQ(goals(), mid_step);
+  for (std::size_t i = 0; i < kWalking; ++i)  // the page has left it sitting
+    fake.image.joint[i].position = fake.image.joint[i].commanded = radFromTicks(kJointTable[i].start);
+  for (std::size_t i = 0; i < kWalking; ++i)
+    robot().getMotor(std::string{kJointTable[i].name})->setPosition(radFromTicks(kJointTable[i].start).value);
+  robot().step(16);
+  currentRobot()->joints_taken_by = nullptr;
+  steps(1);
+  for (std::size_t i = 0; i < kWalking; ++i) EXPECT_NEAR(goals()[i], kJointTable[i].start, 12) << "gently, from there";
+}
+
+TEST_F(GaitLending, AJointThatIsSilentAndWasToTurnForEverIsGivenNumbersOnly) {
+  standing();
+  const std::size_t knee = index(Joint::kLegLowerR);
+  robot().getMotor("LegLowerR")->setPosition(INFINITY);
+  fake.image.joint[knee].position = fake.image.joint[knee].commanded = {};
+  robot().step(16);
+  manager().start();
+  for (int i = 0; i < 20; ++i) {
+    steps(1);
+    const JointCommand& command = fake.last().joint[knee];
+    ASSERT_TRUE(command.has(JointCommand::kGoal));
+    ASSERT_TRUE(std::isfinite(command.goal.value));
+  }
+}
+
+TEST_F(GaitLending, MayOutliveItsRobot) {
+  standing().start();
+  steps(5);
+  end();
+  manager().step(16);
+  manager().stop();
+  manager().start();
+  manager().step(16);
+}
+
+TEST_F(GaitLending, AnExceptionOutOfAStepLeavesItUsable) {
+  standing().start();
+  steps(30);
+  fake.on_cycle = [](std::uint64_t) { throw std::runtime_error("the controller's own"); };
+  EXPECT_THROW(manager().stop(), std::runtime_error);
+  fake.on_cycle = {};
+  manager().stop();
+  const auto stance = goals();
+  steps(5);
+  EXPECT_EQ(goals(), stance) << "it rests";
+}
+
+}  // namespace
+}  // namespace darwinop::facade
