@@ -1,0 +1,191 @@
+// The server: one thread, one client that drives, nothing that waits for the robot, an encoder or a slow network.
+#include "remote/server/server.hpp"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace darwinop::remote {
+namespace {
+
+constexpr Nanos kLook{100'000'000};  // a signal that comes just before a wait is noticed after it
+
+}  // namespace
+
+Server::Server(const ServerConfig& config, RobotPort& robot, PictureSource* pictures, Clock clock, BoundedLog::Say say)
+    : config_{config},
+      robot_{robot},
+      pictures_{pictures},
+      clock_{std::move(clock)},
+      log_{std::move(say)},
+      listener_{config.address, config.port},
+      now_{clock_()} {}
+
+void Server::run(const std::atomic<bool>& stop) {
+  while (!stop) attend(kLook);
+}
+
+void Server::attend(Nanos longest) {
+  now_ = clock_();
+  // While a reply is on its way no further request is read: a client that does not fetch its replies gets no more.
+  const short for_client = client_ && client_->owes() ? POLLOUT : POLLIN;
+  std::array<pollfd, 2> places{{{listener_.isOpen() ? listener_.descriptor() : -1, POLLIN, 0},
+                                {client_ ? client_->descriptor() : -1, for_client, 0}}};
+  const bool something = poll(places.data(), places.size(), waitFor(longest)) > 0;
+  now_ = clock_();
+  log_.look(now_);
+  if (something && client_ && places[1].revents != 0) seeToClient(places[1].revents);
+  lookForSilence();
+  if (something && places[0].revents != 0 && listener_.isOpen()) letIn();
+}
+
+/// In ms, for poll: no longer than the client may be silent.
+int Server::waitFor(Nanos longest) const {
+  Nanos wait = longest;
+  if (client_ && !listener_.isOpen()) wait = std::clamp(client_->heard + config_.silence - now_, Nanos{0}, longest);
+  return static_cast<int>((wait.count() + 999'999) / 1'000'000);
+}
+
+void Server::seeToClient(short events) {
+  if (client_->owes()) {
+    if (!client_->flush()) return showOut(client_->why());
+  } else if (events != 0 && !client_->receive()) {
+    return showOut(client_->why());
+  }
+  answerAll();
+}
+
+void Server::answerAll() {
+  Request request;
+  Oddities oddities;
+  while (client_ && !client_->owes()) {
+    switch (client_->next(request, oddities)) {
+      case RequestReader::Found::kNothing:
+        if (client_->garbageBytes() > 0 && !std::exchange(client_->told_garbage, true))
+          log(client_->name() + ": bytes that begin no request are skipped");
+        return;
+      case RequestReader::Found::kRefused:
+        return showOut("sent a length that no request has; nothing after it can be trusted");
+      case RequestReader::Found::kRequest:
+        if (!answer(request, oddities)) return;
+    }
+  }
+}
+
+/// False: the client was shown out.
+bool Server::answer(const Request& request, const Oddities& oddities) {
+  client_->heard = now_;
+  if (!mayDrive()) return false;
+  if (oddities.any()) tellOddities(oddities);
+  robot_.obey(request);
+  Doubts doubts;
+  const Reply reply = answerTo(request, robot_.sensors(), picture(request), doubts);
+  tellDoubts(doubts);
+  if (client_->reply(request, reply)) return true;
+  showOut(client_->why());
+  return false;
+}
+
+bool Server::mayDrive() {
+  if (!client_->drives) {
+    try {
+      robot_.begin(client_->driven ? Beginning::kAgain : Beginning::kFresh);
+    } catch (const std::runtime_error& refused) {
+      showOut(std::string{"cannot drive the robot: "} + refused.what());
+      return false;
+    }
+    listener_.close();
+    log(client_->name() + (client_->driven ? " is back and drives on" : " drives; others are refused meanwhile"));
+    client_->drives = client_->driven = true;
+  }
+  const std::string why = robot_.mustEnd();
+  if (why.empty()) return true;
+  showOut("has to end: " + why);
+  return false;
+}
+
+std::span<const std::uint8_t> Server::picture(const Request& request) {
+  if (!request.camera) return {};
+  const std::span<const std::uint8_t> jpeg =
+      pictures_ != nullptr ? pictures_->newest().jpeg : std::span<const std::uint8_t>{};
+  if (jpeg.empty() && !std::exchange(client_->told_no_picture, true))
+    log(client_->name() + " asks for pictures, and there are none: it gets 0 bytes of JPEG");
+  return jpeg;
+}
+
+void Server::letIn() {
+  std::optional<Listener::Caller> caller = listener_.next();
+  if (!caller) return;
+  const auto lives_here = [&](const Network& network) { return network.has(caller->address); };
+  if (std::ranges::none_of(config_.allowed, lives_here)) {
+    log(caller->name + " may not connect: its address is in no network given with --allow");
+    return;
+  }
+  if (client_) showOut("was silent, and another client takes its place");
+  log(caller->name + " has connected");
+  client_.emplace(std::move(caller->socket), caller->name, now_);
+  listener_.close();
+}
+
+void Server::lookForSilence() {
+  if (client_ && now_ - client_->heard < config_.silence) return;
+  if (client_ && client_->drives) {
+    stopDriving();
+    log(client_->name() + " is silent: motion is held; it may go on unless another client comes");
+  }
+  openDoor();
+}
+
+void Server::stopDriving() {
+  if (!client_->drives) return;
+  client_->drives = false;
+  robot_.hold();
+}
+
+void Server::showOut(const std::string& why) {
+  stopDriving();
+  log(client_->name() + " " + why);
+  client_.reset();
+  openDoor();
+}
+
+void Server::openDoor() {
+  if (listener_.isOpen()) return;
+  try {
+    listener_.open();
+  } catch (const std::runtime_error& not_now) {
+    log(not_now.what());  // tried again at the next look
+  }
+}
+
+void Server::tellOddities(const Oddities& oddities) {
+  Oddities& told = client_->told;
+  const std::string who = client_->name() + ": ";
+  if (oddities.unknown_at != 0 && std::exchange(told.unknown_at, oddities.unknown_at) == 0)
+    log(who + "received unknown message: byte " + std::to_string(oddities.unknown_byte) + " at offset " +
+        std::to_string(oddities.unknown_at) + " begins no section there; the rest of such requests is not read");
+  if (oddities.cut_off && !std::exchange(told.cut_off, true))
+    log(who + "a section is longer than its request; it is not obeyed");
+  if (oddities.refused_motors > 0 && std::exchange(told.refused_motors, 1) == 0)
+    log(who + "commands for motors over 19, which do not exist, are refused");
+  if (oddities.refused_leds > 0 && std::exchange(told.refused_leds, 1) == 0)
+    log(who + "commands for LEDs over 4, which do not exist, are refused");
+  if (oddities.refused_sensors > 0 && std::exchange(told.refused_sensors, 1) == 0)
+    log(who + "values of joints over 19, which do not exist, are answered with 0");
+}
+
+void Server::tellDoubts(const Doubts& doubts) {
+  const auto news = doubts.never & ~client_->told_values.never;
+  const auto aged = doubts.old & ~client_->told_values.old;
+  client_->told_values.never |= news;
+  client_->told_values.old |= aged;
+  for (std::size_t i = 0; i <= Doubts::kBoard; ++i) {
+    const std::string device{i == Doubts::kBoard ? "CM-730" : kJointTable[i].name};
+    if (news[i]) log(device + " has never answered: its values are sent as -2147483648, which no sensor can be");
+    if (aged[i]) log(device + " has not answered for 3 cycles: its last known values are sent");
+  }
+}
+
+}  // namespace darwinop::remote
