@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,11 +34,13 @@ class Client {
   [[nodiscard]] bool owes() const { return sent_ < out_.size(); }
   [[nodiscard]] const std::string& why() const { return why_; }
 
-  Nanos heard;           // its last whole request; before the first one, when it came
-  bool drives = false;   // holds the lease
-  bool driven = false;   // has held it
-  Oddities told{};       // what has been said of its requests
-  Doubts told_values{};  // and of the replies
+  Nanos heard;                   // its last whole request; before the first one, when it came
+  bool drives = false;           // holds the lease
+  bool driven = false;           // has held it
+  Nanos began{0};                // when it got the lease
+  std::optional<Request> waits;  // for values that the robot has not told yet
+  Oddities told{};               // what has been said of its requests
+  Doubts told_values{};          // and of the replies
   bool told_garbage = false, told_no_picture = false;
 
  private:

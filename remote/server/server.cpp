@@ -12,6 +12,9 @@ namespace {
 
 constexpr Nanos kLook{100'000'000};  // a signal that comes just before a wait is noticed after it
 
+// Servos that nobody drives may have no power. Their first values are worth waiting for, as they were in 2013 (3 s).
+constexpr Nanos kFirstValues{2'000'000'000}, kAskAgain{4'000'000};
+
 }  // namespace
 
 Server::Server(const ServerConfig& config, RobotPort& robot, PictureSource* pictures, Clock clock, BoundedLog::Say say)
@@ -30,13 +33,17 @@ void Server::run(const std::atomic<bool>& stop) {
 void Server::attend(Nanos longest) {
   now_ = clock_();
   // While a reply is on its way no further request is read: a client that does not fetch its replies gets no more.
-  const short for_client = client_ && client_->owes() ? POLLOUT : POLLIN;
+  const short for_client = !client_ || client_->waits ? 0 : client_->owes() ? POLLOUT : POLLIN;
   std::array<pollfd, 2> places{{{listener_.isOpen() ? listener_.descriptor() : -1, POLLIN, 0},
                                 {client_ ? client_->descriptor() : -1, for_client, 0}}};
   const bool something = poll(places.data(), places.size(), waitFor(longest)) > 0;
   now_ = clock_();
   log_.look(now_);
-  if (something && client_ && places[1].revents != 0) seeToClient(places[1].revents);
+  if (client_ && client_->waits) {
+    if (answer(*client_->waits)) answerAll();
+  } else if (something && client_ && places[1].revents != 0) {
+    seeToClient();
+  }
   lookForSilence();
   if (something && places[0].revents != 0 && listener_.isOpen()) letIn();
 }
@@ -44,17 +51,14 @@ void Server::attend(Nanos longest) {
 /// In ms, for poll: no longer than the client may be silent.
 int Server::waitFor(Nanos longest) const {
   Nanos wait = longest;
+  if (client_ && client_->waits) return static_cast<int>(std::min(longest, kAskAgain).count() / 1'000'000);
   if (client_ && !listener_.isOpen()) wait = std::clamp(client_->heard + config_.silence - now_, Nanos{0}, longest);
   return static_cast<int>((wait.count() + 999'999) / 1'000'000);
 }
 
-void Server::seeToClient(short events) {
-  if (client_->owes()) {
-    if (!client_->flush()) return showOut(client_->why());
-  } else if (events != 0 && !client_->receive()) {
-    return showOut(client_->why());
-  }
-  answerAll();
+void Server::seeToClient() {
+  if (client_->owes() ? client_->flush() : client_->receive()) return answerAll();
+  showOut(client_->why());
 }
 
 void Server::answerAll() {
@@ -69,23 +73,28 @@ void Server::answerAll() {
       case RequestReader::Found::kRefused:
         return showOut("sent a length that no request has; nothing after it can be trusted");
       case RequestReader::Found::kRequest:
-        if (!answer(request, oddities)) return;
+        if (oddities.any()) tellOddities(oddities);
+        if (!answer(request)) return;
     }
   }
 }
 
-/// False: the client was shown out.
-bool Server::answer(const Request& request, const Oddities& oddities) {
+/// False: not yet, or the client was shown out.
+bool Server::answer(const Request& request) {
   client_->heard = now_;
   if (!mayDrive()) return false;
-  if (oddities.any()) tellOddities(oddities);
   robot_.obey(request);
   Doubts doubts;
   const Reply reply = answerTo(request, robot_.sensors(), picture(request), doubts);
+  if (doubts.never.any() && now_ - client_->began < kFirstValues) {
+    client_->waits = request;
+    return false;
+  }
   tellDoubts(doubts);
-  if (client_->reply(request, reply)) return true;
-  showOut(client_->why());
-  return false;
+  const bool sent = client_->reply(request, reply);
+  client_->waits.reset();
+  if (!sent) showOut(client_->why());
+  return sent;
 }
 
 bool Server::mayDrive() {
@@ -99,6 +108,7 @@ bool Server::mayDrive() {
     listener_.close();
     log(client_->name() + (client_->driven ? " is back and drives on" : " drives; others are refused meanwhile"));
     client_->drives = client_->driven = true;
+    client_->began = now_;
   }
   const std::string why = robot_.mustEnd();
   if (why.empty()) return true;

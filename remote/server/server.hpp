@@ -43,9 +43,9 @@ class Server {
 
  private:
   [[nodiscard]] int waitFor(Nanos longest) const;
-  void seeToClient(short events);
+  void seeToClient();
   void answerAll();
-  [[nodiscard]] bool answer(const Request& request, const Oddities& oddities);
+  [[nodiscard]] bool answer(const Request& request);
   [[nodiscard]] bool mayDrive();
   [[nodiscard]] std::span<const std::uint8_t> picture(const Request& request);
   void letIn();

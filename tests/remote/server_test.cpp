@@ -221,12 +221,30 @@ TEST(RemoteServer, ShowsOutWhoStatesAnImpossibleLength) {
   EXPECT_EQ(next.ask(kEmptyRequest), kEmptyReply);
 }
 
+TEST(RemoteServer, WaitsForTheFirstValuesOfServosThatWereWithoutPower) {
+  Served served;
+  const JointSensors neck = std::exchange(served.robot.seen.joint[18], JointSensors{});
+  TestClient client{served};
+  EXPECT_EQ(client.ask(std::string{kEmptyRequest}), kEmptyReply) << "nothing of the neck was asked";
+  EXPECT_EQ(client.ask("57 06 00 50 12 00"), "");
+  served.pass(1s);
+  EXPECT_TRUE(served.robot.driven) << "waiting is not silence";
+  served.robot.seen.joint[18] = neck;
+  served.attend();
+  EXPECT_EQ(toHex(client.receive()), "57 00 00 00 09 00 00 00 b4 00");
+  EXPECT_EQ(client.ask(kEmptyRequest), kEmptyReply);
+}
+
 TEST(RemoteServer, SaysWhatItCannotKnow) {
   Served served;
   served.robot.seen.joint[18] = JointSensors{};
   served.robot.seen.joint[19].motion.age = 4;
   TestClient client{served};
-  EXPECT_EQ(client.ask("57 08 00 50 12 50 13 00"), "57 00 00 00 0d 80 00 00 00 00 00 00 be 00");
+  EXPECT_EQ(client.ask("57 08 00 50 12 50 13 00"), "");
+  served.pass(2s);
+  EXPECT_EQ(toHex(client.receive()), "57 00 00 00 0d 80 00 00 00 00 00 00 be 00");
+  EXPECT_EQ(client.ask("57 08 00 50 12 50 13 00"), "57 00 00 00 0d 80 00 00 00 00 00 00 be 00")
+      << "at once from now on";
   EXPECT_TRUE(served.hasSaid("Neck has never answered"));
   EXPECT_TRUE(served.hasSaid("Head has not answered for 3 cycles"));
 }
