@@ -1,23 +1,27 @@
-// Where the pictures of a reply come from: whoever encodes them does so before they are asked for.
+// Where a reply takes its picture from.
 #pragma once
 
 #include <cstdint>
 #include <span>
 
+#include "hal/byte_line.hpp"
+
 namespace darwinop::remote {
 
-/// A camera picture as JPEG.
 struct JpegPicture {
-  std::uint64_t sequence = 0;          // 0: there is none yet; grows with each picture
-  std::span<const std::uint8_t> jpeg;  // empty: there is none
+  /// Of the frame it was made of: the same number, the same picture. 0: there is none, or the camera has been blind for
+  /// 2 s; `jpeg` is black then.
+  std::uint64_t sequence = 0;
+  Nanos age{0};  // since the camera took it; 0 with sequence 0
+  /// A whole file of the size that was agreed on, whatever the sequence.
+  std::span<const std::uint8_t> jpeg;
 };
 
 /// Used by one thread.
 class PictureSource {
  public:
   virtual ~PictureSource() = default;
-  /// The newest picture; the same one again when nothing newer is encoded. Its bytes stay as they are until the next
-  /// call. Never waits.
+  /// The newest one. Its bytes stay as they are until the next call.
   virtual JpegPicture newest() = 0;
 };
 

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 struct FixedPicture final : PictureSource {
   ByteList bytes = fromHex("ff d8 ff e0 00 10 ff d9");
-  JpegPicture newest() override { return {1, bytes}; }
+  JpegPicture newest() override { return {.sequence = 1, .jpeg = bytes}; }
 };
 
 TEST(RemoteServer, AnswersTheFirstRequestAtOnce) {
