@@ -26,6 +26,7 @@ struct RemoteArguments {
   std::string robot, listen = "127.0.0.1", config;
   std::vector<std::string> allow;
   std::uint16_t port = remote::kUsualPort;
+  int width_zoom = 1, height_zoom = 1;
 };
 
 void sayRemote(const std::string& line) {
@@ -54,26 +55,31 @@ remote::ServerConfig serverConfig(const RemoteArguments& given) {
   return config;
 }
 
-safety::Config safetyFrom(const std::string& config) {
+facade::ControllerConfig controllerConfig(const std::string& config) {
   if (config.empty()) return {};
   if (!std::ifstream{config}) throw std::runtime_error("cannot read " + config + "; name a file with --config");
   const facade::ConfigReading reading = facade::readConfig(config);
   for (const std::string& warning : reading.warnings) sayRemote(warning);
-  return reading.config.safety;
+  return reading.config;
 }
 
 int serveRemote(const RemoteArguments& given) {
   const remote::ServerConfig config = serverConfig(given);
   link::Request request;
   request.setting = given.robot;
-  request.safety = safetyFrom(given.config);
+  const facade::ControllerConfig controller = controllerConfig(given.config);
+  request.safety = controller.safety;
   if (!given.config.empty()) request.config_file = given.config;
   const bool daemon = link::readSetting(given.robot).kind == link::Kind::kDaemon;
   stopRemoteOnSignals();
   remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kOwn,
                          [&] { return link::connect(request); }, request.safety.start == safety::StartMove::kHold};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
-  remote::Server server{config, robot, nullptr, clock, sayRemote};
+  const remote::ImageSize size{remote::kWholeImage.width / given.width_zoom,
+                               remote::kWholeImage.height / given.height_zoom};
+  // The camera speaks from a thread of its own, and seldom: it does not pass the server's bounded log.
+  const auto open_pictures = [&] { return robot.openPictures(size, controller.camera, sayRemote); };
+  remote::Server server{config, robot, open_pictures, clock, sayRemote};
   std::cout << "ready: " << given.listen << ":" << server.port() << std::endl;
   server.run(remote_stop);
   return 0;
@@ -87,6 +93,10 @@ int main(int count, char** arguments) try {
       "Remote control over TCP: a simulator on a PC drives this robot, whose loop stays on time whatever the network "
       "does.",
       "darwinop remote"};
+  const CLI::IsMember zooms{{1, 2, 4, 8}};
+  app.add_option("WZ", given.width_zoom, "the middle 320/WZ columns of each picture are sent: 1, 2, 4 or 8")
+      ->check(zooms);
+  app.add_option("HZ", given.height_zoom, "the middle 240/HZ rows")->check(zooms);
   app.add_option("--robot", given.robot,
                  "the robot that is driven; else the daemon, else the serial port:\n" + link::settingChoices())
       ->envname("DARWINOP_ROBOT");

@@ -6,6 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "hal/camera_v4l2/camera.hpp"
+#include "remote/jpeg/image_size.hpp"
+#include "remote/picture_source.hpp"
 #include "remote/server/robot_port.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/robot_link.hpp"
@@ -32,6 +35,11 @@ class LinkPort final : public RobotPort {
   [[nodiscard]] Sensors sensors() override { return link_->sensors(); }
   [[nodiscard]] std::string mustEnd() override;
   void hold() noexcept override;
+
+  /// The robot's eye. Between begin() and hold(), which it must not outlive. Throws std::runtime_error when it has
+  /// none.
+  [[nodiscard]] std::unique_ptr<PictureSource> openPictures(ImageSize size, const v4l2::CameraSettings& settings,
+                                                            const std::function<void(const std::string&)>& say);
 
  private:
   void listenTo(const MotorSetting& setting);

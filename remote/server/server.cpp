@@ -17,10 +17,11 @@ constexpr Nanos kFirstValues{2'000'000'000}, kAskAgain{4'000'000};
 
 }  // namespace
 
-Server::Server(const ServerConfig& config, RobotPort& robot, PictureSource* pictures, Clock clock, BoundedLog::Say say)
+Server::Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_pictures, Clock clock,
+               BoundedLog::Say say)
     : config_{config},
       robot_{robot},
-      pictures_{pictures},
+      open_pictures_{std::move(open_pictures)},
       clock_{std::move(clock)},
       log_{std::move(say)},
       listener_{config.address, config.port},
@@ -118,11 +119,20 @@ bool Server::mayDrive() {
 
 std::span<const std::uint8_t> Server::picture(const Request& request) {
   if (!request.camera) return {};
-  const std::span<const std::uint8_t> jpeg =
-      pictures_ != nullptr ? pictures_->newest().jpeg : std::span<const std::uint8_t>{};
-  if (jpeg.empty() && !std::exchange(client_->told_no_picture, true))
-    log(client_->name() + " asks for pictures, and there are none: it gets 0 bytes of JPEG");
-  return jpeg;
+  if (!pictures_ && !client_->told_no_picture) openPictures();
+  return pictures_ ? pictures_->newest().jpeg : std::span<const std::uint8_t>{};
+}
+
+void Server::openPictures() {
+  std::string why = "this robot has no eye";
+  try {
+    if (open_pictures_) pictures_ = open_pictures_();
+  } catch (const std::runtime_error& blind) {
+    why = blind.what();
+  }
+  if (pictures_) return;
+  client_->told_no_picture = true;
+  log(client_->name() + " asks for pictures, and gets 0 bytes of JPEG: " + why);
 }
 
 void Server::letIn() {
@@ -151,6 +161,7 @@ void Server::lookForSilence() {
 void Server::stopDriving() {
   if (!client_->drives) return;
   client_->drives = false;
+  pictures_.reset();  // before hold(): what it looks through may go with the lease
   robot_.hold();
 }
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,10 +29,12 @@ struct ServerConfig {
 class Server {
  public:
   using Clock = std::function<Nanos()>;
+  /// Opens the robot's eye for a client that asks for pictures; it is closed when the client no longer drives. Throws
+  /// std::runtime_error when there is none. An empty function: there is none.
+  using OpenPictures = std::function<std::unique_ptr<PictureSource>()>;
 
-  /// Listens from now on. `pictures` may be null: then a reply's picture has no bytes. Throws std::runtime_error with
-  /// what to do.
-  Server(const ServerConfig& config, RobotPort& robot, PictureSource* pictures, Clock clock, BoundedLog::Say say);
+  /// Listens from now on. Throws std::runtime_error with what to do.
+  Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_pictures, Clock clock, BoundedLog::Say say);
 
   /// Waits at most `longest` for something to happen, and sees to it.
   void attend(Nanos longest);
@@ -48,6 +51,7 @@ class Server {
   [[nodiscard]] bool answer(const Request& request);
   [[nodiscard]] bool mayDrive();
   [[nodiscard]] std::span<const std::uint8_t> picture(const Request& request);
+  void openPictures();
   void letIn();
   void lookForSilence();
   void stopDriving();
@@ -59,12 +63,13 @@ class Server {
 
   ServerConfig config_;
   RobotPort& robot_;
-  PictureSource* pictures_;
+  OpenPictures open_pictures_;
   Clock clock_;
   BoundedLog log_;
   Listener listener_;
   Nanos now_;
   std::optional<Client> client_;
+  std::unique_ptr<PictureSource> pictures_;  // while a client drives that has asked for one
 };
 
 }  // namespace darwinop::remote

@@ -24,8 +24,8 @@ struct Served {
   Nanos now{std::chrono::hours{1}};
   Server server;
 
-  explicit Served(PictureSource* pictures = nullptr, ServerConfig config = {})
-      : server{withAnyPort(config), robot, pictures, [this] { return now; },
+  explicit Served(Server::OpenPictures pictures = {}, ServerConfig config = {})
+      : server{withAnyPort(config), robot, std::move(pictures), [this] { return now; },
                [this](const std::string& line) { said.push_back(line); }} {}
 
   /// Sees to everything that is there. Loopback delivers before send() returns.
