@@ -14,6 +14,7 @@
 #include "link/setting.hpp"
 #include "remote/robot/link_port.hpp"
 #include "remote/server/server.hpp"
+#include "runtime/daemon_link.hpp"
 #include "webots/config_ini.hpp"
 
 namespace {
@@ -23,7 +24,7 @@ using namespace darwinop;
 std::atomic<bool> remote_stop{false};
 
 struct RemoteArguments {
-  std::string robot, listen = "127.0.0.1", config;
+  std::string robot = "runtime", listen = "127.0.0.1", config;
   std::vector<std::string> allow;
   std::uint16_t port = remote::kUsualPort;
   int width_zoom = 1, height_zoom = 1;
@@ -71,6 +72,8 @@ int serveRemote(const RemoteArguments& given) {
   request.safety = controller.safety;
   if (!given.config.empty()) request.config_file = given.config;
   const bool daemon = link::readSetting(given.robot).kind == link::Kind::kDaemon;
+  if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
+    sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
   stopRemoteOnSignals();
   remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kOwn,
                          [&] { return link::connect(request); }, request.safety.start == safety::StartMove::kHold};
@@ -97,12 +100,13 @@ int main(int count, char** arguments) try {
   app.add_option("WZ", given.width_zoom, "the middle 320/WZ columns of each picture are sent: 1, 2, 4 or 8")
       ->check(zooms);
   app.add_option("HZ", given.height_zoom, "the middle 240/HZ rows")->check(zooms);
-  app.add_option("--robot", given.robot,
-                 "the robot that is driven; else the daemon, else the serial port:\n" + link::settingChoices())
-      ->envname("DARWINOP_ROBOT");
+  app.add_option("--robot", given.robot, "the robot that is driven:\n" + link::settingChoices())
+      ->envname("DARWINOP_ROBOT")
+      ->capture_default_str();
   app.add_option("--listen", given.listen, "address of this computer to listen on; 0.0.0.0: all of them")
       ->capture_default_str();
-  app.add_option("--allow", given.allow, "network that may connect beside this computer, may be repeated");
+  app.add_option("--allow", given.allow, "network that may connect beside this computer, may be repeated")
+      ->allow_extra_args(false);
   app.add_option("--port", given.port, "TCP port; 0: any that is free")->capture_default_str();
   app.add_option("--config", given.config, "config.ini whose [Safety] and [Limits] hold, unless a daemon has its own");
   app.set_version_flag("--version", DARWINOP_VERSION);

@@ -167,9 +167,10 @@ void Server::stopDriving() {
 
 void Server::showOut(const std::string& why) {
   stopDriving();
-  log(client_->name() + " " + why);
+  const std::string who = client_->name();
   client_.reset();
-  openDoor();
+  openDoor();  // first: who reads that one has left may come
+  log(who + " " + why);
 }
 
 void Server::openDoor() {
