@@ -41,7 +41,10 @@ void Server::attend(Nanos longest) {
   now_ = clock_();
   log_.look(now_);
   if (client_ && client_->waits) {
-    if (answer(*client_->waits)) answerAll();
+    if (places[1].revents != 0 && !client_->receive())  // asked for nothing, it tells only of an end
+      showOut(client_->why());
+    else if (answer(*client_->waits))
+      answerAll();
   } else if (something && client_ && places[1].revents != 0) {
     seeToClient();
   }

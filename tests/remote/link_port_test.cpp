@@ -111,6 +111,15 @@ TEST(RemoteLinkPort, HoldsASlowJointWhereItIs) {
   EXPECT_EQ(robot.published->back().joint[index(Joint::kHead)].goal, Rad{0.35}) << "a joint at rest must not sag";
 }
 
+TEST(RemoteLinkPort, DuringTheSlowStartTheStartPoseIsWhereItEnds) {
+  PortOfAWatchedLink robot;
+  (void)robot.neck({.joint = Joint::kNeck, .set = MotorSetting::kPosition, .position = 652});
+  robot.seen->safety.state = State::kStarting;
+  robot.port.hold();
+  EXPECT_EQ(robot.published->back().joint[index(Joint::kNeck)].goal, radFromTicks(row(Joint::kNeck).start))
+      << "nobody is left who wants it at 1 rad";
+}
+
 TEST(RemoteLinkPort, ANewClientBeginsWithoutTheWishesOfTheLast) {
   PortOfAWatchedLink robot;
   (void)robot.neck({.joint = Joint::kNeck, .set = MotorSetting::kPosition, .position = 325});
@@ -135,9 +144,11 @@ TEST(RemoteLinkPort, DrivesAVirtualRobot) {
   for (int i = 0; i < 400 && !(std::abs(neck() - 0.49854) < 0.002); ++i) port.obey(request);
   EXPECT_NEAR(neck(), 0.49854, 0.002);
   EXPECT_EQ(port.mustEnd(), "");
+  const std::uint32_t first_session = port.sensors().safety.session;
   port.hold();
   port.begin(Beginning::kFresh);
   for (int i = 0; i < 100; ++i) port.obey({});
+  EXPECT_NE(port.sensors().safety.session, first_session) << "safety starts each client as gently as the first one";
   EXPECT_NEAR(neck(), 0.49854, 0.002) << "with a new client it begins where it is, as it was told to";
 }
 

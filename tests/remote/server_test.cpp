@@ -269,6 +269,15 @@ TEST(RemoteServer, WaitsForTheFirstValuesOfServosThatWereWithoutPower) {
   EXPECT_EQ(client.ask(kEmptyRequest), kEmptyReply);
 }
 
+TEST(RemoteServer, AClientMayDieWhileItsAnswerWaits) {
+  Served served;
+  served.robot.seen.joint[18] = JointSensors{};
+  TestClient client{served};
+  EXPECT_EQ(client.ask("57 06 00 50 12 00"), "");
+  client.reset();
+  EXPECT_FALSE(served.robot.driven);
+}
+
 TEST(RemoteServer, SaysWhatItCannotKnow) {
   Served served;
   served.robot.seen.joint[18] = JointSensors{};
