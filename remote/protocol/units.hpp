@@ -47,7 +47,8 @@ constexpr double velocityFromWire(std::int32_t wire) {
 }
 /// Whole numbers: the old server divides so. -1, no limit, survives; 0.5 becomes 0.
 constexpr double accelerationFromWire(std::int32_t wire) {
-  return static_cast<double>(wire / 100000);
+  const std::int32_t whole = wire / 100000;
+  return whole;
 }
 constexpr double torqueFromWire(std::int32_t wire) {
   return wire * kMaxTorqueNm / kTorqueMax;

@@ -9,6 +9,9 @@
 namespace darwinop::remote {
 namespace {
 
+constexpr Register kAccelLaw = find(kCm730, "accel_x");  // the three axes share one law
+constexpr Register kGyroLaw = find(kCm730, "gyro_x");
+
 /// The count the board sent.
 std::int32_t countOf(double si, const Register& law) {
   return cut(std::round(si / law.scale + law.zero));
@@ -31,13 +34,11 @@ std::int32_t measured(std::uint8_t index, const Sensors& seen, Doubts& doubts, V
 }  // namespace
 
 Reply answerTo(const Request& request, const Sensors& seen, std::span<const std::uint8_t> jpeg, Doubts& doubts) {
-  static constexpr const Register& kAccel = find(kCm730, "accel_x");  // the three axes share one law
-  static constexpr const Register& kGyro = find(kCm730, "gyro_x");
   Reply reply;
   if (request.accelerometer || request.gyro) note(Doubts::kBoard, seen.board.motion, doubts);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    reply.accelerometer[axis] = countOf(seen.board.accelerometer[axis].value, kAccel);
-    reply.gyro[axis] = countOf(seen.board.gyro[axis].value, kGyro);
+    reply.accelerometer[axis] = countOf(seen.board.accelerometer[axis].value, kAccelLaw);
+    reply.gyro[axis] = countOf(seen.board.gyro[axis].value, kGyroLaw);
   }
   reply.jpeg = jpeg;
   for (const std::uint8_t index : request.positions)

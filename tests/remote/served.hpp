@@ -25,7 +25,7 @@ struct Served {
   Server server;
 
   explicit Served(Server::OpenPictures pictures = {}, ServerConfig config = {})
-      : server{withAnyPort(config), robot, std::move(pictures), [this] { return now; },
+      : server{withAnyPort(std::move(config)), robot, std::move(pictures), [this] { return now; },
                [this](const std::string& line) { said.push_back(line); }} {}
 
   /// Sees to everything that is there. Loopback delivers before send() returns.
