@@ -169,11 +169,11 @@ void Server::stopDriving() {
 }
 
 void Server::showOut(const std::string& why) {
+  const std::string line = client_->name() + " " + why;  // `why` may be the client's own
   stopDriving();
-  const std::string who = client_->name();
   client_.reset();
   openDoor();  // first: who reads that one has left may come
-  log(who + " " + why);
+  log(line);
 }
 
 void Server::openDoor() {
