@@ -176,13 +176,12 @@ std::size_t threeBytes(const Bytes& bgra, ImageSize size, Bytes& into) {
 bool measure(ImageSize size, int quality) {
   const std::size_t count = static_cast<std::size_t>(size.width) * size.height, row_bytes = std::size_t{4} * size.width;
   JpegEncoder encoder{size, quality}, bgra_encoder{size, quality};
-  JpegDecoder decoder;
   PlainJpeg plain;
   Bytes bgra(4 * kPixels), rgb(3 * count), wire(std::max(encoder.mostBytes(), 4 * count)), seen(4 * count);
   const std::uint8_t* first = bgra.data() + std::size_t{4} * (320 * topOf(size) + leftOf(size));
   const auto to_bgra = [&](const Frame& frame) { pixels::yuyvToBgraRotated(frame.image(), bgra); };
   const auto decode = [&](std::size_t length) {
-    if (decoder.decode(std::span{wire}.first(length), size, seen) != nullptr) std::ranges::fill(seen, 0);
+    if (decodeJpeg(std::span{wire}.first(length), size, seen) != nullptr) std::ranges::fill(seen, 0);
   };
 
   std::vector<Way> ways;

@@ -7,30 +7,34 @@
 #include "remote/jpeg/complaints.hpp"
 
 namespace darwinop::remote {
+namespace {
 
-struct JpegDecoder::Work {
-  Work() {
+/// One for each picture: libjpeg lets a file that has no tables use those of the one before.
+struct Decompressor {
+  Decompressor() {
     cinfo.err = &complaints.manager;
     jpeg_create_decompress(&cinfo);
     complaints.expected = true;
   }
-  ~Work() { jpeg_destroy_decompress(&cinfo); }
-  Work(const Work&) = delete;
-  Work& operator=(const Work&) = delete;
+  ~Decompressor() { jpeg_destroy_decompress(&cinfo); }
+  Decompressor(const Decompressor&) = delete;
+  Decompressor& operator=(const Decompressor&) = delete;
 
-  const char* read(std::span<const std::uint8_t> jpeg, ImageSize expected, std::uint8_t* bgra);
-
-  jpeg_decompress_struct cinfo{};
   JpegComplaints complaints;
+  jpeg_decompress_struct cinfo{};
 };
 
-const char* JpegDecoder::Work::read(std::span<const std::uint8_t> jpeg, ImageSize expected, std::uint8_t* bgra) {
+/// Nothing in it has a destructor that a jump would leave out.
+const char* decompress(Decompressor& decompressor, std::span<const std::uint8_t> jpeg, ImageSize expected,
+                       std::uint8_t* bgra) {
+  jpeg_decompress_struct& cinfo = decompressor.cinfo;
+  if (setjmp(decompressor.complaints.back) != 0) return "it is no JPEG, or damaged";
   jpeg_mem_src(&cinfo, jpeg.data(), static_cast<unsigned long>(jpeg.size()));
   jpeg_read_header(&cinfo, TRUE);
   if (cinfo.image_width != static_cast<JDIMENSION>(expected.width) ||
       cinfo.image_height != static_cast<JDIMENSION>(expected.height))
     return "it has another size";
-  if (cinfo.progressive_mode != FALSE || jpeg_has_multiple_scans(&cinfo) != FALSE) return "it is coded in many passes";
+  if (jpeg_has_multiple_scans(&cinfo) != FALSE) return "it is coded in many passes";  // progressive ones, too
   if (cinfo.jpeg_color_space != JCS_YCbCr) return "it is no picture in colours";
   cinfo.out_color_space = JCS_EXT_BGRA;  // A is 255
   jpeg_start_decompress(&cinfo);
@@ -41,25 +45,16 @@ const char* JpegDecoder::Work::read(std::span<const std::uint8_t> jpeg, ImageSiz
   }
   jpeg_finish_decompress(&cinfo);
   // libjpeg makes up what is missing, and says so.
-  return complaints.manager.num_warnings == 0 ? nullptr : "it is damaged";
+  return decompressor.complaints.manager.num_warnings == 0 ? nullptr : "it is damaged";
 }
 
-JpegDecoder::JpegDecoder() : work_{std::make_unique<Work>()} {}
-JpegDecoder::~JpegDecoder() = default;
+}  // namespace
 
-const char* JpegDecoder::decode(std::span<const std::uint8_t> jpeg, ImageSize expected,
-                                std::span<std::uint8_t> bgra) noexcept {
-  assert(bgra.size() == std::size_t{4} * expected.width * expected.height);
+const char* decodeJpeg(std::span<const std::uint8_t> jpeg, ImageSize expected, std::span<std::uint8_t> bgra) {
+  assert(bgra.size() == static_cast<std::size_t>(4 * expected.width * expected.height));
   if (jpeg.empty()) return "it is empty";
-  Work& work = *work_;
-  // Up to the end nothing has a destructor that a jump would leave out.
-  if (setjmp(work.complaints.back) != 0) {
-    jpeg_abort_decompress(&work.cinfo);
-    return "it is no JPEG, or damaged";
-  }
-  const char* wrong = work.read(jpeg, expected, bgra.data());
-  jpeg_abort_decompress(&work.cinfo);
-  return wrong;
+  Decompressor decompressor;
+  return decompress(decompressor, jpeg, expected, bgra.data());
 }
 
 }  // namespace darwinop::remote

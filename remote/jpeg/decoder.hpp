@@ -2,30 +2,16 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 
 #include "remote/jpeg/image_size.hpp"
 
 namespace darwinop::remote {
 
-/// Used by one thread.
-class JpegDecoder {
- public:
-  JpegDecoder();
-  ~JpegDecoder();
-  JpegDecoder(const JpegDecoder&) = delete;
-  JpegDecoder& operator=(const JpegDecoder&) = delete;
-
-  /// `bgra`: 4 * width * height bytes of `expected`; A is 255. Null: it is done. Else what is wrong with the file, a
-  /// few words; `bgra` may have been written to by then. The bytes are not trusted: nothing is taken from the heap for
-  /// a picture of another size, and one that is coded in many passes, which could cost any time, is refused.
-  [[nodiscard]] const char* decode(std::span<const std::uint8_t> jpeg, ImageSize expected,
-                                   std::span<std::uint8_t> bgra) noexcept;
-
- private:
-  struct Work;
-  std::unique_ptr<Work> work_;
-};
+/// `bgra`: 4 * width * height bytes of `expected`; A is 255. Null: it is done. Else what is wrong with the file, a few
+/// words; `bgra` may have been written to by then. The bytes are not trusted: nothing is taken from the heap for a
+/// picture of another size, and one that is coded in many passes, which could cost any time, is refused.
+[[nodiscard]] const char* decodeJpeg(std::span<const std::uint8_t> jpeg, ImageSize expected,
+                                     std::span<std::uint8_t> bgra);
 
 }  // namespace darwinop::remote

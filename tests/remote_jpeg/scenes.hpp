@@ -81,8 +81,7 @@ inline PixelBytes encoded(JpegEncoder& encoder, const CameraFrame& frame) {
 
 inline PixelBytes decoded(const PixelBytes& jpeg, ImageSize size) {
   PixelBytes bgra(4 * pixelsOf(size));
-  JpegDecoder decoder;
-  const char* wrong = decoder.decode(jpeg, size, bgra);
+  const char* wrong = decodeJpeg(jpeg, size, bgra);
   EXPECT_EQ(wrong, nullptr) << wrong;
   return bgra;
 }
