@@ -188,7 +188,13 @@ gait() {
 # YUYV to BGRA by each kernel that this CPU has, and to planes. Peers: libyuv, five passes, and memcpy, which is the limit.
 camera() { "$build/bin/camera_bench"; }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision gait)
+# The picture in a reply, from YUYV to bytes and back. Peers: libjpeg from BGRA, the same and as in 2013; raw bytes.
+remote_jpeg() { "$build/bin/remote_jpeg_bench"; }
+
+# A whole poll and its reply over the loopback. Peer: the same bytes both ways, without a server.
+remote_round_trip() { "$build/bin/remote_round_trip"; }
+
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision remote_jpeg remote_round_trip gait)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue
   "$name"

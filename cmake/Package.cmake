@@ -5,6 +5,7 @@ include(CMakePackageConfigHelpers)
 
 get_property(rooms GLOBAL PROPERTY DARWINOP_ROOMS)
 list(FILTER rooms EXCLUDE REGEX "^(twin_.*|gap_.*|hil_camera|plot|logs)$")  # PC only; the twin is loaded on demand
+list(FILTER rooms EXCLUDE REGEX "^remote")  # commands only: no controller needs libjpeg
 foreach(room IN LISTS rooms)
   list(APPEND room_objects $<TARGET_OBJECTS:${room}>)
 endforeach()

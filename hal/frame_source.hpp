@@ -8,12 +8,19 @@
 
 namespace darwinop {
 
-/// A picture as a controller gets it: four bytes a pixel, blue, green, red, 255; top row first, no gaps.
+/// What the bytes of a picture are.
+enum class PictureForm : std::uint8_t {
+  kBgra,  // as a controller gets it: four bytes a pixel, blue, green, red, 255; top row first, no gaps
+  kYuyv,  // as the camera gives it, upside down, hal/pixels/yuyv_image.hpp; no gaps. For encoders
+};
+
+/// One of `bgra` and `yuyv` is empty.
 struct CameraFrame {
   std::uint64_t sequence = 0;  // 0: there is none yet; a jump: frames between were lost
   Nanos time{0};               // when it was taken, on the source's clock
   int width = 0, height = 0;
-  std::span<const std::uint8_t> bgra;
+  std::span<const std::uint8_t> bgra{};
+  std::span<const std::uint8_t> yuyv{};
 };
 
 /// What has happened to a source since it was made. All but `seeing` only grow.

@@ -15,6 +15,7 @@ std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& robot, const EyesReque
   options.width = request.width;
   options.height = request.height;
   options.settings = request.settings;
+  options.form = request.form;
   options.say = request.say;
   return std::make_unique<v4l2::Camera>(std::move(options));
 }

@@ -14,6 +14,7 @@ namespace darwinop::link {
 struct EyesRequest {
   int width = 320, height = 240;
   v4l2::CameraSettings settings{};
+  PictureForm form = PictureForm::kBgra;  // a simulated robot has no other
   /// Told what goes wrong and what comes back, perhaps from another thread.
   std::function<void(const std::string&)> say = {};
 };

@@ -30,7 +30,7 @@ DaemonLink::DaemonLink(const RuntimeFiles& files)
 }
 
 DaemonLink::~DaemonLink() {
-  sayFarewell();
+  if (says_farewell_) sayFarewell();
 }
 
 bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {

@@ -19,6 +19,9 @@ class DaemonLink final : public ExchangeLink {
   /// Says farewell and gives the lease back; the daemon sees to the robot.
   ~DaemonLink() override;
 
+  /// No farewell at the end: the robot holds, as after a controller that died, and the next one may come within gone_s.
+  void leaveHolding() { says_farewell_ = false; }
+
   [[nodiscard]] Nanos now() const override { return clock_.now(); }
   [[nodiscard]] bool realTime() const override { return true; }
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
@@ -29,6 +32,7 @@ class DaemonLink final : public ExchangeLink {
   RuntimeFiles files_;
   MonotonicClock clock_;
   FileLock lease_;
+  bool says_farewell_ = true;
 };
 
 }  // namespace darwinop::runtime

@@ -15,12 +15,14 @@ class ExchangeLink : public RobotLink {
   [[nodiscard]] Sensors sensors() const override;
   [[nodiscard]] std::string whyEnded() const override { return why_ended_; }
 
+  /// Gives whoever drives from now on a number of their own, so that safety starts them gently. Only the holder of the
+  /// driving lease may do this; a link has done it once when it is made.
+  void beginSession();
+
  protected:
   explicit ExchangeLink(Exchange exchange) : exchange_{std::move(exchange)} {}
 
   [[nodiscard]] ExchangeBlock& block() const { return exchange_.block(); }
-  /// Gives this controller a number of its own. Only the holder of the driving lease may do this.
-  void beginSession();
   /// Publishes the last image once more, saying farewell. False: this controller never drove, so there is nothing to
   /// bring to rest.
   bool sayFarewell();

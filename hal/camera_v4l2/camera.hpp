@@ -32,6 +32,7 @@ struct CameraOptions {
   std::string device = "/dev/video0";
   int width = 320, height = 240;  // a size that the device does not give becomes 320x240, with a message
   CameraSettings settings{};
+  PictureForm form = PictureForm::kBgra;
   /// Told a sentence when the camera is lost, is back, or does not do as asked; from the camera's thread. It must not
   /// wait for whoever destroys the camera.
   std::function<void(const std::string&)> say;

@@ -29,7 +29,7 @@ constinit std::atomic<int> left_behind{0};
 }  // namespace
 
 Capture::Capture(CameraOptions options)
-    : options_{std::move(options)}, voice_{options_.say}, black_{blackPicture(askable(options_))} {}
+    : options_{std::move(options)}, voice_{options_.say}, black_{blackPicture(askable(options_), options_.form)} {}
 
 Capture::~Capture() {
   if (left_behind_) left_behind.fetch_sub(1);
@@ -87,7 +87,7 @@ bool Capture::session() {
   applySettings(device, options_.settings, [this](const std::string& sentence) { voice_.remark(sentence); });
   StreamBuffers buffers{device};
   if (!pictures_) {
-    pictures_ = std::make_unique<TripleBuffer<Picture>>(blackPicture(shape.size));
+    pictures_ = std::make_unique<TripleBuffer<Picture>>(blackPicture(shape.size, options_.form));
     shown_.store(pictures_.get(), std::memory_order_release);
   }
   if (std::exchange(streamed_, true)) counters_.reopened.fetch_add(1, std::memory_order_relaxed);

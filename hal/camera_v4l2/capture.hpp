@@ -8,9 +8,9 @@
 #include "hal/camera_v4l2/device.hpp"
 #include "hal/camera_v4l2/frame_count.hpp"
 #include "hal/camera_v4l2/picture.hpp"
-#include "hal/camera_v4l2/triple_buffer.hpp"
 #include "hal/camera_v4l2/voice.hpp"
 #include "hal/camera_v4l2/wake.hpp"
+#include "hal/triple_buffer.hpp"
 
 namespace darwinop::v4l2 {
 

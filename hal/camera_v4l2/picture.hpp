@@ -7,21 +7,28 @@
 
 #include "hal/camera_v4l2/negotiate.hpp"
 #include "hal/frame_source.hpp"
+#include "hal/pixels/yuyv_image.hpp"
 
 namespace darwinop::v4l2 {
 
 struct Picture {
-  CameraFrame asFrame() const noexcept { return {sequence, time, size.width, size.height, bgra}; }
+  CameraFrame asFrame() const noexcept { return {sequence, time, size.width, size.height, bgra, yuyv}; }
 
   std::uint64_t sequence = 0;
   Nanos time{0};
   Size size;
-  std::vector<std::uint8_t> bgra;
+  std::vector<std::uint8_t> bgra, yuyv;  // one of them is empty
 };
 
-[[nodiscard]] inline Picture blackPicture(Size size) {
-  Picture black{0, Nanos{0}, size, {}};
-  black.bgra.resize(4u * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+[[nodiscard]] inline Picture blackPicture(Size size, PictureForm form) {
+  Picture black{0, Nanos{0}, size, {}, {}};
+  const std::size_t height = static_cast<std::size_t>(size.height);
+  if (form == PictureForm::kYuyv) {
+    black.yuyv.resize(pixels::yuyvRowBytes(size.width) * height);
+    for (std::size_t chroma = 1; chroma < black.yuyv.size(); chroma += 2) black.yuyv[chroma] = 128;
+    return black;
+  }
+  black.bgra.resize(4u * static_cast<std::size_t>(size.width) * height);
   for (std::size_t alpha = 3; alpha < black.bgra.size(); alpha += 4) black.bgra[alpha] = 255;
   return black;
 }

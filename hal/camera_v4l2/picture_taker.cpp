@@ -66,7 +66,11 @@ pixels::YuyvImage PictureTaker::imageOf(const Filled& filled) const noexcept {
 
 void PictureTaker::show(const Numbered& newest) noexcept {
   Picture& picture = pictures_.back();
-  pixels::yuyvToBgraRotated(imageOf(newest.filled), picture.bgra);
+  const pixels::YuyvImage image = imageOf(newest.filled);
+  if (picture.yuyv.empty())
+    pixels::yuyvToBgraRotated(image, picture.bgra);
+  else
+    pixels::copyWithoutGaps(image, picture.yuyv);
   picture.sequence = newest.sequence;
   picture.time = newest.filled.time;
   pictures_.publish();

@@ -5,11 +5,13 @@
 #include "hal/camera_v4l2/error_burst.hpp"
 #include "hal/camera_v4l2/frame_count.hpp"
 #include "hal/camera_v4l2/picture.hpp"
-#include "hal/camera_v4l2/triple_buffer.hpp"
 #include "hal/pixels/yuyv_image.hpp"
+#include "hal/triple_buffer.hpp"
 
 namespace darwinop::v4l2 {
 
+/// A picture is turned and made BGRA, or copied as it is where `pictures` have room for YUYV.
+///
 /// Every picture that a camera counts is counted once: a whole one as `frames`, even when a newer one was ready by then
 /// and it is not shown; a broken one as `damaged`; one that the driver never handed over as `dropped`.
 class PictureTaker {

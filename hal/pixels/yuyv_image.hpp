@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 namespace darwinop::pixels {
@@ -33,6 +34,12 @@ constexpr std::size_t yuyvBytes(int width, int height, std::size_t stride) {
 constexpr bool isWhole(const YuyvImage& image) {
   return image.width > 0 && image.height > 0 && image.stride >= yuyvRowBytes(image.width) &&
          image.bytes.size() >= yuyvBytes(image.width, image.height, image.stride);
+}
+
+/// `into`: yuyvRowBytes(width) * height bytes, which must not overlap the image.
+inline void copyWithoutGaps(const YuyvImage& image, std::span<std::uint8_t> into) noexcept {
+  const std::size_t row = yuyvRowBytes(image.width);
+  for (int y = 0; y < image.height; ++y) std::memcpy(into.data() + row * y, image.bytes.data() + image.stride * y, row);
 }
 
 }  // namespace darwinop::pixels

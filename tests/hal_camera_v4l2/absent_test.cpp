@@ -7,10 +7,13 @@
 #include <memory>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "hal/camera_v4l2/camera.hpp"
 #include "hal/camera_v4l2/device.hpp"
+#include "hal/camera_v4l2/picture.hpp"
 #include "hal/camera_v4l2/trouble.hpp"
+#include "hal/pixels/yuyv_to_bgra.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::v4l2 {
@@ -99,6 +102,15 @@ TEST(AbsentCamera, MayBeAskedForAnImpossibleSize) {
     EXPECT_EQ(camera.newest().width, 320);
     EXPECT_EQ(camera.newest().height, 240);
   }
+}
+
+TEST(BlackPicture, IsBlackInEitherForm) {
+  const Picture bgra = blackPicture({64, 48}, PictureForm::kBgra), yuyv = blackPicture({64, 48}, PictureForm::kYuyv);
+  std::vector<std::uint8_t> converted(bgra.bgra.size());
+  pixels::yuyvToBgraRotated({yuyv.asFrame().yuyv, 64, 48, 128}, converted);
+  EXPECT_EQ(converted, bgra.bgra);
+  EXPECT_TRUE(yuyv.bgra.empty());
+  EXPECT_TRUE(bgra.yuyv.empty());
 }
 
 }  // namespace

@@ -21,6 +21,16 @@ TEST_F(PicturesTest, AreTurnedAndExactToTheLastBit) {
   EXPECT_THAT(ears.heard(), testing::IsEmpty());
 }
 
+TEST_F(PicturesTest, AreAsTheCameraGaveThemWhenAskedFor) {
+  CameraOptions options = inAHurry(ears);
+  options.form = PictureForm::kYuyv;
+  Camera camera{options};
+  const CameraFrame frame = waitForPicture(camera);
+  EXPECT_TRUE(frame.bgra.empty());
+  ASSERT_EQ(frame.yuyv.size(), 2u * 320 * 240);
+  for (std::size_t i = 0; i < frame.yuyv.size(); ++i) ASSERT_EQ(frame.yuyv[i], noise(1, i)) << i;
+}
+
 TEST_F(PicturesTest, StayAsTheyAreUntilTheNextOneIsAskedFor) {
   Camera camera{inAHurry(ears)};
   const CameraFrame frame = waitForPicture(camera);

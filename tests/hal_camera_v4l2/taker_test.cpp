@@ -14,7 +14,7 @@ struct TakerTest : testing::Test {
   Device device{"/dev/video0"};
   PictureShape shape = negotiate(device, kFallback, [](const std::string&) {});
   StreamBuffers buffers{device};
-  TripleBuffer<Picture> pictures{blackPicture(shape.size)};
+  TripleBuffer<Picture> pictures{blackPicture(shape.size, PictureForm::kBgra)};
   FrameCount count;
   Counters counters;
   PictureTaker taker{buffers, shape, pictures, count, counters};

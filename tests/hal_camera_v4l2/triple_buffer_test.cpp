@@ -1,5 +1,5 @@
 // Handing large values over without waiting.
-#include "hal/camera_v4l2/triple_buffer.hpp"
+#include "hal/triple_buffer.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace darwinop::v4l2 {
+namespace darwinop {
 
 /// Three places: the writer fills one, the reader looks at one, the third changes hands by one atomic exchange. The
 /// newest value wins; what the reader looks at stays as it is until it asks for a newer one.
@@ -43,4 +43,4 @@ class TripleBuffer {
   alignas(64) std::uint8_t front_ = 2;  // the reader's
 };
 
-}  // namespace darwinop::v4l2
+}  // namespace darwinop

@@ -1,0 +1,122 @@
+// darwinop-remote: the server of the remote-control protocol.
+#include <signal.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "link/connect.hpp"
+#include "link/setting.hpp"
+#include "remote/robot/link_port.hpp"
+#include "remote/server/server.hpp"
+#include "runtime/daemon_link.hpp"
+#include "webots/config_ini.hpp"
+
+namespace {
+
+using namespace darwinop;
+
+std::atomic<bool> remote_stop{false};
+
+struct RemoteArguments {
+  std::string robot = "runtime", listen = "127.0.0.1", config;
+  std::vector<std::string> allow;
+  std::uint16_t port = remote::kUsualPort;
+  int width_zoom = 1, height_zoom = 1;
+};
+
+void sayRemote(const std::string& line) {
+  std::cerr << "darwinop remote: " << line << std::endl;
+}
+
+void stopRemoteOnSignals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { remote_stop = true; };
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+}
+
+remote::ServerConfig serverConfig(const RemoteArguments& given) {
+  remote::ServerConfig config;
+  config.address = remote::ipv4FromText(given.listen);
+  config.port = given.port;
+  for (const std::string& network : given.allow) config.allowed.push_back(remote::networkFromText(network));
+  if (remote::isLoopback(config.address)) return config;
+  if (given.allow.empty())
+    throw std::runtime_error("--listen " + given.listen +
+                             " opens the robot to a network: say who may connect, such as --allow 192.168.123.0/24");
+  sayRemote(
+      "the protocol knows no password: whoever has an address that is allowed here can move the robot and see "
+      "through its camera, and whoever is on the way can read and change what is sent. On a network that is not "
+      "yours alone, listen on loopback and come by ssh");
+  return config;
+}
+
+facade::ControllerConfig controllerConfig(const std::string& config) {
+  if (config.empty()) return {};
+  if (!std::ifstream{config}) throw std::runtime_error("cannot read " + config + "; name a file with --config");
+  const facade::ConfigReading reading = facade::readConfig(config);
+  for (const std::string& warning : reading.warnings) sayRemote(warning);
+  return reading.config;
+}
+
+int serveRemote(const RemoteArguments& given) {
+  const remote::ServerConfig config = serverConfig(given);
+  link::Request request;
+  request.setting = given.robot;
+  const facade::ControllerConfig controller = controllerConfig(given.config);
+  request.safety = controller.safety;
+  if (!given.config.empty()) request.config_file = given.config;
+  const bool daemon = link::readSetting(given.robot).kind == link::Kind::kDaemon;
+  if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
+    sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
+  stopRemoteOnSignals();
+  remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kOwn,
+                         [&] { return link::connect(request); }, request.safety.start == safety::StartMove::kHold};
+  const auto clock = [] { return runtime::MonotonicClock{}.now(); };
+  const remote::ImageSize size{remote::kWholeImage.width / given.width_zoom,
+                               remote::kWholeImage.height / given.height_zoom};
+  // The camera speaks from a thread of its own, and seldom: it does not pass the server's bounded log.
+  const auto open_pictures = [&] { return robot.openPictures(size, controller.camera, sayRemote); };
+  remote::Server server{config, robot, open_pictures, clock, sayRemote};
+  std::cout << "ready: " << given.listen << ":" << server.port() << std::endl;
+  server.run(remote_stop);
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) try {
+  RemoteArguments given;
+  CLI::App app{
+      "Remote control over TCP: a simulator on a PC drives this robot, whose loop stays on time whatever the network "
+      "does.",
+      "darwinop remote"};
+  const CLI::IsMember zooms{{1, 2, 4, 8}};
+  app.add_option("WZ", given.width_zoom, "the middle 320/WZ columns of each picture are sent: 1, 2, 4 or 8")
+      ->check(zooms);
+  app.add_option("HZ", given.height_zoom, "the middle 240/HZ rows")->check(zooms);
+  app.add_option("--robot", given.robot, "the robot that is driven:\n" + link::settingChoices())
+      ->envname("DARWINOP_ROBOT")
+      ->capture_default_str();
+  app.add_option("--listen", given.listen, "address of this computer to listen on; 0.0.0.0: all of them")
+      ->capture_default_str();
+  app.add_option("--allow", given.allow, "network that may connect beside this computer, may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--port", given.port, "TCP port; 0: any that is free")->capture_default_str();
+  app.add_option("--config", given.config, "config.ini whose [Safety] and [Limits] hold, unless a daemon has its own");
+  app.set_version_flag("--version", DARWINOP_VERSION);
+  app.footer(
+      "Example, without a robot:\n  darwinop remote --robot virtual\n"
+      "On a robot, for a simulator on a PC of its network (docs/remote.md):\n"
+      "  darwinop remote --listen 0.0.0.0 --allow 192.168.123.0/24");
+  CLI11_PARSE(app, count, arguments);
+  return serveRemote(given);
+} catch (const std::exception& error) {
+  std::cerr << "darwinop remote: " << error.what() << '\n';
+  return 1;
+}

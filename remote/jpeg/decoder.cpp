@@ -1,0 +1,60 @@
+#include "remote/jpeg/decoder.hpp"
+
+#include <array>
+#include <cassert>
+#include <csetjmp>
+
+#include "remote/jpeg/complaints.hpp"
+
+namespace darwinop::remote {
+namespace {
+
+/// One for each picture: libjpeg lets a file that has no tables use those of the one before.
+struct Decompressor {
+  Decompressor() {
+    cinfo.err = &complaints.manager;
+    jpeg_create_decompress(&cinfo);
+    complaints.expected = true;
+  }
+  ~Decompressor() { jpeg_destroy_decompress(&cinfo); }
+  Decompressor(const Decompressor&) = delete;
+  Decompressor& operator=(const Decompressor&) = delete;
+
+  JpegComplaints complaints;
+  jpeg_decompress_struct cinfo{};
+};
+
+/// Nothing in it has a destructor that a jump would leave out.
+const char* decompress(Decompressor& decompressor, std::span<const std::uint8_t> jpeg, ImageSize expected,
+                       std::uint8_t* bgra) {
+  jpeg_decompress_struct& cinfo = decompressor.cinfo;
+  if (setjmp(decompressor.complaints.back) != 0) return "it is no JPEG, or damaged";
+  jpeg_mem_src(&cinfo, jpeg.data(), static_cast<unsigned long>(jpeg.size()));
+  jpeg_read_header(&cinfo, TRUE);
+  if (cinfo.image_width != static_cast<JDIMENSION>(expected.width) ||
+      cinfo.image_height != static_cast<JDIMENSION>(expected.height))
+    return "it has another size";
+  if (jpeg_has_multiple_scans(&cinfo) != FALSE) return "it is coded in many passes";  // progressive ones, too
+  if (cinfo.jpeg_color_space != JCS_YCbCr) return "it is no picture in colours";
+  cinfo.out_color_space = JCS_EXT_BGRA;  // A is 255
+  jpeg_start_decompress(&cinfo);
+  const std::size_t row_bytes = std::size_t{4} * cinfo.image_width;
+  while (cinfo.output_scanline < cinfo.output_height) {
+    std::array<JSAMPROW, 1> rows{bgra + row_bytes * cinfo.output_scanline};
+    jpeg_read_scanlines(&cinfo, rows.data(), 1);
+  }
+  jpeg_finish_decompress(&cinfo);
+  // libjpeg makes up what is missing, and says so.
+  return decompressor.complaints.manager.num_warnings == 0 ? nullptr : "it is damaged";
+}
+
+}  // namespace
+
+const char* decodeJpeg(std::span<const std::uint8_t> jpeg, ImageSize expected, std::span<std::uint8_t> bgra) {
+  assert(bgra.size() == static_cast<std::size_t>(4 * expected.width * expected.height));
+  if (jpeg.empty()) return "it is empty";
+  Decompressor decompressor;
+  return decompress(decompressor, jpeg, expected, bgra.data());
+}
+
+}  // namespace darwinop::remote

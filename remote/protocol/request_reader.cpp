@@ -1,0 +1,121 @@
+// Requests out of a stream of bytes, however it is cut into pieces.
+#include "remote/protocol/request_reader.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace darwinop::remote {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// Walks over the sections of one request. Behind the last byte stands a NUL, as in the old server's buffer.
+class SectionCursor {
+ public:
+  explicit SectionCursor(Bytes bytes) : bytes_{bytes} {}
+
+  [[nodiscard]] std::uint8_t here() const { return at_ < bytes_.size() ? bytes_[at_] : 0; }
+  [[nodiscard]] std::size_t at() const { return at_; }
+  [[nodiscard]] bool cutOff() const { return cut_off_; }
+  [[nodiscard]] std::uint8_t byte() { return bytes_[at_++]; }
+  [[nodiscard]] std::int32_t word() {
+    std::uint32_t value = 0;
+    for (int i = 0; i < 4; ++i) value = value << 8 | byte();
+    return static_cast<std::int32_t>(value);
+  }
+  /// Steps over `tag` when it is here and `more` bytes follow.
+  [[nodiscard]] bool take(char tag, std::size_t more = 0) {
+    if (cut_off_ || at_ == bytes_.size() || bytes_[at_] != static_cast<std::uint8_t>(tag)) return false;
+    cut_off_ = bytes_.size() - at_ - 1 < more;
+    if (!cut_off_) ++at_;
+    return !cut_off_;
+  }
+
+ private:
+  Bytes bytes_;
+  std::size_t at_ = 0;
+  bool cut_off_ = false;
+};
+
+void readLed(SectionCursor& in, Request& request, Oddities& oddities) {
+  const std::uint8_t index = in.byte();
+  std::uint32_t colour = 0;
+  for (int i = 0; i < 3; ++i) colour = colour << 8 | in.byte();
+  if (index < kLeds)
+    (void)request.leds.add({static_cast<Led>(index), colour});
+  else
+    ++oddities.refused_leds;
+}
+
+void readMotor(SectionCursor& in, Request& request, Oddities& oddities) {
+  const std::uint8_t index = in.byte();
+  MotorSetting motor;
+  const auto sub = [&](char tag, MotorSetting::Bit bit, std::int32_t& to) {
+    if (!in.take(tag, 4)) return;
+    to = in.word();
+    motor.set |= bit;
+  };
+  sub('p', MotorSetting::kPosition, motor.position);
+  sub('v', MotorSetting::kVelocity, motor.velocity);
+  sub('a', MotorSetting::kAcceleration, motor.acceleration);
+  sub('m', MotorSetting::kAvailableTorque, motor.available_torque);
+  if (in.take('c', 12)) {
+    for (std::int32_t& part : motor.pid) part = in.word();
+    motor.set |= MotorSetting::kPid;
+  }
+  sub('f', MotorSetting::kTorque, motor.torque);
+  if (index >= kJoints) {
+    ++oddities.refused_motors;
+    return;
+  }
+  motor.joint = static_cast<Joint>(index);
+  (void)request.motors.add(motor);
+}
+
+void readIndex(SectionCursor& in, Few<std::uint8_t, kJoints>& to, Oddities& oddities) {
+  const std::uint8_t index = in.byte();
+  if (index >= kJoints) ++oddities.refused_sensors;
+  (void)to.add(index);
+}
+
+}  // namespace
+
+void readSections(std::span<const std::uint8_t> sections, Request& request, Oddities& oddities) {
+  SectionCursor in{sections};
+  request = {};
+  oddities = {};
+  request.accelerometer = in.take('A');
+  request.gyro = in.take('G');
+  request.camera = in.take('C');
+  for (std::size_t i = 0; i < kLeds && in.take('L', 4); ++i) readLed(in, request, oddities);
+  for (std::size_t i = 0; i < kJoints && in.take('S', 1); ++i) readMotor(in, request, oddities);
+  for (std::size_t i = 0; i < kJoints && in.take('P', 1); ++i) readIndex(in, request.positions, oddities);
+  for (std::size_t i = 0; i < kJoints && in.take('F', 1); ++i) readIndex(in, request.torques, oddities);
+  oddities.cut_off = in.cutOff();
+  if (in.cutOff() || in.here() == 0) return;
+  oddities.unknown_at = kRequestHead + in.at();
+  oddities.unknown_byte = in.here();
+}
+
+std::span<std::uint8_t> RequestReader::room() {
+  std::memmove(buffer_.data(), buffer_.data() + begin_, pending());
+  end_ -= begin_;
+  begin_ = 0;
+  return std::span{buffer_}.subspan(end_);
+}
+
+RequestReader::Found RequestReader::next(Request& request, Oddities& oddities) {
+  const auto* const first = std::find(buffer_.data() + begin_, buffer_.data() + end_, kFirstByte);
+  const std::size_t skipped = static_cast<std::size_t>(first - buffer_.data()) - begin_;
+  garbage_ += skipped;
+  begin_ += skipped;
+  if (pending() < kRequestHead) return Found::kNothing;
+  const std::size_t length = first[1] | first[2] << 8;
+  if (length < kRequestHead || length > kMostStated) return Found::kRefused;
+  if (pending() < length) return Found::kNothing;
+  readSections({first + kRequestHead, length - kRequestHead}, request, oddities);
+  begin_ += length;
+  return Found::kRequest;
+}
+
+}  // namespace darwinop::remote

@@ -1,0 +1,63 @@
+// The robot of a controller's link, for the server: what the wire says becomes commands as a controller's would.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "hal/camera_v4l2/camera.hpp"
+#include "remote/jpeg/image_size.hpp"
+#include "remote/picture_source.hpp"
+#include "remote/server/robot_port.hpp"
+#include "runtime/clock.hpp"
+#include "runtime/robot_link.hpp"
+#include "webots/motor_control.hpp"
+
+namespace darwinop::remote {
+
+class LinkPort final : public RobotPort {
+ public:
+  using Connect = std::function<std::unique_ptr<runtime::RobotLink>()>;
+
+  enum class Home : bool {
+    kDaemon,  // the link is the lease: there is one while a client drives
+    kOwn      // the loop is in this process: there is one link, from now to the end
+  };
+
+  /// Throws what `connect` throws when the home is our own.
+  LinkPort(Home home, Connect connect, bool start_where_it_is);
+  /// Whoever drives says farewell: safety does what [Safety] on_exit asks for.
+  ~LinkPort() override = default;
+
+  void begin(Beginning beginning) override;
+  void obey(const Request& request) override;
+  [[nodiscard]] Sensors sensors() override { return link_->sensors(); }
+  [[nodiscard]] std::string mustEnd() override;
+  void hold() noexcept override;
+
+  /// The robot's eye. Between begin() and hold(), which it must not outlive. Throws std::runtime_error when it has
+  /// none.
+  [[nodiscard]] std::unique_ptr<PictureSource> openPictures(ImageSize size, const v4l2::CameraSettings& settings,
+                                                            const std::function<void(const std::string&)>& say);
+
+ private:
+  void listenTo(const MotorSetting& setting);
+  void light(const LedSetting& setting);
+  [[nodiscard]] Rad restingPlace(const Sensors& seen, std::size_t joint) const;
+  void forgetWishes();
+  void simulate();
+
+  Home home_;
+  Connect connect_;
+  bool start_where_it_is_, used_ = false;
+  runtime::MonotonicClock clock_;
+  std::unique_ptr<runtime::RobotLink> link_;
+  std::vector<facade::MotorControl> motors_;  // by joint
+  Commands commands_{};
+  std::uint64_t first_of_ours_ = 0;  // cycle from which on safety speaks of this client
+  std::uint64_t last_cycle_ = 0;
+  Nanos obeyed_{0}, last_cycle_at_{0}, simulated_{0};
+};
+
+}  // namespace darwinop::remote

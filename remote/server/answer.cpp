@@ -1,0 +1,54 @@
+// The values of a reply, out of a sensor image and the newest picture.
+#include "remote/server/answer.hpp"
+
+#include <cmath>
+
+#include "core/registers.hpp"
+#include "remote/protocol/units.hpp"
+
+namespace darwinop::remote {
+namespace {
+
+constexpr Register kAccelLaw = find(kCm730, "accel_x");  // the three axes share one law
+constexpr Register kGyroLaw = find(kCm730, "gyro_x");
+
+/// The count the board sent.
+std::int32_t countOf(double si, const Register& law) {
+  return cut(std::round(si / law.scale + law.zero));
+}
+
+void note(std::size_t device, Freshness freshness, Doubts& doubts) {
+  if (!freshness.ever())
+    doubts.never.set(device);
+  else if (freshness.age >= kOldAge)
+    doubts.old.set(device);
+}
+
+template <class Value>
+std::int32_t measured(std::uint8_t index, const Sensors& seen, Doubts& doubts, Value value) {
+  if (index >= kJoints) return 0;
+  note(index, seen.joint[index].motion, doubts);
+  return value(seen.joint[index]);
+}
+
+}  // namespace
+
+Reply answerTo(const Request& request, const Sensors& seen, std::span<const std::uint8_t> jpeg, Doubts& doubts) {
+  Reply reply;
+  if (request.accelerometer || request.gyro) note(Doubts::kBoard, seen.board.motion, doubts);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    reply.accelerometer[axis] = countOf(seen.board.accelerometer[axis].value, kAccelLaw);
+    reply.gyro[axis] = countOf(seen.board.gyro[axis].value, kGyroLaw);
+  }
+  reply.jpeg = jpeg;
+  for (const std::uint8_t index : request.positions)
+    (void)reply.positions.add(measured(
+        index, seen, doubts, [](const JointSensors& joint) { return wireFromMeasuredPosition(joint.position.value); }));
+  for (const std::uint8_t index : request.torques)
+    (void)reply.torques.add(measured(index, seen, doubts, [](const JointSensors& joint) {
+      return wireFromMeasuredTorque(-joint.load * kMaxTorqueNm);  // the sign of 2013: clockwise is positive
+    }));
+  return reply;
+}
+
+}  // namespace darwinop::remote

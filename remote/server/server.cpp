@@ -1,0 +1,216 @@
+// The server: one thread, one client that drives, nothing that waits for the robot, an encoder or a slow network.
+#include "remote/server/server.hpp"
+
+#include <poll.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace darwinop::remote {
+namespace {
+
+constexpr Nanos kLook{100'000'000};  // a signal that comes just before a wait is noticed after it
+
+// Servos that nobody drives may have no power. Their first values are worth waiting for, as they were in 2013 (3 s).
+constexpr Nanos kFirstValues{2'000'000'000}, kAskAgain{4'000'000};
+
+}  // namespace
+
+Server::Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_pictures, Clock clock,
+               BoundedLog::Say say)
+    : config_{config},
+      robot_{robot},
+      open_pictures_{std::move(open_pictures)},
+      clock_{std::move(clock)},
+      log_{std::move(say)},
+      listener_{config.address, config.port},
+      now_{clock_()} {}
+
+void Server::run(const std::atomic<bool>& stop) {
+  while (!stop) attend(kLook);
+}
+
+void Server::attend(Nanos longest) {
+  now_ = clock_();
+  // While a reply is on its way no further request is read: a client that does not fetch its replies gets no more.
+  const short for_client = !client_ || client_->waits ? 0 : client_->owes() ? POLLOUT : POLLIN;
+  std::array<pollfd, 2> places{{{listener_.isOpen() ? listener_.descriptor() : -1, POLLIN, 0},
+                                {client_ ? client_->descriptor() : -1, for_client, 0}}};
+  const bool something = poll(places.data(), places.size(), waitFor(longest)) > 0;
+  now_ = clock_();
+  log_.look(now_);
+  if (client_ && client_->waits) {
+    if (places[1].revents != 0 && !client_->receive())  // asked for nothing, it tells only of an end
+      showOut(client_->why());
+    else if (answer(*client_->waits))
+      answerAll();
+  } else if (something && client_ && places[1].revents != 0) {
+    seeToClient();
+  }
+  lookForSilence();
+  if (something && places[0].revents != 0 && listener_.isOpen()) letIn();
+}
+
+/// In ms, for poll: no longer than the client may be silent.
+int Server::waitFor(Nanos longest) const {
+  Nanos wait = longest;
+  if (client_ && client_->waits) return static_cast<int>(std::min(longest, kAskAgain).count() / 1'000'000);
+  if (client_ && !listener_.isOpen()) wait = std::clamp(client_->heard + config_.silence - now_, Nanos{0}, longest);
+  return static_cast<int>((wait.count() + 999'999) / 1'000'000);
+}
+
+void Server::seeToClient() {
+  if (client_->owes() ? client_->flush() : client_->receive()) return answerAll();
+  showOut(client_->why());
+}
+
+void Server::answerAll() {
+  Request request;
+  Oddities oddities;
+  while (client_ && !client_->owes()) {
+    switch (client_->next(request, oddities)) {
+      case RequestReader::Found::kNothing:
+        if (client_->garbageBytes() > 0 && !std::exchange(client_->told_garbage, true))
+          log(client_->name() + ": bytes that begin no request are skipped");
+        return;
+      case RequestReader::Found::kRefused:
+        return showOut("sent a length that no request has; nothing after it can be trusted");
+      case RequestReader::Found::kRequest:
+        if (oddities.any()) tellOddities(oddities);
+        if (!answer(request)) return;
+    }
+  }
+}
+
+/// False: not yet, or the client was shown out.
+bool Server::answer(const Request& request) {
+  client_->heard = now_;
+  if (!mayDrive()) return false;
+  robot_.obey(request);
+  Doubts doubts;
+  const Reply reply = answerTo(request, robot_.sensors(), picture(request), doubts);
+  if (doubts.never.any() && now_ - client_->began < kFirstValues) {
+    client_->waits = request;
+    return false;
+  }
+  tellDoubts(doubts);
+  const bool sent = client_->reply(request, reply);
+  client_->waits.reset();
+  if (!sent) showOut(client_->why());
+  return sent;
+}
+
+bool Server::mayDrive() {
+  if (!client_->drives) {
+    try {
+      robot_.begin(client_->driven ? Beginning::kAgain : Beginning::kFresh);
+    } catch (const std::runtime_error& refused) {
+      showOut(std::string{"cannot drive the robot: "} + refused.what());
+      return false;
+    }
+    listener_.close();
+    log(client_->name() + (client_->driven ? " is back and drives on" : " drives; others are refused meanwhile"));
+    client_->drives = client_->driven = true;
+    client_->began = now_;
+  }
+  const std::string why = robot_.mustEnd();
+  if (why.empty()) return true;
+  showOut("has to end: " + why);
+  return false;
+}
+
+std::span<const std::uint8_t> Server::picture(const Request& request) {
+  if (!request.camera) return {};
+  if (!pictures_ && !client_->told_no_picture) openPictures();
+  return pictures_ ? pictures_->newest().jpeg : std::span<const std::uint8_t>{};
+}
+
+void Server::openPictures() {
+  std::string why = "this robot has no eye";
+  try {
+    if (open_pictures_) pictures_ = open_pictures_();
+  } catch (const std::runtime_error& blind) {
+    why = blind.what();
+  }
+  if (pictures_) return;
+  client_->told_no_picture = true;
+  log(client_->name() + " asks for pictures, and gets 0 bytes of JPEG: " + why);
+}
+
+void Server::letIn() {
+  std::optional<Listener::Caller> caller = listener_.next();
+  if (!caller) return;
+  const auto lives_here = [&](const Network& network) { return network.has(caller->address); };
+  if (std::ranges::none_of(config_.allowed, lives_here)) {
+    log(caller->name + " may not connect: its address is in no network given with --allow");
+    return;
+  }
+  if (client_) showOut("was silent, and another client takes its place");
+  log(caller->name + " has connected");
+  client_.emplace(std::move(caller->socket), caller->name, now_);
+  listener_.close();
+}
+
+void Server::lookForSilence() {
+  if (client_ && now_ - client_->heard < config_.silence) return;
+  if (client_ && client_->drives) {
+    stopDriving();
+    log(client_->name() + " is silent: motion is held; it may go on unless another client comes");
+  }
+  openDoor();
+}
+
+void Server::stopDriving() {
+  if (!client_->drives) return;
+  client_->drives = false;
+  pictures_.reset();  // before hold(): what it looks through may go with the lease
+  robot_.hold();
+}
+
+void Server::showOut(const std::string& why) {
+  const std::string line = client_->name() + " " + why;  // `why` may be the client's own
+  stopDriving();
+  client_.reset();
+  openDoor();  // first: who reads that one has left may come
+  log(line);
+}
+
+void Server::openDoor() {
+  if (listener_.isOpen()) return;
+  try {
+    listener_.open();
+  } catch (const std::runtime_error& not_now) {
+    log(not_now.what());  // tried again at the next look
+  }
+}
+
+void Server::tellOddities(const Oddities& oddities) {
+  Oddities& told = client_->told;
+  const std::string who = client_->name() + ": ";
+  if (oddities.unknown_at != 0 && std::exchange(told.unknown_at, oddities.unknown_at) == 0)
+    log(who + "received unknown message: byte " + std::to_string(oddities.unknown_byte) + " at offset " +
+        std::to_string(oddities.unknown_at) + " begins no section there; the rest of such requests is not read");
+  if (oddities.cut_off && !std::exchange(told.cut_off, true))
+    log(who + "a section is longer than its request; it is not obeyed");
+  if (oddities.refused_motors > 0 && std::exchange(told.refused_motors, 1) == 0)
+    log(who + "commands for motors over 19, which do not exist, are refused");
+  if (oddities.refused_leds > 0 && std::exchange(told.refused_leds, 1) == 0)
+    log(who + "commands for LEDs over 4, which do not exist, are refused");
+  if (oddities.refused_sensors > 0 && std::exchange(told.refused_sensors, 1) == 0)
+    log(who + "values of joints over 19, which do not exist, are answered with 0");
+}
+
+void Server::tellDoubts(const Doubts& doubts) {
+  const auto news = doubts.never & ~client_->told_values.never;
+  const auto aged = doubts.old & ~client_->told_values.old;
+  client_->told_values.never |= news;
+  client_->told_values.old |= aged;
+  for (std::size_t i = 0; i <= Doubts::kBoard; ++i) {
+    const std::string device{i == Doubts::kBoard ? "CM-730" : kJointTable[i].name};
+    if (news[i]) log(device + " has never answered: its values are sent as -2147483648, which no sensor can be");
+    if (aged[i]) log(device + " has not answered for 3 cycles: its last known values are sent");
+  }
+}
+
+}  // namespace darwinop::remote

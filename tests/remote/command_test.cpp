@@ -1,0 +1,87 @@
+// darwinop remote as a process, with a virtual robot in it.
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <csignal>
+
+#include "examples.hpp"
+#include "remote/server/socket.hpp"
+#include "support/hex.hpp"
+#include "support/temporary_folder.hpp"
+#include "system/program.hpp"
+
+namespace darwinop::remote {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+class RemoteCommand : public testing::Test {
+ protected:
+  [[nodiscard]] Program run(const std::vector<std::string>& options) const {
+    std::vector<std::string> command{DARWINOP_REMOTE, "--robot", "virtual", "--port", "0"};
+    command.insert(command.end(), options.begin(), options.end());
+    return {command, folder_ / "output"};
+  }
+  static std::uint16_t portOf(const Program& server) {
+    const std::string ready = "ready: 127.0.0.1:";
+    EXPECT_TRUE(server.says(ready, 20s)) << server.output();
+    const std::string said = server.output();
+    return static_cast<std::uint16_t>(std::stoi(said.substr(said.find(ready) + ready.size())));
+  }
+  static Socket connectTo(std::uint16_t port) {
+    Socket socket{::socket(AF_INET, SOCK_STREAM, 0)};
+    sockaddr_in name{};
+    name.sin_family = AF_INET;
+    name.sin_port = htons(port);
+    name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    if (connect(socket.descriptor(), reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0) socket.close();
+    return socket;
+  }
+  static std::string ask(const Socket& socket, const std::string& request) {
+    const std::vector<std::uint8_t> bytes = fromHex(request);
+    EXPECT_EQ(send(socket.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL), bytes.size());
+    std::vector<std::uint8_t> reply(4096);
+    const ssize_t count = recv(socket.descriptor(), reply.data(), reply.size(), 0);  // waits for the one piece
+    reply.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return toHex(reply);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RemoteCommand, ServesARobotUntilItIsAskedToEnd) {
+  Program server = run({});
+  const std::uint16_t port = portOf(server);
+  {
+    const Socket client = connectTo(port);
+    EXPECT_EQ(ask(client, kEmptyRequest), kEmptyReply);
+    EXPECT_EQ(ask(client, kInertialRequest).substr(0, 14), "57 00 00 00 1d");
+    EXPECT_FALSE(connectTo(port).open()) << "one drives";
+  }
+  EXPECT_TRUE(server.says("has left", 20s));
+  const Socket next = connectTo(port);
+  EXPECT_EQ(ask(next, kEmptyRequest), kEmptyReply);
+  server.kill(SIGINT);
+  EXPECT_EQ(server.wait(20s), 0) << server.output();
+}
+
+TEST_F(RemoteCommand, AsksWhoMayComeBeforeItOpensTheRobotToANetwork) {
+  Program server = run({"--listen", "0.0.0.0"});
+  EXPECT_EQ(server.wait(20s), 1);
+  EXPECT_THAT(server.output(), HasSubstr("--allow 192.168.123.0/24"));
+}
+
+TEST_F(RemoteCommand, WarnsThatAnOpenPortKnowsNoPassword) {
+  Program server = run({"--listen", "0.0.0.0", "--allow", "10.1.2.0/24", "4", "2"});
+  EXPECT_TRUE(server.says("ready: 0.0.0.0:", 20s)) << server.output();
+  EXPECT_THAT(server.output(), HasSubstr("knows no password"));
+  server.kill(SIGTERM);
+  EXPECT_EQ(server.wait(20s), 0);
+}
+
+}  // namespace
+}  // namespace darwinop::remote
