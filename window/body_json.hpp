@@ -5,8 +5,8 @@
 
 namespace darwinop::window {
 
-/// Links, joints and the shapes that are drawn, in metres and radians, as JSON; docs/window.md shows the format. `model`
-/// as for the twin: a name or a file. Throws std::runtime_error.
+/// Links, joints and the shapes that are drawn, in metres and radians, as JSON; docs/window.md shows the format.
+/// `model` as for the twin: a name or a file. Throws std::runtime_error.
 std::string bodyJson(const std::string& model);
 
 }  // namespace darwinop::window

@@ -32,7 +32,13 @@ export function setClass(node, name) {
 
 export const degrees = (rad) => (rad * 180) / Math.PI;
 
-/// The colour that the style sheet gives to --name, light or dark.
+const colours = new Map();
+export const kDark = matchMedia('(prefers-color-scheme: dark)');
+kDark.addEventListener('change', () => colours.clear());  // before others that listen
+
+/// The colour that the style sheet gives to --name, light or dark. Kept: to ask costs a layout of the page.
 export function colour(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+  if (!colours.has(name))
+    colours.set(name, getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim());
+  return colours.get(name);
 }

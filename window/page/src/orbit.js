@@ -43,7 +43,7 @@ export class Orbit {
 
   turn(around, above) {
     this.around += around;
-    this.above = Math.min(Math.max(this.above + above, -0.15), 1.5);
+    this.above = Math.min(Math.max(this.above + above, 0.02), 1.5);
     this.moved = true;
   }
 

@@ -1,7 +1,7 @@
 // The robot in three dimensions, made of the shapes of the twin's body file; one that is measured, one that is commanded.
 import {
   BoxGeometry, BufferAttribute, CapsuleGeometry, Color, CylinderGeometry, Group, Matrix4, Mesh, MeshLambertMaterial,
-  Quaternion, SphereGeometry, Vector3,
+  Quaternion, SphereGeometry, SRGBColorSpace, Vector3,
 } from 'three';
 import {mergeGeometries} from 'three/addons/utils/BufferGeometryUtils.js';
 
@@ -24,7 +24,7 @@ function pieceOf(shapes) {
   const parts = shapes.map((shape) => {
     const part = geometryOf(shape);
     part.applyMatrix4(new Matrix4().compose(new Vector3(...shape.pos), quaternion(shape.quat), new Vector3(1, 1, 1)));
-    const [r, g, b] = new Color().setRGB(...shape.colour, 'srgb');
+    const {r, g, b} = new Color().setRGB(...shape.colour, SRGBColorSpace);
     const colours = new Float32Array(3 * part.attributes.position.count);
     for (let i = 0; i < colours.length; i += 3) colours.set([r, g, b], i);
     part.setAttribute('color', new BufferAttribute(colours, 3));
@@ -55,6 +55,8 @@ export class RobotModel {
       return group;
     });
     body.links.forEach((link, i) => link.parent >= 0 && this.links[link.parent].add(this.links[i]));
+    this.parents = body.links.map((link) => link.parent);
+    this.joint_of = body.links.map((link) => link.joint?.name ?? null);
     [this.trunk] = this.links;
     this.upright = this.trunk.quaternion.clone();
     this.turn = new Quaternion();
@@ -71,5 +73,15 @@ export class RobotModel {
     if (joint.pivot.lengthSq() === 0) return;
     joint.link.position.copy(joint.pivot).applyQuaternion(joint.zero).add(joint.home)
       .sub(joint.pivot.clone().applyQuaternion(joint.link.quaternion));
+  }
+
+  /// Shows what hangs on a joint of `apart` (names) and nothing else. True when that is anything.
+  showOnly(apart) {
+    const shown = [];
+    this.links.forEach((link, i) => {
+      shown[i] = apart.has(this.joint_of[i]) || (this.parents[i] >= 0 && shown[this.parents[i]]);
+      for (const child of link.children) if (child.isMesh) child.visible = shown[i];
+    });
+    return shown.includes(true);
   }
 }

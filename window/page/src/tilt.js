@@ -10,8 +10,8 @@ export class Tilt {
   /// sensors: the axes of both sensors in the trunk, from body.json.
   constructor(sensors) {
     const axes = ([w, x, y, z]) => new Quaternion(x, y, z, w);
-    this.accelerometer = axes(sensors.accelerometer);
-    this.gyro = axes(sensors.gyro);
+    this.accelerometer = axes(sensors.accelerometer.quat);
+    this.gyro = axes(sensors.gyro.quat);
     this.up = new Vector3(0, 1, 0);  // in the trunk
     this.time = null;
     this.felt = new Vector3();

@@ -2,7 +2,7 @@
 import {CameraPane} from './camera_pane.js';
 import {columnsOf, fillRow} from './columns.js';
 import {CurvesPane} from './curves_pane.js';
-import {setClass, setText} from './dom.js';
+import {kDark, setClass, setText} from './dom.js';
 import {FaultsPane} from './faults_pane.js';
 import {Feed} from './feed.js';
 import {LoopPane} from './loop_pane.js';
@@ -100,7 +100,7 @@ function frame() {
 }
 requestAnimationFrame(frame);
 
-matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
+kDark.addEventListener('change', () => {
   view?.paint();
   for (const {pane} of panes) pane.restyle();
 });
