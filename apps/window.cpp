@@ -76,7 +76,11 @@ int showWindow(const WindowArguments& given) {
   config.entry.own_origin = true;
   web::Server server{config, sayWindow};
   const std::string address = serveWindow(server, given.model, monitor);
-  std::cout << "open in a browser: " << address << "\nend with Ctrl+C" << std::endl;
+  std::cout << "open in a browser: " << address << '\n';
+  if (own)
+    std::cout << "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" << own->name()
+              << '\n';
+  std::cout << "end with Ctrl+C" << std::endl;
   while (!window_stop) {
     server.attend(monitor.pause());
     monitor.look();

@@ -23,25 +23,28 @@ std::string programOf(const std::string& noun) {
   return program.string();
 }
 
-// In the child. It must not get what a terminal sends to the group: it is ended in its turn.
-[[noreturn]] void become(char* const* words, pid_t parent) {
-  setpgid(0, 0);
+// In the child. What is behind must not get what a terminal sends to the group: it is ended in its turn.
+[[noreturn]] void become(char* const* words, pid_t parent, Child::Place place) {
   prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
   if (getppid() != parent) _exit(143);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   std::signal(SIGPIPE, SIG_DFL);
-  const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
-  dup2(nowhere, STDIN_FILENO);
-  dup2(nowhere, STDOUT_FILENO);
+  if (place == Child::Place::kBehind) {
+    setpgid(0, 0);
+    const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
+    dup2(nowhere, STDIN_FILENO);
+    dup2(nowhere, STDOUT_FILENO);
+  }
   execv(words[0], words);
   _exit(127);
 }
 
 }  // namespace
 
-Child::Child(const std::string& noun, const std::vector<std::string>& arguments, std::chrono::milliseconds grace)
+Child::Child(const std::string& noun, const std::vector<std::string>& arguments, std::chrono::milliseconds grace,
+             Place place)
     : noun_{noun}, grace_{grace} {
   std::vector<std::string> words{programOf(noun)};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -51,7 +54,7 @@ Child::Child(const std::string& noun, const std::vector<std::string>& arguments,
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error("cannot start darwinop-" + noun + ": " + std::strerror(errno));
-  if (pid_ == 0) become(pointers.data(), parent);
+  if (pid_ == 0) become(pointers.data(), parent, place);
 }
 
 Child::~Child() {

@@ -12,9 +12,13 @@ namespace darwinop::window {
 
 class Child {
  public:
-  /// `noun`: "runtime" starts darwinop-runtime, which lies beside this program. What it prints is dropped, its
-  /// complaints are kept. `grace`: how long it may take to end. Throws std::runtime_error.
-  Child(const std::string& noun, const std::vector<std::string>& arguments, std::chrono::milliseconds grace);
+  /// kBehind: what it prints is dropped, its complaints are kept. kTerminal: it talks with who started this program.
+  enum class Place { kBehind, kTerminal };
+
+  /// `noun`: "runtime" starts darwinop-runtime, which lies beside this program. `grace`: how long it may take to end.
+  /// Throws std::runtime_error.
+  Child(const std::string& noun, const std::vector<std::string>& arguments, std::chrono::milliseconds grace,
+        Place place = Place::kBehind);
   /// Asks it to end, waits, and kills it when it does not.
   ~Child();
   Child(const Child&) = delete;

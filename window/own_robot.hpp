@@ -15,16 +15,19 @@ class OwnRobot {
   /// std::runtime_error.
   OwnRobot(const std::string& body, const std::vector<std::string>& controller);
   /// Ends them: controller, runtime, robot.
-  ~OwnRobot();
+  ~OwnRobot() { end(); }
   OwnRobot(const OwnRobot&) = delete;
   OwnRobot& operator=(const OwnRobot&) = delete;
 
-  /// Of the runtime; for `--name`, and for controllers DARWINOP_RUNTIME_NAME.
+  /// Of the runtime: for `darwinop runtime --name`, and DARWINOP_RUNTIME_NAME for controllers.
   [[nodiscard]] const std::string& name() const { return name_; }
   /// A sentence when one of them has ended since the last call; empty: all is well.
   std::string news();
 
  private:
+  void start(const std::string& body, const std::vector<std::string>& controller);
+  void end() noexcept;
+
   std::string folder_, name_;
   std::vector<std::unique_ptr<Child>> children_;  // ended from the last to the first
 };

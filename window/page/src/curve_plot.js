@@ -80,10 +80,13 @@ export class CurvePlot {
   }
 
   draw() {
-    const range = this.timeline.range, store = this.timeline.store;
+    const {range, store} = this.timeline;
     if (!range || this.box.clientWidth === 0) return;
+    const {origin} = store;
     const first = Math.max(store.find(range[0]) - 1, 0), last = Math.min(store.find(range[1]) + 1, store.count);
-    store.read(0, first, last, this.columns[0]);
+    const times = this.columns[0];
+    store.read(0, first, last, times);
+    for (let n = 0; n < times.length; ++n) times[n] -= origin;
     this.curves.forEach((curve, i) => {
       const into = this.columns[i + 1];
       store.read(store.index.get(curve.key), first, last, into);
@@ -91,7 +94,7 @@ export class CurvePlot {
     });
     this.plot.batch(() => {
       this.plot.setData(this.columns, false);
-      this.plot.setScale('x', {min: range[0], max: range[1]});
+      this.plot.setScale('x', {min: range[0] - origin, max: range[1] - origin});
     });
     if (!this.plain) this.tell();
   }
@@ -105,9 +108,12 @@ export class CurvePlot {
     });
   }
 
+  // On the robot's clock.
+  timeAt(left) { return this.plot.posToVal(left, 'x') + this.timeline.store.origin; }
+
   select(u) {
     if (u.select.width < 5) return;
-    this.timeline.zoom(u.posToVal(u.select.left, 'x'), u.posToVal(u.select.left + u.select.width, 'x'));
+    this.timeline.zoom(this.timeAt(u.select.left), this.timeAt(u.select.left + u.select.width));
     u.setSelect({left: 0, width: 0, top: 0, height: 0}, false);
   }
 
@@ -115,6 +121,6 @@ export class CurvePlot {
     if (!event.ctrlKey && !this.timeline.paused) return;  // the page scrolls
     event.preventDefault();
     const left = event.clientX - this.plot.over.getBoundingClientRect().left;
-    this.timeline.scale(event.deltaY > 0 ? 1.25 : 0.8, this.plot.posToVal(left, 'x'));
+    this.timeline.scale(event.deltaY > 0 ? 1.25 : 0.8, this.timeAt(left));
   }
 }

@@ -14,7 +14,7 @@ export class CurvesPane {
   begin(joints) {
     const scale = 180 / Math.PI;
     this.plots = joints.map(({name}) => new CurvePlot(this.timeline, {
-      title: name, unit: 'deg', height: 74, plain: true,
+      title: name, unit: '', height: 74, plain: true,
       curves: [{key: `${name}.goal`, colour: 'target', scale}, {key: `${name}.position`, colour: 'actual', scale}],
       span: [-5, 5]}));
     this.node.replaceChildren(

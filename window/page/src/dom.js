@@ -12,7 +12,9 @@ export function el(tag, properties = {}, ...children) {
 
 /// What is not known is a dash, never a zero.
 export function number(value, digits = 0) {
-  return value === null || value === undefined || Number.isNaN(value) ? '—' : value.toFixed(digits);
+  if (value === null || value === undefined || Number.isNaN(value)) return '—';
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? text.replace('-', '') : text;  // no -0
 }
 
 /// A number with its unit; the unit goes with the number.

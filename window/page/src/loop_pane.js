@@ -3,7 +3,7 @@ import {el, number, setText, withUnit} from './dom.js';
 
 const kFigures = [
   ['Cycles', (m) => number(m.cycles)],
-  ['Overruns, last second / all', (m) => `${number(m.recent?.overruns)} / ${number(m.overruns)}`],
+  ['Overruns, new / all', (m) => `${number(m.recent?.overruns)} / ${number(m.overruns)}`],
   ['Skipped cycles', (m) => number(m.skipped)],
   ['Wake-up, median', (m) => withUnit(m.wake_us?.p50, 0, 'µs')],
   ['Wake-up, 99 %', (m) => withUnit(m.wake_us?.p99, 0, 'µs')],

@@ -1,9 +1,10 @@
 // The picture of the robot: measured in its colours, commanded as a ghost.
 import {
-  AmbientLight, CircleGeometry, Color, DirectionalLight, Fog, GridHelper, Mesh, MeshBasicMaterial, MeshLambertMaterial,
+  AmbientLight, CircleGeometry, DirectionalLight, Fog, Mesh, MeshBasicMaterial, MeshLambertMaterial,
   PerspectiveCamera, Scene, WebGLRenderer,
 } from 'three';
 import {colour} from './dom.js';
+import {floorLines, follow} from './floor_lines.js';
 import {Orbit} from './orbit.js';
 import {Pace} from './pace.js';
 import {RobotModel} from './robot_model.js';
@@ -23,7 +24,7 @@ export class RobotView {
     this.camera.up.set(0, 0, 1);
     this.orbit = new Orbit(canvas, this.camera);
     this.robot = new RobotModel(body);
-    this.ghost_look = new MeshLambertMaterial({transparent: true, opacity: 0.34, depthWrite: false, fog: false});
+    this.ghost_look = new MeshLambertMaterial({transparent: true, opacity: 0.28, depthWrite: false, fog: false});
     this.ghost = new RobotModel(body, this.ghost_look);
     this.ghost.trunk.visible = false;
     this.tilt = new Tilt(body.sensors);
@@ -33,7 +34,9 @@ export class RobotView {
     fill.position.set(1, 3, 1);
     this.floor = new Mesh(new CircleGeometry(6, 48), new MeshBasicMaterial({depthWrite: false}));
     this.floor.renderOrder = -2;  // first, and under everything: then the lines on it, then the robot
-    this.scene.add(new AmbientLight(0xffffff, 1.3), sun, fill, this.floor, this.robot.trunk, this.ghost.trunk);
+    this.lines = floorLines();
+    this.lines.renderOrder = -1;
+    this.scene.add(new AmbientLight(0xffffff, 1.3), sun, fill, this.floor, this.lines, this.robot.trunk, this.ghost.trunk);
     this.paint();
     this.apart = new Set();
     this.changed = true;
@@ -42,13 +45,7 @@ export class RobotView {
 
   /// Colours of the page, which may turn light or dark.
   paint() {
-    this.grid?.dispose();
-    if (this.grid) this.scene.remove(this.grid);
-    this.grid = new GridHelper(12, 120, new Color(colour('grid')), new Color(colour('grid')));
-    this.grid.rotation.x = Math.PI / 2;
-    this.grid.renderOrder = -1;
-    this.grid.material.depthWrite = false;
-    this.scene.add(this.grid);
+    this.lines.material.color.set(colour('grid'));
     this.floor.material.color.set(colour('floor'));
     this.scene.fog = new Fog(colour('sky'), 1.2, 3.5);
     this.ghost_look.color.set(colour('ghost'));
@@ -98,6 +95,8 @@ export class RobotView {
       this.camera.updateProjectionMatrix();
       [this.width, this.height] = [width, height];
     }
+    follow(this.lines, this.robot.trunk.position);
+    follow(this.floor, this.robot.trunk.position);
     this.orbit.apply();
     this.renderer.render(this.scene, this.camera);
     this.changed = false;

@@ -8,12 +8,14 @@ export class Store {
     this.rows = rows;
     this.index = new Map(columns.map((column, i) => [column.key, i]));
     this.data = columns.map((column, i) => (i < 2 ? new Float64Array(rows) : new Float32Array(rows)));
+    this.origin = 0;   // time of the first row ever: axes count from there
     this.written = 0;  // rows ever written; the oldest are overwritten
   }
 
   get count() { return Math.min(this.written, this.rows); }
 
   add(row) {
+    if (this.written === 0) [this.origin] = row;
     const at = this.written % this.rows;
     for (let i = 0; i < row.length; ++i) this.data[i][at] = row[i];
     ++this.written;
@@ -51,6 +53,7 @@ export class Store {
   frozen() {
     const copy = new Store(this.columns, this.rows);
     copy.data = this.data.map((column) => column.slice());
+    copy.origin = this.origin;
     copy.written = this.written;
     return copy;
   }
