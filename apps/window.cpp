@@ -2,6 +2,7 @@
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <iostream>
 #include <memory>
@@ -12,10 +13,13 @@
 
 #include "remote/monitor/messages.hpp"
 #include "remote/monitor/monitor.hpp"
+#include "remote/robot/link_port.hpp"
 #include "remote/web/server.hpp"
 #include "runtime/clock.hpp"
+#include "runtime/daemon_link.hpp"
 #include "window/assets.hpp"
 #include "window/body_json.hpp"
+#include "window/driver.hpp"
 #include "window/own_robot.hpp"
 #include "window/secret.hpp"
 
@@ -24,6 +28,9 @@ namespace {
 using namespace darwinop;
 
 std::atomic<bool> window_stop{false};
+
+constexpr Nanos kDrivingPause{10'000'000};  // more often than a cycle: a driver must not seem to stall
+constexpr bool kStartWhereItIs = true;      // who drags an arm does not want the robot to kneel first
 
 struct WindowArguments {
   std::string robot = "twin", model = "darwin-op", name;
@@ -57,12 +64,14 @@ std::unique_ptr<window::OwnRobot> ownRobot(const WindowArguments& given) {
 }
 
 /// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
-std::string serveWindow(web::Server& server, const std::string& model, monitor::Monitor& monitor) {
+std::string serveWindow(web::Server& server, const std::string& model, monitor::Monitor& monitor,
+                        window::Driver& driver) {
   const std::string base = "/" + window::newSecret() + "/";
   for (const window::Asset& asset : window::assets())
     server.serve(base + std::string{asset.name}, {std::string{asset.type}, std::string{asset.body}});
   server.serve(base + "body.json", {"application/json", window::bodyJson(model)});
   server.channel(base + "monitor", monitor::kSubprotocol, monitor);
+  server.channel(base + "steering", window::kSteeringProtocol, driver);
   return "http://127.0.0.1:" + std::to_string(server.port()) + base;
 }
 
@@ -71,19 +80,23 @@ int showWindow(const WindowArguments& given) {
   const std::unique_ptr<window::OwnRobot> own = ownRobot(given);
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
   monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); }, nullptr};
+  remote::LinkPort port{remote::LinkPort::Home::kDaemon, [&] { return std::make_unique<runtime::DaemonLink>(files); },
+                        kStartWhereItIs};
+  window::Driver driver{port, [] { return runtime::MonotonicClock{}.now(); }};
   web::ServerConfig config;
   config.port = given.port;
   config.entry.own_origin = true;
   web::Server server{config, sayWindow};
-  const std::string address = serveWindow(server, given.model, monitor);
+  const std::string address = serveWindow(server, given.model, monitor, driver);
   std::cout << "open in a browser: " << address << '\n';
   if (own)
     std::cout << "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" << own->name()
               << '\n';
   std::cout << "end with Ctrl+C" << std::endl;
   while (!window_stop) {
-    server.attend(monitor.pause());
+    server.attend(driver.drives() ? std::min(monitor.pause(), kDrivingPause) : monitor.pause());
     monitor.look();
+    driver.turn();
     if (const std::string news = own ? own->news() : ""; !news.empty()) {
       monitor.notice(news);
       sayWindow(news);

@@ -5,7 +5,7 @@ import {createServer} from 'node:http';
 import {after, before, test} from 'node:test';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
-const kTabs = 6;
+const kTabs = 7;
 let browser, shown;
 
 before(async () => {
@@ -16,11 +16,11 @@ after(async () => {
   await shown?.end();
 });
 
-async function openPage(options = {}) {
+async function openPage(options = {}, url = shown.url) {
   const page = await browser.newPage(options);
   const errors = [];
   page.on('pageerror', (error) => errors.push(error.message));
-  await page.goto(shown.url);
+  await page.goto(url);
   await page.waitForFunction(() => window.darwinop?.view && window.darwinop.timeline.live?.count > 30);
   assert.deepEqual(errors, []);
   return page;

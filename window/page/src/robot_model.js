@@ -64,6 +64,9 @@ export class RobotModel {
 
   find(name) { return this.links.find((link) => link.name === name); }
 
+  /// Name of the joint that turns a link, or null.
+  jointOf(link) { return this.joint_of[this.links.indexOf(link)] ?? null; }
+
   /// Angles, rad, by the joint's name; one that is not known stays where it was.
   setJoint(name, angle) {
     const joint = this.joints.get(name);

@@ -5,11 +5,15 @@ import {CurvesPane} from './curves_pane.js';
 import {kDark, setClass, setText} from './dom.js';
 import {FaultsPane} from './faults_pane.js';
 import {Feed} from './feed.js';
+import {LimbDrag} from './limb_drag.js';
 import {LoopPane} from './loop_pane.js';
 import {Pills} from './pills.js';
 import {RobotView} from './robot_view.js';
 import {SensorsPane} from './sensors_pane.js';
 import {ServosPane} from './servos_pane.js';
+import {SteerBar} from './steer_bar.js';
+import {Steering} from './steering.js';
+import {SteerPane} from './steer_pane.js';
 import {kMinutesKept, Store} from './store.js';
 import {Tabs} from './tabs.js';
 import {TimeBar} from './time_bar.js';
@@ -20,19 +24,23 @@ const kGap_s = 0.25;       // more than this between two states: the curve has a
 const kFigures_ms = 200;   // numbers that change faster cannot be read
 const by = (id) => document.getElementById(id);
 
-const feed = new Feed(new URL('monitor', location.href.replace(/^http/, 'ws')));
+const channel = (name) => new URL(name, location.href.replace(/^http/, 'ws'));
+const feed = new Feed(channel('monitor'));
+const steering = new Steering(channel('steering'));
+const steer = new SteerPane(steering);
 const timeline = new Timeline();
 const pills = new Pills(by('pills'));
-const faults = new FaultsPane((count) => { pills.faults(count); tabs.count(4, count); });
+const faults = new FaultsPane((count) => { pills.faults(count); tabs.count(5, count); });
 const loop = new LoopPane();
 const servos = new ServosPane(timeline);
 const panes = [
   {name: 'Servos', pane: servos}, {name: 'All curves', pane: new CurvesPane(timeline)},
-  {name: 'Motion sensors', pane: new SensorsPane(timeline)}, {name: 'Loop', pane: loop},
+  {name: 'Motion sensors', pane: new SensorsPane(timeline)}, {name: 'Steer', pane: steer}, {name: 'Loop', pane: loop},
   {name: 'Faults', pane: faults}, {name: 'Camera', pane: new CameraPane(feed)},
 ];
 let shown = servos, view = null, joints = [], row = null, newest = null, marks = [];
 const tabs = new Tabs(by('tabs'), by('stage'), panes, (pane) => { shown = pane; });
+new SteerBar(by('steer'), steering);
 new TimeBar(by('time'), timeline, () => `darwinop-${new Date().toISOString().slice(0, 19).replace(/[:T]/g, '-')}.csv`);
 
 feed.addEventListener('hello', ({detail}) => {
@@ -79,6 +87,12 @@ feed.addEventListener('faults', ({detail}) => faults.take(detail));
 feed.addEventListener('notice', ({detail}) => faults.notice(detail));
 feed.addEventListener('gone', () => pills.nothing());
 
+// Where a joint is to be, or is.
+function goalOf(name) {
+  const i = joints.findIndex((joint) => joint.name === name);
+  return newest === null || i < 0 ? null : newest.joints.goal[i] ?? newest.joints.position[i];
+}
+
 function tell() {
   const trouble = feed.trouble, banner = by('banner');
   banner.hidden = trouble === null;
@@ -107,7 +121,8 @@ kDark.addEventListener('change', () => {
 
 fetch('body.json').then((answer) => answer.json()).then((body) => {
   view = new RobotView(by('view'), body);
+  new LimbDrag(view, steering, goalOf, (name, angle) => steer.aim(name, angle));
   setText(by('pose-note'), 'Place on the floor is guessed from the standing foot, lean from accelerometer and gyro.');
 }).catch((error) => setText(by('pose-note'), `No picture of the robot: ${error.message}`));
 
-window.darwinop = {frames, timeline, feed, get view() { return view; }};
+window.darwinop = {frames, timeline, feed, steering, get view() { return view; }};
