@@ -109,8 +109,9 @@ TEST_F(WebServer, ShowsOutWhoSaysTooMuch) {
   third.say("out");
   EXPECT_EQ(third.hear().value_or(Heard{}).opcode, 8);
   EXPECT_TRUE(third.atEnd());
+  for (WebClient* peer : {&wordy, &hasty, &third}) peer->leave();
   for (int i = 0; i < 5000 && echo_.ended < 3; ++i) server_->attend(1ms);
-  EXPECT_EQ(echo_.ended, 3);
+  EXPECT_EQ(echo_.ended, 3) << said_;
 }
 
 TEST_F(WebServer, HasAPlaceForEightAndOneAgainWhenOneLeaves) {
