@@ -83,8 +83,10 @@ class MonitorTest : public testing::Test {
   }
   /// Cycles of 16 ms, when there is a runtime, and a look at each.
   void pass(Nanos time) {
+    constexpr std::array<Nanos, 5> kSteps{16ms, 19ms, 13ms, 10ms, 22ms};  // a thread is never on time
+    std::size_t step = 0;
     for (const Nanos last = now_ + time; now_ < last;) {
-      now_ += 16ms;
+      now_ += kSteps[step++ % kSteps.size()];
       if (exchange_) cycle();
       monitor().look();
     }
