@@ -15,9 +15,9 @@ struct Knock {
 };
 
 struct EntryRules {
-  std::vector<std::string> origins;  // pages that may ask, exactly as browsers write them: "http://127.0.0.1:8080"
-  bool own_origin = false;           // so may pages of this server
-  std::vector<std::string> hosts;    // names of this computer beside localhost
+  std::vector<std::string> origins{};  // pages that may ask, exactly as browsers write them: "http://127.0.0.1:8080"
+  bool own_origin = false;             // so may pages of this server
+  std::vector<std::string> hosts{};    // names of this computer beside localhost
 };
 
 /// Empty: come in. Else a sentence for the one who knocks.

@@ -15,7 +15,7 @@ namespace {
 namespace asio = boost::asio;
 
 /// What a slow peer's kernel may hold of ours: a picture and some messages, not minutes of them.
-constexpr int kSendBuffer = 65536;
+constexpr int kSendBuffer = 16384;
 constexpr int kGuestsAtOnce = 16;  // then others have their turn
 
 }  // namespace

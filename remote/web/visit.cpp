@@ -12,6 +12,7 @@ namespace http = boost::beast::http;
 namespace websocket = boost::beast::websocket;
 
 constexpr std::uint32_t kLongestHead = 8192;
+constexpr std::size_t kLongestFarewell = 120;  // RFC 6455: a control frame has room for 123
 
 std::string_view viewOf(beast::string_view text) {
   return {text.data(), text.size()};
@@ -141,14 +142,15 @@ void Visit::opened(const Endpoint& endpoint) {
   user_ = endpoint.user;
   house_.say(name_ + " looks on");
   user_->opened(*this);
-  listen();
+  closing_ ? sayFarewell() : listen();
 }
 
 void Visit::listen() {
+  reading_ = true;
   stream_.async_read(heard_, [self = shared_from_this()](Error error, std::size_t) {
+    self->reading_ = false;
     if (!error) return self->heard();
-    self->leave(error == websocket::error::closed ? "" : error.message());
-    self->stream_.next_layer().close();  // what is still being sent to it ends, too
+    self->end(error == websocket::error::closed ? "" : error.message());
   });
 }
 
@@ -159,12 +161,12 @@ void Visit::heard() {
     messages_ = 0;
   }
   if (++messages_ > house_.config.most_messages) close("too many messages");
-  if (user_ != nullptr && !closing_) {
+  if (!closing_) {
     const auto bytes = heard_.cdata();
     user_->said(*this, {static_cast<const char*>(bytes.data()), bytes.size()}, stream_.got_binary());
   }
   heard_.clear();
-  listen();
+  closing_ ? sayFarewell() : listen();
 }
 
 void Visit::put(Parcel parcel) {
@@ -186,10 +188,21 @@ void Visit::pump() {
 }
 
 void Visit::close(const std::string& why) {
-  if (std::exchange(closing_, true)) return;
+  if (user_ == nullptr || std::exchange(closing_, true)) return;
   house_.say(name_ + " is shown out: " + why);
-  const websocket::close_reason reason{websocket::close_code::policy_error, why.substr(0, 120)};
-  stream_.async_close(reason, [self = shared_from_this()](Error) {});
+  farewell_ = why.substr(0, kLongestFarewell);
+  // Beast 1.74 does not bear a farewell while it reads; without one the connection just ends.
+  if (reading_) stream_.next_layer().close();
+}
+
+void Visit::sayFarewell() {
+  const websocket::close_reason reason{websocket::close_code::policy_error, farewell_};
+  stream_.async_close(reason, [self = shared_from_this()](Error) { self->end({}); });
+}
+
+void Visit::end(const std::string& why) {
+  leave(why);
+  stream_.next_layer().close();  // what is still being sent ends, too
 }
 
 void Visit::leave(const std::string& why) {

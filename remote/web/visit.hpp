@@ -67,6 +67,8 @@ class Visit final : public Channel, public std::enable_shared_from_this<Visit> {
   void heard();
   void put(Parcel parcel);
   void pump();
+  void sayFarewell();
+  void end(const std::string& why);
   void leave(const std::string& why);
 
   House& house_;
@@ -79,7 +81,8 @@ class Visit final : public Channel, public std::enable_shared_from_this<Visit> {
   bool has_seat_ = false;        // counts among the channels
   Outbox outbox_;
   std::optional<Parcel> leaving_;  // is being sent
-  bool closing_ = false;
+  bool reading_ = false, closing_ = false;
+  std::string farewell_;
   std::chrono::steady_clock::time_point second_{};
   int messages_ = 0;  // in this second
 };
