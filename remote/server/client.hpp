@@ -27,7 +27,7 @@ class Client {
   }
   [[nodiscard]] std::size_t garbageBytes() const { return reader_.garbageBytes(); }
 
-  /// A reply with its NUL leaves in one call. False: the connection has ended.
+  /// A reply leaves in one call, with its NUL unless that would travel alone. False: the connection has ended.
   [[nodiscard]] bool reply(const Request& request, const Reply& reply);
   /// Sends what the network did not take yet. False: the connection has ended.
   [[nodiscard]] bool flush();

@@ -69,7 +69,11 @@ void Server::answerAll() {
   Request request;
   Oddities oddities;
   while (client_ && !client_->owes()) {
-    switch (client_->next(request, oddities)) {
+    const RequestReader::Found found = client_->next(request, oddities);
+    // A web page can make its reader's browser send anything to this port, but only behind a head of HTTP.
+    if (!client_->driven && client_->garbageBytes() > 0)
+      return showOut("speaks another protocol: its first byte begins no request");
+    switch (found) {
       case RequestReader::Found::kNothing:
         if (client_->garbageBytes() > 0 && !std::exchange(client_->told_garbage, true))
           log(client_->name() + ": bytes that begin no request are skipped");

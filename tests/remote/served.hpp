@@ -52,7 +52,9 @@ struct Served {
 /// A socket of a client. Never waits.
 class TestClient {
  public:
-  explicit TestClient(Served& served) : served_{served}, socket_{::socket(AF_INET, SOCK_STREAM, 0)} {
+  /// `segment`: the network's packets are that long at most; 0: as long as the loopback's.
+  explicit TestClient(Served& served, int segment = 0) : served_{served}, socket_{::socket(AF_INET, SOCK_STREAM, 0)} {
+    if (segment > 0) (void)setsockopt(socket_.descriptor(), IPPROTO_TCP, TCP_MAXSEG, &segment, sizeof segment);
     sockaddr_in name{};
     name.sin_family = AF_INET;
     name.sin_port = htons(served.server.port());
