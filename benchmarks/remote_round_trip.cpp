@@ -103,7 +103,8 @@ int main() {
 
   StillRobot robot;
   const auto clock = [] { return Nanos{std::chrono::steady_clock::now().time_since_epoch()}; };
-  Server server{{.port = 0}, robot, [] { return std::make_unique<StillPicture>(); }, clock, [](const auto&) {}};
+  Server server{
+      {.port = 0, .pace = Nanos{0}}, robot, [] { return std::make_unique<StillPicture>(); }, clock, [](const auto&) {}};
   std::atomic<bool> stop{false};
   std::thread serving{[&] { server.run(stop); }};
   const std::vector<double> ours = measure(connectTo(server.port()), request, reply_size);

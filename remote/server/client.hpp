@@ -38,6 +38,7 @@ class Client {
   bool drives = false;           // holds the lease
   bool driven = false;           // has held it
   Nanos began{0};                // when it got the lease
+  bool more = false;             // requests that were read and not looked at: the server had no allowance left
   std::optional<Request> waits;  // for values that the robot has not told yet
   Oddities told{};               // what has been said of its requests
   Doubts told_values{};          // and of the replies

@@ -24,7 +24,7 @@ struct Served {
   Nanos now{std::chrono::hours{1}};
   Server server;
 
-  explicit Served(Server::OpenPictures pictures = {}, ServerConfig config = {})
+  explicit Served(Server::OpenPictures pictures = {}, ServerConfig config = unhurried())
       : server{withAnyPort(std::move(config)), robot, std::move(pictures), [this] { return now; },
                [this](const std::string& line) { said.push_back(line); }} {}
 
@@ -40,6 +40,13 @@ struct Served {
     for (const std::string& line : said)
       if (line.find(part) != std::string::npos) return true;
     return false;
+  }
+
+  /// The clock stands still, so time earns nothing.
+  static ServerConfig unhurried() {
+    ServerConfig config;
+    config.pace = Nanos{0};
+    return config;
   }
 
  private:

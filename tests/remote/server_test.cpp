@@ -252,6 +252,42 @@ TEST(RemoteServer, AFloodOfRequestsIsAnsweredAsFarAsItIsRead) {
   EXPECT_EQ(received, 2000 * 20010);
 }
 
+TEST(RemoteServer, AFloodGetsNoMoreThanItsShareOfTheCpu) {
+  Served served{{}, ServerConfig{}};
+  TestClient client{served};
+  ByteList flood;
+  for (int i = 0; i < 250; ++i)
+    for (const std::uint8_t byte : fromHex(kEmptyRequest)) flood.push_back(byte);
+  client.send(flood);
+  served.attend(100);
+  EXPECT_LE(served.robot.obeyed.size(), 64);
+  EXPECT_GE(served.robot.obeyed.size(), 50);
+  for (int ms = 0; ms < 200; ++ms) {
+    const std::size_t before = served.robot.obeyed.size();
+    served.pass(1ms);
+    EXPECT_LE(served.robot.obeyed.size() - before, 2);
+  }
+  EXPECT_EQ(served.robot.obeyed.size(), 250) << "late, but each";
+}
+
+TEST(RemoteServer, CallersGetNoMoreThanTheirShareEither) {
+  Served served{{}, {.allowed = {networkFromText("192.168.123.0/24")}}};
+  int shown_out = 0;
+  for (int i = 0; i < 67; ++i) shown_out += TestClient{served}.shownOut() ? 1 : 0;
+  EXPECT_EQ(shown_out, 64) << "the others wait at the door";
+  served.pass(2ms);
+  EXPECT_TRUE(TestClient{served}.shownOut());
+}
+
+TEST(RemoteServer, WhoAsksEveryStepNeverWaitsForAnAllowance) {
+  Served served{{}, ServerConfig{}};
+  TestClient client{served};
+  for (int step = 0; step < 500; ++step) {
+    ASSERT_EQ(client.ask(kEmptyRequest), kEmptyReply) << step;
+    served.now += 4ms;
+  }
+}
+
 TEST(RemoteServer, AnswersOddRequestsAsTheOldOneAndSaysSoOnce) {
   Served served;
   TestClient client{served};
