@@ -6,6 +6,7 @@
 #include <pthread.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -59,30 +60,36 @@ class Sink {
 struct Share {
   HistogramView wake;
   std::uint32_t cycles = 0, overruns = 0;
+  double server_s = 0;
 
-  void add(const StatsView& turn) {
+  void add(const StatsView& turn, double server) {
     for (std::size_t i = 0; i < wake.count.size(); ++i) wake.count[i] += turn.wake.count[i];
     cycles += turn.cycles;
     overruns += turn.overruns;
+    server_s += server;
   }
+  /// Of one CPU.
+  [[nodiscard]] double serverPercent() const { return 100 * server_s / (cycles * 0.016); }
 };
 
 template <class During>
 void takeTurn(const SiegeRig& rig, Share& share, During&& during) {
   [[maybe_unused]] const auto lives_till_the_end = during();
   const StatsView before = rig.stats();
+  const auto cpu = rig.serverCpu();
   if (!rig.runCycles(kCyclesOfATurn)) throw std::runtime_error("the loop stands still: " + rig.runtime().output());
-  share.add(rig.stats().since(before));
+  share.add(rig.stats().since(before), (rig.serverCpu() - cpu).count());
 }
 
 void print(const std::string& rights, const std::string& what, const Share& ours, const Share& idle) {
   const auto line = [&](const char* figure, double value, double peer, const char* unit) {
-    std::printf("bench: remote_flood_%s_%s_%s ours=%.0f peer=%.0f ratio=%.3f unit=%s\n", rights.c_str(), what.c_str(),
-                figure, value, peer, value / peer, unit);
+    std::printf("bench: remote_flood_%s_%s_%s ours=%.1f peer=%.1f ratio=%.3f unit=%s\n", rights.c_str(), what.c_str(),
+                figure, value, peer, value / std::max(peer, 1.0), unit);
   };
   line("p50", ours.wake.percentile(0.5), idle.wake.percentile(0.5), "us");
   line("p99", ours.wake.percentile(0.99), idle.wake.percentile(0.99), "us");
   line("overruns", ours.overruns, idle.overruns, "cycles");
+  line("server_cpu", ours.serverPercent(), 100, "percent");  // peer: a whole CPU
   std::fflush(stdout);
 }
 

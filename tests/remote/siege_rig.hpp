@@ -6,6 +6,7 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
+#include <time.h>
 
 #include <fstream>
 #include <optional>
@@ -55,6 +56,14 @@ class SiegeRig {
       std::this_thread::sleep_for(std::chrono::milliseconds{10});
     }
     return false;
+  }
+  /// CPU time that the server's process has taken.
+  [[nodiscard]] std::chrono::duration<double> serverCpu() const {
+    clockid_t clock{};
+    timespec taken{};
+    if (clock_getcpuclockid(server_->pid(), &clock) != 0 || clock_gettime(clock, &taken) != 0)
+      throw std::runtime_error("the server has ended: " + server_->output());
+    return std::chrono::seconds{taken.tv_sec} + std::chrono::nanoseconds{taken.tv_nsec};
   }
   /// Memory of the server's process, kB.
   [[nodiscard]] long residentKb() const {
