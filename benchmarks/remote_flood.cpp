@@ -93,11 +93,16 @@ void print(const std::string& rights, const std::string& what, const Share& ours
   std::fflush(stdout);
 }
 
+/// Root has the right to real time by a capability, others by a limit: a command that takes it away.
+std::vector<std::string> withoutRealTime() {
+  if (geteuid() == 0) return {"/usr/bin/setpriv", "--bounding-set", "-sys_nice", "--inh-caps", "-sys_nice"};
+  return {"/usr/bin/prlimit", "--rtprio=0"};
+}
+
 void besiege(const std::string& programs, const std::string& rights, int rounds) {
-  // Root has the right to real time by a capability, others by a limit.
-  const SiegeRig rig{programs, rights == "realtime" ? std::vector<std::string>{}
-                                                    : std::vector<std::string>{"/usr/bin/setpriv", "--bounding-set",
-                                                                               "-sys_nice", "--inh-caps", "-sys_nice"}};
+  const bool real_time = rights == "realtime";
+  setenv("DARWINOP_REALTIME", real_time ? "required" : "if-allowed", 1);
+  const SiegeRig rig{programs, real_time ? std::vector<std::string>{} : withoutRealTime()};
   const Sink sink;
   std::map<std::string, Share> shares;
   for (int round = 0; round < rounds; ++round) {

@@ -159,13 +159,14 @@ void takeTurns(std::vector<Way>& ways, const Frame& frame, const Bytes& seen) {
   }
 }
 
-/// Mean time of an exchange whose picture has these bytes.
+/// Median time of an exchange whose picture has these bytes.
 double exchangeUs(bench::ServingThread& serving, bench::PollingClient& client, Bytes picture) {
   const std::size_t length = picture.size();
   serving.show(std::move(picture));
-  double us = 0;
-  for (int i = 0; i < kExchanges; ++i) us += client.exchange(length) / kExchanges;
-  return us;
+  std::array<double, kExchanges> us;
+  for (double& each : us) each = client.exchange(length);
+  std::ranges::nth_element(us, us.begin() + kExchanges / 2);
+  return us[kExchanges / 2];
 }
 
 void print(const std::string& name, double ours, double peer, const char* unit) {
