@@ -13,11 +13,10 @@
 #include <jpeglib.h>
 
 #include <functional>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "hal/pixels/bgra_to_yuyv.hpp"
+#include "camera_scene.hpp"
 #include "hal/pixels/yuyv_to_bgra.hpp"
 #include "remote/jpeg/decoder.hpp"
 #include "remote/jpeg/encoder.hpp"
@@ -27,65 +26,11 @@ namespace {
 
 using namespace darwinop;
 using namespace darwinop::remote;
-using Bytes = std::vector<std::uint8_t>;
+using bench::Bytes;
+using bench::Frame;
+using bench::kPixels;
 
 constexpr int kTurns = 60, kScenes = 8, kExchanges = 60;
-constexpr std::size_t kPixels = std::size_t{320} * 240;
-
-/// A field with lines, a wall and a ball in the colours of `seed`, under light from one side, with a camera's noise.
-/// Several: how well a flat colour survives is luck.
-Bytes scene(std::uint32_t seed) {
-  std::mt19937 dice{seed};
-  const auto drawn = [&dice](double from, double to) {
-    return from + (to - from) * static_cast<double>(dice() >> 8) / 0x1000000;
-  };
-  const auto colour = [&drawn] { return std::array{drawn(20, 240), drawn(20, 240), drawn(20, 240)}; };
-  const std::array field = colour(), wall = colour(), line = colour(), ball = colour();
-  const double tilt = drawn(0.05, 0.25), from_dark = drawn(0.5, 0.9);
-  const double ball_x = drawn(100, 220), ball_y = drawn(90, 150);
-  Bytes bgra(4 * kPixels);
-  std::uint8_t* pixel = bgra.data();
-  for (int y = 0; y < 240; ++y)
-    for (int x = 0; x < 320; ++x, pixel += 4) {
-      const double light = from_dark + (1 - from_dark) * x / 320, from_ball = std::hypot(x - ball_x, y - ball_y);
-      const auto& at = from_ball < 24                                   ? ball
-                       : y < 80                                         ? wall
-                       : std::fmod(y + tilt * x, 45) < 4 || x % 110 < 3 ? line
-                                                                        : field;
-      for (int i = 0; i < 3; ++i)
-        pixel[i] = static_cast<std::uint8_t>(std::clamp(at[i] * light + drawn(-4, 4), 0.0, 255.0));
-      pixel[3] = 255;
-    }
-  return bgra;
-}
-
-/// The frame, and the part of it that a client sees, as JFIF's formula has its colours.
-struct Frame {
-  Frame(ImageSize part, std::uint32_t seed) : size{part} {
-    pixels::bgraToYuyvRotated(scene(seed), 320, 240, yuyv, 640);
-    for (int y = 0; y < size.height; ++y)
-      for (int x = 0; x < size.width; ++x) {
-        const int at = 320 * 240 - 1 - (320 * (topOf(size) + y) + leftOf(size) + x);  // upside down
-        const std::uint8_t* pair = yuyv.data() + at / 2 * 4;
-        const double luma = pair[at % 2 * 2], u = pair[1] - 128, v = pair[3] - 128;
-        for (const double c : {luma + 1.772 * u, luma - 0.344136 * u - 0.714136 * v, luma + 1.402 * v})
-          colours.push_back(std::clamp(c, 0.0, 255.0));
-      }
-  }
-  [[nodiscard]] pixels::YuyvImage image() const { return {yuyv, 320, 240, 640}; }
-
-  ImageSize size;
-  Bytes yuyv = Bytes(2 * kPixels);
-  std::vector<double> colours;  // blue, green, red
-};
-
-/// Mean square of what a picture is off, over the three colours.
-double meanSquare(const Frame& frame, const Bytes& bgra) {
-  double squares = 0;
-  for (std::size_t i = 0; i < frame.colours.size(); ++i)
-    squares += std::pow(bgra[i / 3 * 4 + i % 3] - frame.colours[i], 2);
-  return squares / static_cast<double>(frame.colours.size());
-}
 
 /// libjpeg as a program uses it that does no more than needed: heap for each picture, defaults for everything.
 struct PlainJpeg {
@@ -188,11 +133,22 @@ std::size_t threeBytes(const Bytes& bgra, ImageSize size, Bytes& into) {
   return static_cast<std::size_t>(to - into.data());
 }
 
+const Way& named(const std::vector<Way>& ways, const std::string& name) {
+  return *std::ranges::find(ways, name, &Way::name);
+}
+
+/// A row for the JPEGs of one quality; raw bytes, which have none, below the last one.
 void printTable(const std::vector<Way>& ways, ImageSize size, int quality) {
-  for (const Way& way : ways)
-    std::printf("| %dx%d, %d | %s | %.0f | %.0f | %.0f | %.0f | %.2f | %.1f | %.2f |\n", size.width, size.height,
-                quality, way.name.c_str(), way.stepUs(), way.pack_us, way.unpack_us, way.length,
-                way.pack_us / ways.front().pack_us, way.psnr(), ways.front().psnr() - way.psnr());
+  const Way &planes = named(ways, "planes"), &bgra = named(ways, "bgra");
+  std::printf("| %dx%d, %d | %.0f | %.0f | %.2f | %.0f | %.2f | %.2f | %.0f | %.0f | %.0f |\n", size.width, size.height,
+              quality, planes.pack_us, bgra.pack_us, bgra.pack_us / planes.pack_us, named(ways, "bgra_2013").pack_us,
+              planes.psnr(), bgra.psnr(), planes.length, planes.unpack_us, planes.stepUs());
+  if (quality != 50) return;
+  for (const char* const raw : {"raw_bgr", "raw_bgra"}) {
+    const Way& way = named(ways, raw);
+    std::printf("| %dx%d, %s | | %.0f | | | | | %.0f | %.0f | %.0f |\n", size.width, size.height, raw + 4, way.pack_us,
+                way.length, way.unpack_us, way.stepUs());
+  }
 }
 
 bool measure(ImageSize size, int quality, bool table) {
@@ -290,9 +246,8 @@ int main(int count, char** arguments) {
   const bool table = count > 1 && std::string{arguments[1]} == "table";
   if (table)
     std::puts(
-        "| picture, quality | way | step, us | compression, us | decompression, us | bytes | compression against "
-        "planes "
-        "| PSNR, dB | planes better by, dB |\n|---|---|---:|---:|---:|---:|---:|---:|---:|");
+        "| picture, quality | from planes | from BGRA | ratio | as in 2013 | PSNR, dB | from BGRA | bytes | "
+        "decompression | step |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
   bool sound = true;
   for (const ImageSize size : {ImageSize{160, 120}, kWholeImage})
     for (const int quality : {100, 80, 65, 50}) sound = measure(size, quality, table) && sound;
