@@ -117,14 +117,12 @@ int main(int count, char** arguments) try {
   app.add_option("--model", given.model, "model of the twin that gives the picture its shape")->capture_default_str();
   app.add_option("--name", given.name, "name of the runtime, when several run")->envname("DARWINOP_RUNTIME_NAME");
   app.add_option("--port", given.port, "TCP port on this computer; 0: any that is free")->capture_default_str();
-  app.add_option("controller", given.controller, "controller that drives the robot, and its arguments");
-  app.prefix_command();
+  app.add_option("controller", given.controller, "controller that drives the robot; after -- its own options");
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
       "Example, without a robot:\n  darwinop window build/release/controllers/05_walk\n"
       "Beside a running runtime:\n  darwinop window --robot runtime");
   CLI11_PARSE(app, count, arguments);
-  for (const std::string& word : app.remaining()) given.controller.push_back(word);
   return showWindow(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop window: " << error.what() << '\n';

@@ -5,11 +5,13 @@ import {colour, el, number, setText} from './dom.js';
 const kEmpty = [null, null];
 
 export class CurvePlot {
-  /// curves: [{key, name, colour, scale}]; `span`: [low, high] that is always in the picture. `scale` multiplies what is
+  /// curves: [{key, name, colour, scale}]; `span`: [low, high] that is always in the picture; `least`: the
+  /// picture is no less high, so that noise looks like noise. `scale` multiplies what is
   /// stored, for degrees.
-  constructor(timeline, {title, unit, curves, span = kEmpty, height = 170, digits = 2, plain = false}) {
+  constructor(timeline, {title, unit, curves, span = kEmpty, least = 0, height = 170, digits = 2, plain = false}) {
     this.timeline = timeline;
     this.span = span;
+    this.least = least;
     this.digits = digits;
     this.unit = unit;
     this.plain = plain;
@@ -75,7 +77,7 @@ export class CurvePlot {
     let from = low ?? least ?? 0, to = high ?? most ?? 1;
     if (least !== null) from = Math.min(from, least);
     if (most !== null) to = Math.max(to, most);
-    const air = Math.max((to - from) * 0.06, 1e-3);
+    const air = Math.max((to - from) * 0.06, (this.least - (to - from)) / 2);
     return [from - air, to + air];
   }
 

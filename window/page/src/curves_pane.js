@@ -16,7 +16,7 @@ export class CurvesPane {
     this.plots = joints.map(({name}) => new CurvePlot(this.timeline, {
       title: name, unit: '', height: 74, plain: true,
       curves: [{key: `${name}.goal`, colour: 'target', scale}, {key: `${name}.position`, colour: 'actual', scale}],
-      span: [-5, 5]}));
+      least: 5}));
     this.node.replaceChildren(
       el('p', {className: 'key'}, ...this.legend()), el('div', {className: 'small-plots'}, ...this.plots.map((p) => p.node)));
   }

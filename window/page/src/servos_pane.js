@@ -20,7 +20,7 @@ export class ServosPane {
     this.joints = joints;
     const curves = this.curvesOf(joints[this.chosen]);
     const make = (i, title, unit, height, digits, span) =>
-      new CurvePlot(this.timeline, {title, unit, curves: curves[i], height, digits, span});
+      new CurvePlot(this.timeline, {title, unit, curves: curves[i], height, digits, span, least: 2});
     this.plots = [make(0, '', 'deg', 190, 2), make(1, 'Load', '% of the greatest torque', 115, 0, [-10, 10]),
       make(2, 'Temperature', '°C', 95, 0, [20, 40])];
     this.body = el('tbody');
