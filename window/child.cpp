@@ -49,6 +49,7 @@ Child::Child(const std::string& noun, const std::vector<std::string>& arguments,
   std::vector<std::string> words{programOf(noun)};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const pid_t parent = getpid();
