@@ -85,6 +85,7 @@ int serveRemote(const RemoteArguments& given) {
   remote::Server server{config, robot, open_pictures, clock, sayRemote};
   std::cout << "ready: " << given.listen << ":" << server.port() << std::endl;
   server.run(remote_stop);
+  robot.sayFarewell();
   return 0;
 }
 

@@ -35,6 +35,8 @@ controller_main() {
   esac
 }
 
+on_signal=ask_to_stop  # what Ctrl-C does while somebody is attended
+
 list_parcel() {
   say "dry run: $controller_name would be sent to $target, with:"
   list_data_files "$controller_folder" "$controller_name" | sed 's/^\.\//  /' >&2
@@ -89,7 +91,8 @@ attended() {
   # Ends when this script does, even if it is killed.
   while echo && sleep 1 >/dev/null 9>&- && kill -0 $$ 2>/dev/null; do :; done >&9 2>/dev/null &
   beat=$!
-  trap ask_to_stop INT TERM HUP
+  trap '"$on_signal"' INT HUP
+  trap ask_to_stop TERM
   # A signal ends wait early; the session has ended when its status is there.
   until [ -s "$connection/ended" ]; do
     wait "$session"

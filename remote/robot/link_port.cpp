@@ -132,6 +132,17 @@ void LinkPort::hold() noexcept {
   link_.reset();
 }
 
+void LinkPort::sayFarewell() noexcept try {
+  if (home_ == Home::kOwn || !used_ || link_) return;  // who drives says it when the link goes
+  link_ = connect_();
+  const State state = link_->sensors().safety.state;
+  commands_.start_where_it_is = true;
+  if (state == State::kDriven || state == State::kHolding) link_->publish(commands_);  // who never spoke says none
+  link_.reset();
+} catch (const std::exception&) {
+  return;  // somebody else drives, or no loop runs: the robot is in other hands
+}
+
 /// Where a joint is to stay, or not known: it has no goal, so it needs no other one.
 Rad LinkPort::restingPlace(const Sensors& seen, std::size_t joint) const {
   const JointSensors& now = seen.joint[joint];

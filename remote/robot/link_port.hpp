@@ -36,6 +36,10 @@ class LinkPort final : public RobotPort {
   [[nodiscard]] std::string mustEnd() override;
   void hold() noexcept override;
 
+  /// At the end of the program. A client that has left gave the lease back without a farewell, and the robot holds for
+  /// gone_s; said in its place, on_exit follows at once.
+  void sayFarewell() noexcept;
+
   /// The robot's eye. Between begin() and hold(), which it must not outlive. Throws std::runtime_error when it has
   /// none.
   [[nodiscard]] std::unique_ptr<PictureSource> openPictures(ImageSize size, const v4l2::CameraSettings& settings,
