@@ -1,0 +1,272 @@
+#!/usr/bin/env bash
+# darwinop run --robot tcp://USER@HOST: a controller on this PC drives a real runtime on the robot, through a real sshd.
+# shellcheck disable=SC2154  # robot.sh and real_runtime.sh set what is read here
+. "$(dirname "$(readlink -f "$0")")/robot.sh"
+# shellcheck source=real_runtime.sh
+. "$HERE/real_runtime.sh"
+
+run=${DARWINOP_BIN:-$SOURCE/build/debug/bin}/darwinop-run
+client=$HERE/remote_client.sh
+
+robot_with_a_runtime() {
+  put_real_runtime
+  plug_virtual_robot
+}
+
+# start_run [OPTIONS]: as in a terminal of its own: a process group that gets Ctrl-C.
+start_run() {
+  : >"$LAB/out"
+  env --default-signal=INT DARWINOP_PASSWORD="$password" setsid "$run" --robot "tcp://$login@$ADDRESS" "$@" "$client" \
+    </dev/null >>"$LAB/out" 2>&1 &
+  run_pid=$!
+}
+
+# wait_run [SECONDS]: sets $status. Nothing may be left, neither here nor on the robot.
+wait_run() {
+  local tries=0
+  while kill -0 "$run_pid" 2>/dev/null; do
+    [ $((tries += 1)) -lt $((${1:-30} * 50)) ] || fail "darwinop run does not end: $(cat "$LAB/out")"
+    sleep 0.02
+  done
+  status=0
+  wait "$run_pid" || status=$?
+  { cat "$LAB/out"; echo "exit code $status"; } >>"$LAB/history"
+  robot_quiet
+  expect_pc_quiet
+}
+
+expect_pc_quiet() {
+  local tries=0
+  while pgrep -x ssh >/dev/null; do
+    [ $((tries += 1)) -lt 250 ] || fail "ssh still runs on the PC: $(pgrep -ax ssh | cut -c -200)"
+    sleep 0.02
+  done
+}
+
+# await PATTERN [SECONDS]
+await() {
+  local tries=0
+  until grep -qE -- "$1" "$LAB/out"; do
+    [ $((tries += 1)) -lt $((${2:-20} * 50)) ] || fail "'$1' was not said: $(cat "$LAB/out")"
+    kill -0 "$run_pid" 2>/dev/null || grep -qE -- "$1" "$LAB/out" || fail "it ended without '$1': $(cat "$LAB/out")"
+    sleep 0.02
+  done
+}
+
+expect_let_go() {
+  runtime_says | grep -q '^state .*limp' || fail "the robot was not brought to rest: $(runtime_says | head -4)"
+}
+expect_last_line() { tail -n "${2:-1}" "$LAB/out" | grep -qE -- "$1" || fail "the last line is not '$1': $(tail -n 3 "$LAB/out")"; }
+
+# on_terminal "PATTERN=KEYS"... -- [OPTIONS]: with a person at a terminal, who waits for each pattern and types.
+on_terminal() {
+  local steps=() step
+  while [ "$1" != -- ]; do steps+=("$1"); shift; done
+  shift
+  rm -f "$LAB/keyboard"
+  mkfifo "$LAB/keyboard"
+  exec 7<>"$LAB/keyboard"
+  : >"$LAB/out"
+  printf '%q ' exec env --default-signal=INT -u DARWINOP_PASSWORD "$run" --robot "tcp://$login@$ADDRESS" "$@" "$client" >"$LAB/command"
+  script -qefc "$(cat "$LAB/command")" /dev/null <&7 >>"$LAB/out" 2>&1 &
+  run_pid=$!
+  for step in "Password of=$password\n" "${steps[@]}"; do
+    await "${step%%=*}"
+    sleep 0.1  # it switches the echo off after the question
+    printf '%b' "${step#*=}" >&7
+  done
+  wait_run
+  exec 7>&-
+}
+
+# The robot does not sit as it should for as long as /run/pose-unsafe is there.
+make_pose_a_matter_of_a_file() {
+  local bin=$ROBOT/opt/darwinop/current/bin
+  mv "$bin/darwinop-runtime" "$bin/darwinop-runtime.real"
+  cat >"$bin/darwinop-runtime" <<'END'
+#!/bin/sh
+case " $* " in *--check-pose*) if [ -e /run/pose-unsafe ]; then cat /run/pose-unsafe; exit 3; fi ;; esac
+exec "$0.real" "$@"
+END
+  chmod 755 "$bin/darwinop-runtime"
+  echo 'KneeR is 0.8 rad off' >"$ROBOT/run/pose-unsafe"
+}
+
+# Kills -9 the process on the robot whose command line names it.
+pkill_on_robot() {
+  local process
+  for process in $(robot_processes); do
+    ! tr '\0' ' ' <"/proc/$process/cmdline" | grep -q "^sh -c .*" || ! grep -qa "$1" "/proc/$process/cmdline" || kill -KILL "$process"
+  done
+}
+
+master_of_ssh() { pgrep -f '^ssh .* -M .*-N' | head -1; }
+
+scenario_a_whole_run() {
+  robot_with_a_runtime
+  start_run --picture 160x120
+  await '^driving$'
+  expect_said 'connected to darwin@127.0.0.1 \([0-9.]+ s\)$'
+  expect_said 'version .* is installed'
+  expect_said 'start pose: right'
+  expect_said 'the runtime is ready \([0-9.]+ s\)$'
+  grep -qa -e '--port.0.2.2' "/proc/$(pgrep -x darwinop-remote)/cmdline" || fail "the size of pictures was not handed on"
+  supervisor_says | grep -q '^driver .*darwinop-remote' || fail "the supervisor does not say who drives: $(supervisor_says)"
+  ! tr '\0' '\n' <"/proc/$(pgrep -f '^bash .*/remote_client')/environ" | grep -q DARWINOP_PASSWORD || fail "the controller knows the password"
+  # Only on loopback, on both sides.
+  ! ss -Hltn 2>/dev/null | awk '{ print $4 }' | grep -vE '^(127\.0\.0\.1|\[::1\]):' || fail "a port is open to the network"
+  cp "$LAB/out" "$LAB/first"
+  run_install --status
+  expect_said '^running: .*remote control of .*@darwin'
+  if DARWINOP_PASSWORD=$password "$run" --robot "tcp://$login@$ADDRESS" "$client" </dev/null >"$LAB/out" 2>&1; then fail "two drive"; fi
+  expect_said 'remote control of .*@darwin runs on this robot already; stop it first'
+  cp "$LAB/first" "$LAB/out"
+  kill -INT -- "-$run_pid"
+  wait_run
+  expect_status 7
+  expect_said '^kneeling$'
+  expect_let_go
+}
+
+scenario_the_start_pose_is_asked_about() {
+  robot_with_a_runtime
+  make_pose_a_matter_of_a_file
+  start_run
+  wait_run
+  expect_status 3
+  expect_said 'KneeR is 0.8 rad off'
+  expect_said 'nothing was started: sit the robot down .* or add --force'
+  on_terminal '\[c\]ancel=c\n' --
+  expect_status 3
+  expect_said 'cancelled; nothing was started'
+  on_terminal '\[c\]ancel=\003' --
+  expect_status 130
+  expect_let_go
+  # Somebody sits it down, and it is looked at again; then it is off, and started all the same.
+  (sleep 3; rm "$ROBOT/run/pose-unsafe") &
+  on_terminal '\[c\]ancel=r\n' '\[c\]ancel.*\[c\]ancel=\003' --
+  expect_status 130
+  on_terminal '\[c\]ancel=g\n' '^driving=\003' --
+  expect_status 7
+  expect_said 'start pose: not right, going on all the same'
+  expect_let_go
+}
+
+# Whatever it is doing, on the PC or on the robot: the robot sits, nothing goes on, and it is said.
+scenario_ctrl_c_at_any_moment() {
+  local round delay
+  RANDOM=${DARWINOP_SEED:=$RANDOM}
+  echo "DARWINOP_SEED=$DARWINOP_SEED"
+  robot_with_a_runtime
+  for round in 1 2 3; do
+    delay=$((RANDOM % 2000))
+    start_run
+    sleep "$((delay / 1000)).$(printf %03d $((delay % 1000)))"
+    kill -INT -- "-$run_pid"
+    [ $round != 2 ] || kill -INT -- "-$run_pid"
+    wait_run
+    case $status in
+      7 | 143) expect_said '^driving$' ;;
+      130) ;;
+      *) fail "round $round, Ctrl-C after $delay ms: status $status" ;;
+    esac
+    expect_said 'the robot has let go|the robot was not told to do anything yet|no runtime answers'
+    ! runtime_says >"$LAB/state" 2>&1 || grep -q '^state .*limp' "$LAB/state" || fail "after $delay ms: $(cat "$LAB/state")"
+  done
+}
+
+scenario_killed_hung_up_or_crashed_the_robot_sits_down() {
+  robot_with_a_runtime
+  start_run
+  await '^driving$'
+  kill -KILL "$run_pid"
+  wait_run
+  tries=0
+  until grep -q 'the robot has let go' "$LAB/out"; do
+    [ $((tries += 1)) -lt 500 ] || fail "after kill -9 of darwinop run: $(cat "$LAB/out")"
+    sleep 0.02
+  done
+  expect_let_go
+  start_run
+  await '^driving$'
+  kill -HUP -- "-$run_pid"
+  wait_run
+  expect_status 143
+  expect_last_line 'the robot has let go'
+  start_run
+  await '^driving$'
+  kill -SEGV "$(pgrep -f '^bash .*/remote_client')"
+  wait_run
+  expect_status 139
+  expect_last_line 'the robot has let go'
+}
+
+# Nobody is told: the PC's ssh is stopped.
+scenario_a_pulled_cable_ends_the_server() {
+  robot_with_a_runtime
+  start_run
+  await '^driving$'
+  local begun=$SECONDS master; master=$(master_of_ssh)
+  kill -STOP "$master"
+  robot_quiet 18
+  [ $((SECONDS - begun)) -ge 8 ] || fail "stopped after $((SECONDS - begun)) s already: a hiccup of the WLAN would do"
+  expect_let_go
+  kill -KILL "$master"
+  wait_run
+  expect_status 8 143
+  expect_said 'the link to .* was lost, so how the robot is cannot be told'
+}
+
+scenario_what_breaks_in_between_leaves_no_server() {
+  robot_with_a_runtime
+  start_run
+  await '^driving$'
+  kill -KILL "$(master_of_ssh)"
+  wait_run
+  expect_said 'the link to .* was lost'
+  expect_let_go
+  start_run
+  await '^driving$'
+  pkill_on_robot 'serve_remote'  # its shell, which would end the server
+  wait_run
+  expect_let_go
+  start_run
+  await '^driving$'
+  run_install --stop
+  expect_status 0
+  expect_said 'the remote control of .* is stopped'
+  wait_run
+  expect_let_go
+}
+
+scenario_refusals_say_what_to_do() {
+  robot_with_a_runtime
+  start_run --picture 100x100
+  wait_run
+  expect_status 2
+  expect_said 'such as 160x120'
+  start_sshd 'AllowTcpForwarding no'
+  start_run
+  wait_run
+  expect_status 1
+  expect_said 'AllowTcpForwarding yes'
+  start_sshd
+  # Somebody on the robot itself drives.
+  chroot "$ROBOT" /opt/darwinop/current/bin/darwinop-remote --robot runtime --port 5999 >"$LAB/theirs" 2>&1 &
+  until grep -q ready "$LAB/theirs"; do sleep 0.02; done
+  DARWINOP_ROBOT=tcp://127.0.0.1:5999 "$client" >"$LAB/their-client" 2>&1 &
+  until grep -q driving "$LAB/their-client"; do sleep 0.02; done
+  start_run
+  expect_pc_quiet() { :; }
+  robot_quiet() { :; }
+  wait_run
+  expect_status 1
+  expect_said 'darwinop-remote \(process [0-9]+\) drives this robot already'
+  rm "$ROBOT/opt/darwinop/current/bin/darwinop-remote"
+  start_run
+  wait_run
+  expect_status 1
+  expect_said 'version real on this robot knows no remote control; upgrade it first: darwinop install'
+}
+
+run_scenarios "$@"
