@@ -81,6 +81,7 @@ attended() {
   ssh_apart=
   ! command -v setsid >/dev/null || ssh_apart=setsid
   {
+    trap '' HUP  # a terminal that goes away tells its whole group; only the script itself acts on it
     robot_run "$@" <"$connection/attended"
     echo $? >"$connection/ended.new"
     mv "$connection/ended.new" "$connection/ended"
@@ -89,7 +90,7 @@ attended() {
   session=$!
   ssh_apart=
   # Ends when this script does, even if it is killed.
-  while echo && sleep 1 >/dev/null 9>&- && kill -0 $$ 2>/dev/null; do :; done >&9 2>/dev/null &
+  { trap '' HUP; while echo && sleep 1 >/dev/null 9>&- && kill -0 $$ 2>/dev/null; do :; done; } >&9 2>/dev/null &
   beat=$!
   trap '"$on_signal"' INT HUP
   trap ask_to_stop TERM

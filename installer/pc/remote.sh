@@ -14,7 +14,7 @@ remote_main() {
   begin_step
   exec 5<&0 </dev/null
   # Who called us may be killed: then stdin ends. In the background, as `wait` and ssh keep this shell busy.
-  watch_caller <&5 >/dev/null &
+  watch_caller &
   caller=$!
   exec 5<&-
   say "connecting to $target"
@@ -48,6 +48,8 @@ step() {
 }
 
 watch_caller() {
+  exec <&5 5<&- >/dev/null  # redirections of a function would leave a copy of stdout, which the caller waits for
+  trap '' HUP
   while read -r _; do :; done
   kill -TERM $$ 2>/dev/null
 }
@@ -59,9 +61,14 @@ remote_signal() {
 }
 
 follow_robot() {
+  trap '' HUP
   while read -r word number; do
     case $word in
-      pose) ask_about_pose >"$connection/attended" && rm -f "$connection/asked" ;;
+      pose)
+        ask_about_pose
+        rm -f "$connection/asked"
+        echo "$answer" >"$connection/attended"  # opened only now: while it is open, nobody hears that we want to end
+        ;;
       server)
         begin_step
         open_forward "$number" && continue
@@ -73,15 +80,15 @@ follow_robot() {
 }
 
 # The three choices of the simulator's robot window.
-ask_about_pose() {
+ask_about_pose() { # -> answer
   : >"$connection/asked"
   while :; do
     printf '%s' "The robot is not in its start pose. [r]etry, [g]o on (hold the robot: it moves slowly into it), [c]ancel? " >/dev/tty
     IFS= read -r choice </dev/tty || choice=c
     case $choice in
-      [rR]*) echo retry && return ;;
-      [gG]*) echo go && return ;;
-      [cC]*) echo cancel && return ;;
+      [rR]*) answer=retry && return ;;
+      [gG]*) answer=go && return ;;
+      [cC]*) answer=cancel && return ;;
     esac
   done
 }

@@ -46,9 +46,9 @@ nap() { sleep 0.2 2>/dev/null || sleep 1; }
 
 # Whoever holds the lease, but for the supervisor and its default controller, which are asked to end later.
 refuse_other_driver() {
-  driver=$("$home/current/bin/darwinop-runtime" --status 2>/dev/null | sed -n 's/^driver  *pid \([0-9]*\),.*/\1/p')
+  driver=$(robot_driver)
   [ -n "$driver" ] || return 0
-  if supervisor --status 2>/dev/null | grep -q -e "pid $driver\$" -e "pid $driver,"; then return 0; fi
+  if supervisor --status 2>/dev/null | grep -v '^driver' | grep -q -e "pid $driver\$" -e "pid $driver,"; then return 0; fi
   die "$(cat "/proc/$driver/comm" 2>/dev/null) (process $driver) drives this robot already, and was started on the robot itself. End it there with Ctrl-C, or: sudo kill -INT $driver"
 }
 
@@ -57,14 +57,15 @@ attend_pc() {
   trap 'end_remote' EXIT
   trap 'leave_remote' TERM INT
   remote_link=$(mktemp -d /dev/shm/darwinop-remote-XXXXXX 2>/dev/null || mktemp -d) || die "cannot make a temporary folder"
-  hear_pc <&3 >/dev/null 3<&- &
+  hear_pc &
   remote_ears=$!
-  watch_pc >/dev/null 3<&- &
+  watch_pc &
   remote_watch=$!
   exec 3<&-
 }
 
 hear_pc() {
+  exec <&3 3<&- >/dev/null
   trap - TERM INT
   count=0
   while IFS= read -r line; do
@@ -77,6 +78,7 @@ hear_pc() {
 
 # A cable that was pulled ends nothing by itself. And who is killed with -9 can end nobody: then this part does.
 watch_pc() {
+  exec 3<&- >/dev/null
   trap - TERM INT
   quiet_s=0 last=
   while sleep 1 && kill -0 $$ 2>/dev/null; do
@@ -127,9 +129,9 @@ await_start_pose() {
       die -3 "nothing was started: sit the robot down in its start pose and try again, or add --force when you hold it"
     ask_pc pose
     case $answer in
-      go) step "start pose: not right, going on all the same" && return ;;
+      go) step "start pose: not right, going on all the same"; return ;;
       retry) begin_step ;;
-      *) say "cancelled; nothing was started" && exit 3 ;;
+      *) say "cancelled; nothing was started"; exit 3 ;;
     esac
   done
   end_if_told
@@ -187,19 +189,24 @@ end_remote() {
   exit "$ending"
 }
 
+robot_driver() { "$home/current/bin/darwinop-runtime" --status 2>/dev/null | sed -n 's/^driver  *pid \([0-9]*\),.*/\1/p'; }
 robot_state() { "$home/current/bin/darwinop-runtime" --status 2>/dev/null | sed -n 's/^state  *//p'; }
 
 # The last line. A robot on its way down is waited for; one that holds may be about to kneel, or is told to hold.
 tell_rest() {
-  looks=0 held=0 held_longest=15
+  looks=0 held=0 held_longest=15  # where nobody listens any more, `say` fails
   # A server that was killed has said no farewell: safety gives it up after gone_s.
   [ "${status:-0}" -lt 128 ] || held_longest=60
   while state=$(robot_state); do
     case $state in
-      *limp*) say "the robot has let go: no joint has torque" && return ;;
-      '') say "how the robot is cannot be told: no runtime answers. Look with: darwinop install --status" && return ;;
-      offline*) say "how the robot is cannot be told: its board does not answer. Is its power on?" && return ;;
+      *limp*) say "the robot has let go: no joint has torque"; return ;;
+      '') say "how the robot is cannot be told: no runtime answers. Look with: darwinop install --status"; return ;;
+      offline*) say "how the robot is cannot be told: its board does not answer. Is its power on?"; return ;;
       holding*) held=$((held + 1)) ;;
+      driven*)
+        driver=$(robot_driver)
+        [ -z "$driver" ] || { say "the robot is driven by another program now, process $driver"; return; }
+        ;;
       *) held=0 ;;
     esac
     looks=$((looks + 1))

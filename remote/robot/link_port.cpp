@@ -137,7 +137,8 @@ void LinkPort::sayFarewell() noexcept try {
   link_ = connect_();
   const State state = link_->sensors().safety.state;
   commands_.start_where_it_is = true;
-  if (state == State::kDriven || state == State::kHolding) link_->publish(commands_);  // who never spoke says none
+  const bool at_rest = state == State::kOffline || state == State::kLimp || state == State::kKneeling;
+  if (!at_rest) link_->publish(commands_);  // who never spoke says none
   link_.reset();
 } catch (const std::exception&) {
   return;  // somebody else drives, or no loop runs: the robot is in other hands

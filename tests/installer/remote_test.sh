@@ -25,7 +25,7 @@ start_run() {
 wait_run() {
   local tries=0
   while kill -0 "$run_pid" 2>/dev/null; do
-    [ $((tries += 1)) -lt $((${1:-30} * 50)) ] || fail "darwinop run does not end: $(cat "$LAB/out")"
+    [ $((tries += 1)) -lt $((${1:-30} * 50)) ] || fail "darwinop run does not end: $(cat "$LAB/out"; ps -eo pid,ppid,stat,args | cut -c -150)"
     sleep 0.02
   done
   status=0
@@ -54,7 +54,11 @@ await() {
 }
 
 expect_let_go() {
-  runtime_says | grep -q '^state .*limp' || fail "the robot was not brought to rest: $(runtime_says | head -4)"
+  local tries=0
+  until runtime_says | grep '^state .*limp' >/dev/null; do
+    [ $((tries += 1)) -lt 400 ] || fail "the robot was not brought to rest: $(runtime_says)"
+    sleep 0.02
+  done
 }
 expect_last_line() { tail -n "${2:-1}" "$LAB/out" | grep -qE -- "$1" || fail "the last line is not '$1': $(tail -n 3 "$LAB/out")"; }
 
@@ -82,11 +86,12 @@ on_terminal() {
 # The robot does not sit as it should for as long as /run/pose-unsafe is there.
 make_pose_a_matter_of_a_file() {
   local bin=$ROBOT/opt/darwinop/current/bin
-  mv "$bin/darwinop-runtime" "$bin/darwinop-runtime.real"
+  mkdir "$bin/real"
+  mv "$bin/darwinop-runtime" "$bin/real"
   cat >"$bin/darwinop-runtime" <<'END'
 #!/bin/sh
 case " $* " in *--check-pose*) if [ -e /run/pose-unsafe ]; then cat /run/pose-unsafe; exit 3; fi ;; esac
-exec "$0.real" "$@"
+exec /opt/darwinop/current/bin/real/darwinop-runtime "$@"
 END
   chmod 755 "$bin/darwinop-runtime"
   echo 'KneeR is 0.8 rad off' >"$ROBOT/run/pose-unsafe"
@@ -95,8 +100,8 @@ END
 # Kills -9 the process on the robot whose command line names it.
 pkill_on_robot() {
   local process
-  for process in $(robot_processes); do
-    ! tr '\0' ' ' <"/proc/$process/cmdline" | grep -q "^sh -c .*" || ! grep -qa "$1" "/proc/$process/cmdline" || kill -KILL "$process"
+  for process in $(robot_processes --foreign); do
+    case $(tr '\0' ' ' <"/proc/$process/cmdline") in "sh -c "*"$1"*) kill -KILL "$process" ;; esac || true
   done
 }
 
@@ -112,7 +117,7 @@ scenario_a_whole_run() {
   expect_said 'the runtime is ready \([0-9.]+ s\)$'
   grep -qa -e '--port.0.2.2' "/proc/$(pgrep -x darwinop-remote)/cmdline" || fail "the size of pictures was not handed on"
   supervisor_says | grep -q '^driver .*darwinop-remote' || fail "the supervisor does not say who drives: $(supervisor_says)"
-  ! tr '\0' '\n' <"/proc/$(pgrep -f '^bash .*/remote_client')/environ" | grep -q DARWINOP_PASSWORD || fail "the controller knows the password"
+  ! tr '\0' '\n' <"/proc/$(pgrep -of '^bash .*/remote_client')/environ" | grep -q DARWINOP_PASSWORD || fail "the controller knows the password"
   # Only on loopback, on both sides.
   ! ss -Hltn 2>/dev/null | awk '{ print $4 }' | grep -vE '^(127\.0\.0\.1|\[::1\]):' || fail "a port is open to the network"
   cp "$LAB/out" "$LAB/first"
@@ -142,14 +147,16 @@ scenario_the_start_pose_is_asked_about() {
   on_terminal '\[c\]ancel=\003' --
   expect_status 130
   expect_let_go
-  # Somebody sits it down, and it is looked at again; then it is off, and started all the same.
-  (sleep 3; rm "$ROBOT/run/pose-unsafe") &
-  on_terminal '\[c\]ancel=r\n' '\[c\]ancel.*\[c\]ancel=\003' --
-  expect_status 130
   on_terminal '\[c\]ancel=g\n' '^driving=\003' --
   expect_status 7
   expect_said 'start pose: not right, going on all the same'
   expect_let_go
+  # Somebody sits it down before it is looked at again.
+  : >"$LAB/out"
+  (until grep -q 'ancel?' "$LAB/out"; do sleep 0.02; done; rm "$ROBOT/run/pose-unsafe") &
+  on_terminal '\[c\]ancel=r\n' '^driving=\003' --
+  expect_status 7
+  expect_said 'start pose: right'
 }
 
 # Whatever it is doing, on the PC or on the robot: the robot sits, nothing goes on, and it is said.
@@ -195,7 +202,7 @@ scenario_killed_hung_up_or_crashed_the_robot_sits_down() {
   expect_last_line 'the robot has let go'
   start_run
   await '^driving$'
-  kill -SEGV "$(pgrep -f '^bash .*/remote_client')"
+  kill -SEGV "$(pgrep -of '^bash .*/remote_client')"
   wait_run
   expect_status 139
   expect_last_line 'the robot has let go'
@@ -208,7 +215,8 @@ scenario_a_pulled_cable_ends_the_server() {
   await '^driving$'
   local begun=$SECONDS master; master=$(master_of_ssh)
   kill -STOP "$master"
-  robot_quiet 18
+  until ! pgrep -x darwinop-remote >/dev/null || [ $((SECONDS - begun)) -gt 20 ]; do sleep 0.05; done
+  ! pgrep -x darwinop-remote >/dev/null || fail "the server was not ended"
   [ $((SECONDS - begun)) -ge 8 ] || fail "stopped after $((SECONDS - begun)) s already: a hiccup of the WLAN would do"
   expect_let_go
   kill -KILL "$master"
@@ -253,14 +261,15 @@ scenario_refusals_say_what_to_do() {
   start_sshd
   # Somebody on the robot itself drives.
   chroot "$ROBOT" /opt/darwinop/current/bin/darwinop-remote --robot runtime --port 5999 >"$LAB/theirs" 2>&1 &
-  until grep -q ready "$LAB/theirs"; do sleep 0.02; done
+  until grep -qs ready "$LAB/theirs"; do sleep 0.02; done
   DARWINOP_ROBOT=tcp://127.0.0.1:5999 "$client" >"$LAB/their-client" 2>&1 &
-  until grep -q driving "$LAB/their-client"; do sleep 0.02; done
+  until grep -qs driving "$LAB/their-client"; do sleep 0.02; done
   start_run
   expect_pc_quiet() { :; }
   robot_quiet() { :; }
   wait_run
   expect_status 1
+  expect_last_line 'is driven by another program|drives this robot already' 2
   expect_said 'darwinop-remote \(process [0-9]+\) drives this robot already'
   rm "$ROBOT/opt/darwinop/current/bin/darwinop-remote"
   start_run

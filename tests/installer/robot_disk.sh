@@ -188,11 +188,11 @@ robot_processes() {
   done
 }
 
-# robot_quiet [SECONDS]: waits until the remote side of an install, also of a killed one, has ended.
+# Waits until the remote side of an install, also of a killed one, has ended.
 robot_quiet() {
   local tries=0
   while [ -n "$(robot_processes --foreign)" ]; do
-    [ $((tries += 1)) -lt $((${1:-10} * 50)) ] || fail "processes are left on the robot: $(ps -o pid=,args= -p "$(robot_processes --foreign | paste -sd,)")"
+    [ $((tries += 1)) -lt 500 ] || fail "processes are left on the robot: $(ps -o pid=,args= -p "$(robot_processes --foreign | paste -sd,)")"
     sleep 0.02
   done
 }
