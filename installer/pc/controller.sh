@@ -112,6 +112,7 @@ ask_to_stop() {
     return
   fi
   asked_to_stop=1
+  : >"$connection/stopping"  # for what runs beside us
   kill "$beat" 2>/dev/null
   exec 9>&-
   [ -z "$attended_name" ] || say "stopping $attended_name"

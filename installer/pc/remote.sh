@@ -72,6 +72,7 @@ follow_robot() {
       server)
         begin_step
         open_forward "$number" && continue
+        [ ! -e "$connection/stopping" ] || continue
         : >"$connection/failed"
         kill -TERM $$
         ;;
@@ -99,6 +100,7 @@ open_forward() { # PORT-OF-THE-ROBOT
   while :; do
     local_port=$((20000 + $(od -An -N2 -tu2 /dev/urandom) % 12000))
     ssh_call -O forward -L "127.0.0.1:$local_port:127.0.0.1:$1" "$target" >"$connection/forward" 2>&1 && break
+    [ ! -e "$connection/stopping" ] || return 1
     tries=$((tries + 1))
     [ $tries -lt 20 ] || {
       say "no port of this PC could be forwarded to the robot; ssh says: $(tail -n 1 "$connection/forward" | tr -d '\r')"
@@ -108,6 +110,7 @@ open_forward() { # PORT-OF-THE-ROBOT
   # sshd may forbid it, and says so only when somebody comes.
   ssh_with "-o ProxyCommand=false" -o ControlMaster=no -o BatchMode=yes -W "127.0.0.1:$1" "$target" \
     </dev/null >/dev/null 2>"$connection/forward" || {
+    [ ! -e "$connection/stopping" ] || return 1  # the server has ended
     say "ssh on $target does not forward to its own port $1: $(tail -n 1 "$connection/forward" | tr -d '\r'). Its /etc/ssh/sshd_config needs: AllowTcpForwarding yes"
     return 1
   }

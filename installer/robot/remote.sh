@@ -194,20 +194,24 @@ robot_state() { "$home/current/bin/darwinop-runtime" --status 2>/dev/null | sed 
 
 # The last line. A robot on its way down is waited for; one that holds may be about to kneel, or is told to hold.
 tell_rest() {
-  looks=0 held=0 held_longest=15  # where nobody listens any more, `say` fails
+  looks=0 limp=0 held=0 held_longest=15  # where nobody listens any more, `say` fails
   # A server that was killed has said no farewell: safety gives it up after gone_s.
   [ "${status:-0}" -lt 128 ] || held_longest=60
   while state=$(robot_state); do
     case $state in
-      *limp*) say "the robot has let go: no joint has torque"; return ;;
+      *limp*)
+        # Seen twice: a client that had only just begun may be taking over.
+        [ $limp = 0 ] || { say "the robot has let go: no joint has torque"; return; }
+        limp=1 held=0
+        ;;
       '') say "how the robot is cannot be told: no runtime answers. Look with: darwinop install --status"; return ;;
       offline*) say "how the robot is cannot be told: its board does not answer. Is its power on?"; return ;;
-      holding*) held=$((held + 1)) ;;
+      holding*) limp=0 held=$((held + 1)) ;;
       driven*)
         driver=$(robot_driver)
         [ -z "$driver" ] || { say "the robot is driven by another program now, process $driver"; return; }
         ;;
-      *) held=0 ;;
+      *) limp=0 held=0 ;;
     esac
     looks=$((looks + 1))
     if [ $held -ge $held_longest ] || [ $looks -ge 150 ]; then break; fi

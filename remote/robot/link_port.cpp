@@ -135,6 +135,8 @@ void LinkPort::hold() noexcept {
 void LinkPort::sayFarewell() noexcept try {
   if (home_ == Home::kOwn || !used_ || link_) return;  // who drives says it when the link goes
   link_ = connect_();
+  // What the client wished for last may not be seen yet.
+  if (!link_->waitForCycle(link_->sensors().cycle + 2, kNever)) return link_.reset();
   const State state = link_->sensors().safety.state;
   commands_.start_where_it_is = true;
   const bool at_rest = state == State::kOffline || state == State::kLimp || state == State::kKneeling;
