@@ -76,7 +76,7 @@ hear_pc() {
   kill -TERM $$ 2>/dev/null
 }
 
-# A cable that was pulled ends nothing by itself. And who is killed with -9 can end nobody: then this part does.
+# A cable that was pulled ends nothing by itself.
 watch_pc() {
   exec 3<&- >/dev/null
   trap - TERM INT
@@ -91,7 +91,6 @@ watch_pc() {
       return
     }
   done
-  read -r orphan 2>/dev/null <"$remote_link/server" && kill -TERM "$orphan"
   rm -rf "$remote_link"
 }
 
@@ -150,9 +149,8 @@ ask_pc() { # QUESTION -> answer
 
 start_server() {
   # shellcheck disable=SC2086  # two numbers
-  "$home/current/bin/darwinop-remote" --robot runtime --port 0 $zooms >"$remote_link/said" &
+  "$home/current/bin/darwinop-remote" --robot runtime --end-with-parent --port 0 $zooms >"$remote_link/said" &
   remote_server=$!
-  echo "$remote_server" >"$remote_link/server"
   note_running "$(process_line "$remote_server")" "$name"
   until port=$(sed -n 's/^ready: .*:\([0-9]*\)$/\1/p' "$remote_link/said") && [ -n "$port" ]; do
     end_if_told

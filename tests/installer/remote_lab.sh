@@ -96,12 +96,13 @@ END
   echo 'KneeR is 0.8 rad off' >"$ROBOT/run/pose-unsafe"
 }
 
-# Kills -9 the process on the robot whose command line names it.
-pkill_on_robot() {
-  local process
+# Kills -9 all shells on the robot whose command line names it, so that none of them can see to the others.
+kill_shells_of() {
+  local process shells=()
   for process in $(robot_processes --foreign); do
-    case $({ tr '\0' ' ' <"/proc/$process/cmdline"; } 2>/dev/null || true) in "sh -c "*"$1"*) kill -KILL "$process" ;; esac
+    case $({ tr '\0' ' ' <"/proc/$process/cmdline"; } 2>/dev/null || true) in "sh -c "*"$1"*) shells+=("$process") ;; esac
   done
+  kill -KILL "${shells[@]}"
 }
 
 master_of_ssh() { pgrep -f '^ssh .* -M .*-N' | head -1; }

@@ -131,7 +131,7 @@ scenario_what_breaks_in_between_leaves_no_server() {
   expect_let_go
   start_run
   await '^driving$'
-  pkill_on_robot 'serve_remote'  # its shell, which would end the server
+  kill_shells_of serve_remote
   wait_run
   expect_let_go
   start_run
