@@ -29,6 +29,21 @@ scenario_a_whole_run() {
   expect_let_go
 }
 
+# An example as it is, through the library's own client.
+scenario_an_example_drives_from_here() {
+  local hello=${DARWINOP_BIN:-$SOURCE/build/debug/bin}/../controllers/01_hello_head/01_hello_head
+  [ -x "$hello" ] || fail "there is no $hello; run: ./dev build"
+  if DARWINOP_ROBOT=tcp://127.0.0.1:9 timeout 2 "$hello" 2>&1 | grep 'no robot this version knows'; then return; fi
+  robot_with_a_runtime
+  client=$hello
+  start_run
+  await 's  neck [+-]0\.[1-9]'
+  kill -INT -- "-$run_pid"
+  wait_run
+  expect_status 0
+  expect_let_go
+}
+
 scenario_the_start_pose_is_asked_about() {
   robot_with_a_runtime
   make_pose_a_matter_of_a_file
