@@ -71,6 +71,7 @@ void RunOverSsh::start(const std::string& installer, const std::vector<std::stri
   std::vector<std::string> command{installer, "--remote", "--tell", std::to_string(getpid())};
   command.insert(command.end(), words.begin(), words.end());
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (std::string& word : command) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   int in[2], out[2];
