@@ -1,17 +1,25 @@
 // Which robot is meant by DARWINOP_ROBOT or --robot.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
 namespace darwinop::link {
 
-enum class Kind { kDaemon, kSerial, kVirtual, kTwin };
+enum class Kind { kDaemon, kSerial, kVirtual, kTwin, kTcp };
+
+/// Where a robot listens.
+struct Address {
+  std::string host;  // name or IPv4 address
+  std::uint16_t port = 5023;
+};
 
 struct Setting {
   Kind kind;
   std::string port;   // kSerial: the device
   std::string model;  // kTwin: name or file of the model; empty: the usual one
+  Address server{};   // kTcp
 };
 
 /// Reads a setting; an empty one means the daemon if one runs, else the serial port of robot.ini. Throws

@@ -38,7 +38,8 @@ class Client {
   bool drives = false;           // holds the lease
   bool driven = false;           // has held it
   Nanos began{0};                // when it got the lease
-  std::optional<Request> waits;  // for values that the robot has not told yet
+  Nanos asked{0};                // when the request came that is being answered
+  std::optional<Request> waits;  // for values that the robot has not told yet, or for a cycle
   Oddities told{};               // what has been said of its requests
   Doubts told_values{};          // and of the replies
   bool told_garbage = false, told_no_picture = false;
