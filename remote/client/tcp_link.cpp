@@ -238,7 +238,8 @@ void TcpLink::judgeSpeed(const Reply& reply) {
 void TcpLink::noticeLoss() {
   if (connection_.state() == Connection::State::kOpen || lost_ || !why_ended_.empty()) return;
   lost_ = came_back_ = true;
-  lost_since_ = attempted_ = clock_.now();
+  lost_since_ = clock_.now();
+  attempted_ = lost_since_ - kBetween;  // the first attempt is made at once
   say("the connection to " + name() + " is lost (" + connection_.why() + "); it is tried again for " +
       inSeconds(options_.patience) + ", and sensors are not a number meanwhile");
 }

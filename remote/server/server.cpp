@@ -116,7 +116,7 @@ bool Server::answerAgain(const Request& request) {
     client_->waits = request;
     return false;
   }
-  tellDoubts(doubts);
+  if (!request.extended) tellDoubts(doubts);  // else its own values tell how old they are
   const bool sent = client_->reply(request, reply);
   client_->waits.reset();
   if (!sent) showOut(client_->why());
