@@ -26,7 +26,7 @@ struct ReplyExtension {
   std::uint32_t picture = 0;   // number of the newest one; 0: none, or a black one
   std::uint32_t picture_age_us = 0;
   const Sensors* seen = nullptr;  // null: there is no robot to see
-  std::string_view why_ended;     // a sentence: this is the last reply; empty: it is not
+  std::string_view why_ended{};   // a sentence: this is the last reply; empty: it is not
 };
 
 /// Numbers as on the wire.
