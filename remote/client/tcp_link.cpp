@@ -17,6 +17,7 @@ constexpr Nanos kAttempt{1'000'000'000};  // to connect
 constexpr Nanos kBetween{250'000'000};    // attempts
 constexpr Nanos kLateReply{100'000'000};  // after the end of a step: the controller goes on with values grown old
 constexpr Nanos kGoodBye{1'000'000'000};  // for the reply to a farewell
+constexpr Nanos kQuiet{5'000'000'000};    // at least, between two sentences of losses
 constexpr Nanos kLongestPeriod{1'000'000'000};
 
 std::string inSeconds(Nanos time) {
@@ -171,7 +172,7 @@ void TcpLink::take(const Reply& reply) {
   }
   if (picture_asked_) pictures_.take(reply, now());
   if (real_time_) judgeSpeed(reply);
-  if (std::exchange(lost_, false)) say(name() + " is back; the robot goes on from where it is");
+  if (std::exchange(lost_, false) && tells_) say(name() + " is back; the robot goes on from where it is");
 }
 
 void TcpLink::takeImage(const ReplyExtension& extension, bool first) {
@@ -239,7 +240,10 @@ void TcpLink::noticeLoss() {
   if (connection_.state() == Connection::State::kOpen || lost_ || !why_ended_.empty()) return;
   lost_ = came_back_ = true;
   lost_since_ = clock_.now();
-  attempted_ = lost_since_ - kBetween;  // the first attempt is made at once
+  attempted_ = lost_since_ - kBetween;                     // the first attempt is made at once
+  tells_ = !told_at_ || lost_since_ - *told_at_ > kQuiet;  // a loose cable is told of now and then
+  if (!tells_) return;
+  told_at_ = lost_since_;
   say("the connection to " + name() + " is lost (" + connection_.why() + "); it is tried again for " +
       inSeconds(options_.patience) + ", and sensors are not a number meanwhile");
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,8 @@ class TcpLink final : public runtime::RobotLink {
   std::int64_t time_ahead_ns_ = 0;
   Nanos sent_{0}, attempted_{0}, lost_since_{0}, step_{0};
   std::uint64_t stepped_to_ = 0;     // end of the step under way, which takes step_
+  bool tells_ = false;               // of the loss under way, and its end
+  std::optional<Nanos> told_at_;     // of a loss, the last time
   std::uint64_t exchanged_for_ = 0;  // what the last request was made for
   bool picture_asked_ = false;       // by it
   bool overdue_ = false;             // its reply has been given up on for now
