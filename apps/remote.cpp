@@ -71,7 +71,10 @@ int serveRemote(const RemoteArguments& given) {
   const facade::ControllerConfig controller = controllerConfig(given.config);
   request.safety = controller.safety;
   if (!given.config.empty()) request.config_file = given.config;
-  const bool daemon = link::readSetting(given.robot).kind == link::Kind::kDaemon;
+  const link::Kind kind = link::readSetting(given.robot).kind;
+  if (kind == link::Kind::kTcp)
+    throw std::runtime_error("--robot " + given.robot + " is behind a server already: connect to that one");
+  const bool daemon = kind == link::Kind::kDaemon;
   if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
     sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
   stopRemoteOnSignals();

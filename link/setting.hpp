@@ -26,6 +26,11 @@ struct Setting {
 /// std::runtime_error, with the choices, for anything that is no robot.
 Setting readSetting(const std::string& text);
 
+/// The loop does not run in the controller's process: it has settings of its own, and makes recordings by itself.
+constexpr bool loopIsElsewhere(const Setting& setting) {
+  return setting.kind == Kind::kDaemon || setting.kind == Kind::kTcp;
+}
+
 /// The model in "twin" (empty: the usual one) or "twin:MODEL"; nothing: no twin is meant.
 std::optional<std::string> twinModel(const std::string& text);
 
