@@ -38,6 +38,8 @@ void stopRemoteOnSignals() {
   struct sigaction action {};
   action.sa_handler = [](int) { remote_stop = true; };
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  // Who started it over ssh may have gone: a line that nobody reads must not end the server, and a loop in it.
+  (void)::signal(SIGPIPE, SIG_IGN);
 }
 
 remote::ServerConfig serverConfig(const RemoteArguments& given) {
@@ -65,7 +67,7 @@ facade::ControllerConfig controllerConfig(const std::string& config) {
 }
 
 int serveRemote(const RemoteArguments& given) {
-  const remote::ServerConfig config = serverConfig(given);
+  remote::ServerConfig config = serverConfig(given);
   link::Request request;
   request.setting = given.robot;
   const facade::ControllerConfig controller = controllerConfig(given.config);
@@ -75,6 +77,8 @@ int serveRemote(const RemoteArguments& given) {
   if (kind == link::Kind::kTcp)
     throw std::runtime_error("--robot " + given.robot + " is behind a server already: connect to that one");
   const bool daemon = kind == link::Kind::kDaemon;
+  // In simulated time our own client takes as many cycles a second as the machine runs, and no robot's CPU is at stake.
+  if (kind == link::Kind::kVirtual || kind == link::Kind::kTwin) config.pace = Nanos{0};
   if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
     sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
   stopRemoteOnSignals();
