@@ -104,10 +104,23 @@ void Pictures::take(const Reply& reply, Nanos now) {
   }
   const Nanos age{known ? std::int64_t{reply.extension->picture_age_us} * 1000 : 0};
   blind_ = known && reply.extension->picture == 0;
+  noticeBlindness(now);
   held_ = known ? reply.extension->picture : 0;
   taken_ = confirmed_ = now - age;
   ++arrived_;
   jpeg_.assign(reply.jpeg.begin(), reply.jpeg.end());
+}
+
+/// A camera needs a moment to open.
+void Pictures::noticeBlindness(Nanos now) {
+  if (!blind_) {
+    blind_since_.reset();
+    told_blind_ = false;
+    return;
+  }
+  if (!blind_since_) blind_since_ = now;
+  if (now - *blind_since_ < kBlindAfter || std::exchange(told_blind_, true)) return;
+  say_("Camera: every picture is black: the robot's camera gives none, its server says why");
 }
 
 std::optional<ImageSize> Pictures::size() const {

@@ -40,6 +40,7 @@ class Pictures {
 
  private:
   class Eyes;
+  void noticeBlindness(Nanos now);
 
   Say say_;
   int watchers_ = 0, since_look_ = 0, every_ = 1;
@@ -47,7 +48,8 @@ class Pictures {
   std::vector<std::uint8_t> jpeg_;
   std::uint64_t arrived_ = 0;  // pictures so far; number of the newest one
   std::uint32_t held_ = 0;
-  bool blind_ = true, told_eyeless_ = false;
+  bool blind_ = true, told_eyeless_ = false, told_blind_ = false;
+  std::optional<Nanos> blind_since_;
   Nanos taken_{0},
       confirmed_{0};  // when the newest one was taken; when the server last had a picture that is new to it
 };

@@ -133,6 +133,12 @@ TEST_F(RemotePictures, ThatAreDamagedOrBlackOrOldAreNotSeen) {
   EXPECT_FALSE(eyes->health().seeing) << "as long as nothing newer comes";
 }
 
+TEST_F(RemotePictures, OfABlindCameraAreTold) {
+  for (int i = 0; i < 50; ++i, now += 100ms) comes(greyJpeg({40, 30}), 0);
+  EXPECT_THAT(said, HasSubstr("the robot's camera gives none"));
+  EXPECT_EQ(said.find("Camera"), said.rfind("Camera:")) << "once";
+}
+
 TEST_F(RemotePictures, AreAskedForJustBeforeTheyAreLookedAt) {
   (void)eyes->newest();
   std::string asked;
