@@ -69,13 +69,18 @@ facade::ControllerConfig controllerConfig(const std::string& config) {
 }
 
 int serveRemote(const RemoteArguments& given) {
-  const remote::ServerConfig config = serverConfig(given);
+  remote::ServerConfig config = serverConfig(given);
   link::Request request;
   request.setting = given.robot;
   const facade::ControllerConfig controller = controllerConfig(given.config);
   request.safety = controller.safety;
   if (!given.config.empty()) request.config_file = given.config;
-  const bool daemon = link::readSetting(given.robot).kind == link::Kind::kDaemon;
+  const link::Kind kind = link::readSetting(given.robot).kind;
+  if (kind == link::Kind::kTcp)
+    throw std::runtime_error("--robot " + given.robot + " is behind a server already: connect to that one");
+  const bool daemon = kind == link::Kind::kDaemon;
+  // In simulated time our own client takes as many cycles a second as the machine runs, and no robot's CPU is at stake.
+  if (kind == link::Kind::kVirtual || kind == link::Kind::kTwin) config.pace = Nanos{0};
   if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
     sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
   stopRemoteOnSignals();
@@ -90,7 +95,7 @@ int serveRemote(const RemoteArguments& given) {
   remote::Server server{config, robot, open_pictures, clock, sayRemote};
   std::cout << "ready: " << given.listen << ":" << server.port() << std::endl;
   server.run(remote_stop);
-  robot.sayFarewell();
+  robot.farewellForWhoLeft();
   return 0;
 }
 
