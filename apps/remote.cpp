@@ -38,6 +38,8 @@ void stopRemoteOnSignals() {
   struct sigaction action {};
   action.sa_handler = [](int) { remote_stop = true; };
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  // Who started it over ssh may have gone: a line that nobody reads must not end the server, and a loop in it.
+  (void)::signal(SIGPIPE, SIG_IGN);
 }
 
 remote::ServerConfig serverConfig(const RemoteArguments& given) {

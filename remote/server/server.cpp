@@ -10,6 +10,7 @@
 namespace darwinop::remote {
 namespace {
 
+constexpr int kAtOnce = 64;          // pieces of work: a client has two a step
 constexpr Nanos kLook{100'000'000};  // a signal that comes just before a wait is noticed after it
 
 // Servos that nobody drives may have no power. Their first values are worth waiting for, as they were in 2013 (3 s).
@@ -24,6 +25,7 @@ Server::Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_p
       open_pictures_{std::move(open_pictures)},
       clock_{std::move(clock)},
       log_{std::move(say)},
+      allowance_{config.pace, kAtOnce},
       listener_{config.address, config.port},
       now_{clock_()} {}
 
@@ -33,9 +35,11 @@ void Server::run(const std::atomic<bool>& stop) {
 
 void Server::attend(Nanos longest) {
   now_ = clock_();
+  const bool may_work = allowance_.left(now_);
   // While a reply is on its way no further request is read: a client that does not fetch its replies gets no more.
-  const short for_client = !client_ || client_->waits ? 0 : client_->owes() ? POLLOUT : POLLIN;
-  std::array<pollfd, 2> places{{{listener_.isOpen() ? listener_.descriptor() : -1, POLLIN, 0},
+  const bool looks = may_work && client_ && !client_->waits && !client_->more;
+  const short for_client = !looks ? 0 : client_->owes() ? POLLOUT : POLLIN;
+  std::array<pollfd, 2> places{{{listener_.isOpen() && may_work ? listener_.descriptor() : -1, POLLIN, 0},
                                 {client_ ? client_->descriptor() : -1, for_client, 0}}};
   const bool something = poll(places.data(), places.size(), waitFor(longest)) > 0;
   now_ = clock_();
@@ -45,6 +49,8 @@ void Server::attend(Nanos longest) {
       showOut(client_->why());
     else if (answer(*client_->waits))
       answerAll();
+  } else if (client_ && client_->more) {
+    answerAll();
   } else if (something && client_ && places[1].revents != 0) {
     seeToClient();
   }
@@ -55,12 +61,17 @@ void Server::attend(Nanos longest) {
 /// In ms, for poll: no longer than the client may be silent.
 int Server::waitFor(Nanos longest) const {
   Nanos wait = longest;
+  if (const Nanos rest = allowance_.wait(now_); rest > Nanos{0})
+    wait = std::min(rest, longest);
+  else if (client_ && client_->more)
+    return 0;
   if (client_ && client_->waits) return static_cast<int>(std::min(longest, kAskAgain).count() / 1'000'000);
-  if (client_ && !listener_.isOpen()) wait = std::clamp(client_->heard + config_.silence - now_, Nanos{0}, longest);
+  if (client_ && !listener_.isOpen()) wait = std::clamp(client_->heard + config_.silence - now_, Nanos{0}, wait);
   return static_cast<int>((wait.count() + 999'999) / 1'000'000);
 }
 
 void Server::seeToClient() {
+  allowance_.spend(now_);
   if (client_->owes() ? client_->flush() : client_->receive()) return answerAll();
   showOut(client_->why());
 }
@@ -69,7 +80,13 @@ void Server::answerAll() {
   Request request;
   Oddities oddities;
   while (client_ && !client_->owes()) {
-    switch (client_->next(request, oddities)) {
+    client_->more = !allowance_.left(now_);
+    if (client_->more) return;
+    const RequestReader::Found found = client_->next(request, oddities);
+    // A web page can make its reader's browser send anything to this port, but only behind a head of HTTP.
+    if (!client_->driven && client_->garbageBytes() > 0)
+      return showOut("speaks another protocol: its first byte begins no request");
+    switch (found) {
       case RequestReader::Found::kNothing:
         if (client_->garbageBytes() > 0 && !std::exchange(client_->told_garbage, true))
           log(client_->name() + ": bytes that begin no request are skipped");
@@ -78,6 +95,7 @@ void Server::answerAll() {
         return showOut("sent a length that no request has; nothing after it can be trusted");
       case RequestReader::Found::kRequest:
         if (oddities.any()) tellOddities(oddities);
+        allowance_.spend(now_);
         if (!answer(request)) return;
     }
   }
@@ -139,6 +157,7 @@ void Server::openPictures() {
 }
 
 void Server::letIn() {
+  allowance_.spend(now_);
   std::optional<Listener::Caller> caller = listener_.next();
   if (!caller) return;
   const auto lives_here = [&](const Network& network) { return network.has(caller->address); };

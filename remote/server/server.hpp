@@ -12,6 +12,7 @@
 #include "hal/byte_line.hpp"
 #include "remote/picture_source.hpp"
 #include "remote/server/addresses.hpp"
+#include "remote/server/allowance.hpp"
 #include "remote/server/bounded_log.hpp"
 #include "remote/server/client.hpp"
 #include "remote/server/listener.hpp"
@@ -24,6 +25,8 @@ struct ServerConfig {
   std::uint16_t port = kUsualPort;
   std::vector<Network> allowed{{0x7F000000, 0xFF000000}};
   Nanos silence{std::chrono::milliseconds{500}};  // without a whole request: motion is held, the lease given back
+  /// Between two pieces of work (a caller, a read of 1 kB, an answer) on average; 64 may come at once. 0: no limit.
+  Nanos pace{std::chrono::microseconds{500}};
 };
 
 class Server {
@@ -66,6 +69,7 @@ class Server {
   OpenPictures open_pictures_;
   Clock clock_;
   BoundedLog log_;
+  Allowance allowance_;
   Listener listener_;
   Nanos now_;
   std::optional<Client> client_;
