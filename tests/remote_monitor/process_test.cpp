@@ -111,6 +111,7 @@ TEST_F(MonitorProcess, LosesFramesOfSlowObserversAndNothingElse) {
   startMonitor();
   WebClient slow = observer(R"({"rate": 125})", 4096), quick = observer(R"({"rate": 125})");
   std::vector<WebClient> others;
+  others.reserve(6);
   for (int i = 0; i < 6; ++i) others.push_back(observer(R"({"rate": 125})"));
   const auto doze = [] { std::this_thread::sleep_for(1ms); };
   const WebClient silent{port_number_, doze};
