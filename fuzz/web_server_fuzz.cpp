@@ -53,6 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     client.raw(bytes.substr(cut));
     for (int i = 0; i < 4; ++i) served.attend();
     (void)client.hearNow();
+    client.breakOff();
   }
   for (int i = 0; i < 1000 && served.echo.open > 0; ++i) served.attend();
   if (served.echo.open != 0) std::abort();

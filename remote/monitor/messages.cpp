@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
@@ -110,7 +111,7 @@ std::string colourText(std::uint16_t word) {
 
 Json boardOf(const BoardSensors& board) {
   const bool fresh = motionFresh(board.motion);
-  const auto known = [fresh](Json value) { return fresh ? value : Json(nullptr); };
+  const auto known = [fresh](Json value) { return fresh ? std::move(value) : Json(nullptr); };
   Json text;
   text["age"] = ageOf(board.motion);
   text["accelerometer"] = axes(fresh, board.accelerometer);

@@ -80,7 +80,8 @@ void Server::channel(const std::string& path, const std::string& subprotocol, Ch
 void Server::attend(Nanos longest) {
   constexpr int kAtOnce = 64;
   work_->house.log.look(std::chrono::steady_clock::now().time_since_epoch());
-  if (work_->context.run_one_for(longest) == 0) return;
+  // With no time to wait run_one_for() would not even look.
+  if (work_->context.poll_one() == 0 && work_->context.run_one_for(longest) == 0) return;
   for (int i = 0; i < kAtOnce && work_->context.poll_one() > 0; ++i) {
   }
 }

@@ -20,12 +20,12 @@ using testing::HasSubstr;
 
 /// Remembers what it is sent: texts by type.
 struct FakeChannel final : web::Channel {
-  std::string name_ = "test";
+  std::string called = "test";
   std::vector<Json> texts;
   std::vector<std::string> types;
   int pictures = 0, forgot = 0;
 
-  [[nodiscard]] const std::string& name() const override { return name_; }
+  [[nodiscard]] const std::string& name() const override { return called; }
   void send(web::Lane /*lane*/, web::Bytes text) override {
     texts.push_back(Json::parse(*text));
     types.push_back(texts.back()["type"]);

@@ -85,10 +85,13 @@ TEST_F(MonitorProcess, ShowsAMoveAFaultAndADaemonThatDiesAndComesBack) {
       hearUntil(peer, [](const Json& text) { return text["type"] == "notice" && text["time"].is_number(); });
   EXPECT_THAT(fault["text"].dump(), HasSubstr("fault 12 servo_silent (Head, id 20)"));
   WebClient newcomer = observer("{}");
-  EXPECT_EQ(hearType(newcomer, "faults")["active"][0]["name"], "servo_silent");
-  const Json blind = hearType(newcomer, "state");
-  EXPECT_TRUE(blind["joints"]["position"][19].is_null());
-  EXPECT_EQ(blind["joints"]["silent"][19], true);
+  // On a busy machine a servo may be silent now and then; this one stays so.
+  const auto is_silent = [](const Json& text) {
+    return text["type"] == "state" && text["joints"]["position"][19].is_null() && text["joints"]["silent"][19] == true;
+  };
+  EXPECT_FALSE(hearUntil(newcomer, is_silent).is_null());
+  WebClient third = observer("{}");
+  EXPECT_EQ(hearType(third, "faults")["active"][0]["name"], "servo_silent");
 
   daemon->kill(SIGKILL);
   EXPECT_THAT(hearType(peer, "gone")["reason"].dump(), HasSubstr("has ended"));
@@ -108,6 +111,7 @@ TEST_F(MonitorProcess, LosesFramesOfSlowObserversAndNothingElse) {
   startMonitor();
   WebClient slow = observer(R"({"rate": 125})", 4096), quick = observer(R"({"rate": 125})");
   std::vector<WebClient> others;
+  others.reserve(6);
   for (int i = 0; i < 6; ++i) others.push_back(observer(R"({"rate": 125})"));
   const auto doze = [] { std::this_thread::sleep_for(1ms); };
   const WebClient silent{port_number_, doze};

@@ -107,6 +107,14 @@ class WebClient {
   }
   [[nodiscard]] bool connected() const { return open_; }
   void leave() { socket_.close(); }
+  /// Says that nothing more will come, then breaks off: no port is left waiting for stray packets.
+  void breakOff() {
+    (void)shutdown(socket_.descriptor(), SHUT_WR);
+    meanwhile_();
+    const linger at_once{1, 0};
+    (void)setsockopt(socket_.descriptor(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
+    socket_.close();
+  }
 
  private:
   std::optional<Heard> next() {
