@@ -31,14 +31,14 @@ struct RobotOnPaper final : remote::RobotPort {
 };
 
 struct Page final : web::Channel {
-  const std::string& name() const override { return text; }
+  const std::string& name() const override { return who; }
   void send(web::Lane, web::Bytes text) override { heard = *text; }
   void sendBinary(web::Lane, web::Bytes) override {}
   void forgetNewest() override {}
   std::uint64_t lost() const override { return 0; }
   void close(const std::string&) override {}
 
-  std::string heard, text = "page";
+  std::string heard, who = "page";
 };
 
 struct WindowDriver : testing::Test {
