@@ -26,16 +26,16 @@ async function openPage(options = {}, url = shown.url) {
   return page;
 }
 
-const cellOf = (page, name, column) => page.locator('tbody tr', {hasText: name}).last().locator('td').nth(column);
-
 test('figures, curves and the picture follow the robot', async () => {
   const page = await openPage();
-  const angle = async () => Number(await cellOf(page, 'Neck', 2).textContent());
-  const first = await angle();
-  await page.waitForFunction(([before]) => {
-    const cells = [...document.querySelectorAll('tbody tr')].find((row) => row.textContent.startsWith('Neck')).cells;
-    return Math.abs(Number(cells[2].textContent) - before) > 3;
-  }, [first]);
+  const seen = () => page.waitForFunction(([before]) => {
+    const {cells} = [...document.querySelectorAll('tbody tr')].find((row) => row.textContent.startsWith('Neck'));
+    const angle = Number.parseFloat(cells[2].textContent);  // a dash, not a number, until the first figures are shown
+    return (before === null ? !Number.isNaN(angle) : Math.abs(angle - before) > 3) && {angle};
+  }, [first]).then((found) => found.jsonValue());
+  let first = null;
+  first = (await seen()).angle;
+  await seen();
   const drawn = await page.evaluate(() => {
     const {view, timeline} = window.darwinop, store = timeline.live;
     return {turned: view.robot.find('Neck').quaternion.toArray(), fresh: store.newest, rows: store.count};
