@@ -46,25 +46,15 @@ class SoundGraph : public testing::Test {
     if (!sound_) sound_ = std::make_unique<link::SoundProgram>(DARWINOP_SOUND_PROGRAM);
     return *sound_;
   }
-  /// Until this sound has ended. What else was told is kept.
+  /// What else is told meanwhile is kept.
   void awaitEnd(SoundId id) {
-    const auto end = std::chrono::steady_clock::now() + kPatience;
-    while (std::chrono::steady_clock::now() < end) {
-      const auto news = sound().news(std::chrono::milliseconds{200});
-      if (!news) continue;
-      if (const auto* const trouble = std::get_if<SoundTrouble>(&*news)) said += trouble->sentence + '\n';
-      if (const auto* const started = std::get_if<SoundStarted>(&*news)) seconds = started->seconds;
-      if (*news == SoundNews{SoundEnded{id}}) return;
-      if (std::holds_alternative<SoundLost>(*news)) break;
-    }
-    FAIL() << "sound " << id << " did not end; " << said;
+    await([&](const SoundNews& news) { return news == SoundNews{SoundEnded{id}}; });
   }
   void awaitBegin(SoundId id) {
-    while (const auto news = sound().news(kPatience)) {
-      const auto* const started = std::get_if<SoundStarted>(&*news);
-      if (started != nullptr && started->id == id) return;
-    }
-    FAIL() << "sound " << id << " did not begin";
+    await([&](const SoundNews& news) {
+      const auto* const started = std::get_if<SoundStarted>(&news);
+      return started != nullptr && started->id == id;
+    });
   }
   /// Ends the program and reads what it has played.
   Wave recorded() {
@@ -77,6 +67,16 @@ class SoundGraph : public testing::Test {
   double seconds = 0;  // of the sound that began last
 
  private:
+  template <class Condition>
+  void await(Condition is_it) {
+    while (const auto news = sound().news(kPatience)) {
+      if (const auto* const trouble = std::get_if<SoundTrouble>(&*news)) said += trouble->sentence + '\n';
+      if (const auto* const started = std::get_if<SoundStarted>(&*news)) seconds = started->seconds;
+      if (is_it(*news)) return;
+    }
+    FAIL() << "nothing more was told; before that: " << said;
+  }
+
   std::unique_ptr<link::SoundProgram> sound_;
 };
 
