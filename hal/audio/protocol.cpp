@@ -51,7 +51,7 @@ class Reader {
   double between(double low, double high) {
     const auto value = number<double>();
     good_ = good_ && value >= low && value <= high;  // false for NaN
-    return value;
+    return good_ ? value : low;                      // that of another message may fit into no int
   }
   bool flag() {
     const auto value = number<std::uint8_t>();
