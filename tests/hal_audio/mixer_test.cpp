@@ -105,7 +105,7 @@ TEST(Mixer, PlayedAfreshASoundReplacesTheLastOneThatWas) {
   Mixer mixer;
   ASSERT_TRUE(mixer.play({.id = 1, .file = "a", .loop = true}, toneSource()));
   ASSERT_TRUE(mixer.play({.id = 2, .file = "b", .loop = true, .afresh = true}, toneSource()));
-  EXPECT_FALSE(mixer.change({.id = 3, .file = "b", .afresh = true}));
+  EXPECT_FALSE(mixer.change({.id = 3, .file = "a", .afresh = true})) << "not even one that sounds already";
   ASSERT_TRUE(mixer.play({.id = 3, .file = "b", .loop = true, .afresh = true}, toneSource()));
   EXPECT_THAT(mixer.takeEnded(), ElementsAre(2));
   mixer.stop({});
