@@ -81,18 +81,18 @@ TEST_F(SoundGraph, TheProgramEndsWithItsController) {
   pid_t program = 0;
   std::ifstream{folder / "began"} >> program;
   ASSERT_GT(program, 0);
-  kill(program, SIGINT);  // Ctrl-C in the controller's terminal
-  std::this_thread::sleep_for(50ms);
-  EXPECT_TRUE(processExists(program));
-  kill(controller, SIGKILL);
-  waitpid(controller, nullptr, 0);
-  // Nobody may be there to reap it, so a zombie will do.
+  // A zombie does not count: nobody may be there to reap it.
   const auto lives = [&] {
     std::ifstream status{"/proc/" + std::to_string(program) + "/stat"};
     std::string text;
     std::getline(status, text);
     return status && text.find(") Z ") == std::string::npos;
   };
+  kill(program, SIGINT);  // Ctrl-C in the controller's terminal
+  std::this_thread::sleep_for(50ms);
+  EXPECT_TRUE(lives());
+  kill(controller, SIGKILL);
+  waitpid(controller, nullptr, 0);
   while (lives() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(5ms);
   EXPECT_FALSE(lives());
 }
