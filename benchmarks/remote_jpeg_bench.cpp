@@ -1,6 +1,9 @@
 // A camera's frame to the picture in a reply, by planes and by other ways, and back on the client's side. All take
 // turns on the same frame; the best of many turns counts, since whatever else runs on the machine only makes them
-// slower.
+// slower. Then the same bytes as the picture in a reply: what a step of a controller waits for is the exchange of a
+// whole poll through the server, over the loopback, and the unpacking.
+//
+// With the word "table": a table for people.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -10,78 +13,24 @@
 #include <jpeglib.h>
 
 #include <functional>
-#include <random>
 #include <string>
 #include <vector>
 
-#include "hal/pixels/bgra_to_yuyv.hpp"
+#include "camera_scene.hpp"
 #include "hal/pixels/yuyv_to_bgra.hpp"
 #include "remote/jpeg/decoder.hpp"
 #include "remote/jpeg/encoder.hpp"
+#include "served_poll.hpp"
 
 namespace {
 
 using namespace darwinop;
 using namespace darwinop::remote;
-using Bytes = std::vector<std::uint8_t>;
+using bench::Bytes;
+using bench::Frame;
+using bench::kPixels;
 
-constexpr int kTurns = 60, kScenes = 8;
-constexpr std::size_t kPixels = std::size_t{320} * 240;
-
-/// A field with lines, a wall and a ball in the colours of `seed`, under light from one side, with a camera's noise.
-/// Several: how well a flat colour survives is luck.
-Bytes scene(std::uint32_t seed) {
-  std::mt19937 dice{seed};
-  const auto drawn = [&dice](double from, double to) {
-    return from + (to - from) * static_cast<double>(dice() >> 8) / 0x1000000;
-  };
-  const auto colour = [&drawn] { return std::array{drawn(20, 240), drawn(20, 240), drawn(20, 240)}; };
-  const std::array field = colour(), wall = colour(), line = colour(), ball = colour();
-  const double tilt = drawn(0.05, 0.25), from_dark = drawn(0.5, 0.9);
-  const double ball_x = drawn(100, 220), ball_y = drawn(90, 150);
-  Bytes bgra(4 * kPixels);
-  std::uint8_t* pixel = bgra.data();
-  for (int y = 0; y < 240; ++y)
-    for (int x = 0; x < 320; ++x, pixel += 4) {
-      const double light = from_dark + (1 - from_dark) * x / 320, from_ball = std::hypot(x - ball_x, y - ball_y);
-      const auto& at = from_ball < 24                                   ? ball
-                       : y < 80                                         ? wall
-                       : std::fmod(y + tilt * x, 45) < 4 || x % 110 < 3 ? line
-                                                                        : field;
-      for (int i = 0; i < 3; ++i)
-        pixel[i] = static_cast<std::uint8_t>(std::clamp(at[i] * light + drawn(-4, 4), 0.0, 255.0));
-      pixel[3] = 255;
-    }
-  return bgra;
-}
-
-/// The frame, and the part of it that a client sees, as JFIF's formula has its colours.
-struct Frame {
-  Frame(ImageSize part, std::uint32_t seed) : size{part} {
-    pixels::bgraToYuyvRotated(scene(seed), 320, 240, yuyv, 640);
-    for (int y = 0; y < size.height; ++y)
-      for (int x = 0; x < size.width; ++x) {
-        const int at = 320 * 240 - 1 - (320 * (topOf(size) + y) + leftOf(size) + x);  // upside down
-        const std::uint8_t* pair = yuyv.data() + at / 2 * 4;
-        const double luma = pair[at % 2 * 2], u = pair[1] - 128, v = pair[3] - 128;
-        for (const double c : {luma + 1.772 * u, luma - 0.344136 * u - 0.714136 * v, luma + 1.402 * v})
-          colours.push_back(std::clamp(c, 0.0, 255.0));
-      }
-  }
-  [[nodiscard]] pixels::YuyvImage image() const { return {yuyv, 320, 240, 640}; }
-
-  ImageSize size;
-  Bytes yuyv = Bytes(2 * kPixels);
-  std::vector<double> colours;  // blue, green, red
-};
-
-/// Mean square of what a picture is off, over the three colours.
-double meanSquare(const Frame& frame, const Bytes& bgra) {
-  double squares = 0;
-  for (std::size_t i = 0; i < frame.colours.size(); ++i)
-    squares += std::pow(bgra[i / 3 * 4 + i % 3] - frame.colours[i], 2);
-  return squares / static_cast<double>(frame.colours.size());
-}
+constexpr int kTurns = 60, kScenes = 8, kExchanges = 60;
 
 /// libjpeg as a program uses it that does no more than needed: heap for each picture, defaults for everything.
 struct PlainJpeg {
@@ -122,8 +71,9 @@ struct Way {
   std::string name;
   std::function<std::size_t(const Frame& frame)> pack;
   std::function<void(std::size_t length)> unpack;
-  double pack_us = 0, unpack_us = 0, length = 0, square = 0;
+  double pack_us = 0, unpack_us = 0, exchange_us = 0, length = 0, square = 0;
 
+  [[nodiscard]] double stepUs() const { return exchange_us + unpack_us; }
   [[nodiscard]] double psnr() const { return 10 * std::log10(255.0 * 255.0 / square); }
 };
 
@@ -154,6 +104,16 @@ void takeTurns(std::vector<Way>& ways, const Frame& frame, const Bytes& seen) {
   }
 }
 
+/// Median time of an exchange whose picture has these bytes.
+double exchangeUs(bench::ServingThread& serving, bench::PollingClient& client, Bytes picture) {
+  const std::size_t length = picture.size();
+  serving.show(std::move(picture));
+  std::array<double, kExchanges> us;
+  for (double& each : us) each = client.exchange(length);
+  std::ranges::nth_element(us, us.begin() + kExchanges / 2);
+  return us[kExchanges / 2];
+}
+
 void print(const std::string& name, double ours, double peer, const char* unit) {
   std::printf("bench: %s ours=%.2f peer=%.2f ratio=%.3f unit=%s\n", name.c_str(), ours, peer, ours / peer, unit);
 }
@@ -173,7 +133,25 @@ std::size_t threeBytes(const Bytes& bgra, ImageSize size, Bytes& into) {
   return static_cast<std::size_t>(to - into.data());
 }
 
-bool measure(ImageSize size, int quality) {
+const Way& named(const std::vector<Way>& ways, const std::string& name) {
+  return *std::ranges::find(ways, name, &Way::name);
+}
+
+/// A row for the JPEGs of one quality; raw bytes, which have none, below the last one.
+void printTable(const std::vector<Way>& ways, ImageSize size, int quality) {
+  const Way &planes = named(ways, "planes"), &bgra = named(ways, "bgra");
+  std::printf("| %dx%d, %d | %.0f | %.0f | %.2f | %.0f | %.2f | %.2f | %.0f | %.0f | %.0f |\n", size.width, size.height,
+              quality, planes.pack_us, bgra.pack_us, bgra.pack_us / planes.pack_us, named(ways, "bgra_2013").pack_us,
+              planes.psnr(), bgra.psnr(), planes.length, planes.unpack_us, planes.stepUs());
+  if (quality != 50) return;
+  for (const char* const raw : {"raw_bgr", "raw_bgra"}) {
+    const Way& way = named(ways, raw);
+    std::printf("| %dx%d, %s | | %.0f | | | | | %.0f | %.0f | %.0f |\n", size.width, size.height, raw + 4, way.pack_us,
+                way.length, way.unpack_us, way.stepUs());
+  }
+}
+
+bool measure(ImageSize size, int quality, bool table) {
   const std::size_t count = static_cast<std::size_t>(size.width) * size.height, row_bytes = std::size_t{4} * size.width;
   JpegEncoder encoder{size, quality}, bgra_encoder{size, quality};
   PlainJpeg plain;
@@ -237,26 +215,42 @@ bool measure(ImageSize size, int quality) {
         }
       });
   for (std::uint32_t seed = 1; seed <= kScenes; ++seed) takeTurns(ways, Frame{size, seed}, seen);
+  bench::ServingThread serving{bench::ServingThread::anyPort()};
+  bench::PollingClient client{bench::connectTo(serving.port())};
+  for (std::uint32_t seed = 1; seed <= kScenes; ++seed) {
+    const Frame frame{size, seed};
+    for (Way& each : ways) {
+      const auto length = static_cast<std::ptrdiff_t>(each.pack(frame));
+      each.exchange_us += exchangeUs(serving, client, Bytes(wire.begin(), wire.begin() + length)) / kScenes;
+    }
+  }
 
+  if (table) printTable(ways, size, quality);
   const Way& ours = ways.front();
   for (const Way& peer : ways) {
-    if (&peer == &ours) continue;
+    if (table || &peer == &ours) continue;
     const std::string name = "remote_jpeg_" + std::to_string(size.width) + "x" + std::to_string(size.height) + "_q" +
                              std::to_string(quality) + "_" + peer.name;
     print(name, ours.pack_us, peer.pack_us, "us");
     print(name + "_unpack", ours.unpack_us, peer.unpack_us, "us");
     print(name + "_bytes", ours.length, peer.length, "bytes");
     print(name + "_psnr", ours.psnr(), peer.psnr(), "dB");
+    print(name + "_step", ours.stepUs(), peer.stepUs(), "us");
   }
   return std::ranges::all_of(ways, [](const Way& each) { return each.psnr() > 20; });
 }
 
 }  // namespace
 
-int main() {
+int main(int count, char** arguments) {
+  const bool table = count > 1 && std::string{arguments[1]} == "table";
+  if (table)
+    std::puts(
+        "| picture, quality | from planes | from BGRA | ratio | as in 2013 | PSNR, dB | from BGRA | bytes | "
+        "decompression | step |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|");
   bool sound = true;
   for (const ImageSize size : {ImageSize{160, 120}, kWholeImage})
-    for (const int quality : {100, 80, 65, 50}) sound = measure(size, quality) && sound;
+    for (const int quality : {100, 80, 65, 50}) sound = measure(size, quality, table) && sound;
   if (!sound) std::fputs("a way does not show the picture that the camera took\n", stderr);
   return sound ? 0 : 1;
 }

@@ -191,10 +191,20 @@ camera() { "$build/bin/camera_bench"; }
 # The picture in a reply, from YUYV to bytes and back. Peers: libjpeg from BGRA, the same and as in 2013; raw bytes.
 remote_jpeg() { "$build/bin/remote_jpeg_bench"; }
 
+# The same as a table.
+remote_table() { "$build/bin/remote_jpeg_bench" table; }
+
+# Wake latency of the loop while the port is attacked, in real processes: 3 minutes. Peer: the same while nobody comes.
+remote_flood() { "$build/bin/remote_flood" "$build/bin" "${DARWINOP_FLOOD_ROUNDS:-12}"; }
+
+# Round trips over slow networks, as a table. Needs root, for networks of its own.
+remote_link() { "$build/bin/remote_link"; }
+
 # A whole poll and its reply over the loopback. Peer: the same bytes both ways, without a server.
 remote_round_trip() { "$build/bin/remote_round_trip"; }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision remote_jpeg remote_round_trip gait)
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision remote_jpeg remote_table remote_round_trip remote_flood
+  remote_link gait)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue
   "$name"

@@ -6,7 +6,10 @@ include(CMakePackageConfigHelpers)
 get_property(rooms GLOBAL PROPERTY DARWINOP_ROOMS)
 list(REMOVE_ITEM rooms sound_program)  # a process of its own: no controller needs its libraries
 list(FILTER rooms EXCLUDE REGEX "^(twin_.*|gap_.*|hil_camera|plot|logs)$")  # PC only; the twin is loaded on demand
-list(FILTER rooms EXCLUDE REGEX "^remote")  # commands only: no controller needs libjpeg
+list(FILTER rooms EXCLUDE REGEX "^remote_(server|robot)$")  # commands only
+if(CMAKE_CROSSCOMPILING)
+  list(FILTER rooms EXCLUDE REGEX "^remote_")  # a robot's controller drives its own robot: it needs no libjpeg
+endif()
 foreach(room IN LISTS rooms)
   list(APPEND room_objects $<TARGET_OBJECTS:${room}>)
 endforeach()
@@ -26,7 +29,7 @@ else()
 endif()
 set_source_files_properties(link/sound_program.cpp PROPERTIES COMPILE_DEFINITIONS "DARWINOP_SOUND_FOLDERS=${sound_folders}")
 
-# inih and libxcb go into the library, so that neither a controller's build nor the robot needs them.
+# inih, libxcb and, on a PC, libjpeg go into the library, so that neither a controller's build nor the robot needs them.
 set(darwinop_taken_in)     # their objects
 set(darwinop_other_flags)  # those that have no archive here
 function(darwinop_take_in NAME)
@@ -46,7 +49,11 @@ function(darwinop_take_in NAME)
   set_source_files_properties(${objects} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
   set(darwinop_taken_in ${darwinop_taken_in} ${objects} PARENT_SCOPE)
 endfunction()
-foreach(library IN ITEMS inih xcb Xau)
+set(taken_libraries inih xcb Xau)
+if(NOT CMAKE_CROSSCOMPILING)
+  list(APPEND taken_libraries jpeg)  # pictures over TCP
+endif()
+foreach(library IN LISTS taken_libraries)
   darwinop_take_in(${library})
 endforeach()
 

@@ -7,7 +7,7 @@
 namespace darwinop::link {
 
 std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& robot, const EyesRequest& request) {
-  if (auto simulated = robot.openEyes(request.width, request.height)) return simulated;
+  if (auto its_own = robot.openEyes(request.width, request.height)) return its_own;
   // A camera of this computer shows another world than the simulated one.
   if (!robot.realTime()) throw std::runtime_error("this virtual robot has no camera: the twin has one, --robot twin");
   v4l2::CameraOptions options;

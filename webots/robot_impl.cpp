@@ -6,7 +6,6 @@
 
 #include "link/keys.hpp"
 #include "link/sound_program.hpp"
-#include "runtime/daemon_link.hpp"
 #include "webots/Accelerometer.hpp"
 #include "webots/Camera.hpp"
 #include "webots/Gyro.hpp"
@@ -61,8 +60,7 @@ RobotImpl::RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerC
       open_sound{link::openSound},
       config_{config},
       stop_{stop},
-      real_time_{link->realTime()},
-      ends_with_us_{real_time_ && dynamic_cast<const runtime::DaemonLink*>(link.get()) == nullptr},
+      ends_with_us_{link->bringsToRest()},
       session_{std::move(link), stop} {
   commands_.start_where_it_is = config.safety.start == safety::StartMove::kHold;
   addDevices();

@@ -45,7 +45,7 @@ class RobotImpl {
   [[nodiscard]] const ControllerConfig& config() const { return config_; }
   [[nodiscard]] const Session& session() const { return session_; }
   /// False: simulated time, which steps as fast as the controller does.
-  [[nodiscard]] bool realTime() const { return real_time_; }
+  [[nodiscard]] bool realTime() const { return session_.realTime(); }
   [[nodiscard]] LedCommand& led() { return commands_.led; }
   [[nodiscard]] webots::Keyboard& keyboard() { return keyboard_; }
 
@@ -89,7 +89,6 @@ class RobotImpl {
 
   ControllerConfig config_;
   const std::atomic<bool>& stop_;
-  bool real_time_;
   bool ends_with_us_;  // the loop: in real time, in this process
   Session session_;
   Commands commands_{};

@@ -1,6 +1,8 @@
 // One connection: what came, what has still to go out, what was already said about it.
 #include "remote/server/client.hpp"
 
+#include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 
 #include <cerrno>
@@ -11,6 +13,15 @@ namespace {
 
 bool comesLater(int error) {
   return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
+}
+
+/// Bytes that one packet to the client carries; 0: not known.
+std::size_t segmentBytes(int descriptor) {
+  int bytes = 0;
+  socklen_t size = sizeof bytes;
+  return getsockopt(descriptor, IPPROTO_TCP, TCP_MAXSEG, &bytes, &size) == 0 && bytes > 0
+             ? static_cast<std::size_t>(bytes)
+             : 0;
 }
 
 }  // namespace
@@ -26,6 +37,10 @@ bool Client::receive() {
 
 bool Client::reply(const Request& request, const Reply& reply) {
   writeReply(request, reply, out_);
+  // Alone in the last packet the NUL may come after its reply was read. A client of 2013 would take it for the head of
+  // the next reply and wait for ever; without any NUL both historic clients go on.
+  const std::size_t segment = segmentBytes(descriptor());
+  if (segment > 0 && out_.size() % segment == 1) out_.pop_back();
   sent_ = 0;
   return flush();
 }

@@ -27,7 +27,7 @@ class Client {
   }
   [[nodiscard]] std::size_t garbageBytes() const { return reader_.garbageBytes(); }
 
-  /// A reply with its NUL leaves in one call. False: the connection has ended.
+  /// A reply leaves in one call, with its NUL unless that would travel alone. False: the connection has ended.
   [[nodiscard]] bool reply(const Request& request, const Reply& reply);
   /// Sends what the network did not take yet. False: the connection has ended.
   [[nodiscard]] bool flush();
@@ -38,7 +38,9 @@ class Client {
   bool drives = false;           // holds the lease
   bool driven = false;           // has held it
   Nanos began{0};                // when it got the lease
-  std::optional<Request> waits;  // for values that the robot has not told yet
+  Nanos asked{0};                // when the request came that is being answered
+  bool more = false;             // requests that were read and not looked at: the server had no allowance left
+  std::optional<Request> waits;  // for values that the robot has not told yet, or for a cycle
   Oddities told{};               // what has been said of its requests
   Doubts told_values{};          // and of the replies
   bool told_garbage = false, told_no_picture = false;

@@ -12,6 +12,7 @@
 #include "hal/byte_line.hpp"
 #include "remote/picture_source.hpp"
 #include "remote/server/addresses.hpp"
+#include "remote/server/allowance.hpp"
 #include "remote/server/bounded_log.hpp"
 #include "remote/server/client.hpp"
 #include "remote/server/listener.hpp"
@@ -24,6 +25,8 @@ struct ServerConfig {
   std::uint16_t port = kUsualPort;
   std::vector<Network> allowed{{0x7F000000, 0xFF000000}};
   Nanos silence{std::chrono::milliseconds{500}};  // without a whole request: motion is held, the lease given back
+  /// Between two pieces of work (a caller, a read of 1 kB, an answer) on average; 64 may come at once. 0: no limit.
+  Nanos pace{std::chrono::microseconds{500}};
 };
 
 class Server {
@@ -49,12 +52,16 @@ class Server {
   void seeToClient();
   void answerAll();
   [[nodiscard]] bool answer(const Request& request);
-  [[nodiscard]] bool mayDrive();
-  [[nodiscard]] std::span<const std::uint8_t> picture(const Request& request);
+  [[nodiscard]] bool answerAgain(const Request& request);
+  [[nodiscard]] bool mayDrive(const Request& request);
+  void refuse(const Request& request, const std::string& what, const std::string& why);
+  [[nodiscard]] bool isToCome(std::uint64_t cycle, const Sensors& seen) const;
+  [[nodiscard]] JpegPicture picture(const Request& request);
   void openPictures();
   void letIn();
   void lookForSilence();
   void stopDriving();
+  void sayFarewell();
   void showOut(const std::string& why);
   void openDoor();
   void log(const std::string& what) { log_.line(what, now_); }
@@ -66,6 +73,7 @@ class Server {
   OpenPictures open_pictures_;
   Clock clock_;
   BoundedLog log_;
+  Allowance allowance_;
   Listener listener_;
   Nanos now_;
   std::optional<Client> client_;

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 
 #include <csignal>
+#include <fstream>
+#include <thread>
 
 #include "examples.hpp"
 #include "remote/server/socket.hpp"
@@ -67,6 +70,31 @@ TEST_F(RemoteCommand, ServesARobotUntilItIsAskedToEnd) {
   EXPECT_EQ(ask(next, kEmptyRequest), kEmptyReply);
   server.kill(SIGINT);
   EXPECT_EQ(server.wait(20s), 0) << server.output();
+}
+
+TEST_F(RemoteCommand, GoesOnWhenNobodyReadsWhatItSays) {
+  const std::string pipe = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  Program server{
+      {"/bin/sh", "-c", std::string{"exec " DARWINOP_REMOTE " --robot virtual --port 0 >'"} + pipe + "' 2>&1"},
+      folder_ / "output"};
+  std::uint16_t port = 0;
+  {
+    std::ifstream said{pipe};
+    for (std::string line; port == 0 && std::getline(said, line);)
+      if (line.starts_with("ready: ")) port = static_cast<std::uint16_t>(std::stoi(line.substr(line.rfind(':') + 1)));
+  }
+  for (int client = 0; client < 3; ++client) {
+    Socket socket;
+    for (int i = 0; i < 500 && !socket.open(); ++i) {  // until the one before has left
+      socket = connectTo(port);
+      if (!socket.open()) std::this_thread::sleep_for(10ms);
+    }
+    ASSERT_TRUE(socket.open()) << "client " << client;
+    EXPECT_EQ(ask(socket, kEmptyRequest), kEmptyReply);
+  }
+  server.kill(SIGTERM);
+  EXPECT_EQ(server.wait(20s), 0);
 }
 
 TEST_F(RemoteCommand, AsksWhoMayComeBeforeItOpensTheRobotToANetwork) {

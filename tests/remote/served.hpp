@@ -24,7 +24,7 @@ struct Served {
   Nanos now{std::chrono::hours{1}};
   Server server;
 
-  explicit Served(Server::OpenPictures pictures = {}, ServerConfig config = {})
+  explicit Served(Server::OpenPictures pictures = {}, ServerConfig config = unhurried())
       : server{withAnyPort(std::move(config)), robot, std::move(pictures), [this] { return now; },
                [this](const std::string& line) { said.push_back(line); }} {}
 
@@ -42,6 +42,13 @@ struct Served {
     return false;
   }
 
+  /// The clock stands still, so time earns nothing.
+  static ServerConfig unhurried() {
+    ServerConfig config;
+    config.pace = Nanos{0};
+    return config;
+  }
+
  private:
   static ServerConfig withAnyPort(ServerConfig config) {
     config.port = 0;
@@ -52,7 +59,9 @@ struct Served {
 /// A socket of a client. Never waits.
 class TestClient {
  public:
-  explicit TestClient(Served& served) : served_{served}, socket_{::socket(AF_INET, SOCK_STREAM, 0)} {
+  /// `segment`: the network's packets are that long at most; 0: as long as the loopback's.
+  explicit TestClient(Served& served, int segment = 0) : served_{served}, socket_{::socket(AF_INET, SOCK_STREAM, 0)} {
+    if (segment > 0) (void)setsockopt(socket_.descriptor(), IPPROTO_TCP, TCP_MAXSEG, &segment, sizeof segment);
     sockaddr_in name{};
     name.sin_family = AF_INET;
     name.sin_port = htons(served.server.port());

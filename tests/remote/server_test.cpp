@@ -135,6 +135,25 @@ TEST(RemoteServer, BothHistoricClientsReadTheirReplies) {
   }
 }
 
+// A packet of its own for the NUL could come after the rest was read, and would then be taken for the next reply's
+// head.
+TEST(RemoteServer, NoNulTravelsAlone) {
+  FixedEye eye;
+  Served served{eye.opener()};
+  TestClient client{served, 1000};
+  std::vector<std::size_t> without;
+  for (std::size_t size = 1; size < 3200; ++size) {
+    eye.jpeg.assign(size, 0x57);
+    client.send(kCameraRequest);
+    const ByteList reply = readAsIn2013(client);
+    ASSERT_FALSE(reply.empty()) << size;
+    if (reply.size() != statedSize(reply)) without.push_back(reply.size());
+  }
+  ASSERT_GE(without.size(), 3) << "packets of 1000 bytes or less";
+  EXPECT_LE(without[0], 1000);
+  for (std::size_t i = 0; i < without.size(); ++i) EXPECT_EQ(without[i], (i + 1) * without[0]) << "whole packets";
+}
+
 TEST(RemoteServer, ASecondClientIsRefusedByTheDoor) {
   Served served;
   TestClient first{served};
@@ -233,6 +252,42 @@ TEST(RemoteServer, AFloodOfRequestsIsAnsweredAsFarAsItIsRead) {
   EXPECT_EQ(received, 2000 * 20010);
 }
 
+TEST(RemoteServer, AFloodGetsNoMoreThanItsShareOfTheCpu) {
+  Served served{{}, ServerConfig{}};
+  TestClient client{served};
+  ByteList flood;
+  for (int i = 0; i < 250; ++i)
+    for (const std::uint8_t byte : fromHex(kEmptyRequest)) flood.push_back(byte);
+  client.send(flood);
+  served.attend(100);
+  EXPECT_LE(served.robot.obeyed.size(), 64);
+  EXPECT_GE(served.robot.obeyed.size(), 50);
+  for (int ms = 0; ms < 200; ++ms) {
+    const std::size_t before = served.robot.obeyed.size();
+    served.pass(1ms);
+    EXPECT_LE(served.robot.obeyed.size() - before, 2);
+  }
+  EXPECT_EQ(served.robot.obeyed.size(), 250) << "late, but each";
+}
+
+TEST(RemoteServer, CallersGetNoMoreThanTheirShareEither) {
+  Served served{{}, {.allowed = {networkFromText("192.168.123.0/24")}}};
+  int shown_out = 0;
+  for (int i = 0; i < 67; ++i) shown_out += TestClient{served}.shownOut() ? 1 : 0;
+  EXPECT_EQ(shown_out, 64) << "the others wait at the door";
+  served.pass(2ms);
+  EXPECT_TRUE(TestClient{served}.shownOut());
+}
+
+TEST(RemoteServer, WhoAsksEveryStepNeverWaitsForAnAllowance) {
+  Served served{{}, ServerConfig{}};
+  TestClient client{served};
+  for (int step = 0; step < 500; ++step) {
+    ASSERT_EQ(client.ask(kEmptyRequest), kEmptyReply) << step;
+    served.now += 4ms;
+  }
+}
+
 TEST(RemoteServer, AnswersOddRequestsAsTheOldOneAndSaysSoOnce) {
   Served served;
   TestClient client{served};
@@ -253,6 +308,35 @@ TEST(RemoteServer, ShowsOutWhoStatesAnImpossibleLength) {
   EXPECT_TRUE(served.robot.obeyed.empty());
   TestClient next{served};
   EXPECT_EQ(next.ask(kEmptyRequest), kEmptyReply);
+}
+
+// Any web page may have its reader's browser send this to a port of the reader's own computer.
+TEST(RemoteServer, AWebPageCannotDriveTheRobot) {
+  Served served;
+  for (const std::size_t first_piece : {std::size_t{200}, std::size_t{1}}) {
+    const std::string head = "POST / HTTP/1.1\r\nHost: 127.0.0.1:5023\r\nContent-Length: 11\r\n\r\n";
+    ByteList bytes(head.begin(), head.end());
+    for (const std::uint8_t byte : fromHex(kNeckRequest)) bytes.push_back(byte);
+    const auto cut = bytes.begin() + static_cast<std::ptrdiff_t>(std::min(first_piece, bytes.size()));
+    TestClient browser{served};
+    browser.send(ByteList(bytes.begin(), cut));
+    browser.send(ByteList(cut, bytes.end()));
+    EXPECT_TRUE(browser.shownOut());
+  }
+  EXPECT_TRUE(served.robot.obeyed.empty());
+  EXPECT_TRUE(served.robot.events.empty());
+  EXPECT_TRUE(served.hasSaid("speaks another protocol"));
+  TestClient next{served};
+  EXPECT_EQ(next.ask(kEmptyRequest), kEmptyReply);
+}
+
+TEST(RemoteServer, WhoHasDrivenIsUnderstoodAgainAfterNonsense) {
+  Served served;
+  TestClient client{served};
+  (void)client.ask(kEmptyRequest);
+  EXPECT_EQ(client.ask(std::string{"00 01 02 "} + kNeckRequest), kEmptyReply);
+  EXPECT_EQ(served.robot.obeyed.back().motors[0].position, 325);
+  EXPECT_TRUE(served.hasSaid("bytes that begin no request are skipped"));
 }
 
 TEST(RemoteServer, WaitsForTheFirstValuesOfServosThatWereWithoutPower) {

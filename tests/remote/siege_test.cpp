@@ -1,0 +1,74 @@
+// Attacks on the port of remote control, with the real daemon and the real server: who drives is served, the loop runs,
+// and nothing grows. How late the loop wakes meanwhile is a benchmark's affair.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "attackers.hpp"
+#include "siege_rig.hpp"
+
+namespace darwinop::remote {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::uint32_t kCyclesOfAnAttack = 60;
+constexpr long kMayGrowKb = 32 * 1024;  // an address sanitizer keeps what was freed
+
+class RemoteSiege : public testing::Test {
+ protected:
+  /// Comes as a simulator does: again and again until there is a place.
+  static bool driven(std::uint16_t port) {
+    for (int i = 0; i < 300; ++i) {
+      if (SiegeClient{port}.ask()) return true;
+      std::this_thread::sleep_for(20ms);
+    }
+    return false;
+  }
+  /// The loop has run, and every answer of the robot came whole.
+  void expectRobotUnharmed(const runtime::StatsView& before) const {
+    const runtime::StatsView now = rig_.stats().since(before);
+    EXPECT_GE(now.cycles, kCyclesOfAnAttack);
+    EXPECT_EQ(now.reconnects, 0);
+  }
+  static long lines(const std::string& text) { return std::ranges::count(text, '\n'); }
+
+  SiegeRig rig_{DARWINOP_BIN};
+};
+
+TEST_F(RemoteSiege, WhoDrivesIsServedWhateverOthersDo) {
+  const SiegeClient driver{rig_.port()};
+  ASSERT_TRUE(driver.ask());
+  for (const Attack attack : kAttacks) {
+    const runtime::StatsView before = rig_.stats();
+    const Attacker attacker{attack, rig_.port()};
+    while (rig_.stats().since(before).cycles < kCyclesOfAnAttack) {
+      ASSERT_TRUE(driver.ask()) << nameOf(attack) << ": " << rig_.server().output();
+      std::this_thread::sleep_for(5ms);
+    }
+    EXPECT_EQ(attacker.connected(), 0) << nameOf(attack) << ": the door is closed while one drives";
+    expectRobotUnharmed(before);
+  }
+  EXPECT_THAT(rig_.server().output(), testing::Not(testing::HasSubstr("silent")));
+}
+
+TEST_F(RemoteSiege, AfterAnAttackTheServerIsAsItWas) {
+  ASSERT_TRUE(driven(rig_.port()));
+  const long resident = rig_.residentKb();
+  for (const Attack attack : kAttacks) {
+    const runtime::StatsView before = rig_.stats();
+    {
+      const Attacker first{attack, rig_.port()}, second{attack, rig_.port()};
+      ASSERT_TRUE(rig_.runCycles(kCyclesOfAnAttack)) << nameOf(attack) << ": " << rig_.runtime().output();
+      EXPECT_GT(first.connected() + second.connected(), 0) << nameOf(attack) << " met nobody";
+    }
+    expectRobotUnharmed(before);
+    EXPECT_TRUE(driven(rig_.port())) << nameOf(attack) << ": " << rig_.server().output();
+  }
+  EXPECT_LT(rig_.residentKb(), resident + kMayGrowKb);
+  EXPECT_LE(lines(rig_.server().output()), 100) << "30 lines a minute, however many come";
+  rig_.server().kill(SIGTERM);
+  EXPECT_EQ(rig_.server().wait(20s), 0) << rig_.server().output();
+}
+
+}  // namespace
+}  // namespace darwinop::remote
