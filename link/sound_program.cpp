@@ -43,6 +43,7 @@ std::vector<std::string> commandFor(const fs::path& program) {
 /// descriptor but standard error.
 pid_t startWith(int socket, std::vector<std::string> command) {
   std::vector<char*> argv;
+  argv.reserve(command.size() + 1);
   for (std::string& word : command) argv.push_back(word.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;

@@ -55,7 +55,7 @@ class Voice final : public SoundSource {
 
 }  // namespace
 
-Speech::Speech(std::string data, std::function<void(const std::string&)> trouble)
+Speech::Speech(const std::string& data, std::function<void(const std::string&)> trouble)
     : trouble_{std::move(trouble)},
       rate_{espeak_Initialize(AUDIO_OUTPUT_SYNCHRONOUS, 0, data.empty() ? nullptr : data.c_str(),
                               espeakINITIALIZE_DONT_EXIT)} {

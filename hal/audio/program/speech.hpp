@@ -18,7 +18,7 @@ class Speech {
  public:
   /// `data` is the folder that holds espeak-ng-data, empty: where the library looks by itself. `trouble` is told, from
   /// another thread, what could not be said as asked for.
-  Speech(std::string data, std::function<void(const std::string&)> trouble);
+  Speech(const std::string& data, std::function<void(const std::string&)> trouble);
   ~Speech();
   Speech(const Speech&) = delete;
   Speech& operator=(const Speech&) = delete;

@@ -21,7 +21,7 @@ class Spoken {
   /// Waits while two seconds are waiting to be heard. False: nobody listens any more.
   [[nodiscard]] bool put(std::span<const std::int16_t> samples) {
     std::unique_lock lock{mutex_};
-    const auto most = static_cast<std::size_t>(2 * rate_);
+    const auto most = 2 * static_cast<std::size_t>(rate_);
     room_.wait(lock, [&] { return given_up_ || samples_.size() < most; });
     samples_.insert(samples_.end(), samples.begin(), samples.end());
     return !given_up_;
