@@ -132,10 +132,10 @@ int run(Arguments a) {
                  "somebody holds it, say so with --yes\n";
     return kNeedsYes;
   }
-  if (robot.kind == link_room::Kind::kDaemon && !a.no_record)
+  if (link_room::loopIsElsewhere(robot) && !a.no_record)
     throw std::runtime_error(
-        "the daemon drives this robot and makes recordings by itself: start it with darwinop runtime --record FILE, "
-        "and run the experiment with --no-record");
+        "the loop of this robot runs in its daemon, which makes recordings by itself: start that with darwinop runtime "
+        "--record FILE, and run the experiment with --no-record");
   if (a.record.empty() && !a.no_record) a.record = logName(experiment, a.robot);
   setIfGiven("DARWINOP_ROBOT", a.robot);
   if (a.period_ms != 0) setIfGiven("DARWINOP_PERIOD_MS", std::to_string(a.period_ms));

@@ -144,9 +144,10 @@ int play(PlayRequest request) {
   const link::Setting robot = link::readSetting(request.robot);
   std::cout << preview << "on: " << request.robot << std::endl;
   if (experiments::mayBeHardware(request.robot) && !agreed(request)) return kPlayNeedsYes;
-  if (robot.kind == link::Kind::kDaemon && !request.record.empty())
+  if (link::loopIsElsewhere(robot) && !request.record.empty())
     throw std::runtime_error(
-        "the daemon drives this robot and makes recordings by itself: start it with darwinop runtime --record FILE");
+        "the loop of this robot runs in its daemon, which makes recordings by itself: start that with darwinop runtime "
+        "--record FILE");
   setForRobot("DARWINOP_ROBOT", request.robot);
   if (request.period_ms != 0) setForRobot("DARWINOP_PERIOD_MS", std::to_string(request.period_ms));
   unsetenv("DARWINOP_RECORD");

@@ -1,5 +1,6 @@
 // darwinop-remote: the server of the remote-control protocol.
 #include <signal.h>
+#include <sys/prctl.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -28,6 +29,7 @@ struct RemoteArguments {
   std::vector<std::string> allow;
   std::uint16_t port = remote::kUsualPort;
   int width_zoom = 1, height_zoom = 1;
+  bool ends_with_parent = false;
 };
 
 void sayRemote(const std::string& line) {
@@ -67,16 +69,22 @@ facade::ControllerConfig controllerConfig(const std::string& config) {
 }
 
 int serveRemote(const RemoteArguments& given) {
-  const remote::ServerConfig config = serverConfig(given);
+  remote::ServerConfig config = serverConfig(given);
   link::Request request;
   request.setting = given.robot;
   const facade::ControllerConfig controller = controllerConfig(given.config);
   request.safety = controller.safety;
   if (!given.config.empty()) request.config_file = given.config;
-  const bool daemon = link::readSetting(given.robot).kind == link::Kind::kDaemon;
+  const link::Kind kind = link::readSetting(given.robot).kind;
+  if (kind == link::Kind::kTcp)
+    throw std::runtime_error("--robot " + given.robot + " is behind a server already: connect to that one");
+  const bool daemon = kind == link::Kind::kDaemon;
+  // In simulated time our own client takes as many cycles a second as the machine runs, and no robot's CPU is at stake.
+  if (kind == link::Kind::kVirtual || kind == link::Kind::kTwin) config.pace = Nanos{0};
   if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
     sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
   stopRemoteOnSignals();
+  if (given.ends_with_parent) prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
   remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kOwn,
                          [&] { return link::connect(request); }, request.safety.start == safety::StartMove::kHold};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
@@ -87,6 +95,7 @@ int serveRemote(const RemoteArguments& given) {
   remote::Server server{config, robot, open_pictures, clock, sayRemote};
   std::cout << "ready: " << given.listen << ":" << server.port() << std::endl;
   server.run(remote_stop);
+  robot.farewellForWhoLeft();
   return 0;
 }
 
@@ -110,6 +119,8 @@ int main(int count, char** arguments) try {
   app.add_option("--allow", given.allow, "network that may connect beside this computer, may be repeated")
       ->allow_extra_args(false);
   app.add_option("--port", given.port, "TCP port; 0: any that is free")->capture_default_str();
+  app.add_flag("--end-with-parent", given.ends_with_parent,
+               "end when the program that started this one does, even by kill -9");
   app.add_option("--config", given.config, "config.ini whose [Safety] and [Limits] hold, unless a daemon has its own");
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(

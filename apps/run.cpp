@@ -5,18 +5,22 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "hal/body_library.hpp"
+#include "run_over_ssh.hpp"
 #include "runtime/controller_run.hpp"
 
 namespace {
 
 constexpr const char* kRobotHelp =
     "which robot: runtime (the daemon), a serial device or pty (/dev/ttyUSB0), virtual (in the controller's process, "
-    "simulated time), twin or twin:MODEL (the same with physics). Unset: DARWINOP_ROBOT, or else what is there";
+    "simulated time), twin or twin:MODEL (the same with physics), tcp://USER@HOST (a robot elsewhere: remote control "
+    "is "
+    "started there by ssh and ended afterwards, see docs/remote.md). Unset: DARWINOP_ROBOT, or else what is there";
 
 /// CLI11 knows nothing of what allow_extras() lets through.
 class Usage : public CLI::Formatter {
@@ -52,6 +56,44 @@ void tellWhereTheTwinIs() {
   if (fs::exists(library, unknown)) setenv("DARWINOP_TWIN_LIBRARY", library.c_str(), 0);
 }
 
+/// What concerns tcp://USER@HOST only.
+struct SshOptions {
+  std::string picture, port, key;
+  bool force = false, new_host = false;
+
+  [[nodiscard]] bool any() const { return !picture.empty() || !port.empty() || !key.empty() || force || new_host; }
+};
+
+void addSshOptions(CLI::App& app, SshOptions& ssh) {
+  app.add_option("--picture", ssh.picture, "pictures of this size, such as 160x120: the middle of 320x240");
+  app.add_flag("--force", ssh.force, "begin whatever the robot's pose is: hold it");
+  app.add_option("--ssh-port", ssh.port, "port of ssh on the robot, else as ~/.ssh/config says");
+  app.add_option("--ssh-key", ssh.key, "key to log in with, else as ~/.ssh/config says");
+  app.add_flag("--new-host", ssh.new_host, "accept the key of a robot that is not known yet, without asking");
+  for (const char* name : {"--picture", "--force", "--ssh-port", "--ssh-key", "--new-host"})
+    app.get_option(name)->group("With --robot tcp://USER@HOST");
+}
+
+/// Runs the controller on this PC, the robot being the one that ssh leads to.
+int runOverSsh(const std::string& target, const SshOptions& ssh, darwinop::runtime::RunRequest& request) {
+  (void)darwinop::runtime::controllerProgram(request.command.at(0));  // first: who has a slip there needs no password
+  std::vector<std::string> words;
+  if (!ssh.picture.empty()) words.insert(words.end(), {"--picture", ssh.picture});
+  if (!ssh.port.empty()) words.insert(words.end(), {"-p", ssh.port});
+  if (!ssh.key.empty()) words.insert(words.end(), {"-i", ssh.key});
+  if (ssh.force) words.emplace_back("--force");
+  if (ssh.new_host) words.emplace_back("--new-host");
+  words.push_back(target);
+  const auto home = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  darwinop::RunOverSsh robot{home / "darwinop-install", words};
+  const std::optional<std::uint16_t> port = robot.waitUntilReady();
+  if (!port) return std::max(robot.end(), 1);
+  request.robot = "tcp://127.0.0.1:" + std::to_string(*port);
+  const int status = darwinop::runtime::runController(request);
+  const int ssh_status = robot.end();
+  return status != 0 ? status : ssh_status;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) try {
@@ -68,6 +110,8 @@ int main(int count, char** arguments) try {
   app.add_option("--record", request.record, "write every cycle to this CSV file, see docs/logs.md");
   app.add_option("--period", period_ms, "period of the loop in ms: 16, or 8 when only goals are sent")
       ->check(CLI::Range(1, 1000));
+  SshOptions ssh;
+  addSshOptions(app, ssh);
   app.footer("Example, without a robot:\n  darwinop run --robot virtual build/release/controllers/01_hello_head");
   app.allow_extras();  // what is no option of ours belongs to the controller, in the order given
   CLI11_PARSE(app, count, arguments);
@@ -83,6 +127,13 @@ int main(int count, char** arguments) try {
   request.robot = withAbsolutePath(request.robot);
   request.record = absolute(request.record);
   if (period_ms != 0) request.period_ms = std::to_string(period_ms);
+  const char* const robot = std::getenv("DARWINOP_ROBOT");
+  const auto target = darwinop::sshTarget(request.robot.empty() && robot != nullptr ? robot : request.robot);
+  if (target) return runOverSsh(*target, ssh, request);
+  if (ssh.any())
+    throw std::runtime_error(
+        "--picture, --force, --ssh-port, --ssh-key and --new-host go with --robot tcp://USER@HOST; what is the "
+        "controller's comes after --");
   return darwinop::runtime::runController(request);
 } catch (const std::exception& error) {
   std::cerr << "darwinop run: " << error.what() << '\n';

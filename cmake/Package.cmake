@@ -5,7 +5,10 @@ include(CMakePackageConfigHelpers)
 
 get_property(rooms GLOBAL PROPERTY DARWINOP_ROOMS)
 list(FILTER rooms EXCLUDE REGEX "^(twin_.*|gap_.*|hil_camera|plot|logs)$")  # PC only; the twin is loaded on demand
-list(FILTER rooms EXCLUDE REGEX "^remote")  # commands only: no controller needs libjpeg
+list(FILTER rooms EXCLUDE REGEX "^remote_(server|robot)$")  # commands only
+if(CMAKE_CROSSCOMPILING)
+  list(FILTER rooms EXCLUDE REGEX "^remote_")  # a robot's controller drives its own robot: it needs no libjpeg
+endif()
 foreach(room IN LISTS rooms)
   list(APPEND room_objects $<TARGET_OBJECTS:${room}>)
 endforeach()
@@ -17,7 +20,7 @@ if(NOT CMAKE_CROSSCOMPILING)
     "DARWINOP_TWIN_FOLDERS=\"lib\",\"${CMAKE_INSTALL_LIBDIR}\",\"${CMAKE_BINARY_DIR}/lib\",\"${CMAKE_INSTALL_FULL_LIBDIR}\";DARWINOP_VERSION=\"${PROJECT_VERSION}\"")
 endif()
 
-# inih and libxcb go into the library, so that neither a controller's build nor the robot needs them.
+# inih, libxcb and, on a PC, libjpeg go into the library, so that neither a controller's build nor the robot needs them.
 set(darwinop_taken_in)     # their objects
 set(darwinop_other_flags)  # those that have no archive here
 function(darwinop_take_in NAME)
@@ -37,7 +40,11 @@ function(darwinop_take_in NAME)
   set_source_files_properties(${objects} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
   set(darwinop_taken_in ${darwinop_taken_in} ${objects} PARENT_SCOPE)
 endfunction()
-foreach(library IN ITEMS inih xcb Xau)
+set(taken_libraries inih xcb Xau)
+if(NOT CMAKE_CROSSCOMPILING)
+  list(APPEND taken_libraries jpeg)  # pictures over TCP
+endif()
+foreach(library IN LISTS taken_libraries)
   darwinop_take_in(${library})
 endforeach()
 

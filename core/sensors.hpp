@@ -51,6 +51,7 @@ struct BoardSensors {
   std::array<RadPerSec, 3> gyro;              // x, y, z, rad/s
   std::array<MeterPerSec2, 3> accelerometer;  // x, y, z, m/s2; upright 0, 0, +9.8
   std::uint8_t buttons = 0;                   // 1 MODE, 2 START
+  bool buttons_known = true;                  // false: who tells of the board has no word for them
   Volt voltage;
   double microphone_left = kUnknown;  // 0..1023
   bool servo_power = false;

@@ -41,7 +41,7 @@ bool isVirtualRobot(const std::string& port) {
 bool mayBeHardware(const std::string& setting) {
   const link::Setting robot = link::readSetting(setting);
   if (robot.kind == link::Kind::kSerial) return !isVirtualRobot(robot.port);
-  return robot.kind == link::Kind::kDaemon;
+  return link::loopIsElsewhere(robot);
 }
 
 }  // namespace darwinop::experiments

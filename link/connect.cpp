@@ -16,6 +16,9 @@
 #include "link/setting.hpp"
 #include "link/start_pose_findings.hpp"
 #include "link/twin_library.hpp"
+#ifdef DARWINOP_REMOTE_CLIENT
+#include "remote/client/tcp_link.hpp"
+#endif
 #include "runtime/daemon_link.hpp"
 #include "runtime/threaded_link.hpp"
 
@@ -66,6 +69,24 @@ std::unique_ptr<runtime::RobotLink> twin(const Request& request, const std::stri
   config.port = "twin in memory, model " + (model.empty() ? kUsualTwin : model);
   return lockstepRobot(config, makeTwin(model, twinSeed()));
 }
+
+#ifdef DARWINOP_REMOTE_CLIENT
+std::unique_ptr<runtime::RobotLink> robotOverTcp(const Request& request, const Address& server) {
+  remote::TcpOptions options;
+  options.host = server.host;
+  options.port = server.port;
+  options.say = [](const std::string& what) { std::cerr << "darwinop: " << what << std::endl; };
+  auto link = std::make_unique<remote::TcpLink>(std::move(options));
+  std::cerr << tcpWarnings(request, link->period());
+  return link;
+}
+#else
+std::unique_ptr<runtime::RobotLink> robotOverTcp(const Request&, const Address& server) {
+  throw std::runtime_error("tcp://" + server.host +
+                           ": programs built for the robot drive the robot that they run on. Build this controller for "
+                           "the PC and start it there");
+}
+#endif
 
 std::string inMs(Nanos time) {
   char text[32];
@@ -138,6 +159,8 @@ std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
       return virtualRobot(request);
     case Kind::kTwin:
       return twin(request, setting.model);
+    case Kind::kTcp:
+      return robotOverTcp(request, setting.server);
   }
   throw std::logic_error("a kind of robot that connect() does not know");
 }

@@ -15,7 +15,8 @@ namespace darwinop::link {
 
 /// What a controller brings along. The defaults are those of a DARwIn-OP on its own computer.
 struct Request {
-  /// As link/setting.hpp reads it: "runtime", a serial device or pty, "virtual", "twin[:MODEL]", or empty.
+  /// As link/setting.hpp reads it: "runtime", a serial device or pty, "virtual", "twin[:MODEL]",
+  /// "tcp://HOST[:PORT]", or empty.
   std::string setting;
   std::optional<Nanos> period;  // 8 ms or more on a real line; nothing: what robot.ini says, else 16 ms
   safety::Config safety{};

@@ -33,4 +33,17 @@ std::string daemonWarnings(const Request& request, Nanos daemons_period) {
   return text;
 }
 
+std::string tcpWarnings(const Request& request, Nanos robots_period) {
+  std::string text;
+  if (!request.record_path.empty())
+    text += "darwinop: " + request.record_path +
+            " is not written: the loop runs on the robot, whose daemon records there: darwinop runtime --record FILE\n";
+  if (request.period && *request.period != robots_period)
+    text += "darwinop: the robot's period of " + milliseconds(robots_period) + " ms holds, not the " +
+            milliseconds(*request.period) + " ms asked for\n";
+  if (safety::numbers(request.safety) != safety::numbers(safety::Config{}))
+    text += "darwinop: [Safety] and [Limits] of this controller's config.ini do not hold: those of the robot do\n";
+  return text;
+}
+
 }  // namespace darwinop::link

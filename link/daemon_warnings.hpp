@@ -11,4 +11,7 @@ namespace darwinop::link {
 /// to do; empty: none.
 std::string daemonWarnings(const Request& request, Nanos daemons_period);
 
+/// The same of a robot over TCP, whose loop runs on the other computer.
+std::string tcpWarnings(const Request& request, Nanos robots_period);
+
 }  // namespace darwinop::link

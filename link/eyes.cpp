@@ -18,7 +18,7 @@ std::unique_ptr<FrameSource> openCamera(const EyesRequest& request) {
 }
 
 std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& robot, const EyesRequest& request) {
-  if (auto simulated = robot.openEyes(request.width, request.height)) return simulated;
+  if (auto its_own = robot.openEyes(request.width, request.height)) return its_own;
   // A camera of this computer shows another world than the simulated one.
   if (!robot.realTime()) throw std::runtime_error("this virtual robot has no camera: the twin has one, --robot twin");
   return openCamera(request);

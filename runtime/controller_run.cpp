@@ -17,6 +17,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "runtime/exchange.hpp"
 #include "runtime/names.hpp"
@@ -133,6 +134,12 @@ std::optional<LoopFigures> tryAttach(Exchange (*attach)(const RuntimeFiles&), co
   }
 }
 
+/// `robot`: as asked for; empty: as the environment says.
+bool isElsewhere(const std::string& robot) {
+  const char* const usual = std::getenv("DARWINOP_ROBOT");
+  return (robot.empty() && usual != nullptr ? std::string{usual} : robot).starts_with("tcp://");
+}
+
 void setIfGiven(const char* name, const std::string& value) {
   if (!value.empty()) setenv(name, value.c_str(), 1);
 }
@@ -213,7 +220,11 @@ int runController(const RunRequest& request) {
   } else if (daemon && daemon->driven()) {
     daemon->print();
   } else {
-    std::cout << '\n' << reportText({}, {}) << reportLine({}, {}) << std::endl;
+    std::cout << '\n'
+              << (isElsewhere(request.robot)
+                      ? "The loop ran on the other computer, which knows how it fared: darwinop runtime --status\n"
+                      : reportText({}, {}))
+              << reportLine({}, {}) << std::endl;
   }
   return status;
 }

@@ -24,6 +24,7 @@ class DaemonLink final : public ExchangeLink {
 
   [[nodiscard]] Nanos now() const override { return clock_.now(); }
   [[nodiscard]] bool realTime() const override { return true; }
+  [[nodiscard]] bool bringsToRest() const override { return false; }
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
 
  private:

@@ -27,7 +27,7 @@ struct LoopInfo {
 /// Plain words and bytes, no pointers: the same in private memory and in a file that processes share.
 struct ExchangeBlock {
   static constexpr std::uint32_t kMagic = 0x50774f44;  // "DOwP"
-  static constexpr std::uint32_t kLayout = 2;          // count up when a member here or in the images changes
+  static constexpr std::uint32_t kLayout = 3;          // count up when a member here or in the images changes
 
   std::uint32_t magic = kMagic;
   std::uint32_t layout = kLayout;

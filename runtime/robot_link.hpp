@@ -25,6 +25,9 @@ class RobotLink {
   /// False in lockstep, where a cycle runs when it is waited for and as fast as the machine allows.
   [[nodiscard]] virtual bool realTime() const = 0;
 
+  /// True when the end of this link is the end of the loop, which first brings the robot to rest: seconds in real time.
+  [[nodiscard]] virtual bool bringsToRest() const { return realTime(); }
+
   /// Offers an image to the loop; the newest one wins. Session and sequence are filled in here. Never waits.
   virtual void publish(Commands commands) = 0;
 
@@ -37,8 +40,8 @@ class RobotLink {
 
   [[nodiscard]] virtual std::string whyEnded() const = 0;
 
-  /// What a simulated robot sees, for pictures of this size; the link has to outlive it, and the thread that waits for
-  /// cycles uses it. Null: the robot's eye is a camera of this computer, or it has none.
+  /// What a robot that is no part of this computer sees, for pictures of this size; the link has to outlive it, and the
+  /// thread that waits for cycles uses it. Null: the robot's eye is a camera of this computer, or it has none.
   [[nodiscard]] virtual std::unique_ptr<FrameSource> openEyes(int /*width*/, int /*height*/) { return nullptr; }
 };
 

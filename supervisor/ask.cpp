@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <stdexcept>
@@ -78,6 +79,17 @@ int carryOut(const runtime::RuntimeFiles& files, int signal, const std::function
   return 0;
 }
 
+/// Whoever holds the lease, with the program's name as the kernel has it (15 letters).
+std::string driver(const runtime::RuntimeFiles& files) {
+  const pid_t pid = runtime::FileLock::holder(files.drive_lock);
+  if (pid == 0) return "none";
+  if (pid < 0) return "of another user";
+  std::string name;
+  std::ifstream file{"/proc/" + std::to_string(pid) + "/comm"};
+  std::getline(file, name);
+  return "pid " + std::to_string(pid) + (name.empty() ? "" : ", " + name);
+}
+
 std::string process(pid_t pid) {
   return pid == 0 ? "does not run" : "pid " + std::to_string(pid);
 }
@@ -96,7 +108,7 @@ int printStatus(const runtime::RuntimeFiles& files) {
   const std::string name = status->controller.empty() ? "none" : status->controller;
   std::cout << "home          " << status->home << "\nstate         " << status->state << "\nruntime       "
             << process(status->runtime_pid) << "\ncontroller    " << name << ", " << process(status->controller_pid)
-            << ", crashes within a minute: " << status->crashes << '\n';
+            << ", crashes within a minute: " << status->crashes << "\ndriver        " << driver(files) << '\n';
   return 0;
 }
 

@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "link/keys.hpp"
-#include "runtime/daemon_link.hpp"
 #include "webots/Accelerometer.hpp"
 #include "webots/Camera.hpp"
 #include "webots/Gyro.hpp"
@@ -59,7 +58,7 @@ RobotImpl::RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerC
     : open_keys{[&stop] { return openTheUsualKeys(stop); }},
       config_{config},
       stop_{stop},
-      ends_with_us_{link->realTime() && dynamic_cast<const runtime::DaemonLink*>(link.get()) == nullptr},
+      ends_with_us_{link->bringsToRest()},
       session_{std::move(link), stop} {
   commands_.start_where_it_is = config.safety.start == safety::StartMove::kHold;
   addDevices();

@@ -104,7 +104,7 @@ void TouchSensor::disable() {
 
 double TouchSensor::getValue() const {
   const auto* board = robot_.board(getName());
-  return board ? ((board->buttons & bit_) != 0 ? 1.0 : 0.0) : darwinop::kUnknown;
+  return board != nullptr && board->buttons_known ? ((board->buttons & bit_) != 0 ? 1.0 : 0.0) : darwinop::kUnknown;
 }
 
 }  // namespace webots

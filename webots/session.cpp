@@ -91,6 +91,11 @@ int Session::wait() {
     if (!waitForTarget()) return end(stop_ ? std::string{} : link_->whyEnded());
     sensors_ = link_->sensors();
     reached_ = Nanos{sensors_.time_ns} - origin_;
+    if (sensors_.cycle > target_ &&
+        link_->realTime()) {  // waited for longer than the step takes, as a slow network does
+      late = link_->now() - due_;
+      line_.restartAt(sensors_.cycle);
+    }
   } else {
     sensors_ = link_->sensors();
     reached_ = std::max(time(), Nanos{sensors_.time_ns} - origin_);

@@ -1,7 +1,7 @@
 # shellcheck shell=sh disable=SC2034  # what is set here is read by the other files
 # The command line. Everything that it can say is a variable with its default here.
 
-action=install       # install, uninstall, status, rollback, controller
+action=install       # install, uninstall, status, rollback, controller, remote
 target=darwin@192.168.123.1
 dry_run=0
 force=0
@@ -41,6 +41,7 @@ Nothing is changed before everything was checked; a version that fails its self-
     --make-default       and start it at every boot
   --stop                 end the controller that runs, safely; the default one starts again at the next boot
   --logs [-f]            show the robot's logs; -f goes on showing
+  --remote [--picture 160x120]   remote control until stdin ends; darwinop run --robot tcp://USER@HOST does this
   --new-host             accept the key of a robot that is not known yet, without asking
   -p PORT, -i KEY, -o OPTION, -F FILE   as for ssh
 
@@ -59,7 +60,7 @@ parse_arguments() {
   have_target=0
   while [ $# -gt 0 ]; do
     case $1 in
-      --port | --autostart | --bundle | --controller | -p | -i | -o | -F) [ $# -ge 2 ] || wrong_usage "$1 needs a value" ;;
+      --port | --autostart | --bundle | --controller | --picture | --tell | -p | -i | -o | -F) [ $# -ge 2 ] || wrong_usage "$1 needs a value" ;;
     esac
     case $1 in
       -h | --help) usage && exit 0 ;;
@@ -73,6 +74,9 @@ parse_arguments() {
       --controller) set_action controller && controller_dir=$2 && shift ;;
       --run | --make-default) set_controller_action "${1#--}" ;;
       --stop | --logs) set_action controller && set_controller_action "${1#--}" ;;
+      --remote) set_action remote ;;
+      --picture) picture=$2 && shift ;;
+      --tell) tell=$2 && shift ;;
       -f) logs_follow=1 ;;
       --new-host) new_host=1 ;;
       -p | -i | -o | -F) ssh_options="$ssh_options$(quote "$1" "$2")" && shift ;;
@@ -112,6 +116,8 @@ check_arguments() {
   case $port in *[!A-Za-z0-9/._:-]*) wrong_usage "--port takes a device such as /dev/ttyUSB0, not '$port'" ;; esac
   [ "$logs_follow" = 0 ] || [ "$controller_action" = logs ] || wrong_usage "-f goes with --logs"
   [ "$dry_run" = 0 ] || [ "$controller_action" != stop ] || wrong_usage "--dry-run does not go with --stop"
+  [ -z "$picture$tell" ] || [ "$action" = remote ] || wrong_usage "--picture and --tell go with --remote"
+  check_picture
   case $action:$controller_action in
     controller:run) ;;
     controller:stop | controller:logs) [ -z "$controller_dir" ] || wrong_usage "--$controller_action takes no --controller" ;;

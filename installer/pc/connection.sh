@@ -61,7 +61,8 @@ ssh_with() { # WORDS-BEFORE-THE-USERS ARGUMENTS
 }
 
 # open_master OPTIONS: what ssh says goes to $connection/said, its questions to the terminal.
-open_master() { ssh_call -M -N -f -o ControlPersist=no -o ClearAllForwardings=yes "$@" "$target" </dev/null 2>"$connection/said"; }
+# In a shell of its own: a Ctrl-C meanwhile is answered on the terminal, not into that file.
+open_master() { (ssh_call -M -N -f -o ControlPersist=no -o ClearAllForwardings=yes "$@" "$target") </dev/null 2>"$connection/said"; }
 
 # Keys, agents: whatever needs no password of the robot. Status 1: the robot asks for one.
 log_in_with_key() {

@@ -35,6 +35,8 @@ controller_main() {
   esac
 }
 
+on_signal=ask_to_stop  # what Ctrl-C does while somebody is attended
+
 list_parcel() {
   say "dry run: $controller_name would be sent to $target, with:"
   list_data_files "$controller_folder" "$controller_name" | sed 's/^\.\//  /' >&2
@@ -79,6 +81,7 @@ attended() {
   ssh_apart=
   ! command -v setsid >/dev/null || ssh_apart=setsid
   {
+    trap '' HUP  # a terminal that goes away tells its whole group; only the script itself acts on it
     robot_run "$@" <"$connection/attended"
     echo $? >"$connection/ended.new"
     mv "$connection/ended.new" "$connection/ended"
@@ -87,9 +90,10 @@ attended() {
   session=$!
   ssh_apart=
   # Ends when this script does, even if it is killed.
-  while echo && sleep 1 >/dev/null 9>&- && kill -0 $$ 2>/dev/null; do :; done >&9 2>/dev/null &
+  { trap '' HUP; while echo && sleep 1 >/dev/null 9>&- && kill -0 $$ 2>/dev/null; do :; done; } >&9 2>/dev/null &
   beat=$!
-  trap ask_to_stop INT TERM HUP
+  trap '"$on_signal"' INT HUP
+  trap ask_to_stop TERM
   # A signal ends wait early; the session has ended when its status is there.
   until [ -s "$connection/ended" ]; do
     wait "$session"
@@ -108,6 +112,7 @@ ask_to_stop() {
     return
   fi
   asked_to_stop=1
+  : >"$connection/stopping"  # for what runs beside us
   kill "$beat" 2>/dev/null
   exec 9>&-
   [ -z "$attended_name" ] || say "stopping $attended_name"

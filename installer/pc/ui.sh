@@ -5,7 +5,8 @@
 terminal_state=
 changing=
 
-say() { printf '%s\n' "darwinop install: $*" >&2; }
+program="darwinop install"
+say() { printf '%s\n' "$program: $*" >&2; }
 
 # die [-CODE] SENTENCE: ends with code 1, or CODE.
 die() {
@@ -37,6 +38,7 @@ end_on_signals() {
 interrupted() { # STATUS
   trap '' INT TERM HUP
   [ -z "${changing:-}" ] || say "ended here, but the robot completes what it has begun; an archive that has not all come changes nothing. Look with --status"
+  [ "$action" != remote ] || say "ended here; the robot was not told to do anything yet"
   exit "$1"
 }
 

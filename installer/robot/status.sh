@@ -19,6 +19,7 @@ status() {
   echo "autostart:  $(autostart_kind)"
   echo "supervisor: $(supervisor_state)"
   echo "controller: $(readlink "$home/default" 2>/dev/null | sed 's|.*/||' | grep . || echo none)"
+  ! is_running || echo "running:    $(sed -n 3p "$home/running")"
   echo "port:       $(robot_port)"
   echo "disk:       $(du -s -k "$home" | cut -f 1) kB used, $(free_kb) kB free"
   if [ -e "$home/lock" ]; then

@@ -48,7 +48,25 @@ const char* decompress(Decompressor& decompressor, std::span<const std::uint8_t>
   return decompressor.complaints.manager.num_warnings == 0 ? nullptr : "it is damaged";
 }
 
+/// The frame header is at `at`, behind marker and length.
+std::optional<ImageSize> sizeInFrame(std::span<const std::uint8_t> jpeg, std::size_t at) {
+  if (jpeg.size() < at + 5) return std::nullopt;
+  const ImageSize size{.width = jpeg[at + 3] << 8 | jpeg[at + 4], .height = jpeg[at + 1] << 8 | jpeg[at + 2]};
+  return isImageSize(size) ? std::optional{size} : std::nullopt;
+}
+
 }  // namespace
+
+std::optional<ImageSize> imageSizeOf(std::span<const std::uint8_t> jpeg) {
+  constexpr std::uint8_t kMarker = 0xFF, kStartOfImage = 0xD8, kBaseline = 0xC0, kProgressive = 0xC2;
+  if (jpeg.size() < 2 || jpeg[0] != kMarker || jpeg[1] != kStartOfImage) return std::nullopt;
+  // Segments: marker, its number, a length that counts itself.
+  for (std::size_t at = 2; at + 4 <= jpeg.size() && jpeg[at] == kMarker;) {
+    if (jpeg[at + 1] >= kBaseline && jpeg[at + 1] <= kProgressive) return sizeInFrame(jpeg, at + 4);
+    at += 2U + (static_cast<std::size_t>(jpeg[at + 2]) << 8 | jpeg[at + 3]);
+  }
+  return std::nullopt;
+}
 
 const char* decodeJpeg(std::span<const std::uint8_t> jpeg, ImageSize expected, std::span<std::uint8_t> bgra) {
   assert(bgra.size() == static_cast<std::size_t>(4 * expected.width * expected.height));

@@ -14,8 +14,10 @@ inline constexpr std::uint16_t kUsualPort = 5023;
 inline constexpr std::uint8_t kFirstByte = 'W';
 inline constexpr std::size_t kRequestHead = 3;  // 'W' and the length, 16 bits, little-endian
 inline constexpr std::size_t kShortestRequest = 4;
-inline constexpr std::size_t kLongestRequest = 912;  // every section as often as it may come
-inline constexpr std::size_t kMostStated = 1024;     // receive buffer of the old server; a longer one is no request
+inline constexpr std::size_t kLongestOldRequest = 912;  // every section of 2013 as often as it may come
+inline constexpr std::size_t kExtensionContent = 17;
+inline constexpr std::size_t kLongestRequest = kLongestOldRequest + 3 + kExtensionContent;
+inline constexpr std::size_t kMostStated = 1024;  // receive buffer of the old server; a longer one is no request
 
 inline constexpr std::size_t kLeds = 5;
 /// Index on the wire: the order of the enumerators.
@@ -47,11 +49,25 @@ struct MotorSetting {
   constexpr bool operator==(const MotorSetting&) const = default;
 };
 
+/// What our own clients say beyond the words of 2013. A server that does not know it answers without its part.
+struct Extension {
+  std::uint64_t until_cycle = 0;   // the reply is to wait for this cycle of the robot's loop, a moment at most; 0: not
+  std::uint32_t fault_resets = 0;  // as in Commands
+  std::uint32_t picture = 0;       // the one the client has: not sent again; 0: none
+  bool start_where_it_is = false;  // as in Commands
+  bool farewell = false;           // the last request of a controller that ends tidily
+  constexpr bool operator==(const Extension&) const = default;
+};
+
+inline constexpr std::uint8_t kExtensionTag = 'X', kExtensionVersion = 1;
+
 struct Request {
   bool accelerometer = false, gyro = false, camera = false;
   Few<LedSetting, kLeds> leds;
   Few<MotorSetting, kJoints> motors;
   Few<std::uint8_t, kJoints> positions, torques;  // indexes as asked; one that is no joint is answered, too
+  bool extended = false;                          // `extension` counts, and the reply is to have its part, too
+  Extension extension{};
   constexpr bool operator==(const Request&) const = default;
 };
 

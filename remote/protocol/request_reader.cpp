@@ -31,6 +31,13 @@ class SectionCursor {
     return !cut_off_;
   }
 
+  /// False, and the section is cut off: fewer bytes follow.
+  [[nodiscard]] bool has(std::size_t more) {
+    cut_off_ = cut_off_ || bytes_.size() - at_ < more;
+    return !cut_off_;
+  }
+  void stepTo(std::size_t at) { at_ = at; }
+
  private:
   Bytes bytes_;
   std::size_t at_ = 0;
@@ -78,6 +85,26 @@ void readIndex(SectionCursor& in, Few<std::uint8_t, kJoints>& to, Oddities& oddi
   (void)to.add(index);
 }
 
+/// One of another version is stepped over: its client gets a reply without the extension's part.
+void readExtension(SectionCursor& in, Request& request) {
+  const std::uint8_t version = in.byte();
+  const std::size_t size = in.byte();
+  if (!in.has(size)) return;
+  const std::size_t end = in.at() + size;
+  if (version == kExtensionVersion && size >= kExtensionContent) {
+    const auto word = [&in] { return static_cast<std::uint32_t>(in.word()); };
+    const std::uint8_t flags = in.byte();
+    request.extension.start_where_it_is = (flags & 1) != 0;
+    request.extension.farewell = (flags & 2) != 0;
+    request.extension.fault_resets = word();
+    request.extension.picture = word();
+    const std::uint64_t high = word();
+    request.extension.until_cycle = high << 32 | word();
+    request.extended = true;
+  }
+  in.stepTo(end);
+}
+
 }  // namespace
 
 void readSections(std::span<const std::uint8_t> sections, Request& request, Oddities& oddities) {
@@ -91,6 +118,7 @@ void readSections(std::span<const std::uint8_t> sections, Request& request, Oddi
   for (std::size_t i = 0; i < kJoints && in.take('S', 1); ++i) readMotor(in, request, oddities);
   for (std::size_t i = 0; i < kJoints && in.take('P', 1); ++i) readIndex(in, request.positions, oddities);
   for (std::size_t i = 0; i < kJoints && in.take('F', 1); ++i) readIndex(in, request.torques, oddities);
+  if (in.take(static_cast<char>(kExtensionTag), 2)) readExtension(in, request);
   oddities.cut_off = in.cutOff();
   if (in.cutOff() || in.here() == 0) return;
   oddities.unknown_at = kRequestHead + in.at();

@@ -45,6 +45,17 @@ void writeMotor(const MotorSetting& motor, RequestPen& out) {
   sub('f', MotorSetting::kTorque, motor.torque);
 }
 
+void writeExtension(const Extension& extension, RequestPen& out) {
+  out.byte(kExtensionTag);
+  out.byte(kExtensionVersion);
+  out.byte(kExtensionContent);
+  out.byte(static_cast<std::uint8_t>((extension.start_where_it_is ? 1 : 0) | (extension.farewell ? 2 : 0)));
+  out.word(static_cast<std::int32_t>(extension.fault_resets));
+  out.word(static_cast<std::int32_t>(extension.picture));
+  out.word(static_cast<std::int32_t>(extension.until_cycle >> 32));
+  out.word(static_cast<std::int32_t>(extension.until_cycle & 0xFFFFFFFF));
+}
+
 }  // namespace
 
 std::span<const std::uint8_t> writeRequest(const Request& request, RequestBuffer& buffer) {
@@ -69,6 +80,7 @@ std::span<const std::uint8_t> writeRequest(const Request& request, RequestBuffer
     out.tag('F');
     out.byte(index);
   }
+  if (request.extended) writeExtension(request.extension, out);
   return out.finish();
 }
 

@@ -70,8 +70,12 @@ void LinkPort::obey(const Request& request) {
   obeyed_ = now;
   const Sensors seen = link_->sensors();
   for (std::size_t i = 0; i < kJoints; ++i) commands_.joint[i] = motors_[i].command(seen.joint[i], dt_s);
+  if (request.extended) {
+    commands_.start_where_it_is |= request.extension.start_where_it_is;
+    commands_.fault_resets = request.extension.fault_resets;
+  }
   link_->publish(commands_);
-  if (!link_->realTime()) simulate();
+  if (!link_->realTime()) simulate(request);
 }
 
 void LinkPort::listenTo(const MotorSetting& setting) {
@@ -98,12 +102,20 @@ void LinkPort::light(const LedSetting& setting) {
 }
 
 /// In lockstep nobody else runs the cycles: as many as time has gone by, at least one.
-void LinkPort::simulate() {
+void LinkPort::simulate(const Request& request) {
+  if (request.extended) return simulateUntil(request.extension.until_cycle);
   const Nanos now = clock_.now();
   const Nanos gone_by = std::min(now - simulated_, kLongestStep);
   simulated_ = now;
   const auto cycles = std::max<Nanos::rep>(1, gone_by / link_->period());
   (void)link_->waitForCycle(link_->sensors().cycle + static_cast<std::uint64_t>(cycles), kNever);
+}
+
+/// Our own client says how far: its run is the same every time, however fast the network and the machines are.
+void LinkPort::simulateUntil(std::uint64_t cycle) {
+  const std::uint64_t now = link_->sensors().cycle;
+  const auto most = static_cast<std::uint64_t>(kLongestStep / link_->period());
+  if (cycle > now) (void)link_->waitForCycle(std::min(cycle, now + most), kNever);
 }
 
 std::string LinkPort::mustEnd() {
@@ -130,6 +142,27 @@ void LinkPort::hold() noexcept {
   if (home_ == Home::kOwn) return;
   if (auto* const daemon = dynamic_cast<runtime::DaemonLink*>(link_.get())) daemon->leaveHolding();
   link_.reset();
+}
+
+void LinkPort::farewellForWhoLeft() noexcept try {
+  if (home_ == Home::kOwn || !used_ || link_) return;  // who drives says it when the link goes
+  link_ = connect_();
+  // What the client wished for last may not be seen yet.
+  if (!link_->waitForCycle(link_->sensors().cycle + 2, kNever)) return link_.reset();
+  const State state = link_->sensors().safety.state;
+  commands_.start_where_it_is = true;
+  const bool at_rest = state == State::kOffline || state == State::kLimp || state == State::kKneeling;
+  if (!at_rest) link_->publish(commands_);  // who never spoke says none
+  link_.reset();
+} catch (const std::exception&) {
+  return;  // somebody else drives, or no loop runs: the robot is in other hands
+}
+
+void LinkPort::farewell() noexcept {
+  commands_.farewell = true;
+  link_->publish(commands_);
+  commands_.farewell = false;
+  if (home_ == Home::kDaemon) link_.reset();  // says it once more
 }
 
 /// Where a joint is to stay, or not known: it has no goal, so it needs no other one.

@@ -35,6 +35,12 @@ class LinkPort final : public RobotPort {
   [[nodiscard]] Sensors sensors() override { return link_->sensors(); }
   [[nodiscard]] std::string mustEnd() override;
   void hold() noexcept override;
+  void farewell() noexcept override;
+  [[nodiscard]] bool realTime() const override { return link_->realTime(); }
+
+  /// At the end of the program. A client that has left gave the lease back without a farewell, and the robot holds for
+  /// gone_s; said in its place, on_exit follows at once.
+  void farewellForWhoLeft() noexcept;
 
   /// The robot's eye. Between begin() and hold(), which it must not outlive. Throws std::runtime_error when it has
   /// none.
@@ -46,7 +52,8 @@ class LinkPort final : public RobotPort {
   void light(const LedSetting& setting);
   [[nodiscard]] Rad restingPlace(const Sensors& seen, std::size_t joint) const;
   void forgetWishes();
-  void simulate();
+  void simulate(const Request& request);
+  void simulateUntil(std::uint64_t cycle);
 
   Home home_;
   Connect connect_;

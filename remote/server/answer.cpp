@@ -1,7 +1,9 @@
 // The values of a reply, out of a sensor image and the newest picture.
 #include "remote/server/answer.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/registers.hpp"
 #include "remote/protocol/units.hpp"
@@ -49,6 +51,20 @@ Reply answerTo(const Request& request, const Sensors& seen, std::span<const std:
       return wireFromMeasuredTorque(-joint.load * kMaxTorqueNm);  // the sign of 2013: clockwise is positive
     }));
   return reply;
+}
+
+void extend(Reply& reply, const Extension& asked, const Sensors& seen, const JpegPicture& newest, Nanos held) {
+  const auto microseconds = [](Nanos time) {
+    const auto us = std::chrono::duration_cast<std::chrono::microseconds>(time).count();
+    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(us, 0, std::numeric_limits<std::uint32_t>::max()));
+  };
+  ReplyExtension& extension = reply.extension.emplace();
+  extension.held_us = microseconds(held);
+  extension.seen = &seen;
+  extension.picture = static_cast<std::uint32_t>(newest.sequence);
+  extension.picture_age_us = microseconds(newest.age);
+  extension.holds_picture = extension.picture != 0 && extension.picture == asked.picture;
+  if (extension.holds_picture) reply.jpeg = {};
 }
 
 }  // namespace darwinop::remote

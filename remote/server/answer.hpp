@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/sensors.hpp"
+#include "remote/picture_source.hpp"
 #include "remote/protocol/reply.hpp"
 
 namespace darwinop::remote {
@@ -23,5 +24,8 @@ struct Doubts {
 /// Values that were never received are kNoValue; a sensor that does not exist is 0, as the old server answers it.
 [[nodiscard]] Reply answerTo(const Request& request, const Sensors& seen, std::span<const std::uint8_t> jpeg,
                              Doubts& doubts);
+
+/// Adds the extension's part, which looks at `seen`. A picture that the client has already is taken out.
+void extend(Reply& reply, const Extension& asked, const Sensors& seen, const JpegPicture& newest, Nanos held);
 
 }  // namespace darwinop::remote

@@ -38,8 +38,9 @@ class Client {
   bool drives = false;           // holds the lease
   bool driven = false;           // has held it
   Nanos began{0};                // when it got the lease
+  Nanos asked{0};                // when the request came that is being answered
   bool more = false;             // requests that were read and not looked at: the server had no allowance left
-  std::optional<Request> waits;  // for values that the robot has not told yet
+  std::optional<Request> waits;  // for values that the robot has not told yet, or for a cycle
   Oddities told{};               // what has been said of its requests
   Doubts told_values{};          // and of the replies
   bool told_garbage = false, told_no_picture = false;

@@ -33,6 +33,12 @@ class RobotPort {
 
   /// Motion is held where it is, the lease is given back.
   virtual void hold() noexcept = 0;
+
+  /// Instead of hold(), for who ends tidily: safety does what [Safety] on_exit asks for.
+  virtual void farewell() noexcept { hold(); }
+
+  /// False in simulated time, where cycles run when they are asked for.
+  [[nodiscard]] virtual bool realTime() const { return true; }
 };
 
 }  // namespace darwinop::remote

@@ -7,6 +7,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "remote/protocol/units.hpp"
+
 namespace darwinop::remote {
 namespace {
 
@@ -15,6 +17,9 @@ constexpr Nanos kLook{100'000'000};  // a signal that comes just before a wait i
 
 // Servos that nobody drives may have no power. Their first values are worth waiting for, as they were in 2013 (3 s).
 constexpr Nanos kFirstValues{2'000'000'000}, kAskAgain{4'000'000};
+
+// Our own clients wait here for a cycle of the robot: at most so long, a step of theirs being 200 ms or a part of it.
+constexpr Nanos kForACycle{300'000'000}, kLookForACycle{1'000'000};
 
 }  // namespace
 
@@ -47,7 +52,7 @@ void Server::attend(Nanos longest) {
   if (client_ && client_->waits) {
     if (places[1].revents != 0 && !client_->receive())  // asked for nothing, it tells only of an end
       showOut(client_->why());
-    else if (answer(*client_->waits))
+    else if (answerAgain(*client_->waits))
       answerAll();
   } else if (client_ && client_->more) {
     answerAll();
@@ -65,7 +70,9 @@ int Server::waitFor(Nanos longest) const {
     wait = std::min(rest, longest);
   else if (client_ && client_->more)
     return 0;
-  if (client_ && client_->waits) return static_cast<int>(std::min(longest, kAskAgain).count() / 1'000'000);
+  if (client_ && client_->waits)
+    return static_cast<int>(std::min(longest, client_->waits->extended ? kLookForACycle : kAskAgain).count() /
+                            1'000'000);
   if (client_ && !listener_.isOpen()) wait = std::clamp(client_->heard + config_.silence - now_, Nanos{0}, wait);
   return static_cast<int>((wait.count() + 999'999) / 1'000'000);
 }
@@ -103,28 +110,48 @@ void Server::answerAll() {
 
 /// False: not yet, or the client was shown out.
 bool Server::answer(const Request& request) {
+  client_->asked = now_;
+  return answerAgain(request);
+}
+
+/// The same of a request that has waited.
+bool Server::answerAgain(const Request& request) {
   client_->heard = now_;
-  if (!mayDrive()) return false;
-  robot_.obey(request);
-  Doubts doubts;
-  const Reply reply = answerTo(request, robot_.sensors(), picture(request), doubts);
-  if (doubts.never.any() && now_ - client_->began < kFirstValues) {
+  if (!mayDrive(request)) return false;
+  if (!client_->waits || !request.extended) robot_.obey(request);
+  const Sensors seen = robot_.sensors();
+  if (request.extended && isToCome(request.extension.until_cycle, seen)) {
     client_->waits = request;
     return false;
   }
-  tellDoubts(doubts);
+  const JpegPicture newest = picture(request);
+  Doubts doubts;
+  Reply reply = answerTo(request, seen, newest.jpeg, doubts);
+  if (request.extended) {
+    extend(reply, request.extension, seen, newest, now_ - client_->asked);
+    reply.extension->real_time = robot_.realTime();
+  } else if (doubts.never.any() && now_ - client_->began < kFirstValues) {
+    client_->waits = request;
+    return false;
+  }
+  if (!request.extended) tellDoubts(doubts);  // else its own values tell how old they are
   const bool sent = client_->reply(request, reply);
   client_->waits.reset();
   if (!sent) showOut(client_->why());
-  return sent;
+  if (sent && request.extended && request.extension.farewell) sayFarewell();
+  return sent && client_;
 }
 
-bool Server::mayDrive() {
+bool Server::isToCome(std::uint64_t cycle, const Sensors& seen) const {
+  return robot_.realTime() && seen.cycle < cycle && now_ - client_->asked < kForACycle;
+}
+
+bool Server::mayDrive(const Request& request) {
   if (!client_->drives) {
     try {
       robot_.begin(client_->driven ? Beginning::kAgain : Beginning::kFresh);
     } catch (const std::runtime_error& refused) {
-      showOut(std::string{"cannot drive the robot: "} + refused.what());
+      refuse(request, "cannot drive the robot: ", refused.what());
       return false;
     }
     listener_.close();
@@ -134,14 +161,26 @@ bool Server::mayDrive() {
   }
   const std::string why = robot_.mustEnd();
   if (why.empty()) return true;
-  showOut("has to end: " + why);
+  refuse(request, "has to end: ", why);
   return false;
 }
 
-std::span<const std::uint8_t> Server::picture(const Request& request) {
+/// Our own clients are told why before they are shown out.
+void Server::refuse(const Request& request, const std::string& what, const std::string& why) {
+  if (request.extended && !client_->owes()) {
+    Reply reply;
+    for (std::size_t i = 0; i < request.positions.size(); ++i) (void)reply.positions.add(kNoValue);
+    for (std::size_t i = 0; i < request.torques.size(); ++i) (void)reply.torques.add(kNoValue);
+    reply.extension = ReplyExtension{.real_time = true, .why_ended = why};
+    (void)client_->reply(request, reply);
+  }
+  showOut(what + why);
+}
+
+JpegPicture Server::picture(const Request& request) {
   if (!request.camera) return {};
   if (!pictures_ && !client_->told_no_picture) openPictures();
-  return pictures_ ? pictures_->newest().jpeg : std::span<const std::uint8_t>{};
+  return pictures_ ? pictures_->newest() : JpegPicture{};
 }
 
 void Server::openPictures() {
@@ -185,6 +224,13 @@ void Server::stopDriving() {
   client_->drives = false;
   pictures_.reset();  // before hold(): what it looks through may go with the lease
   robot_.hold();
+}
+
+void Server::sayFarewell() {
+  client_->drives = false;
+  pictures_.reset();
+  robot_.farewell();
+  showOut("has said farewell");
 }
 
 void Server::showOut(const std::string& why) {

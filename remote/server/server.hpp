@@ -52,12 +52,16 @@ class Server {
   void seeToClient();
   void answerAll();
   [[nodiscard]] bool answer(const Request& request);
-  [[nodiscard]] bool mayDrive();
-  [[nodiscard]] std::span<const std::uint8_t> picture(const Request& request);
+  [[nodiscard]] bool answerAgain(const Request& request);
+  [[nodiscard]] bool mayDrive(const Request& request);
+  void refuse(const Request& request, const std::string& what, const std::string& why);
+  [[nodiscard]] bool isToCome(std::uint64_t cycle, const Sensors& seen) const;
+  [[nodiscard]] JpegPicture picture(const Request& request);
   void openPictures();
   void letIn();
   void lookForSilence();
   void stopDriving();
+  void sayFarewell();
   void showOut(const std::string& why);
   void openDoor();
   void log(const std::string& what) { log_.line(what, now_); }

@@ -76,6 +76,11 @@ TEST_F(Command, GoalBeyondALimitMovesNothing) {
   EXPECT_FALSE(std::filesystem::exists(file("log.csv")));
 }
 
+TEST_F(Command, RobotOverTcpMayBeARealOne) {
+  EXPECT_EQ(experiment({"run", "speed", "--robot", "tcp://127.0.0.1:1"}), 3);
+  EXPECT_THAT(said, HasSubstr("--yes"));
+}
+
 TEST_F(Command, PortThatIsNoVirtualRobotNeedsYesAndHearsNothing) {
   const int master = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
   ASSERT_GE(master, 0);

@@ -39,5 +39,17 @@ TEST(DaemonWarnings, TellOfSettingsRangesAndChoicesThatDoNotHold) {
   EXPECT_FALSE(warned([](safety::Config& c) { c.period = 8ms; })) << "the loop's own period, no setting";
 }
 
+TEST(TcpWarnings, NameWhatTheRobotDecides) {
+  EXPECT_EQ(tcpWarnings(Request{}, 16ms), "");
+  Request request;
+  request.record_path = "/tmp/walk.csv";
+  request.period = 8ms;
+  request.safety.stall_ms = 400;
+  const std::string told = tcpWarnings(request, 16ms);
+  EXPECT_THAT(told, HasSubstr("/tmp/walk.csv is not written"));
+  EXPECT_THAT(told, HasSubstr("period of 16 ms holds, not the 8 ms"));
+  EXPECT_THAT(told, HasSubstr("[Safety] and [Limits]"));
+}
+
 }  // namespace
 }  // namespace darwinop::link

@@ -25,14 +25,43 @@ TEST(SettingText, ATwinMayHaveAModelByNameOrByFile) {
   EXPECT_EQ(by_file.model, "models/my.ini");
 }
 
+TEST(SettingText, ARobotOverTcpHasAHostAndPerhapsAPort) {
+  const Setting usual = readSetting("tcp://robot.local");
+  EXPECT_EQ(usual.kind, Kind::kTcp);
+  EXPECT_EQ(usual.server.host, "robot.local");
+  EXPECT_EQ(usual.server.port, 5023);
+  EXPECT_EQ(readSetting("tcp://192.168.123.1:4000").server.port, 4000);
+}
+
+TEST(SettingText, AHalfAddressIsRefusedWithAWholeOne) {
+  for (const char* text : {"tcp://", "tcp://:5023", "tcp://robot:", "tcp://robot:0", "tcp://robot:70000",
+                           "tcp://robot:50x", "tcp://robot/arm"}) {
+    try {
+      static_cast<void>(readSetting(text));
+      ADD_FAILURE() << text << " is taken for a robot";
+    } catch (const std::runtime_error& wrong) {
+      EXPECT_THAT(wrong.what(), HasSubstr("tcp://HOST:PORT"));
+    }
+  }
+}
+
+TEST(SettingText, AUserIsForDarwinopRun) {
+  try {
+    static_cast<void>(readSetting("tcp://darwin@192.168.123.1"));
+    ADD_FAILURE() << "nobody can log in";
+  } catch (const std::runtime_error& wrong) {
+    EXPECT_THAT(wrong.what(), HasSubstr("darwinop run --robot tcp://darwin@192.168.123.1"));
+  }
+}
+
 TEST(SettingText, WhatIsNoRobotIsRefusedWithAllChoices) {
-  for (const char* text : {"twins", "twin:", "Twin", "tcp://robot"}) {
+  for (const char* text : {"twins", "twin:", "Twin", "udp://robot"}) {
     try {
       static_cast<void>(readSetting(text));
       ADD_FAILURE() << text << " is taken for a robot";
     } catch (const std::runtime_error& wrong) {
       EXPECT_THAT(wrong.what(), HasSubstr(std::string{"'"} + text + "'"));
-      for (const char* choice : {"runtime", "/dev/ttyUSB0", "virtual", "twin[:MODEL]"})
+      for (const char* choice : {"runtime", "/dev/ttyUSB0", "virtual", "twin[:MODEL]", "tcp://HOST"})
         EXPECT_THAT(wrong.what(), HasSubstr(choice));
     }
   }

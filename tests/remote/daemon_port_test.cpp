@@ -80,6 +80,18 @@ TEST_F(RemoteDaemonPort, HasTheLeaseWhileAClientDrivesAndLeavesTheRobotHolding) 
   EXPECT_NEAR(neck(), 0.5, 0.01);
 }
 
+TEST_F(RemoteDaemonPort, AtTheEndSaysTheFarewellOfAClientThatHasLeft) {
+  port_.farewellForWhoLeft();  // nobody ever drove: nothing to say
+  EXPECT_EQ(onlooker_.block().session.load(), 0u);
+  port_.begin(Beginning::kFresh);
+  obeyUntil(neckTo(0.1), [this] { return seen().safety.state == State::kDriven; });
+  port_.hold();
+  port_.farewellForWhoLeft();
+  EXPECT_TRUE(runtime::FileLock::tryTake(files_.drive_lock).has_value());
+  for (int i = 0; i < 2500 && seen().safety.state != State::kKneeling; ++i) std::this_thread::sleep_for(2ms);
+  EXPECT_EQ(seen().safety.state, State::kKneeling) << "before it would be given up after 10 s";
+}
+
 TEST_F(RemoteDaemonPort, CannotHaveALeaseThatAnotherHolds) {
   const runtime::Child other{[this] { static const runtime::DaemonLink link{files_}; }};
   try {

@@ -39,6 +39,10 @@ struct FakeRobotPort final : RobotPort {
     events.emplace_back("hold");
     driven = false;
   }
+  void farewell() noexcept override {
+    events.emplace_back("farewell");
+    driven = false;
+  }
 };
 
 }  // namespace darwinop::remote

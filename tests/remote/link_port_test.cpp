@@ -133,6 +133,36 @@ TEST(RemoteLinkPort, ANewClientBeginsWithoutTheWishesOfTheLast) {
   EXPECT_FALSE(robot.published->back().start_where_it_is);
 }
 
+Request untilCycle(std::uint64_t cycle) {
+  Request request;
+  request.extended = true;
+  request.extension.until_cycle = cycle;
+  return request;
+}
+
+TEST(RemoteLinkPort, InSimulatedTimeOurOwnClientSaysHowFar) {
+  PortOfAWatchedLink robot;
+  (void)robot.obey(untilCycle(0));
+  EXPECT_EQ(robot.seen->cycle, 0) << "whatever time has gone by";
+  (void)robot.obey(untilCycle(5));
+  EXPECT_EQ(robot.seen->cycle, 5);
+  (void)robot.obey(untilCycle(1'000'000));
+  EXPECT_EQ(robot.seen->cycle, 5 + 500 / 16) << "half a second at once, or the server would not answer";
+}
+
+TEST(RemoteLinkPort, OurOwnClientMayTakeOverWhereTheRobotIsAndSayFarewell) {
+  PortOfAWatchedLink robot;
+  Request request = untilCycle(1);
+  request.extension.start_where_it_is = true;
+  request.extension.fault_resets = 3;
+  EXPECT_TRUE(robot.obey(request).start_where_it_is);
+  EXPECT_EQ(robot.published->back().fault_resets, 3);
+  robot.port.farewell();
+  EXPECT_TRUE(robot.published->back().farewell);
+  robot.port.begin(Beginning::kFresh);
+  EXPECT_FALSE(robot.obey({}).farewell);
+}
+
 TEST(RemoteLinkPort, DrivesAVirtualRobot) {
   link::Request virtual_robot;
   virtual_robot.setting = "virtual";

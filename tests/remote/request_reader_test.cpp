@@ -161,7 +161,8 @@ Request anyRequest() {
                   .leds = {},
                   .motors = {},
                   .positions = {},
-                  .torques = {}};
+                  .torques = {},
+                  .extension = {}};
   for (std::size_t i = count(kLeds); i > 0; --i)
     (void)request.leds.add(
         {static_cast<Led>(*rc::gen::inRange<unsigned>(0, kLeds)), *rc::gen::inRange<std::uint32_t>(0, 0x1000000)});
@@ -179,6 +180,13 @@ Request anyRequest() {
   }
   for (std::size_t i = count(kJoints); i > 0; --i) (void)request.positions.add(*arbitrary<std::uint8_t>());
   for (std::size_t i = count(kJoints); i > 0; --i) (void)request.torques.add(*arbitrary<std::uint8_t>());
+  request.extended = flag();
+  if (request.extended)
+    request.extension = {.until_cycle = *arbitrary<std::uint64_t>(),
+                         .fault_resets = *arbitrary<std::uint32_t>(),
+                         .picture = *arbitrary<std::uint32_t>(),
+                         .start_where_it_is = flag(),
+                         .farewell = flag()};
   return request;
 }
 
@@ -197,8 +205,14 @@ RC_GTEST_PROP(RequestReader, ReadsBackWhatWasWritten, ()) {
 }
 
 TEST(RequestReader, TheLongestRequestHasTheLengthOfTheBook) {
-  Request request{
-      .accelerometer = true, .gyro = true, .camera = true, .leds = {}, .motors = {}, .positions = {}, .torques = {}};
+  Request request{.accelerometer = true,
+                  .gyro = true,
+                  .camera = true,
+                  .leds = {},
+                  .motors = {},
+                  .positions = {},
+                  .torques = {},
+                  .extension = {}};
   while (request.leds.add({})) {
   }
   while (request.motors.add({.joint = {}, .set = 63})) {
@@ -206,6 +220,8 @@ TEST(RequestReader, TheLongestRequestHasTheLengthOfTheBook) {
   while (request.positions.add(0) && request.torques.add(0)) {
   }
   RequestBuffer buffer;
+  EXPECT_EQ(writeRequest(request, buffer).size(), kLongestOldRequest);
+  request.extended = true;
   EXPECT_EQ(writeRequest(request, buffer).size(), kLongestRequest);
 }
 

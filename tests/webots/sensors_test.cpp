@@ -60,6 +60,13 @@ TEST_F(SensorTest, ButtonsAreTheBoardsBits) {
   EXPECT_EQ(robot().getTouchSensor("ButtonStart")->getValue(), 1);
 }
 
+TEST_F(SensorTest, AButtonThatNobodyTellsOfIsNotANumber) {
+  fake.image.board.buttons_known = false;
+  EXPECT_EQ(robot().step(16), 0);
+  EXPECT_TRUE(std::isnan(robot().getTouchSensor("ButtonStart")->getValue()));
+  EXPECT_EQ(robot().batterySensorGetValue(), 11.8) << "the board answers all the same";
+}
+
 TEST_F(SensorTest, TheLookupTableIsTheLawOfTheCounts) {
   const webots::Accelerometer& device = *robot().getAccelerometer("Accelerometer");
   ASSERT_EQ(device.getLookupTableSize(), 2);

@@ -94,6 +94,18 @@ TEST_F(SessionTest, ALateStepStillPublishesAndReadsTheNewestImage) {
   EXPECT_EQ(robot().batterySensorGetValue(), 9);
 }
 
+TEST_F(SessionTest, AnImageThatIsWaitedForTooLongIsALateStep) {
+  robot();
+  bool stalls = true;  // the first wait of the step, as behind a slow network
+  fake.on_cycle = [&](std::uint64_t) {
+    if (std::exchange(stalls, false)) fake.pass(milliseconds{48});
+  };
+  EXPECT_EQ(robot().step(16), 48);
+  const Nanos late = fake.now;
+  EXPECT_EQ(robot().step(16), 0);
+  EXPECT_EQ(fake.now - late, milliseconds{16}) << "and the next one is a whole one";
+}
+
 TEST_F(SessionTest, TheTwoHalvesOfAStepLetTheControllerComputeMeanwhile) {
   robot();
   const Nanos start = fake.now;

@@ -1,0 +1,77 @@
+// Is the network fast enough for the controller's steps? And which pictures would it carry in time?
+#include "remote/client/link_speed.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace darwinop::remote {
+namespace {
+
+constexpr int kWindow = 128;        // exchanges: two seconds of the usual step
+constexpr double kCoarserBits = 2;  // bytes a pixel, of all smaller sizes against the whole one: quality 80, not 65
+
+double inMilliseconds(Nanos time) {
+  return std::chrono::duration<double, std::milli>(time).count();
+}
+
+void follow(double& figure, double now) {
+  figure = figure == 0 ? now : (9 * figure + now) / 10;
+}
+
+std::string pixels(ImageSize size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+template <class... Numbers>
+std::string formatted(const char* format, Numbers... numbers) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, numbers...);
+  return text;
+}
+
+double bytesOf(ImageSize size, ImageSize now, double bytes_now) {
+  const double area = static_cast<double>(size.width * size.height) / (now.width * now.height);
+  return bytes_now * area * (now == kWholeImage && size != now ? kCoarserBits : 1);
+}
+
+}  // namespace
+
+std::string LinkSpeed::note(const Exchange& exchange) {
+  if (told_ || exchange.step <= Nanos{0}) return {};
+  const double took = inMilliseconds(std::min(exchange.network, 10 * exchange.step));
+  if (exchange.picture > 0) {
+    follow(picture_ms_, took);
+    follow(picture_bytes_, static_cast<double>(exchange.picture));
+  } else {
+    follow(plain_ms_, took);
+  }
+  if (exchange.network > exchange.step) ++late_;
+  if (++in_window_ < kWindow) return {};
+  const bool too_slow = 2 * late_ > in_window_;
+  in_window_ = late_ = 0;
+  if (!too_slow) return {};
+  told_ = true;
+  return sentence(exchange);
+}
+
+std::string LinkSpeed::sentence(const Exchange& last) const {
+  const double step = inMilliseconds(last.step);
+  std::string text = formatted("the link to the robot is too slow for steps of %.0f ms: an exchange takes %.0f ms",
+                               step, std::max(plain_ms_, picture_ms_));
+  const double for_picture = std::max(0.0, picture_ms_ - plain_ms_);
+  if (picture_ms_ == 0 || !last.size) return text + "; no smaller picture would help. Use a cable, or a longer step";
+  text += formatted(", %.0f ms of it for the %.0f bytes of a picture of ", for_picture, picture_bytes_) +
+          pixels(*last.size);
+  for (std::size_t i = 0; i < kImageWidths.size(); ++i) {
+    const ImageSize size{kImageWidths[i], kImageHeights[i]};
+    if (size.width * size.height >= last.size->width * last.size->height) continue;
+    const double would_take =
+        plain_ms_ + for_picture * bytesOf(size, *last.size, picture_bytes_) / std::max(1.0, picture_bytes_);
+    if (would_take > step) continue;
+    const std::string zooms = formatted("%d %d", kWholeImage.width / size.width, kWholeImage.height / size.height);
+    return text + ". The middle " + pixels(size) + " would fit: start the server with darwinop remote " + zooms;
+  }
+  return text + "; no size would fit. Use a cable, a longer step, or a longer sampling period of the camera";
+}
+
+}  // namespace darwinop::remote

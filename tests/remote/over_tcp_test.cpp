@@ -1,0 +1,102 @@
+// The examples on a robot behind `darwinop remote`: they do what they do on a robot of their own.
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "runtime/environment.hpp"
+#include "system/rig.hpp"
+
+namespace darwinop {
+namespace {
+
+using std::chrono::seconds;
+using testing::HasSubstr;
+using testing::Not;
+
+class OverTcp : public Rig {
+ protected:
+  /// `darwinop remote`; the robot to give a controller.
+  std::string serve(const std::string& robot, const std::vector<std::string>& options = {}) {
+    std::vector<std::string> command{program("darwinop-remote"), "--robot", robot, "--port", port_};
+    command.insert(command.end(), options.begin(), options.end());
+    server_ = std::make_unique<Program>(command, file("remote.txt"));
+    const std::string ready = "ready: 127.0.0.1:";
+    EXPECT_TRUE(server_->says(ready, seconds{20})) << server_->output();
+    const std::string said = server_->output();
+    port_ = said.substr(said.find(ready) + ready.size());
+    port_.resize(port_.find('\n'));
+    return "tcp://127.0.0.1:" + port_;
+  }
+  /// What the controller prints, to its tidy end.
+  std::string runOn(const std::string& robot, const std::vector<std::string>& command) {
+    const runtime::Environment setting{"DARWINOP_ROBOT", robot};
+    Program running{command, file("run.txt")};
+    EXPECT_EQ(running.wait(seconds{90}), 0) << running.output();
+    return running.output();
+  }
+
+  std::string port_ = "0";
+  std::unique_ptr<Program> server_;
+};
+
+TEST_F(OverTcp, ExamplesPrintTheSameAsOnAVirtualRobotOfTheirOwn) {
+  const std::string robot = serve("virtual");
+  for (const std::vector<std::string>& example : {std::vector<std::string>{DARWINOP_HELLO_HEAD, "--seconds", "5"},
+                                                  {DARWINOP_SYMMETRY, "--seconds", "3"},
+                                                  {DARWINOP_LEDS, "--seconds", "3"},
+                                                  {DARWINOP_WALK, "--seconds", "4", "--x", "1"}})
+    EXPECT_EQ(runOn(robot, example), runOn("virtual", example)) << example[0];
+  EXPECT_THAT(server_->output(), HasSubstr("has said farewell"));
+  EXPECT_THAT(server_->output(), Not(HasSubstr("never answered")));
+}
+
+#ifdef DARWINOP_WITH_TWIN
+TEST_F(OverTcp, TheTwinWalks) {
+  const std::string robot = serve("twin");
+  EXPECT_THAT(runOn(robot, {DARWINOP_WALK, "--seconds", "5", "--x", "1"}), HasSubstr("It walked, and stands."));
+}
+
+TEST_F(OverTcp, TheHeadFollowsABallThroughTheNetwork) {
+  const runtime::Environment ball{"DARWINOP_TWIN_BALL", "circles"};
+  const std::string said = runOn(serve("twin"), {DARWINOP_VISUAL_TRACKING, "--seconds", "8"});
+  const std::string before = "The ball was in view ";
+  ASSERT_THAT(said, HasSubstr(before));
+  EXPECT_GE(std::strtod(said.c_str() + said.find(before) + before.size(), nullptr), 90) << said;
+}
+#endif
+
+TEST_F(OverTcp, InRealTimeThroughDaemonAndPortAndAServerThatDiesAndComesBack) {
+  startVirtualRobot();
+  Program daemon{{program("darwinop-runtime"), "--robot", Rig::port()}, file("daemon.txt")};
+  ASSERT_TRUE(daemon.says("ready:", seconds{20})) << daemon.output();
+  const std::string robot = serve("runtime");
+  const runtime::Environment setting{"DARWINOP_ROBOT", robot};
+  Program running{{DARWINOP_HELLO_HEAD, "--seconds", "6"}, file("run.txt")};
+  ASSERT_TRUE(running.says("  1.0 s", seconds{30})) << running.output();
+  server_->kill(SIGKILL);
+  ASSERT_TRUE(running.says("is lost", seconds{10})) << running.output();
+  ASSERT_TRUE(running.says("+nan rad", seconds{10})) << "values are absent, not old: " << running.output();
+  (void)serve("runtime");
+  EXPECT_EQ(running.wait(seconds{30}), 0) << running.output();
+  EXPECT_THAT(running.output(), HasSubstr("is back"));
+  const std::string last = running.output().substr(running.output().rfind("neck"));
+  EXPECT_THAT(last, Not(HasSubstr("nan"))) << running.output();
+  daemon.kill(SIGTERM);
+  EXPECT_EQ(daemon.wait(seconds{20}), 0) << daemon.output();
+}
+
+TEST_F(OverTcp, WhoComesSecondWaitsUntilTheFirstHasEnded) {
+  const std::string robot = serve("virtual");
+  const runtime::Environment setting{"DARWINOP_ROBOT", robot};
+  Program first{{DARWINOP_HELLO_HEAD}, file("first.txt")};
+  ASSERT_TRUE(first.says("neck", seconds{20})) << first.output();
+  Program second{{DARWINOP_HELLO_HEAD, "--seconds", "2"}, file("second.txt")};
+  EXPECT_TRUE(second.says("waiting for tcp://", seconds{20})) << second.output();
+  first.kill(SIGINT);
+  EXPECT_EQ(first.wait(seconds{20}), 0) << first.output();
+  EXPECT_EQ(second.wait(seconds{30}), 0) << second.output();
+  EXPECT_THAT(second.output(), HasSubstr("neck"));
+}
+
+}  // namespace
+}  // namespace darwinop

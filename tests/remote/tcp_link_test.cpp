@@ -1,0 +1,300 @@
+// The client of remote control against servers that answer, answer badly, or do not answer.
+#include "remote/client/tcp_link.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "remote/protocol/units.hpp"
+#include "scripted_server.hpp"
+
+namespace darwinop::remote {
+namespace {
+
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+const std::atomic<bool> kGoOn{false};
+
+/// A robot that has run the cycle that was asked for. In simulated time nothing depends on the machine's.
+struct ScriptedRobot {
+  bool real_time = false;
+  std::atomic<bool> silent{false};
+  std::uint64_t first_cycle = 1000;
+  std::string must_end;
+  std::vector<std::uint8_t> jpeg;
+
+  Answer operator()(const Request& request, int connection) {
+    Answer answer;
+    if (silent) return answer;
+    Sensors seen;
+    seen.cycle = std::max<std::uint64_t>(request.extension.until_cycle,
+                                         first_cycle + 100 * static_cast<std::uint64_t>(connection));
+    seen.time_ns = static_cast<std::int64_t>(seen.cycle) * 16'000'000;
+    seen.period_ns = 16'000'000;
+    seen.safety.state = State::kDriven;
+    seen.board.motion.received();
+    seen.board.buttons = 2;
+    seen.board.voltage = Volt{11.5};
+    for (std::size_t i = 0; i < kJoints; ++i) {
+      seen.joint[i].motion.received();
+      seen.joint[i].position = Rad{0.25};
+    }
+    Reply reply;
+    for (std::size_t i = 0; i < request.positions.size(); ++i) (void)reply.positions.add(2500);
+    for (std::size_t i = 0; i < request.torques.size(); ++i) (void)reply.torques.add(-12500);
+    reply.accelerometer = reply.gyro = {512, 512, 640};
+    if (request.camera) reply.jpeg = jpeg;
+    reply.extension = ReplyExtension{.real_time = real_time, .picture = 5, .seen = &seen, .why_ended = must_end};
+    writeReply(request, reply, answer.bytes);
+    return answer;
+  }
+};
+
+/// As it was before the extension: it does not read it, and does not answer it.
+struct OldRobot : ScriptedRobot {
+  Answer operator()(Request request, int connection) {
+    request.extended = false;
+    return ScriptedRobot::operator()(request, connection);
+  }
+};
+
+class TcpLinkTest : public testing::Test {
+ protected:
+  [[nodiscard]] std::unique_ptr<TcpLink> link(std::uint16_t port) {
+    TcpOptions options;
+    options.port = port;
+    options.first_patience = 500ms;
+    options.patience = patience;
+    options.silence = 300ms;
+    options.say = [this](const std::string& what) { said += what + "\n"; };
+    return std::make_unique<TcpLink>(std::move(options));
+  }
+  static bool stepOf(TcpLink& link, std::uint64_t cycles = 1) {
+    link.publish(wanted());
+    return link.waitForCycle(link.sensors().cycle + cycles, kGoOn);
+  }
+  static Commands wanted() {
+    Commands commands;
+    commands.joint[18].setGoal(Rad{0.5});
+    commands.led.setEye(31);
+    return commands;
+  }
+  std::string said;
+  Nanos patience = 20s;
+};
+
+TEST_F(TcpLinkTest, ShowsTheRobotAsItIsThere) {
+  ScriptedRobot robot;
+  ScriptedServer server{std::ref(robot)};
+  const auto tcp = link(server.port());
+  ASSERT_TRUE(stepOf(*tcp));
+  const Sensors seen = tcp->sensors();
+  EXPECT_EQ(seen.cycle, 1001);
+  EXPECT_EQ(seen.joint[7].position.value, 0.25);
+  EXPECT_EQ(seen.board.buttons, 2);
+  EXPECT_EQ(seen.board.voltage.value, 11.5);
+  EXPECT_EQ(seen.safety.state, State::kDriven);
+  EXPECT_FALSE(tcp->realTime());
+  EXPECT_EQ(said, "");
+}
+
+TEST_F(TcpLinkTest, SaysEachWishOnceAndInTheServosUnits) {
+  ScriptedRobot robot;
+  ScriptedServer server{std::ref(robot)};
+  {
+    const auto tcp = link(server.port());
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(stepOf(*tcp));
+  }
+  const std::vector<Request> requests = server.requests();
+  ASSERT_EQ(requests.size(), 5) << "a greeting, three steps, a farewell";
+  EXPECT_TRUE(requests[0].motors.empty()) << "nothing is wanted yet";
+  ASSERT_EQ(requests[1].motors.size(), 1);
+  EXPECT_EQ(requests[1].motors[0],
+            (MotorSetting{.joint = Joint::kNeck, .set = MotorSetting::kPosition, .position = 326}))
+      << "the nearest tick, as without a network";
+  EXPECT_EQ(requests[1].leds.size(), 1);
+  EXPECT_TRUE(requests[2].motors.empty() && requests[2].leds.empty());
+  EXPECT_TRUE(requests[4].extension.farewell);
+}
+
+TEST_F(TcpLinkTest, AnOldServerIsUnderstoodWhatItCannotTellIsAbsent) {
+  OldRobot robot;
+  ScriptedServer server{std::ref(robot)};
+  const auto tcp = link(server.port());
+  EXPECT_TRUE(tcp->realTime());
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(stepOf(*tcp));
+  const Sensors seen = tcp->sensors();
+  EXPECT_NEAR(seen.joint[7].position.value, 0.25, 1e-4);
+  EXPECT_NEAR(seen.joint[7].load, 0.5, 1e-3) << "counter-clockwise";
+  EXPECT_TRUE(seen.joint[7].motion.fresh());
+  EXPECT_NEAR(seen.board.accelerometer[2].value, 9.8, 0.1);
+  EXPECT_FALSE(seen.board.buttons_known);
+  EXPECT_FALSE(seen.board.voltage.known());
+  EXPECT_FALSE(seen.joint[7].temperature.known());
+  EXPECT_FALSE(seen.joint[7].velocity.known());
+  EXPECT_EQ(seen.safety.state, State::kDriven);
+  EXPECT_THAT(said, HasSubstr("buttons"));
+  const std::vector<Request> requests = server.requests();
+  EXPECT_TRUE(requests.front().extended);
+  for (std::size_t i = 1; i < requests.size(); ++i) EXPECT_FALSE(requests[i].extended) << "it would be logged there";
+}
+
+TEST_F(TcpLinkTest, ARobotThatMustEndSaysWhy) {
+  ScriptedRobot robot;
+  ScriptedServer server{std::ref(robot)};
+  const auto tcp = link(server.port());
+  ASSERT_TRUE(stepOf(*tcp));
+  robot.must_end = "the MODE button was held";
+  EXPECT_FALSE(stepOf(*tcp));
+  EXPECT_EQ(tcp->whyEnded(), "the MODE button was held");
+}
+
+TEST_F(TcpLinkTest, SaysAtTheStartWhyItMayNotDrive) {
+  ScriptedRobot robot;
+  robot.must_end = "another controller (pid 12) drives this robot";
+  ScriptedServer server{std::ref(robot)};
+  try {
+    (void)link(server.port());
+    ADD_FAILURE() << "it drives";
+  } catch (const std::runtime_error& refused) {
+    EXPECT_EQ(refused.what(), robot.must_end);
+  }
+}
+
+TEST_F(TcpLinkTest, NobodyThereIsASentence) {
+  std::uint16_t port = 0;
+  {
+    ScriptedRobot robot;
+    port = ScriptedServer{std::ref(robot)}.port();
+  }
+  try {
+    (void)link(port);
+    ADD_FAILURE() << "somebody answers";
+  } catch (const std::runtime_error& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr("darwinop remote"));
+    EXPECT_THAT(refused.what(), HasSubstr("somebody else drives"));
+  }
+  EXPECT_THAT(said, HasSubstr("waiting for tcp://127.0.0.1:"));
+}
+
+TEST_F(TcpLinkTest, SomethingElseThatListensThereIsASentence) {
+  ScriptedServer mute{[](const Request&, int) { return Answer{}; }};
+  EXPECT_THROW((void)link(mute.port()), std::runtime_error);
+  ScriptedServer rude{[](const Request&, int) { return Answer{{'W', 0xFF, 0xFF, 0xFF, 0xFF}}; }};
+  try {
+    (void)link(rude.port());
+    ADD_FAILURE() << "that is no server";
+  } catch (const std::runtime_error& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr("no reply of remote control"));
+  }
+}
+
+TEST_F(TcpLinkTest, AReplyMayTrickleIn) {
+  ScriptedRobot robot;
+  ScriptedServer server{[&](const Request& request, int connection) {
+    Answer answer = robot(request, connection);
+    answer.trickles = true;
+    return answer;
+  }};
+  const auto tcp = link(server.port());
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(stepOf(*tcp));
+  EXPECT_EQ(tcp->sensors().cycle, 1003);
+}
+
+/// Greets; then cuts the reply, one byte later each time, and answers whole on the next connection, which ends, too.
+struct CuttingRobot {
+  ScriptedRobot robot;
+  int greeted_on = -1;
+  std::size_t cut_at = 0;
+  std::atomic<bool> done{false};
+
+  Answer operator()(const Request& request, int connection) {
+    Answer answer = robot(request, connection);
+    if (std::exchange(greeted_on, connection) != connection) return answer;
+    answer.cut_at = connection % 2 == 0 ? cut_at++ : answer.bytes.size();
+    done = cut_at >= answer.bytes.size() - 1;  // without its NUL a reply is whole
+    return answer;
+  }
+};
+
+TEST_F(TcpLinkTest, GoesOnAfterACutAtEveryByteOfAReply) {
+  CuttingRobot robot;
+  ScriptedServer server{std::ref(robot)};
+  const auto tcp = link(server.port());
+  std::uint64_t last = tcp->sensors().cycle;
+  int steps = 0;
+  for (; !robot.done; ++steps) {
+    ASSERT_TRUE(stepOf(*tcp)) << tcp->whyEnded();
+    ASSERT_GT(tcp->sensors().cycle, last) << "cycles never go back";
+    ASSERT_EQ(tcp->sensors().joint[7].position.value, 0.25) << steps;
+    last = tcp->sensors().cycle;
+  }
+  EXPECT_GT(steps, 800);
+  EXPECT_THAT(said, HasSubstr("is lost"));
+  EXPECT_THAT(said, HasSubstr("is back"));
+}
+
+TEST_F(TcpLinkTest, TellsAServerThatComesBackAllWishesAndBeginsWhereTheRobotIs) {
+  ScriptedRobot robot;
+  auto server = std::make_unique<ScriptedServer>(std::ref(robot));
+  const std::uint16_t port = server->port();
+  const auto tcp = link(port);
+  for (int i = 0; i < 2; ++i) ASSERT_TRUE(stepOf(*tcp));
+  server.reset();
+  ScriptedRobot next;
+  next.first_cycle = 1;  // a loop that was started anew
+  ScriptedServer again{std::ref(next), port};
+  const std::uint64_t before = tcp->sensors().cycle;
+  ASSERT_TRUE(stepOf(*tcp, 3));
+  EXPECT_GE(tcp->sensors().cycle, before + 3);
+  std::size_t told = 0;
+  for (const Request& request : again.requests()) {
+    EXPECT_TRUE(request.extension.start_where_it_is);
+    told += request.motors.size();
+  }
+  EXPECT_EQ(told, 1) << "the new one knows nothing of it, and is told once";
+}
+
+TEST_F(TcpLinkTest, WithoutRepliesStepsGoOnAndValuesGrowOld) {
+  ScriptedRobot robot;
+  robot.real_time = true;
+  ScriptedServer server{std::ref(robot)};
+  const auto tcp = link(server.port());
+  ASSERT_TRUE(stepOf(*tcp));
+  robot.silent = true;
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(stepOf(*tcp, 2));
+  EXPECT_GE(tcp->sensors().joint[7].motion.age, 8) << "never an old value as a fresh one";
+  EXPECT_GE(tcp->sensors().board.motion.age, 8);
+  while (said.empty()) ASSERT_TRUE(stepOf(*tcp));
+  EXPECT_THAT(said, HasSubstr("no reply for"));
+  robot.silent = false;
+  while (!tcp->sensors().joint[7].motion.fresh()) ASSERT_TRUE(stepOf(*tcp));
+  EXPECT_THAT(said, HasSubstr("is back"));
+}
+
+TEST_F(TcpLinkTest, EndsWhenTheServerDoesNotComeBack) {
+  patience = 100ms;
+  ScriptedRobot robot;
+  robot.real_time = true;
+  auto server = std::make_unique<ScriptedServer>(std::ref(robot));
+  const auto tcp = link(server->port());
+  ASSERT_TRUE(stepOf(*tcp));
+  server.reset();
+  while (stepOf(*tcp)) EXPECT_TRUE(tcp->sensors().joint[7].motion.ever());
+  EXPECT_THAT(tcp->whyEnded(), HasSubstr("has not come back"));
+}
+
+TEST_F(TcpLinkTest, EndsAtOnceWhenTheUserAsks) {
+  ScriptedRobot robot;
+  robot.real_time = true;
+  ScriptedServer server{std::ref(robot)};
+  const auto tcp = link(server.port());
+  robot.silent = true;
+  const std::atomic<bool> stop{true};
+  EXPECT_FALSE(tcp->waitForCycle(tcp->sensors().cycle + 100'000, stop));
+}
+
+}  // namespace
+}  // namespace darwinop::remote
