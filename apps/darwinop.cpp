@@ -20,6 +20,7 @@ struct Noun {
 constexpr Noun kNouns[] = {
     {"run", "run a controller on a robot and report how the loop fared"},
     {"runtime", "the daemon: the 16 ms loop in a process of its own; also --status, --release"},
+    {"monitor", "lets onlookers see the robot: sensors, loop, faults, camera; over WebSockets, read only"},
     {"remote", "remote control over TCP: a simulator's remote-control mode drives the robot"},
     {"experiment", "run, list and plot experiments: files that say what moves, how, and what is recorded"},
     {"motion", "look at motion pages, check, convert, play and draw them"},

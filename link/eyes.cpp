@@ -6,10 +6,7 @@
 
 namespace darwinop::link {
 
-std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& robot, const EyesRequest& request) {
-  if (auto its_own = robot.openEyes(request.width, request.height)) return its_own;
-  // A camera of this computer shows another world than the simulated one.
-  if (!robot.realTime()) throw std::runtime_error("this virtual robot has no camera: the twin has one, --robot twin");
+std::unique_ptr<FrameSource> openCamera(const EyesRequest& request) {
   v4l2::CameraOptions options;
   if (const RobotFile file = readRobotFile(); file.camera) options.device = *file.camera;
   options.width = request.width;
@@ -18,6 +15,13 @@ std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& robot, const EyesReque
   options.form = request.form;
   options.say = request.say;
   return std::make_unique<v4l2::Camera>(std::move(options));
+}
+
+std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& robot, const EyesRequest& request) {
+  if (auto its_own = robot.openEyes(request.width, request.height)) return its_own;
+  // A camera of this computer shows another world than the simulated one.
+  if (!robot.realTime()) throw std::runtime_error("this virtual robot has no camera: the twin has one, --robot twin");
+  return openCamera(request);
 }
 
 }  // namespace darwinop::link

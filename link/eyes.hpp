@@ -19,6 +19,9 @@ struct EyesRequest {
   std::function<void(const std::string&)> say = {};
 };
 
+/// The camera of this computer that robot.ini names, or /dev/video0, whoever drives the robot. As openEyes().
+std::unique_ptr<FrameSource> openCamera(const EyesRequest& request);
+
 /// The twin's head camera in lockstep, a robot's over TCP; else the camera of this computer that robot.ini names, or
 /// /dev/video0. The link has to outlive it. A camera that is not there is no error: it may come, and `say` is told.
 /// Throws std::runtime_error when the robot has no eyes, or robot.ini is wrong.

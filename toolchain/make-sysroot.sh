@@ -5,7 +5,7 @@
 set -eu
 
 suite=bookworm
-packages=libc6-dev,linux-libc-dev,libinih-dev,libcli11-dev,libgtest-dev,libgmock-dev,librapidcheck-dev,libyuv-dev,libxcb1-dev,libjpeg62-turbo-dev,libasound2-dev,libsndfile1-dev,libespeak-ng-dev
+packages=libc6-dev,linux-libc-dev,libinih-dev,libcli11-dev,libgtest-dev,libgmock-dev,librapidcheck-dev,libyuv-dev,libxcb1-dev,libjpeg62-turbo-dev,libboost-dev,nlohmann-json3-dev,libasound2-dev,libsndfile1-dev,libespeak-ng-dev
 
 # A changed list makes a new folder, so that an old one is never half renewed.
 list_hash=$(printf '%s %s' "$suite" "$packages" | cksum | cut -d' ' -f1)
@@ -35,8 +35,10 @@ mmdebstrap --quiet --mode=chrootless --variant=extract --architectures=i386 --in
   exit 1
 }
 mkdir "$work/sysroot"
+# The cross compiler brings its own C++ library; that of the packages only takes space.
 # Device nodes cannot be unpacked by users, and qemu-i386 -L would prefer them to the real ones.
-tar -x -f "$work/sysroot.tar" -C "$work/sysroot" --no-same-owner --exclude='./dev/*' --exclude='./usr/share/doc/*'
+tar -x -f "$work/sysroot.tar" -C "$work/sysroot" --no-same-owner --exclude='./dev/*' --exclude='./usr/share/doc/*' \
+  --exclude='./usr/include/c++/*' --exclude='./usr/lib/gcc/*'
 # Everything on the robot is linked statically; without these links nothing can be linked otherwise by mistake.
 find "$work/sysroot" -name 'lib*.so' -delete
 

@@ -1,0 +1,108 @@
+// darwinop-monitor: lets onlookers see the robot, read only.
+#include "remote/monitor/monitor.hpp"
+
+#include <signal.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "link/eyes.hpp"
+#include "remote/jpeg/live_pictures.hpp"
+#include "remote/monitor/messages.hpp"
+#include "remote/web/server.hpp"
+#include "runtime/clock.hpp"
+
+namespace {
+
+using namespace darwinop;
+
+std::atomic<bool> monitor_stop{false};
+
+struct MonitorArguments {
+  std::string listen = "127.0.0.1", name;
+  std::vector<std::string> allow, origins, hosts;
+  std::uint16_t port = 5024;
+};
+
+void sayMonitor(const std::string& line) {
+  std::cerr << "darwinop monitor: " << line << std::endl;
+}
+
+void stopMonitorOnSignals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { monitor_stop = true; };
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  signal(SIGPIPE, SIG_IGN);
+}
+
+web::ServerConfig webConfig(const MonitorArguments& given) {
+  web::ServerConfig config;
+  config.address = remote::ipv4FromText(given.listen);
+  config.port = given.port;
+  for (const std::string& network : given.allow) config.allowed.push_back(remote::networkFromText(network));
+  config.entry.origins = given.origins;
+  config.entry.hosts = given.hosts;
+  if (remote::isLoopback(config.address)) return config;
+  if (given.allow.empty())
+    throw std::runtime_error("--listen " + given.listen +
+                             " shows the robot to a network: say who may look, such as --allow 192.168.123.0/24");
+  sayMonitor(
+      "the channel knows no password: whoever has an address that is allowed here sees what the robot senses, and what "
+      "its camera sees. On a network that is not yours alone, listen on loopback and come by ssh");
+  return config;
+}
+
+std::unique_ptr<remote::PictureSource> openCameraForOnlookers() {
+  auto camera = link::openCamera({.width = remote::kWholeImage.width,
+                                  .height = remote::kWholeImage.height,
+                                  .form = PictureForm::kYuyv,
+                                  .say = sayMonitor});  // seldom: a camera speaks when something changes
+  return std::make_unique<remote::LivePictures>(
+      std::move(camera),
+      remote::LivePictures::Options{.now = [] { return runtime::MonotonicClock{}.now(); }, .say = sayMonitor});
+}
+
+int serveOnlookers(const MonitorArguments& given) {
+  stopMonitorOnSignals();
+  monitor::Monitor monitor{runtime::RuntimeFiles{given.name}, [] { return runtime::MonotonicClock{}.now(); },
+                           openCameraForOnlookers};
+  web::Server server{webConfig(given), sayMonitor};
+  server.channel("/monitor", monitor::kSubprotocol, monitor);
+  std::cout << "ready: ws://" << given.listen << ":" << server.port() << "/monitor" << std::endl;
+  while (!monitor_stop) {
+    server.attend(monitor.pause());
+    monitor.look();
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) try {
+  MonitorArguments given;
+  CLI::App app{"Lets any number of onlookers see the robot: sensors, loop, faults, camera. It never drives.",
+               "darwinop monitor"};
+  app.add_option("--listen", given.listen, "address of this computer to listen on; 0.0.0.0: all of them")
+      ->capture_default_str();
+  app.add_option("--allow", given.allow, "network that may look on beside this computer, may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--port", given.port, "TCP port; 0: any that is free")->capture_default_str();
+  app.add_option("--origin", given.origins, "page that may look on, as browsers write it: http://127.0.0.1:8080")
+      ->allow_extra_args(false);
+  app.add_option("--host", given.hosts, "name by which this computer may be called, beside its numbers and localhost")
+      ->allow_extra_args(false);
+  app.add_option("--name", given.name, "name of the runtime, when several run")->envname("DARWINOP_RUNTIME_NAME");
+  app.set_version_flag("--version", DARWINOP_VERSION);
+  app.footer(
+      "Example, beside a running runtime:\n  darwinop monitor\n"
+      "On a robot, for its network (docs/monitor.md):\n  darwinop monitor --listen 0.0.0.0 --allow 192.168.123.0/24");
+  CLI11_PARSE(app, count, arguments);
+  return serveOnlookers(given);
+} catch (const std::exception& error) {
+  std::cerr << "darwinop monitor: " << error.what() << '\n';
+  return 1;
+}

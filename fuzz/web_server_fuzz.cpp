@@ -1,0 +1,61 @@
+// The web server against any bytes on a real connection, in two pieces: it survives, and is as ready as before when the
+// caller has gone. The first byte says whether a WebSocket is open already, and where the bytes are cut.
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "remote/web/server.hpp"
+#include "remote_web/web_client.hpp"
+
+namespace {
+
+using namespace darwinop::web;
+
+struct Echo final : ChannelUser {
+  int open = 0;
+  void opened(Channel& channel) override {
+    ++open;
+    channel.send(0, std::make_shared<const std::string>("hello"));
+  }
+  void said(Channel& channel, std::string_view message, bool binary) override {
+    if (message.size() > 4096) std::abort();
+    if (message == "out") return channel.close("out");
+    const auto bytes = std::make_shared<const std::string>(message);
+    binary ? channel.sendBinary(1, bytes) : channel.send(kEvery, bytes);
+  }
+  void closed(Channel& /*channel*/) noexcept override { --open; }
+};
+
+struct Served {
+  Echo echo;
+  Server server{{.most_messages = 1000}, [](const std::string&) {}};
+  Served() {
+    server.serve("/", {.type = "text/plain", .body = "hello"});
+    server.channel("/echo", "echo.1", echo);
+  }
+  void attend() { server.attend(darwinop::Nanos{0}); }
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static Served served;
+  if (size == 0) return 0;
+  const std::string bytes{reinterpret_cast<const char*>(data) + 1, size - 1};
+  const std::size_t cut = std::min<std::size_t>(data[0] >> 1, bytes.size());
+  {
+    WebClient client{served.server.port(), [] { served.attend(); }};
+    if (!client.connected()) std::abort();
+    served.attend();
+    if ((data[0] & 1) != 0 && client.open("/echo", "echo.1").find(" 101 ") == std::string::npos) std::abort();
+    client.raw(bytes.substr(0, cut));
+    client.raw(bytes.substr(cut));
+    for (int i = 0; i < 4; ++i) served.attend();
+    (void)client.hearNow();
+    client.breakOff();
+  }
+  for (int i = 0; i < 1000 && served.echo.open > 0; ++i) served.attend();
+  if (served.echo.open != 0) std::abort();
+  return 0;
+}

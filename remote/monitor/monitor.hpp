@@ -1,0 +1,83 @@
+// The monitor channel: what observers are told of the robot. docs/monitor.md is the contract.
+#pragma once
+
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "remote/monitor/eye.hpp"
+#include "remote/monitor/onlooker.hpp"
+#include "remote/monitor/pace.hpp"
+#include "remote/monitor/wishes.hpp"
+#include "remote/web/channel.hpp"
+#include "runtime/fault_announcer.hpp"
+#include "runtime/loop_stats.hpp"
+
+namespace darwinop::monitor {
+
+/// One thread: the web server's. Reads shared memory; the loop never notices.
+class Monitor final : public web::ChannelUser {
+ public:
+  using Clock = std::function<Nanos()>;
+  static constexpr std::size_t kNotices = 20;  // a newcomer is told of the last ones
+
+  Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera);
+
+  void opened(web::Channel& channel) override;
+  void said(web::Channel& channel, std::string_view message, bool binary) override;
+  void closed(web::Channel& channel) noexcept override { seats_.erase(&channel); }
+
+  /// Looks at the robot and tells everybody what they are due. To be called again after pause(), or earlier.
+  void look();
+  [[nodiscard]] Nanos pause() const;
+
+  /// Something that everybody should know.
+  void notice(const std::string& text);
+
+ private:
+  struct Seat {
+    Wishes wishes{};
+    Pace state{}, pictures{};
+    std::uint64_t cycle = 0;    // sent last
+    std::uint64_t picture = 0;  // sent last
+    std::string camera;         // what was said of the camera
+  };
+  struct Figures {
+    runtime::StatsView all{}, before{}, recent{};
+  };
+
+  void turn();
+  void tellWhatIs(web::Channel& channel);
+  void lookAtState();
+  void lookAtFaults();
+  void lookAtLoop();
+  void lookAtCamera();
+  void tellOfCamera(web::Channel& channel, Seat& seat, bool seeing);
+  [[nodiscard]] bool everyCycle(const Seat& seat) const;
+
+  Onlooker onlooker_;
+  Clock clock_;
+  Eye eye_;
+  Nanos now_{0};
+  std::map<web::Channel*, Seat> seats_;
+
+  Sensors seen_{};
+  web::Bytes state_text_;
+  std::uint64_t state_cycle_ = 0;
+  std::string faults_text_;
+  Pace faults_pace_, loop_pace_, driver_pace_;
+  pid_t driver_ = 0;
+  std::unique_ptr<Figures> figures_ = std::make_unique<Figures>();
+  Nanos figures_time_{0};
+  bool figures_any_ = false;
+
+  std::ostringstream announced_;
+  std::unique_ptr<runtime::FaultAnnouncer> announcer_;
+  std::deque<web::Bytes> notices_;
+  std::uint64_t notice_number_ = 0;
+};
+
+}  // namespace darwinop::monitor
