@@ -31,6 +31,7 @@ constexpr Noun kNouns[] = {
     {"demo", "the twin gets up, walks, turns and stops: a film, or a window"},
     {"gap", "find where simulation and measurement disagree, name what is missing, add it to the model"},
     {"supervisor", "parent of runtime and default controller on a robot; also --status, --stop-controller"},
+    {"sound", "plays and speaks for controllers, which start it by themselves"},
     {"install", "install on a robot over ssh, send controllers; also --status, --rollback, --uninstall"},
     {"doctor", "check port, servos and real-time rights, and say how to mend what is wrong"},
 };
