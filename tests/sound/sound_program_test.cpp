@@ -53,6 +53,16 @@ TEST_F(SoundGraph, AFileThatIsMissingOrIsNoneIsSaidAndTheNextOneIsHeard) {
   EXPECT_GT(rms(heard(recorded().channel(0))), 0.01);
 }
 
+TEST_F(SoundGraph, WhatEndsAtOnceIsToldOfAlsoWhenTheCardIsAboutToBeGivenBack) {
+  sound().order(Speak{.id = 1, .text = folder / "no_text", .text_is_file = true});
+  awaitEnd(1);
+  sound().order(PlaySound{.id = 2, .file = toneFile(440, 0.1)});
+  awaitEnd(2);
+  std::this_thread::sleep_for(100ms);  // the card rests for 0.3 s after the tone, half of which was over
+  sound().order(Speak{.id = 3, .text = folder / "no_text", .text_is_file = true});
+  awaitEnd(3);
+}
+
 TEST_F(SoundGraph, AProgramThatIsKilledIsToldOfAndLeavesNoZombie) {
   sound().order(PlaySound{.id = 1, .file = toneFile(440, 10)});
   awaitBegin(1);
