@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "hal/audio/protocol.hpp"
 #include "webots/Node.hpp"
@@ -121,9 +122,11 @@ void Speaker::playFileWait(const char* filename) {
   const bool lockstep = !robot_.realTime();
   const auto now = [this] { return std::chrono::duration<double>(robot_.session().time()).count(); };
   const double begin = now();
+  // Simulated time goes by in no time: there the answer is waited for, once, so that every run takes as many steps.
+  std::chrono::milliseconds patience{lockstep ? 2000 : 0};
+  double seconds = std::nan("");
   for (;;) {
-    // Simulated time goes by in no time: there the answer is waited for, so that every run takes as many steps.
-    const double seconds = desk_->seconds(id, std::chrono::milliseconds{lockstep ? 2000 : 0});
+    if (std::isnan(seconds)) seconds = desk_->seconds(id, std::exchange(patience, std::chrono::milliseconds{0}));
     const bool is_known = !std::isnan(seconds);
     if (lockstep && is_known ? now() >= begin + seconds : !desk_->plays(id)) return;
     // A sound program that hangs must not keep the controller.

@@ -156,6 +156,19 @@ TEST_F(SpeakerTest, InSimulatedTimePlayFileWaitTakesTheTimeOfTheSound) {
   EXPECT_NEAR(robot().getTime() - begin, 0.08, 0.001);
 }
 
+TEST_F(SpeakerTest, ASimulationThatIsSlowerThanTheSoundTakesAsManySteps) {
+  fake.real_time = false;
+  prepare();
+  loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundNews>{SoundStarted{1, 0.08}}; };
+  const auto before = fake.published.size();
+  fake.on_cycle = [&](std::uint64_t) {
+    if (fake.published.size() == before + 1) loudspeaker.news = {SoundEnded{1}};
+  };
+  const double begin = robot().getTime();
+  speaker().playFileWait("/a.mp3");
+  EXPECT_NEAR(robot().getTime() - begin, 0.08, 0.001);
+}
+
 TEST_F(SpeakerTest, PlayFileWaitEndsWithTheControllerAndWhenNothingIsPlayed) {
   prepare();
   loudspeaker.answer = [](const SoundOrder&) {
