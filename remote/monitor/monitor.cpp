@@ -81,8 +81,7 @@ Nanos Monitor::pause() const {
   double most = 0;
   for (const auto& [channel, seat] : seats_) most = std::max({most, seat.wishes.rate, seat.wishes.camera});
   if (most <= 0) return kLongest;
-  const Nanos half = std::chrono::duration_cast<Nanos>(std::chrono::duration<double>{0.5 / most});
-  return std::clamp(half, kShortest, kLongest);
+  return std::clamp(periodOf(most) / 2, kShortest, kLongest);
 }
 
 void Monitor::look() {
