@@ -205,6 +205,10 @@ TEST_F(SpeakerTest, AProgramThatDiedIsSaidAndTheNextSoundStartsAnotherOne) {
   EXPECT_FALSE(speaker().isSpeaking() || speaker().isSoundPlaying(""));
   speaker().playFile("/a.mp3");
   EXPECT_EQ(opened, 2);
+  loudspeaker.news = {SoundLost{"it was ended by signal 9"}};
+  speaker().stop("");
+  EXPECT_EQ(opened, 2) << "no program is started to be silent";
+  speaker().playFile("/a.mp3");
   EXPECT_TRUE(speaker().isSoundPlaying("/a.mp3"));
   loudspeaker.full = true;
   speaker().playFile("/b.mp3");
