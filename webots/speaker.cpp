@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "hal/audio/protocol.hpp"
@@ -22,8 +23,9 @@ constexpr int kSlowest = 80, kFastest = 450;  // words a minute
 /// What is beyond is said once, and not a number is what it would be without the argument.
 double within(double low, double value, double high, double usual, const char* what) {
   if (value >= low && value <= high) return value;
-  warnOnce("Speaker: a " + std::string{what} + " lies between " + std::to_string(low).substr(0, 4) + " and " +
-           std::to_string(high).substr(0, 4) + "; it is brought there");
+  std::ostringstream sentence;
+  sentence << "Speaker: a " << what << " lies between " << low << " and " << high << "; it is brought there";
+  warnOnce(sentence.str());
   return std::isnan(value) ? usual : std::clamp(value, low, high);
 }
 
