@@ -157,6 +157,7 @@ TEST_F(MonitorProcess, LosesFramesOfSlowObserversAndNothingElse) {
   EXPECT_FALSE(hearUntil(slow, [](const Json& text) { return text["type"] == "loop" && text["lost"] > 0; }).is_null());
 }
 
+#ifdef DARWINOP_VISUAL_TRACKING  // where there is a virtual camera
 TEST_F(MonitorProcess, ShowsWhatTheCameraOfADriverSeesAndThenItsOwn) {
   startVirtualRobot();
   const auto daemon = startDaemon();
@@ -178,6 +179,7 @@ TEST_F(MonitorProcess, ShowsWhatTheCameraOfADriverSeesAndThenItsOwn) {
   EXPECT_THAT(hearType(peer, "camera")["text"].dump(), HasSubstr("the camera gives no pictures"));
   EXPECT_TRUE(hearPicture(peer)) << monitor_->output();
 }
+#endif
 
 TEST_F(MonitorProcess, AsksWhoMayLookBeforeItShowsTheRobotToANetwork) {
   Program refused{{program("darwinop-monitor"), "--listen", "0.0.0.0"}, file("monitor.txt")};
