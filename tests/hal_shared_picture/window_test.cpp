@@ -112,7 +112,7 @@ TEST_F(SharedPicture, IsTheOneBeforeWhenTheWriterDiesInTheMiddle) {
   raw->slots[1].sequence = 2;
   raw->slots[1].time_ns = now_.count();
   EXPECT_EQ(reader().newest().sequence, 1u);
-  raw->newest = Window::kSlots + 1;
+  raw->newest = 1U << 20;
   EXPECT_EQ(reader().newest().sequence, 1u);
 }
 
