@@ -22,6 +22,7 @@ constexpr Noun kNouns[] = {
     {"runtime", "the daemon: the 16 ms loop in a process of its own; also --status, --release"},
     {"monitor", "lets onlookers see the robot: sensors, loop, faults, camera; over WebSockets, read only"},
     {"remote", "remote control over TCP: a simulator's remote-control mode drives the robot"},
+    {"window", "the robot in a browser: how it stands, curves, loop, faults; without a robot, too"},
     {"experiment", "run, list and plot experiments: files that say what moves, how, and what is recorded"},
     {"motion", "look at motion pages, check, convert, play and draw them"},
     {"virtual-robot", "a CM-730 with 20 MX-28 on a pty, for work without a robot"},
@@ -30,6 +31,7 @@ constexpr Noun kNouns[] = {
     {"demo", "the twin gets up, walks, turns and stops: a film, or a window"},
     {"gap", "find where simulation and measurement disagree, name what is missing, add it to the model"},
     {"supervisor", "parent of runtime and default controller on a robot; also --status, --stop-controller"},
+    {"sound", "plays and speaks for controllers, which start it by themselves"},
     {"install", "install on a robot over ssh, send controllers; also --status, --rollback, --uninstall"},
     {"doctor", "check port, servos and real-time rights, and say how to mend what is wrong"},
 };

@@ -4,6 +4,7 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 get_property(rooms GLOBAL PROPERTY DARWINOP_ROOMS)
+list(REMOVE_ITEM rooms sound_program)  # a process of its own: no controller needs its libraries
 list(FILTER rooms EXCLUDE REGEX "^(twin_.*|gap_.*|hil_camera|plot|logs)$")  # PC only; the twin is loaded on demand
 list(FILTER rooms EXCLUDE REGEX "^remote_(server|robot)$")  # commands only
 if(CMAKE_CROSSCOMPILING)
@@ -19,6 +20,14 @@ if(NOT CMAKE_CROSSCOMPILING)
   set_source_files_properties(link/twin_library.cpp PROPERTIES COMPILE_DEFINITIONS
     "DARWINOP_TWIN_FOLDERS=\"lib\",\"${CMAKE_INSTALL_LIBDIR}\",\"${CMAKE_BINARY_DIR}/lib\",\"${CMAKE_INSTALL_FULL_LIBDIR}\";DARWINOP_VERSION=\"${PROJECT_VERSION}\"")
 endif()
+
+# Where a controller's process looks for darwinop-sound after its own folder: where it was built and is installed.
+if(CMAKE_CROSSCOMPILING)
+  set(sound_folders "\"/opt/darwinop/current/sound\"")
+else()
+  set(sound_folders "\"${CMAKE_RUNTIME_OUTPUT_DIRECTORY}\",\"${CMAKE_INSTALL_FULL_BINDIR}\"")
+endif()
+set_source_files_properties(link/sound_program.cpp PROPERTIES COMPILE_DEFINITIONS "DARWINOP_SOUND_FOLDERS=${sound_folders}")
 
 # inih, libxcb and, on a PC, libjpeg go into the library, so that neither a controller's build nor the robot needs them.
 set(darwinop_taken_in)     # their objects

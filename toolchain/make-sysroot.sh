@@ -5,7 +5,7 @@
 set -eu
 
 suite=bookworm
-packages=libc6-dev,linux-libc-dev,libinih-dev,libcli11-dev,libgtest-dev,libgmock-dev,librapidcheck-dev,libyuv-dev,libxcb1-dev,libjpeg62-turbo-dev,libboost-dev,nlohmann-json3-dev
+packages=libc6-dev,linux-libc-dev,libinih-dev,libcli11-dev,libgtest-dev,libgmock-dev,librapidcheck-dev,libyuv-dev,libxcb1-dev,libjpeg62-turbo-dev,libboost-dev,nlohmann-json3-dev,libasound2-dev,libsndfile1-dev,libespeak-ng-dev
 
 # A changed list makes a new folder, so that an old one is never half renewed.
 list_hash=$(printf '%s %s' "$suite" "$packages" | cksum | cut -d' ' -f1)

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "link/keys.hpp"
+#include "link/sound_program.hpp"
 #include "webots/Accelerometer.hpp"
 #include "webots/Camera.hpp"
 #include "webots/Gyro.hpp"
@@ -56,6 +57,7 @@ void warnMissing(const std::string& device) {
 RobotImpl::RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerConfig& config,
                      const std::atomic<bool>& stop)
     : open_keys{[&stop] { return openTheUsualKeys(stop); }},
+      open_sound{link::openSound},
       config_{config},
       stop_{stop},
       ends_with_us_{link->bringsToRest()},
@@ -83,7 +85,7 @@ void RobotImpl::addDevices() {
   add(new webots::LED("BackLedRed", *this, webots::LED::BACK, 1));
   add(new webots::LED("BackLedBlue", *this, webots::LED::BACK, 2));
   add(new webots::LED("BackLedGreen", *this, webots::LED::BACK, 4));
-  add(new webots::Speaker("Speaker", *this));
+  speaker_ = add(new webots::Speaker("Speaker", *this));
   add(new webots::TouchSensor("ButtonMode", *this, 1));
   add(new webots::TouchSensor("ButtonStart", *this, 2));
 }
@@ -135,6 +137,7 @@ void RobotImpl::refresh() {
   const double time_s = std::chrono::duration<double>(session_.time()).count();
   camera_->refresh(time_s);
   keyboard_.refresh(time_s);
+  speaker_->refresh();
 }
 
 webots::Device* RobotImpl::find(const std::string& name) const {

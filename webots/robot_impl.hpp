@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hal/keyboard.hpp"
+#include "hal/sound_output.hpp"
 #include "webots/Keyboard.hpp"
 #include "webots/config_ini.hpp"
 #include "webots/motor_control.hpp"
@@ -22,6 +23,7 @@ class Accelerometer;
 class Camera;
 class Device;
 class Gyro;
+class Speaker;
 }  // namespace webots
 
 namespace darwinop::facade {
@@ -42,6 +44,8 @@ class RobotImpl {
 
   [[nodiscard]] const ControllerConfig& config() const { return config_; }
   [[nodiscard]] const Session& session() const { return session_; }
+  /// False: simulated time, which steps as fast as the controller does.
+  [[nodiscard]] bool realTime() const { return session_.realTime(); }
   [[nodiscard]] LedCommand& led() { return commands_.led; }
   [[nodiscard]] webots::Keyboard& keyboard() { return keyboard_; }
 
@@ -65,6 +69,8 @@ class RobotImpl {
   /// tests.
   [[nodiscard]] std::unique_ptr<KeySource> openKeys() const { return open_keys(); }
   std::function<std::unique_ptr<KeySource>()> open_keys;
+  /// What sounds are played by; throws std::runtime_error when there is none. Another one: for tests.
+  std::function<std::unique_ptr<SoundOutput>()> open_sound;
 
   /// Takes this P gain instead of the controller's until it is none: then the controller's again, which Motor keeps.
   void lendGain(Joint joint, std::optional<double> kp) { lent_gain_[index(joint)] = kp; }
@@ -95,6 +101,7 @@ class RobotImpl {
   webots::Accelerometer* accelerometer_ = nullptr;
   webots::Gyro* gyro_ = nullptr;
   webots::Camera* camera_ = nullptr;
+  webots::Speaker* speaker_ = nullptr;
 };
 
 /// Finds the robot as environment and config.ini say, and waits until it stands ready. Ends the program with a

@@ -1,41 +1,97 @@
-// The loudspeaker: all calls, no sound yet.
+// The loudspeaker: calls of today and of 2013 become orders to the sound program.
 #include "webots/Speaker.hpp"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "hal/audio/protocol.hpp"
 #include "webots/Node.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
+#include "webots/sound_desk.hpp"
 
 namespace webots {
 
+using darwinop::facade::warnOnce;
+
 namespace {
-void warnSilent() {
-  darwinop::facade::warnOnce("Speaker: this version has no sound yet; sounds and speech are skipped");
+constexpr int kSlowest = 80, kFastest = 450;  // words a minute
+
+/// What is beyond is said once, and not a number is what it would be without the argument.
+double within(double low, double value, double high, double usual, const char* what) {
+  if (value >= low && value <= high) return value;
+  warnOnce("Speaker: a " + std::string{what} + " lies between " + std::to_string(low).substr(0, 4) + " and " +
+           std::to_string(high).substr(0, 4) + "; it is brought there");
+  return std::isnan(value) ? usual : std::clamp(value, low, high);
+}
+
+std::string given(const char* text) {
+  return text != nullptr ? text : "";
+}
+
+/// Letters in UTF-8 have up to four bytes, and none may be cut in two.
+std::string shortened(std::string text) {
+  std::ranges::replace(text, '\0', ' ');
+  if (text.size() <= darwinop::audio::kLongestText) return text;
+  warnOnce("Speaker: a text of more than 32000 bytes is cut there; speakFile() takes longer ones");
+  std::size_t end = darwinop::audio::kLongestText;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+  text.resize(end);
+  return text;
 }
 }  // namespace
 
 Speaker::Speaker(const std::string& name, darwinop::facade::RobotImpl& robot)
-    : Device(name, Node::SPEAKER, robot), language_("en") {}
+    : Device(name, Node::SPEAKER, robot),
+      language_("en"),
+      desk_(new darwinop::facade::SoundDesk([&robot] { return robot.open_sound(); })) {}
 
-Speaker::~Speaker() = default;
+Speaker::~Speaker() {
+  delete desk_;
+}
 
-void Speaker::playSound(Speaker*, Speaker*, const std::string&, double, double, double, bool) {
-  warnSilent();
+void Speaker::refresh() {
+  desk_->refresh();
 }
-void Speaker::stop(const std::string&) {}
-bool Speaker::isSoundPlaying(const std::string&) const {
-  return false;
+
+// The robot has one loudspeaker: where one side is missing, the other one gets both.
+void Speaker::playSound(Speaker* left, Speaker* right, const std::string& sound, double volume, double pitch,
+                        double balance, bool loop) {
+  const Speaker* const speaker = left != nullptr ? left : right;
+  if (speaker == nullptr) return warnOnce("Speaker::playSound() without a speaker plays nothing");
+  const bool has_sides = left != nullptr && right != nullptr;
+  speaker->desk_->play({.id = 0,
+                        .file = sound,
+                        .volume = within(0, volume, 1, 1, "volume"),
+                        .pitch = within(0.5, pitch, 2, 1, "pitch"),
+                        .balance = has_sides ? within(-1, balance, 1, 0, "balance") : 0,
+                        .loop = loop,
+                        .afresh = false});
 }
+
+void Speaker::stop(const std::string& sound) {
+  desk_->stop(sound);
+}
+
+bool Speaker::isSoundPlaying(const std::string& sound) const {
+  desk_->refresh();
+  return desk_->plays(sound);
+}
+
 bool Speaker::isSpeaking() const {
-  return false;
+  desk_->refresh();
+  return desk_->speaks();
 }
 
 bool Speaker::setEngine(const std::string& engine) {
   if (engine == getEngine()) return true;
-  darwinop::facade::warnOnce("Speaker::setEngine(): the robot has one voice engine, \"" + getEngine() + "\"");
+  warnOnce("Speaker::setEngine(): the robot has one voice engine, \"" + getEngine() + "\"");
   return false;
 }
 
 bool Speaker::setLanguage(const std::string& language) {
+  if (language.empty()) return false;
   language_ = language;
   return true;
 }
@@ -43,23 +99,54 @@ bool Speaker::setLanguage(const std::string& language) {
 std::string Speaker::getEngine() const {
   return "espeak";
 }
-void Speaker::speak(const std::string&, double) {
-  warnSilent();
+
+void Speaker::speak(const std::string& text, double volume) {
+  desk_->speak({.id = 0,
+                .text = shortened(text),
+                .text_is_file = false,
+                .voice = language_,
+                .volume = within(0, volume, 1, 1, "volume")});
 }
 
 void Speaker::enable(int) {}
 void Speaker::disable() {}
-void Speaker::playFile(const char*) {
-  warnSilent();
+
+void Speaker::playFile(const char* filename) {
+  desk_->play({.id = 0, .file = given(filename), .afresh = true});
 }
-void Speaker::playFileWait(const char*) {
-  warnSilent();
+
+/// In lockstep for as long as the sound lasts, of the robot's time; otherwise until it was heard.
+void Speaker::playFileWait(const char* filename) {
+  const darwinop::SoundId id = desk_->play({.id = 0, .file = given(filename), .afresh = true});
+  const bool lockstep = !robot_.realTime();
+  const auto now = [this] { return std::chrono::duration<double>(robot_.session().time()).count(); };
+  const double begin = now();
+  for (;;) {
+    // Simulated time goes by in no time: there the answer is waited for, so that every run takes as many steps.
+    const double seconds = desk_->seconds(id, std::chrono::milliseconds{lockstep ? 2000 : 0});
+    const bool is_known = !std::isnan(seconds);
+    if (lockstep && is_known ? now() >= begin + seconds : !desk_->plays(id)) return;
+    // A sound program that hangs must not keep the controller.
+    if (now() > begin + 10 + (is_known ? seconds : 0)) return desk_->stop(given(filename));
+    robot_.stepBegin(robot_.config().time_step_ms);
+    if (robot_.stepEnd() == -1) return;
+  }
 }
-void Speaker::speak(const char*, const char*, int) {
-  warnSilent();
+
+void Speaker::speak(const char* text, const char* voice, int speed) {
+  desk_->speak({.id = 0,
+                .text = shortened(given(text)),
+                .text_is_file = false,
+                .voice = given(voice),
+                .words_per_minute = static_cast<int>(within(kSlowest, speed, kFastest, 175, "speed"))});
 }
-void Speaker::speakFile(const char*, const char*, int) {
-  warnSilent();
+
+void Speaker::speakFile(const char* filename, const char* voice, int speed) {
+  desk_->speak({.id = 0,
+                .text = given(filename),
+                .text_is_file = true,
+                .voice = given(voice),
+                .words_per_minute = static_cast<int>(within(kSlowest, speed, kFastest, 175, "speed"))});
 }
 
 }  // namespace webots

@@ -1,10 +1,9 @@
-// The speaker: harmless, and it says once that it is not there yet. Small things.
+// Small things.
 #include <gmock/gmock.h>
 
 #include <DARwInOPDirectoryManager.hpp>
 #include <RobotisOp2DirectoryManager.hpp>
 #include <webots/Camera.hpp>
-#include <webots/Speaker.hpp>
 
 #include "fixture.hpp"
 
@@ -18,7 +17,6 @@ class StubTest : public Facade {
     robot();
     testing::internal::CaptureStderr();
   }
-  static long lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 };
 
 TEST_F(StubTest, PixelsAreReadAsBlueGreenRed) {
@@ -28,17 +26,6 @@ TEST_F(StubTest, PixelsAreReadAsBlueGreenRed) {
   EXPECT_EQ(webots::Camera::imageGetBlue(pixels, 2, 1, 0), 10);
   EXPECT_EQ(webots::Camera::imageGetGrey(pixels, 2, 1, 0), 19);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-}
-
-TEST_F(StubTest, TheSpeakerIsSilentInBothStyles) {
-  webots::Speaker& speaker = *robot().getSpeaker("Speaker");
-  speaker.speak("hello", "en", 120);
-  speaker.speak("hello");
-  speaker.speak("hello", 1.0);
-  speaker.playFile("x.wav");
-  webots::Speaker::playSound(&speaker, &speaker, "x.wav", 1, 1, 0, false);
-  EXPECT_FALSE(speaker.isSpeaking());
-  EXPECT_EQ(lines(testing::internal::GetCapturedStderr()), 1);
 }
 
 TEST_F(StubTest, EachRobotHasItsDataDirectory) {

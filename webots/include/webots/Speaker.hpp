@@ -1,8 +1,14 @@
-// The loudspeaker, "Speaker". This version has no sound yet: every call is silent and returns at once.
+// The loudspeaker, "Speaker": sound files and speech. No call waits, except playFileWait().
 #ifndef SPEAKER_HPP
 #define SPEAKER_HPP
 
 #include <webots/Device.hpp>
+
+namespace darwinop {
+namespace facade {
+class SoundDesk;
+}
+}  // namespace darwinop
 
 namespace webots {
 
@@ -32,7 +38,10 @@ class Speaker : public Device {
  private:
   friend class darwinop::facade::RobotImpl;
   Speaker(const std::string& name, darwinop::facade::RobotImpl& robot);
+  void refresh();
+
   std::string language_;
+  darwinop::facade::SoundDesk* desk_;
 };
 
 }  // namespace webots

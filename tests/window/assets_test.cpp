@@ -1,0 +1,33 @@
+// The page is whole: what it asks for lies in the program.
+#include "window/assets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <regex>
+#include <string>
+
+#include "window/secret.hpp"
+
+namespace darwinop {
+namespace {
+
+TEST(Assets, TheProgramHoldsAllThatThePageAsksFor) {
+  const auto all = window::assets();
+  const std::string page{all[0].body};
+  const std::regex wanted{"(?:src|href)=\"([^\"]+)\""};
+  int found = 0;
+  for (std::sregex_iterator it{page.begin(), page.end(), wanted}, end; it != end; ++it, ++found)
+    EXPECT_TRUE(std::ranges::any_of(all, [&](const auto& asset) { return asset.name == (*it)[1].str(); })) << (*it)[1];
+  EXPECT_EQ(found, 3);
+  for (const window::Asset& asset : all) EXPECT_GT(asset.body.size(), 100U) << asset.name;
+}
+
+TEST(Secret, IsLongAndNeverTheSame) {
+  const std::string first = window::newSecret();
+  EXPECT_EQ(first.size(), 32U);
+  EXPECT_NE(first, window::newSecret());
+}
+
+}  // namespace
+}  // namespace darwinop

@@ -1,0 +1,121 @@
+// The robot window end to end: real program, virtual robot whose head turns, real browser.
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {createServer} from 'node:http';
+import {after, before, test} from 'node:test';
+import {kAxe, startBrowser, startWindow} from './window_program.mjs';
+
+const kTabs = 7;
+let browser, shown;
+
+before(async () => {
+  [browser, shown] = await Promise.all([startBrowser(), startWindow('--robot', 'virtual', process.env.DARWINOP_HELLO)]);
+});
+after(async () => {
+  await browser?.close();
+  await shown?.end();
+});
+
+async function openPage(options = {}, url = shown.url) {
+  const page = await browser.newPage(options);
+  const errors = [];
+  page.on('pageerror', (error) => errors.push(error.message));
+  await page.goto(url);
+  await page.waitForFunction(() => window.darwinop?.view && window.darwinop.timeline.live?.count > 30);
+  assert.deepEqual(errors, []);
+  return page;
+}
+
+test('figures, curves and the picture follow the robot', async () => {
+  const page = await openPage();
+  const seen = () => page.waitForFunction(([before]) => {
+    const {cells} = [...document.querySelectorAll('tbody tr')].find((row) => row.textContent.startsWith('Neck'));
+    const angle = Number.parseFloat(cells[2].textContent);  // a dash, not a number, until the first figures are shown
+    return (before === null ? !Number.isNaN(angle) : Math.abs(angle - before) > 3) && {angle};
+  }, [first]).then((found) => found.jsonValue());
+  let first = null;
+  first = (await seen()).angle;
+  await seen();
+  const drawn = await page.evaluate(() => {
+    const {view, timeline} = window.darwinop, store = timeline.live;
+    return {turned: view.robot.find('Neck').quaternion.toArray(), fresh: store.newest, rows: store.count};
+  });
+  assert.ok(drawn.turned.every(Number.isFinite));
+  assert.equal(await page.locator('#banner').isVisible(), false);
+  assert.match(await page.locator('#pills').innerText(), /State\s*driven/);
+  await page.close();
+});
+
+test('pause stops the curves, a drag looks closer, and what is shown is saved', async () => {
+  const page = await openPage();
+  await page.getByRole('button', {name: 'Pause'}).click();
+  const range = () => page.evaluate(() => window.darwinop.timeline.range);
+  const paused = await range();
+  await page.waitForTimeout(300);
+  assert.deepEqual(await range(), paused);
+  const plot = await page.locator('.u-over').first().boundingBox();
+  await page.mouse.move(plot.x + plot.width * 0.9, plot.y + 20);
+  await page.mouse.down();
+  await page.mouse.move(plot.x + plot.width * 0.98, plot.y + 20, {steps: 4});
+  await page.mouse.up();
+  const [from, to] = await range();
+  assert.ok(Math.abs(to - from - 0.08 * (paused[1] - paused[0])) < 0.1, `${from} to ${to}`);
+  const [file] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('s')]);
+  const [head, ...rows] = readFileSync(await file.path(), 'utf8').trim().split('\n');
+  assert.match(head, /^time \[s\],cycle \[1\],ShoulderR\.goal \[rad\]/);
+  const times = rows.map((row) => Number(row.split(',')[0]));
+  assert.ok(times.length > 10 && times.every((time) => time >= from && time <= to));
+  await page.keyboard.press('Escape');
+  assert.equal(await page.evaluate(() => window.darwinop.timeline.paused), false);
+  await page.close();
+});
+
+test('tabs go by arrow keys, and every tab is accessible, light and dark', async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    const page = await openPage({colorScheme, bypassCSP: true});  // for axe alone
+    await page.addScriptTag({path: kAxe});
+    await page.locator('#tab-0').focus();
+    for (let i = 0; i < kTabs; ++i) {
+      assert.equal(await page.locator(`#tab-${i}`).getAttribute('aria-selected'), 'true');
+      const {violations} = await page.evaluate(() => window.axe.run({resultTypes: ['violations']}));
+      assert.deepEqual(violations.map((one) => `${one.id}: ${one.nodes[0].html}`), [], `${colorScheme}, tab ${i}`);
+      await page.keyboard.press('ArrowRight');
+    }
+    await page.close();
+  }
+});
+
+test('without the secret there is nothing', async () => {
+  const root = new URL('/', shown.url).href;
+  for (const path of ['', 'window.js', 'body.json', '0123456789abcdef0123456789abcdef/', 'monitor'])
+    assert.equal((await fetch(root + path)).status, 404, path);
+});
+
+test('a page from elsewhere can neither read nor listen', async () => {
+  const elsewhere = createServer((_, answer) => answer.end('<!doctype html><title>elsewhere</title>')).listen(0, '127.0.0.1');
+  await new Promise((done) => elsewhere.once('listening', done));
+  const page = await browser.newPage();
+  await page.goto(`http://127.0.0.1:${elsewhere.address().port}/`);
+  const got = await page.evaluate(async (url) => {
+    const read = await fetch(`${url}body.json`).then(() => 'read', () => 'refused');
+    const listened = await new Promise((done) => {
+      const socket = new WebSocket(`${url.replace('http', 'ws')}monitor`, 'darwinop-monitor.1');
+      socket.onopen = () => done('listens');
+      socket.onerror = () => done('refused');
+    });
+    return {read, listened};
+  }, shown.url);
+  elsewhere.close();
+  await page.close();
+  assert.deepEqual(got, {read: 'refused', listened: 'refused'});
+});
+
+test('when the program ends, the page says that what it shows is old', async () => {
+  const page = await openPage();
+  await shown.end();
+  const banner = page.locator('#banner');
+  await banner.waitFor({state: 'visible'});
+  assert.match(await banner.textContent(), /What you see is old/);
+  assert.match(await page.locator('#pills').innerText(), /Battery\s*—/);
+  await page.close();
+});

@@ -1,0 +1,90 @@
+#include "window/own_robot.hpp"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <thread>
+
+#include "runtime/names.hpp"
+
+namespace darwinop::window {
+namespace {
+
+// A virtual robot cannot be hurt; a runtime that is given this long sits it down.
+constexpr std::chrono::seconds kRobotGrace{1}, kRuntimeGrace{6}, kControllerGrace{2};
+constexpr std::chrono::seconds kStart{20};
+
+// In memory, as all of the runtime's files: the loop must not wait for a disk.
+std::string privateFolder() {
+  std::string path = "/dev/shm/darwinop-window-XXXXXX";
+  if (mkdtemp(path.data()) == nullptr)
+    throw std::runtime_error("cannot make a folder " + path + ": " + std::strerror(errno));
+  return path;
+}
+
+/// `child` is about to make this file. Throws std::runtime_error when it does not.
+void waitForFile(const std::string& path, Child& child) {
+  const auto end = std::chrono::steady_clock::now() + kStart;
+  while (access(path.c_str(), F_OK) != 0) {
+    if (child.ended())
+      throw std::runtime_error("darwinop " + child.noun() +
+                               " has ended before it was ready; what it said stands above");
+    if (std::chrono::steady_clock::now() > end)
+      throw std::runtime_error("darwinop " + child.noun() + " was not ready within 20 s; is this computer very busy?");
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
+  }
+}
+
+}  // namespace
+
+OwnRobot::OwnRobot(const std::string& body, const std::vector<std::string>& controller)
+    : folder_{privateFolder()}, name_{folder_ + "/runtime"} {
+  try {
+    start(body, controller);
+  } catch (...) {
+    end();
+    throw;
+  }
+}
+
+void OwnRobot::start(const std::string& body, const std::vector<std::string>& controller) {
+  const std::string port = folder_ + "/robot";
+  const auto add = [this](const std::string& noun, const std::vector<std::string>& words, std::chrono::seconds grace,
+                          Child::Place place = Child::Place::kBehind) -> Child& {
+    return *children_.emplace_back(std::make_unique<Child>(noun, words, grace, place));
+  };
+  waitForFile(port, add("virtual-robot", {"--link", port, "--body", body}, kRobotGrace));
+  waitForFile(runtime::RuntimeFiles{name_}.exchange,
+              add("runtime", {"--robot", port, "--wait", "--name", name_}, kRuntimeGrace));
+  if (controller.empty()) return;
+  setenv("DARWINOP_RUNTIME_NAME", name_.c_str(), 1);  // where it looks for the runtime
+  std::vector<std::string> words{"--robot", "runtime", "--"};
+  words.insert(words.end(), controller.begin(), controller.end());
+  add("run", words, kControllerGrace, Child::Place::kTerminal);
+}
+
+void OwnRobot::end() noexcept {
+  while (!children_.empty()) children_.pop_back();
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+std::string OwnRobot::news() {
+  std::string text;
+  for (auto child = children_.begin(); child != children_.end();) {
+    const std::optional<int> status = (*child)->ended();
+    if (!status) {
+      ++child;
+      continue;
+    }
+    text += "darwinop " + (*child)->noun() + " has ended (status " + std::to_string(*status) + "). ";
+    child = children_.erase(child);
+  }
+  return text;
+}
+
+}  // namespace darwinop::window

@@ -1,0 +1,35 @@
+// A robot for who has none: the virtual robot, a runtime on it, and perhaps a controller, as processes of their own.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "window/child.hpp"
+
+namespace darwinop::window {
+
+class OwnRobot {
+ public:
+  /// `body`: "twin", "twin:MODEL" or "plain". `controller`: a program and its arguments; empty: nobody drives. Throws
+  /// std::runtime_error.
+  OwnRobot(const std::string& body, const std::vector<std::string>& controller);
+  /// Ends them: controller, runtime, robot.
+  ~OwnRobot() { end(); }
+  OwnRobot(const OwnRobot&) = delete;
+  OwnRobot& operator=(const OwnRobot&) = delete;
+
+  /// Of the runtime: for `darwinop runtime --name`, and DARWINOP_RUNTIME_NAME for controllers.
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// A sentence when one of them has ended since the last call; empty: all is well.
+  std::string news();
+
+ private:
+  void start(const std::string& body, const std::vector<std::string>& controller);
+  void end() noexcept;
+
+  std::string folder_, name_;
+  std::vector<std::unique_ptr<Child>> children_;  // ended from the last to the first
+};
+
+}  // namespace darwinop::window

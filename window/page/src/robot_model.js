@@ -1,0 +1,90 @@
+// The robot in three dimensions, made of the shapes of the twin's body file; one that is measured, one that is commanded.
+import {
+  BoxGeometry, BufferAttribute, CapsuleGeometry, Color, CylinderGeometry, Group, Matrix4, Mesh, MeshLambertMaterial,
+  Quaternion, SphereGeometry, SRGBColorSpace, Vector3,
+} from 'three';
+import {mergeGeometries} from 'three/addons/utils/BufferGeometryUtils.js';
+
+const quaternion = ([w, x, y, z]) => new Quaternion(x, y, z, w);
+const kLieAlongZ = Math.PI / 2;  // three.js stands cylinders along y, MuJoCo along z
+
+function geometryOf({type, size}) {
+  switch (type) {
+    case 'box': return new BoxGeometry(2 * size[0], 2 * size[1], 2 * size[2]);
+    case 'sphere': return new SphereGeometry(size[0], 16, 10);
+    case 'ellipsoid': return new SphereGeometry(1, 20, 12).scale(...size);
+    case 'capsule': return new CapsuleGeometry(size[0], 2 * size[1], 5, 14).rotateX(kLieAlongZ);
+    case 'cylinder': return new CylinderGeometry(size[0], size[0], 2 * size[1], 20).rotateX(kLieAlongZ);
+    default: throw new Error(`a shape that this page cannot draw: ${type}`);
+  }
+}
+
+// All shapes of a link in one piece, each with its colour: one call to the graphics card a link.
+function pieceOf(shapes) {
+  const parts = shapes.map((shape) => {
+    const part = geometryOf(shape);
+    part.applyMatrix4(new Matrix4().compose(new Vector3(...shape.pos), quaternion(shape.quat), new Vector3(1, 1, 1)));
+    const {r, g, b} = new Color().setRGB(...shape.colour, SRGBColorSpace);
+    const colours = new Float32Array(3 * part.attributes.position.count);
+    for (let i = 0; i < colours.length; i += 3) colours.set([r, g, b], i);
+    part.setAttribute('color', new BufferAttribute(colours, 3));
+    part.deleteAttribute('uv');
+    return part;
+  });
+  return mergeGeometries(parts);
+}
+
+export class RobotModel {
+  /// body: body.json of the window's program. `material`: nothing: the shapes' own colours.
+  constructor(body, material = null) {
+    this.joints = new Map();  // name: {link, axis, zero}
+    this.links = body.links.map((link) => {
+      const group = new Group();
+      group.name = link.name;
+      group.position.set(...link.pos);
+      group.quaternion.copy(quaternion(link.quat));
+      if (link.shapes.length > 0) {
+        const mesh = new Mesh(pieceOf(link.shapes), material ?? new MeshLambertMaterial({vertexColors: true}));
+        mesh.geometry.computeBoundingBox();
+        group.add(mesh);
+      }
+      if (link.joint)
+        this.joints.set(link.joint.name, {
+          link: group, axis: new Vector3(...link.joint.axis).normalize(), zero: group.quaternion.clone(),
+          home: group.position.clone(), pivot: new Vector3(...link.joint.pos)});
+      return group;
+    });
+    body.links.forEach((link, i) => link.parent >= 0 && this.links[link.parent].add(this.links[i]));
+    this.parents = body.links.map((link) => link.parent);
+    this.joint_of = body.links.map((link) => link.joint?.name ?? null);
+    [this.trunk] = this.links;
+    this.upright = this.trunk.quaternion.clone();
+    this.turn = new Quaternion();
+  }
+
+  find(name) { return this.links.find((link) => link.name === name); }
+
+  /// Name of the joint that turns a link, or null.
+  jointOf(link) { return this.joint_of[this.links.indexOf(link)] ?? null; }
+
+  /// Angles, rad, by the joint's name; one that is not known stays where it was.
+  setJoint(name, angle) {
+    const joint = this.joints.get(name);
+    if (!joint || typeof angle !== 'number') return;
+    joint.link.quaternion.copy(joint.zero).multiply(this.turn.setFromAxisAngle(joint.axis, angle));
+    // about the pivot, which need not be the link's origin
+    if (joint.pivot.lengthSq() === 0) return;
+    joint.link.position.copy(joint.pivot).applyQuaternion(joint.zero).add(joint.home)
+      .sub(joint.pivot.clone().applyQuaternion(joint.link.quaternion));
+  }
+
+  /// Shows what hangs on a joint of `apart` (names) and nothing else. True when that is anything.
+  showOnly(apart) {
+    const shown = [];
+    this.links.forEach((link, i) => {
+      shown[i] = apart.has(this.joint_of[i]) || (this.parents[i] >= 0 && shown[this.parents[i]]);
+      for (const child of link.children) if (child.isMesh) child.visible = shown[i];
+    });
+    return shown.includes(true);
+  }
+}

@@ -1,0 +1,26 @@
+// "You are driving", so that nobody can miss it, and the stop beside it.
+import {el, setText} from './dom.js';
+
+export class SteerBar {
+  constructor(node, steering) {
+    this.steering = steering;
+    this.take = el('button', {type: 'button', id: 'take'}, 'Drive …');
+    this.stop = el('button', {type: 'button', id: 'stop'}, 'STOP');
+    this.stop.title = 'The robot holds where it is, and you no longer drive (key Escape)';
+    this.words = el('span', {role: 'status'});
+    node.append(this.words, this.take, this.stop);
+    this.take.addEventListener('click', () => steering.take());
+    this.stop.addEventListener('click', () => steering.stop());
+    document.addEventListener('keydown', (event) => event.key === 'Escape' && steering.stop());
+    steering.addEventListener('change', () => this.tell());
+    this.tell();
+  }
+
+  tell() {
+    const {drives, text} = this.steering;
+    document.body.classList.toggle('driving', drives);
+    this.take.hidden = drives;
+    this.stop.disabled = !drives;
+    setText(this.words, drives ? 'You are driving' : text);
+  }
+}

@@ -1,0 +1,56 @@
+// A slider for each servo, within its limits.
+import {degrees, el, number, setText} from './dom.js';
+
+const kLimbs = [['right_arm', 'Right arm'], ['left_arm', 'Left arm'], ['head', 'Head'], ['right_leg', 'Right leg'],
+  ['left_leg', 'Left leg']];
+
+export class SteerPane {
+  constructor(steering) {
+    this.steering = steering;
+    this.note = el('p', {className: 'note'},
+      'Press “Drive …” first. Then move a slider, or drag an arm, a leg or the head in the picture. ' +
+      'No joint turns faster than 2 rad/s, and safety judges every goal as it does a controller’s.');
+    this.node = el('div', {className: 'pane'});
+    this.rows = [];
+    steering.addEventListener('change', () => this.enable());
+  }
+
+  begin(joints) {
+    this.rows = joints.map((joint) => {
+      const slider = el('input', {type: 'range', min: degrees(joint.low).toFixed(1), max: degrees(joint.high).toFixed(1),
+        step: '0.5', id: `aim-${joint.name}`});
+      const value = el('output', {}, '—');
+      slider.addEventListener('input', () => this.aim(joint.name, (Number(slider.value) * Math.PI) / 180));
+      return {joint, slider, value, touched: 0,
+        line: el('div', {className: 'aim'}, el('label', {htmlFor: slider.id, title: joint.meaning}, joint.name), slider, value)};
+    });
+    this.node.replaceChildren(this.note, el('div', {className: 'limbs'}, ...kLimbs.map(([chain, name]) =>
+      el('fieldset', {}, el('legend', {}, name),
+        ...this.rows.filter((row) => row.joint.chain === chain).map((row) => row.line)))));
+    this.enable();
+  }
+
+  enable() {
+    for (const row of this.rows) row.slider.disabled = !this.steering.drives;
+  }
+
+  aim(name, angle) {
+    const row = this.rows.find(({joint}) => joint.name === name);
+    const within = Math.min(Math.max(angle, row.joint.low), row.joint.high);
+    row.touched = performance.now();
+    this.steering.aim(name, within);
+    return within;
+  }
+
+  restyle() {}
+  draw() {}
+
+  /// A slider that nobody holds shows where the joint is to go, or is.
+  tell({joints}) {
+    this.rows.forEach((row, i) => {
+      const is = joints.position[i], goal = joints.goal[i] ?? is;
+      setText(row.value, is === null ? '—' : `${number(degrees(is), 1)}°`);
+      if (goal !== null && performance.now() - row.touched > 700) row.slider.value = degrees(goal);
+    });
+  }
+}

@@ -1,0 +1,60 @@
+// The last minutes of every column, in memory that never grows.
+
+export const kMinutesKept = 5;
+
+export class Store {
+  constructor(columns, rows) {
+    this.columns = columns;
+    this.rows = rows;
+    this.index = new Map(columns.map((column, i) => [column.key, i]));
+    this.data = columns.map((column, i) => (i < 2 ? new Float64Array(rows) : new Float32Array(rows)));
+    this.origin = 0;   // time of the first row ever: axes count from there
+    this.written = 0;  // rows ever written; the oldest are overwritten
+  }
+
+  get count() { return Math.min(this.written, this.rows); }
+
+  add(row) {
+    if (this.written === 0) [this.origin] = row;
+    const at = this.written % this.rows;
+    for (let i = 0; i < row.length; ++i) this.data[i][at] = row[i];
+    ++this.written;
+  }
+
+  /// Row `n` of those kept, 0 the oldest.
+  at(column, n) { return this.data[column][(this.written - this.count + n) % this.rows]; }
+  get newest() { return this.count === 0 ? NaN : this.at(0, this.count - 1); }
+  get oldest() { return this.count === 0 ? NaN : this.at(0, 0); }
+
+  /// Number of the first row at or after a time.
+  find(time) {
+    let low = 0, high = this.count;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.at(0, middle) < time) low = middle + 1;
+      else high = middle;
+    }
+    return low;
+  }
+
+  /// Rows [first, last) of a column into `into`, as a curve wants them: null where nothing is known.
+  read(column, first, last, into) {
+    const data = this.data[column], rows = this.rows;
+    let at = (this.written - this.count + first) % rows;
+    into.length = last - first;
+    for (let i = 0; i < into.length; ++i) {
+      const value = data[at];
+      into[i] = Number.isNaN(value) ? null : value;
+      if (++at === rows) at = 0;
+    }
+  }
+
+  /// The same rows, which no later ones overwrite.
+  frozen() {
+    const copy = new Store(this.columns, this.rows);
+    copy.data = this.data.map((column) => column.slice());
+    copy.origin = this.origin;
+    copy.written = this.written;
+    return copy;
+  }
+}

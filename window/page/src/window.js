@@ -1,0 +1,128 @@
+// The robot window: joins the channel, the record and the panes.
+import {CameraPane} from './camera_pane.js';
+import {columnsOf, fillRow} from './columns.js';
+import {CurvesPane} from './curves_pane.js';
+import {kDark, setClass, setText} from './dom.js';
+import {FaultsPane} from './faults_pane.js';
+import {Feed} from './feed.js';
+import {LimbDrag} from './limb_drag.js';
+import {LoopPane} from './loop_pane.js';
+import {Pills} from './pills.js';
+import {RobotView} from './robot_view.js';
+import {SensorsPane} from './sensors_pane.js';
+import {ServosPane} from './servos_pane.js';
+import {SteerBar} from './steer_bar.js';
+import {Steering} from './steering.js';
+import {SteerPane} from './steer_pane.js';
+import {kMinutesKept, Store} from './store.js';
+import {Tabs} from './tabs.js';
+import {TimeBar} from './time_bar.js';
+import {Timeline} from './timeline.js';
+
+const kRate = 62.5;        // Hz, the most that a loop of 16 ms gives
+const kGap_s = 0.25;       // more than this between two states: the curve has a gap
+const kFigures_ms = 200;   // numbers that change faster cannot be read
+const by = (id) => document.getElementById(id);
+
+const channel = (name) => new URL(name, location.href.replace(/^http/, 'ws'));
+const feed = new Feed(channel('monitor'));
+const steering = new Steering(channel('steering'));
+const steer = new SteerPane(steering);
+const timeline = new Timeline();
+const pills = new Pills(by('pills'));
+const faults = new FaultsPane((count) => { pills.faults(count); tabs.count(5, count); });
+const loop = new LoopPane();
+const servos = new ServosPane(timeline);
+const panes = [
+  {name: 'Servos', pane: servos}, {name: 'All curves', pane: new CurvesPane(timeline)},
+  {name: 'Motion sensors', pane: new SensorsPane(timeline)}, {name: 'Steer', pane: steer}, {name: 'Loop', pane: loop},
+  {name: 'Faults', pane: faults}, {name: 'Camera', pane: new CameraPane(feed)},
+];
+let shown = servos, view = null, joints = [], row = null, newest = null, marks = [];
+const tabs = new Tabs(by('tabs'), by('stage'), panes, (pane) => { shown = pane; });
+new SteerBar(by('steer'), steering);
+new TimeBar(by('time'), timeline, () => `darwinop-${new Date().toISOString().slice(0, 19).replace(/[:T]/g, '-')}.csv`);
+
+feed.addEventListener('hello', ({detail}) => {
+  faults.forget();
+  setText(by('robot'), detail.robot ?? 'DARwIn-OP');
+  document.title = `${detail.robot ?? 'DARwIn-OP'}, robot window`;
+  by('robot').title = [detail.port, detail.runtime].filter(Boolean).join(', ');
+  const same = joints.length > 0 && JSON.stringify(joints) === JSON.stringify(detail.joints);
+  if (same) return;
+  joints = detail.joints;
+  begin();
+  for (const {pane} of panes) pane.begin(joints);
+});
+
+function begin() {
+  const columns = columnsOf(joints);
+  timeline.restart(new Store(columns, Math.ceil(kRate * 60 * kMinutesKept)));
+  row = new Float64Array(columns.length);
+  view?.restart();
+}
+
+feed.addEventListener('state', ({detail}) => {
+  if (joints.length === 0) return;
+  const before = timeline.live.newest;
+  if (detail.time < before) begin();  // another runtime: its clock starts anew
+  else if (detail.time - before > kGap_s) addGap(before);
+  fillRow(row, detail, joints.length);
+  timeline.live.add(row);
+  view?.take(joints, detail);
+  newest = detail;
+  const now = performance.now();
+  marks.push(now);
+  while (marks[0] < now - 1000) marks.shift();
+});
+
+function addGap(time) {
+  row.fill(NaN);
+  row[0] = time + 1e-3;
+  timeline.live.add(row);
+}
+
+feed.addEventListener('loop', ({detail}) => { loop.take(detail); pills.loop(detail); });
+feed.addEventListener('faults', ({detail}) => faults.take(detail));
+feed.addEventListener('notice', ({detail}) => faults.notice(detail));
+feed.addEventListener('gone', () => pills.nothing());
+
+// Where a joint is to be, or is.
+function goalOf(name) {
+  const i = joints.findIndex((joint) => joint.name === name);
+  return newest === null || i < 0 ? null : newest.joints.goal[i] ?? newest.joints.position[i];
+}
+
+function tell() {
+  const trouble = feed.trouble, banner = by('banner');
+  banner.hidden = trouble === null;
+  setText(banner, trouble?.text ?? '');
+  setClass(banner, trouble?.mild ? 'warn' : '');
+  document.body.classList.toggle('stale', trouble !== null);
+  if (trouble !== null && !trouble.mild) pills.nothing();
+  else if (newest) pills.state(newest, marks.length);
+  if (newest && trouble === null) for (const {pane} of panes) if (pane === shown) pane.tell(newest);
+}
+setInterval(tell, kFigures_ms);
+
+const frames = {count: 0, since: performance.now()};  // for measurements: window.darwinop.frames
+function frame() {
+  view?.draw();
+  shown.draw();
+  ++frames.count;
+  requestAnimationFrame(frame);
+}
+requestAnimationFrame(frame);
+
+kDark.addEventListener('change', () => {
+  view?.paint();
+  for (const {pane} of panes) pane.restyle();
+});
+
+fetch('body.json').then((answer) => answer.json()).then((body) => {
+  view = new RobotView(by('view'), body);
+  new LimbDrag(view, steering, goalOf, (name, angle) => steer.aim(name, angle));
+  setText(by('pose-note'), 'Place on the floor is guessed from the standing foot, lean from accelerometer and gyro.');
+}).catch((error) => setText(by('pose-note'), `No picture of the robot: ${error.message}`));
+
+window.darwinop = {frames, timeline, feed, steering, get view() { return view; }};
