@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -122,7 +123,7 @@ void overtake(Window& window, std::uint64_t sequence, const std::vector<std::uin
   const std::uint32_t turn = slot.turn.exchange(slot.turn + 1, std::memory_order_acq_rel);
   slot.sequence = sequence;
   slot.time_ns = Nanos{1h}.count();
-  std::ranges::copy(bytes, slot.bytes.begin());
+  std::memcpy(slot.bytes.data(), bytes.data(), kPictureBytes);
   slot.turn.store(turn + 2, std::memory_order_release);
   window.newest.store(1, std::memory_order_release);
 }
@@ -149,7 +150,7 @@ TEST_F(SharedPicture, IsNeverAMixture) {
     if (frame.sequence == last) continue;
     ++seen;
     last = frame.sequence;
-    whole = std::ranges::equal(frame.yuyv, pictures[last % 2]);
+    whole = std::memcmp(frame.yuyv.data(), pictures[last % 2].data(), kPictureBytes) == 0;
     EXPECT_TRUE(whole) << "picture " << last;
   }
   stop = true;
