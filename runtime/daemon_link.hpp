@@ -22,6 +22,8 @@ class DaemonLink final : public ExchangeLink {
   /// No farewell at the end: the robot holds, as after a controller that died, and the next one may come within gone_s.
   void leaveHolding() { says_farewell_ = false; }
 
+  [[nodiscard]] const RuntimeFiles& files() const { return files_; }
+
   [[nodiscard]] Nanos now() const override { return clock_.now(); }
   [[nodiscard]] bool realTime() const override { return true; }
   [[nodiscard]] bool bringsToRest() const override { return false; }

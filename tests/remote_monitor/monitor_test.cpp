@@ -271,6 +271,23 @@ TEST_F(MonitorTest, OpensTheCameraWhileSomebodyLooksAndNobodyDrives) {
   EXPECT_EQ(cameras_open_, 0) << "nobody looks any more";
 }
 
+TEST(MonitorEye, SeesWhatADriverShowsAndNeverTouchesItsCamera) {
+  int own = 0, shown = 0;
+  Eye eye{[&own] { return std::make_unique<FakePictures>(own); },
+          [&shown] { return std::make_unique<FakePictures>(shown); }};
+  const auto open = [&] { return std::pair{own, shown}; };
+  eye.look(true, true, Nanos{1h});
+  EXPECT_EQ(open(), (std::pair{1, 0}));
+  eye.look(true, false, Nanos{1h});
+  EXPECT_EQ(open(), (std::pair{0, 1})) << "at once";
+  EXPECT_TRUE(eye.shared());
+  eye.look(true, true, Nanos{1h});
+  EXPECT_EQ(open(), (std::pair{1, 0}));
+  EXPECT_FALSE(eye.shared());
+  eye.look(false, false, Nanos{1h});
+  EXPECT_EQ(open(), (std::pair{0, 0})) << "nobody looks";
+}
+
 TEST(MonitorEye, TriesAgainLaterWhenThereIsNoCamera) {
   int tries = 0;
   Eye eye{[&]() -> std::unique_ptr<remote::PictureSource> {
