@@ -29,6 +29,17 @@ void age(Freshness& freshness, std::uint64_t cycles) {
     freshness.age = static_cast<std::uint32_t>(std::min<std::uint64_t>(freshness.age + cycles, Freshness::kNever - 1));
 }
 
+/// As it is so many cycles later, when no other one came.
+void growOlder(Sensors& image, std::uint64_t cycles, Nanos period) {
+  image.cycle += cycles;
+  image.time_ns += static_cast<std::int64_t>(cycles) * period.count();
+  for (JointSensors& joint : image.joint) {
+    age(joint.motion, cycles);
+    age(joint.health, cycles);
+  }
+  age(image.board.motion, cycles);
+}
+
 }  // namespace
 
 TcpLink::TcpLink(TcpOptions options)
@@ -121,7 +132,8 @@ bool TcpLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
       reconnect();
     else if (isToAsk(cycle))
       send(cycle);
-    const Nanos until = isThere(cycle) ? image_at_ : expected(cycle) + patienceWithReply();
+    // Who asks late, after a long computation, still gets what it asked for.
+    const Nanos until = isThere(cycle) ? image_at_ : std::max(expected(cycle), sent_) + patienceWithReply();
     const Nanos left = until - clock_.now();
     if (isThere(cycle) && left <= Nanos{0})
       shown_ = image_;
@@ -184,13 +196,25 @@ void TcpLink::takeImage(const ReplyExtension& extension, bool first) {
     cycle_ahead_ = shown_.cycle + 1 - seen.cycle;
     time_ahead_ns_ = shown_.time_ns + period_.count() - seen.time_ns;
   }
-  // The clock here may be ahead of the robot's after a pause; numbers never go back.
-  seen.cycle = std::max(seen.cycle + cycle_ahead_, shown_.cycle);
-  seen.time_ns = std::max(seen.time_ns + time_ahead_ns_, shown_.time_ns);
+  seen.cycle += cycle_ahead_;
+  seen.time_ns += time_ahead_ns_;
+  if (!first) growOlder(seen, cyclesOnTheWay(seen.cycle, Nanos{std::int64_t{extension.held_us} * 1000}), period_);
+  // Numbers never go back. A loop that stood still runs no cycle twice: from now on it is so many behind.
+  if (seen.cycle < shown_.cycle) cycle_ahead_ += shown_.cycle - std::exchange(seen.cycle, shown_.cycle);
+  seen.time_ns = std::max(seen.time_ns, shown_.time_ns);
   image_ = seen;
   image_at_ = clock_.now();
   shown_ = image_;
   faults_.look(image_);
+}
+
+/// A reply that lay somewhere, as in front of a controller that was stopped, is old when it is read. What is a little
+/// late is waited for, and counts as new.
+std::uint64_t TcpLink::cyclesOnTheWay(std::uint64_t cycle, Nanos held) const {
+  if (!real_time_) return 0;
+  const Nanos now = clock_.now();
+  const Nanos on_the_way = std::min(now - expected(cycle), now - sent_ - held);
+  return on_the_way > kLateReply ? static_cast<std::uint64_t>(on_the_way / period_) : 0;
 }
 
 /// The image counts for the end of the step, where it is shown; its age is not told.
@@ -199,12 +223,8 @@ void TcpLink::takeOld(const Reply& reply, bool first) {
   if (first && !came_back_) image_at_ = now;
   const auto by_the_clock = image_.cycle + static_cast<std::uint64_t>((now - image_at_) / period_);
   const std::uint64_t cycle = std::max(stepped_to_, by_the_clock);
-  const std::uint64_t passed = cycle - image_.cycle;
-  for (JointSensors& joint : image_.joint) age(joint.motion, passed);
-  age(image_.board.motion, passed);
   image_at_ = expected(cycle);
-  image_.time_ns += static_cast<std::int64_t>(passed) * period_.count();
-  image_.cycle = cycle;
+  growOlder(image_, cycle - image_.cycle, period_);  // their health is never told
   image_.period_ns = period_.count();
   takeOldReply(reply, image_);
   if (first && !came_back_) shown_ = image_;
@@ -216,14 +236,7 @@ void TcpLink::growOld() {
   shown_ = image_;
   if (!real_time_) return;
   const Nanos gone_by = std::max(Nanos{0}, clock_.now() - image_at_);
-  const auto cycles = static_cast<std::uint64_t>(gone_by / period_);
-  shown_.cycle += cycles;
-  shown_.time_ns += static_cast<std::int64_t>(cycles) * period_.count();
-  for (JointSensors& joint : shown_.joint) {
-    age(joint.motion, cycles);
-    age(joint.health, cycles);
-  }
-  age(shown_.board.motion, cycles);
+  growOlder(shown_, static_cast<std::uint64_t>(gone_by / period_), period_);
   if (lost_) shown_.safety.state = State::kOffline;
 }
 

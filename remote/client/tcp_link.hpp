@@ -61,6 +61,7 @@ class TcpLink final : public runtime::RobotLink {
   [[nodiscard]] bool isThere(std::uint64_t cycle) const { return image_.cycle >= cycle; }
   [[nodiscard]] bool isToAsk(std::uint64_t cycle) const;
   [[nodiscard]] Nanos expected(std::uint64_t cycle) const;
+  [[nodiscard]] std::uint64_t cyclesOnTheWay(std::uint64_t cycle, Nanos held) const;
   [[nodiscard]] Nanos patienceWithReply() const;
   [[nodiscard]] bool mayGoOn(const std::atomic<bool>& stop);
   bool end(const std::string& why);
