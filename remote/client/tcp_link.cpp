@@ -114,7 +114,8 @@ void TcpLink::send(std::uint64_t cycle) {
     request.extension = {.until_cycle = greeted_ ? cycle - cycle_ahead_ : 0,
                          .fault_resets = wanted_.fault_resets,
                          .picture = pictures_.held(),
-                         .start_where_it_is = wanted_.start_where_it_is || came_back_};
+                         .start_where_it_is = wanted_.start_where_it_is || came_back_,
+                         .only_if_up = was_up_};
   if (!extended_ || !greeted_) askForAll(request);
   sent_ = clock_.now();
   exchanged_for_ = cycle;
@@ -205,6 +206,7 @@ void TcpLink::takeImage(const ReplyExtension& extension, bool first) {
   image_ = seen;
   image_at_ = clock_.now();
   shown_ = image_;
+  was_up_ = was_up_ || (image_.safety.state != State::kLimp && image_.safety.state != State::kOffline);
   faults_.look(image_);
 }
 

@@ -136,9 +136,10 @@ bool Server::answerAgain(const Request& request) {
   }
   if (!request.extended) tellDoubts(doubts);  // else its own values tell how old they are
   const bool sent = client_->reply(request, reply);
-  client_->waits.reset();
+  const bool last = request.extended && request.extension.farewell;
+  client_->waits.reset();  // and perhaps `request` with it
   if (!sent) showOut(client_->why());
-  if (sent && request.extended && request.extension.farewell) sayFarewell();
+  if (sent && last) sayFarewell();
   return sent && client_;
 }
 
@@ -152,6 +153,12 @@ bool Server::mayDrive(const Request& request) {
       robot_.begin(client_->driven ? Beginning::kAgain : Beginning::kFresh);
     } catch (const std::runtime_error& refused) {
       refuse(request, "cannot drive the robot: ", refused.what());
+      return false;
+    }
+    if (request.extended && request.extension.only_if_up && robot_.sensors().safety.state == State::kLimp) {
+      robot_.leaveAlone();
+      refuse(request, "goes on too late: ",
+             "the robot has let go meanwhile: it has sat down, or was released by hand. Start the controller again");
       return false;
     }
     listener_.close();

@@ -128,6 +128,7 @@ TEST_F(TcpLinkTest, SaysEachWishOnceAndInTheServosUnits) {
   const std::vector<Request> requests = server.requests();
   ASSERT_EQ(requests.size(), 5) << "a greeting, three steps, a farewell";
   EXPECT_TRUE(requests[0].motors.empty()) << "nothing is wanted yet";
+  EXPECT_FALSE(requests[0].extension.only_if_up) << "a controller that begins takes the robot";
   ASSERT_EQ(requests[1].motors.size(), 1);
   EXPECT_EQ(requests[1].motors[0],
             (MotorSetting{.joint = Joint::kNeck, .set = MotorSetting::kPosition, .position = 326}))
@@ -270,6 +271,7 @@ TEST_F(TcpLinkTest, TellsAServerThatComesBackAllWishesAndBeginsWhereTheRobotIs) 
   std::size_t told = 0;
   for (const Request& request : again.requests()) {
     EXPECT_TRUE(request.extension.start_where_it_is);
+    EXPECT_TRUE(request.extension.only_if_up) << "it may be in somebody's hands by now";
     told += request.motors.size();
   }
   EXPECT_EQ(told, 1) << "the new one knows nothing of it, and is told once";
