@@ -79,7 +79,7 @@ class TcpLink final : public runtime::RobotLink {
   runtime::FaultAnnouncer faults_;
 
   Commands wanted_{};
-  bool was_up_ = false;  // the robot was seen under torque
+  bool was_up_ = false;  // the robot has been seen under torque
   bool drove_ = false, lost_ = false, came_back_ = false;
   bool extended_ = true;  // the server knows the extension; believed until a reply lacks it
   bool greeted_ = false;  // this connection's first reply is there

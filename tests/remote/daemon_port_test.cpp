@@ -93,8 +93,9 @@ TEST_F(RemoteDaemonPort, AtTheEndSaysTheFarewellOfAClientThatHasLeft) {
 }
 
 TEST_F(RemoteDaemonPort, ARobotThatIsLeftAloneStaysLimp) {
+  while (seen().safety.state != State::kLimp) std::this_thread::sleep_for(2ms);
   port_.begin(Beginning::kFresh);
-  EXPECT_EQ(port_.sensors().safety.state, State::kLimp);
+  EXPECT_EQ(port_.sensors().safety.state, State::kLimp) << "this is how the server knows";
   port_.leaveAlone();
   EXPECT_TRUE(runtime::FileLock::tryTake(files_.drive_lock).has_value());
   const std::uint64_t before = seen().cycle;
