@@ -21,6 +21,18 @@ constexpr Nanos kFirstValues{2'000'000'000}, kAskAgain{4'000'000};
 // Our own clients wait here for a cycle of the robot: at most so long, a step of theirs being 200 ms or a part of it.
 constexpr Nanos kForACycle{300'000'000}, kLookForACycle{1'000'000};
 
+/// Why a robot is no longer that of a controller that had it under torque; empty: it is. A new driver would wake it,
+/// and clear its faults unseen.
+std::string whatCameBetween(const SafetyReport& report) {
+  if (report.controller_must_end) {
+    const FaultRow& fault = row(report.worst);
+    return "meanwhile " + std::string{fault.meaning} + "; " + std::string{fault.remedy};
+  }
+  if (report.state == State::kLimp)
+    return "the robot has let go meanwhile: it has sat down, or was released by hand. Start the controller again";
+  return {};
+}
+
 }  // namespace
 
 Server::Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_pictures, Clock clock,
@@ -155,10 +167,11 @@ bool Server::mayDrive(const Request& request) {
       refuse(request, "cannot drive the robot: ", refused.what());
       return false;
     }
-    if (request.extended && request.extension.only_if_up && robot_.sensors().safety.state == State::kLimp) {
+    const std::string came =
+        request.extended && request.extension.only_if_up ? whatCameBetween(robot_.sensors().safety) : std::string{};
+    if (!came.empty()) {
       robot_.leaveAlone();
-      refuse(request, "goes on too late: ",
-             "the robot has let go meanwhile: it has sat down, or was released by hand. Start the controller again");
+      refuse(request, "goes on too late: ", came);
       return false;
     }
     listener_.close();

@@ -158,6 +158,13 @@ TEST(RemoteExtension, ARobotThatHasLetGoIsNotTakenByWhoComesBack) {
   EXPECT_THAT(served.robot.events, ElementsAre("fresh", "hold", "again", "hold", "again", "left alone"));
   ExtendedClient back{served};
   EXPECT_THAT(back.ask(goes_on)->extension->why_ended, HasSubstr("let go meanwhile"));
+  SafetyReport& safety = served.robot.seen.safety;
+  safety.state = State::kKneeling;
+  safety.worst = Fault::kServoOverload;
+  safety.controller_must_end = true;
+  ExtendedClient overloaded{served};
+  EXPECT_THAT(overloaded.ask(goes_on)->extension->why_ended, HasSubstr("shut itself off"))
+      << "a new driver would clear it";
   ExtendedClient next{served};
   EXPECT_TRUE(next.ask(extendedRequest())->extension->why_ended.empty()) << "a controller that begins takes it";
 }
