@@ -119,6 +119,7 @@ TcpLink::~TcpLink() {
   if (connection_.state() != Connection::State::kOpen || connection_.awaitsReply()) return;
   Request farewell;
   farewell.extended = farewell.extension.farewell = true;
+  farewell.extension.only_if_up = true;  // said long after the last step, it wakes no robot that sits
   connection_.send(farewell);
   settle();
 }

@@ -136,6 +136,7 @@ TEST_F(TcpLinkTest, SaysEachWishOnceAndInTheServosUnits) {
   EXPECT_EQ(requests[1].leds.size(), 1);
   EXPECT_TRUE(requests[2].motors.empty() && requests[2].leds.empty());
   EXPECT_TRUE(requests[4].extension.farewell);
+  EXPECT_TRUE(requests[4].extension.only_if_up) << "it wakes nobody";
 }
 
 TEST_F(TcpLinkTest, AnOldServerIsUnderstoodWhatItCannotTellIsAbsent) {
