@@ -10,12 +10,12 @@ namespace {
 
 /// Why a robot is no longer that of a controller that had it under torque; empty: it is. A new driver would wake it,
 /// and clear its faults unseen.
-std::string whatCameBetween(const SafetyReport& report) {
+std::string whatCameBetween(const SafetyReport& report, bool only_if_up) {
   if (report.controller_must_end) {
     const FaultRow& fault = row(report.worst);
     return "meanwhile " + std::string{fault.meaning} + "; " + std::string{fault.remedy};
   }
-  if (report.state == State::kLimp)
+  if (only_if_up && report.state == State::kLimp)
     return "the robot has let go meanwhile: it has sat down, or was released by hand. Start the controller again";
   return {};
 }
@@ -30,8 +30,9 @@ bool Server::mayDrive(const Request& request) {
       refuse(request, "cannot drive the robot: ", refused.what());
       return false;
     }
+    const bool only_if_up = request.extended && request.extension.only_if_up;
     const std::string came =
-        request.extended && request.extension.only_if_up ? whatCameBetween(robot_.sensors().safety) : std::string{};
+        only_if_up || client_->driven ? whatCameBetween(robot_.sensors().safety, only_if_up) : std::string{};
     if (!came.empty()) {
       robot_.leaveAlone();
       refuse(request, "goes on too late: ", came);

@@ -169,6 +169,20 @@ TEST(RemoteExtension, ARobotThatHasLetGoIsNotTakenByWhoComesBack) {
   EXPECT_TRUE(next.ask(extendedRequest())->extension->why_ended.empty()) << "a controller that begins takes it";
 }
 
+TEST(RemoteExtension, AnOldClientThatPausedDoesNotClearTheFaultThatEndedIt) {
+  Served served;
+  TestClient paused{served};
+  (void)paused.ask("57 04 00 00");
+  served.pass(600ms);
+  served.robot.seen.safety.state = State::kLimp;  // it sat down: a simulation that was paused goes on
+  EXPECT_NE(paused.ask("57 04 00 00"), "");
+  served.pass(600ms);
+  served.robot.seen.safety.worst = Fault::kReleasedByButton;
+  served.robot.seen.safety.controller_must_end = true;
+  EXPECT_EQ(paused.ask("57 04 00 00"), "");
+  EXPECT_TRUE(served.hasSaid("MODE button"));
+}
+
 TEST(RemoteExtension, AFarewellIsNoHold) {
   Served served;
   ExtendedClient client{served};
