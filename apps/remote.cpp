@@ -128,7 +128,7 @@ int main(int count, char** arguments) try {
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
       "Example, without a robot:\n  darwinop remote --robot virtual\n"
-      "On a robot, for a simulator on a PC of its network (docs/remote.md):\n"
+      "On a robot, for a simulator on a PC of its network (docs/remote-webots.md):\n"
       "  darwinop remote --listen 0.0.0.0 --allow 192.168.123.0/24");
   CLI11_PARSE(app, count, arguments);
   return serveRemote(given);
