@@ -69,7 +69,9 @@ std::string LinkSpeed::sentence(const Exchange& last) const {
         plain_ms_ + for_picture * bytesOf(size, *last.size, picture_bytes_) / std::max(1.0, picture_bytes_);
     if (would_take > step) continue;
     const std::string zooms = formatted("%d %d", kWholeImage.width / size.width, kWholeImage.height / size.height);
-    return text + ". The middle " + pixels(size) + " would fit: start the server with darwinop remote " + zooms;
+    return text.append(". The middle ")
+        .append(pixels(size))
+        .append(" would fit: start the server with darwinop remote " + zooms);
   }
   return text + "; no size would fit. Use a cable, a longer step, or a longer sampling period of the camera";
 }

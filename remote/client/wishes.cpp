@@ -80,16 +80,16 @@ void Wishes::add(const Commands& wanted, Request& request) {
 }
 
 void Wishes::addLeds(const LedCommand& wanted, Request& request) {
-  const auto isNews = [&](LedCommand::Bit bit, auto field) {
+  const auto is_news = [&](LedCommand::Bit bit, auto field) {
     if (!wanted.has(bit) || (led_.has(bit) && led_.*field == wanted.*field)) return false;
     led_.*field = wanted.*field;
     led_.set |= bit;
     return true;
   };
   const auto colour = [&](Led led, int value) { (void)request.leds.add({led, static_cast<std::uint32_t>(value)}); };
-  if (isNews(LedCommand::kEye, &LedCommand::eye)) colour(Led::kEye, wideColour(wanted.eye));
-  if (isNews(LedCommand::kHead, &LedCommand::head)) colour(Led::kHead, wideColour(wanted.head));
-  if (!isNews(LedCommand::kPanel, &LedCommand::panel)) return;
+  if (is_news(LedCommand::kEye, &LedCommand::eye)) colour(Led::kEye, wideColour(wanted.eye));
+  if (is_news(LedCommand::kHead, &LedCommand::head)) colour(Led::kHead, wideColour(wanted.head));
+  if (!is_news(LedCommand::kPanel, &LedCommand::panel)) return;
   colour(Led::kBackRed, (wanted.panel & 1) != 0 ? 1 : 0);
   colour(Led::kBackGreen, (wanted.panel & 4) != 0 ? 1 : 0);
   colour(Led::kBackBlue, (wanted.panel & 2) != 0 ? 1 : 0);
