@@ -1,46 +1,18 @@
-// The one file here that knows how JSON is made.
+// What observers are told, but for the two longest texts.
 #include "remote/monitor/messages.hpp"
 
-#include <cmath>
-#include <cstring>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
-#include "remote/jpeg/image_size.hpp"
+#include "remote/monitor/json.hpp"
 #include "runtime/report.hpp"
-#include "runtime/version.hpp"
 #include "webots/counts.hpp"
 
 namespace darwinop::monitor {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double kHealthStale = 3;  // s; every servo is looked at within one
-constexpr std::array kChains{"right_arm", "left_arm", "head", "right_leg", "left_leg"};
-constexpr std::array kReactions{"report", "slow", "hold", "kneel", "limp", "stop_sending"};
-constexpr std::array<std::uint32_t, 10> kEdges{10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000};  // us
-
-std::string written(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);  // names come from memory that others write
-}
-
-/// Five digits behind the point: finer than any count of the robot.
-Json figure(double value, double digits = 1e5) {
-  if (!std::isfinite(value)) return nullptr;
-  const double rounded = std::round(value * digits) / digits;
-  constexpr double kExact = 9e15;  // doubles count by ones up to here
-  if (std::abs(rounded) < kExact && rounded == std::trunc(rounded))
-    return static_cast<std::int64_t>(rounded);  // 0, not -0.0
-  return rounded;
-}
-
-template <std::size_t N>
-Json textOfArray(const char (&text)[N]) {
-  return std::string{text, strnlen(text, N)};
-}
 
 Json ageOf(Freshness freshness) {
   return freshness.ever() ? Json(freshness.age) : Json(nullptr);
@@ -129,73 +101,6 @@ Json boardOf(const BoardSensors& board) {
   return text;
 }
 
-Json jointTable() {
-  Json joints = Json::array();
-  for (const JointRow& row : kJointTable)
-    joints.push_back({{"id", row.id},
-                      {"name", row.name},
-                      {"sensor", std::string{row.name} + "S"},
-                      {"meaning", row.anatomical},
-                      {"chain", kChains[static_cast<std::size_t>(row.chain)]},
-                      {"low", figure(radFromTicks(row.low).value)},
-                      {"high", figure(radFromTicks(row.high).value)},
-                      {"start", figure(radFromTicks(row.start).value)}});
-  return joints;
-}
-
-Json faultTable() {
-  Json faults = Json::array();
-  for (const FaultRow& row : kFaultTable)
-    faults.push_back({{"code", static_cast<int>(row.fault)},
-                      {"name", row.name},
-                      {"meaning", row.meaning},
-                      {"remedy", row.remedy},
-                      {"reaction", kReactions[static_cast<std::size_t>(row.reaction)]},
-                      {"latched", row.latched}});
-  return faults;
-}
-
-Json deviceTable() {
-  Json devices = Json::array();
-  devices.push_back({{"name", "Accelerometer"}, {"type", "accelerometer"}, {"unit", "m/s2"}});
-  devices.push_back({{"name", "Gyro"}, {"type", "gyro"}, {"unit", "rad/s"}});
-  devices.push_back({{"name", "Camera"},
-                     {"type", "camera"},
-                     {"width", remote::kWholeImage.width},
-                     {"height", remote::kWholeImage.height}});
-  for (const char* led : {"HeadLed", "EyeLed", "BackLedRed", "BackLedGreen", "BackLedBlue"})
-    devices.push_back({{"name", led}, {"type", "led"}});
-  return devices;
-}
-
-std::uint32_t countBetween(const runtime::HistogramView& view, std::uint32_t low, std::uint32_t high) {
-  std::uint32_t sum = 0;
-  for (std::size_t bin = 0; bin < runtime::Bins::kCount; ++bin)
-    if (runtime::Bins::low(bin) >= low && runtime::Bins::low(bin) < high) sum += view.count[bin];
-  return sum;
-}
-
-Json histogramOf(const runtime::HistogramView& view) {
-  Json counts = Json::array();
-  std::uint32_t low = 0;
-  for (const std::uint32_t edge : kEdges) counts.push_back(countBetween(view, std::exchange(low, edge), edge));
-  counts.push_back(countBetween(view, low, UINT32_MAX));
-  return {{"edges_us", kEdges}, {"counts", std::move(counts)}};
-}
-
-Json spread(const runtime::HistogramView& view, double unit) {
-  return {{"p50", figure(view.percentile(0.5) * unit)},
-          {"p99", figure(view.percentile(0.99) * unit)},
-          {"max", figure(view.max() * unit)}};
-}
-
-Json driverOf(pid_t pid) {
-  if (pid == 0) return nullptr;
-  Json driver;
-  driver["pid"] = pid > 0 ? Json(pid) : Json(nullptr);
-  return driver;
-}
-
 /// Empty: understood.
 std::string take(const Json& asked, const char* name, double most, double& into) {
   const auto found = asked.find(name);
@@ -219,28 +124,6 @@ std::optional<Wishes> readWishes(std::string_view text, const Wishes& before, st
   return why.empty() ? std::optional{wishes} : std::nullopt;
 }
 
-std::string helloText(const runtime::LoopInfo* info, const Wishes& wishes) {
-  Json text;
-  text["type"] = "hello";
-  text["protocol"] = 1;
-  text["runtime"] = runtime::version();
-  text["robot"] = info != nullptr ? textOfArray(info->robot) : nullptr;
-  text["port"] = info != nullptr ? textOfArray(info->port) : nullptr;
-  text["period"] = info != nullptr ? figure(static_cast<double>(info->period_ns) * 1e-9, 1e9) : nullptr;
-  text["rate"] = figure(wishes.rate);
-  text["camera"] = figure(wishes.camera);
-  text["most"] = {{"rate", kMostRate}, {"camera", kMostPictures}};
-  text["joints"] = jointTable();
-  text["devices"] = deviceTable();
-  text["signs"] = {"a positive angle or speed turns the servo's horn counter-clockwise",
-                   "left and right partners are mounted mirrored: the mirrored angle has the other sign",
-                   "a positive load pushes counter-clockwise",
-                   "upright and at rest the accelerometer reads 0, 0, +9.8 m/s2"};
-  text["faults"] = faultTable();
-  text["limits"] = kLimitNames;
-  return written(text);
-}
-
 std::string stateText(const Sensors& seen) {
   const auto state = static_cast<std::size_t>(seen.safety.state);
   Json text;
@@ -250,42 +133,6 @@ std::string stateText(const Sensors& seen) {
   text["state"] = state < kStates ? Json(kStateNames[state]) : Json(nullptr);
   text["joints"] = jointsOf(seen);
   text["board"] = boardOf(seen.board);
-  return written(text);
-}
-
-std::string loopText(const LoopFigures& figures, const Sensors& seen) {
-  const runtime::StatsView &all = figures.all, &recent = figures.recent;
-  constexpr double kMs = 1e-3;
-  Json text;
-  text["type"] = "loop";
-  text["cycles"] = all.cycles;
-  text["overruns"] = all.overruns;
-  text["skipped"] = all.skipped;
-  text["retries"] = all.retries;
-  text["incomplete"] = all.incomplete;
-  text["late_replies"] = all.late_replies;
-  text["reconnects"] = all.reconnects;
-  text["bad_checksums"] = seen.link.bad_checksums;
-  text["garbage_bytes"] = seen.link.garbage_bytes;
-  text["recent"] = {{"seconds", figure(figures.seconds, 1e3)},
-                    {"cycles", recent.cycles},
-                    {"overruns", recent.overruns},
-                    {"skipped", recent.skipped},
-                    {"retries", recent.retries},
-                    {"incomplete", recent.incomplete},
-                    {"wake_us", spread(recent.wake, 1)}};
-  text["wake_us"] = spread(all.wake, 1);
-  text["bus_ms"] = spread(all.bus, kMs);
-  text["wire_ms"] = {{"p50", figure(all.wire.percentile(0.5) * kMs)}};
-  text["slack_ms"] = {{"p1", figure(all.slack.percentile(0.01) * kMs)},
-                      {"p50", figure(all.slack.percentile(0.5) * kMs)}};
-  text["wake_histogram"] = histogramOf(all.wake);
-  text["stale"] = runtime::staleDevices(seen);
-  Json& hits = text["limit_hits"];
-  for (std::size_t i = 0; i < kLimits; ++i) hits[std::string{kLimitNames[i]}] = seen.safety.limit_hits[i];
-  text["driver"] = driverOf(figures.driver);
-  text["session"] = figures.session;
-  text["lost"] = figures.lost;
   return written(text);
 }
 
