@@ -1,7 +1,11 @@
 // Ctrl-C, SIGTERM and SIGHUP as a flag, so that a controller can end tidily; SIGPIPE without effect.
 #include "webots/stop_signals.hpp"
 
+#include <array>
+#include <cerrno>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 
 namespace darwinop::facade {
 
@@ -9,7 +13,35 @@ namespace {
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
-void onSignal(int) {
+/// What was sent to a whole process group reaches a controller twice: by itself, and handed on by who started it.
+/// Nobody presses Ctrl-C a second time as fast as that.
+constexpr std::uint32_t kOneWishMs = 300;
+
+/// When each signal came first, CLOCK_MONOTONIC in ms, and never 0.
+std::array<std::atomic<std::uint32_t>, NSIG> came_ms{};
+static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "a signal handler sets it");
+
+std::uint32_t nowMs() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (static_cast<std::uint32_t>(now.tv_sec) * 1000 + static_cast<std::uint32_t>(now.tv_nsec / 1'000'000)) | 1;
+}
+
+void onSignal(int signal) {
+  const int error = errno;
+  stop_requested.store(true);
+  const std::uint32_t now_ms = nowMs();
+  std::uint32_t first_ms = 0;
+  if (!came_ms.at(static_cast<std::size_t>(signal)).compare_exchange_strong(first_ms, now_ms) &&
+      now_ms - first_ms > kOneWishMs) {
+    std::signal(signal, SIG_DFL);
+    raise(signal);  // comes when this handler is done
+  }
+  errno = error;
+}
+
+/// A terminal that goes away says so more than once.
+void onHangUp(int) {
   stop_requested.store(true);
 }
 
@@ -36,10 +68,11 @@ const std::atomic<bool>& stopRequested() {
 
 void installStopSignals() {
   stop_requested = false;
-  for (const int signal : {SIGINT, SIGTERM})
-    if (!has(signal, SIG_IGN)) handle(signal, onSignal, static_cast<int>(SA_RESETHAND));
-  // A terminal that goes away says so twice, through the kernel and the shell; that is not a user who insists.
-  if (!has(SIGHUP, SIG_IGN)) handle(SIGHUP, onSignal, 0);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    came_ms.at(static_cast<std::size_t>(signal)) = 0;
+    if (!has(signal, SIG_IGN)) handle(signal, onSignal, 0);
+  }
+  if (!has(SIGHUP, SIG_IGN)) handle(SIGHUP, onHangUp, 0);
   if (has(SIGPIPE, SIG_DFL)) handle(SIGPIPE, onBrokenPipe, SA_RESTART);
 }
 

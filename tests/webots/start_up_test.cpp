@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
@@ -94,14 +95,30 @@ TEST_F(StartUp, ConfigIniBesideTheProgramIsRead) {
   EXPECT_EQ(request_seen.safety.stall_ms, 250);
 }
 
-TEST_F(StartUp, CtrlCMakesStepReturnMinusOneAndRestoresTheDefault) {
+TEST_F(StartUp, CtrlCMakesStepReturnMinusOne) {
   webots::Robot robot;
   EXPECT_EQ(robot.step(16), 0);
   fake_.signal_during_wait = SIGINT;
   EXPECT_EQ(robot.step(16), -1);
-  struct sigaction now {};
-  sigaction(SIGINT, nullptr, &now);
-  EXPECT_EQ(now.sa_handler, SIG_DFL);
+}
+
+// Sent to a process group, a signal comes by itself and once more from who started the controller.
+TEST_F(StartUp, ASignalThatComesTwiceAtOnceIsOneWish) {
+  webots::Robot robot;
+  std::raise(SIGINT);
+  std::raise(SIGINT);
+  EXPECT_EQ(robot.step(16), -1);
+}
+
+TEST_F(StartUp, ASecondCtrlCEndsTheController) {
+  webots::Robot robot;
+  std::raise(SIGINT);
+  EXPECT_EXIT(
+      {
+        std::this_thread::sleep_for(std::chrono::milliseconds{350});
+        std::raise(SIGINT);
+      },
+      testing::KilledBySignal(SIGINT), "");
 }
 
 TEST_F(StartUp, SigtermMakesStepReturnMinusOne) {
