@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "link/setting.hpp"
+#include "remote/client/resolve.hpp"
 #include "remote/monitor/messages.hpp"
 #include "remote/monitor/monitor.hpp"
 #include "remote/robot/link_port.hpp"
@@ -19,6 +21,7 @@
 #include "runtime/daemon_link.hpp"
 #include "window/assets.hpp"
 #include "window/body_json.hpp"
+#include "window/bridge.hpp"
 #include "window/driver.hpp"
 #include "window/own_robot.hpp"
 #include "window/secret.hpp"
@@ -30,10 +33,11 @@ using namespace darwinop;
 std::atomic<bool> window_stop{false};
 
 constexpr Nanos kDrivingPause{10'000'000};  // more often than a cycle: a driver must not seem to stall
-constexpr bool kStartWhereItIs = true;      // who drags an arm does not want the robot to kneel first
+constexpr std::uint16_t kMonitorPort = 5024;
+constexpr bool kStartWhereItIs = true;  // who drags an arm does not want the robot to kneel first
 
 struct WindowArguments {
-  std::string robot = "twin", model = "darwin-op", name;
+  std::string robot = "twin", model = "darwin-op", name, monitor;
   std::vector<std::string> controller;
   std::uint16_t port = 0;
 };
@@ -49,28 +53,77 @@ void stopWindowOnSignals() {
   signal(SIGPIPE, SIG_IGN);
 }
 
-/// Nothing: the robot of a runtime that runs here.
+/// "tcp://…": the robot is on another computer.
+bool isElsewhere(const WindowArguments& given) {
+  return given.robot.starts_with("tcp://") || !given.monitor.empty();
+}
+
+/// Nothing: the robot of a runtime that runs here or elsewhere.
 std::unique_ptr<window::OwnRobot> ownRobot(const WindowArguments& given) {
-  if (given.robot == "runtime") {
+  if (given.robot == "runtime" || isElsewhere(given)) {
     if (!given.controller.empty())
       throw std::runtime_error(
-          "with --robot runtime the window only looks on; start the controller with: darwinop run");
+          "beside a robot that is not the window's own it starts no controller; start it with: darwinop run");
     return nullptr;
   }
   if (given.robot == "virtual") return std::make_unique<window::OwnRobot>("plain", given.controller);
   if (given.robot == "twin" || given.robot.starts_with("twin:"))
     return std::make_unique<window::OwnRobot>(given.robot, given.controller);
-  throw std::runtime_error("--robot " + given.robot + ": it can be twin, twin:MODEL, virtual or runtime");
+  throw std::runtime_error("--robot " + given.robot + ": it can be twin, twin:MODEL, virtual, runtime or tcp://HOST");
+}
+
+/// Where the robot's monitor is: beside its server unless --monitor says otherwise.
+link::Address monitorOf(const WindowArguments& given) {
+  link::Address monitor;
+  monitor.port = kMonitorPort;
+  if (given.monitor.empty()) {
+    monitor.host = link::readSetting(given.robot).server.host;
+  } else {
+    monitor = link::readSetting("tcp://" + given.monitor).server;
+    if (given.monitor.find(':') == std::string::npos) monitor.port = kMonitorPort;
+  }
+  return monitor;
+}
+
+/// What the page sees: shared memory of a runtime here, or the monitor of a robot elsewhere.
+class Sight {
+ public:
+  Sight(const WindowArguments& given, const runtime::RuntimeFiles& files) {
+    if (!isElsewhere(given)) {
+      here_ = std::make_unique<monitor::Monitor>(
+          files, [] { return runtime::MonotonicClock{}.now(); }, nullptr);
+      return;
+    }
+    const link::Address at = monitorOf(given);
+    elsewhere_ = std::make_unique<window::Bridge>(remote::addressesOf(at.host).front(), at.port,
+                                                  at.host + ":" + std::to_string(at.port));
+  }
+
+  web::ChannelUser& user() { return here_ ? static_cast<web::ChannelUser&>(*here_) : *elsewhere_; }
+  void look() { here_ ? here_->look() : elsewhere_->look(); }
+  [[nodiscard]] Nanos pause() const { return here_ ? here_->pause() : elsewhere_->pause(); }
+  void notice(const std::string& text) {
+    if (here_) here_->notice(text);
+  }
+
+ private:
+  std::unique_ptr<monitor::Monitor> here_;
+  std::unique_ptr<window::Bridge> elsewhere_;
+};
+
+/// Throws std::runtime_error where the window only looks on.
+std::unique_ptr<runtime::RobotLink> linkToDrive(const WindowArguments& given, const runtime::RuntimeFiles& files) {
+  if (isElsewhere(given)) throw std::runtime_error("this window only looks on: the robot is elsewhere");
+  return std::make_unique<runtime::DaemonLink>(files);
 }
 
 /// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
-std::string serveWindow(web::Server& server, const std::string& model, monitor::Monitor& monitor,
-                        window::Driver& driver) {
+std::string serveWindow(web::Server& server, const std::string& model, Sight& sight, window::Driver& driver) {
   const std::string base = "/" + window::newSecret() + "/";
   for (const window::Asset& asset : window::assets())
     server.serve(base + std::string{asset.name}, {std::string{asset.type}, std::string{asset.body}});
   server.serve(base + "body.json", {"application/json", window::bodyJson(model)});
-  server.channel(base + "monitor", monitor::kSubprotocol, monitor);
+  server.channel(base + "monitor", monitor::kSubprotocol, sight.user());
   server.channel(base + "steering", window::kSteeringProtocol, driver);
   return "http://127.0.0.1:" + std::to_string(server.port()) + base;
 }
@@ -79,26 +132,25 @@ int showWindow(const WindowArguments& given) {
   stopWindowOnSignals();
   const std::unique_ptr<window::OwnRobot> own = ownRobot(given);
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
-  monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); }, nullptr};
-  remote::LinkPort port{remote::LinkPort::Home::kDaemon, [&] { return std::make_unique<runtime::DaemonLink>(files); },
-                        kStartWhereItIs};
+  Sight sight{given, files};
+  remote::LinkPort port{remote::LinkPort::Home::kDaemon, [&] { return linkToDrive(given, files); }, kStartWhereItIs};
   window::Driver driver{port, [] { return runtime::MonotonicClock{}.now(); }};
   web::ServerConfig config;
   config.port = given.port;
   config.entry.own_origin = true;
   web::Server server{config, sayWindow};
-  const std::string address = serveWindow(server, given.model, monitor, driver);
+  const std::string address = serveWindow(server, given.model, sight, driver);
   std::cout << "open in a browser: " << address << '\n';
   if (own)
     std::cout << "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" << own->name()
               << '\n';
   std::cout << "end with Ctrl+C" << std::endl;
   while (!window_stop) {
-    server.attend(driver.drives() ? std::min(monitor.pause(), kDrivingPause) : monitor.pause());
-    monitor.look();
+    server.attend(driver.drives() ? std::min(sight.pause(), kDrivingPause) : sight.pause());
+    sight.look();
     driver.turn();
     if (const std::string news = own ? own->news() : ""; !news.empty()) {
-      monitor.notice(news);
+      sight.notice(news);
       sayWindow(news);
     }
   }
@@ -111,9 +163,12 @@ int main(int count, char** arguments) try {
   WindowArguments given;
   CLI::App app{"The robot in a browser: how it stands, curves of its sensors and servos, its loop, its faults.",
                "darwinop window"};
-  app.add_option("--robot", given.robot,
-                 "twin, twin:MODEL or virtual: a robot of its own; runtime: the one that runs here")
+  app.add_option(
+         "--robot", given.robot,
+         "twin, twin:MODEL or virtual: a robot of its own; runtime: the one that runs here; tcp://HOST: over the "
+         "network")
       ->capture_default_str();
+  app.add_option("--monitor", given.monitor, "HOST[:PORT] of a darwinop monitor; --robot tcp://HOST: HOST:5024");
   app.add_option("--model", given.model, "model of the twin that gives the picture its shape")->capture_default_str();
   app.add_option("--name", given.name, "name of the runtime, when several run")->envname("DARWINOP_RUNTIME_NAME");
   app.add_option("--port", given.port, "TCP port on this computer; 0: any that is free")->capture_default_str();
