@@ -4,18 +4,23 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "link/setting.hpp"
+#include "managers/own_pages/own_pages.hpp"
 #include "remote/client/resolve.hpp"
+#include "remote/client/tcp_link.hpp"
 #include "remote/monitor/messages.hpp"
 #include "remote/monitor/monitor.hpp"
-#include "remote/robot/link_port.hpp"
 #include "remote/web/server.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/daemon_link.hpp"
@@ -24,7 +29,9 @@
 #include "window/bridge.hpp"
 #include "window/driver.hpp"
 #include "window/own_robot.hpp"
+#include "window/pages_json.hpp"
 #include "window/secret.hpp"
+#include "window/steersman.hpp"
 
 namespace {
 
@@ -33,11 +40,11 @@ using namespace darwinop;
 std::atomic<bool> window_stop{false};
 
 constexpr Nanos kDrivingPause{10'000'000};  // more often than a cycle: a driver must not seem to stall
+constexpr Nanos kServerPatience{3'000'000'000};
 constexpr std::uint16_t kMonitorPort = 5024;
-constexpr bool kStartWhereItIs = true;  // who drags an arm does not want the robot to kneel first
 
 struct WindowArguments {
-  std::string robot = "twin", model = "darwin-op", name, monitor;
+  std::string robot = "twin", model = "darwin-op", name, monitor, report;
   std::vector<std::string> controller;
   std::uint16_t port = 0;
 };
@@ -113,16 +120,50 @@ class Sight {
 
 /// Throws std::runtime_error where the window only looks on.
 std::unique_ptr<runtime::RobotLink> linkToDrive(const WindowArguments& given, const runtime::RuntimeFiles& files) {
-  if (isElsewhere(given)) throw std::runtime_error("this window only looks on: the robot is elsewhere");
+  if (given.robot.starts_with("tcp://")) {
+    const link::Address at = link::readSetting(given.robot).server;
+    remote::TcpOptions options;
+    options.host = at.host;
+    options.port = at.port;
+    options.first_patience = kServerPatience;
+    options.say = sayWindow;
+    return std::make_unique<remote::TcpLink>(std::move(options));
+  }
+  if (isElsewhere(given))
+    throw std::runtime_error("this window only looks on; to drive, start it with --robot tcp://HOST");
   return std::make_unique<runtime::DaemonLink>(files);
 }
 
+/// A report of darwinop gap, as a page that may run what it brings along and reach nothing else, this window included.
+void serveReport(web::Server& server, const std::string& base, const std::string& file) {
+  constexpr std::uintmax_t kLongestReport = std::uintmax_t{64} * 1024 * 1024;
+  nlohmann::json about{{"name", nullptr}};
+  if (!file.empty()) {
+    std::ifstream in{file, std::ios::binary};
+    std::error_code unknown;
+    if (!in || std::filesystem::file_size(file, unknown) > kLongestReport || unknown)
+      throw std::runtime_error("--report " + file +
+                               ": no file that can be read, or more than 64 MB; darwinop gap writes one");
+    std::ostringstream text;
+    text << in.rdbuf();
+    about["name"] = std::filesystem::path{file}.filename().string();
+    server.serve(base + "report.html",
+                 {"text/html; charset=utf-8", text.str(),
+                  "sandbox allow-scripts; default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
+                  "img-src data:"});
+  }
+  const auto replace = nlohmann::json::error_handler_t::replace;
+  server.serve(base + "report.json", {"application/json", about.dump(-1, ' ', false, replace)});
+}
+
 /// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
-std::string serveWindow(web::Server& server, const std::string& model, Sight& sight, window::Driver& driver) {
+std::string serveWindow(web::Server& server, const WindowArguments& given, Sight& sight, window::Driver& driver) {
   const std::string base = "/" + window::newSecret() + "/";
   for (const window::Asset& asset : window::assets())
     server.serve(base + std::string{asset.name}, {std::string{asset.type}, std::string{asset.body}});
-  server.serve(base + "body.json", {"application/json", window::bodyJson(model)});
+  server.serve(base + "body.json", {"application/json", window::bodyJson(given.model)});
+  serveReport(server, base, given.report);
+  server.serve(base + "pages.json", {"application/json", window::pagesJson(motion::ownPages())});
   server.channel(base + "monitor", monitor::kSubprotocol, sight.user());
   server.channel(base + "steering", window::kSteeringProtocol, driver);
   return "http://127.0.0.1:" + std::to_string(server.port()) + base;
@@ -133,13 +174,13 @@ int showWindow(const WindowArguments& given) {
   const std::unique_ptr<window::OwnRobot> own = ownRobot(given);
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
   Sight sight{given, files};
-  remote::LinkPort port{remote::LinkPort::Home::kDaemon, [&] { return linkToDrive(given, files); }, kStartWhereItIs};
-  window::Driver driver{port, [] { return runtime::MonotonicClock{}.now(); }};
+  window::Steersman steersman{[&] { return linkToDrive(given, files); }, motion::ownPages()};
+  window::Driver driver{steersman, [] { return runtime::MonotonicClock{}.now(); }};
   web::ServerConfig config;
   config.port = given.port;
   config.entry.own_origin = true;
   web::Server server{config, sayWindow};
-  const std::string address = serveWindow(server, given.model, sight, driver);
+  const std::string address = serveWindow(server, given, sight, driver);
   std::cout << "open in a browser: " << address << '\n';
   if (own)
     std::cout << "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" << own->name()
@@ -169,6 +210,7 @@ int main(int count, char** arguments) try {
          "network")
       ->capture_default_str();
   app.add_option("--monitor", given.monitor, "HOST[:PORT] of a darwinop monitor; --robot tcp://HOST: HOST:5024");
+  app.add_option("--report", given.report, "report of darwinop gap that the page links to");
   app.add_option("--model", given.model, "model of the twin that gives the picture its shape")->capture_default_str();
   app.add_option("--name", given.name, "name of the runtime, when several run")->envname("DARWINOP_RUNTIME_NAME");
   app.add_option("--port", given.port, "TCP port on this computer; 0: any that is free")->capture_default_str();

@@ -5,7 +5,7 @@ import {createServer} from 'node:http';
 import {after, before, test} from 'node:test';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
-const kTabs = 7;
+const kTabs = 8;
 let browser, shown;
 
 before(async () => {
