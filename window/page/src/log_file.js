@@ -56,6 +56,7 @@ function numberOf(field) {
   return Number.isFinite(value) ? value : null;
 }
 
+// What has no end of line was torn off with the program that wrote it.
 async function* linesOf(file) {
   const decoder = new TextDecoder();
   let rest = '';
@@ -65,7 +66,6 @@ async function* linesOf(file) {
     if (rest.length > kLongestLine) throw new Error(`${file.name} is no recording: its lines do not end`);
     for (const line of lines) yield line.endsWith('\r') ? line.slice(0, -1) : line;
   }
-  if (rest !== '') yield rest;
 }
 
 async function* piecesOf(file) {

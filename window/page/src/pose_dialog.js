@@ -8,7 +8,7 @@ export class PoseDialog {
   constructor(look, go) {
     this.look = look;
     this.go = go;
-    this.canvas = el('canvas', {width: 340, height: 300, role: 'img', ariaLabel: 'The robot as it is; orange: its start pose'});
+    this.canvas = el('canvas', {width: 340, height: 300, role: 'img', ariaLabel: 'The robot as it is, and beside it, orange, in its start pose'});
     this.words = el('div', {role: 'status'});
     this.retry = el('button', {type: 'button', id: 'pose-retry'}, 'Retry');
     this.on = el('button', {type: 'button', id: 'pose-go'}, 'Go on');
@@ -16,7 +16,7 @@ export class PoseDialog {
     const title = el('h2', {id: 'pose-title'}, 'The robot is not in its start pose');
     this.node = el('dialog', {id: 'pose', 'aria-labelledby': 'pose-title'}, title,
       el('div', {className: 'pose-columns'},
-        el('figure', {}, this.canvas, el('figcaption', {}, 'in its colours: now; orange: the start pose')),
+        el('figure', {}, this.canvas, el('figcaption', {}, 'now, and beside it, orange, the start pose')),
         el('div', {}, this.words,
           el('p', {}, el('strong', {}, 'Retry: '), 'sit it down upright first, then look again.'),
           el('p', {}, el('strong', {}, 'Go on: '), 'take it where it is. Nothing moves until you move it; a walk or a page ' +
