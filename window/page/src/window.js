@@ -35,10 +35,11 @@ const pills = new Pills(by('pills'));
 const faults = new FaultsPane((count) => { pills.faults(count); tabs.count(5, count); });
 const loop = new LoopPane();
 const servos = new ServosPane(timeline);
+const compare = new ComparePane();
 const panes = [
   {name: 'Servos', pane: servos}, {name: 'All curves', pane: new CurvesPane(timeline)},
   {name: 'Motion sensors', pane: new SensorsPane(timeline)}, {name: 'Steer', pane: steer}, {name: 'Loop', pane: loop},
-  {name: 'Faults', pane: faults}, {name: 'Camera', pane: new CameraPane(feed)}, {name: 'Compare', pane: new ComparePane()},
+  {name: 'Faults', pane: faults}, {name: 'Camera', pane: new CameraPane(feed)}, {name: 'Compare', pane: compare},
 ];
 let shown = servos, view = null, shape = null, joints = [], row = null, newest = null, marks = [];
 const tabs = new Tabs(by('tabs'), by('stage'), panes, (pane) => { shown = pane; });
@@ -129,4 +130,4 @@ fetch('body.json').then((answer) => answer.json()).then((body) => {
   setText(by('pose-note'), 'Place on the floor is guessed from the standing foot, lean from accelerometer and gyro.');
 }).catch((error) => setText(by('pose-note'), `No picture of the robot: ${error.message}`));
 
-window.darwinop = {frames, timeline, feed, steering, get view() { return view; }, get newest() { return newest; }};
+window.darwinop = {frames, timeline, feed, steering, compare, get view() { return view; }, get newest() { return newest; }};
