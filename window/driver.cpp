@@ -52,6 +52,7 @@ void Driver::take(web::Channel& channel) {
   at_helm_ = false;
   orders_ = {};
   told_ = {};
+  answer(channel, false, "Taking the robot …");
   helm_.begin();
 }
 

@@ -24,7 +24,7 @@ struct Orders {
 
   /// What is newer counts.
   void add(const Orders& newer);
-  /// Done: only what holds remains.
+  /// They are passed on: only what holds remains.
   void taken() { *this = {.walk = walk}; }
 };
 

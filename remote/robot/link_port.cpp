@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "remote/protocol/units.hpp"
-#include "runtime/daemon_link.hpp"
+#include "runtime/exchange_link.hpp"
 #include "webots/counts.hpp"
 
 namespace darwinop::remote {
