@@ -4,13 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,17 +16,17 @@
 #include "remote/client/resolve.hpp"
 #include "remote/client/tcp_link.hpp"
 #include "remote/monitor/messages.hpp"
-#include "remote/monitor/monitor.hpp"
 #include "remote/web/server.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/daemon_link.hpp"
 #include "window/assets.hpp"
 #include "window/body_json.hpp"
-#include "window/bridge.hpp"
 #include "window/driver.hpp"
 #include "window/own_robot.hpp"
 #include "window/pages_json.hpp"
+#include "window/report_page.hpp"
 #include "window/secret.hpp"
+#include "window/sight.hpp"
 #include "window/steersman.hpp"
 
 namespace {
@@ -58,6 +54,18 @@ void stopWindowOnSignals() {
   action.sa_handler = [](int) { window_stop = true; };
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
   signal(SIGPIPE, SIG_IGN);
+}
+
+/// `darwinop run` logs in by ssh; here it is done by hand, and said how.
+void refuseUser(const std::string& robot) {
+  const std::size_t at = robot.find('@');
+  if (!robot.starts_with("tcp://") || at == std::string::npos) return;
+  throw std::runtime_error(
+      "the window does not log in. Lead its two ports here, and name this computer:\n"
+      "  ssh -N -L 5024:127.0.0.1:5024 -L 5023:127.0.0.1:5023 " +
+      robot.substr(std::string{"tcp://"}.size()) +
+      " &\n  darwinop window --robot tcp://127.0.0.1\n"
+      "On the robot darwinop monitor and darwinop remote have to run; see docs/window.md");
 }
 
 /// "tcp://…": the robot is on another computer.
@@ -92,31 +100,12 @@ link::Address monitorOf(const WindowArguments& given) {
   return monitor;
 }
 
-/// What the page sees: shared memory of a runtime here, or the monitor of a robot elsewhere.
-class Sight {
- public:
-  Sight(const WindowArguments& given, const runtime::RuntimeFiles& files) {
-    if (!isElsewhere(given)) {
-      here_ = std::make_unique<monitor::Monitor>(
-          files, [] { return runtime::MonotonicClock{}.now(); }, nullptr);
-      return;
-    }
-    const link::Address at = monitorOf(given);
-    elsewhere_ = std::make_unique<window::Bridge>(remote::addressesOf(at.host).front(), at.port,
-                                                  at.host + ":" + std::to_string(at.port));
-  }
-
-  web::ChannelUser& user() { return here_ ? static_cast<web::ChannelUser&>(*here_) : *elsewhere_; }
-  void look() { here_ ? here_->look() : elsewhere_->look(); }
-  [[nodiscard]] Nanos pause() const { return here_ ? here_->pause() : elsewhere_->pause(); }
-  void notice(const std::string& text) {
-    if (here_) here_->notice(text);
-  }
-
- private:
-  std::unique_ptr<monitor::Monitor> here_;
-  std::unique_ptr<window::Bridge> elsewhere_;
-};
+window::Sight sightOf(const WindowArguments& given, const runtime::RuntimeFiles& files) {
+  if (!isElsewhere(given)) return window::Sight{files};
+  const link::Address at = monitorOf(given);
+  return window::Sight{std::make_unique<window::Bridge>(remote::addressesOf(at.host).front(), at.port,
+                                                        at.host + ":" + std::to_string(at.port))};
+}
 
 /// Throws std::runtime_error where the window only looks on.
 std::unique_ptr<runtime::RobotLink> linkToDrive(const WindowArguments& given, const runtime::RuntimeFiles& files) {
@@ -134,35 +123,14 @@ std::unique_ptr<runtime::RobotLink> linkToDrive(const WindowArguments& given, co
   return std::make_unique<runtime::DaemonLink>(files);
 }
 
-/// A report of darwinop gap, as a page that may run what it brings along and reach nothing else, this window included.
-void serveReport(web::Server& server, const std::string& base, const std::string& file) {
-  constexpr std::uintmax_t kLongestReport = std::uintmax_t{64} * 1024 * 1024;
-  nlohmann::json about{{"name", nullptr}};
-  if (!file.empty()) {
-    std::ifstream in{file, std::ios::binary};
-    std::error_code unknown;
-    if (!in || std::filesystem::file_size(file, unknown) > kLongestReport || unknown)
-      throw std::runtime_error("--report " + file +
-                               ": no file that can be read, or more than 64 MB; darwinop gap writes one");
-    std::ostringstream text;
-    text << in.rdbuf();
-    about["name"] = std::filesystem::path{file}.filename().string();
-    server.serve(base + "report.html",
-                 {"text/html; charset=utf-8", text.str(),
-                  "sandbox allow-scripts; default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
-                  "img-src data:"});
-  }
-  const auto replace = nlohmann::json::error_handler_t::replace;
-  server.serve(base + "report.json", {"application/json", about.dump(-1, ' ', false, replace)});
-}
-
 /// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
-std::string serveWindow(web::Server& server, const WindowArguments& given, Sight& sight, window::Driver& driver) {
+std::string serveWindow(web::Server& server, const WindowArguments& given, window::Sight& sight,
+                        window::Driver& driver) {
   const std::string base = "/" + window::newSecret() + "/";
   for (const window::Asset& asset : window::assets())
     server.serve(base + std::string{asset.name}, {std::string{asset.type}, std::string{asset.body}});
   server.serve(base + "body.json", {"application/json", window::bodyJson(given.model)});
-  serveReport(server, base, given.report);
+  window::serveReport(server, base, given.report);
   server.serve(base + "pages.json", {"application/json", window::pagesJson(motion::ownPages())});
   server.channel(base + "monitor", monitor::kSubprotocol, sight.user());
   server.channel(base + "steering", window::kSteeringProtocol, driver);
@@ -171,9 +139,10 @@ std::string serveWindow(web::Server& server, const WindowArguments& given, Sight
 
 int showWindow(const WindowArguments& given) {
   stopWindowOnSignals();
+  refuseUser(given.robot);
   const std::unique_ptr<window::OwnRobot> own = ownRobot(given);
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
-  Sight sight{given, files};
+  window::Sight sight = sightOf(given, files);
   window::Steersman steersman{[&] { return linkToDrive(given, files); }, motion::ownPages()};
   window::Driver driver{steersman, [] { return runtime::MonotonicClock{}.now(); }};
   web::ServerConfig config;

@@ -87,12 +87,12 @@ TEST_F(WindowMoves, GetsUpGentlyFromWhereverItIsBeforeItWalks) {
 }
 
 TEST_F(WindowMoves, ThePageIsPlayedToItsEndAndSlidersWaitMeanwhile) {
-  const int bow = motion::findPage(motion::ownPages(), "hello");
-  ASSERT_GT(bow, 0);
+  const int hello = motion::findPage(motion::ownPages(), "hello");
+  ASSERT_GT(hello, 0);
   window::Orders orders;
-  orders.page = bow;
+  orders.page = hello;
   (void)turn(orders);
-  EXPECT_EQ(moves_.doings().page, bow);
+  EXPECT_EQ(moves_.doings().page, hello);
   window::Orders slider;
   slider.goals[index(Joint::kNeck)] = Rad{1.0};
   int cycles = 0;
