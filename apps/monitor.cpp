@@ -2,14 +2,17 @@
 #include "remote/monitor/monitor.hpp"
 
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <iostream>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "hal/shared_picture/reader.hpp"
 #include "link/eyes.hpp"
 #include "remote/jpeg/live_pictures.hpp"
 #include "remote/monitor/messages.hpp"
@@ -30,6 +33,12 @@ struct MonitorArguments {
 
 void sayMonitor(const std::string& line) {
   std::cerr << "darwinop monitor: " << line << std::endl;
+}
+
+/// The window of a driver is opened anew with each of them, and looked at by one thread at a time.
+void sayMonitorOnce(const std::string& line) {
+  static std::set<std::string> said;
+  if (said.insert(line).second) sayMonitor(line);
 }
 
 void stopMonitorOnSignals() {
@@ -66,10 +75,25 @@ std::unique_ptr<remote::PictureSource> openCameraForOnlookers() {
       remote::LivePictures::Options{.now = [] { return runtime::MonotonicClock{}.now(); }, .say = sayMonitor});
 }
 
+/// What the camera of whoever drives sees.
+std::unique_ptr<remote::PictureSource> openPicturesOfDriver(const runtime::RuntimeFiles& files) {
+  const auto now = [] { return runtime::MonotonicClock{}.now(); };
+  struct stat exchange {};
+  if (stat(files.exchange.c_str(), &exchange) != 0) throw std::runtime_error("there is no runtime");
+  return std::make_unique<remote::LivePictures>(
+      std::make_unique<shared_picture::Reader>(
+          shared_picture::Reader::Options{.files = {files.pictures, files.pictures_asked},
+                                          .group = exchange.st_gid,
+                                          .now = now,
+                                          .say = sayMonitorOnce}),
+      remote::LivePictures::Options{.now = now, .say = sayMonitor});
+}
+
 int serveOnlookers(const MonitorArguments& given) {
   stopMonitorOnSignals();
-  monitor::Monitor monitor{runtime::RuntimeFiles{given.name}, [] { return runtime::MonotonicClock{}.now(); },
-                           openCameraForOnlookers};
+  const runtime::RuntimeFiles files{given.name};
+  monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); }, openCameraForOnlookers,
+                           [files] { return openPicturesOfDriver(files); }};
   web::Server server{webConfig(given), sayMonitor};
   server.channel("/monitor", monitor::kSubprotocol, monitor);
   std::cout << "ready: ws://" << given.listen << ":" << server.port() << "/monitor" << std::endl;

@@ -1,6 +1,7 @@
 // darwinop-remote: the server of the remote-control protocol.
 #include <signal.h>
 #include <sys/prctl.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -30,6 +31,7 @@ struct RemoteArguments {
   std::uint16_t port = remote::kUsualPort;
   int width_zoom = 1, height_zoom = 1;
   bool ends_with_parent = false;
+  pid_t parent = getppid();
 };
 
 void sayRemote(const std::string& line) {
@@ -85,6 +87,7 @@ int serveRemote(const RemoteArguments& given) {
     sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
   stopRemoteOnSignals();
   if (given.ends_with_parent) prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
+  if (given.ends_with_parent && getppid() != given.parent) return 0;  // it has ended already
   remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kOwn,
                          [&] { return link::connect(request); }, request.safety.start == safety::StartMove::kHold};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
@@ -125,7 +128,7 @@ int main(int count, char** arguments) try {
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
       "Example, without a robot:\n  darwinop remote --robot virtual\n"
-      "On a robot, for a simulator on a PC of its network (docs/remote.md):\n"
+      "On a robot, for a simulator on a PC of its network (docs/remote-webots.md):\n"
       "  darwinop remote --listen 0.0.0.0 --allow 192.168.123.0/24");
   CLI11_PARSE(app, count, arguments);
   return serveRemote(given);

@@ -40,7 +40,7 @@ std::vector<std::string> commandFor(const fs::path& program) {
 }
 
 /// Its standard input is the socket. It gets nothing else of ours: no signal that is held back or handled, and no
-/// descriptor but standard error.
+/// descriptor but standard error, whatever the controller has open: a pipe ends when the controller closes it.
 pid_t startWith(int socket, std::vector<std::string> command) {
   std::vector<char*> argv;
   argv.reserve(command.size() + 1);
@@ -50,6 +50,7 @@ pid_t startWith(int socket, std::vector<std::string> command) {
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, socket, 0);
   posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addclosefrom_np(&actions, 3);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);

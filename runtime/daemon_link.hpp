@@ -19,6 +19,8 @@ class DaemonLink final : public ExchangeLink {
   /// Says farewell and gives the lease back; the daemon sees to the robot.
   ~DaemonLink() override;
 
+  [[nodiscard]] const RuntimeFiles& files() const { return files_; }
+
   [[nodiscard]] Nanos now() const override { return clock_.now(); }
   [[nodiscard]] bool realTime() const override { return true; }
   [[nodiscard]] bool bringsToRest() const override { return false; }

@@ -29,8 +29,8 @@ struct File {
   }
 };
 
-void* map(int fd, const std::string& path) {
-  void* memory = mmap(nullptr, sizeof(ExchangeBlock), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+void* map(int fd, const std::string& path, int protection = PROT_READ | PROT_WRITE) {
+  void* memory = mmap(nullptr, sizeof(ExchangeBlock), protection, MAP_SHARED, fd, 0);
   if (memory == MAP_FAILED) fail("cannot map " + path, errno, "");
   return memory;
 }
@@ -87,8 +87,9 @@ Exchange Exchange::create(const std::string& path, gid_t group) {
   }
 }
 
-Exchange Exchange::attach(const std::string& path) {
-  const File file{open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW)};
+Exchange Exchange::attach(const std::string& path, Access access) {
+  const bool use = access == Access::kUse;
+  const File file{open(path.c_str(), (use ? O_RDWR : O_RDONLY) | O_CLOEXEC | O_NOFOLLOW)};
   if (file.fd < 0 && errno == ENOENT)
     throw std::runtime_error("no runtime has been started here (" + path +
                              " does not exist); start one with: darwinop runtime");
@@ -99,7 +100,7 @@ Exchange Exchange::attach(const std::string& path) {
   // The size is looked at before mapping, the rest after: a file that is too short would kill its reader.
   bool ours = status.st_size == static_cast<off_t>(sizeof(ExchangeBlock));
   if (ours) {
-    Home home{static_cast<ExchangeBlock*>(map(file.fd, path)), unmap};
+    Home home{static_cast<ExchangeBlock*>(map(file.fd, path, use ? PROT_READ | PROT_WRITE : PROT_READ)), unmap};
     ours = home->magic == ExchangeBlock::kMagic && home->layout == ExchangeBlock::kLayout &&
            home->size == sizeof(ExchangeBlock);
     if (ours) return Exchange{std::move(home)};

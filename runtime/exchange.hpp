@@ -57,9 +57,11 @@ class Exchange {
   /// A new file that replaces an old one of that path. Processes that still map the old one keep it, unharmed.
   static Exchange create(const std::string& path, gid_t group = static_cast<gid_t>(-1));
 
+  /// kLook: the memory cannot be written; a mistake ends who makes it and not the loop.
+  enum class Access { kUse, kLook };
   /// An existing file. Throws std::runtime_error, with a sentence for the user, when there is none or when it is
   /// not of this build.
-  static Exchange attach(const std::string& path);
+  static Exchange attach(const std::string& path, Access access = Access::kUse);
 
   [[nodiscard]] ExchangeBlock& block() const { return *block_; }
 

@@ -12,6 +12,8 @@ RuntimeFiles::RuntimeFiles(const std::string& name) {
   if (exchange.find('/') == std::string::npos) exchange = "/dev/shm/" + exchange;
   loop_lock = exchange + ".loop";
   drive_lock = exchange + ".drive";
+  pictures = exchange + ".pictures";
+  pictures_asked = pictures + ".asked";
 }
 
 }  // namespace darwinop::runtime

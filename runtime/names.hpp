@@ -14,6 +14,8 @@ struct RuntimeFiles {
   std::string exchange;    // the memory
   std::string loop_lock;   // held as long as the loop lives
   std::string drive_lock;  // held by the one controller that drives
+  // What its camera sees, for onlookers, and when they asked for it last: hal/shared_picture/layout.hpp.
+  std::string pictures, pictures_asked;
 };
 
 }  // namespace darwinop::runtime

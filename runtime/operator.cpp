@@ -10,12 +10,22 @@
 
 namespace darwinop::runtime {
 
-Exchange attachToDaemon(const RuntimeFiles& files) {
-  Exchange exchange = Exchange::attach(files.exchange);
+namespace {
+Exchange attachAs(Exchange::Access access, const RuntimeFiles& files) {
+  Exchange exchange = Exchange::attach(files.exchange, access);
   if (FileLock::holder(files.loop_lock) == 0)
     throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) +
                              ") has ended; start it again with: darwinop runtime");
   return exchange;
+}
+}  // namespace
+
+Exchange attachToDaemon(const RuntimeFiles& files) {
+  return attachAs(Exchange::Access::kUse, files);
+}
+
+Exchange lookAtDaemon(const RuntimeFiles& files) {
+  return attachAs(Exchange::Access::kLook, files);
 }
 
 std::string daemonStatus(const RuntimeFiles& files) {

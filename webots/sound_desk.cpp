@@ -48,7 +48,8 @@ void SoundDesk::speak(Speak speak) {
 }
 
 void SoundDesk::stop(const std::string& file) {
-  if (!output_) return;  // nothing has ever sounded
+  refresh();
+  if (!output_) return;  // nothing sounds
   order(StopSound{file.empty() ? "" : absoluteName(file)});
   if (!file.empty()) {
     sounds_.erase(file);

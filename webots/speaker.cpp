@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <sstream>
+#include <utility>
 
 #include "hal/audio/protocol.hpp"
 #include "webots/Node.hpp"
@@ -21,8 +23,9 @@ constexpr int kSlowest = 80, kFastest = 450;  // words a minute
 /// What is beyond is said once, and not a number is what it would be without the argument.
 double within(double low, double value, double high, double usual, const char* what) {
   if (value >= low && value <= high) return value;
-  warnOnce("Speaker: a " + std::string{what} + " lies between " + std::to_string(low).substr(0, 4) + " and " +
-           std::to_string(high).substr(0, 4) + "; it is brought there");
+  std::ostringstream sentence;
+  sentence << "Speaker: a " << what << " lies between " << low << " and " << high << "; it is brought there";
+  warnOnce(sentence.str());
   return std::isnan(value) ? usual : std::clamp(value, low, high);
 }
 
@@ -121,9 +124,11 @@ void Speaker::playFileWait(const char* filename) {
   const bool lockstep = !robot_.realTime();
   const auto now = [this] { return std::chrono::duration<double>(robot_.session().time()).count(); };
   const double begin = now();
+  // Simulated time goes by in no time: there the answer is waited for, once, so that every run takes as many steps.
+  std::chrono::milliseconds patience{lockstep ? 2000 : 0};
+  double seconds = std::nan("");
   for (;;) {
-    // Simulated time goes by in no time: there the answer is waited for, so that every run takes as many steps.
-    const double seconds = desk_->seconds(id, std::chrono::milliseconds{lockstep ? 2000 : 0});
+    if (std::isnan(seconds)) seconds = desk_->seconds(id, std::exchange(patience, std::chrono::milliseconds{0}));
     const bool is_known = !std::isnan(seconds);
     if (lockstep && is_known ? now() >= begin + seconds : !desk_->plays(id)) return;
     // A sound program that hangs must not keep the controller.

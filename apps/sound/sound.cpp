@@ -1,6 +1,7 @@
 // darwinop-sound: plays and speaks for one controller, which starts it at its first sound and talks to it through its
 // standard input. Ends with that controller.
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -35,6 +36,9 @@ int main(int, char** arguments) {
   // Ctrl-C is for the controller, which may go on.
   std::signal(SIGINT, SIG_IGN);
   std::signal(SIGHUP, SIG_IGN);
+  // A controller may start it from a real-time thread; decoders have no business beside the loop.
+  const sched_param none{};
+  sched_setscheduler(0, SCHED_OTHER, &none);
   // Not /proc/self/exe: on a robot that is the loader.
   const std::string home = std::filesystem::path{arguments[0]}.parent_path();
   // On a robot it brings what ALSA has to be told.

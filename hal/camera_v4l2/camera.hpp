@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "hal/frame_source.hpp"
+#include "hal/pixels/yuyv_image.hpp"
 
 namespace darwinop::v4l2 {
 
@@ -28,6 +29,10 @@ struct CameraPatience {
   Nanos grace = std::chrono::milliseconds{100};
 };
 
+/// Told of each picture that is shown, as the camera gave it, from the camera's thread; `time` is CLOCK_MONOTONIC. It
+/// must neither throw nor wait, keeps no bytes, and lives as long as that thread: what it uses, it owns.
+using RawFrameTaker = std::function<void(const pixels::YuyvImage& image, std::uint64_t sequence, Nanos time)>;
+
 struct CameraOptions {
   std::string device = "/dev/video0";
   int width = 320, height = 240;  // a size that the device does not give becomes 320x240, with a message
@@ -36,6 +41,7 @@ struct CameraOptions {
   /// Told a sentence when the camera is lost, is back, or does not do as asked; from the camera's thread. It must not
   /// wait for whoever destroys the camera.
   std::function<void(const std::string&)> say;
+  RawFrameTaker on_raw_frame = {};
   CameraPatience patience{};
 };
 

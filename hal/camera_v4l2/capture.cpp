@@ -94,7 +94,7 @@ bool Capture::session() {
   fixed_ = shape.size;
   count_.restart();
 
-  PictureTaker taker{buffers, shape, *pictures_, count_, counters_};
+  PictureTaker taker{buffers, shape, *pictures_, count_, counters_, options_.on_raw_frame};
   const std::uint64_t before = counters_.frames.load(std::memory_order_relaxed);
   const Ending ending = watch(device, taker);
   if (!wake_.stopped()) tell(ending.trouble, explain(ending.trouble, options_.device, ending.detail));

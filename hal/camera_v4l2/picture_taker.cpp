@@ -75,6 +75,7 @@ void PictureTaker::show(const Numbered& newest) noexcept {
   picture.time = newest.filled.time;
   pictures_.publish();
   counters_.last_frame_ns.store(monotonicNow().count(), std::memory_order_release);
+  if (on_raw_frame_) on_raw_frame_(image, newest.sequence, newest.filled.time);  // after: whoever drives comes first
 }
 
 }  // namespace darwinop::v4l2

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hal/camera_v4l2/buffers.hpp"
+#include "hal/camera_v4l2/camera.hpp"
 #include "hal/camera_v4l2/error_burst.hpp"
 #include "hal/camera_v4l2/frame_count.hpp"
 #include "hal/camera_v4l2/picture.hpp"
@@ -24,8 +25,13 @@ class PictureTaker {
 
   /// All must outlive it.
   PictureTaker(StreamBuffers& buffers, const PictureShape& shape, TripleBuffer<Picture>& pictures, FrameCount& count,
-               Counters& counters)
-      : buffers_{buffers}, shape_{shape}, pictures_{pictures}, count_{count}, counters_{counters} {}
+               Counters& counters, const RawFrameTaker& on_raw_frame)
+      : buffers_{buffers},
+        shape_{shape},
+        pictures_{pictures},
+        count_{count},
+        counters_{counters},
+        on_raw_frame_{on_raw_frame} {}
 
   /// Never waits, never allocates.
   Outcome takeAll() noexcept;
@@ -45,6 +51,7 @@ class PictureTaker {
   TripleBuffer<Picture>& pictures_;
   FrameCount& count_;
   Counters& counters_;
+  const RawFrameTaker& on_raw_frame_;
   ErrorBurst errors_;
 };
 

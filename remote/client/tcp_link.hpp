@@ -63,6 +63,7 @@ class TcpLink final : public runtime::RobotLink {
   [[nodiscard]] bool isThere(std::uint64_t cycle) const { return image_.cycle >= cycle; }
   [[nodiscard]] bool isToAsk(std::uint64_t cycle) const;
   [[nodiscard]] Nanos expected(std::uint64_t cycle) const;
+  [[nodiscard]] std::uint64_t cyclesOnTheWay(std::uint64_t cycle, Nanos held) const;
   [[nodiscard]] Nanos patienceWithReply() const;
   [[nodiscard]] bool mayGoOn(const std::atomic<bool>& stop);
   bool end(const std::string& why);
@@ -80,6 +81,7 @@ class TcpLink final : public runtime::RobotLink {
   runtime::FaultAnnouncer faults_;
 
   Commands wanted_{};
+  bool was_up_ = false;  // the robot has been seen under torque
   bool drove_ = false, lost_ = false, came_back_ = false;
   bool extended_ = true;  // the server knows the extension; believed until a reply lacks it
   bool greeted_ = false;  // this connection's first reply is there

@@ -16,10 +16,11 @@ std::int32_t goalOnWire(Rad goal) {
 std::int32_t speedOnWire(RadPerSec speed) {
   return cut(std::round(std::abs(speed.value) * 30.0 / (0.114 * kPi)));
 }
-/// 0 would let the joint go.
+/// 0 would let the joint go. A limit that is not finite is none, as for safety: the joint keeps the one that it had.
 std::int32_t torqueOnWire(const JointCommand& wanted) {
   if (!wanted.torque_on) return 0;
   const double limit = wanted.has(JointCommand::kTorqueLimit) ? wanted.torque_limit.value : kMaxTorqueNm;
+  if (!std::isfinite(limit)) return kNoValue;
   return std::max(1, cut(std::round(limit * kTorqueMax / kMaxTorqueNm)));
 }
 

@@ -5,18 +5,19 @@
 namespace darwinop::monitor {
 
 void Eye::look(bool wanted, bool free, Nanos now) {
-  if (!wanted || !free) {
+  if (!wanted || free != free_) {
     pictures_.reset();
     next_try_ = Nanos{0};
-    why_ = wanted ? "a controller drives, and the camera is left to it" : "nobody has asked for pictures";
-    return;
+    why_ = "nobody has asked for pictures";
   }
-  if (pictures_ || now < next_try_) return;
+  free_ = free;
+  if (!wanted || pictures_ || now < next_try_) return;
   next_try_ = now + kAgain;
-  why_ = "this robot has no camera";
-  if (!open_) return;
+  why_ = free ? "this robot has no camera" : "a controller drives, and the camera is left to it";
+  const Open& open = free ? open_ : share_;
+  if (!open) return;
   try {
-    pictures_ = open_();
+    pictures_ = open();
     why_.clear();
   } catch (const std::runtime_error& error) {
     why_ = error.what();

@@ -1,4 +1,5 @@
-// The robot's camera for onlookers: opened while somebody looks and nobody drives, let go at once when somebody does.
+// The robot's camera for onlookers: opened while somebody looks and nobody drives, let go at once when somebody does;
+// then what the driver's camera sees, if it shows that.
 #pragma once
 
 #include <functional>
@@ -15,7 +16,8 @@ class Eye {
   using Open = std::function<std::unique_ptr<remote::PictureSource>()>;
   static constexpr Nanos kAgain{5'000'000'000};  // after it could not be opened
 
-  explicit Eye(Open open) : open_{std::move(open)} {}
+  /// `share`: opens the pictures that a driver shows; it never touches the camera. Empty: drivers show none.
+  explicit Eye(Open open, Open share = {}) : open_{std::move(open)}, share_{std::move(share)} {}
 
   /// `wanted`: somebody asks for pictures. `free`: nobody drives; who drives may want the camera.
   void look(bool wanted, bool free, Nanos now);
@@ -25,9 +27,12 @@ class Eye {
   /// Why there are no pictures; empty when the camera is open.
   [[nodiscard]] const std::string& why() const { return why_; }
   [[nodiscard]] bool open() const { return pictures_ != nullptr; }
+  /// What is open is what a driver shows.
+  [[nodiscard]] bool shared() const { return open() && !free_; }
 
  private:
-  Open open_;
+  Open open_, share_;
+  bool free_ = true;
   std::unique_ptr<remote::PictureSource> pictures_;
   std::string why_ = "nobody has asked for pictures";
   Nanos next_try_{0};

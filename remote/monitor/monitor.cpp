@@ -34,8 +34,8 @@ double secondsOf(Nanos time) {
 
 }  // namespace
 
-Monitor::Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera)
-    : onlooker_{files}, clock_{std::move(clock)}, eye_{std::move(open_camera)} {
+Monitor::Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera, Eye::Open share_camera)
+    : onlooker_{files}, clock_{std::move(clock)}, eye_{std::move(open_camera), std::move(share_camera)} {
   now_ = clock_();
   (void)onlooker_.look(now_);
   turn();
@@ -81,8 +81,7 @@ Nanos Monitor::pause() const {
   double most = 0;
   for (const auto& [channel, seat] : seats_) most = std::max({most, seat.wishes.rate, seat.wishes.camera});
   if (most <= 0) return kLongest;
-  const Nanos half = std::chrono::duration_cast<Nanos>(std::chrono::duration<double>{0.5 / most});
-  return std::clamp(half, kShortest, kLongest);
+  return std::clamp(periodOf(most) / 2, kShortest, kLongest);
 }
 
 void Monitor::look() {
@@ -200,7 +199,9 @@ void Monitor::tellOfCamera(web::Channel& channel, Seat& seat, bool seeing) {
   else if (!eye_.open())
     text = cameraText(false, eye_.why());
   else
-    text = cameraText(seeing, seeing ? "" : "the camera gives no pictures");
+    text = cameraText(seeing, seeing          ? ""
+                              : eye_.shared() ? "a controller drives, and shows no pictures of 320x240"
+                                              : "the camera gives no pictures");
   if (text == seat.camera) return;
   seat.camera = text;
   channel.send(kCameraLane, shared(std::move(text)));

@@ -24,7 +24,7 @@ class Monitor final : public web::ChannelUser {
   using Clock = std::function<Nanos()>;
   static constexpr std::size_t kNotices = 20;  // a newcomer is told of the last ones
 
-  Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera);
+  Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera, Eye::Open share_camera = {});
 
   void opened(web::Channel& channel) override;
   void said(web::Channel& channel, std::string_view message, bool binary) override;

@@ -18,7 +18,7 @@ bool Onlooker::look(Nanos now) {
 std::string Onlooker::whyNone(Nanos now) {
   if (!exchange_) {
     try {
-      exchange_.emplace(runtime::attachToDaemon(files_));
+      exchange_.emplace(runtime::lookAtDaemon(files_));
     } catch (const std::runtime_error& error) {
       return error.what();
     }

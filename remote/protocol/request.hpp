@@ -55,6 +55,7 @@ struct Extension {
   std::uint32_t fault_resets = 0;  // as in Commands
   std::uint32_t picture = 0;       // the one the client has: not sent again; 0: none
   bool start_where_it_is = false;  // as in Commands
+  bool only_if_up = false;         // it has had the robot under torque: one that has let go since is left alone
   bool farewell = false;           // the last request of a controller that ends tidily
   constexpr bool operator==(const Extension&) const = default;
 };

@@ -1,4 +1,4 @@
-// A whole sensor image as bytes, docs/remote.md. One list of the values serves both directions.
+// A whole sensor image as bytes, docs/remote-protocol.md. One list of the values serves both directions.
 #include "remote/protocol/sensor_block.hpp"
 
 #include <algorithm>

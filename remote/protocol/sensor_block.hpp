@@ -1,4 +1,4 @@
-// A whole sensor image as bytes, docs/remote.md.
+// A whole sensor image as bytes, docs/remote-protocol.md.
 #pragma once
 
 #include <cstdint>

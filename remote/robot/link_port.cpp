@@ -62,6 +62,11 @@ void LinkPort::begin(Beginning beginning) {
   obeyed_ = last_cycle_at_ = simulated_ = clock_.now();
 }
 
+/// Safety knows a driver from its first commands on only.
+void LinkPort::leaveAlone() noexcept {
+  if (home_ == Home::kDaemon) link_.reset();
+}
+
 void LinkPort::obey(const Request& request) {
   for (const LedSetting& led : request.leds) light(led);
   for (const MotorSetting& motor : request.motors) listenTo(motor);

@@ -31,6 +31,7 @@ class LinkPort final : public RobotPort {
   ~LinkPort() override = default;
 
   void begin(Beginning beginning) override;
+  void leaveAlone() noexcept override;
   void obey(const Request& request) override;
   [[nodiscard]] Sensors sensors() override { return link_->sensors(); }
   [[nodiscard]] std::string mustEnd() override;

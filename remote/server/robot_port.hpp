@@ -22,6 +22,9 @@ class RobotPort {
   /// Takes the driving lease. Throws std::runtime_error with what to do when that cannot be.
   virtual void begin(Beginning beginning) = 0;
 
+  /// Gives the lease back as if begin() had not been.
+  virtual void leaveAlone() noexcept {}
+
   /// Carries out a request's LEDs and motors. Between begin() and hold() only, as all that follows.
   virtual void obey(const Request& request) = 0;
 

@@ -17,7 +17,11 @@ struct TakerTest : testing::Test {
   TripleBuffer<Picture> pictures{blackPicture(shape.size, PictureForm::kBgra)};
   FrameCount count;
   Counters counters;
-  PictureTaker taker{buffers, shape, pictures, count, counters};
+  std::uint64_t raw = 0;
+  RawFrameTaker on_raw_frame = [this](const pixels::YuyvImage& image, std::uint64_t sequence, Nanos /*time*/) {
+    if (isWhole(image)) raw = sequence;
+  };
+  PictureTaker taker{buffers, shape, pictures, count, counters, on_raw_frame};
 
   [[nodiscard]] std::uint32_t filled() const {
     std::uint32_t done = 0;
@@ -42,6 +46,7 @@ TEST_F(TakerTest, ShowsTheNewestOfWhatIsReady) {
   EXPECT_EQ(outcome.error, 0);
   ASSERT_TRUE(pictures.update());
   EXPECT_EQ(pictures.front().sequence, buffers.count());
+  EXPECT_EQ(raw, buffers.count()) << "the same one, as the camera gave it";
   EXPECT_EQ(counters.frames, buffers.count()) << "those that were not shown are counted, too";
   EXPECT_EQ(counters.dropped, 0u);
 }

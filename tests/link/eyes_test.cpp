@@ -10,10 +10,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "hil-mocks/camera/frame_painter.hpp"
 #include "support/temporary_folder.hpp"
@@ -110,6 +112,19 @@ TEST_F(Seeing, ACameraThatIsNotThereIsSaid) {
   for (int tries = 0; tries < 1000 && said == 0; ++tries) std::this_thread::sleep_for(std::chrono::milliseconds{10});
   EXPECT_THAT(sentence, HasSubstr("/dev/video_of_nobody"));
   EXPECT_EQ(eyes->newest().sequence, 0U);
+}
+
+TEST_F(Seeing, GoesOnWhenOnlookersCannotBeShown) {
+  EyesRequest request;
+  request.onlookers.emplace(folder_ / "runtime");
+  std::ofstream{request.onlookers->exchange};
+  std::filesystem::create_directory(request.onlookers->pictures);  // where a file should be
+  std::vector<std::string> said;
+  request.say = [&](const std::string& what) { said.push_back(what); };
+  auto eyes = openCamera(request);
+  EXPECT_GT(firstFrame(*eyes).sequence, 0U);
+  eyes.reset();  // nothing is said after it
+  EXPECT_THAT(said, testing::ElementsAre(HasSubstr("onlookers of darwinop monitor see no pictures")));
 }
 
 TEST_F(Seeing, ARobotInSimulatedTimeHasNoCameraOfThisComputer) {

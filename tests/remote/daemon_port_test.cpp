@@ -92,6 +92,17 @@ TEST_F(RemoteDaemonPort, AtTheEndSaysTheFarewellOfAClientThatHasLeft) {
   EXPECT_EQ(seen().safety.state, State::kKneeling) << "before it would be given up after 10 s";
 }
 
+TEST_F(RemoteDaemonPort, ARobotThatIsLeftAloneStaysLimp) {
+  while (seen().safety.state != State::kLimp) std::this_thread::sleep_for(2ms);
+  port_.begin(Beginning::kFresh);
+  EXPECT_EQ(port_.sensors().safety.state, State::kLimp) << "this is how the server knows";
+  port_.leaveAlone();
+  EXPECT_TRUE(runtime::FileLock::tryTake(files_.drive_lock).has_value());
+  const std::uint64_t before = seen().cycle;
+  while (seen().cycle < before + 3) std::this_thread::sleep_for(2ms);
+  EXPECT_EQ(seen().safety.state, State::kLimp);
+}
+
 TEST_F(RemoteDaemonPort, CannotHaveALeaseThatAnotherHolds) {
   const runtime::Child other{[this] { static const runtime::DaemonLink link{files_}; }};
   try {

@@ -49,9 +49,9 @@ class ExtendedClient : public TestClient {
 };
 
 TEST(RemoteExtension, IsWrittenAsItIsDocumented) {
-  const Request request =
-      extendedRequest({.until_cycle = 0x102030405, .fault_resets = 2, .picture = 7, .farewell = true});
-  EXPECT_EQ(toHex(bytesToSend(request)), "57 18 00 58 01 11 02 00 00 00 02 00 00 00 07 00 00 00 01 02 03 04 05 00");
+  const Request request = extendedRequest(
+      {.until_cycle = 0x102030405, .fault_resets = 2, .picture = 7, .only_if_up = true, .farewell = true});
+  EXPECT_EQ(toHex(bytesToSend(request)), "57 18 00 58 01 11 06 00 00 00 02 00 00 00 07 00 00 00 01 02 03 04 05 00");
 }
 
 TEST(RemoteExtension, OfAnotherVersionIsSteppedOver) {
@@ -141,6 +141,46 @@ TEST(RemoteExtension, TellsWhyBeforeItShowsOut) {
   const auto refused = next.ask(extendedRequest());
   ASSERT_TRUE(refused);
   EXPECT_EQ(refused->extension->why_ended, "another controller drives");
+}
+
+TEST(RemoteExtension, ARobotThatHasLetGoIsNotTakenByWhoComesBack) {
+  Served served;
+  served.robot.seen.safety.state = State::kHolding;
+  ExtendedClient client{served};
+  (void)client.ask(extendedRequest());
+  served.pass(600ms);
+  const Request goes_on = extendedRequest({.only_if_up = true});
+  EXPECT_TRUE(client.ask(goes_on)->extension->why_ended.empty()) << "it is held, and may be driven on";
+  served.pass(600ms);
+  served.robot.seen.safety.state = State::kLimp;  // somebody has pressed MODE, and lifts it
+  EXPECT_THAT(client.ask(goes_on)->extension->why_ended, HasSubstr("let go meanwhile"));
+  EXPECT_TRUE(client.shownOut());
+  EXPECT_THAT(served.robot.events, ElementsAre("fresh", "hold", "again", "hold", "again", "left alone"));
+  ExtendedClient back{served};
+  EXPECT_THAT(back.ask(goes_on)->extension->why_ended, HasSubstr("let go meanwhile"));
+  SafetyReport& safety = served.robot.seen.safety;
+  safety.state = State::kKneeling;
+  safety.worst = Fault::kServoOverload;
+  safety.controller_must_end = true;
+  ExtendedClient overloaded{served};
+  EXPECT_THAT(overloaded.ask(goes_on)->extension->why_ended, HasSubstr("shut itself off"))
+      << "a new driver would clear it";
+  ExtendedClient next{served};
+  EXPECT_TRUE(next.ask(extendedRequest())->extension->why_ended.empty()) << "a controller that begins takes it";
+}
+
+TEST(RemoteExtension, AnOldClientThatPausedDoesNotClearTheFaultThatEndedIt) {
+  Served served;
+  TestClient paused{served};
+  (void)paused.ask("57 04 00 00");
+  served.pass(600ms);
+  served.robot.seen.safety.state = State::kLimp;  // it sat down: a simulation that was paused goes on
+  EXPECT_NE(paused.ask("57 04 00 00"), "");
+  served.pass(600ms);
+  served.robot.seen.safety.worst = Fault::kReleasedByButton;
+  served.robot.seen.safety.controller_must_end = true;
+  EXPECT_EQ(paused.ask("57 04 00 00"), "");
+  EXPECT_TRUE(served.hasSaid("MODE button"));
 }
 
 TEST(RemoteExtension, AFarewellIsNoHold) {

@@ -32,6 +32,10 @@ struct FakeRobotPort final : RobotPort {
     events.emplace_back(beginning == Beginning::kFresh ? "fresh" : "again");
     driven = true;
   }
+  void leaveAlone() noexcept override {
+    events.emplace_back("left alone");
+    driven = false;
+  }
   void obey(const Request& request) override { obeyed.push_back(request); }
   Sensors sensors() override { return seen; }
   std::string mustEnd() override { return must_end; }

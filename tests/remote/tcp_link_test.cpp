@@ -21,6 +21,8 @@ const std::atomic<bool> kGoOn{false};
 struct ScriptedRobot {
   bool real_time = false;
   std::atomic<bool> silent{false};
+  std::atomic<Nanos> delay{0ms};  // of the next reply
+  bool delay_is_held = false;     // its loop stands still meanwhile
   std::uint64_t first_cycle = 1000;
   std::string must_end;
   std::vector<std::uint8_t> jpeg;
@@ -28,9 +30,21 @@ struct ScriptedRobot {
   Answer operator()(const Request& request, int connection) {
     Answer answer;
     if (silent) return answer;
+    if (const Nanos pause = delay.exchange(0ms); pause > 0ms) {
+      std::this_thread::sleep_for(pause);
+      if (delay_is_held) return answered(request, first_cycle, pause);
+    }
+    return answered(request,
+                    std::max<std::uint64_t>(request.extension.until_cycle,
+                                            first_cycle + 100 * static_cast<std::uint64_t>(connection)),
+                    0ms);
+  }
+
+ private:
+  [[nodiscard]] Answer answered(const Request& request, std::uint64_t cycle, Nanos held) const {
+    Answer answer;
     Sensors seen;
-    seen.cycle = std::max<std::uint64_t>(request.extension.until_cycle,
-                                         first_cycle + 100 * static_cast<std::uint64_t>(connection));
+    seen.cycle = cycle;
     seen.time_ns = static_cast<std::int64_t>(seen.cycle) * 16'000'000;
     seen.period_ns = 16'000'000;
     seen.safety.state = State::kDriven;
@@ -46,7 +60,11 @@ struct ScriptedRobot {
     for (std::size_t i = 0; i < request.torques.size(); ++i) (void)reply.torques.add(-12500);
     reply.accelerometer = reply.gyro = {512, 512, 640};
     if (request.camera) reply.jpeg = jpeg;
-    reply.extension = ReplyExtension{.real_time = real_time, .picture = 5, .seen = &seen, .why_ended = must_end};
+    reply.extension = ReplyExtension{.real_time = real_time,
+                                     .held_us = static_cast<std::uint32_t>(held / 1us),
+                                     .picture = 5,
+                                     .seen = &seen,
+                                     .why_ended = must_end};
     writeReply(request, reply, answer.bytes);
     return answer;
   }
@@ -110,6 +128,7 @@ TEST_F(TcpLinkTest, SaysEachWishOnceAndInTheServosUnits) {
   const std::vector<Request> requests = server.requests();
   ASSERT_EQ(requests.size(), 5) << "a greeting, three steps, a farewell";
   EXPECT_TRUE(requests[0].motors.empty()) << "nothing is wanted yet";
+  EXPECT_FALSE(requests[0].extension.only_if_up) << "a controller that begins takes the robot";
   ASSERT_EQ(requests[1].motors.size(), 1);
   EXPECT_EQ(requests[1].motors[0],
             (MotorSetting{.joint = Joint::kNeck, .set = MotorSetting::kPosition, .position = 326}))
@@ -117,6 +136,7 @@ TEST_F(TcpLinkTest, SaysEachWishOnceAndInTheServosUnits) {
   EXPECT_EQ(requests[1].leds.size(), 1);
   EXPECT_TRUE(requests[2].motors.empty() && requests[2].leds.empty());
   EXPECT_TRUE(requests[4].extension.farewell);
+  EXPECT_TRUE(requests[4].extension.only_if_up) << "it wakes nobody";
 }
 
 TEST_F(TcpLinkTest, AnOldServerIsUnderstoodWhatItCannotTellIsAbsent) {
@@ -252,6 +272,7 @@ TEST_F(TcpLinkTest, TellsAServerThatComesBackAllWishesAndBeginsWhereTheRobotIs) 
   std::size_t told = 0;
   for (const Request& request : again.requests()) {
     EXPECT_TRUE(request.extension.start_where_it_is);
+    EXPECT_TRUE(request.extension.only_if_up) << "it may be in somebody's hands by now";
     told += request.motors.size();
   }
   EXPECT_EQ(told, 1) << "the new one knows nothing of it, and is told once";
@@ -272,6 +293,36 @@ TEST_F(TcpLinkTest, WithoutRepliesStepsGoOnAndValuesGrowOld) {
   robot.silent = false;
   while (!tcp->sensors().joint[7].motion.fresh()) ASSERT_TRUE(stepOf(*tcp));
   EXPECT_THAT(said, HasSubstr("is back"));
+}
+
+TEST_F(TcpLinkTest, AReplyThatLayOnItsWaySaysNothingAboutTheLoop) {
+  ScriptedRobot robot;
+  robot.real_time = true;
+  ScriptedServer server{std::ref(robot)};
+  const auto tcp = link(server.port());
+  robot.delay = 250ms;
+  while (server.requests().size() < 3) ASSERT_TRUE(stepOf(*tcp));
+  EXPECT_GT(server.requests()[2].extension.until_cycle, 1003) << "it has run on meanwhile";
+}
+
+TEST_F(TcpLinkTest, ALoopThatStoodStillIsAskedForItsOwnNextCycle) {
+  ScriptedRobot robot;
+  robot.real_time = robot.delay_is_held = true;
+  ScriptedServer server{std::ref(robot)};
+  const auto tcp = link(server.port());
+  robot.delay = 250ms;
+  while (server.requests().size() < 3) ASSERT_TRUE(stepOf(*tcp));
+  EXPECT_EQ(server.requests()[2].extension.until_cycle, 1001) << "it has run none meanwhile";
+}
+
+TEST_F(TcpLinkTest, AControllerThatAsksLateGetsFreshValues) {
+  ScriptedRobot robot;
+  robot.real_time = true;
+  ScriptedServer server{std::ref(robot)};
+  const auto tcp = link(server.port());
+  std::this_thread::sleep_for(200ms);  // it computes
+  ASSERT_TRUE(stepOf(*tcp));
+  EXPECT_TRUE(tcp->sensors().joint[7].motion.fresh());
 }
 
 TEST_F(TcpLinkTest, EndsWhenTheServerDoesNotComeBack) {

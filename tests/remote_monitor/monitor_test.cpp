@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "runtime/daemon.hpp"
@@ -126,16 +127,18 @@ TEST_F(MonitorTest, IntroducesTheRobotAndThenTellsWhatItSenses) {
 
 TEST_F(MonitorTest, GivesEachObserverItsOwnRate) {
   begin();
-  FakeChannel every, none;
-  for (FakeChannel* channel : {&observer_, &every, &none}) monitor().opened(*channel);
+  FakeChannel every, none, seldom;
+  for (FakeChannel* channel : {&observer_, &every, &none, &seldom}) monitor().opened(*channel);
   monitor().said(observer_, R"({"rate": 5})", false);
   monitor().said(every, R"({"rate": 62.5})", false);
   monitor().said(none, R"({"rate": 0})", false);
+  monitor().said(seldom, R"({"rate": 1e-300})", false);
   pass(1600ms);
   EXPECT_NEAR(observer_.count("state"), 8, 1);
   EXPECT_EQ(every.count("state"), 100) << "each cycle";
   EXPECT_EQ(none.count("state"), 0);
   EXPECT_GE(none.count("loop"), 1);
+  EXPECT_EQ(seldom.count("state"), 1) << "at first, and not again in this age of the world";
   EXPECT_LE(monitor().pause(), 8ms);
   monitor().closed(every);
   every.clear();
@@ -151,6 +154,18 @@ TEST_F(MonitorTest, SaysNothingTwiceAndNothingOld) {
   const int states = observer_.count("state");
   for (int i = 0; i < 20; ++i) monitor().look();  // no new cycle
   EXPECT_EQ(observer_.count("state"), states);
+}
+
+TEST_F(MonitorTest, CannotWriteWhereTheLoopLooks) {
+  begin();
+  monitor().opened(observer_);
+  pass(100ms);
+  exchange_.reset();  // the loop's own mapping, in this test's process
+  std::ifstream maps{"/proc/self/maps"};
+  std::vector<std::string> rights;
+  for (std::string address, right, rest; maps >> address >> right && std::getline(maps, rest);)
+    if (rest.ends_with(files_.exchange)) rights.push_back(right);
+  EXPECT_THAT(rights, ElementsAre("r--s"));
 }
 
 TEST_F(MonitorTest, AnswersWhatItDoesNotUnderstand) {
@@ -254,6 +269,23 @@ TEST_F(MonitorTest, OpensTheCameraWhileSomebodyLooksAndNobodyDrives) {
   monitor().closed(observer_);
   pass(32ms);
   EXPECT_EQ(cameras_open_, 0) << "nobody looks any more";
+}
+
+TEST(MonitorEye, SeesWhatADriverShowsAndNeverTouchesItsCamera) {
+  int own = 0, shown = 0;
+  Eye eye{[&own] { return std::make_unique<FakePictures>(own); },
+          [&shown] { return std::make_unique<FakePictures>(shown); }};
+  const auto open = [&] { return std::pair{own, shown}; };
+  eye.look(true, true, Nanos{1h});
+  EXPECT_EQ(open(), (std::pair{1, 0}));
+  eye.look(true, false, Nanos{1h});
+  EXPECT_EQ(open(), (std::pair{0, 1})) << "at once";
+  EXPECT_TRUE(eye.shared());
+  eye.look(true, true, Nanos{1h});
+  EXPECT_EQ(open(), (std::pair{1, 0}));
+  EXPECT_FALSE(eye.shared());
+  eye.look(false, false, Nanos{1h});
+  EXPECT_EQ(open(), (std::pair{0, 0})) << "nobody looks";
 }
 
 TEST(MonitorEye, TriesAgainLaterWhenThereIsNoCamera) {

@@ -18,9 +18,9 @@ using web::WebClient;
 
 class MonitorProcess : public Rig {
  protected:
-  void startMonitor() {
-    monitor_ = std::make_unique<Program>(std::vector<std::string>{program("darwinop-monitor"), "--port", "0"},
-                                         file("monitor.txt"));
+  void startMonitor(std::vector<std::string> command = {}) {
+    command.insert(command.end(), {program("darwinop-monitor"), "--port", "0"});
+    monitor_ = std::make_unique<Program>(command, file("monitor.txt"));
     const std::string ready = "ready: ws://127.0.0.1:";
     ASSERT_TRUE(monitor_->says(ready, 20s)) << monitor_->output();
     const std::string said = monitor_->output();
@@ -51,6 +51,19 @@ class MonitorProcess : public Rig {
   }
   static Json hearType(WebClient& peer, const std::string& type) {
     return hearUntil(peer, [&type](const Json& text) { return text["type"] == type; });
+  }
+
+  /// A picture, of a camera of which the observer has been told that it sees.
+  static bool hearPicture(WebClient& peer) {
+    if (hearUntil(peer, [](const Json& text) { return text["type"] == "camera" && text["seeing"] == true; }).is_null())
+      return false;
+    const auto give_up = std::chrono::steady_clock::now() + 20s;
+    while (std::chrono::steady_clock::now() < give_up) {
+      const auto heard = peer.hear();
+      if (!heard) break;
+      if (heard->opcode == 2) return heard->bytes.substr(20, 2) == "\xFF\xD8";
+    }
+    return false;
   }
 
   std::unique_ptr<Program> monitor_;
@@ -143,6 +156,30 @@ TEST_F(MonitorProcess, LosesFramesOfSlowObserversAndNothingElse) {
   EXPECT_LT(late, heard) << "most were thrown away";
   EXPECT_FALSE(hearUntil(slow, [](const Json& text) { return text["type"] == "loop" && text["lost"] > 0; }).is_null());
 }
+
+#ifdef DARWINOP_VISUAL_TRACKING  // where there is a virtual camera
+TEST_F(MonitorProcess, ShowsWhatTheCameraOfADriverSeesAndThenItsOwn) {
+  startVirtualRobot();
+  const auto daemon = startDaemon();
+  ASSERT_TRUE(daemon->says("ready:", 20s)) << daemon->output();
+  const std::string camera = program("darwinop-virtual-camera");  // a camera for each of the two
+  startMonitor({camera, "--"});
+  const Program driver{{camera, "--", program("darwinop-run"), "--robot", "runtime", DARWINOP_VISUAL_TRACKING},
+                       file("run.txt")};
+  WebClient peer = observer("{}");
+  const auto driven = [](const Json& text) { return text["type"] == "loop" && text["driver"].is_object(); };
+  const Json loop = hearUntil(peer, driven);
+  ASSERT_FALSE(loop.is_null()) << driver.output();
+  peer.say(R"({"camera": 30})");
+  EXPECT_THAT(hearType(peer, "camera")["text"].dump(), HasSubstr("a controller drives"));
+  EXPECT_TRUE(hearPicture(peer)) << monitor_->output() << driver.output();
+  EXPECT_TRUE(std::filesystem::exists(file("runtime.pictures")));
+
+  ::kill(loop["driver"]["pid"], SIGKILL);  // perhaps in the middle of a picture
+  EXPECT_THAT(hearType(peer, "camera")["text"].dump(), HasSubstr("the camera gives no pictures"));
+  EXPECT_TRUE(hearPicture(peer)) << monitor_->output();
+}
+#endif
 
 TEST_F(MonitorProcess, AsksWhoMayLookBeforeItShowsTheRobotToANetwork) {
   Program refused{{program("darwinop-monitor"), "--listen", "0.0.0.0"}, file("monitor.txt")};

@@ -1,8 +1,11 @@
 // The sound program as a process: what is missing, what dies, and what is left behind.
 #include <gmock/gmock.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <thread>
 
 #include "sound/graph.hpp"
@@ -53,6 +56,16 @@ TEST_F(SoundGraph, AFileThatIsMissingOrIsNoneIsSaidAndTheNextOneIsHeard) {
   EXPECT_GT(rms(heard(recorded().channel(0))), 0.01);
 }
 
+TEST_F(SoundGraph, WhatEndsAtOnceIsToldOfAlsoWhenTheCardIsAboutToBeGivenBack) {
+  sound().order(Speak{.id = 1, .text = folder / "no_text", .text_is_file = true});
+  awaitEnd(1);
+  sound().order(PlaySound{.id = 2, .file = toneFile(440, 0.1)});
+  awaitEnd(2);
+  std::this_thread::sleep_for(100ms);  // the card rests for 0.3 s after the tone, half of which was over
+  sound().order(Speak{.id = 3, .text = folder / "no_text", .text_is_file = true});
+  awaitEnd(3);
+}
+
 TEST_F(SoundGraph, AProgramThatIsKilledIsToldOfAndLeavesNoZombie) {
   sound().order(PlaySound{.id = 1, .file = toneFile(440, 10)});
   awaitBegin(1);
@@ -95,6 +108,16 @@ TEST_F(SoundGraph, TheProgramEndsWithItsController) {
   waitpid(controller, nullptr, 0);
   while (lives() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(5ms);
   EXPECT_FALSE(lives());
+}
+
+TEST_F(SoundGraph, APipeOfTheControllerEndsWhenTheControllerClosesIt) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);  // as popen() and many a library make them
+  sound();
+  close(ends[1]);
+  pollfd end{ends[0], POLLIN, 0};
+  EXPECT_EQ(poll(&end, 1, 1000), 1) << "the sound program has it, too";
+  close(ends[0]);
 }
 
 TEST_F(SoundGraph, AMissingProgramIsAWordAboutWhereItWasLookedFor) {

@@ -132,7 +132,9 @@ TEST_F(SpeakerTest, ValuesBeyondTheirRangesAreBroughtThereAndThatIsSaidOnce) {
   EXPECT_EQ(last<Speak>().words_per_minute, 450);
   s.speak(std::string(31'999, 'x') + "\u00fc", 1);
   EXPECT_EQ(last<Speak>().text.size(), 31'999U) << "a letter is not cut in two";
-  EXPECT_EQ(std::ranges::count(told(), '\n'), 5) << "volume, pitch, balance, speed, length";
+  const std::string text = told();
+  EXPECT_EQ(std::ranges::count(text, '\n'), 5) << "volume, pitch, balance, speed, length";
+  EXPECT_THAT(text, HasSubstr("a speed lies between 80 and 450; it"));
 }
 
 TEST_F(SpeakerTest, PlayFileWaitStepsTheRobotUntilTheSoundWasHeard) {
@@ -151,6 +153,19 @@ TEST_F(SpeakerTest, InSimulatedTimePlayFileWaitTakesTheTimeOfTheSound) {
   fake.real_time = false;
   prepare();
   loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundNews>{SoundStarted{1, 0.08}}; };
+  const double begin = robot().getTime();
+  speaker().playFileWait("/a.mp3");
+  EXPECT_NEAR(robot().getTime() - begin, 0.08, 0.001);
+}
+
+TEST_F(SpeakerTest, ASimulationThatIsSlowerThanTheSoundTakesAsManySteps) {
+  fake.real_time = false;
+  prepare();
+  loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundNews>{SoundStarted{1, 0.08}}; };
+  const auto before = fake.published.size();
+  fake.on_cycle = [&](std::uint64_t) {
+    if (fake.published.size() == before + 1) loudspeaker.news = {SoundEnded{1}};
+  };
   const double begin = robot().getTime();
   speaker().playFileWait("/a.mp3");
   EXPECT_NEAR(robot().getTime() - begin, 0.08, 0.001);
@@ -192,6 +207,10 @@ TEST_F(SpeakerTest, AProgramThatDiedIsSaidAndTheNextSoundStartsAnotherOne) {
   EXPECT_FALSE(speaker().isSpeaking() || speaker().isSoundPlaying(""));
   speaker().playFile("/a.mp3");
   EXPECT_EQ(opened, 2);
+  loudspeaker.news = {SoundLost{"it was ended by signal 9"}};
+  speaker().stop("");
+  EXPECT_EQ(opened, 2) << "no program is started to be silent";
+  speaker().playFile("/a.mp3");
   EXPECT_TRUE(speaker().isSoundPlaying("/a.mp3"));
   loudspeaker.full = true;
   speaker().playFile("/b.mp3");

@@ -64,7 +64,8 @@ void Player::sound() {
     write(card, piece);
     std::this_thread::sleep_until(began + timeOf(written) - kLead);
     tellEnded(Clock::now());
-    if (timeOf(written - last_heard) > kRest) break;
+    // What ended without a sound, an empty text, is not told later than the rest.
+    if (timeOf(written - last_heard) > kRest && ended_.empty()) break;
   }
 }
 
