@@ -96,6 +96,21 @@ test('an arm goes limp after a warning, and gets its torque back where it hangs'
   assert.ok(Math.abs(await goal() - hangs.high) < 0.2);
 });
 
+test('a page that falls silent in the middle of a walk leaves a robot that stands', async () => {
+  await page.keyboard.down('w');
+  await saysGait('Walking');
+  await page.waitForTimeout(2500);  // it stands already, and knows its gyroscope: steps by now
+  await page.evaluate(() => { window.darwinop.steering.send = () => {}; });
+  await page.getByText('not heard for half a second').waitFor();
+  await page.keyboard.up('w');
+  await page.waitForFunction(() => document.getElementById('pills').textContent.includes('Stateholding'));
+  await page.waitForTimeout(700);
+  const up = await reach('accelerometer.z', 0.5), knee = await reach('LegLowerR.goal', 0.3);
+  assert.ok(up.low > 7, `it stands: ${JSON.stringify(up)}`);
+  assert.ok(Math.abs(knee.low - 0.92) < 0.15, `on both legs, as before the walk: ${JSON.stringify(knee)}`);
+  await page.evaluate(() => { delete window.darwinop.steering.send; });
+});
+
 test('a robot that is out of its start pose is taken only by who has seen it', async () => {
   await page.evaluate(() => window.darwinop.steering.leave());
   await page.locator('body:not(.driving)').waitFor();
