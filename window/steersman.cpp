@@ -9,6 +9,7 @@ namespace darwinop::window {
 namespace {
 
 constexpr bool kWhereItIs = true;        // who drags an arm does not want the robot to kneel first
+constexpr double kSettle_ms = 300;       // after the last step, for joints on their way: they are held where they are
 constexpr double kLongestEnd_ms = 6000;  // of steps and the way to the stance; then it is held all the same
 
 }  // namespace
@@ -96,7 +97,7 @@ void Steersman::driveUntilTheEnd() {
   }
   Moves moves{*pages_};
   std::uint64_t cycle = port_.sensors().cycle;
-  double ending_ms = 0;
+  double ending_ms = 0, settle_ms = 0;
   while (const std::optional<Orders> orders = newest()) {
     const Sensors seen = port_.sensors();
     const double ms = static_cast<double>(static_cast<std::int64_t>(seen.cycle - cycle) * seen.period_ns) * 1e-6;
@@ -108,7 +109,8 @@ void Steersman::driveUntilTheEnd() {
       report_.doings = moves.doings();
       leaving = leaving_;
     }
-    if (leaving && (!moves.doings().walks || (ending_ms += ms) > kLongestEnd_ms)) return;
+    if (moves.doings().walks) settle_ms = kSettle_ms;
+    if (leaving && ((!moves.doings().walks && (settle_ms -= ms) <= 0) || (ending_ms += ms) > kLongestEnd_ms)) return;
     port_.waitForNextCycle();
     if (const std::string why = port_.mustEnd(); !why.empty()) throw std::runtime_error(why);
   }

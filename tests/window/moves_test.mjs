@@ -47,6 +47,7 @@ const saysGait = (text) => page.locator('#gait [role=status]').filter({hasText: 
 
 test('it walks while the pad is held, and stands when it is let go', async () => {
   let knee;
+  await page.locator('#gait-part').fill('0.3');  // small steps: on a busy computer the twin's balance is late
   for (let tries = 0, walked = false; !walked; ++tries) {
     assert.ok(tries < 4, 'it does not walk for long enough');
     await drive();
@@ -117,19 +118,19 @@ test('an arm goes limp after a warning, and gets its torque back where it hangs'
   assert.ok(Math.abs(await goal() - hangs.high) < 0.2);
 });
 
-test('a page that falls silent in the middle of a walk leaves a robot that stands', async () => {
+test('a page that falls silent in the middle of a walk ends its step first', async () => {
   await drive();
-  await page.keyboard.down('w');
+  await page.keyboard.down('x');
   await saysGait('Walking');
   await page.waitForTimeout(2500);  // it stands already, and knows its gyroscope: steps by now
   await page.evaluate(() => { window.darwinop.steering.send = () => {}; });
   await page.getByText('not heard for half a second').waitFor();
-  await page.keyboard.up('w');
+  await page.keyboard.up('x');
   await page.waitForFunction(() => document.getElementById('pills').textContent.includes('Stateholding'));
   await page.waitForTimeout(700);
-  const up = await reach('accelerometer.z', 0.5), knee = await reach('LegLowerR.goal', 0.3);
-  assert.ok(up.low > 7, `it stands: ${JSON.stringify(up)}`);
-  assert.ok(Math.abs(knee.low - 0.92) < 0.15, `on both legs, as before the walk: ${JSON.stringify(knee)}`);
+  const [right, left] = [await reach('LegLowerR.goal', 0.3), await reach('LegLowerL.goal', 0.3)];
+  for (const knee of [right.low, -left.low])  // of the stance, 2653 ticks
+    assert.ok(Math.abs(knee - 0.928) < 0.03, `on both legs, as before the walk: ${JSON.stringify([right, left])}`);
   await page.evaluate(() => { delete window.darwinop.steering.send; });
 });
 
