@@ -11,9 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "link/setting.hpp"
+#include "managers/own_pages/own_pages.hpp"
+#include "remote/client/resolve.hpp"
+#include "remote/client/tcp_link.hpp"
 #include "remote/monitor/messages.hpp"
-#include "remote/monitor/monitor.hpp"
-#include "remote/robot/link_port.hpp"
 #include "remote/web/server.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/daemon_link.hpp"
@@ -21,7 +23,11 @@
 #include "window/body_json.hpp"
 #include "window/driver.hpp"
 #include "window/own_robot.hpp"
+#include "window/pages_json.hpp"
+#include "window/report_page.hpp"
 #include "window/secret.hpp"
+#include "window/sight.hpp"
+#include "window/steersman.hpp"
 
 namespace {
 
@@ -30,10 +36,11 @@ using namespace darwinop;
 std::atomic<bool> window_stop{false};
 
 constexpr Nanos kDrivingPause{10'000'000};  // more often than a cycle: a driver must not seem to stall
-constexpr bool kStartWhereItIs = true;      // who drags an arm does not want the robot to kneel first
+constexpr Nanos kServerPatience{3'000'000'000};
+constexpr std::uint16_t kMonitorPort = 5024;
 
 struct WindowArguments {
-  std::string robot = "twin", model = "darwin-op", name;
+  std::string robot = "twin", model = "darwin-op", name, monitor, report;
   std::vector<std::string> controller;
   std::uint16_t port = 0;
 };
@@ -49,56 +56,111 @@ void stopWindowOnSignals() {
   signal(SIGPIPE, SIG_IGN);
 }
 
-/// Nothing: the robot of a runtime that runs here.
+/// `darwinop run` logs in by ssh; here it is done by hand, and said how.
+void refuseUser(const std::string& robot) {
+  const std::size_t at = robot.find('@');
+  if (!robot.starts_with("tcp://") || at == std::string::npos) return;
+  throw std::runtime_error(
+      "the window does not log in. Lead its two ports here, and name this computer:\n"
+      "  ssh -N -L 5024:127.0.0.1:5024 -L 5023:127.0.0.1:5023 " +
+      robot.substr(std::string{"tcp://"}.size()) +
+      " &\n  darwinop window --robot tcp://127.0.0.1\n"
+      "On the robot darwinop monitor and darwinop remote have to run; see docs/window.md");
+}
+
+/// "tcp://…": the robot is on another computer.
+bool isElsewhere(const WindowArguments& given) {
+  return given.robot.starts_with("tcp://") || !given.monitor.empty();
+}
+
+/// Nothing: the robot of a runtime that runs here or elsewhere.
 std::unique_ptr<window::OwnRobot> ownRobot(const WindowArguments& given) {
-  if (given.robot == "runtime") {
+  if (given.robot == "runtime" || isElsewhere(given)) {
     if (!given.controller.empty())
       throw std::runtime_error(
-          "with --robot runtime the window only looks on; start the controller with: darwinop run");
+          "beside a robot that is not the window's own it starts no controller; start it with: darwinop run");
     return nullptr;
   }
   if (given.robot == "virtual") return std::make_unique<window::OwnRobot>("plain", given.controller);
   if (given.robot == "twin" || given.robot.starts_with("twin:"))
     return std::make_unique<window::OwnRobot>(given.robot, given.controller);
-  throw std::runtime_error("--robot " + given.robot + ": it can be twin, twin:MODEL, virtual or runtime");
+  throw std::runtime_error("--robot " + given.robot + ": it can be twin, twin:MODEL, virtual, runtime or tcp://HOST");
+}
+
+/// Where the robot's monitor is: beside its server unless --monitor says otherwise.
+link::Address monitorOf(const WindowArguments& given) {
+  link::Address monitor;
+  monitor.port = kMonitorPort;
+  if (given.monitor.empty()) {
+    monitor.host = link::readSetting(given.robot).server.host;
+  } else {
+    monitor = link::readSetting("tcp://" + given.monitor).server;
+    if (given.monitor.find(':') == std::string::npos) monitor.port = kMonitorPort;
+  }
+  return monitor;
+}
+
+window::Sight sightOf(const WindowArguments& given, const runtime::RuntimeFiles& files) {
+  if (!isElsewhere(given)) return window::Sight{files};
+  const link::Address at = monitorOf(given);
+  return window::Sight{std::make_unique<window::Bridge>(remote::addressesOf(at.host).front(), at.port,
+                                                        at.host + ":" + std::to_string(at.port))};
+}
+
+/// Throws std::runtime_error where the window only looks on.
+std::unique_ptr<runtime::RobotLink> linkToDrive(const WindowArguments& given, const runtime::RuntimeFiles& files) {
+  if (given.robot.starts_with("tcp://")) {
+    const link::Address at = link::readSetting(given.robot).server;
+    remote::TcpOptions options;
+    options.host = at.host;
+    options.port = at.port;
+    options.first_patience = kServerPatience;
+    options.say = sayWindow;
+    return std::make_unique<remote::TcpLink>(std::move(options));
+  }
+  if (isElsewhere(given))
+    throw std::runtime_error("this window only looks on; to drive, start it with --robot tcp://HOST");
+  return std::make_unique<runtime::DaemonLink>(files);
 }
 
 /// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
-std::string serveWindow(web::Server& server, const std::string& model, monitor::Monitor& monitor,
+std::string serveWindow(web::Server& server, const WindowArguments& given, window::Sight& sight,
                         window::Driver& driver) {
   const std::string base = "/" + window::newSecret() + "/";
   for (const window::Asset& asset : window::assets())
     server.serve(base + std::string{asset.name}, {std::string{asset.type}, std::string{asset.body}});
-  server.serve(base + "body.json", {"application/json", window::bodyJson(model)});
-  server.channel(base + "monitor", monitor::kSubprotocol, monitor);
+  server.serve(base + "body.json", {"application/json", window::bodyJson(given.model)});
+  window::serveReport(server, base, given.report);
+  server.serve(base + "pages.json", {"application/json", window::pagesJson(motion::ownPages())});
+  server.channel(base + "monitor", monitor::kSubprotocol, sight.user());
   server.channel(base + "steering", window::kSteeringProtocol, driver);
   return "http://127.0.0.1:" + std::to_string(server.port()) + base;
 }
 
 int showWindow(const WindowArguments& given) {
   stopWindowOnSignals();
+  refuseUser(given.robot);
   const std::unique_ptr<window::OwnRobot> own = ownRobot(given);
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
-  monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); }, nullptr};
-  remote::LinkPort port{remote::LinkPort::Home::kDaemon, [&] { return std::make_unique<runtime::DaemonLink>(files); },
-                        kStartWhereItIs};
-  window::Driver driver{port, [] { return runtime::MonotonicClock{}.now(); }};
+  window::Sight sight = sightOf(given, files);
+  window::Steersman steersman{[&] { return linkToDrive(given, files); }, motion::ownPages()};
+  window::Driver driver{steersman, [] { return runtime::MonotonicClock{}.now(); }};
   web::ServerConfig config;
   config.port = given.port;
   config.entry.own_origin = true;
   web::Server server{config, sayWindow};
-  const std::string address = serveWindow(server, given.model, monitor, driver);
+  const std::string address = serveWindow(server, given, sight, driver);
   std::cout << "open in a browser: " << address << '\n';
   if (own)
     std::cout << "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" << own->name()
               << '\n';
   std::cout << "end with Ctrl+C" << std::endl;
   while (!window_stop) {
-    server.attend(driver.drives() ? std::min(monitor.pause(), kDrivingPause) : monitor.pause());
-    monitor.look();
+    server.attend(driver.drives() ? std::min(sight.pause(), kDrivingPause) : sight.pause());
+    sight.look();
     driver.turn();
     if (const std::string news = own ? own->news() : ""; !news.empty()) {
-      monitor.notice(news);
+      sight.notice(news);
       sayWindow(news);
     }
   }
@@ -111,9 +173,13 @@ int main(int count, char** arguments) try {
   WindowArguments given;
   CLI::App app{"The robot in a browser: how it stands, curves of its sensors and servos, its loop, its faults.",
                "darwinop window"};
-  app.add_option("--robot", given.robot,
-                 "twin, twin:MODEL or virtual: a robot of its own; runtime: the one that runs here")
+  app.add_option(
+         "--robot", given.robot,
+         "twin, twin:MODEL or virtual: a robot of its own; runtime: the one that runs here; tcp://HOST: over the "
+         "network")
       ->capture_default_str();
+  app.add_option("--monitor", given.monitor, "HOST[:PORT] of a darwinop monitor; --robot tcp://HOST: HOST:5024");
+  app.add_option("--report", given.report, "report of darwinop gap that the page links to");
   app.add_option("--model", given.model, "model of the twin that gives the picture its shape")->capture_default_str();
   app.add_option("--name", given.name, "name of the runtime, when several run")->envname("DARWINOP_RUNTIME_NAME");
   app.add_option("--port", given.port, "TCP port on this computer; 0: any that is free")->capture_default_str();

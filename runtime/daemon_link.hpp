@@ -19,14 +19,12 @@ class DaemonLink final : public ExchangeLink {
   /// Says farewell and gives the lease back; the daemon sees to the robot.
   ~DaemonLink() override;
 
-  /// No farewell at the end: the robot holds, as after a controller that died, and the next one may come within gone_s.
-  void leaveHolding() { says_farewell_ = false; }
-
   [[nodiscard]] const RuntimeFiles& files() const { return files_; }
 
   [[nodiscard]] Nanos now() const override { return clock_.now(); }
   [[nodiscard]] bool realTime() const override { return true; }
   [[nodiscard]] bool bringsToRest() const override { return false; }
+  void leaveHolding() override { says_farewell_ = false; }
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
 
  private:

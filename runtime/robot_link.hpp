@@ -35,6 +35,10 @@ class RobotLink {
   /// good (the daemon died) or `stop` became true; whyEnded() then has a sentence for the user.
   [[nodiscard]] virtual bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) = 0;
 
+  /// No farewell at the end: the robot holds, as after a controller that died, and the next one may come within gone_s.
+  /// A link whose end is the end of the loop knows no such thing.
+  virtual void leaveHolding() {}
+
   /// The newest consistent image. Never waits.
   [[nodiscard]] virtual Sensors sensors() const = 0;
 

@@ -1,11 +1,9 @@
 #include "window/driver.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
-
-#include "remote/protocol/units.hpp"
+#include <optional>
+#include <utility>
 
 namespace darwinop::window {
 namespace {
@@ -16,19 +14,10 @@ void answer(web::Channel& channel, bool yours, const std::string& text) {
   channel.send(web::kEvery, std::make_shared<const std::string>(said.dump(-1, ' ', false, replace)));
 }
 
-remote::MotorSetting goalFor(Joint joint, Rad goal) {
-  remote::MotorSetting setting;
-  setting.joint = joint;
-  setting.set = remote::MotorSetting::kPosition | remote::MotorSetting::kVelocity;
-  setting.position = std::clamp(remote::wireFromPosition(std::clamp(goal.value, -kPi, kPi)), -2048, 2047);
-  setting.velocity = remote::wireFromVelocity(Driver::kFastest);
-  return setting;
-}
-
 }  // namespace
 
 Driver::~Driver() {
-  if (driver_ != nullptr) robot_.hold();
+  if (driver_ != nullptr) helm_.leave();
 }
 
 void Driver::opened(web::Channel& channel) {
@@ -38,48 +27,74 @@ void Driver::opened(web::Channel& channel) {
 void Driver::said(web::Channel& channel, std::string_view message, bool binary) {
   std::string why = "only text is understood here";
   const std::optional<SteeringWords> words = binary ? std::nullopt : readSteering(message, why);
-  if (!words) return answer(channel, driver_ == &channel, why);  // does not count as a sign of life
+  if (!words) return answer(channel, at_helm_ && driver_ == &channel, why);  // does not count as a sign of life
   if (words->take && driver_ == nullptr)
     take(channel);
   else if (words->take && driver_ != &channel)
     answer(channel, false, "another page drives");
   if (driver_ != &channel) return;
   heard_ = clock_();
-  if (words->stop) return letGo("You have let go. The robot holds.");
-  for (const auto& [joint, goal] : words->goals) goals_[index(joint)] = goal;
+  if (words->stop) {
+    helm_.stop();
+    return letGo("You have let go. The robot holds.");
+  }
+  if (words->leave) {
+    helm_.leave();
+    return letGo("You have let go. The robot holds.");
+  }
+  orders_.add(words->orders);
 }
 
 void Driver::take(web::Channel& channel) {
-  try {
-    robot_.begin(remote::Beginning::kFresh);
-  } catch (const std::runtime_error& error) {
-    return answer(channel, false, error.what());
-  }
+  const Helm::State state = helm_.report().state;
+  if (state != Helm::State::kFree) return answer(channel, false, "the robot is still coming to rest; try again");
   driver_ = &channel;
-  goals_ = {};
-  answer(channel, true, "");
+  at_helm_ = false;
+  orders_ = {};
+  told_ = {};
+  answer(channel, false, "Taking the robot …");
+  helm_.begin();
 }
 
 void Driver::turn() {
   if (driver_ == nullptr) return;
-  if (clock_() - heard_ > kPatience) return letGo("This page was not heard for half a second. The robot holds.");
-  if (const std::string why = robot_.mustEnd(); !why.empty()) return letGo(why);
-  remote::Request request;
-  for (std::size_t i = 0; i < kJoints; ++i)
-    if (goals_[i]) request.motors.add(goalFor(static_cast<Joint>(i), *goals_[i]));
-  goals_ = {};
-  robot_.obey(request);
+  const Helm::Report report = helm_.report();
+  if (report.state == Helm::State::kFree) return letGo(report.why);
+  if (!at_helm_ && report.state == Helm::State::kDriving) {
+    at_helm_ = true;
+    heard_ = clock_();  // it was told nothing to answer yet
+    answer(*driver_, true, "");
+  }
+  if (!at_helm_) return;
+  if (clock_() - heard_ > kPatience) {
+    helm_.leave();
+    return letGo("This page was not heard for half a second. The robot holds.");
+  }
+  helm_.order(orders_);
+  orders_.taken();
+  if (report.doings != told_) tellDoings(report.doings);
+}
+
+void Driver::tellDoings(const Doings& doings) {
+  told_ = doings;
+  nlohmann::json limp = nlohmann::json::array();
+  for (std::size_t i = 0; i < kLimbs; ++i)
+    if (doings.limp[i]) limp.push_back(limbName(i));
+  const nlohmann::json said{
+      {"type", "doing"}, {"walks", doings.walks}, {"page", doings.page}, {"limp", limp}, {"refused", doings.refused}};
+  driver_->send(web::kEvery, std::make_shared<const std::string>(said.dump()));
 }
 
 void Driver::letGo(const std::string& why) {
-  robot_.hold();
+  at_helm_ = false;
   answer(*std::exchange(driver_, nullptr), false, why);
 }
 
 void Driver::closed(web::Channel& channel) noexcept {
   if (driver_ != &channel) return;
   driver_ = nullptr;
-  robot_.hold();
+  at_helm_ = false;
+  helm_.leave();
 }
 
 }  // namespace darwinop::window

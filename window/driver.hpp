@@ -1,14 +1,12 @@
-// Steering from the page: one page at a time holds the driving lease, as a controller does, and only while it is heard.
+// Steering from the page: one page at a time drives, as a controller does, and only while it is heard.
 #pragma once
 
-#include <array>
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "hal/byte_line.hpp"
-#include "remote/server/robot_port.hpp"
 #include "remote/web/channel.hpp"
+#include "window/helm.hpp"
 #include "window/steering_words.hpp"
 
 namespace darwinop::window {
@@ -22,9 +20,8 @@ class Driver final : public web::ChannelUser {
   /// A page that is not heard for so long has gone: closed, asleep, or behind a cut network. It speaks ten times a
   /// second.
   static constexpr Nanos kPatience{500'000'000};
-  static constexpr double kFastest = 2.0;  // rad/s, of every joint
 
-  Driver(remote::RobotPort& robot, Clock clock) : robot_{robot}, clock_{std::move(clock)} {}
+  Driver(Helm& helm, Clock clock) : helm_{helm}, clock_{std::move(clock)} {}
   /// Who drives lets go.
   ~Driver() override;
 
@@ -38,13 +35,16 @@ class Driver final : public web::ChannelUser {
 
  private:
   void take(web::Channel& channel);
+  void tellDoings(const Doings& doings);
   void letGo(const std::string& why);
 
-  remote::RobotPort& robot_;
+  Helm& helm_;
   Clock clock_;
-  web::Channel* driver_ = nullptr;
+  web::Channel* driver_ = nullptr;  // or who wants to be it
+  bool at_helm_ = false;            // it drives
   Nanos heard_{0};
-  std::array<std::optional<Rad>, kJoints> goals_{};  // since the last turn
+  Orders orders_{};  // since the last turn
+  Doings told_{};
 };
 
 }  // namespace darwinop::window

@@ -42,6 +42,8 @@ class TcpLink final : public runtime::RobotLink {
   [[nodiscard]] bool bringsToRest() const override { return false; }
   void publish(Commands commands) override;
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
+  /// Sends what was published last, too.
+  void leaveHolding() override;
   [[nodiscard]] Sensors sensors() const override { return shown_; }
   [[nodiscard]] std::string whyEnded() const override { return why_ended_; }
   [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height) override;
@@ -84,6 +86,7 @@ class TcpLink final : public runtime::RobotLink {
   bool extended_ = true;  // the server knows the extension; believed until a reply lacks it
   bool greeted_ = false;  // this connection's first reply is there
   bool real_time_ = true;
+  bool says_farewell_ = true;
   Nanos period_{16'000'000};
 
   Sensors image_{};                // as the last reply told it, in cycles and time of this link

@@ -1,5 +1,6 @@
 // How a TcpLink finds its server, loses it, finds it again and takes its leave.
 #include <algorithm>
+#include <atomic>
 #include <stdexcept>
 #include <utility>
 
@@ -105,9 +106,15 @@ void TcpLink::reconnect() {
   connection_.connect(addresses_[next_address_++ % addresses_.size()], options_.port);
 }
 
+void TcpLink::leaveHolding() {
+  constexpr std::atomic<bool> kNeverStops{false};
+  (void)waitForCycle(shown_.cycle + 1, kNeverStops);  // a cycle's time, whatever the network does
+  says_farewell_ = false;
+}
+
 /// A server of 2013 knows no farewell: there the robot stops when the connection ends.
 TcpLink::~TcpLink() {
-  if (!drove_ || !extended_ || !greeted_) return;
+  if (!says_farewell_ || !drove_ || !extended_ || !greeted_) return;
   const Nanos give_up = clock_.now() + kGoodBye;
   const auto settle = [&] {
     while (connection_.awaitsReply() && clock_.now() < give_up) {

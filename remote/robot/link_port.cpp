@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "remote/protocol/units.hpp"
-#include "runtime/daemon_link.hpp"
+#include "runtime/exchange_link.hpp"
 #include "webots/counts.hpp"
 
 namespace darwinop::remote {
@@ -123,6 +123,10 @@ void LinkPort::simulateUntil(std::uint64_t cycle) {
   if (cycle > now) (void)link_->waitForCycle(std::min(cycle, now + most), kNever);
 }
 
+void LinkPort::waitForNextCycle() {
+  (void)link_->waitForCycle(link_->sensors().cycle + 1, kNever);
+}
+
 std::string LinkPort::mustEnd() {
   const Sensors seen = link_->sensors();
   const Nanos now = clock_.now();
@@ -145,7 +149,7 @@ void LinkPort::hold() noexcept {
   // Safety holds within stall_ms what is silent, but lets a slow joint go on to its goal; this is at once, and here.
   link_->publish(commands_);
   if (home_ == Home::kOwn) return;
-  if (auto* const daemon = dynamic_cast<runtime::DaemonLink*>(link_.get())) daemon->leaveHolding();
+  link_->leaveHolding();
   link_.reset();
 }
 

@@ -35,6 +35,9 @@ class LinkPort final : public RobotPort {
   void obey(const Request& request) override;
   [[nodiscard]] Sensors sensors() override { return link_->sensors(); }
   [[nodiscard]] std::string mustEnd() override;
+  /// For who drives by the robot's step. Returns, too, when the robot has gone: mustEnd() knows. Between begin() and
+  /// hold().
+  void waitForNextCycle();
   void hold() noexcept override;
   void farewell() noexcept override;
   [[nodiscard]] bool realTime() const override { return link_->realTime(); }

@@ -139,6 +139,24 @@ TEST_F(TcpLinkTest, SaysEachWishOnceAndInTheServosUnits) {
   EXPECT_TRUE(requests[4].extension.only_if_up) << "it wakes nobody";
 }
 
+TEST_F(TcpLinkTest, LeftHoldingItSendsTheLastGoalsAndNoFarewell) {
+  ScriptedRobot robot;
+  ScriptedServer server{std::ref(robot)};
+  {
+    const auto tcp = link(server.port());
+    ASSERT_TRUE(stepOf(*tcp));
+    Commands last = wanted();
+    last.joint[18].setGoal(Rad{0.25});
+    tcp->publish(last);
+    tcp->leaveHolding();
+  }
+  const std::vector<Request> requests = server.requests();
+  ASSERT_EQ(requests.size(), 3) << "a greeting, a step, where it is to stay";
+  ASSERT_EQ(requests[2].motors.size(), 1);
+  EXPECT_EQ(requests[2].motors[0].position, 163);
+  EXPECT_FALSE(requests[2].extension.farewell);
+}
+
 TEST_F(TcpLinkTest, AnOldServerIsUnderstoodWhatItCannotTellIsAbsent) {
   OldRobot robot;
   ScriptedServer server{std::ref(robot)};

@@ -1,19 +1,25 @@
 // The robot window end to end: real program, virtual robot whose head turns, real browser.
 import assert from 'node:assert/strict';
-import {readFileSync} from 'node:fs';
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {createServer} from 'node:http';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
-const kTabs = 7;
+const kTabs = 8;
+const folder = mkdtempSync(join(tmpdir(), 'darwinop-window-'));
 let browser, shown;
 
 before(async () => {
-  [browser, shown] = await Promise.all([startBrowser(), startWindow('--robot', 'virtual', process.env.DARWINOP_HELLO)]);
+  const report = join(folder, 'report.html');
+  writeFileSync(report, '<!doctype html><title>gap</title><script>document.title = `gap of ${origin}`;</script>');
+  [browser, shown] = await Promise.all([startBrowser(), startWindow('--robot', 'virtual', '--report', report, process.env.DARWINOP_HELLO)]);
 });
 after(async () => {
   await browser?.close();
   await shown?.end();
+  rmSync(folder, {recursive: true});
 });
 
 async function openPage(options = {}, url = shown.url) {
@@ -83,6 +89,31 @@ test('tabs go by arrow keys, and every tab is accessible, light and dark', async
     }
     await page.close();
   }
+});
+
+test('recordings lie over each other, one later than the other, and a report of twin and robot is linked', async () => {
+  const page = await openPage();
+  await page.click('#tab-7');
+  const log = (offset) => 'time_s,cycle,Neck.position [rad],Head.load\n' +
+    [...Array(500).keys()].map((i) => `${7 + i * 0.016},${i},${Math.sin(i / 50) + offset},`).join('\n') + '\n';
+  await page.setInputFiles('#compare-files', [
+    {name: 'twin.csv', mimeType: 'text/csv', buffer: Buffer.from(log(0))},
+    {name: 'robot.csv', mimeType: 'text/csv', buffer: Buffer.from(log(0.2))},
+    {name: 'shopping.csv', mimeType: 'text/csv', buffer: Buffer.from('milk,2\n')}]);
+  await page.getByText('shopping.csv is no recording').waitFor();
+  await page.selectOption('#compare-column', 'Neck.position');
+  await page.waitForFunction(() => window.darwinop.compare.plot?.series.length === 3);
+  await page.fill('#shift-1', '1.6');
+  const [times, twin, robot] = await page.evaluate(() => window.darwinop.compare.plot.data.map((column) => [...column]));
+  const at = (curve, time) => curve[times.findIndex((t) => Math.abs(t - time) < 1e-6)];
+  assert.ok(Math.abs(at(twin, 0.8) - Math.sin(1)) < 1e-6);
+  assert.ok(Math.abs(at(robot, 2.4) - Math.sin(1) - 0.2) < 1e-6);
+  if (process.env.SHOTS) await page.screenshot({path: `${process.env.SHOTS}/compare.png`});
+
+  const [report] = await Promise.all([page.context().waitForEvent('page'), page.click('#gap-report')]);
+  await report.waitForFunction(() => document.title.startsWith('gap of'));
+  assert.equal(await report.title(), 'gap of null', 'it is nobody, and can reach nothing here');
+  await page.close();
 });
 
 test('without the secret there is nothing', async () => {

@@ -4,10 +4,8 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
-#include <stdexcept>
+#include <string>
 #include <vector>
-
-#include "remote/protocol/units.hpp"
 
 namespace darwinop {
 namespace {
@@ -15,19 +13,23 @@ namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-struct RobotOnPaper final : remote::RobotPort {
-  void begin(remote::Beginning) override {
-    if (!refusal.empty()) throw std::runtime_error(refusal);
-    held = false;
+struct HelmOnPaper final : window::Helm {
+  void begin() override {
+    now = {.state = refusal.empty() ? State::kDriving : State::kFree, .why = refusal};
+    end = "";
   }
-  void obey(const remote::Request& request) override { obeyed.push_back(request); }
-  Sensors sensors() override { return {}; }
-  std::string mustEnd() override { return end; }
-  void hold() noexcept override { held = true; }
+  void order(const window::Orders& orders) override { ordered.push_back(orders); }
+  void stop() override { letGo("stop"); }
+  void leave() override { letGo("leave"); }
+  Report report() override { return now; }
+  void letGo(const char* how) {
+    now = {};
+    end = how;
+  }
 
+  Report now{};
   std::string refusal, end;
-  bool held = true;
-  std::vector<remote::Request> obeyed;
+  std::vector<window::Orders> ordered;
 };
 
 struct Page final : web::Channel {
@@ -42,42 +44,58 @@ struct Page final : web::Channel {
 };
 
 struct WindowDriver : testing::Test {
-  void take() { driver.said(page, R"({"take": true})", false); }
+  void take() {
+    driver.said(page, R"({"take": true})", false);
+    driver.turn();
+  }
+  void say(const char* words) {
+    driver.said(page, words, false);
+    driver.turn();
+  }
 
   Nanos now{0};
-  RobotOnPaper robot;
+  HelmOnPaper helm;
   Page page, other;
-  window::Driver driver{robot, [this] { return now; }};
+  window::Driver driver{helm, [this] { return now; }};
 };
 
 TEST_F(WindowDriver, NobodyMovesTheRobotBeforeItIsTaken) {
-  driver.said(page, R"({"goals": {"Neck": 0.3}})", false);
-  driver.turn();
-  EXPECT_TRUE(robot.obeyed.empty());
+  say(R"({"goals": {"Neck": 0.3}})");
+  EXPECT_TRUE(helm.ordered.empty());
 }
 
-TEST_F(WindowDriver, AGoalReachesTheRobotOnceWithASpeed) {
+TEST_F(WindowDriver, TheNewestGoalIsOrderedOnce) {
   take();
   EXPECT_THAT(page.heard, HasSubstr(R"("yours":true)"));
   driver.said(page, R"({"goals": {"Neck": 0.1}})", false);
-  driver.said(page, R"({"goals": {"Neck": 0.3}})", false);
+  say(R"({"goals": {"Neck": 0.3}})");
+  EXPECT_EQ(helm.ordered.back().goals[index(Joint::kNeck)].value_or(Rad{}).value, 0.3);
   driver.turn();
-  driver.turn();
-  ASSERT_EQ(robot.obeyed.size(), 2U);
-  ASSERT_EQ(robot.obeyed[0].motors.size(), 1U);
-  const remote::MotorSetting& setting = robot.obeyed[0].motors[0];
-  EXPECT_EQ(setting.joint, Joint::kNeck);
-  EXPECT_NEAR(remote::positionFromWire(setting.position), 0.3, 0.002);
-  EXPECT_NEAR(remote::velocityFromWire(setting.velocity), window::Driver::kFastest, 0.02);
-  EXPECT_TRUE(robot.obeyed[1].motors.empty());
+  EXPECT_FALSE(helm.ordered.back().goals[index(Joint::kNeck)]);
 }
 
-TEST_F(WindowDriver, AGoalBeyondATurnIsCutToWhatAnEncoderKnows) {
+TEST_F(WindowDriver, AWalkLastsWhileThePageSaysSo) {
   take();
-  driver.said(page, R"({"goals": {"Neck": 1e300, "Head": -9}})", false);
+  say(R"({"walk": {"x": 0.5, "a": -3}})");
   driver.turn();
-  for (const remote::MotorSetting& setting : robot.obeyed.at(0).motors)
-    EXPECT_TRUE(remote::isEncoderPosition(setting.position)) << setting.position;
+  ASSERT_TRUE(helm.ordered.back().walk);
+  EXPECT_EQ(helm.ordered.back().walk->x, 0.5);
+  EXPECT_EQ(helm.ordered.back().walk->a, -1);
+  say("{}");
+  EXPECT_FALSE(helm.ordered.back().walk);
+}
+
+TEST_F(WindowDriver, PagesAndTorqueAreOrderedOnceAndWhatComesOfItIsTold) {
+  take();
+  say(R"({"page": 9, "torque": {"left_arm": false}})");
+  EXPECT_EQ(helm.ordered.back().page, 9);
+  EXPECT_EQ(helm.ordered.back().torque[1], false);
+  driver.turn();
+  EXPECT_EQ(helm.ordered.back().page, 0);
+  EXPECT_FALSE(helm.ordered.back().torque[1]);
+  helm.now.doings = {.page = 9, .limp = 2, .refused = "no"};
+  driver.turn();
+  EXPECT_THAT(page.heard, HasSubstr(R"("limp":["left_arm"],"page":9,"refused":"no")"));
 }
 
 TEST_F(WindowDriver, ASecondPageIsRefusedAndMovesNothing) {
@@ -86,56 +104,68 @@ TEST_F(WindowDriver, ASecondPageIsRefusedAndMovesNothing) {
   EXPECT_THAT(other.heard, HasSubstr("another page drives"));
   driver.said(other, R"({"stop": true})", false);
   driver.turn();
-  EXPECT_TRUE(robot.obeyed.at(0).motors.empty());
-  EXPECT_FALSE(robot.held);
+  EXPECT_FALSE(helm.ordered.back().goals[index(Joint::kNeck)]);
+  EXPECT_EQ(helm.end, "");
 }
 
-TEST_F(WindowDriver, StopSilenceAndFarewellHoldTheRobot) {
+TEST_F(WindowDriver, AStopIsAtOnceAndWhoGoesAwayLetsTheStepEnd) {
   take();
-  driver.said(page, R"({"stop": true})", false);
-  EXPECT_TRUE(robot.held);
+  say(R"({"stop": true})");
+  EXPECT_EQ(helm.end, "stop");
+  take();
+  say(R"({"leave": true})");
+  EXPECT_EQ(helm.end, "leave");
 
   take();
-  EXPECT_FALSE(robot.held);
   now += window::Driver::kPatience;
   driver.turn();
-  EXPECT_FALSE(robot.held);
+  EXPECT_EQ(helm.end, "");
   now += 1ms;
   driver.turn();
-  EXPECT_TRUE(robot.held);
+  EXPECT_EQ(helm.end, "leave");
   EXPECT_THAT(page.heard, HasSubstr("not heard"));
 
   take();
   driver.closed(page);
-  EXPECT_TRUE(robot.held);
+  EXPECT_EQ(helm.end, "leave");
   EXPECT_FALSE(driver.drives());
+}
+
+TEST_F(WindowDriver, NobodyTakesARobotThatStillComesToRest) {
+  helm.now.state = window::Helm::State::kEnding;
+  take();
+  EXPECT_FALSE(driver.drives());
+  EXPECT_THAT(page.heard, HasSubstr("coming to rest"));
 }
 
 TEST_F(WindowDriver, WhatIsNotUnderstoodIsNoSignOfLife) {
   take();
   now += window::Driver::kPatience;
-  for (const char* nonsense : {"", "[]", "{", R"({"take": 1})", R"({"goals": [1]})", R"({"goals": {"Nose": 1}})",
-                               R"({"goals": {"Neck": "up"}})", R"({"goals": {"Neck": null}})", "\xff\xfe"}) {
+  for (const char* nonsense :
+       {"", "[]", "{", R"({"take": 1})", R"({"goals": [1]})", R"({"goals": {"Nose": 1}})",
+        R"({"goals": {"Neck": "up"}})", R"({"goals": {"Neck": null}})", R"({"walk": {"z": 1}})",
+        R"({"walk": {"x": "1"}})", R"({"walk": 1})", R"({"page": 0})", R"({"page": 256})", R"({"page": 1.5})",
+        R"({"torque": {"tail": true}})", R"({"torque": {"head": 1}})", R"({"leave": 1})", "\xff\xfe"}) {
     driver.said(page, nonsense, false);
     EXPECT_THAT(page.heard, testing::Not(HasSubstr(R"("text":"")"))) << nonsense;
   }
   driver.said(page, "{}", true);
   now += 1ms;
   driver.turn();
-  EXPECT_TRUE(robot.held);
+  EXPECT_EQ(helm.end, "leave");
 }
 
 TEST_F(WindowDriver, ARefusedLeaseAndAFaultAreToldInWords) {
-  robot.refusal = "another controller drives";
+  helm.refusal = "another controller drives";
   take();
   EXPECT_THAT(page.heard, HasSubstr("another controller drives"));
   EXPECT_FALSE(driver.drives());
-  robot.refusal.clear();
+  helm.refusal.clear();
   take();
-  robot.end = "the supply is under 10.0 V";
+  helm.now = {.why = "the supply is under 10.0 V"};
   driver.turn();
-  EXPECT_TRUE(robot.held);
   EXPECT_THAT(page.heard, HasSubstr("under 10.0 V"));
+  EXPECT_FALSE(driver.drives());
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 import {spawn} from 'node:child_process';
 import {existsSync} from 'node:fs';
 import {createRequire} from 'node:module';
-import {createInterface} from 'node:readline';
 
 const need = createRequire(`${process.env.DARWINOP_NPM}/`);
 const {chromium} = need('playwright-core');
@@ -14,15 +13,23 @@ export async function startBrowser() {
   return chromium.launch({executablePath: program, args: ['--no-sandbox']});
 }
 
-/// {url, process, end()}: `darwinop window` with these arguments, ready.
-export async function startWindow(...words) {
-  const program = spawn(`${process.env.DARWINOP_BIN}/darwinop-window`, words, {stdio: ['ignore', 'pipe', 'pipe']});
-  let said = '';
-  program.stderr.on('data', (text) => { said += text; });
+/// {said(), printed(), end()}: a program of ours that has printed what `ready` finds.
+export async function startProgram(noun, words, ready, more = {}) {
+  const program = spawn(`${process.env.DARWINOP_BIN}/darwinop-${noun}`, words,
+    {stdio: ['ignore', 'pipe', 'pipe'], env: {...process.env, ...more}});
+  let said = '', printed = '';
   const ended = new Promise((done) => program.once('exit', done));
-  for await (const line of createInterface({input: program.stdout})) {
-    const url = line.match(/http:\S+/)?.[0];
-    if (url) return {url, process: program, said: () => said, end: () => { program.kill('SIGTERM'); return ended; }};
-  }
-  throw new Error(`darwinop window ended: ${said}`);
+  const found = new Promise((done) => program.stdout.on('data', (text) => {
+    printed += text;
+    if (ready.test(printed)) done(true);
+  }));
+  program.stderr.on('data', (text) => { said += text; });
+  if (await Promise.race([found, ended]) !== true) throw new Error(`darwinop ${noun} ended: ${said}`);
+  return {process: program, said: () => said, printed: () => printed, end: () => { program.kill('SIGTERM'); return ended; }};
+}
+
+/// The same of `darwinop window`, with its `url`.
+export async function startWindow(...words) {
+  const shown = await startProgram('window', words, /end with Ctrl/);
+  return Object.assign(shown, {url: shown.printed().match(/http:\S+/)[0]});
 }

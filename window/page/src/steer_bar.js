@@ -2,14 +2,15 @@
 import {el, setText} from './dom.js';
 
 export class SteerBar {
-  constructor(node, steering) {
+  /// `take`: somebody wants to drive.
+  constructor(node, steering, take) {
     this.steering = steering;
     this.take = el('button', {type: 'button', id: 'take'}, 'Drive …');
     this.stop = el('button', {type: 'button', id: 'stop'}, 'STOP');
     this.stop.title = 'The robot holds where it is, and you no longer drive (key Escape)';
     this.words = el('span', {role: 'status'});
     node.append(this.words, this.take, this.stop);
-    this.take.addEventListener('click', () => steering.take());
+    this.take.addEventListener('click', () => take());
     this.stop.addEventListener('click', () => steering.stop());
     document.addEventListener('keydown', (event) => event.key === 'Escape' && steering.stop());
     steering.addEventListener('change', () => this.tell());
@@ -17,10 +18,10 @@ export class SteerBar {
   }
 
   tell() {
-    const {drives, text} = this.steering;
+    const {drives, text, doing} = this.steering;
     document.body.classList.toggle('driving', drives);
     this.take.hidden = drives;
     this.stop.disabled = !drives;
-    setText(this.words, drives ? 'You are driving' : text);
+    setText(this.words, drives ? `You are driving${doing.refused ? `; refused: ${doing.refused}` : ''}` : text);
   }
 }

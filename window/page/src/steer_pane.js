@@ -1,8 +1,8 @@
 // A slider for each servo, within its limits.
 import {degrees, el, number, setText} from './dom.js';
-
-const kLimbs = [['right_arm', 'Right arm'], ['left_arm', 'Left arm'], ['head', 'Head'], ['right_leg', 'Right leg'],
-  ['left_leg', 'Left leg']];
+import {GaitPad} from './gait_pad.js';
+import {kLimbs, LimbTorque} from './limb_torque.js';
+import {PageButtons} from './page_buttons.js';
 
 export class SteerPane {
   constructor(steering) {
@@ -11,6 +11,8 @@ export class SteerPane {
       'Press “Drive …” first. Then move a slider, or drag an arm, a leg or the head in the picture. ' +
       'No joint turns faster than 2 rad/s, and safety judges every goal as it does a controller’s.');
     this.node = el('div', {className: 'pane'});
+    this.pad = new GaitPad(steering);
+    this.pages = new PageButtons(steering);
     this.rows = [];
     steering.addEventListener('change', () => this.enable());
   }
@@ -24,14 +26,15 @@ export class SteerPane {
       return {joint, slider, value, touched: 0,
         line: el('div', {className: 'aim'}, el('label', {htmlFor: slider.id, title: joint.meaning}, joint.name), slider, value)};
     });
-    this.node.replaceChildren(this.note, el('div', {className: 'limbs'}, ...kLimbs.map(([chain, name]) =>
-      el('fieldset', {}, el('legend', {}, name),
-        ...this.rows.filter((row) => row.joint.chain === chain).map((row) => row.line)))));
+    this.node.replaceChildren(this.note, el('div', {className: 'moves'}, this.pad.node, this.pages.node),
+      el('div', {className: 'limbs'}, ...kLimbs.map(([chain, name]) => el('fieldset', {}, el('legend', {}, name),
+        new LimbTorque(this.steering, chain, name).node, ...this.rows.filter((row) => row.joint.chain === chain).map((row) => row.line)))));
     this.enable();
   }
 
   enable() {
-    for (const row of this.rows) row.slider.disabled = !this.steering.drives;
+    const {drives, doing} = this.steering;
+    for (const row of this.rows) row.slider.disabled = !drives || doing.limp.includes(row.joint.chain);
   }
 
   aim(name, angle) {

@@ -3,6 +3,7 @@
 const kProtocol = 'darwinop-steering.1';
 const kSpeak_ms = 80;   // the program lets go after half a second of silence
 const kAgain_ms = 1000;
+const kNothing = {walks: false, page: 0, limp: [], refused: ''};
 
 export class Steering extends EventTarget {
   constructor(url) {
@@ -11,11 +12,13 @@ export class Steering extends EventTarget {
     this.drives = false;
     this.text = '';      // why not, or why no longer
     this.goals = {};     // by name, rad, not sent yet
+    this.walk = null;    // {x, y, a}: said again and again while it is wanted
+    this.doing = kNothing;
     this.open();
     setInterval(() => this.speak(), kSpeak_ms);
     // Nobody looks: nobody drives.
-    document.addEventListener('visibilitychange', () => document.hidden && this.stop());
-    addEventListener('pagehide', () => this.stop());
+    document.addEventListener('visibilitychange', () => document.hidden && this.leave());
+    addEventListener('pagehide', () => this.leave());
   }
 
   open() {
@@ -23,6 +26,7 @@ export class Steering extends EventTarget {
     this.socket.onmessage = (event) => {
       const said = JSON.parse(event.data);
       if (said.type === 'driving') this.change(said.yours, said.text);
+      if (said.type === 'doing') this.tell(said);
     };
     this.socket.onclose = () => {
       this.change(false, this.drives ? 'The connection broke. The robot holds.' : this.text);
@@ -32,9 +36,16 @@ export class Steering extends EventTarget {
 
   take() { this.send({take: true}); }
 
-  stop() {
+  /// At once.
+  stop() { this.end({stop: true}); }
+
+  /// After the steps under way.
+  leave() { this.end({leave: true}); }
+
+  end(words) {
     this.goals = {};
-    if (this.drives) this.send({stop: true});
+    this.walk = null;
+    if (this.drives) this.send(words);
   }
 
   /// A joint's goal, rad; many a second are one message.
@@ -42,9 +53,23 @@ export class Steering extends EventTarget {
     if (this.drives) this.goals[name] = angle;
   }
 
+  /// null: stand.
+  go(walk) {
+    this.walk = this.drives ? walk : null;
+    this.speak();
+  }
+
+  play(page) { if (this.drives) this.send({page, ...this.lasting()}); }
+
+  /// `limb`: "left_arm".
+  torque(limb, on) { if (this.drives) this.send({torque: {[limb]: on}, ...this.lasting()}); }
+
+  // What every message has to say again, or it would be no longer wanted.
+  lasting() { return this.walk ? {walk: this.walk} : {}; }
+
   speak() {
     if (!this.drives) return;
-    this.send(Object.keys(this.goals).length > 0 ? {goals: this.goals} : {});
+    this.send({...this.lasting(), ...(Object.keys(this.goals).length > 0 ? {goals: this.goals} : {})});
     this.goals = {};
   }
 
@@ -52,10 +77,19 @@ export class Steering extends EventTarget {
     if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(words));
   }
 
+  tell(doing) {
+    this.doing = doing;
+    this.dispatchEvent(new Event('change'));
+  }
+
   change(drives, text) {
     this.drives = drives;
     this.text = text;
-    if (!drives) this.goals = {};
+    if (!drives) {
+      this.goals = {};
+      this.walk = null;
+      this.doing = kNothing;
+    }
     this.dispatchEvent(new Event('change'));
   }
 }

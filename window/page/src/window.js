@@ -1,6 +1,7 @@
 // The robot window: joins the channel, the record and the panes.
 import {CameraPane} from './camera_pane.js';
 import {columnsOf, fillRow} from './columns.js';
+import {ComparePane} from './compare_pane.js';
 import {CurvesPane} from './curves_pane.js';
 import {kDark, setClass, setText} from './dom.js';
 import {FaultsPane} from './faults_pane.js';
@@ -8,6 +9,7 @@ import {Feed} from './feed.js';
 import {LimbDrag} from './limb_drag.js';
 import {LoopPane} from './loop_pane.js';
 import {Pills} from './pills.js';
+import {PoseDialog} from './pose_dialog.js';
 import {RobotView} from './robot_view.js';
 import {SensorsPane} from './sensors_pane.js';
 import {ServosPane} from './servos_pane.js';
@@ -33,14 +35,16 @@ const pills = new Pills(by('pills'));
 const faults = new FaultsPane((count) => { pills.faults(count); tabs.count(5, count); });
 const loop = new LoopPane();
 const servos = new ServosPane(timeline);
+const compare = new ComparePane();
 const panes = [
   {name: 'Servos', pane: servos}, {name: 'All curves', pane: new CurvesPane(timeline)},
   {name: 'Motion sensors', pane: new SensorsPane(timeline)}, {name: 'Steer', pane: steer}, {name: 'Loop', pane: loop},
-  {name: 'Faults', pane: faults}, {name: 'Camera', pane: new CameraPane(feed)},
+  {name: 'Faults', pane: faults}, {name: 'Camera', pane: new CameraPane(feed)}, {name: 'Compare', pane: compare},
 ];
-let shown = servos, view = null, joints = [], row = null, newest = null, marks = [];
+let shown = servos, view = null, shape = null, joints = [], row = null, newest = null, marks = [];
 const tabs = new Tabs(by('tabs'), by('stage'), panes, (pane) => { shown = pane; });
-new SteerBar(by('steer'), steering);
+const pose = new PoseDialog(() => ({joints, state: newest, body: shape}), () => steering.take());
+new SteerBar(by('steer'), steering, () => pose.ask());
 new TimeBar(by('time'), timeline, () => `darwinop-${new Date().toISOString().slice(0, 19).replace(/[:T]/g, '-')}.csv`);
 
 feed.addEventListener('hello', ({detail}) => {
@@ -120,9 +124,10 @@ kDark.addEventListener('change', () => {
 });
 
 fetch('body.json').then((answer) => answer.json()).then((body) => {
+  shape = body;
   view = new RobotView(by('view'), body);
   new LimbDrag(view, steering, goalOf, (name, angle) => steer.aim(name, angle));
   setText(by('pose-note'), 'Place on the floor is guessed from the standing foot, lean from accelerometer and gyro.');
 }).catch((error) => setText(by('pose-note'), `No picture of the robot: ${error.message}`));
 
-window.darwinop = {frames, timeline, feed, steering, get view() { return view; }};
+window.darwinop = {frames, timeline, feed, steering, compare, get view() { return view; }, get newest() { return newest; }};

@@ -1,0 +1,52 @@
+// A robot elsewhere: runtime, monitor and remote server on one side, a window that knows only their ports on the other.
+import assert from 'node:assert/strict';
+import {after, before, test} from 'node:test';
+import {startBrowser, startProgram, startWindow} from './window_program.mjs';
+
+let browser, robot, monitor, server, shown, page;
+let name;
+
+const portOf = (program) => program.printed().match(/127\.0\.0\.1:(\d+)/)[1];
+const startMonitor = (port) => startProgram('monitor', ['--port', port], /ready: ws:.*\n/, {DARWINOP_RUNTIME_NAME: name});
+
+before(async () => {
+  [browser, robot] = await Promise.all([startBrowser(), startWindow('--robot', 'virtual')]);
+  [, name] = robot.printed().match(/DARWINOP_RUNTIME_NAME=(\S+)/);
+  [monitor, server] = await Promise.all([startMonitor('0'),
+    startProgram('remote', ['--port', '0'], /\d\n/, {DARWINOP_RUNTIME_NAME: name})]);
+  shown = await startWindow('--robot', `tcp://127.0.0.1:${portOf(server)}`, '--monitor', `127.0.0.1:${portOf(monitor)}`);
+  page = await browser.newPage();
+  await page.goto(shown.url);
+  await page.waitForFunction(() => window.darwinop?.view && window.darwinop.timeline.live?.count > 30);
+});
+after(async () => {
+  await browser?.close();
+  for (const program of [shown, server, monitor, robot]) await program?.end();
+});
+
+const stateIs = (state) => page.waitForFunction((wanted) =>
+  document.getElementById('pills').textContent.includes(`State${wanted}`), state);
+
+test('what the robot does is seen, and it is driven, through the network', async () => {
+  await page.click('#take');
+  await page.locator('body.driving').waitFor();
+  await stateIs('driven');
+  await page.click('#tab-3');
+  await page.locator('#aim-Neck').fill('30');
+  await page.waitForFunction(() => {
+    const {live} = window.darwinop.timeline;
+    return live.at(live.index.get('Neck.position'), live.count - 1) > 0.4;
+  });
+  await page.click('#stop');
+  await page.locator('body:not(.driving)').waitFor();
+  await stateIs('holding');
+});
+
+test('a monitor that ends is told, and seen again when it comes back', async () => {
+  const port = portOf(monitor);
+  await monitor.end();
+  const banner = page.locator('#banner').filter({hasText: 'no connection to the monitor'});
+  await banner.waitFor();
+  monitor = await startMonitor(port);
+  await page.locator('#banner').waitFor({state: 'hidden'});
+});

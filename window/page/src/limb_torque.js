@@ -1,0 +1,45 @@
+// A limb without torque can be moved by hand, and falls. Legs are asked about first.
+import {el, setText} from './dom.js';
+
+export const kLimbs = [['right_arm', 'Right arm'], ['left_arm', 'Left arm'], ['head', 'Head'], ['right_leg', 'Right leg'],
+  ['left_leg', 'Left leg']];
+
+export class LimbTorque {
+  constructor(steering, chain, name) {
+    this.steering = steering;
+    this.chain = chain;
+    this.name = name;
+    this.button = el('button', {type: 'button', id: `torque-${chain}`});
+    this.yes = el('button', {type: 'button', className: 'danger', id: `limp-${chain}`}, `Let the ${name.toLowerCase()} go limp`);
+    this.no = el('button', {type: 'button'}, 'Keep torque');
+    this.question = el('div', {className: 'warning', role: 'alert', hidden: true},
+      el('p', {}, `Without torque the ${name.toLowerCase()} falls${chain.endsWith('leg') ? ', and a standing robot with it' : ''}. ` +
+        'Hold the robot first.'), this.yes, ' ', this.no);
+    this.node = el('div', {className: 'torque'}, this.button, this.question);
+    this.button.addEventListener('click', () => (this.limp ? steering.torque(chain, true) : this.ask()));
+    this.yes.addEventListener('click', () => { steering.torque(chain, false); this.close(); });
+    this.no.addEventListener('click', () => this.close());
+    steering.addEventListener('change', () => this.tell());
+    this.tell();
+  }
+
+  get limp() { return this.steering.doing.limp.includes(this.chain); }
+
+  ask() {
+    this.question.hidden = false;
+    this.no.focus();
+  }
+
+  close() {
+    this.question.hidden = true;
+    this.button.focus();
+  }
+
+  tell() {
+    const {drives} = this.steering;
+    this.button.disabled = !drives;
+    if (!drives) this.question.hidden = true;
+    setText(this.button, this.limp ? `${this.name} is limp: torque on` : 'Torque off …');
+    this.node.classList.toggle('limp', this.limp);
+  }
+}

@@ -1,0 +1,33 @@
+// The robot's own motion pages: a button each, and which one is being played.
+import {el, setText} from './dom.js';
+
+export class PageButtons {
+  constructor(steering) {
+    this.steering = steering;
+    this.list = el('div', {className: 'page-buttons'});
+    this.note = el('p', {className: 'note'}, 'A page moves all of the robot. It begins when the robot stands still.');
+    this.node = el('fieldset', {id: 'pages'}, el('legend', {}, 'Motion pages'), this.list, this.note);
+    this.buttons = [];
+    fetch('pages.json').then((answer) => answer.json()).then((pages) => this.begin(pages))
+      .catch((error) => setText(this.note, `No motion pages: ${error.message}`));
+    steering.addEventListener('change', () => this.tell());
+  }
+
+  begin(pages) {
+    this.buttons = pages.map(({number, name}) => {
+      const button = el('button', {type: 'button', id: `page-${number}`, title: `Page ${number}`}, name || `Page ${number}`);
+      button.addEventListener('click', () => this.steering.play(number));
+      return {number, button};
+    });
+    this.list.replaceChildren(...this.buttons.map(({button}) => button));
+    this.tell();
+  }
+
+  tell() {
+    const {drives, doing} = this.steering;
+    for (const {number, button} of this.buttons) {
+      button.disabled = !drives || doing.walks || (doing.page !== 0 && doing.page !== number);
+      button.setAttribute('aria-pressed', String(doing.page === number));
+    }
+  }
+}

@@ -1,0 +1,36 @@
+#include "window/report_page.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+namespace darwinop::window {
+namespace {
+
+constexpr std::uintmax_t kLongestReport = std::uintmax_t{64} * 1024 * 1024;
+constexpr const char* kReportPolicy =
+    "sandbox allow-scripts; default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
+
+}  // namespace
+
+void serveReport(web::Server& server, const std::string& base, const std::string& file) {
+  nlohmann::json about{{"name", nullptr}};
+  if (!file.empty()) {
+    std::ifstream in{file, std::ios::binary};
+    std::error_code unknown;
+    if (!in || std::filesystem::file_size(file, unknown) > kLongestReport || unknown)
+      throw std::runtime_error("--report " + file +
+                               ": no file that can be read, or more than 64 MB; darwinop gap writes one");
+    std::ostringstream text;
+    text << in.rdbuf();
+    about["name"] = std::filesystem::path{file}.filename().string();
+    server.serve(base + "report.html", {"text/html; charset=utf-8", text.str(), kReportPolicy});
+  }
+  const auto replace = nlohmann::json::error_handler_t::replace;
+  server.serve(base + "report.json", {"application/json", about.dump(-1, ' ', false, replace)});
+}
+
+}  // namespace darwinop::window

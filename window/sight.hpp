@@ -1,0 +1,35 @@
+// What the page sees: shared memory of a runtime here, or the monitor of a robot elsewhere.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "remote/monitor/monitor.hpp"
+#include "runtime/clock.hpp"
+#include "window/bridge.hpp"
+
+namespace darwinop::window {
+
+class Sight {
+ public:
+  explicit Sight(const runtime::RuntimeFiles& files)
+      : here_{std::make_unique<monitor::Monitor>(
+            files, [] { return runtime::MonotonicClock{}.now(); }, nullptr)} {}
+  explicit Sight(std::unique_ptr<Bridge> elsewhere) : elsewhere_{std::move(elsewhere)} {}
+
+  web::ChannelUser& user() {
+    if (here_) return *here_;
+    return *elsewhere_;
+  }
+  void look() { here_ ? here_->look() : elsewhere_->look(); }
+  [[nodiscard]] Nanos pause() const { return here_ ? here_->pause() : elsewhere_->pause(); }
+  void notice(const std::string& text) {
+    if (here_) here_->notice(text);
+  }
+
+ private:
+  std::unique_ptr<monitor::Monitor> here_;
+  std::unique_ptr<Bridge> elsewhere_;
+};
+
+}  // namespace darwinop::window
