@@ -3,6 +3,7 @@
 
 #include <signal.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -12,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "end_with_parent.hpp"
 #include "hal/shared_picture/reader.hpp"
 #include "link/eyes.hpp"
 #include "remote/jpeg/live_pictures.hpp"
@@ -29,6 +31,8 @@ struct MonitorArguments {
   std::string listen = "127.0.0.1", name;
   std::vector<std::string> allow, origins, hosts;
   std::uint16_t port = 5024;
+  bool ends_with_parent = false;
+  pid_t parent = getppid();
 };
 
 void sayMonitor(const std::string& line) {
@@ -91,6 +95,7 @@ std::unique_ptr<remote::PictureSource> openPicturesOfDriver(const runtime::Runti
 
 int serveOnlookers(const MonitorArguments& given) {
   stopMonitorOnSignals();
+  if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
   const runtime::RuntimeFiles files{given.name};
   monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); }, openCameraForOnlookers,
                            [files] { return openPicturesOfDriver(files); }};
@@ -115,6 +120,8 @@ int main(int count, char** arguments) try {
   app.add_option("--allow", given.allow, "network that may look on beside this computer, may be repeated")
       ->allow_extra_args(false);
   app.add_option("--port", given.port, "TCP port; 0: any that is free")->capture_default_str();
+  app.add_flag("--end-with-parent", given.ends_with_parent,
+               "end when the program that started this one does, even by kill -9");
   app.add_option("--origin", given.origins, "page that may look on, as browsers write it: http://127.0.0.1:8080")
       ->allow_extra_args(false);
   app.add_option("--host", given.hosts, "name by which this computer may be called, beside its numbers and localhost")

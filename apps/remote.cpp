@@ -1,6 +1,5 @@
 // darwinop-remote: the server of the remote-control protocol.
 #include <signal.h>
-#include <sys/prctl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -12,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "end_with_parent.hpp"
 #include "link/connect.hpp"
 #include "link/setting.hpp"
 #include "remote/robot/link_port.hpp"
@@ -86,8 +86,7 @@ int serveRemote(const RemoteArguments& given) {
   if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
     sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
   stopRemoteOnSignals();
-  if (given.ends_with_parent) prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
-  if (given.ends_with_parent && getppid() != given.parent) return 0;  // it has ended already
+  if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
   remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kOwn,
                          [&] { return link::connect(request); }, request.safety.start == safety::StartMove::kHold};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };

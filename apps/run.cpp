@@ -1,6 +1,9 @@
 // darwinop-run: runs a controller on a robot and reports how the loop fared.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -9,10 +12,13 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hal/body_library.hpp"
-#include "run_over_ssh.hpp"
+#include "remote/ssh/session.hpp"
+#include "remote/ssh/target.hpp"
 #include "runtime/controller_run.hpp"
+#include "ssh_login.hpp"
 
 namespace {
 
@@ -58,37 +64,32 @@ void tellWhereTheTwinIs() {
 
 /// What concerns tcp://USER@HOST only.
 struct SshOptions {
-  std::string picture, port, key;
-  bool force = false, new_host = false;
+  darwinop::SshLogin login;
+  std::string picture;
+  bool force = false;
 
-  [[nodiscard]] bool any() const { return !picture.empty() || !port.empty() || !key.empty() || force || new_host; }
+  [[nodiscard]] bool any() const { return login.any() || !picture.empty() || force; }
 };
 
 void addSshOptions(CLI::App& app, SshOptions& ssh) {
   app.add_option("--picture", ssh.picture, "pictures of this size, such as 160x120: the middle of 320x240");
   app.add_flag("--force", ssh.force, "begin whatever the robot's pose is: hold it");
-  app.add_option("--ssh-port", ssh.port, "port of ssh on the robot, else as ~/.ssh/config says");
-  app.add_option("--ssh-key", ssh.key, "key to log in with, else as ~/.ssh/config says");
-  app.add_flag("--new-host", ssh.new_host, "accept the key of a robot that is not known yet, without asking");
-  for (const char* name : {"--picture", "--force", "--ssh-port", "--ssh-key", "--new-host"})
-    app.get_option(name)->group("With --robot tcp://USER@HOST");
+  for (const char* name : {"--picture", "--force"}) app.get_option(name)->group(darwinop::kWithSsh);
+  addSshLogin(app, ssh.login);
 }
 
 /// Runs the controller on this PC, the robot being the one that ssh leads to.
 int runOverSsh(const std::string& target, const SshOptions& ssh, darwinop::runtime::RunRequest& request) {
   (void)darwinop::runtime::controllerProgram(request.command.at(0));  // first: who has a slip there needs no password
-  std::vector<std::string> words;
+  std::vector<std::string> words = sshWords(ssh.login);
+  words.insert(words.end(), {"--tell", std::to_string(getpid())});
   if (!ssh.picture.empty()) words.insert(words.end(), {"--picture", ssh.picture});
-  if (!ssh.port.empty()) words.insert(words.end(), {"-p", ssh.port});
-  if (!ssh.key.empty()) words.insert(words.end(), {"-i", ssh.key});
   if (ssh.force) words.emplace_back("--force");
-  if (ssh.new_host) words.emplace_back("--new-host");
   words.push_back(target);
-  const auto home = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  darwinop::RunOverSsh robot{home / "darwinop-install", words};
-  const std::optional<std::uint16_t> port = robot.waitUntilReady();
-  if (!port) return std::max(robot.end(), 1);
-  request.robot = "tcp://127.0.0.1:" + std::to_string(*port);
+  darwinop::remote::SshSession robot{"darwinop run", words};
+  const std::vector<std::uint16_t> ports = robot.waitUntilReady();
+  if (ports.empty()) return std::max(robot.end(), 1);
+  request.robot = "tcp://127.0.0.1:" + std::to_string(ports.front());
   const int status = darwinop::runtime::runController(request);
   const int ssh_status = robot.end();
   return status != 0 ? status : ssh_status;
@@ -128,7 +129,7 @@ int main(int count, char** arguments) try {
   request.record = absolute(request.record);
   if (period_ms != 0) request.period_ms = std::to_string(period_ms);
   const char* const robot = std::getenv("DARWINOP_ROBOT");
-  const auto target = darwinop::sshTarget(request.robot.empty() && robot != nullptr ? robot : request.robot);
+  const auto target = darwinop::remote::sshTarget(request.robot.empty() && robot != nullptr ? robot : request.robot);
   if (target) return runOverSsh(*target, ssh, request);
   if (ssh.any())
     throw std::runtime_error(

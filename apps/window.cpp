@@ -16,9 +16,12 @@
 #include "remote/client/resolve.hpp"
 #include "remote/client/tcp_link.hpp"
 #include "remote/monitor/messages.hpp"
+#include "remote/ssh/session.hpp"
+#include "remote/ssh/target.hpp"
 #include "remote/web/server.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/daemon_link.hpp"
+#include "ssh_login.hpp"
 #include "window/assets.hpp"
 #include "window/body_json.hpp"
 #include "window/driver.hpp"
@@ -37,12 +40,15 @@ std::atomic<bool> window_stop{false};
 
 constexpr Nanos kDrivingPause{10'000'000};  // more often than a cycle: a driver must not seem to stall
 constexpr Nanos kServerPatience{3'000'000'000};
+constexpr Nanos kFarewell{100'000'000};
 constexpr std::uint16_t kMonitorPort = 5024;
 
 struct WindowArguments {
   std::string robot = "twin", model = "darwin-op", name, monitor, report;
   std::vector<std::string> controller;
   std::uint16_t port = 0;
+  SshLogin login;
+  std::string logged_in_to;  // USER@HOST; empty: nowhere
 };
 
 void sayWindow(const std::string& line) {
@@ -54,18 +60,6 @@ void stopWindowOnSignals() {
   action.sa_handler = [](int) { window_stop = true; };
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
   signal(SIGPIPE, SIG_IGN);
-}
-
-/// `darwinop run` logs in by ssh; here it is done by hand, and said how.
-void refuseUser(const std::string& robot) {
-  const std::size_t at = robot.find('@');
-  if (!robot.starts_with("tcp://") || at == std::string::npos) return;
-  throw std::runtime_error(
-      "the window does not log in. Lead its two ports here, and name this computer:\n"
-      "  ssh -N -L 5024:127.0.0.1:5024 -L 5023:127.0.0.1:5023 " +
-      robot.substr(std::string{"tcp://"}.size()) +
-      " &\n  darwinop window --robot tcp://127.0.0.1\n"
-      "On the robot darwinop monitor and darwinop remote have to run; see docs/window.md");
 }
 
 /// "tcp://…": the robot is on another computer.
@@ -100,11 +94,20 @@ link::Address monitorOf(const WindowArguments& given) {
   return monitor;
 }
 
+/// From here on the robot is behind two ports of this computer. False: it has been said why not.
+bool logIn(remote::SshSession& ssh, WindowArguments& given) {
+  const std::vector<std::uint16_t> ports = ssh.waitUntilReady();
+  if (ports.size() < 2) return false;
+  given.robot = "tcp://127.0.0.1:" + std::to_string(ports[0]);
+  given.monitor = "127.0.0.1:" + std::to_string(ports[1]);
+  return true;
+}
+
 window::Sight sightOf(const WindowArguments& given, const runtime::RuntimeFiles& files) {
   if (!isElsewhere(given)) return window::Sight{files};
   const link::Address at = monitorOf(given);
-  return window::Sight{std::make_unique<window::Bridge>(remote::addressesOf(at.host).front(), at.port,
-                                                        at.host + ":" + std::to_string(at.port))};
+  const std::string name = given.logged_in_to.empty() ? at.host + ":" + std::to_string(at.port) : given.logged_in_to;
+  return window::Sight{std::make_unique<window::Bridge>(remote::addressesOf(at.host).front(), at.port, name)};
 }
 
 /// Throws std::runtime_error where the window only looks on.
@@ -137,10 +140,16 @@ std::string serveWindow(web::Server& server, const WindowArguments& given, windo
   return "http://127.0.0.1:" + std::to_string(server.port()) + base;
 }
 
-int showWindow(const WindowArguments& given) {
+/// Pages get to know it; what is said after this is read by nobody.
+void tellEnd(web::Server& server, window::Sight& sight, const std::string& robot) {
+  sight.tellEnd("the connection to " + robot + " is over; the terminal of darwinop window says why. Start it again.");
+  for (int i = 0; i < 3; ++i) server.attend(kFarewell);
+}
+
+/// `ssh`: nothing: nobody has logged in. It returns with the driver's thread at an end.
+void showWindow(const WindowArguments& given, window::OwnRobot* own, const remote::SshSession* ssh) {
   stopWindowOnSignals();
-  refuseUser(given.robot);
-  const std::unique_ptr<window::OwnRobot> own = ownRobot(given);
+  if (ssh != nullptr && remote::SshSession::toldToEnd()) return;
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
   window::Sight sight = sightOf(given, files);
   window::Steersman steersman{[&] { return linkToDrive(given, files); }, motion::ownPages()};
@@ -155,7 +164,7 @@ int showWindow(const WindowArguments& given) {
     std::cout << "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" << own->name()
               << '\n';
   std::cout << "end with Ctrl+C" << std::endl;
-  while (!window_stop) {
+  while (!window_stop && (ssh == nullptr || !ssh->ended())) {
     server.attend(driver.drives() ? std::min(sight.pause(), kDrivingPause) : sight.pause());
     sight.look();
     driver.turn();
@@ -164,7 +173,30 @@ int showWindow(const WindowArguments& given) {
       sayWindow(news);
     }
   }
-  return 0;
+  if (!window_stop) tellEnd(server, sight, given.logged_in_to);
+}
+
+/// What the user has asked for, whatever kind of robot it is. Exit status.
+int openWindow(WindowArguments given) {
+  const std::optional<std::string> target = remote::sshTarget(given.robot);
+  if (!target && given.login.any())
+    throw std::runtime_error("--ssh-port, --ssh-key and --new-host go with --robot tcp://USER@HOST");
+  if (target && !given.monitor.empty())
+    throw std::runtime_error("--monitor does not go with --robot tcp://USER@HOST: a monitor is started there");
+  stopWindowOnSignals();
+  const std::unique_ptr<window::OwnRobot> own = ownRobot(given);
+  if (!target) {
+    showWindow(given, own.get(), nullptr);
+    return 0;
+  }
+  given.logged_in_to = *target;
+  std::vector<std::string> words = sshWords(given.login);
+  words.insert(words.end(), {"--window", *target});
+  remote::SshSession ssh{"darwinop window", words};
+  if (!logIn(ssh, given)) return std::max(ssh.end(), 1);
+  showWindow(given, own.get(), &ssh);
+  const int status = ssh.end();
+  return window_stop ? status : std::max(status, 1);
 }
 
 }  // namespace
@@ -175,21 +207,23 @@ int main(int count, char** arguments) try {
                "darwinop window"};
   app.add_option(
          "--robot", given.robot,
-         "twin, twin:MODEL or virtual: a robot of its own; runtime: the one that runs here; tcp://HOST: over the "
-         "network")
+         "twin, twin:MODEL or virtual: a robot of its own; runtime: the one that runs here; tcp://USER@HOST: one that "
+         "is logged in to by ssh; tcp://HOST: one whose monitor and server listen there")
       ->capture_default_str();
   app.add_option("--monitor", given.monitor, "HOST[:PORT] of a darwinop monitor; --robot tcp://HOST: HOST:5024");
   app.add_option("--report", given.report, "report of darwinop gap that the page links to");
   app.add_option("--model", given.model, "model of the twin that gives the picture its shape")->capture_default_str();
   app.add_option("--name", given.name, "name of the runtime, when several run")->envname("DARWINOP_RUNTIME_NAME");
   app.add_option("--port", given.port, "TCP port on this computer; 0: any that is free")->capture_default_str();
+  addSshLogin(app, given.login);
   app.add_option("controller", given.controller, "controller that drives the robot; after -- its own options");
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
       "Example, without a robot:\n  darwinop window build/release/controllers/05_walk\n"
-      "Beside a running runtime:\n  darwinop window --robot runtime");
+      "Beside a running runtime:\n  darwinop window --robot runtime\n"
+      "A robot elsewhere:\n  darwinop window --robot tcp://darwin@192.168.123.1");
   CLI11_PARSE(app, count, arguments);
-  return showWindow(given);
+  return openWindow(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop window: " << error.what() << '\n';
   return 1;

@@ -58,6 +58,11 @@ void Bridge::look() {
   for (auto& [channel, line] : lines_) line.caller->look();
 }
 
+void Bridge::tellEnd(const std::string& why) {
+  const web::Bytes text = bytesOf(nlohmann::json{{"type", "ended"}, {"text", why}}.dump());
+  for (auto& [channel, line] : lines_) channel->send(web::kEvery, text);
+}
+
 Nanos Bridge::pause() const {
   return lines_.empty() ? kBridgeIdle : kBridgeTurn;
 }

@@ -25,6 +25,9 @@ class Bridge final : public web::ChannelUser {
   void said(web::Channel& channel, std::string_view message, bool binary) override;
   void closed(web::Channel& channel) noexcept override { lines_.erase(&channel); }
 
+  /// The last that pages are told: why this program ends.
+  void tellEnd(const std::string& why);
+
   /// To be called again after pause(), or earlier.
   void look();
   [[nodiscard]] Nanos pause() const;

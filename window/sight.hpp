@@ -26,6 +26,9 @@ class Sight {
   void notice(const std::string& text) {
     if (here_) here_->notice(text);
   }
+  void tellEnd(const std::string& why) {
+    if (elsewhere_) elsewhere_->tellEnd(why);
+  }
 
  private:
   std::unique_ptr<monitor::Monitor> here_;

@@ -42,6 +42,7 @@ Nothing is changed before everything was checked; a version that fails its self-
   --stop                 end the controller that runs, safely; the default one starts again at the next boot
   --logs [-f]            show the robot's logs; -f goes on showing
   --remote [--picture 160x120]   remote control until stdin ends; darwinop run --robot tcp://USER@HOST does this
+  --remote --window      what darwinop window --robot tcp://USER@HOST needs, until stdin ends
   --new-host             accept the key of a robot that is not known yet, without asking
   -p PORT, -i KEY, -o OPTION, -F FILE   as for ssh
 
@@ -77,6 +78,7 @@ parse_arguments() {
       --remote) set_action remote ;;
       --picture) picture=$2 && shift ;;
       --tell) tell=$2 && shift ;;
+      --window) window=1 ;;
       -f) logs_follow=1 ;;
       --new-host) new_host=1 ;;
       -p | -i | -o | -F) ssh_options="$ssh_options$(quote "$1" "$2")" && shift ;;
@@ -117,6 +119,7 @@ check_arguments() {
   [ "$logs_follow" = 0 ] || [ "$controller_action" = logs ] || wrong_usage "-f goes with --logs"
   [ "$dry_run" = 0 ] || [ "$controller_action" != stop ] || wrong_usage "--dry-run does not go with --stop"
   [ -z "$picture$tell" ] || [ "$action" = remote ] || wrong_usage "--picture and --tell go with --remote"
+  [ "$window" = 0 ] || [ "$action:$picture" = remote: ] || wrong_usage "--window goes with --remote, and without --picture"
   check_picture
   case $action:$controller_action in
     controller:run) ;;

@@ -1,16 +1,21 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# `darwinop run --robot tcp://USER@HOST` has this done: the server on the robot, and a port of this PC that leads to it.
+# `darwinop run` and `darwinop window --robot tcp://USER@HOST` have this done: the server on the robot, for the window its
+# monitor, too, and ports of this PC that lead to them.
 #
 #   darwinop-install --remote [--picture 160x120] [--force] [--tell PID] [ssh options] USER@HOST
+#   darwinop-install --remote --window [ssh options] USER@HOST
 #
-# stdout: "ready PORT" once 127.0.0.1:PORT leads to the server. It goes on until stdin ends. What ends before that sends
-# SIGINT to PID. Status: 0 ended as asked, else nothing is ready (any more) and it has been said why.
+# stdout: "ready PORT" once 127.0.0.1:PORT leads to the server, for the window "ready PORT MONITORS-PORT". It goes on until
+# stdin ends. What ends before that sends SIGINT to PID. Status: 0 ended as asked, else nothing is ready (any more) and it
+# has been said why.
 
 tell=         # process that wants to know
 picture=      # WIDTHxHEIGHT
+window=0      # 1: for a window: nobody is sent away, the pose is not looked at
 
 remote_main() {
   program="darwinop run"
+  [ "$window" = 0 ] || program="darwinop window"
   begin_step
   exec 5<&0 </dev/null
   # Who called us may be killed: then stdin ends. In the background, as `wait` and ssh keep this shell busy.
@@ -26,8 +31,12 @@ remote_main() {
   terminal=0
   ! on_terminal || terminal=1
   on_signal=remote_signal
-  # shellcheck disable=SC2086  # two numbers
-  attended "remote control" serve_remote "$force" "$terminal" $zooms "$(id -un)@$(uname -n)" >"$connection/told"
+  if [ "$window" = 1 ]; then
+    attended "the window's half on the robot" serve_window >"$connection/told"
+  else
+    # shellcheck disable=SC2086  # two numbers
+    attended "remote control" serve_remote "$force" "$terminal" $zooms "$(id -un)@$(uname -n)" >"$connection/told"
+  fi
   status=$?
   kill "$caller" "$follower" 2>/dev/null
   trap '' INT TERM HUP
@@ -54,15 +63,16 @@ watch_caller() {
   kill -TERM $$ 2>/dev/null
 }
 
-# Once a controller drives, Ctrl-C is its affair: it may want to end tidily, and needs the connection for that.
+# Once a controller drives, or the window is open, Ctrl-C is its affair: it may want to end tidily, and needs the
+# connection for that.
 remote_signal() {
-  if [ -n "$tell" ] && [ -e "$connection/ready" ] && [ "$asked_to_stop" = 0 ]; then return; fi
+  if { [ -n "$tell" ] || [ "$window" = 1 ]; } && [ -e "$connection/ready" ] && [ "$asked_to_stop" = 0 ]; then return; fi
   ask_to_stop
 }
 
 follow_robot() {
   trap '' HUP
-  while read -r word number; do
+  while read -r word numbers; do
     case $word in
       pose)
         ask_about_pose
@@ -71,7 +81,8 @@ follow_robot() {
         ;;
       server)
         begin_step
-        open_forward "$number" && continue
+        # shellcheck disable=SC2086  # one port a word
+        open_forwards $numbers && continue
         [ ! -e "$connection/stopping" ] || continue
         : >"$connection/failed"
         kill -TERM $$
@@ -94,8 +105,19 @@ ask_about_pose() { # -> answer
   done
 }
 
+open_forwards() { # PORTS-OF-THE-ROBOT
+  local_ports=
+  for robot_port; do
+    open_forward "$robot_port" || return 1
+    local_ports="$local_ports $local_port"
+    step "127.0.0.1:$local_port on this PC leads to port $robot_port there"
+  done
+  : >"$connection/ready"
+  echo "ready$local_ports"
+}
+
 # A free port of this PC, on loopback. Below 32768, where nobody gets one by chance.
-open_forward() { # PORT-OF-THE-ROBOT
+open_forward() { # PORT-OF-THE-ROBOT -> local_port
   tries=0
   while :; do
     local_port=$((20000 + $(od -An -N2 -tu2 /dev/urandom) % 12000))
@@ -114,14 +136,13 @@ open_forward() { # PORT-OF-THE-ROBOT
     say "ssh on $target does not forward to its own port $1: $(tail -n 1 "$connection/forward" | tr -d '\r'). Its /etc/ssh/sshd_config needs: AllowTcpForwarding yes"
     return 1
   }
-  : >"$connection/ready"
-  step "127.0.0.1:$local_port on this PC leads there"
-  echo "ready $local_port"
 }
 
 tell_lost_link() {
   status=1
-  say "the link to $target was lost, so how the robot is cannot be told. It stops where it is, ends remote control within 10 s and sits down (or holds, as [Safety] on_exit says). In danger press MODE on its back; look with: darwinop install --status $target"
+  it="It"
+  [ "$window" = 0 ] || it="If the window drove it, it"
+  say "the link to $target was lost, so how the robot is cannot be told. $it stops where it is, ends remote control within 10 s and sits down (or holds, as [Safety] on_exit says). In danger press MODE on its back; look with: darwinop install --status $target"
 }
 
 # 320x240 and its halves, as divisors of each side.

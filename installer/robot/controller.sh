@@ -99,6 +99,7 @@ make_default() {
 stop_controllers() {
   need_runtime
   stop_sent_controller
+  stop_driving_window
   if supervisor_runs; then
     supervisor --stop-controller || die "the default controller could not be stopped. Hold the robot and press MODE for a moment"
     say "the default controller is stopped; it starts again at the next boot"

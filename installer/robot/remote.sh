@@ -6,6 +6,7 @@
 
 remote_link=      # folder of what the parts tell each other
 remote_leave=0    # 1: the PC has left, or somebody told us to end
+remote_claimed=0  # 1: nobody else's remote control or controller may begin
 remote_server='' remote_ears='' remote_watch=''
 
 # serve_remote FORCE TERMINAL WZ HZ WHO: status 0: served and ended, 3: not in the start pose, 130: told to end before.
@@ -14,10 +15,10 @@ serve_remote() {
   exec 3<&0 </dev/null
   begin_step
   need_runtime
-  [ -x "$home/current/bin/darwinop-remote" ] ||
-    die "version $(version_current) on this robot knows no remote control; upgrade it first: darwinop install"
+  need_remote
   step "version $(version_current) is installed"
   claim_robot "$name"
+  remote_claimed=1
   refuse_other_driver
   step "nobody else drives"
   attend_pc
@@ -31,6 +32,11 @@ serve_remote() {
   [ "$force" = 1 ] || await_start_pose
   start_server
   wait_for_server
+}
+
+need_remote() {
+  [ -x "$home/current/bin/darwinop-remote" ] ||
+    die "version $(version_current) on this robot knows no remote control; upgrade it first: darwinop install"
 }
 
 begin_step() { read -r step_began _ </proc/uptime; }
@@ -49,6 +55,8 @@ refuse_other_driver() {
   driver=$(robot_driver)
   [ -n "$driver" ] || return 0
   if supervisor --status 2>/dev/null | grep -v '^driver' | grep -q -e "pid $driver\$" -e "pid $driver,"; then return 0; fi
+  ! is_from_elsewhere "$driver" ||
+    die "somebody drives this robot already, from a window on a PC (process $driver). Let them know, or stop it: darwinop install --stop"
   die "$(cat "/proc/$driver/comm" 2>/dev/null) (process $driver) drives this robot already, and was started on the robot itself. End it there with Ctrl-C, or: sudo kill -INT $driver"
 }
 
@@ -152,14 +160,18 @@ start_server() {
   "$home/current/bin/darwinop-remote" --robot runtime --end-with-parent --port 0 $zooms >"$remote_link/said" &
   remote_server=$!
   note_running "$(process_line "$remote_server")" "$name"
-  until port=$(sed -n 's/^ready: .*:\([0-9]*\)$/\1/p' "$remote_link/said") && [ -n "$port" ]; do
+  await_port "$remote_server" "$remote_link/said" "the server of remote control"
+  step "the server listens on port $port, on the robot's loopback only"
+  echo "server $port"
+}
+
+await_port() { # PID FILE WHAT -> port
+  until port=$(sed -n 's/^ready: .*:\([0-9]*\)[^0-9]*$/\1/p' "$2") && [ -n "$port" ]; do
     end_if_told
-    kill -0 "$remote_server" 2>/dev/null || die "the server of remote control does not start: see above"
+    kill -0 "$1" 2>/dev/null || die "$3 does not start: see above"
     nap
   done
   end_if_told
-  step "the server listens on port $port, on the robot's loopback only"
-  echo "server $port"
 }
 
 # A signal ends `wait` early; the server has ended when there is nothing to wait for.
@@ -181,9 +193,10 @@ end_remote() {
     wait "$remote_server"
   fi
   # shellcheck disable=SC2086  # those that there are
-  kill $remote_ears $remote_watch 2>/dev/null
+  kill $remote_ears $remote_watch $remote_monitor 2>/dev/null
   tell_rest
-  rm -rf "$home/running" "$remote_link"
+  [ "$remote_claimed" = 0 ] || rm -f "$home/running"
+  rm -rf "$remote_link"
   exit "$ending"
 }
 

@@ -12,6 +12,7 @@ export class Feed extends EventTarget {
     this.heard_ms = null;  // when the newest state came
     this.connected = false;
     this.gone = null;  // why there is no runtime, in words
+    this.ended = null;  // why the program has ended
     this.wish = {rate: 62.5, camera: 0};
     this.open();
   }
@@ -22,6 +23,7 @@ export class Feed extends EventTarget {
     this.socket.onopen = () => {
       this.connected = true;
       this.tries = 0;
+      this.ended = null;
       this.ask({});
     };
     this.socket.onmessage = (event) => this.take(event.data);
@@ -48,11 +50,13 @@ export class Feed extends EventTarget {
     if (message.type === 'state') this.heard_ms = performance.now();
     if (message.type === 'hello') this.gone = message.period === null ? 'no runtime runs yet' : null;
     if (message.type === 'gone') this.gone = message.reason;
+    if (message.type === 'ended') this.ended = message.text;
     return this.emit(message.type, message);
   }
 
   /// What is wrong with the picture that the page shows, or null.
   get trouble() {
+    if (this.ended !== null) return {text: `This window has ended: ${this.ended} What you see is old.`};
     if (!this.connected)
       return {text: 'No connection to the window’s program. What you see is old. Is `darwinop window` still running?'};
     if (this.gone !== null) return {text: `The robot is gone: ${this.gone}`};
