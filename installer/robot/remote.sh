@@ -54,11 +54,13 @@ nap() { sleep 0.2 2>/dev/null || sleep 1; }
 refuse_other_driver() {
   driver=$(robot_driver)
   [ -n "$driver" ] || return 0
-  if supervisor --status 2>/dev/null | grep -v '^driver' | grep -q -e "pid $driver\$" -e "pid $driver,"; then return 0; fi
+  ! is_default_controller "$driver" || return 0
   ! is_from_elsewhere "$driver" ||
     die "somebody drives this robot already, from a window on a PC (process $driver). Let them know, or stop it: darwinop install --stop"
   die "$(cat "/proc/$driver/comm" 2>/dev/null) (process $driver) drives this robot already, and was started on the robot itself. End it there with Ctrl-C, or: sudo kill -INT $driver"
 }
+
+is_default_controller() { supervisor --status 2>/dev/null | grep -v '^driver' | grep -q -e "pid $1\$" -e "pid $1,"; } # PID
 
 # From here on whatever ends us, or the PC, ends the server, too, and says how the robot is.
 attend_pc() {
@@ -166,7 +168,7 @@ start_server() {
 }
 
 await_port() { # PID FILE WHAT -> port
-  until port=$(sed -n 's/^ready: .*:\([0-9]*\)[^0-9]*$/\1/p' "$2") && [ -n "$port" ]; do
+  until port=$(sed -n 's/^ready: .*:\([0-9]*\)[^0-9]*$/\1/p' "$2" 2>/dev/null) && [ -n "$port" ]; do
     end_if_told
     kill -0 "$1" 2>/dev/null || die "$3 does not start: see above"
     nap

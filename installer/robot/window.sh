@@ -47,8 +47,10 @@ wake_runtime() {
 
 tell_driver() {
   driver=$(robot_driver)
-  [ -z "$driver" ] ||
-    say "$(cat "/proc/$driver/comm" 2>/dev/null) (process $driver) drives this robot, and the window looks on. To drive from the window, end it first: darwinop install --stop"
+  [ -n "$driver" ] || return 0
+  end_it="darwinop install --stop"
+  is_running || is_default_controller "$driver" || is_from_elsewhere "$driver" || end_it="sudo kill -INT $driver (on the robot)"
+  say "$(cat "/proc/$driver/comm" 2>/dev/null) (process $driver) drives this robot, and the window looks on. To drive from the window, end it first: $end_it"
 }
 
 start_for_window() {

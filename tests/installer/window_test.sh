@@ -1,0 +1,132 @@
+#!/usr/bin/env bash
+# darwinop window --robot tcp://USER@HOST: looks through a real monitor on the robot and drives it, through a real sshd.
+# shellcheck disable=SC2034,SC2154  # remote_lab.sh and robot.sh set and read what is set and read here
+. "$(dirname "$(readlink -f "$0")")/remote_lab.sh"
+
+# start_window [OPTIONS]: as start_run. Sets $url once it can be opened.
+start_window() {
+  : >"$LAB/out"
+  env --default-signal=INT DARWINOP_PASSWORD="$password" setsid "${run%-run}-window" --robot "tcp://$login@$ADDRESS" "$@" \
+    </dev/null >>"$LAB/out" 2>&1 &
+  run_pid=$!
+}
+
+open_page() {
+  await 'end with Ctrl'
+  url=$(sed -n 's/^open in a browser: //p' "$LAB/out")
+}
+
+# page NAME CHANNEL WORDS...: a page that goes on until page_gone; what it hears is in $LAB/NAME.
+page() {
+  "$HERE/window_page.sh" "$url" "${@:2}" >"$LAB/$1" 2>"$LAB/$1.errors" &
+  eval "${1}_pid=$!"
+}
+page_gone() { kill "$(eval "echo \$${1}_pid")" 2>/dev/null || true; }
+
+# await_page NAME PATTERN
+await_page() {
+  local tries=0
+  until grep -qaE -- "$2" "$LAB/$1"; do
+    [ $((tries += 1)) -lt 500 ] || fail "the page did not hear '$2': $(tail -c 600 "$LAB/$1" | tr -d '\0')$(cat "$LAB/out")"
+    sleep 0.02
+  done
+}
+
+# await_neck MILLIRAD: the neck, as a page that looks on is told, is further than that.
+await_neck() {
+  local tries=0
+  until grep -ao '"position":\[[^]]*' "$LAB/eyes" | tail -n 1 | awk -F, -v least="$1" '$19 * 1000 > least { ok = 1 } END { exit !ok }'; do
+    [ $((tries += 1)) -lt 500 ] || fail "the neck did not move: $(grep -ao '"position":\[[^]]*' "$LAB/eyes" | tail -n 1)"
+    sleep 0.02
+  done
+}
+
+scenario_a_window_looks_on_drives_and_ends() {
+  robot_with_a_runtime
+  start_window
+  open_page
+  expect_said 'connected to darwin@127.0.0.1 \([0-9.]+ s\)$'
+  expect_said 'the runtime is ready'
+  # Only on loopback, on both sides; nobody drives, and nobody is kept from it.
+  ! ss -Hltn 2>/dev/null | awk '{ print $4 }' | grep -vE '^(127\.0\.0\.1|\[::1\]):' || fail "a port is open to the network"
+  page eyes monitor '{"rate":62.5}'
+  await_page eyes '"state":"limp"'
+  ! runtime_says | grep '^driver  *pid' >/dev/null || fail "a window that looks on drives"
+  [ ! -e "$ROBOT/opt/darwinop/running" ] || fail "a window that looks on keeps others out"
+  page hand steering '{"take":true}' '{"goals":{"Neck":0.5}}'
+  await_page hand '"yours":true'
+  await_neck 300
+  page_gone hand
+  tries=0
+  until ! runtime_says | grep '^driver  *pid' >/dev/null; do [ $((tries += 1)) -lt 200 ] || fail "the lease is not given back"; sleep 0.05; done
+  kill -INT -- "-$run_pid"
+  wait_run
+  expect_status 0
+  expect_last_line 'the robot has let go'
+  page_gone eyes
+}
+
+# It is seen, steering says who it is, and a window that drives ends as tidily when it is killed.
+scenario_somebody_else_drives_then_the_window_and_it_is_killed() {
+  robot_with_a_runtime
+  chroot "$ROBOT" /opt/darwinop/start </dev/null >/dev/null 2>&1 &
+  until runtime_says >/dev/null 2>&1; do sleep 0.05; done
+  chroot "$ROBOT" /opt/darwinop/current/bin/darwinop-remote --robot runtime --port 5999 >"$LAB/theirs" 2>&1 &
+  local theirs=$! client_pid
+  until grep -qs ready "$LAB/theirs"; do sleep 0.02; done
+  DARWINOP_ROBOT=tcp://127.0.0.1:5999 "$client" >"$LAB/their-client" 2>&1 &
+  client_pid=$!
+  until grep -qs driving "$LAB/their-client"; do sleep 0.02; done
+  start_window
+  open_page
+  expect_said "darwinop-remote \(process [0-9]+\) drives this robot, and the window looks on. .*: sudo kill -INT [0-9]+"
+  page eyes monitor '{"rate":62.5}'
+  await_page eyes '"state":"driven"'
+  page hand steering '{"take":true}'
+  await_page hand 'another controller \(pid [0-9]+\) drives this robot'
+  page_gone hand
+  kill "$theirs" "$client_pid"
+  wait "$theirs" "$client_pid" || true
+  page hand steering '{"take":true}' '{"goals":{"Neck":0.5}}'
+  await_page hand '"yours":true'
+  kill -KILL "$run_pid"
+  wait_run
+  expect_let_go
+}
+
+# An operator ends who drives, also when it is a window; a broken link and a robot that knows no monitor are told.
+scenario_what_ends_a_window_is_told() {
+  robot_with_a_runtime
+  start_window
+  open_page
+  page hand steering '{"take":true}' '{"goals":{"Neck":0.5}}'
+  await_page hand '"yours":true'
+  page eyes monitor '{"rate":20}'
+  cp "$LAB/out" "$LAB/first"
+  if DARWINOP_PASSWORD=$password "$run" --robot "tcp://$login@$ADDRESS" "$client" </dev/null >"$LAB/out" 2>&1; then fail "two drive"; fi
+  expect_said 'drives this robot already, from a window on a PC'
+  run_install --stop
+  expect_status 0
+  expect_said 'the window that drove this robot is stopped'
+  cp "$LAB/first" "$LAB/out"
+  wait_run
+  expect_status 1
+  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page was not told"
+  expect_let_go
+  start_window
+  open_page
+  page eyes monitor '{"rate":20}'
+  await_page eyes '"state":"'
+  kill -KILL "$(master_of_ssh)"
+  wait_run
+  expect_status 1
+  expect_said 'the link to .* was lost, .*If the window drove it, it stops'
+  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page was not told"
+  rm "$ROBOT/opt/darwinop/current/bin/darwinop-monitor"
+  start_window
+  wait_run
+  expect_status 1
+  expect_said 'version real on this robot has no monitor that a window could look through; upgrade it first: darwinop install'
+}
+
+run_scenarios "$@"
