@@ -16,7 +16,6 @@
 #include "remote/client/resolve.hpp"
 #include "remote/client/tcp_link.hpp"
 #include "remote/monitor/messages.hpp"
-#include "remote/ssh/session.hpp"
 #include "remote/ssh/target.hpp"
 #include "remote/web/server.hpp"
 #include "runtime/clock.hpp"
@@ -25,6 +24,7 @@
 #include "window/assets.hpp"
 #include "window/body_json.hpp"
 #include "window/driver.hpp"
+#include "window/over_ssh.hpp"
 #include "window/own_robot.hpp"
 #include "window/pages_json.hpp"
 #include "window/report_page.hpp"
@@ -40,7 +40,6 @@ std::atomic<bool> window_stop{false};
 
 constexpr Nanos kDrivingPause{10'000'000};  // more often than a cycle: a driver must not seem to stall
 constexpr Nanos kServerPatience{3'000'000'000};
-constexpr Nanos kFarewell{100'000'000};
 constexpr std::uint16_t kMonitorPort = 5024;
 
 struct WindowArguments {
@@ -94,15 +93,6 @@ link::Address monitorOf(const WindowArguments& given) {
   return monitor;
 }
 
-/// From here on the robot is behind two ports of this computer. False: it has been said why not.
-bool logIn(remote::SshSession& ssh, WindowArguments& given) {
-  const std::vector<std::uint16_t> ports = ssh.waitUntilReady();
-  if (ports.size() < 2) return false;
-  given.robot = "tcp://127.0.0.1:" + std::to_string(ports[0]);
-  given.monitor = "127.0.0.1:" + std::to_string(ports[1]);
-  return true;
-}
-
 window::Sight sightOf(const WindowArguments& given, const runtime::RuntimeFiles& files) {
   if (!isElsewhere(given)) return window::Sight{files};
   const link::Address at = monitorOf(given);
@@ -140,16 +130,10 @@ std::string serveWindow(web::Server& server, const WindowArguments& given, windo
   return "http://127.0.0.1:" + std::to_string(server.port()) + base;
 }
 
-/// Pages get to know it; what is said after this is read by nobody.
-void tellEnd(web::Server& server, window::Sight& sight, const std::string& robot) {
-  sight.tellEnd("the connection to " + robot + " is over; the terminal of darwinop window says why. Start it again.");
-  for (int i = 0; i < 3; ++i) server.attend(kFarewell);
-}
-
 /// `ssh`: nothing: nobody has logged in. It returns with the driver's thread at an end.
-void showWindow(const WindowArguments& given, window::OwnRobot* own, const remote::SshSession* ssh) {
+void showWindow(const WindowArguments& given, window::OwnRobot* own, const window::OverSsh* ssh) {
   stopWindowOnSignals();
-  if (ssh != nullptr && remote::SshSession::toldToEnd()) return;
+  if (ssh != nullptr && window::OverSsh::toldToEnd()) return;
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
   window::Sight sight = sightOf(given, files);
   window::Steersman steersman{[&] { return linkToDrive(given, files); }, motion::ownPages()};
@@ -173,7 +157,7 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const remot
       sayWindow(news);
     }
   }
-  if (!window_stop) tellEnd(server, sight, given.logged_in_to);
+  if (ssh != nullptr && !window_stop) ssh->tellPages(server, sight);
 }
 
 /// What the user has asked for, whatever kind of robot it is. Exit status.
@@ -189,11 +173,11 @@ int openWindow(WindowArguments given) {
     showWindow(given, own.get(), nullptr);
     return 0;
   }
-  given.logged_in_to = *target;
-  std::vector<std::string> words = sshWords(given.login);
-  words.insert(words.end(), {"--window", *target});
-  remote::SshSession ssh{"darwinop window", words};
-  if (!logIn(ssh, given)) return std::max(ssh.end(), 1);
+  window::OverSsh ssh{*target, sshWords(given.login)};
+  if (!ssh.arrives()) return std::max(ssh.end(), 1);
+  given.logged_in_to = ssh.target();
+  given.robot = ssh.robot();
+  given.monitor = ssh.monitor();
   showWindow(given, own.get(), &ssh);
   const int status = ssh.end();
   return window_stop ? status : std::max(status, 1);
