@@ -6,13 +6,14 @@ terminal_state=
 changing=
 
 program="darwinop install"
+error_mark=  # before what went wrong, for a program that reads us
 say() { printf '%s\n' "$program: $*" >&2; }
 
 # die [-CODE] SENTENCE: ends with code 1, or CODE.
 die() {
   code=1
   case $1 in -[0-9]*) code=${1#-}; shift ;; esac
-  say "$*"
+  say "$error_mark$*"
   exit "$code"
 }
 
