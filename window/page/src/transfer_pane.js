@@ -69,6 +69,7 @@ export class TransferPane {
     const {state, connected} = this.transfer;
     for (const button of this.buttons) button.disabled = state.runs || !connected;
     if (!state.runs && state.host_key && this.asks) this.askForKey(state);
+    if (!state.runs && this.asks && state.text?.includes('needs a password')) this.robot.password.input.focus();
     if (!state.runs && state.status !== null) this.asks = false;
   }
 
