@@ -31,6 +31,7 @@
 #include "window/secret.hpp"
 #include "window/sight.hpp"
 #include "window/steersman.hpp"
+#include "window/transfer.hpp"
 
 namespace {
 
@@ -117,8 +118,8 @@ std::unique_ptr<runtime::RobotLink> linkToDrive(const WindowArguments& given, co
 }
 
 /// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
-std::string serveWindow(web::Server& server, const WindowArguments& given, window::Sight& sight,
-                        window::Driver& driver) {
+std::string serveWindow(web::Server& server, const WindowArguments& given, window::Sight& sight, window::Driver& driver,
+                        window::Transfer& transfer) {
   const std::string base = "/" + window::newSecret() + "/";
   for (const window::Asset& asset : window::assets())
     server.serve(base + std::string{asset.name}, {std::string{asset.type}, std::string{asset.body}});
@@ -127,6 +128,7 @@ std::string serveWindow(web::Server& server, const WindowArguments& given, windo
   server.serve(base + "pages.json", {"application/json", window::pagesJson(motion::ownPages())});
   server.channel(base + "monitor", monitor::kSubprotocol, sight.user());
   server.channel(base + "steering", window::kSteeringProtocol, driver);
+  server.channel(base + "transfer", window::kTransferProtocol, transfer);
   return "http://127.0.0.1:" + std::to_string(server.port()) + base;
 }
 
@@ -137,26 +139,31 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
   window::Sight sight = sightOf(given, files);
   window::Steersman steersman{[&] { return linkToDrive(given, files); }, motion::ownPages()};
-  window::Driver driver{steersman, [] { return runtime::MonotonicClock{}.now(); }};
+  const auto clock = [] { return runtime::MonotonicClock{}.now(); };
+  window::Driver driver{steersman, clock};
+  window::Transfer transfer{window::Child::programOf("install"), window::RememberedFile::usual(), clock};
   web::ServerConfig config;
   config.port = given.port;
   config.entry.own_origin = true;
+  config.most_channels = 12;  // three for each page
   web::Server server{config, sayWindow};
-  const std::string address = serveWindow(server, given, sight, driver);
+  const std::string address = serveWindow(server, given, sight, driver, transfer);
   std::cout << "open in a browser: " << address << '\n';
   if (own)
     std::cout << "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" << own->name()
               << '\n';
   std::cout << "end with Ctrl+C" << std::endl;
   while (!window_stop && (ssh == nullptr || !ssh->ended())) {
-    server.attend(driver.drives() ? std::min(sight.pause(), kDrivingPause) : sight.pause());
+    server.attend(std::min({sight.pause(), transfer.pause(), driver.drives() ? kDrivingPause : sight.pause()}));
     sight.look();
     driver.turn();
+    transfer.turn();
     if (const std::string news = own ? own->news() : ""; !news.empty()) {
       sight.notice(news);
       sayWindow(news);
     }
   }
+  if (transfer.runs()) sayWindow("cancelling what runs on the robot; 20 s at most");
   if (ssh != nullptr && !window_stop) ssh->tellPages(server, sight);
 }
 

@@ -10,62 +10,142 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 namespace darwinop::window {
 namespace {
 
-std::string programOf(const std::string& noun) {
-  std::error_code unknown;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / ("darwinop-" + noun);
-  if (access(program.c_str(), X_OK) != 0)
-    throw std::runtime_error(program.string() + " is not there; the window needs it, install it, too");
-  return program.string();
+using Streams = std::array<int, Child::kStreams>;
+
+constexpr int kAboveStreams = 10;
+
+std::runtime_error notStarted(const std::string& noun) {
+  return std::runtime_error("cannot start darwinop-" + noun + ": " + std::strerror(errno));
 }
 
-// In the child. What is behind must not get what a terminal sends to the group: it is ended in its turn.
-[[noreturn]] void become(char* const* words, pid_t parent, Child::Place place) {
+/// Ends of pipes: ours, which never waits, and the child's.
+struct Pipes {
+  Streams ours{-1, -1, -1}, theirs{-1, -1, -1};
+
+  explicit Pipes(bool wanted, const std::string& noun) {
+    for (std::size_t i = 0; wanted && i < Child::kStreams; ++i) {
+      int ends[2];
+      if (pipe2(ends, O_CLOEXEC) != 0) {
+        const int error = errno;
+        close(ours);
+        close(theirs);
+        errno = error;
+        throw notStarted(noun);
+      }
+      ours[i] = ends[0];
+      theirs[i] = ends[1];
+      fcntl(ours[i], F_SETFL, O_NONBLOCK);
+    }
+  }
+  static void close(const Streams& streams) {
+    for (const int stream : streams)
+      if (stream >= 0) ::close(stream);
+  }
+};
+
+/// Ours, but for the password: only who is given it gets it.
+std::vector<char*> environmentWith(char* variable) {
+  std::vector<char*> all;
+  for (char** word = environ; *word != nullptr; ++word)
+    if (variable == nullptr || !std::string_view{*word}.starts_with("DARWINOP_PASSWORD=")) all.push_back(*word);
+  if (variable != nullptr) all.push_back(variable);
+  all.push_back(nullptr);
+  return all;
+}
+
+/// In the child. No connection of a browser may stay open because of it.
+void layOut(const Streams& theirs) {
+  Streams high{};
+  for (std::size_t i = 0; i < high.size(); ++i) high[i] = fcntl(theirs[i], F_DUPFD, kAboveStreams);
+  for (std::size_t i = 0; i < high.size(); ++i) dup2(high[i], static_cast<int>(i) + STDOUT_FILENO);
+  close_range(Child::kStreams + 1, ~0U, 0);
+}
+
+// In the child. What is behind must not get what a terminal sends to the group: it is ended in its turn. What is heard
+// has no terminal at all, so that ssh cannot ask there.
+[[noreturn]] void become(char* const* words, char* const* environment, pid_t parent, Child::Place place,
+                         const Streams& theirs) {
   prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
   if (getppid() != parent) _exit(143);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   std::signal(SIGPIPE, SIG_DFL);
-  if (place == Child::Place::kBehind) {
-    setpgid(0, 0);
+  if (place != Child::Place::kTerminal) {
+    place == Child::Place::kHeard ? setsid() : setpgid(0, 0);
     const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
     dup2(nowhere, STDIN_FILENO);
-    dup2(nowhere, STDOUT_FILENO);
+    if (place == Child::Place::kBehind) dup2(nowhere, STDOUT_FILENO);
   }
-  execv(words[0], words);
+  if (place == Child::Place::kHeard) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+    layOut(theirs);
+  }
+  execve(words[0], words, environment);
   _exit(127);
 }
 
 }  // namespace
 
-Child::Child(const std::string& noun, const std::vector<std::string>& arguments, std::chrono::milliseconds grace,
-             Place place)
-    : noun_{noun}, grace_{grace} {
-  std::vector<std::string> words{programOf(noun)};
+std::string Child::programOf(const std::string& noun) {
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / ("darwinop-" + noun);
+}
+
+Child::Child(std::string noun, const std::string& program, const std::vector<std::string>& arguments,
+             std::chrono::milliseconds grace, Place place, char* variable)
+    : noun_{std::move(noun)}, grace_{grace}, place_{place} {
+  if (access(program.c_str(), X_OK) != 0)
+    throw std::runtime_error(program + " is not there; the window needs it, install it, too");
+  std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
+  const std::vector<char*> environment = environmentWith(variable);
+  const Pipes pipes{place == Place::kHeard, noun_};
   const pid_t parent = getpid();
   pid_ = fork();
-  if (pid_ < 0) throw std::runtime_error("cannot start darwinop-" + noun + ": " + std::strerror(errno));
-  if (pid_ == 0) become(pointers.data(), parent, place);
+  if (pid_ == 0) become(pointers.data(), environment.data(), parent, place, pipes.theirs);
+  const int error = errno;
+  Pipes::close(pipes.theirs);
+  streams_ = pipes.ours;
+  if (pid_ > 0) return;
+  Pipes::close(streams_);
+  errno = error;
+  throw notStarted(noun_);
 }
 
 Child::~Child() {
-  if (ended()) return;
-  kill(pid_, SIGTERM);
-  const auto end = std::chrono::steady_clock::now() + grace_;
+  tell(place_ == Place::kHeard ? SIGINT : SIGTERM);
+  if (!endsWithin(grace_)) {
+    tell(SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  Pipes::close(streams_);
+}
+
+void Child::interrupt() {
+  if (!ended()) tell(SIGINT);
+}
+
+/// One that has just been started may not lead a group yet.
+void Child::tell(int signal) const {
+  if (status_) return;
+  if (place_ != Place::kHeard || kill(-pid_, signal) != 0) kill(pid_, signal);
+}
+
+bool Child::endsWithin(std::chrono::milliseconds time) {
+  const auto end = std::chrono::steady_clock::now() + time;
   while (!ended() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds{10});
-  if (ended()) return;
-  kill(pid_, SIGKILL);
-  waitpid(pid_, nullptr, 0);
+  return ended().has_value();
 }
 
 std::optional<int> Child::ended() {

@@ -11,9 +11,12 @@ on_robot() {
 }
 
 install_on_robot() {
+  phase_count=$((5 - 2 * dry_run))
+  phase "reading the archive"
   open_bundle
   say "version $version ($((archive_bytes / 1024)) kB) for $target"
   connect
+  phase "checking the robot"
   status=0
   on_robot preflight "$(bundle_settings)" </dev/null || status=$?
   [ "$status" != 10 ] || exit 0
@@ -24,12 +27,15 @@ install_on_robot() {
   fi
   status=0
   changing=1
-  send_with_progress "$bundle" "$archive_bytes" | on_robot install_bundle "$(bundle_settings)" || status=$?
+  phase "sending $archive_kb kB"
+  send_with_progress "$bundle" "$archive_bytes" "switching over on the robot" | on_robot install_bundle "$(bundle_settings)" || status=$?
   end_unless_well "$status"
 }
 
 other_action() {
+  phase_count=2
   connect
+  phase "$action on the robot"
   [ "$action" = status ] || [ "$dry_run" = 1 ] || changing=1
   status=0
   on_robot "$1" </dev/null || status=$?

@@ -12,7 +12,7 @@ bundle=
 new_host=0
 ssh_options=         # words quoted for eval
 controller_dir=
-controller_action=   # send, run, make-default, stop, logs
+controller_action=   # send, run, make-default, no-default, stop, logs
 controller_arguments= # words quoted for eval
 logs_follow=0
 passed=0             # 1: there was a --
@@ -21,7 +21,7 @@ usage() {
   cat <<'END'
 usage: darwinop install [OPTIONS] [USER@HOST]
        darwinop install --controller DIR [--run | --make-default] [OPTIONS] [USER@HOST] [-- ARGUMENTS...]
-       darwinop install --stop | --logs [-f] [OPTIONS] [USER@HOST]
+       darwinop install --stop | --no-default | --logs [-f] [OPTIONS] [USER@HOST]
 
 Installs darwinop-rt on a robot over ssh (default darwin@192.168.123.1; an OP2 has robotis@...), or sends a controller.
 Nothing is changed before everything was checked; a version that fails its self-test goes back by itself.
@@ -39,11 +39,14 @@ Nothing is changed before everything was checked; a version that fails its self-
   --controller DIR       build the controller in DIR and send it with its data files
     --run                and run it here; Ctrl-C stops it safely. What follows -- are its arguments
     --make-default       and start it at every boot
+  --no-default           no controller starts at boot any more; the one that runs by default ends, safely
   --stop                 end the controller that runs, safely; the default one starts again at the next boot
   --logs [-f]            show the robot's logs; -f goes on showing
   --remote [--picture 160x120]   remote control until stdin ends; darwinop run --robot tcp://USER@HOST does this
   --remote --window      what darwinop window --robot tcp://USER@HOST needs, until stdin ends
   --new-host             accept the key of a robot that is not known yet, without asking
+  --host-key SHA256:...  accept it when this is its fingerprint
+  --progress             for programs: steps as lines on file descriptor 3, errors marked as such
   -p PORT, -i KEY, -o OPTION, -F FILE   as for ssh
 
 A password is asked for once, or taken from DARWINOP_PASSWORD. Example: darwinop install --dry-run darwin@192.168.123.1
@@ -53,7 +56,7 @@ END
 }
 
 wrong_usage() {
-  say "$*; see 'darwinop install --help'"
+  say "$error_mark$*; see 'darwinop install --help'"
   exit 2
 }
 
@@ -61,7 +64,7 @@ parse_arguments() {
   have_target=0
   while [ $# -gt 0 ]; do
     case $1 in
-      --port | --autostart | --bundle | --controller | --picture | --tell | -p | -i | -o | -F) [ $# -ge 2 ] || wrong_usage "$1 needs a value" ;;
+      --port | --autostart | --bundle | --controller | --picture | --tell | --host-key | -p | -i | -o | -F) [ $# -ge 2 ] || wrong_usage "$1 needs a value" ;;
     esac
     case $1 in
       -h | --help) usage && exit 0 ;;
@@ -74,13 +77,15 @@ parse_arguments() {
       --bundle) bundle=$2 && shift ;;
       --controller) set_action controller && controller_dir=$2 && shift ;;
       --run | --make-default) set_controller_action "${1#--}" ;;
-      --stop | --logs) set_action controller && set_controller_action "${1#--}" ;;
+      --stop | --no-default | --logs) set_action controller && set_controller_action "${1#--}" ;;
       --remote) set_action remote ;;
       --picture) picture=$2 && shift ;;
       --tell) tell=$2 && shift ;;
       --window) window=1 ;;
       -f) logs_follow=1 ;;
       --new-host) new_host=1 ;;
+      --host-key) host_key=$2 && shift ;;
+      --progress) begin_progress ;;
       -p | -i | -o | -F) ssh_options="$ssh_options$(quote "$1" "$2")" && shift ;;
       --) shift && controller_arguments=$(quote "$@") && set -- -- && passed=1 ;;
       -*) wrong_usage "there is no option $1" ;;
@@ -117,13 +122,14 @@ check_arguments() {
   esac
   case $port in *[!A-Za-z0-9/._:-]*) wrong_usage "--port takes a device such as /dev/ttyUSB0, not '$port'" ;; esac
   [ "$logs_follow" = 0 ] || [ "$controller_action" = logs ] || wrong_usage "-f goes with --logs"
-  [ "$dry_run" = 0 ] || [ "$controller_action" != stop ] || wrong_usage "--dry-run does not go with --stop"
+  case $dry_run:$controller_action in 1:stop | 1:no-default) wrong_usage "--dry-run does not go with --$controller_action" ;; esac
+  check_host_key
   [ -z "$picture$tell" ] || [ "$action" = remote ] || wrong_usage "--picture and --tell go with --remote"
   [ "$window" = 0 ] || [ "$action:$picture" = remote: ] || wrong_usage "--window goes with --remote, and without --picture"
   check_picture
   case $action:$controller_action in
     controller:run) ;;
-    controller:stop | controller:logs) [ -z "$controller_dir" ] || wrong_usage "--$controller_action takes no --controller" ;;
+    controller:stop | controller:no-default | controller:logs) [ -z "$controller_dir" ] || wrong_usage "--$controller_action takes no --controller" ;;
     controller:) controller_action=send ;;
     controller:*) ;;
     *:?*) wrong_usage "--$controller_action goes with --controller" ;;

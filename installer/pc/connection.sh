@@ -5,12 +5,14 @@
 # Not what the environment happens to call so: `disconnect` removes this folder.
 connection=
 sudo_password=
+host_key=    # fingerprint that an unknown robot may have
 ssh_apart=
 
 connect() {
   command -v ssh >/dev/null 2>&1 || die "there is no ssh on this machine. Install it: sudo apt-get install openssh-client"
   connection=$(mktemp -d "${TMPDIR:-/tmp}/darwinop-install.XXXXXX") || die "cannot make a temporary folder"
   chmod 700 "$connection"
+  phase "connecting to $target"
   host_keys=ask
   [ "${new_host:-0}" = 0 ] || host_keys=accept-new
   legacy_options=
@@ -44,6 +46,7 @@ robot_text() {
     printf '\ntext_%s=' "${robot_file%%:*}"
     quote "$robot_file_text"
   done
+  printf '\nerror_mark=%s\n' "$(quote "$error_mark")"
 }
 
 # ssh_call ARGUMENTS: ssh over the socket, with what the user asked for first: ssh takes the first value it sees.
@@ -62,7 +65,39 @@ ssh_with() { # WORDS-BEFORE-THE-USERS ARGUMENTS
 
 # open_master OPTIONS: what ssh says goes to $connection/said, its questions to the terminal.
 # In a shell of its own: a Ctrl-C meanwhile is answered on the terminal, not into that file.
-open_master() { (ssh_call -M -N -f -o ControlPersist=no -o ClearAllForwardings=yes "$@" "$target") </dev/null 2>"$connection/said"; }
+open_master() { (ask_for_host_key && ssh_call -M -N -f -o ControlPersist=no -o ClearAllForwardings=yes "$@" "$target") </dev/null 2>"$connection/said"; }
+
+# Without a terminal ssh asks a program whether to trust an unknown robot. Ours says yes to one key, and keeps what was asked.
+ask_for_host_key() {
+  [ -n "$host_key" ] || [ "$progress" = 1 ] || return 0
+  [ -z "${SSH_ASKPASS_REQUIRE:-}" ] || [ "${SSH_ASKPASS:-}" != "$connection/askpass" ] || return 0  # the password's turn
+  cat >"$connection/askhost" <<'END' && chmod 700 "$connection/askhost" || return
+#!/bin/sh
+case $1 in *fingerprint*) ;; *) exit 1 ;; esac
+printf '%s\n' "$1" >"${0%/*}/asked-host"
+case " $1" in *" $DARWINOP_HOST_KEY"[!A-Za-z0-9+/]*) echo yes ;; *) echo no ;; esac
+END
+  export DARWINOP_HOST_KEY="${host_key:-none}" SSH_ASKPASS="$connection/askhost" SSH_ASKPASS_REQUIRE=force DISPLAY="${DISPLAY:-:0}"
+}
+
+# SHA256 and 43 letters: all of a fingerprint, or a part of one would let many keys pass.
+check_host_key() {
+  [ -n "$host_key" ] || return 0
+  letters=${host_key#SHA256:}
+  case $host_key:$letters in
+    SHA256:*:*[!A-Za-z0-9+/]*) letters= ;;
+    SHA256:*) ;;
+    *) letters= ;;
+  esac
+  [ ${#letters} = 43 ] || wrong_usage "--host-key takes a fingerprint such as ssh shows it, SHA256:..., not '$host_key'"
+}
+
+# tell_host_key: sets $host_key_told to ", its key is ..." and tells a program that reads our progress.
+tell_host_key() {
+  host_key_told=$(grep -o -m 1 '[A-Za-z0-9-]* key fingerprint is SHA256:[A-Za-z0-9+/]*' "$connection/asked-host" 2>/dev/null) || return 0
+  [ "$progress" = 0 ] || printf 'host-key %s\n' "${host_key_told##* }" >&3
+  host_key_told=" (${host_key_told%% key*} key ${host_key_told##* })"
+}
 
 # Keys, agents: whatever needs no password of the robot. Status 1: the robot asks for one.
 log_in_with_key() {

@@ -3,9 +3,12 @@
 # In: what arguments.sh has set, $controller_action first. Out: the exit status; 3 when the start pose is not safe.
 
 controller_main() {
+  phase_count=5
+  [ "$controller_action" != send ] || phase_count=4
   case $controller_action in
     send | run | make-default)
       [ "$controller_action" != send ] || [ -z "$controller_arguments" ] || die -2 "arguments after -- need --run"
+      phase "building the controller"
       compile_controller "$controller_dir"  # first: who has a slip in the source needs no password
       if [ "${dry_run:-0}" = 1 ]; then
         list_parcel
@@ -14,8 +17,12 @@ controller_main() {
       connect
       send_controller
       ;;
-    stop | logs) connect ;;
+    stop | no-default | logs)
+      phase_count=2
+      connect
+      ;;
   esac
+  [ "$controller_action" = send ] || phase "$controller_action on the robot"
   case $controller_action in
     send) say "start it with --run, or at every boot with --make-default" ;;
     run)
@@ -24,6 +31,7 @@ controller_main() {
       tell_ending $?
       ;;
     make-default) robot_run make_default "$controller_name" </dev/null ;;
+    no-default) robot_run make_no_default </dev/null ;;
     stop) robot_run stop_controllers </dev/null ;;
     logs)
       if [ "${logs_follow:-0}" = 1 ]; then
@@ -46,10 +54,12 @@ list_parcel() {
 send_controller() {
   pack_controller
   say "sending $controller_name with $data_count other files"
+  phase "sending $controller_name"
   # shellcheck disable=SC2086  # checksum and length
-  send_with_progress "$connection/controller.tar.gz" "${archive_sum#* }" |
+  send_with_progress "$connection/controller.tar.gz" "${archive_sum#* }" "unpacking $controller_name on the robot" |
     robot_run receive_controller "$controller_name" "$kilobytes" $archive_sum
   status=$?
+  phase_number=$((phase_number + 1))  # unpacking began in a shell of its own
   [ $status != 255 ] || die "the link to the robot was lost while $controller_name was sent; what the robot had is still there. Try again"
   [ $status = 0 ] || exit $status
 }
@@ -121,15 +131,15 @@ ask_to_stop() {
 # The controller's status is ours; a crash is said in words.
 tell_ending() { # STATUS
   case $1 in
-    132) say "$controller_name crashed: it came to an instruction that this processor does not have (signal 4)" ;;
-    134) say "$controller_name crashed: it gave up by itself, by abort(), an assert or an uncaught exception (signal 6)" ;;
-    135 | 139) say "$controller_name crashed: it used memory that is not its own, such as a null pointer or an index too large (signal $(($1 - 128)))" ;;
-    136) say "$controller_name crashed: a whole number was divided by zero (signal 8)" ;;
-    137) say "$controller_name was ended by force (signal 9)" ;;
+    132) say "$error_mark$controller_name crashed: it came to an instruction that this processor does not have (signal 4)" ;;
+    134) say "$error_mark$controller_name crashed: it gave up by itself, by abort(), an assert or an uncaught exception (signal 6)" ;;
+    135 | 139) say "$error_mark$controller_name crashed: it used memory that is not its own, such as a null pointer or an index too large (signal $(($1 - 128)))" ;;
+    136) say "$error_mark$controller_name crashed: a whole number was divided by zero (signal 8)" ;;
+    137) say "$error_mark$controller_name was ended by force (signal 9)" ;;
     255)
       # A controller may end with 255, too.
       ssh_call -O check "$target" >/dev/null 2>&1 ||
-        say "the link to the robot was lost; $controller_name is stopped there within 10 s. Look at --logs"
+        say "${error_mark}the link to the robot was lost; $controller_name is stopped there within 10 s. Look at --logs"
       ;;
   esac
   return "$1"

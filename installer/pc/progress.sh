@@ -1,14 +1,42 @@
 # shellcheck shell=sh
-# Writing a file to stdout with a progress bar on stderr; without a terminal, one line before and one after.
+# How far we are: for people a progress bar on stderr, for a program that asks with --progress lines on file descriptor 3,
+#   progress NUMBER OF FRACTION NAME      "progress 4 5 0.420 sending 4312 kB"; FRACTION is - where none is known
 
-# send_with_progress FILE BYTES
+progress=0
+phase_number=0
+phase_count=0
+
+begin_progress() {
+  (: >&3) 2>/dev/null || wrong_usage "--progress is for programs, which read file descriptor 3; it is not open"
+  progress=1
+  error_mark="error: "
+  trap : PIPE  # who reads may go away at any time; we tidy up all the same
+}
+
+# phase NAME: the next of $phase_count begins.
+phase() {
+  phase_number=$((phase_number + 1))
+  phase_name=$*
+  tell_phase -
+}
+
+tell_phase() { # FRACTION
+  [ "$progress" = 0 ] || printf 'progress %d %d %s %s\n' "$phase_number" "$phase_count" "$1" "$phase_name" 2>/dev/null >&3
+}
+
+# send_with_progress FILE BYTES NEXT: writes the file to stdout; then the phase NEXT begins. Without a terminal, one line
+# before and one after.
 send_with_progress() {
   kb=$((($2 + 1023) / 1024))
   if ! [ -t 2 ]; then
     say "sending $kb kB"
-    cat "$1" && say "sent"
+    if [ "$progress" = 1 ]; then send_in_blocks "$1"; else cat "$1"; fi && say "sent" && phase "$3"
     return
   fi
+  send_in_blocks "$1" && printf '\n' >&2 && phase "$3"
+}
+
+send_in_blocks() { # FILE
   began=$(date +%s)
   block_kb=64
   sent=0
@@ -17,9 +45,9 @@ send_with_progress() {
     dd bs="${block_kb}k" count=1 2>/dev/null || return
     sent=$((sent + block_kb))
     [ "$sent" -le "$kb" ] || sent=$kb
-    draw_progress "$sent" "$kb" $(($(date +%s) - began))
+    tell_phase "$(printf '%d.%03d' $((sent / kb)) $((sent % kb * 1000 / kb)))"
+    ! [ -t 2 ] || draw_progress "$sent" "$kb" $(($(date +%s) - began))
   done <"$1"
-  printf '\n' >&2
 }
 
 # draw_progress SENT OF SECONDS: 30 marks wide.

@@ -7,7 +7,10 @@ explain_ssh() {
   if said "REMOTE HOST IDENTIFICATION HAS CHANGED"; then
     die "$host has another host key than last time; if the robot was set up anew, or another robot has this address now, run 'ssh-keygen -R $(known_name)' and try again; if not, somebody may stand between you and the robot"
   elif said "Host key verification failed" || said "host key is known"; then
-    die "$host is not known to this machine yet; check the network, then say 'yes' on a terminal, or add --new-host"
+    host_key_told=
+    tell_host_key
+    [ -z "$host_key" ] || [ -z "$host_key_told" ] || die "$host has another key$host_key_told than $host_key; nobody logged in. Is it the right robot?"
+    die "$host is not known to this machine yet$host_key_told; check the network, then say 'yes' on a terminal, or add --new-host"
   elif said "Could not resolve hostname"; then
     die "there is no host '$host'; give the address as user@host, for instance darwin@192.168.123.1"
   elif said "Connection refused"; then

@@ -6,13 +6,14 @@ terminal_state=
 changing=
 
 program="darwinop install"
+error_mark=  # before what went wrong, for a program that reads us
 say() { printf '%s\n' "$program: $*" >&2; }
 
 # die [-CODE] SENTENCE: ends with code 1, or CODE.
 die() {
   code=1
   case $1 in -[0-9]*) code=${1#-}; shift ;; esac
-  say "$*"
+  say "$error_mark$*"
   exit "$code"
 }
 
@@ -52,6 +53,7 @@ take_password() {
 # need_password WHY: sets $password, asked for once on the terminal.
 need_password() {
   [ -z "${password+x}" ] || return 0
+  [ "$progress" = 0 ] || die "$1 needs a password, and none was given"
   on_terminal || die "$1 needs a password and there is no terminal to ask on; set DARWINOP_PASSWORD, or copy a key to the robot with 'ssh-copy-id $target'"
   printf '%s' "Password of $target ($1): " >/dev/tty
   terminal_state=$(stty -g </dev/tty)

@@ -28,7 +28,7 @@ say() { printf '%s\n' "robot: $*" >&2; }
 die() {
   code=1
   case $1 in -[0-9]*) code=${1#-}; shift ;; esac
-  say "$*"
+  say "${error_mark:-}$*"
   exit "$code"
 }
 

@@ -95,6 +95,22 @@ make_default() {
   fi
 }
 
+# make_no_default: nothing starts at boot. One that --run started goes on.
+make_no_default() {
+  need_runtime
+  lock
+  before=$(readlink "$home/default") || {
+    say "there is no default controller; nothing to do"
+    return
+  }
+  rm -f "$home/default" || die "cannot remove $home/default; the default controller is the one before"
+  sync
+  say "${before##*/} no longer starts at boot; it stays on the robot"
+  if supervisor_runs && ! is_running; then
+    supervisor --stop-controller || die "it could not be stopped. Hold the robot and press MODE for a moment"
+  fi
+}
+
 # The default controller and one that --run started; both end tidily. Nothing running is no error.
 stop_controllers() {
   need_runtime

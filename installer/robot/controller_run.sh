@@ -38,7 +38,7 @@ run_controller() {
   kill "$counter" "$watcher" 2>/dev/null
   rm -f "$home/running" "$beats"
   # A crash is said in words at the PC.
-  case $status in 0 | 1[3-9]? | 129 | 2??) ;; *) say "$name ended with status $status" ;; esac
+  case $status in 0 | 1[3-9]? | 129 | 2??) ;; *) say "${error_mark:-}$name ended with status $status" ;; esac
   return $status
 }
 

@@ -63,7 +63,7 @@ free_kb() { df -P -k "$(existing "$home")" | awk 'NR == 2 { print $4 }'; }
 
 problem() {
   problems=$((problems + 1))
-  say "$*"
+  say "${error_mark:-}$*"
 }
 
 # find_problems: says each, sets $problems.

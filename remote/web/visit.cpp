@@ -1,5 +1,7 @@
 #include "remote/web/visit.hpp"
 
+#include <string.h>
+
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/write.hpp>
 #include <utility>
@@ -165,6 +167,7 @@ void Visit::heard() {
     const auto bytes = heard_.cdata();
     user_->said(*this, {static_cast<const char*>(bytes.data()), bytes.size()}, stream_.got_binary());
   }
+  explicit_bzero(heard_.data().data(), heard_.size());  // it may have been a password
   heard_.clear();
   closing_ ? sayFarewell() : listen();
 }

@@ -166,6 +166,21 @@ scenario_make_default_links_it_and_tells_the_supervisor() {
   grep -q -e --restart-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not told"
 }
 
+scenario_no_default_starts_nothing_at_boot_any_more() {
+  controller walker 'return 0;'
+  start_runtime
+  run_install --no-default
+  expect_status 0
+  expect_said 'there is no default controller'
+  run_install --controller "$LAB/pc/walker" --make-default
+  run_install --no-default
+  expect_status 0
+  expect_said 'walker no longer starts at boot'
+  [ ! -L "$ROBOT/opt/darwinop/default" ] || fail "the default is still there"
+  [ -x "$ROBOT/opt/darwinop/controllers/walker/walker" ] || fail "the controller itself is gone"
+  grep -q -e --stop-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not asked to stop it"
+}
+
 scenario_a_cut_sending_leaves_the_old_controller() {
   controller walker 'puts("old"); return 0;'
   run_install --controller "$LAB/pc/walker"
@@ -227,6 +242,8 @@ scenario_all_of_it_works_with_busybox() {
   wait_install
   expect_status 7
   run_install --controller "$LAB/pc/walker" --make-default
+  expect_status 0
+  run_install --no-default
   expect_status 0
   run_install --stop
   expect_status 0

@@ -7,7 +7,7 @@ import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
-const kTabs = 8;
+const kTabs = 9;
 const folder = mkdtempSync(join(tmpdir(), 'darwinop-window-'));
 let browser, shown;
 

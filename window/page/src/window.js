@@ -20,6 +20,8 @@ import {kMinutesKept, Store} from './store.js';
 import {Tabs} from './tabs.js';
 import {TimeBar} from './time_bar.js';
 import {Timeline} from './timeline.js';
+import {Transfer} from './transfer.js';
+import {TransferPane} from './transfer_pane.js';
 
 const kRate = 62.5;        // Hz, the most that a loop of 16 ms gives
 const kGap_s = 0.25;       // more than this between two states: the curve has a gap
@@ -40,6 +42,7 @@ const panes = [
   {name: 'Servos', pane: servos}, {name: 'All curves', pane: new CurvesPane(timeline)},
   {name: 'Motion sensors', pane: new SensorsPane(timeline)}, {name: 'Steer', pane: steer}, {name: 'Loop', pane: loop},
   {name: 'Faults', pane: faults}, {name: 'Camera', pane: new CameraPane(feed)}, {name: 'Compare', pane: compare},
+  {name: 'Transfer', pane: new TransferPane(new Transfer(channel('transfer')))},
 ];
 let shown = servos, view = null, shape = null, joints = [], row = null, newest = null, marks = [];
 const tabs = new Tabs(by('tabs'), by('stage'), panes, (pane) => { shown = pane; });

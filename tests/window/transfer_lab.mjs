@@ -1,0 +1,115 @@
+// The Transfer tab against a robot's real sshd: tests/installer/transfer_test.sh makes that robot and runs this in its lab.
+import assert from 'node:assert/strict';
+import {closeSync, openSync, readFileSync, readSync} from 'node:fs';
+import {after, before, test} from 'node:test';
+import {kAxe, startBrowser, startWindow} from './window_program.mjs';
+
+const {LAB, PASSWORD, HOST_KEY} = process.env;
+delete process.env.PASSWORD;  // the window inherits what is there
+let browser, shown, page, other;
+
+before(async () => {
+  const robot = process.env.SHOTS ? ['--robot', 'twin'] : ['--robot', 'runtime', '--name', `${LAB}/nobody`];
+  [browser, shown] = await Promise.all([startBrowser(), startWindow(...robot)]);
+  [page, other] = [await openPage(), await openPage()];
+});
+after(async () => {
+  await browser?.close();
+  await shown?.end();
+});
+
+async function openPage() {
+  const one = await browser.newPage({viewport: {width: 1366, height: 1000}, bypassCSP: true});  // for axe alone
+  await one.goto(shown.url);
+  await one.getByRole('tab', {name: 'Transfer'}).click();
+  await one.getByText('Nothing runs.').waitFor();
+  return one;
+}
+
+const line = (where, kind, text) => where.locator(`#transfer-console .${kind}`, {hasText: text}).first().waitFor();
+const becomes = (how) => page.locator('#transfer-state', {hasText: how}).waitFor();
+
+test('without a password it says so, the key of an unknown robot is shown, and then it tells how it is', async () => {
+  await page.fill('#robot-address', '127.0.0.1');
+  await page.click('#transfer-status');
+  await page.getByRole('dialog').getByText(HOST_KEY).waitFor();
+  await page.getByRole('button', {name: 'Trust this key'}).click();
+  await becomes('login needs a password');
+  await page.locator('#robot-password:focus').fill(PASSWORD);
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');  // Connect
+  await becomes('done');
+  await line(page, 'output', 'version:    0.1.0+fake (confirmed)');
+  await page.locator('#robot-used option', {hasText: 'darwin@127.0.0.1'}).waitFor({state: 'attached'});
+});
+
+test('a controller is sent and run, all pages see it, its errors are red and marked, and Cancel ends it tidily', async () => {
+  await page.fill('#controller-folder', `${LAB}/pc/walker`);
+  await page.fill('#controller-arguments', '--speed 2');
+  await page.click('#transfer-run');
+  const seen = page.evaluate(() => new Promise((done) => {  // a step that has a length of its own
+    const bar = document.querySelector('.transfer-progress .progress'), values = [];
+    new MutationObserver(() => {
+      values.push(Number(bar.ariaValueNow));
+      if (document.querySelector('#transfer-state').textContent.includes('run on the robot')) done(values);
+    }).observe(bar, {attributes: true});
+  }));
+  await Promise.all([line(page, 'output', 'walking --speed 2'), line(other, 'output', 'walking --speed 2')]);
+  const values = await seen;
+  assert.ok(values.every((value, i) => i === 0 || value >= values[i - 1]) && values.at(-1) >= 80, `${values}`);
+  const error = page.locator('#transfer-console .error', {hasText: 'it wobbles'});
+  await error.waitFor();
+  assert.equal(await error.getByRole('img', {name: 'error'}).textContent(), '✖');
+  const [red, green] = (await error.evaluate((node) => getComputedStyle(node).color)).match(/\d+/g).map(Number);
+  assert.ok(red > 2 * green, 'errors are red');
+  await page.waitForTimeout(process.env.SHOTS ? 1500 : 0);
+  if (process.env.SHOTS) await page.screenshot({path: `${process.env.SHOTS}/transfer.png`});
+  assert.equal(await other.locator('#transfer-send').isDisabled(), true, 'one thing at a time');
+  await other.addScriptTag({path: kAxe});
+  for (const colorScheme of ['light', 'dark']) {
+    await other.emulateMedia({colorScheme});
+    const {violations} = await other.evaluate(() => window.axe.run('#panes', {resultTypes: ['violations']}));
+    assert.deepEqual(violations.map(({id, nodes}) => `${id}: ${nodes[0].html}`), [], colorScheme);
+  }
+  await other.click('#transfer-cancel');
+  await line(page, 'output', 'kneeling');
+  await becomes('cancelled');
+});
+
+test('it becomes the default after a question, and a mistake in the source is told as one', async () => {
+  await page.click('#transfer-make-default');
+  await page.getByRole('dialog').getByRole('button', {name: 'Make default'}).click();
+  await becomes('done');
+  await line(page, 'said', 'walker is the default controller now');
+  await page.fill('#controller-folder', `${LAB}/pc/slip`);
+  await page.click('#transfer-send');
+  await becomes('slip does not compile');
+  await line(page, 'error', 'main.cpp:');
+  await line(page, 'warning', 'unused variable');
+});
+
+test('the password is in no page, no memory of the program and nothing that it printed', async () => {
+  for (const one of [page, other]) assert.ok(!(await one.content()).includes(PASSWORD));
+  assert.ok(!(shown.said() + shown.printed()).includes(PASSWORD));
+  const secret = Buffer.from(PASSWORD), memory = openSync(`/proc/${shown.process.pid}/mem`, 'r');
+  let looked = 0;
+  for (const row of readFileSync(`/proc/${shown.process.pid}/maps`, 'utf8').split('\n')) {
+    const [, from, to] = row.match(/^(\w+)-(\w+) rw/) ?? [];
+    if (!from) continue;
+    const begin = Number.parseInt(from, 16), bytes = Buffer.alloc(Number.parseInt(to, 16) - begin);
+    let count = 0;
+    try { count = readSync(memory, bytes, 0, bytes.length, begin); } catch { continue; }
+    looked += count;
+    assert.equal(bytes.subarray(0, count).indexOf(secret), -1, row);
+  }
+  closeSync(memory);
+  assert.ok(looked > 1e6);
+});
+
+test('a window that is killed stops the controller, too', async () => {
+  await page.fill('#controller-folder', `${LAB}/pc/walker`);
+  await page.fill('#controller-arguments', '--again 1');
+  await page.click('#transfer-run');
+  await line(page, 'output', 'walking --again 1');
+  shown.process.kill('SIGKILL');
+});

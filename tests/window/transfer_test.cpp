@@ -1,0 +1,214 @@
+// The transfer channel with a small shell script in the installer's place.
+#include "window/transfer.hpp"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "support/temporary_folder.hpp"
+
+namespace darwinop {
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr const char* kStatus = R"({"start": {"action": "status", "robot": {"address": "r", "user": "darwin"}}})";
+
+/// A page that asks for more lines whenever it has got some.
+struct TransferPage final : web::Channel {
+  const std::string& name() const override { return who; }
+  void send(web::Lane, web::Bytes text) override {
+    const json said = json::parse(*text);
+    if (said["type"] == "state") state = said;
+    if (said["type"] == "known") known = said;
+    if (said["type"] == "refused") refused = said["text"];
+    if (said["type"] != "lines") return;
+    for (const json& line : said["lines"])
+      lines.push_back(line[0].get<std::string>() + ": " + line[1].get<std::string>());
+    next = said["first"].get<std::uint64_t>() + said["lines"].size();
+    asks = true;
+  }
+  void sendBinary(web::Lane, web::Bytes) override {}
+  void forgetNewest() override {}
+  std::uint64_t lost() const override { return 0; }
+  void close(const std::string&) override {}
+
+  std::string who = "page", refused;
+  json state, known;
+  std::vector<std::string> lines;
+  std::uint64_t next = 0;
+  bool asks = true;
+};
+
+struct WindowTransfer : testing::Test {
+  void installerIs(const std::string& text) {
+    std::ofstream{installer} << "#!/bin/sh\n" << text;
+    chmod(installer.c_str(), 0700);
+  }
+  void open(TransferPage& one) {
+    pages.push_back(&one);
+    transfer->opened(one);
+  }
+  void turn() {
+    for (TransferPage* one : pages)
+      if (std::exchange(one->asks, false))
+        transfer->said(*one, R"({"more": )" + std::to_string(one->next) + "}", false);
+    now += window::Transfer::kLinesPause;
+    transfer->turn();
+    std::this_thread::sleep_for(1ms);
+  }
+  template <class Done>
+  void until(Done done) {
+    const auto end = std::chrono::steady_clock::now() + 20s;
+    while (!done() && std::chrono::steady_clock::now() < end) turn();
+    ASSERT_TRUE(done()) << page.state << testing::PrintToString(page.lines);
+  }
+  void begin(const std::string& words = kStatus) { transfer->said(page, words, false); }
+  void untilEnded() {
+    until([this] { return !transfer->runs(); });
+    for (int i = 0; i < 5; ++i) turn();
+  }
+  bool heard(const std::string& line) const { return std::ranges::find(page.lines, line) != page.lines.end(); }
+
+  TemporaryFolder folder;
+  std::string installer = folder / "darwinop-install", file = folder / "robots.json";
+  Nanos now{0};
+  TransferPage page, other;
+  std::vector<TransferPage*> pages;
+  std::unique_ptr<window::Transfer> transfer =
+      std::make_unique<window::Transfer>(installer, file, [this] { return now; });
+};
+
+TEST_F(WindowTransfer, EveryPageSeesWhatIsDoneAndHowItEnds) {
+  installerIs(
+      "echo progress 1 2 0.5 connecting >&3\n"
+      "echo \"$@\"; echo 'robot: error: no disk' >&2; exit 1\n");
+  open(page);
+  begin();
+  untilEnded();
+  EXPECT_THAT(page.lines, Contains("command: darwinop install --status darwin@r"));
+  EXPECT_THAT(page.lines, Contains("output: --progress --status darwin@r"));
+  EXPECT_THAT(page.lines, Contains("error: robot: error: no disk"));
+  EXPECT_EQ(page.state["status"], 1);
+  EXPECT_EQ(page.state["text"], "no disk");
+  EXPECT_EQ(page.state["step"]["name"], "connecting");
+  EXPECT_EQ(page.state["step"]["part"], 0.5);
+  EXPECT_EQ(page.known["robots"][0]["address"], "r");
+  open(other);  // late
+  for (int i = 0; i < 3; ++i) turn();
+  EXPECT_EQ(other.lines, page.lines);
+  EXPECT_EQ(other.state, page.state);
+}
+
+TEST_F(WindowTransfer, ThePasswordReachesTheProgramOnceAndNothingElse) {
+  installerIs("echo \"${DARWINOP_PASSWORD-none}\" >" + (folder / "") +
+              "got; tr '\\0' ' ' </proc/$$/cmdline; env | grep -c '^DARWINOP_PASSWORD='\n");
+  open(page);
+  transfer->said(page, "s3cret ü word", true);
+  begin();
+  untilEnded();
+  const auto got = [this] {
+    std::string text;
+    std::ifstream in{folder / "got"};
+    std::getline(in, text);
+    return text;
+  };
+  EXPECT_EQ(got(), "s3cret ü word");
+  EXPECT_TRUE(heard("output: 1") || !page.lines.empty());
+  for (const std::string& line : page.lines) EXPECT_THAT(line, Not(HasSubstr("s3cret")));
+  EXPECT_THAT(page.state.dump() + page.known.dump(), Not(HasSubstr("s3cret")));
+  std::string remembered{std::istreambuf_iterator<char>{std::ifstream{file}.rdbuf()}, {}};
+  EXPECT_THAT(remembered, HasSubstr("darwin"));
+  EXPECT_THAT(remembered, Not(HasSubstr("s3cret")));
+  begin();  // it was for the start before
+  untilEnded();
+  EXPECT_EQ(got(), "none");
+}
+
+TEST_F(WindowTransfer, CancelIsCtrlCForAllOfItAndTheInstallerEndsByItself) {
+  installerIs(
+      "trap 'echo asked; sleep 0.2; echo tidied; exit 130' INT\n"
+      "(trap 'echo child; exit' INT; echo begun; while :; do sleep 0.02; done) & while :; do wait; done\n");
+  open(page);
+  begin();
+  until([this] { return heard("output: begun"); });
+  transfer->said(page, R"({"cancel": true})", false);
+  transfer->said(page, R"({"cancel": true})", false);
+  EXPECT_EQ(page.state["cancelled"], true);
+  begin();
+  EXPECT_THAT(page.refused, HasSubstr("one thing at a time"));
+  untilEnded();
+  EXPECT_THAT(page.lines, Contains("output: tidied"));
+  EXPECT_EQ(page.state["status"], 130);
+  EXPECT_EQ(std::ranges::count(page.lines, "output: asked"), 1);
+}
+
+TEST_F(WindowTransfer, AWindowThatEndsCancelsWhatRunsAndWaits) {
+  installerIs("trap 'yes | head -c 200000; echo tidied >" + (folder / "") +
+              "end; exit 130' INT; echo begun; while :; do sleep 0.02; done\n");
+  open(page);
+  begin();
+  until([this] { return heard("output: begun"); });
+  transfer.reset();
+  EXPECT_TRUE(std::filesystem::exists(folder / "end")) << "killed, or it could not get rid of its output";
+}
+
+TEST_F(WindowTransfer, ItHasNoTerminalToAskOnAndNothingOfOurs) {
+  const int leak = dup(1);
+  installerIs(
+      "(: </dev/tty) 2>/dev/null && echo terminal; read -r line || echo no input; ls /proc/$$/fd | tr '\\n' ' '\n");
+  open(page);
+  begin();
+  untilEnded();
+  close(leak);
+  EXPECT_THAT(page.lines, Contains("output: no input"));
+  EXPECT_THAT(page.lines, Not(Contains("output: terminal")));
+  EXPECT_TRUE(heard("output: 0 1 10 2 3 ") || heard("output: 0 1 2 255 3 "))
+      << testing::PrintToString(page.lines);  // and the script
+}
+
+TEST_F(WindowTransfer, WhatPrintsWithoutEndDelaysNobodyAndLosesLinesOnly) {
+  installerIs("yes 'a line of a controller that prints without end'\n");
+  open(page);
+  begin();
+  until([this] { return page.lines.size() > 1000; });
+  for (int i = 0; i < 200; ++i) {  // a page that is slow
+    transfer->turn();
+    std::this_thread::sleep_for(1ms);
+  }
+  until([this] { return page.next > page.lines.size(); });  // some were left out
+  begin(R"({"cancel": true})");
+  untilEnded();
+}
+
+TEST_F(WindowTransfer, WhatIsNotUnderstoodOrNotThereIsSaidAndNothingIsDone) {
+  open(page);
+  begin("nonsense");
+  EXPECT_THAT(page.refused, HasSubstr("no JSON object"));
+  begin();
+  EXPECT_THAT(page.refused, HasSubstr("darwinop-install is not there"));
+  EXPECT_FALSE(transfer->runs());
+  transfer->said(page, std::string(201, 'a'), true);
+  EXPECT_THAT(page.refused, HasSubstr("at most 200 bytes"));
+}
+
+TEST_F(WindowTransfer, TheKeyOfAnUnknownRobotIsPassedOn) {
+  const std::string key = "SHA256:" + std::string(43, 'A');
+  installerIs("echo host-key " + key + " >&3; exit 1\n");
+  open(page);
+  begin();
+  untilEnded();
+  EXPECT_EQ(page.state["host_key"], key);
+}
+
+}  // namespace
+}  // namespace darwinop

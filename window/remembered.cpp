@@ -1,0 +1,124 @@
+#include "window/remembered.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace darwinop::window {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} * 1024;
+
+/// Empty: `all` has everything that `text` says.
+std::string takeAll(const std::string& text, Remembered& all) {
+  const json said = json::parse(text, nullptr, false);
+  if (!said.is_object()) return "it is no JSON object";
+  for (const auto& [name, list] : said.items()) {
+    if (name != "robots" && name != "controllers") return "it knows robots and controllers";
+    if (!list.is_array() || list.size() > RememberedFile::kMost)
+      return "\"" + name + "\" is no list that it should hold";
+    for (const json& entry : list) {
+      const std::string why = name == "robots" ? takeRobot(entry, all.robots.emplace_back())
+                                               : takePath(entry, "controllers", all.controllers.emplace_back());
+      if (!why.empty()) return why;
+    }
+  }
+  return {};
+}
+
+template <class Entry, class Same>
+void toFront(std::vector<Entry>& list, const Entry& entry, Same same) {
+  std::erase_if(list, same);
+  list.insert(list.begin(), entry);
+  if (list.size() > RememberedFile::kMost) list.resize(RememberedFile::kMost);
+}
+
+bool writeWhole(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = ::write(file, text.data(), text.size());
+    if (count < 0 && errno != EINTR) return false;
+    if (count > 0) text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return fsync(file) == 0;
+}
+
+}  // namespace
+
+fs::path RememberedFile::usual() {
+  const char* const config = std::getenv("XDG_CONFIG_HOME");
+  if (config != nullptr && config[0] == '/') return fs::path{config} / "darwinop" / "robots.json";
+  const char* const home = std::getenv("HOME");
+  return home == nullptr || home[0] != '/' ? fs::path{} : fs::path{home} / ".config" / "darwinop" / "robots.json";
+}
+
+RememberedFile::RememberedFile(fs::path file) : file_{std::move(file)} {
+  read();
+}
+
+void RememberedFile::note(const RobotAddress& robot, const std::string& controller) {
+  read();
+  toFront(all_.robots, robot,
+          [&](const RobotAddress& other) { return other.address == robot.address && other.user == robot.user; });
+  if (!controller.empty())
+    toFront(all_.controllers, controller, [&](const std::string& other) { return other == controller; });
+  write();
+}
+
+void RememberedFile::forget(const RobotAddress& robot) {
+  read();
+  std::erase_if(all_.robots,
+                [&](const RobotAddress& other) { return other.address == robot.address && other.user == robot.user; });
+  write();
+}
+
+void RememberedFile::read() {
+  std::error_code unknown;
+  if (file_.empty() || !fs::exists(file_, unknown)) return;
+  const bool small = fs::is_regular_file(file_, unknown) && fs::file_size(file_, unknown) <= kLargestFile;
+  std::ifstream in{file_, std::ios::binary};
+  if (!small || !in) return keepAside("it cannot be read");
+  Remembered found;
+  const std::string why = takeAll({std::istreambuf_iterator<char>{in}, {}}, found);
+  if (!why.empty()) return keepAside(why);
+  all_ = std::move(found);
+}
+
+/// Somebody may want to mend it.
+void RememberedFile::keepAside(const std::string& why) {
+  std::error_code failed;
+  const fs::path aside = file_.string() + ".damaged";
+  fs::rename(file_, aside, failed);
+  trouble_ = file_.string() + " could not be understood (" + why + "). Robots are remembered anew" +
+             (failed ? ", but it stands in the way: " + failed.message() : "; it is kept as " + aside.string());
+}
+
+void RememberedFile::write() {
+  if (file_.empty()) return;
+  json robots = json::array();
+  for (const RobotAddress& robot : all_.robots) robots.push_back(jsonOf(robot));
+  const auto replace = json::error_handler_t::replace;
+  const std::string text =
+      json{{"robots", robots}, {"controllers", all_.controllers}}.dump(2, ' ', false, replace) + "\n";
+  std::error_code failed;
+  fs::create_directories(file_.parent_path(), failed);
+  const std::string next = file_.string() + ".new-" + std::to_string(getpid());
+  const int out = open(next.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR);
+  const bool well = out >= 0 && writeWhole(out, text) && rename(next.c_str(), file_.c_str()) == 0;
+  if (!well) trouble_ = "robots are not remembered: " + file_.string() + ": " + std::strerror(errno);
+  if (!well && out >= 0) unlink(next.c_str());
+  if (out >= 0) close(out);
+}
+
+}  // namespace darwinop::window
