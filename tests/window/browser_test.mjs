@@ -5,6 +5,7 @@ import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
+import {dice, kMessages, spoilt} from './hostile_messages.mjs';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
 const kTabs = 8;
@@ -113,6 +114,38 @@ test('recordings lie over each other, one later than the other, and a report of 
   const [report] = await Promise.all([page.context().waitForEvent('page'), page.click('#gap-report')]);
   await report.waitForFunction(() => document.title.startsWith('gap of'));
   assert.equal(await report.title(), 'gap of null', 'it is nobody, and can reach nothing here');
+  await page.close();
+});
+
+test('a robot that says anything neither stops the page nor makes it grow', async () => {
+  const page = await openPage(), errors = [];
+  page.on('pageerror', (error) => errors.push(error.stack));
+  const good = await page.evaluate(async () => {
+    const {feed} = window.darwinop;
+    const said = ['hello', 'state', 'loop', 'faults'].map((type) => new Promise((done) =>
+      feed.addEventListener(type, ({detail}) => done(detail), {once: true})));
+    feed.socket.close();  // it says hello again
+    return Promise.all(said);
+  });
+  const [hello] = good, random = dice(3);
+  const texts = Array.from({length: 600}, (_, i) => spoilt([...good, ...kMessages.slice(4)][i % 7], random))
+    .filter(({type, joints}) => type !== 'hello' || JSON.stringify(joints) === JSON.stringify(hello.joints))  // another robot
+    .map((message) => JSON.stringify(message));
+  for (const tab of [0, 1, 2, 5]) {
+    await page.click(`#tab-${tab}`);
+    await page.evaluate(async ([all, last]) => {
+      const {feed, timeline} = window.darwinop, rows = timeline.live.data[0];
+      for (const [i, text] of all.entries()) {
+        feed.take(text);
+        if (i % 40 === 0) await new Promise(requestAnimationFrame);
+      }
+      for (const bytes of [0, 1, 19, 20, 4000]) feed.take(new Uint8Array(bytes).fill(1).buffer);
+      feed.take(JSON.stringify(last));
+      if (timeline.live.data[0] !== rows) throw new Error('the record is another one');
+    }, [texts, hello]);
+  }
+  assert.deepEqual(errors, []);
+  await page.locator('#pills').filter({hasText: 'Statedriven'}).waitFor();
   await page.close();
 });
 
