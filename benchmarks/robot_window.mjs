@@ -1,6 +1,5 @@
-// The robot window in a real browser without a graphics card: how smooth it is, and whether it grows.
-//   DARWINOP_BIN=… DARWINOP_NPM=… node robot_window.mjs [SECONDS] [TAB] [WORDS OF darwinop window …]
-// Says what it has seen ten times, and ends with an error when memory has grown.
+// The robot window in a real browser, beside a twin that walks: how smooth it is, and whether it grows. Ten times it says
+// what it has seen; it ends with an error when memory has grown. `./dev bench window [SECONDS [TAB]]`
 import {readFileSync, readdirSync} from 'node:fs';
 import {loadavg} from 'node:os';
 import {startBrowser, startWindow} from '../tests/window/window_program.mjs';
@@ -80,7 +79,8 @@ async function frames(duration) {
   return seen;
 }
 
-let failed = false, all = [], long = 0;
+const all = [];
+let failed = false, long = 0;
 try {
   await page.goto(shown.url);
   await page.waitForFunction(() => window.darwinop?.view && window.darwinop.timeline.live?.count > 30);
@@ -100,12 +100,16 @@ try {
       `MB: ${figures(last)}; % CPU: ${figures(cpu)}; load ${loadavg()[0].toFixed(1)}`);
   }
   all.sort((a, b) => a - b);
-  console.log(`${tab}: frames/s median ${quantile(all, 0.5).toFixed(1)}, 5 % ${quantile(all, 0.05).toFixed(1)}, ` +
-    `least ${all[0]?.toFixed(1)}; ${long} frames over ${kLong_ms} ms in ${length} s`);
+  console.log(`${tab}: least ${all[0]?.toFixed(1)} frames/s; ${long} frames over ${kLong_ms} ms in ${length} s`);
+  const bench = (what, ours, peer, unit) => console.log(`bench: window_${what} ours=${ours.toFixed(1)} peer=${peer.toFixed(1)} ` +
+    `ratio=${(ours / peer).toFixed(3)} unit=${unit}`);
+  bench('frames', quantile(all, 0.5), 60, '1/s');  // peer: the screen
+  bench('frames_p5', quantile(all, 0.05), 60, '1/s');
   for (const [what, slack] of Object.entries(kSlack_MB)) {
+    bench(`${what}_memory`, last[what], first[what], 'MB');  // peer: itself, after a tenth of the time
     const grown = last[what] > first[what] * kGrowth + slack;
     failed ||= grown;
-    console.log(`${what}: ${first[what].toFixed(1)} MB, then ${last[what].toFixed(1)} MB${grown ? ': IT GROWS' : ''}`);
+    if (grown) console.log(`the memory of ${what} GROWS`);
   }
 } finally {
   await browser.close();
