@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Runs benchmarks and prints each figure as "bench: NAME ours=... peer=... ratio=... unit=...".
-# usage: run.sh BUILD_FOLDER [NAME]
+# usage: run.sh BUILD_FOLDER [NAME [WORDS FOR IT ...]]
 set -euo pipefail
 
 build=$1
 wanted=${2:-}
+words=("${@:3}")
 folder=$(mktemp -d)
 virtual_robot=
 cleanup() {
@@ -203,8 +204,16 @@ remote_link() { "$build/bin/remote_link"; }
 # A whole poll and its reply over the loopback. Peer: the same bytes both ways, without a server.
 remote_round_trip() { "$build/bin/remote_round_trip"; }
 
+# --- the robot window
+
+# Frames a second and memory, in a browser: [SECONDS [TAB]], an hour shows whether it grows. Peers: the screen, itself before.
+window() {
+  DARWINOP_BIN=$(realpath "$build/bin") DARWINOP_NPM=$(realpath "$build/../npm/node_modules") \
+    node "$(dirname "$0")/robot_window.mjs" "${words[@]}"
+}
+
 all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision remote_jpeg remote_table remote_round_trip remote_flood
-  remote_link gait)
+  remote_link gait window)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue
   "$name"

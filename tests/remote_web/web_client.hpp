@@ -99,6 +99,11 @@ class WebClient {
     (void)receive();
     return next();
   }
+  /// All that is there already, as it came.
+  const std::string& unheard() {
+    (void)receive();
+    return bytes_;
+  }
   /// Hears and throws away until the end. False: there is none within 10 s.
   bool atEnd() {
     while (hear()) {

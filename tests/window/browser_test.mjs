@@ -5,9 +5,9 @@ import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
+import {dice, kMessages, spoilt} from './hostile_messages.mjs';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
-const kTabs = 9;
 const folder = mkdtempSync(join(tmpdir(), 'darwinop-window-'));
 let browser, shown;
 
@@ -76,24 +76,75 @@ test('pause stops the curves, a drag looks closer, and what is shown is saved', 
   await page.close();
 });
 
+const tabsOf = (page) => page.getByRole('tab').count();
+
 test('tabs go by arrow keys, and every tab is accessible, light and dark', async () => {
-  for (const colorScheme of ['light', 'dark']) {
-    const page = await openPage({colorScheme, bypassCSP: true});  // for axe alone
-    await page.addScriptTag({path: kAxe});
-    await page.locator('#tab-0').focus();
-    for (let i = 0; i < kTabs; ++i) {
-      assert.equal(await page.locator(`#tab-${i}`).getAttribute('aria-selected'), 'true');
-      const {violations} = await page.evaluate(() => window.axe.run({resultTypes: ['violations']}));
+  const page = await openPage({bypassCSP: true});  // for axe alone
+  await page.addScriptTag({path: kAxe});
+  await page.locator('#tab-0').focus();
+  for (let i = 0; i < await tabsOf(page); ++i) {
+    assert.equal(await page.locator(`#tab-${i}`).getAttribute('aria-selected'), 'true');
+    for (const colorScheme of ['light', 'dark']) {
+      await page.emulateMedia({colorScheme});
+      const {violations} = await page.evaluate(([whole, dark]) => window.axe.run(whole ? document : '#stage',
+        {resultTypes: ['violations'], ...(dark ? {runOnly: ['color-contrast']} : {})}), [i === 0, colorScheme === 'dark']);
       assert.deepEqual(violations.map((one) => `${one.id}: ${one.nodes[0].html}`), [], `${colorScheme}, tab ${i}`);
-      await page.keyboard.press('ArrowRight');
     }
-    await page.close();
+    await page.keyboard.press('ArrowRight');
   }
+  assert.equal(await page.locator('#tab-0').getAttribute('aria-selected'), 'true', 'round');
+  await page.keyboard.press('End');
+  assert.equal(await page.getByRole('tab').last().getAttribute('aria-selected'), 'true');
+  await page.close();
+});
+
+// In the order of the page: what a keyboard has to reach.
+const kReachable = 'button:enabled, input:enabled, select:enabled, a[href], [tabindex="0"]';
+
+test('everything is reached by the keyboard, in order, and one sees where one is', async () => {
+  const page = await openPage();
+  for (let i = 0; i < await tabsOf(page); ++i) {
+    await page.click(`#tab-${i}`);
+    const wanted = await page.evaluate((which) => {
+      document.body.tabIndex = -1;
+      document.body.focus();
+      const nodes = [...document.querySelectorAll(which)].filter((node) => node.tabIndex >= 0 && node.checkVisibility());
+      window.wanted = nodes;
+      return nodes.length;
+    }, kReachable);
+    for (let n = 0; n < wanted; ++n) {
+      await page.keyboard.press('Tab');
+      const {is, due, outline} = await page.evaluate((at) => {
+        const {activeElement: node} = document, {outlineStyle, outlineWidth} = getComputedStyle(node);
+        const name = (one) => one?.outerHTML.slice(0, 90);
+        return {is: name(node), due: name(window.wanted[at]), outline: outlineStyle === 'none' ? 0 : Number.parseFloat(outlineWidth)};
+      }, n);
+      assert.equal(is, due, `tab ${i}`);
+      assert.ok(outline >= 2, `one does not see that one is at ${is}`);
+    }
+  }
+  await page.close();
+});
+
+test('a tablet held upright needs no sideways scrolling, and fingers hit the buttons', async () => {
+  const page = await openPage({viewport: {width: 820, height: 1180}, hasTouch: true});
+  for (let i = 0; i < await tabsOf(page); ++i) {
+    await page.tap(`#tab-${i}`);
+    const {over, small} = await page.evaluate(() => {
+      const size = (node) => node.getBoundingClientRect();
+      return {over: document.documentElement.scrollWidth - innerWidth,
+        small: [...document.querySelectorAll('button, select, input')].filter((node) => node.checkVisibility() &&
+          node.type !== 'range' && size(node).height < 28).map((node) => `${size(node).height}: ${node.outerHTML.slice(0, 80)}`)};
+    });
+    assert.ok(over <= 0, `tab ${i}: ${over} pixels too wide`);
+    assert.deepEqual(small, [], `tab ${i}`);
+  }
+  await page.close();
 });
 
 test('recordings lie over each other, one later than the other, and a report of twin and robot is linked', async () => {
   const page = await openPage();
-  await page.click('#tab-7');
+  await page.getByRole('tab', {name: 'Compare'}).click();
   const log = (offset) => 'time_s,cycle,Neck.position [rad],Head.load\n' +
     [...Array(500).keys()].map((i) => `${7 + i * 0.016},${i},${Math.sin(i / 50) + offset},`).join('\n') + '\n';
   await page.setInputFiles('#compare-files', [
@@ -108,11 +159,42 @@ test('recordings lie over each other, one later than the other, and a report of 
   const at = (curve, time) => curve[times.findIndex((t) => Math.abs(t - time) < 1e-6)];
   assert.ok(Math.abs(at(twin, 0.8) - Math.sin(1)) < 1e-6);
   assert.ok(Math.abs(at(robot, 2.4) - Math.sin(1) - 0.2) < 1e-6);
-  if (process.env.SHOTS) await page.screenshot({path: `${process.env.SHOTS}/compare.png`});
 
   const [report] = await Promise.all([page.context().waitForEvent('page'), page.click('#gap-report')]);
   await report.waitForFunction(() => document.title.startsWith('gap of'));
   assert.equal(await report.title(), 'gap of null', 'it is nobody, and can reach nothing here');
+  await page.close();
+});
+
+test('a robot that says anything neither stops the page nor makes it grow', async () => {
+  const page = await openPage(), errors = [];
+  page.on('pageerror', (error) => errors.push(error.stack));
+  const good = await page.evaluate(async () => {
+    const {feed} = window.darwinop;
+    const said = ['hello', 'state', 'loop', 'faults'].map((type) => new Promise((done) =>
+      feed.addEventListener(type, ({detail}) => done(detail), {once: true})));
+    feed.socket.close();  // it says hello again
+    return Promise.all(said);
+  });
+  const [hello] = good, random = dice(3);
+  const texts = Array.from({length: 600}, (_, i) => spoilt([...good, ...kMessages.slice(4)][i % 7], random))
+    .filter(({type, joints}) => type !== 'hello' || JSON.stringify(joints) === JSON.stringify(hello.joints))  // another robot
+    .map((message) => JSON.stringify(message));
+  for (const tab of [0, 1, 2, 5]) {
+    await page.click(`#tab-${tab}`);
+    await page.evaluate(async ([all, last]) => {
+      const {feed, timeline} = window.darwinop, rows = timeline.live.data[0];
+      for (const [i, text] of all.entries()) {
+        feed.take(text);
+        if (i % 40 === 0) await new Promise(requestAnimationFrame);
+      }
+      for (const bytes of [0, 1, 19, 20, 4000]) feed.take(new Uint8Array(bytes).fill(1).buffer);
+      feed.take(JSON.stringify(last));
+      if (timeline.live.data[0] !== rows) throw new Error('the record is another one');
+    }, [texts, hello]);
+  }
+  assert.deepEqual(errors, []);
+  await page.locator('#pills').filter({hasText: 'Statedriven'}).waitFor();
   await page.close();
 });
 

@@ -30,6 +30,11 @@ test('what is no recording is refused with a sentence', async () => {
   await assert.rejects(LogFile.open(file('c.csv', '')), /no recording/);
 });
 
+test('a name that is long is read as fast as a short one', async () => {
+  const name = `a${' '.repeat(60000)}b`;
+  assert.deepEqual((await LogFile.open(file('a.csv', `time_s,${name}\n`))).names, [name]);
+});
+
 const kLegs = [{name: 'LegLowerR', chain: 'right_leg', start: 2.25}, {name: 'Neck', chain: 'head', start: 0}];
 const at = (knee, neck, felt) => ({joints: {position: [knee, neck]}, board: {accelerometer: felt}});
 

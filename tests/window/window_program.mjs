@@ -28,8 +28,14 @@ export async function startProgram(noun, words, ready, more = {}) {
   return {process: program, said: () => said, printed: () => printed, end: () => { program.kill('SIGTERM'); return ended; }};
 }
 
-/// The same of `darwinop window`, with its `url`.
+/// The same of `darwinop window`, with its `url`. A computer so busy that the runtime finds its robot too slow is tried again.
 export async function startWindow(...words) {
-  const shown = await startProgram('window', words, /end with Ctrl/);
-  return Object.assign(shown, {url: shown.printed().match(/http:\S+/)[0]});
+  for (let tries = 1; ; ++tries) {
+    try {
+      const shown = await startProgram('window', words, /end with Ctrl/);
+      return Object.assign(shown, {url: shown.printed().match(/http:\S+/)[0]});
+    } catch (error) {
+      if (tries === 4 || !error.message.includes('cannot be driven with a period of')) throw error;
+    }
+  }
 }

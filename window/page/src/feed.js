@@ -1,4 +1,5 @@
 // The channel to the robot: what it says, as events named after the type of the message; comes back by itself.
+import {isMessage, jointsOf} from './shapes.js';
 
 const kProtocol = 'darwinop-monitor.1';
 const kAgain_ms = [250, 500, 1000, 2000];
@@ -13,6 +14,7 @@ export class Feed extends EventTarget {
     this.connected = false;
     this.gone = null;  // why there is no runtime, in words
     this.ended = null;  // why the program has ended
+    this.joints = 0;   // of the last "hello"
     this.wish = {rate: 62.5, camera: 0};
     this.open();
   }
@@ -47,8 +49,12 @@ export class Feed extends EventTarget {
     } catch {
       return undefined;  // not ours to mend; the silence will show
     }
+    if (!isMessage(message) || (message.type === 'state' && jointsOf(message) !== this.joints)) return undefined;
     if (message.type === 'state') this.heard_ms = performance.now();
-    if (message.type === 'hello') this.gone = message.period === null ? 'no runtime runs yet' : null;
+    if (message.type === 'hello') {
+      this.joints = message.joints.length;
+      this.gone = message.period === null ? 'no runtime runs yet' : null;
+    }
     if (message.type === 'gone') this.gone = message.reason;
     if (message.type === 'ended') this.ended = message.text;
     return this.emit(message.type, message);

@@ -44,9 +44,10 @@ export class LogFile {
   }
 }
 
+// "Neck.position [rad]"
 function columnOf(text) {
-  const [, name, unit = ''] = text.trim().match(/^(.*?)(?:\s*\[(.*)\])?$/);
-  return {name, unit};
+  const whole = text.trim(), at = whole.endsWith(']') ? whole.indexOf('[') : -1;
+  return at < 0 ? {name: whole, unit: ''} : {name: whole.slice(0, at).trimEnd(), unit: whole.slice(at + 1, -1)};
 }
 
 // Empty: not known.

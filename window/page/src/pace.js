@@ -1,40 +1,54 @@
 // How often and how sharply the robot is drawn: less on a computer without a graphics card, so that the curves stay smooth.
+import {kGraphicsCard} from './graphics.js';
 
 const kSteps = [  // every so many frames, at this part of the screen's sharpness
-  {every: 1, sharpness: 1}, {every: 2, sharpness: 0.75}, {every: 3, sharpness: 0.5}, {every: 6, sharpness: 0.5},
+  {every: 1, sharpness: 1}, {every: 2, sharpness: 0.75}, {every: 3, sharpness: 0.6}, {every: 4, sharpness: 0.5},
+  {every: 6, sharpness: 0.5},
 ];
+const kBest = kGraphicsCard ? 0 : 2;
 const kLook_ms = 1500;
-const kSlow_ms = 20;    // a frame takes longer: a step down
-const kPatience = 20;   // looks without a slow one before a step up is tried
+const kLate_ms = 25;    // between two frames: one is lost
+const kHidden_ms = 600;
+const kFew = 3;         // late frames in a look that call for a step down
+const kPatience = 20;   // looks without a late frame before a step up is tried; twice as many each time it was too much
 
 export class Pace {
   constructor() {
-    this.step = 0;
+    this.step = kBest;
+    this.patience = kPatience;
+    this.last = performance.now();
+    this.begin(this.last);
     this.good = 0;
     this.frames = 0;
-    this.since = performance.now();
     this.changed = true;
   }
 
   get sharpness() { return kSteps[this.step].sharpness; }
   due() { return this.frames % kSteps[this.step].every === 0; }
 
+  begin(now) {
+    this.since = now;
+    this.late = 0;
+  }
+
   frame() {
     ++this.frames;
-    const now = performance.now(), passed = now - this.since;
-    if (passed < kLook_ms) return;
-    const each = passed / this.frames;
-    this.frames = 0;
-    this.since = now;
-    if (each > 4 * kLook_ms / 10) return;  // the tab was hidden
-    if (each > kSlow_ms) this.take(this.step + 1);
-    else if (++this.good > kPatience) this.take(this.step - 1);
+    const now = performance.now(), passed = now - this.last;
+    this.last = now;
+    if (passed > kHidden_ms) return this.begin(now);
+    if (passed > kLate_ms) ++this.late;
+    if (now - this.since < kLook_ms) return undefined;
+    if (this.late > kFew) this.take(this.step + 1);
+    else if (this.late === 0 && ++this.good > this.patience) this.take(this.step - 1);
+    return this.begin(now);
   }
 
   take(step) {
     this.good = 0;
-    const wanted = Math.min(Math.max(step, 0), kSteps.length - 1);
-    this.changed ||= wanted !== this.step;
+    const wanted = Math.min(Math.max(step, kBest), kSteps.length - 1);
+    if (wanted === this.step) return;
+    if (wanted > this.step) this.patience *= 2;
     this.step = wanted;
+    this.changed = true;
   }
 }

@@ -4,17 +4,21 @@ import {
   Quaternion, SphereGeometry, SRGBColorSpace, Vector3,
 } from 'three';
 import {mergeGeometries} from 'three/addons/utils/BufferGeometryUtils.js';
+import {kGraphicsCard} from './graphics.js';
 
 const quaternion = ([w, x, y, z]) => new Quaternion(x, y, z, w);
 const kLieAlongZ = Math.PI / 2;  // three.js stands cylinders along y, MuJoCo along z
 
+// Around a round shape; a processor that draws takes its time by triangles.
+const kRound = kGraphicsCard ? 20 : 10, kUpDown = kRound / 2 + 1, kCap = kRound / 5 + 1;
+
 function geometryOf({type, size}) {
   switch (type) {
     case 'box': return new BoxGeometry(2 * size[0], 2 * size[1], 2 * size[2]);
-    case 'sphere': return new SphereGeometry(size[0], 16, 10);
-    case 'ellipsoid': return new SphereGeometry(1, 20, 12).scale(...size);
-    case 'capsule': return new CapsuleGeometry(size[0], 2 * size[1], 5, 14).rotateX(kLieAlongZ);
-    case 'cylinder': return new CylinderGeometry(size[0], size[0], 2 * size[1], 20).rotateX(kLieAlongZ);
+    case 'sphere': return new SphereGeometry(size[0], kRound, kUpDown);
+    case 'ellipsoid': return new SphereGeometry(1, kRound, kUpDown).scale(...size);
+    case 'capsule': return new CapsuleGeometry(size[0], 2 * size[1], kCap, kRound).rotateX(kLieAlongZ);
+    case 'cylinder': return new CylinderGeometry(size[0], size[0], 2 * size[1], kRound).rotateX(kLieAlongZ);
     default: throw new Error(`a shape that this page cannot draw: ${type}`);
   }
 }

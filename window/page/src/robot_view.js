@@ -5,6 +5,7 @@ import {
 } from 'three';
 import {colour} from './dom.js';
 import {floorLines, follow} from './floor_lines.js';
+import {kGraphicsCard} from './graphics.js';
 import {Orbit} from './orbit.js';
 import {Pace} from './pace.js';
 import {RobotModel} from './robot_model.js';
@@ -18,7 +19,7 @@ export class RobotView {
   constructor(canvas, body) {
     this.canvas = canvas;
     this.pace = new Pace();
-    this.renderer = new WebGLRenderer({canvas, antialias: true, alpha: true});
+    this.renderer = new WebGLRenderer({canvas, antialias: kGraphicsCard, alpha: true});
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(32, 1, 0.05, 20);
     this.camera.up.set(0, 0, 1);

@@ -3,11 +3,13 @@
 export const kMinutesKept = 5;
 
 export class Store {
-  constructor(columns, rows) {
+  /// `before`: a record that nobody needs any more, whose memory will do.
+  constructor(columns, rows, before = null) {
     this.columns = columns;
     this.rows = rows;
     this.index = new Map(columns.map((column, i) => [column.key, i]));
-    this.data = columns.map((column, i) => (i < 2 ? new Float64Array(rows) : new Float32Array(rows)));
+    const again = before?.rows === rows && before.data.length === columns.length;
+    this.data = again ? before.data : columns.map((column, i) => (i < 2 ? new Float64Array(rows) : new Float32Array(rows)));
     this.origin = 0;   // time of the first row ever: axes count from there
     this.written = 0;  // rows ever written; the oldest are overwritten
   }

@@ -55,8 +55,10 @@ feed.addEventListener('hello', ({detail}) => {
   setText(by('robot'), detail.robot ?? 'DARwIn-OP');
   document.title = `${detail.robot ?? 'DARwIn-OP'}, robot window`;
   by('robot').title = [detail.port, detail.runtime].filter(Boolean).join(', ');
-  const same = joints.length > 0 && JSON.stringify(joints) === JSON.stringify(detail.joints);
-  if (same) return;
+  if (joints.length > 0) {
+    if (JSON.stringify(joints) !== JSON.stringify(detail.joints)) location.reload();  // another kind of robot
+    return;
+  }
   joints = detail.joints;
   begin();
   for (const {pane} of panes) pane.begin(joints);
@@ -64,7 +66,7 @@ feed.addEventListener('hello', ({detail}) => {
 
 function begin() {
   const columns = columnsOf(joints);
-  timeline.restart(new Store(columns, Math.ceil(kRate * 60 * kMinutesKept)));
+  timeline.restart(new Store(columns, Math.ceil(kRate * 60 * kMinutesKept), timeline.live));
   row = new Float64Array(columns.length);
   view?.restart();
 }

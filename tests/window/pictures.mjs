@@ -1,0 +1,96 @@
+// The pictures of docs/window.md, and any others to look at:
+//   DARWINOP_BIN=build/release/bin DARWINOP_NPM=build/npm/node_modules node tests/window/pictures.mjs docs/window [NAME …]
+// One more tab: a line more in kPictures.
+import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {smallPng} from './small_png.mjs';
+import {startBrowser, startProgram, startWindow} from './window_program.mjs';
+
+const kMost = 90000;  // bytes of a picture: they live in the repository
+const kWide = {width: 1200, height: 760}, kTablet = {width: 820, height: 1180};
+const walker = [`${process.env.DARWINOP_BIN}/../controllers/05_walk/05_walk`, '--', '--seconds', '1000'];
+const [folder, ...wanted] = process.argv.slice(2);
+if (!folder) throw new Error('usage: pictures.mjs FOLDER [NAME …]');
+
+/// `on`: whose window; `tab`; `prepare(page)`; `look`: of the browser's context.
+const kPictures = [
+  {name: 'servos', on: 'walker', tab: 'Servos', prepare: (page) => page.getByRole('button', {name: 'LegLowerR'}).click()},
+  {name: 'curves', on: 'walker', tab: 'All curves'},
+  {name: 'sensors', on: 'walker', tab: 'Motion sensors', look: {colorScheme: 'dark'}},
+  {name: 'loop', on: 'walker', tab: 'Loop'},
+  {name: 'tablet', on: 'walker', tab: 'Servos', look: {viewport: kTablet, hasTouch: true}},
+  {name: 'compare', on: 'walker', tab: 'Compare', prepare: compare},
+  {name: 'faults', on: 'faulty', tab: 'Faults'},
+  {name: 'walk', on: 'driven', tab: 'Steer', prepare: walk},
+  {name: 'pose', on: 'driven', tab: 'Servos', prepare: showPose},
+].filter(({name}) => wanted.length === 0 || wanted.includes(name));
+
+async function compare(page) {
+  const log = (late, high) => Buffer.from('time_s,cycle,LegLowerR.position [rad]\n' + [...Array(600).keys()].map((i) =>
+    `${i * 0.016},${i},${(0.93 + high * Math.sin(i / 12 - late) ** 2).toFixed(4)}`).join('\n') + '\n');
+  await page.setInputFiles('#compare-files', [{name: 'twin.csv', mimeType: 'text/csv', buffer: log(0, 0.5)},
+    {name: 'robot.csv', mimeType: 'text/csv', buffer: log(0.2, 0.45)}]);
+  await page.waitForFunction(() => window.darwinop.compare.plot?.series.length === 3);
+}
+
+async function walk(page) {
+  await page.click('#take');
+  await page.locator('body.driving').waitFor();
+  await page.locator('#gait-part').fill('0.3');
+  await page.hover('#go-forward');
+  await page.mouse.down();
+  await page.waitForTimeout(7000);
+}
+
+async function showPose(page) {  // the robot is held, bent: to the page it is limp
+  await page.evaluate(() => window.darwinop.steering.leave());
+  await page.waitForFunction(() => window.darwinop.newest.state === 'holding');
+  await page.evaluate(() => { window.darwinop.newest.state = 'limp'; window.darwinop.feed.socket.onmessage = null; });
+  await page.click('#take');
+  await page.locator('#pose').waitFor();
+}
+
+/// A robot whose battery runs down and one of whose servos gets hot.
+async function faulty() {
+  const place = mkdtempSync(join(tmpdir(), 'darwinop-pictures-')), name = join(place, 'runtime');
+  writeFileSync(join(place, 'script'), '0 voltage 10.5\n0 heat LegLowerR 68\n1 dead ArmLowerL\n');
+  const robot = await startProgram('virtual-robot', ['--link', join(place, 'robot'), '--faults', join(place, 'script')], /port: .*\n/);
+  const runtime = await startProgram('runtime', ['--robot', join(place, 'robot'), '--wait', '--name', name], /ready: /);
+  const shown = await startWindow('--robot', 'runtime', '--name', name);
+  return {...shown, end: async () => {
+    await shown.end();
+    await runtime.end();
+    await robot.end();
+    rmSync(place, {recursive: true});
+  }};
+}
+
+const kWindows = {walker: () => startWindow(...walker), driven: () => startWindow('--robot', 'twin'), faulty};
+const browser = await startBrowser();
+let shown;
+try {
+  for (const on of new Set(kPictures.map((picture) => picture.on))) {
+    shown = await kWindows[on]();
+    for (const {name, tab, prepare, look} of kPictures.filter((picture) => picture.on === on)) {
+      const page = await browser.newPage({viewport: kWide, ...look});
+      await page.goto(shown.url);
+      await page.waitForFunction(() => window.darwinop?.view && window.darwinop.timeline.live?.count > 30);
+      await page.getByRole('tab', {name: tab}).click();
+      await page.waitForTimeout(11000);  // the curves are full
+      await prepare?.(page);
+      const path = join(folder, `${name}.png`);
+      await page.evaluate(() => scrollTo(0, 0));
+      await page.waitForTimeout(500);
+      const png = await smallPng(page, await page.screenshot());
+      await page.close();
+      if (png.length > kMost) throw new Error(`${path} would have ${png.length} bytes, more than ${kMost}`);
+      writeFileSync(path, png);
+      console.log(`${path}: ${png.length} bytes`);
+    }
+    await shown.end();
+  }
+} finally {
+  await browser.close();
+  await shown?.end();
+}

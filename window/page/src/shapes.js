@@ -1,0 +1,54 @@
+// What a robot's messages look like (docs/monitor.md), as far as this page uses them. A robot that says anything else is
+// broken or hostile; its message counts for nothing.
+
+const kMostJoints = 64, kMostNames = 1000, kLongest = 10000;
+const kGreatest = 1e15;  // what is more cannot be drawn
+
+const text = (value) => typeof value === 'string' && value.length <= kLongest;
+const number = (value) => typeof value === 'number' && Math.abs(value) <= kGreatest;
+const flag = (value) => typeof value === 'boolean';
+const unknownOr = (is) => (value) => value === null || value === undefined || is(value);
+const list = (is, most, least = 0) => (value) =>
+  Array.isArray(value) && value.length >= least && value.length <= most && value.every(is);
+const shape = (members) => (value) =>
+  typeof value === 'object' && value !== null && Object.entries(members).every(([name, is]) => is(value[name]));
+const namesOf = (is) => (value) =>
+  typeof value === 'object' && value !== null && Object.keys(value).length <= kMostNames && Object.values(value).every(is);
+
+const figure = unknownOr(number), words = unknownOr(text);
+const three = unknownOr(list(figure, 3, 3));
+const each = list(figure, kMostJoints), flags = list(unknownOr(flag), kMostJoints);
+const percentiles = unknownOr(namesOf(figure));
+
+const kJoint = shape({name: text, meaning: words, chain: text, low: number, high: number, start: number});
+const kPerJoint = {position: each, goal: each, speed: each, load: each, age: each, temperature: each, voltage: each,
+  torque: flags, torque_limit: each, silent: flags};
+
+const kShapes = {
+  hello: shape({robot: words, port: words, runtime: words, period: figure, joints: list(kJoint, kMostJoints, 1)}),
+  state: shape({cycle: number, time: number, state: words, joints: shape(kPerJoint),
+    board: shape({accelerometer: three, gyro: three, voltage: figure})}),
+  loop: shape({cycles: figure, overruns: figure, skipped: figure, retries: figure, incomplete: figure, bad_checksums: figure,
+    reconnects: figure, lost: figure, session: figure, recent: unknownOr(shape({overruns: figure})),
+    wake_us: percentiles, bus_ms: percentiles, slack_ms: percentiles, stale: unknownOr(list(text, kMostNames)), limit_hits: unknownOr(namesOf(number)),
+    driver: unknownOr(shape({pid: figure})),
+    wake_histogram: unknownOr(shape({edges_us: list(number, kMostNames), counts: list(number, kMostNames)}))}),
+  faults: shape({active: list(shape({code: number, name: text, joint: words, meaning: text, remedy: text}), kMostNames)}),
+  notice: shape({number, time: figure, text}),
+  gone: shape({reason: text}),
+  ended: shape({text}),
+  camera: shape({seeing: flag, text: words}),
+  picture: () => false,  // comes as bytes
+};
+
+/// Types of later versions are as they are.
+export function isMessage(message) {
+  if (typeof message !== 'object' || message === null || !text(message.type)) return false;
+  return !Object.hasOwn(kShapes, message.type) || kShapes[message.type](message);
+}
+
+/// Of a state: how many joints it tells of; NaN: not of each the same.
+export function jointsOf({joints}) {
+  const count = joints.position.length;
+  return Object.keys(kPerJoint).every((what) => joints[what].length === count) ? count : NaN;
+}
