@@ -1,5 +1,7 @@
 #include "virtual_robot_camera.hpp"
 
+#include <sys/resource.h>
+
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -11,6 +13,8 @@
 namespace darwinop::app {
 namespace {
 
+constexpr int kNice = 10;  // of the painting thread alone, and of those that graphics start for it
+constexpr std::chrono::milliseconds kBlindPause{50};
 using Frames = std::chrono::duration<std::int64_t, std::ratio<1, 30>>;
 
 class Painting {
@@ -18,6 +22,7 @@ class Painting {
   Painting(hil::PtyHost& host, const std::string& file) : host_{host}, painter_{file} {}
 
   void paint() {
+    if (!painter_.watched()) return;
     if (const hil::PictureSize wanted = painter_.wanted(); !(wanted == size_)) {
       size_ = wanted;
       eyes_.reset();
@@ -32,8 +37,16 @@ class Painting {
     }
     // The robot waits for the look, not for the drawing.
     host_.withRobot([&](hil::VirtualRobot&) { eyes_->look(); });
-    painter_.paint(size_, eyes_->newest().bgra);
+    const CameraFrame picture = eyes_->newest();
+    // What eyes give that see nothing is for people: to a colour finder its red bar would be a ball.
+    const char* const why = eyes_->blindness();
+    if (why == nullptr) return painter_.paint(size_, picture.bgra);
+    painter_.giveUp(why);
+    painter_.setFault(hil::CameraFault::kSilent);
+    blind_ = true;
   }
+
+  [[nodiscard]] bool blind() const { return blind_; }
 
  private:
   hil::PtyHost& host_;
@@ -41,14 +54,19 @@ class Painting {
   hil::PictureSize size_{0, 0};
   std::unique_ptr<Eyes> eyes_;
   hil::Picture pattern_{2, 2};
+  bool blind_ = false;
 };
 
 void paintUntil(const std::stop_token& stop, hil::PtyHost& host, const std::unique_ptr<Painting>& painting) {
   try {
-    while (!stop.stop_requested()) {
+    // Drawn on the processor it takes its time: the robot's loop is served before it.
+    setpriority(PRIO_PROCESS, 0, kNice);
+    while (!stop.stop_requested() && !painting->blind()) {
       painting->paint();
       std::this_thread::sleep_for(std::chrono::ceil<Frames>(host.now()) - host.now());
     }
+    // The file stays: it says why.
+    while (!stop.stop_requested()) std::this_thread::sleep_for(kBlindPause);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "darwinop-virtual-robot: its camera is blind from here on: %s\n", error.what());
   }

@@ -22,6 +22,7 @@
 #include "window/assets.hpp"
 #include "window/body_json.hpp"
 #include "window/driver.hpp"
+#include "window/eyes.hpp"
 #include "window/own_robot.hpp"
 #include "window/pages_json.hpp"
 #include "window/report_page.hpp"
@@ -100,8 +101,8 @@ link::Address monitorOf(const WindowArguments& given) {
   return monitor;
 }
 
-window::Sight sightOf(const WindowArguments& given, const runtime::RuntimeFiles& files) {
-  if (!isElsewhere(given)) return window::Sight{files};
+window::Sight sightOf(const WindowArguments& given, const runtime::RuntimeFiles& files, const std::string& painted) {
+  if (!isElsewhere(given)) return window::Sight{window::monitorWithEyes(files, painted, sayWindow)};
   const link::Address at = monitorOf(given);
   return window::Sight{std::make_unique<window::Bridge>(remote::addressesOf(at.host).front(), at.port,
                                                         at.host + ":" + std::to_string(at.port))};
@@ -142,7 +143,7 @@ int showWindow(const WindowArguments& given) {
   refuseUser(given.robot);
   const std::unique_ptr<window::OwnRobot> own = ownRobot(given);
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
-  window::Sight sight = sightOf(given, files);
+  window::Sight sight = sightOf(given, files, own ? own->eyes() : "");
   window::Steersman steersman{[&] { return linkToDrive(given, files); }, motion::ownPages()};
   window::Driver driver{steersman, [] { return runtime::MonotonicClock{}.now(); }};
   web::ServerConfig config;
@@ -151,9 +152,7 @@ int showWindow(const WindowArguments& given) {
   web::Server server{config, sayWindow};
   const std::string address = serveWindow(server, given, sight, driver);
   std::cout << "open in a browser: " << address << '\n';
-  if (own)
-    std::cout << "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" << own->name()
-              << '\n';
+  if (own) std::cout << own->howToDrive() << '\n';
   std::cout << "end with Ctrl+C" << std::endl;
   while (!window_stop) {
     server.attend(driver.drives() ? std::min(sight.pause(), kDrivingPause) : sight.pause());
