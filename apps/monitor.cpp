@@ -1,4 +1,6 @@
 // darwinop-monitor: lets onlookers see the robot, read only.
+#include "remote/monitor/monitor.hpp"
+
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
@@ -11,7 +13,6 @@
 #include <vector>
 
 #include "remote/monitor/messages.hpp"
-#include "remote/monitor/monitor.hpp"
 #include "remote/robot/onlooker_eyes.hpp"
 #include "remote/web/server.hpp"
 #include "runtime/clock.hpp"
@@ -69,7 +70,8 @@ int serveOnlookers(const MonitorArguments& given) {
   const remote::FrameLooker find = [finders](const CameraFrame& frame) { finders->look(frame); };
   monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); },
                            [find] { return remote::openCameraForOnlookers(find, sayMonitor); },
-                           [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); }, finders};
+                           [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); },
+                           finders};
   web::Server server{webConfig(given), sayMonitor};
   server.channel("/monitor", monitor::kSubprotocol, monitor);
   std::cout << "ready: ws://" << given.listen << ":" << server.port() << "/monitor" << std::endl;

@@ -15,28 +15,30 @@ namespace {
 
 constexpr int kNice = 10;  // of the painting thread alone, and of those that graphics start for it
 constexpr std::chrono::milliseconds kBlindPause{50};
-using Frames = std::chrono::duration<std::int64_t, std::ratio<1, 30>>;
+constexpr int kMostRate = 30;  // pictures a second
+using Frames = std::chrono::duration<std::int64_t, std::ratio<1, kMostRate>>;
 
 class Painting {
  public:
   Painting(hil::PtyHost& host, const std::string& file) : host_{host}, painter_{file} {}
 
   void paint() {
-    if (!painter_.watched()) return;
+    if (const int rate = painter_.wantedRate(); rate == 0 || (rate < kMostRate && ++turn_ % 2 != 0)) return;
     if (const hil::PictureSize wanted = painter_.wanted(); !(wanted == size_)) {
       size_ = wanted;
       eyes_.reset();
+      Body* body = nullptr;
+      host_.askRobot([&body](hil::VirtualRobot& robot) { body = &robot.body(); });
       // Not while the robot waits: this copies a whole model. It reads of it only what no step changes.
-      Body& body = *host_.withRobot([](hil::VirtualRobot& robot) { return &robot.body(); });
-      eyes_ = body.openEyes(size_.width, size_.height);
+      eyes_ = body->openEyes(size_.width, size_.height);
       pattern_ = hil::Picture{size_.width, size_.height};
     }
     if (eyes_ == nullptr) {
       hil::drawBall(pattern_, std::chrono::duration<double>(host_.now()).count());
       return painter_.paint(size_, pattern_.bgra);
     }
-    // The robot waits for the look, not for the drawing.
-    host_.withRobot([&](hil::VirtualRobot&) { eyes_->look(); });
+    // Looking is the robot's part, drawing this thread's, which may have to wait for the processor.
+    host_.askRobot([this](hil::VirtualRobot&) { eyes_->look(); });
     const CameraFrame picture = eyes_->newest();
     // What eyes give that see nothing is for people: to a colour finder its red bar would be a ball.
     const char* const why = eyes_->blindness();
@@ -54,6 +56,7 @@ class Painting {
   hil::PictureSize size_{0, 0};
   std::unique_ptr<Eyes> eyes_;
   hil::Picture pattern_{2, 2};
+  unsigned turn_ = 0;
   bool blind_ = false;
 };
 

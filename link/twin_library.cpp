@@ -72,7 +72,9 @@ class LibraryEyes final : public Eyes {
     const auto bytes = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     return {picture.sequence, Nanos{picture.time_ns}, picture.width, picture.height, {picture.bgra, bytes}};
   }
-  [[nodiscard]] CameraHealth health() const override { return {.seeing = shown_ != 0 && blindness_ == nullptr, .frames = frames_}; }
+  [[nodiscard]] CameraHealth health() const override {
+    return {.seeing = shown_ != 0 && blindness_ == nullptr, .frames = frames_};
+  }
   [[nodiscard]] const char* blindness() const noexcept override { return blindness_; }
 
  private:

@@ -13,7 +13,7 @@ namespace {
 constexpr Nanos kBridgeTurn{4'000'000}, kBridgeIdle{100'000'000};
 
 // A lane for each kind of message of which only the newest counts; notices, and what later versions say, are all kept.
-constexpr std::array<std::string_view, 8> kLaned{"hello", "gone",   "state", "loop",
+constexpr std::array<std::string_view, 8> kLaned{"hello",  "gone",   "state", "loop",
                                                  "faults", "camera", "error", "found"};
 constexpr web::Lane kBridgeGone = 1, kBridgeError = 6, kBridgePicture = 8;
 static_assert(kBridgePicture < web::kLanes);
@@ -29,7 +29,8 @@ web::Bytes bytesOf(std::string_view text) {
 }
 
 std::string wishText(const monitor::Wishes& wishes) {
-  return monitor::Json{{"rate", wishes.rate}, {"camera", wishes.camera}, {"find", monitor::searchJson(wishes)}}.dump();
+  return nlohmann::ordered_json{{"rate", wishes.rate}, {"camera", wishes.camera}, {"find", monitor::searchJson(wishes)}}
+      .dump();
 }
 
 }  // namespace

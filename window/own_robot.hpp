@@ -33,8 +33,8 @@ class OwnRobot {
   void end() noexcept;
 
   std::string folder_, name_;
-  std::vector<std::string> eye_settings_;  // with which a controller sees
-  std::string untold_;                     // news
+  std::vector<std::string> eye_settings_;         // with which a controller sees
+  std::string untold_;                            // news
   std::vector<std::unique_ptr<Child>> children_;  // ended from the last to the first
 };
 

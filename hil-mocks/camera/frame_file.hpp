@@ -44,6 +44,7 @@ struct FrameFile {
   std::atomic<std::uint32_t> pictures{0};  // complete ones; unchanged after reading: what was read is whole
   std::atomic<std::uint32_t> width[2] = {}, height[2] = {};  // of picture n: at [n % 2]; not always what is wanted
   std::atomic<std::int64_t> painted_ns[2] = {};              // CLOCK_MONOTONIC
+  std::atomic<std::int64_t> glanced_ns{0};  // as asked_ns, by who is content with half as many pictures
   std::atomic<std::int64_t> asked_ns{0};  // CLOCK_MONOTONIC; written by whoever looks: nobody looks, nobody need paint
   std::atomic<std::uint32_t> blind{0};    // 1: nothing can be painted, and `why` says why; set once, behind it
   char why[512] = {};

@@ -99,10 +99,11 @@ void FramePainter::paintYuyv(PictureSize size, std::span<const std::uint8_t> yuy
   complete();
 }
 
-bool FramePainter::watched() const {
-  constexpr std::int64_t kWatched = 2'000'000'000;  // ns
-  const std::int64_t asked = file_->asked_ns.load();
-  return asked != 0 && frameFileClock() - asked < kWatched;
+int FramePainter::wantedRate() const {
+  constexpr std::int64_t kPatience = 2'000'000'000;  // ns
+  const std::int64_t now = frameFileClock(), asked = file_->asked_ns.load(), glanced = file_->glanced_ns.load();
+  if (asked != 0 && now - asked < kPatience) return 30;
+  return glanced != 0 && now - glanced < kPatience ? 15 : 0;
 }
 
 void FramePainter::giveUp(const std::string& why) {

@@ -33,8 +33,8 @@ class FramePainter {
   void paint(PictureSize size, std::span<const std::uint8_t> bgra);
   /// 2 * width * height bytes, as the camera sends them.
   void paintYuyv(PictureSize size, std::span<const std::uint8_t> yuyv);
-  /// Somebody has looked within the last two seconds.
-  [[nodiscard]] bool watched() const;
+  /// Pictures a second that somebody wants who has looked within the last two seconds: 30, 15 or 0.
+  [[nodiscard]] int wantedRate() const;
   /// There will be no pictures, for programs that look into the file: `why`, in words. Once.
   void giveUp(const std::string& why);
   void setFault(CameraFault fault);

@@ -42,7 +42,7 @@ PaintedPictures::~PaintedPictures() {
 
 CameraFrame PaintedPictures::newest() {
   const std::int64_t now = frameFileClock();
-  file_->asked_ns.store(now);
+  file_->glanced_ns.store(now);
   const std::uint32_t number = file_->pictures.load(std::memory_order_acquire), at = number % 2;
   if (number == 0 || number == frame_.sequence || file_->blind.load() != 0) return frame_;
   const std::int64_t painted = file_->painted_ns[at].load();
@@ -52,11 +52,7 @@ CameraFrame PaintedPictures::newest() {
   std::atomic_thread_fence(std::memory_order_acquire);
   if (file_->pictures.load(std::memory_order_relaxed) != number) return frame_;  // the painter was quicker
   spare_.swap(shown_);
-  frame_ = {.sequence = number,
-            .time = Nanos{painted},
-            .width = kWidth,
-            .height = kHeight,
-            .yuyv = shown_};
+  frame_ = {.sequence = number, .time = Nanos{painted}, .width = kWidth, .height = kHeight, .yuyv = shown_};
   ++frames_;
   return frame_;
 }

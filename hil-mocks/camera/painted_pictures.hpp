@@ -1,5 +1,5 @@
-// What is painted for the virtual camera, for a program of ours that looks into the file: it needs no library preloaded,
-// takes the camera from nobody, and learns why there are no pictures.
+// What is painted for the virtual camera, for a program of ours that looks into the file: it needs no library
+// preloaded, takes the camera from nobody, and learns why there are no pictures.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace darwinop::hil {
 
-/// YUYV of 320x240; pictures of another size, which a program may have set, are not shown. Asks for pictures as long as
-/// it is looked at.
+/// YUYV of 320x240; pictures of another size, which a program may have set, are not shown. Asks for 15 pictures a
+/// second as long as it is looked at.
 class PaintedPictures final : public FrameSource {
  public:
   static constexpr std::uint32_t kWidth = 320, kHeight = 240;

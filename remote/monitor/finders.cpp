@@ -40,14 +40,13 @@ void describe(const vision::BitRows& mask, Found& found) {
 void Finders::want(std::vector<Search> searches) {
   std::vector<Search> different;
   for (const Search& search : searches)
-    if (different.size() < kMost && std::ranges::find(different, search) == different.end()) different.push_back(search);
+    if (different.size() < kMost && std::ranges::find(different, search) == different.end())
+      different.push_back(search);
   const std::lock_guard lock{mutex_};
   wanted_ = std::move(different);
 }
 
-void Finders::look(const CameraFrame& frame) noexcept try {
-  take(frame);
-} catch (const std::exception&) {
+void Finders::look(const CameraFrame& frame) noexcept try { take(frame); } catch (const std::exception&) {
   return;  // no memory, or a picture of no size: nothing is found
 }
 

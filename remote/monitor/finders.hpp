@@ -1,4 +1,5 @@
-// What the observers look for, looked for in each picture: in the thread that encodes it, once for all who want the same.
+// What the observers look for, looked for in each picture: in the thread that encodes it, once for all who want the
+// same.
 #pragma once
 
 #include <array>
@@ -14,12 +15,12 @@ namespace darwinop::monitor {
 
 /// What a search found in one picture.
 struct Found {
-  std::uint64_t picture = 0;           // its sequence
-  int width = 0, height = 0;           // of the picture
-  std::optional<vision::Pixel> centre; // nothing: too little of the colour, or too much
-  std::uint64_t pixels = 0;            // that have it, behind the taking away of noise
+  std::uint64_t picture = 0;                     // its sequence
+  int width = 0, height = 0;                     // of the picture
+  std::optional<vision::Pixel> centre;           // nothing: too little of the colour, or too much
+  std::uint64_t pixels = 0;                      // that have it, behind the taking away of noise
   int left = 0, top = 0, right = 0, bottom = 0;  // what they lie in, both ends included; of no use without pixels
-  std::vector<std::uint8_t> mask;      // a bit a pixel, row by row, (width + 7) / 8 bytes each; the lowest is the left one
+  std::vector<std::uint8_t> mask;  // a bit a pixel, row by row, (width + 7) / 8 bytes each; the lowest is the left one
 };
 
 /// want() and found() by one thread, look() by one other: the two wait for each other while a few kilobytes are copied.

@@ -39,7 +39,9 @@ double secondsOf(Nanos time) {
 
 Monitor::Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera, Eye::Open share_camera,
                  std::shared_ptr<Finders> finders)
-    : onlooker_{files}, clock_{std::move(clock)}, eye_{std::move(open_camera), std::move(share_camera)},
+    : onlooker_{files},
+      clock_{std::move(clock)},
+      eye_{std::move(open_camera), std::move(share_camera)},
       finders_{std::move(finders)} {
   now_ = clock_();
   (void)onlooker_.look(now_);

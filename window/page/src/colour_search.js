@@ -19,7 +19,7 @@ export class ColourSearch {
       el('div', {className: 'choose'}, el('label', {}, this.looks, ' look for it'), el('label', {}, this.tints, ' tint its pixels'),
         ...Object.keys(kBalls).map((name) => this.ball(name))),
       el('p', {className: 'note'}, 'Click on the ball in the picture to take its hue.'), this.band, ...rows,
-      el('p', {className: 'note'}, 'For a controller:'), el('pre', {tabIndex: 0, ariaLabel: 'Line for a controller'}, this.code),
+      el('p', {className: 'note'}, 'For a controller:'), el('pre', {}, this.code),
       el('div', {className: 'choose'}, this.copyButton(), this.copied));
     this.show();
   }
