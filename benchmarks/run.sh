@@ -194,6 +194,9 @@ remote_jpeg() { "$build/bin/remote_jpeg_bench"; }
 # The same as a table.
 remote_table() { "$build/bin/remote_jpeg_bench" table; }
 
+# Finding colours in a picture for the monitor's observers, one and eight. Peer: the picture's JPEG.
+monitor_find() { "$build/bin/monitor_find"; }
+
 # Wake latency of the loop while the port is attacked, in real processes: 3 minutes. Peer: the same while nobody comes.
 remote_flood() { "$build/bin/remote_flood" "$build/bin" "${DARWINOP_FLOOD_ROUNDS:-12}"; }
 
@@ -203,7 +206,7 @@ remote_link() { "$build/bin/remote_link"; }
 # A whole poll and its reply over the loopback. Peer: the same bytes both ways, without a server.
 remote_round_trip() { "$build/bin/remote_round_trip"; }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision remote_jpeg remote_table remote_round_trip remote_flood
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision remote_jpeg remote_table monitor_find remote_round_trip remote_flood
   remote_link gait)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue

@@ -45,7 +45,9 @@ std::unique_ptr<monitor::Monitor> monitorWithEyes(const runtime::RuntimeFiles& f
     camera = [painted, find] { return std::make_unique<PaintedEyes>(painted, true, find); };
     share = [painted, find] { return std::make_unique<PaintedEyes>(painted, false, find); };
   }
-  return std::make_unique<monitor::Monitor>(files, monotonicTime, std::move(camera), std::move(share), finders);
+  auto monitor = std::make_unique<monitor::Monitor>(files, monotonicTime, std::move(camera), std::move(share), finders);
+  monitor->leaveCameraHere();  // the page drives without one
+  return monitor;
 }
 
 }  // namespace darwinop::window

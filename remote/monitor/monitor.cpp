@@ -186,7 +186,7 @@ void Monitor::lookAtCamera() {
   const bool wanted = std::ranges::any_of(seats_, wants);
   const bool runs = onlooker_.block() != nullptr;
   if (wanted && runs && driver_pace_.due(now_, kDriverLooks)) driver_ = onlooker_.driver();
-  eye_.look(wanted && runs, driver_ == 0, now_);
+  eye_.look(wanted && runs, driver_ == 0 || driver_ == own_driver_, now_);
   if (!wanted) return;
   const remote::JpegPicture picture = eye_.newest();
   web::Bytes message;

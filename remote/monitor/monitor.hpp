@@ -1,6 +1,8 @@
 // The monitor channel: what observers are told of the robot. docs/monitor.md is the contract.
 #pragma once
 
+#include <unistd.h>
+
 #include <deque>
 #include <functional>
 #include <map>
@@ -40,6 +42,9 @@ class Monitor final : public web::ChannelUser {
   void look();
   [[nodiscard]] Nanos pause() const;
 
+  /// Who drives in this very process opens no camera: it stays with the onlookers meanwhile.
+  void leaveCameraHere() { own_driver_ = getpid(); }
+
   /// Something that everybody should know.
   void notice(const std::string& text);
 
@@ -78,7 +83,7 @@ class Monitor final : public web::ChannelUser {
   std::uint64_t state_cycle_ = 0;
   std::string faults_text_;
   Pace faults_pace_, loop_pace_, driver_pace_;
-  pid_t driver_ = 0;
+  pid_t driver_ = 0, own_driver_ = 0;
   std::unique_ptr<Figures> figures_ = std::make_unique<Figures>();
   Nanos figures_time_{0};
   bool figures_any_ = false;

@@ -293,6 +293,16 @@ TEST_F(MonitorTest, OpensTheCameraWhileSomebodyLooksAndNobodyDrives) {
   EXPECT_EQ(cameras_open_, 0) << "nobody looks any more";
 }
 
+TEST_F(MonitorTest, KeepsTheCameraWhileItsOwnProcessDrivesWhenToldSo) {
+  begin();
+  monitor().leaveCameraHere();
+  monitor().opened(observer_);
+  monitor().said(observer_, R"({"camera": 10})", false);
+  const auto lease = runtime::FileLock::tryTake(files_.drive_lock);
+  pass(200ms);
+  EXPECT_EQ(cameras_open_, 1);
+}
+
 TEST_F(MonitorTest, TellsWhatItFindsAheadOfThePicture) {
   begin();
   monitor().opened(observer_);
