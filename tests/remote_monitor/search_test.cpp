@@ -2,10 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <thread>
 
 #include "hal/pixels/bgra_to_yuyv.hpp"
 #include "remote/jpeg/live_pictures.hpp"
@@ -144,22 +147,27 @@ TEST(Finders, RememberThePicturesOfThisMoment) {
   EXPECT_FALSE(finders.found(kRedBall, 0).has_value());
 }
 
-/// A camera that gives one picture.
-struct OnePicture final : FrameSource {
+/// A camera that gives a picture as often as it is told.
+struct ToldCamera final : FrameSource {
+  explicit ToldCamera(const std::atomic<std::uint64_t>& told) : number{told} {}
+  const std::atomic<std::uint64_t>& number;
   std::vector<std::uint8_t> bgra = lawnWithBox(100, 60, 41, 21);
-  CameraFrame newest() override { return frameOf(bgra, 1); }
-  [[nodiscard]] CameraHealth health() const override { return {.seeing = true, .frames = 1}; }
+  CameraFrame newest() override { return frameOf(bgra, number); }
+  [[nodiscard]] CameraHealth health() const override { return {.seeing = true, .frames = number}; }
 };
 
 TEST(Finders, KnowAPictureBeforeItCanBeShown) {
   Finders finders;
   finders.want({kRedBall});
-  remote::LivePictures pictures{std::make_unique<OnePicture>(),
+  std::atomic<std::uint64_t> number{1};
+  remote::LivePictures pictures{std::make_unique<ToldCamera>(number),
                                 {.now = [] { return Nanos{0}; },
                                  .say = {},
                                  .look_at = [&finders](const CameraFrame& frame) { finders.look(frame); }}};
-  while (pictures.newest().sequence == 0) std::this_thread::yield();
-  EXPECT_TRUE(finders.found(kRedBall, 1).has_value());
+  for (; number <= 3; ++number) {
+    while (pictures.newest().sequence != number) std::this_thread::yield();
+    EXPECT_TRUE(finders.found(kRedBall, number).has_value()) << number;
+  }
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ async function look(words, settings, look) {
     await page.goto(shown.url);
     await page.waitForFunction(() => window.darwinop?.newest);
     await page.click(`#tab-${kCamera}`);
-    await look(page);
+    await look(page, shown);
     await page.close();
   } finally {
     await shown.end();
@@ -54,8 +54,8 @@ test('a ball is found where it is drawn, and with another colour it is not', () 
 }));
 
 test('the ball before the twin is seen by the page and by the controller that follows it', () =>
-  look([process.env.DARWINOP_TRACKING], {DARWINOP_TWIN_BALL: 'rests'}, async (page) => {
-    // It has turned its head to the ball: only with its own eyes does it know where.
+  look([process.env.DARWINOP_TRACKING], {DARWINOP_TWIN_BALL: 'rests'}, async (page, shown) => {
+    while (!shown.printed().includes('I see the ball')) await page.waitForTimeout(100);
     await page.waitForFunction(() => {
       const place = document.getElementById('found-text').textContent.match(/^Ball at \((\d+), (\d+)\)/);
       return place && Math.hypot(place[1] - 160, place[2] - 120) < 40;
