@@ -8,9 +8,9 @@
 namespace darwinop::window {
 namespace {
 
-constexpr bool kWhereItIs = true;        // who drags an arm does not want the robot to kneel first
-constexpr double kSettle_ms = 300;       // after the last step, for joints on their way: they are held where they are
-constexpr double kLongestEnd_ms = 6000;  // of steps and the way to the stance; then it is held all the same
+constexpr bool kWhereItIs = true;       // who drags an arm does not want the robot to kneel first
+constexpr double kSettleMs = 300;       // after the last step, for joints on their way: they are held where they are
+constexpr double kLongestEndMs = 6000;  // of steps and the way to the stance; then it is held all the same
 
 }  // namespace
 
@@ -109,8 +109,8 @@ void Steersman::driveUntilTheEnd() {
       report_.doings = moves.doings();
       leaving = leaving_;
     }
-    if (moves.doings().walks) settle_ms = kSettle_ms;
-    if (leaving && ((!moves.doings().walks && (settle_ms -= ms) <= 0) || (ending_ms += ms) > kLongestEnd_ms)) return;
+    if (moves.doings().walks) settle_ms = kSettleMs;
+    if (leaving && ((!moves.doings().walks && (settle_ms -= ms) <= 0) || (ending_ms += ms) > kLongestEndMs)) return;
     port_.waitForNextCycle();
     if (const std::string why = port_.mustEnd(); !why.empty()) throw std::runtime_error(why);
   }
