@@ -55,7 +55,8 @@ test('a ball is found where it is drawn, and with another colour it is not', () 
 
 test('the ball before the twin is seen by the page and by the controller that follows it', () =>
   look([process.env.DARWINOP_TRACKING], {DARWINOP_TWIN_BALL: 'rests'}, async (page, shown) => {
-    while (!shown.printed().includes('I see the ball')) await page.waitForTimeout(100);
+    for (let i = 0; i < 200 && !shown.printed().includes('I see the ball'); ++i) await page.waitForTimeout(100);
+    assert.match(shown.printed(), /I see the ball/);
     await page.waitForFunction(() => {
       const place = document.getElementById('found-text').textContent.match(/^Ball at \((\d+), (\d+)\)/);
       return place && Math.hypot(place[1] - 160, place[2] - 120) < 40;
