@@ -2,22 +2,20 @@
 #include "remote/monitor/monitor.hpp"
 
 #include <signal.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <iostream>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "end_with_parent.hpp"
-#include "hal/shared_picture/reader.hpp"
-#include "link/eyes.hpp"
-#include "remote/jpeg/live_pictures.hpp"
 #include "remote/monitor/messages.hpp"
+#include "remote/robot/onlooker_eyes.hpp"
 #include "remote/web/server.hpp"
 #include "runtime/clock.hpp"
 
@@ -69,36 +67,16 @@ web::ServerConfig webConfig(const MonitorArguments& given) {
   return config;
 }
 
-std::unique_ptr<remote::PictureSource> openCameraForOnlookers() {
-  auto camera = link::openCamera({.width = remote::kWholeImage.width,
-                                  .height = remote::kWholeImage.height,
-                                  .form = PictureForm::kYuyv,
-                                  .say = sayMonitor});  // seldom: a camera speaks when something changes
-  return std::make_unique<remote::LivePictures>(
-      std::move(camera),
-      remote::LivePictures::Options{.now = [] { return runtime::MonotonicClock{}.now(); }, .say = sayMonitor});
-}
-
-/// What the camera of whoever drives sees.
-std::unique_ptr<remote::PictureSource> openPicturesOfDriver(const runtime::RuntimeFiles& files) {
-  const auto now = [] { return runtime::MonotonicClock{}.now(); };
-  struct stat exchange {};
-  if (stat(files.exchange.c_str(), &exchange) != 0) throw std::runtime_error("there is no runtime");
-  return std::make_unique<remote::LivePictures>(
-      std::make_unique<shared_picture::Reader>(
-          shared_picture::Reader::Options{.files = {files.pictures, files.pictures_asked},
-                                          .group = exchange.st_gid,
-                                          .now = now,
-                                          .say = sayMonitorOnce}),
-      remote::LivePictures::Options{.now = now, .say = sayMonitor});
-}
-
 int serveOnlookers(const MonitorArguments& given) {
   stopMonitorOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
   const runtime::RuntimeFiles files{given.name};
-  monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); }, openCameraForOnlookers,
-                           [files] { return openPicturesOfDriver(files); }};
+  const auto finders = std::make_shared<monitor::Finders>();
+  const remote::FrameLooker find = [finders](const CameraFrame& frame) { finders->look(frame); };
+  monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); },
+                           [find] { return remote::openCameraForOnlookers(find, sayMonitor); },
+                           [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); },
+                           finders};
   web::Server server{webConfig(given), sayMonitor};
   server.channel("/monitor", monitor::kSubprotocol, monitor);
   std::cout << "ready: ws://" << given.listen << ":" << server.port() << "/monitor" << std::endl;

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "hil-mocks/camera/camera_fault.hpp"
+#include "hil-mocks/camera/camera_settings.hpp"
 #include "hil-mocks/camera/frame_painter.hpp"
 #include "hil-mocks/camera/picture_folder.hpp"
 #include "hil-mocks/camera/test_pattern.hpp"
@@ -127,7 +128,7 @@ int paintOn(Studio& studio, const Arguments& a, const sigset_t& signals, pid_t c
 int serve(Arguments& a) {
   if (a.file.empty()) a.file = "/dev/shm/darwinop-camera-" + std::to_string(getpid());
   a.file = std::filesystem::absolute(a.file);
-  const std::vector<std::string> environment = darwinop::app::cameraSettings(a.file, a.device);
+  const std::vector<std::string> environment = darwinop::hil::cameraSettings(a.file, a.device);
   sigset_t signals;
   sigemptyset(&signals);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&signals, signal);

@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "core/joints.hpp"
 #include "hil-mocks/fault_script.hpp"
@@ -21,7 +22,7 @@
 #include "link/setting.hpp"
 #include "link/twin_library.hpp"
 #ifdef DARWINOP_VIRTUAL_CAMERA  // on a PC
-#include "virtual_camera_command.hpp"
+#include "hil-mocks/camera/camera_settings.hpp"
 #include "virtual_robot_camera.hpp"
 #endif
 
@@ -118,9 +119,13 @@ std::unique_ptr<darwinop::app::RobotCamera> makeCamera(hil::PtyHost& host, const
   if (file.empty()) return nullptr;
   const std::string path = std::filesystem::absolute(file);
   auto camera = std::make_unique<darwinop::app::RobotCamera>(host, path);
-  std::printf("camera: /dev/video0, for programs started with\n");
-  for (const std::string& setting : darwinop::app::cameraSettings(path, "/dev/video0"))
-    std::printf("export %s\n", setting.c_str());
+  try {
+    const std::vector<std::string> settings = hil::cameraSettings(path, "/dev/video0");
+    std::printf("camera: /dev/video0, for programs started with\n");
+    for (const std::string& setting : settings) std::printf("export %s\n", setting.c_str());
+  } catch (const std::runtime_error& error) {  // who knows the file sees it all the same
+    std::fprintf(stderr, "darwinop-virtual-robot: no program can have its camera: %s\n", error.what());
+  }
   return camera;
 }
 #endif

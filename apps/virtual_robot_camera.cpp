@@ -1,5 +1,7 @@
 #include "virtual_robot_camera.hpp"
 
+#include <sys/resource.h>
+
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -11,29 +13,42 @@
 namespace darwinop::app {
 namespace {
 
-using Frames = std::chrono::duration<std::int64_t, std::ratio<1, 30>>;
+constexpr int kNice = 10;  // of the painting thread alone, and of those that graphics start for it
+constexpr std::chrono::milliseconds kBlindPause{50};
+constexpr int kMostRate = 30;  // pictures a second
+using Frames = std::chrono::duration<std::int64_t, std::ratio<1, kMostRate>>;
 
 class Painting {
  public:
   Painting(hil::PtyHost& host, const std::string& file) : host_{host}, painter_{file} {}
 
   void paint() {
+    if (const int rate = painter_.wantedRate(); rate == 0 || (rate < kMostRate && ++turn_ % 2 != 0)) return;
     if (const hil::PictureSize wanted = painter_.wanted(); !(wanted == size_)) {
       size_ = wanted;
       eyes_.reset();
+      Body* body = nullptr;
+      host_.askRobot([&body](hil::VirtualRobot& robot) { body = &robot.body(); });
       // Not while the robot waits: this copies a whole model. It reads of it only what no step changes.
-      Body& body = *host_.withRobot([](hil::VirtualRobot& robot) { return &robot.body(); });
-      eyes_ = body.openEyes(size_.width, size_.height);
+      eyes_ = body->openEyes(size_.width, size_.height);
       pattern_ = hil::Picture{size_.width, size_.height};
     }
     if (eyes_ == nullptr) {
       hil::drawBall(pattern_, std::chrono::duration<double>(host_.now()).count());
       return painter_.paint(size_, pattern_.bgra);
     }
-    // The robot waits for the look, not for the drawing.
-    host_.withRobot([&](hil::VirtualRobot&) { eyes_->look(); });
-    painter_.paint(size_, eyes_->newest().bgra);
+    // Looking is the robot's part, drawing this thread's, which may have to wait for the processor.
+    host_.askRobot([this](hil::VirtualRobot&) { eyes_->look(); });
+    const CameraFrame picture = eyes_->newest();
+    // What eyes give that see nothing is for people: to a colour finder its red bar would be a ball.
+    const char* const why = eyes_->blindness();
+    if (why == nullptr) return painter_.paint(size_, picture.bgra);
+    painter_.giveUp(why);
+    painter_.setFault(hil::CameraFault::kSilent);
+    blind_ = true;
   }
+
+  [[nodiscard]] bool blind() const { return blind_; }
 
  private:
   hil::PtyHost& host_;
@@ -41,14 +56,20 @@ class Painting {
   hil::PictureSize size_{0, 0};
   std::unique_ptr<Eyes> eyes_;
   hil::Picture pattern_{2, 2};
+  unsigned turn_ = 0;
+  bool blind_ = false;
 };
 
 void paintUntil(const std::stop_token& stop, hil::PtyHost& host, const std::unique_ptr<Painting>& painting) {
   try {
-    while (!stop.stop_requested()) {
+    // Drawn on the processor it takes its time: the robot's loop is served before it.
+    setpriority(PRIO_PROCESS, 0, kNice);
+    while (!stop.stop_requested() && !painting->blind()) {
       painting->paint();
       std::this_thread::sleep_for(std::chrono::ceil<Frames>(host.now()) - host.now());
     }
+    // The file stays: it says why.
+    while (!stop.stop_requested()) std::this_thread::sleep_for(kBlindPause);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "darwinop-virtual-robot: its camera is blind from here on: %s\n", error.what());
   }

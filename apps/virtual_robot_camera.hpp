@@ -8,8 +8,8 @@
 
 namespace darwinop::app {
 
-/// Paints into a file 30 times a second, in a thread of its own, for programs started with the settings that
-/// cameraSettings() names. A body without eyes shows a ball on a circle.
+/// Paints into a file, up to 30 times a second while somebody looks, in a thread of its own and of low priority, for
+/// programs started with the settings that cameraSettings() names. A body without eyes shows a ball on a circle.
 class RobotCamera {
  public:
   /// Throws std::runtime_error.

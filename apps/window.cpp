@@ -24,6 +24,7 @@
 #include "window/assets.hpp"
 #include "window/body_json.hpp"
 #include "window/driver.hpp"
+#include "window/eyes.hpp"
 #include "window/over_ssh.hpp"
 #include "window/own_robot.hpp"
 #include "window/pages_json.hpp"
@@ -94,8 +95,8 @@ link::Address monitorOf(const WindowArguments& given) {
   return monitor;
 }
 
-window::Sight sightOf(const WindowArguments& given, const runtime::RuntimeFiles& files) {
-  if (!isElsewhere(given)) return window::Sight{files};
+window::Sight sightOf(const WindowArguments& given, const runtime::RuntimeFiles& files, const std::string& painted) {
+  if (!isElsewhere(given)) return window::Sight{window::monitorWithEyes(files, painted, sayWindow)};
   const link::Address at = monitorOf(given);
   const std::string name = given.logged_in_to.empty() ? at.host + ":" + std::to_string(at.port) : given.logged_in_to;
   return window::Sight{std::make_unique<window::Bridge>(remote::addressesOf(at.host).front(), at.port, name)};
@@ -137,7 +138,7 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
   stopWindowOnSignals();
   if (ssh != nullptr && window::OverSsh::toldToEnd()) return;
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
-  window::Sight sight = sightOf(given, files);
+  window::Sight sight = sightOf(given, files, own ? own->eyes() : "");
   window::Steersman steersman{[&] { return linkToDrive(given, files); }, motion::ownPages()};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
   window::Driver driver{steersman, clock};
@@ -149,9 +150,7 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
   web::Server server{config, sayWindow};
   const std::string address = serveWindow(server, given, sight, driver, transfer);
   std::cout << "open in a browser: " << address << '\n';
-  if (own)
-    std::cout << "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" << own->name()
-              << '\n';
+  if (own) std::cout << own->howToDrive() << '\n';
   std::cout << "end with Ctrl+C" << std::endl;
   while (!window_stop && (ssh == nullptr || !ssh->ended())) {
     server.attend(std::min({sight.pause(), transfer.pause(), driver.drives() ? kDrivingPause : sight.pause()}));

@@ -195,6 +195,9 @@ remote_jpeg() { "$build/bin/remote_jpeg_bench"; }
 # The same as a table.
 remote_table() { "$build/bin/remote_jpeg_bench" table; }
 
+# Finding colours in a picture for the monitor's observers, one and eight. Peer: the picture's JPEG.
+monitor_find() { "$build/bin/monitor_find"; }
+
 # Wake latency of the loop while the port is attacked, in real processes: 3 minutes. Peer: the same while nobody comes.
 remote_flood() { "$build/bin/remote_flood" "$build/bin" "${DARWINOP_FLOOD_ROUNDS:-12}"; }
 
@@ -212,7 +215,7 @@ window() {
     node "$(dirname "$0")/robot_window.mjs" "${words[@]}"
 }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision remote_jpeg remote_table remote_round_trip remote_flood
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision remote_jpeg remote_table monitor_find remote_round_trip remote_flood
   remote_link gait window)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue

@@ -47,6 +47,8 @@ class Eyes : public FrameSource {
   /// Remembers what there is to see; the body must not step meanwhile. newest() then draws it, which may take
   /// milliseconds, and the body may step.
   virtual void look() noexcept = 0;
+  /// Why it sees nothing, in a sentence, once newest() has found out; null: it sees.
+  [[nodiscard]] virtual const char* blindness() const noexcept { return nullptr; }
 };
 
 class Body {

@@ -19,7 +19,7 @@ struct BodyPicture {
   std::int64_t time_ns;
   int width, height;
   const std::uint8_t* bgra;
-  int seeing;  // 0: the eyes are blind, and this is a test pattern that says why
+  const char* blindness;  // why this is a test pattern that says the same; null: the eyes see
 };
 
 /// What the entry function returns. No function throws.
@@ -42,7 +42,7 @@ using BodyLibraryEntry = const BodyLibrary* (*)();
 /// Differs when the two sides do not understand each other: the release, a number to be raised when a meaning changes,
 /// and the sizes of what is handed over.
 inline std::string bodyLibraryVersion(const char* release) {
-  constexpr int kMeaning = 4;
+  constexpr int kMeaning = 5;
   std::string text = std::string{release} + ", interface";
   for (const std::size_t part :
        {std::size_t{kMeaning}, kJoints, sizeof(ServoDrive), sizeof(BodyState), sizeof(BodyPicture)})

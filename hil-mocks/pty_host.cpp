@@ -58,6 +58,21 @@ void PtyHost::wake() noexcept {
   [[maybe_unused]] const ssize_t written = write(event_fd_, &one, sizeof one);
 }
 
+void PtyHost::askRobot(const std::function<void(VirtualRobot&)>& action) {
+  const std::uint32_t before = answered_.load();
+  asked_.store(&action);
+  wake();
+  answered_.wait(before);
+}
+
+void PtyHost::answer() {
+  const auto* const action = asked_.exchange(nullptr);
+  if (action == nullptr) return;
+  (*action)(robot_);
+  ++answered_;
+  answered_.notify_one();
+}
+
 void PtyHost::serve() {
   becomeRealTime();
   Nanos next = now();
@@ -70,6 +85,7 @@ void PtyHost::serve() {
       worst_lag_.store(std::max(worstLag(), now() - std::min(next, time)), std::memory_order_relaxed);
       plugOrUnplug();
       deliver(time);
+      answer();
       next = nextWake(time);
     }
     sleepUntil(next);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -46,6 +47,10 @@ class PtyHost {
     return action(robot_);
   }
 
+  /// Has the thread itself run `action`, a short one, between its works, and waits for that: the robot never waits for a
+  /// caller of low priority. One caller at a time.
+  void askRobot(const std::function<void(VirtualRobot&)>& action);
+
  private:
   struct Wake {
     PtyHost& host;
@@ -54,6 +59,7 @@ class PtyHost {
 
   void serve();
   void wake() noexcept;
+  void answer();
   void takeInput() noexcept;
   void plugOrUnplug();
   void deliver(Nanos now) noexcept;
@@ -70,6 +76,8 @@ class PtyHost {
   int event_fd_ = -1;
   std::atomic<bool> stop_{false};
   std::atomic<Nanos> worst_lag_{Nanos{0}};
+  std::atomic<const std::function<void(VirtualRobot&)>*> asked_{nullptr};
+  std::atomic<std::uint32_t> answered_{0};
   std::thread thread_;
 };
 

@@ -68,17 +68,20 @@ class LibraryEyes final : public Eyes {
     library_.newest(eyes_, &picture);
     if (picture.sequence != shown_) ++frames_;
     shown_ = picture.sequence;
-    seeing_ = picture.seeing != 0;
+    blindness_ = picture.blindness;
     const auto bytes = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     return {picture.sequence, Nanos{picture.time_ns}, picture.width, picture.height, {picture.bgra, bytes}};
   }
-  [[nodiscard]] CameraHealth health() const override { return {.seeing = seeing_, .frames = frames_}; }
+  [[nodiscard]] CameraHealth health() const override {
+    return {.seeing = shown_ != 0 && blindness_ == nullptr, .frames = frames_};
+  }
+  [[nodiscard]] const char* blindness() const noexcept override { return blindness_; }
 
  private:
   const BodyLibrary& library_;
   void* eyes_;
   std::uint64_t shown_ = 0, frames_ = 0;
-  bool seeing_ = false;
+  const char* blindness_ = nullptr;  // the library's
 };
 
 class LibraryBody final : public Body {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 
 #include "hal/byte_line.hpp"
 
@@ -23,6 +24,8 @@ class PictureSource {
   virtual ~PictureSource() = default;
   /// The newest one. Its bytes stay as they are until the next call.
   virtual JpegPicture newest() = 0;
+  /// Why there will be none, when that is known; else empty.
+  [[nodiscard]] virtual std::string trouble() const { return {}; }
 };
 
 }  // namespace darwinop::remote

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "remote/monitor/messages.hpp"
+#include "remote/monitor/search_message.hpp"
 
 namespace darwinop::window {
 namespace {
@@ -12,8 +13,10 @@ namespace {
 constexpr Nanos kBridgeTurn{4'000'000}, kBridgeIdle{100'000'000};
 
 // A lane for each kind of message of which only the newest counts; notices, and what later versions say, are all kept.
-constexpr std::array<std::string_view, 7> kLaned{"hello", "gone", "state", "loop", "faults", "camera", "error"};
-constexpr web::Lane kBridgeGone = 1, kBridgeError = 6, kBridgePicture = 7;
+constexpr std::array<std::string_view, 8> kLaned{"hello",  "gone",   "state", "loop",
+                                                 "faults", "camera", "error", "found"};
+constexpr web::Lane kBridgeGone = 1, kBridgeError = 6, kBridgePicture = 8;
+static_assert(kBridgePicture < web::kLanes);
 
 web::Lane laneOf(std::string_view type) {
   for (std::size_t i = 0; i < kLaned.size(); ++i)
@@ -26,7 +29,8 @@ web::Bytes bytesOf(std::string_view text) {
 }
 
 std::string wishText(const monitor::Wishes& wishes) {
-  return nlohmann::json{{"rate", wishes.rate}, {"camera", wishes.camera}}.dump();
+  return nlohmann::ordered_json{{"rate", wishes.rate}, {"camera", wishes.camera}, {"find", monitor::searchJson(wishes)}}
+      .dump();
 }
 
 }  // namespace

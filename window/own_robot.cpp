@@ -8,8 +8,12 @@
 #include <filesystem>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
+#include "hil-mocks/camera/camera_settings.hpp"
+#include "link/robot_file.hpp"
 #include "runtime/names.hpp"
+#include "window/scoped_settings.hpp"
 
 namespace darwinop::window {
 namespace {
@@ -57,11 +61,17 @@ void OwnRobot::start(const std::string& body, const std::vector<std::string>& co
                           Child::Place place = Child::Place::kBehind) -> Child& {
     return *children_.emplace_back(std::make_unique<Child>(noun, words, grace, place));
   };
-  waitForFile(port, add("virtual-robot", {"--link", port, "--body", body}, kRobotGrace));
+  waitForFile(port, add("virtual-robot", {"--link", port, "--body", body, "--camera", eyes()}, kRobotGrace));
   waitForFile(runtime::RuntimeFiles{name_}.exchange,
               add("runtime", {"--robot", port, "--wait", "--name", name_}, kRuntimeGrace));
+  try {
+    eye_settings_ = hil::cameraSettings(eyes(), link::readRobotFile().camera.value_or("/dev/video0"));
+  } catch (const std::runtime_error& error) {  // the page sees all the same
+    untold_ = std::string{"A controller on this virtual robot has no camera: "} + error.what() + ". ";
+  }
   if (controller.empty()) return;
   setenv("DARWINOP_RUNTIME_NAME", name_.c_str(), 1);  // where it looks for the runtime
+  const ScopedSettings sees{eye_settings_};
   std::vector<std::string> words{"--robot", "runtime", "--"};
   words.insert(words.end(), controller.begin(), controller.end());
   add("run", words, kControllerGrace, Child::Place::kTerminal);
@@ -73,8 +83,15 @@ void OwnRobot::end() noexcept {
   std::filesystem::remove_all(folder_, ignored);
 }
 
+std::string OwnRobot::howToDrive() const {
+  std::string text = "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" + name_;
+  if (!eye_settings_.empty()) text += "\nso that it sees, also with";
+  for (const std::string& setting : eye_settings_) text += ' ' + setting;
+  return text;
+}
+
 std::string OwnRobot::news() {
-  std::string text;
+  std::string text = std::exchange(untold_, "");
   for (auto child = children_.begin(); child != children_.end();) {
     const std::optional<int> status = (*child)->ended();
     if (!status) {

@@ -21,6 +21,10 @@ class OwnRobot {
 
   /// Of the runtime: for `darwinop runtime --name`, and DARWINOP_RUNTIME_NAME for controllers.
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// File into which it paints what it sees, while somebody looks.
+  [[nodiscard]] std::string eyes() const { return folder_ + "/eyes"; }
+  /// For people: how a controller is started on it, from another terminal.
+  [[nodiscard]] std::string howToDrive() const;
   /// A sentence when one of them has ended since the last call; empty: all is well.
   std::string news();
 
@@ -29,6 +33,8 @@ class OwnRobot {
   void end() noexcept;
 
   std::string folder_, name_;
+  std::vector<std::string> eye_settings_;         // with which a controller sees
+  std::string untold_;                            // news
   std::vector<std::unique_ptr<Child>> children_;  // ended from the last to the first
 };
 

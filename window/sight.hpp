@@ -3,18 +3,16 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "remote/monitor/monitor.hpp"
-#include "runtime/clock.hpp"
 #include "window/bridge.hpp"
 
 namespace darwinop::window {
 
 class Sight {
  public:
-  explicit Sight(const runtime::RuntimeFiles& files)
-      : here_{std::make_unique<monitor::Monitor>(
-            files, [] { return runtime::MonotonicClock{}.now(); }, nullptr)} {}
+  explicit Sight(std::unique_ptr<monitor::Monitor> here) : here_{std::move(here)} {}
   explicit Sight(std::unique_ptr<Bridge> elsewhere) : elsewhere_{std::move(elsewhere)} {}
 
   web::ChannelUser& user() {

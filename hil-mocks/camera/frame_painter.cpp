@@ -83,6 +83,7 @@ std::span<std::uint8_t> FramePainter::begin(PictureSize size) {
 }
 
 void FramePainter::complete() {
+  file_->painted_ns[(file_->pictures.load() + 1) % 2].store(frameFileClock());
   file_->pictures.fetch_add(1, std::memory_order_release);
 }
 
@@ -96,6 +97,19 @@ void FramePainter::paintYuyv(PictureSize size, std::span<const std::uint8_t> yuy
   check(yuyv.size() == yuyvBytes(size), "a YUYV picture has two bytes a pixel");
   std::ranges::copy(yuyv, begin(size).begin());
   complete();
+}
+
+int FramePainter::wantedRate() const {
+  constexpr std::int64_t kPatience = 2'000'000'000;  // ns
+  const std::int64_t now = frameFileClock(), asked = file_->asked_ns.load(), glanced = file_->glanced_ns.load();
+  if (asked != 0 && now - asked < kPatience) return 30;
+  return glanced != 0 && now - glanced < kPatience ? 15 : 0;
+}
+
+void FramePainter::giveUp(const std::string& why) {
+  if (file_->blind.load() != 0) return;
+  why.copy(file_->why, sizeof file_->why - 1);
+  file_->blind.store(1, std::memory_order_release);
 }
 
 void FramePainter::setFault(CameraFault fault) {

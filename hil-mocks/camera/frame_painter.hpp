@@ -33,6 +33,10 @@ class FramePainter {
   void paint(PictureSize size, std::span<const std::uint8_t> bgra);
   /// 2 * width * height bytes, as the camera sends them.
   void paintYuyv(PictureSize size, std::span<const std::uint8_t> yuyv);
+  /// Pictures a second that somebody wants who has looked within the last two seconds: 30, 15 or 0.
+  [[nodiscard]] int wantedRate() const;
+  /// There will be no pictures, for programs that look into the file: `why`, in words. Once.
+  void giveUp(const std::string& why);
   void setFault(CameraFault fault);
   [[nodiscard]] std::uint32_t painted() const;
 

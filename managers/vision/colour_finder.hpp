@@ -19,6 +19,7 @@ struct Pixel {
 struct PercentLimits {
   double min = 0.07;
   double max = 30.0;
+  bool operator==(const PercentLimits&) const = default;
 };
 
 /// Takes memory when it is made, and none afterwards. One thread at a time.
@@ -36,6 +37,9 @@ class ColourFinder {
   /// Whether the last find() took this pixel for the colour, also where it then found too few or too many. False
   /// outside of the picture and before the first find().
   [[nodiscard]] bool isDetected(int x, int y) const { return mask_.at(x, y); }
+
+  /// All of isDetected().
+  [[nodiscard]] const BitRows& mask() const { return mask_; }
 
   void setThresholds(const Thresholds& wanted) { test_ = compile(wanted); }
   void setLimits(PercentLimits limits) { limits_ = limits; }

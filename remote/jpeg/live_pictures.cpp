@@ -82,10 +82,12 @@ void LivePictures::Work::look() noexcept {
     file.length = encoder.encode(frame, file.bytes);
     file.sequence = frame.sequence;
     file.time = frame.time;
-    if (file.length != 0)
+    if (file.length != 0) {
+      if (options.look_at) options.look_at(frame);
       files.publish();
-    else if (std::exchange(usable, false))
+    } else if (std::exchange(usable, false)) {
       complain(frame);
+    }
   }
   sees.store(usable && seeing, std::memory_order_release);
 }

@@ -23,6 +23,8 @@ class LivePictures final : public PictureSource {
     std::function<Nanos()> now;
     /// Told a sentence, once, when the camera's frames are not of kWholeImage: then all is black. From the thread.
     std::function<void(const std::string&)> say;
+    /// Shown each new frame of that size before its picture is; from the thread. It must not throw.
+    std::function<void(const CameraFrame&)> look_at = {};
     /// How often the camera is looked at, which never waits: a picture is half of it older on average.
     Nanos look_every = std::chrono::milliseconds{4};
   };

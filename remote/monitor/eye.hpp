@@ -24,8 +24,8 @@ class Eye {
 
   /// `sequence` 0: there is none, see why().
   [[nodiscard]] remote::JpegPicture newest();
-  /// Why there are no pictures; empty when the camera is open.
-  [[nodiscard]] const std::string& why() const { return why_; }
+  /// Why there are no pictures; empty when the camera is open and knows of no trouble.
+  [[nodiscard]] std::string why() const { return pictures_ ? pictures_->trouble() : why_; }
   [[nodiscard]] bool open() const { return pictures_ != nullptr; }
   /// What is open is what a driver shows.
   [[nodiscard]] bool shared() const { return open() && !free_; }

@@ -6,6 +6,7 @@
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
 #include "remote/monitor/json.hpp"
+#include "remote/monitor/search_message.hpp"
 #include "runtime/report.hpp"
 #include "webots/counts.hpp"
 
@@ -121,6 +122,7 @@ std::optional<Wishes> readWishes(std::string_view text, const Wishes& before, st
   if (!asked.is_object()) why = "say what you want as a JSON object, such as {\"rate\": 20, \"camera\": 5}";
   if (why.empty()) why = take(asked, "rate", kMostRate, wishes.rate);
   if (why.empty()) why = take(asked, "camera", kMostPictures, wishes.camera);
+  if (why.empty()) why = takeSearch(asked, wishes);
   return why.empty() ? std::optional{wishes} : std::nullopt;
 }
 

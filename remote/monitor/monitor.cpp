@@ -5,6 +5,7 @@
 
 #include "remote/monitor/messages.hpp"
 #include "remote/monitor/picture.hpp"
+#include "remote/monitor/search_message.hpp"
 
 namespace darwinop::monitor {
 namespace {
@@ -18,8 +19,10 @@ enum MonitorLane : web::Lane {
   kFaultsLane,
   kCameraLane,
   kPictureLane,
-  kErrorLane
+  kErrorLane,
+  kFoundLane
 };
+static_assert(kFoundLane < web::kLanes);
 
 constexpr double kFaultLooks = 10, kDriverLooks = 20;  // Hz
 constexpr Nanos kShortest{4'000'000}, kLongest{50'000'000}, kIdle{100'000'000};
@@ -34,8 +37,12 @@ double secondsOf(Nanos time) {
 
 }  // namespace
 
-Monitor::Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera, Eye::Open share_camera)
-    : onlooker_{files}, clock_{std::move(clock)}, eye_{std::move(open_camera), std::move(share_camera)} {
+Monitor::Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera, Eye::Open share_camera,
+                 std::shared_ptr<Finders> finders)
+    : onlooker_{files},
+      clock_{std::move(clock)},
+      eye_{std::move(open_camera), std::move(share_camera)},
+      finders_{std::move(finders)} {
   now_ = clock_();
   (void)onlooker_.look(now_);
   turn();
@@ -62,6 +69,7 @@ void Monitor::said(web::Channel& channel, std::string_view message, bool binary)
   std::string why = "say what you want as text";
   const std::optional<Wishes> wishes = binary ? std::nullopt : readWishes(message, seat->second.wishes, why);
   if (!wishes) return channel.send(kErrorLane, shared(errorText(why)));
+  searches_changed_ |= wishes->find != seat->second.wishes.find || wishes->camera != seat->second.wishes.camera;
   seat->second.wishes = *wishes;
   seat->second.state.restart();
   seat->second.pictures.restart();
@@ -173,11 +181,12 @@ void Monitor::lookAtLoop() {
 }
 
 void Monitor::lookAtCamera() {
+  if (std::exchange(searches_changed_, false)) tellFinders();
   const auto wants = [](const auto& seat) { return seat.second.wishes.camera > 0; };
   const bool wanted = std::ranges::any_of(seats_, wants);
   const bool runs = onlooker_.block() != nullptr;
   if (wanted && runs && driver_pace_.due(now_, kDriverLooks)) driver_ = onlooker_.driver();
-  eye_.look(wanted && runs, driver_ == 0, now_);
+  eye_.look(wanted && runs, driver_ == 0 || driver_ == own_driver_, now_);
   if (!wanted) return;
   const remote::JpegPicture picture = eye_.newest();
   web::Bytes message;
@@ -188,16 +197,28 @@ void Monitor::lookAtCamera() {
     if (!seat.pictures.due(now_, seat.wishes.camera)) continue;
     if (!message) message = shared(pictureMessage(picture, remote::kWholeImage));
     seat.picture = picture.sequence;
+    // What was found in it goes ahead of it, so that both can be shown at once.
+    if (finders_ && seat.wishes.find)
+      if (const std::optional<Found> found = finders_->found(*seat.wishes.find, picture.sequence))
+        channel->send(kFoundLane, shared(foundText(*found, seat.wishes.mask)));
     channel->sendBinary(kPictureLane, message);
   }
+}
+
+void Monitor::tellFinders() {
+  if (!finders_) return;
+  std::vector<Search> searches;
+  for (const auto& [channel, seat] : seats_)
+    if (seat.wishes.camera > 0 && seat.wishes.find) searches.push_back(*seat.wishes.find);
+  finders_->want(std::move(searches));
 }
 
 void Monitor::tellOfCamera(web::Channel& channel, Seat& seat, bool seeing) {
   std::string text;
   if (onlooker_.block() == nullptr)
     text = cameraText(false, "there is no runtime");
-  else if (!eye_.open())
-    text = cameraText(false, eye_.why());
+  else if (const std::string why = eye_.why(); !why.empty())
+    text = cameraText(false, why);
   else
     text = cameraText(seeing, seeing          ? ""
                               : eye_.shared() ? "a controller drives, and shows no pictures of 320x240"

@@ -1,13 +1,26 @@
 // What an observer may ask for.
 #pragma once
 
+#include <optional>
+
+#include "managers/vision/colour_finder.hpp"
+
 namespace darwinop::monitor {
 
 inline constexpr double kMostRate = 125, kMostPictures = 30, kUsualRate = 20;  // Hz
 
+/// A colour to be found in the pictures, as the vision manager finds it.
+struct Search {
+  vision::Thresholds colour{};
+  vision::PercentLimits limits{};
+  bool operator==(const Search&) const = default;
+};
+
 struct Wishes {
   double rate = kUsualRate;  // state messages, Hz; 0: none
   double camera = 0;         // pictures, Hz; 0: none
+  std::optional<Search> find = {};
+  bool mask = false;  // with what is found: which pixels
   bool operator==(const Wishes&) const = default;
 };
 

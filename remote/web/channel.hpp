@@ -18,7 +18,7 @@ class Channel {
   /// Never waits; a peer that is too slow loses messages (outbox.hpp).
   virtual void send(Lane lane, Bytes text) = 0;
   virtual void sendBinary(Lane lane, Bytes bytes) = 0;
-  /// What waits in lanes 0 to 7 is not sent: it has become wrong.
+  /// What waits in lanes 0 to 8 is not sent: it has become wrong.
   virtual void forgetNewest() = 0;
   /// Messages that this peer was too slow for.
   [[nodiscard]] virtual std::uint64_t lost() const = 0;

@@ -13,9 +13,9 @@ namespace darwinop::web {
 /// One message for any number of peers.
 using Bytes = std::shared_ptr<const std::string>;
 
-/// 0 to 7: the newest of a lane replaces the one before it.
+/// 0 to 8: the newest of a lane replaces the one before it.
 using Lane = std::uint8_t;
-inline constexpr Lane kLanes = 8;
+inline constexpr Lane kLanes = 9;
 /// Messages that do not replace each other; of too many the oldest goes.
 inline constexpr Lane kEvery = kLanes;
 
@@ -33,7 +33,7 @@ class Outbox {
   void put(Parcel parcel);
   /// The one that has waited for the longest time.
   [[nodiscard]] std::optional<Parcel> take();
-  /// Lanes 0 to 7 are emptied; that is no loss.
+  /// Lanes 0 to 8 are emptied; that is no loss.
   void forgetNewest();
 
   [[nodiscard]] std::size_t size() const { return waiting_.size(); }

@@ -172,5 +172,16 @@ TEST(PtyHost, UnplugHangsTheClientUpAndTheLinkLeadsToTheNewPort) {
   EXPECT_EQ(host.withRobot([](VirtualRobot& r) { return r.replugs(); }), 1u);
 }
 
+TEST(PtyHost, DoesWhatItIsAskedForInItsOwnThreadBeforeTheCallerGoesOn) {
+  VirtualRobot robot{Bench::powered()};
+  PtyHost host{robot, {linkPath()}};
+  for (int i = 0; i < 20; ++i) {
+    std::thread::id by;
+    host.askRobot([&by](VirtualRobot&) { by = std::this_thread::get_id(); });
+    EXPECT_NE(by, std::thread::id{});
+    EXPECT_NE(by, std::this_thread::get_id());
+  }
+}
+
 }  // namespace
 }  // namespace darwinop::hil

@@ -60,11 +60,13 @@ TEST_F(TwinLibrary, GivesEyesThatLookWhenTheyAreTold) {
     EXPECT_EQ(frame.bgra[0], 1);
   }
   EXPECT_TRUE(eyes->health().seeing);
+  EXPECT_EQ(eyes->blindness(), nullptr);
   EXPECT_EQ(eyes->health().frames, 1U);
   eyes->look();
   eyes->look();
   EXPECT_EQ(eyes->newest().sequence, 3U);
   EXPECT_FALSE(eyes->health().seeing) << "the library says that they are blind";
+  EXPECT_STREQ(eyes->blindness(), "it is dark");
 }
 
 TEST_F(TwinLibrary, SaysWhyItGivesNoEyes) {

@@ -58,7 +58,8 @@ void look(void* eyes) {
 
 void newest(void* eyes, darwinop::BodyPicture* picture) {
   const auto& pixel = *static_cast<OnePixel*>(eyes);
-  *picture = {pixel.looks, static_cast<std::int64_t>(pixel.looks) * 1000, 1, 1, pixel.bgra, pixel.looks < 3 ? 1 : 0};
+  *picture = {pixel.looks, static_cast<std::int64_t>(pixel.looks) * 1000, 1, 1,
+              pixel.bgra,  pixel.looks < 3 ? nullptr : "it is dark"};
 }
 
 void closeEyes(void* eyes) {

@@ -25,13 +25,18 @@ struct FakeChannel final : web::Channel {
   std::vector<Json> texts;
   std::vector<std::string> types;
   int pictures = 0, forgot = 0;
+  std::vector<std::string> order;  // of found and picture
 
   [[nodiscard]] const std::string& name() const override { return called; }
   void send(web::Lane /*lane*/, web::Bytes text) override {
     texts.push_back(Json::parse(*text));
     types.push_back(texts.back()["type"]);
+    if (types.back() == "found") order.push_back("found " + texts.back()["picture"].dump());
   }
-  void sendBinary(web::Lane /*lane*/, web::Bytes /*bytes*/) override { ++pictures; }
+  void sendBinary(web::Lane /*lane*/, web::Bytes bytes) override {
+    ++pictures;
+    order.push_back("picture " + std::to_string(static_cast<unsigned char>(bytes->at(8))));
+  }
   void forgetNewest() override { ++forgot; }
   [[nodiscard]] std::uint64_t lost() const override { return 0; }
   void close(const std::string& /*why*/) override {}
@@ -57,7 +62,15 @@ struct FakePictures final : remote::PictureSource {
 
   explicit FakePictures(int& counter) : open{counter} { ++open; }
   ~FakePictures() override { --open; }
-  remote::JpegPicture newest() override { return {++sequence, Nanos{0}, jpeg}; }
+  remote::JpegPicture newest() override {
+    ++sequence;
+    if (finders) finders->look({sequence, Nanos{0}, 4, 4, black});
+    return {sequence, Nanos{0}, jpeg};
+  }
+  [[nodiscard]] std::string trouble() const override { return blind; }
+  std::shared_ptr<Finders> finders;
+  std::array<std::uint8_t, 64> black{};
+  std::string blind;
 };
 
 class MonitorTest : public testing::Test {
@@ -95,7 +108,14 @@ class MonitorTest : public testing::Test {
   Monitor& monitor() {
     if (!monitor_) {
       monitor_ = std::make_unique<Monitor>(
-          files_, [this] { return now_; }, [this] { return std::make_unique<FakePictures>(cameras_open_); });
+          files_, [this] { return now_; },
+          [this] {
+            auto pictures = std::make_unique<FakePictures>(cameras_open_);
+            pictures->finders = finders_;
+            pictures->blind = blind_;
+            return pictures;
+          },
+          Eye::Open{}, finders_);
     }
     return *monitor_;
   }
@@ -111,6 +131,8 @@ class MonitorTest : public testing::Test {
   Sensors seen_{};
   Nanos now_{std::chrono::hours{1}};
   int cameras_open_ = 0;
+  std::shared_ptr<Finders> finders_ = std::make_shared<Finders>();
+  std::string blind_;
   FakeChannel observer_;
   std::unique_ptr<Monitor> monitor_;
 };
@@ -269,6 +291,44 @@ TEST_F(MonitorTest, OpensTheCameraWhileSomebodyLooksAndNobodyDrives) {
   monitor().closed(observer_);
   pass(32ms);
   EXPECT_EQ(cameras_open_, 0) << "nobody looks any more";
+}
+
+TEST_F(MonitorTest, KeepsTheCameraWhileItsOwnProcessDrivesWhenToldSo) {
+  begin();
+  monitor().leaveCameraHere();
+  monitor().opened(observer_);
+  monitor().said(observer_, R"({"camera": 10})", false);
+  const auto lease = runtime::FileLock::tryTake(files_.drive_lock);
+  pass(200ms);
+  EXPECT_EQ(cameras_open_, 1);
+}
+
+TEST_F(MonitorTest, TellsWhatItFindsAheadOfThePicture) {
+  begin();
+  monitor().opened(observer_);
+  monitor().said(observer_, R"({"camera": 10})", false);
+  pass(300ms);
+  EXPECT_EQ(observer_.count("found"), 0) << "nobody has asked";
+  observer_.order.clear();
+  monitor().said(observer_, R"({"find": {"hue": 28}})", false);
+  pass(500ms);
+  ASSERT_GE(observer_.order.size(), 6U);
+  for (std::size_t i = 0; i + 1 < 6; i += 2)
+    EXPECT_EQ(observer_.order[i].substr(5), observer_.order[i + 1].substr(7))
+        << testing::PrintToString(observer_.order);
+  monitor().said(observer_, R"({"find": null})", false);
+  const int before = observer_.count("found");
+  pass(300ms);
+  EXPECT_EQ(observer_.count("found"), before);
+}
+
+TEST_F(MonitorTest, SaysWhyACameraThatIsOpenGivesNoPictures) {
+  blind_ = "it is dark";
+  begin();
+  monitor().opened(observer_);
+  monitor().said(observer_, R"({"camera": 10})", false);
+  pass(100ms);
+  EXPECT_THAT(observer_.last("camera"), HasSubstr("it is dark"));
 }
 
 TEST(MonitorEye, SeesWhatADriverShowsAndNeverTouchesItsCamera) {

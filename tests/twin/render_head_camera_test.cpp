@@ -51,7 +51,7 @@ class Eyes : public testing::Test {
     if (!camera_) camera_ = std::make_unique<HeadCamera>(body_);  // the dear part of a test
     camera_->look();
     (void)camera_->newest();
-    EXPECT_EQ(camera_->blindness(), "");
+    EXPECT_EQ(camera_->blindness(), nullptr);
     return redSpot(camera_->picture());
   }
 

@@ -94,9 +94,10 @@ TEST_F(WindowBridge, HandsOnWhatTheMonitorSaysAndAsksForWhatThePageWants) {
   openPage();
   ASSERT_TRUE(hears("hello"));
   bridge_->said(page_, R"({"rate": 62.5})", false);
-  bridge_->said(page_, R"({"camera": 10})", false);
+  bridge_->said(page_, R"({"camera": 10, "find": {"hue": 28}})", false);
   EXPECT_TRUE(
-      until([&] { return !monitor_.asked.empty() && monitor_.asked.back() == R"({"camera":10.0,"rate":62.5})"; }));
+      until([&] { return !monitor_.asked.empty() && monitor_.asked.back().find("10.0") != std::string::npos; }));
+  EXPECT_THAT(monitor_.asked.back(), HasSubstr(R"({"rate":62.5,"camera":10.0,"find":{"hue":28,)"));
 
   monitor_.say(R"({"type":"state","cycle":7})");
   monitor_.say(R"({"type":"notice","number":1})");

@@ -14,6 +14,8 @@ export const kMessages = [
   {type: 'notice', number: 1, time: null, text: 'it began'},
   {type: 'camera', seeing: true, text: ''},
   {type: 'gone', reason: 'it ended'},
+  {type: 'ended', text: 'the link is lost.'},
+  {type: 'found', picture: 3, width: 12, height: 2, x: 9, y: 1, pixels: 3, percent: 12.5, box: [0, 0, 9, 1], mask: btoa('\x00\xf2\x81\xf0')},
 ];
 
 /// The same numbers between 0 and 1 for the same seed.

@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {LogFile} from '../../window/page/src/log_file.js';
+import {forMask, kBalls, sentenceOf} from '../../window/page/src/search_words.js';
 import {isMessage, jointsOf} from '../../window/page/src/shapes.js';
 import {dice, kMessages, spoilt} from './hostile_messages.mjs';
 
@@ -28,6 +29,10 @@ test('of messages that were spoilt anywhere, no number is left that cannot be dr
     const message = spoilt(kMessages[i % kMessages.length], random);
     if (!isMessage(message)) continue;
     ++understood;
+    if (message?.type === 'found') {
+      assert.match(sentenceOf(message, kBalls['Red ball']), /^(B|No b)all/);
+      if (message.mask !== undefined) forMask(message, (x, y) => assert.ok(x < message.width && y < message.height));
+    }
     if (message?.type !== 'state') continue;
     const values = [message.time, ...message.joints.position, ...message.joints.goal, ...(message.board.gyro ?? [])];
     assert.ok(values.every((value) => value === null || value === undefined || Math.abs(value) <= 1e15), JSON.stringify(message));

@@ -73,8 +73,7 @@ void look(void* eyes) {
 void newest(void* eyes, BodyPicture* picture) {
   HeadCamera& camera = *static_cast<HeadCamera*>(eyes);
   const CameraFrame frame = camera.newest();
-  const int seeing = camera.health().seeing ? 1 : 0;
-  *picture = {frame.sequence, frame.time.count(), frame.width, frame.height, frame.bgra.data(), seeing};
+  *picture = {frame.sequence, frame.time.count(), frame.width, frame.height, frame.bgra.data(), camera.blindness()};
 }
 
 void closeEyes(void* eyes) {

@@ -37,8 +37,9 @@ class HeadCamera final : public Eyes {
 
   /// The same picture as newest() gave, RGB.
   [[nodiscard]] const Picture& picture() const noexcept { return picture_; }
-  /// Why there is only a test pattern; empty: the camera sees. Known from the first picture on.
-  [[nodiscard]] const std::string& blindness() const noexcept { return blindness_; }
+  [[nodiscard]] const char* blindness() const noexcept override {
+    return blindness_.empty() ? nullptr : blindness_.c_str();
+  }
 
  private:
   void draw();

@@ -57,10 +57,16 @@ void FrameReader::want(std::uint32_t width, std::uint32_t height) {
   if (file_ == nullptr) return;
   file_->wanted_width.store(width);
   file_->wanted_height.store(height);
+  ask();
+}
+
+void FrameReader::ask() const {
+  if (file_ != nullptr) file_->asked_ns.store(frameFileClock());
 }
 
 void FrameReader::read(std::uint32_t width, std::uint32_t height, std::uint8_t* yuyv) const {
   const std::size_t bytes = std::size_t{2} * width * height;
+  ask();
   for (int i = 0; file_ != nullptr && i < kTries; ++i) {
     const std::uint32_t number = file_->pictures.load(std::memory_order_acquire);
     if (number == 0 || file_->width[number % 2].load() != width || file_->height[number % 2].load() != height) break;

@@ -17,10 +17,13 @@ class FrameReader {
   [[nodiscard]] CameraFault fault() const;
   /// Asks the painter for this size. Remembered for the next painter.
   void want(std::uint32_t width, std::uint32_t height);
-  /// The newest whole picture; grey when there is none of this size.
+  /// The newest whole picture, and a word to the painter that somebody looks; grey when there is none of this size.
   void read(std::uint32_t width, std::uint32_t height, std::uint8_t* yuyv) const;
 
  private:
+  /// Somebody looks: there is a point in painting.
+  void ask() const;
+
   FrameFile* file_ = nullptr;
   dev_t device_ = 0;
   ino_t inode_ = 0;

@@ -1,7 +1,7 @@
 // What a robot's messages look like (docs/monitor.md), as far as this page uses them. A robot that says anything else is
 // broken or hostile; its message counts for nothing.
 
-const kMostJoints = 64, kMostNames = 1000, kLongest = 10000;
+const kMostJoints = 64, kMostNames = 1000, kLongest = 10000, kMostPixels = 4096;
 const kGreatest = 1e15;  // what is more cannot be drawn
 
 const text = (value) => typeof value === 'string' && value.length <= kLongest;
@@ -24,6 +24,13 @@ const kJoint = shape({name: text, meaning: words, chain: text, low: number, high
 const kPerJoint = {position: each, goal: each, speed: each, load: each, age: each, temperature: each, voltage: each,
   torque: flags, torque_limit: each, silent: flags};
 
+const size = (value) => Number.isInteger(value) && value > 0 && value <= kMostPixels;
+const orNone = (is) => (value) => value === null || is(value);
+const kFound = shape({picture: number, width: size, height: size, x: orNone(number), y: orNone(number), pixels: number,
+  percent: number, box: orNone(list(number, 4, 4))});
+const isMask = ({mask, width, height}) => typeof mask === 'string' && /^[A-Za-z0-9+/]*={0,2}$/.test(mask) &&
+  mask.length === 4 * Math.ceil((width + 7 >> 3) * height / 3);
+
 const kShapes = {
   hello: shape({robot: words, port: words, runtime: words, period: figure, joints: list(kJoint, kMostJoints, 1)}),
   state: shape({cycle: number, time: number, state: words, joints: shape(kPerJoint),
@@ -38,6 +45,8 @@ const kShapes = {
   gone: shape({reason: text}),
   ended: shape({text}),
   camera: shape({seeing: flag, text: words}),
+  found: (message) => kFound(message) && (message.x === null || (number(message.y) && message.box !== null)) &&
+    (message.mask === undefined || isMask(message)),
   picture: () => false,  // comes as bytes
 };
 
