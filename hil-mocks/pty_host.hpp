@@ -47,8 +47,8 @@ class PtyHost {
     return action(robot_);
   }
 
-  /// Has the thread itself run `action`, a short one, between its works, and waits for that: the robot never waits for a
-  /// caller of low priority. One caller at a time.
+  /// Has the thread itself run `action`, a short one, between its works, and waits for that: the robot never waits for
+  /// a caller of low priority. One caller at a time.
   void askRobot(const std::function<void(VirtualRobot&)>& action);
 
  private:

@@ -8,8 +8,8 @@ let browser;
 before(async () => { browser = await startBrowser(); });
 after(() => browser?.close());
 
-/// Opens the camera of a window that is started with `words` and `settings`, does `look` with its page, and ends it.
-async function look(words, settings, look) {
+/// Opens the camera of a window that is started with `words` and `settings`, does `act` with its page, and ends it.
+async function look(words, settings, act) {
   const before = {...process.env};
   Object.assign(process.env, settings);
   const starting = startWindow(...words);
@@ -20,7 +20,7 @@ async function look(words, settings, look) {
     await page.goto(shown.url);
     await page.waitForFunction(() => window.darwinop?.newest);
     await page.click(`#tab-${kCamera}`);
-    await look(page, shown);
+    await act(page, shown);
     await page.close();
   } finally {
     await shown.end();
