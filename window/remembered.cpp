@@ -30,8 +30,8 @@ std::string takeAll(const std::string& text, Remembered& all) {
     if (!list.is_array() || list.size() > RememberedFile::kMost)
       return "\"" + name + "\" is no list that it should hold";
     for (const json& entry : list) {
-      const std::string why = name == "robots" ? takeRobot(entry, all.robots.emplace_back())
-                                               : takePath(entry, "controllers", all.controllers.emplace_back());
+      std::string why = name == "robots" ? takeRobot(entry, all.robots.emplace_back())
+                                         : takePath(entry, "controllers", all.controllers.emplace_back());
       if (!why.empty()) return why;
     }
   }

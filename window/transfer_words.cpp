@@ -33,7 +33,7 @@ const std::string* textOf(const Words& said) {
 }
 
 std::string takeArguments(const Words& said, std::vector<std::string>& arguments) {
-  const std::string trouble = "\"arguments\" has to be a list of at most 20 texts of at most 200 bytes";
+  std::string trouble = "\"arguments\" has to be a list of at most 20 texts of at most 200 bytes";
   if (!said.is_array() || said.size() > kMostArguments) return trouble;
   for (const Words& word : said) {
     const std::string* const text = textOf(word);
@@ -128,7 +128,7 @@ std::string takeRobot(const Words& said, RobotAddress& robot) {
         return "the user has to be a name of letters and digits such as darwin";
       robot.user = *text;
     } else if (name == "key") {
-      if (const std::string why = takePath(value, "key", robot.key); !why.empty()) return why;
+      if (std::string why = takePath(value, "key", robot.key); !why.empty()) return why;
     } else if (name == "port") {
       if (!value.is_number_integer() || value.get<std::int64_t>() < 0 || value.get<std::int64_t>() > 65535)
         return "the port has to be a number from 1 to 65535; 0: the usual one";

@@ -33,7 +33,7 @@ scenario_errors_are_marked_for_programs_only() {
   stop_sshd
   watch_install --status
   expect_said '^darwinop install: error: .*takes no ssh connection'
-  run_install --status --progress
+  run_install --status --progress 3>&-
   expect_status 2
   expect_said 'file descriptor 3'
 }
@@ -44,8 +44,8 @@ scenario_an_unknown_key_is_shown_and_that_key_alone_taken() {
   forget_host_key
   watch_install --status
   expect_status 1
-  expect_said "is not known to this machine yet \(ED25519 key $key\)"
-  expect_progress "host-key $key"
+  expect_said "is not known to this machine yet \(ED25519 key ${key//+/\\+}\)"
+  expect_progress "host-key ${key//+/\\+}"
   watch_install --host-key "$wrong" --status
   expect_status 1
   expect_said 'has another key'
