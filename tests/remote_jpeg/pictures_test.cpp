@@ -74,12 +74,15 @@ struct LivePicturesTest : testing::Test {
   std::mutex mutex;
   std::vector<std::string> said;
   LivePictures pictures{std::make_unique<GreyCamera>(camera),
-                        {kSmall, qualityOf(kSmall), [] { return kNow; },
-                         [this](const std::string& sentence) {
-                           const std::lock_guard lock{mutex};
-                           said.push_back(sentence);
-                         },
-                         100us}};
+                        {.size = kSmall,
+                         .quality = qualityOf(kSmall),
+                         .now = [] { return kNow; },
+                         .say =
+                             [this](const std::string& sentence) {
+                               const std::lock_guard lock{mutex};
+                               said.push_back(sentence);
+                             },
+                         .look_every = 100us}};
 
   bool shows(std::uint64_t sequence) {
     return comesTrue([&] { return pictures.newest().sequence == sequence; });
