@@ -9,6 +9,7 @@ import {startBrowser, startProgram, startWindow} from './window_program.mjs';
 
 const kMost = 90000;  // bytes of a picture: they live in the repository
 const kWide = {width: 1200, height: 760}, kTablet = {width: 820, height: 1180};
+// It walks without physics: it stays upright on a busy computer, too.
 const walker = [`${process.env.DARWINOP_BIN}/../controllers/05_walk/05_walk`, '--', '--seconds', '1000'];
 const [folder, ...wanted] = process.argv.slice(2);
 if (!folder) throw new Error('usage: pictures.mjs FOLDER [NAME …]');
@@ -17,13 +18,13 @@ if (!folder) throw new Error('usage: pictures.mjs FOLDER [NAME …]');
 const kPictures = [
   {name: 'servos', on: 'walker', tab: 'Servos', prepare: (page) => page.getByRole('button', {name: 'LegLowerR'}).click()},
   {name: 'curves', on: 'walker', tab: 'All curves'},
-  {name: 'sensors', on: 'walker', tab: 'Motion sensors', look: {colorScheme: 'dark'}},
   {name: 'loop', on: 'walker', tab: 'Loop'},
   {name: 'tablet', on: 'walker', tab: 'Servos', look: {viewport: kTablet, hasTouch: true}},
   {name: 'compare', on: 'walker', tab: 'Compare', prepare: compare},
   {name: 'faults', on: 'faulty', tab: 'Faults'},
   {name: 'walk', on: 'driven', tab: 'Steer', prepare: walk},
-  {name: 'pose', on: 'driven', tab: 'Servos', prepare: showPose},
+  {name: 'sensors', on: 'driven', tab: 'Steer', prepare: feelWalk, look: {colorScheme: 'dark'}},
+  {name: 'pose', on: 'driven', tab: 'Steer', prepare: showPose},
 ].filter(({name}) => wanted.length === 0 || wanted.includes(name));
 
 async function compare(page) {
@@ -43,10 +44,21 @@ async function walk(page) {
   await page.waitForTimeout(7000);
 }
 
+async function feelWalk(page) {
+  await walk(page);
+  await page.getByRole('tab', {name: 'Motion sensors'}).evaluate((tab) => tab.click());  // the pad is still held
+}
+
 async function showPose(page) {  // the robot is held, bent: to the page it is limp
+  await walk(page);
+  await page.mouse.up();
   await page.evaluate(() => window.darwinop.steering.leave());
   await page.waitForFunction(() => window.darwinop.newest.state === 'holding');
-  await page.evaluate(() => { window.darwinop.newest.state = 'limp'; window.darwinop.feed.socket.onmessage = null; });
+  await page.evaluate(() => {
+    const {feed} = window.darwinop, take = feed.take.bind(feed);
+    feed.take = (data) => take(typeof data === 'string' ? data.replace('"state":"holding"', '"state":"limp"') : data);
+  });
+  await page.waitForFunction(() => window.darwinop.newest.state === 'limp');
   await page.click('#take');
   await page.locator('#pose').waitFor();
 }
@@ -66,7 +78,7 @@ async function faulty() {
   }};
 }
 
-const kWindows = {walker: () => startWindow(...walker), driven: () => startWindow('--robot', 'twin'), faulty};
+const kWindows = {walker: () => startWindow('--robot', 'virtual', ...walker), driven: () => startWindow('--robot', 'twin'), faulty};
 const browser = await startBrowser();
 let shown;
 try {
