@@ -99,7 +99,7 @@ test('tabs go by arrow keys, and every tab is accessible, light and dark', async
 });
 
 // In the order of the page: what a keyboard has to reach.
-const kReachable = 'button:enabled, input:enabled, select:enabled, a[href], [tabindex="0"]';
+const kReachable = 'button:enabled, input:enabled, select:enabled, summary, a[href], [tabindex="0"]';
 
 test('everything is reached by the keyboard, in order, and one sees where one is', async () => {
   const page = await openPage();
@@ -131,7 +131,7 @@ test('a tablet held upright needs no sideways scrolling, and fingers hit the but
   for (let i = 0; i < await tabsOf(page); ++i) {
     await page.tap(`#tab-${i}`);
     const {over, small} = await page.evaluate(() => {
-      const size = (node) => node.getBoundingClientRect();
+      const size = (node) => (node.type === 'checkbox' && node.closest('label') || node).getBoundingClientRect();  // one hits its words, too
       return {over: document.documentElement.scrollWidth - innerWidth,
         small: [...document.querySelectorAll('button, select, input')].filter((node) => node.checkVisibility() &&
           node.type !== 'range' && size(node).height < 28).map((node) => `${size(node).height}: ${node.outerHTML.slice(0, 80)}`)};

@@ -40,7 +40,7 @@ export class TransferPane {
   }
 
   group(name, ...nodes) { return el('fieldset', {}, el('legend', {}, name), el('div', {className: 'choose'}, ...nodes)); }
-  check(box, text) { return el('span', {className: 'check'}, box, el('label', {htmlFor: box.id}, text)); }
+  check(box, text) { return el('label', {}, box, text); }
 
   button(action, text) {
     const button = el('button', {type: 'button', id: `transfer-${action}`}, text);
