@@ -2,6 +2,7 @@
 // nothing, and nothing throws what nobody catches. The same cases each time.
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import {jpegSize} from '../../window/page/src/jpeg_size.js';
 import {LogFile} from '../../window/page/src/log_file.js';
 import {forMask, kBalls, sentenceOf} from '../../window/page/src/search_words.js';
 import {isMessage, jointsOf} from '../../window/page/src/shapes.js';
@@ -63,4 +64,21 @@ test('any bytes as a recording: columns of numbers, rising times, or a sentence'
     }
   }
   assert.ok(read > 1000, `${read} columns were read`);
+});
+
+test('a picture tells its size before there is room for it, and other bytes tell none', () => {
+  const jpeg = Uint8Array.from([0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xc0, 0, 17, 8, 0, 240, 1, 64, 3]);
+  assert.deepEqual(jpegSize(jpeg), [320, 240]);
+  for (let length = 0; length < 17; ++length) assert.equal(jpegSize(jpeg.subarray(0, length)), null, `${length} bytes`);
+  for (const [at, byte] of [[0, 0], [2, 0], [5, 1], [9, 0xda]]) {
+    const spoilt = jpeg.slice();
+    spoilt[at] = byte;
+    assert.equal(jpegSize(spoilt), null);
+  }
+  const random = dice(3);
+  for (let i = 0; i < 20000; ++i) {
+    const any = Uint8Array.from({length: Math.floor(random() * 40)}, () => Math.floor(random() * 256));
+    const size = jpegSize(i % 2 ? Uint8Array.from([0xff, 0xd8, 0xff, ...any]) : any);
+    assert.ok(size === null || size.length === 2);
+  }
 });

@@ -2,12 +2,14 @@
 import {ColourSearch} from './colour_search.js';
 import {el, setText} from './dom.js';
 import {FoundOverlay} from './found_overlay.js';
+import {jpegSize} from './jpeg_size.js';
 import {hueOf, sentenceOf} from './search_words.js';
 
 const kRate = 10;         // Hz
 const kAskEvery_ms = 100; // a slider changes more often, and the channel takes 50 messages a second
 const kPatience = 20;     // pictures in which nothing was looked for, and then it is said
 const kFinds = 4;         // kept
+const kMostPixels = 4096; // wide or high
 const kAround = 2;        // pixels on each side of a click
 
 export class CameraPane {
@@ -71,8 +73,9 @@ export class CameraPane {
   async take(data) {
     const head = new DataView(data);
     if (data.byteLength < 20 || head.getUint8(0) !== 1) return;
-    const jpeg = new Blob([data.slice(head.getUint8(1))], {type: 'image/jpeg'});
-    const picture = await createImageBitmap(jpeg).catch(() => null);
+    const jpeg = new Uint8Array(data).subarray(head.getUint8(1));
+    if (!jpegSize(jpeg)?.every((pixels) => pixels > 0 && pixels <= kMostPixels)) return;
+    const picture = await createImageBitmap(new Blob([jpeg], {type: 'image/jpeg'})).catch(() => null);
     if (!picture) return;  // damaged; the next one comes soon
     if (this.canvas.width !== picture.width) [this.canvas.width, this.canvas.height] = [picture.width, picture.height];
     this.context.drawImage(picture, 0, 0);

@@ -30,7 +30,8 @@ export class SensorsPane {
   restyle() { this.plots.forEach((plot) => plot.show(plot.curves)); }
   draw() {
     this.plots.forEach((plot) => plot.draw());
-    this.squares.forEach(({plots, reach}) => plots.forEach((plot) => plot.draw(reach)));
+    this.turn = ((this.turn ?? 0) + 1) % 3;  // of each sensor's three one a frame
+    this.squares.forEach(({plots, reach}) => plots[this.turn].draw(reach));
   }
   tell() {}
 }

@@ -1,0 +1,17 @@
+// Width and height of a JPEG by its head, before a browser makes room for it: a few bytes may ask for gigabytes.
+
+const kMark = 0xff, kStart = 0xd8, kScan = 0xda;
+const isFrameHead = (kind) => kind >= 0xc0 && kind <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(kind);
+
+/// [width, height], or null: these bytes are no JPEG, or its head is cut off.
+export function jpegSize(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (view.byteLength < 2 || view.getUint8(0) !== kMark || view.getUint8(1) !== kStart) return null;
+  for (let at = 2; at + 9 <= view.byteLength;) {
+    const kind = view.getUint8(at + 1), length = view.getUint16(at + 2);
+    if (view.getUint8(at) !== kMark || kind === kScan || length < 2) return null;
+    if (isFrameHead(kind)) return [view.getUint16(at + 7), view.getUint16(at + 5)];
+    at += 2 + length;
+  }
+  return null;
+}
