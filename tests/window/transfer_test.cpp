@@ -138,7 +138,8 @@ TEST_F(WindowTransfer, ThePasswordReachesTheProgramOnceAndNothingElse) {
 TEST_F(WindowTransfer, CancelIsCtrlCForAllOfItAndTheInstallerEndsByItself) {
   installerIs(
       "trap 'echo asked; sleep 0.2; echo tidied; exit 130' INT\n"
-      "(trap 'echo child; exit' INT; echo begun; while :; do sleep 0.02; done) & while :; do wait; done\n");
+      "sh -c \"trap 'echo child; exit' INT; echo begun; while :; do sleep 0.02; done\"; while :; do sleep 0.02; "
+      "done\n");
   open(page);
   begin();
   until([this] { return heard("output: begun"); });
@@ -148,6 +149,7 @@ TEST_F(WindowTransfer, CancelIsCtrlCForAllOfItAndTheInstallerEndsByItself) {
   begin();
   EXPECT_THAT(page.refused, HasSubstr("one thing at a time"));
   untilEnded();
+  EXPECT_THAT(page.lines, Contains("output: child"));
   EXPECT_THAT(page.lines, Contains("output: tidied"));
   EXPECT_EQ(page.state["status"], 130);
   EXPECT_EQ(std::ranges::count(page.lines, "output: asked"), 1);
