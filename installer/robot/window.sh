@@ -30,7 +30,11 @@ wake_runtime() {
       say "no runtime runs, and none is started from here, as the default controller would start with it. Switch the robot off and on: the window shows it as soon as there is one"
       return
     }
-    need_supervisor
+    # While somebody installs, a start would take back the version that is being tested.
+    (lock && need_supervisor) || {
+      say "no runtime is started from here: see above. The window shows the robot as soon as there is one"
+      return
+    }
   fi
   tries=0
   until daemon_ready; do
