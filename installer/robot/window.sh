@@ -66,7 +66,22 @@ start_for_window() {
   monitor_port=$port
   await_port "$remote_server" "$remote_link/said" "the server of remote control"
   step "monitor and server listen on ports $monitor_port and $port, on the robot's loopback only"
+  watch_monitor &
+  remote_watch="$remote_watch $!"
   echo "server $port $monitor_port"
+}
+
+# Without it a window shows nothing: it ends, and says so.
+watch_monitor() {
+  exec >/dev/null
+  trap - TERM INT
+  while sleep 1 && kill -0 $$ 2>/dev/null; do
+    kill -0 "$remote_monitor" 2>/dev/null || {
+      say "the monitor has ended, and the window with it. More may stand above"
+      kill -TERM $$
+      return
+    }
+  done
 }
 
 # is_from_elsewhere PID: a server that drives for a PC, and ends when the shell of its login does.
