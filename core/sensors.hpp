@@ -91,12 +91,6 @@ struct SafetyReport {
   std::bitset<kJoints> tripped;       // shut themselves off; left alone until a reset is asked for
   std::bitset<kJoints> missed_start;  // did not reach the start pose in time, in the last slow move to it
   std::uint32_t start_timeouts = 0;   // slow moves to the start pose that ended without all joints there
-
-  [[nodiscard]] constexpr bool has(Fault fault) const {
-    for (std::size_t i = 0; i < kFaults; ++i)
-      if (kFaultTable[i].fault == fault) return active[i];
-    return false;
-  }
 };
 
 struct Sensors {

@@ -46,6 +46,11 @@ std::array<double, kJoints> radOf(const motion::Pose& ticks) {
   return pose;
 }
 
+bool hasFallen(const SafetyReport& safety) {
+  const auto is_fall = [](const FaultRow& fault) { return fault.fault == Fault::kFell; };
+  return safety.active[static_cast<std::size_t>(std::ranges::find_if(kFaultTable, is_fall) - kFaultTable.begin())];
+}
+
 }  // namespace
 
 bool Moves::isLimp(std::size_t joint) const {
@@ -97,7 +102,7 @@ remote::Request Moves::turn(Orders orders, const Sensors& seen, double ms) {
 /// What the robot cannot follow is not begun; what it has not followed for a while is broken off, since it would go on
 /// far from where the robot is then.
 void Moves::heed(Orders& orders, const Sensors& seen, double ms) {
-  const bool follows = seen.safety.state == State::kDriven, fell = seen.safety.has(Fault::kFell);
+  const bool follows = seen.safety.state == State::kDriven, fell = hasFallen(seen.safety);
   lost_ms_ = follows ? 0 : lost_ms_ + std::max(ms, 1.0);
   if (lost_ms_ > kLongestPause && !atRest()) breakOff("broken off: the robot did not follow any more");
   if (fell && !walk_.resting()) breakOff("the robot has fallen");
