@@ -37,7 +37,7 @@ void describe(const vision::BitRows& mask, Found& found) {
 
 }  // namespace
 
-void Finders::want(std::vector<Search> searches) {
+void Finders::want(const std::vector<Search>& searches) {
   std::vector<Search> different;
   for (const Search& search : searches)
     if (different.size() < kMost && std::ranges::find(different, search) == different.end())

@@ -29,7 +29,7 @@ class Finders {
   static constexpr std::size_t kMost = 8;  // searches: no more observers can look on
 
   /// From the next picture on; those beyond kMost are not looked for.
-  void want(std::vector<Search> searches);
+  void want(const std::vector<Search>& searches);
   /// Another size than the one before makes everything anew.
   void look(const CameraFrame& frame) noexcept;
   /// Nothing: that picture was not looked at for it, or is long gone.

@@ -210,7 +210,7 @@ void Monitor::tellFinders() {
   std::vector<Search> searches;
   for (const auto& [channel, seat] : seats_)
     if (seat.wishes.camera > 0 && seat.wishes.find) searches.push_back(*seat.wishes.find);
-  finders_->want(std::move(searches));
+  finders_->want(searches);
 }
 
 void Monitor::tellOfCamera(web::Channel& channel, Seat& seat, bool seeing) {
