@@ -49,11 +49,11 @@ struct Pipes {
   }
 };
 
-/// Ours, but for the password: only who is given it gets it.
+/// Ours, but for the password of our own login: only who is given one gets it.
 std::vector<char*> environmentWith(char* variable) {
   std::vector<char*> all;
   for (char** word = environ; *word != nullptr; ++word)
-    if (variable == nullptr || !std::string_view{*word}.starts_with("DARWINOP_PASSWORD=")) all.push_back(*word);
+    if (!std::string_view{*word}.starts_with("DARWINOP_PASSWORD=")) all.push_back(*word);
   if (variable != nullptr) all.push_back(variable);
   all.push_back(nullptr);
   return all;
@@ -73,9 +73,6 @@ void layOut(const Streams& theirs) {
                          const Streams& theirs) {
   prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
   if (getppid() != parent) _exit(143);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
   std::signal(SIGPIPE, SIG_DFL);
   if (place != Child::Place::kTerminal) {
     place == Child::Place::kHeard ? setsid() : setpgid(0, 0);
@@ -87,6 +84,9 @@ void layOut(const Streams& theirs) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
     layOut(theirs);
   }
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
   execve(words[0], words, environment);
   _exit(127);
 }
@@ -112,9 +112,14 @@ Child::Child(std::string noun, const std::string& program, const std::vector<std
   const std::vector<char*> environment = environmentWith(variable);
   const Pipes pipes{place == Place::kHeard, noun_};
   const pid_t parent = getpid();
+  // What is told between fork and become waits: our handlers, which the child has until then, would swallow it.
+  sigset_t all, before;
+  sigfillset(&all);
+  sigprocmask(SIG_SETMASK, &all, &before);
   pid_ = fork();
   if (pid_ == 0) become(pointers.data(), environment.data(), parent, place, pipes.theirs);
   const int error = errno;
+  sigprocmask(SIG_SETMASK, &before, nullptr);
   Pipes::close(pipes.theirs);
   streams_ = pipes.ours;
   if (pid_ > 0) return;
@@ -126,7 +131,7 @@ Child::Child(std::string noun, const std::string& program, const std::vector<std
 Child::~Child() {
   tell(place_ == Place::kHeard ? SIGINT : SIGTERM);
   if (!endsWithin(grace_)) {
-    tell(SIGKILL);
+    kill(pid_, SIGKILL);  // not its group: what of it still tidies up ends by itself
     waitpid(pid_, nullptr, 0);
   }
   Pipes::close(streams_);

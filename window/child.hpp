@@ -24,7 +24,7 @@ class Child {
   Child(const std::string& noun, const std::vector<std::string>& arguments, std::chrono::milliseconds grace,
         Place place = Place::kBehind)
       : Child{noun, programOf(noun), arguments, grace, place, nullptr} {}
-  /// `variable`: "NAME=value" for its environment alone; null: none. DARWINOP_PASSWORD of ours is never handed on then.
+  /// `variable`: "NAME=value" for its environment alone; null: none. DARWINOP_PASSWORD of ours is never handed on.
   Child(std::string noun, const std::string& program, const std::vector<std::string>& arguments,
         std::chrono::milliseconds grace, Place place, char* variable);
   /// Asks it to end, waits, and kills it when it does not. One that is heard is asked as by Ctrl-C, with all its own.

@@ -8,8 +8,8 @@
 namespace darwinop::window {
 namespace {
 
-void answer(web::Channel& channel, bool yours, const std::string& text) {
-  const nlohmann::json said{{"type", "driving"}, {"yours", yours}, {"text", text}};
+void answer(web::Channel& channel, bool yours, const std::string& text, bool taking = false) {
+  const nlohmann::json said{{"type", "driving"}, {"yours", yours}, {"taking", taking}, {"text", text}};
   const auto replace = nlohmann::json::error_handler_t::replace;
   channel.send(web::kEvery, std::make_shared<const std::string>(said.dump(-1, ' ', false, replace)));
 }
@@ -52,14 +52,15 @@ void Driver::take(web::Channel& channel) {
   at_helm_ = false;
   orders_ = {};
   told_ = {};
-  answer(channel, false, "Taking the robot …");
+  answer(channel, false, "Taking the robot …", true);
   helm_.begin();
 }
 
 void Driver::turn() {
   if (driver_ == nullptr) return;
   const Helm::Report report = helm_.report();
-  if (report.state == Helm::State::kFree) return letGo(report.why);
+  if (report.state == Helm::State::kFree || (at_helm_ && report.state == Helm::State::kEnding))
+    return letGo(report.why);
   if (!at_helm_ && report.state == Helm::State::kDriving) {
     at_helm_ = true;
     heard_ = clock_();  // it was told nothing to answer yet

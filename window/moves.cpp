@@ -18,11 +18,12 @@ using M = remote::MotorSetting;
 constexpr double kUsualGain = 4;  // Kp, 32 in the servo's register
 constexpr double kRegisterPerKp = 8;
 constexpr double kLongestTurn = 500;      // ms; after more the lease is gone
+constexpr double kLongestPause = 300;     // ms; where a robot that has not followed goes on is far from here
 constexpr std::uint32_t kOldReading = 4;  // cycles
+constexpr std::array<int, 2> kPagesThatGetUp{10, 11};  // begin lying on the front, on the back
 
-/// To the nearest tick. 0 is the centre.
+/// To the nearest tick.
 std::int32_t tickOf(double rad) {
-  if (!std::isfinite(rad)) return 0;
   return static_cast<std::int32_t>(std::lround(std::clamp(rad, -kPi, kPi) * 2048 / kPi));
 }
 
@@ -45,6 +46,11 @@ std::array<double, kJoints> radOf(const motion::Pose& ticks) {
   return pose;
 }
 
+bool hasFallen(const SafetyReport& safety) {
+  const auto is_fall = [](const FaultRow& fault) { return fault.fault == Fault::kFell; };
+  return safety.active[static_cast<std::size_t>(std::ranges::find_if(kFaultTable, is_fall) - kFaultTable.begin())];
+}
+
 }  // namespace
 
 bool Moves::isLimp(std::size_t joint) const {
@@ -52,6 +58,7 @@ bool Moves::isLimp(std::size_t joint) const {
 }
 
 void Moves::say(std::size_t joint, double rad, double speed) {
+  if (!std::isfinite(rad)) return;  // nobody knows: it keeps its goal
   M& setting = setting_[joint];
   setting.set |= M::kPosition | M::kVelocity;
   setting.position = std::clamp(tickOf(rad), -2048, 2047);
@@ -67,13 +74,16 @@ void Moves::usualGains() {
   for (std::size_t i = 0; i < kJoints; ++i) gain(i, kUsualGain);
 }
 
-remote::Request Moves::turn(const Orders& orders, const Sensors& seen, double ms) {
+remote::Request Moves::turn(Orders orders, const Sensors& seen, double ms) {
   for (std::size_t i = 0; i < kJoints; ++i) setting_[i] = {.joint = static_cast<Joint>(i)};
+  if (!orders.walk) walk_is_barred_ = false;
+  if (walk_is_barred_) orders.walk.reset();
   const bool asked = orders.page != 0 ||
                      std::ranges::any_of(orders.torque, [](const auto& limb) { return limb.has_value(); }) ||
                      (orders.walk && !doings_.walks);
   if (asked) doings_.refused.clear();
-  carried_ms_ += std::clamp(ms, 0.0, kLongestTurn);
+  heed(orders, seen, ms);
+  if (lost_ms_ <= 0) carried_ms_ += std::clamp(ms, 0.0, kLongestTurn);
   switchTorque(orders, seen);
   if (orders.page != 0) beginPage(orders.page, seen);
   if (orders.walk && !player_.isPlaying()) beginWalk(seen);
@@ -89,18 +99,66 @@ remote::Request Moves::turn(const Orders& orders, const Sensors& seen, double ms
   return request;
 }
 
+/// What the robot cannot follow is not begun; what it has not followed for a while is broken off, since it would go on
+/// far from where the robot is then.
+void Moves::heed(Orders& orders, const Sensors& seen, double ms) {
+  const bool follows = seen.safety.state == State::kDriven, fell = hasFallen(seen.safety);
+  lost_ms_ = follows ? 0 : lost_ms_ + std::max(ms, 1.0);
+  if (lost_ms_ > kLongestPause && !atRest()) breakOff("broken off: the robot did not follow any more");
+  if (fell && !walk_.resting()) breakOff("the robot has fallen");
+  if (orders.walk && !follows && walk_.resting()) orders.walk.reset();  // as soon as it does
+  if (orders.walk && (fell || player_.isPlaying())) {
+    doings_.refused =
+        fell ? "the robot has fallen: get it up first" : "a page is played: press again when it has ended";
+    walk_is_barred_ = true;
+  }
+  if (orders.page != 0) {
+    const bool gets_up = std::ranges::find(kPagesThatGetUp, orders.page) != kPagesThatGetUp.end();
+    if (!follows || gets_up != fell) {
+      doings_.refused = !follows ? "the robot does not follow yet"
+                        : fell   ? "the robot has fallen: only pages that get it up are played"
+                                 : "that page is for a robot that lies";
+      orders.page = 0;
+    }
+  }
+  if (walk_is_barred_) orders.walk.reset();
+}
+
+/// All joints keep the goals that they have.
+void Moves::breakOff(const char* why) {
+  walk_.abandon();
+  player_.brake();
+  lead_in_ = {};
+  usualGains();
+  walk_is_barred_ = true;
+  doings_.refused = why;
+}
+
+/// Whether all its joints tell where they are. If not, it is said which does not.
+bool Moves::knows(std::size_t limb, const Sensors& seen) {
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const JointSensors& joint = seen.joint[i];
+    if (static_cast<std::size_t>(kJointTable[i].chain) != limb) continue;
+    if (joint.position.known() && joint.motion.age < kOldReading) continue;
+    doings_.refused = std::string{kJointTable[i].name} + " does not tell where it is";
+    return false;
+  }
+  return true;
+}
+
 /// A limb that gets its torque back begins where it hangs.
 void Moves::switchTorque(const Orders& orders, const Sensors& seen) {
   for (std::size_t limb = 0; limb < kLimbs; ++limb) {
     if (!orders.torque[limb] || *orders.torque[limb] == !doings_.limp[limb]) continue;
     if (!atRest()) {
-      doings_.refused = "no limb goes limp while the robot walks or plays a page";
+      doings_.refused = "torque is switched while the robot neither walks nor plays a page";
       return;
     }
+    if (doings_.limp[limb] && !knows(limb, seen)) return;
     doings_.limp[limb] = !*orders.torque[limb];
     for (std::size_t i = 0; i < kJoints; ++i) {
       if (static_cast<std::size_t>(kJointTable[i].chain) != limb) continue;
-      if (!doings_.limp[limb] && seen.joint[i].position.known()) say(i, seen.joint[i].position.value, kFastest);
+      if (!doings_.limp[limb]) say(i, seen.joint[i].position.value, kFastest);
       setting_[i].set |= M::kAvailableTorque;
       setting_[i].available_torque = doings_.limp[limb] ? 0 : remote::wireFromTorque(kMaxTorqueNm);
     }
@@ -116,6 +174,8 @@ void Moves::beginPage(int page, const Sensors& seen) {
     doings_.refused = "a page needs every limb: switch all torque on first";
     return;
   }
+  for (std::size_t limb = 0; limb < kLimbs; ++limb)
+    if (!knows(limb, seen)) return;
   const std::array<double, kJoints> here = goalsOf(seen);
   const motion::Pose from = ticksOf(here);
   if (!player_.start(page, from)) {
@@ -166,7 +226,12 @@ void Moves::advanceWalk(const Orders& orders, const Sensors& seen) {
     return known ? facade::countFrom(gyro[axis].value, facade::kGyroRegister) : kUnknown;
   };
   gait::GyroCounts counts{count(0), count(1), reading_ != before};
-  if (!orders.walk && !walk_.resting()) walk_.stop();
+  if (!orders.walk && !walk_.resting() && !walk_.walking()) {  // on its way to its feet: it holds there, too
+    walk_.abandon();
+    usualGains();
+  } else if (!orders.walk && !walk_.resting()) {
+    walk_.stop();
+  }
   const bool moved = !walk_.resting();
   if (!moved && player_.isPlaying()) return;
   double left =

@@ -22,12 +22,15 @@ class Moves {
   explicit Moves(const motion::PageFile& pages) : player_{pages}, pages_{&pages} {}
 
   /// `ms`: since the last turn.
-  [[nodiscard]] remote::Request turn(const Orders& orders, const Sensors& seen, double ms);
+  [[nodiscard]] remote::Request turn(Orders orders, const Sensors& seen, double ms);
   [[nodiscard]] const Doings& doings() const { return doings_; }
   /// Nothing is under way but single goals.
   [[nodiscard]] bool atRest() const { return walk_.resting() && !player_.isPlaying(); }
 
  private:
+  void heed(Orders& orders, const Sensors& seen, double ms);
+  void breakOff(const char* why);
+  [[nodiscard]] bool knows(std::size_t limb, const Sensors& seen);
   void switchTorque(const Orders& orders, const Sensors& seen);
   void beginPage(int page, const Sensors& seen);
   void beginWalk(const Sensors& seen);
@@ -44,7 +47,9 @@ class Moves {
   facade::LeadIn lead_in_;  // before the page's first tick; done when the robot is near enough
   gait::Walk walk_{gait::Parameters{}};
   double carried_ms_ = 0;
-  std::uint64_t reading_ = 0;  // cycle of the gyroscope's newest one that was looked at
+  double lost_ms_ = 0;           // for which the robot has not followed
+  bool walk_is_barred_ = false;  // until who wants to walk has let go
+  std::uint64_t reading_ = 0;    // cycle of the gyroscope's newest one that was looked at
   Doings doings_{};
   std::array<remote::MotorSetting, kJoints> setting_{};  // of this turn
 };

@@ -1,12 +1,15 @@
 #include "window/steersman.hpp"
 
 #include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include "window/moves.hpp"
 
 namespace darwinop::window {
 namespace {
+
+constexpr const char* kWasDeaf = "this window's program did not answer for 0.8 s. The robot holds.";
 
 constexpr bool kWhereItIs = true;       // who drags an arm does not want the robot to kneel first
 constexpr double kSettleMs = 300;       // after the last step, for joints on their way: they are held where they are
@@ -27,7 +30,7 @@ void Steersman::begin() {
   stop_ = false;
   const std::scoped_lock lock{mutex_};
   orders_ = {};
-  leaving_ = false;
+  leaving_ = deaf_ = false;
   report_ = {.state = State::kAsking};
   heard_ = clock_.now();
   thread_ = std::thread{[this] { drive(); }};
@@ -63,10 +66,12 @@ void Steersman::tell(State state, const std::string& why) {
 std::optional<Orders> Steersman::newest() {
   const std::scoped_lock lock{mutex_};
   if (stop_) return std::nullopt;
-  if (leaving_ || clock_.now() - heard_ > kDeaf) {
-    leaving_ = true;
-    return Orders{};  // stand
+  if (report_.state == State::kDriving && clock_.now() - heard_ > kDeaf) {
+    leaving_ = deaf_ = true;
+    report_.state = State::kEnding;
+    report_.why = kWasDeaf;
   }
+  if (leaving_) return Orders{};  // stand
   Orders now = orders_;
   orders_.taken();
   return now;
@@ -85,23 +90,31 @@ void Steersman::drive() {
     why = error.what();
   }
   port_.hold();
-  tell(State::kFree, why);
+  tell(State::kFree, why.empty() && deaf_ ? kWasDeaf : why);
+}
+
+/// Whether the robot obeys by now. From then on the page is waited for.
+bool Steersman::beginsToDrive(const Sensors& seen) {
+  if (seen.cycle < port_.firstOfOurs() || seen.safety.state != darwinop::State::kDriven) return false;
+  const std::scoped_lock lock{mutex_};
+  if (!leaving_) report_.state = State::kDriving;
+  heard_ = clock_.now();
+  return true;
 }
 
 /// Throws std::runtime_error with the reason when the robot ends it.
 void Steersman::driveUntilTheEnd() {
-  {
-    const std::scoped_lock lock{mutex_};
-    if (!leaving_) report_.state = State::kDriving;
-    heard_ = clock_.now();
-  }
   Moves moves{*pages_};
   std::uint64_t cycle = port_.sensors().cycle;
-  double ending_ms = 0, settle_ms = 0;
+  double ending_ms = 0, settle_ms = 0, taking_ms = 0;
+  bool driving = false;
   while (const std::optional<Orders> orders = newest()) {
     const Sensors seen = port_.sensors();
     const double ms = static_cast<double>(static_cast<std::int64_t>(seen.cycle - cycle) * seen.period_ns) * 1e-6;
     cycle = seen.cycle;
+    driving = driving || beginsToDrive(seen);
+    if (!driving && (taking_ms += ms) > kLongestTaking)
+      throw std::runtime_error("no torque came on. Is the servos' power switched on? The tab Faults says more");
     port_.obey(moves.turn(*orders, seen, ms));
     bool leaving = false;
     {

@@ -16,6 +16,8 @@ class Steersman final : public Helm {
  public:
   /// So long without an order, the window's program itself hangs. Longer than what a page is waited for.
   static constexpr Nanos kDeaf{800'000'000};
+  /// For torque to come on.
+  static constexpr double kLongestTaking = 30'000;  // ms
 
   /// `connect` takes the lease, and may take its time. Throws std::runtime_error when that cannot be.
   Steersman(remote::LinkPort::Connect connect, const motion::PageFile& pages);
@@ -33,6 +35,7 @@ class Steersman final : public Helm {
  private:
   void drive();
   void driveUntilTheEnd();
+  [[nodiscard]] bool beginsToDrive(const Sensors& seen);
   void tell(State state, const std::string& why);
   /// Nothing: stop.
   [[nodiscard]] std::optional<Orders> newest();
@@ -45,6 +48,7 @@ class Steersman final : public Helm {
   Orders orders_{};
   Report report_{};
   bool leaving_ = false;
+  bool deaf_ = false;  // that is why
   Nanos heard_{0};
   std::thread thread_;
 };

@@ -14,6 +14,7 @@ namespace {
 using nlohmann::json;
 
 constexpr Nanos kWhileItRuns{20'000'000}, kNothingRuns{1'000'000'000};
+constexpr const char* kNoPassword = "a password has at most 200 bytes in one line";
 constexpr web::Lane kTransferState = 0, kTransferKnown = 1;
 // A controller may take 10 s to end tidily and is killed after 6 s more; see installer/robot/controller_run.sh.
 constexpr std::chrono::seconds kLongestFarewell{20};
@@ -51,12 +52,16 @@ void Transfer::said(web::Channel& channel, std::string_view message, bool binary
   if (found == pages_.end()) return;
   Page& page = found->second;
   if (binary) {
-    if (!page.password.set(message)) refuse(channel, "a password has at most 200 bytes in one line");
+    page.no_password = !page.password.set(message);
+    if (page.no_password) refuse(channel, kNoPassword);
     return;
   }
   std::string why;
   const std::optional<TransferWords> words = readTransfer(message, why);
-  if (!words) return refuse(channel, why);
+  if (!words) {
+    page.forgetPassword();  // it may have been a start: what was meant for one robot goes to no other
+    return refuse(channel, why);
+  }
   if (words->start) return start(channel, page, *words->start);
   if (words->cancel && runs()) {
     run_->cancel();
@@ -73,8 +78,9 @@ void Transfer::said(web::Channel& channel, std::string_view message, bool binary
 }
 
 void Transfer::start(web::Channel& channel, Page& page, const TransferStart& start) {
+  if (std::exchange(page.no_password, false)) return refuse(channel, kNoPassword);
   if (runs()) {
-    page.password.wipe();
+    page.forgetPassword();
     return refuse(channel, "one thing at a time: wait until what runs has ended, or cancel it");
   }
   try {
@@ -83,7 +89,7 @@ void Transfer::start(web::Channel& channel, Page& page, const TransferStart& sta
     console_.add(LineKind::kCommand, typedCommand(words));
     run_ = std::make_unique<TransferRun>(installer_, words, page.password, console_);
   } catch (const std::exception& error) {
-    page.password.wipe();
+    page.forgetPassword();
     return refuse(channel, error.what());
   }
   doing_ = start;

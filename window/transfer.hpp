@@ -39,9 +39,15 @@ class Transfer final : public web::ChannelUser {
  private:
   struct Page {
     Password password{};
-    std::uint64_t next = 0;  // line that it has not got
-    bool waits = false;      // it has asked for lines
+    bool no_password = false;  // it was refused, so that the start that it was for is refused, too
+    std::uint64_t next = 0;    // line that it has not got
+    bool waits = false;        // it has asked for lines
     Nanos told{0};
+
+    void forgetPassword() noexcept {
+      password.wipe();
+      no_password = false;
+    }
   };
 
   void start(web::Channel& channel, Page& page, const TransferStart& start);

@@ -87,6 +87,8 @@ make_default() {
   say "at boot the start pose is checked first; a robot that does not sit in it stays still, with the reason in the log (--logs)"
   if is_running; then
     say "$(sed -n 3p "$home/running") goes on running now; $1 starts at the next boot"
+  elif driver=$(robot_driver) && [ -n "$driver" ] && is_from_elsewhere "$driver"; then
+    say "a window on a PC drives this robot (process $driver) and goes on; $1 starts at the next boot"
   elif supervisor_runs; then
     say "it starts now, too: mind your fingers"
     supervisor --restart-controller || die "$1 could not be started now; look at --logs, or switch the robot off and on"

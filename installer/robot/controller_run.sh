@@ -12,6 +12,7 @@ run_controller() {
   need_runtime
   [ -x "$home/controllers/$name/$name" ] || die "there is no controller $name on this robot; send it with --controller"
   claim_robot "$name"
+  refuse_other_driver
   need_supervisor
   stopped=0
   if supervisor_runs; then

@@ -30,7 +30,11 @@ wake_runtime() {
       say "no runtime runs, and none is started from here, as the default controller would start with it. Switch the robot off and on: the window shows it as soon as there is one"
       return
     }
-    need_supervisor
+    # While somebody installs, a start would take back the version that is being tested.
+    (lock && need_supervisor) || {
+      say "no runtime is started from here: see above. The window shows the robot as soon as there is one"
+      return
+    }
   fi
   tries=0
   until daemon_ready; do
@@ -62,7 +66,22 @@ start_for_window() {
   monitor_port=$port
   await_port "$remote_server" "$remote_link/said" "the server of remote control"
   step "monitor and server listen on ports $monitor_port and $port, on the robot's loopback only"
+  watch_monitor &
+  remote_watch="$remote_watch $!"
   echo "server $port $monitor_port"
+}
+
+# Without it a window shows nothing: it ends, and says so.
+watch_monitor() {
+  exec >/dev/null
+  trap - TERM INT
+  while sleep 1 && kill -0 $$ 2>/dev/null; do
+    kill -0 "$remote_monitor" 2>/dev/null || {
+      say "the monitor has ended, and the window with it. More may stand above"
+      kill -TERM $$
+      return
+    }
+  done
 }
 
 # is_from_elsewhere PID: a server that drives for a PC, and ends when the shell of its login does.

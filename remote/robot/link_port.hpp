@@ -34,6 +34,8 @@ class LinkPort final : public RobotPort {
   void leaveAlone() noexcept override;
   void obey(const Request& request) override;
   [[nodiscard]] Sensors sensors() override { return link_->sensors(); }
+  /// Cycle from which on safety speaks of who has begun last.
+  [[nodiscard]] std::uint64_t firstOfOurs() const { return first_of_ours_; }
   [[nodiscard]] std::string mustEnd() override;
   /// For who drives by the robot's step. Returns, too, when the robot has gone: mustEnd() knows. Between begin() and
   /// hold().

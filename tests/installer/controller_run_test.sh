@@ -155,6 +155,24 @@ scenario_the_default_controller_is_stopped_first() {
   grep -q -e --stop-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not asked"
 }
 
+scenario_a_window_that_drives_is_named_and_goes_on() {
+  controller walker 'puts("walking"); return 0;'
+  start_runtime
+  (exec -a darwinop-remote bash -c 'kill -STOP $$' window --end-with-parent) &
+  local driver=$!
+  sed -i "2i echo 'driver    pid $driver, for 3 s'" "$ROBOT/opt/darwinop/current/bin/darwinop-runtime"
+  run_install --controller "$LAB/pc/walker" --run
+  expect_status 1
+  expect_said "somebody drives this robot already, from a window on a PC \(process $driver\)"
+  expect_not_said '^walking$'
+  [ ! -e "$ROBOT/opt/darwinop/running" ] || fail "the robot is still claimed"
+  run_install --controller "$LAB/pc/walker" --make-default
+  expect_status 0
+  expect_said 'a window on a PC drives this robot .*; walker starts at the next boot'
+  ! grep -qs . "$ROBOT/run/supervisor-calls" || fail "the supervisor was told"
+  kill -KILL "$driver"
+}
+
 scenario_make_default_links_it_and_tells_the_supervisor() {
   controller walker 'return 0;'
   start_runtime

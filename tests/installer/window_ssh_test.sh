@@ -95,6 +95,27 @@ scenario_somebody_else_drives_then_the_window_and_it_is_killed() {
   expect_let_go
 }
 
+# A start would take back what is being tried. And a window whose monitor has ended shows nothing: it ends, too.
+scenario_a_window_starts_nothing_while_somebody_installs_and_ends_with_its_monitor() {
+  robot_with_a_runtime
+  sleep 300 &
+  local installing=$!
+  echo "$installing $(chroot "$ROBOT" cat /proc/sys/kernel/random/boot_id) $(cut -d ' ' -f 22 "/proc/$installing/stat")" >"$ROBOT/opt/darwinop/lock"
+  echo - >"$ROBOT/opt/darwinop/pending"
+  start_window
+  open_page
+  expect_said "another installation is running on this robot \(process $installing\)"
+  expect_said 'no runtime is started from here: see above'
+  [ "$(readlink "$ROBOT/opt/darwinop/current") $(cat "$ROBOT/opt/darwinop/pending")" = 'versions/real -' ] || fail "the version that is tried was taken back"
+  [ -s "$ROBOT/opt/darwinop/lock" ] || fail "the lock of another one is gone"
+  ! supervisor_says >/dev/null 2>&1 || fail "a supervisor was started"
+  pkill -f '/darwinop-monitor --end-with-parent'
+  wait_run
+  expect_status 1
+  expect_said 'robot: the monitor has ended'
+  kill "$installing"
+}
+
 # An operator ends who drives, also when it is a window; a broken link and a robot that knows no monitor are told.
 scenario_what_ends_a_window_is_told() {
   robot_with_a_runtime

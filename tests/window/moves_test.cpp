@@ -18,6 +18,7 @@ constexpr double kCycleMs = 16;
 class WindowMoves : public testing::Test {
  protected:
   WindowMoves() {
+    seen_.safety.state = State::kDriven;
     seen_.board.motion.received();
     for (auto& axis : seen_.board.gyro) axis = RadPerSec{0};
     for (std::size_t i = 0; i < kJoints; ++i) {
@@ -41,6 +42,10 @@ class WindowMoves : public testing::Test {
     return request;
   }
   static window::Orders forwards() { return {.walk = gait::Wish{.x = 0.5}}; }
+  void falls() {
+    for (std::size_t i = 0; i < kFaults; ++i) seen_.safety.active[i] = kFaultTable[i].fault == Fault::kFell;
+  }
+  static window::Orders pageOf(int page) { return {.page = page}; }
   [[nodiscard]] double knee() const { return seen_.joint[index(Joint::kLegLowerR)].position.value; }
 
   Sensors seen_{};
@@ -135,6 +140,98 @@ TEST_F(WindowMoves, NothingGoesLimpAndNoPageBeginsWhileItWalks) {
   (void)turn(both);
   EXPECT_EQ(moves_.doings().page, 0);
   EXPECT_THAT(moves_.doings().refused, testing::HasSubstr("stands"));
+}
+
+TEST_F(WindowMoves, NothingBeginsBeforeTheRobotFollowsAndAWalkThenDoes) {
+  seen_.safety.state = State::kTakingOver;
+  (void)turn(pageOf(9));
+  EXPECT_EQ(moves_.doings().page, 0);
+  EXPECT_THAT(moves_.doings().refused, testing::HasSubstr("does not follow yet"));
+  EXPECT_TRUE(turn(forwards()).motors.empty());
+  seen_.safety.state = State::kDriven;
+  (void)turn(forwards());
+  EXPECT_TRUE(moves_.doings().walks);
+}
+
+TEST_F(WindowMoves, APageThatTheRobotNoLongerFollowsIsBrokenOffAndDoesNotGoOn) {
+  for (int i = 0; i < 10; ++i) (void)turn(i == 0 ? pageOf(9) : window::Orders{});
+  EXPECT_EQ(moves_.doings().page, 9);
+  seen_.safety.state = State::kHolding;
+  for (int i = 0; i < 10; ++i) (void)turn();
+  EXPECT_EQ(moves_.doings().page, 9) << "a moment is no end";
+  for (int i = 0; i < 20; ++i) (void)turn();
+  EXPECT_EQ(moves_.doings().page, 0);
+  EXPECT_THAT(moves_.doings().refused, testing::HasSubstr("broken off"));
+  seen_.safety.state = State::kDriven;
+  EXPECT_TRUE(turn().motors.empty());
+}
+
+TEST_F(WindowMoves, AWalkThatTheRobotNoLongerFollowsBeginsAgainOnlyForWhoPressesAgain) {
+  for (int i = 0; i < 20; ++i) (void)turn(forwards());
+  seen_.safety.state = State::kOffline;
+  for (int i = 0; i < 30; ++i) (void)turn(forwards());
+  EXPECT_FALSE(moves_.doings().walks);
+  seen_.safety.state = State::kDriven;
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(turn(forwards()).motors.empty());
+  EXPECT_THAT(moves_.doings().refused, testing::HasSubstr("broken off"));
+  (void)turn();
+  (void)turn(forwards());
+  EXPECT_TRUE(moves_.doings().walks);
+}
+
+TEST_F(WindowMoves, AWalkDoesNotBeginByItselfWhenAPageEnds) {
+  const int hello = motion::findPage(motion::ownPages(), "hello");
+  (void)turn(pageOf(hello));
+  for (int i = 0; i < 2000 && moves_.doings().page != 0; ++i) {
+    (void)turn(forwards());
+    EXPECT_THAT(moves_.doings().refused, testing::HasSubstr("a page is played"));
+  }
+  for (int i = 0; i < 5; ++i) (void)turn(forwards());
+  EXPECT_FALSE(moves_.doings().walks);
+}
+
+TEST_F(WindowMoves, AFallenRobotOnlyGetsUpAndAStandingOneDoesNot) {
+  for (int i = 0; i < 20; ++i) (void)turn(forwards());
+  falls();
+  (void)turn(forwards());
+  EXPECT_FALSE(moves_.doings().walks);
+  (void)turn();
+  (void)turn(forwards());
+  EXPECT_FALSE(moves_.doings().walks);
+  (void)turn(pageOf(9));
+  EXPECT_EQ(moves_.doings().page, 0);
+  (void)turn(pageOf(10));
+  EXPECT_EQ(moves_.doings().page, 10);
+}
+
+TEST_F(WindowMoves, APageForARobotThatLiesIsNotPlayedByOneThatStands) {
+  for (const int page : {10, 11}) {
+    ASSERT_TRUE(motion::ownPages()[static_cast<std::size_t>(page)].nameText().ends_with(" up"));
+    (void)turn(pageOf(page));
+    EXPECT_EQ(moves_.doings().page, 0);
+    EXPECT_THAT(moves_.doings().refused, testing::HasSubstr("lies"));
+  }
+}
+
+TEST_F(WindowMoves, WhoLetsGoBeforeTheRobotIsOnItsFeetStopsItThere) {
+  for (std::size_t i = 0; i < kJoints; ++i) put(i, radFromTicks(kJointTable[i].start).value);
+  for (int i = 0; i < 40; ++i) (void)turn(forwards());
+  const double before = knee();
+  (void)turn();
+  EXPECT_FALSE(moves_.doings().walks);
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(turn().motors.empty());
+  EXPECT_EQ(knee(), before);
+}
+
+TEST_F(WindowMoves, ALimbOfWhichNobodyKnowsWhereItHangsStaysLimp) {
+  window::Orders off, on;
+  off.torque[1] = false;
+  on.torque[1] = true;
+  (void)turn(off);
+  seen_.joint[index(Joint::kArmLowerL)].motion.age = 100;
+  EXPECT_TRUE(turn(on).motors.empty());
+  EXPECT_TRUE(moves_.doings().limp[1]);
+  EXPECT_THAT(moves_.doings().refused, testing::HasSubstr("ArmLowerL does not tell where it is"));
 }
 
 }  // namespace

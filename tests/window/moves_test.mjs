@@ -60,7 +60,7 @@ test('it walks while the pad is held, and stands when it is let go', async () =>
     await page.mouse.up();
   }
   await drive();
-  await saysGait('Standing');
+  await saysGait('It holds still');
   await page.waitForTimeout(1200);
   assert.ok(knee.high - knee.low > 0.3, `the knee moves: ${JSON.stringify(knee)}`);
   const still = await reach('LegLowerR.position', 0.5), up = await reach('accelerometer.z', 0.5);
@@ -73,7 +73,7 @@ test('keys walk, too, and a page that loses the focus stands', async () => {
   await page.keyboard.down('x');
   await saysGait('Walking');
   await page.evaluate(() => dispatchEvent(new Event('blur')));
-  await saysGait('Standing');
+  await saysGait('It holds still');
   await page.keyboard.up('x');
 });
 
@@ -138,7 +138,11 @@ test('a robot that is out of its start pose is taken only by who has seen it', a
   await page.evaluate(() => window.darwinop.steering.leave());
   await page.locator('body:not(.driving)').waitFor();
   await page.waitForFunction(() => document.getElementById('pills').textContent.includes('Stateholding'));
-  await page.evaluate(() => { window.darwinop.newest.state = 'limp'; window.darwinop.feed.socket.onmessage = null; });
+  await page.evaluate(() => {
+    const {feed} = window.darwinop;
+    feed.socket.onmessage = ({data}) => feed.take(typeof data === 'string' ? data.replace('"state":"holding"', '"state":"limp"') : data);
+  });
+  await page.waitForFunction(() => window.darwinop.newest.state === 'limp');
   await page.click('#take');
   await page.locator('#pose').waitFor();
   assert.match(await page.locator('#pose').innerText(), /LegLowerR is \d+° off/);
@@ -151,4 +155,11 @@ test('a robot that is out of its start pose is taken only by who has seen it', a
   await page.click('#take');
   await page.click('#pose-go');
   await page.locator('body.driving').waitFor();
+  await page.evaluate(() => window.darwinop.steering.stop());
+  await page.locator('body:not(.driving)').waitFor();
+  await page.evaluate(() => { window.darwinop.feed.socket.onmessage = null; });
+  await page.getByText('Nothing new from the robot').waitFor();
+  await page.click('#take');  // it is held, as far as one knows
+  await page.getByText('nobody knows how it stands').waitFor();
+  await page.click('#pose-cancel');
 });

@@ -97,9 +97,10 @@ export class GaitPad {
     if (!drives) this.held.clear();
     const held = new Set(this.held.values());
     for (const way of kWays) {
-      way.button.disabled = !drives;
+      way.button.disabled = !drives || doing.page !== 0;
       way.button.classList.toggle('held', held.has(way));
     }
-    setText(this.status, !drives ? 'Hold a button, or its key, to walk; let go to stand.' : doing.walks ? 'Walking' : 'Standing');
+    setText(this.status, !drives ? 'Hold a button, or its key, to walk; let go to end.' : doing.walks ? 'Walking'
+      : doing.page !== 0 ? 'A page is played' : 'It holds still');
   }
 }

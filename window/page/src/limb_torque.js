@@ -39,7 +39,7 @@ export class LimbTorque {
     const {drives} = this.steering;
     this.button.disabled = !drives;
     if (!drives) this.question.hidden = true;
-    setText(this.button, this.limp ? `${this.name} is limp: torque on` : 'Torque off …');
+    setText(this.button, !this.limp ? 'Torque off …' : `${this.name} is limp${drives ? ': torque on' : ''}`);
     this.node.classList.toggle('limp', this.limp);
   }
 }

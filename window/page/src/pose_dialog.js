@@ -19,8 +19,8 @@ export class PoseDialog {
         el('figure', {}, this.canvas, el('figcaption', {}, 'now, and beside it, orange, the start pose')),
         el('div', {}, this.words,
           el('p', {}, el('strong', {}, 'Retry: '), 'sit it down upright first, then look again.'),
-          el('p', {}, el('strong', {}, 'Go on: '), 'take it where it is. Nothing moves until you move it; a walk or a page ' +
-            'then begins from here, slowly. Hold the robot.'))),
+          el('p', {}, el('strong', {}, 'Go on: '), 'take it where it is. Nothing moves until you move it; a walk then ' +
+            'begins from here, slowly, a page at its own speed. Hold the robot.'))),
       el('div', {className: 'choices'}, this.retry, this.on, this.cancel));
     document.body.append(this.node);
     this.retry.addEventListener('click', () => this.ask());
@@ -32,15 +32,27 @@ export class PoseDialog {
   ask() {
     const {joints, state, body} = this.look();
     const findings = state && joints.length > 0 ? poseFindings(joints, state) : null;
-    if (findings === null || isSecure(findings) || kHeld.includes(state.state)) {
+    if (findings !== null && (isSecure(findings) || kHeld.includes(state.state))) {
       if (this.node.open) this.node.close();
       return this.go();
     }
-    this.words.replaceChildren(this.list(findings));
-    if (body) new PosePicture(this.canvas, body).draw(joints, state);
-    if (this.node.open) return undefined;
-    this.node.showModal();
-    return this.retry.focus();
+    this.words.replaceChildren(findings === null ? 'Nothing is heard of the robot: nobody knows how it stands.' : this.list(findings));
+    if (!this.node.open) {
+      this.node.showModal();
+      this.retry.focus();
+    }
+    this.canvas.hidden = findings === null || !body || !this.draws(body, joints, state);
+    return undefined;
+  }
+
+  /// Not without WebGL.
+  draws(body, joints, state) {
+    try {
+      new PosePicture(this.canvas, body).draw(joints, state);
+      return true;
+    } catch {
+      return false;
+    }
   }
 
   list({off, upright}) {

@@ -37,6 +37,7 @@ export class PosePicture {
     camera.position.set(at.x + 1.25, at.y + kBeside / 2 - 0.3, 0.45);
     camera.lookAt(at.x, at.y + kBeside / 2, 0.19);
     renderer.render(scene, camera);
+    scene.traverse((node) => { node.geometry?.dispose(); node.material?.dispose(); });
     renderer.dispose();
   }
 }

@@ -18,10 +18,10 @@ export class SteerBar {
   }
 
   tell() {
-    const {drives, text, doing} = this.steering;
+    const {drives, asking, text, doing} = this.steering;
     document.body.classList.toggle('driving', drives);
-    this.take.hidden = drives;
-    this.stop.disabled = !drives;
+    this.take.hidden = drives || asking;
+    this.stop.disabled = !drives && !asking;
     setText(this.words, drives ? `You are driving${doing.refused ? `; refused: ${doing.refused}` : ''}` : text);
   }
 }

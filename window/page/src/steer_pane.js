@@ -23,7 +23,7 @@ export class SteerPane {
         step: '0.5', id: `aim-${joint.name}`});
       const value = el('output', {}, '—');
       slider.addEventListener('input', () => this.aim(joint.name, (Number(slider.value) * Math.PI) / 180));
-      return {joint, slider, value, touched: 0,
+      return {joint, slider, value, touched: 0, known: false,
         line: el('div', {className: 'aim'}, el('label', {htmlFor: slider.id, title: joint.meaning}, joint.name), slider, value)};
     });
     this.node.replaceChildren(this.note, el('div', {className: 'moves'}, this.pad.node, this.pages.node),
@@ -34,7 +34,7 @@ export class SteerPane {
 
   enable() {
     const {drives, doing} = this.steering;
-    for (const row of this.rows) row.slider.disabled = !drives || doing.limp.includes(row.joint.chain);
+    for (const row of this.rows) row.slider.disabled = !drives || !row.known || doing.limp.includes(row.joint.chain);
   }
 
   aim(name, angle) {
@@ -52,8 +52,10 @@ export class SteerPane {
   tell({joints}) {
     this.rows.forEach((row, i) => {
       const is = joints.position[i], goal = joints.goal[i] ?? is;
+      row.known = goal !== null;
       setText(row.value, is === null ? '—' : `${number(degrees(is), 1)}°`);
       if (goal !== null && performance.now() - row.touched > 700) row.slider.value = degrees(goal);
     });
+    this.enable();
   }
 }

@@ -10,6 +10,7 @@ export class Steering extends EventTarget {
     super();
     this.url = url;
     this.drives = false;
+    this.asking = false; // the robot is being taken
     this.text = '';      // why not, or why no longer
     this.goals = {};     // by name, rad, not sent yet
     this.walk = null;    // {x, y, a}: said again and again while it is wanted
@@ -25,7 +26,7 @@ export class Steering extends EventTarget {
     this.socket = new WebSocket(this.url, kProtocol);
     this.socket.onmessage = (event) => {
       const said = JSON.parse(event.data);
-      if (said.type === 'driving') this.change(said.yours, said.text);
+      if (said.type === 'driving') this.change(said.yours, said.text, said.taking === true);
       if (said.type === 'doing') this.tell(said);
     };
     this.socket.onclose = () => {
@@ -45,7 +46,7 @@ export class Steering extends EventTarget {
   end(words) {
     this.goals = {};
     this.walk = null;
-    if (this.drives) this.send(words);
+    this.send(words);  // also while the robot is being taken
   }
 
   /// A joint's goal, rad; many a second are one message.
@@ -82,13 +83,14 @@ export class Steering extends EventTarget {
     this.dispatchEvent(new Event('change'));
   }
 
-  change(drives, text) {
+  change(drives, text, asking = false) {
+    if (drives !== this.drives) this.doing = {...kNothing, limp: drives ? [] : this.doing.limp};  // what is limp stays so
     this.drives = drives;
+    this.asking = asking;
     this.text = text;
     if (!drives) {
       this.goals = {};
       this.walk = null;
-      this.doing = kNothing;
     }
     this.dispatchEvent(new Event('change'));
   }

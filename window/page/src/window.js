@@ -45,8 +45,9 @@ const panes = [
   {name: 'Transfer', pane: new TransferPane(new Transfer(channel('transfer')))},
 ];
 let shown = servos, view = null, shape = null, joints = [], row = null, newest = null, marks = [];
-const tabs = new Tabs(by('tabs'), by('stage'), panes, (pane) => { shown = pane; });
-const pose = new PoseDialog(() => ({joints, state: newest, body: shape}), () => steering.take());
+const tabs = new Tabs(by('tabs'), by('stage'), panes, (pane) => { shown = pane; tell(); });
+const fresh = () => (feed.trouble === null ? newest : null);
+const pose = new PoseDialog(() => ({joints, state: fresh(), body: shape}), () => steering.take());
 new SteerBar(by('steer'), steering, () => pose.ask());
 new TimeBar(by('time'), timeline, () => `darwinop-${new Date().toISOString().slice(0, 19).replace(/[:T]/g, '-')}.csv`);
 
@@ -98,8 +99,8 @@ feed.addEventListener('gone', () => pills.nothing());
 
 // Where a joint is to be, or is.
 function goalOf(name) {
-  const i = joints.findIndex((joint) => joint.name === name);
-  return newest === null || i < 0 ? null : newest.joints.goal[i] ?? newest.joints.position[i];
+  const i = joints.findIndex((joint) => joint.name === name), now = fresh();
+  return now === null || i < 0 ? null : now.joints.goal[i] ?? now.joints.position[i];
 }
 
 function tell() {
