@@ -68,7 +68,7 @@ void Search::take(const Settled& best, double gain, const std::vector<Settled>& 
     double behind = evidenceFor(best) - evidenceFor(other);
     // Who has to bend a number of the baseline, where the best need not, leaves something to be named.
     if (mostStrained(other) > kSuspicious && mostStrained(best) < kSuspicious) behind = std::max(behind, kRivalry);
-    rivals_.push_back({idsOf(other.effects), behind});
+    rivals_.push_back({idsOf(other.effects), behind, other.problem.unknowns().size() > best.problem.unknowns().size()});
   }
   gains_.push_back(gain);
   present_ = best.fit.slopes.size() > 0 ? best : settle(best.effects, best.numbers, best.problem, best.fit, 1);

@@ -184,8 +184,8 @@ Verdict verdictOf(const Naming& naming) {
     return naming.gap_after_rad < kLeast * naming.floor_rad ? Verdict::kCannotTell : Verdict::kUnknown;
   }
   if (!explained) return Verdict::kUnknown;
-  const bool close = std::any_of(naming.rivals.begin(), naming.rivals.end(),
-                                 [](const Rival& rival) { return rival.behind < kRivalry; });
+  const bool close =
+      std::any_of(naming.rivals.begin(), naming.rivals.end(), [](const Rival& rival) { return rival.isClose(); });
   return close ? Verdict::kAmbiguous : Verdict::kNamed;
 }
 

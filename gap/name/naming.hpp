@@ -34,13 +34,16 @@ struct Strained {
   double sigmas = 0, factor = 1;
 };
 
-/// Evidence, twice its logarithm: closer than that, the data do not decide. Odds of 20 to 1, where both were as likely
-/// before.
-inline constexpr double kRivalry = 6;
+/// Evidence, twice its logarithm: closer than that, the data do not decide. Odds of 150 to 1, where both were as likely
+/// before; of 7 to 1 against who needs more numbers to explain no better.
+inline constexpr double kRivalry = 10, kLargerRivalry = 4;
 
 struct Rival {
   std::vector<std::string> effects;  // ids, instead of the named ones
   double behind = 0;                 // in evidence, twice its logarithm
+  bool larger = false;               // has more numbers that are free
+
+  [[nodiscard]] bool isClose() const { return behind < (larger ? kLargerRivalry : kRivalry); }
 };
 
 /// Why an effect that fits these logs better all the same is not named: the measured voltage says no; it foretells some

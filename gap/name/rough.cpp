@@ -127,7 +127,8 @@ bool RoughSearch::takeNext() {
   if (best == nullptr) return false;
   for (const Settled* const other : proven)
     if (other != best)
-      rivals_.push_back({idsOf(other->effects), std::max(0.0, evidenceFor(*best) - evidenceFor(*other))});
+      rivals_.push_back({idsOf(other->effects), std::max(0.0, evidenceFor(*best) - evidenceFor(*other)),
+                         other->problem.unknowns().size() > best->problem.unknowns().size()});
   present_ = settleRoughly(best->effects, *best);
   dropTheNeedless();
   return true;

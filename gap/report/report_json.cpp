@@ -56,7 +56,7 @@ json searchAsJson(const Report& report) {
       if (effect["id"] == added.id) effect["because"] = added.because;
   json rivals = json::array();
   for (const Rival& rival : report.outcome->naming.rivals)
-    rivals.push_back({{"effects", rival.effects}, {"behind", rival.behind}});
+    rivals.push_back({{"effects", rival.effects}, {"behind", rival.behind}, {"close", rival.isClose()}});
   all["rivals"] = rivals;
   all["sentences"] = verdictSentences(*report.outcome, report.comparison);
   return all;
