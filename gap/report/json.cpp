@@ -59,7 +59,7 @@ json asJson(const Case& given, const Outcome& outcome) {
     json set = json::array();
     if (!naming.found.empty()) set.push_back(naming.found.back().effect->id);
     for (const Rival& rival : naming.rivals)
-      if (rival.behind < 10 && !rival.effects.empty() && set.size() < 3) set.push_back(rival.effects.back());
+      if (rival.isClose() && !rival.effects.empty() && set.size() < 3) set.push_back(rival.effects.back());
     ambiguity.push_back(set);
   }
   json strained = json::array();
