@@ -118,20 +118,20 @@ TEST_F(WindowChild, APasswordReachesOnlyWhoIsGivenOne) {
   setenv("DARWINOP_PASSWORD", "ours", 1);  // of the window's own login
   setenv("DARWINOP_PASSWORDLESS", "kept", 1);
   programIs(writes("env", "environment"));
-  const auto environmentOf = [this](Place place, char* variable) {
+  const auto environment = [this](Place place, char* variable) {
     const auto child = start(place, 20s, variable);
     std::string text = untilWritten("environment");
     unlink((folder / "environment").c_str());
     return text;
   };
   for (const Place place : {Place::kHeard, Place::kBehind, Place::kTerminal}) {
-    const std::string without = environmentOf(place, nullptr);
+    const std::string without = environment(place, nullptr);
     EXPECT_THAT(without, Not(HasSubstr("DARWINOP_PASSWORD=")));
     EXPECT_THAT(without, HasSubstr("DARWINOP_PASSWORDLESS=kept"));
     EXPECT_THAT(without, HasSubstr("PATH="));
   }
   std::string theirs = "DARWINOP_PASSWORD=theirs";
-  const std::string with = environmentOf(Place::kHeard, theirs.data());
+  const std::string with = environment(Place::kHeard, theirs.data());
   EXPECT_THAT(with, HasSubstr("DARWINOP_PASSWORD=theirs\n"));
   EXPECT_THAT(with, Not(HasSubstr("ours")));
   unsetenv("DARWINOP_PASSWORD");

@@ -25,6 +25,7 @@ const kPictures = [
   {name: 'walk', on: 'driven', tab: 'Steer', prepare: walk},
   {name: 'sensors', on: 'driven', tab: 'Steer', prepare: feelWalk, look: {colorScheme: 'dark'}},
   {name: 'pose', on: 'driven', tab: 'Steer', prepare: showPose},
+  {name: 'camera', on: 'follower', tab: 'Camera', prepare: (page) => page.locator('#found-text', {hasText: 'Ball at'}).waitFor()},
 ].filter(({name}) => wanted.length === 0 || wanted.includes(name));
 
 async function compare(page) {
@@ -78,7 +79,15 @@ async function faulty() {
   }};
 }
 
-const kWindows = {walker: () => startWindow('--robot', 'virtual', ...walker), driven: () => startWindow('--robot', 'twin'), faulty};
+/// The twin's head follows a ball.
+async function follower() {
+  process.env.DARWINOP_TWIN_BALL = 'circles';
+  const shown = await startWindow(`${process.env.DARWINOP_BIN}/../controllers/04_visual_tracking/04_visual_tracking`);
+  delete process.env.DARWINOP_TWIN_BALL;
+  return shown;
+}
+
+const kWindows = {follower, walker: () => startWindow('--robot', 'virtual', ...walker), driven: () => startWindow('--robot', 'twin'), faulty};
 const browser = await startBrowser();
 let shown;
 try {

@@ -1,7 +1,8 @@
 // The Transfer tab against a robot's real sshd: tests/installer/transfer_test.sh makes that robot and runs this in its lab.
 import assert from 'node:assert/strict';
-import {closeSync, openSync, readFileSync, readSync} from 'node:fs';
+import {closeSync, openSync, readFileSync, readSync, writeFileSync} from 'node:fs';
 import {after, before, test} from 'node:test';
+import {smallPng} from './small_png.mjs';
 import {becomes, line, openTransfer} from './transfer_page.mjs';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
@@ -53,7 +54,7 @@ test('a controller is sent and run, all pages see it, its errors are red and mar
   const [red, green] = (await error.evaluate((node) => getComputedStyle(node).color)).match(/\d+/g).map(Number);
   assert.ok(red > 2 * green, 'errors are red');
   await page.waitForTimeout(process.env.SHOTS ? 1500 : 0);
-  if (process.env.SHOTS) await page.screenshot({path: `${process.env.SHOTS}/transfer.png`});
+  if (process.env.SHOTS) writeFileSync(`${process.env.SHOTS}/transfer.png`, await smallPng(page, await page.screenshot()));
   assert.equal(await other.locator('#transfer-send').isDisabled(), true, 'one thing at a time');
   await other.addScriptTag({path: kAxe});
   for (const colorScheme of ['light', 'dark']) {
