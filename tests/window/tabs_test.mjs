@@ -25,7 +25,7 @@ test('tabs are one row on any screen, and the chosen one is in sight', async () 
   const page = await openPage();
   const count = await page.getByRole('tab').count();
   await page.getByRole('tab').last().click();
-  for (const width of [1366, 1024, 768]) {
+  for (const width of [1366, 1200, 1024, 768]) {
     await page.setViewportSize({width, height: 850});
     for (let i = 0; i < count; ++i) {  // from the last one, which is in sight again, once round
       const {hidden, ...seen} = await page.evaluate(async () => {
@@ -37,7 +37,7 @@ test('tabs are one row on any screen, and the chosen one is in sight', async () 
           wider: document.documentElement.scrollWidth > innerWidth, hidden: list.scrollWidth - list.clientWidth};
       });
       assert.deepEqual(seen, {rows: 1, inSight: true, wider: false}, `${width} pixels wide, after ${i} keys`);
-      if (width === 1366) assert.ok(hidden <= 0, `${hidden} pixels are not in sight`);
+      if (width !== 1024) assert.ok(hidden <= 0, `${hidden} pixels are not in sight`);
       await page.keyboard.press('ArrowRight');
     }
   }
