@@ -11,28 +11,23 @@
 #include <string>
 #include <vector>
 
-#include "link/setting.hpp"
 #include "managers/own_pages/own_pages.hpp"
-#include "remote/client/resolve.hpp"
-#include "remote/client/tcp_link.hpp"
 #include "remote/monitor/messages.hpp"
 #include "remote/ssh/target.hpp"
 #include "remote/web/server.hpp"
 #include "runtime/clock.hpp"
-#include "runtime/daemon_link.hpp"
 #include "ssh_login.hpp"
 #include "window/assets.hpp"
 #include "window/body_json.hpp"
 #include "window/driver.hpp"
-#include "window/eyes.hpp"
 #include "window/over_ssh.hpp"
-#include "window/own_robot.hpp"
 #include "window/pages_json.hpp"
 #include "window/report_page.hpp"
+#include "window/robot_choice.hpp"
 #include "window/secret.hpp"
-#include "window/sight.hpp"
 #include "window/steersman.hpp"
 #include "window/transfer.hpp"
+#include "window/transfer_command.hpp"
 
 namespace {
 
@@ -41,15 +36,13 @@ using namespace darwinop;
 std::atomic<bool> window_stop{false};
 
 constexpr Nanos kDrivingPause{10'000'000};  // more often than a cycle: a driver must not seem to stall
-constexpr Nanos kServerPatience{3'000'000'000};
-constexpr std::uint16_t kMonitorPort = 5024;
 
 struct WindowArguments {
-  std::string robot = "twin", model = "darwin-op", name, monitor, report;
+  window::RobotChoice choice;
+  std::string model = "darwin-op", name, report;
   std::vector<std::string> controller;
   std::uint16_t port = 0;
   SshLogin login;
-  std::string logged_in_to;  // USER@HOST; empty: nowhere
 };
 
 void sayWindow(const std::string& line) {
@@ -61,61 +54,6 @@ void stopWindowOnSignals() {
   action.sa_handler = [](int) { window_stop = true; };
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
   signal(SIGPIPE, SIG_IGN);
-}
-
-/// "tcp://…": the robot is on another computer.
-bool isElsewhere(const WindowArguments& given) {
-  return given.robot.starts_with("tcp://") || !given.monitor.empty();
-}
-
-/// Nothing: the robot of a runtime that runs here or elsewhere.
-std::unique_ptr<window::OwnRobot> ownRobot(const WindowArguments& given) {
-  if (given.robot == "runtime" || isElsewhere(given)) {
-    if (!given.controller.empty())
-      throw std::runtime_error(
-          "beside a robot that is not the window's own it starts no controller; start it with: darwinop run");
-    return nullptr;
-  }
-  if (given.robot == "virtual") return std::make_unique<window::OwnRobot>("plain", given.controller);
-  if (given.robot == "twin" || given.robot.starts_with("twin:"))
-    return std::make_unique<window::OwnRobot>(given.robot, given.controller);
-  throw std::runtime_error("--robot " + given.robot + ": it can be twin, twin:MODEL, virtual, runtime or tcp://HOST");
-}
-
-/// Where the robot's monitor is: beside its server unless --monitor says otherwise.
-link::Address monitorOf(const WindowArguments& given) {
-  link::Address monitor;
-  monitor.port = kMonitorPort;
-  if (given.monitor.empty()) {
-    monitor.host = link::readSetting(given.robot).server.host;
-  } else {
-    monitor = link::readSetting("tcp://" + given.monitor).server;
-    if (given.monitor.find(':') == std::string::npos) monitor.port = kMonitorPort;
-  }
-  return monitor;
-}
-
-window::Sight sightOf(const WindowArguments& given, const runtime::RuntimeFiles& files, const std::string& painted) {
-  if (!isElsewhere(given)) return window::Sight{window::monitorWithEyes(files, painted, sayWindow)};
-  const link::Address at = monitorOf(given);
-  const std::string name = given.logged_in_to.empty() ? at.host + ":" + std::to_string(at.port) : given.logged_in_to;
-  return window::Sight{std::make_unique<window::Bridge>(remote::addressesOf(at.host).front(), at.port, name)};
-}
-
-/// Throws std::runtime_error where the window only looks on.
-std::unique_ptr<runtime::RobotLink> linkToDrive(const WindowArguments& given, const runtime::RuntimeFiles& files) {
-  if (given.robot.starts_with("tcp://")) {
-    const link::Address at = link::readSetting(given.robot).server;
-    remote::TcpOptions options;
-    options.host = at.host;
-    options.port = at.port;
-    options.first_patience = kServerPatience;
-    options.say = sayWindow;
-    return std::make_unique<remote::TcpLink>(std::move(options));
-  }
-  if (isElsewhere(given))
-    throw std::runtime_error("this window only looks on; to drive, start it with --robot tcp://HOST");
-  return std::make_unique<runtime::DaemonLink>(files);
 }
 
 /// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
@@ -138,11 +76,12 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
   stopWindowOnSignals();
   if (ssh != nullptr && window::OverSsh::toldToEnd()) return;
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
-  window::Sight sight = sightOf(given, files, own ? own->eyes() : "");
-  window::Steersman steersman{[&] { return linkToDrive(given, files); }, motion::ownPages()};
+  window::Sight sight = window::sightOf(given.choice, files, own ? own->eyes() : "", sayWindow);
+  window::Steersman steersman{[&] { return window::linkToDrive(given.choice, files, sayWindow); }, motion::ownPages()};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
   window::Driver driver{steersman, clock};
-  window::Transfer transfer{window::Child::programOf("install"), window::RememberedFile::usual(), clock};
+  window::Transfer transfer{window::Child::programOf("install"), window::RememberedFile::usual(), clock,
+                            window::robotOf(given.choice.logged_in_to, given.login.port, given.login.key)};
   web::ServerConfig config;
   config.port = given.port;
   config.entry.own_origin = true;
@@ -168,22 +107,20 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
 
 /// What the user has asked for, whatever kind of robot it is. Exit status.
 int openWindow(WindowArguments given) {
-  const std::optional<std::string> target = remote::sshTarget(given.robot);
+  const std::optional<std::string> target = remote::sshTarget(given.choice.robot);
   if (!target && given.login.any())
     throw std::runtime_error("--ssh-port, --ssh-key and --new-host go with --robot tcp://USER@HOST");
-  if (target && !given.monitor.empty())
+  if (target && !given.choice.monitor.empty())
     throw std::runtime_error("--monitor does not go with --robot tcp://USER@HOST: a monitor is started there");
   stopWindowOnSignals();
-  const std::unique_ptr<window::OwnRobot> own = ownRobot(given);
+  const std::unique_ptr<window::OwnRobot> own = window::ownRobot(given.choice, given.controller);
   if (!target) {
     showWindow(given, own.get(), nullptr);
     return 0;
   }
   window::OverSsh ssh{*target, sshWords(given.login)};
   if (!ssh.arrives()) return std::max(ssh.end(), 1);
-  given.logged_in_to = ssh.target();
-  given.robot = ssh.robot();
-  given.monitor = ssh.monitor();
+  given.choice = {.robot = ssh.robot(), .monitor = ssh.monitor(), .logged_in_to = ssh.target()};
   showWindow(given, own.get(), &ssh);
   const int status = ssh.end();
   return window_stop ? status : std::max(status, 1);
@@ -196,11 +133,11 @@ int main(int count, char** arguments) try {
   CLI::App app{"The robot in a browser: how it stands, curves of its sensors and servos, its loop, its faults.",
                "darwinop window"};
   app.add_option(
-         "--robot", given.robot,
+         "--robot", given.choice.robot,
          "twin, twin:MODEL or virtual: a robot of its own; runtime: the one that runs here; tcp://USER@HOST: one that "
          "is logged in to by ssh; tcp://HOST: one whose monitor and server listen there")
       ->capture_default_str();
-  app.add_option("--monitor", given.monitor, "HOST[:PORT] of a darwinop monitor; --robot tcp://HOST: HOST:5024");
+  app.add_option("--monitor", given.choice.monitor, "HOST[:PORT] of a darwinop monitor; --robot tcp://HOST: HOST:5024");
   app.add_option("--report", given.report, "report of darwinop gap that the page links to");
   app.add_option("--model", given.model, "model of the twin that gives the picture its shape")->capture_default_str();
   app.add_option("--name", given.name, "name of the runtime, when several run")->envname("DARWINOP_RUNTIME_NAME");

@@ -85,6 +85,7 @@ void RememberedFile::forget(const RobotAddress& robot) {
 }
 
 void RememberedFile::read() {
+  trouble_.clear();
   std::error_code unknown;
   if (file_.empty() || !fs::exists(file_, unknown)) return;
   const bool small = fs::is_regular_file(file_, unknown) && fs::file_size(file_, unknown) <= kLargestFile;

@@ -25,7 +25,7 @@ class RememberedFile {
   [[nodiscard]] static std::filesystem::path usual();
 
   [[nodiscard]] const Remembered& all() const { return all_; }
-  /// What went wrong with the file, for the user; empty: nothing.
+  /// What went wrong with the file the last time, for the user; empty: nothing.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
   /// `controller`: empty: none was chosen.

@@ -29,8 +29,12 @@ void refuse(web::Channel& channel, const std::string& why) {
 
 }  // namespace
 
-Transfer::Transfer(std::string installer, std::filesystem::path remembered, Clock clock)
-    : installer_{std::move(installer)}, clock_{std::move(clock)}, remembered_{std::move(remembered)} {}
+Transfer::Transfer(std::string installer, std::filesystem::path remembered, Clock clock,
+                   std::optional<RobotAddress> given)
+    : installer_{std::move(installer)},
+      clock_{std::move(clock)},
+      given_{std::move(given)},
+      remembered_{std::move(remembered)} {}
 
 /// It is read on meanwhile: who cannot get rid of its last words does not end.
 Transfer::~Transfer() {
@@ -157,6 +161,7 @@ web::Bytes Transfer::knownText() const {
   for (const RobotAddress& robot : remembered_.all().robots) robots.push_back(jsonOf(robot));
   return packed({{"type", "known"},
                  {"robots", robots},
+                 {"given", given_ ? jsonOf(*given_) : json(nullptr)},
                  {"controllers", remembered_.all().controllers},
                  {"examples", controllersBeside(installer_)},
                  {"trouble", remembered_.trouble()}});

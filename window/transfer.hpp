@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "hal/byte_line.hpp"
@@ -22,8 +23,10 @@ class Transfer final : public web::ChannelUser {
   static constexpr Nanos kLinesPause{50'000'000};  // of one page: twenty messages a second are enough to read
   static constexpr std::size_t kLinesBytes = std::size_t{32} * 1024;
 
-  /// `installer`: path of darwinop-install.
-  Transfer(std::string installer, std::filesystem::path remembered, Clock clock);
+  /// `installer`: path of darwinop-install. `given`: the robot that this window was started for, which pages begin
+  /// with.
+  Transfer(std::string installer, std::filesystem::path remembered, Clock clock,
+           std::optional<RobotAddress> given = std::nullopt);
   /// What runs is cancelled and waited for.
   ~Transfer() override;
 
@@ -59,6 +62,7 @@ class Transfer final : public web::ChannelUser {
 
   std::string installer_;
   Clock clock_;
+  std::optional<RobotAddress> given_;
   RememberedFile remembered_;
   Console console_;
   std::unique_ptr<TransferRun> run_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
 
@@ -86,6 +87,16 @@ std::string typedCommand(const std::vector<std::string>& words) {
   std::string text = "darwinop install";
   for (const std::string& word : words) text += " " + quoted(word);
   return text;
+}
+
+std::optional<RobotAddress> robotOf(const std::string& target, const std::string& port, const std::string& key) {
+  const std::size_t at = target.rfind('@');
+  if (at == std::string::npos) return std::nullopt;
+  nlohmann::json said{{"user", target.substr(0, at)}, {"address", target.substr(at + 1)}};
+  if (!port.empty()) said["port"] = nlohmann::json::parse(port, nullptr, false);
+  if (!key.empty()) said["key"] = absolutePath(key).string();
+  RobotAddress robot;
+  return takeRobot(said, robot).empty() ? std::optional{robot} : std::nullopt;
 }
 
 std::vector<std::string> controllersBeside(const std::string& installer) {

@@ -30,14 +30,14 @@ end_demo() {
   done
 }
 
-# self_test: darwinop-doctor of the new version on the robot's port. What it says is shown.
+# self_test: darwinop-doctor of the new version on the robot's port. What it says is shown; on stdout, as it is no complaint.
 self_test() {
   if [ "$without_robot" = 1 ]; then
     say "no self-test, as --without-robot says; 'darwinop install --status' and $home/current/bin/darwinop-doctor tell more later"
     return 0
   fi
   say "self-test of version $target on $(robot_port)"
-  within 120 "$home/versions/$target/bin/darwinop-doctor" --robot "$(robot_port)" >&2 </dev/null
+  within 120 "$home/versions/$target/bin/darwinop-doctor" --robot "$(robot_port)" </dev/null
 }
 
 # within SECONDS COMMAND...: its status, or 1 when it took too long. (`timeout` is younger than some robots.)

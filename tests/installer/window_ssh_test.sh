@@ -53,6 +53,9 @@ scenario_a_window_looks_on_drives_and_ends() {
   await_page eyes '"state":"limp"'
   ! runtime_says | grep '^driver  *pid' >/dev/null || fail "a window that looks on drives"
   [ ! -e "$ROBOT/opt/darwinop/running" ] || fail "a window that looks on keeps others out"
+  page form transfer '{"more":0}'
+  await_page form '"given":\{"address":"127.0.0.1","key":"","port":0,"user":"darwin"\}'
+  page_gone form
   page hand steering '{"take":true}' '{"goals":{"Neck":0.5}}'
   await_page hand '"yours":true'
   await_neck 300

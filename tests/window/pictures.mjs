@@ -8,7 +8,7 @@ import {smallPng} from './small_png.mjs';
 import {startBrowser, startProgram, startWindow} from './window_program.mjs';
 
 const kMost = 90000;  // bytes of a picture: they live in the repository
-const kWide = {width: 1200, height: 760}, kTablet = {width: 820, height: 1180};
+const kWide = {width: 1200, height: 760}, kTablet = {width: 820, height: 1180}, kCamera = {width: 1280, height: 720};
 // It walks without physics: it stays upright on a busy computer, too.
 const walker = [`${process.env.DARWINOP_BIN}/../controllers/05_walk/05_walk`, '--', '--seconds', '1000'];
 const [folder, ...wanted] = process.argv.slice(2);
@@ -25,6 +25,8 @@ const kPictures = [
   {name: 'walk', on: 'driven', tab: 'Steer', prepare: walk},
   {name: 'sensors', on: 'driven', tab: 'Steer', prepare: feelWalk, look: {colorScheme: 'dark'}},
   {name: 'pose', on: 'driven', tab: 'Steer', prepare: showPose},
+  {name: 'camera', on: 'follower', tab: 'Camera', prepare: (page) => page.locator('#found-text', {hasText: 'Ball at'}).waitFor(),
+    look: {viewport: kCamera}},
 ].filter(({name}) => wanted.length === 0 || wanted.includes(name));
 
 async function compare(page) {
@@ -78,7 +80,15 @@ async function faulty() {
   }};
 }
 
-const kWindows = {walker: () => startWindow('--robot', 'virtual', ...walker), driven: () => startWindow('--robot', 'twin'), faulty};
+/// The twin's head follows a ball.
+async function follower() {
+  process.env.DARWINOP_TWIN_BALL = 'circles';
+  const shown = await startWindow(`${process.env.DARWINOP_BIN}/../controllers/04_visual_tracking/04_visual_tracking`);
+  delete process.env.DARWINOP_TWIN_BALL;
+  return shown;
+}
+
+const kWindows = {follower, walker: () => startWindow('--robot', 'virtual', ...walker), driven: () => startWindow('--robot', 'twin'), faulty};
 const browser = await startBrowser();
 let shown;
 try {

@@ -2,8 +2,11 @@
 #include "window/remembered.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <sstream>
 
@@ -56,6 +59,59 @@ TEST_F(RememberedRobots, ADamagedFileIsSaidAndKeptAside) {
     remembered.note(op2, "");
     EXPECT_THAT(window::RememberedFile{file}.all().robots, ElementsAre(op2));
   }
+}
+
+/// No file of this process may grow beyond it, as on a full disk.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  sighandler_t handler_ = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before_{};
+};
+
+TEST_F(RememberedRobots, AFileThatCannotBeWrittenStaysWholeIsSaidAndNoMoreOnceItCan) {
+  window::RememberedFile remembered{file};
+  remembered.note(darwin, "/walker");
+  const std::string before = textIn(file);
+  const std::string next = file + ".new-" + std::to_string(getpid());
+  {
+    const FullDisk full{before.size() / 2};
+    remembered.note(op2, "/soccer");
+  }
+  EXPECT_THAT(remembered.trouble(), AllOf(HasSubstr("not remembered"), HasSubstr("File too large")));
+  EXPECT_THAT(remembered.all().robots, ElementsAre(op2, darwin)) << "for as long as the window is open";
+  EXPECT_EQ(textIn(file), before);
+  EXPECT_FALSE(std::filesystem::exists(next)) << "half a file lies about";
+  std::filesystem::create_directory(next);  // nor can it be begun
+  remembered.forget(darwin);
+  EXPECT_THAT(remembered.trouble(), HasSubstr("not remembered"));
+  EXPECT_EQ(textIn(file), before);
+  std::filesystem::remove(next);
+  remembered.note(op2, "");
+  EXPECT_EQ(remembered.trouble(), "");
+  EXPECT_THAT(window::RememberedFile{file}.all().robots, ElementsAre(op2, darwin));
+}
+
+TEST_F(RememberedRobots, ThatAFileWasDamagedIsSaidUntilItWasReadAgain) {
+  std::filesystem::create_directory((folder / "darwinop"));
+  window::RememberedFile remembered{file};
+  std::ofstream{file} << "[]";
+  remembered.note(op2, "");
+  EXPECT_THAT(remembered.trouble(), HasSubstr("could not be understood")) << "it can be written, and that is no excuse";
+  remembered.note(darwin, "");
+  EXPECT_EQ(remembered.trouble(), "");
 }
 
 TEST_F(RememberedRobots, AreFewAndAPlaceThatCannotBeWrittenToIsSaid) {

@@ -1,7 +1,9 @@
 // The Transfer tab against a robot's real sshd: tests/installer/transfer_test.sh makes that robot and runs this in its lab.
 import assert from 'node:assert/strict';
-import {closeSync, openSync, readFileSync, readSync} from 'node:fs';
+import {closeSync, openSync, readFileSync, readSync, writeFileSync} from 'node:fs';
 import {after, before, test} from 'node:test';
+import {smallPng} from './small_png.mjs';
+import {becomes, line, openTransfer} from './transfer_page.mjs';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
 const {LAB, PASSWORD, HOST_KEY} = process.env;
@@ -11,34 +13,23 @@ let browser, shown, page, other;
 before(async () => {
   const robot = process.env.SHOTS ? ['--robot', 'twin'] : ['--robot', 'runtime', '--name', `${LAB}/nobody`];
   [browser, shown] = await Promise.all([startBrowser(), startWindow(...robot)]);
-  [page, other] = [await openPage(), await openPage()];
+  [page, other] = [await openTransfer(browser, shown.url), await openTransfer(browser, shown.url)];
 });
 after(async () => {
   await browser?.close();
   await shown?.end();
 });
 
-async function openPage() {
-  const one = await browser.newPage({viewport: {width: 1366, height: 1000}, bypassCSP: true});  // for axe alone
-  await one.goto(shown.url);
-  await one.getByRole('tab', {name: 'Transfer'}).click();
-  await one.getByText('Nothing runs.').waitFor();
-  return one;
-}
-
-const line = (where, kind, text) => where.locator(`#transfer-console .${kind}`, {hasText: text}).first().waitFor();
-const becomes = (how) => page.locator('#transfer-state', {hasText: how}).waitFor();
-
 test('without a password it says so, the key of an unknown robot is shown, and then it tells how it is', async () => {
   await page.fill('#robot-address', '127.0.0.1');
   await page.click('#transfer-status');
   await page.getByRole('dialog').getByText(HOST_KEY).waitFor();
   await page.getByRole('button', {name: 'Trust this key'}).click();
-  await becomes('login needs a password');
+  await becomes(page, 'login needs a password');
   await page.locator('#robot-password:focus').fill(PASSWORD);
   await page.keyboard.press('Tab');
   await page.keyboard.press('Enter');  // Connect
-  await becomes('done');
+  await becomes(page, 'done');
   await line(page, 'output', 'version:    0.1.0+fake (confirmed)');
   await page.locator('#robot-used option', {hasText: 'darwin@127.0.0.1'}).waitFor({state: 'attached'});
 });
@@ -63,7 +54,7 @@ test('a controller is sent and run, all pages see it, its errors are red and mar
   const [red, green] = (await error.evaluate((node) => getComputedStyle(node).color)).match(/\d+/g).map(Number);
   assert.ok(red > 2 * green, 'errors are red');
   await page.waitForTimeout(process.env.SHOTS ? 1500 : 0);
-  if (process.env.SHOTS) await page.screenshot({path: `${process.env.SHOTS}/transfer.png`});
+  if (process.env.SHOTS) writeFileSync(`${process.env.SHOTS}/transfer.png`, await smallPng(page, await page.screenshot()));
   assert.equal(await other.locator('#transfer-send').isDisabled(), true, 'one thing at a time');
   await other.addScriptTag({path: kAxe});
   for (const colorScheme of ['light', 'dark']) {
@@ -73,17 +64,17 @@ test('a controller is sent and run, all pages see it, its errors are red and mar
   }
   await other.click('#transfer-cancel');
   await line(page, 'output', 'kneeling');
-  await becomes('cancelled');
+  await becomes(page, 'cancelled');
 });
 
 test('it becomes the default after a question, and a mistake in the source is told as one', async () => {
   await page.click('#transfer-make-default');
   await page.getByRole('dialog').getByRole('button', {name: 'Make default'}).click();
-  await becomes('done');
+  await becomes(page, 'done');
   await line(page, 'said', 'walker is the default controller now');
   await page.fill('#controller-folder', `${LAB}/pc/slip`);
   await page.click('#transfer-send');
-  await becomes('slip does not compile');
+  await becomes(page, 'slip does not compile');
   await line(page, 'error', 'main.cpp:');
   await line(page, 'warning', 'unused variable');
 });

@@ -227,6 +227,16 @@ TEST_F(WindowTransfer, WhatIsNotUnderstoodOrNotThereIsSaidAndNothingIsDone) {
   EXPECT_THAT(page.refused, HasSubstr("at most 200 bytes"));
 }
 
+TEST_F(WindowTransfer, PagesAreToldTheRobotThatTheWindowWasStartedFor) {
+  open(page);
+  EXPECT_TRUE(page.known["given"].is_null());
+  const window::RobotAddress given{.address = "192.168.123.1", .user = "darwin", .key = "/k", .port = 2222};
+  transfer = std::make_unique<window::Transfer>(
+      installer, file, [this] { return now; }, given);
+  transfer->opened(other);
+  EXPECT_EQ(other.known["given"], window::jsonOf(given));
+}
+
 TEST_F(WindowTransfer, TheKeyOfAnUnknownRobotIsPassedOn) {
   const std::string key = "SHA256:" + std::string(43, 'A');
   installerIs("echo host-key " + key + " >&3; exit 1\n");

@@ -89,5 +89,17 @@ TEST(TransferWords, APathIsThereAndIsAbsolute) {
               testing::ThrowsMessage<std::runtime_error>(HasSubstr("no key /no")));
 }
 
+TEST(TransferWords, ALoginOnTheCommandLineIsWhatAPageWouldHaveTyped) {
+  EXPECT_EQ(window::robotOf("darwin@192.168.123.1", "", ""),
+            (window::RobotAddress{.address = "192.168.123.1", .user = "darwin"}));
+  EXPECT_EQ(window::robotOf("robotis@fe80::1%eth0", "2222", "/keys/op2"),
+            (window::RobotAddress{.address = "fe80::1%eth0", .user = "robotis", .key = "/keys/op2", .port = 2222}));
+  EXPECT_EQ(window::robotOf("u@r", "", "id")->key, (std::filesystem::current_path() / "id").string());
+  for (const char* nobody : {"", "192.168.123.1", "-l@r", "u@-F", "a b@r"})
+    EXPECT_EQ(window::robotOf(nobody, "", ""), std::nullopt) << nobody;
+  for (const char* port : {"ssh", "65536", "-1", "22;"})
+    EXPECT_EQ(window::robotOf("u@r", port, ""), std::nullopt) << port;
+}
+
 }  // namespace
 }  // namespace darwinop

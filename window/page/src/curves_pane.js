@@ -6,6 +6,7 @@ export class CurvesPane {
   constructor(timeline, choose) {
     this.timeline = timeline;
     this.choose = choose;
+    this.timed = true;
     this.node = el('div', {className: 'pane'});
     this.plots = [];
     this.turn = 0;

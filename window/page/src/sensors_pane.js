@@ -11,6 +11,7 @@ const kSensors = [
 
 export class SensorsPane {
   constructor(timeline) {
+    this.timed = true;
     this.node = el('div', {className: 'pane'});
     this.plots = kSensors.map(({key, title, unit, span}) => new CurvePlot(timeline, {
       title, unit, span, height: 200,

@@ -10,6 +10,7 @@ const kDegrees = 180 / Math.PI;
 export class ServosPane {
   constructor(timeline) {
     this.timeline = timeline;
+    this.timed = true;
     this.node = el('div', {className: 'pane'});
     this.rows = [];
     this.chosen = 0;

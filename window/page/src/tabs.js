@@ -1,9 +1,13 @@
-// Panes behind tabs, as the ARIA practices have them: arrow keys walk, Home and End jump.
+// Panes behind tabs, as the ARIA practices have them: arrow keys walk, Home and End jump. They are one row, which scrolls
+// sideways where it is too narrow.
 import {el} from './dom.js';
+
+const kPeek_px = 40;  // so much of the neighbour is seen, too
 
 export class Tabs {
   /// panes: [{name, pane}]; `chosen` is told the pane that is shown.
   constructor(list, stage, panes, chosen) {
+    this.list = list;
     this.panes = panes;
     this.chosen = chosen;
     panes.forEach((entry, i) => {
@@ -18,6 +22,7 @@ export class Tabs {
     });
     list.addEventListener('keydown', (event) => this.key(event));
     this.show(0);
+    new ResizeObserver(() => this.reveal()).observe(list);
   }
 
   show(i) {
@@ -28,8 +33,16 @@ export class Tabs {
       pane.node.hidden = n !== i;
       if (n !== i) pane.shown?.(false);
     });
+    this.reveal();
     this.panes[i].pane.shown?.(true);
     this.chosen(this.panes[i].pane);
+  }
+
+  /// The chosen tab; sideways only, the page stays where it is.
+  reveal() {
+    const {list} = this, row = list.getBoundingClientRect(), tab = this.panes[this.current].tab.getBoundingClientRect();
+    if (tab.left < row.left) list.scrollLeft += tab.left - row.left - kPeek_px;
+    else if (tab.right > row.right) list.scrollLeft += tab.right - row.right + kPeek_px;
   }
 
   key(event) {

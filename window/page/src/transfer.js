@@ -10,7 +10,7 @@ export class Transfer extends EventTarget {
     super();
     this.url = url;
     this.state = kNothing;
-    this.known = {robots: [], controllers: [], examples: [], trouble: ''};
+    this.known = {robots: [], given: null, controllers: [], examples: [], trouble: ''};
     this.next = 0;       // line of the console that is not here yet
     this.asked = null;   // what this page has started last
     this.open();

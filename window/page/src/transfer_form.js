@@ -25,6 +25,8 @@ export class RobotForm {
       el('div', {className: 'choose'}, this.key.node, this.port.node, this.forget));
     this.fields = [this.usedField, this.address.node, this.user.node, this.password.node];
     this.more = [this.details, this.trouble];
+    for (const {input} of [this.address, this.user, this.password, this.key, this.port])
+      input.addEventListener('input', () => { this.typed = true; });
     this.used.addEventListener('change', () => this.fill(this.robots[this.used.selectedIndex]));
     this.forget.addEventListener('click', () => transfer.forget(this.robot()));
     transfer.addEventListener('known', () => this.offer());
@@ -32,12 +34,13 @@ export class RobotForm {
   }
 
   offer() {
-    const {robots, trouble} = this.transfer.known, first = this.robots === undefined;
+    const {robots, given, trouble} = this.transfer.known, first = this.robots === undefined;
     this.robots = robots;
     this.usedField.hidden = robots.length === 0;
     this.used.replaceChildren(...robots.map((robot) => el('option', {}, robotName(robot))));
     this.trouble.textContent = trouble;
-    if (first && robots.length > 0) this.fill(robots[0]);
+    const usual = given ?? robots[0];  // the window's own robot before the last one used
+    if (first && usual && !this.typed) this.fill(usual);
     this.used.selectedIndex = robots.findIndex((robot) => robotName(robot) === robotName(this.robot()));
   }
 

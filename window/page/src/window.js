@@ -45,7 +45,11 @@ const panes = [
   {name: 'Transfer', pane: new TransferPane(new Transfer(channel('transfer')))},
 ];
 let shown = servos, view = null, shape = null, joints = [], row = null, newest = null, marks = [];
-const tabs = new Tabs(by('tabs'), by('stage'), panes, (pane) => { shown = pane; tell(); });
+const tabs = new Tabs(by('tabs'), by('stage'), panes, (pane) => {
+  shown = pane;
+  by('time').hidden = !pane.timed;  // no curves: nothing to pause or look closer at
+  tell();
+});
 const fresh = () => (feed.trouble === null ? newest : null);
 const pose = new PoseDialog(() => ({joints, state: fresh(), body: shape}), () => steering.take());
 new SteerBar(by('steer'), steering, () => pose.ask());

@@ -1,0 +1,40 @@
+// Which robot a window is for: what cannot be is said, before anything is started.
+#include "window/robot_choice.hpp"
+
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+namespace darwinop {
+namespace {
+
+using testing::HasSubstr;
+using window::RobotChoice;
+
+template <class Act>
+std::string whyNot(Act act) {
+  try {
+    act();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(WindowRobotChoice, OnlyItsOwnRobotIsStartedAndGivenAController) {
+  for (const RobotChoice& choice :
+       {RobotChoice{.robot = "runtime"}, RobotChoice{.robot = "tcp://r"}, RobotChoice{.monitor = "r:5024"}}) {
+    EXPECT_EQ(window::ownRobot(choice, {}), nullptr) << choice.robot;
+    EXPECT_THAT(whyNot([&] { (void)window::ownRobot(choice, {"walker"}); }), HasSubstr("darwinop run"));
+  }
+  EXPECT_THAT(whyNot([] { (void)window::ownRobot({.robot = "twins"}, {}); }), HasSubstr("twin, twin:MODEL"));
+}
+
+TEST(WindowRobotChoice, WithAMonitorAloneItLooksOn) {
+  const runtime::RuntimeFiles nobody{"/nowhere"};
+  const RobotChoice looks{.monitor = "127.0.0.1:1"};
+  EXPECT_THAT(whyNot([&] { (void)window::linkToDrive(looks, nobody, {}); }), HasSubstr("only looks on"));
+}
+
+}  // namespace
+}  // namespace darwinop
