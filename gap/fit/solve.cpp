@@ -66,10 +66,14 @@ void look(const Problem& problem, Fit& fit) {
   fit.cost = fit.residuals.unaryExpr(&costOf).sum() + fit.prior;
 }
 
+bool isFarOff(const Fit& fit) {
+  return fit.cost > kFar * static_cast<double>(fit.residuals.size());
+}
+
 /// From far off by way of plain squares, unless that leads astray.
 void search(const Problem& problem, Fit& fit, int iterations) {
   const Fit before = fit;
-  if (fit.cost > kFar * static_cast<double>(fit.residuals.size())) {
+  if (isFarOff(fit)) {
     fit.x = searched(problem, fit.x, fit.steps, iterations, kWide);
     fit.x = searched(problem, fit.x, fit.steps, (iterations + 1) / 2, kRobust);
     look(problem, fit);
@@ -97,20 +101,24 @@ bool jump(const Problem& problem, const Eigen::MatrixXd& steps, const std::vecto
   return true;
 }
 
-/// The first steps of the unknowns that have no prior.
-Eigen::MatrixXd firstStepsOfEffects(const Problem& problem) {
+/// The first steps of the unknowns that have no prior; of all where the fit is far off. A released arm that swings once
+/// more, or comes to rest elsewhere, is a step in the cost of every number that brakes it.
+Eigen::MatrixXd stepsToJump(const Problem& problem, const Fit& fit) {
   const Eigen::MatrixXd all = firstSteps(problem);
-  std::vector<Eigen::Index> free;
+  std::vector<Eigen::Index> chosen;
   for (Eigen::Index i = 0; i < all.cols(); ++i)
-    if (!std::isfinite(problem.unknowns()[static_cast<std::size_t>(i)].sigma)) free.push_back(i);
-  return all(Eigen::all, free);
+    if (isFarOff(fit) || !std::isfinite(problem.unknowns()[static_cast<std::size_t>(i)].sigma)) chosen.push_back(i);
+  return all(Eigen::all, chosen);
 }
 
-void searchAndJump(const Problem& problem, const Eigen::MatrixXd& steps, const std::vector<double>& multiples,
+template <class Steps>
+void searchAndJump(const Problem& problem, const Steps& steps_at, const std::vector<double>& multiples,
                    const SolveOptions& options, Fit& fit) {
+  // A search from the wrong side of such a step runs away from what is behind it.
+  if (isFarOff(fit)) jump(problem, steps_at(fit), multiples, fit);
   search(problem, fit, options.iterations);
   const int most = options.refine ? kMostJumps : 1;
-  for (int jumps = 0; jumps < most && jump(problem, steps, multiples, fit); ++jumps)
+  for (int jumps = 0; jumps < most && jump(problem, steps_at(fit), multiples, fit); ++jumps)
     search(problem, fit, options.iterations);
 }
 
@@ -123,12 +131,15 @@ Fit solve(const Problem& problem, const Eigen::VectorXd& start, const SolveOptio
   look(problem, fit);
   if (start.size() == 0) return fit;
   if (options.iterations > 0)
-    searchAndJump(problem, firstStepsOfEffects(problem), {-10, -3, -1, 1, 3, 10}, options, fit);
+    searchAndJump(
+        problem, [&](const Fit& at) { return stepsToJump(problem, at); }, {-10, -3, -1, 1, 3, 10}, options, fit);
   if (!options.refine) return fit;
 
   lookAround(problem, fit);
   fit.steps = stepsAlong(problem, fit.information);
-  if (options.iterations > 0) searchAndJump(problem, fit.steps, {-4, -2, -1, 1, 2, 4}, options, fit);
+  if (options.iterations > 0)
+    searchAndJump(
+        problem, [steps = fit.steps](const Fit&) { return steps; }, {-4, -2, -1, 1, 2, 4}, options, fit);
   lookAround(problem, fit);
   return fit;
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr double kLeastShare = 0.05;  // of what noise does not explain: less is what any effect happens to explain
 constexpr double kNearlyAll = 0.8;    // of the same
 constexpr double kPlainlyWrong = 2;   // cost a residual, beyond what noise explains
-constexpr double kInside = 1;         // sigma: where one number is off and all others are right, it is named beyond
+constexpr double kInside = 1.5;       // sigma: where one number is off and all others are right, it is named beyond
 
 }  // namespace
 
@@ -34,9 +34,13 @@ bool Search::acceptOneOf(const std::vector<Settled>& candidates) {
     const double gain = onNoiseOf(present_, best).fit.cost - best.fit.cost, needed = neededFor(next);
     say("%s would gain %.0f, %.0f needed", std::string{next.id}.c_str(), gain, needed);
     if (gain < needed || (isAtItsBound(best, next) && gain < kNearlyAll * excess_cost_)) continue;
-    // A number that moves as its prior lets it is no finding.
-    const double inside = present_.numbers == Numbers::kHeld ? kInside : kSuspicious;
-    if (freesAPrior(given_, next) && sigmasOfFreed(given_, best, next) < inside) continue;
+    // A number that moves as its prior lets it is no finding. Where it explains most with every other number held, what
+    // explains less is none, either.
+    const bool held = present_.numbers == Numbers::kHeld;
+    if (freesAPrior(given_, next) && sigmasOfFreed(given_, best, next) < (held ? kInside : kSuspicious)) {
+      if (held && &best == &candidates.front()) return false;
+      continue;
+    }
     if (!isProven(best, gain)) continue;
     take(best, gain, candidates, needed);
     return true;

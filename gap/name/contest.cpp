@@ -125,7 +125,7 @@ std::vector<Settled> contest(const Settled& present, const Screen& screen,
                               ranked.front(), true);
     if (evidenceFor(there) > evidenceFor(ranked.front()) + kEnoughGain) {
       Settled own = settled(*rival);
-      if (evidenceFor(own) > evidenceFor(ranked.front())) {
+      if (evidenceFor(own) > evidenceFor(onNoiseOf(ranked.front(), own, true))) {  // ahead on the noise of either
         for (Settled& other : ranked) other = onNoiseOf(other, own, true);
         ranked.insert(ranked.begin(), std::move(own));
         continue;

@@ -9,9 +9,8 @@ namespace darwinop::gap {
 inline constexpr double kMisfit = 4;        // standard deviations of a right model's cost: beyond, something is missing
 inline constexpr double kStrained = 3;      // sigma of a prior: beyond, the number is wrong
 inline constexpr double kSuspicious = 2.4;  // sigma: effects that mean this number are tried
-inline constexpr double kRivalry = 10;      // evidence: closer than that, the data do not decide
 inline constexpr double kStrainGain = 4;    // of freeing such a number: most of what its sigmas cost
-inline constexpr double kPlain = 6;         // thresholds that a gain has to pass where noise alone explains all
+inline constexpr double kPlain = 1.3;       // thresholds that a gain has to pass where noise alone explains all
 
 // A gap that has shrunk to this: what is left is how the effect is written, not another effect.
 inline constexpr double kNearMisfit = 60, kNearFloors = 1.5, kNearShare = 0.15;

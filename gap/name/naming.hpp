@@ -34,6 +34,10 @@ struct Strained {
   double sigmas = 0, factor = 1;
 };
 
+/// Evidence, twice its logarithm: closer than that, the data do not decide. Odds of 20 to 1, where both were as likely
+/// before.
+inline constexpr double kRivalry = 6;
+
 struct Rival {
   std::vector<std::string> effects;  // ids, instead of the named ones
   double behind = 0;                 // in evidence, twice its logarithm

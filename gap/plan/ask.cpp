@@ -10,7 +10,7 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kClose = 10;           // cost: as for the verdict ambiguous
+constexpr double kClose = 10;           // evidence: a rival that is worth an experiment
 constexpr std::size_t kMostRivals = 3;  // each costs simulations against every other
 constexpr double kMore = 0.3;           // of an effect that the baseline has already
 

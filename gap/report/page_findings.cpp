@@ -51,14 +51,14 @@ std::string rivalsText(const Naming& naming) {
   for (const Rival& rival : naming.rivals)
     items += wrap("li", wrap("code", html::text(joined(rival.effects, " + "))) + " instead: the fit is worse by " +
                             html::number(rival.behind, shortly(rival.behind, "%.0f")) +
-                            (rival.behind < kClose ? ", <strong>too little to decide</strong>" : "")) +
+                            (rival.behind < kRivalry ? ", <strong>too little to decide</strong>" : "")) +
              "\n";
   std::string chance;
   if (std::isfinite(naming.threshold))
     chance = "A gain of " + html::number(naming.threshold, shortly(naming.threshold, "%.0f")) +
              " comes by chance once in a hundred cases. ";
   return "<h3>Rivals</h3>" + wrap("ul", items) +
-         wrap("p", chance + "Rivals less than " + shortly(kClose, "%.0f") + " behind are as good as the winner.");
+         wrap("p", chance + "Rivals less than " + shortly(kRivalry, "%.0f") + " behind are as good as the winner.");
 }
 
 /// How to tell the effect from its rivals.

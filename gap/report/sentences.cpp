@@ -108,7 +108,7 @@ std::string inMrad(double rad) {
 std::vector<Rival> closeRivals(const Naming& naming) {
   std::vector<Rival> close;
   for (const Rival& rival : naming.rivals)
-    if (rival.behind < kClose && !rival.effects.empty()) close.push_back(rival);
+    if (rival.behind < kRivalry && !rival.effects.empty()) close.push_back(rival);
   return close;
 }
 

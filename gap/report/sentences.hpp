@@ -19,7 +19,6 @@ std::string doubtSentence(const Doubted& doubted);
 
 /// Rivals that the data do not decide against.
 std::vector<Rival> closeRivals(const Naming& naming);
-inline constexpr double kClose = 10;  // in cost
 
 /// What a table's flag means, where a log has one.
 extern const std::string_view kBelowFloorSentence;

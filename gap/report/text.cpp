@@ -74,7 +74,7 @@ std::string rivalText(const Naming& naming) {
   for (std::size_t i = 0; i < std::min(kRivalsShown, naming.rivals.size()); ++i)
     text += line("%-9s %s instead: worse by %.0f%s", i == 0 ? "rivals" : "",
                  joined(naming.rivals[i].effects, " + ").c_str(), naming.rivals[i].behind,
-                 naming.rivals[i].behind < kClose ? ", which decides nothing" : "");
+                 naming.rivals[i].behind < kRivalry ? ", which decides nothing" : "");
   for (std::size_t i = 0; i < std::min(kStrainedShown, naming.strained.size()); ++i) {
     const Strained& one = naming.strained[i];
     text += line("%-9s %s has to be %.3f times what was given: %.1f sigma", i == 0 ? "strained" : "",

@@ -71,6 +71,16 @@ TEST(Naming, TheOneNumberThatIsWrong) {
   EXPECT_NEAR(naming.found.front().estimates.front().value, 0.018, 0.0005);
 }
 
+// All residuals together are as large as noise makes them; along what this effect does they are not.
+TEST(Naming, AnEffectThatNoiseNearlyHides) {
+  const Case bench = smallBench();
+  const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.004), 19);
+  const Naming naming = namedIn(given);
+  ASSERT_EQ(idOf(naming), "encoder_offset");
+  EXPECT_NEAR(naming.found.front().estimates.front().value, 0.004, 0.001);
+  EXPECT_LT(naming.gap_before_rad, 3 * naming.floor_rad) << "a small gap";
+}
+
 TEST(Outcome, TheRepairedModelHasTheEffectAndReadsBack) {
   const Case bench = smallBench();
   const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 15);
