@@ -20,6 +20,7 @@ constexpr double kSaturated = 0.05;  // s
 constexpr double kSag = 0.3;         // load at which a supply with 0.5 ohm gives in by the 0.1 V that a column tells
 constexpr double kBothSides = 0.2;   // rad
 constexpr double kLongSession = 30;  // s
+constexpr double kHarder = 1.25;  // load over the greatest that was fitted: farther, a law is not read off but guessed
 constexpr double kSlowHost = 0.004;  // s; an MX-28's current follows its voltage within a ms
 
 struct Seen {
@@ -120,6 +121,12 @@ const Rule kRules[] = {
      "Some logs are kept for judging the result.",
      "No log is kept for judging the result: whether it holds beyond these logs cannot be told.",
      "measure another kind of motion, \"role\": \"score\"",
+     {}},
+    {"kept_load",
+     [](const Seen& s) { return !(s.check.score.load.greatest() > kHarder * s.fit.load.greatest()); },
+     "No kept log is seen to load the servo more than the fitted ones do.",
+     "The kept logs load the servo more than the fitted ones: what is said of them goes beyond what was learnt.",
+     "fit a log with moves as strong as those of the kept ones",
      {}},
     {"host_rate",
      [](const Seen& s) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "gap/data/data_check.hpp"
 #include "gap/name/judge.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/model_text.hpp"
@@ -83,6 +84,8 @@ Outcome investigate(const Case& given, const NameOptions& options) {
   if (naming.verdict == Verdict::kUnknown || naming.remains) {
     const Case left = withModel(given, naming.model);
     outcome.remains = whatRemains(locate(left, evidenceOf(left, naming.model)));
+    for (const Finding& finding : checkData(given).findings)
+      if (finding.id == "kept_load" && !finding.reveals) outcome.remains += " " + finding.sentence;
   }
   outcome.naming = std::move(naming);
   outcome.runtime_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -140,6 +140,24 @@ TEST(DataCheck, SaturationAndRepeatsAndKeptLogs) {
   EXPECT_FALSE(reveals(c, "kept_logs"));
 }
 
+TEST(DataCheck, KeptLogsThatLoadTheServoMore) {
+  Case c = CaseTexts{}.read();
+  for (Trajectory& log : c.logs) log.load.assign(log.rows(), 0.4);
+  Trajectory& kept = c.logs.back();
+  ASSERT_TRUE(kept.score);
+  kept.load[10] = -0.48;
+  EXPECT_TRUE(reveals(c, "kept_load")) << "near enough";
+  kept.load[10] = -0.52;
+  EXPECT_FALSE(reveals(c, "kept_load"));
+  kept.torque_on[10] = 0;  // then it loads nothing
+  EXPECT_TRUE(reveals(c, "kept_load"));
+  kept.torque_on[10] = 1;
+  c.logs.front().load[10] = 0.5;
+  EXPECT_TRUE(reveals(c, "kept_load")) << "a fitted one goes as far";
+  for (Trajectory& log : c.logs) log.load.assign(log.rows(), std::nan(""));
+  EXPECT_TRUE(reveals(c, "kept_load")) << "nobody can see it";
+}
+
 TEST(DataCheck, NamesEffectsOfTheCatalogueOnly) {
   Case c = CaseTexts{}.read();
   c.logs.resize(1);
