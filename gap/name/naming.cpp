@@ -59,7 +59,7 @@ Naming nameOnRoughNumbers(const Case& given, const NameOptions& options) {
   few.most_effects = 2;
   Search moved{given, few, Numbers::kFree};
   moved.run();
-  if (moved.explainsAll() || moved.present().effects.empty()) return moved.told();
+  if (moved.leavesNoise() || moved.present().effects.empty()) return moved.told();
   options.tell("what is left is no noise: looking for what foretells best");
   RoughSearch rough{given, options, inTheFirmware(moved.present().effects), moved.present()};
   rough.run();

@@ -63,6 +63,10 @@ bool Search::explainsAll() const {
   return misfit_ < kMisfit || (!present_.effects.empty() && isPractically());
 }
 
+bool Search::leavesNoise() const {
+  return misfit_ < kMisfit;
+}
+
 bool Search::reachedNoise() const {
   return explainsAll() && mostStrained(present_) < kSuspicious;
 }

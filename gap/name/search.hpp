@@ -25,6 +25,9 @@ class Search {
   /// Another search's effects, but only these; nothing else is looked for.
   void take(const Search& other, const Effects& effects);
 
+  /// What is left is noise. The floor of a model that is far off may be as large as its gap, but its misfit is not
+  /// small.
+  [[nodiscard]] bool leavesNoise() const;
   /// What is left is noise, or what two ways to write the same effect differ by.
   [[nodiscard]] bool explainsAll() const;
   /// And no number had to leave its prior.
