@@ -1,7 +1,7 @@
 // Driving from the page, through the real lease, on a virtual robot.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
-import {startBrowser, startWindow} from './window_program.mjs';
+import {startBrowser, startWindow, takeRobot} from './window_program.mjs';
 
 let browser, shown;
 
@@ -21,8 +21,7 @@ async function openPage() {
 }
 
 async function drive(page) {
-  await page.click('#take');
-  await page.locator('body.driving').waitFor();
+  await takeRobot(page);
   await stateIs(page, 'driven');
 }
 

@@ -1,7 +1,7 @@
 // Walking, pages and torque from the page, on the physics twin: it really walks, and it still stands afterwards.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
-import {kAxe, startBrowser, startWindow} from './window_program.mjs';
+import {kAxe, startBrowser, startWindow, takeRobot} from './window_program.mjs';
 
 let browser, shown, page;
 
@@ -11,8 +11,7 @@ before(async () => {
   await page.goto(shown.url);
   await page.waitForFunction(() => window.darwinop?.view && window.darwinop.timeline.live?.count > 30);
   await page.addScriptTag({path: kAxe});
-  await page.click('#take');
-  await page.locator('body.driving').waitFor();
+  await takeRobot(page);
   await page.click('#tab-3');
 });
 after(async () => {
@@ -21,14 +20,7 @@ after(async () => {
 });
 
 /// A page that a busy computer kept from speaking for half a second does not drive any more: it begins again.
-async function drive() {
-  const drives = () => page.evaluate(() => window.darwinop.steering.drives);
-  for (let tries = 0; !(await drives()); ++tries) {
-    assert.ok(tries < 20, 'the robot cannot be taken');
-    await page.click('#take', {timeout: 1000}).catch(() => {});
-    await page.waitForTimeout(500);
-  }
-}
+const drive = () => takeRobot(page);
 
 async function isAccessible() {
   const {violations} = await page.evaluate(() => window.axe.run({resultTypes: ['violations']}));
@@ -140,7 +132,7 @@ test('a robot that is out of its start pose is taken only by who has seen it', a
   await page.waitForFunction(() => document.getElementById('pills').textContent.includes('Stateholding'));
   await page.evaluate(() => {
     const {feed} = window.darwinop;
-    feed.socket.onmessage = ({data}) => feed.take(typeof data === 'string' ? data.replace('"state":"holding"', '"state":"limp"') : data);
+    feed.socket.onmessage = ({data}) => feed.take(typeof data === 'string' ? data.replace(/"state":"\w+"/, '"state":"limp"') : data);
   });
   await page.waitForFunction(() => window.darwinop.newest.state === 'limp');
   await page.click('#take');

@@ -35,7 +35,18 @@ export async function startWindow(...words) {
       const shown = await startProgram('window', words, /end with Ctrl/);
       return Object.assign(shown, {url: shown.printed().match(/http:\S+/)[0]});
     } catch (error) {
-      if (tries === 4 || !error.message.includes('cannot be driven with a period of')) throw error;
+      if (tries === 4 || !error.message.includes('cannot be driven')) throw error;
     }
+  }
+}
+
+/// Until the page drives. A robot that a busy computer kept silent for a moment is asked about first: then once more.
+export async function takeRobot(page) {
+  const driving = page.locator('body.driving');
+  for (let tries = 1; !(await driving.isVisible()); ++tries) {
+    if (tries > 10) throw new Error('the robot cannot be taken');
+    await page.click('#take', {timeout: 1000}).catch(() => {});
+    await driving.waitFor({timeout: 2000}).catch(() => {});
+    if (await page.locator('#pose').isVisible()) await page.click('#pose-cancel');
   }
 }
