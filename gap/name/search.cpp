@@ -60,7 +60,7 @@ void Search::take(const Search& other, const Effects& effects) {
 }
 
 bool Search::explainsAll() const {
-  return misfit_ < kMisfit || (!present_.effects.empty() && isPractically());
+  return leavesNoise() || (!present_.effects.empty() && isPractically());
 }
 
 bool Search::leavesNoise() const {

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gap/name/judge.hpp"
 #include "gap/report/outcome.hpp"
 #include "small_case.hpp"
 
@@ -69,6 +70,17 @@ TEST(Naming, TheOneNumberThatIsWrong) {
   EXPECT_EQ(naming.verdict, Verdict::kNamed);
   ASSERT_EQ(idOf(naming), "viscous");
   EXPECT_NEAR(naming.found.front().estimates.front().value, 0.018, 0.0005);
+}
+
+TEST(Naming, ARivalThatNeedsMoreNumbersHasToComeNearer) {
+  Naming naming;
+  naming.found.push_back({.effect = twin::findEffect("coulomb"), .estimates = {}});
+  naming.rivals.push_back({.effects = {"stribeck"}, .behind = 5});
+  EXPECT_EQ(verdictOf(naming), Verdict::kAmbiguous);
+  naming.rivals.front().larger = true;
+  EXPECT_EQ(verdictOf(naming), Verdict::kNamed);
+  naming.rivals.front().behind = 3;
+  EXPECT_EQ(verdictOf(naming), Verdict::kAmbiguous);
 }
 
 // All residuals together are as large as noise makes them; along what this effect does they are not.
