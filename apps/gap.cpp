@@ -82,7 +82,8 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   CLI::App* const hide = add("hide", "make a case in which effects are hidden", gap::hideEffects);
   hide->add_option("--effect", given.effects,
                    "ID, ID:SEVERITY or ID.PARAMETER=VALUE; again for more; none: nothing is");
-  hide->add_option("--baseline", given.baseline, "V0 without dry friction, CV with, W the law of Webots")
+  hide->add_option("--baseline", given.baseline,
+                   "V0 without dry friction, CV with, W the law of Webots, F a firmware of 0.1 ms")
       ->capture_default_str();
   hide->add_flag("--wrong-numbers", given.wrong_numbers, "the baseline's numbers are a little off");
   hide->add_option("--seed", given.seed, "of all that is drawn")->capture_default_str();

@@ -67,10 +67,10 @@ int hideEffects(const Arguments& given) {
   request.seed = given.seed;
   request.wrong_numbers = given.wrong_numbers;
   request.name = given.name;
-  for (const Baseline baseline : {Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed})
+  for (const Baseline baseline : {Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed, Baseline::kFine})
     if (nameOf(baseline) == given.baseline) request.baseline = baseline;
   if (nameOf(request.baseline) != given.baseline)
-    throw std::runtime_error("there is no baseline '" + given.baseline + "'; there are V0, CV and W");
+    throw std::runtime_error("there is no baseline '" + given.baseline + "'; there are V0, CV, W and F");
   for (const std::string& effect : given.effects) addTo(request.effects, effect);
   hide(request, given.out);
   std::cerr << "darwinop gap: " << (fs::path{given.out} / "cases" / request.name).string() << " is the case, "

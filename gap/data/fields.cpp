@@ -115,6 +115,14 @@ void Fields::finish() const {
   fail(left.front(), "is not known; " + twin::suggestion(left.front(), known));
 }
 
+void Fields::finish(std::vector<std::string>& warnings) const {
+  const std::vector<std::string_view> known{known_.begin(), known_.end()};
+  for (const std::string& key : untaken()) {
+    if (twin::nearest(key, known)) fail(key, "is not known; " + twin::suggestion(key, known));
+    warnings.push_back(file_ + ": " + logs::quoted(pathOf(key)) + " is not known and left out");
+  }
+}
+
 std::vector<std::string> Fields::keys() const {
   std::vector<std::string> all;
   for (const auto& [key, value] : json_->items()) all.push_back(key);

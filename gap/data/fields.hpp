@@ -1,4 +1,5 @@
-// The values of one object of a JSON file, taken out one by one. What is not taken in the end is a typing error.
+// The values of one object of a JSON file, taken out one by one. What is not taken in the end is a typing error, or
+// said.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -35,6 +36,9 @@ class Fields {
   [[nodiscard]] std::vector<std::string> untaken() const;
   /// Throws for the first of them. Comments may stand anywhere: note, comment, source and the like.
   void finish() const;
+  /// Of an object that other programs add to: throws for what is a few letters away from a key that was asked for, and
+  /// puts into `warnings` what else is left out.
+  void finish(std::vector<std::string>& warnings) const;
 
   [[nodiscard]] std::vector<std::string> keys() const;
   [[nodiscard]] const std::string& file() const { return file_; }

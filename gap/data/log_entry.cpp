@@ -40,7 +40,7 @@ std::optional<Joint> jointOf(Fields& entry) {
 
 }  // namespace
 
-LogEntry readLogEntry(Fields& entry) {
+LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   LogEntry out{};
   out.head.file = entry.text("file");
   if (!isInside(out.head.file))
@@ -58,7 +58,7 @@ LogEntry readLogEntry(Fields& entry) {
   out.to_s = entry.number("to_s", kClock, std::numeric_limits<double>::infinity());
   out.hangs_at_rad = entry.number("hangs_at_rad", {"rad", -kPi, kPi}, 0);
   if (out.from_s >= out.to_s) entry.fail("to_s", "is not after `from_s`; nothing is left of the log");
-  entry.finish();
+  entry.finish(warnings);
   return out;
 }
 

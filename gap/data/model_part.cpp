@@ -98,7 +98,7 @@ void readPriors(Fields priors, const std::vector<std::string_view>& given, Case&
     take(key.json, key.prior, hasParameter(std::string{key.prior}, into, priors, key.json));
   for (const std::string& key : priors.keys())
     if (key.find('.') != std::string::npos) take(key, key, hasParameter(key, into, priors, key));
-  priors.finish();
+  priors.finish(into.warnings);
 }
 
 }  // namespace

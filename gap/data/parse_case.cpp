@@ -16,12 +16,12 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostLogs = 1000;
 
-std::vector<LogEntry> readEntries(Fields& top) {
+std::vector<LogEntry> readEntries(Fields& top, std::vector<std::string>& warnings) {
   std::vector<LogEntry> entries;
   std::vector<Fields> list = top.list("logs");
   if (list.size() > kMostLogs) top.fail("logs", "has more than 1000 entries; make several cases of it");
   for (Fields& entry : list) {
-    entries.push_back(readLogEntry(entry));
+    entries.push_back(readLogEntry(entry, warnings));
     for (std::size_t i = 0; i + 1 < entries.size(); ++i)
       if (entries[i].head.file == entries.back().head.file && !(entries[i].to_s < entries.back().from_s) &&
           !(entries.back().to_s < entries[i].from_s))
@@ -88,10 +88,10 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   for (const std::string_view key :
        {"family", "columns", "host_dt_s", "goal_order", "servo_datasheet", "prior_rel_sigma"})
     top.leave(key);
-  std::vector<LogEntry> entries = readEntries(top);
+  std::vector<LogEntry> entries = readEntries(top, out.warnings);
   linkRepeats(top, entries);
   readModelPart(top, files, entries.front().joint, out);
-  top.finish();
+  top.finish(out.warnings);
 
   for (LogEntry& entry : entries) {
     const logs::Log log = load(files, entry.head.file);

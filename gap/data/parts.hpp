@@ -29,7 +29,7 @@ struct LogEntry {
   double from_s, to_s;         // of the file's own clock
   double hangs_at_rad;         // angle of the joint at which the arm hangs down; a case counts from there
 };
-LogEntry readLogEntry(Fields& entry);
+LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings);
 
 /// The rows of a log. Recordings of the runtime, docs/logs.md, tell some of the entry, too: into `entry`. Throws
 /// BadInput for a column that is missing or has a wrong unit, and for a value that is missing.

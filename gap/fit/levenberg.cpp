@@ -31,8 +31,7 @@ class RobustCost final : public ceres::CostFunction {
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
     const Eigen::Index rows = problem_.evidence().size(), unknowns = steps_.cols();
     const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(parameters[0], unknowns);
-    Eigen::VectorXd plain(rows);
-    problem_.residuals(x, plain);
+    const Eigen::VectorXd& plain = residualsAt(x);
     Eigen::Map<Eigen::VectorXd> out{residuals, rows + unknowns};
     out.head(rows) = plain.unaryExpr([this](double r) { return rootOfCost(r, width_); });
     for (Eigen::Index i = 0; i < unknowns; ++i) {
@@ -55,9 +54,19 @@ class RobustCost final : public ceres::CostFunction {
   }
 
  private:
+  /// A place is asked for up to three times in a row: on the way, as the end of a step, and with its slopes.
+  const Eigen::VectorXd& residualsAt(const Eigen::VectorXd& x) const {
+    if (known_at_.size() == x.size() && known_at_ == x) return known_;
+    known_.resize(problem_.evidence().size());
+    problem_.residuals(x, known_);
+    known_at_ = x;
+    return known_;
+  }
+
   const Problem& problem_;
   const Eigen::MatrixXd steps_;
   const double width_;
+  mutable Eigen::VectorXd known_at_, known_;  // one search, one thread
 };
 
 }  // namespace
@@ -87,6 +96,7 @@ Eigen::VectorXd searched(const Problem& problem, Eigen::VectorXd x, const Eigen:
   options.function_tolerance = kLeastGain;
   options.parameter_tolerance = 1e-7;
   options.max_num_consecutive_invalid_steps = 3;
+  options.line_search_interpolation_type = ceres::QUADRATIC;  // a cubic one takes slopes at every try
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &robust, &summary);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "gap/data/plausible.hpp"
+#include "gap/sim/parallel.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -41,19 +42,20 @@ double costOf(double residual) {
 }
 
 void Problem::residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const {
-  thread_local Trace trace;
   const Hypothesis hypothesis = at(x);
-  Eigen::Index row = 0;
-  for (std::size_t i = 0; i < evidence_->logs.size(); ++i) {
+  std::vector<Eigen::Index> first_row(evidence_->logs.size(), 0);
+  for (std::size_t i = 1; i < first_row.size(); ++i) first_row[i] = first_row[i - 1] + evidence_->noise[i - 1].size();
+  forEach(evidence_->logs.size(), [&](std::size_t i) {
+    thread_local Trace trace;
     const LogNoise& noise = evidence_->noise[i];
+    auto of_log = out.segment(first_row[i], noise.size());
     try {
       rollOut(*evidence_->given, evidence_->logs[i], hypothesis, {}, trace);
-      noise.residuals(evidence_->given->logs[evidence_->logs[i]], trace, out.segment(row, noise.size()));
+      noise.residuals(evidence_->given->logs[evidence_->logs[i]], trace, of_log);
     } catch (const std::runtime_error&) {
-      out.segment(row, noise.size()).setConstant(kImpossible);
+      of_log.setConstant(kImpossible);
     }
-    row += noise.size();
-  }
+  });
 }
 
 double Problem::cost(const Eigen::VectorXd& x) const {

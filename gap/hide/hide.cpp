@@ -90,6 +90,7 @@ void checkName(const std::string& name) {
 std::string baselineName(const HideRequest& request, const Case& given) {
   if (!request.like) return std::string{nameOf(request.baseline)};
   if (given.model.servo.law == twin::Law::kSpeedP) return "W";
+  if (!given.quantised) return "F";
   return baselineOf(given).find("coulomb") != nullptr ? "CV" : "V0";
 }
 

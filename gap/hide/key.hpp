@@ -24,7 +24,7 @@ struct Key {
   CaseClass kind = CaseClass::kEffectFree;
   std::string family = "twin";
   bool exact = true;     // the numbers of the baseline are those of the bench
-  std::string baseline;  // "V0", "CV", "W"
+  std::string baseline;  // "V0", "CV", "W", "F"
   std::vector<KeyEffect> effects;
   std::map<std::string, double> number_factors;   // bench over baseline
   double gap_fit_rad = 0, gap_score_rad = 0;      // measured against the baseline, rms

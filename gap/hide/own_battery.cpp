@@ -14,8 +14,8 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr std::array kBaselines{Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed};
-constexpr std::array kVoltage{Baseline::kFrictionless, Baseline::kFriction};
+constexpr std::array kBaselines{Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed, Baseline::kFine};
+constexpr std::array kVoltage{Baseline::kFrictionless, Baseline::kFriction, Baseline::kFine};
 constexpr std::size_t kEffectFreeCases = 100, kPairCases = 30, kOutsideCases = 20;
 
 template <class List>
@@ -54,15 +54,17 @@ void addSingles(Dice& dice, Requests& all) {
       all.push_back(request(Baseline::kFriction, false, {{.id = id, .severity = 2}}));
       continue;
     }
-    for (const Baseline baseline : kBaselines)
-      for (const int severity : {1, 2, 3})
+    for (const Baseline kind : {Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed})
+      for (const int severity : {1, 2, 3}) {
+        const Baseline baseline = kind == Baseline::kFriction && dice.coin() ? Baseline::kFine : kind;
         if (shows(id, baseline) && (severity == 1 || id != kNeverPlain))
           all.push_back(request(baseline, dice.share() < 0.4, {{.id = id, .severity = severity}}));
+      }
   }
 }
 
 void addEffectFree(std::size_t count, Requests& all) {
-  for (std::size_t i = 0; i < count; ++i) all.push_back(request(kBaselines[i / 2 % 3], i % 2 == 1, {}));
+  for (std::size_t i = 0; i < count; ++i) all.push_back(request(kBaselines[i / 2 % kBaselines.size()], i % 2 == 1, {}));
 }
 
 // Effects that are plain alone and act in different places; doubles of each other would be a riddle without an answer.
@@ -92,7 +94,7 @@ void addOutside(std::size_t count, Requests& all) {
   const auto strangers = outsideCatalogue();
   for (std::size_t i = 0; i < count; ++i)
     all.push_back(
-        request(kVoltage[i / strangers.size() % 2], false, {{.id = std::string{strangers[i % strangers.size()].id}}}));
+        request(kVoltage[i % kVoltage.size()], false, {{.id = std::string{strangers[i % strangers.size()].id}}}));
 }
 
 // One of each kind of verdict, and the effects that are met most often.

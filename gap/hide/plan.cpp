@@ -38,6 +38,10 @@ void drawModel(Baseline baseline, Dice& dice, Case& c) {
   servo.armature_kgm2 = rounded(dice.between(0.0028, 0.0036), 1e-5);
   c.pendulum.arm_mass_kg = rounded(dice.between(0.02, 0.05), 1e-3);
   c.pendulum.length_m = rounded(dice.between(0.112, 0.19), 1e-3);
+  if (baseline == Baseline::kFine) {
+    servo.firmware_period_s = 1e-4;
+    c.quantised = false;
+  }
   if (baseline == Baseline::kSpeed) {
     servo.law = twin::Law::kSpeedP;
   } else {
@@ -121,7 +125,7 @@ void drawLogs(Baseline baseline, Dice& dice, Plan& plan) {
 }  // namespace
 
 std::string_view nameOf(Baseline baseline) {
-  constexpr std::array<std::string_view, 3> kNames{"V0", "CV", "W"};
+  constexpr std::array<std::string_view, 4> kNames{"V0", "CV", "W", "F"};
   return kNames[static_cast<std::size_t>(baseline)];
 }
 

@@ -14,8 +14,9 @@ enum class Baseline : std::uint8_t {
   kFrictionless,  // V0: law voltage_p, viscous friction only
   kFriction,      // CV: law voltage_p, dry and viscous friction
   kSpeed,         // W: law speed_p, dry and viscous friction
+  kFine,          // F: as CV, of a family whose firmware acts every 0.1 ms on an encoder without ticks
 };
-/// "V0", "CV", "W".
+/// "V0", "CV", "W", "F".
 std::string_view nameOf(Baseline baseline);
 
 /// Over a session.

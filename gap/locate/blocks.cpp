@@ -79,6 +79,7 @@ class Finder {
     if (!cut.known()) return notCut(Block::kSupply, "the logs have no voltage");
     BlockFinding& into = out_.of(Block::kSupply);
     take(Block::kSupply, cut, "V", 1);
+    if (baseline_.servo.law == twin::Law::kSpeedP) return;  // its motor draws no current that anybody knows
     std::vector<const Trajectory*> measured;
     measured.reserve(logs_.size());
     for (const std::size_t i : logs_) measured.push_back(&given_.logs[i]);
@@ -241,6 +242,25 @@ class Finder {
 std::string_view name(Block block) {
   static constexpr std::array<std::string_view, kBlocks> kNames{"command", "controller", "supply", "plant", "sensor"};
   return kNames[static_cast<std::size_t>(block)];
+}
+
+Block blockOf(twin::Place place) {
+  switch (place) {
+    case twin::Place::kCommand:
+      return Block::kCommand;
+    case twin::Place::kController:
+      return Block::kController;
+    case twin::Place::kSupply:
+      return Block::kSupply;
+    case twin::Place::kSensor:
+      return Block::kSensor;
+    case twin::Place::kMotor:
+    case twin::Place::kFriction:
+    case twin::Place::kTransmission:
+    case twin::Place::kLoad:
+      return Block::kPlant;
+  }
+  return Block::kPlant;
 }
 
 std::string_view name(BlockVerdict verdict) {

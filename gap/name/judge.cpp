@@ -14,6 +14,7 @@ constexpr double kFits = 1.15;        // cost over what noise makes of it: as a 
 constexpr double kTogether = 8;       // samples of 16 ms that are off together where a model is wrong
 constexpr double kRemains = 3;        // floors that may remain when most of a large gap is gone
 constexpr double kMost = 0.85;        // of the gap
+constexpr double kSharpest = 0.004;   // of a number: two simulators of the same equations differ by as much
 constexpr double kAtBound = 1e-3;     // of the range
 constexpr double kLeast = 2;          // floors: a smaller gap without a name tells too little
 
@@ -89,15 +90,19 @@ std::vector<Estimate> estimatesOf(const Settled& fitted, const twin::EffectInfo&
                            effect.parameters[parameter->index].neutral, unknowns[i].low, unknowns[i].high, false});
       continue;
     }
-    const double x = fitted.fit.x[at], half = wider * kNineInTen * std::sqrt(fitted.fit.covariance(at, at));
+    const double x = fitted.fit.x[at], value = unknowns[i].fromSearch(x);
+    const double sharpest = kSharpest * (unknowns[i].logarithmic ? 1 : std::abs(value));
+    const double half = std::max(sharpest, wider * kNineInTen * std::sqrt(fitted.fit.covariance(at, at)));
     if (unknowns[i].name == "transport_delay.delay") {
       // A goal acts from the first period after it has come: which instant within the one before, nobody can tell.
-      const double period = fitted.problem.hypothesis().servo.firmware_period_s, value = unknowns[i].fromSearch(x);
-      estimates.push_back({unknowns[i].name, "s", value - period / 2, std::max(0.0, value - period), value});
+      const double early = fitted.problem.hypothesis().servo.firmware_period_s / 2;
+      const double later = std::max(early, unknowns[i].fromSearch(x + half) - value);
+      estimates.push_back(
+          {unknowns[i].name, "s", value - early, std::max(0.0, value - early - later), value - early + later});
       continue;
     }
-    estimates.push_back({unknowns[i].name, std::string{effect.parameters[parameter->index].unit},
-                         unknowns[i].fromSearch(x), std::max(unknowns[i].low, unknowns[i].fromSearch(x - half)),
+    estimates.push_back({unknowns[i].name, std::string{effect.parameters[parameter->index].unit}, value,
+                         std::max(unknowns[i].low, unknowns[i].fromSearch(x - half)),
                          std::min(unknowns[i].high, unknowns[i].fromSearch(x + half))});
   }
   return estimates;

@@ -16,6 +16,14 @@ json mradOrNull(double rad) {
   return std::isfinite(rad) ? json(mradOf(rad)) : json(nullptr);
 }
 
+/// The part that does not close; where all close within the priors, that of the first effect that was named.
+json blockOrNull(const Outcome& outcome) {
+  if (outcome.where.blocks.first) return name(*outcome.where.blocks.first);
+  const Naming& naming = outcome.naming;
+  const bool named = naming.verdict == Verdict::kNamed || naming.verdict == Verdict::kAmbiguous;
+  return named && !naming.found.empty() ? json(name(blockOf(naming.found.front().effect->place))) : json(nullptr);
+}
+
 json parametersOf(const Additions& additions, const Found& found) {
   json parameters = json::object(), intervals = json::object(), in_model = json::object();
   for (const Estimate& estimate : found.estimates) {
@@ -74,7 +82,7 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"effects", effects},
           {"ambiguity", ambiguity},
           {"where", asJson(outcome.where)["places"]},
-          {"block", outcome.where.blocks.first ? json(name(*outcome.where.blocks.first)) : json(nullptr)},
+          {"block", blockOrNull(outcome)},
           {"remains", outcome.remains},
           {"doubted", doubted},
           {"strained", strained},

@@ -28,7 +28,9 @@ struct Disturbance {
 /// hypothesis; with one, encoder and registers round as the real ones.
 struct RollOutOptions {
   const Disturbance* disturbance = nullptr;
-  int steps_per_period = 0;  // mechanical steps in a firmware period; 0: as many as the law needs
+  // Mechanical steps in a period of the firmware. 0: as many as the law needs, and a firmware faster than 1 ms is
+  // simulated as one of at most that, whose encoder looks half of the difference ahead.
+  int steps_per_period = 0;
 };
 
 /// Reuses the memory of `trace`. May run in several threads at once, each with a trace of its own. Throws

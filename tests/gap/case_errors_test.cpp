@@ -43,6 +43,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"voltage_p\"", "\"voltage\"", "`baseline.model` is \"voltage\"; it has to be voltage_p or speed_p"},
         Mistake{"\"family\"", "\"goal_order\": \"later\", \"family\"", "`goal_order` is \"later\""},
         Mistake{"\"family\"", "\"famly\": 1, \"family\"", "`famly` is not known"},
+        Mistake{"\"kp\": 32", "\"from\": 1, \"kp\": 32", "`logs[0].from` is not known; did you mean from_s?"},
+        Mistake{"\"R_ohm\": 8.5", "\"R_ohm\": 8.5, \"spin_Nm\": 1", "`baseline.params.spin_Nm` is not known"},
         Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0", "`prior_rel_sigma.kt_Nm_A` is 0"},
         Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0.02, \"kt\": 0.03", "has a sigma already"},
         Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0.02, \"coulomb.fricton\": 0.1", "no parameter of an effect"},

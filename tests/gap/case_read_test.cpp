@@ -127,6 +127,17 @@ TEST(CaseRead, WhatADataSheetSaysBesidesIsLeftAside) {
   EXPECT_THAT(c.warnings, ElementsAre(HasSubstr("servo_datasheet.colour")));
 }
 
+TEST(CaseRead, WhatOtherProgramsAddIsLeftOutAndSaid) {
+  const Case c = CaseTexts{}
+                     .with("\"family\"", R"("bench_serial": 7, "family")")
+                     .with("\"kp\": 32", R"("weather": "dry", "kp": 32)")
+                     .with("\"kt_Nm_A\": 0.02", R"("kt_Nm_A": 0.02, "spin_Nm": 0.1)")
+                     .read();
+  EXPECT_THAT(c.warnings, ElementsAre("my/case.json: \"logs[0].weather\" is not known and left out",
+                                      "my/case.json: \"prior_rel_sigma.spin_Nm\" is not known and left out",
+                                      "my/case.json: \"bench_serial\" is not known and left out"));
+}
+
 TEST(CaseRead, AFastFirmwareSeesFinerThanItsSteps) {
   EXPECT_FALSE(CaseTexts{}.with("\"firmware_dt_s\": 0.001", "\"firmware_dt_s\": 0.0001").read().quantised);
   EXPECT_TRUE(CaseTexts{}

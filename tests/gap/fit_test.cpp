@@ -85,8 +85,8 @@ TEST(Slopes, SayWhatAMoveAlongAValleyChanges) {
   const auto error = [&](const Eigen::MatrixXd& slopes) {
     return (slopes * move - (there - here)).norm() / (there - here).norm();
   };
-  EXPECT_LT(error(slopesAt(problem, x, here, along)), 0.2);
-  EXPECT_GT(error(first), 0.3) << "where the first steps do as well, this test shows nothing";
+  EXPECT_LT(error(slopesAt(problem, x, here, along)), 0.35);
+  EXPECT_GT(error(first), 1) << "where the first steps do as well, this test shows nothing";
 }
 
 // Goals that come a period later or earlier make a cost with steps in it.

@@ -43,7 +43,7 @@ TEST(OwnBattery, HasEnoughOfEverything) {
   EXPECT_EQ(hidden_ids.size(), twin::catalogue().size());
   EXPECT_GE(strangers.size(), 5u);
   EXPECT_THAT(severities["coulomb"], testing::ElementsAre(1, 2, 3));
-  EXPECT_EQ(baselines.size(), 3u);
+  EXPECT_EQ(baselines.size(), 4u);
 }
 
 TEST(OwnBattery, HasNamesAndAnOrderThatTellNothing) {

@@ -11,6 +11,7 @@
 #include "gap/hide/hide.hpp"
 #include "gap/hide/measure.hpp"
 #include "support/temporary_folder.hpp"
+#include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -107,6 +108,35 @@ TEST(HiddenCase, IsIntegratedInAnotherWayWithTheSameResult) {
       EXPECT_LT(rmsOff(trace.position_rad, log.position_rad), 0.0001) << nameOf(baseline) << " " << log.file;
       EXPECT_NE(trace.position_rad, log.position_rad);
     }
+  }
+}
+
+double furthestFolded(const Plan& plan, const Hypothesis& bench, double (*of)(const Trace&, const Trace&)) {
+  double worst = 0;
+  for (const std::size_t i : {0u, 1u, 4u, 5u, 8u}) {  // slow, steps, bang, release, moves
+    Trace folded, every;
+    rollOut(plan.given, i, bench, {}, folded);
+    rollOut(plan.given, i, bench, {.steps_per_period = 1}, every);
+    worst = std::max(worst, of(folded, every));
+  }
+  return worst;
+}
+
+// A firmware of 0.1 ms is folded into periods of 1 ms: a tenth of the work, and a small part of an encoder's step.
+TEST(HiddenCase, OfAFineFirmwareIsSimulatedInCoarserPeriods) {
+  const Plan plan = drawnPlan("c001", Baseline::kFine, 4);
+  ASSERT_FALSE(plan.given.quantised);
+  const auto position = [](const Trace& a, const Trace& b) { return rmsOff(a.position_rad, b.position_rad); };
+  const auto load = [](const Trace& a, const Trace& b) { return rmsOff(a.load, b.load); };
+  EXPECT_LT(furthestFolded(plan, baselineOf(plan.given), position), 0.00002);
+  EXPECT_LT(furthestFolded(plan, baselineOf(plan.given), load), 0.0002);
+  // Profiles are on their way, controllers remember, springs swing.
+  for (const char* id : {"speed_limit", "accel_limit", "derivative", "integral", "transport_delay", "joint_flex"}) {
+    Hypothesis bench = baselineOf(plan.given);
+    const twin::EffectInfo& info = *twin::findEffect(id);
+    twin::EffectSetting& effect = bench.with(info);
+    for (std::size_t i = 0; i < effect.values.size(); ++i) effect.values[i] = info.parameters[i].typical;
+    EXPECT_LT(furthestFolded(plan, bench, position), 0.0004) << id;
   }
 }
 

@@ -9,7 +9,8 @@
 namespace darwinop::twin {
 namespace {
 
-constexpr double kLightest = 1e-6;  // kg m2; at a soft gear an arm has to have some inertia of its own
+constexpr double kJumpShare = 1.0 / 64;  // of a firmware period
+constexpr double kLightest = 1e-6;       // kg m2; at a soft gear an arm has to have some inertia of its own
 
 void check(double value, double low, const char* what) {
   if (std::isfinite(value) && value >= low) return;
@@ -46,6 +47,8 @@ void Bench::reset(const BenchOptions& options) {
   servo_.reset(options.start_rad, options.session_time_s);
   position_ = options.start_rad;
   velocity_ = options.start_rad_s;
+  gained_ = 0;
+  sine_ = {};
   transmission_.reset(position_, velocity_, rotor_kgm2_);
   steps_ = options.steps_per_period;
 }
@@ -61,16 +64,27 @@ void Bench::step(const ServoDrive& drive) noexcept {
   stepSoft(std::max(steps_, transmission_.stepsFor(s, arm_kgm2_, servo_.parameters().firmware_period_s)));
 }
 
+// A motor that takes any speed at once takes it at the beginning of a period: a short step sees the jump in its place.
 void Bench::stepRigid(int steps) noexcept {
-  const double h = servo_.parameters().firmware_period_s / steps;
-  for (int i = 0; i < steps; ++i) {
-    position_ += velocity_ * h / 2;
-    const double gravity = gravityAt(position_);
-    const Actuation actuation = servo_.actuate(position_, velocity_, gravity);
-    velocity_ = shaft_.kick(velocity_, actuation, gravity, inertia_kgm2(), h);
-    if (actuation.follows_speed) servo_.noteMotorTorque(shaft_.motorTorque());
-    position_ += velocity_ * h / 2;
-  }
+  const double period = servo_.parameters().firmware_period_s;
+  const bool jumps = servo_.signals().law == Law::kSpeedP && servo_.signals().torque_on && steps > 1;
+  const double first = jumps ? kJumpShare * period : 0;
+  if (jumps) stepShaft(jump_shaft_, first);
+  if (jumps) gained_ = 0;  // a jump does not go on
+  const int rest = jumps ? steps - 1 : steps;
+  for (int i = 0; i < rest; ++i) stepShaft(shaft_, (period - first) / rest);
+}
+
+void Bench::stepShaft(Shaft& shaft, double h) noexcept {
+  position_ += velocity_ * h / 2;
+  const double gravity = gravityAt(position_), before = velocity_;
+  // Friction of the speed in the middle, as it is going to be if it changes as it did.
+  const double speed = velocity_ == 0 ? 0 : velocity_ + gained_ / 2;
+  const Actuation actuation = servo_.actuate(position_, speed, gravity);
+  velocity_ = shaft.kick(velocity_, actuation, gravity, inertia_kgm2(), h);
+  gained_ = velocity_ - before;
+  if (actuation.follows_speed) servo_.noteMotorTorque(shaft.motorTorque());
+  position_ += velocity_ * h / 2;
 }
 
 void Bench::stepSoft(int steps) noexcept {
@@ -88,8 +102,8 @@ double Bench::encoder_rad() const noexcept {
   return servo_.softGear() ? transmission_.encoderRad(servo_.signals(), position_) : position_;
 }
 
-double Bench::gravityAt(double position_rad) const noexcept {
-  return -weight_nm_ * std::sin(position_rad - hangs_at_rad_);
+double Bench::gravityAt(double position_rad) noexcept {
+  return -weight_nm_ * sine_(position_rad - hangs_at_rad_);
 }
 
 double Bench::energy_j() const noexcept {

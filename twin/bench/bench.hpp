@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "twin/bench/near_sine.hpp"
 #include "twin/servo/servo.hpp"
 #include "twin/servo/shaft.hpp"
 #include "twin/servo/transmission.hpp"
@@ -53,16 +54,19 @@ class Bench {
   [[nodiscard]] const Servo& servo() const noexcept { return servo_; }
 
  private:
-  [[nodiscard]] double gravityAt(double position_rad) const noexcept;
+  [[nodiscard]] double gravityAt(double position_rad) noexcept;
   void stepRigid(int steps) noexcept;
+  void stepShaft(Shaft& shaft, double h) noexcept;
   void stepSoft(int steps) noexcept;
 
   Servo servo_;
-  Shaft shaft_;
+  Shaft shaft_, jump_shaft_;  // one for each length of a step: they keep an exponential
   Transmission transmission_;
+  NearSine sine_;
   double arm_kgm2_ = 0, rotor_kgm2_ = 0, weight_nm_ = 0, hangs_at_rad_ = 0;
   int steps_ = 2;
   double position_ = 0, velocity_ = 0;
+  double gained_ = 0;  // of the velocity, by the last step
 };
 
 }  // namespace darwinop::twin
