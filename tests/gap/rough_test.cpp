@@ -54,7 +54,7 @@ Case measuredInTheWind(Case bench, const Hypothesis& truth, double wind_nm) {
   Trace trace;
   for (std::size_t i = 0; i < bench.logs.size(); ++i) {
     Disturbance wind;
-    wind.seed = 500 + i;
+    wind.seed = 600 + i;
     wind.torque_nm = wind_nm;
     wind.torque_time_s = 0.4;
     rollOut(bench, i, truth, {.disturbance = &wind, .steps_per_period = 5}, trace);
