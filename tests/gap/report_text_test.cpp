@@ -60,6 +60,19 @@ TEST(Summary, SaysWhyAnEffectThatFitsIsNotNamed) {
   EXPECT_THAT(doubtSentence(naming.doubted[1]), HasSubstr(twin::findEffect("torque_limit")->separated_by));
 }
 
+TEST(Results, TellThePartOfTheLoopOfWhatWasNamedWhereAllPartsClose) {
+  const Case given = twoLogs();
+  Outcome outcome = dryFriction(given);
+  outcome.where.blocks.first = Block::kController;
+  EXPECT_EQ(asJson(given, outcome)["block"], "controller");
+  outcome.where.blocks.first.reset();
+  EXPECT_EQ(asJson(given, outcome)["block"], "plant");
+  outcome.naming.found.front().effect = twin::findEffect("deadband");
+  EXPECT_EQ(asJson(given, outcome)["block"], "controller");
+  outcome.naming.verdict = Verdict::kUnknown;
+  EXPECT_TRUE(asJson(given, outcome)["block"].is_null());
+}
+
 TEST(Summary, FitsAScreenHoweverMuchWasFound) {
   Told told;
   Naming& naming = told.outcome.naming;
