@@ -16,12 +16,15 @@ json mradOrNull(double rad) {
   return std::isfinite(rad) ? json(mradOf(rad)) : json(nullptr);
 }
 
-/// The part that does not close; where all close within the priors, that of the first effect that was named.
+json opensOrNull(const Outcome& outcome) {
+  return outcome.where.blocks.first ? json(name(*outcome.where.blocks.first)) : json(nullptr);
+}
+
+/// A fit to all logs knows better than a cut through the loop.
 json blockOrNull(const Outcome& outcome) {
-  if (outcome.where.blocks.first) return name(*outcome.where.blocks.first);
   const Naming& naming = outcome.naming;
-  const bool named = naming.verdict == Verdict::kNamed || naming.verdict == Verdict::kAmbiguous;
-  return named && !naming.found.empty() ? json(name(blockOf(naming.found.front().effect->place))) : json(nullptr);
+  if (naming.verdict != Verdict::kNamed || naming.found.empty()) return opensOrNull(outcome);
+  return name(blockOf(naming.found.front().effect->place));
 }
 
 json parametersOf(const Additions& additions, const Found& found) {
@@ -83,6 +86,7 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"ambiguity", ambiguity},
           {"where", asJson(outcome.where)["places"]},
           {"block", blockOrNull(outcome)},
+          {"opens", opensOrNull(outcome)},
           {"remains", outcome.remains},
           {"doubted", doubted},
           {"strained", strained},

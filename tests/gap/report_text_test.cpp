@@ -60,17 +60,19 @@ TEST(Summary, SaysWhyAnEffectThatFitsIsNotNamed) {
   EXPECT_THAT(doubtSentence(naming.doubted[1]), HasSubstr(twin::findEffect("torque_limit")->separated_by));
 }
 
-TEST(Results, TellThePartOfTheLoopOfWhatWasNamedWhereAllPartsClose) {
+TEST(Results, TellThePartOfTheLoopOfWhatWasNamedAndWhichPartDoesNotClose) {
   const Case given = twoLogs();
   Outcome outcome = dryFriction(given);
   outcome.where.blocks.first = Block::kController;
-  EXPECT_EQ(asJson(given, outcome)["block"], "controller");
-  outcome.where.blocks.first.reset();
   EXPECT_EQ(asJson(given, outcome)["block"], "plant");
+  EXPECT_EQ(asJson(given, outcome)["opens"], "controller");
   outcome.naming.found.front().effect = twin::findEffect("deadband");
+  outcome.where.blocks.first.reset();
   EXPECT_EQ(asJson(given, outcome)["block"], "controller");
+  EXPECT_TRUE(asJson(given, outcome)["opens"].is_null());
+  outcome.where.blocks.first = Block::kSensor;
   outcome.naming.verdict = Verdict::kUnknown;
-  EXPECT_TRUE(asJson(given, outcome)["block"].is_null());
+  EXPECT_EQ(asJson(given, outcome)["block"], "sensor");
 }
 
 TEST(Summary, FitsAScreenHoweverMuchWasFound) {

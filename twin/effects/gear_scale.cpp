@@ -33,7 +33,7 @@ class GearScale final : public EffectOf<kGearScale, kParameters.size()> {
 const EffectInfo kGearScale{
     .id = "gear_scale",
     .title = "scale of the goal",
-    .place = Place::kCommand,
+    .place = Place::kController,
     .equation = "goal = scale * goal",
     .signature = "Error in proportion to the goal, at rest and without load too, at every P gain.",
     .separated_by =
