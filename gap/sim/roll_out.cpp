@@ -18,8 +18,8 @@ constexpr double kRegisterPerGain = 8;  // of the P gain (manual)
 // A host that commands after it reads has held the first goal for a while; one that commands first starts from rest.
 constexpr double kHeldBefore = 1.0;      // s
 constexpr double kExactTicks = 1 << 26;  // a revolution: far below anything that shows
-// A firmware of 0.1 ms costs ten times one of 1 ms, and hardly differs from one of 1 ms that looks ahead.
-constexpr double kLongestFold = 1e-3;  // s
+// A firmware of 0.1 ms costs ten times one of 1 ms, and hardly differs from one of 0.5 ms that looks ahead.
+constexpr double kLongestFold = 5e-4;  // s
 
 /// One log on one hypothesis.
 class Run {

@@ -28,7 +28,7 @@ struct Disturbance {
 /// hypothesis; with one, encoder and registers round as the real ones.
 struct RollOutOptions {
   const Disturbance* disturbance = nullptr;
-  // Mechanical steps in a period of the firmware. 0: as many as the law needs, and a firmware faster than 1 ms is
+  // Mechanical steps in a period of the firmware. 0: as many as the law needs, and a firmware faster than 0.5 ms is
   // simulated as one of at most that, whose encoder looks half of the difference ahead.
   int steps_per_period = 0;
 };

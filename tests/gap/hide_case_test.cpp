@@ -122,7 +122,7 @@ double furthestFolded(const Plan& plan, const Hypothesis& bench, double (*of)(co
   return worst;
 }
 
-// A firmware of 0.1 ms is folded into periods of 1 ms: a tenth of the work, and a small part of an encoder's step.
+// A firmware of 0.1 ms is folded into periods of 0.5 ms: a fifth of the work, and a small part of an encoder's step.
 TEST(HiddenCase, OfAFineFirmwareIsSimulatedInCoarserPeriods) {
   const Plan plan = drawnPlan("c001", Baseline::kFine, 4);
   ASSERT_FALSE(plan.given.quantised);
