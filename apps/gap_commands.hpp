@@ -40,6 +40,8 @@ struct Arguments {
 
 /// The case, with the model that stands in for its own.
 Case readGiven(const Arguments& given);
+/// What is odd about the case, or left out of it; a line each.
+void tellWarnings(const Case& read);
 
 // Each returns the exit code, and throws std::runtime_error with a sentence.
 int check(const Arguments& given);

@@ -106,8 +106,14 @@ Case readGiven(const Arguments& given) {
   return given.model.empty() ? read : withModel(std::move(read), twin::readModel(twin::findModel(given.model)));
 }
 
+void tellWarnings(const Case& read) {
+  if (!Ranks::isFirst()) return;
+  for (const std::string& warning : read.warnings) std::cerr << "darwinop gap: " << warning << '\n';
+}
+
 int run(const Arguments& given) {
   const Case read = readGiven(given);
+  tellWarnings(read);
   ProgressLine progress{given.json || !Ranks::isFirst()};
   NameOptions options;
   options.tell = [&](const std::string& what) { progress.tell(what); };

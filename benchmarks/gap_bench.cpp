@@ -79,7 +79,7 @@ void rollOuts() {
       twin::Pendulum pendulum = hypothesis.pendulum;
       pendulum.payload_kg = given.logs[0].payload_kg;
       twin::Bench bench{hypothesis.servo, std::move(effects), pendulum};
-      bench.reset({.steps_per_period = 2});
+      bench.reset({.steps_per_period = 1});
       const ServoDrive drive{.torque_on = true, .goal_rad = 0.5, .p_gain = given.logs[0].p_register / 8};
       const auto periods = std::lround((given.logs[0].duration_s() + 1) / hypothesis.servo.firmware_period_s);
       for (long period = 0; period < periods; ++period) bench.step(drive);

@@ -118,6 +118,13 @@ void Fields::finish() const {
 void Fields::finish(std::vector<std::string>& warnings) const {
   const std::vector<std::string_view> known{known_.begin(), known_.end()};
   for (const std::string& key : untaken()) {
+    const auto within = [&](std::string_view other) {
+      constexpr std::size_t kWord = 4;  // letters; shorter ones are in anything
+      return std::min(key.size(), other.size()) >= kWord &&
+             (key.find(other) != std::string::npos || other.find(key) != std::string_view::npos);
+    };
+    if (const auto meant = std::ranges::find_if(known, within); meant != known.end())
+      fail(key, "is not known; did you mean " + std::string{*meant} + "?");
     if (twin::nearest(key, known)) fail(key, "is not known; " + twin::suggestion(key, known));
     warnings.push_back(file_ + ": " + logs::quoted(pathOf(key)) + " is not known and left out");
   }

@@ -36,8 +36,8 @@ class Fields {
   [[nodiscard]] std::vector<std::string> untaken() const;
   /// Throws for the first of them. Comments may stand anywhere: note, comment, source and the like.
   void finish() const;
-  /// Of an object that other programs add to: throws for what is a few letters away from a key that was asked for, and
-  /// puts into `warnings` what else is left out.
+  /// Of an object that other programs add to: throws for what is a few letters away from a key that was asked for, or a
+  /// part of one, and puts into `warnings` what else is left out.
   void finish(std::vector<std::string>& warnings) const;
 
   [[nodiscard]] std::vector<std::string> keys() const;

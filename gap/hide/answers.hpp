@@ -25,7 +25,7 @@ struct Answer {
   std::vector<AnswerEffect> effects;
   std::vector<std::vector<std::string>> ambiguity;
   std::vector<AnswerPlace> places;       // strongest first
-  std::string block;                     // of the loop, that opens first; empty: not told
+  std::string block;                     // of the loop, where it was found; empty: not told
   double before_rad = 0, after_rad = 0;  // on the kept logs; NaN: not told
   double runtime_s = 0;                  // NaN: not told
 };

@@ -93,8 +93,8 @@ void addPairs(std::size_t count, Dice& dice, Requests& all) {
 void addOutside(std::size_t count, Requests& all) {
   const auto strangers = outsideCatalogue();
   for (std::size_t i = 0; i < count; ++i)
-    all.push_back(
-        request(kVoltage[i % kVoltage.size()], false, {{.id = std::string{strangers[i % strangers.size()].id}}}));
+    all.push_back(request(kVoltage[i / strangers.size() % kVoltage.size()], false,
+                          {{.id = std::string{strangers[i % strangers.size()].id}}}));
 }
 
 // One of each kind of verdict, and the effects that are met most often.

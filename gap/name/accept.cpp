@@ -34,6 +34,7 @@ bool Search::acceptOneOf(const std::vector<Settled>& candidates) {
     const double gain = onNoiseOf(present_, best).fit.cost - best.fit.cost, needed = neededFor(next);
     say("%s would gain %.0f, %.0f needed", std::string{next.id}.c_str(), gain, needed);
     if (gain < needed || (isAtItsBound(best, next) && gain < kNearlyAll * excess_cost_)) continue;
+    if (isNextToNothing(best, next)) continue;
     // A number that moves as its prior lets it is no finding. Where it explains most with every other number held, what
     // explains less is none, either.
     const bool held = present_.numbers == Numbers::kHeld;

@@ -14,9 +14,11 @@ constexpr double kFits = 1.15;        // cost over what noise makes of it: as a 
 constexpr double kTogether = 8;       // samples of 16 ms that are off together where a model is wrong
 constexpr double kRemains = 3;        // floors that may remain when most of a large gap is gone
 constexpr double kMost = 0.85;        // of the gap
-constexpr double kSharpest = 0.004;   // of a number: two simulators of the same equations differ by as much
-constexpr double kAtBound = 1e-3;     // of the range
-constexpr double kLeast = 2;          // floors: a smaller gap without a name tells too little
+constexpr double kSharpest =
+    0.004;  // of a number: a limit of 80 rad/s2 came back 0.3 % off from another simulator's logs
+constexpr double kAtBound = 1e-3;  // of the range
+constexpr double kNothing = 3e-4;  // of the range: an encoder's step shows no delay, play or gain as small as that
+constexpr double kLeast = 2;       // floors: a smaller gap without a name tells too little
 
 double sigmasOff(const Settled& fitted, std::size_t i) {
   const Unknown& unknown = fitted.problem.unknowns()[i];
@@ -97,8 +99,8 @@ std::vector<Estimate> estimatesOf(const Settled& fitted, const twin::EffectInfo&
       // A goal acts from the first period after it has come: which instant within the one before, nobody can tell.
       const double early = fitted.problem.hypothesis().servo.firmware_period_s / 2;
       const double later = std::max(early, unknowns[i].fromSearch(x + half) - value);
-      estimates.push_back(
-          {unknowns[i].name, "s", value - early, std::max(0.0, value - early - later), value - early + later});
+      estimates.push_back({unknowns[i].name, "s", value - early, std::max(0.0, value - early - later),
+                           std::min(unknowns[i].high, value - early + later)});
       continue;
     }
     estimates.push_back({unknowns[i].name, std::string{effect.parameters[parameter->index].unit}, value,
@@ -139,6 +141,19 @@ bool isAtItsBound(const Settled& fitted, const twin::EffectInfo& effect) {
     if ((x < low + near && neutral > low + near) || (x > high - near && neutral < high - near)) return true;
   }
   return false;
+}
+
+bool isNextToNothing(const Settled& fitted, const twin::EffectInfo& effect) {
+  const auto& unknowns = fitted.problem.unknowns();
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto* const own = std::get_if<EffectParameter>(&unknowns[i].what);
+    if (own == nullptr || own->info != &effect) continue;
+    const twin::Parameter& parameter = effect.parameters[own->index];
+    const double value = unknowns[i].fromSearch(fitted.fit.x[static_cast<Eigen::Index>(i)]);
+    if (!parameter.secondary && std::abs(value - parameter.neutral) > kNothing * (parameter.high - parameter.low))
+      return false;
+  }
+  return unknownsOf(effect).size() > 0;
 }
 
 double gapOf(const Case& given, const Hypothesis& hypothesis, bool score) {

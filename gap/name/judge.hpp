@@ -28,6 +28,8 @@ std::vector<Strained> strainedOf(const Settled& fitted);
 std::vector<Estimate> estimatesOf(const Settled& fitted, const twin::EffectInfo& effect, double excess);
 /// An effect that had to be as strong as it can be stands in for something else, unless it explains nearly all.
 bool isAtItsBound(const Settled& fitted, const twin::EffectInfo& effect);
+/// Every number of the effect is where it does nothing: what such a fit gains comes from how two simulators round.
+bool isNextToNothing(const Settled& fitted, const twin::EffectInfo& effect);
 /// What was fitted; an effect's number that the data say nothing about is left at its neutral value.
 Hypothesis withoutUnseen(const Settled& fitted);
 std::vector<std::string> idsOf(const Effects& effects);

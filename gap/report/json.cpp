@@ -101,6 +101,7 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"gap_score_after_mrad", mradOrNull(outcome.score_after_rad)},
           {"mean_error_score_before_mrad", mradOrNull(meanErrorOf(given, baselineOf(given), true))},
           {"mean_error_score_after_mrad", mradOrNull(meanErrorOf(given, naming.model, true))},
+          {"warnings", given.warnings},
           {"runtime_s", std::round(outcome.runtime_s * 10) / 10}};
 }
 

@@ -20,6 +20,7 @@ constexpr double kHeldBefore = 1.0;      // s
 constexpr double kExactTicks = 1 << 26;  // a revolution: far below anything that shows
 // A firmware of 0.1 ms costs ten times one of 1 ms, and hardly differs from one of 0.5 ms that looks ahead.
 constexpr double kLongestFold = 5e-4;  // s
+constexpr double kLoadJump = 0.05;     // in a folded period: no motion changes a duty as fast
 
 /// One log on one hypothesis.
 class Run {
@@ -28,7 +29,7 @@ class Run {
       : given_{given},
         log_{log},
         options_{options},
-        folded_{options.steps_per_period > 0 ? 1 : foldedPeriods(hypothesis)},
+        folded_{options.steps_per_period > 0 ? 1 : foldedPeriods(log, hypothesis)},
         period_s_{folded_ * hypothesis.servo.firmware_period_s},
         nominal_v_{hypothesis.servo.supply_v},
         temperature_c_{temperatureAt(0)},
@@ -67,7 +68,7 @@ class Run {
  private:
   void begin(const Hypothesis& hypothesis) {
     const bool held = given_.goal_order == GoalOrder::kAfterRead && drive_.torque_on;
-    bench_.reset({.steps_per_period = stepsFor(lawOf(hypothesis)),
+    bench_.reset({.steps_per_period = stepsFor(hypothesis),
                   .start_rad = held ? log_.goal_rad[0] : log_.position_rad[0],
                   .session_time_s = log_.session_start_s - (held ? kHeldBefore : 0)});
     if (held)
@@ -80,17 +81,28 @@ class Run {
   }
 
   // The duty stands still for a period, and the middle of it is right to the second order. A motor that takes any speed
-  // at once has a short step for its jump.
-  [[nodiscard]] int stepsFor(twin::Law law) const {
+  // at once has a step of its own for its jump, but not with a soft gear.
+  [[nodiscard]] int stepsFor(const Hypothesis& hypothesis) const {
     if (options_.steps_per_period > 0) return options_.steps_per_period;
-    return law == twin::Law::kSpeedP ? 3 : 1;
+    const bool soft = hypothesis.find("backlash") != nullptr || hypothesis.find("joint_flex") != nullptr;
+    if (lawOf(hypothesis) == twin::Law::kSpeedP) return soft ? 6 : 2;
+    return soft ? 2 : 1;
   }
 
-  /// Periods of a fine firmware that are simulated as one.
-  static int foldedPeriods(const Hypothesis& hypothesis) {
+  /// Periods of a fine firmware that are simulated as one: the most that end with every row of the log.
+  static int foldedPeriods(const Trajectory& log, const Hypothesis& hypothesis) {
     if (hypothesis.find("derivative") != nullptr) return 1;  // swings at 1 ms where it damps at 0.1 ms
-    constexpr double kRounding = 1e-6;
-    return std::max(1, static_cast<int>(kLongestFold / hypothesis.servo.firmware_period_s + kRounding));
+    constexpr double kRounding = 1e-3;                       // of a period; a log tells its times in decimals
+    const double period_s = hypothesis.servo.firmware_period_s;
+    int most = static_cast<int>(kLongestFold / period_s + kRounding);
+    const auto fits = [&](int periods) {
+      return std::ranges::all_of(log.time_s, [&](double time_s) {
+        const double count = (time_s - log.time_s[0]) / (periods * period_s);
+        return std::abs(count - std::round(count)) < kRounding;
+      });
+    };
+    while (most > 1 && !fits(most)) --most;
+    return std::max(1, most);
   }
 
   /// The duty of a folded period is the mean of those it stands for: that of a position this much later.
@@ -106,8 +118,9 @@ class Run {
 
   /// That of the last of the periods that the simulated one stands for.
   [[nodiscard]] double loadNow() const {
-    const double load = bench_.servo().report().load;
-    return std::clamp(load + (load - load_before_) * aheadS() / period_s_, -1.0, 1.0);
+    const double load = bench_.servo().report().load, most = bench_.servo().signals().duty_limit;
+    const bool jumped = std::abs(load - load_before_) > kLoadJump;  // a goal that came late, a torque that came on
+    return jumped ? load : std::clamp(load + (load - load_before_) * aheadS() / period_s_, -most, most);
   }
 
   void step() {

@@ -50,11 +50,17 @@ void Surroundings::command(twin::Signals& s, double /*dt_s*/) noexcept {
   if (noisy_) torque_nm_ = torque_.next();
 }
 
+// By the encoder's own speed: in the play of a gear the motor has another.
+void Surroundings::sensor(twin::Signals& s, double dt_s) noexcept {
+  s.measured_rad += ahead_s_ * (s.position_rad - last_position_rad_) / dt_s;
+  last_position_rad_ = s.position_rad;
+}
+
 // A profile that is on its way has gone a whole period; the mean of many small ones is half of that. One that gathers
-// speed has gathered it at the beginning of each period, which is as much again.
+// speed has gathered it at the beginning of each period, which is as much again. Law speed_p has no profile.
 void Surroundings::controller(twin::Signals& s, double dt_s) noexcept {
   const double share = std::isfinite(s.profile_accel_rad_s2) ? 2 : std::isfinite(s.profile_speed_rad_s) ? 1 : 0;
-  s.error_rad -= share * ahead_s_ * (s.set_point_rad - last_set_point_rad_) / dt_s;
+  if (s.law == twin::Law::kVoltageP) s.error_rad -= share * ahead_s_ * (s.set_point_rad - last_set_point_rad_) / dt_s;
   last_set_point_rad_ = s.set_point_rad;
 }
 

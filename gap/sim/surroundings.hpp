@@ -33,9 +33,12 @@ class Surroundings final : public twin::Effect {
     return static_cast<std::uint8_t>(kCommandHook | (noisy_ ? kMechanicsHook : 0) |
                                      (ahead_s_ > 0 ? kSensorHook | kControllerHook : 0));
   }
-  void reset(const twin::Signals& now) noexcept override { last_set_point_rad_ = now.set_point_rad; }
+  void reset(const twin::Signals& now) noexcept override {
+    last_set_point_rad_ = now.set_point_rad;
+    last_position_rad_ = now.position_rad;
+  }
   void command(twin::Signals& s, double dt_s) noexcept override;
-  void sensor(twin::Signals& s, double /*dt_s*/) noexcept override { s.measured_rad += ahead_s_ * s.velocity_rad_s; }
+  void sensor(twin::Signals& s, double dt_s) noexcept override;
   void controller(twin::Signals& s, double dt_s) noexcept override;
   void mechanics(twin::Signals& s) noexcept override { s.extra_torque_nm += torque_nm_; }
 
@@ -44,7 +47,7 @@ class Surroundings final : public twin::Effect {
   double ahead_s_;
   bool noisy_;
   Wander torque_;
-  double torque_nm_ = 0, last_set_point_rad_ = 0;
+  double torque_nm_ = 0, last_set_point_rad_ = 0, last_position_rad_ = 0;
 };
 
 }  // namespace darwinop::gap

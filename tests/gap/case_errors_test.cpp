@@ -44,6 +44,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"family\"", "\"goal_order\": \"later\", \"family\"", "`goal_order` is \"later\""},
         Mistake{"\"family\"", "\"famly\": 1, \"family\"", "`famly` is not known"},
         Mistake{"\"kp\": 32", "\"from\": 1, \"kp\": 32", "`logs[0].from` is not known; did you mean from_s?"},
+        Mistake{"\"kp\": 32", "\"hangs_at\": 1, \"kp\": 32",
+                "`logs[0].hangs_at` is not known; did you mean hangs_at_rad?"},
         Mistake{"\"R_ohm\": 8.5", "\"R_ohm\": 8.5, \"spin_Nm\": 1", "`baseline.params.spin_Nm` is not known"},
         Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0", "`prior_rel_sigma.kt_Nm_A` is 0"},
         Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0.02, \"kt\": 0.03", "has a sigma already"},

@@ -80,7 +80,7 @@ TEST(HiddenCase, IsTheSameForASeedAndAnotherForTheNext) {
 
 // Two-sided: noise that is missing would be as wrong as a gap.
 TEST(HiddenCase, WithoutEffectClosesToTheFloor) {
-  for (const Baseline baseline : {Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed}) {
+  for (const Baseline baseline : {Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed, Baseline::kFine}) {
     const Case c = hidden(secret(2, {}, baseline)).given;
     for (std::size_t i = 0; i < c.logs.size(); ++i) {
       if (c.logs[i].kind == "release") continue;  // a limp arm multiplies what is small
@@ -131,12 +131,13 @@ TEST(HiddenCase, OfAFineFirmwareIsSimulatedInCoarserPeriods) {
   EXPECT_LT(furthestFolded(plan, baselineOf(plan.given), position), 0.00002);
   EXPECT_LT(furthestFolded(plan, baselineOf(plan.given), load), 0.0002);
   // Profiles are on their way, controllers remember, springs swing.
-  for (const char* id : {"speed_limit", "accel_limit", "derivative", "integral", "transport_delay", "joint_flex"}) {
+  for (const char* id :
+       {"speed_limit", "accel_limit", "derivative", "integral", "transport_delay", "joint_flex", "backlash"}) {
     Hypothesis bench = baselineOf(plan.given);
     const twin::EffectInfo& info = *twin::findEffect(id);
     twin::EffectSetting& effect = bench.with(info);
     for (std::size_t i = 0; i < effect.values.size(); ++i) effect.values[i] = info.parameters[i].typical;
-    EXPECT_LT(furthestFolded(plan, bench, position), 0.0004) << id;
+    EXPECT_LT(furthestFolded(plan, bench, position), 0.0002) << id;
   }
 }
 

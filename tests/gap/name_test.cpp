@@ -18,6 +18,33 @@ std::string idOf(const Naming& naming) {
   return naming.found.empty() ? "" : std::string{naming.found.front().effect->id};
 }
 
+/// A fit that says of this effect what `values` say.
+Settled sayingOf(const Case& given, std::string_view id, const std::vector<double>& values) {
+  NoiseOptions few;
+  few.runs = 4;
+  auto evidence = std::make_shared<const Evidence>(evidenceOf(given, baselineOf(given), false, few));
+  const Effects effects{{twin::findEffect(id)}};
+  Problem problem = problemWith(*evidence, effects, Numbers::kHeld);
+  Fit fit;
+  fit.x = problem.expected();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    fit.x[static_cast<Eigen::Index>(i)] = problem.unknowns()[i].toSearch(values[i]);
+  return {effects, Numbers::kHeld, std::move(evidence), std::move(problem), std::move(fit), 0};
+}
+
+// Seen as the second effect of a delay under the law speed_p: what such a fit gains is the rounding of a position.
+TEST(Judging, ADeadBandOfFourMicroradiansIsNothing) {
+  const Case given = measured(smallBench(), baselineOf(smallBench()), 3);
+  const auto is_nothing = [&](std::string_view id, const std::vector<double>& values) {
+    return isNextToNothing(sayingOf(given, id, values), *twin::findEffect(id));
+  };
+  EXPECT_TRUE(is_nothing("deadband", {4e-6}));
+  EXPECT_FALSE(is_nothing("deadband", {0.0025}));
+  EXPECT_TRUE(is_nothing("com_mass", {0.0001, 0}));
+  EXPECT_FALSE(is_nothing("com_mass", {0, 0.01})) << "one of its numbers does something";
+  EXPECT_FALSE(is_nothing("accel_limit", {9990})) << "an encoder shows it";
+}
+
 TEST(Naming, AModelThatIsRightMissesNothing) {
   const Case bench = smallBench();
   const Naming naming = namedIn(measured(bench, baselineOf(bench), 11));

@@ -49,14 +49,10 @@ Hypothesis realServo(const Case& bench) {
   return truth;
 }
 
-/// With a wind that no model of a servo knows.
-Case measuredInTheWind(Case bench, const Hypothesis& truth, double wind_nm) {
+Case measuredIn(Disturbance wind, Case bench, const Hypothesis& truth) {
   Trace trace;
   for (std::size_t i = 0; i < bench.logs.size(); ++i) {
-    Disturbance wind;
-    wind.seed = 600 + i;
-    wind.torque_nm = wind_nm;
-    wind.torque_time_s = 0.4;
+    wind.seed = 700 + i;
     rollOut(bench, i, truth, {.disturbance = &wind, .steps_per_period = 5}, trace);
     bench.logs[i].position_rad = trace.position_rad;
     bench.logs[i].load = trace.load;
@@ -72,7 +68,8 @@ const Found* foundIn(const Naming& naming, std::string_view id) {
 
 TEST(RoughNumbers, WhatEveryServoHasIsNamedThoughSomethingRemains) {
   const Case bench = manualBench();
-  const Naming naming = nameEffects(measuredInTheWind(bench, realServo(bench), 0.06));
+  const Disturbance gusts{.torque_nm = 0.06, .torque_time_s = 0.4};  // that no model of a servo knows
+  const Naming naming = nameEffects(measuredIn(gusts, bench, realServo(bench)));
   EXPECT_EQ(naming.verdict, Verdict::kNamed);
   EXPECT_TRUE(naming.remains);
   const Found* const gain = foundIn(naming, "kp_scale");
@@ -88,7 +85,7 @@ TEST(RoughNumbers, WhatEveryServoHasIsNamedThoughSomethingRemains) {
 
 TEST(RoughNumbers, AModelThatExplainsAllIsFoundAsEver) {
   const Case bench = manualBench();
-  const Case given = measuredInTheWind(bench, withEffect(bench, "coulomb", "friction", 0.08), Disturbance{}.torque_nm);
+  const Case given = measuredIn({}, bench, withEffect(bench, "coulomb", "friction", 0.08));
   const Naming naming = nameEffects(given);
   EXPECT_FALSE(naming.remains);
   ASSERT_EQ(naming.found.size(), 1U);
@@ -115,27 +112,27 @@ Settled sagging(const Case& given, double ohm) {
 
 TEST(Voltage, ThatStaysUpContradictsASupplyThatSags) {
   const Case bench = manualBench();
-  const Case given = measuredInTheWind(bench, baselineOf(bench), 0);
+  const Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
   EXPECT_TRUE(contradictsVoltage(given, sagging(given, 3)));
   EXPECT_FALSE(contradictsVoltage(given, sagging(given, 0.3))) << "wires have as much";
 }
 
 TEST(Voltage, ThatDipsAllowsIt) {
   const Case bench = manualBench();
-  const Case given = measuredInTheWind(bench, withEffect(bench, "supply_sag", "resistance", 3), 0);
+  const Case given = measuredIn({.torque_nm = 0}, bench, withEffect(bench, "supply_sag", "resistance", 3));
   EXPECT_FALSE(contradictsVoltage(given, sagging(given, 3)));
 }
 
 TEST(Voltage, ThatNobodyMeasuredSaysNothing) {
   const Case bench = manualBench();
-  Case given = measuredInTheWind(bench, baselineOf(bench), 0);
+  Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
   for (Trajectory& log : given.logs) log.volt_v.assign(log.rows(), std::numeric_limits<double>::quiet_NaN());
   EXPECT_FALSE(contradictsVoltage(given, sagging(given, 3)));
 }
 
 TEST(Unexplained, IsWhatMostSamplesAreOffBy) {
   const Case bench = manualBench();
-  Case given = measuredInTheWind(bench, baselineOf(bench), 0);
+  Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
   const std::vector<std::size_t> logs{0, 1};
   const double before = unexplainedBy(given, logs, baselineOf(given)).position_rad;
   EXPECT_LT(before, 0.003);
@@ -147,7 +144,7 @@ TEST(Unexplained, IsWhatMostSamplesAreOffBy) {
 
 TEST(Unexplained, NeighboursCountAsOne) {
   const Case bench = manualBench();
-  const Case given = measuredInTheWind(bench, baselineOf(bench), 0);
+  const Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
   NoiseOptions bearing = fewRuns();
   bearing.unexplained = {
       .position_rad = 0.02, .load = std::vector<double>(given.logs.size(), 0.01), .together_s = 20 * kRow};

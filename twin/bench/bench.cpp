@@ -9,8 +9,9 @@
 namespace darwinop::twin {
 namespace {
 
-constexpr double kJumpShare = 1.0 / 64;  // of a firmware period
-constexpr double kLightest = 1e-6;       // kg m2; at a soft gear an arm has to have some inertia of its own
+constexpr double kShortestJump = 1.0 / 64;  // of a firmware period
+constexpr double kLeastTorque = 1e-3;       // N m
+constexpr double kLightest = 1e-6;          // kg m2; at a soft gear an arm has to have some inertia of its own
 
 void check(double value, double low, const char* what) {
   if (std::isfinite(value) && value >= low) return;
@@ -64,26 +65,38 @@ void Bench::step(const ServoDrive& drive) noexcept {
   stepSoft(std::max(steps_, transmission_.stepsFor(s, arm_kgm2_, servo_.parameters().firmware_period_s)));
 }
 
-// A motor that takes any speed at once takes it at the beginning of a period: a short step sees the jump in its place.
 void Bench::stepRigid(int steps) noexcept {
   const double period = servo_.parameters().firmware_period_s;
-  const bool jumps = servo_.signals().law == Law::kSpeedP && servo_.signals().torque_on && steps > 1;
-  const double first = jumps ? kJumpShare * period : 0;
-  if (jumps) stepShaft(jump_shaft_, first);
-  if (jumps) gained_ = 0;  // a jump does not go on
-  const int rest = jumps ? steps - 1 : steps;
-  for (int i = 0; i < rest; ++i) stepShaft(shaft_, (period - first) / rest);
+  const double first = steps > 1 ? jumpTime(period) : 0;
+  if (first > 0) {
+    stepShaft(first);
+    gained_ = 0;  // a jump does not go on
+    --steps;
+  }
+  if (first == period) return;
+  for (int i = 0; i < steps; ++i) stepShaft((period - first) / steps);
 }
 
-void Bench::stepShaft(Shaft& shaft, double h) noexcept {
+// A motor that takes any speed as soon as its torque lets it takes it at the beginning of a period: a step as long as
+// that lasts. 0: there is no such motor.
+double Bench::jumpTime(double period) noexcept {
+  const Signals& s = servo_.signals();
+  if (s.law != Law::kSpeedP || !s.torque_on) return 0;
+  const double change = s.speed_command_rad_s - velocity_;
+  const double torque = std::min(servo_.parameters().torque_max_nm * s.duty_limit, s.torque_limit_nm);
+  const double left = torque + std::copysign(1.0, change) * gravityAt(position_);
+  return std::clamp(inertia_kgm2() * std::abs(change) / std::max(left, kLeastTorque), kShortestJump * period, period);
+}
+
+void Bench::stepShaft(double h) noexcept {
   position_ += velocity_ * h / 2;
   const double gravity = gravityAt(position_), before = velocity_;
   // Friction of the speed in the middle, as it is going to be if it changes as it did.
   const double speed = velocity_ == 0 ? 0 : velocity_ + gained_ / 2;
   const Actuation actuation = servo_.actuate(position_, speed, gravity);
-  velocity_ = shaft.kick(velocity_, actuation, gravity, inertia_kgm2(), h);
+  velocity_ = shaft_.kick(velocity_, actuation, gravity, inertia_kgm2(), h);
   gained_ = velocity_ - before;
-  if (actuation.follows_speed) servo_.noteMotorTorque(shaft.motorTorque());
+  if (actuation.follows_speed) servo_.noteMotorTorque(shaft_.motorTorque());
   position_ += velocity_ * h / 2;
 }
 

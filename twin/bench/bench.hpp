@@ -56,11 +56,12 @@ class Bench {
  private:
   [[nodiscard]] double gravityAt(double position_rad) noexcept;
   void stepRigid(int steps) noexcept;
-  void stepShaft(Shaft& shaft, double h) noexcept;
+  void stepShaft(double h) noexcept;
+  double jumpTime(double period) noexcept;
   void stepSoft(int steps) noexcept;
 
   Servo servo_;
-  Shaft shaft_, jump_shaft_;  // one for each length of a step: they keep an exponential
+  Shaft shaft_;
   Transmission transmission_;
   NearSine sine_;
   double arm_kgm2_ = 0, rotor_kgm2_ = 0, weight_nm_ = 0, hangs_at_rad_ = 0;
