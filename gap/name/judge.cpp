@@ -153,7 +153,7 @@ bool isNextToNothing(const Settled& fitted, const twin::EffectInfo& effect) {
     if (!parameter.secondary && std::abs(value - parameter.neutral) > kNothing * (parameter.high - parameter.low))
       return false;
   }
-  return unknownsOf(effect).size() > 0;
+  return !unknownsOf(effect).empty();
 }
 
 double gapOf(const Case& given, const Hypothesis& hypothesis, bool score) {
