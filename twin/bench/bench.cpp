@@ -10,7 +10,7 @@ namespace darwinop::twin {
 namespace {
 
 constexpr double kShortestJump = 1.0 / 64;  // of a firmware period
-constexpr double kLeastTorque = 1e-3;       // N m
+constexpr double kLeastTorque = 1e-3;       // N m; a motor that cannot lift its load jumps for the whole period
 constexpr double kLightest = 1e-6;          // kg m2; at a soft gear an arm has to have some inertia of its own
 
 void check(double value, double low, const char* what) {

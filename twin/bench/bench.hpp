@@ -18,7 +18,8 @@ struct Pendulum {
 };
 
 struct BenchOptions {
-  int steps_per_period = 2;  // mechanical steps in a firmware period; a soft gear takes more by itself
+  int steps_per_period = 2;  // mechanical steps in a firmware period; a soft gear takes more by itself, and of
+                             // two or more the first is as long as the jump of a motor of law speed_p
   double start_rad = 0;      // at rest there
   double start_rad_s = 0;
   double session_time_s = 0;
