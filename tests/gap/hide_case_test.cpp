@@ -78,6 +78,19 @@ TEST(HiddenCase, IsTheSameForASeedAndAnotherForTheNext) {
   EXPECT_NE(allText(hidden(secret(6, effects)).given), first);
 }
 
+// docs/gap/tutorial.md says by which command. Other noise would be a tick or two off.
+TEST(HiddenCase, TheShippedExampleCanBeMadeAgain) {
+  HideRequest request = secret(13, {{.id = "coulomb", .severity = 2}}, Baseline::kFrictionless);
+  request.name = "example";
+  const Case made = hidden(request).given, shipped = readCase(DARWINOP_GAP_EXAMPLE);
+  ASSERT_EQ(made.logs.size(), shipped.logs.size());
+  for (std::size_t i = 0; i < made.logs.size(); ++i) {
+    ASSERT_EQ(made.logs[i].rows(), shipped.logs[i].rows());
+    EXPECT_LT(rmsOff(made.logs[i].goal_rad, shipped.logs[i].goal_rad), 1e-6) << made.logs[i].file;
+    EXPECT_LT(rmsOff(made.logs[i].position_rad, shipped.logs[i].position_rad), 0.0003) << made.logs[i].file;
+  }
+}
+
 // Two-sided: noise that is missing would be as wrong as a gap.
 TEST(HiddenCase, WithoutEffectClosesToTheFloor) {
   for (const Baseline baseline : {Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed, Baseline::kFine}) {
