@@ -42,6 +42,7 @@ Answer answerOf(const Json& json) {
     answer.places.push_back(
         {wordOf(place, "file"), numberOf(place, "t0"), numberOf(place, "t1"), wordOf(place, "block")});
   answer.block = wordOf(json, "block");
+  answer.opens = wordOf(json, "opens");
   answer.before_rad = numberOf(json, "gap_score_before_mrad") / 1e3;
   answer.after_rad = numberOf(json, "gap_score_after_mrad") / 1e3;
   answer.runtime_s = numberOf(json, "runtime_s");

@@ -26,6 +26,7 @@ struct Answer {
   std::vector<std::vector<std::string>> ambiguity;
   std::vector<AnswerPlace> places;       // strongest first
   std::string block;                     // of the loop, where it was found; empty: not told
+  std::string opens;                     // the block that opens before any fit; empty: not told
   double before_rad = 0, after_rad = 0;  // on the kept logs; NaN: not told
   double runtime_s = 0;                  // NaN: not told
 };

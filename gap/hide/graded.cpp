@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gap/sim/block.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
@@ -9,13 +10,6 @@ namespace {
 
 constexpr std::size_t kLargestSet = 3;  // effects that an honest ambiguity may have
 constexpr std::size_t kPlaces = 3;      // of an answer that are looked at
-
-/// Block of the loop that a place belongs to.
-std::string_view blockOf(std::string_view place) {
-  for (const std::string_view part : {"motor", "friction", "transmission", "load"})
-    if (place == part) return "plant";
-  return place;
-}
 
 std::string listed(const std::vector<std::string>& words, const char* between) {
   std::string text;
@@ -78,14 +72,20 @@ bool Graded::rightPlace() const {
   return false;
 }
 
-bool Graded::rightBlock() const {
-  if (answer == nullptr) return false;
-  std::string_view told = blockOf(answer->block);
-  if (told.empty() && !answer->places.empty()) told = blockOf(answer->places.front().block);
+bool Graded::acts(std::string_view block) const {
   return std::ranges::any_of(key.effects, [&](const KeyEffect& effect) {
     const twin::EffectInfo* const info = twin::findEffect(effect.id);
-    return told == (info != nullptr ? blockOf(twin::name(info->place)) : "plant");
+    return block == name(info != nullptr ? blockOf(info->place) : Block::kPlant);
   });
+}
+
+bool Graded::rightBlock() const {
+  if (answer == nullptr) return false;
+  return acts(answer->block.empty() && !answer->places.empty() ? answer->places.front().block : answer->block);
+}
+
+bool Graded::opensRight() const {
+  return answer != nullptr && acts(answer->opens);
 }
 
 bool Graded::right() const {

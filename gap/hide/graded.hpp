@@ -26,7 +26,11 @@ struct Graded {
   [[nodiscard]] bool alarm() const;
   /// One of the first places is one where the stranger shows; true where the key does not tell.
   [[nodiscard]] bool rightPlace() const;
+  /// A hidden effect acts in this block of the loop; what no catalogue has acts in the plant.
+  [[nodiscard]] bool acts(std::string_view block) const;
   [[nodiscard]] bool rightBlock() const;
+  /// The block that opens before any fit is one of them.
+  [[nodiscard]] bool opensRight() const;
   /// Nothing at all is wrong with the verdict.
   [[nodiscard]] bool right() const;
 

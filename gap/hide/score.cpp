@@ -46,6 +46,7 @@ struct Tally {
   ShareFigure unknown{"outside the catalogue: unknown, right place", 0.85};
   ShareFigure mistaken{"outside the catalogue: a wrong name", kNoTarget, 0.15};
   ShareFigure block{"block of the loop right", 0.95};
+  ShareFigure opens{"the block that opens before any fit"};
   SpreadFigure error{"parameter error when named", "%", 3, 15};
   SpreadFigure floors{"kept logs: gap after, over the floor", "", 1.3, 3};
   SpreadFigure shrunk{"kept logs: gap after over before", "", 0.15, kNoTarget};
@@ -143,6 +144,7 @@ Score scoreOf(const Keys& keys, const Answers& answers) {
   Tally tally;
   std::map<std::tuple<CaseClass, std::string, std::string>, std::vector<std::string>> confusions;
   const bool blocks = tellsBlocks(answers);
+  const bool opens = std::ranges::any_of(answers, [](const auto& answer) { return !answer.second.opens.empty(); });
   for (const auto& [name, key] : keys) {
     const auto found = answers.find(name);
     const bool counts =
@@ -153,13 +155,14 @@ Score scoreOf(const Keys& keys, const Answers& answers) {
     if (found != answers.end() && std::isfinite(found->second.runtime_s))
       tally.runtime.values.push_back(found->second.runtime_s);
     if (blocks && !key.effects.empty()) tally.block.count(graded.rightBlock());
+    if (opens && !key.effects.empty()) tally.opens.count(graded.opensRight());
     if (graded.answer == nullptr) score.unanswered.push_back(name);
     if (!graded.right()) confusions[{key.kind, graded.truth(), graded.answered()}].push_back(name);
   }
   for (const auto& [name, answer] : answers)
     if (!keys.contains(name)) score.without_key.push_back(name);
   score.shares = {tally.strong, tally.wrong, tally.weak,    tally.honest,   tally.interval, tally.alarm,
-                  tally.both,   tally.first, tally.unknown, tally.mistaken, tally.block};
+                  tally.both,   tally.first, tally.unknown, tally.mistaken, tally.block,    tally.opens};
   score.spreads = {tally.error, tally.floors, tally.shrunk, tally.runtime};
   score.fair.right = tally.fair.right;
   score.fair.of = tally.fair.of;

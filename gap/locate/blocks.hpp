@@ -12,15 +12,9 @@
 
 #include "gap/locate/copies.hpp"
 #include "gap/locate/judge.hpp"
-#include "twin/servo/effect.hpp"
+#include "gap/sim/block.hpp"
 
 namespace darwinop::gap {
-
-enum class Block : std::uint8_t { kCommand, kController, kSupply, kPlant, kSensor };
-inline constexpr std::size_t kBlocks = 5;
-std::string_view name(Block block);
-/// The block in which an effect at this place acts.
-Block blockOf(twin::Place place);
 
 enum class BlockVerdict : std::uint8_t { kClosed, kOpen, kNotCut };
 std::string_view name(BlockVerdict verdict);

@@ -29,9 +29,11 @@ bool Search::accept(const Screen& screen) {
 }
 
 bool Search::acceptOneOf(const std::vector<Settled>& candidates) {
+  std::vector<Settled> again;  // the present effects, on the noise of each candidate
   for (const Settled& best : candidates) {
     const twin::EffectInfo& next = *best.effects.back().info;
-    const double gain = onNoiseOf(present_, best).fit.cost - best.fit.cost, needed = neededFor(next);
+    again.push_back(onNoiseOf(present_, best));
+    const double gain = again.back().fit.cost - best.fit.cost, needed = neededFor(next);
     say("%s would gain %.0f, %.0f needed", std::string{next.id}.c_str(), gain, needed);
     if (gain < needed || (isAtItsBound(best, next) && gain < kNearlyAll * excess_cost_)) continue;
     if (isNextToNothing(best, next)) continue;
@@ -46,7 +48,18 @@ bool Search::acceptOneOf(const std::vector<Settled>& candidates) {
     take(best, gain, candidates, needed);
     return true;
   }
-  return false;
+  return std::ranges::any_of(again, [&](const Settled& same) { return improve(same); });
+}
+
+// On other noise the same effects may have found their way out of where they were stuck.
+bool Search::improve(const Settled& same) {
+  if (present_.effects.empty()) return false;
+  Settled better = settle(same.effects, same.numbers, same.problem, same.fit, 2);
+  if (onNoiseOf(better, present_).fit.cost > present_.fit.cost - threshold_ || better.total > present_.total)
+    return false;
+  say("the same effects explain %.0f more from another start", present_.total - better.total);
+  present_ = std::move(better);
+  return true;
 }
 
 // Under a model that is plainly wrong still, each further effect fits something. It has to foretell, too.
@@ -75,6 +88,8 @@ void Search::take(const Settled& best, double gain, const std::vector<Settled>& 
   present_ = best.fit.slopes.size() > 0 ? best : settle(best.effects, best.numbers, best.problem, best.fit, 1);
   refine();
   dropTheNeedless();
+  while (simplifyOne()) {
+  }
 }
 
 double Search::neededFor(const twin::EffectInfo& effect) const {
@@ -107,6 +122,34 @@ void Search::dropTheNeedless() {
       gains_[i++] = gain;
     }
   }
+}
+
+// What was chosen while something else was missing may have more numbers than it needs: a gear that rubs one way as
+// much as the other is no gear that knows directions.
+bool Search::simplifyOne() {
+  for (std::size_t i = 0; i + 1 < present_.effects.size(); ++i) {
+    const twin::EffectInfo& info = *present_.effects[i].info;
+    std::vector<const twin::EffectInfo*> simpler;
+    for (const auto* effect : suspects_)
+      if (std::ranges::find(info.confused_with, effect->id) != info.confused_with.end() &&
+          !has(present_.effects, *effect) && unknownsOf(*effect).size() < unknownsOf(info).size())
+        simpler.push_back(effect);
+    if (simpler.empty()) continue;
+    const Settled less =
+        onNoiseOf(without(present_.effects, i), present_.numbers, present_.problem, present_.fit, present_, true);
+    const std::vector<Settled> candidates = contest(less, Screen{less, simpler}, simpler);
+    if (candidates.empty()) continue;
+    const Settled plain = onNoiseOf(candidates.front(), present_, true);
+    if (evidenceFor(plain) < evidenceFor(present_)) continue;
+    const std::string id{plain.effects.back().info->id};
+    say("%s explains as much as %s", id.c_str(), std::string{info.id}.c_str());
+    for (Rival& rival : rivals_) std::ranges::replace(rival.effects, std::string{info.id}, id);
+    gains_.erase(gains_.begin() + static_cast<std::ptrdiff_t>(i));
+    gains_.push_back(less.fit.cost - plain.fit.cost);
+    present_ = candidates.front();
+    return true;
+  }
+  return false;
 }
 
 }  // namespace darwinop::gap

@@ -1,9 +1,12 @@
 #include "gap/name/contest.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
+#include "gap/name/ripple.hpp"
 #include "gap/sim/parallel.hpp"
 
 namespace darwinop::gap {
@@ -42,19 +45,41 @@ std::vector<Probe> promising(const Screen& screen, const std::vector<const twin:
   return chosen;
 }
 
-/// The best start of each effect, best first.
+/// Of ripples the count decides, and a fit cannot cross from one to the next.
+bool startAlike(const Probe& one, const Probe& other) {
+  return one.effect == other.effect && (one.effect->id != "cogging" || std::abs(one.values[1] - other.values[1]) < 1);
+}
+
+/// The best starts of each effect that differ, best first.
 std::vector<Entrant> sharpest(const Screen& screen, const std::vector<Probe>& probes) {
   std::vector<Sharpened> sharpened(probes.size());
   forEach(probes.size(), [&](std::size_t i) { sharpened[i] = screen.sharpened(probes[i]); });
   std::stable_sort(sharpened.begin(), sharpened.end(),
                    [](const Sharpened& a, const Sharpened& b) { return a.probe.promise > b.probe.promise; });
   std::vector<Entrant> best;
+  std::vector<const Probe*> seen;
   for (Sharpened& one : sharpened) {
-    const bool seen = std::any_of(best.begin(), best.end(),
-                                  [&](const Entrant& entrant) { return entrant.effect == one.probe.effect; });
-    if (!seen) best.push_back({one.probe.effect, std::move(one.x), one.probe.promise});
+    const auto alike = [&](const Probe* other) { return startAlike(*other, one.probe); };
+    if (std::any_of(seen.begin(), seen.end(), alike)) continue;
+    seen.push_back(&one.probe);
+    best.push_back({one.probe.effect, std::move(one.x), one.probe.promise});
   }
   return best;
+}
+
+/// The first so many effects, with all of their starts.
+void keepFirst(std::size_t most, std::vector<Entrant>& entrants) {
+  std::set<const twin::EffectInfo*> kept;
+  std::erase_if(entrants, [&](const Entrant& entrant) {
+    if (kept.size() < most) kept.insert(entrant.effect);
+    return !kept.contains(entrant.effect);
+  });
+}
+
+/// The best start of each effect, of entrants that are fitted.
+void keepBestStarts(std::vector<Entrant>& entrants) {
+  std::set<const twin::EffectInfo*> kept;
+  std::erase_if(entrants, [&](const Entrant& entrant) { return !kept.insert(entrant.effect).second; });
 }
 
 /// What the present model moves within a prior, an effect may begin from.
@@ -100,9 +125,12 @@ void fitAll(const Settled& present, std::vector<Entrant>& entrants) {
 
 std::vector<Settled> contest(const Settled& present, const Screen& screen,
                              const std::vector<const twin::EffectInfo*>& only) {
-  std::vector<Entrant> entrants = sharpest(screen, promising(screen, only));
+  std::vector<Probe> probes = promising(screen, only);
+  if (std::any_of(probes.begin(), probes.end(), [](const Probe& probe) { return probe.effect->id == "cogging"; }))
+    for (Probe& ripple : ripplesOf(present)) probes.push_back(std::move(ripple));
+  std::vector<Entrant> entrants = sharpest(screen, probes);
   if (entrants.empty()) return {};
-  if (only.empty() && entrants.size() > kMostFitted) entrants.resize(kMostFitted);
+  if (only.empty()) keepFirst(kMostFitted, entrants);
   addKnown(present, entrants);
   if (present.numbers == Numbers::kFree && present.fit.prior > kDragged) addAfresh(present, entrants);
   fitAll(present, entrants);
@@ -141,7 +169,8 @@ std::vector<Settled> contest(const Settled& present, const Screen& screen,
 std::vector<Settled> heats(const Settled& present, const Screen& screen) {
   std::vector<Entrant> entrants = sharpest(screen, promising(screen, {}, kMostInHeats));
   fitAll(present, entrants);
-  if (entrants.size() > kMostFitted) entrants.resize(kMostFitted);
+  keepBestStarts(entrants);
+  keepFirst(kMostFitted, entrants);
   std::vector<Settled> fitted;
   fitted.reserve(entrants.size());
   for (const Entrant& entrant : entrants)

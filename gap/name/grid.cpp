@@ -1,9 +1,15 @@
 #include "gap/name/grid.hpp"
 
 #include <cmath>
+#include <variant>
 
 namespace darwinop::gap {
 namespace {
+
+double neutralOf(const Unknown& unknown) {
+  const auto* const parameter = std::get_if<EffectParameter>(&unknown.what);
+  return parameter == nullptr ? unknown.expected : parameter->info->parameters[parameter->index].neutral;
+}
 
 std::vector<double> valuesOf(const Unknown& unknown, bool alone) {
   std::vector<double> values;
@@ -13,8 +19,13 @@ std::vector<double> valuesOf(const Unknown& unknown, bool alone) {
     for (int i = 0; i < steps; ++i) values.push_back(low * std::pow(unknown.high / low, (i + 0.5) / steps));
     return values;
   }
-  const double middle = (unknown.low + unknown.high) / 2, half = (unknown.high - unknown.low) / 2;
-  for (const double share : {-0.6, -0.15, -0.03, 0.03, 0.15, 0.6}) values.push_back(middle + share * half);
+  // To either side of where it does nothing; a limit of the duty has one side only.
+  const double nothing = neutralOf(unknown), up = unknown.high - nothing, down = nothing - unknown.low;
+  if (up > 0 && down > 0)
+    for (const double share : {0.6, 0.15, 0.03})
+      values.insert(values.end(), {nothing - share * down, nothing + share * up});
+  else
+    for (const double share : {0.03, 0.1, 0.2, 0.35, 0.55, 0.8}) values.push_back(nothing + share * (up - down));
   return values;
 }
 

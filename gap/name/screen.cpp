@@ -14,7 +14,6 @@ namespace darwinop::gap {
 namespace {
 
 constexpr double kRipple = 0.004;  // small against what moves an arm
-constexpr int kMostRipples = 60;   // a turn
 
 /// Rows of the residuals, then one a prior.
 Eigen::MatrixXd withPriors(const Settled& present) {

@@ -8,6 +8,8 @@
 
 namespace darwinop::gap {
 
+inline constexpr int kMostRipples = 60;  // a turn, of a cogging that is looked for
+
 /// One try of one effect.
 struct Probe {
   const twin::EffectInfo* effect = nullptr;

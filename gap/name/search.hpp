@@ -45,8 +45,10 @@ class Search {
   bool acceptOneOf(const std::vector<Settled>& candidates);
   [[nodiscard]] bool isProven(const Settled& best, double gain) const;
   void take(const Settled& best, double gain, const std::vector<Settled>& candidates, double needed);
+  bool improve(const Settled& same);
   void refine();
   void dropTheNeedless();
+  bool simplifyOne();
   bool replaceOne();
   [[nodiscard]] bool isPractically() const;
   [[nodiscard]] double neededFor(const twin::EffectInfo& effect) const;

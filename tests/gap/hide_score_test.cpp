@@ -217,6 +217,15 @@ TEST(Score, JudgesTheBlockOfTheLoop) {
   expectShare(share(scoreOf(made.keys, made.answers), "block"), 2, 8);
 }
 
+TEST(Score, JudgesTheBlockThatOpensByItself) {
+  HandMade made;
+  expectShare(share(scoreOf(made.keys, made.answers), "the block that opens"), 0, 0);  // no answer tells one
+  made.answers["a"].opens = "plant";
+  made.answers["c"].block = "controller";
+  made.answers["c"].opens = "plant";
+  expectShare(share(scoreOf(made.keys, made.answers), "the block that opens"), 1, 8);
+}
+
 TEST(ParameterNames, AreThoseOfManyBatteries) {
   const auto of = [](const char* effect, const char* name) {
     const auto found = parameterOf(effect, name);

@@ -1,4 +1,5 @@
 // Names what is missing, and is silent when nothing is.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,8 @@
 
 namespace darwinop::gap {
 namespace {
+
+using ::testing::UnorderedElementsAre;
 
 Naming namedIn(const Case& given) {
   return nameEffects(given);
@@ -73,6 +76,18 @@ TEST(Naming, DryFriction) {
   EXPECT_LT(friction.low, friction.value);
   EXPECT_GT(friction.high, friction.value);
   EXPECT_LT(naming.gap_after_rad, 2 * naming.floor_rad);
+}
+
+// While the sagging supply is still missing, a gear that rubs otherwise one way explains a little of it.
+TEST(Naming, WhatWasChosenTooRichIsMadeSimpler) {
+  const Case bench = smallBench();
+  Hypothesis truth = withEffect(bench, "load_dependent_friction", "share", 0.3);
+  valueOf(truth.with(*twin::findEffect("supply_sag")), "resistance") = 3;
+  const Naming naming = namedIn(measured(bench, truth, 31));
+  EXPECT_EQ(naming.verdict, Verdict::kNamed);
+  std::vector<std::string_view> ids;
+  for (const Found& found : naming.found) ids.push_back(found.effect->id);
+  EXPECT_THAT(ids, UnorderedElementsAre("load_dependent_friction", "supply_sag"));
 }
 
 TEST(Naming, ADeadBandIsToldFromDryFriction) {

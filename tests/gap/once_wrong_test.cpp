@@ -37,5 +37,19 @@ TEST(OnceWrong, WhatANumberInsideItsPriorExplainsBetter) {
   EXPECT_EQ(nameEffects(made.given).verdict, Verdict::kNone);
 }
 
+// Where the released arm rests depends on the dip it falls into. The first fit of the ripple is stuck beside the truth,
+// and no other effect helps; on the noise that another candidate makes, the same fit finds its way.
+TEST(OnceWrong, ARippleThatIsFoundAndFittedBadly) {
+  HideRequest request;
+  request.seed = 16039037185508414292U;
+  request.baseline = Baseline::kFriction;
+  request.wrong_numbers = true;
+  request.effects = {{.id = "cogging", .severity = 1}};
+  const Naming naming = nameEffects(hidden(request).given);
+  EXPECT_EQ(naming.verdict, Verdict::kNamed);
+  ASSERT_EQ(naming.found.size(), 1U);
+  EXPECT_EQ(naming.found.front().effect->id, "cogging");
+}
+
 }  // namespace
 }  // namespace darwinop::gap

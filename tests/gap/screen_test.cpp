@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "gap/name/grid.hpp"
 #include "gap/name/judge.hpp"
+#include "gap/name/ripple.hpp"
 #include "gap/name/unseen.hpp"
 #include "small_case.hpp"
 
@@ -50,6 +53,37 @@ TEST(Screen, NoisePromisesLittle) {
   const Screen screen{present, {std::begin(kSuspects), std::end(kSuspects)}};
   EXPECT_LT(screen.probes().front().promise, 30);
   EXPECT_LT(screen.greatestPromise(Eigen::VectorXd::Zero(present.evidence->size())), 1e-9);
+}
+
+// With 0.06 N m sixteen times a turn, an arm comes to rest in other dips than without: what is linear over a whole log
+// has nothing to say.
+TEST(Screen, ARippleIsSeenInShortWindows) {
+  const Case bench = smallBench();
+  Hypothesis truth = baselineOf(bench);
+  truth.with(*twin::findEffect("cogging")).values = {0.06, 16, -1.46};
+  const Case given = measured(bench, truth, 27);
+  const std::vector<Probe> ripples = ripplesOf(nothingSaid(given, Numbers::kHeld));
+  ASSERT_FALSE(ripples.empty());
+  EXPECT_NEAR(ripples.front().values[0], 0.06, 0.015);
+  EXPECT_EQ(ripples.front().values[1], 16);
+  EXPECT_NEAR(ripples.front().values[2], -1.46, 0.2);
+}
+
+TEST(Grid, HasBothSidesOfWhereAnEffectDoesNothing) {
+  double least = 0, greatest = 0, strictest = 1, mildest = 0;
+  for (const auto& point : gridOf(unknownsOf(*twin::findEffect("temp_drift")))) {
+    least = std::min(least, point[0]);
+    greatest = std::max(greatest, point[0]);
+  }
+  EXPECT_LT(least, -0.01) << "grease that gets stiff";
+  EXPECT_GT(greatest, 0.05);
+  for (const auto& point : gridOf(unknownsOf(*twin::findEffect("torque_limit")))) {
+    strictest = std::min(strictest, point[0]);
+    mildest = std::max(mildest, point[0]);
+  }
+  EXPECT_LT(strictest, 0.35);
+  EXPECT_GT(mildest, 0.95) << "1 is no limit";
+  EXPECT_LT(mildest, 1);
 }
 
 Settled settledWith(const Case& given, std::string_view effect) {

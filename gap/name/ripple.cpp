@@ -1,0 +1,105 @@
+#include "gap/name/ripple.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "gap/locate/cuts.hpp"
+#include "gap/sim/parallel.hpp"
+#include "twin/effects/catalogue.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kWindow = 0.12;      // s: half a turn at 26 rad/s, and 20 mrad of a ripple of 0.02 N m
+constexpr double kTried = 0.02;       // N m: middling, so that a window in which the arm sticks sticks
+constexpr std::size_t kMostTold = 3;  // counts, and no two of them neighbours
+constexpr int kWeighings = 3;
+
+/// Ends of all windows of the fitted logs, measured - simulated, rad; NaN where a window does not count.
+Eigen::VectorXd endsOf(const Settled& present, const Hypothesis& hypothesis) {
+  const Case& given = *present.evidence->given;
+  std::vector<Eigen::VectorXd> logs;
+  Eigen::Index size = 0;
+  for (const std::size_t i : present.evidence->logs) {
+    logs.push_back(shoot(given, given.logs[i], hypothesis, {.length_s = kWindow, .mixed = false}).residual);
+    size += logs.back().size();
+  }
+  Eigen::VectorXd all(size);
+  for (Eigen::Index at = 0; const Eigen::VectorXd& log : logs) {
+    all.segment(at, log.size()) = log;
+    at += log.size();
+  }
+  return all;
+}
+
+Hypothesis rippled(Hypothesis hypothesis, double count, double phase) {
+  hypothesis.with(*twin::findEffect("cogging")).values = {kTried, count, phase};
+  return hypothesis;
+}
+
+struct Ripple {
+  double amplitude = 0, phase = 0, left = 0;  // of the squares
+};
+
+/// Least squares in which a window that nothing explains counts little.
+Ripple fitted(const Eigen::VectorXd& ends, const Eigen::MatrixX2d& change, double usual) {
+  Eigen::Vector2d amount = Eigen::Vector2d::Zero();
+  Ripple ripple;
+  for (int i = 0; i < kWeighings; ++i) {
+    const Eigen::ArrayXd left = (ends + change * amount).array() / usual;
+    const Eigen::VectorXd weight = 1 / (1 + left.square());
+    const Eigen::Matrix2d gram = change.transpose() * weight.asDiagonal() * change;
+    ripple.left = (1 + left.square()).log().sum();
+    if (!(gram.determinant() > 1e-18)) break;
+    amount = -gram.ldlt().solve(change.transpose() * weight.asDiagonal() * ends);
+  }
+  ripple.amplitude = kTried * amount.norm();
+  ripple.phase = std::atan2(amount[1], amount[0]);
+  return ripple;
+}
+
+}  // namespace
+
+std::vector<Probe> ripplesOf(const Settled& present) {
+  const twin::EffectInfo& cogging = *twin::findEffect("cogging");
+  const Hypothesis hypothesis = present.hypothesis();
+  Eigen::VectorXd ends = endsOf(present, hypothesis);
+  std::vector<double> sizes;
+  for (const double end : ends)
+    if (!std::isnan(end)) sizes.push_back(std::abs(end));
+  if (sizes.empty()) return {};
+  std::ranges::nth_element(sizes, sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2));
+  const double usual = 2 * sizes[sizes.size() / 2];
+  if (!(usual > 0)) return {};
+
+  std::array<Ripple, kMostRipples + 1> ripples;
+  forEach(kMostRipples, [&](std::size_t i) {
+    const double count = static_cast<double>(i + 1);
+    Eigen::MatrixX2d change(ends.size(), 2);
+    for (const int phase : {0, 1})
+      change.col(phase) = endsOf(present, rippled(hypothesis, count, phase * std::numbers::pi / 2)) - ends;
+    Eigen::VectorXd known = ends;
+    for (Eigen::Index k = 0; k < ends.size(); ++k)
+      if (std::isnan(ends[k]) || !change.row(k).allFinite()) known[k] = 0, change.row(k).setZero();
+    ripples[i + 1] = fitted(known, change, usual);
+  });
+
+  std::vector<Probe> told;
+  for (std::size_t i = 0; i < kMostTold; ++i) {
+    std::size_t best = 0;
+    for (std::size_t count = 1; count <= kMostRipples; ++count) {
+      const bool apart = std::ranges::all_of(
+          told, [&](const Probe& other) { return std::abs(other.values[1] - static_cast<double>(count)) > 1; });
+      if (apart && (best == 0 || ripples[count].left < ripples[best].left)) best = count;
+    }
+    told.push_back(
+        {&cogging, {std::clamp(ripples[best].amplitude, 1e-4, 0.15), static_cast<double>(best), ripples[best].phase}});
+  }
+  return told;
+}
+
+}  // namespace darwinop::gap
