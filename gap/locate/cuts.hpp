@@ -34,7 +34,7 @@ double supplyResistance(const Case& given, const std::vector<const Trajectory*>&
 CutSamples cutSensor(const Trajectory& log, const Hypothesis& hypothesis);
 
 struct ShootOptions {
-  double length_s = 0.3;
+  double length_s = 0.3, stride_s = 0.045;         // of a window, and from one to the next
   bool powered = true, limp = true, mixed = true;  // windows that count: torque on, or off, all the time; or changing
   bool measured_supply = false;                    // the motor gets the measured voltage, not the model's
 };

@@ -13,8 +13,7 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kStride = 0.045;  // s
-constexpr double kMargin = 0.04;   // s; from the ends of the log: a speed needs rows on both sides
+constexpr double kMargin = 0.04;  // s; from the ends of the log: a speed needs rows on both sides
 
 const twin::EffectInfo kGivenDrive =
     unlisted("given_drive", "what was measured drives the motor", twin::Place::kController);
@@ -152,7 +151,7 @@ CutSamples shoot(const Case& given, const Trajectory& log, const Hypothesis& hyp
   double next_s = log.time_s.front() + kMargin;
   for (std::size_t from = 0, to = 0; from < log.rows(); ++from) {
     if (log.time_s[from] < next_s) continue;
-    next_s = log.time_s[from] + std::min(kStride, options.length_s);
+    next_s = log.time_s[from] + std::min(options.stride_s, options.length_s);
     while (to < log.rows() && log.time_s[to] < log.time_s[from] + options.length_s - 1e-9) ++to;
     if (to >= log.rows()) break;
     out.row.push_back((from + to) / 2);

@@ -44,7 +44,7 @@ bool Search::acceptOneOf(const std::vector<Settled>& candidates) {
       if (held && &best == &candidates.front()) return false;
       continue;
     }
-    if (!isProven(best, gain)) continue;
+    if (!isProven(best, again.back(), gain)) continue;
     take(best, gain, candidates, needed);
     return true;
   }
@@ -53,20 +53,32 @@ bool Search::acceptOneOf(const std::vector<Settled>& candidates) {
 
 // On other noise the same effects may have found their way out of where they were stuck.
 bool Search::improve(const Settled& same) {
-  if (present_.effects.empty()) return false;
+  if (present_.effects.empty() || onNoiseOf(same, present_).fit.cost > present_.fit.cost - threshold_) return false;
   Settled better = settle(same.effects, same.numbers, same.problem, same.fit, 2);
-  if (onNoiseOf(better, present_).fit.cost > present_.fit.cost - threshold_ || better.total > present_.total)
-    return false;
-  say("the same effects explain %.0f more from another start", present_.total - better.total);
+  const double gain = present_.total - better.total;
+  if (gain < threshold_) return false;
+  say("the same effects explain %.0f more from another start", gain);
   present_ = std::move(better);
+  for (Rival& rival : rivals_) rival.behind += gain;
+  dropTheNeedless();
+  gains_.back() = gainOf(present_.effects.size() - 1);
+  if (present_.effects.size() > 1 && gains_.back() < threshold_) {
+    gains_.pop_back();
+    present_ = settle(without(present_.effects, gains_.size()), present_.numbers, present_.problem, present_.fit, 2);
+  }
   return true;
 }
 
+double Search::gainOf(std::size_t i) const {
+  return onNoiseOf(without(present_.effects, i), present_.numbers, present_.problem, present_.fit, present_).fit.cost -
+         present_.fit.cost;
+}
+
 // Under a model that is plainly wrong still, each further effect fits something. It has to foretell, too.
-bool Search::isProven(const Settled& best, double gain) const {
+bool Search::isProven(const Settled& best, const Settled& less, double gain) const {
   if (present_.effects.empty() || excess_cost_ - gain < kPlainlyWrong * static_cast<double>(best.fit.residuals.size()))
     return true;
-  const Foretold told = foretold(onNoiseOf(present_, best), best);
+  const Foretold told = foretold(less, best);
   say("foretells logs it has not seen %.2f times as well, %.2f to %.2f", std::exp(told.mean),
       std::exp(told.mean - 2 * told.error), std::exp(told.mean + 2 * told.error));
   return told.better();
@@ -128,28 +140,44 @@ void Search::dropTheNeedless() {
 // much as the other is no gear that knows directions.
 bool Search::simplifyOne() {
   for (std::size_t i = 0; i + 1 < present_.effects.size(); ++i) {
-    const twin::EffectInfo& info = *present_.effects[i].info;
+    const twin::EffectInfo& rich = *present_.effects[i].info;
     std::vector<const twin::EffectInfo*> simpler;
     for (const auto* effect : suspects_)
-      if (std::ranges::find(info.confused_with, effect->id) != info.confused_with.end() &&
-          !has(present_.effects, *effect) && unknownsOf(*effect).size() < unknownsOf(info).size())
+      if (std::ranges::find(rich.confused_with, effect->id) != rich.confused_with.end() &&
+          !has(present_.effects, *effect) && !freesAPrior(given_, *effect) &&
+          unknownsOf(*effect).size() < unknownsOf(rich).size())
         simpler.push_back(effect);
     if (simpler.empty()) continue;
     const Settled less =
         onNoiseOf(without(present_.effects, i), present_.numbers, present_.problem, present_.fit, present_, true);
     const std::vector<Settled> candidates = contest(less, Screen{less, simpler}, simpler);
     if (candidates.empty()) continue;
-    const Settled plain = onNoiseOf(candidates.front(), present_, true);
-    if (evidenceFor(plain) < evidenceFor(present_)) continue;
-    const std::string id{plain.effects.back().info->id};
-    say("%s explains as much as %s", id.c_str(), std::string{info.id}.c_str());
-    for (Rival& rival : rivals_) std::ranges::replace(rival.effects, std::string{info.id}, id);
-    gains_.erase(gains_.begin() + static_cast<std::ptrdiff_t>(i));
-    gains_.push_back(less.fit.cost - plain.fit.cost);
-    present_ = candidates.front();
+    const Settled& plain = candidates.front();
+    const twin::EffectInfo& info = *plain.effects.back().info;
+    const Settled here = onNoiseOf(plain, present_, true), there = onNoiseOf(present_, plain, true);
+    const double gain = less.fit.cost - here.fit.cost;
+    const bool ahead = evidenceFor(here) > evidenceFor(present_) && evidenceFor(plain) > evidenceFor(there);
+    if (!ahead || gain < neededFor(info) || isAtItsBound(plain, info) || isNextToNothing(plain, info)) continue;
+    say("%s explains as much as %s", std::string{info.id}.c_str(), std::string{rich.id}.c_str());
+    replace(i, plain, gain);
     return true;
   }
   return false;
+}
+
+void Search::replace(std::size_t i, const Settled& plain, double gain) {
+  const twin::EffectInfo& rich = *present_.effects[i].info;
+  const std::string was{rich.id}, is{plain.effects.back().info->id};
+  for (Rival& rival : rivals_) {
+    if (std::ranges::find(rival.effects, is) != rival.effects.end()) rival.effects.clear();
+    std::ranges::replace(rival.effects, was, is);
+  }
+  std::erase_if(rivals_, [](const Rival& rival) { return rival.effects.empty(); });
+  Effects effects = present_.effects;
+  effects[i] = plain.effects.back();
+  present_ = settle(effects, plain.numbers, plain.problem, plain.fit, 1);
+  gains_[i] = gain;
+  std::erase(suspects_, &rich);  // or the two could take turns for ever
 }
 
 }  // namespace darwinop::gap

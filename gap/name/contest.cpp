@@ -126,7 +126,7 @@ void fitAll(const Settled& present, std::vector<Entrant>& entrants) {
 std::vector<Settled> contest(const Settled& present, const Screen& screen,
                              const std::vector<const twin::EffectInfo*>& only) {
   std::vector<Probe> probes = promising(screen, only);
-  if (std::any_of(probes.begin(), probes.end(), [](const Probe& probe) { return probe.effect->id == "cogging"; }))
+  if (screen.suspects("cogging"))
     for (Probe& ripple : ripplesOf(present)) probes.push_back(std::move(ripple));
   std::vector<Entrant> entrants = sharpest(screen, probes);
   if (entrants.empty()) return {};

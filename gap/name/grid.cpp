@@ -7,8 +7,8 @@ namespace darwinop::gap {
 namespace {
 
 double neutralOf(const Unknown& unknown) {
-  const auto* const parameter = std::get_if<EffectParameter>(&unknown.what);
-  return parameter == nullptr ? unknown.expected : parameter->info->parameters[parameter->index].neutral;
+  const auto& parameter = std::get<EffectParameter>(unknown.what);
+  return parameter.info->parameters[parameter.index].neutral;
 }
 
 std::vector<double> valuesOf(const Unknown& unknown, bool alone) {

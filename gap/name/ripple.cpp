@@ -14,10 +14,11 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kWindow = 0.12;      // s: half a turn at 26 rad/s, and 20 mrad of a ripple of 0.02 N m
-constexpr double kTried = 0.02;       // N m: middling, so that a window in which the arm sticks sticks
+constexpr double kWindow = 0.12;      // s: 0.02 N m move an arm with 0.2 kg by 20 mrad, and seldom into another dip
+constexpr double kTried = 0.02;       // N m
 constexpr std::size_t kMostTold = 3;  // counts, and no two of them neighbours
 constexpr int kWeighings = 3;
+constexpr double kPeriod = 0.001;  // s; a firmware that acts more often does the same to a window
 
 /// Ends of all windows of the fitted logs, measured - simulated, rad; NaN where a window does not count.
 Eigen::VectorXd endsOf(const Settled& present, const Hypothesis& hypothesis) {
@@ -25,7 +26,8 @@ Eigen::VectorXd endsOf(const Settled& present, const Hypothesis& hypothesis) {
   std::vector<Eigen::VectorXd> logs;
   Eigen::Index size = 0;
   for (const std::size_t i : present.evidence->logs) {
-    logs.push_back(shoot(given, given.logs[i], hypothesis, {.length_s = kWindow, .mixed = false}).residual);
+    logs.push_back(
+        shoot(given, given.logs[i], hypothesis, {.length_s = kWindow, .stride_s = kWindow, .mixed = false}).residual);
     size += logs.back().size();
   }
   Eigen::VectorXd all(size);
@@ -42,32 +44,34 @@ Hypothesis rippled(Hypothesis hypothesis, double count, double phase) {
 }
 
 struct Ripple {
-  double amplitude = 0, phase = 0, left = 0;  // of the squares
+  double amplitude = 0, phase = 0;
+  double explained = 0;  // of a cost in which an outlier counts little
 };
 
-/// Least squares in which a window that nothing explains counts little.
+/// Least squares in which a window that nothing explains counts little. Amplitude 0: no window feels this ripple.
 Ripple fitted(const Eigen::VectorXd& ends, const Eigen::MatrixX2d& change, double usual) {
   Eigen::Vector2d amount = Eigen::Vector2d::Zero();
-  Ripple ripple;
+  const auto left = [&]() -> Eigen::ArrayXd { return (ends + change * amount).array() / usual; };
+  const double before = (1 + left().square()).log().sum();
   for (int i = 0; i < kWeighings; ++i) {
-    const Eigen::ArrayXd left = (ends + change * amount).array() / usual;
-    const Eigen::VectorXd weight = 1 / (1 + left.square());
+    const Eigen::VectorXd weight = 1 / (1 + left().square());
     const Eigen::Matrix2d gram = change.transpose() * weight.asDiagonal() * change;
-    ripple.left = (1 + left.square()).log().sum();
-    if (!(gram.determinant() > 1e-18)) break;
+    if (!(gram.determinant() > 1e-18)) return {};
     amount = -gram.ldlt().solve(change.transpose() * weight.asDiagonal() * ends);
   }
-  ripple.amplitude = kTried * amount.norm();
-  ripple.phase = std::atan2(amount[1], amount[0]);
-  return ripple;
+  return {.amplitude = kTried * amount.norm(),
+          .phase = std::atan2(amount[1], amount[0]),
+          .explained = before - (1 + left().square()).log().sum()};
 }
 
 }  // namespace
 
 std::vector<Probe> ripplesOf(const Settled& present) {
   const twin::EffectInfo& cogging = *twin::findEffect("cogging");
-  const Hypothesis hypothesis = present.hypothesis();
-  Eigen::VectorXd ends = endsOf(present, hypothesis);
+  Hypothesis hypothesis = present.hypothesis();
+  if (hypothesis.find("cogging") != nullptr) return {};
+  hypothesis.servo.firmware_period_s = std::max(hypothesis.servo.firmware_period_s, kPeriod);
+  const Eigen::VectorXd ends = endsOf(present, hypothesis);
   std::vector<double> sizes;
   for (const double end : ends)
     if (!std::isnan(end)) sizes.push_back(std::abs(end));
@@ -94,8 +98,9 @@ std::vector<Probe> ripplesOf(const Settled& present) {
     for (std::size_t count = 1; count <= kMostRipples; ++count) {
       const bool apart = std::ranges::all_of(
           told, [&](const Probe& other) { return std::abs(other.values[1] - static_cast<double>(count)) > 1; });
-      if (apart && (best == 0 || ripples[count].left < ripples[best].left)) best = count;
+      if (apart && ripples[count].explained > ripples[best].explained) best = count;
     }
+    if (best == 0) break;
     told.push_back(
         {&cogging, {std::clamp(ripples[best].amplitude, 1e-4, 0.15), static_cast<double>(best), ripples[best].phase}});
   }

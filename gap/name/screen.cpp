@@ -76,6 +76,10 @@ Screen::Screen(const Settled& present, const std::vector<const twin::EffectInfo*
   });
 }
 
+bool Screen::suspects(std::string_view effect) const {
+  return std::ranges::any_of(directions_, [&](const Direction& one) { return one.probe.effect->id == effect; });
+}
+
 Eigen::VectorXd Screen::withoutAbsorbed(Eigen::VectorXd extended) const {
   if (absorbed_.cols() > 0) extended -= absorbed_ * (absorbed_.transpose() * extended);
   return extended;

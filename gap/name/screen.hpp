@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string_view>
 #include <vector>
 
 #include "gap/name/settled.hpp"
@@ -28,6 +29,7 @@ class Screen {
   /// `present`: with slopes; it has to outlive this. Runs every suspect that it does not have.
   Screen(const Settled& present, const std::vector<const twin::EffectInfo*>& suspects);
 
+  [[nodiscard]] bool suspects(std::string_view effect) const;
   /// What each probe promises for the present residuals.
   [[nodiscard]] std::vector<Probe> probes() const;
   [[nodiscard]] Sharpened sharpened(const Probe& probe, int iterations = 5) const;

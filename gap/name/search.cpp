@@ -29,7 +29,7 @@ void Search::run() {
   const int most =
       present_.numbers == Numbers::kHeld ? std::min(kMostHeld, options_.most_effects) : options_.most_effects;
   bool replaced = false;
-  for (int round = 0;; ++round) {
+  for (;;) {
     const Screen screen{present_, suspects_};
     judge(&screen);
     const bool enough = !present_.effects.empty() && isPractically();
@@ -51,9 +51,7 @@ void Search::take(const Search& other, const Effects& effects) {
   const Settled& found = other.present_;
   present_ = settle(effects, present_.numbers, found.problem, found.fit, 2);
   gains_.assign(effects.size(), 0);
-  for (std::size_t i = 0; i < effects.size(); ++i)
-    gains_[i] = onNoiseOf(without(effects, i), present_.numbers, present_.problem, present_.fit, present_).fit.cost -
-                present_.fit.cost;
+  for (std::size_t i = 0; i < effects.size(); ++i) gains_[i] = gainOf(i);
   rivals_.clear();
   threshold_ = other.threshold_;
   judge(nullptr);

@@ -43,12 +43,17 @@ class Search {
   void judge(const Screen* screen);
   bool accept(const Screen& screen);
   bool acceptOneOf(const std::vector<Settled>& candidates);
-  [[nodiscard]] bool isProven(const Settled& best, double gain) const;
+  /// `less`: without the effect, on the same noise.
+  [[nodiscard]] bool isProven(const Settled& best, const Settled& less, double gain) const;
   void take(const Settled& best, double gain, const std::vector<Settled>& candidates, double needed);
   bool improve(const Settled& same);
+  /// What effect `i` takes away, the others being there.
+  [[nodiscard]] double gainOf(std::size_t i) const;
   void refine();
   void dropTheNeedless();
   bool simplifyOne();
+  /// Effect `i` by the last one of `plain`.
+  void replace(std::size_t i, const Settled& plain, double gain);
   bool replaceOne();
   [[nodiscard]] bool isPractically() const;
   [[nodiscard]] double neededFor(const twin::EffectInfo& effect) const;

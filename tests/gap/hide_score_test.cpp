@@ -220,10 +220,9 @@ TEST(Score, JudgesTheBlockOfTheLoop) {
 TEST(Score, JudgesTheBlockThatOpensByItself) {
   HandMade made;
   expectShare(share(scoreOf(made.keys, made.answers), "the block that opens"), 0, 0);  // no answer tells one
-  made.answers["a"].opens = "plant";
-  made.answers["c"].block = "controller";
-  made.answers["c"].opens = "plant";
-  expectShare(share(scoreOf(made.keys, made.answers), "the block that opens"), 1, 8);
+  made.answers["a"].opens = made.answers["b"].opens = made.answers["c"].opens = "plant";
+  made.answers["c"].block = "controller";  // a dead band is the controller's
+  expectShare(share(scoreOf(made.keys, made.answers), "the block that opens"), 2, 8);
 }
 
 TEST(ParameterNames, AreThoseOfManyBatteries) {

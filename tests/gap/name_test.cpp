@@ -11,6 +11,8 @@
 namespace darwinop::gap {
 namespace {
 
+using ::testing::Contains;
+using ::testing::Not;
 using ::testing::UnorderedElementsAre;
 
 Naming namedIn(const Case& given) {
@@ -86,8 +88,16 @@ TEST(Naming, WhatWasChosenTooRichIsMadeSimpler) {
   const Naming naming = namedIn(measured(bench, truth, 31));
   EXPECT_EQ(naming.verdict, Verdict::kNamed);
   std::vector<std::string_view> ids;
-  for (const Found& found : naming.found) ids.push_back(found.effect->id);
+  for (const Found& found : naming.found) {
+    ids.push_back(found.effect->id);
+    EXPECT_GT(found.gain, naming.threshold) << found.effect->id;
+  }
   EXPECT_THAT(ids, UnorderedElementsAre("load_dependent_friction", "supply_sag"));
+  for (const Rival& rival : naming.rivals) {
+    EXPECT_EQ(rival.effects.size(), 2U);
+    EXPECT_THAT(rival.effects, Not(Contains("directional_load_friction"))) << "it was made simpler there, too";
+    EXPECT_NE(rival.effects.front(), rival.effects.back());
+  }
 }
 
 TEST(Naming, ADeadBandIsToldFromDryFriction) {
