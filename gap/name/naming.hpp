@@ -56,7 +56,7 @@ struct Doubted {
 
 struct Naming {
   Verdict verdict = Verdict::kNone;
-  std::vector<Found> found;   // in the order found
+  std::vector<Found> found;   // strongest first; for `ambiguous` in the order found, the last one contested
   std::vector<Rival> rivals;  // nearest first
   std::vector<Strained> strained;
   std::vector<Doubted> doubted;

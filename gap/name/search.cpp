@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "gap/name/contest.hpp"
 #include "gap/name/judge.hpp"
@@ -124,6 +125,8 @@ Naming Search::told() const {
   naming.gap_after_rad = gapOf(given_, naming.model, false);
   naming.floor_rad = floorOf(present_);
   naming.verdict = verdictOf(naming);
+  // The strongest first; where rivals are near, the last one is what they contest.
+  if (naming.verdict != Verdict::kAmbiguous) std::ranges::stable_sort(naming.found, std::greater{}, &Found::gain);
   // Half a gap that nobody can name is no reason to believe in what took the other half.
   if (naming.verdict == Verdict::kUnknown && naming.gap_after_rad > kTooMuchLeft * naming.gap_before_rad) {
     naming.found.clear();

@@ -88,6 +88,8 @@ TEST(Naming, WhatWasChosenTooRichIsMadeSimpler) {
   const Naming naming = namedIn(measured(bench, truth, 31));
   EXPECT_EQ(naming.verdict, Verdict::kNamed);
   std::vector<std::string_view> ids;
+  ASSERT_EQ(naming.found.size(), 2U);
+  EXPECT_GT(naming.found.front().gain, naming.found.back().gain) << "the strongest first";
   for (const Found& found : naming.found) {
     ids.push_back(found.effect->id);
     EXPECT_GT(found.gain, naming.threshold) << found.effect->id;
