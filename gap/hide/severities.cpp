@@ -13,6 +13,7 @@ namespace darwinop::gap {
 namespace {
 
 constexpr double kDecades = 3.5;  // from the greatest value that is tried to the smallest
+constexpr double kInside = 0.9;   // of the plausible range: at its end a fit cannot tell what is beyond
 constexpr int kTries = 14;
 constexpr double kNearEnough = 0.1;  // of the gap that is wanted
 
@@ -25,7 +26,7 @@ struct Way {
   std::optional<std::size_t> tied;  // grows along, by this ratio
   double ratio = 0;
 
-  /// From hardly anything to 1, the end of the plausible range.
+  /// From hardly anything to 1, close to the end of the plausible range.
   [[nodiscard]] std::vector<double> at(double strength) const {
     std::vector<double> out = values;
     if (!grows) return out;
@@ -65,8 +66,9 @@ Way drawnWay(const Hypothesis& without, const twin::EffectInfo& effect, Dice& di
   way.from = way.values[*way.grows];
   const bool down = parameter.low<parameter.neutral, up = parameter.high> parameter.neutral;
   const bool goes_up = up && (!down || dice.coin());
-  way.to = goes_up ? parameter.high : parameter.low;
+  const double end = goes_up ? parameter.high : parameter.low;
   way.geometric = parameter.logarithmic && parameter.neutral > 0;
+  way.to = way.geometric ? way.from * std::pow(end / way.from, kInside) : way.from + kInside * (end - way.from);
   return way;
 }
 

@@ -62,7 +62,7 @@ bool Search::improve(const Settled& same) {
   for (Rival& rival : rivals_) rival.behind += gain;
   dropTheNeedless();
   gains_.back() = gainOf(present_.effects.size() - 1);
-  if (present_.effects.size() > 1 && gains_.back() < threshold_) {
+  if (present_.effects.size() > 1 && gains_.back() < leastGainOf(present_.effects.size() - 1)) {
     gains_.pop_back();
     present_ = settle(without(present_.effects, gains_.size()), present_.numbers, present_.problem, present_.fit, 2);
   }
@@ -120,13 +120,17 @@ void Search::refine() {
     present_ = settle(finer, refined.numbers, refined.problem, refined.fit, 2);
 }
 
+double Search::leastGainOf(std::size_t i) const {
+  return freesAPrior(given_, *present_.effects[i].info) ? kStrainGain : threshold_;
+}
+
 // An effect that stood in for one found later.
 void Search::dropTheNeedless() {
   for (std::size_t i = 0; present_.effects.size() > 1 && i + 1 < present_.effects.size();) {
     const Settled less =
         onNoiseOf(without(present_.effects, i), present_.numbers, present_.problem, present_.fit, present_);
     const double gain = less.fit.cost - present_.fit.cost;
-    if (gain < (freesAPrior(given_, *present_.effects[i].info) ? kStrainGain : threshold_)) {
+    if (gain < leastGainOf(i)) {
       say("%s is no longer needed", std::string{present_.effects[i].info->id}.c_str());
       present_ = settle(less.effects, less.numbers, less.problem, less.fit, 2);
       gains_.erase(gains_.begin() + static_cast<std::ptrdiff_t>(i));

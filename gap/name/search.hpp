@@ -49,6 +49,8 @@ class Search {
   bool improve(const Settled& same);
   /// What effect `i` takes away, the others being there.
   [[nodiscard]] double gainOf(std::size_t i) const;
+  /// With less gain it is needless.
+  [[nodiscard]] double leastGainOf(std::size_t i) const;
   void refine();
   void dropTheNeedless();
   bool simplifyOne();

@@ -25,8 +25,7 @@ struct Disturbance {
 };
 
 /// How a log is simulated. Without disturbance the encoder is exact, so that the result is a smooth function of the
-/// hypothesis; with one, registers round as the real ones, and the encoder where
-/// the firmware sees its steps.
+/// hypothesis; with one, registers round as the real ones, and the encoder where the firmware sees its steps.
 struct RollOutOptions {
   const Disturbance* disturbance = nullptr;
   // Mechanical steps in a period of the firmware. 0: as many as the law needs, and a firmware faster than 0.5 ms is
