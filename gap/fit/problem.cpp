@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "gap/data/plausible.hpp"
@@ -45,23 +46,34 @@ void Problem::residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> ou
   const Hypothesis hypothesis = at(x);
   std::vector<Eigen::Index> first_row(evidence_->logs.size(), 0);
   for (std::size_t i = 1; i < first_row.size(); ++i) first_row[i] = first_row[i - 1] + evidence_->noise[i - 1].size();
-  forEach(evidence_->logs.size(), [&](std::size_t i) {
-    thread_local Trace trace;
-    const LogNoise& noise = evidence_->noise[i];
-    auto of_log = out.segment(first_row[i], noise.size());
-    try {
-      rollOut(*evidence_->given, evidence_->logs[i], hypothesis, {}, trace);
-      noise.residuals(evidence_->given->logs[evidence_->logs[i]], trace, of_log);
-    } catch (const std::runtime_error&) {
-      of_log.setConstant(kImpossible);
-    }
-  });
+  forEach(evidence_->logs.size(),
+          [&](std::size_t i) { residualsOfLog(i, hypothesis, out.segment(first_row[i], evidence_->noise[i].size())); });
+}
+
+void Problem::residualsOfLog(std::size_t i, const Hypothesis& hypothesis, Eigen::Ref<Eigen::VectorXd> out) const {
+  thread_local Trace trace;
+  try {
+    rollOut(*evidence_->given, evidence_->logs[i], hypothesis, {}, trace);
+    evidence_->noise[i].residuals(evidence_->given->logs[evidence_->logs[i]], trace, out);
+  } catch (const std::runtime_error&) {
+    out.setConstant(kImpossible);
+  }
 }
 
 double Problem::cost(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd all(evidence_->size());
-  residuals(x, all);
-  return all.unaryExpr(&costOf).sum() + priorCost(x);
+  return costUpTo(std::numeric_limits<double>::infinity(), x);
+}
+
+double Problem::costUpTo(double most, const Eigen::VectorXd& x) const {
+  const Hypothesis hypothesis = at(x);
+  double cost = priorCost(x);
+  Eigen::VectorXd of_log;
+  for (std::size_t i = 0; i < evidence_->logs.size() && cost <= most; ++i) {
+    of_log.resize(evidence_->noise[i].size());
+    residualsOfLog(i, hypothesis, of_log);
+    cost += of_log.unaryExpr(&costOf).sum();
+  }
+  return cost <= most ? cost : std::numeric_limits<double>::infinity();
 }
 
 double Problem::priorCost(const Eigen::VectorXd& x) const {

@@ -37,6 +37,8 @@ class Problem {
   void residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const;
   /// Sum of costOf() over all residuals and of the prior.
   [[nodiscard]] double cost(const Eigen::VectorXd& x) const;
+  /// The same; infinite, and known early, where it is more than `most`.
+  [[nodiscard]] double costUpTo(double most, const Eigen::VectorXd& x) const;
   [[nodiscard]] double priorCost(const Eigen::VectorXd& x) const;
   [[nodiscard]] Hypothesis at(const Eigen::VectorXd& x) const { return applied(hypothesis_, unknowns_, x.data()); }
   [[nodiscard]] Eigen::VectorXd inBounds(Eigen::VectorXd x) const;
@@ -48,6 +50,8 @@ class Problem {
   [[nodiscard]] const std::vector<Unknown>& unknowns() const { return unknowns_; }
 
  private:
+  void residualsOfLog(std::size_t i, const Hypothesis& hypothesis, Eigen::Ref<Eigen::VectorXd> out) const;
+
   const Evidence* evidence_;
   Hypothesis hypothesis_;
   std::vector<Unknown> unknowns_;

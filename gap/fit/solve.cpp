@@ -93,9 +93,10 @@ bool jump(const Problem& problem, const Eigen::MatrixXd& steps, const std::vecto
   for (Eigen::Index i = 0; i < steps.cols(); ++i)
     for (const double multiple : multiples) tries.push_back(problem.inBounds(fit.x + multiple * steps.col(i)));
   std::vector<double> costs(tries.size());
-  forEach(tries.size(), [&](std::size_t i) { costs[i] = problem.cost(tries[i]); });
-  const auto best = std::min_element(costs.begin(), costs.end());
-  if (best == costs.end() || *best > fit.cost - std::max(kWorthAJump, kWorthAShare * fit.cost)) return false;
+  const double worth = fit.cost - std::max(kWorthAJump, kWorthAShare * fit.cost);
+  forEach(tries.size(), [&](std::size_t i) { costs[i] = problem.costUpTo(worth, tries[i]); });
+  const auto best = std::ranges::min_element(costs);
+  if (best == costs.end() || !std::isfinite(*best)) return false;
   fit.x = tries[static_cast<std::size_t>(best - costs.begin())];
   look(problem, fit);
   return true;

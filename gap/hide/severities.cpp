@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "gap/sim/freed.hpp"
 #include "gap/sim/parallel.hpp"
 #include "gap/sim/roll_out.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 constexpr double kDecades = 3.5;  // from the greatest value that is tried to the smallest
 constexpr double kInside = 0.9;   // of the plausible range: at its end a fit cannot tell what is beyond
 constexpr int kTries = 14;
+constexpr double kBeyondPrior = 3;   // sigma
 constexpr double kNearEnough = 0.1;  // of the gap that is wanted
 
 /// The line along which an effect grows.
@@ -124,7 +126,15 @@ Strength strengthOf(const Case& given, const Hypothesis& without, const twin::Ef
     found.gap_rad = gapBetween(given, without, with);
     return found;
   };
-  const auto enough = [&](const Strength& found) { return std::abs(found.gap_rad / wanted - 1) < kNearEnough; };
+  // What a prior lets a number do is nothing hidden.
+  const auto shows = [&](const Strength& found) {
+    Hypothesis with = without;
+    with.with(effect).values = found.values;
+    return sigmasOfFreed(given, with, effect) > kBeyondPrior;
+  };
+  const auto enough = [&](const Strength& found) {
+    return std::abs(found.gap_rad / wanted - 1) < kNearEnough && shows(found);
+  };
   Strength found = tried(1);
   if (!way.grows || found.gap_rad < wanted) {
     found.severity = std::min(way.grows ? severity : 3, severityOfGap(found.gap_rad));
@@ -134,9 +144,9 @@ Strength strengthOf(const Case& given, const Hypothesis& without, const twin::Ef
   for (int i = 0; i < kTries && !enough(found); ++i) {
     const double middle = (weak + strong) / 2;
     found = tried(middle);
-    (found.gap_rad < wanted ? weak : strong) = middle;
+    (found.gap_rad < wanted || !shows(found) ? weak : strong) = middle;
   }
-  if (!enough(found)) found.severity = severityOfGap(found.gap_rad);  // it jumps past what is wanted
+  if (!enough(found)) found.severity = severityOfGap(found.gap_rad);  // it jumps, or has to leave its prior
   return found;
 }
 

@@ -6,6 +6,7 @@
 #include "gap/name/judge.hpp"
 #include "gap/name/search.hpp"
 #include "gap/name/unseen.hpp"
+#include "gap/sim/freed.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -40,7 +41,7 @@ bool Search::acceptOneOf(const std::vector<Settled>& candidates) {
     // A number that moves as its prior lets it is no finding. Where it explains most with every other number held, what
     // explains less is none, either.
     const bool held = present_.numbers == Numbers::kHeld;
-    if (freesAPrior(given_, next) && sigmasOfFreed(given_, best, next) < (held ? kInside : kSuspicious)) {
+    if (freesAPrior(given_, next) && sigmasOfFreed(given_, best.hypothesis(), next) < (held ? kInside : kSuspicious)) {
       if (held && &best == &candidates.front()) return false;
       continue;
     }
@@ -62,7 +63,7 @@ bool Search::improve(const Settled& same) {
   for (Rival& rival : rivals_) rival.behind += gain;
   dropTheNeedless();
   gains_.back() = gainOf(present_.effects.size() - 1);
-  if (present_.effects.size() > 1 && gains_.back() < leastGainOf(present_.effects.size() - 1)) {
+  if (present_.effects.size() > 1 && gains_.back() < leastGainOf(*present_.effects.back().info)) {
     gains_.pop_back();
     present_ = settle(without(present_.effects, gains_.size()), present_.numbers, present_.problem, present_.fit, 2);
   }
@@ -120,17 +121,13 @@ void Search::refine() {
     present_ = settle(finer, refined.numbers, refined.problem, refined.fit, 2);
 }
 
-double Search::leastGainOf(std::size_t i) const {
-  return freesAPrior(given_, *present_.effects[i].info) ? kStrainGain : threshold_;
-}
-
 // An effect that stood in for one found later.
 void Search::dropTheNeedless() {
   for (std::size_t i = 0; present_.effects.size() > 1 && i + 1 < present_.effects.size();) {
     const Settled less =
         onNoiseOf(without(present_.effects, i), present_.numbers, present_.problem, present_.fit, present_);
     const double gain = less.fit.cost - present_.fit.cost;
-    if (gain < leastGainOf(i)) {
+    if (gain < leastGainOf(*present_.effects[i].info)) {
       say("%s is no longer needed", std::string{present_.effects[i].info->id}.c_str());
       present_ = settle(less.effects, less.numbers, less.problem, less.fit, 2);
       gains_.erase(gains_.begin() + static_cast<std::ptrdiff_t>(i));

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "gap/data/plausible.hpp"
+#include "gap/sim/freed.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -39,31 +40,9 @@ double mostStrained(const Settled& fitted) {
   return most;
 }
 
-double sigmasOfFreed(const Case& given, const Settled& fitted, const twin::EffectInfo& effect) {
-  const Hypothesis baseline = baselineOf(given), found = fitted.hypothesis();
-  const twin::EffectSetting* const before = baseline.find(effect.id);
-  const twin::EffectSetting* const after = found.find(effect.id);
-  const auto sigma_of = [&](std::string_view number) {
-    for (const Prior& prior : given.priors)
-      if (prior.number == number) return prior.relative_sigma;
-    return 0.0;
-  };
-  const auto moved = [](double change, double sigma) {
-    return sigma > 0 ? std::abs(change) / sigma : std::numeric_limits<double>::infinity();
-  };
-  const double value = after->values[0];
-  if (effect.id == "coulomb" || effect.id == "viscous") {
-    const std::string key = std::string{effect.id} + "." + std::string{effect.parameters[0].key};
-    return before == nullptr ? std::numeric_limits<double>::infinity()
-                             : moved(value / before->values[0] - 1, sigma_of(key));
-  }
-  if (effect.id == "kt_error") return moved(value, sigma_of("kt"));
-  if (effect.id == "resistance_error") return moved(value, sigma_of("resistance"));
-  if (effect.id == "inertia") return moved(value / baseline.servo.armature_kgm2, sigma_of("armature"));
-  if (effect.id == "com_mass")
-    return std::max(moved(value, sigma_of("payload")),
-                    moved(after->values[1] / baseline.pendulum.length_m, sigma_of("length")));
-  return std::numeric_limits<double>::infinity();
+double leastGain(const Case& given, const Hypothesis& found, const twin::EffectInfo& effect, double threshold) {
+  const bool strained = freesAPrior(given, effect) && sigmasOfFreed(given, found, effect) > kSuspicious;
+  return strained ? kStrainGain : threshold;
 }
 
 std::vector<Strained> strainedOf(const Settled& fitted) {

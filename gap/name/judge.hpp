@@ -19,9 +19,9 @@ inline constexpr double kNearMisfit = 60, kNearFloors = 1.5, kNearShare = 0.15;
 double misfitOf(const Settled& fitted, const Replicas& replicas);
 /// |sigma| of the number that is farthest out of its prior.
 double mostStrained(const Settled& fitted);
-/// Of a number of the baseline that an effect has freed: how far it moved, in sigmas of its prior; infinite where there
-/// was none.
-double sigmasOfFreed(const Case& given, const Settled& fitted, const twin::EffectInfo& effect);
+/// With less, an effect that was found is needless. Freeing a number that moved no farther than its prior lets it may
+/// gain as much by chance as any effect.
+double leastGain(const Case& given, const Hypothesis& found, const twin::EffectInfo& effect, double threshold);
 /// Those beyond kStrained.
 std::vector<Strained> strainedOf(const Settled& fitted);
 /// `excess`: cost over what noise makes of it, 1 for a right model; beyond, the intervals grow.

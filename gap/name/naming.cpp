@@ -9,6 +9,7 @@
 #include "gap/name/rough.hpp"
 #include "gap/name/search.hpp"
 #include "gap/name/unseen.hpp"
+#include "gap/sim/freed.hpp"
 
 namespace darwinop::gap {
 namespace {

@@ -18,6 +18,6 @@ struct Replicas {
 };
 
 /// Without a screen there are no promises.
-Replicas replicasOf(const Settled& present, const Screen* screen, int count = 200);
+Replicas replicasOf(const Settled& present, const Screen* screen, int count);
 
 }  // namespace darwinop::gap

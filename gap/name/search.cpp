@@ -11,6 +11,8 @@ namespace darwinop::gap {
 namespace {
 
 constexpr double kTooMuchLeft = 0.5;  // of the gap: what took the rest is no name, either
+constexpr double kPlainMisfit = 1.5;  // cost a residual
+constexpr int kFewReplicas = 40, kReplicas = 200;
 constexpr int kMostHeld = 2;  // with every number held, more effects are a sign that the numbers are what is off
 
 Settled nothingMissing(const Case& given, Numbers numbers) {
@@ -84,7 +86,8 @@ bool Search::isHopeless() const {
 }
 
 void Search::judge(const Screen* screen) {
-  const Replicas replicas = replicasOf(present_, screen);
+  const bool plain = present_.fit.cost > kPlainMisfit * static_cast<double>(present_.fit.residuals.size());
+  const Replicas replicas = replicasOf(present_, screen, plain ? kFewReplicas : kReplicas);
   misfit_ = misfitOf(present_, replicas);
   excess_cost_ = present_.fit.cost - present_.fit.prior - replicas.cost_mean;
   if (screen != nullptr) threshold_ = replicas.threshold(options_.alpha);

@@ -49,8 +49,9 @@ class Search {
   bool improve(const Settled& same);
   /// What effect `i` takes away, the others being there.
   [[nodiscard]] double gainOf(std::size_t i) const;
-  /// With less gain it is needless.
-  [[nodiscard]] double leastGainOf(std::size_t i) const;
+  [[nodiscard]] double leastGainOf(const twin::EffectInfo& effect) const {
+    return leastGain(given_, present_.hypothesis(), effect, threshold_);
+  }
   void refine();
   void dropTheNeedless();
   bool simplifyOne();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "gap/sim/freed.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
@@ -22,18 +23,6 @@ bool contains(const List& list, std::string_view id) {
 }
 
 constexpr double kRoughly = 0.1;  // of a number: no worse, and a measurement stands behind it
-
-// A number of the baseline whose error is what the effect means.
-constexpr auto kSameAs = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"coulomb", "coulomb.friction"},
-    {"viscous", "viscous.damping"},
-    {"kt_error", "kt"},
-    {"resistance_error", "resistance"},
-    {"inertia", "armature"},
-    {"com_mass", "payload"},
-    {"com_mass", "length"},
-    {"kp_scale", "duty_per_kp"},
-});
 
 }  // namespace
 
@@ -58,15 +47,6 @@ Effects without(Effects effects, std::size_t i) {
   return effects;
 }
 
-bool freesAPrior(const Case& given, const twin::EffectInfo& effect) {
-  for (const auto& [id, number] : kSameAs) {
-    if (id != effect.id) continue;
-    for (const Prior& prior : given.priors)
-      if (prior.number == number) return true;
-  }
-  return false;
-}
-
 bool isRoughlyKnown(const Case& given) {
   return std::ranges::any_of(given.priors, [](const Prior& prior) {
     return (prior.number == "kt" || prior.number == "resistance") && prior.relative_sigma >= kRoughly;
@@ -89,10 +69,9 @@ Problem problemWith(const Evidence& evidence, const Effects& effects, Numbers nu
     std::erase_if(all,
                   [&](const Unknown& one) { return !other_motor || (one.name != "kt" && one.name != "resistance"); });
   std::erase_if(all, [&](const Unknown& nuisance) {  // an effect says the same
-    for (const Chosen& effect : effects)
-      for (const auto& [id, number] : kSameAs)
-        if (id == effect.info->id && number == nuisance.name && number.find('.') != std::string_view::npos) return true;
-    return false;
+    const bool of_an_effect = nuisance.name.find('.') != std::string::npos;
+    return of_an_effect &&
+           std::ranges::any_of(effects, [&](const Chosen& chosen) { return means(*chosen.info, nuisance.name); });
   });
   all.insert(all.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
   return {evidence, std::move(hypothesis), std::move(all)};

@@ -24,9 +24,6 @@ std::vector<const twin::EffectInfo*> suspectsOf(const Case& given);
 bool has(const Effects& effects, const twin::EffectInfo& effect);
 Effects without(Effects effects, std::size_t i);
 
-/// True: the effect only frees a number of the baseline that has a prior (coulomb where there is friction already).
-bool freesAPrior(const Case& given, const twin::EffectInfo& effect);
-
 /// A motor that nobody has measured: its numbers are a manual's, or another servo's.
 bool isRoughlyKnown(const Case& given);
 

@@ -69,6 +69,20 @@ TEST(Solve, FindsAMovedNumberAndSaysHowSurely) {
   EXPECT_LE(fit.cost, problem.cost(problem.expected()));
 }
 
+TEST(Problem, StopsCountingWhereACostIsMoreThanItMayBe) {
+  const Case given = measured(smallBench(), baselineOf(smallBench()), 7);
+  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Problem problem{evidence, baselineOf(given), nuisancesOf(given, baselineOf(given))};
+  const Eigen::VectorXd x = problem.expected();
+  Eigen::VectorXd all(evidence.size());
+  problem.residuals(x, all);
+  const double cost = all.unaryExpr(&costOf).sum() + problem.priorCost(x);
+  EXPECT_NEAR(problem.cost(x), cost, 1e-9 * cost);
+  EXPECT_NEAR(problem.costUpTo(1.001 * cost, x), cost, 1e-9 * cost);
+  EXPECT_TRUE(std::isinf(problem.costUpTo(0.999 * cost, x)));
+  EXPECT_TRUE(std::isinf(problem.costUpTo(-1, x)));
+}
+
 // Torque constant, resistance, payload and length together leave hardly a trace, and what is left of the sum of their
 // slopes is mostly the curvature of the steps, unless a step goes along that valley.
 TEST(Slopes, SayWhatAMoveAlongAValleyChanges) {

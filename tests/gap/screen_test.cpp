@@ -23,6 +23,17 @@ Settled nothingSaid(const Case& given, Numbers numbers) {
   return settle({}, numbers, problem, start, 1);
 }
 
+TEST(Judge, ANumberWithinItsPriorHasToGainWhatAnyEffectHasTo) {
+  const Case bench = smallBench();  // its payload is known to 1 %
+  const auto least = [&](const char* effect, const char* key, double value) {
+    return leastGain(bench, withEffect(bench, effect, key, value), *twin::findEffect(effect), 16);
+  };
+  EXPECT_EQ(least("com_mass", "mass", 0.01), 16);
+  EXPECT_EQ(least("com_mass", "mass", -0.05), kStrainGain);
+  EXPECT_EQ(least("viscous", "damping", 0.02), 16) << "nobody has said how well it is known";
+  EXPECT_EQ(least("encoder_offset", "offset", 0.05), 16);
+}
+
 const twin::EffectInfo* const kSuspects[] = {twin::findEffect("encoder_offset"), twin::findEffect("transport_delay"),
                                              twin::findEffect("supply_sag")};
 

@@ -17,8 +17,9 @@ class NearSine {
       d = 0;
     }
     const double d2 = d * d;
-    const double sine = d * (1 - d2 / 6 * (1 - d2 / 20 * (1 - d2 / 42)));
-    const double cosine = 1 - d2 / 2 * (1 - d2 / 12 * (1 - d2 / 30));
+    // Products with reciprocals: six quotients took longer than all the rest.
+    const double sine = d - d * d2 * (1.0 / 6 - d2 * (1.0 / 120 - d2 * (1.0 / 5040)));
+    const double cosine = 1 - d2 * (1.0 / 2 - d2 * (1.0 / 24 - d2 * (1.0 / 720)));
     return sine_ * cosine + cosine_ * sine;
   }
 

@@ -26,7 +26,7 @@ void OverloadGuard::step(const Signals& s, const ServoParameters& parameters, do
   }
   const double duty = std::abs(s.duty);
   const bool at_limit = duty >= parameters.overload_share * s.duty_limit && duty >= kHarmlessDuty;
-  const bool stands = std::abs(s.velocity_rad_s) < kStandsBelow * parameters.supply_v / parameters.back_emf_vs_rad;
+  const bool stands = std::abs(s.velocity_rad_s) * parameters.back_emf_vs_rad < kStandsBelow * parameters.supply_v;
   for_s_ = at_limit && stands ? for_s_ + dt_s : 0;
   // Half a period: sums of periods are not exact.
   tripped_ = tripped_ || for_s_ > parameters.overload_time_s - dt_s / 2;

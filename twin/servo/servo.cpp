@@ -27,6 +27,8 @@ Servo::Servo(const ServoParameters& parameters, std::vector<std::unique_ptr<Effe
     : parameters_{parameters},
       effects_{std::move(effects)},
       ticks_per_rad_{parameters.ticks_per_rev / (2 * kPi)},
+      rad_per_tick_{2 * kPi / parameters.ticks_per_rev},
+      load_share_{1 - std::exp(-parameters.firmware_period_s / kLoadFilter)},
       speed_meter_{parameters.firmware_period_s} {
   for (const auto& effect : effects_) {
     const std::uint8_t hooks = effect->hooks();
@@ -81,7 +83,7 @@ void Servo::firmware(const ServoDrive& drive, double position_rad, double veloci
 
   s.measured_rad = position_rad;
   for (Effect* effect : sensor_) effect->sensor(s, dt);
-  s.measured_rad = nearestTick(s.measured_rad * ticks_per_rad_) / ticks_per_rad_;
+  s.measured_rad = nearestTick(s.measured_rad * ticks_per_rad_) * rad_per_tick_;
   speed_meter_.see(s.measured_rad);
 
   followGoal(dt);
@@ -99,7 +101,7 @@ void Servo::firmware(const ServoDrive& drive, double position_rad, double veloci
   s.temperature_c = temperatureAfter(s, parameters_, dt);
   overload_.step(s, parameters_, dt);
   followed_nm_ = s.torque_on ? followed_nm_ : 0;
-  showLoad(dt);
+  showLoad();
 }
 
 double Servo::motorTorque(double velocity_rad_s) const noexcept {
@@ -142,14 +144,14 @@ void Servo::noteMotorTorque(double torque_nm) noexcept {
 }
 
 // The servo has no torque sensor: its load is the duty. Webots' torque feedback is the motor's torque.
-void Servo::showLoad(double dt_s) noexcept {
+void Servo::showLoad() noexcept {
   const Signals& s = signals_;
   if (!s.torque_on)
     shown_load_ = 0;
   else if (s.law == Law::kVoltageP)
     shown_load_ = s.duty;
   else
-    shown_load_ += (followed_nm_ / parameters_.torque_max_nm - shown_load_) * (1 - std::exp(-dt_s / kLoadFilter));
+    shown_load_ += (followed_nm_ / parameters_.torque_max_nm - shown_load_) * load_share_;
 }
 
 JointMotion Servo::report() const noexcept {

@@ -59,7 +59,7 @@ class Servo {
   void control(const ServoDrive& drive, double dt_s) noexcept;
   void pushByError(double dt_s) noexcept;
   void turnByError(double dt_s) noexcept;
-  void showLoad(double dt_s) noexcept;
+  void showLoad() noexcept;
   [[nodiscard]] double motorTorque(double velocity_rad_s) const noexcept;
 
   ServoParameters parameters_;
@@ -68,7 +68,8 @@ class Servo {
   LoadChange load_;
   Signals signals_;
 
-  double ticks_per_rad_;
+  double ticks_per_rad_, rad_per_tick_;
+  double load_share_;  // of what is new in the torque feedback, a period
   // Of this period's duty and voltage: torque at rest, and what the back EMF takes of it per speed.
   double stalled_nm_ = 0, braking_nms_rad_ = 0;
   SpeedMeter speed_meter_;

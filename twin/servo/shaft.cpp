@@ -7,9 +7,11 @@
 namespace darwinop::twin {
 namespace {
 
-// (1 - exp(-x)) / x
+// (1 - exp(-x)) / x; where x is small, as in a step it mostly is, to 3e-15 by its series.
 double meanDecay(double x) {
-  return x < 1e-8 ? 1 - x / 2 : -std::expm1(-x) / x;
+  constexpr double kSmall = 1.0 / 64;
+  if (x > kSmall) return -std::expm1(-x) / x;
+  return 1 - x * (1.0 / 2 - x * (1.0 / 6 - x * (1.0 / 24 - x * (1.0 / 120 - x * (1.0 / 720)))));
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+// Effects that mean a number of the baseline: heavier than it says, or more friction than it has.
+#pragma once
+
+#include <string_view>
+
+#include "gap/sim/hypothesis.hpp"
+
+namespace darwinop::gap {
+
+/// True: `number` being off is what the effect says.
+bool means(const twin::EffectInfo& effect, std::string_view number);
+
+/// True: the effect only frees a number of the baseline that has a prior (coulomb where there is friction already).
+bool freesAPrior(const Case& given, const twin::EffectInfo& effect);
+
+/// How far `hypothesis` moves what such an effect frees, in sigmas of its prior; infinite for all others.
+double sigmasOfFreed(const Case& given, const Hypothesis& hypothesis, const twin::EffectInfo& effect);
+
+}  // namespace darwinop::gap
