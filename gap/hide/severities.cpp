@@ -32,6 +32,7 @@ struct Way {
   [[nodiscard]] std::vector<double> at(double strength) const {
     std::vector<double> out = values;
     if (!grows) return out;
+    strength = std::min(strength, geometric ? kInside : 1 + std::log10(kInside) / kDecades);
     out[*grows] =
         geometric ? from * std::pow(to / from, strength) : from + (to - from) * std::pow(10, kDecades * (strength - 1));
     if (tied) out[*tied] = out[*grows] * ratio;
@@ -68,9 +69,8 @@ Way drawnWay(const Hypothesis& without, const twin::EffectInfo& effect, Dice& di
   way.from = way.values[*way.grows];
   const bool down = parameter.low<parameter.neutral, up = parameter.high> parameter.neutral;
   const bool goes_up = up && (!down || dice.coin());
-  const double end = goes_up ? parameter.high : parameter.low;
+  way.to = goes_up ? parameter.high : parameter.low;
   way.geometric = parameter.logarithmic && parameter.neutral > 0;
-  way.to = way.geometric ? way.from * std::pow(end / way.from, kInside) : way.from + kInside * (end - way.from);
   return way;
 }
 

@@ -16,7 +16,6 @@ constexpr std::size_t kMostSharpened = 10, kMostInHeats = 16, kStarts = 3, kMost
 constexpr double kNear = 0.15;    // of the best gain: who is that close is compared on the best one's noise
 constexpr double kNearCost = 60;  // or that close in cost
 constexpr double kDragged = 15;   // cost of the priors: the numbers have been pulled away, so try from where they were
-constexpr double kWeakEcho = 0.25;  // of the promise of the best ripple
 constexpr double kEnoughGain =
     2;  // evidence by which a rival has to lead on the best one's noise to be looked at itself
 
@@ -51,7 +50,7 @@ bool startAlike(const Probe& one, const Probe& other) {
   return one.effect == other.effect && (one.effect->id != "cogging" || std::abs(one.values[1] - other.values[1]) < 1);
 }
 
-/// The best starts of each effect that differ, best first; a ripple's weak ones are those of other counts' echo.
+/// The best starts of each effect that differ, best first.
 std::vector<Entrant> sharpest(const Screen& screen, const std::vector<Probe>& probes) {
   std::vector<Sharpened> sharpened(probes.size());
   forEach(probes.size(), [&](std::size_t i) { sharpened[i] = screen.sharpened(probes[i]); });
@@ -62,8 +61,6 @@ std::vector<Entrant> sharpest(const Screen& screen, const std::vector<Probe>& pr
   for (Sharpened& one : sharpened) {
     const auto alike = [&](const Probe* other) { return startAlike(*other, one.probe); };
     if (std::any_of(seen.begin(), seen.end(), alike)) continue;
-    const auto stronger = std::ranges::find(best, one.probe.effect, &Entrant::effect);
-    if (stronger != best.end() && one.probe.promise < kWeakEcho * stronger->promise) continue;
     seen.push_back(&one.probe);
     best.push_back({one.probe.effect, std::move(one.x), one.probe.promise});
   }

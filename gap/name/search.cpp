@@ -11,6 +11,7 @@ namespace darwinop::gap {
 namespace {
 
 constexpr double kTooMuchLeft = 0.5;  // of the gap: what took the rest is no name, either
+constexpr double kMisleads = 1.5;     // times the gap before, on kept logs: what was found on the others is no finding
 constexpr double kPlainMisfit = 1.5;  // cost a residual
 constexpr int kFewReplicas = 40, kReplicas = 200;
 constexpr int kMostHeld = 2;  // with every number held, more effects are a sign that the numbers are what is off
@@ -127,11 +128,13 @@ Naming Search::told() const {
   naming.gap_before_rad = gapOf(given_, baselineOf(given_), false);
   naming.gap_after_rad = gapOf(given_, naming.model, false);
   naming.floor_rad = floorOf(present_);
-  naming.verdict = verdictOf(naming);
+  const bool misleads = gapOf(given_, naming.model, true) > kMisleads * gapOf(given_, baselineOf(given_), true);
+  naming.verdict = misleads ? Verdict::kUnknown : verdictOf(naming);
   // The strongest first; where rivals are near, the last one is what they contest.
   if (naming.verdict != Verdict::kAmbiguous) std::ranges::stable_sort(naming.found, std::greater{}, &Found::gain);
   // Half a gap that nobody can name is no reason to believe in what took the other half.
-  if (naming.verdict == Verdict::kUnknown && naming.gap_after_rad > kTooMuchLeft * naming.gap_before_rad) {
+  const bool half_left = naming.gap_after_rad > kTooMuchLeft * naming.gap_before_rad;
+  if (misleads || (naming.verdict == Verdict::kUnknown && half_left)) {
     naming.found.clear();
     naming.rivals.clear();
     naming.strained.clear();

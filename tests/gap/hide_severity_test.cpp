@@ -26,7 +26,9 @@ bool isFaint(std::string_view id) {
 Hidden hiddenAt(const std::string& id, int severity, std::uint64_t seed) {
   HideRequest request;
   request.seed = seed;
-  request.baseline = id == "p_on_torque" ? Baseline::kSpeed : Baseline::kFriction;
+  request.baseline = id == "p_on_torque" ? Baseline::kSpeed
+                     : id == "coulomb"   ? Baseline::kFrictionless  // where there is some, a prior has its say
+                                         : Baseline::kFriction;
   request.effects = {{.id = id, .severity = severity}};
   return hidden(request);
 }
@@ -52,12 +54,13 @@ TEST(Severity, IsTheGapThatItMeans) {
   const Hypothesis bench = baselineOf(plan.given);
   for (const int severity : {1, 2, 3}) {
     Dice dice{33};
-    const Strength found = strengthOf(plan.given, bench, *twin::findEffect("coulomb"), severity, dice);
+    const Strength found = strengthOf(plan.given, bench, *twin::findEffect("transport_delay"), severity, dice);
     EXPECT_EQ(found.severity, severity);
     EXPECT_GT(found.gap_rad, gapRangeOf(severity).low_rad * 0.89);
     EXPECT_LT(found.gap_rad, gapRangeOf(severity).high_rad * 1.11);
     Dice again{33};
-    EXPECT_EQ(strengthOf(plan.given, bench, *twin::findEffect("coulomb"), severity, again).values, found.values);
+    EXPECT_EQ(strengthOf(plan.given, bench, *twin::findEffect("transport_delay"), severity, again).values,
+              found.values);
   }
 }
 

@@ -50,6 +50,17 @@ TEST(Judging, ADeadBandOfFourMicroradiansIsNothing) {
   EXPECT_FALSE(is_nothing("accel_limit", {9990})) << "an encoder shows it";
 }
 
+// A base that leans one way in the logs that are fitted, and the other way in the one that is kept.
+TEST(Naming, WhatMakesKeptLogsWorseIsNotNamed) {
+  const Case bench = smallBench();
+  Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 12);
+  const Case other = measured(bench, withEffect(bench, "encoder_offset", "offset", -0.03), 12);
+  given.logs.back() = other.logs.back();
+  const Naming naming = namedIn(given);
+  EXPECT_EQ(naming.verdict, Verdict::kUnknown) << idOf(naming);
+  EXPECT_TRUE(naming.found.empty());
+}
+
 TEST(Naming, AModelThatIsRightMissesNothing) {
   const Case bench = smallBench();
   const Naming naming = namedIn(measured(bench, baselineOf(bench), 11));
