@@ -13,8 +13,8 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kDecades = 3.5;  // from the greatest value that is tried to the smallest
-constexpr double kInside = 0.9;   // of the plausible range: at its end a fit cannot tell what is beyond
+constexpr double kDecades = 3.5;      // from the greatest value that is tried to the smallest
+constexpr double kMostOfRange = 0.9;  // of the plausible range: at its end a fit cannot tell what is beyond
 constexpr int kTries = 14;
 constexpr double kBeyondPrior = 3;   // sigma
 constexpr double kNearEnough = 0.1;  // of the gap that is wanted
@@ -32,7 +32,7 @@ struct Way {
   [[nodiscard]] std::vector<double> at(double strength) const {
     std::vector<double> out = values;
     if (!grows) return out;
-    strength = std::min(strength, geometric ? kInside : 1 + std::log10(kInside) / kDecades);
+    strength = std::min(strength, geometric ? kMostOfRange : 1 + std::log10(kMostOfRange) / kDecades);
     out[*grows] =
         geometric ? from * std::pow(to / from, strength) : from + (to - from) * std::pow(10, kDecades * (strength - 1));
     if (tied) out[*tied] = out[*grows] * ratio;
@@ -146,7 +146,10 @@ Strength strengthOf(const Case& given, const Hypothesis& without, const twin::Ef
     found = tried(middle);
     (found.gap_rad < wanted || !shows(found) ? weak : strong) = middle;
   }
-  if (!enough(found)) found.severity = severityOfGap(found.gap_rad);  // it jumps, or has to leave its prior
+  if (!enough(found)) {  // it jumps, or has to leave its prior
+    if (!shows(found)) found = tried(strong);
+    found.severity = shows(found) ? severityOfGap(found.gap_rad) : 0;
+  }
   return found;
 }
 

@@ -20,7 +20,7 @@ int severityOfGap(double gap_rad);
 double gapBetween(const Case& given, const Hypothesis& a, const Hypothesis& b);
 
 struct Strength {
-  int severity = 0;            // as wanted, or the greatest that the plausible range allows on this bench
+  int severity = 0;            // as wanted; else what the plausible range allows on this bench, or a prior asks for
   std::vector<double> values;  // of all parameters; what is there already (friction of the baseline) is counted in
   double gap_rad = 0;
 };

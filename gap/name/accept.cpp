@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "gap/name/contest.hpp"
-#include "gap/name/judge.hpp"
 #include "gap/name/search.hpp"
 #include "gap/name/unseen.hpp"
 #include "gap/sim/freed.hpp"

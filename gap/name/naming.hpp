@@ -47,8 +47,8 @@ struct Rival {
 };
 
 /// Why an effect that fits these logs better all the same is not named: the measured voltage says no; it foretells some
-/// logs and others not; it foretells none.
-enum class Doubt : std::uint8_t { kVoltage, kUndecided, kForetellsNothing };
+/// logs and others not; it foretells none; the kept logs are worse with it.
+enum class Doubt : std::uint8_t { kVoltage, kUndecided, kForetellsNothing, kWorsensKept };
 struct Doubted {
   const twin::EffectInfo* effect = nullptr;
   Doubt why = Doubt::kForetellsNothing;

@@ -8,6 +8,8 @@
 
 namespace darwinop::gap {
 
+inline constexpr int kReplicas = 200;
+
 struct Replicas {
   double cost_mean = 0, cost_sigma = 0;  // of the residuals, without priors
   std::vector<double> promises;          // the greatest of each replica, rising

@@ -175,7 +175,7 @@ Naming RoughSearch::told() const {
   std::ranges::copy_if(rivals_, std::back_inserter(naming.rivals),
                        [&](const Rival& rival) { return !found(rival.effects); });
   const Settled exactly = onNoiseOfItsOwn(present_);
-  naming.misfit = misfitOf(exactly, replicasOf(exactly, nullptr, 200));
+  naming.misfit = misfitOf(exactly, replicasOf(exactly, nullptr, kReplicas));
   naming.floor_rad = floorOf(exactly);
   naming.gap_before_rad = gapOf(given_, baselineOf(given_), false);
   naming.gap_after_rad = gapOf(given_, naming.model, false);

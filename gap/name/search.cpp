@@ -5,15 +5,15 @@
 #include <functional>
 
 #include "gap/name/contest.hpp"
-#include "gap/name/judge.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr double kTooMuchLeft = 0.5;  // of the gap: what took the rest is no name, either
-constexpr double kMisleads = 1.5;     // times the gap before, on kept logs: what was found on the others is no finding
+constexpr double kWorse = 1.5;        // times the mean error before, on kept logs
+constexpr double kPlainlyWorse = 2;   // floors, too
 constexpr double kPlainMisfit = 1.5;  // cost a residual
-constexpr int kFewReplicas = 40, kReplicas = 200;
+constexpr int kFewReplicas = 40;
 constexpr int kMostHeld = 2;  // with every number held, more effects are a sign that the numbers are what is off
 
 Settled nothingMissing(const Case& given, Numbers numbers) {
@@ -22,6 +22,12 @@ Settled nothingMissing(const Case& given, Numbers numbers) {
   Fit start;
   start.x = problem.expected();
   return settle({}, numbers, problem, start, 4);
+}
+
+/// What was found on some logs is no finding where others, which no fit has seen, say the opposite.
+bool makesKeptWorse(const Case& given, const Naming& naming) {
+  const double before = meanErrorOf(given, baselineOf(given), true), after = meanErrorOf(given, naming.model, true);
+  return after > kWorse * before && after > before + kPlainlyWorse * naming.floor_rad;  // never without kept logs: NaN
 }
 
 }  // namespace
@@ -128,13 +134,17 @@ Naming Search::told() const {
   naming.gap_before_rad = gapOf(given_, baselineOf(given_), false);
   naming.gap_after_rad = gapOf(given_, naming.model, false);
   naming.floor_rad = floorOf(present_);
-  const bool misleads = gapOf(given_, naming.model, true) > kMisleads * gapOf(given_, baselineOf(given_), true);
+  const bool misleads = !naming.found.empty() && makesKeptWorse(given_, naming);
   naming.verdict = misleads ? Verdict::kUnknown : verdictOf(naming);
   // The strongest first; where rivals are near, the last one is what they contest.
   if (naming.verdict != Verdict::kAmbiguous) std::ranges::stable_sort(naming.found, std::greater{}, &Found::gain);
   // Half a gap that nobody can name is no reason to believe in what took the other half.
   const bool half_left = naming.gap_after_rad > kTooMuchLeft * naming.gap_before_rad;
   if (misleads || (naming.verdict == Verdict::kUnknown && half_left)) {
+    for (const Found& one : naming.found)
+      if (misleads) naming.doubted.push_back({one.effect, Doubt::kWorsensKept});
+    const Settled nothing = nothingMissing(given_, Numbers::kHeld);
+    naming.misfit = misfitOf(nothing, replicasOf(nothing, nullptr, kReplicas));
     naming.found.clear();
     naming.rivals.clear();
     naming.strained.clear();

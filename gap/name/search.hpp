@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gap/name/judge.hpp"
 #include "gap/name/naming.hpp"
 #include "gap/name/replicas.hpp"
 #include "gap/name/screen.hpp"

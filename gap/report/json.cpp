@@ -77,7 +77,7 @@ json asJson(const Case& given, const Outcome& outcome) {
   for (const Strained& one : naming.strained)
     strained.push_back({{"number", one.number}, {"sigma", one.sigmas}, {"factor", one.factor}});
   json doubted = json::array();
-  constexpr std::array<std::string_view, 3> kWhy{"voltage", "undecided", "foretells_nothing"};
+  constexpr std::array<std::string_view, 4> kWhy{"voltage", "undecided", "foretells_nothing", "worsens_kept"};
   for (const Doubted& one : naming.doubted)
     doubted.push_back({{"id", one.effect->id}, {"why", kWhy.at(static_cast<std::size_t>(one.why))}});
   return {{"case", given.name},

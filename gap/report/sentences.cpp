@@ -119,6 +119,8 @@ std::string shortDoubt(const Doubted& doubted) {
       return id + ": fits, but the measured voltage does not dip as it would have to";
     case Doubt::kUndecided:
       return id + ": may be there, too; the report says which experiment decides";
+    case Doubt::kWorsensKept:
+      return id + ": fits these logs, and makes the kept ones worse";
     case Doubt::kForetellsNothing:
       break;
   }
@@ -135,6 +137,8 @@ std::string doubtSentence(const Doubted& doubted) {
       break;
     case Doubt::kForetellsNothing:
       return title + " would fit these logs better, and foretells none that it has not seen.";
+    case Doubt::kWorsensKept:
+      return title + " would fit these logs better, and make the error on the kept ones greater by half or more.";
   }
   std::vector<std::string> doubles;
   for (const std::string_view id : doubted.effect->confused_with) doubles.emplace_back(twin::findEffect(id)->title);

@@ -37,22 +37,27 @@ double sigmasOfFreed(const Case& given, const Hypothesis& hypothesis, const twin
   const Hypothesis baseline = baselineOf(given);
   const twin::EffectSetting* const before = baseline.find(effect.id);
   const twin::EffectSetting* const after = hypothesis.find(effect.id);
-  const auto moved = [&](double change, std::string_view number) {
+  const auto moved = [&](double factor, std::string_view number) {
     const auto prior = std::ranges::find(given.priors, number, &Prior::number);
-    return prior != given.priors.end() && prior->relative_sigma > 0 ? std::abs(change) / prior->relative_sigma
+    if (factor == 1) return 0.0;
+    return prior != given.priors.end() && prior->relative_sigma > 0 ? std::abs(factor - 1) / prior->relative_sigma
                                                                     : kInfinity;
   };
   const double value = after->values[0];
+  const twin::ServoParameters &servo = hypothesis.servo, &was = baseline.servo;
   if (effect.id == "coulomb" || effect.id == "viscous") {
     const std::string number = std::string{effect.id} + "." + std::string{effect.parameters[0].key};
-    return before == nullptr ? kInfinity : moved(value / before->values[0] - 1, number);
+    return before == nullptr ? kInfinity : moved(value / before->values[0], number);
   }
-  if (effect.id == "kt_error") return moved(value, "kt");
-  if (effect.id == "resistance_error") return moved(value, "resistance");
-  if (effect.id == "inertia") return moved(value / baseline.servo.armature_kgm2, "armature");
-  if (effect.id == "com_mass")
-    return std::max(moved(value, "payload"), moved(after->values[1] / baseline.pendulum.length_m, "length"));
-  return kInfinity;
+  if (effect.id == "kp_scale") return moved(value * servo.duty_per_kp_per_rad / was.duty_per_kp_per_rad, "duty_per_kp");
+  if (effect.id == "kt_error") return moved((1 + value) * servo.kt_nm_a / was.kt_nm_a, "kt");
+  if (effect.id == "resistance_error")
+    return moved((1 + value) * servo.resistance_ohm / was.resistance_ohm, "resistance");
+  if (effect.id == "inertia") return moved((servo.armature_kgm2 + value) / was.armature_kgm2, "armature");
+  if (effect.id != "com_mass") return kInfinity;
+  const double length_m = hypothesis.pendulum.length_m + after->values[1];
+  return std::max(moved((1 + value) * hypothesis.payload_scale, "payload"),
+                  moved(length_m / baseline.pendulum.length_m, "length"));
 }
 
 }  // namespace darwinop::gap

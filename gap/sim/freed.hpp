@@ -13,7 +13,8 @@ bool means(const twin::EffectInfo& effect, std::string_view number);
 /// True: the effect only frees a number of the baseline that has a prior (coulomb where there is friction already).
 bool freesAPrior(const Case& given, const twin::EffectInfo& effect);
 
-/// How far `hypothesis` moves what such an effect frees, in sigmas of its prior; infinite for all others.
+/// How far `hypothesis`, which has the effect, moves the number that it means, in sigmas of its prior; infinite where
+/// there is none.
 double sigmasOfFreed(const Case& given, const Hypothesis& hypothesis, const twin::EffectInfo& effect);
 
 }  // namespace darwinop::gap

@@ -69,7 +69,7 @@ TEST(Solve, FindsAMovedNumberAndSaysHowSurely) {
   EXPECT_LE(fit.cost, problem.cost(problem.expected()));
 }
 
-TEST(Problem, StopsCountingWhereACostIsMoreThanItMayBe) {
+TEST(Problem, SaysWhereACostIsMoreThanItMayBe) {
   const Case given = measured(smallBench(), baselineOf(smallBench()), 7);
   const Evidence evidence = evidenceOf(given, baselineOf(given));
   const Problem problem{evidence, baselineOf(given), nuisancesOf(given, baselineOf(given))};

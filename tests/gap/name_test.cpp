@@ -53,12 +53,16 @@ TEST(Judging, ADeadBandOfFourMicroradiansIsNothing) {
 // A base that leans one way in the logs that are fitted, and the other way in the one that is kept.
 TEST(Naming, WhatMakesKeptLogsWorseIsNotNamed) {
   const Case bench = smallBench();
-  Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 12);
-  const Case other = measured(bench, withEffect(bench, "encoder_offset", "offset", -0.03), 12);
+  Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.12), 12);
+  const Case other = measured(bench, withEffect(bench, "encoder_offset", "offset", -0.12), 12);
   given.logs.back() = other.logs.back();
   const Naming naming = namedIn(given);
   EXPECT_EQ(naming.verdict, Verdict::kUnknown) << idOf(naming);
   EXPECT_TRUE(naming.found.empty());
+  ASSERT_FALSE(naming.doubted.empty());
+  EXPECT_EQ(naming.doubted.front().effect->id, "encoder_offset");
+  EXPECT_EQ(naming.doubted.front().why, Doubt::kWorsensKept);
+  EXPECT_GT(naming.misfit, 4) << "of the baseline, which is what is left";
 }
 
 TEST(Naming, AModelThatIsRightMissesNothing) {

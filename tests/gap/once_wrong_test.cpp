@@ -32,7 +32,8 @@ TEST(OnceWrong, WhatANumberInsideItsPriorExplainsBetter) {
   HideRequest request;
   request.seed = 7094019704520756267;
   request.baseline = Baseline::kFrictionless;
-  request.effects = {{.id = "viscous", .severity = 1}};
+  const double damping = baselineOf(hidden(request).given).find("viscous")->values[0];
+  request.effects = {{.id = "viscous", .values = {{"damping", 0.06 * damping}}}};
   const Hidden made = hidden(request);
   EXPECT_EQ(nameEffects(made.given).verdict, Verdict::kNone);
 }

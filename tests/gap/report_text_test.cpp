@@ -47,7 +47,8 @@ TEST(Summary, SaysWhyAnEffectThatFitsIsNotNamed) {
   naming.remains = true;
   naming.strained.clear();
   naming.doubted = {{twin::findEffect("supply_sag"), Doubt::kVoltage},
-                    {twin::findEffect("torque_limit"), Doubt::kUndecided}};
+                    {twin::findEffect("torque_limit"), Doubt::kUndecided},
+                    {twin::findEffect("cogging"), Doubt::kWorsensKept}};
   told.make();
   const std::string text = inOneLine(asText(told.report));
   EXPECT_THAT(text, HasSubstr("supply_sag: fits, but the measured voltage does not dip"));

@@ -70,8 +70,8 @@ class Effect {
   virtual void controller(Signals&, double /*dt_s*/) noexcept {}
   /// Every firmware period, the duty is made: supply, kt, resistance, back EMF, torque limit.
   virtual void motor(Signals&, double /*dt_s*/) noexcept {}
-  /// Every mechanical step, at position, velocity and torques in its middle, foreseen where they are not yet known:
-  /// adds friction, damping, extra torque, and sets the gear train's play and spring.
+  /// Every mechanical step, at the present position, velocity and torques, or those that a bench foresees in the middle
+  /// of the step: adds friction, damping, extra torque, and sets the gear train's play and spring.
   virtual void mechanics(Signals&) noexcept {}
   /// Once before a run.
   virtual void load(LoadChange&) noexcept {}

@@ -35,7 +35,7 @@ struct Signals {
   double temperature_c = 25;
 
   // Mechanics. Torques at the horn, positive counter-clockwise.
-  double position_rad = 0, velocity_rad_s = 0;  // of the gear side; within a step as they are going to be
+  double position_rad = 0, velocity_rad_s = 0;  // of the gear side; a bench may foresee them
   double motor_torque_nm = 0;                   // electric torque, before friction
   double external_torque_nm = 0;                // what the arm puts on the horn
   double extra_torque_nm = 0;                   // ripple and the like, added to the motor's

@@ -13,7 +13,7 @@ class SpeedMeter {
  public:
   explicit SpeedMeter(double period_s)
       : seen_(static_cast<std::size_t>(std::max(1L, std::lround(kWindow / period_s)))),
-        per_span_1_s_{1 / (static_cast<double>(seen_.size()) * period_s)} {}
+        rate_1_s_{1 / (static_cast<double>(seen_.size()) * period_s)} {}
 
   void reset(double position_rad) noexcept {
     for (double& seen : seen_) seen = position_rad;
@@ -22,7 +22,7 @@ class SpeedMeter {
   }
 
   void see(double position_rad) noexcept {
-    speed_ = (position_rad - seen_[next_]) * per_span_1_s_;
+    speed_ = (position_rad - seen_[next_]) * rate_1_s_;
     seen_[next_] = position_rad;
     if (++next_ == seen_.size()) next_ = 0;
   }
@@ -33,7 +33,7 @@ class SpeedMeter {
   static constexpr double kWindow = 0.024;  // s
 
   std::vector<double> seen_;
-  double per_span_1_s_;
+  double rate_1_s_;  // one over the window
   std::size_t next_ = 0;
   double speed_ = 0;
 };
