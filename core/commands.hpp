@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "core/flag.hpp"
 #include "core/joints.hpp"
 #include "core/units.hpp"
 
@@ -16,7 +17,7 @@ struct JointCommand {
   enum Bit : std::uint8_t { kGoal = 1, kSpeedLimit = 2, kTorqueLimit = 4, kPGain = 8, kTorque = 16 };
 
   std::uint8_t set = 0;
-  bool torque_on = false;    // false: the joint is limp
+  Flag torque_on{};          // false: the joint is limp
   Rad goal;                  // rad, limits of the joint table
   RadPerSec speed_limit;     // rad/s, sign ignored; 0 is the slowest, never "no limit"
   NewtonMeter torque_limit;  // N m, 0..2.5
@@ -69,6 +70,16 @@ struct LedCommand {
   }
 };
 
+/// [Safety] and [Limits] of the controller that drives, for its session. They make the robot's own stricter, never
+/// laxer; safety/session_settings.hpp says how.
+struct SessionSettings {
+  /// Settings of [Safety] in the order of safety::Config::visit(), choices as their index; then low and high of each
+  /// joint in rad.
+  static constexpr std::size_t kNumbers = 19, kValues = kNumbers + 2 * kJoints;
+  std::array<double, kValues> numbers{};
+  std::uint8_t given = 0;  // 0: none, the robot's own settings hold
+};
+
 struct Commands {
   std::array<JointCommand, kJoints> joint{};
   LedCommand led{};
@@ -79,11 +90,19 @@ struct Commands {
   /// When the image was made, ns on the clock of the loop.
   std::int64_t made_ns = 0;
   /// True in the last image of a controller that ends tidily.
-  bool farewell = false;
-  /// Counts requests to clear latched faults; a change is one request.
+  Flag farewell{};
+  /// Counts requests to clear latched faults; a change is one request. Ignored while `unattended`.
   std::uint32_t fault_resets = 0;
   /// Skip the slow move to the start pose that a new session begins with, and take over where the robot is.
-  bool start_where_it_is = false;
+  Flag start_where_it_is{};
+  /// True when a program started this session and no person did (a restart after a crash). Such a session clears no
+  /// latched fault: a robot that a person released stays limp until a person acts.
+  Flag unattended{};
+  /// Read once, in the first image of a session.
+  SessionSettings settings{};
+  /// Requests of a person beside the controller, whoever drives; the loop fills them in. A change is one request.
+  std::uint32_t operator_resets = 0;    // clear latched faults
+  std::uint32_t operator_releases = 0;  // torque off on every joint
 };
 static_assert(std::is_trivially_copyable_v<Commands>);
 

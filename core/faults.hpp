@@ -15,14 +15,18 @@ enum class Fault : std::uint8_t {
   kBusSilent = 10,
   kBoardReset = 11,
   kServoSilent = 12,
+  kServoPowerOff = 13,
   kBatteryLow = 20,
   kBatteryEmpty = 21,
   kServoHot = 22,
   kServoOverheat = 23,
   kServoOverload = 24,
   kServoVoltage = 25,
+  kEncoderStuck = 26,
   kFell = 30,
   kReleasedByButton = 31,
+  kStartMissed = 32,
+  kReleasedByOperator = 33,
   kControllerStalled = 40,
   kControllerGone = 41,
 };
@@ -48,13 +52,17 @@ struct FaultRow {
 // Thresholds named here stand in safety/config.hpp.
 inline constexpr auto kFaultTable = std::to_array<FaultRow>({
     {Fault::kBusSilent, Reaction::kStopSending, false, false, "bus_silent",
-     "the CM-730 board has not answered for 5 cycles",
+     "the CM-730 board has not answered for more than 5 cycles",
      "check the USB cable and the robot's power switch; the runtime goes on by itself when the board is back"},
-    {Fault::kBoardReset, Reaction::kHold, false, false, "board_reset",
-     "the CM-730 reports that servo power is off: its RESET button was pressed or its supply dipped",
-     "nothing: power is switched on again and the joints are taken over where they are, slowly"},
+    {Fault::kBoardReset, Reaction::kLimp, true, true, "board_reset",
+     "servo power was lost while the robot was under torque: RESET was pressed or the supply dipped",
+     "hold the robot, then press START or start the controller again; if nobody pressed RESET, check battery and "
+     "connector"},
     {Fault::kServoSilent, Reaction::kReport, false, false, "servo_silent", "a servo has not answered for half a second",
      "check the cable that leads to the first silent servo of its chain"},
+    {Fault::kServoPowerOff, Reaction::kReport, false, false, "servo_power_off",
+     "the CM-730 reports that servo power is off although it was on",
+     "nothing: it is switched on again, at most 3 times in 60 s; after that press START or start a controller"},
     {Fault::kBatteryLow, Reaction::kReport, false, false, "battery_low", "the supply is under 11.0 V for 2 s",
      "charge or change the battery soon"},
     {Fault::kBatteryEmpty, Reaction::kKneel, true, true, "battery_empty", "the supply is under 10.0 V for 2 s",
@@ -69,11 +77,19 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "free the joint, then start the controller again: torque limit and torque are restored together"},
     {Fault::kServoVoltage, Reaction::kReport, false, false, "servo_voltage",
      "a servo reports a supply outside its limits (6 to 16 V)", "check battery and cables"},
+    {Fault::kEncoderStuck, Reaction::kReport, false, false, "encoder_stuck",
+     "a servo pushed both ways for half a second each, and its position stayed the same to the tick",
+     "stop the controller, move the joint by hand and watch its position; if it stays the same, replace the servo"},
     {Fault::kFell, Reaction::kReport, false, false, "fell", "the trunk is tilted by more than 60 deg for 0.5 s",
      "stand the robot up; a controller that can get up may do so (set [Safety] on_fall = limp to forbid it)"},
-    {Fault::kReleasedByButton, Reaction::kLimp, true, true, "released_by_button",
-     "the MODE button was held for a quarter of a second: torque is off",
-     "hold the robot, then start the controller again"},
+    {Fault::kReleasedByButton, Reaction::kLimp, true, true, "released_by_button", "the robot was released with MODE",
+     "hold the robot, then press START or start the controller again"},
+    {Fault::kStartMissed, Reaction::kReport, false, false, "start_missed",
+     "a joint did not reach the start pose in the slow move to it",
+     "look for what blocks the joint, then start the controller again"},
+    {Fault::kReleasedByOperator, Reaction::kLimp, true, true, "released_by_operator",
+     "a person released the robot: with `darwinop runtime --release`, or before the runtime was started anew",
+     "hold the robot, then press START or start the controller again"},
     {Fault::kControllerStalled, Reaction::kHold, false, false, "controller_stalled",
      "the controller has not called step() for 500 ms",
      "the last safe goals are held; it goes on when step() is called"},
@@ -115,10 +131,16 @@ enum class State : std::uint8_t {
   kDriven,      // a controller's commands are carried out
   kHolding,     // the controller is silent: last safe goals
   kKneeling,    // slow move to the start pose, then limp
+  kFoundStiff,  // the board answers, nobody drives, and a servo holds its joint all the same
   kCount
 };
 inline constexpr std::size_t kStates = static_cast<std::size_t>(State::kCount);
 inline constexpr std::array<std::string_view, kStates> kStateNames{"offline", "limp",    "taking_over", "starting",
-                                                                   "driven",  "holding", "kneeling"};
+                                                                   "driven",  "holding", "kneeling",    "found_stiff"};
+
+/// States in which joints get goals: somebody drives, or safety moves the robot.
+constexpr bool drives(State state) {
+  return state != State::kOffline && state != State::kLimp && state != State::kFoundStiff;
+}
 
 }  // namespace darwinop

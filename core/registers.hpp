@@ -31,8 +31,12 @@ inline constexpr auto R = Access::kRead;
 inline constexpr auto W = Access::kReadWrite;
 inline constexpr auto E = Memory::kEeprom;
 inline constexpr auto M = Memory::kRam;
-// CM-730 firmware: clamp(512 + (raw16 / 64) * 5 / 4) with 70 mdps a raw count: 3.584 deg/s a count.
-// Vendor's table says 1000 deg/s over the range, the simulator model 3200: the firmware is the evidence.
+// rad/s per count of the gyroscope; registers, virtual board, recordings, monitor, remote control and the API take it
+// from here. Source: the CM-730 firmware, count = clamp(512 + raw16 / 64 * 5 / 4, 0, 1023), and the data sheet of its
+// sensor, 70 mdeg/s per digit of raw16 in the range of 2000 deg/s: 3.584 deg/s a count, +-1835 deg/s.
+// Doubt: nobody has measured it. The simulator's model has 1600 deg/s over 512 counts (0.0545 rad/s a count, 1.147
+// times less), as if 2000 deg/s were 32768 digits, which the data sheet does not say; the vendor's table has 500 deg/s.
+// Turn a robot by 360 degrees on a table and integrate gyro.z of the recording: 360 confirms this, 413 the simulator's.
 inline constexpr double kGyroScale = 0.070 * 64.0 * 4.0 / 5.0 * kRadPerDegree;
 // CM-730 firmware: raw16 / 64 at +-4 g full scale: 128 counts a g. (The user guide says 3 g.)
 inline constexpr double kAccelScale = 9.80665 / 128.0;

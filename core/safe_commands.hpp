@@ -30,13 +30,16 @@ class SafeCommands {
   /// What this cycle's SyncWrite carries.
   enum class Write : std::uint8_t {
     kNothing,  // nothing may be sent (link down, nobody drives yet)
-    kGoals,    // gains, goals, limits of the joints in driven()
+    kGoals,    // gains, goals, limits of the joints in driven() without held()
     kTorque,   // torque enable: on for torqueOn(), off for torqueOff(); goals wait for the next cycle
   };
 
   [[nodiscard]] Write write() const { return write_; }
   [[nodiscard]] const JointGoal& goal(Joint joint) const { return goal_[index(joint)]; }
   [[nodiscard]] const Mask& driven() const { return driven_; }
+  /// Driven joints that this cycle's write leaves out: they have the goal above already, or it is not certain that
+  /// they still hold it. They keep their settings.
+  [[nodiscard]] const Mask& held() const { return held_; }
   [[nodiscard]] const Mask& torqueOn() const { return torque_on_; }
   [[nodiscard]] const Mask& torqueOff() const { return torque_off_; }
   [[nodiscard]] const LedCommand& led() const { return led_; }
@@ -50,7 +53,7 @@ class SafeCommands {
 
   Write write_ = Write::kNothing;
   std::array<JointGoal, kJoints> goal_{};
-  Mask driven_, torque_on_, torque_off_;
+  Mask driven_, held_, torque_on_, torque_off_;
   LedCommand led_{};
   bool power_on_ = false;
 };

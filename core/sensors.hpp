@@ -26,6 +26,10 @@ struct Freshness {
   }
 };
 
+/// So many answers in a row may be lost before the last goals are not trusted any more: of the board, the link counts
+/// as lost; of one servo, it is taken over anew. Lost answers are normal on this bus.
+inline constexpr std::uint32_t kAnswerPatience = 5;  // cycles
+
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Values are the last received ones; NaN until the first. `motion` and `health` tell how old they are.
@@ -41,6 +45,7 @@ struct JointSensors {
   Celsius temperature;
   NewtonMeter torque_limit;  // as the servo has it; 0 after it shut itself off
   bool torque_enabled = false;
+  bool restarted = false;  // its moving speed is 0 as after power-up, which is never written
 
   Rad commanded;        // goal sent last, after safety; NaN while the joint is not driven
   bool driven = false;  // true: the joint gets goals
