@@ -16,6 +16,7 @@ namespace darwinop {
 /// One servo's registers as the motion sees them.
 struct ServoDrive {
   bool torque_on = false;  // false: limp, whatever else is said
+  bool endless = false;    // wheel or multi-turn mode: the encoder's range is no end of travel
   double goal_rad = 0;
   double speed_limit_rad_s = 0;  // infinity: no limit
   double accel_limit_rad_s2 = std::numeric_limits<double>::infinity();

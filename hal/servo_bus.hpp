@@ -22,6 +22,7 @@ struct ServoReading {
   // -- in the cycle in which it is this servo's turn:
   bool looked = false;
   bool torque_enabled = false;
+  bool restarted = false;  // its moving speed is 0 as after power-up
   NewtonMeter torque_limit;
   Volt voltage;
   Celsius temperature;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "core/sensors.hpp"
+
 namespace darwinop::cm730 {
 namespace {
 
-// A board that has been silent this long is asked alone, and only now and then: a stalled line answers all that
-// was asked in the meantime, and the fewer those answers are the sooner it is current again.
-constexpr std::uint32_t kCyclesUntilRest = 3;
+// A board that has been silent for longer than safety rides through is asked alone, and only now and then: a stalled
+// line answers all that was asked in the meantime, and the fewer those answers are the sooner it is current again.
+constexpr std::uint32_t kCyclesUntilRest = kAnswerPatience + 1;
 constexpr std::uint32_t kRestEvery = 8;
 // A board write is confirmed by the next BulkRead; it is not repeated before that can have happened.
 constexpr int kBoardWriteWait = 3;
@@ -15,7 +17,12 @@ constexpr int kBoardWriteWait = 3;
 }  // namespace
 
 Cm730Bus::Cm730Bus(ByteLine& line, const BusConfig& config)
-    : line_{line}, config_{config}, goals_{config.offsets}, list_{config.period}, decoder_{config.offsets} {}
+    : line_{line},
+      config_{config},
+      goals_{config.offsets},
+      list_{config.period, config.looks(), config.absent},
+      decoder_{config.offsets},
+      tag_{config.fixed_block_length} {}
 
 void Cm730Bus::send(Bytes frame) noexcept {
   if (!wrote_) began_ = line_.now();
@@ -49,6 +56,9 @@ void Cm730Bus::read(BusReadings& readings) noexcept {
     wire_.bus_ns = (line_.now() - began_).count();
     wire_.wire_ns = wireTime(wire_.bytes_out + wire_.bytes_in).count();
     board_ = readings.board;
+    for (const ReadList::Entry entry : list)
+      if (const ServoReading& servo = readings.servo[entry.joint]; servo.answered)
+        goals_.heard(static_cast<Joint>(entry.joint), servo.load);
     learn(list);
     sendBoardWrite();
   }
@@ -113,6 +123,7 @@ void Cm730Bus::learn(std::span<const ReadList::Entry> list) noexcept {
   // answer of the board could pass for the next one.
   tag_.note(!decoder_.boardAnswered());
   if (!decoder_.boardAnswered()) {
+    list_.missedAll();
     ++silent_cycles_;
     return;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -14,6 +15,7 @@
 #include "hal/cm730/read_list.hpp"
 #include "hal/cm730/reply_decoder.hpp"
 #include "hal/cm730/request_tag.hpp"
+#include "hal/cm730/wire.hpp"
 #include "hal/servo_bus.hpp"
 
 namespace darwinop::cm730 {
@@ -24,12 +26,23 @@ struct BusConfig {
   /// FTDI chip holds back the end of an answer for 1 ms, and a plain kernel may be late by milliseconds.
   Nanos margin{5'000'000};
   JointOffsets offsets{};
+  std::bitset<kJoints> absent{};    // joints that are never asked
+  bool fixed_block_length = false;  // request_tag.hpp
 
-  /// As patient as the period allows: a full cycle takes 5.5 ms. At 8 ms a missing answer can make its cycle overrun;
+  /// As patient as the period allows: kFullCycle. At 8 ms a missing answer can make its cycle overrun;
   /// less patience would take late USB frames for missing answers.
   static constexpr BusConfig forPeriod(Nanos period, const JointOffsets& offsets = {}) {
-    return {period, std::clamp(period - Nanos{5'500'000}, Nanos{1'000'000}, Nanos{5'000'000}), offsets};
+    return {period, std::clamp(period - kFullCycle, Nanos{1'000'000}, Nanos{5'000'000}), offsets, {}, false};
   }
+  /// How many servos may be looked at in one cycle: what the period has room for beside a full cycle and a missing
+  /// answer, and four in any case.
+  [[nodiscard]] constexpr std::size_t looks() const {
+    constexpr Nanos kLookTime = wireTime(kServoLook.count - kServoWindow.count);
+    const auto room = (period - kFullCycle - margin) / kLookTime;
+    return static_cast<std::size_t>(std::clamp<std::int64_t>(room, 4, kJoints));
+  }
+
+  static constexpr Nanos kFullCycle{5'500'000};  // on the wire, twenty servos
 };
 
 class Cm730Bus final : public ServoBus {

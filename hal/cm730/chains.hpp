@@ -19,7 +19,7 @@ inline ChainBreak findBreak(const RobotFacts& facts, Chain chain) {
   ChainBreak result;
   for (std::size_t i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
-    if (row(joint).chain != chain) continue;
+    if (row(joint).chain != chain || facts.servo[i].absent) continue;
     if (facts.servo[i].found || facts.servo[i].garbled) {
       result = {joint, std::nullopt, 0};
     } else {

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/registers.hpp"
+#include "hal/cm730/bus.hpp"
 #include "hal/cm730/servo_rows.hpp"
 #include "hal/cm730/usb_serial.hpp"
 #include "hal/cm730/wire.hpp"
@@ -12,11 +13,10 @@
 namespace darwinop::cm730 {
 namespace {
 
-constexpr Nanos kPeriod{16'000'000};
-constexpr Nanos kHeadroom{1'000'000};  // of a period, for waking up late and computing
 constexpr Nanos kDelayUnit{2'000};
 constexpr double kBatteryLow = 11.0, kBatteryEmpty = 10.0;  // V; faults battery_low and battery_empty
 constexpr std::size_t kSyncWriteBytes = 188;                // gains, goal, speed, torque limit of twenty servos
+constexpr std::size_t kGoalBytes = 68;                      // goals alone, as in most cycles
 constexpr std::size_t kRequestBytes = kFrameOverhead + 1 + 3 * (kJoints + 1);
 
 template <class... Args>
@@ -37,25 +37,37 @@ Nanos returnDelays(const RobotFacts& facts) {
   return sum;
 }
 
+/// What USB adds to an exchange: the request waits for a frame, and the chip holds the end of the reply back. Replies
+/// of a BulkRead come without gaps and fill packets, so a cycle pays this once, as a short read does.
 Nanos usbTime(const RobotFacts& facts) {
   constexpr std::size_t kShortRead = 8 + 8;
   return std::max(Nanos{0}, facts.round_trip - wireTime(kShortRead));
 }
 
-constexpr std::size_t cycleBytes() {
-  return kSyncWriteBytes + kRequestBytes + kBoardWindow.frameBytes() + kServoLook.frameBytes() +
-         (kJoints - 1) * kServoWindow.frameBytes();
-}
+constexpr std::size_t kReadBytes =
+    kRequestBytes + kBoardWindow.frameBytes() + kServoLook.frameBytes() + (kJoints - 1) * kServoWindow.frameBytes();
+constexpr std::size_t kCycleBytes = kSyncWriteBytes + kReadBytes, kGoalCycleBytes = kGoalBytes + kReadBytes;
 
 Finding silentBoard(const RobotFacts& facts) {
   if (facts.board.garbled)
-    return {Level::kError, "bytes come from " + facts.port + ", but they are no answers of a CM-730",
-            "check that this is the robot's port, that no other program uses it, and that the cable is sound"};
+    return Finding::of(
+        Kind::kBoardGarbled, "bytes come from " + facts.port + ", but they are no answers of a CM-730",
+        "check that this is the robot's port, that no other program uses it, and that the cable is sound");
   if (facts.board.found)
-    return {Level::kError, "a CM-730 answers on " + facts.port + ", but its registers cannot be read",
-            "press the board's RESET button and try again; if that does not help, look at the USB cable"};
-  return {Level::kError, "no CM-730 answers on " + facts.port,
-          "switch the robot on and check the USB cable inside it; the board's LEDs must be lit"};
+    return Finding::of(Kind::kBoardUnreadable,
+                       "a CM-730 answers on " + facts.port + ", but its registers cannot be read",
+                       "press the board's RESET button and try again; if that does not help, look at the USB cable");
+  return Finding::of(Kind::kBoardSilent, "no CM-730 answers on " + facts.port,
+                     "switch the robot on and check the USB cable inside it; the board's LEDs must be lit");
+}
+
+Finding supply(const BoardFacts& board) {
+  const std::string volts = format("supply %.1f V", board.voltage.value);
+  if (board.voltage.value < kBatteryEmpty)
+    return Finding::of(Kind::kSupplyEmpty, volts + ": empty", "change the battery or plug in the power supply");
+  if (board.voltage.value < kBatteryLow)
+    return Finding::of(Kind::kSupplyLow, volts + ": low", "charge or change the battery soon");
+  return Finding::ok(volts);
 }
 
 void addBoard(const RobotFacts& facts, Findings& rows) {
@@ -64,51 +76,75 @@ void addBoard(const RobotFacts& facts, Findings& rows) {
     rows.push_back(silentBoard(facts));
     return;
   }
-  rows.push_back({Level::kOk, format("CM-730 found, firmware 0x%02X", board.firmware), {}});
+  rows.push_back(Finding::ok(format("CM-730 found, firmware 0x%02X", board.firmware)));
   if (board.model != find(kCm730, "model").reset)
-    rows.push_back({Level::kWarning, format("the board says it is model 0x%04X, a CM-730 is 0x7300", board.model),
-                    "expect other sensors and registers than those of a DARwIn-OP"});
-  const std::string volts = format("supply %.1f V", board.voltage.value);
-  if (board.voltage.value < kBatteryEmpty)
-    rows.push_back({Level::kError, volts + ": empty", "change the battery or plug in the power supply"});
-  else if (board.voltage.value < kBatteryLow)
-    rows.push_back({Level::kWarning, volts + ": low", "charge or change the battery soon"});
-  else
-    rows.push_back({Level::kOk, volts, {}});
+    rows.push_back(Finding::of(Kind::kBoardModel,
+                               format("the board says it is model 0x%04X, a CM-730 is 0x7300", board.model),
+                               "expect other sensors and registers than those of a DARwIn-OP"));
+  rows.push_back(supply(board));
   if (!board.power_on)
-    rows.push_back({Level::kError, "servo power is off and does not come on",
-                    "check battery and power switch, press the board's RESET button and try again"});
+    rows.push_back(Finding::of(Kind::kServoPowerOff, "servo power is off and does not come on",
+                               "check battery and power switch, press the board's RESET button and try again"));
   else
-    rows.push_back({Level::kOk, board.power_was_on ? "servo power is on" : "servo power was off; switched on", {}});
+    rows.push_back(Finding::ok(board.power_was_on ? "servo power is on" : "servo power was off; switched on"));
 }
 
 void addRoundTrip(const RobotFacts& facts, Findings& rows) {
   if (facts.round_trip_reads == 0) {
-    rows.push_back({Level::kError, "no short read was answered at the first try: the line is too noisy to be timed",
-                    "check the USB cable and its plugs on both ends"});
+    rows.push_back(Finding::of(Kind::kLineNoisy,
+                               "no short read was answered at the first try: the line is too noisy to be timed",
+                               "check the USB cable and its plugs on both ends"));
     return;
   }
   const std::string what =
       format("a short read takes %.2f ms (median of %d)", ms(facts.round_trip), facts.round_trip_reads);
   if (facts.round_trip < kLatencySignature)
-    rows.push_back({Level::kOk, what, {}});
+    rows.push_back(Finding::ok(what));
   else
-    rows.push_back({Level::kError, what + ": the port's FTDI chip holds bytes back, and a 16 ms cycle cannot hold",
-                    latencyCommand(facts.port) + "   (for good: the udev rule in docs/doctor.md)"});
+    rows.push_back(Finding::of(Kind::kRoundTripLong, what + ": the port's FTDI chip holds bytes back",
+                               latencyCommand(facts.port) + "   (for good: the udev rule in docs/doctor.md)"));
 }
 
 void addCycle(const RobotFacts& facts, Findings& rows) {
-  const Nanos delays = returnDelays(facts), cycle = cycleTime(facts);
+  const Nanos delays = returnDelays(facts), usb = usbTime(facts);
   const std::string what =
-      format("a full cycle takes %.1f ms of 16: %.2f on the wire, %.1f of return delays, %.1f of USB", ms(cycle),
-             ms(wireTime(cycleBytes())), ms(delays), ms(2 * usbTime(facts)));
-  if (cycle <= kPeriod - kHeadroom)
-    rows.push_back({Level::kOk, what, {}});
-  else if (delays > 2 * usbTime(facts))
-    rows.push_back({Level::kError, what + ": too long",
-                    "set the return delays to 0: `darwinop doctor --fix` while torque is off"});
+      format("a full cycle takes %.1f ms of %.0f: %.2f on the wire, %.1f of return delays, %.1f of USB",
+             ms(cycleTime(facts)), ms(facts.period), ms(wireTime(kCycleBytes)), ms(delays), ms(usb));
+  if (cycleFits(facts))
+    rows.push_back(Finding::ok(what));
+  else if (delays > usb)
+    rows.push_back(Finding::of(Kind::kCycleTooLong, what + ": too long",
+                               "set the return delays to 0: `darwinop doctor --fix` while torque is off"));
   else
-    rows.push_back({Level::kError, what + ": too long", latencyCommand(facts.port)});
+    rows.push_back(Finding::of(Kind::kCycleTooLong, what + ": too long",
+                               "choose a longer period, or: " + latencyCommand(facts.port)));
+}
+
+constexpr const char* kUpdateBoard = "update the firmware of the CM-730 with the vendor's tool";
+
+void addInstructions(const RobotFacts& facts, Findings& rows) {
+  const InstructionFacts& tried = facts.instructions;
+  if (!tried.tried) return;
+  if (!tried.bulk_read) {
+    rows.push_back(Finding::of(
+        Kind::kNoBulkRead,
+        format("the board answers to READ and not to BULK_READ: firmware 0x%02X lacks it", facts.board.firmware),
+        kUpdateBoard));
+    return;
+  }
+  if (!tried.sync_write)
+    rows.push_back(Finding::of(
+        Kind::kNoSyncWrite,
+        format("no servo obeys SYNC_WRITE, though each obeys WRITE: firmware 0x%02X of the board does not pass it on",
+               facts.board.firmware),
+        kUpdateBoard));
+  else if (!tried.all_blocks)
+    rows.push_back(Finding::of(Kind::kBlockLengths,
+                               "the board answers to a BULK_READ of 30 of its registers and not to each length up to "
+                               "57; 30 are read in every cycle, and late replies are not recognised",
+                               kUpdateBoard));
+  else
+    rows.push_back(Finding::ok("BULK_READ and SYNC_WRITE work"));
 }
 
 void addLosses(const RobotFacts& facts, Findings& rows) {
@@ -123,26 +159,33 @@ void addLosses(const RobotFacts& facts, Findings& rows) {
   const double rate = static_cast<double>(losses) / reads;
   const std::string what = format("%d of %d single reads were lost (%.1f %%)", losses, reads, 100 * rate);
   if (losses < 2 || rate <= kLossAlarm) {
-    rows.push_back({Level::kOk, what, {}});
+    rows.push_back(Finding::ok(what));
     return;
   }
-  rows.push_back({rate > kLossFatal ? Level::kError : Level::kWarning, what,
-                  "most at " + servoName(static_cast<Joint>(worst_servo)) +
-                      ": look for a worn cable or a loose plug on the way to it, and for a weak supply when losses "
-                      "grow along a chain"});
+  rows.push_back(Finding::of(Kind::kRepliesLost, what,
+                             "most at " + servoName(static_cast<Joint>(worst_servo)) +
+                                 ": look for a worn cable or a loose plug on the way to it, and for a weak supply when "
+                                 "losses grow along a chain"));
 }
 
 }  // namespace
 
 Nanos cycleTime(const RobotFacts& facts) {
-  return wireTime(cycleBytes()) + returnDelays(facts) + 2 * usbTime(facts);
+  return wireTime(kCycleBytes) + returnDelays(facts) + usbTime(facts);
+}
+
+bool cycleFits(const RobotFacts& facts) {
+  const Nanos besides_bytes = returnDelays(facts) + usbTime(facts);
+  return usbTime(facts) <= BusConfig::forPeriod(facts.period).margin &&
+         wireTime(kGoalCycleBytes) + besides_bytes <= facts.period - kHeadroom &&
+         wireTime(kCycleBytes) + besides_bytes <= facts.period;
 }
 
 Findings diagnose(const RobotFacts& facts) {
   Findings rows;
   if (facts.lost) {
-    rows.push_back({Level::kError, facts.port + " went away while the robot was looked at",
-                    "check the USB cable, and whether the robot's power is stable"});
+    rows.push_back(Finding::of(Kind::kPortLost, facts.port + " went away while the robot was looked at",
+                               "check the USB cable, and whether the robot's power is stable"));
     return rows;
   }
   addBoard(facts, rows);
@@ -151,6 +194,7 @@ Findings diagnose(const RobotFacts& facts) {
   if (!facts.board.power_on) return rows;
   addServoRows(facts, rows);
   addCycle(facts, rows);
+  addInstructions(facts, rows);
   addLosses(facts, rows);
   return rows;
 }

@@ -2,23 +2,44 @@
 #pragma once
 
 #include <algorithm>
+#include <bitset>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "core/joints.hpp"
+#include "hal/cm730/start_policy.hpp"
 
 namespace darwinop::cm730 {
 
 enum class Level : std::uint8_t {
   kOk,
   kWarning,  // the robot can be driven; something is worth mending
-  kError,    // the robot, or a part of it, cannot be driven
+  kError,    // the robot cannot be driven: a loop does not start, or sits it down at once
 };
+
+constexpr Level levelOf(Kind kind) {
+  return policyOf(kind) <= Policy::kLeaveOut ? Level::kWarning : Level::kError;
+}
 
 struct Finding {
   Level level = Level::kOk;
   std::string what;
-  std::string mend;  // a sentence or a command; empty when there is nothing to mend
+  std::string mend;              // a sentence or a command; empty when there is nothing to mend
+  Kinds kinds{};                 // none: all is well
+  std::optional<Joint> joint{};  // of a servo's row
+
+  static Finding ok(std::string what) { return {Level::kOk, std::move(what), {}, {}, {}}; }
+  /// The table of start_policy.hpp says how bad it is.
+  static Finding of(Kind kind, std::string what, std::string mend) {
+    Finding finding{levelOf(kind), std::move(what), std::move(mend), {}, {}};
+    finding.kinds.set(static_cast<std::size_t>(kind));
+    return finding;
+  }
+  [[nodiscard]] bool is(Kind kind) const { return kinds[static_cast<std::size_t>(kind)]; }
 };
 using Findings = std::vector<Finding>;
 
@@ -26,6 +47,23 @@ inline Level worst(std::span<const Finding> findings) {
   Level level = Level::kOk;
   for (const Finding& finding : findings) level = std::max(level, finding.level);
   return level;
+}
+
+/// What start-up does about all of them together.
+inline Policy decide(std::span<const Finding> findings, Purpose purpose) {
+  Policy policy = Policy::kDrive;
+  for (const Finding& finding : findings) policy = std::max(policy, policyOf(finding.kinds, purpose));
+  return policy;
+}
+
+/// Joints that get no goals.
+inline std::bitset<kJoints> leftOut(std::span<const Finding> findings, Purpose purpose) {
+  std::bitset<kJoints> joints;
+  for (const Finding& finding : findings)
+    for (std::size_t i = 0; i < kKinds; ++i)
+      if (finding.joint && finding.kinds[i] && policyOf(static_cast<Kind>(i), purpose) == Policy::kLeaveOut)
+        joints.set(index(*finding.joint));
+  return joints;
 }
 
 /// "warn  what" and, when there is something to mend, a line "      -> mend".

@@ -1,17 +1,18 @@
 #include "hal/cm730/goal_writer.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/conversions.hpp"
 #include "core/registers.hpp"
 
 namespace darwinop::cm730 {
-namespace {
 
-constexpr std::uint8_t kFullBytes = 8;  // 28 P gain, 29 reserved, 30 goal, 32 speed, 34 torque limit
-static_assert(servo::kTorqueLimit + 2 - servo::kPGain == kFullBytes);
-
-}  // namespace
+const GoalWriter::Block GoalWriter::kGoal{servo::kGoalPosition, 2};
+const GoalWriter::Block GoalWriter::kSettings{servo::kPGain, 6};  // 28 P gain, 29 reserved, 30 goal, 32 speed
+const GoalWriter::Block GoalWriter::kAll{servo::kPGain, 8};       // and 34 torque limit
+static_assert(servo::kGoalPosition == servo::kPGain + 2 && servo::kMovingSpeed == servo::kPGain + 4 &&
+              servo::kTorqueLimit == servo::kPGain + 6);
 
 std::uint16_t GoalWriter::goalTicks(Joint joint, Rad goal) noexcept {
   const int wanted = offsets_.servoTicks(joint, goal);
@@ -21,6 +22,10 @@ std::uint16_t GoalWriter::goalTicks(Joint joint, Rad goal) noexcept {
 }
 
 std::span<const std::uint8_t> GoalWriter::encode(const SafeCommands& commands) noexcept {
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (!commands.driven()[i]) servo_[i] = {};
+  since_torque_ = std::min(since_torque_ + 1, torque_wait_);
+  since_settings_ = std::min(since_settings_ + 1, kSettingsEvery);
   switch (commands.write()) {
     case SafeCommands::Write::kNothing:
       return {};
@@ -32,38 +37,69 @@ std::span<const std::uint8_t> GoalWriter::encode(const SafeCommands& commands) n
   return {};
 }
 
-bool GoalWriter::settingsChanged(const SafeCommands& commands) noexcept {
-  bool changed = false;
+void GoalWriter::heard(Joint joint, double load) noexcept {
+  constexpr double kStrain = 0.8;  // of the torque limit
+  Servo& servo = servo_[index(joint)];
+  servo.straining = std::abs(load) * kTorqueMax >= kStrain * servo.torque;
+}
+
+void GoalWriter::note(Servo& servo, const SafeCommands::JointGoal& goal) noexcept {
+  const std::uint8_t p_gain = registerFromPGain(goal.p_gain);
+  const std::uint16_t speed = registerFromSpeedLimit(goal.speed_limit), torque = registerFromTorque(goal.torque_limit);
+  if (p_gain != servo.p_gain || speed != servo.speed) servo.settings_due = kWrites;
+  if (torque != servo.torque) servo.torque_due = kWrites;
+  servo.p_gain = p_gain;
+  servo.speed = speed;
+  servo.torque = torque;
+}
+
+const GoalWriter::Block& GoalWriter::choose(const SafeCommands::Mask& who) const noexcept {
+  bool all = false, torque = false, straining = false, settings = since_settings_ >= kSettingsEvery;
   for (std::size_t i = 0; i < kJoints; ++i) {
-    if (!commands.driven()[i]) {
-      settings_known_.reset(i);
-      continue;
-    }
-    const SafeCommands::JointGoal& goal = commands.goal(static_cast<Joint>(i));
-    const Settings now{registerFromPGain(goal.p_gain), registerFromSpeedLimit(goal.speed_limit),
-                       registerFromTorque(goal.torque_limit)};
-    if (settings_known_[i] && settings_[i] == now) continue;
-    settings_[i] = now;
-    settings_known_.set(i);
-    changed = true;
+    if (!who[i]) continue;
+    all = all || servo_[i].entering;
+    torque = torque || servo_[i].torque_due > 0;
+    straining = straining || servo_[i].straining;
+    settings = settings || servo_[i].settings_due > 0;
   }
-  return changed;
+  if (all || (torque && (!straining || since_torque_ >= torque_wait_))) return kAll;
+  return settings ? kSettings : kGoal;
+}
+
+void GoalWriter::noteSent(const Block& block, const SafeCommands::Mask& who) noexcept {
+  if (block.bytes == kGoal.bytes) return;
+  since_settings_ = 0;
+  if (block.bytes == kAll.bytes) {
+    since_torque_ = 0;
+    torque_wait_ = kTorqueEvery + (5 * torque_wait_ + 3) % kTorqueEvery;  // each of kTorqueEvery numbers in turn
+  }
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    if (!who[i]) continue;
+    Servo& servo = servo_[i];
+    if (servo.settings_due > 0) --servo.settings_due;
+    if (block.bytes != kAll.bytes) continue;
+    if (servo.torque_due > 0) --servo.torque_due;
+    servo.entering = servo.entering && servo.torque_due > 0;
+  }
 }
 
 std::span<const std::uint8_t> GoalWriter::encodeGoals(const SafeCommands& commands) noexcept {
-  const bool full = settingsChanged(commands) || ++since_full_ >= kFullEvery;
-  if (full) since_full_ = 0;
-  SyncWriteEncoder sync =
-      full ? SyncWriteEncoder{frame_, servo::kPGain, kFullBytes} : SyncWriteEncoder{frame_, servo::kGoalPosition, 2};
+  const SafeCommands::Mask who = commands.driven() & ~commands.held();
+  if (who.none()) return {};
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (who[i]) note(servo_[i], commands.goal(static_cast<Joint>(i)));
+  const Block& block = choose(who);
+  noteSent(block, who);
+  SyncWriteEncoder sync{frame_, block.address, block.bytes};
   for (std::size_t i = 0; i < kJoints; ++i) {
-    if (!commands.driven()[i]) continue;
+    if (!who[i]) continue;
     const auto joint = static_cast<Joint>(i);
     const std::uint16_t ticks = goalTicks(joint, commands.goal(joint).goal);
-    const Settings& s = settings_[i];
-    const std::array<std::uint8_t, kFullBytes> data{
+    const Servo& s = servo_[i];
+    const std::array<std::uint8_t, 8> data{
         s.p_gain,          0, lowByte(ticks), highByte(ticks), lowByte(s.speed), highByte(s.speed), lowByte(s.torque),
         highByte(s.torque)};
-    sync.add(kJointTable[i].id, full ? Bytes{data} : Bytes{data}.subspan(2, 2));
+    sync.add(kJointTable[i].id, Bytes{data}.subspan(block.address - servo::kPGain, block.bytes));
   }
   return sync.finish();
 }

@@ -1,4 +1,4 @@
-// Turns safe commands into the cycle's one SyncWrite: registers 28..35, or goals alone when only they changed.
+// Turns safe commands into the cycle's one SyncWrite, as short as it may be. See docs/performance.md for the sizes.
 #pragma once
 
 #include <array>
@@ -11,45 +11,72 @@
 
 namespace darwinop::cm730 {
 
+/// A goal write switches torque on by itself, so a servo that has restarted must not get a goal without a speed limit:
+/// goals alone are sent only while each servo in the frame is known to have its settings. A joint that is not driven
+/// in a cycle is not known any more.
+///
+/// Writing the torque limit makes a servo forget that it shut itself off. It is written when a joint enters, and else
+/// only when it has changed. A servo shuts itself off after it has worked at its torque limit for long: while one in
+/// the frame does, limits are written after kTorqueEvery cycles at the earliest, so that a shutdown is heard in
+/// between.
 class GoalWriter {
  public:
-  explicit GoalWriter(const JointOffsets& offsets = {}) : offsets_{offsets} {}
+  explicit GoalWriter(const JointOffsets& offsets = {}) : offsets_{offsets} { forget(); }
 
   /// The frame to send; empty when there is nothing to say. Valid until the next call.
   std::span<const std::uint8_t> encode(const SafeCommands& commands) noexcept;
+
+  /// What a servo has answered: its load, fraction of the greatest torque.
+  void heard(Joint joint, double load) noexcept;
 
   /// Locks the EEPROM of every servo until its power is cut: an 8-bit checksum lets one damaged frame in 256 pass,
   /// and none of those may change an id, a baud rate or an angle limit for good.
   std::span<const std::uint8_t> encodeLock() noexcept;
 
   /// Forget what the servos know, so that the next write is a full one: after a reconnect or a power cut.
-  void forget() noexcept { since_full_ = kFullEvery; }
+  void forget() noexcept { servo_.fill({}); }
 
   /// Goals that would have left the joint table's range on the wire, since the start. Safety keeps angles within it,
   /// and link keeps room for the offsets: one that is counted here is a bug, and does no harm.
   [[nodiscard]] std::uint32_t clamped() const noexcept { return clamped_; }
 
- private:
-  static constexpr int kFullEvery = 16;  // cycles; a SyncWrite is not acknowledged, so settings are repeated
+  static constexpr int kTorqueEvery = 8;     // cycles
+  static constexpr int kSettingsEvery = 16;  // cycles; nobody acknowledges a SyncWrite, so settings are repeated
 
-  /// Registers 28..35 of a servo without the goal.
-  struct Settings {
+ private:
+  /// A frame that is lost must not leave a servo without its settings: they go out twice in a row.
+  static constexpr int kWrites = 2;
+
+  /// Registers that a frame writes: a goal is always among them.
+  struct Block {
+    std::uint8_t address, bytes;
+  };
+  static const Block kGoal, kSettings, kAll;
+
+  /// What a servo has been told since its joint entered.
+  struct Servo {
     std::uint8_t p_gain = 0;
     std::uint16_t speed = 0, torque = 0;
-    bool operator==(const Settings&) const = default;
+    int settings_due = kWrites;  // writes of P gain and speed
+    int torque_due = kWrites;    // writes of the torque limit
+    bool entering = true;        // has not had all of it yet
+    bool straining = false;      // works at its torque limit, or nearly
   };
 
+  void note(Servo& servo, const SafeCommands::JointGoal& goal) noexcept;
+  void noteSent(const Block& block, const SafeCommands::Mask& who) noexcept;
+  [[nodiscard]] const Block& choose(const SafeCommands::Mask& who) const noexcept;
   std::span<const std::uint8_t> encodeGoals(const SafeCommands& commands) noexcept;
   std::span<const std::uint8_t> encodeTorque(const SafeCommands& commands) noexcept;
-  bool settingsChanged(const SafeCommands& commands) noexcept;
   std::uint16_t goalTicks(Joint joint, Rad goal) noexcept;
 
   JointOffsets offsets_;
   std::uint32_t clamped_ = 0;
   std::array<std::uint8_t, kMaxFrame> frame_{};
-  std::array<Settings, kJoints> settings_{};
-  SafeCommands::Mask settings_known_;
-  int since_full_ = kFullEvery;
+  std::array<Servo, kJoints> servo_{};
+  int since_settings_ = 0, since_torque_ = kTorqueEvery;  // cycles
+  // Varies: a servo that trips again and again must not stay in step with the writes that hide it.
+  int torque_wait_ = kTorqueEvery;  // cycles, kTorqueEvery .. 2 * kTorqueEvery - 1
 };
 
 }  // namespace darwinop::cm730

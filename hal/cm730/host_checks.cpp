@@ -47,26 +47,33 @@ std::string limitLine(const std::string& line) {
 
 Finding priorityRow(const HostFacts& facts) {
   const std::string name = "real-time priority " + std::to_string(facts.priority);
-  if (facts.priority_error == 0) return {Level::kOk, name + " is permitted", {}};
-  return {Level::kWarning, name + " is refused (" + std::strerror(facts.priority_error) + "): cycles would come late",
-          limitLine("rtprio 90")};
+  if (facts.priority_error == 0) return Finding::ok(name + " is permitted");
+  return Finding::of(Kind::kPriority,
+                     name + " is refused (" + std::strerror(facts.priority_error) + "): cycles would come late",
+                     limitLine("rtprio 90"));
 }
 
 Finding memoryRow(const HostFacts& facts) {
-  if (facts.memory_error == 0) return {Level::kOk, "locking memory is permitted", {}};
+  if (facts.memory_error == 0) return Finding::ok("locking memory is permitted");
   std::string what = "locking memory is refused (" + std::string{std::strerror(facts.memory_error)} + ")";
   if (facts.memory_limit) what += ", the limit is " + std::to_string(*facts.memory_limit / 1024) + " KiB";
-  return {Level::kWarning, what + ": a page fault could stall the loop", limitLine("memlock unlimited")};
-}
-
-Finding clockRow(const HostFacts& facts) {
-  const std::string what = "clock resolution " + std::to_string(facts.clock_resolution.count()) + " ns";
-  if (facts.clock_resolution <= kFineClock) return {Level::kOk, what, {}};
-  return {Level::kError, what + ": too coarse for a 16 ms loop",
-          "boot a kernel with high-resolution timers (CONFIG_HIGH_RES_TIMERS), without highres=off"};
+  return Finding::of(Kind::kMemory, what + ": a page fault could stall the loop", limitLine("memlock unlimited"));
 }
 
 }  // namespace
+
+Nanos clockResolution() {
+  timespec resolution{};
+  ::clock_getres(CLOCK_MONOTONIC, &resolution);
+  return std::chrono::seconds{resolution.tv_sec} + Nanos{resolution.tv_nsec};
+}
+
+Finding clockRow(Nanos resolution) {
+  const std::string what = "clock resolution " + std::to_string(resolution.count()) + " ns";
+  if (resolution <= kFineClock) return Finding::ok(what);
+  return Finding::of(Kind::kClockCoarse, what + ": too coarse for a 16 ms loop",
+                     "boot a kernel with high-resolution timers (CONFIG_HIGH_RES_TIMERS), without highres=off");
+}
 
 HostFacts measureHost(int priority) {
   HostFacts facts;
@@ -75,14 +82,12 @@ HostFacts measureHost(int priority) {
   facts.memory_error = tryLocking();
   rlimit limit{};
   if (::getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) facts.memory_limit = limit.rlim_cur;
-  timespec resolution{};
-  ::clock_getres(CLOCK_MONOTONIC, &resolution);
-  facts.clock_resolution = std::chrono::seconds{resolution.tv_sec} + Nanos{resolution.tv_nsec};
+  facts.clock_resolution = clockResolution();
   return facts;
 }
 
 Findings diagnoseHost(const HostFacts& facts) {
-  return {priorityRow(facts), memoryRow(facts), clockRow(facts)};
+  return {priorityRow(facts), memoryRow(facts), clockRow(facts.clock_resolution)};
 }
 
 }  // namespace darwinop::cm730

@@ -19,6 +19,9 @@ struct HostFacts {
 
 /// Tries it in a thread of its own; nothing of it stays.
 HostFacts measureHost(int priority);
+/// The part of it that every start of a loop looks at.
+Nanos clockResolution();
+Finding clockRow(Nanos resolution);
 Findings diagnoseHost(const HostFacts& facts);
 
 }  // namespace darwinop::cm730

@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 
+#include "hal/cm730/not_ready.hpp"
 #include "hal/cm730/serial_open.hpp"
 #include "hal/cm730/usb_serial.hpp"
 
@@ -11,20 +12,23 @@ namespace darwinop::cm730 {
 Findings latencyRows(const std::string& path, const std::optional<int>& timer) {
   if (!timer) return {};
   const std::string what = "FTDI latency timer of " + ttyName(path) + " is " + std::to_string(*timer) + " ms";
-  if (*timer <= 1) return {{Level::kOk, what, {}}};
-  return {{Level::kError, what + ", a cycle needs 1",
-           latencyCommand(path) + "   (for good: the udev rule in docs/doctor.md)"}};
+  if (*timer <= 1) return {Finding::ok(what)};
+  return {Finding::of(Kind::kLatencyTimer, what + ", a cycle needs 1",
+                      latencyCommand(path) + "   (for good: the udev rule in docs/doctor.md)")};
 }
 
 PortCheck checkPort(const std::string& path) {
   PortCheck check;
   try {
     check.port = std::make_unique<SerialPort>(path);
+  } catch (const NotReady& error) {
+    check.findings.push_back(Finding::of(Kind::kPortMissing, error.what(), {}));
+    return check;
   } catch (const std::runtime_error& error) {
-    check.findings.push_back({Level::kError, error.what(), {}});
+    check.findings.push_back(Finding::of(Kind::kPortUnusable, error.what(), {}));
     return check;
   }
-  check.findings.push_back({Level::kOk, "port " + path + " is there, permitted and free; set to 1 Mbaud", {}});
+  check.findings.push_back(Finding::ok("port " + path + " is there, permitted and free; set to 1 Mbaud"));
   const Findings latency = latencyRows(path, latencyTimer(path));
   check.findings.insert(check.findings.end(), latency.begin(), latency.end());
   return check;

@@ -8,6 +8,7 @@
 #include "core/packet.hpp"
 #include "core/registers.hpp"
 #include "hal/cm730/diagnosis.hpp"
+#include "hal/cm730/instruction_trial.hpp"
 #include "hal/cm730/transactions.hpp"
 
 namespace darwinop::cm730 {
@@ -16,6 +17,7 @@ namespace {
 constexpr std::uint8_t kServoBytes = servo::kPresentTemperature + 1;       // 0..43
 constexpr std::uint8_t kBoardBytes = find(kCm730, "voltage").address + 1;  // 0..50
 constexpr std::uint8_t kCwLimit = find(kMx28, "cw_limit").address, kCcwLimit = find(kMx28, "ccw_limit").address;
+constexpr std::uint8_t kMaxTorque = find(kMx28, "max_torque").address, kLed = find(kMx28, "led").address;
 constexpr std::uint8_t kReturnDelayWanted = 0, kStatusLevelWanted = 2;
 constexpr Nanos kServoBoot{300'000'000};       // upstream waits as long after switching servo power on
 constexpr Nanos kStallMargin{10'000'000};      // a busy PC is late by this much now and then; that is no loss
@@ -24,7 +26,15 @@ constexpr Nanos kMarginOverMedian{3'000'000};  // other programs and USB frames 
 
 class Probe {
  public:
-  Probe(ByteLine& line, const ProbeOptions& options) : line_{line}, options_{options} { facts_.port = options.port; }
+  Probe(ByteLine& line, const ProbeOptions& options) : line_{line}, options_{options} {
+    facts_.port = options.port;
+    facts_.period = options.period;
+    facts_.allowed = options.allowed;
+    for (std::size_t i = 0; i < kJoints; ++i) {
+      facts_.servo[i].absent = options.absent[i];
+      facts_.start[i] = kJointTable[i].start + options.offsets.ticks(static_cast<Joint>(i));
+    }
+  }
 
   RobotFacts run() {
     const Nanos began = line_.now();
@@ -32,6 +42,7 @@ class Probe {
       measureRoundTrip();
       switchServosOn();
       if (facts_.board.power_on) measureServos();
+      if (!facts_.lost && facts_.board.power_on) tryInstructions(line_, facts_);
       measureLosses();
     }
     facts_.took = line_.now() - began;
@@ -91,21 +102,25 @@ class Probe {
   void switchServosOn() {
     BoardFacts& board = facts_.board;
     if (board.power_on || facts_.lost) return;
-    const std::uint8_t on = 1;
-    note(writeRegisters(line_, kBoardId, board::kDxlPower, Bytes{&on, 1}, patience_));
-    if (pass(line_, kServoBoot) == LineStatus::kLost) facts_.lost = true;
-    const Answer answer = read(kBoardId, board::kDxlPower, 1);
-    board.power_on = answer.ok() && answer.data()[0] == 1;
+    constexpr int kAttempts = 3;  // a computer that is busy for a moment loses the write or the answer
+    for (int tried = 0; tried < kAttempts && !board.power_on && !facts_.lost; ++tried) {
+      const std::uint8_t on = 1;
+      note(writeRegisters(line_, kBoardId, board::kDxlPower, Bytes{&on, 1}, Patience{}));
+      if (pass(line_, kServoBoot) == LineStatus::kLost) facts_.lost = true;
+      const Answer answer = note(readRegisters(line_, kBoardId, board::kDxlPower, 1, Patience{}));
+      board.power_on = answer.ok() && answer.data()[0] == 1;
+    }
   }
 
   void measureServos() {
-    for (std::size_t i = 0; i < kJoints && !facts_.lost; ++i) measureServo(kJointTable[i].id, facts_.servo[i]);
+    for (std::size_t i = 0; i < kJoints && !facts_.lost; ++i)
+      if (!facts_.servo[i].absent) measureServo(kJointTable[i].id, facts_.servo[i]);
     lookAgainAtSilentOnes();
   }
 
   /// A servo is not called silent because this computer was busy for a moment.
   void lookAgainAtSilentOnes() {
-    const auto unheard = [](const ServoFacts& servo) { return !servo.found && !servo.garbled; };
+    const auto unheard = [](const ServoFacts& servo) { return !servo.absent && !servo.found; };
     const auto silent = std::ranges::count_if(facts_.servo, unheard);
     if (silent == 0) return;
     const Patience before = patience_;
@@ -121,6 +136,7 @@ class Probe {
     servo.garbled = pinged.garbled && !pinged.ok();
     if (!servo.found) return;
     readTable(id, servo);
+    if (!servo.readable && !facts_.lost) readPatiently(id, servo);
     // It answers to pings and is silent when read: status level 0. Level and torque cannot be read, so one write
     // is tried; a servo whose torque is on ignores it.
     if (!servo.readable && !servo.garbled && !facts_.lost) {
@@ -136,6 +152,15 @@ class Probe {
     if (servo.delay_mending == Mending::kDone) servo.return_delay = kReturnDelayWanted;
   }
 
+  /// A busy computer must not be taken for a status level of 0, nor for two servos with one id.
+  void readPatiently(std::uint8_t id, ServoFacts& servo) {
+    const Patience before = patience_;
+    patience_ = Patience{};
+    servo.garbled = false;
+    readTable(id, servo);
+    patience_ = before;
+  }
+
   void readTable(std::uint8_t id, ServoFacts& servo) {
     const Answer table = read(id, 0, kServoBytes);
     servo.garbled |= table.garbled && !table.ok();
@@ -147,8 +172,11 @@ class Probe {
     servo.firmware = data[servo::kFirmware];
     servo.return_delay = data[servo::kReturnDelay];
     servo.status_level = data[servo::kStatusLevel];
-    servo.wheel_mode = wordAt(data, kCwLimit) == 0 && wordAt(data, kCcwLimit) == 0;
+    servo.cw_limit = wordAt(data, kCwLimit);
+    servo.ccw_limit = wordAt(data, kCcwLimit);
+    servo.max_torque = wordAt(data, kMaxTorque);
     servo.torque_on = data[servo::kTorqueEnable] != 0;
+    servo.led_on = data[kLed] != 0;
     servo.torque_limit = wordAt(data, servo::kTorqueLimit);
     servo.position = options_.offsets.jointAngle(static_cast<Joint>(id - 1), wordAt(data, servo::kPresentPosition));
     servo.voltage = voltFromRegister(data[servo::kPresentVoltage]);

@@ -1,6 +1,8 @@
-// Measures a robot at start-up: board, servo power, round trip, every servo, losses. Nothing moves.
+// Measures a robot at start-up: board, servo power, round trip, every servo, the loop's instructions, losses. Nothing
+// moves; the servos' LEDs flicker once.
 #pragma once
 
+#include <bitset>
 #include <string>
 
 #include "hal/byte_line.hpp"
@@ -18,6 +20,9 @@ struct ProbeOptions {
   int loss_reads_per_servo = 3;
   Nanos loss_budget{300'000'000};  // no more loss reads are begun after this time
   JointOffsets offsets{};          // taken off the positions
+  Nanos period{16'000'000};        // of the loop that is to be started
+  std::bitset<kJoints> absent{};   // not asked
+  TickRanges allowed = tableRanges();
 
   /// Before a loop: well under a second on a healthy robot, 300 ms more when servo power was off.
   static ProbeOptions quick() { return {}; }

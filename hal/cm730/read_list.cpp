@@ -17,28 +17,40 @@ constexpr Nanos kBootTime{300'000'000};
 
 }  // namespace
 
-ReadList::ReadList(Nanos period) : boot_cycles_{static_cast<std::uint32_t>(kBootTime / period) + 1} {}
+ReadList::ReadList(Nanos period, std::size_t looks, const Mask& absent)
+    : looks_{looks}, absent_{absent}, boot_cycles_{static_cast<std::uint32_t>(kBootTime / period) + 1} {}
 
 std::span<const ReadList::Entry> ReadList::next() noexcept {
   length_ = 0;
   if (boot_wait_ > 0) return {};
   for (std::size_t joint = 0; joint < kJoints; ++joint)
-    if (!silent_[joint] && on_trial_[joint] == 0) append(joint);
+    if (!silent_[joint] && on_trial_[joint] == 0 && !suspects_[joint]) append(joint);
   for (std::size_t joint = 0; joint < kJoints; ++joint)
-    if (!silent_[joint] && on_trial_[joint] > 0 && misses_[joint] == 0) append(joint);
+    if (!silent_[joint] && (on_trial_[joint] > 0 || suspects_[joint]) && misses_[joint] == 0) append(joint);
   for (std::size_t joint = 0; joint < kJoints; ++joint)
     if (!silent_[joint] && misses_[joint] > 0) append(joint);
-  chooseLook();
+  lookInTurn();
   appendProbe();
+  chooseLooks();
   return {list_.data(), length_};
 }
 
 void ReadList::append(std::size_t joint) noexcept {
+  if (absent_[joint]) return;
   list_[length_++] = {static_cast<std::uint8_t>(joint), false};
   if (misses_[joint] > 0) ++retries_;
 }
 
-void ReadList::chooseLook() noexcept {
+void ReadList::chooseLooks() noexcept {
+  std::size_t left = looks_;
+  for (std::size_t i = 0; i < length_ && left > 0; ++i) {
+    if (!unseen_[list_[i].joint] || list_[i].look) continue;
+    list_[i].look = true;
+    --left;
+  }
+}
+
+void ReadList::lookInTurn() noexcept {
   if (length_ == 0) return;
   // The next joint in turn that is in the list; a silent one loses its turn.
   for (std::size_t step = 0; step < kJoints; ++step) {
@@ -69,18 +81,27 @@ void ReadList::appendProbe() noexcept {
 
 void ReadList::answered(const Mask& who) noexcept {
   std::size_t last_answer = 0;  // one past the last entry that answered
+  unseen_ |= ~who;
   for (std::size_t i = 0; i < length_; ++i) {
-    if (!who[list_[i].joint]) continue;
+    const std::size_t joint = list_[i].joint;
+    if (!who[joint]) continue;
     last_answer = i + 1;
-    forgive(list_[i].joint);
+    if (list_[i].look) unseen_.reset(joint);
+    forgive(joint);
   }
   // Whoever is missing before the last answer was heard by its neighbour: only its frame was damaged. Behind
   // the last answer the first one is to blame; of those behind it nothing is known.
-  if (last_answer < length_) blame(list_[last_answer].joint);
+  if (last_answer == length_) return;
+  blame(list_[last_answer].joint);
+  // A plug that comes off silences the rest of its chain, too: those are asked behind the others until they answer.
+  const Chain chain = kJointTable[list_[last_answer].joint].chain;
+  for (std::size_t i = last_answer + 1; i < length_; ++i)
+    if (kJointTable[list_[i].joint].chain == chain) suspects_.set(list_[i].joint);
 }
 
 void ReadList::forgive(std::size_t joint) noexcept {
   misses_[joint] = 0;
+  suspects_.reset(joint);
   if (silent_[joint]) {
     silent_.reset(joint);
     on_trial_[joint] = kTrialCycles;
@@ -103,6 +124,7 @@ void ReadList::powerIsOff() noexcept {
   powered_ = false;
   boot_wait_ = boot_cycles_;
   silent_.reset();
+  suspects_.reset();
   misses_.fill(0);
   on_trial_.fill(0);
 }

@@ -3,6 +3,9 @@
 // Devices answer in list order, each waiting for the one before it, so a silent servo silences all behind it.
 // The first one that did not answer goes to the end of the next list, where it can hurt only itself; if it stays
 // silent it is left out, and asked again now and then, always last.
+//
+// One servo in turn is looked at whole in each cycle. A servo that has missed an answer is looked at as soon as it is
+// heard again, because it may have restarted, and gets no goals before that.
 #pragma once
 
 #include <array>
@@ -23,14 +26,17 @@ class ReadList {
   };
   using Mask = std::bitset<kJoints>;
 
-  /// `period` of the loop, for what is counted in cycles but meant in seconds.
-  explicit ReadList(Nanos period);
+  /// `period` of the loop, for what is counted in cycles but meant in seconds. `looks`: as many long windows at most
+  /// are asked for in a cycle besides the one in turn. `absent`: never asked.
+  explicit ReadList(Nanos period, std::size_t looks = kJoints, const Mask& absent = {});
 
   /// The servos to ask in this cycle, in order. The board is always asked first and is not part of the list.
   std::span<const Entry> next() noexcept;
 
   /// What came of the last list. Call only when the board itself answered: otherwise nothing is learnt.
   void answered(const Mask& who) noexcept;
+  /// The board did not answer.
+  void missedAll() noexcept { unseen_.set(); }
 
   /// Servo power is off: nobody is asked until a while after the next call of powerIsOn().
   void powerIsOff() noexcept;
@@ -47,13 +53,17 @@ class ReadList {
  private:
   void append(std::size_t joint) noexcept;
   void appendProbe() noexcept;
-  void chooseLook() noexcept;
+  void chooseLooks() noexcept;
+  void lookInTurn() noexcept;
   void forgive(std::size_t joint) noexcept;
   void blame(std::size_t joint) noexcept;
 
   std::array<Entry, kJoints> list_{};
   std::size_t length_ = 0;
-  Mask silent_;
+  std::size_t looks_;
+  Mask silent_, absent_;
+  Mask suspects_;                                  // on the chain of a servo that is to blame, and not heard since
+  Mask unseen_;                                    // have missed an answer since they were last looked at
   std::array<std::uint8_t, kJoints> misses_{};     // in a row, only those the servo is to blame for
   std::array<std::uint16_t, kJoints> on_trial_{};  // cycles it stays at the end after it misbehaved
   std::size_t next_probe_ = 0, next_look_ = 0;

@@ -11,9 +11,14 @@ namespace darwinop::cm730 {
 
 class RequestTag {
  public:
+  static constexpr std::uint8_t kMostBytes = kBoardTableSize - kBoardWindow.address;  // 57
+
+  /// `fixed`: the board answers to one length only, and late replies are not recognised.
+  explicit RequestTag(bool fixed = false) : fixed_{fixed} {}
+
   /// Bytes to ask the board for, from address 24 on.
   [[nodiscard]] std::uint8_t boardBytes() const noexcept {
-    return static_cast<std::uint8_t>(kBoardWindow.count + tag_);
+    return static_cast<std::uint8_t>(kBoardWindow.count + (fixed_ ? 0 : tag_));
   }
 
   /// Call after every exchange. `doubtful`: the board's answer is missing and may still come, who knows when.
@@ -26,9 +31,10 @@ class RequestTag {
   }
 
  private:
-  static constexpr int kAllTags = kBoardTableSize - kBoardWindow.address - kBoardWindow.count + 1;  // 28
+  static constexpr int kAllTags = kMostBytes - kBoardWindow.count + 1;  // 28
   static constexpr int kCalmTags = 4;  // 15 us a cycle in the mean; an answer is never three cycles late unnoticed
   static constexpr int kWaryCycles = 64;
+  bool fixed_;
   int tag_ = 0, wary_ = 0;
 };
 

@@ -19,12 +19,16 @@ namespace {
 
 using Step = OpenAttempt::Step;
 
+// A flag that a former owner left set would spoil bytes: with IXOFF an FTDI chip itself takes 0x11 and 0x13 out.
+constexpr tcflag_t kControlFlags = CS8 | CREAD | CLOCAL;
+constexpr tcflag_t kHarmfulControlFlags = CSTOPB | PARENB | PARODD | CMSPAR | CRTSCTS | HUPCL;
+
+/// From a known state, whoever had the port before. The settings stay when the port is closed.
 bool makeRaw(int fd) {
   termios settings{};
   if (::tcgetattr(fd, &settings) != 0) return false;
-  ::cfmakeraw(&settings);
-  settings.c_cflag |= CLOCAL | CREAD;
-  settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS | CSTOPB);
+  settings.c_iflag = settings.c_oflag = settings.c_lflag = 0;
+  settings.c_cflag = kControlFlags;
   settings.c_cc[VMIN] = 0;  // a read takes what is there and returns; with nothing there it returns 0
   settings.c_cc[VTIME] = 0;
   ::cfsetspeed(&settings, B1000000);
@@ -32,7 +36,9 @@ bool makeRaw(int fd) {
   // tcsetattr() is content when any of its wishes came true.
   termios now{};
   if (::tcgetattr(fd, &now) != 0) return false;
-  if (::cfgetospeed(&now) != B1000000 || (now.c_lflag & (ICANON | ECHO)) != 0) {
+  const bool plain = (now.c_iflag | now.c_oflag | now.c_lflag) == 0 && (now.c_cflag & CSIZE) == CS8 &&
+                     (now.c_cflag & kHarmfulControlFlags) == 0;
+  if (::cfgetospeed(&now) != B1000000 || !plain) {
     errno = EINVAL;
     return false;
   }

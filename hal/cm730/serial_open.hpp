@@ -17,8 +17,9 @@ struct OpenAttempt {
   int error = 0;
 };
 
-/// Raw, 1 Mbaud, reads that never wait, nobody else on the port, low latency where the driver has it. A pty will
-/// do. The caller closes `fd` with closeSerial().
+/// Raw, 1 Mbaud, 8N1, no flow control, no hang-up on close, whatever a former owner had set; reads that never wait,
+/// nobody else on the port, low latency where the driver has it. A pty will do. The caller closes `fd` with
+/// closeSerial(), which leaves these settings.
 OpenAttempt openSerial(const std::string& path);
 void closeSerial(int fd);
 

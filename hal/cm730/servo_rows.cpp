@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 #include <utility>
 
@@ -16,38 +17,50 @@ namespace {
 
 constexpr double kHot = 65, kTooHot = 75;  // deg C; faults servo_hot and servo_overheat
 constexpr int kMicrosecondsPerCount = 2;
+// How far a servo's own limits may shift the start pose: 0.15 rad, as near as a start move has to come
+// ([Safety] start_tolerance).
+constexpr int kMostStartShift = 98;
 
 struct ErrorBitRow {
   std::uint8_t bit;
-  Level level;
+  Kind kind;
   std::string_view name, mend;
 };
 constexpr ErrorBitRow kErrorBits[] = {
-    {error_bit::kVoltage, Level::kWarning, "voltage", "its supply is outside its limits: check battery and cables"},
-    {error_bit::kAngleLimit, Level::kWarning, "angle limit",
+    {error_bit::kVoltage, Kind::kServoErrorBit, "voltage",
+     "its supply is outside its limits: check battery and cables"},
+    {error_bit::kAngleLimit, Kind::kServoErrorBit, "angle limit",
      "it was sent a goal outside its own angle limits (registers 6 and 8): check them against docs/registers.md"},
-    {error_bit::kOverheat, Level::kError, "overheating",
+    {error_bit::kOverheat, Kind::kServoOverheatBit, "overheating",
      "let it cool down, and look for a joint that works against a stop"},
-    {error_bit::kRange, Level::kWarning, "range", "it refused a value: check its firmware"},
-    {error_bit::kChecksum, Level::kWarning, "checksum", "requests reach it damaged: check the cable that leads to it"},
-    {error_bit::kOverload, Level::kError, "overload",
+    {error_bit::kRange, Kind::kServoErrorBit, "range", "it refused a value: check its firmware"},
+    {error_bit::kChecksum, Kind::kServoErrorBit, "checksum",
+     "requests reach it damaged: check the cable that leads to it"},
+    {error_bit::kOverload, Kind::kServoOverloadBit, "overload",
      "free the joint and switch servo power off and on; in a running loop, reset the faults"},
-    {error_bit::kInstruction, Level::kWarning, "instruction", "it does not know an instruction: check its firmware"},
+    {error_bit::kInstruction, Kind::kServoErrorBit, "instruction",
+     "it does not know an instruction: check its firmware"},
 };
 
 /// Collects what is wrong with one servo into one row.
 class Row {
  public:
-  explicit Row(std::string what) : row_{Level::kOk, std::move(what), {}} {}
-  void add(Level level, std::string_view problem, std::string_view mend) {
-    row_.level = std::max(row_.level, level);
-    if (!problem.empty()) row_.what.append("; ").append(problem);
+  Row(Joint joint, std::string what) : row_{Finding::ok(std::move(what))} { row_.joint = joint; }
+  void add(Kind kind, std::string_view problem, std::string_view mend) {
+    row_.level = std::max(row_.level, levelOf(kind));
+    row_.kinds.set(static_cast<std::size_t>(kind));
+    append("; ", problem);
     if (!row_.mend.empty()) row_.mend += "; ";
     row_.mend += mend;
   }
+  /// What is well now.
+  void note(std::string_view text) { append("; ", text); }
   [[nodiscard]] Finding take() { return std::move(row_); }
 
  private:
+  void append(std::string_view separator, std::string_view text) {
+    if (!text.empty()) row_.what.append(separator).append(text);
+  }
   Finding row_;
 };
 
@@ -88,9 +101,9 @@ std::string whyNot(Mending mending) {
 void addReturnDelay(const ServoFacts& servo, Row& found) {
   if (servo.delay_mending == Mending::kNotNeeded) return;
   if (servo.delay_mending == Mending::kDone)
-    found.add(Level::kOk, "return delay was " + microseconds(servo.return_delay_was) + ", set to 0 for good", {});
+    found.note("return delay was " + microseconds(servo.return_delay_was) + ", set to 0 for good");
   else
-    found.add(Level::kWarning,
+    found.add(Kind::kReturnDelay,
               "every answer waits " + microseconds(servo.return_delay) + ", " + microseconds(kMostReturnDelay) +
                   " are allowed",
               whyNot(servo.delay_mending));
@@ -99,9 +112,9 @@ void addReturnDelay(const ServoFacts& servo, Row& found) {
 void addStatusLevel(const ServoFacts& servo, Row& found) {
   if (servo.level_mending == Mending::kNotNeeded) return;
   if (servo.level_mending == Mending::kDone)
-    found.add(Level::kOk, "status return level set to 2 for good", {});
+    found.note("status return level set to 2 for good");
   else
-    found.add(Level::kWarning,
+    found.add(Kind::kStatusLevel,
               "status return level " + std::to_string(servo.status_level) +
                   " instead of 2: it does "
                   "not answer to writes",
@@ -110,27 +123,75 @@ void addStatusLevel(const ServoFacts& servo, Row& found) {
 
 void addHealth(const ServoFacts& servo, Row& found) {
   if (servo.temperature.value >= kTooHot)
-    found.add(Level::kError, "too hot", "let it cool to 60 deg C; it shuts itself off at 80");
+    found.add(Kind::kServoTooHot, "too hot", "let it cool to 60 deg C; it shuts itself off at 80");
   else if (servo.temperature.value >= kHot)
-    found.add(Level::kWarning, "hot", "give the robot a rest");
+    found.add(Kind::kServoHot, "hot", "give the robot a rest");
   for (const ErrorBitRow& error : kErrorBits)
-    if ((servo.error_bits & error.bit) != 0)
-      found.add(error.level, "error bit: " + std::string{error.name}, error.mend);
-  if (servo.torque_limit == 0)
-    found.add(Level::kError, "torque limit is 0: it has shut itself off",
-              "remove the cause, then switch servo power off and on; in a running loop, reset the faults");
+    if ((servo.error_bits & error.bit) != 0) found.add(error.kind, "error bit: " + std::string{error.name}, error.mend);
+  if (servo.max_torque == 0)
+    found.add(Kind::kMaxTorqueZero, "max torque (register 14) is 0: it never has torque",
+              "set register 14 to 1023 with the vendor's tool");
+  else if (servo.torque_limit == 0)
+    found.add(Kind::kTorqueLimitZero, "torque limit is 0: it has shut itself off, or a program has set it",
+              "remove the cause, then switch servo power off and on; a loop writes it anew when it takes over");
 }
 
-Finding readableRow(Joint joint, const ServoFacts& servo) {
-  Row found{summary(joint, servo)};
-  if (servo.model != find(kMx28, "model").reset)
-    found.add(Level::kError, "model " + std::to_string(servo.model) + " is no MX-28 (29)", "put an MX-28 in its place");
-  if (servo.firmware < kOldestFirmware)
-    found.add(Level::kError, "firmware is older than 27: 1024 steps a turn and no PID",
-              "update its firmware with the vendor's tool");
-  if (servo.wheel_mode)
-    found.add(Level::kError, "in wheel mode (both angle limits 0): it would turn without end",
+std::string radians(Joint joint, const RobotFacts& facts, TickRange ticks) {
+  const int offset = facts.start[index(joint)] - row(joint).start;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f to %.3f rad", radFromTicks(ticks.low - offset).value,
+                radFromTicks(ticks.high - offset).value);
+  return text;
+}
+
+/// The servo's own limits against the angles that it may be sent to.
+void addRange(Joint joint, const RobotFacts& facts, Row& found) {
+  constexpr const char* kVendor = "set registers 6 and 8 with the vendor's tool; factory settings are 0 and 4095";
+  const ServoFacts& servo = facts.servo[index(joint)];
+  if (servo.wheelMode()) {
+    found.add(Kind::kWheelMode, "in wheel mode (both angle limits 0): it would turn without end",
               "set its angle limits, registers 6 and 8, to 0 and 4095 with the vendor's tool");
+    return;
+  }
+  if (servo.multiTurnMode()) {
+    found.add(Kind::kMultiTurnMode, "in multi-turn mode (both angle limits 4095): it counts more than one turn",
+              "set its angle limits, registers 6 and 8, to 0 and 4095 with the vendor's tool");
+    return;
+  }
+  const TickRange allowed = facts.allowed[index(joint)];
+  const TickRange both{std::max<int>(allowed.low, servo.cw_limit), std::min<int>(allowed.high, servo.ccw_limit)};
+  const std::string own = "its own limits (registers 6 and 8) allow " +
+                          radians(joint, facts, {servo.cw_limit, servo.ccw_limit}) + ", the settings " +
+                          radians(joint, facts, allowed);
+  if (both.low >= both.high) {
+    found.add(Kind::kNoRange, own + ": nothing is in both", kVendor);
+    return;
+  }
+  if (both.low == allowed.low && both.high == allowed.high) return;
+  const int start = std::clamp(facts.start[index(joint)], allowed.low, allowed.high);
+  if (std::abs(std::clamp(start, both.low, both.high) - start) > kMostStartShift)
+    found.add(Kind::kStartPoseOutside, own + "; the start pose is outside: it could not sit down", kVendor);
+  else
+    found.add(Kind::kNarrowRange, own + ": both hold", kVendor);
+}
+
+void addInstructions(const ServoFacts& servo, Row& found) {
+  constexpr const char* kCheck = "check its firmware and the cable that leads to it";
+  if (!servo.bulk_read_works) found.add(Kind::kServoInstruction, "it answers to READ and not to BULK_READ", kCheck);
+  if (!servo.sync_write_works) found.add(Kind::kServoInstruction, "it does not obey SYNC_WRITE", kCheck);
+}
+
+Finding readableRow(Joint joint, const RobotFacts& facts) {
+  const ServoFacts& servo = facts.servo[index(joint)];
+  Row found{joint, summary(joint, servo)};
+  if (servo.model != find(kMx28, "model").reset)
+    found.add(Kind::kServoModel, "unsupported model " + std::to_string(servo.model) + ", an MX-28 is 29",
+              "put an MX-28 in its place");
+  if (servo.firmware < kOldestFirmware)
+    found.add(Kind::kServoFirmware, "firmware is older than 27: 1024 steps a turn and no PID",
+              "update its firmware with the vendor's tool");
+  addRange(joint, facts, found);
+  addInstructions(servo, found);
   addReturnDelay(servo, found);
   addStatusLevel(servo, found);
   addHealth(servo, found);
@@ -139,25 +200,31 @@ Finding readableRow(Joint joint, const ServoFacts& servo) {
 
 Finding unreadableRow(Joint joint, const ServoFacts& servo) {
   if (!servo.garbled)
-    return {Level::kError, servoName(joint) + ": answers to pings only, so its status return level is 0",
-            whyNot(servo.level_mending)};
+    return Finding::of(Kind::kServoUnreadable,
+                       servoName(joint) + ": answers to pings only, so its status return level is 0",
+                       whyNot(servo.level_mending));
   const std::string what = servoName(joint) + ": its answers are garbled";
   if (row(joint).id == 1)
-    return {Level::kError, what,
-            "two servos may share id 1, as a replaced one comes with it: look which other one is silent, connect that "
-            "one alone and give it its own id; else check the cable"};
-  return {Level::kError, what, "check the cable that leads to it, and whether two servos have this id"};
+    return Finding::of(
+        Kind::kServoGarbled, what,
+        "two servos may share id 1, as a replaced one comes with it: look which other one is silent, connect that "
+        "one alone and give it its own id; else check the cable");
+  return Finding::of(Kind::kServoGarbled, what,
+                     "check the cable that leads to it, and whether two servos have this id");
 }
 
 Finding silentRow(Joint joint, const RobotFacts& facts) {
+  const Kind kind = isLeg(joint) ? Kind::kLegServoSilent : Kind::kServoSilent;
   const std::string what = servoName(joint) + ": silent";
+  const std::string permit =
+      isLeg(joint) ? "; if the robot lacks it for good: [Robot] absent in robot.ini" : std::string{};
   const ChainBreak where = findBreak(facts, row(joint).chain);
   if (!where.first_silent || row(joint).id < row(*where.first_silent).id || where.silent == 1)
-    return {Level::kError, what, "check the plugs of this servo; " + replaced(joint)};
-  if (joint != *where.first_silent) return {Level::kError, what + ", behind " + servoName(*where.first_silent), {}};
+    return Finding::of(kind, what, "check the plugs of this servo; " + replaced(joint) + permit);
+  if (joint != *where.first_silent) return Finding::of(kind, what + ", behind " + servoName(*where.first_silent), {});
   const std::string from = where.last_heard ? servoName(*where.last_heard) : "the board";
-  return {Level::kError, what + ", and so is everything behind it in its chain",
-          "check the cable from " + from + " into " + servoName(joint)};
+  return Finding::of(kind, what + ", and so is everything behind it in its chain",
+                     "check the cable from " + from + " into " + servoName(joint) + permit);
 }
 
 }  // namespace
@@ -169,19 +236,22 @@ std::string servoName(Joint joint) {
 
 void addServoRows(const RobotFacts& facts, Findings& rows) {
   if (std::ranges::none_of(facts.servo, [](const ServoFacts& s) { return s.found || s.garbled; })) {
-    rows.push_back({Level::kError, "none of the twenty servos answers, though servo power is on",
-                    "check the cables from the board to the servos, then the board's servo fuse"});
+    rows.push_back(Finding::of(Kind::kNoServo, "none of the twenty servos answers, though servo power is on",
+                               "check the cables from the board to the servos, then the board's servo fuse"));
     return;
   }
   for (std::size_t i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
     const ServoFacts& servo = facts.servo[i];
-    if (servo.readable)
-      rows.push_back(readableRow(joint, servo));
+    if (servo.absent)
+      rows.push_back(Finding::ok(servoName(joint) + ": absent, as robot.ini says; not asked and not driven"));
+    else if (servo.readable)
+      rows.push_back(readableRow(joint, facts));
     else if (servo.found || servo.garbled)
       rows.push_back(unreadableRow(joint, servo));
     else
       rows.push_back(silentRow(joint, facts));
+    rows.back().joint = joint;
   }
 }
 

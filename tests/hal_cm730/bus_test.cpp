@@ -60,7 +60,7 @@ TEST_F(Bus, AFullCycleTakesItsWireTimeAndNoMore) {
 }
 
 TEST_F(Bus, GoalsAloneTake68Bytes) {
-  cycle(SafeCommandsForTests{}.driveAll(Rad{0}).commands);
+  for (int i = 0; i < 2; ++i) cycle(SafeCommandsForTests{}.driveAll(Rad{0}).commands);
   cycle(SafeCommandsForTests{}.driveAll(Rad{0.01}).commands);
   EXPECT_EQ(readings.wire.bytes_out, 68U + 70U);
 }
@@ -135,6 +135,27 @@ TEST_F(Bus, LocksTheEepromOfEveryServo) {
   for (int i = 0; i < 3; ++i) cycle();
   for (std::size_t i = 0; i < kJoints; ++i)
     EXPECT_EQ(robot.board().servo(static_cast<Joint>(i)).table().byte(servo::kLock), 1) << kJointTable[i].name;
+}
+
+TEST_F(Bus, TellsThatAServoHasRestartedAsSoonAsItIsHeardAgain) {
+  for (int i = 0; i < 2; ++i) cycle(SafeCommandsForTests{}.driveAll(Rad{0}).commands);
+  fault(hil::FaultKind::kDead, Nanos{40'000'000}, 7);
+  int cycles = 0;
+  do {
+    cycle();
+    ASSERT_LT(++cycles, 60);
+  } while (cycles < 3 || !readings.servo[7].answered);
+  EXPECT_TRUE(readings.servo[7].looked);
+  EXPECT_TRUE(readings.servo[7].restarted);
+}
+
+TEST_F(Bus, ABoardThatMissesFiveAnswersIsAskedInEveryCycle) {
+  cycle();
+  fault(hil::FaultKind::kStall, Nanos{1'600'000'000});
+  cycle();
+  const auto before = line.counters().bulk_reads;
+  for (std::uint32_t i = 0; i < kAnswerPatience; ++i) cycle();
+  EXPECT_EQ(line.counters().bulk_reads - before, kAnswerPatience);
 }
 
 TEST_F(Bus, ASilentBoardIsAskedSeldomAndHeardAtOnceWhenItIsBack) {

@@ -41,6 +41,20 @@ TEST(ReadList, AsksAllTwentyInIdOrderWhenAllIsWell) {
   EXPECT_TRUE(std::ranges::is_sorted(chain.order));
 }
 
+TEST(ReadList, NeverAsksAnAbsentServoAndDoesNotCountItAsSilent) {
+  ReadList list{kRound, kJoints, ReadList::Mask{}.set(3).set(19)};
+  for (int cycle = 0; cycle < 200; ++cycle) {
+    ReadList::Mask answered;
+    for (const auto entry : list.next()) {
+      EXPECT_TRUE(entry.joint != 3 && entry.joint != 19);
+      answered.set(entry.joint);
+    }
+    EXPECT_EQ(answered.count(), kJoints - 2);
+    list.answered(answered);
+  }
+  EXPECT_TRUE(list.silent().none());
+}
+
 TEST(ReadList, LooksAtEveryServoWithinTwentyCycles) {
   ReadList list{kRound};
   ReadList::Mask seen;
@@ -91,6 +105,57 @@ TEST(ReadList, SixServosBehindABrokenLeadAreAllBackWithinASecond) {
   chain.dead.reset();
   chain.cycles(static_cast<int>(1'000'000'000 / kRound.count()));
   EXPECT_TRUE(chain.list.silent().none());
+}
+
+TEST(ReadList, AChainThatLosesItsSupplyHurtsTheOthersForOneCycleOnly) {
+  for (const darwinop::Chain which : {darwinop::Chain::kRightArm, darwinop::Chain::kLeftArm, darwinop::Chain::kHead,
+                                      darwinop::Chain::kRightLeg, darwinop::Chain::kLeftLeg}) {
+    Chain chain;
+    chain.cycles(5);
+    for (std::size_t i = 0; i < kJoints; ++i) chain.dead[i] = kJointTable[i].chain == which;
+    chain.cycle();  // the one that is lost
+    for (int i = 0; i < 100; ++i) {
+      chain.cycle();
+      EXPECT_EQ(chain.answered, ~chain.dead) << "cycle " << i;
+    }
+    EXPECT_EQ(chain.list.silent(), chain.dead);
+  }
+}
+
+TEST(ReadList, AServoThatMissedAnAnswerIsLookedAtAsSoonAsItIsHeardAgain) {
+  ReadList list{kRound};
+  list.next();
+  list.answered(~ReadList::Mask{}.set(4).set(11));
+  int looks = 0;
+  for (const auto entry : list.next()) {
+    looks += entry.look ? 1 : 0;
+    EXPECT_TRUE(entry.look || (entry.joint != 4 && entry.joint != 11));
+  }
+  EXPECT_LE(looks, 3);
+  list.answered(ReadList::Mask{}.set());
+  looks = 0;
+  for (const auto entry : list.next()) looks += entry.look ? 1 : 0;
+  EXPECT_EQ(looks, 1) << "once";
+}
+
+TEST(ReadList, AfterALostAnswerOfTheBoardAllAreLookedAtAsFastAsThePeriodAllows) {
+  for (const std::size_t most : {std::size_t{4}, kJoints}) {
+    ReadList list{kRound, most};
+    list.next();
+    list.missedAll();
+    ReadList::Mask looked;
+    for (std::size_t cycle = 0; cycle < kJoints / most; ++cycle) {
+      std::size_t looks = 0;
+      for (const auto entry : list.next()) {
+        if (!entry.look) continue;
+        looked.set(entry.joint);
+        ++looks;
+      }
+      EXPECT_LE(looks, most + 1);
+      list.answered(ReadList::Mask{}.set());
+    }
+    EXPECT_TRUE(looked.all());
+  }
 }
 
 TEST(ReadList, OneDamagedFrameMovesNobody) {

@@ -1,6 +1,7 @@
 // Opening ports: settings, exclusiveness, finding them again, and the words for what goes wrong.
 #include "hal/cm730/serial_open.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -48,6 +49,54 @@ TEST(OpenSerial, MakesAPtyRawAtOneMegabaudWithReadsThatDoNotWait) {
   EXPECT_EQ(settings.c_cc[VTIME], 0);
   std::uint8_t byte = 0;
   EXPECT_EQ(::read(port.get(), &byte, 1), 0) << "nothing pending must read as 0, at once";
+}
+
+struct Flag {
+  const char* name;
+  tcflag_t termios::*field;
+  tcflag_t bit;
+};
+// What a former owner of the port can have left behind.
+constexpr Flag kLeftBehind[] = {
+    {"IGNBRK", &termios::c_iflag, IGNBRK},   {"BRKINT", &termios::c_iflag, BRKINT},
+    {"IGNPAR", &termios::c_iflag, IGNPAR},   {"PARMRK", &termios::c_iflag, PARMRK},
+    {"INPCK", &termios::c_iflag, INPCK},     {"ISTRIP", &termios::c_iflag, ISTRIP},
+    {"INLCR", &termios::c_iflag, INLCR},     {"IGNCR", &termios::c_iflag, IGNCR},
+    {"ICRNL", &termios::c_iflag, ICRNL},     {"IUCLC", &termios::c_iflag, IUCLC},
+    {"IXON", &termios::c_iflag, IXON},       {"IXANY", &termios::c_iflag, IXANY},
+    {"IXOFF", &termios::c_iflag, IXOFF},     {"IMAXBEL", &termios::c_iflag, IMAXBEL},
+    {"IUTF8", &termios::c_iflag, IUTF8},     {"OPOST", &termios::c_oflag, OPOST},
+    {"ONLCR", &termios::c_oflag, ONLCR},     {"OCRNL", &termios::c_oflag, OCRNL},
+    {"OFILL", &termios::c_oflag, OFILL},     {"CSTOPB", &termios::c_cflag, CSTOPB},
+    {"PARODD", &termios::c_cflag, PARODD},   {"HUPCL", &termios::c_cflag, HUPCL},
+    {"CRTSCTS", &termios::c_cflag, CRTSCTS}, {"CMSPAR", &termios::c_cflag, CMSPAR},
+    {"ISIG", &termios::c_lflag, ISIG},       {"ICANON", &termios::c_lflag, ICANON},
+    {"ECHO", &termios::c_lflag, ECHO},       {"ECHONL", &termios::c_lflag, ECHONL},
+    {"NOFLSH", &termios::c_lflag, NOFLSH},   {"TOSTOP", &termios::c_lflag, TOSTOP},
+    {"IEXTEN", &termios::c_lflag, IEXTEN},   {"EXTPROC", &termios::c_lflag, EXTPROC},
+};
+
+TEST(OpenSerial, ClearsEveryFlagOfAFormerOwner) {
+  for (const Flag& flag : kLeftBehind) {
+    const Pty pty;
+    const int former = ::open(pty.path().c_str(), O_RDWR | O_NOCTTY);
+    ASSERT_GE(former, 0);
+    termios settings{};
+    ASSERT_EQ(::tcgetattr(former, &settings), 0);
+    settings.*flag.field |= flag.bit;
+    ASSERT_EQ(::tcsetattr(former, TCSANOW, &settings), 0) << flag.name;
+    ASSERT_EQ(::tcgetattr(former, &settings), 0);
+    ASSERT_EQ(settings.*flag.field & flag.bit, flag.bit) << flag.name << " cannot be set on a pty: take it out here";
+    ::close(former);
+
+    const OpenFile port{openSerial(pty.path()).fd};
+    ASSERT_GE(port.get(), 0) << flag.name;
+    ASSERT_EQ(::tcgetattr(port.get(), &settings), 0);
+    for (const Flag& other : kLeftBehind)
+      EXPECT_EQ(settings.*other.field & other.bit, 0u) << other.name << " after " << flag.name;
+    EXPECT_EQ(settings.c_iflag | settings.c_oflag | settings.c_lflag, 0u) << flag.name;
+    EXPECT_EQ(settings.c_cflag & (CSIZE | CREAD | CLOCAL), static_cast<tcflag_t>(CS8 | CREAD | CLOCAL)) << flag.name;
+  }
 }
 
 TEST(OpenSerial, RefusesAPortThatSomebodyUsesAndNamesTheProcess) {
@@ -239,6 +288,7 @@ TEST(CheckPort, SaysOnceWhyAPortCannotBeOpened) {
   EXPECT_EQ(check.port, nullptr);
   ASSERT_EQ(check.findings.size(), 1u);
   EXPECT_EQ(check.findings[0].level, Level::kError);
+  EXPECT_TRUE(check.findings[0].is(Kind::kPortMissing));
   EXPECT_THAT(toText(check.findings[0]), HasSubstr("FAIL  there is no /dev/ttyNOSUCHPORT"));
 }
 
@@ -252,7 +302,7 @@ TEST(CheckPort, OpensAPty) {
 TEST(LatencyRows, NameTheCommandForATimerThatIsTooLong) {
   const Findings slow = latencyRows("/dev/ttyUSB0", 16);
   ASSERT_EQ(slow.size(), 1u);
-  EXPECT_EQ(slow[0].level, Level::kError);
+  EXPECT_TRUE(slow[0].is(Kind::kLatencyTimer));
   EXPECT_THAT(slow[0].mend, HasSubstr("echo 1 | sudo tee /sys/bus/usb-serial/devices/ttyUSB0/latency_timer"));
   EXPECT_EQ(worst(latencyRows("/dev/ttyUSB0", 1)), Level::kOk);
   EXPECT_TRUE(latencyRows("/dev/pts/3", std::nullopt).empty());

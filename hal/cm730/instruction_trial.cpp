@@ -1,0 +1,182 @@
+// BulkReads and SyncWrites as the loop sends them, with retries.
+#include "hal/cm730/instruction_trial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bitset>
+#include <vector>
+
+#include "core/packet.hpp"
+#include "core/registers.hpp"
+#include "hal/cm730/diagnosis.hpp"
+#include "hal/cm730/request_tag.hpp"
+#include "hal/cm730/transactions.hpp"
+#include "hal/cm730/wire.hpp"
+
+namespace darwinop::cm730 {
+namespace {
+
+constexpr std::uint8_t kTrialLed = find(kMx28, "led").address;
+constexpr std::size_t kLedAt = kTrialLed - kServoLook.address;
+constexpr int kTries = 6;                  // single losses are normal, and a busy PC stalls
+constexpr Nanos kMargin{15'000'000};       // a busy PC is late by this much now and then
+constexpr Nanos kLateReplies{40'000'000};  // after an incomplete exchange
+constexpr Nanos kUntilWritten{1'000'000};  // from the end of a SYNC_WRITE to its effect
+
+class Trial {
+ public:
+  Trial(ByteLine& line, RobotFacts& facts) : line_{line}, facts_{facts} {
+    for (std::size_t i = 0; i < kJoints; ++i)
+      if (facts.servo[i].readable) list_.push_back(i);
+  }
+
+  void run() {
+    InstructionFacts& result = facts_.instructions;
+    if (list_.empty()) return;
+    result.tried = true;
+    tryBulkRead();
+    if (!result.bulk_read) return;
+    trySyncWrite();
+    // With a slow port each length costs the whole delay, and the cycle is too long in any case.
+    if (facts_.round_trip < kLatencySignature) tryBlockLengths();
+  }
+
+ private:
+  /// One BulkRead of the board and of `servos`. True: the board answered. `answered_`, `led_`: what the servos said.
+  bool exchange(std::uint8_t board_bytes, const std::vector<std::size_t>& servos) {
+    std::array<std::uint8_t, kMaxFrame> frame{};
+    BulkReadEncoder request{frame};
+    request.add(kBoardId, kBoardWindow.address, board_bytes);
+    std::size_t bytes = board_bytes + kFrameOverhead;
+    for (const std::size_t i : servos) {
+      request.add(kJointTable[i].id, kServoLook.address, kServoLook.count);
+      bytes += kServoLook.frameBytes();
+    }
+    const Bytes sent = request.finish();
+    line_.discardInput();
+    if (!send(sent)) return false;
+    return receive(board_bytes, servos.size(), line_.now() + wireTime(sent.size() + bytes) + kMargin);
+  }
+
+  bool send(Bytes frame) {
+    const LineStatus status = line_.write(frame);
+    facts_.lost = facts_.lost || status == LineStatus::kLost;
+    return status == LineStatus::kOk;
+  }
+
+  bool receive(std::uint8_t board_bytes, std::size_t servos, Nanos deadline) {
+    bool board = false;
+    answered_.reset();
+    FrameReader reader;
+    std::array<std::uint8_t, 512> incoming{};
+    while (!(board && answered_.count() == servos)) {
+      std::size_t count = 0;
+      const LineStatus status = line_.read(incoming, count, deadline);
+      facts_.lost = facts_.lost || status == LineStatus::kLost;
+      if (status != LineStatus::kOk) break;
+      for (Bytes rest{incoming.data(), count}; !rest.empty();) {
+        rest = rest.subspan(reader.feed(rest));
+        while (const auto frame = reader.next()) take(*frame, board_bytes, board);
+      }
+      if (line_.now() >= deadline) break;
+    }
+    // What is missing may come late, and would pass for the reply to the next request.
+    const bool missing = !board || answered_.count() != servos;
+    if (missing && !facts_.lost && pass(line_, kLateReplies) == LineStatus::kLost) facts_.lost = true;
+    return board;
+  }
+
+  void take(const Frame& frame, std::uint8_t board_bytes, bool& board) {
+    if (frame.id == kBoardId && frame.params.size() == board_bytes) board = true;
+    if (frame.id < 1 || frame.id > kJoints || frame.params.size() != kServoLook.count) return;
+    const std::size_t i = frame.id - 1u;
+    answered_.set(i);
+    led_[i] = frame.params[kLedAt] != 0;
+  }
+
+  void tryBulkRead() {
+    std::bitset<kJoints> heard;
+    for (int i = 0; i < kTries && !facts_.lost && heard.count() < list_.size(); ++i) {
+      facts_.instructions.bulk_read |= exchange(kBoardWindow.count, list_);
+      heard |= answered_;
+      if (!facts_.instructions.bulk_read) continue;
+      // A servo that stays silent silences those behind it: it is asked last in the next try.
+      std::vector<std::size_t> order;
+      for (const bool answered : {true, false})
+        for (const std::size_t joint : list_)
+          if (heard[joint] == answered) order.push_back(joint);
+      list_ = order;
+    }
+    if (!facts_.instructions.bulk_read || facts_.lost) return;
+    markMissing(heard);
+  }
+
+  /// Those that were not heard are asked one at a time, so that one does not hide another.
+  void markMissing(std::bitset<kJoints> heard) {
+    for (const std::size_t i : list_) {
+      for (int attempt = 0; attempt < kTries && !heard[i] && !facts_.lost; ++attempt) {
+        exchange(kBoardWindow.count, {i});
+        heard |= answered_;
+      }
+      if (!facts_.lost) facts_.servo[i].bulk_read_works = heard[i];
+    }
+    std::erase_if(list_, [&](std::size_t i) { return !heard[i]; });
+  }
+
+  void trySyncWrite() {
+    std::bitset<kJoints> obeyed;
+    for (int i = 0; i < kTries && !facts_.lost && obeyed.count() < list_.size(); ++i) {
+      obeyed |= obeyedLed(true);
+      obeyed |= obeyedLed(false);
+    }
+    // A lost frame must not leave a LED on; when nothing obeys, nothing has changed.
+    for (int i = 0; i < kTries && !facts_.lost && obeyed.any() && !ledsAsFound(); ++i) obeyedLed(false);
+    facts_.instructions.sync_write = obeyed.any() || facts_.lost;
+    if (!obeyed.any() || facts_.lost) return;
+    for (const std::size_t i : list_) facts_.servo[i].sync_write_works = obeyed[i];
+  }
+
+  [[nodiscard]] bool ledsAsFound() const {
+    return std::ranges::all_of(list_, [&](std::size_t i) { return answered_[i] && led_[i] == facts_.servo[i].led_on; });
+  }
+
+  /// Writes all LEDs, changed or as they were found, and reads them back. Only a change is proof.
+  std::bitset<kJoints> obeyedLed(bool changed) {
+    std::array<std::uint8_t, kMaxFrame> frame{};
+    SyncWriteEncoder sync{frame, kTrialLed, 1};
+    for (const std::size_t i : list_) {
+      const std::uint8_t value = facts_.servo[i].led_on != changed ? 1 : 0;
+      sync.add(kJointTable[i].id, Bytes{&value, 1});
+    }
+    const Bytes request = sync.finish();
+    if (!send(request)) return {};
+    if (pass(line_, wireTime(request.size()) + kUntilWritten) == LineStatus::kLost) facts_.lost = true;
+    exchange(kBoardWindow.count, list_);
+    std::bitset<kJoints> obeyed;
+    for (const std::size_t i : list_) obeyed[i] = changed && answered_[i] && led_[i] != facts_.servo[i].led_on;
+    return obeyed;
+  }
+
+  void tryBlockLengths() {
+    for (std::uint8_t bytes = kBoardWindow.count; bytes <= RequestTag::kMostBytes && !facts_.lost; ++bytes) {
+      bool answered = false;
+      for (int i = 0; i < kTries && !answered && !facts_.lost; ++i) answered = exchange(bytes, {});
+      if (answered || facts_.lost) continue;
+      facts_.instructions.all_blocks = false;
+      return;
+    }
+  }
+
+  ByteLine& line_;
+  RobotFacts& facts_;
+  std::vector<std::size_t> list_;  // joints, in the order in which they are asked
+  std::bitset<kJoints> answered_, led_;
+};
+
+}  // namespace
+
+void tryInstructions(ByteLine& line, RobotFacts& facts) {
+  Trial{line, facts}.run();
+}
+
+}  // namespace darwinop::cm730
