@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 
 namespace darwinop::shared_picture {
 namespace {
@@ -29,6 +30,7 @@ CameraFrame Reader::newest() {
     attach(now);
     ask(now);
   }
+  if (memory_.lost()) letGo();
   if (window_ == nullptr) return frame_;
   const std::uint32_t newest = window_->newest.load(std::memory_order_acquire);
   if (newest >= 1 && newest <= Window::kSlots && copy(window_->slots[newest - 1], now)) {
@@ -82,9 +84,12 @@ void Reader::attach(Nanos now) {
     tell(options_.files.pictures + " is not looked at: " + why);
     return;
   }
-  void* const memory = ::mmap(nullptr, sizeof(Window), PROT_READ, MAP_SHARED, file.fd, 0);
-  if (memory == MAP_FAILED) return tell("cannot map " + options_.files.pictures + ": " + std::strerror(errno));
-  window_ = static_cast<const Window*>(memory);
+  try {
+    memory_ = GuardedMapping{file.fd, sizeof(Window), PROT_READ};
+  } catch (const std::system_error& error) {
+    return tell("cannot map " + options_.files.pictures + ": " + std::strerror(error.code().value()));
+  }
+  window_ = static_cast<const Window*>(memory_.data());
   device_ = status.st_dev;
   inode_ = status.st_ino;
   since_ = now;
@@ -112,7 +117,7 @@ void Reader::ask(Nanos now) {
 }
 
 void Reader::letGo() noexcept {
-  if (window_ != nullptr) ::munmap(const_cast<Window*>(window_), sizeof(Window));
+  memory_ = {};
   window_ = nullptr;
 }
 

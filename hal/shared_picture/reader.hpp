@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hal/frame_source.hpp"
+#include "hal/guarded_mapping.hpp"
 #include "hal/shared_picture/layout.hpp"
 
 namespace darwinop::shared_picture {
@@ -44,6 +45,7 @@ class Reader final : public FrameSource {
   void tell(const std::string& sentence);
 
   Options options_;
+  GuardedMapping memory_;
   const Window* window_ = nullptr;
   dev_t device_ = 0;
   ino_t inode_ = 0;

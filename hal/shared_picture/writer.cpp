@@ -9,6 +9,7 @@
 #include <cstring>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 namespace darwinop::shared_picture {
@@ -57,13 +58,13 @@ Writer::Writer(WindowFiles files, gid_t group) : files_{std::move(files)} {
     asked_ = makeFresh(files_.asked + ending, 0660, group, sizeof(std::int64_t));
     replaceWindow(files_.asked + ending, files_.asked);
     pictures_ = makeFresh(files_.pictures + ending, 0640, group, sizeof(Window));
-    void* const memory = ::mmap(nullptr, sizeof(Window), PROT_READ | PROT_WRITE, MAP_SHARED, pictures_, 0);
-    if (memory == MAP_FAILED) {
-      const int error = errno;
+    try {
+      memory_ = GuardedMapping{pictures_, sizeof(Window), PROT_READ | PROT_WRITE};
+    } catch (const std::system_error& error) {
       ::unlink((files_.pictures + ending).c_str());
-      failWindow("cannot map " + files_.pictures, error, "end other programs");
+      failWindow("cannot map " + files_.pictures, error.code().value(), "end other programs");
     }
-    window_ = new (memory) Window{};
+    window_ = new (memory_.data()) Window{};
     replaceWindow(files_.pictures + ending, files_.pictures);
   } catch (...) {
     removeOwn();
@@ -78,7 +79,6 @@ Writer::~Writer() {
 void Writer::removeOwn() noexcept {
   removeIfSame(pictures_, files_.pictures);
   removeIfSame(asked_, files_.asked);
-  if (window_ != nullptr) ::munmap(window_, sizeof(Window));
   if (pictures_ >= 0) ::close(pictures_);
   if (asked_ >= 0) ::close(asked_);
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "hal/byte_line.hpp"
+#include "hal/guarded_mapping.hpp"
 #include "hal/pixels/yuyv_image.hpp"
 #include "hal/shared_picture/layout.hpp"
 
@@ -32,6 +33,7 @@ class Writer {
 
   WindowFiles files_;
   int pictures_ = -1, asked_ = -1;
+  GuardedMapping memory_;  // who shortens the file must not end the process of the camera, nor a loop in it
   Window* window_ = nullptr;
   std::uint32_t next_ = 0;
 };

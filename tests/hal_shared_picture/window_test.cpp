@@ -157,6 +157,19 @@ TEST_F(SharedPicture, IsNeverAMixture) {
   other.join();
 }
 
+TEST_F(SharedPicture, OfAFileThatSomebodyShortensEndsNeitherWriterNorReader) {
+  makeWriter();
+  lookAgain();
+  ASSERT_TRUE(put(1));
+  lookAgain();
+  ASSERT_EQ(::truncate(files_.pictures.c_str(), 0), 0);
+  for (std::uint64_t sequence = 2; sequence < 9; ++sequence) {
+    (void)put(sequence);
+    lookAgain();
+  }
+  EXPECT_FALSE(reader().health().seeing);
+}
+
 TEST_F(SharedPicture, IsFoundAgainWhenItsWriterIsReplaced) {
   EXPECT_EQ(reader().newest().sequence, 0u) << "there is none yet";
   makeWriter();

@@ -1,0 +1,52 @@
+#include "hal/signals.hpp"
+
+namespace darwinop {
+namespace {
+
+std::atomic<bool> end_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+
+void setHandler(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  sigaction(signal, &action, nullptr);
+}
+
+void setForIgnored(void (*handler)(int)) {
+  for (const int signal : kIgnoredSignals) setHandler(signal, handler);
+  for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) setHandler(signal, handler);
+}
+
+bool isIgnored(int signal) {
+  struct sigaction now {};
+  return sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) == 0 && now.sa_handler == SIG_IGN;
+}
+
+}  // namespace
+
+void ignoreSignals() {
+  setForIgnored(SIG_IGN);
+}
+
+void restoreIgnoredSignals() {
+  setForIgnored(SIG_DFL);
+}
+
+void onEndSignals(void (*handler)(int, siginfo_t*, void*), int flags) {
+  ignoreSignals();
+  struct sigaction action {};
+  action.sa_sigaction = handler;
+  action.sa_flags = SA_SIGINFO | flags;
+  for (const int signal : kEndSignals)
+    if (signal != SIGHUP || !isIgnored(SIGHUP)) sigaction(signal, &action, nullptr);
+}
+
+void endOnSignals() {
+  onEndSignals([](int, siginfo_t*, void*) { end_requested.store(true); });
+}
+
+const std::atomic<bool>& endRequested() {
+  return end_requested;
+}
+
+}  // namespace darwinop

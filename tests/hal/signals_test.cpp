@@ -1,0 +1,95 @@
+// The table of signals, and that a program obeys it.
+#include "hal/signals.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+namespace darwinop {
+namespace {
+
+TEST(Signals, TheTableHasEachOfThe31Once) {
+  std::set<int> numbers;
+  for (const SignalRow& row : kSignals) numbers.insert(row.number);
+  EXPECT_EQ(numbers.size(), 31u);
+  EXPECT_EQ(*numbers.begin(), 1);
+  EXPECT_EQ(*numbers.rbegin(), 31);
+}
+
+/// Sends itself the signal. How such a process ends: 10 when the flag was set, 20 when nothing happened.
+int fateOf(int signal) {
+  const pid_t child = fork();
+  if (child == 0) {
+    endOnSignals();
+    raise(signal);
+    _exit(endRequested() ? 10 : 20);
+  }
+  int status = 0;
+  waitpid(child, &status, WUNTRACED);
+  if (!WIFSTOPPED(status)) return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  return -1000;
+}
+
+TEST(Signals, EachHasTheEffectThatTheTableNames) {
+  for (const SignalRow& row : kSignals) {
+    int wanted = 20;
+    if (row.effect == SignalEffect::kEnds) wanted = 10;
+    if (row.effect == SignalEffect::kKills) wanted = -row.number;
+    if (row.effect == SignalEffect::kStops) wanted = -1000;
+    EXPECT_EQ(fateOf(row.number), wanted) << row.name;
+  }
+  EXPECT_EQ(fateOf(SIGRTMIN), 20);
+  EXPECT_EQ(fateOf(SIGRTMAX), 20);
+}
+
+std::string effectText(SignalEffect effect) {
+  if (effect == SignalEffect::kEnds) return "ends tidily";
+  if (effect == SignalEffect::kKills) return "ends at once";
+  return effect == SignalEffect::kStops ? "stops" : "no effect";
+}
+
+TEST(Signals, ThePageForPeopleHasTheSameTable) {
+  std::ifstream file{DARWINOP_DOCS "/threads.md"};
+  const std::string page{std::istreambuf_iterator<char>{file}, {}};
+  for (const SignalRow& row : kSignals) {
+    const std::string line =
+        "| " + std::string{row.name} + " | " + effectText(row.effect) + " | " + std::string{row.comes_when} + " |";
+    EXPECT_NE(page.find(line), std::string::npos) << "docs/threads.md lacks: " << line;
+  }
+}
+
+TEST(Signals, NohupHolds) {
+  const pid_t child = fork();
+  if (child == 0) {
+    signal(SIGHUP, SIG_IGN);
+    endOnSignals();
+    raise(SIGHUP);
+    _exit(endRequested() ? 10 : 20);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(WEXITSTATUS(status), 20);
+}
+
+TEST(Signals, AProgramThatIsStartedGetsTheDefaultsBack) {
+  const pid_t child = fork();
+  if (child == 0) {
+    endOnSignals();
+    restoreIgnoredSignals();
+    raise(SIGPIPE);
+    _exit(20);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGPIPE);
+}
+
+}  // namespace
+}  // namespace darwinop
