@@ -2,6 +2,7 @@
 #include "hil-mocks/fault_injector.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "hil-mocks/wire_faults.hpp"
 
@@ -9,6 +10,8 @@ namespace darwinop::hil {
 namespace {
 
 constexpr Nanos kRampStep = std::chrono::milliseconds{100};
+// A servo that has shut itself off says so for longer than this: heat goes slowly, and an overload bit stays.
+constexpr Nanos kShortestCause = std::chrono::milliseconds{600};
 constexpr double kGravity = 9.80665;
 
 Nanos seconds(double s) {
@@ -37,6 +40,11 @@ std::array<double, 3> lying(Fall fall) {
   return {0, 0, kGravity};
 }
 
+/// Now and then a status carries error bits, and the servo itself has none.
+bool flickers(const Fault& fault) {
+  return fault.kind == FaultKind::kErrors && fault.chance < 1;
+}
+
 }  // namespace
 
 FaultInjector::FaultInjector(std::uint64_t seed) : seed_{seed}, random_{seed} {
@@ -51,7 +59,12 @@ void FaultInjector::add(const Fault& fault) {
 }
 
 void FaultInjector::add(std::span<const Fault> faults) {
-  for (const Fault& fault : faults) add(fault);
+  const auto earliest_first = [this] { std::ranges::reverse(waiting_); };  // and back
+  earliest_first();
+  waiting_.insert(waiting_.end(), faults.begin(), faults.end());
+  std::ranges::stable_sort(waiting_, {}, &Fault::at);
+  earliest_first();
+  if (!waiting_.empty()) next_change_ = std::min(next_change_, waiting_.back().at);
 }
 
 void FaultInjector::clear() noexcept {
@@ -71,17 +84,34 @@ void FaultInjector::apply(Nanos now, VirtualBoard& board) noexcept {
     begin(waiting_.back(), board);
     waiting_.pop_back();
   }
-  wire_faults_ = std::ranges::any_of(active_, [](const Active& a) { return isWireFault(a.fault.kind); });
+  for (Active& a : active_)
+    if (a.fault.kind == FaultKind::kBabble) babble(a, now, board);
+  wire_faults_ =
+      std::ranges::any_of(active_, [](const Active& a) { return isWireFault(a.fault.kind) || flickers(a.fault); });
   showEffects(now, board);
   planNext(now);
 }
 
 void FaultInjector::begin(const Fault& fault, VirtualBoard& board) noexcept {
   ++begun_;
+  ++begun_of_[static_cast<std::size_t>(fault.kind)];
   if (fault.kind == FaultKind::kReset) return board.pressReset();
+  if (fault.kind == FaultKind::kMiss) return board.missBulkReads(static_cast<int>(fault.amount));
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (fault.joints[i] && fault.boot) board.setBoot(static_cast<Joint>(i), *fault.boot);
   active_.push_back({fault, fault.at});
   if (fault.kind == FaultKind::kRandom)
     active_.back().next_draw = fault.at + seconds(random_.between(0, 2 / fault.amount));
+}
+
+void FaultInjector::babble(Active& source, Nanos now, VirtualBoard& board) noexcept {
+  if (source.next_draw > now) return;
+  std::array<std::uint8_t, 64> bytes;
+  const std::size_t count =
+      std::min(bytes.size(), 1 + std::size_t{random_.below(static_cast<std::size_t>(source.fault.amount))});
+  for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<std::uint8_t>(random_.below(256));
+  board.babble(Bytes{bytes}.first(count));
+  source.next_draw = now + seconds(random_.between(0.0005, 0.02));
 }
 
 void FaultInjector::draw(Active& source, Nanos now) noexcept {
@@ -103,7 +133,7 @@ Fault FaultInjector::randomFault(FaultKind kind, Nanos at) noexcept {
   fault.at = at;
   fault.kind = kind;
   fault.lasts = seconds(random_.between(0.02, 2.0));
-  fault.joints.set(random_.below(kJoints));
+  fault.joints = randomJoints();
   fault.fall = static_cast<Fall>(random_.below(4));
   fault.way = static_cast<Way>(1 + random_.below(3));
   fault.bits = static_cast<std::uint8_t>(random_.below(128));
@@ -111,8 +141,34 @@ Fault FaultInjector::randomFault(FaultKind kind, Nanos at) noexcept {
   fault.amount = 1 + random_.below(8);  // bytes or ms
   if (kind == FaultKind::kHeat) fault.amount = random_.between(40, 90);
   if (kind == FaultKind::kVoltage) fault.amount = random_.between(5, 16.5);
+  if (kind == FaultKind::kJam) fault.amount = random_.between(0.35, 2);
+  if (kind == FaultKind::kSag) fault.amount = random_.between(1, 60);
+  if (kind == FaultKind::kErrors && random_.below(2) == 0) {
+    fault.chance = 1;
+    fault.lasts = std::max(fault.lasts, kShortestCause);
+  }
+  if (kind == FaultKind::kDead) {  // 1 ms .. 1 s, the short ones as often as the long ones
+    fault.lasts = seconds(0.001 * std::pow(10.0, random_.between(0, 3)));
+    fault.boot = seconds(random_.between(0.005, 0.5));
+  }
   if (kind == FaultKind::kButton) fault.bits = static_cast<std::uint8_t>(1 + random_.below(3));
   return fault;
+}
+
+/// One servo, or those that fail together: what hangs behind a plug, a whole chain, both legs, all, or any.
+std::bitset<kJoints> FaultInjector::randomJoints() noexcept {
+  std::bitset<kJoints> joints;
+  const std::size_t first = random_.below(kJoints);
+  const std::uint32_t way = random_.below(8);
+  const std::uint64_t any = random_.next();
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const JointRow &one = kJointTable[first], &other = kJointTable[i];
+    const bool same_chain = one.chain == other.chain;
+    const bool leg = other.chain == Chain::kRightLeg || other.chain == Chain::kLeftLeg;
+    joints[i] = i == first || (way == 0 && same_chain && i >= first) || (way == 1 && same_chain) || (way == 2 && leg) ||
+                way == 3 || (way == 4 && ((any >> i) & 1) != 0);
+  }
+  return joints;
 }
 
 void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
@@ -120,7 +176,9 @@ void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
   std::bitset<kJoints> dead;
   std::array<std::uint8_t, kJoints> errors{};
   std::array<std::optional<double>, kJoints> celsius;  // nothing: as the body says
-  double supply_v = normal.supply_v;
+  std::array<std::optional<Nanos>, kJoints> jam;
+  std::bitset<kJoints> twins;
+  double supply_v = normal.supply_v, sag_v = 0;
   std::uint8_t buttons = 0;
   std::optional<std::array<double, 3>> acceleration;
   Nanos stalled_until{0};
@@ -129,11 +187,14 @@ void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
   for (const auto& [fault, next_draw] : active_) {
     for (std::size_t i = 0; i < kJoints; ++i) {
       if (!fault.joints[i]) continue;
-      if (fault.kind == FaultKind::kErrors) errors[i] |= fault.bits;
+      if (fault.kind == FaultKind::kJam) jam[i] = seconds(fault.amount);
+      if (fault.kind == FaultKind::kErrors && !flickers(fault)) errors[i] |= fault.bits;
       if (fault.kind == FaultKind::kHeat) celsius[i] = ramped(fault, normal.temperature_c, now);
     }
     if (fault.kind == FaultKind::kDead) dead |= fault.joints;
     if (fault.kind == FaultKind::kVoltage) supply_v = ramped(fault, normal.supply_v, now);
+    if (fault.kind == FaultKind::kTwins) twins |= fault.joints;
+    if (fault.kind == FaultKind::kSag) sag_v = std::max(sag_v, fault.amount);
     if (fault.kind == FaultKind::kButton) buttons |= fault.bits;
     if (fault.kind == FaultKind::kFallen) acceleration = lying(fault.fall);
     if (fault.kind == FaultKind::kStall) stalled_until = std::max(stalled_until, fault.end());
@@ -142,12 +203,15 @@ void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
 
   board.stallUntil(stalled_until);
   board.setSupply(supply_v);
+  board.setSag(sag_v);
   board.setButtons(buttons);
   board.setAcceleration(acceleration);
   for (std::size_t i = 0; i < kJoints; ++i) {
     const Joint joint = static_cast<Joint>(i);
     board.setServoErrors(joint, errors[i]);
     board.setTemperature(joint, celsius[i]);
+    board.setJam(joint, jam[i]);
+    board.setTwin(joint, twins[i]);
     if (dead[i] != dead_[i]) board.setServoDead(joint, dead[i]);
   }
   dead_ = dead;
@@ -159,7 +223,8 @@ void FaultInjector::planNext(Nanos now) noexcept {
     if (fault.end() > now) next_change_ = std::min(next_change_, fault.end());
     const Nanos reached = fault.at + fault.over;
     if (now < reached) next_change_ = std::min({next_change_, reached, now + kRampStep});
-    if (fault.kind == FaultKind::kRandom) next_change_ = std::min(next_change_, next_draw);
+    if (fault.kind == FaultKind::kRandom || fault.kind == FaultKind::kBabble)
+      next_change_ = std::min(next_change_, next_draw);
   }
 }
 
@@ -167,6 +232,10 @@ void FaultInjector::pass(Chunk& chunk, Way way) noexcept {
   if (!wire_faults_) return;
   std::erase_if(active_, [&](const Active& a) {
     const Fault& fault = a.fault;
+    if (flickers(fault)) {
+      if (way == Way::kReplies) flicker(chunk, fault, random_);
+      return false;
+    }
     const bool same_way = (static_cast<int>(fault.way) & static_cast<int>(way)) != 0;
     if (!isWireFault(fault.kind) || !same_way || random_.fraction() >= fault.chance) return false;
     spoil(chunk, fault, random_);

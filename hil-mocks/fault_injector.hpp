@@ -35,20 +35,23 @@ class FaultInjector {
   [[nodiscard]] std::uint64_t seed() const noexcept { return seed_; }
   /// Faults begun so far.
   [[nodiscard]] std::uint64_t begun() const noexcept { return begun_; }
+  [[nodiscard]] std::uint64_t begun(FaultKind kind) const noexcept { return begun_of_[static_cast<std::size_t>(kind)]; }
   /// Faults that last, now.
   [[nodiscard]] std::size_t active() const noexcept { return active_.size(); }
 
  private:
   struct Active {
     Fault fault;
-    Nanos next_draw{0};  // random
+    Nanos next_draw{0};  // random, babble
   };
 
   static constexpr std::size_t kRoom = 256;  // faults at a time; more are not drawn
 
   void begin(const Fault& fault, VirtualBoard& board) noexcept;
+  void babble(Active& source, Nanos now, VirtualBoard& board) noexcept;
   void draw(Active& source, Nanos now) noexcept;
   [[nodiscard]] Fault randomFault(FaultKind kind, Nanos at) noexcept;
+  [[nodiscard]] std::bitset<kJoints> randomJoints() noexcept;
   void showEffects(Nanos now, VirtualBoard& board) noexcept;
   void planNext(Nanos now) noexcept;
 
@@ -57,6 +60,7 @@ class FaultInjector {
   std::vector<Fault> waiting_;  // latest first
   std::vector<Active> active_;
   std::uint64_t begun_ = 0;
+  std::array<std::uint64_t, kFaultKinds> begun_of_{};
   Nanos next_change_ = Nanos::max();
   std::bitset<kJoints> dead_;
   bool unplugged_ = false, wire_faults_ = false;

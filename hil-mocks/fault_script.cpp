@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -38,6 +36,11 @@ constexpr auto kKinds = std::to_array<KindRow>({
     {FaultKind::kFallen, false, Argument::kFall, 0, 0, "", For::kAllowed, false},
     {FaultKind::kStall, false, Argument::kNone, 0, 0, "", For::kNeeded, false},
     {FaultKind::kUnplug, false, Argument::kNone, 0, 0, "", For::kNeeded, false},
+    {FaultKind::kJam, true, Argument::kNumber, 0.01, 60, "seconds under torque", For::kAllowed, false},
+    {FaultKind::kMiss, false, Argument::kNumber, 1, 1000, "BULK_READs", For::kForbidden, false},
+    {FaultKind::kBabble, false, Argument::kNumber, 1, 64, "bytes", For::kAllowed, false},
+    {FaultKind::kTwins, true, Argument::kNone, 0, 0, "", For::kAllowed, false},
+    {FaultKind::kSag, false, Argument::kNumber, 0, 100, "V", For::kAllowed, false},
     {FaultKind::kDrop, false, Argument::kNumber, 1, 255, "bytes", For::kAllowed, false},
     {FaultKind::kCorrupt, false, Argument::kNumber, 1, 255, "bytes", For::kAllowed, false},
     {FaultKind::kRepeat, false, Argument::kNumber, 1, 255, "bytes", For::kAllowed, false},
@@ -190,7 +193,7 @@ void readArgument(Line& line, const KindRow& row, Fault& fault) {
 
 /// What may stand behind a fault, in any order.
 void readOptions(Line& line, const KindRow& row, Fault& fault) {
-  const bool wire = isWireFault(row.kind);
+  const bool wire = isWireFault(row.kind), has_chance_option = wire || row.kind == FaultKind::kErrors;
   bool has_for = false, has_chance = false;
   while (true) {
     const std::string_view word = line.next();
@@ -201,7 +204,9 @@ void readOptions(Line& line, const KindRow& row, Fault& fault) {
       has_for = true;
     } else if (word == "over" && row.over) {
       fault.over = line.time("seconds", 0);
-    } else if (word == "chance" && wire) {
+    } else if (word == "boot" && row.kind == FaultKind::kDead) {
+      fault.boot = std::chrono::milliseconds{static_cast<int>(line.number("ms", 0, 10000))};
+    } else if (word == "chance" && has_chance_option) {
       fault.chance = line.number("a probability", 0, 1);
       has_chance = true;
     } else if (wire && way != kWayNames.end()) {
@@ -210,8 +215,8 @@ void readOptions(Line& line, const KindRow& row, Fault& fault) {
       readKinds(line, fault);
     } else {
       line.fail(std::string("here may stand ") + (row.lasts == For::kForbidden ? "nothing" : "'for SECONDS'") +
-                (row.over ? ", 'over SECONDS'" : "") +
-                (wire ? ", 'chance PROBABILITY', 'replies', 'requests', 'both'" : "") +
+                (row.over ? ", 'over SECONDS'" : "") + (row.kind == FaultKind::kDead ? ", 'boot MS'" : "") +
+                (has_chance_option ? ", 'chance PROBABILITY'" : "") + (wire ? ", 'replies', 'requests', 'both'" : "") +
                 (row.kind == FaultKind::kRandom ? ", 'of KIND+KIND'" : ""));
     }
   }
@@ -232,6 +237,7 @@ std::vector<Fault> parseFaultScript(std::string_view text, std::string_view file
     Line line{content, file_name, number};
     Fault fault;
     fault.at = line.time("seconds from the start", 0);
+    if (faults.size() == kMostFaults) line.fail("a script has at most " + std::to_string(kMostFaults) + " faults");
     const auto name = std::ranges::find(kFaultKindNames, line.next());
     if (name == kFaultKindNames.end()) line.fail("the kinds of faults are " + listOf(kFaultKindNames, std::identity{}));
     const KindRow& row = kKinds[static_cast<std::size_t>(name - kFaultKindNames.begin())];
@@ -242,13 +248,6 @@ std::vector<Fault> parseFaultScript(std::string_view text, std::string_view file
     faults.push_back(fault);
   }
   return faults;
-}
-
-std::vector<Fault> loadFaultScript(const std::string& path) {
-  std::ifstream file{path, std::ios::binary};
-  if (!file) throw std::runtime_error("cannot read the fault script " + path);
-  const std::string text{std::istreambuf_iterator<char>{file}, {}};
-  return parseFaultScript(text, path);
 }
 
 }  // namespace darwinop::hil

@@ -1,7 +1,7 @@
 // Faults written down as text, one a line. The format is described in docs/virtual-robot.md.
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
@@ -9,9 +9,10 @@
 
 namespace darwinop::hil {
 
+inline constexpr std::size_t kMostFaults = 100'000;
+inline constexpr std::size_t kLongestFaultScript = 16 << 20;  // bytes
+
 /// Throws std::runtime_error "FILE:LINE: field 'WORD': what is allowed". Touches nothing but its arguments.
 [[nodiscard]] std::vector<Fault> parseFaultScript(std::string_view text, std::string_view file_name);
-/// Reads the file; throws std::runtime_error also when it cannot be read.
-[[nodiscard]] std::vector<Fault> loadFaultScript(const std::string& path);
 
 }  // namespace darwinop::hil

@@ -67,7 +67,7 @@ void PlainBody::step(Nanos dt, const Drives& drives) noexcept {
     const double inertia = inertiaOf(i);
     joint.velocity_rad_s = (joint.velocity_rad_s + torque / inertia * dt_s) / (1.0 + damping / inertia * dt_s);
     joint.position_rad += joint.velocity_rad_s * dt_s;
-    if (joint.position_rad < kLowest || joint.position_rad > kHighest) {
+    if (!drive.endless && (joint.position_rad < kLowest || joint.position_rad > kHighest)) {
       joint.position_rad = std::clamp(joint.position_rad, kLowest, kHighest);
       joint.velocity_rad_s = 0;
     }

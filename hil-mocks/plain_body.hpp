@@ -19,6 +19,10 @@ class PlainBody : public Body {
   /// Presses the board's buttons: 1 MODE, 2 START.
   void press(std::uint8_t buttons) noexcept { state_.buttons = buttons; }
 
+ protected:
+  /// For bodies with more forces than this one.
+  [[nodiscard]] JointMotion& motion(Joint joint) noexcept { return state_.joint[index(joint)]; }
+
  private:
   BodyState state_;
   std::array<double, kJoints> set_point_rad_{};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "hil-mocks/fault.hpp"
+
 namespace darwinop::hil {
 namespace {
 
@@ -43,7 +45,8 @@ void BoardDevice::restart() {
 }
 
 VirtualBoard::VirtualBoard(const BoardOptions& options, Body& body)
-    : options_{options}, body_{body}, device_{options.firmware}, supply_v_{options.supply_v} {
+    : options_{options}, body_{body}, device_{options.firmware}, supply_v_{options.supply_v}, rail_v_{supply_v_} {
+  boot_.fill(options.servo_boot);
   servos_.reserve(kJoints);
   for (std::size_t i = 0; i < kJoints; ++i) {
     servos_.emplace_back(static_cast<Joint>(i), options.servo[i]);
@@ -94,7 +97,11 @@ void VirtualBoard::advance(Nanos until, bool stop_at_reply) noexcept {
 
 void VirtualBoard::stepBody(Nanos until) noexcept {
   while (body_time_ + options_.body_step <= until) {
-    for (std::size_t i = 0; i < kJoints; ++i) drives_[i] = servos_[i].drive(body_.state().joint[i]);
+    if (sag_v_ > 0) sagSupply();
+    for (std::size_t i = 0; i < kJoints; ++i) {
+      servos_[i].strain(options_.body_step);
+      drives_[i] = servos_[i].drive(body_.state().joint[i]);
+    }
     body_.step(options_.body_step, drives_);
     if (body_.trouble() != nullptr && !silenced_) {
       silenced_ = true;
@@ -102,6 +109,17 @@ void VirtualBoard::stepBody(Nanos until) noexcept {
     }
     body_time_ += options_.body_step;
   }
+}
+
+void VirtualBoard::sagSupply() noexcept {
+  double load = 0;
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (servos_[i].state().pulls()) load += std::abs(body_.state().joint[i].load) / kJoints;
+  rail_v_ = std::max(0.0, supply_v_ - sag_v_ * load);
+  for (VirtualServo& s : servos_) s.setSupply(rail_v_);
+  if (rail_v_ >= kBrownOutV) return;
+  for (VirtualServo& s : servos_) s.powerDown();
+  afterBoardWrite();  // without their load the supply is back
 }
 
 void VirtualBoard::takeByte() noexcept {
@@ -119,8 +137,14 @@ void VirtualBoard::execute(bool good_checksum) noexcept {
   if (!good_checksum) ++counters_.bad_checksums;
   if (id != kBroadcastId) return executeUnicast(id, instruction, params, good_checksum);
   if (!good_checksum) return;
-  if (instruction == static_cast<std::uint8_t>(Instruction::kSyncWrite)) return executeSyncWrite(params);
-  if (instruction == static_cast<std::uint8_t>(Instruction::kBulkRead)) return startBulkRead(params);
+  if (instruction == static_cast<std::uint8_t>(Instruction::kSyncWrite)) {
+    if (options_.sync_write) executeSyncWrite(params);
+    return;
+  }
+  if (instruction == static_cast<std::uint8_t>(Instruction::kBulkRead)) {
+    if (options_.bulk_read) startBulkRead(params);
+    return;
+  }
   forEachListener(id, [&](Device& device) { carryOut(device, instruction, params); });
 }
 
@@ -171,6 +195,10 @@ void VirtualBoard::executeSyncWrite(Bytes params) noexcept {
 
 void VirtualBoard::startBulkRead(Bytes params) noexcept {
   ++counters_.bulk_reads;
+  if (bulk_reads_to_miss_ > 0) {
+    --bulk_reads_to_miss_;
+    return;
+  }
   turn_ = turn_count_ = 0;
   had_turn_.reset();
   if (params.empty()) return;
@@ -186,8 +214,10 @@ void VirtualBoard::nextTurn() noexcept {
   beginReply();
   if (turn.id != kBroadcastId)
     forEachListener(turn.id, [&](Device& device) {
+      if (&device == &device_ && options_.only_block != 0 && turn.count != options_.only_block) return;
       measure(device);
       addReply(device, device.answerRead(turn.address, turn.count));
+      if (&device != &device_) addTwin(static_cast<const VirtualServo&>(device), turn.address, turn.count);
     });
   // Each device waits until it has heard the one before it. The board gives up after 100 ms and servos never
   // do, but by then the PC has asked anew: behind a silent or garbled id the chain is over.
@@ -200,7 +230,7 @@ void VirtualBoard::afterBoardWrite() noexcept {
   for (VirtualServo& s : servos_) {
     if (device_.servoPower()) {
       measure(s);  // its goal will be where it is
-      s.powerUp(now_, options_.servo_boot);
+      s.powerUp(now_, boot_[static_cast<std::size_t>(&s - servos_.data())]);
     } else {
       s.powerDown();
     }
@@ -216,7 +246,7 @@ void VirtualBoard::measure(Device& device) noexcept {
   BodyState state = body_.state();
   if (acceleration_) state.accel_m_s2 = *acceleration_;
   state.buttons |= buttons_;
-  device_.measure(state, supply_v_);
+  device_.measure(state, rail_v_);
 }
 
 void VirtualBoard::addReply(const Device& device, const Device::Answer& answer) noexcept {
@@ -227,6 +257,27 @@ void VirtualBoard::addReply(const Device& device, const Device::Answer& answer) 
   for (std::size_t i = 0; i < size; ++i)
     reply_[i] = i < reply_size_ ? static_cast<std::uint8_t>(reply_[i] & frame[i]) : frame[i];
   reply_size_ = std::max(reply_size_, size);
+}
+
+/// The twin of a servo is like it, but somewhere else.
+void VirtualBoard::addTwin(const VirtualServo& servo, std::uint8_t address, std::uint8_t count) noexcept {
+  if (!twins_[static_cast<std::size_t>(&servo - servos_.data())]) return;
+  Device::Answer answer = servo.answerRead(address, count);
+  std::array<std::uint8_t, kMaxFrame> params;
+  constexpr std::uint8_t kOther = 0x5A;
+  for (std::size_t i = 0; i < answer.params.size(); ++i)
+    params[i] = static_cast<std::uint8_t>(answer.params[i] ^ kOther);
+  answer.params = Bytes{params}.first(answer.params.size());
+  addReply(servo, answer);
+}
+
+void VirtualBoard::babble(Bytes bytes) noexcept {
+  downlink_free_ = std::max(now_, downlink_free_) + options_.byte_time * static_cast<std::int64_t>(bytes.size());
+  if (!output_.push(bytes, downlink_free_)) counters_.lost_bytes += bytes.size();
+}
+
+void VirtualBoard::observe(ServoObserver* observer) noexcept {
+  for (VirtualServo& s : servos_) s.observe(observer);
 }
 
 void VirtualBoard::sendReply(bool on_the_bus) noexcept {
@@ -245,7 +296,7 @@ void VirtualBoard::setServoDead(Joint joint, bool dead) noexcept {
 }
 
 void VirtualBoard::setSupply(double volt) noexcept {
-  supply_v_ = volt;
+  supply_v_ = rail_v_ = volt;
   for (VirtualServo& s : servos_) s.setSupply(volt);
 }
 

@@ -25,6 +25,9 @@ struct BoardOptions {
   Nanos servo_boot{0};       // a servo hears nothing so long after its supply came on
   bool servo_power = false;  // at the start; false as after switching the robot on
   std::uint8_t firmware = 0x13;
+  // What a board with another firmware lacks.
+  bool bulk_read = true, sync_write = true;
+  std::uint8_t only_block = 0;  // bytes of its own that a BULK_READ can have; 0: any number
   double supply_v = 11.8;
   double temperature_c = 30;
   std::array<ServoOptions, kJoints> servo{};
@@ -74,6 +77,18 @@ class VirtualBoard {
   /// Nothing: as the body says, or else BoardOptions.
   void setTemperature(Joint joint, std::optional<double> celsius) noexcept { servoOf(joint).setTemperature(celsius); }
   void setSupply(double volt) noexcept;
+  /// The supply falls by so much (V) when all servos draw their full load, and in proportion to what they draw.
+  void setSag(double volt) noexcept { sag_v_ = volt; }
+  /// How long a servo takes to start when it gets its supply the next time.
+  void setBoot(Joint joint, Nanos boot) noexcept { boot_[index(joint)] = boot; }
+  void setJam(Joint joint, std::optional<Nanos> trips_after) noexcept { servoOf(joint).setJam(trips_after); }
+  /// A second device with the id of this servo answers, too.
+  void setTwin(Joint joint, bool there) noexcept { twins_[index(joint)] = there; }
+  [[nodiscard]] bool hasTwin(Joint joint) const noexcept { return twins_[index(joint)]; }
+  /// So many more BULK_READs are heard by no device.
+  void missBulkReads(int count) noexcept { bulk_reads_to_miss_ += count; }
+  /// Bytes towards the PC that nobody asked for.
+  void babble(Bytes bytes) noexcept;
   /// Pressed by a fault, besides what the body says.
   void setButtons(std::uint8_t bits) noexcept { buttons_ = bits; }
   /// Replaces the body's accelerometer, m/s2.
@@ -84,6 +99,8 @@ class VirtualBoard {
   void pressReset() noexcept;
 
   // -- for tests and reports
+  /// Sees what happens at each motor. Null: nobody.
+  void observe(ServoObserver* observer) noexcept;
   [[nodiscard]] const BoardOptions& options() const noexcept { return options_; }
   [[nodiscard]] const BoardCounters& counters() const noexcept { return counters_; }
   [[nodiscard]] const VirtualServo& servo(Joint joint) const { return servos_[index(joint)]; }
@@ -99,6 +116,7 @@ class VirtualBoard {
   [[nodiscard]] std::optional<Nanos> nextEvent() const noexcept;
   [[nodiscard]] Nanos free() const { return std::max(line_free_, stalled_until_); }
   void stepBody(Nanos until) noexcept;
+  void sagSupply() noexcept;
   void takeByte() noexcept;
   void execute(bool good_checksum) noexcept;
   void executeUnicast(std::uint8_t id, std::uint8_t instruction, Bytes params, bool good_checksum) noexcept;
@@ -114,6 +132,7 @@ class VirtualBoard {
   // A status under construction. Two devices with one id talk at once: their bits are and-ed on the wire.
   void beginReply() noexcept { reply_size_ = 0; }
   void addReply(const Device& device, const Device::Answer& answer) noexcept;
+  void addTwin(const VirtualServo& servo, std::uint8_t address, std::uint8_t count) noexcept;
   void sendReply(bool on_the_bus) noexcept;
 
   BoardOptions options_;
@@ -140,7 +159,11 @@ class VirtualBoard {
   std::size_t reply_size_ = 0;
   Nanos reply_delay_{0};
 
-  double supply_v_;
+  double supply_v_, sag_v_ = 0;
+  double rail_v_;  // what is left of the supply
+  std::array<Nanos, kJoints> boot_{};
+  std::bitset<kJoints> twins_;
+  int bulk_reads_to_miss_ = 0;
   std::uint8_t buttons_ = 0;
   std::optional<std::array<double, 3>> acceleration_;
 };

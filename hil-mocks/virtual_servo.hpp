@@ -1,10 +1,14 @@
 // One MX-28 on the virtual bus: its registers, its power, its protections.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
+#include "core/conversions.hpp"
+#include "core/registers.hpp"
 #include "hal/body.hpp"
 #include "hil-mocks/device.hpp"
+#include "hil-mocks/servo_observer.hpp"
 
 namespace darwinop::hil {
 
@@ -14,6 +18,9 @@ struct ServoOptions {
   std::uint8_t firmware = 36, return_delay = 0, status_level = 2;
   std::uint8_t baud = 1;  // the bus runs at 1 Mbaud; another value makes the servo unreachable
   bool missing = false;
+  std::uint16_t model = find(kMx28, "model").reset;
+  // Registers 6, 8 and 14. Both limits 0: wheel mode; both 4095: multi-turn mode.
+  std::uint16_t cw_limit = 0, ccw_limit = kTickMax, max_torque = 1023;
 
   /// A replaced servo that nobody has set up. `baud` 1: somebody got as far as that.
   static constexpr ServoOptions factoryFresh(std::uint8_t baud_register = 34) {
@@ -27,15 +34,19 @@ class VirtualServo : public Device {
 
   /// Supply of the bus switched at `now`; hears nothing until `boot` later. RAM starts from its reset values.
   void powerUp(Nanos now, Nanos boot);
-  void powerDown() { powered_ = false; }
+  void powerDown();
   [[nodiscard]] bool listens(Nanos now) const { return powered_ && now >= awake_at_ && table_.byte(kBaudAddress) == 1; }
 
   // -- what a fault does to it
   /// Its plug is out: no supply either. Back in, it starts from its reset values with the next powerUp().
   void setDead(bool dead) {
     dead_ = dead;
-    powered_ = powered_ && !dead;
+    if (dead) powerDown();
   }
+  /// Its joint is stuck: it trips by overload after so long under torque, each time again. Nothing: it is free.
+  void setJam(std::optional<Nanos> trips_after);
+  /// So much time goes by, for what a jam does.
+  void strain(Nanos dt);
   void setErrors(std::uint8_t bits) { injected_errors_ = bits; }
   /// Whatever the body says of it; nothing: as the body says.
   void setTemperature(std::optional<double> celsius) { forced_temperature_c_ = celsius; }
@@ -43,6 +54,13 @@ class VirtualServo : public Device {
   void setSupply(double volt) { supply_v_ = volt; }
   /// Where the body does not say.
   void setUsualTemperature(double celsius) { usual_temperature_c_ = celsius; }
+
+  /// Times that torque went from off to on.
+  [[nodiscard]] std::uint32_t torqueOnEdges() const { return torque_on_edges_; }
+  /// What its motor is told.
+  [[nodiscard]] ServoState state() const;
+  /// Null: nobody.
+  void observe(ServoObserver* observer) { observer_ = observer; }
 
   /// Brings the measuring registers up to date.
   void measure(const JointMotion& motion);
@@ -59,15 +77,24 @@ class VirtualServo : public Device {
   void noteRefusal(std::uint8_t errors) override;
   void factoryReset() override;
   void showRegistered(bool waiting) override;
+  [[nodiscard]] bool wheelMode() const;
+  [[nodiscard]] bool multiTurnMode() const;
+  [[nodiscard]] std::uint16_t positionRegister(double position_rad) const;
   [[nodiscard]] bool goalWithinLimits(std::uint16_t goal) const;
   void feel(const JointMotion& motion);
   void updateDrive();
 
+  Joint joint_;
+  ServoObserver* observer_ = nullptr;
   bool missing_, dead_ = false, powered_ = false;
   bool goal_refused_ = false, overloaded_ = false;
   std::uint8_t injected_errors_ = 0;
+  std::uint32_t torque_on_edges_ = 0;
   double supply_v_ = 0, usual_temperature_c_ = 25;
   std::optional<double> forced_temperature_c_;
+  std::optional<Nanos> trips_after_;
+  Nanos strained_for_{0};
+  bool strain_trips_ = false;
   Nanos awake_at_{0};
   std::uint16_t position_;  // ticks; survives power-off as the horn does
   ServoDrive drive_;

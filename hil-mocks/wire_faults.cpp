@@ -48,4 +48,13 @@ void spoil(Chunk& chunk, const Fault& fault, Random& random) noexcept {
   }
 }
 
+void flicker(Chunk& chunk, const Fault& fault, Random& random) noexcept {
+  constexpr std::size_t kIdAt = 2, kErrorAt = 4, kShortest = 6;
+  if (chunk.size < kShortest) return;
+  const std::size_t joint = chunk.data[kIdAt] - std::size_t{1};
+  if (joint >= kJoints || !fault.joints[joint] || random.fraction() >= fault.chance) return;
+  chunk.data[kErrorAt] |= fault.bits;
+  chunk.data[chunk.size - 1] = checksum(chunk.bytes().subspan(kIdAt, chunk.size - kIdAt - 1));
+}
+
 }  // namespace darwinop::hil

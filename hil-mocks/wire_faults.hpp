@@ -11,4 +11,7 @@ namespace darwinop::hil {
 /// garbage before it. The chunk may end empty.
 void spoil(Chunk& chunk, const Fault& fault, Random& random) noexcept;
 
+/// Sets the fault's error bits in a status of one of its servos, with the fault's chance; the checksum is right.
+void flicker(Chunk& chunk, const Fault& fault, Random& random) noexcept;
+
 }  // namespace darwinop::hil

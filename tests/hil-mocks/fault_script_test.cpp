@@ -51,6 +51,13 @@ TEST(FaultScript, EveryKindHasItsArguments) {
   EXPECT_EQ(one("1 repeat-frame requests").way, Way::kRequests);
   EXPECT_EQ(one("1 delay 2.5 both chance 0.1").way, Way::kBoth);
   EXPECT_EQ(one("1 random 2 for 60").amount, 2);
+  EXPECT_EQ(one("1 dead all for 0.03 boot 200").boot, 200ms);
+  EXPECT_EQ(one("1 errors Head overload chance 0.2").chance, 0.2);
+  EXPECT_EQ(one("1 jam 13 1.5 for 4").amount, 1.5);
+  EXPECT_EQ(one("1 miss 5").amount, 5);
+  EXPECT_EQ(one("1 babble 8 for 2").lasts, 2s);
+  EXPECT_EQ(one("1 twins Neck+Head").joints.count(), 2u);
+  EXPECT_EQ(one("1 sag 12 for 3").amount, 12);
   EXPECT_EQ(one("1 random 2 of dead+stall").kinds.count(), 2u);
 }
 
@@ -87,8 +94,11 @@ TEST(FaultScript, MistakesNameFileLineFieldAndWhatIsAllowed) {
     EXPECT_NE(complaint(bad), "none") << bad;
 }
 
-TEST(FaultScript, FileThatIsNotThereIsNamed) {
-  EXPECT_THROW(static_cast<void>(loadFaultScript("/nowhere/at.all")), std::runtime_error);
+TEST(FaultScript, OneFaultTooManyIsNamedWithItsLine) {
+  std::string text;
+  for (std::size_t i = 0; i < kMostFaults; ++i) text += "1 reset\n";
+  EXPECT_EQ(parseFaultScript(text, "my.faults").size(), kMostFaults);
+  EXPECT_EQ(complaint(text + "1 reset"), "my.faults:100001: field '1': a script has at most 100000 faults");
 }
 
 }  // namespace

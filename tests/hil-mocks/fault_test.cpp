@@ -46,6 +46,91 @@ TEST(Faults, DeadServoIsSilentForItsTime) {
   EXPECT_NE(robot.send(kNeckPing), "");
 }
 
+TEST(Faults, OfAScriptComeInTheOrderOfTheirTimes) {
+  Robot robot;
+  std::vector<Fault> faults;
+  for (const Nanos at : {30ms, 10ms, 20ms, 10ms, 40ms}) faults.push_back(faultOf(FaultKind::kReset, at, 0ms));
+  robot.faults().add(faultOf(FaultKind::kReset, 15ms, 0ms));
+  robot.faults().add(faults);
+  for (const auto& [until, begun] : {std::pair{9ms, 0}, {10ms, 2}, {15ms, 3}, {20ms, 4}, {39ms, 5}, {40ms, 6}}) {
+    robot.advance(until);
+    EXPECT_EQ(robot.faults().begun(), begun) << until.count();
+  }
+}
+
+// When each fault was put into its place by itself, as many took minutes.
+TEST(Faults, AScriptMayHaveAHundredThousand) {
+  Robot robot;
+  std::vector<Fault> faults;
+  for (int i = 0; i < 100'000; ++i) faults.push_back(faultOf(FaultKind::kReset, 1s + Nanos{i}, 0ms));
+  for (int times = 0; times < 4; ++times) robot.faults().add(faults);
+  robot.advance(900ms);
+  EXPECT_EQ(robot.faults().begun(), 0);
+}
+
+TEST(Faults, AServoThatLostItsSupplyTakesItsTimeToStart) {
+  Robot robot;
+  Fault dead = faultOf(FaultKind::kDead, 10ms, 30ms);
+  dead.joints.set(index(Joint::kNeck));
+  dead.boot = 100ms;
+  robot.faults().add(dead);
+  robot.advance(130ms);
+  EXPECT_EQ(robot.send(kNeckPing), "");
+  robot.advance(141ms);
+  EXPECT_NE(robot.send(kNeckPing), "");
+}
+
+TEST(Faults, AStuckJointShutsItsServoOffAgainAndAgain) {
+  Robot robot;
+  const auto neck = [&] { return robot.board().servo(Joint::kNeck).state(); };
+  Fault jam = faultOf(FaultKind::kJam, 0ms, Fault::kForEver);
+  jam.joints.set(index(Joint::kNeck));
+  jam.amount = 0.5;
+  robot.faults().add(jam);
+  for (int i = 0; i < 2; ++i) {
+    robot.send(withChecksum("FF FF 13 05 03 22 FF 03"));  // torque limit
+    robot.send(withChecksum("FF FF 13 04 03 18 01"));     // torque on
+    robot.advance(robot.now() + 450ms);
+    EXPECT_TRUE(neck().pulls());
+    robot.advance(robot.now() + 100ms);
+    EXPECT_FALSE(neck().pulls());
+    EXPECT_EQ(neck().torque_limit, 0);
+    EXPECT_EQ(robot.send(kNeckPing), "FF FF 13 02 20 CA") << "overload";
+  }
+}
+
+TEST(Faults, MissedBulkReadsAreAnsweredByNobody) {
+  Robot robot;
+  const std::string read = withChecksum("FF FF FE 06 92 00 01 C8 03");
+  Fault miss = faultOf(FaultKind::kMiss, 0ms, 0ms);
+  miss.amount = 2;
+  robot.faults().add(miss);
+  robot.advance(1ms);
+  EXPECT_EQ(robot.send(read), "");
+  EXPECT_EQ(robot.send(read), "");
+  EXPECT_NE(robot.send(read), "");
+}
+
+TEST(Faults, ABabblingServoSendsWhatNobodyAskedFor) {
+  Robot robot;
+  Fault babble = faultOf(FaultKind::kBabble, 10ms, 100ms);
+  babble.amount = 8;
+  robot.faults().add(babble);
+  robot.advance(100ms);
+  EXPECT_FALSE(robot.output().empty());
+}
+
+TEST(Faults, TwoDevicesWithOneIdGarbleTheirAnswer) {
+  Robot robot;
+  const std::string read = withChecksum("FF FF FE 06 92 00 02 13 24");
+  const std::string alone = robot.send(read);
+  Fault twins = faultOf(FaultKind::kTwins, 10ms, Fault::kForEver);
+  twins.joints.set(index(Joint::kNeck));
+  robot.faults().add(twins);
+  robot.advance(20ms);
+  EXPECT_NE(robot.send(read), alone);
+}
+
 TEST(Faults, TwoThatOverlapEndTogetherWithTheLater) {
   Robot robot;
   for (const Nanos at : {10ms, 20ms}) {

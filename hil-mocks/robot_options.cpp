@@ -1,0 +1,89 @@
+// Reads options of a virtual robot.
+#include "hil-mocks/robot_options.hpp"
+
+#include <array>
+#include <charconv>
+#include <optional>
+#include <stdexcept>
+
+namespace darwinop::hil {
+namespace {
+
+/// A setting with a number behind a colon.
+struct NumberRow {
+  std::string_view name;
+  unsigned most;
+  void (*set)(ServoOptions&, unsigned);
+};
+constexpr std::array kNumbers{
+    NumberRow{"model", 65535, [](ServoOptions& s, unsigned n) { s.model = static_cast<std::uint16_t>(n); }},
+    NumberRow{"firmware", 255, [](ServoOptions& s, unsigned n) { s.firmware = static_cast<std::uint8_t>(n); }},
+    NumberRow{"id", 253, [](ServoOptions& s, unsigned n) { s.id = static_cast<std::uint8_t>(n); }},
+    NumberRow{"return-delay", 254, [](ServoOptions& s, unsigned n) { s.return_delay = static_cast<std::uint8_t>(n); }},
+    NumberRow{"status-level", 2, [](ServoOptions& s, unsigned n) { s.status_level = static_cast<std::uint8_t>(n); }},
+    NumberRow{"cw-limit", kTickMax, [](ServoOptions& s, unsigned n) { s.cw_limit = static_cast<std::uint16_t>(n); }},
+    NumberRow{"ccw-limit", kTickMax, [](ServoOptions& s, unsigned n) { s.ccw_limit = static_cast<std::uint16_t>(n); }},
+    NumberRow{"max-torque", 1023, [](ServoOptions& s, unsigned n) { s.max_torque = static_cast<std::uint16_t>(n); }},
+};
+
+std::optional<unsigned> wholeNumber(std::string_view text) {
+  unsigned value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<Joint> jointFrom(std::string_view text) {
+  if (const auto id = wholeNumber(text); id && *id >= 1 && *id <= kJoints) return static_cast<Joint>(*id - 1);
+  return findJoint(text);
+}
+
+bool setNumber(ServoOptions& servo, std::string_view setting) {
+  const std::size_t colon = setting.find(':');
+  if (colon == setting.npos) return false;
+  const auto value = wholeNumber(setting.substr(colon + 1));
+  for (const NumberRow& row : kNumbers) {
+    if (row.name != setting.substr(0, colon) || !value || *value > row.most) continue;
+    row.set(servo, *value);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::string servoSettings() {
+  std::string text = "wheel, multi-turn, missing";
+  for (const NumberRow& row : kNumbers)
+    text.append(", ").append(row.name).append(":0..").append(std::to_string(row.most));
+  return text;
+}
+
+void setServo(BoardOptions& options, std::string_view text) {
+  const std::size_t equals = text.find('=');
+  const auto joint = jointFrom(text.substr(0, equals));
+  const std::string_view setting = equals == text.npos ? std::string_view{} : text.substr(equals + 1);
+  if (joint) {
+    ServoOptions& servo = options.servo[index(*joint)];
+    if (setting == "wheel") return void(servo.cw_limit = servo.ccw_limit = 0);
+    if (setting == "multi-turn") return void(servo.cw_limit = servo.ccw_limit = kTickMax);
+    if (setting == "missing") return void(servo.missing = true);
+    if (setNumber(servo, setting)) return;
+  }
+  throw std::runtime_error("--servo " + std::string{text} +
+                           ": give JOINT=SETTING, a name or id of a joint and one of: " + servoSettings());
+}
+
+void setBoard(BoardOptions& options, std::string_view text) {
+  if (text == "no-bulk-read")
+    options.bulk_read = false;
+  else if (text == "no-sync-write")
+    options.sync_write = false;
+  else if (text == "one-block-length")
+    options.only_block = 30;
+  else
+    throw std::runtime_error("--board " + std::string{text} +
+                             ": it can be no-bulk-read, no-sync-write or one-block-length");
+}
+
+}  // namespace darwinop::hil
