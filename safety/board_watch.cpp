@@ -12,7 +12,8 @@ using std::chrono::milliseconds;
 constexpr double kBatteryHysteresis = 0.3;  // V; walking pulls the supply down by about that much
 constexpr double kTiltHysteresis = 15;      // deg
 constexpr double kLeastGravity = 3.0;       // m/s2; less is free fall or a blow, where direction means nothing
-constexpr std::uint8_t kModeButton = 1;
+constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
+constexpr Nanos kPress{milliseconds{250}};  // a shorter one may be a touch by accident
 
 }  // namespace
 
@@ -24,22 +25,24 @@ double tiltDegrees(const BoardSensors& seen) noexcept {
 }
 
 BoardWatch::BoardWatch(const Config& config)
-    : battery_low_{config.battery_low},
-      battery_empty_{config.battery_empty},
-      fall_tilt_{config.fall_tilt},
-      button_counts_{config.release_button == ReleaseButton::kMode},
+    : config_{config},
       low_{milliseconds{2000}, milliseconds{2000}},
       empty_{milliseconds{2000}, milliseconds{2000}},
       fell_{milliseconds{500}, milliseconds{500}},
-      released_{milliseconds{250}, milliseconds{0}} {}
+      released_{kPress, milliseconds{0}},
+      start_{kPress, milliseconds{0}} {
+  allowPower();
+}
 
-void BoardWatch::update(const BoardSensors& seen, Nanos dt) noexcept {
+void BoardWatch::update(const BoardSensors& seen, bool waits, Nanos dt) noexcept {
+  lost_now_ = start_now_ = false;
+  for (Nanos& since : since_) since = std::min(since + dt, kRepowerWindow);
   answers_now_ = seen.motion.fresh();
   if (seen.motion.ever())
     missed_ = seen.motion.age;
-  else if (missed_ <= kPatience)
+  else if (missed_ <= kAnswerPatience)
     ++missed_;
-  online_ = seen.motion.ever() && missed_ <= kPatience;
+  online_ = seen.motion.ever() && missed_ <= kAnswerPatience;
   if (!online_) {
     powered_ = false;
     power_off_.forget();
@@ -49,23 +52,47 @@ void BoardWatch::update(const BoardSensors& seen, Nanos dt) noexcept {
 
   watchPower(seen);
   const double volt = seen.voltage.value;  // NaN fails every comparison: unknown is no fault
-  low_.update(volt<battery_low_, volt> battery_low_ + kBatteryHysteresis, dt);
-  empty_.update(volt<battery_empty_, volt> battery_empty_ + kBatteryHysteresis, dt);
+  low_.update(volt<config_.battery_low, volt> config_.battery_low + kBatteryHysteresis, dt);
+  empty_.update(volt<config_.battery_empty, volt> config_.battery_empty + kBatteryHysteresis, dt);
   watchTilt(seen, dt);
-  const bool pressed = button_counts_ && (seen.buttons & kModeButton) != 0;
+  const bool pressed = config_.release_button == ReleaseButton::kMode && (seen.buttons & kModeButton) != 0;
   released_.update(pressed, !pressed, dt);
+  watchStart((seen.buttons & kStartButton) != 0, waits, dt);
 }
 
 void BoardWatch::watchPower(const BoardSensors& seen) noexcept {
   power_bit_ = seen.servo_power;
   power_off_.update(!seen.servo_power, seen.servo_power);
-  if (seen.servo_power && !power_off_.on()) powered_ = had_power_ = true;  // as often confirmed as its loss
+  if (seen.servo_power && !power_off_.on()) {  // as often confirmed as its loss
+    powered_ = had_power_ = true;
+    lost_ = false;
+  }
   if (power_off_.on()) powered_ = false;
+  if (power_off_.on() && had_power_ && !lost_) losePower();
+}
+
+void BoardWatch::losePower() noexcept {
+  lost_ = lost_now_ = true;
+  withheld_ = withheld_ || since_.back() < kRepowerWindow;
+  std::shift_right(since_.begin(), since_.end(), 1);
+  since_.front() = Nanos{0};
+}
+
+void BoardWatch::allowPower() noexcept {
+  withheld_ = false;
+  since_.fill(kRepowerWindow);
+}
+
+void BoardWatch::watchStart(bool pressed, bool waits, Nanos dt) noexcept {
+  start_was_up_ = waits && (start_was_up_ || !pressed);
+  const bool was_on = start_.on();
+  const bool counts = pressed && start_was_up_;
+  start_now_ = start_.update(counts, !counts, dt) && !was_on;
 }
 
 void BoardWatch::watchTilt(const BoardSensors& seen, Nanos dt) noexcept {
   const double tilt = tiltDegrees(seen);
-  fell_.update(tilt > fall_tilt_, tilt < fall_tilt_ - kTiltHysteresis, dt);
+  fell_.update(tilt > config_.fall_tilt, tilt < config_.fall_tilt - kTiltHysteresis, dt);
 }
 
 }  // namespace darwinop::safety

@@ -1,6 +1,7 @@
 // What the board tells about the robot as a whole: is it there, has it power, does it lie on the floor?
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "core/sensors.hpp"
@@ -13,38 +14,58 @@ class BoardWatch {
  public:
   explicit BoardWatch(const Config& config);
 
-  void update(const BoardSensors& seen, Nanos dt) noexcept;
+  /// `waits`: the robot waits for a person, who may press START.
+  void update(const BoardSensors& seen, bool waits, Nanos dt) noexcept;
 
-  /// The board answered at most 5 cycles ago.
+  /// The board answered at most kAnswerPatience cycles ago.
   [[nodiscard]] bool online() const noexcept { return online_; }
   [[nodiscard]] bool answersNow() const noexcept { return answers_now_; }
-  /// It has not for more than 5 cycles, counted from the first cycle.
-  [[nodiscard]] bool silent() const noexcept { return missed_ > kPatience; }
+  /// It has not for longer, counted from the first cycle.
+  [[nodiscard]] bool silent() const noexcept { return missed_ > kAnswerPatience; }
   /// The servos have power, for so long.
   [[nodiscard]] bool powered() const noexcept { return powered_; }
   [[nodiscard]] Nanos poweredFor() const noexcept { return powered_for_; }
-  /// The servos had power and lost it.
-  [[nodiscard]] bool powerLost() const noexcept { return online_ && had_power_ && !powered_; }
-  /// The board says now that servo power is off and can be told to switch it on.
-  [[nodiscard]] bool wantsPower() const noexcept { return online_ && !power_bit_; }
+  /// The servos had power and lost it; two answers in a row say so.
+  [[nodiscard]] bool powerLost() const noexcept { return online_ && lost_; }
+  /// True in the cycle in which that is first known.
+  [[nodiscard]] bool powerLostNow() const noexcept { return lost_now_; }
+  /// Servo power has to be switched on.
+  [[nodiscard]] bool wantsPower() const noexcept {
+    return online_ && !power_bit_ && (lost_ || !had_power_) && !withheld_;
+  }
+  /// Power was lost too often: it stays off until allowPower().
+  [[nodiscard]] bool powerWithheld() const noexcept { return withheld_; }
+  /// A person has acted.
+  void allowPower() noexcept;
   [[nodiscard]] bool batteryLow() const noexcept { return low_.on(); }
   [[nodiscard]] bool batteryEmpty() const noexcept { return empty_.on(); }
   [[nodiscard]] bool fell() const noexcept { return fell_.on(); }
   [[nodiscard]] bool released() const noexcept { return released_.on(); }
+  /// True in the cycle in which a press of START that began while the robot waited for a person has lasted long enough.
+  [[nodiscard]] bool startPressed() const noexcept { return start_now_; }
+
+  // Servo power that was lost is switched on again without a person at most so often in so long. A press of RESET or a
+  // supply that dipped once needs one; a loose battery connector or a short circuit loses it again within seconds, and
+  // every new try draws the inrush current of 20 servos. Without a bound the virtual board was re-powered after each of
+  // 30 presses in a row. Not measured on a robot.
+  static constexpr std::size_t kRepowers = 3;
+  static constexpr Nanos kRepowerWindow{std::chrono::seconds{60}};
 
  private:
-  static constexpr std::uint32_t kPatience = 5;  // cycles; a lost reply or two is normal on this bus
-
   void watchPower(const BoardSensors& seen) noexcept;
+  void losePower() noexcept;
+  void watchStart(bool pressed, bool waits, Nanos dt) noexcept;
   void watchTilt(const BoardSensors& seen, Nanos dt) noexcept;
 
-  double battery_low_, battery_empty_, fall_tilt_;
-  bool button_counts_;
+  const Config& config_;
   std::uint32_t missed_ = 0;
   bool online_ = false, answers_now_ = false, powered_ = false, had_power_ = false, power_bit_ = false;
+  bool lost_ = false, lost_now_ = false, withheld_ = false;
+  bool start_was_up_ = false, start_now_ = false;
   Nanos powered_for_{0};
+  std::array<Nanos, kRepowers> since_{};  // since the last times that power was lost, latest first
   Confirm power_off_;
-  Debounce low_, empty_, fell_, released_;
+  Debounce low_, empty_, fell_, released_, start_;
 };
 
 /// Angle between the trunk and the vertical, deg; NaN when the measurement cannot tell (unknown, or free fall).

@@ -112,14 +112,17 @@ void Config::check() const {
       refuse("Limits", kJointTable[i].name, show(range[i].low.value) + ", " + show(range[i].high.value),
              "limits can be narrowed, not widened");
   }
-  const auto require = [](bool good, const char* sentence) {
-    if (!good) throw std::runtime_error(std::string{"config.ini, [Safety]: "} + sentence);
-  };
-  require(gentle_speed <= max_joint_speed, "gentle_speed must not be above max_joint_speed");
-  require(battery_empty <= battery_low, "battery_empty must not be above battery_low");
-  require(hot <= overheat, "hot must not be above overheat");
-  require(stall_ms / 1000 <= gone_s, "stall_ms must not be above gone_s");
-  require(period > Nanos{0}, "the period of the loop must be above 0");
+  if (const char* const sentence = contradiction())
+    throw std::runtime_error(std::string{"config.ini, [Safety]: "} + sentence);
+}
+
+const char* Config::contradiction() const noexcept {
+  if (gentle_speed > max_joint_speed) return "gentle_speed must not be above max_joint_speed";
+  if (battery_empty > battery_low) return "battery_empty must not be above battery_low";
+  if (hot > overheat) return "hot must not be above overheat";
+  if (stall_ms / 1000 > gone_s) return "stall_ms must not be above gone_s";
+  if (period <= Nanos{0}) return "the period of the loop must be above 0";
+  return nullptr;
 }
 
 }  // namespace darwinop::safety

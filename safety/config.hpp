@@ -70,6 +70,10 @@ struct Config {
   /// Section [Limits]: `Neck = -1.0, 1.0`.
   std::array<JointRange, kJoints> range = hardRanges();
 
+  /// Joints that are never driven. Absent ones (robot.ini) are not asked either and are no fault; those that start-up
+  /// has left out are asked and reported.
+  std::bitset<kJoints> absent, left_out;
+
   /// Settings of [Safety] that a file named, in the order of visit(); the others are defaults. safety/layers.hpp
   std::bitset<32> named;
 
@@ -86,8 +90,10 @@ struct Config {
   /// Takes one line of an INI file. Throws std::runtime_error that names the key and what is allowed.
   void set(std::string_view section, std::string_view key, std::string_view value);
 
-  /// Throws std::runtime_error when settings contradict each other.
+  /// Throws std::runtime_error when a setting is out of range or settings contradict each other.
   void check() const;
+  /// Which settings contradict each other, as a sentence; null: none do.
+  [[nodiscard]] const char* contradiction() const noexcept;
 
  private:
   template <class Self, class V>

@@ -11,8 +11,8 @@ namespace darwinop::safety {
 
 class DriverWatch {
  public:
-  explicit DriverWatch(const Config& config)
-      : stall_{fromSeconds(config.stall_ms / 1000)}, gone_{fromSeconds(config.gone_s)} {}
+  /// `config` must outlive it and may change; the same holds for all parts of the guard.
+  explicit DriverWatch(const Config& config) : config_{config} {}
 
   /// Once a cycle. `excused`: the robot moves by itself and a controller may well wait for that in silence.
   void update(const Commands& asked, bool excused, Nanos dt) noexcept {
@@ -20,13 +20,19 @@ class DriverWatch {
     obeyed_ = came_ || (session_ != 0 && asked.session == session_);
     // Only a number that grew is a sign of life: an image left behind by a dead controller is none.
     const bool alive = came_ || (obeyed_ && !ended_ && asked.sequence > sequence_);
-    reset_asked_ = came_ || (obeyed_ && asked.fault_resets != resets_);
+    const bool by_driver = came_ || (obeyed_ && asked.fault_resets != resets_);
+    reset_asked_ = (by_driver && !asked.unattended) || asked.operator_resets != operator_resets_;
+    released_ = asked.operator_releases != operator_releases_;
+    operator_resets_ = asked.operator_resets;
+    operator_releases_ = asked.operator_releases;
     if (obeyed_) {
       session_ = asked.session;
       sequence_ = came_ ? asked.sequence : std::max(sequence_, asked.sequence);
       resets_ = asked.fault_resets;
       ended_ = asked.farewell || (ended_ && !came_);
     }
+    // A released session is over for good, and so is a loop that closes although nobody has ever driven it.
+    ended_ = ended_ || released_ || (session_ == 0 && asked.farewell);
     silence_ = alive || excused || ended_ || session_ == 0 ? Nanos{0} : silence_ + dt;
   }
 
@@ -34,20 +40,23 @@ class DriverWatch {
   [[nodiscard]] bool came() const noexcept { return came_; }
   /// True when this cycle's image is that of the session that is obeyed.
   [[nodiscard]] bool obeyed() const noexcept { return obeyed_; }
-  /// A new session is a request, too: who starts a controller has seen to the robot.
+  /// A new session that a person started is a request, too: that person has seen to the robot.
   [[nodiscard]] bool resetAsked() const noexcept { return reset_asked_; }
-  [[nodiscard]] bool stalled() const noexcept { return silence_ >= stall_; }
-  [[nodiscard]] bool gone() const noexcept { return silence_ >= gone_; }
+  /// True in the cycle in which an operator releases the robot.
+  [[nodiscard]] bool released() const noexcept { return released_; }
+  [[nodiscard]] bool stalled() const noexcept { return silence_ >= fromSeconds(config_.stall_ms / 1000); }
+  [[nodiscard]] bool gone() const noexcept { return silence_ >= fromSeconds(config_.gone_s); }
   /// The controller said farewell; only a new session counts from here on.
   [[nodiscard]] bool ended() const noexcept { return ended_; }
   [[nodiscard]] bool present() const noexcept { return session_ != 0 && !ended_ && !gone(); }
   [[nodiscard]] std::uint32_t session() const noexcept { return session_; }
 
  private:
-  Nanos stall_, gone_, silence_{0};
+  const Config& config_;
+  Nanos silence_{0};
   std::uint64_t sequence_ = 0;
-  std::uint32_t session_ = 0, resets_ = 0;
-  bool came_ = false, obeyed_ = false, reset_asked_ = false, ended_ = false;
+  std::uint32_t session_ = 0, resets_ = 0, operator_resets_ = 0, operator_releases_ = 0;
+  bool came_ = false, obeyed_ = false, reset_asked_ = false, released_ = false, ended_ = false;
 };
 
 }  // namespace darwinop::safety

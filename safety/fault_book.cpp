@@ -30,7 +30,7 @@ std::uint8_t FaultBook::servo(Fault fault) const noexcept {
 
 Reaction FaultBook::reaction(Fault fault) const noexcept {
   if (fault == Fault::kNone) return Reaction::kReport;
-  if (fault == Fault::kFell && on_fall_ == OnFall::kLimp) return Reaction::kLimp;
+  if (fault == Fault::kFell && config_.on_fall == OnFall::kLimp) return Reaction::kLimp;
   return kFaultTable[rowIndex(fault)].reaction;
 }
 

@@ -17,9 +17,23 @@ constexpr std::size_t rowIndex(Fault fault) {
   return 0;
 }
 
+/// The first active fault that stays until a person resets it; kNone: there is none.
+[[nodiscard]] constexpr Fault latchedFault(const std::bitset<kFaults>& active) {
+  for (std::size_t i = 0; i < kFaults; ++i)
+    if (active[i] && kFaultTable[i].latched) return kFaultTable[i].fault;
+  return Fault::kNone;
+}
+
+/// A latched fault keeps torque off: the robot was released, or lost its power.
+[[nodiscard]] constexpr bool keptLimp(const std::bitset<kFaults>& active) {
+  for (std::size_t i = 0; i < kFaults; ++i)
+    if (active[i] && kFaultTable[i].latched && kFaultTable[i].reaction == Reaction::kLimp) return true;
+  return false;
+}
+
 class FaultBook {
  public:
-  explicit FaultBook(const Config& config) : on_fall_{config.on_fall} {}
+  explicit FaultBook(const Config& config) : config_{config} {}
 
   /// The cause of `fault` as it is in this cycle; `servo`: id it concerns, 0 for none.
   void note(Fault fault, bool cause, std::uint8_t servo = 0) noexcept;
@@ -37,7 +51,7 @@ class FaultBook {
   [[nodiscard]] bool slow() const noexcept;
 
  private:
-  OnFall on_fall_;
+  const Config& config_;
   std::bitset<kFaults> active_;
   std::array<std::uint8_t, kFaults> servo_{};
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "safety/session_settings.hpp"
 #include "safety/start_pose.hpp"
 
 namespace darwinop::safety {
@@ -30,7 +31,8 @@ LedCommand limitLed(LedCommand led) noexcept {
 }  // namespace
 
 Guard::Guard(const Config& config)
-    : config_{checked(config)},
+    : robot_config_{checked(config)},
+      config_{robot_config_},
       start_pose_{startPose(config_)},
       driver_{config_},
       board_{config_},
@@ -47,7 +49,7 @@ SafeCommands Guard::vet(const Commands& asked, const Sensors& seen) noexcept {
   changeState(seen, dt);
   for (JointGuard& joint : joints_) joint.engage(drives(state_) && board_.powered());
   SafeCommands safe = compose(dt);
-  if (state_ != State::kOffline) safe.led_ = limitLed(asked.led);
+  if (board_.online()) safe.led_ = limitLed(asked.led);
   safe.power_on_ = board_.wantsPower();
   writeReport();
   return safe;
@@ -56,23 +58,37 @@ SafeCommands Guard::vet(const Commands& asked, const Sensors& seen) noexcept {
 void Guard::hear(const Commands& asked, Nanos dt) noexcept {
   const bool moves_by_itself = state_ == State::kTakingOver || state_ == State::kStarting;
   driver_.update(asked, moves_by_itself, dt);
-  if (driver_.came()) {
-    in_place_ = asked.start_where_it_is || config_.start == StartMove::kHold;
-    started_ = false;
-    for (JointGuard& joint : joints_) joint.forgetWishes();
-  }
-  if (driver_.resetAsked()) {
-    faults_.reset();
-    for (JointGuard& joint : joints_) joint.resetTrip();
-  }
+  if (driver_.came()) beginSession(asked);
+  if (driver_.resetAsked()) clearFaults();
   if (!driver_.obeyed()) return;
   for (std::size_t i = 0; i < kJoints; ++i) joints_[i].listen(asked.joint[i], report_.limit_hits);
 }
 
+void Guard::beginSession(const Commands& asked) noexcept {
+  config_ = tightened(robot_config_, asked.settings);
+  start_pose_ = startPose(config_);
+  in_place_ = asked.start_where_it_is || config_.start == StartMove::kHold;
+  started_ = false;
+  report_.missed_start.reset();
+  for (JointGuard& joint : joints_) joint.forgetWishes();
+}
+
+/// A person has acted.
+void Guard::clearFaults() noexcept {
+  faults_.reset();
+  board_.allowPower();
+  for (JointGuard& joint : joints_) joint.resetTrip();
+}
+
 void Guard::watch(const Sensors& seen, Nanos dt) noexcept {
-  board_.update(seen.board, dt);
+  const bool waits = latchedFault(faults_.all()) != Fault::kNone || board_.powerWithheld();
+  board_.update(seen.board, waits && !drives(state_), dt);
+  if (board_.startPressed()) clearFaults();
   for (std::size_t i = 0; i < kJoints; ++i) joints_[i].observe(seen.joint[i], seen.silent[i], board_.poweredFor(), dt);
-  if (board_.powerLost()) holding_up_ = false;
+  lost_under_torque_ = board_.powerLostNow() && (drives(state_) || state_ == State::kFoundStiff || holding_up_);
+  if (!board_.powerLost()) return;
+  holding_up_ = false;
+  for (JointGuard& joint : joints_) joint.losePower();
 }
 
 template <class Is>
@@ -86,7 +102,8 @@ void Guard::noteServos(Fault fault, Is is) noexcept {
 void Guard::noteFaults() noexcept {
   using Trip = JointGuard::Trip;
   faults_.note(Fault::kBusSilent, board_.silent());
-  faults_.note(Fault::kBoardReset, board_.powerLost());
+  faults_.note(Fault::kBoardReset, lost_under_torque_);
+  faults_.note(Fault::kServoPowerOff, board_.powerLost());
   noteServos(Fault::kServoSilent, [](const JointGuard& j) { return j.watch().silent(); });
   faults_.note(Fault::kBatteryLow, board_.batteryLow());
   faults_.note(Fault::kBatteryEmpty, board_.batteryEmpty());
@@ -95,10 +112,20 @@ void Guard::noteFaults() noexcept {
              [](const JointGuard& j) { return j.watch().overheated() || j.trip() == Trip::kOverheat; });
   noteServos(Fault::kServoOverload, [](const JointGuard& j) { return j.trip() == Trip::kOverload; });
   noteServos(Fault::kServoVoltage, [](const JointGuard& j) { return j.watch().badVoltage(); });
+  noteServos(Fault::kEncoderStuck, [](const JointGuard& j) { return j.encoderStuck(); });
   faults_.note(Fault::kFell, board_.fell());
   faults_.note(Fault::kReleasedByButton, board_.released());
+  noteMissedStart();
+  faults_.note(Fault::kReleasedByOperator, driver_.released());
   faults_.note(Fault::kControllerStalled, driver_.stalled());
   faults_.note(Fault::kControllerGone, driver_.gone());
+}
+
+void Guard::noteMissedStart() noexcept {
+  std::uint8_t id = 0;
+  for (std::size_t i = kJoints; i-- > 0;)
+    if (report_.missed_start[i]) id = kJointTable[i].id;
+  faults_.note(Fault::kStartMissed, id != 0, id);
 }
 
 Rad Guard::target(std::size_t joint) const noexcept {
@@ -112,6 +139,7 @@ Rad Guard::target(std::size_t joint) const noexcept {
     case State::kHolding:
     case State::kOffline:
     case State::kLimp:
+    case State::kFoundStiff:
     case State::kCount:
       return Rad{};
   }
@@ -140,7 +168,7 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
   const double speed = slow ? config_.gentle_speed : config_.max_joint_speed;
   const double seconds = std::chrono::duration<double>(dt).count();
   // A board that did not answer may not have heard the last goals either: they wait for it, so that what it hears
-  // next is one step away from what it heard last.
+  // next is one step away from what it heard last. Meanwhile nothing is written: a servo may have restarted unseen.
   const bool heard = board_.answersNow();
   // For the same reason torque comes on only after a goal that was heard; torque off goes out in any case.
   const bool switches = std::ranges::any_of(joints_, [=](const auto& j) { return j.offDue() || (heard && j.onDue()); });
@@ -157,6 +185,7 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
     }
     if (!joint.driven()) continue;
     safe.driven_[i] = true;
+    safe.held_[i] = !heard || joint.uncertain();
     safe.goal_[i] = joint.goal(RadPerSec{speed}, movesByItself());
   }
   if (switches)

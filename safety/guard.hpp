@@ -39,7 +39,10 @@ class Guard {
 
   void hear(const Commands& asked, Nanos dt) noexcept;
   void watch(const Sensors& seen, Nanos dt) noexcept;
+  void beginSession(const Commands& asked) noexcept;
+  void clearFaults() noexcept;
   void noteFaults() noexcept;
+  void noteMissedStart() noexcept;
   template <class Is>
   void noteServos(Fault fault, Is is) noexcept;
 
@@ -47,6 +50,11 @@ class Guard {
   [[nodiscard]] Reaction demanded() const noexcept;
   [[nodiscard]] std::optional<Event> findEvent() const noexcept;
   [[nodiscard]] std::optional<Event> findEventOf(State state, bool wanted, bool hold) const noexcept;
+  [[nodiscard]] std::optional<Event> findEventOffline() const noexcept;
+  [[nodiscard]] std::optional<Event> findEventAtRest() const noexcept;
+  [[nodiscard]] bool anyStiff() const noexcept;
+  [[nodiscard]] bool allKnown() const noexcept;
+  [[nodiscard]] bool holds() const noexcept;
   [[nodiscard]] bool takenOver() const noexcept;
   void runTimers(const Sensors& seen, Nanos dt) noexcept;
   void act(Event event) noexcept;
@@ -59,7 +67,8 @@ class Guard {
   [[nodiscard]] Rad target(std::size_t joint) const noexcept;
   void writeReport() noexcept;
 
-  Config config_;
+  const Config robot_config_;  // holds while no session asks for more
+  Config config_;              // of this session; the parts below refer to it
   std::array<Rad, kJoints> start_pose_;
   DriverWatch driver_;
   BoardWatch board_;
@@ -67,10 +76,11 @@ class Guard {
   Joints joints_;
 
   State state_ = State::kOffline;
-  bool in_place_ = false;    // this session starts where the robot is
-  bool started_ = false;     // this session's start is over
-  int stiff_for_ = 0;        // cycles in limp in which some servo holds its joint all the same
-  bool holding_up_ = false;  // torque was switched on by us, and not off since
+  bool in_place_ = false;           // this session starts where the robot is
+  bool started_ = false;            // this session's start is over
+  int looking_for_ = 0;             // cycles in which the board answers and it is not yet known whether the servos hold
+  bool holding_up_ = false;         // torque was switched on by us, and not off since
+  bool lost_under_torque_ = false;  // servo power was lost in this cycle, and joints were held until then
   Nanos taking_over_for_{0};
   PoseMove move_;
   PoseMove::Progress progress_ = PoseMove::Progress::kMoving;

@@ -6,7 +6,8 @@
 namespace darwinop::safety {
 namespace {
 
-// Cycles in which every servo is looked at once, and some: so old may the news of a servo's torque be.
+// Maximum age of a torque reading, in cycles: one round in which each servo is looked at once, and a margin for lost
+// replies. What is still unknown after two rounds stays unknown.
 constexpr int kLookRound = kJoints + 5;
 // After the robot sits: time to come to rest before it lets go.
 constexpr Nanos kRest{std::chrono::seconds{1}};
@@ -34,14 +35,42 @@ Reaction Guard::demanded() const noexcept {
 
 std::optional<Event> Guard::findEvent() const noexcept {
   if (!board_.online()) return state_ == State::kOffline ? std::nullopt : std::optional{Event::kBoardLost};
-  if (state_ == State::kOffline) return board_.answersNow() ? std::optional{Event::kBoardFound} : std::nullopt;
+  if (state_ == State::kOffline) return findEventOffline();
   const Reaction demand = demanded();
-  const bool up = state_ != State::kLimp || holding_up_ || stiff_for_ > kLookRound;
-  if (demand >= Reaction::kLimp) return up ? std::optional{Event::kRelease} : std::nullopt;
-  if (demand == Reaction::kKneel && state_ != State::kKneeling) return up ? std::optional{Event::kKneel} : std::nullopt;
+  if (demand >= Reaction::kLimp) return holds() ? Event::kRelease : findEventAtRest();
+  if (demand == Reaction::kKneel && state_ != State::kKneeling) return holds() ? Event::kKneel : findEventAtRest();
   const bool wanted = driver_.present() && demand < Reaction::kKneel;
   if (driver_.came() && wanted) return Event::kDriverCame;
   return findEventOf(state_, wanted, demand == Reaction::kHold);
+}
+
+/// Servos keep their torque when whoever drove them dies. A robot that nobody drives yet counts as limp only when each
+/// servo that answers has been looked at.
+std::optional<Event> Guard::findEventOffline() const noexcept {
+  if (!board_.answersNow()) return std::nullopt;
+  if (anyStiff() || holding_up_) return Event::kStiffSeen;
+  const bool looked = !board_.powered() || allKnown() || looking_for_ > 2 * kLookRound;
+  return looked || driver_.present() ? std::optional{Event::kBoardFound} : std::nullopt;
+}
+
+std::optional<Event> Guard::findEventAtRest() const noexcept {
+  if (state_ == State::kLimp && anyStiff()) return Event::kStiffSeen;
+  if (state_ == State::kFoundStiff && !anyStiff() && (allKnown() || !board_.powered())) return Event::kLimpSeen;
+  return std::nullopt;
+}
+
+bool Guard::anyStiff() const noexcept {
+  return std::ranges::any_of(joints_, [](const JointGuard& j) { return j.stiff(); });
+}
+
+bool Guard::allKnown() const noexcept {
+  return std::ranges::all_of(joints_, [](const JointGuard& j) { return j.torqueKnown(); });
+}
+
+/// Joints are held, and not because a servo has missed our torque off, which is repeated to it alone.
+bool Guard::holds() const noexcept {
+  const auto left_stiff = [](const JointGuard& j) { return j.stiff() && !j.offOrdered(); };
+  return drives(state_) || holding_up_ || (state_ == State::kFoundStiff && std::ranges::any_of(joints_, left_stiff));
 }
 
 std::optional<Event> Guard::findEventOf(State state, bool wanted, bool hold) const noexcept {
@@ -49,7 +78,8 @@ std::optional<Event> Guard::findEventOf(State state, bool wanted, bool hold) con
   const bool arrived = progress_ != PoseMove::Progress::kMoving;
   switch (state) {
     case State::kLimp:
-      return when(wanted, Event::kDriverCame);
+    case State::kFoundStiff:
+      return wanted ? Event::kDriverCame : findEventAtRest();
     case State::kTakingOver:
       return when(takenOver(), in_place_ || started_ ? Event::kTakenOverInPlace : Event::kTakenOver);
     case State::kStarting:
@@ -89,9 +119,7 @@ void Guard::changeState(const Sensors& seen, Nanos dt) noexcept {
 }
 
 void Guard::runTimers(const Sensors& seen, Nanos dt) noexcept {
-  // Servos keep their torque when whoever drove them dies: the robot may be stiff before anybody drives it here.
-  const bool stiff = std::ranges::any_of(joints_, [](const JointGuard& j) { return j.stiff(); });
-  stiff_for_ = state_ == State::kLimp && stiff ? std::min(stiff_for_ + 1, kLookRound + 1) : 0;
+  looking_for_ = state_ == State::kOffline && board_.answersNow() ? std::min(looking_for_ + 1, 2 * kLookRound + 1) : 0;
   if (state_ == State::kTakingOver && board_.powered()) taking_over_for_ += dt;
   if (state_ != State::kStarting && state_ != State::kKneeling) return;
   PoseMove::Mask moving;
@@ -121,6 +149,7 @@ void Guard::act(Event event) noexcept {
     case Event::kKneel:
     case Event::kTakenOver:
       started_ = false;
+      if (event == Event::kTakenOver) report_.missed_start.reset();
       move_.begin();
       progress_ = PoseMove::Progress::kMoving;
       sat_for_ = Nanos{0};
@@ -135,6 +164,8 @@ void Guard::act(Event event) noexcept {
     case Event::kBoardFound:
     case Event::kHold:
     case Event::kResume:
+    case Event::kStiffSeen:
+    case Event::kLimpSeen:
     case Event::kCount:
       break;
   }

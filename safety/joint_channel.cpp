@@ -9,8 +9,9 @@
 namespace darwinop::safety {
 namespace {
 
-// Two readings agree within 8 ticks. A limb that swings faster than 0.77 rad/s (at 16 ms) is waited for.
-constexpr double kAgreement = 8.5 * kRadPerTick;
+// Two readings agree within 4 ticks. A limb that swings faster than 0.38 rad/s (at 16 ms) is waited for: until the goal
+// is written it moves on by as much again, and a limb that falls by a little more.
+constexpr double kAgreement = 4.5 * kRadPerTick;
 // So far may a joint lag behind its goal (rad); at P gain 4 it lags 0.1 rad at the gentle speed.
 constexpr double kCaughtUp = 0.15;
 // A weight may hold a joint off its goal; it is not kept gentle for ever.

@@ -3,10 +3,16 @@
 
 #include <algorithm>
 
+#include "core/conversions.hpp"
+
 namespace darwinop::safety {
 
 JointGuard::JointGuard(Joint joint, const Config& config)
-    : config_{config}, range_{config.range[index(joint)]}, watch_{config} {
+    : config_{config},
+      joint_{joint},
+      absent_{config.absent[index(joint)]},
+      never_driven_{absent_ || config.left_out[index(joint)]},
+      watch_{config} {
   forgetWishes();
 }
 
@@ -19,7 +25,7 @@ void JointGuard::forgetWishes() noexcept {
 }
 
 void JointGuard::listen(const JointCommand& asked, LimitHits& hits) noexcept {
-  if (asked.has(JointCommand::kGoal)) wish_goal_ = limitGoal(asked.goal, wish_goal_, range_, hits);
+  if (asked.has(JointCommand::kGoal)) wish_goal_ = limitGoal(asked.goal, wish_goal_, range(), hits);
   if (asked.has(JointCommand::kSpeedLimit)) wish_speed_ = limitSpeed(asked.speed_limit, wish_speed_, hits);
   if (asked.has(JointCommand::kTorqueLimit)) wish_torque_ = limitTorque(asked.torque_limit, wish_torque_, hits);
   if (asked.has(JointCommand::kPGain)) wish_p_gain_ = limitGain(asked.p_gain, wish_p_gain_, hits);
@@ -37,7 +43,9 @@ void JointGuard::wishIfNone(Rad goal) noexcept {
 }
 
 void JointGuard::observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept {
+  if (absent_) return;
   watch_.update(seen, given_up, powered_for, dt);
+  noteRestart(seen);
   const TripWatch::Verdict verdict = trip_watch_.update(seen, channel_.drivenFor());
   const bool was_suspect = suspect_;
   suspect_ = verdict == TripWatch::Verdict::kSuspect;
@@ -45,11 +53,42 @@ void JointGuard::observe(const JointSensors& seen, bool given_up, Nanos powered_
   if (was_suspect && !suspect_) restart();
   if (verdict == TripWatch::Verdict::kOverload) trip_ = Trip::kOverload;
   if (verdict == TripWatch::Verdict::kOverheat) trip_ = Trip::kOverheat;
-  if (verdict == TripWatch::Verdict::kLostPower || watch_.lost() || given_up) restart();
-  if (seen.health.fresh()) stiff_ = seen.torque_enabled;
-  if (watch_.lost()) stiff_ = false;
+  if (verdict == TripWatch::Verdict::kNotOn || watch_.lost() || given_up) restart();
+  if (seen.health.fresh()) {
+    stiff_ = seen.torque_enabled;
+    torque_known_ = true;
+  }
+  if (watch_.lost()) stiff_ = torque_known_ = false;
   if (off_ordered_ && seen.health.fresh() && seen.torque_enabled) orderOff();
   channel_.observe(seen, dt);
+  encoder_watch_.update(seen, push(seen), dt);
+}
+
+/// Torque that the servo's P controller makes to reach its goal, N m; never more than it really is. 0: it is not
+/// driven, or so slowly that its goal says nothing about its torque.
+double JointGuard::push(const JointSensors& seen) const noexcept {
+  constexpr double kFastEnough = 0.5;                     // rad/s
+  constexpr double kFullDriveError = 1023 * kRadPerTick;  // rad at Kp 1: MX-28 manual, output 0..1023 over ticks
+  const double speed = channel_.gentle() ? std::min(wish_speed_.value, config_.gentle_speed) : wish_speed_.value;
+  if (!channel_.moving() || !mayBeWritten() || !(speed >= kFastEnough)) return 0;
+  const double gain = std::min(wish_p_gain_, config_.default_p_gain);  // safety's own moves use the default
+  const double limit = std::min({wish_torque_.value, config_.default_torque, seen.torque_limit.value});
+  const double torque = gain * (channel_.goal().value - seen.position.value) / kFullDriveError * kMaxTorqueNm;
+  return limit > 0 ? std::clamp(torque, -limit, limit) : 0;
+}
+
+/// A look tells whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
+/// switched it on again. (A servo that shut itself off has a torque limit of 0: TripWatch.)
+void JointGuard::noteRestart(const JointSensors& seen) noexcept {
+  const bool looked = seen.motion.fresh() && seen.health.fresh();
+  const bool off = looked && !seen.torque_enabled && seen.torque_limit.value > 0;
+  const bool restarted = looked && (seen.restarted || (off && uncertain_ && channel_.moving()));
+  if (!seen.motion.fresh())
+    uncertain_ = true;
+  else if (looked)
+    uncertain_ = false;
+  const bool doubtful = channel_.placed() && uncertain_;  // where it is has to be certain until torque is on
+  if (channel_.hasGoal() && (restarted || doubtful || seen.motion.age > kAnswerPatience)) restart();
 }
 
 void JointGuard::resetTrip() noexcept {
@@ -58,7 +97,7 @@ void JointGuard::resetTrip() noexcept {
 }
 
 void JointGuard::engage(bool wanted) noexcept {
-  if (!wanted || limp_ || trip_ != Trip::kNone)
+  if (!wanted || never_driven_ || limp_ || trip_ != Trip::kNone)
     channel_.leaveOut();
   else if (channel_.out())
     channel_.restart();
@@ -70,6 +109,8 @@ void JointGuard::restart() noexcept {
 
 void JointGuard::switchTorque(bool on) noexcept {
   if (off_due_) {
+    // Older looks say nothing any more. A servo that has missed an order counts as stiff until a look says otherwise.
+    if (!off_ordered_) stiff_ = torque_known_ = false;
     off_due_ = false;
     off_ordered_ = true;
   }
@@ -77,11 +118,14 @@ void JointGuard::switchTorque(bool on) noexcept {
 }
 
 bool JointGuard::move(Rad target, double gentle_step, double full_step) noexcept {
+  if (suspect_) return true;  // nothing of it is written in this cycle
   if (channel_.ready()) {
-    channel_.place(range_);
+    channel_.place(range());
+    uncertain_ = false;  // all it needs is written with this goal
     off_ordered_ = false;
     return true;
   }
+  if (uncertain_) return true;
   if (channel_.placed()) channel_.placeAgain();
   if (!channel_.moving() || !target.known()) return true;
   return channel_.advance(target, gentle_step, full_step);

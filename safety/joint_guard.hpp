@@ -7,6 +7,7 @@
 #include "core/safe_commands.hpp"
 #include "core/sensors.hpp"
 #include "safety/config.hpp"
+#include "safety/encoder_watch.hpp"
 #include "safety/joint_channel.hpp"
 #include "safety/joint_limiter.hpp"
 #include "safety/servo_watch.hpp"
@@ -30,9 +31,14 @@ class JointGuard {
   // -- what the servo tells
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
   [[nodiscard]] const ServoWatch& watch() const noexcept { return watch_; }
+  [[nodiscard]] bool encoderStuck() const noexcept { return encoder_watch_.stuck(); }
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
   /// As far as is known the servo holds its joint, whoever told it to.
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }
+  /// It was looked at since it answers, or it does not answer: then nobody can know.
+  [[nodiscard]] bool torqueKnown() const noexcept { return torque_known_ || watch_.lost(); }
+  /// Servo power is off, and with it its torque.
+  void losePower() noexcept { stiff_ = torque_known_ = false; }
   /// Asked for: a servo that shut itself off may be driven again.
   void resetTrip() noexcept;
 
@@ -40,12 +46,17 @@ class JointGuard {
   /// `wanted`: the state of the robot is one in which joints are driven, and servos have power.
   void engage(bool wanted) noexcept;
   void restart() noexcept;
-  void orderOff() noexcept { off_due_ = true; }
+  void orderOff() noexcept { off_due_ = !absent_; }
   [[nodiscard]] bool offDue() const noexcept { return off_due_; }
-  [[nodiscard]] bool onDue() const noexcept { return channel_.placedForSure(); }
+  /// Torque off was sent since torque was last switched on here.
+  [[nodiscard]] bool offOrdered() const noexcept { return off_ordered_; }
+  [[nodiscard]] bool onDue() const noexcept { return channel_.placedForSure() && mayBeWritten(); }
   [[nodiscard]] const JointChannel& channel() const noexcept { return channel_; }
-  /// May get goals in this cycle.
+  /// Has a goal, and gets the next one in this cycle unless it is uncertain().
   [[nodiscard]] bool driven() const noexcept { return channel_.hasGoal() && !suspect_; }
+  /// It has missed an answer and was not looked at since: it may have restarted, and then a goal would switch its
+  /// torque on, wherever it is by now and without a speed limit.
+  [[nodiscard]] bool uncertain() const noexcept { return uncertain_; }
   [[nodiscard]] Rad wish() const noexcept { return wish_goal_; }
 
   /// This cycle's write carries torque switches: takes the orders that are due; `on`: also those to switch on.
@@ -59,21 +70,27 @@ class JointGuard {
 
  private:
   void takeTorqueWish(bool on) noexcept;
+  void noteRestart(const JointSensors& seen) noexcept;
+  [[nodiscard]] double push(const JointSensors& seen) const noexcept;
+  [[nodiscard]] bool mayBeWritten() const noexcept { return !suspect_ && !uncertain_; }
+  [[nodiscard]] const JointRange& range() const noexcept { return config_.range[index(joint_)]; }
 
   const Config& config_;
-  JointRange range_;
+  Joint joint_;
+  bool absent_, never_driven_;
   Rad wish_goal_;  // unknown: none yet
   RadPerSec wish_speed_;
   NewtonMeter wish_torque_;
   double wish_p_gain_ = 0;
-  bool stiff_ = false;
+  bool stiff_ = false, torque_known_ = false;
   bool limp_ = false;  // the controller has switched its torque off
 
   ServoWatch watch_;
   TripWatch trip_watch_;
+  EncoderWatch encoder_watch_;
   JointChannel channel_;
   Trip trip_ = Trip::kNone;
-  bool suspect_ = false;
+  bool suspect_ = false, uncertain_ = false;
   bool off_due_ = false;      // torque off has to be sent
   bool off_ordered_ = false;  // it was; a look that says otherwise means that the write was lost
 };

@@ -18,13 +18,6 @@ struct Numbers {
   }
 };
 
-/// Of a setting that both files name.
-double winner(std::string_view name, double robot, double controller) {
-  const auto* const rule = std::ranges::find(kStricterWins, name, &StricterRow::name);
-  if (rule == kStricterWins.end()) return controller;
-  return rule->wins == Stricter::kHigher ? std::max(robot, controller) : std::min(robot, controller);
-}
-
 /// Visitor that puts what the robot's file names into the controller's settings.
 struct Merger {
   const std::vector<double>& robots;
@@ -35,7 +28,7 @@ struct Merger {
   void operator()(std::string_view name, Field& field, const Rest&...) {
     if (robot_named[at]) {
       const double robot = robots[at];
-      field = static_cast<Field>(controller_named[at] ? winner(name, robot, static_cast<double>(field)) : robot);
+      field = static_cast<Field>(controller_named[at] ? stricter(name, robot, static_cast<double>(field)) : robot);
     }
     ++at;
   }
@@ -59,6 +52,12 @@ void intersect(JointRange& range, const JointRange& with, std::string_view joint
 
 }  // namespace
 
+double stricter(std::string_view name, double robot, double controller) noexcept {
+  const auto* const rule = std::ranges::find(kStricterWins, name, &StricterRow::name);
+  if (rule == kStricterWins.end()) return controller;
+  return rule->wins == Stricter::kHigher ? std::max(robot, controller) : std::min(robot, controller);
+}
+
 std::vector<double> numbers(const Config& config) {
   Numbers found;
   config.visit(found);
@@ -71,6 +70,8 @@ Config layered(const Layer& robot, const Layer& controller) {
   const std::vector<double> robots = numbers(robot.config);
   config.visit(Merger{robots, robot.config.named, controller.config.named});
   config.named |= robot.config.named;
+  config.absent |= robot.config.absent;
+  config.left_out |= robot.config.left_out;
   for (std::size_t i = 0; i < kJoints; ++i)
     intersect(config.range[i], robot.config.range[i], kJointTable[i].name, robot, controller);
   try {

@@ -29,6 +29,9 @@ inline constexpr auto kStricterWins = std::to_array<StricterRow>({
 });
 static_assert(static_cast<int>(ReleaseButton::kMode) < static_cast<int>(ReleaseButton::kNone));
 
+/// Of a setting that robot and controller both name, as numbers. What is not listed above is the controller's.
+[[nodiscard]] double stricter(std::string_view name, double robot, double controller) noexcept;
+
 /// Every setting as a number, choices too: [Safety] in the order of visit(), then low and high of each joint.
 std::vector<double> numbers(const Config& config);
 

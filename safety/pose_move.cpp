@@ -29,9 +29,9 @@ PoseMove::Progress PoseMove::update(const Mask& moving, bool on_the_way, const A
     const double way = std::abs(target[i].value - position[i].value);
     if (!seen_[i]) {  // a joint that joins late gets its time, once
       const double way_or_most = std::isfinite(way) ? way : 2 * kPi;
-      deadline_ = std::max(deadline_, elapsed_ + fromSeconds(kPatience * way_or_most / speed_ + kSettle));
+      deadline_ = std::max(deadline_, elapsed_ + fromSeconds(kPatience * way_or_most / config_.gentle_speed + kSettle));
     }
-    missing_[i] = !(way <= tolerance_);
+    missing_[i] = !(way <= config_.start_tolerance);
   }
   seen_ |= moving;
   if (elapsed_ >= deadline_) return Progress::kTimedOut;

@@ -16,7 +16,7 @@ class PoseMove {
   using Mask = std::bitset<kJoints>;
   using Angles = std::array<Rad, kJoints>;
 
-  explicit PoseMove(const Config& config) : speed_{config.gentle_speed}, tolerance_{config.start_tolerance} {}
+  explicit PoseMove(const Config& config) : config_{config} {}
 
   void begin() noexcept;
   /// Once a cycle: the joints that are driven, whether goals are still on their way, where joints are and go.
@@ -25,7 +25,7 @@ class PoseMove {
   [[nodiscard]] const Mask& missing() const noexcept { return missing_; }
 
  private:
-  double speed_, tolerance_;
+  const Config& config_;
   Nanos elapsed_{0}, deadline_{0};
   Mask seen_, missing_;
 };

@@ -13,12 +13,6 @@ constexpr Nanos kStartUp{milliseconds{1000}};  // servos start in about 0.3 s; t
 
 }  // namespace
 
-ServoWatch::ServoWatch(const Config& config)
-    : silent_{fromSeconds(config.silent_s)},
-      hot_from_{config.hot},
-      overheated_from_{config.overheat},
-      voltage_{milliseconds{100}, milliseconds{1000}} {}
-
 void ServoWatch::update(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept {
   const bool heard = seen.motion.fresh();
   unheard_ = heard ? Nanos{0} : unheard_ + dt;
@@ -31,8 +25,8 @@ void ServoWatch::update(const JointSensors& seen, bool given_up, Nanos powered_f
   }
   if (seen.health.fresh()) {  // NaN fails every comparison: unknown is no fault
     const double celsius = seen.temperature.value;
-    hot_.update(celsius >= hot_from_, celsius <= hot_from_ - kHeatHysteresis);
-    overheated_.update(celsius >= overheated_from_, celsius <= overheated_from_ - kHeatHysteresis);
+    hot_.update(celsius >= config_.hot, celsius <= config_.hot - kHeatHysteresis);
+    overheated_.update(celsius >= config_.overheat, celsius <= config_.overheat - kHeatHysteresis);
   }
 }
 

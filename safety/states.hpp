@@ -22,16 +22,19 @@ enum class Event : std::uint8_t {
   kStartDone,         // the start pose is reached, or given up
   kResume,            // the reason to hold has gone
   kKnelt,             // the robot sits
+  kStiffSeen,         // nobody drives, and a servo holds its joint
+  kLimpSeen,          // no servo that is heard holds its joint any more
   kCount
 };
 inline constexpr std::size_t kEvents = static_cast<std::size_t>(Event::kCount);
 inline constexpr std::array<std::string_view, kEvents> kEventNames{
-    "board_lost", "board_found",         "release",    "kneel",  "hold", "driver_came",
-    "taken_over", "taken_over_in_place", "start_done", "resume", "knelt"};
+    "board_lost",          "board_found", "release", "kneel", "hold",       "driver_came", "taken_over",
+    "taken_over_in_place", "start_done",  "resume",  "knelt", "stiff_seen", "limp_seen"};
 
 /// Where `event` leads from `state`; `state` itself where the event means nothing.
 constexpr State next(State state, Event event) {
   if (event == Event::kBoardLost) return State::kOffline;
+  if (state == State::kOffline && event == Event::kStiffSeen) return State::kFoundStiff;
   if (state == State::kOffline) return event == Event::kBoardFound ? State::kLimp : state;
   if (event == Event::kRelease) return State::kLimp;
   if (event == Event::kKneel) return State::kKneeling;
@@ -49,17 +52,15 @@ constexpr State next(State state, Event event) {
       return event == Event::kResume ? State::kDriven : state;
     case State::kKneeling:
       return event == Event::kKnelt ? State::kLimp : state;
-    case State::kOffline:
     case State::kLimp:
+      return event == Event::kStiffSeen ? State::kFoundStiff : state;
+    case State::kFoundStiff:
+      return event == Event::kLimpSeen ? State::kLimp : state;
+    case State::kOffline:
     case State::kCount:
       return state;
   }
   return state;
-}
-
-/// States in which joints get goals.
-constexpr bool drives(State state) {
-  return state != State::kOffline && state != State::kLimp;
 }
 
 static_assert(next(State::kOffline, Event::kDriverCame) == State::kOffline, "nobody drives a board that is silent");

@@ -15,10 +15,10 @@ class TripWatch {
  public:
   enum class Verdict : std::uint8_t {
     kFine,
-    kSuspect,    // leave it out until the next reading: a routine write would arm it again
-    kOverload,   // shut itself off
-    kOverheat,   // shut itself off
-    kLostPower,  // torque is off, its torque limit is not: it was reset, or did not hear "torque on"
+    kSuspect,   // leave it out until the next reading: a routine write would arm it again
+    kOverload,  // shut itself off
+    kOverheat,  // shut itself off
+    kNotOn,     // torque is off, its torque limit is not: it has not heard "torque on"
   };
 
   /// `driven_for`: time since torque was switched on, nothing while the joint is not driven.
@@ -34,8 +34,8 @@ class TripWatch {
   Verdict judgeLook(const JointSensors& seen) noexcept;
 
   Confirm bits_, off_;
-  bool was_on_ = false;       // torque was seen on since it was switched on
-  std::uint32_t missed_ = 0;  // readings missed since then
+  bool early_ = false;   // an overload bit in the grace: a memory, or a servo that has shut itself off already
+  bool was_on_ = false;  // torque was seen on since it was switched on
   bool limit_zero_ = false;
   std::uint8_t last_bits_ = 0;
 };

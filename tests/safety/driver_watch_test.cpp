@@ -16,14 +16,16 @@ Commands image(std::uint32_t session, std::uint64_t sequence) {
 }
 
 TEST(DriverWatch, SessionZeroIsNobody) {
-  DriverWatch watch{Config{}};
+  const Config config;
+  DriverWatch watch{config};
   watch.update(image(0, 5), false, kCycle);
   EXPECT_FALSE(watch.present());
   EXPECT_FALSE(watch.came());
 }
 
 TEST(DriverWatch, ASequenceThatStandsStillIsNoSignOfLife) {
-  DriverWatch watch{Config{}};
+  const Config config;
+  DriverWatch watch{config};
   watch.update(image(1, 7), false, kCycle);
   for (int i = 0; i < 31; ++i) watch.update(image(1, 7), false, kCycle);
   EXPECT_FALSE(watch.stalled()) << "496 ms";
@@ -32,14 +34,16 @@ TEST(DriverWatch, ASequenceThatStandsStillIsNoSignOfLife) {
 }
 
 TEST(DriverWatch, ASequenceThatRunsBackwardsIsNoSignOfLife) {
-  DriverWatch watch{Config{}};
+  const Config config;
+  DriverWatch watch{config};
   watch.update(image(1, 1000), false, kCycle);
   for (std::uint64_t i = 0; i < 40; ++i) watch.update(image(1, 10 + i), false, kCycle);
   EXPECT_TRUE(watch.stalled());
 }
 
 TEST(DriverWatch, AnImageOfAnOldSessionIsNoSignOfLife) {
-  DriverWatch watch{Config{}};
+  const Config config;
+  DriverWatch watch{config};
   watch.update(image(1, 1), false, kCycle);
   for (int i = 0; i < 40; ++i) watch.update(image(0, 0), false, kCycle);
   EXPECT_TRUE(watch.stalled());
@@ -47,13 +51,15 @@ TEST(DriverWatch, AnImageOfAnOldSessionIsNoSignOfLife) {
 }
 
 TEST(DriverWatch, ARobotThatMovesByItselfExcusesSilence) {
-  DriverWatch watch{Config{}};
+  const Config config;
+  DriverWatch watch{config};
   for (int i = 0; i < 1000; ++i) watch.update(image(1, 1), true, kCycle);
   EXPECT_FALSE(watch.stalled());
 }
 
 TEST(DriverWatch, AfterFarewellOnlyANewSessionCounts) {
-  DriverWatch watch{Config{}};
+  const Config config;
+  DriverWatch watch{config};
   watch.update(image(1, 1), false, kCycle);
   Commands last = image(1, 2);
   last.farewell = true;
@@ -67,7 +73,8 @@ TEST(DriverWatch, AfterFarewellOnlyANewSessionCounts) {
 }
 
 TEST(DriverWatch, ResetIsAskedByAChangedCounterAndByANewSession) {
-  DriverWatch watch{Config{}};
+  const Config config;
+  DriverWatch watch{config};
   Commands c = image(1, 1);
   c.fault_resets = 4;
   watch.update(c, false, kCycle);

@@ -192,7 +192,7 @@ TEST(Driving, AFewMissedReadingsChangeNothing) {
   rig.start();
   rig.joint(Joint::kNeck).setGoal(Rad{1.0});
   for (int i = 0; i < 60; ++i) {
-    rig.robot[Joint::kNeck].answers = i % 7 == 0;
+    rig.robot[Joint::kNeck].answers = i % (kAnswerPatience + 1) == 0;
     rig.cycle();
     ASSERT_TRUE(rig.driven(Joint::kNeck));
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "core/conversions.hpp"
 #include "core/packet.hpp"
@@ -21,10 +22,12 @@ struct FakeServo {
   double speed = 12;  // rad/s
   double torque_limit = 2.5;
   bool torque = false;
+  bool restarted = false;  // since its speed was written
   bool answers = true;
   bool hears = true;
-  bool follows = true;     // false: blocked
-  bool remembers = false;  // says overload as long as its torque is off
+  bool follows = true;             // false: blocked
+  std::optional<double> stuck_at;  // what its encoder says, rad
+  bool remembers = false;          // says overload as long as its torque is off
   std::uint8_t error_bits = 0;
   double celsius = 35;
   double corruption = 0;  // rad, added to the next reading only
@@ -65,12 +68,14 @@ struct FakeRobot {
   }
 
  private:
+  std::bitset<kJoints> unseen_;
+
   void obey(const SafeCommands& safe) {
     if (safe.powerOn()) servo_power = servo_power || power_obeys;
     if (!servo_power) return;
     for (std::size_t i = 0; i < kJoints; ++i) {
       FakeServo& s = servo[i];
-      if (!s.hears) continue;
+      if (!s.hears || safe.held()[i]) continue;
       if (safe.write() == SafeCommands::Write::kTorque) {
         if (safe.torqueOn()[i]) s.torque = true;
         if (safe.torqueOff()[i]) s.torque = false;
@@ -79,6 +84,7 @@ struct FakeRobot {
         const auto& goal = safe.goal(static_cast<Joint>(i));
         s.goal = goal.goal.value;
         s.speed = goal.speed_limit.value;
+        s.restarted = false;
         s.torque_limit = goal.torque_limit.value;
         s.torque = s.torque || goal_write_switches_on;
       }
@@ -103,21 +109,25 @@ struct FakeRobot {
     FakeServo& s = servo[i];
     JointSensors& j = seen.joint[i];
     if (!board_answers || !servo_power || !s.answers) {
+      unseen_.set(i);
       j.motion.missed();
       j.health.missed();
       return;
     }
     j.motion.received();
-    const int ticks = ticksFromRad(Rad{s.position + s.corruption});
+    const int ticks = ticksFromRad(Rad{s.stuck_at.value_or(s.position) + s.corruption});
     j.position = radFromTicks(ticks);
     s.corruption = 0;
     j.error_bits = s.error_bits;
     if (s.remembers && !s.torque) j.error_bits |= error_bit::kOverload;
-    if (seen.cycle % kJoints != i) return j.health.missed();
+    // As the bus does: one in turn, and whoever missed an answer.
+    if (seen.cycle % kJoints != i && !unseen_[i]) return j.health.missed();
+    unseen_.reset(i);
     j.health.received();
     j.temperature = Celsius{s.celsius};
     j.torque_limit = NewtonMeter{s.torque_limit};
     j.torque_enabled = s.torque;
+    j.restarted = s.restarted;
     j.voltage = Volt{volt};
   }
 

@@ -20,9 +20,9 @@ TEST(PositionConfirmer, BelievesTwoReadingsInARowThatAgree) {
   PositionConfirmer c;
   c.update(reading(0.5));
   EXPECT_FALSE(c.confirmed());
-  c.update(reading(0.51));
+  c.update(reading(0.506));
   ASSERT_TRUE(c.confirmed());
-  EXPECT_EQ(*c.confirmed(), Rad{0.51});
+  EXPECT_EQ(*c.confirmed(), Rad{0.506});
 }
 
 TEST(PositionConfirmer, DoesNotBelieveACorruptedReadingNorTheOneAfterIt) {

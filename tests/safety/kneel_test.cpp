@@ -89,7 +89,7 @@ TEST(Release, TheButtonLetsGoOfARobotThatSomebodyElseLeftStiff) {
   Rig rig;
   for (FakeServo& servo : rig.robot.servo) servo.torque = true;  // its controller was killed
   rig.runFor(1);
-  EXPECT_EQ(rig.state(), State::kLimp) << "nobody drives";
+  EXPECT_EQ(rig.state(), State::kFoundStiff) << "nobody drives";
   EXPECT_TRUE(rig.robot[Joint::kNeck].torque) << "and it is left as it is";
   rig.robot.buttons = 1;
   rig.runFor(1);

@@ -30,9 +30,10 @@ class Invariants {
     const bool nothing = safe.write() == Write::kNothing;
     if (nothing && (safe.driven().any() || safe.torqueOn().any() || safe.torqueOff().any()))
       wrong += "joints without a write; ";
-    const bool offline = !seen.board.motion.ever() || seen.board.motion.age > 5;
+    const bool offline = !seen.board.motion.ever() || seen.board.motion.age > kAnswerPatience;
     if (offline && (!nothing || safe.powerOn())) wrong += "sent while offline; ";
     if ((safe.torqueOn() & safe.torqueOff()).any()) wrong += "torque on and off at once; ";
+    if ((safe.held() & safe.torqueOn()).any()) wrong += "torque on although it is uncertain where the goal is; ";
     if ((safe.driven() & safe.torqueOff()).any()) wrong += "driven although torque goes off; ";
     for (std::size_t i = 0; i < kJoints; ++i) {
       const auto& goal = safe.goal(static_cast<Joint>(i));
@@ -69,17 +70,20 @@ struct Rig {
   FakeRobot robot;
   Invariants invariants;
   Commands commands{};
-  bool steps = true;  // the controller is alive
+  bool steps = true;                     // the controller is alive
+  std::function<void(Rig&)> controller;  // what it does in each step
   std::optional<SafeCommands> safe;
 
   JointCommand& joint(Joint j) { return commands.joint[index(j)]; }
   double goal(Joint j) const { return safe->goal(j).goal.value; }
   bool driven(Joint j) const { return safe->driven()[index(j)]; }
+  bool held(Joint j) const { return safe->held()[index(j)]; }
   const SafetyReport& report() const { return guard.report(); }
   State state() const { return report().state; }
   bool active(Fault fault) const { return report().active[rowIndex(fault)]; }
 
   void cycle() {
+    if (steps && controller) controller(*this);
     if (steps && commands.session != 0) ++commands.sequence;
     const Sensors before = robot.seen;
     safe = guard.vet(commands, before);

@@ -13,16 +13,23 @@ namespace {
 using enum State;
 
 // Rows: states in order; columns: board_lost board_found release kneel hold driver_came taken_over
-// taken_over_in_place start_done resume knelt.
+// taken_over_in_place start_done resume knelt stiff_seen limp_seen.
 constexpr std::array<std::array<State, kEvents>, kStates> kTable{{
-    {kOffline, kLimp, kOffline, kOffline, kOffline, kOffline, kOffline, kOffline, kOffline, kOffline, kOffline},
-    {kOffline, kLimp, kLimp, kKneeling, kLimp, kTakingOver, kLimp, kLimp, kLimp, kLimp, kLimp},
+    {kOffline, kLimp, kOffline, kOffline, kOffline, kOffline, kOffline, kOffline, kOffline, kOffline, kOffline,
+     kFoundStiff, kOffline},
+    {kOffline, kLimp, kLimp, kKneeling, kLimp, kTakingOver, kLimp, kLimp, kLimp, kLimp, kLimp, kFoundStiff, kLimp},
     {kOffline, kTakingOver, kLimp, kKneeling, kTakingOver, kTakingOver, kStarting, kDriven, kTakingOver, kTakingOver,
-     kTakingOver},
-    {kOffline, kStarting, kLimp, kKneeling, kHolding, kTakingOver, kStarting, kStarting, kDriven, kStarting, kStarting},
-    {kOffline, kDriven, kLimp, kKneeling, kHolding, kTakingOver, kDriven, kDriven, kDriven, kDriven, kDriven},
-    {kOffline, kHolding, kLimp, kKneeling, kHolding, kTakingOver, kHolding, kHolding, kHolding, kDriven, kHolding},
-    {kOffline, kKneeling, kLimp, kKneeling, kKneeling, kTakingOver, kKneeling, kKneeling, kKneeling, kKneeling, kLimp},
+     kTakingOver, kTakingOver, kTakingOver},
+    {kOffline, kStarting, kLimp, kKneeling, kHolding, kTakingOver, kStarting, kStarting, kDriven, kStarting, kStarting,
+     kStarting, kStarting},
+    {kOffline, kDriven, kLimp, kKneeling, kHolding, kTakingOver, kDriven, kDriven, kDriven, kDriven, kDriven, kDriven,
+     kDriven},
+    {kOffline, kHolding, kLimp, kKneeling, kHolding, kTakingOver, kHolding, kHolding, kHolding, kDriven, kHolding,
+     kHolding, kHolding},
+    {kOffline, kKneeling, kLimp, kKneeling, kKneeling, kTakingOver, kKneeling, kKneeling, kKneeling, kKneeling, kLimp,
+     kKneeling, kKneeling},
+    {kOffline, kFoundStiff, kLimp, kKneeling, kFoundStiff, kTakingOver, kFoundStiff, kFoundStiff, kFoundStiff,
+     kFoundStiff, kFoundStiff, kFoundStiff, kLimp},
 }};
 
 TEST(States, EveryPairOfStateAndEventLeadsWhereTheTableSays) {

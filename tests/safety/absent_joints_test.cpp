@@ -1,0 +1,74 @@
+// Joints that the robot lacks, and joints that start-up has left out.
+#include <gtest/gtest.h>
+
+#include <bitset>
+#include <functional>
+
+#include "safety/rig.hpp"
+
+namespace darwinop::safety {
+namespace {
+
+Config lacking(std::bitset<kJoints> Config::*kind, Joint joint) {
+  Config config;
+  (config.*kind).set(index(joint));
+  return config;
+}
+
+/// A day in which every state and every order comes: start, motion, a release, another start, a farewell.
+void liveWith(Rig& rig, Joint joint, const std::function<void()>& check) {
+  const auto run = [&](int cycles) {
+    for (int i = 0; i < cycles; ++i) {
+      rig.cycle();
+      check();
+    }
+  };
+  rig.newSession();
+  for (int i = 0; i < 2000 && rig.state() != State::kDriven; ++i) run(1);
+  ASSERT_EQ(rig.state(), State::kDriven) << "the start does not wait for it";
+  rig.joint(joint).setGoal(Rad{0.3});
+  rig.joint(joint).setTorque(true);
+  run(50);
+  rig.joint(joint).setTorque(false);
+  run(50);
+  rig.commands.farewell = true;
+  run(1500);
+  EXPECT_EQ(rig.state(), State::kLimp);
+}
+
+TEST(AbsentJoint, GetsNeitherGoalNorTorqueSwitchAndIsNoFault) {
+  for (const Joint joint : {Joint::kNeck, Joint::kLegLowerR}) {
+    Rig rig{lacking(&Config::absent, joint)};
+    rig.robot[joint].answers = false;
+    liveWith(rig, joint, [&] {
+      ASSERT_FALSE(rig.driven(joint));
+      ASSERT_FALSE(rig.safe->torqueOn()[index(joint)]);
+      ASSERT_FALSE(rig.safe->torqueOff()[index(joint)]);
+      ASSERT_FALSE(rig.active(Fault::kServoSilent));
+    });
+  }
+}
+
+TEST(LeftOutJoint, GetsNoGoalAndNoTorqueEvenWhenItAnswers) {
+  for (const bool answers : {false, true}) {
+    Rig rig{lacking(&Config::left_out, Joint::kNeck)};
+    rig.robot[Joint::kNeck].answers = answers;
+    bool reported = false;
+    liveWith(rig, Joint::kNeck, [&] {
+      ASSERT_FALSE(rig.driven(Joint::kNeck));
+      ASSERT_FALSE(rig.safe->torqueOn()[index(Joint::kNeck)]);
+      reported = reported || rig.active(Fault::kServoSilent);
+    });
+    EXPECT_EQ(reported, !answers) << "a silent servo that should be there is a fault";
+  }
+}
+
+TEST(LeftOutJoint, ThatIsStiffIsSwitchedOffWithTheOthers) {
+  Rig rig{lacking(&Config::left_out, Joint::kNeck)};
+  rig.robot[Joint::kNeck].torque = true;
+  liveWith(rig, Joint::kNeck, [] {});
+  EXPECT_FALSE(rig.robot[Joint::kNeck].torque);
+}
+
+}  // namespace
+}  // namespace darwinop::safety
