@@ -1,12 +1,15 @@
 // The one place that knows every kind of robot a controller can meet, and builds it.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "hal/byte_line.hpp"
 #include "hal/cm730/joint_offsets.hpp"
+#include "hal/cm730/robot_facts.hpp"
+#include "hal/cm730/start_policy.hpp"
 #include "hal/servo_bus.hpp"
 #include "runtime/robot_link.hpp"
 #include "safety/config.hpp"
@@ -24,21 +27,36 @@ struct Request {
   std::string record_path;                 // CSV of every cycle; empty: none
   std::string record_notes;                // further lines of its head, "key: value"
   std::string robot_name = "darwin-op";
+  std::function<void(const std::string&)> warn;  // is told each line of warnings; empty: stderr
 };
 
 /// Builds the link: opens the port, looks at the robot, starts the loop. Throws std::runtime_error with a
 /// sentence that says what is wrong and what to do.
 std::unique_ptr<runtime::RobotLink> connect(const Request& request);
 
+/// What is known of a robot before its port is opened.
+struct SerialRobot {
+  std::string port;
+  Nanos period{16'000'000};
+  safety::Config safety{};
+  cm730::JointOffsets offsets{};
+};
+
 /// A bus with its line, for the daemon.
 struct OpenedBus {
   std::unique_ptr<ServoBus> bus;
+  /// SerialRobot's, within the limits that the servos have themselves and without the joints that they cannot drive.
+  /// A loop on this bus must have these.
+  safety::Config safety{};
   std::string description;  // "/dev/ttyUSB0 (CM-730 firmware 19, 20 servos)"
   std::string warnings;     // findings of the start-up probe, one a line; empty: none
 };
 
-/// Opens a serial device and looks at the robot behind it. Throws as connect() does; cm730::NotReady when port or
-/// board may come yet.
-OpenedBus openSerialBus(const std::string& port, Nanos period, const cm730::JointOffsets& offsets = {});
+/// The goals that servos can get with these settings, in their own ticks.
+cm730::TickRanges goalTicks(const safety::Config& safety, const cm730::JointOffsets& offsets);
+
+/// Opens a serial device and checks the robot behind it; hal/cm730/start_policy.hpp says what is refused. Throws as
+/// connect() does; cm730::NotReady when what is missing may come yet.
+OpenedBus openSerialBus(const SerialRobot& robot, cm730::Purpose purpose = cm730::Purpose::kDrive);
 
 }  // namespace darwinop::link

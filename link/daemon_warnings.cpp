@@ -17,6 +17,10 @@ std::string milliseconds(Nanos time) {
 
 }  // namespace
 
+bool asksForSafety(const safety::Config& config) {
+  return config.named.any() || safety::numbers(config) != safety::numbers(safety::Config{});
+}
+
 std::string daemonWarnings(const Request& request, Nanos daemons_period) {
   std::string text;
   if (!request.record_path.empty())
@@ -26,10 +30,6 @@ std::string daemonWarnings(const Request& request, Nanos daemons_period) {
     text += "darwinop: the daemon's period of " + milliseconds(daemons_period) + " ms holds, not the " +
             milliseconds(*request.period) + " ms asked for; restart it with: darwinop runtime --period " +
             milliseconds(*request.period) + "\n";
-  if (safety::numbers(request.safety) != safety::numbers(safety::Config{}))
-    text +=
-        "darwinop: [Safety] and [Limits] of this controller's config.ini do not hold: the daemon has its own; give "
-        "it a file with: darwinop runtime --config FILE\n";
   return text;
 }
 
@@ -41,8 +41,6 @@ std::string tcpWarnings(const Request& request, Nanos robots_period) {
   if (request.period && *request.period != robots_period)
     text += "darwinop: the robot's period of " + milliseconds(robots_period) + " ms holds, not the " +
             milliseconds(*request.period) + " ms asked for\n";
-  if (safety::numbers(request.safety) != safety::numbers(safety::Config{}))
-    text += "darwinop: [Safety] and [Limits] of this controller's config.ini do not hold: those of the robot do\n";
   return text;
 }
 

@@ -7,8 +7,11 @@
 
 namespace darwinop::link {
 
-/// The daemon has a period, a recording and settings of its own. One line for each wish it does not grant, with what
-/// to do; empty: none.
+/// Settings of [Safety] or [Limits] are given.
+bool asksForSafety(const safety::Config& config);
+
+/// The daemon has a period and a recording of its own. One line for each request it does not grant, with what to do;
+/// empty: none.
 std::string daemonWarnings(const Request& request, Nanos daemons_period);
 
 /// The same of a robot over TCP, whose loop runs on the other computer.

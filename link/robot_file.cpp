@@ -1,6 +1,7 @@
 #include "link/robot_file.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -32,9 +33,9 @@ std::string device(std::string_view key, std::string_view value, const char* exa
   return std::string{value};
 }
 
-std::string groupName(std::string_view key, std::string_view value) {
+std::string accountName(std::string_view key, std::string_view value, const char* what) {
   if (value.find_first_of(" \t:,/") != value.npos)
-    refuse("Robot", key, value, "give the name of one group of users, or nothing");
+    refuse("Robot", key, value, std::string{"give the name of one "} + what + ", or nothing");
   return std::string{value};
 }
 
@@ -43,6 +44,21 @@ Nanos periodInMs(std::string_view key, std::string_view value) {
   if (!ms || *ms < 8 || *ms > 1000 || *ms != std::floor(*ms))
     refuse("Robot", key, value, "give a whole number of ms from 8 to 1000 (16, or 8 when only goals are sent)");
   return std::chrono::milliseconds{static_cast<int>(*ms)};
+}
+
+/// "Neck, Head"; nothing: none.
+std::bitset<kJoints> jointNames(std::string_view key, std::string_view value) {
+  std::bitset<kJoints> joints;
+  for (std::string_view rest = withoutBlanks(value); !rest.empty();) {
+    const std::size_t comma = rest.find(',');
+    const auto joint = findJoint(settings::jointName(withoutBlanks(rest.substr(0, comma))));
+    if (!joint || (comma != rest.npos && withoutBlanks(rest.substr(comma + 1)).empty()))
+      refuse("Robot", key, value, "give names of joints as in Webots with commas between, e.g. Neck, Head; or nothing");
+    joints.set(index(*joint));
+    rest = comma == rest.npos ? std::string_view{} : rest.substr(comma + 1);
+  }
+  if (joints.all()) refuse("Robot", key, value, "a robot without any joint cannot be driven");
+  return joints;
 }
 
 std::string atAngle(double rad) {
@@ -94,9 +110,13 @@ class Reader final : public settings::IniReader {
     else if (name == "period_ms")
       file_.period = periodInMs(key, value);
     else if (name == "group")
-      file_.group = groupName(key, value);
+      file_.group = accountName(key, value, "group of users");
+    else if (name == "controller_user")
+      file_.controller_user = accountName(key, value, "user");
+    else if (name == "absent")
+      file_.safety.absent = jointNames(key, value);
     else
-      refuse("Robot", key, value, "no such key; there are port, camera, period_ms and group");
+      refuse("Robot", key, value, "no such key; there are port, camera, period_ms, group, controller_user and absent");
   }
 
   void takeOffset(std::string_view key, std::string_view value) {
@@ -149,10 +169,11 @@ std::string describe(const RobotFile& robot) {
   if (robot.path.empty()) return "no robot.ini: port, limits and offsets are as on a stock robot";
   std::string text = robot.path + ": port " + robot.serialPort() + ", " +
                      std::to_string(robot.period.value_or(kUsualPeriod) / std::chrono::milliseconds{1}) + " ms";
-  std::string offsets, limits;
+  std::string offsets, limits, absent;
   const safety::Config stock;
   for (std::size_t i = 0; i < kJoints; ++i) {
     const std::string name{kJointTable[i].name};
+    if (robot.safety.absent[i]) absent += " " + name;
     const int ticks = robot.offsets.ticks(static_cast<Joint>(i));
     if (ticks != 0) offsets += " " + name + " " + atAngle(ticks * kRadPerTick);
     const safety::JointRange& range = robot.safety.range[i];
@@ -160,6 +181,7 @@ std::string describe(const RobotFile& robot) {
   }
   const std::size_t named = robot.safety.named.count();
   if (named > 0) text += ", " + std::to_string(named) + (named == 1 ? " setting" : " settings") + " of [Safety]";
+  if (!absent.empty()) text += ", absent:" + absent;
   if (!limits.empty()) text += ", narrowed:" + limits;
   if (!offsets.empty()) text += ", offsets in rad:" + offsets;
   return text;

@@ -20,8 +20,8 @@ struct RobotFile {
   std::string path;  // empty: there is no such file
   std::optional<std::string> port, camera;
   std::optional<Nanos> period;
-  std::string group;  // empty: none
-  safety::Config safety{};
+  std::string group, controller_user;  // empty: as link/controller_user.hpp says
+  safety::Config safety{};             // with the joints that the robot lacks
   cm730::JointOffsets offsets{};
 
   [[nodiscard]] std::string serialPort() const { return port.value_or(kRobotsPort); }

@@ -19,10 +19,10 @@ cm730::Findings startPoseFindings(const cm730::RobotFacts& facts) {
     seen.board.accelerometer = facts.board.accelerometer;
   }
   const safety::StartPoseCheck check = safety::checkStartPose(seen);
-  const cm730::Level level = check.secure() ? cm730::Level::kOk : cm730::Level::kWarning;
   cm730::Findings rows;
   std::istringstream lines{safety::describe(check)};
-  for (std::string line; std::getline(lines, line);) rows.push_back({level, line, {}});
+  for (std::string line; std::getline(lines, line);)
+    rows.push_back(check.secure() ? cm730::Finding::ok(line) : cm730::Finding::of(cm730::Kind::kStartPose, line, {}));
   if (!check.secure())
     rows.back().mend = "sit the robot down upright before a controller starts, or hold it while it moves there slowly";
   return rows;

@@ -3,6 +3,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <string>
 
 #include "hal/cm730/not_ready.hpp"
 
@@ -11,6 +12,12 @@ namespace {
 
 constexpr Nanos kFirstPause{200'000'000}, kLongestPause{2'000'000'000};
 constexpr Nanos kSlice{100'000'000};  // a signal that comes just before a sleep is noticed after it
+
+/// What is measured differs from one attempt to the next; what is missing does not.
+std::string withoutDigits(std::string text) {
+  std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
+  return text;
+}
 
 }  // namespace
 
@@ -23,15 +30,17 @@ void pauseFor(Nanos time) {
 std::optional<OpenedBus> waitForBus(const std::function<OpenedBus()>& open, const std::atomic<bool>& stop,
                                     const std::function<void(const std::string&)>& tell,
                                     const std::function<void(Nanos)>& pause) {
-  bool waiting = false;
+  std::string waiting_for;
   for (Nanos next = kFirstPause; !stop; next = std::min(2 * next, kLongestPause)) {
     try {
       OpenedBus opened = open();
-      if (waiting) tell("the robot is there: " + opened.description);
+      if (!waiting_for.empty()) tell("the robot is there: " + opened.description);
       return opened;
     } catch (const cm730::NotReady& not_yet) {
-      if (!waiting) tell(std::string{"waiting for the robot: "} + not_yet.what());
-      waiting = true;
+      if (const std::string now = withoutDigits(not_yet.what()); now != waiting_for) {
+        tell(std::string{"waiting for the robot: "} + not_yet.what());
+        waiting_for = now;
+      }
     }
     for (Nanos slept{0}; slept < next && !stop; slept += kSlice) pause(std::min(kSlice, next - slept));
   }

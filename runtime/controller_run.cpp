@@ -19,6 +19,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "hal/signals.hpp"
 #include "runtime/exchange.hpp"
 #include "runtime/names.hpp"
 #include "runtime/operator.hpp"
@@ -27,7 +28,6 @@
 namespace darwinop::runtime {
 namespace {
 
-constexpr int kHandedOn[] = {SIGINT, SIGTERM, SIGHUP};
 volatile sig_atomic_t child_pid = 0;
 
 /// Ctrl-C in a terminal reaches the controller by itself; what another process sends reaches only us.
@@ -52,14 +52,6 @@ class SignalsHeld {
  private:
   sigset_t before_;
 };
-
-void catchSignals() {
-  struct sigaction action {};
-  action.sa_sigaction = handOn;
-  action.sa_flags = SA_SIGINFO;
-  for (const int signal : kHandedOn) sigaction(signal, &action, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);  // who pipes the output into head must not lose the end of the run
-}
 
 /// File in which a controller that hosts the loop itself leaves its figures. It outlives a kill -9.
 class LookOn {
@@ -156,10 +148,9 @@ pid_t start(const RunRequest& request, const std::string& program, const std::st
     const pid_t pid = fork();
     if (pid < 0) throw std::runtime_error(std::string{"cannot start the controller: "} + std::strerror(errno));
     child_pid = pid;
-    if (pid == 0)
-      for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
-    else
-      return pid;
+    if (pid != 0) return pid;
+    restoreIgnoredSignals();
+    for (const int signal : kEndSignals) std::signal(signal, SIG_DFL);
   }
   prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);  // ends with us, even if we are killed
   if (getppid() != parent) _exit(143);
@@ -203,12 +194,14 @@ std::string controllerProgram(const std::string& controller) {
 int runController(const RunRequest& request) {
   const std::string program = controllerProgram(request.command.at(0));
   const LookOn look_on;
-  const std::optional<LoopFigures> daemon = tryAttach(attachToDaemon, RuntimeFiles{});
-  catchSignals();
+  const std::optional<LoopFigures> daemon = tryAttach(lookAtDaemon, RuntimeFiles{});
+  onEndSignals(handOn);
   const auto [status, a_signal] = waitFor(start(request, program, look_on.path()));
   if (a_signal) std::cerr << "the controller was ended by signal " << status - 128 << std::endl;
 
-  const auto attach = [](const RuntimeFiles& files) { return Exchange::attach(files.exchange); };
+  const auto attach = [](const RuntimeFiles& files) {
+    return Exchange::attach(files.exchange, Exchange::Access::kLook);
+  };
   if (auto embedded = tryAttach(attach, RuntimeFiles{look_on.path()})) {
     if (a_signal && embedded->leftTorque())
       std::cerr

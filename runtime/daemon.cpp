@@ -1,6 +1,7 @@
 // The loop in a process of its own.
 #include "runtime/daemon.hpp"
 
+#include <fcntl.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -8,6 +9,7 @@
 #include <stdexcept>
 
 #include "runtime/fault_announcer.hpp"
+#include "safety/fault_book.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -16,6 +18,13 @@ namespace {
 void doze() {
   const timespec pause{0, 50'000'000};
   nanosleep(&pause, nullptr);
+}
+
+/// Before the loop begins: a robot that was released under an earlier daemon stays so.
+Exchange createExchange(const RuntimeFiles& files, gid_t group, bool released) {
+  Exchange exchange = Exchange::create(files.exchange, group);
+  exchange.ownBlock().released.store(released ? 1 : 0);
+  return exchange;
 }
 
 }  // namespace
@@ -35,24 +44,47 @@ Daemon::Daemon(const LoopConfig& config, const RuntimeFiles& files, FileLock cla
                std::unique_ptr<ServoBus> bus)
     : files_{files},
       claim_{std::move(claim)},
-      exchange_{Exchange::create(files.exchange, group)},
+      released_{access(files.released.c_str(), F_OK) == 0},
+      exchange_{createExchange(files, group, released_)},
       rest_{checked(config).safety, config.period},
-      host_{config, std::move(bus), exchange_.block(), LoopStats::Timed::kYes, Recorder::Writer::kThread},
+      host_{config, std::move(bus), exchange_, LoopStats::Timed::kYes, Recorder::Writer::kThread},
       driver_{host_.loop(), clock_, config.period, config.real_time} {}
 
 Daemon::~Daemon() {
-  unlink(files_.exchange.c_str());
+  Exchange::remove(files_.exchange);
+}
+
+/// A daemon that is killed and started anew by a program must not undo a person's release.
+void Daemon::remember(const Sensors& seen) {
+  const bool released = safety::keptLimp(seen.safety.active);
+  if (seen.cycle == 0 || released == released_) return;
+  released_ = released;
+  if (!released) {
+    unlink(files_.released.c_str());
+    return;
+  }
+  const int file = open(files_.released.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
+  if (file >= 0) close(file);
 }
 
 void Daemon::run(const std::atomic<bool>& stop) {
   FaultAnnouncer announcer{std::cerr};
-  for (; !stop.load(); doze()) announcer.look(sensors());
-  exchange_.block().closing.store(1);  // ends the controller, and brings the robot to rest
+  for (; !stop.load() && !exchange_.shortened(); doze()) {
+    const Sensors seen = sensors();
+    announcer.look(seen);
+    remember(seen);
+  }
+  exchange_.ownBlock().closing.store(ExchangeBlock::kClosing);  // ends the controller, and brings the robot to rest
   const Nanos give_up = clock_.now() + rest_.atMost();
   for (Sensors seen = sensors(); !rest_.reached(seen) && clock_.now() < give_up; seen = sensors()) {
     announcer.look(seen);
+    remember(seen);
     doze();
   }
+  if (exchange_.shortened())
+    throw std::runtime_error("the shared memory (" + files_.exchange +
+                             ") was shortened or overwritten by another program, so the robot was brought to rest; "
+                             "start the runtime again");
 }
 
 Sensors Daemon::sensors() const {

@@ -27,7 +27,8 @@ class Daemon {
   /// Removes the exchange, so that nobody attaches to a dead loop.
   ~Daemon();
 
-  /// Returns when `stop` became true and safety has brought the robot to rest.
+  /// Returns when `stop` became true and safety has brought the robot to rest. Throws std::runtime_error, after the
+  /// same, when the exchange was lost.
   void run(const std::atomic<bool>& stop);
 
   /// What real time was refused and how to mend it; empty when all is as it should be.
@@ -35,9 +36,11 @@ class Daemon {
 
  private:
   [[nodiscard]] Sensors sensors() const;
+  void remember(const Sensors& seen);
 
   RuntimeFiles files_;
   FileLock claim_;
+  bool released_;  // files_.released exists
   Exchange exchange_;
   Rest rest_;
   MonotonicClock clock_;

@@ -11,7 +11,8 @@ namespace darwinop::runtime {
 namespace {
 
 FileLock takeLease(const RuntimeFiles& files) {
-  if (auto lease = FileLock::tryTake(files.drive_lock)) return std::move(*lease);
+  if (auto lease = FileLock::tryTake(files.drive_lock, static_cast<gid_t>(-1), FileOwner::kAny))
+    return std::move(*lease);
   throw std::runtime_error("another controller (pid " + std::to_string(FileLock::holder(files.drive_lock)) +
                            ") drives this robot; end it first, or look on without driving: darwinop runtime --status");
 }
@@ -39,11 +40,12 @@ bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop
   Nanos asleep_since = now();
   for (;;) {
     if (stop.load()) return end(kAskedToStop);
+    if (exchange().lost()) return end(kExchangeLost);
     if (block().closing.load() != 0) return end("the runtime was told to end; start it again with: darwinop runtime");
     if (releasedByOperator())
       return end("an operator has released the robot: torque is off; start the controller again to take over");
     if (finished(cycle)) return true;
-    block().finished.waitWhile(seen, kLook);
+    sleepUntilAfter(seen, kLook);
     const std::uint32_t value = block().finished.value();
     if (value != seen) {
       seen = value;
@@ -57,9 +59,9 @@ bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop
 /// No cycle for longer than the longest period: is there still a loop?
 bool DaemonLink::daemonAnswers(Nanos asleep_since) {
   constexpr Nanos kHung{5'000'000'000};
-  const std::string pid = std::to_string(block().info.pid);
+  const std::string pid = std::to_string(info().pid);
   const pid_t living = daemonPid(files_);  // another pid is a later daemon, with a memory of its own
-  if (living != block().info.pid && living != -1)
+  if (living != info().pid && living != -1)
     return end("the runtime (pid " + pid + ") has died; the robot holds its last goals and nobody watches over it. " +
                "Start it again with: darwinop runtime");
   if (now() - asleep_since > kHung)

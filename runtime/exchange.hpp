@@ -10,9 +10,12 @@
 
 #include "core/commands.hpp"
 #include "core/sensors.hpp"
+#include "hal/guarded_mapping.hpp"
 #include "runtime/futex.hpp"
 #include "runtime/latest.hpp"
 #include "runtime/loop_stats.hpp"
+#include "runtime/request_word.hpp"
+#include "runtime/shared_file.hpp"
 
 namespace darwinop::runtime {
 
@@ -22,29 +25,48 @@ struct LoopInfo {
   std::int32_t pid = 0;  // of the process that hosts the loop
   char robot[64] = {};   // a person's name for the robot
   char port[160] = {};   // what the bus is: "/dev/ttyUSB0 (CM-730 firmware 19, 20 servos)"
+  // The robot's [Safety] and [Limits]; a session can make them stricter.
+  SessionSettings safety{};
+  std::uint32_t safety_named = 0;  // Config::named
 };
 
-/// Plain words and bytes, no pointers: the same in private memory and in a file that processes share.
+/// Hash of names, offsets, sizes and types of all that the two blocks hold: exchange_layout.cpp.
+std::uint64_t exchangeLayout();
+
+/// What the loop tells. Written by its process alone, which stores whole values and never counts on from what it finds
+/// here; everybody else maps it read-only. Plain words and bytes, no pointers.
 struct ExchangeBlock {
   static constexpr std::uint32_t kMagic = 0x50774f44;  // "DOwP"
-  static constexpr std::uint32_t kLayout = 3;          // count up when a member here or in the images changes
 
-  std::uint32_t magic = kMagic;
-  std::uint32_t layout = kLayout;
+  /// Values of `closing`. kClosing: the loop brings the robot to rest, then ends. kNobodyDrives: no controller may
+  /// drive, and the loop goes on by itself, as in a rescue.
+  static constexpr std::uint32_t kOpen = 0, kClosing = 1, kNobodyDrives = 2;
+
+  std::atomic<std::uint32_t> magic{kMagic};
   std::uint32_t size = sizeof(ExchangeBlock);
+  std::uint64_t layout = exchangeLayout();
+  std::uint32_t instance = 0;  // the same number as in the CommandBlock that belongs to it
   LoopInfo info{};
 
-  Latest<Commands> commands;                   // written by the driver
-  Latest<Sensors> sensors;                     // written by the loop
-  LoopStats stats;                             // written by the loop
-  WakeWord finished;                           // low 32 bits of Sensors::cycle; moves when a cycle is finished
-  std::atomic<std::uint32_t> closing{0};       // 1: the loop brings the robot to rest, then ends
-  std::atomic<std::uint32_t> session{0};       // last driving session that was granted
-  std::atomic<std::uint32_t> fault_resets{0};  // operator's requests, added to those of the controller
-  std::atomic<std::uint32_t> released{0};      // session in which an operator took all torque away; 0: never
+  Latest<Sensors> sensors;
+  WakeWord finished;                       // low 32 bits of Sensors::cycle; moves when a cycle is finished
+  std::atomic<std::uint32_t> closing{0};   // kOpen, kClosing or kNobodyDrives
+  std::atomic<std::uint32_t> session{0};   // highest number of a driving session, or of a release, so far
+  std::atomic<std::uint32_t> released{0};  // number that the last release got; 0: there was none
+  std::atomic<std::uint32_t> refused{0};   // session that publishes and is not obeyed because of a release; 0: none
+  LoopStats stats;
 };
 
-/// Holds an ExchangeBlock, in private memory or mapped from a file.
+/// What the loop is asked for. The runtime's group may write every byte of it, so the loop trusts none.
+struct CommandBlock {
+  std::atomic<std::uint32_t> instance{0};  // the loop writes it in every cycle
+  Latest<Commands> commands;
+  std::atomic<std::uint32_t> session_taken{0};  // number that the last driver has chosen
+  RequestWord fault_reset, release;
+  WaitNote wait;
+};
+
+/// Holds both blocks, in private memory or mapped from files.
 class Exchange {
  public:
   /// Private memory: loop and controller are one process and nobody looks on.
@@ -54,22 +76,50 @@ class Exchange {
   /// on, or private memory when it is unset.
   static Exchange embedded();
 
-  /// A new file that replaces an old one of that path. Processes that still map the old one keep it, unharmed.
+  /// New files `path` and `path`.commands that replace old ones. Processes that still map the old ones keep them.
   static Exchange create(const std::string& path, gid_t group = static_cast<gid_t>(-1));
+  /// The same, and the commands lie in private memory: others can look on, and nobody else can drive.
+  static Exchange createToLookAt(const std::string& path, gid_t group = static_cast<gid_t>(-1));
+  /// Removes the files.
+  static void remove(const std::string& path) noexcept;
 
-  /// kLook: the memory cannot be written; a mistake ends who makes it and not the loop.
-  enum class Access { kUse, kLook };
-  /// An existing file. Throws std::runtime_error, with a sentence for the user, when there is none or when it is
-  /// not of this build.
+  enum class Access {
+    kUse,   // commands can be written
+    kLook,  // nothing can be written
+  };
+  /// Existing files. Throws std::runtime_error, with a sentence for the user, when there are none, when they must not
+  /// be used, or when they are not of this build.
   static Exchange attach(const std::string& path, Access access = Access::kUse);
 
-  [[nodiscard]] ExchangeBlock& block() const { return *block_; }
+  [[nodiscard]] const ExchangeBlock& block() const { return *block_; }
+  /// Where this process hosts the loop. Throws std::logic_error elsewhere.
+  [[nodiscard]] ExchangeBlock& ownBlock() const;
+  /// Throws std::logic_error when this process may only look.
+  [[nodiscard]] CommandBlock& commands() const;
+
+  /// Somebody has shortened or overwritten a file: what is written here reaches nobody, what is read is empty.
+  [[nodiscard]] bool lost() const noexcept;
+  /// The same for the process that hosts the loop, and sooner: also when what is missing was not touched yet. Asks the
+  /// kernel; not for the loop's thread.
+  [[nodiscard]] bool shortened() const;
 
  private:
-  using Home = std::unique_ptr<ExchangeBlock, void (*)(ExchangeBlock*)>;
-  explicit Exchange(Home block) : block_{std::move(block)} {}
-  Home block_;
+  Exchange() = default;
+  static Exchange made(const std::string& path, gid_t group, bool commands_in_file);
+
+  std::unique_ptr<ExchangeBlock> private_block_;
+  std::unique_ptr<CommandBlock> private_commands_;
+  GuardedMapping block_file_, commands_file_;
+  SharedFile own_block_{-1}, own_commands_{-1};  // open in the process that hosts the loop
+  ExchangeBlock* block_ = nullptr;
+  CommandBlock* commands_ = nullptr;
+  bool own_ = true;
 };
+
+/// Sentence for a controller whose exchange is lost.
+inline constexpr const char* kExchangeLost =
+    "the runtime's shared memory was shortened or overwritten by another program, so no commands get through; start "
+    "runtime and controller again";
 
 /// Copies what fits, always ended by 0.
 void setText(char* to, std::size_t size, const std::string& text);

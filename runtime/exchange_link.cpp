@@ -1,14 +1,31 @@
 // The controller's side of an exchange.
 #include "runtime/exchange_link.hpp"
 
+#include <utility>
+
+#include "runtime/names.hpp"
+#include "safety/session_settings.hpp"
+
 namespace darwinop::runtime {
+namespace {
+
+/// Numbers of sessions wrap.
+std::uint32_t later(std::uint32_t one, std::uint32_t other) {
+  return static_cast<std::int32_t>(one - other) > 0 ? one : other;
+}
+
+}  // namespace
+
+ExchangeLink::ExchangeLink(Exchange exchange) : exchange_{std::move(exchange)}, unattended_{startedUnattended()} {}
 
 void ExchangeLink::publish(Commands commands) {
   commands.session = session_;
   commands.sequence = ++sequence_;
+  commands.unattended = commands.unattended || unattended_;
+  commands.settings = settings_;
   commands.made_ns = now().count();
   last_ = commands;
-  block().commands.publish(commands);
+  exchange_.commands().commands.publish(commands);
 }
 
 Sensors ExchangeLink::sensors() const {
@@ -17,7 +34,19 @@ Sensors ExchangeLink::sensors() const {
 }
 
 void ExchangeLink::beginSession() {
-  session_ = block().session.fetch_add(1) + 1;
+  info_ = block().info;
+  std::atomic<std::uint32_t>& taken = exchange_.commands().session_taken;
+  session_ = later(later(block().session.load(), taken.load()), session_) + 1;
+  if (session_ == 0) session_ = 1;  // 0: nobody drives
+  taken.store(session_);
+}
+
+safety::Config ExchangeLink::robotSafety() const {
+  return safety::fromSession(info_.safety, info_.safety_named);
+}
+
+void ExchangeLink::setSafety(const safety::Config& config) {
+  settings_ = safety::toSession(config);
 }
 
 bool ExchangeLink::sayFarewell() {
@@ -34,8 +63,11 @@ bool ExchangeLink::finished(std::uint64_t cycle) const {
 }
 
 bool ExchangeLink::releasedByOperator() const {
-  const std::uint32_t released = block().released.load();
-  return released != 0 && static_cast<std::int32_t>(released - session_) > 0;
+  return session_ != 0 && block().refused.load() == session_;
+}
+
+void ExchangeLink::sleepUntilAfter(std::uint32_t finished, Nanos at_most) const {
+  block().finished.waitWhile(finished, at_most, exchange_.commands().wait);
 }
 
 bool ExchangeLink::end(const std::string& why) {

@@ -5,12 +5,13 @@
 
 #include "runtime/exchange.hpp"
 #include "runtime/robot_link.hpp"
+#include "safety/config.hpp"
 
 namespace darwinop::runtime {
 
 class ExchangeLink : public RobotLink {
  public:
-  [[nodiscard]] Nanos period() const override { return Nanos{block().info.period_ns}; }
+  [[nodiscard]] Nanos period() const override { return Nanos{info_.period_ns}; }
   void publish(Commands commands) override;
   [[nodiscard]] Sensors sensors() const override;
   [[nodiscard]] std::string whyEnded() const override { return why_ended_; }
@@ -18,15 +19,23 @@ class ExchangeLink : public RobotLink {
   /// Gives whoever drives from now on a number of their own, so that safety starts them gently. Only the holder of the
   /// driving lease may do this; a link has done it once when it is made.
   void beginSession();
+  /// The robot's [Safety] and [Limits], as the loop told them when the session began.
+  [[nodiscard]] safety::Config robotSafety() const;
+  /// What this session asks for besides. Before the first image.
+  void setSafety(const safety::Config& config);
 
  protected:
-  explicit ExchangeLink(Exchange exchange) : exchange_{std::move(exchange)} {}
+  explicit ExchangeLink(Exchange exchange);
 
-  [[nodiscard]] ExchangeBlock& block() const { return exchange_.block(); }
+  [[nodiscard]] const ExchangeBlock& block() const { return exchange_.block(); }
+  [[nodiscard]] const Exchange& exchange() const { return exchange_; }
+  [[nodiscard]] const LoopInfo& info() const { return info_; }
+  /// Sleeps until a cycle after the one of this number is finished, a signal comes, or `at_most` is over.
+  void sleepUntilAfter(std::uint32_t finished, Nanos at_most) const;
   /// Publishes the last image once more, saying farewell. False: this controller never drove, so there is nothing to
   /// bring to rest.
   bool sayFarewell();
-  /// True when this session was ended by `darwinop runtime --release`.
+  /// True when `darwinop runtime --release` ended this session.
   [[nodiscard]] bool releasedByOperator() const;
   [[nodiscard]] bool finished(std::uint64_t cycle) const;
   /// Notes why the robot is gone; always false.
@@ -34,10 +43,13 @@ class ExchangeLink : public RobotLink {
 
  private:
   Exchange exchange_;
+  LoopInfo info_{};  // a copy: the memory may be lost
   Commands last_{};
+  SessionSettings settings_{};
   mutable Sensors sensors_{};  // kept when nothing new can be read
   std::uint32_t session_ = 0;
   std::uint64_t sequence_ = 0;
+  bool unattended_;
   std::string why_ended_;
 };
 

@@ -3,10 +3,12 @@
 
 #include <pthread.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <chrono>
-#include <iostream>
+#include <ostream>
 
+#include "hal/diagnostics.hpp"
 #include "runtime/fault_announcer.hpp"
 
 namespace darwinop::runtime {
@@ -27,7 +29,9 @@ void FaultWatch::run() {
   sigset_t all;  // a signal shall end the controller's sleep, not this thread's
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
-  FaultAnnouncer announcer{std::cerr};
+  NeverWaitingBuffer buffer{STDERR_FILENO};  // ending the loop must not wait for who reads
+  std::ostream out{&buffer};
+  FaultAnnouncer announcer{out};
   Sensors seen;
   std::unique_lock lock{mutex_};
   for (bool last = false; !last;) {

@@ -2,13 +2,17 @@
 #include "runtime/file_lock.hpp"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -16,20 +20,19 @@ namespace darwinop::runtime {
 namespace {
 
 /// Opens without O_CREAT first: in a sticky folder such as /dev/shm the kernel refuses O_CREAT on a file of
-/// another user, even to root (fs.protected_regular).
-int openLockFile(const std::string& path, gid_t group) {
+/// another user, even to root (fs.protected_regular). Nothing: errno tells why.
+std::optional<SharedFile> openLockFile(const std::string& path, gid_t group, FileOwner owner) {
   for (int attempt = 0; attempt < 3; ++attempt) {
-    int fd = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
-    if (fd >= 0 || errno != ENOENT) return fd;
-    fd = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0660);
-    if (fd >= 0) {
+    if (auto file = openShared(path, O_RDWR, owner); file || errno != ENOENT) return file;
+    SharedFile fresh{open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0660)};
+    if (fresh.fd() >= 0) {
       // Best effort: with other rights the lock works all the same for its owner.
-      if (fchmod(fd, 0660) != 0 || fchown(fd, static_cast<uid_t>(-1), group) != 0) errno = 0;
-      return fd;
+      if (fchmod(fresh.fd(), 0660) != 0 || fchown(fresh.fd(), static_cast<uid_t>(-1), group) != 0) errno = 0;
+      return fresh;
     }
-    if (errno != EEXIST) return fd;
+    if (errno != EEXIST) return std::nullopt;
   }
-  return -1;
+  return std::nullopt;
 }
 
 pid_t writtenPid(int fd) {
@@ -38,11 +41,36 @@ pid_t writtenPid(int fd) {
   return static_cast<pid_t>(std::strtol(text, nullptr, 10));
 }
 
+/// Who holds a flock() on this file, as the kernel lists it; 0: not listed, as in a container.
+pid_t listedHolder(int fd) {
+  struct stat status {};
+  const std::unique_ptr<FILE, int (*)(FILE*)> list{std::fopen("/proc/locks", "re"), std::fclose};
+  if (!list || fstat(fd, &status) != 0) return 0;
+  char line[256];
+  while (std::fgets(line, sizeof line, list.get()) != nullptr) {
+    // "1: FLOCK  ADVISORY  WRITE 3568 00:15:1234 0 EOF"; a process that waits has "->" in the second place.
+    long pid = 0;
+    unsigned device_major = 0, device_minor = 0;
+    unsigned long long inode = 0;
+    if (std::sscanf(line, "%*d: FLOCK ADVISORY %*s %ld %x:%x:%llu", &pid, &device_major, &device_minor, &inode) != 4)
+      continue;
+    if (pid > 0 && inode == status.st_ino && device_major == major(status.st_dev) &&
+        device_minor == minor(status.st_dev))
+      return static_cast<pid_t>(pid);
+  }
+  return 0;
+}
+
+/// Asks with a shared lock, which closing the file gives back.
+bool isHeld(int fd) {
+  return flock(fd, LOCK_SH | LOCK_NB) != 0;
+}
+
 }  // namespace
 
-std::optional<FileLock> FileLock::tryTake(const std::string& path, gid_t group) {
-  FileLock lock{openLockFile(path, group)};
-  if (lock.fd_ < 0)
+std::optional<FileLock> FileLock::tryTake(const std::string& path, gid_t group, FileOwner owner) {
+  auto file = openLockFile(path, group, owner);
+  if (!file)
     throw std::runtime_error("cannot open the lock file " + path + ": " + std::strerror(errno) +
                              (errno == EACCES ? "; it belongs to another user: run as that user, or have the runtime "
                                                 "started with --group and a group that you are a member of. If that "
@@ -50,32 +78,35 @@ std::optional<FileLock> FileLock::tryTake(const std::string& path, gid_t group) 
                                                     path
                                               : ""));
   // Somebody who only looks may hold it for an instant (see holder()).
-  for (int attempt = 0; flock(lock.fd_, LOCK_EX | LOCK_NB) != 0; ++attempt) {
+  for (int attempt = 0; flock(file->fd(), LOCK_EX | LOCK_NB) != 0; ++attempt) {
     if (errno != EINTR && (errno != EWOULDBLOCK || attempt == 20)) return std::nullopt;
     usleep(5'000);
   }
   const std::string pid = std::to_string(getpid()) + "\n";
-  if (ftruncate(lock.fd_, 0) != 0 || pwrite(lock.fd_, pid.data(), pid.size(), 0) < 0) errno = 0;  // only a courtesy
-  return lock;
+  if (ftruncate(file->fd(), 0) != 0 || pwrite(file->fd(), pid.data(), pid.size(), 0) < 0) errno = 0;  // a courtesy
+  return FileLock{std::move(*file)};
 }
 
-pid_t FileLock::holder(const std::string& path) {
-  const FileLock file{open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW)};
-  if (file.fd_ < 0) return errno == EACCES ? -1 : 0;
-  if (flock(file.fd_, LOCK_SH | LOCK_NB) == 0) return 0;  // closing the file gives it back
-  const pid_t pid = writtenPid(file.fd_);
+pid_t FileLock::holder(const std::string& path) try {
+  const auto file = openShared(path, O_RDONLY, FileOwner::kAny);
+  if (!file) return errno == EACCES ? -1 : 0;
+  if (!isHeld(file->fd())) return 0;
+  if (const pid_t listed = listedHolder(file->fd()); listed > 0) return listed;
+  const pid_t pid = writtenPid(file->fd());
   return pid > 0 ? pid : -1;  // -1: held, by somebody who has not written the name yet
+} catch (const std::runtime_error&) {
+  return 0;  // not a file that tryTake() would have accepted
 }
 
-FileLock::FileLock(FileLock&& other) noexcept : fd_{std::exchange(other.fd_, -1)} {}
-
-FileLock& FileLock::operator=(FileLock&& other) noexcept {
-  std::swap(fd_, other.fd_);
-  return *this;
-}
-
-FileLock::~FileLock() {
-  if (fd_ >= 0) close(fd_);
+pid_t FileLock::provenHolder(const std::string& path) {
+  const auto file = openShared(path, O_RDONLY, FileOwner::kOwn);
+  if (!file && errno == ENOENT) return 0;
+  if (!file) throw std::runtime_error("cannot open " + path + ": " + std::strerror(errno) + "; ask as root: sudo ...");
+  if (!isHeld(file->fd())) return 0;
+  if (const pid_t listed = listedHolder(file->fd()); listed > 0) return listed;
+  if (!isHeld(file->fd())) return 0;  // it was given back meanwhile
+  throw std::runtime_error("cannot find out which process holds " + path +
+                           ": /proc/locks does not list it; ask on the computer itself, not in a container");
 }
 
 }  // namespace darwinop::runtime

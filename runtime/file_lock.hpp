@@ -5,6 +5,9 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+
+#include "runtime/shared_file.hpp"
 
 namespace darwinop::runtime {
 
@@ -12,19 +15,22 @@ namespace darwinop::runtime {
 class FileLock {
  public:
   /// Takes the lock, or gives nothing when another process has it. Throws std::runtime_error, with what to do,
-  /// when the file can be neither opened nor made. `group`: who else may use the file, -1: unchanged.
-  static std::optional<FileLock> tryTake(const std::string& path, gid_t group = static_cast<gid_t>(-1));
+  /// when the file can be neither opened nor made, or must not be used. `group`: who else may use the file, -1:
+  /// unchanged. `owner`: whose file of that name is accepted.
+  static std::optional<FileLock> tryTake(const std::string& path, gid_t group = static_cast<gid_t>(-1),
+                                         FileOwner owner = FileOwner::kGroup);
 
   /// Pid of the holder, 0: nobody holds it, -1: not to be told (the file is another user's). Never disturbs the holder.
+  /// For messages: where the kernel does not tell the pid, it is the one that is written in a trusted user's file.
   static pid_t holder(const std::string& path);
 
-  FileLock(FileLock&& other) noexcept;
-  FileLock& operator=(FileLock&& other) noexcept;
-  ~FileLock();
+  /// The same for sending signals: the file belongs to this user or to root, and the pid comes from the kernel. Throws
+  /// std::runtime_error, with what to do, when either cannot be had.
+  static pid_t provenHolder(const std::string& path);
 
  private:
-  explicit FileLock(int fd) : fd_{fd} {}
-  int fd_ = -1;
+  explicit FileLock(SharedFile file) : file_{std::move(file)} {}
+  SharedFile file_;
 };
 
 }  // namespace darwinop::runtime

@@ -3,8 +3,10 @@
 
 #include <linux/futex.h>
 #include <sys/syscall.h>
+#include <time.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <climits>
 
 namespace darwinop::runtime {
@@ -15,21 +17,23 @@ struct KernelTimespec {
 };
 }  // namespace
 
-// Both sides write one word and then look at the other, in the one order that seq_cst gives. So either advance()
-// sees the sleeper and wakes it, or the kernel sees the new value and does not put the sleeper to bed. A mere flag
-// that advance() clears would not do: cleared between the sleeper's look and its sleep, it is missing next time.
-void WakeWord::advance() noexcept {
-  value_.store(value_.load(std::memory_order_relaxed) + 1);
-  if (sleepers_.load() != 0) syscall(SYS_futex, &value_, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
+// Both sides write one word and then read the other's, in the one order that seq_cst gives. So either set() reads the
+// note and wakes the sleeper, or the kernel reads the new value and does not put the sleeper to sleep.
+void WakeWord::set(std::uint32_t value, const WaitNote& note) noexcept {
+  value_.store(value);
+  if (note.isAwaited(value)) syscall(SYS_futex, &value_, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
 }
 
-void WakeWord::waitWhile(std::uint32_t seen, Nanos at_most) noexcept {
+void WakeWord::waitWhile(std::uint32_t seen, Nanos at_most, WaitNote& note) const noexcept {
   constexpr long long a_second = 1'000'000'000;
   const KernelTimespec timeout{static_cast<long>(at_most.count() / a_second),
                                static_cast<long>(at_most.count() % a_second)};
-  sleepers_.fetch_add(1);
-  if (value_.load() == seen) syscall(SYS_futex, &value_, FUTEX_WAIT, seen, &timeout, nullptr, 0);
-  sleepers_.fetch_sub(1);
+  note.waitFor(seen + 1);
+  if (value_.load() != seen || syscall(SYS_futex, &value_, FUTEX_WAIT, seen, &timeout, nullptr, 0) == 0) return;
+  if (errno != EFAULT) return;
+  // Linux 2.6.33 to 3.0 refuse FUTEX_WAIT in a read-only mapping.
+  const timespec pause{0, 1'000'000};
+  nanosleep(&pause, nullptr);
 }
 
 }  // namespace darwinop::runtime

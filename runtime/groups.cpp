@@ -1,7 +1,8 @@
-// Names of groups, read from /etc/group.
+// Names of groups and users, read from /etc.
 #include "runtime/groups.hpp"
 
 #include <grp.h>
+#include <pwd.h>
 
 #include <cstdio>
 #include <memory>
@@ -31,6 +32,14 @@ std::string groupName(gid_t id, const std::string& file) {
              file, [&](const group& entry) { return id == entry.gr_gid; },
              [](const group& entry) { return std::string{entry.gr_name}; })
       .value_or(std::to_string(id));
+}
+
+std::optional<std::string> userName(uid_t id, const std::string& path) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> file{std::fopen(path.c_str(), "re"), std::fclose};
+  if (!file) return std::nullopt;
+  while (const passwd* entry = fgetpwent(file.get()))
+    if (entry->pw_uid == id) return std::string{entry->pw_name};
+  return std::nullopt;
 }
 
 }  // namespace darwinop::runtime

@@ -1,4 +1,5 @@
-// Names of groups, read from /etc/group: getgrnam() asks plug-ins of the C library, which a static program has not.
+// Names of groups and users, read from /etc: getgrnam() and getpwnam() ask plug-ins of the C library, which a static
+// program has not.
 #pragma once
 
 #include <sys/types.h>
@@ -12,5 +13,8 @@ std::optional<gid_t> groupId(const std::string& name, const std::string& file = 
 
 /// The name, or the number as text when the group has none.
 std::string groupName(gid_t id, const std::string& file = "/etc/group");
+
+/// Nothing when the user has no name here.
+std::optional<std::string> userName(uid_t id, const std::string& file = "/etc/passwd");
 
 }  // namespace darwinop::runtime

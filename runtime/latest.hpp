@@ -55,6 +55,11 @@ class Latest {
     return false;
   }
 
+  /// For a reader of a copy, which cannot read it twice: where the number of publications lies. A value that was read
+  /// from a copy is whole when the number, read later, is no more than kSlots - 2 above the copy's.
+  static constexpr std::size_t offsetOfCount() noexcept { return offsetof(Latest, newest_); }
+  static constexpr std::uint32_t kSafeLead = kSlots - 2;
+
   /// Number of publications, wrapping past 0. A change means that there is something new.
   [[nodiscard]] std::uint32_t count() const noexcept { return newest_.load(std::memory_order_acquire); }
 

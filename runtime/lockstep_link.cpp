@@ -11,7 +11,7 @@ LockstepLink::LockstepLink(const LoopConfig& config, std::unique_ptr<ServoBus> b
     : ExchangeLink{Exchange::embedded()},
       rest_{checked(config).safety, config.period},
       clock_{std::move(clock)},
-      host_{config, std::move(bus), block(), LoopStats::Timed::kNo, Recorder::Writer::kByHand},
+      host_{config, std::move(bus), exchange(), LoopStats::Timed::kNo, Recorder::Writer::kByHand},
       driver_{host_.loop(), *clock_, config.period},
       open_eyes_{std::move(open_eyes)},
       announcer_{std::cerr} {

@@ -93,7 +93,7 @@ inline constexpr auto kJointLogColumns = std::to_array<JointLogColumn>({
     {"asked", "rad", "goal the controller asks for, before safety", DARWINOP_ASKED(kGoal, goal.value)},
     {"asked_speed", "rad/s", "speed limit it asks for", DARWINOP_ASKED(kSpeedLimit, speed_limit.value)},
     {"asked_torque", "N m", "torque limit it asks for", DARWINOP_ASKED(kTorqueLimit, torque_limit.value)},
-    {"asked_p_gain", "", "P gain it asks for", DARWINOP_ASKED(kPGain, p_gain)},
+    {"asked_p_gain", "Kp", "P gain it asks for: the servo's register / 8", DARWINOP_ASKED(kPGain, p_gain)},
     {"asked_torque_on", "", "1: torque, 0: limp", DARWINOP_ASKED(kTorque, torque_on)},
     {"commanded", "rad", "goal sent last, after safety; empty while the joint is not driven",
      [](const JointCommand&, const JointSensors& s) { return detail::when(s.driven, s.commanded.value); }},

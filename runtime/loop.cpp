@@ -2,37 +2,70 @@
 #include "runtime/loop.hpp"
 
 namespace darwinop::runtime {
+namespace {
 
-Loop::Loop(ServoBus& bus, safety::Guard& guard, ExchangeBlock& block, Recorder* recorder, Nanos period,
+/// Numbers of sessions wrap.
+bool isLater(std::uint32_t session, std::uint32_t than) noexcept {
+  return static_cast<std::int32_t>(session - than) > 0;
+}
+
+}  // namespace
+
+Loop::Loop(ServoBus& bus, safety::Guard& guard, const Exchange& exchange, Recorder* recorder, Nanos period,
            LoopStats::Timed timed)
-    : cycle_{bus, guard, period}, block_{block}, recorder_{recorder}, timed_{timed} {}
+    : cycle_{bus, guard, period},
+      exchange_{exchange},
+      block_{exchange.ownBlock()},
+      requests_{exchange.commands()},
+      recorder_{recorder},
+      timed_{timed},
+      session_{block_.released.load()},
+      released_{session_} {}
 
 void Loop::turn(const CycleTime& time, std::uint32_t skipped) noexcept {
-  (void)block_.commands.read(newest_);  // nothing new: the last image stays in force
+  (void)requests_.commands.read(newest_);  // nothing new: the last image stays in force
+  takeRequests();
   const Commands asked = withOperator(newest_);
   cycle_.run(asked, time);
   const Sensors& sensors = cycle_.sensors();
-  block_.sensors.publish(sensors);
   block_.stats.account(sensors, skipped, timed_);
   if (recorder_ != nullptr) recorder_->push(asked, sensors);
-  block_.finished.advance();
+  publish(sensors);
 }
 
 /// What an operator asked for beside the controller: `darwinop runtime --reset-faults` and `--release`.
+void Loop::takeRequests() noexcept {
+  if (isLater(newest_.session, session_)) session_ = newest_.session;
+  if (requests_.fault_reset.isNew(resets_seen_)) ++fault_resets_;
+  if (!requests_.release.isNew(releases_seen_)) return;
+  driven_at_release_ = newest_.session;
+  released_ = ++session_;
+}
+
+/// Drivers from before the last release. The one that drove then is named: its number may be any.
+bool Loop::isRefused(std::uint32_t session) const noexcept {
+  return released_ != 0 && (session == driven_at_release_ || !isLater(session, released_));
+}
+
 Commands Loop::withOperator(Commands asked) noexcept {
-  const std::uint32_t released = block_.released.load(std::memory_order_relaxed);
-  // A release is a session of its own that wishes every joint limp. So it holds whether the controller steps, stalls
-  // or is gone, until a controller with a session after it takes over.
-  if (released != 0 && static_cast<std::int32_t>(released - asked.session) > 0) {
-    asked = Commands{};
-    asked.session = released;
-    asked.sequence = ++release_ticks_;
-    asked.start_where_it_is = true;
-    for (JointCommand& joint : asked.joint) joint.setTorque(false);
-  }
-  asked.fault_resets += block_.fault_resets.load(std::memory_order_relaxed);
-  if (block_.closing.load(std::memory_order_relaxed) != 0) asked.farewell = true;
+  // Safety ends the session that drove at the release. Another one from before it is nobody's.
+  if (asked.session != 0 && isRefused(asked.session)) asked = Commands{};
+  asked.operator_releases = released_;
+  asked.operator_resets = fault_resets_;
+  // Without its memory the loop receives no commands, and nobody sees it: it brings the robot to rest.
+  const bool closing = block_.closing.load(std::memory_order_relaxed) == ExchangeBlock::kClosing;
+  if (closing || exchange_.lost()) asked.farewell = true;
   return asked;
+}
+
+/// Whole values in every cycle: what a stray write leaves here is gone with the next one.
+void Loop::publish(const Sensors& sensors) noexcept {
+  block_.session.store(session_, std::memory_order_relaxed);
+  block_.released.store(released_, std::memory_order_relaxed);
+  block_.refused.store(isRefused(newest_.session) ? newest_.session : 0, std::memory_order_relaxed);
+  requests_.instance.store(block_.instance, std::memory_order_relaxed);
+  block_.sensors.publish(sensors);
+  block_.finished.set(static_cast<std::uint32_t>(sensors.cycle), requests_.wait);
 }
 
 }  // namespace darwinop::runtime

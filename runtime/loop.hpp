@@ -15,8 +15,8 @@ namespace darwinop::runtime {
 /// Everything here runs in the loop's thread and neither allocates, locks, logs nor throws.
 class Loop {
  public:
-  /// `recorder` may be null. All must outlive the loop.
-  Loop(ServoBus& bus, safety::Guard& guard, ExchangeBlock& block, Recorder* recorder, Nanos period,
+  /// `exchange` is this process' own; `recorder` may be null. All must outlive the loop.
+  Loop(ServoBus& bus, safety::Guard& guard, const Exchange& exchange, Recorder* recorder, Nanos period,
        LoopStats::Timed timed);
 
   /// Runs one cycle at the next release.
@@ -27,13 +27,23 @@ class Loop {
  private:
   void turn(const CycleTime& time, std::uint32_t skipped) noexcept;
   [[nodiscard]] Commands withOperator(Commands asked) noexcept;
+  void takeRequests() noexcept;
+  [[nodiscard]] bool isRefused(std::uint32_t session) const noexcept;
+  void publish(const Sensors& sensors) noexcept;
 
   Cycle cycle_;
+  const Exchange& exchange_;
   ExchangeBlock& block_;
+  CommandBlock& requests_;
   Recorder* recorder_;
   LoopStats::Timed timed_;
   Commands newest_{};  // kept when nothing new can be read
-  std::uint64_t release_ticks_ = 0;
+  // The loop's own memory: nothing of this is read back from the exchange.
+  std::uint32_t resets_seen_ = 0, releases_seen_ = 0;  // numbers of the requests
+  std::uint32_t fault_resets_ = 0;
+  std::uint32_t session_;   // highest so far, of a driver or a release
+  std::uint32_t released_;  // that the last release got; 0: there was none. Set by whoever makes the exchange
+  std::uint32_t driven_at_release_ = 0;  // session that was in force then
 };
 
 }  // namespace darwinop::runtime

@@ -5,6 +5,8 @@
 
 #include <stdexcept>
 
+#include "safety/session_settings.hpp"
+
 namespace darwinop::runtime {
 namespace {
 
@@ -24,6 +26,8 @@ void tell(LoopInfo& info, const LoopConfig& config) {
   info.pid = getpid();
   setText(info.robot, sizeof info.robot, config.robot);
   setText(info.port, sizeof info.port, config.port);
+  info.safety = safety::toSession(config.safety);
+  info.safety_named = static_cast<std::uint32_t>(config.safety.named.to_ulong());
 }
 
 }  // namespace
@@ -36,13 +40,13 @@ const LoopConfig& checked(const LoopConfig& config) {
   return config;
 }
 
-LoopHost::LoopHost(const LoopConfig& config, std::unique_ptr<ServoBus> bus, ExchangeBlock& block,
+LoopHost::LoopHost(const LoopConfig& config, std::unique_ptr<ServoBus> bus, const Exchange& exchange,
                    LoopStats::Timed timed, Recorder::Writer writer)
     : bus_{std::move(bus)},
       guard_{withPeriod(checked(config).safety, config.period)},
       recorder_{makeRecorder(config, writer)},
-      loop_{*bus_, guard_, block, recorder_.get(), config.period, timed} {
-  tell(block.info, config);
+      loop_{*bus_, guard_, exchange, recorder_.get(), config.period, timed} {
+  tell(exchange.ownBlock().info, config);
 }
 
 }  // namespace darwinop::runtime

@@ -30,7 +30,7 @@ const LoopConfig& checked(const LoopConfig& config);
 class LoopHost {
  public:
   /// Throws std::runtime_error for a period out of range or a recording that cannot be written.
-  LoopHost(const LoopConfig& config, std::unique_ptr<ServoBus> bus, ExchangeBlock& block, LoopStats::Timed timed,
+  LoopHost(const LoopConfig& config, std::unique_ptr<ServoBus> bus, const Exchange& exchange, LoopStats::Timed timed,
            Recorder::Writer writer);
 
   [[nodiscard]] Loop& loop() { return loop_; }

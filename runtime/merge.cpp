@@ -19,6 +19,7 @@ void mergeJoint(const ServoReading& reading, JointSensors& joint) noexcept {
     joint.temperature = reading.temperature;
     joint.torque_limit = reading.torque_limit;
     joint.torque_enabled = reading.torque_enabled;
+    joint.restarted = reading.restarted;
   } else {
     joint.health.missed();
   }

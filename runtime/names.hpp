@@ -5,15 +5,21 @@
 
 namespace darwinop::runtime {
 
+/// Environment variable, 1: a program started this process and no person did. Its sessions clear no latched fault.
+inline constexpr const char* kUnattended = "DARWINOP_UNATTENDED";
+[[nodiscard]] bool startedUnattended();
+
 /// The files of one daemon. Several may run on one machine under different names.
 struct RuntimeFiles {
   /// `name` without a slash lies in /dev/shm, with one it is a path. Empty: $DARWINOP_RUNTIME_NAME, or else
   /// "darwinop-runtime".
   explicit RuntimeFiles(const std::string& name = "");
 
-  std::string exchange;    // the memory
+  std::string exchange;    // what the loop tells: written by the runtime alone
+  std::string commands;    // what the loop is asked for: written by the runtime's group
   std::string loop_lock;   // held as long as the loop lives
   std::string drive_lock;  // held by the one controller that drives
+  std::string released;    // exists while a person's release waits for a person; outlives the daemon, not the computer
   // What its camera sees, for onlookers, and when they asked for it last: hal/shared_picture/layout.hpp.
   std::string pictures, pictures_asked;
 };

@@ -1,12 +1,17 @@
 // What a person may ask of a running daemon.
 #include "runtime/operator.hpp"
 
+#include <string.h>
+
 #include <memory>
 #include <stdexcept>
+#include <thread>
 
+#include "core/printable.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/file_lock.hpp"
 #include "runtime/report.hpp"
+#include "safety/fault_book.hpp"
 
 namespace darwinop::runtime {
 
@@ -17,6 +22,12 @@ Exchange attachAs(Exchange::Access access, const RuntimeFiles& files) {
     throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) +
                              ") has ended; start it again with: darwinop runtime");
   return exchange;
+}
+
+/// Whoever may write to the exchange may have written it.
+template <std::size_t N>
+std::string shown(const char (&text)[N]) {
+  return printable({text, strnlen(text, N)});
 }
 }  // namespace
 
@@ -29,40 +40,47 @@ Exchange lookAtDaemon(const RuntimeFiles& files) {
 }
 
 std::string daemonStatus(const RuntimeFiles& files) {
-  const Exchange exchange = attachToDaemon(files);
+  const Exchange exchange = lookAtDaemon(files);
   const ExchangeBlock& block = exchange.block();
   const pid_t driver = FileLock::holder(files.drive_lock);
   const auto stats = std::make_unique<StatsView>();
   block.stats.copyTo(*stats);
   Sensors last;
   const bool any = block.sensors.read(last);
-  std::string text = "runtime       pid " + std::to_string(block.info.pid) + ", " + block.info.robot + " on " +
-                     block.info.port + "\n" + "driver        " +
+  std::string text = "runtime       pid " + std::to_string(block.info.pid) + ", " + shown(block.info.robot) + " on " +
+                     shown(block.info.port) + "\n" + "driver        " +
                      (driver == 0  ? "none"
                       : driver < 0 ? "of another user"
                                    : "pid " + std::to_string(driver)) +
                      ", session " + std::to_string(block.session.load()) + "\n";
-  // The last session is the operator's own: no controller has come since.
-  const std::uint32_t released = block.released.load();
-  const bool limp = released != 0 && released == block.session.load() && last.safety.state != State::kOffline;
-  if (any) text += robotText(last, limp ? "released by an operator; joints are limp until a controller starts" : "");
+  if (any) text += robotText(last);
   return text + reportText(*stats, last);
 }
 
 void resetFaults(const RuntimeFiles& files) {
-  attachToDaemon(files).block().fault_resets.fetch_add(1);
+  attachToDaemon(files).commands().fault_reset.ask();
 }
 
 void releaseRobot(const RuntimeFiles& files) {
+  constexpr Nanos kPatience{3'000'000'000}, kLook{5'000'000};  // longer than the longest period
   const Exchange exchange = attachToDaemon(files);
-  exchange.block().released.store(exchange.block().session.fetch_add(1) + 1);
+  const MonotonicClock clock;
+  const Nanos end = clock.now() + kPatience;
+  exchange.commands().release.ask();
+  for (Sensors seen; !seen.safety.active[safety::rowIndex(Fault::kReleasedByOperator)];) {
+    if (clock.now() > end)
+      throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) +
+                               ") has not released the robot within 3 s: hold it and press RESET on its back");
+    std::this_thread::sleep_for(kLook);
+    (void)exchange.block().sensors.read(seen);
+  }
 }
 
 safety::StartPoseCheck startPoseNow(const RuntimeFiles& files) {
   // Longer than the longest period: an image that does not change is one of a loop that hangs.
-  constexpr Nanos kPatience{3'000'000'000}, kLook{100'000'000};
-  const Exchange exchange = attachToDaemon(files);
-  WakeWord& finished = exchange.block().finished;
+  constexpr Nanos kPatience{3'000'000'000}, kLook{5'000'000};
+  const Exchange exchange = lookAtDaemon(files);
+  const WakeWord& finished = exchange.block().finished;
   const std::uint32_t before = finished.value();
   const MonotonicClock clock;
   const Nanos end = clock.now() + kPatience;
@@ -70,7 +88,7 @@ safety::StartPoseCheck startPoseNow(const RuntimeFiles& files) {
     if (clock.now() > end)
       throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) +
                                ") has not run a cycle for 3 s, so nothing is known of the robot; restart it");
-    finished.waitWhile(before, kLook);
+    std::this_thread::sleep_for(kLook);
   }
   Sensors seen;
   (void)exchange.block().sensors.read(seen);

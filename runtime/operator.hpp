@@ -20,8 +20,8 @@ std::string daemonStatus(const RuntimeFiles& files);
 /// Latched faults are forgotten; the servos that shut themselves off may be driven again.
 void resetFaults(const RuntimeFiles& files);
 
-/// Torque off on every joint, now, whoever drives: hold the robot. The controller is told to end; the next one takes
-/// over as usual.
+/// Torque off on every joint, now, whoever drives: hold the robot. The controller is told to end. Torque stays off
+/// until a person resets the fault or starts a controller.
 void releaseRobot(const RuntimeFiles& files);
 
 /// Where the robot is now, judged by a cycle that ends after the call. Throws std::runtime_error when none does.

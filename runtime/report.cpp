@@ -84,9 +84,9 @@ std::string reportText(const StatsView& stats, const Sensors& last) {
                                              std::to_string(last.link.clamped_goals) + " (a bug; please report it)\n");
 }
 
-std::string robotText(const Sensors& last, const std::string& instead) {
+std::string robotText(const Sensors& last) {
   const std::string state{kStateNames[static_cast<std::size_t>(last.safety.state)]};
-  std::string text = "state         " + (instead.empty() ? state : instead) + "\n";
+  std::string text = "state         " + state + "\n";
   for (std::size_t i = 0; i < kFaults; ++i) {
     if (!last.safety.active[i]) continue;
     const FaultRow& fault = kFaultTable[i];

@@ -23,7 +23,6 @@ std::string reportLine(const StatsView& stats, const Sensors& last);
 std::string reportText(const StatsView& stats, const Sensors& last);
 
 /// What `darwinop runtime --status` says of the robot: state, faults and what to do about them, battery.
-/// `instead`: what to say in place of the state's name, if not empty.
-std::string robotText(const Sensors& last, const std::string& instead = "");
+std::string robotText(const Sensors& last);
 
 }  // namespace darwinop::runtime

@@ -6,7 +6,7 @@ namespace darwinop::runtime {
 ThreadedLink::ThreadedLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus)
     : ExchangeLink{Exchange::embedded()},
       rest_{checked(config).safety, config.period},
-      host_{config, std::move(bus), block(), LoopStats::Timed::kYes, Recorder::Writer::kThread},
+      host_{config, std::move(bus), exchange(), LoopStats::Timed::kYes, Recorder::Writer::kThread},
       driver_{host_.loop(), clock_, config.period, config.real_time},
       watch_{block().sensors} {
   beginSession();
@@ -16,9 +16,10 @@ bool ThreadedLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& st
   constexpr Nanos kLook{50'000'000};  // a signal ends the sleep; this is for a flag that another thread sets
   for (;;) {
     if (stop.load()) return end(kAskedToStop);
+    if (exchange().lost()) return end(kExchangeLost);
     const std::uint32_t seen = block().finished.value();
     if (finished(cycle)) return true;
-    block().finished.waitWhile(seen, kLook);
+    sleepUntilAfter(seen, kLook);
   }
 }
 

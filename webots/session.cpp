@@ -23,6 +23,14 @@ std::string describe(const SafetyReport& report) {
   return text + "; " + std::string{fault.remedy};
 }
 
+/// Joints that did not get to the start pose; empty: all did.
+std::string startMissedBy(const SafetyReport& report) {
+  std::string names;
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (report.missed_start[i]) names += (names.empty() ? "" : ", ") + std::string{kJointTable[i].name};
+  return names;
+}
+
 std::string whatIsAwaited(const SafetyReport& report) {
   const auto state = static_cast<std::size_t>(report.state);
   std::string text = "the robot is " + std::string{kStateNames[std::min(state, kStates - 1)]};
@@ -64,6 +72,9 @@ std::string Session::begin(const Commands& first) {
       told = true;
     }
   }
+  if (const std::string names = startMissedBy(sensors_.safety); !names.empty())
+    say("not in the start pose after the slow move to it: " + names + "; " +
+        std::string{row(Fault::kStartMissed).remedy});
   line_ = TimeLine{link_->period(), sensors_.cycle};
   origin_ = Nanos{sensors_.time_ns};
   returned_ = link_->now();

@@ -1,11 +1,14 @@
-// Ctrl-C, SIGTERM and SIGHUP as a flag, so that a controller can end tidily; SIGPIPE without effect.
+// What signals do to a controller: the table is in hal/signals.hpp.
 #include "webots/stop_signals.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
 #include <ctime>
+
+#include "hal/signals.hpp"
 
 namespace darwinop::facade {
 
@@ -16,6 +19,13 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it"
 /// What was sent to a whole process group reaches a controller twice: by itself, and handed on by who started it.
 /// Nobody presses Ctrl-C a second time as fast as that.
 constexpr std::uint32_t kOneWishMs = 300;
+
+/// Of these a second one ends the program at once: a controller that does not step any more could not be ended else.
+constexpr std::array kInsisting{SIGINT, SIGTERM, SIGQUIT};
+
+/// The kernel stops or fails a system call in the background unless these are ignored; a handler would repeat it for
+/// ever.
+constexpr std::array kOfJobControl{SIGTSTP, SIGTTIN, SIGTTOU};
 
 /// When each signal came first, CLOCK_MONOTONIC in ms, and never 0.
 std::array<std::atomic<std::uint32_t>, NSIG> came_ms{};
@@ -41,12 +51,12 @@ void onSignal(int signal) {
 }
 
 /// A terminal that goes away says so more than once.
-void onHangUp(int) {
+void onOtherEnd(int) {
   stop_requested.store(true);
 }
 
 /// A handler and not SIG_IGN, which programs that the controller starts would inherit.
-void onBrokenPipe(int) {}
+void onNothing(int) {}
 
 void handle(int signal, void (*handler)(int), int flags) {
   struct sigaction action {};
@@ -60,6 +70,14 @@ bool has(int signal, void (*handler)(int)) {
   struct sigaction now {};
   return sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) == 0 && now.sa_handler == handler;
 }
+
+bool isAmong(const auto& signals, int signal) {
+  return std::ranges::find(signals, signal) != signals.end();
+}
+
+void ignore(int signal) {
+  if (has(signal, SIG_DFL)) handle(signal, isAmong(kOfJobControl, signal) ? SIG_IGN : onNothing, SA_RESTART);
+}
 }  // namespace
 
 const std::atomic<bool>& stopRequested() {
@@ -68,12 +86,12 @@ const std::atomic<bool>& stopRequested() {
 
 void installStopSignals() {
   stop_requested = false;
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : kEndSignals) {
     came_ms.at(static_cast<std::size_t>(signal)) = 0;
-    if (!has(signal, SIG_IGN)) handle(signal, onSignal, 0);
+    if (!has(signal, SIG_IGN)) handle(signal, isAmong(kInsisting, signal) ? onSignal : onOtherEnd, 0);
   }
-  if (!has(SIGHUP, SIG_IGN)) handle(SIGHUP, onHangUp, 0);
-  if (has(SIGPIPE, SIG_DFL)) handle(SIGPIPE, onBrokenPipe, SA_RESTART);
+  for (const int signal : kIgnoredSignals) ignore(signal);
+  for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) ignore(signal);
 }
 
 }  // namespace darwinop::facade

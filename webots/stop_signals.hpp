@@ -1,16 +1,17 @@
-// Ctrl-C, SIGTERM and SIGHUP as a flag, so that a controller can end tidily; SIGPIPE without effect.
+// What signals do to a controller: Ctrl-C and others as a flag, so that it can end tidily; the rest without effect.
 #pragma once
 
 #include <atomic>
 
 namespace darwinop::facade {
 
-/// Becomes true with the first SIGINT, SIGTERM or SIGHUP after installStopSignals().
+/// Becomes true with the first signal of kEndSignals after installStopSignals().
 const std::atomic<bool>& stopRequested();
 
-/// The first signal sets the flag; a second SIGINT or SIGTERM, from 0.3 s after the first, ends the program at once. A
-/// signal that the program's parent chose to ignore stays ignored. Output into a pipe that nobody reads any more, as in
-/// `| head -3`, no longer kills the program, unless it has a handler of its own for that.
+/// The first signal of kEndSignals sets the flag; a second SIGINT, SIGTERM or SIGQUIT, from 0.3 s after the first, ends
+/// the program at once. A signal that the program's parent chose to ignore stays ignored. The signals of
+/// kIgnoredSignals no longer end or stop the program, unless it has a handler of its own for them: output into a pipe
+/// that nobody reads any more, as in `| head -3`, and Ctrl-Z, which would stop the loop with the joints under torque.
 void installStopSignals();
 
 }  // namespace darwinop::facade

@@ -42,6 +42,7 @@ TEST(InstalledRobotFile, IsSoundAndChangesNothing) {
   EXPECT_EQ(robot.camera, "/dev/video0");
   EXPECT_EQ(robot.period, kUsualPeriod);
   EXPECT_EQ(robot.group, "");
+  EXPECT_EQ(robot.controller_user, "");
   EXPECT_TRUE(robot.safety.named.none());
   EXPECT_EQ(safety::numbers(safetyOn(robot, {}, "config.ini")), safety::numbers(safety::Config{}));
   for (std::size_t i = 0; i < kJoints; ++i) EXPECT_EQ(robot.offsets.ticks(static_cast<Joint>(i)), 0);

@@ -35,6 +35,7 @@ std::string errorIn(const std::string& text) {
 TEST(RobotFile, ReadsEverySection) {
   const RobotFile robot = parseRobotFile(
       "[Robot]\nport = /dev/ttyUSB1\ncamera = /dev/video2\nperiod_ms = 8\ngroup = robots\n"
+      "controller_user = student\n"
       "[Safety]\nstall_ms = 250\n[Limits]\nNeck = -0.5, 0.5\n[Offsets]\nNeck = 0.1\nHead = -0.2 # as measured\n",
       "robot.ini");
   EXPECT_EQ(robot.path, "robot.ini");
@@ -42,6 +43,7 @@ TEST(RobotFile, ReadsEverySection) {
   EXPECT_EQ(robot.camera, "/dev/video2");
   EXPECT_EQ(robot.period, 8ms);
   EXPECT_EQ(robot.group, "robots");
+  EXPECT_EQ(robot.controller_user, "student");
   EXPECT_EQ(robot.safety.stall_ms, 250);
   EXPECT_EQ(robot.safety.range[index(Joint::kNeck)].high.value, 0.5);
   EXPECT_EQ(robot.offsets.ticks(Joint::kNeck), 65);
@@ -54,6 +56,25 @@ TEST(RobotFile, WhatItDoesNotNameIsNotThere) {
   EXPECT_FALSE(robot.port || robot.camera || robot.period);
   EXPECT_EQ(robot.serialPort(), "/dev/ttyUSB0");
   EXPECT_TRUE(robot.safety.named.none());
+}
+
+TEST(RobotFile, NamesJointsThatTheRobotLacks) {
+  const RobotFile robot = parseRobotFile("[Robot]\nabsent = neck , Head\n", "robot.ini");
+  EXPECT_TRUE(robot.safety.absent[index(Joint::kNeck)] && robot.safety.absent[index(Joint::kHead)]);
+  EXPECT_EQ(robot.safety.absent.count(), 2U);
+  EXPECT_EQ(safetyOn(robot, {}, "config.ini").absent, robot.safety.absent) << "it reaches the loop";
+  EXPECT_THAT(describe(robot), HasSubstr("absent: Neck Head"));
+  EXPECT_TRUE(parseRobotFile("[Robot]\nabsent =\n", "robot.ini").safety.absent.none());
+}
+
+TEST(RobotFile, RefusesAnAbsentJointThatDoesNotExistWithItsLine) {
+  for (const char* names : {"Nose", "Neck, Nose", "Neck,", ",", "Neck Head", "19"})
+    EXPECT_THAT(errorIn(std::string{"[Robot]\nport = /dev/ttyUSB0\nabsent = "} + names + "\n"),
+                AllOf(HasSubstr("robot.ini, line 3"), HasSubstr("[Robot] absent"), HasSubstr("as in Webots")))
+        << names;
+  std::string all;
+  for (const JointRow& joint : kJointTable) all += (all.empty() ? "" : ", ") + std::string{joint.name};
+  EXPECT_THAT(errorIn("[Robot]\nabsent = " + all + "\n"), HasSubstr("without any joint"));
 }
 
 TEST(RobotFile, SectionsKeysAndJointsMayBeInAnyCase) {
@@ -83,8 +104,11 @@ INSTANTIATE_TEST_SUITE_P(
               "only goals are sent)"},
         Wrong{"[Robot]\ngroup = a b",
               "robot.ini, line 2: [Robot] group = a b: give the name of one group of users, or nothing"},
+        Wrong{"[Robot]\ncontroller_user = a/b",
+              "robot.ini, line 2: [Robot] controller_user = a/b: give the name of one user, or nothing"},
         Wrong{"[Robot]\nspeed = 3",
-              "robot.ini, line 2: [Robot] speed = 3: no such key; there are port, camera, period_ms and group"},
+              "robot.ini, line 2: [Robot] speed = 3: no such key; there are port, camera, period_ms, group, "
+              "controller_user and absent"},
         Wrong{"[Offsets]\nNeck = 0.21",
               "robot.ini, line 2: [Offsets] Neck = 0.21: give a number from -0.2 to 0.2 rad; a horn that is further "
               "off has to be put on anew"},

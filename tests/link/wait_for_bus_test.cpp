@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "hal/cm730/not_ready.hpp"
@@ -24,9 +26,10 @@ struct Wait : ::testing::Test {
   OpenedBus open() {
     ++attempts;
     asked_at.push_back(now);
-    if (attempts < comes_at) throw cm730::NotReady("there is no /dev/ttyUSB0");
-    return {nullptr, "/dev/ttyUSB0", ""};
+    if (attempts < comes_at) throw cm730::NotReady(obstacle(attempts));
+    return {nullptr, {}, "/dev/ttyUSB0", ""};
   }
+  std::function<std::string(int)> obstacle = [](int) { return std::string{"there is no /dev/ttyUSB0"}; };
   std::optional<OpenedBus> wait() {
     return waitForBus([&] { return open(); }, stop, [&](const std::string& what) { told.push_back(what); },
                       [&](Nanos time) {
@@ -46,6 +49,18 @@ TEST_F(Wait, SaysOnceWhatItWaitsForAndOnceThatItCame) {
   comes_at = 7;
   EXPECT_TRUE(wait());
   EXPECT_THAT(told, ElementsAre("waiting for the robot: there is no /dev/ttyUSB0", "the robot is there: /dev/ttyUSB0"));
+}
+
+TEST_F(Wait, SaysAgainWhatItWaitsForWhenThatChangesButNotForAnotherFigure) {
+  obstacle = [](int attempt) {
+    const std::string figure = std::to_string(attempt);
+    return attempt < 4 ? "supply " + figure + " V" : "servo is silent, supply " + figure + " V";
+  };
+  comes_at = 7;
+  EXPECT_TRUE(wait());
+  EXPECT_THAT(told,
+              ElementsAre("waiting for the robot: supply 1 V", "waiting for the robot: servo is silent, supply 4 V",
+                          "the robot is there: /dev/ttyUSB0"));
 }
 
 TEST_F(Wait, AsksLessAndLessOftenButEveryTwoSeconds) {
@@ -69,13 +84,13 @@ TEST_F(Wait, AnotherErrorIsNotWaitedFor) {
 }
 
 TEST(NotReady, IsAPortThatIsNotThere) {
-  EXPECT_THROW(openSerialBus("/dev/ttyNOSUCHPORT", 16ms), cm730::NotReady);
+  EXPECT_THROW(openSerialBus({"/dev/ttyNOSUCHPORT"}), cm730::NotReady);
 }
 
 TEST(NotReady, IsNotAPortThatIsNoPortAndNotAWrongPeriod) {
   for (const auto& [port, period] : {std::pair{"/dev/null", 16ms}, std::pair{"/dev/ttyNOSUCHPORT", 1ms}}) {
     try {
-      static_cast<void>(openSerialBus(port, period));
+      static_cast<void>(openSerialBus({port, period}));
       ADD_FAILURE() << port;
     } catch (const cm730::NotReady& waited_for) {
       ADD_FAILURE() << waited_for.what();

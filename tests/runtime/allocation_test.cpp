@@ -19,8 +19,7 @@ TEST(Loop, AllocatesNothingInTenThousandCycles) {
   config.record_path = folder / "log.csv";
   const Exchange exchange = Exchange::inMemory();
   ScriptedClock clock;
-  LoopHost host{config, std::make_unique<FakeBus>(), exchange.block(), LoopStats::Timed::kYes,
-                Recorder::Writer::kByHand};
+  LoopHost host{config, std::make_unique<FakeBus>(), exchange, LoopStats::Timed::kYes, Recorder::Writer::kByHand};
   LockstepDriver driver{host.loop(), clock, config.period};
   Commands commands;
   commands.session = 1;
@@ -28,7 +27,7 @@ TEST(Loop, AllocatesNothingInTenThousandCycles) {
   for (int i = 0; i < 10'000; ++i) {
     ++commands.sequence;
     commands.joint[18].setGoal(Rad{1e-4 * i});
-    exchange.block().commands.publish(commands);
+    exchange.commands().commands.publish(commands);
     driver.run(1);
     clock.spend(std::chrono::milliseconds{i % 20});
   }

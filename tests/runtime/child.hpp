@@ -39,6 +39,13 @@ class Child {
     waitpid(pid_, nullptr, 0);
     pid_ = 0;
   }
+  /// Waits until it ends by itself. 128 + signal, or its exit status.
+  int exitStatus() {
+    int status = 0;
+    waitpid(pid_, &status, 0);
+    pid_ = 0;
+    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  }
   [[nodiscard]] pid_t pid() const { return pid_; }
 
  private:

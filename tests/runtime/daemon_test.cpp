@@ -6,10 +6,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstring>
 #include <fstream>
+#include <iostream>
 #include <thread>
+#include <tuple>
 
 #include "child.hpp"
 #include "fake_bus.hpp"
@@ -25,6 +29,9 @@ using testing::HasSubstr;
 
 std::atomic<bool> told_to_end{false};
 
+// Exit codes of the child.
+constexpr int kLostAtRest = 3, kLeftStiff = 4;
+
 /// A daemon with a fake robot, 4 ms, in a child process.
 class DaemonTest : public testing::Test {
  protected:
@@ -32,13 +39,21 @@ class DaemonTest : public testing::Test {
     LoopConfig config;
     config.period = 4ms;
     config.port = "a fake";
-    daemon =
-        std::make_unique<Daemon>(config, files, claimRuntime(files, getgid()), getgid(), std::make_unique<FakeBus>());
+    const auto robot = std::make_shared<FakeRobot>();
+    daemon = std::make_unique<Daemon>(config, files, claimRuntime(files, getgid()), getgid(),
+                                      std::make_unique<FakeBus>(robot));
     std::signal(SIGTERM, [](int) { told_to_end = true; });
-    std::thread{[&daemon] {
-      daemon->run(told_to_end);
+    std::thread{[&daemon, robot] {
+      int status = 0;
+      try {
+        daemon->run(told_to_end);
+      } catch (const std::runtime_error& error) {
+        std::cerr << error.what() << std::endl;
+        status = kLostAtRest;
+      }
       daemon.reset();
-      _exit(0);
+      if (std::ranges::find(robot->torque, true) != robot->torque.end()) status = kLeftStiff;
+      _exit(status);
     }}.detach();
   }
 
@@ -167,7 +182,33 @@ TEST_F(DaemonTest, AnOperatorCanReleaseTheRobotUnderAController) {
   releaseRobot(files_);
   EXPECT_FALSE(link.waitForCycle(link.sensors().cycle + 1000, stop_));
   EXPECT_THAT(link.whyEnded(), HasSubstr("operator"));
-  EXPECT_THAT(daemonStatus(files_), HasSubstr("state         released by an operator; joints are limp"));
+  const Exchange onlooker = attachToDaemon(files_);
+  Sensors seen;
+  for (int i = 0; i < 500 && seen.safety.active.none(); ++i) {
+    std::this_thread::sleep_for(10ms);
+    (void)onlooker.block().sensors.read(seen);
+  }
+  EXPECT_THAT(daemonStatus(files_), HasSubstr("fault         33 released_by_operator"));
+}
+
+TEST_F(DaemonTest, ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs) {
+  const auto comes = [this](Fault fault) {
+    for (int i = 0; i < 500; ++i, std::this_thread::sleep_for(10ms))
+      if (daemonStatus(files_).find(" " + std::string{row(fault).name} + ":") != std::string::npos) return true;
+    return false;
+  };
+  releaseRobot(files_);
+  ASSERT_TRUE(comes(Fault::kReleasedByOperator));
+  for (int i = 0; i < 500 && access(files_.released.c_str(), F_OK) != 0; ++i) std::this_thread::sleep_for(10ms);
+  child_.kill(SIGKILL);
+
+  std::unique_ptr<Daemon> daemon;
+  const Child anew{[&] { serve(files_, daemon); }};
+  EXPECT_TRUE(comes(Fault::kReleasedByOperator));
+  resetFaults(files_);
+  for (int i = 0; i < 500 && access(files_.released.c_str(), F_OK) == 0; ++i) std::this_thread::sleep_for(10ms);
+  EXPECT_NE(access(files_.released.c_str(), F_OK), 0);
+  EXPECT_THAT(daemonStatus(files_), HasSubstr("faults        none"));
 }
 
 TEST_F(DaemonTest, TellsOfAFaultWhenItBeginsAndWhenItIsOver) {
@@ -185,6 +226,33 @@ TEST_F(DaemonTest, TellsOfAFaultWhenItBeginsAndWhenItIsOver) {
   const std::string told = testing::internal::GetCapturedStderr();
   EXPECT_THAT(told, HasSubstr("darwinop: fault 40 controller_stalled: "));
   EXPECT_THAT(told, HasSubstr("darwinop: fault 40 controller_stalled is over\n"));
+}
+
+class SomebodyShortens : public DaemonTest, public testing::WithParamInterface<std::tuple<const char*, off_t>> {};
+
+TEST_P(SomebodyShortens, TheSharedMemoryAndTheRobotComesToRestAndBothSidesSayWhy) {
+  const auto [ending, length] = GetParam();
+  DaemonLink link{files_};
+  drive(link, 0.2, stop_);
+  ASSERT_EQ(truncate((files_.exchange + ending).c_str(), length), 0);
+  const Nanos end = link.now() + 20s;
+  while (link.now() < end && link.waitForCycle(link.sensors().cycle + 1, stop_)) link.publish(neckTo(0.2));
+  EXPECT_THAT(link.whyEnded(), testing::AnyOf(HasSubstr("shortened or overwritten"), HasSubstr("told to end")));
+  EXPECT_EQ(child_.exitStatus(), kLostAtRest) << "neither killed nor with joints under torque";
+  EXPECT_THAT(refusal(), HasSubstr("no runtime has been started"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, SomebodyShortens,
+                         testing::Combine(testing::Values("", ".commands"), testing::Values(off_t{0}, off_t{100})));
+
+TEST_F(DaemonTest, AStrayWriteOfOneControllerDoesNotMakeTheNextOneWait) {
+  {
+    const Exchange stray = attachToDaemon(files_);
+    std::memset(static_cast<void*>(&stray.commands()), 0xA5, sizeof(CommandBlock));
+  }
+  std::this_thread::sleep_for(20ms);  // the loop repairs what is its own
+  DaemonLink next{files_};
+  drive(next, 0.2, stop_);
 }
 
 TEST_F(DaemonTest, WhoMayNotUseItIsToldSo) {

@@ -4,8 +4,12 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <thread>
@@ -32,18 +36,74 @@ TEST(Exchange, IsOneMemoryForAllWhoAttach) {
   const Exchange loop = Exchange::create(folder / "x"), controller = Exchange::attach(folder / "x");
   Commands commands;
   commands.sequence = 42;
-  controller.block().commands.publish(commands);
+  controller.commands().commands.publish(commands);
   Commands seen;
-  ASSERT_TRUE(loop.block().commands.read(seen));
+  ASSERT_TRUE(loop.commands().commands.read(seen));
   EXPECT_EQ(seen.sequence, 42u);
 }
 
-TEST(Exchange, LetsTheGroupInAndNobodyElse) {
+mode_t rightsOf(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 ? status.st_mode & 0777u : 0;
+}
+
+TEST(Exchange, LetsTheGroupReadAndCommandAndNobodyElse) {
   const TemporaryFolder folder;
   const Exchange exchange = Exchange::create(folder / "x");
-  struct stat status {};
-  ASSERT_EQ(stat((folder / "x").c_str(), &status), 0);
-  EXPECT_EQ(status.st_mode & 0777u, 0660u);
+  EXPECT_EQ(rightsOf(folder / "x"), 0640u);
+  EXPECT_EQ(rightsOf(folder / "x.commands"), 0660u);
+}
+
+TEST(Exchange, OnlyTheLoopsProcessCanWriteWhatTheLoopTells) {
+  const TemporaryFolder folder;
+  const Exchange loop = Exchange::create(folder / "x"), controller = Exchange::attach(folder / "x");
+  EXPECT_THROW((void)controller.ownBlock(), std::logic_error);
+  EXPECT_DEATH(const_cast<ExchangeBlock&>(controller.block()).closing.store(1), "");
+  const Exchange onlooker = Exchange::attach(folder / "x", Exchange::Access::kLook);
+  EXPECT_THROW((void)onlooker.commands(), std::logic_error);
+}
+
+TEST(Exchange, OfAnEmbeddedLoopTakesNoCommandsFromOthers) {
+  const TemporaryFolder folder;
+  { const Exchange old = Exchange::create(folder / "x"); }
+  const Exchange embedded = Exchange::createToLookAt(folder / "x");
+  EXPECT_NO_THROW(Exchange::attach(folder / "x", Exchange::Access::kLook));
+  EXPECT_THAT(whyRefused(folder / "x"), HasSubstr("takes no commands from other programs"));
+}
+
+TEST(Exchange, IsLostWhenAnyOfItsFilesIsShortened) {
+  for (const char* file : {"x", "x.commands"})
+    for (const off_t length : {0, 100}) {
+      const TemporaryFolder folder;
+      const Exchange loop = Exchange::create(folder / "x"), controller = Exchange::attach(folder / "x");
+      EXPECT_FALSE(loop.lost() || controller.lost());
+      ASSERT_EQ(truncate((folder / file).c_str(), length), 0);
+      Sensors seen;
+      for (const Exchange* each : {&loop, &controller}) {
+        Commands commands;
+        for (int i = 0; i < 8; ++i) each->commands().commands.publish(commands);  // touches every slot
+        (void)each->block().stats.cycles();
+        (void)each->block().sensors.read(seen);
+        EXPECT_TRUE(each->lost() || length != 0) << file;
+      }
+      EXPECT_TRUE(loop.shortened()) << file << " " << length << ": what is left of a page reads as zero";
+    }
+}
+
+TEST(Exchange, IsLostWhenItsFileWasOverwritten) {
+  const TemporaryFolder folder;
+  const Exchange loop = Exchange::create(folder / "x");
+  ASSERT_EQ(truncate((folder / "x").c_str(), 0), 0);
+  ASSERT_EQ(truncate((folder / "x").c_str(), sizeof(ExchangeBlock)), 0);  // its pages are there again, and empty
+  EXPECT_TRUE(loop.lost());
+}
+
+TEST(Exchange, TwoFilesOfDifferentRuntimesAreNotUsedTogether) {
+  const TemporaryFolder folder;
+  const Exchange one = Exchange::create(folder / "x");
+  const Exchange other = Exchange::create(folder / "y");
+  std::filesystem::rename(folder / "y.commands", folder / "x.commands");
+  EXPECT_THAT(whyRefused(folder / "x"), HasSubstr("do not belong together"));
 }
 
 TEST(Exchange, SaysWhatToDoWhenThereIsNone) {
@@ -57,10 +117,10 @@ TEST(Exchange, RefusesAFileOfAnotherSizeMagicOrLayout) {
   EXPECT_THAT(whyRefused(folder / "short"), HasSubstr("another version"));
 
   const Exchange exchange = Exchange::create(folder / "x");
-  exchange.block().layout += 1;
+  exchange.ownBlock().layout += 1;
   EXPECT_THAT(whyRefused(folder / "x"), HasSubstr("another version"));
-  exchange.block().layout -= 1;
-  exchange.block().magic = 0;
+  exchange.ownBlock().layout -= 1;
+  exchange.ownBlock().magic = 0;
   EXPECT_THAT(whyRefused(folder / "x"), HasSubstr("another version"));
 }
 
@@ -68,9 +128,9 @@ TEST(Exchange, ReplacesTheFileOfADeadLoopWithoutHarmToThoseWhoStillMapIt) {
   const TemporaryFolder folder;
   Child dead{[&] {
     static const Exchange exchange = Exchange::create(folder / "x");
-    exchange.block().session.store(9);
+    exchange.ownBlock().session.store(9);
   }};
-  const Exchange onlooker = Exchange::attach(folder / "x");
+  const Exchange onlooker = Exchange::attach(folder / "x", Exchange::Access::kLook);
   dead.kill(SIGKILL);
   const Exchange next = Exchange::create(folder / "x");
   EXPECT_EQ(next.block().session.load(), 0u);
@@ -84,17 +144,18 @@ TEST(Exchange, SaysWhereItCannotBeMade) {
 
 TEST(WakeWord, WakesASleeperOfAnotherThreadAndMissesNone) {
   WakeWord word;
+  WaitNote note;
   constexpr std::uint32_t kTimes = 2'000;
   std::atomic<std::uint32_t> seen{0};
   std::thread sleeper{[&] {
     while (seen != kTimes) {
       const std::uint32_t value = word.value();
       seen = value;
-      if (value != kTimes) word.waitWhile(value, std::chrono::hours{1});  // a lost wake-up would hang here
+      if (value != kTimes) word.waitWhile(value, std::chrono::hours{1}, note);  // a lost wake-up would hang here
     }
   }};
   for (std::uint32_t i = 1; i <= kTimes; ++i) {
-    word.advance();
+    word.set(i, note);
     while (i % 3 == 0 && seen != i) std::this_thread::yield();  // now and then it is asleep for sure, soon after
   }
   sleeper.join();
@@ -103,9 +164,38 @@ TEST(WakeWord, WakesASleeperOfAnotherThreadAndMissesNone) {
 
 TEST(WakeWord, ReturnsAtOnceWhenTheValueHasMovedAndInTimeWhenItDoesNot) {
   WakeWord word;
-  word.advance();
-  word.waitWhile(0, std::chrono::hours{1});
-  word.waitWhile(1, std::chrono::milliseconds{1});
+  WaitNote note;
+  word.set(1, note);
+  word.waitWhile(0, std::chrono::hours{1}, note);
+  word.waitWhile(1, std::chrono::milliseconds{1}, note);
+}
+
+TEST(WakeWord, WakesASleeperWhoseMemoryIsReadOnly) {
+  const TemporaryFolder folder;
+  const Exchange loop = Exchange::create(folder / "x"), controller = Exchange::attach(folder / "x");
+  std::thread sleeper{[&] {
+    while (controller.block().finished.value() == 0)
+      controller.block().finished.waitWhile(0, std::chrono::hours{1}, controller.commands().wait);
+  }};
+  loop.ownBlock().finished.set(1, loop.commands().wait);
+  sleeper.join();
+}
+
+TEST(RequestWord, EachRequestCountsOnceAndNoStrayWriteDoes) {
+  RequestWord word;
+  std::uint32_t seen = 0;
+  EXPECT_FALSE(word.isNew(seen)) << "empty memory";
+  for (int i = 0; i < 3; ++i) {
+    word.ask();
+    EXPECT_TRUE(word.isNew(seen));
+    EXPECT_FALSE(word.isNew(seen));
+  }
+  for (const int byte : {0x00, 0x01, 0x5A, 0xFF}) {
+    std::memset(static_cast<void*>(&word), byte, sizeof word);
+    EXPECT_FALSE(word.isNew(seen)) << byte;
+    word.ask();
+    EXPECT_TRUE(word.isNew(seen)) << "a person is heard after that, too";
+  }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <random>
 #include <thread>
 #include <vector>
 
@@ -135,6 +136,20 @@ TEST(Latest, GoesOnWhenItsCounterWraps) {
     Payload seen;
     ASSERT_TRUE(latest.read(seen));
     EXPECT_EQ(seen.number, n);
+  }
+}
+
+TEST(Latest, ReadReturnsWhateverAnotherProcessHasWrittenThere) {
+  std::mt19937 random{7};
+  Latest<Payload> latest;
+  Payload seen;
+  for (int run = 0; run < 2000; ++run) {
+    auto* const bytes = reinterpret_cast<unsigned char*>(&latest);
+    for (std::size_t i = 0; i < sizeof latest; ++i) bytes[i] = static_cast<unsigned char>(random());
+    (void)latest.read(seen);
+    latest.publish(Payload::of(static_cast<std::uint64_t>(run)));
+    ASSERT_TRUE(latest.read(seen));
+    EXPECT_EQ(seen.number, static_cast<std::uint64_t>(run)) << "the next publication is read as ever";
   }
 }
 

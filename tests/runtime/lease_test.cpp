@@ -1,10 +1,18 @@
 // Locks between processes: one holder, named, freed by its death.
-#include <gtest/gtest.h>
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <thread>
 
 #include "child.hpp"
+#include "other_user.hpp"
 #include "runtime/file_lock.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -46,6 +54,81 @@ TEST(FileLock, AskingWhoHoldsItNeverStopsAnybodyFromTakingIt) {
 
 TEST(FileLock, SaysWhatToDoWhenTheFileCannotBeMade) {
   EXPECT_THROW(FileLock::tryTake("/no/such/folder/lock"), std::runtime_error);
+}
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+std::string whyNotTaken(const std::string& path) {
+  try {
+    return FileLock::tryTake(path) ? "taken" : "held";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+std::string textOf(const std::string& path) {
+  std::ifstream file{path};
+  return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+TEST(FileLock, AFifoInItsPlaceIsRefusedAndNobodyWaits) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "lock").c_str(), 0666), 0);
+  EXPECT_THAT(whyNotTaken(folder / "lock"), AllOf(HasSubstr("not a regular file"), HasSubstr("sudo rm")));
+  EXPECT_EQ(FileLock::holder(folder / "lock"), 0);
+  EXPECT_THROW((void)FileLock::provenHolder(folder / "lock"), std::runtime_error);
+}
+
+TEST(FileLock, ALinkInItsPlaceIsRefusedAndWhatItLeadsToStaysAsItIs) {
+  const TemporaryFolder folder;
+  std::ofstream{folder / "precious"} << "precious";
+  std::filesystem::create_symlink(folder / "precious", folder / "lock");
+  EXPECT_THAT(whyNotTaken(folder / "lock"), HasSubstr("not a regular file"));
+  std::filesystem::remove(folder / "lock");
+  std::filesystem::create_hard_link(folder / "precious", folder / "lock");
+  EXPECT_THAT(whyNotTaken(folder / "lock"), HasSubstr("more than one name"));
+  EXPECT_EQ(textOf(folder / "precious"), "precious");
+}
+
+TEST(FileLock, AFileThatEverybodyMayWriteIsRefused) {
+  const TemporaryFolder folder;
+  std::ofstream{folder / "lock"} << "1\n";
+  ASSERT_EQ(chmod((folder / "lock").c_str(), 0666), 0);
+  EXPECT_THAT(whyNotTaken(folder / "lock"), AllOf(HasSubstr("every user may write it"), HasSubstr("uid ")));
+}
+
+TEST(FileLock, TheKernelSaysWhoHoldsItWhateverIsWrittenThere) {
+  const TemporaryFolder folder;
+  const Child other{[&] { static const auto lock = FileLock::tryTake(folder / "lock"); }};
+  std::ofstream{folder / "lock"} << "1\n";
+  EXPECT_EQ(FileLock::holder(folder / "lock"), other.pid());
+  EXPECT_EQ(FileLock::provenHolder(folder / "lock"), other.pid());
+}
+
+TEST(FileLock, OfAnotherUserIsRefusedWithThatUsersNameAndNoAdviceToKill) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(chmod((folder / "").c_str(), 01777), 0);
+  const std::string path = folder / "lock";
+  // Another user takes the name beforehand, locks it and writes the pid of a process of root.
+  const Child thief{[&] {
+    if (geteuid() != 0 || setgroups(0, nullptr) != 0 || setgid(65534) != 0 || setuid(65534) != 0) return;
+    const int file = open(path.c_str(), O_RDWR | O_CREAT, 0644);
+    if (file < 0 || flock(file, LOCK_EX) != 0 || write(file, "1\n", 2) != 2) _exit(1);
+  }};
+  if (geteuid() != 0) GTEST_SKIP() << "only root can become another user";
+  EXPECT_THAT(whyNotTaken(path), AllOf(HasSubstr("uid 65534"), HasSubstr("sudo rm " + path), Not(HasSubstr("kill"))));
+  EXPECT_THROW((void)FileLock::provenHolder(path), std::runtime_error);
+  EXPECT_EQ(FileLock::holder(path), thief.pid()) << "for a message: as the kernel has it";
+}
+
+TEST(FileLock, AForgottenFileOfAnotherUserIsRefusedByRootToo) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(chmod((folder / "").c_str(), 01777), 0);
+  const std::string path = folder / "lock";
+  if (!asNobody([&] { std::ofstream{path} << "1\n"; })) GTEST_SKIP() << "only root can become another user";
+  EXPECT_THAT(whyNotTaken(path), HasSubstr("who is not trusted here"));
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 // A whole loop in simulated time: what a controller sees, what an operator can do, what is left behind.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
+#include <random>
 #include <regex>
 #include <sstream>
 
@@ -111,7 +114,7 @@ TEST(Lockstep, OthersCanLookOnAndTheFiguresSurviveTheController) {
     sim.robot->dead[index(Joint::kFootL)] = true;
     sim.step({}, 20);
   }
-  const Exchange left = Exchange::attach(folder / "x");
+  const Exchange left = Exchange::attach(folder / "x", Exchange::Access::kLook);
   StatsView stats;
   left.block().stats.copyTo(stats);
   Sensors last;
@@ -121,61 +124,115 @@ TEST(Lockstep, OthersCanLookOnAndTheFiguresSurviveTheController) {
   EXPECT_EQ(Nanos{left.block().info.period_ns}, 16ms);
 }
 
+/// A loop whose commands come through files, in simulated time.
 struct Operated {
   TemporaryFolder folder;
-  Environment environment{"DARWINOP_EXCHANGE", folder / "x"};
-  SimulatedRobot sim;
+  std::shared_ptr<FakeRobot> robot = std::make_shared<FakeRobot>();
+  LoopConfig config;
+  Exchange exchange = Exchange::create(folder / "x");
+  LoopHost host{config, std::make_unique<FakeBus>(robot), exchange, LoopStats::Timed::kNo, Recorder::Writer::kByHand};
+  ScriptedClock clock;
+  LockstepDriver driver{host.loop(), clock, config.period};
   Exchange desk = Exchange::attach(folder / "x");
+  std::uint64_t sequence = 0;
+
+  void step(Commands commands, std::uint32_t session, int times) {
+    commands.session = session;
+    for (int i = 0; i < times; ++i) {
+      commands.sequence = ++sequence;
+      desk.commands().commands.publish(commands);
+      driver.run(1);
+    }
+  }
+  /// The number that a driver who comes now chooses.
+  [[nodiscard]] std::uint32_t nextSession() const { return desk.block().session.load() + 1; }
+  [[nodiscard]] bool limp() const {
+    return std::none_of(robot->torque.begin(), robot->torque.end(), [](bool on) { return on; });
+  }
+  [[nodiscard]] double neck() const { return robot->position[index(Joint::kNeck)].value; }
+  [[nodiscard]] Sensors sensors() const {
+    Sensors seen;
+    (void)desk.block().sensors.read(seen);
+    return seen;
+  }
 };
 
 TEST(Operator, ReleaseTakesAllTorqueAwayAndHoldsWhateverTheControllerDoes) {
   Operated o;
-  o.sim.step(neckTo(0.5), 300);
-  ASSERT_FALSE(o.sim.limp());
-  o.desk.block().released.store(o.desk.block().session.fetch_add(1) + 1);
-  o.sim.step(neckTo(0.5), 10);
-  EXPECT_TRUE(o.sim.limp());
-  o.sim.step(neckTo(-0.5), 2000);
-  EXPECT_TRUE(o.sim.limp());
-  EXPECT_EQ(o.sim.link->sensors().safety.worst, Fault::kNone) << "the operator is there and stays";
-  EXPECT_NEAR(o.sim.robot->position[index(Joint::kNeck)].value, 0.5, 1e-9);
+  o.step(neckTo(0.5), 1, 300);
+  ASSERT_FALSE(o.limp());
+  o.desk.commands().release.ask();
+  o.step(neckTo(0.5), 1, 10);
+  EXPECT_TRUE(o.limp());
+  o.step(neckTo(-0.5), 1, 2000);
+  EXPECT_TRUE(o.limp());
+  EXPECT_EQ(o.desk.block().refused.load(), 1u);
+  EXPECT_EQ(o.sensors().safety.worst, Fault::kReleasedByOperator);
+  EXPECT_NEAR(o.neck(), 0.5, 1e-9);
 }
 
-TEST(Lockstep, AControllerThatNeverDroveDoesNotEndTheSessionOfAnother) {
-  Operated o;
-  Commands other = neckTo(0.5);
-  other.session = 7;
-  for (; other.sequence < 300; ++other.sequence) {
-    o.desk.block().commands.publish(other);
-    (void)o.sim.link->waitForCycle(o.sim.link->sensors().cycle + 1, o.sim.stop);
+TEST(Operator, ReleaseHoldsAlsoForADriverWithANumberOfItsOwnMaking) {
+  for (const std::uint32_t session : {7u, 0x7FFFFFFFu, 0x80000000u, 0xFFFFFFFFu}) {
+    Operated o;
+    o.step(neckTo(0.5), session, 300);
+    ASSERT_FALSE(o.limp());
+    o.desk.commands().release.ask();
+    o.step(neckTo(-0.5), session, 100);
+    EXPECT_TRUE(o.limp()) << session;
   }
-  ASSERT_FALSE(o.sim.limp());
-  o.sim.link.reset();
-  EXPECT_FALSE(o.sim.limp());
 }
 
 TEST(Operator, AfterAReleaseTheNextSessionTakesOver) {
   Operated o;
-  o.sim.step(neckTo(0.5), 300);
-  o.desk.block().released.store(o.desk.block().session.fetch_add(1) + 1);
-  o.sim.step(neckTo(0.5), 10);
-  Commands next = neckTo(0.4);
-  next.session = o.desk.block().session.fetch_add(1) + 1;
-  for (std::uint64_t i = 0; i < 300; ++i) {
-    next.sequence = i;
-    o.desk.block().commands.publish(next);
-    (void)o.sim.link->waitForCycle(o.sim.link->sensors().cycle + 1, o.sim.stop);
-  }
-  EXPECT_FALSE(o.sim.limp());
-  EXPECT_NEAR(o.sim.robot->position[index(Joint::kNeck)].value, 0.4, 1e-9);
+  o.step(neckTo(0.5), 1, 300);
+  o.desk.commands().release.ask();
+  o.step(neckTo(0.5), 1, 10);
+  o.step(neckTo(0.4), o.nextSession(), 300);
+  EXPECT_FALSE(o.limp());
+  EXPECT_NEAR(o.neck(), 0.4, 1e-9);
 }
 
 TEST(Operator, ClosingTheLoopBringsTheRobotToRestEvenWithAControllerThatGoesOn) {
   Operated o;
-  o.sim.step(neckTo(0.5), 300);
-  o.desk.block().closing.store(1);
-  o.sim.step(neckTo(0.5), 400);
-  EXPECT_TRUE(o.sim.limp());
+  o.step(neckTo(0.5), 1, 300);
+  o.exchange.ownBlock().closing.store(1);
+  o.step(neckTo(0.5), 1, 400);
+  EXPECT_TRUE(o.limp());
+}
+
+TEST(Exchange, LostToSomebodyWhoShortensItsFilesTheLoopBringsTheRobotToRest) {
+  for (const char* file : {"x", "x.commands"}) {
+    Operated o;
+    o.step(neckTo(0.5), 1, 300);
+    ASSERT_FALSE(o.limp());
+    ASSERT_EQ(truncate((o.folder / file).c_str(), 0), 0);
+    o.step(neckTo(0.5), 1, 400);
+    EXPECT_TRUE(o.limp()) << file;
+    EXPECT_TRUE(o.exchange.shortened());
+  }
+}
+
+/// Whatever a controller writes where it should not: the loop goes on, and the next controller drives.
+TEST(Exchange, NoStrayWriteToTheCommandsKeepsTheNextControllerFromDriving) {
+  std::mt19937 random{7};
+  for (int run = 0; run < 40; ++run) {
+    Operated o;
+    o.step(neckTo(0.2), 1, 60);
+    auto* const bytes = reinterpret_cast<unsigned char*>(&o.desk.commands());
+    const std::size_t begin = run % 4 == 0 ? 0 : random() % sizeof(CommandBlock);
+    const std::size_t end = run % 4 == 0 ? sizeof(CommandBlock) : std::min(begin + 64, sizeof(CommandBlock));
+    const auto fill = static_cast<unsigned char>(run % 3 == 0 ? 0xFF : run % 3 == 1 ? 0 : random());
+    for (std::size_t i = begin; i < end; ++i) bytes[i] = run % 5 == 0 ? static_cast<unsigned char>(random()) : fill;
+    const std::uint64_t before = o.sensors().cycle;
+    o.driver.run(5);
+    EXPECT_EQ(o.sensors().cycle, before + 5);
+    EXPECT_EQ(o.desk.block().finished.value(), before + 5);
+    EXPECT_EQ(o.desk.block().closing.load(), 0u);
+    EXPECT_EQ(o.desk.block().released.load(), 0u);
+    EXPECT_NO_THROW(Exchange::attach(o.folder / "x"));
+    o.step(neckTo(0.4), o.nextSession(), 400);
+    EXPECT_NEAR(o.neck(), 0.4, 1e-9) << "run " << run;
+  }
 }
 
 TEST(LoopHost, RefusesAPeriodThatNoBusCanKeep) {

@@ -190,7 +190,7 @@ TEST(ConfigIni, AFileThatCannotBeReadIsAnErrorAndNotTakenForAbsent) {
     return std::string{"no error"};
   };
   std::filesystem::create_directory(path);
-  EXPECT_THAT(error(), HasSubstr("cannot read " + path + ": Is a directory; "));
+  EXPECT_THAT(error(), HasSubstr("cannot read " + path + ": it is a folder; "));
   std::filesystem::remove(path);
   std::filesystem::create_symlink(path, path);
   EXPECT_THAT(error(), HasSubstr("cannot read " + path + ": Too many levels of symbolic links; "));

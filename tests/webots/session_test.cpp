@@ -210,6 +210,16 @@ TEST_F(SessionTest, BeginWaitsForTheStartMove) {
   EXPECT_GE(fake.published.size(), 200u) << "a controller that waits must not look stalled";
 }
 
+TEST_F(SessionTest, BeginNamesTheJointsThatDidNotReachTheStartPoseAndDrives) {
+  fake.image.safety.state = State::kDriven;
+  fake.image.safety.missed_start.set(index(Joint::kLegLowerL)).set(index(Joint::kHead));
+  CaptureStderr();
+  robot();
+  const std::string said = GetCapturedStderr();
+  EXPECT_EQ(why_not, "");
+  EXPECT_THAT(said, HasSubstr("not in the start pose after the slow move to it: LegLowerL, Head; look for"));
+}
+
 TEST_F(SessionTest, BeginDoesNotTrustAnImageFromBeforeItsOwnCommands) {
   fake.pass(milliseconds{1000});
   fake.image.safety.controller_must_end = true;  // left behind by the controller before
