@@ -2,7 +2,9 @@
 #include "supervisor/ask.hpp"
 
 #include <signal.h>
+#include <sys/syscall.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -20,14 +22,14 @@
 namespace darwinop::supervisor {
 namespace {
 
+// The same on all computers; older headers do not have them.
+constexpr long kPidfdSendSignal = 424, kPidfdOpen = 434;
+
 // A controller gets 3 s to end, a crouch at the slowest usual speed 13 s; and somebody may have to be killed twice.
 constexpr Nanos kPatience{60'000'000'000};
 
 pid_t runningOne(const runtime::RuntimeFiles& files) {
-  const SupervisorFiles ours{files};
-  const pid_t pid = runtime::FileLock::holder(ours.lock);
-  if (pid < 0) throw std::runtime_error("a supervisor of another user runs (" + ours.lock + "); ask as root: sudo ...");
-  return pid;
+  return runtime::FileLock::provenHolder(SupervisorFiles{files}.lock);
 }
 
 int noneRuns(int code) {
@@ -35,8 +37,17 @@ int noneRuns(int code) {
   return code;
 }
 
-void order(pid_t supervisor, int signal) {
-  if (kill(supervisor, signal) != 0 && errno != ESRCH)
+/// To the process that holds the lock, and to no later one that has got its number: a handle on the process is taken
+/// before the lock is looked at once more. Linux before 5.3 has no such handles.
+bool signalHolder(const runtime::RuntimeFiles& files, pid_t supervisor, int signal) {
+  const runtime::SharedFile handle{static_cast<int>(syscall(kPidfdOpen, supervisor, 0))};
+  if (runningOne(files) != supervisor) return true;  // it has ended: nothing to signal
+  if (handle.fd() >= 0) return syscall(kPidfdSendSignal, handle.fd(), signal, nullptr, 0) == 0 || errno == ESRCH;
+  return kill(supervisor, signal) == 0 || errno == ESRCH;
+}
+
+void order(const runtime::RuntimeFiles& files, pid_t supervisor, int signal) {
+  if (!signalHolder(files, supervisor, signal))
     throw std::runtime_error("cannot reach the supervisor (pid " + std::to_string(supervisor) +
                              "): " + std::strerror(errno) + "; ask as root: sudo ...");
 }
@@ -64,7 +75,7 @@ int carryOut(const runtime::RuntimeFiles& files, int signal, const std::function
   const std::string path = SupervisorFiles{files}.status;
   const auto before = readStatus(path);
   const std::uint32_t orders = before ? before->orders : 0;
-  order(pid, signal);
+  order(files, pid, signal);
   bool ended = false;
   const bool carried_out = becomesTrue([&] {
     ended = runningOne(files) != pid;
@@ -115,7 +126,7 @@ int printStatus(const runtime::RuntimeFiles& files) {
 int stopSupervisor(const runtime::RuntimeFiles& files) {
   const pid_t pid = runningOne(files);
   if (pid == 0) return noneRuns(0);
-  order(pid, SIGTERM);
+  order(files, pid, SIGTERM);
   // The lock is given back by the kernel when the process is gone: nothing of it is left then.
   if (!becomesTrue([&] { return runningOne(files) != pid; }))
     throw std::runtime_error("the supervisor (pid " + std::to_string(pid) +

@@ -7,9 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <iterator>
 #include <stdexcept>
 
 namespace darwinop::supervisor {
@@ -22,6 +24,7 @@ struct Prepared {
   std::vector<char*> arguments, variables;
   const char* folder;
   const char* log;
+  const runtime::Account* account;  // null: the supervisor's
   bool expendable;
   pid_t parent;
   sigset_t signals;  // that shall be blocked in the program: none
@@ -37,11 +40,13 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
 
 std::vector<std::string> environmentOf(const Start& start) {
   std::vector<std::string> all;
-  for (const auto& [name, value] : start.environment) all.emplace_back(name).append("=").append(value);
+  std::vector<std::pair<std::string, std::string>> given = start.environment;
+  if (start.account) std::ranges::copy(runtime::environmentOf(*start.account), std::back_inserter(given));
+  for (const auto& [name, value] : given) all.emplace_back(name).append("=").append(value);
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string name{*variable, strcspn(*variable, "=")};
     bool replaced = false;
-    for (const auto& added : start.environment) replaced = replaced || added.first == name;
+    for (const auto& added : given) replaced = replaced || added.first == name;
     if (!replaced) all.emplace_back(*variable);
   }
   return all;
@@ -72,15 +77,25 @@ void becomeOrdinary(const Prepared& with) {
   setpgid(0, 0);
 }
 
+/// With the supervisor's rights: the program may append to its log, not replace it. -1: none.
+int openLog(const char* path) {
+  if (*path == '\0') return -1;
+  const int log = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0644);
+  if (log < 0) complain("write to", path);
+  return log;
+}
+
 [[noreturn]] void become(const Prepared& with) {
   becomeOrdinary(with);
+  const int log = openLog(with.log);
+  if (with.account != nullptr && !runtime::takeRightsOf(*with.account)) {
+    complain("become user", with.account->name.c_str());
+    _exit(126);
+  }
+  // The kernel forgets this when a process changes its user.
   prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
   if (getppid() != with.parent) _exit(128 + SIGTERM);  // it died before the line above
-  if (*with.log != '\0') {
-    const int log = open(with.log, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0644);
-    if (log < 0) complain("write to", with.log);
-    if (log >= 0 && (dup2(log, STDOUT_FILENO) < 0 || dup2(log, STDERR_FILENO) < 0)) _exit(126);
-  }
+  if (log >= 0 && (dup2(log, STDOUT_FILENO) < 0 || dup2(log, STDERR_FILENO) < 0)) _exit(126);
   if (*with.folder != '\0' && chdir(with.folder) != 0) {
     complain("go to", with.folder);
     _exit(126);
@@ -95,8 +110,15 @@ void becomeOrdinary(const Prepared& with) {
 }  // namespace
 
 Child::Child(const Start& start) {
-  Prepared with{environmentOf(start), pointers(start.command), {},       start.folder.c_str(),
-                start.log.c_str(),    start.expendable,        getpid(), {}};
+  Prepared with{environmentOf(start),
+                pointers(start.command),
+                {},
+                start.folder.c_str(),
+                start.log.c_str(),
+                start.account ? &*start.account : nullptr,
+                start.expendable,
+                getpid(),
+                {}};
   with.variables = pointers(with.environment);
   sigemptyset(&with.signals);
   // No handler of the supervisor may run in the child before it has put them away.

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/users.hpp"
 #include "supervisor/restart_policy.hpp"
 
 namespace darwinop::supervisor {
@@ -17,6 +18,7 @@ struct Start {
   std::string folder;                // to work in; empty: the supervisor's
   std::string log;                   // both outputs are appended here; empty: they go where the supervisor's go
   std::vector<std::pair<std::string, std::string>> environment;  // added to the supervisor's
+  std::optional<runtime::Account> account;                       // whose rights it has; empty: the supervisor's
   bool expendable = false;  // when memory runs out, the kernel may end this one first
 };
 

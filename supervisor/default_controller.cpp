@@ -7,6 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/operator.hpp"
+#include "safety/fault_book.hpp"
+
 namespace darwinop::supervisor {
 namespace {
 
@@ -30,6 +33,7 @@ void DefaultController::become(State state, const std::string& told) {
 }
 
 void DefaultController::look(const Sensors& seen, Nanos now) {
+  if (safety::latchedFault(seen.safety.active) != Fault::kNone) latched_at_ = now;
   if (state_ == State::kWaiting && now >= not_before_ && ready(seen, now)) begin(now);
   if (state_ == State::kRunning)
     if (const auto ending = child_->ended()) onEnd(*ending, now);
@@ -43,6 +47,9 @@ void DefaultController::lookWithoutRuntime(Nanos now) {
 
 void DefaultController::onEnd(const Ending& ending, Nanos now) {
   child_.reset();
+  // Such a fault ends the controller, with whatever code. It has neither done its work nor crashed.
+  if (latched_at_ && now - *latched_at_ <= kTimeToEnd)
+    return become(State::kWaiting, name_ + " has ended because of a fault that waits for a person");
   switch (policy_.ended(ending, now)) {
     case RestartPolicy::Verdict::kOver:
       return become(State::kOver, name_ +
@@ -66,8 +73,10 @@ void DefaultController::hold() {
   try {
     if (!holder_) holder_ = std::make_unique<Holder>(files_);
     if (holder_->hold()) return;
-    say("the robot is no longer held: " + holder_->whyEnded());
     may_hold_ = false;  // who released it does not want it stiff again
+    told_ = name_ + " is given up, and the robot is no longer held: " + holder_->whyEnded() +
+            ". Another chance: darwinop supervisor --restart-controller";
+    say("default controller: " + told_);
     holder_.reset();
   } catch (const std::runtime_error& error) {
     once_.say(std::string{"cannot hold the robot yet: "} + error.what());
@@ -116,9 +125,20 @@ void DefaultController::restart(Nanos now) {
   again_ = child_ != nullptr;
   if (again_) return end(now);
   holder_.reset();
+  resetFaults();
   not_before_ = now;
   in_pose_since_.reset();
   become(State::kWaiting, "is started anew");
+}
+
+/// The order was a person's. A runtime that is not there has nothing to forget.
+void DefaultController::resetFaults() {
+  latched_at_.reset();
+  try {
+    runtime::resetFaults(files_);
+  } catch (const std::runtime_error&) {
+    return;
+  }
 }
 
 void DefaultController::runtimeLost(Nanos now) {

@@ -38,7 +38,7 @@ class DefaultController {
 
  private:
   enum class State {
-    kWaiting,  // for the start pose, for another controller to end, for the pause after a crash
+    kWaiting,  // for a person, for the start pose, for another controller to end, for the pause after a crash
     kRunning,
     kEnding,  // was told to end
     kHeld,    // given up; the robot is held in its place
@@ -52,6 +52,7 @@ class DefaultController {
   bool waitFor(const std::string& what, const std::string& details = "");
   void begin(Nanos now);
   void onEnd(const Ending& ending, Nanos now);
+  void resetFaults();
   void end(Nanos now);
   void whileEnding(bool loop_turns, Nanos now);
   void sitDown();
@@ -68,6 +69,7 @@ class DefaultController {
   Once once_;
   Nanos not_before_{0};                 // of the next start
   std::optional<Nanos> in_pose_since_;  // the robot sits ready
+  std::optional<Nanos> latched_at_;     // when a fault that waits for a person was last seen during this run
   Nanos kill_at_{0};                    // when it was told to end and does not
   bool again_ = false;                  // after it has ended
   bool may_hold_ = true;                // nobody has taken the robot from the holder

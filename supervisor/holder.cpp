@@ -1,6 +1,10 @@
 // Takes the place of a controller that was given up.
 #include "supervisor/holder.hpp"
 
+#include <atomic>
+
+#include "safety/fault_book.hpp"
+
 namespace darwinop::supervisor {
 
 LedCommand redLights() {
@@ -12,7 +16,7 @@ LedCommand redLights() {
 
 Commands asItIs(const Sensors& seen) {
   Commands commands;
-  commands.start_where_it_is = true;
+  commands.start_where_it_is = commands.unattended = true;
   commands.led = redLights();
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointSensors& joint = seen.joint[i];
@@ -28,7 +32,15 @@ Holder::Holder(const runtime::RuntimeFiles& files) : link_{files}, commands_{asI
 
 bool Holder::hold() {
   const std::atomic<bool> go_on{false};
-  if (!link_.waitForCycle(link_.sensors().cycle, go_on)) return false;  // that cycle is over: does not wait
+  const Sensors seen = link_.sensors();
+  if (!link_.waitForCycle(seen.cycle, go_on)) {  // that cycle is over: does not wait
+    why_ended_ = link_.whyEnded();
+    return false;
+  }
+  if (const Fault fault = safety::latchedFault(seen.safety.active); fault != Fault::kNone) {
+    why_ended_ = row(fault).meaning;
+    return false;
+  }
   link_.publish(commands_);
   return true;
 }

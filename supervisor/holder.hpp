@@ -1,6 +1,8 @@
 // Takes the place of a controller that was given up: holds the robot as it is, with red lights.
 #pragma once
 
+#include <string>
+
 #include "core/commands.hpp"
 #include "core/sensors.hpp"
 #include "runtime/daemon_link.hpp"
@@ -18,16 +20,18 @@ class Holder {
   ~Holder() = default;
 
   /// At least ten times a second; safety takes a driver that is silent for longer for a stalled one. False: the loop is
-  /// gone, or a person has released the robot; whyEnded() tells.
+  /// gone, or a fault that waits for a person has ended it; whyEnded() tells.
   bool hold();
-  [[nodiscard]] std::string whyEnded() const { return link_.whyEnded(); }
+  [[nodiscard]] const std::string& whyEnded() const { return why_ended_; }
 
  private:
   runtime::DaemonLink link_;
   Commands commands_;
+  std::string why_ended_;
 };
 
-/// No goals: a joint that is under torque stays where it is, and one that is limp stays limp.
+/// Of a program, which clears no latched fault. No goals: a joint that is under torque stays where it is, and one that
+/// is limp stays limp.
 [[nodiscard]] Commands asItIs(const Sensors& seen);
 
 }  // namespace darwinop::supervisor

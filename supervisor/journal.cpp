@@ -4,7 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include <cerrno>
+#include "hal/diagnostics.hpp"
 
 namespace darwinop::supervisor {
 
@@ -15,7 +15,7 @@ void say(const std::string& text) {
   if (localtime_r(&now, &parts) != nullptr) strftime(stamp, sizeof stamp, "%Y-%m-%d %H:%M:%S", &parts);
   // In one piece: the runtime writes to the same file.
   const std::string line = std::string{stamp} + " darwinop supervisor: " + text + "\n";
-  if (write(STDERR_FILENO, line.data(), line.size()) < 0) errno = 0;
+  (void)writeWithoutWaiting(STDERR_FILENO, line);
 }
 
 }  // namespace darwinop::supervisor

@@ -1,7 +1,11 @@
 // What a person asked of the running supervisor.
 #include "supervisor/orders.hpp"
 
+#include <signal.h>
+
 #include <atomic>
+
+#include "hal/signals.hpp"
 
 namespace darwinop::supervisor {
 namespace {
@@ -11,7 +15,7 @@ std::atomic<bool> stop_asked{false};
 std::atomic<int> last_signal{0};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-void handle(int signal) {
+void handle(int signal, siginfo_t*, void*) {
   if (signal == kStopControllerSignal || signal == kRestartControllerSignal)
     last_signal.store(signal);
   else
@@ -21,12 +25,12 @@ void handle(int signal) {
 }  // namespace
 
 void listenForOrders() {
+  // SA_RESTART: the sleep between two looks is cut short all the same.
+  onEndSignals(handle, SA_RESTART);
   struct sigaction action {};
-  action.sa_handler = handle;
-  action.sa_flags = SA_RESTART;  // the sleep between two looks is cut short all the same
-  for (const int signal : {SIGTERM, SIGINT, SIGHUP, kStopControllerSignal, kRestartControllerSignal})
-    sigaction(signal, &action, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
+  action.sa_sigaction = handle;
+  action.sa_flags = SA_SIGINFO | SA_RESTART;
+  for (const int signal : {kStopControllerSignal, kRestartControllerSignal}) sigaction(signal, &action, nullptr);
 }
 
 Orders takeOrders() {

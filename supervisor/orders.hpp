@@ -8,7 +8,7 @@ namespace darwinop::supervisor {
 inline constexpr int kStopControllerSignal = SIGUSR1, kRestartControllerSignal = SIGUSR2;
 
 struct Orders {
-  bool stop = false;                // SIGTERM, SIGINT, SIGHUP
+  bool stop = false;                // any of kEndSignals
   bool stop_controller = false;     // SIGUSR1
   bool restart_controller = false;  // SIGUSR2
 };

@@ -1,8 +1,6 @@
 // Brings a robot to rest whose runtime is gone.
 #include "supervisor/rescue.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -16,25 +14,28 @@ namespace {
 constexpr Nanos kFirstWait{100'000'000}, kLongestWait{1'000'000'000};
 constexpr std::uint32_t kSession = 1;  // of a driver who says farewell with the first word
 
-runtime::LoopConfig loopConfig(const RobotSettings& robot, const std::string& port) {
+runtime::LoopConfig loopConfig(const RobotSettings& robot, const link::OpenedBus& opened) {
   runtime::LoopConfig config;
   config.period = robot.period;
-  config.safety = robot.safety;
+  config.safety = opened.safety;
   // Stopping where it is would leave the robot as it was found, and letting go would drop it.
   config.safety.on_exit = safety::OnExit::kKneel;
-  config.port = port;
+  config.port = opened.description;
   return config;
 }
 
 /// The port of old, or the name it has now.
 link::OpenedBus openBus(const RobotSettings& robot) {
+  const auto open = [&](const std::string& port) {
+    return link::openSerialBus({port, robot.period, robot.safety, robot.offsets}, cm730::Purpose::kRescue);
+  };
   try {
-    return link::openSerialBus(robot.port, robot.period, robot.offsets);
+    return open(robot.port);
   } catch (const std::runtime_error&) {
     if (!robot.identity) throw;
     const auto others = cm730::siblings(robot.port, robot.identity);
     if (others.empty()) throw;
-    return link::openSerialBus(others.front(), robot.period, robot.offsets);
+    return open(others.front());
   }
 }
 
@@ -42,9 +43,9 @@ link::OpenedBus openBus(const RobotSettings& robot) {
 
 class Rescue::OwnLoop {
  public:
-  OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files)
-      : OwnLoop{robot, files, runtime::claimRuntime(files, robot.group)} {}
-  ~OwnLoop() { unlink(path_.c_str()); }
+  OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released)
+      : OwnLoop{robot, files, released, runtime::claimRuntime(files, robot.group)} {}
+  ~OwnLoop() { runtime::Exchange::remove(path_); }
   OwnLoop(const OwnLoop&) = delete;
   OwnLoop& operator=(const OwnLoop&) = delete;
 
@@ -57,38 +58,39 @@ class Rescue::OwnLoop {
   [[nodiscard]] bool online() const { return watch_.online(); }
 
  private:
-  OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, runtime::FileLock claim)
-      : OwnLoop{robot, files, std::move(claim), openBus(robot)} {}
+  OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released, runtime::FileLock claim)
+      : OwnLoop{robot, files, released, std::move(claim), openBus(robot)} {}
 
-  OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, runtime::FileLock claim,
+  OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released, runtime::FileLock claim,
           link::OpenedBus opened)
       : path_{files.exchange},
         claim_{std::move(claim)},
-        exchange_{closedExchange(path_, robot.group)},
+        exchange_{closedExchange(path_, robot.group, released)},
         watch_{robot.period, runtime::Rest{robot.safety, robot.period}.atMost()},
-        host_{loopConfig(robot, opened.description), std::move(opened.bus), exchange_.block(),
-              runtime::LoopStats::Timed::kYes, runtime::Recorder::Writer::kThread},
+        host_{loopConfig(robot, opened), std::move(opened.bus), exchange_, runtime::LoopStats::Timed::kYes,
+              runtime::Recorder::Writer::kThread},
         driver_{host_.loop(), clock_, robot.period, {}} {}
 
-  /// Red lights, nobody drives, and nobody can: whoever attaches reads that the loop is closing.
-  static runtime::Exchange closedExchange(const std::string& path, gid_t group) {
-    runtime::Exchange exchange = runtime::Exchange::create(path, group);
-    exchange.block().closing.store(1);
+  /// Red lights, nobody drives, and nobody can: no other process has the commands.
+  static runtime::Exchange closedExchange(const std::string& path, gid_t group, bool released) {
+    runtime::Exchange exchange = runtime::Exchange::createToLookAt(path, group);
+    exchange.ownBlock().closing.store(runtime::ExchangeBlock::kNobodyDrives);
+    exchange.ownBlock().released.store(released ? kSession : 0);
     Commands nobody;
     nobody.led = redLights();
-    exchange.block().commands.publish(nobody);
+    exchange.commands().commands.publish(nobody);
     return exchange;
   }
 
-  /// Safety then does with the robot what it does when a controller has ended: see safety/guard_states.cpp, stiff_for_.
+  /// Safety then does with the robot what it does when a controller has ended: see safety/guard_states.cpp,
+  /// State::kFoundStiff.
   void sayFarewell() {
     Commands farewell;
     farewell.led = redLights();
     farewell.session = kSession;
     farewell.sequence = 1;
     farewell.farewell = true;
-    exchange_.block().session.store(kSession);
-    exchange_.block().commands.publish(farewell);
+    exchange_.commands().commands.publish(farewell);
     farewell_ = true;
   }
 
@@ -103,8 +105,8 @@ class Rescue::OwnLoop {
   runtime::PeriodicDriver driver_;  // last: it ends first
 };
 
-Rescue::Rescue(const RobotSettings& robot, const runtime::RuntimeFiles& files)
-    : robot_{robot}, files_{files}, wait_{kFirstWait} {}
+Rescue::Rescue(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released)
+    : robot_{robot}, files_{files}, released_{released}, wait_{kFirstWait} {}
 
 Rescue::~Rescue() = default;
 
@@ -117,7 +119,7 @@ void Rescue::open(Nanos now) {
   next_try_ = now + wait_;
   wait_ = std::min(2 * wait_, kLongestWait);
   try {
-    loop_ = std::make_unique<OwnLoop>(robot_, files_);
+    loop_ = std::make_unique<OwnLoop>(robot_, files_, released_);
     obstacle_.clear();
   } catch (const std::exception& error) {
     obstacle_ = error.what();

@@ -28,12 +28,14 @@ struct RobotSettings {
 
 /// A loop like the runtime's, in this process, with nobody driving it: the same limits, the same slow crouch, the same
 /// reactions to faults. A robot whose servos are all limp stays as it is. Onlookers see it as they see the runtime, and
-/// a controller that comes is told to end.
+/// a controller that comes is refused.
 class Rescue {
  public:
   enum class Step { kOpening, kHold, kCrouch, kAtRest, kStiff };
 
-  Rescue(const RobotSettings& robot, const runtime::RuntimeFiles& files);
+  /// `released`: the robot was released, or lost its power, before its runtime failed. It is not moved: torque goes off
+  /// where a servo still holds.
+  Rescue(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released);
   ~Rescue();
   Rescue(const Rescue&) = delete;
   Rescue& operator=(const Rescue&) = delete;
@@ -51,6 +53,7 @@ class Rescue {
 
   RobotSettings robot_;
   runtime::RuntimeFiles files_;
+  bool released_;
   std::unique_ptr<OwnLoop> loop_;
   std::string obstacle_;
   Nanos next_try_{0}, wait_;

@@ -4,9 +4,10 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <stdexcept>
 
+#include "link/controller_user.hpp"
 #include "link/robot_file.hpp"
-#include "runtime/groups.hpp"
 
 namespace darwinop::supervisor {
 
@@ -22,8 +23,10 @@ RobotSettings readRobotSettings() {
   robot.period = file.period.value_or(link::kUsualPeriod);
   robot.safety = link::safetyOn(file, safety::Config{}, "config.ini");
   robot.offsets = file.offsets;
-  // A group that does not exist is the runtime's to refuse.
-  robot.group = file.group.empty() ? robot.group : runtime::groupId(file.group).value_or(robot.group);
+  try {
+    robot.group = link::runtimeGroup(file);
+  } catch (const std::runtime_error&) {  // the runtime refuses a group that does not exist, and says so
+  }
   robot.identity = cm730::usbIdentity(robot.port);
   return robot;
 }

@@ -1,7 +1,7 @@
 // The runtime as a child.
 #include "supervisor/runtime_child.hpp"
 
-#include <stdexcept>
+#include <utility>
 
 #include "runtime/file_lock.hpp"
 
@@ -10,24 +10,18 @@ namespace darwinop::supervisor {
 /// The file of a runtime that ran before may still be there: it counts from when it names this one.
 void RuntimeChild::attach() {
   if (runtime::FileLock::holder(files_.loop_lock) != child_.pid()) return;
-  try {
-    runtime::Exchange exchange = runtime::Exchange::attach(files_.exchange);
-    if (exchange.block().info.pid == child_.pid() && exchange.block().stats.cycles() > 0)
-      exchange_ = std::move(exchange);
-  } catch (const std::runtime_error&) {
-    return;  // not there yet
-  }
+  auto exchange = runtime::ExchangeReader::open(files_.exchange);
+  if (exchange && exchange->block().info.pid == child_.pid() && exchange->block().finished.value() > 0)
+    exchange_ = std::move(exchange);
 }
 
+/// A file that was shortened keeps its last copy, whose cycle counter stands still: the runtime counts as hung.
 RuntimeChild::State RuntimeChild::look(Nanos now) {
-  if (child_.ended()) {
-    if (exchange_) (void)exchange_->block().sensors.read(seen_);  // its last image: does the robot rest?
-    return State::kEnded;
-  }
-  if (!exchange_) attach();
+  if (!exchange_ && !child_.ended()) attach();
+  if (exchange_ && exchange_->look()) (void)exchange_->sensors(seen_);
+  if (child_.ended()) return State::kEnded;  // its last image: does the robot rest?
   if (!exchange_) return State::kStarting;
   if (!heart_) heart_.emplace(Nanos{exchange_->block().info.period_ns});
-  (void)exchange_->block().sensors.read(seen_);
   return heart_->beats(exchange_->block().finished.value(), now) ? State::kUp : State::kSilent;
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/sensors.hpp"
-#include "runtime/exchange.hpp"
+#include "runtime/exchange_reader.hpp"
 #include "runtime/names.hpp"
 #include "supervisor/child.hpp"
 #include "supervisor/heartbeat.hpp"
@@ -35,7 +35,7 @@ class RuntimeChild {
 
   runtime::RuntimeFiles files_;
   Child child_;
-  std::optional<runtime::Exchange> exchange_;
+  std::optional<runtime::ExchangeReader> exchange_;  // not mapped: the supervisor outlives the file
   std::optional<Heartbeat> heart_;
   Sensors seen_;
 };

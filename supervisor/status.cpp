@@ -4,11 +4,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <sstream>
+#include <stdexcept>
+
+#include "runtime/shared_file.hpp"
 
 namespace darwinop::supervisor {
 namespace {
@@ -17,6 +20,18 @@ std::string oneLine(std::string text) {
   for (char& letter : text)
     if (letter == '\n') letter = ' ';
   return text;
+}
+
+/// Empty when there is no such file, or one that another user made.
+std::string textOf(const std::string& path) try {
+  constexpr std::size_t kMost = 16'384;
+  const auto file = runtime::openShared(path, O_RDONLY, runtime::FileOwner::kOwn);
+  if (!file) return {};
+  std::string text(kMost, '\0');
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(pread(file->fd(), text.data(), kMost, 0), 0)));
+  return text;
+} catch (const std::runtime_error&) {
+  return {};
 }
 
 }  // namespace
@@ -38,7 +53,7 @@ bool writeStatus(const Status& status, const std::string& path) {
 }
 
 std::optional<Status> readStatus(const std::string& path) {
-  std::ifstream file{path};
+  std::istringstream file{textOf(path)};
   std::map<std::string, std::string> found;
   for (std::string name, value; file >> name && file.get() && std::getline(file, value);) found[name] = value;
   if (!found.contains("controller_ended")) return std::nullopt;  // the last line

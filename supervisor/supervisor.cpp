@@ -18,7 +18,8 @@ namespace {
 
 runtime::FileLock claim(const std::string& path) {
   listenForOrders();  // before anybody can see whom to send them to
-  if (auto lock = runtime::FileLock::tryTake(path)) return std::move(*lock);
+  if (auto lock = runtime::FileLock::tryTake(path, static_cast<gid_t>(-1), runtime::FileOwner::kOwn))
+    return std::move(*lock);
   throw std::runtime_error("a supervisor runs already (pid " + std::to_string(runtime::FileLock::holder(path)) +
                            "); end it with: darwinop supervisor --stop");
 }

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "runtime/rest.hpp"
+#include "safety/fault_book.hpp"
+#include "supervisor/rescue_watch.hpp"
 #include "supervisor/robot_settings.hpp"
 #include "supervisor/standing.hpp"
 #include "supervisor/supervisor.hpp"
@@ -77,7 +79,8 @@ void Supervisor::onRuntimeEnd(const Ending& ending) {
   const bool was_up = runtime_->wasUp();
   kill_at_ = Nanos{0};
   if (was_up && !ending.tidy()) return rescue("runtime: died " + describe(ending));
-  if (was_up) robot_ = runtime_->sensors().safety.state == State::kLimp ? kAtRest : kMayHold;
+  const Sensors& last = runtime_->sensors();
+  if (was_up) robot_ = last.safety.state == State::kLimp && !anyStiff(last) ? kAtRest : kMayHold;
   runtime_.reset();
   if (was_up || stop_asked_) controller_.runtimeLost(now_);
   if (stop_asked_) return become(Phase::kDown, "runtime: has ended" + robot_);
@@ -95,7 +98,7 @@ void Supervisor::rescue(const std::string& why) {
   controller_.runtimeLost(now_);
   stop_rescue_at_ = now_ + kTimeToReachRobot;
   standDown();
-  rescue_ = std::make_unique<Rescue>(settings_, files_);
+  rescue_ = std::make_unique<Rescue>(settings_, files_, safety::keptLimp(runtime_->sensors().safety.active));
 }
 
 void Supervisor::lookAtRescue() {

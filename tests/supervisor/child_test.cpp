@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -66,6 +67,22 @@ TEST(Child, AProgramThatIsNotThereIsCode127AndASentence) {
   EXPECT_THAT(textOf(folder / "log"), HasSubstr("cannot run " + (folder / "nothing")));
 }
 
+runtime::Account nobody() {
+  return {"nobody", "/nonexistent", 65534, 65534, {65534, 44}};
+}
+
+TEST(Child, HasTheRightsOfAnAccountAndAppendsToALogThatItMayNotOpen) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can start a program as another user";
+  const TemporaryFolder folder;
+  std::ofstream{folder / "log"} << "before\n";
+  std::filesystem::permissions(folder / "log", std::filesystem::perms::owner_read);
+  Start start = shell("id -u; id -G; echo $HOME $USER; cat /etc/shadow 2>/dev/null || echo no shadow", folder / "log");
+  start.account = nobody();
+  Child child{start};
+  EXPECT_TRUE(endOf(child).tidy());
+  EXPECT_EQ(textOf(folder / "log"), "before\n65534\n65534 44\n/nonexistent nobody\nno shadow\n");
+}
+
 TEST(Child, RunsInAGroupOfItsOwnWithNoSignalBlocked) {
   sigset_t all, before;
   sigfillset(&all);
@@ -88,11 +105,17 @@ TEST(Child, IsToldToEndAndNotKilledWhenNobodyLooksAfterItAnyMore) {
   EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\ntold\n"; }));
 }
 
-TEST(Child, IsToldToEndWhenItsParentIsKilled) {
+class OrphanedChild : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(AsTheSupervisorOrAsAnotherUser, OrphanedChild, testing::Bool());
+
+TEST_P(OrphanedChild, IsToldToEndWhenItsParentIsKilled) {
+  if (GetParam() && geteuid() != 0) GTEST_SKIP() << "only root can start a program as another user";
   const TemporaryFolder folder;
   const pid_t parent = fork();
   if (parent == 0) {
-    const Child child{shell("trap 'echo told; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log")};
+    Start start = shell("trap 'echo told; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log");
+    if (GetParam()) start.account = nobody();
+    const Child child{start};
     for (;;) pause();
   }
   EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\n"; }));

@@ -1,29 +1,38 @@
 // When the default controller may begin. Time is an argument; the controller is a script that sleeps.
 #include "supervisor/default_controller.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <thread>
 
 #include "core/conversions.hpp"
+#include "runtime/environment.hpp"
 #include "runtime/file_lock.hpp"
+#include "safety/fault_book.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::supervisor {
 namespace {
 
 using namespace std::chrono_literals;
+using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 struct Begin : ::testing::Test {
   TemporaryFolder folder;
   runtime::RuntimeFiles files{folder / "runtime"};
+  runtime::Environment robot_file{"DARWINOP_ROBOT_FILE", folder / "robot.ini"};
   DefaultController controller{folder / "", files};
   Nanos now = 100s;
 
   void SetUp() override {
     fs::create_directories(folder / "log");
+    std::ofstream{folder / "robot.ini"} << "[Robot]\ncontroller_user = root\n";  // a build machine has no other
     fs::create_directories(folder / "controllers/walk");
     const std::string program = folder / "controllers/walk/walk";
     std::ofstream{program} << "#!/bin/sh\nexec sleep 100\n";
@@ -45,6 +54,20 @@ struct Begin : ::testing::Test {
     Sensors seen = sitting();
     seen.board.accelerometer = {MeterPerSec2{9.80665}, MeterPerSec2{0}, MeterPerSec2{0}};
     return seen;
+  }
+  static Sensors with(Fault fault, Sensors seen = sitting()) {
+    seen.safety.active.set(safety::rowIndex(fault));
+    return seen;
+  }
+  void letTheProgramDo(const std::string& what) {
+    std::ofstream{folder / "controllers/walk/walk"} << "#!/bin/sh\n" << what << '\n';
+  }
+  /// Looks until the program has ended; processes take real time.
+  void lookUntilEnded(const Sensors& seen) {
+    for (int i = 0; i < 1000 && runs(); ++i, now += 1ms) {
+      std::this_thread::sleep_for(5ms);
+      controller.look(seen, now);
+    }
   }
   /// Looks every 20 ms, at least once.
   void lookFor(Nanos time, const Sensors& seen) {
@@ -71,6 +94,69 @@ TEST_F(Begin, ARobotThatIsHeldIsNotAskedForItsPose) {
   held.safety.state = State::kHolding;
   controller.look(held, now);
   EXPECT_TRUE(runs());
+}
+
+TEST_F(Begin, ARobotThatIsFoundStiffIsNotAskedForItsPoseWhenALegHolds) {
+  Sensors stiff = lying();
+  stiff.safety.state = State::kFoundStiff;
+  JointSensors& head = stiff.joint[index(Joint::kHead)];
+  head.health.received();
+  head.torque_enabled = true;
+  lookFor(3s, stiff);
+  EXPECT_FALSE(runs()) << "its legs are limp: it may lie in somebody's hands";
+  JointSensors& knee = stiff.joint[index(Joint::kLegLowerL)];
+  knee.health.received();
+  knee.torque_enabled = true;
+  controller.look(stiff, now);
+  EXPECT_TRUE(runs());
+}
+
+TEST_F(Begin, NothingBeginsWhileAFaultWaitsForAPersonAndStatusSaysSo) {
+  for (const FaultRow& fault : kFaultTable) {
+    if (!fault.latched) continue;
+    lookFor(3s, with(fault.fault));
+    EXPECT_FALSE(runs()) << fault.name;
+    EXPECT_THAT(status().state, HasSubstr(std::string{fault.meaning}));
+    EXPECT_THAT(status().state, HasSubstr("press START, or run: darwinop runtime --reset-faults"));
+  }
+  lookFor(1100ms, with(Fault::kBatteryLow));
+  EXPECT_TRUE(runs());
+}
+
+TEST_F(Begin, EveryStartIsAProgramsAndNotAPersons) {
+  letTheProgramDo("echo \"unattended $DARWINOP_UNATTENDED\"");
+  lookFor(1100ms, sitting());
+  lookUntilEnded(sitting());
+  std::stringstream log;
+  log << std::ifstream{folder / "log/controller.log"}.rdbuf();
+  EXPECT_THAT(log.str(), HasSubstr("unattended 1"));
+}
+
+TEST_F(Begin, OneThatEndedBecauseOfALatchedFaultHasNeitherCrashedNorDoneItsWork) {
+  const fs::path go = folder / "controllers/walk/go";
+  for (const std::string how : {"exit 0", "exit 1", "kill -ABRT $$"}) {
+    letTheProgramDo("while [ ! -e go ]; do sleep 0.01; done; " + how);
+    for (int i = 0; i < 4; ++i) {  // three crashes would be too many
+      controller.restart(now);
+      fs::remove(go);
+      lookFor(1100ms, sitting());
+      ASSERT_TRUE(runs());
+      std::ofstream{go} << "go";
+      lookUntilEnded(with(Fault::kReleasedByButton));
+      EXPECT_FALSE(runs());
+      EXPECT_EQ(status().crashes, 0U);
+      lookFor(10s, with(Fault::kReleasedByButton));
+      EXPECT_THAT(status().state, HasSubstr("released with MODE; press START"));
+      EXPECT_FALSE(status().controller_ended);
+    }
+    letTheProgramDo("exec sleep 100");
+    lookFor(980ms, sitting());
+    EXPECT_FALSE(runs()) << "the robot has to sit, as before every start";
+    lookFor(60ms, sitting());
+    EXPECT_TRUE(runs());
+    controller.stop(now);
+    lookUntilEnded(sitting());
+  }
 }
 
 TEST_F(Begin, TheSecondCountsAnewAfterARobotThatLay) {
@@ -110,6 +196,13 @@ TEST_F(Begin, WithoutADefaultNothingBegins) {
   EXPECT_FALSE(runs());
   EXPECT_EQ(status().controller, "");
   EXPECT_FALSE(status().controller_ended);
+}
+
+TEST_F(Begin, AsRootItIsRefusedUnlessRobotIniSaysSo) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root's supervisor can start something as root";
+  std::ofstream{folder / "robot.ini"} << "[Robot]\ncontroller_user = nobody-like-this\n";
+  lookFor(1100ms, sitting());
+  EXPECT_FALSE(runs());
 }
 
 TEST_F(Begin, OneThatWasStoppedStaysStopped) {

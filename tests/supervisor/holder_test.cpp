@@ -18,6 +18,7 @@ TEST(Holder, WhatHoldsGoesOnHoldingAndWhatIsLimpStaysLimp) {
     EXPECT_FALSE(commands.joint[i].torque_on) << i;
   }
   EXPECT_TRUE(commands.start_where_it_is);
+  EXPECT_TRUE(commands.unattended) << "it clears no latched fault";
 }
 
 TEST(Holder, LightsAreRed) {

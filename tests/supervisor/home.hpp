@@ -4,7 +4,9 @@
 #include <sys/types.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -40,7 +42,8 @@ class Home : public Rig {
     Rig::SetUp();
     std::filesystem::create_directories(folder_ / "home/controllers/walk");
     std::filesystem::create_symlink(controller(), folder_ / "home/controllers/walk/walk");
-    std::ofstream{folder_ / "home/robot.ini"} << "[Robot]\nport = " << port() << "\n[Safety]\ngentle_speed = 2.0\n";
+    std::ofstream{folder_ / "home/robot.ini"} << "[Robot]\nport = " << port()
+                                              << "\ncontroller_user = root\n[Safety]\ngentle_speed = 2.0\n";
   }
   void TearDown() override {
     if (supervisor_ && supervisor_->pid() > 0) {
@@ -98,7 +101,9 @@ class Home : public Rig {
   [[nodiscard]] static Sensors sensors() {
     Sensors seen;
     try {
-      (void)runtime::Exchange::attach(runtime::RuntimeFiles{}.exchange).block().sensors.read(seen);
+      (void)runtime::Exchange::attach(runtime::RuntimeFiles{}.exchange, runtime::Exchange::Access::kLook)
+          .block()
+          .sensors.read(seen);
     } catch (const std::runtime_error&) {
       return {};
     }
@@ -124,6 +129,19 @@ class Home : public Rig {
         found.furthest = std::max(found.furthest, std::abs(ticks - joint.start) * kRadPerTick);
     }
     return found;
+  }
+
+  /// Straightens the legs and leaves them under torque, as after a restart of the computer. Nobody else may hold the
+  /// port.
+  void standByHand() const {
+    cm730::SerialPort line{port()};
+    const std::array<std::uint8_t, 1> on{1};
+    ASSERT_TRUE(cm730::writeRegisters(line, kBoardId, board::kDxlPower, on).ok());
+    cm730::pass(line, Nanos{500'000'000});
+    constexpr std::array<std::uint8_t, 2> kStraight{0x00, 0x08};  // 2048 ticks
+    for (std::uint8_t id = 7; id <= 18; ++id)
+      ASSERT_TRUE(cm730::writeRegisters(line, id, servo::kGoalPosition, kStraight).ok());
+    cm730::pass(line, Nanos{2'000'000'000});
   }
 
   std::unique_ptr<Program> supervisor_;

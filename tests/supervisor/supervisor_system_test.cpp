@@ -1,6 +1,10 @@
 // Supervisor, runtime and default controller as a robot has them, and what becomes of the robot when one of them fails.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <cstdint>
+
+#include "safety/fault_book.hpp"
 #include "supervisor/home.hpp"
 
 namespace darwinop::supervisor {
@@ -31,8 +35,9 @@ struct Course {
 };
 
 class RuntimeFails : public Home, public testing::WithParamInterface<int> {};
-INSTANTIATE_TEST_SUITE_P(By, RuntimeFails, testing::Values(SIGKILL, SIGSTOP),
-                         [](const auto& by) { return by.param == SIGKILL ? "Death" : "Silence"; });
+INSTANTIATE_TEST_SUITE_P(By, RuntimeFails,
+                         testing::Values(SIGKILL, SIGSTOP, SIGILL, SIGTRAP, SIGABRT, SIGBUS, SIGFPE, SIGSEGV, SIGSYS),
+                         [](const auto& by) { return std::string{"SIG"} + sigabbrev_np(by.param); });
 
 TEST_P(RuntimeFails, AndTheRobotCrouchesGentlyToTheStartPoseAndLetsGo) {
   startVirtualRobot();
@@ -216,6 +221,90 @@ TEST_F(Home, AMistakeInRobotIniIsToldOnceAndNoRuntimeStartsBeforeItIsCorrected) 
   EXPECT_TRUE(says("runtime: ready")) << supervisor_->output();
   EXPECT_EQ(ask("--stop"), 0) << said_;
   EXPECT_TRUE(says("ends; the robot is at rest")) << supervisor_->output();
+}
+
+/// Some joint gets goals, or was looked at after that cycle and had torque.
+bool anyTorqueSince(std::uint64_t cycle, const Sensors& seen) {
+  return std::ranges::any_of(seen.joint, [&](const JointSensors& j) {
+    const bool looked_at = j.health.ever() && j.health.age + cycle < seen.cycle;
+    return j.driven || (looked_at && j.torque_enabled);
+  });
+}
+
+/// The fault script has to wait longer than a busy machine takes to the start pose, and to all that follows MODE.
+TEST_F(Home, AfterModeTheRobotStaysLimpUntilSomebodyPressesStart) {
+  startVirtualRobot("15 button mode for 0.6\n35 button start for 0.6\n");
+  plan("sit");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands", seconds{14})) << supervisor_->output() << controllerLog();
+  ASSERT_TRUE(says("waits for a person: the robot was released with MODE; press START", seconds{15}))
+      << supervisor_->output();
+  EXPECT_EQ(ask("--status"), 0);
+  EXPECT_THAT(said_, HasSubstr("press START, or run: darwinop runtime --reset-faults"));
+  EXPECT_EQ(status().crashes, 0U);
+  bool torque = false;
+  const std::uint64_t released = sensors().cycle + 1;
+  for (int i = 0; i < 800; ++i) {  // longer than the pause before a restart and the second in the start pose
+    const Sensors seen = sensors();
+    if (!seen.safety.active[safety::rowIndex(Fault::kReleasedByButton)]) break;
+    torque = torque || anyTorqueSince(released, seen);
+    std::this_thread::sleep_for(milliseconds{5});
+  }
+  EXPECT_FALSE(torque);
+  ASSERT_TRUE(within(seconds{40}, [&] {
+    const std::string log = controllerLog();
+    return log.find("stands") != log.rfind("stands");
+  })) << supervisor_->output();
+}
+
+TEST_F(Home, AfterAnOperatorsReleaseItWaitsForAReset) {
+  startVirtualRobot();
+  plan("sit");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  Program release{{program("darwinop-runtime"), "--release"}, file("release.txt")};
+  EXPECT_EQ(release.wait(seconds{5}), 0);
+  ASSERT_TRUE(says("waits for a person: a person released the robot")) << supervisor_->output();
+  const std::uint64_t released = sensors().cycle + 1;
+  std::this_thread::sleep_for(milliseconds{4000});
+  EXPECT_FALSE(anyTorqueSince(released, sensors()));
+  EXPECT_EQ(status().controller_pid, 0);
+
+  // Killed and started anew by a program, as systemd does it.
+  supervisor_->kill(SIGKILL);
+  EXPECT_TRUE(within(seconds{20}, [&] { return runtime::FileLock::holder(runtime::RuntimeFiles{}.loop_lock) == 0; }));
+  startSupervisor();
+  ASSERT_TRUE(says("waits for a person: a person released the robot")) << supervisor_->output();
+  std::this_thread::sleep_for(milliseconds{2500});
+  EXPECT_FALSE(anyTorqueSince(0, sensors()));
+
+  EXPECT_EQ(ask("--restart-controller"), 0);
+  EXPECT_TRUE(within(seconds{20}, [&] { return sensors().safety.state == State::kDriven; })) << supervisor_->output();
+}
+
+TEST_F(Home, ARobotThatIsFoundStandingIsBroughtToRestAtTheEnd) {
+  startVirtualRobot();
+  standByHand();
+  startSupervisor();  // without a default controller
+  ASSERT_TRUE(says("runtime: ready")) << supervisor_->output();
+  EXPECT_TRUE(within(seconds{5}, [&] { return sensors().safety.state == State::kFoundStiff; }));
+  EXPECT_EQ(ask("--stop"), 0) << said_;
+  EXPECT_TRUE(says("ends; the robot is at rest")) << supervisor_->output();
+  const Registers robot = registers();
+  EXPECT_EQ(robot.silent, 0);
+  EXPECT_EQ(robot.stiff, 0);
+  EXPECT_LT(robot.furthest, 0.1);
+}
+
+TEST_F(Home, ARobotThatIsFoundStandingIsNotAskedForItsPose) {
+  startVirtualRobot();
+  standByHand();
+  plan("hold");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  EXPECT_EQ(supervisor_->output().find("waits until the robot sits"), std::string::npos);
+  EXPECT_EQ(ask("--stop"), 0) << said_;
+  EXPECT_EQ(registers().stiff, 0);
 }
 
 TEST_F(Home, WithoutASupervisorQuestionsAreAnsweredAllTheSame) {

@@ -3,6 +3,7 @@
 //   crash   the same, and dies in the middle of it
 //   deaf    the same, and then neither steps nor listens
 //   once    ends at once
+//   sit     stays in the start pose until it is told to end, and then ends with an error
 #include <unistd.h>
 
 #include <cmath>
@@ -21,8 +22,10 @@ int main() {
   if (plan == "once") return 0;
   webots::Robot robot;
   const int step_ms = static_cast<int>(robot.getBasicTimeStep());
-  robot.getMotor("LegLowerR")->setPosition(1.2);
-  robot.getMotor("LegLowerL")->setPosition(-1.2);
+  if (plan != "sit") {
+    robot.getMotor("LegLowerR")->setPosition(1.2);
+    robot.getMotor("LegLowerL")->setPosition(-1.2);
+  }
   int steps = 0;
   while (robot.step(step_ms) != -1) {
     if (++steps == 10 && plan == "crash") std::abort();
@@ -32,5 +35,5 @@ int main() {
     while (plan == "deaf") pause();
   }
   std::cout << "told to end" << std::endl;
-  return 0;
+  return plan == "sit" ? 1 : 0;
 }

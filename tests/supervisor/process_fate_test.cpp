@@ -1,0 +1,197 @@
+// What becomes of the robot when somebody sends a signal, closes a pipe or shortens a file. hal/signals.hpp has the
+// table.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "hal/signals.hpp"
+#include "supervisor/home.hpp"
+
+namespace darwinop::supervisor {
+namespace {
+
+using testing::HasSubstr;
+
+std::string nameOf(int signal) {
+  return std::string{std::ranges::find(kSignals, signal, &SignalRow::number)->name};
+}
+
+/// A virtual robot, and programs on it without a supervisor.
+class Fate : public Home {
+ protected:
+  void SetUp() override {
+    Home::SetUp();
+    startVirtualRobot();
+    std::ofstream{file("plan")} << "hold\n";
+    std::filesystem::create_symlink(controller(), folder_ / "walk");
+  }
+  void TearDown() override {
+    driver_.reset();
+    daemon_.reset();
+    Home::TearDown();
+  }
+  void startDaemon() {
+    daemon_ =
+        std::make_unique<Program>(std::vector<std::string>{program("darwinop-runtime"), "--robot", port()}, file("d"));
+    ASSERT_TRUE(daemon_->says("ready:", seconds{15})) << daemon_->output();
+  }
+  /// It stands when this returns.
+  void startController(const std::string& robot) {
+    setenv("DARWINOP_ROBOT", robot.c_str(), 1);
+    driver_ = std::make_unique<Program>(std::vector<std::string>{file("walk")}, file("c"));
+    unsetenv("DARWINOP_ROBOT");
+    ASSERT_TRUE(driver_->says("stands", seconds{20})) << driver_->output();
+  }
+  void sendAllWithoutEffect(const Program& to, std::initializer_list<int> but = {}) {
+    for (const SignalRow& row : kSignals) {
+      const bool harmless = row.effect == SignalEffect::kIgnored || row.effect == SignalEffect::kNoEffect;
+      if (harmless && std::ranges::find(but, row.number) == but.end()) to.kill(row.number);
+    }
+    to.kill(SIGRTMIN);
+    to.kill(SIGRTMAX);
+    std::this_thread::sleep_for(milliseconds{500});
+    std::string state;
+    std::ifstream file{"/proc/" + std::to_string(to.pid()) + "/stat"};
+    for (int word = 0; word < 3; ++word) file >> state;
+    EXPECT_TRUE(state == "S" || state == "R" || state == "D") << "neither stopped nor ended: " << state;
+  }
+  void expectAtRest() {
+    const Registers robot = registers();
+    EXPECT_EQ(robot.silent, 0);
+    EXPECT_EQ(robot.stiff, 0);
+  }
+
+  std::unique_ptr<Program> daemon_, driver_;
+};
+
+TEST_F(Fate, SignalsWithoutEffectLeaveDaemonAndItsControllerDriving) {
+  startDaemon();
+  startController("runtime");
+  sendAllWithoutEffect(*daemon_);
+  sendAllWithoutEffect(*driver_);
+  const Sensors before = sensors();
+  std::this_thread::sleep_for(milliseconds{300});
+  EXPECT_GT(sensors().cycle, before.cycle + 5);
+  EXPECT_EQ(sensors().safety.state, State::kDriven);
+}
+
+TEST_F(Fate, SignalsWithoutEffectLeaveAnEmbeddedControllerDriving) {
+  startController(port());
+  sendAllWithoutEffect(*driver_);
+  driver_->kill(SIGTERM);
+  EXPECT_EQ(driver_->wait(seconds{30}), 0) << driver_->output();
+  expectAtRest();
+}
+
+class EndSignal : public Fate, public testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(Each, EndSignal, testing::ValuesIn(kEndSignals),
+                         [](const auto& by) { return nameOf(by.param); });
+
+TEST_P(EndSignal, EndsADaemonWithTheRobotAtRest) {
+  startDaemon();
+  startController("runtime");
+  daemon_->kill(GetParam());
+  EXPECT_EQ(daemon_->wait(seconds{30}), 0) << daemon_->output();
+  EXPECT_EQ(driver_->wait(seconds{10}), 0) << driver_->output();
+  expectAtRest();
+}
+
+TEST_P(EndSignal, EndsAnEmbeddedControllerWithTheRobotAtRest) {
+  startController(port());
+  driver_->kill(GetParam());
+  EXPECT_EQ(driver_->wait(seconds{30}), 0) << driver_->output();
+  EXPECT_THAT(driver_->output(), HasSubstr("told to end"));
+  expectAtRest();
+}
+
+TEST_P(EndSignal, EndsTheOtherProgramsTidily) {
+  startDaemon();
+  const std::vector<std::vector<std::string>> all{{program("darwinop-remote"), "--robot", "runtime", "--port", "0"},
+                                                  {program("darwinop-monitor"), "--port", "0"},
+                                                  {program("darwinop-virtual-robot"), "--link", file("other")}};
+  for (const std::vector<std::string>& command : all) {
+    const Program one{command, file("one")};
+    ASSERT_TRUE(one.says("ready:", seconds{10}) || one.says("body:", seconds{10})) << command[0] << one.output();
+    std::this_thread::sleep_for(milliseconds{200});
+    sendAllWithoutEffect(
+        one, command[0].ends_with("robot") ? std::initializer_list<int>{SIGUSR1} : std::initializer_list<int>{});
+    one.kill(GetParam());
+    EXPECT_EQ(const_cast<Program&>(one).wait(seconds{10}), 0) << command[0] << one.output();
+  }
+}
+
+TEST_P(EndSignal, EndsASupervisorWithTheRobotAtRest) {
+  plan("hold");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  sendAllWithoutEffect(*supervisor_, {SIGUSR1, SIGUSR2});  // these are orders
+  supervisor_->kill(GetParam());
+  EXPECT_EQ(supervisor_->wait(seconds{30}), 0) << supervisor_->output();
+  expectAtRest();
+}
+
+TEST_F(Fate, ADaemonWhoseMessagesNobodyReadsGoesOnThroughAFault) {
+  const std::string fifo = file("fifo");
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  const int reader = open(fifo.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  daemon_ = std::make_unique<Program>(std::vector<std::string>{program("darwinop-runtime"), "--robot", port()}, fifo);
+  ASSERT_TRUE(within(seconds{15}, [] { return sensors().cycle > 0; }));
+  startController("runtime");
+  close(reader);
+  driver_->kill(SIGSTOP);  // a fault that is told: the controller stalls
+  ASSERT_TRUE(within(seconds{5}, [] { return sensors().safety.active.any(); }));
+  std::this_thread::sleep_for(milliseconds{300});
+  EXPECT_EQ(sensors().safety.state, State::kHolding);
+  driver_->kill(SIGKILL);
+  daemon_->kill(SIGTERM);
+  EXPECT_EQ(daemon_->wait(seconds{30}), 0);
+  expectAtRest();
+}
+
+class ShortenedUnderASupervisor : public Home, public testing::WithParamInterface<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Each, ShortenedUnderASupervisor, testing::Values("", ".commands"),
+                         [](const auto& file) { return *file.param == 0 ? "Exchange" : "Commands"; });
+
+TEST_P(ShortenedUnderASupervisor, TheFileDoesNotKeepTheRobotFromComingToRestAndTheSupervisorGoesOn) {
+  startVirtualRobot();
+  plan("hold");
+  startSupervisor();
+  ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
+  const std::string path = runtime::RuntimeFiles{}.exchange;
+  ASSERT_EQ(truncate((path + GetParam()).c_str(), 0), 0);
+  ASSERT_TRUE(says("torque is off", seconds{40})) << supervisor_->output();
+  const Registers robot = registers();
+  EXPECT_EQ(robot.stiff, 0);
+  EXPECT_LT(robot.furthest, 0.1);
+  EXPECT_EQ(ask("--status"), 0) << said_;
+  EXPECT_EQ(ask("--restart-controller"), 0) << said_;
+  EXPECT_TRUE(says("runtime: ready")) << supervisor_->output();
+  EXPECT_EQ(ask("--stop"), 0) << said_;
+}
+
+TEST_F(Home, OrdersGoToNobodyButASupervisorOfTheSameUserOrRoot) {
+  const SupervisorFiles files{runtime::RuntimeFiles{}};
+  ASSERT_EQ(mkfifo(files.lock.c_str(), 0666), 0);
+  EXPECT_EQ(ask("--stop"), 1);
+  EXPECT_THAT(said_, HasSubstr("not a regular file"));
+  ASSERT_EQ(unlink(files.lock.c_str()), 0);
+  if (geteuid() != 0) GTEST_SKIP() << "only root can become another user";
+
+  // Another user takes the name, locks it, and writes the pid of a process of root.
+  Program victim{{"/bin/sleep", "60"}, file("victim")};
+  std::ofstream{files.lock} << victim.pid() << '\n';
+  ASSERT_EQ(chown(files.lock.c_str(), 65534, 65534), 0);
+  const auto held = std::make_unique<Program>(
+      std::vector<std::string>{"/usr/bin/flock", "--no-fork", files.lock, "/bin/sleep", "60"}, file("thief"));
+  std::this_thread::sleep_for(milliseconds{300});
+  for (const char* order : {"--stop", "--stop-controller", "--restart-controller", "--status"}) {
+    EXPECT_EQ(ask(order), 1);
+    EXPECT_THAT(said_, HasSubstr("uid 65534")) << order;
+  }
+  EXPECT_EQ(kill(victim.pid(), 0), 0);
+  EXPECT_EQ(victim.wait(seconds{0}), std::nullopt) << "nobody was sent a signal";
+}
+
+}  // namespace
+}  // namespace darwinop::supervisor
