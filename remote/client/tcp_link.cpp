@@ -5,6 +5,7 @@
 #include <iostream>
 #include <utility>
 
+#include "core/printable.hpp"
 #include "remote/client/old_sensors.hpp"
 #include "remote/client/resolve.hpp"
 
@@ -63,7 +64,8 @@ void TcpLink::send(std::uint64_t cycle) {
                          .fault_resets = wanted_.fault_resets,
                          .picture = pictures_.held(),
                          .start_where_it_is = wanted_.start_where_it_is || came_back_,
-                         .only_if_up = was_up_};
+                         .only_if_up = was_up_,
+                         .unattended = wanted_.unattended || unattended_ || came_back_};
   if (!extended_ || !greeted_) askForAll(request);
   sent_ = clock_.now();
   exchanged_for_ = cycle;
@@ -117,7 +119,7 @@ void TcpLink::take(const Reply& reply) {
     extended_ = false;
     takeOld(reply, first);
   } else if (!reply.extension->why_ended.empty()) {
-    end(std::string{reply.extension->why_ended});
+    end(printableLines(reply.extension->why_ended));
     return connection_.close("");
   } else if (reply.extension->seen != nullptr) {
     takeImage(*reply.extension, first);
@@ -145,7 +147,7 @@ void TcpLink::takeImage(const ReplyExtension& extension, bool first) {
   image_ = seen;
   image_at_ = clock_.now();
   shown_ = image_;
-  was_up_ = was_up_ || (image_.safety.state != State::kLimp && image_.safety.state != State::kOffline);
+  was_up_ = was_up_ || drives(image_.safety.state);
   faults_.look(image_);
 }
 

@@ -14,6 +14,7 @@
 #include "remote/client/wishes.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/fault_announcer.hpp"
+#include "runtime/names.hpp"
 #include "runtime/robot_link.hpp"
 
 namespace darwinop::remote {
@@ -81,7 +82,8 @@ class TcpLink final : public runtime::RobotLink {
   runtime::FaultAnnouncer faults_;
 
   Commands wanted_{};
-  bool was_up_ = false;  // the robot has been seen under torque
+  bool was_up_ = false;  // the robot has been seen driven
+  bool unattended_ = runtime::startedUnattended();
   bool drove_ = false, lost_ = false, came_back_ = false;
   bool extended_ = true;  // the server knows the extension; believed until a reply lacks it
   bool greeted_ = false;  // this connection's first reply is there

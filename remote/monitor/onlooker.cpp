@@ -25,6 +25,10 @@ std::string Onlooker::whyNone(Nanos now) {
     moved_ = now;
     finished_ = exchange_->block().finished.value();
   }
+  if (exchange_->lost()) {
+    exchange_.reset();
+    return runtime::kExchangeLost;
+  }
   const runtime::ExchangeBlock& block = exchange_->block();
   const std::string pid = std::to_string(block.info.pid);
   const pid_t living = runtime::FileLock::holder(files_.loop_lock);

@@ -57,6 +57,7 @@ struct Extension {
   bool start_where_it_is = false;  // as in Commands
   bool only_if_up = false;         // it has had the robot under torque: one that has let go since is left alone
   bool farewell = false;           // the last request of a controller that ends tidily
+  bool unattended = false;         // as in Commands
   constexpr bool operator==(const Extension&) const = default;
 };
 

@@ -97,6 +97,7 @@ void readExtension(SectionCursor& in, Request& request) {
     request.extension.start_where_it_is = (flags & 1) != 0;
     request.extension.farewell = (flags & 2) != 0;
     request.extension.only_if_up = (flags & 4) != 0;
+    request.extension.unattended = (flags & 8) != 0;
     request.extension.fault_resets = word();
     request.extension.picture = word();
     const std::uint64_t high = word();

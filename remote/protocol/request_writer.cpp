@@ -50,7 +50,7 @@ void writeExtension(const Extension& extension, RequestPen& out) {
   out.byte(kExtensionVersion);
   out.byte(kExtensionContent);
   out.byte(static_cast<std::uint8_t>((extension.start_where_it_is ? 1 : 0) | (extension.farewell ? 2 : 0) |
-                                     (extension.only_if_up ? 4 : 0)));
+                                     (extension.only_if_up ? 4 : 0) | (extension.unattended ? 8 : 0)));
   out.word(static_cast<std::int32_t>(extension.fault_resets));
   out.word(static_cast<std::int32_t>(extension.picture));
   out.word(static_cast<std::int32_t>(extension.until_cycle >> 32));

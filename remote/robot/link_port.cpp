@@ -56,6 +56,7 @@ void LinkPort::begin(Beginning beginning) {
   used_ = true;
   if (!again) forgetWishes();
   commands_.start_where_it_is = again || start_where_it_is_;
+  commands_.unattended = again;
   // The cycle under way may have begun before the first image was there: only the one after it speaks of us.
   last_cycle_ = link_->sensors().cycle;
   first_of_ours_ = last_cycle_ + 2;
@@ -78,6 +79,7 @@ void LinkPort::obey(const Request& request) {
   if (request.extended) {
     commands_.start_where_it_is |= request.extension.start_where_it_is;
     commands_.fault_resets = request.extension.fault_resets;
+    commands_.unattended |= request.extension.unattended;
   }
   link_->publish(commands_);
   if (!link_->realTime()) simulate(request);
@@ -159,8 +161,8 @@ void LinkPort::farewellForWhoLeft() noexcept try {
   // What the client wished for last may not be seen yet.
   if (!link_->waitForCycle(link_->sensors().cycle + 2, kNever)) return link_.reset();
   const State state = link_->sensors().safety.state;
-  commands_.start_where_it_is = true;
-  const bool at_rest = state == State::kOffline || state == State::kLimp || state == State::kKneeling;
+  commands_.start_where_it_is = commands_.unattended = true;
+  const bool at_rest = !drives(state) || state == State::kKneeling;
   if (!at_rest) link_->publish(commands_);  // who never spoke says none
   link_.reset();
 } catch (const std::exception&) {

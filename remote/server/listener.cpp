@@ -26,8 +26,8 @@ constexpr int kBacklog = 4;
   throw std::runtime_error("cannot listen on " + place + ": " + std::strerror(error) + remedy);
 }
 
-bool setOption(const Socket& socket, int level, int name) {
-  const int on = 1;
+bool setOption(const Socket& socket, int level, int name, bool value = true) {
+  const int on = value ? 1 : 0;
   return setsockopt(socket.descriptor(), level, name, &on, sizeof on) == 0;
 }
 
@@ -39,30 +39,47 @@ bool neverWaits(const Socket& socket) {
 }  // namespace
 
 Listener::Listener(Ipv4 address, std::uint16_t port) : address_{address}, port_{port} {
-  place_ = bound();
+  place_ = made();
+  bindToPort(place_);
   sockaddr_in name{};
   socklen_t size = sizeof name;
   if (getsockname(place_.descriptor(), reinterpret_cast<sockaddr*>(&name), &size) != 0) cannotListen(address, port);
   port_ = ntohs(name.sin_port);
+  // After bind(): a second server of the same user is refused. Linux 3.9 and later.
+  shares_by_user_ = setOption(place_, SOL_SOCKET, SO_REUSEPORT);
   open();
 }
 
-Socket Listener::bound() const {
+Socket Listener::made() const {
   Socket socket{::socket(AF_INET, SOCK_STREAM, 0)};
-  sockaddr_in name{};
-  name.sin_family = AF_INET;
-  name.sin_port = htons(port_);
-  name.sin_addr.s_addr = htonl(address_);
-  if (!socket.open() || !neverWaits(socket) || !setOption(socket, SOL_SOCKET, SO_REUSEADDR) ||
-      bind(socket.descriptor(), reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0)
+  // SO_REUSEADDR: connections that have just ended hold the port for a minute, and connections inherit it from door_.
+  if (!socket.open() || !neverWaits(socket) || !setOption(socket, SOL_SOCKET, SO_REUSEADDR))
     cannotListen(address_, port_);
   return socket;
 }
 
+void Listener::bindToPort(const Socket& socket) const {
+  sockaddr_in name{};
+  name.sin_family = AF_INET;
+  name.sin_port = htons(port_);
+  name.sin_addr.s_addr = htonl(address_);
+  if (bind(socket.descriptor(), reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0)
+    cannotListen(address_, port_);
+}
+
+/// Two sockets with SO_REUSEADDR of which none listens may be bound to one port, whoever's they are. So place_ has it
+/// only while it is bound itself. door_ is bound beside it by SO_REUSEPORT, which the kernel grants to sockets of one
+/// user. Older kernels need SO_REUSEADDR on place_ until door_ listens: microseconds, in which others may be bound,
+/// too.
 void Listener::open() {
   if (isOpen()) return;
-  Socket door = bound();
-  if (listen(door.descriptor(), kBacklog) != 0) cannotListen(address_, port_);
+  Socket door = made();
+  if (!setOption(place_, SOL_SOCKET, SO_REUSEADDR, !shares_by_user_) ||
+      (shares_by_user_ && !setOption(door, SOL_SOCKET, SO_REUSEPORT)))
+    cannotListen(address_, port_);
+  bindToPort(door);
+  if (listen(door.descriptor(), kBacklog) != 0 || !setOption(place_, SOL_SOCKET, SO_REUSEADDR, false))
+    cannotListen(address_, port_);
   door_ = std::move(door);
 }
 

@@ -35,12 +35,14 @@ class Listener {
   [[nodiscard]] std::optional<Caller> next();
 
  private:
-  [[nodiscard]] Socket bound() const;
+  [[nodiscard]] Socket made() const;
+  void bindToPort(const Socket& socket) const;
 
   Ipv4 address_;
   std::uint16_t port_;
-  Socket place_;  // bound, never listens: keeps the port while the door is closed
+  Socket place_;  // bound for life, never listens: keeps the port while the door is closed
   Socket door_;
+  bool shares_by_user_ = false;  // no other user's socket may be bound beside place_, not even while the door opens
 };
 
 }  // namespace darwinop::remote

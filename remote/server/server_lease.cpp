@@ -15,7 +15,7 @@ std::string whatCameBetween(const SafetyReport& report, bool only_if_up) {
     const FaultRow& fault = row(report.worst);
     return "meanwhile " + std::string{fault.meaning} + "; " + std::string{fault.remedy};
   }
-  if (only_if_up && report.state == State::kLimp)
+  if (only_if_up && report.state != State::kOffline && !drives(report.state))
     return "the robot has let go meanwhile: it has sat down, or was released by hand. Start the controller again";
   return {};
 }

@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/signals.hpp"
+
 namespace darwinop::remote {
 namespace {
 
@@ -30,11 +32,7 @@ void handOnToSsh(int signal, siginfo_t* info, void*) {
 }
 
 void catchSignalsForSsh() {
-  struct sigaction action {};
-  action.sa_sigaction = handOnToSsh;
-  action.sa_flags = SA_SIGINFO;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-  std::signal(SIGPIPE, SIG_IGN);
+  onEndSignals(handOnToSsh);
 }
 
 std::runtime_error notStarted() {
@@ -69,7 +67,8 @@ void SshSession::start(std::vector<std::string> words) {
   if (pid_ == 0) {
     dup2(in[0], STDIN_FILENO);
     dup2(out[1], STDOUT_FILENO);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
+    restoreIgnoredSignals();
+    for (const int signal : kEndSignals) std::signal(signal, SIG_DFL);
     execv(installer.c_str(), arguments.data());
     std::cerr << program_ << ": cannot run " << installer << ": " << std::strerror(errno) << std::endl;
     _exit(127);

@@ -44,7 +44,7 @@ struct Server::Work {
     const auto has = [&](const remote::Network& network) { return network.has(caller.address); };
     if (std::ranges::none_of(house.config.allowed, has))
       return house.say(caller.name + " may not come in; --allow names who may");
-    if (house.connections >= house.config.most_connections)
+    if (!house.makeRoom())
       return house.say(caller.name + " has to go: there are " + std::to_string(house.connections) + " connections");
     boost::system::error_code error;
     asio::ip::tcp::socket socket{context};

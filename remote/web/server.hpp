@@ -21,7 +21,7 @@ struct ServerConfig {
   std::vector<remote::Network> allowed{{0x7F000000, 0xFF000000}};
   EntryRules entry{};
   std::size_t most_channels = 8;      // one more: 503
-  std::size_t most_connections = 32;  // one more is closed at once
+  std::size_t most_connections = 32;  // one more: the oldest one that is no channel is closed
   std::size_t longest_message = 4096;
   int most_messages = 50;                    // a second, of one peer; it is shown out then
   Nanos greeting{std::chrono::seconds{5}};   // for a whole request

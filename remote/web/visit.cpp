@@ -39,18 +39,36 @@ void House::say(const std::string& line) {
   log.line(line, std::chrono::steady_clock::now().time_since_epoch());
 }
 
+bool House::makeRoom() {
+  if (connections < config.most_connections) return true;
+  if (guests.empty()) return false;
+  guests.front()->giveWay();
+  return true;
+}
+
 Visit::Visit(House& house, boost::asio::ip::tcp::socket socket, std::string name)
     : house_{house},
       name_{std::move(name)},
       stream_{std::move(socket)},
       heard_{house.config.longest_message + kLongestHead} {
   ++house_.connections;
+  house_.guests.push_back(this);
 }
 
 Visit::~Visit() {
   leave({});
   if (has_seat_) --house_.channels;
+  if (counts_) --house_.connections;
+  house_.guests.remove(this);
+}
+
+void Visit::giveWay() {
+  house_.say(name_ + " has to go for a newer connection: it had " + (request_->is_done() ? "" : "not ") +
+             "sent its request");
+  house_.guests.remove(this);
   --house_.connections;
+  counts_ = false;
+  stream_.next_layer().close();
 }
 
 void Visit::begin() {
@@ -120,6 +138,7 @@ void Visit::upgrade(const Endpoint& endpoint) {
                   "there are " + std::to_string(house_.channels) + " observers, no more can come");
   ++house_.channels;
   has_seat_ = true;
+  house_.guests.remove(this);
   stream_.next_layer().expires_never();  // the WebSocket has times of its own
   websocket::stream_base::timeout times{};
   times.handshake_timeout = house_.config.greeting;

@@ -9,6 +9,7 @@
 #include <boost/beast/http/parser.hpp>
 #include <boost/beast/http/string_body.hpp>
 #include <boost/beast/websocket.hpp>
+#include <list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "remote/server/bounded_log.hpp"
 #include "remote/web/channel.hpp"
 #include "remote/web/server.hpp"
+#include "remote/web/wiping_stream.hpp"
 
 namespace darwinop::web {
 
@@ -25,6 +27,8 @@ struct Endpoint {
   ChannelUser* user = nullptr;
 };
 
+class Visit;
+
 /// What all visits share; lives longer than they do.
 struct House {
   ServerConfig config;
@@ -32,8 +36,11 @@ struct House {
   std::map<std::string, Page, std::less<>> pages;
   std::map<std::string, Endpoint, std::less<>> endpoints;
   std::size_t connections = 0, channels = 0;
+  std::list<Visit*> guests{};  // connections that are no channel, the oldest one first
 
   void say(const std::string& line);
+  /// False: there are as many connections as may be, and all are channels. Else the oldest guest may have had to go.
+  [[nodiscard]] bool makeRoom();
 };
 
 /// Kept alive by the handlers of what it waits for: when it waits for nothing any more it is gone.
@@ -45,6 +52,8 @@ class Visit final : public Channel, public std::enable_shared_from_this<Visit> {
   Visit& operator=(const Visit&) = delete;
 
   void begin();
+  /// For a newer guest. It is gone when the handlers of what it waits for have run.
+  void giveWay();
 
   [[nodiscard]] const std::string& name() const override { return name_; }
   void send(Lane lane, Bytes text) override { put({lane, false, std::move(text)}); }
@@ -73,12 +82,13 @@ class Visit final : public Channel, public std::enable_shared_from_this<Visit> {
 
   House& house_;
   std::string name_;
-  boost::beast::websocket::stream<boost::beast::tcp_stream> stream_;
+  boost::beast::websocket::stream<WipingStream> stream_;
   boost::beast::flat_buffer heard_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::empty_body>> request_;
   Reply reply_;
   ChannelUser* user_ = nullptr;  // while it is an open channel
   bool has_seat_ = false;        // counts among the channels
+  bool counts_ = true;           // among the connections
   Outbox outbox_;
   std::optional<Parcel> leaving_;  // is being sent
   bool reading_ = false, closing_ = false;

@@ -117,7 +117,7 @@ TEST_F(RemoteDaemonPort, EndsWhenAnOperatorReleasesTheRobot) {
   port_.begin(Beginning::kFresh);
   obeyUntil(neckTo(0.1), [this] { return seen().safety.state == State::kDriven; });
   runtime::releaseRobot(files_);
-  EXPECT_THAT(port_.mustEnd(), HasSubstr("an operator has released the robot"));
+  EXPECT_THAT(port_.mustEnd(), HasSubstr("released the robot"));
 }
 
 TEST_F(RemoteDaemonPort, NoticesThatTheDaemonWasKilled) {

@@ -49,9 +49,13 @@ class ExtendedClient : public TestClient {
 };
 
 TEST(RemoteExtension, IsWrittenAsItIsDocumented) {
-  const Request request = extendedRequest(
-      {.until_cycle = 0x102030405, .fault_resets = 2, .picture = 7, .only_if_up = true, .farewell = true});
-  EXPECT_EQ(toHex(bytesToSend(request)), "57 18 00 58 01 11 06 00 00 00 02 00 00 00 07 00 00 00 01 02 03 04 05 00");
+  const Request request = extendedRequest({.until_cycle = 0x102030405,
+                                           .fault_resets = 2,
+                                           .picture = 7,
+                                           .only_if_up = true,
+                                           .farewell = true,
+                                           .unattended = true});
+  EXPECT_EQ(toHex(bytesToSend(request)), "57 18 00 58 01 11 0e 00 00 00 02 00 00 00 07 00 00 00 01 02 03 04 05 00");
 }
 
 TEST(RemoteExtension, OfAnotherVersionIsSteppedOver) {
@@ -180,7 +184,7 @@ TEST(RemoteExtension, AnOldClientThatPausedDoesNotClearTheFaultThatEndedIt) {
   served.robot.seen.safety.worst = Fault::kReleasedByButton;
   served.robot.seen.safety.controller_must_end = true;
   EXPECT_EQ(paused.ask("57 04 00 00"), "");
-  EXPECT_TRUE(served.hasSaid("MODE button"));
+  EXPECT_TRUE(served.hasSaid("released with MODE"));
 }
 
 TEST(RemoteExtension, AFarewellIsNoHold) {

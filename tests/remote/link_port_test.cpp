@@ -133,6 +133,20 @@ TEST(RemoteLinkPort, ANewClientBeginsWithoutTheWishesOfTheLast) {
   EXPECT_FALSE(robot.published->back().start_where_it_is);
 }
 
+TEST(RemoteLinkPort, AClientThatComesBackByItselfCountsAsAProgramAndANewOneAsAPerson) {
+  PortOfAWatchedLink robot;
+  EXPECT_FALSE(robot.obey({}).unattended);
+  robot.port.hold();
+  robot.port.begin(Beginning::kAgain);
+  EXPECT_TRUE(robot.obey({}).unattended);
+  robot.port.hold();
+  robot.port.begin(Beginning::kFresh);
+  EXPECT_FALSE(robot.obey({}).unattended);
+  Request request;
+  request.extended = request.extension.unattended = true;
+  EXPECT_TRUE(robot.obey(request).unattended);
+}
+
 Request untilCycle(std::uint64_t cycle) {
   Request request;
   request.extended = true;

@@ -186,7 +186,8 @@ Request anyRequest() {
                          .fault_resets = *arbitrary<std::uint32_t>(),
                          .picture = *arbitrary<std::uint32_t>(),
                          .start_where_it_is = flag(),
-                         .farewell = flag()};
+                         .farewell = flag(),
+                         .unattended = flag()};
   return request;
 }
 

@@ -24,8 +24,9 @@ struct Served {
   Nanos now{std::chrono::hours{1}};
   Server server;
 
-  explicit Served(Server::OpenPictures pictures = {}, ServerConfig config = unhurried())
-      : server{withAnyPort(std::move(config)), robot, std::move(pictures), [this] { return now; },
+  /// Port 0: any that is free.
+  explicit Served(Server::OpenPictures pictures = {}, ServerConfig config = unhurried(), std::uint16_t port = 0)
+      : server{onPort(port, std::move(config)), robot, std::move(pictures), [this] { return now; },
                [this](const std::string& line) { said.push_back(line); }} {}
 
   /// Sees to everything that is there. Loopback delivers before send() returns.
@@ -50,8 +51,8 @@ struct Served {
   }
 
  private:
-  static ServerConfig withAnyPort(ServerConfig config) {
-    config.port = 0;
+  static ServerConfig onPort(std::uint16_t port, ServerConfig config) {
+    config.port = port;
     return config;
   }
 };

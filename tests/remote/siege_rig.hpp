@@ -23,8 +23,10 @@ namespace darwinop::remote {
 
 class SiegeRig {
  public:
-  /// `folder` has the programs. `before_runtime`: a command that starts another one, such as setpriv.
-  explicit SiegeRig(const std::string& programs, std::vector<std::string> before_runtime = {})
+  /// `programs`: their folder. `before_runtime`: a command that starts another one, such as setpriv. `server_config`:
+  /// text of the server's config.ini; empty: it has none.
+  explicit SiegeRig(const std::string& programs, std::vector<std::string> before_runtime = {},
+                    const std::string& server_config = {})
       : robot_{{programs + "/darwinop-virtual-robot", "--link", folder_ / "port"}, folder_ / "robot.txt"} {
     mustSay(robot_, "link:");
     before_runtime.insert(before_runtime.end(), {programs + "/darwinop-runtime", "--robot", folder_ / "port", "--name",
@@ -32,7 +34,12 @@ class SiegeRig {
     runtime_.emplace(before_runtime, folder_ / "runtime.txt");
     mustSay(*runtime_, "ready:");
     setenv("DARWINOP_RUNTIME_NAME", (folder_ / "runtime").c_str(), 1);  // for the server
-    server_.emplace(std::vector<std::string>{programs + "/darwinop-remote", "--port", "0"}, folder_ / "server.txt");
+    std::vector<std::string> server{programs + "/darwinop-remote", "--port", "0"};
+    if (!server_config.empty()) {
+      std::ofstream{folder_ / "config.ini"} << server_config;
+      server.insert(server.end(), {"--config", folder_ / "config.ini"});
+    }
+    server_.emplace(server, folder_ / "server.txt");
     const std::string ready = "ready: 127.0.0.1:";
     mustSay(*server_, ready);
     const std::string said = server_->output();

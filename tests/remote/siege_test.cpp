@@ -14,16 +14,17 @@ using namespace std::chrono_literals;
 constexpr std::uint32_t kCyclesOfAnAttack = 60;
 constexpr long kMayGrowKb = 32 * 1024;  // an address sanitizer keeps what was freed
 
+/// Comes as a simulator does: again and again until there is a place.
+bool driven(std::uint16_t port) {
+  for (int i = 0; i < 300; ++i) {
+    if (SiegeClient{port}.ask()) return true;
+    std::this_thread::sleep_for(20ms);
+  }
+  return false;
+}
+
 class RemoteSiege : public testing::Test {
  protected:
-  /// Comes as a simulator does: again and again until there is a place.
-  static bool driven(std::uint16_t port) {
-    for (int i = 0; i < 300; ++i) {
-      if (SiegeClient{port}.ask()) return true;
-      std::this_thread::sleep_for(20ms);
-    }
-    return false;
-  }
   /// The loop has run, and every answer of the robot came whole.
   void expectRobotUnharmed(const runtime::StatsView& before) const {
     const runtime::StatsView now = rig_.stats().since(before);
@@ -68,6 +69,14 @@ TEST_F(RemoteSiege, AfterAnAttackTheServerIsAsItWas) {
   EXPECT_LE(lines(rig_.server().output()), 100) << "30 lines a minute, however many come";
   rig_.server().kill(SIGTERM);
   EXPECT_EQ(rig_.server().wait(20s), 0) << rig_.server().output();
+}
+
+// Each client is told to the log, and each time what of the config.ini a daemon does not grant.
+TEST(RemoteSiegeLog, IsBoundedAlsoWithSettingsOfItsOwn) {
+  SiegeRig rig{DARWINOP_BIN, {}, "[Safety]\nstall_ms = 400\n"};
+  for (int i = 0; i < 100; ++i) ASSERT_TRUE(driven(rig.port())) << i;
+  const std::string said = rig.server().output();
+  EXPECT_LE(std::ranges::count(said, '\n'), 70) << "30 lines a minute, and this takes less than two";
 }
 
 }  // namespace

@@ -128,6 +128,7 @@ TEST_F(TcpLinkTest, SaysEachWishOnceAndInTheServosUnits) {
   const std::vector<Request> requests = server.requests();
   ASSERT_EQ(requests.size(), 5) << "a greeting, three steps, a farewell";
   EXPECT_TRUE(requests[0].motors.empty()) << "nothing is wanted yet";
+  EXPECT_FALSE(requests[0].extension.unattended);
   EXPECT_FALSE(requests[0].extension.only_if_up) << "a controller that begins takes the robot";
   ASSERT_EQ(requests[1].motors.size(), 1);
   EXPECT_EQ(requests[1].motors[0],
@@ -187,6 +188,16 @@ TEST_F(TcpLinkTest, ARobotThatMustEndSaysWhy) {
   robot.must_end = "the MODE button was held";
   EXPECT_FALSE(stepOf(*tcp));
   EXPECT_EQ(tcp->whyEnded(), "the MODE button was held");
+}
+
+TEST_F(TcpLinkTest, TextOfAServerIsNoCommandForATerminal) {
+  ScriptedRobot robot;
+  ScriptedServer server{std::ref(robot)};
+  const auto tcp = link(server.port());
+  ASSERT_TRUE(stepOf(*tcp));
+  robot.must_end = "\x1b]0;a title\x07\x1b[2Jgone";
+  EXPECT_FALSE(stepOf(*tcp));
+  EXPECT_EQ(tcp->whyEnded(), "\\x1b]0;a title\\x07\\x1b[2Jgone");
 }
 
 TEST_F(TcpLinkTest, SaysAtTheStartWhyItMayNotDrive) {
@@ -291,6 +302,7 @@ TEST_F(TcpLinkTest, TellsAServerThatComesBackAllWishesAndBeginsWhereTheRobotIs) 
   for (const Request& request : again.requests()) {
     EXPECT_TRUE(request.extension.start_where_it_is);
     EXPECT_TRUE(request.extension.only_if_up) << "it may be in somebody's hands by now";
+    EXPECT_TRUE(request.extension.unattended) << "no person has started it anew";
     told += request.motors.size();
   }
   EXPECT_EQ(told, 1) << "the new one knows nothing of it, and is told once";

@@ -79,8 +79,8 @@ class MonitorTest : public testing::Test {
   void begin() {
     lock_.emplace(runtime::claimRuntime(files_, static_cast<gid_t>(-1)));
     exchange_.emplace(runtime::Exchange::create(files_.exchange));
-    exchange_->block().info.pid = getpid();
-    exchange_->block().info.period_ns = 16'000'000;
+    exchange_->ownBlock().info.pid = getpid();
+    exchange_->ownBlock().info.period_ns = 16'000'000;
     seen_ = {};
     seen_.period_ns = 16'000'000;
   }
@@ -92,8 +92,8 @@ class MonitorTest : public testing::Test {
   void cycle() {
     ++seen_.cycle;
     seen_.time_ns = now_.count();
-    exchange_->block().sensors.publish(seen_);
-    exchange_->block().finished.advance();
+    exchange_->ownBlock().sensors.publish(seen_);
+    exchange_->ownBlock().finished.set(static_cast<std::uint32_t>(seen_.cycle), exchange_->commands().wait);
   }
   /// Cycles of 16 ms, when there is a runtime, and a look at each.
   void pass(Nanos time) {

@@ -1,9 +1,17 @@
 // The web server on a loopback port, with clients written by hand.
 #include "remote/web/server.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
 #include <set>
 
 #include "web_client.hpp"
@@ -40,6 +48,7 @@ class WebServer : public testing::Test {
   explicit WebServer(const ServerConfig& config = {})
       : server_{std::make_unique<Server>(config, [this](const std::string& line) { said_ += line + "\n"; })} {
     server_->serve("/", {.type = "text/html", .body = "<p>hello"});
+    server_->serve("/large", {.type = "text/html", .body = std::string(8 << 20, ' ')});
     server_->channel("/echo", "echo.1", echo_);
   }
   [[nodiscard]] WebClient client(int receive_buffer = 0) {
@@ -155,6 +164,86 @@ TEST_F(WebServer, TellsOfTheEndOnceWhenItEndsItself) {
   const WebClient peer = observer();
   server_.reset();
   EXPECT_EQ(echo_.ended, 1);
+}
+
+TEST_F(WebServer, NewPagesGetInHoweverManyConnectionsAreHeldOpen) {
+  WebClient before = observer();
+  std::vector<WebClient> held;
+  held.reserve(120);
+  for (int i = 0; i < 120; ++i) {
+    held.push_back(client());
+    // Silent, slow, or one that does not fetch its answer.
+    held.back().raw(i % 3 == 0   ? ""
+                    : i % 3 == 1 ? "GET / HTTP/1.1\r\nHo"
+                                 : "GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    for (int turn = 0; turn < 3; ++turn) server_->attend(1ms);
+    if (i % 10 == 9) {
+      EXPECT_THAT(ask("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), StartsWith("HTTP/1.1 200")) << i;
+    }
+  }
+  (void)observer();
+  before.say("still here");
+  EXPECT_EQ(before.hear().value_or(Heard{}).bytes, "still here") << said_;
+  EXPECT_THAT(said_, HasSubstr("has to go for a newer connection"));
+}
+
+/// Takes messages and keeps nothing.
+struct Nowhere final : ChannelUser {
+  int taken = 0;
+  void opened(Channel&) override {}
+  void said(Channel&, std::string_view, bool) override { ++taken; }
+  void closed(Channel&) noexcept override {}
+};
+
+/// How often this process' memory has the text that is `reversed` when it is read backwards.
+int timesInMemory(const std::string& reversed) {
+  static std::array<char, 1 << 20> piece;
+  int times = 0;
+  std::ifstream maps{"/proc/self/maps"};
+  const int memory = open("/proc/self/mem", O_RDONLY);
+  for (std::string line; std::getline(maps, line);) {
+    unsigned long from = 0, to = 0;
+    char rights[5] = {};
+    if (std::sscanf(line.c_str(), "%lx-%lx %4s", &from, &to, rights) != 3 || rights[1] != 'w') continue;
+    if (to - from > (1ul << 30)) continue;  // a sanitizer's own
+    for (unsigned long at = from; at < to; at += piece.size() - reversed.size()) {
+      const ssize_t size =
+          pread(memory, piece.data(), std::min<unsigned long>(piece.size(), to - at), static_cast<off_t>(at));
+      if (size <= 0) break;
+      for (auto found = piece.begin(), end = piece.begin() + size;; ++found) {
+        found = std::search(found, end, reversed.rbegin(), reversed.rend());
+        if (found == end) break;
+        const unsigned long place = at + static_cast<unsigned long>(found - piece.begin());
+        const auto own = reinterpret_cast<unsigned long>(piece.data());
+        if (place < own || place >= own + piece.size()) ++times;
+      }
+    }
+  }
+  close(memory);
+  return times;
+}
+
+TEST_F(WebServer, KeepsNothingOfAMessageThatWasRead) {
+  Nowhere nowhere;
+  server_->channel("/nowhere", "nowhere.1", nowhere);
+  const std::string reversed = "drowssap suoregnad 7391";
+  const pid_t page = fork();  // so that no copy of the sender is in this memory
+  if (page == 0) {
+    WebClient peer{server_->port(), [] { usleep(1000); }};
+    (void)peer.open("/nowhere", "nowhere.1");
+    peer.say(std::string{reversed.rbegin(), reversed.rend()}, 2);
+    (void)peer.atEnd();
+    _exit(0);
+  }
+  for (int i = 0; i < 5000 && nowhere.taken == 0; ++i) server_->attend(1ms);
+  for (int i = 0; i < 3; ++i) server_->attend(1ms);
+  EXPECT_EQ(nowhere.taken, 1);
+  EXPECT_EQ(timesInMemory(reversed), 0);
+  std::string present{reversed.rbegin(), reversed.rend()};
+  EXPECT_GT(timesInMemory(reversed), 0) << "the search finds what is there: " << present;
+  kill(page, SIGKILL);
+  waitpid(page, nullptr, 0);
+  server_.reset();  // its user goes now
 }
 
 class HastyWebServer : public WebServer {
