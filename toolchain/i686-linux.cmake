@@ -24,10 +24,14 @@ set(CMAKE_SYSROOT "${ROBOT_SYSROOT}")
 set(CMAKE_C_COMPILER i686-linux-gnu-gcc)
 set(CMAKE_CXX_COMPILER i686-linux-gnu-g++)
 
-# The Z530 has SSE up to SSSE3. With x87 arithmetic, results would differ from those on the PC. Position-
-# independent code costs a register that 32-bit programs lack, and a static program gains nothing by it.
-set(ROBOT_COMPILE_FLAGS "-march=bonnell -mfpmath=sse -fno-pie")
-set(ROBOT_LINK_FLAGS "-static -no-pie")
+# The Z530 has SSE up to SSSE3. With x87 arithmetic, results would differ from those on the PC.
+#
+# static-pie: a static program at an address that differs from start to start, as the kernel's randomisation says. An
+# ET_DYN file without an interpreter is what the loader ld-linux.so.2 itself is, and every kernel since 1.0 runs that as
+# a program; the program relocates itself (glibc >= 2.26). In kernels before 5.2 its heap may have little room behind it;
+# malloc() then uses mmap(), and so does the C library at start-up (glibc >= 2.36, Debian 12).
+set(ROBOT_COMPILE_FLAGS "-march=bonnell -mfpmath=sse -fpie")
+set(ROBOT_LINK_FLAGS "-static-pie")
 set(CMAKE_C_FLAGS_INIT "${ROBOT_COMPILE_FLAGS}")
 set(CMAKE_CXX_FLAGS_INIT "${ROBOT_COMPILE_FLAGS}")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "${ROBOT_LINK_FLAGS}")

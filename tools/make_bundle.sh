@@ -6,12 +6,17 @@
 #
 #   make_bundle.sh BUILD_DIRECTORY
 set -euo pipefail
+tools=$(dirname "$(readlink -f "$0")")
 cd "$1"
 
 # A run that is cut off leaves the archive before it, or none: never half of one.
 rm -rf bundle sdk
 cmake --install . --component robot --strip --prefix bundle >bundle.log
 cmake --install . --component sdk --prefix sdk >sdk.log
+
+# Licences of what is linked in, and the list of it.
+cp "$tools/../LICENSE" bundle
+"$tools/make_notice.sh" . bundle
 
 # POSIX cksum is the one checksum that every robot has.
 (cd bundle && find . -type f | sed 's,^\./,,' | LC_ALL=C sort | xargs cksum) >MANIFEST

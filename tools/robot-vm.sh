@@ -4,7 +4,8 @@
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 repository=$(dirname "$here")
-vm=${ROBOT_VM:-${XDG_RUNTIME_DIR:-/tmp}/darwinop-robot-vm-$(id -u)}  # the state of one machine
+# The state of one machine: in a folder of one's own, as process ids that are signalled stand in it.
+vm=${ROBOT_VM:-${XDG_RUNTIME_DIR:-${XDG_CACHE_HOME:-$HOME/.cache}/darwinop-rt}/darwinop-robot-vm-$(id -u)}
 port=${ROBOT_VM_PORT:-2222}                                          # of 127.0.0.1; leads to the machine's sshd
 
 # The virtual robot of the newest build for this machine.
@@ -20,8 +21,8 @@ virtual_robot() {
 say() { printf '%s\n' "robot-vm: $*" >&2; }
 die() { say "$*"; exit 1; }
 
-# alive FILE: the process whose id FILE holds still runs.
-alive() { [ -s "$1" ] && kill -0 "$(cat "$1")" 2>/dev/null; }
+# alive FILE: the process whose id FILE holds still runs, and file and process are ours.
+alive() { [ -s "$1" ] && [ -O "$1" ] && [ ! -L "$1" ] && [ -O "/proc/$(cat "$1")" ] && kill -0 "$(cat "$1")" 2>/dev/null; }
 
 # end FILE SIGNAL: signals that process and waits until it is gone.
 end() {
@@ -119,7 +120,9 @@ cmd_start() {
   running && die "it runs already; stop it first: $0 stop"
   cmd_build
   image=$(image_folder)
-  mkdir -p "$vm" && chmod 700 "$vm"
+  mkdir -p "$vm"
+  if [ -L "$vm" ] || [ ! -O "$vm" ]; then die "$vm is a link or belongs to somebody else; name another folder with ROBOT_VM"; fi
+  chmod 700 "$vm"
   if [ -e "$vm/disk.qcow2" ] && [ "$(cat "$vm/image")" != "$image" ]; then
     die "the disk belongs to another image; for a fresh one: $0 reset"
   fi

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <thread>
 
+#include "hal/signals.hpp"
+
 namespace darwinop::window {
 namespace {
 
@@ -73,7 +75,7 @@ void layOut(const Streams& theirs) {
                          const Streams& theirs) {
   prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
   if (getppid() != parent) _exit(143);
-  std::signal(SIGPIPE, SIG_DFL);
+  restoreIgnoredSignals();
   if (place != Child::Place::kTerminal) {
     place == Child::Place::kHeard ? setsid() : setpgid(0, 0);
     const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
@@ -81,7 +83,7 @@ void layOut(const Streams& theirs) {
     if (place == Child::Place::kBehind) dup2(nowhere, STDOUT_FILENO);
   }
   if (place == Child::Place::kHeard) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+    for (const int signal : kEndSignals) std::signal(signal, SIG_DFL);
     layOut(theirs);
   }
   sigset_t none;

@@ -3,9 +3,6 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -21,14 +18,6 @@ namespace {
 // A virtual robot cannot be hurt; a runtime that is given this long sits it down.
 constexpr std::chrono::seconds kRobotGrace{1}, kRuntimeGrace{6}, kControllerGrace{2};
 constexpr std::chrono::seconds kStart{20};
-
-// In memory, as all of the runtime's files: the loop must not wait for a disk.
-std::string privateFolder() {
-  std::string path = "/dev/shm/darwinop-window-XXXXXX";
-  if (mkdtemp(path.data()) == nullptr)
-    throw std::runtime_error("cannot make a folder " + path + ": " + std::strerror(errno));
-  return path;
-}
 
 /// `child` is about to make this file. Throws std::runtime_error when it does not.
 void waitForFile(const std::string& path, Child& child) {
@@ -46,7 +35,7 @@ void waitForFile(const std::string& path, Child& child) {
 }  // namespace
 
 OwnRobot::OwnRobot(const std::string& body, const std::vector<std::string>& controller)
-    : folder_{privateFolder()}, name_{folder_ + "/runtime"} {
+    : name_{folder_.path() + "/runtime"} {
   try {
     start(body, controller);
   } catch (...) {
@@ -56,7 +45,7 @@ OwnRobot::OwnRobot(const std::string& body, const std::vector<std::string>& cont
 }
 
 void OwnRobot::start(const std::string& body, const std::vector<std::string>& controller) {
-  const std::string port = folder_ + "/robot";
+  const std::string port = folder_.path() + "/robot";
   const auto add = [this](const std::string& noun, const std::vector<std::string>& words, std::chrono::seconds grace,
                           Child::Place place = Child::Place::kBehind) -> Child& {
     return *children_.emplace_back(std::make_unique<Child>(noun, words, grace, place));
@@ -79,8 +68,6 @@ void OwnRobot::start(const std::string& body, const std::vector<std::string>& co
 
 void OwnRobot::end() noexcept {
   while (!children_.empty()) children_.pop_back();
-  std::error_code ignored;
-  std::filesystem::remove_all(folder_, ignored);
 }
 
 std::string OwnRobot::howToDrive() const {

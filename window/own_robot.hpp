@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "window/child.hpp"
+#include "window/private_folder.hpp"
 
 namespace darwinop::window {
 
@@ -22,7 +23,7 @@ class OwnRobot {
   /// Of the runtime: for `darwinop runtime --name`, and DARWINOP_RUNTIME_NAME for controllers.
   [[nodiscard]] const std::string& name() const { return name_; }
   /// File into which it paints what it sees, while somebody looks.
-  [[nodiscard]] std::string eyes() const { return folder_ + "/eyes"; }
+  [[nodiscard]] std::string eyes() const { return folder_.path() + "/eyes"; }
   /// For people: how a controller is started on it, from another terminal.
   [[nodiscard]] std::string howToDrive() const;
   /// A sentence when one of them has ended since the last call; empty: all is well.
@@ -32,7 +33,8 @@ class OwnRobot {
   void start(const std::string& body, const std::vector<std::string>& controller);
   void end() noexcept;
 
-  std::string folder_, name_;
+  PrivateFolder folder_;
+  std::string name_;
   std::vector<std::string> eye_settings_;         // with which a controller sees
   std::string untold_;                            // news
   std::vector<std::unique_ptr<Child>> children_;  // ended from the last to the first

@@ -69,8 +69,9 @@ pack_controller() { # -> kilobytes data_count archive_sum
     die "cannot write to $connection: is the disk full?"
   list_data_files "$controller_folder" "$controller_name" >"$connection/data-files"
   data_count=$(grep -c . "$connection/data-files")
-  # Links are followed: the robot gets what they lead to. Owner and rights are the robot's, not the student's.
-  tar -cf "$connection/controller.tar" --format=gnu --owner=0 --group=0 --numeric-owner --mode=u+rwX,go+rX,go-w \
+  # Links are followed: the robot gets what they lead to. The owner is the robot's. What only you may read only the
+  # controller can read there.
+  tar -cf "$connection/controller.tar" --format=gnu --owner=0 --group=0 --numeric-owner --mode=a-s,u+rwX,go-w \
     --dereference --hard-dereference --no-recursion --verbatim-files-from -C "$controller_folder" -T "$connection/data-files" \
     -C "$connection/program" "./$controller_name" || die "cannot pack $controller_folder; see the line above"
   kilobytes=$(($(wc -c <"$connection/controller.tar") / 1024 + 1))

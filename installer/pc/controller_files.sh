@@ -39,6 +39,18 @@ list_data_files() { # FOLDER NAME
     LC_ALL=C grep -Fvx -- "./$2" | LC_ALL=C sort
 }
 
+# A folder of somebody else's may hold a link to a private file of yours. Sources may be links to anywhere: they are not sent.
+refuse_links_outside() { # FOLDER
+  root=$(cd "$1" && pwd -P) || die "cannot enter $1"
+  # Only where there is a link at all: this takes a process a file.
+  [ -n "$(cd "$1" && eval "find . $(pruned_folders) -type l -print" | head -n 1)" ] || return 0
+  odd=$(list_data_files "$1" "${1##*/}" | while IFS= read -r file; do
+    place=$(readlink -f "$root/$file")
+    case $place in "$root"/*) ;; *) printf '%s\n' "$1/${file#./} leads out of the folder, to $place" ;; esac
+  done | head -n 1)
+  [ -z "$odd" ] || die "$odd: put the file itself there. A link within the folder is followed"
+}
+
 # Everything that could not be sent as it is, said before anything is built.
 check_controller_files() { # FOLDER
   looped=$(cd "$1" && eval "find -L . $(pruned_folders) -type f -name .never" 2>&1 >/dev/null) ||
@@ -50,4 +62,5 @@ check_controller_files() { # FOLDER
   odd=$(cd "$1" && eval "find -L . $(pruned_folders) -name '*
 *' -print" | head -n 1)
   [ -z "$odd" ] || die "$1 holds a name with a line break in it ($odd): rename it"
+  refuse_links_outside "$1"
 }

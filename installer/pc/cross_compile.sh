@@ -104,7 +104,7 @@ is_static_i386() { # FILE
   file=$1
   shift
   [ "$1 $2 $3 $4 $5 $6" = "127 69 76 70 1 1" ] || return 1  # ELF, 32 bit, little endian
-  [ "${17} ${18} ${19} ${20}" = "2 0 3 0" ] || return 1      # a program at a fixed place, for the 386
+  case "${17} ${18} ${19} ${20}" in "2 0 3 0" | "3 0 3 0") ;; *) return 1 ;; esac  # at a fixed place or at any, for the 386
   offset=$((${29} + 256 * ${30} + 65536 * ${31})) size=$((${43} + 256 * ${44})) count=$((${45} + 256 * ${46}))
   while [ $count -gt 0 ]; do
     # shellcheck disable=SC2046

@@ -22,13 +22,15 @@ receive_controller() {
     die "$1 was not changed"
   }
   sent=$controllers/.sent-${staging##*.staging-}
-  mv "$staging" "$sent" || die "cannot rename $staging; $1 was not changed"
+  { chmod 755 "$staging" && mv "$staging" "$sent"; } || die "cannot rename $staging; $1 was not changed"
   # A folder that somebody made by hand stands in the way of the link.
   if [ -d "$controllers/$1" ] && [ ! -L "$controllers/$1" ]; then
     mv "$controllers/$1" "$controllers/$1.by-hand-$$" || die "cannot move $controllers/$1 away"
     say "$controllers/$1 was put there by hand; it is now $1.by-hand-$$"
   fi
-  point "$controllers/$1" "${sent##*/}/$1" || die "cannot link $controllers/$1; $1 was not changed"
+  # The name on the way is hidden, as no controller's is.
+  { ln -s "${sent##*/}/$1" "$controllers/.link-$$" && mv -T -f "$controllers/.link-$$" "$controllers/$1"; } ||
+    die "cannot link $controllers/$1; $1 was not changed"
   sync
   tidy_controllers
   say "$1 is there, $2 kB"
@@ -36,13 +38,14 @@ receive_controller() {
 
 # Into $staging. What comes is looked at before it is used: the link may have been cut.
 unpack_controller() { # NAME KILOBYTES CKSUM BYTES
-  chmod 755 "$staging" && mkdir "$staging/$1" && cat >"$staging/archive" || return 1
-  [ "$(cksum <"$staging/archive")" = "$3 $4" ] || {
-    say "the link was cut: $(wc -c <"$staging/archive") of $4 bytes came. Send it again"
+  mkdir "$staging/$1" && cat >"$staging/.archive" || return 1
+  [ "$(cksum <"$staging/.archive")" = "$3 $4" ] || {
+    say "the link was cut: $(wc -c <"$staging/.archive") of $4 bytes came. Send it again"
     return 1
   }
   # -m: the robot's clock may be years behind.
-  (cd "$staging/$1" && gzip -dc ../archive | tar -xmf -) && rm "$staging/archive" && [ -x "$staging/$1/$1" ]
+  (cd "$staging/$1" && gzip -dc ../.archive | tar -xmof -) && rm "$staging/.archive" &&
+    chmod -R a-s,u+rwX,go-w "$staging/$1" && own "$staging/$1" && [ -x "$staging/$1/$1" ]
 }
 
 # need_space KILOBYTES...: while unpacking, archive and files are there, and a full disk harms more than us.
@@ -56,7 +59,7 @@ need_space() {
 
 # Removes what interrupted sendings left, and controllers that were replaced and run no more.
 tidy_controllers() {
-  rm -rf "$controllers"/.staging-* "$controllers"/*.new-[0-9]*
+  rm -rf "$controllers"/.staging-* "$controllers"/.link-*
   for sent_before in "$controllers"/.sent-*; do
     [ -d "$sent_before" ] || continue
     is_linked "${sent_before##*/}" || is_in_use "$sent_before" || rm -rf "$sent_before"

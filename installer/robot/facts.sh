@@ -43,9 +43,7 @@ compare() {
 robot_port() {
   found=
   if [ -f "$home/robot.ini" ]; then
-    found=$(awk '{ sub(/\r$/, "") } /^[ \t]*\[/ { here = (tolower($0) ~ /^[ \t]*\[robot\]/) }
-      here && tolower($0) ~ /^[ \t]*port[ \t]*[=:]/ { sub(/^[^=:]*[=:][ \t]*/, ""); sub(/[ \t]*[;#].*$/, ""); sub(/[ \t]*$/, ""); gsub(/^"|"$/, ""); print; exit }' \
-      "$home/robot.ini")
+    found=$(robot_setting port)
   elif [ -n "$port" ]; then
     found=$port
   fi
@@ -93,14 +91,16 @@ check_port() {
 }
 
 check_programs() {
-  for program in awk cat chmod cksum cmp cp cut df dirname du grep gzip ln ls mkdir mktemp mv readlink rm rmdir sed sleep \
+  for program in awk cat chmod chown cksum cmp cp cut df dirname du grep gzip ln ls mkdir mktemp mv readlink rm rmdir sed sleep \
     sync tail tar tr uname wc; do
     command -v "$program" >/dev/null 2>&1 || problem "there is no program '$program' on the robot; install the package that has it"
   done
-  scratch=/dev/shm
-  [ -w "$scratch" ] || scratch=/tmp
-  scratch=$scratch/darwinop-check-$$
-  mkdir "$scratch" && ln -s one "$scratch/a" && ln -s two "$scratch/b" && mv -T -f "$scratch/a" "$scratch/b"
+  # A name that nobody can have taken beforehand: everybody may write there.
+  scratch=$(mktemp -d /dev/shm/darwinop-check-XXXXXX 2>/dev/null || mktemp -d) || {
+    problem "cannot make a temporary folder in /dev/shm or /tmp; is there room?"
+    return
+  }
+  ln -s one "$scratch/a" && ln -s two "$scratch/b" && mv -T -f "$scratch/a" "$scratch/b"
   [ "$(readlink "$scratch/b")" = one ] ||
     problem "the robot's 'mv' cannot replace a link (mv -T), which the switch between versions needs; install coreutils, or busybox 1.20 or later"
   rm -rf "$scratch"

@@ -20,7 +20,8 @@ preflight() {
 is_done() {
   target=$(folder_for "$version" "$manifest")
   [ "$(version_current)" = "$target" ] && [ ! -e "$home/pending" ] && [ ! -e "$home/lock" ] && [ -x "$home/start" ] &&
-    whole "$home/versions/$target" && autostart_is "$(autostart_wanted)"
+    whole "$home/versions/$target" && autostart_is "$(autostart_wanted)" &&
+    { [ -n "$(robot_setting controller_user)" ] || user_exists "$usual_user"; }
 }
 
 # install_bundle SETTINGS... <ARCHIVE
@@ -51,6 +52,9 @@ stage() {
   check_archive "$staging/archive.tar.gz"
   # -m: the robot's clock may be years behind.
   gzip -dc "$staging/archive.tar.gz" | (cd "$staging/unpacked" && tar -xmof -) || undo_stage "cannot unpack the archive; is the disk full?"
+  refuse_strangers "$staging/archive.tar.gz" "$staging/unpacked"
+  # Nobody but root may change a program, and none runs with rights that its caller does not have.
+  chmod -R a-s,u+rwX,go-w,go+rX "$staging/unpacked" || undo_stage "cannot set the rights of the unpacked files"
   whole "$staging/unpacked" || undo_stage "the unpacked files are not what MANIFEST says; is the disk full or worn?"
   rm -f "$staging/archive.tar.gz"
   # What is there under this name is not whole.
@@ -70,6 +74,19 @@ check_archive() {
     digest=$(cksum <"$1" | cut -d ' ' -f 1) wanted=$cksum
   fi
   [ "$digest" = "$wanted" ] || undo_stage "the archive came in damaged (digest $digest instead of $wanted)"
+}
+
+# refuse_strangers ARCHIVE FOLDER: what MANIFEST does not name has no digest, and what is no plain file is none of ours.
+refuse_strangers() {
+  stranger=$(gzip -dc "$1" | tar -tf - | awk -v manifest="$2/MANIFEST" '
+    BEGIN { while ((getline line <manifest) > 0) { sub(/^[0-9]* [0-9]* /, "", line); known[line] = 1 }; known["MANIFEST"] = 1 }
+    { sub(/^\.\//, "") } /\/$/ || $0 == "" || $0 == "." { next } !($0 in known) { print; exit }')
+  [ -z "$stranger" ] || undo_stage "the archive holds $stranger, which its MANIFEST does not name; make it again with './dev build --robot'"
+  stranger=$(cd "$2" && sed 's/^[0-9]* [0-9]* //' MANIFEST | while IFS= read -r path; do
+    case /$path/ in */../*) echo "$path" ;; esac
+    { [ -f "$path" ] && [ ! -L "$path" ]; } || echo "$path"
+  done | sed -n 1p)
+  [ -z "$stranger" ] || undo_stage "$stranger in the archive is missing or no plain file; make it again with './dev build --robot'"
 }
 
 undo_stage() {

@@ -36,6 +36,8 @@ finish() {
   confirmed=1
   # >>> transaction
   place_start || back_out "cannot write $home/start; is the disk full?"
+  make_user || back_out "the user $usual_user for controllers could not be made: see above"
+  own_controllers
   echo "$kind" | put "$home/kept/autostart" || back_out "cannot write into $home; is the disk full?"
   autostart_set "$kind" || back_out "the autostart could not be set up"
   discard_others "$target" "$before"

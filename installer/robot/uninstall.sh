@@ -37,6 +37,7 @@ show_own_settings() {
 
 # The rest, the list of folders that we made last of all.
 remove_all() {
+  remove_user
   made=$(cat "$home/kept/made" 2>/dev/null) || made=
   for rest in "$home"/* "$home"/.[!.]* "$home"/kept/*; do
     case $rest in "$home/kept" | "$home/kept/made" | "$home/lock") ;; *) rm -rf "$rest" ;; esac

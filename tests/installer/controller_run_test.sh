@@ -15,19 +15,81 @@ scenario_without_a_runtime_it_says_to_install_first() {
 
 scenario_program_and_data_arrive_and_nothing_else() {
   controller walker 'return 0;'
-  mkdir -p "$LAB/pc/walker/Töne und mehr" "$LAB/pc/walker/.git" "$LAB/pc/walker/build"
+  mkdir -p "$LAB/pc/walker/Töne und mehr" "$LAB/pc/walker/.git" "$LAB/pc/walker/build" "$LAB/pc/walker/motions"
   echo hello >"$LAB/pc/walker/Töne und mehr/a b.wav"
-  echo shared >"$LAB/pc/shared.motion"
-  ln -s ../shared.motion "$LAB/pc/walker/linked.motion"
+  echo shared >"$LAB/pc/walker/motions/shared.motion"
+  ln -s motions/shared.motion "$LAB/pc/walker/linked.motion"
+  ln -s "$LAB/pc/elsewhere.hpp" "$LAB/pc/walker/elsewhere.hpp"  # a source: not sent
+  : >"$LAB/pc/elsewhere.hpp"
   touch "$LAB/pc/walker/"{.git/config,build/old,walker.cpp~,helper.hpp,-odd.txt}
   run_install --controller "$LAB/pc/walker"
   expect_status 0
   (cd "$ROBOT/opt/darwinop/controllers/walker" && find . -type f | sort) >"$LAB/arrived"
-  printf '%s\n' ./-odd.txt './Töne und mehr/a b.wav' ./config.ini ./linked.motion ./walker | sort | diff - "$LAB/arrived" ||
+  printf '%s\n' ./-odd.txt './Töne und mehr/a b.wav' ./config.ini ./linked.motion ./motions/shared.motion ./walker | sort | diff - "$LAB/arrived" ||
     fail "other files arrived than expected"
   [ "$(cat "$ROBOT/opt/darwinop/controllers/walker/linked.motion")" = shared ] || fail "a link was not followed"
   [ -z "$(find "$ROBOT/opt/darwinop/controllers/walker/" ! -user root -o -perm /022)" ] || fail "rights or owner are the student's"
   (cd "$LAB/pc/walker" && [ "$(find . -name '*.o' -o -name walker)" = "" ]) || fail "the student's folder was built in"
+}
+
+scenario_a_link_out_of_the_folder_is_refused() {
+  controller linker 'return 0;'
+  echo secret >"$LAB/pc/home/.ssh/id_robot"
+  mkdir "$LAB/pc/linker/sounds"
+  ln -s "$LAB/pc/home/.ssh" "$LAB/pc/linker/sounds/more"
+  run_install --controller "$LAB/pc/linker"
+  expect_status 1
+  expect_said 'linker/sounds/more/.* leads out of the folder, to .*/\.ssh/'
+  [ ! -e "$ROBOT/opt/darwinop/controllers" ] || fail "something was sent"
+}
+
+scenario_setuid_does_not_travel_and_private_files_stay_private() {
+  controller keeper 'return 0;'
+  cp /bin/true "$LAB/pc/keeper/helper"
+  chmod 6755 "$LAB/pc/keeper/helper"
+  echo secret >"$LAB/pc/keeper/key.txt"
+  chmod 600 "$LAB/pc/keeper/key.txt"
+  run_install --controller "$LAB/pc/keeper"
+  expect_status 0
+  local there=$ROBOT/opt/darwinop/controllers/keeper
+  [ "$(stat -c %a "$there/helper")" = 755 ] || fail "the helper's mode is $(stat -c %a "$there/helper")"
+  [ "$(stat -c %a "$there/key.txt")" = 600 ] || fail "others may read what only its owner could: $(stat -c %a "$there/key.txt")"
+}
+
+scenario_a_controllers_files_are_its_users_and_its_name_is_still_roots() {
+  echo 'darwinop:x:998:997::/nonexistent:/bin/false' >>"$ROBOT/etc/passwd"
+  echo 'darwinop:x:997:' >>"$ROBOT/etc/group"
+  controller walker 'return 0;'
+  run_install --controller "$LAB/pc/walker"
+  expect_status 0
+  local there=$ROBOT/opt/darwinop/controllers
+  [ -z "$(find "$there/walker/" ! -uid 998 -o ! -gid 997)" ] || fail "it may not write its own files"
+  [ "$(stat -c %u:%a "$there" "$there"/.sent-*)" = $'0:755\n0:755' ] || fail "it may change what is started by its name"
+}
+
+scenario_controllers_of_an_older_version_get_the_user_when_a_new_one_comes() {
+  controller walker 'return 0;'
+  run_install --controller "$LAB/pc/walker"
+  local there=$ROBOT/opt/darwinop/controllers
+  [ "$(stat -L -c %u "$there/walker")" = 0 ] || fail "there is a user already"
+  run_install --bundle "$(fake_bundle 0.2.0+b)"
+  expect_status 0
+  [ "$(stat -L -c %U "$there/walker/config.ini")" = "$(stat -L -c %U "$there/walker")" ] || fail "not all of it changed hands"
+  [ "$(stat -L -c %u "$there/walker")" != 0 ] || fail "it still belongs to root"
+  [ "$(stat -c %a "$there"/.sent-*)" = 755 ] || fail "nobody can look into the folder"
+}
+
+scenario_names_that_the_installer_needs_itself_are_free() {
+  local name
+  for name in walker.new-1 archive walker.by-hand-1; do
+    controller "$name" 'puts("it runs"); return 0;'
+    run_install --controller "$LAB/pc/$name"
+    expect_status 0
+    # The tidying of another sending leaves it alone.
+    controller other 'return 0;'
+    run_install --controller "$LAB/pc/other"
+    [ "$(chroot "$ROBOT" "/opt/darwinop/controllers/$name/$name")" = "it runs" ] || fail "$name is gone"
+  done
 }
 
 scenario_a_folder_with_blanks_and_umlauts_runs() {

@@ -162,6 +162,30 @@ scenario_changed_host_key_is_refused() {
   done
 }
 
+# ssh keeps keys by type, and who stands in between may choose which one to offer.
+scenario_a_key_of_another_type_is_refused_where_one_is_known() {
+  local v1 option; v1=$(fake_bundle 0.1.0+a)
+  other_type_is_refused() {
+    cp "$(known_hosts)" "$LAB/known_before"
+    for option in '' --new-host; do
+      run_install ${option:+"$option"} --bundle "$v1"
+      expect_status 1
+      expect_said 'another host key'
+      expect_said "ssh-keygen -R $ADDRESS"
+      cmp -s "$(known_hosts)" "$LAB/known_before" || fail "known_hosts was changed"
+    done
+  }
+  # Known by RSA, and an Ed25519 key is offered.
+  ssh-keygen -q -t rsa -b 2048 -N '' -f "$LAB/pc/rsa_of_the_robot"
+  echo "$ADDRESS $(cut -d' ' -f1,2 "$LAB/pc/rsa_of_the_robot.pub")" >"$(known_hosts)"
+  other_type_is_refused
+  # Known by Ed25519, and a server of 2009 offers RSA.
+  local known; known=$(cut -d' ' -f1,2 "$LAB/pc/key.pub")
+  legacy_sshd
+  echo "$ADDRESS $known" >"$(known_hosts)"
+  other_type_is_refused
+}
+
 scenario_nobody_there() {
   local v1; v1=$(fake_bundle 0.1.0+a)
   stop_sshd

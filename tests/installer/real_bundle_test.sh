@@ -22,6 +22,8 @@ scenario_install_boot_and_uninstall() {
   expect_status 0
   expect_version "$version"
   expect_confirmed
+  grep -q '^======== libespeak-ng-dev ' "$ROBOT/opt/darwinop/current/NOTICE" || fail "the licences did not come along"
+  grep -q 'pkg:deb/debian/libinih-dev@' "$ROBOT/opt/darwinop/current/sbom.cdx.json" || fail "the list of packages did not come along"
   robot_boot 0
   until chroot "$ROBOT" /opt/darwinop/current/bin/darwinop-runtime --status >"$LAB/runtime_status" 2>&1; do
     [ $((tries += 1)) -lt 40 ] || fail "no runtime came up at boot: $(cat "$LAB/runtime_status" "$ROBOT"/opt/darwinop/log/*)"

@@ -166,6 +166,42 @@ scenario_bundle_whose_manifest_lies() {
   expect_version 0.1.0+a
 }
 
+scenario_bundle_with_more_or_other_than_its_manifest_names() {
+  local v1 v2 folder=$LAB/bundles/0.2.0+b wrong; v1=$(fake_bundle 0.1.0+a)
+  run_install --bundle "$v1"
+  robot_quiet
+  remember_disk
+  for wrong in 'echo x >bin/stranger' 'ln -s /etc/shadow share/shadow' 'ln -sf /bin/true bin/darwinop-run' 'mknod bin/device c 1 3' \
+    'mkdir -p share/more && cp /bin/true share/more/-odd'; do
+    v2=$(fake_bundle 0.2.0+b)
+    (cd "$folder" && eval "$wrong")
+    pack "$folder" "$v2"
+    run_install --bundle "$v2"
+    expect_status 1
+    expect_said 'which its MANIFEST does not name|no plain file'
+    expect_same_disk "let in: $wrong"
+  done
+}
+
+scenario_no_program_of_a_bundle_gets_more_rights_than_its_caller() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  chmod 6777 "$LAB/bundles/0.1.0+a/bin/darwinop-doctor"
+  chmod 600 "$LAB/bundles/0.1.0+a/bin/darwinop-monitor" 2>/dev/null || chmod 600 "$LAB/bundles/0.1.0+a/share/darwinop/robot.ini"
+  pack "$LAB/bundles/0.1.0+a" "$v1"
+  run_install --bundle "$v1"
+  expect_status 0
+  [ -z "$(find "$ROBOT/opt/darwinop/versions" ! -type l \( -perm /6022 -o ! -perm -444 \))" ] ||
+    fail "rights: $(find "$ROBOT/opt/darwinop/versions" ! -type l \( -perm /6022 -o ! -perm -444 \) -ls)"
+}
+
+scenario_names_in_dev_shm_that_somebody_took_do_no_harm() {
+  local v1; v1=$(fake_bundle 0.1.0+a)
+  # shellcheck disable=SC2046  # one name a word
+  (cd "$ROBOT/dev/shm" && mkfifo $(seq -f 'darwinop-check-%.0f' 1 9000))
+  run_install --bundle "$v1"
+  expect_status 0
+}
+
 scenario_bundle_that_is_cut_or_no_bundle() {
   local v1 v2; v1=$(fake_bundle 0.1.0+a); v2=$(fake_bundle 0.2.0+b 200)
   run_install --bundle "$v1"

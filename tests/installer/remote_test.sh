@@ -12,6 +12,7 @@ scenario_a_whole_run() {
   expect_said 'start pose: right'
   expect_said 'the runtime is ready \([0-9.]+ s\)$'
   grep -qa -e '--port.0.2.2' "/proc/$(pgrep -x darwinop-remote)/cmdline" || fail "the size of pictures was not handed on"
+  expect_user 998 '^[^ ]*darwinop-remote '
   supervisor_says | grep -q '^driver .*darwinop-remote' || fail "the supervisor does not say who drives: $(supervisor_says)"
   ! tr '\0' '\n' <"/proc/$(pgrep -of '^bash .*/remote_client')/environ" | grep -q DARWINOP_PASSWORD || fail "the controller knows the password"
   # Only on loopback, on both sides.

@@ -42,7 +42,7 @@ robot_tools() {
     busybox --list | grep -vxE 'sudo|bash|busybox' | sed "s|.*|$ROBOT/bin/&|" | xargs -d '\n' -n1 ln -s /.host/bin/busybox
     ln -s /.host/bin/cksum /.host/bin/sudo "$ROBOT/bin/"  # Debian's busybox has no cksum; POSIX asks for one
   else
-    ln -s "${tools[@]}" /.host/sbin/start-stop-daemon "$ROBOT/bin/"
+    ln -s "${tools[@]}" /.host/sbin/{start-stop-daemon,useradd,userdel,groupadd,groupdel} "$ROBOT/bin/"
     ln -s /.host/bin/mawk "$ROBOT/bin/awk"  # not through /etc/alternatives, which the robot has not
     ln -s /.host/bin/dash "$ROBOT/bin/sh"
   fi
@@ -231,16 +231,17 @@ robot_boot() {
   booted=$(cat "$ROBOT/run/booted" 2>/dev/null || true)
 }
 
-# Every path on the robot's disk with what it is; not what lives in memory or belongs to sshd and sudo.
+# Every path on the robot's disk with what it is; not what lives in memory or belongs to sshd and sudo, nor what useradd
+# keeps as lock and backups.
 robot_disk() {
-  local format='%p\t%y\t%m\t%U:%G\t%l' prune='./.host|./dev|./proc|./run|./sys|./var/lib/sudo'
+  local format='%p\t%y\t%m\t%U:%G\t%l' prune='./.host|./dev|./proc|./run|./sys|./var/lib/sudo|./etc/\.pwd\.lock|./etc/[a-z]*-'
   # A folder's own time changes with every temporary file in it.
   [ "${1:-}" != --touched ] || format+='\t%i\t%T@'
   (
     cd "$ROBOT" || exit
     find . -regextype posix-extended -regex "$prune" -prune -o -printf "$format\n" |
       awk -F '\t' -v OFS='\t' '$2 == "d" { $6 = $7 = "" } { print }' | sort
-    find bin boot darwin etc home opt root tmp usr var -path var/lib/sudo -prune -o -type f -print0 | sort -z | xargs -0 cksum
+    find bin boot darwin etc home opt root tmp usr var \( -path var/lib/sudo -o -path 'etc/*-' -o -path etc/.pwd.lock \) -prune -o -type f -print0 | sort -z | xargs -0 cksum
   )
 }
 

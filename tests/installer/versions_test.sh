@@ -157,6 +157,55 @@ scenario_uninstall_shows_what_was_written_into_robot_ini() {
   expect_not_said 'not as delivered'
 }
 
+# The line of a user in the robot's file, or nothing.
+account() { grep "^darwinop:" "$ROBOT/etc/$1" || true; }
+
+scenario_controllers_get_a_user_without_rights_and_uninstall_removes_it() {
+  local userland
+  for userland in gnu busybox; do
+    [ $userland = gnu ] || robot_new busybox
+    printf '%s\n' audio:x:29: >>"$ROBOT/etc/group"
+    remember_disk
+    run_install --bundle "$(fake_bundle 0.1.0+a)"
+    expect_status 0
+    expect_said 'made the user darwinop'
+    [[ $(account passwd) =~ ^darwinop:[x*]:[1-9][0-9]{2}:[0-9]+:.*:/nonexistent:/bin/false$ ]] || fail "the user is: $(account passwd)"
+    grep -q '^video:x:44:darwin,darwinop$' "$ROBOT/etc/group" || fail "no camera for it: $(grep ^video "$ROBOT/etc/group")"
+    grep -q '^audio:x:29:darwinop$' "$ROBOT/etc/group" || fail "no sound for it"
+    run_install --bundle "$(fake_bundle 0.2.0+b)"
+    expect_not_said 'made the user'
+    run_install --uninstall
+    expect_status 0
+    expect_same_disk "the user or the group stayed"
+  done
+}
+
+scenario_a_user_that_was_there_stays() {
+  echo 'darwinop:x:990:990::/home/darwinop:/bin/sh' >>"$ROBOT/etc/passwd"
+  remember_disk
+  run_install --bundle "$(fake_bundle 0.1.0+a)"
+  expect_status 0
+  grep -q '^darwinop:x:' "$ROBOT/etc/group" || fail "the runtime has no group"
+  run_install --uninstall
+  expect_same_disk "uninstall took more, or less, than was made"
+}
+
+scenario_a_robot_ini_that_names_somebody_gets_no_user() {
+  mkdir -p "$ROBOT/opt/darwinop"
+  printf '[Robot]\ncontroller_user = root ; as before\n' >"$ROBOT/opt/darwinop/robot.ini"
+  run_install --bundle "$(fake_bundle 0.1.0+a)"
+  expect_status 0
+  [ -z "$(account passwd)$(account group)" ] || fail "a user was made"
+}
+
+scenario_a_first_installation_that_fails_leaves_no_user() {
+  remember_disk
+  : >"$ROBOT/run/fail-self-test"
+  run_install --bundle "$(fake_bundle 0.1.0+a)"
+  expect_status 1
+  expect_same_disk "something was left"
+}
+
 scenario_uninstall_twice_and_on_a_robot_without() {
   local v1; v1=$(fake_bundle 0.1.0+a)
   remember_disk

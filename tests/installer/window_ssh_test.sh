@@ -51,6 +51,7 @@ scenario_a_window_looks_on_drives_and_ends() {
   ! ss -Hltn 2>/dev/null | awk '{ print $4 }' | grep -vE '^(127\.0\.0\.1|\[::1\]):' || fail "a port is open to the network"
   page eyes monitor '{"rate":62.5}'
   await_page eyes '"state":"limp"'
+  expect_user 998 '^[^ ]*darwinop-(remote|monitor) '
   ! runtime_says | grep '^driver  *pid' >/dev/null || fail "a window that looks on drives"
   [ ! -e "$ROBOT/opt/darwinop/running" ] || fail "a window that looks on keeps others out"
   page form transfer '{"more":0}'

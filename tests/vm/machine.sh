@@ -85,12 +85,15 @@ expect_version() {
 
 # Every file with kind, mode, owner and size; with its digest where an installer could have been at work. Left out is
 # what Debian writes by itself: the random seed, the logs of logins, and sudo's note that darwin has used it.
+# Of the users' files only the contents: useradd and userdel write them anew, and keep backups and a lock.
 listing() {
   guest "find / -xdev \( -path /var/lib/systemd/random-seed -o -path /var/log/wtmp -o -path /var/log/btmp \
-      -o -path /var/log/lastlog -o -path /home/darwin/.sudo_as_admin_successful -o -path '/tmp/systemd-private-*' -o -path '/var/tmp/systemd-private-*' \) -prune \
+      -o -path /var/log/lastlog -o -path /home/darwin/.sudo_as_admin_successful -o -path '/tmp/systemd-private-*' -o -path '/var/tmp/systemd-private-*' \
+      -o -path '/etc/passwd*' -o -path '/etc/group*' -o -path '/etc/shadow*' -o -path '/etc/gshadow*' -o -path '/etc/sub[ug]id*' \
+      -o -path /etc/.pwd.lock \) -prune \
       -o -type d -printf '%p %y %m %U:%G\n' -o -printf '%p %y %m %U:%G %s %T@ %l\n' | sort
     find /boot /darwin /etc /home /opt /root /srv /usr/local /var/spool -xdev -type f \
-      ! -name .sudo_as_admin_successful -exec cksum {} + | sort -k 3"
+      ! -name .sudo_as_admin_successful ! -path '/etc/*-' ! -path /etc/.pwd.lock -exec cksum {} + | sort -k 3"
 }
 
 # power_cut NAME CONDITION ARGUMENTS...: installs, and cuts the machine's power as soon as CONDITION, a command for the

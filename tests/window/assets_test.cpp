@@ -23,6 +23,15 @@ TEST(Assets, TheProgramHoldsAllThatThePageAsksFor) {
   for (const window::Asset& asset : all) EXPECT_GT(asset.body.size(), 100U) << asset.name;
 }
 
+/// MIT and the like ask for their text wherever the software goes.
+TEST(Assets, TheScriptCarriesTheLicenceOfEveryPackageInIt) {
+  std::string script;
+  for (const window::Asset& asset : window::assets())
+    if (asset.name.ends_with("window.js")) script = asset.body;
+  for (const char* owner : {"Leon Sorokin", "three.js authors"})
+    EXPECT_NE(script.find(owner), std::string::npos) << owner;
+}
+
 TEST(Secret, IsLongAndNeverTheSame) {
   const std::string first = window::newSecret();
   EXPECT_EQ(first.size(), 32U);

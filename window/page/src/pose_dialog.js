@@ -63,4 +63,4 @@ export class PoseDialog {
   }
 }
 
-const kHeld = ['holding', 'driven', 'starting', 'taking_over'];
+const kHeld = ['holding', 'driven', 'starting', 'taking_over', 'found_stiff'];

@@ -1,0 +1,107 @@
+# shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
+# The user that controllers, the remote server and the monitor run as, and the group of that name, whose members may use
+# the runtime (docs/run-on-the-robot.md). $home/kept/user names what of the two we made: uninstall removes that, no more.
+
+usual_user=darwinop
+
+# robot_setting KEY: from [Robot] of robot.ini; empty where there is none.
+robot_setting() {
+  awk -v key="$1" '{ sub(/\r$/, "") } /^[ \t]*\[/ { here = (tolower($0) ~ /^[ \t]*\[robot\]/) }
+    here && tolower($0) ~ "^[ \t]*" key "[ \t]*[=:]" { sub(/^[^=:]*[=:][ \t]*/, ""); sub(/[ \t]*[;#].*$/, ""); sub(/[ \t]*$/, ""); gsub(/^"|"$/, ""); print; exit }' \
+    "$home/robot.ini" 2>/dev/null
+}
+
+user_exists() { grep -q "^$1:" "$etc/passwd"; }
+group_exists() { grep -q "^$1:" "$etc/group"; }
+
+# Who runs controllers here, or nothing: root.
+controller_user() {
+  named=$(robot_setting controller_user)
+  named=${named:-$usual_user}
+  if [ "$named" != root ] && user_exists "$named"; then echo "$named"; fi
+}
+
+has_useradd() { command -v useradd >/dev/null 2>&1 && command -v groupadd >/dev/null 2>&1; }
+
+# make_user: again without harm. Nothing where robot.ini names somebody.
+make_user() {
+  [ -z "$(robot_setting controller_user)" ] || return 0
+  if user_exists $usual_user && group_exists $usual_user; then return 0; fi
+  mkdir -p "$home/kept" || return
+  [ -f "$home/kept/user" ] || {
+    group_exists $usual_user || echo group
+    user_exists $usual_user || echo user
+  } | put "$home/kept/user" || return
+  # Camera, sound and keyboard are devices of these groups.
+  devices=
+  for group in video audio input; do
+    if group_exists $group; then devices="$devices,$group"; fi
+  done
+  if has_useradd; then make_user_with_tools; else make_user_by_hand; fi || return
+  say "made the user $usual_user: controllers, remote server and monitor run as it, without rights of root"
+  return 0  # also when nobody reads that: who asked for the installation may have gone
+}
+
+make_user_with_tools() {
+  group_exists $usual_user || groupadd -r $usual_user || return
+  user_exists $usual_user || useradd -r -M -d /nonexistent -s /bin/false -c 'darwinop-rt controllers' -g $usual_user \
+    ${devices:+-G "${devices#,}"} $usual_user
+}
+
+# For a system without useradd. No password fits a '*', so there need not be a line in /etc/shadow.
+make_user_by_hand() {
+  id=999
+  while grep -q "^[^:]*:[^:]*:$id:" "$etc/passwd" "$etc/group"; do id=$((id - 1)); done
+  if group_exists $usual_user; then
+    id_of_group=$(sed -n "s/^$usual_user:[^:]*:\([0-9]*\):.*/\1/p" "$etc/group")
+  else
+    id_of_group=$id
+    awk -F: -v OFS=: -v devices="$devices," -v user=$usual_user '
+      index(devices, "," $1 ",") { $4 = $4 ($4 == "" ? "" : ",") user } { print }' "$etc/group" |
+      { cat && echo "$usual_user:x:$id:"; } | put "$etc/group" || return
+  fi
+  user_exists $usual_user || { cat "$etc/passwd" &&
+    echo "$usual_user:*:$id:$id_of_group:darwinop-rt controllers:/nonexistent:/bin/false"; } | put "$etc/passwd"
+}
+
+# What we made and no more.
+remove_user() {
+  [ -f "$home/kept/user" ] || return 0
+  for made in user group; do
+    if ! grep -q -x $made "$home/kept/user" || ! "${made}_exists" $usual_user; then continue; fi
+    # With the user, userdel takes a group of the same name away.
+    if has_useradd; then "${made}del" $usual_user >/dev/null 2>&1; else remove_by_hand $made; fi ||
+      say "the $made $usual_user could not be removed; does something still run as it? Afterwards: sudo ${made}del $usual_user"
+  done
+  rm -f "$home/kept/user"
+}
+
+remove_by_hand() { # user|group
+  case $1 in
+    user) sed "/^$usual_user:/d" "$etc/passwd" | put "$etc/passwd" ;;
+    group) sed "/^$usual_user:/d; s/,$usual_user\$//; s/:$usual_user\$/:/" "$etc/group" | put "$etc/group" ;;
+  esac
+}
+
+# own FOLDER: it and what is in it becomes the controller's, which may write there. Nobody may be able to look into it
+# meanwhile: a link to a file of root's would be given away, too.
+own() {
+  owner=$(controller_user)
+  [ -z "$owner" ] || chown -R -h "$owner:" "$1"
+}
+
+# Controllers that an older version has received belong to root.
+own_controllers() {
+  [ -n "$(controller_user)" ] || return 0
+  for sent in "$home"/controllers/.sent-*; do
+    if [ ! -d "$sent" ] || [ -L "$sent" ]; then continue; fi
+    for folder in "$sent"/*; do
+      # shellcheck disable=SC2012  # a number in the third column
+      if [ ! -d "$folder" ] || [ -L "$folder" ] || [ "$(ls -l -d -n "$folder" | awk '{ print $3 }')" != 0 ]; then continue; fi
+      chmod 700 "$sent"
+      own "$folder"
+      chmod 755 "$sent"
+    done
+  done
+  return 0
+}

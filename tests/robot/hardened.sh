@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# hardened.sh BUILD [static]: is every program of that build that is shipped hardened as cmake/Hardening.cmake says?
+# static: as on a robot, nothing but darwinop-sound asks for a loader.
+set -euo pipefail
+build=$1 kind=${2:-}
+failed=0
+complain() { echo "hardened.sh: $1: $2" >&2; failed=1; }
+
+check() { # PROGRAM
+  local name=${1##*/} header segments dynamic symbols
+  header=$(readelf -hW "$1") segments=$(readelf -lW "$1") dynamic=$(readelf -dW "$1") symbols=$(nm "$1"; nm -D "$1" 2>/dev/null)
+  grep -q 'Type: *DYN' <<<"$header" || complain "$name" "not position-independent: its addresses are the same at each start"
+  grep -q 'GNU_RELRO' <<<"$segments" || complain "$name" "no RELRO: its linkage table stays writable"
+  grep -q 'BIND_NOW\|Flags:.* NOW' <<<"$dynamic" || complain "$name" "no BIND_NOW"
+  grep -q 'GNU_STACK.* RW ' <<<"$segments" || complain "$name" "the stack is executable, or nothing is said about it"
+  ! grep -q 'LOAD.* RWE ' <<<"$segments" || complain "$name" "a segment is writable and executable"
+  ! grep -q 'TEXTREL' <<<"$dynamic" || complain "$name" "relocations in its code"
+  grep -q '__stack_chk_fail' <<<"$symbols" || complain "$name" "no stack protector"
+  [ "$kind" != static ] || [ "$name" = darwinop-sound ] || ! grep -q INTERP <<<"$segments" || complain "$name" "asks for a loader"
+}
+
+programs=0
+for program in "$build"/bin/darwinop "$build"/bin/darwinop-*; do
+  if [ -f "$program" ] && [ "$(head -c 4 "$program")" = $'\x7fELF' ]; then
+    check "$program"
+    programs=$((programs + 1))
+  fi
+done
+[ $programs -ge 10 ] || complain "$build/bin" "only $programs programs are there; build robot_programs, or all"
+
+# The C library's own checked calls are in every static program: our code has to ask for them itself.
+for room in runtime hal_cm730 settings; do
+  undefined=$(nm -u "$build/lib/lib$room.a" 2>/dev/null)
+  grep -q '__stack_chk_fail' <<<"$undefined" || complain "lib$room.a" "compiled without -fstack-protector-strong"
+done
+undefined=$(nm -u "$build/lib/libruntime.a" "$build/lib/liblink.a" 2>/dev/null)
+grep -q '_chk$' <<<"$undefined" || complain libruntime.a "compiled without FORTIFY"
+
+[ $failed = 0 ] || exit 1
+echo "$programs programs are hardened"
