@@ -9,6 +9,7 @@
 #include "hal/cm730/port_check.hpp"
 #include "hal/cm730/probe.hpp"
 #include "hal/cm730/serial_open.hpp"
+#include "link/connect.hpp"
 #include "link/robot_file.hpp"
 #include "link/start_pose_findings.hpp"
 
@@ -54,11 +55,11 @@ class Report {
 link::RobotFile readRobotFile(Report& report) {
   try {
     link::RobotFile robot = link::readRobotFile();
-    report.add({{cm730::Level::kOk, link::describe(robot), {}}});
+    report.add({Finding::ok(link::describe(robot))});
     return robot;
   } catch (const std::exception& wrong) {
-    report.add(
-        {{cm730::Level::kError, wrong.what(), "correct the file (docs/robot-file.md); nothing of it is used here"}});
+    report.add({Finding::of(cm730::Kind::kRobotFile, wrong.what(),
+                            "correct the file (docs/robot-file.md); nothing of it is used here")});
     return {};
   }
 }
@@ -81,6 +82,9 @@ int examine(const std::string& asked, bool fix) {
   cm730::ProbeOptions options = cm730::ProbeOptions::thorough();
   options.port = path;
   options.offsets = robot.offsets;
+  options.period = robot.period.value_or(link::kUsualPeriod);
+  options.absent = robot.safety.absent;
+  options.allowed = link::goalTicks(link::safetyOn(robot, {}, "config.ini"), robot.offsets);
   options.correct = fix;
   const cm730::ProbeReport probed = cm730::probe(*check.port, options);
   report.add(probed.findings);

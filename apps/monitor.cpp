@@ -1,11 +1,9 @@
 // darwinop-monitor: lets onlookers see the robot, read only.
 #include "remote/monitor/monitor.hpp"
 
-#include <signal.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <iostream>
 #include <memory>
 #include <set>
@@ -14,6 +12,8 @@
 #include <vector>
 
 #include "end_with_parent.hpp"
+#include "hal/signals.hpp"
+#include "link/controller_user.hpp"
 #include "remote/monitor/messages.hpp"
 #include "remote/robot/onlooker_eyes.hpp"
 #include "remote/web/server.hpp"
@@ -22,8 +22,6 @@
 namespace {
 
 using namespace darwinop;
-
-std::atomic<bool> monitor_stop{false};
 
 struct MonitorArguments {
   std::string listen = "127.0.0.1", name;
@@ -41,13 +39,6 @@ void sayMonitor(const std::string& line) {
 void sayMonitorOnce(const std::string& line) {
   static std::set<std::string> said;
   if (said.insert(line).second) sayMonitor(line);
-}
-
-void stopMonitorOnSignals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { monitor_stop = true; };
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-  signal(SIGPIPE, SIG_IGN);
 }
 
 web::ServerConfig webConfig(const MonitorArguments& given) {
@@ -68,7 +59,8 @@ web::ServerConfig webConfig(const MonitorArguments& given) {
 }
 
 int serveOnlookers(const MonitorArguments& given) {
-  stopMonitorOnSignals();
+  link::leaveRoot();
+  endOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
   const runtime::RuntimeFiles files{given.name};
   const auto finders = std::make_shared<monitor::Finders>();
@@ -80,7 +72,7 @@ int serveOnlookers(const MonitorArguments& given) {
   web::Server server{webConfig(given), sayMonitor};
   server.channel("/monitor", monitor::kSubprotocol, monitor);
   std::cout << "ready: ws://" << given.listen << ":" << server.port() << "/monitor" << std::endl;
-  while (!monitor_stop) {
+  while (!endRequested()) {
     server.attend(monitor.pause());
     monitor.look();
   }

@@ -1,29 +1,30 @@
 // darwinop-remote: the server of the remote-control protocol.
-#include <signal.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
-#include <fstream>
 #include <iostream>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "end_with_parent.hpp"
+#include "hal/diagnostics.hpp"
+#include "hal/signals.hpp"
 #include "link/connect.hpp"
+#include "link/controller_user.hpp"
 #include "link/setting.hpp"
 #include "remote/robot/link_port.hpp"
+#include "remote/server/bounded_log.hpp"
 #include "remote/server/server.hpp"
+#include "runtime/clock.hpp"
 #include "runtime/daemon_link.hpp"
 #include "webots/config_ini.hpp"
 
 namespace {
 
 using namespace darwinop;
-
-std::atomic<bool> remote_stop{false};
 
 struct RemoteArguments {
   std::string robot = "runtime", listen = "127.0.0.1", config;
@@ -34,16 +35,13 @@ struct RemoteArguments {
   pid_t parent = getppid();
 };
 
+/// Everything that is said passes here, from any thread: the server's own lines, the camera's, and those of the link,
+/// which may come with each client. A client must not be able to fill a robot's disk.
 void sayRemote(const std::string& line) {
-  std::cerr << "darwinop remote: " << line << std::endl;
-}
-
-void stopRemoteOnSignals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { remote_stop = true; };
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-  // Who started it over ssh may have gone: a line that nobody reads must not end the server, and a loop in it.
-  (void)::signal(SIGPIPE, SIG_IGN);
+  static std::mutex mutex;
+  static remote::BoundedLog log{[](const std::string& text) { std::cerr << "darwinop remote: " << text << std::endl; }};
+  const std::lock_guard guard{mutex};
+  log.line(line, runtime::MonotonicClock{}.now());
 }
 
 remote::ServerConfig serverConfig(const RemoteArguments& given) {
@@ -64,7 +62,8 @@ remote::ServerConfig serverConfig(const RemoteArguments& given) {
 
 facade::ControllerConfig controllerConfig(const std::string& config) {
   if (config.empty()) return {};
-  if (!std::ifstream{config}) throw std::runtime_error("cannot read " + config + "; name a file with --config");
+  if (access(config.c_str(), F_OK) != 0)
+    throw std::runtime_error("cannot read " + config + "; name a file with --config");
   const facade::ConfigReading reading = facade::readConfig(config);
   for (const std::string& warning : reading.warnings) sayRemote(warning);
   return reading.config;
@@ -77,6 +76,7 @@ int serveRemote(const RemoteArguments& given) {
   const facade::ControllerConfig controller = controllerConfig(given.config);
   request.safety = controller.safety;
   if (!given.config.empty()) request.config_file = given.config;
+  request.warn = sayRemote;
   const link::Kind kind = link::readSetting(given.robot).kind;
   if (kind == link::Kind::kTcp)
     throw std::runtime_error("--robot " + given.robot + " is behind a server already: connect to that one");
@@ -85,18 +85,18 @@ int serveRemote(const RemoteArguments& given) {
   if (kind == link::Kind::kVirtual || kind == link::Kind::kTwin) config.pace = Nanos{0};
   if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
     sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
-  stopRemoteOnSignals();
+  if (daemon) link::leaveRoot();
+  endOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
   remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kOwn,
                          [&] { return link::connect(request); }, request.safety.start == safety::StartMove::kHold};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
   const remote::ImageSize size{remote::kWholeImage.width / given.width_zoom,
                                remote::kWholeImage.height / given.height_zoom};
-  // The camera speaks from a thread of its own, and seldom: it does not pass the server's bounded log.
   const auto open_pictures = [&] { return robot.openPictures(size, controller.camera, sayRemote); };
   remote::Server server{config, robot, open_pictures, clock, sayRemote};
   std::cout << "ready: " << given.listen << ":" << server.port() << std::endl;
-  server.run(remote_stop);
+  server.run(endRequested());
   robot.farewellForWhoLeft();
   return 0;
 }
@@ -104,6 +104,7 @@ int serveRemote(const RemoteArguments& given) {
 }  // namespace
 
 int main(int count, char** arguments) try {
+  const DiagnosticsOutput never_waits;
   RemoteArguments given;
   CLI::App app{
       "Remote control over TCP: a simulator on a PC drives this robot, whose loop stays on time whatever the network "
@@ -123,7 +124,8 @@ int main(int count, char** arguments) try {
   app.add_option("--port", given.port, "TCP port; 0: any that is free")->capture_default_str();
   app.add_flag("--end-with-parent", given.ends_with_parent,
                "end when the program that started this one does, even by kill -9");
-  app.add_option("--config", given.config, "config.ini whose [Safety] and [Limits] hold, unless a daemon has its own");
+  app.add_option("--config", given.config,
+                 "config.ini whose [Safety] and [Limits] hold for its clients, beside those of the robot");
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
       "Example, without a robot:\n  darwinop remote --robot virtual\n"

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "hal/body_library.hpp"
+#include "link/controller_user.hpp"
 #include "remote/ssh/session.hpp"
 #include "remote/ssh/target.hpp"
 #include "runtime/controller_run.hpp"
@@ -135,6 +136,9 @@ int main(int count, char** arguments) try {
     throw std::runtime_error(
         "--picture, --force, --ssh-port, --ssh-key and --new-host go with --robot tcp://USER@HOST; what is the "
         "controller's comes after --");
+  // Not root in a controller: it needs no more than the runtime's group.
+  if (darwinop::link::usesRuntime(request.robot.empty() && robot != nullptr ? robot : request.robot))
+    darwinop::link::leaveRoot();
   return darwinop::runtime::runController(request);
 } catch (const std::exception& error) {
   std::cerr << "darwinop run: " << error.what() << '\n';

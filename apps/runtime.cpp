@@ -1,21 +1,20 @@
 // darwinop-runtime: the daemon, and what an operator may ask of it.
-#include <signal.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <chrono>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "hal/diagnostics.hpp"
+#include "hal/signals.hpp"
 #include "link/connect.hpp"
+#include "link/controller_user.hpp"
 #include "link/robot_file.hpp"
 #include "link/wait_for_bus.hpp"
 #include "runtime/daemon.hpp"
-#include "runtime/groups.hpp"
 #include "runtime/operator.hpp"
 #include "webots/config_ini.hpp"
 
@@ -23,26 +22,12 @@ namespace {
 
 using namespace darwinop;
 
-std::atomic<bool> stop{false};
-
 struct Arguments {
   std::string record, real_time = "if-allowed", name, config;
   std::optional<std::string> port, group;  // nothing: what robot.ini says
   std::optional<int> period_ms;
   bool wait = false, status = false, check_pose = false, reset_faults = false, release = false;
 };
-
-gid_t groupOf(const std::string& name) {
-  if (name.empty()) return static_cast<gid_t>(-1);
-  if (const std::optional<gid_t> found = runtime::groupId(name)) return *found;
-  throw std::runtime_error("there is no group '" + name + "'; make it with: sudo groupadd " + name);
-}
-
-void stopOnSignals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { stop = true; };
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-}
 
 runtime::LoopConfig loopConfig(const Arguments& given, const link::RobotFile& robot) {
   runtime::LoopConfig config;
@@ -52,7 +37,7 @@ runtime::LoopConfig loopConfig(const Arguments& given, const link::RobotFile& ro
   config.real_time.demand = runtime::realTimeFromText(given.real_time);
   safety::Config controllers;
   if (!given.config.empty()) {
-    if (!std::ifstream{given.config})
+    if (access(given.config.c_str(), F_OK) != 0)
       throw std::runtime_error("cannot read " + given.config + "; name a file that is there with --config");
     const facade::ConfigReading reading = facade::readConfig(given.config);
     for (const std::string& warning : reading.warnings) std::cerr << warning << '\n';
@@ -62,29 +47,31 @@ runtime::LoopConfig loopConfig(const Arguments& given, const link::RobotFile& ro
   return config;
 }
 
-std::optional<link::OpenedBus> openBus(const Arguments& given, const link::RobotFile& robot, Nanos period) {
+std::optional<link::OpenedBus> openBus(const Arguments& given, const link::RobotFile& robot,
+                                       const runtime::LoopConfig& config) {
   const std::string port = given.port.value_or(robot.serialPort());
-  const auto open = [&] { return link::openSerialBus(port, period, robot.offsets); };
+  const auto open = [&] { return link::openSerialBus({port, config.period, config.safety, robot.offsets}); };
   if (!given.wait) return open();
   const auto tell = [](const std::string& what) { std::cerr << "darwinop runtime: " << what << std::endl; };
-  return link::waitForBus(open, stop, tell, link::pauseFor);
+  return link::waitForBus(open, endRequested(), tell, link::pauseFor);
 }
 
 int serve(const Arguments& given, const runtime::RuntimeFiles& files) {
   const link::RobotFile robot = link::readRobotFile();
   runtime::LoopConfig config = loopConfig(given, robot);
-  const gid_t group = groupOf(given.group.value_or(robot.group));
-  stopOnSignals();
+  const gid_t group = link::runtimeGroup(robot, given.group);
+  endOnSignals();
   runtime::FileLock claim = runtime::claimRuntime(files, group);  // first, so that the port is left to who has it
-  std::optional<link::OpenedBus> opened = openBus(given, robot, config.period);
+  std::optional<link::OpenedBus> opened = openBus(given, robot, config);
   if (!opened) return 0;  // asked to end before the robot came
   config.port = opened->description;
+  config.safety = opened->safety;
   if (!opened->warnings.empty()) std::cerr << opened->warnings;
   runtime::Daemon daemon{config, files, std::move(claim), group, std::move(opened->bus)};
   if (!daemon.warning().empty()) std::cerr << "darwinop runtime: " << daemon.warning() << '\n';
   std::cout << "ready: pid " << getpid() << " on " << config.port << ", "
             << config.period / std::chrono::milliseconds{1} << " ms, " << files.exchange << std::endl;
-  daemon.run(stop);
+  daemon.run(endRequested());
   return 0;
 }
 
@@ -106,7 +93,8 @@ int carryOut(const Arguments& given) {
     std::cout << "faults reset\n";
   } else if (given.release) {
     runtime::releaseRobot(files);
-    std::cout << "torque is going off; a controller that is started takes over again\n";
+    std::cout
+        << "torque is going off and stays off until START is pressed, a controller is started or faults are reset\n";
   } else {
     return serve(given, files);
   }
@@ -116,6 +104,7 @@ int carryOut(const Arguments& given) {
 }  // namespace
 
 int main(int count, char** arguments) try {
+  const DiagnosticsOutput never_waits;
   Arguments given;
   CLI::App app{"The loop in a process of its own: controllers come and go (--robot runtime), the robot stays safe.",
                "darwinop runtime"};

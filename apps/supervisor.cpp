@@ -7,6 +7,7 @@
 #include <iostream>
 #include <string>
 
+#include "hal/diagnostics.hpp"
 #include "supervisor/ask.hpp"
 
 namespace {
@@ -30,6 +31,7 @@ int carryOut(const Arguments& given) {
   if (given.stop_controller) return supervisor::stopController(files);
   if (given.restart_controller) return supervisor::restartController(files);
   if (given.home.empty()) throw std::runtime_error("which installation? Name its folder: --home /opt/darwinop");
+  const DiagnosticsOutput never_waits;
   return supervisor::Supervisor{{std::filesystem::absolute(given.home), runtimeProgram()}}.run();
 }
 

@@ -17,10 +17,13 @@
 #include <vector>
 
 #include "core/joints.hpp"
+#include "hal/signals.hpp"
 #include "hil-mocks/fault_script.hpp"
 #include "hil-mocks/pty_host.hpp"
+#include "hil-mocks/robot_options.hpp"
 #include "link/setting.hpp"
 #include "link/twin_library.hpp"
+#include "settings/text_file.hpp"
 #ifdef DARWINOP_VIRTUAL_CAMERA  // on a PC
 #include "hil-mocks/camera/camera_settings.hpp"
 #include "virtual_robot_camera.hpp"
@@ -37,6 +40,7 @@ constexpr Nanos kTooLate = std::chrono::milliseconds{16};     // a whole cycle o
 
 struct Arguments {
   std::string link, faults, body = "plain", camera;
+  std::vector<std::string> servo, board;
   bool fast = false;
   std::uint64_t seed = 1;
   double for_s = 0, latency_ms = 0;
@@ -50,6 +54,8 @@ void describe(CLI::App& app, Arguments& a) {
 #endif
   app.add_flag("--fast", a.fast, "Answer at once instead of at 1 Mbaud");
   app.add_option("--faults", a.faults, "What goes wrong when; format: docs/virtual-robot.md")->check(CLI::ExistingFile);
+  app.add_option("--servo", a.servo, "Set a servo up, JOINT=SETTING: " + hil::servoSettings());
+  app.add_option("--board", a.board, "What the board lacks: no-bulk-read, no-sync-write, one-block-length");
   app.add_option("--seed", a.seed, "Of everything random")->capture_default_str();
   app.add_option("--for", a.for_s, "End after so many seconds")->check(CLI::Range(0.01, 1e6));
   app.add_option("--latency-timer", a.latency_ms, "Hold replies back as an FTDI bridge does, ms (16 is its default)")
@@ -67,6 +73,12 @@ void printJoints(hil::PtyHost& host) {
     std::printf(" %s=%+.3f", std::string{darwinop::kJointTable[i].name}.c_str(), body.joint[i].position_rad);
   std::printf(" rad\n");
   std::fflush(stdout);
+}
+
+std::vector<hil::Fault> faultsIn(const std::string& path) {
+  const std::optional<std::string> text = darwinop::settings::readTextFile(path, hil::kLongestFaultScript);
+  if (!text) throw std::runtime_error("there is no fault script " + path + "; name one with --faults");
+  return hil::parseFaultScript(*text, path);
 }
 
 std::unique_ptr<darwinop::Body> makeBody(const Arguments& a) {
@@ -89,7 +101,7 @@ bool warnOfLag(const hil::PtyHost& host, bool physics) {
   return true;
 }
 
-/// Until SIGINT, SIGTERM, or the time is over. The signals are blocked in every thread.
+/// Until a signal of kEndSignals comes, or the time is over. The signals are blocked in every thread.
 void waitForEnd(const sigset_t& signals, double for_s, bool physics, hil::PtyHost& host) {
   const double end_s = for_s > 0 ? for_s : 1e9;
   bool warned = false;
@@ -101,8 +113,17 @@ void waitForEnd(const sigset_t& signals, double for_s, bool physics, hil::PtyHos
     const timespec time{seconds, static_cast<long>((wait_s - static_cast<double>(seconds)) * 1e9)};
     const int signal = sigtimedwait(&signals, nullptr, &time);
     if (signal == SIGUSR1) printJoints(host);
-    if (signal == SIGINT || signal == SIGTERM || (signal < 0 && left_s <= wait_s)) return;
+    if (std::ranges::find(darwinop::kEndSignals, signal) != darwinop::kEndSignals.end() ||
+        (signal < 0 && left_s <= wait_s))
+      return;
   }
+}
+
+std::uint64_t torqueOnEdges(const hil::VirtualBoard& board) {
+  std::uint64_t edges = 0;
+  for (std::size_t i = 0; i < darwinop::kJoints; ++i)
+    edges += board.servo(static_cast<darwinop::Joint>(i)).torqueOnEdges();
+  return edges;
 }
 
 void report(const hil::VirtualRobot& robot, double seconds, Nanos lag) {
@@ -111,6 +132,7 @@ void report(const hil::VirtualRobot& robot, double seconds, Nanos lag) {
               "  checksum errors: %" PRIu64 "  lost bytes: %" PRIu64 "\n",
               c.frames, c.sync_writes, c.bulk_reads, c.replies, c.bad_checksums, c.lost_bytes);
   std::printf("cycles per second: %.1f over %.1f s\n", static_cast<double>(c.bulk_reads) / seconds, seconds);
+  std::printf("torque switched on: %" PRIu64 "\n", torqueOnEdges(robot.board()));
   std::printf("behind real time: at most %.1f ms\n", ms(lag));
 }
 
@@ -133,13 +155,15 @@ std::unique_ptr<darwinop::app::RobotCamera> makeCamera(hil::PtyHost& host, const
 int serve(const Arguments& a) {
   sigset_t signals;
   sigemptyset(&signals);
-  sigaddset(&signals, SIGINT);
-  sigaddset(&signals, SIGTERM);
+  darwinop::ignoreSignals();
+  for (const int signal : darwinop::kEndSignals) sigaddset(&signals, signal);
   sigaddset(&signals, SIGUSR1);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before the first thread, so that only waitForEnd() gets them
 
   hil::BoardOptions options;
   if (a.fast) options.byte_time = Nanos{0};
+  for (const std::string& setting : a.servo) hil::setServo(options, setting);
+  for (const std::string& lack : a.board) hil::setBoard(options, lack);
   hil::PtyOptions pty;
   pty.link = a.link;
   pty.latency_timer = std::chrono::duration_cast<Nanos>(std::chrono::duration<double, std::milli>(a.latency_ms));
@@ -150,7 +174,7 @@ int serve(const Arguments& a) {
     pty.at_rest = kPhysicsRest;
   }
   hil::VirtualRobot robot{options, a.seed, std::move(body)};
-  if (!a.faults.empty()) robot.faults().add(hil::loadFaultScript(a.faults));
+  if (!a.faults.empty()) robot.faults().add(faultsIn(a.faults));
   Nanos served{0}, lag{0};
   {
     hil::PtyHost host{robot, pty};

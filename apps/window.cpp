@@ -1,9 +1,6 @@
 // darwinop-window: the robot in a browser on this PC.
-#include <signal.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -11,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/signals.hpp"
 #include "managers/own_pages/own_pages.hpp"
 #include "remote/monitor/messages.hpp"
 #include "remote/ssh/target.hpp"
@@ -33,8 +31,6 @@ namespace {
 
 using namespace darwinop;
 
-std::atomic<bool> window_stop{false};
-
 constexpr Nanos kDrivingPause{10'000'000};  // more often than a cycle: a driver must not seem to stall
 
 struct WindowArguments {
@@ -47,13 +43,6 @@ struct WindowArguments {
 
 void sayWindow(const std::string& line) {
   std::cerr << "darwinop window: " << line << std::endl;
-}
-
-void stopWindowOnSignals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { window_stop = true; };
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-  signal(SIGPIPE, SIG_IGN);
 }
 
 /// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
@@ -73,7 +62,7 @@ std::string serveWindow(web::Server& server, const WindowArguments& given, windo
 
 /// `ssh`: nothing: nobody has logged in. It returns with the driver's thread at an end.
 void showWindow(const WindowArguments& given, window::OwnRobot* own, const window::OverSsh* ssh) {
-  stopWindowOnSignals();
+  endOnSignals();
   if (ssh != nullptr && window::OverSsh::toldToEnd()) return;
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
   window::Sight sight = window::sightOf(given.choice, files, own ? own->eyes() : "", sayWindow);
@@ -91,7 +80,7 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
   std::cout << "open in a browser: " << address << '\n';
   if (own) std::cout << own->howToDrive() << '\n';
   std::cout << "end with Ctrl+C" << std::endl;
-  while (!window_stop && (ssh == nullptr || !ssh->ended())) {
+  while (!endRequested() && (ssh == nullptr || !ssh->ended())) {
     server.attend(std::min({sight.pause(), transfer.pause(), driver.drives() ? kDrivingPause : sight.pause()}));
     sight.look();
     driver.turn();
@@ -102,7 +91,7 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
     }
   }
   if (transfer.runs()) sayWindow("cancelling what runs on the robot; 20 s at most");
-  if (ssh != nullptr && !window_stop) ssh->tellPages(server, sight);
+  if (ssh != nullptr && !endRequested()) ssh->tellPages(server, sight);
 }
 
 /// What the user has asked for, whatever kind of robot it is. Exit status.
@@ -112,7 +101,7 @@ int openWindow(WindowArguments given) {
     throw std::runtime_error("--ssh-port, --ssh-key and --new-host go with --robot tcp://USER@HOST");
   if (target && !given.choice.monitor.empty())
     throw std::runtime_error("--monitor does not go with --robot tcp://USER@HOST: a monitor is started there");
-  stopWindowOnSignals();
+  endOnSignals();
   const std::unique_ptr<window::OwnRobot> own = window::ownRobot(given.choice, given.controller);
   if (!target) {
     showWindow(given, own.get(), nullptr);
@@ -123,7 +112,7 @@ int openWindow(WindowArguments given) {
   given.choice = {.robot = ssh.robot(), .monitor = ssh.monitor(), .logged_in_to = ssh.target()};
   showWindow(given, own.get(), &ssh);
   const int status = ssh.end();
-  return window_stop ? status : std::max(status, 1);
+  return endRequested() ? status : std::max(status, 1);
 }
 
 }  // namespace

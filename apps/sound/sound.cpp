@@ -12,6 +12,7 @@
 #include <string>
 
 #include "hal/audio/program/serve.hpp"
+#include "hal/signals.hpp"
 
 namespace {
 
@@ -34,8 +35,8 @@ int main(int, char** arguments) {
     return 2;
   }
   // Ctrl-C is for the controller, which may go on.
-  std::signal(SIGINT, SIG_IGN);
-  std::signal(SIGHUP, SIG_IGN);
+  darwinop::ignoreSignals();
+  for (const int signal : {SIGINT, SIGQUIT, SIGHUP}) std::signal(signal, SIG_IGN);
   // A controller may start it from a real-time thread; decoders have no business beside the loop.
   const sched_param none{};
   sched_setscheduler(0, SCHED_OTHER, &none);
