@@ -14,7 +14,7 @@ constexpr auto kUnits = std::to_array<Unit>({
     {"V", "V"},         {"A", "A"},       {"W", "W"},           {"ohm", "ohm"},
     {"degC", "C"},      {"%", "pct"},     {"m", "m"},           {"mm", "mm"},
     {"m/s", "m_s"},     {"m/s2", "m_s2"}, {"kg", "kg"},         {"kg m2", "kgm2"},
-    {"Hz", "Hz"},       {"tick", "tick"},
+    {"Hz", "Hz"},       {"tick", "tick"}, {"Kp", "Kp"},
 });
 
 /// Where the longest suffix that is a unit begins, its underscore included.

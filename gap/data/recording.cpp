@@ -19,6 +19,15 @@ struct JointColumns {
   const std::vector<double>&goal, &position, &speed, &load, &volt, &temperature, &p_gain, &speed_limit;
 };
 
+/// The P gain, Kp; older recordings do not name the unit.
+void checkGainUnit(const logs::Log& log, Joint joint) {
+  const logs::Column& gain =
+      log.column(std::string{kJointTable[static_cast<std::size_t>(joint)].name} + ".asked_p_gain");
+  if (!gain.unit.empty() && gain.unit != "Kp")
+    throw BadInput(log.file + ": column " + gain.name + " is in " + gain.unit +
+                   ", expected Kp (the servo's register / 8); convert it");
+}
+
 JointColumns columnsOf(const logs::Log& log, Joint joint) {
   const std::string prefix = std::string{kJointTable[static_cast<std::size_t>(joint)].name} + ".";
   const auto column = [&](const char* name) -> const std::vector<double>& {
@@ -77,6 +86,7 @@ void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::s
   if (!entry.joint)
     throw BadInput(log.file + ": a recording has twenty joints; say which one the log is of: \"joint\": \"ArmUpperR\"");
   const JointColumns c = columnsOf(log, *entry.joint);
+  checkGainUnit(log, *entry.joint);
   const std::vector<std::size_t> rows = rowsOf(log, entry, c, warnings);
   Trajectory& out = entry.head;
   double goal = c.goal[rows.front()];

@@ -60,8 +60,9 @@ struct Naming {
   std::vector<Rival> rivals;  // nearest first
   std::vector<Strained> strained;
   std::vector<Doubted> doubted;
-  double threshold = 0;  // gain that chance exceeds once in a hundred cases; NaN: it was not measured
-  double misfit = 0;     // of the final model, in standard deviations of what a right model shows
+  // Gain that chance exceeds once in a hundred cases; where the model is plainly wrong, in forty. NaN: not measured.
+  double threshold = 0;
+  double misfit = 0;  // of the final model, in standard deviations of what a right model shows
   double gap_before_rad = 0, gap_after_rad = 0;  // rms position error over the fit logs, closed loop
   double floor_rad = 0;                          // the same of a right model
   Hypothesis model;                              // with what was found

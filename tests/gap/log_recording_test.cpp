@@ -22,7 +22,7 @@ std::vector<RecordingRow> recordedRows() {
 std::string recordingOf(const std::vector<RecordingRow>& rows) {
   std::string text =
       "# darwinop log, format 1\n# robot: darwin-op\n"
-      "time_s,cycle,Neck.asked_speed [rad/s],Neck.asked_p_gain,Neck.commanded [rad],Neck.position [rad],"
+      "time_s,cycle,Neck.asked_speed [rad/s],Neck.asked_p_gain [Kp],Neck.commanded [rad],Neck.position [rad],"
       "Neck.velocity [rad/s],Neck.load,Neck.voltage [V],Neck.temperature [degC]\n";
   int cycle = 0;
   for (const RecordingRow& r : rows)
@@ -54,6 +54,20 @@ TEST(LogRecording, OneJointOfIt) {
   EXPECT_NEAR(log.position_rad[40], sineRows()[40].pos, 1e-6);
   EXPECT_NEAR(log.load[40], 0.1, 1e-12);
   EXPECT_TRUE(std::isnan(log.volt_v[40]));
+}
+
+TEST(LogRecording, ThePGainOfAnOlderRecordingHasTheSameUnitThoughItDoesNotSaySo) {
+  CaseTexts older = caseOf(recordedRows());
+  std::string& log = older.logs["neck.csv"];
+  log.erase(log.find(" [Kp]"), std::string_view{" [Kp]"}.size());
+  EXPECT_EQ(older.read().logs[0].p_register, 32);
+}
+
+TEST(LogRecording, APGainInAnotherUnitIsRefused) {
+  CaseTexts other = caseOf(recordedRows());
+  std::string& log = other.logs["neck.csv"];
+  log.replace(log.find("[Kp]"), std::string_view{"[Kp]"}.size(), "[%]");
+  EXPECT_THAT(other.error(), HasSubstr("column Neck.asked_p_gain is in %, expected Kp"));
 }
 
 TEST(LogRecording, TorqueIsOnWhileTheJointIsCommanded) {

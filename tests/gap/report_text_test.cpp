@@ -57,6 +57,8 @@ TEST(Summary, SaysWhyAnEffectThatFitsIsNotNamed) {
   const nlohmann::json answer = asJson(told.given, told.outcome);
   EXPECT_EQ(answer["doubted"][0]["why"], "voltage");
   EXPECT_EQ(answer["doubted"][1]["id"], "torque_limit");
+  EXPECT_EQ(answer["doubted"][2]["why"], "worsens_kept");
+  EXPECT_THAT(doubtSentence(naming.doubted[2]), HasSubstr("make the error on the kept ones greater"));
   EXPECT_THAT(doubtSentence(naming.doubted[1]), HasSubstr(twin::findEffect("quadratic_load_friction")->title));
   EXPECT_THAT(doubtSentence(naming.doubted[1]), HasSubstr(twin::findEffect("torque_limit")->separated_by));
 }

@@ -98,5 +98,48 @@ TEST(Load, EffectsMoveAndScaleTheWeightOfOneLink) {
   EXPECT_EQ(changed.mujocoModel()->body_mass[other], plain.mujocoModel()->body_mass[other]);
 }
 
+constexpr double kOffset = 0.12;
+
+Model offsetAt(Joint joint, double dry_friction_nm = 0) {
+  Model model = modelWith(dry_friction_nm);
+  model.effects.push_back({findEffect("encoder_offset"), {kOffset}, joint});
+  return model;
+}
+
+Pose bent() {
+  Pose angles{};
+  for (std::size_t i = 0; i < kJoints; ++i) angles[i] = 0.05 * static_cast<double>(i % 7) - 0.1;
+  return angles;
+}
+
+// reading = true angle + offset, so a body with the offset stands as one without it does at a smaller angle.
+TEST(EncoderOffset, TurnsTheLinkAndAllBeyondItInEveryJoint) {
+  for (const JointRow& joint : kJointTable) {
+    const Joint which = static_cast<Joint>(&joint - kJointTable.data());
+    RobotBody off{offsetAt(which), {.ball = Ball::kNone}}, right{modelWith(), {.ball = Ball::kNone}};
+    Pose truth = bent();
+    truth[index(which)] -= kOffset;
+    for (RobotBody* body : {&off, &right}) body->place(Pose{});
+    mju_copy(trunkQpos(off), trunkQpos(right), 7);
+    pose(off, bent());
+    pose(right, truth);
+    const mjModel& m = *off.mujocoModel();
+    const mjData &a = *off.mujocoData(), &b = *right.mujocoData();
+    for (int k = 0; k < 3 * m.nbody; ++k) EXPECT_NEAR(a.xpos[k], b.xpos[k], 1e-12) << joint.name;
+    for (int k = 0; k < 3 * m.nbody; ++k) EXPECT_NEAR(a.xipos[k], b.xipos[k], 1e-12) << joint.name;
+    for (int k = 0; k < 3 * m.ngeom; ++k) EXPECT_NEAR(a.geom_xpos[k], b.geom_xpos[k], 1e-12) << joint.name;
+    for (int k = 0; k < 4 * m.nbody; ++k) EXPECT_NEAR(a.xquat[k], b.xquat[k], 1e-12) << joint.name;
+    for (int k = 0; k < m.nv; ++k) EXPECT_NEAR(a.qfrc_bias[k], b.qfrc_bias[k], 1e-9) << joint.name;
+  }
+}
+
+TEST(EncoderOffset, LeavesTheStopsWhereTheyAre) {
+  RobotBody off{offsetAt(Joint::kArmUpperR)}, right{modelWith()};
+  const int joint = idOf(right, mjOBJ_JOINT, "ArmUpperR");
+  for (int end = 0; end < 2; ++end)
+    EXPECT_NEAR(off.mujocoModel()->jnt_range[2 * joint + end],
+                right.mujocoModel()->jnt_range[2 * joint + end] + kOffset, 1e-12);
+}
+
 }  // namespace
 }  // namespace darwinop::twin::test

@@ -4,3 +4,11 @@ if(TARGET darwinop_twin)
   target_compile_definitions(twin_wiring_test PRIVATE DARWINOP_TWIN_MODELS="${PROJECT_SOURCE_DIR}/twin/models")
   add_dependencies(twin_wiring_test darwinop_twin)
 endif()
+
+# One scale of the gyroscope from the twin's turn to the monitor's text.
+if(TARGET remote_monitor)
+  find_package(nlohmann_json REQUIRED)
+  darwinop_test(twin_gyro_scale_test gyro_scale_test.cpp
+    USES twin_body link remote_monitor logs nlohmann_json::nlohmann_json)
+  target_compile_definitions(twin_gyro_scale_test PRIVATE DARWINOP_MODELS="${PROJECT_SOURCE_DIR}/twin/models")
+endif()

@@ -17,7 +17,7 @@ class NearSine {
       d = 0;
     }
     const double d2 = d * d;
-    // Products with reciprocals: six quotients took longer than all the rest.
+    // Products with reciprocals, which the compiler may not make of quotients by itself.
     const double sine = d - d * d2 * (1.0 / 6 - d2 * (1.0 / 120 - d2 * (1.0 / 5040)));
     const double cosine = 1 - d2 * (1.0 / 2 - d2 * (1.0 / 24 - d2 * (1.0 / 720)));
     return sine_ * cosine + cosine_ * sine;

@@ -161,19 +161,17 @@ void applyLoads(mjModel& m, const BodyMap& map, const std::array<double, kJoints
     m.body_mass[map.link[i]] *= change.mass_scale;
     for (int k = 0; k < 3; ++k) m.body_inertia[3 * map.link[i] + k] *= change.mass_scale;
 
-    // The joint's anchor is the link's origin: the weight moves outward from there, or inward as far as there, and
-    // turns about the axis.
+    // The joint's anchor is the link's origin: the weight moves outward from there, or inward as far as there.
     mjtNum* weight = m.body_ipos + 3 * map.link[i];
     const double distance = mju_norm3(weight);
     if (distance > 0) mju_scl3(weight, weight, std::max(0.0, distance + change.com_shift_m) / distance);
-    mjtNum turn[4];
-    mju_axisAngle2Quat(turn, m.jnt_axis + 3 * m.dof_jntid[map.dof[i]], -change.angle_offset_rad);
-    mjtNum before[4];
-    mju_copy3(before, weight);
-    mju_rotVecQuat(weight, before, turn);
-    mjtNum* axes = m.body_iquat + 4 * map.link[i];
-    mju_copy4(before, axes);
-    mju_mulQuat(axes, turn, before);
+
+    // A hinge turns what hangs on it by qpos - qpos0, so the encoder reads the true angle + offset: the link and all
+    // beyond it are turned. The stops do not turn with the reading.
+    const int joint = m.dof_jntid[map.dof[i]];
+    m.qpos0[map.qpos[i]] += change.angle_offset_rad;
+    m.jnt_range[2 * joint] += change.angle_offset_rad;
+    m.jnt_range[2 * joint + 1] += change.angle_offset_rad;
   }
   updateConstants(m, "the body");
 }

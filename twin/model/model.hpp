@@ -37,7 +37,8 @@ struct BodySettings {
 
 /// Board's inertial sensor. Counts are made from this by the virtual board.
 struct ImuSettings {
-  double gyro_range_rad_s = 27.925, accel_range_m_s2 = 39.24;  // saturation
+  // Saturation: 2000 deg/s and 4 g. The board's register ends before the gyroscope does, at 1835 deg/s.
+  double gyro_range_rad_s = 34.907, accel_range_m_s2 = 39.24;
   std::array<double, 3> gyro_bias_rad_s{}, accel_bias_m_s2{};
   std::array<double, 3> gyro_scale{1, 1, 1}, accel_scale{1, 1, 1};  // -1 mirrors an axis
   double gyro_noise_rad_s = 0, accel_noise_m_s2 = 0;                // standard deviation per sample of 1 ms
