@@ -41,7 +41,7 @@ class LoopUnderTest {
     wish.start_where_it_is = true;
     const double swing = 0.02 * std::sin(static_cast<double>(cycles_) * 0.1);
     for (std::size_t i = 0; i < servos_; ++i) wish.joint[i].setGoal(Rad{radFromTicks(middle(i)).value + swing});
-    exchange_.block().commands.publish(wish);
+    exchange_.commands().commands.publish(wish);
   }
   void turn() noexcept { loop_.step(pacer_); }
 
@@ -60,7 +60,7 @@ class LoopUnderTest {
   cm730::Cm730Bus bus_;
   safety::Guard guard_{safety::Config{}};
   runtime::Exchange exchange_ = runtime::Exchange::inMemory();
-  runtime::Loop loop_{bus_, guard_, exchange_.block(), nullptr, kPeriod, runtime::LoopStats::Timed::kYes};
+  runtime::Loop loop_{bus_, guard_, exchange_, nullptr, kPeriod, runtime::LoopStats::Timed::kYes};
   runtime::Pacer pacer_{clock_, kPeriod};
 };
 

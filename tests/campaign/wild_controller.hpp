@@ -14,12 +14,15 @@ class WildController {
   explicit WildController(std::uint64_t seed) : random_{seed} { image_.session = 1; }
 
   const Commands& next() {
+    calm_ = false;
     if (stalled_ > 0) {
       --stalled_;
       return image_;
     }
     if (chance(0.0005)) stalled_ = static_cast<int>(between(1, 80));
-    if (chance(0.0005)) ++image_.session;
+    if (chance(0.0005)) startSession(chance(0.5));
+    if (chance(0.0002)) ++image_.operator_releases;
+    if (chance(0.001)) ++image_.operator_resets;
     if (chance(0.01)) ++image_.fault_resets;
     ++image_.sequence;
     for (std::size_t i = 0; i < kJoints; ++i) moveJoint(image_.joint[i], i);
@@ -30,6 +33,8 @@ class WildController {
 
   /// From now on it behaves: smooth goals, torque on.
   const Commands& calm() {
+    if (!calm_) startSession(false);
+    calm_ = true;
     ++image_.sequence;
     ++image_.fault_resets;
     for (std::size_t i = 0; i < kJoints; ++i) {
@@ -42,6 +47,10 @@ class WildController {
   }
 
  private:
+  void startSession(bool unattended) {
+    ++image_.session;
+    image_.unattended = unattended;
+  }
   void moveJoint(JointCommand& joint, std::size_t i) {
     joint.setGoal(swing(i));
     if (chance(0.02)) joint.setGoal(Rad{between(-10, 10)});
@@ -66,6 +75,7 @@ class WildController {
   std::mt19937_64 random_;
   Commands image_{};
   int stalled_ = 0;
+  bool calm_ = false;
   long cycle_ = 0;
 };
 

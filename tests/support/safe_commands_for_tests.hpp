@@ -14,11 +14,16 @@ struct SafeCommandsForTests {
                               NewtonMeter torque = NewtonMeter{2.5}, double p_gain = 4.0) {
     commands.write_ = SafeCommands::Write::kGoals;
     commands.driven_.set(index(joint));
+    commands.held_.reset(index(joint));
     commands.goal_[index(joint)] = {goal, speed, torque, p_gain};
     return *this;
   }
   SafeCommandsForTests& driveAll(Rad goal) {
     for (std::size_t i = 0; i < kJoints; ++i) drive(static_cast<Joint>(i), goal);
+    return *this;
+  }
+  SafeCommandsForTests& hold(Joint joint) {
+    commands.held_.set(index(joint));
     return *this;
   }
   SafeCommandsForTests& torque(Joint joint, bool on) {

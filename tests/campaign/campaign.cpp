@@ -1,0 +1,128 @@
+#include "campaign/campaign.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace darwinop {
+namespace {
+
+using hil::FaultKind;
+
+constexpr long kPeaceEvery = 5000;    // cycles
+constexpr int kRecoveryCycles = 500;  // 8 s: servo boot 0.5 s, and the gentle way to the start pose and back
+constexpr double kSlackTicks = 4;     // quantisation
+
+double seconds(Nanos time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+/// A servo that gets its supply back needs a while to start, like a real one.
+hil::BoardOptions slowStarters() {
+  hil::BoardOptions options;
+  options.servo_boot = Nanos{200'000'000};
+  return options;
+}
+
+hil::Fault randomFaults(double per_second, hil::FaultKinds kinds) {
+  hil::Fault fault;
+  fault.kind = FaultKind::kRandom;
+  fault.amount = per_second;
+  fault.kinds = kinds;
+  return fault;
+}
+
+}  // namespace
+
+hil::FaultKinds allKinds() {
+  return ~hil::FaultKinds{};
+}
+
+hil::FaultKinds kindsThatKeepBytesWhole() {
+  hil::FaultKinds kinds = allKinds();
+  for (const FaultKind kind : {FaultKind::kDrop, FaultKind::kCorrupt, FaultKind::kRepeat, FaultKind::kGarbage,
+                               FaultKind::kBabble, FaultKind::kTwins})
+    kinds.reset(static_cast<std::size_t>(kind));
+  return kinds;
+}
+
+Campaign::Campaign(std::uint64_t seed, std::unique_ptr<Body> body)
+    : robot{slowStarters(), seed, std::move(body)}, controller{seed} {
+  line.observe(this);
+}
+
+void Campaign::request(const Frame& frame, Nanos at) noexcept {
+  wire_judge.request(frame, at);
+  servo_judge.request(frame, at);
+}
+
+void Campaign::reply(Bytes bytes, Nanos at) noexcept {
+  wire_judge.reply(bytes, at);
+  servo_judge.reply(bytes, at);
+}
+
+void Campaign::cycle(const Commands& asked) {
+  ++cycles;
+  release_ += kPeriod;
+  line.advanceTo(release_);
+  wire_judge.beginCycle();
+  servo_judge.beginCycle(asked);
+  const BodyState before = robot.body().state();
+  loop.run(asked, {.release = release_, .wake_latency = line.now() - release_});
+  wire_judge.endCycle(loop.sensors());
+  servo_judge.endCycle(loop.sensors());
+  checkReadings(before, robot.body().state());
+}
+
+/// A value that says it is fresh must lie where the joint was during this very cycle.
+void Campaign::checkReadings(const BodyState& before, const BodyState& after) {
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    fastest = std::max(fastest, std::abs(after.joint[i].velocity_rad_s));
+    const JointSensors& joint = loop.sensors().joint[i];
+    if (!joint.motion.fresh()) continue;
+    ++readings;
+    const JointMotion &then = before.joint[i], &now = after.joint[i];
+    const auto [low, high] = std::minmax(then.position_rad, now.position_rad);
+    // A joint that turned back within the cycle was further out in between than at both ends.
+    const double speed = std::max(std::abs(then.velocity_rad_s), std::abs(now.velocity_rad_s));
+    const double turn = then.velocity_rad_s * now.velocity_rad_s < 0 ? speed * seconds(kPeriod) / 2 : 0;
+    const double slack = turn + kSlackTicks * kRadPerTick;
+    if (joint.position.value < low - slack || joint.position.value > high + slack) ++wrong;
+  }
+}
+
+bool Campaign::well() const {
+  const Sensors& s = loop.sensors();
+  return s.safety.state == State::kDriven && s.board.motion.fresh() &&
+         std::ranges::all_of(s.joint, [](const auto& j) { return j.motion.fresh() && j.driven; });
+}
+
+std::string Campaign::complaint() const {
+  if (!servo_judge.complaint().empty()) return "at a servo, " + servo_judge.complaint();
+  if (!wire_judge.complaint().empty()) return "on the wire: " + wire_judge.complaint();
+  return complaint_;
+}
+
+void Campaign::fight(long count, double faults_per_second, hil::FaultKinds kinds) {
+  robot.faults().add(randomFaults(faults_per_second, kinds));
+  for (long i = 0; i < count && complaint().empty(); ++i) {
+    cycle(controller.next());
+    if (i % kPeaceEvery != kPeaceEvery - 1) continue;
+    robot.faults().clear();
+    recover();
+    robot.faults().add(randomFaults(faults_per_second, kinds));
+  }
+}
+
+void Campaign::recover() {
+  for (int i = 0; i < kRecoveryCycles; ++i) {
+    if (well()) return;
+    cycle(controller.calm());
+  }
+  if (well()) return;
+  const SafetyReport& report = loop.sensors().safety;
+  complaint_ = "cycle " + std::to_string(cycles) + ": not driven again after " + std::to_string(kRecoveryCycles) +
+               " cycles without faults; state " + std::string{kStateNames[static_cast<std::size_t>(report.state)]} +
+               ", worst fault " + std::string{row(report.worst).name};
+}
+
+}  // namespace darwinop

@@ -1,0 +1,61 @@
+// The real cycle against the virtual robot in simulated time, with a wild controller, random faults and two judges: one
+// reads the wire, one stands at the servos.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "campaign/falling_body.hpp"
+#include "campaign/servo_judge.hpp"
+#include "campaign/wild_controller.hpp"
+#include "campaign/wire_judge.hpp"
+#include "hal/cm730/bus.hpp"
+#include "hil-mocks/memory_line.hpp"
+#include "hil-mocks/virtual_robot.hpp"
+#include "runtime/cycle.hpp"
+#include "safety/guard.hpp"
+
+namespace darwinop {
+
+class Campaign : private hil::WireObserver {
+ public:
+  static constexpr Nanos kPeriod{16'000'000};
+
+  explicit Campaign(std::uint64_t seed, std::unique_ptr<Body> body = std::make_unique<FallingBody>());
+
+  void cycle(const Commands& asked);
+  /// So many cycles under so many random faults a second; now and then all of them end, and the robot has to be driven
+  /// again within seconds. Returns early when a promise was broken.
+  void fight(long cycles, double faults_per_second, hil::FaultKinds kinds);
+
+  [[nodiscard]] bool well() const;
+  /// The first broken promise; empty: none.
+  [[nodiscard]] std::string complaint() const;
+
+  hil::VirtualRobot robot;
+  hil::MemoryLine line{robot};
+  cm730::Cm730Bus bus{line, cm730::BusConfig::forPeriod(kPeriod)};
+  safety::Config config{};
+  safety::Guard guard{config};
+  runtime::Cycle loop{bus, guard, kPeriod};
+  WireJudge wire_judge{robot, kPeriod, config.max_joint_speed};
+  ServoJudge servo_judge{robot, config};
+  WildController controller;
+  long cycles = 0, readings = 0, wrong = 0;
+  double fastest = 0;  // rad/s
+
+ private:
+  void request(const Frame& frame, Nanos at) noexcept override;
+  void reply(Bytes bytes, Nanos at) noexcept override;
+  void checkReadings(const BodyState& before, const BodyState& after);
+  void recover();
+
+  Nanos release_{0};
+  std::string complaint_;
+};
+
+/// All kinds, or those after which a reading is either right or missing.
+[[nodiscard]] hil::FaultKinds allKinds();
+[[nodiscard]] hil::FaultKinds kindsThatKeepBytesWhole();
+
+}  // namespace darwinop

@@ -1,0 +1,312 @@
+// The promises, one function each.
+#include "campaign/servo_judge.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/conversions.hpp"
+#include "core/registers.hpp"
+
+namespace darwinop {
+namespace {
+
+constexpr int kNear = 9;         // ticks: two readings that agree within 8.5
+constexpr int kPatience = 5;     // unanswered requests in a row that must not count as a lost board; docs/faults.md 10
+constexpr int kHeldCycles = 17;  // MODE for 0.25 s at 16 ms, and one
+constexpr int kLimpAfter = 80;   // cycles: a lost "torque off" is noticed by the next look at the servo, and repeated
+constexpr int kForgotten = 6;    // cycles without an answer after which a joint is taken over again
+constexpr int kLate = 2;         // cycles
+constexpr int kGrace = 20;       // cycles under torque before an overload bit is believed; docs/faults.md 24
+constexpr int kPlacingWrites = 2;  // of the goal, before torque is switched on; nobody acknowledges them
+constexpr int kLookRound = 64;     // cycles: every servo has been looked at, and a lost answer or two
+constexpr int kUntrustedFor = 80;  // cycles
+constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
+
+bool carriesGoal(std::uint8_t address, std::size_t size) {
+  return address <= servo::kGoalPosition && address + size >= servo::kGoalPosition + 2U;
+}
+
+}  // namespace
+
+ServoJudge::Tally& ServoJudge::Tally::operator+=(const Tally& other) {
+  edges += other.edges;
+  steps += other.steps;
+  trips += other.trips;
+  releases += other.releases;
+  outages += other.outages;
+  limp_looks += other.limp_looks;
+  late += other.late;
+  unplaced += other.unplaced;
+  blind += other.blind;
+  damaged += other.damaged;
+  for (std::size_t i = 0; i < kPromises; ++i) broken[i] += other.broken[i];
+  return *this;
+}
+
+ServoJudge::ServoJudge(hil::VirtualRobot& robot, const safety::Config& config)
+    : robot_{robot},
+      config_{config},
+      max_step_{config.max_joint_speed * std::chrono::duration<double>(config.period).count() / kRadPerTick + 1.0} {
+  robot_.board().observe(this);
+  for (std::size_t i = 0; i < kJoints; ++i) servo_[i].position.fill(truth(static_cast<Joint>(i)));
+}
+
+void ServoJudge::beginCycle(const Commands& asked) {
+  ++cycle_;
+  bulk_reads_ = 0;
+  port_closed_ = !robot_.portOpen();
+  if (port_closed_ || replugs_ != robot_.replugs()) port_lost_at_ = cycle_;
+  replugs_ = robot_.replugs();
+  const bool by_controller = asked.session != session_ || asked.fault_resets != resets_;
+  const bool try_again = (by_controller && !asked.unattended) || asked.operator_resets != operator_resets_;
+  session_ = asked.session;
+  resets_ = asked.fault_resets;
+  operator_resets_ = asked.operator_resets;
+  if (try_again) personActs();
+  if (asked.operator_releases != operator_releases_) release();
+  operator_releases_ = asked.operator_releases;
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const JointCommand& joint = asked.joint[i];
+    if (joint.has(JointCommand::kTorque) && joint.torque_on) servo_[i].trips = 0;
+    if (robot_.board().hasTwin(static_cast<Joint>(i))) servo_[i].untrusted_until = cycle_ + kUntrustedFor;
+  }
+}
+
+void ServoJudge::endCycle(const Sensors& seen) {
+  judgeOutage(seen);
+  notePerson(seen);
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    Servo& servo = servo_[i];
+    servo.position[static_cast<std::size_t>(cycle_) % kPositionWindow] = truth(static_cast<Joint>(i));
+    const bool fresh = seen.joint[i].motion.fresh();
+    if (fresh != (servo.unheard == 0)) note(static_cast<Joint>(i), fresh ? "answers" : "does not answer");
+    const bool driven = seen.joint[i].driven;
+    if (driven != servo.driven) note(static_cast<Joint>(i), driven ? "driven" : "not driven");
+    servo.driven = driven;
+    servo.unheard = fresh ? 0 : servo.unheard + 1;
+    servo.answered = fresh ? servo.answered + 1 : 0;
+    if (seen.safety.tripped[i] || servo.unheard >= kForgotten) servo.trips = 0;
+  }
+  judgeLimp(seen);
+  state_ = seen.safety.state;
+}
+
+/// Up to five unanswered requests in a row are noise. Cycles in which nothing was asked are no misses.
+void ServoJudge::judgeOutage(const Sensors& seen) {
+  if (seen.safety.state == State::kOffline && state_ != State::kOffline) {
+    ++tally_.outages;
+    if (missed_answers_ <= kPatience)
+      blame(Promise::kPatience, "offline after " + std::to_string(missed_answers_) + " missed answers");
+  }
+  const bool asked = bulk_reads_ > 0 || port_closed_ || !robot_.portOpen();
+  if (seen.board.motion.fresh())
+    missed_answers_ = 0;
+  else if (asked)
+    ++missed_answers_;
+}
+
+void ServoJudge::release() {
+  if (!released_) ++tally_.releases;
+  released_ = true;
+}
+
+void ServoJudge::personActs() {
+  for (Servo& servo : servo_) servo.trips = 0;
+  if (mode_held_ < kHeldCycles - 1) released_ = false;  // while MODE is held it counts again at once
+}
+
+/// MODE and RESET are how a person lets go of the robot. START, pressed while it is at rest, takes that back.
+void ServoJudge::notePerson(const Sensors& seen) {
+  if (!seen.board.motion.fresh()) return;
+  mode_held_ = (seen.board.buttons & kModeButton) != 0 ? mode_held_ + 1 : 0;
+  if (mode_held_ == kHeldCycles) release();
+
+  power_off_seen_ = seen.board.servo_power ? 0 : power_off_seen_ + 1;
+  if (power_off_seen_ == 2 && lost_under_torque_) release();
+  if (seen.board.servo_power) lost_under_torque_ = false;
+
+  const bool at_rest = !drives(state_);
+  const bool start = (seen.board.buttons & kStartButton) != 0;
+  start_held_ = start && (start_held_ > 0 || at_rest) ? start_held_ + 1 : 0;
+  if (start_held_ == kHeldCycles - 1) personActs();
+}
+
+/// "limp" means that no servo that answers holds its joint.
+void ServoJudge::judgeLimp(const Sensors& seen) {
+  limp_for_ = seen.safety.state == State::kLimp ? limp_for_ + 1 : 0;
+  if (limp_for_ < kLimpAfter) return;
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const auto joint = static_cast<Joint>(i);
+    if (servo_[i].answered < kLimpAfter || servo_[i].untrusted_until > cycle_) continue;
+    ++tally_.limp_looks;
+    if (robot_.board().servo(joint).state().pulls())
+      blame(Promise::kLimp, joint, "under torque in a robot that is called limp");
+  }
+}
+
+void ServoJudge::request(const Frame& frame, Nanos /*at*/) noexcept {
+  if (frame.code == static_cast<std::uint8_t>(Instruction::kBulkRead)) ++bulk_reads_;
+  if (frame.code != static_cast<std::uint8_t>(Instruction::kSyncWrite) || frame.params.size() < 2) return;
+  const std::uint8_t address = frame.params[0], size = frame.params[1];
+  for (Bytes rest = frame.params.subspan(2); rest.size() > size; rest = rest.subspan(size + 1U)) {
+    const std::size_t joint = rest[0] - std::size_t{1};
+    if (joint >= kJoints || size > Sent{}.data.size()) continue;
+    Servo& servo = servo_[joint];
+    if (carriesGoal(address, size)) ++servo.goals_sent;
+    Sent& sent = servo.sent[servo.sent_count++ % kSentRoom];
+    sent = {cycle_, servo.goals_sent, address, size, {}};
+    std::ranges::copy(rest.subspan(1, size), sent.data.begin());
+  }
+}
+
+/// The newest write that may be this one: not older than the last that came through.
+const ServoJudge::Sent* ServoJudge::findSent(Servo& servo, std::uint8_t address, Bytes data) const {
+  const std::uint32_t oldest = servo.sent_count > kSentRoom ? servo.sent_count - kSentRoom : 0;
+  for (std::uint32_t number = servo.sent_count; number-- > std::max(oldest, servo.arrived);) {
+    const Sent& sent = servo.sent[number % kSentRoom];
+    if (sent.address != address || !std::ranges::equal(Bytes{sent.data}.first(sent.size), data)) continue;
+    servo.arrived = number;
+    return &sent;
+  }
+  return nullptr;
+}
+
+void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hil::ServoState& before,
+                         const hil::ServoState& after) noexcept {
+  Servo& servo = servo_[index(joint)];
+  const Sent* sent = findSent(servo, address, data);
+  if (sent == nullptr) {
+    ++tally_.damaged;
+    note(joint, "damaged write");
+    servo.untrusted_until = cycle_ + kUntrustedFor;
+    return;
+  }
+  note(joint, address == servo::kTorqueEnable   ? "torque written"
+              : address == servo::kGoalPosition ? "goal written"
+                                                : "goal and settings written");
+  // A goal that went into a cable that was out is one that nobody saw; the next one waits for an answer.
+  const std::uint32_t goals = sent->goals - servo.goals_arrived + (port_lost_at_ >= servo.goal_at - 1 ? 1 : 0);
+  const bool with_goal = carriesGoal(address, data.size());
+  if (with_goal) servo.goal_at = cycle_;
+  servo.goals_arrived = sent->goals;
+  servo.goals_lost = with_goal ? 0 : servo.goals_lost + goals;
+  const bool late = sent->cycle < servo.powered_at || cycle_ - sent->cycle > kLate;
+  if (late) ++tally_.late;
+  if (!before.pulls() && after.pulls()) servo.pulls_since = cycle_;
+  if (late || servo.untrusted_until > cycle_) return;
+  if (!before.pulls() && after.pulls()) judgeEdge(joint, after);
+  if (servo.untrusted_until > cycle_) return;
+  if (after.pulls() && after.speed == 0 && cycle_ > servo.unlimited_until)
+    blame(Promise::kSpeedLimit, joint, "under torque without a speed limit");
+  if (before.pulls() && after.goal != before.goal) judgeStep(joint, before, after, goals);
+}
+
+void ServoJudge::judgeEdge(Joint joint, const hil::ServoState& after) {
+  ++tally_.edges;
+  const int gentle = registerFromSpeedLimit(RadPerSec{config_.gentle_speed});
+  if (released_) blame(Promise::kRelease, joint, "torque came on after a person released the robot");
+  if (servo_[index(joint)].goals_lost >= kPlacingWrites) {
+    ++tally_.unplaced;
+    servo_[index(joint)].untrusted_until = cycle_ + kUntrustedFor;
+    return;
+  }
+  if (judgeShortOutage(joint, after) || undoesUnseenTrip(joint)) return;
+  if (!nearJoint(joint, after.goal))
+    blame(Promise::kGoalAtJoint, joint,
+          "torque came on with the goal " + std::to_string(after.goal - truth(joint)) + " ticks away");
+  if (after.speed == 0 || after.speed > gentle)
+    blame(Promise::kGentleStart, joint, "torque came on with speed register " + std::to_string(after.speed));
+}
+
+/// A servo that restarts within a few cycles may not even miss an answer: its goal goes on from where it was, and that
+/// it has lost its settings is seen when its turn to be looked at comes.
+bool ServoJudge::judgeShortOutage(Joint joint, const hil::ServoState& after) {
+  Servo& servo = servo_[index(joint)];
+  const long cycles = cycle_ - servo.lost_at;
+  if (cycles > kForgotten) return false;
+  servo.unlimited_until = cycle_ + kLookRound;
+  const int step = std::abs(after.goal - servo.lost_goal);
+  if (step <= max_step_ * static_cast<double>(cycles + 1) || nearJoint(joint, after.goal)) return true;
+  blame(Promise::kStep, joint, "goal moved by " + std::to_string(step) + " ticks in a short outage");
+  return true;
+}
+
+/// A servo that shuts itself off between its answer and the next write, which carries a new torque limit: the write
+/// cannot know. Its goal goes on from a moment ago.
+bool ServoJudge::undoesUnseenTrip(Joint joint) {
+  if (cycle_ - servo_[index(joint)].tripped_at > 1) return false;
+  ++tally_.blind;
+  --servo_[index(joint)].trips;
+  return true;
+}
+
+/// A goal moves by one step for each goal that was sent, or to where the joint is.
+void ServoJudge::judgeStep(Joint joint, const hil::ServoState& before, const hil::ServoState& after,
+                           std::uint32_t goals) {
+  ++tally_.steps;
+  const int step = std::abs(after.goal - before.goal);
+  if (step > max_step_ * std::max(goals, 1U) && !nearJoint(joint, after.goal))
+    blame(Promise::kStep, joint, "goal moved by " + std::to_string(step) + " ticks");
+}
+
+void ServoJudge::changed(Joint joint, hil::ServoEvent event, const hil::ServoState& before,
+                         const hil::ServoState& /*after*/) noexcept {
+  Servo& servo = servo_[index(joint)];
+  note(joint, event == hil::ServoEvent::kPowerOn    ? "power on"
+              : event == hil::ServoEvent::kPowerOff ? "power off"
+                                                    : "trip");
+  if (event == hil::ServoEvent::kPowerOn) servo.powered_at = cycle_;
+  if (event == hil::ServoEvent::kPowerOff && before.pulls()) {
+    servo.lost_at = cycle_;
+    servo.lost_goal = before.goal;
+    lost_under_torque_ = lost_under_torque_ || !robot_.board().device().servoPower();
+  }
+  if (event != hil::ServoEvent::kTripped) return;
+  ++tally_.trips;
+  servo.tripped_at = cycle_;
+  if (servo.untrusted_until > cycle_ || cycle_ - servo.pulls_since <= kGrace) return;
+  if (++servo.trips >= 2) blame(Promise::kTrip, joint, "shut itself off twice before it was believed");
+}
+
+double ServoJudge::truth(Joint joint) const {
+  return robot_.board().body().state().joint[index(joint)].position_rad / kRadPerTick + kTickCentre;
+}
+
+/// Where the joint has been in the last cycles, moved into its range.
+bool ServoJudge::nearJoint(Joint joint, int goal) const {
+  const auto& position = servo_[index(joint)].position;
+  const auto [lowest, highest] = std::ranges::minmax(position);
+  const double now = truth(joint);
+  const double low = row(joint).low, high = row(joint).high;
+  return goal >= std::clamp(std::min(lowest, now), low, high) - kNear &&
+         goal <= std::clamp(std::max(highest, now), low, high) + kNear;
+}
+
+void ServoJudge::note(Joint joint, const char* what) {
+  Servo& servo = servo_[index(joint)];
+  servo.history[servo.happened++ % kHistory] = {cycle_, what, robot_.board().servo(joint).state(), truth(joint)};
+}
+
+std::string ServoJudge::historyOf(Joint joint) const {
+  const Servo& servo = servo_[index(joint)];
+  std::string text = "\n  state " + std::string{kStateNames[static_cast<std::size_t>(state_)]};
+  for (std::size_t i = servo.happened > kHistory ? servo.happened - kHistory : 0; i < servo.happened; ++i) {
+    const auto& [cycle, what, state, position] = servo.history[i % kHistory];
+    text += "\n  cycle " + std::to_string(cycle) + ": " + what + "; torque " + (state.torque_enable ? "on" : "off") +
+            ", limit " + std::to_string(state.torque_limit) + ", speed " + std::to_string(state.speed) + ", goal " +
+            std::to_string(state.goal) + ", joint at " + std::to_string(static_cast<int>(position));
+  }
+  return text;
+}
+
+void ServoJudge::blame(Promise promise, Joint joint, const std::string& what) {
+  blame(promise, std::string{row(joint).name} + ": " + what + (complaint_.empty() ? historyOf(joint) : ""));
+}
+
+void ServoJudge::blame(Promise promise, const std::string& what) {
+  ++tally_.broken[static_cast<std::size_t>(promise)];
+  if (complaint_.empty()) complaint_ = "cycle " + std::to_string(cycle_) + ": " + what;
+}
+
+}  // namespace darwinop
