@@ -1,0 +1,102 @@
+#!/usr/bin/env bash
+# mutate.sh RESULTS [MOST]: is every row of the safety tables tested? Changes one row at a time (fault table, state machine,
+# thresholds) in a checkout of its own, and asks the compiler, then safety_test, then the model check whether they notice.
+# Appends to RESULTS a line a mutation: name, tab, who caught it, or SURVIVED. Lines that are there are not tried again, so
+# it can be stopped at any time. MOST: so many mutations and no more. `mutate.sh --list` prints them.
+#
+# MUTATE_MODEL=1: what survives the tests is checked with spin, too (a minute each).
+set -euo pipefail
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+
+faults=core/faults.hpp
+states=safety/states.hpp
+
+# Each mutation: name, file, sed expression; separated by tabs.
+fault_mutations() {
+  local number text fault reaction latched ends other
+  while IFS=: read -r number text; do
+    read -r fault reaction latched ends < <(sed -E 's/.*Fault::k(\w+), Reaction::k(\w+), (\w+), (\w+),.*/\1 \2 \3 \4/' <<<"$text")
+    case $reaction in
+      Report) other=Limp ;;
+      Slow | Hold | StopSending) other=Report ;;
+      Kneel) other=Hold ;;
+      *) other=Kneel ;;
+    esac
+    printf '%s reaction %s for %s\t%s\t%ss/Reaction::k%s,/Reaction::k%s,/\n' "$fault" "$other" "$reaction" $faults "$number" "$reaction" "$other"
+    printf '%s latched not %s\t%s\t%ss/(Reaction::k\\w+), %s,/\\1, %s,/\n' "$fault" "$latched" $faults "$number" "$latched" "$(inverse "$latched")"
+    printf '%s ends_controller not %s\t%s\t%ss/(Reaction::k\\w+, \\w+), %s,/\\1, %s,/\n' "$fault" "$ends" $faults "$number" "$ends" "$(inverse "$ends")"
+  done < <(grep -nE '^ +\{Fault::k\w+, Reaction::k\w+, (true|false), (true|false),' $faults)
+}
+inverse() { if [ "$1" = true ]; then echo false; else echo true; fi; }
+
+state_mutations() {
+  local number text target
+  while IFS=: read -r number text; do
+    target=$(sed -nE 's/.*(return|\?) State::k(\w+).*/\2/p' <<<"$text")
+    [ -n "$target" ] || continue
+    printf 'states.hpp:%s stays instead of %s\t%s\t%ss/(return|\\?) State::k%s/\\1 state/\n' "$number" "$target" $states "$number" "$target"
+    [ "$target" = Driven ] || printf 'states.hpp:%s Driven instead of %s\t%s\t%ss/(return|\\?) State::k%s/\\1 State::kDriven/\n' "$number" "$target" $states "$number" "$target"
+  done < <(grep -nE 'return .*State::k' $states)
+}
+
+threshold_mutations() {
+  cat <<'END'
+patience of the board 5 to 2	safety/board_watch.hpp	s/(kPatience = )5/\12/
+re-powers 3 to 30	safety/board_watch.hpp	s/(kRepowers = )3/\130/
+press of a button 250 ms to 25 ms	safety/board_watch.cpp	s/(kPress\{milliseconds\{)250/\125/
+battery hysteresis 0.3 to 0	safety/board_watch.cpp	s/(kBatteryHysteresis = )0.3/\10/
+agreement of readings 8.5 to 85 ticks	safety/joint_channel.cpp	s/(kAgreement = )[0-9.]+/\185/
+placed writes 2 to 1	safety/joint_channel.hpp	s/(placed_writes_ >= )2/\11/
+caught up 0.15 to 15 rad	safety/joint_channel.cpp	s/(kCaughtUp = )0.15/\115/
+rest 1 s to 0	safety/guard_states.cpp	s/(kRest\{std::chrono::seconds\{)1/\10/
+greatest P gain 254 to 2540	safety/joint_limiter.cpp	s/254 \/ 8.0/2540 \/ 8.0/
+tilt hysteresis 15 to 0	safety/board_watch.cpp	s/(kTiltHysteresis = )15/\10/
+END
+}
+
+mutations() { fault_mutations && state_mutations && threshold_mutations; }
+if [ "${1:-}" = --list ]; then
+  mutations
+  exit
+fi
+
+[ $# -ge 1 ] || { sed -n '2,7s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+results=$(readlink -f "$1")
+most=${2:-1000000}
+tree=$PWD/build/mutants
+touch "$results"
+[ -d "$tree" ] || git worktree add --detach "$tree" HEAD >/dev/null
+git -C "$tree" checkout -q -- .
+git -C "$tree" checkout -q --detach "$(git rev-parse HEAD)"
+(cd "$tree" && mkdir -p build && cmake --preset debug -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DCMAKE_C_COMPILER_LAUNCHER=ccache -DDARWINOP_WINDOW=OFF >build/configure.log)
+export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
+
+# Prints who notices.
+judge() {
+  local targets=(safety_test)
+  [ "${MUTATE_MODEL:-0}" = 0 ] || targets+=(print_model_tables)
+  if ! ninja -C "$tree/build/debug" --quiet "${targets[@]}" >"$tree/build/mutant.log" 2>&1; then
+    if grep -q 'static assertion failed' "$tree/build/mutant.log"; then echo compiler; else echo "does not compile"; fi
+  elif ! "$tree/build/debug/bin/safety_test" --gtest_brief=1 >"$tree/build/mutant.log" 2>&1; then
+    echo "safety_test: $(grep -oE '^\[  FAILED  \] [A-Za-z]+\.[A-Za-z0-9_]+' "$tree/build/mutant.log" | head -1 | sed 's/.*\] //')"
+  elif [ "${MUTATE_MODEL:-0}" != 0 ] && ! (cd "$tree" && tools/model-check.sh build/debug/bin) >"$tree/build/mutant.log" 2>&1; then
+    echo model
+  else
+    echo SURVIVED
+  fi
+}
+
+while IFS=$'\t' read -r name file change; do
+  ! cut -f1 "$results" | grep -qxF -- "$name" || continue
+  [ "$most" -gt 0 ] || break
+  most=$((most - 1))
+  sed -E -i "$change" "$tree/$file"
+  if git -C "$tree" diff --quiet; then
+    printf '%s\t%s\n' "$name" "NOT APPLIED: its pattern is not in $file" >>"$results"
+  else
+    printf '%s\t%s\n' "$name" "$(judge)" >>"$results"
+  fi
+  git -C "$tree" checkout -q -- .
+  tail -1 "$results"
+done < <(mutations)
+echo "mutations: $(wc -l <"$results"), caught: $(grep -cvE 'SURVIVED|NOT APPLIED' "$results"), survived: $(grep -c SURVIVED "$results")"
