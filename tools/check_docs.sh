@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks that the documentation tells the truth where a program can tell: relative links lead somewhere, commands
-# that pages show exist, and the package table is the one in ./dev.
+# that pages show exist, the package table is the one in ./dev, and the fuzz ledger is the one in fuzz/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -36,5 +36,8 @@ done
 if ! diff <(./dev help packages) <(sed '1,/^<!-- packages -->$/d' docs/dependencies.md) >&2; then
   wrong "docs/dependencies.md: the table is not that of ./dev; run ./dev docs"
 fi
-[ $failed = 0 ] && echo "docs: links, commands and package table are right"
+if ! diff <(tools/fuzz-ledger.sh print) <(sed '1,/^<!-- ledger -->$/d' docs/fuzzing.md) >&2; then
+  wrong "docs/fuzzing.md: the table is not that of fuzz/ledger.tsv; run tools/fuzz-ledger.sh page"
+fi
+[ $failed = 0 ] && echo "docs: links, commands, package table and fuzz ledger are right"
 exit $failed

@@ -10,6 +10,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "system/program.hpp"
 #include "system/recording.hpp"
@@ -36,9 +37,10 @@ class Rig : public ::testing::Test {
   [[nodiscard]] static std::string program(const std::string& name) { return std::string{DARWINOP_BIN} + "/" + name; }
   [[nodiscard]] static std::string controller() { return DARWINOP_TEST_CONTROLLER; }
 
-  /// With a fault script in the format of docs/virtual-robot.md.
-  void startVirtualRobot(const std::string& faults = "") {
+  /// With a fault script and options in the format of docs/virtual-robot.md.
+  void startVirtualRobot(const std::string& faults = "", const std::vector<std::string>& options = {}) {
     std::vector<std::string> command{program("darwinop-virtual-robot"), "--link", port()};
+    command.insert(command.end(), options.begin(), options.end());
     if (!faults.empty()) {
       std::ofstream{file("faults")} << faults;
       command.insert(command.end(), {"--faults", file("faults")});

@@ -1,8 +1,9 @@
 // The whole chain with real processes on a real pty: what a user starts, and what happens when parts of it fail.
 #include <gmock/gmock.h>
 
-#include <array>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "system/rig.hpp"
 
@@ -14,16 +15,13 @@ using testing::HasSubstr;
 
 constexpr double kDriven = 4;  // safety.state
 
-using Goals = std::array<double, 2>;
-
-/// What went to neck and elbow while the controller drove, without repetitions: a controller that comes a moment
-/// late has its goal sent twice.
-std::vector<Goals> goalsSent(const std::string& recording) {
-  const Recording log{recording};
-  std::vector<Goals> goals;
+/// What went to one joint while the controller drove, without repetitions: a controller that comes a moment late has
+/// its goal sent twice, and a joint whose reply was lost keeps its goal for a cycle.
+std::vector<double> goalsSent(const Recording& log, const std::string& joint) {
+  std::vector<double> goals;
   for (std::size_t i = 0; i < log.rows(); ++i) {
     if (log.at(i, "safety.state") != kDriven) continue;
-    const Goals now{log.at(i, "Neck.commanded [rad]"), log.at(i, "ArmLowerR.commanded [rad]")};
+    const double now = log.at(i, joint + ".commanded [rad]");
     if (goals.empty() || goals.back() != now) goals.push_back(now);
   }
   return goals;
@@ -31,13 +29,18 @@ std::vector<Goals> goalsSent(const std::string& recording) {
 
 /// The same goals in the same order. In real time the newest image wins: a controller that the machine kept waiting
 /// may offer two within a cycle, and the first of them is never sent. That is allowed for one in ten.
-void expectTheSame(const std::vector<Goals>& sent, const std::vector<Goals>& lockstep) {
-  std::size_t at = 0;
-  for (const Goals& goals : sent) {
-    while (at < lockstep.size() && lockstep[at] != goals) ++at;
-    ASSERT_LT(at, lockstep.size()) << "neck " << goals[0] << ", elbow " << goals[1] << ": never sent in lockstep";
+void expectTheSame(const std::string& recording, const std::string& in_lockstep) {
+  const Recording log{recording}, reference{in_lockstep};
+  for (const char* const joint : {"Neck", "ArmLowerR"}) {
+    const std::vector<double> lockstep = goalsSent(reference, joint), sent = goalsSent(log, joint);
+    ASSERT_GE(lockstep.size(), 150U) << joint;
+    std::size_t at = 0;
+    for (const double goal : sent) {
+      while (at < lockstep.size() && lockstep[at] != goal) ++at;
+      ASSERT_LT(at, lockstep.size()) << joint << " " << goal << ": never sent in lockstep";
+    }
+    EXPECT_GE(sent.size(), lockstep.size() * 9 / 10) << joint;
   }
-  EXPECT_GE(sent.size(), lockstep.size() * 9 / 10);
 }
 
 using WholeChain = Rig;
@@ -54,10 +57,8 @@ TEST_F(WholeChain, OneControllerSendsTheSameGoalsEmbeddedThroughTheDaemonAndInLo
   daemon.kill(SIGTERM);
   ASSERT_EQ(daemon.wait(seconds{20}), 0) << daemon.output();
 
-  const auto lockstep = goalsSent(file("lockstep.csv"));
-  ASSERT_GE(lockstep.size(), 200U);
-  expectTheSame(goalsSent(file("embedded.csv")), lockstep);
-  expectTheSame(goalsSent(file("daemon.csv")), lockstep);
+  expectTheSame(file("embedded.csv"), file("lockstep.csv"));
+  expectTheSame(file("daemon.csv"), file("lockstep.csv"));
 }
 
 class Period : public Rig, public testing::WithParamInterface<int> {};
@@ -71,8 +72,9 @@ TEST_P(Period, ACycleIsOneSyncWriteAndOneBulkReadCloseToTheirWireTime) {
   EXPECT_LE(report.at("bus_ratio"), 1.10) << output;
   EXPECT_GE(report.at("cycles"), 400) << output;
   EXPECT_LE(report.at("overruns"), 0.02 * report.at("cycles")) << output;
-  EXPECT_LE(board.at("bulk reads"), report.at("cycles") + 1);
-  EXPECT_LE(board.at("sync writes"), report.at("cycles"));
+  constexpr double kStartUp = 100;  // the check before the loop tries both, at most so often on a busy machine
+  EXPECT_LE(board.at("bulk reads"), report.at("cycles") + kStartUp);
+  EXPECT_LE(board.at("sync writes"), report.at("cycles") + kStartUp);
   EXPECT_GE(board.at("bulk reads"), 0.95 * report.at("cycles"));
 }
 
@@ -88,20 +90,71 @@ TEST_F(WholeChain, AnUnpluggedCableComesBackWithoutRestartingTheController) {
   EXPECT_LT(unheard, 200U);
 }
 
-TEST_F(WholeChain, ADeadServoIsNamedAndTheOthersGoOn) {
-  startVirtualRobot("0 dead LegUpperR\n");
+TEST_F(WholeChain, ADeadServoOfAnArmIsNamedAndTheOthersGoOn) {
+  startVirtualRobot("0 dead ArmUpperR\n");
   const std::string output = run(port(), {"--record", file("log.csv")}, {"100"});
-  EXPECT_THAT(output, HasSubstr("LegUpperR"));
+  EXPECT_THAT(output, HasSubstr("ArmUpperR"));
   const Recording log{file("log.csv")};
   std::size_t missing = 0, driven = 0;
   for (std::size_t i = 0; i < log.rows(); ++i) {
     if (log.at(i, "safety.state") != kDriven) continue;
     ++driven;
-    EXPECT_TRUE(std::isnan(log.at(i, "LegUpperR.position [rad]")));
-    missing += std::isnan(log.at(i, "FootR.position [rad]")) ? 1 : 0;
+    EXPECT_TRUE(std::isnan(log.at(i, "ArmUpperR.position [rad]")));
+    missing += std::isnan(log.at(i, "ArmLowerR.position [rad]")) ? 1 : 0;
   }
   EXPECT_GE(driven, 100U);
   EXPECT_LE(missing, driven / 50);
+}
+
+class RefusedRobot : public Rig, public testing::WithParamInterface<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Servos, RefusedRobot,
+                         testing::Values("LegLowerR=wheel", "Neck=wheel", "LegLowerR=multi-turn", "ArmLowerL=model:12"),
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::erase_if(name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; });
+                           return name;
+                         });
+
+// Judged at the servos: none of them ever had torque.
+TEST_P(RefusedRobot, IsDrivenByNobodyAndSaysWhatToDo) {
+  startVirtualRobot("", {"--servo", GetParam()});
+  const std::string joint = std::string{GetParam()}.substr(0, std::string{GetParam()}.find('='));
+  const std::vector<std::string> ways[] = {
+      {program("darwinop-runtime"), "--robot", port()},
+      {program("darwinop-runtime"), "--robot", port(), "--wait"},
+      {program("darwinop-run"), "--robot", port(), controller(), "100"},
+      {program("darwinop-doctor"), "--robot", port()},
+  };
+  for (const std::vector<std::string>& command : ways) {
+    Program way{command, file("way.txt")};
+    EXPECT_EQ(way.wait(seconds{60}), 1) << way.output();
+    EXPECT_THAT(way.output(), testing::AllOf(HasSubstr("FAIL  servo"), HasSubstr(joint), HasSubstr("-> ")));
+  }
+  EXPECT_EQ(countersOfVirtualRobot().at("torque switched on"), 0);
+}
+
+TEST_F(WholeChain, ASilentKneeIsWaitedForAndDrivenWithoutOnlyWhenRobotIniNamesIt) {
+  startVirtualRobot("0 dead LegLowerR for 6\n");
+  Program refused{{program("darwinop-runtime"), "--robot", port()}, file("refused.txt")};
+  EXPECT_EQ(refused.wait(seconds{60}), 1) << refused.output();
+  EXPECT_THAT(refused.output(), HasSubstr("LegLowerR (right knee): silent"));
+
+  std::ofstream{file("robot.ini")} << "[Robot]\nabsent = LegLowerR\n";
+  setenv("DARWINOP_ROBOT_FILE", file("robot.ini").c_str(), 1);
+  {
+    Program without{{program("darwinop-runtime"), "--robot", port()}, file("without.txt")};
+    EXPECT_TRUE(without.says("ready:", seconds{20})) << without.output();
+    EXPECT_THAT(without.output(), HasSubstr("absent: LegLowerR"));
+    without.kill(SIGTERM);
+    EXPECT_EQ(without.wait(seconds{20}), 0);
+    EXPECT_EQ(without.output().find("servo_silent"), std::string::npos) << without.output();
+  }
+  unsetenv("DARWINOP_ROBOT_FILE");
+
+  Program waiting{{program("darwinop-runtime"), "--robot", port(), "--wait"}, file("waiting.txt")};
+  EXPECT_TRUE(waiting.says("ready:", seconds{60})) << "when the knee is back: " << waiting.output();
+  waiting.kill(SIGTERM);
+  EXPECT_EQ(waiting.wait(seconds{20}), 0);
 }
 
 TEST_F(WholeChain, AKilledControllerLeavesTheRobotToTheDaemonAndTheNextOneTakesOverWithoutAJump) {
