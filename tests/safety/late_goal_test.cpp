@@ -1,5 +1,5 @@
 // A board that stalls carries out what it was sent only when the stall is over, and by then a servo may have restarted.
-// A goal that is on its way cannot be called back, and the servo cannot tell that it is old: what has to hold is that
+// A goal that is on its way cannot be called back, and the servo cannot know that it is old: what has to hold is that
 // there is one such goal at most, and that the torque it switches on is taken back at once.
 #include <gtest/gtest.h>
 
