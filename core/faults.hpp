@@ -58,7 +58,8 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "servo power was lost while the robot was under torque: RESET was pressed or the supply dipped",
      "hold the robot, then press START or start the controller again; if nobody pressed RESET, check battery and "
      "connector"},
-    {Fault::kServoSilent, Reaction::kReport, false, false, "servo_silent", "a servo has not answered for half a second",
+    {Fault::kServoSilent, Reaction::kReport, false, false, "servo_silent",
+     "a servo has not answered for half a second, or does not take what is written to it",
      "check the cable that leads to the first silent servo of its chain"},
     {Fault::kServoPowerOff, Reaction::kReport, false, false, "servo_power_off",
      "the CM-730 reports that servo power is off although it was on",

@@ -40,6 +40,8 @@ class SafeCommands {
   /// Driven joints that this cycle's write leaves out: they have the goal above already, or it is not certain that
   /// they still hold it. They keep their settings.
   [[nodiscard]] const Mask& held() const { return held_; }
+  /// Joints whose servos are to be looked at whole in this cycle: torque waits for their goal registers.
+  [[nodiscard]] const Mask& look() const { return look_; }
   [[nodiscard]] const Mask& torqueOn() const { return torque_on_; }
   [[nodiscard]] const Mask& torqueOff() const { return torque_off_; }
   [[nodiscard]] const LedCommand& led() const { return led_; }
@@ -53,7 +55,7 @@ class SafeCommands {
 
   Write write_ = Write::kNothing;
   std::array<JointGoal, kJoints> goal_{};
-  Mask driven_, held_, torque_on_, torque_off_;
+  Mask driven_, held_, look_, torque_on_, torque_off_;
   LedCommand led_{};
   bool power_on_ = false;
 };

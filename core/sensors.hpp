@@ -44,8 +44,9 @@ struct JointSensors {
   Volt voltage;
   Celsius temperature;
   NewtonMeter torque_limit;  // as the servo has it; 0 after it shut itself off
+  Rad goal;                  // as the servo has it
+  RadPerSec speed_limit;     // as the servo has it; 0: none, as after power-up, which is never written
   bool torque_enabled = false;
-  bool restarted = false;  // its moving speed is 0 as after power-up, which is never written
 
   Rad commanded;        // goal sent last, after safety; NaN while the joint is not driven
   bool driven = false;  // true: the joint gets goals

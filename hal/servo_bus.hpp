@@ -22,8 +22,9 @@ struct ServoReading {
   // -- in the cycle in which it is this servo's turn:
   bool looked = false;
   bool torque_enabled = false;
-  bool restarted = false;  // its moving speed is 0 as after power-up
   NewtonMeter torque_limit;
+  Rad goal;               // in its register
+  RadPerSec speed_limit;  // in its register; 0 as after power-up: none
   Volt voltage;
   Celsius temperature;
 };

@@ -55,7 +55,7 @@ DARWINOP_LAYOUT(Commands, joint, led, session, sequence, made_ns, farewell, faul
 
 DARWINOP_LAYOUT(Freshness, age);
 DARWINOP_LAYOUT(JointSensors, motion, position, velocity, load, error_bits, health, voltage, temperature, torque_limit,
-                torque_enabled, restarted, commanded, driven);
+                goal, speed_limit, torque_enabled, commanded, driven);
 DARWINOP_LAYOUT(BoardSensors, motion, gyro, accelerometer, buttons, buttons_known, voltage, microphone_left,
                 servo_power, led_panel, led_head, led_eye, error_bits);
 DARWINOP_LAYOUT(LinkCounters, exchanges, incomplete, retries, bad_checksums, garbage_bytes, late_replies, reconnects,

@@ -18,8 +18,9 @@ void mergeJoint(const ServoReading& reading, JointSensors& joint) noexcept {
     joint.voltage = reading.voltage;
     joint.temperature = reading.temperature;
     joint.torque_limit = reading.torque_limit;
+    joint.goal = reading.goal;
+    joint.speed_limit = reading.speed_limit;
     joint.torque_enabled = reading.torque_enabled;
-    joint.restarted = reading.restarted;
   } else {
     joint.health.missed();
   }

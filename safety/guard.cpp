@@ -104,7 +104,7 @@ void Guard::noteFaults() noexcept {
   faults_.note(Fault::kBusSilent, board_.silent());
   faults_.note(Fault::kBoardReset, lost_under_torque_);
   faults_.note(Fault::kServoPowerOff, board_.powerLost());
-  noteServos(Fault::kServoSilent, [](const JointGuard& j) { return j.watch().silent(); });
+  noteServos(Fault::kServoSilent, [](const JointGuard& j) { return j.watch().silent() || j.deaf(); });
   faults_.note(Fault::kBatteryLow, board_.batteryLow());
   faults_.note(Fault::kBatteryEmpty, board_.batteryEmpty());
   noteServos(Fault::kServoHot, [](const JointGuard& j) { return j.watch().hot(); });
@@ -183,6 +183,7 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
                state_ == State::kDriven) {
       ++report_.limit_hits[static_cast<std::size_t>(Limit::kRate)];
     }
+    safe.look_[i] = joint.channel().placed();
     if (!joint.driven()) continue;
     safe.driven_[i] = true;
     safe.held_[i] = !heard || joint.uncertain();

@@ -47,7 +47,6 @@ void JointChannel::observe(const JointSensors& seen, Nanos dt) noexcept {
 void JointChannel::place(const JointRange& range) noexcept {
   goal_ = Rad{std::clamp(confirmer_.confirmed()->value, range.low.value, range.high.value)};
   phase_ = Phase::kPlaced;
-  placed_writes_ = 1;
 }
 
 void JointChannel::torqueOn() noexcept {

@@ -29,7 +29,7 @@ class JointChannel {
   enum class Phase : std::uint8_t {
     kOut,         // gets nothing
     kConfirming,  // wanted, but where it is is not certain yet
-    kPlaced,      // its goal was put where it is; torque comes on with the next write
+    kPlaced,      // its goal was put where it is; torque comes on when the servo is seen to have it
     kGentle,      // driven at the gentle speed until goal and joint have caught up with what is wanted
     kFree,        // driven
   };
@@ -50,10 +50,6 @@ class JointChannel {
   [[nodiscard]] Phase phase() const noexcept { return phase_; }
   [[nodiscard]] bool out() const noexcept { return phase_ == Phase::kOut; }
   [[nodiscard]] bool placed() const noexcept { return phase_ == Phase::kPlaced; }
-  /// The goal has gone out twice: a SyncWrite is not acknowledged, and torque must not find an older goal.
-  [[nodiscard]] bool placedForSure() const noexcept { return placed() && placed_writes_ >= 2; }
-  /// Another write carries the placed goal.
-  void placeAgain() noexcept { ++placed_writes_; }
   /// Torque is on.
   [[nodiscard]] bool moving() const noexcept { return phase_ == Phase::kGentle || phase_ == Phase::kFree; }
   [[nodiscard]] bool gentle() const noexcept { return phase_ != Phase::kFree; }
@@ -66,7 +62,6 @@ class JointChannel {
  private:
   Phase phase_ = Phase::kOut;
   PositionConfirmer confirmer_;
-  int placed_writes_ = 0;
   Rad goal_, seen_;
   Nanos driven_for_{0};
 };

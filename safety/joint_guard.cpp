@@ -45,6 +45,7 @@ void JointGuard::wishIfNone(Rad goal) noexcept {
 void JointGuard::observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept {
   if (absent_) return;
   watch_.update(seen, given_up, powered_for, dt);
+  notePlaced(seen);
   noteRestart(seen);
   const TripWatch::Verdict verdict = trip_watch_.update(seen, channel_.drivenFor());
   const bool was_suspect = suspect_;
@@ -82,13 +83,36 @@ double JointGuard::push(const JointSensors& seen) const noexcept {
 void JointGuard::noteRestart(const JointSensors& seen) noexcept {
   const bool looked = seen.motion.fresh() && seen.health.fresh();
   const bool off = looked && !seen.torque_enabled && seen.torque_limit.value > 0;
-  const bool restarted = looked && (seen.restarted || (off && uncertain_ && channel_.moving()));
+  const bool restarted = looked && (seen.speed_limit.value <= 0 || (off && uncertain_ && channel_.moving()));
+  // It restarted while it was not heard, and has torque: a board that was stalled has carried out a goal of before. It
+  // runs there without a speed limit.
+  if (looked && uncertain_ && had_limit_ && seen.speed_limit.value <= 0 && seen.torque_enabled) orderOff();
+  if (looked) had_limit_ = seen.speed_limit.value > 0;
   if (!seen.motion.fresh())
     uncertain_ = true;
   else if (looked)
     uncertain_ = false;
   const bool doubtful = channel_.placed() && uncertain_;  // where it is has to be certain until torque is on
   if (channel_.hasGoal() && (restarted || doubtful || seen.motion.age > kAnswerPatience)) restart();
+}
+
+/// A goal that was placed can be lost on the wire. Where the servo is by now has to be confirmed before it is placed
+/// again.
+void JointGuard::notePlaced(const JointSensors& seen) noexcept {
+  constexpr double kTolerance = kRadPerTick;              // rounding is half of it
+  constexpr double kSpeedTolerance = kRadPerSecPerCount;  // as above
+  has_goal_ = false;
+  if (channel_.out()) refused_ = 0;
+  if (!channel_.placed() || !seen.motion.fresh() || !seen.health.fresh()) return;
+  const bool took = std::abs(seen.goal.value - channel_.goal().value) <= kTolerance && seen.speed_limit.value > 0 &&
+                    seen.speed_limit.value <= config_.gentle_speed + kSpeedTolerance;
+  // Its torque limit came with its goal: a servo that has none by now has shut itself off since. Twice is a fact.
+  const bool shut = took && seen.torque_limit.value <= 0;
+  if (shut && shut_at_once_) trip_ = Trip::kOverload;
+  shut_at_once_ = shut && !shut_at_once_;
+  has_goal_ = took && !shut;
+  refused_ = took ? 0 : std::min(refused_ + 1, kRefusals);
+  if (!has_goal_) restart();
 }
 
 void JointGuard::resetTrip() noexcept {
@@ -126,7 +150,6 @@ bool JointGuard::move(Rad target, double gentle_step, double full_step) noexcept
     return true;
   }
   if (uncertain_) return true;
-  if (channel_.placed()) channel_.placeAgain();
   if (!channel_.moving() || !target.known()) return true;
   return channel_.advance(target, gentle_step, full_step);
 }

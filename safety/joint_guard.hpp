@@ -30,6 +30,8 @@ class JointGuard {
 
   // -- what the servo tells
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
+  /// It answers, and again and again it is seen without what was written to it.
+  [[nodiscard]] bool deaf() const noexcept { return refused_ >= kRefusals; }
   [[nodiscard]] const ServoWatch& watch() const noexcept { return watch_; }
   [[nodiscard]] bool encoderStuck() const noexcept { return encoder_watch_.stuck(); }
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
@@ -50,7 +52,9 @@ class JointGuard {
   [[nodiscard]] bool offDue() const noexcept { return off_due_; }
   /// Torque off was sent since torque was last switched on here.
   [[nodiscard]] bool offOrdered() const noexcept { return off_ordered_; }
-  [[nodiscard]] bool onDue() const noexcept { return channel_.placedForSure() && mayBeWritten(); }
+  /// A look of this cycle found the placed goal and a gentle speed in the servo: a SyncWrite is not acknowledged, and
+  /// torque must not find an older goal.
+  [[nodiscard]] bool onDue() const noexcept { return channel_.placed() && has_goal_ && mayBeWritten(); }
   [[nodiscard]] const JointChannel& channel() const noexcept { return channel_; }
   /// Has a goal, and gets the next one in this cycle unless it is uncertain().
   [[nodiscard]] bool driven() const noexcept { return channel_.hasGoal() && !suspect_; }
@@ -69,8 +73,12 @@ class JointGuard {
   [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap, bool by_itself) const noexcept;
 
  private:
+  // A lost write is rare; each try takes three cycles and does no harm, so all of them about a second.
+  static constexpr int kRefusals = 20;
+
   void takeTorqueWish(bool on) noexcept;
   void noteRestart(const JointSensors& seen) noexcept;
+  void notePlaced(const JointSensors& seen) noexcept;
   [[nodiscard]] double push(const JointSensors& seen) const noexcept;
   [[nodiscard]] bool mayBeWritten() const noexcept { return !suspect_ && !uncertain_; }
   [[nodiscard]] const JointRange& range() const noexcept { return config_.range[index(joint_)]; }
@@ -91,8 +99,12 @@ class JointGuard {
   JointChannel channel_;
   Trip trip_ = Trip::kNone;
   bool suspect_ = false, uncertain_ = false;
-  bool off_due_ = false;      // torque off has to be sent
-  bool off_ordered_ = false;  // it was; a look that says otherwise means that the write was lost
+  bool has_goal_ = false;      // the servo was seen with it in this cycle
+  bool shut_at_once_ = false;  // off again when it was seen with it
+  bool had_limit_ = false;     // of its speed, when it was looked at last
+  int refused_ = 0;            // placed goals in a row that the servo was seen without
+  bool off_due_ = false;       // torque off has to be sent
+  bool off_ordered_ = false;   // it was; a look that says otherwise means that the write was lost
 };
 
 }  // namespace darwinop::safety

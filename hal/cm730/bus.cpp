@@ -35,6 +35,7 @@ void Cm730Bus::write(const SafeCommands& commands) noexcept {
   wire_ = {};
   led_wanted_ = commands.led();
   power_wanted_ = commands.powerOn();
+  list_.lookAt(commands.look());
   Bytes frame = goals_.encode(commands);
   if (frame.empty() && locks_due_ > 0 && silent_cycles_ == 0 && list_.servosAreUp()) {
     frame = goals_.encodeLock();  // safety drives nobody in the first cycles after power came on

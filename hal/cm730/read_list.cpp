@@ -44,7 +44,7 @@ void ReadList::append(std::size_t joint) noexcept {
 void ReadList::chooseLooks() noexcept {
   std::size_t left = looks_;
   for (std::size_t i = 0; i < length_ && left > 0; ++i) {
-    if (!unseen_[list_[i].joint] || list_[i].look) continue;
+    if (!due_[list_[i].joint] || list_[i].look) continue;
     list_[i].look = true;
     --left;
   }
@@ -81,12 +81,12 @@ void ReadList::appendProbe() noexcept {
 
 void ReadList::answered(const Mask& who) noexcept {
   std::size_t last_answer = 0;  // one past the last entry that answered
-  unseen_ |= ~who;
+  due_ |= ~who;
   for (std::size_t i = 0; i < length_; ++i) {
     const std::size_t joint = list_[i].joint;
     if (!who[joint]) continue;
     last_answer = i + 1;
-    if (list_[i].look) unseen_.reset(joint);
+    if (list_[i].look) due_.reset(joint);
     forgive(joint);
   }
   // Whoever is missing before the last answer was heard by its neighbour: only its frame was damaged. Behind

@@ -5,7 +5,7 @@
 // silent it is left out, and asked again now and then, always last.
 //
 // One servo in turn is looked at whole in each cycle. A servo that has missed an answer is looked at as soon as it is
-// heard again, because it may have restarted, and gets no goals before that.
+// heard again, because it may have restarted, and gets no goals before that. So is one that is about to get torque.
 #pragma once
 
 #include <array>
@@ -33,10 +33,13 @@ class ReadList {
   /// The servos to ask in this cycle, in order. The board is always asked first and is not part of the list.
   std::span<const Entry> next() noexcept;
 
+  /// These are due to be looked at, besides those that have missed an answer.
+  void lookAt(const Mask& who) noexcept { due_ |= who; }
+
   /// What came of the last list. Call only when the board itself answered: otherwise nothing is learnt.
   void answered(const Mask& who) noexcept;
   /// The board did not answer.
-  void missedAll() noexcept { unseen_.set(); }
+  void missedAll() noexcept { due_.set(); }
 
   /// Servo power is off: nobody is asked until a while after the next call of powerIsOn().
   void powerIsOff() noexcept;
@@ -63,7 +66,7 @@ class ReadList {
   std::size_t looks_;
   Mask silent_, absent_;
   Mask suspects_;                                  // on the chain of a servo that is to blame, and not heard since
-  Mask unseen_;                                    // have missed an answer since they were last looked at
+  Mask due_;                                       // to be looked at: have missed an answer, or were asked for
   std::array<std::uint8_t, kJoints> misses_{};     // in a row, only those the servo is to blame for
   std::array<std::uint16_t, kJoints> on_trial_{};  // cycles it stays at the end after it misbehaved
   std::size_t next_probe_ = 0, next_look_ = 0;

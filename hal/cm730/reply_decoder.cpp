@@ -36,6 +36,7 @@ constexpr Register kServoVoltage = find(kMx28, "present_voltage");
 constexpr Register kTemperature = find(kMx28, "present_temperature");
 constexpr Register kTorqueLimit = find(kMx28, "torque_limit");
 constexpr Register kMovingSpeed = find(kMx28, "moving_speed");
+constexpr Register kGoal = find(kMx28, "goal_position");
 constexpr Register kTorqueEnable = find(kMx28, "torque_enable");
 
 }  // namespace
@@ -118,7 +119,8 @@ void ReplyDecoder::takeServo(const Frame& frame) noexcept {
   if (!entry.look) return;
   out.looked = true;
   out.torque_enabled = raw(b, window.address, kTorqueEnable) != 0;
-  out.restarted = raw(b, window.address, kMovingSpeed) == 0;
+  out.speed_limit = RadPerSec{si(b, window.address, kMovingSpeed)};
+  out.goal = offsets_.jointAngle(static_cast<Joint>(entry.joint), raw(b, window.address, kGoal));
   out.torque_limit = torqueFromRegister(raw(b, window.address, kTorqueLimit));
   out.voltage = Volt{si(b, window.address, kServoVoltage)};
   out.temperature = Celsius{si(b, window.address, kTemperature)};

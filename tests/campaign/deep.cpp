@@ -104,9 +104,9 @@ class Deep {
         tally.edges, tally.steps, totals_.goals, totals_.readings, tally.limp_looks, tally.outages, tally.releases,
         tally.trips);
     std::printf(
-        "not judged: %ld damaged writes with a right checksum, %ld late ones; torque on after both goal writes "
-        "were lost %ld times, shutdowns undone unseen %ld times; %ld wrong readings with a right checksum\n",
-        tally.damaged, tally.late, tally.unplaced, tally.blind, totals_.wrong);
+        "not judged: %ld damaged writes with a right checksum, %ld late ones; shutdowns undone "
+        "unseen %ld times; %ld wrong readings with a right checksum\n",
+        tally.damaged, tally.late, tally.blind, totals_.wrong);
     std::printf("fastest joint %.2f rad/s\n", totals_.fastest);
     std::printf("result: %s\n", complaint_.empty() ? "every promise held" : complaint_.c_str());
   }

@@ -18,8 +18,7 @@ constexpr int kLimpAfter = 80;   // cycles: a lost "torque off" is noticed by th
 constexpr int kForgotten = 6;    // cycles without an answer after which a joint is taken over again
 constexpr int kLate = 2;         // cycles
 constexpr int kGrace = 20;       // cycles under torque before an overload bit is believed; docs/faults.md 24
-constexpr int kPlacingWrites = 2;  // of the goal, before torque is switched on; nobody acknowledges them
-constexpr int kLookRound = 64;     // cycles: every servo has been looked at, and a lost answer or two
+constexpr int kLookRound = 64;   // cycles: every servo has been looked at, and a lost answer or two
 constexpr int kUntrustedFor = 80;  // cycles
 constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
 
@@ -37,7 +36,6 @@ ServoJudge::Tally& ServoJudge::Tally::operator+=(const Tally& other) {
   outages += other.outages;
   limp_looks += other.limp_looks;
   late += other.late;
-  unplaced += other.unplaced;
   blind += other.blind;
   damaged += other.damaged;
   for (std::size_t i = 0; i < kPromises; ++i) broken[i] += other.broken[i];
@@ -85,10 +83,12 @@ void ServoJudge::endCycle(const Sensors& seen) {
     if (driven != servo.driven) note(static_cast<Joint>(i), driven ? "driven" : "not driven");
     servo.driven = driven;
     servo.unheard = fresh ? 0 : servo.unheard + 1;
+    if (fresh) servo.late_goals = 0;
     servo.answered = fresh ? servo.answered + 1 : 0;
     if (seen.safety.tripped[i] || servo.unheard >= kForgotten) servo.trips = 0;
   }
   judgeLimp(seen);
+  judgeSpeedLimits();
   state_ = seen.safety.state;
 }
 
@@ -145,6 +145,19 @@ void ServoJudge::judgeLimp(const Sensors& seen) {
   }
 }
 
+/// Torque that a late goal or a short restart left without a speed limit is noticed at the next look.
+void ServoJudge::judgeSpeedLimits() {
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    Servo& servo = servo_[i];
+    const auto joint = static_cast<Joint>(i);
+    const hil::ServoState now = robot_.board().servo(joint).state();
+    const bool unlimited = now.pulls() && now.speed == 0 && servo.unheard == 0 && servo.untrusted_until <= cycle_;
+    servo.unlimited_for = unlimited ? servo.unlimited_for + 1 : 0;
+    if (servo.unlimited_for > kLookRound)
+      blame(Promise::kSpeedLimit, joint, "for long under torque without a speed limit");
+  }
+}
+
 void ServoJudge::request(const Frame& frame, Nanos /*at*/) noexcept {
   if (frame.code == static_cast<std::uint8_t>(Instruction::kBulkRead)) ++bulk_reads_;
   if (frame.code != static_cast<std::uint8_t>(Instruction::kSyncWrite) || frame.params.size() < 2) return;
@@ -189,12 +202,13 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
   const std::uint32_t goals = sent->goals - servo.goals_arrived + (port_lost_at_ >= servo.goal_at - 1 ? 1 : 0);
   const bool with_goal = carriesGoal(address, data.size());
   if (with_goal) servo.goal_at = cycle_;
+  const bool repeated = sent->goals == servo.goals_arrived;  // by the line
   servo.goals_arrived = sent->goals;
-  servo.goals_lost = with_goal ? 0 : servo.goals_lost + goals;
   const bool late = sent->cycle < servo.powered_at || cycle_ - sent->cycle > kLate;
-  if (late) ++tally_.late;
   if (!before.pulls() && after.pulls()) servo.pulls_since = cycle_;
-  if (late || servo.untrusted_until > cycle_) return;
+  if (servo.untrusted_until > cycle_) return;
+  if (late && with_goal && !repeated) judgeLate(joint, before, after, goals);
+  if (late) return;
   if (!before.pulls() && after.pulls()) judgeEdge(joint, after);
   if (servo.untrusted_until > cycle_) return;
   if (after.pulls() && after.speed == 0 && cycle_ > servo.unlimited_until)
@@ -206,17 +220,21 @@ void ServoJudge::judgeEdge(Joint joint, const hil::ServoState& after) {
   ++tally_.edges;
   const int gentle = registerFromSpeedLimit(RadPerSec{config_.gentle_speed});
   if (released_) blame(Promise::kRelease, joint, "torque came on after a person released the robot");
-  if (servo_[index(joint)].goals_lost >= kPlacingWrites) {
-    ++tally_.unplaced;
-    servo_[index(joint)].untrusted_until = cycle_ + kUntrustedFor;
-    return;
-  }
   if (judgeShortOutage(joint, after) || undoesUnseenTrip(joint)) return;
   if (!nearJoint(joint, after.goal))
     blame(Promise::kGoalAtJoint, joint,
           "torque came on with the goal " + std::to_string(after.goal - truth(joint)) + " ticks away");
   if (after.speed == 0 || after.speed > gentle)
     blame(Promise::kGentleStart, joint, "torque came on with speed register " + std::to_string(after.speed));
+}
+
+/// A stalled board carries out a write after the servo has restarted, and it cannot be called back. There is one goal
+/// at most on its way, because the next one waits for an answer.
+void ServoJudge::judgeLate(Joint joint, const hil::ServoState& before, const hil::ServoState& after,
+                           std::uint32_t goals) {
+  ++tally_.late;
+  if (++servo_[index(joint)].late_goals > 1) blame(Promise::kStep, joint, "more than one goal carried out late");
+  if (before.pulls() && after.goal != before.goal) judgeStep(joint, before, after, goals);
 }
 
 /// A servo that restarts within a few cycles may not even miss an answer: its goal goes on from where it was, and that
@@ -245,7 +263,10 @@ bool ServoJudge::undoesUnseenTrip(Joint joint) {
 void ServoJudge::judgeStep(Joint joint, const hil::ServoState& before, const hil::ServoState& after,
                            std::uint32_t goals) {
   ++tally_.steps;
-  const int step = std::abs(after.goal - before.goal);
+  const Servo& servo = servo_[index(joint)];
+  // After a restart that was too short to be noticed it goes on from where it was, as in judgeShortOutage().
+  const int lost = cycle_ - servo.lost_at <= kForgotten ? std::abs(after.goal - servo.lost_goal) : kTickMax;
+  const int step = std::min(std::abs(after.goal - before.goal), lost);
   if (step > max_step_ * std::max(goals, 1U) && !nearJoint(joint, after.goal))
     blame(Promise::kStep, joint, "goal moved by " + std::to_string(step) + " ticks");
 }
@@ -265,7 +286,8 @@ void ServoJudge::changed(Joint joint, hil::ServoEvent event, const hil::ServoSta
   if (event != hil::ServoEvent::kTripped) return;
   ++tally_.trips;
   servo.tripped_at = cycle_;
-  if (servo.untrusted_until > cycle_ || cycle_ - servo.pulls_since <= kGrace) return;
+  // One that is being taken over had its torque from before: it is tried again, like any that comes under torque.
+  if (!servo.driven || servo.untrusted_until > cycle_ || cycle_ - servo.pulls_since <= kGrace) return;
   if (++servo.trips >= 2) blame(Promise::kTrip, joint, "shut itself off twice before it was believed");
 }
 

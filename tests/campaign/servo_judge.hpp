@@ -66,8 +66,7 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
     long releases = 0;    // by a person: MODE, RESET, or beside the controller
     long outages = 0;     // offline was said
     long limp_looks = 0;  // joints held against a state limp
-    long late = 0;        // writes that a stalled board carried out long after they were sent
-    long unplaced = 0;    // torque came on after both writes of the goal had been lost
+    long late = 0;        // writes that a stalled board carried out long after they were sent; judged as such
     long blind = 0;       // shutdowns undone by a write that left before any answer could tell of them
     long damaged = 0;     // writes that nobody sent: damaged, and their checksum right by chance
     std::array<long, kPromises> broken{};
@@ -105,7 +104,8 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
     long untrusted_until = 0;                        // cycle; after a damaged write or a second device with its id
     int trips = 0;                                   // since our side last believed one, or was asked to try again
     int unheard = 0, answered = 0;                   // cycles in a row
-    std::uint32_t goals_lost = 0;                    // sent since the last write that came through
+    int late_goals = 0;                              // carried out late since it was heard last
+    int unlimited_for = 0;                           // cycles under torque without a speed limit, all answered
     long goal_at = 0;                                // cycle in which the last goal came through
     long powered_at = 0;                             // cycle
     long tripped_at = -1000;                         // cycle
@@ -119,9 +119,11 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
   void judgeEdge(Joint joint, const hil::ServoState& after);
   [[nodiscard]] bool judgeShortOutage(Joint joint, const hil::ServoState& after);
   [[nodiscard]] bool undoesUnseenTrip(Joint joint);
+  void judgeLate(Joint joint, const hil::ServoState& before, const hil::ServoState& after, std::uint32_t goals);
   void judgeStep(Joint joint, const hil::ServoState& before, const hil::ServoState& after, std::uint32_t goals);
   void judgeOutage(const Sensors& seen);
   void judgeLimp(const Sensors& seen);
+  void judgeSpeedLimits();
   void notePerson(const Sensors& seen);
   void release();
   void personActs();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -36,7 +37,7 @@ class WireJudge final : public hil::WireObserver {
     // A goal that went into a cable that was out is a step nobody saw. At most one is on the way: the next goal
     // waits for an answer.
     const bool lost = sync_writes_ == 0 && (cable_out_ || !robot_.portOpen() || robot_.replugs() != replugs_);
-    if (lost || (sync_writes_ > 0 && !torque_)) steps_unseen_ = lost ? 1 : 0;
+    if (lost) step_unseen_.set();
   }
   void request(const Frame& frame, Nanos at) noexcept override {
     (void)at;
@@ -73,12 +74,13 @@ class WireJudge final : public hil::WireObserver {
     ++goals_;
     const JointRow& r = kJointTable[joint];
     if (ticks < r.low || ticks > r.high) blame(std::string{r.name} + " goal out of limits: " + std::to_string(ticks));
-    if (goal_[joint] && std::abs(ticks - *goal_[joint]) > max_step_ * (1 + steps_unseen_))
+    if (goal_[joint] && std::abs(ticks - *goal_[joint]) > max_step_ * (step_unseen_[joint] ? 2 : 1))
       blame(std::string{r.name} + " jumped " + std::to_string(ticks - *goal_[joint]) + " ticks");
     // Two devices with one id answer at once; what is left of it can be a wrong position with a right checksum.
     if (robot_.board().hasTwin(static_cast<Joint>(joint))) twin_seen_[joint] = cycle_;
     if (!goal_[joint] && cycle_ - twin_seen_[joint] > kTwinForgotten) judgeFirst(joint, ticks);
     goal_[joint] = ticks;
+    step_unseen_.reset(joint);
   }
 
   /// A joint that was not driven starts from where it is (or from its limit, when it hangs outside).
@@ -91,7 +93,7 @@ class WireJudge final : public hil::WireObserver {
   }
 
   void blame(const std::string& what) {
-    if (complaint_.empty()) complaint_ = what;
+    if (complaint_.empty()) complaint_ = "cycle " + std::to_string(cycle_) + ": " + what;
   }
 
   hil::VirtualRobot& robot_;
@@ -105,7 +107,8 @@ class WireJudge final : public hil::WireObserver {
   }();
   long cycle_ = 0;
   bool torque_ = false;
-  int sync_writes_ = 0, bulk_reads_ = 0, steps_unseen_ = 0;
+  int sync_writes_ = 0, bulk_reads_ = 0;
+  std::bitset<kJoints> step_unseen_;
   bool cable_out_ = false;
   std::uint32_t replugs_ = 0;
   long goals_ = 0;

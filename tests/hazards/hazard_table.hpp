@@ -20,9 +20,9 @@ struct Hazard {
 // 6xx: start-up. 7xx: access.
 inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H101", "A joint jumps when a controller takes over", "the servo's goal register holds an old pose",
-     "torque comes on only where the joint is", "goal written twice to the confirmed position, then torque on",
+     "torque comes on only where the joint is", "goal written to the confirmed position, read back, then torque on",
      "safety_test:TakeOver.ANewSessionStartsFromTheConfirmedPresentPoseWithoutAJump "
-     "safety_test:TakeOver.GoalIsThePresentPositionTwiceAndThenTorqueComes"},
+     "safety_test:TakeOver.GoalIsThePresentPositionAndTorqueComesWhenTheServosAreSeenToHaveIt"},
     {"H102", "A joint moves to a position that was never measured", "one damaged reading passes the checksum",
      "two readings must agree before a position becomes a goal", "the joint waits for a second reading",
      "safety_test:TakeOver.ACorruptedReadingNeverBecomesAGoal "
@@ -65,8 +65,10 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H204", "A joint stays limp in a stance", "torque on is lost on the bus",
      "a lost torque on is noticed and repeated", "the joint is taken over again",
      "safety_test:TakeOver.ALostTorqueOnIsSentAgain"},
-    {"H205", "Torque comes on at a goal that no servo received", "the board missed the goal's frame",
-     "torque on follows only a goal that was received", "torque on waits for an answered cycle",
+    {"H205", "Torque comes on at a goal that no servo received", "frames with goals are lost, any number in a row",
+     "torque on follows only a goal that the servo was seen to have", "registers 30..33 are read back; fault 12 after 20",
+     "servo_hazards_test:TakeOver/LostGoals.LeaveTheJointLimpUntilOneHasArrived/5 "
+     "safety_test:TakeOver.NoTorqueFindsAnOlderGoalWhateverIsLostOnTheWire "
      "safety_test:TakeOver.TorqueComesOnOnlyAfterAGoalThatTheBoardHeard "
      "safety_test:Driving.GoalsWaitForABoardThatDoesNotAnswer"},
     {"H206", "The loop misses its deadline", "bytes arrive without end", "a cycle ends at its deadline",
@@ -183,6 +185,15 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H313", "A robot without battery rattles on and off", "power is lost again and again",
      "power is switched on at most 3 times in 60 s", "then off until a person acts",
      "safety_on_board_test:ReleaseOnTheBoard.ThirtyResetsInARowSwitchPowerOnAgainThreeTimes"},
+    {"H314", "A restarted servo runs to an old goal without a speed limit",
+     "a stalled board carries out a goal that was on its way when it stalled",
+     "one such goal at most, one step from the last; its torque is taken back at the first look",
+     "torque off, then taken over where it is",
+     "servo_hazards_test:BoardStall/LateGoal.TorqueThatALateGoalSwitchedOnAtARestartedServoIsTakenBackAtOnce/2 "
+     "servo_hazards_test:LateGoal.OneIsOnItsWayAtMostAndItIsOneStepAwayFromTheLast"},
+    {"H315", "A motor is switched on again and again in a takeover", "it shuts itself off as soon as it has torque",
+     "twice is a fact", "left out; other joints kneel",
+     "safety_test:TakeOver.AServoThatShutsItselfOffAtOnceIsTriedTwiceAndThenBelieved"},
     {"H406", "A released robot moves again by itself", "a crashed default controller is started again",
      "a session that a program starts clears no latched fault", "limp until START, reset or a person's session",
      "safety_on_board_test:ReleaseOnTheBoard.AfterModeNoServoGetsTorqueUntilStart "

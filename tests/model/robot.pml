@@ -83,7 +83,10 @@ byte losses;
 byte looking;
 
 /* -- guard, the joint -- */
-byte phase = OUT, writes, conf, age;
+byte phase = OUT, conf, age;
+bit has_goal;                /* a look of this cycle found the placed goal and a speed limit in the servo */
+bit had_limit;               /* it had a speed limit when it was looked at last */
+bit shut_at_once;            /* off again when it was seen with the placed goal */
 bit suspect, uncertain, off_look, tripped, off_due, off_ordered, stiff, known;
 
 /* -- ghosts: what the guard cannot know -- */
@@ -95,8 +98,8 @@ byte limp_for;               /* cycles in which the guard says limp and the serv
 byte since_wire = WIRE_GAP;  /* cycles since the wire lost something */
 
 /* -- board and servo -- */
-bit board_power, reset_seen, shut_seen, up, fresh, bit_seen, looked, flicker, waits;
-bit s_on, s_goal_right, s_shut, s_reset, kept;  /* reset: restarted, its settings are those of power-up */
+bit board_power, reset_seen, shut_seen, placed_seen, up, fresh, bit_seen, looked, flicker, waits;
+bit s_on, s_goal_right, s_shut, s_reset, s_placed, kept;  /* reset: restarted, its settings are those of power-up */
 byte boot;
 byte look_age;
 
@@ -140,7 +143,7 @@ inline person_acted() { released = 0 }
 inline forget_guard() {
   state = ST_offline; faults = 0; session = 0; ended = 0; started = 0; in_place = 0; holding_up = 0; silence = 0;
   missed = 0; ever = 0; powered = 0; had_power = 0; lost = 0; off_once = 0; withheld = 0; losses = 0; looking = 0;
-  phase = OUT; writes = 0; conf = 0; age = PATIENCE + 1; suspect = 0; uncertain = 0; off_look = 0; tripped = 0; off_due = 0; off_ordered = 0;
+  phase = OUT; has_goal = 0; had_limit = 0; shut_at_once = 0; conf = 0; age = PATIENCE + 1; suspect = 0; uncertain = 0; off_look = 0; tripped = 0; off_due = 0; off_ordered = 0;
   if :: remembered -> faults = 1 << FA_released_by_operator :: else -> skip fi;  /* Daemon::remember */
   stiff = 0; known = 0; goal_right = 0; up = 0; fresh = 0; bit_seen = 0; looked = 0; limp_for = 0
 }
@@ -212,7 +215,7 @@ inline something_breaks() {
      if :: s_on && process == RUNNING && DRIVES(state) -> released = 1 :: else -> skip fi;
      board_power = 0; servo_off()
   :: broken == B_RAIL && boot == 0 ->                                 /* the rail or the chain dipped */
-     kept = !s_on; servo_off(); s_shut = 0; s_reset = 1;
+     kept = !s_on; servo_off(); s_shut = 0; s_reset = 1; s_placed = 0;
      s_goal_right = kept;  /* a servo starts with its goal where it is; a joint that was held falls from there */
      boot = boot_now
   :: broken == B_OVERLOAD && s_on -> servo_off(); s_shut = 1          /* it shuts itself off */
@@ -267,17 +270,29 @@ inline watch() {
   :: else -> skip
   fi;
   if
-  :: phase != OUT && ((was_suspect && !(suspect || off_look)) || age > PATIENCE) -> phase = CONFIRMING; conf = 0; writes = 0
+  :: phase != OUT && ((was_suspect && !(suspect || off_look)) || age > PATIENCE) -> phase = CONFIRMING; conf = 0
+  :: else -> skip
+  fi;
+  /* JointGuard::notePlaced */
+  has_goal = 0;
+  if
+  :: looked && phase == PLACED && placed_seen && !shut_seen -> has_goal = 1; shut_at_once = 0
+  :: looked && phase == PLACED && placed_seen && shut_seen ->
+     if :: shut_at_once -> tripped = 1 :: else -> skip fi;
+     shut_at_once = !shut_at_once; phase = CONFIRMING; conf = 0
+  :: looked && phase == PLACED && !placed_seen -> shut_at_once = 0; phase = CONFIRMING; conf = 0
   :: else -> skip
   fi;
   /* JointGuard::noteRestart */
+  if :: looked && uncertain && had_limit && reset_seen && stiff -> off_due = 1 :: else -> skip fi;
+  if :: looked -> had_limit = !reset_seen :: else -> skip fi;
   if
   :: looked && (phase == PLACED || phase == MOVING) && (reset_seen || (!stiff && uncertain && phase == MOVING && !shut_seen)) ->
-     phase = CONFIRMING; conf = 0; writes = 0
+     phase = CONFIRMING; conf = 0
   :: else -> skip
   fi;
   uncertain = !looked && (uncertain || !fresh);
-  if :: phase == PLACED && uncertain -> phase = CONFIRMING; conf = 0; writes = 0 :: else -> skip fi;
+  if :: phase == PLACED && uncertain -> phase = CONFIRMING; conf = 0 :: else -> skip fi;
   if :: age > PATIENCE -> known = 0; if :: !off_ordered -> stiff = 0 :: else -> skip fi :: else -> skip fi;
   if :: off_ordered && looked && stiff -> off_due = 1 :: else -> skip fi;
   if
@@ -387,7 +402,7 @@ inline find_event() {
 inline change_state() {
   if
   :: ev == EV_release || ev == EV_knelt -> off_due = 1; holding_up = 0; started = 0
-  :: ev == EV_driver_came -> if :: phase != OUT -> phase = CONFIRMING; conf = 0; writes = 0 :: else -> skip fi
+  :: ev == EV_driver_came -> if :: phase != OUT -> phase = CONFIRMING; conf = 0 :: else -> skip fi
   :: ev == EV_kneel || ev == EV_taken_over -> started = 0
   :: ev == EV_taken_over_in_place || ev == EV_start_done -> started = 1
   :: else -> skip
@@ -397,7 +412,7 @@ inline change_state() {
   /* engage */
   if
   :: !DRIVES(state) || !powered || tripped -> phase = OUT
-  :: DRIVES(state) && powered && !tripped && phase == OUT -> phase = CONFIRMING; conf = 0; writes = 0
+  :: DRIVES(state) && powered && !tripped && phase == OUT -> phase = CONFIRMING; conf = 0
   :: else -> skip
   fi
 }
@@ -407,15 +422,14 @@ inline compose() {
   write_off = 0; write_on = 0; write_goal = 0; heard = up;
   if
   :: state == ST_offline -> skip
-  :: state != ST_offline && (off_due || (heard && phase == PLACED && writes >= 2 && !suspect && !off_look && !uncertain)) ->
+  :: state != ST_offline && (off_due || (heard && phase == PLACED && has_goal && !suspect && !off_look && !uncertain)) ->
      write_off = off_due;
      if :: off_due -> off_due = 0; off_ordered = 1 :: else -> skip fi;
-     if :: heard && phase == PLACED && writes >= 2 && !suspect && !off_look && !uncertain -> write_on = 1; phase = MOVING; off_look = 0 :: else -> skip fi
+     if :: heard && phase == PLACED && has_goal && !suspect && !off_look && !uncertain -> write_on = 1; phase = MOVING; off_look = 0 :: else -> skip fi
   :: else ->
      if
      :: heard && phase == CONFIRMING && conf == 2 && !suspect && !off_look ->
-        phase = PLACED; writes = 1; off_ordered = 0; uncertain = 0; goal_right = ref_right
-     :: heard && phase == PLACED && writes < 2 && !suspect && !off_look && !uncertain -> writes++
+        phase = PLACED; s_placed = 0; off_ordered = 0; uncertain = 0; goal_right = ref_right
      :: else -> skip
      fi;
      write_goal = heard && (phase == PLACED || phase == MOVING) && !suspect && !off_look && !uncertain
@@ -440,7 +454,7 @@ inline deliver() {
      if
      :: write_goal ->
         s_goal_right = goal_right;
-        if :: phase == PLACED -> s_reset = 0 :: else -> skip fi;
+        if :: phase == PLACED -> s_reset = 0; s_placed = 1 :: else -> skip fi;
         if :: !s_shut -> servo_on() :: else -> skip fi   /* a goal write enables torque */
      :: else -> skip
      fi
@@ -451,12 +465,12 @@ inline deliver() {
 inline answer() {
   bit_seen = board_power;
   fresh = up && board_power && boot == 0;
-  looked = 0; flicker = 0; reset_seen = 0; shut_seen = 0;
+  looked = 0; flicker = 0; reset_seen = 0; shut_seen = 0; placed_seen = 0;
   if
   :: fresh ->
      age = 0; ref_right = 1;
-     looked = look_age >= LOOK || uncertain || !known;  /* a doubtful servo is looked at as soon as it is heard */
-     if :: looked -> look_age = 0; stiff = s_on; known = 1; reset_seen = s_reset; shut_seen = s_shut :: else -> look_age++ fi;
+     looked = look_age >= LOOK || uncertain || !known || phase == PLACED;  /* a doubtful servo is looked at as soon as it is heard */
+     if :: looked -> look_age = 0; stiff = s_on; known = 1; reset_seen = s_reset; shut_seen = s_shut; placed_seen = s_placed && !s_reset :: else -> look_age++ fi;
      flicker = (s_shut && phase == MOVING) || wire == W_WRONG_BIT
   :: !fresh && up && age <= PATIENCE -> age++       /* the board answered, the servo did not */
   :: !fresh && !up && age <= PATIENCE -> age++
@@ -470,8 +484,8 @@ inline answer() {
 inline judge() {
   c_code { now.told = keeps_limp(now.faults); };
   if :: process == RUNNING -> remembered = told :: else -> skip fi;
-  printf("%d came %d act %d broke %d wire %d | state %d event %d faults %x session %d ended %d silence %d | phase %d writes %d conf %d age %d suspect %d off %d/%d stiff %d | write off %d on %d goal %d delivered %d up %d | servo power %d boot %d on %d shut %d right %d off for %d released %d missed %d\n",
-    process, came, act, broken, wire, state, ev, faults, session, ended, silence, phase, writes, conf, age, suspect, off_due, off_ordered, stiff, write_off, write_on, write_goal, delivered, up, board_power, boot, s_on, s_shut, s_goal_right, off_for, released, missed);
+  printf("%d came %d act %d broke %d wire %d | state %d event %d faults %x session %d ended %d silence %d | phase %d has goal %d conf %d age %d suspect %d off %d/%d stiff %d | write off %d on %d goal %d delivered %d up %d | servo power %d boot %d on %d shut %d right %d off for %d released %d missed %d\n",
+    process, came, act, broken, wire, state, ev, faults, session, ended, silence, phase, has_goal, conf, age, suspect, off_due, off_ordered, stiff, write_off, write_on, write_goal, delivered, up, board_power, boot, s_on, s_shut, s_goal_right, off_for, released, missed);
   assert(!(state == ST_offline && ever && missed > 0 && missed <= PATIENCE && ev == EV_board_lost));  /* A3: 5 misses */
   /* A4: the state says limp, the servo answers, and holds its joint for longer than a look and a repeated order take */
   if

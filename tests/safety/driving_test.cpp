@@ -175,8 +175,6 @@ TEST(Driving, TorqueOnAgainGoesThroughThePresentPositionAndIsGentle) {
   EXPECT_NEAR(rig.goal(Joint::kShoulderL), -0.5, kRadPerTick);
   EXPECT_EQ(rig.safe->write(), Write::kGoals) << "the goal first";
   rig.cycle();
-  EXPECT_EQ(rig.safe->write(), Write::kGoals) << "twice, because nobody acknowledges it";
-  rig.cycle();
   EXPECT_EQ(rig.safe->write(), Write::kTorque) << "then torque";
   EXPECT_TRUE(rig.safe->torqueOn()[index(Joint::kShoulderL)]);
   double last = rig.goal(Joint::kShoulderL);

@@ -27,6 +27,7 @@ struct FakeServo {
   bool hears = true;
   bool follows = true;             // false: blocked
   std::optional<double> stuck_at;  // what its encoder says, rad
+  bool shuts_off = false;          // by overload, as soon as it is written to
   bool remembers = false;          // says overload as long as its torque is off
   std::uint8_t error_bits = 0;
   double celsius = 35;
@@ -64,11 +65,12 @@ struct FakeRobot {
       const double way = s.goal - s.position;
       s.position += std::copysign(std::min(std::abs(way), s.speed * dt), way);
     }
+    unseen_ |= safe.look();
     read();
   }
 
  private:
-  std::bitset<kJoints> unseen_;
+  std::bitset<kJoints> unseen_;  // since they were last heard, or asked to be looked at
 
   void obey(const SafeCommands& safe) {
     if (safe.powerOn()) servo_power = servo_power || power_obeys;
@@ -85,7 +87,7 @@ struct FakeRobot {
         s.goal = goal.goal.value;
         s.speed = goal.speed_limit.value;
         s.restarted = false;
-        s.torque_limit = goal.torque_limit.value;
+        s.torque_limit = s.shuts_off ? 0 : goal.torque_limit.value;
         s.torque = s.torque || goal_write_switches_on;
       }
     }
@@ -126,8 +128,9 @@ struct FakeRobot {
     j.health.received();
     j.temperature = Celsius{s.celsius};
     j.torque_limit = NewtonMeter{s.torque_limit};
+    j.goal = Rad{s.goal};
+    j.speed_limit = RadPerSec{s.restarted ? 0 : s.speed};
     j.torque_enabled = s.torque;
-    j.restarted = s.restarted;
     j.voltage = Volt{volt};
   }
 

@@ -26,7 +26,7 @@ TEST(TakeOver, WithoutADriverNothingIsEverSent) {
   EXPECT_TRUE(rig.report().active.none());
 }
 
-TEST(TakeOver, GoalIsThePresentPositionTwiceAndThenTorqueComes) {
+TEST(TakeOver, GoalIsThePresentPositionAndTorqueComesWhenTheServosAreSeenToHaveIt) {
   Rig rig;
   rig.run(5);
   rig.newSession();
@@ -39,11 +39,64 @@ TEST(TakeOver, GoalIsThePresentPositionTwiceAndThenTorqueComes) {
     EXPECT_NEAR(goal.speed_limit.value, 1.194, 1e-9);
     EXPECT_FALSE(rig.robot.servo[i].torque);
   }
-  rig.cycle();
-  EXPECT_EQ(rig.safe->write(), Write::kGoals) << "a lost frame must not let torque find an older goal";
+  EXPECT_TRUE(rig.safe->look().all());
   rig.cycle();
   EXPECT_EQ(rig.safe->write(), Write::kTorque);
   EXPECT_TRUE(rig.safe->torqueOn().all());
+}
+
+TEST(TakeOver, NoTorqueFindsAnOlderGoalWhateverIsLostOnTheWire) {
+  for (const bool powered_up : {false, true}) {  // then it has no speed limit either
+    Rig rig;
+    rig.robot[Joint::kNeck].goal = 3;  // left over from an earlier program
+    rig.robot[Joint::kNeck].restarted = powered_up;
+    rig.robot[Joint::kNeck].hears = false;
+    rig.newSession();
+    for (int i = 0; i < 300; ++i) {
+      rig.cycle();
+      ASSERT_FALSE(rig.safe->torqueOn()[index(Joint::kNeck)]) << "cycle " << i;
+    }
+    EXPECT_TRUE(rig.robot[Joint::kHead].torque) << "the others are not kept waiting";
+    EXPECT_TRUE(rig.active(Fault::kServoSilent)) << "it is reported";
+    EXPECT_EQ(rig.report().worst_joint, 19);
+    rig.robot[Joint::kNeck].hears = true;
+    rig.run(10);
+    EXPECT_TRUE(rig.robot[Joint::kNeck].torque);
+    EXPECT_FALSE(rig.active(Fault::kServoSilent));
+  }
+}
+
+TEST(TakeOver, AServoThatShutsItselfOffAtOnceIsTriedTwiceAndThenBelieved) {
+  Rig rig;
+  rig.robot[Joint::kNeck].shuts_off = true;
+  rig.newSession();
+  int tries = 0;
+  bool was_driven = false;
+  for (int i = 0; i < 100; ++i) {
+    rig.cycle();
+    ASSERT_FALSE(rig.safe->torqueOn()[index(Joint::kNeck)]);
+    tries += rig.driven(Joint::kNeck) && !was_driven ? 1 : 0;
+    was_driven = rig.driven(Joint::kNeck);
+  }
+  EXPECT_EQ(tries, 2);
+  EXPECT_TRUE(rig.report().tripped[index(Joint::kNeck)]);
+  EXPECT_TRUE(rig.active(Fault::kServoOverload));
+}
+
+TEST(TakeOver, NoTorqueComesOnAtAServoWithoutTheGentleSpeed) {
+  for (const double speed : {0.0, 5.0}) {
+    Rig rig;
+    rig.run(5);
+    rig.newSession();
+    ASSERT_GE(rig.runUntil([&] { return rig.safe->write() == Write::kGoals; }), 0);
+    FakeServo& neck = rig.robot[Joint::kNeck];
+    rig.robot.seen.joint[index(Joint::kNeck)].speed_limit = RadPerSec{speed};
+    rig.cycle();
+    EXPECT_EQ(rig.safe->write(), Write::kTorque);
+    EXPECT_FALSE(rig.safe->torqueOn()[index(Joint::kNeck)]) << speed;
+    rig.run(10);
+    EXPECT_TRUE(neck.torque);
+  }
 }
 
 TEST(TakeOver, ACorruptedReadingNeverBecomesAGoal) {
@@ -299,7 +352,6 @@ TEST(TakeOver, ALostTorqueOnIsSentAgain) {
   Rig rig;
   rig.newSession();
   ASSERT_GE(rig.runUntil([&] { return rig.safe->write() == Write::kGoals; }), 0);
-  rig.cycle();
   rig.robot[Joint::kNeck].hears = false;  // just that one frame is lost
   rig.cycle();
   ASSERT_EQ(rig.safe->write(), Write::kTorque);
