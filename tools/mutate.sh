@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # mutate.sh RESULTS [MOST]: is every row of the safety tables tested? Changes one row at a time (fault table, state machine,
-# thresholds) in a checkout of its own, and asks who notices, the cheapest first: compiler, model check, unit tests,
-# property tests, 20 000 cycles of the campaign. Appends to RESULTS a line a mutation: name, tab, who caught it, or SURVIVED.
-# Lines that are there are not tried again, so it can be stopped at any time. MOST: so many mutations and no more.
-# `mutate.sh --list` prints them. MUTATE_MODEL=0: without the model check, which takes a minute for what it does not catch.
+# thresholds) in a checkout of its own, and asks who notices, the cheapest first: compiler, unit tests, model check, tests
+# with the virtual robot, property tests, 20 000 cycles of the campaign. Appends to RESULTS a line a mutation: name, tab, who
+# caught it, or SURVIVED. Lines that are there are not tried again, so it can be stopped at any time. MOST: so many
+# mutations and no more. `mutate.sh --list` prints them. MUTATE_MODEL=0: without the model check.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
 
@@ -67,7 +67,7 @@ if [ "${1:-}" = --list ]; then
   exit
 fi
 
-[ $# -ge 1 ] || { sed -n '2,7s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+[ $# -ge 1 ] || { sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 results=$(readlink -f "$1")
 most=${2:-1000000}
 tree=$PWD/build/mutants
@@ -101,15 +101,18 @@ in_the_model() {
   esac
 }
 
-# Prints who notices.
+caught_by_model() {
+  [ "${MUTATE_MODEL:-1}" != 0 ] && in_the_model "$1" || return 1
+  ! (cd "$tree" && tools/model-check.sh build/debug/bin processes) >"$log" 2>&1 || return 1
+  echo "model: $(grep -oE 'assertion violated.*|acceptance cycle' "$log" | head -1 | sed 's/ (at depth.*//')"
+}
+
+# Prints who notices. The model comes behind the unit tests: it takes longer for what it does not catch.
 judge() {
   if ! ninja -C "$tree/build/debug" --quiet print_model_tables >"$log" 2>&1; then
     echo compiler
-  elif [ "${MUTATE_MODEL:-1}" != 0 ] && in_the_model "$1" &&
-    ! (cd "$tree" && tools/model-check.sh build/debug/bin processes) >"$log" 2>&1; then
-    echo "model: $(grep -oE 'assertion violated.*|acceptance cycle' "$log" | head -1 | sed 's/ (at depth.*//')"
   else
-    caught_by safety_test --gtest_brief=1 || caught_by safety_on_board_test --gtest_brief=1 ||
+    caught_by safety_test --gtest_brief=1 || caught_by_model "$1" || caught_by safety_on_board_test --gtest_brief=1 ||
       caught_by servo_hazards_test --gtest_brief=1 || caught_by safety_property_test --gtest_brief=1 ||
       caught_by campaign_deep 20000 1 || echo SURVIVED
   fi

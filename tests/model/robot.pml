@@ -168,7 +168,7 @@ inline choose_who_acts() {
      if
      :: skip
 #ifndef NO_PEOPLE
-     :: process == RUNNING -> act = A_MODE
+     :: process != DOWN -> act = A_MODE
      :: process == RUNNING && START_COUNTS -> act = A_START
      :: process == RUNNING -> act = A_RESET
      :: process == RUNNING -> act = A_RELEASE
