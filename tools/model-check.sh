@@ -11,10 +11,11 @@ compiler=${CC:-gcc}
 
 # Name, effort, and what the configuration defines. `processes`: people, processes and servos on a good wire. `wire`: lost
 # writes and outages of up to MAXMISS cycles, a controller only. `way_out`, `let_go`: from every state of `processes` the
-# robot drives again, or lets go, when nothing breaks any more and a person acts (docs/faults.md).
+# robot drives again, or lets go, when nothing breaks any more and a person acts (docs/faults.md); they visit what
+# `processes` visits, and check the same assertions.
 configurations() {
   cat <<'END'
-processes gate -DNO_WIRE
+processes deep -DNO_WIRE
 wire gate -DFIXED_PROCESSES -DNO_PEOPLE -DMAXMISS=6 -DMAXBOOT=1
 way_out gate -DNO_WIRE -DWAY_OUT=1
 let_go deep -DNO_WIRE -DWAY_OUT=2
