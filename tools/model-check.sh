@@ -37,7 +37,7 @@ check() {
   rm -rf "$place"
   mkdir -p "$place"
   "$bin/print_model_tables" >"$place/tables.pml"
-  cp tests/model/robot.pml "$place/"
+  cp tests/model/*.pml "$place/"
   [[ "$*" != *WAY_OUT* ]] || { search=() run=(-a); }  # looks for cycles
   (
     cd "$place"
