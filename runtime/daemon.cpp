@@ -1,15 +1,12 @@
 // The loop in a process of its own.
 #include "runtime/daemon.hpp"
 
-#include <fcntl.h>
 #include <time.h>
-#include <unistd.h>
 
 #include <iostream>
 #include <stdexcept>
 
 #include "runtime/fault_announcer.hpp"
-#include "safety/fault_book.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -25,6 +22,11 @@ Exchange createExchange(const RuntimeFiles& files, gid_t group, bool released) {
   Exchange exchange = Exchange::create(files.exchange, group);
   exchange.ownBlock().released.store(released ? 1 : 0);
   return exchange;
+}
+
+LoopConfig afterAnother(LoopConfig config, const RobotNotes& notes) {
+  config.safety.held_before = notes.held();
+  return config;
 }
 
 }  // namespace
@@ -44,27 +46,14 @@ Daemon::Daemon(const LoopConfig& config, const RuntimeFiles& files, FileLock cla
                std::unique_ptr<ServoBus> bus)
     : files_{files},
       claim_{std::move(claim)},
-      released_{access(files.released.c_str(), F_OK) == 0},
-      exchange_{createExchange(files, group, released_)},
+      notes_{files},
+      exchange_{createExchange(files, group, notes_.released())},
       rest_{checked(config).safety, config.period},
-      host_{config, std::move(bus), exchange_, LoopStats::Timed::kYes, Recorder::Writer::kThread},
+      host_{afterAnother(config, notes_), std::move(bus), exchange_, LoopStats::Timed::kYes, Recorder::Writer::kThread},
       driver_{host_.loop(), clock_, config.period, config.real_time} {}
 
 Daemon::~Daemon() {
   Exchange::remove(files_.exchange);
-}
-
-/// A daemon that is killed and started anew by a program must not undo a person's release.
-void Daemon::remember(const Sensors& seen) {
-  const bool released = safety::keptLimp(seen.safety.active);
-  if (seen.cycle == 0 || released == released_) return;
-  released_ = released;
-  if (!released) {
-    unlink(files_.released.c_str());
-    return;
-  }
-  const int file = open(files_.released.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
-  if (file >= 0) close(file);
 }
 
 void Daemon::run(const std::atomic<bool>& stop) {
@@ -72,15 +61,16 @@ void Daemon::run(const std::atomic<bool>& stop) {
   for (; !stop.load() && !exchange_.shortened(); doze()) {
     const Sensors seen = sensors();
     announcer.look(seen);
-    remember(seen);
+    notes_.look(seen);
   }
   exchange_.ownBlock().closing.store(ExchangeBlock::kClosing);  // ends the controller, and brings the robot to rest
   const Nanos give_up = clock_.now() + rest_.atMost();
   for (Sensors seen = sensors(); !rest_.reached(seen) && clock_.now() < give_up; seen = sensors()) {
     announcer.look(seen);
-    remember(seen);
+    notes_.look(seen);
     doze();
   }
+  notes_.look(sensors());
   if (exchange_.shortened())
     throw std::runtime_error("the shared memory (" + files_.exchange +
                              ") was shortened or overwritten by another program, so the robot was brought to rest; "

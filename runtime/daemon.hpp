@@ -12,6 +12,7 @@
 #include "runtime/loop_host.hpp"
 #include "runtime/names.hpp"
 #include "runtime/rest.hpp"
+#include "runtime/robot_notes.hpp"
 
 namespace darwinop::runtime {
 
@@ -36,11 +37,10 @@ class Daemon {
 
  private:
   [[nodiscard]] Sensors sensors() const;
-  void remember(const Sensors& seen);
 
   RuntimeFiles files_;
   FileLock claim_;
-  bool released_;  // files_.released exists
+  RobotNotes notes_;  // of a daemon before this one
   Exchange exchange_;
   Rest rest_;
   MonotonicClock clock_;

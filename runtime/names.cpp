@@ -20,6 +20,7 @@ RuntimeFiles::RuntimeFiles(const std::string& name) {
   loop_lock = exchange + ".loop";
   drive_lock = exchange + ".drive";
   released = exchange + ".released";
+  held = exchange + ".held";
   pictures = exchange + ".pictures";
   pictures_asked = pictures + ".asked";
 }

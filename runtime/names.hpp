@@ -20,6 +20,7 @@ struct RuntimeFiles {
   std::string loop_lock;   // held as long as the loop lives
   std::string drive_lock;  // held by the one controller that drives
   std::string released;    // exists while a person's release waits for a person; outlives the daemon, not the computer
+  std::string held;        // exists while joints are held; the same
   // What its camera sees, for onlookers, and when they asked for it last: hal/shared_picture/layout.hpp.
   std::string pictures, pictures_asked;
 };

@@ -26,6 +26,7 @@ double tiltDegrees(const BoardSensors& seen) noexcept {
 
 BoardWatch::BoardWatch(const Config& config)
     : config_{config},
+      had_power_{config.held_before},
       low_{milliseconds{2000}, milliseconds{2000}},
       empty_{milliseconds{2000}, milliseconds{2000}},
       fell_{milliseconds{500}, milliseconds{500}},

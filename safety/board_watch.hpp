@@ -27,6 +27,8 @@ class BoardWatch {
   [[nodiscard]] Nanos poweredFor() const noexcept { return powered_for_; }
   /// The servos had power and lost it; two answers in a row say so.
   [[nodiscard]] bool powerLost() const noexcept { return online_ && lost_; }
+  /// Two answers in a row say that servo power is off, whether it was on or not.
+  [[nodiscard]] bool powerOff() const noexcept { return power_off_.on(); }
   /// True in the cycle in which that is first known.
   [[nodiscard]] bool powerLostNow() const noexcept { return lost_now_; }
   /// Servo power has to be switched on.

@@ -74,6 +74,10 @@ struct Config {
   /// has left out are asked and reported.
   std::bitset<kJoints> absent, left_out;
 
+  /// An earlier loop held joints when it was seen last (runtime/robot_notes.hpp): servo power that is found off was
+  /// lost under torque.
+  bool held_before = false;
+
   /// Settings of [Safety] that a file named, in the order of visit(); the others are defaults. safety/layers.hpp
   std::bitset<32> named;
 

@@ -81,14 +81,26 @@ void Guard::clearFaults() noexcept {
 }
 
 void Guard::watch(const Sensors& seen, Nanos dt) noexcept {
-  const bool waits = latchedFault(faults_.all()) != Fault::kNone || board_.powerWithheld();
-  board_.update(seen.board, waits && !drives(state_), dt);
+  // Without servo power nothing can move, whatever the state: a session may have come since power is withheld.
+  const bool released = latchedFault(faults_.all()) != Fault::kNone && !drives(state_);
+  board_.update(seen.board, released || board_.powerWithheld(), dt);
   if (board_.startPressed()) clearFaults();
   for (std::size_t i = 0; i < kJoints; ++i) joints_[i].observe(seen.joint[i], seen.silent[i], board_.poweredFor(), dt);
-  lost_under_torque_ = board_.powerLostNow() && (drives(state_) || state_ == State::kFoundStiff || holding_up_);
+  watchHold();
   if (!board_.powerLost()) return;
   holding_up_ = false;
   for (JointGuard& joint : joints_) joint.losePower();
+}
+
+/// RESET is a way to let go of the robot. What counts is whether it held its joints when power went, not what was
+/// known: a torque off that was just sent may have been lost, and a robot that no loop has looked at yet may be stiff.
+/// Servo power that is off from the start, on a robot that no loop has held, is a board that was just switched on.
+void Guard::watchHold() noexcept {
+  const bool held = drives(state_) || state_ == State::kFoundStiff || holding_up_ || perhaps_held_;
+  lost_under_torque_ = board_.powerLostNow() && held;
+  // Silent servos count as looked at, but only after time in which they could have answered.
+  const auto looked = [this] { return board_.poweredFor() >= fromSeconds(config_.silent_s) && allKnown(); };
+  if (board_.powerOff() || (perhaps_held_ && looked())) perhaps_held_ = false;
 }
 
 template <class Is>

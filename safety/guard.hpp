@@ -39,6 +39,7 @@ class Guard {
 
   void hear(const Commands& asked, Nanos dt) noexcept;
   void watch(const Sensors& seen, Nanos dt) noexcept;
+  void watchHold() noexcept;
   void beginSession(const Commands& asked) noexcept;
   void clearFaults() noexcept;
   void noteFaults() noexcept;
@@ -80,6 +81,7 @@ class Guard {
   bool started_ = false;            // this session's start is over
   int looking_for_ = 0;             // cycles in which the board answers and it is not yet known whether the servos hold
   bool holding_up_ = false;         // torque was switched on by us, and not off since
+  bool perhaps_held_ = true;        // not each servo was looked at since torque was ordered off, or since the start
   bool lost_under_torque_ = false;  // servo power was lost in this cycle, and joints were held until then
   Nanos taking_over_for_{0};
   PoseMove move_;

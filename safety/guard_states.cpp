@@ -139,6 +139,7 @@ void Guard::act(Event event) noexcept {
   switch (event) {
     case Event::kRelease:
     case Event::kKnelt:
+      perhaps_held_ = perhaps_held_ || drives(state_) || state_ == State::kFoundStiff || holding_up_;
       for (JointGuard& joint : joints_) joint.orderOff();
       holding_up_ = started_ = false;
       break;

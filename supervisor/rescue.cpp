@@ -6,6 +6,7 @@
 
 #include "link/connect.hpp"
 #include "runtime/daemon.hpp"
+#include "runtime/robot_notes.hpp"
 #include "supervisor/holder.hpp"
 
 namespace darwinop::supervisor {
@@ -14,12 +15,13 @@ namespace {
 constexpr Nanos kFirstWait{100'000'000}, kLongestWait{1'000'000'000};
 constexpr std::uint32_t kSession = 1;  // of a driver who says farewell with the first word
 
-runtime::LoopConfig loopConfig(const RobotSettings& robot, const link::OpenedBus& opened) {
+runtime::LoopConfig loopConfig(const RobotSettings& robot, const link::OpenedBus& opened, bool held) {
   runtime::LoopConfig config;
   config.period = robot.period;
   config.safety = opened.safety;
   // Stopping where it is would leave the robot as it was found, and letting go would drop it.
   config.safety.on_exit = safety::OnExit::kKneel;
+  config.safety.held_before = held;
   config.port = opened.description;
   return config;
 }
@@ -51,6 +53,7 @@ class Rescue::OwnLoop {
 
   RescueWatch::Step look() {
     (void)exchange_.block().sensors.read(seen_);
+    notes_.look(seen_);
     const RescueWatch::Step step = watch_.look(seen_);
     if (step == RescueWatch::Step::kCrouch && !farewell_) sayFarewell();
     return step;
@@ -65,10 +68,11 @@ class Rescue::OwnLoop {
           link::OpenedBus opened)
       : path_{files.exchange},
         claim_{std::move(claim)},
-        exchange_{closedExchange(path_, robot.group, released)},
+        notes_{files},
+        exchange_{closedExchange(path_, robot.group, released || notes_.released())},
         watch_{robot.period, runtime::Rest{robot.safety, robot.period}.atMost()},
-        host_{loopConfig(robot, opened), std::move(opened.bus), exchange_, runtime::LoopStats::Timed::kYes,
-              runtime::Recorder::Writer::kThread},
+        host_{loopConfig(robot, opened, notes_.held()), std::move(opened.bus), exchange_,
+              runtime::LoopStats::Timed::kYes, runtime::Recorder::Writer::kThread},
         driver_{host_.loop(), clock_, robot.period, {}} {}
 
   /// Red lights, nobody drives, and nobody can: no other process has the commands.
@@ -90,12 +94,14 @@ class Rescue::OwnLoop {
     farewell.session = kSession;
     farewell.sequence = 1;
     farewell.farewell = true;
+    farewell.unattended = true;  // what a person pressed during the rescue stays
     exchange_.commands().commands.publish(farewell);
     farewell_ = true;
   }
 
   std::string path_;
   runtime::FileLock claim_;
+  runtime::RobotNotes notes_;  // a supervisor that is killed now leaves them to the next one
   runtime::Exchange exchange_;
   RescueWatch watch_;
   Sensors seen_;

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "runtime/robot_notes.hpp"
 #include "supervisor/robot_settings.hpp"
 #include "supervisor/standing.hpp"
 
@@ -113,7 +114,9 @@ void Supervisor::take(const Orders& orders) {
     return;
   }
   controller_.restart(now_);
-  if (phase_ == Phase::kDown || phase_ == Phase::kBackOff) startRuntime();
+  if (phase_ != Phase::kDown && phase_ != Phase::kBackOff) return;
+  runtime::RobotNotes::forget(files_);  // the order was a person's
+  startRuntime();
 }
 
 void Supervisor::publishStatus() {

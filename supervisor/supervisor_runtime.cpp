@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "runtime/rest.hpp"
+#include "runtime/robot_notes.hpp"
 #include "safety/fault_book.hpp"
 #include "supervisor/rescue_watch.hpp"
 #include "supervisor/robot_settings.hpp"
@@ -128,6 +129,7 @@ void Supervisor::onRest(Rescue::Step step) {
   if (const std::string refused = standFast(); !refused.empty()) say(refused);
   if (!std::exchange(restart_asked_, false)) return;
   controller_.restart(now_);
+  runtime::RobotNotes::forget(files_);
   startRuntime();
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/faults.hpp"
+#include "core/sensors.hpp"
 #include "safety/states.hpp"
 
 namespace {
@@ -29,6 +30,7 @@ void printFaults() {
   for (std::size_t i = 0; i < std::size(kReactions); ++i) define("RE_", kReactions[i], i);
   for (std::size_t i = 0; i < kFaults; ++i) define("FA_", kFaultTable[i].name, i);
   define("N", "FAULTS", kFaults);
+  define("ANSWER_", "PATIENCE", kAnswerPatience);
 }
 
 void printTables() {

@@ -199,8 +199,10 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "safety_on_board_test:ReleaseOnTheBoard.AfterModeNoServoGetsTorqueUntilStart "
      "supervisor_test:Begin.NothingBeginsWhileAFaultWaitsForAPersonAndStatusSaysSo"},
     {"H407", "A released robot moves again by itself", "the runtime was killed and is started again",
-     "a release outlives the runtime", "NAME.released in /dev/shm",
-     "runtime_process_test:DaemonTest.ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs"},
+     "a release outlives the runtime", "NAME.released and NAME.held in /dev/shm",
+     "runtime_process_test:DaemonTest.ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs "
+     "runtime_process_test:DaemonTest.ServoPowerThatIsFoundOffAfterADaemonThatDroveIsARelease "
+     "safety_on_board_test:ReleaseOnTheBoard.AResetBeforeOrAfterTheDeathOfALoopThatHeldTheRobotIsARelease"},
     {"H408", "RESET is pressed in the kneel and the robot rises", "power returns in the middle of a pose move",
      "no torque without a person's act", "limp, latched",
      "campaign_test:CorrelatedFaults.ResetInTheMiddleOfAKneelLeavesTheRobotLimp "

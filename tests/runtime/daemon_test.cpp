@@ -26,6 +26,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using testing::HasSubstr;
+using testing::Not;
 
 std::atomic<bool> told_to_end{false};
 
@@ -35,11 +36,12 @@ constexpr int kLostAtRest = 3, kLeftStiff = 4;
 /// A daemon with a fake robot, 4 ms, in a child process.
 class DaemonTest : public testing::Test {
  protected:
-  static void serve(const RuntimeFiles& files, std::unique_ptr<Daemon>& daemon) {
+  static void serve(const RuntimeFiles& files, std::unique_ptr<Daemon>& daemon, bool power = true) {
     LoopConfig config;
     config.period = 4ms;
     config.port = "a fake";
     const auto robot = std::make_shared<FakeRobot>();
+    robot->power = power;
     daemon = std::make_unique<Daemon>(config, files, claimRuntime(files, getgid()), getgid(),
                                       std::make_unique<FakeBus>(robot));
     std::signal(SIGTERM, [](int) { told_to_end = true; });
@@ -209,6 +211,27 @@ TEST_F(DaemonTest, ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs
   for (int i = 0; i < 500 && access(files_.released.c_str(), F_OK) == 0; ++i) std::this_thread::sleep_for(10ms);
   EXPECT_NE(access(files_.released.c_str(), F_OK), 0);
   EXPECT_THAT(daemonStatus(files_), HasSubstr("faults        none"));
+}
+
+/// RESET was pressed while no loop ran, or so shortly before that the dead one could not notice.
+TEST_F(DaemonTest, ServoPowerThatIsFoundOffAfterADaemonThatDroveIsARelease) {
+  const auto status_of = [this](bool held) {
+    std::unique_ptr<Daemon> daemon;
+    if (!held) RobotNotes::forget(files_);
+    const Child next{[&] { serve(files_, daemon, false); }};
+    for (int i = 0; i < 500 && daemonStatus(files_).find("limp") == std::string::npos; ++i)
+      std::this_thread::sleep_for(10ms);
+    std::this_thread::sleep_for(100ms);
+    return daemonStatus(files_);
+  };
+  {
+    DaemonLink link{files_};
+    drive(link, 0.2, stop_);
+    for (int i = 0; i < 500 && access(files_.held.c_str(), F_OK) != 0; ++i) std::this_thread::sleep_for(10ms);
+    child_.kill(SIGKILL);
+  }
+  EXPECT_THAT(status_of(true), HasSubstr("board_reset"));
+  EXPECT_THAT(status_of(false), Not(HasSubstr("board_reset"))) << "a board that was just switched on";
 }
 
 TEST_F(DaemonTest, TellsOfAFaultWhenItBeginsAndWhenItIsOver) {

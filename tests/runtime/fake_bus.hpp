@@ -13,6 +13,7 @@ struct FakeRobot {
   std::array<Rad, kJoints> position;
   std::array<bool, kJoints> torque{};
   std::array<bool, kJoints> dead{};
+  bool power = true;  // of the servos
   std::uint32_t writes = 0, reads = 0;
   std::int64_t bus_ns = 5'400'000, wire_ns = 5'340'000;
 
@@ -41,7 +42,7 @@ class FakeBus final : public ServoBus {
   void read(BusReadings& readings) noexcept override {
     readings = BusReadings{};
     readings.board.answered = true;
-    readings.board.servo_power = true;
+    readings.board.servo_power = robot_->power;
     readings.board.voltage = Volt{11.8};
     readings.board.accelerometer = {MeterPerSec2{0}, MeterPerSec2{0}, MeterPerSec2{9.8}};
     for (std::size_t i = 0; i < kJoints; ++i) answer(i, readings.servo[i]);
@@ -51,7 +52,7 @@ class FakeBus final : public ServoBus {
 
  private:
   void answer(std::size_t i, ServoReading& servo) const noexcept {
-    servo.answered = !robot_->dead[i];
+    servo.answered = robot_->power && !robot_->dead[i];
     if (!servo.answered) return;
     servo.position = robot_->position[i];
     servo.velocity = RadPerSec{0};

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <memory>
 
 #include "core/commands.hpp"
 #include "core/registers.hpp"
@@ -28,23 +29,37 @@ hil::BoardOptions slowServos() {
   return options;
 }
 
+/// What lives in one process.
+struct Process {
+  Process(hil::MemoryLine& line, const Config& config)
+      : bus{line, cm730::BusConfig::forPeriod(kPeriod)}, guard{config}, loop{bus, guard, kPeriod} {}
+  cm730::Cm730Bus bus;
+  Guard guard;
+  runtime::Cycle loop;
+};
+
 struct Loop {
+  explicit Loop(const Config& config = {}) { start(config); }
+
   hil::VirtualRobot robot{slowServos()};
   hil::MemoryLine line{robot};
-  cm730::Cm730Bus bus{line, cm730::BusConfig::forPeriod(kPeriod)};
-  Guard guard{Config{}};
-  runtime::Cycle loop{bus, guard, kPeriod};
+  std::unique_ptr<Process> process;
   Commands commands;
   Nanos release{0};
   int powered = 0;  // times that servo power came on
   bool had_power = false;
 
+  /// The process before, if there was one, is dead.
+  void start(const Config& config) {
+    process = std::make_unique<Process>(line, config);
+    commands = {};
+  }
   void cycle() {
     release += kPeriod;
     line.advanceTo(release);
     if (commands.session != 0) ++commands.sequence;
-    loop.run(commands, {.release = release});
-    const bool power = loop.sensors().board.servo_power;
+    process->loop.run(commands, {.release = release});
+    const bool power = process->loop.sensors().board.servo_power;
     if (power && !had_power) ++powered;
     had_power = power;
   }
@@ -73,7 +88,7 @@ struct Loop {
       return robot.board().servo(static_cast<Joint>(joint.id - 1)).table().byte(servo::kTorqueEnable) != 0;
     });
   }
-  [[nodiscard]] State state() const { return loop.sensors().safety.state; }
+  [[nodiscard]] State state() const { return process->loop.sensors().safety.state; }
   void drive() {
     session(false);
     for (int i = 0; i < 500 && state() != State::kDriven; ++i) cycle();
@@ -150,6 +165,89 @@ TEST(ReleaseOnTheBoard, AResetAtAnyPhaseOfATakeoverEndsLimp) {
     if (!taken) continue;
     EXPECT_EQ(loop.cyclesWithTorque(2s), 0) << phase;
   }
+}
+
+/// Who presses RESET when a controller crashes does not look first whether torque is off already.
+TEST(ReleaseOnTheBoard, AResetJustAfterAControllersEndIsAReleaseIfAServoStillHeld) {
+  Config config;
+  config.on_exit = OnExit::kLimp;
+  int held = 0;
+  for (int phase = 0; phase < 8; ++phase) {
+    Loop loop{config};
+    loop.drive();
+    loop.commands.farewell = true;
+    for (int i = 0; i < phase / 2; ++i) loop.cycle();
+    loop.line.advanceTo(loop.release + phase % 2 * kPeriod / 2);
+    if (!loop.anyTorque()) continue;
+    ++held;
+    loop.reset();
+    loop.run(100ms);
+    EXPECT_EQ(loop.cyclesWithTorque(2s), 0) << phase;
+  }
+  EXPECT_GT(held, 0);
+}
+
+/// Torque off is a broadcast that nobody acknowledges: here one servo does not hear it.
+TEST(ReleaseOnTheBoard, AResetBeforeALostTorqueOffWasSeenIsARelease) {
+  Config config;
+  config.on_exit = OnExit::kLimp;
+  for (int cycles = 0; cycles < 24; cycles += 3) {
+    Loop loop{config};
+    loop.drive();
+    loop.commands.farewell = true;
+    loop.fault(hil::FaultKind::kStall, 40ms);
+    for (int i = 0; i < cycles; ++i) loop.cycle();
+    if (!loop.anyTorque()) continue;
+    loop.reset();
+    loop.run(200ms);
+    EXPECT_EQ(loop.cyclesWithTorque(2s), 0) << cycles;
+  }
+}
+
+TEST(ReleaseOnTheBoard, AResetBeforeOrAfterTheDeathOfALoopThatHeldTheRobotIsARelease) {
+  // After the third cycle it has latched the fault itself, and its note of that outlives it (runtime/robot_notes.hpp).
+  for (int lived_on = 0; lived_on < 3; ++lived_on) {
+    Loop loop;
+    loop.drive();
+    loop.reset();
+    for (int i = 0; i < lived_on; ++i) loop.cycle();
+    Config after_death;
+    after_death.held_before = true;
+    loop.start(after_death);
+    loop.run(100ms);
+    EXPECT_EQ(loop.cyclesWithTorque(5s), 0) << lived_on;
+    EXPECT_EQ(loop.state(), State::kLimp);
+    loop.press(kStart, 400ms);
+    loop.run(500ms);
+    loop.session(true);
+    loop.run(2s);
+    EXPECT_TRUE(loop.anyTorque()) << "a person has acted";
+  }
+}
+
+TEST(ReleaseOnTheBoard, ALoopThatBeginsOnABoardJustSwitchedOnDrives) {
+  Loop loop;
+  loop.session(true);
+  loop.run(3s);
+  EXPECT_EQ(loop.state(), State::kDriven);
+}
+
+/// A limp robot loses its power again and again, no fault is latched, and a controller is started again by itself.
+TEST(ReleaseOnTheBoard, StartBringsBackPowerThatIsWithheldAlsoUnderASession) {
+  Loop loop;
+  loop.run(1s);
+  for (int i = 0; i < 4; ++i) {
+    loop.reset();
+    loop.run(1s);
+  }
+  ASSERT_FALSE(loop.had_power);
+  loop.session(true);
+  loop.run(2s);
+  ASSERT_FALSE(loop.anyTorque());
+  loop.press(kStart, 400ms);
+  loop.run(3s);
+  EXPECT_EQ(loop.state(), State::kDriven);
+  EXPECT_TRUE(loop.anyTorque());
 }
 
 }  // namespace
