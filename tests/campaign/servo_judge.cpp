@@ -26,6 +26,11 @@ bool carriesGoal(std::uint8_t address, std::size_t size) {
   return address <= servo::kGoalPosition && address + size >= servo::kGoalPosition + 2U;
 }
 
+int goalIn(Bytes data, std::uint8_t address) {
+  const std::size_t at = std::size_t{servo::kGoalPosition} - address;
+  return data[at] | data[at + 1] << 8;
+}
+
 }  // namespace
 
 ServoJudge::Tally& ServoJudge::Tally::operator+=(const Tally& other) {
@@ -168,8 +173,10 @@ void ServoJudge::request(const Frame& frame, Nanos /*at*/) noexcept {
     Servo& servo = servo_[joint];
     if (carriesGoal(address, size)) ++servo.goals_sent;
     Sent& sent = servo.sent[servo.sent_count++ % kSentRoom];
-    sent = {cycle_, servo.goals_sent, address, size, {}};
+    sent = {cycle_, servo.goals_sent, address, size, {}, false};
     std::ranges::copy(rest.subspan(1, size), sent.data.begin());
+    if (carriesGoal(address, size))
+      sent.at_joint = nearJoint(static_cast<Joint>(joint), goalIn(rest.subspan(1, size), address));
   }
 }
 
@@ -207,7 +214,7 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
   const bool late = sent->cycle < servo.powered_at || cycle_ - sent->cycle > kLate;
   if (!before.pulls() && after.pulls()) servo.pulls_since = cycle_;
   if (servo.untrusted_until > cycle_) return;
-  if (late && with_goal && !repeated) judgeLate(joint, before, after, goals);
+  if (late && with_goal && !repeated) judgeLate(joint, *sent, before, after, goals);
   if (late) return;
   if (!before.pulls() && after.pulls()) judgeEdge(joint, after);
   if (servo.untrusted_until > cycle_) return;
@@ -229,11 +236,14 @@ void ServoJudge::judgeEdge(Joint joint, const hil::ServoState& after) {
 }
 
 /// A stalled board carries out a write after the servo has restarted, and it cannot be called back. There is one goal
-/// at most on its way, because the next one waits for an answer.
-void ServoJudge::judgeLate(Joint joint, const hil::ServoState& before, const hil::ServoState& after,
+/// at most on its way, because the next one waits for an answer. One that takes the joint over goes to where it was, at
+/// the gentle speed: a servo that still has torque of before returns from where that has moved it.
+void ServoJudge::judgeLate(Joint joint, const Sent& sent, const hil::ServoState& before, const hil::ServoState& after,
                            std::uint32_t goals) {
   ++tally_.late;
   if (++servo_[index(joint)].late_goals > 1) blame(Promise::kStep, joint, "more than one goal carried out late");
+  const int gentle = registerFromSpeedLimit(RadPerSec{config_.gentle_speed});
+  if (sent.at_joint && after.speed > 0 && after.speed <= gentle) return;
   if (before.pulls() && after.goal != before.goal) judgeStep(joint, before, after, goals);
 }
 

@@ -81,6 +81,7 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
     std::uint32_t goals = 0;  // goals sent to this servo up to and with this one
     std::uint8_t address = 0, size = 0;
     std::array<std::uint8_t, 8> data{};
+    bool at_joint = false;  // its goal was where the joint was when it was sent
   };
   static constexpr std::uint32_t kSentRoom = 256;    // a board that stalls executes seconds of requests at once
   static constexpr std::size_t kPositionWindow = 8;  // cycles
@@ -119,7 +120,8 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
   void judgeEdge(Joint joint, const hil::ServoState& after);
   [[nodiscard]] bool judgeShortOutage(Joint joint, const hil::ServoState& after);
   [[nodiscard]] bool undoesUnseenTrip(Joint joint);
-  void judgeLate(Joint joint, const hil::ServoState& before, const hil::ServoState& after, std::uint32_t goals);
+  void judgeLate(Joint joint, const Sent& sent, const hil::ServoState& before, const hil::ServoState& after,
+                 std::uint32_t goals);
   void judgeStep(Joint joint, const hil::ServoState& before, const hil::ServoState& after, std::uint32_t goals);
   void judgeOutage(const Sensors& seen);
   void judgeLimp(const Sensors& seen);
