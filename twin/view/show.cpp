@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "hal/signals.hpp"
 #include "hil-mocks/pty_host.hpp"
 #include "twin/model/model.hpp"
 #include "twin/view/controller_process.hpp"
@@ -26,12 +27,12 @@ constexpr Nanos kPushTime{100'000'000};
 constexpr std::chrono::seconds kPatience{10};  // for a controller that was asked to end: it lets the robot sit down
 constexpr long kTurnNs = 4'000'000;            // between two looks at signals and poses
 
-/// SIGINT, SIGTERM and SIGHUP wait until they are asked for. Made before the first thread.
+/// Signals of kEndSignals wait until they are asked for. Made before the first thread.
 class Signals {
  public:
   Signals() {
     sigemptyset(&set_);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set_, signal);
+    for (const int signal : kEndSignals) sigaddset(&set_, signal);
     pthread_sigmask(SIG_BLOCK, &set_, nullptr);
   }
   /// Waits that long. Nothing: none came. True: only we got it; what a terminal sends, the controller gets, too.
