@@ -93,9 +93,9 @@ TEST_F(Begin, ALimpRobotHasToSitForASecond) {
 TEST_F(Begin, WithoutAUserToRunItAsItIsRefusedOnceAndNotTriedAgain) {
   if (geteuid() != 0) GTEST_SKIP() << "only root starts it as another user";
   std::ofstream{folder / "robot.ini"} << "[Robot]\ncontroller_user = no-such-user\n";
-  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
   lookFor(60s, sitting());
-  const std::string said = testing::internal::GetCapturedStdout();
+  const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_FALSE(runs());
   EXPECT_THAT(said, HasSubstr("walk is not started: "));
   EXPECT_THAT(said, HasSubstr("there is no user 'no-such-user'"));
