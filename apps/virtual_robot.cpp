@@ -21,12 +21,12 @@
 #include "hil-mocks/fault_script.hpp"
 #include "hil-mocks/pty_host.hpp"
 #include "hil-mocks/robot_options.hpp"
+#include "hil-mocks/torque_on_counter.hpp"
 #include "link/setting.hpp"
 #include "link/twin_library.hpp"
 #include "settings/text_file.hpp"
 #ifdef DARWINOP_VIRTUAL_CAMERA  // on a PC
 #include "hil-mocks/camera/camera_settings.hpp"
-#include "hil-mocks/torque_on_counter.hpp"
 #include "virtual_robot_camera.hpp"
 #endif
 
