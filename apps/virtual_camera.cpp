@@ -130,9 +130,7 @@ int serve(Arguments& a) {
   if (a.file.empty()) a.file = "/dev/shm/darwinop-camera-" + std::to_string(getpid());
   a.file = std::filesystem::absolute(a.file);
   const std::vector<std::string> environment = darwinop::hil::cameraSettings(a.file, a.device);
-  sigset_t signals;
-  sigemptyset(&signals);
-  for (const int signal : darwinop::kEndSignals) sigaddset(&signals, signal);
+  sigset_t signals = darwinop::blockEndSignals();
   sigaddset(&signals, SIGCHLD);
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   Studio studio{a};

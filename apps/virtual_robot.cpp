@@ -147,10 +147,7 @@ std::unique_ptr<darwinop::app::RobotCamera> makeCamera(hil::PtyHost& host, const
 #endif
 
 int serve(const Arguments& a) {
-  sigset_t signals;
-  sigemptyset(&signals);
-  darwinop::ignoreSignals();
-  for (const int signal : darwinop::kEndSignals) sigaddset(&signals, signal);
+  sigset_t signals = darwinop::blockEndSignals();
   sigaddset(&signals, SIGUSR1);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before the first thread, so that only waitForEnd() gets them
 

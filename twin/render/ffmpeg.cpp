@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "hal/signals.hpp"
+
 namespace darwinop::twin {
 namespace {
 
@@ -58,6 +60,7 @@ Ffmpeg::Ffmpeg(const std::string& program, std::string file, int width, int heig
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
+    restoreIgnoredSignals();
     dup2(ends[0], STDIN_FILENO);
     execv(program.c_str(), arguments.data());
     _exit(127);

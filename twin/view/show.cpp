@@ -30,11 +30,6 @@ constexpr long kTurnNs = 4'000'000;            // between two looks at signals a
 /// Signals of kEndSignals wait until they are asked for. Made before the first thread.
 class Signals {
  public:
-  Signals() {
-    sigemptyset(&set_);
-    for (const int signal : kEndSignals) sigaddset(&set_, signal);
-    pthread_sigmask(SIG_BLOCK, &set_, nullptr);
-  }
   /// Waits that long. Nothing: none came. True: only we got it; what a terminal sends, the controller gets, too.
   std::optional<bool> wait(long ns) const {
     const timespec time{0, ns};
@@ -44,7 +39,7 @@ class Signals {
   }
 
  private:
-  sigset_t set_{};
+  sigset_t set_ = blockEndSignals();
 };
 
 class Show {
