@@ -3,28 +3,34 @@
 #include <spawn.h>
 #include <unistd.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "gap/report/data_hash.hpp"
 #include "gap/report/report.hpp"
 #include "gap/sim/ranks.hpp"
 #include "gap_commands.hpp"
 #include "gap_progress.hpp"
+#include "settings/text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kLongestText = 64 << 20;  // bytes: of a report, as darwinop window takes it
+
 std::string textOf(const std::string& path) {
-  std::ifstream file{path, std::ios::binary};
-  if (!file) throw std::runtime_error(path + ": cannot be read; is the name right?");
-  return {std::istreambuf_iterator<char>{file}, {}};
+  const std::optional<std::string> text = settings::readTextFile(path, kLongestText);
+  if (!text) throw std::runtime_error(path + ": cannot be read; is the name right?");
+  return *text;
 }
 
 void writeTo(const std::string& path, const std::string& text) {

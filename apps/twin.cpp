@@ -2,12 +2,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <fstream>
 #include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "settings/text_file.hpp"
 #include "twin/body/robot_body.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/model.hpp"
@@ -60,9 +61,9 @@ CLI::App& describePicture(CLI::App& app, Arguments& a) {
   return picture;
 }
 
-/// The first sentence of a model file's first comment.
-std::string titleOf(const std::string& file) {
-  std::ifstream text{file};
+/// The first sentence of a model file's first comment. Of a file that cannot be read: why, so that the list goes on.
+std::string titleOf(const std::string& file) try {
+  std::istringstream text{darwinop::settings::readTextFile(file).value_or("")};
   std::string title;
   for (std::string line; std::getline(text, line) && line.starts_with(';');) {
     line.erase(0, line.find_first_not_of("; "));
@@ -70,6 +71,8 @@ std::string titleOf(const std::string& file) {
     if (const std::size_t end = title.find_first_of(".:"); end != std::string::npos) return title.substr(0, end);
   }
   return title;
+} catch (const std::runtime_error& error) {
+  return error.what();
 }
 
 int printModels() {

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/signals.hpp"
 #include "hil-mocks/camera/camera_fault.hpp"
 #include "hil-mocks/camera/camera_settings.hpp"
 #include "hil-mocks/camera/frame_painter.hpp"
@@ -112,7 +113,7 @@ int paintOn(Studio& studio, const Arguments& a, const sigset_t& signals, pid_t c
     int status = 0;
     if (child > 0 && waitpid(child, &status, WNOHANG) == child)
       return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    const bool asked = signal == SIGINT || signal == SIGTERM || signal == SIGHUP;
+    const bool asked = std::ranges::find(darwinop::kEndSignals, signal) != darwinop::kEndSignals.end();
     const bool over = now_s >= end_s;
     if (child <= 0 && (asked || over)) return 0;
     if (asked && info.si_code != SI_KERNEL) kill(child, signal);  // the terminal told the command itself
@@ -129,9 +130,8 @@ int serve(Arguments& a) {
   if (a.file.empty()) a.file = "/dev/shm/darwinop-camera-" + std::to_string(getpid());
   a.file = std::filesystem::absolute(a.file);
   const std::vector<std::string> environment = darwinop::hil::cameraSettings(a.file, a.device);
-  sigset_t signals;
-  sigemptyset(&signals);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&signals, signal);
+  sigset_t signals = darwinop::blockEndSignals();
+  sigaddset(&signals, SIGCHLD);
   sigprocmask(SIG_BLOCK, &signals, nullptr);
   Studio studio{a};
   if (a.command.empty()) {

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "hal/signals.hpp"
+
 namespace darwinop::app {
 
 pid_t startWith(std::vector<std::string> environment, const std::vector<std::string>& command) {
@@ -26,7 +28,11 @@ pid_t startWith(std::vector<std::string> environment, const std::vector<std::str
   sigset_t none;
   sigemptyset(&none);
   posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+  sigset_t ignored = none;
+  for (const int signal : kIgnoredSignals) sigaddset(&ignored, signal);
+  for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) sigaddset(&ignored, signal);
+  posix_spawnattr_setsigdefault(&attributes, &ignored);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   pid_t child = -1;
   const int error = posix_spawnp(&child, words[0], nullptr, &attributes, words.data(), variables.data());
   posix_spawnattr_destroy(&attributes);

@@ -8,7 +8,8 @@
 
 namespace darwinop::app {
 
-/// Started with `environment` in front of ours and no signal blocked. -1: it cannot be, and why is told.
+/// Started with `environment` in front of ours, no signal blocked, and those of kIgnoredSignals with their defaults.
+/// -1: it cannot be, and why is told.
 pid_t startWith(std::vector<std::string> environment, const std::vector<std::string>& command);
 
 }  // namespace darwinop::app

@@ -21,6 +21,7 @@
 #include "hil-mocks/fault_script.hpp"
 #include "hil-mocks/pty_host.hpp"
 #include "hil-mocks/robot_options.hpp"
+#include "hil-mocks/torque_on_counter.hpp"
 #include "link/setting.hpp"
 #include "link/twin_library.hpp"
 #include "settings/text_file.hpp"
@@ -119,20 +120,13 @@ void waitForEnd(const sigset_t& signals, double for_s, bool physics, hil::PtyHos
   }
 }
 
-std::uint64_t torqueOnEdges(const hil::VirtualBoard& board) {
-  std::uint64_t edges = 0;
-  for (std::size_t i = 0; i < darwinop::kJoints; ++i)
-    edges += board.servo(static_cast<darwinop::Joint>(i)).torqueOnEdges();
-  return edges;
-}
-
-void report(const hil::VirtualRobot& robot, double seconds, Nanos lag) {
+void report(const hil::VirtualRobot& robot, std::uint64_t torque_on, double seconds, Nanos lag) {
   const hil::BoardCounters& c = robot.board().counters();
   std::printf("\nframes: %" PRIu64 "  sync writes: %" PRIu64 "  bulk reads: %" PRIu64 "  replies: %" PRIu64
               "  checksum errors: %" PRIu64 "  lost bytes: %" PRIu64 "\n",
               c.frames, c.sync_writes, c.bulk_reads, c.replies, c.bad_checksums, c.lost_bytes);
   std::printf("cycles per second: %.1f over %.1f s\n", static_cast<double>(c.bulk_reads) / seconds, seconds);
-  std::printf("torque switched on: %" PRIu64 "\n", torqueOnEdges(robot.board()));
+  std::printf("torque switched on: %" PRIu64 "\n", torque_on);
   std::printf("behind real time: at most %.1f ms\n", ms(lag));
 }
 
@@ -153,10 +147,7 @@ std::unique_ptr<darwinop::app::RobotCamera> makeCamera(hil::PtyHost& host, const
 #endif
 
 int serve(const Arguments& a) {
-  sigset_t signals;
-  sigemptyset(&signals);
-  darwinop::ignoreSignals();
-  for (const int signal : darwinop::kEndSignals) sigaddset(&signals, signal);
+  sigset_t signals = darwinop::blockEndSignals();
   sigaddset(&signals, SIGUSR1);
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before the first thread, so that only waitForEnd() gets them
 
@@ -173,7 +164,9 @@ int serve(const Arguments& a) {
     options.body_step = hil::kPhysicsStep;
     pty.at_rest = kPhysicsRest;
   }
+  hil::TorqueOnCounter torque_on;  // outlives the robot
   hil::VirtualRobot robot{options, a.seed, std::move(body)};
+  robot.board().observe(&torque_on);
   if (!a.faults.empty()) robot.faults().add(faultsIn(a.faults));
   Nanos served{0}, lag{0};
   {
@@ -190,7 +183,7 @@ int serve(const Arguments& a) {
     served = host.now();
     lag = host.worstLag();
   }
-  report(robot, std::chrono::duration<double>(served).count(), lag);
+  report(robot, torque_on.count(), std::chrono::duration<double>(served).count(), lag);
   return 0;
 }
 

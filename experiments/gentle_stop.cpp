@@ -3,6 +3,9 @@
 
 #include <array>
 #include <csignal>
+#include <cstddef>
+
+#include "hal/signals.hpp"
 
 namespace darwinop::experiments {
 namespace {
@@ -14,7 +17,11 @@ struct Before {
   int signal;
   struct sigaction action;
 };
-std::array<Before, 3> handlers_before{{{SIGINT, {}}, {SIGTERM, {}}, {SIGHUP, {}}}};
+std::array<Before, kEndSignals.size()> handlers_before = [] {
+  std::array<Before, kEndSignals.size()> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].signal = kEndSignals[i];
+  return all;
+}();
 
 void onSignal(int) {
   stop_asked.store(true);

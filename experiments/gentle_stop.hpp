@@ -6,7 +6,7 @@
 namespace darwinop::experiments {
 
 /// To be called once the webots::Robot exists, whose own handlers then come into force with the second signal.
-/// Becomes true with the first SIGINT, SIGTERM or SIGHUP.
+/// Becomes true with the first signal of kEndSignals (hal/signals.hpp).
 const std::atomic<bool>& installGentleStop();
 
 }  // namespace darwinop::experiments

@@ -41,6 +41,16 @@ void onEndSignals(void (*handler)(int, siginfo_t*, void*), int flags) {
     if (signal != SIGHUP || !isIgnored(SIGHUP)) sigaction(signal, &action, nullptr);
 }
 
+sigset_t blockEndSignals() {
+  ignoreSignals();
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : kEndSignals)
+    if (signal != SIGHUP || !isIgnored(SIGHUP)) sigaddset(&set, signal);
+  sigprocmask(SIG_BLOCK, &set, nullptr);
+  return set;
+}
+
 void endOnSignals() {
   onEndSignals([](int, siginfo_t*, void*) { end_requested.store(true); });
 }

@@ -89,6 +89,10 @@ void onEndSignals(void (*handler)(int, siginfo_t*, void*), int flags = 0);
 void endOnSignals();
 [[nodiscard]] const std::atomic<bool>& endRequested();
 
+/// ignoreSignals(), and the signals of kEndSignals are blocked: the returned set is for sigtimedwait(). SIGHUP is not
+/// in it when it was ignored before (nohup): a blocked signal would be waited for although it is ignored.
+[[nodiscard]] sigset_t blockEndSignals();
+
 /// In a child between fork and exec: what ignoreSignals() changed is the default again. Async-signal-safe.
 void restoreIgnoredSignals();
 

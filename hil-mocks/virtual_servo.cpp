@@ -142,13 +142,12 @@ void VirtualServo::noteRefusal(std::uint8_t errors) {
 
 void VirtualServo::write(std::uint8_t address, Bytes data) {
   const ServoState before = state();
-  const bool was_locked = table_.byte(kLock) != 0, was_limp = table_.byte(servo::kTorqueEnable) == 0;
+  const bool was_locked = table_.byte(kLock) != 0;
   table_.write(address, data);
   if (was_locked) table_.setByte(kLock, 1);  // only a power cycle unlocks
   // Protocol 1 servos switch torque on by themselves when they are given a goal.
   if (address <= servo::kGoalPosition && address + data.size() > servo::kGoalPosition)
     table_.setByte(servo::kTorqueEnable, 1);
-  if (was_limp && table_.byte(servo::kTorqueEnable) != 0) ++torque_on_edges_;
   updateDrive();
   if (observer_ != nullptr) observer_->written(joint_, address, data, before, state());
 }

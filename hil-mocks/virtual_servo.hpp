@@ -55,8 +55,6 @@ class VirtualServo : public Device {
   /// Where the body does not say.
   void setUsualTemperature(double celsius) { usual_temperature_c_ = celsius; }
 
-  /// Times that torque went from off to on.
-  [[nodiscard]] std::uint32_t torqueOnEdges() const { return torque_on_edges_; }
   /// What its motor is told.
   [[nodiscard]] ServoState state() const;
   /// Null: nobody.
@@ -89,7 +87,6 @@ class VirtualServo : public Device {
   bool missing_, dead_ = false, powered_ = false;
   bool goal_refused_ = false, overloaded_ = false;
   std::uint8_t injected_errors_ = 0;
-  std::uint32_t torque_on_edges_ = 0;
   double supply_v_ = 0, usual_temperature_c_ = 25;
   std::optional<double> forced_temperature_c_;
   std::optional<Nanos> trips_after_;

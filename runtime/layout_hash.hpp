@@ -68,7 +68,8 @@ constexpr void addOpaque(LayoutHash& hash, std::string_view name) {
 
 // For each of up to 24 names. One macro for each count would be no shorter.
 #define DARWINOP_PARENTHESES ()
-#define DARWINOP_EXPAND(...) DARWINOP_EXPAND2(DARWINOP_EXPAND2(DARWINOP_EXPAND2(__VA_ARGS__)))
+#define DARWINOP_EXPAND(...) DARWINOP_EXPAND3(DARWINOP_EXPAND3(DARWINOP_EXPAND3(__VA_ARGS__)))
+#define DARWINOP_EXPAND3(...) DARWINOP_EXPAND2(DARWINOP_EXPAND2(DARWINOP_EXPAND2(__VA_ARGS__)))
 #define DARWINOP_EXPAND2(...) DARWINOP_EXPAND1(DARWINOP_EXPAND1(DARWINOP_EXPAND1(__VA_ARGS__)))
 #define DARWINOP_EXPAND1(...) __VA_ARGS__
 #define DARWINOP_FIELDS(type, ...) __VA_OPT__(DARWINOP_EXPAND(DARWINOP_FIELDS_STEP(type, __VA_ARGS__)))
@@ -84,8 +85,9 @@ constexpr void addOpaque(LayoutHash& hash, std::string_view name) {
   template <>                                                                                                        \
   struct Layout<type> {                                                                                              \
     [[maybe_unused]] static void namesAll(const type& value) { [[maybe_unused]] const auto& [__VA_ARGS__] = value; } \
+    static constexpr void addFieldsTo(LayoutHash& hash) { DARWINOP_FIELDS(type, __VA_ARGS__) }                       \
     static constexpr void addTo(LayoutHash& hash) {                                                                  \
       hash.add(#type).add(sizeof(type));                                                                             \
-      DARWINOP_FIELDS(type, __VA_ARGS__)                                                                             \
+      addFieldsTo(hash);                                                                                             \
     }                                                                                                                \
   }

@@ -51,6 +51,7 @@ class DefaultController {
   [[nodiscard]] bool sits(const Sensors& seen, Nanos now);
   bool waitFor(const std::string& what, const std::string& details = "");
   void begin(Nanos now);
+  bool chooseAccount(Start& start);
   void onEnd(const Ending& ending, Nanos now);
   void resetFaults();
   void end(Nanos now);

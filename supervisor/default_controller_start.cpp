@@ -78,6 +78,17 @@ bool DefaultController::sits(const Sensors& seen, Nanos now) {
   return now - *in_pose_since_ >= kSteady;
 }
 
+/// False: there is no user to run it as, and another try would end the same way.
+bool DefaultController::chooseAccount(Start& start) {
+  try {
+    start.account = link::defaultControllerAccount(link::readRobotFile());
+    return true;
+  } catch (const std::runtime_error& error) {
+    become(State::kOver, name_ + " is not started: " + error.what());
+    return false;
+  }
+}
+
 void DefaultController::begin(Nanos now) {
   in_pose_since_.reset();
   latched_at_.reset();
@@ -92,7 +103,7 @@ void DefaultController::begin(Nanos now) {
     // it.
     start.environment = {{"DARWINOP_ROBOT", "runtime"}, {runtime::kUnattended, "1"}};
     start.expendable = true;
-    if (geteuid() == 0) start.account = link::defaultControllerAccount(link::readRobotFile());
+    if (geteuid() == 0 && !chooseAccount(start)) return;
     child_ = std::make_unique<Child>(start);
     become(State::kRunning, name_ + " runs (pid " + std::to_string(child_->pid()) + ")");
   } catch (const std::runtime_error& error) {

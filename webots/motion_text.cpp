@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 
 #include "core/number_text.hpp"
+#include "settings/text_file.hpp"
 
 namespace darwinop::facade {
 
@@ -118,11 +118,9 @@ MotionText parseMotion(std::string_view text, const std::string& file) {
 }
 
 MotionText readMotion(const std::string& file) {
-  std::ifstream in{file, std::ios::binary};
-  if (!in) throw std::runtime_error(file + ": it cannot be opened");
-  std::string text{std::istreambuf_iterator<char>{in}, {}};
-  if (in.bad()) throw std::runtime_error(file + ": it cannot be read");
-  return parseMotion(text, file);
+  const std::optional<std::string> text = settings::readTextFile(file);
+  if (!text) throw std::runtime_error(file + ": it cannot be opened");
+  return parseMotion(*text, file);
 }
 
 }  // namespace darwinop::facade

@@ -19,9 +19,12 @@ constexpr const char* kReportPolicy =
 void serveReport(web::Server& server, const std::string& base, const std::string& file) {
   nlohmann::json about{{"name", nullptr}};
   if (!file.empty()) {
-    std::ifstream in{file, std::ios::binary};
     std::error_code unknown;
-    if (!in || std::filesystem::file_size(file, unknown) > kLongestReport || unknown)
+    // The opening of a pipe would wait for its writer.
+    const bool regular = std::filesystem::is_regular_file(file, unknown);
+    std::ifstream in;
+    if (regular) in.open(file, std::ios::binary);
+    if (!regular || !in || std::filesystem::file_size(file, unknown) > kLongestReport || unknown)
       throw std::runtime_error("--report " + file +
                                ": no file that can be read, or more than 64 MB; darwinop gap writes one");
     std::ostringstream text;

@@ -1,11 +1,13 @@
 // The motion file, 256 pages of 512 bytes: to and from bytes, without loss. Little endian, no padding.
 #include "managers/motion/page_file.hpp"
 
-#include <fstream>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
+
+#include "settings/text_file.hpp"
 
 namespace darwinop::motion {
 
@@ -127,15 +129,10 @@ std::vector<std::uint8_t> encodePages(const PageFile& pages) {
 }
 
 PageFile readPageFile(const std::filesystem::path& path) {
-  std::ifstream file{path, std::ios::binary};
-  if (!file) throw std::runtime_error(path.string() + ": it cannot be opened");
-  // One byte too many is enough to refuse what is no motion file, however long it is.
-  std::vector<std::uint8_t> bytes(kFileBytes + 1);
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (file.bad()) throw std::runtime_error(path.string() + ": it cannot be read");
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  const std::optional<std::string> text = settings::readTextFile(path.string());
+  if (!text) throw std::runtime_error(path.string() + ": it cannot be opened");
   try {
-    return decodePages(bytes);
+    return decodePages(std::vector<std::uint8_t>{text->begin(), text->end()});
   } catch (const std::runtime_error& why) {
     throw std::runtime_error(path.string() + ": " + why.what());
   }

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
 #include "managers/motion_text/page_text.hpp"
+#include "settings/text_file.hpp"
 
 namespace darwinop::motion {
 
@@ -35,15 +37,9 @@ void writeWhole(const std::filesystem::path& path, const char* data, std::size_t
 }  // namespace
 
 std::vector<std::uint8_t> readBytes(const std::filesystem::path& path) {
-  std::ifstream file{path, std::ios::binary};
-  if (!file) throw std::runtime_error(path.string() + ": it cannot be opened");
-  std::vector<std::uint8_t> bytes(kMostBytes + 1);
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (file.bad() || std::filesystem::is_directory(path))
-    throw std::runtime_error(path.string() + ": it cannot be read");
-  bytes.resize(static_cast<std::size_t>(file.gcount()));
-  if (bytes.size() > kMostBytes) throw std::runtime_error(path.string() + ": it is too long for a motion file");
-  return bytes;
+  const std::optional<std::string> bytes = settings::readTextFile(path.string(), kMostBytes);
+  if (!bytes) throw std::runtime_error(path.string() + ": it cannot be opened");
+  return {bytes->begin(), bytes->end()};
 }
 
 bool isText(const std::vector<std::uint8_t>& bytes) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -47,6 +48,33 @@ TEST(Signals, EachHasTheEffectThatTheTableNames) {
   }
   EXPECT_EQ(fateOf(SIGRTMIN), 20);
   EXPECT_EQ(fateOf(SIGRTMAX), 20);
+}
+
+/// The same for a program that waits for the signals that end it.
+int fateOfOneThatWaits(int signal, bool by_nohup = false) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (by_nohup) ::signal(SIGHUP, SIG_IGN);
+    const sigset_t set = blockEndSignals();
+    raise(signal);
+    const timespec now{};
+    _exit(sigtimedwait(&set, nullptr, &now) == signal ? 10 : 20);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+TEST(Signals, OneThatWaitsGetsThoseThatEndItAndNoOthers) {
+  for (const SignalRow& row : kSignals) {
+    if (row.effect != SignalEffect::kEnds && row.effect != SignalEffect::kIgnored) continue;
+    EXPECT_EQ(fateOfOneThatWaits(row.number), row.effect == SignalEffect::kEnds ? 10 : 20) << row.name;
+  }
+}
+
+TEST(Signals, NohupKeepsOneThatWaitsAliveWhenTheTerminalGoes) {
+  EXPECT_EQ(fateOfOneThatWaits(SIGHUP, true), 20);
+  EXPECT_EQ(fateOfOneThatWaits(SIGTERM, true), 10);
 }
 
 std::string effectText(SignalEffect effect) {

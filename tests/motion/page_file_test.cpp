@@ -2,6 +2,7 @@
 #include "managers/motion/page_file.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <functional>
@@ -154,6 +155,13 @@ TEST(PageFile, FromADiskTheSentenceBeginsWithItsName) {
   write(validFile());
   EXPECT_EQ(sentence(), "");
   EXPECT_EQ(readPageFile(path)[12].steps, 2);
+}
+
+TEST(PageFile, APipeIsRefusedAndNotWaitedFor) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "pipe.bin";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  EXPECT_THROW((void)readPageFile(path), std::runtime_error);
 }
 
 TEST(PageFile, APagesSlopesAreGains) {

@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -219,6 +220,9 @@ TEST_F(MotionCommand, MistakesInTheArgumentsAreTold) {
   EXPECT_EQ(run({"show", "x", "256"}), 2);
   EXPECT_EQ(run({"list", folder_ / "none"}), 2);
   EXPECT_EQ(said_, "darwinop motion: " + (folder_ / "none") + ": it cannot be opened\n");
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(run({"list", folder_ / "pipe"}), 2);
+  EXPECT_THAT(said_, HasSubstr("it is a pipe"));
   EXPECT_EQ(run({"mirror", "--help"}), 0);
   EXPECT_THAT(said_, HasSubstr("Example:"));
 }

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <set>
+#include <string_view>
 
 #include "runtime/exchange.hpp"
 
@@ -33,6 +35,10 @@ struct LayoutNested {
 struct LayoutOtherNested {
   LayoutSwapped a;
 };
+struct LayoutOfMany {  // as many fields as the macro is for
+  bool a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w;
+  std::uint8_t x;
+};
 DARWINOP_LAYOUT(LayoutBase, speed, torque);
 DARWINOP_LAYOUT(LayoutSwapped, torque, speed);
 DARWINOP_LAYOUT(LayoutSigned, speed, torque);
@@ -40,14 +46,15 @@ DARWINOP_LAYOUT(LayoutFloat, speed, torque);
 DARWINOP_LAYOUT(LayoutLonger, speed, torque, gain);
 DARWINOP_LAYOUT(LayoutNested, a);
 DARWINOP_LAYOUT(LayoutOtherNested, a);
+DARWINOP_LAYOUT(LayoutOfMany, a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, v, w, x);
 
 namespace {
 
 /// Without the name of the struct itself.
 template <class T>
-std::uint64_t fieldsOf() {
+constexpr std::uint64_t fieldsOf() {
   LayoutHash hash;
-  Layout<T>::addTo(hash);
+  Layout<T>::addFieldsTo(hash);
   return hash.value();
 }
 
@@ -57,6 +64,15 @@ TEST(LayoutHash, TellsOrderTypeNumberAndNestedFieldsApart) {
       fieldsOf<LayoutLonger>(), fieldsOf<LayoutNested>(),  fieldsOf<LayoutOtherNested>()};
   EXPECT_EQ(different.size(), 7u);
 }
+
+constexpr std::uint64_t hashOfMany() {
+  LayoutHash hash;
+  std::size_t offset = 0;
+  for (const char name : std::string_view{"abcdefghijklmnopqrstuvw"})
+    hash.add(std::string_view{&name, 1}).add(offset++).add("unsigned").add(1);
+  return hash.add("x").add(23).add("unsigned").add(1).value();
+}
+static_assert(fieldsOf<LayoutOfMany>() == hashOfMany());
 
 TEST(LayoutHash, OfTheExchangeIsThatOfTheBlock) {
   const auto exchange = Exchange::inMemory();

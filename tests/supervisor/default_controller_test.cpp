@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -87,6 +88,18 @@ TEST_F(Begin, ALimpRobotHasToSitForASecond) {
   lookFor(60ms, sitting());
   EXPECT_TRUE(runs());
   EXPECT_EQ(status().controller, "walk");
+}
+
+TEST_F(Begin, WithoutAUserToRunItAsItIsRefusedOnceAndNotTriedAgain) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root starts it as another user";
+  std::ofstream{folder / "robot.ini"} << "[Robot]\ncontroller_user = no-such-user\n";
+  testing::internal::CaptureStderr();
+  lookFor(60s, sitting());
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_FALSE(runs());
+  EXPECT_THAT(said, HasSubstr("walk is not started: "));
+  EXPECT_THAT(said, HasSubstr("there is no user 'no-such-user'"));
+  EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
 }
 
 TEST_F(Begin, ARobotThatIsHeldIsNotAskedForItsPose) {

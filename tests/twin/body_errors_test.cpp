@@ -1,4 +1,5 @@
 // Bodies that are refused, each with a sentence that says why.
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -51,6 +52,11 @@ TEST_F(RefusedBody, NamesAFileThatIsNotThere) {
   const std::string why = refusalOf("nobody.xml");
   EXPECT_NE(why.find("nobody.xml: the body file cannot be read"), std::string::npos) << why;
   EXPECT_NE(why.find("section [body]"), std::string::npos) << why;
+}
+
+TEST_F(RefusedBody, DoesNotWaitForTheWriterOfAPipe) {
+  ASSERT_EQ(mkfifo((folder_ / "pipe.xml").c_str(), 0600), 0);
+  EXPECT_NE(refusalOf("pipe.xml").find("it is a pipe"), std::string::npos);
 }
 
 TEST_F(RefusedBody, TellsWhatMujocoSaysAboutBrokenXml) {

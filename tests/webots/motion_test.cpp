@@ -1,5 +1,6 @@
 // The .motion player as controllers use it: when it moves motors, where to, and what it says of bad files.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <cmath>
@@ -296,6 +297,15 @@ TEST_F(MotionTest, ABrokenFileIsSaidWithLineAndFieldAndNeverMoves) {
     EXPECT_THAT(said, HasSubstr("darwinop: Motion: test.motion" + sentence));
     EXPECT_THAT(said, HasSubstr("; it will not be played\n"));
   }
+}
+
+TEST_F(MotionTest, APipeIsRefusedAndNotWaitedFor) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "pipe.motion";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  CaptureStderr();
+  EXPECT_FALSE(webots::Motion{pipe}.isValid());
+  EXPECT_THAT(GetCapturedStderr(), HasSubstr("it is a pipe"));
 }
 
 TEST_F(MotionTest, AMissingFileIsSaidAndEveryCallIsHarmless) {

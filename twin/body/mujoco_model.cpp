@@ -4,10 +4,11 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
+#include "settings/text_file.hpp"
 #include "twin/body/mujoco_guard.hpp"
 #include "twin/body/trunk.hpp"
 
@@ -17,12 +18,12 @@ namespace {
 constexpr double kStepsOfFriction = 2;  // shortest time constant that MuJoCo takes for a friction, in steps
 
 std::string readText(const std::string& path) {
-  std::ifstream file{path};
-  if (!file)
+  const std::optional<std::string> text = settings::readTextFile(path);
+  if (!text)
     throw std::runtime_error{path +
                              ": the body file cannot be read; `xml` in section [body] of the model names it, "
                              "beside the model file"};
-  return {std::istreambuf_iterator<char>{file}, {}};
+  return *text;
 }
 
 // Out of the text: this MuJoCo cannot take a body out of a compiled model. A body file without a ball is fine.

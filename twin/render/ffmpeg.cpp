@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "hal/signals.hpp"
+
 namespace darwinop::twin {
 namespace {
 
@@ -58,6 +60,8 @@ Ffmpeg::Ffmpeg(const std::string& program, std::string file, int width, int heig
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
+    // Not restoreIgnoredSignals(): this is also part of a shared library, and hal is not.
+    for (const int signal : kIgnoredSignals) std::signal(signal, SIG_DFL);
     dup2(ends[0], STDIN_FILENO);
     execv(program.c_str(), arguments.data());
     _exit(127);

@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "hal/signals.hpp"
+
 namespace darwinop::twin {
 namespace {
 
@@ -46,7 +48,7 @@ ControllerProcess::ControllerProcess(const std::vector<std::string>& controller,
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
-  std::signal(SIGPIPE, SIG_DFL);
+  restoreIgnoredSignals();
   execv(program.c_str(), arguments.data());
   _exit(127);
 }

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "hal/signals.hpp"
 #include "hil-mocks/pty_host.hpp"
 #include "twin/model/model.hpp"
 #include "twin/view/controller_process.hpp"
@@ -26,14 +27,9 @@ constexpr Nanos kPushTime{100'000'000};
 constexpr std::chrono::seconds kPatience{10};  // for a controller that was asked to end: it lets the robot sit down
 constexpr long kTurnNs = 4'000'000;            // between two looks at signals and poses
 
-/// SIGINT, SIGTERM and SIGHUP wait until they are asked for. Made before the first thread.
+/// Signals of kEndSignals wait until they are asked for. Made before the first thread.
 class Signals {
  public:
-  Signals() {
-    sigemptyset(&set_);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set_, signal);
-    pthread_sigmask(SIG_BLOCK, &set_, nullptr);
-  }
   /// Waits that long. Nothing: none came. True: only we got it; what a terminal sends, the controller gets, too.
   std::optional<bool> wait(long ns) const {
     const timespec time{0, ns};
@@ -43,7 +39,7 @@ class Signals {
   }
 
  private:
-  sigset_t set_{};
+  sigset_t set_ = blockEndSignals();
 };
 
 class Show {
