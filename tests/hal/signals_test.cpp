@@ -22,6 +22,15 @@ TEST(Signals, TheTableHasEachOfThe31Once) {
   EXPECT_EQ(*numbers.rbegin(), 31);
 }
 
+int fateOfChild(pid_t child) {
+  int status = 0;
+  waitpid(child, &status, WUNTRACED);
+  if (!WIFSTOPPED(status)) return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  return -1000;
+}
+
 /// Sends itself the signal. How such a process ends: 10 when the flag was set, 20 when nothing happened.
 int fateOf(int signal) {
   const pid_t child = fork();
@@ -30,12 +39,7 @@ int fateOf(int signal) {
     raise(signal);
     _exit(endRequested() ? 10 : 20);
   }
-  int status = 0;
-  waitpid(child, &status, WUNTRACED);
-  if (!WIFSTOPPED(status)) return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
-  kill(child, SIGKILL);
-  waitpid(child, nullptr, 0);
-  return -1000;
+  return fateOfChild(child);
 }
 
 TEST(Signals, EachHasTheEffectThatTheTableNames) {
@@ -60,9 +64,7 @@ int fateOfOneThatWaits(int signal, bool by_nohup = false) {
     const timespec now{};
     _exit(sigtimedwait(&set, nullptr, &now) == signal ? 10 : 20);
   }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+  return fateOfChild(child);
 }
 
 TEST(Signals, OneThatWaitsGetsThoseThatEndItAndNoOthers) {
