@@ -31,10 +31,16 @@ int fateOfChild(pid_t child) {
   return -1000;
 }
 
+/// A sanitizer has handlers of its own.
+void defaultSignals() {
+  for (const SignalRow& row : kSignals) signal(row.number, SIG_DFL);
+}
+
 /// Sends itself the signal. How such a process ends: 10 when the flag was set, 20 when nothing happened.
 int fateOf(int signal) {
   const pid_t child = fork();
   if (child == 0) {
+    defaultSignals();
     endOnSignals();
     raise(signal);
     _exit(endRequested() ? 10 : 20);
