@@ -66,7 +66,8 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "a lost torque on is noticed and repeated", "the joint is taken over again",
      "safety_test:TakeOver.ALostTorqueOnIsSentAgain"},
     {"H205", "Torque comes on at a goal that no servo received", "frames with goals are lost, any number in a row",
-     "torque on follows only a goal that the servo was seen to have", "registers 30..33 are read back; fault 12 after 20",
+     "torque on follows only a goal that the servo was seen to have",
+     "registers 30..33 are read back; fault 12 after 20",
      "servo_hazards_test:TakeOver/LostGoals.LeaveTheJointLimpUntilOneHasArrived/5 "
      "safety_test:TakeOver.NoTorqueFindsAnOlderGoalWhateverIsLostOnTheWire "
      "safety_test:TakeOver.TorqueComesOnOnlyAfterAGoalThatTheBoardHeard "
