@@ -42,7 +42,8 @@ class Campaign : private hil::WireObserver {
   ServoJudge servo_judge{robot, config};
   WildController controller;
   long cycles = 0, readings = 0, wrong = 0;
-  double fastest = 0;  // rad/s
+  long wrong_of_duplicates = 0;  // readings of an id that two servos have
+  double fastest = 0;            // rad/s
 
  private:
   void request(const Frame& frame, Nanos at) noexcept override;

@@ -21,7 +21,7 @@ constexpr double kFaultsPerSecond = 2;
 constexpr double kWrongReadings = 1e-4;  // share that an 8-bit sum lets pass on a line that damages bytes
 
 struct Totals {
-  long cycles = 0, readings = 0, wrong = 0, goals = 0;
+  long cycles = 0, readings = 0, wrong = 0, wrong_of_duplicates = 0, goals = 0;
   std::array<std::uint64_t, hil::kFaultKinds> faults{};
   ServoJudge::Tally tally;
   double fastest = 0;
@@ -66,6 +66,7 @@ class Deep {
     totals_.cycles += campaign.cycles;
     totals_.readings += campaign.readings;
     totals_.wrong += campaign.wrong;
+    totals_.wrong_of_duplicates += campaign.wrong_of_duplicates;
     totals_.goals += campaign.wire_judge.goalsSeen();
     totals_.tally += campaign.servo_judge.tally();
     totals_.fastest = std::max(totals_.fastest, campaign.fastest);
@@ -105,8 +106,8 @@ class Deep {
         tally.trips);
     std::printf(
         "not judged: %ld damaged writes with a right checksum, %ld late ones; shutdowns undone "
-        "unseen %ld times; %ld wrong readings with a right checksum\n",
-        tally.damaged, tally.late, tally.blind, totals_.wrong);
+        "unseen %ld times; %ld wrong readings with a right checksum, %ld more of duplicate ids\n",
+        tally.damaged, tally.late, tally.blind, totals_.wrong, totals_.wrong_of_duplicates);
     std::printf("fastest joint %.2f rad/s\n", totals_.fastest);
     std::printf("result: %s\n", complaint_.empty() ? "every promise held" : complaint_.c_str());
   }
