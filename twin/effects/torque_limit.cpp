@@ -47,14 +47,13 @@ class TorqueLimit final : public EffectOf<kTorqueLimit, kParameters.size()> {
 
 const EffectInfo kTorqueLimit{
     .id = "torque_limit",
-    .title = "limit of the torque",
+    .title = "torque limit",
     .place = Place::kController,
     .equation = "|u| <= duty and |tm| <= torque",
-    .signature = "Load flat at a value below 100 % (duty), or flat torque at any speed; lifts fail at high payload.",
+    .signature = "Load flat at a value below 100 % (duty), or torque flat at any speed; lifts fail at high payload.",
     .separated_by =
-        "Step with payload, and read the load: a limit is a straight line in it, a sagging supply is "
-        "not. Lift slowly with more and more payload: a limit stops at one torque, a loss with the square "
-        "of the load grows all the way.",
+        "Step with payload and read the load: a limit is a straight line, a sagging supply is not. Lift slowly with "
+        "growing payload: a limit stops at one torque, a load-squared friction keeps growing.",
     .source = "MX-28 manual, register 34; stall torque 2.5 N m at 12 V; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
