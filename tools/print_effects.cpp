@@ -42,22 +42,17 @@ darwinop gap run /tmp/hidden/cases/hidden
 )";
 
 constexpr std::string_view kHowToRead = R"(
-Each parameter has a range: a model file outside it is refused, and a search stays inside. At the neutral value the
-effect does nothing, to the last bit. `log`: searched in its logarithm. `secondary`: fixed at its typical value until
-the effect is accepted. Quantities are in SI units, at the horn:
+A model file with a parameter outside its range is refused; a search stays inside. At the neutral value, 0 if not given,
+the effect does nothing, to the last bit. `log`: searched in its logarithm. `secondary`: fixed at its typical value until
+the effect is accepted.
 
-| Symbol | Meaning |
-|---|---|
-| `q`, `w` | angle and speed of the joint |
-| `e` | set point minus measured angle |
-| `u` | duty of the bridge, -1 to 1 |
-| `P`, `K` | P gain register; duty per unit of it and radian |
-| `V`, `i`, `R` | supply voltage, current, winding resistance |
-| `kt`, `ke` | torque per current, back EMF per speed |
-| `tm`, `te` | motor torque; load torque on the joint without the arm's inertia (at rest `te = -tm`) |
-| `F` | friction torque, kinetic and static |
-| `T`, `t` | temperature, session time |
-| `m`, `L`, `J` | mass, length and inertia carried by the joint |
+Symbols, in SI units at the horn:
+
+- `q`, `w`: angle and speed of the joint; `e`: set point minus measured angle
+- `u`: duty, -1 to 1; `P`, `K`: P gain register, duty per unit of it and radian
+- `V`, `i`, `R`: supply voltage, current, winding resistance; `kt`, `ke`: torque per current, back EMF per speed
+- `tm`, `te`: motor torque, load torque without the arm's inertia (at rest `te = -tm`); `F`: friction torque
+- `T`, `t`: temperature, session time; `m`, `L`, `J`: mass, length and inertia carried by the joint
 
 Effects act in the order of this page.
 )";
@@ -107,19 +102,21 @@ void printExceptions(std::ostream& out) {
 }
 
 void printParameter(std::ostream& out, const Parameter& p) {
-  out << "- `" << p.key << "`, " << number(p.low) << " to " << number(p.high);
+  out << "- `" << p.key << "`, " << number(p.low) << ".." << number(p.high);
   if (!p.unit.empty()) out << ' ' << p.unit;
-  out << " (neutral " << number(p.neutral) << ", typical " << number(p.typical) << (p.logarithmic ? ", log" : "")
-      << (p.secondary ? ", secondary" : "") << "): " << p.meaning << '\n';
+  out << " (";
+  if (p.neutral != 0) out << "neutral " << number(p.neutral) << ", ";
+  out << "typical " << number(p.typical) << (p.logarithmic ? ", log" : "") << (p.secondary ? ", secondary" : "")
+      << "): " << p.meaning << '\n';
 }
 
 void printEffect(std::ostream& out, const EffectInfo& effect) {
   std::string title{effect.title};
   title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
   out << "\n## " << effect.id << "\n\n"
-      << title << ". Acts on: " << name(effect.place) << ".\n\n    " << effect.equation << "\n\n";
+      << title << ". Place in the loop: " << name(effect.place) << ".\n\n    " << effect.equation << "\n\n";
   for (const Parameter& p : effect.parameters) printParameter(out, p);
-  out << "- In logs: " << effect.signature << "\n- Confounded with: " << links(twin::doublesOf(effect))
+  out << "- Logs: " << effect.signature << "\n- Confounded with: " << links(twin::doublesOf(effect))
       << "\n- Separated by: " << effect.separated_by << "\n- Source: " << effect.source << '\n';
 }
 

@@ -39,14 +39,11 @@ const EffectInfo kAccelLimit{
     .title = "acceleration limit",
     .place = Place::kCommand,
     .equation = "|d2 set_point/dt2| <= accel; law speed_p: |dw/dt| <= accel",
-    .signature =
-        "Rounded start and stop of large steps, no change in slow moves; the error grows with the number of reversals.",
+    .signature = "Rounded start and stop of large steps; the error grows with the number of reversals.",
     .separated_by =
-        "Steps of three sizes, with the load below its limit: the duration grows with the square root of the size "
-        "(speed_limit: in proportion to it).",
-    .source =
-        "2013 thesis 5.3.1: 55 rad/s2 makes simulated and measured speed tests agree; upper end widened until nothing "
-        "is limited",
+        "Steps of three sizes, load below its limit: the duration grows with the square root of the size (speed_limit: "
+        "in proportion).",
+    .source = "2013 thesis 5.3.1: 55 rad/s2; upper end widened until nothing is limited",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<AccelLimit>,

@@ -42,7 +42,7 @@ const EffectInfo kCoulomb{
     .separated_by =
         "Slow triangle both ways at two P gains: for friction, offset times gain is constant. A swing with torque off "
         "shows it without the controller.",
-    .source = "2013 thesis 5.3.2: 0.025 N m, together with viscous friction of 0.002 N m s/rad",
+    .source = "2013 thesis 5.3.2: 0.025 N m, with viscous friction of 0.002 N m s/rad",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<Coulomb>,

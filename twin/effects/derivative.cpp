@@ -40,7 +40,7 @@ const EffectInfo kDerivative{
         "Damped steps, a load spike when the goal jumps, rough load in a smooth move (single encoder steps are "
         "amplified).",
     .separated_by =
-        "Compare a swing with torque off to a powered one: damping by the controller disappears with the torque.",
+        "Swing with torque off against a powered one: damping by the controller disappears with the torque.",
     .source = "MX-28 manual, registers 26 to 28",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

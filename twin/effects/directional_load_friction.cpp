@@ -77,7 +77,7 @@ const EffectInfo kDirectionalLoadFriction{
     .equation = "F += |motor tm - load te| + |slow_motor tm - slow_load te| exp(-|w| / slow_speed)",
     .signature = "Lifting needs more, or lowering less, than load-proportional friction predicts.",
     .separated_by = "Move up and down under load at two payloads; push back by hand with torque off.",
-    .source = "Friction models of Rhoban's BAM; range assumed",
+    .source = "Rhoban's BAM; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<DirectionalLoadFriction>,

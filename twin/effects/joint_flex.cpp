@@ -48,8 +48,7 @@ const EffectInfo kJointFlex{
     .place = Place::kTransmission,
     .equation = "t = stiffness (q_gears - q_horn) + damping (w_gears - w_horn)",
     .signature = "Rings after steps, at a frequency that falls with the payload; the motor side barely moves.",
-    .separated_by =
-        "Tap the arm and change the payload: the frequency is proportional to one over the square root of the inertia.",
+    .separated_by = "Tap the arm with two payloads: the frequency is proportional to 1/sqrt(inertia).",
     .source = "Range assumed; upper end widened until the joint is rigid",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

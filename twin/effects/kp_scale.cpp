@@ -39,7 +39,7 @@ const EffectInfo kKpScale{
     .equation = "u = scale K P e",
     .signature = "Stops short by another amount than the model, with the same factor at every load.",
     .separated_by = "The slope of load against error shows it from the log alone, without any mechanics.",
-    .source = "Range assumed; benches of this servo family find other gains than the manual",
+    .source = "Range assumed; benches of this servo family differ from the manual",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<KpScale>,

@@ -43,8 +43,7 @@ const EffectInfo kLoadDependentFriction{
     .separated_by =
         "The same trajectory at three payloads: dry friction stays constant, this one grows. One payload is not "
         "enough.",
-    .source =
-        "Friction models of Rhoban's BAM; range assumed. Holding a load of 1 N m puts 2 N m between motor and load.",
+    .source = "Rhoban's BAM; range assumed. Holding 1 N m puts 2 N m between motor and load.",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<LoadDependentFriction>,

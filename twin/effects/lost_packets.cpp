@@ -103,12 +103,9 @@ const EffectInfo kLostPackets{
     .title = "lost and late commands",
     .place = Place::kCommand,
     .equation = "goal stays as it was for a share loss of the packets; the others act |N(0, jitter)| later",
-    .signature =
-        "Single rows in which the servo still moves to the old goal, at random times; they differ between repeats of a "
-        "log.",
-    .separated_by =
-        "Repeat a log: lost packets affect other rows, a delay affects every row. Host time stamps show jitter.",
-    .source = "SyncWrite is not acknowledged, so a damaged packet goes unnoticed; range assumed",
+    .signature = "Single rows in which the servo still moves to the old goal, at random times.",
+    .separated_by = "Repeat a log: lost packets affect other rows, a delay affects all. Host time stamps show jitter.",
+    .source = "SyncWrite is not acknowledged; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<LostPackets>,

@@ -39,10 +39,9 @@ const EffectInfo kPOnTorque{
     .equation = "u = K P e and tm = kt (u V - ke w) / R, in place of a speed in proportion to P e",
     .signature = "A loaded joint stops short by an amount proportional to load over P; at small P it never arrives.",
     .separated_by =
-        "Step with payload at three P gains: final error times P is constant under this law. Held for 5 s it stays "
-        "(with integral it decays).",
-    .source =
-        "2013 thesis 5.3.3: P acts on torque in the robot, on velocity in the simulator; MX-28 manual, register 28",
+        "Step with payload at three P gains: final error times P is constant, and stays when held for 5 s (with "
+        "integral it decays).",
+    .source = "2013 thesis 5.3.3; MX-28 manual, register 28",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<POnTorque>,

@@ -60,7 +60,7 @@ const EffectInfo kQuadraticLoadFriction{
     .equation = "F += (motor tm^2 + load te^2) exp(-|w| / fade_speed)",
     .signature = "Small: a few milliradians, only at the largest loads. Usually not identifiable.",
     .separated_by = "High load only: the same hold at half and full payload, approached from both sides.",
-    .source = "Friction models of Rhoban's BAM, where it causes 0.5 to 2.4 mrad; range assumed",
+    .source = "Rhoban's BAM, 0.5 to 2.4 mrad; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<QuadraticLoadFriction>,

@@ -52,8 +52,8 @@ const EffectInfo kTorqueLimit{
     .equation = "|u| <= duty and |tm| <= torque",
     .signature = "Load flat at a value below 100 % (duty), or torque flat at any speed; lifts fail at high payload.",
     .separated_by =
-        "Step with payload and read the load: a limit is a straight line, a sagging supply is not. Lift slowly with "
-        "growing payload: a limit stops at one torque, a load-squared friction keeps growing.",
+        "Step with payload: a limit is a straight line in the load, a sagging supply is not. Lift slowly with growing "
+        "payload: a limit stops at one torque, quadratic friction keeps growing.",
     .source = "MX-28 manual, register 34; stall torque 2.5 N m at 12 V; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

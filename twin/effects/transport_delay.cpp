@@ -85,7 +85,7 @@ const EffectInfo kTransportDelay{
     .separated_by =
         "Chirp: the phase lag grows linearly with frequency. Step: the reaction starts late, then with full "
         "acceleration.",
-    .source = "A write takes about 1 ms on the bus and waits up to a host period of 16 ms; range assumed",
+    .source = "Writing takes about 1 ms, waiting for the host up to 16 ms; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<TransportDelay>,
