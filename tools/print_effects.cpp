@@ -32,13 +32,6 @@ friction = 0.025 N m
 [effect backlash Neck]
 play = 0.01 rad
 ```
-
-To see how [`darwinop gap`](../gap/README.md) identifies an effect, hide it in a generated case and search for it:
-
-```sh
-darwinop gap hide --effect coulomb:2 --baseline V0 --out /tmp/hidden
-darwinop gap run /tmp/hidden/cases/hidden
-```
 )";
 
 constexpr std::string_view kHowToRead = R"(
@@ -94,7 +87,7 @@ void printExceptions(std::ostream& out) {
     if (!with_voltage && with_speed) only_speed.push_back(effect);
     if (!with_voltage && !with_speed) never.push_back(effect);
   }
-  out << "\nIt searches every effect, with these exceptions:\n\n"
+  out << "\n[`darwinop gap`](../gap/README.md) searches every effect, with these exceptions:\n\n"
       << "- only in a baseline of law `voltage_p`: " << links(only_voltage) << '\n'
       << "- only in a baseline of law `speed_p` (`hide --baseline W`) with a `servo_datasheet`: " << links(only_speed)
       << '\n'
@@ -114,7 +107,7 @@ void printEffect(std::ostream& out, const EffectInfo& effect) {
   std::string title{effect.title};
   title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
   out << "\n## " << effect.id << "\n\n"
-      << title << ". Place in the loop: " << name(effect.place) << ".\n\n    " << effect.equation << "\n\n";
+      << title << ". Place: " << name(effect.place) << ".\n\n    " << effect.equation << "\n\n";
   for (const Parameter& p : effect.parameters) printParameter(out, p);
   out << "- Logs: " << effect.signature << "\n- Confounded with: " << links(twin::doublesOf(effect))
       << "\n- Separated by: " << effect.separated_by << "\n- Source: " << effect.source << '\n';
