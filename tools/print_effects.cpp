@@ -35,9 +35,9 @@ play = 0.01 rad
 )";
 
 constexpr std::string_view kHowToRead = R"(
-A model file with a parameter outside its range is refused; a search stays inside. At the neutral value, 0 if not given,
-the effect does nothing, to the last bit. `log`: searched in its logarithm. `secondary`: fixed at its typical value until
-the effect is accepted.
+A model file with a parameter outside its range is refused; a search stays inside. At the neutral value (if not given: 0)
+the effect does nothing, to the last bit. The typical value is given if it differs. `log`: searched in its logarithm.
+`secondary`: fixed at its typical value until the effect is accepted. Without a source the range is assumed.
 
 Symbols, in SI units at the horn:
 
@@ -47,7 +47,7 @@ Symbols, in SI units at the horn:
 - `tm`, `te`: motor torque, load torque without the arm's inertia (at rest `te = -tm`); `F`: friction torque
 - `T`, `t`: temperature, session time; `m`, `L`, `J`: mass, length and inertia carried by the joint
 
-Effects act in the order of this page.
+Effects act in the order of this page. In parentheses: the place in the loop.
 )";
 
 using Listed = std::vector<const EffectInfo*>;
@@ -97,20 +97,25 @@ void printExceptions(std::ostream& out) {
 void printParameter(std::ostream& out, const Parameter& p) {
   out << "- `" << p.key << "`, " << number(p.low) << ".." << number(p.high);
   if (!p.unit.empty()) out << ' ' << p.unit;
-  out << " (";
-  if (p.neutral != 0) out << "neutral " << number(p.neutral) << ", ";
-  out << "typical " << number(p.typical) << (p.logarithmic ? ", log" : "") << (p.secondary ? ", secondary" : "")
-      << "): " << p.meaning << '\n';
+  std::string notes;
+  const auto note = [&notes](const std::string& text) { notes += (notes.empty() ? "" : ", ") + text; };
+  if (p.neutral != 0) note("neutral " + number(p.neutral));
+  if (p.typical != p.neutral) note("typical " + number(p.typical));
+  if (p.logarithmic) note("log");
+  if (p.secondary) note("secondary");
+  if (!notes.empty()) out << " (" << notes << ')';
+  out << ": " << p.meaning << '\n';
 }
 
 void printEffect(std::ostream& out, const EffectInfo& effect) {
   std::string title{effect.title};
   title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
   out << "\n## " << effect.id << "\n\n"
-      << title << ". Place: " << name(effect.place) << ".\n\n    " << effect.equation << "\n\n";
+      << title << " (" << name(effect.place) << "):\n\n    " << effect.equation << "\n\n";
   for (const Parameter& p : effect.parameters) printParameter(out, p);
   out << "- Logs: " << effect.signature << "\n- Confounded with: " << links(twin::doublesOf(effect))
-      << "\n- Separated by: " << effect.separated_by << "\n- Source: " << effect.source << '\n';
+      << "\n- Separation: " << effect.separated_by << '\n';
+  if (effect.source != "Range assumed") out << "- Source: " << effect.source << '\n';
 }
 
 std::string page() {

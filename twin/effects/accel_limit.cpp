@@ -12,7 +12,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "accel",
               .unit = "rad/s2",
-              .meaning = "greatest set point acceleration; 10000: no limit",
+              .meaning = "greatest set point acceleration",
               .low = 5,
               .high = 10000,
               .neutral = 10000,

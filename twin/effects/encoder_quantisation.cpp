@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "ticks",
               .unit = "",
-              .meaning = "steps per turn; 65536: as fine as the servo itself",
+              .meaning = "steps per turn",
               .low = 256,
               .high = 65536,
               .neutral = 65536,

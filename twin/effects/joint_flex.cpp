@@ -10,7 +10,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "stiffness",
               .unit = "N m/rad",
-              .meaning = "of the spring; 1000: rigid",
+              .meaning = "of the spring",
               .low = 2,
               .high = 1000,
               .neutral = 1000,

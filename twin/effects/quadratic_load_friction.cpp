@@ -28,7 +28,7 @@ constexpr std::array kParameters{
               .logarithmic = true},
     Parameter{.key = "fade_speed",
               .unit = "rad/s",
-              .meaning = "where it has faded to 37 %; 1000: the same at all speeds",
+              .meaning = "where it has faded to 37 %",
               .low = 0.05,
               .high = 1000,
               .neutral = 1000,

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "speed",
               .unit = "rad/s",
-              .meaning = "greatest set point speed; 200: no limit",
+              .meaning = "greatest set point speed",
               .low = 0.5,
               .high = 200,
               .neutral = 200,

@@ -27,7 +27,7 @@ constexpr std::array kParameters{
               .secondary = true},
     Parameter{.key = "copper",
               .unit = "1/K",
-              .meaning = "relative resistance growth per kelvin; copper: 0.0039",
+              .meaning = "relative resistance growth per kelvin",
               .low = 0,
               .high = 0.005,
               .neutral = 0,

@@ -10,16 +10,11 @@ extern const EffectInfo kTorqueLimit;
 namespace {
 
 constexpr std::array kParameters{
-    Parameter{.key = "duty",
-              .unit = "",
-              .meaning = "greatest duty; 1: no limit",
-              .low = 0.15,
-              .high = 1,
-              .neutral = 1,
-              .typical = 0.6},
+    Parameter{
+        .key = "duty", .unit = "", .meaning = "greatest duty", .low = 0.15, .high = 1, .neutral = 1, .typical = 0.6},
     Parameter{.key = "torque",
               .unit = "N m",
-              .meaning = "greatest torque of the motor; 10: no limit",
+              .meaning = "greatest torque of the motor",
               .low = 0.2,
               .high = 10,
               .neutral = 10,
