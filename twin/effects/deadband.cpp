@@ -50,7 +50,7 @@ class Deadband final : public EffectOf<kDeadband, kParameters.size()> {
 
 const EffectInfo kDeadband{
     .id = "deadband",
-    .title = "controller dead band",
+    .title = "dead band",
     .place = Place::kController,
     .equation = "u = 0 if |e| <= width; else K P (e - width sign e) + punch sign e",
     .signature = "Load exactly 0 while the error is not; the joint stops anywhere within the band.",
