@@ -1,4 +1,4 @@
-// What each signal does to a program that drives or watches a robot. docs/threads.md has the table for people.
+// Effect of each signal on programs that drive or observe a robot. User table: docs/threads.md.
 #pragma once
 
 #include <signal.h>
@@ -11,11 +11,11 @@
 namespace darwinop {
 
 enum class SignalEffect {
-  kEnds,      // ends tidily: the robot comes to rest first
-  kIgnored,   // has no effect, where its default would end or stop the process
-  kNoEffect,  // the default, which changes nothing
-  kKills,     // ends the process at once: a defect of the program, or kill -9. The supervisor's rescue takes over
-  kStops,     // cannot be caught: the process stands still. The supervisor's rescue takes over
+  kEnds,      // normal end: the robot comes to rest first
+  kIgnored,   // no effect; the default would end or stop the process
+  kNoEffect,  // default action, which changes nothing
+  kKills,     // ends the process at once (defect of the program, kill -9); the supervisor then rescues the robot
+  kStops,     // cannot be caught: the process is stopped; the supervisor then rescues the robot
 };
 
 struct SignalRow {
@@ -27,40 +27,40 @@ struct SignalRow {
 
 /// The 31 signals of Linux on x86.
 inline constexpr std::array<SignalRow, 31> kSignals{{
-    {SIGHUP, "SIGHUP", SignalEffect::kEnds, "terminal or ssh session is gone; ignored when started by nohup"},
+    {SIGHUP, "SIGHUP", SignalEffect::kEnds, "terminal or ssh session closed; ignored under nohup"},
     {SIGINT, "SIGINT", SignalEffect::kEnds, "Ctrl-C"},
     {SIGQUIT, "SIGQUIT", SignalEffect::kEnds, "Ctrl-\\"},
-    {SIGILL, "SIGILL", SignalEffect::kKills, "defect: instruction unknown to this processor"},
+    {SIGILL, "SIGILL", SignalEffect::kKills, "defect: illegal instruction"},
     {SIGTRAP, "SIGTRAP", SignalEffect::kKills, "breakpoint without a debugger"},
     {SIGABRT, "SIGABRT", SignalEffect::kKills, "defect: assert, uncaught exception"},
-    {SIGBUS, "SIGBUS", SignalEffect::kKills, "defect; a shared file that was shortened is survived"},
-    {SIGFPE, "SIGFPE", SignalEffect::kKills, "defect: division of an integer by zero"},
-    {SIGKILL, "SIGKILL", SignalEffect::kKills, "kill -9, or no memory is left"},
+    {SIGBUS, "SIGBUS", SignalEffect::kKills, "defect; a truncated shared file is handled"},
+    {SIGFPE, "SIGFPE", SignalEffect::kKills, "defect: integer division by zero"},
+    {SIGKILL, "SIGKILL", SignalEffect::kKills, "kill -9, or out of memory"},
     {SIGUSR1, "SIGUSR1", SignalEffect::kIgnored, "kill -USR1"},
-    {SIGSEGV, "SIGSEGV", SignalEffect::kKills, "defect: access to memory that is not there"},
+    {SIGSEGV, "SIGSEGV", SignalEffect::kKills, "defect: invalid memory access"},
     {SIGUSR2, "SIGUSR2", SignalEffect::kIgnored, "kill -USR2"},
-    {SIGPIPE, "SIGPIPE", SignalEffect::kIgnored, "nobody reads the output any more"},
+    {SIGPIPE, "SIGPIPE", SignalEffect::kIgnored, "the reader of the output has closed it"},
     {SIGALRM, "SIGALRM", SignalEffect::kIgnored, "timer"},
     {SIGTERM, "SIGTERM", SignalEffect::kEnds, "kill, supervisor, shutdown"},
     {SIGSTKFLT, "SIGSTKFLT", SignalEffect::kIgnored, "not used by Linux"},
     {SIGCHLD, "SIGCHLD", SignalEffect::kNoEffect, "a child has ended"},
-    {SIGCONT, "SIGCONT", SignalEffect::kNoEffect, "fg, bg: a stopped process goes on"},
+    {SIGCONT, "SIGCONT", SignalEffect::kNoEffect, "fg, bg: a stopped process continues"},
     {SIGSTOP, "SIGSTOP", SignalEffect::kStops, "kill -STOP"},
     {SIGTSTP, "SIGTSTP", SignalEffect::kIgnored, "Ctrl-Z"},
     {SIGTTIN, "SIGTTIN", SignalEffect::kIgnored, "reads from the terminal in the background"},
     {SIGTTOU, "SIGTTOU", SignalEffect::kIgnored, "writes to the terminal in the background (stty tostop)"},
     {SIGURG, "SIGURG", SignalEffect::kNoEffect, "urgent data of a socket"},
-    {SIGXCPU, "SIGXCPU", SignalEffect::kEnds, "limit of CPU time reached; SIGKILL follows"},
-    {SIGXFSZ, "SIGXFSZ", SignalEffect::kIgnored, "limit of file size reached; the write fails"},
+    {SIGXCPU, "SIGXCPU", SignalEffect::kEnds, "CPU time limit reached; SIGKILL follows"},
+    {SIGXFSZ, "SIGXFSZ", SignalEffect::kIgnored, "file size limit reached; the write fails"},
     {SIGVTALRM, "SIGVTALRM", SignalEffect::kIgnored, "timer"},
-    {SIGPROF, "SIGPROF", SignalEffect::kIgnored, "timer of a profiler"},
-    {SIGWINCH, "SIGWINCH", SignalEffect::kNoEffect, "terminal has another size"},
+    {SIGPROF, "SIGPROF", SignalEffect::kIgnored, "profiling timer"},
+    {SIGWINCH, "SIGWINCH", SignalEffect::kNoEffect, "terminal resized"},
     {SIGIO, "SIGIO", SignalEffect::kIgnored, "input or output is possible"},
-    {SIGPWR, "SIGPWR", SignalEffect::kEnds, "power fails"},
-    {SIGSYS, "SIGSYS", SignalEffect::kKills, "defect: system call that is not allowed"},
+    {SIGPWR, "SIGPWR", SignalEffect::kEnds, "power failure"},
+    {SIGSYS, "SIGSYS", SignalEffect::kKills, "defect: forbidden system call"},
 }};
 
-/// Those with one effect.
+/// Signals with this effect.
 template <SignalEffect kEffect>
 consteval auto signalsThat() {
   constexpr auto kHas = [](const SignalRow& row) { return row.effect == kEffect; };
@@ -78,22 +78,22 @@ consteval auto signalsThat() {
 inline constexpr auto kEndSignals = signalsThat<SignalEffect::kEnds>();
 inline constexpr auto kIgnoredSignals = signalsThat<SignalEffect::kIgnored>();
 
-/// For programs of this project, before their first thread: signals of kIgnoredSignals and real-time signals have no
-/// effect. Programs that are started inherit this: see restoreIgnoredSignals().
+/// Call before the first thread: ignores kIgnoredSignals and real-time signals. Child processes inherit this; see
+/// restoreIgnoredSignals().
 void ignoreSignals();
 
-/// ignoreSignals(), and the signals of kEndSignals call `handler`. SIGHUP does not when it was ignored before (nohup).
+/// ignoreSignals(), and calls `handler` on kEndSignals. SIGHUP stays ignored if it was ignored before (nohup).
 void onEndSignals(void (*handler)(int, siginfo_t*, void*), int flags = 0);
 
-/// ignoreSignals(), and the signals of kEndSignals set endRequested().
+/// ignoreSignals(), and sets endRequested() on kEndSignals.
 void endOnSignals();
 [[nodiscard]] const std::atomic<bool>& endRequested();
 
-/// ignoreSignals(), and the signals of kEndSignals are blocked: the returned set is for sigtimedwait(). SIGHUP is not
-/// in it when it was ignored before (nohup): a blocked signal would be waited for although it is ignored.
+/// ignoreSignals(), and blocks kEndSignals; returns the set for sigtimedwait(). Without SIGHUP if it was ignored before
+/// (nohup): sigtimedwait() would return a blocked signal even though it is ignored.
 [[nodiscard]] sigset_t blockEndSignals();
 
-/// In a child between fork and exec: what ignoreSignals() changed is the default again. Async-signal-safe.
+/// Between fork and exec: restores the default action of what ignoreSignals() changed. Async-signal-safe.
 void restoreIgnoredSignals();
 
 }  // namespace darwinop

@@ -1,4 +1,4 @@
-// Walking through the script of a bus.
+// Scripted servo bus.
 #include "hil-mocks/scripted_bus.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-// A servo bus for unit tests of the loop: what each cycle reads is written down beforehand.
+// Scripted servo bus for unit tests of the loop: the readings of each cycle are given in advance.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace darwinop::hil {
 
-/// Everything answers: board powered and upright, servos in the start pose, 11.8 V.
+/// Normal readings: board powered and upright, servos in the start pose, 11.8 V.
 [[nodiscard]] BusReadings readingsAtRest();
 
 ///   ScriptedBus bus;
 ///   bus.cycles(10, readingsAtRest()).cycles(1, silent).expectWrite([](const SafeCommands& c) { ... });
-/// A cycle is a write() and a read(). One cycle too many, a write or read out of turn, and cycles that were not
-/// reached when the bus goes are failures.
+/// A cycle is a write() and a read(). Failures: a cycle after the script, a write or read out of turn, and cycles not
+/// reached at destruction.
 class ScriptedBus : public ServoBus {
  public:
   using Check = std::function<void(const SafeCommands&)>;
@@ -27,9 +27,9 @@ class ScriptedBus : public ServoBus {
   ScriptedBus(const ScriptedBus&) = delete;
   ScriptedBus& operator=(const ScriptedBus&) = delete;
 
-  /// The next `count` cycles read this.
+  /// Readings of the next `count` cycles.
   ScriptedBus& cycles(std::size_t count, const BusReadings& readings);
-  /// Looks at what is written in the cycles added last.
+  /// Checks what is written in the cycles added last.
   ScriptedBus& expectWrite(Check check);
 
   void write(const SafeCommands& commands) noexcept override;

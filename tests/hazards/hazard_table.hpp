@@ -74,7 +74,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "safety_test:Driving.GoalsWaitForABoardThatDoesNotAnswer"},
     {"H206", "The loop misses its deadline", "bytes arrive without end", "a cycle ends at its deadline",
      "reading ends after the wire time of the answer and twice the margin",
-     "bus_test:BusOnABadLine.BabbleDoesNotKeepTheLoop serial_test:Transactions.EndOnALineThatBabbles"},
+     "bus_test:BusOnABadLine.GarbageDoesNotBlockTheLoop serial_test:Transactions.EndOnContinuousGarbage"},
     {"H207", "The loop misses its deadline", "memory is allocated in the loop", "the loop allocates nothing",
      "all memory is taken at start",
      "cycle_allocation_test:Cycle.AllocatesNothingInTenThousandCyclesUnderFaults "
@@ -84,7 +84,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "bus_test:AnywhereInTheChain/DeadServoOnTheBus.AllOthersAreReadFromThreeCyclesLaterAndItIsBackWithinASecond/12"},
     {"H209", "A stale value is taken for a measurement", "a device did not answer in this cycle",
      "a value that was not received is absent and has an age", "ages count up",
-     "bus_test:Decoder.WhatDidNotAnswerIsAbsentNotZero "
+     "bus_test:Decoder.AMissingReplyIsAbsentNotZero "
      "campaign_test:Campaign.NothingStalePassesForFreshAndNoPromiseIsBroken"},
     {"H210", "Servo power drops by a damaged byte", "a corrupted board write",
      "the runtime never switches servo power off", "the only power write is on",
@@ -167,9 +167,10 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "campaign_test:CorrelatedFaults.FiveLostAnswersInARowNeverInterruptDriving"},
     {"H213", "The robot is called driven and no frame reaches it", "the board lacks BULK_READ or SYNC_WRITE",
      "both are tried before the loop starts", "refused with a sentence",
-     "serial_test:StartPolicy.ARobotIsCalledDrivableExactlyWhenALoopDrivesIt"},
+     "serial_test:StartPolicy.ARobotIsReportedDrivableExactlyWhenALoopDrivesIt"},
     {"H214", "Servo data stop for no visible reason", "a former program left XON/XOFF on the serial port",
-     "the port starts from a known state", "every flag is set", "serial_test:OpenSerial.ClearsEveryFlagOfAFormerOwner"},
+     "the port starts from a known state", "every flag is set",
+     "serial_test:OpenSerial.ClearsEveryFlagOfThePreviousOwner"},
     {"H310", "Half the robot jumps after a brown-out", "a chain or the servo rail loses its supply for a moment",
      "torque comes on only where each joint is, with a speed limit",
      "joints held after one missed answer, then taken over",
@@ -216,11 +217,11 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "safety_test:FoundStiff.WhenTheLoopClosesItKneelsAndLetsGo"},
     {"H508", "Daemon dies with all joints stiff", "the reader of its messages has gone (SIGPIPE)",
      "messages never end or block the loop's process", "ignored; text dropped",
-     "hal_test:Diagnostics.APipeWithoutAReaderIsWrittenToInVainAgainAndAgain "
+     "hal_test:Diagnostics.WritingToAClosedPipeFailsEachTime "
      "process_fate_test:Fate.ADaemonWhoseMessagesNobodyReadsGoesOnThroughAFault"},
     {"H509", "Ctrl-Z or Ctrl-\\ stops the loop", "job control signals reach an embedded controller",
      "each of the 31 signals has a documented effect", "no effect, or a tidy end",
-     "hal_test:Signals.EachHasTheEffectThatTheTableNames "
+     "hal_test:Signals.EachHasTheEffectInTheTable "
      "process_fate_test:Fate.SignalsWithoutEffectLeaveAnEmbeddedControllerDriving"},
     {"H510", "Runtime, supervisor and controller die together", "a shared memory file is shortened",
      "each survives or ends with a sentence, the robot at rest", "empty pages in place of the file; the loop closes",
@@ -248,11 +249,11 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "link_pty_test:StartUp.AServoThatAppearsAfterTheStartIsNotDrivenBeforeTheNext "
      "safety_test:LeftOutJoint.GetsNoGoalAndNoTorqueEvenWhenItAnswers"},
     {"H604", "The doctor says FAIL and the loop drives", "two places decide", "one table decides for both",
-     "policy table", "serial_test:StartPolicyDocs.TheDoctorsPageHasTheTable"},
+     "policy table", "serial_test:StartPolicyDocs.TheDocumentationHasTheTable"},
     {"H605", "The loop misses every deadline", "the FTDI latency timer is 16 ms",
      "a period that cannot hold is refused", "refused with the command that sets the timer",
-     "bus_test:UsbFrame/EightMilliseconds.AreRefusedOnABridgeWithTheDriversDefaultOfSixteen/1 "
-     "bus_test:UsbFrame/EightMilliseconds.HoldOnABridgeWhoseLatencyTimerIsOne/1"},
+     "bus_test:UsbFrame/EightMilliseconds.AreRejectedWithTheDefaultLatencyTimerOfSixteen/1 "
+     "bus_test:UsbFrame/EightMilliseconds.WorkWithALatencyTimerOfOne/1"},
     {"H701", "Another user ends processes of root", "a forged pid in a lock file",
      "orders go to the holder of the lock and to nobody else", "owner and holder checked",
      "runtime_test:FileLock.TheKernelSaysWhoHoldsItWhateverIsWrittenThere "

@@ -1,4 +1,4 @@
-// The scripted doubles: they play their script, and complain about every departure from it.
+// Scripted doubles: replay, and reporting of every deviation.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -19,7 +19,7 @@ namespace {
 const auto kPingBytes = bytesOf("FF FF 01 02 01 FB");
 const auto kPongBytes = bytesOf("FF FF 01 02 00 FC");
 
-struct Complaints {
+struct Failures {
   std::vector<std::string> said;
   ScriptFailure collect() {
     return [this](const std::string& what) { said.push_back(what); };
@@ -34,7 +34,7 @@ std::string read(ScriptedLine& line, Nanos deadline) {
   return status == LineStatus::kLost ? "lost" : "timeout";
 }
 
-TEST(ScriptedLine, PlaysItsScriptOnItsClock) {
+TEST(ScriptedLine, ReplaysItsScriptOnItsClock) {
   ScriptedLine line;
   line.expect(kPingBytes).answer(kPongBytes, 120us).silence().lose().expect(kPingBytes);
   line.advanceTo(1ms);
@@ -49,7 +49,7 @@ TEST(ScriptedLine, PlaysItsScriptOnItsClock) {
   EXPECT_TRUE(line.finished());
 }
 
-TEST(ScriptedLine, AnswerThatIsTooLateWaits) {
+TEST(ScriptedLine, ALateReplyIsReturnedLater) {
   ScriptedLine line;
   line.expect(kPingBytes).answer(kPongBytes, 3ms);
   EXPECT_EQ(line.write(kPingBytes), LineStatus::kOk);
@@ -58,7 +58,7 @@ TEST(ScriptedLine, AnswerThatIsTooLateWaits) {
   EXPECT_EQ(line.now(), 3ms);
 }
 
-TEST(ScriptedLine, DiscardTakesAnswersThatAreDue) {
+TEST(ScriptedLine, DiscardDropsDueReplies) {
   ScriptedLine line;
   line.expect(kPingBytes).answer(kPongBytes).expect(kPingBytes);
   line.write(kPingBytes);
@@ -66,21 +66,21 @@ TEST(ScriptedLine, DiscardTakesAnswersThatAreDue) {
   line.write(kPingBytes);
 }
 
-TEST(ScriptedLine, ComplainsAboutWrongUnexpectedAndMissingWritesAndUnreadAnswers) {
-  Complaints complaints;
+TEST(ScriptedLine, ReportsWrongUnexpectedAndMissingWritesAndUnreadReplies) {
+  Failures failures;
   {
-    ScriptedLine line{complaints.collect()};
+    ScriptedLine line{failures.collect()};
     line.expect(kPingBytes).answer(kPongBytes).expect(kPingBytes);
     line.write(kPongBytes);
     line.write(kPingBytes);
   }
-  EXPECT_EQ(complaints.said,
+  EXPECT_EQ(failures.said,
             (std::vector<std::string>{"expected FF FF 01 02 01 FB, but FF FF 01 02 00 FC was written",
                                       "nobody expected a write now, but FF FF 01 02 01 FB was written",
                                       "2 steps were not reached; the first is the reading of FF FF 01 02 00 FC"}));
 }
 
-TEST(ScriptedBus, PlaysItsCyclesAndShowsWhatIsWritten) {
+TEST(ScriptedBus, ReplaysItsCyclesAndPassesWrites) {
   ScriptedBus bus;
   int checked = 0;
   bus.cycles(2, readingsAtRest()).expectWrite([&](const SafeCommands&) { ++checked; }).cycles(1, BusReadings{});
@@ -94,21 +94,21 @@ TEST(ScriptedBus, PlaysItsCyclesAndShowsWhatIsWritten) {
   EXPECT_EQ(checked, 2);
 }
 
-TEST(ScriptedBus, ComplainsAboutCyclesLeftOverCyclesTooManyAndWrongOrder) {
-  Complaints complaints;
+TEST(ScriptedBus, ReportsMissingCyclesExtraCyclesAndWrongOrder) {
+  Failures failures;
   BusReadings seen;
   {
-    ScriptedBus bus{complaints.collect()};
+    ScriptedBus bus{failures.collect()};
     bus.cycles(3, readingsAtRest());
     bus.read(seen);
     bus.write(SafeCommandsForTests::make());
     bus.write(SafeCommandsForTests::make());
   }
   {
-    ScriptedBus bus{complaints.collect()};
+    ScriptedBus bus{failures.collect()};
     bus.write(SafeCommandsForTests::make());
   }
-  EXPECT_EQ(complaints.said,
+  EXPECT_EQ(failures.said,
             (std::vector<std::string>{"read before it was written in cycle 1", "written twice in cycle 2",
                                       "2 scripted cycles were not reached, 1 were",
                                       "written after the last scripted cycle, number 0"}));
