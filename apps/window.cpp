@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "hal/signals.hpp"
-#include "managers/own_pages/own_pages.hpp"
-#include "remote/monitor/messages.hpp"
-#include "remote/ssh/target.hpp"
-#include "remote/web/server.hpp"
+#include "managers/motion/pages/own_pages.hpp"
+#include "monitor/messages.hpp"
+#include "hal/net/ssh/target.hpp"
+#include "hal/net/web/server.hpp"
 #include "runtime/clock.hpp"
 #include "ssh_login.hpp"
 #include "window/assets.hpp"
@@ -96,7 +96,7 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
 
 /// What the user has asked for, whatever kind of robot it is. Exit status.
 int openWindow(WindowArguments given) {
-  const std::optional<std::string> target = remote::sshTarget(given.choice.robot);
+  const std::optional<std::string> target = ssh::sshTarget(given.choice.robot);
   if (!target && given.login.any())
     throw std::runtime_error("--ssh-port, --ssh-key and --new-host go with --robot tcp://USER@HOST");
   if (target && !given.choice.monitor.empty())

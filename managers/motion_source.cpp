@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "managers/motion_text/motion_file.hpp"
-#include "managers/own_pages/own_pages.hpp"
+#include "managers/motion/pages/own_pages.hpp"
 #include "webots/notices.hpp"
 
 namespace managers {

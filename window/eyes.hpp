@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "remote/monitor/monitor.hpp"
+#include "monitor/monitor.hpp"
 
 namespace darwinop::window {
 

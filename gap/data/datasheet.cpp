@@ -4,7 +4,7 @@
 #include "core/units.hpp"
 #include "gap/data/baseline_keys.hpp"
 #include "gap/data/parts.hpp"
-#include "logs/header.hpp"
+#include "experiments/logs/header.hpp"
 
 namespace darwinop::gap {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "gap/data/case.hpp"
-#include "logs/header.hpp"
+#include "experiments/logs/header.hpp"
 #include "twin/model/nearest.hpp"
 
 namespace darwinop::gap {

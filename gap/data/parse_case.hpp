@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "gap/data/case.hpp"
-#include "logs/log.hpp"
+#include "experiments/logs/log.hpp"
 
 namespace darwinop::gap {
 

@@ -5,8 +5,8 @@
 
 #include "core/units.hpp"
 #include "gap/data/parts.hpp"
-#include "logs/header.hpp"
-#include "logs/units.hpp"
+#include "experiments/logs/header.hpp"
+#include "experiments/logs/units.hpp"
 
 namespace darwinop::gap {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "hal/shared_picture/reader.hpp"
-#include "link/eyes.hpp"
+#include "connect/eyes.hpp"
 #include "remote/jpeg/live_pictures.hpp"
 #include "runtime/clock.hpp"
 
@@ -19,7 +19,7 @@ LivePictures::Options onlookerOptions(const FrameLooker& look_at, const Teller& 
 }  // namespace
 
 std::unique_ptr<PictureSource> openCameraForOnlookers(const FrameLooker& look_at, const Teller& say) {
-  auto camera = link::openCamera({.width = kWholeImage.width,
+  auto camera = connect::openCamera({.width = kWholeImage.width,
                                   .height = kWholeImage.height,
                                   .form = PictureForm::kYuyv,
                                   .say = say});  // seldom: a camera speaks when something changes

@@ -1,5 +1,5 @@
 // The eye of the robot that a client drives, as JPEG.
-#include "link/eyes.hpp"
+#include "connect/eyes.hpp"
 #include "remote/jpeg/live_pictures.hpp"
 #include "remote/jpeg/lockstep_pictures.hpp"
 #include "remote/robot/link_port.hpp"
@@ -9,7 +9,7 @@ namespace darwinop::remote {
 std::unique_ptr<PictureSource> LinkPort::openPictures(ImageSize size, const v4l2::CameraSettings& settings,
                                                       const std::function<void(const std::string&)>& say) {
   const bool live = link_->realTime();
-  std::unique_ptr<FrameSource> eye = link::openEyes(*link_, {.width = kWholeImage.width,
+  std::unique_ptr<FrameSource> eye = connect::openEyes(*link_, {.width = kWholeImage.width,
                                                              .height = kWholeImage.height,
                                                              .settings = settings,
                                                              .form = live ? PictureForm::kYuyv : PictureForm::kBgra,

@@ -11,7 +11,7 @@
 
 #include "core/units.hpp"
 #include "gap/data/parse_case.hpp"
-#include "logs/read_log.hpp"
+#include "experiments/logs/read_log.hpp"
 
 namespace darwinop::gap {
 

@@ -7,7 +7,7 @@
 
 #include "gap/data/data_check.hpp"
 #include "gap/data/write_case.hpp"
-#include "logs/read_log.hpp"
+#include "experiments/logs/read_log.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::gap {

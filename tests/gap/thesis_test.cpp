@@ -6,7 +6,7 @@
 #include "gap/data/parse_case.hpp"
 #include "gap/data/write_case.hpp"
 #include "gap/name/naming.hpp"
-#include "logs/read_log.hpp"
+#include "experiments/logs/read_log.hpp"
 #include "thesis_cases.hpp"
 
 namespace darwinop::gap {

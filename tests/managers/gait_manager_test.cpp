@@ -4,7 +4,7 @@
 #include <cmath>
 #include <webots/Motor.hpp>
 
-#include "gait/golden.hpp"
+#include "managers/gait/golden.hpp"
 #include "gait_rig.hpp"
 
 namespace darwinop::facade {

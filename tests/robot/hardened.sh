@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# hardened.sh BUILD [static]: is every program of that build that is shipped hardened as cmake/Hardening.cmake says?
+# hardened.sh BUILD [static]: is every program of that build that is shipped hardened as tools/cmake/Hardening.cmake says?
 # static: as on a robot, nothing but darwinop-sound asks for a loader.
 set -euo pipefail
 build=$1 kind=${2:-}

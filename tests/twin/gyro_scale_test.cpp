@@ -1,11 +1,11 @@
 // A turn at a known rate, seen by everything that shows the gyroscope: there is one scale between rad/s and counts.
 #include <nlohmann/json.hpp>
 
-#include "body_support.hpp"
+#include "twin/body/support.hpp"
 #include "core/registers.hpp"
-#include "link/lockstep_robot.hpp"
-#include "logs/read_log.hpp"
-#include "remote/monitor/messages.hpp"
+#include "connect/lockstep_robot.hpp"
+#include "experiments/logs/read_log.hpp"
+#include "monitor/messages.hpp"
 #include "support/temporary_folder.hpp"
 #include "webots/counts.hpp"
 
@@ -31,7 +31,7 @@ Turn seenAt(double rate_rad_s) {
   trunkQvel(body)[4] = rate_rad_s;
   Turn seen{};
   {
-    const std::unique_ptr<runtime::RobotLink> link = link::lockstepRobot(config, std::move(owned));
+    const std::unique_ptr<runtime::RobotLink> link = connect::lockstepRobot(config, std::move(owned));
     const std::atomic<bool> stop{false};
     for (std::uint64_t cycle = 1; cycle <= 3; ++cycle) EXPECT_TRUE(link->waitForCycle(cycle, stop));
     const Sensors sensors = link->sensors();
