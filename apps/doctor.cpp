@@ -5,13 +5,13 @@
 #include <exception>
 #include <string>
 
+#include "connect/connect.hpp"
+#include "connect/robot_file.hpp"
+#include "connect/start_pose_findings.hpp"
 #include "hal/cm730/host_checks.hpp"
 #include "hal/cm730/port_check.hpp"
 #include "hal/cm730/probe.hpp"
 #include "hal/cm730/serial_open.hpp"
-#include "connect/connect.hpp"
-#include "connect/robot_file.hpp"
-#include "connect/start_pose_findings.hpp"
 
 namespace {
 

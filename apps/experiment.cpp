@@ -13,15 +13,15 @@
 #include <string>
 #include <webots/Robot.hpp>
 
-#include "experiments/format/battery.hpp"
-#include "experiments/run/gentle_stop.hpp"
-#include "experiments/run/hardware.hpp"
-#include "experiments/format/plan.hpp"
-#include "experiments/run/progress.hpp"
-#include "experiments/format/reader.hpp"
-#include "experiments/run/runner.hpp"
 #include "connect/robot_file.hpp"
 #include "connect/setting.hpp"
+#include "experiments/format/battery.hpp"
+#include "experiments/format/plan.hpp"
+#include "experiments/format/reader.hpp"
+#include "experiments/run/gentle_stop.hpp"
+#include "experiments/run/hardware.hpp"
+#include "experiments/run/progress.hpp"
+#include "experiments/run/runner.hpp"
 #if __has_include("experiments/logs/plot/plot.hpp")
 #include "experiments/logs/plot/plot.hpp"
 #define DARWINOP_CAN_PLOT

@@ -11,12 +11,14 @@
 #include <string>
 #include <vector>
 
-#include "end_with_parent.hpp"
-#include "hal/signals.hpp"
+#include "apps/colour_search/frame_search.hpp"
 #include "connect/controller_user.hpp"
+#include "connect/eyes.hpp"
+#include "end_with_parent.hpp"
+#include "hal/net/web/server.hpp"
+#include "hal/signals.hpp"
 #include "monitor/messages.hpp"
 #include "remote/robot/onlooker_eyes.hpp"
-#include "hal/net/web/server.hpp"
 #include "runtime/clock.hpp"
 
 namespace {
@@ -63,12 +65,15 @@ int serveOnlookers(const MonitorArguments& given) {
   endOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
   const runtime::RuntimeFiles files{given.name};
-  const auto finders = std::make_shared<monitor::Finders>();
-  const remote::FrameLooker find = [finders](const CameraFrame& frame) { finders->look(frame); };
+  const auto search = std::make_shared<colour_search::FrameSearch>();
+  const remote::FrameLooker find = [search](const CameraFrame& frame) { search->look(frame); };
   monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); },
-                           [find] { return remote::openCameraForOnlookers(find, sayMonitor); },
-                           [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); },
-                           finders};
+                           [find] {
+                             return remote::openPicturesOfCamera(
+                                 connect::openCamera({.form = PictureForm::kYuyv, .say = sayMonitor}), find,
+                                 sayMonitor);
+                           },
+                           [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); }, search};
   web::Server server{webConfig(given), sayMonitor};
   server.channel("/monitor", monitor::kSubprotocol, monitor);
   std::cout << "ready: ws://" << given.listen << ":" << server.port() << "/monitor" << std::endl;

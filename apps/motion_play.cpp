@@ -13,8 +13,8 @@
 #include <webots/Robot.hpp>
 #include <webots/utils/Motion.hpp>
 
-#include "experiments/run/hardware.hpp"
 #include "connect/setting.hpp"
+#include "experiments/run/hardware.hpp"
 #include "managers/motion_text/values.hpp"
 #include "managers/motion_watch/motion_watch.hpp"
 #include "managers/motion_watch/posture.hpp"

@@ -9,14 +9,15 @@
 #include <string>
 #include <vector>
 
-#include "end_with_parent.hpp"
-#include "hal/diagnostics.hpp"
-#include "hal/signals.hpp"
 #include "connect/connect.hpp"
 #include "connect/controller_user.hpp"
+#include "connect/eyes.hpp"
 #include "connect/setting.hpp"
-#include "remote/robot/link_port.hpp"
+#include "end_with_parent.hpp"
+#include "hal/diagnostics.hpp"
 #include "hal/net/bounded_log.hpp"
+#include "hal/signals.hpp"
+#include "remote/robot/link_port.hpp"
 #include "remote/server/server.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/daemon_link.hpp"
@@ -93,7 +94,10 @@ int serveRemote(const RemoteArguments& given) {
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
   const remote::ImageSize size{remote::kWholeImage.width / given.width_zoom,
                                remote::kWholeImage.height / given.height_zoom};
-  const auto open_pictures = [&] { return robot.openPictures(size, controller.camera, sayRemote); };
+  const auto open_frames = [&](runtime::RobotLink& link, PictureForm form) {
+    return connect::openEyes(link, {.settings = controller.camera, .form = form, .say = sayRemote});
+  };
+  const auto open_pictures = [&] { return robot.openPictures(size, open_frames, sayRemote); };
   remote::Server server{config, robot, open_pictures, clock, sayRemote};
   std::cout << "ready: " << given.listen << ":" << server.port() << std::endl;
   server.run(endRequested());

@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
-#include "hal/body_library.hpp"
 #include "connect/controller_user.hpp"
+#include "hal/body_library.hpp"
 #include "hal/net/ssh/session.hpp"
 #include "hal/net/ssh/target.hpp"
 #include "runtime/controller_run.hpp"

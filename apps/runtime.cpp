@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "hal/diagnostics.hpp"
-#include "hal/signals.hpp"
 #include "connect/connect.hpp"
 #include "connect/controller_user.hpp"
 #include "connect/robot_file.hpp"
 #include "connect/wait_for_bus.hpp"
+#include "hal/diagnostics.hpp"
+#include "hal/signals.hpp"
 #include "runtime/daemon.hpp"
 #include "runtime/operator.hpp"
 #include "webots/config_ini.hpp"
@@ -48,7 +48,7 @@ runtime::LoopConfig loopConfig(const Arguments& given, const connect::RobotFile&
 }
 
 std::optional<connect::OpenedBus> openBus(const Arguments& given, const connect::RobotFile& robot,
-                                       const runtime::LoopConfig& config) {
+                                          const runtime::LoopConfig& config) {
   const std::string port = given.port.value_or(robot.serialPort());
   const auto open = [&] { return connect::openSerialBus({port, config.period, config.safety, robot.offsets}); };
   if (!given.wait) return open();

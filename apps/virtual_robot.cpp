@@ -16,15 +16,15 @@
 #include <string>
 #include <vector>
 
+#include "connect/setting.hpp"
+#include "connect/twin_library.hpp"
 #include "core/joints.hpp"
 #include "hal/signals.hpp"
+#include "hal/text_file.hpp"
 #include "hil-mocks/fault_script.hpp"
 #include "hil-mocks/pty_host.hpp"
 #include "hil-mocks/robot_options.hpp"
 #include "hil-mocks/torque_on_counter.hpp"
-#include "connect/setting.hpp"
-#include "connect/twin_library.hpp"
-#include "hal/text_file.hpp"
 #ifdef DARWINOP_VIRTUAL_CAMERA  // on a PC
 #include "hil-mocks/camera/camera_settings.hpp"
 #include "virtual_robot_camera.hpp"
@@ -83,7 +83,8 @@ std::vector<hil::Fault> faultsIn(const std::string& path) {
 
 std::unique_ptr<darwinop::Body> makeBody(const Arguments& a) {
   if (a.body == "plain") return nullptr;
-  if (const std::optional<std::string> model = darwinop::connect::twinModel(a.body)) return darwinop::connect::makeTwin(*model, a.seed);
+  if (const std::optional<std::string> model = darwinop::connect::twinModel(a.body))
+    return darwinop::connect::makeTwin(*model, a.seed);
   throw std::runtime_error("--body " + a.body + ": it can be plain, twin, or twin:MODEL");
 }
 

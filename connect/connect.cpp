@@ -7,10 +7,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "hal/cm730/host_checks.hpp"
-#include "hal/cm730/not_ready.hpp"
-#include "hal/cm730/probe.hpp"
-#include "hal/cm730/serial_port.hpp"
 #include "connect/daemon_warnings.hpp"
 #include "connect/lockstep_robot.hpp"
 #include "connect/owned_bus.hpp"
@@ -18,6 +14,10 @@
 #include "connect/setting.hpp"
 #include "connect/start_pose_findings.hpp"
 #include "connect/twin_library.hpp"
+#include "hal/cm730/host_checks.hpp"
+#include "hal/cm730/not_ready.hpp"
+#include "hal/cm730/probe.hpp"
+#include "hal/cm730/serial_port.hpp"
 #ifdef DARWINOP_REMOTE_CLIENT
 #include "remote/client/tcp_link.hpp"
 #endif

@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
+#include "connect/robot_file.hpp"
 #include "hal/camera_v4l2/monotonic.hpp"
 #include "hal/shared_picture/writer.hpp"
-#include "connect/robot_file.hpp"
 #include "runtime/daemon_link.hpp"
 
 namespace darwinop::connect {

@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "connect/owned_bus.hpp"
 #include "hil-mocks/memory_line.hpp"
 #include "hil-mocks/virtual_robot.hpp"
-#include "connect/owned_bus.hpp"
 
 namespace darwinop::connect {
 namespace {

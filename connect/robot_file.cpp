@@ -8,12 +8,12 @@
 #include <set>
 #include <stdexcept>
 
-#include "core/text/number_text.hpp"
-#include "safety/layers.hpp"
 #include "core/text/ini_text.hpp"
 #include "core/text/letter_case.hpp"
-#include "safety/sections.hpp"
+#include "core/text/number_text.hpp"
 #include "hal/text_file.hpp"
+#include "safety/layers.hpp"
+#include "safety/sections.hpp"
 
 namespace darwinop::connect {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
-#include "remote/jpeg/image_size.hpp"
 #include "monitor/json.hpp"
 #include "monitor/messages.hpp"
+#include "remote/jpeg/image_size.hpp"
 #include "runtime/version.hpp"
 
 namespace darwinop::monitor {

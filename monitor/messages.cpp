@@ -4,11 +4,11 @@
 #include <utility>
 
 #include "core/conversions.hpp"
+#include "core/counts.hpp"
 #include "core/joints.hpp"
 #include "monitor/json.hpp"
 #include "monitor/search_message.hpp"
 #include "runtime/report.hpp"
-#include "webots/counts.hpp"
 
 namespace darwinop::monitor {
 namespace {
@@ -72,13 +72,13 @@ Json axes(bool fresh, const Values& values) {
 template <class Values>
 Json countsOf(bool fresh, const Values& values, const Register& law) {
   Json all = Json::array();
-  for (const auto& value : values) all.push_back(fresh ? figure(facade::countFrom(value.value, law), 1) : nullptr);
+  for (const auto& value : values) all.push_back(fresh ? figure(countFrom(value.value, law), 1) : nullptr);
   return all;
 }
 
 std::string colourText(std::uint16_t word) {
   char text[16];
-  std::snprintf(text, sizeof text, "#%06x", static_cast<unsigned>(facade::rgb24From15(word)) & 0xFFFFFFU);
+  std::snprintf(text, sizeof text, "#%06x", static_cast<unsigned>(rgb24From15(word)) & 0xFFFFFFU);
   return text;
 }
 
@@ -89,8 +89,8 @@ Json boardOf(const BoardSensors& board) {
   text["age"] = ageOf(board.motion);
   text["accelerometer"] = axes(fresh, board.accelerometer);
   text["gyro"] = axes(fresh, board.gyro);
-  text["accelerometer_count"] = countsOf(fresh, board.accelerometer, facade::kAccelRegister);
-  text["gyro_count"] = countsOf(fresh, board.gyro, facade::kGyroRegister);
+  text["accelerometer_count"] = countsOf(fresh, board.accelerometer, kAccelRegister);
+  text["gyro_count"] = countsOf(fresh, board.gyro, kGyroRegister);
   text["mode_button"] = known((board.buttons & 1) != 0);
   text["start_button"] = known((board.buttons & 2) != 0);
   text["voltage"] = known(figure(board.voltage.value));

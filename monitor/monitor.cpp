@@ -38,11 +38,11 @@ double secondsOf(Nanos time) {
 }  // namespace
 
 Monitor::Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera, Eye::Open share_camera,
-                 std::shared_ptr<Finders> finders)
+                 std::shared_ptr<ColourSearch> search)
     : onlooker_{files},
       clock_{std::move(clock)},
       eye_{std::move(open_camera), std::move(share_camera)},
-      finders_{std::move(finders)} {
+      search_{std::move(search)} {
   now_ = clock_();
   (void)onlooker_.look(now_);
   turn();
@@ -181,7 +181,7 @@ void Monitor::lookAtLoop() {
 }
 
 void Monitor::lookAtCamera() {
-  if (std::exchange(searches_changed_, false)) tellFinders();
+  if (std::exchange(searches_changed_, false)) updateSearches();
   const auto wants = [](const auto& seat) { return seat.second.wishes.camera > 0; };
   const bool wanted = std::ranges::any_of(seats_, wants);
   const bool runs = onlooker_.block() != nullptr;
@@ -198,19 +198,19 @@ void Monitor::lookAtCamera() {
     if (!message) message = shared(pictureMessage(picture, remote::kWholeImage));
     seat.picture = picture.sequence;
     // What was found in it goes ahead of it, so that both can be shown at once.
-    if (finders_ && seat.wishes.find)
-      if (const std::optional<Found> found = finders_->found(*seat.wishes.find, picture.sequence))
+    if (search_ && seat.wishes.find)
+      if (const std::optional<Found> found = search_->found(*seat.wishes.find, picture.sequence))
         channel->send(kFoundLane, shared(foundText(*found, seat.wishes.mask)));
     channel->sendBinary(kPictureLane, message);
   }
 }
 
-void Monitor::tellFinders() {
-  if (!finders_) return;
+void Monitor::updateSearches() {
+  if (!search_) return;
   std::vector<Search> searches;
   for (const auto& [channel, seat] : seats_)
     if (seat.wishes.camera > 0 && seat.wishes.find) searches.push_back(*seat.wishes.find);
-  finders_->want(searches);
+  search_->want(searches);
 }
 
 void Monitor::tellOfCamera(web::Channel& channel, Seat& seat, bool seeing) {

@@ -10,12 +10,12 @@
 #include <sstream>
 #include <string>
 
+#include "hal/net/web/channel.hpp"
+#include "monitor/colour_search.hpp"
 #include "monitor/eye.hpp"
-#include "monitor/finders.hpp"
 #include "monitor/onlooker.hpp"
 #include "monitor/pace.hpp"
 #include "monitor/wishes.hpp"
-#include "hal/net/web/channel.hpp"
 #include "runtime/fault_announcer.hpp"
 #include "runtime/loop_stats.hpp"
 
@@ -27,9 +27,9 @@ class Monitor final : public web::ChannelUser {
   using Clock = std::function<Nanos()>;
   static constexpr std::size_t kNotices = 20;  // a newcomer is told of the last ones
 
-  /// `finders`: what the pictures that those functions open are shown to; none: nothing is ever found.
+  /// `search`: what the frames of those functions are shown to; none: nothing is ever found.
   Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera, Eye::Open share_camera = {},
-          std::shared_ptr<Finders> finders = nullptr);
+          std::shared_ptr<ColourSearch> search = nullptr);
 
   void opened(web::Channel& channel) override;
   void said(web::Channel& channel, std::string_view message, bool binary) override;
@@ -66,14 +66,14 @@ class Monitor final : public web::ChannelUser {
   void lookAtFaults();
   void lookAtLoop();
   void lookAtCamera();
-  void tellFinders();
+  void updateSearches();
   void tellOfCamera(web::Channel& channel, Seat& seat, bool seeing);
   [[nodiscard]] bool everyCycle(const Seat& seat) const;
 
   Onlooker onlooker_;
   Clock clock_;
   Eye eye_;
-  std::shared_ptr<Finders> finders_;
+  std::shared_ptr<ColourSearch> search_;
   bool searches_changed_ = false;
   Nanos now_{0};
   std::map<web::Channel*, Seat> seats_;

@@ -11,19 +11,19 @@ namespace {
 /// Names are those of the vision manager's setters.
 struct WholeMember {
   const char* name;
-  int vision::Thresholds::*into;
+  int ColourThresholds::*into;
   int least, most;
 };
-constexpr std::array<WholeMember, 4> kWholeMembers{{{"hue", &vision::Thresholds::hue, 0, 360},
-                                                    {"hueTolerance", &vision::Thresholds::hue_tolerance, 0, 180},
-                                                    {"minSaturation", &vision::Thresholds::min_saturation, -1, 100},
-                                                    {"minValue", &vision::Thresholds::min_value, -1, 100}}};
+constexpr std::array<WholeMember, 4> kWholeMembers{{{"hue", &ColourThresholds::hue, 0, 360},
+                                                    {"hueTolerance", &ColourThresholds::hue_tolerance, 0, 180},
+                                                    {"minSaturation", &ColourThresholds::min_saturation, -1, 100},
+                                                    {"minValue", &ColourThresholds::min_value, -1, 100}}};
 struct PercentMember {
   const char* name;
-  double vision::PercentLimits::*into;
+  double PercentLimits::*into;
 };
 constexpr std::array<PercentMember, 2> kPercentMembers{
-    {{"minPercent", &vision::PercentLimits::min}, {"maxPercent", &vision::PercentLimits::max}}};
+    {{"minPercent", &PercentLimits::min}, {"maxPercent", &PercentLimits::max}}};
 
 std::string rangeText(const char* name, const char* kind, int least, int most) {
   return std::string{"find."} + name + " must be a " + kind + " from " + std::to_string(least) + " to " +
@@ -31,7 +31,7 @@ std::string rangeText(const char* name, const char* kind, int least, int most) {
 }
 
 /// Empty: understood, or not there.
-std::string takeWhole(const Json& asked, const WholeMember& member, vision::Thresholds& into) {
+std::string takeWhole(const Json& asked, const WholeMember& member, ColourThresholds& into) {
   const auto found = asked.find(member.name);
   if (found == asked.end()) return {};
   const double value = found->is_number() ? found->get<double>() : kUnknown;
@@ -41,7 +41,7 @@ std::string takeWhole(const Json& asked, const WholeMember& member, vision::Thre
   return {};
 }
 
-std::string takePercent(const Json& asked, const PercentMember& member, vision::PercentLimits& into) {
+std::string takePercent(const Json& asked, const PercentMember& member, PercentLimits& into) {
   const auto found = asked.find(member.name);
   if (found == asked.end()) return {};
   const double value = found->is_number() ? found->get<double>() : kUnknown;

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "monitor/finders.hpp"
+#include "monitor/wishes.hpp"
 
 namespace darwinop::monitor {
 

@@ -3,18 +3,11 @@
 
 #include <optional>
 
-#include "managers/vision/colour_finder.hpp"
+#include "monitor/colour_search.hpp"
 
 namespace darwinop::monitor {
 
 inline constexpr double kMostRate = 125, kMostPictures = 30, kUsualRate = 20;  // Hz
-
-/// A colour to be found in the pictures, as the vision manager finds it.
-struct Search {
-  vision::Thresholds colour{};
-  vision::PercentLimits limits{};
-  bool operator==(const Search&) const = default;
-};
 
 struct Wishes {
   double rate = kUsualRate;  // state messages, Hz; 0: none

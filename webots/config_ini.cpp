@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "core/camera_sizes.hpp"
-#include "core/text/number_text.hpp"
 #include "core/text/ini_text.hpp"
 #include "core/text/letter_case.hpp"
-#include "safety/sections.hpp"
+#include "core/text/number_text.hpp"
 #include "hal/text_file.hpp"
+#include "safety/sections.hpp"
 
 namespace darwinop::facade {
 
@@ -131,9 +131,7 @@ class Reader final : public text::IniReader {
     safety::checkSafety(config.safety, file_);
   }
 
-  void warn(int line, const std::string& what) {
-    reading_.warnings.push_back(text::where(file_, line) + ": " + what);
-  }
+  void warn(int line, const std::string& what) { reading_.warnings.push_back(text::where(file_, line) + ": " + what); }
 
   const std::string& file_;
   ConfigReading reading_;

@@ -44,9 +44,9 @@ std::unique_ptr<KeySource> openTheUsualKeys(const std::atomic<bool>& stop) {
     return std::string{value != nullptr ? value : ""};
   };
   return connect::openKeys({.from = environment("DARWINOP_KEYS"),
-                         .display = environment("DISPLAY"),
-                         .say = [](const std::string& what) { say("Keyboard: " + what); }},
-                        stop);
+                            .display = environment("DISPLAY"),
+                            .say = [](const std::string& what) { say("Keyboard: " + what); }},
+                           stop);
 }
 
 void warnMissing(const std::string& device) {

@@ -44,9 +44,9 @@ Session::Session(std::unique_ptr<runtime::RobotLink> link, const std::atomic<boo
 
 std::unique_ptr<FrameSource> Session::openEyes(int width, int height, const v4l2::CameraSettings& settings) {
   return connect::openEyes(*link_,
-                        {.width = width, .height = height, .settings = settings, .say = [](const std::string& what) {
-                           say("Camera: " + what);
-                         }});
+                           {.width = width, .height = height, .settings = settings, .say = [](const std::string& what) {
+                              say("Camera: " + what);
+                            }});
 }
 
 std::string Session::begin(const Commands& first) {

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "hal/byte_line.hpp"
-#include "monitor/wishes.hpp"
 #include "hal/net/addresses.hpp"
 #include "hal/net/web/caller.hpp"
 #include "hal/net/web/channel.hpp"
+#include "monitor/wishes.hpp"
 
 namespace darwinop::window {
 

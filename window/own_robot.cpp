@@ -7,8 +7,8 @@
 #include <thread>
 #include <utility>
 
-#include "hil-mocks/camera/camera_settings.hpp"
 #include "connect/robot_file.hpp"
+#include "hil-mocks/camera/camera_settings.hpp"
 #include "runtime/names.hpp"
 #include "window/scoped_settings.hpp"
 

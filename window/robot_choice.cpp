@@ -49,8 +49,8 @@ std::unique_ptr<OwnRobot> ownRobot(const RobotChoice& choice, const std::vector<
 }
 
 Sight sightOf(const RobotChoice& choice, const runtime::RuntimeFiles& files, const std::string& painted,
-              const SayLine& say) {
-  if (!isElsewhere(choice)) return Sight{monitorWithEyes(files, painted, say)};
+              const std::shared_ptr<monitor::ColourSearch>& search, const SayLine& say) {
+  if (!isElsewhere(choice)) return Sight{monitorWithEyes(files, painted, search, say)};
   const connect::Address at = monitorOf(choice);
   const std::string name = choice.logged_in_to.empty() ? at.host + ":" + std::to_string(at.port) : choice.logged_in_to;
   return Sight{std::make_unique<Bridge>(net::addressesOf(at.host).front(), at.port, name)};

@@ -36,8 +36,8 @@ struct ShownRobot::Parts {
     facade::installStopSignals();
     runtime::LoopConfig loop;
     loop.port = "twin:" + options.model;
-    robot = std::make_unique<facade::RobotImpl>(connect::lockstepRobot(loop, std::move(seen)), facade::ControllerConfig{},
-                                                facade::stopRequested());
+    robot = std::make_unique<facade::RobotImpl>(connect::lockstepRobot(loop, std::move(seen)),
+                                                facade::ControllerConfig{}, facade::stopRequested());
     if (const std::string why_not = robot->begin(); !why_not.empty()) throw std::runtime_error(why_not);
     for (twin::Pose before_the_film; watched->poses().pop(before_the_film);) {
     }

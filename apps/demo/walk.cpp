@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/units.hpp"
 #include "apps/demo/shown_robot.hpp"
+#include "core/units.hpp"
 
 namespace darwinop::demo {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "experiments/format/quantity.hpp"
 #include "core/text/ini_text.hpp"
+#include "experiments/format/quantity.hpp"
 
 namespace darwinop::experiments {
 namespace {

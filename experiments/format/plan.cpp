@@ -5,9 +5,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/text/ini_text.hpp"
 #include "experiments/format/quantity.hpp"
 #include "experiments/format/shape.hpp"
-#include "core/text/ini_text.hpp"
 
 namespace darwinop::experiments {
 namespace {

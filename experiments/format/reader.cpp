@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/text/ini_text.hpp"
 #include "core/text/number_text.hpp"
 #include "experiments/format/phase_reader.hpp"
 #include "experiments/format/quantity.hpp"
 #include "experiments/format/sections.hpp"
-#include "core/text/ini_text.hpp"
 #include "hal/text_file.hpp"
 
 namespace darwinop::experiments {

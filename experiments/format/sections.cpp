@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "core/joints.hpp"
+#include "core/text/ini_text.hpp"
 #include "core/text/number_text.hpp"
 #include "experiments/format/quantity.hpp"
-#include "core/text/ini_text.hpp"
 
 namespace darwinop::experiments {
 namespace {

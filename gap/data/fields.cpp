@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "gap/data/case.hpp"
 #include "experiments/logs/header.hpp"
+#include "gap/data/case.hpp"
 #include "twin/model/nearest.hpp"
 
 namespace darwinop::gap {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/data/parts.hpp"
 #include "gap/data/plausible.hpp"
-#include "experiments/logs/read_log.hpp"
 #include "hal/text_file.hpp"
 
 namespace darwinop::gap {

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "gap/data/case.hpp"
 #include "experiments/logs/log.hpp"
+#include "gap/data/case.hpp"
 
 namespace darwinop::gap {
 

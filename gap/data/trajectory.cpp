@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "core/units.hpp"
-#include "gap/data/parts.hpp"
 #include "experiments/logs/header.hpp"
 #include "experiments/logs/units.hpp"
+#include "gap/data/parts.hpp"
 
 namespace darwinop::gap {
 namespace {

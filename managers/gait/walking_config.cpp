@@ -7,9 +7,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/text/number_text.hpp"
 #include "core/text/ini_text.hpp"
 #include "core/text/letter_case.hpp"
+#include "core/text/number_text.hpp"
 #include "hal/text_file.hpp"
 
 namespace darwinop::gait {
@@ -68,9 +68,7 @@ class Reader final : public text::IniReader {
     config_.parameters.ik = choice == "exact" ? Ik::kExact : Ik::kFlawed;
   }
 
-  void warn(int line, const std::string& what) {
-    config_.warnings.push_back(text::where(file_, line) + ": " + what);
-  }
+  void warn(int line, const std::string& what) { config_.warnings.push_back(text::where(file_, line) + ": " + what); }
 
   const std::string& file_;
   WalkingConfig config_;

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "managers/motion_text/page_text.hpp"
 #include "hal/text_file.hpp"
+#include "managers/motion_text/page_text.hpp"
 
 namespace darwinop::motion {
 

@@ -62,7 +62,8 @@ class Reader {
       const std::size_t equals = line.find('=');
       if (equals == line.npos) throw std::runtime_error("write FIELD = VALUE, or [page NUMBER]");
       if (!section_) throw std::runtime_error("write [page NUMBER] before the first field");
-      section_->set(std::string{text::withoutBlanks(line.substr(0, equals))}, text::withoutBlanks(line.substr(equals + 1)));
+      section_->set(std::string{text::withoutBlanks(line.substr(0, equals))},
+                    text::withoutBlanks(line.substr(equals + 1)));
     }
   }
 

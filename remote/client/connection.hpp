@@ -6,9 +6,9 @@
 #include <string>
 
 #include "hal/byte_line.hpp"
+#include "hal/net/socket.hpp"
 #include "remote/protocol/reply_reader.hpp"
 #include "remote/protocol/request_writer.hpp"
-#include "hal/net/socket.hpp"
 
 namespace darwinop::remote {
 

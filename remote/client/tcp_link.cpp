@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/text/printable.hpp"
-#include "remote/client/old_sensors.hpp"
 #include "hal/net/resolve.hpp"
+#include "remote/client/old_sensors.hpp"
 
 namespace darwinop::remote {
 namespace {

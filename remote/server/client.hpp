@@ -7,15 +7,16 @@
 #include <vector>
 
 #include "hal/byte_line.hpp"
+#include "hal/net/socket.hpp"
 #include "remote/protocol/request_reader.hpp"
 #include "remote/server/answer.hpp"
-#include "hal/net/socket.hpp"
 
 namespace darwinop::remote {
 
 class Client {
  public:
-  Client(net::Socket socket, std::string name, Nanos now) : heard{now}, socket_{std::move(socket)}, name_{std::move(name)} {}
+  Client(net::Socket socket, std::string name, Nanos now)
+      : heard{now}, socket_{std::move(socket)}, name_{std::move(name)} {}
 
   [[nodiscard]] int descriptor() const { return socket_.descriptor(); }
   [[nodiscard]] const std::string& name() const { return name_; }

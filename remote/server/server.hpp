@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "hal/byte_line.hpp"
-#include "remote/picture_source.hpp"
 #include "hal/net/addresses.hpp"
 #include "hal/net/allowance.hpp"
 #include "hal/net/bounded_log.hpp"
-#include "remote/server/client.hpp"
 #include "hal/net/listener.hpp"
+#include "remote/picture_source.hpp"
+#include "remote/server/client.hpp"
 #include "remote/server/robot_port.hpp"
 
 namespace darwinop::remote {
@@ -37,7 +37,8 @@ class Server {
   using OpenPictures = std::function<std::unique_ptr<PictureSource>()>;
 
   /// Listens from now on. Throws std::runtime_error with what to do.
-  Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_pictures, Clock clock, net::BoundedLog::Say say);
+  Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_pictures, Clock clock,
+         net::BoundedLog::Say say);
 
   /// Waits at most `longest` for something to happen, and sees to it.
   void attend(Nanos longest);

@@ -12,8 +12,8 @@
 #include <map>
 #include <string>
 
-#include "remote/attackers.hpp"
 #include "hal/net/listener.hpp"
+#include "remote/attackers.hpp"
 #include "remote/siege_rig.hpp"
 
 namespace {

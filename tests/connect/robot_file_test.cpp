@@ -6,8 +6,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "core/conversions.hpp"
 #include "connect/setting.hpp"
+#include "core/conversions.hpp"
 #include "runtime/environment.hpp"
 #include "support/temporary_folder.hpp"
 

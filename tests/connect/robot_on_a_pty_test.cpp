@@ -7,13 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "connect/connect.hpp"
+#include "connect/robot_file.hpp"
 #include "core/conversions.hpp"
 #include "hal/cm730/not_ready.hpp"
 #include "hal/cm730/serial_port.hpp"
 #include "hil-mocks/pty_host.hpp"
 #include "hil-mocks/robot_options.hpp"
-#include "connect/connect.hpp"
-#include "connect/robot_file.hpp"
 #include "runtime/environment.hpp"
 #include "support/temporary_folder.hpp"
 

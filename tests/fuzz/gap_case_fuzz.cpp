@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/data/data_check.hpp"
 #include "gap/data/parse_case.hpp"
 #include "gap/data/write_case.hpp"
-#include "experiments/logs/read_log.hpp"
 
 namespace {
 

@@ -12,8 +12,8 @@
 #include <webots/Accelerometer.hpp>
 #include <webots/Robot.hpp>
 
-#include "core/units.hpp"
 #include "connect/lockstep_robot.hpp"
+#include "core/units.hpp"
 #include "twin/body/robot_body.hpp"
 #include "webots/robot_impl.hpp"
 

@@ -16,8 +16,8 @@
 #include <thread>
 #include <vector>
 
-#include "remote/protocol/request.hpp"
 #include "hal/net/socket.hpp"
+#include "remote/protocol/request.hpp"
 
 namespace darwinop::remote {
 

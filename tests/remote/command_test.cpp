@@ -10,8 +10,8 @@
 #include <fstream>
 #include <thread>
 
-#include "remote/protocol/examples.hpp"
 #include "hal/net/socket.hpp"
+#include "remote/protocol/examples.hpp"
 #include "support/hex.hpp"
 #include "support/temporary_folder.hpp"
 #include "system/program.hpp"

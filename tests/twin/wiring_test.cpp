@@ -10,9 +10,9 @@
 #include <fstream>
 #include <iostream>
 
+#include "connect/connect.hpp"
 #include "core/conversions.hpp"
 #include "core/packet.hpp"
-#include "connect/connect.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop {

@@ -12,10 +12,10 @@
 #include <stdexcept>
 #include <thread>
 
-#include "fixture.hpp"
 #include "connect/connect.hpp"
 #include "connect/eyes.hpp"
 #include "connect/keys.hpp"
+#include "fixture.hpp"
 #include "webots/stop_signals.hpp"
 
 namespace {

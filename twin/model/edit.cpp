@@ -3,8 +3,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "core/text/number_text.hpp"
 #include "core/text/ini_lines.hpp"
+#include "core/text/number_text.hpp"
 #include "twin/model/section_text.hpp"
 
 namespace darwinop::twin {

@@ -6,9 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/text/letter_case.hpp"
 #include "core/text/number_text.hpp"
 #include "core/units.hpp"
-#include "core/text/letter_case.hpp"
 
 namespace darwinop::twin {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/logs/plot/pieces.hpp"
 #include "experiments/logs/log.hpp"
+#include "experiments/logs/plot/pieces.hpp"
 
 namespace darwinop::plot {
 

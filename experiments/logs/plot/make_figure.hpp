@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "experiments/logs/log.hpp"
 #include "experiments/logs/plot/figure.hpp"
 #include "experiments/logs/plot/plot.hpp"
-#include "experiments/logs/log.hpp"
 
 namespace darwinop::plot {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/logs/plot/pieces.hpp"
 #include "experiments/logs/log.hpp"
+#include "experiments/logs/plot/pieces.hpp"
 
 namespace darwinop::plot {
 

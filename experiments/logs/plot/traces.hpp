@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/logs/plot/figure.hpp"
 #include "experiments/logs/log.hpp"
+#include "experiments/logs/plot/figure.hpp"
 
 namespace darwinop::plot {
 

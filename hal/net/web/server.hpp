@@ -17,7 +17,7 @@ namespace darwinop::web {
 
 struct ServerConfig {
   net::Ipv4 address = 0x7F000001;  // loopback
-  std::uint16_t port = 0;             // 0: any that is free
+  std::uint16_t port = 0;          // 0: any that is free
   std::vector<net::Network> allowed{{0x7F000000, 0xFF000000}};
   EntryRules entry{};
   std::size_t most_channels = 8;      // one more: 503

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cmath>
 
-#include "core/faults.hpp"
 #include "connect/connect.hpp"
+#include "core/faults.hpp"
 #include "experiments/logs/read_log.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -12,10 +12,10 @@
 #include <webots/Motor.hpp>
 #include <webots/Robot.hpp>
 
+#include "connect/connect.hpp"
 #include "experiments/format/plan.hpp"
 #include "experiments/format/reader.hpp"
 #include "experiments/run/runner.hpp"
-#include "connect/connect.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 

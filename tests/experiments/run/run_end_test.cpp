@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "experiments/run/rig.hpp"
 #include "experiments/format/texts.hpp"
+#include "experiments/run/rig.hpp"
 
 namespace darwinop::experiments {
 namespace {

@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
-#include "experiments/run/rig.hpp"
 #include "experiments/format/texts.hpp"
+#include "experiments/run/rig.hpp"
 
 namespace darwinop::experiments {
 namespace {

@@ -4,8 +4,8 @@
 #include <cerrno>
 #include <functional>
 
-#include "hal/camera_v4l2/monotonic.hpp"
 #include "hal/camera_v4l2/bench.hpp"
+#include "hal/camera_v4l2/monotonic.hpp"
 #include "hal/camera_v4l2/quirks.hpp"
 
 namespace darwinop::v4l2 {

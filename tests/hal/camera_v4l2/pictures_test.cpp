@@ -1,6 +1,6 @@
 // What a controller sees of a camera that works.
-#include "hal/camera_v4l2/monotonic.hpp"
 #include "hal/camera_v4l2/bench.hpp"
+#include "hal/camera_v4l2/monotonic.hpp"
 
 namespace darwinop::v4l2 {
 namespace {

@@ -1,9 +1,9 @@
 // From buffers to the newest picture, by hand: no thread.
 #include <linux/videodev2.h>
 
+#include "hal/camera_v4l2/bench.hpp"
 #include "hal/camera_v4l2/picture_taker.hpp"
 #include "hal/camera_v4l2/trouble.hpp"
-#include "hal/camera_v4l2/bench.hpp"
 #include "support/allocation_probe.hpp"
 
 namespace darwinop::v4l2 {

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "hal/pixels/bgra_to_yuyv.hpp"
-#include "hal/pixels/yuyv_to_planes.hpp"
 #include "hal/pixels/pictures.hpp"
+#include "hal/pixels/yuyv_to_planes.hpp"
 
 namespace darwinop::pixels {
 namespace {

@@ -1,9 +1,9 @@
 // What check finds in pages, what it leaves alone, and how long pages take.
 #include <gmock/gmock.h>
 
+#include "managers/motion/pages.hpp"
 #include "managers/motion_text/check_pages.hpp"
 #include "managers/motion_text/rehearsal.hpp"
-#include "managers/motion/pages.hpp"
 
 namespace darwinop::motion {
 namespace {

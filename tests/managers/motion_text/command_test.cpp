@@ -9,8 +9,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "managers/motion_text/motion_file.hpp"
 #include "managers/motion/pages.hpp"
+#include "managers/motion_text/motion_file.hpp"
 #include "support/temporary_folder.hpp"
 #include "system/program.hpp"
 

@@ -3,10 +3,10 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include "managers/motion_text/page_text.hpp"
-#include "managers/motion_text/values.hpp"
 #include "managers/motion/pages.hpp"
 #include "managers/motion_text/any_pages.hpp"
+#include "managers/motion_text/page_text.hpp"
+#include "managers/motion_text/values.hpp"
 
 namespace darwinop::motion {
 namespace {

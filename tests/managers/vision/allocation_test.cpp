@@ -4,8 +4,8 @@
 #include <random>
 
 #include "managers/vision/colour_finder.hpp"
-#include "support/allocation_probe.hpp"
 #include "managers/vision/pictures.hpp"
+#include "support/allocation_probe.hpp"
 
 namespace darwinop::vision {
 namespace {

@@ -12,9 +12,9 @@
 #include <thread>
 #include <vector>
 
+#include "hal/net/socket.hpp"
 #include "remote/protocol/reply.hpp"
 #include "remote/protocol/request_reader.hpp"
-#include "hal/net/socket.hpp"
 
 namespace darwinop::remote {
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "remote/protocol/examples.hpp"
 #include "remote/picture_source.hpp"
+#include "remote/protocol/examples.hpp"
 #include "remote/server/server.hpp"
 #include "served.hpp"
 

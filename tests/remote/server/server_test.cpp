@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "remote/protocol/examples.hpp"
 #include "fixed_eye.hpp"
+#include "remote/protocol/examples.hpp"
 #include "served.hpp"
 
 namespace darwinop::remote {

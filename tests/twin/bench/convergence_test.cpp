@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "twin/servo/bench.hpp"
 #include "twin/bench/near_sine.hpp"
+#include "twin/servo/bench.hpp"
 
 namespace darwinop::twin::testing {
 namespace {

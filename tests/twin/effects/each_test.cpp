@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "twin/effects/rig.hpp"
 #include "support/allocation_probe.hpp"
+#include "twin/effects/rig.hpp"
 
 namespace darwinop::twin {
 namespace {

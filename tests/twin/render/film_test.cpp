@@ -1,4 +1,6 @@
 // Films: into a folder, or by ffmpeg, and what is said when that cannot be.
+#include "twin/render/film.hpp"
+
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -6,10 +8,9 @@
 #include <string>
 
 #include "support/temporary_folder.hpp"
-#include "twin/render/film.hpp"
 #include "twin/render/png.hpp"
-#include "twin/render/test_pattern.hpp"
 #include "twin/render/support.hpp"
+#include "twin/render/test_pattern.hpp"
 #include "twin/view/screen.hpp"
 #include "twin/view/watched_body.hpp"
 

@@ -1,4 +1,6 @@
 // What the robot sees is what lies in front of it, at the place where geometry says.
+#include "twin/render/head_camera.hpp"
+
 #include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
 
@@ -8,7 +10,6 @@
 #include <memory>
 #include <string>
 
-#include "twin/render/head_camera.hpp"
 #include "twin/render/support.hpp"
 #include "twin/view/named_poses.hpp"
 

@@ -8,8 +8,8 @@
 #include "twin/render/lettering.hpp"
 #include "twin/render/offscreen.hpp"
 #include "twin/render/png.hpp"
-#include "twin/render/test_pattern.hpp"
 #include "twin/render/support.hpp"
+#include "twin/render/test_pattern.hpp"
 #include "twin/view/named_poses.hpp"
 
 namespace darwinop::twin {

@@ -1,9 +1,9 @@
 // Which robots a program of the PC logs in to.
+#include "hal/net/ssh/target.hpp"
+
 #include <gtest/gtest.h>
 
 #include <stdexcept>
-
-#include "hal/net/ssh/target.hpp"
 
 namespace darwinop::remote {
 namespace {

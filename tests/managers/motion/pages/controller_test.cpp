@@ -24,8 +24,8 @@ TEST(ThroughTheManager, ARobotThatWasPushedOverGetsUpOnEitherSideAndSitsDown) {
                                                 twin::RobotBodyOptions{.ball = twin::Ball::kNone});
   twin::RobotBody& body = *made;
   std::atomic<bool> stop{false};
-  auto impl =
-      std::make_unique<facade::RobotImpl>(connect::lockstepRobot({}, std::move(made)), facade::ControllerConfig{}, stop);
+  auto impl = std::make_unique<facade::RobotImpl>(connect::lockstepRobot({}, std::move(made)),
+                                                  facade::ControllerConfig{}, stop);
   ASSERT_EQ(impl->begin(), "");
   TwinRobot robot{impl.release()};
   managers::RobotisOp2MotionManager pages{&robot, "own"};

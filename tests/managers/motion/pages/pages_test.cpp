@@ -5,10 +5,10 @@
 #include <map>
 
 #include "managers/gait/walk.hpp"
-#include "managers/motion_text/check_pages.hpp"
-#include "managers/motion_text/mirror.hpp"
 #include "managers/motion/pages/own_pages.hpp"
 #include "managers/motion/pages/promised_poses.hpp"
+#include "managers/motion_text/check_pages.hpp"
+#include "managers/motion_text/mirror.hpp"
 
 namespace darwinop::motion {
 namespace {

@@ -8,9 +8,9 @@
 #include "core/commands.hpp"
 #include "core/conversions.hpp"
 #include "core/sensors.hpp"
-#include "webots/speed_ramp.hpp"
+#include "core/speed_ramp.hpp"
 
-namespace darwinop::facade {
+namespace darwinop {
 
 // Source: the simulator's model of this robot. The register ends at 12.213 rad/s.
 inline constexpr double kMaxVelocity = 12.26;
@@ -51,4 +51,4 @@ class MotorControl {
   SpeedRamp ramp_;
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop

@@ -4,7 +4,7 @@
 #include "core/gentle_move.hpp"
 #include "core/joints.hpp"
 
-namespace darwinop::facade {
+namespace darwinop {
 
 class LeadIn : public GentleMove<kJoints> {
  public:
@@ -20,4 +20,4 @@ class LeadIn : public GentleMove<kJoints> {
   static double durationMs(double way) { return kSteepest * way / kSpeed * 1000; }
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop

@@ -7,7 +7,7 @@
 #include "experiments/run/rig.hpp"
 
 #ifndef DARWINOP_BATTERY
-#error "tests/experiments/CMakeLists.txt names the folder of the experiments"
+#error "tests/experiments/run/CMakeLists.txt names the folder of the experiments"
 #endif
 
 namespace darwinop::experiments {

@@ -8,7 +8,7 @@
 #include "core/joints.hpp"
 #include "core/sensors.hpp"
 
-namespace darwinop::facade {
+namespace darwinop {
 
 // A servo with the usual P gain, 4, pulls with all it has from 256 ticks (22.5 degrees) on. A goal that is farther from
 // where the joint is pulls no harder, so that one this far away is no jump, and a movement need not begin any farther.
@@ -25,4 +25,4 @@ inline double presentGoal(Joint joint, const JointSensors& sensors, double wishe
   return sensors.position.known() ? std::clamp(goal, here - kFullPull, here + kFullPull) : goal;
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop

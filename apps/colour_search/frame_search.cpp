@@ -1,4 +1,4 @@
-#include "monitor/finders.hpp"
+#include "apps/colour_search/frame_search.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,10 @@
 
 #include "hal/pixels/yuyv_to_bgra.hpp"
 
-namespace darwinop::monitor {
+namespace darwinop::colour_search {
+using monitor::Found;
+using monitor::Search;
+
 namespace {
 
 /// What lies in the finder's mask, and the mask itself.
@@ -37,7 +40,7 @@ void describe(const vision::BitRows& mask, Found& found) {
 
 }  // namespace
 
-void Finders::want(const std::vector<Search>& searches) {
+void FrameSearch::want(const std::vector<Search>& searches) {
   std::vector<Search> different;
   for (const Search& search : searches)
     if (different.size() < kMost && std::ranges::find(different, search) == different.end())
@@ -46,11 +49,11 @@ void Finders::want(const std::vector<Search>& searches) {
   wanted_ = std::move(different);
 }
 
-void Finders::look(const CameraFrame& frame) noexcept try { take(frame); } catch (const std::exception&) {
+void FrameSearch::look(const CameraFrame& frame) noexcept try { take(frame); } catch (const std::exception&) {
   return;  // no memory, or a picture of no size: nothing is found
 }
 
-void Finders::take(const CameraFrame& frame) {
+void FrameSearch::take(const CameraFrame& frame) {
   {
     const std::lock_guard lock{mutex_};
     const auto wanted = [this](const One& one) { return std::ranges::find(wanted_, one.search) != wanted_.end(); };
@@ -80,7 +83,7 @@ void Finders::take(const CameraFrame& frame) {
   }
 }
 
-std::optional<Found> Finders::found(const Search& search, std::uint64_t picture) const {
+std::optional<Found> FrameSearch::found(const Search& search, std::uint64_t picture) const {
   const std::lock_guard lock{mutex_};
   const auto one = std::ranges::find(ones_, search, &One::search);
   if (one == ones_.end() || picture == 0) return std::nullopt;
@@ -88,4 +91,4 @@ std::optional<Found> Finders::found(const Search& search, std::uint64_t picture)
   return found.picture == picture ? std::optional{found} : std::nullopt;
 }
 
-}  // namespace darwinop::monitor
+}  // namespace darwinop::colour_search

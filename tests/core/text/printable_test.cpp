@@ -15,11 +15,11 @@ TEST(Printable, CommandsForATerminalAreShownAndNotCarriedOut) {
   EXPECT_EQ(text::printable("\x1b[2J\x1b]0;title\x07"), "\\x1b[2J\\x1b]0;title\\x07");
   EXPECT_EQ(text::printable("good\rbad\nnew line\t\b\x7f"), "good\\x0dbad\\x0anew line\\x09\\x08\\x7f");
   EXPECT_EQ(text::printable("\xC2\x9B"
-                      "2J"),
+                            "2J"),
             "\\xc2\\x9b2J")
       << "CSI of eight bits";
   EXPECT_EQ(text::printable("\xE2\x80\xAE"
-                      "gpj"),
+                            "gpj"),
             "\\xe2\\x80\\xaegpj")
       << "written from right to left";
   EXPECT_EQ(text::printable(std::string_view{"a\0b", 3}), "a\\x00b");
@@ -27,7 +27,7 @@ TEST(Printable, CommandsForATerminalAreShownAndNotCarriedOut) {
 
 TEST(Printable, WhatIsNoUtf8IsShownAsBytes) {
   EXPECT_EQ(text::printable("\x9b"
-                      "2J"),
+                            "2J"),
             "\\x9b2J");
   EXPECT_EQ(text::printable("\xE2\x82"), "\\xe2\\x82") << "cut off";
   EXPECT_EQ(text::printable("\xC0\x9B"), "\\xc0\\x9b") << "an escape in a longer form than it needs";

@@ -1,11 +1,11 @@
 // Raw counts and colour words.
+#include "core/counts.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "webots/counts.hpp"
-
-namespace darwinop::facade {
+namespace darwinop {
 namespace {
 
 TEST(Counts, EveryCountOfTheBoardComesBackExactly) {
@@ -36,4 +36,4 @@ TEST(Colours, EveryWordOfTheBoardComesBackExactly) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop

@@ -1,9 +1,9 @@
 // What a controller wants of one joint, and the command that says so.
-#include "webots/motor_control.hpp"
+#include "core/motor_control.hpp"
 
 #include <algorithm>
 
-namespace darwinop::facade {
+namespace darwinop {
 
 void MotorControl::setPosition(double rad) {
   position_ = rad;
@@ -65,4 +65,4 @@ void MotorControl::addTorque(JointCommand& command) const {
   if (limit != 0) command.setTorqueLimit(NewtonMeter{limit});
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop

@@ -6,7 +6,7 @@
 
 #include "core/conversions.hpp"
 
-namespace darwinop::facade {
+namespace darwinop {
 
 /// The MX-28 has no acceleration register (older firmware), so the limit is moved in every step.
 class SpeedRamp {
@@ -28,4 +28,4 @@ class SpeedRamp {
   double speed_ = 0, side_ = 0;
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop

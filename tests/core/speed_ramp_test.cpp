@@ -1,11 +1,11 @@
 // The speed limit of a joint with an acceleration, and a servo that follows it.
-#include "webots/speed_ramp.hpp"
+#include "core/speed_ramp.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace darwinop::facade {
+namespace darwinop {
 namespace {
 
 constexpr double kStep = 0.016;
@@ -53,4 +53,4 @@ TEST(SpeedRamp, RisesWithoutKnowingThePosition) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop

@@ -7,7 +7,7 @@
 #include "core/registers.hpp"
 #include "core/units.hpp"
 
-namespace darwinop::facade {
+namespace darwinop {
 
 inline constexpr const Register& kGyroRegister = find(kCm730, "gyro_x");  // the three axes share one law
 inline constexpr const Register& kAccelRegister = find(kCm730, "accel_x");
@@ -29,4 +29,4 @@ constexpr int rgb24From15(std::uint16_t word) {
   return (widen(word & 31) << 16) | (widen((word >> 5) & 31) << 8) | widen((word >> 10) & 31);
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop
