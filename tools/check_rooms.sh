@@ -5,6 +5,7 @@
 set -euo pipefail
 cd "${1:-$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/..}"
 table=tools/cmake/rooms.table
+[ -r $table ] || { echo "cannot read $PWD/$table" >&2 && exit 2; }
 
 # The words of the column "never", as extended regular expressions of code without comments.
 never() {
