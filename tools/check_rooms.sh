@@ -33,10 +33,15 @@ violations=$(
     xargs awk -F ' *[|] *' '
       function folder(path) { return path ~ /\// ? substr(path, 1, match(path, /\/[^\/]*$/) - 1) : "" }
       function top(path) { sub(/\/.*/, "", path); return path }
+      function roomOf(path,  stem) {  # a file of its own in the table, or its folder
+        stem = path
+        sub(/\.[a-z]+$/, "", stem)
+        return stem in floor ? stem : folder(path)
+      }
       function home(path) {  # the room of a file
         sub(/^webots\/include\/webots(\/utils)?\//, "webots/", path)
         sub(/^managers\/include\//, "managers/", path)
-        return folder(path)
+        return roomOf(path)
       }
       FILENAME == table {
         if ($0 !~ /^[0-9]/) next
@@ -71,7 +76,7 @@ violations=$(
         sub(/[">].*/, "", target)
         if (target ~ /^webots\//) there = "webots"
         else if (target ~ /^(DARwInOP|RobotisOp2)/) there = "managers"
-        else if ($0 ~ /"/ && target ~ /\//) there = folder(target)
+        else if ($0 ~ /"/ && target ~ /\//) there = roomOf(target)
         else next
         if (!(there in floor)) {
           if ($0 ~ /"/) print file ":" FNR ": " target " is in no room"
@@ -98,7 +103,8 @@ violations=$(
       [ -n "$word" ] || continue
       pattern=$(never "$word") || { echo "$table: no meaning of \"$word\" in tools/check_rooms.sh"; continue; }
       [ -n "$pattern" ] || continue
-      find "$room" -maxdepth 1 \( -name '*.cpp' -o -name '*.hpp' \) -print0 | xargs -0r grep -HnE "$pattern" |
+      { [ ! -d "$room" ] || find "$room" -maxdepth 1 \( -name '*.cpp' -o -name '*.hpp' \) -print0
+        [ -d "$room" ] || printf '%s\0' "$room".?pp; } | xargs -0r grep -HnE "$pattern" |
         sed 's:[ \t]*//.*::' | grep -E ":[0-9]+:.*($pattern)" | sed "s|\$|  <- $room: never $word|" || :
     done
   done < <(grep '^[0-9]' $table)
