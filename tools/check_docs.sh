@@ -39,5 +39,16 @@ fi
 if ! diff <(tools/fuzz-ledger.sh print) <(sed '1,/^<!-- ledger -->$/d' docs/fuzzing.md) >&2; then
   wrong "docs/fuzzing.md: the table is not that of fuzz/ledger.tsv; run tools/fuzz-ledger.sh page"
 fi
-[ $failed = 0 ] && echo "docs: links, commands, package table and fuzz ledger are right"
+
+# Words: a planted one has to be found, then the tree is checked.
+planted=$(mktemp)
+echo 'int untoldWishes = 0;' >"$planted"  # keep-word
+if tools/check_words.pl "$planted" 2>/dev/null; then
+  wrong "tools/check_words.pl: does not find a word of tools/words.txt in $planted"
+else
+  rm "$planted"
+fi
+tools/check_words.pl || failed=1
+
+[ $failed = 0 ] && echo "docs: links, commands, words, package table and fuzz ledger are right"
 exit $failed
