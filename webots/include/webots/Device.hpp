@@ -1,4 +1,4 @@
-// What all devices of a robot have in common: a name.
+// Base class of all devices.
 #ifndef DEVICE_HPP
 #define DEVICE_HPP
 
@@ -20,12 +20,13 @@ namespace webots {
 class Device {
  public:
   virtual ~Device();
+  /// The name by which Robot finds the device.
   const std::string& getName() const { return name_; }
-  /// Empty: the robot does not tell.
+  /// Empty. Simulator: the model field of the node.
   std::string getModel() const;
-  /// One of Node::Type.
+  /// A Node::Type as a number; compare by name.
   int getNodeType() const { return node_type_; }
-  /// Number of this device on its robot, from 1.
+  /// Number of this device on its robot, from 1. Fixed for a version of this library only.
   int getTag() const { return tag_; }
 
  protected:
