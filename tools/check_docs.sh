@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Checks that the documentation tells the truth where a program can tell: relative links lead somewhere, commands
-# that pages show exist, the package table is the one in ./dev, and the fuzz ledger is the one in fuzz/.
+# Checks the documentation: relative links, commands and examples that pages name exist; generated tables are up to date;
+# words of tools/words.txt are not used; public headers document every method.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -50,5 +50,15 @@ else
 fi
 tools/check_words.pl || failed=1
 
-[ $failed = 0 ] && echo "docs: links, commands, words, package table and fuzz ledger are right"
+# Public headers: a method without a comment, and one without a unit, have to be found; then all headers are checked.
+header=$(mktemp)
+printf 'class A {\n public:\n  int plain();\n  /// Speed.\n  double speed();\n};\n' >"$header"
+if [ "$(tools/check_headers.pl "$header" 2>&1 | grep -c "$header")" = 2 ]; then
+  rm "$header"
+else
+  wrong "tools/check_headers.pl: does not find both mistakes in $header"
+fi
+tools/check_headers.pl || failed=1
+
+[ $failed = 0 ] && echo "docs: links, commands, words, public headers, package table and fuzz ledger are right"
 exit $failed

@@ -3,7 +3,7 @@
 #
 #   tools/check_words.pl            the whole tree; also fails when a listed place is clean, so that the list shrinks
 #   tools/check_words.pl FILE...    these files, listed or not
-#   tools/check_words.pl renew      writes tools/words-todo.txt: every place that fails now
+#   tools/check_words.pl renew      writes tools/words-todo.txt: every place that fails now; prints those that are new
 #
 # A line of words-todo.txt is a file, or a folder with a slash at its end: its files, not those of folders in it.
 use strict;
@@ -57,7 +57,7 @@ if (@ARGV && $ARGV[0] ne 'renew') {
 my @patterns = qw(*.md *.hpp *.cpp *.h *.c *.sh *.pl *.py *.cmake *CMakeLists.txt *.js *.mjs *.html *.css *.ini *.pml dev);
 my $files = join ' ', map { "'$_'" } @patterns;
 my %todo;
-if (!@ARGV && open my $in, '<', $todo_file) {
+if (open my $in, '<', $todo_file) {
   while (<$in>) {
     chomp;
     $todo{$_} = 0 unless /^\s*(?:#|$)/;
@@ -78,7 +78,10 @@ for my $file (split /\n/, `git ls-files --cached --others --exclude-standard --d
 if (@ARGV) {
   open my $out, '>', $todo_file or die "cannot write $todo_file: $!\n";
   print $out "# Places that still use words of words.txt, one a line: delete the line with the last word.\n";
-  print $out "$_\n" for sort keys %places;
+  for my $place (sort keys %places) {
+    print $out "$place\n";
+    print "added $place\n" unless exists $todo{$place};
+  }
   exit 0;
 }
 push @messages, map { "$todo_file: $_ is clean: delete its line" } grep { !$todo{$_} } sort keys %todo;
