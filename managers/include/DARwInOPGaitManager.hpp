@@ -10,6 +10,15 @@ class Robot;
 
 namespace managers {
 
+///     managers::DARwInOPGaitManager gait(&robot, "config.ini");
+///     gait.setXAmplitude(1);                    // forwards
+///     gait.start();
+///     while (robot.getTime() < 15) {
+///       gait.step(16);                          // before each step of the robot, with the same duration
+///       if (robot.step(16) == -1) return 1;
+///     }
+///     gait.stop();                              // blocks until the robot stands
+///
 /// Sets goals, speed limits and P gains of joints 1 to 18 (all but the head) from start() until stop() has returned,
 /// and at no other time. Goals never exceed 12.26 rad/s or the joint ranges, and pass through the safety layer. One
 /// object walks at a time; while a motion page is played it has the joints, and the walk restarts from the stance

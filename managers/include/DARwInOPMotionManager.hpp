@@ -10,6 +10,14 @@ class Robot;
 
 namespace managers {
 
+///     managers::DARwInOPMotionManager pages(&robot);
+///     pages.playPage(9);                        // blocks until the page has ended
+///     pages.playPage(24, false);                // returns at once
+///     while (pages.isMotionPlaying()) {
+///       pages.step(16);                         // before each step of the robot
+///       if (robot.step(16) == -1) return 1;
+///     }
+///
 /// While a page is played, it sets goals and P gains of all 20 joints, through the safety layer as any other goal. It
 /// starts from the robot's current goals, so that goals do not jump. When it has ended the goals stay, and the P gains
 /// are those of the controller again.

@@ -4,6 +4,10 @@
 
 namespace managers {
 
+///     managers::DARwInOPVisionManager ball(320, 240, 28, 20, 50, 45, 0, 30);   // orange
+///     double x, y;
+///     if (ball.getBallCenter(x, y, camera->getImage())) follow(x, y);          // pixels
+///
 /// Thresholds hue, saturation and value, erodes and dilates by 3x3, and returns the mean of the remaining pixels: two
 /// balls give one centre between them. Simulator and 2013: the same result to the pixel; 2013 read memory beside the
 /// mask. Errors are logged once on stderr, nothing is thrown. Threads: objects are independent; one object is not

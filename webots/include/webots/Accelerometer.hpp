@@ -11,6 +11,9 @@ struct BoardSensors;
 
 namespace webots {
 
+///     const double* a = accelerometer->getValues();   // keeps pointing to the newest values
+///     const double up_in_g = (a[2] - 512) / 128;      // 1 for an upright robot
+///
 /// Raw counts of the board, as in the simulator's model and in 2013, not SI units. Threads: see Robot.
 class Accelerometer : public Device {
  public:

@@ -12,6 +12,12 @@ class CameraView;
 
 namespace webots {
 
+///     camera->enable(32);                              // ms
+///     while (robot.step(16) != -1) {
+///       const unsigned char* image = camera->getImage();
+///       const int red = webots::Camera::imageGetRed(image, camera->getWidth(), 160, 120);
+///     }
+///
 /// On a robot a V4L2 device; with `--robot twin` the twin's head camera in simulated time; none with `--robot virtual`.
 /// Size, exposure and colour settings are in config.ini: docs/camera.md. Threads: see Robot; pictures are captured by a
 /// thread of the library.

@@ -16,7 +16,9 @@ class RobotImpl;
 
 namespace webots {
 
-/// Devices belong to the Robot: get them with Robot::getMotor() and its siblings, never delete them.
+/// Devices belong to the Robot: get them with Robot::getMotor() and its siblings, never delete them. Threads: see
+/// Robot. Sampling periods are stored for the getters; a robot reads all sensors in every cycle, except camera and
+/// keyboard.
 class Device {
  public:
   virtual ~Device();

@@ -11,6 +11,9 @@ struct BoardSensors;
 
 namespace webots {
 
+///     const double* w = gyro->getValues();                   // keeps pointing to the newest values
+///     const double yaw_in_deg_per_s = (w[2] - 512) * 3.584;
+///
 /// Raw counts of the board, as in the simulator's model and in 2013, not SI units. Threads: see Robot.
 class Gyro : public Device {
  public:

@@ -11,6 +11,10 @@ class RobotImpl;
 
 namespace webots {
 
+///     keyboard->enable(16);                                        // ms
+///     for (int key; (key = keyboard->getKey()) != -1;)             // after each step
+///       if ((key & webots::Keyboard::KEY) == webots::Keyboard::UP) forwards();
+///
 /// Key codes: letters as capitals (ASCII), the codes below, F1 and the like with codes of this library; SHIFT, CONTROL
 /// and ALT are added as bits. Simulator: keys of its 3D window. Threads: see Robot.
 class Keyboard {

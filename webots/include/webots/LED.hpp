@@ -7,6 +7,9 @@
 
 namespace webots {
 
+///     robot.getLED("EyeLed")->set(0x00FF00);   // green
+///     robot.getLED("BackLedRed")->set(1);      // on
+///
 /// The three back LEDs are on or off; EyeLed and HeadLed have colours. Threads: see Robot.
 class LED : public Device {
  public:

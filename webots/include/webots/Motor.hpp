@@ -18,6 +18,12 @@ namespace webots {
 class Brake;
 class PositionSensor;
 
+///     motor->setPosition(0.5);         // position control: goal in rad
+///     motor->setVelocity(1.0);         // at 1 rad/s at most
+///     motor->setPosition(INFINITY);    // velocity control: until the joint's limit
+///     motor->setVelocity(-0.5);
+///     motor->setAvailableTorque(0);    // limp
+///
 /// A setter takes effect at the next Robot::step(). Angles in rad, positive as the servo counts up; speeds in rad/s;
 /// torques in N m. Numbers out of range are limited by the safety layer, which counts it; NaN is refused and counted,
 /// and the value before stays in force. The safety layer also limits how fast a goal may move.
@@ -36,8 +42,8 @@ class Motor : public Device {
   /// 2013: in encoder counts.
   double getTargetPosition() const;
   /// Maximum speed towards the goal in rad/s, 0.012 to 12.26 (default 12.26); the sign is ignored, 0 is the slowest
-  /// speed of the servo. In velocity control the sign is the direction: the joint moves until its limit, and 0 holds
-  /// it. Simulator: 0 stops the motor in both modes.
+  /// speed of the servo. In velocity control the sign is the direction (default: upwards at 12.26 rad/s); the joint
+  /// moves until its limit, and 0 holds it. Simulator: 0 stops the motor in both modes.
   virtual void setVelocity(double velocity);
   /// Acceleration in rad/s2: the speed limit rises with this slope up to setVelocity() and falls in time before the
   /// goal; computed once per step. 0 or less (default -1): no ramp. 2013: rose above setVelocity() and never fell.

@@ -9,6 +9,9 @@ namespace webots {
 class Brake;
 class Motor;
 
+///     const double angle = robot.getPositionSensor("NeckS")->getValue();  // rad
+///     if (angle != angle) return;                                         // NaN: the servo does not answer
+///
 /// Reads the newest sensor image of Robot::step(). Threads: see Robot.
 class PositionSensor : public Device {
  public:

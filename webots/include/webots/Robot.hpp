@@ -33,12 +33,21 @@ class TouchSensor;
 
 /// Create one object, or one of a derived class; a second one in the same process ends the program.
 ///
+///     webots::Robot robot;                            // blocks until the robot is in its start pose
+///     webots::Motor* neck = robot.getMotor("Neck");
+///     while (robot.step(16) != -1) {                  // 16 ms; -1: end the program
+///       neck->setPosition(0.3 * sin(robot.getTime()));  // rad; sent by the next step
+///     }
+///
 /// Data flow: setters of devices change one command image. step() sends it, waits, and takes one consistent sensor
 /// image, which all getters read until the next step. So nothing moves and no LED changes between steps. A value that
 /// was not received for more than 3 cycles (48 ms at 16 ms) is NaN, never 0 and never an old value; one line on stderr
 /// names the device.
 ///
 /// Errors: calls do not throw. A call with an unusable argument or without effect logs one warning on stderr.
+///
+/// Simulated robots: `--robot virtual` and `twin` run in this process in simulated time, `/dev/...` and a pty in real
+/// time, `tcp://HOST` over a network; the same program runs on each.
 ///
 /// Threads: not thread-safe. Call all methods of the robot, its devices and the managers from the thread that made it.
 class Robot {

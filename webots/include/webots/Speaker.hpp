@@ -12,6 +12,10 @@ class SoundDesk;
 
 namespace webots {
 
+///     speaker->setLanguage("en-us");
+///     speaker->speak("I see the ball.", 1.0);                                           // volume
+///     webots::Speaker::playSound(speaker, speaker, "cheer.mp3", 0.5, 1.0, 0.0, false);  // mixed with the speech
+///
 /// A separate process, `darwinop-sound`, plays; it is started by the first sound, and its errors are logged once.
 /// Without a sound card the calls take as long as with one. Relative file names start at the directory of the program;
 /// formats are WAV, MP3, FLAC and Ogg. With `--robot virtual` and `twin` sounds play in real time. Threads: see Robot.

@@ -6,6 +6,8 @@
 
 namespace webots {
 
+///     if (robot.getTouchSensor("ButtonStart")->getValue() == 1) walk();
+///
 /// RESET is not a device: it cuts the supply of the servos. MODE held for 0.25 s releases all joints, unless config.ini
 /// has `release_button = none`. START held for 0.25 s resets latched faults after the controller has ended
 /// (docs/faults.md).

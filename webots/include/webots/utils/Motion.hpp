@@ -16,6 +16,11 @@ class MotionPlayback;
 
 namespace webots {
 
+///     webots::Motion wave("wave.motion");
+///     wave.play();
+///     while (!wave.isOver() && robot.step(16) != -1) {
+///     }
+///
 /// Between play() and its end, or stop(), each Robot::step() sets the goals of the motors that the file names, through
 /// the same safety layer as any other goal. At any other time the controller may set them. Simulator: the same, but
 /// without the slow approach of the first pose. Threads: see Robot.
