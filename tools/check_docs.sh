@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Checks the documentation: relative links, commands and examples that pages name exist; generated tables are up to date;
-# words of tools/words.txt are not used; public headers document every method.
+# words of tools/words.txt are not used; a type name is
+# defined once; public headers document every method.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -50,6 +51,8 @@ else
 fi
 tools/check_words.pl || failed=1
 
+tools/check_types.pl || failed=1
+
 # Public headers: a method without a comment, and one without a unit, have to be found; then all headers are checked.
 header=$(mktemp)
 printf 'class A {\n public:\n  int plain();\n  /// Speed.\n  double speed();\n};\n' >"$header"
@@ -60,5 +63,5 @@ else
 fi
 tools/check_headers.pl || failed=1
 
-[ $failed = 0 ] && echo "docs: links, commands, words, public headers, package table and fuzz ledger are right"
+[ $failed = 0 ] && echo "docs: links, commands, words, type names, public headers, package table and fuzz ledger are right"
 exit $failed
