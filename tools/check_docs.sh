@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Checks the documentation: relative links, commands and examples that pages name exist; generated tables are up to date;
-# words of tools/words.txt are not used; a type name is
-# defined once; public headers document every method.
+# words of tools/words.txt are not used; a type name is defined once; public headers document every method.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
