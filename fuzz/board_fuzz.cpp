@@ -1,4 +1,4 @@
-// A virtual board that is fed arbitrary bytes, in arbitrary pieces, answers or is silent, but lives on.
+// Arbitrary bytes to the virtual board: no crash, no hang.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// A robot's monitor that says anything, to the window that hands it on: the window survives, the page gets nothing that
-// is no message, and no more than came. The first byte: whether the channel is open when the bytes come, and their cut.
+// Arbitrary monitor messages through the window: the page receives valid messages only.
+// First input byte: whether the channel is open, and where the bytes are cut.
 #include <algorithm>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>

@@ -1,4 +1,4 @@
-// config.ini against any text: it is refused with a sentence, or what comes out is within every stated range.
+// config.ini: an error message, or values within their ranges.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

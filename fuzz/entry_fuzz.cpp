@@ -1,5 +1,4 @@
-// Host and Origin against any bytes, by the rules of the robot window: who is let in has called this computer by a
-// number or localhost, and is no page, or a page of exactly that address.
+// Host and Origin headers of the window: only local callers and its own page pass.
 #include <cstdint>
 #include <cstdlib>
 #include <regex>

@@ -1,4 +1,4 @@
-// An experiment's file against any text: it is refused with a sentence, or its plan stays within every limit.
+// Experiment file: an error message, or a plan within every limit.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// Any text is a fault script or a clear complaint about one, and what it says can be played.
+// Fault script: an error message, or a script that runs.
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// [Walking Config] against any text: it is refused with a sentence, or what comes out is in range and can walk.
+// [Walking Config]: an error message, or a gait that can walk.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,4 @@
-// A case.json against any text: refused with a sentence, or a case whose every promise holds, and that is written
-// without loss.
+// case.json: an error message, or a valid case that is written without loss.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,4 @@
-// Any bytes as a picture from the network: refused with a reason, or a whole picture of the size that was asked for,
-// which does not depend on what was decoded before.
+// JPEG from the network: an error, or a whole image, independent of earlier ones.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// The reader of logs against any text: it is refused with a sentence, or every promise of the type holds.
+// Recording: an error message, or a log whose invariants hold.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,4 @@
-// Model files against any text: refused with a sentence, or within every stated range, and written and edited without
-// loss.
+// Model files: an error message, or values in range that are written and edited without loss.
 #include <cstdint>
 #include <cstdlib>
 #include <stdexcept>

@@ -1,5 +1,4 @@
-// What an observer says to the monitor against any text: it is understood within its bounds or refused with a sentence,
-// and what can be said of it is JSON in one line.
+// Request to the monitor: an error message, or bounded values.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

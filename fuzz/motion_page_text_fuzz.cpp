@@ -1,5 +1,4 @@
-// Motion pages as text against any text: refused with a sentence, or what comes out is a file that can be written,
-// read again, checked, mirrored and rehearsed.
+// Motion pages as text: an error message, or a file that reads back equal.
 #include <cstdint>
 #include <cstdlib>
 #include <stdexcept>

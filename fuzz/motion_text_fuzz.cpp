@@ -1,4 +1,4 @@
-// Any text as a .motion file: it is refused with file, line and field, or its curves are finite at every time.
+// .motion file: an error with file, line and field, or finite curves.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

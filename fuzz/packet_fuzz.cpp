@@ -1,5 +1,4 @@
-// FrameReader against any bytes: the frames found do not depend on how the bytes arrive, every byte is accounted for,
-// and a frame that was found is encoded to the very bytes it was found in.
+// FrameReader: result independent of chunking; frames encode to the same bytes.
 #include <algorithm>
 #include <array>
 #include <cstdint>

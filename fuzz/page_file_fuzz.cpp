@@ -1,5 +1,4 @@
-// Any motion file: it is refused with a sentence that names page and byte, or it is written as it was read, and what it
-// plays is what the rules say.
+// Binary motion file: an error with page and byte, or written as read.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,4 @@
-// The reader of replies against any bytes: what is found does not depend on how they arrive, and what was understood
-// is written to bytes that are understood the same.
+// Remote-control reply: result independent of chunking; reads back equal.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

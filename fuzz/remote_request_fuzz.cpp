@@ -1,5 +1,4 @@
-// The remote-control parser against any bytes: what is found does not depend on how they arrive, every byte is
-// accounted for, and a request without oddities is written to the bytes it was read from.
+// Remote-control request: result independent of chunking; reads back equal.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

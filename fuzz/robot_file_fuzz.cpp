@@ -1,4 +1,4 @@
-// robot.ini against any text: it is refused with a sentence, or what comes out is safe to drive a robot with.
+// robot.ini: an error message, or a configuration that is safe to drive with.
 #include <cstdint>
 #include <cstdlib>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// Messages between a controller and its sound program against any bytes: whatever is read is written as the same bytes.
+// Controller to sound program: what is read is written as the same bytes.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

@@ -1,5 +1,5 @@
-// The steering channel, whatever two pages say, do and leave: one of them drives at most, nothing is ordered of a robot
-// that nobody has, and every order is a number within its bounds. One line of the input is one thing that happens.
+// Steering channel of two pages: one driver at most, bounded commands.
+// One input line is one event.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,4 @@
-// What a page says on the transfer channel: whatever the bytes, no word of a command line that comes out of them is an
-// option that the page has no right to, or ends a line.
+// Transfer channel: no command-line option that the page may not set.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

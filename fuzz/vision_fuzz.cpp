@@ -1,5 +1,4 @@
-// Any picture, size and thresholds: the colour finder sees what a plain chain of its rules sees, on every kind of
-// processor this one can be.
+// Any image and thresholds: every SIMD kernel equals the plain one.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

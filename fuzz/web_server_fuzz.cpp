@@ -1,6 +1,5 @@
-// The web server against any bytes on a real connection, in two pieces: it survives, and is as ready as before when the
-// caller has gone; and who does not know the secret path of the window, learns nothing. The first byte says whether a
-// WebSocket is open already, and where the bytes are cut.
+// HTTP and WebSocket bytes: the server survives and reveals nothing without the secret path.
+// First input byte: whether a WebSocket is open, and where the bytes are cut.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

@@ -134,8 +134,8 @@ add() {
   merge "$(absolute "$1")" "${rows[@]}"
 }
 
-# What a fuzzer checks: the first sentence or lines of comment of its source.
-purpose() { awk '/^\/\//{ sub(/^\/\/ ?/, ""); line = line (line ? " " : "") $0; next } { exit } END { print line }' "$1" | sed 's/|/\\|/g'; }
+# What a fuzzer checks: the first line of its source.
+purpose() { sed -n '1s/^\/\/ //p' "$1" | sed 's/|/\\|/g'; }
 
 print() {
   local ledger=fuzz/ledger.tsv source name

@@ -77,13 +77,12 @@ std::string keysAsMarkdown() {
   std::string text;
   const Model plain;
   for (const std::string_view section : plainSections()) {
-    text += (text.empty() ? "### [" : "\n### [") + std::string{section} +
-            "]\n\n| Key | Default | Allowed | Meaning |\n|---|---|---|---|\n";
+    text += (text.empty() ? "### [" : "\n### [") + std::string{section} + "]\n\n";
     for (const KeyRow& row : keyTable()) {
       if (row.section != section) continue;
       const std::string value = writeValue(plain, row);
-      text += "| `" + std::string{row.key} + "` | " + (value.empty() ? "–" : "`" + value + "`") + " | " + allowed(row) +
-              " | " + std::string{row.meaning} + " |\n";
+      text += "- `" + std::string{row.key} + (value.empty() ? "`, required" : " = " + value + "`") + " (" +
+              allowed(row) + "): " + std::string{row.meaning} + "\n";
     }
   }
   return text;
