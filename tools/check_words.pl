@@ -21,10 +21,13 @@ while (<$list>) {
   my ($exact, $pattern, $instead) = /^(=?)(.+?) -> (.+)$/ or die "tools/words.txt:$.: expected PATTERN -> REPLACEMENT\n";
   my $start = $pattern =~ /^,/ ? '' : '\b';
   my $regex = $exact ? qr/\b(?:$pattern)(?!\w)/ : qr/$start(?:$pattern)(?!\w)/i;
-  push @words, {exact => $exact, regex => $regex, instead => $instead};
+  push @words, {exact => $exact, pattern => $pattern, regex => $regex, instead => $instead};
 }
-my $exact = join '|', map { $_->{regex} } grep { $_->{exact} } @words;
-my $plain = join '|', map { $_->{regex} } grep { !$_->{exact} } @words;
+# One expression each for a quick look at a line.
+my $exact = join '|', map { $_->{pattern} } grep { $_->{exact} } @words;
+my $plain = join '|', map { $_->{pattern} } grep { !$_->{exact} } @words;
+$exact = qr/\b(?:$exact)(?!\w)/;
+$plain = qr/(?:\b|(?=,))(?:$plain)(?!\w)/i;
 
 # Findings of one file, as messages.
 sub check {

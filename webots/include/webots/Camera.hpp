@@ -27,7 +27,7 @@ class Camera : public Device {
   enum { WB_CAMERA_COLOR = 99 };
 
   virtual ~Camera();
-  /// Opens the camera, which may take a second, and takes a new picture every `sampling_period` ms at the end of a
+  /// Opens the camera, which takes a moment, and takes a new picture every `sampling_period` ms at the end of a
   /// step; the hardware has 30 pictures/s at most. 0 or less: disable(). A camera that cannot be opened logs one
   /// warning.
   virtual void enable(int sampling_period);
