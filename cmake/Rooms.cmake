@@ -5,8 +5,8 @@
 #
 # SEPARATE: its files repeat each other's names and cannot be compiled together.
 #
-# COMPUTES: what it is for is arithmetic, hours of simulated time; optimised in debug builds, too, or tests would take
-# ten times as long.
+# COMPUTES: mostly arithmetic, hours of simulated time. Optimised in debug builds, too, or tests would take ten times as
+# long; DARWINOP_COMPUTE_OPTIONS says how.
 #
 # The headers of PATH are offered as "PATH/header.hpp" through a folder that holds links to them and to
 # nothing else; the folder is what the target's users get as include path.
@@ -17,6 +17,8 @@ target_compile_options(darwinop_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual -Werror
   # g++ leaves it out of -Wconversion for C++; both compilers shall say the same.
   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
+
+set(DARWINOP_COMPUTE_OPTIONS "-O2;-g1" CACHE STRING "compiler options of rooms that compute, in debug builds")
 
 function(darwinop_room NAME PATH)
   cmake_parse_arguments(ROOM "SEPARATE;COMPUTES" "" "USES" ${ARGN})
@@ -37,7 +39,7 @@ function(darwinop_room NAME PATH)
     set_property(GLOBAL APPEND PROPERTY DARWINOP_ROOMS ${NAME})
     target_link_libraries(${NAME} PRIVATE darwinop_options)
     if(ROOM_COMPUTES)
-      target_compile_options(${NAME} PRIVATE "$<$<CONFIG:Debug>:-O2;-g1>")  # -g would take a third longer
+      target_compile_options(${NAME} PRIVATE "$<$<CONFIG:Debug>:${DARWINOP_COMPUTE_OPTIONS}>")
     endif()
     if(ROOM_SEPARATE)
       set_target_properties(${NAME} PROPERTIES UNITY_BUILD OFF)
