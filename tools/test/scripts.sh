@@ -15,5 +15,6 @@ while read -r script; do
   fi
   if grep -q '^# shellcheck shell=' "$script"; then parts+=("$script"); else scripts+=("$script"); fi
 done < <({ sources '*.sh' && sources ':!*.sh' | xargs grep -lE -m 1 '^#!.*[/ ](ba|da)?sh\b'; } | sort -u)
-shellcheck --external-sources --source-path=SCRIPTDIR --exclude=SC1091,SC2016 "${scripts[@]}"
+printf '%s\n' "${scripts[@]}" |
+  xargs -P "$(nproc)" -n 20 shellcheck --external-sources --source-path=SCRIPTDIR --exclude=SC1091,SC2016
 shellcheck --exclude=SC1091,SC2016,SC2034,SC2154 "${parts[@]}"
