@@ -4,28 +4,46 @@
 
 # build PRESET [TARGET...]. DARWINOP_WINDOW=ON: fail when npm cannot get the packages of the robot window.
 build() {
-  local preset=$1 launcher=() quiet=()
+  local preset=$1 folder=build/${1%-tests} launcher=() quiet=() options
   shift
-  if command -v ccache >/dev/null; then
+  # From an empty cache, ccache only costs time.
+  if command -v ccache >/dev/null && { [ "${CI:-}" != true ] || [ -d "${CCACHE_DIR:-$HOME/.cache/ccache}" ]; }; then
     launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
     export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1  # clones share what they compiled
     export CCACHE_SLOPPINESS=pch_defines,time_macros  # without these, ccache ignores what uses precompiled headers
   fi
   [ -t 1 ] || quiet=(--quiet)
-  mkdir -p build
   await_ahead "$preset"
   say "building preset $preset ${*:+($*)}"
-  cmake --preset "$preset" "${launcher[@]}" -DDARWINOP_WINDOW="${DARWINOP_WINDOW:-AUTO}" >"build/$preset.configure.log" 2>&1 || {
-    cat "build/$preset.configure.log"
-    die "cmake could not configure preset $preset"
-  }
-  ninja -C "build/$preset" "${quiet[@]}" "$@"
+  options=(--preset "$preset" "${launcher[@]}" -DDARWINOP_WINDOW="${DARWINOP_WINDOW:-AUTO}")
+  configure "$folder" "${options[@]}" || die "cmake could not configure preset $preset"
+  ninja -C "$folder" "${quiet[@]}" "$@"
 }
 
-# Waits until the background build of a preset (tools/test/run.sh) is done. If that failed, build() repeats it and shows why.
-await_ahead() { # PRESET
-  while [ -e "build/ahead/$1" ] && kill -0 "${DARWINOP_AHEAD:-none}" 2>/dev/null; do sleep 0.2; done
+# Runs cmake unless it has run with the same options, presets and commit: ninja itself sees everything else.
+configure() { # FOLDER OPTION...
+  local folder=$1 wanted
+  shift
+  wanted="$* $(cksum <CMakePresets.json) $(git describe --always --dirty --exclude '*' 2>/dev/null)"
+  if [ -e "$folder/build.ninja" ] && [ "$(cat "$folder/configured" 2>/dev/null)" = "$wanted" ]; then return; fi
+  mkdir -p "$folder"
+  rm -f "$folder/configured"
+  cmake "$@" >"$folder/configure.log" 2>&1 || {
+    cat "$folder/configure.log"
+    return 1
+  }
+  echo "$wanted" >"$folder/configured"
 }
+
+# await_ahead PRESET: waits until the background process of tools/test/run.sh has built it, at full speed meanwhile.
+await_ahead() {
+  # Not in that process itself.
+  [ -e "build/ahead/$1" ] && [ "${DARWINOP_AHEAD:-$BASHPID}" != "$BASHPID" ] || return 0
+  ahead_at --other
+  while [ -e "build/ahead/$1" ] && kill -0 "$DARWINOP_AHEAD" 2>/dev/null; do sleep 0.2; done
+  ahead_at --idle
+}
+ahead_at() { pgrep -g "$DARWINOP_AHEAD" | xargs -r -n 1 chrt "$1" --pid 0 2>/dev/null || :; }
 
 # The archive that `darwinop install` sends and the SDK that controllers for the robot are built with.
 build_robot() {

@@ -5,8 +5,8 @@
 #   run.sh deep [STAGE...]     the stages that are too long for the gate, or the named ones; goes on after a failure
 #   run.sh --list gate|deep    their names
 #
-# A stage names what it needs built beforehand in a line "# builds: PRESET [TARGET...]". While earlier stages run their
-# tests, which wait most of the time, those builds run at idle priority.
+# A stage names what it needs built in a line "# builds: PRESET [TARGET...]". One background process builds that for all
+# stages, in their order, at idle priority: tests wait most of the time. A stage that has to wait for it lifts the priority.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/dev/build.sh
@@ -33,8 +33,6 @@ for stage in "$@"; do
   has_stage "$stage" || die "no stage '$stage'. Gate: ${gate[*]}. Deep: ${deep[*]}. Debug build: ${more[*]}"
   [[ " ${deep[*]} " != *" $stage "* ]] || groups=(build test robot deep bench)
 done
-need "${groups[@]}"
-
 # Every draw of a test follows from these seeds. The gate always uses the same; deep has another every day.
 day=$(date +%Y%m%d)
 export DARWINOP_SEED=${DARWINOP_SEED:-${keep_going:+$day}}
@@ -53,16 +51,20 @@ build_ahead() { # STAGE...
     preset=$(builds_of "$stage")
     [ -z "$preset" ] || : >"build/ahead/${preset%% *}"
   done
+  : >build/ahead/packages
   set -m  # a process group of its own, to be ended as a whole
   (
     set +m
     trap 'rm -rf build/ahead' EXIT
     chrt --idle --pid 0 "$BASHPID"
+    # What users build needs no test packages: it can begin while they are installed.
+    [ ! -e build/ahead/release-tests ] || build release || :
+    while [ -e build/ahead/packages ]; do sleep 0.2; done
     for stage in "$@"; do
       preset=$(builds_of "$stage")
       [ -f "build/ahead/${preset%% *}" ] || continue  # nothing to build, or built for an earlier stage
       # shellcheck disable=SC2086  # words
-      build $preset -j "$(nproc)"
+      build $preset || :  # whoever needs it tries once more and shows why
       rm -f "build/ahead/${preset%% *}"
     done
   ) </dev/null >build/ahead.log 2>&1 &
@@ -91,6 +93,10 @@ report() {
 
 mkdir -p build
 rm -f build/*.summary
+need build
+build_ahead "$@"
+need "${groups[@]}"
+rm -f build/ahead/packages
 failed=()
 while [ $# != 0 ]; do
   stage=$1
@@ -105,8 +111,6 @@ while [ $# != 0 ]; do
   if [ $result = FAILED ]; then
     failed+=("$stage")
     [ -n "$keep_going" ] || break
-  elif [ "$stage" = build ] && [ $# != 0 ]; then
-    build_ahead "$@"
   fi
 done
 report

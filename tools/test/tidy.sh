@@ -2,7 +2,7 @@
 # clang-tidy on what changed; `tidy.sh all`: on everything.
 #
 # Changed is what differs from the merge base with origin/main. On main itself: what the last commits changed, at most 20 of
-# them and at most 60 files, whichever comes first. DARWINOP_TIDY_BASE=COMMIT says it otherwise.
+# them and at most 40 files, whichever comes first. DARWINOP_TIDY_BASE=COMMIT says it otherwise.
 # builds: asan-ubsan all fuzzers
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
@@ -24,7 +24,7 @@ base() {
   commit=$(git merge-base HEAD origin/main 2>/dev/null || git merge-base HEAD main 2>/dev/null || echo "$head")
   if [ "$commit" = "$head" ]; then
     while read -r older; do
-      [ "$commit" = "$head" ] || [ "$(changed_since "$older" | wc -l)" -le 60 ] || break
+      [ "$commit" = "$head" ] || [ "$(changed_since "$older" | wc -l)" -le 40 ] || break
       commit=$older
     done < <(git rev-list --first-parent --skip=1 --max-count=20 HEAD)
   fi
@@ -33,7 +33,7 @@ base() {
 
 # The units (files that the compiler gets: unity batches, mostly) of this build. With a list of changed files on stdin: each
 # unit that contains a changed .cpp, and for each changed header one unit that includes it.
-units_of_all() { sed -nE 's/^ *"file": "(.*)",?$/\1/p' "$build/compile_commands.json" | sort -u; }
+units_of_all() { sed -nE 's/^ *"file": "(.*)",?$/\1/p' "$build/compile_commands.json" | grep -v cmake_pch | sort -u; }
 units_of_changed() {
   cat >"$build/changed"
   ninja -C "$build" -t deps | awk '
@@ -64,7 +64,8 @@ if [ "${1:-}" = all ]; then
 else
   since=${DARWINOP_TIDY_BASE:-$(base)}
   mapfile -t changed < <(changed_since "$since")
-  mapfile -t units < <(printf '%s\n' "${changed[@]}" | units_of_changed)
+  units=()
+  [ ${#changed[@]} = 0 ] || mapfile -t units < <(printf '%s\n' "${changed[@]}" | units_of_changed)
   say "tidy: ${#changed[@]} files changed since $(git log -1 --format='%h (%s)' "$since"), in ${#units[@]} units"
 fi
 [ ${#units[@]} != 0 ] || exit 0
