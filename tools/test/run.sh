@@ -113,6 +113,12 @@ while [ $# != 0 ]; do
     [ -n "$keep_going" ] || break
   fi
 done
+count_spent
+before=$spent
+[ ${#failed[@]} != 0 ] || wait "$DARWINOP_AHEAD" || :
+stop_ahead
+count_spent
+rows+=("$(printf '%-12s %7s %7d' builds '' $((spent - before)))")
 report
 cat build/*.summary 2>/dev/null || :
 [ ${#failed[@]} = 0 ] || die "FAILED: ${failed[*]}. To repeat: ./dev test ${keep_going:+deep }${failed[0]}"
