@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks that the documentation tells the truth where a program can tell: relative links lead somewhere, commands
-# that pages show exist, the package table is the one in ./dev, and the fuzz ledger is the one in fuzz/.
+# that pages show exist, the package table is the one in ./dev, and the fuzz ledger is the one in tests/fuzz/.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -37,7 +37,7 @@ if ! diff <(./dev help packages) <(sed '1,/^<!-- packages -->$/d' docs/dependenc
   wrong "docs/dependencies.md: the table is not that of ./dev; run ./dev docs"
 fi
 if ! diff <(tools/fuzz-ledger.sh print) <(sed '1,/^<!-- ledger -->$/d' docs/fuzzing.md) >&2; then
-  wrong "docs/fuzzing.md: the table is not that of fuzz/ledger.tsv; run tools/fuzz-ledger.sh page"
+  wrong "docs/fuzzing.md: the table is not that of tests/fuzz/ledger.tsv; run tools/fuzz-ledger.sh page"
 fi
 [ $failed = 0 ] && echo "docs: links, commands, package table and fuzz ledger are right"
 exit $failed

@@ -34,7 +34,7 @@ class DARwInOPGaitManager {
   /// True: while turning, keeps facing what is in front and steps around it. Default false.
   void setMoveAimOn(bool on);
   /// True, the default: the gyroscope corrects knees, ankles and hips. Where it rests has to be measured once, while
-  /// the robot stands still for 0.8 s: in calls of step() before start(), else after it, before the first step.
+  /// the robot stands still for 1.6 s: in calls of step() before start(), else after it, before the first step.
   void setBalanceEnable(bool on);
 
   /// From the next step() on the robot moves gently to its stance if it is in another pose, and then walks.

@@ -6,4 +6,4 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/ctest.sh
 
 builds
-benchmarks/run.sh build/bench
+tests/benchmarks/run.sh build/bench

@@ -9,4 +9,4 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 builds
 run_tests release -j "$(nproc)"
 run_tests real-time
-benchmarks/run.sh build/release cycle_instructions
+tests/benchmarks/run.sh build/release cycle_instructions

@@ -8,10 +8,8 @@
 #include <webots/Robot.hpp>
 
 namespace darwinop {
-namespace facade {
 class MotorControl;
 }
-}  // namespace darwinop
 
 namespace webots {
 
@@ -77,10 +75,10 @@ class Motor : public Device {
   double getPosition() const;
 
  protected:
-  Motor(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::facade::MotorControl& control);
+  Motor(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::MotorControl& control);
 
  private:
-  darwinop::facade::MotorControl& control_;
+  darwinop::MotorControl& control_;
   int torque_period_, position_period_;
 };
 

@@ -22,7 +22,7 @@ class Servo : public Motor {
 
  private:
   friend class darwinop::facade::RobotImpl;
-  Servo(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::facade::MotorControl& control);
+  Servo(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::MotorControl& control);
 };
 
 }  // namespace webots
