@@ -1,28 +1,21 @@
-// Scripted doubles: replay, and reporting of every deviation.
+// Scripted line: replay, and reporting of every deviation.
 #include <gtest/gtest.h>
 
 #include <memory>
 
 #include "bench.hpp"
-#include "hil-mocks/scripted_bus.hpp"
 #include "hil-mocks/scripted_line.hpp"
 
-namespace darwinop {
-
-struct SafeCommandsForTests {
-  static SafeCommands make() { return {}; }
-};
-
-namespace hil {
+namespace darwinop::hil {
 namespace {
 
 const auto kPingBytes = bytesOf("FF FF 01 02 01 FB");
 const auto kPongBytes = bytesOf("FF FF 01 02 00 FC");
 
 struct Failures {
-  std::vector<std::string> said;
+  std::vector<std::string> messages;
   ScriptFailure collect() {
-    return [this](const std::string& what) { said.push_back(what); };
+    return [this](const std::string& what) { messages.push_back(what); };
   }
 };
 
@@ -74,47 +67,13 @@ TEST(ScriptedLine, ReportsWrongUnexpectedAndMissingWritesAndUnreadReplies) {
     line.write(kPongBytes);
     line.write(kPingBytes);
   }
-  EXPECT_EQ(failures.said,
+  EXPECT_EQ(failures.messages,
             (std::vector<std::string>{"expected FF FF 01 02 01 FB, but FF FF 01 02 00 FC was written",
-                                      "nobody expected a write now, but FF FF 01 02 01 FB was written",
+                                      "unexpected write of FF FF 01 02 01 FB",
                                       "2 steps were not reached; the first is the reading of FF FF 01 02 00 FC"}));
 }
 
-TEST(ScriptedBus, ReplaysItsCyclesAndPassesWrites) {
-  ScriptedBus bus;
-  int checked = 0;
-  bus.cycles(2, readingsAtRest()).expectWrite([&](const SafeCommands&) { ++checked; }).cycles(1, BusReadings{});
-  BusReadings seen;
-  for (const bool answered : {true, true, false}) {
-    bus.write(SafeCommandsForTests::make());
-    bus.read(seen);
-    EXPECT_EQ(seen.board.answered, answered);
-    EXPECT_EQ(seen.servo[18].position.known(), answered);
-  }
-  EXPECT_EQ(checked, 2);
-}
-
-TEST(ScriptedBus, ReportsMissingCyclesExtraCyclesAndWrongOrder) {
-  Failures failures;
-  BusReadings seen;
-  {
-    ScriptedBus bus{failures.collect()};
-    bus.cycles(3, readingsAtRest());
-    bus.read(seen);
-    bus.write(SafeCommandsForTests::make());
-    bus.write(SafeCommandsForTests::make());
-  }
-  {
-    ScriptedBus bus{failures.collect()};
-    bus.write(SafeCommandsForTests::make());
-  }
-  EXPECT_EQ(failures.said,
-            (std::vector<std::string>{"read before it was written in cycle 1", "written twice in cycle 2",
-                                      "2 scripted cycles were not reached, 1 were",
-                                      "written after the last scripted cycle, number 0"}));
-}
-
-TEST(ScriptedDoublesDeathTest, AbortByDefaultWhenTheScriptIsNotConsumed) {
+TEST(ScriptedLineDeathTest, AbortByDefaultWhenTheScriptIsNotConsumed) {
   EXPECT_DEATH(
       {
         ScriptedLine line;
@@ -124,5 +83,4 @@ TEST(ScriptedDoublesDeathTest, AbortByDefaultWhenTheScriptIsNotConsumed) {
 }
 
 }  // namespace
-}  // namespace hil
-}  // namespace darwinop
+}  // namespace darwinop::hil
