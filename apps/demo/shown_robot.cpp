@@ -27,7 +27,7 @@ struct ShownRobot::Parts {
                                                   twin::RobotBodyOptions{.ball = twin::Ball::kNone});
     twin::RobotBody* const robot_body = body.get();
     twin::ShowOptions look = options;
-    look.seconds = 0;  // its clock would begin before the robot stands ready
+    look.seconds = 0;  // the clock of the film starts when the robot is ready
     screen = twin::makeScreen(look, *body->mujocoModel(),
                               {[robot_body] { robot_body->push(kPush, kPushTime); },
                                [robot_body] { robot_body->place(twin::startAngles()); }});

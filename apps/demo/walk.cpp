@@ -18,8 +18,8 @@ constexpr int kStepMs = 16;
 constexpr double kStanceS = 4.3;  // 2.7 to the stance, 1.6 for the gyroscope
 constexpr double kForwardS = 12, kStandingS = 1.5;
 constexpr double kQuarterTurn = 90 * kRadPerDegree, kLongestTurnS = 10;
-constexpr double kFallen = 0.5;            // cosine of the trunk's lean
-constexpr double kKinematicSpeed = 0.133;  // m/s of feet that do not slip, docs/gait.md
+constexpr double kFallen = 0.5;            // cosine of the trunk's tilt
+constexpr double kKinematicSpeed = 0.133;  // m/s without slip of the feet
 
 class WalkDemo {
  public:
@@ -27,27 +27,27 @@ class WalkDemo {
 
   int run() {
     const auto begin = std::chrono::steady_clock::now();
-    if (story()) std::puts("It stands.");
+    if (story()) std::puts("It stands at the end.");
     const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (fell_) std::puts("It fell.");
-    std::printf("%.1f s of the robot in %.1f s\n", robot_.getTime(), took);
+    std::printf("%.1f s simulated in %.1f s\n", robot_.getTime(), took);
     robot_.finish();
     return fell_ ? 1 : 0;
   }
 
  private:
-  /// False: it did not come to the end.
+  /// Returns false if it did not reach the end.
   bool story() {
     gait_.start();
     if (!steps(kStanceS)) return false;
-    tell("got up to its stance");
+    print("stood up");
 
     gait_.setXAmplitude(1);
     const std::array<double, 3> from = robot_.body().trunkPosition();
     if (!steps(kForwardS)) return false;
     const std::array<double, 3> to = robot_.body().trunkPosition();
     const double forward = to[0] - from[0], left = to[1] - from[1];
-    tell("walked %.2f m in %.0f s (its legs promise %.2f), %.2f m to the left; leant by %.0f degrees at most", forward,
+    print("walked %.2f m in %.0f s (kinematic: %.2f), %.2f m to the left; maximum tilt %.0f degrees", forward,
          kForwardS, kKinematicSpeed * kForwardS, left, std::acos(lowest_) / kRadPerDegree);
 
     gait_.setXAmplitude(0);
@@ -57,9 +57,9 @@ class WalkDemo {
     while (turned_ < kQuarterTurn && robot_.getTime() < turn_end)
       if (!step()) return false;
     gait_.setAAmplitude(0);
-    gait_.stop();  // steps to the end, with both feet down
+    gait_.stop();  // completes the step, with both feet on the ground
     if (!look()) return false;
-    tell("turned by %.0f degrees to the left, and stopped", turned_ / kRadPerDegree);
+    print("turned by %.0f degrees to the left, and stopped", turned_ / kRadPerDegree);
     for (const double end = robot_.getTime() + kStandingS; robot_.getTime() < end;)
       if (robot_.step(kStepMs) == -1) return false;
     return look();
@@ -84,7 +84,7 @@ class WalkDemo {
   }
 
   template <class... Numbers>
-  void tell(const char* what, Numbers... numbers) const {
+  void print(const char* what, Numbers... numbers) const {
     std::printf("%5.1f s  ", robot_.getTime());
     if constexpr (sizeof...(numbers) == 0)
       std::fputs(what, stdout);

@@ -140,8 +140,8 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "the second one is refused by name", "runtime_process_test:DaemonTest.RefusesASecondControllerAndNamesTheFirst"},
     {"H505", "The robot is stiff and unwatched", "the runtime dies", "the supervisor brings it to rest",
      "hold, kneel, limp; LEDs red",
-     "supervisor_test:RescueWatch.AStiffRobotIsAtRestOnlyWhenEveryServoHasLetGo "
-     "supervisor_test:Heartbeat.HalfASecondOfStillnessIsTooLong"},
+     "supervisor_test:RescueWatch.ARobotUnderTorqueIsAtRestOnlyWhenEveryServoIsLimp "
+     "supervisor_test:Heartbeat.HalfASecondWithoutACycleIsTooLong"},
     {"H506", "A crashing controller is started for ever", "it crashes at start",
      "the third crash within a minute is the last", "robot held, LEDs red",
      "supervisor_test:RestartPolicy.TheThirdCrashWithinAMinuteIsTheLast"},
@@ -199,7 +199,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H406", "A released robot moves again by itself", "a crashed default controller is started again",
      "a session that a program starts clears no latched fault", "limp until START, reset or a person's session",
      "safety_on_board_test:ReleaseOnTheBoard.AfterModeNoServoGetsTorqueUntilStart "
-     "supervisor_test:Begin.NothingBeginsWhileAFaultWaitsForAPersonAndStatusSaysSo"},
+     "supervisor_test:Begin.ALatchedFaultBlocksTheStartAndStatusReportsIt"},
     {"H407", "A released robot moves again by itself", "the runtime was killed and is started again",
      "a release outlives the runtime", "NAME.released and NAME.held in /dev/shm",
      "runtime_process_test:DaemonTest.ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs "
@@ -218,7 +218,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H508", "Daemon dies with all joints stiff", "the reader of its messages has gone (SIGPIPE)",
      "messages never end or block the loop's process", "ignored; text dropped",
      "hal_test:Diagnostics.WritingToAClosedPipeFailsEachTime "
-     "process_fate_test:Fate.ADaemonWhoseMessagesNobodyReadsGoesOnThroughAFault"},
+     "process_fate_test:Fate.ADaemonWithUnreadOutputContinuesThroughAFault"},
     {"H509", "Ctrl-Z or Ctrl-\\ stops the loop", "job control signals reach an embedded controller",
      "each of the 31 signals has a documented effect", "no effect, or a tidy end",
      "hal_test:Signals.EachHasTheEffectInTheTable "
@@ -257,14 +257,14 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H701", "Another user ends processes of root", "a forged pid in a lock file",
      "orders go to the holder of the lock and to nobody else", "owner and holder checked",
      "runtime_test:FileLock.TheKernelSaysWhoHoldsItWhateverIsWrittenThere "
-     "process_fate_test:Home.OrdersGoToNobodyButASupervisorOfTheSameUserOrRoot"},
+     "process_fate_test:Home.CommandsReachOnlyASupervisorOfTheSameUserOrRoot"},
     {"H702", "Another user drives in the name of the robot", "the remote port is bound while a client drives",
      "the port belongs to one server", "no second bind succeeds",
      "remote_server_test:RemotePort.IsNeverAnotherUsers "
      "remote_server_test:RemotePort.IsNotTakenInTheMomentBetweenTwoClients"},
     {"H703", "A controller changes the robot's system", "it runs as root",
      "controllers run as a user of the runtime's group", "user darwinop",
-     "supervisor_test:Begin.AsRootItIsRefusedUnlessRobotIniSaysSo runtime_test:Users.ThereIsNoWayBackToRoot"},
+     "supervisor_test:Begin.RootIsRejectedUnlessRobotIniAllowsIt runtime_test:Users.ThereIsNoWayBackToRoot"},
     {"H704", "A page holds all connections and STOP is not reachable", "32 silent connections",
      "new pages always get in", "the oldest silent connection gives way",
      "remote_web_test:WebServer.NewPagesGetInHoweverManyConnectionsAreHeldOpen"},
