@@ -94,11 +94,11 @@ Outcome drive(const Experiment& experiment, const Plan& plan) {
   webots::Robot robot;
   const std::atomic<bool>& stop = installGentleStop();
   Progress progress{plan.seconds()};
-  const auto tell = [&](const std::string& phase, double seconds) { progress.tell(phase, seconds); };
-  return Runner{robot, experiment, stop, tell}.run();
+  const auto report = [&](const std::string& phase, double seconds) { progress.tell(phase, seconds); };
+  return Runner{robot, experiment, stop, report}.run();
 }
 
-int tellEnd(Outcome outcome, const std::string& record) {
+int reportEnd(Outcome outcome, const std::string& record) {
   if (!record.empty()) std::cout << "recorded: " << record << std::endl;
   switch (outcome) {
     case Outcome::kStopped:
@@ -127,7 +127,8 @@ int run(Arguments a) {
   const Plan plan = makePlan(experiment, rangesOf(robot));
   std::cout << planText(experiment, plan) << std::endl;
   if (!a.yes && mayBeHardware(a.robot)) {
-    std::cerr << "darwinop experiment: this moves a real robot, as shown above. Make sure that nothing is in its way and that "
+    std::cerr << "darwinop experiment: this moves a real robot, as shown above. Make sure that nothing is in its way "
+                 "and that "
                  "a person holds it, then add --yes\n";
     return kNeedsYes;
   }
@@ -142,13 +143,14 @@ int run(Arguments a) {
   setIfGiven("DARWINOP_RECORD", a.record);
   setIfGiven("DARWINOP_RECORD_NOTES", recordNotes(experiment));
   setenv("DARWINOP_KEEP_CWD", "1", 1);  // file names are relative to the user's folder
-  return tellEnd(drive(experiment, plan), a.record);
+  return reportEnd(drive(experiment, plan), a.record);
 }
 
 void describeRun(CLI::App& app, Arguments& a) {
   app.add_option("EXPERIMENT", a.experiment, "name of an included experiment, or a file: ./mine.ini")->required();
-  app.add_option("--robot", a.robot,
-                 "robot; default: DARWINOP_ROBOT, or else the first one found:\n" + darwinop::connect::settingChoices());
+  app.add_option(
+      "--robot", a.robot,
+      "robot; default: DARWINOP_ROBOT, or else the first one found:\n" + darwinop::connect::settingChoices());
   app.add_option("--record", a.record, "recording; default: NAME-DATE-ROBOT.csv in this folder");
   app.add_flag("--no-record", a.no_record, "do not record")->excludes("--record");
   app.add_option("--period", a.period_ms, "period of the loop in ms, 16 or 8")->check(CLI::Range(1, 1000));

@@ -59,7 +59,7 @@ int check(const Arguments& given) {
 
 int where(const Arguments& given) {
   const Case read = readGiven(given);
-  tellWarnings(read);
+  printWarnings(read);
   const Where found = locate(read, evidenceOf(read, baselineOf(read)));
   std::cout << (given.json ? asJson(found).dump(1) + "\n" : asText(found));
   return 0;

@@ -41,7 +41,7 @@ struct Arguments {
 /// The case, with the given model in place of its own.
 Case readGiven(const Arguments& given);
 /// Warnings about the case, one per line.
-void tellWarnings(const Case& read);
+void printWarnings(const Case& read);
 
 // Each returns the exit code. Throws std::runtime_error.
 int check(const Arguments& given);

@@ -114,17 +114,17 @@ Case readGiven(const Arguments& given) {
   return given.model.empty() ? read : withModel(std::move(read), twin::readModel(twin::findModel(given.model)));
 }
 
-void tellWarnings(const Case& read) {
+void printWarnings(const Case& read) {
   if (!Ranks::isFirst()) return;
   for (const std::string& warning : read.warnings) std::cerr << "darwinop gap: " << warning << '\n';
 }
 
 int run(const Arguments& given) {
   const Case read = readGiven(given);
-  tellWarnings(read);
+  printWarnings(read);
   ProgressLine progress{given.json || !Ranks::isFirst()};
   NameOptions options;
-  options.tell = [&](const std::string& what) { progress.tell(what); };
+  options.tell = [&](const std::string& what) { progress.show(what); };
   const Outcome outcome = investigate(read, options);
   Report report = reportOf(read, outcome, startModel(given, read));
   progress.end();

@@ -59,7 +59,8 @@ bool agreed(const PlayRequest& request) {
     std::getline(std::cin, answer);
     return answer == "y" || answer == "yes";
   }
-  std::cerr << "darwinop motion: this moves a real robot, as shown above. Make sure that nothing is in its way and that a person "
+  std::cerr << "darwinop motion: this moves a real robot, as shown above. Make sure that nothing is in its way and "
+               "that a person "
                "holds it, then add --yes\n";
   return false;
 }
@@ -86,13 +87,13 @@ class Stage {
     while (!motion.isOver());
     return true;
   }
-  bool settle() {
+  bool waitUntilSettled() {
     for (const double end = robot_.getTime() + kSettle; robot_.getTime() < end;)
       if (!step()) return false;
     return true;
   }
 
-  void tell(double seconds) const {
+  void printSummary(double seconds) const {
     std::cout << "played for " << fixed(seconds, 1) << " s; greatest distance from the goal, greatest load:\n"
               << watch_.jointsText() << watch_.faultsText() << "the robot " << textOf(postureOf(sensors()))
               << std::endl;
@@ -121,8 +122,8 @@ int perform(const PlayRequest& request, bool is_motion) {
   if (is_motion) whole = stage.motion(request.file);
   for (std::size_t i = 0; whole && i < request.pages.size(); ++i) whole = stage.page(request.file, request.pages[i]);
   const double seconds = stage.seconds();
-  whole = whole && stage.settle();
-  stage.tell(seconds);
+  whole = whole && stage.waitUntilSettled();
+  stage.printSummary(seconds);
   if (!request.record.empty()) std::cout << "recorded: " << request.record << std::endl;
   if (whole) return kPlayed;
   std::cerr << (facade::stopRequested() ? "stopped on request\n" : "ended by the robot, see above\n");

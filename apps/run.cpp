@@ -54,7 +54,7 @@ std::string withAbsolutePath(const std::string& robot) {
 }
 
 /// The twin library is beside this program, wherever the controller is.
-void tellWhereTheTwinIs() {
+void setTwinLibraryPath() {
   namespace fs = std::filesystem;
   std::error_code unknown;
   const fs::path home = fs::read_symlink("/proc/self/exe", unknown).parent_path();
@@ -80,7 +80,8 @@ void addSshOptions(CLI::App& app, SshOptions& ssh) {
 
 /// Runs the controller on this PC with the remote robot.
 int runOverSsh(const std::string& target, const SshOptions& ssh, darwinop::runtime::RunRequest& request) {
-  (void)darwinop::runtime::controllerProgram(request.command.at(0));  // first: an invalid path is reported before ssh asks for a password
+  (void)darwinop::runtime::controllerProgram(
+      request.command.at(0));  // first: an invalid path is reported before ssh asks for a password
   std::vector<std::string> words = sshWords(ssh.login);
   words.insert(words.end(), {"--tell", std::to_string(getpid())});
   if (!ssh.picture.empty()) words.insert(words.end(), {"--picture", ssh.picture});
@@ -124,7 +125,7 @@ int main(int count, char** arguments) try {
     return 2;
   }
 
-  tellWhereTheTwinIs();
+  setTwinLibraryPath();
   request.robot = withAbsolutePath(request.robot);
   request.record = absolute(request.record);
   if (period_ms != 0) request.period_ms = std::to_string(period_ms);

@@ -102,7 +102,7 @@ class Studio {
 int paintOn(Studio& studio, const Arguments& a, const sigset_t& signals, pid_t child) {
   const Clock::time_point begin = Clock::now();
   double end_s = a.for_s > 0 ? a.for_s : 1e9;
-  bool told = false;
+  bool term_sent = false;
   for (std::uint64_t frame = 1;; ++frame) {
     const double now_s = Seconds(Clock::now() - begin).count();
     frame = std::max(frame, static_cast<std::uint64_t>(now_s * kFramesPerSecond));  // late: skip frames
@@ -118,8 +118,8 @@ int paintOn(Studio& studio, const Arguments& a, const sigset_t& signals, pid_t c
     if (child <= 0 && (asked || over)) return 0;
     if (asked && info.si_code != SI_KERNEL) kill(child, signal);  // the terminal has signalled the command already
     if (over) {
-      kill(child, told ? SIGKILL : SIGTERM);
-      told = true;
+      kill(child, term_sent ? SIGKILL : SIGTERM);
+      term_sent = true;
       end_s = now_s + kPatienceS;
     }
     if (signal < 0) studio.paint(now_s);
@@ -145,8 +145,7 @@ int serve(Arguments& a) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Simulates the robot's camera for selected programs.",
-               "darwinop-virtual-camera"};
+  CLI::App app{"Simulates the robot's camera for selected programs.", "darwinop-virtual-camera"};
   Arguments arguments;
   describe(app, arguments);
   app.set_version_flag("--version", DARWINOP_VERSION);

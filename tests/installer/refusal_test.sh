@@ -178,7 +178,7 @@ scenario_bundle_with_more_or_other_than_its_manifest_names() {
     pack "$folder" "$v2"
     run_install --bundle "$v2"
     expect_status 1
-    expect_said 'which its MANIFEST does not name|no plain file'
+    expect_said 'which its MANIFEST does not list|not a regular file'
     expect_same_disk "let in: $wrong"
   done
 }

@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2034  # others read what is set here
-# The robot itself: its root folder, its sshd, its power switch. Sourced by robot.sh, which has the overview.
+# The simulated robot: root folder, sshd, power. Sourced by robot.sh, which has the overview.
 
 # What stock Ubuntu 9.10 has; each is a link to this machine's program.
 gnu_tools=(
@@ -48,7 +48,7 @@ robot_tools() {
   fi
   ln -s /.host/sbin/sshd "$ROBOT/bin/sshd"
   rm -f "$ROBOT/bin/uname" "$ROBOT/bin/sync"
-  ln -s true "$ROBOT/bin/sync"  # it would write out this machine's disks, and tell nothing here
+  ln -s true "$ROBOT/bin/sync"  # would flush this machine's disks, without use here
   cat >"$ROBOT/bin/uname" <<'END'
 #!/bin/sh
 # The robot's kernel, as /run/kernel says.

@@ -99,10 +99,10 @@ TEST(Child, RunsInAGroupOfItsOwnWithNoSignalBlocked) {
 TEST(Child, GetsSigtermInsteadOfSigkillWhenItsHandleIsDestroyed) {
   const TemporaryFolder folder;
   {
-    const Child child{shell("trap 'echo told; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log")};
+    const Child child{shell("trap 'echo term; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log")};
     EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\n"; }));
   }
-  EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\ntold\n"; }));
+  EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\nterm\n"; }));
 }
 
 class OrphanedChild : public testing::TestWithParam<bool> {};
@@ -113,7 +113,7 @@ TEST_P(OrphanedChild, GetsSigtermWhenItsParentIsKilled) {
   const TemporaryFolder folder;
   const pid_t parent = fork();
   if (parent == 0) {
-    Start start = shell("trap 'echo told; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log");
+    Start start = shell("trap 'echo term; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log");
     if (GetParam()) start.account = nobody();
     const Child child{start};
     for (;;) pause();
@@ -121,7 +121,7 @@ TEST_P(OrphanedChild, GetsSigtermWhenItsParentIsKilled) {
   EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\n"; }));
   kill(parent, SIGKILL);
   waitpid(parent, nullptr, 0);
-  EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\ntold\n"; }));
+  EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\nterm\n"; }));
 }
 
 }  // namespace
