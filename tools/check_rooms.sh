@@ -7,6 +7,7 @@ cd "${1:-$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/..}"
 table=tools/cmake/rooms.table
 [ -r $table ] || { echo "cannot read $PWD/$table" >&2 && exit 2; }
 
+# shellcheck disable=SC2028  # these are expressions, not escapes
 # The words of the column "never", as extended regular expressions of code without comments.
 never() {
   case $1 in
