@@ -41,7 +41,8 @@ units_of_changed() {
     /^[^ ]/ { unit = ""; next }
     NF {
       if (unit == "") {  # the first source among the dependencies is the unit itself
-        if ($1 ~ /\.c(pp|xx)$/) unit = $1; else next
+        if ($1 !~ /\.c(pp|xx)$/ || $1 ~ /cmake_pch/) next
+        unit = $1
       }
       n = split($1, part, "/")
       path = part[n]
