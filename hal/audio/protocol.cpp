@@ -147,7 +147,7 @@ std::optional<SoundOrder> readOrder(Reader& in) {
   }
 }
 
-std::optional<SoundEvent> readNews(Reader& in) {
+std::optional<SoundEvent> readEvent(Reader& in) {
   switch (in.number<std::uint8_t>()) {
     case kStarted: {
       SoundStarted started;
@@ -183,7 +183,7 @@ std::optional<SoundOrder> decodeOrder(std::span<const std::uint8_t> message) {
 
 std::optional<SoundEvent> decodeEvent(std::span<const std::uint8_t> message) {
   Reader in{message};
-  auto event = readNews(in);
+  auto event = readEvent(in);
   return in.complete() ? event : std::nullopt;
 }
 

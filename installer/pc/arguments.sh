@@ -64,7 +64,7 @@ parse_arguments() {
   have_target=0
   while [ $# -gt 0 ]; do
     case $1 in
-      --port | --autostart | --bundle | --controller | --picture | --tell | --host-key | -p | -i | -o | -F) [ $# -ge 2 ] || wrong_usage "$1 needs a value" ;;
+      --port | --autostart | --bundle | --controller | --picture | --tell | --host-key | -p | -i | -o | -F) [ $# -ge 2 ] || wrong_usage "$1 needs a value" ;; # keep-word
     esac
     case $1 in
       -h | --help) usage && exit 0 ;;
@@ -80,7 +80,7 @@ parse_arguments() {
       --stop | --no-default | --logs) set_action controller && set_controller_action "${1#--}" ;;
       --remote) set_action remote ;;
       --picture) picture=$2 && shift ;;
-      --tell) notify_pid=$2 && shift ;;
+      --tell) notify_pid=$2 && shift ;; # keep-word
       --window) window=1 ;;
       -f) logs_follow=1 ;;
       --new-host) new_host=1 ;;
@@ -124,7 +124,7 @@ check_arguments() {
   [ "$logs_follow" = 0 ] || [ "$controller_action" = logs ] || wrong_usage "-f requires --logs"
   case $dry_run:$controller_action in 1:stop | 1:no-default) wrong_usage "--dry-run cannot be combined with --$controller_action" ;; esac
   check_host_key
-  [ -z "$picture$notify_pid" ] || [ "$action" = remote ] || wrong_usage "--picture and --tell require --remote"
+  [ -z "$picture$notify_pid" ] || [ "$action" = remote ] || wrong_usage "--picture and --tell require --remote" # keep-word
   [ "$window" = 0 ] || [ "$action:$picture" = remote: ] || wrong_usage "--window requires --remote and excludes --picture"
   check_picture
   case $action:$controller_action in

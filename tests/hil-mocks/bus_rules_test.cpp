@@ -198,7 +198,7 @@ TEST(StatusLevel, ZeroAnswersOnlyPing) {
   EXPECT_EQ(bench.board.servo(Joint::kShoulderL).table().byte(25), 1) << "executed, but not answered";
 }
 
-TEST(StatusBeforeEffect, ANewIdIsAcknowledgedUnderTheOldOne) {
+TEST(StatusBeforeEffect, TheNewIdIsAcknowledgedUnderTheOldOne) {
   Bench bench;
   EXPECT_EQ(bench.send(withChecksum("FF FF 01 04 03 03 1E")), "FF FF 01 02 00 FC");
   EXPECT_EQ(bench.send("FF FF 01 02 01 FB"), "");

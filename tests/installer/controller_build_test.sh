@@ -60,7 +60,7 @@ scenario_a_source_that_came_back_from_a_backup_is_built() {
   [ $result = 2 ] || fail "the old program was kept"
 }
 
-scenario_a_source_that_is_gone_is_not_linked() {
+scenario_a_removed_source_is_not_linked() {
   controller walker 'return 1;'
   echo 'struct S { S(); } s; S::S() { throw 1; }' >"$LAB/pc/walker/other.cpp"
   build_controller "$LAB/pc/walker"
@@ -91,7 +91,7 @@ scenario_a_makefile_for_the_old_libraries_is_left_aside() {
   expect_said 'building all \*.cpp of the folder instead'
 }
 
-scenario_warnings_are_shown_and_are_no_failure() {
+scenario_warnings_are_shown_without_failure() {
   controller walker 'int unused; return 0;'
   build_controller "$LAB/pc/walker"
   expect 0

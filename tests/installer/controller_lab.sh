@@ -22,7 +22,7 @@ put_runtime() {
   ln -s "versions/$version" "$home/current"
   printf '#!/bin/sh\nexec /opt/darwinop/current/share/darwinop/boot\n' >"$home/start"
   i686-linux-gnu-g++ -static -x c++ - -o "$home/current/bin/darwinop-run" <<'RUN'
-// Hands Ctrl-C on and tells how the controller ended, as the real one; knows nothing of robots.
+// Forwards Ctrl-C and reports the controller's exit like the real one; without a robot.
 #include <csignal>
 #include <cstdio>
 #include <cstring>

@@ -108,14 +108,14 @@ scenario_output_arguments_and_status_come_back() {
   grep -q '^this is stderr$' "$LAB/stderr" || fail "stderr did not come on stderr"
 }
 
-scenario_a_crash_is_said_in_words() {
+scenario_a_crash_is_described() {
   controller walker 'raise(SIGSEGV); return 0;'
   run_install --controller "$LAB/pc/walker" --run
   expect_status 139
   expect_said 'walker crashed: invalid memory access'
 }
 
-scenario_output_comes_live_and_ctrl_c_ends_it_tidily() {
+scenario_output_comes_live_and_ctrl_c_ends_it_normally() {
   controller walker "$until_stopped"
   start_install --controller "$LAB/pc/walker" --run "$login@$ADDRESS"
   wait_for "$LAB/stdout" '^walking$'
@@ -235,7 +235,7 @@ scenario_a_window_that_drives_is_named_and_goes_on() {
   kill -KILL "$driver"
 }
 
-scenario_make_default_links_it_and_tells_the_supervisor() {
+scenario_make_default_links_it_and_restarts_it() {
   controller walker 'return 0;'
   start_runtime
   run_install --controller "$LAB/pc/walker" --make-default

@@ -60,7 +60,7 @@ scenario_password_with_spaces_and_quotes_stays_secret() {
   ! grep -rqF 'two words' "$ROBOT"/{etc,home,opt,root,tmp,var} "$LAB/pc/home" || fail "the password was left in a file"
 }
 
-# Ctrl-C, which the harness' timeout hands on a second time: as an impatient user does. What is left over, run_scenarios tells.
+# Ctrl-C, sent twice by the harness' timeout, as by an impatient user. run_scenarios reports leftovers.
 scenario_ctrl_c_at_any_question_leaves_nothing_behind() {
   local v1; v1=$(fake_bundle 0.1.0+a)
   remember_disk --touched

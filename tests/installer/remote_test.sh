@@ -27,7 +27,7 @@ scenario_a_whole_run() {
   wait_run
   expect_status 7
   expect_said '^kneeling$'
-  expect_let_go
+  expect_limp
 }
 
 # An unmodified example with the library's client.
@@ -43,7 +43,7 @@ scenario_an_example_drives_from_here() {
   kill -INT -- "-$run_pid"
   wait_run
   expect_status 0
-  expect_let_go
+  expect_limp
 }
 
 scenario_the_start_pose_is_asked_about() {
@@ -59,11 +59,11 @@ scenario_the_start_pose_is_asked_about() {
   expect_said 'cancelled; nothing was started'
   on_terminal '\[c\]ancel=\003' --
   expect_status 130
-  expect_let_go
+  expect_limp
   on_terminal '\[c\]ancel=g\n' '^driving=\003' --
   expect_status 7
   expect_said 'start pose: wrong, continuing'
-  expect_let_go
+  expect_limp
   # The robot is put into its start pose before the next check.
   : >"$LAB/out"
   (until grep -q 'ancel?' "$LAB/out"; do sleep 0.02; done; rm "$ROBOT/run/pose-unsafe") &
@@ -105,7 +105,7 @@ scenario_killed_hung_up_or_crashed_the_robot_sits_down() {
     [ $((tries += 1)) -lt 500 ] || fail "after kill -9 of darwinop run: $(cat "$LAB/out")"
     sleep 0.02
   done
-  expect_let_go
+  expect_limp
   start_run
   await '^driving$'
   kill -HUP -- "-$run_pid"
@@ -130,7 +130,7 @@ scenario_a_pulled_cable_ends_the_server() {
   until ! pgrep -x darwinop-remote >/dev/null || [ $((SECONDS - begun)) -gt 20 ]; do sleep 0.05; done
   ! pgrep -x darwinop-remote >/dev/null || fail "the server was not ended"
   [ $((SECONDS - begun)) -ge 8 ] || fail "stopped after $((SECONDS - begun)) s: a short WLAN interruption would suffice"
-  expect_let_go
+  expect_limp
   kill -KILL "$master"
   wait_run
   expect_status 8 143
@@ -144,19 +144,19 @@ scenario_what_breaks_in_between_leaves_no_server() {
   kill -KILL "$(master_of_ssh)"
   wait_run
   expect_said 'the connection to .* was lost'
-  expect_let_go
+  expect_limp
   start_run
   await '^driving$'
   kill_shells_of serve_remote
   wait_run
-  expect_let_go
+  expect_limp
   start_run
   await '^driving$'
   run_install --stop
   expect_status 0
   expect_said 'the remote control of .* stopped'
   wait_run
-  expect_let_go
+  expect_limp
 }
 
 scenario_refusals_say_what_to_do() {

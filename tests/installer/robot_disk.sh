@@ -173,7 +173,7 @@ stop_sshd() {
 }
 
 # What may go on when an install has ended: sshd's listener, what it started, a watchdog's last sleep, rc.local. The
-# command line of the install itself holds its whole program, so only the beginning tells.
+# command line of the install itself holds its whole program, so only its start is compared.
 stays='^(sshd: [^ ]* .*listener|sleep |(/bin/sh )?(-e )?(/etc/rc\.local|/opt/darwinop/[^ ]*/darwinop-(supervisor|runtime)) )'
 
 # Process ids in the robot's root. --foreign: without what may go on.

@@ -90,7 +90,7 @@ scenario_rollback_with_nothing_to_go_back_to() {
   expect_version 0.1.0+a
 }
 
-scenario_status_tells_and_changes_nothing() {
+scenario_status_changes_nothing() {
   local v1; v1=$(fake_bundle 0.1.0+a)
   remember_disk --touched
   run_install --status

@@ -16,7 +16,7 @@ open_page() {
   url=$(sed -n 's/^open in a browser: //p' "$LAB/out")
 }
 
-# page NAME CHANNEL WORDS...: a page that goes on until page_gone; what it hears is in $LAB/NAME.
+# page NAME CHANNEL WORDS...: a page that runs until page_gone; received messages are in $LAB/NAME.
 page() {
   "$HERE/window_page.sh" "$url" "${@:2}" >"$LAB/$1" 2>"$LAB/$1.errors" &
   eval "${1}_pid=$!"
@@ -32,7 +32,7 @@ await_page() {
   done
 }
 
-# await_neck MILLIRAD: the neck, as a page that looks on is told, is further than that.
+# await_neck MILLIRAD: waits until an observing page shows the neck beyond this angle.
 await_neck() {
   local tries=0
   until grep -ao '"position":\[[^]]*' "$LAB/eyes" | tail -n 1 | awk -F, -v least="$1" '$19 * 1000 > least { ok = 1 } END { exit !ok }'; do
@@ -67,11 +67,11 @@ scenario_a_window_looks_on_drives_and_ends() {
   wait_run
   expect_status 0
   expect_last_line 'robot: (all joints are limp|the robot.s state is unknown)'  # a busy machine starves its board
-  expect_let_go
+  expect_limp
   page_gone eyes
 }
 
-# It is seen, steering says who it is, and a window that drives ends as tidily when it is killed.
+# The window observes, steering names the driver, and a driving window ends normally even when it is killed.
 scenario_somebody_else_drives_then_the_window_and_it_is_killed() {
   robot_with_a_runtime
   chroot "$ROBOT" /opt/darwinop/start </dev/null >/dev/null 2>&1 &
@@ -96,7 +96,7 @@ scenario_somebody_else_drives_then_the_window_and_it_is_killed() {
   await_page hand '"yours":true'
   kill -KILL "$run_pid"
   wait_run
-  expect_let_go
+  expect_limp
 }
 
 # A start would take back what is being tried. And a window whose monitor has ended shows nothing: it ends, too.
@@ -120,8 +120,8 @@ scenario_a_window_starts_nothing_while_somebody_installs_and_ends_with_its_monit
   kill "$installing"
 }
 
-# An operator ends who drives, also when it is a window; a broken link and a robot that knows no monitor are told.
-scenario_what_ends_a_window_is_told() {
+# An operator can end any driver, including a window; a lost connection and a robot without monitor are reported.
+scenario_the_end_of_a_window_is_reported() {
   robot_with_a_runtime
   start_window
   open_page
@@ -137,8 +137,8 @@ scenario_what_ends_a_window_is_told() {
   cp "$LAB/first" "$LAB/out"
   wait_run
   expect_status 1
-  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page was not told"
-  expect_let_go
+  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page got no message"
+  expect_limp
   start_window
   open_page
   page eyes monitor '{"rate":20}'
@@ -147,7 +147,7 @@ scenario_what_ends_a_window_is_told() {
   wait_run
   expect_status 1
   expect_said 'the connection to .* was lost, .*If the window drove it, it stops'
-  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page was not told"
+  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page got no message"
   rm "$ROBOT/opt/darwinop/current/bin/darwinop-monitor"
   start_window
   wait_run

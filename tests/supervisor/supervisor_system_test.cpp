@@ -171,7 +171,7 @@ TEST_F(Home, AKilledSupervisorEndsItsChildrenNormally) {
 
 TEST_F(Home, StopEndsEvenAnUnresponsiveController) {
   startVirtualRobot();
-  plan("deaf");
+  plan("unresponsive");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
   Program second{{program("darwinop-supervisor"), "--home", file("home")}, file("second.txt")};

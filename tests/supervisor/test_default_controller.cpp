@@ -1,7 +1,7 @@
 // Default controller of the system tests. Behaviour by the file "plan" in its folder:
 //   hold    stretches both knees and holds them until SIGTERM
 //   crash   the same, and crashes during it
-//   deaf    the same, and then neither steps nor handles SIGTERM
+//   unresponsive    the same, and then neither steps nor handles SIGTERM
 //   once    ends at once
 //   sit     stays in the start pose until SIGTERM, and then ends with an error
 #include <unistd.h>
@@ -31,8 +31,8 @@ int main() {
     if (++steps == 10 && plan == "crash") std::abort();
     if (steps != 40) continue;
     std::cout << "stands" << std::endl;
-    if (plan == "deaf") std::signal(SIGTERM, SIG_IGN);
-    while (plan == "deaf") pause();
+    if (plan == "unresponsive") std::signal(SIGTERM, SIG_IGN);
+    while (plan == "unresponsive") pause();
   }
   std::cout << "end requested" << std::endl;
   return plan == "sit" ? 1 : 0;

@@ -14,11 +14,12 @@ const std::vector<SoundOrder> kOrders{
     PlaySound{.id = 7, .file = "/a b.mp3", .volume = 0.25, .pitch = 2, .balance = -1, .loop = true, .afresh = true},
     Speak{.id = 8, .text = "Grüße", .text_is_file = true, .voice = "de+f3", .words_per_minute = 450, .volume = 0},
     StopSound{""}, StopSound{"/x.wav"}};
-const std::vector<SoundEvent> kNews{SoundStarted{1, 2.5}, SoundEnded{0xFFFFFFFF}, SoundError{"no card"}, SoundLost{""}};
+const std::vector<SoundEvent> kEvents{SoundStarted{1, 2.5}, SoundEnded{0xFFFFFFFF}, SoundError{"no card"},
+                                      SoundLost{""}};
 
 TEST(SoundProtocol, MessagesSurviveTheRoundTrip) {
   for (const SoundOrder& order : kOrders) EXPECT_EQ(decodeOrder(encode(order)), order);
-  for (const SoundEvent& events : kNews) EXPECT_EQ(decodeEvent(encode(events)), events);
+  for (const SoundEvent& event : kEvents) EXPECT_EQ(decodeEvent(encode(event)), event);
 }
 
 TEST(SoundProtocol, APartialOrOversizedMessageIsRejected) {
@@ -31,7 +32,7 @@ TEST(SoundProtocol, APartialOrOversizedMessageIsRejected) {
     EXPECT_FALSE(decodeEvent(message));
   }
   EXPECT_FALSE(decodeEvent(encode(kOrders[0])));
-  EXPECT_FALSE(decodeOrder(encode(kNews[0])));
+  EXPECT_FALSE(decodeOrder(encode(kEvents[0])));
 }
 
 TEST(SoundProtocol, NumbersOutOfRangeAreRejected) {

@@ -39,7 +39,7 @@ struct DrivingWriter : ::testing::Test {
   std::size_t write() { return writer.encode(asked.commands).size(); }
 };
 
-TEST(GoalWriter, ANewServoGetsSettingsAndTorqueLimitTwiceAndThenGoalsOnly) {
+TEST(GoalWriter, AnAddedServoGetsSettingsAndTorqueLimitTwiceAndThenGoalsOnly) {
   GoalWriter writer;
   const SafeCommandsForTests all = SafeCommandsForTests{}.driveAll(Rad{0});
   EXPECT_EQ(writer.encode(all.commands).size(), kAll);

@@ -220,7 +220,7 @@ TEST(Probe, RefusesOldFirmware) {
   EXPECT_THAT(row.what, HasSubstr("firmware is older than 27"));
 }
 
-TEST(Probe, NamesAMissingServoAndTheSetupOfANewOne) {
+TEST(Probe, NamesAMissingServoAndTheSetupOfAReplacement) {
   BoardOptions options = Bench::powered();
   options.servo[at(Joint::kArmUpperR)].missing = true;
   Bench bench{options};
@@ -232,7 +232,7 @@ TEST(Probe, NamesAMissingServoAndTheSetupOfANewOne) {
   EXPECT_EQ(rowWith(report, "servo 5 ArmLowerR").level, Level::kOk);
 }
 
-TEST(Probe, ANewServoAtItsFactoryBaudLooksMissing) {
+TEST(Probe, AReplacementServoAtItsFactoryBaudLooksMissing) {
   BoardOptions options = Bench::powered();
   options.servo[at(Joint::kHead)] = ServoOptions::factoryFresh();
   Bench bench{options};
