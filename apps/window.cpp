@@ -88,8 +88,8 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
     driver.turn();
     transfer.turn();
     if (const std::string status = own ? own->news() : ""; !status.empty()) {
-      sight.notice(news);
-      sayWindow(news);
+      sight.notice(status);
+      sayWindow(status);
     }
   }
   if (transfer.runs()) sayWindow("cancelling the programs started on the robot; this takes up to 20 s");
