@@ -43,7 +43,7 @@ const EffectInfo kAccelLimit{
     .separated_by =
         "Steps of three sizes, load below its limit: the duration grows with the square root of the size (speed_limit: "
         "in proportion).",
-    .source = "2013 thesis 5.3.1: 55 rad/s2; upper end widened until nothing is limited",
+    .source = "2013 thesis 5.3.1: 55 rad/s2",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<AccelLimit>,

@@ -53,8 +53,7 @@ const EffectInfo kCogging{
     .place = Place::kMotor,
     .equation = "tm = tm + amplitude sin(count q + phase)",
     .signature = "Position ripple locked to the angle, the same at all speeds.",
-    .separated_by =
-        "Slow triangle at two speeds: the ripple keeps its place over the angle, and its frequency in time doubles.",
+    .separated_by = "Slow triangle at two speeds: the ripple keeps its angle.",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

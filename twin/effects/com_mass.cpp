@@ -46,8 +46,7 @@ const EffectInfo kComMass{
     .equation = "m = m (1 + mass); L = L + shift",
     .signature = "Stops short in proportion to the sine of the angle; the swing period differs.",
     .separated_by =
-        "Holds at +90 and -90 degrees (a zero error shows as a difference); swing period with a known extra mass. Only "
-        "inertia against gravity separates mass from distance.",
+        "Holds at +90 and -90 degrees (a zero error shows as a difference); swing period with a known extra mass.",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "width",
               .unit = "rad",
-              .meaning = "errors up to this size, either way, give no duty",
+              .meaning = "errors up to this give no duty",
               .low = 0,
               .high = 0.04,
               .neutral = 0,

@@ -37,10 +37,9 @@ const EffectInfo kPOnTorque{
     .title = "P acts on torque",
     .place = Place::kController,
     .equation = "u = K P e and tm = kt (u V - ke w) / R, in place of a speed in proportion to P e",
-    .signature = "A loaded joint stops short by an amount proportional to load over P; at small P it never arrives.",
+    .signature = "A loaded joint stops short in proportion to load over P.",
     .separated_by =
-        "Step with payload at three P gains: final error times P is constant, and stays when held for 5 s (with "
-        "integral it decays).",
+        "Step with payload at three P gains: final error times P is constant, also after 5 s (integral: it decays).",
     .source = "2013 thesis 5.3.3; MX-28 manual, register 28",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

@@ -41,9 +41,9 @@ const EffectInfo kSpeedLimit{
     .equation = "|d set_point/dt| <= speed; law speed_p: |w| <= speed",
     .signature = "Straight ramps of one slope after large steps; slower moves unchanged.",
     .separated_by =
-        "Long step at two supply voltages: a limit keeps its slope, no-load speed does not. The duration grows in "
-        "proportion to the step (accel_limit: with its square root).",
-    .source = "MX-28 manual, register 32; range assumed, upper end widened until nothing is limited",
+        "Long step at two supply voltages: a limit keeps its slope. Duration grows with the step (accel_limit: with "
+        "its square root).",
+    .source = "MX-28 manual, register 32; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<SpeedLimit>,

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "resistance",
               .unit = "ohm",
-              .meaning = "of battery and cables, for the current of this one servo",
+              .meaning = "of battery and cables",
               .low = 0,
               .high = 4,
               .neutral = 0,
@@ -52,10 +52,9 @@ const EffectInfo kSupplySag{
     .title = "supply voltage sag",
     .place = Place::kSupply,
     .equation = "V = V0 - resistance u i - droop t",
-    .signature =
-        "The voltage dips with the square of the load; top speed and torque fall with it at the same reported load.",
+    .signature = "The voltage dips with the square of the load; top speed and torque fall with it.",
     .separated_by = "Log the voltage; make the same move without payload and with the largest.",
-    .source = "The bridge draws duty times motor current; range assumed",
+    .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<SupplySag>,

@@ -68,8 +68,7 @@ const EffectInfo kTempDrift{
     .place = Place::kFriction,
     .equation = "F = F exp(-rate (T - reference)); R = R (1 + copper (T - reference))",
     .signature = "The same log differs with session time or reported temperature.",
-    .separated_by =
-        "Repeat the first log at the end of the session. Cold logs alone cannot separate it from dry friction.",
+    .separated_by = "Repeat the first log at the end of the session.",
     .source = "Copper: 0.39 % per kelvin; range of rate assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

@@ -80,12 +80,12 @@ const EffectInfo kTransportDelay{
     .place = Place::kCommand,
     .equation = "goal(t) = goal sent at t - delay; measured(t) = measured at t - reading",
     .signature =
-        "Error proportional to goal speed, with its sign, at every P gain; dead time after a step. Below one host "
-        "period the controller block does not show it.",
+        "Error proportional to goal speed at every P gain; dead time after a step. Below one host period the "
+        "controller block does not show it.",
     .separated_by =
         "Chirp: the phase lag grows linearly with frequency. Step: the reaction starts late, then with full "
         "acceleration.",
-    .source = "Writing takes about 1 ms, waiting for the host up to 16 ms; range assumed",
+    .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<TransportDelay>,
