@@ -64,7 +64,7 @@ build_ahead() { # STAGE...
       preset=$(builds_of "$stage")
       [ -f "build/ahead/${preset%% *}" ] || continue  # nothing to build, or built for an earlier stage
       # shellcheck disable=SC2086  # words
-      build $preset || :  # whoever needs it tries once more and shows why
+      build $preset || :  # the stage that needs it tries once more and shows why
       rm -f "build/ahead/${preset%% *}"
     done
   ) </dev/null >build/ahead.log 2>&1 &
