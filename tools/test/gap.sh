@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Effects hidden in a few cases and found blind; experiments on a robot, identification and the model after it.
+# darwinop gap: its longest tests, a few cases found blind, experiments and identification from end to end.
 # builds: release-tests darwinop-gap gap_tests
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
