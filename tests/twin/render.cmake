@@ -1,4 +1,4 @@
-# Drawing the twin, and the program that shows it.
+# Rendering, and darwinop twin view.
 darwinop_test(twin_render_test render_head_camera_test.cpp render_picture_test.cpp render_film_test.cpp
   USES twin_view twin_render twin_model)
 darwinop_test(twin_view_test render_view_test.cpp USES twin_render LABELS slow)

@@ -1,4 +1,4 @@
-// One row a key. A member without a row does not compile.
+// Table of the keys of a model file. A struct member without a row fails a static_assert.
 #include "twin/model/keys.hpp"
 
 #include <algorithm>
@@ -130,7 +130,7 @@ constexpr KeyRow kTable[] = {
      "standard deviation of a sample, one each ms"},
 };
 
-/// Counts the members of an aggregate: as many as can be given to it.
+/// Counts the members of an aggregate: the largest number of initializers that it accepts.
 struct Anything {
   template <class T>
   constexpr operator T() const;
