@@ -43,7 +43,7 @@ struct Arguments {
 
 int list() {
   int status = kDone;
-  const std::vector<std::string> files = batteryFiles();
+  const std::vector<std::string> files = suiteFiles();
   for (const std::string& file : files) try {
       const Experiment experiment = readExperiment(file);
       const Plan plan = makePlan(experiment, darwinop::safety::hardRanges());
@@ -57,7 +57,7 @@ int list() {
       std::cerr << "darwinop experiment: " << wrong.what() << '\n';
       status = kWrong;
     }
-  if (files.empty()) throw std::runtime_error("there are no experiments in " + batteryFolders().back());
+  if (files.empty()) throw std::runtime_error("there are no experiments in " + suiteFolders().back());
   return status;
 }
 
@@ -95,7 +95,7 @@ Outcome drive(const Experiment& experiment, const Plan& plan) {
   webots::Robot robot;
   const std::atomic<bool>& stop = installGentleStop();
   Progress progress{plan.seconds()};
-  const auto tell = [&](const std::string& phase, double seconds) { progress.tell(phase, seconds); };
+  const auto tell = [&](const std::string& phase, double seconds) { progress.update(phase, seconds); };
   return Runner{robot, experiment, stop, tell}.run();
 }
 

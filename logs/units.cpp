@@ -1,4 +1,4 @@
-// Units of columns: one row each.
+// Table of column units.
 #include "logs/units.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr auto kUnits = std::to_array<Unit>({
     {"Hz", "Hz"},       {"tick", "tick"}, {"Kp", "Kp"},
 });
 
-/// Where the longest suffix that is a unit begins, its underscore included.
+/// Position of the longest suffix that is a unit, including its underscore.
 std::size_t endOfName(std::string_view name, const Unit** found) {
   for (std::size_t at = name.find('_'); at != std::string_view::npos; at = name.find('_', at + 1)) {
     const auto unit =

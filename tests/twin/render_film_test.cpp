@@ -112,7 +112,7 @@ TEST(WatchedBody, PushesAPoseForEveryPictureOfTheFilm) {
 
 TEST(PoseRing, DropsAndCountsWhatDoesNotFit) {
   const auto ring = std::make_unique<PoseRing>();
-  for (std::uint32_t i = 0; i < PoseRing::kRoom + 2; ++i) ring->push(Pose{.time_s = i * 1.0});
+  for (std::uint32_t i = 0; i < PoseRing::kCapacity + 2; ++i) ring->push(Pose{.time_s = i * 1.0});
   EXPECT_EQ(ring->dropped(), 2U);
   Pose pose;
   ASSERT_TRUE(ring->pop(pose));
