@@ -103,7 +103,7 @@ bool Runner::runPhase(const Phase& phase) {
   for (double t = 0; t < phase.duration_s - step_s_ / 2 && going(Stop::kAllowed); t = now() - start) {
     drive(phase, from, t + step_s_);
     if (fall_.fallen() && !may_fall_) return false;
-    if (!step() || end.over(positions(), fall_.fallen(), now() - start)) break;
+    if (!step() || end.isOver(positions(), fall_.fallen(), now() - start)) break;
   }
   return going(Stop::kAllowed) && (may_fall_ || !fall_.fallen());
 }

@@ -42,11 +42,11 @@ class VirtualRun {
   }
 
   Outcome run() {
-    const auto on_step = [this](const std::string& phase, double seconds) {
+    const auto forward = [this](const std::string& phase, double seconds) {
       phase_ = phase;
       if (on_step) on_step(phase, seconds);
     };
-    return Runner{*robot_, experiment_, stop, on_step}.run();
+    return Runner{*robot_, experiment_, stop, forward}.run();
   }
 
   /// Like a second Ctrl-C, or a lost robot.

@@ -19,7 +19,7 @@ constexpr int kCallsPerPeriod = 75;  // of 600 ms
 
 struct Scenario {
   const char* name;
-  Wish wish;
+  WalkCommand wish;
   Tilt tilt;
   bool shipped_file;
   int stop_before;  // call; -1: never
@@ -58,7 +58,7 @@ TEST(GaitEngine, IsTheReferenceTickForTick) {
 }
 
 /// Greatest difference that the flaw makes at these joints in three periods, ticks.
-int flawAt(Joint right, Joint left, const Wish& wish) {
+int flawAt(Joint right, Joint left, const WalkCommand& wish) {
   Parameters flawed = shipped(), exact = shipped();
   exact.ik = Ik::kExact;
   Engine one{flawed}, other{exact};
@@ -91,7 +91,7 @@ TEST(GaitEngine, StandsBeforeTheStart) {
 }
 
 /// Calls until it rests, from a stop before this call; at most 1000.
-int callsToRest(const Wish& wish, int stop_before) {
+int callsToRest(const WalkCommand& wish, int stop_before) {
   Engine engine{Parameters{}};
   engine.start();
   for (int call = 0; call < stop_before; ++call) engine.next(wish, kUnseen);

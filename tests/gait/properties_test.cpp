@@ -31,7 +31,7 @@ Parameters anyParameters() {
   return p;
 }
 
-Wish anyWish() {
+WalkCommand anyWish() {
   return {within(-1, 1), within(-1, 1), within(-1, 1), *rc::gen::arbitrary<bool>()};
 }
 
@@ -84,7 +84,7 @@ RC_GTEST_PROP(Gait, AsksForWhatServosCanDoWhateverHappens, ()) {
     const int what = stretch == 0 ? 0 : *rc::gen::inRange(0, 5);
     if (what == 0) walk.start(joints.at());
     if (what == 1) walk.stop();
-    const Wish wish = anyWish();
+    const WalkCommand wish = anyWish();
     const bool balance = *rc::gen::arbitrary<bool>();
     GyroCounts gyro = anyGyro();
     const int ticks = *rc::gen::inRange(1, stretch == 0 ? 1500 : 150);
@@ -109,13 +109,13 @@ RC_GTEST_PROP(Gait, AsksForWhatServosCanDoWhateverHappens, ()) {
 }
 
 /// Greatest step between two calls, ticks, over stretches of different wishes.
-int greatestJump(const Parameters& p, const std::array<Wish, 4>& wishes) {
+int greatestJump(const Parameters& p, const std::array<WalkCommand, 4>& wishes) {
   const Tilt unseen{std::nan(""), std::nan("")};
   Engine engine{p};
   engine.start();
   int greatest = 0;
   Goals last = engine.goals();
-  for (const Wish& wish : wishes) {
+  for (const WalkCommand& wish : wishes) {
     for (int call = 0; call < 90; ++call) {
       const Goals goals = engine.next(wish, unseen);
       for (std::size_t i = 0; i < kWalkingJoints; ++i)
@@ -127,8 +127,8 @@ int greatestJump(const Parameters& p, const std::array<Wish, 4>& wishes) {
 }
 
 RC_GTEST_PROP(Gait, WalksForwardsAndBackwardsWithoutJumps, ()) {
-  std::array<Wish, 4> wishes;
-  for (Wish& wish : wishes) wish.x = within(-1, 1);
+  std::array<WalkCommand, 4> wishes;
+  for (WalkCommand& wish : wishes) wish.x = within(-1, 1);
   // 8 rad/s at a knee, so the speed of servos changes nothing. A change of x begins where it makes no difference yet.
   RC_ASSERT(greatestJump(Parameters{}, wishes) <= 42);
 }

@@ -101,7 +101,7 @@ TEST(Walk, StandsStillForTheGyroscopeOnce) {
 TEST(Walk, LearnsTheCentreWhileItRests) {
   Walk walk{Parameters{}};
   for (int i = 0; i < GyroCentre::kSamples; ++i) walk.tick({}, true, kLevel);
-  EXPECT_TRUE(walk.knowsBalance());
+  EXPECT_TRUE(walk.isBalanceCalibrated());
   walk.start(kStance);
   EXPECT_EQ(ticksToWalk(walk, true, kLevel), 1);
 }

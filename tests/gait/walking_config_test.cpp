@@ -67,15 +67,15 @@ TEST(WalkingConfigFile, NamesWhatItDoesNotKnow) {
   EXPECT_THAT(read("foot_heigth = 30\nwalk!\ni_gain = 3\n").warnings,
               ElementsAre("gait.ini, line 2: key \"foot_heigth\" of section [Walking Config] means nothing to this "
                           "version; it is ignored",
-                          "gait.ini, line 3: is no key = value and no comment; it is ignored",
-                          "gait.ini, line 4: key \"i_gain\" has no effect on this robot, only p_gain has"));
+                          "gait.ini, line 3: is neither key = value nor a comment; it is ignored",
+                          "gait.ini, line 4: key \"i_gain\" has no effect on this robot; only p_gain has"));
 }
 
 TEST(WalkingConfigFile, AFileThatIsNotThereGivesTheDefaults) {
   const TemporaryFolder folder;
   const std::string path = folder / "config.ini";
   EXPECT_THAT(readWalkingConfig(path).warnings,
-              ElementsAre("there is no " + path + ": the gait's default parameters are used"));
+              ElementsAre("cannot find " + path + ": the default gait parameters are used"));
   std::ofstream{path} << "[Walking Config]\nfoot_height = 25\n";
   EXPECT_EQ(readWalkingConfig(path).parameters.foot_height, 25);
 }

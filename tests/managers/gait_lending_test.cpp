@@ -32,7 +32,7 @@ TEST_F(GaitLending, WalksWithoutAFileAndSaysSoOnce) {
   managers::RobotisOp2GaitManager one{&robot(), "/nowhere/config.ini"}, other{&robot(), "/nowhere/config.ini"};
   EXPECT_TRUE(one.isCorrectlyInitialized() && other.isCorrectlyInitialized());
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(said, HasSubstr("there is no /nowhere/config.ini: the gait's default parameters are used"));
+  EXPECT_THAT(said, HasSubstr("cannot find /nowhere/config.ini: the default gait parameters are used"));
   EXPECT_EQ(lines(said), 1);
 }
 
@@ -43,7 +43,7 @@ TEST_F(GaitLending, SaysThatItWasGivenNoRobot) {
   nobody.step(16);
   nobody.stop();
   EXPECT_FALSE(nobody.isCorrectlyInitialized());
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("it was given no robot"));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("the robot is null"));
 }
 
 TEST_F(GaitLending, CopiesBeginAtRest) {

@@ -36,8 +36,8 @@ TEST_F(MotionFiles, WithoutACustomFileItIsTheOneInTheDataDirectory) {
 TEST_F(MotionFiles, WithoutAnyFileItPlaysOwnPagesAndSaysSoOnce) {
   CaptureStderr();
   Elsewhere missing{&robot(), "", folder_ / ""}, again{&robot(), "", folder_ / ""};
-  EXPECT_EQ(GetCapturedStderr(), "darwinop: MotionManager: there is no " + (folder_ / "motion_4096.bin") +
-                                     ": the runtime's own pages are played (darwinop motion list own)\n");
+  EXPECT_EQ(GetCapturedStderr(), "darwinop: MotionManager: cannot find " + (folder_ / "motion_4096.bin") +
+                                     ": the built-in pages are played (darwinop motion list own)\n");
   EXPECT_TRUE(missing.isCorrectlyInitialized());
   missing.playPage(9, false);
   EXPECT_TRUE(missing.isMotionPlaying());
@@ -60,7 +60,7 @@ TEST_F(MotionFiles, OwnPagesNeverReplaceAFile) {
   DARwInOPMotionManager missing{&robot(), folder_ / "none.bin"};
   EXPECT_FALSE(missing.isCorrectlyInitialized());
   EXPECT_EQ(GetCapturedStderr(),
-            "darwinop: MotionManager: " + (folder_ / "none.bin") + ": it cannot be opened; no page will be played\n");
+            "darwinop: MotionManager: " + (folder_ / "none.bin") + ": cannot open the file; no page will be played\n");
   std::ofstream{folder_ / "motion_4096.bin"} << "darwinop motion 1\n[page 1]\nNeck = x\n";
   CaptureStderr();
   Elsewhere broken{&robot(), "", folder_ / ""};
@@ -71,7 +71,7 @@ TEST_F(MotionFiles, OwnPagesNeverReplaceAFile) {
   forgetWarnings();
   CaptureStderr();
   EXPECT_FALSE((Elsewhere{&robot(), "", folder_ / ""}.isCorrectlyInitialized())) << "a link to a disk that is away";
-  EXPECT_THAT(GetCapturedStderr(), HasSubstr("it cannot be opened; no page will be played"));
+  EXPECT_THAT(GetCapturedStderr(), HasSubstr("cannot open the file; no page will be played"));
 }
 
 TEST_F(MotionFiles, ACustomFileMayBeText) {

@@ -124,14 +124,14 @@ TEST_F(MotionManagerTest, ABadFileIsSaidOnceAndNothingPlays) {
   DARwInOPMotionManager manager{&robot(), path_};
   RobotisOp2MotionManager twin{&robot(), path_};
   EXPECT_THAT(GetCapturedStderr(),
-              testing::MatchesRegex("darwinop: MotionManager: [^\n]*: page 5, byte 2591: the checksum is wrong: "
+              testing::MatchesRegex("darwinop: MotionManager: [^\n]*: page 5, byte 2591: wrong checksum: "
                                     "[^\n]*; no page will be played\n"));
   EXPECT_FALSE(manager.isCorrectlyInitialized() || twin.isCorrectlyInitialized());
   CaptureStderr();
   manager.playPage(1);
   manager.playPage(1, false);
   manager.step(16);
-  EXPECT_EQ(GetCapturedStderr(), "darwinop: MotionManager: page 1 is skipped: there is no motion file\n");
+  EXPECT_EQ(GetCapturedStderr(), "darwinop: MotionManager: page 1 is skipped: no motion file\n");
   EXPECT_FALSE(manager.isMotionPlaying());
   EXPECT_TRUE(fake.published.empty());
 }
@@ -140,7 +140,7 @@ TEST_F(MotionManagerTest, WithoutARobotItSaysSo) {
   CaptureStderr();
   DARwInOPMotionManager manager{nullptr, path_};
   manager.playPage(1);
-  EXPECT_THAT(GetCapturedStderr(), HasSubstr("MotionManager: it was given no robot; no page will be played\n"));
+  EXPECT_THAT(GetCapturedStderr(), HasSubstr("MotionManager: the robot is null; no page will be played\n"));
   EXPECT_FALSE(manager.isCorrectlyInitialized());
 }
 
@@ -245,7 +245,7 @@ TEST_F(MotionManagerTest, MayOutliveItsRobot) {
   EXPECT_FALSE(manager.isMotionPlaying());
   CaptureStderr();
   manager.playPage(1);
-  EXPECT_THAT(GetCapturedStderr(), HasSubstr("page 1 is skipped: there is no robot\n"));
+  EXPECT_THAT(GetCapturedStderr(), HasSubstr("page 1 is skipped: no robot\n"));
 }
 
 TEST_F(MotionManagerTest, TheTimerNeedsNoStartAndSaysNothing) {

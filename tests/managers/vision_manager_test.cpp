@@ -76,7 +76,7 @@ TYPED_TEST(VisionManager, WithoutAnImageItSaysWhyOnceAndFindsNothing) {
   for (int i = 0; i < 3; ++i) EXPECT_FALSE(manager.getBallCenter(this->x, this->y, nullptr));
   EXPECT_TRUE(this->x == 0 && this->y == 0);
   EXPECT_FALSE(manager.isDetected(11, 22)) << "what an earlier image showed is gone";
-  EXPECT_EQ(this->heard(), "darwinop: VisionManager: getBallCenter() was given no image; is the camera enabled?\n");
+  EXPECT_EQ(this->heard(), "darwinop: VisionManager: the image of getBallCenter() is null; enable the camera\n");
 }
 
 TYPED_TEST(VisionManager, OutsideOfTheImageAndBeforeTheFirstNothingIsDetected) {
@@ -116,12 +116,12 @@ TYPED_TEST(VisionManager, WhatIsOutOfRangeIsSaidOnceAndBroughtIntoIt) {
   TypeParam manager{40, 30, -5, 200, -9, 101, -1, 400};
   manager.setHue(-5);
   const std::string said = this->heard();
-  for (const char* what : {"hue is out of range and brought into it, 0 to 360: the same direction\n",
-                           "hue tolerance is out of range and brought into it, 0 to 180",
-                           "minimum saturation is out of range and brought into it, -1 to 100",
-                           "minimum value is out of range and brought into it, -1 to 100",
-                           "minimum percent is out of range and brought into it, 0 to 100",
-                           "maximum percent is out of range and brought into it, 0 to 100"})
+  for (const char* what : {"hue is out of range and was adjusted to 0 to 360: the same direction\n",
+                           "hue tolerance is out of range and was adjusted to 0 to 180",
+                           "minimum saturation is out of range and was adjusted to -1 to 100",
+                           "minimum value is out of range and was adjusted to -1 to 100",
+                           "minimum percent is out of range and was adjusted to 0 to 100",
+                           "maximum percent is out of range and was adjusted to 0 to 100"})
     EXPECT_THAT(said, HasSubstr(what));
   EXPECT_EQ(std::ranges::count(said, '\n'), 6) << said;
   manager.setHueTolerance(15);
@@ -140,7 +140,8 @@ TYPED_TEST(VisionManager, AnImpossibleSizeIsSaidAndFindsNothing) {
   TypeParam manager{0, 30, 0, 15, 60, 15, 0, 50};
   EXPECT_FALSE(this->found(manager, this->ball));
   EXPECT_FALSE(manager.isDetected(0, 0));
-  EXPECT_THAT(this->heard(), HasSubstr("VisionManager: the width of an image is 0 pixels; it is 1 to 16384; it will"));
+  EXPECT_THAT(this->heard(),
+              HasSubstr("VisionManager: the width of an image is 0 pixels; must be 1 to 16384; nothing will"));
 }
 
 TYPED_TEST(VisionManager, ACopyGoesItsOwnWay) {

@@ -108,13 +108,13 @@ TEST(PageFile, WhatIsWrongIsSaidWithPageAndByte) {
   EXPECT_EQ(sentenceAbout(12, nothing), "it is accepted");
   EXPECT_EQ(sentenceAbout(
                 12, [](std::uint8_t* page) { page[70] = static_cast<std::uint8_t>(page[70] + 3); }, false),
-            "page 12, byte 6175: the checksum is wrong: the page's 512 bytes add up to 0x02, not to 0xFF");
+            "page 12, byte 6175: wrong checksum: the 512 bytes of the page add up to 0x02 instead of 0xFF");
   EXPECT_EQ(sentenceAbout(12, [](std::uint8_t* page) { page[20] = 8; }),
-            "page 12, byte 6164: it claims 8 steps; a page has 0 to 7");
+            "page 12, byte 6164: invalid number of steps 8; must be 0 to 7");
   EXPECT_EQ(sentenceAbout(12, [](std::uint8_t* page) { page[16] = 5; }),
-            "page 12, byte 6160: its schedule is 5; it is 0 (by speed) or 10 (by time)");
+            "page 12, byte 6160: invalid schedule 5; must be 0 (by speed) or 10 (by time)");
   EXPECT_EQ(sentenceAbout(12, [](std::uint8_t* page) { page[22] = 0; }),
-            "page 12, byte 6166: its speed is 0; it is 1 to 255, and 32 is the usual one");
+            "page 12, byte 6166: invalid speed 0; must be 1 to 255, default 32");
   EXPECT_EQ(sentenceAbout(13, [](std::uint8_t* page) { page[16] = page[22] = 0; }), "it is accepted")
       << "a page without steps is never played";
   EXPECT_THAT(sentenceAbout(
@@ -143,15 +143,15 @@ TEST(PageFile, FromADiskTheSentenceBeginsWithItsName) {
     }
     return std::string{};
   };
-  EXPECT_EQ(sentence(), path + ": it cannot be opened");
+  EXPECT_EQ(sentence(), path + ": cannot open the file");
   const auto write = [&path](const Bytes& bytes) {
     std::ofstream{path, std::ios::binary}.write(reinterpret_cast<const char*>(bytes.data()),
                                                 static_cast<std::streamsize>(bytes.size()));
   };
   write(Bytes(1030));
-  EXPECT_EQ(sentence(), path + ": it ends in page 2, at byte 1030; a motion file has 131072 bytes");
+  EXPECT_EQ(sentence(), path + ": the file ends in page 2, at byte 1030; a motion file has 131072 bytes");
   write(Bytes(kFileBytes + 9));
-  EXPECT_EQ(sentence(), path + ": it is longer than the 131072 bytes of a motion file");
+  EXPECT_EQ(sentence(), path + ": the file is longer than the 131072 bytes of a motion file");
   write(validFile());
   EXPECT_EQ(sentence(), "");
   EXPECT_EQ(readPageFile(path)[12].steps, 2);

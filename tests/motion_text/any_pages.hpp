@@ -23,7 +23,7 @@ inline Page anyPage(std::mt19937& dice) {
   page.repeat = one(2) ? byte() : std::uint8_t{1};
   page.schedule = one(2) ? kTimeBased : kSpeedBased;
   if (!page.canPlay() && one(2)) page.schedule = byte();
-  page.speed = one(2) ? kUsualSpeed : byte();
+  page.speed = one(2) ? kDefaultSpeed : byte();
   if (page.canPlay() && page.speed == 0) page.speed = 1;
   page.acceleration = byte();
   page.next = byte();

@@ -31,10 +31,10 @@ TEST(CheckPages, ChainsLeadToPagesThatHoldSomething) {
   Page page = pageOf({middle(125)});
   page.next = 6;
   page.exit = 0;
-  EXPECT_THAT(checkPages(fileWith(page)), ElementsAre("page 5: next is page 6, which holds nothing to play"));
+  EXPECT_THAT(checkPages(fileWith(page)), ElementsAre("page 5: next is page 6, which is empty"));
   page.next = 0;
   page.exit = 255;
-  EXPECT_THAT(checkPages(fileWith(page)), ElementsAre("page 5: exit is page 255, which holds nothing to play"));
+  EXPECT_THAT(checkPages(fileWith(page)), ElementsAre("page 5: exit is page 255, which is empty"));
 }
 
 TEST(CheckPages, PositionsAreWithinTheJointsLimits) {
@@ -54,8 +54,9 @@ TEST(CheckPages, PositionsAreWithinTheJointsLimits) {
 TEST(CheckPages, TheServoCanFollow) {
   Page page = pageOf({middle(125), middle(10)});
   page.step[1].position[19] = 2048 + 640;  // 64 ticks in 8 ms would be 12.27 rad/s
-  EXPECT_THAT(checkPages(fileWith(page)),
-              ElementsAre("page 5, step 2, Neck: 56.25 degrees in 0.080 s are 703 degrees/s; the servo's most is 702"));
+  EXPECT_THAT(
+      checkPages(fileWith(page)),
+      ElementsAre("page 5, step 2, Neck: 56.25 degrees in 0.080 s are 703 degrees/s; the servo's maximum is 702"));
   --page.step[1].position[19];
   EXPECT_THAT(checkPages(fileWith(page)), IsEmpty());
 }
@@ -65,7 +66,7 @@ TEST(CheckPages, AStepTooShortToMoveInIsAJump) {
   page.step[1].position[19] = 2048 + 12;
   page.step[1].position[20] = 2048 - 11;
   EXPECT_THAT(checkPages(fileWith(page)),
-              ElementsAre("page 5, step 2, Neck: the goal jumps by 1.05 degrees: 0.016 s are too short to move in"));
+              ElementsAre("page 5, step 2, Neck: the goal jumps by 1.05 degrees: 0.016 s are too short for a motion"));
   --page.step[1].position[19];
   EXPECT_THAT(checkPages(fileWith(page)), IsEmpty()) << "too little to be a jump";
   page.step[1].position[19] = 2048 + 100;
@@ -82,8 +83,8 @@ TEST(CheckPages, AJointWithoutAGainIsLimp) {
   page.slopes[14] = 0x77;
   page.slopes[21] = 0xFF;
   EXPECT_THAT(checkPages(fileWith(page)),
-              ElementsAre("page 5, LegLowerR: with a P gain of 4 the leg gives way; the least is 8",
-                          "page 5, Neck: its P gain is 0, the joint is limp while the page is played"));
+              ElementsAre("page 5, LegLowerR: with a P gain of 4 the leg collapses; the minimum is 8",
+                          "page 5, Neck: its P gain is 0; the joint is limp while the page is played"));
   page.repeat = 0;
   EXPECT_THAT(checkPages(fileWith(page)), IsEmpty()) << "it is never played";
 }
@@ -94,12 +95,12 @@ TEST(CheckPages, ARingIsToldOnceAndAnExitDoesNotEndIt) {
   pages[5].next = 7;
   pages[7].next = 5;
   pages[6].next = 7;
-  EXPECT_THAT(checkPages(pages), ElementsAre("page 5: 5 -> 7 -> 5 goes round for ever"));
+  EXPECT_THAT(checkPages(pages), ElementsAre("page 5: 5 -> 7 -> 5 never ends"));
   pages[7].exit = 6;
-  EXPECT_THAT(checkPages(pages), ElementsAre("page 5: 5 -> 7 -> 5 goes round for ever"));
+  EXPECT_THAT(checkPages(pages), ElementsAre("page 5: 5 -> 7 -> 5 never ends"));
   pages[7].exit = 0;
   pages[7].next = 7;
-  EXPECT_THAT(checkPages(pages), ElementsAre("page 7: 7 -> 7 goes round for ever"));
+  EXPECT_THAT(checkPages(pages), ElementsAre("page 7: 7 -> 7 never ends"));
   pages[7].next = 0;
   EXPECT_THAT(checkPages(pages), IsEmpty()) << "a chain ends";
 }
@@ -109,8 +110,9 @@ TEST(CheckPages, TheWayBackToTheFirstStepCountsToo) {
   page.step[1].position[19] = 2800;
   EXPECT_THAT(checkPages(fileWith(page)), IsEmpty());
   page.repeat = 2;
-  EXPECT_THAT(checkPages(fileWith(page)),
-              ElementsAre("page 5, step 1, Neck: 66.09 degrees in 0.080 s are 826 degrees/s; the servo's most is 702"));
+  EXPECT_THAT(
+      checkPages(fileWith(page)),
+      ElementsAre("page 5, step 1, Neck: 66.09 degrees in 0.080 s are 826 degrees/s; the servo's maximum is 702"));
 }
 
 TEST(CheckPages, TheWayToTheNextPageCountsToo) {
@@ -133,8 +135,8 @@ TEST(CheckBytes, EveryDamagedPageIsNamedAndTheOthersAreRead) {
   bytes[200 * kPageBytes] ^= 2U;
   const auto damages = checkBytes(bytes, pages);
   ASSERT_EQ(damages.size(), 2u);
-  EXPECT_TRUE(damages[0].starts_with("page 3, byte 1567: the checksum is wrong")) << damages[0];
-  EXPECT_TRUE(damages[1].starts_with("page 200, byte 102431: the checksum is wrong")) << damages[1];
+  EXPECT_TRUE(damages[0].starts_with("page 3, byte 1567: wrong checksum")) << damages[0];
+  EXPECT_TRUE(damages[1].starts_with("page 200, byte 102431: wrong checksum")) << damages[1];
   EXPECT_EQ(pages, good) << "the damaged ones are empty, as they were";
   bytes.pop_back();
   EXPECT_EQ(checkBytes(bytes, pages).size(), 1u);
@@ -158,7 +160,7 @@ TEST(Rehearse, APageAndThoseThatFollowIt) {
   page.next = 6;
   PageFile pages = fileWith(page);
   pages[6] = pageOf({stepTo(2000, 20)}, 8);
-  const Rehearsal played = rehearse(pages, 5, everywhere(2048));
+  const DryRun played = dryRun(pages, 5, everywhere(2048));
   ASSERT_EQ(played.sections.size(), 2u);
   EXPECT_THAT(played.sections[0].steps, ElementsAre(0u, 53u)) << "a step takes 3 ticks more than it says";
   EXPECT_EQ(played.sections[1].page, 6);
@@ -174,16 +176,16 @@ TEST(Rehearse, ARingIsPlayedOnceAndNothingForMoreThanAMinute) {
   pages[6] = pages[5];
   pages[5].next = 6;
   pages[6].next = 5;
-  const Rehearsal ring = rehearse(pages, 5, everywhere(2048));
+  const DryRun ring = dryRun(pages, 5, everywhere(2048));
   EXPECT_EQ(ring.sections.size(), 2u);
   EXPECT_TRUE(ring.cut);
   pages[5].next = 5;
-  const Rehearsal itself = rehearse(pages, 5, everywhere(2048));
+  const DryRun itself = dryRun(pages, 5, everywhere(2048));
   EXPECT_TRUE(itself.cut);
   EXPECT_EQ(itself.poses.size(), 1u + 53);
   pages[5].next = 0;
   pages[5].repeat = 255;
-  const Rehearsal long_one = rehearse(pages, 5, everywhere(2048));
+  const DryRun long_one = dryRun(pages, 5, everywhere(2048));
   EXPECT_TRUE(long_one.cut);
   EXPECT_NEAR(static_cast<double>(long_one.poses.size()) * 0.008, 60, 0.1);
 }

@@ -64,7 +64,7 @@ TEST_F(MotionCommand, ConvertsThereAndBack) {
   EXPECT_TRUE(isText(bytesOf(text)));
   EXPECT_EQ(bytesOf(back), bytesOf(file));
   EXPECT_EQ(run({"convert", file, folder_ / "no such folder/a"}), 2);
-  EXPECT_THAT(said_, HasSubstr("it cannot be written"));
+  EXPECT_THAT(said_, HasSubstr("cannot write "));
 }
 
 TEST_F(MotionCommand, ConvertsTheVendorsFileThereAndBack) {
@@ -83,7 +83,7 @@ TEST_F(MotionCommand, ChecksAndTellsByItsExitCode) {
   std::ofstream{file, std::ios::binary}.write(reinterpret_cast<const char*>(bytes.data()),
                                               static_cast<std::streamsize>(bytes.size()));
   EXPECT_EQ(run({"check", file}), 1);
-  EXPECT_THAT(said_, HasSubstr("page 12, byte 6175: the checksum is wrong"));
+  EXPECT_THAT(said_, HasSubstr("page 12, byte 6175: wrong checksum"));
   std::ofstream{file} << "darwinop motion 1\n[page 1]\nNeck = x\n";
   EXPECT_EQ(run({"check", file}), 1);
   EXPECT_THAT(said_, HasSubstr(file + ", line 3, page 1: Neck, step 1: 'x' is not an angle"));
@@ -219,7 +219,7 @@ TEST_F(MotionCommand, MistakesInTheArgumentsAreTold) {
   EXPECT_EQ(run({}), 2);
   EXPECT_EQ(run({"show", "x", "256"}), 2);
   EXPECT_EQ(run({"list", folder_ / "none"}), 2);
-  EXPECT_EQ(said_, "darwinop motion: " + (folder_ / "none") + ": it cannot be opened\n");
+  EXPECT_EQ(said_, "darwinop motion: " + (folder_ / "none") + ": cannot open the file\n");
   ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
   EXPECT_EQ(run({"list", folder_ / "pipe"}), 2);
   EXPECT_THAT(said_, HasSubstr("it is a pipe"));

@@ -44,7 +44,7 @@ TEST(Mirror, EverythingGoesToItsPlace) {
   EXPECT_EQ(other.step[0].position[0], 7) << "no joint";
   EXPECT_EQ(other.step[0].position[21], 7) << "no joint";
   EXPECT_EQ(other.slopes[4], 0x57) << "the partner has the same gain";
-  EXPECT_EQ(other.slopes[3], kUsualSlopes);
+  EXPECT_EQ(other.slopes[3], kDefaultSlopes);
   EXPECT_EQ(other.step[0].time, 10);
   EXPECT_EQ(other.step[0].pause, 3);
 }

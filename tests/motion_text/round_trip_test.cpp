@@ -41,7 +41,7 @@ TEST(MotionText, EveryWordOfTheFileHasATextOfItsOwn) {
 
 TEST(MotionText, APageLooksLikeThis) {
   PageFile pages = emptyFile();
-  pages[0] = unmentionedPage(0);
+  pages[0] = defaultPage(0);
   Page& page = pages[12];
   page = pageOf({stepTo(2048, 125), stepTo(1024, 25, 18)}, 32);
   for (Step& step : page.step)

@@ -63,10 +63,10 @@ TEST(MotionWatch, KeepsTheWorstOfEachJointAndWhenItWas) {
   auto& neck = seen.joint[index(Joint::kNeck)];
   neck.position = Rad{-0.2};
   neck.load = -0.5;
-  watch.look(seen, 1);
+  watch.update(seen, 1);
   neck.position = Rad{0.1};
   neck.load = 0.25;
-  watch.look(seen, 2);
+  watch.update(seen, 2);
   EXPECT_DOUBLE_EQ(watch.error(Joint::kNeck).value, 0.2);
   EXPECT_DOUBLE_EQ(watch.error(Joint::kNeck).seconds, 1);
   EXPECT_DOUBLE_EQ(watch.load(Joint::kNeck).value, 0.5);
@@ -81,7 +81,7 @@ TEST(MotionWatch, WhatIsOldOrLimpIsNoMeasurement) {
   neck.motion.missed();
   neck.position = Rad{1};
   head.commanded = Rad{};
-  watch.look(seen, 1);
+  watch.update(seen, 1);
   EXPECT_TRUE(std::isnan(watch.error(Joint::kNeck).value));
   EXPECT_TRUE(std::isnan(watch.error(Joint::kHead).value));
   EXPECT_THAT(watch.jointsText(), HasSubstr("Neck       not measured   load not measured\n"));
@@ -92,14 +92,14 @@ TEST(MotionWatch, TellsFaultsLimitsAndTheBusSinceTheFirstLook) {
   Sensors seen = following();
   seen.safety.limit_hits[0] = 7;
   seen.link.retries = 3;
-  watch.look(seen, 0);
+  watch.update(seen, 0);
   EXPECT_EQ(watch.faultsText(), "no faults, no goal cut, nothing lost on the bus\n");
   seen.safety.limit_hits[0] = 9;
   seen.link.retries = 4;
   seen.safety.active.set(2);
-  watch.look(seen, 1);
+  watch.update(seen, 1);
   seen.safety.active.reset();
-  watch.look(seen, 2);
+  watch.update(seen, 2);
   EXPECT_EQ(watch.faultsText(), "faults (docs/faults.md): " + std::string{kFaultTable[2].name} +
                                     "\ngoals cut by the safety layer: 2 position\nbus and loop: 1 retries\n");
 }

@@ -46,7 +46,7 @@ TEST(OwnPages, TextsGoTogether) {
 
 TEST(OwnPages, APageNumberInTwoTextsIsRefusedAndBothAreNamed) {
   EXPECT_EQ(refusalOf({{"one.txt", kOne}, {"other.txt", kOther}, {"third.txt", kOne}}),
-            "page 7 is in one.txt and in third.txt: give one of them another number");
+            "page 7 is in one.txt and in third.txt: change one of the numbers");
 }
 
 TEST(OwnPages, ABrokenTextIsNamed) {
