@@ -66,11 +66,10 @@ class Planner {
       const int line = setup.line_of[i] != 0 ? setup.line_of[i] : setup.line;
       where_[i] = {to, to};
       if (const std::string wrong = outside(joint, to); !wrong.empty()) fail(line, "[setup] " + wrong);
-      if (fastest > kMaxSetupSpeed)
+      if (fastest > kSetupMost)
         fail(line, "[setup] would move " + std::string{row(joint).name} + " at " + shortText(fastest) +
-                       " rad/s; at most " + shortText(kMaxSetupSpeed) +
-                       " rad/s are allowed: set a duration of at least " +
-                       shortText(std::ceil(kSteepest * std::abs(to - from) / kMaxSetupSpeed * 10) / 10) + " s");
+                       " rad/s; at most " + shortText(kSetupMost) + " rad/s are allowed: set a duration of at least " +
+                       shortText(std::ceil(kSteepest * std::abs(to - from) / kSetupMost * 10) / 10) + " s");
       if (std::abs(to - from) > kTolerance) plan_.setup.push_back({joint, from, to, fastest, false});
     }
   }

@@ -42,8 +42,8 @@ struct Plan {
 };
 
 // Motions to the setup pose and back are slow: half of the runtime's takeover speed.
-inline constexpr double kSlow = 0.6;           // rad/s, peak speed of the return
-inline constexpr double kMaxSetupSpeed = 1.2;  // rad/s, maximum in [setup]
+inline constexpr double kSlow = 0.6;       // rad/s, peak speed of the return
+inline constexpr double kSetupMost = 1.2;  // rad/s, maximum in [setup]
 
 /// Duration of a smooth motion over this distance at kSlow, s.
 double slowTime(double distance_rad);

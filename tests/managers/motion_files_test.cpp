@@ -1,4 +1,4 @@
-// Which file a motion manager reads, and when it plays the runtime's own pages.
+// Motion manager: selection of the motion file and of the built-in pages.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -16,13 +16,13 @@ using testing::internal::GetCapturedStderr;
 
 using MotionFiles = MotionManagerTest;
 
-/// With a data directory of its own.
+/// With another data directory.
 struct Elsewhere : DARwInOPMotionManager {
   Elsewhere(webots::Robot* robot, const std::string& file, const std::string& directory)
       : DARwInOPMotionManager(robot, file, directory) {}
 };
 
-TEST_F(MotionFiles, WithoutACustomFileItIsTheOneInTheDataDirectory) {
+TEST_F(MotionFiles, WithoutACustomFileUsesTheDataDirectory) {
   std::filesystem::copy(path_, folder_ / "motion_4096.bin");
   CaptureStderr();
   EXPECT_TRUE((Elsewhere{&robot(), path_, "/nowhere/"}.isCorrectlyInitialized()));
@@ -33,7 +33,7 @@ TEST_F(MotionFiles, WithoutACustomFileItIsTheOneInTheDataDirectory) {
   EXPECT_EQ(fake.published.size(), 8u) << "16 ticks of 8 ms";
 }
 
-TEST_F(MotionFiles, WithoutAnyFileItPlaysOwnPagesAndSaysSoOnce) {
+TEST_F(MotionFiles, WithoutAnyFilePlaysBuiltInPagesAndWarnsOnce) {
   CaptureStderr();
   Elsewhere missing{&robot(), "", folder_ / ""}, again{&robot(), "", folder_ / ""};
   EXPECT_EQ(GetCapturedStderr(), "darwinop: MotionManager: cannot find " + (folder_ / "motion_4096.bin") +
@@ -43,10 +43,10 @@ TEST_F(MotionFiles, WithoutAnyFileItPlaysOwnPagesAndSaysSoOnce) {
   EXPECT_TRUE(missing.isMotionPlaying());
   missing.step(1000);
   EXPECT_EQ(robot().step(16), 0);
-  EXPECT_NE(ticksOf(Joint::kLegLowerR), 2000) << "it stands up";
+  EXPECT_NE(ticksOf(Joint::kLegLowerR), 2000) << "page 9 stands up";
 }
 
-TEST_F(MotionFiles, OwnPagesCanBeAskedForByName) {
+TEST_F(MotionFiles, BuiltInPagesAreSelectedByName) {
   std::filesystem::copy(path_, folder_ / "motion_4096.bin");
   CaptureStderr();
   Elsewhere manager{&robot(), "own", folder_ / ""};
@@ -55,7 +55,7 @@ TEST_F(MotionFiles, OwnPagesCanBeAskedForByName) {
   EXPECT_EQ(GetCapturedStderr(), "");
 }
 
-TEST_F(MotionFiles, OwnPagesNeverReplaceAFile) {
+TEST_F(MotionFiles, BuiltInPagesNeverReplaceAFile) {
   CaptureStderr();
   DARwInOPMotionManager missing{&robot(), folder_ / "none.bin"};
   EXPECT_FALSE(missing.isCorrectlyInitialized());
@@ -70,7 +70,7 @@ TEST_F(MotionFiles, OwnPagesNeverReplaceAFile) {
   std::filesystem::create_symlink("/nowhere/at/all", folder_ / "motion_4096.bin");
   forgetWarnings();
   CaptureStderr();
-  EXPECT_FALSE((Elsewhere{&robot(), "", folder_ / ""}.isCorrectlyInitialized())) << "a link to a disk that is away";
+  EXPECT_FALSE((Elsewhere{&robot(), "", folder_ / ""}.isCorrectlyInitialized())) << "a dangling symbolic link";
   EXPECT_THAT(GetCapturedStderr(), HasSubstr("cannot open the file; no page will be played"));
 }
 

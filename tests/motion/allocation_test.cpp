@@ -1,4 +1,4 @@
-// Once it is made, the player allocates nothing.
+// The player allocates nothing after construction.
 #include <gtest/gtest.h>
 
 #include "motion/pages.hpp"

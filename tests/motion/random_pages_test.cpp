@@ -1,4 +1,4 @@
-// Random pages: the player does what the rules say, in any chain, from any pose, with a stop at any tick.
+// Random pages: the player equals the reference implementation, for any chain, initial pose and stop.
 #include <gtest/gtest.h>
 
 #include "motion/naive.hpp"
@@ -13,7 +13,7 @@ Pose randomPose(std::mt19937& dice) {
   return pose;
 }
 
-TEST(RandomPages, ThePlayerDoesWhatTheRulesSay) {
+TEST(RandomPages, ThePlayerEqualsTheReference) {
   std::mt19937 dice{11};
   std::size_t ticks = 0;
   for (int run = 0; run < 300; ++run) {
@@ -37,9 +37,9 @@ TEST(RandomPages, ThePlayerDoesWhatTheRulesSay) {
   EXPECT_GT(ticks, 100'000u);
 }
 
-// What the joints' speed promises: 1023 units are 2.4 * 1023 / 256 ticks a call at most, and the two ends of a
-// section add rounding. Steps too short to move in are left out: they are jumps by design of the format.
-TEST(RandomPages, TheFirstMoveFromAnyPoseBeginsGently) {
+// Speed bound: 1023 units are at most 2.4 * 1023 / 256 ticks per call, plus rounding at both ends of a section. Steps
+// too short for a motion are excluded: they are jumps by design of the format.
+TEST(RandomPages, TheFirstStepFromAnyPoseIsLimitedInSpeed) {
   std::mt19937 dice{12};
   for (int run = 0; run < 200; ++run) {
     PageFile pages = emptyFile();

@@ -1,4 +1,4 @@
-// Left and right swapped: where everything goes, and that twice is the same page again.
+// Mirroring of pages.
 #include "managers/motion_text/mirror.hpp"
 
 #include <gtest/gtest.h>
@@ -25,9 +25,9 @@ TEST(Mirror, TickZeroHasNone) {
   EXPECT_EQ(mirrored(page).step[0].position[2], 1);
 }
 
-TEST(Mirror, EverythingGoesToItsPlace) {
+TEST(Mirror, SwapsPositionsAndGains) {
   Page page = pageOf({stepTo(kUnusedWord, 10, 3)});
-  page.step[0].position[1] = 1500;   // right shoulder, 548 below the middle
+  page.step[0].position[1] = 1500;   // right shoulder, 548 below the centre
   page.step[0].position[14] = 2100;  // left knee
   page.step[0].position[17] = kKeep;
   page.step[0].position[19] = 2000;  // pan
@@ -41,8 +41,8 @@ TEST(Mirror, EverythingGoesToItsPlace) {
   EXPECT_EQ(other.step[0].position[18], kKeep);
   EXPECT_EQ(other.step[0].position[19], 2096);
   EXPECT_EQ(other.step[0].position[20], 2200);
-  EXPECT_EQ(other.step[0].position[0], 7) << "no joint";
-  EXPECT_EQ(other.step[0].position[21], 7) << "no joint";
+  EXPECT_EQ(other.step[0].position[0], 7) << "not a joint";
+  EXPECT_EQ(other.step[0].position[21], 7) << "not a joint";
   EXPECT_EQ(other.slopes[4], 0x57) << "the partner has the same gain";
   EXPECT_EQ(other.slopes[3], kDefaultSlopes);
   EXPECT_EQ(other.step[0].time, 10);

@@ -1,4 +1,4 @@
-// What is wrong with a text is said with file, line and field.
+// Error messages of the text format: file, line, field.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -17,7 +17,7 @@ std::string sentenceAbout(const std::string& text) {
   return "it is accepted";
 }
 
-/// About a page whose first field is on line 3.
+/// Error message for a page whose first field is in line 3.
 std::string inPage(const std::string& lines) {
   return sentenceAbout("darwinop motion 1\n[page 7]\n" + lines);
 }
@@ -43,7 +43,7 @@ TEST(MotionTextErrors, OfAField) {
             "a.txt, line 3, page 7: 'knee' is not a field of a page; use a joint name, or one of name, repeat, next, "
             "exit, speed, acceleration, schedule, steps, time, rate, pause, gain JOINT, others");
   EXPECT_EQ(inPage("gain knee = 8").substr(0, 37), "a.txt, line 3, page 7: 'gain knee' is");
-  EXPECT_EQ(inPage("id 5 = 8").substr(0, 30), "a.txt, line 3, page 7: 'id 5' ") << "it has a name";
+  EXPECT_EQ(inPage("id 5 = 8").substr(0, 30), "a.txt, line 3, page 7: 'id 5' ") << "it is a joint";
   EXPECT_EQ(inPage("next = 1\n\nnext = 1\n"), "a.txt, line 5, page 7: next: set twice in this page; remove one");
   for (const std::string field : {"repeat", "next", "exit", "speed"})
     EXPECT_EQ(inPage(field + " = 256"), "a.txt, line 3, page 7: " + field + ": '256' is not an integer from 0 to 255");
@@ -69,7 +69,7 @@ TEST(MotionTextErrors, OfARow) {
       " is not an angle: degrees from -180.00 to 179.91, 'keep', or a word of the file such as 0x4000";
   for (const std::string wrong : {"x", "180", "-181", "nan", "0x", "0x12345", "1,5", "Keep"})
     EXPECT_EQ(inPage("Neck = 0 " + wrong), "a.txt, line 3, page 7: Neck, step 2: '" + wrong + "'" + angle);
-  EXPECT_EQ(inPage("Neck = \x1b[2J"), "a.txt, line 3, page 7: Neck, step 1: '?[2J'" + angle) << "fit for a terminal";
+  EXPECT_EQ(inPage("Neck = \x1b[2J"), "a.txt, line 3, page 7: Neck, step 1: '?[2J'" + angle) << "no control characters";
   EXPECT_EQ(inPage("time = -1"),
             "a.txt, line 3, page 7: time, step 1: '-1' is not a time: 0 to 2.04 seconds, in "
             "steps of 0.008");
@@ -81,7 +81,7 @@ TEST(MotionTextErrors, OfARow) {
             "every row");
 }
 
-TEST(MotionTextErrors, OfAPageAreToldWithTheLineOfItsHeading) {
+TEST(MotionTextErrors, OfAPageHaveTheLineOfItsHeading) {
   EXPECT_EQ(inPage("Neck = 0\n[page 8]\n"),
             "a.txt, line 2, page 7: time: the row is missing; add it to set the duration of each step");
   EXPECT_EQ(inPage("rate = 1"), "a.txt, line 2, page 7: rate: a page by time needs a row 'time' instead");

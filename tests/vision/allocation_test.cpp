@@ -1,4 +1,4 @@
-// Once it is made, the finder allocates nothing.
+// The colour finder allocates nothing after construction.
 #include <gtest/gtest.h>
 
 #include <random>
