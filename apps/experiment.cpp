@@ -43,7 +43,7 @@ struct Arguments {
 
 int list() {
   int status = kDone;
-  const std::vector<std::string> files = suiteFiles();
+  const std::vector<std::string> files = batteryFiles();
   for (const std::string& file : files) try {
       const Experiment experiment = readExperiment(file);
       const Plan plan = makePlan(experiment, darwinop::safety::hardRanges());
@@ -57,7 +57,7 @@ int list() {
       std::cerr << "darwinop experiment: " << wrong.what() << '\n';
       status = kWrong;
     }
-  if (files.empty()) throw std::runtime_error("there are no experiments in " + suiteFolders().back());
+  if (files.empty()) throw std::runtime_error("there are no experiments in " + batteryFolders().back());
   return status;
 }
 

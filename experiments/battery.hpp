@@ -7,10 +7,10 @@
 namespace darwinop::experiments {
 
 /// Search path: $DARWINOP_EXPERIMENTS, then the experiments installed with the program.
-std::vector<std::string> suiteFolders();
+std::vector<std::string> batteryFolders();
 
 /// Paths of all experiments in these folders, sorted by name; the first folder with a name takes precedence.
-std::vector<std::string> suiteFiles();
+std::vector<std::string> batteryFiles();
 
 /// The file of an experiment, given by path or name. Throws std::runtime_error with the list of names.
 std::string findExperiment(const std::string& name);
