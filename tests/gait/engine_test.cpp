@@ -19,7 +19,7 @@ constexpr int kCallsPerPeriod = 75;  // of 600 ms
 
 struct Scenario {
   const char* name;
-  WalkCommand wish;
+  WalkCommand command;
   Tilt tilt;
   bool shipped_file;
   int stop_before;  // call; -1: never
@@ -47,7 +47,7 @@ TEST(GaitEngine, EqualsTheReferenceInEveryTick) {
       if (expected.scenario != scenario.name) continue;
       if (call == scenario.stop_before) engine.stop();
       ASSERT_EQ(expected.call, call);
-      ASSERT_EQ(engine.next(scenario.wish, scenario.tilt).tick, expected.tick) << scenario.name << " call " << call;
+      ASSERT_EQ(engine.next(scenario.command, scenario.tilt).tick, expected.tick) << scenario.name << " call " << call;
       ASSERT_EQ(engine.running(), expected.running_after) << scenario.name << " call " << call;
       ++call;
       ++compared;
@@ -58,7 +58,7 @@ TEST(GaitEngine, EqualsTheReferenceInEveryTick) {
 }
 
 /// Maximum difference between flawed and exact kinematics at these joints in three periods, ticks.
-int flawAt(Joint right, Joint left, const WalkCommand& wish) {
+int flawAt(Joint right, Joint left, const WalkCommand& command) {
   Parameters flawed = shipped(), exact = shipped();
   exact.ik = Ik::kExact;
   Engine one{flawed}, other{exact};
@@ -66,7 +66,7 @@ int flawAt(Joint right, Joint left, const WalkCommand& wish) {
   other.start();
   int greatest = 0;
   for (int call = 0; call < 3 * kCallsPerPeriod; ++call) {
-    const Goals a = one.next(wish, kUnseen), b = other.next(wish, kUnseen);
+    const Goals a = one.next(command, kUnseen), b = other.next(command, kUnseen);
     greatest = std::max({greatest, std::abs(a[right] - b[right]), std::abs(a[left] - b[left])});
   }
   return greatest;
@@ -91,17 +91,17 @@ TEST(GaitEngine, StandsBeforeTheStart) {
 }
 
 /// Calls until rest after a stop before this call; at most 1000.
-int callsToRest(const WalkCommand& wish, int stop_before) {
+int callsToRest(const WalkCommand& command, int stop_before) {
   Engine engine{Parameters{}};
   engine.start();
-  for (int call = 0; call < stop_before; ++call) engine.next(wish, kUnseen);
+  for (int call = 0; call < stop_before; ++call) engine.next(command, kUnseen);
   engine.stop();
   int calls = 0;
   while (engine.running() && calls < 1000) {
-    engine.next(wish, kUnseen);
+    engine.next(command, kUnseen);
     ++calls;
   }
-  EXPECT_EQ(engine.next(wish, kUnseen).tick, kStanding.tick) << stop_before;
+  EXPECT_EQ(engine.next(command, kUnseen).tick, kStanding.tick) << stop_before;
   EXPECT_FALSE(engine.running());
   return calls;
 }

@@ -31,7 +31,7 @@ Parameters anyParameters() {
   return p;
 }
 
-WalkCommand anyWish() {
+WalkCommand anyCommand() {
   return {within(-1, 1), within(-1, 1), within(-1, 1), *rc::gen::arbitrary<bool>()};
 }
 
@@ -84,13 +84,13 @@ RC_GTEST_PROP(Gait, AsksForWhatServosCanDoWhateverHappens, ()) {
     const int what = stretch == 0 ? 0 : *rc::gen::inRange(0, 5);
     if (what == 0) walk.start(joints.at());
     if (what == 1) walk.stop();
-    const WalkCommand wish = anyWish();
+    const WalkCommand command = anyCommand();
     const bool balance = *rc::gen::arbitrary<bool>();
     GyroCounts gyro = anyGyro();
     const int ticks = *rc::gen::inRange(1, stretch == 0 ? 1500 : 150);
     for (int tick = 0; tick < ticks; ++tick) {
       const bool moves = !walk.resting();
-      walk.tick(wish, balance, gyro);
+      walk.tick(command, balance, gyro);
       if (moves) joints.take(walk.pose());
       gyro.roll = 1023 - gyro.roll;  // alternating
     }
@@ -99,7 +99,7 @@ RC_GTEST_PROP(Gait, AsksForWhatServosCanDoWhateverHappens, ()) {
   // Approach, 1.5 periods, and half a turn at servo speed.
   int left = static_cast<int>((walk.approachMs() + 1.5 * walk.parameters().period_time + 256) / kTickMs) + 5;
   for (; !walk.resting() && left > 0; --left) {
-    walk.tick(anyWish(), true, {512, 512});
+    walk.tick(anyCommand(), true, {512, 512});
     joints.take(walk.pose());
   }
   RC_ASSERT(walk.resting());
@@ -109,15 +109,15 @@ RC_GTEST_PROP(Gait, AsksForWhatServosCanDoWhateverHappens, ()) {
 }
 
 /// Maximum change between two calls, ticks, over intervals with different commands.
-int greatestJump(const Parameters& p, const std::array<WalkCommand, 4>& wishes) {
+int greatestJump(const Parameters& p, const std::array<WalkCommand, 4>& commands) {
   const Tilt unseen{std::nan(""), std::nan("")};
   Engine engine{p};
   engine.start();
   int greatest = 0;
   Goals last = engine.goals();
-  for (const WalkCommand& wish : wishes) {
+  for (const WalkCommand& command : commands) {
     for (int call = 0; call < 90; ++call) {
-      const Goals goals = engine.next(wish, unseen);
+      const Goals goals = engine.next(command, unseen);
       for (std::size_t i = 0; i < kWalkingJoints; ++i)
         greatest = std::max(greatest, std::abs(goals.tick[i] - last.tick[i]));
       last = goals;
@@ -127,10 +127,10 @@ int greatestJump(const Parameters& p, const std::array<WalkCommand, 4>& wishes) 
 }
 
 RC_GTEST_PROP(Gait, WalksForwardsAndBackwardsWithoutJumps, ()) {
-  std::array<WalkCommand, 4> wishes;
-  for (WalkCommand& wish : wishes) wish.x = within(-1, 1);
+  std::array<WalkCommand, 4> commands;
+  for (WalkCommand& command : commands) command.x = within(-1, 1);
   // 8 rad/s at a knee, so the speed limit has no effect. A change of x takes effect where it causes no jump.
-  RC_ASSERT(greatestJump(Parameters{}, wishes) <= 42);
+  RC_ASSERT(greatestJump(Parameters{}, commands) <= 42);
 }
 
 }  // namespace

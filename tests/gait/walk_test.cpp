@@ -57,13 +57,13 @@ TEST(Approach, TakesNoTimeIfTheRobotIsInTheStance) {
 }
 
 TEST(GyroCentre, IsTheMeanAtRest) {
-  std::mt19937 dice{7};
+  std::mt19937 rng{7};
   std::normal_distribution<double> noise{0, 1};
   GyroCentre centre;
   for (int i = 0; i < GyroCentre::kSamples; ++i) {
     EXPECT_FALSE(centre.known());
     EXPECT_FALSE(centre.tilt(512, 512).roll == 0);
-    centre.add(508 + noise(dice), 516 + noise(dice));
+    centre.add(508 + noise(rng), 516 + noise(rng));
     centre.add(kSilent, 512);
   }
   ASSERT_TRUE(centre.known());

@@ -25,12 +25,12 @@ class VisionManager : public testing::Test {
     testing::internal::CaptureStderr();
   }
   ~VisionManager() override {
-    if (!heard_) {
+    if (!logged_) {
       EXPECT_EQ(logged(), "") << "unexpected message";
     }
   }
   std::string logged() {
-    heard_ = true;
+    logged_ = true;
     return testing::internal::GetCapturedStderr();
   }
   static Manager makeRedFinder() { return Manager{40, 30, 0, 15, 60, 15, 0, 50}; }
@@ -49,7 +49,7 @@ class VisionManager : public testing::Test {
   Picture ball = Picture{40, 30}.box(10, 20, 4, 5);
 
  private:
-  bool heard_ = false;
+  bool logged_ = false;
 };
 
 using Names = testing::Types<DARwInOPVisionManager, RobotisOp2VisionManager>;

@@ -70,9 +70,9 @@ TEST(PageFile, FieldsHaveTheOffsetsOfTheFormat) {
 }
 
 TEST(PageFile, AnyFileIsUnchangedByReadingAndWriting) {
-  std::mt19937 dice{7};
+  std::mt19937 rng{7};
   for (int run = 0; run < 20; ++run) {
-    PageFile pages = randomFile(dice);
+    PageFile pages = randomFile(rng);
     pages[0].has_checksum = true;
     const Bytes bytes = encodePages(pages);
     ASSERT_EQ(decodePages(bytes), pages);

@@ -11,15 +11,15 @@
 namespace darwinop::motion {
 
 /// Random in every bit within the format; sometimes with default values.
-inline Page anyPage(std::mt19937& random) {
-  const auto byte = [&random] { return static_cast<std::uint8_t>(random()); };
-  const auto one = [&random](unsigned in) { return random() % in == 0; };
+inline Page anyPage(std::mt19937& rng) {
+  const auto byte = [&rng] { return static_cast<std::uint8_t>(rng()); };
+  const auto one = [&rng](unsigned in) { return rng() % in == 0; };
   Page page = emptyPage();
   if (one(2))
     for (char& letter : page.name) letter = static_cast<char>(byte());
   else
-    for (std::size_t i = random() % 14; i > 0; --i) page.name.at(i - 1) = static_cast<char>(' ' + random() % 95);
-  page.steps = static_cast<std::uint8_t>(random() % 8);
+    for (std::size_t i = rng() % 14; i > 0; --i) page.name.at(i - 1) = static_cast<char>(' ' + rng() % 95);
+  page.steps = static_cast<std::uint8_t>(rng() % 8);
   page.repeat = one(2) ? byte() : std::uint8_t{1};
   page.schedule = one(2) ? kTimeBased : kSpeedBased;
   if (!page.canPlay() && one(2)) page.schedule = byte();
@@ -32,15 +32,15 @@ inline Page anyPage(std::mt19937& random) {
     if (one(2)) slopes = byte();
   if (one(2))
     for (std::uint8_t& rest : page.rest) rest = byte();
-  const auto others = random() % 3;  // default, equal within a step, or random
+  const auto others = rng() % 3;  // default, equal within a step, or random
   for (Step& step : page.step) {
     if (one(3)) continue;
     step.time = byte();
     step.pause = byte();
-    const auto other = static_cast<std::uint16_t>(random());
+    const auto other = static_cast<std::uint16_t>(rng());
     for (std::size_t id = 0; id < kServos; ++id) {
       const bool joint = id >= 1 && id <= kJoints;
-      if (joint || others == 2) step.position.at(id) = static_cast<std::uint16_t>(one(4) ? random() : random() % 4096);
+      if (joint || others == 2) step.position.at(id) = static_cast<std::uint16_t>(one(4) ? rng() : rng() % 4096);
       if (!joint && others == 1) step.position.at(id) = other;
     }
   }
@@ -48,10 +48,10 @@ inline Page anyPage(std::mt19937& random) {
 }
 
 /// Most pages are empty, as in real files. Page 0 is all zeros or random.
-inline PageFile anyFile(std::mt19937& random) {
+inline PageFile anyFile(std::mt19937& rng) {
   PageFile pages(kPages, emptyPage());
-  for (int i = 0; i < 12; ++i) pages[random() % kPages] = anyPage(random);
-  if (random() % 2 == 0) {
+  for (int i = 0; i < 12; ++i) pages[rng() % kPages] = anyPage(rng);
+  if (rng() % 2 == 0) {
     std::vector<std::uint8_t> bytes = encodePages(pages);
     std::fill_n(bytes.begin(), kPageBytes, std::uint8_t{0});
     pages = decodePages(bytes);

@@ -12,8 +12,8 @@ namespace darwinop::motion {
 namespace {
 
 RC_GTEST_PROP(Mirror, TwiceIsTheSamePage, (std::uint32_t seed)) {
-  std::mt19937 dice{seed};
-  Page page = anyPage(dice);
+  std::mt19937 rng{seed};
+  Page page = anyPage(rng);
   for (Step& step : page.step)
     for (std::uint16_t& word : step.position) word = std::max<std::uint16_t>(word, 1);  // see the next test
   RC_ASSERT(mirrored(mirrored(page)) == page);

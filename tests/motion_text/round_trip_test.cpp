@@ -16,8 +16,8 @@ std::vector<std::uint8_t> throughText(const std::vector<std::uint8_t>& bytes) {
 }
 
 RC_GTEST_PROP(MotionText, AnyFileSurvivesTheWayThroughText, (std::uint32_t seed)) {
-  std::mt19937 dice{seed};
-  const std::vector<std::uint8_t> bytes = encodePages(anyFile(dice));
+  std::mt19937 rng{seed};
+  const std::vector<std::uint8_t> bytes = encodePages(anyFile(rng));
   RC_ASSERT(throughText(bytes) == bytes);
 }
 

@@ -77,9 +77,9 @@ std::uint32_t number(const char* variable, std::uint32_t otherwise) {
 TEST(GetUp, FromRandomFalls) {
   const PageFile pages = ownPages();
   const std::uint32_t falls = number("DARWINOP_FALLS", 1), seed = number("DARWINOP_SEED", 1);
-  std::mt19937 dice{seed};
-  const auto within = [&dice](double low, double high) {
-    return low + (high - low) * static_cast<double>(dice() >> 8) / 0x1p24;
+  std::mt19937 rng{seed};
+  const auto within = [&rng](double low, double high) {
+    return low + (high - low) * static_cast<double>(rng() >> 8) / 0x1p24;
   };
   for (const bool front : {true, false}) {
     std::uint32_t lay = 0, up = 0, later = 0;

@@ -66,7 +66,7 @@ RC_GTEST_PROP(Friction, HoldsARestingJointUnderEveryLoadBelowIt, ()) {
 }
 
 // Above the threshold it moves in the direction of the load.
-RC_GTEST_PROP(Friction, LetsGoAboveIt, ()) {
+RC_GTEST_PROP(Friction, DoesNotHoldAboveIt, ()) {
   const double start = within(0.1, 3), dry = within(0.01, 0.3), weight = 1.02 * dry / std::sin(start);
   Bench bench{ServoParameters{}, friction(dry, 0), {.payload_kg = weight / 9.80665, .length_m = 1}};
   bench.reset({.start_rad = start});

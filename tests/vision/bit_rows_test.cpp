@@ -36,22 +36,22 @@ void compare(const naive::Mask& mask) {
 }
 
 TEST(BitRows, OpeningEqualsTheNaiveOneAtEverySize) {
-  std::mt19937 dice{3};
+  std::mt19937 rng{3};
   for (const int width : {1, 2, 3, 4, 5, 17, 63, 64, 65, 66, 127, 128, 129, 193})
     for (const int height : {1, 2, 3, 4, 5, 20})
       for (const unsigned gaps : {0u, 1000u, 40u, 12u, 3u}) {  // one in this many pixels is not set; 0: all are set
         naive::Mask mask{width, height};
-        for (char& pixel : mask.set) pixel = gaps == 0 || dice() % gaps != 0;
+        for (char& pixel : mask.set) pixel = gaps == 0 || rng() % gaps != 0;
         compare(mask);
       }
 }
 
 TEST(BitRows, OpeningEqualsTheNaiveOneAtCameraSizes) {
-  std::mt19937 dice{4};
+  std::mt19937 rng{4};
   for (const int width : {160, 320})
     for (const unsigned gaps : {0u, 200u, 20u}) {
       naive::Mask mask{width, 3 * width / 4};
-      for (char& pixel : mask.set) pixel = gaps == 0 || dice() % gaps != 0;
+      for (char& pixel : mask.set) pixel = gaps == 0 || rng() % gaps != 0;
       compare(mask);
     }
 }

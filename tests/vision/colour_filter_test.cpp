@@ -159,12 +159,12 @@ TEST(ColourFilter, NumbersFarOutOfRangeDoNotOverflow) {
 
 // Rows of any length: last pixels and padding.
 TEST(ColourFilter, RowsOfAnyLengthHaveZeroPadding) {
-  std::mt19937 dice{1};
+  std::mt19937 rng{1};
   const ColourTest test = compile({15, 100, -1, -1});
   for (int width = 1; width <= 200; ++width) {
     std::vector<std::uint8_t> bgra(
         4 * static_cast<std::size_t>(width));  // exact size, so that the sanitizer detects reads beyond it
-    for (std::uint8_t& byte : bgra) byte = static_cast<std::uint8_t>(dice() % 4);
+    for (std::uint8_t& byte : bgra) byte = static_cast<std::uint8_t>(rng() % 4);
     const std::size_t words = (static_cast<std::size_t>(width) + 63) / 64;
     std::vector<std::uint64_t> expected(words);
     for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i)

@@ -111,12 +111,12 @@ TEST(ColourFinder, InvalidSizesThrow) {
 }
 
 TEST(ColourFinder, TwoThousandRandomPicturesGiveTheNaiveResult) {
-  std::mt19937 dice{20131016};
-  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>{0, most}(dice); };
+  std::mt19937 rng{20131016};
+  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>{0, most}(rng); };
   int found = 0;
   for (int i = 0; i < 2000; ++i) {
     const int width = 1 + up_to(i % 10 == 0 ? 199 : 79), height = 1 + up_to(29);
-    const Picture picture = randomPicture(width, height, dice);
+    const Picture picture = randomPicture(width, height, rng);
     // Half of the thresholds are near red, so that something is found; the others are random.
     const Thresholds wanted = i % 2 == 0 ? Thresholds{(350 + up_to(20)) % 361, 5 + up_to(30), up_to(60), up_to(40)}
                                          : Thresholds{up_to(360), up_to(180), up_to(101) - 1, up_to(101) - 1};

@@ -45,8 +45,8 @@ class Picture {
 };
 
 /// Boxes of a few colours and single pixels of any colour.
-inline Picture randomPicture(int width, int height, std::mt19937& dice) {
-  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>{0, most}(dice); };
+inline Picture randomPicture(int width, int height, std::mt19937& rng) {
+  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>{0, most}(rng); };
   const auto any = [&] { return static_cast<std::uint8_t>(up_to(255)); };
   Picture picture{width, height, {any(), any(), any()}};
   for (int boxes = up_to(12); boxes > 0; --boxes) {

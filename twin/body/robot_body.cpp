@@ -78,7 +78,7 @@ struct RobotBody::Parts {
   std::int64_t now_ns = 0, next_firmware_ns = 0, pending_ns = 0, push_until_ns = 0;
   std::uint64_t samples = 0;
   BodyState state;
-  std::array<char, 400> trouble{};
+  std::array<char, 400> error{};
 };
 
 // Warnings after which the simulation is invalid. MuJoCo only counts them, then resets the state or drops contacts.
@@ -90,7 +90,7 @@ void RobotBody::Parts::checkWarnings() noexcept {
 
 void RobotBody::Parts::stopSimulation(const char* why) noexcept {
   std::snprintf(
-      trouble.data(), trouble.size(),
+      error.data(), error.size(),
       "the simulation stopped at %.3f s, the robot no longer moves: %.120s. Check the model for extreme values, or "
       "reduce [body] step",
       static_cast<double>(now_ns) * 1e-9, why);
@@ -151,7 +151,7 @@ void RobotBody::step(Nanos dt, const Drives& drives) noexcept {
 }
 
 const char* RobotBody::trouble() const noexcept {
-  return parts_->trouble[0] == '\0' ? nullptr : parts_->trouble.data();
+  return parts_->error[0] == '\0' ? nullptr : parts_->error.data();
 }
 
 const BodyState& RobotBody::state() const noexcept {
