@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/plan.hpp"
-#include "experiments/shape.hpp"
+#include "experiments/format/plan.hpp"
+#include "experiments/format/shape.hpp"
 
 namespace darwinop::gap {
 namespace {

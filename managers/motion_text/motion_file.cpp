@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "hal/text_file.hpp"
 #include "managers/motion_text/page_text.hpp"
-#include "settings/text_file.hpp"
 
 namespace darwinop::motion {
 
@@ -40,7 +40,7 @@ void writeWhole(const std::filesystem::path& path, const char* data, std::size_t
 }  // namespace
 
 std::vector<std::uint8_t> readBytes(const std::filesystem::path& path) {
-  const std::optional<std::string> bytes = settings::readTextFile(path.string(), kMaxBytes);
+  const std::optional<std::string> bytes = readTextFile(path.string(), kMaxBytes);
   if (!bytes) throw std::runtime_error(path.string() + ": cannot open the file");
   return {bytes->begin(), bytes->end()};
 }

@@ -1,18 +1,12 @@
 // Reference definition of the colour filter. colour_test.hpp is equivalent without divisions.
 #pragma once
 
+#include "core/colour_search.hpp"
 #include "managers/vision/hsv.hpp"
 
 namespace darwinop::vision {
 
-/// Defaults of the robot's original software, for its red ball.
-struct Thresholds {
-  int hue = 356;            // degrees, 0..360
-  int hue_tolerance = 15;   // degrees, 0..180
-  int min_saturation = 50;  // percent, 0..100, exclusive. Below 0: any, including grey
-  int min_value = 10;       // percent, 0..100, exclusive. Below 0: any, including grey
-  bool operator==(const Thresholds&) const = default;
-};
+using Thresholds = ColourThresholds;
 
 /// Open interval of hues; passes through 0 if low > high.
 struct HueArc {

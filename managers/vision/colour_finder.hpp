@@ -5,22 +5,14 @@
 #include <optional>
 #include <span>
 
+#include "core/colour_search.hpp"
 #include "managers/vision/bit_rows.hpp"
 #include "managers/vision/classify.hpp"
 
 namespace darwinop::vision {
 
-struct Pixel {
-  int x, y;  // right and down from the top left corner
-  bool operator==(const Pixel&) const = default;
-};
-
-/// Allowed percentage of detected pixels: min < percentage <= max.
-struct PercentLimits {
-  double min = 0.07;
-  double max = 30.0;
-  bool operator==(const PercentLimits&) const = default;
-};
+using darwinop::PercentLimits;
+using darwinop::Pixel;
 
 /// Allocates only on construction. Not thread-safe.
 class ColourFinder {

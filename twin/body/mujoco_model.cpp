@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "settings/text_file.hpp"
+#include "hal/text_file.hpp"
 #include "twin/body/mujoco_guard.hpp"
 #include "twin/body/trunk.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr double kFrictionSteps = 2;  // minimum time constant of a friction constraint in MuJoCo, steps
 
 std::string readText(const std::string& path) {
-  const std::optional<std::string> text = settings::readTextFile(path);
+  const std::optional<std::string> text = readTextFile(path);
   if (!text)
     throw std::runtime_error{"cannot read the body file " + path + "; check `xml` in section [body] of the model"};
   return *text;

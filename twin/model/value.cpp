@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "settings/safety_sections.hpp"
+#include "core/text/letter_case.hpp"
 #include "twin/model/keys.hpp"
 #include "twin/model/nearest.hpp"
 
@@ -30,7 +30,7 @@ void readInto(T& value, const KeyRow& row, std::string_view text) {
   if constexpr (std::is_same_v<T, double>) {
     value = readNumber(text, row.number);
   } else if constexpr (kIsWord<T>) {
-    const auto found = std::ranges::find(row.words, settings::lowered(text));
+    const auto found = std::ranges::find(row.words, text::lowered(text));
     if (found == row.words.end()) throw std::runtime_error("give " + allowed(row));
     value = static_cast<T>(found - row.words.begin());
   } else if constexpr (std::is_same_v<T, std::string>) {
