@@ -7,7 +7,7 @@
 
 namespace darwinop::logs {
 
-struct Unit {
+struct ColumnUnit {
   std::string_view symbol;  // in brackets
   std::string_view suffix;  // after an underscore
 };

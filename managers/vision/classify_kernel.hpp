@@ -12,13 +12,13 @@ namespace darwinop::vision {
 
 /// V: register of bytes in lanes of 16; widening and narrowing stay within a lane.
 template <class V>
-class Kernel {
+class ClassifyKernel {
   using Reg = typename V::Reg;
 
  public:
   static constexpr int kPixels = V::kBytes;
 
-  explicit Kernel(const ColourTest& test)
+  explicit ClassifyKernel(const ColourTest& test)
       : first_{V::table(test.minus_first)},
         end_{V::table(test.minus_end)},
         most_{V::all(test.least_most)},
@@ -72,8 +72,8 @@ class Kernel {
 
 template <class V>
 void classifyWith(const ColourTest& test, const std::uint8_t* bgra, int width, std::uint64_t* bits) {
-  const Kernel<V> kernel{test};
-  constexpr int kPixels = Kernel<V>::kPixels;
+  const ClassifyKernel<V> kernel{test};
+  constexpr int kPixels = ClassifyKernel<V>::kPixels;
   int x = 0;
   for (; x + 64 <= width; x += 64) {
     std::uint64_t word = 0;

@@ -104,7 +104,7 @@ std::vector<LogCurve> speed(const logs::Log& log) {
   const auto j = joint(log, &JointColumns::speed);
   if (!j || j->speed == nullptr) return {};
   std::vector<std::pair<double, double>> sweeps;
-  for (const Step& step : largeSteps(*j, startRow(log)))
+  for (const GoalStep& step : largeSteps(*j, startRow(log)))
     if (const double time = arrival(log, *j, step); !std::isnan(time))
       sweeps.emplace_back(j->speed->values[step.begin], time);
   std::sort(sweeps.begin(), sweeps.end());
@@ -135,7 +135,7 @@ std::vector<LogCurve> gain(const logs::Log& log) {
   const auto j = joint(log, &JointColumns::p_gain);
   if (!j || j->p_gain == nullptr) return {};
   std::vector<LogCurve> pieces;
-  for (const Step& step : largeSteps(*j, startRow(log))) {
+  for (const GoalStep& step : largeSteps(*j, startRow(log))) {
     if (step.to < step.from) continue;  // the return motion
     std::string label = "P = ";
     appendNumber(label, j->p_gain->values[step.begin], 4);

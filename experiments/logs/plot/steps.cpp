@@ -36,8 +36,8 @@ std::vector<RowRange> rangesWhere(std::size_t from, std::size_t rows, F&& same) 
 
 }  // namespace
 
-std::vector<Step> largeSteps(const JointColumns& joint, std::size_t from_row) {
-  std::vector<Step> steps;
+std::vector<GoalStep> largeSteps(const JointColumns& joint, std::size_t from_row) {
+  std::vector<GoalStep> steps;
   if (joint.requested == nullptr) return steps;
   const std::vector<double>& requested = joint.requested->values;
   for (std::size_t row = std::max<std::size_t>(from_row, 1); row < requested.size(); ++row) {
@@ -47,12 +47,12 @@ std::vector<Step> largeSteps(const JointColumns& joint, std::size_t from_row) {
     steps.push_back({row, end, requested[row - 1], requested[row]});
   }
   double largest = 0;
-  for (const Step& step : steps) largest = std::max(largest, std::abs(step.to - step.from));
-  std::erase_if(steps, [&](const Step& step) { return std::abs(step.to - step.from) < 0.8 * largest; });
+  for (const GoalStep& step : steps) largest = std::max(largest, std::abs(step.to - step.from));
+  std::erase_if(steps, [&](const GoalStep& step) { return std::abs(step.to - step.from) < 0.8 * largest; });
   return steps;
 }
 
-double arrival(const logs::Log& log, const JointColumns& joint, const Step& step) {
+double arrival(const logs::Log& log, const JointColumns& joint, const GoalStep& step) {
   std::size_t row = step.end;
   while (row > step.begin && std::abs(joint.position->values[row - 1] - step.to) < kArrived) --row;
   if (row == step.end) return std::numeric_limits<double>::quiet_NaN();

@@ -9,16 +9,16 @@
 namespace darwinop::plot {
 
 /// Rows from a new goal to the next change.
-struct Step {
+struct GoalStep {
   std::size_t begin = 0, end = 0;
   double from = 0, to = 0;  // rad
 };
 
 /// Steps of at least 0.8 of the largest one; excludes the shorter motion to the first goal.
-[[nodiscard]] std::vector<Step> largeSteps(const JointColumns& joint, std::size_t from_row);
+[[nodiscard]] std::vector<GoalStep> largeSteps(const JointColumns& joint, std::size_t from_row);
 
 /// Seconds until the joint stays within 0.05 rad (3 degrees) of the goal; NaN if it does not arrive.
-[[nodiscard]] double arrival(const logs::Log& log, const JointColumns& joint, const Step& step);
+[[nodiscard]] double arrival(const logs::Log& log, const JointColumns& joint, const GoalStep& step);
 
 /// Half-open range of rows.
 struct RowRange {
