@@ -1,4 +1,4 @@
-// A limit of the acceleration of the set point on its way to the goal; with the law speed_p, of the motor.
+// Effect: acceleration limit of the set point; with law speed_p, of the motor.
 #include <algorithm>
 
 #include "twin/servo/effect.hpp"

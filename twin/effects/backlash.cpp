@@ -1,4 +1,4 @@
-// Play between the gears and the horn: the encoder sits on the horn, the motor first has to cross the gap.
+// Effect: backlash between gears and horn. The encoder sits on the horn.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

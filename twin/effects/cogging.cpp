@@ -1,4 +1,4 @@
-// Torque that depends on the angle alone: cogging of the motor, or a wheel that runs out of true.
+// Effect: torque ripple as a function of angle, from motor cogging or an eccentric gear.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"

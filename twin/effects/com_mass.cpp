@@ -1,4 +1,4 @@
-// What the joint carries is heavier than the model says, or its centre of mass is further out.
+// Effect: error of the load's mass or centre of mass.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

@@ -1,4 +1,4 @@
-// Dry friction: the same torque against every motion, and against the start of one.
+// Effect: Coulomb (dry) friction, the same torque at rest and in motion.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

@@ -1,4 +1,4 @@
-// A controller that does nothing about small errors, and perhaps starts with a punch beyond them.
+// Effect: dead band of the controller, with an optional minimum duty outside it.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"

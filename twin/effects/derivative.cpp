@@ -1,4 +1,4 @@
-// A derivative part of the position law that the model does not have.
+// Effect: derivative gain in the position law.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

@@ -1,5 +1,4 @@
-// Gravity pulls as if the joint stood elsewhere: the zero of the encoder, a base that tilts, a mass off the middle
-// line.
+// Effect: angle offset of gravity, from an encoder zero error, a tilted base or a lateral mass.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

@@ -1,4 +1,4 @@
-// An encoder with fewer steps than the parameters of the servo say.
+// Effect: encoder with a coarser resolution than ServoParameters::ticks_per_rev.
 #include <cmath>
 
 #include "core/units.hpp"

@@ -1,4 +1,4 @@
-// Rotor and gears that are harder, or easier, to accelerate than the model says. Gravity does not notice.
+// Effect: error of the rotor and gear inertia; gravity is unchanged.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

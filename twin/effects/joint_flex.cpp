@@ -1,4 +1,4 @@
-// A spring between the gears and the horn: bracket, horn and gears that give.
+// Effect: elastic joint, a spring and damper between horn and arm.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

@@ -1,4 +1,4 @@
-// A P gain that is not what its register says.
+// Effect: scale error of the P gain.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

@@ -1,4 +1,4 @@
-// A motor that is stronger or weaker than its data sheet: torque per current and back EMF go together.
+// Effect: error of the torque constant; the back EMF changes with it.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

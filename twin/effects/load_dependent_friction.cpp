@@ -1,4 +1,4 @@
-// Gears that rub the more, the more torque goes through them.
+// Effect: gear friction proportional to the transmitted torque.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"

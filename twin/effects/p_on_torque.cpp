@@ -1,4 +1,4 @@
-// The law of the real servo in a model that has the other one: P sets the duty of the bridge, so torque, not speed.
+// Effect: replaces law speed_p by law voltage_p, in which P sets the bridge duty.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -23,7 +23,7 @@ class POnTorque final : public EffectOf<kPOnTorque, kParameters.size()> {
  public:
   using EffectOf::EffectOf;
   [[nodiscard]] std::uint8_t hooks() const noexcept override { return kCommandHook; }
-  // First of all: the profile depends on the law already.
+  // In the command hook, because the profile already depends on the law.
   void command(Signals& s, double /*dt_s*/) noexcept override {
     const auto& [on] = values_;
     if (on >= 0.5) s.law = Law::kVoltageP;

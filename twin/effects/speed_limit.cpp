@@ -1,5 +1,4 @@
-// A limit of the speed at which the set point moves to the goal, as the register Moving Speed sets it. The law speed_p
-// has no set point of its own: there it limits the motor.
+// Effect: speed limit of the set point (register Moving Speed). Law speed_p has no profile: there it limits the motor.
 #include <algorithm>
 
 #include "twin/servo/effect.hpp"

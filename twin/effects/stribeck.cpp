@@ -1,4 +1,4 @@
-// Dry friction that is larger at rest and fades as the joint moves: why it starts with a jerk.
+// Effect: Stribeck friction, extra dry friction that decays with speed.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"

@@ -1,4 +1,4 @@
-// Resistance of battery and cables, and a battery that runs down.
+// Effect: voltage drop over battery and cable resistance, and discharge over the session.
 #include <algorithm>
 
 #include "twin/servo/effect.hpp"
@@ -34,14 +34,14 @@ class SupplySag final : public EffectOf<kSupplySag, kParameters.size()> {
  public:
   using EffectOf::EffectOf;
   [[nodiscard]] std::uint8_t hooks() const noexcept override { return kMotorHook; }
-  // The current depends on the voltage again; solved for it, nothing lags and nothing rings.
+  // Solves for the current implicitly, because it depends on the voltage; an explicit step would oscillate.
   void motor(Signals& s, double /*dt_s*/) noexcept override {
     const auto& [resistance, droop] = values_;
     const double battery_v = std::max(0.0, s.supply_v - droop * s.session_time_s);
     const double current =
         (s.duty * battery_v - s.back_emf_vs_rad * s.velocity_rad_s) / (s.resistance_ohm + resistance * s.duty * s.duty);
-    const double most = s.torque_limit_nm / s.kt_nm_a;
-    s.supply_v = battery_v - resistance * s.duty * std::clamp(current, -most, most);
+    const double max_current = s.torque_limit_nm / s.kt_nm_a;
+    s.supply_v = battery_v - resistance * s.duty * std::clamp(current, -max_current, max_current);
   }
 };
 

@@ -1,4 +1,4 @@
-// A cap on the duty of the bridge, as the register Torque Limit sets it, or on the torque of the motor.
+// Effect: limit of the bridge duty (register Torque Limit) or of the motor torque.
 #include <algorithm>
 
 #include "twin/servo/effect.hpp"

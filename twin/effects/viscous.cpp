@@ -1,4 +1,4 @@
-// Friction in proportion to speed.
+// Effect: viscous friction, proportional to speed.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

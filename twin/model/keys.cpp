@@ -1,4 +1,4 @@
-// One row a key. A member without a row does not compile.
+// Table of the keys of a model file. A struct member without a row fails a static_assert.
 #include "twin/model/keys.hpp"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ constexpr KeyRow kTable[] = {
     {"imu", "accel_noise", ofImu<&I::accel_noise_m_s2>, {"m/s2", 0, 10}, {}, "standard deviation per 1 ms sample"},
 };
 
-/// Counts the members of an aggregate: as many as can be given to it.
+/// Counts the members of an aggregate: the largest number of initializers that it accepts.
 struct Anything {
   template <class T>
   constexpr operator T() const;
