@@ -123,7 +123,7 @@ int plotPage(const PlotRequest& request) {
 #else
 
 int plotPage(const PlotRequest&) {
-  throw std::runtime_error("plots are drawn on a PC, not on a robot: run the same command there");
+  throw std::runtime_error("plotting is available on a PC only: run the same command there");
 }
 
 #endif

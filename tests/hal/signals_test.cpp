@@ -1,4 +1,4 @@
-// The table of signals, and that a program obeys it.
+// Signal table: documentation and actual effect.
 #include "hal/signals.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace darwinop {
 namespace {
 
-TEST(Signals, TheTableHasEachOfThe31Once) {
+TEST(Signals, TheTableHasEachOf31SignalsOnce) {
   std::set<int> numbers;
   for (const SignalRow& row : kSignals) numbers.insert(row.number);
   EXPECT_EQ(numbers.size(), 31u);
@@ -32,12 +32,12 @@ int fateOfChild(pid_t child) {
   return -1000;
 }
 
-/// A sanitizer has handlers of its own.
+/// Sanitizers install handlers of their own.
 void defaultSignals() {
   for (const SignalRow& row : kSignals) signal(row.number, SIG_DFL);
 }
 
-/// Sends itself the signal. How such a process ends: 10 when the flag was set, 20 when nothing happened.
+/// Raises the signal in a child process. Exit code 10: the end flag was set; 20: no effect.
 int fateOf(int signal) {
   const pid_t child = fork();
   if (child == 0) {
@@ -49,7 +49,7 @@ int fateOf(int signal) {
   return fateOfChild(child);
 }
 
-TEST(Signals, EachHasTheEffectThatTheTableNames) {
+TEST(Signals, EachHasTheEffectInTheTable) {
   for (const SignalRow& row : kSignals) {
     int wanted = 20;
     if (row.effect == SignalEffect::kEnds) wanted = 10;
@@ -61,7 +61,7 @@ TEST(Signals, EachHasTheEffectThatTheTableNames) {
   EXPECT_EQ(fateOf(SIGRTMAX), 20);
 }
 
-/// The same for a program that waits for the signals that end it.
+/// The same for a program that waits in sigtimedwait().
 int fateOfOneThatWaits(int signal, bool by_nohup = false) {
   const pid_t child = fork();
   if (child == 0) {
@@ -74,14 +74,14 @@ int fateOfOneThatWaits(int signal, bool by_nohup = false) {
   return fateOfChild(child);
 }
 
-TEST(Signals, OneThatWaitsGetsThoseThatEndItAndNoOthers) {
+TEST(Signals, AWaitingProgramReceivesOnlyEndingSignals) {
   for (const SignalRow& row : kSignals) {
     if (row.effect != SignalEffect::kEnds && row.effect != SignalEffect::kIgnored) continue;
     EXPECT_EQ(fateOfOneThatWaits(row.number), row.effect == SignalEffect::kEnds ? 10 : 20) << row.name;
   }
 }
 
-TEST(Signals, NohupKeepsOneThatWaitsAliveWhenTheTerminalGoes) {
+TEST(Signals, NohupKeepsAWaitingProgramAlive) {
   EXPECT_EQ(fateOfOneThatWaits(SIGHUP, true), 20);
   EXPECT_EQ(fateOfOneThatWaits(SIGTERM, true), 10);
 }
@@ -92,7 +92,7 @@ std::string effectText(SignalEffect effect) {
   return "stops";
 }
 
-TEST(Signals, ThePageForPeopleHasTheSameTable) {
+TEST(Signals, TheDocumentationHasTheSameTable) {
   std::ifstream file{DARWINOP_DOCS "/threads.md"};
   std::string page{std::istreambuf_iterator<char>{file}, {}};
   std::ranges::replace(page, '\n', ' ');
@@ -122,7 +122,7 @@ TEST(Signals, NohupHolds) {
   EXPECT_EQ(WEXITSTATUS(status), 20);
 }
 
-TEST(Signals, AProgramThatIsStartedGetsTheDefaultsBack) {
+TEST(Signals, AChildProcessHasTheDefaultActions) {
   const pid_t child = fork();
   if (child == 0) {
     endOnSignals();

@@ -70,7 +70,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "safety_test:Driving.GoalsWaitForABoardThatDoesNotAnswer"},
     {"H206", "The loop misses its deadline", "bytes arrive without end", "a cycle ends at its deadline",
      "reading ends after wire time plus twice the margin",
-     "bus_test:BusOnABadLine.BabbleDoesNotKeepTheLoop serial_test:Transactions.EndOnALineThatBabbles"},
+     "bus_test:BusOnABadLine.GarbageDoesNotBlockTheLoop serial_test:Transactions.EndOnContinuousGarbage"},
     {"H207", "The loop misses its deadline", "memory allocation", "the loop allocates nothing", "allocation at start",
      "cycle_allocation_test:Cycle.AllocatesNothingInTenThousandCyclesUnderFaults "
      "safety_allocation_test:GuardAllocation.NothingIsAllocatedInAnyState"},
@@ -79,7 +79,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "bus_test:AnywhereInTheChain/DeadServoOnTheBus.AllOthersAreReadFromThreeCyclesLaterAndItIsBackWithinASecond/12"},
     {"H209", "A stale value passes for a measurement", "a missing answer",
      "a value not received is absent, with an age", "ages count up",
-     "bus_test:Decoder.WhatDidNotAnswerIsAbsentNotZero "
+     "bus_test:Decoder.AMissingReplyIsAbsentNotZero "
      "campaign_test:Campaign.NothingStalePassesForFreshAndNoPromiseIsBroken"},
     {"H210", "Servo power is cut", "corrupted board write", "the runtime never switches servo power off",
      "only power-on is written",
@@ -133,8 +133,8 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "the second is refused by name", "runtime_process_test:DaemonTest.RefusesASecondControllerAndNamesTheFirst"},
     {"H505", "The robot is stiff and unwatched", "the runtime dies", "the supervisor brings it to rest",
      "hold, kneel, limp; LEDs red",
-     "supervisor_test:RescueWatch.AStiffRobotIsAtRestOnlyWhenEveryServoHasLetGo "
-     "supervisor_test:Heartbeat.HalfASecondOfStillnessIsTooLong"},
+     "supervisor_test:RescueWatch.ARobotUnderTorqueIsAtRestOnlyWhenEveryServoIsLimp "
+     "supervisor_test:Heartbeat.HalfASecondWithoutACycleIsTooLong"},
     {"H506", "A crashing controller restarts for ever", "it crashes at start",
      "no restart after three crashes a minute", "robot held, LEDs red",
      "supervisor_test:RestartPolicy.TheThirdCrashWithinAMinuteIsTheLast"},
@@ -156,9 +156,9 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "goals pause, no takeover", "campaign_test:CorrelatedFaults.FiveLostAnswersInARowNeverInterruptDriving"},
     {"H213", "The robot counts as driven without effect", "BULK_READ or SYNC_WRITE is missing",
      "both are tested at start", "refused with a message",
-     "serial_test:StartPolicy.ARobotIsCalledDrivableExactlyWhenALoopDrivesIt"},
+     "serial_test:StartPolicy.ARobotIsReportedDrivableExactlyWhenALoopDrivesIt"},
     {"H214", "Servo data stop without visible reason", "the port was left with XON/XOFF",
-     "the port starts from a known state", "all flags are set", "serial_test:OpenSerial.ClearsEveryFlagOfAFormerOwner"},
+     "the port starts from a known state", "all flags are set", "serial_test:OpenSerial.ClearsEveryFlagOfThePreviousOwner"},
     {"H310", "Many joints jump after a brown-out", "brief supply loss of a chain or all servos",
      "torque on only at the present position, with a speed limit", "held after one missed answer, then taken over",
      "campaign_test:CorrelatedFaults.ServosThatLoseTheirSupplyTogetherComeBackWithoutAJump "
@@ -183,7 +183,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H406", "A released robot moves again by itself", "a crashed default controller restarts",
      "a program's session clears no latched fault", "limp until START, reset or a person's session",
      "safety_on_board_test:ReleaseOnTheBoard.AfterModeNoServoGetsTorqueUntilStart "
-     "supervisor_test:Begin.NothingBeginsWhileAFaultWaitsForAPersonAndStatusSaysSo"},
+     "supervisor_test:Begin.ALatchedFaultBlocksTheStartAndStatusReportsIt"},
     {"H407", "A released robot moves again by itself", "a killed runtime restarts", "a release outlives the runtime",
      "NAME.released and NAME.held in /dev/shm",
      "runtime_process_test:DaemonTest.ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs "
@@ -200,11 +200,11 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "kneel, limp", "safety_test:FoundStiff.WhenTheLoopClosesItKneelsAndLetsGo"},
     {"H508", "Daemon dies with all joints stiff", "nobody reads its messages (SIGPIPE)",
      "messages never end or block the process", "ignored; text dropped",
-     "hal_test:Diagnostics.APipeWithoutAReaderIsWrittenToInVainAgainAndAgain "
-     "process_fate_test:Fate.ADaemonWhoseMessagesNobodyReadsGoesOnThroughAFault"},
+     "hal_test:Diagnostics.WritingToAClosedPipeFailsEachTime "
+     "process_fate_test:Fate.ADaemonWithUnreadOutputContinuesThroughAFault"},
     {"H509", "Ctrl-Z or Ctrl-\\ stops the loop", "job control reaches an embedded controller",
      "all 31 signals have a documented effect", "none, or a normal end",
-     "hal_test:Signals.EachHasTheEffectThatTheTableNames "
+     "hal_test:Signals.EachHasTheEffectInTheTable "
      "process_fate_test:Fate.SignalsWithoutEffectLeaveAnEmbeddedControllerDriving"},
     {"H510", "All processes die together", "a shared file is truncated",
      "each survives, or ends with the robot at rest", "zero pages replace the file; the loop closes",
@@ -229,22 +229,22 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "link_pty_test:StartUp.AServoThatAppearsAfterTheStartIsNotDrivenBeforeTheNext "
      "safety_test:LeftOutJoint.GetsNoGoalAndNoTorqueEvenWhenItAnswers"},
     {"H604", "The doctor says FAIL and the loop drives", "two places decide", "one policy table", "same decision",
-     "serial_test:StartPolicyDocs.TheDoctorsPageHasTheTable"},
+     "serial_test:StartPolicyDocs.TheDocumentationHasTheTable"},
     {"H605", "The loop misses every deadline", "FTDI latency timer of 16 ms", "an impossible period is refused",
      "refused; the message names the fix",
-     "bus_test:UsbFrame/EightMilliseconds.AreRefusedOnABridgeWithTheDriversDefaultOfSixteen/1 "
-     "bus_test:UsbFrame/EightMilliseconds.HoldOnABridgeWhoseLatencyTimerIsOne/1"},
+     "bus_test:UsbFrame/EightMilliseconds.AreRejectedWithTheDefaultLatencyTimerOfSixteen/1 "
+     "bus_test:UsbFrame/EightMilliseconds.WorkWithALatencyTimerOfOne/1"},
     {"H701", "Another user ends root's processes", "a forged pid in a lock file",
      "signals go to the lock's holder only", "owner and holder checked",
      "runtime_test:FileLock.TheKernelSaysWhoHoldsItWhateverIsWrittenThere "
-     "process_fate_test:Home.OrdersGoToNobodyButASupervisorOfTheSameUserOrRoot"},
+     "process_fate_test:Home.CommandsReachOnlyASupervisorOfTheSameUserOrRoot"},
     {"H702", "Another user impersonates the robot", "the remote port is bound meanwhile",
      "the port belongs to one server", "a second bind fails",
      "remote_server_test:RemotePort.IsNeverAnotherUsers "
      "remote_server_test:RemotePort.IsNotTakenInTheMomentBetweenTwoClients"},
     {"H703", "A controller changes the robot's system", "it runs as root", "controllers run as an unprivileged user",
      "user darwinop",
-     "supervisor_test:Begin.AsRootItIsRefusedUnlessRobotIniSaysSo runtime_test:Users.ThereIsNoWayBackToRoot"},
+     "supervisor_test:Begin.RootIsRejectedUnlessRobotIniAllowsIt runtime_test:Users.ThereIsNoWayBackToRoot"},
     {"H704", "STOP is not reachable", "32 silent connections", "new pages are always accepted",
      "the oldest silent connection closes", "remote_web_test:WebServer.NewPagesGetInHoweverManyConnectionsAreHeldOpen"},
     {"H705", "Remote text controls the terminal", "escape sequences in a server's message",
