@@ -1,4 +1,4 @@
-// One connection: a request, then an answer or a WebSocket. With Boost.Beast, so only for this folder's own files.
+// One HTTP connection: a request, then a response or a WebSocket. Includes Boost.Beast; private to this folder.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -24,42 +24,42 @@ namespace darwinop::web {
 
 struct Endpoint {
   std::string subprotocol;
-  ChannelUser* user = nullptr;
+  ChannelHandler* handler = nullptr;
 };
 
-class Visit;
+class HttpSession;
 
-/// What all visits share; lives longer than they do.
-struct House {
+/// State shared by all sessions; outlives them.
+struct ServerContext {
   ServerConfig config;
   net::BoundedLog log;
   std::map<std::string, Page, std::less<>> pages;
   std::map<std::string, Endpoint, std::less<>> endpoints;
   std::size_t connections = 0, channels = 0;
-  std::list<Visit*> guests{};  // connections that are no channel, the oldest one first
+  std::list<HttpSession*> idle_sessions{};  // connections that are not channels, oldest first
 
-  void say(const std::string& line);
-  /// False: there are as many connections as may be, and all are channels. Else the oldest guest may have had to go.
+  void logLine(const std::string& line);
+  /// Closes the oldest non-channel connection if the limit is reached. False: all connections are channels.
   [[nodiscard]] bool makeRoom();
 };
 
-/// Kept alive by the handlers of what it waits for: when it waits for nothing any more it is gone.
-class Visit final : public Channel, public std::enable_shared_from_this<Visit> {
+/// Pending handlers keep it alive; it is destroyed when none is left.
+class HttpSession final : public Channel, public std::enable_shared_from_this<HttpSession> {
  public:
-  Visit(House& house, boost::asio::ip::tcp::socket socket, std::string name);
-  ~Visit() override;
-  Visit(const Visit&) = delete;
-  Visit& operator=(const Visit&) = delete;
+  HttpSession(ServerContext& shared, boost::asio::ip::tcp::socket socket, std::string name);
+  ~HttpSession() override;
+  HttpSession(const HttpSession&) = delete;
+  HttpSession& operator=(const HttpSession&) = delete;
 
-  void begin();
-  /// For a newer guest. It is gone when the handlers of what it waits for have run.
-  void giveWay();
+  void start();
+  /// Closes it for a newer connection. It is destroyed when its pending handlers have run.
+  void evict();
 
   [[nodiscard]] const std::string& name() const override { return name_; }
   void send(Lane lane, Bytes text) override { put({lane, false, std::move(text)}); }
   void sendBinary(Lane lane, Bytes bytes) override { put({lane, true, std::move(bytes)}); }
-  void forgetNewest() override { outbox_.forgetNewest(); }
-  [[nodiscard]] std::uint64_t lost() const override { return outbox_.lost(); }
+  void discardQueued() override { send_queue_.discardQueued(); }
+  [[nodiscard]] std::uint64_t lost() const override { return send_queue_.lost(); }
   void close(const std::string& why) override;
 
  private:
@@ -67,34 +67,34 @@ class Visit final : public Channel, public std::enable_shared_from_this<Visit> {
   using Status = boost::beast::http::status;
   using Reply = boost::beast::http::response<boost::beast::http::string_body>;
 
-  void answer();
+  void respond();
   void reply(Status status, Page page, bool body = true);
   void refuse(Status status, const std::string& why);
   void upgrade(const Endpoint& endpoint);
   void opened(const Endpoint& endpoint);
-  void listen();
-  void heard();
-  void put(Parcel parcel);
+  void read();
+  void received();
+  void put(OutgoingMessage message);
   void pump();
-  void sayFarewell();
+  void sendClose();
   void end(const std::string& why);
-  void leave(const std::string& why);
+  void notifyClosed(const std::string& why);
 
-  House& house_;
+  ServerContext& context_;
   std::string name_;
   boost::beast::websocket::stream<WipingStream> stream_;
-  boost::beast::flat_buffer heard_;
+  boost::beast::flat_buffer read_buffer_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::empty_body>> request_;
   Reply reply_;
-  ChannelUser* user_ = nullptr;  // while it is an open channel
-  bool has_seat_ = false;        // counts among the channels
-  bool counts_ = true;           // among the connections
-  Outbox outbox_;
-  std::optional<Parcel> leaving_;  // is being sent
+  ChannelHandler* handler_ = nullptr;  // set while it is an open channel
+  bool is_channel_ = false;            // counted in ServerContext::channels
+  bool is_counted_ = true;             // counted in ServerContext::connections
+  SendQueue send_queue_;
+  std::optional<OutgoingMessage> sending_;  // being written
   bool reading_ = false, closing_ = false;
-  std::string farewell_;
+  std::string close_reason_;
   std::chrono::steady_clock::time_point second_{};
-  int messages_ = 0;  // in this second
+  int messages_ = 0;  // received in this second
 };
 
 }  // namespace darwinop::web

@@ -1,4 +1,4 @@
-#include "hal/net/web/entry.hpp"
+#include "hal/net/web/request_origin.hpp"
 
 #include <arpa/inet.h>
 
@@ -28,7 +28,7 @@ bool isIpv4(std::string_view host) {
   return inet_pton(AF_INET, std::string{host}.c_str(), &address) == 1;
 }
 
-bool isNameOfOurs(const EntryRules& rules, std::string_view host) {
+bool isOwnName(const OriginRules& rules, std::string_view host) {
   if (host.find('\0') != std::string_view::npos) return false;
   const std::string_view name = withoutPort(host);
   return isIpv4(name) || sameName(name, "localhost") ||
@@ -37,15 +37,16 @@ bool isNameOfOurs(const EntryRules& rules, std::string_view host) {
 
 }  // namespace
 
-std::string refusal(const EntryRules& rules, const Knock& knock) {
-  if (!isNameOfOurs(rules, knock.host))
-    return "this computer was called by a name that it does not know; call it by its number, or name it with --host";
-  if (!knock.origin) return {};
-  const std::string_view origin = *knock.origin;
+std::string refusal(const OriginRules& rules, const RequestOrigin& request_origin) {
+  if (!isOwnName(rules, request_origin.host))
+    return "unknown host name in the request; use the IP address, or allow the name with --host";
+  if (!request_origin.origin) return {};
+  const std::string_view origin = *request_origin.origin;
   constexpr std::string_view kScheme = "http://";
-  if (rules.own_origin && origin.starts_with(kScheme) && sameName(origin.substr(kScheme.size()), knock.host)) return {};
+  if (rules.own_origin && origin.starts_with(kScheme) && sameName(origin.substr(kScheme.size()), request_origin.host))
+    return {};
   if (std::ranges::find(rules.origins, origin) != rules.origins.end()) return {};
-  return "a page of another origin may not look here; allow it with --origin, exactly as the browser writes it";
+  return "pages of this origin are not allowed; allow it with --origin, exactly as the browser writes it";
 }
 
 }  // namespace darwinop::web
