@@ -1,19 +1,19 @@
-#include "monitor/eye.hpp"
+#include "monitor/camera_source.hpp"
 
 #include <stdexcept>
 
 namespace darwinop::monitor {
 
-void Eye::look(bool wanted, bool free, Nanos now) {
+void CameraSource::update(bool wanted, bool free, Nanos now) {
   if (!wanted || free != free_) {
     pictures_.reset();
     next_try_ = Nanos{0};
-    why_ = "nobody has asked for pictures";
+    why_ = kNotRequested;
   }
   free_ = free;
   if (!wanted || pictures_ || now < next_try_) return;
   next_try_ = now + kAgain;
-  why_ = free ? "this robot has no camera" : "a controller drives, and the camera is left to it";
+  why_ = free ? "this robot has no camera" : "a controller drives and may use the camera";
   const Open& open = free ? open_ : share_;
   if (!open) return;
   try {
@@ -24,7 +24,7 @@ void Eye::look(bool wanted, bool free, Nanos now) {
   }
 }
 
-remote::JpegPicture Eye::newest() {
+remote::JpegPicture CameraSource::newest() {
   return pictures_ ? pictures_->newest() : remote::JpegPicture{};
 }
 

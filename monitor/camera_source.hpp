@@ -1,5 +1,5 @@
-// The robot's camera for onlookers: opened while somebody looks and nobody drives, let go at once when somebody does;
-// then what the driver's camera sees, if it shows that.
+// Camera of the robot for observers: the camera itself while no controller drives, otherwise the frames that the
+// driving controller shares. Opened only while an observer requests pictures.
 #pragma once
 
 #include <functional>
@@ -10,31 +10,32 @@
 
 namespace darwinop::monitor {
 
-class Eye {
+class CameraSource {
  public:
-  /// Opens the camera. Throws std::runtime_error when there is none. An empty function: there is none.
+  /// Opens the camera. Throws std::runtime_error if that fails. An empty function: no camera.
   using Open = std::function<std::unique_ptr<remote::PictureSource>()>;
-  static constexpr Nanos kAgain{5'000'000'000};  // after it could not be opened
+  static constexpr const char* kNotRequested = "no observer requests pictures";
+  static constexpr Nanos kAgain{5'000'000'000};  // between attempts to open
 
-  /// `share`: opens the pictures that a driver shows; it never touches the camera. Empty: drivers show none.
-  explicit Eye(Open open, Open share = {}) : open_{std::move(open)}, share_{std::move(share)} {}
+  /// `share`: opens the frames that the driving controller shares, never the camera device. Empty: none are shared.
+  explicit CameraSource(Open open, Open share = {}) : open_{std::move(open)}, share_{std::move(share)} {}
 
-  /// `wanted`: somebody asks for pictures. `free`: nobody drives; who drives may want the camera.
-  void look(bool wanted, bool free, Nanos now);
+  /// `wanted`: an observer requests pictures. `free`: no controller drives, so the camera may be opened.
+  void update(bool wanted, bool free, Nanos now);
 
-  /// `sequence` 0: there is none, see why().
+  /// `sequence` 0: no picture, see why().
   [[nodiscard]] remote::JpegPicture newest();
-  /// Why there are no pictures; empty when the camera is open and knows of no trouble.
-  [[nodiscard]] std::string why() const { return pictures_ ? pictures_->trouble() : why_; }
+  /// Why there are no pictures; empty if the camera is open and reports no error.
+  [[nodiscard]] std::string why() const { return pictures_ ? pictures_->error() : why_; }
   [[nodiscard]] bool open() const { return pictures_ != nullptr; }
-  /// What is open is what a driver shows.
+  /// Open are the frames that the driving controller shares.
   [[nodiscard]] bool shared() const { return open() && !free_; }
 
  private:
   Open open_, share_;
   bool free_ = true;
   std::unique_ptr<remote::PictureSource> pictures_;
-  std::string why_ = "nobody has asked for pictures";
+  std::string why_ = kNotRequested;
   Nanos next_try_{0};
 };
 

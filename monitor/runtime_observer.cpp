@@ -1,4 +1,4 @@
-#include "monitor/onlooker.hpp"
+#include "monitor/runtime_observer.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -8,21 +8,21 @@
 
 namespace darwinop::monitor {
 
-bool Onlooker::look(Nanos now) {
-  if (now < next_look_) return false;
-  next_look_ = now + kLook;
-  std::string why = whyNone(now);
+bool RuntimeObserver::update(Nanos now) {
+  if (now < next_check_) return false;
+  next_check_ = now + kCheckInterval;
+  std::string why = whyUnavailable(now);
   return std::exchange(reason_, why) != why;
 }
 
-std::string Onlooker::whyNone(Nanos now) {
+std::string RuntimeObserver::whyUnavailable(Nanos now) {
   if (!exchange_) {
     try {
       exchange_.emplace(runtime::lookAtDaemon(files_));
     } catch (const std::runtime_error& error) {
       return error.what();
     }
-    moved_ = now;
+    advanced_at_ = now;
     finished_ = exchange_->block().finished.value();
   }
   if (exchange_->lost()) {
@@ -33,22 +33,22 @@ std::string Onlooker::whyNone(Nanos now) {
   const std::string pid = std::to_string(block.info.pid);
   const pid_t living = runtime::FileLock::holder(files_.loop_lock);
   if (living != block.info.pid && living != -1) {
-    exchange_.reset();  // the next one has a memory of its own
+    exchange_.reset();  // the next runtime creates new memory
     return "the runtime (pid " + pid + ") has ended; start it again with: darwinop runtime";
   }
   if (const std::uint32_t finished = block.finished.value(); finished != std::exchange(finished_, finished))
-    moved_ = now;
-  if (now - moved_ >= kHung)
+    advanced_at_ = now;
+  if (now - advanced_at_ >= kHung)
     return "the runtime (pid " + pid +
-           ") lives but has not run a cycle for 5 s; look at it with: darwinop runtime --status";
+           ") is alive but has not run a cycle for 5 s; check it with: darwinop runtime --status";
   return {};
 }
 
-const runtime::ExchangeBlock* Onlooker::block() const {
+const runtime::ExchangeBlock* RuntimeObserver::block() const {
   return exchange_ && reason_.empty() ? &exchange_->block() : nullptr;
 }
 
-pid_t Onlooker::driver() const {
+pid_t RuntimeObserver::driver() const {
   return runtime::FileLock::holder(files_.drive_lock);
 }
 

@@ -1,4 +1,4 @@
-// Looks for a runtime's shared memory, and notices when its runtime comes, ends, dies or hangs.
+// Attaches to a runtime's shared memory and detects when the runtime starts, ends, dies or hangs.
 #pragma once
 
 #include <sys/types.h>
@@ -11,32 +11,31 @@
 
 namespace darwinop::monitor {
 
-/// Never drives: takes no lease and writes nothing.
-class Onlooker {
+/// Read-only: takes no lease and writes nothing.
+class RuntimeObserver {
  public:
-  static constexpr Nanos kLook{200'000'000}, kHung{5'000'000'000};
+  static constexpr Nanos kCheckInterval{200'000'000}, kHung{5'000'000'000};
 
-  explicit Onlooker(runtime::RuntimeFiles files) : files_{std::move(files)} {}
+  explicit RuntimeObserver(runtime::RuntimeFiles files) : files_{std::move(files)} {}
 
-  /// Five times a second at most it really looks. True: there is one now and was none, or the other way round, or the
-  /// reason is another.
-  bool look(Nanos now);
+  /// Checks at most five times a second. True: the runtime has appeared or disappeared, or the reason has changed.
+  bool update(Nanos now);
 
-  /// Nothing while there is no runtime whose loop turns.
+  /// Null while there is no runtime with a running loop.
   [[nodiscard]] const runtime::ExchangeBlock* block() const;
-  /// Why there is none: a sentence with what to do.
+  /// Why block() is null, with the remedy.
   [[nodiscard]] const std::string& reason() const { return reason_; }
 
-  /// Pid of the one that drives, 0: nobody, -1: of another user.
+  /// Pid of the process with the driving lease; 0: none, -1: a process of another user.
   [[nodiscard]] pid_t driver() const;
 
  private:
-  [[nodiscard]] std::string whyNone(Nanos now);
+  [[nodiscard]] std::string whyUnavailable(Nanos now);
 
   runtime::RuntimeFiles files_;
   std::optional<runtime::Exchange> exchange_;
-  std::string reason_ = "not looked yet";
-  Nanos next_look_{0}, moved_{0};
+  std::string reason_ = "not checked yet";
+  Nanos next_check_{0}, advanced_at_{0};
   std::uint32_t finished_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// What an observer may ask for.
+// What an observer subscribes to.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@ namespace darwinop::monitor {
 
 inline constexpr double kMostRate = 125, kMostPictures = 30, kUsualRate = 20;  // Hz
 
-struct Wishes {
+struct Subscription {
   double rate = kUsualRate;  // state messages, Hz; 0: none
   double camera = 0;         // pictures, Hz; 0: none
   std::optional<Search> find = {};
-  bool mask = false;  // with what is found: which pixels
-  bool operator==(const Wishes&) const = default;
+  bool mask = false;  // results include the mask of matching pixels
+  bool operator==(const Subscription&) const = default;
 };
 
 }  // namespace darwinop::monitor
