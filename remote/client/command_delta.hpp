@@ -1,4 +1,4 @@
-// What a controller wants, as the wire says it: each wish once, when it changes.
+// Converts commands to requests: each command once, when it changes.
 #pragma once
 
 #include <array>
@@ -9,20 +9,21 @@
 
 namespace darwinop::remote {
 
-/// Remembers what a server has been told. The server keeps it as long as the connection lasts.
-class Wishes {
+/// Stores what has been sent on a connection; the server keeps it until the connection ends.
+class CommandDelta {
  public:
-  /// Adds what differs from what was told before. Values are rounded to the wire's units, which are those of the
-  /// servos: the robot gets the tick that it would have got without a network.
+  /// Adds the commands that differ from those sent before. Values are rounded to the wire's units, those of the servos,
+  /// so
+  /// the robot gets the same tick as without a network.
   void add(const Commands& wanted, Request& request);
 
-  /// For a server that knows nothing yet.
+  /// For a new connection.
   void forget() { *this = {}; }
 
  private:
   void addLeds(const LedCommand& wanted, Request& request);
 
-  std::array<MotorSetting, kJoints> told_{};
+  std::array<MotorSetting, kJoints> sent_{};
   LedCommand led_{};
 };
 

@@ -1,5 +1,5 @@
-// A sensor image out of a reply without the extension's part: what the words of 2013 can tell.
-#include "remote/client/old_sensors.hpp"
+// Converts a reply of the 2013 protocol, without the extension, to a sensor image.
+#include "remote/client/legacy_sensors.hpp"
 
 #include "core/registers.hpp"
 #include "remote/protocol/units.hpp"
@@ -7,7 +7,7 @@
 namespace darwinop::remote {
 namespace {
 
-constexpr Register kOldAccelLaw = find(kCm730, "accel_x");  // the three axes share one law
+constexpr Register kOldAccelLaw = find(kCm730, "accel_x");  // same conversion for all three axes
 constexpr Register kOldGyroLaw = find(kCm730, "gyro_x");
 
 template <class Unit>
@@ -17,7 +17,7 @@ Unit fromCount(std::int32_t count, const Register& law) {
 
 }  // namespace
 
-void askForAll(Request& request) {
+void requestAllSensors(Request& request) {
   request.accelerometer = request.gyro = true;
   for (std::uint8_t i = 0; i < kJoints; ++i) {
     (void)request.positions.add(i);
@@ -25,7 +25,7 @@ void askForAll(Request& request) {
   }
 }
 
-void takeOldReply(const Reply& reply, Sensors& seen) {
+void takeLegacyReply(const Reply& reply, Sensors& seen) {
   seen.safety.state = State::kDriven;
   BoardSensors& board = seen.board;
   board.buttons_known = false;
@@ -37,7 +37,7 @@ void takeOldReply(const Reply& reply, Sensors& seen) {
   for (std::size_t i = 0; i < kJoints; ++i) {
     JointSensors& joint = seen.joint[i];
     joint.position = Rad{measuredFromWire(reply.positions[i])};
-    joint.load = -measuredFromWire(reply.torques[i]) / kMaxTorqueNm;  // the sign of 2013: clockwise is positive
+    joint.load = -measuredFromWire(reply.torques[i]) / kMaxTorqueNm;  // 2013 convention: clockwise is positive
     if (joint.position.known()) joint.motion.received();
   }
 }

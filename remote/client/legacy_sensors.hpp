@@ -1,4 +1,4 @@
-// A sensor image out of a reply without the extension's part: what the words of 2013 can tell.
+// Converts a reply of the 2013 protocol, without the extension, to a sensor image.
 #pragma once
 
 #include "core/sensors.hpp"
@@ -6,11 +6,11 @@
 
 namespace darwinop::remote {
 
-/// Asks for all that there is, but a picture.
-void askForAll(Request& request);
+/// Requests all sensor values except a picture.
+void requestAllSensors(Request& request);
 
-/// `seen` gets the values of a reply to askForAll(). Buttons, voltages, temperatures, velocities and faults stay
-/// unknown; such a server answers only when its robot is driven.
-void takeOldReply(const Reply& reply, Sensors& seen);
+/// Stores the values of a reply to requestAllSensors() in `seen`. Buttons, voltages, temperatures, velocities and
+/// faults stay unknown. The state becomes kDriven, because such a server replies only while its robot is driven.
+void takeLegacyReply(const Reply& reply, Sensors& seen);
 
 }  // namespace darwinop::remote

@@ -1,8 +1,8 @@
-// What libjpeg complains of: it reports errors by a call that must not return.
+// Error handler for libjpeg, which requires that error_exit() does not return.
 #pragma once
 
 #include <cstdio>
-// libjpeg's header needs stdio's before it.
+// jpeglib.h requires stdio.h before it.
 #include <jpeglib.h>
 
 #include <csetjmp>
@@ -10,22 +10,22 @@
 
 namespace darwinop::remote {
 
-/// Errors of libjpeg jump to `back`, which the caller has set and to which it has said so by `expected`; nothing in
-/// between may have a destructor. Warnings are counted by libjpeg and printed by nobody.
-struct JpegComplaints {
-  JpegComplaints() {
+/// Errors longjmp to `back`, which the caller sets with setjmp before it sets `expected`; no object between the two may
+/// have a destructor. Warnings are counted by libjpeg and not printed.
+struct JpegErrorHandler {
+  JpegErrorHandler() {
     jpeg_std_error(&manager);
     manager.error_exit = [](j_common_ptr common) {
-      auto* complaints = reinterpret_cast<JpegComplaints*>(common->err);
-      if (!complaints->expected) std::terminate();  // out of memory, while it is being made
-      std::longjmp(complaints->back, 1);
+      auto* errors = reinterpret_cast<JpegErrorHandler*>(common->err);
+      if (!errors->expected) std::terminate();  // out of memory while libjpeg is being set up
+      std::longjmp(errors->back, 1);
     };
     manager.output_message = [](j_common_ptr) {};
   }
-  JpegComplaints(const JpegComplaints&) = delete;
-  JpegComplaints& operator=(const JpegComplaints&) = delete;
+  JpegErrorHandler(const JpegErrorHandler&) = delete;
+  JpegErrorHandler& operator=(const JpegErrorHandler&) = delete;
 
-  jpeg_error_mgr manager{};  // first: libjpeg hands out its address
+  jpeg_error_mgr manager{};  // first member: libjpeg passes its address, which is cast back
   std::jmp_buf back{};
   bool expected = false;
 };

@@ -1,4 +1,4 @@
-#include "remote/robot/onlooker_eyes.hpp"
+#include "remote/robot/observer_pictures.hpp"
 
 #include <sys/stat.h>
 
@@ -12,27 +12,27 @@
 namespace darwinop::remote {
 namespace {
 
-LivePictures::Options onlookerOptions(const FrameLooker& look_at, const Teller& say) {
-  return {.now = [] { return runtime::MonotonicClock{}.now(); }, .say = say, .look_at = look_at};
+LivePictures::Options observerOptions(const FrameCallback& on_frame, const LogCallback& log) {
+  return {.now = [] { return runtime::MonotonicClock{}.now(); }, .log = log, .on_frame = on_frame};
 }
 
 }  // namespace
 
-std::unique_ptr<PictureSource> openPicturesOfCamera(std::unique_ptr<FrameSource> camera, const FrameLooker& look_at,
-                                                    const Teller& say) {
-  return std::make_unique<LivePictures>(std::move(camera), onlookerOptions(look_at, say));
+std::unique_ptr<PictureSource> openPicturesOfCamera(std::unique_ptr<FrameSource> camera, const FrameCallback& on_frame,
+                                                    const LogCallback& log) {
+  return std::make_unique<LivePictures>(std::move(camera), observerOptions(on_frame, log));
 }
 
-std::unique_ptr<PictureSource> openPicturesOfDriver(const runtime::RuntimeFiles& files, const FrameLooker& look_at,
-                                                    const Teller& say) {
+std::unique_ptr<PictureSource> openPicturesOfDriver(const runtime::RuntimeFiles& files, const FrameCallback& on_frame,
+                                                    const LogCallback& log) {
   struct stat exchange {};
-  if (stat(files.exchange.c_str(), &exchange) != 0) throw std::runtime_error("there is no runtime");
+  if (stat(files.exchange.c_str(), &exchange) != 0) throw std::runtime_error("no runtime is running");
   return std::make_unique<LivePictures>(std::make_unique<shared_picture::Reader>(shared_picture::Reader::Options{
                                             .files = {files.pictures, files.pictures_asked},
                                             .group = exchange.st_gid,
                                             .now = [] { return runtime::MonotonicClock{}.now(); },
-                                            .say = say}),
-                                        onlookerOptions(look_at, say));
+                                            .say = log}),
+                                        observerOptions(on_frame, log));
 }
 
 }  // namespace darwinop::remote

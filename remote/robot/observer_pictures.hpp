@@ -1,4 +1,4 @@
-// The robot's eyes for who only looks on: its camera while nobody drives, what the driver's camera sees otherwise.
+// Camera pictures for observers: of the camera itself, or of the frames that the driving controller shares.
 #pragma once
 
 #include <functional>
@@ -11,17 +11,17 @@
 
 namespace darwinop::remote {
 
-/// Told of each new picture before it can be asked for, by a thread of its own. It must not throw.
-using FrameLooker = std::function<void(const CameraFrame&)>;
-using Teller = std::function<void(const std::string&)>;
+/// Called from the encoder thread with each new frame before its picture is published. Must not throw.
+using FrameCallback = std::function<void(const CameraFrame&)>;
+using LogCallback = std::function<void(const std::string&)>;
 
-/// As JPEG what `camera` sees, which is of kWholeImage and best gives YUYV.
-std::unique_ptr<PictureSource> openPicturesOfCamera(std::unique_ptr<FrameSource> camera, const FrameLooker& look_at,
-                                                    const Teller& say);
+/// Encodes the frames of `camera`, which must have the size kWholeImage; YUYV is cheapest.
+std::unique_ptr<PictureSource> openPicturesOfCamera(std::unique_ptr<FrameSource> camera, const FrameCallback& on_frame,
+                                                    const LogCallback& log);
 
-/// What the camera of whoever drives sees; never touches a camera. `say` may be told the same again by the next one.
-/// Throws std::runtime_error when there is no runtime.
-std::unique_ptr<PictureSource> openPicturesOfDriver(const runtime::RuntimeFiles& files, const FrameLooker& look_at,
-                                                    const Teller& say);
+/// Encodes the frames that the driving controller shares; never opens a camera device. `log` may get a message again
+/// for the next controller. Throws std::runtime_error if no runtime is running.
+std::unique_ptr<PictureSource> openPicturesOfDriver(const runtime::RuntimeFiles& files, const FrameCallback& on_frame,
+                                                    const LogCallback& log);
 
 }  // namespace darwinop::remote

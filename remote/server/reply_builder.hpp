@@ -1,4 +1,4 @@
-// The values of a reply, out of a sensor image and the newest picture.
+// Builds a reply from a sensor image and the newest picture.
 #pragma once
 
 #include <bitset>
@@ -10,22 +10,22 @@
 
 namespace darwinop::remote {
 
-/// Age in cycles from which on a value counts as old. It is answered all the same: a controller that stabilises itself
-/// with a value of a tenth of a second ago fares better than with an absurd one.
+/// Age in cycles from which a value counts as stale. It is sent nevertheless: a balance controller works better with a
+/// value that is 0.1 s old than with kNoValue.
 inline constexpr std::uint32_t kOldAge = 4;
 
-/// What a reply could not say truly. By joint, and the board behind them.
-struct Doubts {
+/// Values of a reply that are stale or unknown, by joint; the last bit is the board.
+struct StaleValues {
   static constexpr std::size_t kBoard = kJoints;
-  std::bitset<kJoints + 1> old;    // the last known value was given
-  std::bitset<kJoints + 1> never;  // kNoValue was given
+  std::bitset<kJoints + 1> old;    // the last known value was sent
+  std::bitset<kJoints + 1> never;  // kNoValue was sent
 };
 
-/// Values that were never received are kNoValue; a sensor that does not exist is 0, as the old server answers it.
-[[nodiscard]] Reply answerTo(const Request& request, const Sensors& seen, std::span<const std::uint8_t> jpeg,
-                             Doubts& doubts);
+/// Values never received are kNoValue; a sensor that does not exist is 0, as in the 2013 server.
+[[nodiscard]] Reply makeReply(const Request& request, const Sensors& seen, std::span<const std::uint8_t> jpeg,
+                              StaleValues& stale);
 
-/// Adds the extension's part, which looks at `seen`. A picture that the client has already is taken out.
-void extend(Reply& reply, const Extension& asked, const Sensors& seen, const JpegPicture& newest, Nanos held);
+/// Adds the extension, which refers to `seen`. Removes a picture that the client already has.
+void addExtension(Reply& reply, const Extension& request, const Sensors& seen, const JpegPicture& newest, Nanos held);
 
 }  // namespace darwinop::remote
