@@ -5,7 +5,7 @@ import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {dice, kMessages, spoilt} from './hostile_messages.mjs';
+import {rng, kMessages, spoilt} from './hostile_messages.mjs';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'darwinop-window-'));
@@ -151,7 +151,7 @@ test('recordings lie over each other, one later than the other, and a report of 
     {name: 'twin.csv', mimeType: 'text/csv', buffer: Buffer.from(log(0))},
     {name: 'robot.csv', mimeType: 'text/csv', buffer: Buffer.from(log(0.2))},
     {name: 'shopping.csv', mimeType: 'text/csv', buffer: Buffer.from('milk,2\n')}]);
-  await page.getByText('shopping.csv is no recording').waitFor();
+  await page.getByText('shopping.csv is not a recording').waitFor();
   await page.selectOption('#compare-column', 'Neck.position');
   await page.waitForFunction(() => window.darwinop.compare.plot?.series.length === 3);
   await page.fill('#shift-1', '1.6');
@@ -176,7 +176,7 @@ test('a robot that says anything neither stops the page nor makes it grow', asyn
     feed.socket.close();  // it says hello again
     return Promise.all(said);
   });
-  const [hello] = good, random = dice(3);
+  const [hello] = good, random = rng(3);
   const texts = Array.from({length: 600}, (_, i) => spoilt([...good, ...kMessages.slice(4)][i % 7], random))
     .filter(({type, joints}) => type !== 'hello' || JSON.stringify(joints) === JSON.stringify(hello.joints))  // another robot
     .map((message) => JSON.stringify(message));
@@ -228,7 +228,7 @@ test('when the program ends, the page says that what it shows is old', async () 
   await shown.end();
   const banner = page.locator('#banner');
   await banner.waitFor({state: 'visible'});
-  assert.match(await banner.textContent(), /What you see is old/);
+  assert.match(await banner.textContent(), /data shown is old/);
   assert.match(await page.locator('#pills').innerText(), /Battery\s*—/);
   await page.close();
 });

@@ -25,9 +25,9 @@ test('a table of this page is read, too, and a row torn off at the end is left o
 });
 
 test('what is no recording is refused with a sentence', async () => {
-  await assert.rejects(LogFile.open(file('a.csv', 'x,y\n1,2\n')), /a\.csv is no recording: it has no column time_s/);
-  await assert.rejects(LogFile.open(file('b.bin', 'x'.repeat(200000))), /its lines do not end/);
-  await assert.rejects(LogFile.open(file('c.csv', '')), /no recording/);
+  await assert.rejects(LogFile.open(file('a.csv', 'x,y\n1,2\n')), /a\.csv is not a recording: it has no column time_s/);
+  await assert.rejects(LogFile.open(file('b.bin', 'x'.repeat(200000))), /longer than 64 kB/);
+  await assert.rejects(LogFile.open(file('c.csv', '')), /not a recording/);
 });
 
 test('a name that is long is read as fast as a short one', async () => {

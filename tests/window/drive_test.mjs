@@ -98,7 +98,7 @@ test('a page that falls silent no longer drives', async () => {
   const page = await openPage();
   await drive(page);
   await page.evaluate(() => { window.darwinop.steering.send = () => {}; });
-  await page.getByText('not heard for half a second').waitFor();
+  await page.getByText('No heartbeat from this page').waitFor();
   await stateIs(page, 'holding');
   await page.close();
 });

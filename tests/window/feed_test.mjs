@@ -11,9 +11,9 @@ test('why the program has ended is said also when its channel closes, until it i
   const feed = new Feed('ws://nowhere');
   feed.socket.onopen();
   feed.take('{"type": "ended", "text": "the link is lost."}');
-  assert.match(feed.trouble.text, /has ended: the link is lost\./);
+  assert.match(feed.problem.text, /has ended: the link is lost\./);
   feed.connected = false;
-  assert.match(feed.trouble.text, /has ended: the link is lost\./);
+  assert.match(feed.problem.text, /has ended: the link is lost\./);
   feed.socket.onopen();
-  assert.doesNotMatch(feed.trouble.text, /has ended/);
+  assert.doesNotMatch(feed.problem.text, /has ended/);
 });

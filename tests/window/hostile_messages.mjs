@@ -19,7 +19,7 @@ export const kMessages = [
 ];
 
 /// The same numbers between 0 and 1 for the same seed.
-export function dice(seed) {
+export function rng(seed) {
   let state = seed;
   return () => {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;

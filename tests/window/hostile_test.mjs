@@ -4,9 +4,9 @@ import assert from 'node:assert/strict';
 import test from 'node:test';
 import {jpegSize} from '../../window/page/src/jpeg_size.js';
 import {LogFile} from '../../window/page/src/log_file.js';
-import {forMask, kBalls, sentenceOf} from '../../window/page/src/search_words.js';
+import {forMask, kBalls, resultText} from '../../window/page/src/search_text.js';
 import {isMessage, jointsOf} from '../../window/page/src/shapes.js';
-import {dice, kMessages, spoilt} from './hostile_messages.mjs';
+import {rng, kMessages, spoilt} from './hostile_messages.mjs';
 
 test('what a robot says as it should is understood', () => {
   for (const message of kMessages) assert.ok(isMessage(message), JSON.stringify(message));
@@ -24,14 +24,14 @@ test('what has another shape is not', () => {
 });
 
 test('of messages that were spoilt anywhere, no number is left that cannot be drawn', () => {
-  const random = dice(1);
+  const random = rng(1);
   let understood = 0;
   for (let i = 0; i < 20000; ++i) {
     const message = spoilt(kMessages[i % kMessages.length], random);
     if (!isMessage(message)) continue;
     ++understood;
     if (message?.type === 'found') {
-      assert.match(sentenceOf(message, kBalls['Red ball']), /^(B|No b)all/);
+      assert.match(resultText(message, kBalls['Red ball']), /^(B|No b)all/);
       if (message.mask !== undefined) forMask(message, (x, y) => assert.ok(x < message.width && y < message.height));
     }
     if (message?.type !== 'state') continue;
@@ -42,7 +42,7 @@ test('of messages that were spoilt anywhere, no number is left that cannot be dr
 });
 
 test('any bytes as a recording: columns of numbers, rising times, or a sentence', async () => {
-  const random = dice(2), below = (n) => Math.floor(random() * n);
+  const random = rng(2), below = (n) => Math.floor(random() * n);
   const good = '# darwinop recording 1\r\ntime_s,cycle,Neck.position [rad]\r\n1.0,1,0.5\r\n1.016,2,\r\n1.032,3,0.7\r\n';
   const words = ['time_s', 'time', ',', '\n', '\r\n', '#', '[', ']', '1e999', '-', '0x10', 'NaN', '"', '\0', '\ufeff', '9'.repeat(400)];
   let read = 0;
@@ -54,7 +54,7 @@ test('any bytes as a recording: columns of numbers, rising times, or a sentence'
       bytes = Buffer.concat([bytes.subarray(0, at), more, bytes.subarray(at + below(6))]);
     }
     const file = Object.assign(new Blob([bytes]), {name: 'any.csv'});
-    const log = await LogFile.open(file).catch((error) => { assert.match(error.message, /^any\.csv is no recording/); });
+    const log = await LogFile.open(file).catch((error) => { assert.match(error.message, /^any\.csv is not a recording/); });
     for (const name of log?.names ?? []) {
       const {times, values} = await log.read(name);
       ++read;
@@ -75,7 +75,7 @@ test('a picture tells its size before there is room for it, and other bytes tell
     spoilt[at] = byte;
     assert.equal(jpegSize(spoilt), null);
   }
-  const random = dice(3);
+  const random = rng(3);
   for (let i = 0; i < 20000; ++i) {
     const any = Uint8Array.from({length: Math.floor(random() * 40)}, () => Math.floor(random() * 256));
     const size = jpegSize(i % 2 ? Uint8Array.from([0xff, 0xd8, 0xff, ...any]) : any);

@@ -35,7 +35,7 @@ const reach = (key, seconds) => page.evaluate(([name, s]) => {
   return {low: Math.min(...known), high: Math.max(...known)};
 }, [key, seconds]);
 
-const saysGait = (text) => page.locator('#gait [role=status]').filter({hasText: text}).waitFor();
+const gaitStatusIs = (text) => page.locator('#gait [role=status]').filter({hasText: text}).waitFor();
 
 test('it walks while the pad is held, and stands when it is let go', async () => {
   let knee;
@@ -52,7 +52,7 @@ test('it walks while the pad is held, and stands when it is let go', async () =>
     await page.mouse.up();
   }
   await drive();
-  await saysGait('It holds still');
+  await gaitStatusIs('Standing still');
   await page.waitForTimeout(1200);
   assert.ok(knee.high - knee.low > 0.3, `the knee moves: ${JSON.stringify(knee)}`);
   const still = await reach('LegLowerR.position', 0.5), up = await reach('accelerometer.z', 0.5);
@@ -63,9 +63,9 @@ test('it walks while the pad is held, and stands when it is let go', async () =>
 test('keys walk, too, and a page that loses the focus stands', async () => {
   await drive();
   await page.keyboard.down('x');
-  await saysGait('Walking');
+  await gaitStatusIs('Walking');
   await page.evaluate(() => dispatchEvent(new Event('blur')));
-  await saysGait('It holds still');
+  await gaitStatusIs('Standing still');
   await page.keyboard.up('x');
 });
 
@@ -99,7 +99,7 @@ test('an arm goes limp after a warning, and gets its torque back where it hangs'
   assert.ok(await page.locator('#aim-ArmLowerL').isDisabled());
   await page.hover('#go-forward');
   await page.mouse.down();
-  await page.getByText('walking needs both arms').waitFor();
+  await page.getByText('walking requires both arms').waitFor();
   await page.mouse.up();
   await page.click('#torque-left_arm');
   await page.waitForFunction(() => {
@@ -113,10 +113,10 @@ test('an arm goes limp after a warning, and gets its torque back where it hangs'
 test('a page that falls silent in the middle of a walk ends its step first', async () => {
   await drive();
   await page.keyboard.down('x');
-  await saysGait('Walking');
+  await gaitStatusIs('Walking');
   await page.waitForTimeout(2500);  // it stands already, and knows its gyroscope: steps by now
   await page.evaluate(() => { window.darwinop.steering.send = () => {}; });
-  await page.getByText('not heard for half a second').waitFor();
+  await page.getByText('No heartbeat from this page').waitFor();
   await page.keyboard.up('x');
   await page.waitForFunction(() => document.getElementById('pills').textContent.includes('Stateholding'));
   await page.waitForTimeout(700);
@@ -150,8 +150,8 @@ test('a robot that is out of its start pose is taken only by who has seen it', a
   await page.evaluate(() => window.darwinop.steering.stop());
   await page.locator('body:not(.driving)').waitFor();
   await page.evaluate(() => { window.darwinop.feed.socket.onmessage = null; });
-  await page.getByText('Nothing new from the robot').waitFor();
+  await page.getByText('No data from the robot').waitFor();
   await page.click('#take');  // it is held, as far as one knows
-  await page.getByText('nobody knows how it stands').waitFor();
+  await page.getByText('its pose is unknown').waitFor();
   await page.click('#pose-cancel');
 });

@@ -1,5 +1,5 @@
-// What a page may ask of the installer, and the command line that becomes of it.
-#include "window/transfer_words.hpp"
+// Transfer requests of a page and the resulting command lines.
+#include "window/transfer_message.hpp"
 
 #include <gmock/gmock.h>
 
@@ -20,51 +20,51 @@ constexpr const char* kFingerprint = "SHA256:AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA
 
 std::string refusalOf(const std::string& text) {
   std::string why;
-  return window::readTransfer(text, why) ? "taken" : why;
+  return window::parseTransfer(text, why) ? "taken" : why;
 }
 
-/// A start with this for a robot.
+/// A start request with this robot.
 std::string startWith(const std::string& robot) {
   return R"({"start": {"action": "status", "robot": )" + robot + "}}";
 }
 
 std::vector<std::string> wordsFor(const std::string& start) {
   std::string why;
-  const auto words = window::readTransfer(R"({"start": )" + start + "}", why);
+  const auto words = window::parseTransfer(R"({"start": )" + start + "}", why);
   EXPECT_TRUE(words) << why;
-  return words ? window::installerWords(*words->start) : std::vector<std::string>{};
+  return words ? window::installerArguments(*words->start) : std::vector<std::string>{};
 }
 
-TEST(TransferWords, OneThingAMessageAndNothingUnknown) {
+TEST(TransferMessage, AcceptsOneKnownMemberPerMessage) {
   for (const char* text : {"", "null", "[]", "{}", R"({"cancel": true, "more": 1})", R"({"install": true})"})
     EXPECT_THAT(refusalOf(text), HasSubstr("one of start, cancel, more and forget")) << text;
   EXPECT_THAT(refusalOf(R"({"cancel": 1})"), HasSubstr("true or false"));
   EXPECT_THAT(refusalOf(R"({"more": -1})"), HasSubstr("number of a line"));
-  EXPECT_THAT(refusalOf(R"({"start": {"action": "reboot"}})"), HasSubstr("is one of status"));
-  EXPECT_THAT(refusalOf(startWith(R"({"address": "a", "user": "b", "password": "c"})")), HasSubstr("knows address"));
+  EXPECT_THAT(refusalOf(R"({"start": {"action": "reboot"}})"), HasSubstr("must be one of status"));
+  EXPECT_THAT(refusalOf(startWith(R"({"address": "a", "user": "b", "password": "c"})")), HasSubstr("use address"));
   EXPECT_THAT(refusalOf(R"({"start": {"action": "run", "robot": {"address": "a", "user": "b"}}})"),
               HasSubstr("choose the folder"));
 }
 
-TEST(TransferWords, NoUserOrHostCanBecomeAnOption) {
+TEST(TransferMessage, NoUserOrHostIsTakenForAnOption) {
   for (const char* address : {"-oProxyCommand=x", "-F", "", "a b", "a;b", "a@b", "a\\nb", "a\\u0000b"})
     EXPECT_THAT(refusalOf(startWith(R"({"user": "darwin", "address": ")" + std::string{address} + R"("})")),
-                HasSubstr("the address has to be"))
+                HasSubstr("the address must be"))
         << address;
   for (const char* user : {"-l", "", "a b", "a@b", "$(x)"})
     EXPECT_THAT(refusalOf(startWith(R"({"address": "darwin", "user": ")" + std::string{user} + R"("})")),
-                HasSubstr("the user has to be"))
+                HasSubstr("the user must be"))
         << user;
   for (const char* port : {"-1", "65536", "1.5", "\"22\""})
     EXPECT_THAT(refusalOf(startWith(R"({"address": "a", "user": "b", "port": )" + std::string{port} + "}")),
-                HasSubstr("the port has to be"));
-  EXPECT_THAT(refusalOf(startWith(R"({"address": "a", "user": "b", "key": "a\nb"})")), HasSubstr("has to be a path"));
+                HasSubstr("the port must be"));
+  EXPECT_THAT(refusalOf(startWith(R"({"address": "a", "user": "b", "key": "a\nb"})")), HasSubstr("must be a path"));
   EXPECT_THAT(
       refusalOf(R"({"start": {"action": "status", "robot": {"address": "a", "user": "b"}, "host_key": "SHA256:x"}})"),
       HasSubstr("fingerprint"));
 }
 
-TEST(TransferWords, AreTheOnesThatOneWouldType) {
+TEST(TransferMessage, BecomeTheCommandsThatAUserWouldType) {
   const std::string robot = R"("robot": {"address": "192.168.123.1", "user": "darwin", "port": 2222})";
   EXPECT_THAT(wordsFor(R"({"action": "status", )" + robot + "}"),
               ElementsAre("--status", "-p", "2222", "darwin@192.168.123.1"));
@@ -76,7 +76,7 @@ TEST(TransferWords, AreTheOnesThatOneWouldType) {
             R"(darwinop install --controller '/a b' 'it'\''s')");
 }
 
-TEST(TransferWords, APathIsThereAndIsAbsolute) {
+TEST(TransferMessage, RequireExistingPathsAndMakeThemAbsolute) {
   const TemporaryFolder folder;
   const std::string robot = R"("robot": {"address": "r", "user": "u"})";
   std::filesystem::create_directory((folder / "-walker"));
@@ -86,10 +86,10 @@ TEST(TransferWords, APathIsThereAndIsAbsolute) {
   EXPECT_THAT([&] { (void)wordsFor(R"({"action": "send", "controller": "-walker", )" + robot + "}"); },
               testing::ThrowsMessage<std::runtime_error>(testing::ContainsRegex("no folder /.*-walker")));
   EXPECT_THAT([&] { (void)wordsFor(R"({"action": "status", "robot": {"address": "r", "user": "u", "key": "/no"}})"); },
-              testing::ThrowsMessage<std::runtime_error>(HasSubstr("no key /no")));
+              testing::ThrowsMessage<std::runtime_error>(HasSubstr("cannot read key /no")));
 }
 
-TEST(TransferWords, ALoginOnTheCommandLineIsWhatAPageWouldHaveTyped) {
+TEST(TransferMessage, ConvertALoginOfTheCommandLine) {
   EXPECT_EQ(window::robotOf("darwin@192.168.123.1", "", ""),
             (window::RobotAddress{.address = "192.168.123.1", .user = "darwin"}));
   EXPECT_EQ(window::robotOf("robotis@fe80::1%eth0", "2222", "/keys/op2"),

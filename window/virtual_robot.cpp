@@ -1,4 +1,4 @@
-#include "window/own_robot.hpp"
+#include "window/virtual_robot.hpp"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -10,31 +10,31 @@
 #include "connect/robot_file.hpp"
 #include "hil-mocks/camera/camera_settings.hpp"
 #include "runtime/names.hpp"
-#include "window/scoped_settings.hpp"
+#include "window/scoped_environment.hpp"
 
 namespace darwinop::window {
 namespace {
 
-// A virtual robot cannot be hurt; a runtime that is given this long sits it down.
+// The runtime's time suffices for the virtual robot to sit down.
 constexpr std::chrono::seconds kRobotGrace{1}, kRuntimeGrace{6}, kControllerGrace{2};
 constexpr std::chrono::seconds kStart{20};
 
-/// `child` is about to make this file. Throws std::runtime_error when it does not.
+/// Waits until `child` has created this file. Throws std::runtime_error if it does not.
 void waitForFile(const std::string& path, Child& child) {
   const auto end = std::chrono::steady_clock::now() + kStart;
   while (access(path.c_str(), F_OK) != 0) {
     if (child.ended())
-      throw std::runtime_error("darwinop " + child.noun() +
-                               " has ended before it was ready; what it said stands above");
+      throw std::runtime_error("darwinop " + child.noun() + " has ended before it was ready; see its output above");
     if (std::chrono::steady_clock::now() > end)
-      throw std::runtime_error("darwinop " + child.noun() + " was not ready within 20 s; is this computer very busy?");
+      throw std::runtime_error("darwinop " + child.noun() +
+                               " was not ready within 20 s; reduce the load of this computer and try again");
     std::this_thread::sleep_for(std::chrono::milliseconds{5});
   }
 }
 
 }  // namespace
 
-OwnRobot::OwnRobot(const std::string& body, const std::vector<std::string>& controller)
+VirtualRobot::VirtualRobot(const std::string& body, const std::vector<std::string>& controller)
     : name_{folder_.path() + "/runtime"} {
   try {
     start(body, controller);
@@ -44,41 +44,41 @@ OwnRobot::OwnRobot(const std::string& body, const std::vector<std::string>& cont
   }
 }
 
-void OwnRobot::start(const std::string& body, const std::vector<std::string>& controller) {
+void VirtualRobot::start(const std::string& body, const std::vector<std::string>& controller) {
   const std::string port = folder_.path() + "/robot";
   const auto add = [this](const std::string& noun, const std::vector<std::string>& words, std::chrono::seconds grace,
-                          Child::Place place = Child::Place::kBehind) -> Child& {
-    return *children_.emplace_back(std::make_unique<Child>(noun, words, grace, place));
+                          Child::Stdio stdio = Child::Stdio::kBackground) -> Child& {
+    return *children_.emplace_back(std::make_unique<Child>(noun, words, grace, stdio));
   };
-  waitForFile(port, add("virtual-robot", {"--link", port, "--body", body, "--camera", eyes()}, kRobotGrace));
+  waitForFile(port, add("virtual-robot", {"--link", port, "--body", body, "--camera", cameraFile()}, kRobotGrace));
   waitForFile(runtime::RuntimeFiles{name_}.exchange,
               add("runtime", {"--robot", port, "--wait", "--name", name_}, kRuntimeGrace));
   try {
-    eye_settings_ = hil::cameraSettings(eyes(), connect::readRobotFile().camera.value_or("/dev/video0"));
-  } catch (const std::runtime_error& error) {  // the page sees all the same
-    untold_ = std::string{"A controller on this virtual robot has no camera: "} + error.what() + ". ";
+    camera_settings_ = hil::cameraSettings(cameraFile(), connect::readRobotFile().camera.value_or("/dev/video0"));
+  } catch (const std::runtime_error& error) {  // the page has pictures nevertheless
+    pending_message_ = std::string{"A controller on this virtual robot has no camera: "} + error.what() + ". ";
   }
   if (controller.empty()) return;
-  setenv("DARWINOP_RUNTIME_NAME", name_.c_str(), 1);  // where it looks for the runtime
-  const ScopedSettings sees{eye_settings_};
+  setenv("DARWINOP_RUNTIME_NAME", name_.c_str(), 1);  // the controller finds the runtime by this name
+  const ScopedEnvironment environment{camera_settings_};
   std::vector<std::string> words{"--robot", "runtime", "--"};
   words.insert(words.end(), controller.begin(), controller.end());
-  add("run", words, kControllerGrace, Child::Place::kTerminal);
+  add("run", words, kControllerGrace, Child::Stdio::kTerminal);
 }
 
-void OwnRobot::end() noexcept {
+void VirtualRobot::end() noexcept {
   while (!children_.empty()) children_.pop_back();
 }
 
-std::string OwnRobot::howToDrive() const {
+std::string VirtualRobot::driveInstructions() const {
   std::string text = "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" + name_;
-  if (!eye_settings_.empty()) text += "\nso that it sees, also with";
-  for (const std::string& setting : eye_settings_) text += ' ' + setting;
+  if (!camera_settings_.empty()) text += "\nfor camera pictures, also with";
+  for (const std::string& setting : camera_settings_) text += ' ' + setting;
   return text;
 }
 
-std::string OwnRobot::news() {
-  std::string text = std::exchange(untold_, "");
+std::string VirtualRobot::takeMessage() {
+  std::string text = std::exchange(pending_message_, "");
   for (auto child = children_.begin(); child != children_.end();) {
     const std::optional<int> status = (*child)->ended();
     if (!status) {

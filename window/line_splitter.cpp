@@ -1,10 +1,10 @@
-#include "window/line_cutter.hpp"
+#include "window/line_splitter.hpp"
 
 #include <algorithm>
 
 namespace darwinop::window {
 
-void LineCutter::add(std::string_view bytes, const Take& take) {
+void LineSplitter::add(std::string_view bytes, const OnLine& on_line) {
   while (!bytes.empty()) {
     const std::size_t end = std::min(bytes.find('\n'), bytes.size());
     const std::size_t room = kLongest - line_.size();
@@ -12,19 +12,19 @@ void LineCutter::add(std::string_view bytes, const Take& take) {
     cut_ = cut_ || end > room;
     if (end == bytes.size()) return;
     bytes.remove_prefix(end + 1);
-    finish(take);
+    finish(on_line);
   }
 }
 
-void LineCutter::end(const Take& take) {
-  if (!line_.empty()) finish(take);
+void LineSplitter::end(const OnLine& on_line) {
+  if (!line_.empty()) finish(on_line);
 }
 
-void LineCutter::finish(const Take& take) {
+void LineSplitter::finish(const OnLine& on_line) {
   while (line_.ends_with('\r')) line_.pop_back();
-  line_.erase(0, line_.rfind('\r') + 1);  // drawn over, as progress bars do
+  line_.erase(0, line_.rfind('\r') + 1);  // overwritten, as by progress bars
   if (cut_) line_ += "…";
-  take(line_);
+  on_line(line_);
   line_.clear();
   cut_ = false;
 }

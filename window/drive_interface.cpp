@@ -1,8 +1,8 @@
-#include "window/helm.hpp"
+#include "window/drive_interface.hpp"
 
 namespace darwinop::window {
 
-void Orders::add(const Orders& newer) {
+void DriveRequests::merge(const DriveRequests& newer) {
   for (std::size_t i = 0; i < kJoints; ++i)
     if (newer.goals[i]) goals[i] = newer.goals[i];
   for (std::size_t i = 0; i < kLimbs; ++i)

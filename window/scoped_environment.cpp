@@ -1,10 +1,10 @@
-#include "window/scoped_settings.hpp"
+#include "window/scoped_environment.hpp"
 
 #include <stdlib.h>
 
 namespace darwinop::window {
 
-ScopedSettings::ScopedSettings(const std::vector<std::string>& settings) {
+ScopedEnvironment::ScopedEnvironment(const std::vector<std::string>& settings) {
   for (const std::string& setting : settings) {
     const std::size_t sign = setting.find('=');
     const std::string name = setting.substr(0, sign);
@@ -14,7 +14,7 @@ ScopedSettings::ScopedSettings(const std::vector<std::string>& settings) {
   }
 }
 
-ScopedSettings::~ScopedSettings() {
+ScopedEnvironment::~ScopedEnvironment() {
   for (const auto& [name, value] : before_) {
     if (value)
       setenv(name.c_str(), value->c_str(), 1);
