@@ -7,21 +7,21 @@ cd "${1:-$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/..}"
 table=tools/cmake/rooms.table
 [ -r $table ] || { echo "cannot read $PWD/$table" >&2 && exit 2; }
 
-# The words of the column "never", as extended regular expressions of code without comments.
+# Sets `pattern` to a word of the column "never" as an extended regular expression of code without comments.
 never() {
   case $1 in
-    'I/O') echo '#include <(iostream|fstream|filesystem|ostream|istream|fcntl\.h|unistd\.h|poll\.h|dirent\.h|termios\.h|sys/[a-z]+\.h)>|\b(fopen|fread|fwrite|fprintf|printf|puts|perror|std::cout|std::cerr)\b' ;;
-    threads) echo '#include <(thread|mutex|shared_mutex|condition_variable|future|semaphore|latch|barrier|stop_token|pthread\.h)>' ;;
-    clocks) echo '\b(steady_clock|system_clock|high_resolution_clock|clock_gettime|gettimeofday)\b|#include <(ctime|time\.h)>' ;;
-    heap) echo '#include <(string|vector|map|set|deque|list|memory|functional|unordered_map)>|\b(malloc|calloc|new)\b' ;;
-    sockets) echo '#include <(sys/socket\.h|netinet/[a-z]+\.h|arpa/inet\.h|netdb\.h)>|#include <boost/|#include "hal/net/' ;;
-    'device files') echo '"/dev/(tty|video|snd|input|bus)|#include <(termios\.h|linux/(videodev2|serial|input|tty)[a-z_]*\.h)>' ;;
-    'Webots names') echo '#include [<"]webots/|\bwebots::|\bDARwInOP|\bRobotisOp2' ;;
-    MuJoCo) echo '#include <mujoco/|\bmj[A-Z][A-Za-z]*\b|\bmj_[a-z]' ;;
-    bus) echo '#include "hal/(servo_bus|cm730/)|\bServoBus\b' ;;
-    lease) echo '#include "runtime/(lease|daemon_link)' ;;
-    'robot data') echo '#include "core/|#include "runtime/|\b(JointRow|kJointTable)\b' ;;
-    logic) echo '' ;;  # for people to judge
+    'I/O') pattern='#include <(iostream|fstream|filesystem|ostream|istream|fcntl\.h|unistd\.h|poll\.h|dirent\.h|termios\.h|sys/[a-z]+\.h)>|\b(fopen|fread|fwrite|fprintf|printf|puts|perror|std::cout|std::cerr)\b' ;;
+    threads) pattern='#include <(thread|mutex|shared_mutex|condition_variable|future|semaphore|latch|barrier|stop_token|pthread\.h)>' ;;
+    clocks) pattern='\b(steady_clock|system_clock|high_resolution_clock|clock_gettime|gettimeofday)\b|#include <(ctime|time\.h)>' ;;
+    heap) pattern='#include <(string|vector|map|set|deque|list|memory|functional|unordered_map)>|\b(malloc|calloc|new)\b' ;;
+    sockets) pattern='#include <(sys/socket\.h|netinet/[a-z]+\.h|arpa/inet\.h|netdb\.h)>|#include <boost/|#include "hal/net/' ;;
+    'device files') pattern='"/dev/(tty|video|snd|input|bus)|#include <(termios\.h|linux/(videodev2|serial|input|tty)[a-z_]*\.h)>' ;;
+    'Webots names') pattern='#include [<"]webots/|\bwebots::|\bDARwInOP|\bRobotisOp2' ;;
+    MuJoCo) pattern='#include <mujoco/|\bmj[A-Z][A-Za-z]*\b|\bmj_[a-z]' ;;
+    bus) pattern='#include "hal/(servo_bus|cm730/)|\bServoBus\b' ;;
+    lease) pattern='#include "runtime/(lease|daemon_link)' ;;
+    'robot data') pattern='#include "core/|#include "runtime/|\b(JointRow|kJointTable)\b' ;;
+    logic) pattern='' ;;  # for people to judge
     *) return 1 ;;
   esac
 }
@@ -33,10 +33,15 @@ violations=$(
     xargs awk -F ' *[|] *' '
       function folder(path) { return path ~ /\// ? substr(path, 1, match(path, /\/[^\/]*$/) - 1) : "" }
       function top(path) { sub(/\/.*/, "", path); return path }
+      function roomOf(path,  stem) {  # a file of its own in the table, or its folder
+        stem = path
+        sub(/\.[a-z]+$/, "", stem)
+        return stem in floor ? stem : folder(path)
+      }
       function home(path) {  # the room of a file
         sub(/^webots\/include\/webots(\/utils)?\//, "webots/", path)
         sub(/^managers\/include\//, "managers/", path)
-        return folder(path)
+        return roomOf(path)
       }
       FILENAME == table {
         if ($0 !~ /^[0-9]/) next
@@ -71,7 +76,7 @@ violations=$(
         sub(/[">].*/, "", target)
         if (target ~ /^webots\//) there = "webots"
         else if (target ~ /^(DARwInOP|RobotisOp2)/) there = "managers"
-        else if ($0 ~ /"/ && target ~ /\//) there = folder(target)
+        else if ($0 ~ /"/ && target ~ /\//) there = roomOf(target)
         else next
         if (!(there in floor)) {
           if ($0 ~ /"/) print file ":" FNR ": " target " is in no room"
@@ -96,9 +101,10 @@ violations=$(
     for word in "${words[@]}"; do
       word=$(sed 's/^ *//; s/ *$//' <<<"$word")
       [ -n "$word" ] || continue
-      pattern=$(never "$word") || { echo "$table: no meaning of \"$word\" in tools/check_rooms.sh"; continue; }
+      never "$word" || { echo "$table: no meaning of \"$word\" in tools/check_rooms.sh"; continue; }
       [ -n "$pattern" ] || continue
-      find "$room" -maxdepth 1 \( -name '*.cpp' -o -name '*.hpp' \) -print0 | xargs -0r grep -HnE "$pattern" |
+      { [ ! -d "$room" ] || find "$room" -maxdepth 1 \( -name '*.cpp' -o -name '*.hpp' \) -print0
+        [ -d "$room" ] || printf '%s\0' "$room".?pp; } | xargs -0r grep -HnE "$pattern" |
         sed 's:[ \t]*//.*::' | grep -E ":[0-9]+:.*($pattern)" | sed "s|\$|  <- $room: never $word|" || :
     done
   done < <(grep '^[0-9]' $table)

@@ -31,7 +31,7 @@ rows() {
   awk -F ' *[|] *' '/^[0-9]/ {
     if (floor == "" || $1 != floor) printf "**floor %s**|\n", $1
     floor = $1
-    printf "`%s/`%s|%s%s\n", $2, $5 ~ /(^| )pc( |$)/ ? "\\*" : "", $7, $6 == "" ? "" : "; **never** " $6
+    printf "`%s%s`%s|%s%s\n", $2, system("test -d " $2) ? "" : "/", $5 ~ /(^| )pc( |$)/ ? "\\*" : "", $7, $6 == "" ? "" : "; **never** " $6
   }' $table
 }
 

@@ -28,7 +28,7 @@ awk -F ' *[|] *' '/^[0-9]/ {
 }' tools/cmake/rooms.table >"$work/reach"
 
 cut -d '|' -f 1 "$list" | while read -r room; do
-  for header in "$room"/*.hpp; do [ ! -e "$header" ] || echo "$room $header"; done
+  for header in "$room"/*.hpp "$room.hpp"; do [ ! -e "$header" ] || echo "$room $header"; done
 done >"$work/headers"
 
 rooms=0

@@ -13,7 +13,8 @@ table() {
 1 | safety | core | | robot | I/O | limits
 2 | hal/a | core | | robot | | a device
 2 | hal/b | hal/a | | robot | device files | another
-6 | webots | hal/b safety core | | robot | | the API
+2 | hal/one | hal/b | | robot | threads | a file of its own
+6 | webots | hal/one hal/b safety core | | robot | | the API
 END
 }
 good() {
@@ -22,7 +23,8 @@ good() {
   echo '#include "core/joints.hpp"' >safety/guard.hpp
   echo '#include "core/joints.hpp"' >hal/a/a.hpp
   echo '#include "hal/a/a.hpp"' >hal/b/b.hpp
-  printf '#include "%s"\n' hal/b/b.hpp safety/guard.hpp core/joints.hpp >webots/robot.cpp
+  echo '#include "hal/b/b.hpp"' >hal/one.hpp
+  printf '#include "%s"\n' hal/one.hpp hal/b/b.hpp safety/guard.hpp core/joints.hpp >webots/robot.cpp
   rm -rf attic
 }
 fails=0
@@ -43,6 +45,9 @@ good
 expect 'safety/guard.hpp:2: safety (floor 1) does not use webots' 'echo "#include \"webots/robot.hpp\"" >>safety/guard.hpp'
 expect 'safety (floor 1) does not use webots' 'echo "#include <webots/Robot.hpp>" >>safety/guard.hpp'
 expect 'hal/b (floor 2) does not use core' 'echo "#include \"core/joints.hpp\"" >>hal/b/b.hpp'
+expect 'hal/one (floor 2) does not use hal/a' 'echo "#include \"hal/a/a.hpp\"" >>hal/one.hpp'
+expect 'hal/b (floor 2) does not use hal/one' 'echo "#include \"hal/one.hpp\"" >>hal/b/b.hpp'
+expect 'hal/one: never threads' 'echo "#include <mutex>" >>hal/one.hpp'
 expect 'attic/x.hpp is in no room' 'echo "#include \"attic/x.hpp\"" >>webots/robot.cpp'
 expect 'the folder attic is no room' 'mkdir attic; echo "int x;" >attic/x.cpp'
 expect 'webots includes nothing of safety' 'sed -i /safety/d webots/robot.cpp'
