@@ -92,14 +92,13 @@ std::vector<std::uint16_t> SshSession::waitUntilReady() {
 /// One line of its stdout; empty at end of file.
 std::string SshSession::readLine() const {
   std::string line;
-  while (!line.ends_with('
-')) {
+  while (!line.ends_with('\n')) {
     char letter = 0;
     const ssize_t count = read(from_ssh_, &letter, 1);
     if (count == 0 || (count < 0 && errno != EINTR)) return {};
     if (count > 0) line += letter;
-}
-return line;
+  }
+  return line;
 }
 
 bool SshSession::isEndRequested() {
