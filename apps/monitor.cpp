@@ -43,8 +43,8 @@ void sayMonitorOnce(const std::string& line) {
   if (said.insert(line).second) sayMonitor(line);
 }
 
-web::ServerConfig webConfig(const MonitorArguments& given) {
-  web::ServerConfig config;
+web::WebServerConfig webConfig(const MonitorArguments& given) {
+  web::WebServerConfig config;
   config.address = net::ipv4FromText(given.listen);
   config.port = given.port;
   for (const std::string& network : given.allow) config.allowed.push_back(net::networkFromText(network));
@@ -74,7 +74,7 @@ int serveOnlookers(const MonitorArguments& given) {
                                  sayMonitor);
                            },
                            [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); }, search};
-  web::Server server{webConfig(given), sayMonitor};
+  web::WebServer server{webConfig(given), sayMonitor};
   server.channel("/monitor", monitor::kSubprotocol, monitor);
   std::cout << "ready: ws://" << given.listen << ":" << server.port() << "/monitor" << std::endl;
   while (!endRequested()) {

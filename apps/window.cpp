@@ -47,7 +47,7 @@ void logWindow(const std::string& line) {
 }
 
 /// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
-std::string serveWindow(web::Server& server, const WindowArguments& given, window::MonitorFeed& feed,
+std::string serveWindow(web::WebServer& server, const WindowArguments& given, window::MonitorFeed& feed,
                         window::DriveSession& session, window::Transfer& transfer) {
   const std::string base = "/" + window::newSecret() + "/";
   for (const window::Asset& asset : window::assets())
@@ -62,7 +62,7 @@ std::string serveWindow(web::Server& server, const WindowArguments& given, windo
 }
 
 /// `ssh`: nothing: nobody has logged in. It returns with the session's thread at an end.
-void showWindow(const WindowArguments& given, window::VirtualRobot* own, const window::SshConnection* ssh) {
+void showWindow(const WindowArguments& given, window::SimulatedRobot* own, const window::SshConnection* ssh) {
   endOnSignals();
   if (ssh != nullptr && window::SshConnection::isEndRequested()) return;
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
@@ -74,11 +74,11 @@ void showWindow(const WindowArguments& given, window::VirtualRobot* own, const w
   window::DriveSession session{drive_thread, clock};
   window::Transfer transfer{window::Child::programOf("install"), window::RememberedFile::usual(), clock,
                             window::robotOf(given.choice.logged_in_to, given.login.port, given.login.key)};
-  web::ServerConfig config;
+  web::WebServerConfig config;
   config.port = given.port;
   config.origin.own_origin = true;
   config.max_channels = 12;  // three for each page
-  web::Server server{config, logWindow};
+  web::WebServer server{config, logWindow};
   const std::string address = serveWindow(server, given, feed, session, transfer);
   std::cout << "open in a browser: " << address << '\n';
   if (own) std::cout << own->driveInstructions() << '\n';
@@ -105,7 +105,7 @@ int openWindow(WindowArguments given) {
   if (target && !given.choice.monitor.empty())
     throw std::runtime_error("--monitor does not go with --robot tcp://USER@HOST: a monitor is started there");
   endOnSignals();
-  const std::unique_ptr<window::VirtualRobot> own = window::startVirtualRobot(given.choice, given.controller);
+  const std::unique_ptr<window::SimulatedRobot> own = window::startSimulatedRobot(given.choice, given.controller);
   if (!target) {
     showWindow(given, own.get(), nullptr);
     return 0;

@@ -1,3 +1,4 @@
+// Opens and closes the camera for observers.
 #include "monitor/camera_source.hpp"
 
 #include <stdexcept>

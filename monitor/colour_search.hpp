@@ -11,14 +11,14 @@
 namespace darwinop::monitor {
 
 /// Parameters of one colour search, those of the vision manager.
-struct Search {
+struct ColourQuery {
   ColourThresholds colour{};
   PercentLimits limits{};
-  bool operator==(const Search&) const = default;
+  bool operator==(const ColourQuery&) const = default;
 };
 
 /// Result of one search in one frame.
-struct SearchResult {
+struct ColourMatch {
   std::uint64_t picture = 0;                     // sequence number of the frame
   int width = 0, height = 0;                     // of the frame, pixels
   std::optional<Pixel> centre;                   // nullopt: the share of the colour is outside the limits
@@ -35,10 +35,10 @@ class ColourSearch {
 
   virtual ~ColourSearch() = default;
   /// Takes effect with the next frame; searches beyond kMost are ignored.
-  virtual void setSearches(const std::vector<Search>& searches) = 0;
+  virtual void setSearches(const std::vector<ColourQuery>& searches) = 0;
   virtual void process(const CameraFrame& frame) noexcept = 0;
   /// Nullopt: that frame was not searched for it, or its result is no longer kept.
-  [[nodiscard]] virtual std::optional<SearchResult> resultOf(const Search& search, std::uint64_t picture) const = 0;
+  [[nodiscard]] virtual std::optional<ColourMatch> resultOf(const ColourQuery& search, std::uint64_t picture) const = 0;
 };
 
 }  // namespace darwinop::monitor

@@ -1,3 +1,4 @@
+// Publishes state, faults, loop statistics, pictures and search results to subscribers.
 #include "monitor/monitor.hpp"
 
 #include <algorithm>
@@ -204,15 +205,15 @@ void Monitor::publishPictures() {
     subscriber.picture = picture.sequence;
     // The result precedes its picture, so that a page can show both together.
     if (search_ && subscriber.subscription.find)
-      if (const std::optional<SearchResult> found = search_->resultOf(*subscriber.subscription.find, picture.sequence))
-        channel->send(kFoundLane, shared(searchResultText(*found, subscriber.subscription.mask)));
+      if (const std::optional<ColourMatch> found = search_->resultOf(*subscriber.subscription.find, picture.sequence))
+        channel->send(kFoundLane, shared(colourMatchText(*found, subscriber.subscription.mask)));
     channel->sendBinary(kPictureLane, message);
   }
 }
 
 void Monitor::updateSearches() {
   if (!search_) return;
-  std::vector<Search> searches;
+  std::vector<ColourQuery> searches;
   for (const auto& [channel, subscriber] : subscribers_)
     if (subscriber.subscription.camera > 0 && subscriber.subscription.find)
       searches.push_back(*subscriber.subscription.find);

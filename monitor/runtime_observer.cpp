@@ -1,3 +1,4 @@
+// Detects start, end and hang of a runtime.
 #include "monitor/runtime_observer.hpp"
 
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// Parses the request member `find` and writes the message "found".
 #include "monitor/search_message.hpp"
 
 #include <array>
@@ -74,7 +75,7 @@ std::string takeSearch(const Json& request, Subscription& subscription) {
     return {};
   }
   if (!find->is_object()) return "find must be an object, such as {\"hue\": 355, \"hueTolerance\": 15}, or null";
-  Search search;
+  ColourQuery search;
   for (const WholeMember& member : kWholeMembers)
     if (std::string why = takeWhole(*find, member, search.colour); !why.empty()) return why;
   for (const PercentMember& member : kPercentMembers)
@@ -95,7 +96,7 @@ Json searchJson(const Subscription& subscription) {
   return find;
 }
 
-std::string searchResultText(const SearchResult& found, bool mask) {
+std::string colourMatchText(const ColourMatch& found, bool mask) {
   constexpr std::uint64_t kWraps = 0xFFFFFFFF;  // as the number in a picture's header
   const bool any = found.pixels > 0;
   const double all = static_cast<double>(found.width) * found.height;

@@ -14,6 +14,6 @@ namespace darwinop::monitor {
 /// The inverse of takeSearch(), for a request to another monitor.
 [[nodiscard]] nlohmann::ordered_json searchJson(const Subscription& subscription);
 
-[[nodiscard]] std::string searchResultText(const SearchResult& found, bool mask);
+[[nodiscard]] std::string colourMatchText(const ColourMatch& found, bool mask);
 
 }  // namespace darwinop::monitor

@@ -12,7 +12,7 @@ inline constexpr double kMostRate = 125, kMostPictures = 30, kUsualRate = 20;  /
 struct Subscription {
   double rate = kUsualRate;  // state messages, Hz; 0: none
   double camera = 0;         // pictures, Hz; 0: none
-  std::optional<Search> find = {};
+  std::optional<ColourQuery> find = {};
   bool mask = false;  // results include the mask of matching pixels
   bool operator==(const Subscription&) const = default;
 };

@@ -1,3 +1,4 @@
+// Embeds the page's files with the assembler.
 #include "window/assets.hpp"
 
 #include <array>

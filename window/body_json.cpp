@@ -1,3 +1,4 @@
+// Writes the compiled MuJoCo body as JSON.
 #include "window/body_json.hpp"
 
 #include <cmath>

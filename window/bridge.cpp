@@ -1,3 +1,4 @@
+// Forwards messages between page and remote monitor.
 #include "window/bridge.hpp"
 
 #include <array>

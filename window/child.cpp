@@ -1,3 +1,4 @@
+// fork and exec of a child process, its signals and its end.
 #include "window/child.hpp"
 
 #include <fcntl.h>

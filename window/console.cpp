@@ -1,3 +1,4 @@
+// Classifies and stores output lines.
 #include "window/console.hpp"
 
 #include <array>

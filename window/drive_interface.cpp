@@ -1,3 +1,4 @@
+// Merging of drive requests.
 #include "window/drive_interface.hpp"
 
 namespace darwinop::window {

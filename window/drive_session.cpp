@@ -1,3 +1,4 @@
+// Takeover, heartbeat and end of a page's drive session.
 #include "window/drive_session.hpp"
 
 #include <memory>

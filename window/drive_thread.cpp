@@ -1,3 +1,4 @@
+// Thread that runs a drive session cycle by cycle.
 #include "window/drive_thread.hpp"
 
 #include <exception>

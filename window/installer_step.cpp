@@ -1,3 +1,4 @@
+// Parser of darwinop-install's progress lines.
 #include "window/installer_step.hpp"
 
 #include <algorithm>

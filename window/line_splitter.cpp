@@ -1,3 +1,4 @@
+// Splits a program's output into lines.
 #include "window/line_splitter.hpp"
 
 #include <algorithm>

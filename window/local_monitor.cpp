@@ -1,3 +1,4 @@
+// Monitor of a robot on this computer, with camera or rendered pictures.
 #include "window/local_monitor.hpp"
 
 #include <utility>

@@ -1,3 +1,4 @@
+// Computes each cycle's commands from goals, walk and motion pages.
 #include "window/motion_planner.hpp"
 
 #include <algorithm>

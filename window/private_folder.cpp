@@ -1,3 +1,4 @@
+// Creates and removes the temporary folder of a window.
 #include "window/private_folder.hpp"
 
 #include <signal.h>

@@ -1,3 +1,4 @@
+// Reads and writes the file of recently used robots and controllers.
 #include "window/remembered.hpp"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// Serves a report of darwinop gap to the page.
 #include "window/report_page.hpp"
 
 #include <cstdint>
@@ -16,7 +17,7 @@ constexpr const char* kReportPolicy =
 
 }  // namespace
 
-void serveReport(web::Server& server, const std::string& base, const std::string& file) {
+void serveReport(web::WebServer& server, const std::string& base, const std::string& file) {
   nlohmann::json about{{"name", nullptr}};
   if (!file.empty()) {
     std::error_code unknown;

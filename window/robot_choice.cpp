@@ -1,3 +1,4 @@
+// Selection of the robot by --robot and --monitor.
 #include "window/robot_choice.hpp"
 
 #include <stdexcept>
@@ -35,7 +36,8 @@ connect::Address monitorOf(const RobotChoice& choice) {
 
 }  // namespace
 
-std::unique_ptr<VirtualRobot> startVirtualRobot(const RobotChoice& choice, const std::vector<std::string>& controller) {
+std::unique_ptr<SimulatedRobot> startSimulatedRobot(const RobotChoice& choice,
+                                                    const std::vector<std::string>& controller) {
   const std::string& robot = choice.robot;
   if (robot == "runtime" || isRemote(choice)) {
     if (!controller.empty())
@@ -43,8 +45,8 @@ std::unique_ptr<VirtualRobot> startVirtualRobot(const RobotChoice& choice, const
           "the window starts a controller only on its own virtual robot; start it with: darwinop run");
     return nullptr;
   }
-  if (robot == "virtual") return std::make_unique<VirtualRobot>("plain", controller);
-  if (robot == "twin" || robot.starts_with("twin:")) return std::make_unique<VirtualRobot>(robot, controller);
+  if (robot == "virtual") return std::make_unique<SimulatedRobot>("plain", controller);
+  if (robot == "twin" || robot.starts_with("twin:")) return std::make_unique<SimulatedRobot>(robot, controller);
   throw std::runtime_error("unknown --robot " + robot + "; use twin, twin:MODEL, virtual, runtime or tcp://HOST");
 }
 

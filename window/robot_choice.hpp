@@ -9,7 +9,7 @@
 #include "runtime/names.hpp"
 #include "runtime/robot_link.hpp"
 #include "window/monitor_feed.hpp"
-#include "window/virtual_robot.hpp"
+#include "window/simulated_robot.hpp"
 
 namespace darwinop::window {
 
@@ -23,7 +23,8 @@ struct RobotChoice {
 using LogLine = std::function<void(const std::string&)>;
 
 /// Starts the window's own virtual robot; null: another robot is selected. Throws std::runtime_error.
-std::unique_ptr<VirtualRobot> startVirtualRobot(const RobotChoice& choice, const std::vector<std::string>& controller);
+std::unique_ptr<SimulatedRobot> startSimulatedRobot(const RobotChoice& choice,
+                                                    const std::vector<std::string>& controller);
 
 /// `files`: of the local runtime. `rendered`: camera file of the own virtual robot; empty: another robot.
 MonitorFeed openMonitorFeed(const RobotChoice& choice, const runtime::RuntimeFiles& files, const std::string& rendered,

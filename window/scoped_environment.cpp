@@ -1,3 +1,4 @@
+// Sets and restores environment variables.
 #include "window/scoped_environment.hpp"
 
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+// Random path of the page.
 #include "window/secret.hpp"
 
 #include <sys/random.h>

@@ -1,3 +1,4 @@
+// ssh connection to a robot for the window.
 #include "window/ssh_connection.hpp"
 
 #include <utility>
@@ -31,7 +32,7 @@ std::string SshConnection::monitor() const {
   return "127.0.0.1:" + std::to_string(ports_.at(1));
 }
 
-void SshConnection::notifyPages(web::Server& server, MonitorFeed& feed) const {
+void SshConnection::notifyPages(web::WebServer& server, MonitorFeed& feed) const {
   feed.sendEnd("the connection to " + target_ +
                " is over; see the terminal of darwinop window for the reason, then start it again.");
   for (int i = 0; i < kPolls; ++i) server.poll(kSendTimeout / kPolls);

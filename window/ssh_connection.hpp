@@ -27,7 +27,7 @@ class SshConnection {
   /// A signal requested the end during login or shutdown.
   [[nodiscard]] static bool isEndRequested() { return ssh::SshSession::isEndRequested(); }
   /// Sends the final message to all pages.
-  void notifyPages(web::Server& server, MonitorFeed& feed) const;
+  void notifyPages(web::WebServer& server, MonitorFeed& feed) const;
   /// Ends the programs on the robot and waits for that. Returns the exit status.
   int end() { return session_.end(); }
 

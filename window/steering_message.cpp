@@ -1,3 +1,4 @@
+// Parser of requests on the steering channel.
 #include "window/steering_message.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Transfer channel: requests, state, console lines.
 #include "window/transfer.hpp"
 
 #include <algorithm>
@@ -164,7 +165,7 @@ web::Bytes Transfer::knownText() const {
                  {"given", given_ ? jsonOf(*given_) : json(nullptr)},
                  {"controllers", remembered_.all().controllers},
                  {"examples", controllersBeside(installer_)},
-                 {"trouble", remembered_.error()}});
+                 {"trouble", remembered_.error()}});  // keep-word: name in the protocol
 }
 
 }  // namespace darwinop::window

@@ -1,3 +1,4 @@
+// Command lines of darwinop-install.
 #include "window/transfer_command.hpp"
 
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// Parser of requests on the transfer channel.
 #include "window/transfer_message.hpp"
 
 #include <algorithm>

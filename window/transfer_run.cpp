@@ -1,3 +1,4 @@
+// Reads output and progress of one run of darwinop-install.
 #include "window/transfer_run.hpp"
 
 #include <unistd.h>

@@ -1,3 +1,4 @@
+// Colour search of the monitor, run in the encoder thread.
 #include "apps/colour_search/frame_search.hpp"
 
 #include <algorithm>
@@ -9,13 +10,13 @@
 #include "hal/pixels/yuyv_to_bgra.hpp"
 
 namespace darwinop::colour_search {
-using monitor::Search;
-using monitor::SearchResult;
+using monitor::ColourMatch;
+using monitor::ColourQuery;
 
 namespace {
 
 /// Computes pixel count, bounding box and packed mask of a finder's mask.
-void describe(const vision::BitRows& mask, SearchResult& found) {
+void describe(const vision::BitRows& mask, ColourMatch& found) {
   const std::size_t row_bytes = (static_cast<std::size_t>(mask.width()) + 7) / 8;
   found.width = found.left = mask.width();
   found.height = found.top = mask.height();
@@ -40,9 +41,9 @@ void describe(const vision::BitRows& mask, SearchResult& found) {
 
 }  // namespace
 
-void FrameSearch::setSearches(const std::vector<Search>& searches) {
-  std::vector<Search> different;
-  for (const Search& search : searches)
+void FrameSearch::setSearches(const std::vector<ColourQuery>& searches) {
+  std::vector<ColourQuery> different;
+  for (const ColourQuery& search : searches)
     if (different.size() < kMost && std::ranges::find(different, search) == different.end())
       different.push_back(search);
   const std::lock_guard lock{mutex_};
@@ -62,7 +63,7 @@ void FrameSearch::searchFrame(const CameraFrame& frame) {
     std::erase_if(active_, [&](const ActiveSearch& active) {
       return !wanted(active) || active.finder.width() != frame.width || active.finder.height() != frame.height;
     });
-    for (const Search& search : wanted_)
+    for (const ColourQuery& search : wanted_)
       if (std::ranges::find(active_, search, &ActiveSearch::search) == active_.end())
         active_.push_back({search, vision::ColourFinder{frame.width, frame.height, search.colour, search.limits}});
   }
@@ -76,7 +77,7 @@ void FrameSearch::searchFrame(const CameraFrame& frame) {
     bgra = bgra_;
   }
   for (ActiveSearch& active : active_) {
-    SearchResult found;
+    ColourMatch found;
     found.picture = frame.sequence;
     found.centre = active.finder.find(bgra);
     describe(active.finder.mask(), found);
@@ -85,11 +86,11 @@ void FrameSearch::searchFrame(const CameraFrame& frame) {
   }
 }
 
-std::optional<SearchResult> FrameSearch::resultOf(const Search& search, std::uint64_t picture) const {
+std::optional<ColourMatch> FrameSearch::resultOf(const ColourQuery& search, std::uint64_t picture) const {
   const std::lock_guard lock{mutex_};
   const auto active = std::ranges::find(active_, search, &ActiveSearch::search);
   if (active == active_.end() || picture == 0) return std::nullopt;
-  const SearchResult& found = active->results[picture % kKept];
+  const ColourMatch& found = active->results[picture % kKept];
   return found.picture == picture ? std::optional{found} : std::nullopt;
 }
 

@@ -1,3 +1,4 @@
+// JPEG decoder for untrusted input, with libjpeg-turbo.
 #include "remote/jpeg/decoder.hpp"
 
 #include <array>

@@ -1,3 +1,4 @@
+// JPEG encoder without allocation per picture, with libjpeg-turbo.
 #include "remote/jpeg/encoder.hpp"
 
 #include <jerror.h>

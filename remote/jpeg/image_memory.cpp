@@ -1,3 +1,4 @@
+// Memory manager for libjpeg's pool JPOOL_IMAGE.
 #include "remote/jpeg/image_memory.hpp"
 
 #include <jerror.h>

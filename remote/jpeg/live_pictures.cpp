@@ -1,3 +1,4 @@
+// Encoder thread and wait-free hand-over of pictures.
 #include "remote/jpeg/live_pictures.hpp"
 
 #include <pthread.h>

@@ -1,3 +1,4 @@
+// Camera pictures for observers.
 #include "remote/robot/observer_pictures.hpp"
 
 #include <sys/stat.h>

@@ -31,7 +31,7 @@ int main() {
   remote::JpegEncoder encoder{remote::kWholeImage, remote::qualityOf(remote::kWholeImage)};
   bench::Bytes jpeg(encoder.mostBytes());
   for (const int searches : {1, static_cast<int>(monitor::ColourSearch::kMost)}) {
-    std::vector<monitor::Search> wanted;
+    std::vector<monitor::ColourQuery> wanted;
     for (int i = 0; i < searches; ++i) wanted.push_back({{.hue = 40 * i}, {}});
     double ours = 0, peer = 0;
     std::size_t bytes = 0;
@@ -44,9 +44,9 @@ int main() {
         const CameraFrame frame{turn, Nanos{0}, 320, 240, {}, scene.yuyv};
         keepBest(find_us, [&] {
           search_of_frames.process(frame);
-          for (const monitor::Search& search : wanted)
+          for (const monitor::ColourQuery& search : wanted)
             if (const auto found = search_of_frames.resultOf(search, turn))
-              bytes = searchResultText(*found, true).size();
+              bytes = colourMatchText(*found, true).size();
         });
         keepBest(encode_us, [&] { (void)encoder.encode(frame, jpeg); });
       }

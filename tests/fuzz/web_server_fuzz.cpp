@@ -32,7 +32,7 @@ struct Echo final : ChannelHandler {
 
 struct Served {
   Echo echo;
-  Server server{{.origin = {.own_origin = true}, .max_messages_per_s = 1000}, [](const std::string&) {}};
+  WebServer server{{.origin = {.own_origin = true}, .max_messages_per_s = 1000}, [](const std::string&) {}};
   Served() {
     server.serve(std::string{"/"} + kSecret + "/", {.type = "text/plain", .body = kTreasure});
     server.serve("/", {.type = "text/plain", .body = "hello"});

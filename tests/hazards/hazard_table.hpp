@@ -266,7 +266,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "supervisor_test:Begin.AsRootItIsRefusedUnlessRobotIniSaysSo runtime_test:Users.ThereIsNoWayBackToRoot"},
     {"H704", "A page holds all connections and STOP is not reachable", "32 silent connections",
      "new pages always get in", "the oldest silent connection gives way",
-     "remote_web_test:WebServer.ServesNewClientsHoweverManyConnectionsAreHeldOpen"},
+     "remote_web_test:WebServerTest.ServesNewClientsHoweverManyConnectionsAreHeldOpen"},
     {"H705", "Text from outside drives the terminal", "escape sequences in a server's message",
      "text of others is shown, not obeyed", "control characters escaped",
      "remote_client_test:TcpLinkTest.EscapesControlCharactersInTextOfAServer"},

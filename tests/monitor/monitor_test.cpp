@@ -57,14 +57,14 @@ struct FakeChannel final : web::Channel {
 
 /// Finds one pixel in every frame that it is given while there is a search.
 struct FakeColourSearch final : ColourSearch {
-  std::vector<Search> searches;
+  std::vector<ColourQuery> searches;
   std::uint64_t newest = 0;
 
-  void setSearches(const std::vector<Search>& requested) override { searches = requested; }
+  void setSearches(const std::vector<ColourQuery>& requested) override { searches = requested; }
   void process(const CameraFrame& frame) noexcept override { newest = frame.sequence; }
-  [[nodiscard]] std::optional<SearchResult> resultOf(const Search& search, std::uint64_t picture) const override {
+  [[nodiscard]] std::optional<ColourMatch> resultOf(const ColourQuery& search, std::uint64_t picture) const override {
     if (picture != newest || std::ranges::find(searches, search) == searches.end()) return std::nullopt;
-    SearchResult result;
+    ColourMatch result;
     result.picture = picture;
     result.width = result.height = 4;
     return result;
@@ -288,7 +288,7 @@ TEST_F(MonitorTest, OpensTheCameraWhileItIsRequestedAndNoControllerDrives) {
   begin();
   monitor().opened(observer_);
   pass(100ms);
-  EXPECT_EQ(cameras_open_, 0) << "nobody has request";
+  EXPECT_EQ(cameras_open_, 0) << "not requested";
   monitor().received(observer_, R"({"camera": 10})", false);
   pass(1s);
   EXPECT_EQ(cameras_open_, 1);
@@ -324,7 +324,7 @@ TEST_F(MonitorTest, SendsTheSearchResultAheadOfThePicture) {
   monitor().opened(observer_);
   monitor().received(observer_, R"({"camera": 10})", false);
   pass(300ms);
-  EXPECT_EQ(observer_.count("found"), 0) << "nobody has request";
+  EXPECT_EQ(observer_.count("found"), 0) << "not requested";
   observer_.order.clear();
   monitor().received(observer_, R"({"find": {"hue": 28}})", false);
   pass(500ms);

@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const Search kRedBall{};  // the search's own thresholds
+const ColourQuery kRedBall{};  // the search's own thresholds
 
 TEST(MonitorSearch, ReadsMemberByMember) {
   std::string why;
@@ -21,7 +21,7 @@ TEST(MonitorSearch, ReadsMemberByMember) {
           "minPercent": 0.5, "maxPercent": 30, "mask": true, "later": {}}})",
       {}, why);
   ASSERT_TRUE(subscription.has_value()) << why;
-  EXPECT_EQ(subscription->find, (Search{{28, 20, -1, 45}, {0.5, 30}}));
+  EXPECT_EQ(subscription->find, (ColourQuery{{28, 20, -1, 45}, {0.5, 30}}));
   EXPECT_TRUE(subscription->mask);
   const auto same = parseSubscription(R"({"rate": 5})", *subscription, why);
   EXPECT_EQ(same->find, subscription->find) << "omitted members keep their values";

@@ -53,9 +53,9 @@ struct FakePage final : web::Channel {
 class WindowBridge : public testing::Test {
  protected:
   void startMonitor(std::uint16_t port = 0) {
-    web::ServerConfig config;
+    web::WebServerConfig config;
     config.port = port;
-    server_ = std::make_unique<web::Server>(config, [](const std::string&) {});
+    server_ = std::make_unique<web::WebServer>(config, [](const std::string&) {});
     server_->channel("/monitor", protocol_, monitor_);
     port_ = server_->port();
   }
@@ -84,7 +84,7 @@ class WindowBridge : public testing::Test {
 
   FakeMonitor monitor_;
   FakePage page_;
-  std::unique_ptr<web::Server> server_;
+  std::unique_ptr<web::WebServer> server_;
   std::unique_ptr<window::Bridge> bridge_;
   std::string protocol_ = "darwinop-monitor.1";
   std::uint16_t port_ = 0;

@@ -166,7 +166,7 @@ TEST_F(WindowMotionPlanner, AbortsAPageThatTheRobotDoesNotFollow) {
   EXPECT_TRUE(turn().motors.empty());
 }
 
-TEST_F(WindowMotionPlanner, AbortsAWalkThatTheRobotDoesNotFollowUntilANewRequest) {
+TEST_F(WindowMotionPlanner, AbortsAWalkThatTheRobotDoesNotFollowUntilItIsRequestedAgain) {
   for (int i = 0; i < 20; ++i) (void)turn(forwards());
   seen_.safety.state = State::kOffline;
   for (int i = 0; i < 30; ++i) (void)turn(forwards());

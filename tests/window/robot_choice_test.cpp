@@ -24,10 +24,10 @@ std::string whyNot(Act act) {
 TEST(WindowRobotChoice, StartsAControllerOnlyOnItsOwnRobot) {
   for (const RobotChoice& choice :
        {RobotChoice{.robot = "runtime"}, RobotChoice{.robot = "tcp://r"}, RobotChoice{.monitor = "r:5024"}}) {
-    EXPECT_EQ(window::startVirtualRobot(choice, {}), nullptr) << choice.robot;
-    EXPECT_THAT(whyNot([&] { (void)window::startVirtualRobot(choice, {"walker"}); }), HasSubstr("darwinop run"));
+    EXPECT_EQ(window::startSimulatedRobot(choice, {}), nullptr) << choice.robot;
+    EXPECT_THAT(whyNot([&] { (void)window::startSimulatedRobot(choice, {"walker"}); }), HasSubstr("darwinop run"));
   }
-  EXPECT_THAT(whyNot([] { (void)window::startVirtualRobot({.robot = "twins"}, {}); }), HasSubstr("twin, twin:MODEL"));
+  EXPECT_THAT(whyNot([] { (void)window::startSimulatedRobot({.robot = "twins"}, {}); }), HasSubstr("twin, twin:MODEL"));
 }
 
 TEST(WindowRobotChoice, ObservesOnlyWithAMonitorAlone) {

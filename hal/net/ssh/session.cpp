@@ -1,3 +1,4 @@
+// Child process darwinop-install --remote: start, wait until ready, forward signals, end.
 #include "hal/net/ssh/session.hpp"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// Parses "tcp://USER@HOST".
 #include "hal/net/ssh/target.hpp"
 
 #include <stdexcept>

@@ -26,7 +26,7 @@ class Channel {
   virtual void close(const std::string& why) = 0;
 };
 
-/// Called from inside Server::poll(). Must outlive the server.
+/// Called from inside WebServer::poll(). Must outlive the server.
 class ChannelHandler {
  public:
   virtual ~ChannelHandler() = default;

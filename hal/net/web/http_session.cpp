@@ -1,3 +1,4 @@
+// HTTP request handling and WebSocket I/O of one connection, with Boost.Beast.
 #include "hal/net/web/http_session.hpp"
 
 #include <string.h>
@@ -114,7 +115,7 @@ void HttpSession::refuse(Status status, const std::string& why) {
   reply(status, {"text/plain; charset=utf-8", why + "\n"}, request_->get().method() != http::verb::head);
 }
 
-void HttpSession::reply(Status status, Page page, bool body) {
+void HttpSession::reply(Status status, WebPage page, bool body) {
   reply_ = Reply{status, 11};
   reply_.set(http::field::content_type, page.type);
   reply_.set(http::field::cache_control, "no-store");

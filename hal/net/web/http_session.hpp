@@ -31,9 +31,9 @@ class HttpSession;
 
 /// State shared by all sessions; outlives them.
 struct ServerContext {
-  ServerConfig config;
+  WebServerConfig config;
   net::BoundedLog log;
-  std::map<std::string, Page, std::less<>> pages;
+  std::map<std::string, WebPage, std::less<>> pages;
   std::map<std::string, Endpoint, std::less<>> endpoints;
   std::size_t connections = 0, channels = 0;
   std::list<HttpSession*> idle_sessions{};  // connections that are not channels, oldest first
@@ -68,7 +68,7 @@ class HttpSession final : public Channel, public std::enable_shared_from_this<Ht
   using Reply = boost::beast::http::response<boost::beast::http::string_body>;
 
   void respond();
-  void reply(Status status, Page page, bool body = true);
+  void reply(Status status, WebPage page, bool body = true);
   void refuse(Status status, const std::string& why);
   void upgrade(const Endpoint& endpoint);
   void opened(const Endpoint& endpoint);

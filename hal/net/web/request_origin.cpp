@@ -1,3 +1,4 @@
+// Host and Origin check of a request.
 #include "hal/net/web/request_origin.hpp"
 
 #include <arpa/inet.h>

@@ -1,3 +1,4 @@
+// Bounded send queue of one WebSocket connection.
 #include "hal/net/web/send_queue.hpp"
 
 #include <algorithm>

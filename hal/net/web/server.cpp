@@ -1,3 +1,4 @@
+// Web server: accepts connections and runs their handlers.
 #include "hal/net/web/server.hpp"
 
 #include <unistd.h>
@@ -20,8 +21,8 @@ constexpr int kAcceptsAtOnce = 16;  // then open connections are served
 
 }  // namespace
 
-struct Server::Impl {
-  Impl(const ServerConfig& config, Log log)
+struct WebServer::Impl {
+  Impl(const WebServerConfig& config, Log log)
       : shared{.config = config, .log = net::BoundedLog{std::move(log)}, .pages = {}, .endpoints = {}},
         listener{config.address, config.port},
         acceptor{context, ::dup(listener.descriptor())} {
@@ -66,19 +67,19 @@ struct Server::Impl {
   asio::posix::stream_descriptor acceptor;
 };
 
-Server::Server(const ServerConfig& config, Log log) : impl_{std::make_unique<Impl>(config, std::move(log))} {}
+WebServer::WebServer(const WebServerConfig& config, Log log) : impl_{std::make_unique<Impl>(config, std::move(log))} {}
 
-Server::~Server() = default;
+WebServer::~WebServer() = default;
 
-void Server::serve(const std::string& path, Page page) {
+void WebServer::serve(const std::string& path, WebPage page) {
   impl_->shared.pages[path] = std::move(page);
 }
 
-void Server::channel(const std::string& path, const std::string& subprotocol, ChannelHandler& handler) {
+void WebServer::channel(const std::string& path, const std::string& subprotocol, ChannelHandler& handler) {
   impl_->shared.endpoints[path] = {subprotocol, &handler};
 }
 
-void Server::poll(Nanos longest) {
+void WebServer::poll(Nanos longest) {
   constexpr int kAtOnce = 64;
   impl_->shared.log.reportOmitted(std::chrono::steady_clock::now().time_since_epoch());
   // run_one_for() with no time left runs no handler at all.
@@ -87,7 +88,7 @@ void Server::poll(Nanos longest) {
   }
 }
 
-std::uint16_t Server::port() const {
+std::uint16_t WebServer::port() const {
   return impl_->listener.port();
 }
 

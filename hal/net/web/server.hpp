@@ -15,7 +15,7 @@
 
 namespace darwinop::web {
 
-struct ServerConfig {
+struct WebServerConfig {
   net::Ipv4 address = 0x7F000001;  // loopback
   std::uint16_t port = 0;          // 0: any free port
   std::vector<net::Network> allowed{{0x7F000000, 0xFF000000}};
@@ -28,26 +28,26 @@ struct ServerConfig {
   Nanos idle_timeout{std::chrono::seconds{20}};      // without any data, pongs included
 };
 
-struct Page {
+struct WebPage {
   std::string type;  // "text/html; charset=utf-8"
   std::string body;
   std::string policy = {};  // Content-Security-Policy; empty: default-src 'self'
 };
 
 /// Single-threaded: everything happens inside poll(), which never blocks on a peer.
-class Server {
+class WebServer {
  public:
   using Log = std::function<void(const std::string&)>;
 
   /// Listens at once. Throws std::runtime_error with the remedy. `log` gets at most 30 lines a minute.
-  Server(const ServerConfig& config, Log log);
+  WebServer(const WebServerConfig& config, Log log);
   /// Closes open channels.
-  ~Server();
-  Server(const Server&) = delete;
-  Server& operator=(const Server&) = delete;
+  ~WebServer();
+  WebServer(const WebServer&) = delete;
+  WebServer& operator=(const WebServer&) = delete;
 
   /// Answers GET and HEAD of exactly this path. Call before the first poll().
-  void serve(const std::string& path, Page page);
+  void serve(const std::string& path, WebPage page);
   /// Adds a WebSocket endpoint; a peer must offer `subprotocol`. Call before the first poll().
   void channel(const std::string& path, const std::string& subprotocol, ChannelHandler& handler);
 

@@ -1,3 +1,4 @@
+// Reconnecting WebSocket client, with Boost.Beast.
 #include "hal/net/web/websocket_client.hpp"
 
 #include <boost/asio/io_context.hpp>

@@ -18,11 +18,11 @@ namespace darwinop::colour_search {
 namespace {
 
 using Json = nlohmann::json;
-using monitor::Search;
-using monitor::searchResultText;
+using monitor::colourMatchText;
+using monitor::ColourQuery;
 
 constexpr int kWide = 320, kHigh = 240;
-const Search kRedBall{};  // the search's own thresholds
+const ColourQuery kRedBall{};  // the search's own thresholds
 
 /// A red box on a green lawn.
 std::vector<std::uint8_t> lawnWithBox(int left, int top, int width, int height) {
@@ -53,10 +53,10 @@ TEST(FrameSearch, FindsTheBallAtItsPosition) {
   ASSERT_EQ(found->mask.size(), kWide / 8U * kHigh);
   EXPECT_EQ(found->mask[60 * 40 + 12], 0xF0) << "pixels 100 to 103";
   EXPECT_EQ(found->mask[59 * 40 + 12], 0x00);
-  EXPECT_EQ(searchResultText(*found, false),
+  EXPECT_EQ(colourMatchText(*found, false),
             R"({"type":"found","picture":7,"width":320,"height":240,"x":120,"y":70,"pixels":861,"percent":1.12109,)"
             R"("box":[100,60,140,80]})");
-  const Json text = Json::parse(searchResultText(*found, true));
+  const Json text = Json::parse(colourMatchText(*found, true));
   const std::string mask = text["mask"];
   EXPECT_EQ(mask.size(), 12800U);
   EXPECT_EQ(mask.substr((60 * 40 + 12) / 3 * 4, 4), "8P//") << "f0 ff ff";
@@ -78,19 +78,19 @@ TEST(FrameSearch, FindsInYuyvFramesOfACamera) {
 
 TEST(FrameSearch, ReportsThePixelCountOutsideTheLimits) {
   FrameSearch search;
-  const Search small{{}, {0, 1}};
+  const ColourQuery small{{}, {0, 1}};
   search.setSearches({small});
   search.process(frameOf(lawnWithBox(100, 60, 41, 21), 1));
   EXPECT_FALSE(search.resultOf(small, 1)->centre.has_value());
   EXPECT_EQ(search.resultOf(small, 1)->pixels, 861U);
   search.process(frameOf(lawnWithBox(0, 0, 0, 0), 2));
   EXPECT_EQ(
-      searchResultText(*search.resultOf(small, 2), false),
+      colourMatchText(*search.resultOf(small, 2), false),
       R"({"type":"found","picture":2,"width":320,"height":240,"x":null,"y":null,"pixels":0,"percent":0,"box":null})");
 }
 
 TEST(FrameSearch, RunsAtMostAsManySearchesAsThereAreObservers) {
-  std::vector<Search> many;
+  std::vector<ColourQuery> many;
   for (int hue = 0; hue < 40; ++hue) many.push_back({{.hue = hue / 2}, {}});
   FrameSearch search;
   search.setSearches(many);

@@ -128,12 +128,12 @@ TEST_F(RemotePictures, ThatAreDamagedOrBlackOrOldAreDiscarded) {
   EXPECT_EQ(eyes->health().damaged, 1);
   comes(greyJpeg(kWholeImage), 0);
   (void)eyes->newest();
-  EXPECT_FALSE(eyes->health().seeing) << "number 0 says that the camera is blind";
+  EXPECT_FALSE(eyes->health().seeing) << "picture number 0 means that the camera is blind";
   comes(greyJpeg(kWholeImage), 2);
   (void)eyes->newest();
   EXPECT_TRUE(eyes->health().seeing);
   now += 3s;
-  EXPECT_FALSE(eyes->health().seeing) << "as long as nothing newer comes";
+  EXPECT_FALSE(eyes->health().seeing) << "while no newer picture arrives";
 }
 
 TEST_F(RemotePictures, OfABlindCameraAreLogged) {
@@ -153,7 +153,7 @@ TEST_F(RemotePictures, AreRequestedJustBeforeTheyAreAccessed) {
   }
   EXPECT_EQ(asked, "P......P...P.") << "it learns that the camera is looked at every fourth step";
   eyes.reset();
-  EXPECT_FALSE(pictures.areDue()) << "nobody looks";
+  EXPECT_FALSE(pictures.areDue()) << "not accessed";
 }
 
 std::string judged(LinkSpeed& speed, Nanos network, std::size_t picture, ImageSize size) {

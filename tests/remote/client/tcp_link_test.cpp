@@ -129,7 +129,7 @@ TEST_F(TcpLinkTest, SendsEachCommandOnceInTheServosUnits) {
   ASSERT_EQ(requests.size(), 5) << "the first request, three steps, the end of the session";
   EXPECT_TRUE(requests[0].motors.empty()) << "nothing is wanted yet";
   EXPECT_FALSE(requests[0].extension.unattended);
-  EXPECT_FALSE(requests[0].extension.only_if_up) << "a controller that begins takes the robot";
+  EXPECT_FALSE(requests[0].extension.only_if_up) << "a new controller may start the robot";
   ASSERT_EQ(requests[1].motors.size(), 1);
   EXPECT_EQ(requests[1].motors[0],
             (MotorSetting{.joint = Joint::kNeck, .set = MotorSetting::kPosition, .position = 326}))
@@ -137,7 +137,7 @@ TEST_F(TcpLinkTest, SendsEachCommandOnceInTheServosUnits) {
   EXPECT_EQ(requests[1].leds.size(), 1);
   EXPECT_TRUE(requests[2].motors.empty() && requests[2].leds.empty());
   EXPECT_TRUE(requests[4].extension.end_of_session);
-  EXPECT_TRUE(requests[4].extension.only_if_up) << "it wakes nobody";
+  EXPECT_TRUE(requests[4].extension.only_if_up) << "it does not start a robot at rest";
 }
 
 TEST_F(TcpLinkTest, SendsTheLastGoalsAndNoEndOfSessionWhenLeftHolding) {
@@ -220,7 +220,7 @@ TEST_F(TcpLinkTest, ReportsThatNoServerIsThere) {
   }
   try {
     (void)link(port);
-    ADD_FAILURE() << "somebody answers";
+    ADD_FAILURE() << "a server is there";
   } catch (const std::runtime_error& refused) {
     EXPECT_THAT(refused.what(), HasSubstr("darwinop remote"));
     EXPECT_THAT(refused.what(), HasSubstr("another client drives"));
@@ -301,8 +301,8 @@ TEST_F(TcpLinkTest, SendsAllCommandsAfterAReconnectAndStartsAtThePresentPosition
   std::size_t sent = 0;
   for (const Request& request : again.requests()) {
     EXPECT_TRUE(request.extension.start_where_it_is);
-    EXPECT_TRUE(request.extension.only_if_up) << "it may be in somebody's hands by now";
-    EXPECT_TRUE(request.extension.unattended) << "no person has started it again";
+    EXPECT_TRUE(request.extension.only_if_up) << "the robot may have been released";
+    EXPECT_TRUE(request.extension.unattended) << "not restarted by a person";
     sent += request.motors.size();
   }
   EXPECT_EQ(sent, 1) << "a new connection gets it once";
@@ -332,7 +332,7 @@ TEST_F(TcpLinkTest, AgesAReplyThatWasBuffered) {
   const auto tcp = link(server.port());
   robot.delay = 250ms;
   while (server.requests().size() < 3) ASSERT_TRUE(stepOf(*tcp));
-  EXPECT_GT(server.requests()[2].extension.until_cycle, 1003) << "it has run on meanwhile";
+  EXPECT_GT(server.requests()[2].extension.until_cycle, 1003) << "the loop has continued in the meantime";
 }
 
 TEST_F(TcpLinkTest, RequestsTheNextCycleOfALoopThatStoodStill) {
@@ -342,7 +342,7 @@ TEST_F(TcpLinkTest, RequestsTheNextCycleOfALoopThatStoodStill) {
   const auto tcp = link(server.port());
   robot.delay = 250ms;
   while (server.requests().size() < 3) ASSERT_TRUE(stepOf(*tcp));
-  EXPECT_EQ(server.requests()[2].extension.until_cycle, 1001) << "it has run none meanwhile";
+  EXPECT_EQ(server.requests()[2].extension.until_cycle, 1001) << "the loop has run no cycle in the meantime";
 }
 
 TEST_F(TcpLinkTest, GivesFreshValuesToAControllerThatStepsLate) {

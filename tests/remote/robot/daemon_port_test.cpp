@@ -65,7 +65,7 @@ class RemoteDaemonPort : public testing::Test {
 };
 
 TEST_F(RemoteDaemonPort, HoldsTheLeaseDuringASessionAndLeavesTheRobotHolding) {
-  EXPECT_FALSE(runtime::FileLock::holder(files_.drive_lock) > 0) << "nobody drives yet";
+  EXPECT_FALSE(runtime::FileLock::holder(files_.drive_lock) > 0) << "not driven yet";
   port_.startSession(SessionStart::kNew);
   obeyUntil(neckTo(0.5), [this] { return std::abs(neck() - 0.5) < 0.01; });
   EXPECT_EQ(port_.endReason(), "");
@@ -95,7 +95,7 @@ TEST_F(RemoteDaemonPort, EndsTheSessionOfADisconnectedClientAtTheEnd) {
 TEST_F(RemoteDaemonPort, ACancelledSessionLeavesTheRobotLimp) {
   while (seen().safety.state != State::kLimp) std::this_thread::sleep_for(2ms);
   port_.startSession(SessionStart::kNew);
-  EXPECT_EQ(port_.sensors().safety.state, State::kLimp) << "this is how the server knows";
+  EXPECT_EQ(port_.sensors().safety.state, State::kLimp) << "the server checks this state";
   port_.cancelSession();
   EXPECT_TRUE(runtime::FileLock::tryTake(files_.drive_lock).has_value());
   const std::uint64_t before = seen().cycle;

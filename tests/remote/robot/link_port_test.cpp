@@ -117,7 +117,7 @@ TEST(RemoteLinkPort, HoldsTheStartPoseDuringTheMoveToIt) {
   robot.seen->safety.state = State::kStarting;
   robot.port.hold();
   EXPECT_EQ(robot.published->back().joint[index(Joint::kNeck)].goal, radFromTicks(row(Joint::kNeck).start))
-      << "nobody is left who wants it at 1 rad";
+      << "the goal of 1 rad was that of the previous client";
 }
 
 TEST(RemoteLinkPort, StartsEachNewClientWithoutEarlierCommands) {

@@ -102,7 +102,7 @@ TEST(RemoteExtension, HoldsTheReplyUntilTheCycleAndReportsTheHoldTime) {
   served.robot.seen.cycle = 10;
   ExtendedClient client{served};
   const Request request = extendedRequest({.until_cycle = 11});
-  EXPECT_FALSE(client.ask(request)) << "the cycle is to come";
+  EXPECT_FALSE(client.ask(request)) << "the cycle has not run yet";
   EXPECT_EQ(served.robot.applied.size(), 1) << "commands are applied at once, and once";
   served.robot.seen.cycle = 11;
   served.pass(5ms);
@@ -170,7 +170,7 @@ TEST(RemoteExtension, AResumedSessionDoesNotStartARobotWhoseTorqueIsOff) {
   EXPECT_THAT(overloaded.ask(goes_on)->extension->why_ended, HasSubstr("shut itself off"))
       << "a new driver would clear it";
   ExtendedClient next{served};
-  EXPECT_TRUE(next.ask(extendedRequest())->extension->why_ended.empty()) << "a controller that begins takes it";
+  EXPECT_TRUE(next.ask(extendedRequest())->extension->why_ended.empty()) << "a new controller may drive";
 }
 
 TEST(RemoteExtension, APausedClientOf2013DoesNotClearTheFaultThatEndedIt) {
@@ -194,7 +194,7 @@ TEST(RemoteExtension, EndOfSessionEndsInsteadOfHolding) {
   EXPECT_TRUE(client.ask(extendedRequest({.end_of_session = true})));
   EXPECT_THAT(served.robot.events, ElementsAre("new", "end"));
   EXPECT_TRUE(client.shownOut());
-  EXPECT_TRUE(ExtendedClient{served}.connected()) << "the next one may come";
+  EXPECT_TRUE(ExtendedClient{served}.connected()) << "the next client is accepted";
 }
 
 TEST(RemoteExtension, APictureIsSentOnce) {

@@ -18,9 +18,9 @@ TEST(RemoteServer, AFloodOfRequestsIsAnsweredAsFastAsItsRepliesAreRead) {
   TestClient client{served};
   flood(served, client, kCameraRequest, 2000);
   const std::size_t unread = served.robot.applied.size();
-  EXPECT_LT(unread, 2000) << "nobody reads: 40 MB must not pile up here";
+  EXPECT_LT(unread, 2000) << "replies are not read: 40 MB must not be buffered";
   served.pass(500ms);
-  EXPECT_FALSE(served.robot.driven) << "who does not read its replies drives nothing";
+  EXPECT_FALSE(served.robot.driven) << "a client that does not read its replies does not drive";
   std::size_t received = 0;
   const auto give_up = std::chrono::steady_clock::now() + 20s;  // the kernel reports free buffer space with a delay
   while (received < 2000 * 20010 && std::chrono::steady_clock::now() < give_up) {

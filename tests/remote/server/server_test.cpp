@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 TEST(RemoteServer, AnswersTheFirstRequestAtOnce) {
   Served served;
   TestClient client{served};
-  EXPECT_TRUE(served.robot.events.empty()) << "who only connects moves nothing";
+  EXPECT_TRUE(served.robot.events.empty()) << "a connection alone moves nothing";
   EXPECT_EQ(client.ask(kEmptyRequest), kEmptyReply);
   EXPECT_THAT(served.robot.events, ElementsAre("new"));
 }
@@ -72,7 +72,7 @@ TEST(RemoteServer, OpensTheCameraWhileAClientDrivesThatRequestsPictures) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(client.ask(kCameraRequest), kCameraReply);
   EXPECT_EQ(eye.opened, 1);
   served.pass(500ms);
-  EXPECT_EQ(eye.open, 0) << "nobody encodes for a client that is silent";
+  EXPECT_EQ(eye.open, 0) << "no encoding for a silent client";
   EXPECT_EQ(client.ask(kCameraRequest), kCameraReply);
   client.close();
   EXPECT_EQ(eye.open, 0);

@@ -43,10 +43,10 @@ struct Echo final : ChannelHandler {
   }
 };
 
-class WebServer : public testing::Test {
+class WebServerTest : public testing::Test {
  protected:
-  explicit WebServer(const ServerConfig& config = {})
-      : server_{std::make_unique<Server>(config, [this](const std::string& line) { log_ += line + "\n"; })} {
+  explicit WebServerTest(const WebServerConfig& config = {})
+      : server_{std::make_unique<WebServer>(config, [this](const std::string& line) { log_ += line + "\n"; })} {
     server_->serve("/", {.type = "text/html", .body = "<p>hello"});
     server_->serve("/large", {.type = "text/html", .body = std::string(8 << 20, ' ')});
     server_->channel("/echo", "echo.1", echo_);
@@ -65,10 +65,10 @@ class WebServer : public testing::Test {
 
   std::string log_;
   Echo echo_;
-  std::unique_ptr<Server> server_;
+  std::unique_ptr<WebServer> server_;
 };
 
-TEST_F(WebServer, ServesItsPagesAndNothingElse) {
+TEST_F(WebServerTest, ServesItsPagesAndNothingElse) {
   const std::string page = ask("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n");
   EXPECT_THAT(page, StartsWith("HTTP/1.1 200"));
   EXPECT_THAT(page, HasSubstr("Content-Type: text/html\r\n"));
@@ -80,7 +80,7 @@ TEST_F(WebServer, ServesItsPagesAndNothingElse) {
   EXPECT_THAT(ask("POST / HTTP/1.1\r\nHost: localhost\r\n\r\n"), StartsWith("HTTP/1.1 405"));
 }
 
-TEST_F(WebServer, RefusesForeignOriginsAndUnknownHostNames) {
+TEST_F(WebServerTest, RefusesForeignOriginsAndUnknownHostNames) {
   const std::string evil = "Origin: http://evil.example\r\n";
   EXPECT_THAT(ask(WebClient::upgrade("/echo", "echo.1", evil)), StartsWith("HTTP/1.1 403"));
   EXPECT_THAT(ask(WebClient::upgrade("/echo", "echo.1", {}, "evil.example")), StartsWith("HTTP/1.1 403"));
@@ -92,7 +92,7 @@ TEST_F(WebServer, RefusesForeignOriginsAndUnknownHostNames) {
   EXPECT_TRUE(echo_.open.empty());
 }
 
-TEST_F(WebServer, CarriesTextAndBytesBothWays) {
+TEST_F(WebServerTest, CarriesTextAndBytesBothWays) {
   WebClient peer = observer();
   EXPECT_THAT(peer.head(), HasSubstr("Sec-WebSocket-Protocol: echo.1"));
   EXPECT_THAT(peer.head(), HasSubstr("s3pPLMBiTxaQ9kYGzzhZRbK+xOo=")) << "the example of RFC 6455";
@@ -108,7 +108,7 @@ TEST_F(WebServer, CarriesTextAndBytesBothWays) {
   EXPECT_EQ(peer.receiveMessage().value_or(ReceivedMessage{}).opcode, 10);
 }
 
-TEST_F(WebServer, DisconnectsAPeerThatSendsTooMuch) {
+TEST_F(WebServerTest, DisconnectsAPeerThatSendsTooMuch) {
   WebClient wordy = observer(), hasty = observer(), third = observer();
   wordy.send(std::string(4097, 'x'));
   EXPECT_TRUE(wordy.atEnd());
@@ -123,7 +123,7 @@ TEST_F(WebServer, DisconnectsAPeerThatSendsTooMuch) {
   EXPECT_EQ(echo_.ended, 3) << log_;
 }
 
-TEST_F(WebServer, AcceptsEightChannelsAndOneMoreWhenOneDisconnects) {
+TEST_F(WebServerTest, AcceptsEightChannelsAndOneMoreWhenOneDisconnects) {
   std::vector<WebClient> peers;
   peers.reserve(8);
   for (int i = 0; i < 8; ++i) peers.push_back(observer());
@@ -133,7 +133,7 @@ TEST_F(WebServer, AcceptsEightChannelsAndOneMoreWhenOneDisconnects) {
   (void)observer();
 }
 
-TEST_F(WebServer, DropsMessagesOfTheSlowPeerOnlyAndNeverBlocks) {
+TEST_F(WebServerTest, DropsMessagesOfTheSlowPeerOnlyAndNeverBlocks) {
   constexpr int kMessages = 300;
   WebClient slow = observer(4096);
   Channel* const slow_channel = *echo_.open.begin();
@@ -157,16 +157,16 @@ TEST_F(WebServer, DropsMessagesOfTheSlowPeerOnlyAndNeverBlocks) {
     last = number;
     ++got;
   }
-  EXPECT_EQ(got + slow_channel->lost(), kMessages) << "the newest one comes in the end, and all are accounted for";
+  EXPECT_EQ(got + slow_channel->lost(), kMessages) << "the newest message arrives last, and received plus lost is complete";
 }
 
-TEST_F(WebServer, ReportsTheEndOfAChannelOnceWhenTheServerIsDestroyed) {
+TEST_F(WebServerTest, ReportsTheEndOfAChannelOnceWhenTheServerIsDestroyed) {
   const WebClient peer = observer();
   server_.reset();
   EXPECT_EQ(echo_.ended, 1);
 }
 
-TEST_F(WebServer, ServesNewClientsHoweverManyConnectionsAreHeldOpen) {
+TEST_F(WebServerTest, ServesNewClientsHoweverManyConnectionsAreHeldOpen) {
   WebClient before = observer();
   std::vector<WebClient> held;
   held.reserve(120);
@@ -223,7 +223,7 @@ int timesInMemory(const std::string& reversed) {
   return times;
 }
 
-TEST_F(WebServer, LeavesNoCopyOfAReceivedMessageInMemory) {
+TEST_F(WebServerTest, LeavesNoCopyOfAReceivedMessageInMemory) {
   Nowhere nowhere;
   server_->channel("/nowhere", "nowhere.1", nowhere);
   const std::string reversed = "drowssap suoregnad 7391";
@@ -246,37 +246,37 @@ TEST_F(WebServer, LeavesNoCopyOfAReceivedMessageInMemory) {
   server_.reset();  // its handler is destroyed next
 }
 
-class HastyWebServer : public WebServer {
+class HastyWebServerTest : public WebServerTest {
  protected:
-  HastyWebServer() : WebServer{{.max_connections = 2, .handshake_timeout = 20ms, .idle_timeout = 40ms}} {}
+  HastyWebServerTest() : WebServerTest{{.max_connections = 2, .handshake_timeout = 20ms, .idle_timeout = 40ms}} {}
 };
 
-TEST_F(HastyWebServer, ClosesConnectionsThatSendNoRequest) {
+TEST_F(HastyWebServerTest, ClosesConnectionsThatSendNoRequest) {
   WebClient silent = client(), slow = client();
   slow.raw("GET / HTTP/1.1\r\nHo");
   EXPECT_TRUE(silent.atEnd());
   EXPECT_TRUE(slow.atEnd());
 }
 
-TEST_F(HastyWebServer, DisconnectsAPeerThatAnswersNoPing) {
+TEST_F(HastyWebServerTest, DisconnectsAPeerThatAnswersNoPing) {
   const WebClient dead = observer();
   for (int i = 0; i < 5000 && echo_.ended == 0; ++i) server_->poll(2ms);
   EXPECT_EQ(echo_.ended, 1);
 }
 
-TEST_F(HastyWebServer, RefusesConnectionsBeyondTheLimit) {
+TEST_F(HastyWebServerTest, RefusesConnectionsBeyondTheLimit) {
   const WebClient first = observer(), second = observer();
   WebClient third = client();
   EXPECT_TRUE(third.atEnd());
   EXPECT_THAT(log_, HasSubstr("connections are open"));
 }
 
-class ForeignWebServer : public WebServer {
+class ForeignWebServerTest : public WebServerTest {
  protected:
-  ForeignWebServer() : WebServer{{.allowed = {{0x0A000000, 0xFF000000}}}} {}
+  ForeignWebServerTest() : WebServerTest{{.allowed = {{0x0A000000, 0xFF000000}}}} {}
 };
 
-TEST_F(ForeignWebServer, AcceptsOnlyTheAllowedNetworks) {
+TEST_F(ForeignWebServerTest, AcceptsOnlyTheAllowedNetworks) {
   EXPECT_EQ(ask("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), "");
   EXPECT_THAT(log_, HasSubstr("not in a network given with --allow"));
 }

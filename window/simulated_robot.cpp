@@ -1,4 +1,5 @@
-#include "window/virtual_robot.hpp"
+// Processes of the window's own virtual robot.
+#include "window/simulated_robot.hpp"
 
 #include <stdlib.h>
 #include <unistd.h>
@@ -34,7 +35,7 @@ void waitForFile(const std::string& path, Child& child) {
 
 }  // namespace
 
-VirtualRobot::VirtualRobot(const std::string& body, const std::vector<std::string>& controller)
+SimulatedRobot::SimulatedRobot(const std::string& body, const std::vector<std::string>& controller)
     : name_{folder_.path() + "/runtime"} {
   try {
     start(body, controller);
@@ -44,7 +45,7 @@ VirtualRobot::VirtualRobot(const std::string& body, const std::vector<std::strin
   }
 }
 
-void VirtualRobot::start(const std::string& body, const std::vector<std::string>& controller) {
+void SimulatedRobot::start(const std::string& body, const std::vector<std::string>& controller) {
   const std::string port = folder_.path() + "/robot";
   const auto add = [this](const std::string& noun, const std::vector<std::string>& words, std::chrono::seconds grace,
                           Child::Stdio stdio = Child::Stdio::kBackground) -> Child& {
@@ -66,18 +67,18 @@ void VirtualRobot::start(const std::string& body, const std::vector<std::string>
   add("run", words, kControllerGrace, Child::Stdio::kTerminal);
 }
 
-void VirtualRobot::end() noexcept {
+void SimulatedRobot::end() noexcept {
   while (!children_.empty()) children_.pop_back();
 }
 
-std::string VirtualRobot::driveInstructions() const {
+std::string SimulatedRobot::driveInstructions() const {
   std::string text = "drive it: darwinop run CONTROLLER --robot runtime, with DARWINOP_RUNTIME_NAME=" + name_;
   if (!camera_settings_.empty()) text += "\nfor camera pictures, also with";
   for (const std::string& setting : camera_settings_) text += ' ' + setting;
   return text;
 }
 
-std::string VirtualRobot::takeMessage() {
+std::string SimulatedRobot::takeMessage() {
   std::string text = std::exchange(pending_message_, "");
   for (auto child = children_.begin(); child != children_.end();) {
     const std::optional<int> status = (*child)->ended();

@@ -10,15 +10,15 @@
 
 namespace darwinop::window {
 
-class VirtualRobot {
+class SimulatedRobot {
  public:
   /// `body`: "twin", "twin:MODEL" or "plain". `controller`: program and arguments; empty: none. Throws
   /// std::runtime_error.
-  VirtualRobot(const std::string& body, const std::vector<std::string>& controller);
+  SimulatedRobot(const std::string& body, const std::vector<std::string>& controller);
   /// Ends controller, runtime and robot, in this order.
-  ~VirtualRobot() { end(); }
-  VirtualRobot(const VirtualRobot&) = delete;
-  VirtualRobot& operator=(const VirtualRobot&) = delete;
+  ~SimulatedRobot() { end(); }
+  SimulatedRobot(const SimulatedRobot&) = delete;
+  SimulatedRobot& operator=(const SimulatedRobot&) = delete;
 
   /// Name of the runtime, for `darwinop runtime --name` and DARWINOP_RUNTIME_NAME.
   [[nodiscard]] const std::string& name() const { return name_; }
