@@ -94,7 +94,7 @@ Outcome drive(const Experiment& experiment, const Plan& plan) {
   webots::Robot robot;
   const std::atomic<bool>& stop = installGentleStop();
   Progress progress{plan.seconds()};
-  const auto report = [&](const std::string& phase, double seconds) { progress.tell(phase, seconds); };
+  const auto report = [&](const std::string& phase, double seconds) { progress.update(phase, seconds); };
   return Runner{robot, experiment, stop, report}.run();
 }
 

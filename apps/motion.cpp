@@ -27,8 +27,7 @@ using namespace darwinop::motion;
 constexpr int kFound = 1;                 // exit status: 'check' has findings
 constexpr int kWrong = 2;                 // invalid arguments or unusable file
 constexpr std::uint8_t kFirstTime = 125;  // 1 s, slow enough from any pose
-constexpr const char* kFileHelp =
-    "motion file, binary or text (detected); 'own': the built-in pages";
+constexpr const char* kFileHelp = "motion file, binary or text (detected); 'own': the built-in pages";
 
 struct Arguments {
   std::string file, to_file, out, name;
@@ -87,7 +86,7 @@ int check(const Arguments& a) {
   for (const std::string& finding : findings) std::cout << finding << '\n';
   if (!findings.empty()) return kFound;
   const auto used = std::ranges::count_if(pages, [](const Page& page) { return page.canPlay(); });
-  std::cout << a.file << ": " << used << (used == 1 ? " page" : " pages") << "to play, no findings\n";
+  std::cout << a.file << ": " << used << (used == 1 ? " page" : " pages") << " to play, no findings\n";
   return 0;
 }
 
@@ -109,8 +108,7 @@ int mirror(const Arguments& a) {
 }
 
 int begin(const Arguments& a) {
-  if (std::filesystem::exists(a.out))
-    throw std::runtime_error(a.out + "already exists; choose another name");
+  if (std::filesystem::exists(a.out)) throw std::runtime_error(a.out + "already exists; choose another name");
   PageSection section{numberOf(a.page)};
   section.set("name", '"' + a.name + '"');
   Page page = section.finish();
@@ -158,12 +156,13 @@ void describe(CLI::App& app, Arguments& a, Action& action) {
     return added;
   };
   with_file(command("list", list, "list the playable pages", "list motion_4096.bin"));
-  CLI::App& shown = with_file(command("show", show, "show angles, times and gains of a page", "show motion_4096.bin 12"));
+  CLI::App& shown =
+      with_file(command("show", show, "show angles, times and gains of a page", "show motion_4096.bin 12"));
   addPage(shown, "PAGE", a.page, "page number")->required();
   with_file(command("check", check, "check pages for problems on a robot; exit code 1 if there are findings",
                     "check motion_4096.bin"));
-  CLI::App& converted = command("convert", convert, "convert between binary and text files",
-                                "convert motion_4096.bin motion.txt");
+  CLI::App& converted =
+      command("convert", convert, "convert between binary and text files", "convert motion_4096.bin motion.txt");
   converted.add_option("FROM", a.file, kFileHelp)->required();
   converted.add_option("TO", a.to_file, "file of the other kind; overwritten if it exists")->required();
   CLI::App& swapped = with_file(

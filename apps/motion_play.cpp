@@ -103,7 +103,7 @@ class Stage {
  private:
   bool step() {
     if (robot_.step(step_ms_) == -1) return false;
-    watch_.look(sensors(), seconds());
+    watch_.update(sensors(), seconds());
     return true;
   }
   static const Sensors& sensors() { return facade::currentRobot()->session().sensors(); }

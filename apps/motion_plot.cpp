@@ -1,4 +1,4 @@
-// `darwinop motion plot`: goals of a page and its successors, by limb.
+// `darwinop motion plot`: the goals of a page and of those that follow it, by limb.
 #include "motion_plot.hpp"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ constexpr double kPlotTick = kTickMs / 1000.0;  // s
 
 struct Limb {
   std::string_view title;
-  std::vector<Joint> joints;  // colours follow this order
+  std::vector<Joint> joints;  // the same colour, the same joint
 };
 
 const std::array<Limb, 5>& limbs() {
@@ -47,11 +47,11 @@ const std::array<Limb, 5>& limbs() {
   return all;
 }
 
-/// "LegLowerR, P 32", or "P 32 8" if later pages have other gains.
-std::string labelOf(Joint joint, const PageFile& pages, const Rehearsal& played) {
+/// "LegLowerR, P 32", or "P 32 8" when the pages that follow have others.
+std::string labelOf(Joint joint, const PageFile& pages, const DryRun& played) {
   std::string label = std::string{row(joint).name} + ", P";
   std::set<int> seen;
-  for (const Rehearsal::Section& section : played.sections) {
+  for (const DryRun::Section& section : played.sections) {
     const Page& page = pages.at(static_cast<std::size_t>(section.page));
     const int gain = pGainRegister(page.slopes.at(row(joint).id));
     if (seen.insert(gain).second) label += " " + std::to_string(gain);
@@ -59,8 +59,7 @@ std::string labelOf(Joint joint, const PageFile& pages, const Rehearsal& played)
   return label;
 }
 
-plot::Panel panelOf(const Limb& limb, const PageFile& pages, const Rehearsal& played,
-                    const std::vector<double>& times) {
+plot::Panel panelOf(const Limb& limb, const PageFile& pages, const DryRun& played, const std::vector<double>& times) {
   plot::Panel panel{std::string{limb.title}, "angle [deg]", {}};
   for (const Joint joint : limb.joints) {
     plot::Curve curve;
@@ -73,8 +72,8 @@ plot::Panel panelOf(const Limb& limb, const PageFile& pages, const Rehearsal& pl
   return panel;
 }
 
-std::string stepsText(const Rehearsal& played, const Rehearsal::Section& section) {
-  std::string text = "steps start at";
+std::string stepsText(const DryRun& played, const DryRun::Section& section) {
+  std::string text = "steps begin at";
   for (const std::size_t at : section.steps) text += " " + fixed(static_cast<double>(at) * kPlotTick, 2);
   return text + " s" + (&section == &played.sections.back() ? "" : ", then:");
 }
@@ -85,19 +84,19 @@ plot::Figure figureOf(const PageFile& pages, const PlotRequest& request) {
   Pose from = firstPose(page);
   if (from_start)
     for (std::size_t i = 0; i < kJoints; ++i) from[i] = kJointTable[i].start;
-  const Rehearsal played = rehearse(pages, request.page, from);
+  const DryRun played = dryRun(pages, request.page, from);
   plot::Figure figure;
   figure.title = "page " + std::to_string(request.page) + " \"" + nameOf(page) + "\", " +
                  fixed(static_cast<double>(played.poses.size() - 1) * kPlotTick, 2) + " s, from " +
                  (from_start ? "the start pose" : "its own first pose");
-  figure.x_label = "time [s]; thin line: start of a step. P: gain register";
-  for (const Rehearsal::Section& section : played.sections) {
+  figure.x_label = "time [s]; a thin line where a step begins. P: gain register";
+  for (const DryRun::Section& section : played.sections) {
     const Page& one = pages.at(static_cast<std::size_t>(section.page));
     const std::string name = "page " + std::to_string(section.page) + " \"" + nameOf(one) + "\"";
     figure.sources.push_back({name, name + ": " + stepsText(played, section), "", "", "", ""});
     for (const std::size_t at : section.steps) figure.marks.push_back(static_cast<double>(at) * kPlotTick);
   }
-  if (played.cut) figure.notes.emplace_back("truncated: cyclic pages, or longer than a minute");
+  if (played.cut) figure.notes.emplace_back("it goes on: a ring of pages, or longer than a minute");
   std::vector<double> times;
   for (std::size_t i = 0; i < played.poses.size(); ++i) times.push_back(static_cast<double>(i) * kPlotTick);
   for (const Limb& limb : limbs()) figure.panels.push_back(panelOf(limb, pages, played, times));
@@ -109,7 +108,7 @@ plot::Figure figureOf(const PageFile& pages, const PlotRequest& request) {
 int plotPage(const PlotRequest& request) {
   const std::string_view out = request.out;
   if (!out.ends_with(".png") && !out.ends_with(".html"))
-    throw std::runtime_error(request.out + ": expected a name ending in .png (picture) or .html (interactive)");
+    throw std::runtime_error(request.out + ": call it something.png (a picture) or something.html (a page to zoom in)");
   const plot::Figure figure = figureOf(openMotions(request.file).pages, request);
   if (out.ends_with(".png")) {
     if (const std::string missing = plot::drawPicture(figure, request.out); !missing.empty())
@@ -124,7 +123,7 @@ int plotPage(const PlotRequest& request) {
 #else
 
 int plotPage(const PlotRequest&) {
-  throw std::runtime_error("plotting is available on a PC only; run the same command there");
+  throw std::runtime_error("plotting is available on a PC only: run the same command there");
 }
 
 #endif

@@ -52,7 +52,7 @@ std::string previewOf(const PageFile& file, const std::vector<int>& pages) {
     const Pose target = firstTarget(page, pose);
     const bool is_led = firstStepSpeed(page, pose) > kFastestFirstStep;
     const FarJoint far = farthest(pose, target);
-    const Rehearsal played = rehearse(file, number, is_led ? target : pose);
+    const DryRun played = dryRun(file, number, is_led ? target : pose);
     pose = played.poses.back();
     text += "page " + std::to_string(number) + " \"" + nameOf(page) +
             "\": " + fixed(static_cast<double>(played.poses.size() - 1) * kTickMs / 1000, 1) + " s";

@@ -49,7 +49,7 @@ std::string moveText(const Page& page, const Step& step) {
 }
 
 std::string pauseText(const Page& page, const Step& step) {
-  const int ticks = step.pause * kUsualSpeed / page.speed;
+  const int ticks = step.pause * kDefaultSpeed / page.speed;
   return fixed(ticks * kTickSeconds, 3);
 }
 

@@ -77,7 +77,7 @@ std::string titleOf(const std::string& file) try {
 
 int printModels() {
   const std::vector<std::string> names = twin::shippedModels();
-  if (names.empty()) throw std::runtime_error(twin::shippedOnes());
+  if (names.empty()) throw std::runtime_error(twin::listShippedModels());
   for (const std::string& name : names) {
     const std::string file = twin::findModel(name);
     std::cout << name << std::string(name.size() < 15 ? 15 - name.size() : 1, ' ') << titleOf(file) << '\n'

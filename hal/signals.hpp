@@ -1,4 +1,4 @@
-// Effect of each signal on programs that drive or observe a robot. User table: docs/threads.md.
+// What each signal does to a program that drives or watches a robot. docs/threads.md has the table for people.
 #pragma once
 
 #include <signal.h>
@@ -11,56 +11,56 @@
 namespace darwinop {
 
 enum class SignalEffect {
-  kEnds,      // normal end: the robot comes to rest first
-  kIgnored,   // no effect; the default would end or stop the process
-  kNoEffect,  // default action, which changes nothing
-  kKills,     // ends the process at once (defect of the program, kill -9); the supervisor then rescues the robot
-  kStops,     // cannot be caught: the process is stopped; the supervisor then rescues the robot
+  kEnds,      // ends tidily: the robot comes to rest first
+  kIgnored,   // has no effect, where its default would end or stop the process
+  kNoEffect,  // the default, which changes nothing
+  kKills,     // ends the process at once: a defect of the program, or kill -9. The supervisor's rescue takes over
+  kStops,     // cannot be caught: the process stands still. The supervisor's rescue takes over
 };
 
 struct SignalRow {
   int number;
   std::string_view name;
   SignalEffect effect;
-  std::string_view comes_when;
+  std::string_view comes_when = {};  // of those with an effect
 };
 
 /// The 31 signals of Linux on x86.
 inline constexpr std::array<SignalRow, 31> kSignals{{
-    {SIGHUP, "SIGHUP", SignalEffect::kEnds, "terminal or ssh session closed; ignored under nohup"},
+    {SIGHUP, "SIGHUP", SignalEffect::kEnds, "terminal or ssh session gone; ignored under nohup"},
     {SIGINT, "SIGINT", SignalEffect::kEnds, "Ctrl-C"},
     {SIGQUIT, "SIGQUIT", SignalEffect::kEnds, "Ctrl-\\"},
     {SIGILL, "SIGILL", SignalEffect::kKills, "defect: illegal instruction"},
     {SIGTRAP, "SIGTRAP", SignalEffect::kKills, "breakpoint without a debugger"},
     {SIGABRT, "SIGABRT", SignalEffect::kKills, "defect: assert, uncaught exception"},
-    {SIGBUS, "SIGBUS", SignalEffect::kKills, "defect; a truncated shared file is handled"},
+    {SIGBUS, "SIGBUS", SignalEffect::kKills, "defect; a truncated shared file is survived"},
     {SIGFPE, "SIGFPE", SignalEffect::kKills, "defect: integer division by zero"},
-    {SIGKILL, "SIGKILL", SignalEffect::kKills, "kill -9, or out of memory"},
-    {SIGUSR1, "SIGUSR1", SignalEffect::kIgnored, "kill -USR1"},
-    {SIGSEGV, "SIGSEGV", SignalEffect::kKills, "defect: invalid memory access"},
-    {SIGUSR2, "SIGUSR2", SignalEffect::kIgnored, "kill -USR2"},
-    {SIGPIPE, "SIGPIPE", SignalEffect::kIgnored, "the reader of the output has closed it"},
-    {SIGALRM, "SIGALRM", SignalEffect::kIgnored, "timer"},
+    {SIGKILL, "SIGKILL", SignalEffect::kKills, "kill -9, out of memory"},
+    {SIGUSR1, "SIGUSR1", SignalEffect::kIgnored},
+    {SIGSEGV, "SIGSEGV", SignalEffect::kKills, "defect: invalid address"},
+    {SIGUSR2, "SIGUSR2", SignalEffect::kIgnored},
+    {SIGPIPE, "SIGPIPE", SignalEffect::kIgnored},
+    {SIGALRM, "SIGALRM", SignalEffect::kIgnored},
     {SIGTERM, "SIGTERM", SignalEffect::kEnds, "kill, supervisor, shutdown"},
-    {SIGSTKFLT, "SIGSTKFLT", SignalEffect::kIgnored, "not used by Linux"},
-    {SIGCHLD, "SIGCHLD", SignalEffect::kNoEffect, "a child has ended"},
-    {SIGCONT, "SIGCONT", SignalEffect::kNoEffect, "fg, bg: a stopped process continues"},
+    {SIGSTKFLT, "SIGSTKFLT", SignalEffect::kIgnored},
+    {SIGCHLD, "SIGCHLD", SignalEffect::kNoEffect},
+    {SIGCONT, "SIGCONT", SignalEffect::kNoEffect},
     {SIGSTOP, "SIGSTOP", SignalEffect::kStops, "kill -STOP"},
-    {SIGTSTP, "SIGTSTP", SignalEffect::kIgnored, "Ctrl-Z"},
-    {SIGTTIN, "SIGTTIN", SignalEffect::kIgnored, "reads from the terminal in the background"},
-    {SIGTTOU, "SIGTTOU", SignalEffect::kIgnored, "writes to the terminal in the background (stty tostop)"},
-    {SIGURG, "SIGURG", SignalEffect::kNoEffect, "urgent data of a socket"},
-    {SIGXCPU, "SIGXCPU", SignalEffect::kEnds, "CPU time limit reached; SIGKILL follows"},
-    {SIGXFSZ, "SIGXFSZ", SignalEffect::kIgnored, "file size limit reached; the write fails"},
-    {SIGVTALRM, "SIGVTALRM", SignalEffect::kIgnored, "timer"},
-    {SIGPROF, "SIGPROF", SignalEffect::kIgnored, "profiling timer"},
-    {SIGWINCH, "SIGWINCH", SignalEffect::kNoEffect, "terminal resized"},
-    {SIGIO, "SIGIO", SignalEffect::kIgnored, "input or output is possible"},
+    {SIGTSTP, "SIGTSTP", SignalEffect::kIgnored},
+    {SIGTTIN, "SIGTTIN", SignalEffect::kIgnored},
+    {SIGTTOU, "SIGTTOU", SignalEffect::kIgnored},
+    {SIGURG, "SIGURG", SignalEffect::kNoEffect},
+    {SIGXCPU, "SIGXCPU", SignalEffect::kEnds, "CPU time limit; SIGKILL follows"},
+    {SIGXFSZ, "SIGXFSZ", SignalEffect::kIgnored},
+    {SIGVTALRM, "SIGVTALRM", SignalEffect::kIgnored},
+    {SIGPROF, "SIGPROF", SignalEffect::kIgnored},
+    {SIGWINCH, "SIGWINCH", SignalEffect::kNoEffect},
+    {SIGIO, "SIGIO", SignalEffect::kIgnored},
     {SIGPWR, "SIGPWR", SignalEffect::kEnds, "power failure"},
     {SIGSYS, "SIGSYS", SignalEffect::kKills, "defect: forbidden system call"},
 }};
 
-/// Signals with this effect.
+/// Those with one effect.
 template <SignalEffect kEffect>
 consteval auto signalsThat() {
   constexpr auto kHas = [](const SignalRow& row) { return row.effect == kEffect; };
@@ -78,22 +78,22 @@ consteval auto signalsThat() {
 inline constexpr auto kEndSignals = signalsThat<SignalEffect::kEnds>();
 inline constexpr auto kIgnoredSignals = signalsThat<SignalEffect::kIgnored>();
 
-/// Call before the first thread: ignores kIgnoredSignals and real-time signals. Child processes inherit this; see
-/// restoreIgnoredSignals().
+/// For programs of this project, before their first thread: signals of kIgnoredSignals and real-time signals have no
+/// effect. Programs that are started inherit this: see restoreIgnoredSignals().
 void ignoreSignals();
 
-/// ignoreSignals(), and calls `handler` on kEndSignals. SIGHUP stays ignored if it was ignored before (nohup).
+/// ignoreSignals(), and the signals of kEndSignals call `handler`. SIGHUP does not when it was ignored before (nohup).
 void onEndSignals(void (*handler)(int, siginfo_t*, void*), int flags = 0);
 
-/// ignoreSignals(), and sets endRequested() on kEndSignals.
+/// ignoreSignals(), and the signals of kEndSignals set endRequested().
 void endOnSignals();
 [[nodiscard]] const std::atomic<bool>& endRequested();
 
-/// ignoreSignals(), and blocks kEndSignals; returns the set for sigtimedwait(). Without SIGHUP if it was ignored before
-/// (nohup): sigtimedwait() would return a blocked signal even though it is ignored.
+/// ignoreSignals(), and the signals of kEndSignals are blocked: the returned set is for sigtimedwait(). SIGHUP is not
+/// in it when it was ignored before (nohup): a blocked signal would be waited for although it is ignored.
 [[nodiscard]] sigset_t blockEndSignals();
 
-/// Between fork and exec: restores the default action of what ignoreSignals() changed. Async-signal-safe.
+/// In a child between fork and exec: what ignoreSignals() changed is the default again. Async-signal-safe.
 void restoreIgnoredSignals();
 
 }  // namespace darwinop

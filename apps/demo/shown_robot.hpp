@@ -1,4 +1,4 @@
-// A twin robot in this process in simulated time, with a picture of its motion.
+// A robot of the twin in this process, in simulated time, with a window or film of it.
 #pragma once
 
 #include <chrono>
@@ -10,15 +10,17 @@
 
 namespace darwinop::demo {
 
-/// Runs as fast as possible for a film, at most in real time for a window. One per process.
+/// As fast as possible for a film; at most real time in a window. One per process.
 class ShownRobot final : public webots::Robot {
  public:
-  /// Moves to the start pose: time 0 of the film. Throws NoDisplay, NoGraphics, std::runtime_error.
+  /// Returns after the takeover, with the robot in its start pose: time 0 of the film. Throws NoDisplay, NoGraphics,
+  /// std::runtime_error.
   explicit ShownRobot(const twin::ShowOptions& options);
 
-  /// Also returns -1 when the film is complete or its window is closed. Throws std::runtime_error if the film cannot be written.
+  /// Also returns -1 when the film has its length or the window is closed. Throws std::runtime_error if the film cannot
+  /// be written.
   int step(int ms) override;
-  /// Completes the film and prints its name. Throws std::runtime_error if it is incomplete.
+  /// Completes the film and prints its path. Throws std::runtime_error if it is incomplete.
   void finish();
 
   [[nodiscard]] const twin::RobotBody& body() const { return watched_->robot(); }

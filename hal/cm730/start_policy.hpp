@@ -1,4 +1,4 @@
-// Start-up policy for each kind of finding; used by the doctor's marks and by the start of a loop.
+// What start-up does about each kind of finding. The doctor's marks and the start of a loop read the same table.
 #pragma once
 
 #include <algorithm>
@@ -10,23 +10,21 @@
 
 namespace darwinop::cm730 {
 
-/// In ascending severity.
+/// In the order of severity.
 enum class Policy : std::uint8_t {
   kDrive,     // with a warning
   kLeaveOut,  // drive without that joint, with a warning
-  kRest,      // start the loop, since the robot may be under torque; the safety layer sits it down
-  kWait,      // do not start; may resolve by itself, so `darwinop runtime --wait` retries
-  kRefuse,    // do not start; needs user action
+  kRest,      // the loop starts, as the robot may be stiff; the safety layer sits it down
+  kWait,      // do not start; it may come by itself, so `darwinop runtime --wait` tries again
+  kRefuse,    // do not start; somebody has to do something first
 };
 // In the order of the enumerators.
-inline constexpr std::array<std::string_view, 5> kPolicyNames{"drive, with a warning", "drive without that joint",
-                                                              "start, and sit down", "wait for it", "refuse"};
+inline constexpr std::array<std::string_view, 5> kPolicyNames{"warn", "omit", "sit down", "wait", "refuse"};
 
-/// Purpose of a start.
+/// Why a loop is started.
 enum class Purpose : std::uint8_t {
   kDrive,
-  kRescue,  // the supervisor brings the robot to rest after a runtime failure: it may be under torque, and no other
-            // program can
+  kRescue,  // the supervisor brings a robot to rest whose runtime has failed: it may be stiff, and nobody else is there
 };
 
 enum class Kind : std::uint8_t {
@@ -85,92 +83,76 @@ struct KindRow {
   std::string_view finding, reason;
 };
 
-// docs/doctor.md contains this table; a test compares them.
+// docs/doctor.md has this table; a test compares them.
 inline constexpr auto kKindTable = std::to_array<KindRow>({
-    {Kind::kRobotFile, Policy::kRefuse, Policy::kRefuse, "a mistake in robot.ini",
-     "invalid limits would not be applied"},
-    {Kind::kPortMissing, Policy::kWait, Policy::kWait, "the port is missing or in use", "USB comes late at boot"},
-    {Kind::kPortUnusable, Policy::kRefuse, Policy::kRefuse, "the port cannot be used",
-     "permissions and wrong paths need user action"},
-    {Kind::kPortLost, Policy::kWait, Policy::kWait, "the port was lost during the check", "it may come back"},
-    {Kind::kLatencyTimer, Policy::kDrive, Policy::kDrive, "the FTDI latency timer is above 1 ms",
-     "the measured cycle time decides"},
-    {Kind::kClockCoarse, Policy::kRefuse, Policy::kDrive, "clock resolution of milliseconds",
-     "cycles would be late by a large part of a period"},
-    {Kind::kPriority, Policy::kDrive, Policy::kDrive, "real-time priority is refused",
+    {Kind::kRobotFile, Policy::kRefuse, Policy::kRefuse, "a mistake in robot.ini", "its limits would not apply"},
+    {Kind::kPortMissing, Policy::kWait, Policy::kWait, "port missing or in use", "USB comes late at boot"},
+    {Kind::kPortUnusable, Policy::kRefuse, Policy::kRefuse, "port cannot be used",
+     "permissions and paths need a person"},
+    {Kind::kPortLost, Policy::kWait, Policy::kWait, "port lost during the check", "it may come back"},
+    {Kind::kLatencyTimer, Policy::kDrive, Policy::kDrive, "FTDI latency timer above 1 ms",
+     "measured cycle length decides"},
+    {Kind::kClockCoarse, Policy::kRefuse, Policy::kDrive, "clock ticks in milliseconds", "cycles would be late"},
+    {Kind::kPriority, Policy::kDrive, Policy::kDrive, "real-time priority refused",
      "late cycles hold the last goals; `--realtime required` refuses"},
-    {Kind::kMemory, Policy::kDrive, Policy::kDrive, "locking memory is refused", "as for real-time priority"},
-    {Kind::kBoardSilent, Policy::kWait, Policy::kWait, "no CM-730 answers", "the robot may be switched on later"},
-    {Kind::kBoardGarbled, Policy::kRefuse, Policy::kRefuse, "invalid replies",
-     "it may be another device; do not write to it"},
-    {Kind::kBoardUnreadable, Policy::kRefuse, Policy::kRefuse, "the board's registers cannot be read",
-     "supply and buttons could not be monitored"},
-    {Kind::kBoardModel, Policy::kDrive, Policy::kDrive, "the board is another model",
-     "its instructions are tested at every start"},
-    {Kind::kSupplyLow, Policy::kDrive, Policy::kDrive, "the supply is under 11 V", "fault battery_low reports it"},
-    {Kind::kSupplyEmpty, Policy::kRest, Policy::kRest, "the supply is under 10 V",
-     "fault battery_empty sits the robot down after 2 s"},
-    {Kind::kServoPowerOff, Policy::kRefuse, Policy::kRefuse, "servo power cannot be switched on",
-     "no servo can be checked"},
-    {Kind::kLineNoisy, Policy::kWait, Policy::kDrive, "no short read is answered at the first attempt",
-     "the noise may be temporary"},
+    {Kind::kMemory, Policy::kDrive, Policy::kDrive, "memory lock refused", "as for real-time priority"},
+    {Kind::kBoardSilent, Policy::kWait, Policy::kWait, "no CM-730 answers", "it may be switched on later"},
+    {Kind::kBoardGarbled, Policy::kRefuse, Policy::kRefuse, "bytes that are not answers",
+     "perhaps another device; never write to it"},
+    {Kind::kBoardUnreadable, Policy::kRefuse, Policy::kRefuse, "board registers unreadable",
+     "supply and buttons would not be watched"},
+    {Kind::kBoardModel, Policy::kDrive, Policy::kDrive, "another board model", "its instructions are tested at start"},
+    {Kind::kSupplyLow, Policy::kDrive, Policy::kDrive, "supply under 11 V", "fault battery_low"},
+    {Kind::kSupplyEmpty, Policy::kRest, Policy::kRest, "supply under 10 V", "fault battery_empty after 2 s"},
+    {Kind::kServoPowerOff, Policy::kRefuse, Policy::kRefuse, "servo power stays off", "no servo can be checked"},
+    {Kind::kLineNoisy, Policy::kWait, Policy::kDrive, "no short read succeeds at first try", "the noise may pass"},
     {Kind::kRoundTripLong, Policy::kDrive, Policy::kDrive, "a short read takes 8 ms or more",
-     "the measured cycle time decides"},
-    {Kind::kCycleTooLong, Policy::kWait, Policy::kWait, "a cycle takes longer than the period allows",
-     "the last servos would count as silent; at boot a busy computer measures too long"},
-    {Kind::kRepliesLost, Policy::kDrive, Policy::kDrive, "more than 1 % of single reads are lost",
+     "measured cycle length decides"},
+    {Kind::kCycleTooLong, Policy::kWait, Policy::kWait, "a cycle exceeds the period",
+     "last servos would count as silent; a computer busy at boot measures too long"},
+    {Kind::kRepliesLost, Policy::kDrive, Policy::kDrive, "over 1 % of single reads lost",
      "a joint without recent readings gets no goals"},
-    {Kind::kNoBulkRead, Policy::kRefuse, Policy::kRefuse, "the board does not answer to BULK_READ",
-     "the loop reads with BULK_READ only"},
-    {Kind::kNoSyncWrite, Policy::kRefuse, Policy::kRefuse, "SYNC_WRITE has no effect",
-     "the loop writes to servos with SYNC_WRITE only"},
-    {Kind::kBlockLengths, Policy::kDrive, Policy::kDrive, "BULK_READ works with some block lengths only",
-     "a fixed length is read; a late reply may then be taken for a new one"},
-    {Kind::kServoInstruction, Policy::kRefuse, Policy::kLeaveOut, "a servo does not support BULK_READ or SYNC_WRITE",
-     "its goals or its replies would be missing"},
-    {Kind::kNoServo, Policy::kWait, Policy::kWait, "none of the servos answers", "a fuse or cable may be fixed later"},
-    {Kind::kLegServoSilent, Policy::kWait, Policy::kLeaveOut, "a servo of a leg is silent",
-     "a robot that stands on a limp joint falls; `absent` in robot.ini permits it"},
-    {Kind::kServoSilent, Policy::kLeaveOut, Policy::kLeaveOut, "a servo of an arm or the head is silent",
-     "the robot can stand, walk and sit without it; its mode is unknown, so it gets no goals before the next start"},
+    {Kind::kNoBulkRead, Policy::kRefuse, Policy::kRefuse, "no answer to BULK_READ", "the loop needs it"},
+    {Kind::kNoSyncWrite, Policy::kRefuse, Policy::kRefuse, "SYNC_WRITE has no effect", "the loop needs it"},
+    {Kind::kBlockLengths, Policy::kDrive, Policy::kDrive, "BULK_READ limited to some block lengths",
+     "a fixed length is read; a late answer can pass for a new one"},
+    {Kind::kServoInstruction, Policy::kRefuse, Policy::kLeaveOut, "a servo lacks BULK_READ or SYNC_WRITE",
+     "goals or replies would be missing"},
+    {Kind::kNoServo, Policy::kWait, Policy::kWait, "all servos silent", "fuse or cable, repaired later"},
+    {Kind::kLegServoSilent, Policy::kWait, Policy::kLeaveOut, "a leg servo is silent",
+     "a robot standing on a limp joint falls; `absent` in robot.ini permits it"},
+    {Kind::kServoSilent, Policy::kLeaveOut, Policy::kLeaveOut, "an arm or head servo is silent",
+     "the robot can walk and sit; unchecked, so no goals until the next start"},
     {Kind::kServoGarbled, Policy::kRefuse, Policy::kLeaveOut, "a servo's replies are garbled",
-     "two servos may share an id and both would move"},
+     "two servos may share an id, and both would obey"},
     {Kind::kServoUnreadable, Policy::kRefuse, Policy::kLeaveOut, "a servo answers pings only",
      "its position is unknown"},
     {Kind::kServoModel, Policy::kRefuse, Policy::kLeaveOut, "unsupported servo model",
-     "its registers and units may differ"},
-    {Kind::kServoFirmware, Policy::kRefuse, Policy::kLeaveOut, "servo firmware older than 27",
-     "1024 steps per turn: every goal would be a wrong angle"},
-    {Kind::kWheelMode, Policy::kRefuse, Policy::kLeaveOut, "a servo in wheel mode",
-     "the loop's speed limit would make it turn continuously"},
-    {Kind::kMultiTurnMode, Policy::kRefuse, Policy::kLeaveOut, "a servo in multi-turn mode",
-     "positions and goals have a different range and zero"},
-    {Kind::kNoRange, Policy::kRefuse, Policy::kLeaveOut, "a servo's own limits exclude the whole joint range",
-     "it would reject every goal"},
-    {Kind::kStartPoseOutside, Policy::kRefuse, Policy::kDrive, "the start pose is outside a servo's own limits",
-     "the robot could not sit down, which is the reaction to most faults"},
-    {Kind::kNarrowRange, Policy::kDrive, Policy::kDrive, "a servo's own limits are narrower than the joint's",
-     "the narrower limits apply to every goal"},
-    {Kind::kMaxTorqueZero, Policy::kRefuse, Policy::kLeaveOut, "a servo's max torque (EEPROM) is 0",
-     "it has no torque after each power-up"},
-    {Kind::kTorqueLimitZero, Policy::kDrive, Policy::kDrive, "a servo's torque limit (RAM) is 0",
-     "set by the servo or a program; written again at takeover"},
-    {Kind::kReturnDelay, Policy::kDrive, Policy::kDrive, "a servo has a return delay",
-     "the measured cycle time decides"},
-    {Kind::kStatusLevel, Policy::kDrive, Policy::kDrive, "a servo's status return level is 1",
-     "the loop does not need acknowledgements"},
-    {Kind::kServoHot, Policy::kDrive, Policy::kDrive, "a servo is at 65 deg C or more",
-     "fault servo_hot limits the speed of all joints"},
-    {Kind::kServoTooHot, Policy::kRest, Policy::kRest, "a servo is at 75 deg C or more",
-     "fault servo_overheat sits the robot down"},
-    {Kind::kServoOverheatBit, Policy::kRest, Policy::kRest, "a servo's overheating bit is set",
-     "fault servo_overheat sits the robot down"},
-    {Kind::kServoOverloadBit, Policy::kDrive, Policy::kDrive, "a servo's overload bit is set",
-     "cleared at takeover; if it stays, fault servo_overload sits the robot down"},
-    {Kind::kServoErrorBit, Policy::kDrive, Policy::kDrive, "another error bit of a servo is set",
-     "the safety layer monitors them"},
-    {Kind::kStartPose, Policy::kDrive, Policy::kDrive, "the robot is not in its start pose",
-     "it is moved there slowly"},
+     "registers and units may differ"},
+    {Kind::kServoFirmware, Policy::kRefuse, Policy::kLeaveOut, "servo firmware before 27",
+     "1024 steps a turn: wrong angles"},
+    {Kind::kWheelMode, Policy::kRefuse, Policy::kLeaveOut, "servo in wheel mode",
+     "a speed limit makes it rotate endlessly"},
+    {Kind::kMultiTurnMode, Policy::kRefuse, Policy::kLeaveOut, "servo in multi-turn mode", "other range and zero"},
+    {Kind::kNoRange, Policy::kRefuse, Policy::kLeaveOut, "servo limits exclude the joint's range",
+     "it would refuse every goal"},
+    {Kind::kStartPoseOutside, Policy::kRefuse, Policy::kDrive, "servo limits exclude the start pose",
+     "the robot could not sit down after a fault"},
+    {Kind::kNarrowRange, Policy::kDrive, Policy::kDrive, "servo limits narrower than the joint's",
+     "the narrower ones apply"},
+    {Kind::kMaxTorqueZero, Policy::kRefuse, Policy::kLeaveOut, "max torque (EEPROM) is 0",
+     "no torque after each power-up"},
+    {Kind::kTorqueLimitZero, Policy::kDrive, Policy::kDrive, "torque limit (RAM) is 0",
+     "rewritten when the joint is taken over where it is"},
+    {Kind::kReturnDelay, Policy::kDrive, Policy::kDrive, "servo return delay above 0", "measured cycle length decides"},
+    {Kind::kStatusLevel, Policy::kDrive, Policy::kDrive, "status return level 1", "write replies are not needed"},
+    {Kind::kServoHot, Policy::kDrive, Policy::kDrive, "servo at 65 deg C or more", "fault servo_hot: gentle speed"},
+    {Kind::kServoTooHot, Policy::kRest, Policy::kRest, "servo at 75 deg C or more", "fault servo_overheat"},
+    {Kind::kServoOverheatBit, Policy::kRest, Policy::kRest, "overheating bit set", "fault servo_overheat"},
+    {Kind::kServoOverloadBit, Policy::kDrive, Policy::kDrive, "overload bit set",
+     "ends with the takeover, else fault servo_overload"},
+    {Kind::kServoErrorBit, Policy::kDrive, Policy::kDrive, "another error bit set", "watched by the safety layer"},
+    {Kind::kStartPose, Policy::kDrive, Policy::kDrive, "not in the start pose", "moved there slowly"},
 });
 
 constexpr bool kindTableIsSound() {
@@ -189,7 +171,7 @@ constexpr Policy policyOf(Kind kind, Purpose purpose = Purpose::kDrive) {
   return purpose == Purpose::kDrive ? row.drive : row.rescue;
 }
 
-/// The most severe policy; kDrive without findings.
+/// The most severe policy; kDrive when there is no finding.
 inline Policy policyOf(const Kinds& kinds, Purpose purpose) {
   Policy worst = Policy::kDrive;
   for (std::size_t i = 0; i < kKinds; ++i)
