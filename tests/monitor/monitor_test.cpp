@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -55,6 +56,22 @@ struct FakeChannel final : web::Channel {
   }
 };
 
+/// Finds nothing in each frame that it is shown, for those searches that are wanted.
+struct FakeSearch final : ColourSearch {
+  std::vector<Search> wanted;
+  std::uint64_t newest = 0;
+
+  void want(const std::vector<Search>& searches) override { wanted = searches; }
+  void look(const CameraFrame& frame) noexcept override { newest = frame.sequence; }
+  [[nodiscard]] std::optional<Found> found(const Search& search, std::uint64_t picture) const override {
+    if (picture != newest || std::ranges::find(wanted, search) == wanted.end()) return std::nullopt;
+    Found nothing;
+    nothing.picture = picture;
+    nothing.width = nothing.height = 4;
+    return nothing;
+  }
+};
+
 struct FakePictures final : remote::PictureSource {
   int& open;
   std::uint64_t sequence = 0;
@@ -64,11 +81,11 @@ struct FakePictures final : remote::PictureSource {
   ~FakePictures() override { --open; }
   remote::JpegPicture newest() override {
     ++sequence;
-    if (finders) finders->look({sequence, Nanos{0}, 4, 4, black});
+    if (search) search->look({sequence, Nanos{0}, 4, 4, black});
     return {sequence, Nanos{0}, jpeg};
   }
   [[nodiscard]] std::string trouble() const override { return blind; }
-  std::shared_ptr<Finders> finders;
+  std::shared_ptr<ColourSearch> search;
   std::array<std::uint8_t, 64> black{};
   std::string blind;
 };
@@ -111,11 +128,11 @@ class MonitorTest : public testing::Test {
           files_, [this] { return now_; },
           [this] {
             auto pictures = std::make_unique<FakePictures>(cameras_open_);
-            pictures->finders = finders_;
+            pictures->search = search_;
             pictures->blind = blind_;
             return pictures;
           },
-          Eye::Open{}, finders_);
+          Eye::Open{}, search_);
     }
     return *monitor_;
   }
@@ -131,7 +148,7 @@ class MonitorTest : public testing::Test {
   Sensors seen_{};
   Nanos now_{std::chrono::hours{1}};
   int cameras_open_ = 0;
-  std::shared_ptr<Finders> finders_ = std::make_shared<Finders>();
+  std::shared_ptr<ColourSearch> search_ = std::make_shared<FakeSearch>();
   std::string blind_;
   FakeChannel observer_;
   std::unique_ptr<Monitor> monitor_;
