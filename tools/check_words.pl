@@ -68,7 +68,7 @@ if (open my $in, '<', $todo_file) {
 }
 my (@messages, %places);
 for my $file (split /\n/, `git ls-files --cached --others --exclude-standard --deduplicate -- $files`) {
-  next if !-f $file || $file =~ m{^(?:tests/webots/api/2013|fuzz/corpus)/};
+  next if !-f $file || $file =~ m{^(?:tests/webots/api/2013|tests/fuzz/corpus)/};
   my @found = check($file) or next;
   my $folder = $file =~ m{^(.*/)} ? $1 : '';
   my $place = $file =~ /\.md$/ || $folder eq '' ? $file : $folder;

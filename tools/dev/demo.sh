@@ -26,7 +26,7 @@ cat <<'END'
 What to try next:
   eval "$(./dev env)"                             # the darwinop commands on your PATH
   darwinop virtual-robot --link /tmp/darwin &     # a virtual robot that stays
-  darwinop doctor --robot /tmp/darwin             # what it finds, and what mends what is wrong
+  darwinop doctor --robot /tmp/darwin             # checks the robot, with a fix for each finding
   cat controllers/01_hello_head/01_hello_head.cpp # a controller is one file
   ./dev test                                      # the tests that the maintainers run
 

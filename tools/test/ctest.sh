@@ -14,7 +14,7 @@ no_aslr() {
 }
 
 # run_tests PRESET [ARGUMENT...]: runs a test preset, started through the program $under, if set. Prints the output of what
-# failed and the commands that repeat it. CTest's summary goes to build/PRESET.summary, too.
+# failed and the commands that repeat it. CTest's summary also goes to build/PRESET.summary.
 under=
 run_tests() {
   local preset=$1 log=build/$1.log status=0 launch='' test

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Effects hidden in a few cases and found blind; experiments on a robot, identification and the model after it.
-# builds: release-tests darwinop-gap loop_tests
+# darwinop gap: its longest tests, a few cases found blind, experiments and identification from end to end.
+# builds: release-tests darwinop-gap gap_tests
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/test/ctest.sh
 
 builds
-run_tests loop
+run_tests gap -j "$(nproc)"

@@ -12,7 +12,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/dev/build.sh
 
 gate=(format scripts build docs model asan release i686 tsan install tidy)
-deep=(lint gap long-model campaign long-install vm n270 i686-native fuzz bench)
+deep=(lint gap gap-sanitized long-model campaign long-install vm n270 i686-native fuzz bench)
 more=(fast slow)  # for developers: one label of the debug build
 
 has_stage() { [[ " ${gate[*]} ${deep[*]} ${more[*]} " == *" $1 "* ]]; }
@@ -64,7 +64,7 @@ build_ahead() { # STAGE...
       preset=$(builds_of "$stage")
       [ -f "build/ahead/${preset%% *}" ] || continue  # nothing to build, or built for an earlier stage
       # shellcheck disable=SC2086  # words
-      build $preset || :  # whoever needs it tries once more and shows why
+      build $preset || :  # the stage that needs it tries once more and shows why
       rm -f "build/ahead/${preset%% *}"
     done
   ) </dev/null >build/ahead.log 2>&1 &

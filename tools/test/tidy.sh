@@ -40,7 +40,10 @@ units_of_changed() {
     NR == FNR { changed[$0]; next }
     /^[^ ]/ { unit = ""; next }
     NF {
-      if (unit == "") unit = $1  # the first dependency is the unit itself
+      if (unit == "") {  # the first source among the dependencies is the unit itself
+        if ($1 !~ /\.c(pp|xx)$/ || $1 ~ /cmake_pch/) next
+        unit = $1
+      }
       n = split($1, part, "/")
       path = part[n]
       for (i = n - 1; i > 0; --i) {
