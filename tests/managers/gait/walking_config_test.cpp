@@ -65,8 +65,8 @@ TEST(WalkingConfigFile, ReportsValuesOutOfRange) {
 
 TEST(WalkingConfigFile, WarnsOfUnknownKeys) {
   EXPECT_THAT(read("foot_heigth = 30\nwalk!\ni_gain = 3\n").warnings,
-              ElementsAre("gait.ini, line 2: key \"foot_heigth\" of section [Walking Config] means nothing to this "
-                          "version; it is ignored",
+              ElementsAre("gait.ini, line 2: key \"foot_heigth\" of section [Walking Config] is unknown; it is "
+                          "ignored",
                           "gait.ini, line 3: is neither key = value nor a comment; it is ignored",
                           "gait.ini, line 4: key \"i_gain\" has no effect on this robot; only p_gain has"));
 }

@@ -122,7 +122,7 @@ TEST(CheckPages, TheTransitionToTheNextPageIsChecked) {
   pages[6] = pageOf({middle(10)});
   pages[6].step[0].position[19] = 2800;
   EXPECT_THAT(checkPages(pages), ElementsAre("page 6, step 1, Neck: 66.09 degrees in 0.080 s are 826 degrees/s; the "
-                                             "servo's most is 702, coming from page 5"));
+                                             "servo's maximum is 702, coming from page 5"));
 }
 
 TEST(CheckBytes, EveryDamagedPageIsReportedAndTheOthersAreRead) {
