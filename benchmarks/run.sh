@@ -20,11 +20,11 @@ bench() { awk -v n="$1" -v o="$2" -v p="$3" -v u="$4" \
 
 # --- CPU instructions a cycle: the same on every machine, loaded or not
 
-# instructions KIND SERVOS
+# instructions KIND SERVOS: of one cycle, without those of the far end of the line.
 instructions() {
   local log=$folder/callgrind
-  valgrind --tool=callgrind --collect-atstart=no --callgrind-out-file=/dev/null \
-    "$build/bin/cycle_instructions" "$1" "$2" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
+  valgrind --tool=callgrind --collect-atstart=no --toggle-collect='darwinop::bench::ReplayLine::*' \
+    --callgrind-out-file=/dev/null "$build/bin/cycle_instructions" "$1" "$2" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
   sed -nE 's/.*Collected *: *([0-9]+).*/\1/p' "$log" | awk '{ printf "%d", $1 / 320 }'
 }
 
