@@ -102,17 +102,16 @@ std::size_t Cm730Bus::sendRequest(std::span<const ReadList::Entry> list) noexcep
 /// than they need plus twice the margin: a line that babbles must not keep the loop.
 void Cm730Bus::receive(Nanos request_done) noexcept {
   const Nanos end = request_done + wireTime(decoder_.answerBytes()) + 2 * config_.margin;
-  Nanos last = request_done;
-  while (!decoder_.complete() && line_.now() < end) {
+  Nanos last = request_done, now = line_.now();
+  while (!decoder_.complete() && now < end) {
     std::size_t count = 0;
     const Nanos deadline = std::min(end, last + wireTime(decoder_.nextFrameBytes()) + config_.margin);
-    if (line_.read(incoming_, count, deadline) != LineStatus::kOk) break;
-    last = std::max(last, line_.now());
+    if (line_.read(reader_.room().first(FrameReader::kRoom), count, deadline) != LineStatus::kOk) break;
+    now = line_.now();
+    last = std::max(last, now);
+    reader_.taken(count);
     wire_.bytes_in += static_cast<std::uint32_t>(count);
-    for (Bytes rest{incoming_.data(), count}; !rest.empty();) {
-      rest = rest.subspan(reader_.feed(rest));
-      while (const auto frame = reader_.next()) decoder_.take(*frame);
-    }
+    while (const auto frame = reader_.next()) decoder_.take(*frame);
   }
   // Nothing more will come: a damaged frame may hide whole ones behind it.
   while (const auto frame = reader_.next(false)) decoder_.take(*frame);
