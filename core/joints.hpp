@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -85,6 +87,13 @@ constexpr const JointRow& row(Joint joint) {
 }
 constexpr std::size_t index(Joint joint) {
   return static_cast<std::size_t>(joint);
+}
+
+/// Calls f(index) for each joint of `joints`, in order.
+template <class F>
+constexpr void forEachJoint(const std::bitset<kJoints>& joints, F&& f) {
+  for (unsigned long rest = joints.to_ulong(); rest != 0; rest &= rest - 1)
+    f(static_cast<std::size_t>(std::countr_zero(rest)));
 }
 
 /// The joint with this Webots device name ("Neck"), or nothing.
