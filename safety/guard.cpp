@@ -103,41 +103,23 @@ void Guard::watchHold() noexcept {
   if (board_.powerOff() || (perhaps_held_ && looked())) perhaps_held_ = false;
 }
 
-template <class Is>
-void Guard::noteServos(Fault fault, Is is) noexcept {
-  std::uint8_t id = 0;
-  for (std::size_t i = kJoints; i-- > 0;)
-    if (is(joints_[i])) id = kJointTable[i].id;
-  faults_.note(fault, id != 0, id);
-}
-
 void Guard::noteFaults() noexcept {
-  using Trip = JointGuard::Trip;
-  faults_.note(Fault::kBusSilent, board_.silent());
-  faults_.note(Fault::kBoardReset, lost_under_torque_);
-  faults_.note(Fault::kServoPowerOff, board_.powerLost());
-  noteServos(Fault::kServoSilent, [](const JointGuard& j) { return j.watch().silent() || j.deaf(); });
-  faults_.note(Fault::kBatteryLow, board_.batteryLow());
-  faults_.note(Fault::kBatteryEmpty, board_.batteryEmpty());
-  noteServos(Fault::kServoHot, [](const JointGuard& j) { return j.watch().hot(); });
-  noteServos(Fault::kServoOverheat,
-             [](const JointGuard& j) { return j.watch().overheated() || j.trip() == Trip::kOverheat; });
-  noteServos(Fault::kServoOverload, [](const JointGuard& j) { return j.trip() == Trip::kOverload; });
-  noteServos(Fault::kServoVoltage, [](const JointGuard& j) { return j.watch().badVoltage(); });
-  noteServos(Fault::kEncoderStuck, [](const JointGuard& j) { return j.encoderStuck(); });
-  faults_.note(Fault::kFell, board_.fell());
-  faults_.note(Fault::kReleasedByButton, board_.released());
-  noteMissedStart();
-  faults_.note(Fault::kReleasedByOperator, driver_.released());
-  faults_.note(Fault::kControllerStalled, driver_.stalled());
-  faults_.note(Fault::kControllerGone, driver_.gone());
-}
-
-void Guard::noteMissedStart() noexcept {
-  std::uint8_t id = 0;
-  for (std::size_t i = kJoints; i-- > 0;)
-    if (report_.missed_start[i]) id = kJointTable[i].id;
-  faults_.note(Fault::kStartMissed, id != 0, id);
+  FaultCauses causes;
+  causes.note(Fault::kBusSilent, board_.silent());
+  causes.note(Fault::kBoardReset, lost_under_torque_);
+  causes.note(Fault::kServoPowerOff, board_.powerLost());
+  causes.note(Fault::kBatteryLow, board_.batteryLow());
+  causes.note(Fault::kBatteryEmpty, board_.batteryEmpty());
+  causes.note(Fault::kFell, board_.fell());
+  causes.note(Fault::kReleasedByButton, board_.released());
+  causes.note(Fault::kReleasedByOperator, driver_.released());
+  causes.note(Fault::kControllerStalled, driver_.stalled());
+  causes.note(Fault::kControllerGone, driver_.gone());
+  for (std::size_t i = kJoints; i-- > 0;) {  // of several servos with one fault the first is named
+    causes.note(joints_[i].faults(), kJointTable[i].id);
+    if (report_.missed_start[i]) causes.note(Fault::kStartMissed, true, kJointTable[i].id);
+  }
+  faults_.update(causes);
 }
 
 Rad Guard::target(std::size_t joint) const noexcept {

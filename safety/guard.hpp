@@ -43,9 +43,6 @@ class Guard {
   void beginSession(const Commands& asked) noexcept;
   void clearFaults() noexcept;
   void noteFaults() noexcept;
-  void noteMissedStart() noexcept;
-  template <class Is>
-  void noteServos(Fault fault, Is is) noexcept;
 
   void changeState(const Sensors& seen, Nanos dt) noexcept;
   [[nodiscard]] Reaction demanded() const noexcept;

@@ -38,12 +38,6 @@ void JointChannel::restart() noexcept {
   confirmer_.forget();
 }
 
-void JointChannel::observe(const JointSensors& seen, Nanos dt) noexcept {
-  if (phase_ == Phase::kConfirming) confirmer_.update(seen);
-  if (seen.motion.fresh()) seen_ = seen.position;
-  if (moving()) driven_for_ += dt;
-}
-
 void JointChannel::place(const JointRange& range) noexcept {
   goal_ = Rad{std::clamp(confirmer_.confirmed()->value, range.low.value, range.high.value)};
   phase_ = Phase::kPlaced;
@@ -61,10 +55,6 @@ bool JointChannel::advance(Rad target, double gentle_step, double full_step) noe
   const bool there = std::abs(seen_.value - goal_.value) <= kCaughtUp;
   if (there || driven_for_ >= kHeldUp) phase_ = Phase::kFree;
   return true;
-}
-
-std::optional<Nanos> JointChannel::drivenFor() const noexcept {
-  return moving() ? std::optional{driven_for_} : std::nullopt;
 }
 
 }  // namespace darwinop::safety

@@ -38,7 +38,11 @@ class JointChannel {
   /// From anywhere: readings from now on decide where it is.
   void restart() noexcept;
   /// Once a cycle, with this cycle's reading.
-  void observe(const JointSensors& seen, Nanos dt) noexcept;
+  void observe(const JointSensors& seen, Nanos dt) noexcept {
+    if (phase_ == Phase::kConfirming) confirmer_.update(seen);
+    if (seen.motion.fresh()) seen_ = seen.position;
+    if (moving()) driven_for_ += dt;
+  }
 
   [[nodiscard]] bool ready() const noexcept { return phase_ == Phase::kConfirming && confirmer_.confirmed(); }
   /// Goal := present, moved into the range if it is outside. ready() must hold.
@@ -57,7 +61,9 @@ class JointChannel {
   [[nodiscard]] bool hasGoal() const noexcept { return placed() || moving(); }
   [[nodiscard]] Rad goal() const noexcept { return goal_; }
   /// Time since torque was switched on; nothing while it is off.
-  [[nodiscard]] std::optional<Nanos> drivenFor() const noexcept;
+  [[nodiscard]] std::optional<Nanos> drivenFor() const noexcept {
+    return moving() ? std::optional{driven_for_} : std::nullopt;
+  }
 
  private:
   Phase phase_ = Phase::kOut;

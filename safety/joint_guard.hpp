@@ -8,6 +8,7 @@
 #include "core/sensors.hpp"
 #include "safety/config.hpp"
 #include "safety/encoder_watch.hpp"
+#include "safety/fault_book.hpp"
 #include "safety/joint_channel.hpp"
 #include "safety/joint_limiter.hpp"
 #include "safety/servo_watch.hpp"
@@ -30,10 +31,8 @@ class JointGuard {
 
   // -- what the servo tells
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
-  /// It answers, and again and again it is seen without what was written to it.
-  [[nodiscard]] bool deaf() const noexcept { return refused_ >= kRefusals; }
-  [[nodiscard]] const ServoWatch& watch() const noexcept { return watch_; }
-  [[nodiscard]] bool encoderStuck() const noexcept { return encoder_watch_.stuck(); }
+  /// The causes of faults as they are in this cycle.
+  [[nodiscard]] FaultSet faults() const noexcept;
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
   /// As far as is known the servo holds its joint, whoever told it to.
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }
@@ -76,6 +75,8 @@ class JointGuard {
   // A lost write is rare; each try takes three cycles and does no harm, so all of them about a second.
   static constexpr int kRefusals = 20;
 
+  /// It answers, and again and again it is seen without what was written to it.
+  [[nodiscard]] bool deaf() const noexcept { return refused_ >= kRefusals; }
   void takeTorqueWish(bool on) noexcept;
   void noteRestart(const JointSensors& seen) noexcept;
   void notePlaced(const JointSensors& seen) noexcept;
