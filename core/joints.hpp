@@ -89,6 +89,14 @@ constexpr std::size_t index(Joint joint) {
   return static_cast<std::size_t>(joint);
 }
 
+/// All joints for which is(index) holds.
+template <class Is>
+constexpr std::bitset<kJoints> jointsThat(Is&& is) {
+  unsigned long bits = 0;
+  for (std::size_t i = 0; i < kJoints; ++i) bits |= static_cast<unsigned long>(static_cast<bool>(is(i))) << i;
+  return bits;
+}
+
 /// Calls f(index) for each joint of `joints`, in order.
 template <class F>
 constexpr void forEachJoint(const std::bitset<kJoints>& joints, F&& f) {

@@ -151,23 +151,4 @@ void JointGuard::switchTorque(bool on) noexcept {
   if (on && onDue()) channel_.torqueOn();
 }
 
-bool JointGuard::move(Rad target, double gentle_step, double full_step) noexcept {
-  if (suspect_) return true;  // nothing of it is written in this cycle
-  if (channel_.ready()) {
-    channel_.place(range());
-    uncertain_ = false;  // all it needs is written with this goal
-    off_ordered_ = false;
-    return true;
-  }
-  if (uncertain_) return true;
-  if (!channel_.moving() || !target.known()) return true;
-  return channel_.advance(target, gentle_step, full_step);
-}
-
-SafeCommands::JointGoal JointGuard::goal(RadPerSec speed_cap, bool by_itself) const noexcept {
-  const double cap = channel_.gentle() ? std::min(config_.gentle_speed, speed_cap.value) : speed_cap.value;
-  if (by_itself) return {channel_.goal(), RadPerSec{cap}, NewtonMeter{config_.default_torque}, config_.default_p_gain};
-  return {channel_.goal(), RadPerSec{std::min(wish_speed_.value, cap)}, wish_torque_, wish_p_gain_};
-}
-
 }  // namespace darwinop::safety

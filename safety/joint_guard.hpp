@@ -1,6 +1,7 @@
 // All that protects one joint: what the controller wishes, whether the servo is well, how it is driven.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/commands.hpp"
@@ -66,10 +67,23 @@ class JointGuard {
   void switchTorque(bool on) noexcept;
   /// This cycle's write carries goals: places the joint, or moves it towards `target` (unknown: stays).
   /// False when the step was cut short.
-  bool move(Rad target, double gentle_step, double full_step) noexcept;
+  bool move(Rad target, double gentle_step, double full_step) noexcept {
+    if (suspect_) return true;  // nothing of it is written in this cycle
+    if (channel_.ready()) {
+      place();
+      return true;
+    }
+    if (uncertain_ || !channel_.moving() || !target.known()) return true;
+    return channel_.advance(target, gentle_step, full_step);
+  }
   /// What goes on the wire. `speed_cap`: no faster than this.
   /// `by_itself`: safety moves the robot, and what the controller wished for speed, torque and gain does not count.
-  [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap, bool by_itself) const noexcept;
+  [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap, bool by_itself) const noexcept {
+    const double cap = channel_.gentle() ? std::min(config_.gentle_speed, speed_cap.value) : speed_cap.value;
+    if (by_itself)
+      return {channel_.goal(), RadPerSec{cap}, NewtonMeter{config_.default_torque}, config_.default_p_gain};
+    return {channel_.goal(), RadPerSec{std::min(wish_speed_.value, cap)}, wish_torque_, wish_p_gain_};
+  }
 
  private:
   // A lost write is rare; each try takes three cycles and does no harm, so all of them about a second.
@@ -78,6 +92,11 @@ class JointGuard {
   /// It answers, and again and again it is seen without what was written to it.
   [[nodiscard]] bool deaf() const noexcept { return refused_ >= kRefusals; }
   void takeTorqueWish(bool on) noexcept;
+  void place() noexcept {
+    channel_.place(range());
+    uncertain_ = false;  // all it needs is written with this goal
+    off_ordered_ = false;
+  }
   void noteRestart(const JointSensors& seen) noexcept;
   void notePlaced(const JointSensors& seen) noexcept;
   [[nodiscard]] double push(const JointSensors& seen) const noexcept;
