@@ -61,8 +61,8 @@ inline double JointGuard::push(const JointSensors& seen) const noexcept {
   if (std::abs(torque) < EncoderWatch::kPush) return 0;
   const double speed = channel_.gentle() ? std::min(wish_speed_.value, config_.gentle_speed) : wish_speed_.value;
   if (!(speed >= kFastEnough)) return 0;
-  const double limit = std::min({wish_torque_.value, config_.default_torque, seen.torque_limit.value});
-  return limit > 0 ? std::clamp(torque, -limit, limit) : 0;
+  const double limit = std::min(std::min(wish_torque_.value, config_.default_torque), seen.torque_limit.value);
+  return limit > 0 ? std::copysign(std::min(std::abs(torque), limit), torque) : 0;
 }
 
 /// A look tells whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has

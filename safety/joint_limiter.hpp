@@ -1,7 +1,6 @@
 // Limits for one joint: finite, in range, not too fast. Pure functions; what acts is counted.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -18,10 +17,11 @@ inline void hit(LimitHits& hits, Limit limit) noexcept {
   ++hits[static_cast<std::size_t>(limit)];
 }
 
+/// `value` within low .. high; it is not NaN.
 inline double clampCounted(double value, double low, double high, Limit limit, LimitHits& hits) noexcept {
   if (value >= low && value <= high) return value;
   hit(hits, limit);
-  return std::clamp(value, low, high);
+  return value < low ? low : high;
 }
 
 /// `asked` within `range`; `keep` when it is not finite.
