@@ -7,7 +7,7 @@
 
 namespace darwinop::cm730 {
 
-std::uint16_t GoalWriter::goalTicks(Joint joint, Rad goal) noexcept {
+inline std::uint16_t GoalWriter::goalTicks(Joint joint, Rad goal) noexcept {
   const int wanted = offsets_.servoTicks(joint, goal);
   const int ticks = std::clamp<int>(wanted, row(joint).low, row(joint).high);
   if (ticks != wanted) ++clamped_;
@@ -35,8 +35,7 @@ void GoalWriter::heard(Joint joint, double load) noexcept {
   servo.straining = std::abs(load) * kTorqueMax >= kStrain * servo.torque;
 }
 
-void GoalWriter::note(Servo& servo, const SafeCommands::JointGoal& goal) noexcept {
-  if (servo.settings == settingsOf(goal)) return;
+void GoalWriter::noteSettings(Servo& servo, const SafeCommands::JointGoal& goal) noexcept {
   servo.settings = settingsOf(goal);
   const std::uint8_t p_gain = registerFromPGain(goal.p_gain);
   const std::uint16_t speed = registerFromSpeedLimit(goal.speed_limit), torque = registerFromTorque(goal.torque_limit);
@@ -47,16 +46,9 @@ void GoalWriter::note(Servo& servo, const SafeCommands::JointGoal& goal) noexcep
   r = {p_gain, 0, 0, 0, lowByte(speed), highByte(speed), lowByte(torque), highByte(torque)};
 }
 
-const GoalWriter::Block& GoalWriter::choose(const SafeCommands::Mask& who) const noexcept {
-  bool all = false, torque = false, straining = false, settings = since_settings_ >= kSettingsEvery;
-  forEachJoint(who, [&](std::size_t i) {
-    all |= servo_[i].entering;
-    torque |= servo_[i].torque_due > 0;
-    straining |= servo_[i].straining;
-    settings |= servo_[i].settings_due > 0;
-  });
-  if (all || (torque && (!straining || since_torque_ >= torque_wait_))) return kAll;
-  return settings ? kSettings : kGoal;
+inline const GoalWriter::Block& GoalWriter::choose(const Due& due) const noexcept {
+  if (due.all || (due.torque > 0 && (!due.straining || since_torque_ >= torque_wait_))) return kAll;
+  return due.settings > 0 || since_settings_ >= kSettingsEvery ? kSettings : kGoal;
 }
 
 void GoalWriter::noteSent(const Block& block, const SafeCommands::Mask& who) noexcept {
@@ -78,8 +70,14 @@ void GoalWriter::noteSent(const Block& block, const SafeCommands::Mask& who) noe
 std::span<const std::uint8_t> GoalWriter::encodeGoals(const SafeCommands& commands) noexcept {
   const SafeCommands::Mask who = commands.driven() & ~commands.held();
   if (who.none()) return {};
-  forEachJoint(who, [&](std::size_t i) { note(servo_[i], commands.goal(static_cast<Joint>(i))); });
-  const Block& block = choose(who);
+  Due due;
+  forEachJoint(who, [&](std::size_t i) {
+    const SafeCommands::JointGoal& goal = commands.goal(static_cast<Joint>(i));
+    Servo& servo = servo_[i];
+    if (servo.settings != settingsOf(goal)) noteSettings(servo, goal);
+    due.add(servo);
+  });
+  const Block& block = choose(due);
   noteSent(block, who);
   if (block.bytes == kGoal.bytes) return encodeBlock<kGoal.address, kGoal.bytes>(commands, who);
   if (block.bytes == kSettings.bytes) return encodeBlock<kSettings.address, kSettings.bytes>(commands, who);

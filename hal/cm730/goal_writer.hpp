@@ -81,9 +81,21 @@ class GoalWriter {
     bool straining = false;                            // works at its torque limit, or nearly
   };
 
-  void note(Servo& servo, const SafeCommands::JointGoal& goal) noexcept;
+  /// What the servos of a frame need together.
+  struct Due {
+    bool all = false, straining = false;
+    int settings = 0, torque = 0;
+    void add(const Servo& servo) noexcept {
+      all |= servo.entering;
+      straining |= servo.straining;
+      settings |= servo.settings_due;
+      torque |= servo.torque_due;
+    }
+  };
+
+  void noteSettings(Servo& servo, const SafeCommands::JointGoal& goal) noexcept;
   void noteSent(const Block& block, const SafeCommands::Mask& who) noexcept;
-  [[nodiscard]] const Block& choose(const SafeCommands::Mask& who) const noexcept;
+  [[nodiscard]] const Block& choose(const Due& due) const noexcept;
   std::span<const std::uint8_t> encodeGoals(const SafeCommands& commands) noexcept;
   template <std::uint8_t kAddress, std::uint8_t kBytes>
   std::span<const std::uint8_t> encodeBlock(const SafeCommands& commands, const SafeCommands::Mask& who) noexcept;
