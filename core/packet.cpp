@@ -64,14 +64,11 @@ std::span<std::uint8_t> encodeStatus(std::span<std::uint8_t> out, std::uint8_t i
   return encode(out, id, error, params);
 }
 
-std::span<std::uint8_t> FrameReader::room() {
-  if (begin_ > 0) {  // keep the tail at the front, so that a whole frame always fits behind it
-    std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
-              buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
-    end_ -= begin_;
-    begin_ = 0;
-  }
-  return std::span{buffer_}.subspan(end_);
+void FrameReader::moveTailToFront() {
+  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_), buffer_.begin() + static_cast<std::ptrdiff_t>(end_),
+            buffer_.begin());
+  end_ -= begin_;
+  begin_ = 0;
 }
 
 std::size_t FrameReader::feed(Bytes bytes) {
@@ -104,10 +101,6 @@ std::optional<Frame> FrameReader::find(bool more_expected) {
     return Frame{at[2], at[4], Bytes{at + kFrameHeader, size - kFrameOverhead}};
   }
   return std::nullopt;
-}
-
-void FrameReader::clear() {
-  begin_ = end_ = 0;
 }
 
 }  // namespace darwinop

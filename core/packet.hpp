@@ -133,7 +133,13 @@ class FrameReader {
  public:
   static constexpr std::size_t kRoom = 512;
   /// Where the next bytes go. At least kRoom once next() has returned nothing; it may move what is held.
-  std::span<std::uint8_t> room();
+  std::span<std::uint8_t> room() {
+    if (pending() == 0)
+      clear();
+    else if (begin_ > 0)
+      moveTailToFront();  // so that a whole frame always fits behind it
+    return std::span{buffer_}.subspan(end_);
+  }
   /// So many bytes were written to room().
   void taken(std::size_t count) { end_ += count; }
   /// Takes as many bytes as fit and returns how many; call next() until it is empty, then feed the rest.
@@ -144,7 +150,7 @@ class FrameReader {
     return pending() < kFrameOverhead ? std::nullopt : find(more_expected);
   }
   /// Forgets what was fed, keeps the counters.
-  void clear();
+  void clear() { begin_ = end_ = 0; }
 
   [[nodiscard]] std::uint32_t garbageBytes() const { return garbage_bytes_; }
   [[nodiscard]] std::uint32_t badChecksums() const { return bad_checksums_; }
@@ -153,6 +159,7 @@ class FrameReader {
 
  private:
   std::optional<Frame> find(bool more_expected);
+  void moveTailToFront();
   void skip(std::size_t bytes);
   std::array<std::uint8_t, kMaxFrame + kRoom> buffer_{};
   std::size_t begin_ = 0, end_ = 0;

@@ -61,12 +61,12 @@ inline constexpr FaultSet kLatchedLimpFaults =
 /// The causes of faults as they are in one cycle.
 struct FaultCauses {
   FaultSet all;
-  std::array<std::uint8_t, kFaults> servo{};  // id of the servo that each concerns, 0 for none
+  std::array<std::uint8_t, kFaults> servo{};  // id of the first servo that each concerns, 0 for none
 
-  void note(Fault fault, bool cause, std::uint8_t id = 0) noexcept { note(faultIf(cause, fault), id); }
+  void note(Fault fault, bool cause) noexcept { all |= faultIf(cause, fault); }
   void note(const FaultSet& causes, std::uint8_t id) noexcept {
+    forEachFault(causes & ~all, [&](std::size_t row) { servo[row] = id; });
     all |= causes;
-    if (id != 0) forEachFault(causes, [&](std::size_t row) { servo[row] = id; });
   }
 };
 

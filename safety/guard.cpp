@@ -115,10 +115,10 @@ void Guard::noteFaults() noexcept {
   causes.note(Fault::kReleasedByOperator, driver_.released());
   causes.note(Fault::kControllerStalled, driver_.stalled());
   causes.note(Fault::kControllerGone, driver_.gone());
-  for (std::size_t i = kJoints; i-- > 0;) {  // of several servos with one fault the first is named
-    causes.note(joints_[i].faults(), kJointTable[i].id);
-    if (report_.missed_start[i]) causes.note(Fault::kStartMissed, true, kJointTable[i].id);
-  }
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (!joints_[i].well()) causes.note(joints_[i].faults(), kJointTable[i].id);
+  forEachJoint(report_.missed_start,
+               [&](std::size_t i) { causes.note(faultIf(true, Fault::kStartMissed), kJointTable[i].id); });
   faults_.update(causes);
 }
 

@@ -34,6 +34,12 @@ class JointGuard {
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
   /// The causes of faults as they are in this cycle.
   [[nodiscard]] FaultSet faults() const noexcept;
+  /// No faults(). Without a branch for each of them: this is asked of every joint in every cycle.
+  [[nodiscard]] bool well() const noexcept {
+    const int troubles = int{watch_.silent()} | watch_.hot() | watch_.overheated() | watch_.badVoltage() | deaf() |
+                         encoder_watch_.stuck() | (trip_ != Trip::kNone);
+    return troubles == 0;
+  }
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
   /// As far as is known the servo holds its joint, whoever told it to.
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }

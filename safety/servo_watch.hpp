@@ -36,7 +36,7 @@ class ServoWatch {
   /// Lost, or given up by the bus; never in the second after power came on, in which servos start.
   [[nodiscard]] bool silent() const noexcept { return silent_now_; }
   [[nodiscard]] bool hot() const noexcept { return hot_.on(); }
-  [[nodiscard]] bool overheated() const noexcept { return overheated_.on() || overheat_bit_.on(); }
+  [[nodiscard]] bool overheated() const noexcept { return (int{overheated_.on()} | overheat_bit_.on()) != 0; }
   [[nodiscard]] bool badVoltage() const noexcept { return voltage_.on(); }
 
  private:

@@ -56,14 +56,14 @@ void ReplyDecoder::begin(std::span<const ReadList::Entry> list, std::uint8_t boa
 
 std::size_t ReplyDecoder::answerBytes() const noexcept {
   std::size_t bytes = board_bytes_ + kFrameOverhead;
-  for (const ReadList::Entry entry : list_) bytes += (entry.look ? kServoLook : kServoWindow).frameBytes();
+  for (const ReadList::Entry entry : list_) bytes += kServoWindows[entry.look].frameBytes();
   return bytes;
 }
 
 std::size_t ReplyDecoder::nextFrameBytes() const noexcept {
   if (!board_answered_) return board_bytes_ + kFrameOverhead;
   if (position_ == list_.size()) return 0;
-  return list_[position_].look ? kServoLook.frameBytes() : kServoWindow.frameBytes();
+  return kServoWindows[list_[position_].look].frameBytes();
 }
 
 void ReplyDecoder::take(const Frame& frame) noexcept {
@@ -106,7 +106,7 @@ void ReplyDecoder::takeServo(const Frame& frame) noexcept {
   }
   constexpr std::uint8_t kMotion = kServoWindow.address, kLook = kServoLook.address;
   const ReadList::Entry entry = list_[at];
-  if (frame.params.size() != (entry.look ? kServoLook : kServoWindow).count) {
+  if (frame.params.size() != kServoWindows[entry.look].count) {
     ++late_;  // not what was asked for
     return;
   }
