@@ -48,6 +48,12 @@ struct BusReadings {
   WireFigures wire{};
   LinkCounters link{};
   std::bitset<kJoints> silent;  // left out of the list, asked again now and then
+
+  /// Nothing has answered. Fields that do not count then keep what they held.
+  void forget() noexcept {
+    for (ServoReading& one : servo) one.answered = one.looked = false;
+    board.answered = false;
+  }
 };
 
 /// Called by the loop's thread only. Blocks no longer than wire time plus the link's margin.

@@ -45,7 +45,7 @@ void Cm730Bus::write(const SafeCommands& commands) noexcept {
 }
 
 void Cm730Bus::read(BusReadings& readings) noexcept {
-  readings = {};
+  readings.forget();
   if (!restThisCycle()) {
     // A board that does not answer is asked alone; the servos behind it could not be heard anyway.
     const auto list = silent_cycles_ >= kCyclesUntilRest ? std::span<const ReadList::Entry>{} : list_.next();
@@ -56,10 +56,9 @@ void Cm730Bus::read(BusReadings& readings) noexcept {
     receive(began_ + wireTime(asked));
     wire_.bus_ns = (line_.now() - began_).count();
     wire_.wire_ns = wireTime(wire_.bytes_out + wire_.bytes_in).count();
-    board_ = readings.board;
-    for (const ReadList::Entry entry : list)
-      if (const ServoReading& servo = readings.servo[entry.joint]; servo.answered)
-        goals_.heard(static_cast<Joint>(entry.joint), servo.load);
+    if (readings.board.answered) board_ = readings.board;
+    forEachJoint(decoder_.answered(),
+                 [&](std::size_t i) { goals_.heard(static_cast<Joint>(i), readings.servo[i].load); });
     learn(list);
     sendBoardWrite();
   }
