@@ -85,6 +85,10 @@ inline constexpr std::array<JointRow, kJoints> kJointTable{{
 constexpr const JointRow& row(Joint joint) {
   return kJointTable[static_cast<std::size_t>(joint)];
 }
+/// Dynamixel id of the joint with this index; jointTableIsSound() checks that it is the table's.
+constexpr std::uint8_t servoId(std::size_t joint) {
+  return static_cast<std::uint8_t>(joint + 1);
+}
 constexpr std::size_t index(Joint joint) {
   return static_cast<std::size_t>(joint);
 }
@@ -122,7 +126,7 @@ constexpr bool isLeg(Joint joint) {
 constexpr bool jointTableIsSound() {
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointRow& r = kJointTable[i];
-    if (r.id != i + 1 || r.low >= r.high || r.high > 4095 || r.start < r.low || r.start > r.high) return false;
+    if (r.id != servoId(i) || r.low >= r.high || r.high > 4095 || r.start < r.low || r.start > r.high) return false;
   }
   return true;
 }

@@ -90,7 +90,7 @@ std::size_t Cm730Bus::sendRequest(std::span<const ReadList::Entry> list) noexcep
   request.add(kBoardId, kBoardWindow.address, tag_.boardBytes());
   for (const ReadList::Entry entry : list) {
     const Window window = kServoWindows[entry.look];
-    request.add(kJointTable[entry.joint].id, window.address, window.count);
+    request.add(servoId(entry.joint), window.address, window.count);
   }
   send(request.finish());
   ++link_.exchanges;

@@ -95,7 +95,7 @@ std::span<const std::uint8_t> GoalWriter::encodeBlock(const SafeCommands& comman
     auto& registers = servo_[i].registers;
     registers[2] = lowByte(ticks);
     registers[3] = highByte(ticks);
-    sync.add(kJointTable[i].id, std::span{registers}.template subspan<kAddress - kAll.address, kBytes>());
+    sync.add(servoId(i), std::span{registers}.template subspan<kAddress - kAll.address, kBytes>());
   });
   return sync.finish();
 }

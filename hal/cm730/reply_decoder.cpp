@@ -99,7 +99,7 @@ void ReplyDecoder::takeBoard(const Frame& frame) noexcept {
 
 void ReplyDecoder::takeServo(const Frame& frame) noexcept {
   std::size_t at = position_;
-  while (at < list_.size() && kJointTable[list_[at].joint].id != frame.id) ++at;
+  while (at < list_.size() && servoId(list_[at].joint) != frame.id) ++at;
   if (!board_answered_ || at == list_.size()) {
     ++late_;
     return;
@@ -116,14 +116,16 @@ void ReplyDecoder::takeServo(const Frame& frame) noexcept {
     ++late_;
     return;
   }
+  const auto joint = static_cast<Joint>(entry.joint);
+  const RadPerSec velocity = velocityFromRegister(raw<kMotion, kSpeed>(motion));
+  const double load = loadFromRegister(raw<kMotion, kLoad>(motion));
   position_ = at + 1;
   answered_[entry.joint] = true;
-  const auto joint = static_cast<Joint>(entry.joint);
   ServoReading& out = readings_->servo[entry.joint];
   out.answered = true;
   out.position = offsets_.jointAngle(joint, position);
-  out.velocity = velocityFromRegister(raw<kMotion, kSpeed>(motion));
-  out.load = loadFromRegister(raw<kMotion, kLoad>(motion));
+  out.velocity = velocity;
+  out.load = load;
   out.error_bits = frame.code;
   if (entry.look) takeLook(joint, frame.params, out);
 }
