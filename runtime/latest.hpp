@@ -75,11 +75,12 @@ class Latest {
   static constexpr std::size_t kWhole = sizeof(T) / sizeof(Word), kTail = sizeof(T) % sizeof(Word);
   static constexpr std::size_t kWords = kWhole + (kTail > 0 ? 1 : 0);
 
-  /// The whole words, four in a turn: counting and comparing takes as many instructions as copying one.
+  /// The whole words, eight in a turn: counting and comparing takes as many instructions as copying one.
   template <class F>
   static void forEachWord(F&& copy) noexcept {
     std::size_t i = 0;
-    for (; i + 4 <= kWhole; i += 4) copy(i), copy(i + 1), copy(i + 2), copy(i + 3);
+    const auto copyFour = [&](std::size_t j) { copy(j), copy(j + 1), copy(j + 2), copy(j + 3); };
+    for (; i + 8 <= kWhole; i += 8) copyFour(i), copyFour(i + 4);
     for (; i < kWhole; ++i) copy(i);
   }
 
