@@ -25,8 +25,7 @@ void JointGuard::forgetWishes() noexcept {
   limp_ = false;
 }
 
-void JointGuard::listen(const JointCommand& asked, LimitHits& hits) noexcept {
-  if (asked.has(JointCommand::kGoal)) wish_goal_ = limitGoal(asked.goal, wish_goal_, range(), hits);
+void JointGuard::listenToSettings(const JointCommand& asked, LimitHits& hits) noexcept {
   if (asked.has(JointCommand::kSpeedLimit)) wish_speed_ = limitSpeed(asked.speed_limit, wish_speed_, hits);
   if (asked.has(JointCommand::kTorqueLimit)) wish_torque_ = limitTorque(asked.torque_limit, wish_torque_, hits);
   if (asked.has(JointCommand::kPGain)) wish_p_gain_ = limitGain(asked.p_gain, wish_p_gain_, hits);

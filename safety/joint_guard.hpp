@@ -26,7 +26,10 @@ class JointGuard {
   // -- what the controller wishes
   /// A new driver starts without the wishes of the one before.
   void forgetWishes() noexcept;
-  void listen(const JointCommand& asked, LimitHits& hits) noexcept;
+  void listen(const JointCommand& asked, LimitHits& hits) noexcept {
+    if (asked.has(JointCommand::kGoal)) wish_goal_ = limitGoal(asked.goal, wish_goal_, range(), hits);
+    if ((asked.set & ~JointCommand::kGoal) != 0) listenToSettings(asked, hits);
+  }
   /// Where the joint stays when the controller has not said anything yet.
   void wishIfNone(Rad goal) noexcept;
 
@@ -97,6 +100,7 @@ class JointGuard {
 
   /// It answers, and again and again it is seen without what was written to it.
   [[nodiscard]] bool deaf() const noexcept { return refused_ >= kRefusals; }
+  void listenToSettings(const JointCommand& asked, LimitHits& hits) noexcept;
   void takeTorqueWish(bool on) noexcept;
   void place() noexcept {
     channel_.place(range());
