@@ -1,17 +1,17 @@
-// darwinop-doctor: looks at computer, port, board and servos, and says what mends what is wrong.
+// darwinop-doctor: checks computer, port, board and servos, with a fix for each finding.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string>
 
+#include "connect/connect.hpp"
+#include "connect/robot_file.hpp"
+#include "connect/start_pose_findings.hpp"
 #include "hal/cm730/host_checks.hpp"
 #include "hal/cm730/port_check.hpp"
 #include "hal/cm730/probe.hpp"
 #include "hal/cm730/serial_open.hpp"
-#include "link/connect.hpp"
-#include "link/robot_file.hpp"
-#include "link/start_pose_findings.hpp"
 
 namespace {
 
@@ -19,17 +19,17 @@ using namespace darwinop;
 using cm730::Finding;
 using cm730::Findings;
 
-constexpr int kLoopPriority = 80;  // as the loop's thread asks for
+constexpr int kLoopPriority = 80;  // same as the loop's thread
 
 constexpr const char* kExample =
     "Examples:\n"
     "  darwinop doctor                        DARWINOP_ROBOT, else robot.ini's port, else the first USB one\n"
     "  darwinop doctor --robot /dev/ttyUSB1\n"
-    "  darwinop doctor --fix                  also sets return delay 0 and status level 2 where they differ\n"
-    "Nothing moves: torque stays as it is. Servo power is switched on if it is off.\n"
+    "  darwinop doctor --fix                  also corrects return delays and status levels\n"
+    "Nothing moves; torque is not changed. Servo power is switched on if it is off.\n"
     "Exit code: 0 the robot can be driven (warnings allowed), 1 it cannot.";
 
-/// Tells the user at once, keeps count for the end.
+/// Prints findings at once and counts them.
 class Report {
  public:
   void heading(const char* title) { std::printf("%s\n", title); }
@@ -42,7 +42,7 @@ class Report {
   }
   int finish() {
     const bool drivable = count_[2] == 0;
-    std::printf("%d ok, %d to look at, %d to mend: the robot %s be driven\n", count_[0], count_[1], count_[2],
+    std::printf("%d ok, %d warnings, %d errors: the robot %s be driven\n", count_[0], count_[1], count_[2],
                 drivable ? "can" : "cannot");
     return drivable ? 0 : 1;
   }
@@ -51,15 +51,15 @@ class Report {
   int count_[3] = {0, 0, 0};
 };
 
-/// The robot that the file describes; a stock one, and an error in the report, when the file cannot be used.
-link::RobotFile readRobotFile(Report& report) {
+/// The robot described by robot.ini; a stock robot and an error finding if the file is invalid.
+connect::RobotFile readRobotFile(Report& report) {
   try {
-    link::RobotFile robot = link::readRobotFile();
-    report.add({Finding::ok(link::describe(robot))});
+    connect::RobotFile robot = connect::readRobotFile();
+    report.add({Finding::ok(connect::describe(robot))});
     return robot;
   } catch (const std::exception& wrong) {
     report.add({Finding::of(cm730::Kind::kRobotFile, wrong.what(),
-                            "correct the file (docs/robot-file.md); nothing of it is used here")});
+                            "correct the file (docs/robot-file.md); the file is ignored here")});
     return {};
   }
 }
@@ -69,7 +69,7 @@ int examine(const std::string& asked, bool fix) {
   report.heading("computer");
   report.add(cm730::diagnoseHost(cm730::measureHost(kLoopPriority)));
 
-  const link::RobotFile robot = readRobotFile(report);
+  const connect::RobotFile robot = readRobotFile(report);
 
   report.heading("port");
   const std::string wanted = asked.empty() ? robot.port.value_or("") : asked;
@@ -82,15 +82,15 @@ int examine(const std::string& asked, bool fix) {
   cm730::ProbeOptions options = cm730::ProbeOptions::thorough();
   options.port = path;
   options.offsets = robot.offsets;
-  options.period = robot.period.value_or(link::kUsualPeriod);
+  options.period = robot.period.value_or(connect::kUsualPeriod);
   options.absent = robot.safety.absent;
-  options.allowed = link::goalTicks(link::safetyOn(robot, {}, "config.ini"), robot.offsets);
+  options.allowed = connect::goalTicks(connect::safetyOn(robot, {}, "config.ini"), robot.offsets);
   options.correct = fix;
   const cm730::ProbeReport probed = cm730::probe(*check.port, options);
   report.add(probed.findings);
   if (probed.facts.board.readable && probed.facts.board.power_on) {
     report.heading("pose");
-    report.add(link::startPoseFindings(probed.facts));
+    report.add(connect::startPoseFindings(probed.facts));
   }
   return report.finish();
 }
@@ -98,7 +98,7 @@ int examine(const std::string& asked, bool fix) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  CLI::App app{"Checks computer, port, board and servos; one line each, with what mends it."};
+  CLI::App app{"Checks computer, port, board and servos; one line each, with a fix."};
   app.footer(kExample);
   std::string robot;
   bool fix = false;

@@ -1,10 +1,10 @@
-// darwinop gap plan: the next experiment.
+// darwinop gap plan: the most informative next experiment.
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/number_text.hpp"
-#include "experiments/phase_reader.hpp"
+#include "core/text/number_text.hpp"
+#include "experiments/format/phase_reader.hpp"
 #include "gap/name/naming.hpp"
 #include "gap/plan/ask.hpp"
 #include "gap/plan/hand_over.hpp"
@@ -17,7 +17,7 @@ std::vector<std::string> partsOf(const std::string& list) {
   std::vector<std::string> parts;
   std::istringstream text{list};
   for (std::string part; std::getline(text, part, ',');) {
-    const std::string_view id = withoutBlanks(part);
+    const std::string_view id = text::withoutBlanks(part);
     if (id.empty()) throw std::runtime_error("--against " + list + ": an id is missing between two commas");
     parts.emplace_back(id);
   }
@@ -29,20 +29,20 @@ std::vector<std::string> partsOf(const std::string& list) {
 int planNext(const Arguments& given) {
   const Case read = readCase(given.folder);
   const Stand stand = standOf(experiments::jointNamed(given.joint), given.hangs_at_rad);
-  const Tell tell = [&](const std::string& what) {
+  const Tell progress = [&](const std::string& what) {
     if (!given.json) std::cerr << "darwinop gap: " << what << '\n';
   };
   Question question;
   if (given.against.empty()) {
     NameOptions options;
-    options.tell = tell;
+    options.tell = progress;
     const Naming naming = nameEffects(read, options);
-    tell("verdict: " + std::string{nameOf(naming.verdict)});
-    question = questionAfter(read, naming, tell);
+    progress("verdict: " + std::string{nameOf(naming.verdict)});
+    question = questionAfter(read, naming, progress);
   } else {
-    question = questionBetween(read, partsOf(given.against), tell);
+    question = questionBetween(read, partsOf(given.against), progress);
   }
-  tell("simulating the experiments");
+  progress("simulating the experiments");
   const NextExperiments next = nextExperiments(read, stand, std::move(question), candidatesFor(read, stand));
   std::vector<std::string> paths;
   if (!given.write.empty()) paths = writeBest(next, given.write);

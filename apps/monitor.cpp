@@ -1,5 +1,5 @@
-// darwinop-monitor: lets onlookers see the robot, read only.
-#include "remote/monitor/monitor.hpp"
+// darwinop-monitor: read-only WebSocket server for sensors, loop, faults and camera.
+#include "monitor/monitor.hpp"
 
 #include <unistd.h>
 
@@ -11,12 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "apps/colour_search/frame_search.hpp"
+#include "connect/controller_user.hpp"
+#include "connect/eyes.hpp"
 #include "end_with_parent.hpp"
+#include "hal/net/web/server.hpp"
 #include "hal/signals.hpp"
-#include "link/controller_user.hpp"
-#include "remote/monitor/messages.hpp"
-#include "remote/robot/onlooker_eyes.hpp"
-#include "remote/web/server.hpp"
+#include "monitor/messages.hpp"
+#include "remote/robot/observer_pictures.hpp"
 #include "runtime/clock.hpp"
 
 namespace {
@@ -35,46 +37,49 @@ void sayMonitor(const std::string& line) {
   std::cerr << "darwinop monitor: " << line << std::endl;
 }
 
-/// The window of a driver is opened anew with each of them, and looked at by one thread at a time.
+/// The shared picture file is reopened for each driver, and read by one thread at a time.
 void sayMonitorOnce(const std::string& line) {
   static std::set<std::string> said;
   if (said.insert(line).second) sayMonitor(line);
 }
 
-web::ServerConfig webConfig(const MonitorArguments& given) {
-  web::ServerConfig config;
-  config.address = remote::ipv4FromText(given.listen);
+web::WebServerConfig webConfig(const MonitorArguments& given) {
+  web::WebServerConfig config;
+  config.address = net::ipv4FromText(given.listen);
   config.port = given.port;
-  for (const std::string& network : given.allow) config.allowed.push_back(remote::networkFromText(network));
-  config.entry.origins = given.origins;
-  config.entry.hosts = given.hosts;
-  if (remote::isLoopback(config.address)) return config;
+  for (const std::string& network : given.allow) config.allowed.push_back(net::networkFromText(network));
+  config.origin.origins = given.origins;
+  config.origin.hosts = given.hosts;
+  if (net::isLoopback(config.address)) return config;
   if (given.allow.empty())
     throw std::runtime_error("--listen " + given.listen +
-                             " shows the robot to a network: say who may look, such as --allow 192.168.123.0/24");
+                             " opens the monitor to a network: specify the allowed networks, for example --allow 192.168.123.0/24");
   sayMonitor(
-      "the channel knows no password: whoever has an address that is allowed here sees what the robot senses, and what "
-      "its camera sees. On a network that is not yours alone, listen on loopback and come by ssh");
+      "the connection has no password: every allowed address can read the robot's sensors and "
+      "camera. In a shared network, listen on loopback and connect through ssh");
   return config;
 }
 
 int serveOnlookers(const MonitorArguments& given) {
-  link::leaveRoot();
+  connect::leaveRoot();
   endOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
   const runtime::RuntimeFiles files{given.name};
-  const auto finders = std::make_shared<monitor::Finders>();
-  const remote::FrameLooker find = [finders](const CameraFrame& frame) { finders->look(frame); };
+  const auto search = std::make_shared<colour_search::FrameSearch>();
+  const remote::FrameCallback find = [search](const CameraFrame& frame) { search->process(frame); };
   monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); },
-                           [find] { return remote::openCameraForOnlookers(find, sayMonitor); },
-                           [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); },
-                           finders};
-  web::Server server{webConfig(given), sayMonitor};
+                           [find] {
+                             return remote::openPicturesOfCamera(
+                                 connect::openCamera({.form = PictureForm::kYuyv, .say = sayMonitor}), find,
+                                 sayMonitor);
+                           },
+                           [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); }, search};
+  web::WebServer server{webConfig(given), sayMonitor};
   server.channel("/monitor", monitor::kSubprotocol, monitor);
   std::cout << "ready: ws://" << given.listen << ":" << server.port() << "/monitor" << std::endl;
   while (!endRequested()) {
-    server.attend(monitor.pause());
-    monitor.look();
+    server.poll(monitor.pause());
+    monitor.update();
   }
   return 0;
 }
@@ -83,20 +88,20 @@ int serveOnlookers(const MonitorArguments& given) {
 
 int main(int count, char** arguments) try {
   MonitorArguments given;
-  CLI::App app{"Lets any number of onlookers see the robot: sensors, loop, faults, camera. It never drives.",
+  CLI::App app{"Publishes sensors, loop, faults and camera to any number of observers. It never drives.",
                "darwinop monitor"};
-  app.add_option("--listen", given.listen, "address of this computer to listen on; 0.0.0.0: all of them")
+  app.add_option("--listen", given.listen, "local address to listen on; 0.0.0.0: all")
       ->capture_default_str();
-  app.add_option("--allow", given.allow, "network that may look on beside this computer, may be repeated")
+  app.add_option("--allow", given.allow, "network with access in addition to this computer; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--port", given.port, "TCP port; 0: any that is free")->capture_default_str();
+  app.add_option("--port", given.port, "TCP port; 0: any free port")->capture_default_str();
   app.add_flag("--end-with-parent", given.ends_with_parent,
-               "end when the program that started this one does, even by kill -9");
-  app.add_option("--origin", given.origins, "page that may look on, as browsers write it: http://127.0.0.1:8080")
+               "end together with the parent process, even after kill -9");
+  app.add_option("--origin", given.origins, "allowed web origin, for example http://127.0.0.1:8080")
       ->allow_extra_args(false);
-  app.add_option("--host", given.hosts, "name by which this computer may be called, beside its numbers and localhost")
+  app.add_option("--host", given.hosts, "allowed host name in addition to addresses and localhost")
       ->allow_extra_args(false);
-  app.add_option("--name", given.name, "name of the runtime, when several run")->envname("DARWINOP_RUNTIME_NAME");
+  app.add_option("--name", given.name, "name of the runtime, if there are several")->envname("DARWINOP_RUNTIME_NAME");
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
       "Example, beside a running runtime:\n  darwinop monitor\n"

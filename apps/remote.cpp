@@ -1,4 +1,4 @@
-// darwinop-remote: the server of the remote-control protocol.
+// darwinop-remote: server of the remote-control protocol.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -9,14 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "connect/connect.hpp"
+#include "connect/controller_user.hpp"
+#include "connect/eyes.hpp"
+#include "connect/setting.hpp"
 #include "end_with_parent.hpp"
 #include "hal/diagnostics.hpp"
+#include "hal/net/bounded_log.hpp"
 #include "hal/signals.hpp"
-#include "link/connect.hpp"
-#include "link/controller_user.hpp"
-#include "link/setting.hpp"
 #include "remote/robot/link_port.hpp"
-#include "remote/server/bounded_log.hpp"
 #include "remote/server/server.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/daemon_link.hpp"
@@ -35,35 +36,34 @@ struct RemoteArguments {
   pid_t parent = getppid();
 };
 
-/// Everything that is said passes here, from any thread: the server's own lines, the camera's, and those of the link,
-/// which may come with each client. A client must not be able to fill a robot's disk.
+/// Rate-limited log for all threads: server, camera and robot link. A client must not be able to fill a robot's disk.
 void sayRemote(const std::string& line) {
   static std::mutex mutex;
-  static remote::BoundedLog log{[](const std::string& text) { std::cerr << "darwinop remote: " << text << std::endl; }};
+  static net::BoundedLog log{[](const std::string& text) { std::cerr << "darwinop remote: " << text << std::endl; }};
   const std::lock_guard guard{mutex};
   log.line(line, runtime::MonotonicClock{}.now());
 }
 
 remote::ServerConfig serverConfig(const RemoteArguments& given) {
   remote::ServerConfig config;
-  config.address = remote::ipv4FromText(given.listen);
+  config.address = net::ipv4FromText(given.listen);
   config.port = given.port;
-  for (const std::string& network : given.allow) config.allowed.push_back(remote::networkFromText(network));
-  if (remote::isLoopback(config.address)) return config;
+  for (const std::string& network : given.allow) config.allowed.push_back(net::networkFromText(network));
+  if (net::isLoopback(config.address)) return config;
   if (given.allow.empty())
     throw std::runtime_error("--listen " + given.listen +
-                             " opens the robot to a network: say who may connect, such as --allow 192.168.123.0/24");
+                             " opens the robot to a network: specify the allowed networks, for example --allow 192.168.123.0/24");
   sayRemote(
-      "the protocol knows no password: whoever has an address that is allowed here can move the robot and see "
-      "through its camera, and whoever is on the way can read and change what is sent. On a network that is not "
-      "yours alone, listen on loopback and come by ssh");
+      "the protocol has no password: every allowed address can move the robot and read "
+      "its camera, and traffic can be read and changed on the way. In a shared network, "
+      "listen on loopback and connect through ssh");
   return config;
 }
 
 facade::ControllerConfig controllerConfig(const std::string& config) {
   if (config.empty()) return {};
   if (access(config.c_str(), F_OK) != 0)
-    throw std::runtime_error("cannot read " + config + "; name a file with --config");
+    throw std::runtime_error("cannot read " + config + "; specify an existing file with --config");
   const facade::ConfigReading reading = facade::readConfig(config);
   for (const std::string& warning : reading.warnings) sayRemote(warning);
   return reading.config;
@@ -71,33 +71,36 @@ facade::ControllerConfig controllerConfig(const std::string& config) {
 
 int serveRemote(const RemoteArguments& given) {
   remote::ServerConfig config = serverConfig(given);
-  link::Request request;
+  connect::Request request;
   request.setting = given.robot;
   const facade::ControllerConfig controller = controllerConfig(given.config);
   request.safety = controller.safety;
   if (!given.config.empty()) request.config_file = given.config;
   request.warn = sayRemote;
-  const link::Kind kind = link::readSetting(given.robot).kind;
-  if (kind == link::Kind::kTcp)
-    throw std::runtime_error("--robot " + given.robot + " is behind a server already: connect to that one");
-  const bool daemon = kind == link::Kind::kDaemon;
-  // In simulated time our own client takes as many cycles a second as the machine runs, and no robot's CPU is at stake.
-  if (kind == link::Kind::kVirtual || kind == link::Kind::kTwin) config.pace = Nanos{0};
+  const connect::Kind kind = connect::readSetting(given.robot).kind;
+  if (kind == connect::Kind::kTcp)
+    throw std::runtime_error("--robot " + given.robot + " is already a remote-control server: connect to it directly");
+  const bool daemon = kind == connect::Kind::kDaemon;
+  // In simulated time a client may run as many cycles per second as the machine can; no robot's CPU is affected.
+  if (kind == connect::Kind::kVirtual || kind == connect::Kind::kTwin) config.pace = Nanos{0};
   if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
-    sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
-  if (daemon) link::leaveRoot();
+    sayRemote("no runtime daemon is running; clients are rejected until it is started with: darwinop runtime");
+  if (daemon) connect::leaveRoot();
   endOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
-  remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kOwn,
-                         [&] { return link::connect(request); }, request.safety.start == safety::StartMove::kHold};
+  remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kEmbedded,
+                         [&] { return connect::connect(request); }, request.safety.start == safety::StartMove::kHold};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
   const remote::ImageSize size{remote::kWholeImage.width / given.width_zoom,
                                remote::kWholeImage.height / given.height_zoom};
-  const auto open_pictures = [&] { return robot.openPictures(size, controller.camera, sayRemote); };
+  const auto open_frames = [&](runtime::RobotLink& link, PictureForm form) {
+    return connect::openEyes(link, {.settings = controller.camera, .form = form, .say = sayRemote});
+  };
+  const auto open_pictures = [&] { return robot.openPictures(size, open_frames, sayRemote); };
   remote::Server server{config, robot, open_pictures, clock, sayRemote};
   std::cout << "ready: " << given.listen << ":" << server.port() << std::endl;
   server.run(endRequested());
-  robot.farewellForWhoLeft();
+  robot.endAbandonedSession();
   return 0;
 }
 
@@ -107,25 +110,25 @@ int main(int count, char** arguments) try {
   const DiagnosticsOutput never_waits;
   RemoteArguments given;
   CLI::App app{
-      "Remote control over TCP: a simulator on a PC drives this robot, whose loop stays on time whatever the network "
-      "does.",
+      "Remote control over TCP: a simulator on a PC drives this robot. The loop's timing does not depend on the "
+      "network.",
       "darwinop remote"};
   const CLI::IsMember zooms{{1, 2, 4, 8}};
-  app.add_option("WZ", given.width_zoom, "the middle 320/WZ columns of each picture are sent: 1, 2, 4 or 8")
+  app.add_option("WZ", given.width_zoom, "send the middle 320/WZ columns of each picture: 1, 2, 4 or 8")
       ->check(zooms);
-  app.add_option("HZ", given.height_zoom, "the middle 240/HZ rows")->check(zooms);
-  app.add_option("--robot", given.robot, "the robot that is driven:\n" + link::settingChoices())
+  app.add_option("HZ", given.height_zoom, "send the middle 240/HZ rows")->check(zooms);
+  app.add_option("--robot", given.robot, "robot to drive:\n" + connect::settingChoices())
       ->envname("DARWINOP_ROBOT")
       ->capture_default_str();
-  app.add_option("--listen", given.listen, "address of this computer to listen on; 0.0.0.0: all of them")
+  app.add_option("--listen", given.listen, "local address to listen on; 0.0.0.0: all")
       ->capture_default_str();
-  app.add_option("--allow", given.allow, "network that may connect beside this computer, may be repeated")
+  app.add_option("--allow", given.allow, "network with access in addition to this computer; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--port", given.port, "TCP port; 0: any that is free")->capture_default_str();
+  app.add_option("--port", given.port, "TCP port; 0: any free port")->capture_default_str();
   app.add_flag("--end-with-parent", given.ends_with_parent,
-               "end when the program that started this one does, even by kill -9");
+               "end together with the parent process, even after kill -9");
   app.add_option("--config", given.config,
-                 "config.ini whose [Safety] and [Limits] hold for its clients, beside those of the robot");
+                 "config.ini with [Safety] and [Limits] for its clients, in addition to the robot's");
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
       "Example, without a robot:\n  darwinop remote --robot virtual\n"

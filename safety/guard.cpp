@@ -180,7 +180,7 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
     for (JointGuard& joint : joints_) joint.switchTorque(heard);
   else if (heard)
     moveJoints(speed, dt);
-  safe.look_ = jointsThat([this](std::size_t i) { return joints_[i].channel().placed(); });
+  safe.look_ = jointsThat([this](std::size_t i) { return joints_[i].lookDue(); });
   safe.driven_ = jointsThat([this](std::size_t i) { return joints_[i].driven(); });
   safe.held_ = safe.driven_;
   if (heard) safe.held_ &= jointsThat([this](std::size_t i) { return joints_[i].uncertain(); });

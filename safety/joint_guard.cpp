@@ -69,7 +69,9 @@ inline double JointGuard::push(const JointSensors& seen) const noexcept {
 inline void JointGuard::noteRestart(const JointSensors& seen) noexcept {
   const bool looked = seen.motion.fresh() && seen.health.fresh();
   const bool off = looked && !seen.torque_enabled && seen.torque_limit.value > 0;
-  const bool restarted = looked && (seen.speed_limit.value <= 0 || (off && uncertain_ && channel_.moving()));
+  const bool never_on = !on_seen_ || uncertain_;  // torque on was lost, or it has restarted
+  const bool restarted = looked && (seen.speed_limit.value <= 0 || (off && never_on && channel_.moving()));
+  if (looked && seen.torque_enabled) on_seen_ = true;
   // It restarted while it was not heard, and has torque: a board that was stalled has carried out a goal of before. It
   // runs there without a speed limit.
   if (looked && uncertain_ && had_limit_ && seen.speed_limit.value <= 0 && seen.torque_enabled) orderOff();
@@ -147,7 +149,9 @@ void JointGuard::switchTorque(bool on) noexcept {
     off_due_ = false;
     off_ordered_ = true;
   }
-  if (on && onDue()) channel_.torqueOn();
+  if (!on || !onDue()) return;
+  channel_.torqueOn();
+  on_seen_ = false;
 }
 
 }  // namespace darwinop::safety

@@ -1,4 +1,4 @@
-// What robot.ini says that the rescue has to know.
+// Settings in robot.ini that the rescue needs.
 #include "supervisor/robot_settings.hpp"
 
 #include <unistd.h>
@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "link/controller_user.hpp"
-#include "link/robot_file.hpp"
+#include "connect/controller_user.hpp"
+#include "connect/robot_file.hpp"
 
 namespace darwinop::supervisor {
 
@@ -17,15 +17,15 @@ void useRobotFileOf(const std::string& home) {
 }
 
 RobotSettings readRobotSettings() {
-  const link::RobotFile file = link::readRobotFile();
+  const connect::RobotFile file = connect::readRobotFile();
   RobotSettings robot;
   robot.port = file.serialPort();
-  robot.period = file.period.value_or(link::kUsualPeriod);
-  robot.safety = link::safetyOn(file, safety::Config{}, "config.ini");
+  robot.period = file.period.value_or(connect::kUsualPeriod);
+  robot.safety = connect::safetyOn(file, safety::Config{}, "config.ini");
   robot.offsets = file.offsets;
   try {
-    robot.group = link::runtimeGroup(file);
-  } catch (const std::runtime_error&) {  // the runtime refuses a group that does not exist, and says so
+    robot.group = connect::runtimeGroup(file);
+  } catch (const std::runtime_error&) {  // the runtime reports and rejects a missing group
   }
   robot.identity = cm730::usbIdentity(robot.port);
   return robot;

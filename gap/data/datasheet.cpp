@@ -2,9 +2,9 @@
 #include <charconv>
 
 #include "core/units.hpp"
+#include "experiments/logs/header.hpp"
 #include "gap/data/baseline_keys.hpp"
 #include "gap/data/parts.hpp"
-#include "logs/header.hpp"
 
 namespace darwinop::gap {
 namespace {

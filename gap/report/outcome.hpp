@@ -29,7 +29,7 @@ std::string asText(const Case& given, const Outcome& outcome, const Comparison& 
 std::string asText(const Case& given, const Outcome& outcome);
 /// Of two models, where nothing was searched.
 std::string asText(const Case& given, const Comparison& comparison);
-/// For programs: one object a case, docs/gap/results.md.
+/// For programs: one object a case, docs/gap/report.md.
 nlohmann::json asJson(const Case& given, const Outcome& outcome);
 /// Of a case that could not be used.
 nlohmann::json badInput(const std::string& name, const std::string& why);

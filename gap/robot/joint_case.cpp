@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/data/parse_case.hpp"
 #include "gap/data/write_case.hpp"
 #include "gap/robot/alone.hpp"
-#include "logs/read_log.hpp"
 #include "twin/bench/bench.hpp"
 #include "twin/body/pendulum.hpp"
 

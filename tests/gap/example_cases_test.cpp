@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/data/data_check.hpp"
 #include "gap/data/write_case.hpp"
-#include "logs/read_log.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::gap {

@@ -6,10 +6,10 @@
 #include <fstream>
 #include <limits>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/robot/alone.hpp"
 #include "gap/robot/joint_case.hpp"
 #include "gap/sim/roll_out.hpp"
-#include "logs/read_log.hpp"
 #include "twin/body/pendulum.hpp"
 #include "twin/body/robot_body.hpp"
 

@@ -3,10 +3,10 @@
 
 #include <set>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/data/parse_case.hpp"
 #include "gap/data/write_case.hpp"
 #include "gap/name/naming.hpp"
-#include "logs/read_log.hpp"
 #include "thesis_cases.hpp"
 
 namespace darwinop::gap {

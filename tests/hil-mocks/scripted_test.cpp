@@ -1,28 +1,21 @@
-// The scripted doubles: they play their script, and complain about every departure from it.
+// Scripted line: replay, and reporting of every deviation.
 #include <gtest/gtest.h>
 
 #include <memory>
 
 #include "bench.hpp"
-#include "hil-mocks/scripted_bus.hpp"
 #include "hil-mocks/scripted_line.hpp"
 
-namespace darwinop {
-
-struct SafeCommandsForTests {
-  static SafeCommands make() { return {}; }
-};
-
-namespace hil {
+namespace darwinop::hil {
 namespace {
 
 const auto kPingBytes = bytesOf("FF FF 01 02 01 FB");
 const auto kPongBytes = bytesOf("FF FF 01 02 00 FC");
 
-struct Complaints {
-  std::vector<std::string> said;
+struct Failures {
+  std::vector<std::string> messages;
   ScriptFailure collect() {
-    return [this](const std::string& what) { said.push_back(what); };
+    return [this](const std::string& what) { messages.push_back(what); };
   }
 };
 
@@ -34,7 +27,7 @@ std::string read(ScriptedLine& line, Nanos deadline) {
   return status == LineStatus::kLost ? "lost" : "timeout";
 }
 
-TEST(ScriptedLine, PlaysItsScriptOnItsClock) {
+TEST(ScriptedLine, ReplaysItsScriptOnItsClock) {
   ScriptedLine line;
   line.expect(kPingBytes).answer(kPongBytes, 120us).silence().lose().expect(kPingBytes);
   line.advanceTo(1ms);
@@ -49,7 +42,7 @@ TEST(ScriptedLine, PlaysItsScriptOnItsClock) {
   EXPECT_TRUE(line.finished());
 }
 
-TEST(ScriptedLine, AnswerThatIsTooLateWaits) {
+TEST(ScriptedLine, ALateReplyIsReturnedLater) {
   ScriptedLine line;
   line.expect(kPingBytes).answer(kPongBytes, 3ms);
   EXPECT_EQ(line.write(kPingBytes), LineStatus::kOk);
@@ -58,7 +51,7 @@ TEST(ScriptedLine, AnswerThatIsTooLateWaits) {
   EXPECT_EQ(line.now(), 3ms);
 }
 
-TEST(ScriptedLine, DiscardTakesAnswersThatAreDue) {
+TEST(ScriptedLine, DiscardDropsDueReplies) {
   ScriptedLine line;
   line.expect(kPingBytes).answer(kPongBytes).expect(kPingBytes);
   line.write(kPingBytes);
@@ -66,55 +59,21 @@ TEST(ScriptedLine, DiscardTakesAnswersThatAreDue) {
   line.write(kPingBytes);
 }
 
-TEST(ScriptedLine, ComplainsAboutWrongUnexpectedAndMissingWritesAndUnreadAnswers) {
-  Complaints complaints;
+TEST(ScriptedLine, ReportsWrongUnexpectedAndMissingWritesAndUnreadReplies) {
+  Failures failures;
   {
-    ScriptedLine line{complaints.collect()};
+    ScriptedLine line{failures.collect()};
     line.expect(kPingBytes).answer(kPongBytes).expect(kPingBytes);
     line.write(kPongBytes);
     line.write(kPingBytes);
   }
-  EXPECT_EQ(complaints.said,
+  EXPECT_EQ(failures.messages,
             (std::vector<std::string>{"expected FF FF 01 02 01 FB, but FF FF 01 02 00 FC was written",
-                                      "nobody expected a write now, but FF FF 01 02 01 FB was written",
+                                      "unexpected write of FF FF 01 02 01 FB",
                                       "2 steps were not reached; the first is the reading of FF FF 01 02 00 FC"}));
 }
 
-TEST(ScriptedBus, PlaysItsCyclesAndShowsWhatIsWritten) {
-  ScriptedBus bus;
-  int checked = 0;
-  bus.cycles(2, readingsAtRest()).expectWrite([&](const SafeCommands&) { ++checked; }).cycles(1, BusReadings{});
-  BusReadings seen;
-  for (const bool answered : {true, true, false}) {
-    bus.write(SafeCommandsForTests::make());
-    bus.read(seen);
-    EXPECT_EQ(seen.board.answered, answered);
-    EXPECT_EQ(seen.servo[18].position.known(), answered);
-  }
-  EXPECT_EQ(checked, 2);
-}
-
-TEST(ScriptedBus, ComplainsAboutCyclesLeftOverCyclesTooManyAndWrongOrder) {
-  Complaints complaints;
-  BusReadings seen;
-  {
-    ScriptedBus bus{complaints.collect()};
-    bus.cycles(3, readingsAtRest());
-    bus.read(seen);
-    bus.write(SafeCommandsForTests::make());
-    bus.write(SafeCommandsForTests::make());
-  }
-  {
-    ScriptedBus bus{complaints.collect()};
-    bus.write(SafeCommandsForTests::make());
-  }
-  EXPECT_EQ(complaints.said,
-            (std::vector<std::string>{"read before it was written in cycle 1", "written twice in cycle 2",
-                                      "2 scripted cycles were not reached, 1 were",
-                                      "written after the last scripted cycle, number 0"}));
-}
-
-TEST(ScriptedDoublesDeathTest, AbortByDefaultWhenTheScriptIsNotConsumed) {
+TEST(ScriptedLineDeathTest, AbortByDefaultWhenTheScriptIsNotConsumed) {
   EXPECT_DEATH(
       {
         ScriptedLine line;
@@ -124,5 +83,4 @@ TEST(ScriptedDoublesDeathTest, AbortByDefaultWhenTheScriptIsNotConsumed) {
 }
 
 }  // namespace
-}  // namespace hil
-}  // namespace darwinop
+}  // namespace darwinop::hil

@@ -20,7 +20,7 @@
 #
 #   users        darwin (password 111111, also for sudo), robotis (key $LAB/pc/key, sudo asks nothing), root (same key)
 #   PC           home $LAB/pc/home; its known_hosts already has the robot's key (forget_host_key takes it out)
-#   knobs        robot_new USERLAND (gnu, busybox) makes a fresh one; /run/… files told in robot_bundle.sh steer the fakes;
+#   knobs        robot_new USERLAND (gnu, busybox) makes a fresh one; /run/… files of robot_bundle.sh control the fakes;
 #                $LAB/cpuinfo, $ROBOT/run/kernel, $ROBOT/etc/rc.local, start_sshd OPTIONS
 #   power        robot_boot: kills what runs, a new boot id, /etc/rc.local or the systemd unit as root; sets $booted
 #   comparison   robot_disk > FILE: every path with type, mode, owner, content; robot_disk --touched: with inode and time
@@ -58,7 +58,8 @@ enter_lab() {
   if [ "$(id -u)" != 0 ]; then
     sudo -n true 2>/dev/null || die "the robot is made with mount namespaces, chroot and sshd, and that needs root: \
 run this as root, or as a user whose sudo asks for no password"
-    root=(sudo -n env "PATH=$PATH" "DARWINOP_BIN=${DARWINOP_BIN:-}" "DARWINOP_INSTALLER=${DARWINOP_INSTALLER:-}")
+    root=(sudo -n env "PATH=$PATH" "DARWINOP_BIN=${DARWINOP_BIN:-}" "DARWINOP_INSTALLER=${DARWINOP_INSTALLER:-}"
+      "DARWINOP_SEED=${DARWINOP_SEED:-2026}" "DARWINOP_EVERY=${DARWINOP_EVERY:-3}")
   fi
   "${root[@]}" "${spaces[@]}" true 2>/dev/null || die "root may not make mount, process and network namespaces here \
 (CAP_SYS_ADMIN is missing): in a container, start it with --privileged"

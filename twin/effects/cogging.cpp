@@ -1,4 +1,4 @@
-// Torque that depends on the angle alone: cogging of the motor, or a wheel that runs out of true.
+// Effect: torque ripple as a function of angle, from motor cogging or an eccentric gear.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"
@@ -20,7 +20,7 @@ constexpr std::array kParameters{
               .logarithmic = true},
     Parameter{.key = "count",
               .unit = "",
-              .meaning = "ripples per turn of the horn; 1 and 2 for a wheel out of true",
+              .meaning = "ripples per turn of the horn; 1 and 2: an eccentric wheel",
               .low = 1,
               .high = 60,
               .neutral = 24,
@@ -52,9 +52,8 @@ const EffectInfo kCogging{
     .title = "torque ripple",
     .place = Place::kMotor,
     .equation = "tm = tm + amplitude sin(count q + phase)",
-    .signature = "Ripple of the position that is locked to the angle and the same at all speeds.",
-    .separated_by =
-        "Slow triangle at two speeds: the ripple stays where it is over the angle, and doubles its frequency in time.",
+    .signature = "Position ripple locked to the angle, the same at all speeds.",
+    .separated_by = "Slow triangle at two speeds: the ripple keeps its angle.",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

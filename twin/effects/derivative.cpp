@@ -1,4 +1,4 @@
-// A derivative part of the position law that the model does not have.
+// Effect: derivative gain in the position law.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -33,13 +33,12 @@ class Derivative final : public EffectOf<kDerivative, kParameters.size()> {
 
 const EffectInfo kDerivative{
     .id = "derivative",
-    .title = "derivative part of the controller",
+    .title = "derivative gain (D)",
     .place = Place::kController,
     .equation = "u += 8 K gain de/dt",
-    .signature =
-        "Damped steps, a spike of the load when the goal jumps, rough load on a smooth move (it sees single encoder "
-        "steps).",
-    .separated_by = "Torque-off swing against a powered one: damping by the controller is gone with the torque.",
+    .signature = "Damped steps, a load spike when the goal jumps, rough load in a smooth move.",
+    .separated_by =
+        "Swing with torque off against a powered one: damping by the controller disappears with the torque.",
     .source = "MX-28 manual, registers 26 to 28",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

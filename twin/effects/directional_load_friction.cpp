@@ -1,4 +1,4 @@
-// Gears that rub otherwise when the motor drives the load than when the load drives the motor.
+// Effect: gear friction with different coefficients for motor torque and load torque.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"
@@ -72,12 +72,12 @@ class DirectionalLoadFriction final : public EffectOf<kDirectionalLoadFriction, 
 
 const EffectInfo kDirectionalLoadFriction{
     .id = "directional_load_friction",
-    .title = "friction of a gear that is easier to drive one way",
+    .title = "directional load-dependent friction",
     .place = Place::kFriction,
     .equation = "F += |motor tm - load te| + |slow_motor tm - slow_load te| exp(-|w| / slow_speed)",
-    .signature = "Lifting needs more, or lowering less, than friction in proportion to the load predicts.",
-    .separated_by = "Up and down under load at two payloads, and pushed back by hand with the torque off.",
-    .source = "After the friction models of Rhoban's BAM; range assumed",
+    .signature = "Lifting needs more, or lowering less, than load-proportional friction predicts.",
+    .separated_by = "Move up and down under load at two payloads; push back by hand with torque off.",
+    .source = "Rhoban's BAM; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<DirectionalLoadFriction>,

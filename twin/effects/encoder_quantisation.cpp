@@ -1,4 +1,4 @@
-// An encoder with fewer steps than the parameters of the servo say.
+// Effect: encoder with a coarser resolution than ServoParameters::ticks_per_rev.
 #include <cmath>
 
 #include "core/units.hpp"
@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "ticks",
               .unit = "",
-              .meaning = "steps per turn; 65536: as fine as the servo itself",
+              .meaning = "steps per turn",
               .low = 256,
               .high = 65536,
               .neutral = 65536,
@@ -41,9 +41,9 @@ const EffectInfo kEncoderQuantisation{
     .title = "coarse encoder",
     .place = Place::kSensor,
     .equation = "measured = round(q ticks / 2 pi) 2 pi / ticks",
-    .signature = "Positions on a coarse grid; at rest the load moves in steps. Raises the noise floor, nothing else.",
-    .separated_by = "Sort the positions of a slow move: the smallest difference between two is the step.",
-    .source = "MX-28 manual: 4096 steps per turn; servos of the generation before have 1024",
+    .signature = "Positions on a coarse grid; at rest the load moves in steps. Only the noise floor rises.",
+    .separated_by = "Sort the positions of a slow move: the smallest difference is the step.",
+    .source = "MX-28 manual: 4096 steps per turn",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<EncoderQuantisation>,

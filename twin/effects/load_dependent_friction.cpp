@@ -1,4 +1,4 @@
-// Gears that rub the more, the more torque goes through them.
+// Effect: gear friction proportional to the transmitted torque.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"
@@ -36,15 +36,12 @@ class LoadDependentFriction final : public EffectOf<kLoadDependentFriction, kPar
 
 const EffectInfo kLoadDependentFriction{
     .id = "load_dependent_friction",
-    .title = "friction that grows with load",
+    .title = "load-dependent friction",
     .place = Place::kFriction,
     .equation = "F += share |tm - te|",
-    .signature = "Stops short by an amount that grows with the payload, on the side it comes from.",
-    .separated_by =
-        "The same trajectory at three payloads: dry friction stays, this one grows. One payload alone cannot tell.",
-    .source =
-        "After the friction models of Rhoban's BAM; range assumed. A joint that holds a load of 1 N m has 2 N m "
-        "between motor and load.",
+    .signature = "Stops short on the side it comes from, by an amount that grows with the payload.",
+    .separated_by = "Three payloads: dry friction stays constant, this one grows.",
+    .source = "Rhoban's BAM; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<LoadDependentFriction>,

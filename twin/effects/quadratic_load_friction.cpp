@@ -1,4 +1,4 @@
-// Gears whose friction grows faster than the torque through them.
+// Effect: gear friction quadratic in motor and load torque.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"
@@ -28,7 +28,7 @@ constexpr std::array kParameters{
               .logarithmic = true},
     Parameter{.key = "fade_speed",
               .unit = "rad/s",
-              .meaning = "where it has faded to 37 %; 1000: the same at all speeds",
+              .meaning = "where it has faded to 37 %",
               .low = 0.05,
               .high = 1000,
               .neutral = 1000,
@@ -55,12 +55,12 @@ class QuadraticLoadFriction final : public EffectOf<kQuadraticLoadFriction, kPar
 
 const EffectInfo kQuadraticLoadFriction{
     .id = "quadratic_load_friction",
-    .title = "friction with the square of the load",
+    .title = "friction quadratic in the load",
     .place = Place::kFriction,
     .equation = "F += (motor tm^2 + load te^2) exp(-|w| / fade_speed)",
-    .signature = "Small: some milliradians at the largest loads only. Expect that data cannot tell.",
-    .separated_by = "High load only: the same hold at half and at full payload, approached from both sides.",
-    .source = "After the friction models of Rhoban's BAM, where it makes 0.5 to 2.4 mrad; range assumed",
+    .signature = "Small: a few milliradians, only at the largest loads. Usually not identifiable.",
+    .separated_by = "High load only: the same hold at half and full payload, approached from both sides.",
+    .source = "Rhoban's BAM, 0.5 to 2.4 mrad; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<QuadraticLoadFriction>,

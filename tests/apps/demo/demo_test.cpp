@@ -1,0 +1,47 @@
+// `darwinop demo walk`: records a film on a PC without a display.
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "support/shell.hpp"
+#include "support/temporary_folder.hpp"
+#include "twin/render/png.hpp"
+
+namespace darwinop::demo {
+namespace {
+
+using testing::HasSubstr;
+
+/// Fraction of pixels that differ by more than video noise.
+double changed(const twin::Picture& a, const twin::Picture& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) count += std::abs(a.rgb[i] - b.rgb[i]) > 60 ? 1 : 0;
+  return static_cast<double>(count) / static_cast<double>(a.rgb.size());
+}
+
+TEST(WalkDemo, RecordsTheRobotInSimulatedTime) {
+  const TemporaryFolder folder;
+  const std::string film = folder / "walk.mp4";
+  const Outcome made = shell(
+      "env -u DISPLAY -u WAYLAND_DISPLAY " DARWINOP_DEMO " walk --seconds 2 --fps 10 --size 160x120 --record " + film);
+  ASSERT_EQ(made.status, 0) << made.said;
+  EXPECT_THAT(made.said, HasSubstr("2.0 s simulated in"));
+
+  ASSERT_EQ(shell("ffmpeg -v error -i " + film + " " + (folder / "frame_%02d.png")).status, 0);
+  EXPECT_EQ(shell("ls " + (folder / "") + " | grep -c png").said, "20\n") << "10 per second of simulated time";
+  const auto frame = [&](const char* number) {
+    return twin::readPng(folder / ("frame_" + std::string{number} + ".png"));
+  };
+  EXPECT_GT(changed(frame("01"), frame("20")), 0.02) << "the robot stood up";
+  EXPECT_GT(changed(frame("10"), frame("20")), 0.01) << "moving until the end";
+}
+
+TEST(WalkDemo, WithoutDisplayAWindowSuggestsAFilm) {
+  const Outcome refused = shell("env -u DISPLAY -u WAYLAND_DISPLAY " DARWINOP_DEMO " walk --view");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.said, HasSubstr("--record"));
+}
+
+}  // namespace
+}  // namespace darwinop::demo

@@ -1,0 +1,174 @@
+// Findings derived from measurements.
+#include "hal/cm730/diagnosis.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hal/cm730/chains.hpp"
+
+namespace darwinop::cm730 {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+RobotFacts healthy() {
+  RobotFacts facts;
+  facts.port = "/dev/ttyUSB0";
+  facts.board = {.found = true,
+                 .garbled = false,
+                 .readable = true,
+                 .model = 0x7300,
+                 .firmware = 0x13,
+                 .power_was_on = true,
+                 .power_on = true,
+                 .voltage = Volt{12.0},
+                 .accelerometer = {}};
+  for (ServoFacts& servo : facts.servo) {
+    servo.found = servo.readable = true;
+    servo.model = 29;
+    servo.firmware = 36;
+    servo.status_level = 2;
+    servo.max_torque = servo.torque_limit = 1023;
+    servo.voltage = Volt{11.8};
+    servo.temperature = Celsius{30};
+    servo.position = Rad{0};
+    servo.reads = 3;
+  }
+  facts.round_trip = 1200us;
+  facts.round_trip_reads = 9;
+  return facts;
+}
+
+Finding rowWith(const Findings& rows, const std::string& text) {
+  for (const Finding& row : rows)
+    if (row.what.find(text) != std::string::npos) return row;
+  return {Level::kError, "(no such row)", {}};
+}
+
+TEST(Diagnosis, OneLossIsAcceptedTwoInSixtyAreReported) {
+  RobotFacts facts = healthy();
+  facts.servo[4].losses = 1;
+  EXPECT_EQ(worst(diagnose(facts)), Level::kOk);
+  facts.servo[4].losses = 2;
+  const Finding row = rowWith(diagnose(facts), "2 of 60 single reads were lost");
+  EXPECT_EQ(row.level, Level::kWarning);
+  EXPECT_THAT(row.remedy, HasSubstr("most at servo 5 ArmLowerR"));
+  facts.servo[6].losses = 3;
+  facts.servo[4].losses = 3;
+  facts.servo[5].losses = 1;
+  EXPECT_TRUE(rowWith(diagnose(facts), "single reads were lost").is(Kind::kRepliesLost));
+}
+
+TEST(Diagnosis, TheLatencySignatureBeginsAtEightMilliseconds) {
+  RobotFacts facts = healthy();
+  facts.round_trip = 7999us;
+  EXPECT_EQ(rowWith(diagnose(facts), "a short read takes").level, Level::kOk);
+  facts.round_trip = 8ms;
+  EXPECT_TRUE(rowWith(diagnose(facts), "a short read takes").is(Kind::kRoundTripLong));
+  EXPECT_EQ(worst(diagnose(facts)), Level::kError) << "longer than the loop's reply timeout";
+}
+
+TEST(Diagnosis, ACycleIsBytesDelaysAndUsb) {
+  RobotFacts facts = healthy();
+  facts.round_trip = 160us;  // wire time only
+  // 188 + 70 + 36 + 19 x 12 + 26 bytes
+  EXPECT_EQ(cycleTime(facts), 5480us);
+  facts.servo[0].return_delay = 250;
+  EXPECT_EQ(cycleTime(facts), 5980us);
+  facts.round_trip = 1160us;
+  EXPECT_EQ(cycleTime(facts), 6980us);
+}
+
+TEST(Diagnosis, APeriodMustFitAFullWriteAndLeaveAMillisecondWithGoalsOnly) {
+  RobotFacts facts = healthy();
+  facts.period = 8ms;
+  facts.round_trip = 160us + 2500us;  // as much as the bus waits for a reply at 8 ms
+  EXPECT_TRUE(cycleFits(facts)) << "5.48 + 2.5 ms, and 4.28 + 2.5 ms";
+  facts.round_trip += 1us;
+  EXPECT_FALSE(cycleFits(facts));
+  facts.round_trip = 160us;
+  for (ServoFacts& servo : facts.servo) servo.return_delay = 63;  // 2.52 ms together
+  EXPECT_TRUE(cycleFits(facts));
+  for (ServoFacts& servo : facts.servo) servo.return_delay = 64;  // 2.56 ms
+  EXPECT_FALSE(cycleFits(facts));
+  EXPECT_TRUE(rowWith(diagnose(facts), "a full cycle takes").is(Kind::kCycleTooLong));
+  facts.period = 16ms;
+  EXPECT_TRUE(cycleFits(facts));
+}
+
+TEST(Diagnosis, AnUnsupportedModelOrWheelModeCannotBeDriven) {
+  RobotFacts facts = healthy();
+  facts.servo[2].model = 12;
+  facts.servo[3].cw_limit = facts.servo[3].ccw_limit = 0;
+  const Findings rows = diagnose(facts);
+  EXPECT_THAT(rowWith(rows, "servo 3 ").what, HasSubstr("unsupported model 12"));
+  EXPECT_THAT(rowWith(rows, "servo 4 ").what, HasSubstr("wheel mode"));
+  EXPECT_EQ(worst(rows), Level::kError);
+}
+
+TEST(Diagnosis, ATorqueLimitOfZeroIsAShutdown) {
+  RobotFacts facts = healthy();
+  facts.servo[2].torque_limit = 0;
+  EXPECT_TRUE(rowWith(diagnose(facts), "servo 3 ").is(Kind::kTorqueLimitZero));
+  facts.servo[2].max_torque = 0;
+  EXPECT_TRUE(rowWith(diagnose(facts), "servo 3 ").is(Kind::kMaxTorqueZero)) << "a setting, not a shutdown";
+}
+
+TEST(Diagnosis, MissingServoPowerHidesTheServos) {
+  RobotFacts facts = healthy();
+  facts.board.power_on = false;
+  const Findings rows = diagnose(facts);
+  EXPECT_EQ(rowWith(rows, "servo power is off").level, Level::kError);
+  EXPECT_EQ(rowWith(rows, "servo 1 ").what, "(no such row)");
+}
+
+TEST(Diagnosis, InvalidRepliesSuggestAWrongPort) {
+  RobotFacts facts;
+  facts.port = "/dev/ttyUSB0";
+  facts.board.garbled = true;
+  EXPECT_THAT(diagnose(facts)[0].what, HasSubstr("are not CM-730 replies"));
+}
+
+TEST(Diagnosis, EveryFindingHasARemedyOrRefersToAnotherRow) {
+  RobotFacts facts = healthy();
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    facts.servo[i].error_bits = static_cast<std::uint8_t>(1u << (i % 7));
+    facts.servo[i].found = facts.servo[i].readable = i % 3 != 0;
+  }
+  facts.board.voltage = Volt{9.0};
+  facts.round_trip = 17ms;
+  for (const Finding& row : diagnose(facts)) {
+    const bool another_row_does = row.what.find("behind servo") != std::string::npos;
+    EXPECT_TRUE(row.level == Level::kOk || another_row_does || !row.remedy.empty()) << row.what;
+  }
+}
+
+TEST(Chains, EveryBreakIsLocated) {
+  for (std::size_t broken = 0; broken < kJoints; ++broken) {
+    const Joint first = static_cast<Joint>(broken);
+    RobotFacts facts = healthy();
+    for (std::size_t i = broken; i < kJoints; ++i)
+      if (kJointTable[i].chain == row(first).chain) facts.servo[i].found = false;
+    const ChainBreak found = findBreak(facts, row(first).chain);
+    ASSERT_TRUE(found.first_silent);
+    EXPECT_EQ(*found.first_silent, first);
+    // Legs and arms count up by two along a chain, the head by one; 1, 2, 7, 8 and 19 are connected to the board.
+    const int id = row(first).id;
+    const bool on_the_board = id == 1 || id == 2 || id == 7 || id == 8 || id == 19;
+    EXPECT_EQ(found.last_answering.has_value(), !on_the_board) << id;
+    if (found.last_answering) {
+      EXPECT_EQ(row(*found.last_answering).id, id == 20 ? 19 : id - 2);
+    }
+  }
+}
+
+TEST(Chains, ASilentServoInTheMiddleIsNotABreak) {
+  RobotFacts facts = healthy();
+  facts.servo[index(Joint::kLegUpperR)].found = facts.servo[index(Joint::kLegLowerR)].found = false;
+  EXPECT_FALSE(findBreak(facts, Chain::kRightLeg).first_silent);
+  EXPECT_EQ(findBreak(facts, Chain::kRightLeg).silent, 0);
+}
+
+}  // namespace
+}  // namespace darwinop::cm730
