@@ -21,6 +21,18 @@ inline constexpr double kRadPerSecPerCount = 0.114 * kPi / 30.0;  // 0.0119381 r
 inline constexpr double kMaxTorqueNm = 2.5;
 inline constexpr int kTorqueMax = 1023;
 
+/// Nearest whole number, the even one of two, as std::nearbyint() rounds by default: adding 1.5 * 2^52 leaves no bits
+/// for a fraction. From 2^51 on it may be off by one; what is rounded here is clamped to a register afterwards.
+constexpr double nearestWhole(double value) {
+  constexpr double kNoFraction = 6755399441055744.0;
+  return value + kNoFraction - kNoFraction;
+}
+
+/// `value` rounded to the nearest whole number and clamped; NaN becomes `low`.
+constexpr int nearestWithin(double value, double low, double high) {
+  return static_cast<int>(std::min(std::max(low, nearestWhole(value)), high));
+}
+
 /// Ticks to rad; exact. Any integer is allowed: a difference of ticks converts with `ticks * kRadPerTick`.
 constexpr Rad radFromTicks(int ticks) {
   return Rad{(ticks - kTickCentre) * kRadPerTick};
@@ -28,8 +40,7 @@ constexpr Rad radFromTicks(int ticks) {
 
 /// Nearest tick, clamped to 0..4095. The argument must be finite.
 inline int ticksFromRad(Rad angle) {
-  const double ticks = std::nearbyint(angle.value / kRadPerTick) + kTickCentre;
-  return static_cast<int>(std::clamp(ticks, 0.0, static_cast<double>(kTickMax)));
+  return nearestWithin(angle.value / kRadPerTick, -kTickCentre, kTickMax - kTickCentre) + kTickCentre;
 }
 
 /// Present speed register (38): ten bits of magnitude, bit 10 set when turning clockwise.
@@ -40,15 +51,14 @@ constexpr RadPerSec velocityFromRegister(std::uint16_t raw) {
 
 /// Inverse of velocityFromRegister, saturating at 1023 counts.
 inline std::uint16_t registerFromVelocity(RadPerSec velocity) {
-  const double counts = std::min(1023.0, std::nearbyint(std::abs(velocity.value) / kRadPerSecPerCount));
-  const auto magnitude = static_cast<std::uint16_t>(counts);
+  const auto magnitude =
+      static_cast<std::uint16_t>(nearestWithin(std::abs(velocity.value) / kRadPerSecPerCount, 0, 1023));
   return velocity.value < 0 && magnitude > 0 ? static_cast<std::uint16_t>(magnitude | 1024) : magnitude;
 }
 
 /// Moving speed register (32): 1..1023; 0 would mean "no limit", so a limit never becomes 0.
 inline std::uint16_t registerFromSpeedLimit(RadPerSec limit) {
-  const double counts = std::nearbyint(std::abs(limit.value) / kRadPerSecPerCount);
-  return static_cast<std::uint16_t>(std::clamp(counts, 1.0, 1023.0));
+  return static_cast<std::uint16_t>(nearestWithin(std::abs(limit.value) / kRadPerSecPerCount, 1, 1023));
 }
 
 /// Present load register (40): fraction of the greatest torque, -1..1, positive when pushing counter-clockwise.
@@ -58,14 +68,13 @@ constexpr double loadFromRegister(std::uint16_t raw) {
 }
 
 inline std::uint16_t registerFromLoad(double load) {
-  const auto magnitude = static_cast<std::uint16_t>(std::nearbyint(std::min(1.0, std::abs(load)) * 1023.0));
+  const auto magnitude = static_cast<std::uint16_t>(nearestWithin(std::abs(load) * 1023.0, 0, 1023));
   return load < 0 && magnitude > 0 ? static_cast<std::uint16_t>(magnitude | 1024) : magnitude;
 }
 
 /// Torque limit register (34), 0..1023 for 0..2.5 N m; clamped.
 inline std::uint16_t registerFromTorque(NewtonMeter torque) {
-  const double counts = std::nearbyint(torque.value / kMaxTorqueNm * kTorqueMax);
-  return static_cast<std::uint16_t>(std::clamp(counts, 0.0, static_cast<double>(kTorqueMax)));
+  return static_cast<std::uint16_t>(nearestWithin(torque.value / kMaxTorqueNm * kTorqueMax, 0, kTorqueMax));
 }
 
 constexpr NewtonMeter torqueFromRegister(std::uint16_t raw) {
@@ -74,7 +83,7 @@ constexpr NewtonMeter torqueFromRegister(std::uint16_t raw) {
 
 /// P gain register (28): Kp * 8, 0..254 (MX-28 manual: Kp = P / 8).
 inline std::uint8_t registerFromPGain(double kp) {
-  return static_cast<std::uint8_t>(std::clamp(std::nearbyint(kp * 8.0), 0.0, 254.0));
+  return static_cast<std::uint8_t>(nearestWithin(kp * 8.0, 0, 254));
 }
 
 /// Registers in tenths of a volt (MX-28 42, CM-730 50).

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -83,8 +85,30 @@ inline constexpr std::array<JointRow, kJoints> kJointTable{{
 constexpr const JointRow& row(Joint joint) {
   return kJointTable[static_cast<std::size_t>(joint)];
 }
+/// Dynamixel id of the joint with this index; jointTableIsSound() checks that it is the table's.
+constexpr std::uint8_t servoId(std::size_t joint) {
+  return static_cast<std::uint8_t>(joint + 1);
+}
 constexpr std::size_t index(Joint joint) {
   return static_cast<std::size_t>(joint);
+}
+
+/// All joints for which is(index) holds.
+template <class Is>
+constexpr std::bitset<kJoints> jointsThat(Is&& is) {
+  const auto bit = [&](std::size_t i) { return static_cast<unsigned long>(static_cast<bool>(is(i))); };
+  unsigned long bits = 0;
+  static_assert(kJoints % 4 == 0);  // four in a turn: counting takes as many instructions as setting one
+  for (std::size_t i = 0; i < kJoints; i += 4)
+    bits |= (bit(i) | bit(i + 1) << 1 | bit(i + 2) << 2 | bit(i + 3) << 3) << i;
+  return bits;
+}
+
+/// Calls f(index) for each joint of `joints`, in order.
+template <class F>
+constexpr void forEachJoint(const std::bitset<kJoints>& joints, F&& f) {
+  for (unsigned long rest = joints.to_ulong(); rest != 0; rest &= rest - 1)
+    f(static_cast<std::size_t>(std::countr_zero(rest)));
 }
 
 /// The joint with this Webots device name ("Neck"), or nothing.
@@ -102,7 +126,7 @@ constexpr bool isLeg(Joint joint) {
 constexpr bool jointTableIsSound() {
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointRow& r = kJointTable[i];
-    if (r.id != i + 1 || r.low >= r.high || r.high > 4095 || r.start < r.low || r.start > r.high) return false;
+    if (r.id != servoId(i) || r.low >= r.high || r.high > 4095 || r.start < r.low || r.start > r.high) return false;
   }
   return true;
 }

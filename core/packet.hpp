@@ -3,6 +3,7 @@
 // len = n + 2; chk = ~(id + len + inst|err + sum of p); a word is little-endian; no byte stuffing.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +15,7 @@ namespace darwinop {
 using Bytes = std::span<const std::uint8_t>;
 
 inline constexpr std::uint8_t kBroadcastId = 254;
+inline constexpr std::size_t kFrameHeader = 5;     // FF FF id len inst|err
 inline constexpr std::size_t kFrameOverhead = 6;   // FF FF id len inst|err chk
 inline constexpr std::size_t kMaxFrame = 255 + 4;  // the length byte bounds a frame
 
@@ -48,31 +50,74 @@ std::span<std::uint8_t> encodeWrite(std::span<std::uint8_t> out, std::uint8_t id
 /// Status frame, for the virtual devices.
 std::span<std::uint8_t> encodeStatus(std::span<std::uint8_t> out, std::uint8_t id, std::uint8_t error, Bytes params);
 
-/// Builds a SYNC_WRITE entry by entry. All entries have the same address and length.
-class SyncWriteEncoder {
+/// Completes a frame whose parameters already stand behind the header. `out` has room for them and kFrameOverhead.
+std::span<std::uint8_t> sealFrame(std::span<std::uint8_t> out, std::uint8_t id, std::uint8_t code, std::size_t params);
+
+/// The parameters of a frame under construction, byte by byte.
+class FrameParams {
  public:
-  SyncWriteEncoder(std::span<std::uint8_t> out, std::uint8_t address, std::uint8_t bytes_per_device);
-  /// False, and nothing added, when `data` has another length or the frame would pass 255 bytes.
-  bool add(std::uint8_t id, Bytes data);
-  /// The finished frame; empty when nothing was added: an empty sync write is never sent.
-  std::span<std::uint8_t> finish();
+  explicit FrameParams(std::span<std::uint8_t> out)
+      : out_{out}, limit_{out.empty() ? 0 : std::min(out.size() - 1, kFrameHeader + 253)} {}
+
+  /// So many more bytes fit into `out` and into what the length byte can say.
+  [[nodiscard]] bool fits(std::size_t bytes) const { return end_ + bytes <= limit_; }
+  /// Only after fits().
+  void put(std::uint8_t byte) { out_[end_++] = byte; }
+  [[nodiscard]] std::size_t count() const { return end_ - kFrameHeader; }
+  std::span<std::uint8_t> seal(Instruction instruction) const {
+    return sealFrame(out_, kBroadcastId, static_cast<std::uint8_t>(instruction), count());
+  }
 
  private:
   std::span<std::uint8_t> out_;
-  std::size_t used_;
+  std::size_t limit_, end_ = kFrameHeader;
+};
+
+/// Builds a SYNC_WRITE entry by entry. All entries have the same address and length.
+class SyncWriteEncoder {
+ public:
+  SyncWriteEncoder(std::span<std::uint8_t> out, std::uint8_t address, std::uint8_t bytes_per_device)
+      : params_{out}, data_bytes_{bytes_per_device} {
+    if (!params_.fits(2)) return;
+    params_.put(address);
+    params_.put(bytes_per_device);
+  }
+  /// False, and nothing added, when `data` has another length or the frame would pass 255 bytes.
+  bool add(std::uint8_t id, Bytes data) {
+    if (data.size() != data_bytes_ || params_.count() < 2 || !params_.fits(1 + data.size())) return false;
+    params_.put(id);
+    for (const std::uint8_t byte : data) params_.put(byte);
+    return true;
+  }
+  /// The finished frame; empty when nothing was added: an empty sync write is never sent.
+  std::span<std::uint8_t> finish() const {
+    return params_.count() > 2 ? params_.seal(Instruction::kSyncWrite) : std::span<std::uint8_t>{};
+  }
+
+ private:
+  FrameParams params_;
   std::uint8_t data_bytes_;
 };
 
 /// Builds a BULK_READ entry by entry; devices answer in this order, each waiting for the one before it.
 class BulkReadEncoder {
  public:
-  explicit BulkReadEncoder(std::span<std::uint8_t> out);
-  bool add(std::uint8_t id, std::uint8_t address, std::uint8_t count);
-  std::span<std::uint8_t> finish();
+  explicit BulkReadEncoder(std::span<std::uint8_t> out) : params_{out} {
+    if (params_.fits(1)) params_.put(0x00);
+  }
+  bool add(std::uint8_t id, std::uint8_t address, std::uint8_t count) {
+    if (params_.count() < 1 || !params_.fits(3)) return false;
+    params_.put(count);
+    params_.put(id);
+    params_.put(address);
+    return true;
+  }
+  std::span<std::uint8_t> finish() const {
+    return params_.count() > 1 ? params_.seal(Instruction::kBulkRead) : std::span<std::uint8_t>{};
+  }
 
  private:
-  std::span<std::uint8_t> out_;
-  std::size_t used_;
+  FrameParams params_;
 };
 
 /// A frame found in a stream: instruction or status, told apart only by who sent it.
@@ -83,16 +128,29 @@ struct Frame {
 };
 
 /// Finds frames in a byte stream and resynchronises after garbage: a candidate with a bad length or checksum
-/// costs one byte, not a frame. Holds at most one frame and a tail; never allocates.
+/// costs one byte, not a frame. Never allocates.
 class FrameReader {
  public:
+  static constexpr std::size_t kRoom = 512;
+  /// Where the next bytes go. At least kRoom once next() has returned nothing; it may move what is held.
+  std::span<std::uint8_t> room() {
+    if (pending() == 0)
+      clear();
+    else if (begin_ > 0)
+      moveTailToFront();  // so that a whole frame always fits behind it
+    return std::span{buffer_}.subspan(end_);
+  }
+  /// So many bytes were written to room().
+  void taken(std::size_t count) { end_ += count; }
   /// Takes as many bytes as fit and returns how many; call next() until it is empty, then feed the rest.
   std::size_t feed(Bytes bytes);
   /// The next valid frame, or nothing when more bytes are needed. With `more_expected` false, a candidate that
   /// waits for bytes that will not come is given up, so that frames behind it are found.
-  std::optional<Frame> next(bool more_expected = true);
+  std::optional<Frame> next(bool more_expected = true) {
+    return pending() < kFrameOverhead ? std::nullopt : find(more_expected);
+  }
   /// Forgets what was fed, keeps the counters.
-  void clear();
+  void clear() { begin_ = end_ = 0; }
 
   [[nodiscard]] std::uint32_t garbageBytes() const { return garbage_bytes_; }
   [[nodiscard]] std::uint32_t badChecksums() const { return bad_checksums_; }
@@ -100,8 +158,10 @@ class FrameReader {
   [[nodiscard]] std::size_t pending() const { return end_ - begin_; }
 
  private:
+  std::optional<Frame> find(bool more_expected);
+  void moveTailToFront();
   void skip(std::size_t bytes);
-  std::array<std::uint8_t, 2 * kMaxFrame> buffer_{};
+  std::array<std::uint8_t, kMaxFrame + kRoom> buffer_{};
   std::size_t begin_ = 0, end_ = 0;
   std::uint32_t garbage_bytes_ = 0, bad_checksums_ = 0;
 };

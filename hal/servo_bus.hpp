@@ -48,6 +48,12 @@ struct BusReadings {
   WireFigures wire{};
   LinkCounters link{};
   std::bitset<kJoints> silent;  // omitted from the read list, retried periodically
+
+  /// Nothing has answered. Fields that do not count then keep what they held.
+  void forget() noexcept {
+    for (ServoReading& one : servo) one.answered = one.looked = false;
+    board.answered = false;
+  }
 };
 
 /// Called by the loop's thread only. Blocks for at most the wire time plus the link's margin.

@@ -1,7 +1,6 @@
 // Newest-value mailbox: one writer, many readers, in plain or shared memory. Neither side ever waits.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -17,7 +16,8 @@ namespace darwinop::runtime {
 /// How: the writer fills slots in turn; `newest_` counts the publications and names the finished slot. A slot
 /// carries the count it was filled for, 0 while it is being filled, so a reader that was overtaken notices.
 /// Words are stored with release and loaded with acquire order (plain moves on x86): a reader that sees one word
-/// of a newer value is bound to see the slot's count gone as well. 32-bit words are lock-free on i686.
+/// of a newer value is bound to see the slot's count gone as well. Words are as wide as a pointer: what one plain move
+/// loads and stores.
 ///
 /// With four slots a reader is disturbed only when three more values come while it copies.
 template <class T, std::uint32_t kSlots = 4>
@@ -35,10 +35,15 @@ class Latest {
     Slot& slot = slots_[count % kSlots];
     slot.filled_for.store(0, std::memory_order_relaxed);
     const auto* bytes = reinterpret_cast<const unsigned char*>(&value);
-    for (std::size_t i = 0; i < kWords; ++i) {
-      std::uint32_t word = 0;
-      std::memcpy(&word, bytes + 4 * i, std::min<std::size_t>(4, sizeof(T) - 4 * i));
+    forEachWord([&](std::size_t i) {
+      Word word;
+      std::memcpy(&word, bytes + i * sizeof word, sizeof word);
       slot.words[i].store(word, std::memory_order_release);
+    });
+    if constexpr (kTail > 0) {
+      Word word = 0;
+      std::memcpy(&word, bytes + kWhole * sizeof word, kTail);
+      slot.words[kWhole].store(word, std::memory_order_release);
     }
     slot.filled_for.store(count, std::memory_order_release);
     newest_.store(count, std::memory_order_release);
@@ -65,17 +70,30 @@ class Latest {
 
  private:
   friend struct LatestForTests;
-  static constexpr std::size_t kWords = (sizeof(T) + 3) / 4;
+  using Word = std::uintptr_t;
+  static_assert(std::atomic<Word>::is_always_lock_free);
+  static constexpr std::size_t kWhole = sizeof(T) / sizeof(Word), kTail = sizeof(T) % sizeof(Word);
+  static constexpr std::size_t kWords = kWhole + (kTail > 0 ? 1 : 0);
+
+  /// The whole words, eight in a turn: counting and comparing takes as many instructions as copying one.
+  template <class F>
+  static void forEachWord(F&& copy) noexcept {
+    std::size_t i = 0;
+    const auto copyFour = [&](std::size_t j) { copy(j), copy(j + 1), copy(j + 2), copy(j + 3); };
+    for (; i + 8 <= kWhole; i += 8) copyFour(i), copyFour(i + 4);
+    for (; i < kWhole; ++i) copy(i);
+  }
 
   struct Slot {
     std::atomic<std::uint32_t> filled_for{0};
-    std::array<std::atomic<std::uint32_t>, kWords> words{};
+    std::array<std::atomic<Word>, kWords> words{};
   };
 
   static bool copy(const Slot& slot, std::uint32_t count, T& into) noexcept {
-    std::array<std::uint32_t, kWords> image;
+    std::array<Word, kWords> image;
     if (slot.filled_for.load(std::memory_order_acquire) != count) return false;
-    for (std::size_t i = 0; i < kWords; ++i) image[i] = slot.words[i].load(std::memory_order_acquire);
+    forEachWord([&](std::size_t i) { image[i] = slot.words[i].load(std::memory_order_acquire); });
+    if constexpr (kTail > 0) image[kWhole] = slot.words[kWhole].load(std::memory_order_acquire);
     if (slot.filled_for.load(std::memory_order_relaxed) != count) return false;
     std::memcpy(static_cast<void*>(&into), image.data(), sizeof(T));
     return true;

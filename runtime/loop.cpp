@@ -25,7 +25,7 @@ Loop::Loop(ServoBus& bus, safety::Guard& guard, const Exchange& exchange, Record
 void Loop::turn(const CycleTime& time, std::uint32_t skipped) noexcept {
   (void)requests_.commands.read(newest_);  // nothing new: the last image stays in force
   takeRequests();
-  const Commands asked = withOperator(newest_);
+  const Commands& asked = withOperator();
   cycle_.run(asked, time);
   const Sensors& sensors = cycle_.sensors();
   block_.stats.account(sensors, skipped, timed_);
@@ -47,9 +47,9 @@ bool Loop::isRefused(std::uint32_t session) const noexcept {
   return released_ != 0 && (session == driven_at_release_ || !isLater(session, released_));
 }
 
-Commands Loop::withOperator(Commands asked) noexcept {
+const Commands& Loop::withOperator() noexcept {
   // Safety ends the session that drove at the release. Another one from before it is nobody's.
-  if (asked.session != 0 && isRefused(asked.session)) asked = Commands{};
+  Commands& asked = newest_.session != 0 && isRefused(newest_.session) ? nobody_ : newest_;
   asked.operator_releases = released_;
   asked.operator_resets = fault_resets_;
   // Without its memory the loop receives no commands, and nobody sees it: it brings the robot to rest.

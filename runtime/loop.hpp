@@ -26,7 +26,7 @@ class Loop {
 
  private:
   void turn(const CycleTime& time, std::uint32_t skipped) noexcept;
-  [[nodiscard]] Commands withOperator(Commands asked) noexcept;
+  [[nodiscard]] const Commands& withOperator() noexcept;
   void takeRequests() noexcept;
   [[nodiscard]] bool isRefused(std::uint32_t session) const noexcept;
   void publish(const Sensors& sensors) noexcept;
@@ -38,6 +38,7 @@ class Loop {
   Recorder* recorder_;
   LoopStats::Timed timed_;
   Commands newest_{};  // kept when nothing new can be read
+  Commands nobody_{};  // in place of images of a session that is refused
   // The loop's own memory: nothing of this is read back from the exchange.
   std::uint32_t resets_seen_ = 0, releases_seen_ = 0;  // numbers of the requests
   std::uint32_t fault_resets_ = 0;

@@ -6,12 +6,16 @@
 namespace darwinop::safety {
 
 /// On after `rise` of uninterrupted `set`, off after `fall` of uninterrupted `clear`. Between the two thresholds,
-/// where neither holds, it stays as it is.
+/// where neither holds, it stays as it is. `set` and `clear` never hold both.
 class Debounce {
  public:
   constexpr Debounce(Nanos rise, Nanos fall) : rise_{rise}, fall_{fall} {}
 
   constexpr bool update(bool set, bool clear, Nanos dt) noexcept {
+    if (!set && !on_) {  // nearly always
+      set_for_ = Nanos{0};
+      return false;
+    }
     set_for_ = set ? set_for_ + dt : Nanos{0};
     clear_for_ = clear ? clear_for_ + dt : Nanos{0};
     if (!on_ && set && set_for_ >= rise_) on_ = true;
@@ -27,10 +31,15 @@ class Debounce {
   bool on_ = false;
 };
 
-/// On after two samples in a row, off after two in a row: one corrupted reading changes nothing.
+/// On after two samples in a row, off after two in a row: one corrupted reading changes nothing. `set` and `clear`
+/// never hold both.
 class Confirm {
  public:
   constexpr bool update(bool set, bool clear) noexcept {
+    if (!set && !on_) {  // nearly always
+      set_ = 0;
+      return false;
+    }
     set_ = set ? set_ + (set_ < 2 ? 1 : 0) : 0;
     clear_ = clear ? clear_ + (clear_ < 2 ? 1 : 0) : 0;
     if (set_ == 2) on_ = true;

@@ -1,6 +1,8 @@
 // Finds an encoder that is stuck: the motor pushes one way and then the other, and the position stays the same.
 #pragma once
 
+#include <algorithm>
+
 #include "core/sensors.hpp"
 #include "safety/config.hpp"
 
@@ -18,7 +20,7 @@ class EncoderWatch {
     if (push >= kPush) up_ += dt;
     if (push <= -kPush) down_ += dt;
   }
-  [[nodiscard]] bool stuck() const noexcept { return up_ >= kLongEnough && down_ >= kLongEnough; }
+  [[nodiscard]] bool stuck() const noexcept { return std::min(up_, down_) >= kLongEnough; }
 
   static constexpr double kPush = 0.75;                                // N m; friction of the gears takes about 0.2
   static constexpr Nanos kLongEnough{std::chrono::milliseconds{500}};  // each way; a leg moves 0.1 rad in that time

@@ -3,12 +3,11 @@
 
 namespace darwinop::safety {
 
-void FaultBook::note(Fault fault, bool cause, std::uint8_t servo) noexcept {
-  const std::size_t i = rowIndex(fault);
-  const bool keeps = active_[i] && kFaultTable[i].latched;
+void FaultBook::update(const FaultCauses& causes) noexcept {
   // A latched fault goes on naming the servo that raised it.
-  if (cause && !keeps) servo_[i] = servo;
-  active_[i] = cause || keeps;
+  const FaultSet kept = active_ & kLatchedFaults;
+  forEachFault(causes.all & ~kept, [&](std::size_t row) { servo_[row] = causes.servo[row]; });
+  active_ = causes.all | kept;
 }
 
 void FaultBook::reset() noexcept {
@@ -17,10 +16,10 @@ void FaultBook::reset() noexcept {
 
 Fault FaultBook::worst() const noexcept {
   Fault worst = Fault::kNone;
-  for (std::size_t i = 0; i < kFaults; ++i) {
-    const Fault fault = kFaultTable[i].fault;
-    if (active_[i] && (worst == Fault::kNone || reaction(fault) > reaction(worst))) worst = fault;
-  }
+  forEachFault(active_, [&](std::size_t row) {
+    const Fault fault = kFaultTable[row].fault;
+    if (worst == Fault::kNone || reaction(fault) > reaction(worst)) worst = fault;
+  });
   return worst;
 }
 
@@ -35,15 +34,13 @@ Reaction FaultBook::reaction(Fault fault) const noexcept {
 }
 
 bool FaultBook::slow() const noexcept {
-  for (std::size_t i = 0; i < kFaults; ++i)
-    if (active_[i] && kFaultTable[i].reaction == Reaction::kSlow) return true;
-  return false;
+  static constexpr FaultSet kSlow = faultsThat([](const FaultRow& fault) { return fault.reaction == Reaction::kSlow; });
+  return (active_ & kSlow).any();
 }
 
 bool FaultBook::endsController() const noexcept {
-  for (std::size_t i = 0; i < kFaults; ++i)
-    if (active_[i] && kFaultTable[i].ends_controller) return true;
-  return false;
+  static constexpr FaultSet kEnding = faultsThat([](const FaultRow& fault) { return fault.ends_controller; });
+  return (active_ & kEnding).any();
 }
 
 }  // namespace darwinop::safety

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <bitset>
 #include <cstdint>
 
@@ -10,38 +11,75 @@
 
 namespace darwinop::safety {
 
+using FaultSet = std::bitset<kFaults>;  // by row of kFaultTable
+
 /// Row of a fault in kFaultTable.
 constexpr std::size_t rowIndex(Fault fault) {
-  for (std::size_t i = 0; i < kFaults; ++i)
-    if (kFaultTable[i].fault == fault) return i;
-  return 0;
+  constexpr auto kRows = [] {
+    std::array<std::uint8_t, 256> rows{};
+    for (std::size_t i = 0; i < kFaults; ++i)
+      rows[static_cast<std::size_t>(kFaultTable[i].fault)] = static_cast<std::uint8_t>(i);
+    return rows;
+  }();
+  return kRows[static_cast<std::size_t>(fault)];
 }
 
+/// `fault` alone, or nothing.
+constexpr FaultSet faultIf(bool active, Fault fault) {
+  return FaultSet{static_cast<unsigned long long>(active) << rowIndex(fault)};
+}
+
+/// Calls f(row) for each of `faults`, in the order of the table.
+template <class F>
+constexpr void forEachFault(const FaultSet& faults, F&& f) {
+  for (unsigned long rest = faults.to_ulong(); rest != 0; rest &= rest - 1)
+    f(static_cast<std::size_t>(std::countr_zero(rest)));
+}
+
+/// All faults whose row is so.
+template <class Is>
+constexpr FaultSet faultsThat(Is is) {
+  unsigned long long bits = 0;
+  for (std::size_t i = 0; i < kFaults; ++i) bits |= static_cast<unsigned long long>(is(kFaultTable[i])) << i;
+  return FaultSet{bits};
+}
+inline constexpr FaultSet kLatchedFaults = faultsThat([](const FaultRow& fault) { return fault.latched; });
+inline constexpr FaultSet kLatchedLimpFaults =
+    faultsThat([](const FaultRow& fault) { return fault.latched && fault.reaction == Reaction::kLimp; });
+
 /// The first active fault that stays until a person resets it; kNone: there is none.
-[[nodiscard]] constexpr Fault latchedFault(const std::bitset<kFaults>& active) {
-  for (std::size_t i = 0; i < kFaults; ++i)
-    if (active[i] && kFaultTable[i].latched) return kFaultTable[i].fault;
-  return Fault::kNone;
+[[nodiscard]] inline Fault latchedFault(const FaultSet& active) {
+  const unsigned long latched = (active & kLatchedFaults).to_ulong();
+  return latched == 0 ? Fault::kNone : kFaultTable[static_cast<std::size_t>(std::countr_zero(latched))].fault;
 }
 
 /// A latched fault keeps torque off: the robot was released, or lost its power.
-[[nodiscard]] constexpr bool keptLimp(const std::bitset<kFaults>& active) {
-  for (std::size_t i = 0; i < kFaults; ++i)
-    if (active[i] && kFaultTable[i].latched && kFaultTable[i].reaction == Reaction::kLimp) return true;
-  return false;
+[[nodiscard]] inline bool keptLimp(const FaultSet& active) {
+  return (active & kLatchedLimpFaults).any();
 }
+
+/// The causes of faults as they are in one cycle.
+struct FaultCauses {
+  FaultSet all;
+  std::array<std::uint8_t, kFaults> servo{};  // id of the first servo that each concerns, 0 for none
+
+  void note(Fault fault, bool cause) noexcept { all |= faultIf(cause, fault); }
+  void note(const FaultSet& causes, std::uint8_t id) noexcept {
+    forEachFault(causes & ~all, [&](std::size_t row) { servo[row] = id; });
+    all |= causes;
+  }
+};
 
 class FaultBook {
  public:
   explicit FaultBook(const Config& config) : config_{config} {}
 
-  /// The cause of `fault` as it is in this cycle; `servo`: id it concerns, 0 for none.
-  void note(Fault fault, bool cause, std::uint8_t servo = 0) noexcept;
+  /// Once a cycle.
+  void update(const FaultCauses& causes) noexcept;
   /// Forgets all. Those whose cause is still there are noted again in the same cycle.
   void reset() noexcept;
 
-  [[nodiscard]] bool active(Fault fault) const noexcept { return active_[rowIndex(fault)]; }
-  [[nodiscard]] const std::bitset<kFaults>& all() const noexcept { return active_; }
+  [[nodiscard]] const FaultSet& all() const noexcept { return active_; }
   /// Strongest reaction among the active ones, first of equals; kNone when all is well.
   [[nodiscard]] Fault worst() const noexcept;
   [[nodiscard]] std::uint8_t servo(Fault fault) const noexcept;
@@ -52,7 +90,7 @@ class FaultBook {
 
  private:
   const Config& config_;
-  std::bitset<kFaults> active_;
+  FaultSet active_;
   std::array<std::uint8_t, kFaults> servo_{};
 };
 

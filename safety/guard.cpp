@@ -103,44 +103,26 @@ void Guard::watchHold() noexcept {
   if (board_.powerOff() || (perhaps_held_ && looked())) perhaps_held_ = false;
 }
 
-template <class Is>
-void Guard::noteServos(Fault fault, Is is) noexcept {
-  std::uint8_t id = 0;
-  for (std::size_t i = kJoints; i-- > 0;)
-    if (is(joints_[i])) id = kJointTable[i].id;
-  faults_.note(fault, id != 0, id);
-}
-
 void Guard::noteFaults() noexcept {
-  using Trip = JointGuard::Trip;
-  faults_.note(Fault::kBusSilent, board_.silent());
-  faults_.note(Fault::kBoardReset, lost_under_torque_);
-  faults_.note(Fault::kServoPowerOff, board_.powerLost());
-  noteServos(Fault::kServoSilent, [](const JointGuard& j) { return j.watch().silent() || j.deaf(); });
-  faults_.note(Fault::kBatteryLow, board_.batteryLow());
-  faults_.note(Fault::kBatteryEmpty, board_.batteryEmpty());
-  noteServos(Fault::kServoHot, [](const JointGuard& j) { return j.watch().hot(); });
-  noteServos(Fault::kServoOverheat,
-             [](const JointGuard& j) { return j.watch().overheated() || j.trip() == Trip::kOverheat; });
-  noteServos(Fault::kServoOverload, [](const JointGuard& j) { return j.trip() == Trip::kOverload; });
-  noteServos(Fault::kServoVoltage, [](const JointGuard& j) { return j.watch().badVoltage(); });
-  noteServos(Fault::kEncoderStuck, [](const JointGuard& j) { return j.encoderStuck(); });
-  faults_.note(Fault::kFell, board_.fell());
-  faults_.note(Fault::kReleasedByButton, board_.released());
-  noteMissedStart();
-  faults_.note(Fault::kReleasedByOperator, driver_.released());
-  faults_.note(Fault::kControllerStalled, driver_.stalled());
-  faults_.note(Fault::kControllerGone, driver_.gone());
+  FaultCauses causes;
+  causes.note(Fault::kBusSilent, board_.silent());
+  causes.note(Fault::kBoardReset, lost_under_torque_);
+  causes.note(Fault::kServoPowerOff, board_.powerLost());
+  causes.note(Fault::kBatteryLow, board_.batteryLow());
+  causes.note(Fault::kBatteryEmpty, board_.batteryEmpty());
+  causes.note(Fault::kFell, board_.fell());
+  causes.note(Fault::kReleasedByButton, board_.released());
+  causes.note(Fault::kReleasedByOperator, driver_.released());
+  causes.note(Fault::kControllerStalled, driver_.stalled());
+  causes.note(Fault::kControllerGone, driver_.gone());
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (!joints_[i].well()) causes.note(joints_[i].faults(), kJointTable[i].id);
+  forEachJoint(report_.missed_start,
+               [&](std::size_t i) { causes.note(faultIf(true, Fault::kStartMissed), kJointTable[i].id); });
+  faults_.update(causes);
 }
 
-void Guard::noteMissedStart() noexcept {
-  std::uint8_t id = 0;
-  for (std::size_t i = kJoints; i-- > 0;)
-    if (report_.missed_start[i]) id = kJointTable[i].id;
-  faults_.note(Fault::kStartMissed, id != 0, id);
-}
-
-Rad Guard::target(std::size_t joint) const noexcept {
+inline Rad Guard::target(std::size_t joint) const noexcept {
   switch (state_) {
     case State::kStarting:
     case State::kKneeling:
@@ -160,7 +142,7 @@ Rad Guard::target(std::size_t joint) const noexcept {
 
 /// Share of the full step each joint takes. On the way to a pose the joint that has furthest to go sets the pace and
 /// all arrive together: knees, hips and ankles of a robot that stands bend in proportion, and its feet stay flat.
-Guard::Shares Guard::shares() const noexcept {
+inline Guard::Shares Guard::shares() const noexcept {
   Shares shares;
   shares.fill(1.0);
   if (!movesByItself()) return shares;
@@ -173,34 +155,37 @@ Guard::Shares Guard::shares() const noexcept {
   return shares;
 }
 
+inline void Guard::moveJoints(double speed, Nanos dt) noexcept {
+  const double seconds = std::chrono::duration<double>(dt).count();
+  const Shares share = shares();
+  std::uint32_t cut_short = 0;
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (!joints_[i].move(target(i), share[i] * config_.gentle_speed * seconds, share[i] * speed * seconds)) ++cut_short;
+  if (state_ == State::kDriven) report_.limit_hits[static_cast<std::size_t>(Limit::kRate)] += cut_short;
+}
+
 SafeCommands Guard::compose(Nanos dt) noexcept {
   SafeCommands safe;
   if (state_ == State::kOffline) return safe;
-  const bool slow = movesByItself() || faults_.slow();
-  const double speed = slow ? config_.gentle_speed : config_.max_joint_speed;
-  const double seconds = std::chrono::duration<double>(dt).count();
   // A board that did not answer may not have heard the last goals either: they wait for it, so that what it hears
   // next is one step away from what it heard last. Meanwhile nothing is written: a servo may have restarted unseen.
   const bool heard = board_.answersNow();
   // For the same reason torque comes on only after a goal that was heard; torque off goes out in any case.
-  const bool switches = std::ranges::any_of(joints_, [=](const auto& j) { return j.offDue() || (heard && j.onDue()); });
-  const Shares share = shares();
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    JointGuard& joint = joints_[i];
-    if (switches) {
-      safe.torque_off_[i] = joint.offDue();
-      safe.torque_on_[i] = heard && joint.onDue();
-      joint.switchTorque(heard);
-    } else if (heard && !joint.move(target(i), share[i] * config_.gentle_speed * seconds, share[i] * speed * seconds) &&
-               state_ == State::kDriven) {
-      ++report_.limit_hits[static_cast<std::size_t>(Limit::kRate)];
-    }
-    safe.look_[i] = joint.lookDue();
-    if (!joint.driven()) continue;
-    safe.driven_[i] = true;
-    safe.held_[i] = !heard || joint.uncertain();
-    safe.goal_[i] = joint.goal(RadPerSec{speed}, movesByItself());
-  }
+  safe.torque_off_ = jointsThat([this](std::size_t i) { return joints_[i].offDue(); });
+  if (heard) safe.torque_on_ = jointsThat([this](std::size_t i) { return joints_[i].onDue(); });
+  const bool switches = (safe.torque_off_ | safe.torque_on_).any();
+  const bool slow = movesByItself() || faults_.slow();
+  const double speed = slow ? config_.gentle_speed : config_.max_joint_speed;
+  if (switches)
+    for (JointGuard& joint : joints_) joint.switchTorque(heard);
+  else if (heard)
+    moveJoints(speed, dt);
+  safe.look_ = jointsThat([this](std::size_t i) { return joints_[i].lookDue(); });
+  safe.driven_ = jointsThat([this](std::size_t i) { return joints_[i].driven(); });
+  safe.held_ = safe.driven_;
+  if (heard) safe.held_ &= jointsThat([this](std::size_t i) { return joints_[i].uncertain(); });
+  forEachJoint(safe.driven_,
+               [&](std::size_t i) { safe.goal_[i] = joints_[i].goal(RadPerSec{speed}, movesByItself()); });
   if (switches)
     safe.write_ = SafeCommands::Write::kTorque;
   else if (safe.driven_.any())
@@ -217,7 +202,7 @@ void Guard::writeReport() noexcept {
   report_.reaction = faults_.reaction(report_.worst);
   report_.controller_must_end = faults_.endsController();
   report_.session = driver_.session();
-  for (std::size_t i = 0; i < kJoints; ++i) report_.tripped[i] = joints_[i].trip() != JointGuard::Trip::kNone;
+  report_.tripped = jointsThat([this](std::size_t i) { return joints_[i].trip() != JointGuard::Trip::kNone; });
 }
 
 }  // namespace darwinop::safety

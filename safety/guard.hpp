@@ -43,9 +43,6 @@ class Guard {
   void beginSession(const Commands& asked) noexcept;
   void clearFaults() noexcept;
   void noteFaults() noexcept;
-  void noteMissedStart() noexcept;
-  template <class Is>
-  void noteServos(Fault fault, Is is) noexcept;
 
   void changeState(const Sensors& seen, Nanos dt) noexcept;
   [[nodiscard]] Reaction demanded() const noexcept;
@@ -64,6 +61,7 @@ class Guard {
   /// On the way to a pose that safety has chosen.
   [[nodiscard]] bool movesByItself() const noexcept { return state_ == State::kStarting || state_ == State::kKneeling; }
   [[nodiscard]] Shares shares() const noexcept;
+  void moveJoints(double speed, Nanos dt) noexcept;
   [[nodiscard]] SafeCommands compose(Nanos dt) noexcept;
   [[nodiscard]] Rad target(std::size_t joint) const noexcept;
   void writeReport() noexcept;

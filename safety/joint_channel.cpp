@@ -12,10 +12,6 @@ namespace {
 // Two readings agree within 4 ticks. A limb that swings faster than 0.38 rad/s (at 16 ms) is waited for: until the goal
 // is written it moves on by as much again, and a limb that falls by a little more.
 constexpr double kAgreement = 4.5 * kRadPerTick;
-// So far may a joint lag behind its goal (rad); at P gain 4 it lags 0.1 rad at the gentle speed.
-constexpr double kCaughtUp = 0.15;
-// A weight may hold a joint off its goal; it is not kept gentle for ever.
-constexpr Nanos kHeldUp{std::chrono::seconds{3}};
 // Readings further apart than this say nothing about each other.
 constexpr std::uint32_t kApart = 5;  // cycles
 
@@ -38,12 +34,6 @@ void JointChannel::restart() noexcept {
   confirmer_.forget();
 }
 
-void JointChannel::observe(const JointSensors& seen, Nanos dt) noexcept {
-  if (phase_ == Phase::kConfirming) confirmer_.update(seen);
-  if (seen.motion.fresh()) seen_ = seen.position;
-  if (moving()) driven_for_ += dt;
-}
-
 void JointChannel::place(const JointRange& range) noexcept {
   goal_ = Rad{std::clamp(confirmer_.confirmed()->value, range.low.value, range.high.value)};
   phase_ = Phase::kPlaced;
@@ -52,19 +42,6 @@ void JointChannel::place(const JointRange& range) noexcept {
 void JointChannel::torqueOn() noexcept {
   phase_ = Phase::kGentle;
   driven_for_ = Nanos{0};
-}
-
-bool JointChannel::advance(Rad target, double gentle_step, double full_step) noexcept {
-  goal_ = stepTowards(goal_, target, gentle() ? gentle_step : full_step);
-  if (goal_ != target) return false;
-  // A joint that is held, or that came from outside its range, is still on its way when its goal has arrived.
-  const bool there = std::abs(seen_.value - goal_.value) <= kCaughtUp;
-  if (there || driven_for_ >= kHeldUp) phase_ = Phase::kFree;
-  return true;
-}
-
-std::optional<Nanos> JointChannel::drivenFor() const noexcept {
-  return moving() ? std::optional{driven_for_} : std::nullopt;
 }
 
 }  // namespace darwinop::safety

@@ -2,6 +2,7 @@
 #include "safety/joint_guard.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/conversions.hpp"
 
@@ -24,8 +25,7 @@ void JointGuard::forgetWishes() noexcept {
   limp_ = false;
 }
 
-void JointGuard::listen(const JointCommand& asked, LimitHits& hits) noexcept {
-  if (asked.has(JointCommand::kGoal)) wish_goal_ = limitGoal(asked.goal, wish_goal_, range(), hits);
+void JointGuard::listenToSettings(const JointCommand& asked, LimitHits& hits) noexcept {
   if (asked.has(JointCommand::kSpeedLimit)) wish_speed_ = limitSpeed(asked.speed_limit, wish_speed_, hits);
   if (asked.has(JointCommand::kTorqueLimit)) wish_torque_ = limitTorque(asked.torque_limit, wish_torque_, hits);
   if (asked.has(JointCommand::kPGain)) wish_p_gain_ = limitGain(asked.p_gain, wish_p_gain_, hits);
@@ -40,6 +40,67 @@ void JointGuard::takeTorqueWish(bool on) noexcept {
 
 void JointGuard::wishIfNone(Rad goal) noexcept {
   if (!wish_goal_.known()) wish_goal_ = goal;
+}
+
+FaultSet JointGuard::faults() const noexcept {
+  return faultIf(watch_.silent() || deaf(), Fault::kServoSilent) | faultIf(watch_.hot(), Fault::kServoHot) |
+         faultIf(watch_.overheated() || trip_ == Trip::kOverheat, Fault::kServoOverheat) |
+         faultIf(trip_ == Trip::kOverload, Fault::kServoOverload) | faultIf(watch_.badVoltage(), Fault::kServoVoltage) |
+         faultIf(encoder_watch_.stuck(), Fault::kEncoderStuck);
+}
+
+/// Torque that the servo's P controller makes to reach its goal, N m; never more than it really is. 0: it is not
+/// driven, or so slowly that its goal says nothing about its torque, or the torque is too small to count.
+inline double JointGuard::push(const JointSensors& seen) const noexcept {
+  constexpr double kFastEnough = 0.5;                     // rad/s
+  constexpr double kFullDriveError = 1023 * kRadPerTick;  // rad at Kp 1: MX-28 manual, output 0..1023 over ticks
+  if (!channel_.moving() || !mayBeWritten()) return 0;
+  const double gain = std::min(wish_p_gain_, config_.default_p_gain);  // safety's own moves use the default
+  const double torque = gain * (channel_.goal().value - seen.position.value) / kFullDriveError * kMaxTorqueNm;
+  if (std::abs(torque) < EncoderWatch::kPush) return 0;
+  const double speed = channel_.gentle() ? std::min(wish_speed_.value, config_.gentle_speed) : wish_speed_.value;
+  if (!(speed >= kFastEnough)) return 0;
+  const double limit = std::min(std::min(wish_torque_.value, config_.default_torque), seen.torque_limit.value);
+  return limit > 0 ? std::copysign(std::min(std::abs(torque), limit), torque) : 0;
+}
+
+/// A look tells whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
+/// switched it on again. (A servo that shut itself off has a torque limit of 0: TripWatch.)
+inline void JointGuard::noteRestart(const JointSensors& seen) noexcept {
+  const bool looked = seen.motion.fresh() && seen.health.fresh();
+  const bool off = looked && !seen.torque_enabled && seen.torque_limit.value > 0;
+  const bool never_on = !on_seen_ || uncertain_;  // torque on was lost, or it has restarted
+  const bool restarted = looked && (seen.speed_limit.value <= 0 || (off && never_on && channel_.moving()));
+  if (looked && seen.torque_enabled) on_seen_ = true;
+  // It restarted while it was not heard, and has torque: a board that was stalled has carried out a goal of before. It
+  // runs there without a speed limit.
+  if (looked && uncertain_ && had_limit_ && seen.speed_limit.value <= 0 && seen.torque_enabled) orderOff();
+  if (looked) had_limit_ = seen.speed_limit.value > 0;
+  if (!seen.motion.fresh())
+    uncertain_ = true;
+  else if (looked)
+    uncertain_ = false;
+  const bool doubtful = channel_.placed() && uncertain_;  // where it is has to be certain until torque is on
+  if (channel_.hasGoal() && (restarted || doubtful || seen.motion.age > kAnswerPatience)) restart();
+}
+
+/// A goal that was placed can be lost on the wire. Where the servo is by now has to be confirmed before it is placed
+/// again.
+inline void JointGuard::notePlaced(const JointSensors& seen) noexcept {
+  constexpr double kTolerance = kRadPerTick;              // rounding is half of it
+  constexpr double kSpeedTolerance = kRadPerSecPerCount;  // as above
+  has_goal_ = false;
+  if (channel_.out()) refused_ = 0;
+  if (!channel_.placed() || !seen.motion.fresh() || !seen.health.fresh()) return;
+  const bool took = std::abs(seen.goal.value - channel_.goal().value) <= kTolerance && seen.speed_limit.value > 0 &&
+                    seen.speed_limit.value <= config_.gentle_speed + kSpeedTolerance;
+  // Its torque limit came with its goal: a servo that has none by now has shut itself off since. Twice is a fact.
+  const bool shut = took && seen.torque_limit.value <= 0;
+  if (shut && shut_at_once_) trip_ = Trip::kOverload;
+  shut_at_once_ = shut && !shut_at_once_;
+  has_goal_ = took && !shut;
+  refused_ = took ? 0 : std::min(refused_ + 1, kRefusals);
+  if (!has_goal_) restart();
 }
 
 void JointGuard::observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept {
@@ -63,58 +124,6 @@ void JointGuard::observe(const JointSensors& seen, bool given_up, Nanos powered_
   if (off_ordered_ && seen.health.fresh() && seen.torque_enabled) orderOff();
   channel_.observe(seen, dt);
   encoder_watch_.update(seen, push(seen), dt);
-}
-
-/// Torque that the servo's P controller makes to reach its goal, N m; never more than it really is. 0: it is not
-/// driven, or so slowly that its goal says nothing about its torque.
-double JointGuard::push(const JointSensors& seen) const noexcept {
-  constexpr double kFastEnough = 0.5;                     // rad/s
-  constexpr double kFullDriveError = 1023 * kRadPerTick;  // rad at Kp 1: MX-28 manual, output 0..1023 over ticks
-  const double speed = channel_.gentle() ? std::min(wish_speed_.value, config_.gentle_speed) : wish_speed_.value;
-  if (!channel_.moving() || !mayBeWritten() || !(speed >= kFastEnough)) return 0;
-  const double gain = std::min(wish_p_gain_, config_.default_p_gain);  // safety's own moves use the default
-  const double limit = std::min({wish_torque_.value, config_.default_torque, seen.torque_limit.value});
-  const double torque = gain * (channel_.goal().value - seen.position.value) / kFullDriveError * kMaxTorqueNm;
-  return limit > 0 ? std::clamp(torque, -limit, limit) : 0;
-}
-
-/// A look tells whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
-/// switched it on again. (A servo that shut itself off has a torque limit of 0: TripWatch.)
-void JointGuard::noteRestart(const JointSensors& seen) noexcept {
-  const bool looked = seen.motion.fresh() && seen.health.fresh();
-  const bool off = looked && !seen.torque_enabled && seen.torque_limit.value > 0;
-  const bool never_on = !on_seen_ || uncertain_;  // torque on was lost, or it has restarted
-  const bool restarted = looked && (seen.speed_limit.value <= 0 || (off && never_on && channel_.moving()));
-  if (looked && seen.torque_enabled) on_seen_ = true;
-  // It restarted while it was not heard, and has torque: a board that was stalled has carried out a goal of before. It
-  // runs there without a speed limit.
-  if (looked && uncertain_ && had_limit_ && seen.speed_limit.value <= 0 && seen.torque_enabled) orderOff();
-  if (looked) had_limit_ = seen.speed_limit.value > 0;
-  if (!seen.motion.fresh())
-    uncertain_ = true;
-  else if (looked)
-    uncertain_ = false;
-  const bool doubtful = channel_.placed() && uncertain_;  // where it is has to be certain until torque is on
-  if (channel_.hasGoal() && (restarted || doubtful || seen.motion.age > kAnswerPatience)) restart();
-}
-
-/// A goal that was placed can be lost on the wire. Where the servo is by now has to be confirmed before it is placed
-/// again.
-void JointGuard::notePlaced(const JointSensors& seen) noexcept {
-  constexpr double kTolerance = kRadPerTick;              // rounding is half of it
-  constexpr double kSpeedTolerance = kRadPerSecPerCount;  // as above
-  has_goal_ = false;
-  if (channel_.out()) refused_ = 0;
-  if (!channel_.placed() || !seen.motion.fresh() || !seen.health.fresh()) return;
-  const bool took = std::abs(seen.goal.value - channel_.goal().value) <= kTolerance && seen.speed_limit.value > 0 &&
-                    seen.speed_limit.value <= config_.gentle_speed + kSpeedTolerance;
-  // Its torque limit came with its goal: a servo that has none by now has shut itself off since. Twice is a fact.
-  const bool shut = took && seen.torque_limit.value <= 0;
-  if (shut && shut_at_once_) trip_ = Trip::kOverload;
-  shut_at_once_ = shut && !shut_at_once_;
-  has_goal_ = took && !shut;
-  refused_ = took ? 0 : std::min(refused_ + 1, kRefusals);
-  if (!has_goal_) restart();
 }
 
 void JointGuard::resetTrip() noexcept {
@@ -143,25 +152,6 @@ void JointGuard::switchTorque(bool on) noexcept {
   if (!on || !onDue()) return;
   channel_.torqueOn();
   on_seen_ = false;
-}
-
-bool JointGuard::move(Rad target, double gentle_step, double full_step) noexcept {
-  if (suspect_) return true;  // nothing of it is written in this cycle
-  if (channel_.ready()) {
-    channel_.place(range());
-    uncertain_ = false;  // all it needs is written with this goal
-    off_ordered_ = false;
-    return true;
-  }
-  if (uncertain_ || !on_seen_) return true;
-  if (!channel_.moving() || !target.known()) return true;
-  return channel_.advance(target, gentle_step, full_step);
-}
-
-SafeCommands::JointGoal JointGuard::goal(RadPerSec speed_cap, bool by_itself) const noexcept {
-  const double cap = channel_.gentle() ? std::min(config_.gentle_speed, speed_cap.value) : speed_cap.value;
-  if (by_itself) return {channel_.goal(), RadPerSec{cap}, NewtonMeter{config_.default_torque}, config_.default_p_gain};
-  return {channel_.goal(), RadPerSec{std::min(wish_speed_.value, cap)}, wish_torque_, wish_p_gain_};
 }
 
 }  // namespace darwinop::safety

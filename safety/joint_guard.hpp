@@ -1,6 +1,7 @@
 // All that protects one joint: what the controller wishes, whether the servo is well, how it is driven.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "core/commands.hpp"
@@ -8,6 +9,7 @@
 #include "core/sensors.hpp"
 #include "safety/config.hpp"
 #include "safety/encoder_watch.hpp"
+#include "safety/fault_book.hpp"
 #include "safety/joint_channel.hpp"
 #include "safety/joint_limiter.hpp"
 #include "safety/servo_watch.hpp"
@@ -24,16 +26,23 @@ class JointGuard {
   // -- what the controller wishes
   /// A new driver starts without the wishes of the one before.
   void forgetWishes() noexcept;
-  void listen(const JointCommand& asked, LimitHits& hits) noexcept;
+  void listen(const JointCommand& asked, LimitHits& hits) noexcept {
+    if (asked.has(JointCommand::kGoal)) wish_goal_ = limitGoal(asked.goal, wish_goal_, range(), hits);
+    if ((asked.set & ~JointCommand::kGoal) != 0) listenToSettings(asked, hits);
+  }
   /// Where the joint stays when the controller has not said anything yet.
   void wishIfNone(Rad goal) noexcept;
 
   // -- what the servo tells
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
-  /// It answers, and again and again it is seen without what was written to it.
-  [[nodiscard]] bool deaf() const noexcept { return refused_ >= kRefusals; }
-  [[nodiscard]] const ServoWatch& watch() const noexcept { return watch_; }
-  [[nodiscard]] bool encoderStuck() const noexcept { return encoder_watch_.stuck(); }
+  /// The causes of faults as they are in this cycle.
+  [[nodiscard]] FaultSet faults() const noexcept;
+  /// No faults(). Without a branch for each of them: this is asked of every joint in every cycle.
+  [[nodiscard]] bool well() const noexcept {
+    const int troubles = int{watch_.silent()} | watch_.hot() | watch_.overheated() | watch_.badVoltage() | deaf() |
+                         encoder_watch_.stuck() | (trip_ != Trip::kNone);
+    return troubles == 0;
+  }
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
   /// As far as is known the servo holds its joint, whoever told it to.
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }
@@ -69,16 +78,37 @@ class JointGuard {
   void switchTorque(bool on) noexcept;
   /// This cycle's write carries goals: places the joint, or moves it towards `target` (unknown: stays).
   /// False when the step was cut short.
-  bool move(Rad target, double gentle_step, double full_step) noexcept;
+  bool move(Rad target, double gentle_step, double full_step) noexcept {
+    if (suspect_) return true;  // nothing of it is written in this cycle
+    if (channel_.ready()) {
+      place();
+      return true;
+    }
+    if (uncertain_ || !on_seen_ || !channel_.moving() || !target.known()) return true;
+    return channel_.advance(target, gentle_step, full_step);
+  }
   /// What goes on the wire. `speed_cap`: no faster than this.
   /// `by_itself`: safety moves the robot, and what the controller wished for speed, torque and gain does not count.
-  [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap, bool by_itself) const noexcept;
+  [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap, bool by_itself) const noexcept {
+    const double cap = channel_.gentle() ? std::min(config_.gentle_speed, speed_cap.value) : speed_cap.value;
+    if (by_itself)
+      return {channel_.goal(), RadPerSec{cap}, NewtonMeter{config_.default_torque}, config_.default_p_gain};
+    return {channel_.goal(), RadPerSec{std::min(wish_speed_.value, cap)}, wish_torque_, wish_p_gain_};
+  }
 
  private:
   // A lost write is rare; each try takes three cycles and does no harm, so all of them about a second.
   static constexpr int kRefusals = 20;
 
+  /// It answers, and again and again it is seen without what was written to it.
+  [[nodiscard]] bool deaf() const noexcept { return refused_ >= kRefusals; }
+  void listenToSettings(const JointCommand& asked, LimitHits& hits) noexcept;
   void takeTorqueWish(bool on) noexcept;
+  void place() noexcept {
+    channel_.place(range());
+    uncertain_ = false;  // all it needs is written with this goal
+    off_ordered_ = false;
+  }
   void noteRestart(const JointSensors& seen) noexcept;
   void notePlaced(const JointSensors& seen) noexcept;
   [[nodiscard]] double push(const JointSensors& seen) const noexcept;

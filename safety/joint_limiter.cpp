@@ -14,30 +14,7 @@ constexpr double kFastest = 1023 * kRadPerSecPerCount;  // 12.2127 rad/s
 constexpr double kLeastTorque = kMaxTorqueNm / kTorqueMax;
 constexpr double kMaxPGain = 254 / 8.0;
 
-void hit(LimitHits& hits, Limit limit) noexcept {
-  ++hits[static_cast<std::size_t>(limit)];
-}
-
-double clampCounted(double value, double low, double high, Limit limit, LimitHits& hits) noexcept {
-  if (value < low || value > high) hit(hits, limit);
-  return std::clamp(value, low, high);
-}
-
 }  // namespace
-
-Rad limitGoal(Rad asked, Rad keep, const JointRange& range, LimitHits& hits) noexcept {
-  if (!std::isfinite(asked.value)) {
-    hit(hits, Limit::kNotFinite);
-    return keep;
-  }
-  return Rad{clampCounted(asked.value, range.low.value, range.high.value, Limit::kPosition, hits)};
-}
-
-Rad stepTowards(Rad from, Rad to, double max_step) noexcept {
-  const double way = to.value - from.value;
-  if (std::abs(way) <= max_step) return to;
-  return Rad{from.value + std::copysign(max_step, way)};
-}
 
 RadPerSec limitSpeed(RadPerSec asked, RadPerSec keep, LimitHits& hits) noexcept {
   if (!std::isfinite(asked.value)) {

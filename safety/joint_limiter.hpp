@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "core/faults.hpp"
@@ -12,11 +13,32 @@ namespace darwinop::safety {
 
 using LimitHits = std::array<std::uint32_t, kLimits>;
 
+inline void hit(LimitHits& hits, Limit limit) noexcept {
+  ++hits[static_cast<std::size_t>(limit)];
+}
+
+/// `value` within low .. high; it is not NaN.
+inline double clampCounted(double value, double low, double high, Limit limit, LimitHits& hits) noexcept {
+  if (value >= low && value <= high) return value;
+  hit(hits, limit);
+  return value < low ? low : high;
+}
+
 /// `asked` within `range`; `keep` when it is not finite.
-[[nodiscard]] Rad limitGoal(Rad asked, Rad keep, const JointRange& range, LimitHits& hits) noexcept;
+[[nodiscard]] inline Rad limitGoal(Rad asked, Rad keep, const JointRange& range, LimitHits& hits) noexcept {
+  if (!std::isfinite(asked.value)) {
+    hit(hits, Limit::kNotFinite);
+    return keep;
+  }
+  return Rad{clampCounted(asked.value, range.low.value, range.high.value, Limit::kPosition, hits)};
+}
 
 /// From `from` towards `to`, by `max_step` rad at most. Both finite.
-[[nodiscard]] Rad stepTowards(Rad from, Rad to, double max_step) noexcept;
+[[nodiscard]] inline Rad stepTowards(Rad from, Rad to, double max_step) noexcept {
+  const double way = to.value - from.value;
+  if (std::abs(way) <= max_step) return to;
+  return Rad{from.value + std::copysign(max_step, way)};
+}
 
 /// 0.0119..12.21 rad/s (moving speed register 1..1023), sign ignored; 0 is the slowest, as documented for
 /// controllers, and no hit. `keep` when not finite.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/packet.hpp"
 #include "core/sensors.hpp"
 #include "safety/config.hpp"
 #include "safety/debounce.hpp"
@@ -22,7 +23,22 @@ class TripWatch {
   };
 
   /// `driven_for`: time since torque was switched on, nothing while the joint is not driven.
-  Verdict update(const JointSensors& seen, std::optional<Nanos> driven_for) noexcept;
+  Verdict update(const JointSensors& seen, std::optional<Nanos> driven_for) noexcept {
+    const bool armed = driven_for && *driven_for >= kGrace;
+    if (!driven_for) {
+      off_.forget();
+      was_on_ = false;
+    }
+    if (seen.motion.fresh()) noteErrorBits(seen, armed);
+    if (!driven_for || armed)
+      early_ = false;
+    else if (seen.motion.fresh())
+      early_ = (seen.health.fresh() && seen.torque_limit.value <= 0) || (seen.error_bits & error_bit::kOverload) != 0;
+    if (armed && seen.health.fresh()) noteLook(seen);
+    if (bits_.on()) return (last_bits_ & error_bit::kOverheat) != 0 ? Verdict::kOverheat : Verdict::kOverload;
+    if (off_.on()) return judgeLook(seen);
+    return early_ || bits_.suspected() || off_.suspected() ? Verdict::kSuspect : Verdict::kFine;
+  }
   /// A reset was asked: judge by readings from now on.
   void forget() noexcept { *this = TripWatch{}; }
 
@@ -31,7 +47,23 @@ class TripWatch {
   static constexpr Nanos kGrace{std::chrono::milliseconds{300}};
 
  private:
-  Verdict judgeLook(const JointSensors& seen) noexcept;
+  void noteErrorBits(const JointSensors& seen, bool armed) noexcept {
+    const int shutdown = error_bit::kOverheat | (armed ? error_bit::kOverload : 0);
+    const auto bits = static_cast<std::uint8_t>(seen.error_bits & shutdown);
+    if (bits != 0) last_bits_ = bits;
+    bits_.update(bits != 0, bits == 0);
+  }
+  void noteLook(const JointSensors& seen) noexcept {
+    limit_zero_ = seen.torque_limit.value <= 0;
+    const bool off = !seen.torque_enabled || limit_zero_;
+    off_.update(off, !off);
+    was_on_ = was_on_ || !off;
+  }
+  [[nodiscard]] Verdict judgeLook(const JointSensors& seen) const noexcept {
+    // A servo that has restarted was missed before (JointGuard); one that shut itself off goes on answering.
+    if (!limit_zero_ && !was_on_) return Verdict::kNotOn;
+    return (seen.error_bits & error_bit::kOverheat) != 0 ? Verdict::kOverheat : Verdict::kOverload;
+  }
 
   Confirm bits_, off_;
   bool early_ = false;   // an overload bit in the grace: a memory, or a servo that has shut itself off already

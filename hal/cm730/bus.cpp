@@ -45,7 +45,7 @@ void Cm730Bus::write(const SafeCommands& commands) noexcept {
 }
 
 void Cm730Bus::read(BusReadings& readings) noexcept {
-  readings = {};
+  readings.forget();
   if (!restThisCycle()) {
     // A board that does not answer is asked alone; the servos behind it could not be heard anyway.
     const auto list = silent_cycles_ >= kCyclesUntilRest ? std::span<const ReadList::Entry>{} : list_.next();
@@ -56,10 +56,9 @@ void Cm730Bus::read(BusReadings& readings) noexcept {
     receive(began_ + wireTime(asked));
     wire_.bus_ns = (line_.now() - began_).count();
     wire_.wire_ns = wireTime(wire_.bytes_out + wire_.bytes_in).count();
-    board_ = readings.board;
-    for (const ReadList::Entry entry : list)
-      if (const ServoReading& servo = readings.servo[entry.joint]; servo.answered)
-        goals_.heard(static_cast<Joint>(entry.joint), servo.load);
+    if (readings.board.answered) board_ = readings.board;
+    forEachJoint(decoder_.answered(),
+                 [&](std::size_t i) { goals_.heard(static_cast<Joint>(i), readings.servo[i].load); });
     learn(list);
     sendBoardWrite();
   }
@@ -90,8 +89,8 @@ std::size_t Cm730Bus::sendRequest(std::span<const ReadList::Entry> list) noexcep
   BulkReadEncoder request{frame_};
   request.add(kBoardId, kBoardWindow.address, tag_.boardBytes());
   for (const ReadList::Entry entry : list) {
-    const Window window = entry.look ? kServoLook : kServoWindow;
-    request.add(kJointTable[entry.joint].id, window.address, window.count);
+    const Window window = kServoWindows[entry.look];
+    request.add(servoId(entry.joint), window.address, window.count);
   }
   send(request.finish());
   ++link_.exchanges;
@@ -102,17 +101,16 @@ std::size_t Cm730Bus::sendRequest(std::span<const ReadList::Entry> list) noexcep
 /// than they need plus twice the margin: a line that babbles must not keep the loop.
 void Cm730Bus::receive(Nanos request_done) noexcept {
   const Nanos end = request_done + wireTime(decoder_.answerBytes()) + 2 * config_.margin;
-  Nanos last = request_done;
-  while (!decoder_.complete() && line_.now() < end) {
+  Nanos last = request_done, now = line_.now();
+  while (!decoder_.complete() && now < end) {
     std::size_t count = 0;
     const Nanos deadline = std::min(end, last + wireTime(decoder_.nextFrameBytes()) + config_.margin);
-    if (line_.read(incoming_, count, deadline) != LineStatus::kOk) break;
-    last = std::max(last, line_.now());
+    if (line_.read(reader_.room().first(FrameReader::kRoom), count, deadline) != LineStatus::kOk) break;
+    now = line_.now();
+    last = std::max(last, now);
+    reader_.taken(count);
     wire_.bytes_in += static_cast<std::uint32_t>(count);
-    for (Bytes rest{incoming_.data(), count}; !rest.empty();) {
-      rest = rest.subspan(reader_.feed(rest));
-      while (const auto frame = reader_.next()) decoder_.take(*frame);
-    }
+    while (const auto frame = reader_.next()) decoder_.take(*frame);
   }
   // Nothing more will come: a damaged frame may hide whole ones behind it.
   while (const auto frame = reader_.next(false)) decoder_.take(*frame);

@@ -71,7 +71,6 @@ class Cm730Bus final : public ServoBus {
   RequestTag tag_;
   FrameReader reader_;
   std::array<std::uint8_t, kMaxFrame> frame_{};
-  std::array<std::uint8_t, 512> incoming_{};
 
   WireFigures wire_{};
   LinkCounters link_{};

@@ -4,17 +4,10 @@
 #include <cmath>
 
 #include "core/conversions.hpp"
-#include "core/registers.hpp"
 
 namespace darwinop::cm730 {
 
-const GoalWriter::Block GoalWriter::kGoal{servo::kGoalPosition, 2};
-const GoalWriter::Block GoalWriter::kSettings{servo::kPGain, 6};  // 28 P gain, 29 reserved, 30 goal, 32 speed
-const GoalWriter::Block GoalWriter::kAll{servo::kPGain, 8};       // and 34 torque limit
-static_assert(servo::kGoalPosition == servo::kPGain + 2 && servo::kMovingSpeed == servo::kPGain + 4 &&
-              servo::kTorqueLimit == servo::kPGain + 6);
-
-std::uint16_t GoalWriter::goalTicks(Joint joint, Rad goal) noexcept {
+inline std::uint16_t GoalWriter::goalTicks(Joint joint, Rad goal) noexcept {
   const int wanted = offsets_.servoTicks(joint, goal);
   const int ticks = std::clamp<int>(wanted, row(joint).low, row(joint).high);
   if (ticks != wanted) ++clamped_;
@@ -22,8 +15,7 @@ std::uint16_t GoalWriter::goalTicks(Joint joint, Rad goal) noexcept {
 }
 
 std::span<const std::uint8_t> GoalWriter::encode(const SafeCommands& commands) noexcept {
-  for (std::size_t i = 0; i < kJoints; ++i)
-    if (!commands.driven()[i]) servo_[i] = {};
+  forEachJoint(~commands.driven(), [this](std::size_t i) { servo_[i] = {}; });
   since_torque_ = std::min(since_torque_ + 1, torque_wait_);
   since_settings_ = std::min(since_settings_ + 1, kSettingsEvery);
   switch (commands.write()) {
@@ -43,27 +35,20 @@ void GoalWriter::heard(Joint joint, double load) noexcept {
   servo.straining = std::abs(load) * kTorqueMax >= kStrain * servo.torque;
 }
 
-void GoalWriter::note(Servo& servo, const SafeCommands::JointGoal& goal) noexcept {
+void GoalWriter::noteSettings(Servo& servo, const SafeCommands::JointGoal& goal) noexcept {
+  servo.settings = settingsOf(goal);
   const std::uint8_t p_gain = registerFromPGain(goal.p_gain);
   const std::uint16_t speed = registerFromSpeedLimit(goal.speed_limit), torque = registerFromTorque(goal.torque_limit);
-  if (p_gain != servo.p_gain || speed != servo.speed) servo.settings_due = kWrites;
+  auto& r = servo.registers;
+  if (p_gain != r[0] || speed != wordAt(r, 4)) servo.settings_due = kWrites;
   if (torque != servo.torque) servo.torque_due = kWrites;
-  servo.p_gain = p_gain;
-  servo.speed = speed;
   servo.torque = torque;
+  r = {p_gain, 0, 0, 0, lowByte(speed), highByte(speed), lowByte(torque), highByte(torque)};
 }
 
-const GoalWriter::Block& GoalWriter::choose(const SafeCommands::Mask& who) const noexcept {
-  bool all = false, torque = false, straining = false, settings = since_settings_ >= kSettingsEvery;
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    if (!who[i]) continue;
-    all = all || servo_[i].entering;
-    torque = torque || servo_[i].torque_due > 0;
-    straining = straining || servo_[i].straining;
-    settings = settings || servo_[i].settings_due > 0;
-  }
-  if (all || (torque && (!straining || since_torque_ >= torque_wait_))) return kAll;
-  return settings ? kSettings : kGoal;
+inline const GoalWriter::Block& GoalWriter::choose(const Due& due) const noexcept {
+  if (due.all || (due.torque > 0 && (!due.straining || since_torque_ >= torque_wait_))) return kAll;
+  return due.settings > 0 || since_settings_ >= kSettingsEvery ? kSettings : kGoal;
 }
 
 void GoalWriter::noteSent(const Block& block, const SafeCommands::Mask& who) noexcept {
@@ -73,34 +58,45 @@ void GoalWriter::noteSent(const Block& block, const SafeCommands::Mask& who) noe
     since_torque_ = 0;
     torque_wait_ = kTorqueEvery + (5 * torque_wait_ + 3) % kTorqueEvery;  // each of kTorqueEvery numbers in turn
   }
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    if (!who[i]) continue;
+  forEachJoint(who, [&](std::size_t i) {
     Servo& servo = servo_[i];
     if (servo.settings_due > 0) --servo.settings_due;
-    if (block.bytes != kAll.bytes) continue;
+    if (block.bytes != kAll.bytes) return;
     if (servo.torque_due > 0) --servo.torque_due;
     servo.entering = servo.entering && servo.torque_due > 0;
-  }
+  });
 }
 
 std::span<const std::uint8_t> GoalWriter::encodeGoals(const SafeCommands& commands) noexcept {
   const SafeCommands::Mask who = commands.driven() & ~commands.held();
   if (who.none()) return {};
-  for (std::size_t i = 0; i < kJoints; ++i)
-    if (who[i]) note(servo_[i], commands.goal(static_cast<Joint>(i)));
-  const Block& block = choose(who);
+  Due due;
+  forEachJoint(who, [&](std::size_t i) {
+    const SafeCommands::JointGoal& goal = commands.goal(static_cast<Joint>(i));
+    Servo& servo = servo_[i];
+    if (servo.settings != settingsOf(goal)) noteSettings(servo, goal);
+    due.add(servo);
+  });
+  const Block& block = choose(due);
   noteSent(block, who);
-  SyncWriteEncoder sync{frame_, block.address, block.bytes};
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    if (!who[i]) continue;
+  if (block.bytes == kGoal.bytes) return encodeBlock<kGoal.address, kGoal.bytes>(commands, who);
+  if (block.bytes == kSettings.bytes) return encodeBlock<kSettings.address, kSettings.bytes>(commands, who);
+  return encodeBlock<kAll.address, kAll.bytes>(commands, who);
+}
+
+/// Compiled for each block: a copy of known size is one or two instructions.
+template <std::uint8_t kAddress, std::uint8_t kBytes>
+std::span<const std::uint8_t> GoalWriter::encodeBlock(const SafeCommands& commands,
+                                                      const SafeCommands::Mask& who) noexcept {
+  SyncWriteEncoder sync{frame_, kAddress, kBytes};
+  forEachJoint(who, [&](std::size_t i) {
     const auto joint = static_cast<Joint>(i);
     const std::uint16_t ticks = goalTicks(joint, commands.goal(joint).goal);
-    const Servo& s = servo_[i];
-    const std::array<std::uint8_t, 8> data{
-        s.p_gain,          0, lowByte(ticks), highByte(ticks), lowByte(s.speed), highByte(s.speed), lowByte(s.torque),
-        highByte(s.torque)};
-    sync.add(kJointTable[i].id, Bytes{data}.subspan(block.address - servo::kPGain, block.bytes));
-  }
+    auto& registers = servo_[i].registers;
+    registers[2] = lowByte(ticks);
+    registers[3] = highByte(ticks);
+    sync.add(servoId(i), std::span{registers}.template subspan<kAddress - kAll.address, kBytes>());
+  });
   return sync.finish();
 }
 

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "core/packet.hpp"
+#include "core/registers.hpp"
 #include "core/safe_commands.hpp"
 #include "hal/cm730/joint_offsets.hpp"
 
@@ -51,22 +53,52 @@ class GoalWriter {
   struct Block {
     std::uint8_t address, bytes;
   };
-  static const Block kGoal, kSettings, kAll;
+  static constexpr Block kGoal{servo::kGoalPosition, 2};
+  static constexpr Block kSettings{servo::kPGain, 6};  // 28 P gain, 29 reserved, 30 goal, 32 speed
+  static constexpr Block kAll{servo::kPGain, 8};       // and 34 torque limit
+  static_assert(servo::kGoalPosition == servo::kPGain + 2 && servo::kMovingSpeed == servo::kPGain + 4 &&
+                servo::kTorqueLimit == servo::kPGain + 6);
+
+  /// What goes with a goal and seldom changes.
+  struct Settings {
+    RadPerSec speed_limit;
+    NewtonMeter torque_limit;
+    double p_gain = std::numeric_limits<double>::quiet_NaN();
+    bool operator==(const Settings&) const = default;
+  };
+  static Settings settingsOf(const SafeCommands::JointGoal& goal) noexcept {
+    return {goal.speed_limit, goal.torque_limit, goal.p_gain};
+  }
 
   /// What a servo has been told since its joint entered.
   struct Servo {
-    std::uint8_t p_gain = 0;
-    std::uint16_t speed = 0, torque = 0;
-    int settings_due = kWrites;  // writes of P gain and speed
-    int torque_due = kWrites;    // writes of the torque limit
-    bool entering = true;        // has not had all of it yet
-    bool straining = false;      // works at its torque limit, or nearly
+    Settings settings;  // what the registers below were made from
+    std::uint16_t torque = 0;
+    std::array<std::uint8_t, kAll.bytes> registers{};  // those of kAll; the goal is filled in when it is sent
+    int settings_due = kWrites;                        // writes of P gain and speed
+    int torque_due = kWrites;                          // writes of the torque limit
+    bool entering = true;                              // has not had all of it yet
+    bool straining = false;                            // works at its torque limit, or nearly
   };
 
-  void note(Servo& servo, const SafeCommands::JointGoal& goal) noexcept;
+  /// What the servos of a frame need together.
+  struct Due {
+    bool all = false, straining = false;
+    int settings = 0, torque = 0;
+    void add(const Servo& servo) noexcept {
+      all |= servo.entering;
+      straining |= servo.straining;
+      settings |= servo.settings_due;
+      torque |= servo.torque_due;
+    }
+  };
+
+  void noteSettings(Servo& servo, const SafeCommands::JointGoal& goal) noexcept;
   void noteSent(const Block& block, const SafeCommands::Mask& who) noexcept;
-  [[nodiscard]] const Block& choose(const SafeCommands::Mask& who) const noexcept;
+  [[nodiscard]] const Block& choose(const Due& due) const noexcept;
   std::span<const std::uint8_t> encodeGoals(const SafeCommands& commands) noexcept;
+  template <std::uint8_t kAddress, std::uint8_t kBytes>
+  std::span<const std::uint8_t> encodeBlock(const SafeCommands& commands, const SafeCommands::Mask& who) noexcept;
   std::span<const std::uint8_t> encodeTorque(const SafeCommands& commands) noexcept;
   std::uint16_t goalTicks(Joint joint, Rad goal) noexcept;
 

@@ -22,45 +22,45 @@ ReadList::ReadList(Nanos period, std::size_t looks, const Mask& absent)
 
 std::span<const ReadList::Entry> ReadList::next() noexcept {
   length_ = 0;
+  listed_.reset();
+  looked_at_.reset();
   if (boot_wait_ > 0) return {};
-  for (std::size_t joint = 0; joint < kJoints; ++joint)
-    if (!silent_[joint] && on_trial_[joint] == 0 && !suspects_[joint]) append(joint);
-  for (std::size_t joint = 0; joint < kJoints; ++joint)
-    if (!silent_[joint] && (on_trial_[joint] > 0 || suspects_[joint]) && misses_[joint] == 0) append(joint);
-  for (std::size_t joint = 0; joint < kJoints; ++joint)
-    if (!silent_[joint] && misses_[joint] > 0) append(joint);
+  const Mask asked = ~silent_ & ~absent_, doubtful = tried_ | suspects_, again = asked & missed_;
+  append(asked & ~doubtful);
+  append(asked & doubtful & ~missed_);
+  append(again);
+  retries_ += static_cast<std::uint32_t>(again.count());
   lookInTurn();
   appendProbe();
   chooseLooks();
   return {list_.data(), length_};
 }
 
-void ReadList::append(std::size_t joint) noexcept {
-  if (absent_[joint]) return;
-  list_[length_++] = {static_cast<std::uint8_t>(joint), false};
-  if (misses_[joint] > 0) ++retries_;
+void ReadList::append(const Mask& joints) noexcept {
+  listed_ |= joints;
+  forEachJoint(joints, [this](std::size_t joint) { list_[length_++] = {static_cast<std::uint8_t>(joint), false}; });
 }
 
 void ReadList::chooseLooks() noexcept {
+  if ((due_ & listed_ & ~looked_at_).none()) return;
   std::size_t left = looks_;
   for (std::size_t i = 0; i < length_ && left > 0; ++i) {
     if (!due_[list_[i].joint] || list_[i].look) continue;
     list_[i].look = true;
+    looked_at_.set(list_[i].joint);
     --left;
   }
 }
 
 void ReadList::lookInTurn() noexcept {
-  if (length_ == 0) return;
   // The next joint in turn that is in the list; a silent one loses its turn.
-  for (std::size_t step = 0; step < kJoints; ++step) {
+  for (std::size_t step = 0; step < kJoints && length_ > 0; ++step) {
     const std::size_t joint = (next_look_ + step) % kJoints;
-    for (std::size_t i = 0; i < length_; ++i) {
-      if (list_[i].joint != joint) continue;
-      list_[i].look = true;
-      next_look_ = (joint + 1) % kJoints;
-      return;
-    }
+    if (!listed_[joint]) continue;
+    std::ranges::find(list_, joint, &Entry::joint)->look = true;
+    looked_at_.set(joint);
+    next_look_ = (joint + 1) % kJoints;
+    return;
   }
 }
 
@@ -71,7 +71,7 @@ void ReadList::appendProbe() noexcept {
     return;
   }
   while (!silent_[next_probe_]) next_probe_ = (next_probe_ + 1) % kJoints;
-  list_[length_++] = {static_cast<std::uint8_t>(next_probe_), false};
+  append(Mask{}.set(next_probe_));
   ++retries_;
   next_probe_ = (next_probe_ + 1) % kJoints;
   const auto interval = std::clamp(kProbeRound / static_cast<std::uint32_t>(silent_.count()), 1U, kSlowestProbe);
@@ -80,15 +80,11 @@ void ReadList::appendProbe() noexcept {
 }
 
 void ReadList::answered(const Mask& who) noexcept {
-  std::size_t last_answer = 0;  // one past the last entry that answered
   due_ |= ~who;
-  for (std::size_t i = 0; i < length_; ++i) {
-    const std::size_t joint = list_[i].joint;
-    if (!who[joint]) continue;
-    last_answer = i + 1;
-    if (list_[i].look) due_.reset(joint);
-    forgive(joint);
-  }
+  due_ &= ~(who & looked_at_);
+  forgive(who & listed_);
+  std::size_t last_answer = length_;  // one past the last entry that answered
+  while (last_answer > 0 && !who[list_[last_answer - 1].joint]) --last_answer;
   // Whoever is missing before the last answer was heard by its neighbour: only its frame was damaged. Behind
   // the last answer the first one is to blame; of those behind it nothing is known.
   if (last_answer == length_) return;
@@ -99,24 +95,33 @@ void ReadList::answered(const Mask& who) noexcept {
     if (kJointTable[list_[i].joint].chain == chain) suspects_.set(list_[i].joint);
 }
 
-void ReadList::forgive(std::size_t joint) noexcept {
-  misses_[joint] = 0;
-  suspects_.reset(joint);
-  if (silent_[joint]) {
+void ReadList::forgive(const Mask& who) noexcept {
+  forEachJoint(who & missed_, [this](std::size_t joint) { misses_[joint] = 0; });
+  missed_ &= ~who;
+  suspects_ &= ~who;
+  forEachJoint(who & tried_ & ~silent_, [this](std::size_t joint) {
+    if (--on_trial_[joint] == 0) tried_.reset(joint);
+  });
+  forEachJoint(who & silent_, [this](std::size_t joint) {
     silent_.reset(joint);
-    on_trial_[joint] = kTrialCycles;
+    onTrial(joint);
     probe_answered_ = true;  // what woke this one may have woken others: ask the next one at once
-  } else if (on_trial_[joint] > 0) {
-    --on_trial_[joint];
-  }
+  });
+}
+
+void ReadList::onTrial(std::size_t joint) noexcept {
+  on_trial_[joint] = kTrialCycles;
+  tried_.set(joint);
 }
 
 void ReadList::blame(std::size_t joint) noexcept {
-  on_trial_[joint] = kTrialCycles;
+  onTrial(joint);
   if (silent_[joint]) return;
+  missed_.set(joint);
   if (++misses_[joint] < kMissesUntilSilent) return;
   silent_.set(joint);
   misses_[joint] = 0;
+  missed_.reset(joint);
   if (silent_.count() == 1) cycles_to_probe_ = kSlowestProbe;
 }
 
@@ -125,7 +130,9 @@ void ReadList::powerIsOff() noexcept {
   boot_wait_ = boot_cycles_;
   silent_.reset();
   suspects_.reset();
+  missed_.reset();
   misses_.fill(0);
+  tried_.reset();
   on_trial_.fill(0);
 }
 

@@ -54,19 +54,23 @@ class ReadList {
   [[nodiscard]] std::uint32_t retries() const noexcept { return retries_; }
 
  private:
-  void append(std::size_t joint) noexcept;
+  void append(const Mask& joints) noexcept;
   void appendProbe() noexcept;
   void chooseLooks() noexcept;
   void lookInTurn() noexcept;
-  void forgive(std::size_t joint) noexcept;
+  void forgive(const Mask& who) noexcept;
   void blame(std::size_t joint) noexcept;
+  void onTrial(std::size_t joint) noexcept;
 
   std::array<Entry, kJoints> list_{};
   std::size_t length_ = 0;
   std::size_t looks_;
+  Mask listed_, looked_at_;  // in the list, with a long window
   Mask silent_, absent_;
   Mask suspects_;                                  // on the chain of a servo that is to blame, and not heard since
   Mask due_;                                       // to be looked at: have missed an answer, or were asked for
+  Mask missed_;                                    // whose misses_ are not 0
+  Mask tried_;                                     // whose on_trial_ is not 0
   std::array<std::uint8_t, kJoints> misses_{};     // in a row, only those the servo is to blame for
   std::array<std::uint16_t, kJoints> on_trial_{};  // cycles it stays at the end after it misbehaved
   std::size_t next_probe_ = 0, next_look_ = 0;

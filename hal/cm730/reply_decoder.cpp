@@ -6,14 +6,17 @@
 namespace darwinop::cm730 {
 namespace {
 
-/// A register's raw value out of a block that starts at `window`.
-std::uint16_t raw(Bytes block, std::uint8_t first, const Register& r) noexcept {
-  const std::size_t at = static_cast<std::size_t>(r.address - first);
-  return r.bytes == 2 ? wordAt(block, at) : block[at];
+/// A register's raw value out of a block that starts at address kFirst and is long enough.
+template <std::uint8_t kFirst, const Register& kRegister>
+std::uint16_t raw(Bytes block) noexcept {
+  constexpr std::size_t kAt = kRegister.address - kFirst;
+  if constexpr (kRegister.bytes == 2) return wordAt(block, kAt);
+  return block[kAt];
 }
 
-double si(Bytes block, std::uint8_t first, const Register& r) noexcept {
-  return (raw(block, first, r) - r.zero) * r.scale;
+template <std::uint8_t kFirst, const Register& kRegister>
+double si(Bytes block) noexcept {
+  return (raw<kFirst, kRegister>(block) - kRegister.zero) * kRegister.scale;
 }
 
 constexpr Register kGyroX = find(kCm730, "gyro_x");
@@ -53,14 +56,14 @@ void ReplyDecoder::begin(std::span<const ReadList::Entry> list, std::uint8_t boa
 
 std::size_t ReplyDecoder::answerBytes() const noexcept {
   std::size_t bytes = board_bytes_ + kFrameOverhead;
-  for (const ReadList::Entry entry : list_) bytes += (entry.look ? kServoLook : kServoWindow).frameBytes();
+  for (const ReadList::Entry entry : list_) bytes += kServoWindows[entry.look].frameBytes();
   return bytes;
 }
 
 std::size_t ReplyDecoder::nextFrameBytes() const noexcept {
   if (!board_answered_) return board_bytes_ + kFrameOverhead;
   if (position_ == list_.size()) return 0;
-  return list_[position_].look ? kServoLook.frameBytes() : kServoWindow.frameBytes();
+  return kServoWindows[list_[position_].look].frameBytes();
 }
 
 void ReplyDecoder::take(const Frame& frame) noexcept {
@@ -81,49 +84,61 @@ void ReplyDecoder::takeBoard(const Frame& frame) noexcept {
   constexpr std::uint8_t kFirst = kBoardWindow.address;
   BoardReading& out = readings_->board;
   out.answered = true;
-  out.gyro = {RadPerSec{si(b, kFirst, kGyroX)}, RadPerSec{si(b, kFirst, kGyroY)}, RadPerSec{si(b, kFirst, kGyroZ)}};
-  out.accelerometer = {MeterPerSec2{si(b, kFirst, kAccelX)}, MeterPerSec2{si(b, kFirst, kAccelY)},
-                       MeterPerSec2{si(b, kFirst, kAccelZ)}};
-  out.buttons = static_cast<std::uint8_t>(raw(b, kFirst, kButtons));
-  out.voltage = Volt{si(b, kFirst, kVoltage)};
-  out.microphone_left = raw(b, kFirst, kMicLeft);
-  out.servo_power = raw(b, kFirst, kPower) != 0;
-  out.led_panel = static_cast<std::uint8_t>(raw(b, kFirst, kPanel));
-  out.led_head = raw(b, kFirst, kHeadLed);
-  out.led_eye = raw(b, kFirst, kEyeLed);
+  out.gyro = {RadPerSec{si<kFirst, kGyroX>(b)}, RadPerSec{si<kFirst, kGyroY>(b)}, RadPerSec{si<kFirst, kGyroZ>(b)}};
+  out.accelerometer = {MeterPerSec2{si<kFirst, kAccelX>(b)}, MeterPerSec2{si<kFirst, kAccelY>(b)},
+                       MeterPerSec2{si<kFirst, kAccelZ>(b)}};
+  out.buttons = static_cast<std::uint8_t>(raw<kFirst, kButtons>(b));
+  out.voltage = Volt{si<kFirst, kVoltage>(b)};
+  out.microphone_left = raw<kFirst, kMicLeft>(b);
+  out.servo_power = raw<kFirst, kPower>(b) != 0;
+  out.led_panel = static_cast<std::uint8_t>(raw<kFirst, kPanel>(b));
+  out.led_head = raw<kFirst, kHeadLed>(b);
+  out.led_eye = raw<kFirst, kEyeLed>(b);
   out.error_bits = frame.code;
 }
 
 void ReplyDecoder::takeServo(const Frame& frame) noexcept {
   std::size_t at = position_;
-  while (at < list_.size() && kJointTable[list_[at].joint].id != frame.id) ++at;
+  while (at < list_.size() && servoId(list_[at].joint) != frame.id) ++at;
   if (!board_answered_ || at == list_.size()) {
     ++late_;
     return;
   }
+  constexpr std::uint8_t kMotion = kServoWindow.address, kLook = kServoLook.address;
   const ReadList::Entry entry = list_[at];
-  const Window window = entry.look ? kServoLook : kServoWindow;
-  const Bytes b = frame.params;
-  if (b.size() != window.count || raw(b, window.address, kPosition) > kTickMax) {
+  if (frame.params.size() != kServoWindows[entry.look].count) {
     ++late_;  // not what was asked for
     return;
   }
+  const Bytes motion = frame.params.subspan(entry.look ? kMotion - kLook : 0);
+  const std::uint16_t position = raw<kMotion, kPosition>(motion);
+  if (position > kTickMax) {
+    ++late_;
+    return;
+  }
+  const auto joint = static_cast<Joint>(entry.joint);
+  const RadPerSec velocity = velocityFromRegister(raw<kMotion, kSpeed>(motion));
+  const double load = loadFromRegister(raw<kMotion, kLoad>(motion));
   position_ = at + 1;
-  answered_.set(entry.joint);
+  answered_[entry.joint] = true;
   ServoReading& out = readings_->servo[entry.joint];
   out.answered = true;
-  out.position = offsets_.jointAngle(static_cast<Joint>(entry.joint), raw(b, window.address, kPosition));
-  out.velocity = velocityFromRegister(raw(b, window.address, kSpeed));
-  out.load = loadFromRegister(raw(b, window.address, kLoad));
+  out.position = offsets_.jointAngle(joint, position);
+  out.velocity = velocity;
+  out.load = load;
   out.error_bits = frame.code;
-  if (!entry.look) return;
+  if (entry.look) takeLook(joint, frame.params, out);
+}
+
+void ReplyDecoder::takeLook(Joint joint, Bytes block, ServoReading& out) const noexcept {
+  constexpr std::uint8_t kFirst = kServoLook.address;
   out.looked = true;
-  out.torque_enabled = raw(b, window.address, kTorqueEnable) != 0;
-  out.speed_limit = RadPerSec{si(b, window.address, kMovingSpeed)};
-  out.goal = offsets_.jointAngle(static_cast<Joint>(entry.joint), raw(b, window.address, kGoal));
-  out.torque_limit = torqueFromRegister(raw(b, window.address, kTorqueLimit));
-  out.voltage = Volt{si(b, window.address, kServoVoltage)};
-  out.temperature = Celsius{si(b, window.address, kTemperature)};
+  out.torque_enabled = raw<kFirst, kTorqueEnable>(block) != 0;
+  out.speed_limit = RadPerSec{si<kFirst, kMovingSpeed>(block)};
+  out.goal = offsets_.jointAngle(joint, raw<kFirst, kGoal>(block));
+  out.torque_limit = torqueFromRegister(raw<kFirst, kTorqueLimit>(block));
+  out.voltage = Volt{si<kFirst, kServoVoltage>(block)};
+  out.temperature = Celsius{si<kFirst, kTemperature>(block)};
 }
 
 }  // namespace darwinop::cm730

@@ -37,6 +37,7 @@ class ReplyDecoder {
  private:
   void takeBoard(const Frame& frame) noexcept;
   void takeServo(const Frame& frame) noexcept;
+  void takeLook(Joint joint, Bytes block, ServoReading& out) const noexcept;
 
   JointOffsets offsets_;
   std::span<const ReadList::Entry> list_;

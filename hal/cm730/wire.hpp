@@ -1,6 +1,7 @@
 // What a byte costs on the bus, and which registers a cycle reads.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -32,6 +33,9 @@ inline constexpr Window kServoWindow{36, 6};  // 36..41
 // One servo a cycle, in turn, is looked at whole: torque enable, gains, goal, limits, motion, voltage,
 // temperature. 14 bytes more: 0.14 ms; twenty servos take 0.32 s at 16 ms.
 inline constexpr Window kServoLook{24, 20};  // 24..43
+
+/// What is read of a servo, by whether it is looked at.
+inline constexpr std::array<Window, 2> kServoWindows{kServoWindow, kServoLook};
 
 static_assert(kServoWindow.address == servo::kPresentPosition);
 static_assert(kServoLook.address + kServoLook.count == servo::kPresentTemperature + 1);

@@ -20,31 +20,48 @@ bench() { awk -v n="$1" -v o="$2" -v p="$3" -v u="$4" \
 
 # --- CPU instructions a cycle: the same on every machine, loaded or not
 
-# instructions KIND SERVOS
+# instructions KIND SERVOS: of one cycle, without those of the far end of the line.
 instructions() {
   local log=$folder/callgrind
-  valgrind --tool=callgrind --collect-atstart=no --callgrind-out-file=/dev/null \
-    "$build/bin/cycle_instructions" "$1" "$2" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
+  valgrind --tool=callgrind --collect-atstart=no --toggle-collect='darwinop::bench::ReplayLine::*' \
+    --callgrind-out-file=/dev/null "$build/bin/cycle_instructions" "$1" "$2" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
   sed -nE 's/.*Collected *: *([0-9]+).*/\1/p' "$log" | awk '{ printf "%d", $1 / 320 }'
 }
 
-# compare_instructions NAME KIND PEER_KIND SERVOS
+# compare_instructions NAME KIND PEER_KIND SERVOS; leaves the figure in $ours.
 compare_instructions() {
-  local ours peer
+  local peer
   ours=$(instructions "$2" "$4")
   peer=$(instructions "$3" "$4")
   bench "$1" "$ours" "$peer" instructions
 }
 
+# within_limit NAME FIGURE LIMIT: fails above the limit, and more than 5 % below it, where a loss would go unnoticed.
+within_limit() {
+  if (($2 > $3)); then
+    echo "$1: $2 instructions, the limit is $3; look for the cause with callgrind_annotate" >&2
+    return 1
+  fi
+  if (($2 * 100 < $3 * 95)); then
+    echo "$1: $2 instructions, more than 5 % below the limit of $3; lower the limit in $0" >&2
+    return 1
+  fi
+}
+
 # Peer: a plain wrapper that does the same traffic without safety, ages, statistics or a second thread.
+# The limits hold for preset bench on amd64, with g++ 12.
 cycle_instructions() {
-  local n
-  for n in 5 10 20; do compare_instructions "cycle_instructions_$n" loop plain $n; done
+  local n ours limit=([5]=13200 [10]=15600 [20]=20000) kept=0
+  for n in 5 10 20; do
+    compare_instructions "cycle_instructions_$n" loop plain $n
+    within_limit "cycle_instructions_$n" "$ours" "${limit[n]}" || kept=1
+  done
+  return $kept
 }
 
 # Peer: the packet handling of that wrapper. 30 servos: as many as fit with goals alone.
 codec_instructions() {
-  local n
+  local n ours
   for n in 5 10 20 30; do compare_instructions "codec_instructions_$n" codec plain-goals $n; done
 }
 

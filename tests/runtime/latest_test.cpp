@@ -22,6 +22,8 @@ struct LatestForTests {
     for (std::size_t i = 0; i < words; ++i) slot.words[i].store(rubbish);
   }
   template <class T>
+  static constexpr std::size_t kWords = Latest<T>::kWords;
+  template <class T>
   static void setCount(Latest<T>& latest, std::uint32_t count) {
     latest.newest_.store(count);
   }
@@ -112,7 +114,8 @@ TEST(Latest, NeverGivesATornValueEvenWhenEveryPublishHitsTheSlotThatIsRead) {
 }
 
 TEST(Latest, KeepsTheOldValueWhenTheWriterDiesHalfWayAndLetsTheNextWriterCarryOn) {
-  for (const std::size_t words : {0u, 1u, 50u, 103u}) {
+  constexpr std::size_t kAll = LatestForTests::kWords<Payload>;
+  for (const std::size_t words : {std::size_t{0}, std::size_t{1}, kAll / 2, kAll - 1}) {
     Latest<Payload> latest;
     Payload seen;
     LatestForTests::dieWhilePublishing(latest, 0xDEADBEEF, words);
