@@ -1,4 +1,4 @@
-// darwinop: runs darwinop-NOUN that lies beside it, as git does it, and lists what there is.
+// darwinop: runs darwinop-NOUN from its own folder, and lists the available commands.
 #include <unistd.h>
 
 #include <cerrno>
@@ -18,22 +18,22 @@ struct Noun {
 };
 
 constexpr Noun kNouns[] = {
-    {"run", "run a controller on a robot and report how the loop fared"},
-    {"runtime", "the daemon: the 16 ms loop in a process of its own; also --status, --release"},
-    {"monitor", "lets onlookers see the robot: sensors, loop, faults, camera; over WebSockets, read only"},
-    {"remote", "remote control over TCP: a simulator's remote-control mode drives the robot"},
-    {"window", "the robot in a browser: how it stands, curves, loop, faults; without a robot, too"},
-    {"experiment", "run, list and plot experiments: files that say what moves, how, and what is recorded"},
-    {"motion", "look at motion pages, check, convert, play and draw them"},
-    {"virtual-robot", "a CM-730 with 20 MX-28 on a pty, for work without a robot"},
-    {"virtual-camera", "a camera like the robot's for one program, which needs no driver and no rights"},
-    {"twin", "the physics twin: watch it, film it, list its models and effects"},
-    {"demo", "the twin gets up, walks, turns and stops: a film, or a window"},
-    {"gap", "find where simulation and measurement disagree, name what is missing, add it to the model"},
+    {"run", "run a controller on a robot and report loop statistics"},
+    {"runtime", "the daemon: runs the 16 ms loop; also --status, --release"},
+    {"monitor", "publish sensors, loop, faults and camera over WebSockets, read-only"},
+    {"remote", "remote control over TCP, for a simulator's remote-control mode"},
+    {"window", "show a real or simulated robot in a browser: pose, curves, loop, faults"},
+    {"experiment", "run, list and plot experiments"},
+    {"motion", "list, check, convert, play and plot motion pages"},
+    {"virtual-robot", "simulate a CM-730 with 20 MX-28 on a pty"},
+    {"virtual-camera", "simulate the robot's camera for one program, without a driver"},
+    {"twin", "the physics twin: view, record, list models and effects"},
+    {"demo", "the twin stands up, walks, turns and stops, in a film or a window"},
+    {"gap", "compare model and logs, identify missing effects, extend the model"},
     {"supervisor", "parent of runtime and default controller on a robot; also --status, --stop-controller"},
-    {"sound", "plays and speaks for controllers, which start it by themselves"},
+    {"sound", "sound and speech for controllers, which start it automatically"},
     {"install", "install on a robot over ssh, send controllers; also --status, --rollback, --uninstall"},
-    {"doctor", "check port, servos and real-time rights, and say how to mend what is wrong"},
+    {"doctor", "check port, servos and real-time permissions, with a fix for each finding"},
 };
 
 fs::path home() {
@@ -58,7 +58,7 @@ void printHelp(std::ostream& out) {
     if (nouns.erase(std::string{noun.name}) != 0)
       out << "  " << noun.name << std::string(15 - noun.name.size(), ' ') << noun.what << '\n';
   for (const std::string& other : nouns) out << "  " << other << '\n';
-  out << "\n'darwinop NOUN --help' tells more and shows an example. 'darwinop --version' tells the version.\n";
+  out << "\n'darwinop NOUN --help' shows options and an example. 'darwinop --version' prints the version.\n";
 }
 
 }  // namespace
@@ -73,12 +73,12 @@ int main(int count, char** arguments) {
     printHelp(std::cout);
     return count > 1 ? 0 : 2;
   }
-  const bool asks_help = noun == "help";
-  const std::string wanted = asks_help ? arguments[2] : noun;
+  const bool is_help = noun == "help";
+  const std::string wanted = is_help ? arguments[2] : noun;
   const std::string program = home() / ("darwinop-" + wanted);
   std::string help = "--help", name = program;
   std::vector<char*> passed{name.data()};
-  if (asks_help)
+  if (is_help)
     passed.push_back(help.data());
   else
     passed.insert(passed.end(), arguments + 2, arguments + count);

@@ -1,4 +1,4 @@
-// darwinop-demo: what the robot can do, on the physics twin, without a controller to build: walk.
+// darwinop-demo: demonstrations on the physics twin without a controller: walk.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -11,25 +11,25 @@ namespace {
 
 namespace twin = darwinop::twin;
 
-constexpr int kWrong = 2;  // exit status: a mistake in the arguments, or what makes them impossible
+constexpr int kWrong = 2;  // exit status: invalid or unusable arguments
 
 int run(int argc, char** argv) {
-  CLI::App app{"What the robot can do, shown on the physics twin.", "darwinop demo"};
+  CLI::App app{"Demonstrations on the physics twin.", "darwinop demo"};
   twin::ShowOptions show;
   show.width = 640;
   show.height = 480;
   show.record = "walk.mp4";
   bool window = false;
-  CLI::App& walk = *app.add_subcommand("walk", "gets up, walks, turns a quarter round, stops: a film, or a window");
+  CLI::App& walk = *app.add_subcommand("walk", "stand up, walk, turn by 90 degrees and stop, in a film or a window");
   walk.description(
-      "The twin gets up from its start pose, walks for 12 s, turns by 90 degrees and stops, and how far it got is "
-      "printed. In simulated time: the film is made as fast as pictures can be drawn.");
-  walk.add_option("--record", show.record, "The film.mp4 (by ffmpeg), or a folder for PNG pictures; needs no display")
+      "The twin stands up from its start pose, walks for 12 s, turns by 90 degrees and stops; the distance is "
+      "printed. Runs in simulated time, as fast as pictures can be rendered.");
+  walk.add_option("--record", show.record, "film.mp4 (uses ffmpeg), or a folder for PNG pictures; no display needed")
       ->capture_default_str();
-  walk.add_flag("--view", window, "A window instead of a film, in real time");
-  walk.add_option("--seconds", show.seconds, "End after so many seconds of the robot's clock")
+  walk.add_flag("--view", window, "Show a window in real time instead of a film");
+  walk.add_option("--seconds", show.seconds, "Duration in seconds of simulated time")
       ->check(CLI::Range(0.1, 1e6));
-  walk.add_option("--fps", show.per_second, "Pictures a second of the film")
+  walk.add_option("--fps", show.per_second, "Pictures per second of the film")
       ->capture_default_str()
       ->check(CLI::Range(1, 120));
   describeLook(walk, show);

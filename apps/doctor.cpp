@@ -1,4 +1,4 @@
-// darwinop-doctor: looks at computer, port, board and servos, and says what mends what is wrong.
+// darwinop-doctor: checks computer, port, board and servos, with a fix for each finding.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
@@ -19,17 +19,17 @@ using namespace darwinop;
 using cm730::Finding;
 using cm730::Findings;
 
-constexpr int kLoopPriority = 80;  // as the loop's thread asks for
+constexpr int kLoopPriority = 80;  // same as the loop's thread
 
 constexpr const char* kExample =
     "Examples:\n"
     "  darwinop doctor                        DARWINOP_ROBOT, else robot.ini's port, else the first USB one\n"
     "  darwinop doctor --robot /dev/ttyUSB1\n"
-    "  darwinop doctor --fix                  also sets return delay 0 and status level 2 where they differ\n"
-    "Nothing moves: torque stays as it is. Servo power is switched on if it is off.\n"
+    "  darwinop doctor --fix                  also corrects return delays and status levels\n"
+    "Nothing moves; torque is not changed. Servo power is switched on if it is off.\n"
     "Exit code: 0 the robot can be driven (warnings allowed), 1 it cannot.";
 
-/// Tells the user at once, keeps count for the end.
+/// Prints findings at once and counts them.
 class Report {
  public:
   void heading(const char* title) { std::printf("%s\n", title); }
@@ -42,7 +42,7 @@ class Report {
   }
   int finish() {
     const bool drivable = count_[2] == 0;
-    std::printf("%d ok, %d to look at, %d to mend: the robot %s be driven\n", count_[0], count_[1], count_[2],
+    std::printf("%d ok, %d warnings, %d errors: the robot %s be driven\n", count_[0], count_[1], count_[2],
                 drivable ? "can" : "cannot");
     return drivable ? 0 : 1;
   }
@@ -51,7 +51,7 @@ class Report {
   int count_[3] = {0, 0, 0};
 };
 
-/// The robot that the file describes; a stock one, and an error in the report, when the file cannot be used.
+/// The robot described by robot.ini; a stock robot and an error finding if the file is invalid.
 connect::RobotFile readRobotFile(Report& report) {
   try {
     connect::RobotFile robot = connect::readRobotFile();
@@ -59,7 +59,7 @@ connect::RobotFile readRobotFile(Report& report) {
     return robot;
   } catch (const std::exception& wrong) {
     report.add({Finding::of(cm730::Kind::kRobotFile, wrong.what(),
-                            "correct the file (docs/robot-file.md); nothing of it is used here")});
+                            "correct the file (docs/robot-file.md); the file is ignored here")});
     return {};
   }
 }
@@ -98,7 +98,7 @@ int examine(const std::string& asked, bool fix) {
 }  // namespace
 
 int main(int argc, char** argv) try {
-  CLI::App app{"Checks computer, port, board and servos; one line each, with what mends it."};
+  CLI::App app{"Checks computer, port, board and servos; one line each, with a fix."};
   app.footer(kExample);
   std::string robot;
   bool fix = false;

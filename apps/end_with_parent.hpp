@@ -1,4 +1,4 @@
-// For what is started by a shell on the robot: it ends when that shell does, even by kill -9.
+// For programs started by a shell on the robot: end with that shell, even after kill -9.
 #pragma once
 
 #include <signal.h>
@@ -7,8 +7,7 @@
 
 namespace darwinop {
 
-/// SIGTERM comes when `parent` ends, which getppid() named at the start. False: it has ended already. Only after
-/// leaveRoot(): the kernel forgets it when a process changes its user.
+/// Requests SIGTERM at the end of `parent`, which getppid() returned at the start. Returns false if it has already ended. Call after leaveRoot(): the kernel clears the setting when a process changes its user.
 inline bool endWithParent(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
   return getppid() == parent;

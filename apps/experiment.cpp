@@ -56,7 +56,7 @@ int list() {
       std::cerr << "darwinop experiment: " << wrong.what() << '\n';
       status = kWrong;
     }
-  if (files.empty()) throw std::runtime_error("there are no experiments in " + batteryFolders().back());
+  if (files.empty()) throw std::runtime_error("no experiments found in " + batteryFolders().back());
   return status;
 }
 
@@ -66,7 +66,7 @@ int show(const std::string& name) {
   return kDone;
 }
 
-/// What this robot allows: its own file may narrow the joints' ranges.
+/// Joint ranges of this robot; robot.ini may narrow them.
 Ranges rangesOf(const darwinop::connect::Setting& robot) {
   if (robot.kind != darwinop::connect::Kind::kSerial) return darwinop::safety::hardRanges();
   return darwinop::connect::safetyOn(darwinop::connect::readRobotFile(), {}, "config.ini").range;
@@ -89,31 +89,31 @@ void setIfGiven(const char* name, const std::string& value) {
   if (!value.empty()) setenv(name, value.c_str(), 1);
 }
 
-/// On the robot that the environment now says; the robot is at rest and the recording complete when this returns.
+/// On the robot selected by the environment; on return the robot is at rest and the recording complete.
 Outcome drive(const Experiment& experiment, const Plan& plan) {
   webots::Robot robot;
   const std::atomic<bool>& stop = installGentleStop();
   Progress progress{plan.seconds()};
-  const auto tell = [&](const std::string& phase, double seconds) { progress.tell(phase, seconds); };
-  return Runner{robot, experiment, stop, tell}.run();
+  const auto report = [&](const std::string& phase, double seconds) { progress.update(phase, seconds); };
+  return Runner{robot, experiment, stop, report}.run();
 }
 
-int tellEnd(Outcome outcome, const std::string& record) {
+int reportEnd(Outcome outcome, const std::string& record) {
   if (!record.empty()) std::cout << "recorded: " << record << std::endl;
   switch (outcome) {
     case Outcome::kStopped:
-      std::cerr << "stopped when asked to; the recording holds what was done until then\n";
+      std::cerr << "stopped on request; the recording contains the data until then\n";
       return kStopped;
     case Outcome::kEnded:
-      std::cerr << "the robot ended the experiment, as said above\n";
+      std::cerr << "the experiment was ended by the robot, see above\n";
       return kEnded;
     case Outcome::kFell:
-      std::cerr << "the robot fell on its way to the first pose: nothing was measured. Set it upright on level floor, "
+      std::cerr << "the robot fell before the first pose; nothing was measured. Set it upright on level floor, "
                    "in its start pose, and try again\n";
       return kEnded;
     case Outcome::kFellIn:
-      std::cerr << "the robot fell where it should not: the experiment ended there, and what the recording holds from "
-                   "the fall on means nothing\n";
+      std::cerr << "unexpected fall: the experiment was ended, and the recording is invalid from "
+                   "the fall on\n";
       return kEnded;
     default:
       return kDone;
@@ -127,13 +127,14 @@ int run(Arguments a) {
   const Plan plan = makePlan(experiment, rangesOf(robot));
   std::cout << planText(experiment, plan) << std::endl;
   if (!a.yes && mayBeHardware(a.robot)) {
-    std::cerr << "darwinop experiment: this would move a real robot, as shown above. If nothing is in its way and "
-                 "somebody holds it, say so with --yes\n";
+    std::cerr << "darwinop experiment: this moves a real robot, as shown above. Make sure that nothing is in its way "
+                 "and that "
+                 "a person holds it, then add --yes\n";
     return kNeedsYes;
   }
   if (darwinop::connect::loopIsElsewhere(robot) && !a.no_record)
     throw std::runtime_error(
-        "the loop of this robot runs in its daemon, which makes recordings by itself: start that with darwinop runtime "
+        "the loop of this robot runs in the daemon, which writes recordings itself: start it with darwinop runtime "
         "--record FILE, and run the experiment with --no-record");
   if (a.record.empty() && !a.no_record) a.record = logName(experiment, a.robot);
   setIfGiven("DARWINOP_ROBOT", a.robot);
@@ -141,50 +142,51 @@ int run(Arguments a) {
   unsetenv("DARWINOP_RECORD");
   setIfGiven("DARWINOP_RECORD", a.record);
   setIfGiven("DARWINOP_RECORD_NOTES", recordNotes(experiment));
-  setenv("DARWINOP_KEEP_CWD", "1", 1);  // names of files are the user's
-  return tellEnd(drive(experiment, plan), a.record);
+  setenv("DARWINOP_KEEP_CWD", "1", 1);  // file names are relative to the user's folder
+  return reportEnd(drive(experiment, plan), a.record);
 }
 
 void describeRun(CLI::App& app, Arguments& a) {
-  app.add_option("EXPERIMENT", a.experiment, "name of a delivered one, or a file: ./mine.ini")->required();
-  app.add_option("--robot", a.robot,
-                 "which robot; unset: DARWINOP_ROBOT, or else what is there:\n" + darwinop::connect::settingChoices());
-  app.add_option("--record", a.record, "the recording; unset: NAME-DATE-ROBOT.csv in this folder");
-  app.add_flag("--no-record", a.no_record, "make no recording")->excludes("--record");
+  app.add_option("EXPERIMENT", a.experiment, "name of an included experiment, or a file: ./mine.ini")->required();
+  app.add_option(
+      "--robot", a.robot,
+      "robot; default: DARWINOP_ROBOT, or else the first one found:\n" + darwinop::connect::settingChoices());
+  app.add_option("--record", a.record, "recording; default: NAME-DATE-ROBOT.csv in this folder");
+  app.add_flag("--no-record", a.no_record, "do not record")->excludes("--record");
   app.add_option("--period", a.period_ms, "period of the loop in ms, 16 or 8")->check(CLI::Range(1, 1000));
-  app.add_flag("--yes", a.yes, "move a real robot, too");
-  app.footer("Exit status: 0 done, 1 ended by the robot, 2 a mistake in file or arguments, 3 needs --yes, 130 Ctrl-C");
+  app.add_flag("--yes", a.yes, "permit moving a real robot");
+  app.footer("Exit status: 0 done, 1 ended by the robot, 2 invalid file or arguments, 3 needs --yes, 130 Ctrl-C");
 }
 
 #ifdef DARWINOP_CAN_PLOT
 void describePlot(CLI::App& app, darwinop::plot::PlotOptions& options) {
-  app.add_option("LOG", options.logs, "recordings, laid over each other")->required()->check(CLI::ExistingFile);
-  app.add_option("-o,--output", options.output, "name of picture and page, without ending; unset: the first log's");
-  app.add_option("--columns", options.columns, "columns to draw, * for any text, ? for one letter")->delimiter(',');
-  app.add_option("--x", options.x, "column of the horizontal axis; unset: time");
+  app.add_option("LOG", options.logs, "recordings to overlay")->required()->check(CLI::ExistingFile);
+  app.add_option("-o,--output", options.output, "output name without extension; default: the first log's name");
+  app.add_option("--columns", options.columns, "columns to plot, with wildcards * and ?")->delimiter(',');
+  app.add_option("--x", options.x, "column for the x axis; default: time");
 }
 #endif
 
 int command(int count, char** arguments) {
   CLI::App app{
-      "Experiments: one file says what moves, how, and what is recorded. It runs on the twin, on a virtual "
+      "Runs experiment files (motion and recording) on the twin, on a virtual "
       "robot and on a robot. docs/experiments.md",
       "darwinop experiment"};
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.require_subcommand(1);
   app.footer("Example:\n  darwinop experiment run speed --robot virtual");
   Arguments a;
-  CLI::App& lists = *app.add_subcommand("list", "the delivered experiments: what moves, how far, how long");
-  CLI::App& shows = *app.add_subcommand("show", "what an experiment does, step by step; nothing moves");
+  CLI::App& lists = *app.add_subcommand("list", "list the included experiments: joints, amplitudes, durations");
+  CLI::App& shows = *app.add_subcommand("show", "show the steps of an experiment without moving");
   shows.add_option("EXPERIMENT", a.experiment, "name or file")->required();
-  CLI::App& runs = *app.add_subcommand("run", "show it, check it, run it");
+  CLI::App& runs = *app.add_subcommand("run", "show, check and run an experiment");
   describeRun(runs, a);
 #ifdef DARWINOP_CAN_PLOT
   darwinop::plot::PlotOptions options;
-  CLI::App& plots = *app.add_subcommand("plot", "the curves of one or several recordings as PNG and HTML");
+  CLI::App& plots = *app.add_subcommand("plot", "plot recordings as PNG and HTML");
   describePlot(plots, options);
 #else
-  CLI::App& plots = *app.add_subcommand("plot", "the curves of recordings; on a PC only")->allow_extras();
+  CLI::App& plots = *app.add_subcommand("plot", "plot recordings; on a PC only")->allow_extras();
 #endif
   try {
     app.parse(count, arguments);
@@ -198,7 +200,7 @@ int command(int count, char** arguments) {
 #else
   if (plots.parsed())
     throw std::runtime_error(
-        "plots are drawn on a PC, not on a robot: copy the recording there and run darwinop experiment plot FILE");
+        "plotting is available on a PC only: copy the recording there and run darwinop experiment plot FILE");
 #endif
   return run(a);
 }

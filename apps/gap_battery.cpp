@@ -1,4 +1,4 @@
-// Many cases: made, run blind, scored.
+// Suites of cases: generate, run without key, score.
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string barOf(std::size_t done, std::size_t of, double elapsed_s) {
          " left";
 }
 
-/// Lines that stay, and under them, on a terminal, a bar that is written over.
+/// Permanent lines and, on a terminal, a progress bar below them.
 void show(const std::string& line, const std::string& bar) {
   static const bool terminal = isatty(STDERR_FILENO) == 1;
   std::string text = terminal ? "\r\033[K" : "";
@@ -44,8 +44,8 @@ Part partCalled(const std::string& word) {
   constexpr std::array<std::string_view, 6> kWords{"quick", "singles", "effect-free", "pairs", "outside", "all"};
   const auto found = std::find(kWords.begin(), kWords.end(), word);
   if (found == kWords.end())
-    throw std::runtime_error("there is no part '" + word +
-                             "'; there are quick, singles, effect-free, pairs, outside, all");
+    throw std::runtime_error("unknown part '" + word +
+                             "'; expected quick, singles, effect-free, pairs, outside or all");
   return static_cast<Part>(found - kWords.begin());
 }
 
@@ -53,7 +53,7 @@ Part partCalled(const std::string& word) {
 
 int runBattery(const Arguments& given) {
   if (given.resume && given.out.empty())
-    throw std::runtime_error("--resume goes on with a file of results; name it with --out");
+    throw std::runtime_error("--resume requires a results file; specify it with --out");
   Battery battery;
   battery.folder = given.folder;
   battery.out = given.out;
@@ -62,7 +62,7 @@ int runBattery(const Arguments& given) {
   const unsigned threads = given.threads == 0 ? Ranks::cores() : given.threads;
   setThreads(std::max(1U, threads / static_cast<unsigned>(battery.jobs)));
   battery.begun = [](std::size_t kept) {
-    show(kept == 0 ? "" : std::to_string(kept) + " cases have their answer from before", "");
+    show(kept == 0 ? "" : std::to_string(kept) + " cases already have a result", "");
   };
   battery.tell = [](const BatteryProgress& progress) {
     show(lineOf(progress.answer), barOf(progress.done, progress.of, progress.elapsed_s));
@@ -71,9 +71,9 @@ int runBattery(const Arguments& given) {
   if (!Ranks::isFirst()) return 0;
   if (given.out.empty()) std::cout << textOf(answers) << '\n';
   const std::size_t errors = errorsIn(answers);
-  show(std::to_string(answers.size()) + " cases" + (given.out.empty() ? "" : ", answers in " + given.out), "");
+  show(std::to_string(answers.size()) + " cases" + (given.out.empty() ? "" : ", results in " + given.out), "");
   if (errors == 0) return 0;
-  show(std::to_string(errors) + " of them could not be answered by a fault of this program; `why` in the results", "");
+  show(std::to_string(errors) + " of them failed by a program error; see `why` in the results", "");
   return 1;
 }
 
@@ -82,7 +82,7 @@ int writeBattery(const Arguments& given) {
   if (given.cases > 0) requests.resize(std::min<std::size_t>(given.cases, requests.size()));
   std::cerr << "darwinop gap: seed " << given.seed << ", " << requests.size() << " cases\n";
   makeCases(given.out, requests, [](std::size_t done, std::size_t of) {
-    show(done == of || done % 20 == 0 ? std::to_string(done) + " of " + std::to_string(of) + " cases are made" : "",
+    show(done == of || done % 20 == 0 ? std::to_string(done) + " of " + std::to_string(of) + " cases generated" : "",
          "");
   });
   return 0;
@@ -93,8 +93,8 @@ int scoreResults(const Arguments& given) {
   std::cout << (given.json ? asJson(score).dump(1) + "\n" : asText(score));
   if (!isBelow(score, given.at_least)) return 0;
   show(std::to_string(score.fair.right) + " of " + std::to_string(score.fair.of) +
-           " cases lead nobody astray: too few for a finder of which that is true in " +
-           std::to_string(std::lround(100 * given.at_least)) + " of 100",
+           " cases are answered fairly: too few for a fair-answer rate of " +
+           std::to_string(std::lround(100 * given.at_least)) + " %",
        "");
   return 1;
 }

@@ -1,4 +1,4 @@
-// Recordings of the robot as a case.
+// Makes a case from recordings of the robot.
 #include <algorithm>
 #include <iostream>
 #include <stdexcept>
@@ -12,7 +12,7 @@ namespace {
 Joint jointCalled(const std::string& name) {
   const auto row = std::ranges::find(kJointTable, name, &JointRow::name);
   if (row == kJointTable.end())
-    throw std::runtime_error("there is no joint '" + name + "'; docs/logs.md has their names, such as ShoulderR");
+    throw std::runtime_error("unknown joint '" + name + "'; see docs/logs.md for the names, for example ShoulderR");
   return static_cast<Joint>(row - kJointTable.begin());
 }
 
@@ -25,7 +25,7 @@ int makeCase(const Arguments& given) {
   request.recordings = given.recordings;
   request.kept = given.kept;
   for (const std::string& sentence : writeJointCase(request, given.out)) std::cout << sentence << '\n';
-  std::cerr << "darwinop gap: " << given.out << " is the case; darwinop gap run " << given.out << " looks into it\n";
+  std::cerr << "darwinop gap: " << given.out << ": case created; analyse it with: darwinop gap run " << given.out << "\n";
   return 0;
 }
 

@@ -1,6 +1,8 @@
 #include "gap_commands.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -23,10 +25,10 @@ void write(const std::string& path, const std::string& text) {
   std::ofstream file{path};
   file << text;
   file.close();
-  if (!file) throw std::runtime_error(path + ": cannot be written; is there room, and may you write there?");
+  if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
 }
 
-/// "coulomb", "coulomb:2", "stribeck.friction=0.05"; several of the last kind for one effect belong together.
+/// "coulomb", "coulomb:2", "stribeck.friction=0.05"; repeated parameters of one effect are combined.
 void addTo(std::vector<HiddenEffect>& effects, const std::string& text) {
   const std::size_t end = text.find_first_of(".:");
   const std::string id = text.substr(0, end);
@@ -43,7 +45,7 @@ void addTo(std::vector<HiddenEffect>& effects, const std::string& text) {
       throw std::invalid_argument(text);
   } catch (const std::logic_error&) {
     throw std::runtime_error("'" + text +
-                             "' says no effect to hide; write ID, ID:SEVERITY or ID.PARAMETER=VALUE, as in " +
+                             "' is not an effect; expected ID, ID:SEVERITY or ID.PARAMETER=VALUE, for example " +
                              "coulomb.friction=0.05");
   }
 }
@@ -57,7 +59,7 @@ int check(const Arguments& given) {
 
 int where(const Arguments& given) {
   const Case read = readGiven(given);
-  tellWarnings(read);
+  printWarnings(read);
   const Where found = locate(read, evidenceOf(read, baselineOf(read)));
   std::cout << (given.json ? asJson(found).dump(1) + "\n" : asText(found));
   return 0;
@@ -71,17 +73,17 @@ int hideEffects(const Arguments& given) {
   for (const Baseline baseline : {Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed, Baseline::kFine})
     if (nameOf(baseline) == given.baseline) request.baseline = baseline;
   if (nameOf(request.baseline) != given.baseline)
-    throw std::runtime_error("there is no baseline '" + given.baseline + "'; there are V0, CV, W and F");
+    throw std::runtime_error("unknown baseline '" + given.baseline + "'; expected V0, CV, W or F");
   for (const std::string& effect : given.effects) addTo(request.effects, effect);
   hide(request, given.out);
-  std::cerr << "darwinop gap: " << (fs::path{given.out} / "cases" / request.name).string() << " is the case, "
-            << (fs::path{given.out} / "key.json").string() << " says what is in it\n";
+  std::cerr << "darwinop gap: " << (fs::path{given.out} / "cases" / request.name).string() << ": case, "
+            << (fs::path{given.out} / "key.json").string() << ": its effects\n";
   return 0;
 }
 
 int writeFor(const Arguments& given) {
   const std::optional<Target> target = targetFrom(given.target);
-  if (!target) throw std::runtime_error("there is no target '" + given.target + "'; there are webots, mujoco and urdf");
+  if (!target) throw std::runtime_error("unknown target '" + given.target + "'; expected webots, mujoco or urdf");
   const Case read = readGiven(given);
   const ExportSettings settings = settingsFor(read);
   const Export made = exportTo(*target, baselineOf(read), settings);

@@ -1,4 +1,4 @@
-// darwinop gap plan: the next experiment.
+// darwinop gap plan: the most informative next experiment.
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -29,20 +29,20 @@ std::vector<std::string> partsOf(const std::string& list) {
 int planNext(const Arguments& given) {
   const Case read = readCase(given.folder);
   const Stand stand = standOf(experiments::jointNamed(given.joint), given.hangs_at_rad);
-  const Tell tell = [&](const std::string& what) {
+  const Tell progress = [&](const std::string& what) {
     if (!given.json) std::cerr << "darwinop gap: " << what << '\n';
   };
   Question question;
   if (given.against.empty()) {
     NameOptions options;
-    options.tell = tell;
+    options.tell = progress;
     const Naming naming = nameEffects(read, options);
-    tell("verdict: " + std::string{nameOf(naming.verdict)});
-    question = questionAfter(read, naming, tell);
+    progress("verdict: " + std::string{nameOf(naming.verdict)});
+    question = questionAfter(read, naming, progress);
   } else {
-    question = questionBetween(read, partsOf(given.against), tell);
+    question = questionBetween(read, partsOf(given.against), progress);
   }
-  tell("simulating the experiments");
+  progress("simulating the experiments");
   const NextExperiments next = nextExperiments(read, stand, std::move(question), candidatesFor(read, stand));
   std::vector<std::string> paths;
   if (!given.write.empty()) paths = writeBest(next, given.write);

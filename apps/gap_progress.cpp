@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kBar = 24, kWidth = 96;  // columns
 
-/// Of "2 of 3: …": a third is done.
+/// Progress bar of "2 of 3: …": one third.
 std::string barFor(const std::string& what) {
   int step = 0, of = 0;
   if (std::sscanf(what.c_str(), "%d of %d:", &step, &of) != 2 || of < 1) return "";
@@ -33,7 +33,7 @@ ProgressLine::~ProgressLine() {
   end();
 }
 
-void ProgressLine::tell(const std::string& what) {
+void ProgressLine::show(const std::string& what) {
   if (quiet_) return;
   const std::lock_guard lock{mutex_};
   what_ = what;

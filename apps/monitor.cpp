@@ -1,4 +1,4 @@
-// darwinop-monitor: lets onlookers see the robot, read only.
+// darwinop-monitor: read-only WebSocket server for sensors, loop, faults and camera.
 #include "monitor/monitor.hpp"
 
 #include <unistd.h>
@@ -37,7 +37,7 @@ void sayMonitor(const std::string& line) {
   std::cerr << "darwinop monitor: " << line << std::endl;
 }
 
-/// The window of a driver is opened anew with each of them, and looked at by one thread at a time.
+/// The shared picture file is reopened for each driver, and read by one thread at a time.
 void sayMonitorOnce(const std::string& line) {
   static std::set<std::string> said;
   if (said.insert(line).second) sayMonitor(line);
@@ -53,10 +53,10 @@ web::ServerConfig webConfig(const MonitorArguments& given) {
   if (net::isLoopback(config.address)) return config;
   if (given.allow.empty())
     throw std::runtime_error("--listen " + given.listen +
-                             " shows the robot to a network: say who may look, such as --allow 192.168.123.0/24");
+                             " opens the monitor to a network: specify the allowed networks, for example --allow 192.168.123.0/24");
   sayMonitor(
-      "the channel knows no password: whoever has an address that is allowed here sees what the robot senses, and what "
-      "its camera sees. On a network that is not yours alone, listen on loopback and come by ssh");
+      "the connection has no password: every allowed address can read the robot's sensors and "
+      "camera. In a shared network, listen on loopback and connect through ssh");
   return config;
 }
 
@@ -88,20 +88,20 @@ int serveOnlookers(const MonitorArguments& given) {
 
 int main(int count, char** arguments) try {
   MonitorArguments given;
-  CLI::App app{"Lets any number of onlookers see the robot: sensors, loop, faults, camera. It never drives.",
+  CLI::App app{"Publishes sensors, loop, faults and camera to any number of observers. It never drives.",
                "darwinop monitor"};
-  app.add_option("--listen", given.listen, "address of this computer to listen on; 0.0.0.0: all of them")
+  app.add_option("--listen", given.listen, "local address to listen on; 0.0.0.0: all")
       ->capture_default_str();
-  app.add_option("--allow", given.allow, "network that may look on beside this computer, may be repeated")
+  app.add_option("--allow", given.allow, "network with access in addition to this computer; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--port", given.port, "TCP port; 0: any that is free")->capture_default_str();
+  app.add_option("--port", given.port, "TCP port; 0: any free port")->capture_default_str();
   app.add_flag("--end-with-parent", given.ends_with_parent,
-               "end when the program that started this one does, even by kill -9");
-  app.add_option("--origin", given.origins, "page that may look on, as browsers write it: http://127.0.0.1:8080")
+               "end together with the parent process, even after kill -9");
+  app.add_option("--origin", given.origins, "allowed web origin, for example http://127.0.0.1:8080")
       ->allow_extra_args(false);
-  app.add_option("--host", given.hosts, "name by which this computer may be called, beside its numbers and localhost")
+  app.add_option("--host", given.hosts, "allowed host name in addition to addresses and localhost")
       ->allow_extra_args(false);
-  app.add_option("--name", given.name, "name of the runtime, when several run")->envname("DARWINOP_RUNTIME_NAME");
+  app.add_option("--name", given.name, "name of the runtime, if there are several")->envname("DARWINOP_RUNTIME_NAME");
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
       "Example, beside a running runtime:\n  darwinop monitor\n"

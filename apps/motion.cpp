@@ -1,4 +1,4 @@
-// darwinop-motion: motion pages as a person handles them: list, show, check, convert, mirror, new, play, plot.
+// darwinop-motion: list, show, check, convert, mirror, create, play and plot motion pages.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
@@ -24,11 +24,10 @@ namespace {
 using namespace darwinop;
 using namespace darwinop::motion;
 
-constexpr int kFound = 1;                 // exit status: check found something
-constexpr int kWrong = 2;                 // a mistake in the arguments, or a file that cannot be used
-constexpr std::uint8_t kFirstTime = 125;  // 1 s, slow enough for any way to the start pose
-constexpr const char* kFileHelp =
-    "motion file, binary or text; what it is, is seen from what is in it; 'own': the pages of the runtime itself";
+constexpr int kFound = 1;                 // exit status: 'check' has findings
+constexpr int kWrong = 2;                 // invalid arguments or unusable file
+constexpr std::uint8_t kFirstTime = 125;  // 1 s, slow enough from any pose
+constexpr const char* kFileHelp = "motion file, binary or text (detected); 'own': the built-in pages";
 
 struct Arguments {
   std::string file, to_file, out, name;
@@ -63,7 +62,7 @@ int show(const Arguments& a) {
   return 0;
 }
 
-/// What is wrong with the file as such goes into `findings`; the pages are those that could be read.
+/// Errors of the file are added to `findings`; returns the readable pages.
 PageFile readForCheck(const std::string& path, std::vector<std::string>& findings) {
   if (path == kOwn) return ownPages();
   const std::vector<std::uint8_t> bytes = readBytes(path);
@@ -87,7 +86,7 @@ int check(const Arguments& a) {
   for (const std::string& finding : findings) std::cout << finding << '\n';
   if (!findings.empty()) return kFound;
   const auto used = std::ranges::count_if(pages, [](const Page& page) { return page.canPlay(); });
-  std::cout << a.file << ": " << used << (used == 1 ? " page" : " pages") << " to play, nothing wrong\n";
+  std::cout << a.file << ": " << used << (used == 1 ? " page" : " pages") << " to play, no findings\n";
   return 0;
 }
 
@@ -109,8 +108,7 @@ int mirror(const Arguments& a) {
 }
 
 int begin(const Arguments& a) {
-  if (std::filesystem::exists(a.out))
-    throw std::runtime_error(a.out + ": it is there already, and is left alone; choose another name");
+  if (std::filesystem::exists(a.out)) throw std::runtime_error(a.out + "already exists; choose another name");
   PageSection section{numberOf(a.page)};
   section.set("name", '"' + a.name + '"');
   Page page = section.finish();
@@ -121,26 +119,26 @@ int begin(const Arguments& a) {
       "# One row a joint, in degrees; one column a step, up to seven. Times in seconds.\n"
       "# 'keep' leaves a joint where it is. Fields: docs/motion-command.md.\n";
   writeText(a.out, std::string{kTextTitle} + "\n\n" + remarks + writePage(page, numberOf(a.page)));
-  std::cout << "page " << a.page << " in " << a.out << ", one step: the start pose\n";
+  std::cout << "created page " << a.page << " in " << a.out << ", one step: the start pose\n";
   return 0;
 }
 
 void describePlay(CLI::App& command, PlayRequest& play) {
   command.add_option("FILE", play.file, "motion file, binary or text, a .motion file, or 'own'")->required();
-  command.add_option("PAGE", play.pages, "pages, one after the other; none for a .motion file")
+  command.add_option("PAGE", play.pages, "pages to play in this order; omit for a .motion file")
       ->check(CLI::Range(1, static_cast<int>(kPages) - 1));
   command.add_option("--robot", play.robot,
-                     "which robot; unset: DARWINOP_ROBOT, or else the twin:\n" + darwinop::connect::settingChoices());
+                     "robot; default: DARWINOP_ROBOT, or else the twin:\n" + darwinop::connect::settingChoices());
   command.add_option("--record", play.record, "write every cycle to this CSV file, see docs/logs.md");
   command.add_option("--period", play.period_ms, "period of the loop in ms, 16 or 8")->check(CLI::Range(1, 1000));
-  command.add_flag("--yes", play.yes, "move a real robot without a question");
+  command.add_flag("--yes", play.yes, "move a real robot without asking");
 }
 
 void describePlot(CLI::App& command, PlotRequest& plot) {
   command.add_option("FILE", plot.file, kFileHelp)->required();
-  addPage(command, "PAGE", plot.page, "number of the page")->required();
-  command.add_option("--out", plot.out, "picture.png, or page.html to zoom in")->required();
-  command.add_option("--from", plot.from, "where the robot is before: first (the page's own first pose) or start")
+  addPage(command, "PAGE", plot.page, "page number")->required();
+  command.add_option("--out", plot.out, "picture.png, or an interactive page.html")->required();
+  command.add_option("--from", plot.from, "initial pose: first (the page's own first pose) or start")
       ->check(CLI::IsMember({"first", "start"}))
       ->capture_default_str();
 }
@@ -157,46 +155,47 @@ void describe(CLI::App& app, Arguments& a, Action& action) {
     added.add_option("FILE", a.file, kFileHelp)->required();
     return added;
   };
-  with_file(command("list", list, "one line a page that can be played", "list motion_4096.bin"));
-  CLI::App& shown = with_file(command("show", show, "angles, times and gains of a page", "show motion_4096.bin 12"));
-  addPage(shown, "PAGE", a.page, "number of the page")->required();
-  with_file(command("check", check, "what a robot would stumble over, one line each; exit code 1: there is something",
+  with_file(command("list", list, "list the playable pages", "list motion_4096.bin"));
+  CLI::App& shown =
+      with_file(command("show", show, "show angles, times and gains of a page", "show motion_4096.bin 12"));
+  addPage(shown, "PAGE", a.page, "page number")->required();
+  with_file(command("check", check, "check pages for problems on a robot; exit code 1 if there are findings",
                     "check motion_4096.bin"));
-  CLI::App& converted = command("convert", convert, "make text of a binary file, and a binary file of text",
-                                "convert motion_4096.bin motion.txt");
+  CLI::App& converted =
+      command("convert", convert, "convert between binary and text files", "convert motion_4096.bin motion.txt");
   converted.add_option("FROM", a.file, kFileHelp)->required();
-  converted.add_option("TO", a.to_file, "file of the other kind; overwritten when it is there")->required();
+  converted.add_option("TO", a.to_file, "file of the other kind; overwritten if it exists")->required();
   CLI::App& swapped = with_file(
       command("mirror", mirror, "swap left and right of a page", "mirror motion.txt 12 --to 13 --out both_kicks.txt"));
-  addPage(swapped, "PAGE", a.page, "number of the page")->required();
-  addPage(swapped, "--to", a.to, "page that becomes the mirrored one (default: PAGE itself)");
-  swapped.add_option("--out", a.out, "the whole file with it, of the same kind as FILE")->required();
+  addPage(swapped, "PAGE", a.page, "page number")->required();
+  addPage(swapped, "--to", a.to, "target page of the mirrored one (default: PAGE itself)");
+  swapped.add_option("--out", a.out, "output file, of the same kind as FILE")->required();
   describePlay(command(
                    "play", [](const Arguments& all) { return play(all.play); },
-                   "play pages or a .motion file on the twin or on a robot, and say what it did to it", "play own 9"),
+                   "play pages or a .motion file on the twin or a robot, and report loads and errors", "play own 9"),
                a.play);
   describePlot(command(
                    "plot", [](const Arguments& all) { return plotPage(all.plot); },
-                   "the goals of a page over time, as a picture or a page", "plot own 9 --out page.png"),
+                   "plot the goals of a page over time", "plot own 9 --out page.png"),
                a.plot);
   CLI::App& begun =
-      command("new", begin, "a text file with one page to begin with: the start pose", "new --name bow --out bow.txt");
-  begun.add_option("--name", a.name, "of the page, up to 13 letters")->required();
-  begun.add_option("--out", a.out, "text file, which must not be there yet")->required();
-  addPage(begun, "--page", a.page, "its number")->capture_default_str();
+      command("new", begin, "create a text file with one page: the start pose", "new --name bow --out bow.txt");
+  begun.add_option("--name", a.name, "page name, up to 13 characters")->required();
+  begun.add_option("--out", a.out, "new text file")->required();
+  addPage(begun, "--page", a.page, "page number")->capture_default_str();
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Motion pages: poses of the robot, and how to get from one to the next.", "darwinop motion"};
+  CLI::App app{"Tools for motion pages: sequences of robot poses.", "darwinop motion"};
   Arguments a;
   Action action = nullptr;
   describe(app, a, action);
   app.require_subcommand(1);
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
-      "Example:\n  darwinop motion list /darwin/Data/motion_4096.bin\nExit code: 0 well, 1 'check' found something or "
+      "Example:\n  darwinop motion list /darwin/Data/motion_4096.bin\nExit code: 0 ok, 1 'check' has findings or "
       "the "
-      "robot ended 'play', 2 a mistake in the arguments or a file that cannot be used, 3 'play' needs --yes, 130 "
+      "robot ended 'play', 2 invalid arguments or file, 3 'play' needs --yes, 130 "
       "Ctrl-C.");
   try {
     app.parse(argc, argv);

@@ -1,4 +1,4 @@
-// FILE of `darwinop motion`: a motion file, or the word that stands for the own pages.
+// FILE argument of `darwinop motion`: a motion file, or 'own' for the built-in pages.
 #pragma once
 
 #include <stdexcept>
@@ -9,17 +9,17 @@
 
 namespace darwinop::motion {
 
-/// Throws as readMotionFile(). The own pages count as text.
+/// Throws like readMotionFile(). The built-in pages count as text.
 inline MotionFile openMotions(const std::string& file) {
   return file == kOwn ? MotionFile{ownPages(), true} : readMotionFile(file);
 }
 
-/// The page, which must hold something; throws std::runtime_error. `file` is its name.
+/// The page; throws std::runtime_error if it is empty. `file` is for the message.
 inline const Page& usedPage(const PageFile& pages, int number, const std::string& file) {
   const Page& page = pages.at(static_cast<std::size_t>(number));
   if (!page.canPlay())
     throw std::runtime_error(file + ": page " + std::to_string(number) +
-                             " holds nothing to play; 'darwinop motion list " + file + "' shows those that do");
+                             "is empty; list the playable pages with 'darwinop motion list " + file + "'");
   return page;
 }
 

@@ -1,4 +1,4 @@
-// `darwinop motion play`: plays pages or a .motion file, and says at its end what that did to the robot.
+// `darwinop motion play`: plays pages or a .motion file and reports loads and errors.
 #include "motion_play.hpp"
 
 #include <unistd.h>
@@ -27,7 +27,7 @@ namespace darwinop::motion {
 
 namespace {
 
-constexpr double kSettle = 1.0;  // s behind the last goal, for the body to come to rest
+constexpr double kSettle = 1.0;  // s after the last goal, for the body to settle
 
 bool isMotionFile(const std::string& file) {
   if (file == kOwn) return false;
@@ -36,7 +36,7 @@ bool isMotionFile(const std::string& file) {
   return std::string_view{reinterpret_cast<const char*>(bytes.data()), bytes.size()}.starts_with(kHead);
 }
 
-/// Checks the file, too: nothing moves when it is wrong.
+/// Also validates the file, so that nothing moves if it is invalid.
 std::string checkedPreview(const PlayRequest& request, bool is_motion) {
   if (is_motion) {
     if (!request.pages.empty())
@@ -44,34 +44,35 @@ std::string checkedPreview(const PlayRequest& request, bool is_motion) {
     return previewOf(facade::readMotion(request.file), request.file);
   }
   if (request.pages.empty())
-    throw std::runtime_error("which page? 'darwinop motion list " + request.file + "' shows what there is");
+    throw std::runtime_error("PAGE is missing; list the pages with 'darwinop motion list " + request.file + "'");
   const PageFile pages = openMotions(request.file).pages;
   for (const int page : request.pages) (void)usedPage(pages, page, request.file);
   return previewOf(pages, request.pages);
 }
 
-/// A person has agreed, by --yes or with a y at a terminal.
+/// Confirmed by --yes or interactively.
 bool agreed(const PlayRequest& request) {
   if (request.yes) return true;
   if (isatty(STDIN_FILENO) == 1) {
-    std::cout << "This moves a real robot. Is nothing in its way, and does somebody hold it? y or n: " << std::flush;
+    std::cout << "This moves a real robot. Is nothing in its way, and does a person hold it? y or n: " << std::flush;
     std::string answer;
     std::getline(std::cin, answer);
     return answer == "y" || answer == "yes";
   }
-  std::cerr << "darwinop motion: this would move a real robot, as shown above. If nothing is in its way and somebody "
-               "holds it, say so with --yes\n";
+  std::cerr << "darwinop motion: this moves a real robot, as shown above. Make sure that nothing is in its way and "
+               "that a person "
+               "holds it, then add --yes\n";
   return false;
 }
 
-/// One robot, one movement after the other.
+/// A robot that plays movements in sequence.
 class Stage {
  public:
-  /// False: the robot or the user has ended it.
+  /// Returns false if the robot or the user has ended it.
   bool page(const std::string& file, int number) {
     if (!manager_) manager_ = std::make_unique<managers::DARwInOPMotionManager>(&robot_, file);
     manager_->playPage(number, false);
-    if (!manager_->isMotionPlaying()) return false;  // it said why
+    if (!manager_->isMotionPlaying()) return false;  // already reported
     while (manager_->isMotionPlaying()) {
       manager_->step(step_ms_);
       if (!step()) return false;
@@ -86,13 +87,13 @@ class Stage {
     while (!motion.isOver());
     return true;
   }
-  bool settle() {
+  bool waitUntilSettled() {
     for (const double end = robot_.getTime() + kSettle; robot_.getTime() < end;)
       if (!step()) return false;
     return true;
   }
 
-  void tell(double seconds) const {
+  void printSummary(double seconds) const {
     std::cout << "played for " << fixed(seconds, 1) << " s; greatest distance from the goal, greatest load:\n"
               << watch_.jointsText() << watch_.faultsText() << "the robot " << textOf(postureOf(sensors()))
               << std::endl;
@@ -102,7 +103,7 @@ class Stage {
  private:
   bool step() {
     if (robot_.step(step_ms_) == -1) return false;
-    watch_.look(sensors(), seconds());
+    watch_.update(sensors(), seconds());
     return true;
   }
   static const Sensors& sensors() { return facade::currentRobot()->session().sensors(); }
@@ -121,11 +122,11 @@ int perform(const PlayRequest& request, bool is_motion) {
   if (is_motion) whole = stage.motion(request.file);
   for (std::size_t i = 0; whole && i < request.pages.size(); ++i) whole = stage.page(request.file, request.pages[i]);
   const double seconds = stage.seconds();
-  whole = whole && stage.settle();
-  stage.tell(seconds);
+  whole = whole && stage.waitUntilSettled();
+  stage.printSummary(seconds);
   if (!request.record.empty()) std::cout << "recorded: " << request.record << std::endl;
   if (whole) return kPlayed;
-  std::cerr << (facade::stopRequested() ? "stopped when asked to\n" : "the robot ended it, as said above\n");
+  std::cerr << (facade::stopRequested() ? "stopped on request\n" : "ended by the robot, see above\n");
   return facade::stopRequested() ? kPlayStopped : kPlayEnded;
 }
 
@@ -146,13 +147,13 @@ int play(PlayRequest request) {
   if (experiments::mayBeHardware(request.robot) && !agreed(request)) return kPlayNeedsYes;
   if (connect::loopIsElsewhere(robot) && !request.record.empty())
     throw std::runtime_error(
-        "the loop of this robot runs in its daemon, which makes recordings by itself: start that with darwinop runtime "
+        "the loop of this robot runs in the daemon, which writes recordings itself: start it with darwinop runtime "
         "--record FILE");
   setForRobot("DARWINOP_ROBOT", request.robot);
   if (request.period_ms != 0) setForRobot("DARWINOP_PERIOD_MS", std::to_string(request.period_ms));
   unsetenv("DARWINOP_RECORD");
   setForRobot("DARWINOP_RECORD", request.record);
-  setenv("DARWINOP_KEEP_CWD", "1", 1);  // names of files are the user's
+  setenv("DARWINOP_KEEP_CWD", "1", 1);  // file names are relative to the user's folder
   return perform(request, is_motion);
 }
 

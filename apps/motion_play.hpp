@@ -8,11 +8,11 @@ namespace darwinop::motion {
 
 struct PlayRequest {
   std::string file;        // pages, .motion, or "own"
-  std::vector<int> pages;  // one after the other; none for a .motion file
+  std::vector<int> pages;  // in this order; empty for a .motion file
   std::string robot;       // empty: DARWINOP_ROBOT, else the twin
   std::string record;      // empty: no recording
-  int period_ms = 0;       // 0: as usual
-  bool yes = false;        // move a real robot without a question
+  int period_ms = 0;       // 0: default
+  bool yes = false;        // do not ask before moving a real robot
 };
 
 // Exit statuses, docs/motion-command.md.

@@ -48,10 +48,10 @@ const std::array<Limb, 5>& limbs() {
 }
 
 /// "LegLowerR, P 32", or "P 32 8" when the pages that follow have others.
-std::string labelOf(Joint joint, const PageFile& pages, const Rehearsal& played) {
+std::string labelOf(Joint joint, const PageFile& pages, const DryRun& played) {
   std::string label = std::string{row(joint).name} + ", P";
   std::set<int> seen;
-  for (const Rehearsal::Section& section : played.sections) {
+  for (const DryRun::Section& section : played.sections) {
     const Page& page = pages.at(static_cast<std::size_t>(section.page));
     const int gain = pGainRegister(page.slopes.at(row(joint).id));
     if (seen.insert(gain).second) label += " " + std::to_string(gain);
@@ -59,8 +59,7 @@ std::string labelOf(Joint joint, const PageFile& pages, const Rehearsal& played)
   return label;
 }
 
-plot::Panel panelOf(const Limb& limb, const PageFile& pages, const Rehearsal& played,
-                    const std::vector<double>& times) {
+plot::Panel panelOf(const Limb& limb, const PageFile& pages, const DryRun& played, const std::vector<double>& times) {
   plot::Panel panel{std::string{limb.title}, "angle [deg]", {}};
   for (const Joint joint : limb.joints) {
     plot::Curve curve;
@@ -73,7 +72,7 @@ plot::Panel panelOf(const Limb& limb, const PageFile& pages, const Rehearsal& pl
   return panel;
 }
 
-std::string stepsText(const Rehearsal& played, const Rehearsal::Section& section) {
+std::string stepsText(const DryRun& played, const DryRun::Section& section) {
   std::string text = "steps begin at";
   for (const std::size_t at : section.steps) text += " " + fixed(static_cast<double>(at) * kPlotTick, 2);
   return text + " s" + (&section == &played.sections.back() ? "" : ", then:");
@@ -85,13 +84,13 @@ plot::Figure figureOf(const PageFile& pages, const PlotRequest& request) {
   Pose from = firstPose(page);
   if (from_start)
     for (std::size_t i = 0; i < kJoints; ++i) from[i] = kJointTable[i].start;
-  const Rehearsal played = rehearse(pages, request.page, from);
+  const DryRun played = dryRun(pages, request.page, from);
   plot::Figure figure;
   figure.title = "page " + std::to_string(request.page) + " \"" + nameOf(page) + "\", " +
                  fixed(static_cast<double>(played.poses.size() - 1) * kPlotTick, 2) + " s, from " +
                  (from_start ? "the start pose" : "its own first pose");
   figure.x_label = "time [s]; a thin line where a step begins. P: gain register";
-  for (const Rehearsal::Section& section : played.sections) {
+  for (const DryRun::Section& section : played.sections) {
     const Page& one = pages.at(static_cast<std::size_t>(section.page));
     const std::string name = "page " + std::to_string(section.page) + " \"" + nameOf(one) + "\"";
     figure.sources.push_back({name, name + ": " + stepsText(played, section), "", "", "", ""});
@@ -124,7 +123,7 @@ int plotPage(const PlotRequest& request) {
 #else
 
 int plotPage(const PlotRequest&) {
-  throw std::runtime_error("plots are drawn on a PC, not on a robot: run the same command there");
+  throw std::runtime_error("plotting is available on a PC only: run the same command there");
 }
 
 #endif

@@ -12,7 +12,7 @@ struct PlotRequest {
   std::string from = "first";  // "first": the page's own first pose; "start": the robot's start pose
 };
 
-/// Throws std::runtime_error with what to do when it cannot be drawn.
+/// Throws std::runtime_error with a remedy.
 int plotPage(const PlotRequest& request);
 
 }  // namespace darwinop::motion

@@ -1,4 +1,4 @@
-// What `darwinop motion play` will do, said before it does it.
+// Preview of `darwinop motion play`.
 #include "motion_preview.hpp"
 
 #include <algorithm>
@@ -21,11 +21,11 @@ struct FarJoint {
   double way = 0;  // rad
 };
 
-/// "its first pose is 75.6 degrees away (LegLowerR)", and that it is led there.
+/// "its first pose is 75.6 degrees away (LegLowerR)", and the duration of the lead-in.
 std::string wayText(const FarJoint& far, bool is_led) {
   std::string text = "its first pose is " + fixed(far.way / kRadPerDegree, 1) + " degrees away";
   if (far.way > 0) text += " (" + std::string{kJointTable.at(far.joint).name} + ")";
-  if (is_led) text += ": the joints are led there in " + fixed(LeadIn::durationMs(far.way) / 1000, 1) + " s";
+  if (is_led) text += "; lead-in of " + fixed(LeadIn::durationMs(far.way) / 1000, 1) + " s";
   return text;
 }
 
@@ -52,12 +52,12 @@ std::string previewOf(const PageFile& file, const std::vector<int>& pages) {
     const Pose target = firstTarget(page, pose);
     const bool is_led = firstStepSpeed(page, pose) > kFastestFirstStep;
     const FarJoint far = farthest(pose, target);
-    const Rehearsal played = rehearse(file, number, is_led ? target : pose);
+    const DryRun played = dryRun(file, number, is_led ? target : pose);
     pose = played.poses.back();
     text += "page " + std::to_string(number) + " \"" + nameOf(page) +
             "\": " + fixed(static_cast<double>(played.poses.size() - 1) * kTickMs / 1000, 1) + " s";
-    if (played.sections.size() > 1) text += " with those that follow it";
-    if (played.cut) text += ", and on until it is stopped";
+    if (played.sections.size() > 1) text += "including its successors";
+    if (played.cut) text += ", then repeats until stopped";
     text += "; " + wayText(far, is_led) + '\n';
   }
   return text;

@@ -1,4 +1,4 @@
-// What `darwinop motion play` will do, said before it does it.
+// Preview of `darwinop motion play`.
 #pragma once
 
 #include <string>
@@ -9,8 +9,7 @@
 
 namespace darwinop::motion {
 
-/// A line for each page: name, seconds, how far its first pose is, and how the joints get there. The robot begins in
-/// its start pose. `pages` can be played.
+/// One line per page: name, duration, distance to its first pose, lead-in. The robot starts in its start pose. `pages` must be playable.
 [[nodiscard]] std::string previewOf(const PageFile& file, const std::vector<int>& pages);
 [[nodiscard]] std::string previewOf(const facade::MotionText& motion, const std::string& file);
 

@@ -1,4 +1,4 @@
-// How `darwinop motion` shows pages: a line each, or all of one.
+// Text output of `darwinop motion`.
 #include "motion_print.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::string durationText(const PageFile& pages, int page) {
   return (by_speed ? ">" : "") + fixed(ticksOf(pages, page) * kTickSeconds, 3) + " s";
 }
 
-/// As the flag says it; the rest of such a word has no meaning.
+/// Flag words have no angle.
 std::string angle(std::uint16_t word) {
   return (word & (kKeep | kTorqueOff)) != 0 ? "keep" : angleText(word);
 }
@@ -42,14 +42,14 @@ std::string rowOf(const std::string& title, const Page& page, const TextOfStep& 
   return line;
 }
 
-/// A step's own time, at the page's speed; a page by speed has none of its own.
+/// Duration of a step at the page's speed; speed-based pages have none.
 std::string moveText(const Page& page, const Step& step) {
   const int scaled = std::max(1, (step.time * page.speed) >> 5);
   return page.schedule == kTimeBased ? fixed(scaled * kTickSeconds, 3) : "v=" + std::to_string(scaled);
 }
 
 std::string pauseText(const Page& page, const Step& step) {
-  const int ticks = step.pause * kUsualSpeed / page.speed;
+  const int ticks = step.pause * kDefaultSpeed / page.speed;
   return fixed(ticks * kTickSeconds, 3);
 }
 

@@ -1,4 +1,4 @@
-// How `darwinop motion` shows pages: a line each, or all of one.
+// Text output of `darwinop motion`: a line per page, or one page in full.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace darwinop::motion {
 
-/// A name from a file may hold anything; a terminal shall not obey it.
+/// Page name with control characters removed, for terminals.
 [[nodiscard]] std::string nameOf(const Page& page);
-/// A table of the pages that can be played.
+/// Table of the playable pages.
 [[nodiscard]] std::string listOf(const PageFile& pages);
-/// Times and angles by step, and gains, as a person reads them.
+/// Times, angles and gains by step.
 [[nodiscard]] std::string pictureOf(const PageFile& pages, int page);
 
 }  // namespace darwinop::motion

@@ -1,4 +1,4 @@
-// darwinop-remote: the server of the remote-control protocol.
+// darwinop-remote: server of the remote-control protocol.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -36,8 +36,7 @@ struct RemoteArguments {
   pid_t parent = getppid();
 };
 
-/// Everything that is said passes here, from any thread: the server's own lines, the camera's, and those of the link,
-/// which may come with each client. A client must not be able to fill a robot's disk.
+/// Rate-limited log for all threads: server, camera and robot link. A client must not be able to fill a robot's disk.
 void sayRemote(const std::string& line) {
   static std::mutex mutex;
   static net::BoundedLog log{[](const std::string& text) { std::cerr << "darwinop remote: " << text << std::endl; }};
@@ -53,18 +52,18 @@ remote::ServerConfig serverConfig(const RemoteArguments& given) {
   if (net::isLoopback(config.address)) return config;
   if (given.allow.empty())
     throw std::runtime_error("--listen " + given.listen +
-                             " opens the robot to a network: say who may connect, such as --allow 192.168.123.0/24");
+                             " opens the robot to a network: specify the allowed networks, for example --allow 192.168.123.0/24");
   sayRemote(
-      "the protocol knows no password: whoever has an address that is allowed here can move the robot and see "
-      "through its camera, and whoever is on the way can read and change what is sent. On a network that is not "
-      "yours alone, listen on loopback and come by ssh");
+      "the protocol has no password: every allowed address can move the robot and read "
+      "its camera, and traffic can be read and changed on the way. In a shared network, "
+      "listen on loopback and connect through ssh");
   return config;
 }
 
 facade::ControllerConfig controllerConfig(const std::string& config) {
   if (config.empty()) return {};
   if (access(config.c_str(), F_OK) != 0)
-    throw std::runtime_error("cannot read " + config + "; name a file with --config");
+    throw std::runtime_error("cannot read " + config + "; specify an existing file with --config");
   const facade::ConfigReading reading = facade::readConfig(config);
   for (const std::string& warning : reading.warnings) sayRemote(warning);
   return reading.config;
@@ -80,12 +79,12 @@ int serveRemote(const RemoteArguments& given) {
   request.warn = sayRemote;
   const connect::Kind kind = connect::readSetting(given.robot).kind;
   if (kind == connect::Kind::kTcp)
-    throw std::runtime_error("--robot " + given.robot + " is behind a server already: connect to that one");
+    throw std::runtime_error("--robot " + given.robot + " is already a remote-control server: connect to it directly");
   const bool daemon = kind == connect::Kind::kDaemon;
-  // In simulated time our own client takes as many cycles a second as the machine runs, and no robot's CPU is at stake.
+  // In simulated time a client may run as many cycles per second as the machine can; no robot's CPU is affected.
   if (kind == connect::Kind::kVirtual || kind == connect::Kind::kTwin) config.pace = Nanos{0};
   if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
-    sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
+    sayRemote("no runtime daemon is running; clients are rejected until it is started with: darwinop runtime");
   if (daemon) connect::leaveRoot();
   endOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
@@ -111,25 +110,25 @@ int main(int count, char** arguments) try {
   const DiagnosticsOutput never_waits;
   RemoteArguments given;
   CLI::App app{
-      "Remote control over TCP: a simulator on a PC drives this robot, whose loop stays on time whatever the network "
-      "does.",
+      "Remote control over TCP: a simulator on a PC drives this robot. The loop's timing does not depend on the "
+      "network.",
       "darwinop remote"};
   const CLI::IsMember zooms{{1, 2, 4, 8}};
-  app.add_option("WZ", given.width_zoom, "the middle 320/WZ columns of each picture are sent: 1, 2, 4 or 8")
+  app.add_option("WZ", given.width_zoom, "send the middle 320/WZ columns of each picture: 1, 2, 4 or 8")
       ->check(zooms);
-  app.add_option("HZ", given.height_zoom, "the middle 240/HZ rows")->check(zooms);
-  app.add_option("--robot", given.robot, "the robot that is driven:\n" + connect::settingChoices())
+  app.add_option("HZ", given.height_zoom, "send the middle 240/HZ rows")->check(zooms);
+  app.add_option("--robot", given.robot, "robot to drive:\n" + connect::settingChoices())
       ->envname("DARWINOP_ROBOT")
       ->capture_default_str();
-  app.add_option("--listen", given.listen, "address of this computer to listen on; 0.0.0.0: all of them")
+  app.add_option("--listen", given.listen, "local address to listen on; 0.0.0.0: all")
       ->capture_default_str();
-  app.add_option("--allow", given.allow, "network that may connect beside this computer, may be repeated")
+  app.add_option("--allow", given.allow, "network with access in addition to this computer; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--port", given.port, "TCP port; 0: any that is free")->capture_default_str();
+  app.add_option("--port", given.port, "TCP port; 0: any free port")->capture_default_str();
   app.add_flag("--end-with-parent", given.ends_with_parent,
-               "end when the program that started this one does, even by kill -9");
+               "end together with the parent process, even after kill -9");
   app.add_option("--config", given.config,
-                 "config.ini whose [Safety] and [Limits] hold for its clients, beside those of the robot");
+                 "config.ini with [Safety] and [Limits] for its clients, in addition to the robot's");
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
       "Example, without a robot:\n  darwinop remote --robot virtual\n"

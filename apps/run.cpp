@@ -1,4 +1,4 @@
-// darwinop-run: runs a controller on a robot and reports how the loop fared.
+// darwinop-run: runs a controller on a robot and reports loop statistics.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -24,12 +24,11 @@
 namespace {
 
 constexpr const char* kRobotHelp =
-    "which robot: runtime (the daemon), a serial device or pty (/dev/ttyUSB0), virtual (in the controller's process, "
-    "simulated time), twin or twin:MODEL (the same with physics), tcp://USER@HOST (a robot elsewhere: remote control "
-    "is "
-    "started there by ssh and ended afterwards, see docs/remote.md). Unset: DARWINOP_ROBOT, or else what is there";
+    "robot: runtime (the daemon), a serial device or pty (/dev/ttyUSB0), virtual (in the controller's process, "
+    "simulated time), twin or twin:MODEL (the same with physics), tcp://USER@HOST (starts remote control on that robot "
+    "through ssh, see docs/remote.md). Default: DARWINOP_ROBOT, or else the first one found";
 
-/// CLI11 knows nothing of what allow_extras() lets through.
+/// CLI11 omits the arguments of allow_extras() from the usage line.
 class Usage : public CLI::Formatter {
  public:
   std::string make_usage(const CLI::App*, std::string name) const override {
@@ -37,12 +36,12 @@ class Usage : public CLI::Formatter {
   }
 };
 
-/// A controller changes to its own folder before it looks at names.
+/// A controller changes to its own folder, so relative names must be resolved first.
 std::string absolute(const std::string& path) {
   return path.empty() ? path : std::filesystem::absolute(path).string();
 }
 
-/// Files in the name of a robot: a port, or the twin's model.
+/// File names in --robot: a port, or the twin's model.
 std::string withAbsolutePath(const std::string& robot) {
   constexpr std::string_view kTwin = "twin:";
   if (robot.starts_with(kTwin)) {
@@ -54,8 +53,8 @@ std::string withAbsolutePath(const std::string& robot) {
   return is_file ? absolute(robot) : robot;
 }
 
-/// A controller may lie anywhere; the twin's library lies beside this program.
-void tellWhereTheTwinIs() {
+/// The twin library is beside this program, wherever the controller is.
+void setTwinLibraryPath() {
   namespace fs = std::filesystem;
   std::error_code unknown;
   const fs::path home = fs::read_symlink("/proc/self/exe", unknown).parent_path();
@@ -63,7 +62,7 @@ void tellWhereTheTwinIs() {
   if (fs::exists(library, unknown)) setenv("DARWINOP_TWIN_LIBRARY", library.c_str(), 0);
 }
 
-/// What concerns tcp://USER@HOST only.
+/// Options for tcp://USER@HOST only.
 struct SshOptions {
   darwinop::SshLogin login;
   std::string picture;
@@ -73,15 +72,16 @@ struct SshOptions {
 };
 
 void addSshOptions(CLI::App& app, SshOptions& ssh) {
-  app.add_option("--picture", ssh.picture, "pictures of this size, such as 160x120: the middle of 320x240");
-  app.add_flag("--force", ssh.force, "begin whatever the robot's pose is: hold it");
+  app.add_option("--picture", ssh.picture, "picture size, for example 160x120: the middle of 320x240");
+  app.add_flag("--force", ssh.force, "start in any pose of the robot: hold it");
   for (const char* name : {"--picture", "--force"}) app.get_option(name)->group(darwinop::kWithSsh);
   addSshLogin(app, ssh.login);
 }
 
-/// Runs the controller on this PC, the robot being the one that ssh leads to.
+/// Runs the controller on this PC with the remote robot.
 int runOverSsh(const std::string& target, const SshOptions& ssh, darwinop::runtime::RunRequest& request) {
-  (void)darwinop::runtime::controllerProgram(request.command.at(0));  // first: who has a slip there needs no password
+  (void)darwinop::runtime::controllerProgram(
+      request.command.at(0));  // first: an invalid path is reported before ssh asks for a password
   std::vector<std::string> words = sshWords(ssh.login);
   words.insert(words.end(), {"--tell", std::to_string(getpid())});
   if (!ssh.picture.empty()) words.insert(words.end(), {"--picture", ssh.picture});
@@ -102,30 +102,30 @@ int main(int count, char** arguments) try {
   darwinop::runtime::RunRequest request;
   int period_ms = 0;
   CLI::App app{
-      "Runs a controller on a robot and reports how the loop fared. The last line begins with \"report:\" and is made "
-      "for scripts.\n\n"
-      "CONTROLLER is the built program, or its folder. After -- everything is the controller's.",
+      "Runs a controller on a robot and reports loop statistics. The last line starts with \"report:\" and is "
+      "machine-readable.\n\n"
+      "CONTROLLER is the built program or its folder. Arguments after -- are passed to the controller.",
       "darwinop run"};
   app.formatter(std::make_shared<Usage>());
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.add_option("--robot", request.robot, kRobotHelp);
   app.add_option("--record", request.record, "write every cycle to this CSV file, see docs/logs.md");
-  app.add_option("--period", period_ms, "period of the loop in ms: 16, or 8 when only goals are sent")
+  app.add_option("--period", period_ms, "period of the loop in ms: 16, or 8 if only goals are sent")
       ->check(CLI::Range(1, 1000));
   SshOptions ssh;
   addSshOptions(app, ssh);
   app.footer("Example, without a robot:\n  darwinop run --robot virtual build/release/controllers/01_hello_head");
-  app.allow_extras();  // what is no option of ours belongs to the controller, in the order given
+  app.allow_extras();  // other arguments are passed to the controller in this order
   CLI11_PARSE(app, count, arguments);
   request.command = app.remaining();
   const auto all_theirs = std::find(request.command.begin(), request.command.end(), "--");
   if (all_theirs != request.command.end()) request.command.erase(all_theirs);
   if (request.command.empty()) {
-    std::cerr << "darwinop run: which controller?\n\n" << app.help();
+    std::cerr << "darwinop run: CONTROLLER is missing\n\n" << app.help();
     return 2;
   }
 
-  tellWhereTheTwinIs();
+  setTwinLibraryPath();
   request.robot = withAbsolutePath(request.robot);
   request.record = absolute(request.record);
   if (period_ms != 0) request.period_ms = std::to_string(period_ms);
@@ -134,9 +134,9 @@ int main(int count, char** arguments) try {
   if (target) return runOverSsh(*target, ssh, request);
   if (ssh.any())
     throw std::runtime_error(
-        "--picture, --force, --ssh-port, --ssh-key and --new-host go with --robot tcp://USER@HOST; what is the "
-        "controller's comes after --");
-  // Not root in a controller: it needs no more than the runtime's group.
+        "--picture, --force, --ssh-port, --ssh-key and --new-host require --robot tcp://USER@HOST; pass options of "
+        "the controller after --");
+  // A controller does not run as root; it needs the runtime's group only.
   if (darwinop::connect::usesRuntime(request.robot.empty() && robot != nullptr ? robot : request.robot))
     darwinop::connect::leaveRoot();
   return darwinop::runtime::runController(request);

@@ -1,4 +1,4 @@
-// darwinop-runtime: the daemon, and what an operator may ask of it.
+// darwinop-runtime: the daemon, and its operator commands.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -24,7 +24,7 @@ using namespace darwinop;
 
 struct Arguments {
   std::string record, real_time = "if-allowed", name, config;
-  std::optional<std::string> port, group;  // nothing: what robot.ini says
+  std::optional<std::string> port, group;  // empty: from robot.ini
   std::optional<int> period_ms;
   bool wait = false, status = false, check_pose = false, reset_faults = false, release = false;
 };
@@ -38,7 +38,7 @@ runtime::LoopConfig loopConfig(const Arguments& given, const connect::RobotFile&
   safety::Config controllers;
   if (!given.config.empty()) {
     if (access(given.config.c_str(), F_OK) != 0)
-      throw std::runtime_error("cannot read " + given.config + "; name a file that is there with --config");
+      throw std::runtime_error("cannot read " + given.config + "; specify an existing file with --config");
     const facade::ConfigReading reading = facade::readConfig(given.config);
     for (const std::string& warning : reading.warnings) std::cerr << warning << '\n';
     controllers = reading.config.safety;
@@ -52,8 +52,8 @@ std::optional<connect::OpenedBus> openBus(const Arguments& given, const connect:
   const std::string port = given.port.value_or(robot.serialPort());
   const auto open = [&] { return connect::openSerialBus({port, config.period, config.safety, robot.offsets}); };
   if (!given.wait) return open();
-  const auto tell = [](const std::string& what) { std::cerr << "darwinop runtime: " << what << std::endl; };
-  return connect::waitForBus(open, endRequested(), tell, connect::pauseFor);
+  const auto log = [](const std::string& what) { std::cerr << "darwinop runtime: " << what << std::endl; };
+  return connect::waitForBus(open, endRequested(), log, connect::pauseFor);
 }
 
 int serve(const Arguments& given, const runtime::RuntimeFiles& files) {
@@ -61,9 +61,9 @@ int serve(const Arguments& given, const runtime::RuntimeFiles& files) {
   runtime::LoopConfig config = loopConfig(given, robot);
   const gid_t group = connect::runtimeGroup(robot, given.group);
   endOnSignals();
-  runtime::FileLock claim = runtime::claimRuntime(files, group);  // first, so that the port is left to who has it
+  runtime::FileLock claim = runtime::claimRuntime(files, group);  // first: if another runtime runs, its port must not be opened
   std::optional<connect::OpenedBus> opened = openBus(given, robot, config);
-  if (!opened) return 0;  // asked to end before the robot came
+  if (!opened) return 0;  // end requested before the robot was found
   config.port = opened->description;
   config.safety = opened->safety;
   if (!opened->warnings.empty()) std::cerr << opened->warnings;
@@ -75,7 +75,7 @@ int serve(const Arguments& given, const runtime::RuntimeFiles& files) {
   return 0;
 }
 
-/// 0: a controller may begin, 3: not from there.
+/// 0: a controller may start, 3: not from this pose
 int checkPose(const runtime::RuntimeFiles& files) {
   const safety::StartPoseCheck check = runtime::startPoseNow(files);
   std::cout << (check.secure() ? "start pose: ok\n" : safety::describe(check));
@@ -94,7 +94,7 @@ int carryOut(const Arguments& given) {
   } else if (given.release) {
     runtime::releaseRobot(files);
     std::cout
-        << "torque is going off and stays off until START is pressed, a controller is started or faults are reset\n";
+        << "switching torque off; it stays off until START is pressed, a controller is started or faults are reset\n";
   } else {
     return serve(given, files);
   }
@@ -106,26 +106,26 @@ int carryOut(const Arguments& given) {
 int main(int count, char** arguments) try {
   const DiagnosticsOutput never_waits;
   Arguments given;
-  CLI::App app{"The loop in a process of its own: controllers come and go (--robot runtime), the robot stays safe.",
+  CLI::App app{"Daemon that runs the loop for successive controllers (--robot runtime).",
                "darwinop runtime"};
-  app.add_option("--robot", given.port, "serial device or pty of the robot; else robot.ini's, else /dev/ttyUSB0");
-  app.add_flag("--wait", given.wait, "wait for the robot's port and board instead of failing, as at boot");
+  app.add_option("--robot", given.port, "serial device or pty of the robot; default: robot.ini, else /dev/ttyUSB0");
+  app.add_flag("--wait", given.wait, "wait for the robot's port and board instead of failing, for boot");
   app.add_option("--period", given.period_ms,
-                 "period in ms: 16, or 8 when only goals are sent; else robot.ini's, else 16")
+                 "period in ms: 16, or 8 if only goals are sent; default: robot.ini, else 16")
       ->check(CLI::Range(1, 1000));
   app.add_option("--record", given.record, "write every cycle to this CSV file, see docs/logs.md");
-  app.add_option("--config", given.config, "config.ini whose [Safety] and [Limits] hold for every controller");
-  app.add_option("--realtime", given.real_time, "required: end when real-time rights are refused; if-allowed: warn")
+  app.add_option("--config", given.config, "config.ini with [Safety] and [Limits] for every controller");
+  app.add_option("--realtime", given.real_time, "required: fail without real-time permissions; if-allowed: warn")
       ->envname("DARWINOP_REALTIME")
       ->capture_default_str();
-  app.add_option("--name", given.name, "name of this runtime, when several run")->envname("DARWINOP_RUNTIME_NAME");
-  app.add_option("--group", given.group, "group whose members may drive and look on; else robot.ini's");
+  app.add_option("--name", given.name, "name of this runtime, if there are several")->envname("DARWINOP_RUNTIME_NAME");
+  app.add_option("--group", given.group, "group with permission to drive and observe; default: robot.ini");
   CLI::Option* ask[] = {
-      app.add_flag("--status", given.status, "tell state, faults, battery, who drives and how the loop fares"),
+      app.add_flag("--status", given.status, "print state, faults, battery, driver and loop statistics"),
       app.add_flag("--check-pose", given.check_pose,
-                   "is the robot in its start pose? exit code 3 and what is off when it is not"),
-      app.add_flag("--reset-faults", given.reset_faults, "forget latched faults"),
-      app.add_flag("--release", given.release, "torque off on every joint, now: hold the robot")};
+                   "check the start pose; exit code 3 and the deviations if it is wrong"),
+      app.add_flag("--reset-faults", given.reset_faults, "reset latched faults"),
+      app.add_flag("--release", given.release, "switch torque off on every joint at once: hold the robot")};
   app.set_version_flag("--version", DARWINOP_VERSION);
   for (CLI::Option* one : ask)
     for (CLI::Option* other : ask)

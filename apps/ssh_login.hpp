@@ -1,4 +1,4 @@
-// How to log in to a robot by ssh, as options of a program.
+// ssh login options of a program.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,7 +7,7 @@
 
 namespace darwinop {
 
-inline constexpr const char* kWithSsh = "With --robot tcp://USER@HOST";  // the options' heading
+inline constexpr const char* kWithSsh = "With --robot tcp://USER@HOST";  // heading of the options
 
 struct SshLogin {
   std::string port, key;
@@ -17,9 +17,9 @@ struct SshLogin {
 };
 
 inline void addSshLogin(CLI::App& app, SshLogin& login) {
-  app.add_option("--ssh-port", login.port, "port of ssh on the robot, else as ~/.ssh/config says")->group(kWithSsh);
-  app.add_option("--ssh-key", login.key, "key to log in with, else as ~/.ssh/config says")->group(kWithSsh);
-  app.add_flag("--new-host", login.new_host, "accept the key of a robot that is not known yet, without asking")
+  app.add_option("--ssh-port", login.port, "ssh port of the robot; default: ~/.ssh/config")->group(kWithSsh);
+  app.add_option("--ssh-key", login.key, "ssh key file; default: ~/.ssh/config")->group(kWithSsh);
+  app.add_flag("--new-host", login.new_host, "accept the host key of an unknown robot without asking")
       ->group(kWithSsh);
 }
 

@@ -1,4 +1,4 @@
-// darwinop-supervisor: parent of runtime and default controller on a robot, and what a person may ask of it.
+// darwinop-supervisor: parent of runtime and default controller on a robot, and its operator commands.
 #include "supervisor/supervisor.hpp"
 
 #include <CLI/CLI.hpp>
@@ -30,7 +30,7 @@ int carryOut(const Arguments& given) {
   if (given.stop) return supervisor::stopSupervisor(files);
   if (given.stop_controller) return supervisor::stopController(files);
   if (given.restart_controller) return supervisor::restartController(files);
-  if (given.home.empty()) throw std::runtime_error("which installation? Name its folder: --home /opt/darwinop");
+  if (given.home.empty()) throw std::runtime_error("--home is missing; specify the installation, for example --home /opt/darwinop");
   const DiagnosticsOutput never_waits;
   return supervisor::Supervisor{{std::filesystem::absolute(given.home), runtimeProgram()}}.run();
 }
@@ -40,16 +40,16 @@ int carryOut(const Arguments& given) {
 int main(int count, char** arguments) try {
   Arguments given;
   CLI::App app{
-      "Starts runtime and default controller, watches them, and brings the robot to rest when the runtime fails.",
+      "Starts and monitors runtime and default controller, and brings the robot to rest if the runtime fails.",
       "darwinop supervisor"};
   CLI::Option* what[] = {
       app.add_option("--home", given.home, "run as the supervisor of this installation (robot.ini, default, log/)"),
-      app.add_flag("--status", given.status, "tell what it is doing; exit code 1 when none runs"),
+      app.add_flag("--status", given.status, "print its state; exit code 1 if none runs"),
       app.add_flag("--stop-controller", given.stop_controller,
-                   "the default controller ends, the robot sits down; returns when it has ended"),
+                   "end the default controller and wait for it; the robot sits down"),
       app.add_flag("--restart-controller", given.restart_controller,
-                   "the default controller begins anew, also after it was given up or the runtime had failed"),
-      app.add_flag("--stop", given.stop, "end everything; returns when the robot is at rest and all have ended")};
+                   "restart the default controller, also after repeated crashes or a runtime failure"),
+      app.add_flag("--stop", given.stop, "end everything and wait until the robot is at rest")};
   for (CLI::Option* one : what)
     for (CLI::Option* other : what)
       if (one != other) one->excludes(other);

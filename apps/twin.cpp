@@ -1,4 +1,4 @@
-// darwinop-twin: looks at the physics twin: a window or a film of a run, a picture, the models, the effects.
+// darwinop-twin: view or record a run of the physics twin, render a picture, list models and effects.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -23,7 +23,7 @@ namespace {
 
 namespace twin = darwinop::twin;
 
-constexpr int kWrong = 2;  // exit status: a mistake in the arguments, or what makes them impossible
+constexpr int kWrong = 2;  // exit status: invalid or unusable arguments
 
 struct Arguments {
   twin::ShowOptions show;
@@ -31,16 +31,16 @@ struct Arguments {
 };
 
 CLI::App& describeView(CLI::App& app, Arguments& a) {
-  CLI::App& view = *app.add_subcommand("view", "show a run in a window, or make a film of it");
+  CLI::App& view = *app.add_subcommand("view", "show a run in a window, or record a film");
   view.description(
       "Starts a virtual robot with the twin's body on a pseudo terminal, in real time, and shows it. CONTROLLER drives "
-      "it; without one the port is printed, for 'darwinop run --robot PORT' elsewhere. In the window H tells the "
+      "it; without one the port is printed for 'darwinop run --robot PORT'. In the window, H shows the "
       "keys.");
-  view.add_option("controller", a.show.controller, "The built program or its folder; after -- its own options");
+  view.add_option("controller", a.show.controller, "The built program or its folder; its options after --");
   view.add_option("--record", a.show.record,
-                  "No window, no display needed: a film.mp4 (by ffmpeg), or a folder for PNG pictures");
-  view.add_option("--seconds", a.show.seconds, "End after so many seconds")->check(CLI::Range(0.01, 1e6));
-  view.add_option("--fps", a.show.per_second, "Pictures a second of a film")
+                  "Record film.mp4 (uses ffmpeg), or a folder of PNG pictures, without a window or display");
+  view.add_option("--seconds", a.show.seconds, "Duration in seconds")->check(CLI::Range(0.01, 1e6));
+  view.add_option("--fps", a.show.per_second, "Pictures per second of a film")
       ->capture_default_str()
       ->check(CLI::Range(1, 120));
   describeLook(view, a.show);
@@ -51,8 +51,8 @@ CLI::App& describeView(CLI::App& app, Arguments& a) {
 }
 
 CLI::App& describePicture(CLI::App& app, Arguments& a) {
-  CLI::App& picture = *app.add_subcommand("picture", "draw the robot into a PNG file");
-  picture.add_option("FILE", a.picture, "Where to; ends in .png")->required();
+  CLI::App& picture = *app.add_subcommand("picture", "render the robot into a PNG file");
+  picture.add_option("FILE", a.picture, "Output file, ending in .png")->required();
   picture.add_option("--pose", a.pose, "start (kneeling) or standing")
       ->capture_default_str()
       ->check(CLI::IsMember({"start", "standing"}));
@@ -61,7 +61,7 @@ CLI::App& describePicture(CLI::App& app, Arguments& a) {
   return picture;
 }
 
-/// The first sentence of a model file's first comment. Of a file that cannot be read: why, so that the list goes on.
+/// First sentence of the model file's first comment, or the error if the file cannot be read.
 std::string titleOf(const std::string& file) try {
   std::istringstream text{darwinop::readTextFile(file).value_or("")};
   std::string title;
@@ -77,7 +77,7 @@ std::string titleOf(const std::string& file) try {
 
 int printModels() {
   const std::vector<std::string> names = twin::shippedModels();
-  if (names.empty()) throw std::runtime_error(twin::shippedOnes());
+  if (names.empty()) throw std::runtime_error(twin::listShippedModels());
   for (const std::string& name : names) {
     const std::string file = twin::findModel(name);
     std::cout << name << std::string(name.size() < 15 ? 15 - name.size() : 1, ' ') << titleOf(file) << '\n'
@@ -94,13 +94,13 @@ int printEffects() {
                 << " to " << p.high << ")  " << p.meaning << '\n';
     std::cout << "    source: " << effect->source << "\n\n";
   }
-  std::cout << "Switched on in a model file by its section: [effect NAME], or [effect NAME JOINT] for one joint.\n";
+  std::cout << "Enable an effect in a model file with a section [effect NAME], or [effect NAME JOINT] for one joint.\n";
   return 0;
 }
 
 int drawPicture(const Arguments& a) {
   if (!a.picture.ends_with(".png"))
-    throw std::runtime_error("the picture '" + a.picture + "' cannot be written: its name must end in .png");
+    throw std::runtime_error("invalid picture name '" + a.picture + "': must end in .png");
   twin::RobotBody body{twin::readModel(twin::findModel(a.show.model))};
   body.place(a.pose == "standing" ? twin::standingAngles() : twin::startAngles());
   twin::Offscreen offscreen{*body.mujocoModel(), a.show.width, a.show.height, twin::Quality::kStill};
@@ -112,12 +112,12 @@ int drawPicture(const Arguments& a) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"The physics twin: a DARwIn-OP that falls, swings and slips.", "darwinop twin"};
+  CLI::App app{"The physics twin of a DARwIn-OP.", "darwinop twin"};
   Arguments a;
   const CLI::App& view = describeView(app, a);
   const CLI::App& picture = describePicture(app, a);
-  const CLI::App& models = *app.add_subcommand("models", "list the models that are shipped");
-  app.add_subcommand("effects", "list what a servo may do that an ideal one does not");
+  const CLI::App& models = *app.add_subcommand("models", "list the included models");
+  app.add_subcommand("effects", "list the servo effects beyond an ideal servo");
   app.require_subcommand(1);
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer("Example:\n  darwinop twin view build/release/controllers/01_hello_head");

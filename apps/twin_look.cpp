@@ -1,4 +1,4 @@
-// Options of every command that shows the twin: which model, from where, how large.
+// Common options of commands that render the twin: model, viewpoint, size.
 #include "twin_look.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 namespace twin = darwinop::twin;
 
-constexpr const char* kModelHelp = "Name of a model that is shipped ('darwinop twin models'), or an INI file";
+constexpr const char* kModelHelp = "Name of an included model ('darwinop twin models'), or an INI file";
 
 std::map<std::string, twin::Viewpoint> viewpoints() {
   std::map<std::string, twin::Viewpoint> table;
@@ -27,7 +27,7 @@ std::string readSize(const std::string& text, int& width, int& height) {
   if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2 &&
       std::min(width, height) >= twin::Offscreen::kSmallest && std::max(width, height) <= twin::Offscreen::kLargest)
     return {};
-  return "'" + text + "' is no size: write WIDTHxHEIGHT in pixels, " + std::to_string(twin::Offscreen::kSmallest) +
+  return "'" + text + "' is not a size: expected WIDTHxHEIGHT in pixels, " + std::to_string(twin::Offscreen::kSmallest) +
          " to " + std::to_string(twin::Offscreen::kLargest) + " each, as in 640x480";
 }
 
@@ -39,7 +39,7 @@ void describeLook(CLI::App& command, twin::ShowOptions& show) {
   for (const std::string_view name : twin::kViewpoints) names += (names.empty() ? "" : ", ") + std::string{name};
   command
       .add_option_function<std::string>(
-          "--camera", [&show](const std::string& name) { show.from = viewpoints().at(name); }, "From where: " + names)
+          "--camera", [&show](const std::string& name) { show.from = viewpoints().at(name); }, "Viewpoint: " + names)
       ->type_name("NAME")
       ->default_str("follow")
       ->check(CLI::IsMember(viewpoints()));
@@ -51,7 +51,7 @@ void describeLook(CLI::App& command, twin::ShowOptions& show) {
             const std::string wrong = readSize(text, show.width, show.height);
             if (!wrong.empty()) throw CLI::ValidationError("--size", wrong);
           },
-          "Pixels, as in 640x480")
+          "Size in pixels, for example 640x480")
       ->type_name("WxH")
       ->default_str(usual);
 }

@@ -1,4 +1,4 @@
-// Options of every command that shows the twin: which model, from where, how large.
+// Common options of commands that render the twin: model, viewpoint, size.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,4 @@
-// darwinop-virtual-camera: paints pictures for a camera that exists only in the programs started with its library.
+// darwinop-virtual-camera: a simulated V4L2 camera for programs with the preloaded shim.
 #include <signal.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -34,8 +34,8 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
 constexpr double kFramesPerSecond = 30;
-constexpr double kPatienceS = 5;   // for a command that was told to end
-constexpr int kCannotStart = 127;  // as shells say it
+constexpr double kPatienceS = 5;   // grace period after SIGTERM
+constexpr int kCannotStart = 127;  // as in shells
 
 struct Arguments {
   std::string pattern = "ball", pictures, file, device = "/dev/video0", fault = "none";
@@ -47,25 +47,25 @@ struct Arguments {
 void describe(CLI::App& app, Arguments& a) {
   std::vector<std::string> faults;
   for (const hil::CameraFaultRow& row : hil::kCameraFaults) faults.emplace_back(row.name);
-  auto* const pattern = app.add_option("--pattern", a.pattern, "What it sees: a ball on a circle, or colour bars")
+  auto* const pattern = app.add_option("--pattern", a.pattern, "Test pattern: ball on a circle, or colour bars")
                             ->check(CLI::IsMember({"ball", "bars"}))
                             ->capture_default_str();
-  app.add_option("--pictures", a.pictures, "It sees the PNG and PPM files of this folder instead, in name order")
+  app.add_option("--pictures", a.pictures, "Show the PNG and PPM files of this folder instead, in name order")
       ->excludes(pattern);
-  app.add_option("--frames-each", a.frames_each, "For so many frames each")
+  app.add_option("--frames-each", a.frames_each, "Number of frames for each picture")
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
-  app.add_option("--device", a.device, "The camera's path")->capture_default_str();
-  app.add_option("--file", a.file, "Pass the pictures through this file (default: one in /dev/shm)");
-  app.add_option("--fault", a.fault, "What is wrong with it; docs/virtual-camera.md tells what each means")
+  app.add_option("--device", a.device, "Path of the camera device")->capture_default_str();
+  app.add_option("--file", a.file, "Frame file (default: one in /dev/shm)");
+  app.add_option("--fault", a.fault, "Fault of the camera, see docs/virtual-camera.md")
       ->check(CLI::IsMember(faults))
       ->capture_default_str();
-  app.add_option("--fault-at", a.fault_at_s, "Only after so many seconds")->check(CLI::Range(0.0, 1e6));
-  app.add_option("--fault-for", a.fault_for_s, "Only for so many seconds")->check(CLI::Range(0.01, 1e6));
-  app.add_option("--for", a.for_s, "End after so many seconds")->check(CLI::Range(0.01, 1e6));
+  app.add_option("--fault-at", a.fault_at_s, "Start of the fault in seconds")->check(CLI::Range(0.0, 1e6));
+  app.add_option("--fault-for", a.fault_for_s, "Duration of the fault in seconds")->check(CLI::Range(0.01, 1e6));
+  app.add_option("--for", a.for_s, "Duration in seconds")->check(CLI::Range(0.01, 1e6));
   app.footer(
-      "-- COMMAND ARGUMENTS... behind the options starts a program that sees the camera: this one then lasts as long "
-      "as the command, and gives its exit status.\n\nExample:\n"
+      "-- COMMAND ARGUMENTS... starts a program that sees the camera. This program then runs as long "
+      "as the command and returns its exit status.\n\nExample:\n"
       "  darwinop-virtual-camera --pattern bars -- v4l2-ctl --stream-mmap --stream-count=90\n");
 }
 
@@ -98,14 +98,14 @@ class Studio {
   hil::Picture picture_{2, 2};
 };
 
-/// Paints until the command ends, a signal comes or the time is over. `child` <= 0: there is no command.
+/// Paints until the command ends, a signal arrives or the time is over. `child` <= 0: no command.
 int paintOn(Studio& studio, const Arguments& a, const sigset_t& signals, pid_t child) {
   const Clock::time_point begin = Clock::now();
   double end_s = a.for_s > 0 ? a.for_s : 1e9;
-  bool told = false;
+  bool term_sent = false;
   for (std::uint64_t frame = 1;; ++frame) {
     const double now_s = Seconds(Clock::now() - begin).count();
-    frame = std::max(frame, static_cast<std::uint64_t>(now_s * kFramesPerSecond));  // late: leave some out
+    frame = std::max(frame, static_cast<std::uint64_t>(now_s * kFramesPerSecond));  // late: skip frames
     const double wait_s = std::clamp(static_cast<double>(frame) / kFramesPerSecond - now_s, 0.0, 1.0);
     const timespec wait{0, static_cast<long>(std::min(wait_s, 0.999) * 1e9)};
     siginfo_t info = {};
@@ -116,10 +116,10 @@ int paintOn(Studio& studio, const Arguments& a, const sigset_t& signals, pid_t c
     const bool asked = std::ranges::find(darwinop::kEndSignals, signal) != darwinop::kEndSignals.end();
     const bool over = now_s >= end_s;
     if (child <= 0 && (asked || over)) return 0;
-    if (asked && info.si_code != SI_KERNEL) kill(child, signal);  // the terminal told the command itself
+    if (asked && info.si_code != SI_KERNEL) kill(child, signal);  // the terminal has signalled the command already
     if (over) {
-      kill(child, told ? SIGKILL : SIGTERM);
-      told = true;
+      kill(child, term_sent ? SIGKILL : SIGTERM);
+      term_sent = true;
       end_s = now_s + kPatienceS;
     }
     if (signal < 0) studio.paint(now_s);
@@ -145,8 +145,7 @@ int serve(Arguments& a) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"A camera of the robot's kind that exists only for the programs that are told of it.",
-               "darwinop-virtual-camera"};
+  CLI::App app{"Simulates the robot's camera for selected programs.", "darwinop-virtual-camera"};
   Arguments arguments;
   describe(app, arguments);
   app.set_version_flag("--version", DARWINOP_VERSION);

@@ -1,4 +1,4 @@
-// The program that darwinop-virtual-camera starts, and what it needs to see the camera.
+// Command started by darwinop-virtual-camera, with the environment for the camera.
 #pragma once
 
 #include <sys/types.h>
@@ -8,8 +8,7 @@
 
 namespace darwinop::app {
 
-/// Started with `environment` in front of ours, no signal blocked, and those of kIgnoredSignals with their defaults.
-/// -1: it cannot be, and why is told.
+/// Prepends `environment`; no signal is blocked, and kIgnoredSignals have their defaults. Returns -1 on failure, already reported.
 pid_t startWith(std::vector<std::string> environment, const std::vector<std::string>& command);
 
 }  // namespace darwinop::app

@@ -35,8 +35,8 @@ namespace {
 using darwinop::Nanos;
 namespace hil = darwinop::hil;
 
-constexpr Nanos kPhysicsRest = std::chrono::milliseconds{2};  // so that a request never waits for many steps at once
-constexpr Nanos kTooLate = std::chrono::milliseconds{16};     // a whole cycle of the loop
+constexpr Nanos kPhysicsRest = std::chrono::milliseconds{2};  // bounds the simulation time before a reply
+constexpr Nanos kTooLate = std::chrono::milliseconds{16};     // one cycle of the loop
 
 struct Arguments {
   std::string link, faults, body = "plain", camera;
@@ -47,25 +47,25 @@ struct Arguments {
 };
 
 void describe(CLI::App& app, Arguments& a) {
-  app.add_option("--link", a.link, "Keep a symbolic link to the port here");
-  app.add_option("--body", a.body, "What the servos move: plain, twin, or twin:MODEL")->capture_default_str();
+  app.add_option("--link", a.link, "Path of a symbolic link to the port");
+  app.add_option("--body", a.body, "Mechanics: plain, twin, or twin:MODEL")->capture_default_str();
 #ifdef DARWINOP_VIRTUAL_CAMERA
-  app.add_option("--camera", a.camera, "Paint what it sees into this file, for programs started as is then told");
+  app.add_option("--camera", a.camera, "Frame file for the camera picture; the environment for client programs is printed");
 #endif
-  app.add_flag("--fast", a.fast, "Answer at once instead of at 1 Mbaud");
-  app.add_option("--faults", a.faults, "What goes wrong when; format: docs/virtual-robot.md")->check(CLI::ExistingFile);
-  app.add_option("--servo", a.servo, "Set a servo up, JOINT=SETTING: " + hil::servoSettings());
-  app.add_option("--board", a.board, "What the board lacks: no-bulk-read, no-sync-write, one-block-length");
-  app.add_option("--seed", a.seed, "Of everything random")->capture_default_str();
-  app.add_option("--for", a.for_s, "End after so many seconds")->check(CLI::Range(0.01, 1e6));
-  app.add_option("--latency-timer", a.latency_ms, "Hold replies back as an FTDI bridge does, ms (16 is its default)")
+  app.add_flag("--fast", a.fast, "Reply at once instead of at 1 Mbaud");
+  app.add_option("--faults", a.faults, "Fault script; format: docs/virtual-robot.md")->check(CLI::ExistingFile);
+  app.add_option("--servo", a.servo, "Servo configuration, JOINT=SETTING: " + hil::servoSettings());
+  app.add_option("--board", a.board, "Missing board feature: no-bulk-read, no-sync-write, one-block-length");
+  app.add_option("--seed", a.seed, "Random seed")->capture_default_str();
+  app.add_option("--for", a.for_s, "Duration in seconds")->check(CLI::Range(0.01, 1e6));
+  app.add_option("--latency-timer", a.latency_ms, "FTDI latency timer in ms (driver default: 16)")
       ->check(CLI::Range(0, 255));
   app.footer(
       "Example:\n  darwinop-virtual-robot --link /tmp/darwin &\n  darwinop run --robot /tmp/darwin "
       "build/release/controllers/01_hello_head\n");
 }
 
-/// Where every joint is, in one line: asked for by SIGUSR1.
+/// Prints all joint angles in one line, on SIGUSR1.
 void printJoints(hil::PtyHost& host) {
   const darwinop::BodyState body = host.withRobot([](hil::VirtualRobot& robot) { return robot.body().state(); });
   std::printf("joints: %.2f s", std::chrono::duration<double>(host.now()).count());
@@ -77,7 +77,7 @@ void printJoints(hil::PtyHost& host) {
 
 std::vector<hil::Fault> faultsIn(const std::string& path) {
   const std::optional<std::string> text = darwinop::readTextFile(path, hil::kLongestFaultScript);
-  if (!text) throw std::runtime_error("there is no fault script " + path + "; name one with --faults");
+  if (!text) throw std::runtime_error("cannot read fault script " + path + " of --faults");
   return hil::parseFaultScript(*text, path);
 }
 
@@ -85,24 +85,24 @@ std::unique_ptr<darwinop::Body> makeBody(const Arguments& a) {
   if (a.body == "plain") return nullptr;
   if (const std::optional<std::string> model = darwinop::connect::twinModel(a.body))
     return darwinop::connect::makeTwin(*model, a.seed);
-  throw std::runtime_error("--body " + a.body + ": it can be plain, twin, or twin:MODEL");
+  throw std::runtime_error("--body " + a.body + ": expected plain, twin, or twin:MODEL");
 }
 
 double ms(Nanos time) {
   return std::chrono::duration<double, std::milli>(time).count();
 }
 
-/// Says it once. True when it is said.
+/// Warns once. Returns true if it has warned.
 bool warnOfLag(const hil::PtyHost& host, bool physics) {
   if (host.worstLag() < kTooLate) return false;
   std::fprintf(stderr,
-               "darwinop-virtual-robot: this machine is too slow or too busy: the robot was %.0f ms behind real time, "
-               "and its answers came late. Close other programs%s\n",
+               "darwinop-virtual-robot: this machine is too slow or busy: the simulation was %.0f ms behind real time, "
+               "and replies were late. Close other programs%s\n",
                ms(host.worstLag()), physics ? ", or use --body plain" : "");
   return true;
 }
 
-/// Until a signal of kEndSignals comes, or the time is over. The signals are blocked in every thread.
+/// Waits for a signal of kEndSignals or the end of the time. The signals are blocked in every thread.
 void waitForEnd(const sigset_t& signals, double for_s, bool physics, hil::PtyHost& host) {
   const double end_s = for_s > 0 ? for_s : 1e9;
   bool warned = false;
@@ -139,8 +139,8 @@ std::unique_ptr<darwinop::app::RobotCamera> makeCamera(hil::PtyHost& host, const
     const std::vector<std::string> settings = hil::cameraSettings(path, "/dev/video0");
     std::printf("camera: /dev/video0, for programs started with\n");
     for (const std::string& setting : settings) std::printf("export %s\n", setting.c_str());
-  } catch (const std::runtime_error& error) {  // who knows the file sees it all the same
-    std::fprintf(stderr, "darwinop-virtual-robot: no program can have its camera: %s\n", error.what());
+  } catch (const std::runtime_error& error) {  // direct readers of the file still work
+    std::fprintf(stderr, "darwinop-virtual-robot: its camera is not available to other programs: %s\n", error.what());
   }
   return camera;
 }
@@ -149,7 +149,7 @@ std::unique_ptr<darwinop::app::RobotCamera> makeCamera(hil::PtyHost& host, const
 int serve(const Arguments& a) {
   sigset_t signals = darwinop::blockEndSignals();
   sigaddset(&signals, SIGUSR1);
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before the first thread, so that only waitForEnd() gets them
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // before the first thread: only waitForEnd() receives them
 
   hil::BoardOptions options;
   if (a.fast) options.byte_time = Nanos{0};

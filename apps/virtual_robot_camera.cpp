@@ -13,9 +13,9 @@
 namespace darwinop::app {
 namespace {
 
-constexpr int kNice = 10;  // of the painting thread alone, and of those that graphics start for it
+constexpr int kNice = 10;  // of the painting thread and of threads started by its graphics library
 constexpr std::chrono::milliseconds kBlindPause{50};
-constexpr int kMostRate = 30;  // pictures a second
+constexpr int kMostRate = 30;  // pictures per second
 using Frames = std::chrono::duration<std::int64_t, std::ratio<1, kMostRate>>;
 
 class Painting {
@@ -29,7 +29,7 @@ class Painting {
       eyes_.reset();
       Body* body = nullptr;
       host_.askRobot([&body](hil::VirtualRobot& robot) { body = &robot.body(); });
-      // Not while the robot waits: this copies a whole model. It reads of it only what no step changes.
+      // Copies a whole model without blocking the robot: reads only what steps do not modify.
       eyes_ = body->openEyes(size_.width, size_.height);
       pattern_ = hil::Picture{size_.width, size_.height};
     }
@@ -37,10 +37,10 @@ class Painting {
       hil::drawBall(pattern_, std::chrono::duration<double>(host_.now()).count());
       return painter_.paint(size_, pattern_.bgra);
     }
-    // Looking is the robot's part, drawing this thread's, which may have to wait for the processor.
+    // Capturing the scene runs in the robot's thread, rendering in this one, which may wait for the CPU.
     host_.askRobot([this](hil::VirtualRobot&) { eyes_->look(); });
     const CameraFrame picture = eyes_->newest();
-    // What eyes give that see nothing is for people: to a colour finder its red bar would be a ball.
+    // The error picture is for people: a colour finder would take its red bar for a ball.
     const char* const why = eyes_->blindness();
     if (why == nullptr) return painter_.paint(size_, picture.bgra);
     painter_.giveUp(why);
@@ -62,23 +62,23 @@ class Painting {
 
 void paintUntil(const std::stop_token& stop, hil::PtyHost& host, const std::unique_ptr<Painting>& painting) {
   try {
-    // Drawn on the processor it takes its time: the robot's loop is served before it.
+    // Software rendering is slow: the robot's loop has priority.
     setpriority(PRIO_PROCESS, 0, kNice);
     while (!stop.stop_requested() && !painting->blind()) {
       painting->paint();
       std::this_thread::sleep_for(std::chrono::ceil<Frames>(host.now()) - host.now());
     }
-    // The file stays: it says why.
+    // The file stays and contains the reason.
     while (!stop.stop_requested()) std::this_thread::sleep_for(kBlindPause);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "darwinop-virtual-robot: its camera is blind from here on: %s\n", error.what());
+    std::fprintf(stderr, "darwinop-virtual-robot: camera failed: %s\n", error.what());
   }
 }
 
 }  // namespace
 
 RobotCamera::RobotCamera(hil::PtyHost& host, const std::string& file) {
-  // The file is there when this returns.
+  // The file exists on return.
   painter_ = std::jthread{[&host, painting = std::make_unique<Painting>(host, file)](const std::stop_token& stop) {
     paintUntil(stop, host, painting);
   }};

@@ -1,4 +1,4 @@
-// What the virtual robot sees, painted for a virtual camera: programs that open /dev/video0 see it.
+// Camera picture of the virtual robot for a virtual camera: programs see it at /dev/video0.
 #pragma once
 
 #include <string>
@@ -8,8 +8,7 @@
 
 namespace darwinop::app {
 
-/// Paints into a file, up to 30 times a second while somebody looks, in a thread of its own and of low priority, for
-/// programs started with the settings that cameraSettings() names. A body without eyes shows a ball on a circle.
+/// Paints into a file, up to 30 times per second on request, in a low-priority thread, for programs with the environment of cameraSettings(). A body without camera shows a ball on a circle.
 class RobotCamera {
  public:
   /// Throws std::runtime_error.

@@ -1,4 +1,4 @@
-// darwinop-window: the robot in a browser on this PC.
+// darwinop-window: web server of the robot window.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
@@ -32,7 +32,7 @@ namespace {
 
 using namespace darwinop;
 
-constexpr Nanos kDrivingPause{10'000'000};  // more often than a cycle: a driver must not seem to stall
+constexpr Nanos kDrivingPause{10'000'000};  // shorter than a cycle, so that the driver does not count as stalled
 
 struct WindowArguments {
   window::RobotChoice choice;
@@ -46,7 +46,7 @@ void sayWindow(const std::string& line) {
   std::cerr << "darwinop window: " << line << std::endl;
 }
 
-/// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
+/// All pages are under a secret path: other local users may connect, but cannot find them.
 std::string serveWindow(web::Server& server, const WindowArguments& given, window::Sight& sight, window::Driver& driver,
                         window::Transfer& transfer) {
   const std::string base = "/" + window::newSecret() + "/";
@@ -61,7 +61,7 @@ std::string serveWindow(web::Server& server, const WindowArguments& given, windo
   return "http://127.0.0.1:" + std::to_string(server.port()) + base;
 }
 
-/// `ssh`: nothing: nobody has logged in. It returns with the driver's thread at an end.
+/// `ssh`: empty: no login. On return the driver's thread has ended.
 void showWindow(const WindowArguments& given, window::OwnRobot* own, const window::OverSsh* ssh) {
   endOnSignals();
   if (ssh != nullptr && window::OverSsh::toldToEnd()) return;
@@ -76,7 +76,7 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
   web::ServerConfig config;
   config.port = given.port;
   config.entry.own_origin = true;
-  config.most_channels = 12;  // three for each page
+  config.most_channels = 12;  // three per web page
   web::Server server{config, sayWindow};
   const std::string address = serveWindow(server, given, sight, driver, transfer);
   std::cout << "open in a browser: " << address << '\n';
@@ -87,22 +87,22 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
     sight.look();
     driver.turn();
     transfer.turn();
-    if (const std::string news = own ? own->news() : ""; !news.empty()) {
+    if (const std::string status = own ? own->news() : ""; !status.empty()) {
       sight.notice(news);
       sayWindow(news);
     }
   }
-  if (transfer.runs()) sayWindow("cancelling what runs on the robot; 20 s at most");
+  if (transfer.runs()) sayWindow("cancelling the programs started on the robot; this takes up to 20 s");
   if (ssh != nullptr && !endRequested()) ssh->tellPages(server, sight);
 }
 
-/// What the user has asked for, whatever kind of robot it is. Exit status.
+/// Runs the requested window for any kind of robot. Returns the exit status.
 int openWindow(WindowArguments given) {
   const std::optional<std::string> target = ssh::sshTarget(given.choice.robot);
   if (!target && given.login.any())
-    throw std::runtime_error("--ssh-port, --ssh-key and --new-host go with --robot tcp://USER@HOST");
+    throw std::runtime_error("--ssh-port, --ssh-key and --new-host require --robot tcp://USER@HOST");
   if (target && !given.choice.monitor.empty())
-    throw std::runtime_error("--monitor does not go with --robot tcp://USER@HOST: a monitor is started there");
+    throw std::runtime_error("--monitor cannot be used with --robot tcp://USER@HOST, which starts a monitor there");
   endOnSignals();
   const std::unique_ptr<window::OwnRobot> own = window::ownRobot(given.choice, given.controller);
   if (!target) {
@@ -121,20 +121,20 @@ int openWindow(WindowArguments given) {
 
 int main(int count, char** arguments) try {
   WindowArguments given;
-  CLI::App app{"The robot in a browser: how it stands, curves of its sensors and servos, its loop, its faults.",
+  CLI::App app{"Shows a robot in a browser: pose, sensor and servo curves, loop, faults.",
                "darwinop window"};
   app.add_option(
          "--robot", given.choice.robot,
-         "twin, twin:MODEL or virtual: a robot of its own; runtime: the one that runs here; tcp://USER@HOST: one that "
-         "is logged in to by ssh; tcp://HOST: one whose monitor and server listen there")
+         "twin, twin:MODEL or virtual: start a simulated robot; runtime: the local daemon; tcp://USER@HOST: log in "
+         "through ssh; tcp://HOST: connect to its monitor and server")
       ->capture_default_str();
   app.add_option("--monitor", given.choice.monitor, "HOST[:PORT] of a darwinop monitor; --robot tcp://HOST: HOST:5024");
-  app.add_option("--report", given.report, "report of darwinop gap that the page links to");
-  app.add_option("--model", given.model, "model of the twin that gives the picture its shape")->capture_default_str();
-  app.add_option("--name", given.name, "name of the runtime, when several run")->envname("DARWINOP_RUNTIME_NAME");
-  app.add_option("--port", given.port, "TCP port on this computer; 0: any that is free")->capture_default_str();
+  app.add_option("--report", given.report, "report of darwinop gap to link");
+  app.add_option("--model", given.model, "twin model for the 3D view")->capture_default_str();
+  app.add_option("--name", given.name, "name of the runtime, if there are several")->envname("DARWINOP_RUNTIME_NAME");
+  app.add_option("--port", given.port, "local TCP port; 0: any free port")->capture_default_str();
   addSshLogin(app, given.login);
-  app.add_option("controller", given.controller, "controller that drives the robot; after -- its own options");
+  app.add_option("controller", given.controller, "controller to run; its options after --");
   app.set_version_flag("--version", DARWINOP_VERSION);
   app.footer(
       "Example, without a robot:\n  darwinop window build/release/controllers/05_walk\n"

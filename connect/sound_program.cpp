@@ -139,7 +139,7 @@ bool SoundProgram::order(const SoundOrder& order) {
          errno == ECONNRESET;
 }
 
-std::optional<SoundNews> SoundProgram::news(std::chrono::milliseconds wait) {
+std::optional<SoundEvent> SoundProgram::news(std::chrono::milliseconds wait) {
   if (lost_) return std::nullopt;
   if (wait.count() > 0) {
     pollfd waiting{socket_, POLLIN, 0};
@@ -150,11 +150,11 @@ std::optional<SoundNews> SoundProgram::news(std::chrono::milliseconds wait) {
     if (size < 0 && (errno == EINTR)) continue;
     if (size < 0 && errno == EAGAIN) return std::nullopt;
     if (size <= 0) return lost();
-    if (auto news = audio::decodeNews({message_.data(), static_cast<std::size_t>(size)})) return news;
+    if (auto news = audio::decodeEvent({message_.data(), static_cast<std::size_t>(size)})) return news;
   }
 }
 
-std::optional<SoundNews> SoundProgram::lost() {
+std::optional<SoundEvent> SoundProgram::lost() {
   lost_ = true;
   // Its socket is closed a moment before it can be reaped.
   for (int i = 0; i < 50 && !reap(WNOHANG); ++i) std::this_thread::sleep_for(std::chrono::milliseconds{1});

@@ -31,12 +31,12 @@ class SoundProgram final : public SoundOutput {
   SoundProgram& operator=(const SoundProgram&) = delete;
 
   bool order(const SoundOrder& order) override;
-  std::optional<SoundNews> news(std::chrono::milliseconds wait) override;
+  std::optional<SoundEvent> news(std::chrono::milliseconds wait) override;
 
   [[nodiscard]] pid_t pid() const { return pid_; }
 
  private:
-  std::optional<SoundNews> lost();
+  std::optional<SoundEvent> lost();
   [[nodiscard]] bool reap(int options);
 
   int socket_ = -1;

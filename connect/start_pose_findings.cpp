@@ -24,7 +24,8 @@ cm730::Findings startPoseFindings(const cm730::RobotFacts& facts) {
   for (std::string line; std::getline(lines, line);)
     rows.push_back(check.secure() ? cm730::Finding::ok(line) : cm730::Finding::of(cm730::Kind::kStartPose, line, {}));
   if (!check.secure())
-    rows.back().mend = "sit the robot down upright before a controller starts, or hold it while it moves there slowly";
+    rows.back().remedy =
+        "sit the robot down upright before a controller starts, or hold it while it moves there slowly";
   return rows;
 }
 

@@ -1,18 +1,18 @@
-// A colour to be found in camera frames: its bounds, and how much of a frame it may cover.
+// Colour search in camera pictures: thresholds and allowed coverage.
 #pragma once
 
 namespace darwinop {
 
-/// Defaults are those of the robot's own software, for its red ball.
+/// Defaults of the robot's original software, for its red ball.
 struct ColourThresholds {
   int hue = 356;            // degrees, 0..360
   int hue_tolerance = 15;   // degrees, 0..180
-  int min_saturation = 50;  // percent, 0..100; itself excluded. Less than 0: any, greys included
-  int min_value = 10;       // percent, 0..100; itself excluded. Less than 0: any, greys included
+  int min_saturation = 50;  // percent, 0..100, exclusive. Below 0: any, including grey
+  int min_value = 10;       // percent, 0..100, exclusive. Below 0: any, including grey
   bool operator==(const ColourThresholds&) const = default;
 };
 
-/// Share of the frame that has the colour. `min` itself is too little, `max` itself is not too much.
+/// Allowed percentage of detected pixels: min < percentage <= max.
 struct PercentLimits {
   double min = 0.07;
   double max = 30.0;
@@ -20,7 +20,7 @@ struct PercentLimits {
 };
 
 struct Pixel {
-  int x, y;  // to the right and down, from the top left corner
+  int x, y;  // right and down from the top left corner
   bool operator==(const Pixel&) const = default;
 };
 

@@ -10,7 +10,7 @@
 namespace darwinop {
 namespace {
 
-/// A pipe that is ready takes so much without waiting: one page, PIPE_BUF.
+/// A pipe that polls writable accepts PIPE_BUF (one page) without blocking.
 constexpr std::size_t kAtOnce = 4096;
 
 bool hasRoom(int fd) noexcept {
@@ -38,9 +38,9 @@ NeverWaitingBuffer::int_type NeverWaitingBuffer::overflow(int_type letter) {
   return traits_type::not_eof(letter);
 }
 
-/// Always all: a stream that fails once would stay silent.
+/// Always reports success: after one failure, iostreams would stay in the failed state.
 std::streamsize NeverWaitingBuffer::xsputn(const char* text, std::streamsize count) {
-  if (dropped_) dropped_ = !writeWithoutWaiting(fd_, "(messages were dropped here: nobody read them)\n");
+  if (dropped_) dropped_ = !writeWithoutWaiting(fd_, "(messages were dropped here: the output was not read)\n");
   if (!dropped_) dropped_ = !writeWithoutWaiting(fd_, {text, static_cast<std::size_t>(count)});
   return count;
 }

@@ -1,4 +1,4 @@
-// Messages to a person, by a program that must go on whether somebody reads them or not.
+// Non-blocking diagnostic output: a program with real-time work must not block on a full pipe or a stopped terminal.
 #pragma once
 
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace darwinop {
 
-/// Writes what fits at once. Text that a full pipe or a stopped terminal does not take is dropped: false. A pipe
-/// without a reader takes nothing either; SIGPIPE must be ignored (hal/signals.hpp).
+/// Writes what fits at once; returns false if text was dropped (full pipe, stopped terminal, closed reader). SIGPIPE
+/// must be ignored (hal/signals.hpp).
 bool writeWithoutWaiting(int fd, std::string_view text) noexcept;
 
-/// A stream's buffer that never waits. After text was dropped it says so as soon as there is room again.
+/// A stream buffer that never blocks. After dropped text it prints a notice as soon as there is room.
 class NeverWaitingBuffer final : public std::streambuf {
  public:
   explicit NeverWaitingBuffer(int fd) : fd_{fd} {}
@@ -25,7 +25,7 @@ class NeverWaitingBuffer final : public std::streambuf {
   bool dropped_ = false;
 };
 
-/// std::cerr and std::cout never wait as long as this lives.
+/// std::cerr and std::cout do not block during the lifetime of this object.
 class DiagnosticsOutput {
  public:
   DiagnosticsOutput();

@@ -13,12 +13,12 @@
 namespace darwinop {
 namespace {
 
-/// Read by the handler. `begin` is written last and cleared first.
+/// Read by the signal handler. `begin` is written last and cleared first.
 struct GuardedRange {
   std::atomic<void*> begin{nullptr};
   std::atomic<std::uintptr_t> size{0};
   std::atomic<bool> lost{false};
-  bool taken = false;  // under the mutex
+  bool taken = false;  // protected by the mutex
 };
 static_assert(std::atomic<void*>::is_always_lock_free && std::atomic<std::uintptr_t>::is_always_lock_free &&
               std::atomic<bool>::is_always_lock_free);
@@ -44,14 +44,14 @@ void onMissingPage(int signal, siginfo_t* info, void*) {
   const int error = errno;
   const bool fault = info->si_code > 0;  // not sent by kill()
   if (!fault || !replace(reinterpret_cast<std::uintptr_t>(info->si_addr))) {
-    // Comes again when this handler returns, and meets the action before.
+    // Returning repeats the access, which then meets the previous action.
     sigaction(signal, &action_before, nullptr);
     (void)raise(signal);
   }
   errno = error;
 }
 
-/// Also when somebody has replaced it since the last mapping.
+/// Also restores our handler if another one was installed since the last mapping.
 void installHandler() {
   struct sigaction now {};
   sigaction(SIGBUS, nullptr, &now);

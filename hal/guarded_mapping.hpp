@@ -1,4 +1,4 @@
-// Memory mapped from a file that another process can shorten.
+// Shared file mapping that survives truncation of the file by another process.
 #pragma once
 
 #include <atomic>
@@ -6,28 +6,27 @@
 
 namespace darwinop {
 
-/// Touching a page that the file no longer has raises SIGBUS, which ends a process at once: a loop would leave its
-/// joints under torque. For the ranges of these objects the handler puts empty private memory in the place of the whole
-/// mapping and sets lost(). The instruction that was interrupted then continues. SIGBUS of any other address has the
-/// effect that it had before.
+/// Accessing a page beyond the end of the file raises SIGBUS, which would end the process with torque on. For addresses
+/// in these mappings the handler replaces the whole mapping by empty private memory and sets lost(); the interrupted
+/// instruction then continues. SIGBUS at any other address has its previous effect.
 ///
-/// The handler takes no lock and allocates nothing. Two threads that are interrupted at once both replace the mapping;
-/// what the first wrote meanwhile is gone, and every word reads 0.
+/// The handler takes no lock and allocates nothing. If two threads fault at once, both replace the mapping: what the
+/// first one wrote in between is lost, and every word reads 0.
 class GuardedMapping {
  public:
-  /// Nothing is mapped.
+  /// Empty: nothing is mapped.
   GuardedMapping() = default;
-  /// The first `size` bytes of the file, shared. Throws std::system_error, also when kMost are mapped already.
+  /// Maps the first `size` bytes of the file, shared. Throws std::system_error, also if kMost are already mapped.
   GuardedMapping(int fd, std::size_t size, int protection);
   ~GuardedMapping();
   GuardedMapping(GuardedMapping&& other) noexcept;
   GuardedMapping& operator=(GuardedMapping&& other) noexcept;
 
-  static constexpr std::size_t kMost = 64;  // of one process
+  static constexpr std::size_t kMost = 64;  // per process
 
   [[nodiscard]] void* data() const { return data_; }
-  /// True: the file was shortened, and this process alone sees what is written here. Any thread, for as long as the
-  /// mapping lives.
+  /// True if the file was truncated; writes are then visible to this process only. Any thread, during the lifetime of
+  /// the mapping.
   [[nodiscard]] const std::atomic<bool>& lost() const;
 
  private:

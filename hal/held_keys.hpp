@@ -1,4 +1,4 @@
-// Which keys are down: told by a device's thread, asked by the controller's.
+// Set of held keys: written by a device's thread, read by the controller's.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 namespace darwinop {
 
-/// A key that goes down and up between two questions is answered once. The lock is held for a few moves in memory; the
-/// loop never asks.
+/// A key pressed and released between two calls of take() is returned once. The lock is held for a few memory moves;
+/// the loop's thread never takes it.
 class HeldKeys {
  public:
-  /// `id` says which key of the keyboard it is: two of them may have one code.
+  /// `id` identifies the physical key: two keys may have the same code.
   void press(std::uint32_t id, Key code, Key modifiers) {
     const std::lock_guard lock{mutex_};
     const auto known = find(id);
@@ -37,8 +37,8 @@ class HeldKeys {
     forgetTheTaken();
   }
 
-  /// Shift and the like went down or up while other keys are held. A key that nobody has been told of yet is told with
-  /// what was held when it went down.
+  /// Shift or another modifier changed while keys are held. A key not yet returned by take() is returned with the
+  /// modifiers at the time of its press.
   void setModifiers(Key modifiers) {
     const std::lock_guard lock{mutex_};
     for (Held& key : keys_)
@@ -53,7 +53,7 @@ class HeldKeys {
     return all;
   }
 
-  /// As KeySource::take().
+  /// See KeySource::take().
   std::vector<Key> take() {
     const std::lock_guard lock{mutex_};
     std::vector<Key> all;

@@ -1,16 +1,16 @@
-// Keys that a person holds down, as controllers get them: whatever they are read from.
+// Interface of a keyboard: the keys that are held down.
 #pragma once
 
 #include <vector>
 
 namespace darwinop {
 
-/// The key's code, with the bits of the modifiers that are held with it. ASCII for what has a character, letters as
-/// capitals, whatever Shift says; the rest as below.
+/// Key code plus the bits of the held modifiers. ASCII where a character exists, letters as capitals regardless of
+/// Shift; otherwise as below.
 using Key = int;
 
-/// The numbers of the Webots API. Marked (*): the API has no name for them, they are where they lie in the numbering
-/// that its other ones were taken from, that of wxWidgets.
+/// Values of the Webots API. (*): the API does not name this key; the value follows wxWidgets' numbering, from which
+/// the API's values were taken.
 enum KeyCode : Key {
   kKeyBackspace = 8,
   kKeyTab = 9,
@@ -48,8 +48,8 @@ enum KeyCode : Key {
 class KeySource {
  public:
   virtual ~KeySource() = default;
-  /// Every key that is down now, or went down since the last call, once each, in the order of pressing. Does not wait
-  /// for the device. Used by one thread.
+  /// Every key that is down or went down since the last call, once each, in the order of pressing. Does not block. Used
+  /// by one thread.
   virtual std::vector<Key> take() = 0;
 };
 

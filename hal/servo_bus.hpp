@@ -1,4 +1,4 @@
-// All that the loop knows about hardware: one write and one read a cycle.
+// Interface of the servo bus: one write and one read per cycle.
 #pragma once
 
 #include <array>
@@ -12,19 +12,19 @@
 
 namespace darwinop {
 
-/// What one servo said in this cycle. Fields count only when `answered` (and, below the line, `looked`) is true.
+/// Readings of one servo in this cycle. Valid only if `answered` (below the line: if `looked`) is true.
 struct ServoReading {
   bool answered = false;
   Rad position;
   RadPerSec velocity;
   double load = kUnknown;
   std::uint8_t error_bits = 0;
-  // -- in the cycle in which it is this servo's turn:
+  // -- in the cycle of this servo's turn in the round-robin poll:
   bool looked = false;
   bool torque_enabled = false;
   NewtonMeter torque_limit;
-  Rad goal;               // in its register
-  RadPerSec speed_limit;  // in its register; 0 as after power-up: none
+  Rad goal;               // goal register
+  RadPerSec speed_limit;  // speed register; 0: unlimited, as after power-up
   Volt voltage;
   Celsius temperature;
 };
@@ -47,16 +47,16 @@ struct BusReadings {
   BoardReading board{};
   WireFigures wire{};
   LinkCounters link{};
-  std::bitset<kJoints> silent;  // left out of the list, asked again now and then
+  std::bitset<kJoints> silent;  // omitted from the read list, retried periodically
 };
 
-/// Called by the loop's thread only. Blocks no longer than wire time plus the link's margin.
+/// Called by the loop's thread only. Blocks for at most the wire time plus the link's margin.
 class ServoBus {
  public:
   virtual ~ServoBus() = default;
-  /// At most one SyncWrite, and seldom one write to the board (LEDs, servo power).
+  /// At most one SyncWrite, and rarely one write to the board (LEDs, servo power).
   virtual void write(const SafeCommands& commands) noexcept = 0;
-  /// One BulkRead. `readings` is overwritten whole: what did not answer is absent.
+  /// One BulkRead. Overwrites `readings` completely: servos without a reply are absent.
   virtual void read(BusReadings& readings) noexcept = 0;
 };
 

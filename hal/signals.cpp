@@ -4,7 +4,7 @@ namespace darwinop {
 namespace {
 
 std::atomic<bool> end_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+static_assert(std::atomic<bool>::is_always_lock_free, "written by a signal handler");
 
 void setHandler(int signal, void (*handler)(int)) {
   struct sigaction action {};

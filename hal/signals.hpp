@@ -22,42 +22,42 @@ struct SignalRow {
   int number;
   std::string_view name;
   SignalEffect effect;
-  std::string_view comes_when;
+  std::string_view comes_when = {};  // of those with an effect
 };
 
 /// The 31 signals of Linux on x86.
 inline constexpr std::array<SignalRow, 31> kSignals{{
-    {SIGHUP, "SIGHUP", SignalEffect::kEnds, "terminal or ssh session is gone; ignored when started by nohup"},
+    {SIGHUP, "SIGHUP", SignalEffect::kEnds, "terminal or ssh session gone; ignored under nohup"},
     {SIGINT, "SIGINT", SignalEffect::kEnds, "Ctrl-C"},
     {SIGQUIT, "SIGQUIT", SignalEffect::kEnds, "Ctrl-\\"},
-    {SIGILL, "SIGILL", SignalEffect::kKills, "defect: instruction unknown to this processor"},
+    {SIGILL, "SIGILL", SignalEffect::kKills, "defect: illegal instruction"},
     {SIGTRAP, "SIGTRAP", SignalEffect::kKills, "breakpoint without a debugger"},
     {SIGABRT, "SIGABRT", SignalEffect::kKills, "defect: assert, uncaught exception"},
-    {SIGBUS, "SIGBUS", SignalEffect::kKills, "defect; a shared file that was shortened is survived"},
-    {SIGFPE, "SIGFPE", SignalEffect::kKills, "defect: division of an integer by zero"},
-    {SIGKILL, "SIGKILL", SignalEffect::kKills, "kill -9, or no memory is left"},
-    {SIGUSR1, "SIGUSR1", SignalEffect::kIgnored, "kill -USR1"},
-    {SIGSEGV, "SIGSEGV", SignalEffect::kKills, "defect: access to memory that is not there"},
-    {SIGUSR2, "SIGUSR2", SignalEffect::kIgnored, "kill -USR2"},
-    {SIGPIPE, "SIGPIPE", SignalEffect::kIgnored, "nobody reads the output any more"},
-    {SIGALRM, "SIGALRM", SignalEffect::kIgnored, "timer"},
+    {SIGBUS, "SIGBUS", SignalEffect::kKills, "defect; a truncated shared file is survived"},
+    {SIGFPE, "SIGFPE", SignalEffect::kKills, "defect: integer division by zero"},
+    {SIGKILL, "SIGKILL", SignalEffect::kKills, "kill -9, out of memory"},
+    {SIGUSR1, "SIGUSR1", SignalEffect::kIgnored},
+    {SIGSEGV, "SIGSEGV", SignalEffect::kKills, "defect: invalid address"},
+    {SIGUSR2, "SIGUSR2", SignalEffect::kIgnored},
+    {SIGPIPE, "SIGPIPE", SignalEffect::kIgnored},
+    {SIGALRM, "SIGALRM", SignalEffect::kIgnored},
     {SIGTERM, "SIGTERM", SignalEffect::kEnds, "kill, supervisor, shutdown"},
-    {SIGSTKFLT, "SIGSTKFLT", SignalEffect::kIgnored, "not used by Linux"},
-    {SIGCHLD, "SIGCHLD", SignalEffect::kNoEffect, "a child has ended"},
-    {SIGCONT, "SIGCONT", SignalEffect::kNoEffect, "fg, bg: a stopped process goes on"},
+    {SIGSTKFLT, "SIGSTKFLT", SignalEffect::kIgnored},
+    {SIGCHLD, "SIGCHLD", SignalEffect::kNoEffect},
+    {SIGCONT, "SIGCONT", SignalEffect::kNoEffect},
     {SIGSTOP, "SIGSTOP", SignalEffect::kStops, "kill -STOP"},
-    {SIGTSTP, "SIGTSTP", SignalEffect::kIgnored, "Ctrl-Z"},
-    {SIGTTIN, "SIGTTIN", SignalEffect::kIgnored, "reads from the terminal in the background"},
-    {SIGTTOU, "SIGTTOU", SignalEffect::kIgnored, "writes to the terminal in the background (stty tostop)"},
-    {SIGURG, "SIGURG", SignalEffect::kNoEffect, "urgent data of a socket"},
-    {SIGXCPU, "SIGXCPU", SignalEffect::kEnds, "limit of CPU time reached; SIGKILL follows"},
-    {SIGXFSZ, "SIGXFSZ", SignalEffect::kIgnored, "limit of file size reached; the write fails"},
-    {SIGVTALRM, "SIGVTALRM", SignalEffect::kIgnored, "timer"},
-    {SIGPROF, "SIGPROF", SignalEffect::kIgnored, "timer of a profiler"},
-    {SIGWINCH, "SIGWINCH", SignalEffect::kNoEffect, "terminal has another size"},
-    {SIGIO, "SIGIO", SignalEffect::kIgnored, "input or output is possible"},
-    {SIGPWR, "SIGPWR", SignalEffect::kEnds, "power fails"},
-    {SIGSYS, "SIGSYS", SignalEffect::kKills, "defect: system call that is not allowed"},
+    {SIGTSTP, "SIGTSTP", SignalEffect::kIgnored},
+    {SIGTTIN, "SIGTTIN", SignalEffect::kIgnored},
+    {SIGTTOU, "SIGTTOU", SignalEffect::kIgnored},
+    {SIGURG, "SIGURG", SignalEffect::kNoEffect},
+    {SIGXCPU, "SIGXCPU", SignalEffect::kEnds, "CPU time limit; SIGKILL follows"},
+    {SIGXFSZ, "SIGXFSZ", SignalEffect::kIgnored},
+    {SIGVTALRM, "SIGVTALRM", SignalEffect::kIgnored},
+    {SIGPROF, "SIGPROF", SignalEffect::kIgnored},
+    {SIGWINCH, "SIGWINCH", SignalEffect::kNoEffect},
+    {SIGIO, "SIGIO", SignalEffect::kIgnored},
+    {SIGPWR, "SIGPWR", SignalEffect::kEnds, "power failure"},
+    {SIGSYS, "SIGSYS", SignalEffect::kKills, "defect: forbidden system call"},
 }};
 
 /// Those with one effect.

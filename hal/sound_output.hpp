@@ -1,4 +1,4 @@
-// Orders to a loudspeaker and the news that come back: whatever it is that sounds.
+// Interface of a loudspeaker: commands to it and events from it.
 #pragma once
 
 #include <chrono>
@@ -9,26 +9,26 @@
 
 namespace darwinop {
 
-/// Sounds and speech have names given by who orders them; a name is used once.
+/// Chosen by the caller; used once.
 using SoundId = std::uint32_t;
 
 struct PlaySound {
   SoundId id = 0;
   std::string file = {};  // absolute
   double volume = 1;      // 0 to 1
-  double pitch = 1;       // 0.5 to 2: an octave lower, an octave higher; the sound gets longer, shorter
+  double pitch = 1;       // 0.5 to 2: one octave down to one up; also changes the duration
   double balance = 0;     // -1: left only, 1: right only
   bool loop = false;
-  /// From its beginning and instead of the last one that was played so. Otherwise a file that sounds already goes on,
-  /// with these values and this name.
+  /// True: restart from the beginning and replace the last one played so. False: a file that is already playing
+  /// continues with these parameters and this id.
   bool afresh = false;
   bool operator==(const PlaySound&) const = default;
 };
 
-/// Ends what is being spoken.
+/// Aborts the current speech.
 struct Speak {
   SoundId id = 0;
-  std::string text = {};  // UTF-8 (or Latin-1), or the absolute name of a file that has it
+  std::string text = {};  // UTF-8 (or Latin-1), or the absolute path of a text file
   bool text_is_file = false;
   std::string voice = "en";    // as in docs/sound.md
   int words_per_minute = 175;  // 80 to 450
@@ -37,44 +37,44 @@ struct Speak {
 };
 
 struct StopSound {
-  std::string file = {};  // empty: every sound, and speech
+  std::string file = {};  // empty: all sounds and speech
   bool operator==(const StopSound&) const = default;
 };
 
 using SoundOrder = std::variant<PlaySound, Speak, StopSound>;
 
-/// It was found and can be played; `seconds` it will take, NaN: nobody knows.
+/// Playback has started; `seconds`: its duration, NaN: unknown.
 struct SoundStarted {
   SoundId id = 0;
   double seconds = 0;
   bool operator==(const SoundStarted&) const = default;
 };
-/// It has been heard to its end, was stopped, or could not be played.
+/// Played to the end, stopped, or not playable.
 struct SoundEnded {
   SoundId id = 0;
   bool operator==(const SoundEnded&) const = default;
 };
-/// A sentence for the user; the rest goes on.
-struct SoundTrouble {
+/// An error message for the user; playback of other sounds continues.
+struct SoundError {
   std::string sentence = {};
-  bool operator==(const SoundTrouble&) const = default;
+  bool operator==(const SoundError&) const = default;
 };
-/// The last news: everything has ended, and nothing can be ordered any more. A new output can.
+/// The last event: all sounds have ended and no command is accepted any more. Create a new output.
 struct SoundLost {
   std::string sentence = {};
   bool operator==(const SoundLost&) const = default;
 };
 
-using SoundNews = std::variant<SoundStarted, SoundEnded, SoundTrouble, SoundLost>;
+using SoundEvent = std::variant<SoundStarted, SoundEnded, SoundError, SoundLost>;
 
 /// Used by one thread.
 class SoundOutput {
  public:
   virtual ~SoundOutput() = default;
-  /// Does not wait. False: it is lost, too many are waiting already.
+  /// Does not block. Returns false if the output is lost or too many commands are queued.
   virtual bool order(const SoundOrder& order) = 0;
-  /// The next news; waits for one for so long.
-  virtual std::optional<SoundNews> news(std::chrono::milliseconds wait) = 0;
+  /// The next event; waits at most `wait`.
+  virtual std::optional<SoundEvent> news(std::chrono::milliseconds wait) = 0;
 };
 
 }  // namespace darwinop

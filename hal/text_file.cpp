@@ -53,7 +53,7 @@ std::optional<std::string> readTextFile(const std::string& path, std::size_t lon
     if (size < 0) refuse(path, std::strerror(errno) + std::string{kRemedy});
     if (size == 0) return text;
     text.append(part.data(), static_cast<std::size_t>(size));
-    if (text.size() > longest)  // whatever its size was said to be: files of /proc have 0 bytes
+    if (text.size() > longest)  // files of /proc report a size of 0
       refuse(path, "it is longer than " + std::to_string(longest) + " bytes; is it the right file?");
   }
 }

@@ -7,12 +7,12 @@
 
 namespace darwinop {
 
-/// Bytes. A settings file of thousands of lines; more is another kind of file.
+/// Bytes; enough for a settings file of thousands of lines.
 inline constexpr std::size_t kLongestTextFile = 1 << 20;
 
-/// Nothing: there is no such file. Throws std::runtime_error when there is one that cannot be read: the limits of
-/// this robot may stand in it, and without them nothing may move. What is no regular file (a pipe would wait for its
-/// writer, a device may have no end) and what is longer than `longest` is refused.
+/// Empty if the file does not exist. Throws std::runtime_error if it cannot be read: it may contain the robot's limits,
+/// without which nothing may move. Also throws if it is not a regular file (a pipe would block, a device may be
+/// endless) or longer than `longest`.
 std::optional<std::string> readTextFile(const std::string& path, std::size_t longest = kLongestTextFile);
 
 }  // namespace darwinop

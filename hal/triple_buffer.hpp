@@ -1,4 +1,4 @@
-// Hands large values from one thread to another: one writes, one reads, neither ever waits or copies.
+// Wait-free triple buffer for large values: one writer, one reader, no copy.
 #pragma once
 
 #include <array>
@@ -7,18 +7,18 @@
 
 namespace darwinop {
 
-/// Three places: the writer fills one, the reader looks at one, the third changes hands by one atomic exchange. The
-/// newest value wins; what the reader looks at stays as it is until it asks for a newer one.
+/// Three slots: the writer fills one, the reader reads one, and the third is exchanged atomically. The newest value
+/// wins; the reader's value stays unchanged until update().
 ///
-/// runtime::Latest is for small values and many readers: it copies word by word. A picture is too large for that.
+/// runtime::Latest is for small values and many readers; it copies word by word.
 template <class T>
 class TripleBuffer {
  public:
   explicit TripleBuffer(const T& everywhere) : places_{everywhere, everywhere, everywhere} {}
 
-  /// Writing thread only: the place to fill. What it holds is two or more values old.
+  /// Writing thread only: the slot to fill. Contains a value at least two publications old.
   [[nodiscard]] T& back() noexcept { return places_[back_]; }
-  /// Writing thread only: back() becomes the newest value, and another place becomes back().
+  /// Writing thread only: publishes back(); another slot becomes back().
   void publish() noexcept {
     back_ = static_cast<std::uint8_t>(between_.exchange(back_ | kFresh, std::memory_order_acq_rel) & kPlace);
   }
@@ -37,10 +37,10 @@ class TripleBuffer {
   static_assert(std::atomic<std::uint8_t>::is_always_lock_free);
 
   std::array<T, 3> places_;
-  std::atomic<std::uint8_t> between_{1};  // a place, and kFresh when the reader has not seen it
-  // On lines of their own: each is written by its thread at every picture.
-  alignas(64) std::uint8_t back_ = 0;   // the writer's
-  alignas(64) std::uint8_t front_ = 2;  // the reader's
+  std::atomic<std::uint8_t> between_{1};  // slot index, plus kFresh if the reader has not taken it
+  // Separate cache lines: each is written by its thread at every picture.
+  alignas(64) std::uint8_t back_ = 0;   // writer's slot
+  alignas(64) std::uint8_t front_ = 2;  // reader's slot
 };
 
 }  // namespace darwinop

@@ -1,4 +1,4 @@
-// A stretch of bytes with the time it is complete, and a ring of them that never allocates after construction.
+// A byte block with its completion time, and a fixed-size ring of such blocks.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace darwinop::hil {
 
 struct Chunk {
-  static constexpr std::size_t kCapacity = 2 * kMaxFrame;  // a frame, and as much again that a fault may add
+  static constexpr std::size_t kCapacity = 2 * kMaxFrame;  // a frame, and as many bytes added by a fault
   Nanos at{0};
   std::size_t size = 0;
   std::array<std::uint8_t, kCapacity> data;
@@ -39,7 +39,7 @@ class ChunkRing {
     first_ = (first_ + 1) % slots_.size();
     --count_;
   }
-  /// False, and nothing kept, when the ring is full.
+  /// Returns false and drops the block if the ring is full.
   bool push(Bytes bytes, Nanos at) noexcept {
     if (count_ == slots_.size()) return false;
     Chunk& slot = slots_[(first_ + count_++) % slots_.size()];

@@ -1,4 +1,4 @@
-// The write law of CM-730 firmware, used for servos too.
+// Write rules of CM-730 firmware; also used for servos.
 #include "hil-mocks/control_table.hpp"
 
 #include <algorithm>

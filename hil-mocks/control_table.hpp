@@ -1,4 +1,4 @@
-// A device's control table: bytes, and the law of which writes it accepts.
+// Control table of a device: bytes and write rules.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace darwinop::hil {
 
-/// Which register covers which address; null: nothing there, reads as 0, refuses writes.
+/// Register at each address; null: none, reads as 0 and rejects writes.
 struct TableLayout {
   std::size_t size = 0;
   std::array<const Register*, kBoardTableSize> at{};
@@ -27,14 +27,14 @@ class ControlTable {
   void setByte(std::uint8_t address, std::uint8_t value) { bytes_[address] = value; }
   void setWord(std::uint8_t address, std::uint16_t value);
 
-  /// The part asked for; empty when it is not wholly inside the table or nothing is asked for.
+  /// Empty if not entirely inside the table, or of length 0.
   [[nodiscard]] Bytes read(std::uint8_t address, std::uint8_t count) const;
-  /// False (error bit RANGE) for half a word, a read-only or absent address, or a value out of range.
+  /// Returns false (error bit RANGE) for half a word, a read-only or absent address, or a value out of range.
   [[nodiscard]] bool accepts(std::uint8_t address, Bytes data) const;
-  /// True when a write touches a register of this memory.
+  /// True if a write touches a register of this memory.
   [[nodiscard]] bool touches(Memory memory, std::uint8_t address, Bytes data) const;
   void write(std::uint8_t address, Bytes data);
-  /// All registers of one memory to their reset values.
+  /// Resets all registers of one memory.
   void reset(Memory memory);
 
  private:

@@ -1,4 +1,4 @@
-// Answers and effects of the instructions of protocol 1.0.
+// Protocol 1.0 instructions: replies and effects.
 #include "hil-mocks/device.hpp"
 
 #include <algorithm>
@@ -44,7 +44,7 @@ Device::Answer Device::answer(std::uint8_t instruction, Bytes params) const {
     case Instruction::kReset:
       error = params.empty() ? std::uint8_t{0} : error_bit::kRange;
       break;
-    default:  // unknown, or SYNC_WRITE and BULK_READ to a single device
+    default:  // unknown, or SYNC_WRITE or BULK_READ to a single device
       error = error_bit::kInstruction;
   }
   return {statusLevel() >= 2, static_cast<std::uint8_t>(standingErrors() | error)};

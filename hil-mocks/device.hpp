@@ -1,4 +1,4 @@
-// What CM-730 and MX-28 have in common: a control table that answers instructions.
+// Common base of CM-730 and MX-28: a control table that executes instructions.
 #pragma once
 
 #include <array>
@@ -27,12 +27,12 @@ class Device {
   [[nodiscard]] std::uint8_t statusLevel() const { return table_.byte(kLevelAddress); }
   [[nodiscard]] const ControlTable& table() const { return table_; }
 
-  /// The status to an instruction, as things are before it takes effect.
+  /// Status packet for an instruction, from the state before it takes effect.
   [[nodiscard]] Answer answer(std::uint8_t instruction, Bytes params) const;
-  /// Error byte and bytes of one turn in a BULK_READ, or of a READ.
+  /// Error byte and data for one entry of a BULK_READ, or for a READ.
   [[nodiscard]] Answer answerRead(std::uint8_t address, std::uint8_t count) const;
   [[nodiscard]] Answer answerBadChecksum(std::uint8_t instruction) const;
-  /// The effect of an instruction; none when the answer had a RANGE, ANGLE_LIMIT or INSTRUCTION bit.
+  /// Executes an instruction; not called if its status had a RANGE, ANGLE_LIMIT or INSTRUCTION bit.
   void carryOut(std::uint8_t instruction, Bytes params);
   void writeIfAccepted(std::uint8_t address, Bytes data);
 
@@ -42,7 +42,7 @@ class Device {
   static_assert(find(kCm730, "id").address == kIdAddress && find(kCm730, "return_delay").address == kDelayAddress &&
                 find(kCm730, "status_level").address == kLevelAddress);
 
-  /// Bits that every status carries for as long as their cause lasts.
+  /// Bits in every status while their cause lasts.
   [[nodiscard]] virtual std::uint8_t standingErrors() const = 0;
   /// Error bits of a write; 0: accepted.
   [[nodiscard]] virtual std::uint8_t objections(std::uint8_t address, Bytes data) const;
@@ -56,7 +56,7 @@ class Device {
 
  private:
   static constexpr Nanos kDelayUnit = std::chrono::microseconds{2};
-  std::array<std::uint8_t, kMaxFrame> registered_{};  // parameters of the REG_WRITE that waits for ACTION
+  std::array<std::uint8_t, kMaxFrame> registered_{};  // parameters of a pending REG_WRITE
   std::size_t registered_size_ = 0;
 };
 

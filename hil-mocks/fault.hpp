@@ -1,4 +1,4 @@
-// What can be made to go wrong with a virtual robot, when, and for how long.
+// Faults of a virtual robot: kind, start and duration.
 #pragma once
 
 #include <array>
@@ -14,33 +14,33 @@
 namespace darwinop::hil {
 
 enum class FaultKind : std::uint8_t {
-  kDead,     // a servo's plug is out
-  kErrors,   // a servo's status packets carry error bits
-  kHeat,     // a servo's temperature
-  kVoltage,  // supply of the whole robot
+  kDead,     // a servo is disconnected
+  kErrors,   // error bits in a servo's status packets
+  kHeat,     // servo temperature
+  kVoltage,  // supply voltage of the robot
   kReset,    // the board's RESET button
   kButton,   // MODE or START
   kFallen,   // accelerometer
-  kStall,    // the board neither reads nor answers; what was queued is answered afterwards
-  kUnplug,   // the port is gone
-  kJam,      // a joint is stuck: its servo trips by overload after a while under torque
-  kMiss,     // BULK_READs that no device hears
-  kBabble,   // bytes that nobody asked for
-  kTwins,    // a second device answers to the id of a servo
-  kSag,      // the supply falls with what the servos draw
+  kStall,    // the board neither reads nor replies; queued requests are answered afterwards
+  kUnplug,   // serial port unplugged
+  kJam,      // blocked joint: its servo trips by overload after a time under torque
+  kMiss,     // BULK_READs that no device receives
+  kBabble,   // unsolicited bytes
+  kTwins,    // a second device with a servo's id
+  kSag,      // voltage drop proportional to the servos' current
   kDrop,     // from here on: bytes between PC and board
   kCorrupt,
   kRepeat,
   kRepeatFrame,
   kDelay,
   kGarbage,
-  kRandom,  // faults of the kinds above, drawn from a seed
+  kRandom,  // random faults of the kinds above, from a seed
   kCount
 };
 inline constexpr std::size_t kFaultKinds = static_cast<std::size_t>(FaultKind::kCount);
 using FaultKinds = std::bitset<kFaultKinds>;
 
-/// As a script names them.
+/// Names in fault scripts.
 inline constexpr std::array<std::string_view, kFaultKinds> kFaultKindNames{
     "dead",   "errors", "heat", "voltage", "reset",   "button", "fallen",       "stall", "unplug",  "jam",   "miss",
     "babble", "twins",  "sag",  "drop",    "corrupt", "repeat", "repeat-frame", "delay", "garbage", "random"};
@@ -49,10 +49,10 @@ constexpr bool isWireFault(FaultKind kind) {
   return kind >= FaultKind::kDrop && kind <= FaultKind::kGarbage;
 }
 
-/// Under this a servo restarts (V). The MX-28 is specified from 10 V on; where it gives up is not: an assumption.
+/// A servo restarts below this voltage (V). Assumption: the MX-28 is specified from 10 V, the real limit is unknown.
 inline constexpr double kBrownOutV = 5.5;
 
-/// Which way the bytes go that a wire fault spoils.
+/// Direction affected by a wire fault.
 enum class Way : std::uint8_t { kReplies = 1, kRequests = 2, kBoth = 3 };
 
 enum class Fall : std::uint8_t { kFront, kBack, kLeft, kRight };
@@ -62,16 +62,16 @@ struct Fault {
 
   Nanos at{0};
   FaultKind kind = FaultKind::kReset;
-  Nanos lasts = kForEver;       // a wire fault with 0 spoils the next frame and is over
+  Nanos lasts = kForEver;       // 0 for a wire fault: the next frame only
   std::bitset<kJoints> joints;  // dead, errors, heat, jam, twins
-  double amount = 0;            // deg C, V, s, bytes of a frame, ms of delay, BULK_READs, or random faults per second
+  double amount = 0;            // deg C, V, s, bytes per frame, ms of delay, BULK_READs, or random faults per second
   std::uint8_t bits = 0;        // error bits, or buttons
   Fall fall = Fall::kFront;
-  Nanos over{0};  // heat, voltage: reached in a straight line over this time
+  Nanos over{0};  // heat, voltage: duration of the linear ramp
   Way way = Way::kReplies;
-  double chance = 1;                 // that a frame is spoiled, or that a status carries the error bits
-  std::optional<Nanos> boot;         // dead: time to start afterwards; nothing: as the board has it
-  FaultKinds kinds = ~FaultKinds{};  // random: what may be drawn
+  double chance = 1;                 // probability per frame, or per status for error bits
+  std::optional<Nanos> boot;         // dead: boot time afterwards; empty: BoardOptions
+  FaultKinds kinds = ~FaultKinds{};  // random: kinds to draw from
 
   [[nodiscard]] constexpr Nanos end() const { return lasts == kForEver ? kForEver : at + lasts; }
 };

@@ -1,4 +1,4 @@
-// Beginning, lasting and ending of faults.
+// Start, duration and end of faults.
 #include "hil-mocks/fault_injector.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace darwinop::hil {
 namespace {
 
 constexpr Nanos kRampStep = std::chrono::milliseconds{100};
-// A servo that has shut itself off says so for longer than this: heat goes slowly, and an overload bit stays.
+// After a shutdown a servo reports it for longer than this: it cools slowly, and the overload bit stays.
 constexpr Nanos kShortestCause = std::chrono::milliseconds{600};
 constexpr double kGravity = 9.80665;
 
@@ -18,14 +18,14 @@ Nanos seconds(double s) {
   return std::chrono::duration_cast<Nanos>(std::chrono::duration<double>(s));
 }
 
-/// From `normal` to the fault's amount, in a straight line if it takes its time.
+/// From `normal` to the fault's amount, linearly over `over`.
 double ramped(const Fault& fault, double normal, Nanos now) {
   const Nanos gone = now - fault.at;
   if (gone >= fault.over) return fault.amount;
   return normal + (fault.amount - normal) * static_cast<double>(gone.count()) / static_cast<double>(fault.over.count());
 }
 
-/// What the accelerometer reads of a robot that lies. Face down the y axis points up (firmware: y < 512 - 80).
+/// Accelerometer of a robot that lies. Face down the y axis points up (firmware: y < 512 - 80).
 std::array<double, 3> lying(Fall fall) {
   switch (fall) {
     case Fall::kFront:
@@ -40,7 +40,7 @@ std::array<double, 3> lying(Fall fall) {
   return {0, 0, kGravity};
 }
 
-/// Now and then a status carries error bits, and the servo itself has none.
+/// With `chance`, only some status packets carry the error bits.
 bool flickers(const Fault& fault) {
   return fault.kind == FaultKind::kErrors && fault.chance < 1;
 }
@@ -59,7 +59,7 @@ void FaultInjector::add(const Fault& fault) {
 }
 
 void FaultInjector::add(std::span<const Fault> faults) {
-  const auto earliest_first = [this] { std::ranges::reverse(waiting_); };  // and back
+  const auto earliest_first = [this] { std::ranges::reverse(waiting_); };  // used twice, to restore the order
   earliest_first();
   waiting_.insert(waiting_.end(), faults.begin(), faults.end());
   std::ranges::stable_sort(waiting_, {}, &Fault::at);
@@ -71,7 +71,7 @@ void FaultInjector::clear() noexcept {
   waiting_.clear();
   active_.clear();
   wire_faults_ = false;
-  next_change_ = Nanos{0};  // the effects are taken back at once
+  next_change_ = Nanos{0};  // the effects are undone at once
 }
 
 void FaultInjector::apply(Nanos now, VirtualBoard& board) noexcept {
@@ -147,7 +147,7 @@ Fault FaultInjector::randomFault(FaultKind kind, Nanos at) noexcept {
     fault.chance = 1;
     fault.lasts = std::max(fault.lasts, kShortestCause);
   }
-  if (kind == FaultKind::kDead) {  // 1 ms .. 1 s, the short ones as often as the long ones
+  if (kind == FaultKind::kDead) {  // 1 ms to 1 s, log-uniform
     fault.lasts = seconds(0.001 * std::pow(10.0, random_.between(0, 3)));
     fault.boot = seconds(random_.between(0.005, 0.5));
   }
@@ -155,7 +155,7 @@ Fault FaultInjector::randomFault(FaultKind kind, Nanos at) noexcept {
   return fault;
 }
 
-/// One servo, or those that fail together: what hangs behind a plug, a whole chain, both legs, all, or any.
+/// One servo, or servos that fail together: a connector, a chain, both legs, all, or a random set.
 std::bitset<kJoints> FaultInjector::randomJoints() noexcept {
   std::bitset<kJoints> joints;
   const std::size_t first = random_.below(kJoints);
@@ -175,7 +175,7 @@ void FaultInjector::showEffects(Nanos now, VirtualBoard& board) noexcept {
   const BoardOptions& normal = board.options();
   std::bitset<kJoints> dead;
   std::array<std::uint8_t, kJoints> errors{};
-  std::array<std::optional<double>, kJoints> celsius;  // nothing: as the body says
+  std::array<std::optional<double>, kJoints> celsius;  // empty: from the body
   std::array<std::optional<Nanos>, kJoints> jam;
   std::bitset<kJoints> twins;
   double supply_v = normal.supply_v, sag_v = 0;

@@ -1,4 +1,4 @@
-// Makes the faults of a script, of calls, or of chance happen to a virtual board and its line.
+// Applies faults from a script, from calls, or at random to a virtual board and its line.
 #pragma once
 
 #include <array>
@@ -14,29 +14,29 @@
 
 namespace darwinop::hil {
 
-/// Same seed, same faults, same bytes. Not thread-safe.
+/// Deterministic for a given seed. Not thread-safe.
 class FaultInjector {
  public:
   explicit FaultInjector(std::uint64_t seed = 1);
 
-  /// A fault whose time has passed begins at the next apply().
+  /// A fault with a past start time starts at the next apply().
   void add(const Fault& fault);
   void add(std::span<const Fault> faults);
-  /// Ends every fault, those to come too.
+  /// Ends every fault, including scheduled ones.
   void clear() noexcept;
 
-  /// When apply() has something to do.
+  /// Time of the next change by apply().
   [[nodiscard]] Nanos nextChange() const noexcept { return next_change_; }
   void apply(Nanos now, VirtualBoard& board) noexcept;
-  /// Spoils a frame on its way if a wire fault says so.
+  /// Applies active wire faults to a frame.
   void pass(Chunk& chunk, Way way) noexcept;
   [[nodiscard]] bool portOpen() const noexcept { return !unplugged_; }
 
   [[nodiscard]] std::uint64_t seed() const noexcept { return seed_; }
-  /// Faults begun so far.
+  /// Number of faults started so far.
   [[nodiscard]] std::uint64_t begun() const noexcept { return begun_; }
   [[nodiscard]] std::uint64_t begun(FaultKind kind) const noexcept { return begun_of_[static_cast<std::size_t>(kind)]; }
-  /// Faults that last, now.
+  /// Number of active faults.
   [[nodiscard]] std::size_t active() const noexcept { return active_.size(); }
 
  private:
@@ -45,7 +45,7 @@ class FaultInjector {
     Nanos next_draw{0};  // random, babble
   };
 
-  static constexpr std::size_t kRoom = 256;  // faults at a time; more are not drawn
+  static constexpr std::size_t kRoom = 256;  // concurrent faults; no more are drawn
 
   void begin(const Fault& fault, VirtualBoard& board) noexcept;
   void babble(Active& source, Nanos now, VirtualBoard& board) noexcept;
@@ -57,7 +57,7 @@ class FaultInjector {
 
   std::uint64_t seed_;
   Random random_;
-  std::vector<Fault> waiting_;  // latest first
+  std::vector<Fault> waiting_;  // sorted, latest first
   std::vector<Active> active_;
   std::uint64_t begun_ = 0;
   std::array<std::uint64_t, kFaultKinds> begun_of_{};

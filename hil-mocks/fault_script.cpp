@@ -64,7 +64,7 @@ constexpr auto kErrorNames = std::to_array<BitName>({{"voltage", error_bit::kVol
                                                      {"instruction", error_bit::kInstruction}});
 constexpr auto kButtonNames = std::to_array<BitName>({{"mode", 1}, {"start", 2}});
 constexpr auto kFallNames = std::to_array<std::string_view>({"front", "back", "left", "right"});
-constexpr auto kWayNames = std::to_array<std::string_view>({"replies", "requests", "both"});  // Way, less one
+constexpr auto kWayNames = std::to_array<std::string_view>({"replies", "requests", "both"});  // Way, minus one
 constexpr Nanos kButtonPress = std::chrono::milliseconds{300};
 
 std::string textOf(double number) {
@@ -80,7 +80,7 @@ std::string listOf(const Range& range, Name&& name) {
   return list;
 }
 
-/// One line, word by word.
+/// A line with a cursor over its words.
 class Line {
  public:
   Line(std::string_view text, std::string_view file, std::size_t number) : rest_{text}, file_{file}, number_{number} {
@@ -107,7 +107,7 @@ class Line {
     double value = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error != std::errc{} || end != word.data() + word.size() || !(value >= low && value <= high))
-      fail(std::string(what) + " is a number from " + textOf(low) + " to " + textOf(high));
+      fail(std::string(what) + " must be a number from " + textOf(low) + " to " + textOf(high));
     return value;
   }
 
@@ -116,7 +116,7 @@ class Line {
     return std::chrono::duration_cast<Nanos>(seconds);
   }
 
-  /// Calls `take` with each part of the next word, "a+b+c".
+  /// Calls `take` for each part of the next word, "a+b+c".
   template <class F>
   void parts(F&& take) {
     std::string_view word = next();
@@ -139,7 +139,7 @@ void readServos(Line& line, Fault& fault) {
     const auto found = std::ranges::find_if(
         kJointTable, [&](const JointRow& row) { return name == row.name || name == std::to_string(row.id); });
     if (found == kJointTable.end())
-      line.fail("allowed are a servo's name or id, several joined by '+', or all; names are " +
+      line.fail("expected servo names or ids joined by '+', or 'all'; names: " +
                 listOf(kJointTable, [](const JointRow& row) { return row.name; }));
     fault.joints.set(found->id - std::size_t{1});
   });
@@ -150,14 +150,14 @@ void readBits(Line& line, const std::array<BitName, N>& names, Fault& fault) {
   line.parts([&](std::string_view name) {
     const auto found = std::ranges::find(names, name, &BitName::name);
     if (found == names.end())
-      line.fail("allowed, several joined by '+', are " + listOf(names, [](const BitName& row) { return row.name; }));
+      line.fail("expected, joined by '+': " + listOf(names, [](const BitName& row) { return row.name; }));
     fault.bits |= found->bits;
   });
 }
 
 void readFall(Line& line, Fault& fault) {
   const auto found = std::ranges::find(kFallNames, line.next());
-  if (found == kFallNames.end()) line.fail("allowed are " + listOf(kFallNames, std::identity{}));
+  if (found == kFallNames.end()) line.fail("expected one of: " + listOf(kFallNames, std::identity{}));
   fault.fall = static_cast<Fall>(found - kFallNames.begin());
 }
 
@@ -165,8 +165,7 @@ void readKinds(Line& line, Fault& fault) {
   fault.kinds.reset();
   line.parts([&](std::string_view name) {
     const auto found = std::ranges::find(kFaultKindNames, name);
-    if (found == kFaultKindNames.end() || name == "random")
-      line.fail("allowed, several joined by '+', are the other kinds of faults");
+    if (found == kFaultKindNames.end() || name == "random") line.fail("expected other fault kinds joined by '+'");
     fault.kinds.set(static_cast<std::size_t>(found - kFaultKindNames.begin()));
   });
 }
@@ -191,7 +190,7 @@ void readArgument(Line& line, const KindRow& row, Fault& fault) {
   }
 }
 
-/// What may stand behind a fault, in any order.
+/// Options after a fault, in any order.
 void readOptions(Line& line, const KindRow& row, Fault& fault) {
   const bool wire = isWireFault(row.kind), has_chance_option = wire || row.kind == FaultKind::kErrors;
   bool has_for = false, has_chance = false;
@@ -214,13 +213,13 @@ void readOptions(Line& line, const KindRow& row, Fault& fault) {
     } else if (word == "of" && row.kind == FaultKind::kRandom) {
       readKinds(line, fault);
     } else {
-      line.fail(std::string("here may stand ") + (row.lasts == For::kForbidden ? "nothing" : "'for SECONDS'") +
+      line.fail(std::string("expected ") + (row.lasts == For::kForbidden ? "nothing" : "'for SECONDS'") +
                 (row.over ? ", 'over SECONDS'" : "") + (row.kind == FaultKind::kDead ? ", 'boot MS'" : "") +
                 (has_chance_option ? ", 'chance PROBABILITY'" : "") + (wire ? ", 'replies', 'requests', 'both'" : "") +
                 (row.kind == FaultKind::kRandom ? ", 'of KIND+KIND'" : ""));
     }
   }
-  if (row.lasts == For::kNeeded && !has_for) line.fail("'for SECONDS' is needed");
+  if (row.lasts == For::kNeeded && !has_for) line.fail("'for SECONDS' is missing");
   if (wire && !has_for && !has_chance) fault.lasts = Nanos{0};
 }
 
@@ -239,7 +238,7 @@ std::vector<Fault> parseFaultScript(std::string_view text, std::string_view file
     fault.at = line.time("seconds from the start", 0);
     if (faults.size() == kMostFaults) line.fail("a script has at most " + std::to_string(kMostFaults) + " faults");
     const auto name = std::ranges::find(kFaultKindNames, line.next());
-    if (name == kFaultKindNames.end()) line.fail("the kinds of faults are " + listOf(kFaultKindNames, std::identity{}));
+    if (name == kFaultKindNames.end()) line.fail("fault kinds: " + listOf(kFaultKindNames, std::identity{}));
     const KindRow& row = kKinds[static_cast<std::size_t>(name - kFaultKindNames.begin())];
     fault.kind = row.kind;
     if (row.servo) readServos(line, fault);

@@ -1,4 +1,4 @@
-// Faults written down as text, one a line. The format is described in docs/virtual-robot.md.
+// Fault script parser; one fault per line. Format: docs/virtual-robot.md.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace darwinop::hil {
 inline constexpr std::size_t kMostFaults = 100'000;
 inline constexpr std::size_t kLongestFaultScript = 16 << 20;  // bytes
 
-/// Throws std::runtime_error "FILE:LINE: field 'WORD': what is allowed". Touches nothing but its arguments.
+/// Throws std::runtime_error "FILE:LINE: field 'WORD': expected ...". No side effects.
 [[nodiscard]] std::vector<Fault> parseFaultScript(std::string_view text, std::string_view file_name);
 
 }  // namespace darwinop::hil

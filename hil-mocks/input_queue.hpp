@@ -1,5 +1,4 @@
-// Bytes on their way from the PC to the board, each with the time it was handed over. Never allocates after
-// construction; what does not fit is lost and counted.
+// Bytes from the PC to the board with their send times. Fixed size; bytes that do not fit are dropped and counted.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +12,11 @@ namespace darwinop::hil {
 
 class InputQueue {
  public:
-  /// Room for 16 s of 16 ms cycles: a stalled board answers what was queued meanwhile.
+  /// Capacity for 16 s of 16 ms cycles: a stalled board answers queued requests later.
   InputQueue() : bytes_(1u << 18), runs_(1u << 12) {}
 
   [[nodiscard]] bool empty() const noexcept { return run_count_ == 0; }
-  /// When the first byte was handed over.
+  /// Send time of the first byte.
   [[nodiscard]] Nanos when() const noexcept { return runs_[first_run_].when; }
 
   void push(Bytes bytes, Nanos when) noexcept {

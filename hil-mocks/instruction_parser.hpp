@@ -1,4 +1,4 @@
-// Cuts the byte stream from the PC into instruction frames the way a device does: by length, then checksum.
+// Parses the byte stream from the PC into instruction frames as a device does: by length, then checksum.
 #pragma once
 
 #include <array>
@@ -9,25 +9,24 @@
 
 namespace darwinop::hil {
 
-/// Unlike core's FrameReader a device does not search inside a broken frame: it swallows as many bytes as the
-/// length says. It is written apart from it on purpose, so that a mistake in one of them shows.
+/// Unlike core's FrameReader, a device does not resynchronize inside a broken frame: it consumes as many bytes as the
+/// length field says. Implemented independently, so that an error in one of them is detected.
 class InstructionParser {
  public:
   enum class Result : std::uint8_t { kMore, kFrame, kBadChecksum };
 
-  /// Takes one byte that arrived at `when`. After kFrame and kBadChecksum the frame stays readable until the
-  /// next byte.
+  /// Takes one byte received at `when`. After kFrame and kBadChecksum the frame is readable until the next byte.
   Result take(std::uint8_t byte, Nanos when) noexcept {
-    // CM-730 firmware: 100 ms between two bytes of a frame.
+    // CM-730 firmware: 100 ms timeout between two bytes of a frame.
     if (used_ >= 4 + length() || (used_ > 0 && when - last_ > kByteTimeout)) used_ = 0;
     last_ = when;
     if (used_ < 2) {
       used_ = byte == 0xFF ? used_ + 1 : 0;
       return Result::kMore;
     }
-    if (used_ == 2 && byte == 0xFF) return Result::kMore;  // one more FF: the id is still to come
+    if (used_ == 2 && byte == 0xFF) return Result::kMore;  // another FF: the id follows
     frame_[used_++] = byte;
-    if (used_ == 4 && byte < 2) used_ = 0;  // no such length
+    if (used_ == 4 && byte < 2) used_ = 0;  // invalid length
     if (used_ < 4 || used_ < 4 + length()) return Result::kMore;
     unsigned sum = 0;
     for (std::size_t i = 2; i + 1 < used_; ++i) sum += frame_[i];
@@ -35,7 +34,7 @@ class InstructionParser {
   }
 
   void clear() noexcept { used_ = 0; }
-  /// So many more bytes at least until there is a frame.
+  /// Minimum number of further bytes until a frame is complete.
   [[nodiscard]] std::size_t missing() const noexcept {
     if (used_ < 4) return kFrameOverhead - used_;
     return used_ < 4 + length() ? 4 + length() - used_ : kFrameOverhead;
@@ -46,7 +45,7 @@ class InstructionParser {
 
  private:
   static constexpr Nanos kByteTimeout = std::chrono::milliseconds{100};
-  /// Large until the length byte is there.
+  /// Large until the length byte has arrived.
   [[nodiscard]] std::size_t length() const noexcept { return used_ < 4 ? kMaxFrame : frame_[3]; }
 
   std::array<std::uint8_t, kMaxFrame> frame_{0xFF, 0xFF};

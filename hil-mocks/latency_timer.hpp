@@ -1,4 +1,4 @@
-// The hold-back of an FTDI bridge: part of a packet waits until the packet is full or a timer has run out.
+// FTDI latency timer: a partial packet is sent when it is full or when the timer expires.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace darwinop::hil {
 
-/// With time 0 everything passes at once. `send` takes Bytes.
+/// Time 0: passes bytes at once. `send` takes Bytes.
 class LatencyTimer {
  public:
   explicit LatencyTimer(Nanos time) : time_{time} {}
@@ -39,7 +39,7 @@ class LatencyTimer {
   }
 
   Nanos time_, due_{0};
-  std::array<std::uint8_t, 62> packet_{};  // 64-byte USB packet less two status bytes
+  std::array<std::uint8_t, 62> packet_{};  // 64-byte USB packet minus two status bytes
   std::size_t held_ = 0;
 };
 

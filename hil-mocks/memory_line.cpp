@@ -1,4 +1,4 @@
-// Reading and writing in simulated time.
+// In-memory line in simulated time.
 #include "hil-mocks/memory_line.hpp"
 
 #include <algorithm>

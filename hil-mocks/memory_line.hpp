@@ -1,4 +1,4 @@
-// A line in memory with a simulated clock: a run is as fast as the machine allows and repeats bit for bit.
+// In-memory byte line with a simulated clock: fast and deterministic.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace darwinop::hil {
 
-/// Sees what goes over a line; for tests and recordings.
+/// Receives the traffic of a line; for tests and recordings.
 class WireObserver {
  public:
   virtual ~WireObserver() = default;
-  /// A frame the PC sent, when it was handed over. Bytes that make no frame are not shown.
+  /// A frame sent by the PC, at its send time. Bytes outside frames are not reported.
   virtual void request(const Frame& frame, Nanos at) noexcept = 0;
-  /// Bytes the PC read, after faults: normally one status frame.
+  /// Bytes read by the PC, after faults; normally one status frame.
   virtual void reply(Bytes bytes, Nanos at) noexcept = 0;
 };
 
@@ -24,8 +24,8 @@ struct LineCounters {
   std::uint64_t bytes_out = 0, bytes_in = 0;
 };
 
-/// The clock is the line's: writing takes no time, reading jumps to the next reply or to the deadline, and
-/// advanceTo() to wherever the caller wants to be next.
+/// Owns the clock: writing takes no time, reading advances to the next reply or to the deadline, advanceTo() to any
+/// later time.
 class MemoryLine : public ByteLine {
  public:
   explicit MemoryLine(VirtualRobot& robot) : robot_{robot} {}
@@ -36,12 +36,12 @@ class MemoryLine : public ByteLine {
   void discardInput() noexcept override;
   [[nodiscard]] std::uint32_t reconnects() const noexcept override { return robot_.replugs(); }
 
-  /// Lets simulated time pass; a time in the past is ignored.
+  /// Advances simulated time; a time in the past is ignored.
   void advanceTo(Nanos when) noexcept;
 
   [[nodiscard]] VirtualRobot& robot() noexcept { return robot_; }
   [[nodiscard]] const LineCounters& counters() const noexcept { return counters_; }
-  /// Null: nobody.
+  /// May be null.
   void observe(WireObserver* observer) noexcept { observer_ = observer; }
 
  private:

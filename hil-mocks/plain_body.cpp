@@ -9,14 +9,14 @@
 namespace darwinop::hil {
 namespace {
 
-// Rotor of the MX-28's motor seen through 193:1 (about 0.003 kg m2) and a light limb.
+// MX-28 rotor inertia through the 193:1 gear (about 0.003 kg m2) plus a light limb.
 constexpr double kInertia = 0.004;
-// MX-28 data sheet at 12 V: 2.5 N m stall, 55 rpm no load; their quotient is the damping of the shorted motor.
+// MX-28 data sheet at 12 V: 2.5 N m stall, 55 rpm no load; the quotient is the damping of the shorted motor.
 constexpr double kNominalV = 12.0;
 constexpr double kBackEmf = kMaxTorqueNm / (55.0 * kPi / 30.0);
-// Kp = 1 gives full drive at an error of 1023 ticks (protocol 1 output is 0..1023 over ticks).
+// At Kp = 1 an error of 1023 ticks gives full output (protocol 1: 0..1023).
 constexpr double kFullDriveErrorRad = 1023 * kRadPerTick;
-// A limp joint comes to rest with a time constant of inertia / friction = 0.4 s.
+// A limp joint decays with inertia / friction = 0.4 s.
 constexpr double kFriction = 0.01;
 constexpr double kLowest = -2048 * kRadPerTick, kHighest = 2047 * kRadPerTick;
 
@@ -59,11 +59,11 @@ void PlainBody::step(Nanos dt, const Drives& drives) noexcept {
       damping += kBackEmf;
       joint.load = duty;
     } else {
-      set_point = joint.position_rad;  // torque coming on starts from here
+      set_point = joint.position_rad;  // torque starts at the present position
       joint.load = 0;
     }
 
-    // Damping implicit, so that no step size makes it unstable.
+    // Implicit damping: stable for every step size.
     const double inertia = inertiaOf(i);
     joint.velocity_rad_s = (joint.velocity_rad_s + torque / inertia * dt_s) / (1.0 + damping / inertia * dt_s);
     joint.position_rad += joint.velocity_rad_s * dt_s;

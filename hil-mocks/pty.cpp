@@ -30,7 +30,7 @@ bool isOrMayBeLink(const std::string& path) {
 
 Pty::Pty(std::string link) : link_{std::move(link)} {
   master_ = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (master_ < 0) fail("cannot make a pseudo terminal (is /dev/pts mounted?)");
+  if (master_ < 0) fail("cannot create a pseudo terminal; check that /dev/pts is mounted");
   char name[64];
   if (grantpt(master_) != 0 || unlockpt(master_) != 0 || ptsname_r(master_, name, sizeof name) != 0) {
     close(master_);
@@ -66,15 +66,15 @@ Pty::~Pty() {
 void Pty::makeLink() const {
   if (link_.empty()) return;
   if (!isOrMayBeLink(link_))
-    throw std::runtime_error(link_ + " exists and is no symbolic link; choose another path for the port's link");
-  // Made aside and renamed, so that nobody ever finds the path missing or half made.
+    throw std::runtime_error(link_ + " exists and is not a symbolic link; choose another path for --link");
+  // Created aside and renamed, so that the path always exists and is complete.
   const std::string aside = link_ + ".new";
   unlink(aside.c_str());
   if (symlink(path_.c_str(), aside.c_str()) != 0 || std::rename(aside.c_str(), link_.c_str()) != 0) {
     const int error = errno;
     unlink(aside.c_str());
     errno = error;
-    fail("cannot make the link " + link_ + " (may you write to its folder?)");
+    fail("cannot create the symbolic link " + link_);
   }
 }
 

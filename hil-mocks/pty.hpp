@@ -1,4 +1,4 @@
-// A pseudo terminal in raw mode, with an optional link to it: stands for the robot's serial port.
+// Pseudo terminal in raw mode with an optional symbolic link; stands in for the robot's serial port.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,23 @@
 
 namespace darwinop::hil {
 
-/// Both ends are closed, and the link removed, when it goes. Throws std::runtime_error if it cannot be made.
+/// The destructor closes both ends and removes the link. The constructor throws std::runtime_error on failure.
 class Pty {
  public:
-  /// `link`: path of a symbolic link to keep pointing here; empty: none.
+  /// `link`: path of a symbolic link to the terminal; empty: none.
   explicit Pty(std::string link = {});
   ~Pty();
   Pty(const Pty&) = delete;
   Pty& operator=(const Pty&) = delete;
 
-  /// What a client opens, such as /dev/pts/3.
+  /// Path for clients, such as /dev/pts/3.
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
   [[nodiscard]] int fd() const noexcept { return master_; }
-  /// Bytes a client wrote; 0: none now.
+  /// Bytes written by a client; 0: none.
   std::size_t read(std::span<std::uint8_t> into) noexcept;
-  /// What no client takes is lost, as on a wire; returns how many went.
+  /// Bytes that no client reads are lost, as on a wire. Returns the number of bytes written.
   std::size_t write(Bytes bytes) noexcept;
-  /// Ends an exclusive claim (TIOCEXCL) that a client left behind.
+  /// Clears an exclusive claim (TIOCEXCL) left by a client.
   void dropStaleClaim() noexcept;
 
  private:
@@ -33,7 +33,7 @@ class Pty {
 
   std::string link_, path_;
   int master_ = -1;
-  int slave_ = -1;  // kept open: without it the last client's close would hang the master up
+  int slave_ = -1;  // kept open: otherwise the last client's close would hang up the master
 };
 
 }  // namespace darwinop::hil

@@ -1,4 +1,4 @@
-// The thread behind the pseudo terminal.
+// Thread that serves the pseudo terminal.
 #include "hil-mocks/pty_host.hpp"
 
 #include <poll.h>
@@ -18,13 +18,13 @@
 namespace darwinop::hil {
 namespace {
 
-constexpr Nanos kQuiet = std::chrono::milliseconds{500};  // no client is so long without a word
+constexpr Nanos kQuiet = std::chrono::milliseconds{500};  // after this silence no client is assumed
 constexpr int kPriority = 70;
 
 void becomeRealTime() {
   sched_param parameters{};
   parameters.sched_priority = kPriority;
-  pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);  // refused: a little later, all the same
+  pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);  // if refused: runs with more delay
   prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
 }
 
@@ -37,7 +37,7 @@ PtyHost::PtyHost(VirtualRobot& robot, const PtyOptions& options)
       latency_{options.latency_timer},
       start_{std::chrono::steady_clock::now() - robot.now()},
       event_fd_{eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)} {
-  if (event_fd_ < 0) throw std::runtime_error(std::string("cannot make an eventfd: ") + std::strerror(errno));
+  if (event_fd_ < 0) throw std::runtime_error(std::string("cannot create an eventfd: ") + std::strerror(errno));
   thread_ = std::thread{[this] { serve(); }};
 }
 
@@ -108,7 +108,7 @@ void PtyHost::plugOrUnplug() {
   try {
     pty_ = std::make_unique<Pty>(options_.link);
   } catch (const std::exception&) {
-    // Tried again at the next wake: the old client may still hold the last pseudo terminal there is.
+    // Retried at the next wake-up: the old client may still hold the last pseudo terminal of the system.
   }
 }
 

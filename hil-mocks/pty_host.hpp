@@ -18,28 +18,28 @@
 namespace darwinop::hil {
 
 struct PtyOptions {
-  std::string link;        // symbolic link to the port, re-pointed after every replug; empty: none
-  Nanos latency_timer{0};  // FTDI's; 16 ms is the default of its driver, 0 is none
-  Nanos at_rest = std::chrono::milliseconds{50};  // the body moves at least so often; the less it costs, the longer
+  std::string link;                               // symbolic link to the port, updated after each replug; empty: none
+  Nanos latency_timer{0};                         // FTDI latency timer; driver default 16 ms, 0: none
+  Nanos at_rest = std::chrono::milliseconds{50};  // maximum body step while idle; longer costs less CPU
 };
 
-/// One thread, at SCHED_FIFO 70 where that is allowed. Whole status frames leave at the time at which 1 Mbaud
-/// would have delivered their last byte; each is scheduled on the absolute clock, so lateness does not add up.
+/// One thread, at SCHED_FIFO 70 if permitted. Status frames are sent when their last byte would have arrived at 1
+/// Mbaud, each scheduled on the absolute clock, so that delays do not accumulate.
 class PtyHost {
  public:
-  /// Starts serving. Throws std::runtime_error if there is no pseudo terminal or the link cannot be made.
+  /// Starts serving. Throws std::runtime_error if the pseudo terminal or link cannot be created.
   explicit PtyHost(VirtualRobot& robot, const PtyOptions& options = {});
   ~PtyHost();
   PtyHost(const PtyHost&) = delete;
   PtyHost& operator=(const PtyHost&) = delete;
 
-  /// What a client opens; empty while unplugged.
+  /// Path for clients; empty while unplugged.
   [[nodiscard]] std::string path() const;
   /// Time on the robot's clock.
   [[nodiscard]] Nanos now() const { return std::chrono::steady_clock::now() - start_; }
-  /// How late the robot was, at most, with what was due: computing a body takes time, and so do other programs.
+  /// Maximum delay of scheduled work, caused by body computation or other programs.
   [[nodiscard]] Nanos worstLag() const { return worst_lag_.load(std::memory_order_relaxed); }
-  /// Runs `action` on the robot, which the thread does not touch meanwhile.
+  /// Runs `action` on the robot, excluding the thread.
   template <class F>
   auto withRobot(F&& action) {
     const Wake wake{*this};
@@ -47,8 +47,8 @@ class PtyHost {
     return action(robot_);
   }
 
-  /// Has the thread itself run `action`, a short one, between its works, and waits for that: the robot never waits for
-  /// a caller of low priority. One caller at a time.
+  /// Runs a short `action` in the serving thread and waits for it; the robot never waits for a low-priority caller. One
+  /// caller at a time.
   void askRobot(const std::function<void(VirtualRobot&)>& action);
 
  private:

@@ -1,4 +1,4 @@
-// A small random generator with the same numbers on every machine (SplitMix64, public domain algorithm).
+// Portable random generator (SplitMix64, public domain).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Reads options of a virtual robot.
+// Parses options of a virtual robot.
 #include "hil-mocks/robot_options.hpp"
 
 #include <array>
@@ -9,7 +9,7 @@
 namespace darwinop::hil {
 namespace {
 
-/// A setting with a number behind a colon.
+/// A setting "NAME:NUMBER".
 struct NumberRow {
   std::string_view name;
   unsigned most;
@@ -71,7 +71,7 @@ void setServo(BoardOptions& options, std::string_view text) {
     if (setNumber(servo, setting)) return;
   }
   throw std::runtime_error("--servo " + std::string{text} +
-                           ": give JOINT=SETTING, a name or id of a joint and one of: " + servoSettings());
+                           ": expected JOINT=SETTING, with a joint name or id and one of: " + servoSettings());
 }
 
 void setBoard(BoardOptions& options, std::string_view text) {
@@ -83,7 +83,7 @@ void setBoard(BoardOptions& options, std::string_view text) {
     options.only_block = 30;
   else
     throw std::runtime_error("--board " + std::string{text} +
-                             ": it can be no-bulk-read, no-sync-write or one-block-length");
+                             ": expected no-bulk-read, no-sync-write or one-block-length");
 }
 
 }  // namespace darwinop::hil

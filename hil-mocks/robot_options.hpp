@@ -1,4 +1,4 @@
-// Options of a virtual robot as text: how its servos are set up, and what its board lacks.
+// Command line options of a virtual robot: servo settings and missing board features.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace darwinop::hil {
 
-/// "JOINT=SETTING": a Webots name or an id, then one of servoSettings(). Throws std::runtime_error with what is
-/// allowed.
+/// "JOINT=SETTING": a Webots name or an id, then one of servoSettings(). Throws std::runtime_error with the allowed
+/// values.
 void setServo(BoardOptions& options, std::string_view text);
-/// "no-bulk-read", "no-sync-write" or "one-block-length". Throws as setServo().
+/// "no-bulk-read", "no-sync-write" or "one-block-length". Throws like setServo().
 void setBoard(BoardOptions& options, std::string_view text);
 
-/// The settings of a servo, for error messages and --help.
+/// Servo settings, for error messages and --help.
 std::string servoSettings();
 
 }  // namespace darwinop::hil

@@ -1,4 +1,4 @@
-// What a scripted double does when a test departs from the script.
+// Failure callback of scripted test doubles.
 #pragma once
 
 #include <cstdio>
@@ -8,10 +8,10 @@
 
 namespace darwinop::hil {
 
-/// Gets a sentence. In a GoogleTest: [](const std::string& s) { ADD_FAILURE() << s; }.
+/// Receives a message. In a GoogleTest: [](const std::string& s) { ADD_FAILURE() << s; }.
 using ScriptFailure = std::function<void(const std::string&)>;
 
-/// The default: nothing that went wrong can go unseen.
+/// The default aborts, so that no failure goes unnoticed.
 inline void abortOnScriptFailure(const std::string& what) {
   std::fprintf(stderr, "script: %s\n", what.c_str());
   std::abort();

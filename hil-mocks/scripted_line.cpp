@@ -1,4 +1,4 @@
-// Walking through the script of a line.
+// Scripted byte line.
 #include "hil-mocks/scripted_line.hpp"
 
 #include <cstdio>
@@ -53,7 +53,7 @@ bool ScriptedLine::takeLoss() noexcept {
 LineStatus ScriptedLine::write(std::span<const std::uint8_t> bytes) noexcept {
   if (takeLoss()) return LineStatus::kLost;
   if (steps_.empty() || steps_.front().kind != Kind::kExpect) {
-    failure_("nobody expected a write now, but " + hexOf(bytes) + " was written");
+    failure_("unexpected write of " + hexOf(bytes));
     return LineStatus::kOk;
   }
   const Step step = std::move(steps_.front());

@@ -1,4 +1,4 @@
-// A line for unit tests: expect these bytes, answer those, at simulated times.
+// Scripted byte line for unit tests: expected writes and their replies at simulated times.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace darwinop::hil {
 
 ///   ScriptedLine line;
 ///   line.expect(ping).answer(pong, 120us).expect(ping).silence().lose();
-/// Steps happen in this order. A write that is not the one expected, an answer nobody read, and a step not
-/// reached when the line goes are failures. The clock is simulated: reading jumps to the answer or the deadline.
+/// Steps are ordered. Failures: an unexpected write, a reply that is not read, and a step not reached at destruction.
+/// The clock is simulated: reading advances to the reply or the deadline.
 class ScriptedLine : public ByteLine {
  public:
   explicit ScriptedLine(ScriptFailure failure = abortOnScriptFailure) : failure_{std::move(failure)} {}
@@ -24,19 +24,19 @@ class ScriptedLine : public ByteLine {
   ScriptedLine(const ScriptedLine&) = delete;
   ScriptedLine& operator=(const ScriptedLine&) = delete;
 
-  /// The next write() is exactly these bytes.
+  /// The next write() must be exactly these bytes.
   ScriptedLine& expect(Bytes bytes);
-  /// One read() brings these bytes, so long after the last write (or after the answer before).
+  /// One read() returns these bytes, this long after the last write (or after the previous reply).
   ScriptedLine& answer(Bytes bytes, Nanos after = Nanos{0});
-  /// One read() meets its deadline.
+  /// One read() times out.
   ScriptedLine& silence();
-  /// The next write() or read() is kLost; the one after it finds the line back.
+  /// The next write() or read() returns kLost; the line works again after it.
   ScriptedLine& lose();
 
   [[nodiscard]] Nanos now() noexcept override { return now_; }
   LineStatus write(std::span<const std::uint8_t> bytes) noexcept override;
   LineStatus read(std::span<std::uint8_t> into, std::size_t& count, Nanos deadline) noexcept override;
-  /// Takes answers that are due, too.
+  /// Also discards replies that are due.
   void discardInput() noexcept override;
   [[nodiscard]] std::uint32_t reconnects() const noexcept override { return reconnects_; }
   void advanceTo(Nanos when) noexcept { now_ = std::max(now_, when); }

@@ -1,4 +1,4 @@
-// What happens at the motor of a virtual servo, at the moment it happens: for tests that judge registers only.
+// Observer of a virtual servo's motor state, for tests that check registers.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace darwinop::hil {
 
-/// The registers that decide what a motor does.
+/// Registers that determine the motor's behaviour.
 struct ServoState {
   bool powered = false, torque_enable = false;
-  std::uint16_t torque_limit = 0;  // counts; 0 after the servo shut itself off
+  std::uint16_t torque_limit = 0;  // counts; 0 after a shutdown
   std::uint16_t goal = 0;          // ticks
   std::uint16_t speed = 0;         // counts; 0 means no limit
 
@@ -22,16 +22,16 @@ struct ServoState {
 enum class ServoEvent : std::uint8_t {
   kPowerOn,
   kPowerOff,
-  kTripped,  // its own protection acted
+  kTripped,  // by the servo's protection
 };
 
 class ServoObserver {
  public:
   virtual ~ServoObserver() = default;
-  /// A write that the servo accepted; `after` is in effect.
+  /// An accepted write; `after` is in effect.
   virtual void written(Joint joint, std::uint8_t address, Bytes data, const ServoState& before,
                        const ServoState& after) noexcept = 0;
-  /// Its registers changed without a write.
+  /// Registers changed without a write.
   virtual void changed(Joint joint, ServoEvent event, const ServoState& before, const ServoState& after) noexcept = 0;
 };
 

@@ -1,4 +1,4 @@
-// How often torque came on at the servos of a virtual robot.
+// Counts torque enables at the servos of a virtual robot.
 #pragma once
 
 #include <cstdint>

@@ -119,7 +119,7 @@ void VirtualBoard::sagSupply() noexcept {
   for (VirtualServo& s : servos_) s.setSupply(rail_v_);
   if (rail_v_ >= kBrownOutV) return;
   for (VirtualServo& s : servos_) s.powerDown();
-  afterBoardWrite();  // without their load the supply is back
+  afterBoardWrite();  // without load the supply recovers
 }
 
 void VirtualBoard::takeByte() noexcept {
@@ -150,7 +150,7 @@ void VirtualBoard::execute(bool good_checksum) noexcept {
 
 template <class F>
 void VirtualBoard::forEachListener(std::uint8_t id, F&& action) noexcept {
-  // Who listens is settled before anything takes effect: a write may change an id, or cut the power.
+  // Receivers are determined before effects: a write may change an id or cut the power.
   std::array<Device*, kJoints + 1> listeners{};
   std::size_t count = 0;
   if (id == kBroadcastId || id == device_.id()) listeners[count++] = &device_;
@@ -161,12 +161,12 @@ void VirtualBoard::forEachListener(std::uint8_t id, F&& action) noexcept {
 
 void VirtualBoard::executeUnicast(std::uint8_t id, std::uint8_t instruction, Bytes params,
                                   bool good_checksum) noexcept {
-  // Status before effect: a device answers with what it was before the write.
+  // Status before effect: a device replies with its state before the write.
   bool on_the_bus = instruction == static_cast<std::uint8_t>(Instruction::kRead);
   beginReply();
   forEachListener(id, [&](Device& device) {
     measure(device);
-    on_the_bus |= &device != &device_;  // the board tells the bus only what it was asked to read
+    on_the_bus |= &device != &device_;  // reads of the board itself are not forwarded to the bus
     addReply(device, good_checksum ? device.answer(instruction, params) : device.answerBadChecksum(instruction));
   });
   sendReply(on_the_bus);
@@ -185,7 +185,7 @@ void VirtualBoard::executeSyncWrite(Bytes params) noexcept {
   const std::size_t count = params[1];
   for (Bytes rest = params.subspan(2); count > 0 && rest.size() > count; rest = rest.subspan(count + 1)) {
     const Bytes data = rest.subspan(1, count);
-    if (rest[0] == kBroadcastId) continue;  // names one device each
+    if (rest[0] == kBroadcastId) continue;  // entries need a single device
     forEachListener(rest[0], [&](Device& device) {
       device.writeIfAccepted(address, data);
       if (&device == &device_) afterBoardWrite();
@@ -219,17 +219,18 @@ void VirtualBoard::nextTurn() noexcept {
       addReply(device, device.answerRead(turn.address, turn.count));
       if (&device != &device_) addTwin(static_cast<const VirtualServo&>(device), turn.address, turn.count);
     });
-  // Each device waits until it has heard the one before it. The board gives up after 100 ms and servos never
-  // do, but by then the PC has asked anew: behind a silent or garbled id the chain is over.
-  const bool heard = reply_size_ > 0 && checksum(Bytes{reply_}.subspan(2, reply_size_ - 3)) == reply_[reply_size_ - 1];
+  // Each device waits for the reply of the previous one. The board times out after 100 ms and servos never do, but by
+  // then the PC has sent a new request: a silent or garbled id ends the chain.
+  const bool answered =
+      reply_size_ > 0 && checksum(Bytes{reply_}.subspan(2, reply_size_ - 3)) == reply_[reply_size_ - 1];
   sendReply(true);
-  if (!heard) turn_count_ = 0, turn_ = 0;
+  if (!answered) turn_count_ = 0, turn_ = 0;
 }
 
 void VirtualBoard::afterBoardWrite() noexcept {
   for (VirtualServo& s : servos_) {
     if (device_.servoPower()) {
-      measure(s);  // its goal will be where it is
+      measure(s);  // its goal becomes its present position
       s.powerUp(now_, boot_[static_cast<std::size_t>(&s - servos_.data())]);
     } else {
       s.powerDown();
@@ -259,7 +260,7 @@ void VirtualBoard::addReply(const Device& device, const Device::Answer& answer) 
   reply_size_ = std::max(reply_size_, size);
 }
 
-/// The twin of a servo is like it, but somewhere else.
+/// The second device with this id: same servo, another position.
 void VirtualBoard::addTwin(const VirtualServo& servo, std::uint8_t address, std::uint8_t count) noexcept {
   if (!twins_[static_cast<std::size_t>(&servo - servos_.data())]) return;
   Device::Answer answer = servo.answerRead(address, count);

@@ -1,4 +1,4 @@
-// A CM-730 with twenty MX-28 on its bus, byte for byte, on a clock that is passed in.
+// A CM-730 with twenty MX-28 on its bus at the byte level, on an external clock.
 #pragma once
 
 #include <array>
@@ -16,18 +16,18 @@
 
 namespace darwinop::hil {
 
-/// BoardOptions::body_step of a body with physics: as often as a servo looks at its encoder.
+/// BoardOptions::body_step of a body with physics: the encoder sampling interval of a servo.
 inline constexpr Nanos kPhysicsStep = std::chrono::milliseconds{1};
 
 struct BoardOptions {
   Nanos byte_time = std::chrono::microseconds{10};  // 1 Mbaud, 8N1; 0: unpaced
   Nanos body_step = std::chrono::milliseconds{2};
-  Nanos servo_boot{0};       // a servo hears nothing so long after its supply came on
-  bool servo_power = false;  // at the start; false as after switching the robot on
+  Nanos servo_boot{0};       // boot time of a servo after its supply is switched on
+  bool servo_power = false;  // initial state; false as after switching the robot on
   std::uint8_t firmware = 0x13;
-  // What a board with another firmware lacks.
+  // Missing features of other firmware versions.
   bool bulk_read = true, sync_write = true;
-  std::uint8_t only_block = 0;  // bytes of its own that a BULK_READ can have; 0: any number
+  std::uint8_t only_block = 0;  // the only number of board bytes that BULK_READ supports; 0: any
   double supply_v = 11.8;
   double temperature_c = 30;
   std::array<ServoOptions, kJoints> servo{};
@@ -36,10 +36,10 @@ struct BoardOptions {
 struct BoardCounters {
   std::uint64_t frames = 0, sync_writes = 0, bulk_reads = 0, replies = 0;
   std::uint64_t bad_checksums = 0;  // instructions
-  std::uint64_t lost_bytes = 0;     // no room for them
+  std::uint64_t lost_bytes = 0;     // dropped because the queue was full
 };
 
-/// The CM-730's own registers.
+/// The CM-730's registers.
 class BoardDevice : public Device {
  public:
   explicit BoardDevice(std::uint8_t firmware);
@@ -51,55 +51,54 @@ class BoardDevice : public Device {
 
  private:
   [[nodiscard]] std::uint8_t standingErrors() const override { return 0; }
-  void factoryReset() override {}  // acknowledged, nothing happens (firmware)
+  void factoryReset() override {}  // acknowledged without effect (firmware)
 };
 
-/// Time only moves forward, by receive() and advance(). Not thread-safe. Requests and replies share one line:
-/// bytes that come while devices still talk wait for them.
+/// Time advances only by receive() and advance(). Not thread-safe. Half duplex: bytes received while devices transmit
+/// wait for them.
 class VirtualBoard {
  public:
   VirtualBoard(const BoardOptions& options, Body& body);
 
-  /// Bytes handed over by the PC at `when`; they are on the wire from then on, or from when the line is free.
+  /// Bytes sent by the PC at `when`; they are on the wire from then on, or from when the line is free.
   void receive(Bytes bytes, Nanos when) noexcept;
-  /// Lets everything happen that happens until then. With `stop_at_reply` it returns right after a reply was
-  /// made; now() tells how far it got.
+  /// Simulates until then. With `stop_at_reply` it returns after the first reply; now() gives the time reached.
   void advance(Nanos until, bool stop_at_reply = false) noexcept;
   [[nodiscard]] Nanos now() const noexcept { return now_; }
-  /// No status begins before this unless more is received; nothing: none will.
+  /// Earliest time of the next status unless more is received; empty: none.
   [[nodiscard]] std::optional<Nanos> earliestReply() const noexcept;
-  /// Status frames, one a chunk; `at` is when the last byte is on the PC's side, and may be ahead of now().
+  /// Status frames, one per chunk; `at` is the arrival of the last byte at the PC, possibly after now().
   [[nodiscard]] ChunkRing& output() noexcept { return output_; }
 
-  // -- faults; each lasts until it is taken back
+  // -- faults; each lasts until it is reset
   void setServoDead(Joint joint, bool dead) noexcept;
   void setServoErrors(Joint joint, std::uint8_t bits) noexcept { servoOf(joint).setErrors(bits); }
-  /// Nothing: as the body says, or else BoardOptions.
+  /// Empty: from the body, else BoardOptions.
   void setTemperature(Joint joint, std::optional<double> celsius) noexcept { servoOf(joint).setTemperature(celsius); }
   void setSupply(double volt) noexcept;
-  /// The supply falls by so much (V) when all servos draw their full load, and in proportion to what they draw.
+  /// Voltage drop (V) at full load of all servos; proportional to their current.
   void setSag(double volt) noexcept { sag_v_ = volt; }
-  /// How long a servo takes to start when it gets its supply the next time.
+  /// Boot time of a servo at its next power-up.
   void setBoot(Joint joint, Nanos boot) noexcept { boot_[index(joint)] = boot; }
   void setJam(Joint joint, std::optional<Nanos> trips_after) noexcept { servoOf(joint).setJam(trips_after); }
-  /// A second device with the id of this servo answers, too.
+  /// Adds a second device with this servo's id.
   void setTwin(Joint joint, bool there) noexcept { twins_[index(joint)] = there; }
   [[nodiscard]] bool hasTwin(Joint joint) const noexcept { return twins_[index(joint)]; }
-  /// So many more BULK_READs are heard by no device.
+  /// The next n BULK_READs are received by no device.
   void missBulkReads(int count) noexcept { bulk_reads_to_miss_ += count; }
-  /// Bytes towards the PC that nobody asked for.
+  /// Unsolicited bytes towards the PC.
   void babble(Bytes bytes) noexcept;
-  /// Pressed by a fault, besides what the body says.
+  /// Pressed by a fault, in addition to the body's buttons.
   void setButtons(std::uint8_t bits) noexcept { buttons_ = bits; }
-  /// Replaces the body's accelerometer, m/s2.
+  /// Overrides the body's accelerometer, m/s2.
   void setAcceleration(const std::optional<std::array<double, 3>>& accel) noexcept { acceleration_ = accel; }
-  /// Neither reads nor answers until then; the body goes on. A time in the past ends a stall.
+  /// Until then the board neither reads nor replies; the body continues. A time in the past ends a stall.
   void stallUntil(Nanos when) noexcept { stalled_until_ = when; }
-  /// The RESET button: registers to their defaults, servo power off.
+  /// RESET button: registers to their defaults, servo power off.
   void pressReset() noexcept;
 
   // -- for tests and reports
-  /// Sees what happens at each motor. Null: nobody.
+  /// Observes each motor. May be null.
   void observe(ServoObserver* observer) noexcept;
   [[nodiscard]] const BoardOptions& options() const noexcept { return options_; }
   [[nodiscard]] const BoardCounters& counters() const noexcept { return counters_; }
@@ -129,7 +128,7 @@ class VirtualBoard {
   template <class F>
   void forEachListener(std::uint8_t id, F&& action) noexcept;
 
-  // A status under construction. Two devices with one id talk at once: their bits are and-ed on the wire.
+  // A status under construction. Two devices with one id transmit at once: their bits are AND-ed on the wire.
   void beginReply() noexcept { reply_size_ = 0; }
   void addReply(const Device& device, const Device::Answer& answer) noexcept;
   void addTwin(const VirtualServo& servo, std::uint8_t address, std::uint8_t count) noexcept;
@@ -144,14 +143,14 @@ class VirtualBoard {
   ChunkRing output_{1024};
   InstructionParser parser_;
   BoardCounters counters_;
-  bool silenced_ = false;  // the body is in trouble: a robot that hangs answers nothing
+  bool silenced_ = false;  // the body has failed: the board answers nothing
 
   Nanos now_{0}, body_time_{0};
-  Nanos line_free_{0};      // bus: bytes of a request or reply until then
+  Nanos line_free_{0};      // bus is busy with a request or reply until then
   Nanos downlink_free_{0};  // board to PC
   Nanos stalled_until_{0};
 
-  std::array<Turn, 85> turns_{};  // of the BULK_READ being answered
+  std::array<Turn, 85> turns_{};  // entries of the current BULK_READ
   std::size_t turn_ = 0, turn_count_ = 0;
   std::bitset<256> had_turn_;
 
@@ -160,7 +159,7 @@ class VirtualBoard {
   Nanos reply_delay_{0};
 
   double supply_v_, sag_v_ = 0;
-  double rail_v_;  // what is left of the supply
+  double rail_v_;  // supply voltage under load
   std::array<Nanos, kJoints> boot_{};
   std::bitset<kJoints> twins_;
   int bulk_reads_to_miss_ = 0;

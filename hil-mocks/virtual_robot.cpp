@@ -1,4 +1,4 @@
-// Keeps board and faults in step.
+// Synchronizes board and faults.
 #include "hil-mocks/virtual_robot.hpp"
 
 #include <algorithm>
@@ -49,7 +49,7 @@ void VirtualRobot::collectReplies() noexcept {
     if (!portOpen()) continue;
     Chunk& chunk = replies.front();
     faults_.pass(chunk, Way::kReplies);
-    last_at_ = chunk.at = std::max(chunk.at, last_at_);  // a delayed frame holds up those behind it
+    last_at_ = chunk.at = std::max(chunk.at, last_at_);  // a delayed frame also delays those behind it
     if (chunk.size > 0) output_.push(chunk.bytes(), chunk.at);
   }
 }

@@ -1,4 +1,4 @@
-// Board, body and faults together: what stands at the far end of a line.
+// Virtual robot: board, body and faults at the far end of a line.
 #pragma once
 
 #include <memory>
@@ -10,25 +10,25 @@
 
 namespace darwinop::hil {
 
-/// Time only moves forward. Not thread-safe. Allocates nothing after construction unless faults are added.
+/// Time only advances. Not thread-safe. Allocates nothing after construction unless faults are added.
 class VirtualRobot {
  public:
-  /// Without a body it gets a PlainBody.
+  /// Uses a PlainBody by default.
   explicit VirtualRobot(const BoardOptions& options = {}, std::uint64_t seed = 1, std::unique_ptr<Body> body = nullptr);
 
   void receive(Bytes bytes, Nanos when) noexcept;
   void advance(Nanos until) noexcept { advance(until, false); }
-  /// As advance(), but returns as soon as output() has something.
+  /// As advance(), but returns as soon as output() has data.
   void advanceToReply(Nanos until) noexcept { advance(until, true); }
   [[nodiscard]] Nanos now() const noexcept { return now_; }
-  /// Until then advance() brings nothing to see, unless something is received; nothing: for ever.
+  /// No output before this time unless something is received; empty: never.
   [[nodiscard]] std::optional<Nanos> nextWake() const noexcept;
 
-  /// What the PC sees, after faults, in the order of `at`.
+  /// Data for the PC, after faults, ordered by `at`.
   [[nodiscard]] ChunkRing& output() noexcept { return output_; }
-  /// False while the cable is out: bytes both ways are lost.
+  /// False while unplugged: bytes in both directions are lost.
   [[nodiscard]] bool portOpen() const noexcept { return faults_.portOpen(); }
-  /// How often the cable came back.
+  /// Number of replugs.
   [[nodiscard]] std::uint32_t replugs() const noexcept { return replugs_; }
 
   [[nodiscard]] VirtualBoard& board() noexcept { return board_; }

@@ -25,8 +25,8 @@ constexpr std::uint8_t kPresentSpeed = addressOf("present_speed"), kPresentLoad 
 constexpr std::uint8_t kGoalAcceleration = addressOf("goal_acceleration");
 constexpr std::uint8_t kRegistered = addressOf("registered"), kMoving = addressOf("moving"), kLock = addressOf("lock");
 constexpr std::uint16_t kClockwise = 1024;  // bit 10 of the speed register, in wheel mode only
-constexpr double kAheadRad = 1;             // how far the goal of a turning wheel stays ahead of it
-constexpr int kMovingTicks = 4;             // further than this from the goal counts as moving
+constexpr double kAheadRad = 1;             // lead of the goal of a turning wheel
+constexpr int kMovingTicks = 4;             // a larger distance to the goal counts as moving
 
 }  // namespace
 
@@ -111,7 +111,7 @@ bool VirtualServo::goalWithinLimits(std::uint16_t goal) const {
   return wheelMode() || multiTurnMode() || (goal >= table_.word(kCwLimit) && goal <= table_.word(kCcwLimit));
 }
 
-/// One turn that begins again in wheel mode; a signed count of ticks, of many turns, in multi-turn mode.
+/// Wraps at one turn in wheel mode; signed multi-turn ticks in multi-turn mode.
 std::uint16_t VirtualServo::positionRegister(double position_rad) const {
   if (!wheelMode() && !multiTurnMode()) return static_cast<std::uint16_t>(ticksFromRad(Rad{position_rad}));
   const long ticks = std::lround(position_rad / kRadPerTick) + kTickCentre;
@@ -119,7 +119,7 @@ std::uint16_t VirtualServo::positionRegister(double position_rad) const {
 }
 
 std::uint8_t VirtualServo::objections(std::uint8_t address, Bytes data) const {
-  // In wheel mode the speed register has a direction.
+  // In wheel mode the speed register includes a direction.
   std::array<std::uint8_t, kMaxFrame> copy{};
   const std::size_t high_byte = servo::kMovingSpeed + 1u - address;
   if (wheelMode() && address <= servo::kMovingSpeed && high_byte < data.size()) {
@@ -145,7 +145,7 @@ void VirtualServo::write(std::uint8_t address, Bytes data) {
   const bool was_locked = table_.byte(kLock) != 0;
   table_.write(address, data);
   if (was_locked) table_.setByte(kLock, 1);  // only a power cycle unlocks
-  // Protocol 1 servos switch torque on by themselves when they are given a goal.
+  // Protocol 1 servos enable torque automatically on a goal write.
   if (address <= servo::kGoalPosition && address + data.size() > servo::kGoalPosition)
     table_.setByte(servo::kTorqueEnable, 1);
   updateDrive();
@@ -161,13 +161,13 @@ void VirtualServo::showRegistered(bool waiting) {
   table_.setByte(kRegistered, waiting ? 1 : 0);
 }
 
-/// What the protections judge by, always up to date.
+/// Inputs of the protections, updated continuously.
 void VirtualServo::feel(const JointMotion& motion) {
   const double celsius = std::isnan(motion.temperature_c) ? usual_temperature_c_ : motion.temperature_c;
   const double volt = std::isnan(motion.supply_v) ? supply_v_ : motion.supply_v;
   table_.setByte(servo::kPresentTemperature, rounded(forced_temperature_c_.value_or(celsius)));
   table_.setByte(servo::kPresentVoltage, rounded(volt * 10));
-  // Without torque a body feels no load any more: the bit stands until the torque limit is written again.
+  // Without torque the body has no load: the bit stays until the torque limit is written.
   overloaded_ = motion.overload || strain_trips_ || (overloaded_ && table_.word(servo::kTorqueLimit) == 0);
 }
 
@@ -177,7 +177,7 @@ void VirtualServo::measure(const JointMotion& motion) {
   if (!powered_) return;
   table_.setWord(servo::kPresentPosition, position_);
   table_.setWord(kPresentSpeed, registerFromVelocity(RadPerSec{motion.velocity_rad_s}));
-  const bool stuck = trips_after_ && state().pulls();  // it works at its limit
+  const bool stuck = trips_after_ && state().pulls();  // at its torque limit
   const double limit = table_.word(servo::kTorqueLimit) / static_cast<double>(kTorqueMax);
   table_.setWord(kPresentLoad, registerFromLoad(stuck ? std::copysign(limit, motion.load) : motion.load));
   const int away = std::abs(int{table_.word(servo::kGoalPosition)} - int{position_});
@@ -217,7 +217,7 @@ const ServoDrive& VirtualServo::drive(const JointMotion& motion) {
     if (observer_ != nullptr && before.pulls()) observer_->changed(joint_, ServoEvent::kTripped, before, state());
   }
   drive_.torque_on = table_.byte(servo::kTorqueEnable) != 0;
-  if (wheelMode()) {  // turns without end, whatever the goal register says
+  if (wheelMode()) {  // turns continuously, independent of the goal register
     const bool clockwise = (table_.word(servo::kMovingSpeed) & kClockwise) != 0;
     drive_.goal_rad = motion.position_rad + (clockwise ? -kAheadRad : kAheadRad);
   }

@@ -1,4 +1,4 @@
-// One MX-28 on the virtual bus: its registers, its power, its protections.
+// One MX-28 on the virtual bus: registers, power, protections.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace darwinop::hil {
 
-/// How a servo comes to the robot. Default: as the robot's own set-up tool leaves it.
+/// Initial configuration of a servo. Default: as set by the robot's own set-up tool.
 struct ServoOptions {
-  std::uint8_t id = 0;  // 0: the joint's own
+  std::uint8_t id = 0;  // 0: the joint's id
   std::uint8_t firmware = 36, return_delay = 0, status_level = 2;
-  std::uint8_t baud = 1;  // the bus runs at 1 Mbaud; another value makes the servo unreachable
+  std::uint8_t baud = 1;  // the bus runs at 1 Mbaud; with another value the servo is unreachable
   bool missing = false;
   std::uint16_t model = find(kMx28, "model").reset;
   // Registers 6, 8 and 14. Both limits 0: wheel mode; both 4095: multi-turn mode.
   std::uint16_t cw_limit = 0, ccw_limit = kTickMax, max_torque = 1023;
 
-  /// A replaced servo that nobody has set up. `baud` 1: somebody got as far as that.
+  /// A new servo with factory settings. `baud` 1: only the baud rate has been set.
   static constexpr ServoOptions factoryFresh(std::uint8_t baud_register = 34) {
     return {1, 36, 250, 2, baud_register, false};
   }
@@ -32,37 +32,37 @@ class VirtualServo : public Device {
  public:
   VirtualServo(Joint joint, const ServoOptions& options);
 
-  /// Supply of the bus switched at `now`; hears nothing until `boot` later. RAM starts from its reset values.
+  /// Bus supply on at `now`; receives nothing until `boot` later. RAM starts from its reset values.
   void powerUp(Nanos now, Nanos boot);
   void powerDown();
   [[nodiscard]] bool listens(Nanos now) const { return powered_ && now >= awake_at_ && table_.byte(kBaudAddress) == 1; }
 
-  // -- what a fault does to it
-  /// Its plug is out: no supply either. Back in, it starts from its reset values with the next powerUp().
+  // -- faults
+  /// Disconnected, also from the supply. Reconnected, it starts from its reset values at the next powerUp().
   void setDead(bool dead) {
     dead_ = dead;
     if (dead) powerDown();
   }
-  /// Its joint is stuck: it trips by overload after so long under torque, each time again. Nothing: it is free.
+  /// Blocked joint: trips by overload after this time under torque, repeatedly. Empty: not blocked.
   void setJam(std::optional<Nanos> trips_after);
-  /// So much time goes by, for what a jam does.
+  /// Advances the time of a jam.
   void strain(Nanos dt);
   void setErrors(std::uint8_t bits) { injected_errors_ = bits; }
-  /// Whatever the body says of it; nothing: as the body says.
+  /// Overrides the body's value; empty: the body's.
   void setTemperature(std::optional<double> celsius) { forced_temperature_c_ = celsius; }
-  /// What the bus supplies. How much of it reaches the servo is for the body to say.
+  /// Supply of the bus. The body determines how much of it reaches the servo.
   void setSupply(double volt) { supply_v_ = volt; }
-  /// Where the body does not say.
+  /// Used if the body does not specify it.
   void setUsualTemperature(double celsius) { usual_temperature_c_ = celsius; }
 
-  /// What its motor is told.
+  /// Motor command.
   [[nodiscard]] ServoState state() const;
-  /// Null: nobody.
+  /// May be null.
   void observe(ServoObserver* observer) { observer_ = observer; }
 
-  /// Brings the measuring registers up to date.
+  /// Updates the measurement registers.
   void measure(const JointMotion& motion);
-  /// What the motor is told in that motion, after the servo's own protections had their say.
+  /// Motor command for that motion, limited by the servo's protections.
   [[nodiscard]] const ServoDrive& drive(const JointMotion& motion);
 
  private:
@@ -93,7 +93,7 @@ class VirtualServo : public Device {
   Nanos strained_for_{0};
   bool strain_trips_ = false;
   Nanos awake_at_{0};
-  std::uint16_t position_;  // ticks; survives power-off as the horn does
+  std::uint16_t position_;  // ticks; survives power-off, as the horn position does
   ServoDrive drive_;
 };
 

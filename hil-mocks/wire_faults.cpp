@@ -1,4 +1,4 @@
-// What each wire fault does to a frame.
+// Effects of wire faults on a frame.
 #include "hil-mocks/wire_faults.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Spoils the bytes of one frame.
+// Corrupts the bytes of one frame.
 #pragma once
 
 #include "hil-mocks/chunk.hpp"
@@ -7,11 +7,11 @@
 
 namespace darwinop::hil {
 
-/// Drops, corrupts or repeats `fault.amount` bytes at random places, repeats or delays the frame, or puts
-/// garbage before it. The chunk may end empty.
+/// Drops, corrupts or repeats `fault.amount` bytes at random positions, repeats or delays the frame, or puts garbage
+/// before it. The chunk may become empty.
 void spoil(Chunk& chunk, const Fault& fault, Random& random) noexcept;
 
-/// Sets the fault's error bits in a status of one of its servos, with the fault's chance; the checksum is right.
+/// Sets the fault's error bits in a status of one of its servos, with the fault's chance; the checksum stays valid.
 void flicker(Chunk& chunk, const Fault& fault, Random& random) noexcept;
 
 }  // namespace darwinop::hil

@@ -1,3 +1,4 @@
+// Saves and restores motor settings for the duration of a walk.
 #include "managers/borrowed_motors.hpp"
 
 #include <cmath>
@@ -22,7 +23,7 @@ constexpr double kRegisterPerKp = 8;
 
 }  // namespace
 
-BorrowedMotors::BorrowedMotors(webots::Robot& robot) : inside_{darwinop::facade::currentRobot()} {
+BorrowedMotors::BorrowedMotors(webots::Robot& robot) : impl_{darwinop::facade::currentRobot()} {
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     motors_[i] = robot.getMotor(std::string{darwinop::kJointTable[i].name});
     if (motors_[i] == nullptr) throw std::runtime_error("a joint is missing");
@@ -32,46 +33,46 @@ BorrowedMotors::BorrowedMotors(webots::Robot& robot) : inside_{darwinop::facade:
 BorrowedMotors& BorrowedMotors::operator=(const BorrowedMotors& other) {
   if (this == &other) return *this;
   giveBack();
-  inside_ = other.inside_;
+  impl_ = other.impl_;
   motors_ = other.motors_;
   return *this;
 }
 
 bool BorrowedMotors::exist() const {
-  return inside_ != nullptr && darwinop::facade::currentRobot() == inside_;
+  return impl_ != nullptr && darwinop::facade::currentRobot() == impl_;
 }
 
 const void* BorrowedMotors::takenBy() const {
-  return exist() ? inside_->joints_taken_by : nullptr;
+  return exist() ? impl_->joints_taken_by : nullptr;
 }
 
 void BorrowedMotors::take(const gait::Parameters& gains) {
-  inside_->joints_taken_by = this;
+  impl_->joints_taken_by = this;
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     webots::Motor& motor = *motors_[i];
-    if (!lifted_) speed_[i] = motor.getVelocity(), acceleration_[i] = motor.getAcceleration();
+    if (!taken_) speed_[i] = motor.getVelocity(), acceleration_[i] = motor.getAcceleration();
     if (acceleration_[i] > 0) motor.setAcceleration(-1);
     if (std::abs(speed_[i]) < motor.getMaxVelocity()) motor.setVelocity(motor.getMaxVelocity());
-    inside_->lendGain(static_cast<Joint>(i), gait::pGain(static_cast<Joint>(i), gains) / kRegisterPerKp);
+    impl_->lendGain(static_cast<Joint>(i), gait::pGain(static_cast<Joint>(i), gains) / kRegisterPerKp);
   }
-  lifted_ = true;
+  taken_ = true;
 }
 
 void BorrowedMotors::giveBack() {
-  if (!lifted_ || !exist()) return;
-  lifted_ = false;
-  const bool ours = areOurs();  // else their gains are another's
+  if (!taken_ || !exist()) return;
+  taken_ = false;
+  const bool ours = areOurs();  // otherwise the gains belong to another manager
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     webots::Motor& motor = *motors_[i];
     if (motor.getVelocity() != speed_[i]) motor.setVelocity(speed_[i]);
     if (acceleration_[i] > 0) motor.setAcceleration(acceleration_[i]);
-    if (ours) inside_->lendGain(static_cast<Joint>(i), {});
+    if (ours) impl_->lendGain(static_cast<Joint>(i), {});
   }
-  if (ours) inside_->joints_taken_by = nullptr;
+  if (ours) impl_->joints_taken_by = nullptr;
 }
 
 std::uint64_t BorrowedMotors::cycleOfReading() const {
-  const darwinop::Sensors& sensors = inside_->session().sensors();
+  const darwinop::Sensors& sensors = impl_->session().sensors();
   return sensors.cycle - sensors.board.motion.age;
 }
 
@@ -79,7 +80,7 @@ gait::Pose BorrowedMotors::present() const {
   gait::Pose pose{};
   for (std::size_t i = 0; i < pose.size(); ++i) {
     const auto joint = static_cast<Joint>(i);
-    pose[i] = darwinop::presentGoal(joint, inside_->lastKnown(joint), motors_[i]->getTargetPosition());
+    pose[i] = darwinop::presentGoal(joint, impl_->lastKnown(joint), motors_[i]->getTargetPosition());
   }
   return pose;
 }

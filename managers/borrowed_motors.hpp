@@ -1,4 +1,5 @@
-// The motors of a walk: with limits lifted and gains of its own while it has them, as they were before behind that.
+// Motors during a walk: removes the controller's speed and acceleration limits, sets the walk's P gains, and restores
+// both afterwards.
 #pragma once
 
 #include <array>
@@ -18,39 +19,39 @@ class RobotImpl;
 
 namespace managers {
 
-/// Gives them back at its end. A copy has borrowed nothing.
+/// The destructor restores the settings. A copy has not taken the motors.
 class BorrowedMotors {
  public:
-  BorrowedMotors() = default;  // of no robot
-  /// Throws std::runtime_error when a joint is missing.
+  BorrowedMotors() = default;  // without a robot
+  /// Throws std::runtime_error if a joint is missing.
   explicit BorrowedMotors(webots::Robot& robot);
-  BorrowedMotors(const BorrowedMotors& other) : inside_{other.inside_}, motors_{other.motors_} {}
+  BorrowedMotors(const BorrowedMotors& other) : impl_{other.impl_}, motors_{other.motors_} {}
   BorrowedMotors& operator=(const BorrowedMotors& other);
   ~BorrowedMotors() { giveBack(); }
 
-  /// False: there is no robot, or it has gone and its motors with it.
+  /// False without a robot, or after it was destroyed together with its motors.
   [[nodiscard]] bool exist() const;
-  /// By whom they are moved now; nobody: the controller itself.
+  /// Which manager moves the joints now; neither if the controller itself does.
   [[nodiscard]] bool areOurs() const { return takenBy() == this; }
   [[nodiscard]] bool areAnothers() const { return takenBy() != this && takenBy() != nullptr; }
 
-  /// Walking needs what the servos can give: a speed limit of the controller's would make it fall.
+  /// Saves settings, removes limits (a speed limit would make the robot fall), sets gains.
   void take(const darwinop::gait::Parameters& gains);
   void giveBack();
 
-  /// Cycle of the loop in which the board, whose gyroscope a walk looks at, was read last.
+  /// Cycle of the last successful reading of the board (gyroscope).
   [[nodiscard]] std::uint64_t cycleOfReading() const;
-  /// rad, where a walk may begin without a jump: core/present_goal.hpp.
+  /// Start pose of a walk without a jump, rad; see core/present_goal.hpp.
   [[nodiscard]] darwinop::gait::Pose present() const;
   void setGoals(const darwinop::gait::Pose& goals);
 
  private:
   [[nodiscard]] const void* takenBy() const;
 
-  darwinop::facade::RobotImpl* inside_ = nullptr;
+  darwinop::facade::RobotImpl* impl_ = nullptr;
   std::array<webots::Motor*, darwinop::gait::kWalkingJoints> motors_{};
-  bool lifted_ = false;
-  std::array<double, darwinop::gait::kWalkingJoints> speed_{}, acceleration_{};  // before they were lifted
+  bool taken_ = false;
+  std::array<double, darwinop::gait::kWalkingJoints> speed_{}, acceleration_{};  // saved settings
 };
 
 }  // namespace managers

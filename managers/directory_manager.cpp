@@ -1,4 +1,4 @@
-// Where the two generations of robots keep their data.
+// Data folders of the two robot generations.
 #include "DARwInOPDirectoryManager.hpp"
 #include "RobotisOp2DirectoryManager.hpp"
 

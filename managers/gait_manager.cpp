@@ -1,4 +1,4 @@
-// The upstream gait manager on top of the walking engine: what it says, and which joints get what it computes.
+// Implements the upstream gait manager API with the walking engine.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -23,40 +23,40 @@ namespace gait = darwinop::gait;
 namespace {
 
 constexpr int kTick = static_cast<int>(gait::kTickMs);
-constexpr int kLongestStep = 10'000;  // ms, as that of Robot::step() in config.ini
-constexpr double kCatchUpMs = 600;    // of goals that are as fast as servos: half a turn takes 256 ms
+constexpr int kMaxStep = 10'000;    // ms, as for Robot::step() in config.ini
+constexpr double kCatchUpMs = 600;  // for speed-limited goals to catch up: half a turn takes 256 ms
 
 void warn(const std::string& what) {
   warnOnce("GaitManager: " + what);
 }
 
-void takeAmplitude(double& amplitude, double wanted, const char* call) {
-  if (std::isnan(wanted)) return warn(std::string{call} + "(NaN) is ignored");
-  amplitude = std::clamp(wanted, -1.0, 1.0);
+void setAmplitude(double& amplitude, double value, const char* call) {
+  if (std::isnan(value)) return warn(std::string{call} + "(NaN) is ignored");
+  amplitude = std::clamp(value, -1.0, 1.0);
 }
 
 }  // namespace
 
 struct DARwInOPGaitManager::Walker {
-  webots::Robot* robot = nullptr;  // null: it cannot walk
+  webots::Robot* robot = nullptr;  // null: not initialized
   BorrowedMotors motors;
   webots::Gyro* gyro = nullptr;
   gait::Walk walk{gait::Parameters{}};
-  gait::Wish wish;
+  gait::WalkCommand command;
   bool balance = true;
-  bool wanted = false;    // between start() and stop()
-  bool stopping = false;  // inside stop(): a Robot::step() of the user may call us
+  bool requested = false;  // between start() and stop()
+  bool stopping = false;   // inside stop(), to reject calls from an overridden Robot::step()
   int carried_ms = 0;
-  std::uint64_t reading = 0;  // cycle of the newest one that was looked at
+  std::uint64_t reading = 0;  // cycle of the last gyroscope reading used
 
   Walker() = default;
-  /// The same robot and wishes, at rest.
+  /// The same robot and commands, at rest.
   Walker(const Walker& other)
       : robot{other.robot},
         motors{other.motors},
         gyro{other.gyro},
         walk{other.walk.parameters()},
-        wish{other.wish},
+        command{other.command},
         balance{other.balance} {}
   Walker& operator=(const Walker&) = delete;
 
@@ -72,16 +72,16 @@ struct DARwInOPGaitManager::Walker {
 
   [[nodiscard]] bool canWalk() const { return robot != nullptr && motors.exist() && !stopping; }
 
-  /// From where the joints are now.
+  /// Starts at the present joint positions.
   void begin() {
     const gait::Pose from = motors.present();
-    if (!walk.resting()) walk.abandon();  // a page was played in the middle of a step
+    if (!walk.resting()) walk.abandon();  // a motion page interrupted a step
     walk.start(from);
     carried_ms = 0;
     motors.take(walk.parameters());
   }
 
-  /// Fresh when the board has answered since the last look, or does not answer any more.
+  /// Fresh if the board was read since the last call, or if the gyroscope is unknown.
   gait::GyroCounts gyroCounts() {
     const double* const counts = gyro != nullptr ? gyro->getValues() : nullptr;
     if (counts == nullptr || std::isnan(counts[0])) return {std::nan(""), std::nan("")};
@@ -90,54 +90,54 @@ struct DARwInOPGaitManager::Walker {
   }
 
   void advance(int ms) {
-    if (wanted && motors.areAnothers()) return;  // until the page has ended
-    if (wanted && !motors.areOurs()) begin();
+    if (requested && motors.areAnothers()) return;  // a motion page is playing
+    if (requested && !motors.areOurs()) begin();
     const bool walked = walk.walking(), moves = !walk.resting();
-    gait::GyroCounts seen = gyroCounts();
+    gait::GyroCounts counts = gyroCounts();
     carried_ms += ms;
     for (; carried_ms >= kTick; carried_ms -= kTick) {
-      walk.tick(wish, balance, seen);
-      seen.fresh = false;
+      walk.tick(command, balance, counts);
+      counts.fresh = false;
     }
     if (!moves) return;
     motors.setGoals(walk.pose());
-    if (!walked && walk.walking() && balance && !walk.knowsBalance())
+    if (!walked && walk.walking() && balance && !walk.isBalanceCalibrated())
       warn(
-          "the robot was moved, or its gyroscope is silent, so that balance cannot be calibrated; it walks without. "
-          "Let it stand still for a second before start()");
+          "balance is off: the gyroscope could not be calibrated, because the robot was moved or the gyroscope does "
+          "not reply. Keep the robot still for a second before start()");
     if (walk.resting()) motors.giveBack();
   }
 
   void stop() {
     if (!canWalk()) return;
-    wanted = false;
+    requested = false;
     if (walk.resting()) return;
     walk.stop();
     stopping = true;
-    const struct Stopped {  // also when the user's Robot::step() throws
+    const struct Stopped {  // resets the flag also if an overridden Robot::step() throws
       bool& stopping;
       ~Stopped() { stopping = false; }
     } stopped{stopping};
     const int basic = std::max(1, static_cast<int>(robot->getBasicTimeStep()));
-    double left_ms = walk.approachMs() + 2 * walk.parameters().period_time + kCatchUpMs;
-    while (!walk.resting() && left_ms > -basic) {
-      if (!motors.areOurs()) {  // a page has moved them, before or inside of the user's Robot::step(): no step to end
+    double remaining_ms = walk.approachMs() + 2 * walk.parameters().period_time + kCatchUpMs;
+    while (!walk.resting() && remaining_ms > -basic) {
+      if (!motors.areOurs()) {  // a motion page has moved the joints: there is no step to complete
         walk.abandon();
         return motors.giveBack();
       }
       advance(basic);
       if (robot->step(basic) == -1) break;
-      left_ms -= basic;
+      remaining_ms -= basic;
     }
   }
 };
 
 DARwInOPGaitManager::DARwInOPGaitManager(webots::Robot* robot, const std::string& ini_filename) : walker_{new Walker} {
   try {
-    if (robot == nullptr) throw std::runtime_error("it was given no robot");
+    if (robot == nullptr) throw std::runtime_error("the robot is null");
     walker_->prepare(*robot, ini_filename);
   } catch (const std::exception& why) {
-    warn(std::string{why.what()} + "; the robot will not walk");
+    warn(std::string{why.what()} + "; the gait manager is disabled");
   }
 }
 
@@ -160,19 +160,19 @@ bool DARwInOPGaitManager::isCorrectlyInitialized() {
 }
 
 void DARwInOPGaitManager::setXAmplitude(double x) {
-  takeAmplitude(walker_->wish.x, x, "setXAmplitude");
+  setAmplitude(walker_->command.x, x, "setXAmplitude");
 }
 
 void DARwInOPGaitManager::setYAmplitude(double y) {
-  takeAmplitude(walker_->wish.y, y, "setYAmplitude");
+  setAmplitude(walker_->command.y, y, "setYAmplitude");
 }
 
 void DARwInOPGaitManager::setAAmplitude(double a) {
-  takeAmplitude(walker_->wish.a, a, "setAAmplitude");
+  setAmplitude(walker_->command.a, a, "setAAmplitude");
 }
 
 void DARwInOPGaitManager::setMoveAimOn(bool on) {
-  walker_->wish.aim = on;
+  walker_->command.aim = on;
 }
 
 void DARwInOPGaitManager::setBalanceEnable(bool on) {
@@ -180,14 +180,14 @@ void DARwInOPGaitManager::setBalanceEnable(bool on) {
 }
 
 void DARwInOPGaitManager::start() {
-  if (walker_->canWalk()) walker_->wanted = true;
+  if (walker_->canWalk()) walker_->requested = true;
 }
 
 void DARwInOPGaitManager::step(int ms) {
   if (!walker_->canWalk()) return;
   if (ms < kTick)
-    return warn("step(" + std::to_string(ms) + ") is too short and does nothing; give 8 ms or more, best a multiple");
-  walker_->advance(std::min(ms, kLongestStep));
+    return warn("step(" + std::to_string(ms) + ") has no effect; pass 8 ms or more, preferably a multiple of 8");
+  walker_->advance(std::min(ms, kMaxStep));
 }
 
 void DARwInOPGaitManager::stop() {

@@ -1,4 +1,4 @@
-// The upstream motion manager on top of the player: 8 ms ticks into steps, ticks into goals, and no exception outwards.
+// Implements the upstream motion manager API with the page player. Throws no exceptions to the controller.
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -41,14 +41,14 @@ darwinop::LeadIn::Pose inRad(const motion::Pose& ticks) {
 
 struct DARwInOPMotionManager::Stage {
   webots::Robot* robot = nullptr;
-  MotionPages pages;  // none: nothing is ever played
+  MotionPages pages;  // null: nothing can be played
   std::unique_ptr<motion::Player> player;
-  darwinop::LeadIn lead_in;     // before the page's first tick; done when the robot is near enough
-  int left_ms = 0;              // of the last step(), less than a tick
-  bool gains_are_lent = false;  // the joints have the page's
-  bool waited_for = false;      // inside playPage(): a Robot::step() of the user may call us
+  darwinop::LeadIn lead_in;  // motion to the target of the page's first step
+  int left_ms = 0;                   // carried over from the last step(), less than a tick
+  bool gains_are_lent = false;       // the joints have the page's P gains
+  bool waited_for = false;           // inside playPage(), to reject calls from an overridden Robot::step()
 
-  Stage(webots::Robot* whose, MotionPages file) : robot{whose}, pages{std::move(file)} {
+  Stage(webots::Robot* owner, MotionPages file) : robot{owner}, pages{std::move(file)} {
     if (pages) player = std::make_unique<motion::Player>(*pages);
   }
   Stage(const Stage&) = delete;
@@ -67,12 +67,12 @@ struct DARwInOPMotionManager::Stage {
   [[nodiscard]] darwinop::LeadIn::Pose present(const darwinop::facade::RobotImpl& inside) const;
 };
 
-/// False: it cannot be played, which was said.
+/// False if the page cannot be played; a warning has been logged.
 bool DARwInOPMotionManager::Stage::start(int page) {
   const std::string name = "MotionManager: page " + std::to_string(page);
   darwinop::facade::RobotImpl* const inside = darwinop::facade::currentRobot();
   if (!pages || !inside) {
-    warnOnce(name + " is skipped: there is no " + (pages ? "robot" : "motion file"));
+    warnOnce(name + " is skipped: no " + (pages ? "robot" : "motion file"));
     return false;
   }
   if (player->isPlaying()) {
@@ -100,8 +100,8 @@ darwinop::LeadIn::Pose DARwInOPMotionManager::Stage::present(const darwinop::fac
   return pose;
 }
 
-/// A first step that asks for more than a robot can do is not jumped into: the joints are led to its target first, and
-/// the page begins there. Any other page begins at once, as the vendor's engine does it.
+/// If the first step is faster than the robot can move, first moves smoothly to its target and starts the page there.
+/// Any other page starts immediately, as in the vendor's engine.
 void DARwInOPMotionManager::Stage::leadIn(const motion::Page& page, const motion::Pose& here) {
   lead_in = {};
   if (motion::firstStepSpeed(page, here) <= motion::kFastestFirstStep) return;
@@ -111,23 +111,23 @@ void DARwInOPMotionManager::Stage::leadIn(const motion::Page& page, const motion
   player->start(player->page(), target);
 }
 
-/// The next 8 ms. False: the last page has ended.
+/// The next 8 ms. False if the last page has ended.
 bool DARwInOPMotionManager::Stage::tick() {
   if (lead_in.done()) return player->tick();
   lead_in.advance(motion::kTickMs);
   return true;
 }
 
-/// Plays this much longer. False: the page has ended, and the joints have their goals already.
+/// Plays for `ms`. False if the page has ended and the joints have their final goals.
 bool DARwInOPMotionManager::Stage::advance(int ms) {
   bool moved = false;
-  // No step is longer than an hour; a greater number would play no more than the longest of pages anyway.
+  // Clamped to an hour, which is longer than any page.
   for (left_ms += std::clamp(ms, 0, 3'600'000); left_ms >= motion::kTickMs; left_ms -= motion::kTickMs) {
     if (!tick()) break;
     moved = true;
   }
   if (const auto* const inside = darwinop::facade::currentRobot(); inside && inside->joints_taken_by != this)
-    player->brake();  // somebody else moves them by now
+    player->brake();  // another manager has taken the joints
   else if (moved)
     setGoals();
   if (!player->isPlaying()) end();
@@ -146,7 +146,7 @@ void DARwInOPMotionManager::Stage::setGoals() {
   gains_are_lent = true;
 }
 
-/// Ends here, and the gains are the controller's again.
+/// Ends the page and restores the controller's gains.
 void DARwInOPMotionManager::Stage::end() {
   if (player) player->brake();
   lead_in = {};
@@ -166,7 +166,7 @@ DARwInOPMotionManager::DARwInOPMotionManager(webots::Robot* robot, const std::st
 DARwInOPMotionManager::DARwInOPMotionManager(webots::Robot* robot, const std::string& custom_motion_file,
                                              const std::string& data_directory)
     : stage_{nullptr} {
-  if (!robot) warnOnce("MotionManager: it was given no robot; no page will be played");
+  if (!robot) warnOnce("MotionManager: the robot is null; no page will be played");
   stage_ = new Stage{robot, robot ? readMotionPages(custom_motion_file, data_directory) : nullptr};
 }
 
@@ -193,7 +193,7 @@ void DARwInOPMotionManager::playPage(int id, bool sync) {
   if (!stage_->start(id) || !sync) return;
   const int step_ms = std::max(1, static_cast<int>(stage_->robot->getBasicTimeStep()));
   stage_->waited_for = true;
-  const struct Waited {  // also when the user's Robot::step() throws
+  const struct Waited {  // ends the page also if an overridden Robot::step() throws
     Stage& stage;
     ~Waited() {
       stage.waited_for = false;

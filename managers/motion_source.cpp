@@ -1,4 +1,4 @@
-// Which pages a motion manager plays.
+// Selects the pages of a motion manager.
 #include "managers/motion_source.hpp"
 
 #include <exception>
@@ -17,12 +17,12 @@ namespace {
 
 constexpr const char* kFileName = "motion_4096.bin";
 
-/// The library's, which nobody has to delete.
+/// The built-in pages; static, so the deleter does nothing.
 MotionPages ownMotionPages() {
   return {&motion::ownPages(), [](const motion::PageFile*) {}};
 }
 
-/// Also a link to a disk that is away.
+/// True also for a dangling symbolic link.
 bool isThere(const std::string& path) {
   std::error_code unknown;
   return std::filesystem::symlink_status(path, unknown).type() != std::filesystem::file_type::not_found;
@@ -34,7 +34,7 @@ MotionPages readMotionPages(const std::string& custom, const std::string& direct
   if (custom == motion::kOwn) return ownMotionPages();
   const std::string path = custom.empty() ? directory + kFileName : custom;
   if (custom.empty() && !isThere(path)) {
-    warnOnce("MotionManager: there is no " + path + ": the runtime's own pages are played (darwinop motion list own)");
+    warnOnce("MotionManager: cannot find " + path + ": the built-in pages are played (darwinop motion list own)");
     return ownMotionPages();
   }
   return std::make_shared<motion::PageFile>(motion::readMotionFile(path).pages);

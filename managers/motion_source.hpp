@@ -1,4 +1,4 @@
-// Which pages a motion manager plays: those of a file, or the runtime's own.
+// Selects the pages of a motion manager: from a file, or the built-in ones.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@ namespace managers {
 
 using MotionPages = std::shared_ptr<const darwinop::motion::PageFile>;
 
-/// `custom`: a file, binary or text, or "own"; "": motion_4096.bin in `directory`, which ends with a slash, and the own
-/// pages where there is none, which is said. What is there but broken is never replaced: none, and why was said.
+/// `custom`: a file, binary or text, or "own" for the built-in pages. If empty: motion_4096.bin in `directory` (with a
+/// trailing slash), or the built-in pages with a warning if it is missing. Null with a warning if the file is invalid.
 [[nodiscard]] MotionPages readMotionPages(const std::string& custom, const std::string& directory);
 
 }  // namespace managers

@@ -1,4 +1,4 @@
-// The upstream vision manager on top of the colour finder: whole numbers brought into range, and no exception outwards.
+// Implements the upstream vision manager API with the colour finder. Throws no exceptions to the controller.
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
@@ -15,39 +15,39 @@ namespace vision = darwinop::vision;
 
 namespace {
 
-/// Said once a parameter: a controller may sweep one.
-int brought(const std::string& what, const char* range, int value, int into) {
-  if (value != into) warnOnce("VisionManager: " + what + " is out of range and brought into it, " + range);
-  return into;
+/// Warns once per parameter, because a controller may sweep one.
+int adjusted(const std::string& what, const char* range, int value, int valid) {
+  if (value != valid) warnOnce("VisionManager: " + what + " is out of range and was adjusted to " + range);
+  return valid;
 }
 
-/// An angle: what is out of range is the same direction.
+/// Wraps the angle.
 int hueInRange(int hue) {
   if (hue >= 0 && hue <= 360) return hue;
-  return brought("hue", "0 to 360: the same direction", hue, (hue % 360 + 360) % 360);
+  return adjusted("hue", "0 to 360: the same direction", hue, (hue % 360 + 360) % 360);
 }
 
 int toleranceInRange(int tolerance) {
-  return brought("hue tolerance", "0 to 180", tolerance, std::clamp(tolerance, 0, 180));
+  return adjusted("hue tolerance", "0 to 180", tolerance, std::clamp(tolerance, 0, 180));
 }
 
-/// -1 takes colours without any saturation or value, too; less says the same.
+/// -1 also accepts colours without saturation or value; smaller numbers are equivalent.
 int minimumInRange(const std::string& what, int minimum) {
-  return brought(what, "-1 to 100", minimum, std::clamp(minimum, -1, 100));
+  return adjusted(what, "-1 to 100", minimum, std::clamp(minimum, -1, 100));
 }
 
 int percentInRange(const std::string& what, int percent) {
-  return brought(what, "0 to 100", percent, std::clamp(percent, 0, 100));
+  return adjusted(what, "0 to 100", percent, std::clamp(percent, 0, 100));
 }
 
 }  // namespace
 
 struct DARwInOPVisionManager::Impl {
-  std::optional<vision::ColourFinder> finder;  // none: the image has an impossible size, and nothing is ever found
+  std::optional<vision::ColourFinder> finder;  // empty for an invalid image size: nothing is found
   vision::Thresholds thresholds;
   vision::PercentLimits limits;
 
-  void renew() {
+  void apply() {
     if (!finder) return;
     finder->setThresholds(thresholds);
     finder->setLimits(limits);
@@ -60,7 +60,7 @@ DARwInOPVisionManager::DARwInOPVisionManager(int width, int height, int hue, int
   try {
     impl_->finder.emplace(width, height, impl_->thresholds);
   } catch (const std::exception& why) {
-    warnOnce(std::string{"VisionManager: "} + why.what() + "; it will find nothing");
+    warnOnce(std::string{"VisionManager: "} + why.what() + "; nothing will be found");
   }
   setHue(hue);
   setHueTolerance(hue_tolerance);
@@ -83,7 +83,7 @@ DARwInOPVisionManager::~DARwInOPVisionManager() {
 
 bool DARwInOPVisionManager::getBallCenter(double& x, double& y, const unsigned char* image) {
   x = y = 0;
-  if (image == nullptr) warnOnce("VisionManager: getBallCenter() was given no image; is the camera enabled?");
+  if (image == nullptr) warnOnce("VisionManager: the image of getBallCenter() is null; enable the camera");
   if (!impl_->finder) return false;
   vision::ColourFinder& finder = *impl_->finder;
   const std::size_t bytes = 4 * static_cast<std::size_t>(finder.width()) * static_cast<std::size_t>(finder.height());
@@ -100,32 +100,32 @@ bool DARwInOPVisionManager::isDetected(int x, int y) {
 
 void DARwInOPVisionManager::setHue(int hue) {
   impl_->thresholds.hue = hueInRange(hue);
-  impl_->renew();
+  impl_->apply();
 }
 
 void DARwInOPVisionManager::setHueTolerance(int hue_tolerance) {
   impl_->thresholds.hue_tolerance = toleranceInRange(hue_tolerance);
-  impl_->renew();
+  impl_->apply();
 }
 
 void DARwInOPVisionManager::setMinSaturation(int min_saturation) {
   impl_->thresholds.min_saturation = minimumInRange("minimum saturation", min_saturation);
-  impl_->renew();
+  impl_->apply();
 }
 
 void DARwInOPVisionManager::setMinValue(int min_value) {
   impl_->thresholds.min_value = minimumInRange("minimum value", min_value);
-  impl_->renew();
+  impl_->apply();
 }
 
 void DARwInOPVisionManager::setMinPercent(int min_percent) {
   impl_->limits.min = percentInRange("minimum percent", min_percent);
-  impl_->renew();
+  impl_->apply();
 }
 
 void DARwInOPVisionManager::setmaxPercent(int max_percent) {
   impl_->limits.max = percentInRange("maximum percent", max_percent);
-  impl_->renew();
+  impl_->apply();
 }
 
 }  // namespace managers

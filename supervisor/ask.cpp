@@ -1,4 +1,4 @@
-// What a person may ask of a supervisor that runs.
+// Operator commands to a running supervisor.
 #include "supervisor/ask.hpp"
 
 #include <signal.h>
@@ -22,10 +22,10 @@
 namespace darwinop::supervisor {
 namespace {
 
-// The same on all computers; older headers do not have them.
+// Same numbers on all architectures; older headers lack them.
 constexpr long kPidfdSendSignal = 424, kPidfdOpen = 434;
 
-// A controller gets 3 s to end, a crouch at the slowest usual speed 13 s; and somebody may have to be killed twice.
+// A controller gets 3 s to end, a crouch at the slowest usual speed takes 13 s, and two kill timeouts may follow.
 constexpr Nanos kPatience{60'000'000'000};
 
 pid_t runningOne(const runtime::RuntimeFiles& files) {
@@ -37,11 +37,11 @@ int noneRuns(int code) {
   return code;
 }
 
-/// To the process that holds the lock, and to no later one that has got its number: a handle on the process is taken
-/// before the lock is looked at once more. Linux before 5.3 has no such handles.
+/// Signals the process that holds the lock. The pidfd is opened before the lock is checked again, so that a later process
+/// with the same pid is not signalled. Linux before 5.3 has no pidfd.
 bool signalHolder(const runtime::RuntimeFiles& files, pid_t supervisor, int signal) {
   const runtime::SharedFile handle{static_cast<int>(syscall(kPidfdOpen, supervisor, 0))};
-  if (runningOne(files) != supervisor) return true;  // it has ended: nothing to signal
+  if (runningOne(files) != supervisor) return true;  // it has ended: no process to signal
   if (handle.fd() >= 0) return syscall(kPidfdSendSignal, handle.fd(), signal, nullptr, 0) == 0 || errno == ESRCH;
   return kill(supervisor, signal) == 0 || errno == ESRCH;
 }
@@ -49,7 +49,7 @@ bool signalHolder(const runtime::RuntimeFiles& files, pid_t supervisor, int sign
 void order(const runtime::RuntimeFiles& files, pid_t supervisor, int signal) {
   if (!signalHolder(files, supervisor, signal))
     throw std::runtime_error("cannot reach the supervisor (pid " + std::to_string(supervisor) +
-                             "): " + std::strerror(errno) + "; ask as root: sudo ...");
+                             "): " + std::strerror(errno) + "; retry with sudo");
 }
 
 bool becomesTrue(const std::function<bool()>& condition) {
@@ -65,10 +65,10 @@ bool becomesTrue(const std::function<bool()>& condition) {
 
 std::string stateOf(const runtime::RuntimeFiles& files) {
   const auto status = readStatus(SupervisorFiles{files}.status);
-  return status ? status->state : "not known";
+  return status ? status->state : "unknown";
 }
 
-/// Sends the order and waits until the supervisor has taken it, and `done` holds.
+/// Sends the command and waits until the supervisor has taken it and `done` holds.
 int carryOut(const runtime::RuntimeFiles& files, int signal, const std::function<bool(const Status&)>& done) {
   const pid_t pid = runningOne(files);
   if (pid == 0) return noneRuns(1);
@@ -82,15 +82,15 @@ int carryOut(const runtime::RuntimeFiles& files, int signal, const std::function
     const auto status = readStatus(path);
     return ended || (status && status->orders != orders && done(*status));
   });
-  if (ended) throw std::runtime_error("the supervisor ended meanwhile");
+  if (ended) throw std::runtime_error("the supervisor has ended before it took the command");
   if (!carried_out)
     throw std::runtime_error("the supervisor (pid " + std::to_string(pid) +
-                             ") has not carried this out within a minute; it says: " + stateOf(files));
+                             ") has not completed the command within a minute; its state: " + stateOf(files));
   std::cout << stateOf(files) << '\n';
   return 0;
 }
 
-/// Whoever holds the lease, with the program's name as the kernel has it (15 letters).
+/// Holder of the lease, with the program's name from the kernel (15 characters).
 std::string driver(const runtime::RuntimeFiles& files) {
   const pid_t pid = runtime::FileLock::holder(files.drive_lock);
   if (pid == 0) return "none";
@@ -113,7 +113,7 @@ int printStatus(const runtime::RuntimeFiles& files) {
   const auto status = readStatus(SupervisorFiles{files}.status);
   std::cout << "supervisor    pid " << pid << '\n';
   if (!status) {
-    std::cout << "state         just starting\n";
+    std::cout << "state         starting\n";
     return 0;
   }
   const std::string name = status->controller.empty() ? "none" : status->controller;
@@ -127,10 +127,10 @@ int stopSupervisor(const runtime::RuntimeFiles& files) {
   const pid_t pid = runningOne(files);
   if (pid == 0) return noneRuns(0);
   order(files, pid, SIGTERM);
-  // The lock is given back by the kernel when the process is gone: nothing of it is left then.
+  // The kernel releases the lock when the process is gone.
   if (!becomesTrue([&] { return runningOne(files) != pid; }))
     throw std::runtime_error("the supervisor (pid " + std::to_string(pid) +
-                             ") has not ended within a minute; it says: " + stateOf(files));
+                             ") has not ended within a minute; its state: " + stateOf(files));
   std::cout << "the supervisor has ended\n";
   return 0;
 }

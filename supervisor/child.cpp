@@ -1,4 +1,4 @@
-// A program that the supervisor has started.
+// Child process of the supervisor.
 #include "supervisor/child.hpp"
 
 #include <fcntl.h>
@@ -17,17 +17,17 @@
 namespace darwinop::supervisor {
 namespace {
 
-/// Everything the child needs, made before the fork: between fork and exec of a process with threads only calls that
-/// are async-signal-safe are allowed, and memory is none of them.
+/// Everything the child needs, allocated before the fork: between fork and exec of a multi-threaded process only
+/// async-signal-safe calls are allowed, hence no allocation.
 struct Prepared {
   std::vector<std::string> environment;
   std::vector<char*> arguments, variables;
   const char* folder;
   const char* log;
-  const runtime::Account* account;  // null: the supervisor's
+  const runtime::Account* account;  // null: the supervisor's account
   bool expendable;
   pid_t parent;
-  sigset_t signals;  // that shall be blocked in the program: none
+  sigset_t signals;  // signal mask of the program: empty
 };
 
 std::vector<char*> pointers(const std::vector<std::string>& words) {
@@ -59,12 +59,12 @@ void writeTo(const char* path, const char* text) {
   close(fd);
 }
 
-void complain(const char* what, const char* name) {
+void reportError(const char* what, const char* name) {
   for (const char* text : {"darwinop supervisor: cannot ", what, " ", name, ": ", strerrordesc_np(errno), "\n"})
     if (text != nullptr && write(STDERR_FILENO, text, strlen(text)) < 0) return;
 }
 
-/// In the child. Priority, signals and protection of the supervisor are its own.
+/// In the child: resets priority, signals and OOM protection to their defaults.
 void becomeOrdinary(const Prepared& with) {
   const sched_param none{};
   sched_setscheduler(0, SCHED_OTHER, &none);
@@ -77,11 +77,11 @@ void becomeOrdinary(const Prepared& with) {
   setpgid(0, 0);
 }
 
-/// With the supervisor's rights: the program may append to its log, not replace it. -1: none.
+/// Opened with the supervisor's rights: the program may append to its log, but not replace it. -1: none.
 int openLog(const char* path) {
   if (*path == '\0') return -1;
   const int log = open(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0644);
-  if (log < 0) complain("write to", path);
+  if (log < 0) reportError("write to", path);
   return log;
 }
 
@@ -89,21 +89,21 @@ int openLog(const char* path) {
   becomeOrdinary(with);
   const int log = openLog(with.log);
   if (with.account != nullptr && !runtime::takeRightsOf(*with.account)) {
-    complain("become user", with.account->name.c_str());
+    reportError("become user", with.account->name.c_str());
     _exit(126);
   }
-  // The kernel forgets this when a process changes its user.
+  // The kernel clears this setting when a process changes its user.
   prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
-  if (getppid() != with.parent) _exit(128 + SIGTERM);  // it died before the line above
+  if (getppid() != with.parent) _exit(128 + SIGTERM);  // the parent died before prctl()
   if (log >= 0 && (dup2(log, STDOUT_FILENO) < 0 || dup2(log, STDERR_FILENO) < 0)) _exit(126);
   if (*with.folder != '\0' && chdir(with.folder) != 0) {
-    complain("go to", with.folder);
+    reportError("go to", with.folder);
     _exit(126);
   }
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (nothing >= 0) dup2(nothing, STDIN_FILENO);
   execve(with.arguments[0], with.arguments.data(), with.variables.data());
-  complain("run", with.arguments[0]);
+  reportError("run", with.arguments[0]);
   _exit(errno == ENOENT ? 127 : 126);
 }
 
@@ -121,7 +121,7 @@ Child::Child(const Start& start) {
                 {}};
   with.variables = pointers(with.environment);
   sigemptyset(&with.signals);
-  // No handler of the supervisor may run in the child before it has put them away.
+  // No handler of the supervisor may run in the child before the child has reset them.
   sigset_t all, before;
   sigfillset(&all);
   sigprocmask(SIG_BLOCK, &all, &before);
@@ -135,7 +135,7 @@ Child::Child(const Start& start) {
 
 Child::~Child() {
   signal(SIGTERM);
-  (void)ended();  // one that takes its time is left to init
+  (void)ended();  // if it has not ended yet, init reaps it
 }
 
 std::optional<Ending> Child::ended() {
@@ -144,7 +144,7 @@ std::optional<Ending> Child::ended() {
   const pid_t which = waitpid(pid_, &status, WNOHANG);
   if (which == pid_)
     ending_ = WIFSIGNALED(status) ? Ending{WTERMSIG(status), true} : Ending{WEXITSTATUS(status), false};
-  if (which < 0 && errno == ECHILD) ending_ = Ending{SIGKILL, true};  // somebody else reaped it
+  if (which < 0 && errno == ECHILD) ending_ = Ending{SIGKILL, true};  // reaped elsewhere
   return ending_;
 }
 

@@ -1,4 +1,4 @@
-// A program that the supervisor has started, from fork to the end.
+// Child process of the supervisor, from fork to exit.
 #pragma once
 
 #include <sys/types.h>
@@ -15,28 +15,28 @@ namespace darwinop::supervisor {
 
 struct Start {
   std::vector<std::string> command;  // the first is a path
-  std::string folder;                // to work in; empty: the supervisor's
-  std::string log;                   // both outputs are appended here; empty: they go where the supervisor's go
+  std::string folder;                // working directory; empty: the supervisor's
+  std::string log;                   // both outputs are appended here; empty: the supervisor's outputs
   std::vector<std::pair<std::string, std::string>> environment;  // added to the supervisor's
-  std::optional<runtime::Account> account;                       // whose rights it has; empty: the supervisor's
-  bool expendable = false;  // when memory runs out, the kernel may end this one first
+  std::optional<runtime::Account> account;                       // account to run as; empty: the supervisor's
+  bool expendable = false;  // preferred victim of the kernel's OOM killer
 };
 
 class Child {
  public:
-  /// The program runs as an ordinary process in a group of its own, so that Ctrl-C in a terminal reaches the
-  /// supervisor alone. When the supervisor dies, however it dies, the kernel sends it SIGTERM. Throws
-  /// std::runtime_error when no process can be made; a program that cannot be run ends with code 126 or 127.
+  /// The program runs without real-time priority in its own process group, so that Ctrl-C in a terminal reaches only the
+  /// supervisor. If the supervisor dies, the kernel sends it SIGTERM. Throws std::runtime_error if fork() fails; a program
+  /// that cannot be executed ends with code 126 or 127.
   explicit Child(const Start& start);
-  /// Tells it to end if it still runs, and does not wait: a runtime that is killed leaves the robot stiff.
+  /// Sends SIGTERM if it still runs, without waiting: a killed runtime would leave the robot under torque.
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
   [[nodiscard]] pid_t pid() const { return pid_; }
-  /// How it ended, once it has. Never waits.
+  /// Exit status, once it has ended. Never blocks.
   [[nodiscard]] std::optional<Ending> ended();
-  /// To the process itself; nothing when it has ended.
+  /// Sends to the process only; no effect after its end.
   void signal(int number);
 
  private:

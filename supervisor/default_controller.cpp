@@ -1,4 +1,4 @@
-// The default controller's life, once it has begun. What comes before: default_controller_start.cpp
+// Default controller: state after its start. Before the start: default_controller_start.cpp
 #include "supervisor/default_controller.hpp"
 
 #include <signal.h>
@@ -13,7 +13,7 @@
 namespace darwinop::supervisor {
 namespace {
 
-// step() returns -1 within a cycle; a controller that saves a file then may take a moment.
+// step() returns -1 within one cycle; the controller may then need time to save files.
 constexpr Nanos kTimeToEnd{3'000'000'000};
 
 std::string inSeconds(Nanos time) {
@@ -25,11 +25,11 @@ std::string inSeconds(Nanos time) {
 DefaultController::DefaultController(std::string home, const runtime::RuntimeFiles& files)
     : home_{std::move(home)}, files_{files} {}
 
-void DefaultController::become(State state, const std::string& told) {
+void DefaultController::become(State state, const std::string& text) {
   state_ = state;
-  told_ = told;
+  state_text_ = text;
   once_.forget();
-  say("default controller: " + told);
+  log("default controller: " + text);
 }
 
 void DefaultController::look(const Sensors& seen, Nanos now) {
@@ -47,24 +47,24 @@ void DefaultController::lookWithoutRuntime(Nanos now) {
 
 void DefaultController::onEnd(const Ending& ending, Nanos now) {
   child_.reset();
-  // Such a fault ends the controller, with whatever code. It has neither done its work nor crashed.
+  // Such a fault ends the controller with any exit code. It is neither a normal end nor a crash.
   if (latched_at_ && now - *latched_at_ <= kTimeToEnd)
-    return become(State::kWaiting, name_ + " has ended because of a fault that waits for a person");
+    return become(State::kWaiting, name_ + " has ended because of a fault that needs user action");
   switch (policy_.ended(ending, now)) {
     case RestartPolicy::Verdict::kOver:
       return become(State::kOver, name_ +
-                                      " has ended by itself; start it again with: darwinop supervisor "
+                                      " has ended by itself; restart it with: darwinop supervisor "
                                       "--restart-controller");
     case RestartPolicy::Verdict::kAgain:
       not_before_ = now + RestartPolicy::kPause;
-      return become(State::kWaiting, name_ + " ended " + describe(ending) + "; it is started again in " +
+      return become(State::kWaiting, name_ + " ended " + describe(ending) + "; restart in " +
                                          inSeconds(RestartPolicy::kPause));
     case RestartPolicy::Verdict::kGivenUp:
       may_hold_ = true;
-      return become(State::kHeld, name_ + " is given up: " + std::to_string(RestartPolicy::kCrashes) +
+      return become(State::kHeld, name_ + " has failed: " + std::to_string(RestartPolicy::kCrashes) +
                                       " crashes within " + inSeconds(RestartPolicy::kWindow) + ", the last one " +
-                                      describe(ending) + ". The robot is held as it is, with red lights. See " + home_ +
-                                      "/log/controller.log; another chance: darwinop supervisor --restart-controller");
+                                      describe(ending) + ". The robot holds its pose, with red lights; see " + home_ +
+                                      "/log/controller.log; restart it with: darwinop supervisor --restart-controller");
   }
 }
 
@@ -73,44 +73,44 @@ void DefaultController::hold() {
   try {
     if (!holder_) holder_ = std::make_unique<Holder>(files_);
     if (holder_->hold()) return;
-    may_hold_ = false;  // who released it does not want it stiff again
-    told_ = name_ + " is given up, and the robot is no longer held: " + holder_->whyEnded() +
-            ". Another chance: darwinop supervisor --restart-controller";
-    say("default controller: " + told_);
+    may_hold_ = false;  // after a release by a person the robot must not be held again
+    state_text_ = name_ + " has failed, and the robot is no longer held: " + holder_->whyEnded() +
+            "; restart it with: darwinop supervisor --restart-controller";
+    log("default controller: " + state_text_);
     holder_.reset();
   } catch (const std::runtime_error& error) {
-    once_.say(std::string{"cannot hold the robot yet: "} + error.what());
+    once_.log(std::string{"cannot hold the robot yet: "} + error.what());
   }
 }
 
 void DefaultController::end(Nanos now) {
-  holder_.reset();  // its farewell lets the robot sit down
+  holder_.reset();  // its end of session lets the robot sit down
   if (state_ == State::kEnding) return;
-  if (!child_) return become(State::kOver, "is stopped");
+  if (!child_) return become(State::kOver, "stopped");
   child_->signal(SIGTERM);
   kill_at_ = now + kTimeToEnd;
-  become(State::kEnding, name_ + " is told to end");
+  become(State::kEnding, name_ + " ending");
 }
 
 void DefaultController::whileEnding(bool loop_turns, Nanos now) {
   const auto ending = child_->ended();
   if (!ending && now >= kill_at_) {
-    once_.say(name_ + " has not ended within " + inSeconds(kTimeToEnd) + " and is killed");
+    once_.log(name_ + " has not ended within " + inSeconds(kTimeToEnd) + " and is killed");
     child_->signal(SIGKILL);
   }
   if (!ending) return;
   child_.reset();
-  if (loop_turns && !ending->tidy()) sitDown();
+  if (loop_turns && !ending->isNormal()) endSession();
   if (again_) return restart(now);
-  become(State::kOver, name_ + " is stopped");
+  become(State::kOver, name_ + " stopped");
 }
 
-/// A controller that was killed has said no farewell. Somebody who begins and ends at once says it for it.
-void DefaultController::sitDown() {
+/// A killed controller has not ended its session; a short session of our own does that.
+void DefaultController::endSession() {
   try {
-    const Holder farewell{files_};
+    const Holder session{files_};
   } catch (const std::runtime_error&) {
-    return;  // somebody else drives, or nobody can
+    return;  // another process drives, or none can
   }
 }
 
@@ -128,10 +128,10 @@ void DefaultController::restart(Nanos now) {
   resetFaults();
   not_before_ = now;
   in_pose_since_.reset();
-  become(State::kWaiting, "is started anew");
+  become(State::kWaiting, "restarting");
 }
 
-/// The order was a person's. A runtime that is not there has nothing to forget.
+/// A person gave the command, so releases are cleared as well. Without a runtime there is nothing to clear.
 void DefaultController::resetFaults() {
   latched_at_.reset();
   try {
@@ -147,13 +147,13 @@ void DefaultController::runtimeLost(Nanos now) {
   end(now);
 }
 
-void DefaultController::tell(Status& status, Nanos now) const {
+void DefaultController::report(Status& status, Nanos now) const {
   const bool chosen = state_ == State::kRunning || state_ == State::kEnding || state_ == State::kHeld;
   status.controller = chosen ? name_ : std::filesystem::path{folder()}.filename().string();
   status.controller_pid = child_ ? child_->pid() : 0;
   status.crashes = policy_.crashes(now);
   status.controller_ended = over();
-  status.state = "default controller: " + told_;
+  status.state = "default controller: " + state_text_;
 }
 
 }  // namespace darwinop::supervisor

@@ -1,4 +1,4 @@
-// The default controller's life: waits for the start pose, runs, is started again after a crash, is given up.
+// State machine of the default controller: waits for the start pose, runs, restarts after a crash, gives up.
 #pragma once
 
 #include <memory>
@@ -17,35 +17,35 @@ namespace darwinop::supervisor {
 
 class DefaultController {
  public:
-  /// `home`/default leads to its folder; its output goes to `home`/log/controller.log.
+  /// `home`/default is a link to its folder; output goes to `home`/log/controller.log.
   DefaultController(std::string home, const runtime::RuntimeFiles& files);
 
-  /// While the runtime's loop turns, with its newest image.
+  /// Call while the runtime's loop runs, with its newest image.
   void look(const Sensors& seen, Nanos now);
-  /// While there is no loop, so that one that ends is noticed all the same.
+  /// Call while there is no loop, so that the controller's end is noticed.
   void lookWithoutRuntime(Nanos now);
 
-  /// Begins to end it, and the robot sits down; it stays ended.
+  /// Starts to end it; the robot sits down. It stays ended.
   void stop(Nanos now);
-  /// Another chance: ends it if it runs, and begins anew with the start pose.
+  /// Ends it if it runs, and starts again from the start pose.
   void restart(Nanos now);
-  /// The loop is gone: it has nothing to drive any more, and how it ends says nothing about it.
+  /// The loop is gone: the controller cannot drive, and its exit status is not evaluated.
   void runtimeLost(Nanos now);
 
-  /// No process of it is left, and none is held in its place.
+  /// No process of it exists, and the robot is not held in its place.
   [[nodiscard]] bool over() const { return state_ == State::kOver; }
-  void tell(Status& status, Nanos now) const;
+  void report(Status& status, Nanos now) const;
 
  private:
   enum class State {
-    kWaiting,  // for a person, for the start pose, for another controller to end, for the pause after a crash
+    kWaiting,  // for a person, the start pose, the end of another controller, or the pause after a crash
     kRunning,
-    kEnding,  // was told to end
-    kHeld,    // given up; the robot is held in its place
+    kEnding,  // SIGTERM sent
+    kHeld,    // given up; the robot is held
     kOver,
   };
 
-  /// That `home`/default leads to; empty: there is no default controller.
+  /// Target of `home`/default; empty: there is no default controller.
   [[nodiscard]] std::string folder() const;
   [[nodiscard]] bool ready(const Sensors& seen, Nanos now);
   [[nodiscard]] bool sits(const Sensors& seen, Nanos now);
@@ -56,24 +56,24 @@ class DefaultController {
   void resetFaults();
   void end(Nanos now);
   void whileEnding(bool loop_turns, Nanos now);
-  void sitDown();
+  void endSession();
   void hold();
-  void become(State state, const std::string& told);
+  void become(State state, const std::string& text);
 
   std::string home_;
   runtime::RuntimeFiles files_;
   RestartPolicy policy_;
   State state_ = State::kWaiting;
-  std::string told_ = "waits for the runtime", name_;
+  std::string state_text_ = "waiting for the runtime", name_;
   std::unique_ptr<Child> child_;
   std::unique_ptr<Holder> holder_;
   Once once_;
-  Nanos not_before_{0};                 // of the next start
-  std::optional<Nanos> in_pose_since_;  // the robot sits ready
-  std::optional<Nanos> latched_at_;     // when a fault that waits for a person was last seen during this run
-  Nanos kill_at_{0};                    // when it was told to end and does not
-  bool again_ = false;                  // after it has ended
-  bool may_hold_ = true;                // nobody has taken the robot from the holder
+  Nanos not_before_{0};                 // time of the next start
+  std::optional<Nanos> in_pose_since_;  // the robot is in its start pose
+  std::optional<Nanos> latched_at_;     // last time in this run that a fault needed user action
+  Nanos kill_at_{0};                    // time of SIGKILL
+  bool again_ = false;                  // restart after its end
+  bool may_hold_ = true;                // no person has released the robot from the holder
 };
 
 }  // namespace darwinop::supervisor

@@ -1,4 +1,4 @@
-// Does the loop still turn? Judged by its cycle counter in the exchange. Pure: time is an argument.
+// Heartbeat of the loop, from its cycle counter in the exchange. Pure: time is an argument.
 #pragma once
 
 #include <algorithm>
@@ -10,18 +10,17 @@ namespace darwinop::supervisor {
 
 class Heartbeat {
  public:
-  /// A cycle never waits longer than its own period: reading the bus ends at a deadline inside it, and when the port is
-  /// lost the loop turns on without one while another thread looks for it. So half a second is thirty cycles of 16 ms,
-  /// far above a legitimate stall, and short enough for a robot that stands: nobody corrects its last goals meanwhile.
-  /// Slow loops (periods up to 1 s are allowed) get ten of their periods.
+  /// A cycle never takes longer than its period: bus reads end at a deadline, and after the loss of the port the loop
+  /// continues without it. Half a second is thirty cycles of 16 ms: far above a legitimate stall, and short for a standing
+  /// robot whose last goals are not corrected meanwhile. Slow loops (periods up to 1 s are allowed) get ten periods.
   static constexpr Nanos kShortest{500'000'000};
-  /// One look counts for no more than this. After a time in which the supervisor itself did not run (the whole machine
-  /// stood still) the loop gets its chance to turn first.
+  /// Maximum time credited per check. If the supervisor itself did not run (the whole machine was stopped), the loop first
+  /// gets time to run.
   static constexpr Nanos kLook{50'000'000};
 
   explicit Heartbeat(Nanos period) : patience_{std::max(kShortest, 10 * period)} {}
 
-  /// For every look, at least every kLook. False: it has not moved for too long.
+  /// Call at every check, at least every kLook. Returns false if the counter has not changed for too long.
   [[nodiscard]] bool beats(std::uint32_t cycles, Nanos now) {
     if (!any_ || cycles != cycles_)
       silent_ = Nanos{0};

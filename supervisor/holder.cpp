@@ -1,4 +1,4 @@
-// Takes the place of a controller that was given up.
+// Holds the robot after the default controller has failed.
 #include "supervisor/holder.hpp"
 
 #include <atomic>
@@ -33,7 +33,7 @@ Holder::Holder(const runtime::RuntimeFiles& files) : link_{files}, commands_{asI
 bool Holder::hold() {
   const std::atomic<bool> go_on{false};
   const Sensors seen = link_.sensors();
-  if (!link_.waitForCycle(seen.cycle, go_on)) {  // that cycle is over: does not wait
+  if (!link_.waitForCycle(seen.cycle, go_on)) {  // a past cycle, so this does not block
     why_ended_ = link_.whyEnded();
     return false;
   }

@@ -1,4 +1,4 @@
-// Takes the place of a controller that was given up: holds the robot as it is, with red lights.
+// Holds the robot in its pose, with red lights, after the default controller has failed.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace darwinop::supervisor {
 
-/// Red on head and panel: somebody should look at the robot.
+/// Red on head and panel: user action needed.
 [[nodiscard]] LedCommand redLights();
 
 class Holder {
  public:
-  /// Takes the driving lease. Throws std::runtime_error when somebody else drives or no daemon runs.
+  /// Acquires the lease. Throws std::runtime_error if another process drives or no daemon runs.
   explicit Holder(const runtime::RuntimeFiles& files);
-  /// Says farewell: the robot sits down and lets go.
+  /// Ends the session: the robot sits down and torque goes off.
   ~Holder() = default;
 
-  /// At least ten times a second; safety takes a driver that is silent for longer for a stalled one. False: the loop is
-  /// gone, or a fault that waits for a person has ended it; whyEnded() tells.
+  /// Call at least ten times a second; a driver that is silent for longer counts as stalled. Returns false if the loop is
+  /// gone or a fault has ended the session; see whyEnded().
   bool hold();
   [[nodiscard]] const std::string& whyEnded() const { return why_ended_; }
 
@@ -30,8 +30,8 @@ class Holder {
   std::string why_ended_;
 };
 
-/// Of a program, which clears no latched fault. No goals: a joint that is under torque stays where it is, and one that
-/// is limp stays limp.
+/// As an unattended session, which clears no latched fault. Without goals: joints under torque keep their position, limp
+/// joints stay limp.
 [[nodiscard]] Commands asItIs(const Sensors& seen);
 
 }  // namespace darwinop::supervisor

@@ -1,4 +1,4 @@
-// What the supervisor has to say.
+// Log of the supervisor.
 #include "supervisor/journal.hpp"
 
 #include <time.h>
@@ -8,12 +8,12 @@
 
 namespace darwinop::supervisor {
 
-void say(const std::string& text) {
+void log(const std::string& text) {
   const time_t now = time(nullptr);
   tm parts{};
   char stamp[32] = "";
   if (localtime_r(&now, &parts) != nullptr) strftime(stamp, sizeof stamp, "%Y-%m-%d %H:%M:%S", &parts);
-  // In one piece: the runtime writes to the same file.
+  // One write(): the runtime writes to the same file.
   const std::string line = std::string{stamp} + " darwinop supervisor: " + text + "\n";
   (void)writeWithoutWaiting(STDERR_FILENO, line);
 }

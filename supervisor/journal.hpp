@@ -1,20 +1,20 @@
-// What the supervisor has to say: one line each to standard error, with the time of day.
+// Log of the supervisor: lines with a time stamp on standard error.
 #pragma once
 
 #include <string>
 
 namespace darwinop::supervisor {
 
-/// "2026-01-31 09:00:00 darwinop supervisor: TEXT". A disk that is full is no reason to stop.
-void say(const std::string& text);
+/// "2026-01-31 09:00:00 darwinop supervisor: TEXT". Write errors are ignored: a full disk must not stop the supervisor.
+void log(const std::string& text);
 
-/// For what is looked at again and again: says the same text once, until another one came or forget() was called.
+/// For repeated checks: logs a text once, until another text or forget().
 class Once {
  public:
-  void say(const std::string& text) {
+  void log(const std::string& text) {
     if (text == said_) return;
     said_ = text;
-    supervisor::say(text);
+    supervisor::log(text);
   }
   void forget() { said_.clear(); }
 

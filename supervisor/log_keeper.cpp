@@ -1,4 +1,4 @@
-// Keeps log files small.
+// Log rotation.
 #include "supervisor/log_keeper.hpp"
 
 #include <fcntl.h>
@@ -21,7 +21,7 @@ struct File {
   }
 };
 
-/// The last `bytes` of it: a program that writes fast may have written more than can be kept.
+/// Copies the last `bytes`: a fast writer may have written more than can be kept.
 bool copyEnd(int from, std::int64_t size, std::int64_t bytes, const std::string& to) {
   const File copy{open(to.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644)};
   if (copy.fd < 0) return false;
@@ -51,7 +51,7 @@ LogKeeper::LogKeeper(std::vector<std::string> paths)
     : paths_{std::move(paths)}, thread_{[this] {
         sigset_t all;
         sigfillset(&all);
-        pthread_sigmask(SIG_BLOCK, &all, nullptr);  // orders are for the main thread
+        pthread_sigmask(SIG_BLOCK, &all, nullptr);  // the main thread handles signals
         while (!stop_) {
           for (const std::string& path : paths_) (void)bound(path);
           const timespec pause{0, 500'000'000};

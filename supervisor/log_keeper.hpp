@@ -1,4 +1,4 @@
-// Keeps log files small: at 1 MB what is in one becomes FILE.1, and it begins anew.
+// Log rotation: at 1 MB the content moves to FILE.1 and the log starts empty.
 #pragma once
 
 #include <atomic>
@@ -9,16 +9,16 @@
 
 namespace darwinop::supervisor {
 
-/// The flash of a DARwIn-OP has 3.6 GB and a limited number of writes.
+/// The flash of a DARwIn-OP has 3.6 GB and limited write endurance.
 inline constexpr std::int64_t kLogBytes = 1'000'000;
 
-/// Programs keep their log open and append to it, so it is copied and emptied, not renamed. A line written meanwhile
-/// may be lost. A file that is not there, or too small, is left alone. False: it is too large and cannot be copied;
-/// then it is emptied all the same, since a full disk is worse than a lost log.
+/// Programs keep their log open in append mode, so it is copied and truncated, not renamed. A line written meanwhile may be
+/// lost. Missing or small files are left unchanged. Returns false if the copy failed; the file is truncated anyway, since a
+/// full disk is worse than a lost log.
 bool bound(const std::string& path, std::int64_t bytes = kLogBytes);
 
-/// Looks at the files twice a second, in an ordinary thread of its own: a disk can keep a writer waiting for seconds,
-/// and the thread that watches the loop must not wait.
+/// Checks the files twice a second in a thread without real-time priority: a disk may block a writer for seconds, and the
+/// thread that monitors the loop must not block.
 class LogKeeper {
  public:
   explicit LogKeeper(std::vector<std::string> paths);

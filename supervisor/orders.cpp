@@ -1,4 +1,4 @@
-// What a person asked of the running supervisor.
+// Operator commands, received as signals.
 #include "supervisor/orders.hpp"
 
 #include <signal.h>
@@ -10,7 +10,7 @@
 namespace darwinop::supervisor {
 namespace {
 
-// Lock-free, so that a handler may store and the loop may take.
+// Lock-free: written by the signal handler, read by the loop.
 std::atomic<bool> stop_asked{false};
 std::atomic<int> last_signal{0};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
@@ -25,7 +25,7 @@ void handle(int signal, siginfo_t*, void*) {
 }  // namespace
 
 void listenForOrders() {
-  // SA_RESTART: the sleep between two looks is cut short all the same.
+  // SA_RESTART does not apply to the sleep between two checks, which ends early.
   onEndSignals(handle, SA_RESTART);
   struct sigaction action {};
   action.sa_sigaction = handle;

@@ -1,4 +1,4 @@
-// What a person asked of the running supervisor. Orders are signals: no socket, no thread, nothing that can be full.
+// Operator commands to the running supervisor. Sent as signals: no socket, no thread, no queue.
 #pragma once
 
 #include <csignal>
@@ -13,9 +13,9 @@ struct Orders {
   bool restart_controller = false;  // SIGUSR2
 };
 
-/// From here on signals become orders.
+/// Installs the signal handlers.
 void listenForOrders();
-/// Those that came since the last call. Of stop-controller and restart-controller the one that came last counts.
+/// Commands since the last call. Of stop-controller and restart-controller only the last one is set.
 Orders takeOrders();
 
 }  // namespace darwinop::supervisor

@@ -1,4 +1,4 @@
-// Brings a robot to rest whose runtime is gone.
+// Brings the robot to rest after a runtime failure.
 #include "supervisor/rescue.hpp"
 
 #include <algorithm>
@@ -13,20 +13,20 @@ namespace darwinop::supervisor {
 namespace {
 
 constexpr Nanos kFirstWait{100'000'000}, kLongestWait{1'000'000'000};
-constexpr std::uint32_t kSession = 1;  // of a driver who says farewell with the first word
+constexpr std::uint32_t kSession = 1;  // id of a session that ends with its first command
 
 runtime::LoopConfig loopConfig(const RobotSettings& robot, const connect::OpenedBus& opened, bool held) {
   runtime::LoopConfig config;
   config.period = robot.period;
   config.safety = opened.safety;
-  // Stopping where it is would leave the robot as it was found, and letting go would drop it.
+  // kStop would leave the robot as it was found; kRelease would drop it.
   config.safety.on_exit = safety::OnExit::kKneel;
   config.safety.held_before = held;
   config.port = opened.description;
   return config;
 }
 
-/// The port of old, or the name it has now.
+/// The previous port, or its new name.
 connect::OpenedBus openBus(const RobotSettings& robot) {
   const auto open = [&](const std::string& port) {
     return connect::openSerialBus({port, robot.period, robot.safety, robot.offsets}, cm730::Purpose::kRescue);
@@ -55,7 +55,7 @@ class Rescue::OwnLoop {
     (void)exchange_.block().sensors.read(seen_);
     notes_.look(seen_);
     const RescueWatch::Step step = watch_.look(seen_);
-    if (step == RescueWatch::Step::kCrouch && !farewell_) sayFarewell();
+    if (step == RescueWatch::Step::kCrouch && !session_ended_) endSession();
     return step;
   }
   [[nodiscard]] bool online() const { return watch_.online(); }
@@ -75,7 +75,7 @@ class Rescue::OwnLoop {
               runtime::LoopStats::Timed::kYes, runtime::Recorder::Writer::kThread},
         driver_{host_.loop(), clock_, robot.period, {}} {}
 
-  /// Red lights, nobody drives, and nobody can: no other process has the commands.
+  /// Red lights and no driver; no other process has access to the commands.
   static runtime::Exchange closedExchange(const std::string& path, gid_t group, bool released) {
     runtime::Exchange exchange = runtime::Exchange::createToLookAt(path, group);
     exchange.ownBlock().closing.store(runtime::ExchangeBlock::kNobodyDrives);
@@ -86,29 +86,28 @@ class Rescue::OwnLoop {
     return exchange;
   }
 
-  /// Safety then does with the robot what it does when a controller has ended: see safety/guard_states.cpp,
-  /// State::kFoundStiff.
-  void sayFarewell() {
-    Commands farewell;
-    farewell.led = redLights();
-    farewell.session = kSession;
-    farewell.sequence = 1;
-    farewell.farewell = true;
-    farewell.unattended = true;  // what a person pressed during the rescue stays
-    exchange_.commands().commands.publish(farewell);
-    farewell_ = true;
+  /// The safety layer then acts as at the end of a session: see safety/guard_states.cpp, State::kFoundStiff.
+  void endSession() {
+    Commands last;
+    last.led = redLights();
+    last.session = kSession;
+    last.sequence = 1;
+    last.farewell = true;
+    last.unattended = true;  // a release by a person during the rescue stays in force
+    exchange_.commands().commands.publish(last);
+    session_ended_ = true;
   }
 
   std::string path_;
   runtime::FileLock claim_;
-  runtime::RobotNotes notes_;  // a supervisor that is killed now leaves them to the next one
+  runtime::RobotNotes notes_;  // if this process is killed, the next supervisor reads them
   runtime::Exchange exchange_;
   RescueWatch watch_;
   Sensors seen_;
-  bool farewell_ = false;
+  bool session_ended_ = false;
   runtime::MonotonicClock clock_;
   runtime::LoopHost host_;
-  runtime::PeriodicDriver driver_;  // last: it ends first
+  runtime::PeriodicDriver driver_;  // last member: destroyed first
 };
 
 Rescue::Rescue(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released)

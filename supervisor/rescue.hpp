@@ -1,4 +1,4 @@
-// Brings a robot to rest whose runtime is gone: MX-28 servos keep their last goal for ever.
+// Brings the robot to rest after a runtime failure: MX-28 servos hold their last goal indefinitely.
 #pragma once
 
 #include <sys/types.h>
@@ -16,35 +16,34 @@
 
 namespace darwinop::supervisor {
 
-/// What the rescue needs to know of the robot. Read while all is well.
+/// Robot configuration for the rescue, read before the failure.
 struct RobotSettings {
   std::string port = "/dev/ttyUSB0";
   Nanos period{16'000'000};
   safety::Config safety{};
   cm730::JointOffsets offsets{};
-  gid_t group = static_cast<gid_t>(-1);        // who may look on
-  std::optional<cm730::UsbIdentity> identity;  // of the port: a device that was plugged out comes back as ttyUSB1
+  gid_t group = static_cast<gid_t>(-1);        // group with read access
+  std::optional<cm730::UsbIdentity> identity;  // of the port: after replugging, the device may become ttyUSB1
 };
 
-/// A loop like the runtime's, in this process, with nobody driving it: the same limits, the same slow crouch, the same
-/// reactions to faults. A robot whose servos are all limp stays as it is. Onlookers see it as they see the runtime, and
-/// a controller that comes is refused.
+/// A loop like the runtime's, in this process, without a driver: same limits, same slow crouch, same fault reactions. If all
+/// servos are limp, the robot stays as it is. Observers read it like the runtime; controllers are rejected.
 class Rescue {
  public:
   enum class Step { kOpening, kHold, kCrouch, kAtRest, kStiff };
 
-  /// `released`: the robot was released, or lost its power, before its runtime failed. It is not moved: torque goes off
-  /// where a servo still holds.
+  /// `released`: the robot was released, or lost power, before the runtime failed. It is not moved: torque goes off where a
+  /// servo still holds.
   Rescue(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released);
   ~Rescue();
   Rescue(const Rescue&) = delete;
   Rescue& operator=(const Rescue&) = delete;
 
-  /// Call every 50 ms or so. An attempt to open the port can take a second.
+  /// Call about every 50 ms. Opening the port may take a second.
   [[nodiscard]] Step look(Nanos now);
-  /// Why the port could not be opened in the last attempt; empty: it is open, or was not tried yet.
+  /// Error of the last attempt to open the port; empty: open, or not tried yet.
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
-  /// The board answers.
+  /// The board responds.
   [[nodiscard]] bool online() const;
 
  private:

@@ -1,4 +1,4 @@
-// The course of a rescue.
+// Progress of a rescue.
 #include "supervisor/rescue_watch.hpp"
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 namespace darwinop::supervisor {
 namespace {
 
-// Safety looks at one servo in each cycle: after two rounds the news of each is younger than the torque switch.
+// The safety layer polls one servo per cycle: after two rounds each reading is newer than the torque switch.
 constexpr std::uint64_t kTwoRounds = 2 * (kJoints + 5);
 
 std::uint64_t cyclesIn(Nanos time, Nanos period) {
@@ -18,8 +18,8 @@ std::uint64_t cyclesIn(Nanos time, Nanos period) {
 bool anyStiff(const Sensors& seen) noexcept {
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointSensors& joint = seen.joint[i];
-    const bool heard = joint.motion.ever() && joint.motion.age < kTwoRounds && joint.health.ever();
-    if (heard && joint.torque_enabled) return true;
+    const bool is_answering = joint.motion.ever() && joint.motion.age < kTwoRounds && joint.health.ever();
+    if (is_answering && joint.torque_enabled) return true;
   }
   return false;
 }
@@ -34,14 +34,14 @@ RescueWatch::Step RescueWatch::look(const Sensors& seen) noexcept {
   last_ = seen.cycle;
   online_ = seen.cycle != 0 && seen.safety.state != State::kOffline;
   if (!online_) {
-    // Safety begins its crouch anew when the board is back, and so does the time that it may take: a robot on a poor
-    // cable is never given up.
+    // The safety layer restarts its crouch when the board is back; so does the time limit: a robot on a bad cable is never
+    // given up.
     limp_ = 0;
     crouching_ = std::min<std::uint64_t>(crouching_, 1);
     return crouching_ > 0 ? Step::kCrouch : Step::kHold;
   }
-  heard_ += passed;
-  if (heard_ <= hold_) return Step::kHold;
+  answered_cycles_ += passed;
+  if (answered_cycles_ <= hold_) return Step::kHold;
   crouching_ += passed;
   limp_ = seen.safety.state == State::kLimp && !anyStiff(seen) ? limp_ + passed : 0;
   if (limp_ >= settled_) return Step::kAtRest;

@@ -1,4 +1,4 @@
-// The course of a rescue, read off the sensor images of its loop: hold, crouch, torque off. Pure.
+// Progress of a rescue, from the sensor images of its loop: hold, crouch, torque off. Pure.
 #pragma once
 
 #include <cstdint>
@@ -12,31 +12,31 @@ namespace darwinop::supervisor {
 class RescueWatch {
  public:
   enum class Step {
-    kHold,    // nothing is sent; servos that hold go on holding
-    kCrouch,  // safety is told that nobody drives: slow move to the start pose, then torque off
+    kHold,    // no commands; servos hold their last goal
+    kCrouch,  // the safety layer has no driver: slow move to the start pose, then torque off
     kAtRest,  // done
-    kStiff,   // done, but some servo still holds its joint, or would not say
+    kStiff,   // done, but some servo holds its joint or did not answer
   };
-  // Who stands by sees the red light before anything moves. Also long enough that every servo has told whether it
-  // holds its joint: safety looks at one in each cycle.
+  // Bystanders see the red light before anything moves. Also long enough to read the torque state of every servo: one per
+  // cycle.
   static constexpr Nanos kHold{1'000'000'000};
 
-  /// `crouch_at_most`: longer than a crouch from anywhere takes (runtime::Rest reckons it).
+  /// `crouch_at_most`: upper bound of a crouch from any pose (computed by runtime::Rest).
   RescueWatch(Nanos period, Nanos crouch_at_most);
 
-  /// For successive images. Time in which the board does not answer does not count.
+  /// Call with successive images. Time without a response of the board does not count.
   [[nodiscard]] Step look(const Sensors& seen) noexcept;
-  /// The board has answered in the newest image.
+  /// The board answered in the newest image.
   [[nodiscard]] bool online() const noexcept { return online_; }
 
  private:
   std::uint64_t hold_, settled_, at_most_;  // cycles
   std::uint64_t last_ = 0;                  // number of the newest image
-  std::uint64_t heard_ = 0, crouching_ = 0, limp_ = 0;
+  std::uint64_t answered_cycles_ = 0, crouching_ = 0, limp_ = 0;
   bool online_ = false;
 };
 
-/// Some servo that is heard says that it holds its joint.
+/// Some responding servo holds its joint.
 [[nodiscard]] bool anyStiff(const Sensors& seen) noexcept;
 
 }  // namespace darwinop::supervisor

@@ -1,4 +1,4 @@
-// What follows when the default controller ends.
+// Restart policy of the default controller.
 #include "supervisor/restart_policy.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ std::size_t RestartPolicy::crashes(Nanos now) const {
 }
 
 RestartPolicy::Verdict RestartPolicy::ended(const Ending& ending, Nanos now) {
-  if (ending.tidy()) return Verdict::kOver;
+  if (ending.isNormal()) return Verdict::kOver;
   if (count_ == kCrashes) {
     std::rotate(at_.begin(), at_.begin() + 1, at_.end());
     --count_;

@@ -1,4 +1,4 @@
-// What follows when the default controller ends: nothing, another try, or none any more. Pure: time is an argument.
+// Restart policy of the default controller: done, restart, or give up. Pure: time is an argument.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 
 namespace darwinop::supervisor {
 
-/// How a process ended.
+/// Exit status of a process.
 struct Ending {
-  int code = 0;  // exit code, or the number of the signal
+  int code = 0;  // exit code or signal number
   bool by_signal = false;
 
-  [[nodiscard]] bool tidy() const { return !by_signal && code == 0; }
+  [[nodiscard]] bool isNormal() const { return !by_signal && code == 0; }
 };
 
 /// "with exit code 3", "by signal 11 (Segmentation fault)".
@@ -23,19 +23,19 @@ std::string describe(const Ending& ending);
 class RestartPolicy {
  public:
   enum class Verdict {
-    kOver,     // it has done its work
+    kOver,     // finished normally
     kAgain,    // after kPause
     kGivenUp,  // a third crash within kWindow
   };
-  // A controller that crashes at once is not started fifty times a second, and who stands by can step in.
+  // Prevents a restart loop of fifty per second, and gives bystanders time to act.
   static constexpr Nanos kPause{2'000'000'000};
   static constexpr Nanos kWindow{60'000'000'000};
   static constexpr std::size_t kCrashes = 3;
 
   [[nodiscard]] Verdict ended(const Ending& ending, Nanos now);
-  /// Another chance: earlier crashes no longer count.
+  /// Forgets earlier crashes.
   void forget() { count_ = 0; }
-  /// Crashes that count at this time.
+  /// Crashes within the window at this time.
   [[nodiscard]] std::size_t crashes(Nanos now) const;
 
  private:

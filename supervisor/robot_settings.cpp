@@ -1,4 +1,4 @@
-// What robot.ini says that the rescue has to know.
+// Settings in robot.ini that the rescue needs.
 #include "supervisor/robot_settings.hpp"
 
 #include <unistd.h>
@@ -25,7 +25,7 @@ RobotSettings readRobotSettings() {
   robot.offsets = file.offsets;
   try {
     robot.group = connect::runtimeGroup(file);
-  } catch (const std::runtime_error&) {  // the runtime refuses a group that does not exist, and says so
+  } catch (const std::runtime_error&) {  // the runtime reports and rejects a missing group
   }
   robot.identity = cm730::usbIdentity(robot.port);
   return robot;

@@ -1,4 +1,4 @@
-// What robot.ini says that the rescue has to know.
+// Settings in robot.ini that the rescue needs.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace darwinop::supervisor {
 
-/// For this process and those it starts: `home`/robot.ini, when it is there and no other file was named.
+/// For this process and its children: uses `home`/robot.ini if it exists and no other file was specified.
 void useRobotFileOf(const std::string& home);
 
-/// Throws std::runtime_error when the file is wrong: file, line and what is allowed.
+/// Throws std::runtime_error with file, line and expected value if the file is invalid.
 RobotSettings readRobotSettings();
 
 }  // namespace darwinop::supervisor

@@ -1,4 +1,4 @@
-// The runtime as a child.
+// The runtime as a child process.
 #include "supervisor/runtime_child.hpp"
 
 #include <utility>
@@ -7,7 +7,7 @@
 
 namespace darwinop::supervisor {
 
-/// The file of a runtime that ran before may still be there: it counts from when it names this one.
+/// The file of an earlier runtime may still exist; it is valid once it contains this pid.
 void RuntimeChild::attach() {
   if (runtime::FileLock::holder(files_.loop_lock) != child_.pid()) return;
   auto exchange = runtime::ExchangeReader::open(files_.exchange);
@@ -15,11 +15,11 @@ void RuntimeChild::attach() {
     exchange_ = std::move(exchange);
 }
 
-/// A file that was shortened keeps its last copy, whose cycle counter stands still: the runtime counts as hung.
+/// After truncation of the file the last copy stays, with a constant cycle counter: the runtime counts as hung.
 RuntimeChild::State RuntimeChild::look(Nanos now) {
   if (!exchange_ && !child_.ended()) attach();
   if (exchange_ && exchange_->look()) (void)exchange_->sensors(seen_);
-  if (child_.ended()) return State::kEnded;  // its last image: does the robot rest?
+  if (child_.ended()) return State::kEnded;  // its last image shows whether the robot is at rest
   if (!exchange_) return State::kStarting;
   if (!heart_) heart_.emplace(Nanos{exchange_->block().info.period_ns});
   return heart_->beats(exchange_->block().finished.value(), now) ? State::kUp : State::kSilent;

@@ -1,4 +1,4 @@
-// The runtime as a child: is it ready, does it beat, what does the robot look like?
+// The runtime as a child process: readiness, heartbeat, robot state.
 #pragma once
 
 #include <optional>
@@ -14,17 +14,17 @@ namespace darwinop::supervisor {
 class RuntimeChild {
  public:
   enum class State {
-    kStarting,  // it lives and has not run a cycle yet: it waits for the port, or looks at the robot
-    kUp,        // its loop turns
-    kSilent,    // it lives and its loop has not turned for too long
+    kStarting,  // alive without a cycle yet: waits for the port, or measures the robot
+    kUp,        // its loop runs
+    kSilent,    // alive, but without a cycle for too long
     kEnded,
   };
 
   RuntimeChild(const Start& start, const runtime::RuntimeFiles& files) : files_{files}, child_{start} {}
 
-  /// At least every Heartbeat::kLook.
+  /// Call at least every Heartbeat::kLook.
   [[nodiscard]] State look(Nanos now);
-  /// It was ready at some time, so that robot and controller may rely on it.
+  /// It has been ready at some time.
   [[nodiscard]] bool wasUp() const { return heart_.has_value(); }
   [[nodiscard]] const Sensors& sensors() const { return seen_; }
   [[nodiscard]] Nanos patience() const { return heart_ ? heart_->patience() : Nanos{0}; }
@@ -35,7 +35,7 @@ class RuntimeChild {
 
   runtime::RuntimeFiles files_;
   Child child_;
-  std::optional<runtime::ExchangeReader> exchange_;  // not mapped: the supervisor outlives the file
+  std::optional<runtime::ExchangeReader> exchange_;  // not mapped: the supervisor must survive truncation of the file
   std::optional<Heartbeat> heart_;
   Sensors seen_;
 };

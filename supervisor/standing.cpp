@@ -1,4 +1,4 @@
-// Priority, locked memory and protection of the supervisor's process.
+// Priority, memory locking and OOM protection of the supervisor.
 #include "supervisor/standing.hpp"
 
 #include <fcntl.h>
@@ -26,12 +26,12 @@ std::string standFast() {
   sched_param parameter{};
   parameter.sched_priority = kWatchPriority;
   if (sched_setscheduler(0, SCHED_FIFO, &parameter) != 0) refused = "real-time priority";
-  // What is there now. The rescue needs more, and takes it as it comes: it is not in a hurry.
+  // Present memory only. The rescue allocates more, and may have page faults: it is not time-critical.
   if (mlockall(MCL_CURRENT) != 0) refused += refused.empty() ? "locked memory" : " and locked memory";
-  // When memory runs out, the kernel shall not choose this process. The second name is that before Linux 2.6.36.
+  // Protection from the OOM killer. The second name is that before Linux 2.6.36.
   if (!tryWriteTo("/proc/self/oom_score_adj", "-1000")) (void)tryWriteTo("/proc/self/oom_adj", "-17");
   if (refused.empty()) return {};
-  return "the kernel refused " + refused + ", so a loop that hangs may be noticed late; run as root";
+  return "the kernel refused " + refused + "; a hanging loop may be detected late; run as root";
 }
 
 void standDown() {

@@ -1,19 +1,19 @@
-// Priority, locked memory and protection of the supervisor's process.
+// Priority, memory locking and OOM protection of the supervisor.
 #pragma once
 
 #include <string>
 
 namespace darwinop::supervisor {
 
-/// Above the loop's SCHED_FIFO 80, so that a loop that spins cannot keep the one away who is to end it, and below the
-/// kernel's own watchdogs (99). A look every 20 ms takes 60 us (debug build on a PC, virtual robot, 2026-11; not
-/// measured on an Atom), far less than the loop has to spare.
+/// Above the loop's SCHED_FIFO 80, so that a spinning loop cannot starve the supervisor, and below the kernel's watchdogs
+/// (99). A check every 20 ms takes 60 us (debug build on a PC, virtual robot, 2026-11; not measured on an Atom), far below
+/// the loop's slack.
 inline constexpr int kWatchPriority = 85;
 
-/// Of the calling thread and its process. Returns what was refused, a sentence; empty: nothing.
+/// Applies to the calling thread and its process. Returns what was refused as a message; empty: nothing.
 std::string standFast();
-/// An ordinary thread again: for the rescue, whose own loop takes a priority for itself. The runtime is dead then, and
-/// threads that are made must not inherit the priority of a watch.
+/// Back to normal priority, for the rescue, whose own loop sets its priority. The runtime is dead then, and new threads must
+/// not inherit the supervisor's priority.
 void standDown();
 
 }  // namespace darwinop::supervisor

@@ -1,4 +1,4 @@
-// What the supervisor is doing, as a small file.
+// Status file of the supervisor.
 #include "supervisor/status.hpp"
 
 #include <fcntl.h>
@@ -22,7 +22,7 @@ std::string oneLine(std::string text) {
   return text;
 }
 
-/// Empty when there is no such file, or one that another user made.
+/// Empty if there is no such file, or if another user created it.
 std::string textOf(const std::string& path) try {
   constexpr std::size_t kMost = 16'384;
   const auto file = runtime::openShared(path, O_RDONLY, runtime::FileOwner::kOwn);

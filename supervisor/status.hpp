@@ -1,4 +1,4 @@
-// What the supervisor is doing, as a small file that anybody may read.
+// Status file of the supervisor, world-readable.
 #pragma once
 
 #include <sys/types.h>
@@ -12,27 +12,27 @@
 
 namespace darwinop::supervisor {
 
-/// Where it is told. Beside the runtime's files, under the runtime's name.
+/// File names: beside the runtime's files, derived from the runtime's name.
 struct SupervisorFiles {
   explicit SupervisorFiles(const runtime::RuntimeFiles& files)
       : lock{files.exchange + ".supervisor"}, status{files.exchange + ".supervised"} {}
-  std::string lock;    // held as long as the supervisor lives
+  std::string lock;    // locked for the lifetime of the supervisor
   std::string status;  // replaced at every change
 };
 
 struct Status {
-  std::string home, state, controller;        // state: "driving: ...", a sentence; controller: its name
+  std::string home, state, controller;        // state: a message such as "driving: ..."; controller: its name
   pid_t runtime_pid = 0, controller_pid = 0;  // 0: does not run
   std::size_t crashes = 0;                    // of the controller, within the last minute
-  std::uint32_t orders = 0;                   // carried out so far
-  bool controller_ended = false;              // and will not be started by itself
+  std::uint32_t orders = 0;                   // completed so far
+  bool controller_ended = false;              // and will not be restarted automatically
 
   bool operator==(const Status&) const = default;
 };
 
-/// Replaces the file in one step. A full or read-only /dev/shm is no reason to stop: false.
+/// Replaces the file atomically. Returns false if /dev/shm is full or read-only, which is not fatal.
 bool writeStatus(const Status& status, const std::string& path);
-/// Nothing when there is no file, or one that is not understood.
+/// Empty if there is no file or it is invalid.
 std::optional<Status> readStatus(const std::string& path);
 
 }  // namespace darwinop::supervisor

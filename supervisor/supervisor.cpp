@@ -1,5 +1,4 @@
-// Parent of runtime and default controller: its life and its orders. What it does with the runtime:
-// supervisor_runtime.cpp
+// Parent of runtime and default controller: life cycle and commands. Runtime: supervisor_runtime.cpp
 #include "supervisor/supervisor.hpp"
 
 #include <sys/stat.h>
@@ -7,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstring>
 #include <stdexcept>
 #include <utility>
 
@@ -18,25 +18,25 @@ namespace darwinop::supervisor {
 namespace {
 
 runtime::FileLock claim(const std::string& path) {
-  listenForOrders();  // before anybody can see whom to send them to
+  listenForOrders();  // before the lock makes this process visible to commands
   if (auto lock = runtime::FileLock::tryTake(path, static_cast<gid_t>(-1), runtime::FileOwner::kOwn))
     return std::move(*lock);
-  throw std::runtime_error("a supervisor runs already (pid " + std::to_string(runtime::FileLock::holder(path)) +
-                           "); end it with: darwinop supervisor --stop");
+  throw std::runtime_error("a supervisor is already running (pid " + std::to_string(runtime::FileLock::holder(path)) +
+                           "); stop it with: darwinop supervisor --stop");
 }
 
 const std::string& checkedHome(const std::string& home) {
   struct stat info {};
   if (stat(home.c_str(), &info) != 0 || !S_ISDIR(info.st_mode))
-    throw std::runtime_error("there is no folder " + home + "; name the one of the installation with --home");
+    throw std::runtime_error("folder " + home + " does not exist; specify the installation with --home");
   if (mkdir((home + "/log").c_str(), 0755) != 0 && errno != EEXIST)
-    throw std::runtime_error("cannot make " + home + "/log: run as root");
+    throw std::runtime_error("cannot create " + home + "/log: " + std::strerror(errno) + "; run as root");
   return home;
 }
 
 void doze() {
   const timespec pause{0, 20'000'000};
-  nanosleep(&pause, nullptr);  // an order ends it early
+  nanosleep(&pause, nullptr);  // a command ends it early
 }
 
 }  // namespace
@@ -55,8 +55,8 @@ Supervisor::~Supervisor() {
 
 int Supervisor::run() {
   useRobotFileOf(setup_.home);
-  if (const std::string refused = standFast(); !refused.empty()) say(refused);
-  say("starts, pid " + std::to_string(getpid()) + ", home " + setup_.home);
+  if (const std::string refused = standFast(); !refused.empty()) log(refused);
+  log("started, pid " + std::to_string(getpid()) + ", home " + setup_.home);
   now_ = clock_.now();
   startRuntime();
   for (;; doze()) {
@@ -65,7 +65,7 @@ int Supervisor::run() {
     publishStatus();
     if (phase_ == Phase::kOver) break;
   }
-  say("ends" + robot_);
+  log("ended" + robot_);
   return failed_ ? 1 : 0;
 }
 
@@ -89,11 +89,11 @@ void Supervisor::look() {
   }
 }
 
-void Supervisor::become(Phase phase, const std::string& told) {
+void Supervisor::become(Phase phase, const std::string& text) {
   phase_ = phase;
-  told_ = told;
+  state_text_ = text;
   once_.forget();
-  say(told);
+  log(text);
 }
 
 void Supervisor::take(const Orders& orders) {
@@ -103,8 +103,8 @@ void Supervisor::take(const Orders& orders) {
     restart_asked_ = false;
     controller_.stop(now_);
     stop_rescue_at_ = now_ + kTimeToReachRobot;
-    if (phase_ == Phase::kRuntime) become(Phase::kStopping, "is told to stop");
-    if (phase_ == Phase::kBackOff) become(Phase::kDown, "is told to stop");
+    if (phase_ == Phase::kRuntime) become(Phase::kStopping, "stopping");
+    if (phase_ == Phase::kBackOff) become(Phase::kDown, "stopping");
   }
   if (stop_asked_) return;
   if (orders.stop_controller) controller_.stop(now_);
@@ -115,18 +115,18 @@ void Supervisor::take(const Orders& orders) {
   }
   controller_.restart(now_);
   if (phase_ != Phase::kDown && phase_ != Phase::kBackOff) return;
-  runtime::RobotNotes::forget(files_);  // the order was a person's
+  runtime::RobotNotes::forget(files_);  // given by a person
   startRuntime();
 }
 
 void Supervisor::publishStatus() {
   Status status;
-  controller_.tell(status, now_);
+  controller_.report(status, now_);
   status.home = setup_.home;
   status.runtime_pid = runtime_ ? runtime_->process().pid() : 0;
   status.orders = orders_;
-  const bool up = phase_ == Phase::kRuntime && told_ == kReady;
-  if (!up) status.state = told_;
+  const bool up = phase_ == Phase::kRuntime && state_text_ == kReady;
+  if (!up) status.state = state_text_;
   if (status == published_) return;
   if (writeStatus(status, own_.status)) published_ = status;
 }

@@ -1,5 +1,4 @@
-// Parent of runtime and default controller: starts them, watches them, and brings the robot to rest when the runtime
-// fails.
+// Parent of runtime and default controller: starts and monitors them, and brings the robot to rest if the runtime fails.
 #pragma once
 
 #include <memory>
@@ -22,31 +21,31 @@ struct Setup {
   std::string runtime_program;  // darwinop-runtime
 };
 
-/// One thread looks at everything every 20 ms and never waits; docs/supervisor.md has the picture.
+/// One thread checks everything every 20 ms and never blocks; diagram in docs/supervisor.md.
 class Supervisor {
  public:
-  /// Throws std::runtime_error when another one runs, or the home is no folder.
+  /// Throws std::runtime_error if another supervisor runs, or if the home is not a folder.
   explicit Supervisor(const Setup& setup);
   ~Supervisor();
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
-  /// Returns when it was told to stop and all is at rest. The exit status.
+  /// Returns after a stop command, when all is at rest. Returns the exit status.
   int run();
 
  private:
   enum class Phase {
-    kRuntime,   // it starts, or its loop turns
-    kBackOff,   // it could not start; the next attempt is due at next_start_
-    kStopping,  // controller, then runtime are told to end
-    kRescue,    // it died or hung; the robot is brought to rest
-    kDown,      // at rest, nobody drives until somebody asks
+    kRuntime,   // starting, or its loop runs
+    kBackOff,   // start failed; next attempt at next_start_
+    kStopping,  // ending controller, then runtime
+    kRescue,    // it died or hung; bringing the robot to rest
+    kDown,      // at rest until the next command
     kOver,
   };
 
   static constexpr const char* kReady = "runtime: ready";
-  static constexpr Nanos kFirstWait{2'000'000'000};         // until a runtime that cannot start is tried again
-  static constexpr Nanos kTimeToReachRobot{5'000'000'000};  // of a rescue that was told to stop
+  static constexpr Nanos kFirstWait{2'000'000'000};         // before a failed start is retried
+  static constexpr Nanos kTimeToReachRobot{5'000'000'000};  // limit for a rescue after a stop command
 
   void look();
   void take(const Orders& orders);
@@ -58,7 +57,7 @@ class Supervisor {
   void rescue(const std::string& why);
   void lookAtRescue();
   void onRest(Rescue::Step step);
-  void become(Phase phase, const std::string& told);
+  void become(Phase phase, const std::string& text);
   void publishStatus();
 
   Setup setup_;
@@ -67,7 +66,7 @@ class Supervisor {
   runtime::FileLock claim_;
   runtime::MonotonicClock clock_;
   Nanos now_{0};
-  RobotSettings settings_;  // that the runtime has
+  RobotSettings settings_;  // as used by the runtime
 
   std::unique_ptr<RuntimeChild> runtime_;
   DefaultController controller_;
@@ -75,14 +74,14 @@ class Supervisor {
   LogKeeper logs_;
 
   Phase phase_ = Phase::kRuntime;
-  std::string told_;
+  std::string state_text_;
   Once once_;
   Nanos next_start_{0}, start_wait_;
-  Nanos kill_at_{0};         // when the runtime was told to end
-  Nanos stop_rescue_at_{0};  // when told to stop in a rescue that never reached the robot
+  Nanos kill_at_{0};         // time of SIGKILL for the runtime
+  Nanos stop_rescue_at_{0};  // after a stop command in a rescue that has not reached the robot
   bool stop_asked_ = false, restart_asked_ = false;
-  bool failed_ = false;  // the robot could not be brought to rest
-  std::string robot_;    // how it was left by the last loop, for the end of a sentence; empty: not known
+  bool failed_ = false;  // the rescue could not bring the robot to rest
+  std::string robot_;    // state after the last loop, as the end of a message; empty: unknown
   std::uint32_t orders_ = 0;
   Status published_;
 };

@@ -1,4 +1,4 @@
-// What the supervisor does with the runtime: starts it, watches it, ends it, and makes up for it when it fails.
+// Runtime supervision: start, monitoring, end, and rescue.
 #include <signal.h>
 
 #include <algorithm>
@@ -16,15 +16,15 @@
 namespace darwinop::supervisor {
 namespace {
 
-// A runtime that cannot start (a mistake in robot.ini, no servo answers) is tried again, ever more seldom.
+// A failed start (invalid robot.ini, silent servo) is retried at growing intervals.
 constexpr Nanos kLongestStartWait{60'000'000'000};
-// Beside what the crouch itself may take (runtime/rest.cpp): a recording is written out, a process ends.
+// In addition to the crouch (runtime/rest.cpp): time to write a recording and end the process.
 constexpr Nanos kTimeToStop{5'000'000'000};
-// A loop that stops turning while it is told to end has a moment left to end its process.
+// A loop that stops while ending gets this time to end its process.
 constexpr Nanos kLastMoment{2'000'000'000};
 
 constexpr const char* kAtRest = "; the robot is at rest";
-constexpr const char* kMayHold = "; the robot may still hold its joints: hold it and press RESET on its back";
+constexpr const char* kMayHold = "; some joints may be under torque: hold the robot and press RESET on its back";
 
 }  // namespace
 
@@ -32,8 +32,8 @@ void Supervisor::startRuntime() {
   Start start;
   start.command = {setup_.runtime_program, "--wait"};
   try {
-    // Read now: the rescue shall know what the runtime knew, whatever becomes of the file. With a file that cannot be
-    // used nothing may move, and no runtime is started.
+    // Read now, so that the rescue uses the runtime's settings even if the file changes. With an invalid file nothing may
+    // move, and no runtime is started.
     settings_ = readRobotSettings();
     runtime_ = std::make_unique<RuntimeChild>(start, files_);
   } catch (const std::runtime_error& error) {
@@ -41,14 +41,14 @@ void Supervisor::startRuntime() {
   }
   failed_ = false;
   robot_.clear();
-  become(Phase::kRuntime, "runtime: starts (pid " + std::to_string(runtime_->process().pid()) + ")");
+  become(Phase::kRuntime, "runtime: started (pid " + std::to_string(runtime_->process().pid()) + ")");
 }
 
-/// Says why once, as long as it stays the reason.
+/// Logs the reason once until it changes.
 void Supervisor::backOff(const std::string& why) {
   next_start_ = now_ + start_wait_;
   start_wait_ = std::min(2 * start_wait_, kLongestStartWait);
-  if (phase_ != Phase::kBackOff || told_ != why) become(Phase::kBackOff, why);
+  if (phase_ != Phase::kBackOff || state_text_ != why) become(Phase::kBackOff, why);
 }
 
 void Supervisor::lookAtRuntime() {
@@ -56,10 +56,10 @@ void Supervisor::lookAtRuntime() {
   if (state == RuntimeChild::State::kEnded) return onRuntimeEnd(*runtime_->process().ended());
   if (state == RuntimeChild::State::kSilent && kill_at_ != Nanos{0}) kill_at_ = std::min(kill_at_, now_ + kLastMoment);
   if (state == RuntimeChild::State::kSilent && kill_at_ == Nanos{0})
-    return rescue("runtime: lives, but its loop has not turned for " +
+    return rescue("runtime: hung, no cycle for " +
                   std::to_string(runtime_->patience().count() / 1'000'000) + " ms");
   if (state != RuntimeChild::State::kStarting) {
-    if (phase_ == Phase::kRuntime && told_ != kReady) become(phase_, kReady);
+    if (phase_ == Phase::kRuntime && state_text_ != kReady) become(phase_, kReady);
     start_wait_ = kFirstWait;
     controller_.look(runtime_->sensors(), now_);
   } else {
@@ -73,27 +73,27 @@ void Supervisor::endRuntime() {
     kill_at_ = now_ + runtime::Rest{settings_.safety, settings_.period}.atMost() + kTimeToStop;
     runtime_->process().signal(SIGTERM);
   }
-  if (now_ >= kill_at_) rescue("runtime: was told to end and does not");
+  if (now_ >= kill_at_) rescue("runtime: has not ended in time");
 }
 
 void Supervisor::onRuntimeEnd(const Ending& ending) {
   const bool was_up = runtime_->wasUp();
   kill_at_ = Nanos{0};
-  if (was_up && !ending.tidy()) return rescue("runtime: died " + describe(ending));
+  if (was_up && !ending.isNormal()) return rescue("runtime: died " + describe(ending));
   const Sensors& last = runtime_->sensors();
   if (was_up) robot_ = last.safety.state == State::kLimp && !anyStiff(last) ? kAtRest : kMayHold;
   runtime_.reset();
   if (was_up || stop_asked_) controller_.runtimeLost(now_);
-  if (stop_asked_) return become(Phase::kDown, "runtime: has ended" + robot_);
-  if (was_up || ending.tidy())
-    return become(Phase::kDown, "runtime: was told to end by somebody else" + robot_ +
-                                    "; start it again with: darwinop supervisor --restart-controller");
-  backOff("runtime: could not start (" + describe(ending) + "); next attempt in " +
+  if (stop_asked_) return become(Phase::kDown, "runtime: ended" + robot_);
+  if (was_up || ending.isNormal())
+    return become(Phase::kDown, "runtime: ended by another process" + robot_ +
+                                    "; restart it with: darwinop supervisor --restart-controller");
+  backOff("runtime: start failed (" + describe(ending) + "); next attempt in " +
           std::to_string(start_wait_ / Nanos{1'000'000'000}) + " s");
 }
 
 void Supervisor::rescue(const std::string& why) {
-  become(Phase::kRescue, why + ". The supervisor brings the robot to rest: hold, slow crouch, torque off");
+  become(Phase::kRescue, why + "; bringing the robot to rest: hold, slow crouch, torque off");
   kill_at_ = Nanos{0};
   runtime_->process().signal(SIGKILL);
   controller_.runtimeLost(now_);
@@ -103,17 +103,17 @@ void Supervisor::rescue(const std::string& why) {
 }
 
 void Supervisor::lookAtRescue() {
-  (void)runtime_->process().ended();  // reaps it: with the process go its hold on the port and its lock
+  (void)runtime_->process().ended();  // reaped: this releases the port and its lock
   const Rescue::Step step = rescue_->look(now_);
   if (!rescue_->obstacle().empty())
-    once_.say("rescue: cannot reach the robot yet, and keeps trying: " + rescue_->obstacle());
+    once_.log("rescue: cannot reach the robot, retrying: " + rescue_->obstacle());
   if (step == Rescue::Step::kAtRest || step == Rescue::Step::kStiff) return onRest(step);
   if (rescue_->online()) stop_rescue_at_ = now_ + kTimeToReachRobot;
   if (!stop_asked_ || now_ < stop_rescue_at_ || !controller_.over()) return;
   failed_ = true;
   robot_ = kMayHold;
   rescue_.reset();
-  become(Phase::kDown, "rescue: was told to stop before it could reach the robot" + robot_);
+  become(Phase::kDown, "rescue: stopped before it could reach the robot" + robot_);
 }
 
 void Supervisor::onRest(Rescue::Step step) {
@@ -123,10 +123,10 @@ void Supervisor::onRest(Rescue::Step step) {
   robot_ = failed_ ? kMayHold : kAtRest;
   become(
       Phase::kDown,
-      (failed_ ? "rescue: the robot sits, but a servo does not let go: press RESET on its back"
+      (failed_ ? "rescue: the robot sits, but a servo is still under torque: press RESET on its back"
                : "rescue: the robot is at rest, torque is off") +
-          std::string{". Nothing is started again until the next boot, or: darwinop supervisor --restart-controller"});
-  if (const std::string refused = standFast(); !refused.empty()) say(refused);
+          std::string{"; restart at the next boot, or with: darwinop supervisor --restart-controller"});
+  if (const std::string refused = standFast(); !refused.empty()) log(refused);
   if (!std::exchange(restart_asked_, false)) return;
   controller_.restart(now_);
   runtime::RobotNotes::forget(files_);

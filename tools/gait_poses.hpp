@@ -18,7 +18,7 @@ using svg::Points;
 inline constexpr double kHipHalf = 37;  // mm from the middle of the trunk to a hip
 
 /// From above: where the feet are when both are down, after the left one's swing and after the right one's.
-inline void footprints(Picture& picture, double middle, const Wish& wish, const std::string& title,
+inline void footprints(Picture& picture, double middle, const WalkCommand& wish, const std::string& title,
                        const std::string& below) {
   Parameters p;
   const Timing timing{p};

@@ -1,4 +1,6 @@
-// make_body_xml DATA OUT: writes the body file from the tables of facts.
+// make_body_xml DATA OUT: writes the MuJoCo body file from the tables.
+#include <cerrno>
+#include <cstring>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -15,7 +17,7 @@ int main(int argc, char** argv) try {
   file << xml;
   file.close();
   if (!file) {
-    std::cerr << argv[2] << ": cannot be written\n";
+    std::cerr << "cannot write " << argv[2] << ": " << std::strerror(errno) << '\n';
     return 1;
   }
 } catch (const std::exception& error) {

@@ -73,7 +73,7 @@ std::map<std::string, Outcome> readOutcomes(const std::string& folder) {
 }
 
 std::string inMs(const std::string& cycles) {
-  return std::to_string(16 * std::stol(cycles)) + " ms";
+  return std::to_string(16 * std::stol(cycles));
 }
 
 /// False when a test of the table is missing or has failed; says which.
@@ -95,19 +95,19 @@ void print(std::ostream& out, const std::map<std::string, Outcome>& outcomes) {
          "What can hurt a person or damage the robot, what must hold all the same, and the tests that show it. Made "
          "by\n"
          "`./dev docs` from `tests/hazards/hazard_table.hpp`; `./dev test docs` runs every test named here.\n\n"
-         "Cycles: measured on the virtual robot from the cause to the reaction, at 16 ms a cycle. A dash: the "
+         "Time: measured on the virtual robot from the cause to the reaction, at 16 ms a cycle. Without a time the "
          "constraint\n"
          "holds at every moment, or at start-up. Nothing here has run on a physical robot.\n\n"
-         "| Id | Hazard | Cause | Constraint | Reaction | Cycles | Tests |\n|---|---|---|---|---|---:|---|\n";
+         "| Id | Hazard | Cause | Constraint | Reaction | Time, ms | Tests |\n|---|---|---|---|---|---:|---|\n";
   for (const Hazard& hazard : kHazards) {
-    std::string cycles, names;
+    std::string times, names;
     for (const TestId& test : testsOf(hazard)) {
       const std::string& measured = outcomes.at(test.program + ":" + test.name).cycles;
-      if (!measured.empty()) cycles += (cycles.empty() ? "" : ", ") + measured + " (" + inMs(measured) + ")";
+      if (!measured.empty()) times += (times.empty() ? "" : ", ") + inMs(measured);
       names += (names.empty() ? "`" : "<br>`") + test.name + "`";
     }
     out << "| " << hazard.id << " | " << hazard.hazard << " | " << hazard.cause << " | " << hazard.constraint << " | "
-        << hazard.reaction << " | " << (cycles.empty() ? "-" : cycles) << " | " << names << " |\n";
+        << hazard.reaction << " | " << times << " | " << names << " |\n";
   }
 }
 

@@ -1,4 +1,5 @@
 // Prints docs/registers.md from the tables of core/; with `--check FILE` tells whether FILE still says the same.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -16,6 +17,13 @@ namespace {
 using namespace darwinop;
 
 constexpr const char* kHowToRenew = "./dev docs";
+
+constexpr int kFirstRam = 24;
+constexpr bool eepromIsBelow(int address, std::span<const Register> table) {
+  return std::ranges::all_of(table,
+                             [=](const Register& r) { return (r.memory == Memory::kEeprom) == (r.address < address); });
+}
+static_assert(eepromIsBelow(kFirstRam, kCm730) && eepromIsBelow(kFirstRam, kMx28), "the page has no column for it");
 
 std::string number(double value, const char* format) {
   char text[32];
@@ -36,29 +44,11 @@ std::string law(const Register& r) {
 }
 
 void printTable(std::ostream& out, std::span<const Register> table) {
-  out << "| Address | Name | Bytes | Access | Memory | Reset | Range | SI value | Unit | Note |\n"
-         "|---:|---|---:|---|---|---:|---|---|---|---|\n";
+  out << "| Address | Name | Bytes | Reset | Range | SI value | Unit | Note |\n|---:|---|---:|---:|---|---|---|---|\n";
   for (const Register& r : table) {
-    out << "| " << int{r.address} << " | `" << r.name << "` | " << int{r.bytes} << " | "
-        << (r.access == Access::kRead ? "read" : "write") << " | " << (r.memory == Memory::kEeprom ? "EEPROM" : "RAM")
-        << " | " << r.reset << " | " << range(r) << " | " << law(r) << " | " << r.unit << " | " << r.note << " |\n";
+    out << "| " << int{r.address} << " | `" << r.name << "` | " << int{r.bytes} << " | " << r.reset << " | " << range(r)
+        << " | " << law(r) << " | " << r.unit << " | " << r.note << " |\n";
   }
-}
-
-std::string_view name(Chain chain) {
-  switch (chain) {
-    case Chain::kRightArm:
-      return "right arm";
-    case Chain::kLeftArm:
-      return "left arm";
-    case Chain::kHead:
-      return "head";
-    case Chain::kRightLeg:
-      return "right leg";
-    case Chain::kLeftLeg:
-      return "left leg";
-  }
-  return "";
 }
 
 std::string radian(int ticks) {
@@ -66,13 +56,11 @@ std::string radian(int ticks) {
 }
 
 void printJoints(std::ostream& out) {
-  out << "| Id | Webots name | Joint | Chain | Low, ticks | High, ticks | Start, ticks | Low, rad | High, rad | Start, "
-         "rad |\n"
-         "|---:|---|---|---|---:|---:|---:|---:|---:|---:|\n";
+  out << "| Id | Webots name | Joint | Low, ticks | High, ticks | Start, ticks | Low, rad | High, rad | Start, rad |\n"
+         "|---:|---|---|---:|---:|---:|---:|---:|---:|\n";
   for (const JointRow& j : kJointTable) {
-    out << "| " << int{j.id} << " | `" << j.name << "` | " << j.anatomical << " | " << name(j.chain) << " | " << j.low
-        << " | " << j.high << " | " << j.start << " | " << radian(j.low) << " | " << radian(j.high) << " | "
-        << radian(j.start) << " |\n";
+    out << "| " << int{j.id} << " | `" << j.name << "` | " << j.anatomical << " | " << j.low << " | " << j.high << " | "
+        << j.start << " | " << radian(j.low) << " | " << radian(j.high) << " | " << radian(j.start) << " |\n";
   }
 }
 
@@ -86,7 +74,8 @@ std::string page() {
          "## Joints\n\n"
          "2048 ticks are 0 rad, 4096 ticks are a turn. A rising tick is a positive angle, for every joint.\n\n";
   printJoints(out);
-  out << "\n## CM-730, id " << int{kBoardId} << "\n\nA word has its low byte at the lower address.\n\n";
+  out << "\n## CM-730, id " << int{kBoardId} << "\n\nA register without a range is read-only. Addresses below "
+      << kFirstRam << " are EEPROM. A word has its low byte at the lower address.\n\n";
   printTable(out, kCm730);
   out << "\n## MX-28, ids 1 to " << kJoints << "\n\nProtocol 1.0, firmware 27 or newer.\n\n";
   printTable(out, kMx28);

@@ -99,7 +99,7 @@ void SoundDesk::take(const SoundEnded& ended) {
   if (speech_ == ended.id) speech_ = 0;
 }
 
-void SoundDesk::take(const SoundTrouble& trouble) {
+void SoundDesk::take(const SoundError& trouble) {
   warnOnce("Speaker: " + trouble.sentence);
 }
 

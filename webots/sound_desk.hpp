@@ -42,7 +42,7 @@ class SoundDesk {
   void takeNews(std::chrono::milliseconds wait);
   void take(const SoundStarted& started);
   void take(const SoundEnded& ended);
-  void take(const SoundTrouble& trouble);
+  void take(const SoundError& trouble);
   void take(const SoundLost& lost);
 
   std::function<std::unique_ptr<SoundOutput>()> open_;

@@ -18,7 +18,7 @@ inline constexpr std::size_t kLimbs = 5;  // a limb is a daisy chain: both arms,
 /// `walk` holds until it is said otherwise; everything else is asked for once.
 struct Orders {
   std::array<std::optional<Rad>, kJoints> goals{};
-  std::optional<gait::Wish> walk{};                  // nothing: stand
+  std::optional<gait::WalkCommand> walk{};           // nothing: stand
   int page = 0;                                      // to play from now on; 0: none
   std::array<std::optional<bool>, kLimbs> torque{};  // by Chain; false: the limb is limp
 

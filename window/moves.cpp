@@ -234,7 +234,7 @@ void Moves::advanceWalk(const Orders& orders, const Sensors& seen) {
   double left =
       moved ? carried_ms_ : static_cast<double>(gait::kTickMs);  // at rest it learns where the gyroscope rests
   for (; left >= gait::kTickMs; left -= gait::kTickMs) {
-    walk_.tick(orders.walk.value_or(gait::Wish{}), true, counts);
+    walk_.tick(orders.walk.value_or(gait::WalkCommand{}), true, counts);
     counts.fresh = false;
   }
   if (!moved) return;

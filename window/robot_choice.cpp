@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "connect/setting.hpp"
-#include "hal/net/resolve.hpp"
+#include "hal/net/names/resolve.hpp"
 #include "remote/client/tcp_link.hpp"
 #include "runtime/daemon_link.hpp"
 #include "window/eyes.hpp"

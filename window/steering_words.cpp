@@ -33,7 +33,7 @@ std::string takeGoals(const Json& goals, Orders& orders) {
 }
 
 std::string takeWalk(const Json& walk, Orders& orders) {
-  gait::Wish wish;
+  gait::WalkCommand wish;
   if (!walk.is_object()) return "\"walk\" has to be an object: {\"x\": 0.5}";
   for (const auto& [name, amplitude] : walk.items()) {
     double* const field = name == "x" ? &wish.x : name == "y" ? &wish.y : name == "a" ? &wish.a : nullptr;

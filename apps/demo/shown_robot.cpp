@@ -1,3 +1,4 @@
+// Runs a webots::Robot on the twin in lockstep and draws it.
 #include "apps/demo/shown_robot.hpp"
 
 #include <array>
@@ -16,7 +17,7 @@ namespace darwinop::demo {
 
 namespace {
 
-constexpr std::array<double, 3> kPush{10, 0, 0};  // N, forward: a walking robot may fall
+constexpr std::array<double, 3> kPush{10, 0, 0};  // N, forward; may make a walking robot fall
 constexpr std::chrono::milliseconds kPushTime{100};
 
 }  // namespace
@@ -27,19 +28,19 @@ struct ShownRobot::Parts {
                                                   twin::RobotBodyOptions{.ball = twin::Ball::kNone});
     twin::RobotBody* const robot_body = body.get();
     twin::ShowOptions look = options;
-    look.seconds = 0;  // its clock would begin before the robot stands ready
+    look.seconds = 0;  // the screen's clock starts before the takeover ends
     screen = twin::makeScreen(look, *body->mujocoModel(),
                               {[robot_body] { robot_body->push(kPush, kPushTime); },
                                [robot_body] { robot_body->place(twin::startAngles()); }});
-    auto seen = std::make_unique<twin::WatchedBody>(std::move(body), screen->perSecond());
+    auto seen = std::make_unique<twin::WatchedBody>(std::move(body), screen->posesPerSecond());
     watched = seen.get();
     facade::installStopSignals();
     runtime::LoopConfig loop;
     loop.port = "twin:" + options.model;
-    robot = std::make_unique<facade::RobotImpl>(connect::lockstepRobot(loop, std::move(seen)),
-                                                facade::ControllerConfig{}, facade::stopRequested());
-    if (const std::string why_not = robot->begin(); !why_not.empty()) throw std::runtime_error(why_not);
-    for (twin::Pose before_the_film; watched->poses().pop(before_the_film);) {
+    robot = std::make_unique<facade::RobotImpl>(connect::lockstepRobot(loop, std::move(seen)), facade::ControllerConfig{},
+                                                facade::stopRequested());
+    if (const std::string error = robot->begin(); !error.empty()) throw std::runtime_error(error);
+    for (twin::Pose takeover; watched->poses().pop(takeover);) {
     }
   }
 
@@ -62,8 +63,8 @@ int ShownRobot::step(int ms) {
   const int late = Robot::step(ms);
   if (late == -1) return -1;
   draw();
-  const bool enough = seconds_ > 0 && getTime() >= seconds_ - 1e-9;
-  return enough || screen_->full() ? -1 : late;
+  const bool time_is_up = seconds_ > 0 && getTime() >= seconds_ - 1e-9;
+  return time_is_up || screen_->isFinished() ? -1 : late;
 }
 
 void ShownRobot::draw() {

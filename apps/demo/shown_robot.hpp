@@ -1,4 +1,4 @@
-// A robot of the physics twin in this process, in simulated time, and a picture of all that it does.
+// A robot of the twin in this process, in simulated time, with a window or film of it.
 #pragma once
 
 #include <chrono>
@@ -10,16 +10,17 @@
 
 namespace darwinop::demo {
 
-/// As fast as the machine allows before a film; in a window no faster than real time. One at a time in a process.
+/// As fast as possible for a film; at most real time in a window. One per process.
 class ShownRobot final : public webots::Robot {
  public:
-  /// Stands ready in its start pose: time 0 of the film. Throws NoDisplay, NoGraphics, std::runtime_error.
+  /// Returns after the takeover, with the robot in its start pose: time 0 of the film. Throws NoDisplay, NoGraphics,
+  /// std::runtime_error.
   explicit ShownRobot(const twin::ShowOptions& options);
 
-  /// -1, too, when the film is long enough or its window is closed. Throws std::runtime_error: the film cannot be
-  /// written.
+  /// Also returns -1 when the film has its length or the window is closed. Throws std::runtime_error if the film cannot
+  /// be written.
   int step(int ms) override;
-  /// Writes the film to its end and says where it is. Throws std::runtime_error when it is not whole.
+  /// Completes the film and prints its path. Throws std::runtime_error if it is incomplete.
   void finish();
 
   [[nodiscard]] const twin::RobotBody& body() const { return watched_->robot(); }
@@ -29,7 +30,7 @@ class ShownRobot final : public webots::Robot {
   ShownRobot(const twin::ShowOptions& options, Parts parts);
   void draw();
 
-  twin::WatchedBody* watched_;  // the robot owns it
+  twin::WatchedBody* watched_;  // owned by the robot
   std::unique_ptr<twin::Screen> screen_;
   bool film_;
   double seconds_;

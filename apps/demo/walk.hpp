@@ -1,11 +1,11 @@
-// `darwinop demo walk`: the twin gets up, walks, turns and stops, seen in a film or a window, with figures.
+// `darwinop demo walk`: the twin stands up, walks, turns and stops, in a film or window, with measured distances.
 #pragma once
 
 #include "twin/view/show.hpp"
 
 namespace darwinop::demo {
 
-/// 0: it did, or was ended on the way; 1: it fell. Throws std::runtime_error.
+/// Exit status: 0 completed or ended by the user, 1 fell. Throws std::runtime_error.
 int walk(const twin::ShowOptions& options);
 
 }  // namespace darwinop::demo

@@ -1,6 +1,6 @@
 #!/bin/sh
-# collect.sh PROGRAM SYSROOT FOLDER: makes FOLDER, with the program, every library that it needs, their loader, the
-# voices, and the file that tells ALSA of the robot's card.
+# collect.sh PROGRAM SYSROOT FOLDER: creates FOLDER with the program, its libraries, their loader, the
+# voices, and the ALSA configuration for the robot's sound card.
 set -eu
 program=$1 sysroot=$2 folder=$3
 here=$(dirname "$(readlink -f "$0")")

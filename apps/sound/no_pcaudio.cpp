@@ -1,5 +1,4 @@
-// libespeak-ng can play by itself, through libpcaudio and all the sound servers that there are. We take its samples, so
-// on a robot it gets these functions, which are never called, instead of that library.
+// Stub of libpcaudio. libespeak-ng links to it for its own playback, which we do not use; the stub avoids installing libpcaudio and its sound servers on a robot.
 #include <cstddef>
 
 // NOLINTBEGIN(readability-identifier-naming): names of libpcaudio
@@ -25,7 +24,7 @@ int audio_object_flush(audio_object*) {
   return -1;
 }
 const char* audio_object_strerror(audio_object*, int) {
-  return "there is no player here";
+  return "playback is not available";
 }
 
 }  // extern "C"

@@ -1,5 +1,4 @@
-// darwinop-sound: plays and speaks for one controller, which starts it at its first sound and talks to it through its
-// standard input. Ends with that controller.
+// darwinop-sound: sound and speech for one controller, which starts it at its first sound and sends commands through its standard input. Ends with that controller.
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/socket.h>
@@ -16,7 +15,7 @@
 
 namespace {
 
-/// Decoders tell developers what they think of a file. What users need to know goes through the socket.
+/// Discards decoder messages, which are for developers; errors for users go through the socket.
 void silenceLibraries() {
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(__clang__)
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -31,18 +30,18 @@ int main(int, char** arguments) {
   socklen_t size = sizeof type;
   if (getsockopt(0, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_SEQPACKET) {
     std::cerr
-        << "darwinop-sound: controllers start this program by themselves when they play or speak (webots::Speaker)\n";
+        << "darwinop-sound: this program is started by controllers that play sounds or speech (webots::Speaker)\n";
     return 2;
   }
-  // Ctrl-C is for the controller, which may go on.
+  // Ctrl-C is handled by the controller, which may continue.
   darwinop::ignoreSignals();
   for (const int signal : {SIGINT, SIGQUIT, SIGHUP}) std::signal(signal, SIG_IGN);
-  // A controller may start it from a real-time thread; decoders have no business beside the loop.
+  // The parent thread may be real-time; decoders must not compete with the loop.
   const sched_param none{};
   sched_setscheduler(0, SCHED_OTHER, &none);
-  // Not /proc/self/exe: on a robot that is the loader.
+  // Not /proc/self/exe: on a robot that is the dynamic loader.
   const std::string home = std::filesystem::path{arguments[0]}.parent_path();
-  // On a robot it brings what ALSA has to be told.
+  // On a robot the ALSA configuration is beside the program.
   const std::string card_file = home + "/alsa.conf";
   std::error_code unreadable;
   if (std::filesystem::exists(card_file, unreadable)) setenv("ALSA_CONFIG_PATH", card_file.c_str(), 0);

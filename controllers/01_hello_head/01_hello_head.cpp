@@ -1,4 +1,4 @@
-// Nods and turns the head, and prints where it is. Ends after --seconds N, or with Ctrl-C.
+// Nods and turns the head, and prints its position. Ends after --seconds N, or with Ctrl-C.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -9,7 +9,7 @@
 
 using namespace webots;
 
-// "--seconds 10" as first argument; without it the example goes on for ever.
+// Value of "--seconds 10" as first argument; infinity without it.
 static double secondsToRun(int argc, char** argv) {
   return argc > 2 && std::strcmp(argv[1], "--seconds") == 0 ? std::atof(argv[2]) : INFINITY;
 }

@@ -1,4 +1,4 @@
-// The right arm is limp: move it by hand, and the left arm does the same. Ends after --seconds N, or with Ctrl-C.
+// The right arm is limp; the left arm mirrors it when you move it. Ends after --seconds N, or with Ctrl-C.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,7 +10,7 @@
 
 using namespace webots;
 
-// "--seconds 10" as first argument; without it the example goes on for ever.
+// Value of "--seconds 10" as first argument; infinity without it.
 static double secondsToRun(int argc, char** argv) {
   return argc > 2 && std::strcmp(argv[1], "--seconds") == 0 ? std::atof(argv[2]) : INFINITY;
 }
@@ -28,15 +28,15 @@ int main(int argc, char** argv) {
     right[i]->enable(time_step);
     robot.getMotor(std::string(joints[i]) + "R")->setAvailableTorque(0);  // limp
     left[i] = robot.getMotor(std::string(joints[i]) + "L");
-    left[i]->setVelocity(3);  // rad/s: lively, but no whip
+    left[i]->setVelocity(3);  // rad/s
   }
   std::cout << "The right arm is limp now. Move it." << std::endl;
 
   while (robot.step(time_step) != -1 && robot.getTime() < end) {
     for (int i = 0; i < 3; ++i) {
       const double angle = right[i]->getValue();
-      if (std::isnan(angle)) continue;  // the servo did not answer: no news is no reason to move
-      // The arms are mounted as mirror images.
+      if (std::isnan(angle)) continue;  // unknown: the servo did not reply
+      // The arms are mirror images.
       left[i]->setPosition(std::max(left[i]->getMinPosition(), std::min(left[i]->getMaxPosition(), -angle)));
     }
   }

@@ -1,5 +1,5 @@
-// The lights follow the push buttons on the back. Hold MODE for a quarter of a second and the robot lets go of all
-// its joints: press it briefly. Ends after --seconds N, or with Ctrl-C.
+// The LEDs follow the push buttons on the back. Press MODE only briefly: held for 0.25 s it turns the torque of all
+// joints off. Ends after --seconds N, or with Ctrl-C.
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -10,7 +10,7 @@
 
 using namespace webots;
 
-// "--seconds 10" as first argument; without it the example goes on for ever.
+// Value of "--seconds 10" as first argument; infinity without it.
 static double secondsToRun(int argc, char** argv) {
   return argc > 2 && std::strcmp(argv[1], "--seconds") == 0 ? std::atof(argv[2]) : INFINITY;
 }
@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
   int presses = 0;
   bool was_pressed = false;
   while (robot.step(time_step) != -1 && robot.getTime() < end) {
-    // 1 pressed, 0 not, NaN unknown; only "pressed" is equal to 1.
+    // 1 pressed, 0 released, NaN unknown.
     const bool mode_pressed = mode->getValue() == 1;
     const bool start_pressed = start->getValue() == 1;
     eyes->set(start_pressed ? 0x00FF00 : 0x0000FF);

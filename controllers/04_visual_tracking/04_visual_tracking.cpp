@@ -1,5 +1,5 @@
-// The head follows a red ball. Eyes green: it is seen; red: the head looks for it. Ends after --seconds N, or with
-// Ctrl-C. Without a robot, with a ball that moves:
+// The head follows a red ball. Eyes green: ball detected; red: searching. Ends after --seconds N, or with Ctrl-C.
+// Without a robot, with a moving ball:
 //
 //   DARWINOP_TWIN_BALL=circles darwinop run build/release/controllers/04_visual_tracking --robot twin -- --seconds 20
 #include <RobotisOp2VisionManager.hpp>
@@ -15,12 +15,12 @@
 
 using namespace webots;
 
-// "--seconds 10" as first argument; without it the example goes on for ever.
+// Value of "--seconds 10" as first argument; infinity without it.
 static double secondsToRun(int argc, char** argv) {
   return argc > 2 && std::strcmp(argv[1], "--seconds") == 0 ? std::atof(argv[2]) : INFINITY;
 }
 
-// One joint of the head, kept within its range.
+// One joint of the head, clamped to its range.
 class HeadJoint {
  public:
   explicit HeadJoint(Motor* motor) : motor_(motor) {}
@@ -45,10 +45,10 @@ int main(int argc, char** argv) {
   LED* eyes = robot.getLED("EyeLed");
   HeadJoint neck(robot.getMotor("Neck")), head(robot.getMotor("Head"));
 
-  // Hue and tolerance in degrees, least saturation and value in percent; the ball fills 0 to 30 % of the picture.
+  // Hue and tolerance in degrees, minimum saturation and value in percent; the ball covers 0 to 30 % of the picture.
   managers::RobotisOp2VisionManager vision(camera->getWidth(), camera->getHeight(), 355, 15, 60, 15, 0, 30);
 
-  const double kGain = 0.1;  // rad a step and picture: from the edge, half a picture away, 3 rad/s
+  const double kGain = 0.1;  // rad per step and picture width: 3 rad/s for a ball at the edge
   double last_seen = 0;
   long steps = 0, seen = 0;
   while (robot.step(time_step) != -1 && robot.getTime() < end) {
@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
       last_seen = robot.getTime();
       neck.turnBy(-kGain * (x / camera->getWidth() - 0.5));
       head.turnBy(-kGain * (y / camera->getHeight() - 0.5));
-    } else if (robot.getTime() > last_seen + 1) {  // a moment's patience, then look around
+    } else if (robot.getTime() > last_seen + 1) {  // search after 1 s without the ball
       const double t = robot.getTime() - last_seen - 1;
       neck.turnTo(0.8 * std::sin(t));
       head.turnTo(0.3 * std::cos(t / 3));

@@ -1,5 +1,5 @@
-// Walks where the arrow keys say, and gets up after a fall; space starts and stops. Without keys, for some seconds:
-// --seconds 10 --x 1 --y 0 --a 0.
+// Walks as directed by the arrow keys, and gets up after a fall; space starts and stops. Without keys, for a fixed
+// time: --seconds 10 --x 1 --y 0 --a 0.
 #include <DARwInOPGaitManager.hpp>
 #include <DARwInOPMotionManager.hpp>
 #include <algorithm>
@@ -16,14 +16,14 @@ using namespace webots;
 // Pages of the motion file, docs/motions.md.
 static const int kStandUp = 9, kGetUpFromFront = 10, kGetUpFromBack = 11;
 
-// "--seconds 10": the number after this word, or else `usual`.
-static double option(int argc, char** argv, const char* word, double usual) {
+// The number after an option such as "--seconds 10", or `default_value`.
+static double option(int argc, char** argv, const char* word, double default_value) {
   for (int i = 1; i + 1 < argc; ++i)
     if (std::strcmp(argv[i], word) == 0) return std::atof(argv[i + 1]);
-  return usual;
+  return default_value;
 }
 
-// False: a word that is none of ours, or one without its number.
+// False for an unknown option or one without a number.
 static bool areKnown(int argc, char** argv) {
   for (int i = 1; i < argc; i += 2) {
     const char* const word = argv[i];
@@ -34,12 +34,12 @@ static bool areKnown(int argc, char** argv) {
   return true;
 }
 
-// What the keys ask for since the last step.
+// Requests of the keys since the last step.
 class Keys {
  public:
   explicit Keys(Keyboard* keyboard) : keyboard_(keyboard) {}
   double x = 0, a = 0;  // forwards, to the left: -1 to 1
-  bool space = false;   // was pressed; it may stay down for many steps
+  bool space = false;   // pressed in this step
   void read() {
     x = a = 0;
     bool down = false;
@@ -69,15 +69,15 @@ class Keys {
   bool was_down_ = false;
 };
 
-// It lies when for half a second gravity pulls along its front and not along its height. 512 counts are 0 g, 128 are
-// 1 g: on its face the robot reads 384 and 512, upright 512 and 640. Not a number (the board is silent) is no fall.
+// Fall detection: gravity along the front axis instead of the vertical one for 0.5 s. 512 counts are 0 g, 128 are 1 g:
+// on its face the robot reads 384 and 512, upright 512 and 640. NaN (the board does not reply) is not a fall.
 class Fall {
  public:
-  // The page that gets it up; 0: it does not lie on face or back.
+  // The page for getting up; 0: not on face or back.
   int page(const double* acceleration) {
     const double front = acceleration[1], height = acceleration[2];
-    const bool tilted = height < 512 + 64;  // by more than 60 degrees; a step shakes it for a moment only,
-    // and so do legs that go on walking in the air
+    // By more than 60 degrees. Steps, and legs that move in the air, give short peaks only.
+    const bool tilted = height < 512 + 64;
     lies_ = tilted ? lies_ + 1 : 0;
     stands_ = tilted ? 0 : stands_ + 1;
     face_ = tilted && front < 512 - 80 ? face_ + 1 : std::max(0, face_ - 1);
@@ -85,7 +85,7 @@ class Fall {
     return face_ > kSteps ? kGetUpFromFront : back_ > kSteps ? kGetUpFromBack : 0;
   }
   bool isOver() const { return stands_ > 2 * kSteps; }
-  bool needsHelp() const { return lies_ > 8 * kSteps; }  // on a side, where no page helps
+  bool needsHelp() const { return lies_ > 8 * kSteps; }  // on a side: no page for it
 
  private:
   static const int kSteps = 30;
@@ -93,7 +93,7 @@ class Fall {
 };
 
 int main(int argc, char** argv) {
-  if (!areKnown(argc, argv)) {  // before anything moves
+  if (!areKnown(argc, argv)) {  // before the robot moves
     std::cerr << "usage: 05_walk [--seconds N] [--x X] [--y Y] [--a A]; without any of these, keys steer" << std::endl;
     return EXIT_FAILURE;
   }
@@ -116,7 +116,7 @@ int main(int argc, char** argv) {
     gait.setYAmplitude(option(argc, argv, "--y", 0));
     gait.setAAmplitude(option(argc, argv, "--a", 0));
     gait.start();
-    // Before the first step: 2.7 s to the stance, and 1.6 s of standing still for the gyroscope.
+    // Before the first step: 2.7 s to the stance, 1.6 s gyroscope calibration.
     end = robot.getTime() + 4.3 + option(argc, argv, "--seconds", 10);
   } else {
     std::cout << "Space starts and stops the walk; the arrow keys say where to." << std::endl;
@@ -139,22 +139,22 @@ int main(int argc, char** argv) {
 
     const int page = fall.page(accelerometer->getValues());
     if (fall.isOver()) tries = 0;
-    if (fall.needsHelp() || (page != 0 && ++tries > 3)) {  // or somebody carries it
+    if (fall.needsHelp() || (page != 0 && ++tries > 3)) {  // or it is being carried
       std::cout << "It cannot get up: help it." << std::endl;
       gait.stop();
       return EXIT_FAILURE;
     }
     if (page == 0) continue;
     std::cout << (page == kGetUpFromFront ? "It fell on its face." : "It fell on its back.") << std::endl;
-    if (!motion.isCorrectlyInitialized()) return EXIT_FAILURE;  // nothing to get up with
+    if (!motion.isCorrectlyInitialized()) return EXIT_FAILURE;  // no page for getting up
     ++falls;
     motion.playPage(page);
-    motion.playPage(kStandUp);  // the walk then begins anew by itself
+    motion.playPage(kStandUp);  // the walk restarts automatically
     fall = Fall();
   }
 
   gait.stop();
-  const double up = accelerometer->getValues()[2];  // 640 when it stands
+  const double up = accelerometer->getValues()[2];  // 640 upright
   if (std::isnan(up))
     std::cout << "It walked; whether it stands, its accelerometer does not say." << std::endl;
   else if (up < 550)

@@ -1,5 +1,5 @@
-// Plays football alone: looks for a red ball, walks to it, kicks it, and gets up after a fall. Ends after --seconds N,
-// or with Ctrl-C. Without a robot, with a ball that lies before it:
+// Soccer: searches a red ball, walks to it, kicks it, and gets up after a fall. Ends after --seconds N, or with Ctrl-C.
+// Without a robot, with a ball in front of it:
 //
 //   DARWINOP_TWIN_BALL=rests darwinop run build/release/controllers/06_soccer --robot twin -- --seconds 60
 #include <RobotisOp2GaitManager.hpp>
@@ -18,21 +18,21 @@
 
 using namespace webots;
 
-// Motion pages, by the numbers of the robot's own file.
+// Motion pages of the robot's motion file.
 enum Page { kUpFromFront = 10, kUpFromBack = 11, kKickRight = 12, kKickLeft = 13 };
 
-// m. While it walks its camera is so high above the floor and so far ahead of the feet.
+// m. Camera while walking: height above the floor, distance ahead of the feet.
 const double kCameraHeight = 0.40, kCameraAhead = 0.08, kBallRadius = 0.04;
-// rad below the horizon that the camera looks when the head's angle is 0: 45 degrees, and the trunk leans forwards.
+// rad below the horizon at head angle 0: 45 degrees plus the pitch of the trunk.
 const double kLooksDown = 0.785 + 0.17;
-// m: where the ball has to be for a kick, from the middle between the feet, and how well.
+// m: ball position for a kick, from the middle between the feet, and tolerance.
 const double kKickAhead = 0.13, kKickAside = 0.045, kNearEnough = 0.02;
 
 static double within(double most, double value) {
   return std::max(-most, std::min(most, value));
 }
 
-// The ball as the robot thinks of it: m, from the middle between its feet.
+// Estimated ball position, m, from the middle between the feet.
 struct Ball {
   double ahead = 0, left = 0;
   double seen_at = -10;  // s
@@ -45,8 +45,8 @@ class Player : public Robot {
   void play(double end);
 
  private:
-  bool goOn();  // one time step with all that goes with it; false: the end
-  bool look();  // for the ball, and after it with the head; true: it is in this picture
+  bool advance();  // one time step; false: the end
+  bool look();     // updates ball and head; true: the ball is in this picture
   bool wait(double seconds);
   void search();
   void approach();
@@ -64,8 +64,8 @@ class Player : public Robot {
   managers::RobotisOp2VisionManager vision_;
   double neck_ = 0, head_ = 0;  // rad
   Ball ball_;
-  int on_front_ = 0, on_back_ = 0, lies_ = 0, stands_ = 0, ready_ = 0;  // steps for which it has been so
-  int tries_ = 0;                                                       // to get up, since it stood last
+  int on_front_ = 0, on_back_ = 0, lies_ = 0, stands_ = 0, ready_ = 0;  // counters, in steps
+  int tries_ = 0;                                                       // attempts to get up
 };
 
 Player::Player()
@@ -77,19 +77,19 @@ Player::Player()
       head_motor_(getMotor("Head")),
       gait_(this, "config.ini"),
       motion_(this),
-      // Hue and tolerance in degrees, least saturation and value in percent; the ball fills 0 to 30 % of the picture.
+      // Hue and tolerance in degrees, minimum saturation and value in percent; the ball covers 0 to 30 %.
       vision_(camera_->getWidth(), camera_->getHeight(), 355, 15, 60, 15, 0, 30) {
   camera_->enable(2 * time_step_);  // the camera gives 30 pictures a second
   accelerometer_->enable(time_step_);
 }
 
-bool Player::goOn() {
+bool Player::advance() {
   neck_motor_->setPosition(neck_);
   head_motor_->setPosition(head_);
   gait_.step(time_step_);
   if (step(time_step_) == -1) return false;
-  // Lying, gravity is along the axis from back to front, 128 counts from the middle, and not along the height. One step
-  // back for each that says no: legs that walk on in the air shake a robot that lies. Silence (NaN) is no fall.
+  // Lying: gravity along the front axis, 128 counts from the centre, not along the vertical one. The counters decrease
+  // gradually, because moving legs shake a lying robot. NaN is not a fall.
   const double forwards = accelerometer_->getValues()[1];
   const bool tilted = accelerometer_->getValues()[2] < 512 + 64;
   lies_ = tilted ? lies_ + 1 : 0;
@@ -105,7 +105,7 @@ bool Player::look() {
   const bool found = vision_.getBallCenter(x, y, camera_->getImage());
   eyes_->set(found ? 0x00FF00 : 0xFF0000);
   if (!found) return false;
-  // From pixels to angles, from angles to the place where such a line of sight meets the floor.
+  // From pixels to angles, then to the intersection of the line of sight with the floor.
   const double focus = camera_->getWidth() / 2.0 / std::tan(camera_->getFov() / 2);  // pixels
   const double aside = std::atan((camera_->getWidth() / 2.0 - x) / focus);
   const double below = std::atan((y - camera_->getHeight() / 2.0) / focus);
@@ -121,11 +121,11 @@ bool Player::look() {
 
 bool Player::wait(double seconds) {
   for (const double end = getTime() + seconds; getTime() < end; look())
-    if (!goOn()) return false;
+    if (!advance()) return false;
   return true;
 }
 
-// Turns to the side where the ball was last, and looks up and down.
+// Turns towards the last position of the ball and moves the head up and down.
 void Player::search() {
   gait_.setXAmplitude(0);
   gait_.setYAmplitude(0);
@@ -134,7 +134,7 @@ void Player::search() {
   head_ = 0.3 + 0.6 * std::sin(2 * getTime());
 }
 
-// Far away it walks where the ball is; near it, sideways until the ball is before the foot that is closer.
+// Far away: walks towards the ball. Near: steps sideways until the ball is in front of the closer foot.
 void Player::approach() {
   const double foot = ball_.left < 0 ? -kKickAside : kKickAside;
   const double ahead = ball_.ahead - kKickAhead;
@@ -151,11 +151,11 @@ bool Player::isBeforeAFoot() const {
 void Player::kick() {
   gait_.stop();
   if (!wait(0.5)) return;
-  if (getTime() - ball_.seen_at > 0.2 || !isBeforeAFoot()) return gait_.start();  // it has rolled on
+  if (getTime() - ball_.seen_at > 0.2 || !isBeforeAFoot()) return gait_.start();  // the ball has moved
   std::cout << "I kick the ball, " << std::lround(100 * ball_.ahead) << " cm ahead and "
             << std::lround(100 * ball_.left) << " to the left." << std::endl;
   motion_.playPage(ball_.left < 0 ? kKickRight : kKickLeft);
-  neck_ = 0, head_ = 0.4;  // up, where the ball goes
+  neck_ = 0, head_ = 0.4;  // follow the ball
   if (!wait(1)) return;
   if (getTime() - ball_.seen_at < 0.2)
     std::cout << "It lies " << std::lround(100 * std::hypot(ball_.ahead, ball_.left)) << " cm away now." << std::endl;
@@ -175,8 +175,8 @@ void Player::getUpAfterAFall() {
 void Player::play(double end) {
   if (!gait_.isCorrectlyInitialized() || !motion_.isCorrectlyInitialized()) return;
   gait_.start();
-  while (goOn() && getTime() < end) {
-    // On a side, where no page helps, or in somebody's hands.
+  while (advance() && getTime() < end) {
+    // On a side, or being carried.
     if (lies_ > 250 || tries_ > 3) {
       std::cout << "I cannot get up: help me." << std::endl;
       break;
@@ -195,7 +195,7 @@ void Player::play(double end) {
 
 int main(int argc, char** argv) {
   const bool has_end = argc == 3 && std::strcmp(argv[1], "--seconds") == 0;
-  if (argc > 1 && !has_end) {  // before anything moves
+  if (argc > 1 && !has_end) {  // before the robot moves
     std::cerr << "usage: 06_soccer [--seconds N]" << std::endl;
     return EXIT_FAILURE;
   }

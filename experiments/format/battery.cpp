@@ -1,4 +1,4 @@
-// Where experiments are: those that are delivered, and files of one's own.
+// Finds experiment files by name or path.
 #include "experiments/format/battery.hpp"
 
 #include <cstdlib>
@@ -56,7 +56,7 @@ std::string findExperiment(const std::string& name) {
   for (const auto& [known, path] : files) names.push_back(known);
   throw std::runtime_error("there is no experiment '" + name + "'" + didYouMean(name, names) + "; there are " +
                            (names.empty() ? "none in " + batteryFolders().back() : joined(names)) +
-                           ". A file of your own is named by its path: ./mine.ini");
+                           ". Name your own file by its path: ./mine.ini");
 }
 
 }  // namespace darwinop::experiments

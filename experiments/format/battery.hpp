@@ -1,4 +1,4 @@
-// Where experiments are: those that are delivered, and files of one's own.
+// Finds experiment files by name or path.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace darwinop::experiments {
 
-/// Folders that are looked through: $DARWINOP_EXPERIMENTS, then what is delivered beside the program.
+/// Search path: $DARWINOP_EXPERIMENTS, then the experiments installed with the program.
 std::vector<std::string> batteryFolders();
 
-/// Paths of all experiments there, by name; the first folder that has a name wins.
+/// Paths of all experiments in these folders, sorted by name; the first folder with a name takes precedence.
 std::vector<std::string> batteryFiles();
 
-/// The file of an experiment: a path, or the name of a delivered one. Throws std::runtime_error with the names.
+/// The file of an experiment, given by path or name. Throws std::runtime_error with the list of names.
 std::string findExperiment(const std::string& name);
 
 }  // namespace darwinop::experiments

@@ -1,4 +1,4 @@
-// An experiment as its file says it: who moves, how, what matters in the recording. docs/experiments.md is the format.
+// Data structure of an experiment: joints, goals, recorded columns. File format: docs/experiments.md.
 #pragma once
 
 #include <array>
@@ -15,22 +15,22 @@ namespace darwinop::experiments {
 
 using Pose = std::array<double, kJoints>;  // rad
 
-/// A pose with a name, for [setup].
+/// A named pose, for [setup].
 struct NamedPose {
   std::string_view name, what;
   Pose pose;
-  bool on_feet;  // the robot can fall
+  bool on_feet;  // standing, so the robot can fall
 };
 const std::array<NamedPose, 2>& namedPoses();
-/// The kneeling start pose, in which a robot rests without torque.
+/// The kneeling start pose, stable without torque.
 const Pose& startPose();
 
 struct Moved {
   Joint joint{};
-  double sign = 1;  // -1: "-AnkleL", the mirror image
+  double sign = 1;  // -1: mirrored, "-AnkleL"
 };
 
-/// How the goal of a phase runs.
+/// Trajectory of the goal in a phase.
 enum class Shape : std::uint8_t { kHold, kStep, kSteps, kRamp, kMove, kTriangle, kSine, kChirp, kMultisine };
 inline constexpr std::array<std::string_view, 9> kShapeNames{"hold",     "step", "steps", "ramp",     "move",
                                                              "triangle", "sine", "chirp", "multisine"};
@@ -40,18 +40,18 @@ struct Goal {
   double to = 0;                // rad; step, ramp, move
   double amplitude = 0;         // rad
   double period_s = 0;          // triangle
-  std::vector<double> hz;       // sine 1, chirp from and to, multisine all
+  std::vector<double> hz;       // sine: one; chirp: start and end; multisine: all
   std::vector<double> goals;    // rad; steps
-  std::vector<double> every_s;  // steps: one for all, or one each
+  std::vector<double> every_s;  // steps: one for all, or one per goal
 };
 
 enum class TorqueMode : std::uint8_t {
-  kLimit,   // goal with a torque limit
-  kDirect,  // Motor::setTorque, no goal
+  kLimit,   // position goal with a torque limit
+  kDirect,  // Motor::setTorque, no position goal
   kOff,     // limp
 };
 
-/// A value that goes from begin to end over the phase.
+/// A value that changes linearly over the phase.
 struct Slope {
   double begin = 0, end = 0;
   [[nodiscard]] double at(double share) const { return begin + (end - begin) * share; }
@@ -60,19 +60,19 @@ struct Slope {
 enum class Until : std::uint8_t { kTime, kArrival, kRest, kFallen };
 inline constexpr std::array<std::string_view, 4> kUntilNames{"time", "arrival", "rest", "fallen"};
 
-inline constexpr double kFullSpeed = 12.21;  // rad/s, the end of the servo's speed register
+inline constexpr double kFullSpeed = 12.21;  // rad/s, full scale of the servo's speed register
 
 struct Phase {
   std::string name;
-  int line = 0, goal_line = 0;  // of the section; of the key that says where the goal goes
+  int line = 0, goal_line = 0;  // of the section; of the key that sets the goal
   std::vector<Moved> joints;
   Goal goal;
-  double duration_s = 0;  // at most
+  double duration_s = 0;  // maximum
   double velocity = kFullSpeed;
   double acceleration = -1;  // rad/s2; -1: none
   double p_gain = 4;         // Webots P; the register is 8 times as much
   TorqueMode torque = TorqueMode::kLimit;
-  Slope newton_meter{2.5, 2.5};  // the limit, or the torque; as Webots signs it: positive turns to lower angles
+  Slope newton_meter{2.5, 2.5};  // limit, or torque; sign as in Webots: positive turns to lower angles
   Until until = Until::kTime;
   double within = 0;                // rad; arrival
   std::optional<double> arrive_at;  // rad; arrival
@@ -80,13 +80,13 @@ struct Phase {
 
 struct Setup {
   int line = 0;
-  std::array<int, kJoints> line_of{};  // of a joint that the file changes; 0: as in the named pose
+  std::array<int, kJoints> line_of{};  // of a joint set in the file; 0: from the named pose
   const NamedPose* named = nullptr;
-  Pose pose{};  // with the joints that the file changes
+  Pose pose{};  // named pose with the joints set in the file
   double duration_s = 0, settle_s = 0;
 };
 
-/// The phases with one value of the sweep put in.
+/// The phases with one value of the sweep.
 struct Round {
   std::string label;  // "velocity = 2 rad/s", empty without a sweep
   std::vector<Phase> phases;

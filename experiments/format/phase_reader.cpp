@@ -1,4 +1,4 @@
-// Reads one [phase NAME].
+// Parses a section [phase NAME].
 #include "experiments/format/phase_reader.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-/// What each shape is told; every key of it is needed.
+/// Required keys of each shape.
 Words keysOf(Shape shape) {
   switch (shape) {
     case Shape::kHold:
@@ -61,11 +61,11 @@ class PhaseReader {
   }
 
  private:
-  [[noreturn]] void fail(int line, const std::string& sentence) const {
-    throw std::runtime_error(text::where(file_, line) + ": " + sentence);
+  [[noreturn]] void fail(int line, const std::string& message) const {
+    throw std::runtime_error(text::where(file_, line) + ": " + message);
   }
 
-  /// Calls `take` with the value of `key`; errors get file and line. False: the key is not there.
+  /// Calls `take` with the value of `key` and adds file and line to its errors. False if the key is absent.
   template <class Take>
   bool with(std::string_view key, bool needed, const Take& take) {
     const Entry* const entry = section_.find(key);
@@ -88,7 +88,7 @@ class PhaseReader {
       const bool mirrored = name.starts_with('-');
       const Joint joint = jointNamed(mirrored ? name.substr(1) : name);
       if (std::ranges::find(phase_.joints, joint, &Moved::joint) != phase_.joints.end())
-        throw std::runtime_error(std::string{row(joint).name} + " stands twice");
+        throw std::runtime_error(std::string{row(joint).name} + " is listed twice");
       phase_.joints.push_back({joint, mirrored ? -1.0 : 1.0});
     }
   }
@@ -97,7 +97,7 @@ class PhaseReader {
     with("torque_limit", false, [&](std::string_view text) { phase_.newton_meter = slope(text, kTorqueLimit); });
     with("torque", false, [&](std::string_view text) {
       if (section_.find("torque_limit") != nullptr)
-        throw std::runtime_error("a phase has a torque or a torque_limit, not both");
+        throw std::runtime_error("a phase has a 'torque' or a 'torque_limit', not both: remove one");
       phase_.torque = text == "off" ? TorqueMode::kOff : TorqueMode::kDirect;
       if (text != "off") phase_.newton_meter = slope(text, kTorque);
     });
@@ -114,7 +114,7 @@ class PhaseReader {
     Goal& goal = phase_.goal;
     const bool driven = phase_.torque == TorqueMode::kLimit;
     if (!driven && section_.find("goal") != nullptr)
-      fail(section_.find("goal")->line, "a phase with 'torque' has no goal: leave one of the two out");
+      fail(section_.find("goal")->line, "a phase has a 'torque' or a 'goal', not both: remove one");
     with("goal", driven, [&](std::string_view text) { goal.shape = choice<Shape>(text, kShapeNames); });
     if (driven) checkKeys();
     readNumber("to", [&](std::string_view text) { goal.to = parseNumber(text, kAngle); });
@@ -145,16 +145,16 @@ class PhaseReader {
   void readFrequencies(std::string_view text) {
     phase_.goal.hz = parseNumbers(text, kFrequency);
     const std::size_t count = phase_.goal.hz.size();
-    if (phase_.goal.shape == Shape::kSine && count != 1) throw std::runtime_error("a sine has one frequency");
+    if (phase_.goal.shape == Shape::kSine && count != 1) throw std::runtime_error("a sine needs exactly one frequency");
     if (phase_.goal.shape == Shape::kChirp && count != 2)
-      throw std::runtime_error("a chirp has two frequencies, where it begins and where it ends: 0.2 Hz, 3 Hz");
+      throw std::runtime_error("a chirp needs two frequencies, start and end: 0.2 Hz, 3 Hz");
     if (count > 16) throw std::runtime_error("at most 16 frequencies");
   }
 
   void readTimes(std::string_view text) {
     phase_.goal.every_s = parseNumbers(text, kDuration);
     if (phase_.goal.every_s.size() != 1 && phase_.goal.every_s.size() != phase_.goal.goals.size())
-      throw std::runtime_error("'every' has one time for all goals, or as many as there are goals (" +
+      throw std::runtime_error("'every' needs one time for all goals, or one per goal (" +
                                std::to_string(phase_.goal.goals.size()) + ")");
   }
 

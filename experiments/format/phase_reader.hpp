@@ -1,4 +1,4 @@
-// Reads one [phase NAME].
+// Parses a section [phase NAME].
 #pragma once
 
 #include <string>
@@ -8,11 +8,10 @@
 
 namespace darwinop::experiments {
 
-/// `swept`: what stands for the word "sweep", empty where nothing is swept. Throws std::runtime_error with file and
-/// line.
+/// `swept`: value that replaces the word "sweep"; empty without a sweep. Throws std::runtime_error with file and line.
 Phase readPhase(const Section& section, const std::string& swept, const std::string& file);
 
-/// The joint with this name. Throws std::runtime_error with the nearest one.
+/// The joint with this name. Throws std::runtime_error with the closest name.
 Joint jointNamed(std::string_view name);
 
 }  // namespace darwinop::experiments

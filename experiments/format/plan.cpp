@@ -1,4 +1,4 @@
-// What an experiment will do, worked out before anything moves: where each joint may go, how fast, how long.
+// Computes range, speed and duration of every joint before a run, and checks them against the limits.
 #include "experiments/format/plan.hpp"
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 namespace darwinop::experiments {
 namespace {
 
-constexpr double kSlack = 1e-4;       // rad: a limit that is written with four digits is within the limit
-constexpr double kSample = 0.004;     // s: four times finer than the goals that go out
-constexpr double kLongest = 30 * 60;  // s, of one run: servos get warm
+constexpr double kTolerance = 1e-4;       // rad: accepts a limit written with four digits
+constexpr double kSample = 0.004;         // s, a quarter of the command period
+constexpr double kMaxDuration = 30 * 60;  // s per run: servos heat up
 
-/// Where the goal of a joint can be when a phase begins.
-struct Where {
+/// Range of a joint's goal at the start of a phase.
+struct StartRange {
   double low = 0, high = 0;
   [[nodiscard]] bool certain() const { return low == high; }
 };
@@ -32,25 +32,25 @@ class Planner {
       RoundPlan& out = plan_.rounds.emplace_back(RoundPlan{round.label, {}});
       for (const Phase& phase : round.phases) out.phases.push_back(planPhase(phase));
     }
-    planWayBack();
-    if (plan_.seconds() > kLongest)
+    planReturn();
+    if (plan_.seconds() > kMaxDuration)
       fail(experiment_.setup.line, "the experiment could take " + shortText(plan_.seconds()) + " s; at most " +
-                                       shortText(kLongest) + " s are allowed, as servos get warm");
+                                       shortText(kMaxDuration) + " s are allowed, because servos heat up");
     return std::move(plan_);
   }
 
  private:
-  [[noreturn]] void fail(int line, const std::string& sentence) const {
-    throw std::runtime_error(text::where(experiment_.file, line) + ": " + sentence);
+  [[noreturn]] void fail(int line, const std::string& message) const {
+    throw std::runtime_error(text::where(experiment_.file, line) + ": " + message);
   }
-  [[noreturn]] void fail(const Phase& phase, const std::string& sentence) const {
-    fail(phase.goal_line, "[phase " + phase.name + "] " + sentence);
+  [[noreturn]] void fail(const Phase& phase, const std::string& message) const {
+    fail(phase.goal_line, "[phase " + phase.name + "] " + message);
   }
 
-  /// Empty: within the joint's range.
+  /// Error message; empty if `goal` is within the joint's range.
   [[nodiscard]] std::string outside(Joint joint, double goal) const {
     const safety::JointRange& range = ranges_[index(joint)];
-    if (goal >= range.low.value - kSlack && goal <= range.high.value + kSlack) return {};
+    if (goal >= range.low.value - kTolerance && goal <= range.high.value + kTolerance) return {};
     return "would send " + std::string{row(joint).name} + " to " + shortText(goal) + " rad; its limits are " +
            shortText(range.low.value) + " to " + shortText(range.high.value) + " rad";
   }
@@ -68,9 +68,9 @@ class Planner {
       if (const std::string wrong = outside(joint, to); !wrong.empty()) fail(line, "[setup] " + wrong);
       if (fastest > kSetupMost)
         fail(line, "[setup] would move " + std::string{row(joint).name} + " at " + shortText(fastest) +
-                       " rad/s; at most " + shortText(kSetupMost) + " rad/s are allowed: take a duration of at least " +
+                       " rad/s; at most " + shortText(kSetupMost) + " rad/s are allowed: set a duration of at least " +
                        shortText(std::ceil(kSteepest * std::abs(to - from) / kSetupMost * 10) / 10) + " s");
-      if (std::abs(to - from) > kSlack) plan_.setup.push_back({joint, from, to, fastest, false});
+      if (std::abs(to - from) > kTolerance) plan_.setup.push_back({joint, from, to, fastest, false});
     }
   }
 
@@ -79,25 +79,25 @@ class Planner {
     plan_.phases_s += phase.duration_s;
     plan_.falls = plan_.falls || phase.until == Until::kFallen;
     for (const Moved& moved : phase.joints) {
-      out.joints.push_back(phase.torque == TorqueMode::kLimit ? planGoal(phase, moved) : planLoose(moved));
-      take(out.joints.back());
+      out.joints.push_back(phase.torque == TorqueMode::kLimit ? planGoal(phase, moved) : planWithoutGoal(moved));
+      merge(out.joints.back());
       plan_.legs = plan_.legs || isLeg(moved.joint);
     }
     return out;
   }
 
-  JointPlan planLoose(const Moved& moved) {
+  JointPlan planWithoutGoal(const Moved& moved) {
     const safety::JointRange& range = ranges_[index(moved.joint)];
     where_[index(moved.joint)] = {range.low.value, range.high.value};
     return {moved.joint, range.low.value, range.high.value, 0, true};
   }
 
   JointPlan planGoal(const Phase& phase, const Moved& moved) {
-    Where& where = where_[index(moved.joint)];
+    StartRange& where = where_[index(moved.joint)];
     const std::string name{row(moved.joint).name};
     if (swings(phase.goal.shape) && !where.certain())
-      fail(phase, "swings around where " + name +
-                      " is when it begins, which is not known: put a phase with goal = move before it");
+      fail(phase, "oscillates around the position of " + name +
+                      " at its start, which is not known: add a phase with goal = move before it");
     JointPlan out{moved.joint, where.low, where.high, 0, false};
     if (jumps(phase.goal.shape)) out.fastest = phase.velocity;
     sample(phase, moved.sign, where.low, out);
@@ -123,14 +123,14 @@ class Planner {
     }
   }
 
-  static Where after(const Phase& phase, const Moved& moved, const Where& before, const JointPlan& goals) {
+  static StartRange after(const Phase& phase, const Moved& moved, const StartRange& before, const JointPlan& goals) {
     if (phase.goal.shape == Shape::kHold) return before;
     if (phase.until != Until::kTime && phase.goal.shape != Shape::kStep) return {goals.low, goals.high};
     const double end = goalAt(phase.goal, phase.duration_s, moved.sign, before.low, phase.duration_s);
     return {end, end};
   }
 
-  void take(const JointPlan& joint) {
+  void merge(const JointPlan& joint) {
     const auto found = std::ranges::find(plan_.moved, joint.joint, &JointPlan::joint);
     if (found == plan_.moved.end()) return plan_.moved.push_back(joint);
     found->low = std::min(found->low, joint.low);
@@ -139,25 +139,25 @@ class Planner {
     found->loose = found->loose || joint.loose;
   }
 
-  void planWayBack() {
-    double way = 0;
+  void planReturn() {
+    double distance = 0;
     for (const JointPlan& joint : plan_.moved) {
       const double pose = experiment_.setup.pose[index(joint.joint)];
-      way = std::max({way, std::abs(joint.low - pose), std::abs(joint.high - pose)});
+      distance = std::max({distance, std::abs(joint.low - pose), std::abs(joint.high - pose)});
     }
-    plan_.back_s = slowTime(way) + experiment_.setup.duration_s;
+    plan_.back_s = slowTime(distance) + experiment_.setup.duration_s;
   }
 
   const Experiment& experiment_;
   const Ranges& ranges_;
-  std::array<Where, kJoints> where_{};
+  std::array<StartRange, kJoints> where_{};
   Plan plan_;
 };
 
 }  // namespace
 
-double slowTime(double way_rad) {
-  return std::max(0.5, kSteepest * way_rad / kSlow);
+double slowTime(double distance_rad) {
+  return std::max(0.5, kSteepest * distance_rad / kSlow);
 }
 
 Plan makePlan(const Experiment& experiment, const Ranges& ranges) {

@@ -1,4 +1,4 @@
-// What an experiment will do, worked out before anything moves: where each joint may go, how fast, how long.
+// Plan of an experiment: range, speed and duration of every joint, computed and checked before a run.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@ using Ranges = std::array<safety::JointRange, kJoints>;
 struct JointPlan {
   Joint joint{};
   double low = 0, high = 0;  // rad
-  double fastest = 0;        // rad/s, of the goal; where it jumps, the speed limit
-  bool loose = false;        // without a goal for a while: weight or a given torque moves it
+  double fastest = 0;        // rad/s, of the goal; the speed limit if the goal jumps
+  bool loose = false;        // temporarily without a goal: moved by gravity or a commanded torque
 };
 
 struct PhasePlan {
@@ -31,30 +31,29 @@ struct RoundPlan {
 };
 
 struct Plan {
-  std::vector<JointPlan> setup;  // joints that leave the start pose: from low to high, whichever is greater
+  std::vector<JointPlan> setup;  // joints that leave the start pose: from low to high, in either order
   std::vector<RoundPlan> rounds;
-  std::vector<JointPlan> moved;                  // by phases; all of them taken together
-  double setup_s = 0, phases_s = 0, back_s = 0;  // at most
+  std::vector<JointPlan> moved;                  // by phases; union over all phases
+  double setup_s = 0, phases_s = 0, back_s = 0;  // maximum
   bool on_feet = false, falls = false;
-  bool legs = false;  // a phase moves joints of the legs, or lets them go
+  bool legs = false;  // a phase moves leg joints or turns their torque off
 
   [[nodiscard]] double seconds() const { return setup_s + phases_s + back_s; }
 };
 
-// The ways to the first pose and back are slow: half of what the runtime takes for a slow start.
-inline constexpr double kSlow = 0.6;       // rad/s, at the steepest, on the way back
-inline constexpr double kSetupMost = 1.2;  // rad/s, the most that a file may ask for in [setup]
+// Motions to the setup pose and back are slow: half of the runtime's takeover speed.
+inline constexpr double kSlow = 0.6;       // rad/s, peak speed of the return
+inline constexpr double kSetupMost = 1.2;  // rad/s, maximum in [setup]
 
-/// Seconds for a smooth way of that many rad at kSlow.
-double slowTime(double way_rad);
+/// Duration of a smooth motion over this distance at kSlow, s.
+double slowTime(double distance_rad);
 
-/// Checks everything. Throws std::runtime_error, "FILE, line N: what is wrong, value and limit". `experiment` must
-/// outlive the plan.
+/// Throws std::runtime_error, "FILE, line N: problem, value and limit". `experiment` must outlive the plan.
 Plan makePlan(const Experiment& experiment, const Ranges& ranges);
 
-/// For people, several lines: what moves, from where to where, how fast, how long, whether the robot may fall.
+/// Multi-line description for users: joints, ranges, speeds, durations, whether the robot may fall.
 std::string planText(const Experiment& experiment, const Plan& plan);
-/// "key: value" lines for the head of the recording: which experiment, which joints and sensors matter.
+/// "key: value" lines for the header of the recording: experiment, relevant joints and sensors.
 std::string recordNotes(const Experiment& experiment);
 /// One line: "Neck -1.571 to 1.571 rad".
 std::string movedText(const Plan& plan);

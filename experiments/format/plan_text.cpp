@@ -1,4 +1,4 @@
-// The plan of an experiment for people.
+// Formats the plan of an experiment for users.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -21,24 +21,24 @@ std::string padded(std::string text, std::size_t width) {
   return text;
 }
 
-std::string way(const JointPlan& joint) {
+std::string motionOf(const JointPlan& joint) {
   std::string text =
       padded(std::string{row(joint.joint).name}, 10) + angle(joint.low) + " to " + angle(joint.high) + " rad";
   if (joint.fastest > 0) text += ", at most " + shortText(joint.fastest) + " rad/s";
-  if (joint.loose) text += ", loose for a while";
+  if (joint.loose) text += ", temporarily without a goal";
   return text;
 }
 
-/// The joints that matter; the start pose and the others differ by a hair.
+/// Lists joints that move noticeably and counts the others.
 std::string setupText(const Plan& plan) {
-  constexpr double kHair = 0.05;  // rad
+  constexpr double kNoticeable = 0.05;  // rad
   std::string text;
   std::size_t others = 0;
   for (const JointPlan& joint : plan.setup)
-    if (std::abs(joint.high - joint.low) < kHair)
+    if (std::abs(joint.high - joint.low) < kNoticeable)
       ++others;
     else
-      text += "         " + way(joint) + "\n";
+      text += "         " + motionOf(joint) + "\n";
   if (others > 0) text += "         " + std::to_string(others) + " joints by less than 0.05 rad\n";
   return text;
 }
@@ -64,9 +64,10 @@ std::string how(const Phase& phase) {
 }
 
 std::string falling(const Plan& plan) {
-  if (plan.falls) return "YES: it falls at the end. Soft floor, and somebody who catches it";
-  if (plan.on_feet) return "it may: it stands on its feet. Hold it by its handle";
-  return plan.legs ? "it may: its legs move, or are let go. Hold it by its handle" : "no: it stays on its knees";
+  if (plan.falls) return "YES: the robot falls at the end. Use a soft floor and catch it";
+  if (plan.on_feet) return "possibly: the robot stands on its feet. Hold it by its handle";
+  return plan.legs ? "possibly: the legs move or their torque is off. Hold the robot by its handle"
+                   : "no: the robot stays on its knees";
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ std::string planText(const Experiment& experiment, const Plan& plan) {
             how(*phase.phase) + "\n";
   text += "moves    ";
   for (const JointPlan& joint : plan.moved)
-    text += (&joint == plan.moved.data() ? "" : "         ") + way(joint) + "\n";
+    text += (&joint == plan.moved.data() ? "" : "         ") + motionOf(joint) + "\n";
   text += "last     slowly back to the start pose, " + shortText(plan.back_s) + " s at most\n";
   text += "takes    " + shortText(plan.seconds()) + " s at most\n";
   text += "falls    " + falling(plan) + "\n";

@@ -1,4 +1,4 @@
-// Poses that experiments begin in.
+// Named initial poses of experiments.
 #include "core/conversions.hpp"
 #include "experiments/format/experiment.hpp"
 
@@ -7,8 +7,7 @@ namespace {
 
 using Ticks = std::array<std::uint16_t, kJoints>;
 
-// Source: page 9 "walkready" of the motion file that is delivered with the robot: knees bent, soles flat, arms as in
-// the start pose.
+// Source: page 9 "walkready" of the robot's original motion file: knees bent, soles flat, arms as in the start pose.
 constexpr Ticks kWalkReady{1498, 2518, 1845, 2248, 2381, 1712, 2048, 2048, 2052, 2044,
                            1637, 2459, 2653, 1443, 2389, 1707, 2057, 2039, 2048, 2161};
 
@@ -25,7 +24,7 @@ constexpr Pose fromTable() {
 }
 
 constexpr std::array<NamedPose, 2> kPoses{{
-    {"start", "on its knees, as the robot rests", fromTable(), false},
+    {"start", "on its knees, stable without torque", fromTable(), false},
     {"standing", "on its feet with bent knees, ready to walk", fromTicks(kWalkReady), true},
 }};
 

@@ -1,4 +1,4 @@
-// Numbers with units, as experiment files write them: "90 deg", "0.5 rad/s". A number without its unit is refused.
+// Parses numbers with units: "90 deg", "0.5 rad/s". Also suggestions for misspelled words.
 #include "experiments/format/quantity.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::string unitNames(const Quantity& quantity) {
   return names;
 }
 
-/// Letters that have to be changed, added or left out (Levenshtein).
+/// Levenshtein distance.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> line(b.size() + 1);
   std::iota(line.begin(), line.end(), std::size_t{0});
@@ -44,7 +44,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-// The limits are those of the servo (0.0119 to 12.21 rad/s, 2.5 N m, P register 254), or what is sensible on a robot.
+// Limits of the servo (0.0119 to 12.21 rad/s, 2.5 N m, P register 254), or reasonable values for the robot.
 const Quantity kAngle{"an angle", kAngleUnits, -2 * kPi, 2 * kPi};
 const Quantity kDistance{"an angle above 0", kAngleUnits, 0.001, 2 * kPi};
 const Quantity kDuration{"a time", kTimeUnits, 0.016, 600};
@@ -57,7 +57,7 @@ const Quantity kGain{"a P gain", kNoUnits, 0.125, 31.75};
 
 double parseNumber(std::string_view text, const Quantity& quantity) {
   text = text::withoutBlanks(text);
-  const UnitRow* best = nullptr;  // "mN m" ends like "N m": the longest unit that leaves a number counts
+  const UnitRow* best = nullptr;  // "mN m" also ends in "N m": use the longest matching unit
   double value = 0;
   for (const UnitRow& unit : quantity.units) {
     if (!text.ends_with(unit.text) || (best && best->text.size() > unit.text.size())) continue;

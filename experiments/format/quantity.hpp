@@ -1,4 +1,4 @@
-// Numbers with units, as experiment files write them: "90 deg", "0.5 rad/s". A number without its unit is refused.
+// Numbers with units in experiment files: "90 deg", "0.5 rad/s". The unit is required.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 namespace darwinop::experiments {
 
 struct UnitRow {
-  std::string_view text;  // "" for a plain number
+  std::string_view text;  // "" for a dimensionless number
   double factor;          // to the first unit of the quantity
 };
 
@@ -21,22 +21,22 @@ struct Quantity {
 
 extern const Quantity kAngle, kDistance, kDuration, kSpeed, kAcceleration, kTorque, kTorqueLimit, kFrequency, kGain;
 
-/// In the first unit of `quantity`. Throws std::runtime_error with what is allowed.
+/// Returns the value in the first unit of `quantity`. Throws std::runtime_error with units and allowed range.
 double parseNumber(std::string_view text, const Quantity& quantity);
 
 /// "1 rad, 50 deg". Never empty.
 std::vector<double> parseNumbers(std::string_view text, const Quantity& quantity);
 
-/// The parts of a list with commas, without blanks around them.
+/// Splits at commas and trims blanks.
 std::vector<std::string_view> splitList(std::string_view text);
 
-/// " (did you mean velocity?)" when one of `known` is close to `text`, else empty.
+/// " (did you mean velocity?)" if one of `known` is close to `text`, else empty.
 std::string didYouMean(std::string_view text, const std::vector<std::string_view>& known);
 
 /// "a, b, c".
 std::string joined(const std::vector<std::string_view>& words);
 
-/// Short, for people: "1.571", "-0.05", "20".
+/// Four significant digits, for messages: "1.571", "-0.05", "20".
 std::string shortText(double value);
 
 }  // namespace darwinop::experiments

@@ -1,4 +1,4 @@
-// From an experiment's file to an Experiment.
+// Parses an experiment file.
 #include "experiments/format/reader.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace darwinop::experiments {
 namespace {
 
-constexpr std::size_t kMostPhases = 1000;  // put in one after the other, repeats included
+constexpr std::size_t kMaxPhases = 1000;  // including sweep and repeats
 
 class FileReader {
  public:
@@ -30,8 +30,8 @@ class FileReader {
   }
 
  private:
-  [[noreturn]] void fail(int line, const std::string& sentence) const {
-    throw std::runtime_error(text::where(file_, line) + ": " + sentence);
+  [[noreturn]] void fail(int line, const std::string& message) const {
+    throw std::runtime_error(text::where(file_, line) + ": " + message);
   }
 
   [[nodiscard]] const Section* find(std::string_view kind) const {
@@ -63,7 +63,7 @@ class FileReader {
     const Entry& name = need(head, "name");
     constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789_-";
     if (name.value.find_first_not_of(kLetters) != std::string::npos)
-      fail(name.line, "the name becomes part of a file's name: use small letters, digits, _ and -");
+      fail(name.line, "the name is used in file names: use lower-case letters, digits, _ and -");
     out_.name = name.value;
     out_.title = need(head, "title").value;
     if (const Entry* source = head.find("source")) out_.source = source->value;
@@ -117,8 +117,7 @@ class FileReader {
     const int repeat = readRepeat(sweep);
     for (const std::string& value : values)
       for (int i = 0; i < repeat; ++i) addRound(value, repeat == 1 ? "" : std::to_string(i + 1));
-    if (out_.rounds.front().phases.empty())
-      throw std::runtime_error(file_ + ": nothing would move: add a section [phase NAME]");
+    if (out_.rounds.front().phases.empty()) throw std::runtime_error(file_ + ": no phase: add a section [phase NAME]");
   }
 
   [[nodiscard]] int readRepeat(const Section* sweep) const {
@@ -126,7 +125,7 @@ class FileReader {
     if (!entry) return 1;
     const double number = text::numberFromText(entry->value).value_or(0);
     if (number < 1 || number > 100 || number != static_cast<int>(number))
-      fail(entry->line, "'" + entry->value + "' is no number of repeats: write a whole number from 1 to 100");
+      fail(entry->line, "'" + entry->value + "' is not a valid number of repeats: write an integer from 1 to 100");
     return static_cast<int>(number);
   }
 
@@ -137,7 +136,7 @@ class FileReader {
     for (const Section& section : sections_) {
       if (section.kind != "phase") continue;
       round.phases.push_back(readPhase(section, value, file_));
-      if (++phases_ > kMostPhases) fail(section.line, "more than 1000 phases, repeats and sweep included");
+      if (++phases_ > kMaxPhases) fail(section.line, "more than 1000 phases, including sweep and repeats");
     }
     out_.rounds.push_back(std::move(round));
   }

@@ -1,4 +1,4 @@
-// From an experiment's file to an Experiment.
+// Parses an experiment file.
 #pragma once
 
 #include <string>
@@ -8,8 +8,7 @@
 
 namespace darwinop::experiments {
 
-/// Throws std::runtime_error, "FILE, line N: what is wrong and what is allowed". Whether joints may go where the
-/// experiment sends them is checked by makePlan().
+/// Throws std::runtime_error, "FILE, line N: problem and allowed values". Joint limits are checked by makePlan().
 Experiment parseExperiment(std::string_view text, const std::string& file);
 
 Experiment readExperiment(const std::string& path);

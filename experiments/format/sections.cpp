@@ -1,4 +1,4 @@
-// An experiment's file as sections with entries: every section and key is known, none stands twice.
+// Reads an experiment file into sections and entries; rejects unknown and duplicate names.
 #include "experiments/format/sections.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Words keysOf(std::string_view kind) {
   return keys;
 }
 
-class Reader final : public text::IniReader {
+class SectionReader final : public text::IniReader {
  public:
   std::vector<Section> sections;
 
@@ -41,21 +41,21 @@ class Reader final : public text::IniReader {
                                "; allowed are [experiment], [setup], [sweep], [phase NAME], [record]");
     if ((kind == "phase") == name.empty())
       throw std::runtime_error(kind == "phase" ? "a phase needs a name: [phase raise]"
-                                               : "[" + kind + "] has no name behind it");
+                                               : "[" + kind + "] takes no name");
     if (std::ranges::any_of(sections, [&](const Section& s) { return s.kind == kind && s.name == name; }))
-      throw std::runtime_error("[" + std::string{text} + "] stands twice");
+      throw std::runtime_error("[" + std::string{text} + "] is defined twice; remove one");
     sections.push_back({kind, name, line, {}});
   }
 
   void pair(std::string_view, std::string_view key, std::string_view value, int line) override {
-    if (sections.empty()) throw std::runtime_error("a line before the first section; begin with [experiment]");
+    if (sections.empty()) throw std::runtime_error("a line before the first section; start the file with [experiment]");
     Section& section = sections.back();
     const Words known = keysOf(section.kind);
     if (std::ranges::find(known, key) == known.end())
       throw std::runtime_error("[" + section.kind + "] has no key '" + std::string{key} + "'" + didYouMean(key, known) +
                                "; allowed are " + joined(known));
     if (section.find(key) != nullptr && key != "description")
-      throw std::runtime_error("'" + std::string{key} + "' stands twice in this section");
+      throw std::runtime_error("'" + std::string{key} + "' is set twice in this section; remove one");
     if (value.empty()) throw std::runtime_error("'" + std::string{key} + "' has no value");
     section.entries.push_back({std::string{key}, std::string{value}, line});
   }
@@ -73,7 +73,7 @@ const Entry* Section::find(std::string_view key) const {
 }
 
 std::vector<Section> readSections(std::string_view text, const std::string& file) {
-  Reader reader;
+  SectionReader reader;
   text::readIni(text, file, reader);
   return std::move(reader.sections);
 }

@@ -1,4 +1,4 @@
-// An experiment's file as sections with entries: every section and key is known, none stands twice.
+// Reads an experiment file into sections and entries; rejects unknown and duplicate names.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@ struct Section {
   int line = 0;
   std::vector<Entry> entries;
 
-  /// Null: not there.
+  /// Null if absent.
   [[nodiscard]] const Entry* find(std::string_view key) const;
 };
 
-/// Throws std::runtime_error, "FILE, line N: what is wrong and what is allowed".
+/// Throws std::runtime_error, "FILE, line N: problem and allowed values".
 std::vector<Section> readSections(std::string_view text, const std::string& file);
 
 }  // namespace darwinop::experiments

@@ -1,4 +1,4 @@
-// The goal of a joint at any time of a phase.
+// Goal trajectories.
 #include "experiments/format/shape.hpp"
 
 #include <algorithm>
@@ -16,24 +16,24 @@ double stepsAt(const Goal& goal, double t) {
   return goal.goals[i];
 }
 
-/// Up first, then down, and back: one period.
-double triangle(double turns) {
-  const double part = turns - std::floor(turns);
-  return part < 0.25 ? 4 * part : part < 0.75 ? 2 - 4 * part : 4 * part - 4;
+/// Triangle wave of amplitude 1, starting at 0 and rising; `periods` is time / period.
+double triangle(double periods) {
+  const double phase = periods - std::floor(periods);
+  return phase < 0.25 ? 4 * phase : phase < 0.75 ? 2 - 4 * phase : 4 * phase - 4;
 }
 
-/// From hz[0] to hz[1], the frequency rising evenly.
+/// Linear chirp from hz[0] to hz[1].
 double chirp(const Goal& goal, double duration_s, double t) {
   const double rise = (goal.hz[1] - goal.hz[0]) / duration_s;
   return std::sin(2 * kPi * (goal.hz[0] + rise * t / 2) * t);
 }
 
-/// Equal shares that begin at 0, every other one downwards: together never more than 1.
+/// Sum of sines with equal amplitudes and alternating signs, normalized to at most 1.
 double multisine(const Goal& goal, double t) {
-  double sum = 0, side = 1;
+  double sum = 0, sign = 1;
   for (const double hz : goal.hz) {
-    sum += side * std::sin(2 * kPi * hz * t);
-    side = -side;
+    sum += sign * std::sin(2 * kPi * hz * t);
+    sign = -sign;
   }
   return sum / static_cast<double>(goal.hz.size());
 }
@@ -60,18 +60,18 @@ double smooth(double share) {
 
 double goalAt(const Goal& goal, double duration_s, double sign, double begin, double t) {
   t = std::clamp(t, 0.0, duration_s);
-  const double way = sign * goal.to - begin;
+  const double distance = sign * goal.to - begin;
   switch (goal.shape) {
     case Shape::kHold:
       return begin;
     case Shape::kStep:
-      return begin + way;
+      return begin + distance;
     case Shape::kSteps:
       return sign * stepsAt(goal, t);
     case Shape::kRamp:
-      return begin + way * t / duration_s;
+      return begin + distance * t / duration_s;
     case Shape::kMove:
-      return begin + way * smooth(t / duration_s);
+      return begin + distance * smooth(t / duration_s);
     default:
       return begin + sign * goal.amplitude * swing(goal, duration_s, t);
   }

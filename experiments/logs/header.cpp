@@ -1,4 +1,4 @@
-// The line of a log that names the columns: names, units, which one is time.
+// Parses the column header of a log: names, units, time column.
 #include "experiments/logs/header.hpp"
 
 #include <algorithm>
@@ -25,13 +25,13 @@ bool isNumber(std::string_view field) {
 
 Column columnOf(std::string_view field) {
   const std::string_view text = trimmed(field);
-  if (text.empty()) throw std::runtime_error("a column has no name; name each one, as in \"t_s,pos_rad\"");
+  if (text.empty()) throw std::runtime_error("a column has no name; name every column, as in \"t_s,pos_rad\"");
   const std::size_t bracket = text.rfind(" [");
   if (bracket == std::string_view::npos || text.back() != ']')
     return {std::string{text}, std::string{unitOfSuffix(text)}, {}};
   const std::string_view unit = text.substr(bracket + 2, text.size() - bracket - 3);
   if (!isUnit(unit))
-    throw std::runtime_error("the unit of column " + quoted(text) + " is not known; known are " + unitNames());
+    throw std::runtime_error("the unit of column " + quoted(text) + " is unknown; known units: " + unitNames());
   return {std::string{trimmed(text.substr(0, bracket))}, std::string{unit}, {}};
 }
 
@@ -42,11 +42,10 @@ bool isTime(const Column& column) {
 
 void findTime(Log& log) {
   const auto time = std::find_if(log.columns.begin(), log.columns.end(), isTime);
-  if (time == log.columns.end())
-    throw std::runtime_error("no column of time; one has to be called time_s or t_s, or \"time [s]\"");
+  if (time == log.columns.end()) throw std::runtime_error("no time column; name one time_s, t_s or \"time [s]\"");
   const auto second = secondsIn(time->unit);
   if (!second)
-    throw std::runtime_error("column " + quoted(time->name) + " needs a unit of time: write " + time->name +
+    throw std::runtime_error("column " + quoted(time->name) + " needs a time unit: write " + time->name +
                              "_s, or _ms, or _us");
   log.time = static_cast<std::size_t>(time - log.columns.begin());
   log.second = *second;
@@ -63,16 +62,16 @@ std::string quoted(std::string_view text) {
 
 void readHeader(std::string_view line, Log& log) {
   if (line.find(',') == std::string_view::npos && line.find(';') != std::string_view::npos)
-    throw std::runtime_error("fields are separated by \";\"; save the file with commas, and points in numbers");
+    throw std::runtime_error(
+        "fields are separated by \";\"; save the file with commas as separators and decimal points");
   bool numbers = true;
   forEachField(line, [&](std::string_view field) { numbers = numbers && isNumber(trimmed(field)); });
-  if (numbers)
-    throw std::runtime_error("numbers, but no header; the first line has to name the columns, as in \"t_s,pos_rad\"");
+  if (numbers) throw std::runtime_error("no header; name the columns in the first line, as in \"t_s,pos_rad\"");
   std::unordered_set<std::string> names;
   forEachField(line, [&](std::string_view field) {
     Column column = columnOf(field);
     if (!names.insert(column.name).second)
-      throw std::runtime_error("two columns are called " + quoted(column.name) + "; rename one");
+      throw std::runtime_error("two columns are named " + quoted(column.name) + "; rename one");
     log.columns.push_back(std::move(column));
   });
   findTime(log);

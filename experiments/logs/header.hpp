@@ -1,4 +1,4 @@
-// The line of a log that names the columns.
+// Parses the column header of a log.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace darwinop::logs {
 
-/// Calls `each` with every field of a line.
+/// Calls `each` for every field of a line.
 template <class F>
 void forEachField(std::string_view line, F&& each) {
   for (;;) {
@@ -19,7 +19,7 @@ void forEachField(std::string_view line, F&& each) {
   }
 }
 
-/// A field as an error shows it: in quotation marks, short, without what a terminal would obey.
+/// A field for error messages: quoted, truncated, without control characters.
 [[nodiscard]] std::string quoted(std::string_view text);
 
 /// Fills columns and time of the log. Throws std::runtime_error without file and line.

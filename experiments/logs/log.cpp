@@ -1,4 +1,4 @@
-// A log in memory: looking things up.
+// Lookup functions of a log.
 #include "experiments/logs/log.hpp"
 
 #include <algorithm>
@@ -18,12 +18,12 @@ const Column* Log::find(std::string_view name) const {
 
 const Column& Log::column(std::string_view name) const {
   if (const Column* found = find(name)) return *found;
-  constexpr std::size_t kNamed = 12;  // a recording has 285
+  constexpr std::size_t kNamed = 12;  // of 285 in a recording
   std::string there;
   for (std::size_t i = 0; i < std::min(columns.size(), kNamed); ++i)
     there.append(i == 0 ? "" : ", ").append(columns[i].name);
   if (columns.size() > kNamed) there += " and " + std::to_string(columns.size() - kNamed) + " more";
-  throw std::runtime_error(file + ": no column \"" + std::string{name} + "\"; there are " + there);
+  throw std::runtime_error(file + ": no column \"" + std::string{name} + "\"; available: " + there);
 }
 
 }  // namespace darwinop::logs

@@ -1,4 +1,4 @@
-// Reads a log, line by line.
+// Parses a log line by line.
 #include "experiments/logs/read_log.hpp"
 
 #include <algorithm>
@@ -25,19 +25,19 @@ class Parser {
 
   Log parse(std::string_view text) {
     try {
-      rest_ = withoutMark(text);
+      rest_ = withoutBom(text);
       while (!rest_.empty()) next();
       if (log_.columns.empty())
-        throw std::runtime_error("no header: no line names the columns; is this a log of darwinop?");
+        throw std::runtime_error("no header line with column names; check that this is a log of darwinop");
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(log_.file + ", line " + std::to_string(std::max(line_, 1u)) + ": " + error.what());
     }
-    judgeTheEnd();
+    checkEnd();
     return std::move(log_);
   }
 
  private:
-  static std::string_view withoutMark(std::string_view text) {
+  static std::string_view withoutBom(std::string_view text) {
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
       throw std::runtime_error("the text is UTF-16; save the file as UTF-8");
     return text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
@@ -46,15 +46,15 @@ class Parser {
   void next() {
     const std::size_t end = rest_.find('\n');
     std::string_view line = rest_.substr(0, end);
-    const bool whole = end != std::string_view::npos;
-    rest_.remove_prefix(whole ? end + 1 : rest_.size());
+    const bool terminated = end != std::string_view::npos;
+    rest_.remove_prefix(terminated ? end + 1 : rest_.size());
     if (line.ends_with('\r')) line.remove_suffix(1);
     ++line_;
     if (line.empty()) return;
     if (line.front() == '#') return comment(line.substr(1));
     if (log_.columns.empty()) return header(line);
-    if (ended_) throw std::runtime_error("rows behind \"# end\"; two recordings in one file? split them");
-    if (!whole && isCut(line)) return cut();
+    if (ended_) throw std::runtime_error("rows after \"# end\"; if the file contains two recordings, split it");
+    if (!terminated && isTruncated(line)) return skipTruncated();
     row(line);
   }
 
@@ -69,8 +69,8 @@ class Parser {
     if (text.starts_with(kFormat)) {
       log_.recording = true;
       if (text.substr(kFormat.size()) != "1")
-        throw std::runtime_error("this log is of format " + quoted(text.substr(kFormat.size())) +
-                                 ", this program reads format 1; use a newer one");
+        throw std::runtime_error("this log has format " + quoted(text.substr(kFormat.size())) +
+                                 ", this program reads format 1; use a newer version");
     }
     const std::size_t colon = text.find(':');
     if (colon == std::string_view::npos) return;
@@ -84,15 +84,15 @@ class Parser {
     header_line_ = line_;
   }
 
-  /// A last line without an end. A recording always ends its lines, so its last number may lack digits; in other
-  /// files only what is missing tells.
-  [[nodiscard]] bool isCut(std::string_view line) const {
+  /// A last line without a line end. Recordings always terminate lines, so the last number may lack digits; in other
+  /// files only a missing field shows a truncation.
+  [[nodiscard]] bool isTruncated(std::string_view line) const {
     return log_.recording || std::size_t(std::count(line.begin(), line.end(), ',')) + 1 < log_.columns.size();
   }
 
-  void cut() {
+  void skipTruncated() {
     log_.warnings.push_back(log_.file + ", line " + std::to_string(line_) +
-                            ": the file ends in the middle of this row, which is left out");
+                            ": the file ends in the middle of this row; the row is skipped");
   }
 
   void row(std::string_view line) {
@@ -120,17 +120,17 @@ class Parser {
     const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
     if (error == std::errc{} && end == field.data() + field.size()) return value;
     throw std::runtime_error(quoted(field) + " in column " + quoted(log_.columns[column].name) +
-                             " is not a number; what is not known is an empty field");
+                             " is not a number; leave the field empty if the value is unknown");
   }
 
   void checkTime() const {
     const double now = values_[log_.time];
     const std::string name = quoted(log_.columns[log_.time].name);
-    if (!std::isfinite(now)) throw std::runtime_error("column " + name + " is empty; every row needs its time");
+    if (!std::isfinite(now)) throw std::runtime_error("column " + name + " is empty; every row needs a time");
     if (log_.rows() == 0 || now > log_.columns[log_.time].values.back()) return;
-    throw std::runtime_error("time does not go on: column " + name + " has " + std::to_string(now) + " after " +
+    throw std::runtime_error("time does not increase: column " + name + " has " + std::to_string(now) + " after " +
                              std::to_string(log_.columns[log_.time].values.back()) +
-                             "; two logs in one file? split them");
+                             "; if the file contains two logs, split it");
   }
 
   void reserve(std::size_t length) {
@@ -139,15 +139,15 @@ class Parser {
     log_.lines.reserve(rows);
   }
 
-  void judgeTheEnd() {
+  void checkEnd() {
     log_.complete = ended_ || !log_.recording;
     if (!log_.complete)
       log_.warnings.push_back(log_.file +
-                              " has no \"# end\": the program that wrote it was killed or still writes; up "
-                              "to a tenth of a second is missing");
+                              " has no \"# end\": the recording program was killed or is still running; up "
+                              "to 0.1 s may be missing");
     if (log_.lost_rows != 0)
       log_.warnings.push_back(log_.file + ": " + std::to_string(log_.lost_rows) +
-                              " rows were lost while recording, as the disk was too slow");
+                              " rows were lost while recording because the disk was too slow");
   }
 
   Log log_;

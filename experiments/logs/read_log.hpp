@@ -1,4 +1,4 @@
-// Reads a log: a recording of the runtime (docs/logs.md), or plain CSV whose columns end in their unit (t_s, pos_rad).
+// Reads a log: a recording of the runtime (docs/logs.md), or plain CSV with units as column suffixes (t_s, pos_rad).
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace darwinop::logs {
 
-/// Throws std::runtime_error, "FILE, line N: what is wrong". What can be lived with is a warning in the log: a file
-/// that ends in the middle of a row, lost rows. Line ends of Windows and a byte order mark are no matter.
+/// Throws std::runtime_error, "FILE, line N: problem". Recoverable problems (truncated last row, lost rows) are stored
+/// as warnings in the log. Accepts Windows line ends and a byte order mark.
 Log readLog(const std::string& path);
 
-/// The same for text that is there already; `file` stands in errors.
+/// The same for text in memory; `file` is used in messages.
 Log parseLog(std::string_view text, const std::string& file);
 
 }  // namespace darwinop::logs

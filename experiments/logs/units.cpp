@@ -1,4 +1,4 @@
-// Units of columns: one row each.
+// Table of column units.
 #include "experiments/logs/units.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace darwinop::logs {
 namespace {
 
-constexpr auto kUnits = std::to_array<Unit>({
+constexpr auto kUnits = std::to_array<ColumnUnit>({
     {"s", "s"},         {"ms", "ms"},     {"us", "us"},         {"rad", "rad"},
     {"rad/s", "rad_s"}, {"deg", "deg"},   {"rad/s2", "rad_s2"}, {"rpm", "rpm"},
     {"deg/s", "deg_s"}, {"N m", "Nm"},    {"N", "N"},           {"N m s/rad", "Nms_rad"},
@@ -17,11 +17,11 @@ constexpr auto kUnits = std::to_array<Unit>({
     {"Hz", "Hz"},       {"tick", "tick"}, {"Kp", "Kp"},
 });
 
-/// Where the longest suffix that is a unit begins, its underscore included.
-std::size_t endOfName(std::string_view name, const Unit** found) {
+/// Position of the longest suffix that is a unit, including its underscore.
+std::size_t endOfName(std::string_view name, const ColumnUnit** found) {
   for (std::size_t at = name.find('_'); at != std::string_view::npos; at = name.find('_', at + 1)) {
-    const auto unit =
-        std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.suffix == name.substr(at + 1); });
+    const auto unit = std::find_if(kUnits.begin(), kUnits.end(),
+                                   [&](const ColumnUnit& u) { return u.suffix == name.substr(at + 1); });
     if (unit == kUnits.end()) continue;
     *found = &*unit;
     return at;
@@ -32,17 +32,17 @@ std::size_t endOfName(std::string_view name, const Unit** found) {
 }  // namespace
 
 bool isUnit(std::string_view symbol) {
-  return std::any_of(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.symbol == symbol; });
+  return std::any_of(kUnits.begin(), kUnits.end(), [&](const ColumnUnit& u) { return u.symbol == symbol; });
 }
 
 std::string_view unitOfSuffix(std::string_view name) {
-  const Unit* unit = nullptr;
+  const ColumnUnit* unit = nullptr;
   endOfName(name, &unit);
   return unit == nullptr ? "" : unit->symbol;
 }
 
 std::string_view withoutSuffix(std::string_view name) {
-  const Unit* unit = nullptr;
+  const ColumnUnit* unit = nullptr;
   return name.substr(0, endOfName(name, &unit));
 }
 
@@ -55,7 +55,7 @@ std::optional<double> secondsIn(std::string_view symbol) {
 
 std::string unitNames() {
   std::string names;
-  for (const Unit& unit : kUnits) names.append(names.empty() ? "" : ", ").append(unit.symbol);
+  for (const ColumnUnit& unit : kUnits) names.append(names.empty() ? "" : ", ").append(unit.symbol);
   return names;
 }
 

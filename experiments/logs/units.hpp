@@ -1,4 +1,4 @@
-// Units of columns: "Neck.position [rad]" as the runtime writes it, "pos_rad" as plain CSV files do.
+// Units of columns: "Neck.position [rad]" in recordings, "pos_rad" in plain CSV files.
 #pragma once
 
 #include <optional>
@@ -7,24 +7,24 @@
 
 namespace darwinop::logs {
 
-struct Unit {
+struct ColumnUnit {
   std::string_view symbol;  // in brackets
   std::string_view suffix;  // after an underscore
 };
 
-/// "N m" and "N_m" are not the same: only the first is known.
+/// Exact match: "N m" is known, "N_m" is not.
 [[nodiscard]] bool isUnit(std::string_view symbol);
 
-/// What the name ends with, "rad/s" for "speed_rad_s"; "" when that is no unit, as in "torque_on".
+/// Unit of the name's suffix, "rad/s" for "speed_rad_s"; "" without one, as in "torque_on".
 [[nodiscard]] std::string_view unitOfSuffix(std::string_view name);
 
-/// The name without such an end: "speed" for "speed_rad_s".
+/// The name without the unit suffix: "speed" for "speed_rad_s".
 [[nodiscard]] std::string_view withoutSuffix(std::string_view name);
 
-/// 0.001 for "ms"; nothing for what is no time.
+/// 0.001 for "ms"; empty for a unit that is not time.
 [[nodiscard]] std::optional<double> secondsIn(std::string_view symbol);
 
-/// All symbols, for an error: "rad, rad/s, …".
+/// All symbols, for messages: "rad, rad/s, …".
 [[nodiscard]] std::string unitNames();
 
 }  // namespace darwinop::logs

@@ -1,4 +1,4 @@
-// The first Ctrl-C of an experiment: it ends, and the robot goes back slowly. The second is the API's.
+// Signal handling of an experiment: the first signal ends it with a slow return, the second is handled by the API.
 #include "experiments/run/gentle_stop.hpp"
 
 #include <array>
@@ -10,8 +10,8 @@
 namespace darwinop::experiments {
 namespace {
 
-std::atomic<bool> stop_asked{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set in a signal handler");
 
 struct Before {
   int signal;
@@ -24,8 +24,8 @@ std::array<Before, kEndSignals.size()> handlers_before = [] {
 }();
 
 void onSignal(int) {
-  stop_asked.store(true);
-  // A terminal that goes away says SIGHUP twice; that is not a user who insists.
+  stop_requested.store(true);
+  // A closing terminal sends SIGHUP twice; the second must not count as a second request.
   for (Before& one : handlers_before)
     if (one.signal != SIGHUP && one.action.sa_handler != SIG_IGN) sigaction(one.signal, &one.action, nullptr);
 }
@@ -33,15 +33,15 @@ void onSignal(int) {
 }  // namespace
 
 const std::atomic<bool>& installGentleStop() {
-  stop_asked = false;
+  stop_requested = false;
   for (Before& one : handlers_before) {
     sigaction(one.signal, nullptr, &one.action);
-    if (one.action.sa_handler == SIG_IGN) continue;  // as whoever started the program wanted it
+    if (one.action.sa_handler == SIG_IGN) continue;  // ignored by the parent process
     struct sigaction action {};
     action.sa_handler = onSignal;
     sigaction(one.signal, &action, nullptr);
   }
-  return stop_asked;
+  return stop_requested;
 }
 
 }  // namespace darwinop::experiments

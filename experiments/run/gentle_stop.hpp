@@ -1,12 +1,12 @@
-// The first Ctrl-C of an experiment: it ends, and the robot goes back slowly. The second is the API's.
+// Signal handling of an experiment: the first signal ends it with a slow return, the second is handled by the API.
 #pragma once
 
 #include <atomic>
 
 namespace darwinop::experiments {
 
-/// To be called once the webots::Robot exists, whose own handlers then come into force with the second signal.
-/// Becomes true with the first signal of kEndSignals (hal/signals.hpp).
+/// Call after the webots::Robot is constructed: its handlers are restored for the second signal. The returned flag
+/// becomes true with the first signal of kEndSignals (hal/signals.hpp).
 const std::atomic<bool>& installGentleStop();
 
 }  // namespace darwinop::experiments

@@ -1,4 +1,4 @@
-// Would a run move metal? Then a person has to agree first.
+// Detects whether a robot setting may refer to hardware.
 #include "experiments/run/hardware.hpp"
 
 #include <filesystem>
@@ -11,8 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Does this process hold the other end of /dev/pts/`number`? Linux tells since 4.13; where it does not, nothing is
-/// proven.
+/// True if this process holds the master of /dev/pts/`number`. Requires Linux 4.13 ("tty-index"); false before that.
 bool holdsOtherEnd(const fs::path& process, const std::string& number) {
   std::error_code unreadable;
   for (const auto& file : fs::directory_iterator{process / "fdinfo", unreadable}) {
@@ -23,7 +22,7 @@ bool holdsOtherEnd(const fs::path& process, const std::string& number) {
   return false;
 }
 
-/// A pty alone proves nothing: a network bridge to a robot has one, too.
+/// A pty is not sufficient: a network bridge to a robot also has one.
 bool isVirtualRobot(const std::string& port) {
   std::error_code unknown;
   const fs::path device = fs::canonical(port, unknown);

@@ -1,4 +1,4 @@
-// Where an experiment is, told while it runs: one line that is written over on a terminal, else one line a phase.
+// Progress output: an updated line on a terminal, otherwise one line per phase.
 #include "experiments/run/progress.hpp"
 
 #include <unistd.h>
@@ -13,7 +13,7 @@ Progress::~Progress() {
   if (terminal_ && !phase_.empty()) std::fputs("\n", stderr);
 }
 
-void Progress::tell(const std::string& phase, double seconds) {
+void Progress::update(const std::string& phase, double seconds) {
   const bool is_new = phase != phase_;
   const int quarter = static_cast<int>(seconds * 4);
   phase_ = phase;

@@ -1,4 +1,4 @@
-// Where an experiment is, told while it runs: one line that is written over on a terminal, else one line a phase.
+// Progress output: an updated line on a terminal, otherwise one line per phase.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// To stderr.
-  void tell(const std::string& phase, double seconds);
+  /// Writes to stderr.
+  void update(const std::string& phase, double seconds);
 
  private:
   double total_s_;
   bool terminal_;
   std::string phase_;
-  int quarter_ = -1;  // of a second, told last
+  int quarter_ = -1;  // of a second, last printed
 };
 
 }  // namespace darwinop::experiments

@@ -1,4 +1,4 @@
-// Runs an experiment on a robot through the Webots API, and brings the robot back whatever happens.
+// Runs an experiment through the Webots API and returns the robot to its start pose.
 #pragma once
 
 #include <array>
@@ -19,45 +19,45 @@ namespace darwinop::experiments {
 
 enum class Outcome : std::uint8_t {
   kDone,
-  kStopped,  // asked to end; the robot is back in its start pose
-  kEnded,    // the robot or its safety layer ended it; the reason was told
-  kFell,     // on its way to the first pose; nothing was measured
-  kFellIn,   // in a phase that is not about falling; what comes after it was left out
+  kStopped,  // by the user; the robot is back in its start pose
+  kEnded,    // by the robot or its safety layer, which logged the reason
+  kFell,     // before the first phase; nothing was measured
+  kFellIn,   // in a phase without until = fallen; later phases were skipped
 };
 
 /// Called in every step: the phase, seconds since the experiment began.
-using Tell = std::function<void(const std::string& phase, double seconds)>;
+using ProgressCallback = std::function<void(const std::string& phase, double seconds)>;
 
 class Runner {
  public:
-  /// `stop` becomes true when the user asks for the end. All must outlive the runner.
-  Runner(webots::Robot& robot, const Experiment& experiment, const std::atomic<bool>& stop, Tell tell);
+  /// `stop` becomes true on a stop request. All arguments must outlive the runner.
+  Runner(webots::Robot& robot, const Experiment& experiment, const std::atomic<bool>& stop, ProgressCallback on_step);
 
-  /// To the end, the way back included.
+  /// Runs the experiment including the return to the start pose.
   [[nodiscard]] Outcome run();
 
  private:
-  struct Wheel {
+  struct DrivenJoint {
     webots::Motor* motor;
     webots::PositionSensor* sensor;
-    double goal = 0;       // rad, asked for last
-    bool loose = false;    // moved by its weight or a given torque: the goal says nothing about where it is
-    bool pushed = false;   // by Motor::setTorque(), which a goal would end
-    bool changed = false;  // its settings are not the usual ones
+    double goal = 0;       // rad, last command
+    bool loose = false;    // moved by gravity or a commanded torque: position unrelated to the goal
+    bool pushed = false;   // by Motor::setTorque(), which a position goal would end
+    bool changed = false;  // has non-default settings
   };
-  enum class Stop : std::uint8_t { kHeeded, kIgnored };
+  enum class Stop : std::uint8_t { kAllowed, kIgnored };
 
   [[nodiscard]] bool step();
   [[nodiscard]] bool moveTo(const Pose& pose, double seconds, Stop stop);
-  [[nodiscard]] bool settle(double seconds);
+  [[nodiscard]] bool wait(double seconds);
   [[nodiscard]] bool runRounds();
   [[nodiscard]] bool runPhase(const Phase& phase);
   void goBack();
   void begin(const Phase& phase);
   void drive(const Phase& phase, const Pose& from, double t);
-  void setTorque(Wheel& wheel, const Phase& phase, double share);
+  void setTorque(DrivenJoint& joint, const Phase& phase, double share);
   void restoreOthers(const Phase* phase);
-  void startWhereItIs(Wheel& wheel);
+  void startAtPresentPosition(DrivenJoint& joint);
   [[nodiscard]] bool going(Stop stop) const { return !ended_ && (stop == Stop::kIgnored || !stop_); }
   [[nodiscard]] Positions positions() const;
   [[nodiscard]] double now() const;
@@ -65,13 +65,13 @@ class Runner {
   webots::Robot& robot_;
   const Experiment& experiment_;
   const std::atomic<bool>& stop_;
-  Tell tell_;
-  std::array<Wheel, kJoints> wheels_{};
+  ProgressCallback on_step_;
+  std::array<DrivenJoint, kJoints> joints_{};
   int step_ms_;
-  double step_s_, began_s_;
-  std::string phase_;  // for tell_
+  double step_s_, start_s_;
+  std::string phase_;  // for on_step_
   bool ended_ = false;
-  bool may_fall_ = false;  // the experiment has come to a phase that lasts until the robot has fallen
+  bool may_fall_ = false;  // after the start of a phase with until = fallen
   FallWatch fall_;
 };
 

@@ -1,4 +1,4 @@
-// Ends of phases that the robot decides: joints arrived, joints at rest, the robot has fallen.
+// End conditions of phases: joints arrived, joints at rest, robot fallen.
 #include "experiments/run/watch.hpp"
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace darwinop::experiments {
 namespace {
-constexpr double kStill = 3.5 * kRadPerTick;  // three ticks: a servo at rest may flicker by one
-constexpr double kStillFor = 0.5;             // s, more than half a swing of a hanging arm
+constexpr double kRestTolerance = 3.5 * kRadPerTick;  // three ticks: a servo at rest may toggle by one
+constexpr double kRestTime = 0.5;                     // s, longer than half a swing of a hanging arm
 }  // namespace
 
 void FallWatch::update(const double* counts, double dt_s) {
@@ -19,7 +19,7 @@ void FallWatch::update(const double* counts, double dt_s) {
   tilted_s_ = z / g < std::cos(kPi / 4) ? tilted_s_ + dt_s : 0;
 }
 
-bool EndWatch::over(const Positions& seen, bool fallen, double t) {
+bool EndWatch::isOver(const Positions& seen, bool fallen, double t) {
   switch (phase_.until) {
     case Until::kArrival:
       return arrived(seen);
@@ -32,7 +32,7 @@ bool EndWatch::over(const Positions& seen, bool fallen, double t) {
   }
 }
 
-/// Within the distance; a joint that is pushed by a torque has no reason to stop there, so passing counts, too.
+/// Within the tolerance; for a joint moved by a torque, passing the target also counts.
 bool EndWatch::arrived(const Positions& seen) const {
   return std::ranges::all_of(phase_.joints, [&](const Moved& moved) {
     const std::size_t i = index(moved.joint);
@@ -44,11 +44,11 @@ bool EndWatch::arrived(const Positions& seen) const {
 
 bool EndWatch::resting(const Positions& seen, double t) {
   for (const Moved& moved : phase_.joints)
-    if (const std::size_t i = index(moved.joint); !(std::abs(seen[i] - still_[i]) <= kStill)) {
-      still_ = seen;
-      still_since_ = t;
+    if (const std::size_t i = index(moved.joint); !(std::abs(seen[i] - rest_position_[i]) <= kRestTolerance)) {
+      rest_position_ = seen;
+      rest_since_ = t;
     }
-  return t - still_since_ >= kStillFor;
+  return t - rest_since_ >= kRestTime;
 }
 
 }  // namespace darwinop::experiments

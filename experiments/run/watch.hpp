@@ -1,4 +1,4 @@
-// Ends of phases that the robot decides: joints arrived, joints at rest, the robot has fallen.
+// End conditions of phases: joints arrived, joints at rest, robot fallen.
 #pragma once
 
 #include <array>
@@ -7,36 +7,36 @@
 
 namespace darwinop::experiments {
 
-using Positions = std::array<double, kJoints>;  // rad, NaN: not known
+using Positions = std::array<double, kJoints>;  // rad, NaN: unknown
 
-/// From the counts of the accelerometer, 128 a g, upright 512, 512, 640.
+/// Fall detection from accelerometer counts: 128 per g, upright 512, 512, 640.
 class FallWatch {
  public:
-  /// `counts`: three values, NaN while not known.
+  /// `counts`: three values, NaN while unknown.
   void update(const double* counts, double dt_s);
-  /// The trunk is tilted by more than 45 degrees, for a quarter of a second. Blows and free fall, in which the
-  /// accelerometer cannot tell where down is, do not count.
+  /// The trunk has been tilted by more than 45 degrees for 0.25 s. Samples outside 0.5 to 1.5 g (impacts, free fall)
+  /// are ignored.
   [[nodiscard]] bool fallen() const { return tilted_s_ >= 0.25; }
 
  private:
   double tilted_s_ = 0;
 };
 
-/// One phase.
+/// End condition of one phase.
 class EndWatch {
  public:
-  EndWatch(const Phase& phase, const Positions& begin) : phase_{phase}, begin_{begin}, still_{begin} {}
+  EndWatch(const Phase& phase, const Positions& begin) : phase_{phase}, begin_{begin}, rest_position_{begin} {}
 
   /// `t`: seconds since the phase began.
-  [[nodiscard]] bool over(const Positions& seen, bool fallen, double t);
+  [[nodiscard]] bool isOver(const Positions& seen, bool fallen, double t);
 
  private:
   [[nodiscard]] bool arrived(const Positions& seen) const;
   [[nodiscard]] bool resting(const Positions& seen, double t);
 
   const Phase& phase_;
-  Positions begin_, still_;
-  double still_since_ = 0;
+  Positions begin_, rest_position_;
+  double rest_since_ = 0;
 };
 
 }  // namespace darwinop::experiments

@@ -1,4 +1,4 @@
-// All that sounds at one time, added up.
+// Mixes all active sounds into one stereo stream.
 #include "hal/audio/mixer.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// All that sounds at one time, added up.
+// Mixes all active sounds into one stereo stream.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace darwinop::audio {
 
-inline constexpr int kMixRate = 44100;          // Hz: that of most sound files
-inline constexpr std::size_t kMostSounds = 32;  // at once: one more is refused
+inline constexpr int kMixRate = 44100;          // Hz; the rate of most sound files
+inline constexpr std::size_t kMostSounds = 32;  // at once; a further one is rejected
 
-/// One frame as a sound card takes it.
+/// One sample pair in the format of the sound card.
 struct Sample {
   std::int16_t left = 0, right = 0;
 };
@@ -24,20 +24,21 @@ struct Sample {
 /// Used by one thread, or under one lock.
 class Mixer {
  public:
-  /// A file that sounds already and may go on gets the new name and values; true: nothing has to be opened.
+  /// If `file` is already playing and must not restart, gives it the new id and parameters and returns true; the file
+  /// need not be opened again.
   [[nodiscard]] bool change(const PlaySound& play);
-  /// False: there are too many.
+  /// Returns false if kMostSounds are active.
   [[nodiscard]] bool play(const PlaySound& play, std::unique_ptr<SoundSource> source);
-  /// Instead of what is spoken now.
+  /// Replaces the current speech.
   void speak(const Speak& speak, std::unique_ptr<SoundSource> voice);
   void stop(const StopSound& stop);
 
-  /// The next piece; what does not fit is cut off at full scale.
+  /// Writes the next block; clips at full scale.
   void mix(std::span<Sample> out);
   [[nodiscard]] bool silent() const { return sounds_.empty(); }
-  /// Neither sounds nor names to take.
+  /// No sounds, and no ended ids to fetch.
   [[nodiscard]] bool idle() const { return sounds_.empty() && ended_.empty(); }
-  /// Names of the sounds that ended since the last call.
+  /// Ids of the sounds that ended since the last call.
   [[nodiscard]] std::vector<SoundId> takeEnded();
 
  private:

@@ -1,4 +1,4 @@
-// What a controller and its sound program say to each other: one message, one packet of a local socket.
+// Messages between a controller and its sound process; one packet of a local socket each.
 #include "hal/audio/protocol.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace darwinop::audio {
 
 namespace {
 
-enum Kind : std::uint8_t { kPlay = 1, kSpeak, kStop, kStarted = 101, kEnded, kTrouble, kLost };
+enum Kind : std::uint8_t { kPlay = 1, kSpeak, kStop, kStarted = 101, kEnded, kError, kLost };
 
 class Writer {
  public:
@@ -37,7 +37,7 @@ class Writer {
   Message message_;
 };
 
-/// Everything it gives is 0 or empty once something was wrong.
+/// After the first error every value is 0 or empty.
 class Reader {
  public:
   explicit Reader(std::span<const std::uint8_t> message) : left_{message} {}
@@ -51,7 +51,7 @@ class Reader {
   double between(double low, double high) {
     const auto value = number<double>();
     good_ = good_ && value >= low && value <= high;  // false for NaN
-    return good_ ? value : low;                      // that of another message may fit into no int
+    return good_ ? value : low;                      // out of range may not fit into int
   }
   bool flag() {
     const auto value = number<std::uint8_t>();
@@ -110,8 +110,8 @@ Message written(const SoundStarted& started) {
 Message written(const SoundEnded& ended) {
   return Writer{kEnded}.number(ended.id).done();
 }
-Message written(const SoundTrouble& trouble) {
-  return Writer{kTrouble}.text(trouble.sentence).done();
+Message written(const SoundError& error) {
+  return Writer{kError}.text(error.sentence).done();
 }
 Message written(const SoundLost& lost) {
   return Writer{kLost}.text(lost.sentence).done();
@@ -147,7 +147,7 @@ std::optional<SoundOrder> readOrder(Reader& in) {
   }
 }
 
-std::optional<SoundNews> readNews(Reader& in) {
+std::optional<SoundEvent> readEvent(Reader& in) {
   switch (in.number<std::uint8_t>()) {
     case kStarted: {
       SoundStarted started;
@@ -157,8 +157,8 @@ std::optional<SoundNews> readNews(Reader& in) {
     }
     case kEnded:
       return SoundEnded{in.number<SoundId>()};
-    case kTrouble:
-      return SoundTrouble{in.text()};
+    case kError:
+      return SoundError{in.text()};
     case kLost:
       return SoundLost{in.text()};
     default:
@@ -171,8 +171,8 @@ std::optional<SoundNews> readNews(Reader& in) {
 Message encode(const SoundOrder& order) {
   return std::visit([](const auto& one) { return written(one); }, order);
 }
-Message encode(const SoundNews& news) {
-  return std::visit([](const auto& one) { return written(one); }, news);
+Message encode(const SoundEvent& event) {
+  return std::visit([](const auto& one) { return written(one); }, event);
 }
 
 std::optional<SoundOrder> decodeOrder(std::span<const std::uint8_t> message) {
@@ -181,10 +181,10 @@ std::optional<SoundOrder> decodeOrder(std::span<const std::uint8_t> message) {
   return in.complete() ? order : std::nullopt;
 }
 
-std::optional<SoundNews> decodeNews(std::span<const std::uint8_t> message) {
+std::optional<SoundEvent> decodeEvent(std::span<const std::uint8_t> message) {
   Reader in{message};
-  auto news = readNews(in);
-  return in.complete() ? news : std::nullopt;
+  auto event = readEvent(in);
+  return in.complete() ? event : std::nullopt;
 }
 
 }  // namespace darwinop::audio

@@ -1,7 +1,7 @@
-// What a controller and its sound program say to each other: one message, one packet of a local socket.
+// Messages between a controller and its sound process; one packet of a local socket each.
 //
-//   byte 0: kind. Then its fields in the order of hal/sound_output.hpp: numbers as this machine has them (both ends run
-//   on it), flags as one byte, texts as a length of 32 bits and their bytes. Nothing may follow.
+//   byte 0: kind, then the fields in the order of hal/sound_output.hpp: numbers in native byte order (both ends run on
+//   one machine), flags as one byte, texts as a 32-bit length and their bytes. Nothing follows.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@
 
 namespace darwinop::audio {
 
-inline constexpr std::size_t kLongestText = 32'000;     // bytes: half an hour of speech
-inline constexpr std::size_t kLongestMessage = 33'000;  // a socket's buffer holds some of them
+inline constexpr std::size_t kLongestText = 32'000;     // bytes, about half an hour of speech
+inline constexpr std::size_t kLongestMessage = 33'000;  // bytes; a socket buffer holds several
 
 using Message = std::vector<std::uint8_t>;
 
-/// Texts that are too long are cut.
+/// Truncates texts longer than kLongestText.
 [[nodiscard]] Message encode(const SoundOrder& order);
-[[nodiscard]] Message encode(const SoundNews& news);
+[[nodiscard]] Message encode(const SoundEvent& event);
 
-/// Nothing for what is no message: too short, too long, a number out of its range, a NUL in a text.
+/// Empty if malformed: too short, too long, a number out of range, a NUL in a text.
 [[nodiscard]] std::optional<SoundOrder> decodeOrder(std::span<const std::uint8_t> message);
-[[nodiscard]] std::optional<SoundNews> decodeNews(std::span<const std::uint8_t> message);
+[[nodiscard]] std::optional<SoundEvent> decodeEvent(std::span<const std::uint8_t> message);
 
 }  // namespace darwinop::audio

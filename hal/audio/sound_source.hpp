@@ -1,4 +1,4 @@
-// Something that gives samples: a file, a voice.
+// Interface of a sample source: a sound file or speech.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 
 namespace darwinop::audio {
 
-/// Left and right, 1 is full scale.
+/// Left and right; 1 is full scale.
 struct Frame {
   float left = 0, right = 0;
 };
@@ -14,12 +14,12 @@ struct Frame {
 class SoundSource {
  public:
   virtual ~SoundSource() = default;
-  /// Frames a second; does not change.
+  /// Frames per second; constant.
   [[nodiscard]] virtual int rate() const = 0;
-  /// How many it gave. None is the end, or nothing yet.
+  /// Returns the number of frames read; 0: the end, or none yet.
   virtual std::size_t read(std::span<Frame> frames) = 0;
   [[nodiscard]] virtual bool ended() const = 0;
-  /// Back to its beginning; false: it cannot.
+  /// Restarts from the beginning; false: not possible.
   virtual bool rewind() = 0;
 };
 

@@ -1,4 +1,4 @@
-// One sound in the mix: brought to the mix's rate, at its volume, pitch and balance.
+// One sound of the mix: resampling, volume, pitch and balance.
 #include "hal/audio/track.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ Track::Next Track::advance() {
     used_ = 0;
     filled_ = source_->read(chunk_);
     if (filled_ == 0 && !source_->ended()) return Next::kNothingYet;
-    // A file without a single frame must not be asked for ever.
+    // A source without any frame would loop forever.
     if (filled_ == 0 && setting_.loop && source_->rewind()) filled_ = source_->read(chunk_);
     if (filled_ == 0) return Next::kOver;
   }
@@ -34,7 +34,7 @@ bool Track::addTo(std::span<Frame> mix) {
       if (next == Next::kOver) return false;
       if (next == Next::kNothingYet) return true;
     }
-    // Straight lines between frames: what they add lies far below the loudspeaker's own faults.
+    // Linear interpolation: its error is far below the loudspeaker's distortion.
     const auto at = static_cast<float>(at_);
     out.left += left * (here_.left + at * (next_.left - here_.left));
     out.right += right * (here_.right + at * (next_.right - here_.right));

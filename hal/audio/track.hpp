@@ -1,4 +1,4 @@
-// One sound in the mix: brought to the mix's rate, at its volume, pitch and balance.
+// One sound of the mix: resampling, volume, pitch and balance.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ class Track {
   Track(std::unique_ptr<SoundSource> source, int mix_rate);
 
   void set(const Setting& setting) { setting_ = setting; }
-  /// Adds the next piece to `mix`. False: it is over. A source that has nothing yet leaves a gap.
+  /// Adds the next block to `mix`. Returns false at the end. A source without data yet leaves a gap.
   [[nodiscard]] bool addTo(std::span<Frame> mix);
 
  private:
@@ -29,12 +29,12 @@ class Track {
   Next advance();
 
   std::unique_ptr<SoundSource> source_;
-  double frames_a_mix_frame_;  // at pitch 1
+  double frames_a_mix_frame_;  // source frames per mix frame at pitch 1
   Setting setting_;
   std::array<Frame, 512> chunk_{};
   std::size_t used_ = 0, filled_ = 0;
-  Frame here_{}, next_{};  // between them lies what is heard
-  double at_ = 2;          // 0: here_, 1: next_; 2: both have to be read first
+  Frame here_{}, next_{};  // the output interpolates between these
+  double at_ = 2;          // 0: here_, 1: next_; 2: read both first
 };
 
 }  // namespace darwinop::audio

@@ -1,4 +1,4 @@
-// Names of voices: those of the robots of 2013, those of Webots, and what the speech library calls them today.
+// Maps voice names of the 2013 robots and of Webots to those of espeak-ng.
 #include "hal/audio/voice_names.hpp"
 
 #include <algorithm>

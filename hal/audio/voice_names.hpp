@@ -1,4 +1,4 @@
-// Names of voices: those of the robots of 2013, those of Webots, and what the speech library calls them today.
+// Maps voice names of the 2013 robots and of Webots to those of espeak-ng.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ struct VoiceName {
   std::string_view said, today;
 };
 
-/// Where the two differ. In eSpeak of 2009 "pt" was Brazilian; a variant such as "en+f3" keeps its part behind the +.
+/// Names that differ. In eSpeak of 2009 "pt" was Brazilian. A variant ("en+f3") keeps the part after the +.
 inline constexpr std::array kVoiceNames{
     VoiceName{"default", "en"},
     VoiceName{"en-sc", "en-gb-scotland"},
@@ -37,7 +37,7 @@ inline constexpr std::array kVoiceNames{
     VoiceName{"it-it", "it"},
 };
 
-/// Case does not matter: "de-DE" is "de".
+/// Case-insensitive: "de-DE" is "de".
 [[nodiscard]] std::string voiceOfToday(std::string_view said);
 
 }  // namespace darwinop::audio

@@ -1,4 +1,4 @@
-// Memory-mapped streaming.
+// Memory-mapped V4L2 streaming buffers.
 #include "hal/camera_v4l2/buffers.hpp"
 
 #include <linux/videodev2.h>
@@ -13,7 +13,7 @@
 namespace darwinop::v4l2 {
 namespace {
 
-// With 64-bit times on a 32-bit CPU, VIDIOC_DQBUF is another call, which Linux 2.6.31 does not know.
+// With 64-bit times on a 32-bit CPU, VIDIOC_DQBUF has another request number, which Linux 2.6.31 does not support.
 static_assert(sizeof(timeval) == 2 * sizeof(long));
 
 v4l2_buffer bufferNumber(std::uint32_t index) noexcept {
@@ -24,7 +24,7 @@ v4l2_buffer bufferNumber(std::uint32_t index) noexcept {
   return buffer;
 }
 
-/// Old drivers stamp with the time of day, which may jump; theirs is replaced by the time it is now.
+/// Old drivers use the time of day, which may jump; it is replaced by the present monotonic time.
 std::chrono::nanoseconds timeOf(const v4l2_buffer& buffer) noexcept {
   constexpr std::int64_t kSecond = 1'000'000'000, kMicrosecond = 1'000;
   if ((buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC)
@@ -33,18 +33,18 @@ std::chrono::nanoseconds timeOf(const v4l2_buffer& buffer) noexcept {
 }
 
 std::uint32_t grantedBuffers(const Device& device) {
-  v4l2_requestbuffers wish{};
-  wish.count = StreamBuffers::kAsked;
-  wish.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-  wish.memory = V4L2_MEMORY_MMAP;
-  const int error = request(device.fd(), VIDIOC_REQBUFS, wish);
-  if (error == EINVAL) throw CameraRefused{Trouble::kNoStreaming, device.path()};
+  v4l2_requestbuffers wanted{};
+  wanted.count = StreamBuffers::kAsked;
+  wanted.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
+  wanted.memory = V4L2_MEMORY_MMAP;
+  const int error = request(device.fd(), VIDIOC_REQBUFS, wanted);
+  if (error == EINVAL) throw CameraRefused{CameraError::kNoStreaming, device.path()};
   if (error != 0) refuse(device.path(), error);
-  if (wish.count < StreamBuffers::kNeeded) {
-    const std::string granted = wish.count == 0 ? "no buffer" : "a single buffer";
-    throw CameraRefused{Trouble::kFewBuffers, device.path(), granted};
+  if (wanted.count < StreamBuffers::kNeeded) {
+    const std::string granted = wanted.count == 0 ? "no buffer" : "a single buffer";
+    throw CameraRefused{CameraError::kFewBuffers, device.path(), granted};
   }
-  return wish.count;
+  return wanted.count;
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ Filled StreamBuffers::take() noexcept {
   filled.error = request(device_.fd(), VIDIOC_DQBUF, buffer);
   if (filled.error != 0) return filled;
   if (buffer.index >= count()) {
-    filled.error = EPROTO;  // a driver that hands over what it was never given
+    filled.error = EPROTO;  // the driver returned a buffer that was not queued
     return filled;
   }
   filled.index = buffer.index;

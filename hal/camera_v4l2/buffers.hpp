@@ -1,4 +1,4 @@
-// Pictures in memory that a device and we share: it fills one buffer after the other, we give each back.
+// Memory-mapped V4L2 streaming: dequeues filled buffers and queues them again.
 #pragma once
 
 #include <chrono>
@@ -11,17 +11,17 @@
 
 namespace darwinop::v4l2 {
 
-/// A buffer that the driver handed over.
+/// A dequeued buffer.
 struct Filled {
   int error = 0;  // errno; EAGAIN: none is ready
   std::uint32_t index = 0;
   std::uint32_t sequence = 0;
   bool marked_bad = false;
   std::chrono::nanoseconds time{0};     // CLOCK_MONOTONIC
-  std::span<const std::uint8_t> bytes;  // as many as the driver says it filled
+  std::span<const std::uint8_t> bytes;  // length as reported by the driver
 };
 
-/// Streams from its making to its end.
+/// Streams from construction to destruction.
 class StreamBuffers {
  public:
   static constexpr std::uint32_t kAsked = 4, kNeeded = 2;
@@ -33,12 +33,12 @@ class StreamBuffers {
   StreamBuffers& operator=(const StreamBuffers&) = delete;
 
   [[nodiscard]] std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(mapped_.size()); }
-  /// The oldest picture that is ready. Never waits.
+  /// The oldest picture that is ready. Never blocks.
   [[nodiscard]] Filled take() noexcept;
   /// 0, or the errno.
   int giveBack(std::uint32_t index) noexcept;
-  /// Linux 2.6.31 reports a damaged picture as EIO, and keeps its buffer without telling which: all that lie idle are
-  /// given back. We must hold none. 0, or the errno.
+  /// Linux 2.6.31 reports a damaged picture as EIO and keeps its buffer without naming it: queues every idle buffer
+  /// again. The caller must hold none. Returns 0 or the errno.
   int giveBackStrays() noexcept;
 
  private:

@@ -1,4 +1,4 @@
-// The camera that a controller sees, and the life of its thread.
+// Public camera interface; owns the capture thread.
 #include "hal/camera_v4l2/camera.hpp"
 
 #include <pthread.h>
@@ -16,7 +16,7 @@
 namespace darwinop::v4l2 {
 namespace {
 
-/// The thread may be started by a real-time one; pictures must not delay the loop.
+/// The creating thread may be real-time; the capture thread must not delay the loop.
 void becomeOrdinaryThread() {
   const sched_param none{};
   ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &none);
@@ -25,7 +25,7 @@ void becomeOrdinaryThread() {
 
 }  // namespace
 
-/// Outlives the Camera when a driver does not return: a USB camera that is being unplugged may keep a call for seconds.
+/// Outlives the Camera if a driver call blocks: the call on an unplugged USB camera may take seconds.
 struct Camera::Work {
   explicit Work(CameraOptions options) : capture{std::move(options)} {}
 
@@ -51,9 +51,9 @@ Camera::Camera(CameraOptions options)
     : grace_{options.patience.grace}, work_{std::make_shared<Work>(std::move(options))} {
   sigset_t all, before;
   ::sigfillset(&all);
-  // What the thread does wrong itself still ends the process as it should.
+  // Synchronous signals (SIGSEGV and others) still end the process.
   for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::sigdelset(&all, own);
-  ::pthread_sigmask(SIG_BLOCK, &all, &before);  // inherited by the new thread: signals are for the main one
+  ::pthread_sigmask(SIG_BLOCK, &all, &before);  // inherited by the new thread; the main thread handles signals
   try {
     thread_ = std::thread{[work = work_] { work->run(); }};
   } catch (...) {

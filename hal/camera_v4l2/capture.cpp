@@ -1,4 +1,4 @@
-// The camera's thread.
+// Capture thread: open, stream, report errors, wait, reopen.
 #include "hal/camera_v4l2/capture.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace darwinop::v4l2 {
 namespace {
 
-/// What can be asked for at all: pixels come in pairs, and some sizes would take all memory.
+/// Requestable sizes: even width (a YUYV pair), bounded memory.
 Size askable(const CameraOptions& options) {
   constexpr int kMost = 4096;
   const bool good = options.width >= 2 && options.width <= kMost && options.width % 2 == 0 && options.height >= 1 &&
@@ -23,20 +23,20 @@ Size askable(const CameraOptions& options) {
   return good ? Size{options.width, options.height} : kFallback;
 }
 
-// How many of this process are left behind. Their devices are not told apart: a robot has one camera.
+// Abandoned capture threads of this process. Not counted per device: a robot has one camera.
 constinit std::atomic<int> left_behind{0};
 
 }  // namespace
 
 Capture::Capture(CameraOptions options)
-    : options_{std::move(options)}, voice_{options_.say}, black_{blackPicture(askable(options_), options_.form)} {}
+    : options_{std::move(options)}, reporter_{options_.say}, black_{blackPicture(askable(options_), options_.form)} {}
 
 Capture::~Capture() {
   if (left_behind_) left_behind.fetch_sub(1);
 }
 
 void Capture::leaveBehind() {
-  voice_.mute();  // whoever listens may be gone soon
+  reporter_.mute();  // the receiver may be destroyed soon
   left_behind_ = true;
   left_behind.fetch_add(1);
 }
@@ -49,9 +49,9 @@ void Capture::run() noexcept {
     bool saw = false;
     try {
       saw = attempt();
-    } catch (...) {  // no memory even for the words
+    } catch (...) {  // out of memory for the message as well
     }
-    // A camera that comes and goes every second is left alone for longer and longer.
+    // A camera that reconnects every second is retried with growing pauses.
     if (saw && monotonicNow() - begun > patience.longest_pause) pause = patience.first_pause;
     wake_.wait(-1, pause);
     pause = std::min(2 * pause, patience.longest_pause);
@@ -59,32 +59,33 @@ void Capture::run() noexcept {
 }
 
 bool Capture::attempt() {
-  // A predecessor whose driver does not return keeps the device busy: no other program is to blame, yet.
+  // An abandoned thread of this process may keep the device open for a while; that is not another program.
   constexpr std::chrono::seconds kHandOver{1};
   constexpr std::chrono::milliseconds kLookAgain{20};
   const Nanos quiet_until = monotonicNow() + kHandOver;
   for (;;) {
-    const bool has_predecessor = left_behind.load() != 0;  // asked first: it may let go while we are refused
+    const bool has_predecessor =
+        left_behind.load() != 0;  // read first: the thread may close the device during the attempt
     try {
       return session();
     } catch (const CameraRefused& refused) {
-      if (refused.trouble() != Trouble::kBusy || !has_predecessor || monotonicNow() >= quiet_until) {
-        tell(refused.trouble(), refused.what());
+      if (refused.kind() != CameraError::kBusy || !has_predecessor || monotonicNow() >= quiet_until) {
+        report(refused.kind(), refused.what());
         return false;
       }
     } catch (const std::bad_alloc&) {
-      tell(Trouble::kOutOfMemory, explain(Trouble::kOutOfMemory, options_.device));
+      report(CameraError::kOutOfMemory, explain(CameraError::kOutOfMemory, options_.device));
       return false;
     }
     if (wake_.wait(-1, kLookAgain) == Wake::Why::kStop) return false;
   }
 }
 
-/// From opening to losing it. True: pictures came.
+/// From opening the device until it is lost. Returns true if pictures arrived.
 bool Capture::session() {
   const Device device{options_.device};
   const PictureShape shape = agree(device);
-  applySettings(device, options_.settings, [this](const std::string& sentence) { voice_.remark(sentence); });
+  applySettings(device, options_.settings, [this](const std::string& sentence) { reporter_.remark(sentence); });
   StreamBuffers buffers{device};
   if (!pictures_) {
     pictures_ = std::make_unique<TripleBuffer<Picture>>(blackPicture(shape.size, options_.form));
@@ -97,17 +98,17 @@ bool Capture::session() {
   PictureTaker taker{buffers, shape, *pictures_, count_, counters_, options_.on_raw_frame};
   const std::uint64_t before = counters_.frames.load(std::memory_order_relaxed);
   const Ending ending = watch(device, taker);
-  if (!wake_.stopped()) tell(ending.trouble, explain(ending.trouble, options_.device, ending.detail));
+  if (!wake_.stopped()) report(ending.kind, explain(ending.kind, options_.device, ending.detail));
   return counters_.frames.load(std::memory_order_relaxed) != before;
 }
 
 PictureShape Capture::agree(const Device& device) {
   if (!streamed_)
-    return negotiate(device, askable(options_), [this](const std::string& sentence) { voice_.remark(sentence); });
-  // Whoever looks at the pictures knows their size by now.
+    return negotiate(device, askable(options_), [this](const std::string& sentence) { reporter_.remark(sentence); });
+  // The user has allocated for this size.
   const PictureShape shape = negotiate(device, fixed_, [](const std::string&) {});
   if (shape.size != fixed_)
-    throw CameraRefused{Trouble::kOtherSize, options_.device, text(shape.size) + " instead of " + text(fixed_)};
+    throw CameraRefused{CameraError::kOtherSize, options_.device, text(shape.size) + " instead of " + text(fixed_)};
   return shape;
 }
 
@@ -122,27 +123,27 @@ Capture::Ending Capture::watch(const Device& device, PictureTaker& taker) {
     if (why != Wake::Why::kTimeout) outcome = taker.takeAll();
     if (outcome.shown) {
       last = monotonicNow();
-      if (voice_.troubled()) voice_.back("the camera at " + options_.device + " is back");
+      if (reporter_.hasError()) reporter_.back("the camera at " + options_.device + " is back");
     }
     if (outcome.error != 0) return lost(outcome.error);
-    if (why == Wake::Why::kTroubled && outcome.idle) return lost(ENODEV);
+    if (why == Wake::Why::kPollError && outcome.idle) return lost(ENODEV);
     if (monotonicNow() - last >= silent)
-      return {
-          counters_.damaged.load(std::memory_order_relaxed) != damaged_before ? Trouble::kDamaged : Trouble::kSilent,
-          {}};
-    // A driver that says "ready" and has nothing must not keep a CPU busy.
+      return {counters_.damaged.load(std::memory_order_relaxed) != damaged_before ? CameraError::kDamaged
+                                                                                  : CameraError::kSilent,
+              {}};
+    // A driver that polls ready without a picture must not cause a busy loop.
     if (outcome.idle) wake_.wait(-1, std::chrono::milliseconds{5});
   }
 }
 
 Capture::Ending Capture::lost(int error) {
-  const Trouble trouble = troubleOf(error);
-  if (trouble == Trouble::kAbsent) return {Trouble::kUnplugged, {}};
-  return {trouble == Trouble::kReadErrors ? trouble : Trouble::kOther, std::strerror(error)};
+  const CameraError kind = cameraErrorOf(error);
+  if (kind == CameraError::kAbsent) return {CameraError::kUnplugged, {}};
+  return {kind == CameraError::kReadErrors ? kind : CameraError::kOther, std::strerror(error)};
 }
 
-void Capture::tell(Trouble trouble, const std::string& sentence) {
-  voice_.trouble(trouble, sentence + "; it is tried again until it works");
+void Capture::report(CameraError kind, const std::string& sentence) {
+  reporter_.report(kind, sentence + "; retrying");
 }
 
 CameraFrame Capture::newest() noexcept {

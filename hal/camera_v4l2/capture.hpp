@@ -1,4 +1,4 @@
-// What the camera's thread does all its life: open, take pictures, tell what is wrong, pause, open again.
+// Capture thread: open, stream, report errors, wait, reopen.
 #pragma once
 
 #include <memory>
@@ -24,22 +24,22 @@ class Capture {
   Capture(const Capture&) = delete;
   Capture& operator=(const Capture&) = delete;
 
-  /// The thread: until stop(). Nothing is thrown out of it.
+  /// Thread function; returns after stop().
   void run() noexcept;
 
   /// Any other thread.
   void stop() noexcept { wake_.stop(); }
-  /// After stop(), by an owner who leaves although run() has not returned: nothing is said after it, and the cameras of
-  /// this process know that one of them may still have its device open.
+  /// After stop(), if run() has not returned and the owner leaves: disables messages, and records for later cameras of
+  /// this process that the device may still be open.
   void leaveBehind();
 
-  /// The user's thread. Wait-free.
+  /// User's thread. Wait-free.
   CameraFrame newest() noexcept;
   [[nodiscard]] CameraHealth health() const noexcept;
 
  private:
   struct Ending {
-    Trouble trouble = Trouble::kOther;
+    CameraError kind = CameraError::kOther;
     std::string detail;
   };
   bool attempt();
@@ -47,19 +47,19 @@ class Capture {
   [[nodiscard]] PictureShape agree(const Device& device);
   Ending watch(const Device& device, PictureTaker& taker);
   static Ending lost(int error);
-  void tell(Trouble trouble, const std::string& sentence);
+  void report(CameraError kind, const std::string& sentence);
 
   CameraOptions options_;
   Wake wake_;
-  Voice voice_;
+  Reporter reporter_;
   Counters counters_;
   FrameCount count_;
-  bool left_behind_ = false;  // its owner's alone
+  bool left_behind_ = false;  // set by the owner's thread only
   bool streamed_ = false;
-  Size fixed_{};  // once it has streamed
+  Size fixed_{};  // after the first start of streaming
 
-  Picture black_;                                    // the user's, until there are pictures
-  std::unique_ptr<TripleBuffer<Picture>> pictures_;  // made by the thread, once
+  Picture black_;                                    // returned until there are pictures
+  std::unique_ptr<TripleBuffer<Picture>> pictures_;  // allocated once, by the thread
   std::atomic<TripleBuffer<Picture>*> shown_{nullptr};
 };
 

@@ -28,15 +28,15 @@ void apply(const Device& device, const ControlRow& row, const Remark& remark) {
       decide(row.wanted, {about.minimum, about.maximum, about.default_value, control.value});
   using What = ControlDecision::What;
   if (decision.what == What::kLeave) return;
-  const std::string wish = device.path() + ": " + row.name + " " + std::to_string(decision.value);
+  const std::string setting = device.path() + ": " + row.name + " " + std::to_string(decision.value);
   if (decision.what == What::kOutOfRange) {
-    remark(wish + " is not written, this camera takes " + std::to_string(about.minimum) + " to " +
+    remark(setting + " is not written, this camera takes " + std::to_string(about.minimum) + " to " +
            std::to_string(about.maximum));
     return;
   }
   control.value = decision.value;
   if (const int error = request(device.fd(), VIDIOC_S_CTRL, control); error != 0)
-    remark(wish + " is refused by the camera (" + std::strerror(error) + ")");
+    remark(setting + " is refused by the camera (" + std::strerror(error) + ")");
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ ControlDecision decide(int wanted, const ControlRange& range) {
 }
 
 void applySettings(const Device& device, const CameraSettings& settings, const Remark& remark) {
-  // A USB camera that chooses its exposure keeps its aperture, having none.
+  // UVC cameras with automatic exposure use aperture priority (they have no aperture).
   const int exposure_mode = settings.auto_exposure ? V4L2_EXPOSURE_APERTURE_PRIORITY : V4L2_EXPOSURE_MANUAL;
   const auto rows = std::to_array<ControlRow>({
       {V4L2_CID_EXPOSURE_AUTO, "exposure mode", exposure_mode},
@@ -64,7 +64,7 @@ void applySettings(const Device& device, const CameraSettings& settings, const R
       {V4L2_CID_EXPOSURE_ABSOLUTE, "exposure", settings.exposure},
   });
   for (const ControlRow& row : rows) {
-    // What a camera chooses itself is not ours to set.
+    // Controls in automatic mode are not written.
     if (row.id == V4L2_CID_EXPOSURE_ABSOLUTE && settings.auto_exposure) continue;
     if (row.id == V4L2_CID_GAIN && settings.auto_gain) continue;
     apply(device, row, remark);

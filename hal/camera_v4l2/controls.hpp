@@ -1,4 +1,4 @@
-// Brightness, exposure and the like: which of them are written, and to what.
+// Camera controls (brightness, exposure, ...): which are written, and to what value.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace darwinop::v4l2 {
 
-/// What a driver says about one control.
+/// Range and value of one control, from the driver.
 struct ControlRange {
   int least = 0, most = 0, drivers_default = 0, now = 0;
 };
@@ -18,12 +18,12 @@ struct ControlDecision {
   int value = 0;
 };
 
-/// A control is written only when it differs and the driver's range allows it; CameraSettings::kDriversDefault asks
-/// for the driver's default.
+/// A control is written only if it differs and is within the driver's range; CameraSettings::kDriversDefault selects
+/// the driver's default.
 [[nodiscard]] ControlDecision decide(int wanted, const ControlRange& range);
 
-/// Automatic functions first: some cameras refuse a value while they choose it themselves. Controls that a camera
-/// does not have are left out; what it does not allow is remarked upon. Never throws for the device's sake.
+/// Automatic modes first: some cameras reject a value while they are automatic. Skips controls that the camera does not
+/// have; reports rejected ones through `remark`. Never throws because of the device.
 void applySettings(const Device& device, const CameraSettings& settings, const Remark& remark);
 
 }  // namespace darwinop::v4l2

@@ -16,13 +16,13 @@ namespace {
 void checkCapabilities(int fd, const std::string& path) {
   v4l2_capability able{};
   const int error = request(fd, VIDIOC_QUERYCAP, able);
-  // Devices that know nothing of V4L2 say ENOTTY; drivers of old said EINVAL.
-  if (error == ENOTTY || error == EINVAL) throw CameraRefused{Trouble::kNotACamera, path, std::strerror(error)};
+  // A device without V4L2 returns ENOTTY; old drivers return EINVAL.
+  if (error == ENOTTY || error == EINVAL) throw CameraRefused{CameraError::kNotACamera, path, std::strerror(error)};
   if (error != 0) refuse(path, error);
-  // One camera may have several devices, one of them for pictures. Linux 2.6.31 does not tell them apart.
+  // One camera may have several device nodes, one of them for capture. Linux 2.6.31 does not distinguish them.
   const auto caps = (able.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? able.device_caps : able.capabilities;
-  if ((caps & V4L2_CAP_VIDEO_CAPTURE) == 0) throw CameraRefused{Trouble::kNotACamera, path, "it takes no pictures"};
-  if ((caps & V4L2_CAP_STREAMING) == 0) throw CameraRefused{Trouble::kNoStreaming, path};
+  if ((caps & V4L2_CAP_VIDEO_CAPTURE) == 0) throw CameraRefused{CameraError::kNotACamera, path, "no video capture"};
+  if ((caps & V4L2_CAP_STREAMING) == 0) throw CameraRefused{CameraError::kNoStreaming, path};
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// An open V4L2 device that has been seen to be a camera.
+// An open V4L2 capture device.
 #pragma once
 
 #include <sys/ioctl.h>
@@ -8,7 +8,7 @@
 
 namespace darwinop::v4l2 {
 
-/// 0, or the errno. Names of requests: linux/videodev2.h; only such as Linux 2.6.31 has.
+/// ioctl(); returns 0 or the errno. Requests: those of linux/videodev2.h that Linux 2.6.31 has.
 template <class Argument>
 [[nodiscard]] int request(int fd, unsigned long what, Argument& argument) noexcept {
   int result = 0;
@@ -19,7 +19,7 @@ template <class Argument>
 
 class Device {
  public:
-  /// Throws CameraRefused: it is not there, not ours, or no camera that streams.
+  /// Throws CameraRefused if it is absent, not permitted, or not a streaming camera.
   explicit Device(std::string path);
   ~Device();
   Device(const Device&) = delete;

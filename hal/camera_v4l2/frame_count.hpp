@@ -1,32 +1,32 @@
-// Numbers of pictures: from what the driver counts to what CameraFrame and CameraHealth promise.
+// Maps the driver's sequence numbers to those of CameraFrame and CameraHealth.
 #pragma once
 
 #include <cstdint>
 
 namespace darwinop::v4l2 {
 
-/// CameraFrame::sequence begins at 1 and jumps wherever pictures were lost. The driver's own count wraps, may begin
-/// anywhere, and begins anew each time the camera is opened.
+/// CameraFrame::sequence starts at 1 and jumps where pictures were lost. The driver's count wraps, may start anywhere,
+/// and restarts when the camera is reopened.
 class FrameCount {
  public:
   struct Number {
     std::uint64_t sequence = 0;
-    std::uint64_t dropped = 0;  // pictures that the driver counted just before this one and never handed over
+    std::uint64_t dropped = 0;  // counted by the driver just before this picture but never delivered
   };
 
-  /// The device was opened anew; pictures between were lost, nobody knows how many.
+  /// The device was reopened; an unknown number of pictures was lost.
   void restart() noexcept {
     if (last_ != 0) ++last_;
     first_ = true;
     unnumbered_ = 0;
   }
 
-  /// The driver reported a damaged picture without its number: the next gap contains it.
+  /// The driver reported a damaged picture without its number: the next gap includes it.
   void unnumbered() noexcept { ++unnumbered_; }
 
   Number next(std::uint32_t drivers) noexcept {
     std::uint32_t step = first_ ? 1 : drivers - drivers_;
-    // A count that stands still or runs back tells nothing.
+    // A count that stalls or decreases is ignored.
     if (step == 0 || step > kBackwards) step = 1;
     const std::uint32_t lost = step - 1;
     const std::uint32_t dropped = lost > unnumbered_ ? lost - unnumbered_ : 0;

@@ -1,4 +1,4 @@
-// The clock of pictures.
+// CLOCK_MONOTONIC, the clock of V4L2 timestamps.
 #pragma once
 
 #include <chrono>
@@ -6,7 +6,6 @@
 
 namespace darwinop::v4l2 {
 
-/// CLOCK_MONOTONIC, by its name: drivers stamp with it.
 [[nodiscard]] inline std::chrono::nanoseconds monotonicNow() noexcept {
   timespec now{};
   ::clock_gettime(CLOCK_MONOTONIC, &now);

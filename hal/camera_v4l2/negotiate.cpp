@@ -13,7 +13,7 @@
 namespace darwinop::v4l2 {
 namespace {
 
-/// Many drivers cannot crop, and say so with an error that means nothing to us.
+/// Many drivers do not support cropping; their error is ignored.
 void resetCropping(int fd) {
   v4l2_cropcap able{};
   able.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -30,7 +30,7 @@ std::string oneDecimal(double value) {
           std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, 1).ptr};
 }
 
-/// The driver picks the nearest rate it has for this size. One that has no choice has no such call, or answers 0.
+/// The driver picks the nearest rate for this size. Drivers with a fixed rate lack this call or return 0.
 void askForRate(const Device& device, Size size, const Remark& remark) {
   constexpr unsigned kPicturesPerSecond = 30;
   constexpr double kClearlySlower = 0.9;
@@ -43,12 +43,12 @@ void askForRate(const Device& device, Size size, const Remark& remark) {
   const double granted = static_cast<double>(interval.denominator) / static_cast<double>(interval.numerator);
   const CameraSize* const usual = cameraSize(size.width, size.height);
   if (usual != nullptr && granted < kClearlySlower * usual->rate_hz)
-    remark(device.path() + " gives " + oneDecimal(granted) + " pictures a second of " + text(size) +
-           ", the robot's own camera " + oneDecimal(usual->rate_hz) + ": `v4l2-ctl -d " + device.path() +
-           " --list-formats-ext` shows which size comes faster");
+    remark(device.path() + " delivers " + oneDecimal(granted) + " pictures/s at " + text(size) +
+           ", the robot's own camera " + oneDecimal(usual->rate_hz) + "; find a faster size with `v4l2-ctl -d " +
+           device.path() + " --list-formats-ext`");
 }
 
-/// "MJPG", as the letters lie in the number.
+/// The fourcc as text, such as "MJPG".
 std::string lettersOf(std::uint32_t code) {
   std::string letters;
   for (int shift = 0; shift < 32; shift += 8) {
@@ -73,17 +73,17 @@ PictureShape askFor(const Device& device, Size wanted) {
   pixels.pixelformat = V4L2_PIX_FMT_YUYV;
   pixels.field = V4L2_FIELD_INTERLACED;
   if (const int error = request(device.fd(), VIDIOC_S_FMT, format); error != 0) {
-    // The device took VIDIOC_QUERYCAP: what it does not like is the format.
-    if (error == EINVAL) throw CameraRefused{Trouble::kOtherFormat, device.path(), "something else than YUYV"};
+    // VIDIOC_QUERYCAP worked, so EINVAL refers to the format.
+    if (error == EINVAL) throw CameraRefused{CameraError::kOtherFormat, device.path(), "another format than YUYV"};
     refuse(device.path(), error);
   }
   if (pixels.pixelformat != V4L2_PIX_FMT_YUYV)
-    throw CameraRefused{Trouble::kOtherFormat, device.path(), lettersOf(pixels.pixelformat)};
-  // Pixels of YUYV come in pairs. The limit keeps products of these numbers within 32 bits.
+    throw CameraRefused{CameraError::kOtherFormat, device.path(), lettersOf(pixels.pixelformat)};
+  // YUYV stores pixels in pairs. The limit keeps products within 32 bits.
   constexpr std::uint32_t kMost = 8192, kMostBytesPerRow = 65536;
   if (pixels.width < 2 || pixels.width % 2 != 0 || pixels.width > kMost || pixels.height < 1 || pixels.height > kMost ||
       pixels.bytesperline > kMostBytesPerRow)
-    throw CameraRefused{Trouble::kOtherFormat, device.path(),
+    throw CameraRefused{CameraError::kOtherFormat, device.path(),
                         std::to_string(pixels.width) + "x" + std::to_string(pixels.height) + " pixels of YUYV"};
   return shapeOf(pixels);
 }
@@ -99,8 +99,8 @@ PictureShape negotiate(const Device& device, Size wanted, const Remark& remark) 
   PictureShape given = askFor(device, wanted);
   if (given.size != wanted) {
     if (given.size != kFallback) given = askFor(device, kFallback);
-    remark(device.path() + " gives no pictures of " + text(wanted) + ": they are " + text(given.size) +
-           " now; `v4l2-ctl -d " + device.path() + " --list-formats-ext` shows the sizes it has");
+    remark(device.path() + " does not support " + text(wanted) + ": using " + text(given.size) + "; see `v4l2-ctl -d " +
+           device.path() + " --list-formats-ext`");
   }
   askForRate(device, given.size, remark);
   return given;

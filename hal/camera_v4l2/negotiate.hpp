@@ -1,4 +1,4 @@
-// Agrees with a device on what its pictures are like.
+// Negotiates cropping, format, size and rate with a V4L2 device.
 #pragma once
 
 #include <cstddef>
@@ -14,22 +14,22 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 
-/// What every camera of the robot can do (thesis, table 4.1).
+/// Supported by every camera of the robot (thesis, table 4.1).
 inline constexpr Size kFallback{320, 240};
 
 [[nodiscard]] std::string text(Size size);
 
-/// Pictures of YUYV: two bytes a pixel.
+/// YUYV: two bytes per pixel.
 struct PictureShape {
   Size size;
-  std::size_t stride = 0;  // bytes from a row to the next
+  std::size_t stride = 0;  // bytes per row
 };
 
-/// Told sentences that are no trouble, but worth knowing.
+/// Receives informational messages.
 using Remark = std::function<void(const std::string&)>;
 
-/// No cropping, YUYV, 30 pictures a second, and the size wanted; a device that does not give it is asked for
-/// kFallback, and what it gives then is taken. Throws CameraRefused.
+/// No cropping, YUYV, 30 pictures/s and the wanted size. If the device does not support the size, requests kFallback
+/// and accepts what it gives. Throws CameraRefused.
 [[nodiscard]] PictureShape negotiate(const Device& device, Size wanted, const Remark& remark);
 
 }  // namespace darwinop::v4l2

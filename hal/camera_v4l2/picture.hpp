@@ -1,4 +1,4 @@
-// A picture on its way from the camera's thread to whoever looks at it, and what is counted on the way.
+// A captured picture, and the counters of the camera.
 #pragma once
 
 #include <atomic>
@@ -37,7 +37,7 @@ struct Picture {
 struct Counters {
   static_assert(std::atomic<std::uint64_t>::is_always_lock_free);  // also on the robot's 32-bit CPU
   std::atomic<std::uint64_t> frames{0}, dropped{0}, damaged{0}, reopened{0};
-  std::atomic<std::int64_t> last_frame_ns{0};  // CLOCK_MONOTONIC when the last whole one was taken over
+  std::atomic<std::int64_t> last_frame_ns{0};  // CLOCK_MONOTONIC at the last complete picture
 };
 
 }  // namespace darwinop::v4l2

@@ -1,4 +1,4 @@
-// From the driver's buffers to the picture that is shown.
+// Takes filled buffers from the driver and converts the newest complete picture.
 #include "hal/camera_v4l2/picture_taker.hpp"
 
 #include <cerrno>
@@ -13,7 +13,7 @@ PictureTaker::Outcome PictureTaker::takeAll() noexcept {
   Outcome outcome;
   std::optional<Numbered> newest;
   outcome.idle = true;
-  // A bound, should a driver have pictures ready faster than they are taken.
+  // Bounds the loop if the driver fills buffers faster than they are read.
   for (std::uint32_t i = 0; i < buffers_.count(); ++i) {
     const Filled filled = buffers_.take();
     if (filled.error == EAGAIN) break;
@@ -52,7 +52,7 @@ PictureTaker::Numbered PictureTaker::number(const Filled& filled) noexcept {
   return {filled, number.sequence};
 }
 
-/// A damaged picture, or a broken device: 0, or the error.
+/// A damaged picture (0), or a broken device (the errno).
 int PictureTaker::readError(int error) noexcept {
   if (errors_.add(monotonicNow())) return error;
   counters_.damaged.fetch_add(1, std::memory_order_relaxed);
@@ -75,7 +75,8 @@ void PictureTaker::show(const Numbered& newest) noexcept {
   picture.time = newest.filled.time;
   pictures_.publish();
   counters_.last_frame_ns.store(monotonicNow().count(), std::memory_order_release);
-  if (on_raw_frame_) on_raw_frame_(image, newest.sequence, newest.filled.time);  // after: whoever drives comes first
+  if (on_raw_frame_)
+    on_raw_frame_(image, newest.sequence, newest.filled.time);  // last: the controller's picture has priority
 }
 
 }  // namespace darwinop::v4l2

@@ -1,4 +1,4 @@
-// Takes what a device has ready, shows the newest whole picture, and gives the buffers back.
+// Takes filled buffers from the driver, shows the newest complete picture and queues the buffers again.
 #pragma once
 
 #include "hal/camera_v4l2/buffers.hpp"
@@ -11,19 +11,19 @@
 
 namespace darwinop::v4l2 {
 
-/// A picture is turned and made BGRA, or copied as it is where `pictures` have room for YUYV.
+/// The picture is rotated and converted to BGRA, or copied unchanged where `pictures` hold YUYV.
 ///
-/// Every picture that a camera counts is counted once: a whole one as `frames`, even when a newer one was ready by then
-/// and it is not shown; a broken one as `damaged`; one that the driver never handed over as `dropped`.
+/// Each picture of the camera is counted once: a complete one in `frames` (even if a newer one replaced it at once), a
+/// broken one in `damaged`, one that the driver never delivered in `dropped`.
 class PictureTaker {
  public:
   struct Outcome {
-    int error = 0;       // errno: this stream is over
+    int error = 0;       // errno: streaming has failed
     bool shown = false;  // there is a new picture
     bool idle = false;   // nothing was ready
   };
 
-  /// All must outlive it.
+  /// All references must outlive it.
   PictureTaker(StreamBuffers& buffers, const PictureShape& shape, TripleBuffer<Picture>& pictures, FrameCount& count,
                Counters& counters, const RawFrameTaker& on_raw_frame)
       : buffers_{buffers},
@@ -33,7 +33,7 @@ class PictureTaker {
         counters_{counters},
         on_raw_frame_{on_raw_frame} {}
 
-  /// Never waits, never allocates.
+  /// Never blocks or allocates.
   Outcome takeAll() noexcept;
 
  private:

@@ -1,4 +1,4 @@
-// What can be wrong with a camera, each with a sentence that says what to do.
+// Camera errors, each with a message that includes a remedy.
 #pragma once
 
 #include <cstdint>
@@ -8,45 +8,44 @@
 
 namespace darwinop::v4l2 {
 
-enum class Trouble : std::uint8_t {
-  kAbsent,       // no such device, or none behind its name
+enum class CameraError : std::uint8_t {
+  kAbsent,       // no such device node, or no device behind it
   kForbidden,    // no permission
-  kBusy,         // somebody else uses it
+  kBusy,         // used by another program
   kNotACamera,   // a file, a terminal, a tuner
-  kNoStreaming,  // a camera without memory-mapped pictures
-  kOtherFormat,  // no YUYV
-  kOtherSize,    // came back with another size than it had
-  kFewBuffers,   // less than two
-  kNoBandwidth,  // the USB bus is full
-  kUnplugged,    // went away while in use
-  kSilent,       // no picture for a while
-  kDamaged,      // pictures, but no whole one for a while
-  kReadErrors,   // one after the other
+  kNoStreaming,  // no memory-mapped streaming
+  kOtherFormat,  // not YUYV
+  kOtherSize,    // returned with another size
+  kFewBuffers,   // fewer than two
+  kNoBandwidth,  // USB bandwidth exhausted
+  kUnplugged,    // lost while in use
+  kSilent,       // no picture within the time limit
+  kDamaged,      // pictures, but no complete one within the time limit
+  kReadErrors,   // consecutive read errors
   kOutOfMemory,
   kOther,
   kCount
 };
 
-/// Which trouble an errno of open() or of a call on the way to the first picture means.
-[[nodiscard]] Trouble troubleOf(int error);
+/// Maps the errno of open(), or of a call before the first picture.
+[[nodiscard]] CameraError cameraErrorOf(int error);
 
-/// The sentence. `detail` is what the device gave instead, or what the system calls the error; `dev` is where devices
-/// are looked for.
-[[nodiscard]] std::string explain(Trouble trouble, const std::string& device, const std::string& detail = {},
+/// The message. `detail`: what the device delivered, or strerror(); `dev`: the folder that is searched for devices.
+[[nodiscard]] std::string explain(CameraError kind, const std::string& device, const std::string& detail = {},
                                   const std::string& dev = "/dev");
 
-/// Thrown while a camera is being opened; what() is the sentence.
+/// Thrown while a camera is opened; what() is the message.
 class CameraRefused : public std::runtime_error {
  public:
-  CameraRefused(Trouble trouble, const std::string& device, const std::string& detail = {})
-      : runtime_error{explain(trouble, device, detail)}, trouble_{trouble} {}
-  [[nodiscard]] Trouble trouble() const noexcept { return trouble_; }
+  CameraRefused(CameraError kind, const std::string& device, const std::string& detail = {})
+      : runtime_error{explain(kind, device, detail)}, kind_{kind} {}
+  [[nodiscard]] CameraError kind() const noexcept { return kind_; }
 
  private:
-  Trouble trouble_;
+  CameraError kind_;
 };
 
-/// CameraRefused for an errno.
+/// Throws CameraRefused for an errno.
 [[noreturn]] void refuse(const std::string& device, int error);
 
 /// video* in `dev`, sorted by number.

@@ -1,38 +1,38 @@
-// Says things once.
+// Reports each camera message once.
 #include "hal/camera_v4l2/voice.hpp"
 
 namespace darwinop::v4l2 {
 
-void Voice::trouble(Trouble kind, const std::string& sentence) {
-  const auto bit = [](Trouble trouble) { return static_cast<std::size_t>(trouble); };
-  if (told_[bit(kind)]) return;
-  told_.set(bit(kind));
-  // A camera that went away is not there: that was told.
-  if (kind == Trouble::kUnplugged) told_.set(bit(Trouble::kAbsent));
-  tell(sentence);
+void Reporter::report(CameraError kind, const std::string& sentence) {
+  const auto bit = [](CameraError error) { return static_cast<std::size_t>(error); };
+  if (reported_[bit(kind)]) return;
+  reported_.set(bit(kind));
+  // Unplugged implies absent.
+  if (kind == CameraError::kUnplugged) reported_.set(bit(CameraError::kAbsent));
+  send(sentence);
 }
 
-void Voice::back(const std::string& sentence) {
-  if (!troubled()) return;
-  told_.reset();
-  tell(sentence);
+void Reporter::back(const std::string& sentence) {
+  if (!hasError()) return;
+  reported_.reset();
+  send(sentence);
 }
 
-void Voice::remark(const std::string& sentence) {
-  if (remarks_.insert(sentence).second) tell(sentence);
+void Reporter::remark(const std::string& sentence) {
+  if (remarks_.insert(sentence).second) send(sentence);
 }
 
-void Voice::mute() {
+void Reporter::mute() {
   const std::lock_guard lock{mutex_};
-  say_ = nullptr;
+  log_ = nullptr;
 }
 
-void Voice::tell(const std::string& sentence) {
+void Reporter::send(const std::string& sentence) {
   const std::lock_guard lock{mutex_};
-  if (!say_) return;
+  if (!log_) return;
   try {
-    say_(sentence);
-  } catch (...) {  // whoever listens must not end the camera's thread
+    log_(sentence);
+  } catch (...) {  // an exception of the receiver must not end the camera's thread
   }
 }
 

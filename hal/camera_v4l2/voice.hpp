@@ -1,4 +1,4 @@
-// Tells the user about a camera, each thing once.
+// Reports each camera message once.
 #pragma once
 
 #include <bitset>
@@ -13,31 +13,31 @@
 
 namespace darwinop::v4l2 {
 
-/// Used by the camera's thread, but for mute().
-class Voice {
+/// Camera's thread only, except mute().
+class Reporter {
  public:
-  using Say = std::function<void(const std::string&)>;
+  using Log = std::function<void(const std::string&)>;
 
-  explicit Voice(Say say) : say_{std::move(say)} {}
+  explicit Reporter(Log say) : log_{std::move(say)} {}
 
-  /// Once for each kind of trouble until back().
-  void trouble(Trouble kind, const std::string& sentence);
-  /// A trouble was told, and back() has not been.
-  [[nodiscard]] bool troubled() const noexcept { return told_.any(); }
-  /// Pictures come again; tells so if a trouble was told.
+  /// Once for each kind of error until back().
+  void report(CameraError kind, const std::string& sentence);
+  /// An error was reported and back() has not followed.
+  [[nodiscard]] bool hasError() const noexcept { return reported_.any(); }
+  /// Pictures arrive again; reports this if an error was reported.
   void back(const std::string& sentence);
-  /// Once for each sentence.
+  /// Once for each text.
   void remark(const std::string& sentence);
 
-  /// Any thread: waits for a sentence that is being said; none is said after it.
+  /// Any thread: waits for a message in progress; no message follows.
   void mute();
 
  private:
-  void tell(const std::string& sentence);
+  void send(const std::string& sentence);
 
-  std::mutex mutex_;  // never held by newest() and health()
-  Say say_;
-  std::bitset<static_cast<std::size_t>(Trouble::kCount)> told_;
+  std::mutex mutex_;  // never locked by newest() or health()
+  Log log_;
+  std::bitset<static_cast<std::size_t>(CameraError::kCount)> reported_;
   std::set<std::string> remarks_;
 };
 

@@ -13,7 +13,8 @@
 namespace darwinop::v4l2 {
 
 Wake::Wake() : event_{::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)} {
-  if (event_ < 0) throw std::system_error{errno, std::generic_category(), "a camera's thread needs an eventfd"};
+  if (event_ < 0)
+    throw std::system_error{errno, std::generic_category(), "cannot create an eventfd for the camera's thread"};
 }
 
 Wake::~Wake() {
@@ -28,14 +29,14 @@ void Wake::stop() noexcept {
 
 Wake::Why Wake::wait(int fd, std::chrono::nanoseconds timeout) const noexcept {
   using std::chrono::ceil, std::chrono::milliseconds, std::chrono::hours;
-  // Rounded up: a wait of nothing at the end of a timeout would turn in circles.
+  // Rounded up: a wait of 0 ms near the timeout would spin.
   const auto limited = ceil<milliseconds>(std::clamp<std::chrono::nanoseconds>(timeout, milliseconds{0}, hours{1}));
   std::array<pollfd, 2> files{{{event_, POLLIN, 0}, {fd, POLLIN, 0}}};
   const int count = ::poll(files.data(), files.size(), static_cast<int>(limited.count()));
   if (stopped()) return Why::kStop;
-  if (count <= 0) return Why::kTimeout;  // or a signal: the caller looks at the clock
+  if (count <= 0) return Why::kTimeout;  // or a signal: the caller checks the clock
   if ((files[1].revents & POLLIN) != 0) return Why::kReady;
-  return files[1].revents != 0 ? Why::kTroubled : Why::kTimeout;
+  return files[1].revents != 0 ? Why::kPollError : Why::kTimeout;
 }
 
 }  // namespace darwinop::v4l2

@@ -1,4 +1,4 @@
-// Lets a thread wait for a device and be called away from it at once.
+// Waits for a device, interruptible through an eventfd.
 #pragma once
 
 #include <atomic>
@@ -9,18 +9,18 @@ namespace darwinop::v4l2 {
 
 class Wake {
  public:
-  enum class Why : std::uint8_t { kStop, kTimeout, kReady, kTroubled };  // kTroubled: POLLERR and the like
+  enum class Why : std::uint8_t { kStop, kTimeout, kReady, kPollError };  // kPollError: POLLERR and the like
 
-  Wake();  // throws std::system_error: this process has no file descriptors left
+  Wake();  // throws std::system_error: no file descriptors left
   ~Wake();
   Wake(const Wake&) = delete;
   Wake& operator=(const Wake&) = delete;
 
-  /// Any thread: this and every later wait is over.
+  /// Any thread: ends this and every later wait.
   void stop() noexcept;
   [[nodiscard]] bool stopped() const noexcept { return stopped_.load(std::memory_order_acquire); }
 
-  /// Until `fd` can be read, at most `timeout`. An `fd` of -1: only time passes.
+  /// Waits until `fd` is readable, at most `timeout`. An `fd` of -1 only waits.
   Why wait(int fd, std::chrono::nanoseconds timeout) const noexcept;
 
  private:

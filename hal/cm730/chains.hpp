@@ -1,5 +1,5 @@
-// Where a daisy chain of servos is broken: the servos on a chain are wired in the order of their ids
-// (1-3-5, 2-4-6, 19-20, 7-9-11-13-15-17, 8-10-12-14-16-18), so a bad cable silences a tail of it.
+// Locates breaks in the servo daisy chains. Servos are wired in the order of their ids (1-3-5, 2-4-6, 19-20,
+// 7-9-11-13-15-17, 8-10-12-14-16-18), so a bad cable silences the rest of its chain.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 namespace darwinop::cm730 {
 
 struct ChainBreak {
-  std::optional<Joint> last_heard;    // nothing: the whole chain is silent
-  std::optional<Joint> first_silent;  // of the silent tail; nothing: the end of the chain answers
-  int silent = 0;                     // length of the tail
+  std::optional<Joint> last_answering;  // empty: the whole chain is silent
+  std::optional<Joint> first_silent;    // first of the silent rest; empty: the end of the chain answers
+  int silent = 0;                       // number of silent servos
 };
 
 inline ChainBreak findBreak(const RobotFacts& facts, Chain chain) {

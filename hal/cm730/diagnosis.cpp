@@ -1,4 +1,4 @@
-// Findings about the board, the line and the cycle as a whole. Servos: servo_rows.cpp.
+// Findings about the board, the serial line and the cycle time. Servos: servo_rows.cpp.
 #include "hal/cm730/diagnosis.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 constexpr Nanos kDelayUnit{2'000};
 constexpr double kBatteryLow = 11.0, kBatteryEmpty = 10.0;  // V; faults battery_low and battery_empty
 constexpr std::size_t kSyncWriteBytes = 188;                // gains, goal, speed, torque limit of twenty servos
-constexpr std::size_t kGoalBytes = 68;                      // goals alone, as in most cycles
+constexpr std::size_t kGoalBytes = 68;                      // goals only, as in most cycles
 constexpr std::size_t kRequestBytes = kFrameOverhead + 1 + 3 * (kJoints + 1);
 
 template <class... Args>
@@ -37,8 +37,8 @@ Nanos returnDelays(const RobotFacts& facts) {
   return sum;
 }
 
-/// What USB adds to an exchange: the request waits for a frame, and the chip holds the end of the reply back. Replies
-/// of a BulkRead come without gaps and fill packets, so a cycle pays this once, as a short read does.
+/// USB overhead of an exchange: the request waits for a USB frame, and the FTDI chip delays the end of the reply. A
+/// BulkRead's replies have no gaps and fill packets, so a cycle pays this once, as a short read does.
 Nanos usbTime(const RobotFacts& facts) {
   constexpr std::size_t kShortRead = 8 + 8;
   return std::max(Nanos{0}, facts.round_trip - wireTime(kShortRead));
@@ -50,13 +50,11 @@ constexpr std::size_t kCycleBytes = kSyncWriteBytes + kReadBytes, kGoalCycleByte
 
 Finding silentBoard(const RobotFacts& facts) {
   if (facts.board.garbled)
-    return Finding::of(
-        Kind::kBoardGarbled, "bytes come from " + facts.port + ", but they are no answers of a CM-730",
-        "check that this is the robot's port, that no other program uses it, and that the cable is sound");
+    return Finding::of(Kind::kBoardGarbled, "the data from " + facts.port + " are not CM-730 replies",
+                       "check that this is the robot's port, that no other program uses it, and the USB cable");
   if (facts.board.found)
-    return Finding::of(Kind::kBoardUnreadable,
-                       "a CM-730 answers on " + facts.port + ", but its registers cannot be read",
-                       "press the board's RESET button and try again; if that does not help, look at the USB cable");
+    return Finding::of(Kind::kBoardUnreadable, "cannot read the registers of the CM-730 on " + facts.port,
+                       "press the board's RESET button and try again; then check the USB cable");
   return Finding::of(Kind::kBoardSilent, "no CM-730 answers on " + facts.port,
                      "switch the robot on and check the USB cable inside it; the board's LEDs must be lit");
 }
@@ -79,11 +77,11 @@ void addBoard(const RobotFacts& facts, Findings& rows) {
   rows.push_back(Finding::ok(format("CM-730 found, firmware 0x%02X", board.firmware)));
   if (board.model != find(kCm730, "model").reset)
     rows.push_back(Finding::of(Kind::kBoardModel,
-                               format("the board says it is model 0x%04X, a CM-730 is 0x7300", board.model),
-                               "expect other sensors and registers than those of a DARwIn-OP"));
+                               format("unexpected board model 0x%04X (expected 0x7300)", board.model),
+                               "sensors and registers may differ from a DARwIn-OP's"));
   rows.push_back(supply(board));
   if (!board.power_on)
-    rows.push_back(Finding::of(Kind::kServoPowerOff, "servo power is off and does not come on",
+    rows.push_back(Finding::of(Kind::kServoPowerOff, "cannot switch servo power on",
                                "check battery and power switch, press the board's RESET button and try again"));
   else
     rows.push_back(Finding::ok(board.power_was_on ? "servo power is on" : "servo power was off; switched on"));
@@ -92,8 +90,8 @@ void addBoard(const RobotFacts& facts, Findings& rows) {
 void addRoundTrip(const RobotFacts& facts, Findings& rows) {
   if (facts.round_trip_reads == 0) {
     rows.push_back(Finding::of(Kind::kLineNoisy,
-                               "no short read was answered at the first try: the line is too noisy to be timed",
-                               "check the USB cable and its plugs on both ends"));
+                               "all short reads failed at the first attempt: the line is too noisy to measure",
+                               "check the USB cable and both connectors"));
     return;
   }
   const std::string what =
@@ -101,8 +99,8 @@ void addRoundTrip(const RobotFacts& facts, Findings& rows) {
   if (facts.round_trip < kLatencySignature)
     rows.push_back(Finding::ok(what));
   else
-    rows.push_back(Finding::of(Kind::kRoundTripLong, what + ": the port's FTDI chip holds bytes back",
-                               latencyCommand(facts.port) + "   (for good: the udev rule in docs/doctor.md)"));
+    rows.push_back(Finding::of(Kind::kRoundTripLong, what + ": the FTDI chip of the port delays data",
+                               latencyCommand(facts.port) + "   (permanently: udev rule in docs/doctor.md)"));
 }
 
 void addCycle(const RobotFacts& facts, Findings& rows) {
@@ -120,28 +118,27 @@ void addCycle(const RobotFacts& facts, Findings& rows) {
                                "choose a longer period, or: " + latencyCommand(facts.port)));
 }
 
-constexpr const char* kUpdateBoard = "update the firmware of the CM-730 with the vendor's tool";
+constexpr const char* kUpdateBoard = "update the CM-730 firmware with the vendor's tool";
 
 void addInstructions(const RobotFacts& facts, Findings& rows) {
   const InstructionFacts& tried = facts.instructions;
   if (!tried.tried) return;
   if (!tried.bulk_read) {
     rows.push_back(Finding::of(
-        Kind::kNoBulkRead,
-        format("the board answers to READ and not to BULK_READ: firmware 0x%02X lacks it", facts.board.firmware),
+        Kind::kNoBulkRead, format("the board supports READ but not BULK_READ (firmware 0x%02X)", facts.board.firmware),
         kUpdateBoard));
     return;
   }
   if (!tried.sync_write)
-    rows.push_back(Finding::of(
-        Kind::kNoSyncWrite,
-        format("no servo obeys SYNC_WRITE, though each obeys WRITE: firmware 0x%02X of the board does not pass it on",
-               facts.board.firmware),
-        kUpdateBoard));
+    rows.push_back(
+        Finding::of(Kind::kNoSyncWrite,
+                    format("servos execute WRITE but not SYNC_WRITE: board firmware 0x%02X does not forward it",
+                           facts.board.firmware),
+                    kUpdateBoard));
   else if (!tried.all_blocks)
     rows.push_back(Finding::of(Kind::kBlockLengths,
-                               "the board answers to a BULK_READ of 30 of its registers and not to each length up to "
-                               "57; 30 are read in every cycle, and late replies are not recognised",
+                               "the board answers BULK_READ for 30 of its registers but not for every length up to "
+                               "57; 30 are read in every cycle, and late replies are not detected",
                                kUpdateBoard));
   else
     rows.push_back(Finding::ok("BULK_READ and SYNC_WRITE work"));
@@ -164,8 +161,8 @@ void addLosses(const RobotFacts& facts, Findings& rows) {
   }
   rows.push_back(Finding::of(Kind::kRepliesLost, what,
                              "most at " + servoName(static_cast<Joint>(worst_servo)) +
-                                 ": look for a worn cable or a loose plug on the way to it, and for a weak supply when "
-                                 "losses grow along a chain"));
+                                 ": check cable and connectors towards it; if losses grow along a chain, check the "
+                                 "supply"));
 }
 
 }  // namespace
@@ -184,8 +181,8 @@ bool cycleFits(const RobotFacts& facts) {
 Findings diagnose(const RobotFacts& facts) {
   Findings rows;
   if (facts.lost) {
-    rows.push_back(Finding::of(Kind::kPortLost, facts.port + " went away while the robot was looked at",
-                               "check the USB cable, and whether the robot's power is stable"));
+    rows.push_back(Finding::of(Kind::kPortLost, facts.port + " was lost during the check",
+                               "check the USB cable and the robot's power supply"));
     return rows;
   }
   addBoard(facts, rows);

@@ -1,4 +1,4 @@
-// One line of a check-up: how bad it is, what was found, and what mends it.
+// A finding of the start-up check: severity, description and remedy.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace darwinop::cm730 {
 
 enum class Level : std::uint8_t {
   kOk,
-  kWarning,  // the robot can be driven; something is worth mending
+  kWarning,  // the robot can be driven; a fix is recommended
   kError,    // the robot cannot be driven: a loop does not start, or sits it down at once
 };
 
@@ -28,14 +28,14 @@ constexpr Level levelOf(Kind kind) {
 struct Finding {
   Level level = Level::kOk;
   std::string what;
-  std::string mend;              // a sentence or a command; empty when there is nothing to mend
-  Kinds kinds{};                 // none: all is well
-  std::optional<Joint> joint{};  // of a servo's row
+  std::string remedy;            // a sentence or a command; may be empty
+  Kinds kinds{};                 // empty: ok
+  std::optional<Joint> joint{};  // set in a servo's row
 
   static Finding ok(std::string what) { return {Level::kOk, std::move(what), {}, {}, {}}; }
-  /// The table of start_policy.hpp says how bad it is.
-  static Finding of(Kind kind, std::string what, std::string mend) {
-    Finding finding{levelOf(kind), std::move(what), std::move(mend), {}, {}};
+  /// The severity comes from the table in start_policy.hpp.
+  static Finding of(Kind kind, std::string what, std::string remedy) {
+    Finding finding{levelOf(kind), std::move(what), std::move(remedy), {}, {}};
     finding.kinds.set(static_cast<std::size_t>(kind));
     return finding;
   }
@@ -49,14 +49,14 @@ inline Level worst(std::span<const Finding> findings) {
   return level;
 }
 
-/// What start-up does about all of them together.
+/// The start-up policy for all findings together.
 inline Policy decide(std::span<const Finding> findings, Purpose purpose) {
   Policy policy = Policy::kDrive;
   for (const Finding& finding : findings) policy = std::max(policy, policyOf(finding.kinds, purpose));
   return policy;
 }
 
-/// Joints that get no goals.
+/// Joints that are not driven.
 inline std::bitset<kJoints> leftOut(std::span<const Finding> findings, Purpose purpose) {
   std::bitset<kJoints> joints;
   for (const Finding& finding : findings)
@@ -66,11 +66,11 @@ inline std::bitset<kJoints> leftOut(std::span<const Finding> findings, Purpose p
   return joints;
 }
 
-/// "warn  what" and, when there is something to mend, a line "      -> mend".
+/// "warn  what" and, if there is one, a line "      -> remedy".
 inline std::string toText(const Finding& finding) {
   static constexpr const char* kMarks[] = {"ok    ", "warn  ", "FAIL  "};
   std::string text = kMarks[static_cast<std::size_t>(finding.level)] + finding.what + "\n";
-  if (!finding.mend.empty()) text += "      -> " + finding.mend + "\n";
+  if (!finding.remedy.empty()) text += "      -> " + finding.remedy + "\n";
   return text;
 }
 

@@ -1,4 +1,4 @@
-// Tries what a real-time loop needs of the kernel.
+// Measures real-time priority, memory locking and clock resolution.
 #include "hal/cm730/host_checks.hpp"
 
 #include <pthread.h>
@@ -15,10 +15,10 @@
 namespace darwinop::cm730 {
 namespace {
 
-// A kernel without high-resolution timers reports its tick, 1 to 10 ms.
+// Without high-resolution timers, the kernel reports its tick of 1 to 10 ms.
 constexpr Nanos kFineClock{1'000};
 
-// A controller's process with its libraries and thread stacks; the usual limit of 8 MB is too little.
+// Size of a controller process with its libraries and thread stacks; the usual limit of 8 MB is too small.
 constexpr std::size_t kLockedBytes = 48 * 1024 * 1024;
 
 constexpr const char* kLimitsFile = "/etc/security/limits.d/darwinop.conf";
@@ -49,7 +49,7 @@ Finding priorityRow(const HostFacts& facts) {
   const std::string name = "real-time priority " + std::to_string(facts.priority);
   if (facts.priority_error == 0) return Finding::ok(name + " is permitted");
   return Finding::of(Kind::kPriority,
-                     name + " is refused (" + std::strerror(facts.priority_error) + "): cycles would come late",
+                     name + " is refused (" + std::strerror(facts.priority_error) + "): cycles may be late",
                      limitLine("rtprio 90"));
 }
 

@@ -1,4 +1,4 @@
-// Whether this computer lets a loop be punctual: real-time priority, locked memory, a fine clock.
+// Checks whether this computer supports a real-time loop: priority, locked memory, fine clock.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 namespace darwinop::cm730 {
 
 struct HostFacts {
-  int priority = 0;                           // SCHED_FIFO priority that was tried
+  int priority = 0;                           // tested SCHED_FIFO priority
   int priority_error = 0;                     // errno; 0: permitted
-  int memory_error = 0;                       // errno of locking as much memory as a controller has; 0: permitted
-  std::optional<std::uint64_t> memory_limit;  // bytes; nothing: unlimited
+  int memory_error = 0;                       // errno of locking a controller-sized block; 0: permitted
+  std::optional<std::uint64_t> memory_limit;  // bytes; empty: unlimited
   Nanos clock_resolution{0};
 };
 
-/// Tries it in a thread of its own; nothing of it stays.
+/// Tests in a separate thread, without lasting effect.
 HostFacts measureHost(int priority);
-/// The part of it that every start of a loop looks at.
+/// The subset that every start of a loop checks.
 Nanos clockResolution();
 Finding clockRow(Nanos resolution);
 Findings diagnoseHost(const HostFacts& facts);

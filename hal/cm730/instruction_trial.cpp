@@ -1,4 +1,4 @@
-// BulkReads and SyncWrites as the loop sends them, with retries.
+// Tests BulkRead and SyncWrite as the loop sends them, with retries.
 #include "hal/cm730/instruction_trial.hpp"
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace {
 constexpr std::uint8_t kTrialLed = find(kMx28, "led").address;
 constexpr std::size_t kLedAt = kTrialLed - kServoLook.address;
 constexpr int kTries = 6;                  // single losses are normal, and a busy PC stalls
-constexpr Nanos kMargin{15'000'000};       // a busy PC is late by this much now and then
-constexpr Nanos kLateReplies{40'000'000};  // after an incomplete exchange
+constexpr Nanos kMargin{15'000'000};       // scheduling delay of a busy PC
+constexpr Nanos kLateReplies{40'000'000};  // wait after an incomplete exchange
 constexpr Nanos kUntilWritten{1'000'000};  // from the end of a SYNC_WRITE to its effect
 
 class Trial {
@@ -37,12 +37,12 @@ class Trial {
     tryBulkRead();
     if (!result.bulk_read) return;
     trySyncWrite();
-    // With a slow port each length costs the whole delay, and the cycle is too long in any case.
+    // With a slow port each length would cost the full delay; the cycle is too long in any case.
     if (facts_.round_trip < kLatencySignature) tryBlockLengths();
   }
 
  private:
-  /// One BulkRead of the board and of `servos`. True: the board answered. `answered_`, `led_`: what the servos said.
+  /// One BulkRead of the board and `servos`. Returns true if the board answered. Results: `answered_`, `led_`.
   bool exchange(std::uint8_t board_bytes, const std::vector<std::size_t>& servos) {
     std::array<std::uint8_t, kMaxFrame> frame{};
     BulkReadEncoder request{frame};
@@ -80,7 +80,7 @@ class Trial {
       }
       if (line_.now() >= deadline) break;
     }
-    // What is missing may come late, and would pass for the reply to the next request.
+    // A late reply would be taken for the reply to the next request.
     const bool missing = !board || answered_.count() != servos;
     if (missing && !facts_.lost && pass(line_, kLateReplies) == LineStatus::kLost) facts_.lost = true;
     return board;
@@ -95,32 +95,32 @@ class Trial {
   }
 
   void tryBulkRead() {
-    std::bitset<kJoints> heard;
-    for (int i = 0; i < kTries && !facts_.lost && heard.count() < list_.size(); ++i) {
+    std::bitset<kJoints> answered;
+    for (int i = 0; i < kTries && !facts_.lost && answered.count() < list_.size(); ++i) {
       facts_.instructions.bulk_read |= exchange(kBoardWindow.count, list_);
-      heard |= answered_;
+      answered |= answered_;
       if (!facts_.instructions.bulk_read) continue;
-      // A servo that stays silent silences those behind it: it is asked last in the next try.
+      // A silent servo suppresses the replies of those after it, so it is read last in the next attempt.
       std::vector<std::size_t> order;
-      for (const bool answered : {true, false})
+      for (const bool has_answered : {true, false})
         for (const std::size_t joint : list_)
-          if (heard[joint] == answered) order.push_back(joint);
+          if (answered[joint] == has_answered) order.push_back(joint);
       list_ = order;
     }
     if (!facts_.instructions.bulk_read || facts_.lost) return;
-    markMissing(heard);
+    markMissing(answered);
   }
 
-  /// Those that were not heard are asked one at a time, so that one does not hide another.
-  void markMissing(std::bitset<kJoints> heard) {
+  /// Reads missing servos one at a time, so that one does not suppress another.
+  void markMissing(std::bitset<kJoints> answered) {
     for (const std::size_t i : list_) {
-      for (int attempt = 0; attempt < kTries && !heard[i] && !facts_.lost; ++attempt) {
+      for (int attempt = 0; attempt < kTries && !answered[i] && !facts_.lost; ++attempt) {
         exchange(kBoardWindow.count, {i});
-        heard |= answered_;
+        answered |= answered_;
       }
-      if (!facts_.lost) facts_.servo[i].bulk_read_works = heard[i];
+      if (!facts_.lost) facts_.servo[i].bulk_read_works = answered[i];
     }
-    std::erase_if(list_, [&](std::size_t i) { return !heard[i]; });
+    std::erase_if(list_, [&](std::size_t i) { return !answered[i]; });
   }
 
   void trySyncWrite() {
@@ -129,7 +129,7 @@ class Trial {
       obeyed |= obeyedLed(true);
       obeyed |= obeyedLed(false);
     }
-    // A lost frame must not leave a LED on; when nothing obeys, nothing has changed.
+    // A lost frame must not leave a LED on; if no servo executed it, nothing has changed.
     for (int i = 0; i < kTries && !facts_.lost && obeyed.any() && !ledsAsFound(); ++i) obeyedLed(false);
     facts_.instructions.sync_write = obeyed.any() || facts_.lost;
     if (!obeyed.any() || facts_.lost) return;
@@ -140,7 +140,7 @@ class Trial {
     return std::ranges::all_of(list_, [&](std::size_t i) { return answered_[i] && led_[i] == facts_.servo[i].led_on; });
   }
 
-  /// Writes all LEDs, changed or as they were found, and reads them back. Only a change is proof.
+  /// Writes all LEDs, inverted or original, and reads them back. Only a change is proof.
   std::bitset<kJoints> obeyedLed(bool changed) {
     std::array<std::uint8_t, kMaxFrame> frame{};
     SyncWriteEncoder sync{frame, kTrialLed, 1};
@@ -169,7 +169,7 @@ class Trial {
 
   ByteLine& line_;
   RobotFacts& facts_;
-  std::vector<std::size_t> list_;  // joints, in the order in which they are asked
+  std::vector<std::size_t> list_;  // joints in reading order
   std::bitset<kJoints> answered_, led_;
 };
 

@@ -1,4 +1,4 @@
-// Tries the instructions that a loop lives on, as it uses them: BULK_READ of board and servos, SYNC_WRITE.
+// Tests the instructions that the loop depends on: BULK_READ of board and servos, SYNC_WRITE.
 #pragma once
 
 #include "hal/byte_line.hpp"
@@ -6,8 +6,8 @@
 
 namespace darwinop::cm730 {
 
-/// Fills `facts.instructions` and what is known of each readable servo. Writes nothing but the servos' LEDs, for as
-/// long as three exchanges take, and leaves them as they were.
+/// Fills `facts.instructions` and the results of each readable servo. Changes only the servos' LEDs, for the duration
+/// of three exchanges, and restores them.
 void tryInstructions(ByteLine& line, RobotFacts& facts);
 
 }  // namespace darwinop::cm730

@@ -1,4 +1,4 @@
-// How far each servo's horn sits off its joint's zero: added on the way to the servo, taken off on the way back.
+// Horn offsets: added to goals, subtracted from positions.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace darwinop::cm730 {
 
-/// In whole ticks, so that a position that was read and is given as a goal is the same tick again.
+/// In whole ticks, so that a position that is commanded as a goal maps to the same tick.
 class JointOffsets {
  public:
   void set(Joint joint, Rad offset) noexcept {
@@ -19,14 +19,14 @@ class JointOffsets {
   }
   [[nodiscard]] int ticks(Joint joint) const noexcept { return ticks_[index(joint)]; }
 
-  /// What register 30 gets for a goal, before limits.
+  /// Goal register value for an angle, before limits.
   [[nodiscard]] int servoTicks(Joint joint, Rad goal) const noexcept { return ticksFromRad(goal) + ticks(joint); }
-  /// The joint's angle when register 36 says `servo_ticks`.
+  /// Joint angle for position register value `servo_ticks`.
   [[nodiscard]] Rad jointAngle(Joint joint, int servo_ticks) const noexcept {
     return radFromTicks(servo_ticks - ticks(joint));
   }
 
-  /// Angles of the joint table that the servo can be sent to without leaving the table's range itself.
+  /// Joint table ranges that the servo can reach without leaving the table's range itself.
   [[nodiscard]] Rad low(Joint joint) const noexcept {
     return radFromTicks(row(joint).low + std::max(0, -ticks(joint)));
   }

@@ -1,12 +1,12 @@
-// Tells a robot that may still come from a setting that is wrong.
+// Exception for start-up errors that may resolve without user action.
 #pragma once
 
 #include <stdexcept>
 
 namespace darwinop::cm730 {
 
-/// The port is not there or in use, or the board behind it does not answer: it may be otherwise in a while. At boot
-/// the USB port comes late. Any other error stays until somebody does something about it.
+/// The port is missing or in use, or the board does not answer. Retrying is useful: at boot the USB port appears late.
+/// All other start-up errors need user action.
 class NotReady : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,4 +1,4 @@
-// The doctor's look at a port.
+// Serial port check of the doctor.
 #include "hal/cm730/port_check.hpp"
 
 #include <stdexcept>
@@ -13,8 +13,8 @@ Findings latencyRows(const std::string& path, const std::optional<int>& timer) {
   if (!timer) return {};
   const std::string what = "FTDI latency timer of " + ttyName(path) + " is " + std::to_string(*timer) + " ms";
   if (*timer <= 1) return {Finding::ok(what)};
-  return {Finding::of(Kind::kLatencyTimer, what + ", a cycle needs 1",
-                      latencyCommand(path) + "   (for good: the udev rule in docs/doctor.md)")};
+  return {Finding::of(Kind::kLatencyTimer, what + " (required: 1)",
+                      latencyCommand(path) + "   (permanently: udev rule in docs/doctor.md)")};
 }
 
 PortCheck checkPort(const std::string& path) {
@@ -28,7 +28,7 @@ PortCheck checkPort(const std::string& path) {
     check.findings.push_back(Finding::of(Kind::kPortUnusable, error.what(), {}));
     return check;
   }
-  check.findings.push_back(Finding::ok("port " + path + " is there, permitted and free; set to 1 Mbaud"));
+  check.findings.push_back(Finding::ok("port " + path + " opened at 1 Mbaud"));
   const Findings latency = latencyRows(path, latencyTimer(path));
   check.findings.insert(check.findings.end(), latency.begin(), latency.end());
   return check;
@@ -38,15 +38,15 @@ std::string choosePort(const std::string& asked, const std::vector<std::string>&
   if (asked.empty()) return candidates.empty() ? "/dev/ttyUSB0" : candidates.front();
   if (asked == "runtime")
     throw std::runtime_error{
-        "'runtime' is the daemon, and the daemon has the robot's port for itself: ask it with `darwinop runtime "
-        "--status`, or end it and name the port, for example: darwinop doctor --robot /dev/ttyUSB0"};
+        "'runtime' is the daemon, which has the robot's port open: query it with `darwinop runtime "
+        "--status`, or stop it and name the port, for example: darwinop doctor --robot /dev/ttyUSB0"};
   if (asked == "virtual")
     throw std::runtime_error{
-        "'virtual' is a robot in the memory of one controller, and there is nothing to look at from outside: start "
-        "`darwinop virtual-robot` and name the path that it prints, for example: darwinop doctor --robot /tmp/robot"};
+        "'virtual' is a robot inside one controller and cannot be checked from outside: start "
+        "`darwinop virtual-robot` and use the path that it prints, for example: darwinop doctor --robot /tmp/robot"};
   if (asked.find('/') == std::string::npos || asked.find("://") != std::string::npos)
     throw std::runtime_error{"'" + asked +
-                             "' is no serial port: the doctor looks at a robot's port, for example "
+                             "' is not a serial port: use the robot's port, for example "
                              "--robot /dev/ttyUSB0, or the path that `darwinop virtual-robot` prints"};
   return asked;
 }

@@ -1,4 +1,4 @@
-// Opens a port for the doctor: what is there, what is permitted, what its chip is set to.
+// Opens a port for the doctor and checks its settings.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,16 @@
 namespace darwinop::cm730 {
 
 struct PortCheck {
-  std::unique_ptr<SerialPort> port;  // null: it could not be opened, and the findings say why
+  std::unique_ptr<SerialPort> port;  // null: cannot be opened; see the findings
   Findings findings;
 };
 PortCheck checkPort(const std::string& path);
 
-/// Judges an FTDI latency timer in ms; no row for a port that has none.
+/// Checks an FTDI latency timer in ms; no finding for a port without one.
 Findings latencyRows(const std::string& path, const std::optional<int>& timer);
 
-/// The port to look at: what was asked for, else the first that is there, else /dev/ttyUSB0. `asked` may be a
-/// DARWINOP_ROBOT setting; throws std::runtime_error when it names something that is no port ("twin", "tcp://...").
+/// The port to check: `asked`, else the first existing one, else /dev/ttyUSB0. `asked` may be a DARWINOP_ROBOT setting;
+/// throws std::runtime_error if it is not a port ("twin", "tcp://...").
 std::string choosePort(const std::string& asked, const std::vector<std::string>& candidates);
 
 }  // namespace darwinop::cm730

@@ -1,4 +1,4 @@
-// The thread that brings a lost port back.
+// Thread that reopens a lost port.
 #include "hal/cm730/port_keeper.hpp"
 
 #include <pthread.h>
@@ -14,7 +14,7 @@
 namespace darwinop::cm730 {
 namespace {
 
-/// The thread may be started by a real-time one, and signals are for the main thread.
+/// The creating thread may be real-time, and the main thread handles signals.
 void becomeOrdinary() {
   const sched_param none{};
   ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &none);
@@ -76,7 +76,7 @@ int PortKeeper::openPatiently() {
   for (Nanos wait = config_.first_wait; !stop_; wait = std::min(2 * wait, config_.longest_wait)) {
     try {
       if (const int fd = config_.open(); fd >= 0) return fd;
-    } catch (...) {  // out of memory: try again later, as for any other reason
+    } catch (...) {  // out of memory: retried like any other error
     }
     sleep(wait);
   }

@@ -1,4 +1,4 @@
-// Brings a lost port back: a thread of its own closes the dead file and tries to open it again.
+// Reopens a lost port: a thread closes the dead file descriptor and tries to open a new one.
 #pragma once
 
 #include <semaphore.h>
@@ -11,12 +11,12 @@
 
 namespace darwinop::cm730 {
 
-/// Files change hands through two atomics, one for each direction; each side owns what it took.
+/// Descriptors are exchanged through two atomics, one per direction; each side owns what it took.
 class PortKeeper {
  public:
   struct Config {
-    std::function<int()> open;       // a ready file, or -1: not yet. Called by the keeper's thread.
-    std::function<void(int)> close;  // also by the destructor
+    std::function<int()> open;       // an open descriptor, or -1: not yet. Called by the keeper's thread.
+    std::function<void(int)> close;  // also called by the destructor
     Nanos first_wait{50'000'000};    // between attempts; doubles
     Nanos longest_wait{1'000'000'000};
   };
@@ -26,9 +26,9 @@ class PortKeeper {
   PortKeeper(const PortKeeper&) = delete;
   PortKeeper& operator=(const PortKeeper&) = delete;
 
-  /// Loop's thread: this file is dead, find another. Call once for each file.
+  /// Loop's thread: `fd` is dead, reopen. Call once per descriptor.
   void giveUp(int fd) noexcept;
-  /// Loop's thread: the new file, or -1 while there is none.
+  /// Loop's thread: the new descriptor, or -1: none yet.
   [[nodiscard]] int takeNew() noexcept;
 
  private:
@@ -40,7 +40,7 @@ class PortKeeper {
   Config config_;
   std::atomic<int> dead_{kNone}, fresh_{kNone};
   std::atomic<bool> stop_{false};
-  sem_t work_{};  // posting it takes no lock, unlike a condition variable
+  sem_t work_{};  // posting takes no lock, unlike a condition variable
   std::thread thread_;
 };
 

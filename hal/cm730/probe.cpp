@@ -1,4 +1,4 @@
-// The measurements of a probe, in order.
+// Start-up measurements.
 #include "hal/cm730/probe.hpp"
 
 #include <algorithm>
@@ -19,10 +19,10 @@ constexpr std::uint8_t kBoardBytes = find(kCm730, "voltage").address + 1;  // 0.
 constexpr std::uint8_t kCwLimit = find(kMx28, "cw_limit").address, kCcwLimit = find(kMx28, "ccw_limit").address;
 constexpr std::uint8_t kMaxTorque = find(kMx28, "max_torque").address, kLed = find(kMx28, "led").address;
 constexpr std::uint8_t kReturnDelayWanted = 0, kStatusLevelWanted = 2;
-constexpr Nanos kServoBoot{300'000'000};       // upstream waits as long after switching servo power on
-constexpr Nanos kStallMargin{10'000'000};      // a busy PC is late by this much now and then; that is no loss
-constexpr Nanos kSecondLookTime{300'000'000};  // for all servos that were silent at first
-constexpr Nanos kMarginOverMedian{3'000'000};  // other programs and USB frames delay an answer now and then
+constexpr Nanos kServoBoot{300'000'000};       // as upstream waits after switching servo power on
+constexpr Nanos kStallMargin{10'000'000};      // scheduling delay of a busy PC; not a loss
+constexpr Nanos kSecondLookTime{300'000'000};  // for all silent servos together
+constexpr Nanos kMarginOverMedian{3'000'000};  // delay by other programs and USB frames
 
 class Probe {
  public:
@@ -58,7 +58,7 @@ class Probe {
   Answer read(std::uint8_t id, std::uint8_t address, std::uint8_t count) {
     return note(readRegisters(line_, id, address, count, patience_));
   }
-  /// Asked once: an answer that gets lost must not wear the EEPROM twice.
+  /// Writes once: a lost reply must not cost a second EEPROM write cycle.
   Answer writeOnce(std::uint8_t id, std::uint8_t address, std::uint8_t value) {
     return note(writeRegisters(line_, id, address, Bytes{&value, 1}, {1, patience_.margin}));
   }
@@ -95,14 +95,14 @@ class Probe {
     const auto middle = took.begin() + static_cast<std::ptrdiff_t>(took.size() / 2);
     std::ranges::nth_element(took, middle);
     facts_.round_trip = *middle;
-    // From now on a silent servo costs little time.
+    // From here on a silent servo costs little time.
     patience_.margin = std::min(patience_.margin, *middle + kMarginOverMedian);
   }
 
   void switchServosOn() {
     BoardFacts& board = facts_.board;
     if (board.power_on || facts_.lost) return;
-    constexpr int kAttempts = 3;  // a computer that is busy for a moment loses the write or the answer
+    constexpr int kAttempts = 3;  // a busy computer may lose the write or the reply
     for (int tried = 0; tried < kAttempts && !board.power_on && !facts_.lost; ++tried) {
       const std::uint8_t on = 1;
       note(writeRegisters(line_, kBoardId, board::kDxlPower, Bytes{&on, 1}, Patience{}));
@@ -115,18 +115,18 @@ class Probe {
   void measureServos() {
     for (std::size_t i = 0; i < kJoints && !facts_.lost; ++i)
       if (!facts_.servo[i].absent) measureServo(kJointTable[i].id, facts_.servo[i]);
-    lookAgainAtSilentOnes();
+    retrySilentServos();
   }
 
-  /// A servo is not called silent because this computer was busy for a moment.
-  void lookAgainAtSilentOnes() {
-    const auto unheard = [](const ServoFacts& servo) { return !servo.absent && !servo.found; };
-    const auto silent = std::ranges::count_if(facts_.servo, unheard);
+  /// Retries silent servos: a busy computer may have missed their replies.
+  void retrySilentServos() {
+    const auto is_silent = [](const ServoFacts& servo) { return !servo.absent && !servo.found; };
+    const auto silent = std::ranges::count_if(facts_.servo, is_silent);
     if (silent == 0) return;
     const Patience before = patience_;
     patience_ = {1, std::min(Patience{}.margin, kSecondLookTime / silent)};
     for (std::size_t i = 0; i < kJoints && !facts_.lost; ++i)
-      if (unheard(facts_.servo[i])) measureServo(kJointTable[i].id, facts_.servo[i]);
+      if (is_silent(facts_.servo[i])) measureServo(kJointTable[i].id, facts_.servo[i]);
     patience_ = before;
   }
 
@@ -137,22 +137,22 @@ class Probe {
     if (!servo.found) return;
     readTable(id, servo);
     if (!servo.readable && !facts_.lost) readPatiently(id, servo);
-    // It answers to pings and is silent when read: status level 0. Level and torque cannot be read, so one write
-    // is tried; a servo whose torque is on ignores it.
+    // It answers pings but not reads: status level 0. Level and torque cannot be read, so try one write; a servo under
+    // torque ignores it.
     if (!servo.readable && !servo.garbled && !facts_.lost) {
-      servo.level_mending = mend(id, servo::kStatusLevel, kStatusLevelWanted, false);
-      if (servo.level_mending == Mending::kDone) readTable(id, servo);
+      servo.level_correction = correct(id, servo::kStatusLevel, kStatusLevelWanted, false);
+      if (servo.level_correction == Correction::kDone) readTable(id, servo);
     } else if (servo.readable && servo.status_level != kStatusLevelWanted) {
-      servo.level_mending = mend(id, servo::kStatusLevel, kStatusLevelWanted, servo.torque_on);
-      if (servo.level_mending == Mending::kDone) servo.status_level = kStatusLevelWanted;
+      servo.level_correction = correct(id, servo::kStatusLevel, kStatusLevelWanted, servo.torque_on);
+      if (servo.level_correction == Correction::kDone) servo.status_level = kStatusLevelWanted;
     }
     if (!servo.readable || servo.return_delay <= kMostReturnDelay) return;
     servo.return_delay_was = servo.return_delay;
-    servo.delay_mending = mend(id, servo::kReturnDelay, kReturnDelayWanted, servo.torque_on);
-    if (servo.delay_mending == Mending::kDone) servo.return_delay = kReturnDelayWanted;
+    servo.delay_correction = correct(id, servo::kReturnDelay, kReturnDelayWanted, servo.torque_on);
+    if (servo.delay_correction == Correction::kDone) servo.return_delay = kReturnDelayWanted;
   }
 
-  /// A busy computer must not be taken for a status level of 0, nor for two servos with one id.
+  /// Retries with a longer timeout: a delay by this computer looks like status level 0 or like a duplicate id.
   void readPatiently(std::uint8_t id, ServoFacts& servo) {
     const Patience before = patience_;
     patience_ = Patience{};
@@ -183,15 +183,15 @@ class Probe {
     servo.temperature = Celsius{static_cast<double>(data[servo::kPresentTemperature])};
   }
 
-  Mending mend(std::uint8_t id, std::uint8_t address, std::uint8_t wanted, bool torque_on) {
-    if (!options_.correct) return Mending::kNotAsked;
-    if (torque_on) return Mending::kTorqueOn;
+  Correction correct(std::uint8_t id, std::uint8_t address, std::uint8_t wanted, bool torque_on) {
+    if (!options_.correct) return Correction::kNotAsked;
+    if (torque_on) return Correction::kTorqueOn;
     for (int attempt = 0; attempt < 2 && !facts_.lost; ++attempt) {
       writeOnce(id, address, wanted);
       const Answer now = read(id, address, 1);
-      if (now.ok() && now.data()[0] == wanted) return Mending::kDone;
+      if (now.ok() && now.data()[0] == wanted) return Correction::kDone;
     }
-    return Mending::kRefused;
+    return Correction::kRefused;
   }
 
   void measureLosses() {

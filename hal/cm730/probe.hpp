@@ -1,5 +1,5 @@
-// Measures a robot at start-up: board, servo power, round trip, every servo, the loop's instructions, losses. Nothing
-// moves; the servos' LEDs flicker once.
+// Start-up measurement of a robot: board, servo power, round trip, every servo, the loop's instructions, losses.
+// Nothing moves; the servos' LEDs flash once.
 #pragma once
 
 #include <bitset>
@@ -13,20 +13,20 @@
 namespace darwinop::cm730 {
 
 struct ProbeOptions {
-  std::string port = "/dev/ttyUSB0";  // for the sentences only
-  /// Write return delay 0 and status level 2 into servos that have something else, and only into those.
+  std::string port = "/dev/ttyUSB0";  // for messages only
+  /// Write return delay 0 and status level 2 into servos with other values, and only into those.
   bool correct = true;
   int round_trip_reads = 9;
   int loss_reads_per_servo = 3;
-  Nanos loss_budget{300'000'000};  // no more loss reads are begun after this time
-  JointOffsets offsets{};          // taken off the positions
-  Nanos period{16'000'000};        // of the loop that is to be started
-  std::bitset<kJoints> absent{};   // not asked
+  Nanos loss_budget{300'000'000};  // no loss reads start after this time
+  JointOffsets offsets{};          // subtracted from positions
+  Nanos period{16'000'000};        // period of the loop
+  std::bitset<kJoints> absent{};   // not measured
   TickRanges allowed = tableRanges();
 
-  /// Before a loop: well under a second on a healthy robot, 300 ms more when servo power was off.
+  /// Start of a loop: well under a second on a healthy robot, 300 ms more if servo power was off.
   static ProbeOptions quick() { return {}; }
-  /// For darwinop-doctor: looks longer, changes nothing but servo power.
+  /// For darwinop-doctor: measures longer, changes only servo power.
   static ProbeOptions thorough() {
     ProbeOptions options;
     options.correct = false;
@@ -42,7 +42,7 @@ RobotFacts measure(ByteLine& line, const ProbeOptions& options);
 
 struct ProbeReport {
   RobotFacts facts;
-  Findings findings;  // board first, then the servos by id, then the line
+  Findings findings;  // board, then servos by id, then the line
 };
 ProbeReport probe(ByteLine& line, const ProbeOptions& options = ProbeOptions::quick());
 

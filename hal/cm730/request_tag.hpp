@@ -1,5 +1,5 @@
-// Tells the answer to this request from a late answer to an earlier one. Protocol 1.0 has no sequence number, so
-// the length of the board's block serves as one: it differs from each request to the next.
+// Distinguishes the reply to this request from late replies to earlier ones. Protocol 1.0 has no sequence number, so
+// the length of the board's block serves as one: it changes with every request.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +13,15 @@ class RequestTag {
  public:
   static constexpr std::uint8_t kMostBytes = kBoardTableSize - kBoardWindow.address;  // 57
 
-  /// `fixed`: the board answers to one length only, and late replies are not recognised.
+  /// `fixed`: the board supports one length only; late replies are not detected.
   explicit RequestTag(bool fixed = false) : fixed_{fixed} {}
 
-  /// Bytes to ask the board for, from address 24 on.
+  /// Number of bytes to request from the board, from address 24 on.
   [[nodiscard]] std::uint8_t boardBytes() const noexcept {
     return static_cast<std::uint8_t>(kBoardWindow.count + (fixed_ ? 0 : tag_));
   }
 
-  /// Call after every exchange. `doubtful`: the board's answer is missing and may still come, who knows when.
+  /// Call after every exchange. `doubtful`: the board's reply is missing and may still arrive.
   void note(bool doubtful) noexcept {
     if (doubtful)
       wary_ = kWaryCycles;
@@ -32,7 +32,7 @@ class RequestTag {
 
  private:
   static constexpr int kAllTags = kMostBytes - kBoardWindow.count + 1;  // 28
-  static constexpr int kCalmTags = 4;  // 15 us a cycle in the mean; an answer is never three cycles late unnoticed
+  static constexpr int kCalmTags = 4;  // costs 15 us per cycle on average; no reply is three cycles late undetected
   static constexpr int kWaryCycles = 64;
   bool fixed_;
   int tag_ = 0, wary_ = 0;

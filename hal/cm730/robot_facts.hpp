@@ -1,4 +1,4 @@
-// What a probe has measured of a robot: figures only, no judgement.
+// Measurements of a probe, without judgement.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@
 
 namespace darwinop::cm730 {
 
-/// What became of a setting in a servo's EEPROM that was not as it should be.
-enum class Mending : std::uint8_t {
+/// Outcome of correcting an EEPROM setting.
+enum class Correction : std::uint8_t {
   kNotNeeded,
-  kDone,      // written and read back
-  kNotAsked,  // the probe was to look only
-  kTorqueOn,  // an MX-28 takes EEPROM writes only while its torque is off
-  kRefused,   // written, and read back unchanged
+  kDone,      // written and verified
+  kNotAsked,  // the probe was read-only
+  kTorqueOn,  // an MX-28 accepts EEPROM writes only with torque off
+  kRefused,   // written, but reads back unchanged
 };
 
-/// Positions of a servo, in its own ticks.
+/// A range of positions in servo ticks.
 struct TickRange {
   int low = 0, high = kTickMax;
 };
@@ -33,10 +33,10 @@ constexpr TickRanges tableRanges() {
 }
 
 struct ServoFacts {
-  bool absent = false;    // robot.ini says that it is not there: it was not asked
-  bool found = false;     // answers to a ping
-  bool garbled = false;   // bytes came that were no answer
-  bool readable = false;  // true: all that follows down to `position` is known
+  bool absent = false;    // listed as absent in robot.ini: not measured
+  bool found = false;     // answers a ping
+  bool garbled = false;   // received bytes that are not a valid reply
+  bool readable = false;  // true: all fields down to `position` are valid
   std::uint16_t model = 0;
   std::uint8_t firmware = 0, status_level = 0, error_bits = 0;
   std::uint8_t return_delay = 0;                     // counts of 2 us
@@ -47,13 +47,13 @@ struct ServoFacts {
   Celsius temperature;
   Rad position;
 
-  Mending delay_mending = Mending::kNotNeeded, level_mending = Mending::kNotNeeded;
-  std::uint8_t return_delay_was = 0;  // before mending
-  int reads = 0, losses = 0;          // single reads, not repeated
-  // As the loop does it; true also when it was not tried.
+  Correction delay_correction = Correction::kNotNeeded, level_correction = Correction::kNotNeeded;
+  std::uint8_t return_delay_was = 0;  // before the correction
+  int reads = 0, losses = 0;          // single reads without retries
+  // Instructions as the loop uses them; true also if not tested.
   bool bulk_read_works = true, sync_write_works = true;
 
-  /// Both limits 0: the servo turns without end at the speed of register 32, and no goal stops it.
+  /// Both limits 0: the servo turns continuously at the speed in register 32, and goals do not stop it.
   [[nodiscard]] bool wheelMode() const { return cw_limit == 0 && ccw_limit == 0; }
   [[nodiscard]] bool multiTurnMode() const { return cw_limit == kTickMax && ccw_limit == kTickMax; }
 };
@@ -62,30 +62,30 @@ struct BoardFacts {
   bool found = false, garbled = false, readable = false;
   std::uint16_t model = 0;
   std::uint8_t firmware = 0;
-  bool power_was_on = false, power_on = false;  // of the servos
+  bool power_was_on = false, power_on = false;  // servo power
   Volt voltage;
   std::array<MeterPerSec2, 3> accelerometer;  // x, y, z
 };
 
-/// Whether the instructions that the loop lives on have an effect.
+/// Results of testing the loop's instructions.
 struct InstructionFacts {
-  bool tried = false;       // false: there was nothing to try them on, and all that follows means nothing
-  bool bulk_read = false;   // the board answered to one
-  bool sync_write = false;  // some servo obeyed one
-  bool all_blocks = true;   // of 30..57 bytes, by which the bus tells replies apart (request_tag.hpp)
+  bool tried = false;       // false: no servo to test with; the other fields are invalid
+  bool bulk_read = false;   // answered by the board
+  bool sync_write = false;  // executed by at least one servo
+  bool all_blocks = true;   // lengths 30..57, by which the bus distinguishes replies (request_tag.hpp)
 };
 
 struct RobotFacts {
-  std::string port;                    // for the sentences
-  Nanos period{16'000'000};            // that the loop is to have
-  TickRanges allowed = tableRanges();  // goals that servos can get: joint table, settings and offsets
-  std::array<int, kJoints> start{};    // the start pose in servo ticks
-  bool lost = false;                   // the line went away in the middle
+  std::string port;                    // for messages
+  Nanos period{16'000'000};            // period of the loop
+  TickRanges allowed = tableRanges();  // allowed goals: joint table, settings and offsets
+  std::array<int, kJoints> start{};    // start pose in servo ticks
+  bool lost = false;                   // the line was lost during the measurement
   BoardFacts board;
   std::array<ServoFacts, kJoints> servo;
   InstructionFacts instructions;
   Nanos round_trip{0};       // median of short reads, request to last byte
-  int round_trip_reads = 0;  // that were answered; 0: not measured
+  int round_trip_reads = 0;  // answered ones; 0: not measured
   Nanos took{0};
 };
 

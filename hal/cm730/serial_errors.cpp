@@ -1,4 +1,4 @@
-// Words for a port that could not be opened.
+// Error messages for opening a serial port.
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ bool holds(const fs::path& process, const std::string& real) {
   return false;
 }
 
-/// "process 1234 (darwinop-runtime)", or nothing: the files of other users' processes are not for all to see.
+/// "process 1234 (darwinop-runtime)", or empty: the descriptors of other users' processes are not readable.
 std::string holder(const std::string& path) {
   std::error_code error;
   const std::string real = fs::canonical(path, error).string();
@@ -43,9 +43,9 @@ std::string holder(const std::string& path) {
 std::string choices() {
   const auto ports = candidatePorts();
   if (ports.empty())
-    return "no USB serial port is there at all: check the USB cable and the robot's power switch, or start "
+    return "no USB serial port found; check the USB cable and the robot's power switch, or start "
            "`darwinop virtual-robot` and use the path it prints";
-  std::string text = "ports that are there:";
+  std::string text = "available ports:";
   for (const std::string& port : ports) text += " " + port;
   return text + "; choose one with --robot or DARWINOP_ROBOT";
 }
@@ -54,7 +54,7 @@ std::string inUse(const std::string& path) {
   const std::string who = holder(path);
   if (who.empty()) return path + " is in use by another program: find it with `sudo fuser -v " + path + "` and stop it";
   if (who.find("(darwinop-runtim") != std::string::npos)  // the kernel keeps 15 letters of a name
-    return path + " is in use by the daemon, " + who + ": drive through it with --robot runtime, or stop it first";
+    return path + " is in use by the daemon, " + who + ": use --robot runtime, or stop it first";
   return path + " is in use by " + who + ": stop it first";
 }
 
@@ -80,7 +80,7 @@ std::string explain(const std::string& path, const OpenAttempt& failed) {
     case ENODEV:
     case ENXIO:
     case ENOTDIR:
-      return "there is no " + path + "; " + choices();
+      return "port " + path + " does not exist; " + choices();
     case EACCES:
     case EPERM:
       return "no permission to open " + path + ": run `sudo usermod -aG dialout $USER`, then log out and in again";
@@ -95,8 +95,8 @@ std::string explain(const std::string& path, const OpenAttempt& failed) {
   }
   const std::string reason = std::strerror(failed.error);
   if (failed.step == Step::kTerminal)
-    return path + " does not take 1 Mbaud and raw bytes (" + reason + "): it is not the port of a CM-730; " + choices();
-  return path + " cannot be opened (" + reason + "): unplug the USB cable, plug it in again and retry";
+    return path + " does not support 1 Mbaud raw mode (" + reason + "): not a CM-730 port; " + choices();
+  return "cannot open " + path + ": " + reason + "; unplug the USB cable, plug it in again and retry";
 }
 
 std::vector<std::string> candidatePorts(const std::string& dev) {

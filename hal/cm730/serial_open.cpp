@@ -1,4 +1,4 @@
-// Opening, setting up and finding again of serial ports.
+// Opens, configures and rediscovers serial ports.
 #include "hal/cm730/serial_open.hpp"
 
 #include <fcntl.h>
@@ -19,21 +19,21 @@ namespace {
 
 using Step = OpenAttempt::Step;
 
-// A flag that a former owner left set would spoil bytes: with IXOFF an FTDI chip itself takes 0x11 and 0x13 out.
+// Flags left by a previous owner would corrupt data: with IXOFF an FTDI chip removes 0x11 and 0x13.
 constexpr tcflag_t kControlFlags = CS8 | CREAD | CLOCAL;
 constexpr tcflag_t kHarmfulControlFlags = CSTOPB | PARENB | PARODD | CMSPAR | CRTSCTS | HUPCL;
 
-/// From a known state, whoever had the port before. The settings stay when the port is closed.
+/// Sets all flags, independent of the previous owner. The settings persist after closing.
 bool makeRaw(int fd) {
   termios settings{};
   if (::tcgetattr(fd, &settings) != 0) return false;
   settings.c_iflag = settings.c_oflag = settings.c_lflag = 0;
   settings.c_cflag = kControlFlags;
-  settings.c_cc[VMIN] = 0;  // a read takes what is there and returns; with nothing there it returns 0
+  settings.c_cc[VMIN] = 0;  // read() never blocks; returns 0 without data
   settings.c_cc[VTIME] = 0;
   ::cfsetspeed(&settings, B1000000);
   if (::tcsetattr(fd, TCSANOW, &settings) != 0) return false;
-  // tcsetattr() is content when any of its wishes came true.
+  // tcsetattr() succeeds if any of the changes was made, so read them back.
   termios now{};
   if (::tcgetattr(fd, &now) != 0) return false;
   const bool plain = (now.c_iflag | now.c_oflag | now.c_lflag) == 0 && (now.c_cflag & CSIZE) == CS8 &&
@@ -45,7 +45,7 @@ bool makeRaw(int fd) {
   return true;
 }
 
-/// The FTDI driver sets its latency timer to 1 ms for this flag, and needs no root for it. A pty has no such call.
+/// With this flag the FTDI driver sets its latency timer to 1 ms without root. A pty does not support the call.
 void askForLowLatency(int fd) {
   serial_struct settings{};
   if (::ioctl(fd, TIOCGSERIAL, &settings) != 0) return;
@@ -61,8 +61,8 @@ bool isPty(int fd) {
   return major_number >= kFirstPtyMajor && major_number <= kLastPtyMajor;
 }
 
-/// The lock stops root too, TIOCEXCL also stops programs that do not ask for locks. A pty keeps TIOCEXCL after its
-/// last user went, which would shut out the next one, so it gets the lock only.
+/// The lock also stops root; TIOCEXCL also stops programs that do not use locks. A pty keeps TIOCEXCL after its last
+/// user has closed it, which would block the next one, so it gets the lock only.
 bool lock(int fd) {
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0) return false;
   return isPty(fd) || ::ioctl(fd, TIOCEXCL) == 0;
@@ -79,7 +79,7 @@ OpenAttempt openSerial(const std::string& path) {
     return failed;
   };
   if (::isatty(fd) == 0) return give_up(Step::kTerminal);
-  // Lock first: the settings of a port that somebody else uses are not ours to change.
+  // Lock first: the settings of a port that is in use must not change.
   if (!lock(fd)) return give_up(Step::kLock);
   if (!makeRaw(fd)) return give_up(Step::kTerminal);
   askForLowLatency(fd);
@@ -103,8 +103,8 @@ std::optional<PortMemory::LinkMark> PortMemory::markOf(const std::string& path) 
   return LinkMark{info.st_ino, info.st_mtim.tv_sec, info.st_mtim.tv_nsec};
 }
 
-/// A pty that hung up is gone for ever, and its name may be somebody's terminal now: it is ours only when the link
-/// to it was made anew. A USB port must be the device it was.
+/// A pty that hung up never returns, and its number may be reused by a terminal: accept it only if the link to it was
+/// recreated. A USB port must be the same device.
 bool PortMemory::mayBeOurs() const {
   std::error_code error;
   const std::string real = std::filesystem::canonical(path_, error).string();

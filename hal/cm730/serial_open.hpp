@@ -1,4 +1,4 @@
-// Opens a serial port the way a CM-730 needs it, and says what is wrong in words when that fails.
+// Opens a serial port for a CM-730; error messages with remedies.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace darwinop::cm730 {
 
-/// `fd` is -1 when it failed; `error` is then the errno of `step`.
+/// On failure `fd` is -1 and `error` the errno of `step`.
 struct OpenAttempt {
   enum class Step { kOpen, kTerminal, kLock };
   int fd = -1;
@@ -17,30 +17,29 @@ struct OpenAttempt {
   int error = 0;
 };
 
-/// Raw, 1 Mbaud, 8N1, no flow control, no hang-up on close, whatever a former owner had set; reads that never wait,
-/// nobody else on the port, low latency where the driver has it. A pty will do. The caller closes `fd` with
-/// closeSerial(), which leaves these settings.
+/// Raw, 1 Mbaud, 8N1, no flow control, no hang-up on close; non-blocking reads, exclusive access, low latency if the
+/// driver supports it. A pty works. The caller closes `fd` with closeSerial(), which keeps these settings.
 OpenAttempt openSerial(const std::string& path);
 void closeSerial(int fd);
 
-/// True: the port is not there, or in use; it may be otherwise in a while.
+/// True: the port is missing or in use; retrying is useful.
 [[nodiscard]] bool mayComeYet(const OpenAttempt& failed);
 
-/// One sentence: what is wrong with this port and what to do about it.
+/// Error message with a remedy.
 std::string explain(const std::string& path, const OpenAttempt& failed);
 
-/// Ports a CM-730 might hang on: ttyUSB* and ttyACM* in `dev`, sorted.
+/// Possible CM-730 ports: ttyUSB* and ttyACM* in `dev`, sorted.
 std::vector<std::string> candidatePorts(const std::string& dev = "/dev");
 
-/// What is needed to find a port again after it went away.
+/// Identity of a port, to find it again after it was lost.
 class PortMemory {
  public:
   explicit PortMemory(std::string path);
-  /// Tries the same path, then, for a /dev/ttyUSB*, its siblings that are the same device; -1: not there yet.
+  /// Tries the same path; for a /dev/ttyUSB* also its siblings with the same identity. Returns -1: not there yet.
   [[nodiscard]] int reopen() const;
 
  private:
-  /// Tells a link that was made anew from one that was left behind.
+  /// Distinguishes a recreated link from a stale one.
   struct LinkMark {
     unsigned long long inode = 0;
     long long seconds = 0, nanoseconds = 0;

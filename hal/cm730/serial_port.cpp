@@ -1,4 +1,4 @@
-// Reads and writes of a serial port: read() and write() first, ppoll() only when they would have to wait.
+// Serial port I/O: read() and write() first, ppoll() only when they would block.
 #include "hal/cm730/serial_port.hpp"
 
 #include <poll.h>
@@ -17,9 +17,9 @@
 namespace darwinop::cm730 {
 namespace {
 
-// The kernel's buffer holds many frames, so a write waits only when nobody takes the bytes away.
+// The kernel buffer holds many frames, so a write blocks only if the device stops reading.
 constexpr Nanos kWriteMargin{2'000'000};
-// Stale input is a few frames at most; a line that babbles without end must not hold the loop.
+// Stale input is a few frames at most; continuous garbage must not block the loop.
 constexpr int kMostDiscards = 16;
 
 int openOrThrow(const std::string& path) {
@@ -76,14 +76,14 @@ LineStatus SerialPort::wait(short events, Nanos deadline, bool& hung_up) noexcep
   const int ready = ::ppoll(&file, 1, &timeout, nullptr);
   if (ready == 0) return LineStatus::kTimeout;
   if (ready < 0 && errno != EINTR) return LineStatus::kLost;
-  // Linux: a pty without its other end and an unplugged adapter both poll as hung up, and then read as 0 for ever.
+  // Linux: a pty without its other end and an unplugged adapter both poll as hung up and then read 0 bytes forever.
   hung_up = ready > 0 && (file.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
   return LineStatus::kOk;
 }
 
 LineStatus SerialPort::write(std::span<const std::uint8_t> bytes) noexcept {
   if (!present()) return LineStatus::kLost;
-  Nanos deadline{0};  // set when waiting is needed
+  Nanos deadline{0};  // set when a wait is needed
   while (!bytes.empty()) {
     const ssize_t taken = ::write(fd_, bytes.data(), bytes.size());
     if (taken > 0) {

@@ -1,4 +1,4 @@
-// A serial port as a byte line: bounded waiting in the kernel, and it comes back by itself after it was unplugged.
+// Serial port as a byte line, with bounded blocking and automatic reconnection.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,9 @@ namespace darwinop::cm730 {
 
 class SerialPort final : public ByteLine {
  public:
-  /// A tty, a pty, or a link to one. Throws std::runtime_error that says what is wrong and what to do; NotReady
-  /// when the port may come yet.
+  /// A tty, a pty, or a link to one. Throws std::runtime_error with a remedy; NotReady if retrying is useful.
   explicit SerialPort(const std::string& path);
-  /// For tests: a file that is open already, and who brings another when it is lost.
+  /// For tests: an open descriptor, and the configuration for reopening it.
   SerialPort(int fd, PortKeeper::Config keeper);
   ~SerialPort() override;
   SerialPort(const SerialPort&) = delete;
@@ -30,7 +29,7 @@ class SerialPort final : public ByteLine {
  private:
   [[nodiscard]] bool present() noexcept;
   LineStatus lose() noexcept;
-  /// Waits for one of `events`. kOk: try again, and when that yields nothing and `hung_up` is true, it is lost.
+  /// Waits for one of `events`. kOk: retry; if that transfers nothing and `hung_up` is true, the port is lost.
   LineStatus wait(short events, Nanos deadline, bool& hung_up) noexcept;
 
   int fd_;

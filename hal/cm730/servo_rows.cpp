@@ -1,4 +1,4 @@
-// What each servo says of itself, in words.
+// Findings about each servo.
 #include "hal/cm730/servo_rows.hpp"
 
 #include <algorithm>
@@ -17,43 +17,41 @@ namespace {
 
 constexpr double kHot = 65, kTooHot = 75;  // deg C; faults servo_hot and servo_overheat
 constexpr int kMicrosecondsPerCount = 2;
-// How far a servo's own limits may shift the start pose: 0.15 rad, as near as a start move has to come
-// ([Safety] start_tolerance).
+// Maximum shift of the start pose by the servo's own limits: 0.15 rad, the tolerance of a start move ([Safety]
+// start_tolerance).
 constexpr int kMostStartShift = 98;
 
 struct ErrorBitRow {
   std::uint8_t bit;
   Kind kind;
-  std::string_view name, mend;
+  std::string_view name, remedy;
 };
 constexpr ErrorBitRow kErrorBits[] = {
-    {error_bit::kVoltage, Kind::kServoErrorBit, "voltage",
-     "its supply is outside its limits: check battery and cables"},
+    {error_bit::kVoltage, Kind::kServoErrorBit, "voltage", "supply voltage out of range: check battery and cables"},
     {error_bit::kAngleLimit, Kind::kServoErrorBit, "angle limit",
-     "it was sent a goal outside its own angle limits (registers 6 and 8): check them against docs/registers.md"},
+     "a goal was outside its angle limits (registers 6 and 8): compare them with docs/registers.md"},
     {error_bit::kOverheat, Kind::kServoOverheatBit, "overheating",
-     "let it cool down, and look for a joint that works against a stop"},
-    {error_bit::kRange, Kind::kServoErrorBit, "range", "it refused a value: check its firmware"},
+     "let it cool down; check whether the joint pushes against a stop"},
+    {error_bit::kRange, Kind::kServoErrorBit, "range", "it rejected a value: check its firmware"},
     {error_bit::kChecksum, Kind::kServoErrorBit, "checksum",
-     "requests reach it damaged: check the cable that leads to it"},
+     "it receives damaged requests: check the cable that leads to it"},
     {error_bit::kOverload, Kind::kServoOverloadBit, "overload",
      "free the joint and switch servo power off and on; in a running loop, reset the faults"},
-    {error_bit::kInstruction, Kind::kServoErrorBit, "instruction",
-     "it does not know an instruction: check its firmware"},
+    {error_bit::kInstruction, Kind::kServoErrorBit, "instruction", "unknown instruction: check its firmware"},
 };
 
-/// Collects what is wrong with one servo into one row.
+/// Collects the findings about one servo into one row.
 class Row {
  public:
   Row(Joint joint, std::string what) : row_{Finding::ok(std::move(what))} { row_.joint = joint; }
-  void add(Kind kind, std::string_view problem, std::string_view mend) {
+  void add(Kind kind, std::string_view problem, std::string_view remedy) {
     row_.level = std::max(row_.level, levelOf(kind));
     row_.kinds.set(static_cast<std::size_t>(kind));
     append("; ", problem);
-    if (!row_.mend.empty()) row_.mend += "; ";
-    row_.mend += mend;
+    if (!row_.remedy.empty()) row_.remedy += "; ";
+    row_.remedy += remedy;
   }
-  /// What is well now.
+  /// Adds a note without a problem.
   void note(std::string_view text) { append("; ", text); }
   [[nodiscard]] Finding take() { return std::move(row_); }
 
@@ -77,63 +75,65 @@ std::string summary(Joint joint, const ServoFacts& servo) {
 }
 
 std::string replaced(Joint joint) {
-  return "a replaced servo comes with id 1 and 57142 baud: connect it alone and give it id " +
-         std::to_string(row(joint).id) + " and 1 Mbaud with the vendor's tool";
+  return "a new servo has id 1 and 57142 baud: connect it alone and set id " + std::to_string(row(joint).id) +
+         " and 1 Mbaud with the vendor's tool";
 }
 
-/// The sentence for a setting that should have been mended; nothing when it was.
-std::string whyNot(Mending mending) {
-  switch (mending) {
-    case Mending::kNotNeeded:
-    case Mending::kDone:
+/// Remedy for a setting that was not corrected; empty if it was.
+std::string correctionRemedy(Correction correction) {
+  switch (correction) {
+    case Correction::kNotNeeded:
+    case Correction::kDone:
       return {};
-    case Mending::kNotAsked:
-      return "`darwinop doctor --fix` sets it";
-    case Mending::kTorqueOn:
-      return "its torque is on, and an MX-28 takes such a setting only while limp: hold the robot, press the board's "
+    case Correction::kNotAsked:
+      return "run `darwinop doctor --fix`";
+    case Correction::kTorqueOn:
+      return "its torque is on, and an MX-28 accepts this setting only without torque: hold the robot, press the "
+             "board's "
              "RESET button (torque goes off) and run `darwinop doctor --fix`";
-    case Mending::kRefused:
-      return "it refused the new value: press the board's RESET button to unlock its settings and try again";
+    case Correction::kRefused:
+      return "it rejected the new value: press the board's RESET button to unlock its settings and try again";
   }
   return {};
 }
 
 void addReturnDelay(const ServoFacts& servo, Row& found) {
-  if (servo.delay_mending == Mending::kNotNeeded) return;
-  if (servo.delay_mending == Mending::kDone)
-    found.note("return delay was " + microseconds(servo.return_delay_was) + ", set to 0 for good");
+  if (servo.delay_correction == Correction::kNotNeeded) return;
+  if (servo.delay_correction == Correction::kDone)
+    found.note("return delay was " + microseconds(servo.return_delay_was) + ", set to 0 permanently");
   else
-    found.add(Kind::kReturnDelay,
-              "every answer waits " + microseconds(servo.return_delay) + ", " + microseconds(kMostReturnDelay) +
-                  " are allowed",
-              whyNot(servo.delay_mending));
+    found.add(
+        Kind::kReturnDelay,
+        "return delay is " + microseconds(servo.return_delay) + " (maximum " + microseconds(kMostReturnDelay) + ")",
+        correctionRemedy(servo.delay_correction));
 }
 
 void addStatusLevel(const ServoFacts& servo, Row& found) {
-  if (servo.level_mending == Mending::kNotNeeded) return;
-  if (servo.level_mending == Mending::kDone)
-    found.note("status return level set to 2 for good");
+  if (servo.level_correction == Correction::kNotNeeded) return;
+  if (servo.level_correction == Correction::kDone)
+    found.note("status return level set to 2 permanently");
   else
     found.add(Kind::kStatusLevel,
               "status return level " + std::to_string(servo.status_level) +
-                  " instead of 2: it does "
-                  "not answer to writes",
-              whyNot(servo.level_mending));
+                  " instead of 2: it "
+                  "does not acknowledge writes",
+              correctionRemedy(servo.level_correction));
 }
 
 void addHealth(const ServoFacts& servo, Row& found) {
   if (servo.temperature.value >= kTooHot)
-    found.add(Kind::kServoTooHot, "too hot", "let it cool to 60 deg C; it shuts itself off at 80");
+    found.add(Kind::kServoTooHot, "too hot", "let it cool to 60 deg C; it shuts down at 80");
   else if (servo.temperature.value >= kHot)
-    found.add(Kind::kServoHot, "hot", "give the robot a rest");
+    found.add(Kind::kServoHot, "hot", "let the robot cool down");
   for (const ErrorBitRow& error : kErrorBits)
-    if ((servo.error_bits & error.bit) != 0) found.add(error.kind, "error bit: " + std::string{error.name}, error.mend);
+    if ((servo.error_bits & error.bit) != 0)
+      found.add(error.kind, "error bit: " + std::string{error.name}, error.remedy);
   if (servo.max_torque == 0)
-    found.add(Kind::kMaxTorqueZero, "max torque (register 14) is 0: it never has torque",
+    found.add(Kind::kMaxTorqueZero, "max torque (register 14) is 0: no torque",
               "set register 14 to 1023 with the vendor's tool");
   else if (servo.torque_limit == 0)
-    found.add(Kind::kTorqueLimitZero, "torque limit is 0: it has shut itself off, or a program has set it",
-              "remove the cause, then switch servo power off and on; a loop writes it anew when it takes over");
+    found.add(Kind::kTorqueLimitZero, "torque limit is 0: set by its shutdown or by a program",
+              "remove the cause, then switch servo power off and on; a loop writes it again at takeover");
 }
 
 std::string radians(Joint joint, const RobotFacts& facts, TickRange ticks) {
@@ -144,12 +144,12 @@ std::string radians(Joint joint, const RobotFacts& facts, TickRange ticks) {
   return text;
 }
 
-/// The servo's own limits against the angles that it may be sent to.
+/// Compares the servo's own limits with the allowed goals.
 void addRange(Joint joint, const RobotFacts& facts, Row& found) {
   constexpr const char* kVendor = "set registers 6 and 8 with the vendor's tool; factory settings are 0 and 4095";
   const ServoFacts& servo = facts.servo[index(joint)];
   if (servo.wheelMode()) {
-    found.add(Kind::kWheelMode, "in wheel mode (both angle limits 0): it would turn without end",
+    found.add(Kind::kWheelMode, "in wheel mode (both angle limits 0): it would turn continuously",
               "set its angle limits, registers 6 and 8, to 0 and 4095 with the vendor's tool");
     return;
   }
@@ -164,31 +164,31 @@ void addRange(Joint joint, const RobotFacts& facts, Row& found) {
                           radians(joint, facts, {servo.cw_limit, servo.ccw_limit}) + ", the settings " +
                           radians(joint, facts, allowed);
   if (both.low >= both.high) {
-    found.add(Kind::kNoRange, own + ": nothing is in both", kVendor);
+    found.add(Kind::kNoRange, own + ": they do not overlap", kVendor);
     return;
   }
   if (both.low == allowed.low && both.high == allowed.high) return;
   const int start = std::clamp(facts.start[index(joint)], allowed.low, allowed.high);
   if (std::abs(std::clamp(start, both.low, both.high) - start) > kMostStartShift)
-    found.add(Kind::kStartPoseOutside, own + "; the start pose is outside: it could not sit down", kVendor);
+    found.add(Kind::kStartPoseOutside, own + "; the start pose is outside, so the robot could not sit down", kVendor);
   else
-    found.add(Kind::kNarrowRange, own + ": both hold", kVendor);
+    found.add(Kind::kNarrowRange, own + ": the intersection applies", kVendor);
 }
 
 void addInstructions(const ServoFacts& servo, Row& found) {
   constexpr const char* kCheck = "check its firmware and the cable that leads to it";
-  if (!servo.bulk_read_works) found.add(Kind::kServoInstruction, "it answers to READ and not to BULK_READ", kCheck);
-  if (!servo.sync_write_works) found.add(Kind::kServoInstruction, "it does not obey SYNC_WRITE", kCheck);
+  if (!servo.bulk_read_works) found.add(Kind::kServoInstruction, "answers READ but not BULK_READ", kCheck);
+  if (!servo.sync_write_works) found.add(Kind::kServoInstruction, "does not execute SYNC_WRITE", kCheck);
 }
 
 Finding readableRow(Joint joint, const RobotFacts& facts) {
   const ServoFacts& servo = facts.servo[index(joint)];
   Row found{joint, summary(joint, servo)};
   if (servo.model != find(kMx28, "model").reset)
-    found.add(Kind::kServoModel, "unsupported model " + std::to_string(servo.model) + ", an MX-28 is 29",
-              "put an MX-28 in its place");
+    found.add(Kind::kServoModel, "unsupported model " + std::to_string(servo.model) + " (expected 29, MX-28)",
+              "replace it by an MX-28");
   if (servo.firmware < kOldestFirmware)
-    found.add(Kind::kServoFirmware, "firmware is older than 27: 1024 steps a turn and no PID",
+    found.add(Kind::kServoFirmware, "firmware is older than 27: 1024 steps per turn and no PID",
               "update its firmware with the vendor's tool");
   addRange(joint, facts, found);
   addInstructions(servo, found);
@@ -201,29 +201,28 @@ Finding readableRow(Joint joint, const RobotFacts& facts) {
 Finding unreadableRow(Joint joint, const ServoFacts& servo) {
   if (!servo.garbled)
     return Finding::of(Kind::kServoUnreadable,
-                       servoName(joint) + ": answers to pings only, so its status return level is 0",
-                       whyNot(servo.level_mending));
-  const std::string what = servoName(joint) + ": its answers are garbled";
+                       servoName(joint) + ": answers pings only, so its status return level is 0",
+                       correctionRemedy(servo.level_correction));
+  const std::string what = servoName(joint) + ": garbled replies";
   if (row(joint).id == 1)
-    return Finding::of(
-        Kind::kServoGarbled, what,
-        "two servos may share id 1, as a replaced one comes with it: look which other one is silent, connect that "
-        "one alone and give it its own id; else check the cable");
+    return Finding::of(Kind::kServoGarbled, what,
+                       "two servos may share id 1, the id of a new servo: find the silent one, connect it "
+                       "alone and set its id; otherwise check the cable");
   return Finding::of(Kind::kServoGarbled, what,
-                     "check the cable that leads to it, and whether two servos have this id");
+                     "check the cable that leads to it, and that no other servo has this id");
 }
 
 Finding silentRow(Joint joint, const RobotFacts& facts) {
   const Kind kind = isLeg(joint) ? Kind::kLegServoSilent : Kind::kServoSilent;
   const std::string what = servoName(joint) + ": silent";
   const std::string permit =
-      isLeg(joint) ? "; if the robot lacks it for good: [Robot] absent in robot.ini" : std::string{};
+      isLeg(joint) ? "; if it is permanently missing, list it in [Robot] absent of robot.ini" : std::string{};
   const ChainBreak where = findBreak(facts, row(joint).chain);
   if (!where.first_silent || row(joint).id < row(*where.first_silent).id || where.silent == 1)
-    return Finding::of(kind, what, "check the plugs of this servo; " + replaced(joint) + permit);
+    return Finding::of(kind, what, "check its connectors; " + replaced(joint) + permit);
   if (joint != *where.first_silent) return Finding::of(kind, what + ", behind " + servoName(*where.first_silent), {});
-  const std::string from = where.last_heard ? servoName(*where.last_heard) : "the board";
-  return Finding::of(kind, what + ", and so is everything behind it in its chain",
+  const std::string from = where.last_answering ? servoName(*where.last_answering) : "the board";
+  return Finding::of(kind, what + ", and all servos behind it in the chain",
                      "check the cable from " + from + " into " + servoName(joint) + permit);
 }
 
@@ -236,7 +235,7 @@ std::string servoName(Joint joint) {
 
 void addServoRows(const RobotFacts& facts, Findings& rows) {
   if (std::ranges::none_of(facts.servo, [](const ServoFacts& s) { return s.found || s.garbled; })) {
-    rows.push_back(Finding::of(Kind::kNoServo, "none of the twenty servos answers, though servo power is on",
+    rows.push_back(Finding::of(Kind::kNoServo, "none of the twenty servos answers although servo power is on",
                                "check the cables from the board to the servos, then the board's servo fuse"));
     return;
   }
@@ -244,7 +243,7 @@ void addServoRows(const RobotFacts& facts, Findings& rows) {
     const auto joint = static_cast<Joint>(i);
     const ServoFacts& servo = facts.servo[i];
     if (servo.absent)
-      rows.push_back(Finding::ok(servoName(joint) + ": absent, as robot.ini says; not asked and not driven"));
+      rows.push_back(Finding::ok(servoName(joint) + ": listed as absent in robot.ini; not driven"));
     else if (servo.readable)
       rows.push_back(readableRow(joint, facts));
     else if (servo.found || servo.garbled)

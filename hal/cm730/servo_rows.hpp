@@ -1,4 +1,4 @@
-// Findings about servos: one row each, and which cable to look at when some are silent.
+// Findings about servos, one row each; locates cable breaks when some are silent.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace darwinop::cm730 {
 /// "servo 13 LegLowerR (right knee)"
 std::string servoName(Joint joint);
 
-/// Twenty rows by id, or one when none of them answers.
+/// Twenty rows by id, or a single one if no servo answers.
 void addServoRows(const RobotFacts& facts, Findings& rows);
 
 }  // namespace darwinop::cm730

@@ -30,8 +30,8 @@ std::string ttyName(const std::string& path) {
 }
 
 std::optional<UsbIdentity> usbIdentity(const std::string& path, const std::string& sys_tty) {
-  // .../1-1/1-1:1.0/ttyUSB0: the USB device is two folders above a usb-serial port, one above an ACM one. The
-  // folder is a link, so ".." must be left to the kernel.
+  // .../1-1/1-1:1.0/ttyUSB0: the USB device is two folders above a usb-serial port, one above an ACM port. The folder
+  // is a symbolic link, so the kernel must resolve "..".
   for (const char* up : {"../../", "../"}) {
     const std::string folder = deviceFolder(path, sys_tty) + up;
     const std::string vendor = firstWord(folder + "idVendor");
@@ -60,7 +60,7 @@ std::optional<int> latencyTimer(const std::string& path, const std::string& sys_
 }
 
 bool setLatencyTimer(const std::string& path, int ms, const std::string& sys_tty) {
-  if (!latencyTimer(path, sys_tty)) return false;  // never creates the file
+  if (!latencyTimer(path, sys_tty)) return false;  // must not create the file
   std::ofstream out{deviceFolder(path, sys_tty) + "latency_timer"};
   out << ms << std::flush;
   return out.good() && latencyTimer(path, sys_tty) == ms;
@@ -68,7 +68,7 @@ bool setLatencyTimer(const std::string& path, int ms, const std::string& sys_tty
 
 std::string latencyCommand(const std::string& path) {
   const std::string name = ttyName(path);
-  if (!name.starts_with("ttyUSB")) return "set the latency timer of what drives " + path + " to 1 ms";
+  if (!name.starts_with("ttyUSB")) return "set the latency timer of " + path + " to 1 ms";
   return "echo 1 | sudo tee /sys/bus/usb-serial/devices/" + name + "/latency_timer";
 }
 

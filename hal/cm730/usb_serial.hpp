@@ -1,4 +1,4 @@
-// What sysfs tells of a USB serial port: which device it is, and how long its chip holds bytes back.
+// sysfs attributes of a USB serial port: identity and latency timer.
 #pragma once
 
 #include <optional>
@@ -12,24 +12,24 @@ inline const std::string kSysTty = "/sys/class/tty";
 /// "/dev/ttyUSB0", or a link to it, becomes "ttyUSB0".
 std::string ttyName(const std::string& path);
 
-/// Vendor, product and serial number as sysfs writes them; empty where it is silent.
+/// Vendor, product and serial number as in sysfs; empty if missing.
 struct UsbIdentity {
   std::string vendor, product, serial;
   bool operator==(const UsbIdentity&) const = default;
   [[nodiscard]] bool ftdi() const { return vendor == "0403"; }
 };
-/// Nothing for a port that is not on USB.
+/// Empty for a port that is not on USB.
 std::optional<UsbIdentity> usbIdentity(const std::string& path, const std::string& sys_tty = kSysTty);
 
-/// /dev/ttyUSB0..7 that are the same device as `was` (any FTDI chip when that is not known), without `path`.
+/// /dev/ttyUSB0..7 with the same identity as `was` (any FTDI chip if unknown), without `path`.
 std::vector<std::string> siblings(const std::string& path, const std::optional<UsbIdentity>& was,
                                   const std::string& sys_tty = kSysTty);
 
-/// An FTDI chip sends what it has when a 62 byte packet is full or this many ms have passed; 16 at plug-in.
+/// An FTDI chip sends its buffer when 62 bytes are full or after this many ms; 16 by default.
 std::optional<int> latencyTimer(const std::string& path, const std::string& sys_tty = kSysTty);
-/// False when it is not permitted or there is none.
+/// Returns false if not permitted or not available.
 bool setLatencyTimer(const std::string& path, int ms, const std::string& sys_tty = kSysTty);
-/// The command that does it by hand.
+/// Shell command with the same effect.
 std::string latencyCommand(const std::string& path);
 
 }  // namespace darwinop::cm730

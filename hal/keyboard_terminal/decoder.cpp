@@ -14,10 +14,10 @@ std::optional<Key> ofCharacter(unsigned char byte) {
   if (byte == kDeleteByte || byte == '\b') return kKeyBackspace;
   if (byte < kEscapeByte) return kKeyControl | (byte + 'A' - 1);
   if (byte >= 'a' && byte <= 'z') return byte - 'a' + 'A';
-  // Caps Lock looks the same. Of other characters nobody can tell where Shift was needed.
+  // Caps Lock looks the same. For other characters Shift depends on the layout and is unknown.
   if (byte >= 'A' && byte <= 'Z') return kKeyShift | byte;
   if (byte >= ' ' && byte < kDeleteByte) return byte;
-  return std::nullopt;  // part of a letter beyond ASCII
+  return std::nullopt;  // part of a non-ASCII character
 }
 
 /// ESC [ ... letter, ESC O letter.
@@ -51,7 +51,7 @@ std::optional<Key> ofLetter(char letter) {
   }
 }
 
-/// ESC [ number ~; numbers of the VT220, 7 and 8 of rxvt.
+/// ESC [ number ~; numbers of the VT220; 7 and 8 of rxvt.
 std::optional<Key> ofNumber(int number) {
   switch (number) {
     case 1:
@@ -77,7 +77,7 @@ std::optional<Key> ofNumber(int number) {
   return std::nullopt;
 }
 
-/// The second number of a sequence, less one: 1 Shift, 2 Alt, 4 Control.
+/// The second parameter minus one: 1 Shift, 2 Alt, 4 Control.
 Key ofModifierNumber(int number) {
   const unsigned bits = number > 0 ? static_cast<unsigned>(number) - 1 : 0;
   return ((bits & 1U) != 0 ? kKeyShift : 0) | ((bits & 2U) != 0 ? kKeyAlt : 0) | ((bits & 4U) != 0 ? kKeyControl : 0);
@@ -93,18 +93,18 @@ int firstNumber(std::string_view digits) {
 
 std::vector<Key> KeyDecoder::feed(std::string_view bytes, Nanos now) {
   std::vector<Key> keys;
-  if (const auto alone = settle(now)) keys.push_back(*alone);
+  if (const auto alone = timeOut(now)) keys.push_back(*alone);
   for (const char byte : bytes)
     if (const auto key = take(static_cast<unsigned char>(byte))) keys.push_back(*key);
   last_byte_ = now;
   return keys;
 }
 
-std::optional<Key> KeyDecoder::settle(Nanos now) {
+std::optional<Key> KeyDecoder::timeOut(Nanos now) {
   if (state_ == State::kPlain || now < last_byte_ + kEscapeAlone) return std::nullopt;
   const State was = state_;
   state_ = State::kPlain;
-  if (was != State::kEscape) return std::nullopt;  // the end of a sequence got lost
+  if (was != State::kEscape) return std::nullopt;  // a truncated sequence
   return kKeyEscape;
 }
 
@@ -147,7 +147,7 @@ std::optional<Key> KeyDecoder::sequence(char last) const {
     if (last >= 'A' && last <= 'E') return kKeyF1 + (last - 'A');
     return std::nullopt;
   }
-  if (digits_.starts_with('?')) return std::nullopt;  // the terminal tells of itself
+  if (digits_.starts_with('?')) return std::nullopt;  // a terminal report
   const auto semicolon = digits_.find(';');
   const Key modifiers = semicolon == std::string::npos
                             ? 0

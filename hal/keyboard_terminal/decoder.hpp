@@ -1,4 +1,4 @@
-// The bytes that a terminal sends for its keys. Pure: time comes as an argument.
+// Decodes terminal key sequences. Pure: time is an argument.
 #pragma once
 
 #include <chrono>
@@ -13,18 +13,18 @@ namespace darwinop::terminal {
 
 using Nanos = std::chrono::nanoseconds;
 
-/// Sequences of xterm, of the Linux console and of rxvt. What they mean nothing by is swallowed whole: the rest of an
-/// unknown sequence is not taken for letters.
+/// Sequences of xterm, the Linux console and rxvt. Unknown sequences are discarded as a whole, so that their bytes are
+/// not decoded as letters.
 class KeyDecoder {
  public:
-  /// A sequence begins with the byte of Escape. When nothing follows for this long, it was the key; over a slow network
-  /// the parts of a sequence may come this far apart.
+  /// A sequence starts with the byte of Escape. If nothing follows for this long, it was the Escape key; over a slow
+  /// network the parts of a sequence may be this far apart.
   static constexpr Nanos kEscapeAlone = std::chrono::milliseconds{80};
 
-  /// The keys that these bytes end; several, when they came at once.
+  /// Keys completed by these bytes; several if they arrived at once.
   std::vector<Key> feed(std::string_view bytes, Nanos now);
-  /// The Escape key, when it is that.
-  std::optional<Key> settle(Nanos now);
+  /// The Escape key, if its timeout has passed.
+  std::optional<Key> timeOut(Nanos now);
 
  private:
   enum class State { kPlain, kEscape, kBracket, kLetter };
@@ -32,7 +32,7 @@ class KeyDecoder {
   [[nodiscard]] std::optional<Key> sequence(char last) const;
 
   State state_ = State::kPlain;
-  std::string digits_;  // of the sequence under way
+  std::string digits_;  // parameters of the current sequence
   Nanos last_byte_{0};
 };
 

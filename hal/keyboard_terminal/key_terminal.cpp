@@ -29,14 +29,14 @@ KeyTerminal::End KeyTerminal::run(int stop_fd, const std::atomic<bool>& ending) 
       break;
     }
     const Nanos now = monotonic();
-    if (const auto key = decoder_.settle(now)) typed_.type(*key, now);
+    if (const auto key = decoder_.timeOut(now)) typed_.type(*key, now);
     typed_.expire(now);
   }
   keys_.releaseAll();
   return end;
 }
 
-/// False: the terminal is gone, or this program is in its background by now.
+/// Returns false if the terminal is closed, or if this program is now in its background.
 bool KeyTerminal::readAll() {
   std::array<char, 64> bytes{};
   const ssize_t count = ::read(fd_, bytes.data(), bytes.size());

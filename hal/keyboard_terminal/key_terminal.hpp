@@ -1,4 +1,4 @@
-// Keys from the terminal that the program was started in.
+// Keyboard input from the controlling terminal.
 #pragma once
 
 #include <atomic>
@@ -11,16 +11,16 @@
 
 namespace darwinop::terminal {
 
-/// Made and run by one thread that blocks signals. One at a time in a process.
+/// Created and run by one thread that blocks signals. One per process.
 class KeyTerminal {
  public:
   enum class End : std::uint8_t { kStopped, kTerminalGone };
 
-  /// Throws std::runtime_error: there is no terminal, and why. `keys` must outlive it.
+  /// Throws std::runtime_error with the reason if there is no terminal. `keys` must outlive it.
   explicit KeyTerminal(HeldKeys& keys, int fd = 0) : fd_{fd}, raw_{fd}, keys_{keys}, typed_{keys} {}
 
-  /// Until `stop_fd` can be read, `ending` is true, or the terminal goes away. No key is held then. `ending` is looked
-  /// at every 50 ms: after the first Ctrl-C the terminal has to be as before, since the second one kills the program.
+  /// Returns when `stop_fd` is readable, `ending` is true, or the terminal is closed; no key is held then. `ending` is
+  /// polled every 50 ms: after the first Ctrl-C the terminal must be restored, since the second one kills the program.
   End run(int stop_fd, const std::atomic<bool>& ending);
 
  private:

@@ -15,14 +15,14 @@
 namespace darwinop::terminal {
 namespace {
 
-// What a signal handler needs; written before the handlers are there.
+// State for the signal handler; written before the handlers are installed.
 termios before;
 std::atomic<int> raw_fd{-1};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
 
 constexpr std::array kCrashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGQUIT};
 
-/// tcsetattr() may be called in signal handlers. From the background it would stop the process, but for the blocking.
+/// tcsetattr() is async-signal-safe. In the background it raises SIGTTOU, hence the blocking.
 void restore() {
   const int fd = raw_fd.exchange(-1);
   if (fd < 0) return;
@@ -34,18 +34,18 @@ void restore() {
   pthread_sigmask(SIG_SETMASK, &kept, nullptr);
 }
 
-/// Its own effect comes next: the signal's usual one is back by now.
+/// SA_RESETHAND restored the default action; raising the signal again applies it.
 void onCrash(int signal) {
   const int error = errno;
   restore();
-  static_cast<void>(raise(signal));  // waits until this handler has returned, to where the fault was
+  static_cast<void>(raise(signal));  // delivered when this handler returns, at the faulting instruction
   errno = error;
 }
 
 void watchForCrashes() {
   for (const int signal : kCrashes) {
     struct sigaction now {};
-    // Sanitizers and programs with handlers of their own keep them.
+    // Handlers of sanitizers and of the program are kept.
     if (sigaction(signal, nullptr, &now) != 0 || (now.sa_flags & SA_SIGINFO) != 0 || now.sa_handler != SIG_DFL)
       continue;
     struct sigaction action {};
@@ -69,24 +69,25 @@ void watchNoMore() {
 }  // namespace
 
 RawMode::RawMode(int fd) {
-  if (isatty(fd) == 0) throw std::runtime_error("standard input is no terminal");
-  if (tcgetpgrp(fd) != getpgrp()) throw std::runtime_error("this program runs in the background of its terminal");
-  if (raw_fd >= 0) throw std::runtime_error("keys are read from this terminal already");
-  if (tcgetattr(fd, &before) != 0) throw std::runtime_error(std::string{"the terminal: "} + std::strerror(errno));
+  if (isatty(fd) == 0) throw std::runtime_error("standard input is not a terminal");
+  if (tcgetpgrp(fd) != getpgrp()) throw std::runtime_error("this program runs in the background");
+  if (raw_fd >= 0) throw std::runtime_error("this terminal is already used for keyboard input");
+  if (tcgetattr(fd, &before) != 0)
+    throw std::runtime_error(std::string{"cannot read terminal settings: "} + std::strerror(errno));
   termios raw = before;
   raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | IEXTEN);
   raw.c_iflag &= ~static_cast<tcflag_t>(IXON | ICRNL);  // Ctrl-S must not stop the output
   raw.c_cc[VSUSP] = _POSIX_VDISABLE;
-  raw.c_cc[VMIN] = 0;  // read() never waits
+  raw.c_cc[VMIN] = 0;  // read() never blocks
   raw.c_cc[VTIME] = 0;
   watchForCrashes();
-  [[maybe_unused]] static const int at_exit = std::atexit(restore);  // exit() destroys no local object
+  [[maybe_unused]] static const int at_exit = std::atexit(restore);  // exit() does not destroy local objects
   raw_fd = fd;
   if (tcsetattr(fd, TCSANOW, &raw) != 0) {
     const int error = errno;
     raw_fd = -1;
     watchNoMore();
-    throw std::runtime_error(std::string{"the terminal: "} + std::strerror(error));
+    throw std::runtime_error(std::string{"cannot change terminal settings: "} + std::strerror(error));
   }
 }
 

@@ -1,4 +1,4 @@
-// A terminal tells that a key was typed, never that it was let go. How long it counts as held.
+// Key hold time for terminals, which report key presses but no releases.
 #pragma once
 
 #include <chrono>
@@ -8,9 +8,9 @@
 
 namespace darwinop::terminal {
 
-/// A key that is held is typed again after 0.25 s (Linux console), 0.5 s (GNOME) or 0.66 s (plain X11), and from then
-/// on every 33 to 100 ms. So it counts as held for 0.7 s after the first time, so that there is no gap, and for 0.2 s
-/// after each later one. Only the last key is typed again: another one ends it at once, and there is one at a time.
+/// A held key repeats after 0.25 s (Linux console), 0.5 s (GNOME) or 0.66 s (plain X11), then every 33 to 100 ms.
+/// Hold time: 0.7 s after the first press, to cover the initial delay, and 0.2 s after each repetition. Only the last
+/// key repeats, so another key ends it at once.
 class TypedKey {
  public:
   using Nanos = std::chrono::nanoseconds;

@@ -24,12 +24,12 @@ namespace {
   throw std::runtime_error(why);
 }
 
-/// The digits at the start of `text`, which are taken away.
+/// Parses and removes the digits at the start of `text`.
 int numberIn(std::string_view& text, const std::string& whole) {
   int number = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || number < 0 || number > 9999)
-    noServer("DISPLAY=" + whole + " is no display: it looks like :0 or localhost:10.0");
+    noServer("DISPLAY=" + whole + " is not a display name; expected :0 or localhost:10.0");
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return number;
 }
@@ -45,7 +45,7 @@ struct Socket {
   int fd;
 };
 
-/// The socket, or -1 and errno. `abstract`: a name that lies in no folder, where Linux X servers listen, too.
+/// Returns the socket, or -1 and errno. `abstract`: Linux's abstract namespace, which X servers also use.
 int connectHere(int number, bool abstract) {
   Socket socket{AF_UNIX};
   sockaddr_un address{};
@@ -58,7 +58,7 @@ int connectHere(int number, bool abstract) {
   return socket.release();
 }
 
-/// The socket, or -1 and errno.
+/// Returns the socket, or -1 and errno.
 int connectOverTcp(in_addr host, int number) {
   constexpr int kFirstPort = 6000, kPatienceMs = 3000;
   Socket socket{AF_INET, SOCK_NONBLOCK};
@@ -79,8 +79,8 @@ int connectOverTcp(in_addr host, int number) {
   return socket.release();
 }
 
-/// What this user may show the server: the cookie of ~/.Xauthority, or of the file that XAUTHORITY names. A server that
-/// is reached through this computer, by ssh, too, is listed there under the computer's own name.
+/// The cookie from ~/.Xauthority or the file named by XAUTHORITY. Servers reached through this computer (also by ssh)
+/// are listed under its own host name.
 struct Cookie {
   explicit Cookie(int display) {
     constexpr unsigned short kFamilyLocal = 256;
@@ -115,10 +115,10 @@ int openSocket(const DisplayName& display, const std::string& name) {
     in_addr host{};
     const std::string number = display.host == "localhost" ? "127.0.0.1" : display.host;
     if (::inet_pton(AF_INET, number.c_str(), &host) != 1)
-      noServer("DISPLAY=" + name + ": hosts are not looked up here; write the number of " + display.host);
+      noServer("DISPLAY=" + name + ": host names are not resolved; use the IP address of " + display.host);
     fd = connectOverTcp(host, display.number);
   }
-  if (fd < 0) noServer("no X server answers at DISPLAY=" + name + " (" + std::strerror(errno) + ")");
+  if (fd < 0) noServer("cannot connect to the X server at DISPLAY=" + name + " (" + std::strerror(errno) + ")");
   return fd;
 }
 
@@ -128,7 +128,7 @@ DisplayName parseDisplay(const std::string& text) {
   if (text.empty()) noServer("DISPLAY is not set");
   DisplayName display;
   const auto colon = text.rfind(':');
-  if (colon == std::string::npos) noServer("DISPLAY=" + text + " is no display: it looks like :0 or localhost:10.0");
+  if (colon == std::string::npos) noServer("DISPLAY=" + text + " is not a display name; expected :0 or localhost:10.0");
   display.host = text.substr(0, colon);
   std::string_view rest = std::string_view{text}.substr(colon + 1);
   display.number = numberIn(rest, text);
@@ -136,7 +136,7 @@ DisplayName parseDisplay(const std::string& text) {
     rest.remove_prefix(1);
     display.screen = numberIn(rest, text);
   }
-  if (!rest.empty()) noServer("DISPLAY=" + text + " is no display: it looks like :0 or localhost:10.0");
+  if (!rest.empty()) noServer("DISPLAY=" + text + " is not a display name; expected :0 or localhost:10.0");
   return display;
 }
 
@@ -145,10 +145,11 @@ Connection connectTo(const DisplayName& display) {
   const int fd = openSocket(display, name);
   const Cookie cookie{display.number};
   xcb_auth_info_t shown = cookie.info();
-  Connection connection{::xcb_connect_to_fd(fd, &shown)};  // the socket is its own from here on
+  Connection connection{::xcb_connect_to_fd(fd, &shown)};  // takes ownership of the socket
   if (::xcb_connection_has_error(connection.get()) != 0)
-    noServer("the X server at DISPLAY=" + name +
-             " refuses: it belongs to another user. Run `xhost +si:localuser:$(id -un)` there, or set XAUTHORITY");
+    noServer(
+        "the X server at DISPLAY=" + name +
+        " denied access: it belongs to another user. Run `xhost +si:localuser:$(id -un)` there, or set XAUTHORITY");
   return connection;
 }
 

@@ -1,4 +1,4 @@
-// From the text in DISPLAY to a connection with that X server.
+// Connects to the X server named by DISPLAY.
 #pragma once
 
 #include <xcb/xcb.h>
@@ -8,7 +8,7 @@
 
 namespace darwinop::x11 {
 
-/// "[host]:number[.screen]". No host: a socket of this computer.
+/// "[host]:number[.screen]". No host: a Unix socket.
 struct DisplayName {
   std::string host;
   int number = 0, screen = 0;
@@ -23,8 +23,8 @@ struct Disconnect {
 };
 using Connection = std::unique_ptr<xcb_connection_t, Disconnect>;
 
-/// Throws std::runtime_error with the reason. The socket is opened here, not by libxcb: a static program cannot look
-/// hosts up, and what libxcb would do about them must not be linked. Over TCP it gives up after 3 s.
+/// Throws std::runtime_error with the reason. The socket is opened here, not by libxcb: a static program cannot resolve
+/// host names, and libxcb's resolver must not be linked. TCP timeout: 3 s.
 [[nodiscard]] Connection connectTo(const DisplayName& display);
 
 }  // namespace darwinop::x11

@@ -1,4 +1,4 @@
-// What the keys of this X server's keyboard are.
+// Keyboard map of the X server.
 #pragma once
 
 #include <xcb/xcb.h>
@@ -15,7 +15,7 @@ namespace darwinop::x11 {
 
 class KeyMap {
  public:
-  /// Asks the server; again after it says that the map has changed.
+  /// Queries the server; call again after a mapping event.
   explicit KeyMap(xcb_connection_t* connection);
 
   [[nodiscard]] std::optional<Key> key(xcb_keycode_t code, bool num_lock) const;
@@ -29,8 +29,7 @@ class KeyMap {
   std::vector<std::uint32_t> keysyms_;
 };
 
-/// The server's own word on whether a key is down. While a key repeats by itself it is told to go up and down again;
-/// in truth it stays down.
+/// The server's key state. During auto-repeat the events report releases, but this state stays pressed.
 [[nodiscard]] bool isDown(xcb_connection_t* connection, xcb_keycode_t code);
 
 }  // namespace darwinop::x11

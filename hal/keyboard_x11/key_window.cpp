@@ -67,7 +67,7 @@ void KeyWindow::name() {
   };
   set_text(XCB_ATOM_WM_NAME, kTitle);
   set_text(XCB_ATOM_WM_CLASS, kClass);
-  // ICCCM: flag 1 says that the next number counts, and 1 that the window wants the keyboard.
+  // ICCCM WM_HINTS: flag 1 marks the input field as valid; input 1 requests the keyboard focus.
   constexpr std::array<std::uint32_t, 9> kHints{1, 1};
   ::xcb_change_property(to, XCB_PROP_MODE_REPLACE, window_, XCB_ATOM_WM_HINTS, XCB_ATOM_WM_HINTS, 32, kHints.size(),
                         kHints.data());
@@ -87,7 +87,7 @@ KeyWindow::End KeyWindow::run(int stop_fd) {
   std::array<pollfd, 2> files{{{stop_fd, POLLIN, 0}, {::xcb_get_file_descriptor(connection_.get()), POLLIN, 0}}};
   End end = End::kStopped;
   for (;;) {
-    // Whoever asks the server reads events, too: after anything that was sent, look again before waiting.
+    // Synchronous requests also queue events: check the queue again before waiting.
     while (handleAll() || changed_) draw();
     if (closed_) end = End::kClosed;
     if (::xcb_connection_has_error(connection_.get()) != 0) end = End::kServerGone;
@@ -101,7 +101,7 @@ KeyWindow::End KeyWindow::run(int stop_fd) {
   return end;
 }
 
-/// While keys are down and the server says nothing: over a network that hangs nobody would tell when they go up.
+/// Polls the server while keys are down: over a stalled network the releases would be missed.
 void KeyWindow::askWhetherItIsThere() {
   if (asked_) {
     keys_.releaseAll();
@@ -112,7 +112,7 @@ void KeyWindow::askWhetherItIsThere() {
   }
 }
 
-/// True: there was something.
+/// Returns true if events were processed.
 bool KeyWindow::handleAll() {
   bool any = false;
   void* answer = nullptr;
@@ -175,9 +175,9 @@ void KeyWindow::handleRelease(const xcb_key_release_event_t& event) {
 }
 
 void KeyWindow::setFocus(bool focused, std::uint8_t detail) {
-  // Told of the pointer's window, or of one inside of ours: the focus itself did not move.
+  // The pointer's window or a child window: the focus itself did not move.
   if (detail == XCB_NOTIFY_DETAIL_POINTER || detail == XCB_NOTIFY_DETAIL_INFERIOR) return;
-  if (!focused) keys_.releaseAll();  // nobody will tell us when they go up
+  if (!focused) keys_.releaseAll();  // without focus there are no release events
   focused_ = focused;
   changed_ = true;
 }

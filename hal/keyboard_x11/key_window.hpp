@@ -1,4 +1,4 @@
-// A small window: the keys that are pressed while it has the focus.
+// X11 window that reads the keys pressed while it has the focus.
 #pragma once
 
 #include <xcb/xcb.h>
@@ -14,23 +14,23 @@
 
 namespace darwinop::x11 {
 
-/// Made and run by one thread, which waits for the X server. libxcb and not libX11: libX11 ends the process when the
-/// server goes away, and cannot be linked into a static program without what looks up hosts and loads libraries.
+/// Created and run by one thread, which blocks on the X server. Uses libxcb: libX11 ends the process when the server
+/// closes, and cannot be linked statically without a resolver and dynamic loading.
 class KeyWindow {
  public:
   enum class End : std::uint8_t { kStopped, kClosed, kServerGone };
 
-  /// `display`: the text of DISPLAY. `keys` must outlive it. Throws std::runtime_error: there is no window, and why.
+  /// `display`: the text of DISPLAY. `keys` must outlive it. Throws std::runtime_error with the reason.
   KeyWindow(HeldKeys& keys, const std::string& display);
 
-  /// Until `stop_fd` can be read, the user closes the window, or the server goes away. No key is down then, nor
-  /// when the server has not answered for a second.
+  /// Returns when `stop_fd` is readable, the user closes the window, or the server closes. No key is down then, nor
+  /// after one second without a reply of the server.
   End run(int stop_fd);
 
  private:
   void make();
   void name();
-  /// Without a window manager nobody else gives a window the focus.
+  /// Without a window manager the window must take the focus itself.
   void takeFocusIfNobodyHasIt();
   void askWhetherItIsThere();
   [[nodiscard]] bool handleAll();
@@ -48,7 +48,7 @@ class KeyWindow {
   KeyMap map_;
   Picture picture_;
   xcb_atom_t delete_window_ = XCB_NONE;
-  std::optional<unsigned> asked_;  // number of a question that the server has not answered yet
+  std::optional<unsigned> asked_;  // sequence number of a pending request
   bool focused_ = false, changed_ = true, closed_ = false;
 };
 

@@ -13,7 +13,7 @@ struct Row {
   const char* name;
 };
 
-// X11/keysymdef.h is where the numbers of the first column are.
+// First column: X11/keysymdef.h.
 constexpr std::array kRows{
     Row{XK_space, ' ', "Space"},
     Row{XK_BackSpace, kKeyBackspace, "Backspace"},
@@ -48,7 +48,7 @@ constexpr std::array kRows{
 constexpr bool isNumpadDigit(std::uint32_t keysym) {
   return keysym >= XK_KP_0 && keysym <= XK_KP_9;
 }
-/// * + , - . / 0..9 of the numeric pad lie in the order of ASCII.
+/// * + , - . / 0..9 of the numeric pad are in ASCII order.
 constexpr bool isNumpadCharacter(std::uint32_t keysym) {
   return keysym >= XK_KP_Multiply && keysym <= XK_KP_9;
 }
@@ -90,14 +90,14 @@ std::optional<Key> keyOfKeysyms(std::span<const std::uint32_t> keysyms, bool num
 }
 
 Key modifiersOfState(std::uint16_t state) {
-  // Bits of the X11 protocol: Shift, Control, and Mod1, which is Alt on every usual keyboard.
+  // Modifier bits of the X11 protocol: Shift, Control, and Mod1, which is usually Alt.
   constexpr unsigned kShiftBit = 1U << 0U, kControlBit = 1U << 2U, kMod1Bit = 1U << 3U;
   return ((state & kShiftBit) != 0 ? kKeyShift : 0) | ((state & kControlBit) != 0 ? kKeyControl : 0) |
          ((state & kMod1Bit) != 0 ? kKeyAlt : 0);
 }
 
 bool numLockOfState(std::uint16_t state) {
-  constexpr unsigned kMod2Bit = 1U << 4U;  // Num Lock on every usual keyboard
+  constexpr unsigned kMod2Bit = 1U << 4U;  // usually Num Lock
   return (state & kMod2Bit) != 0;
 }
 

@@ -1,4 +1,4 @@
-// X11's names of keys into the codes that controllers know. Pure.
+// Maps X11 keysyms to key codes. Pure.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,22 @@
 
 namespace darwinop::x11 {
 
-/// Nothing: no code for this one, such as for Caps Lock or a letter that ASCII does not have.
+/// Empty: no code, for example Caps Lock or a letter outside ASCII.
 [[nodiscard]] std::optional<Key> keyOfKeysym(std::uint32_t keysym);
 
-/// The bit of Shift, Control or Alt; 0: it is none of them.
+/// The bit of Shift, Control or Alt; 0: not a modifier.
 [[nodiscard]] Key modifierOfKeysym(std::uint32_t keysym);
 
-/// The code of a key that has these keysyms: plain, with Shift, and the same for the next layouts. What it is without
-/// Shift counts; a key that is nothing there (an accented letter, a Cyrillic one) is what it is elsewhere. With
-/// num_lock the numeric pad gives digits.
+/// Code of a key with these keysyms: unshifted, shifted, then the same for further layouts. The unshifted keysym
+/// counts; if it has no code (an accented or Cyrillic letter), the next layout is used. num_lock: the numeric pad gives
+/// digits.
 [[nodiscard]] std::optional<Key> keyOfKeysyms(std::span<const std::uint32_t> keysyms, bool num_lock);
 
-/// The modifiers among the `state` of an X11 event.
+/// Modifiers in the `state` of an X11 event.
 [[nodiscard]] Key modifiersOfState(std::uint16_t state);
 [[nodiscard]] bool numLockOfState(std::uint16_t state);
 
-/// For people: "Shift+A", "Up", "Space".
+/// Display name: "Shift+A", "Up", "Space".
 [[nodiscard]] std::string keyName(Key key);
 
 }  // namespace darwinop::x11

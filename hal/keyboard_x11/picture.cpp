@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int16_t kMargin = 16, kBandHeight = 44;
 
-/// The server's own fonts: the greater one where it has it; "fixed" is in every server.
+/// X server fonts: "10x20" if available; "fixed" exists on every server.
 xcb_font_t openFont(xcb_connection_t* connection) {
   for (const std::string name : {"10x20", "fixed"}) {
     const xcb_font_t font = ::xcb_generate_id(connection);
@@ -31,8 +31,8 @@ Picture::Picture(xcb_connection_t* connection, const xcb_screen_t& screen, xcb_w
     ::xcb_change_gc(connection_, pen_, XCB_GC_FONT, &font);
     ::xcb_close_font(connection_, font);
   }
-  listening_ = colour(0x0000, 0x7000, 0x2000);
-  deaf_ = colour(0xB000, 0x2000, 0x1000);
+  active_ = colour(0x0000, 0x7000, 0x2000);
+  inactive_ = colour(0xB000, 0x2000, 0x1000);
 }
 
 std::uint32_t Picture::colour(std::uint16_t red, std::uint16_t green, std::uint16_t blue) const {
@@ -49,20 +49,20 @@ void Picture::fill(const xcb_rectangle_t& area, std::uint32_t colour) const {
 void Picture::write(std::int16_t y, const std::string& text, std::uint32_t colour, std::uint32_t ground) const {
   const std::array<std::uint32_t, 2> colours{colour, ground};
   ::xcb_change_gc(connection_, pen_, XCB_GC_FOREGROUND | XCB_GC_BACKGROUND, colours.data());
-  constexpr std::size_t kMost = 255;  // of one request
+  constexpr std::size_t kMost = 255;  // per request
   ::xcb_image_text_8(connection_, static_cast<std::uint8_t>(std::min(text.size(), kMost)), window_, pen_, kMargin, y,
                      text.data());
 }
 
 void Picture::draw(bool listening, const std::string& keys) const {
-  constexpr std::uint16_t kFar = 4096;  // a window may have been made larger
-  const std::uint32_t band = listening ? listening_ : deaf_, white = screen_.white_pixel, black = screen_.black_pixel;
+  constexpr std::uint16_t kFar = 4096;  // covers an enlarged window
+  const std::uint32_t band = listening ? active_ : inactive_, white = screen_.white_pixel, black = screen_.black_pixel;
   fill({0, 0, kFar, kBandHeight}, band);
   fill({0, kBandHeight, kFar, kFar}, white);
-  write(28, listening ? "The robot listens." : "The robot does not listen: click here.", white, band);
+  write(28, listening ? "Keyboard active." : "Keyboard inactive: click here.", white, band);
   write(74, "Keys down: " + (keys.empty() ? std::string{"none"} : keys), black, white);
-  write(104, "A key counts while this window has the focus: keep it in front.", black, white);
-  write(128, "Closed, it gives no more keys; the robot goes on with what it does.", black, white);
+  write(104, "Keys are read while this window has the focus.", black, white);
+  write(128, "Closing it disables the keyboard; the controller continues.", black, white);
 }
 
 }  // namespace darwinop::x11

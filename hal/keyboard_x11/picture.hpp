@@ -1,4 +1,4 @@
-// What stands in the window: whether the robot listens, which keys are down, and what not to do.
+// Draws the window's content: keyboard state, held keys, instructions.
 #pragma once
 
 #include <xcb/xcb.h>
@@ -14,7 +14,7 @@ class Picture {
 
   Picture(xcb_connection_t* connection, const xcb_screen_t& screen, xcb_window_t window);
 
-  /// `keys`: their names. Sends, does not flush.
+  /// `keys`: display names. Sends the requests without flushing.
   void draw(bool listening, const std::string& keys) const;
 
  private:
@@ -26,7 +26,7 @@ class Picture {
   const xcb_screen_t& screen_;
   xcb_window_t window_;
   xcb_gcontext_t pen_;
-  std::uint32_t listening_ = 0, deaf_ = 0;
+  std::uint32_t active_ = 0, inactive_ = 0;
 };
 
 }  // namespace darwinop::x11

@@ -1,4 +1,4 @@
-// What an X server answers is memory that the asker frees.
+// Owner of an X server reply, which the caller must free.
 #pragma once
 
 #include <cstdlib>

@@ -1,4 +1,4 @@
-// One row of YUYV to one row of BGRA, last pixel first; of use to yuyv_to_bgra.cpp alone.
+// One row of YUYV to BGRA in reverse pixel order; used by yuyv_to_bgra.cpp only.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ inline void putBgraPair(const std::uint8_t* pair, std::uint8_t* bgra) noexcept {
   putBgra(pair[0], u, v, bgra + 4);
 }
 
-/// The half pair at the end of an odd width; says where the next pixel goes.
+/// The half pair at the end of an odd width. Returns the next output position.
 inline std::uint8_t* putOddBgra(const std::uint8_t* yuyv, int width, std::uint8_t* bgra) noexcept {
   if (width % 2 == 0) return bgra;
   const std::uint8_t* pair = yuyv + 2 * (width - 1);

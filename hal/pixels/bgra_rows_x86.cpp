@@ -1,8 +1,8 @@
-// Rows of BGRA with SSE2, SSSE3 (the most that the robot's Atom has) and AVX2: 8 or 16 pixels at a time.
+// BGRA rows with SSE2, SSSE3 (the highest level of the robot's Atom) and AVX2: 8 or 16 pixels at a time.
 //
-// 256 Y has no bits below the shift, so (256 Y + c) >> 8 is Y + (c >> 8): what the chroma adds is worked out once a
-// pair, and Y is added in 16 bits, where nothing overflows. With the chroma in the upper byte of a word, pmulhw
-// multiplies and shifts by 8 exactly; green sums two products that exceed 16 bits together, which pmaddwd does in 32.
+// 256 Y has no bits below the shift, so (256 Y + c) >> 8 is Y + (c >> 8): the chroma term is computed once per pair,
+// and Y is added in 16 bits without overflow. With the chroma in the upper byte of a word, pmulhw multiplies and shifts
+// by 8 exactly; green sums two products that together exceed 16 bits, which pmaddwd computes in 32.
 #include "hal/pixels/bgra_rows.hpp"
 
 #ifdef __SSE2__
@@ -11,7 +11,7 @@
 namespace darwinop::pixels {
 namespace {
 
-/// Two words in each 32 bits, the one for U first: a pair of pixels is 32 bits wide all the way.
+/// Two words in each 32 bits, U first: a pair of pixels occupies 32 bits throughout.
 constexpr int words(int for_u, int for_v) {
   return static_cast<int>((for_v & 0xffffU) << 16 | (for_u & 0xffffU));
 }
@@ -19,7 +19,7 @@ constexpr int words(int for_u, int for_v) {
 constexpr int kBlueRed = words(kBlueU, kRedV), kGreen = words(kGreenU, kGreenV);
 constexpr int kLumaMask = words(0x00ff, 0x00ff), kChromaMask = words(0xff00, 0xff00), kMiddle = words(0x8000, 0x8000);
 
-/// What the chroma of a pair adds to its lumas: blue in the lower, red in the upper word; green in the upper word.
+/// Chroma term of a pair: blue in the lower, red in the upper word; green in the upper word.
 struct Added {
   __m128i blue_red, green;
 };
@@ -34,7 +34,7 @@ inline __m128i lumaOf(__m128i yuyv) {
   return _mm_and_si128(yuyv, _mm_set1_epi32(kLumaMask));
 }
 
-/// Words of eight pixels; packing limits them to 0..255.
+/// Words of eight pixels; packing saturates to 0..255.
 inline void put(__m128i luma, __m128i blue, __m128i green, __m128i red, std::uint8_t* bgra) {
   const __m128i br = _mm_packus_epi16(_mm_add_epi16(luma, blue), _mm_add_epi16(luma, red));
   const __m128i ga = _mm_packus_epi16(_mm_add_epi16(luma, green), _mm_set1_epi16(255));
@@ -84,8 +84,8 @@ __attribute__((target("ssse3"))) void bgraRowSsse3(const std::uint8_t* yuyv, int
   bgraRowScalar(yuyv, left, bgra);
 }
 
-// The same, twice as wide. Most instructions work on each half alone: quarters are put where the last of them, which
-// interleaves, leaves pixels in their order.
+// The same, 16 pixels wide. Most AVX2 instructions work on each 128-bit lane, so the quarters are arranged such that
+// the final interleave restores pixel order.
 __attribute__((target("avx2"))) void bgraRowAvx2(const std::uint8_t* yuyv, int width, std::uint8_t* bgra) noexcept {
   const __m256i turn = _mm256_broadcastsi128_si256(_mm_setr_epi8(6, 5, 4, 7, 2, 1, 0, 3, 14, 13, 12, 15, 10, 9, 8, 11));
   const __m256i lower = _mm256_broadcastsi128_si256(_mm_setr_epi8(0, 1, 0, 1, 4, 5, 4, 5, 8, 9, 8, 9, 12, 13, 12, 13));

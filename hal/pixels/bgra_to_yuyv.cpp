@@ -1,4 +1,4 @@
-// BGRA to YUYV by the inverse of the formula, worked out from its numbers.
+// BGRA to YUYV by inverting the conversion formula.
 #include "hal/pixels/bgra_to_yuyv.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr int rounded(double x) {
   return static_cast<int>(x < 0 ? x * kScale - 0.5 : x * kScale + 0.5);
 }
 
-/// What each channel counts, in 1/65536. Green takes the rest, so that grey is exactly grey.
+/// Channel weights in 1/65536. Green takes the remainder, so that grey maps exactly to grey.
 struct Weights {
   int b, g, r;
 };
@@ -29,7 +29,7 @@ constexpr Weights kLuma = withRest(rounded(kLumaB), rounded(kLumaR), 65536);
 constexpr Weights kU = withRest(rounded((1 - kLumaB) * 256 / kBlueU), rounded(-kLumaR * 256 / kBlueU), 0);
 constexpr Weights kV = withRest(rounded(-kLumaB * 256 / kRedV), rounded((1 - kLumaR) * 256 / kRedV), 0);
 
-/// Channels of one pixel, or sums over two.
+/// Channels of one pixel, or their sums over two.
 struct Colour {
   int b, g, r;
 };
@@ -37,13 +37,13 @@ Colour colourAt(const std::uint8_t* bgra) {
   return {bgra[0], bgra[1], bgra[2]};
 }
 
-/// Divides by 2^bits: 16, and one more for a sum over two pixels.
+/// Divides by 2^bits: 16, or 17 for a sum over two pixels.
 std::uint8_t weighed(const Weights& w, const Colour& c, int bits, int middle) {
   const int sum = w.b * c.b + w.g * c.g + w.r * c.r;  // at most 2 * 255 * 65536
   return static_cast<std::uint8_t>(std::clamp(middle + ((sum + (1 << (bits - 1))) >> bits), 0, 255));
 }
 
-/// A pair as the camera has it: `first` is right of `second` in the upright picture.
+/// A pair in camera order: `first` is right of `second` in the upright picture.
 void putPair(const Colour& first, const Colour& second, std::uint8_t* yuyv) {
   const Colour both{first.b + second.b, first.g + second.g, first.r + second.r};
   yuyv[0] = weighed(kLuma, first, 16, 0);

@@ -1,4 +1,4 @@
-// The way back, for virtual cameras: an upright picture in BGRA to what a camera mounted upside down would have given.
+// Inverse conversion for virtual cameras: upright BGRA to the YUYV of a camera mounted upside down.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace darwinop::pixels {
 
-// The inverse of yuyv_to_bgra.hpp over the full range, in 1/65536, rounded to nearest. U and V of a pair come from the
-// mean of its two colours. A picture of one colour comes back within 2 counts in each channel: rounding Y, U and V
-// costs up to 1.4, rounding down on the way to BGRA up to 1.
+// Inverse of yuyv_to_bgra.hpp over the full range, in 1/65536, rounded to nearest. U and V of a pair come from the mean
+// of its two colours. A single-colour picture survives the round trip within 2 counts per channel: rounding Y, U and V
+// contributes up to 1.4, rounding down to BGRA up to 1.
 
-/// `bgra`: 4 * width * height bytes; `yuyv`: at least yuyvBytes(width, height, stride). Turned by 180 degrees, so that
-/// yuyvToBgraRotated gives the picture as it was. Of an odd width's last pair Y1 repeats Y0. What lies between a row's
-/// last pair and the next row stays as it is. Does not allocate.
+/// `bgra`: 4 * width * height bytes; `yuyv`: at least yuyvBytes(width, height, stride). Rotated by 180 degrees, so that
+/// yuyvToBgraRotated restores the picture. In the last pair of an odd width, Y1 repeats Y0. Padding between rows is not
+/// written. Does not allocate.
 void bgraToYuyvRotated(std::span<const std::uint8_t> bgra, int width, int height, std::span<std::uint8_t> yuyv,
                        std::size_t stride) noexcept;
 

@@ -1,4 +1,4 @@
-// One way to do a conversion: for tests and benchmarks, which go through all of them.
+// One implementation of a conversion, for tests and benchmarks that cover all of them.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ struct Kernel {
   bool usable;  // on this CPU
 };
 
-/// Kernels are listed from slow to fast on this CPU; the first one, plain C++, is usable everywhere.
+/// Sorted from slow to fast on this CPU; the first one, plain C++, is usable everywhere.
 template <class Function>
 const Kernel<Function>& fastest(std::span<const Kernel<Function>> kernels) noexcept {
   const Kernel<Function>* best = &kernels.front();

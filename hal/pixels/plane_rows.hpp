@@ -1,4 +1,4 @@
-// Rows of YUYV to rows of planes, last pixel first; of use to yuyv_to_planes.cpp alone.
+// Rows of YUYV to planes in reverse pixel order; used by yuyv_to_planes.cpp only.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace darwinop::pixels {
 /// Writes `width` bytes.
 using LumaRow = void(const std::uint8_t* yuyv, int width, std::uint8_t* y) noexcept;
 
-/// The mean of two rows' chroma, which may be the same row. Writes pairsOf(width) bytes to each.
+/// Mean chroma of two rows, which may be the same row. Writes pairsOf(width) bytes to each plane.
 using ChromaRow = void(const std::uint8_t* upper, const std::uint8_t* lower, int width, std::uint8_t* u,
                        std::uint8_t* v) noexcept;
 

@@ -1,4 +1,4 @@
-// Rows of planes with SSE2: 16 pixels at a time.
+// Plane rows with SSE2, 16 pixels at a time.
 #include "hal/pixels/plane_rows.hpp"
 
 #ifdef __SSE2__
@@ -33,7 +33,8 @@ void lumaRowSse2(const std::uint8_t* yuyv, int width, std::uint8_t* y) noexcept 
   if (left % 2 != 0) *y++ = yuyv[2 * --left];
   for (; left >= 16; left -= 16, y += 16) {
     const std::uint8_t* from = yuyv + 2 * (left - 16);
-    const __m128i luma = evenBytes(loadTurned(from + 16), loadTurned(from));  // Y0 Y1 of each pair still in this order
+    const __m128i luma =
+        evenBytes(loadTurned(from + 16), loadTurned(from));  // Y0 Y1 of each pair are still in camera order
     _mm_storeu_si128(reinterpret_cast<__m128i*>(y), _mm_or_si128(_mm_slli_epi16(luma, 8), _mm_srli_epi16(luma, 8)));
   }
   lumaRowScalar(yuyv, left, y);
@@ -42,7 +43,7 @@ void lumaRowSse2(const std::uint8_t* yuyv, int width, std::uint8_t* y) noexcept 
 void chromaRowSse2(const std::uint8_t* upper, const std::uint8_t* lower, int width, std::uint8_t* u,
                    std::uint8_t* v) noexcept {
   int left = width;
-  for (; left % 2 == 0 && left >= 16; left -= 16, u += 8, v += 8) {  // odd widths mix pairs, and no camera has them
+  for (; left % 2 == 0 && left >= 16; left -= 16, u += 8, v += 8) {  // odd widths mix pairs; no camera has them
     const int at = 2 * (left - 16);
     const __m128i mean = _mm_avg_epu8(chromaOf(upper + at), chromaOf(lower + at));
     const __m128i planes = _mm_packus_epi16(_mm_and_si128(mean, _mm_set1_epi16(0x00ff)), _mm_srli_epi16(mean, 8));

@@ -1,4 +1,4 @@
-// A picture as a USB camera gives it: YUYV, two pixels in four bytes.
+// A picture in USB camera format: YUYV, two pixels in four bytes.
 #pragma once
 
 #include <cstddef>
@@ -8,29 +8,29 @@
 
 namespace darwinop::pixels {
 
-/// Bytes Y0 U Y1 V for each pair of pixels. Of an odd width's last pair only Y0 is a pixel; U and V count.
+/// Bytes Y0 U Y1 V for each pair of pixels. In the last pair of an odd width, only Y0 is a pixel; U and V are valid.
 struct YuyvImage {
   std::span<const std::uint8_t> bytes;
   int width = 0, height = 0;
-  std::size_t stride = 0;  // bytes from row to row, as the driver says
+  std::size_t stride = 0;  // bytes per row, from the driver
 };
 
-/// Pairs of pixels in a row; of chroma samples in a row of planes, too.
+/// Pixel pairs per row; also the chroma samples per row of a plane.
 constexpr std::size_t pairsOf(int width) {
   return (static_cast<std::size_t>(width) + 1) / 2;
 }
 
-/// Bytes of a row without what the driver puts behind it.
+/// Bytes of a row without the driver's padding.
 constexpr std::size_t yuyvRowBytes(int width) {
   return 4 * pairsOf(width);
 }
 
-/// Bytes from the first to the last of a picture; behind the last row nothing is read or written.
+/// Bytes from the first to the last of a picture; padding after the last row is not accessed.
 constexpr std::size_t yuyvBytes(int width, int height, std::size_t stride) {
   return stride * (static_cast<std::size_t>(height) - 1) + yuyvRowBytes(width);
 }
 
-/// What every function of this room expects of a picture. A driver may hand out less; look before converting.
+/// Precondition of every function here. A driver may deliver less: check before converting.
 constexpr bool isWhole(const YuyvImage& image) {
   return image.width > 0 && image.height > 0 && image.stride >= yuyvRowBytes(image.width) &&
          image.bytes.size() >= yuyvBytes(image.width, image.height, image.stride);

@@ -1,4 +1,4 @@
-// The rows of a picture from last to first, by the kernel that suits the CPU.
+// Converts the rows in reverse order with the fastest kernel of the CPU.
 #include "hal/pixels/yuyv_to_bgra.hpp"
 
 #include <array>
@@ -37,8 +37,8 @@ std::span<const Kernel<ToBgra>> bgraKernels() noexcept {
 #endif
     });
 #ifdef __SSE2__
-    // The robot's Atom takes four steps for a pshufb: LLVM's model of it has SSSE3 at 40 cycles for 8 pixels, SSE2
-    // at 33.
+    // pshufb takes four micro-operations on the robot's Atom: LLVM's model gives 40 cycles per 8 pixels for SSSE3, 33
+    // for SSE2.
     if (__builtin_cpu_is("bonnell")) std::swap(list[1], list[2]);
 #endif
     return list;

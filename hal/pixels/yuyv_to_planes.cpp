@@ -1,4 +1,4 @@
-// Rows of a picture from last to first, into planes.
+// Converts the rows in reverse order into planes.
 #include "hal/pixels/yuyv_to_planes.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ void planesByRows(const YuyvImage& image, Chroma chroma, const Planes& planes) n
   assert(planes.u.size() == chromaBytes(image.width, image.height, chroma));
   assert(planes.v.size() == planes.u.size());
   const auto turned = [&](int y) { return image.bytes.data() + image.stride * (image.height - 1 - y); };
-  const int rows = chroma == Chroma::k420 ? 2 : 1;  // for one of chroma
+  const int rows = chroma == Chroma::k420 ? 2 : 1;  // per chroma row
   std::size_t at = 0;
   for (int y = 0; y < image.height; y += rows, at += pairsOf(image.width)) {
     const int last = std::min(y + rows, image.height) - 1;
@@ -39,7 +39,7 @@ void lumaRowScalar(const std::uint8_t* yuyv, int width, std::uint8_t* y) noexcep
 
 void chromaRowScalar(const std::uint8_t* upper, const std::uint8_t* lower, int width, std::uint8_t* u,
                      std::uint8_t* v) noexcept {
-  for (int right = width - 1; right >= 0; right -= 2) {  // the camera's right becomes left
+  for (int right = width - 1; right >= 0; right -= 2) {  // rotated: the camera's right becomes left
     const int a = right / 2 * 4, b = std::max(right - 1, 0) / 2 * 4;
     *u++ = meanOf(meanOf(upper[a + 1], upper[b + 1]), meanOf(lower[a + 1], lower[b + 1]));
     *v++ = meanOf(meanOf(upper[a + 3], upper[b + 3]), meanOf(lower[a + 3], lower[b + 3]));

@@ -1,4 +1,4 @@
-// YUYV to planes of Y, U and V, turned by 180 degrees: what a JPEG encoder takes, without the way through BGRA.
+// YUYV to planes of Y, U and V, rotated by 180 degrees: direct input of a JPEG encoder.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 
 namespace darwinop::pixels {
 
-// Y is copied. A chroma sample of 4:2:2 covers two pixels side by side, one of 4:2:0 two such pairs, one above the
-// other; at the end of an odd width or height it covers what there is. It is the mean of what it covers, rounded up at
-// a half: first in a row, (a + b + 1) >> 1 of two pixels, then of two rows in the same way. In a row, pixels of an even
-// width have the same chroma already. Of an odd width they never have: turned, the pairs are others than the camera's.
+// Y is copied. A chroma sample of 4:2:2 covers two adjacent pixels, one of 4:2:0 two such pairs, one above the other;
+// at the edge of an odd width or height it covers what exists. It is the mean, rounded half up: first within a row, (a
+// + b + 1) >> 1, then of two rows in the same way. With an even width both pixels of a pair share their chroma; with an
+// odd width the rotated pairs differ from the camera's.
 enum class Chroma : std::uint8_t { k422, k420 };
 
-/// Top row first, no gaps. They must overlap neither each other nor the image.
+/// Top row first, no padding. Must not overlap each other or the image.
 struct Planes {
   std::span<std::uint8_t> y;     // width * height bytes
   std::span<std::uint8_t> u, v;  // chromaBytes() bytes each
@@ -25,10 +25,10 @@ constexpr std::size_t chromaBytes(int width, int height, Chroma chroma) {
   return pairsOf(width) * (chroma == Chroma::k420 ? pairsOf(height) : static_cast<std::size_t>(height));
 }
 
-/// The image must be whole (isWhole). Any alignment will do. Does not allocate.
+/// The image must be whole (isWhole). No alignment requirement. Does not allocate.
 using ToPlanes = void(const YuyvImage& image, Chroma chroma, const Planes& planes) noexcept;
 
-/// By the fastest kernel that this CPU has.
+/// Uses the fastest kernel of this CPU.
 ToPlanes yuyvToPlanesRotated;
 
 std::span<const Kernel<ToPlanes>> planesKernels() noexcept;

@@ -1,4 +1,4 @@
-// Sees what another process' camera sees.
+// Reads the camera pictures published by another process.
 #pragma once
 
 #include <sys/types.h>
@@ -14,35 +14,34 @@
 
 namespace darwinop::shared_picture {
 
-/// Asks for pictures as long as it is looked at; waits for nobody. The window may come, go and be replaced at any time;
-/// what is no window of this version is not used, and `say` is told why, each thing once.
+/// Requests pictures while newest() is called; never blocks. The file may be created, removed and replaced at any time;
+/// files of other versions are ignored. `say` receives each message once.
 class Reader final : public FrameSource {
  public:
   struct Options {
     WindowFiles files;
-    gid_t group = static_cast<gid_t>(-1);  // a window of another group is not believed; -1: any is
+    gid_t group = static_cast<gid_t>(-1);  // required group of the file; -1: any
     std::function<Nanos()> now;            // CLOCK_MONOTONIC
     std::function<void(const std::string&)> say;
   };
 
   explicit Reader(Options options) : options_{std::move(options)} {}
-  ~Reader() override { letGo(); }
+  ~Reader() override { unmap(); }
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  /// YUYV of 320x240; `sequence` 0 before the first one. The same one again while there is none that is whole and
-  /// fresh.
+  /// YUYV of 320x240; `sequence` 0 before the first one. The previous picture while there is no newer complete one.
   CameraFrame newest() override;
-  /// Only `seeing` and `frames` are known.
+  /// Only `seeing` and `frames` are set.
   [[nodiscard]] CameraHealth health() const override;
 
  private:
   void ask(Nanos now);
   void attach(Nanos now);
-  void letGo() noexcept;
-  [[nodiscard]] std::string whyNot(int file) const;
+  void unmap() noexcept;
+  [[nodiscard]] std::string rejection(int file) const;
   [[nodiscard]] bool copy(const Slot& slot, Nanos now);
-  void tell(const std::string& sentence);
+  void log(const std::string& sentence);
 
   Options options_;
   GuardedMapping memory_;
@@ -53,7 +52,7 @@ class Reader final : public FrameSource {
   std::vector<std::uint8_t> spare_ = std::vector<std::uint8_t>(kPictureBytes), shown_ = spare_;
   CameraFrame frame_{};
   std::uint64_t frames_ = 0;
-  std::set<std::string> told_;
+  std::set<std::string> logged_;
 };
 
 }  // namespace darwinop::shared_picture

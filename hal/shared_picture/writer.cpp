@@ -19,30 +19,31 @@ namespace {
   throw std::runtime_error(what + ": " + std::strerror(error) + "; " + remedy);
 }
 
-/// A new file under a name beside `path`, of full length: a full disk is an error now and no SIGBUS later.
+/// Creates a temporary file beside `path` at full length: a full disk is an error here instead of SIGBUS later.
 int makeFresh(const std::string& fresh, mode_t mode, gid_t group, std::size_t size) {
   ::unlink(fresh.c_str());
   const int file = ::open(fresh.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, mode);
-  if (file < 0) failWindow("cannot create " + fresh, errno, "is the folder there and yours to write?");
+  if (file < 0) failWindow("cannot create " + fresh, errno, "check that the folder exists and is writable");
   int error = ::fchmod(file, mode) != 0 || ::fchown(file, static_cast<uid_t>(-1), group) != 0 ? errno : 0;
   const bool given = error == 0;
   if (given) error = ::posix_fallocate(file, 0, static_cast<off_t>(size));
   if (error == 0) return file;
   ::close(file);
   ::unlink(fresh.c_str());
-  if (!given) failWindow("cannot give " + fresh + " to the runtime's group", error, "become a member of it");
-  failWindow("cannot get " + std::to_string(size) + " bytes for " + fresh, error, "free some space");
+  if (!given) failWindow("cannot give " + fresh + " to the runtime's group", error, "add this user to the group");
+  failWindow("cannot allocate " + std::to_string(size) + " bytes for " + fresh, error, "free disk space");
 }
 
-/// Nobody ever sees half a file, and whoever still maps an old one keeps it.
+/// Replaces the file atomically; existing mappings keep the old one.
 void replaceWindow(const std::string& fresh, const std::string& path) {
   if (::rename(fresh.c_str(), path.c_str()) == 0) return;
   const int error = errno;
   ::unlink(fresh.c_str());
-  failWindow("cannot replace " + path, error, "if nobody drives, another user's controller left it: sudo rm " + path);
+  failWindow("cannot replace " + path, error,
+             "if no controller is running, remove the file of another user: sudo rm " + path);
 }
 
-/// Another process may have put its own in the place of ours.
+/// Another process may have replaced the file.
 void removeIfSame(int file, const std::string& path) noexcept {
   struct stat ours {
   }, there{};
@@ -85,7 +86,7 @@ void Writer::removeOwn() noexcept {
 
 bool Writer::asked(Nanos now) const noexcept {
   std::int64_t stamp = 0;
-  if (::pread(asked_, &stamp, sizeof stamp, 0) != sizeof stamp) return false;  // somebody has cut it short
+  if (::pread(asked_, &stamp, sizeof stamp, 0) != sizeof stamp) return false;  // truncated by another process
   return stamp > 0 && stamp <= now.count() && now.count() - stamp < kAsked.count();
 }
 
@@ -98,7 +99,7 @@ bool Writer::put(const pixels::YuyvImage& image, std::uint64_t sequence, Nanos t
   Slot& slot = window_->slots[next_];
   const std::uint32_t turn = slot.turn.load(std::memory_order_relaxed);
   slot.turn.store(turn + 1, std::memory_order_relaxed);
-  std::atomic_thread_fence(std::memory_order_release);  // who sees a byte of this picture sees the odd turn, too
+  std::atomic_thread_fence(std::memory_order_release);  // a reader that sees new bytes also sees the odd turn
   slot.sequence = sequence;
   slot.time_ns = time.count();
   pixels::copyWithoutGaps(image, slot.bytes);

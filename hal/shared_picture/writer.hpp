@@ -1,4 +1,4 @@
-// Shows the camera's pictures to other processes while somebody looks.
+// Publishes the camera's pictures to other processes on request.
 #pragma once
 
 #include <sys/types.h>
@@ -12,19 +12,19 @@
 
 namespace darwinop::shared_picture {
 
-/// One process, one camera's thread. Never waits for a reader.
+/// Camera's thread of one process. Never waits for a reader.
 class Writer {
  public:
-  /// Makes both files anew for `group`; what a process that died left behind is replaced. Throws std::runtime_error,
-  /// with what to do: no rights, no space.
+  /// Creates both files for `group`, replacing those of a dead process. Throws std::runtime_error with a remedy if
+  /// there is no permission or space.
   Writer(WindowFiles files, gid_t group);
   /// Removes its files.
   ~Writer();
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
 
-  /// True: it was copied. Nobody asked within kAsked, or it is not of 320x240: nothing was. No lock, no allocation.
-  /// `image` is whole, `now` and `time` are CLOCK_MONOTONIC.
+  /// Returns true if the picture was copied; false without a request within kAsked, or if it is not 320x240. No lock,
+  /// no allocation. `image` is whole; `now` and `time` are CLOCK_MONOTONIC.
   bool put(const pixels::YuyvImage& image, std::uint64_t sequence, Nanos time, Nanos now) noexcept;
 
  private:
@@ -33,7 +33,7 @@ class Writer {
 
   WindowFiles files_;
   int pictures_ = -1, asked_ = -1;
-  GuardedMapping memory_;  // who shortens the file must not end the process of the camera, nor a loop in it
+  GuardedMapping memory_;  // truncation by another process must not end this one
   Window* window_ = nullptr;
   std::uint32_t next_ = 0;
 };

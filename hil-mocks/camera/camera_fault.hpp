@@ -1,4 +1,4 @@
-// The names of what may be wrong with the camera, as users write them.
+// Names of virtual camera faults on the command line.
 #pragma once
 
 #include <algorithm>

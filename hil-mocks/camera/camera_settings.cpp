@@ -10,10 +10,10 @@ namespace {
 std::string libraryPath() {
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
   std::filesystem::path path = self.parent_path().parent_path() / "lib" / "libdarwinop-virtual-camera.so";
-  if (!std::filesystem::exists(path))
-    throw std::runtime_error("there is no " + path.string() + ": ./dev build makes it, beside the program");
+  if (!std::filesystem::exists(path)) throw std::runtime_error(path.string() + " not found: run ./dev build");
   if (path.string().find_first_of(" :") != std::string::npos)
-    throw std::runtime_error(path.string() + " cannot be preloaded: its path has a blank or a colon. Build elsewhere");
+    throw std::runtime_error(path.string() +
+                             " cannot be preloaded: its path contains a blank or a colon; build in another folder");
   return path;
 }
 
@@ -23,7 +23,7 @@ std::vector<std::string> cameraSettings(const std::string& file, const std::stri
   const std::string library = libraryPath();
   const char* const others = std::getenv("LD_PRELOAD");
   const bool alone = others == nullptr || *others == '\0';
-  // Behind the others: a sanitizer's library wants to be the first.
+  // After other libraries: a sanitizer's must be the first.
   return {"LD_PRELOAD=" + (alone ? library : std::string{others} + ":" + library), "DARWINOP_VIRTUAL_CAMERA=" + file,
           "DARWINOP_VIRTUAL_CAMERA_DEVICE=" + device};
 }

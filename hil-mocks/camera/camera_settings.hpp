@@ -1,4 +1,4 @@
-// What a program has to be started with to see a virtual camera.
+// Environment of a program that uses a virtual camera.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace darwinop::hil {
 
-/// NAME=VALUE each, for a camera at `device` whose pictures are painted into `file`. Throws std::runtime_error when the
-/// camera's library is not where it belongs: beside the running program.
+/// NAME=VALUE each, for a camera at `device` with pictures from `file`. Throws std::runtime_error if the shim library
+/// is not beside the running program.
 std::vector<std::string> cameraSettings(const std::string& file, const std::string& device);
 
 }  // namespace darwinop::hil

@@ -1,8 +1,8 @@
-// What a virtual camera and whoever paints its pictures share: one file, mapped by both.
+// Shared-memory layout between a virtual camera and its painter: one file, mapped by both.
 //
-// The painter (darwinop-virtual-camera, darwinop-virtual-robot) makes it and fills one picture after the other; the
-// shim in the process that opens /dev/videoN reads them, and writes the size that it negotiated. Each side tolerates
-// that the other is gone.
+// The painter (darwinop-virtual-camera, darwinop-virtual-robot) creates the file and writes the pictures; the shim in
+// the process that opens /dev/videoN reads them and writes the negotiated size. Each side tolerates the absence of the
+// other.
 #pragma once
 
 #include <time.h>
@@ -14,39 +14,40 @@ namespace darwinop::hil {
 
 inline constexpr std::uint32_t kFrameFileMagic = 0x4d415643;  // "CVAM"
 inline constexpr std::uint32_t kFrameFileVersion = 3;
-inline constexpr int kMostWidth = 800, kMostHeight = 600;  // the largest size of the robot's camera
+inline constexpr int kMostWidth = 800, kMostHeight = 600;  // largest size of the robot's camera
 inline constexpr std::uint32_t kMostBytes = 2u * kMostWidth * kMostHeight;
 
-/// What is wrong with the camera from now on; set by a test, seen by the shim at the next frame.
+/// Camera fault, set by a test; the shim applies it at the next frame.
 enum class CameraFault : std::uint32_t {
   kNone,
   kGone,         // unplugged: ENODEV on every call, open() finds no file
-  kSilent,       // no frames
-  kShort,        // frames with half of their bytes
-  kFlagged,      // frames that the driver marks V4L2_BUF_FLAG_ERROR
+  kSilent,       // no pictures
+  kShort,        // pictures with half of their bytes
+  kFlagged,      // pictures marked V4L2_BUF_FLAG_ERROR
   kIoError,      // VIDIOC_DQBUF fails with EIO
-  kSlow,         // five frames a second
+  kSlow,         // five pictures per second
   kBusy,         // VIDIOC_STREAMON and S_FMT fail with EBUSY
   kNoAccess,     // open() fails with EACCES
-  kOtherFormat,  // the driver gives MJPEG instead of YUYV
-  kOneBuffer,    // the driver grants a single buffer
-  kNoMmap,       // the driver does no streaming
-  kDrops,        // every third frame is lost, and counted
+  kOtherFormat,  // MJPEG instead of YUYV
+  kOneBuffer,    // one buffer only
+  kNoMmap,       // no streaming
+  kDrops,        // every third picture is lost, and counted
 };
 
-/// Lies at the start of the file. Two pictures follow (YUYV, rows of 2 * width bytes, as a camera mounted upside down
-/// sends them): the painter fills one while the shim reads the other, so that neither waits, and a painter that died
-/// amid its work leaves a whole picture. Picture number n, counted from 1, lies at pictureAt(n).
+/// Header of the file. Two pictures follow (YUYV, rows of 2 * width bytes, in the orientation of a camera mounted
+/// upside down): the painter writes one while the shim reads the other, so neither waits, and a painter that dies
+/// leaves a complete picture. Picture n, counted from 1, is at pictureAt(n).
 struct FrameFile {
   std::uint32_t magic = kFrameFileMagic, version = kFrameFileVersion;
   std::atomic<std::uint32_t> fault{0};                               // CameraFault
   std::atomic<std::uint32_t> wanted_width{320}, wanted_height{240};  // written by the shim
-  std::atomic<std::uint32_t> pictures{0};  // complete ones; unchanged after reading: what was read is whole
-  std::atomic<std::uint32_t> width[2] = {}, height[2] = {};  // of picture n: at [n % 2]; not always what is wanted
-  std::atomic<std::int64_t> painted_ns[2] = {};              // CLOCK_MONOTONIC
-  std::atomic<std::int64_t> glanced_ns{0};  // as asked_ns, by who is content with half as many pictures
-  std::atomic<std::int64_t> asked_ns{0};  // CLOCK_MONOTONIC; written by whoever looks: nobody looks, nobody need paint
-  std::atomic<std::uint32_t> blind{0};    // 1: nothing can be painted, and `why` says why; set once, behind it
+  std::atomic<std::uint32_t> pictures{0};  // complete ones; if unchanged after reading, the data read are complete
+  std::atomic<std::uint32_t> width[2] = {},
+                             height[2] = {};     // of picture n: index n % 2; may differ from the requested size
+  std::atomic<std::int64_t> painted_ns[2] = {};  // CLOCK_MONOTONIC
+  std::atomic<std::int64_t> glanced_ns{0};       // as asked_ns, for readers that need half the rate
+  std::atomic<std::int64_t> asked_ns{0};         // CLOCK_MONOTONIC of the last read; painting stops without readers
+  std::atomic<std::uint32_t> blind{0};           // 1: nothing can be painted, reason in `why`; set once, after `why`
   char why[512] = {};
 };
 inline constexpr std::uint32_t kPictureAt = 4096;

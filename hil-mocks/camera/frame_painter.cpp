@@ -20,8 +20,8 @@ namespace darwinop::hil {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, int error) {
-  throw std::runtime_error("cannot make the frame file " + path + ": " + std::strerror(error) +
-                           ". Name a file in a folder that you may write to, as --file /dev/shm/camera");
+  throw std::runtime_error("cannot create the frame file " + path + ": " + std::strerror(error) +
+                           "; choose a writable folder, for example --file /dev/shm/camera");
 }
 
 std::size_t yuyvBytes(PictureSize size) {
@@ -35,7 +35,7 @@ void check(bool good, const char* what) {
 }  // namespace
 
 FramePainter::FramePainter(std::string path) : path_{std::move(path)} {
-  // Under another name first: nobody shall map half a file, and a camera that has the old one open keeps it whole.
+  // Created under another name and renamed: no reader maps a partial file, and a camera with the old one keeps it.
   std::string name = path_ + ".XXXXXX";
   const int fd = mkostemp(name.data(), O_CLOEXEC);
   if (fd < 0) fail(path_, errno);
@@ -59,7 +59,7 @@ FramePainter::FramePainter(std::string path) : path_{std::move(path)} {
 }
 
 FramePainter::~FramePainter() {
-  struct stat status {};  // another painter may have replaced the file
+  struct stat status {};  // detects replacement by another painter
   if (stat(path_.c_str(), &status) == 0 && status.st_dev == device_ && status.st_ino == inode_) unlink(path_.c_str());
   munmap(file_, kFrameFileSize);
 }
@@ -74,9 +74,9 @@ PictureSize FramePainter::wanted() const {
 std::span<std::uint8_t> FramePainter::begin(PictureSize size) {
   check(size.width > 0 && size.height > 0 && size.width <= kMostWidth && size.height <= kMostHeight &&
             size.width % 2 == 0,
-        "a picture for the virtual camera has an even width up to 800 and a height up to 600");
+        "virtual camera pictures need an even width up to 800 and a height up to 600");
   const std::uint32_t next = file_->pictures.load() + 1;
-  std::atomic_thread_fence(std::memory_order_seq_cst);  // the number that is complete is seen before what comes now
+  std::atomic_thread_fence(std::memory_order_seq_cst);  // orders `pictures` before the following writes
   file_->width[next % 2].store(static_cast<std::uint32_t>(size.width));
   file_->height[next % 2].store(static_cast<std::uint32_t>(size.height));
   return {reinterpret_cast<std::uint8_t*>(file_) + pictureAt(next), yuyvBytes(size)};
@@ -88,13 +88,13 @@ void FramePainter::complete() {
 }
 
 void FramePainter::paint(PictureSize size, std::span<const std::uint8_t> bgra) {
-  check(bgra.size() == 2 * yuyvBytes(size), "a picture has four bytes a pixel");
+  check(bgra.size() == 2 * yuyvBytes(size), "BGRA pictures need four bytes per pixel");
   pixels::bgraToYuyvRotated(bgra, size.width, size.height, begin(size), 2 * static_cast<std::size_t>(size.width));
   complete();
 }
 
 void FramePainter::paintYuyv(PictureSize size, std::span<const std::uint8_t> yuyv) {
-  check(yuyv.size() == yuyvBytes(size), "a YUYV picture has two bytes a pixel");
+  check(yuyv.size() == yuyvBytes(size), "YUYV pictures need two bytes per pixel");
   std::ranges::copy(yuyv, begin(size).begin());
   complete();
 }

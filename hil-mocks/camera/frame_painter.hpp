@@ -1,4 +1,4 @@
-// The painting end of the frame file: makes the file, fills it with pictures, sets what is wrong with the camera.
+// Writer of the frame file: creates it, writes pictures, sets camera faults.
 #pragma once
 
 #include <sys/types.h>
@@ -17,25 +17,25 @@ struct PictureSize {
   bool operator==(const PictureSize&) const = default;
 };
 
-/// One thread paints; faults may be set by any. The file is removed at the end, unless another painter replaced it; a
-/// camera that is open then keeps its last picture.
+/// Single painting thread; faults may be set by any thread. The destructor removes the file unless another painter
+/// replaced it; an open camera then keeps its last picture.
 class FramePainter {
  public:
-  explicit FramePainter(std::string path);  // replaces what is there; throws std::runtime_error
+  explicit FramePainter(std::string path);  // replaces an existing file; throws std::runtime_error
   ~FramePainter();
   FramePainter(const FramePainter&) = delete;
   FramePainter& operator=(const FramePainter&) = delete;
 
   [[nodiscard]] const std::string& path() const { return path_; }
-  /// What the program has set, or 320x240.
+  /// Size set by the program, or 320x240.
   [[nodiscard]] PictureSize wanted() const;
-  /// Upright, 4 * width * height bytes; turned by 180 degrees on its way, as the robot's camera hangs.
+  /// Upright, 4 * width * height bytes; rotated by 180 degrees, like the robot's camera.
   void paint(PictureSize size, std::span<const std::uint8_t> bgra);
-  /// 2 * width * height bytes, as the camera sends them.
+  /// 2 * width * height bytes, in camera orientation.
   void paintYuyv(PictureSize size, std::span<const std::uint8_t> yuyv);
-  /// Pictures a second that somebody wants who has looked within the last two seconds: 30, 15 or 0.
+  /// Pictures per second requested within the last two seconds: 30, 15 or 0.
   [[nodiscard]] int wantedRate() const;
-  /// There will be no pictures, for programs that look into the file: `why`, in words. Once.
+  /// Reports to readers that there will be no pictures, and why. Once.
   void giveUp(const std::string& why);
   void setFault(CameraFault fault);
   [[nodiscard]] std::uint32_t painted() const;

@@ -11,7 +11,7 @@
 namespace darwinop::hil {
 namespace {
 
-// Who has begun to look may find one from the last time that somebody looked.
+// A first read may find a picture left from earlier readers.
 constexpr std::int64_t kFreshPaint = 2'000'000'000;  // ns
 
 FrameFile* mapPaint(const std::string& path) {
@@ -21,11 +21,11 @@ FrameFile* mapPaint(const std::string& path) {
   if (fd >= 0 && ::fstat(fd, &status) == 0 && status.st_size == static_cast<off_t>(kFrameFileSize))
     memory = ::mmap(nullptr, kFrameFileSize, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
   if (fd >= 0) ::close(fd);
-  if (memory == MAP_FAILED) throw std::runtime_error("nobody paints pictures into " + path);
+  if (memory == MAP_FAILED) throw std::runtime_error("no painter has created " + path);
   auto* const file = static_cast<FrameFile*>(memory);
   if (file->magic == kFrameFileMagic && file->version == kFrameFileVersion) return file;
   ::munmap(memory, kFrameFileSize);
-  throw std::runtime_error("another version paints pictures into " + path);
+  throw std::runtime_error(path + " was created by another version");
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ CameraFrame PaintedPictures::newest() {
     return frame_;
   std::memcpy(spare_.data(), reinterpret_cast<const std::uint8_t*>(file_) + pictureAt(number), spare_.size());
   std::atomic_thread_fence(std::memory_order_acquire);
-  if (file_->pictures.load(std::memory_order_relaxed) != number) return frame_;  // the painter was quicker
+  if (file_->pictures.load(std::memory_order_relaxed) != number) return frame_;  // overwritten during the copy
   spare_.swap(shown_);
   frame_ = {.sequence = number, .time = Nanos{painted}, .width = kWidth, .height = kHeight, .yuyv = shown_};
   ++frames_;

@@ -1,5 +1,5 @@
-// What is painted for the virtual camera, for a program of ours that looks into the file: it needs no library
-// preloaded, takes the camera from nobody, and learns why there are no pictures.
+// Reads the painter's file directly, without the preloaded shim and without occupying the camera; also reports why
+// there are no pictures.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace darwinop::hil {
 
-/// YUYV of 320x240; pictures of another size, which a program may have set, are not shown. Asks for 15 pictures a
-/// second as long as it is looked at.
+/// YUYV of 320x240; ignores pictures of another size, which a program may have set. Requests 15 pictures per second
+/// while newest() is called.
 class PaintedPictures final : public FrameSource {
  public:
   static constexpr std::uint32_t kWidth = 320, kHeight = 240;
 
-  /// `set_size`: nobody else looks, so that the size is 320x240 again. Throws std::runtime_error: no file of this
-  /// version.
+  /// `set_size`: there is no other reader, so reset the size to 320x240. Throws std::runtime_error if there is no file
+  /// of this version.
   PaintedPictures(const std::string& path, bool set_size);
   ~PaintedPictures() override;
   PaintedPictures(const PaintedPictures&) = delete;
@@ -25,7 +25,7 @@ class PaintedPictures final : public FrameSource {
 
   CameraFrame newest() override;
   [[nodiscard]] CameraHealth health() const override;
-  /// Empty: the painter paints. By any thread.
+  /// Why there are no pictures; empty: no error. Any thread.
   [[nodiscard]] std::string trouble() const;
 
  private:

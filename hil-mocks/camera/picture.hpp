@@ -1,4 +1,4 @@
-// A picture on its way to the virtual camera.
+// Picture type of the virtual camera's sources.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace darwinop::hil {
 
 using Colour = std::array<std::uint8_t, 3>;  // red, green, blue
 
-/// As controllers get it: blue, green, red, 255 a pixel, top row first, no gaps.
+/// Controller format: blue, green, red, 255 per pixel, top row first, no padding.
 struct Picture {
   Picture(int width_px, int height_px)
       : width{width_px},

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostSide = 10'000;  // px; more is a damaged file
+constexpr int kMostSide = 10'000;  // px; larger files are damaged
 
 [[noreturn]] void fail(const fs::path& file, const std::string& why) {
   throw std::runtime_error("cannot read the picture " + file.string() + ": " + why);
@@ -37,11 +37,11 @@ Picture readPng(const fs::path& file) {
   std::vector<std::uint8_t> rgb;
   unsigned width = 0, height = 0;
   const unsigned error = lodepng::decode(rgb, width, height, file.string(), LCT_RGB);
-  if (error != 0) fail(file, std::string{lodepng_error_text(error)} + ". Save it as PNG again, or take it away");
+  if (error != 0) fail(file, std::string{lodepng_error_text(error)} + "; save it as PNG again, or remove it");
   return fromRgb(static_cast<int>(width), static_cast<int>(height), rgb.data());
 }
 
-/// The next number of a PPM's header; # begins a comment. -1: there is none.
+/// The next number of a PPM header; # starts a comment. -1: none.
 int number(std::istream& in) {
   while ((in >> std::ws).peek() == '#') in.ignore(kMostSide, '\n');
   int value = -1;
@@ -50,17 +50,17 @@ int number(std::istream& in) {
 
 Picture readPpm(const fs::path& file) {
   std::ifstream in{file, std::ios::binary};
-  if (!in) fail(file, "it cannot be opened. Check its rights");
+  if (!in) fail(file, "cannot open it; check its permissions");
   char kind[2] = {};
   in.read(kind, sizeof kind);
   const int width = number(in), height = number(in), most = number(in);
   if (kind[0] != 'P' || kind[1] != '6' || most != 255 || width < 1 || height < 1 || width > kMostSide ||
       height > kMostSide)
-    fail(file, "it is no binary PPM (P6) with 255 as its greatest value. Convert it to that, or to PNG");
-  in.get();  // one white space
+    fail(file, "not a binary PPM (P6) with maximum value 255; convert it to that, or to PNG");
+  in.get();  // one whitespace character
   std::vector<std::uint8_t> rgb(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   in.read(reinterpret_cast<char*>(rgb.data()), static_cast<std::streamsize>(rgb.size()));
-  if (!in) fail(file, "it ends too early. Copy it again");
+  if (!in) fail(file, "the file is truncated; copy it again");
   return fromRgb(width, height, rgb.data());
 }
 
@@ -76,9 +76,8 @@ PictureFolder::PictureFolder(const fs::path& folder, std::uint32_t frames_each)
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator{folder, error})
     if (ending(entry.path()) == ".png" || ending(entry.path()) == ".ppm") files.push_back(entry.path());
-  if (error) throw std::runtime_error("cannot read the folder of pictures " + folder.string() + ": " + error.message());
-  if (files.empty())
-    throw std::runtime_error("no picture in " + folder.string() + ": put files there that end in .png or .ppm");
+  if (error) throw std::runtime_error("cannot read picture folder " + folder.string() + ": " + error.message());
+  if (files.empty()) throw std::runtime_error("no pictures in " + folder.string() + ": add .png or .ppm files");
   std::ranges::sort(files);
   for (const fs::path& file : files) pictures_.push_back(readPicture(file));
 }

@@ -1,4 +1,4 @@
-// The pictures of a folder, one after the other: what the camera of a real robot saw, or what one drew.
+// Picture source: the image files of a folder in turn.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace darwinop::hil {
 
-/// PNG, or binary PPM (P6) with 255 as its greatest value. Throws std::runtime_error with what to do.
+/// PNG, or binary PPM (P6) with maximum value 255. Throws std::runtime_error with a remedy.
 Picture readPicture(const std::filesystem::path& file);
 
-/// In the order of their names, each for so many frames, then again from the first. Read once, at the beginning.
+/// Sorted by name, each for a number of frames, then from the first again. Read once, at construction.
 class PictureFolder {
  public:
   PictureFolder(const std::filesystem::path& folder, std::uint32_t frames_each);
-  /// Scaled to the size of `onto`: each pixel is the nearest one's colour.
+  /// Scales to the size of `onto` by nearest neighbour.
   void draw(Picture& onto, std::uint32_t frame) const;
   [[nodiscard]] std::size_t count() const { return pictures_.size(); }
 

@@ -8,9 +8,9 @@ namespace {
 
 constexpr int kBarCount = sizeof kBars / sizeof kBars[0];
 constexpr int kBits = 16;
-constexpr int kCounterShare = 8;  // the counter takes an eighth of the height
+constexpr int kCounterShare = 8;  // share of the height
 constexpr Colour kWhite{235, 235, 235}, kBlack{16, 16, 16};
-constexpr double kRadiusShare = 0.08;  // of the height, as a 10 cm ball half a metre away
+constexpr double kRadiusShare = 0.08;  // of the height; a 10 cm ball at half a metre
 
 int counterTop(const Picture& picture) {
   return picture.height - picture.height / kCounterShare;

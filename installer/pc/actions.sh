@@ -1,9 +1,9 @@
 # shellcheck shell=sh disable=SC2154  # variables are shared with the other files
-# What the command does, once the arguments are known: each action is a few calls of functions on the robot.
+# Actions of the command: calls of functions on the robot.
 
 robot_settings() { quote force="$force" without_robot="$without_robot" port="$port" autostart="$autostart" dry_run="$dry_run"; }
 
-# on_robot FUNCTION [WORDS]: with the settings as arguments, WORDS quoted for eval.
+# on_robot FUNCTION [WORDS]: passes the settings as arguments; WORDS are quoted for eval.
 on_robot() {
   robot_function=$1
   eval "set -- $(robot_settings)${2:-}"
@@ -22,7 +22,7 @@ install_on_robot() {
   [ "$status" != 10 ] || exit 0
   end_unless_well "$status"
   if [ "$dry_run" = 1 ]; then
-    say "nothing speaks against it; without --dry-run version $version would now be installed into /opt/darwinop/versions"
+    say "all checks passed; without --dry-run version $version would be installed into /opt/darwinop/versions"
     exit 0
   fi
   status=0
@@ -42,12 +42,12 @@ other_action() {
   end_unless_well "$status"
 }
 
-# The robot's program says what is wrong for the codes that it knows; the others are said here.
+# The robot's program reports its own exit codes; the others are reported here.
 end_unless_well() {
   case $1 in
     0) return ;;
     1 | 3 | 4 | 5) exit "$1" ;;
-    255) die "the connection to $target was lost; the robot ends the step that it was in and runs either the old or the new version. Look with --status, then try again" ;;
-    *) die "the program on $target was ended in the middle (status $1); the robot runs either the old or the new version. Run the same command again to complete it" ;;
+    255) die "the connection to $target was lost; the robot completes the present step and runs either the old or the new version. Check with --status, then try again" ;;
+    *) die "the program on $target was interrupted (status $1); the robot runs either the old or the new version. Run the same command again to complete it" ;;
   esac
 }

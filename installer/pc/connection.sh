@@ -2,15 +2,15 @@
 # One ssh connection to the robot: `connect` logs in once, every `robot_run` is a session of it, `disconnect` ends it.
 # In: $target (user@host), $ssh_options (words quoted for eval), $new_host (1: accept an unknown host key), $installer.
 
-# Not what the environment happens to call so: `disconnect` removes this folder.
+# Ignores an environment variable of this name: `disconnect` removes this folder.
 connection=
 sudo_password=
-host_key=    # fingerprint that an unknown robot may have
+host_key=    # accepted fingerprint of an unknown robot
 ssh_apart=
 
 connect() {
-  command -v ssh >/dev/null 2>&1 || die "there is no ssh on this machine. Install it: sudo apt-get install openssh-client"
-  connection=$(mktemp -d "${TMPDIR:-/tmp}/darwinop-install.XXXXXX") || die "cannot make a temporary folder"
+  command -v ssh >/dev/null 2>&1 || die "ssh not found; install it: sudo apt-get install openssh-client"
+  connection=$(mktemp -d "${TMPDIR:-/tmp}/darwinop-install.XXXXXX") || die "cannot create a temporary folder"
   chmod 700 "$connection"
   phase "connecting to $target"
   host_keys=ask
@@ -30,7 +30,7 @@ disconnect() {
 }
 
 # robot_run FUNCTION ARGUMENTS... <DATA: runs a function of installer/robot/*.sh as root on the robot, DATA its stdin.
-# The program is the command line, so that stdin is free. Status is the function's, 255 means that the link was lost.
+# The program is passed on the command line, so that stdin is free. Returns the function's status; 255: connection lost.
 robot_run() {
   robot_program=$(robot_text && printf '\nmain ' && quote "$@") || die "cannot read $installer/robot"
   robot_command="${as_root}sh -c $(quote "$robot_program")"
@@ -38,7 +38,7 @@ robot_run() {
     ssh_session "$robot_command"
 }
 
-# The functions, and the small files that they write, as shell variables.
+# The functions, and small files to be written, as shell variables.
 robot_text() {
   cat "$installer"/robot/*.sh || return 1
   for robot_file in start:start unit:darwinop.service.template rc_local:../rc.local.template; do
@@ -49,10 +49,10 @@ robot_text() {
   printf '\nerror_mark=%s\n' "$(quote "$error_mark")"
 }
 
-# ssh_call ARGUMENTS: ssh over the socket, with what the user asked for first: ssh takes the first value it sees.
+# ssh_call ARGUMENTS: ssh over the control socket. The user's options come first: ssh uses the first value of an option.
 ssh_call() { ssh_with "" "$@"; }
 
-# ssh_session COMMAND: over the master only; when that is gone this fails and does not log in anew.
+# ssh_session COMMAND: over the master connection only; fails without it instead of logging in again.
 ssh_session() { ssh_with "-o ProxyCommand=false" -o ControlMaster=no -o BatchMode=yes -T "$target" "$1"; }
 
 ssh_with() { # WORDS-BEFORE-THE-USERS ARGUMENTS
@@ -60,17 +60,17 @@ ssh_with() { # WORDS-BEFORE-THE-USERS ARGUMENTS
     -o ServerAliveCountMax=3 $legacy_options"
   shift
   eval "set -- $ssh_words \"\$@\""
-  ${ssh_apart:-} ssh "$@"  # a word before it: see attended() in controller.sh
+  ${ssh_apart:-} ssh "$@"  # optional prefix: see attended() in controller.sh
 }
 
-# open_master OPTIONS: what ssh says goes to $connection/said, its questions to the terminal.
-# In a shell of its own: a Ctrl-C meanwhile is answered on the terminal, not into that file.
+# open_master OPTIONS: ssh's messages go to $connection/said, its questions to the terminal.
+# In a subshell, so that the response to Ctrl-C goes to the terminal, not to that file.
 open_master() { (ask_for_host_key && ssh_call -M -N -f -o ControlPersist=no -o ClearAllForwardings=yes "$@" "$target") </dev/null 2>"$connection/said"; }
 
-# Without a terminal ssh asks a program whether to trust an unknown robot. Ours says yes to one key, and keeps what was asked.
+# Without a terminal ssh asks a program whether to trust an unknown host. Ours accepts one key and stores the question.
 ask_for_host_key() {
   [ -n "$host_key" ] || [ "$progress" = 1 ] || return 0
-  [ -z "${SSH_ASKPASS_REQUIRE:-}" ] || [ "${SSH_ASKPASS:-}" != "$connection/askpass" ] || return 0  # the password's turn
+  [ -z "${SSH_ASKPASS_REQUIRE:-}" ] || [ "${SSH_ASKPASS:-}" != "$connection/askpass" ] || return 0  # set for the password
   cat >"$connection/askhost" <<'END' && chmod 700 "$connection/askhost" || return
 #!/bin/sh
 case $1 in *fingerprint*) ;; *) exit 1 ;; esac
@@ -80,7 +80,7 @@ END
   export DARWINOP_HOST_KEY="${host_key:-none}" SSH_ASKPASS="$connection/askhost" SSH_ASKPASS_REQUIRE=force DISPLAY="${DISPLAY:-:0}"
 }
 
-# SHA256 and 43 letters: all of a fingerprint, or a part of one would let many keys pass.
+# SHA256 and 43 characters: a complete fingerprint; a part would match many keys.
 check_host_key() {
   [ -n "$host_key" ] || return 0
   letters=${host_key#SHA256:}
@@ -89,21 +89,21 @@ check_host_key() {
     SHA256:*) ;;
     *) letters= ;;
   esac
-  [ ${#letters} = 43 ] || wrong_usage "--host-key takes a fingerprint such as ssh shows it, SHA256:..., not '$host_key'"
+  [ ${#letters} = 43 ] || wrong_usage "--host-key requires a fingerprint as printed by ssh, SHA256:..., not '$host_key'"
 }
 
-# tell_host_key: sets $host_key_told to ", its key is ..." and tells a program that reads our progress.
-tell_host_key() {
-  host_key_told=$(grep -o -m 1 '[A-Za-z0-9-]* key fingerprint is SHA256:[A-Za-z0-9+/]*' "$connection/asked-host" 2>/dev/null) || return 0
-  [ "$progress" = 0 ] || printf 'host-key %s\n' "${host_key_told##* }" >&3
-  host_key_told=" (${host_key_told%% key*} key ${host_key_told##* })"
+# report_host_key: sets $host_key_text to " (TYPE key SHA256:...)" and reports the key on the progress channel.
+report_host_key() {
+  host_key_text=$(grep -o -m 1 '[A-Za-z0-9-]* key fingerprint is SHA256:[A-Za-z0-9+/]*' "$connection/asked-host" 2>/dev/null) || return 0
+  [ "$progress" = 0 ] || printf 'host-key %s\n' "${host_key_text##* }" >&3
+  host_key_text=" (${host_key_text%% key*} key ${host_key_text##* })"
 }
 
-# Keys, agents: whatever needs no password of the robot. Status 1: the robot asks for one.
+# Login by key or agent. Returns 1 if the robot requires a password.
 log_in_with_key() {
   open_master -o StrictHostKeyChecking="$host_keys" -o PasswordAuthentication=no -o KbdInteractiveAuthentication=no && return
   if grep -q -e 'no matching' -e 'Unable to negotiate' "$connection/said" && [ -z "$legacy_options" ]; then
-    say "$target speaks only old ssh algorithms, which today's ssh leaves out as weak; they are allowed for this robot and this command alone"
+    say "$target supports only old ssh algorithms, which are disabled by default as weak; enabling them for this robot and command only"
     legacy_options=$(legacy_ssh_options)
     log_in_with_key
     return
@@ -114,11 +114,11 @@ log_in_with_key() {
 
 log_in_with_password() {
   if grep 'Permission denied' "$connection/said" | grep -v -q -e password -e keyboard-interactive; then
-    die "$target takes keys only and none of yours; copy one to it from a machine that can log in, or name it with -i"
+    die "$target accepts keys only, and none of yours; copy a key to it from a machine that can log in, or specify one with -i"
   fi
   need_password "login"
   [ "$host_keys" = accept-new ] || host_keys=yes
-  # The helper hands ssh the password out of its environment: it is in no file and in no argument list.
+  # The helper passes the password from its environment to ssh: it is in no file or argument list.
   # shellcheck disable=SC2016
   printf '#!/bin/sh\nprintf "%%s\\n" "$DARWINOP_PASSWORD"\n' >"$connection/askpass"
   chmod 700 "$connection/askpass"
@@ -127,12 +127,12 @@ log_in_with_password() {
     open_master -o StrictHostKeyChecking="$host_keys" -o PubkeyAuthentication=no -o NumberOfPasswordPrompts=1
   ) && return
   if grep -q 'Permission denied' "$connection/said"; then
-    die "$target did not take the password; a DARwIn-OP comes with 'darwin' and 111111, an OP2 with 'robotis' and 111111"
+    die "$target rejected the password; the default of a DARwIn-OP is 'darwin' and 111111, of an OP2 'robotis' and 111111"
   fi
   explain_ssh
 }
 
-# Sets $as_root, the words before a command, and $sudo_password when sudo wants one.
+# Sets $as_root, a command prefix, and $sudo_password if sudo requires one.
 look_for_root() {
   as_root=
   sudo_password=
@@ -143,10 +143,10 @@ look_for_root() {
       as_root="sudo -S -p '' "
       need_password "sudo"
       printf '%s\n' "$password" | ssh_session "sudo -S -p '' true" >/dev/null 2>&1 ||
-        die "sudo on $target did not take the password, or this user may not use sudo; log in as a user who may"
+        die "sudo on $target rejected the password or this user; log in as a user with sudo permission"
       sudo_password=1
       ;;
-    "") die "$target took the login, but ran no command; does 'ssh $target id' work?" ;;
+    "") die "$target accepted the login but ran no command; check with 'ssh $target id'" ;;
     *) die "$target has no sudo; log in as root" ;;
   esac
 }

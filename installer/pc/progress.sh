@@ -1,30 +1,30 @@
 # shellcheck shell=sh
-# How far we are: for people a progress bar on stderr, for a program that asks with --progress lines on file descriptor 3,
-#   progress NUMBER OF FRACTION NAME      "progress 4 5 0.420 sending 4312 kB"; FRACTION is - where none is known
+# Progress: a bar on stderr for users; with --progress, lines on file descriptor 3 for programs:
+#   progress NUMBER OF FRACTION NAME      "progress 4 5 0.420 sending 4312 kB"; FRACTION is - if unknown
 
 progress=0
 phase_number=0
 phase_count=0
 
 begin_progress() {
-  (: >&3) 2>/dev/null || wrong_usage "--progress is for programs, which read file descriptor 3; it is not open"
+  (: >&3) 2>/dev/null || wrong_usage "--progress requires an open file descriptor 3"
   progress=1
   error_mark="error: "
-  trap : PIPE  # who reads may go away at any time; we tidy up all the same
+  trap : PIPE  # the reader may close at any time; cleanup must still run
 }
 
-# phase NAME: the next of $phase_count begins.
+# phase NAME: starts the next of $phase_count phases.
 phase() {
   phase_number=$((phase_number + 1))
   phase_name=$*
-  tell_phase -
+  report_phase -
 }
 
-tell_phase() { # FRACTION
+report_phase() { # FRACTION
   [ "$progress" = 0 ] || printf 'progress %d %d %s %s\n' "$phase_number" "$phase_count" "$1" "$phase_name" 2>/dev/null >&3
 }
 
-# send_with_progress FILE BYTES NEXT: writes the file to stdout; then the phase NEXT begins. Without a terminal, one line
+# send_with_progress FILE BYTES NEXT: writes the file to stdout, then starts the phase NEXT. Without a terminal: one line
 # before and one after.
 send_with_progress() {
   kb=$((($2 + 1023) / 1024))
@@ -40,12 +40,12 @@ send_in_blocks() { # FILE
   began=$(date +%s)
   block_kb=64
   sent=0
-  # dd on a file reads whole blocks, so their number tells how far we are.
+  # dd on a file reads whole blocks, so their number gives the progress.
   while [ "$sent" -lt "$kb" ]; do
     dd bs="${block_kb}k" count=1 2>/dev/null || return
     sent=$((sent + block_kb))
     [ "$sent" -le "$kb" ] || sent=$kb
-    tell_phase "$(printf '%d.%03d' $((sent / kb)) $((sent % kb * 1000 / kb)))"
+    report_phase "$(printf '%d.%03d' $((sent / kb)) $((sent % kb * 1000 / kb)))"
     ! [ -t 2 ] || draw_progress "$sent" "$kb" $(($(date +%s) - began))
   done <"$1"
 }

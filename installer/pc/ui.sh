@@ -1,15 +1,15 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# What the user sees and types: sentences on stderr, one question for the password, quoting for the other shell.
+# User interface: messages on stderr, password prompt, quoting for the remote shell.
 
-# Not what the environment happens to call so.
+# Ignores an environment variable of this name.
 terminal_state=
 changing=
 
 program="darwinop install"
-error_mark=  # before what went wrong, for a program that reads us
+error_mark=  # prefix of error messages for --progress
 say() { printf '%s\n' "$program: $*" >&2; }
 
-# die [-CODE] SENTENCE: ends with code 1, or CODE.
+# die [-CODE] MESSAGE: exits with code 1, or CODE.
 die() {
   code=1
   case $1 in -[0-9]*) code=${1#-}; shift ;; esac
@@ -17,11 +17,11 @@ die() {
   exit "$code"
 }
 
-# quote WORD...: the words so that a shell reads them back as they are. A newline stays a newline.
+# quote WORD...: quotes words for a shell; newlines are preserved.
 quote() {
   for word in "$@"; do
     printf "'"
-    # The dot keeps newlines at the end, which $( ) would cut.
+    # The dot preserves trailing newlines, which $( ) removes.
     word=$(printf '%s.' "$word" | sed "s/'/'\\\\''/g")
     printf "%s' " "${word%.}"
   done
@@ -29,32 +29,32 @@ quote() {
 
 on_terminal() { [ -t 2 ] && (: </dev/tty) 2>/dev/null; }
 
-# Ctrl-C ends this program once it has tidied up; a second one must not end the tidying.
+# Ctrl-C ends this program after cleanup; a second one must not interrupt the cleanup.
 end_on_signals() {
   trap 'interrupted 130' INT
   trap 'interrupted 143' TERM HUP
 }
 
-# The robot hears nothing of it: what it had begun to switch it completes.
+# The robot does not notice; it completes a switch of versions that has started.
 interrupted() { # STATUS
   trap '' INT TERM HUP
-  [ -z "${changing:-}" ] || say "ended here, but the robot completes what it has begun; an archive that has not all come changes nothing. Look with --status"
-  [ "$action" != remote ] || say "ended here; the robot was not told to do anything yet"
+  [ -z "${changing:-}" ] || say "interrupted; the robot completes a step that has started, an incomplete archive changes nothing. Check with --status"
+  [ "$action" != remote ] || say "interrupted before the robot did anything"
   exit "$1"
 }
 
-# DARWINOP_PASSWORD becomes a variable of this shell alone: make, compilers and controllers' Makefiles do not see it.
+# DARWINOP_PASSWORD is removed from the environment: make, compilers and controllers' Makefiles must not see it.
 take_password() {
   unset password
   [ -z "${DARWINOP_PASSWORD+x}" ] || password=$DARWINOP_PASSWORD
   unset DARWINOP_PASSWORD
 }
 
-# need_password WHY: sets $password, asked for once on the terminal.
+# need_password WHY: sets $password, prompting once on the terminal.
 need_password() {
   [ -z "${password+x}" ] || return 0
   [ "$progress" = 0 ] || die "$1 needs a password, and none was given"
-  on_terminal || die "$1 needs a password and there is no terminal to ask on; set DARWINOP_PASSWORD, or copy a key to the robot with 'ssh-copy-id $target'"
+  on_terminal || die "$1 needs a password and there is no terminal for a prompt; set DARWINOP_PASSWORD, or copy a key to the robot with 'ssh-copy-id $target'"
   printf '%s' "Password of $target ($1): " >/dev/tty
   terminal_state=$(stty -g </dev/tty)
   stty -echo </dev/tty

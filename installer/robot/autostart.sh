@@ -1,10 +1,10 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# How the robot starts us at boot: a block in /etc/rc.local, or a systemd unit, or not at all.
+# Autostart at boot: a block in /etc/rc.local, a systemd unit, or none.
 
 unit_file() { echo "$etc/systemd/system/darwinop.service"; }
 unit_link() { echo "$etc/systemd/system/multi-user.target.wants/darwinop.service"; }
 
-# rc.local, systemd or none: what this call says, else what was chosen at the last installation, else what the robot has.
+# rc.local, systemd or none: from the command line, else from the last installation, else as found on the robot.
 autostart_wanted() {
   if [ -n "$autostart" ]; then
     echo "$autostart"
@@ -17,7 +17,7 @@ autostart_wanted() {
   fi
 }
 
-# What is set up now.
+# The present kind.
 autostart_kind() {
   if [ -e "$(unit_link)" ]; then
     echo systemd
@@ -28,7 +28,7 @@ autostart_kind() {
   fi
 }
 
-# autostart_is KIND: is everything as autostart_set would make it?
+# autostart_is KIND: true if autostart_set would change nothing.
 autostart_is() {
   [ "$(autostart_kind)" = "$1" ] || return
   case $1 in
@@ -38,7 +38,7 @@ autostart_is() {
   esac
 }
 
-# autostart_set KIND. The new way is set up before the old one goes.
+# autostart_set KIND: sets up the new kind before removing the old one.
 autostart_set() {
   case $1 in
     rc.local) rc_local_put 1 && unit_remove ;;
@@ -48,7 +48,7 @@ autostart_set() {
   esac
 }
 
-# With a unit, rc.local is touched only where it would start the ROBOTIS demo beside us.
+# With a unit, rc.local is changed only if it starts the ROBOTIS demo.
 rc_local_without_start() {
   file=$(rc_local_file)
   [ -f "$file" ] || return 0
@@ -85,7 +85,7 @@ autostart_leftovers() {
   rm -f "$(rc_local_file)".new-[0-9]* "$(unit_file)".new-[0-9]* "$(unit_link)".new-[0-9]*
 }
 
-# What the user should know beforehand, to be put behind a sentence.
+# Notes for the user before the installation, appended to a message.
 autostart_notes() {
   [ "$(autostart_wanted)" != none ] && [ -f "$(rc_local_file)" ] || return 0
   demo=$(rc_local_demo "$(rc_local_file)")
@@ -96,7 +96,7 @@ check_autostart() {
   [ "$(autostart_wanted)" = none ] || check_rc_local
 }
 
-# make_folder DIR: with all above it; those that are new are written down, and uninstall takes them away when empty.
+# make_folder DIR: creates DIR and its parents; new folders are recorded, and uninstall removes them if empty.
 make_folder() {
   [ -d "$1" ] || {
     make_folder "$(dirname "$1")" && mkdir -p "$1" && mkdir -p "$home/kept" && echo "$1" >>"$home/kept/made"

@@ -1,11 +1,11 @@
 # shellcheck shell=sh
-# Controllers on the robot: receiving one, making it the default, stopping what runs, logs. Running: controller_run.sh.
+# Controllers on the robot: receive, make default, stop, logs. Run: controller_run.sh.
 #
-# controllers/NAME is a link to .sent-XXXXXX/NAME, so that a new one takes the old one's place in one step, and what
-# runs keeps its files until it has ended.
+# controllers/NAME is a link to .sent-XXXXXX/NAME, so that a controller is replaced atomically and a running one keeps
+# its files.
 
 need_runtime() {
-  [ -x "$home/current/bin/darwinop-run" ] || die "darwinop is not on this robot yet. Install it first: darwinop install"
+  [ -x "$home/current/bin/darwinop-run" ] || die "darwinop is not installed on this robot. Install it first: darwinop install"
 }
 
 # receive_controller NAME KILOBYTES CKSUM BYTES <archive.tar.gz
@@ -13,34 +13,34 @@ receive_controller() {
   need_runtime
   lock
   controllers=$home/controllers
-  mkdir -p "$controllers" || die "cannot make $controllers"
+  mkdir -p "$controllers" || die "cannot create $controllers"
   tidy_controllers
   need_space "$2" $(($4 / 1024))
-  staging=$(mktemp -d "$controllers/.staging-XXXXXX") || die "cannot write into $controllers"
+  staging=$(mktemp -d "$controllers/.staging-XXXXXX") || die "cannot write to $controllers"
   unpack_controller "$@" || {
     rm -rf "$staging"
     die "$1 was not changed"
   }
   sent=$controllers/.sent-${staging##*.staging-}
   { chmod 755 "$staging" && mv "$staging" "$sent"; } || die "cannot rename $staging; $1 was not changed"
-  # A folder that somebody made by hand stands in the way of the link.
+  # A manually created folder is moved away.
   if [ -d "$controllers/$1" ] && [ ! -L "$controllers/$1" ]; then
     mv "$controllers/$1" "$controllers/$1.by-hand-$$" || die "cannot move $controllers/$1 away"
-    say "$controllers/$1 was put there by hand; it is now $1.by-hand-$$"
+    say "$controllers/$1 was not created by darwinop install; renamed to $1.by-hand-$$"
   fi
-  # The name on the way is hidden, as no controller's is.
+  # The temporary name is hidden; controller names never are.
   { ln -s "${sent##*/}/$1" "$controllers/.link-$$" && mv -T -f "$controllers/.link-$$" "$controllers/$1"; } ||
     die "cannot link $controllers/$1; $1 was not changed"
   sync
   tidy_controllers
-  say "$1 is there, $2 kB"
+  say "$1 is installed, $2 kB"
 }
 
-# Into $staging. What comes is looked at before it is used: the link may have been cut.
+# Into $staging. The archive is verified first: the connection may have been lost.
 unpack_controller() { # NAME KILOBYTES CKSUM BYTES
   mkdir "$staging/$1" && cat >"$staging/.archive" || return 1
   [ "$(cksum <"$staging/.archive")" = "$3 $4" ] || {
-    say "the link was cut: $(wc -c <"$staging/.archive") of $4 bytes came. Send it again"
+    say "incomplete transfer: received $(wc -c <"$staging/.archive") of $4 bytes. Send it again"
     return 1
   }
   # -m: the robot's clock may be years behind.
@@ -48,16 +48,16 @@ unpack_controller() { # NAME KILOBYTES CKSUM BYTES
     chmod -R a-s,u+rwX,go-w "$staging/$1" && own "$staging/$1" && [ -x "$staging/$1/$1" ]
 }
 
-# need_space KILOBYTES...: while unpacking, archive and files are there, and a full disk harms more than us.
+# need_space KILOBYTES...: archive and files exist together while unpacking; a full disk also harms other programs.
 need_space() {
   needed=20480
   for part in "$@"; do needed=$((needed + part)); done
   free=$(free_kb)
   [ "${free:-0}" -ge "$needed" ] ||
-    die "the robot's disk is too full: ${free:-0} kB are free, $needed kB are needed. Remove what is not needed from $home/controllers"
+    die "the robot's disk is too full: ${free:-0} kB are free, $needed kB are needed. Remove unused controllers from $home/controllers"
 }
 
-# Removes what interrupted sendings left, and controllers that were replaced and run no more.
+# Removes leftovers of interrupted transfers, and replaced controllers that do not run.
 tidy_controllers() {
   rm -rf "$controllers"/.staging-* "$controllers"/.link-*
   for sent_before in "$controllers"/.sent-*; do
@@ -79,28 +79,28 @@ is_in_use() { ls -l /proc/[0-9]*/exe /proc/[0-9]*/cwd 2>/dev/null | grep -qF -e 
 supervisor() { "$home/current/bin/darwinop-supervisor" "$@"; }
 supervisor_runs() { supervisor --status >/dev/null 2>&1; }
 
-# make_default NAME: what starts at every boot.
+# make_default NAME: starts NAME at every boot.
 make_default() {
   need_runtime
   lock
-  [ -x "$home/controllers/$1/$1" ] || die "there is no controller $1 on this robot; send it with --controller"
-  point "$home/default" "controllers/$1" || die "cannot link $home/default; the default controller is the one before"
+  [ -x "$home/controllers/$1/$1" ] || die "controller $1 is not on this robot; send it with --controller"
+  point "$home/default" "controllers/$1" || die "cannot link $home/default; the default controller is unchanged"
   sync
   say "$1 is the default controller now: it starts at every boot"
-  say "at boot the start pose is checked first; a robot that does not sit in it stays still, with the reason in the log (--logs)"
+  say "at boot it starts only in the start pose; otherwise the robot does not move and the log (--logs) has the reason"
   if is_running; then
-    say "$(sed -n 3p "$home/running") goes on running now; $1 starts at the next boot"
+    say "$(sed -n 3p "$home/running") keeps running; $1 starts at the next boot"
   elif driver=$(robot_driver) && [ -n "$driver" ] && is_from_elsewhere "$driver"; then
-    say "a window on a PC drives this robot (process $driver) and goes on; $1 starts at the next boot"
+    say "a window on a PC drives this robot (process $driver) and continues; $1 starts at the next boot"
   elif supervisor_runs; then
-    say "it starts now, too: mind your fingers"
-    supervisor --restart-controller || die "$1 could not be started now; look at --logs, or switch the robot off and on"
+    say "starting it now: keep clear of the robot"
+    supervisor --restart-controller || die "cannot start $1; see --logs, or restart the robot"
   else
-    say "no supervisor runs on the robot; $1 starts when the robot is switched on again"
+    say "no supervisor runs on the robot; $1 starts at the next boot"
   fi
 }
 
-# make_no_default: nothing starts at boot. One that --run started goes on.
+# make_no_default: nothing starts at boot. A controller started by --run continues.
 make_no_default() {
   need_runtime
   lock
@@ -108,32 +108,32 @@ make_no_default() {
     say "there is no default controller; nothing to do"
     return
   }
-  rm -f "$home/default" || die "cannot remove $home/default; the default controller is the one before"
+  rm -f "$home/default" || die "cannot remove $home/default; the default controller is unchanged"
   sync
   say "${before##*/} no longer starts at boot; it stays on the robot"
   if supervisor_runs && ! is_running; then
-    supervisor --stop-controller || die "it could not be stopped. Hold the robot and press MODE for a moment"
+    supervisor --stop-controller || die "cannot stop it. Hold the robot and press MODE briefly"
   fi
 }
 
-# The default controller and one that --run started; both end tidily. Nothing running is no error.
+# Stops the default controller and one started by --run. Not an error if none runs.
 stop_controllers() {
   need_runtime
   stop_sent_controller
   stop_driving_window
   if supervisor_runs; then
-    supervisor --stop-controller || die "the default controller could not be stopped. Hold the robot and press MODE for a moment"
+    supervisor --stop-controller || die "cannot stop the default controller. Hold the robot and press MODE briefly"
     say "the default controller is stopped; it starts again at the next boot"
   fi
 }
 
-# show_logs FOLLOW: both logs, each under its name. With FOLLOW = 1 until stdin ends.
+# show_logs FOLLOW: prints both logs with their names. FOLLOW = 1: until stdin ends.
 show_logs() {
   need_runtime
   for log in controller supervisor; do
     if [ "$1" = 1 ] || [ -f "$home/log/$log.log" ]; then set -- "$@" "$home/log/$log.log"; fi
   done
-  [ $# -gt 1 ] || die "there is no log yet: nothing was started on this robot since darwinop was installed"
+  [ $# -gt 1 ] || die "there is no log yet: nothing has been started since the installation"
   follow=$1
   shift
   if [ "$follow" = 0 ]; then
@@ -141,7 +141,7 @@ show_logs() {
     return
   fi
   exec 3<&0 </dev/null
-  # A log that is too long becomes a new file: -F goes on with that.
+  # -F follows log rotation.
   tail -n 200 -F "$@" 3<&- &
   tail_pid=$!
   while read -r _; do :; done <&3

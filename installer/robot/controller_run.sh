@@ -1,8 +1,8 @@
 # shellcheck shell=sh
-# A sent controller for as long as somebody at a PC is there: stdin brings a line a second and ends when it shall stop.
+# Runs a controller while the PC is connected: stdin has a heartbeat line per second and ends to stop it.
 
-patience_s=10  # without a sign of life from the PC; a WLAN that hiccups comes back sooner
-tidy_s=10      # to end after SIGINT: a step, what the controller does at its end, the farewell
+patience_s=10  # without a heartbeat from the PC; short WLAN interruptions are tolerated
+end_s=10      # to end after SIGINT: a step, the controller's cleanup, the end of the session
 
 # run_controller NAME FORCE ARGUMENTS...: status is the controller's, 128 + signal after a crash, 3: not in start pose.
 run_controller() {
@@ -20,7 +20,7 @@ run_controller() {
       say "stopping the default controller; it starts again at the next boot"
       stopped=1
     fi
-    supervisor --stop-controller || die "the default controller could not be stopped; look at --logs"
+    supervisor --stop-controller || die "cannot stop the default controller; see --logs"
   fi
   need_daemon
   [ "$force" = 1 ] || check_start_pose "$stopped"
@@ -38,28 +38,28 @@ run_controller() {
   status=$?
   kill "$counter" "$watcher" 2>/dev/null
   rm -f "$home/running" "$beats"
-  # A crash is said in words at the PC.
+  # The PC describes crashes.
   case $status in 0 | 1[3-9]? | 129 | 2??) ;; *) say "${error_mark:-}$name ended with status $status" ;; esac
   return $status
 }
 
 process_line() { echo "$1 $(boot_id) $(process_age "$1")"; }
 
-# One at a time. Who asks first has it; one that is just ending is waited for.
+# One at a time. Waits for one that is ending.
 claim_robot() {
   lock
   tries=0
   while is_running; do
-    [ $tries -lt 3 ] || die "$(sed -n 3p "$home/running") runs on this robot already; stop it first: darwinop install --stop"
+    [ $tries -lt 3 ] || die "$(sed -n 3p "$home/running") is already running on this robot; stop it first: darwinop install --stop"
     tries=$((tries + 1))
     sleep 1
   done
-  note_running none "$1" || die "cannot write into $home"
+  note_running none "$1" || die "cannot write to $home"
   unlock
   trap 'rm -f "$home/running"' EXIT
 }
 
-# Who started it, what runs, its name. No `put`: until its sync is done --stop would not find what already runs.
+# Records starter, process and name. Not with `put`: --stop would not find the process until its sync is done.
 note_running() { # LINE|none NAME
   { lock_owner; printf '%s\n' "$1" "$2"; } >"$home/running.new-$$" && mv -f "$home/running.new-$$" "$home/running"
 }
@@ -68,14 +68,14 @@ is_running() { lock_alive "$(sed -n 1p "$home/running" 2>/dev/null)" || lock_ali
 
 daemon_ready() { "$home/current/bin/darwinop-runtime" --status >/dev/null 2>&1; }
 
-# What boot starts; after a failed start or an operator's --stop there may be none.
+# The supervisor; after a failed start or an operator's --stop it may not run.
 need_supervisor() {
   if daemon_ready || supervisor_runs; then return; fi
   launch_supervisor
   tries=0
   until supervisor_runs; do
     tries=$((tries + 1))
-    [ $tries -lt 10 ] || die "the supervisor does not start: $(last_log_line). More with --logs"
+    [ $tries -lt 10 ] || die "the supervisor does not start: $(last_log_line). See --logs"
     sleep 1
   done
 }
@@ -84,27 +84,27 @@ need_daemon() {
   tries=0
   until daemon_ready; do
     tries=$((tries + 1))
-    [ $tries -lt 20 ] || die "the runtime does not come up: $(last_log_line). Is the robot's power on? More with --logs"
+    [ $tries -lt 20 ] || die "the runtime does not start: $(last_log_line). Check the robot's power; see --logs"
     sleep 1
   done
 }
 
 last_log_line() { tail -n 1 "$home/log/supervisor.log" 2>/dev/null; }
 
-# A robot that has just been stopped needs a moment to sit down.
+# A robot that was just stopped needs time to sit down.
 check_start_pose() { # STOPPED
   tries=0
   until found=$("$home/current/bin/darwinop-runtime" --check-pose 2>&1); do
     tries=$((tries + 1))
     if [ "$1" = 0 ] || [ $tries -ge 15 ]; then
       printf '%s\n' "$found" >&2
-      die -3 "nothing was started: sit the robot down in its start pose and try again, or add --force when you hold it"
+      die -3 "nothing was started: sit the robot down in its start pose and try again, or hold it and add --force"
     fi
     sleep 1
   done
 }
 
-# Lines of stdin. Their end is Ctrl-C at the PC, or a link that was closed.
+# Heartbeat lines on stdin. Their end is Ctrl-C at the PC or a closed connection.
 count_beats() { # PID
   count=0
   while read -r _; do
@@ -114,7 +114,7 @@ count_beats() { # PID
   stop_process "$1"
 }
 
-# A cable that was pulled ends nothing by itself: the far end only falls silent.
+# An unplugged cable does not close the connection; only the heartbeat stops.
 watch_beats() { # PID
   quiet_s=0 last=
   while sleep 1 && kill -0 "$1" 2>/dev/null; do
@@ -122,22 +122,22 @@ watch_beats() { # PID
     read -r seen <"$beats"
     if [ "$seen" = "$last" ]; then quiet_s=$((quiet_s + 1)); else quiet_s=0 last=$seen; fi
     [ $quiet_s -lt $patience_s ] || {
-      say "nothing heard from the PC for $patience_s s: stopping"
+      say "no heartbeat from the PC for $patience_s s: stopping"
       stop_process "$1"
       return
     }
   done
 }
 
-# stop_process PID: of darwinop-run. SIGINT, as Ctrl-C; who does not listen is asked again, then killed with its children.
+# stop_process PID: of darwinop-run. SIGINT, then SIGINT again, then SIGKILL to it and its children.
 stop_process() {
   kill -INT "$1" 2>/dev/null
-  ended_within $tidy_s "$1" && return
-  say "the controller does not end; it is ended now"
-  kill -INT "$1" 2>/dev/null  # for programs of our library the second one is deadly
+  ended_within $end_s "$1" && return
+  say "the controller does not end; killing it"
+  kill -INT "$1" 2>/dev/null  # the second one ends programs of our library at once
   ended_within 3 "$1" && return
   for stat in /proc/[0-9]*/stat; do
-    # Field 4, the parent; the name in field 2 may hold anything.
+    # Field 4 is the parent; the name in field 2 may contain any character.
     [ "$(sed 's/^.*) //' "$stat" 2>/dev/null | cut -d ' ' -f 2)" = "$1" ] || continue
     child=${stat#/proc/}
     kill -KILL "${child%/stat}" 2>/dev/null
@@ -157,7 +157,7 @@ ended_within() { # SECONDS PID
 stop_sent_controller() {
   is_running || return 0
   name=$(sed -n 3p "$home/running")
-  # While it is being prepared there is nothing to stop yet.
+  # Not started yet: nothing to stop.
   tries=0
   until runner=$(sed -n 2p "$home/running" 2>/dev/null) && lock_alive "$runner"; do
     is_running || return 0
@@ -171,5 +171,5 @@ stop_sent_controller() {
     owner=$(sed -n 1p "$home/running")
     kill "${owner%% *}" 2>/dev/null
   fi
-  say "$name is stopped"
+  say "$name stopped"
 }

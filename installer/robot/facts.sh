@@ -1,5 +1,5 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# What this robot is and what speaks against installing on it. Looks only; nothing here changes a file of the robot.
+# Properties of this robot, and problems that prevent an installation. Read-only.
 
 # Set from NAME=VALUE words by `settings`; sizes in kB (1024 bytes).
 version=- manifest=- archive_kb=0 unpacked_kb=0 archive_bytes=0 sha256=- cksum=-
@@ -21,12 +21,12 @@ settings() {
       port=*) port=$value ;;
       autostart=*) autostart=$value ;;
       dry_run=*) dry_run=$value ;;
-      *) die "the installer's two halves do not fit: unknown setting $word" ;;
+      *) die "version mismatch within the installer: unknown setting $word" ;;
     esac
   done
 }
 
-# compare A B: prints older, same or newer, by the dotted numbers at the front: 0.10.0 is newer than 0.9.1.
+# compare A B: prints older, same or newer by the leading dotted numbers: 0.10.0 is newer than 0.9.1.
 compare() {
   a=${1%%[!0-9.]*} b=${2%%[!0-9.]*}
   while [ -n "$a$b" ]; do
@@ -39,7 +39,7 @@ compare() {
   echo same
 }
 
-# The serial port: the robot's own setting before what this call says, as an existing robot.ini is kept.
+# The serial port: robot.ini has priority over --port, since an existing robot.ini is kept.
 robot_port() {
   found=
   if [ -f "$home/robot.ini" ]; then
@@ -50,7 +50,7 @@ robot_port() {
   echo "${found:-/dev/ttyUSB0}"
 }
 
-# The folder above that exists already.
+# The nearest existing parent folder.
 existing() {
   folder=$1
   while [ ! -d "$folder" ]; do folder=$(dirname "$folder"); done
@@ -64,7 +64,7 @@ problem() {
   say "${error_mark:-}$*"
 }
 
-# find_problems: says each, sets $problems.
+# find_problems: prints each problem and counts them in $problems.
 find_problems() {
   problems=0
   check_programs
@@ -73,7 +73,7 @@ find_problems() {
   check_autostart
   check_port
   if [ "$force" = 0 ] && [ "$(compare "$version" "$(version_confirmed)")" = older ] && [ "$(version_confirmed)" != - ]; then
-    problem "the installed version $(version_confirmed) is newer than $version; --force installs the older one, --rollback returns to the one before"
+    problem "the installed version $(version_confirmed) is newer than $version; use --force to install the older one, or --rollback to return to the previous one"
   fi
 }
 
@@ -87,53 +87,53 @@ check_port() {
     esac
   fi
   if [ "$without_robot" = 1 ] || [ -c "$(robot_port)" ]; then return; fi
-  problem "there is no serial device $(robot_port); is the robot's power on and the CM-730 connected? $other, --without-robot installs without looking"
+  problem "serial device $(robot_port) not found; check the robot's power and the CM-730's cable. $other, --without-robot skips this check"
 }
 
 check_programs() {
   for program in awk cat chmod chown cksum cmp cp cut df dirname du grep gzip ln ls mkdir mktemp mv readlink rm rmdir sed sleep \
     sync tail tar tr uname wc; do
-    command -v "$program" >/dev/null 2>&1 || problem "there is no program '$program' on the robot; install the package that has it"
+    command -v "$program" >/dev/null 2>&1 || problem "program '$program' not found on the robot; install its package"
   done
-  # A name that nobody can have taken beforehand: everybody may write there.
+  # An unpredictable name, since the folder is world-writable.
   scratch=$(mktemp -d /dev/shm/darwinop-check-XXXXXX 2>/dev/null || mktemp -d) || {
-    problem "cannot make a temporary folder in /dev/shm or /tmp; is there room?"
+    problem "cannot create a temporary folder in /dev/shm or /tmp; free some space"
     return
   }
   ln -s one "$scratch/a" && ln -s two "$scratch/b" && mv -T -f "$scratch/a" "$scratch/b"
   [ "$(readlink "$scratch/b")" = one ] ||
-    problem "the robot's 'mv' cannot replace a link (mv -T), which the switch between versions needs; install coreutils, or busybox 1.20 or later"
+    problem "the robot's 'mv' does not support -T, which is needed to switch versions; install coreutils, or busybox 1.20 or later"
   rm -rf "$scratch"
 }
 
 check_machine() {
   case $(uname -m) in
     i686 | x86_64) ;;
-    *) problem "this is a $(uname -m), not a PC with i686 instructions; is the address that of the robot?" ;;
+    *) problem "this is a $(uname -m), not an i686 computer; check the robot's address" ;;
   esac
   flags=$(sed -n 's/^flags[^:]*://p' /proc/cpuinfo | sed -n 1p)
   for flag in sse2 ssse3; do
     case " $flags " in
       *" $flag "*) ;;
-      *) problem "the processor has no $flag; the programs are built for the Atom Z530 of the robot and would not run here" ;;
+      *) problem "the processor does not support $flag; the programs are built for the robot's Atom Z530" ;;
     esac
   done
   [ "$(compare "$(uname -r)" 2.6.31)" != older ] ||
-    problem "the kernel is $(uname -r); 2.6.31 (Ubuntu 9.10) is the oldest that the programs run on"
+    problem "kernel $(uname -r) is too old; the programs need 2.6.31 (Ubuntu 9.10) or later"
 }
 
 check_space() {
   needed=$((2 * unpacked_kb + archive_kb))
   free=$(free_kb)
   [ "${free:-0}" -ge "$needed" ] ||
-    problem "$(existing "$home") has ${free:-0} kB free, the installation needs $needed kB; remove something, for instance old recordings"
+    problem "$(existing "$home") has ${free:-0} kB free, the installation needs $needed kB; free some space, for example remove old recordings"
   for folder in "$(existing "$home")" "$etc"; do
     if [ -w "$folder" ] && ! read_only "$folder"; then continue; fi
-    problem "$folder cannot be written to; is the disk mounted read-only?"
+    problem "cannot write to $folder; check that the disk is not mounted read-only"
   done
 }
 
-# As the mount table says: for the [ -w ] of a dash of 2009, root may write everywhere.
+# From the mount table: [ -w ] in dash of 2009 is always true for root.
 read_only() {
   mounted_at=$(df -P "$1" | awk 'NR == 2 { print $6 }')
   awk -v at="$mounted_at" '$2 == at { options = "," $4 "," } END { exit (options !~ /,ro,/) }' /proc/mounts

@@ -1,7 +1,7 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# Installing: look, take the archive in, switch over, test, confirm. Every step leaves a whole version that can start.
+# Installation: check, receive the archive, switch, test, confirm. After every step a complete version can start.
 
-# preflight SETTINGS...: status 0 go on, 1 refused, 5 another installation runs, 10 nothing to do.
+# preflight SETTINGS...: status 0 continue, 1 rejected, 5 another installation runs, 10 nothing to do.
 preflight() {
   settings "$@"
   lock_alive "$(cat "$home/lock" 2>/dev/null)" &&
@@ -16,7 +16,7 @@ preflight() {
   say "autostart by $(autostart_wanted)$(autostart_notes)"
 }
 
-# Is this very build installed and confirmed, and was no later step cut?
+# True if this build is installed and confirmed, and no later step was interrupted.
 is_done() {
   target=$(folder_for "$version" "$manifest")
   [ "$(version_current)" = "$target" ] && [ ! -e "$home/pending" ] && [ ! -e "$home/lock" ] && [ -x "$home/start" ] &&
@@ -31,7 +31,7 @@ install_bundle() {
   remove_leftovers
   find_problems
   [ "$problems" = 0 ] || die "nothing was changed"
-  # Asked now: later steps look for files that these steps make.
+  # Determined now: later steps check for files that these steps create.
   kind=$(autostart_wanted)
   target=$(folder_for "$version" "$manifest")
   if [ "$(version_current)" = "$target" ] && [ ! -e "$home/pending" ] && whole "$home/versions/$target"; then
@@ -44,7 +44,7 @@ install_bundle() {
   switch_to "$target" "$before" "$kind"
 }
 
-# stage NAME: stdin, the archive, becomes versions/NAME: checked first, renamed last.
+# stage NAME: unpacks the archive from stdin to versions/NAME: verified first, renamed last.
 stage() {
   staging=$home/versions/.staging-$$
   mkdir -p "$home/kept" "$staging/unpacked" || undo_stage "cannot make $staging"
@@ -52,12 +52,12 @@ stage() {
   check_archive "$staging/archive.tar.gz"
   # -m: the robot's clock may be years behind.
   gzip -dc "$staging/archive.tar.gz" | (cd "$staging/unpacked" && tar -xmof -) || undo_stage "cannot unpack the archive; is the disk full?"
-  refuse_strangers "$staging/archive.tar.gz" "$staging/unpacked"
-  # Nobody but root may change a program, and none runs with rights that its caller does not have.
+  reject_unlisted "$staging/archive.tar.gz" "$staging/unpacked"
+  # Only root may change programs; no setuid bits.
   chmod -R a-s,u+rwX,go-w,go+rX "$staging/unpacked" || undo_stage "cannot set the rights of the unpacked files"
   whole "$staging/unpacked" || undo_stage "the unpacked files are not what MANIFEST says; is the disk full or worn?"
   rm -f "$staging/archive.tar.gz"
-  # What is there under this name is not whole.
+  # An existing folder with this name is incomplete.
   discard "$1"
   sync
   mv -T "$staging/unpacked" "$home/versions/$1" || undo_stage "cannot rename $staging/unpacked"
@@ -76,17 +76,17 @@ check_archive() {
   [ "$digest" = "$wanted" ] || undo_stage "the archive came in damaged (digest $digest instead of $wanted)"
 }
 
-# refuse_strangers ARCHIVE FOLDER: what MANIFEST does not name has no digest, and what is no plain file is none of ours.
-refuse_strangers() {
-  stranger=$(gzip -dc "$1" | tar -tf - | awk -v manifest="$2/MANIFEST" '
+# reject_unlisted ARCHIVE FOLDER: rejects files that MANIFEST does not list, and anything but regular files.
+reject_unlisted() {
+  unlisted=$(gzip -dc "$1" | tar -tf - | awk -v manifest="$2/MANIFEST" '
     BEGIN { while ((getline line <manifest) > 0) { sub(/^[0-9]* [0-9]* /, "", line); known[line] = 1 }; known["MANIFEST"] = 1 }
     { sub(/^\.\//, "") } /\/$/ || $0 == "" || $0 == "." { next } !($0 in known) { print; exit }')
-  [ -z "$stranger" ] || undo_stage "the archive holds $stranger, which its MANIFEST does not name; make it again with './dev build --robot'"
-  stranger=$(cd "$2" && sed 's/^[0-9]* [0-9]* //' MANIFEST | while IFS= read -r path; do
+  [ -z "$unlisted" ] || undo_stage "the archive contains $unlisted, which its MANIFEST does not list; rebuild it with './dev build --robot'"
+  unlisted=$(cd "$2" && sed 's/^[0-9]* [0-9]* //' MANIFEST | while IFS= read -r path; do
     case /$path/ in */../*) echo "$path" ;; esac
     { [ -f "$path" ] && [ ! -L "$path" ]; } || echo "$path"
   done | sed -n 1p)
-  [ -z "$stranger" ] || undo_stage "$stranger in the archive is missing or no plain file; make it again with './dev build --robot'"
+  [ -z "$unlisted" ] || undo_stage "$unlisted in the archive is missing or not a regular file; rebuild it with './dev build --robot'"
 }
 
 undo_stage() {

@@ -1,15 +1,15 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# The programs that run on the robot: bringing them to rest, testing, starting.
+# Programs on the robot: stop, self-test, start.
 
 demo_ended=
 
-# bring_to_rest: the controller ends, the robot sits down, the daemon and its supervisor end. Returns when done.
+# bring_to_rest: ends the controller, lets the robot sit down, ends daemon and supervisor. Returns when done.
 bring_to_rest() {
   [ -x "$home/current/bin/darwinop-supervisor" ] || return 0
   say "bringing the robot to rest"
   within 90 "$home/current/bin/darwinop-supervisor" --stop >&2 </dev/null && return
-  [ "$force" = 0 ] || { say "the supervisor did not stop; going on, as --force says" && return; }
-  die "the supervisor did not bring the robot to rest: see above; nothing was changed. Switch the robot off and on, or add --force"
+  [ "$force" = 0 ] || { say "the supervisor did not stop; continuing because of --force" && return; }
+  die "the supervisor did not bring the robot to rest, see above; nothing was changed. Restart the robot, or add --force"
 }
 
 # The ROBOTIS demo holds the serial port. It ends on SIGTERM; the servos keep their last goals.
@@ -30,24 +30,24 @@ end_demo() {
   done
 }
 
-# self_test: darwinop-doctor of the new version on the robot's port. What it says is shown; on stdout, as it is no complaint.
+# self_test: runs darwinop-doctor of the new version on the robot's port; its output goes to stdout, since it is not an error.
 self_test() {
   if [ "$without_robot" = 1 ]; then
-    say "no self-test, as --without-robot says; 'darwinop install --status' and $home/current/bin/darwinop-doctor tell more later"
+    say "no self-test because of --without-robot; run 'darwinop install --status' and $home/current/bin/darwinop-doctor later"
     return 0
   fi
   say "self-test of version $target on $(robot_port)"
   within 120 "$home/versions/$target/bin/darwinop-doctor" --robot "$(robot_port)" </dev/null
 }
 
-# within SECONDS COMMAND...: its status, or 1 when it took too long. (`timeout` is younger than some robots.)
+# within SECONDS COMMAND...: its status, or 1 after a timeout. (Some robots lack `timeout`.)
 within() {
   limit=$1
   shift
   "$@" &
   child=$!
   (
-    # Not holding the connection open, and gone when the program is.
+    # Must not keep the connection open; ends with the program.
     exec >/dev/null 2>&1
     while [ "$limit" -gt 0 ] && kill -0 "$child"; do
       sleep 1
@@ -60,14 +60,14 @@ within() {
   result=$?
   kill "$guard" 2>/dev/null
   wait "$guard" 2>/dev/null
-  [ "$result" -lt 128 ] || say "it was ended after taking too long, or by signal $((result - 128))"
+  [ "$result" -lt 128 ] || say "timed out, or ended by signal $((result - 128))"
   return "$result"
 }
 
-# start_supervisor: as a boot would, free of this connection.
+# start_supervisor: as at boot, independent of this connection.
 start_supervisor() {
   if [ "$without_robot" = 1 ] || [ "$(autostart_kind)" = none ]; then
-    say "the supervisor is not started now"
+    say "not starting the supervisor"
     return 0
   fi
   launch_supervisor
@@ -93,10 +93,10 @@ await_supervisor() {
   while [ "$tries" -lt 10 ]; do
     tries=$((tries + 1))
     if "$home/current/bin/darwinop-supervisor" --status >/dev/null 2>&1 </dev/null; then
-      say "the supervisor runs"
+      say "the supervisor is running"
       return
     fi
     sleep 0.3 2>/dev/null || sleep 1
   done
-  say "the supervisor has not come up yet; look with --status and into $home/log/supervisor.log"
+  say "the supervisor has not started yet; check with --status and $home/log/supervisor.log"
 }

@@ -1,14 +1,14 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# /etc/rc.local on disk: our block put in and taken out again, byte for byte. In $home/kept:
-#   rc.local.original   as it was, with mode, owner and time     rc.local.absent   there was none
-#   rc.local.ours       what we wrote                            rc.local.next     what we are about to write
+# Adds our block to /etc/rc.local and removes it again, byte for byte. Files in $home/kept:
+#   rc.local.original   original, with mode, owner and time      rc.local.absent   no original
+#   rc.local.ours       written version                          rc.local.next     version to be written
 
-# The file behind a link, also when it does not exist yet.
+# Target of the link, even if it does not exist yet.
 rc_local_file() { readlink -f "$etc/rc.local" || echo "$etc/rc.local"; }
 
 rc_local_is_ours() { cmp -s "$1" "$home/kept/rc.local.ours" || cmp -s "$1" "$home/kept/rc.local.next"; }
 
-# rc_local_put STARTS: makes the block what it should be. Nothing is written when it is.
+# rc_local_put STARTS: updates the block. Writes nothing if it is up to date.
 rc_local_put() {
   file=$(rc_local_file)
   kept=$home/kept
@@ -22,7 +22,7 @@ rc_local_put() {
   # <<< transaction
 }
 
-# The original: kept on first sight; taken anew from the file when somebody edited it since.
+# Saves the original; saves it again if the file was edited since.
 rc_local_keep() {
   if rc_local_is_ours "$file" && { [ -f "$kept/rc.local.original" ] || [ -f "$kept/rc.local.absent" ]; }; then return; fi
   if [ ! -e "$file" ]; then
@@ -51,13 +51,13 @@ rc_local_new() {
   fi
 }
 
-# In one step, beside the file, with its owner; executable, as it does not run otherwise.
+# Atomic replacement with the same owner; executable, otherwise it does not run at boot.
 rc_local_replace() {
   if [ -e "$file" ]; then cp -p "$file" "$file.new-$$" || return; fi
   cat "$kept/rc.local.next" >"$file.new-$$" && chmod a+rx "$file.new-$$" && sync && mv -f "$file.new-$$" "$file" && sync
 }
 
-# rc_local_restore: the kept original, or what is left without us when the file was edited since.
+# rc_local_restore: restores the original, or removes only our changes if the file was edited since.
 rc_local_restore() {
   file=$(rc_local_file)
   kept=$home/kept
@@ -76,31 +76,31 @@ rc_local_restore() {
   # <<< transaction
 }
 
-# Makes FILE.new-PID, or no file where there was none before; prints what was done.
+# Creates FILE.new-PID, or no file if there was none before; prints what was done.
 rc_local_original() {
   if rc_local_is_ours "$file" && [ -f "$kept/rc.local.absent" ]; then
-    echo "$etc/rc.local is removed: there was none before"
+    echo "$etc/rc.local removed: it did not exist before"
   elif rc_local_is_ours "$file" && [ -f "$kept/rc.local.original" ]; then
     cp -p "$kept/rc.local.original" "$file.new-$$" || return
-    echo "$etc/rc.local is as it was, byte for byte"
+    echo "$etc/rc.local restored, byte for byte"
   else
     cp -p "$file" "$file.new-$$" && rc_local_without "$file" >"$file.new-$$" || return
     if [ -f "$kept/rc.local.original" ] && [ ! -x "$kept/rc.local.original" ]; then chmod a-x "$file.new-$$"; fi
-    echo "$etc/rc.local was edited since the installation: only our block and the disabling are taken out"
+    echo "$etc/rc.local was edited since the installation: only our changes are removed"
   fi
 }
 
-# Findings before anything is changed.
+# Problems, checked before any change.
 check_rc_local() {
   file=$(rc_local_file)
-  [ -d "$(dirname "$file")" ] || { problem "$etc/rc.local points to $file, which cannot be made" && return; }
+  [ -d "$(dirname "$file")" ] || { problem "$etc/rc.local points to $file, which cannot be created" && return; }
   [ -e "$file" ] || return 0
-  [ -f "$file" ] || { problem "$etc/rc.local is no file; mend it, or use --autostart none" && return; }
+  [ -f "$file" ] || { problem "$etc/rc.local is not a file; correct it, or use --autostart none" && return; }
   rc_text=$(rc_local_without "$file")
   opening=$(printf '%s\n' "$rc_text" | sed -n '1{s/\r$//;p;}')
   case $opening in
     '#!'*sh | '#!'*'sh '*) ;;
-    '#!'*) problem "$etc/rc.local is no shell script ($opening); use --autostart none and start /opt/darwinop/start from it" ;;
+    '#!'*) problem "$etc/rc.local is not a shell script ($opening); use --autostart none and start /opt/darwinop/start from it" ;;
   esac
   if sh -n "$file" 2>/dev/null && ! printf '%s\n' "$rc_text" | rc_local_disable | sh -n 2>/dev/null; then
     problem "$etc/rc.local starts the ROBOTIS demo in a way that cannot be disabled without breaking the file; put '#' before that line and install again: $(rc_local_demo "$file")"

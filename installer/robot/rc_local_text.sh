@@ -1,11 +1,10 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# The text of /etc/rc.local with and without our block. Pure: files in, text out. `$text_rc_local` is the block.
+# Text of /etc/rc.local with and without our block. No side effects. `$text_rc_local` is the block.
 #
-# The block comes first, right after the #! line, so that an `exit 0`, a sleep or a failing line of the robot's own
-# does not keep it from running. Lines that start the ROBOTIS demo are made harmless where they are; the `:` keeps an
-# if or a loop around them valid.
+# The block is right after the #! line, before any `exit 0`, sleep or failing line of the robot. Lines that start the
+# ROBOTIS demo are disabled in place; the `:` keeps an enclosing if or loop valid.
 
-# rc_local_without FILE: the text as if we had never been there, also when somebody edited it meanwhile.
+# rc_local_without FILE: the text without our changes, even if it was edited.
 rc_local_without() {
   awk '
     function rest(  i) { for (i = 1; i <= held; i++) if (hold[i] !~ /\/opt\/darwinop\/start/) print hold[i] }
@@ -19,8 +18,8 @@ rc_local_without() {
     END { first(); if (inside) rest() }' "$1"
 }
 
-# rc_local_with FILE STARTS RAN: FILE has no block. STARTS 0: something else starts us, only the demo is disabled.
-# RAN 0: the file was not executable, so its lines did not run at boot; they shall not begin to.
+# rc_local_with FILE STARTS RAN: FILE has no block. STARTS 0: only disables the demo.
+# RAN 0: the file was not executable, so its lines did not run at boot and must not run now.
 rc_local_with() {
   opening=$(sed -n '1{s/\r$//;p;}' "$1")
   case $opening in
@@ -29,7 +28,7 @@ rc_local_with() {
   esac
 }
 
-# The template, with notes on what was changed for @NOTES@.
+# The template with @NOTES@ replaced by notes on the changes.
 rc_local_block() {
   printf '%s\n' "$text_rc_local" | while IFS= read -r line; do
     case $line in
@@ -47,8 +46,8 @@ rc_local_block() {
   done
 }
 
-# rc_local_disable <TEXT: command lines, put together over a \ at the end, that run the ROBOTIS demo. A line that only
-# opens an if, a loop or a case stays.
+# rc_local_disable <TEXT: disables command lines (joined at a trailing \) that run the ROBOTIS demo. Keeps lines that only
+# open an if, loop or case.
 rc_local_disable() {
   awk '
     function group(  i, all, hit) {
@@ -64,7 +63,7 @@ rc_local_disable() {
     END { if (n) group() }'
 }
 
-# Names in one line what would be disabled in FILE; empty when nothing.
+# Lists in one line what would be disabled in FILE; empty: nothing.
 rc_local_demo() {
   rc_local_without "$1" | rc_local_disable | sed -n 's/^: # darwinop-rt disabled: *//p' | tr -d '\r' | tr '\n' ';' | sed 's/;$//'
 }

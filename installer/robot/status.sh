@@ -1,5 +1,5 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# What is installed, and going back by one version.
+# Status of the installation, and rollback.
 
 status() {
   settings "$@"
@@ -11,7 +11,7 @@ status() {
   if [ -e "$home/pending" ]; then
     echo "version:    $now (not confirmed; the next start returns to $(sed 's/^-$/none/' "$home/pending"))"
   elif [ "$now" = - ]; then
-    echo "version:    none (an installation was cut; run it again, or uninstall)"
+    echo "version:    none (an installation was interrupted; run it again, or uninstall)"
   else
     echo "version:    $now (confirmed)"
   fi
@@ -23,7 +23,7 @@ status() {
   echo "port:       $(robot_port)"
   echo "disk:       $(du -s -k "$home" | cut -f 1) kB used, $(free_kb) kB free"
   if [ -e "$home/lock" ]; then
-    if lock_alive "$(cat "$home/lock")"; then echo "lock:       an installation is running"; else echo "lock:       an installation was cut; run it again"; fi
+    if lock_alive "$(cat "$home/lock")"; then echo "lock:       an installation is running"; else echo "lock:       an installation was interrupted; run it again"; fi
   fi
 }
 
@@ -35,21 +35,21 @@ supervisor_state() {
   fi
 }
 
-# roll_back SETTINGS...: to the version before, by the same steps as an installation. Again: forth.
+# roll_back SETTINGS...: switches to the previous version with the steps of an installation. Repeated: switches back.
 roll_back() {
   settings "$@"
   keep_target=1
-  if [ ! -e "$home" ]; then die "nothing is installed on this robot, so there is no version to go back to"; fi
+  if [ ! -e "$home" ]; then die "nothing is installed on this robot, so there is no previous version"; fi
   target=$(version_previous)
-  # Unconfirmed: what is being tried goes, what it came from returns.
+  # Unconfirmed: the version under test is replaced by the previous one.
   [ ! -s "$home/pending" ] || target=$(cat "$home/pending")
-  if [ "$target" = - ]; then die "there is no version to go back to; only $(version_current) is installed"; fi
-  whole "$home/versions/$target" || die "version $target is damaged; nothing was changed. Install the version that you want instead"
-  if [ "$dry_run" = 1 ]; then say "would go back from $(version_current) to $target" && return; fi
+  if [ "$target" = - ]; then die "there is no previous version; only $(version_current) is installed"; fi
+  whole "$home/versions/$target" || die "version $target is damaged; nothing was changed. Install the desired version instead"
+  if [ "$dry_run" = 1 ]; then say "would return from $(version_current) to $target" && return; fi
   lock
   remove_leftovers
   kind=$(autostart_wanted)
   before=$(version_current)
-  say "going back from $before to $target"
+  say "returning from $before to $target"
   switch_to "$target" "$before" "$kind"
 }

@@ -1,10 +1,10 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# The user that controllers, the remote server and the monitor run as, and the group of that name, whose members may use
-# the runtime (docs/run-on-the-robot.md). $home/kept/user names what of the two we made: uninstall removes that, no more.
+# User account of controllers, remote server and monitor, and the group with access to the runtime
+# (docs/run-on-the-robot.md). $home/kept/user lists which of the two we created; uninstall removes only those.
 
 usual_user=darwinop
 
-# robot_setting KEY: from [Robot] of robot.ini; empty where there is none.
+# robot_setting KEY: from [Robot] of robot.ini; empty if missing.
 robot_setting() {
   awk -v key="$1" '{ sub(/\r$/, "") } /^[ \t]*\[/ { here = (tolower($0) ~ /^[ \t]*\[robot\]/) }
     here && tolower($0) ~ "^[ \t]*" key "[ \t]*[=:]" { sub(/^[^=:]*[=:][ \t]*/, ""); sub(/[ \t]*[;#].*$/, ""); sub(/[ \t]*$/, ""); gsub(/^"|"$/, ""); print; exit }' \
@@ -14,7 +14,7 @@ robot_setting() {
 user_exists() { grep -q "^$1:" "$etc/passwd"; }
 group_exists() { grep -q "^$1:" "$etc/group"; }
 
-# Who runs controllers here, or nothing: root.
+# User that runs controllers; empty: root.
 controller_user() {
   named=$(robot_setting controller_user)
   named=${named:-$usual_user}
@@ -23,7 +23,7 @@ controller_user() {
 
 has_useradd() { command -v useradd >/dev/null 2>&1 && command -v groupadd >/dev/null 2>&1; }
 
-# make_user: again without harm. Nothing where robot.ini names somebody.
+# make_user: idempotent. Does nothing if robot.ini names a user.
 make_user() {
   [ -z "$(robot_setting controller_user)" ] || return 0
   if user_exists $usual_user && group_exists $usual_user; then return 0; fi
@@ -32,14 +32,14 @@ make_user() {
     group_exists $usual_user || echo group
     user_exists $usual_user || echo user
   } | put "$home/kept/user" || return
-  # Camera, sound and keyboard are devices of these groups.
+  # Groups of camera, sound and keyboard devices.
   devices=
   for group in video audio input; do
     if group_exists $group; then devices="$devices,$group"; fi
   done
   if has_useradd; then make_user_with_tools; else make_user_by_hand; fi || return
-  say "made the user $usual_user: controllers, remote server and monitor run as it, without rights of root"
-  return 0  # also when nobody reads that: who asked for the installation may have gone
+  say "created the user $usual_user: controllers, remote server and monitor run as it, not as root"
+  return 0  # even if the message cannot be written because the PC has disconnected
 }
 
 make_user_with_tools() {
@@ -48,7 +48,7 @@ make_user_with_tools() {
     ${devices:+-G "${devices#,}"} $usual_user
 }
 
-# For a system without useradd. No password fits a '*', so there need not be a line in /etc/shadow.
+# For systems without useradd. '*' disables the password, so no line in /etc/shadow is needed.
 make_user_by_hand() {
   id=999
   while grep -q "^[^:]*:[^:]*:$id:" "$etc/passwd" "$etc/group"; do id=$((id - 1)); done
@@ -64,14 +64,14 @@ make_user_by_hand() {
     echo "$usual_user:*:$id:$id_of_group:darwinop-rt controllers:/nonexistent:/bin/false"; } | put "$etc/passwd"
 }
 
-# What we made and no more.
+# Removes only what we created.
 remove_user() {
   [ -f "$home/kept/user" ] || return 0
   for made in user group; do
     if ! grep -q -x $made "$home/kept/user" || ! "${made}_exists" $usual_user; then continue; fi
-    # With the user, userdel takes a group of the same name away.
+    # userdel also removes the group of the same name.
     if has_useradd; then "${made}del" $usual_user >/dev/null 2>&1; else remove_by_hand $made; fi ||
-      say "the $made $usual_user could not be removed; does something still run as it? Afterwards: sudo ${made}del $usual_user"
+      say "cannot remove the $made $usual_user; end its processes, then run: sudo ${made}del $usual_user"
   done
   rm -f "$home/kept/user"
 }
@@ -83,14 +83,14 @@ remove_by_hand() { # user|group
   esac
 }
 
-# own FOLDER: it and what is in it becomes the controller's, which may write there. Nobody may be able to look into it
-# meanwhile: a link to a file of root's would be given away, too.
+# own FOLDER: changes the owner of FOLDER and its contents to the controller's user. Other users must have no access
+# meanwhile: a link to a file of root could be inserted.
 own() {
   owner=$(controller_user)
   [ -z "$owner" ] || chown -R -h "$owner:" "$1"
 }
 
-# Controllers that an older version has received belong to root.
+# Controllers received by an older version belong to root.
 own_controllers() {
   [ -n "$(controller_user)" ] || return 0
   for sent in "$home"/controllers/.sent-*; do

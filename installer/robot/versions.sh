@@ -1,5 +1,5 @@
 # shellcheck shell=sh disable=SC2034,SC2154  # variables are shared with the other files
-# Which versions lie on the robot, which one runs, which one would come back.
+# Installed versions: current, previous, complete.
 
 # Name of the version that `current` points to, or -.
 version_current() {
@@ -7,12 +7,12 @@ version_current() {
   if [ -n "$link" ] && [ -d "$home/$link" ]; then echo "${link#versions/}"; else echo -; fi
 }
 
-# The version that the next boot would start: an unconfirmed one does not count.
+# Version started by the next boot, which is never an unconfirmed one.
 version_confirmed() {
   if [ -s "$home/pending" ]; then cat "$home/pending"; else version_current; fi
 }
 
-# The version that --rollback goes to, or -.
+# Target version of --rollback, or -.
 version_previous() {
   before=$(cat "$home/previous" 2>/dev/null) || before=
   if [ -n "$before" ] && [ "$before" != "$(version_current)" ] && [ -d "$home/versions/$before" ]; then
@@ -24,8 +24,8 @@ version_previous() {
 
 manifest_of() { cksum <"$1/MANIFEST" 2>/dev/null | tr ' ' '-'; }
 
-# folder_for VERSION MANIFEST: its name below versions/. Another build of the same version gets a name of its own, so
-# that the one that runs stays whole.
+# folder_for VERSION MANIFEST: folder name below versions/. Another build of the same version gets another name, so that
+# the running one stays complete.
 folder_for() {
   if [ -d "$home/versions/$1" ] && [ "$(manifest_of "$home/versions/$1")" != "$2" ]; then
     echo "$1.${2%%-*}"
@@ -34,7 +34,7 @@ folder_for() {
   fi
 }
 
-# whole FOLDER: is every file as MANIFEST says?
+# whole FOLDER: true if every file matches MANIFEST.
 whole() {
   [ -s "$1/MANIFEST" ] && (
     cd "$1" || exit
@@ -42,20 +42,20 @@ whole() {
   )
 }
 
-# What an installation that was killed leaves. Only under the lock.
+# Removes leftovers of a killed installation. Requires the lock.
 remove_leftovers() {
   rm -rf "$home"/versions/.staging-*
   rm -f "$home"/*.new-[0-9]* "$home"/lock.dead-* "$home"/kept/*.new-[0-9]* "$home/.current-start"
   autostart_leftovers
 }
 
-# discard VERSION: out of sight in one step, then file by file.
+# discard VERSION: renames atomically, then removes.
 discard() {
   [ -d "$home/versions/$1" ] || return 0
   mv -T "$home/versions/$1" "$home/versions/.staging-$$-$1" && rm -rf "$home/versions/.staging-$$-$1"
 }
 
-# All versions but these two.
+# Removes all versions except these two.
 discard_others() {
   for other in "$home"/versions/*; do
     other=${other##*/}

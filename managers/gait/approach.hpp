@@ -1,4 +1,4 @@
-// From any pose to the one that walking starts in: all joints together, gently, 8 ms a call.
+// Smooth motion of all joints from any pose to the stance of the walk, 8 ms per call.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace darwinop::gait {
 
-/// Angles in rad, by id minus one.
+/// Angles in rad, index: servo id - 1.
 using Pose = std::array<double, kWalkingJoints>;
 
 inline Pose poseOf(const Goals& goals) {
@@ -22,20 +22,19 @@ inline Pose poseOf(const Goals& goals) {
 
 class Approach : public GentleMove<kWalkingJoints> {
  public:
-  /// rad/s. The joint with the longest way takes this speed on average, and half as much again in the middle. A robot
-  /// that gets up from its start pose, sitting, then takes 2.7 s.
+  /// rad/s, mean speed of the joint with the longest distance; the peak is 1.5 times that. From the start pose: 2.7 s.
   static constexpr double kSpeed = 0.5;
-  /// rad. Nearer than this is there: the sway of a stance, not worth a wait.
-  static constexpr double kThere = 0.05;
-  static constexpr double kLongestMs = 6000;
+  /// rad. Distances below this count as arrived.
+  static constexpr double kTolerance = 0.05;
+  static constexpr double kMaxMs = 6000;
 
   Approach() = default;
-  /// A joint whose `from` is not known starts at its goal.
+  /// A joint with a NaN in `from` starts at its goal.
   Approach(Pose from, const Pose& to) {
     for (std::size_t i = 0; i < kWalkingJoints; ++i)
       if (!std::isfinite(from[i])) from[i] = to[i];
-    const double way = longestWay(from, to);
-    GentleMove::operator=({from, to, way > kThere ? std::min(way / kSpeed * 1000, kLongestMs) : 0});
+    const double distance = longestWay(from, to);
+    GentleMove::operator=({from, to, distance > kTolerance ? std::min(distance / kSpeed * 1000, kMaxMs) : 0});
   }
 
   Pose next() {

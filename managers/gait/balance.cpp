@@ -1,4 +1,4 @@
-// Balance feedback: what the gyroscope sees turns knees, ankles and hips against the fall.
+// Balance feedback: corrects knees, ankles and hips in proportion to the gyroscope.
 #include "managers/gait/balance.hpp"
 
 #include <algorithm>
@@ -8,17 +8,17 @@ namespace darwinop::gait {
 
 namespace {
 
-// Gains are those of servos with 1024 ticks; ours have four times as many.
-constexpr int kFinerTicks = 4;
-// Both ends of the board's converter; nothing real is beyond.
-constexpr double kMostCounts = 1024;
+// The gains are for servos with 1024 ticks per turn; MX-28 have 4096.
+constexpr int kTickRatio = 4;
+// Range of the board's converter.
+constexpr double kMaxCounts = 1024;
 
 int counts(double from_centre) {
-  return static_cast<int>(std::clamp(from_centre, -kMostCounts, kMostCounts));
+  return static_cast<int>(std::clamp(from_centre, -kMaxCounts, kMaxCounts));
 }
 
 int correction(int from_centre, double gain) {
-  return static_cast<int>(from_centre * gain * kFinerTicks);
+  return static_cast<int>(from_centre * gain * kTickRatio);
 }
 
 }  // namespace

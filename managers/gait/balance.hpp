@@ -1,16 +1,16 @@
-// Balance feedback: what the gyroscope sees turns knees, ankles and hips against the fall.
+// Balance feedback: corrects knees, ankles and hips in proportion to the gyroscope.
 #pragma once
 
 #include "managers/gait/goals.hpp"
 
 namespace darwinop::gait {
 
-/// Gyro counts from the centre. Falling forwards: pitch < 0. Rolling to the left: roll > 0. NaN: not known.
+/// Gyroscope counts relative to the centre. Falling forwards: pitch < 0. Rolling to the left: roll > 0. NaN: unknown.
 struct Tilt {
   double roll, pitch;
 };
 
-/// Without a known tilt, nothing is added.
+/// Adds nothing if the tilt is unknown.
 void addBalance(Goals& goals, const Tilt& tilt, const Parameters& parameters);
 
 }  // namespace darwinop::gait

@@ -1,4 +1,4 @@
-// The walking engine: one call, 8 ms of walking. Plain numbers in, joint goals out; no clock, no robot, no heap.
+// Walking engine: 8 ms of walking per call.
 #include "managers/gait/engine.hpp"
 
 #include <limits>
@@ -7,12 +7,12 @@
 namespace darwinop::gait {
 
 namespace {
-constexpr double kUnseen = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 Engine::Engine(const Parameters& parameters)
-    : parameters_{parameters}, timing_{parameters}, stride_{wish_, parameters} {
-  next({}, {kUnseen, kUnseen});
+    : parameters_{parameters}, timing_{parameters}, stride_{command_, parameters} {
+  next({}, {kUnknown, kUnknown});
 }
 
 void Engine::start() {
@@ -24,9 +24,9 @@ void Engine::stop() {
   stopping_ = true;
 }
 
-const Goals& Engine::next(const Wish& wish, const Tilt& tilt) {
-  if (!stopping_) wish_ = wish;
-  turnThePage();
+const Goals& Engine::next(const WalkCommand& command, const Tilt& tilt) {
+  if (!stopping_) command_ = command;
+  updatePhase();
   const Feet feet = feetAt(time_ms_, timing_, stride_, parameters_);
   if (running_) {
     time_ms_ += kTickMs;
@@ -40,24 +40,24 @@ const Goals& Engine::next(const Wish& wish, const Tilt& tilt) {
   return goals_;
 }
 
-/// Four moments of the period: both feet down, twice, where it may end; a foot at its highest, twice, where the next
-/// stride begins.
-void Engine::turnThePage() {
-  if (time_ms_ == 0) return comeToRest();
+/// Four events per period: both feet down (twice), where the walk may end; a foot at its highest point (twice), where
+/// the next stride starts.
+void Engine::updatePhase() {
+  if (time_ms_ == 0) return finishIfStopping();
   if (isAt(time_ms_, timing_.middleOfLeft()) || isAt(time_ms_, timing_.middleOfRight())) {
-    stride_ = Stride{wish_, parameters_};
+    stride_ = Stride{command_, parameters_};
   } else if (isAt(time_ms_, timing_.middle())) {
     time_ms_ = timing_.middle();
-    comeToRest();
+    finishIfStopping();
   }
 }
 
-void Engine::comeToRest() {
+void Engine::finishIfStopping() {
   if (!stopping_) return;
   if (stride_.stands)
     running_ = false;
   else
-    wish_ = {};
+    command_ = {};
 }
 
 }  // namespace darwinop::gait

@@ -1,9 +1,9 @@
-// The walking engine: one call, 8 ms of walking. Plain numbers in, joint goals out; no clock, no robot, no heap.
+// Walking engine: 8 ms of walking per call. Pure computation of joint goals: no clock, no robot, no heap.
 //
-// Tick for tick the ROBOTIS engine of the 1.6 framework, except for three of its slips:
-//  - parameters hold from the first call; there, foot height and swings jumped in the middle of the first step,
-//  - a stop between start() and the first call counts; there, it was lost,
-//  - goals are clamped to the joints' ranges; there, to 0..4095.
+// Equal to the ROBOTIS engine of framework 1.6 in every tick, except for three defects of that engine:
+//  - parameters apply from the first call; there, foot height and swings jumped in the middle of the first step,
+//  - a stop between start() and the first call is obeyed; there, it was lost,
+//  - goals are clamped to the joint ranges; there, to 0..4095.
 #pragma once
 
 #include "managers/gait/balance.hpp"
@@ -18,28 +18,28 @@ class Engine {
  public:
   explicit Engine(const Parameters& parameters);
 
-  /// Goes on from where it stopped, with the left or the right foot.
+  /// Continues from where it stopped, with the left or the right foot.
   void start();
-  /// Ends at rest: at once when stepping in place, else within one and a half periods.
+  /// Ends in the stance: immediately when stepping in place, else within 1.5 periods.
   void stop();
-  /// True until the goals are those of standing, for good.
+  /// False once the walk has ended in the stance.
   [[nodiscard]] bool running() const { return running_; }
 
-  /// The next 8 ms. The wish is followed from the middle of the next swing, and not any more after stop(). `tilt` is
-  /// what the gyroscope saw; one that is not known leaves the balance alone. A place out of a leg's reach keeps the
-  /// goals as they are; after it, and when feet open for a turn, they jump (servo_speed.hpp).
-  const Goals& next(const Wish& wish, const Tilt& tilt);
-  /// Those of the last call; before the first, standing.
+  /// The next 8 ms. The command takes effect in the middle of the next swing, not after stop(). `tilt` from the
+  /// gyroscope; NaN disables balance. If a foot position is out of reach the goals are unchanged; after that, and when
+  /// the feet open for a turn, they jump (servo_speed.hpp).
+  const Goals& next(const WalkCommand& command, const Tilt& tilt);
+  /// Goals of the last call; before the first, the stance.
   [[nodiscard]] const Goals& goals() const { return goals_; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
 
  private:
-  void turnThePage();
-  void comeToRest();
+  void updatePhase();
+  void finishIfStopping();
 
   Parameters parameters_;
   Timing timing_;
-  Wish wish_;
+  WalkCommand command_;
   Stride stride_;
   Goals goals_ = kStanding;
   double time_ms_ = 0;

@@ -1,4 +1,4 @@
-// Joint goals in servo ticks, from feet, legs and arms.
+// Computes joint goals in servo ticks from feet, legs and arms.
 #include "managers/gait/goals.hpp"
 
 #include <algorithm>
@@ -7,21 +7,21 @@ namespace darwinop::gait {
 
 namespace {
 
-// Source: the ROBOTIS engine. Not 4096 / 360: gaits are compared with it tick for tick.
+// Source: the ROBOTIS engine. Not 4096 / 360, so that goals are equal to it in every tick.
 constexpr double kTicksPerDegree = 11.378;
 constexpr double kDegreePerRad = 180 / kPi;
 constexpr double kArmPGain = 8;
 
-// Rest of the arms, deg. Source: the ROBOTIS engine.
+// Rest position of the arms, deg. Source: the ROBOTIS engine.
 constexpr double kRestShoulderR = -48.345, kRestShoulderL = 41.313, kRestArmUpperR = -17.873, kRestArmUpperL = 17.580;
 constexpr double kRestArmLowerR = 29.300, kRestArmLowerL = -29.593;
 
-/// Both parts lose their fractions, as they always did.
+/// Both terms are truncated, as in the ROBOTIS engine.
 int goalTick(double rest_deg, double from_rest_deg) {
   return kTickCentre + static_cast<int>(rest_deg * kTicksPerDegree) + static_cast<int>(from_rest_deg * kTicksPerDegree);
 }
 
-/// Which way a servo turns when the leg's angle grows.
+/// Sign of the servo angle for a positive leg angle.
 struct Directions {
   int hip_yaw, hip_roll, hip_pitch, knee, ankle_pitch, ankle_roll;
 };
@@ -35,14 +35,14 @@ constexpr LegJoints kRightLeg{Joint::kPelvYR,    Joint::kPelvR,  Joint::kLegUppe
 constexpr LegJoints kLeftLeg{Joint::kPelvYL,    Joint::kPelvL,  Joint::kLegUpperL,
                              Joint::kLegLowerL, Joint::kAnkleL, Joint::kFootL};
 
-void addLeg(Goals& goals, const Leg& leg, const LegJoints& joint, const Directions& way, double pelvis_deg,
+void addLeg(Goals& goals, const Leg& leg, const LegJoints& joint, const Directions& sign, double pelvis_deg,
             double hip_pitch_offset_deg) {
-  goals[joint.hip_yaw] = goalTick(0, way.hip_yaw * leg.hip_yaw * kDegreePerRad);
-  goals[joint.hip_roll] = goalTick(0, way.hip_roll * (leg.hip_roll * kDegreePerRad + pelvis_deg));
-  goals[joint.hip_pitch] = goalTick(0, way.hip_pitch * (leg.hip_pitch * kDegreePerRad - hip_pitch_offset_deg));
-  goals[joint.knee] = goalTick(0, way.knee * leg.knee * kDegreePerRad);
-  goals[joint.ankle_pitch] = goalTick(0, way.ankle_pitch * leg.ankle_pitch * kDegreePerRad);
-  goals[joint.ankle_roll] = goalTick(0, way.ankle_roll * leg.ankle_roll * kDegreePerRad);
+  goals[joint.hip_yaw] = goalTick(0, sign.hip_yaw * leg.hip_yaw * kDegreePerRad);
+  goals[joint.hip_roll] = goalTick(0, sign.hip_roll * (leg.hip_roll * kDegreePerRad + pelvis_deg));
+  goals[joint.hip_pitch] = goalTick(0, sign.hip_pitch * (leg.hip_pitch * kDegreePerRad - hip_pitch_offset_deg));
+  goals[joint.knee] = goalTick(0, sign.knee * leg.knee * kDegreePerRad);
+  goals[joint.ankle_pitch] = goalTick(0, sign.ankle_pitch * leg.ankle_pitch * kDegreePerRad);
+  goals[joint.ankle_roll] = goalTick(0, sign.ankle_roll * leg.ankle_roll * kDegreePerRad);
 }
 
 }  // namespace

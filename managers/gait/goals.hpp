@@ -1,4 +1,4 @@
-// Joint goals in servo ticks, from feet, legs and arms.
+// Computes joint goals in servo ticks from feet, legs and arms.
 #pragma once
 
 #include <array>
@@ -10,16 +10,16 @@
 
 namespace darwinop::gait {
 
-/// Joints that walk, ids 1..18: all but the head.
+/// Joints used for walking, ids 1..18: all but the head.
 inline constexpr std::size_t kWalkingJoints = 18;
 
-/// Goals by id minus one, in ticks.
+/// Goals in ticks, index: servo id - 1.
 struct Goals {
   std::array<int, kWalkingJoints> tick{};
 
   int& operator[](Joint joint) { return tick[index(joint)]; }
   int operator[](Joint joint) const { return tick[index(joint)]; }
-  /// rad, the nearest to which is exactly this tick again.
+  /// rad; rounds to exactly this tick.
   [[nodiscard]] double rad(std::size_t joint) const { return radFromTicks(tick[joint]).value; }
 };
 
@@ -27,13 +27,13 @@ struct Goals {
 inline constexpr Goals kStanding{
     {1498, 2518, 1845, 2248, 2381, 1712, 2048, 2048, 2052, 2044, 1637, 2459, 2653, 1443, 2389, 1707, 2057, 2039}};
 
-/// Nothing: a foot is out of reach.
+/// Empty if a foot is out of reach.
 std::optional<Goals> goalsFor(const Feet& feet, const Parameters& parameters);
 
-/// Into the range of every joint: beyond it, safety would do the same.
+/// Clamps to the joint ranges, as the safety layer would.
 void clampToJoints(Goals& goals);
 
-/// P gain register of a joint while walking. Source: the ROBOTIS engine, which lets the arms swing softly.
+/// P gain register of a joint while walking. Source: the ROBOTIS engine, with compliant arms.
 double pGain(Joint joint, const Parameters& parameters);
 
 }  // namespace darwinop::gait

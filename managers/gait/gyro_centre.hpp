@@ -1,4 +1,4 @@
-// Where the gyroscope's two balance axes rest: measured while the robot stands still.
+// Calibrates the zero of the gyroscope's two balance axes while the robot stands still.
 #pragma once
 
 #include <array>
@@ -9,16 +9,16 @@
 
 namespace darwinop::gait {
 
-/// Source: the ROBOTIS engine: 100 samples whose standard deviations are below 2 counts. Ours: each is a reading of its
-/// own, 16 ms apart on a robot, not 8; a mean that no gyroscope at rest has, 70 deg/s and more, is that of a robot
-/// which is being turned.
+/// Source: the ROBOTIS engine: 100 samples with standard deviations below 2 counts. Different here: every sample is a
+/// new reading, 16 ms apart on a robot (there 8 ms); a mean of 70 deg/s or more is rejected, because the robot is being
+/// turned.
 class GyroCentre {
  public:
   static constexpr int kSamples = 100;
   static constexpr double kStillCounts = 2;
-  static constexpr double kMiddle = 512, kFarthestOff = 20;  // counts
+  static constexpr double kMiddle = 512, kMaxOffset = 20;  // counts
 
-  /// Raw counts; NaN is no sample. Full and not still: begins again.
+  /// Raw counts; NaN is ignored. Restarts if 100 samples do not meet the criteria.
   void add(double roll, double pitch) {
     if (centre_ || !std::isfinite(roll) || !std::isfinite(pitch)) return;
     roll_[count_] = roll;
@@ -29,11 +29,11 @@ class GyroCentre {
     if (roll_spread.isRest() && pitch_spread.isRest()) centre_ = Tilt{roll_spread.mean, pitch_spread.mean};
   }
 
-  /// Forgets samples, for what was before the robot began to stand still; not a centre.
-  void beginAgain() { count_ = 0; }
+  /// Discards samples, e.g. from before the robot stood still; keeps a known centre.
+  void restart() { count_ = 0; }
 
   [[nodiscard]] bool known() const { return centre_.has_value(); }
-  /// Raw counts to counts from the centre; NaN as long as it is not known.
+  /// Raw counts relative to the centre; NaN while it is unknown.
   [[nodiscard]] Tilt tilt(double roll, double pitch) const {
     if (!centre_) return {std::nan(""), std::nan("")};
     return {roll - centre_->roll, pitch - centre_->pitch};
@@ -43,7 +43,7 @@ class GyroCentre {
   using Samples = std::array<double, kSamples>;
   struct Spread {
     double mean, deviation;
-    [[nodiscard]] bool isRest() const { return deviation < kStillCounts && std::abs(mean - kMiddle) < kFarthestOff; }
+    [[nodiscard]] bool isRest() const { return deviation < kStillCounts && std::abs(mean - kMiddle) < kMaxOffset; }
   };
 
   static Spread spreadOf(const Samples& samples) {

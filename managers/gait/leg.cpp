@@ -1,4 +1,4 @@
-// Leg inverse kinematics: joint angles from the place of the sole, with the flaw that gaits were tuned on, or without.
+// Leg inverse kinematics: joint angles from the pose of the sole, exact or with the defect of the published engine.
 #include "managers/gait/leg.hpp"
 
 #include <cmath>
@@ -9,7 +9,7 @@ namespace darwinop::gait {
 
 namespace {
 
-// Source: drawings of the DARwIn-OP, mm.
+// mm. Source: drawings of the DARwIn-OP.
 constexpr double kThigh = 93, kCalf = 93, kAnkle = 33.5, kLegLength = kThigh + kCalf + kAnkle;
 
 }  // namespace
@@ -21,12 +21,12 @@ std::optional<Leg> legFor(const Foot& foot, Ik ik) {
                      from_hip.z + kAnkle * sole.m[2][2]};
   Leg leg{};
 
-  // The law of cosines; NaN for a place that is too far, and for everything below that comes of it.
+  // Law of cosines; NaN if out of reach, which propagates to all angles below.
   const double reach2 = ankle.x * ankle.x + ankle.y * ankle.y + ankle.z * ankle.z;
   const double bend = (reach2 - kThigh * kThigh - kCalf * kCalf) / (2 * kThigh * kCalf);
   leg.knee = std::acos(bend);
 
-  // The hip as seen from the sole: the ankle's roll axis must point at it.
+  // Hip in the sole frame: the ankle roll axis must point at it.
   const Vector hip = inverse(sole) * Vector{-from_hip.x, -from_hip.y, -from_hip.z};
   leg.ankle_roll = std::atan2(hip.y, hip.z - kAnkle);
 
@@ -38,7 +38,7 @@ std::optional<Leg> legFor(const Foot& foot, Ik ik) {
   const double sin_yaw = std::sin(leg.hip_yaw), cos_yaw = std::cos(leg.hip_yaw);
   leg.hip_roll = std::atan2(m[2][1], -m[0][1] * sin_yaw + m[1][1] * cos_yaw);
   const double sin_roll = std::sin(leg.hip_roll), cos_roll = std::cos(leg.hip_roll);
-  // Hip, knee and ankle pitch together.
+  // Sum of hip, knee and ankle pitch.
   const double pitch = std::atan2(m[0][2] * cos_yaw + m[1][2] * sin_yaw, m[0][0] * cos_yaw + m[1][0] * sin_yaw);
 
   // In the plane of the leg.
@@ -48,7 +48,7 @@ std::optional<Leg> legFor(const Foot& foot, Ik ik) {
   const double s = (k * up + l * forward) / (k * k + l * l);
   leg.hip_pitch = std::atan2(s, (up - k * s) / l);
   leg.ankle_pitch = pitch - leg.knee - leg.hip_pitch;
-  if (!std::isfinite(leg.ankle_pitch)) return std::nullopt;  // too far, or folded into a point
+  if (!std::isfinite(leg.ankle_pitch)) return std::nullopt;  // out of reach, or singular
   return leg;
 }
 

@@ -1,4 +1,4 @@
-// Leg inverse kinematics: joint angles from the place of the sole, with the flaw that gaits were tuned on, or without.
+// Leg inverse kinematics: joint angles from the pose of the sole, exact or with the defect of the published engine.
 #pragma once
 
 #include <optional>
@@ -7,16 +7,16 @@
 
 namespace darwinop::gait {
 
-/// Angles in rad, about the axes of the leg, before the servos' directions.
+/// Angles in rad about the leg's axes, before the servo signs are applied.
 struct Leg {
   double hip_yaw, hip_roll, hip_pitch, knee, ankle_pitch, ankle_roll;
 };
 
-/// Nothing: the leg cannot reach that place.
+/// Empty if the position is out of reach.
 ///
-/// The flaw: the published engine adds the identity to the rotation it takes the hip's angles from, so that it finds
-/// about half of a rotation: hip roll is -1/2 of the ankle's roll instead of -1, and a foot yaw of c becomes a hip yaw
-/// of c/2. Ik::kExact puts the sole where it was asked for.
+/// Ik::kFlawed: the published engine adds the identity to the rotation matrix of the thigh, so it finds about half of a
+/// rotation: hip roll is -1/2 of the ankle roll instead of -1, and a foot yaw of c becomes a hip yaw of c/2. Ik::kExact
+/// reaches the requested pose.
 std::optional<Leg> legFor(const Foot& foot, Ik ik);
 
 }  // namespace darwinop::gait

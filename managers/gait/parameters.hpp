@@ -1,4 +1,4 @@
-// What a gait is made of: names, defaults, ranges, units of [Walking Config]. Parser, tests and docs read this table.
+// Gait parameters: table of names, defaults, ranges and units of [Walking Config], used by parser, tests and docs.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace darwinop::gait {
 
-/// How leg angles are found from a foot's place. kFlawed is what users' gaits were tuned on, see leg.hpp.
+/// Inverse kinematics. Users' gaits were tuned with kFlawed, see leg.hpp.
 enum class Ik : std::uint8_t { kFlawed, kExact };
 
 struct Parameters {
@@ -29,8 +29,8 @@ struct ParameterRow {
   std::string_view unit, meaning;
 };
 
-// Source of names and defaults: the ROBOTIS walking engine, 1.6. Of the ranges: what two legs of 219.5 mm can be asked
-// for without being folded or torn; most of each range falls over on a real floor.
+// Source of names and defaults: the ROBOTIS walking engine, 1.6. Ranges: kinematic limits of two legs of 219.5 mm; in
+// most of each range the robot falls on a real floor.
 inline constexpr auto kParameters = std::to_array<ParameterRow>({
     {"x_offset", &Parameters::x_offset, -60, 60, "mm", "both feet forwards"},
     {"y_offset", &Parameters::y_offset, -20, 100, "mm", "feet apart, half of it each"},

@@ -1,4 +1,4 @@
-// Just enough of rotations for a leg: rad about x forwards, y left, z up.
+// Rotation matrices for the leg kinematics: rad about x forwards, y left, z up.
 #pragma once
 
 #include <cmath>
@@ -40,7 +40,7 @@ constexpr Vector operator*(const Rotation& a, const Vector& v) {
           a.m[2][0] * v.x + a.m[2][1] * v.y + a.m[2][2] * v.z};
 }
 
-/// Of a rotation, the inverse is the transpose.
+/// Inverse of a rotation: its transpose.
 constexpr Rotation inverse(const Rotation& a) {
   return {{{a.m[0][0], a.m[1][0], a.m[2][0]}, {a.m[0][1], a.m[1][1], a.m[2][1]}, {a.m[0][2], a.m[1][2], a.m[2][2]}}};
 }

@@ -1,5 +1,4 @@
-// Goals move no faster than the safety layer lets them: what the engine asks for beyond that is reached a few calls
-// later.
+// Limits the speed of goals to that of the safety layer, so that a jump is spread over several calls.
 #pragma once
 
 #include "managers/gait/approach.hpp"
@@ -7,19 +6,19 @@
 
 namespace darwinop::gait {
 
-/// rad/s, full scale of the servo's speed register. No servo turns so fast: an MX-28 without a load at 12 V does 5.76
-/// (managers/motion/first_step.hpp). The engine asks for less, 7.5, at the knees of a walk; for 18 in one call
-/// when feet open for a sidestep or a turn; for anything when a foot comes back from where the leg did not reach.
+/// rad/s, full scale of the servo's speed register. Faster than the servo: an MX-28 without load at 12 V reaches 5.76
+/// (managers/motion/first_step.hpp). The engine demands 7.5 at the knees of a walk, 18 in one call when the feet open
+/// for a sidestep or a turn, and more after a foot was out of reach.
 inline constexpr double kServoSpeed = 12.26;
-/// The way of one call, 64 ticks.
-inline constexpr double kServoWay = kServoSpeed * kTickMs / 1000;
+/// Maximum change per call, 64 ticks.
+inline constexpr double kMaxChange = kServoSpeed * kTickMs / 1000;
 
-/// One call from `from` towards `to`, every joint by itself.
+/// One call from `from` towards `to`, independently per joint.
 inline Pose atServoSpeed(const Pose& from, const Pose& to) {
   Pose pose{};
   for (std::size_t i = 0; i < kWalkingJoints; ++i) {
-    const double way = to[i] - from[i];
-    pose[i] = way > kServoWay ? from[i] + kServoWay : way < -kServoWay ? from[i] - kServoWay : to[i];
+    const double change = to[i] - from[i];
+    pose[i] = change > kMaxChange ? from[i] + kMaxChange : change < -kMaxChange ? from[i] - kMaxChange : to[i];
   }
   return pose;
 }

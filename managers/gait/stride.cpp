@@ -1,4 +1,4 @@
-// The amplitudes of one step, and where the feet are at a time of the period: sums of sinusoids.
+// Amplitudes of a stride, and foot poses over the gait period as sums of sinusoids.
 #include "managers/gait/stride.hpp"
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace darwinop::gait {
 
 namespace {
 
-// Source of both: the ROBOTIS engine. The body swings wider when the feet are apart; the standing leg's hip gives way
-// by this share of what the swinging leg's hip is lifted.
+// Source of both: the ROBOTIS engine. Additional lateral swing of the body per foot distance; hip roll of the stance
+// leg as a fraction of that of the swing leg.
 constexpr double kSwingPerSpread = 0.04;
 constexpr double kStandingHipShare = 0.35;
 
@@ -24,7 +24,7 @@ double progress(double t, const Timing& timing) {
   return std::cos(kTurn * (std::min(t, timing.right_down) - timing.right_up) / timing.move());
 }
 
-/// 1 on the ground, -1 at the top, for a foot that is in the air from `up` to `down`.
+/// 1 on the ground, -1 at the highest point, for a foot in the air from `up` to `down`.
 double ground(double t, double up, double down, const Timing& timing) {
   return std::cos(kTurn * (std::clamp(t, up, down) - up) / timing.lift());
 }
@@ -44,19 +44,19 @@ void addPelvis(Feet& feet, double t, const Timing& timing, double pelvis_deg) {
 
 }  // namespace
 
-Stride::Stride(const Wish& wish, const Parameters& p)
-    : x{kGreatestX * wish.x},
+Stride::Stride(const WalkCommand& command, const Parameters& p)
+    : x{kMaxX * command.x},
       body_x{x * p.step_forward_back_ratio},
-      y{kGreatestY * wish.y / 2},
+      y{kMaxY * command.y / 2},
       y_offset{std::abs(y)},
       body_y{p.swing_right_left + y_offset * kSwingPerSpread},
       z{p.foot_height / 2},
       z_offset{z / 2},
       body_z{p.swing_top_down},
-      yaw{kGreatestA * wish.a * kRadPerDegree / 2},
+      yaw{kMaxA * command.a * kRadPerDegree / 2},
       yaw_offset{std::abs(yaw)},
-      stands{wish.stands()} {
-  if (wish.aim) {
+      stands{command.stands()} {
+  if (command.aim) {
     yaw = -yaw;
     yaw_offset = -yaw_offset;
   }

@@ -1,4 +1,4 @@
-// The amplitudes of one step, and where the feet are at a time of the period: sums of sinusoids.
+// Amplitudes of a stride, and foot poses over the gait period as sums of sinusoids.
 #pragma once
 
 #include "managers/gait/parameters.hpp"
@@ -6,20 +6,20 @@
 
 namespace darwinop::gait {
 
-/// Greatest step at an amplitude of 1: mm, mm, deg. Source: the upstream managers.
-inline constexpr double kGreatestX = 20, kGreatestY = 40, kGreatestA = 50;
+/// Step at an amplitude of 1: mm, mm, deg. Source: the upstream managers.
+inline constexpr double kMaxX = 20, kMaxY = 40, kMaxA = 50;
 
-/// What the user asks for. `aim`: turns around what is in front, stepping to the other side.
-struct Wish {
+/// Requested walk. `aim`: circles around a point in front, stepping to the other side.
+struct WalkCommand {
   double x = 0, y = 0, a = 0;  // -1..1: forwards, left, counter-clockwise
   bool aim = false;
 
   [[nodiscard]] constexpr bool stands() const { return x == 0 && y == 0 && a == 0; }
 };
 
-/// Amplitudes that one wish gives; in force from the middle of a swing to the next.
+/// Amplitudes of one command, constant from the middle of a swing to the next.
 struct Stride {
-  Stride(const Wish& wish, const Parameters& parameters);
+  Stride(const WalkCommand& command, const Parameters& parameters);
 
   double x, body_x;
   double y, y_offset, body_y;
@@ -28,7 +28,7 @@ struct Stride {
   bool stands;
 };
 
-/// Place of a sole: mm from where it is under the stretched leg, x forwards, y left, z up; rad about the same axes.
+/// Pose of a sole relative to that of the stretched leg: mm, x forwards, y left, z up; rad about the same axes.
 struct Foot {
   double x, y, z, roll, pitch, yaw;
 };
@@ -36,7 +36,7 @@ struct Foot {
 struct Feet {
   Foot right, left;
   double pelvis_right, pelvis_left;  // extra hip roll, deg
-  double arm_right, arm_left;        // shoulder pitch from its rest, deg
+  double arm_right, arm_left;        // shoulder pitch from its rest position, deg
 };
 
 Feet feetAt(double time_ms, const Timing& timing, const Stride& stride, const Parameters& parameters);

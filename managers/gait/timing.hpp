@@ -1,11 +1,11 @@
-// When each foot is in the air: the times of one gait period, in ms.
+// Phases of a gait period: times at which each foot lifts and lands, ms.
 #pragma once
 
 #include "managers/gait/parameters.hpp"
 
 namespace darwinop::gait {
 
-/// One engine call stands for this much time.
+/// Time per engine call, ms.
 inline constexpr double kTickMs = 8;
 
 struct Timing {
@@ -23,12 +23,12 @@ struct Timing {
   [[nodiscard]] constexpr double middleOfLeft() const { return (left_up + left_down) / 2; }
   [[nodiscard]] constexpr double middle() const { return (left_down + right_up) / 2; }
   [[nodiscard]] constexpr double middleOfRight() const { return (right_up + right_down) / 2; }
-  /// A foot goes from its rear end to its front end in half of this; lifts and sets down in `lift()`.
+  /// A foot moves from rear to front in half of this; it lifts and lands within `lift()`.
   [[nodiscard]] constexpr double move() const { return swing_share * period; }
   [[nodiscard]] constexpr double lift() const { return swing_share * period / 2; }
 };
 
-/// True in the one call that is nearest to `moment`.
+/// True in the call closest to `moment`.
 constexpr bool isAt(double time, double moment) {
   return moment - kTickMs / 2 <= time && time < moment + kTickMs / 2;
 }

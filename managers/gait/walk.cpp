@@ -1,4 +1,4 @@
-// A whole walk: from any pose to the stance, standing still for the gyroscope, steps, and rest again.
+// State machine of a walk: approach to the stance, gyroscope calibration, steps, rest.
 #include "managers/gait/walk.hpp"
 
 #include "managers/gait/servo_speed.hpp"
@@ -25,11 +25,11 @@ void Walk::abandon() {
   stopping_ = false;
 }
 
-void Walk::tick(const Wish& wish, bool balance, const GyroCounts& gyro) {
-  if (phase_ == Phase::kRest) return learn(gyro);
+void Walk::tick(const WalkCommand& command, bool balance, const GyroCounts& gyro) {
+  if (phase_ == Phase::kRest) return addSample(gyro);
   if (phase_ == Phase::kApproach) approach();
-  if (phase_ == Phase::kSettle) settle(balance, gyro);
-  if (phase_ == Phase::kWalk) walk(wish, balance, gyro);
+  if (phase_ == Phase::kCalibrate) calibrate(balance, gyro);
+  if (phase_ == Phase::kWalk) walk(command, balance, gyro);
 }
 
 void Walk::approach() {
@@ -39,33 +39,33 @@ void Walk::approach() {
   }
   pose_ = poseOf(engine_.goals());
   waited_ = 0;
-  centre_.beginAgain();
-  phase_ = Phase::kSettle;
+  centre_.restart();
+  phase_ = Phase::kCalibrate;
 }
 
-void Walk::settle(bool balance, const GyroCounts& gyro) {
+void Walk::calibrate(bool balance, const GyroCounts& gyro) {
   if (stopping_) {
     phase_ = Phase::kRest;
-  } else if (!balance || centre_.known() || waited_ >= kPatience) {
+  } else if (!balance || centre_.known() || waited_ >= kMaxReadings) {
     phase_ = Phase::kWalk;
     engine_.start();
   } else {
-    learn(gyro);
+    addSample(gyro);
     if (gyro.fresh) ++waited_;
   }
 }
 
-void Walk::learn(const GyroCounts& gyro) {
+void Walk::addSample(const GyroCounts& gyro) {
   if (gyro.fresh) centre_.add(gyro.roll, gyro.pitch);
 }
 
-void Walk::walk(const Wish& wish, bool balance, const GyroCounts& gyro) {
-  const Tilt unseen{std::nan(""), std::nan("")};
-  engine_.next(wish, balance ? centre_.tilt(gyro.roll, gyro.pitch) : unseen);
-  if (!engine_.running()) engine_.next({}, unseen);  // what balance added in the last tick is not for ever
-  const Pose wanted = poseOf(engine_.goals());
-  pose_ = atServoSpeed(pose_, wanted);
-  if (!engine_.running() && pose_ == wanted) phase_ = Phase::kRest;
+void Walk::walk(const WalkCommand& command, bool balance, const GyroCounts& gyro) {
+  const Tilt unknown{std::nan(""), std::nan("")};
+  engine_.next(command, balance ? centre_.tilt(gyro.roll, gyro.pitch) : unknown);
+  if (!engine_.running()) engine_.next({}, unknown);  // removes the balance correction of the last tick
+  const Pose target = poseOf(engine_.goals());
+  pose_ = atServoSpeed(pose_, target);
+  if (!engine_.running() && pose_ == target) phase_ = Phase::kRest;
 }
 
 }  // namespace darwinop::gait

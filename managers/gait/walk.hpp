@@ -1,4 +1,4 @@
-// A whole walk: from any pose to the stance, standing still for the gyroscope, steps, and rest again.
+// State machine of a walk: approach to the stance, gyroscope calibration, steps, rest.
 #pragma once
 
 #include "managers/gait/approach.hpp"
@@ -7,8 +7,8 @@
 
 namespace darwinop::gait {
 
-/// The two axes that keep balance, raw counts as the board gives them; NaN: not known. `fresh`: no tick has seen this
-/// reading yet. A robot is read every 16 ms, for two ticks.
+/// Raw gyroscope counts of the two balance axes; NaN: unknown. `fresh`: a reading not used by an earlier tick. A robot
+/// is read every 16 ms, so two ticks share a reading.
 struct GyroCounts {
   double roll, pitch;
   bool fresh = true;
@@ -16,36 +16,36 @@ struct GyroCounts {
 
 class Walk {
  public:
-  /// For so many readings, which may have failed, it stands still to learn where the gyroscope rests.
-  static constexpr int kPatience = 3 * GyroCentre::kSamples;
+  /// Maximum number of readings, including failed ones, during the calibration.
+  static constexpr int kMaxReadings = 3 * GyroCentre::kSamples;
 
   explicit Walk(const Parameters& parameters) : engine_{parameters}, pose_{poseOf(engine_.goals())} {}
 
-  /// From this pose; nothing happens while it walks, except that a stop is taken back.
+  /// Starts from this pose. During a walk it only cancels a stop.
   void start(const Pose& from);
-  /// Rests at the end of the steps under way.
+  /// Rests after the current steps.
   void stop();
-  /// Rests at once, wherever the joints are: somebody else has moved them. What the gyroscope showed stays known.
+  /// Rests immediately in any pose, because another manager has moved the joints. Keeps the calibration.
   void abandon();
-  /// The next 8 ms. While it rests, a robot that is not moved tells where its gyroscope rests.
-  void tick(const Wish& wish, bool balance, const GyroCounts& gyro);
+  /// The next 8 ms. At rest it calibrates the gyroscope if the robot is not moved.
+  void tick(const WalkCommand& command, bool balance, const GyroCounts& gyro);
 
   [[nodiscard]] bool resting() const { return phase_ == Phase::kRest; }
   [[nodiscard]] bool walking() const { return phase_ == Phase::kWalk; }
-  [[nodiscard]] bool knowsBalance() const { return centre_.known(); }
-  /// ms that remain until the robot stands in the stance.
+  [[nodiscard]] bool isBalanceCalibrated() const { return centre_.known(); }
+  /// Remaining time to the stance, ms.
   [[nodiscard]] double approachMs() const { return approach_.durationMs(); }
-  /// rad; never faster than servos. At rest that of the last walk's end; before the first one, the stance.
+  /// rad, limited in speed. At rest the final pose of the last walk; before the first walk the stance.
   [[nodiscard]] const Pose& pose() const { return pose_; }
   [[nodiscard]] const Parameters& parameters() const { return engine_.parameters(); }
 
  private:
-  enum class Phase { kRest, kApproach, kSettle, kWalk };
+  enum class Phase { kRest, kApproach, kCalibrate, kWalk };
 
   void approach();
-  void settle(bool balance, const GyroCounts& gyro);
-  void learn(const GyroCounts& gyro);
-  void walk(const Wish& wish, bool balance, const GyroCounts& gyro);
+  void calibrate(bool balance, const GyroCounts& gyro);
+  void addSample(const GyroCounts& gyro);
+  void walk(const WalkCommand& command, bool balance, const GyroCounts& gyro);
 
   Engine engine_;
   GyroCentre centre_;

@@ -1,4 +1,4 @@
-// Reads the gait's parameters from an INI file, section [Walking Config].
+// Reads gait parameters from an INI file, section [Walking Config].
 #include "managers/gait/walking_config.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace darwinop::gait {
 
 namespace {
 
-// In files of 2013, a key that is not there.
+// Value that means "absent" in files of 2013.
 constexpr double kAbsent = -1024;
 
 /// "0.1", not "0.100000".
@@ -26,9 +26,9 @@ std::string shortText(double value) {
   return error == std::errc{} ? std::string{digits.data(), end} : std::to_string(value);
 }
 
-class Reader final : public text::IniReader {
+class WalkingConfigReader final : public text::IniReader {
  public:
-  explicit Reader(const std::string& file) : file_{file} {}
+  explicit WalkingConfigReader(const std::string& file) : file_{file} {}
 
   WalkingConfig read(std::string_view text) {
     text::readIni(text, file_, *this);
@@ -39,7 +39,7 @@ class Reader final : public text::IniReader {
   static bool ours(std::string_view section) { return text::lowered(section) == "walking config"; }
 
   void stray(std::string_view section, std::string_view, int line) override {
-    if (ours(section)) warn(line, "is no key = value and no comment; it is ignored");
+    if (ours(section)) warn(line, "is neither key = value nor a comment; it is ignored");
   }
 
   void pair(std::string_view section, std::string_view key, std::string_view value, int line) override {
@@ -48,8 +48,7 @@ class Reader final : public text::IniReader {
     if (name == "ik") return takeIk(value);
     const auto* const row = std::ranges::find(kParameters, name, &ParameterRow::name);
     if (row == kParameters.end())
-      return warn(line, "key \"" + std::string{key} +
-                            "\" of section [Walking Config] means nothing to this version; it is ignored");
+      return warn(line, "key \"" + std::string{key} + "\" of section [Walking Config] is unknown; it is ignored");
     const std::optional<double> number = text::numberFromText(value);
     if (number && *number == kAbsent) return;
     if (!number || !(*number >= row->low && *number <= row->high))
@@ -58,7 +57,7 @@ class Reader final : public text::IniReader {
                                ")");
     config_.parameters.*row->field = *number;
     if ((name == "i_gain" || name == "d_gain") && *number != 0)
-      warn(line, "key \"" + name + "\" has no effect on this robot, only p_gain has");
+      warn(line, "key \"" + name + "\" has no effect on this robot; only p_gain has");
   }
 
   void takeIk(std::string_view value) {
@@ -77,12 +76,12 @@ class Reader final : public text::IniReader {
 }  // namespace
 
 WalkingConfig parseWalkingConfig(std::string_view text, const std::string& file) {
-  return Reader{file}.read(text);
+  return WalkingConfigReader{file}.read(text);
 }
 
 WalkingConfig readWalkingConfig(const std::string& path) {
   const std::optional<std::string> text = readTextFile(path);
-  if (!text) return {{}, {"there is no " + path + ": the gait's default parameters are used"}};
+  if (!text) return {{}, {"cannot find " + path + ": the default gait parameters are used"}};
   return parseWalkingConfig(*text, path);
 }
 

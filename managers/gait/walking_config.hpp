@@ -1,4 +1,4 @@
-// Reads the gait's parameters from an INI file, section [Walking Config].
+// Reads gait parameters from an INI file, section [Walking Config].
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace darwinop::gait {
 
 struct WalkingConfig {
   Parameters parameters;
-  std::vector<std::string> warnings;  // sentences; the robot can walk
+  std::vector<std::string> warnings;  // messages; the robot can still walk
 };
 
-/// Reads the text of a file called `file`; other sections are others' business. Throws std::runtime_error that names
-/// file, line, key and what is allowed when a value is wrong.
+/// Parses the text of `file`; other sections are ignored. Throws std::runtime_error with file, line, key and allowed
+/// range for an invalid value.
 WalkingConfig parseWalkingConfig(std::string_view text, const std::string& file);
 
-/// Reads `path`; a file that is not there gives the defaults and a warning, one that cannot be read throws.
+/// Reads `path`. A missing file gives the defaults and a warning; a read error throws.
 WalkingConfig readWalkingConfig(const std::string& path);
 
 }  // namespace darwinop::gait

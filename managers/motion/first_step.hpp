@@ -1,4 +1,4 @@
-// The first step of a page, seen from where the robot is: where to, and how fast.
+// Target and speed of a page's first step from the present pose.
 #pragma once
 
 #include "core/conversions.hpp"
@@ -8,10 +8,10 @@ namespace darwinop::motion {
 
 // Source: MX-28 data sheet, 55 rpm without a load at 12 V: 5.760 rad/s.
 inline constexpr double kNoLoadSpeed = 55 * 2 * kPi / 60;
-/// rad/s, mean over a first step. What carries a robot's weight does about half of its speed without a load.
+/// rad/s, mean over a first step. Under the robot's weight a servo reaches about half of its no-load speed.
 inline constexpr double kFastestFirstStep = kNoLoadSpeed / 2;
 
-/// Where it sends joints that are at `present`; those that have no part in it stay.
+/// Target of the first step; joints that are not part of it keep `present`.
 inline Pose firstTarget(const Page& page, const Pose& present) {
   Pose target = present;
   for (std::size_t i = 0; i < kJoints; ++i) {
@@ -21,14 +21,14 @@ inline Pose firstTarget(const Page& page, const Pose& present) {
   return target;
 }
 
-/// rad/s, of the joint with the longest way, mean over the move. `page` can be played.
+/// rad/s, mean speed of the joint with the longest distance. `page` must be playable.
 inline double firstStepSpeed(const Page& page, const Pose& present) {
   const Pose target = firstTarget(page, present);
-  int way = 0;
-  for (std::size_t i = 0; i < kJoints; ++i) way = std::max(way, std::abs(target[i] - present[i]));
+  int distance = 0;
+  for (std::size_t i = 0; i < kJoints; ++i) distance = std::max(distance, std::abs(target[i] - present[i]));
   const int scaled = std::max(1, (page.step.front().time * page.speed) >> 5);
-  const int ticks = page.schedule == kTimeBased ? scaled : std::max(1, 40 * way / (3 * scaled));
-  return way * kRadPerTick / (ticks * kTickMs / 1000.0);
+  const int ticks = page.schedule == kTimeBased ? scaled : std::max(1, 40 * distance / (3 * scaled));
+  return distance * kRadPerTick / (ticks * kTickMs / 1000.0);
 }
 
 }  // namespace darwinop::motion

@@ -1,4 +1,4 @@
-// One joint on its way to the pose of a step: speed up, constant speed, slow down. Whole numbers throughout.
+// Trajectory of one joint in a step: acceleration, constant speed, deceleration, in integer arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -8,14 +8,14 @@
 
 namespace darwinop::motion {
 
-/// The lengths of a step's sections, in ticks of 8 ms.
+/// Durations of a step's sections, in ticks of 8 ms.
 struct StepTimes {
-  int total = 0;         // of the move, without the pause
-  int acceleration = 0;  // of its first and of its last section
+  int total = 0;         // of the motion, without the pause
+  int acceleration = 0;  // of the first and of the last section
 
   [[nodiscard]] constexpr int main() const { return total - 2 * acceleration; }
 
-  /// A step too short for the page's acceleration gets what fits; one that is too short for any is not moved in.
+  /// Shortens the acceleration of a short step to what fits; a step too short for any acceleration has no motion.
   static constexpr StepTimes fitted(int total, int acceleration) {
     if (total > 2 * acceleration) return {total, acceleration};
     const int fits = total > 0 ? (total - 1) / 2 : 0;
@@ -23,19 +23,19 @@ struct StepTimes {
   }
 };
 
-/// The arithmetic of the vendor's engine, tick for tick. "/" truncates towards zero, ">>" rounds down.
-/// Positions in servo ticks; speeds in a unit of its own, the greatest of which is 1023.
+/// Equal to the vendor's engine in every tick: "/" truncates towards zero, ">>" rounds down.
+/// Positions in servo ticks; speeds in an internal unit, at most 1023.
 class JointTrack {
  public:
-  /// Stands at `position`.
+  /// At rest at `position`.
   void rest(int position) {
     *this = {};
     start_ = target_ = output_ = position;
   }
 
-  /// A step begins. `ends`: the joint comes to a stop at its target.
+  /// Starts a step. `ends`: the joint stops at its target.
   void prepare(int target, bool ends, StepTimes times) {
-    start_ = target_;  // what the last step was to reach, which can be some ticks from what it put out last
+    start_ = target_;  // target of the last step, which may differ by some ticks from its last output
     target_ = target;
     ends_ = ends;
     distance_ = target_ - start_;
@@ -45,7 +45,7 @@ class JointTrack {
     main_speed_ = std::clamp(wanted / std::max(1, periods), -kMaxSpeed, kMaxSpeed);
   }
 
-  /// A section has ended, and with it the speed it has reached is where the next one begins.
+  /// Ends a section; its final speed is the initial speed of the next.
   void endSection() {
     start_ = output_;
     entry_speed_ = speed_;
@@ -67,7 +67,7 @@ class JointTrack {
     accelerated_ = ramp(main_speed_ - entry_speed_, c, n);
     put(start_ + accelerated_);
   }
-  void goOn(int c, int n) {
+  void cruise(int c, int n) {
     if (stays()) return;
     speed_ = main_speed_;
     put(start_ + main_distance_ * c / n);
@@ -75,11 +75,11 @@ class JointTrack {
   void slowDown(int c, int n) {
     if (stays()) return;
     if (c == n - 1)
-      put(target_);  // one tick early, and the formula once more: this is how the vendor's engine does it
+      put(target_);  // one tick early, then the formula again, as in the vendor's engine
     else if (ends_)
       put(start_ + ramp(-entry_speed_, c, n));
     else
-      goOn(c, n);
+      cruise(c, n);
   }
 
   [[nodiscard]] int output() const { return output_; }
@@ -93,7 +93,7 @@ class JointTrack {
     put(start_);
     return true;
   }
-  /// The way since the section began when the speed changes by `change` over it.
+  /// Distance since the start of a section over which the speed changes by `change`.
   int ramp(int change, int c, int n) {
     const int gained = change * c / n;
     speed_ = entry_speed_ + gained;

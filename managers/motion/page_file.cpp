@@ -1,4 +1,4 @@
-// The motion file, 256 pages of 512 bytes: to and from bytes, without loss. Little endian, no padding.
+// Motion file: 256 pages of 512 bytes, lossless conversion. Little endian, no padding.
 #include "managers/motion/page_file.hpp"
 
 #include <iterator>
@@ -13,7 +13,7 @@ namespace darwinop::motion {
 
 namespace {
 
-// Where the header's bytes lie; the steps follow it, 64 bytes each like the header itself.
+// Offsets in the header; the steps follow it, each 64 bytes like the header.
 constexpr std::size_t kRepeatAt = 15, kScheduleAt = 16, kStepsAt = 20, kSpeedAt = 22, kAccelerationAt = 24,
                       kNextAt = 25, kExitAt = 26, kChecksumAt = 31, kSlopesAt = 32, kHeaderBytes = 64, kStepBytes = 64;
 constexpr std::size_t kPauseAt = 62, kTimeAt = 63;  // in a step
@@ -63,12 +63,12 @@ Page decodeFields(std::span<const std::uint8_t> bytes) {
 
 void requirePlayable(const Page& page, std::size_t number) {
   if (page.steps > kSteps)
-    refuse(number, kStepsAt, "it claims " + std::to_string(page.steps) + " steps; a page has 0 to 7");
+    refuse(number, kStepsAt, "invalid number of steps " + std::to_string(page.steps) + "; must be 0 to 7");
   if (!page.canPlay()) return;
   if (page.schedule != kTimeBased && page.schedule != kSpeedBased)
     refuse(number, kScheduleAt,
-           "its schedule is " + std::to_string(page.schedule) + "; it is 0 (by speed) or 10 (by time)");
-  if (page.speed == 0) refuse(number, kSpeedAt, "its speed is 0; it is 1 to 255, and 32 is the usual one");
+           "invalid schedule " + std::to_string(page.schedule) + "; must be 0 (by speed) or 10 (by time)");
+  if (page.speed == 0) refuse(number, kSpeedAt, "invalid speed 0; must be 1 to 255, default 32");
 }
 
 Page decodePage(std::span<const std::uint8_t> bytes, std::size_t number) {
@@ -77,7 +77,7 @@ Page decodePage(std::span<const std::uint8_t> bytes, std::size_t number) {
     const bool blank = std::ranges::all_of(bytes, [](std::uint8_t byte) { return byte == 0; });
     if (number != 0 || !blank)
       refuse(number, kChecksumAt,
-             "the checksum is wrong: the page's 512 bytes add up to " + hex(total) + ", not to 0xFF");
+             "wrong checksum: the 512 bytes of the page add up to " + hex(total) + " instead of 0xFF");
     page.has_checksum = false;
   }
   requirePlayable(page, number);
@@ -110,9 +110,9 @@ void encodePage(const Page& page, std::span<std::uint8_t> bytes) {
 }  // namespace
 
 PageFile decodePages(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() > kFileBytes) throw std::runtime_error("it is longer than the 131072 bytes of a motion file");
+  if (bytes.size() > kFileBytes) throw std::runtime_error("the file is longer than the 131072 bytes of a motion file");
   if (bytes.size() < kFileBytes)
-    throw std::runtime_error("it ends in page " + std::to_string(bytes.size() / kPageBytes) + ", at byte " +
+    throw std::runtime_error("the file ends in page " + std::to_string(bytes.size() / kPageBytes) + ", at byte " +
                              std::to_string(bytes.size()) + "; a motion file has 131072 bytes");
   PageFile pages;
   pages.reserve(kPages);
@@ -130,7 +130,7 @@ std::vector<std::uint8_t> encodePages(const PageFile& pages) {
 
 PageFile readPageFile(const std::filesystem::path& path) {
   const std::optional<std::string> text = readTextFile(path.string());
-  if (!text) throw std::runtime_error(path.string() + ": it cannot be opened");
+  if (!text) throw std::runtime_error(path.string() + ": cannot open the file");
   try {
     return decodePages(std::vector<std::uint8_t>{text->begin(), text->end()});
   } catch (const std::runtime_error& why) {

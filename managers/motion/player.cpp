@@ -1,4 +1,4 @@
-// Plays pages: the order of sections, steps and pages. The arithmetic of a joint is in joint_track.hpp.
+// Sequences sections, steps and pages. Joint trajectories: joint_track.hpp.
 #include "managers/motion/player.hpp"
 
 #include <cstdlib>
@@ -7,17 +7,17 @@ namespace darwinop::motion {
 
 namespace {
 
-/// Where a step wants the joint, given where it is to be before it.
+/// Target of a joint in a step; `before`: its previous target.
 int targetOf(const Step& step, std::size_t joint, int before) {
   const std::uint16_t word = step.position[joint + 1];  // by servo id
   return (word & (kKeep | kTorqueOff)) != 0 ? before : std::min<int>(word, kTickMax);
 }
 
-bool goesOn(int start, int target, int next) {
+bool continues(int start, int target, int next) {
   return (start < target && target < next) || (start > target && target > next);
 }
 
-/// The unit of times, or the speed, of a step: at speed 32 it is what the file says.
+/// Time or speed of a step, scaled by the page's speed (32: as in the file).
 int scaled(const Step& step, const Page& page) {
   return std::max(1, (step.time * page.speed) >> 5);
 }
@@ -58,7 +58,7 @@ int Player::pGainRegister(Joint joint) const noexcept {
 void Player::move() noexcept {
   for (std::size_t i = 0; i < kJoints; ++i) {
     if (section_ == Section::kSpeedUp) track_[i].speedUp(at_, length_);
-    if (section_ == Section::kMain) track_[i].goOn(at_, length_);
+    if (section_ == Section::kMain) track_[i].cruise(at_, length_);
     if (section_ == Section::kSlowDown) track_[i].slowDown(at_, length_);
     pose_[i] = track_[i].output();
   }
@@ -99,36 +99,36 @@ bool Player::beginNextSection() noexcept {
 
 bool Player::beginNextStep() noexcept {
   if (++step_ >= current().steps) {
-    if (follower_ == 0) {
+    if (next_page_ == 0) {
       step_ = current().steps - 1;
       return false;
     }
-    // A page that follows itself after its last repetition begins anew with all of them.
+    // A page that names itself as next restarts with all repetitions.
     repeats_ =
-        follower_ == page_ && repeats_ > 1 ? repeats_ - 1 : (*pages_)[static_cast<std::size_t>(follower_)].repeat;
-    page_ = follower_;
+        next_page_ == page_ && repeats_ > 1 ? repeats_ - 1 : (*pages_)[static_cast<std::size_t>(next_page_)].repeat;
+    page_ = next_page_;
     step_ = 0;
   }
   prepareStep();
   return true;
 }
 
-int Player::chooseFollower() const noexcept {
+int Player::chooseNextPage() const noexcept {
   const Page& page = current();
-  const int wanted = stopping_ ? page.exit : repeats_ > 1 ? page_ : page.next;
-  return wanted != 0 && (*pages_)[static_cast<std::size_t>(wanted)].canPlay() ? wanted : 0;
+  const int next = stopping_ ? page.exit : repeats_ > 1 ? page_ : page.next;
+  return next != 0 && (*pages_)[static_cast<std::size_t>(next)].canPlay() ? next : 0;
 }
 
 void Player::prepareStep() noexcept {
   const Page& page = current();
   const Step& step = page.step[static_cast<std::size_t>(step_)];
   const bool last_of_page = step_ == page.steps - 1;
-  if (last_of_page) follower_ = chooseFollower();
+  if (last_of_page) next_page_ = chooseNextPage();
   const Step* following = nullptr;
   if (!last_of_page)
     following = &page.step[static_cast<std::size_t>(step_) + 1];
-  else if (follower_ != 0)
-    following = (*pages_)[static_cast<std::size_t>(follower_)].step.data();
+  else if (next_page_ != 0)
+    following = (*pages_)[static_cast<std::size_t>(next_page_)].step.data();
 
   pause_ = (step.pause << 5) / page.speed;
   Pose target;
@@ -136,7 +136,7 @@ void Player::prepareStep() noexcept {
   times_ = timesOf(step, target);
   for (std::size_t i = 0; i < kJoints; ++i) {
     const int next = following ? targetOf(*following, i, target[i]) : target[i];
-    const bool ends = pause_ > 0 || !goesOn(track_[i].target(), target[i], next);
+    const bool ends = pause_ > 0 || !continues(track_[i].target(), target[i], next);
     track_[i].prepare(target[i], ends, times_);
   }
   beginSection(Section::kSpeedUp, times_.acceleration);

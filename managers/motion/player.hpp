@@ -1,4 +1,4 @@
-// Plays pages: one call per 8 ms, and where the twenty joints are to be then.
+// Plays motion pages: goals of the 20 joints, one call per 8 ms.
 #pragma once
 
 #include <array>
@@ -11,25 +11,25 @@ namespace darwinop::motion {
 
 inline constexpr int kTickMs = 8;
 
-/// By joint, 0 to 4095.
+/// Ticks per joint, 0 to 4095.
 using Pose = std::array<int, kJoints>;
 
-/// Equal to the vendor's engine tick for tick in every page of the vendor's file. It allocates nothing.
+/// Equal to the vendor's engine in every tick of every page of the vendor's file. Allocates nothing.
 ///
-/// A step of n ticks takes n + 3 calls, its pause of m another m + 1: between two sections lies a call that only
-/// computes, during which the joints keep their goals.
+/// A step of n ticks takes n + 3 calls, its pause of m ticks another m + 1: between two sections one call only computes
+/// and keeps the goals.
 class Player {
  public:
-  /// `pages` are as decodePages() gave them, and outlive the player.
+  /// `pages`: from decodePages(); must outlive the player.
   explicit Player(const PageFile& pages) : pages_{&pages} {}
 
-  /// Begins at the pose the robot has. False, and nothing changes: a page is being played, or this one cannot be.
+  /// Starts at the present pose. False without effect if a page is being played or this one is not playable.
   bool start(int page, const Pose& present) noexcept;
-  /// The next 8 ms. False: there is nothing to play, or the last page has just ended, and the pose is what it was.
+  /// The next 8 ms. False if nothing is played or the last page has just ended; the pose is then unchanged.
   bool tick() noexcept;
-  /// Ends with the page being played, after its repetition under way; then its exit page is played, if it has one.
+  /// Ends after the current repetition, then plays the exit page, if any.
   void requestStop() noexcept { stopping_ = true; }
-  /// Ends here and now.
+  /// Ends immediately.
   void brake() noexcept { playing_ = false; }
 
   [[nodiscard]] bool isPlaying() const noexcept { return playing_; }
@@ -37,7 +37,7 @@ class Player {
   /// From 0.
   [[nodiscard]] int step() const noexcept { return step_; }
   [[nodiscard]] const Pose& pose() const noexcept { return pose_; }
-  /// Register 28 of the joint's servo, as the page wants it.
+  /// Register 28 of the joint's servo, from the page.
   [[nodiscard]] int pGainRegister(Joint joint) const noexcept;
 
  private:
@@ -48,7 +48,7 @@ class Player {
   bool beginNextSection() noexcept;
   bool beginNextStep() noexcept;
   void prepareStep() noexcept;
-  [[nodiscard]] int chooseFollower() const noexcept;
+  [[nodiscard]] int chooseNextPage() const noexcept;
   [[nodiscard]] StepTimes timesOf(const Step& step, const Pose& target) const noexcept;
   void beginSection(Section section, int length) noexcept;
 
@@ -58,12 +58,12 @@ class Player {
   StepTimes times_;
   Section section_ = Section::kSpeedUp;
   int page_ = 0, step_ = 0;
-  int follower_ = 0;         // page after this one; 0: none. Chosen when its last step begins
-  int repeats_ = 0;          // of this page, the one under way included
-  int at_ = 0, length_ = 0;  // ticks of the section
+  int next_page_ = 0;        // 0: none. Chosen at the start of the last step
+  int repeats_ = 0;          // remaining, including the current one
+  int at_ = 0, length_ = 0;  // position in the section and its length, ticks
   int pause_ = 0;            // ticks, after this step
   bool playing_ = false, stopping_ = false;
-  bool fresh_ = false;  // started, and not a single tick since
+  bool fresh_ = false;  // started, before the first tick
 };
 
 }  // namespace darwinop::motion

@@ -1,4 +1,4 @@
-// What a robot would stumble over in a motion file.
+// Checks motion pages for errors that could make the robot fall.
 #include "managers/motion_text/check_pages.hpp"
 
 #include <algorithm>
@@ -13,11 +13,11 @@ namespace darwinop::motion {
 namespace {
 
 constexpr double kTickSeconds = kTickMs / 1000.0;
-// A leg with a register of 4 pulls with all it has from 180 degrees on: it gives way under the robot.
-constexpr int kWeakestLegGain = 8;
-// The engine has no time to move a joint in a step of so few ticks (StepTimes::fitted).
-constexpr int kNoTime = 2;
-constexpr int kJump = 12;  // ticks, 1.05 degrees: less is no jump
+// With a register of 4 a leg reaches full duty only at an error of 180 degrees, so it collapses under the robot.
+constexpr int kMinLegGain = 8;
+// Steps of at most this many ticks have no motion (StepTimes::fitted).
+constexpr int kMaxTicksWithoutMotion = 2;
+constexpr int kJump = 12;  // ticks, 1.05 degrees: minimum for a finding
 
 std::string degrees(int ticks) {
   return fixed((ticks - kTickCentre) * kDegreesPerTick, 2);
@@ -37,7 +37,7 @@ class Check {
       if (!pages_[i].canPlay()) continue;
       checkLink(i, "next", pages_[i].next);
       checkLink(i, "exit", pages_[i].exit);
-      checkRing(i);
+      checkLoop(i);
       checkGains(i);
       for (std::size_t step = 0; step < pages_[i].steps; ++step) checkPositions(i, step);
       checkSpeeds(i);
@@ -49,34 +49,34 @@ class Check {
   void checkLink(std::size_t page, const std::string& which, std::uint8_t target) {
     if (target != 0 && !pages_[target].canPlay())
       found_.push_back("page " + std::to_string(page) + ": " + which + " is page " + std::to_string(target) +
-                       ", which holds nothing to play");
+                       ", which is empty");
   }
 
-  /// Each ring is told once, with the lowest of its pages. An exit does not end it: it is taken after a request to
-  /// stop, and no call of the motion manager makes one.
-  void checkRing(std::size_t page) {
-    std::vector<std::size_t> ring;
-    for (std::size_t at = page; std::ranges::find(ring, at) == ring.end(); at = pages_[at].next) {
+  /// Reports each endless chain once, with its lowest page. An exit page does not end it: it is played after a stop
+  /// request, which the motion manager never makes.
+  void checkLoop(std::size_t page) {
+    std::vector<std::size_t> loop;
+    for (std::size_t at = page; std::ranges::find(loop, at) == loop.end(); at = pages_[at].next) {
       if (!pages_[at].canPlay() || at < page) return;
-      ring.push_back(at);
+      loop.push_back(at);
       if (pages_[at].next == 0) return;
     }
-    if (pages_[ring.back()].next != page) return;
-    std::string way;
-    for (const std::size_t one : ring) way += std::to_string(one) + " -> ";
-    found_.push_back("page " + std::to_string(page) + ": " + way + std::to_string(page) + " goes round for ever");
+    if (pages_[loop.back()].next != page) return;
+    std::string chain;
+    for (const std::size_t one : loop) chain += std::to_string(one) + " -> ";
+    found_.push_back("page " + std::to_string(page) + ": " + chain + std::to_string(page) + " never ends");
   }
 
-  /// Every joint has the page's gain while it is played, also one without a part in it.
+  /// The page's gains apply to every joint, also to those that do not move.
   void checkGains(std::size_t page) {
     for (std::size_t i = 0; i < kJoints; ++i) {
       const int gain = pGainRegister(pages_[page].slopes.at(i + 1));  // by servo id
       const std::string joint = "page " + std::to_string(page) + ", " + std::string{kJointTable.at(i).name} + ": ";
       if (gain == 0)
-        found_.push_back(joint + "its P gain is 0, the joint is limp while the page is played");
-      else if (gain < kWeakestLegGain && isLeg(static_cast<Joint>(i)))
-        found_.push_back(joint + "with a P gain of " + std::to_string(gain) + " the leg gives way; the least is " +
-                         std::to_string(kWeakestLegGain));
+        found_.push_back(joint + "its P gain is 0; the joint is limp while the page is played");
+      else if (gain < kMinLegGain && isLeg(static_cast<Joint>(i)))
+        found_.push_back(joint + "with a P gain of " + std::to_string(gain) + " the leg collapses; the minimum is " +
+                         std::to_string(kMinLegGain));
     }
   }
 
@@ -96,7 +96,7 @@ class Check {
     }
   }
 
-  /// By the mean: a step that asks for more even then cannot be done, however the engine shapes it.
+  /// Uses the mean speed: if that is too high, no velocity profile can reach the target.
   void checkSpeeds(std::size_t page) {
     for (const Move& move : movesOf(pages_, static_cast<int>(page))) {
       const double seconds = std::max(1, move.ticks) * kTickSeconds;
@@ -104,23 +104,23 @@ class Check {
           move.page == static_cast<int>(page) ? "" : ", coming from page " + std::to_string(page);
       checkJump(move, seconds, before);
       for (std::size_t i = 0; i < kJoints; ++i) {
-        const double way = move.distance.at(i) * kDegreesPerTick;
-        if (way * kRadPerDegree / seconds <= kServoMaxSpeed) continue;
-        keep(at(static_cast<std::size_t>(move.page), move.step, i) + fixed(way, 2) + " degrees in " +
-             fixed(seconds, 3) + " s are " + fixed(way / seconds, 0) + " degrees/s; the servo's most is " +
+        const double distance = move.distance.at(i) * kDegreesPerTick;
+        if (distance * kRadPerDegree / seconds <= kServoMaxSpeed) continue;
+        keep(at(static_cast<std::size_t>(move.page), move.step, i) + fixed(distance, 2) + " degrees in " +
+             fixed(seconds, 3) + " s are " + fixed(distance / seconds, 0) + " degrees/s; the servo's maximum is " +
              fixed(kServoMaxSpeed / kRadPerDegree, 0) + before);
       }
     }
   }
   void checkJump(const Move& move, double seconds, const std::string& before) {
     const auto farthest = std::ranges::max_element(move.distance);
-    if (move.ticks > kNoTime || *farthest < kJump) return;
+    if (move.ticks > kMaxTicksWithoutMotion || *farthest < kJump) return;
     keep(
         at(static_cast<std::size_t>(move.page), move.step, static_cast<std::size_t>(farthest - move.distance.begin())) +
         "the goal jumps by " + fixed(*farthest * kDegreesPerTick, 2) + " degrees: " + fixed(seconds, 3) +
-        " s are too short to move in" + before);
+        " s are too short for a motion" + before);
   }
-  /// A page that repeats comes to its first step twice.
+  /// Without duplicates: a page that repeats reaches its first step twice.
   void keep(const std::string& finding) {
     if (std::ranges::find(found_, finding) == found_.end()) found_.push_back(finding);
   }
@@ -143,7 +143,7 @@ std::vector<std::string> checkBytes(std::span<const std::uint8_t> bytes, PageFil
   } catch (const std::runtime_error& why) {
     if (bytes.size() != kFileBytes) return {why.what()};
   }
-  // Each page alone in an empty file, so that one damage does not hide another.
+  // Decodes each page separately in an empty file, to report every damaged page.
   std::vector<std::string> damages;
   pages.assign(kPages, emptyPage());
   const std::vector<std::uint8_t> empty = encodePages(pages);

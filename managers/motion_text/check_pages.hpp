@@ -1,4 +1,4 @@
-// What a robot would stumble over in a motion file: one finding a line, with page, step and joint.
+// Checks motion pages for errors that could make the robot fall: one finding per line, with page, step and joint.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace darwinop::motion {
 
-// Source: MX-28 control table, the top of the moving speed, 117.07 rpm; the runtime's safety lets nothing pass that is
-// faster (max_joint_speed). Without a load and at 12 V the servo does about half of it.
+// Source: MX-28 control table, maximum moving speed, 117.07 rpm; also the safety layer's limit (max_joint_speed). At
+// 12 V without load the servo reaches about half of it.
 inline constexpr double kServoMaxSpeed = 12.26;  // rad/s
 
-/// Chains to pages that cannot be played, rings, gains that leave a joint limp, positions beyond the
-/// joints' limits, goals that jump, speeds beyond the servo's. Only pages that can be played are looked at.
+/// Finds links to pages that are not playable, endless chains, gains that are too low, positions out of range, jumps of
+/// goals, and speeds above the servo's. Checks playable pages only.
 [[nodiscard]] std::vector<std::string> checkPages(const PageFile& pages);
 
-/// One sentence for each page of a binary file that is damaged, as decodePages() tells it. `pages` gets the others,
-/// and empty pages for these; it has none when the length is wrong.
+/// One message of decodePages() per damaged page of a binary file. `pages` receives the others, and empty pages for
+/// these; it is empty if the length is wrong.
 [[nodiscard]] std::vector<std::string> checkBytes(std::span<const std::uint8_t> bytes, PageFile& pages);
 
 }  // namespace darwinop::motion

@@ -1,4 +1,4 @@
-// A page for the other side of the body. Servo ids come in pairs, odd ones on the right; the head's are single.
+// Mirrors a page. Servo ids are in pairs, odd ids on the right; the head joints are single.
 #include "managers/motion_text/mirror.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::uint16_t mirrored(std::uint16_t word, std::size_t id) {
 Page mirrored(const Page& page) {
   Page other = page;
   for (std::size_t id = 0; id < kServos; ++id) {
-    // As it is: the slopes' two nibbles are directions, but an MX-28 has one gain, and it stays with the high one.
+    // Nibbles are not swapped: they are directions, but an MX-28 has one gain, taken from the high nibble.
     other.slopes.at(partner(id)) = page.slopes.at(id);
     for (std::size_t i = 0; i < kSteps; ++i)
       other.step.at(i).position.at(partner(id)) = mirrored(page.step.at(i).position.at(id), id);

@@ -1,7 +1,9 @@
-// A motion file on the disk, binary or text.
+// Reads and writes motion files, binary or text.
 #include "managers/motion_text/motion_file.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
@@ -14,8 +16,8 @@ namespace darwinop::motion {
 
 namespace {
 
-// A full text has 256 pages of some 35 rows of 80 letters, 0.8 MB; this leaves room for remarks.
-constexpr std::size_t kMostBytes = 8U << 20U;
+// A full text has 256 pages of about 35 rows of 80 characters, 0.8 MB; the rest is for comments.
+constexpr std::size_t kMaxBytes = 8U << 20U;
 
 std::string_view textOf(const std::vector<std::uint8_t>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -26,19 +28,20 @@ void writeWhole(const std::filesystem::path& path, const char* data, std::size_t
   std::ofstream file{part, std::ios::binary | std::ios::trunc};
   file.write(data, static_cast<std::streamsize>(size));
   file.close();
+  const std::string reason = std::strerror(errno);
   std::error_code failed;
   if (file) std::filesystem::rename(part, path, failed);
   if (file && !failed) return;
   std::error_code ignored;
   std::filesystem::remove(part, ignored);
-  throw std::runtime_error(path.string() + ": it cannot be written; is there such a folder, and may you write to it?");
+  throw std::runtime_error("cannot write " + path.string() + ": " + (failed ? failed.message() : reason));
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> readBytes(const std::filesystem::path& path) {
-  const std::optional<std::string> bytes = readTextFile(path.string(), kMostBytes);
-  if (!bytes) throw std::runtime_error(path.string() + ": it cannot be opened");
+  const std::optional<std::string> bytes = readTextFile(path.string(), kMaxBytes);
+  if (!bytes) throw std::runtime_error(path.string() + ": cannot open the file");
   return {bytes->begin(), bytes->end()};
 }
 

@@ -1,4 +1,4 @@
-// A motion file on the disk, binary or text: which of the two is told by what is in it, not by its name.
+// Motion files, binary or text; the type is detected from the content, not from the name.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +10,9 @@
 
 namespace darwinop::motion {
 
-/// Throws std::runtime_error when the file cannot be read, or is longer than any motion file.
+/// Throws std::runtime_error if the file cannot be read or is longer than any motion file.
 [[nodiscard]] std::vector<std::uint8_t> readBytes(const std::filesystem::path& path);
-/// True for what has no zero byte, and for what begins as our text does: a motion file of the vendor's is full of
-/// zeros.
+/// True if there is no zero byte or the first line is the text title; the vendor's binary files contain many zeros.
 [[nodiscard]] bool isText(const std::vector<std::uint8_t>& bytes);
 
 struct MotionFile {
@@ -21,10 +20,10 @@ struct MotionFile {
   bool is_text = false;
 };
 
-/// Throws std::runtime_error with a sentence that names the file, and page and byte, or line and field.
+/// Throws std::runtime_error with file, and page and byte or line and field.
 [[nodiscard]] MotionFile readMotionFile(const std::filesystem::path& path);
 
-/// All of it or nothing: what was there before stays until the new file is whole. Throws std::runtime_error.
+/// Atomic: replaces an existing file only when the new one is complete. Throws std::runtime_error.
 void writeMotionFile(const std::filesystem::path& path, const MotionFile& file);
 void writeText(const std::filesystem::path& path, const std::string& text);
 

@@ -1,4 +1,4 @@
-// One page of the text as its lines come in.
+// Parses the fields of one page.
 #include "managers/motion_text/page_section.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kAngle = "an angle: degrees from -180.00 to 179.91, 'keep', or a word of the file such as 0x4000";
 constexpr const char* kSeconds = "a time: 0 to 2.04 seconds, in steps of 0.008";
 constexpr const char* kGain = "a gain: 4, 8, 16, 32, 64 or 128, or the slopes of the file such as 0x57";
-constexpr const char* kCount = "a whole number from 0 to 255";
+constexpr const char* kCount = "an integer from 0 to 255";
 
 std::vector<std::string_view> wordsOf(std::string_view text) {
   std::vector<std::string_view> words;
@@ -26,13 +26,13 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
   return words;
 }
 
-/// What somebody wrote, fit for a sentence: no more than a line holds, and nothing that a terminal would obey.
+/// Input text for a message: truncated, without control characters.
 std::string excerpt(std::string_view text) {
-  constexpr std::size_t kMost = 40;
-  std::string shown{text.substr(0, kMost)};
+  constexpr std::size_t kMaxLength = 40;
+  std::string shown{text.substr(0, kMaxLength)};
   std::ranges::replace_if(
       shown, [](char letter) { return letter < ' ' || letter > '~'; }, '?');
-  return "'" + shown + (text.size() > kMost ? "..." : "") + "'";
+  return "'" + shown + (text.size() > kMaxLength ? "..." : "") + "'";
 }
 
 template <class Value>
@@ -45,7 +45,7 @@ template <class Byte, std::size_t kSize>
 void setBytes(std::array<Byte, kSize>& bytes, const std::string& key, std::string_view value) {
   const auto words = wordsOf(value);
   if (words.size() != kSize)
-    throw std::runtime_error(key + ": it has " + std::to_string(words.size()) + " bytes; there are " +
+    throw std::runtime_error(key + ": has " + std::to_string(words.size()) + " bytes; must have " +
                              std::to_string(kSize));
   for (std::size_t i = 0; i < kSize; ++i)
     bytes.at(i) = static_cast<Byte>(required(byteFromText(words[i]), key, words[i], "a byte of two digits, 00 to FF"));
@@ -54,10 +54,10 @@ void setBytes(std::array<Byte, kSize>& bytes, const std::string& key, std::strin
 }  // namespace
 
 void PageSection::set(const std::string& key, std::string_view value) {
-  if (!seen_.insert(key).second) throw std::runtime_error(key + ": the page has it twice");
+  if (!seen_.insert(key).second) throw std::runtime_error(key + ": set twice in this page; remove one");
   if (!setHeader(key, value) && !setGain(key, value) && !setRow(key, value))
     throw std::runtime_error(excerpt(key) +
-                             " is no field of a page; it is a joint's name, or one of name, repeat, next, exit, "
+                             " is not a field of a page; use a joint name, or one of name, repeat, next, exit, "
                              "speed, acceleration, schedule, steps, time, rate, pause, gain JOINT, others");
 }
 
@@ -67,10 +67,10 @@ void PageSection::setName(std::string_view value) {
     throw std::runtime_error("name: put it into double quotes, as in name = \"bow\"");
   value = value.substr(1, value.size() - 2);
   if (value.size() > longest)
-    throw std::runtime_error("name: it has " + std::to_string(value.size()) + " letters; there is room for 13");
+    throw std::runtime_error("name: has " + std::to_string(value.size()) + " characters; at most 13 are allowed");
   const auto printable = [](char letter) { return letter >= ' ' && letter <= '~' && letter != '"'; };
   if (!std::ranges::all_of(value, printable))
-    throw std::runtime_error("name: it is made of letters, digits and signs of ASCII, without double quotes");
+    throw std::runtime_error("name: use printable ASCII characters without double quotes");
   std::ranges::copy(value, page_.name.begin());
 }
 
@@ -94,7 +94,7 @@ bool PageSection::setHeader(const std::string& key, std::string_view value) {
   else if (key == "acceleration")
     page_.acceleration = required(secondsFromText(value), key, value, kSeconds);
   else if (key == "steps")
-    page_.steps = required(countFromText(value, kSteps), key, value, "a whole number from 0 to 7");
+    page_.steps = required(countFromText(value, kSteps), key, value, "an integer from 0 to 7");
   else if (key == "repeat")
     count(page_.repeat);
   else if (key == "next")
@@ -120,14 +120,14 @@ bool PageSection::setGain(const std::string& key, std::string_view value) {
 std::vector<std::string_view> PageSection::columnsOf(const std::string& key, std::string_view value) {
   auto words = wordsOf(value);
   if (words.empty() || words.size() > kSteps)
-    throw std::runtime_error(key + ": it has " + std::to_string(words.size()) + " values; a page has 1 to 7 steps");
+    throw std::runtime_error(key + ": has " + std::to_string(words.size()) + " values; a page has 1 to 7 steps");
   if (!columns_) {
     columns_ = words.size();
     first_row_ = key;
   }
   if (words.size() != *columns_)
-    throw std::runtime_error(key + ": it has " + std::to_string(words.size()) + " values, and " + first_row_ + " has " +
-                             std::to_string(*columns_) + "; every row has one for each step");
+    throw std::runtime_error(key + ": has " + std::to_string(words.size()) + " values, but " + first_row_ + " has " +
+                             std::to_string(*columns_) + "; give one per step in every row");
   return words;
 }
 
@@ -154,9 +154,9 @@ bool PageSection::setRow(const std::string& key, std::string_view value) {
 }
 
 void PageSection::setOthers(std::size_t step, std::uint16_t word) {
-  const Step usual = emptyPage().step.at(step);
+  const Step empty = emptyPage().step.at(step);
   for (std::size_t id = 0; id < kServos; ++id)
-    if (!isJoint(id)) page_.step.at(step).position.at(id) = word == kUnusedWord ? usual.position.at(id) : word;
+    if (!isJoint(id)) page_.step.at(step).position.at(id) = word == kUnusedWord ? empty.position.at(id) : word;
 }
 
 Page PageSection::finish() {
@@ -164,22 +164,23 @@ Page PageSection::finish() {
   const std::size_t columns = columns_.value_or(0);
   if (!has("steps")) page_.steps = static_cast<std::uint8_t>(columns);
   if (page_.steps > columns)
-    throw std::runtime_error("steps: it is " + std::to_string(page_.steps) + ", and the rows have " +
+    throw std::runtime_error("steps: is " + std::to_string(page_.steps) + ", but the rows have " +
                              std::to_string(columns) + " values");
-  const char* const wanted = page_.schedule == kTimeBased ? "time" : "rate";
+  const char* const required_row = page_.schedule == kTimeBased ? "time" : "rate";
   const char* const other = page_.schedule == kTimeBased ? "rate" : "time";
   if (has(other))
     throw std::runtime_error(std::string{other} + ": a page by " + (page_.schedule == kTimeBased ? "time" : "speed") +
-                             " has a row '" + wanted + "' instead");
-  if (columns > 0 && !has(wanted))
-    throw std::runtime_error(std::string{wanted} + ": the row is missing; it says how long each step takes");
-  if (has("name") && has("name_bytes")) throw std::runtime_error("name_bytes: the page has a name already");
+                             " needs a row '" + required_row + "' instead");
+  if (columns > 0 && !has(required_row))
+    throw std::runtime_error(std::string{required_row} +
+                             ": the row is missing; add it to set the duration of each step");
+  if (has("name") && has("name_bytes")) throw std::runtime_error("name_bytes: the page already has a name");
   for (std::size_t id = 0; has("others") && id < kServos; ++id)
     if (!isJoint(id) && seen_.contains(servoText(id)))
-      throw std::runtime_error(servoText(id) + ": the page has 'others' already");
+      throw std::runtime_error(servoText(id) + ": the page already has 'others'");
   if (page_.canPlay() && page_.schedule != kTimeBased && page_.schedule != kSpeedBased)
-    throw std::runtime_error("schedule: it is " + std::to_string(page_.schedule) + "; write 'time' or 'speed'");
-  if (page_.canPlay() && page_.speed == 0) throw std::runtime_error("speed: it is 0; it is 1 to 255, 32 is usual");
+    throw std::runtime_error("schedule: is " + std::to_string(page_.schedule) + "; must be 'time' or 'speed'");
+  if (page_.canPlay() && page_.speed == 0) throw std::runtime_error("speed: is 0; must be 1 to 255, default 32");
   return page_;
 }
 

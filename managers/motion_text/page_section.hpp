@@ -1,4 +1,4 @@
-// One page of the text as its lines come in. Sentences name the field; file and line are the caller's.
+// Parses the fields of one page. Messages name the field; the caller adds file and line.
 #pragma once
 
 #include <functional>
@@ -16,9 +16,9 @@ class PageSection {
  public:
   explicit PageSection(std::size_t number) : number_{number} {}
 
-  /// Throws std::runtime_error when the key is unknown, has been there before, or the value cannot be.
+  /// Throws std::runtime_error for an unknown or duplicate key or an invalid value.
   void set(const std::string& key, std::string_view value);
-  /// The whole page. Throws std::runtime_error when what the lines say does not fit together.
+  /// Returns the page. Throws std::runtime_error for inconsistent fields.
   [[nodiscard]] Page finish();
 
   [[nodiscard]] std::size_t number() const { return number_; }
@@ -29,7 +29,7 @@ class PageSection {
   bool setHeader(const std::string& key, std::string_view value);
   bool setGain(const std::string& key, std::string_view value);
   bool setRow(const std::string& key, std::string_view value);
-  /// One value a step; every row of a page has the same number of them.
+  /// One value per step; all rows of a page have the same number of values.
   std::vector<std::string_view> columnsOf(const std::string& key, std::string_view value);
   void setOthers(std::size_t step, std::uint16_t word);
 
@@ -37,7 +37,7 @@ class PageSection {
   Page page_ = emptyPage();
   std::set<std::string> seen_;
   std::optional<std::size_t> columns_;
-  std::string first_row_;  // whose number of columns the others must have
+  std::string first_row_;  // sets the number of columns
 };
 
 }  // namespace darwinop::motion

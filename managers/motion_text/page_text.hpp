@@ -1,4 +1,4 @@
-// Motion files as text: 256 pages to text, and back without the loss of a bit. The format: docs/motion-command.md.
+// Motion files as text, lossless. Format: docs/motion-command.md.
 #pragma once
 
 #include <string>
@@ -8,19 +8,18 @@
 
 namespace darwinop::motion {
 
-/// The first line of every such text; it tells the two kinds of file apart.
+/// The first line of every text; distinguishes it from a binary file.
 inline constexpr std::string_view kTextTitle = "darwinop motion 1";
 
-/// The page that a text does not mention: an empty one; page 0 is all zeros, as in the vendor's file.
-[[nodiscard]] Page unmentionedPage(std::size_t number);
+/// Page that is absent from a text: empty; page 0 is all zeros, as in the vendor's file.
+[[nodiscard]] Page defaultPage(std::size_t number);
 
-/// Only what differs from an unmentioned page is written.
+/// Writes only what differs from the default pages.
 [[nodiscard]] std::string writePages(const PageFile& pages);
 /// The section of one page.
 [[nodiscard]] std::string writePage(const Page& page, std::size_t number);
 
-/// Throws std::runtime_error with a sentence that names `file`, line and field: either all of the text is understood,
-/// or none of it is taken. What comes out can be encoded, and decoded again.
+/// Throws std::runtime_error with `file`, line and field. The result can be encoded and decoded again.
 [[nodiscard]] PageFile parsePages(std::string_view text, const std::string& file);
 
 }  // namespace darwinop::motion

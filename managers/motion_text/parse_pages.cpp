@@ -1,4 +1,4 @@
-// Reads pages from text, line by line. The first thing that is wrong ends it.
+// Parses pages from text; stops at the first error.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -13,8 +13,8 @@ namespace darwinop::motion {
 
 namespace {
 
-/// Without what follows a # that is not in quotes.
-std::string_view withoutRemark(std::string_view line) {
+/// Removes a comment: from a # outside of quotes.
+std::string_view withoutComment(std::string_view line) {
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '"') quoted = !quoted;
@@ -23,25 +23,25 @@ std::string_view withoutRemark(std::string_view line) {
   return text::withoutBlanks(line);
 }
 
-class Reader {
+class PagesParser {
  public:
-  explicit Reader(const std::string& file) : file_{file} {
-    for (std::size_t i = 0; i < kPages; ++i) pages_.push_back(unmentionedPage(i));
+  explicit PagesParser(const std::string& file) : file_{file} {
+    for (std::size_t i = 0; i < kPages; ++i) pages_.push_back(defaultPage(i));
   }
 
-  void take(std::string_view line) {
+  void addLine(std::string_view line) {
     ++line_;
-    line = withoutRemark(line);
+    line = withoutComment(line);
     if (line_ > 1 && line.starts_with('[')) endSection();
     try {
-      understand(line);
+      parseLine(line);
     } catch (const std::runtime_error& why) {
       refuse(line_, why.what());
     }
   }
 
   PageFile finish() {
-    if (line_ == 0) take("");  // not even a title
+    if (line_ == 0) addLine("");  // reports the missing title
     endSection();
     return std::move(pages_);
   }
@@ -52,7 +52,7 @@ class Reader {
     throw std::runtime_error(file_ + ", line " + std::to_string(line) + page + ": " + why);
   }
 
-  void understand(std::string_view line) {
+  void parseLine(std::string_view line) {
     if (line_ == 1) {
       if (line != kTextTitle)
         throw std::runtime_error("the text of a motion file begins with the line '" + std::string{kTextTitle} + "'");
@@ -74,7 +74,7 @@ class Reader {
       number = countFromText(text::withoutBlanks(heading.substr(kBegin.size(), heading.size() - kBegin.size() - 1)));
     if (!number) throw std::runtime_error("write [page NUMBER] with a number from 0 to 255");
     if (!begun_.insert(*number).second)
-      throw std::runtime_error("page " + std::to_string(*number) + " has been there before");
+      throw std::runtime_error("page " + std::to_string(*number) + " is defined twice; remove one");
     section_.emplace(*number);
     heading_line_ = line_;
   }
@@ -99,15 +99,15 @@ class Reader {
 }  // namespace
 
 PageFile parsePages(std::string_view text, const std::string& file) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors begin files with it
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // written by some editors
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  Reader reader{file};
+  PagesParser parser{file};
   while (!text.empty()) {
     const std::size_t length = std::min(text.find('\n'), text.size());
-    reader.take(text.substr(0, length));
+    parser.addLine(text.substr(0, length));
     text.remove_prefix(std::min(length + 1, text.size()));
   }
-  return reader.finish();
+  return parser.finish();
 }
 
 }  // namespace darwinop::motion

@@ -1,4 +1,4 @@
-// Goes through one page by itself.
+// Simulates pages without a robot.
 #include "managers/motion_text/rehearsal.hpp"
 
 #include <algorithm>
@@ -10,14 +10,15 @@ namespace darwinop::motion {
 
 namespace {
 
-/// As the player has it: by time the page's speed scales it, by speed the longest way sets it. Source: docs/motions.md.
+/// Duration as in the player: by time, scaled by the page's speed; by speed, from the longest distance.
+/// docs/motions.md.
 int moveTicks(const Page& page, const Step& step, int longest) {
   const int scaled = std::max(1, (step.time * page.speed) >> 5);
   return page.schedule == kTimeBased ? scaled : 40 * longest / (3 * scaled);
 }
 
-/// Adds the step to `moves`, and goes to it.
-void take(std::vector<Move>& moves, const PageFile& pages, int number, std::size_t at, Pose& pose) {
+/// Appends the step to `moves` and sets `pose` to its target.
+void addMove(std::vector<Move>& moves, const PageFile& pages, int number, std::size_t at, Pose& pose) {
   const Page& page = pages.at(static_cast<std::size_t>(number));
   const Step& step = page.step.at(at);
   Move move{number, at, 0, {}};
@@ -48,37 +49,37 @@ Pose firstPose(const Page& page) {
 }
 
 int ticksOf(const PageFile& pages, int page) {
-  const Page& asked = pages.at(static_cast<std::size_t>(page));
-  if (!asked.canPlay()) return 0;
+  const Page& requested = pages.at(static_cast<std::size_t>(page));
+  if (!requested.canPlay()) return 0;
   PageFile alone(2, emptyPage());
-  alone[1] = asked;
+  alone[1] = requested;
   alone[1].repeat = 1;
   alone[1].next = alone[1].exit = 0;
   Player player{alone};
   int ticks = 0;
-  player.start(1, firstPose(asked));
+  player.start(1, firstPose(requested));
   while (player.tick()) ++ticks;
-  return ticks * asked.repeat;
+  return ticks * requested.repeat;
 }
 
 std::vector<Move> movesOf(const PageFile& pages, int page) {
   std::vector<Move> moves;
-  const Page& asked = pages.at(static_cast<std::size_t>(page));
-  if (!asked.canPlay()) return moves;
-  Pose pose = firstPose(asked);
-  for (std::size_t i = 0; i < asked.steps; ++i) take(moves, pages, page, i, pose);
+  const Page& requested = pages.at(static_cast<std::size_t>(page));
+  if (!requested.canPlay()) return moves;
+  Pose pose = firstPose(requested);
+  for (std::size_t i = 0; i < requested.steps; ++i) addMove(moves, pages, page, i, pose);
   Pose after = pose;
-  if (asked.repeat > 1) take(moves, pages, page, 0, after);
-  if (asked.next != 0 && pages.at(asked.next).canPlay()) take(moves, pages, asked.next, 0, pose);
+  if (requested.repeat > 1) addMove(moves, pages, page, 0, after);
+  if (requested.next != 0 && pages.at(requested.next).canPlay()) addMove(moves, pages, requested.next, 0, pose);
   return moves;
 }
 
-Rehearsal rehearse(const PageFile& pages, int page, const Pose& from) {
-  constexpr std::size_t kMost = 60'000 / kTickMs;
-  PageFile ending = pages;  // a page that follows itself cannot be told from a repetition
+DryRun dryRun(const PageFile& pages, int page, const Pose& from) {
+  constexpr std::size_t kMaxTicks = 60'000 / kTickMs;
+  PageFile ending = pages;  // without self-links, which are indistinguishable from repetitions
   for (std::size_t i = 0; i < ending.size(); ++i)
     if (ending[i].next == i) ending[i].next = 0;
-  Rehearsal played;
+  DryRun played;
   played.poses.push_back(from);
   Player player{ending};
   player.start(page, from);
@@ -86,10 +87,10 @@ Rehearsal rehearse(const PageFile& pages, int page, const Pose& from) {
   while (player.tick()) {
     const int now = player.page();
     const bool new_page = played.sections.empty() || played.sections.back().page != now;
-    const auto seen = [now](const Rehearsal::Section& section) { return section.page == now; };
-    played.cut = played.poses.size() > kMost || (new_page && std::ranges::any_of(played.sections, seen));
+    const auto is_repeated = [now](const DryRun::Section& section) { return section.page == now; };
+    played.cut = played.poses.size() > kMaxTicks || (new_page && std::ranges::any_of(played.sections, is_repeated));
     if (played.cut) break;
-    const std::size_t at = played.poses.size() - 1;  // what was reached before this tick
+    const std::size_t at = played.poses.size() - 1;  // pose before this tick
     if (new_page) played.sections.push_back({now, at, {}});
     if (new_page || player.step() != step) played.sections.back().steps.push_back(at);
     step = player.step();

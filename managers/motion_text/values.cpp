@@ -1,4 +1,4 @@
-// The values of a page as words of the text, and back.
+// Converts values of a page to and from text.
 #include "managers/motion_text/values.hpp"
 
 #include <array>
@@ -14,15 +14,15 @@ namespace darwinop::motion {
 
 namespace {
 
-// Slopes from 2^3 to 2^8: those below saturate the register and those above make it 0, which cannot be told apart.
+// Slopes from 2^3 to 2^8: smaller ones saturate the register, larger ones make it 0, so they are not invertible.
 constexpr unsigned kFirstSlope = 3, kLastSlope = 8;
-constexpr std::uint8_t bothAlike(unsigned slope) {
+constexpr std::uint8_t equalSlopes(unsigned slope) {
   return static_cast<std::uint8_t>(slope * 0x11U);
 }
 
-template <class Whole>
-std::optional<Whole> wholeFromText(std::string_view text, int base) {
-  Whole value = 0;
+template <class Integer>
+std::optional<Integer> integerFromText(std::string_view text, int base) {
+  Integer value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
   if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return value;
@@ -35,7 +35,7 @@ std::string hexText(unsigned value, int digits) {
   return text;
 }
 
-/// The nearest whole number of `unit` in `text`, when it is within 0 to `most`.
+/// `text` in multiples of `unit`, rounded, if within 0 to `most`.
 std::optional<int> nearest(std::string_view text, double unit, double zero, int most) {
   const auto number = text::numberFromText(text);
   if (!number) return std::nullopt;
@@ -60,7 +60,7 @@ std::string angleText(std::uint16_t word) {
 
 std::optional<std::uint16_t> angleFromText(std::string_view text) {
   if (text == "keep") return kUnusedWord;
-  if (text.starts_with("0x")) return wholeFromText<std::uint16_t>(text.substr(2), 16);
+  if (text.starts_with("0x")) return integerFromText<std::uint16_t>(text.substr(2), 16);
   const auto ticks = nearest(text, kDegreesPerTick, kTickCentre, kTickMax);
   if (!ticks) return std::nullopt;
   return static_cast<std::uint16_t>(*ticks);
@@ -78,19 +78,19 @@ std::optional<std::uint8_t> secondsFromText(std::string_view text) {
 
 std::string gainText(std::uint8_t slopes) {
   for (unsigned slope = kFirstSlope; slope <= kLastSlope; ++slope)
-    if (slopes == bothAlike(slope)) return std::to_string(pGainRegister(slopes));
+    if (slopes == equalSlopes(slope)) return std::to_string(pGainRegister(slopes));
   return "0x" + hexText(slopes, 2);
 }
 
 std::optional<std::uint8_t> gainFromText(std::string_view text) {
-  if (text.starts_with("0x")) return wholeFromText<std::uint8_t>(text.substr(2), 16);
+  if (text.starts_with("0x")) return integerFromText<std::uint8_t>(text.substr(2), 16);
   for (unsigned slope = kFirstSlope; slope <= kLastSlope; ++slope)
-    if (text == std::to_string(pGainRegister(bothAlike(slope)))) return bothAlike(slope);
+    if (text == std::to_string(pGainRegister(equalSlopes(slope)))) return equalSlopes(slope);
   return std::nullopt;
 }
 
 std::optional<std::uint8_t> countFromText(std::string_view text, int most) {
-  const auto value = wholeFromText<std::uint8_t>(text, 10);
+  const auto value = integerFromText<std::uint8_t>(text, 10);
   return value && *value <= most ? value : std::nullopt;
 }
 
@@ -99,7 +99,7 @@ std::string byteText(std::uint8_t value) {
 }
 
 std::optional<std::uint8_t> byteFromText(std::string_view text) {
-  return text.size() == 2 ? wholeFromText<std::uint8_t>(text, 16) : std::nullopt;
+  return text.size() == 2 ? integerFromText<std::uint8_t>(text, 16) : std::nullopt;
 }
 
 bool isJoint(std::size_t id) {

@@ -1,4 +1,4 @@
-// Writes pages as text: a section a page, a row a joint, a column a step.
+// Writes pages as text: one section per page, one row per joint, one column per step.
 #include "managers/motion_text/page_text.hpp"
 #include "managers/motion_text/values.hpp"
 
@@ -6,7 +6,7 @@ namespace darwinop::motion {
 
 namespace {
 
-constexpr std::size_t kKeyWidth = 14, kColumnWidth = 8;  // "gain ArmUpperR", and "-180.00" with a blank
+constexpr std::size_t kKeyWidth = 14, kColumnWidth = 8;  // "gain ArmUpperR"; "-180.00" and a blank
 
 std::string padded(const std::string& text, std::size_t width) {
   return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
@@ -30,7 +30,7 @@ std::string hexBytes(const Bytes& bytes) {
   return text;
 }
 
-/// In quotes when it can be told like that: printable, ended by zeros, without a quote of its own.
+/// Quoted if printable, zero-padded and without quotes; otherwise as bytes.
 std::string nameEntry(const Page& page) {
   const std::string_view name = page.nameText();
   bool plain = name.size() < Page::kNameBytes;
@@ -40,59 +40,59 @@ std::string nameEntry(const Page& page) {
   return name.empty() ? "" : entry("name", '"' + std::string{name} + '"');
 }
 
-std::string headerEntries(const Page& page, const Page& usual) {
+std::string headerEntries(const Page& page, const Page& empty) {
   std::string text = nameEntry(page);
-  const auto count = [&text](const char* key, std::uint8_t value, std::uint8_t unsaid) {
-    if (value != unsaid) text += entry(key, std::to_string(value));
+  const auto count = [&text](const char* key, std::uint8_t value, std::uint8_t omitted) {
+    if (value != omitted) text += entry(key, std::to_string(value));
   };
-  count("repeat", page.repeat, usual.repeat);
-  count("next", page.next, usual.next);
-  count("exit", page.exit, usual.exit);
-  count("speed", page.speed, usual.speed);
-  if (page.acceleration != usual.acceleration) text += entry("acceleration", secondsText(page.acceleration));
+  count("repeat", page.repeat, empty.repeat);
+  count("next", page.next, empty.next);
+  count("exit", page.exit, empty.exit);
+  count("speed", page.speed, empty.speed);
+  if (page.acceleration != empty.acceleration) text += entry("acceleration", secondsText(page.acceleration));
   if (page.schedule == kSpeedBased)
     text += entry("schedule", "speed");
   else
-    count("schedule", page.schedule, usual.schedule);
-  if (page.rest != usual.rest) text += entry("reserved", hexBytes(page.rest));
+    count("schedule", page.schedule, empty.schedule);
+  if (page.rest != empty.rest) text += entry("reserved", hexBytes(page.rest));
   for (std::size_t id = 0; id < kServos; ++id)
-    if (page.slopes.at(id) != usual.slopes.at(id)) text += entry("gain " + servoText(id), gainText(page.slopes.at(id)));
+    if (page.slopes.at(id) != empty.slopes.at(id)) text += entry("gain " + servoText(id), gainText(page.slopes.at(id)));
   return text;
 }
 
-/// Up to the last step that is played, or holds anything.
-std::size_t columnsOf(const Page& page, const Page& usual) {
+/// Number of columns: up to the last step that is played or not empty.
+std::size_t columnsOf(const Page& page, const Page& empty) {
   std::size_t columns = kSteps;
-  while (columns > page.steps && page.step.at(columns - 1) == usual.step.at(columns - 1)) --columns;
+  while (columns > page.steps && page.step.at(columns - 1) == empty.step.at(columns - 1)) --columns;
   return columns;
 }
 
-bool othersAreUsual(const Step& step, const Step& usual) {
+bool othersAreEmpty(const Step& step, const Step& empty) {
   for (std::size_t id = 0; id < kServos; ++id)
-    if (!isJoint(id) && step.position.at(id) != usual.position.at(id)) return false;
+    if (!isJoint(id) && step.position.at(id) != empty.position.at(id)) return false;
   return true;
 }
 
-/// "keep" in a row for all of them means the usual words, which are not the same everywhere.
-bool othersAreAlike(const Step& step) {
+/// "keep" in the row "others" stands for the words of an empty page, which differ between ids.
+bool othersAreEqual(const Step& step) {
   for (std::size_t id = 0; id < kServos; ++id)
     if (!isJoint(id) && step.position.at(id) != step.position.front()) return false;
   return step.position.front() != kUnusedWord;
 }
 
-/// The places of the file that have no joint: mostly all alike, and then one row says it.
-std::string otherRows(const Page& page, const Page& usual, std::size_t columns) {
-  bool all_usual = true, one_row = true;
+/// Ids without a joint: one row if all words of a step are equal, as is usual.
+std::string otherRows(const Page& page, const Page& empty, std::size_t columns) {
+  bool all_empty = true, one_row = true;
   for (std::size_t i = 0; i < columns; ++i) {
-    const bool as_usual = othersAreUsual(page.step.at(i), usual.step.at(i));
-    all_usual = all_usual && as_usual;
-    one_row = one_row && (as_usual || othersAreAlike(page.step.at(i)));
+    const bool is_empty = othersAreEmpty(page.step.at(i), empty.step.at(i));
+    all_empty = all_empty && is_empty;
+    one_row = one_row && (is_empty || othersAreEqual(page.step.at(i)));
   }
-  if (all_usual) return "";
+  if (all_empty) return "";
   if (one_row)
     return rowOf("others", columns, [&](std::size_t i) {
       const Step& step = page.step.at(i);
-      return othersAreUsual(step, usual.step.at(i)) ? "keep" : angleText(step.position.front());
+      return othersAreEmpty(step, empty.step.at(i)) ? "keep" : angleText(step.position.front());
     });
   std::string text;
   for (std::size_t id = 0; id < kServos; ++id)
@@ -103,7 +103,7 @@ std::string otherRows(const Page& page, const Page& usual, std::size_t columns) 
 
 }  // namespace
 
-Page unmentionedPage(std::size_t number) {
+Page defaultPage(std::size_t number) {
   if (number != 0) return emptyPage();
   Page zeros;
   zeros.repeat = zeros.schedule = zeros.speed = zeros.acceleration = 0;
@@ -112,9 +112,9 @@ Page unmentionedPage(std::size_t number) {
 }
 
 std::string writePage(const Page& page, std::size_t number) {
-  const Page usual = emptyPage();
-  std::string text = "[page " + std::to_string(number) + "]\n" + headerEntries(page, usual);
-  const std::size_t columns = columnsOf(page, usual);
+  const Page empty = emptyPage();
+  std::string text = "[page " + std::to_string(number) + "]\n" + headerEntries(page, empty);
+  const std::size_t columns = columnsOf(page, empty);
   if (columns != page.steps) text += entry("steps", std::to_string(page.steps));
   if (columns == 0) return text;
   const bool timed = page.schedule == kTimeBased;
@@ -124,13 +124,13 @@ std::string writePage(const Page& page, std::size_t number) {
   text += rowOf("pause", columns, [&](std::size_t i) { return secondsText(page.step.at(i).pause); });
   for (std::size_t id = 1; id <= kJoints; ++id)
     text += rowOf(servoText(id), columns, [&](std::size_t i) { return angleText(page.step.at(i).position.at(id)); });
-  return text + otherRows(page, usual, columns);
+  return text + otherRows(page, empty, columns);
 }
 
 std::string writePages(const PageFile& pages) {
   std::string text = std::string{kTextTitle} + "\n";
   for (std::size_t i = 0; i < pages.size(); ++i)
-    if (pages[i] != unmentionedPage(i)) text += "\n" + writePage(pages[i], i);
+    if (pages[i] != defaultPage(i)) text += "\n" + writePage(pages[i], i);
   return text;
 }
 

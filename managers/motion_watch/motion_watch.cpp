@@ -1,4 +1,4 @@
-// Looks at every cycle of a movement.
+// Collects tracking errors, loads, faults and counters over a motion.
 #include "managers/motion_watch/motion_watch.hpp"
 
 #include <cmath>
@@ -30,10 +30,11 @@ void add(std::string& counts, std::uint32_t before, std::uint32_t now, const std
 }  // namespace
 
 void MotionWatch::raise(Peak& peak, double value, double seconds) {
-  if (!std::isnan(value) && !(value <= peak.value)) peak = {value, seconds};  // the first one is against NaN
+  if (!std::isnan(value) && !(value <= peak.value))
+    peak = {value, seconds};  // a NaN peak is replaced by the first value
 }
 
-void MotionWatch::look(const Sensors& sensors, double seconds) {
+void MotionWatch::update(const Sensors& sensors, double seconds) {
   if (!first_) first_ = sensors;
   last_ = sensors;
   faults_ |= sensors.safety.active;
@@ -56,7 +57,7 @@ std::string MotionWatch::jointsText() const {
 }
 
 std::string MotionWatch::faultsText() const {
-  if (!first_) return "no cycle was seen\n";
+  if (!first_) return "no cycle received\n";
   std::string faults, limits, bus;
   for (std::size_t i = 0; i < kFaults; ++i)
     if (faults_[i]) faults += (faults.empty() ? "" : ", ") + std::string{kFaultTable[i].name};

@@ -1,4 +1,4 @@
-// Looks at every cycle of a movement, and says at its end what it did to the robot.
+// Statistics of a motion: peak tracking errors and loads, faults, safety limits, bus errors.
 #pragma once
 
 #include <array>
@@ -12,22 +12,21 @@ namespace darwinop::motion {
 
 class MotionWatch {
  public:
-  /// `seconds` since the movement began. Counters are told as what they have grown by since the first look.
-  void look(const Sensors& sensors, double seconds);
+  /// Call once per cycle; `seconds` since the start of the motion. Counters are relative to the first call.
+  void update(const Sensors& sensors, double seconds);
 
   struct Peak {
-    double value = kUnknown;  // the greatest there was; NaN: never measured
-    double seconds = 0;       // when
+    double value = kUnknown;  // maximum; NaN: never measured
+    double seconds = 0;       // time of the maximum
   };
-  /// rad between goal, after safety, and position; of fresh measurements alone.
+  /// Difference between goal (after safety) and position, rad, of fresh measurements.
   [[nodiscard]] const Peak& error(Joint joint) const { return error_[index(joint)]; }
-  /// Fraction of the greatest torque, 0 to 1.
+  /// Fraction of the maximum torque, 0 to 1.
   [[nodiscard]] const Peak& load(Joint joint) const { return load_[index(joint)]; }
 
-  /// A line a joint: "Neck  1.2 deg at 0.48 s  load 31 % at 0.50 s".
+  /// One line per joint: "Neck  1.2 deg at 0.48 s  load 31 % at 0.50 s".
   [[nodiscard]] std::string jointsText() const;
-  /// Faults that were there, by name; limits of the safety layer that cut goals; what was lost on the bus. One line
-  /// each; "no faults" when there is nothing to tell.
+  /// Active faults by name, safety limits that cut goals, bus errors: one line each; "no faults ..." without any.
   [[nodiscard]] std::string faultsText() const;
 
  private:

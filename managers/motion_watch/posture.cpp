@@ -1,4 +1,4 @@
-// How the body is, by its accelerometer and its knees.
+// Posture from accelerometer and knee angles.
 #include "managers/motion_watch/posture.hpp"
 
 #include <array>
@@ -14,17 +14,17 @@ constexpr double kGravity = 9.80665;          // m/s2
 constexpr double kTilted = 0.70710678;        // cos 45 degrees
 constexpr double kBent = 90 * kRadPerDegree;  // rad; 53 degrees ready to walk, 129 on its knees
 
-/// rad, of the knee that is bent less; NaN: neither is known. The left one bends to negative angles.
+/// Smaller of both knee bends, rad; NaN if both are unknown. The left knee bends to negative angles.
 double kneeBend(const Sensors& sensors) {
   const double right = sensors.joint[index(Joint::kLegLowerR)].position.value;
   const double left = -sensors.joint[index(Joint::kLegLowerL)].position.value;
-  return std::fmin(right, left);  // of a NaN and a number the number
+  return std::fmin(right, left);  // ignores a single NaN
 }
 
 }  // namespace
 
 Posture postureOf(const Sensors& sensors) {
-  const auto& up = sensors.board.accelerometer;  // at rest it points upwards; x to the right, y forwards
+  const auto& up = sensors.board.accelerometer;  // points upwards at rest; x right, y forwards
   const double x = up[0].value, y = up[1].value, z = up[2].value, g = std::hypot(x, y, z);
   if (!(g > 0.5 * kGravity && g < 1.5 * kGravity)) return Posture::kUnknown;
   if (z / g >= kTilted) return kneeBend(sensors) >= kBent ? Posture::kSits : Posture::kStands;
@@ -34,7 +34,7 @@ Posture postureOf(const Sensors& sensors) {
 }
 
 std::string_view textOf(Posture posture) {
-  constexpr std::array<std::string_view, 8> kTexts{"cannot tell how it is: no accelerometer, or it is still moving",
+  constexpr std::array<std::string_view, 8> kTexts{"has an unknown posture: no accelerometer, or it is still moving",
                                                    "stands",
                                                    "sits or kneels",
                                                    "lies on its face",

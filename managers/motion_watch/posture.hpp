@@ -1,4 +1,4 @@
-// How the body is, by its accelerometer and its knees: standing, sitting, lying.
+// Posture from accelerometer and knee angles: standing, sitting, lying.
 #pragma once
 
 #include <string_view>
@@ -9,11 +9,11 @@ namespace darwinop::motion {
 
 enum class Posture : std::uint8_t { kUnknown, kStands, kSits, kOnFace, kOnBack, kOnRight, kOnLeft, kUpsideDown };
 
-/// A robot at rest: the accelerometer shows where up is. Upright with knees bent by 90 degrees or more it sits or
-/// kneels; with unknown knees it is taken for standing. Unknown: no accelerometer, or the robot is being moved.
+/// For a robot at rest. Upright with knees bent by 90 degrees or more: sits or kneels; with unknown knees: stands.
+/// Unknown without an accelerometer or while the robot is moved.
 [[nodiscard]] Posture postureOf(const Sensors& sensors);
 
-/// "stands", "lies on its face": what stands behind "the robot".
+/// Text after "the robot": "stands", "lies on its face".
 [[nodiscard]] std::string_view textOf(Posture posture);
 
 }  // namespace darwinop::motion

@@ -1,4 +1,4 @@
-// Erosion and dilation, a word of 64 pixels at a time.
+// Erosion and dilation of a bit mask, 64 pixels per word.
 #include "managers/vision/bit_rows.hpp"
 
 #include <algorithm>
@@ -15,12 +15,12 @@ using Row = std::span<Word>;
 
 int checkedSide(int side, const char* what) {
   if (side < 1 || side > BitRows::kMaxSide)
-    throw std::invalid_argument(std::string{what} + " of an image is " + std::to_string(side) + " pixels; it is 1 to " +
-                                std::to_string(BitRows::kMaxSide));
+    throw std::invalid_argument(std::string{what} + " of an image is " + std::to_string(side) +
+                                " pixels; must be 1 to " + std::to_string(BitRows::kMaxSide));
   return side;
 }
 
-/// Each pixel of `to`: this one and both its neighbours in the row, combined. Beyond the row's ends there is nothing.
+/// Combines each pixel with both its neighbours in the row; pixels beyond the row count as 0.
 template <class Combine>
 void acrossRow(std::span<const Word> from, Row to, Combine combine) {
   Word before = 0, here = from[0];
@@ -45,7 +45,7 @@ void clearRow(Row row) {
   std::ranges::fill(row, 0);
 }
 
-/// Adds the pixels of a row, run by run: behind a dilation there are at most 16 runs in a word, mostly one.
+/// Adds the pixels of a row, run by run: after a dilation a word has at most 16 runs, mostly one.
 void add(Moments& sum, std::span<const Word> row, unsigned y) {
   std::uint64_t count = 0, twice_x = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -86,12 +86,13 @@ Moments open(BitRows& mask, BitRows& scratch) {
   const int last = mask.height() - 1;
   if (last < 2 || mask.width() < 3) return mask.clear(), sum;  // all border
 
-  // Thinner: across in place, then down into scratch, where rows become thicker across at once. What lies beyond an
-  // end counts as not set, so that the first and last column go by themselves.
+  // Erosion: horizontal in place, then vertical into scratch, with the horizontal dilation of each row. Pixels beyond
+  // the row count as 0, which clears the first and last column.
   for (int y = 0; y <= last; ++y)
     if (const Row row = mask.row(y); !isEmpty(row)) acrossRow(row, row, kAll);
   const std::size_t words = mask.row(0).size();
-  const Word last_columns = ~Word{0} >> (63 - (mask.width() - 1) % 64) >> 1;  // those of the last word but the last
+  const Word last_columns =
+      ~Word{0} >> (63 - (mask.width() - 1) % 64) >> 1;  // all columns of the last word but the last
   clearRow(scratch.row(0));
   clearRow(scratch.row(last));
   for (int y = 1; y < last; ++y) {
@@ -103,7 +104,7 @@ Moments open(BitRows& mask, BitRows& scratch) {
     to.back() &= last_columns;
   }
 
-  // Thicker, downwards.
+  // Vertical dilation.
   clearRow(mask.row(0));
   clearRow(mask.row(last));
   for (int y = 1; y < last; ++y) {

@@ -1,4 +1,4 @@
-// A picture of bits, 64 pixels a word: what is left of a mask when it is made thinner and thick again.
+// Bit mask, 64 pixels per word, with morphological opening.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace darwinop::vision {
 
-/// Rows of words; pixel 0 is bit 0 of a row's first word. Bits behind the last pixel are 0.
+/// Rows of words; pixel 0 is bit 0 of a row's first word. Padding bits are 0.
 class BitRows {
  public:
   /// Throws std::invalid_argument unless both are 1 to kMaxSide.
@@ -24,7 +24,7 @@ class BitRows {
   [[nodiscard]] bool at(int x, int y) const;
   void clear();
 
-  /// So that neither a size in bytes nor a sum of coordinates overflows, on 32 bits either.
+  /// Prevents overflow of sizes in bytes and of coordinate sums, also with 32 bits.
   static constexpr int kMaxSide = 16384;
 
  private:
@@ -35,14 +35,14 @@ class BitRows {
   std::vector<std::uint64_t> words_;
 };
 
-/// Pixels that are set, and the sums of where they are.
+/// Number of set pixels and sums of their coordinates.
 struct Moments {
   std::uint64_t count = 0, x = 0, y = 0;
   bool operator==(const Moments&) const = default;
 };
 
-/// Erosion, then dilation, both by 3x3 and both with the picture's border cleared: what is thinner than three pixels
-/// goes. `scratch` has the same size; both must be two pictures.
+/// Morphological opening: erosion, then dilation, both 3x3 with the border cleared; removes structures thinner than
+/// three pixels. `scratch` must be another mask of the same size.
 Moments open(BitRows& mask, BitRows& scratch);
 
 }  // namespace darwinop::vision

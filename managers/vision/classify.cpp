@@ -1,4 +1,4 @@
-// The filter a pixel at a time, and which of the filters a processor gets.
+// Scalar colour filter, and selection of the filter for the processor.
 #include "managers/vision/classify.hpp"
 
 #include <stdexcept>
@@ -20,7 +20,7 @@ Instructions bestInstructions() {
 }
 
 Classify classifierFor(Instructions instructions) {
-  if (!canUse(instructions)) throw std::invalid_argument("this processor lacks the instructions that were asked for");
+  if (!canUse(instructions)) throw std::invalid_argument("this processor does not support the requested instructions");
   if (instructions == Instructions::kAvx2) return classifyAvx2;
   return instructions == Instructions::kSsse3 ? classifySsse3 : classifyPlain;
 }

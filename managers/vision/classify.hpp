@@ -1,4 +1,4 @@
-// Which pixels of a row have the colour, one bit each: the filter, for each kind of processor.
+// Colour filter: one bit per pixel of a row, with SIMD variants.
 #pragma once
 
 #include <cstdint>
@@ -7,24 +7,22 @@
 
 namespace darwinop::vision {
 
-/// What the processor must be able to do. All give the same bits.
+/// Required instruction set. All variants give the same bits.
 enum class Instructions { kPlain, kSsse3, kAvx2 };
 
-/// The best of this processor.
+/// The fastest variant that this processor supports.
 Instructions bestInstructions();
-/// False: this processor has them not, or this build knows none of them.
+/// False if the processor or this build does not support it.
 bool canUse(Instructions);
 
-/// Reads 4 * width bytes, blue first, and writes (width + 63) / 64 words; pixel 0 is bit 0 of the first. Bits behind
-/// the last pixel are 0.
+/// Reads 4 * width bytes (BGRA) and writes (width + 63) / 64 words; pixel 0 is bit 0 of the first. Padding bits are 0.
 using Classify = void (*)(const ColourTest& test, const std::uint8_t* bgra, int width, std::uint64_t* bits);
 Classify classifierFor(Instructions);
 
 void classifyPlain(const ColourTest&, const std::uint8_t* bgra, int width, std::uint64_t* bits);
-/// Where these are not compiled in, they may not be called.
+/// Call only if compiled in, see the constants below.
 void classifySsse3(const ColourTest&, const std::uint8_t* bgra, int width, std::uint64_t* bits);
 void classifyAvx2(const ColourTest&, const std::uint8_t* bgra, int width, std::uint64_t* bits);
-/// Whether they are.
 extern const bool kHasClassifySsse3;
 extern const bool kHasClassifyAvx2;
 

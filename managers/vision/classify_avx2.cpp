@@ -1,4 +1,4 @@
-// The filter on 32 pixels at a time, for Intel and AMD processors since about 2015.
+// AVX2 colour filter, 32 pixels at a time (Intel and AMD processors since about 2015).
 #include "managers/vision/classify.hpp"
 
 #ifdef __AVX2__
@@ -49,7 +49,7 @@ struct ThirtyTwo {
   static Reg plus16(Reg a, Reg b) { return _mm256_adds_epi16(a, b); }
 
   static bool any(Reg a) { return _mm256_movemask_epi8(a) != 0; }
-  /// Narrowing twice has left groups of four pixels in the order 0 2 4 6 1 3 5 7.
+  /// Two narrowings leave groups of four pixels in the order 0 2 4 6 1 3 5 7.
   static Bits toBits(Reg a) {
     const Reg in_order = _mm256_permutevar8x32_epi32(a, _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7));
     return static_cast<Bits>(_mm256_movemask_epi8(in_order));

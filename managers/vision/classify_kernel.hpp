@@ -1,5 +1,5 @@
-// The filter on a register of pixels at a time. It is read by files that are compiled for newer processors, so it calls
-// nothing that others may call, too: the linker would keep one copy for all.
+// SIMD kernel of the colour filter. Included by files compiled for newer processors, so it must not call shared inline
+// functions: the linker would keep one copy for all.
 #pragma once
 
 #include <string.h>
@@ -10,15 +10,15 @@
 
 namespace darwinop::vision {
 
-/// V: bytes of a register, its pieces of 16 bytes side by side. Its widening and narrowing stay within a piece.
+/// V: register of bytes in lanes of 16; widening and narrowing stay within a lane.
 template <class V>
-class Kernel {
+class ClassifyKernel {
   using Reg = typename V::Reg;
 
  public:
   static constexpr int kPixels = V::kBytes;
 
-  explicit Kernel(const ColourTest& test)
+  explicit ClassifyKernel(const ColourTest& test)
       : first_{V::table(test.minus_first)},
         end_{V::table(test.minus_end)},
         most_{V::all(test.least_most)},
@@ -31,7 +31,7 @@ class Kernel {
   [[nodiscard]] typename V::Bits bits(const std::uint8_t* bgra) const {
     const Reg p0 = V::load(bgra), p1 = V::load(bgra + V::kBytes);
     const Reg p2 = V::load(bgra + 2 * V::kBytes), p3 = V::load(bgra + 3 * V::kBytes);
-    // Even bytes of words of two are blue and red in turn, odd ones green and alpha.
+    // Even bytes of 16-bit words are blue and red alternately, odd bytes green and alpha.
     const Reg br01 = V::narrow(V::even(p0), V::even(p1)), br23 = V::narrow(V::even(p2), V::even(p3));
     const Reg ga01 = V::narrow(V::odd(p0), V::odd(p1)), ga23 = V::narrow(V::odd(p2), V::odd(p3));
     const Reg b = V::narrow(V::even(br01), V::even(br23)), r = V::narrow(V::odd(br01), V::odd(br23));
@@ -44,7 +44,7 @@ class Kernel {
     const Reg order = V::either(V::either(V::both(V::equal(high, r), V::all(1)), V::both(V::notLess(g, b), V::all(2))),
                                 V::both(V::notLess(b, r), V::all(4)));
     const Reg first = V::lookUp(first_, order);
-    // Most pixels of most pictures have the wrong hue or are too dark: where all have, the rest is saved.
+    // Early exit if no pixel has the right hue and value, which is the usual case.
     const Reg may_be = V::both(V::notLess(most, most_), V::either(V::more(first, V::all(-kNever)), outside_));
     const Reg grey = V::both(is_grey, grey_);
     if (!V::any(may_be)) return V::toBits(grey);
@@ -53,13 +53,13 @@ class Kernel {
     const Reg low_bad = bad(V::lower(part, range), V::lower(sixty, first), V::lower(sixty, end), V::lower(most, least));
     const Reg high_bad =
         bad(V::upper(part, range), V::upper(sixty, first), V::upper(sixty, end), V::upper(most, least));
-    // From here on the highest bit of each byte is what counts.
+    // From here on only the highest bit of each byte is significant.
     const Reg good = V::butNot(may_be, V::either(V::narrowSigns(low_bad, high_bad), is_grey));
     return V::toBits(V::either(good, grey));
   }
 
  private:
-  /// Negative in words of two bytes where saturation or hue say no.
+  /// Negative 16-bit words where saturation or hue do not match.
   [[nodiscard]] Reg bad(Reg part_range, Reg sixty_first, Reg sixty_end, Reg most_least) const {
     const Reg before_first = V::products(part_range, sixty_first), before_end = V::products(part_range, sixty_end);
     const Reg hue = V::unlike(V::butNot(V::ones(), V::butNot(before_end, before_first)), outside_);
@@ -72,8 +72,8 @@ class Kernel {
 
 template <class V>
 void classifyWith(const ColourTest& test, const std::uint8_t* bgra, int width, std::uint64_t* bits) {
-  const Kernel<V> kernel{test};
-  constexpr int kPixels = Kernel<V>::kPixels;
+  const ClassifyKernel<V> kernel{test};
+  constexpr int kPixels = ClassifyKernel<V>::kPixels;
   int x = 0;
   for (; x + 64 <= width; x += 64) {
     std::uint64_t word = 0;
@@ -87,7 +87,7 @@ void classifyWith(const ColourTest& test, const std::uint8_t* bgra, int width, s
     const int count = width - x;
     if (count >= kPixels) {
       word |= static_cast<std::uint64_t>(kernel.bits(bgra)) << part;
-    } else {  // nothing is read behind the row: it may be the last one
+    } else {  // must not read beyond the row, which may be the last one
       std::uint8_t rest[4 * kPixels] = {};
       memcpy(rest, bgra, static_cast<unsigned>(4 * count));
       word |= (static_cast<std::uint64_t>(kernel.bits(rest)) & ((std::uint64_t{1} << count) - 1)) << part;

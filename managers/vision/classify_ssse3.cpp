@@ -1,4 +1,4 @@
-// The filter on 16 pixels at a time, for every Intel and AMD processor since 2011 and the robot's Atom.
+// SSSE3 colour filter, 16 pixels at a time (Intel and AMD processors since 2011 and the robot's Atom).
 #include "managers/vision/classify.hpp"
 
 #ifdef __SSSE3__

@@ -1,4 +1,4 @@
-// Which colours count as the ball's: the rule, pixel by pixel. colour_test.hpp decides the same without dividing.
+// Reference definition of the colour filter. colour_test.hpp is equivalent without divisions.
 #pragma once
 
 #include "core/colour_search.hpp"
@@ -8,14 +8,14 @@ namespace darwinop::vision {
 
 using Thresholds = ColourThresholds;
 
-/// Hues between two bounds that do not belong to it; through 0 where low is above high.
+/// Open interval of hues; passes through 0 if low > high.
 struct HueArc {
   long long low, high;  // degrees
 
   constexpr explicit HueArc(const Thresholds& wanted)
       : low{static_cast<long long>(wanted.hue) - wanted.hue_tolerance},
         high{static_cast<long long>(wanted.hue) + wanted.hue_tolerance} {
-    if (high > 360) high -= 360;  // 360 itself stays
+    if (high > 360) high -= 360;  // 360 is kept
     if (low < 0) low += 360;
   }
 
@@ -24,7 +24,8 @@ struct HueArc {
   }
 };
 
-/// Grey's 0xFFFF is hue 15 here. It matters only where both minima are below 0, as grey's other numbers are 0.
+/// The hue 0xFFFF of grey counts as 15. Relevant only if both minima are below 0, because saturation and value of grey
+/// are 0.
 constexpr bool matches(const Hsv& colour, const Thresholds& wanted) {
   const int hue = colour.hue > 360 ? colour.hue % 360 : colour.hue;
   return colour.saturation > wanted.min_saturation && colour.value > wanted.min_value && HueArc{wanted}.contains(hue);

@@ -1,4 +1,4 @@
-// From a picture to a pixel.
+// Finds the centre of a colour in a picture.
 #include "managers/vision/colour_finder.hpp"
 
 namespace darwinop::vision {

@@ -1,4 +1,4 @@
-// Where in a picture the colour is: filter, noise taken away, centre of what is left.
+// Colour detection: filter, morphological opening, centroid.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,21 @@ namespace darwinop::vision {
 using darwinop::PercentLimits;
 using darwinop::Pixel;
 
-/// Takes memory when it is made, and none afterwards. One thread at a time.
+/// Allocates only on construction. Not thread-safe.
 class ColourFinder {
  public:
-  /// Throws std::invalid_argument for sides that are not 1 to BitRows::kMaxSide, and for instructions that this
-  /// processor lacks.
+  /// Throws std::invalid_argument for sides outside 1 to BitRows::kMaxSide and for unsupported instructions.
   ColourFinder(int width, int height, const Thresholds&, PercentLimits = {}, Instructions = bestInstructions());
 
-  /// Mean of all pixels that have the colour and are part of a patch of at least 3x3, cut to whole pixels; they need
-  /// not hang together. Nothing if they are too few, too many or none at all. `bgra` has 4 * width * height bytes; of
-  /// any other number none is read, and nothing is found.
+  /// Centroid of all matching pixels after opening (patches of at least 3x3, not necessarily connected), truncated to
+  /// integers. Empty if they are too few or too many. `bgra`: 4 * width * height bytes; empty for any other size.
   std::optional<Pixel> find(std::span<const std::uint8_t> bgra);
 
-  /// Whether the last find() took this pixel for the colour, also where it then found too few or too many. False
-  /// outside of the picture and before the first find().
+  /// True if this pixel matched in the last find(), regardless of its result. False outside of the picture and before
+  /// the first find().
   [[nodiscard]] bool isDetected(int x, int y) const { return mask_.at(x, y); }
 
-  /// All of isDetected().
+  /// isDetected() of all pixels.
   [[nodiscard]] const BitRows& mask() const { return mask_; }
 
   void setThresholds(const Thresholds& wanted) { test_ = compile(wanted); }

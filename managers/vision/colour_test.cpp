@@ -1,23 +1,23 @@
-// From thresholds to the numbers of a ColourTest.
+// Compiles thresholds to a ColourTest.
 #include "managers/vision/colour_test.hpp"
 
 namespace darwinop::vision {
 
 namespace {
 
-/// An order of R, G and B, as ColourTest counts them, and the hue at t in it: base + sign t.
+/// An order of R, G and B (index as in ColourTest) with its hue at t: base + sign t.
 struct Order {
   int index, base, sign;
 };
 constexpr Order kOrders[] = {{3, 0, 1}, {2, 120, -1}, {6, 120, 1}, {4, 240, -1}, {5, 240, 1}, {1, 360, -1}};
 
-/// The smallest byte whose percentage of 255, cut to a whole number, is above `minimum`; 256 or more: none.
+/// The smallest byte whose truncated percentage of 255 exceeds `minimum`; 256 or more: none.
 int byteAbove(int minimum) {
   const int percent = std::clamp(minimum, -1, 100) + 1;
   return (255 * percent + 99) / 100;
 }
 
-/// Sets the ranges of t whose hues are in the arc (or not, for outside). False when they are no ranges.
+/// Sets the ranges of t whose hues are in the arc (or not in it, for `outside`). False if they are not contiguous.
 bool setRanges(ColourTest& test, const HueArc& arc, bool outside) {
   test.outside = outside;
   for (int i = 0; i < 16; ++i) {
@@ -43,14 +43,14 @@ bool setRanges(ColourTest& test, const HueArc& arc, bool outside) {
 ColourTest compile(const Thresholds& wanted) {
   const HueArc arc{wanted};
   ColourTest test{};
-  // Two pieces in one order leave a gap of less than 60 degrees, which is in one piece in every order.
+  // If the arc has two ranges in one order, its complement is shorter than 60 degrees and contiguous in every order.
   if (!setRanges(test, arc, false)) setRanges(test, arc, true);
   const int most = byteAbove(wanted.min_value), saturation = byteAbove(wanted.min_saturation);
   test.grey = wanted.min_saturation < 0 && wanted.min_value < 0 && arc.contains(kNoHue % 360);
   test.nothing = most > 255 || saturation > 255;
   if (test.nothing) return test;
   test.least_most = static_cast<std::uint8_t>(most);
-  // Two signed bytes hold 254. The missing 1 of "any saturation" changes nothing: least is at most most - 1, and
+  // Two signed bytes hold at most 254. For "any saturation" (255) this is equivalent: least is at most most - 1, and
   // 254 most >= 255 (most - 1) for every byte.
   const int factor = std::min(255 - saturation, 254);
   test.least_factor_low = static_cast<std::uint8_t>(factor / 2);

@@ -1,13 +1,12 @@
-// Thresholds turned into comparisons of products of bytes: the colour filter without a division, exact for every
-// colour.
+// Colour filter without divisions: comparisons of products of bytes, exact for every colour.
 //
-// With most, middle and least the three channels in order, and in front of each of the six orders of R, G, B:
+// With most, middle and least as the sorted channels, for each of the six orders of R, G, B:
 //   saturation  floor(floor(255 (most - least) / most) 100 / 255) >= s  <=>  (255 - S) most >= 255 least,
 //               where S = ceil(255 s / 100)
 //   value       floor(100 most / 255) >= v                              <=>  most >= ceil(255 v / 100)
 //   hue         60 k + t or 60 k - t, with t = floor(60 (middle - least) / (most - least)), 0..60; and
 //               t >= n                                                  <=>  60 (middle - least) >= n (most - least)
-// An arc of hues is a range of t in each order, or all but such a range; so is the arc's rest then.
+// An arc of hues is a range of t in each order, or the complement of such a range.
 #pragma once
 
 #include <algorithm>
@@ -17,26 +16,26 @@
 
 namespace darwinop::vision {
 
-/// Numbers alone and no functions: files read it that are compiled for newer processors, and what they compile must
-/// not be taken by the linker for others.
+/// Plain data without functions: it is included by files compiled for newer processors, whose code must not be shared
+/// by the linker.
 struct ColourTest {
-  // At R>=G | G>=B << 1 | B>=R << 2: the first t that counts and the one behind the last, both negative as they are
-  // factors of a sum. 16 bytes, as a vector register has.
+  // Index R>=G | G>=B << 1 | B>=R << 2: first matching t and one past the last, negated because they are factors of a
+  // sum. 16 bytes for a vector register.
   alignas(16) std::int8_t minus_first[16];
   alignas(16) std::int8_t minus_end[16];
-  std::uint8_t least_most;         // most must not be below it
-  std::uint8_t least_factor_low;   // 255 - S in two halves, so that each is a signed byte
+  std::uint8_t least_most;         // minimum of `most`
+  std::uint8_t least_factor_low;   // 255 - S in two halves, each a signed byte
   std::uint8_t least_factor_high;  //
-  bool outside;                    // hues count that are not in the ranges of t
-  bool grey;                       // greys count
-  bool nothing;                    // no colour at all counts, and no grey
+  bool outside;                    // matches hues outside of the ranges of t
+  bool grey;                       // matches grey
+  bool nothing;                    // matches nothing
 };
 
-inline constexpr int kNever = 61;  // as first t: none of 0..60 counts
+inline constexpr int kNever = 61;  // as first t: matches none of 0..60
 
 ColourTest compile(const Thresholds&);
 
-/// The same as matches(toHsv(r, g, b), thresholds).
+/// Equal to matches(toHsv(r, g, b), thresholds).
 inline bool passes(const ColourTest& test, int r, int g, int b) {
   const int most = std::max({r, g, b}), least = std::min({r, g, b}), range = most - least;
   if (range == 0) return test.grey;

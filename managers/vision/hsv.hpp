@@ -1,4 +1,4 @@
-// A colour as hue, saturation and value, in the whole numbers that the robot's colour filter has always used.
+// RGB to HSV in the integer arithmetic of the robot's original colour filter.
 #pragma once
 
 #include <algorithm>
@@ -6,17 +6,17 @@
 
 namespace darwinop::vision {
 
-/// Grey has no hue; black and white are greys, too.
+/// Hue of grey, including black and white.
 inline constexpr int kNoHue = 0xFFFF;
 
 struct Hsv {
   int hue = kNoHue;    // degrees, 0..359, or kNoHue
   int saturation = 0;  // percent, 0..100
-  int value = 0;       // percent, 0..100; 0 for every grey, white too
+  int value = 0;       // percent, 0..100; 0 for every grey, including white
   bool operator==(const Hsv&) const = default;
 };
 
-/// Every division cuts off what is behind the point, also below zero: 255 0 4 is still hue 0, and 255 0 5 is 359.
+/// Every division truncates towards zero: 255 0 4 has hue 0, 255 0 5 has hue 359.
 constexpr Hsv toHsv(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
   const int r = red, g = green, b = blue;
   const int most = std::max({r, g, b}), least = std::min({r, g, b}), range = most - least;

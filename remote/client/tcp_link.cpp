@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/text/printable.hpp"
-#include "hal/net/resolve.hpp"
+#include "hal/net/names/resolve.hpp"
 #include "remote/client/old_sensors.hpp"
 
 namespace darwinop::remote {

@@ -10,7 +10,7 @@
 namespace darwinop::bench {
 
 // Forwards, to the left and round: no amplitude is zero.
-constexpr gait::Wish kWish{0.5, 0.25, 0.25, false};
+constexpr gait::WalkCommand kWish{0.5, 0.25, 0.25, false};
 
 class OurGait {
  public:
@@ -23,7 +23,7 @@ class OurGait {
 
 class PeersGait {
  public:
-  PeersGait() { gait_.command(gait::kGreatestX * kWish.x, gait::kGreatestY * kWish.y, gait::kGreatestA * kWish.a); }
+  PeersGait() { gait_.command(gait::kMaxX * kWish.x, gait::kMaxY * kWish.y, gait::kMaxA * kWish.a); }
   const PlainGait::Ticks& call() { return gait_.next(); }
 
  private:

@@ -124,7 +124,8 @@ TEST(ServoLimits, NarrowTheLoopsLimitsOnEveryWayToARobot) {
     EXPECT_EQ(opened.safety.range[index(Joint::kPelvR)].low, radFromTicks(1536));
     EXPECT_EQ(opened.safety.range[index(Joint::kPelvR)].high, radFromTicks(row(Joint::kPelvR).high));
     EXPECT_EQ(opened.safety.range[index(Joint::kHead)].low, safety::hardRange(Joint::kHead).low);
-    EXPECT_THAT(opened.warnings, AllOf(HasSubstr("servo 19 Neck"), HasSubstr("servo 9 PelvR"), HasSubstr("both hold")));
+    EXPECT_THAT(opened.warnings,
+                AllOf(HasSubstr("servo 19 Neck"), HasSubstr("servo 9 PelvR"), HasSubstr("intersection applies")));
   }
 }
 

@@ -26,7 +26,7 @@ void requireSound(const PageFile& pages) {
   // One of them: a page may take a minute of ticks.
   for (std::size_t i = 1; i < pages.size(); ++i)
     if (pages[i].canPlay()) {
-      const Rehearsal played = rehearse(pages, static_cast<int>(i), firstPose(pages[i]));
+      const DryRun played = dryRun(pages, static_cast<int>(i), firstPose(pages[i]));
       require(!played.sections.empty() && played.poses.size() < 8000);
       break;
     }

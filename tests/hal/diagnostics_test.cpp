@@ -1,4 +1,4 @@
-// Messages into a pipe that is full, and into one that has no reader.
+// Non-blocking diagnostics with a full pipe and with a closed one.
 #include "hal/diagnostics.hpp"
 
 #include <fcntl.h>
@@ -22,7 +22,7 @@ struct Pipe {
     close(ends[0]);
     close(ends[1]);
   }
-  /// What is in it now.
+  /// The pipe's present content.
   [[nodiscard]] std::string taken() const {
     fcntl(ends[0], F_SETFL, O_NONBLOCK);
     std::string all;
@@ -34,7 +34,7 @@ struct Pipe {
   int ends[2];
 };
 
-TEST(Diagnostics, AFullPipeTakesWhatFitsAndTheRestIsDroppedWithANote) {
+TEST(Diagnostics, AFullPipeDropsTheRestAndReportsIt) {
   const Pipe pipe;
   NeverWaitingBuffer buffer{pipe.ends[1]};
   std::ostream out{&buffer};
@@ -46,13 +46,13 @@ TEST(Diagnostics, AFullPipeTakesWhatFitsAndTheRestIsDroppedWithANote) {
   EXPECT_THAT(later, HasSubstr("fault 40 is over"));
 }
 
-TEST(Diagnostics, APipeWithoutAReaderIsWrittenToInVainAgainAndAgain) {
+TEST(Diagnostics, WritingToAClosedPipeFailsEachTime) {
   std::signal(SIGPIPE, SIG_IGN);
   const Pipe pipe;
   close(pipe.ends[0]);
   NeverWaitingBuffer buffer{pipe.ends[1]};
   std::ostream out{&buffer};
-  for (int i = 0; i < 3; ++i) out << "nobody reads this\n" << std::flush;
+  for (int i = 0; i < 3; ++i) out << "not read\n" << std::flush;
   EXPECT_TRUE(out.good());
 }
 

@@ -1,4 +1,4 @@
-// Memory of a file that somebody shortens while it is mapped.
+// Truncation of a mapped file by another process.
 #include "hal/guarded_mapping.hpp"
 
 #include <fcntl.h>
@@ -71,7 +71,7 @@ TEST_F(ShortenedFile, IsSurvivedByEveryThreadThatUsesIt) {
   for (std::thread& thread : threads) thread.join();
 }
 
-TEST_F(ShortenedFile, DoesNotConcernOtherMappings) {
+TEST_F(ShortenedFile, DoesNotAffectOtherMappings) {
   const GuardedMapping shortened{fd_, kSize, PROT_READ};
   GuardedMapping moved{GuardedMapping{fd_, kSize, PROT_READ}};
   ASSERT_EQ(ftruncate(fd_, 0), 0);
@@ -94,8 +94,8 @@ void raiseBesideGuarded(int fd) {
   _exit(0);
 }
 
-TEST_F(ShortenedFile, ThatNobodyGuardsEndsTheProcessAsEver) {
-  // By the signal, or by the sanitizer that has caught it.
+TEST_F(ShortenedFile, WithoutAGuardEndsTheProcess) {
+  // By the signal, or by the sanitizer that intercepted it.
   EXPECT_DEATH(touchUnguarded(fd_), "");
   EXPECT_DEATH(raiseBesideGuarded(fd_), "");
 }

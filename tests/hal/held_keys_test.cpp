@@ -1,4 +1,4 @@
-// Which keys a controller is told of.
+// Keys as returned to a controller.
 #include "hal/held_keys.hpp"
 
 #include <gmock/gmock.h>
@@ -9,7 +9,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-TEST(HeldKeys, AreToldOnceAStepInTheOrderOfPressing) {
+TEST(HeldKeys, AreReturnedOncePerStepInTheOrderOfPressing) {
   HeldKeys keys;
   keys.press(2, kKeyUp, 0);
   keys.press(1, 'A', 0);
@@ -21,7 +21,7 @@ TEST(HeldKeys, AreToldOnceAStepInTheOrderOfPressing) {
   EXPECT_THAT(keys.take(), IsEmpty());
 }
 
-TEST(HeldKeys, AreToldThoughTheyWentUpBeforeAnyoneAsked) {
+TEST(HeldKeys, AreReturnedEvenIfReleasedBeforeTheNextCall) {
   HeldKeys keys;
   for (int i = 0; i < 3; ++i) {
     keys.press(1, ' ', 0);
@@ -31,7 +31,7 @@ TEST(HeldKeys, AreToldThoughTheyWentUpBeforeAnyoneAsked) {
   EXPECT_THAT(keys.take(), IsEmpty());
 }
 
-TEST(HeldKeys, TakeTheModifiersThatComeAndGo) {
+TEST(HeldKeys, FollowModifierChanges) {
   HeldKeys keys;
   keys.press(1, 'A', kKeyShift);
   EXPECT_THAT(keys.take(), ElementsAre('A' | kKeyShift));
@@ -41,7 +41,7 @@ TEST(HeldKeys, TakeTheModifiersThatComeAndGo) {
   EXPECT_THAT(keys.down(), ElementsAre('A'));
 }
 
-TEST(HeldKeys, HaveTheModifiersTheyWentDownWithThoughThoseWereQuickerUp) {
+TEST(HeldKeys, KeepTheModifiersOfTheirPressEvenIfThoseAreReleasedFirst) {
   HeldKeys keys;
   keys.press(1, 'X', kKeyControl);
   keys.setModifiers(0);
@@ -58,7 +58,7 @@ TEST(HeldKeys, OfOneCodeAreOneKey) {
   EXPECT_THAT(keys.take(), ElementsAre(kKeyEnter));
 }
 
-TEST(HeldKeys, AreAllLetGoTogether) {
+TEST(HeldKeys, AreAllReleasedTogether) {
   HeldKeys keys;
   keys.press(1, kKeyUp, 0);
   keys.press(2, kKeyLeft, 0);

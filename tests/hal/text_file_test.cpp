@@ -47,7 +47,7 @@ TEST_F(TextFile, OneByteTooLongIsRefused) {
   EXPECT_THAT(refusal(written(kLongestTextFile + 1)), HasSubstr("longer than 1048576 bytes"));
 }
 
-TEST_F(TextFile, ThatIsAbsentIsNoError) {
+TEST_F(TextFile, ThatIsAbsentIsNotAnError) {
   EXPECT_FALSE(readTextFile(folder_ / "nothing").has_value());
 }
 

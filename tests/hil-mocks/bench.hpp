@@ -1,4 +1,4 @@
-// A virtual board on a table: send bytes as hex, see what comes back as hex.
+// Test bench for a virtual board: sends bytes as hex and returns replies as hex.
 #pragma once
 
 #include <cstdio>
@@ -35,7 +35,7 @@ inline std::string hexOf(Bytes bytes) {
   return hex;
 }
 
-/// `hex` with its checksum behind it: for frames that no source prints.
+/// `hex` followed by its checksum; for frames without a printed source.
 inline std::string withChecksum(const std::string& hex) {
   const auto bytes = bytesOf(hex);
   unsigned sum = 0;
@@ -58,7 +58,7 @@ struct Bench {
     return options;
   }
 
-  /// Sends now and waits 20 ms, or as long as said.
+  /// Sends now and waits 20 ms by default.
   std::vector<Reply> sendAll(const std::string& hex, Nanos wait = 20ms) {
     board.receive(bytesOf(hex), board.now());
     board.advance(board.now() + wait);

@@ -1,4 +1,4 @@
-// Rules of the bus: who answers, in what order, when, and with which error bits.
+// Bus rules: which device answers, in what order, when, and with which error bits.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"
@@ -16,7 +16,7 @@ std::vector<std::string> ids(const std::vector<Bench::Reply>& replies) {
 }
 using Ids = std::vector<std::string>;
 
-TEST(BulkRead, GoesSilentBehindADeadServo) {
+TEST(BulkRead, EndsAtADeadServo) {
   Bench bench;
   bench.board.setServoDead(Joint::kShoulderL, true);
   EXPECT_EQ(ids(bench.sendAll(withChecksum(kBulkOneTwoThree))), (Ids{"01"}));
@@ -24,12 +24,12 @@ TEST(BulkRead, GoesSilentBehindADeadServo) {
   EXPECT_EQ(ids(bench.sendAll(withChecksum(kBulkOneTwoThree))), (Ids{"01", "02", "03"}));
 }
 
-TEST(BulkRead, GoesSilentBehindAnIdThatNobodyHas) {
+TEST(BulkRead, EndsAtAnUnusedId) {
   Bench bench;
   EXPECT_EQ(ids(bench.sendAll(withChecksum("FF FF FE 0C 92 00 02 01 24 02 63 24 02 C8 1A"))), (Ids{"01"}));
 }
 
-TEST(BulkRead, FollowsTheListNotTheIds) {
+TEST(BulkRead, FollowsTheOrderOfTheList) {
   Bench bench;
   EXPECT_EQ(ids(bench.sendAll(withChecksum("FF FF FE 0C 92 00 02 14 24 01 C8 32 02 01 24"))), (Ids{"14", "C8", "01"}));
 }
@@ -50,14 +50,14 @@ TEST(BulkRead, NeedsStatusLevelOne) {
   EXPECT_EQ(ids(bench.sendAll(withChecksum("FF FF FE 09 92 00 02 01 24 02 03 24"))), (Ids{"01", "03"}));
 }
 
-TEST(BulkRead, RangeErrorStillPassesTheTurnOn) {
+TEST(BulkRead, ARangeErrorDoesNotEndTheChain) {
   Bench bench;
   const auto replies = bench.sendAll(withChecksum("FF FF FE 09 92 00 0A 01 46 02 02 24"));
   ASSERT_EQ(ids(replies), (Ids{"01", "02"}));
   EXPECT_EQ(replies[0].hex, withChecksum("FF FF 01 02 08"));
 }
 
-TEST(WireTime, ReplyEndsWhenRequestAndReplyHavePassedAtTenMicrosecondsAByte) {
+TEST(WireTime, RequestAndReplyTakeTenMicrosecondsPerByte) {
   Bench bench;
   bench.board.advance(1s);
   const auto replies = bench.sendAll("FF FF 01 04 02 24 02 D2");
@@ -101,7 +101,7 @@ TEST(WireTime, UnpacedBoardAnswersAtOnce) {
   EXPECT_EQ(bench.sendAll(withChecksum(kBulkOneTwoThree)).back().at, 0us);
 }
 
-TEST(WireTime, RequestWaitsForTheRepliesBeforeIt) {
+TEST(WireTime, ARequestWaitsForEarlierReplies) {
   Bench bench;
   bench.board.receive(bytesOf(withChecksum(kBulkOneTwoThree)), 0us);
   const auto replies = bench.sendAll("FF FF 01 02 01 FB");
@@ -109,19 +109,19 @@ TEST(WireTime, RequestWaitsForTheRepliesBeforeIt) {
   EXPECT_EQ(replies[3].at, 160us + 240us + 120us);
 }
 
-TEST(Power, ServosAreMuteAndStartAfreshWithoutIt) {
+TEST(Power, ServosAreSilentAndResetWithoutIt) {
   Bench bench;
   bench.send("FF FF 01 05 03 20 10 01 C5");
   EXPECT_EQ(bench.board.servo(Joint::kShoulderR).table().word(32), 0x110);
   bench.send("FF FF C8 04 03 18 00 18");
   EXPECT_EQ(bench.send("FF FF 01 02 01 FB"), "");
-  EXPECT_EQ(bench.send("FF FF C8 02 01 34"), "FF FF C8 02 00 35") << "the board answers all the same";
+  EXPECT_EQ(bench.send("FF FF C8 02 01 34"), "FF FF C8 02 00 35") << "the board still answers";
   bench.send("FF FF C8 04 03 18 01 17");
   EXPECT_EQ(bench.send("FF FF 01 02 01 FB"), "FF FF 01 02 00 FC");
-  EXPECT_EQ(bench.board.servo(Joint::kShoulderR).table().word(32), 0) << "RAM is back at its power-up values";
+  EXPECT_EQ(bench.board.servo(Joint::kShoulderR).table().word(32), 0) << "RAM has its power-up values";
 }
 
-TEST(Power, ServoTakesItsPresentPositionAsGoalWhenItComesOn) {
+TEST(Power, AServoStartsWithItsPresentPositionAsGoal) {
   Bench bench{BoardOptions{}};
   bench.body.place(Joint::kNeck, 0.5);
   bench.send("FF FF C8 04 03 18 01 17");
@@ -129,7 +129,7 @@ TEST(Power, ServoTakesItsPresentPositionAsGoalWhenItComesOn) {
   EXPECT_EQ(bench.board.servo(Joint::kNeck).table().byte(24), 0);
 }
 
-TEST(Power, ServosHearNothingWhileTheyBoot) {
+TEST(Power, ServosReceiveNothingDuringBoot) {
   BoardOptions options;
   options.servo_boot = 200ms;
   Bench bench{options};
@@ -148,7 +148,7 @@ TEST(Power, ResetButtonCutsItAndRestoresTheDefaults) {
   EXPECT_EQ(bench.send("FF FF 01 02 01 FB"), "");
 }
 
-TEST(Errors, WritesThatTouchHalfAWordAreRefusedWhole) {
+TEST(Errors, WritesOfHalfAWordAreRejectedEntirely) {
   Bench bench;
   const std::string range = withChecksum("FF FF C8 02 08");
   EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 03 1B 01")), range) << "starts at a high byte";
@@ -157,25 +157,25 @@ TEST(Errors, WritesThatTouchHalfAWordAreRefusedWhole) {
   EXPECT_EQ(bench.board.device().table().byte(25), 0);
 }
 
-TEST(Errors, RangeIsSaidAndNothingWritten) {
+TEST(Errors, RangeIsReportedAndNothingWritten) {
   Bench bench;
   const std::string range = withChecksum("FF FF C8 02 08");
   EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 03 19 08")), range) << "panel has 3 bits";
   EXPECT_EQ(bench.send(withChecksum("FF FF C8 05 03 1A 00 80")), range) << "bit 15 of a colour";
   EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 03 1E 01")), range) << "buttons are read-only";
-  EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 03 1F 01")), range) << "nothing there";
-  EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 03 60 01")), range) << "behind the table";
-  EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 02 50 02")), range) << "read over the end";
-  EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 02 10 00")), range) << "read of nothing";
+  EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 03 1F 01")), range) << "no register";
+  EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 03 60 01")), range) << "after the table";
+  EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 02 50 02")), range) << "read beyond the end";
+  EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 02 10 00")), range) << "read of length 0";
   EXPECT_EQ(bench.send(withChecksum("FF FF 01 04 02 4A 01")), withChecksum("FF FF 01 02 08")) << "servo ends at 73";
 }
 
-TEST(Errors, BadChecksumIsSaidExceptForPing) {
+TEST(Errors, BadChecksumIsReportedExceptForPing) {
   Bench bench;
   EXPECT_EQ(bench.send("FF FF 01 04 02 24 02 00"), withChecksum("FF FF 01 02 10"));
   EXPECT_EQ(bench.send("FF FF 01 02 01 00"), "");
   EXPECT_EQ(bench.send("FF FF FE 05 03 20 10 01 00"), "") << "never to a broadcast";
-  EXPECT_EQ(bench.board.servo(Joint::kNeck).table().word(32), 0) << "and it has no effect";
+  EXPECT_EQ(bench.board.servo(Joint::kNeck).table().word(32), 0) << "and has no effect";
   EXPECT_EQ(bench.board.counters().bad_checksums, 3u);
 }
 
@@ -195,17 +195,17 @@ TEST(StatusLevel, ZeroAnswersOnlyPing) {
   EXPECT_EQ(bench.send("FF FF 01 04 02 24 02 D2"), "");
   EXPECT_EQ(bench.send(withChecksum("FF FF 02 04 02 02 01")), withChecksum("FF FF 02 03 00 24"));
   EXPECT_EQ(bench.send(withChecksum("FF FF 02 04 03 19 01")), "");
-  EXPECT_EQ(bench.board.servo(Joint::kShoulderL).table().byte(25), 1) << "done, but not answered";
+  EXPECT_EQ(bench.board.servo(Joint::kShoulderL).table().byte(25), 1) << "executed, but not answered";
 }
 
-TEST(StatusBeforeEffect, NewIdAnswersUnderTheOldOne) {
+TEST(StatusBeforeEffect, TheNewIdIsAcknowledgedUnderTheOldOne) {
   Bench bench;
   EXPECT_EQ(bench.send(withChecksum("FF FF 01 04 03 03 1E")), "FF FF 01 02 00 FC");
   EXPECT_EQ(bench.send("FF FF 01 02 01 FB"), "");
   EXPECT_EQ(bench.send(withChecksum("FF FF 1E 02 01")), withChecksum("FF FF 1E 02 00"));
 }
 
-TEST(StatusBeforeEffect, LevelAndDelayOfTheOldSettingHold) {
+TEST(StatusBeforeEffect, LevelAndDelayOfTheOldSettingApply) {
   Bench bench;
   const auto first = bench.sendAll(withChecksum("FF FF 01 04 03 05 FA"));
   ASSERT_EQ(first.size(), 1u);
@@ -225,10 +225,10 @@ TEST(RegisteredWrite, WaitsForAction) {
   EXPECT_EQ(servo.byte(44), 0);
 }
 
-TEST(Reset, BringsAServoToFactoryIdAndBaudAndLeavesTheBoardAlone) {
+TEST(Reset, ResetsAServoToFactoryIdAndBaudButNotTheBoard) {
   Bench bench;
   EXPECT_EQ(bench.send(withChecksum("FF FF 13 02 06")), withChecksum("FF FF 13 02 00"));
-  EXPECT_EQ(bench.send(withChecksum("FF FF 13 02 01")), "") << "it is at 57142 baud now";
+  EXPECT_EQ(bench.send(withChecksum("FF FF 13 02 01")), "") << "now at 57142 baud";
   EXPECT_EQ(bench.board.servo(Joint::kNeck).table().byte(3), 1);
   EXPECT_EQ(bench.board.servo(Joint::kNeck).table().byte(5), 250);
   bench.send("FF FF C8 05 03 1A 1F 02 F4");
@@ -240,22 +240,22 @@ TEST(TwoServosWithOneId, GarbleEachOther) {
   BoardOptions options = Bench::powered();
   options.servo[18] = ServoOptions::factoryFresh(1);
   Bench bench{options};
-  // 1500 = DC 05 and the neck's 2050 = 02 08 at once: dominant bits win, the checksum fits no more.
+  // 1500 = DC 05 and the neck's 2050 = 02 08 at once: dominant bits win and the checksum is wrong.
   EXPECT_EQ(bench.send("FF FF 01 04 02 24 02 D2"), "FF FF 01 04 00 00 00 10");
 }
 
-TEST(Parser, FindsTheFrameBehindGarbage) {
+TEST(Parser, FindsTheFrameAfterGarbage) {
   Bench bench;
   EXPECT_EQ(bench.send("00 12 FF 34 FF FF FF 01 02 01 FB"), "FF FF 01 02 00 FC");
 }
 
-TEST(Parser, ForgetsHalfAFrameAfterATenthOfASecond) {
+TEST(Parser, DropsAPartialFrameAfter100Milliseconds) {
   Bench bench;
   bench.sendAll("FF FF 01 20 03", 200ms);
   EXPECT_EQ(bench.send("FF FF 01 02 01 FB"), "FF FF 01 02 00 FC");
 }
 
-TEST(Parser, SwallowsAsMuchAsAWrongLengthSays) {
+TEST(Parser, ConsumesAsManyBytesAsAWrongLength) {
   Bench bench;
   EXPECT_EQ(bench.send("FF FF 63 0A 03 FF FF 01 02 01 FB"), "");
 }

@@ -1,4 +1,4 @@
-// The table of fault scripts in docs/virtual-robot.md has a row for each kind, and no others.
+// The fault table in docs/virtual-robot.md lists exactly the existing kinds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace darwinop::hil {
 namespace {
 
-/// First cells of the rows of the table with that head, without their backquotes.
+/// First cells of the table with this header, without backquotes.
 std::vector<std::string> firstCells(std::string_view head) {
   std::ifstream page{std::string{DARWINOP_DOCS} + "/virtual-robot.md"};
   std::vector<std::string> cells;
@@ -25,7 +25,7 @@ std::vector<std::string> firstCells(std::string_view head) {
   return cells;
 }
 
-TEST(FaultScriptDocs, TheTableHasEveryKindOnceAndInTheirOrder) {
+TEST(FaultScriptDocs, TheTableListsEveryKindOnceInEnumOrder) {
   const std::vector<std::string> kinds{kFaultKindNames.begin(), kFaultKindNames.end()};
   EXPECT_EQ(firstCells("| Kind | Arguments |"), kinds);
 }

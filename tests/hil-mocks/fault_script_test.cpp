@@ -1,4 +1,4 @@
-// Fault scripts: what they mean, and what a mistake in one says.
+// Fault script parser: meaning and error messages.
 #include "hil-mocks/fault_script.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ Fault one(const std::string& line) {
   return faults.at(0);
 }
 
-std::string complaint(const std::string& text) {
+std::string errorOf(const std::string& text) {
   try {
     static_cast<void>(parseFaultScript(text, "my.faults"));
   } catch (const std::runtime_error& error) {
@@ -61,7 +61,7 @@ TEST(FaultScript, EveryKindHasItsArguments) {
   EXPECT_EQ(one("1 random 2 of dead+stall").kinds.count(), 2u);
 }
 
-TEST(FaultScript, WireFaultHitsOneFrameUnlessChanceOrTimeIsGiven) {
+TEST(FaultScript, AWireFaultAffectsOneFrameUnlessChanceOrTimeIsGiven) {
   EXPECT_EQ(one("1 drop 3").lasts, 0s);
   EXPECT_EQ(one("1 drop 3").way, Way::kReplies);
   EXPECT_EQ(one("1 drop 3 chance 0.5").lasts, Fault::kForEver);
@@ -69,36 +69,36 @@ TEST(FaultScript, WireFaultHitsOneFrameUnlessChanceOrTimeIsGiven) {
   EXPECT_EQ(one("1 corrupt 1 for 4").chance, 1);
 }
 
-TEST(FaultScript, CommentsBlanksAndLineEndsOfWindowsAreFine) {
+TEST(FaultScript, CommentsBlanksAndCrlfAreAccepted) {
   EXPECT_EQ(parseFaultScript("# a comment\n\n \t\n1 reset # why\r\n2\treset", "f").size(), 2u);
   EXPECT_EQ(parseFaultScript("", "f").size(), 0u);
 }
 
-TEST(FaultScript, MistakesNameFileLineFieldAndWhatIsAllowed) {
-  EXPECT_EQ(complaint("1 reset\n1 stall"), "my.faults:2: end of line: 'for SECONDS' is needed");
-  EXPECT_EQ(complaint("x reset"), "my.faults:1: field 'x': seconds from the start is a number from 0 to 1e+06");
-  EXPECT_EQ(complaint("1 reset for 2"), "my.faults:1: field 'for': here may stand nothing");
-  EXPECT_EQ(complaint("1 heat Neck 300"), "my.faults:1: field '300': deg C is a number from 0 to 255");
-  EXPECT_EQ(complaint("1 fallen up"), "my.faults:1: field 'up': allowed are front, back, left, right");
-  EXPECT_EQ(complaint("1 button Mode"), "my.faults:1: field 'Mode': allowed, several joined by '+', are mode, start");
-  EXPECT_EQ(complaint("1 drop 3 chance 2"), "my.faults:1: field '2': a probability is a number from 0 to 1");
-  EXPECT_EQ(complaint("1 drop 3 sometimes"),
-            "my.faults:1: field 'sometimes': here may stand 'for SECONDS', 'chance PROBABILITY', 'replies', "
+TEST(FaultScript, ErrorsNameFileLineFieldAndExpectedValues) {
+  EXPECT_EQ(errorOf("1 reset\n1 stall"), "my.faults:2: end of line: 'for SECONDS' is missing");
+  EXPECT_EQ(errorOf("x reset"), "my.faults:1: field 'x': seconds from the start must be a number from 0 to 1e+06");
+  EXPECT_EQ(errorOf("1 reset for 2"), "my.faults:1: field 'for': expected nothing");
+  EXPECT_EQ(errorOf("1 heat Neck 300"), "my.faults:1: field '300': deg C must be a number from 0 to 255");
+  EXPECT_EQ(errorOf("1 fallen up"), "my.faults:1: field 'up': expected one of: front, back, left, right");
+  EXPECT_EQ(errorOf("1 button Mode"), "my.faults:1: field 'Mode': expected, joined by '+': mode, start");
+  EXPECT_EQ(errorOf("1 drop 3 chance 2"), "my.faults:1: field '2': a probability must be a number from 0 to 1");
+  EXPECT_EQ(errorOf("1 drop 3 sometimes"),
+            "my.faults:1: field 'sometimes': expected 'for SECONDS', 'chance PROBABILITY', 'replies', "
             "'requests', 'both'");
-  EXPECT_EQ(complaint("1 explode").find("my.faults:1: field 'explode': the kinds of faults are dead, errors"), 0u);
-  EXPECT_EQ(complaint("1 dead Nek for 2").find("my.faults:1: field 'Nek for'"), std::string::npos);
-  EXPECT_NE(complaint("1 dead Nek").find("names are ShoulderR, ShoulderL"), std::string::npos);
+  EXPECT_EQ(errorOf("1 explode").find("my.faults:1: field 'explode': fault kinds: dead, errors"), 0u);
+  EXPECT_EQ(errorOf("1 dead Nek for 2").find("my.faults:1: field 'Nek for'"), std::string::npos);
+  EXPECT_NE(errorOf("1 dead Nek").find("names: ShoulderR, ShoulderL"), std::string::npos);
   for (const char* bad : {"1", "nan reset", "inf reset", "-1 reset", "1 heat Neck", "1 heat Neck 1e999", "1 dead",
                           "1 dead Neck+", "1 dead Neck for", "1 dead Neck for 0", "1 random 2 of random", "1 drop 0",
                           "1 errors Neck 32", "1 dead 21", "1 dead 0"})
-    EXPECT_NE(complaint(bad), "none") << bad;
+    EXPECT_NE(errorOf(bad), "none") << bad;
 }
 
-TEST(FaultScript, OneFaultTooManyIsNamedWithItsLine) {
+TEST(FaultScript, TooManyFaultsAreReportedWithTheLine) {
   std::string text;
   for (std::size_t i = 0; i < kMostFaults; ++i) text += "1 reset\n";
   EXPECT_EQ(parseFaultScript(text, "my.faults").size(), kMostFaults);
-  EXPECT_EQ(complaint(text + "1 reset"), "my.faults:100001: field '1': a script has at most 100000 faults");
+  EXPECT_EQ(errorOf(text + "1 reset"), "my.faults:100001: field '1': a script has at most 100000 faults");
 }
 
 }  // namespace

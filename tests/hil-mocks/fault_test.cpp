@@ -1,4 +1,4 @@
-// Faults on a virtual robot.
+// Faults of a virtual robot.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"
@@ -41,12 +41,12 @@ TEST(Faults, DeadServoIsSilentForItsTime) {
   EXPECT_NE(robot.send(kNeckPing), "");
   robot.advance(100ms);
   EXPECT_EQ(robot.send(kNeckPing), "");
-  EXPECT_NE(robot.send("FF FF 01 02 01 FB"), "") << "only the neck";
+  EXPECT_NE(robot.send("FF FF 01 02 01 FB"), "") << "only the neck is dead";
   robot.advance(150ms);
   EXPECT_NE(robot.send(kNeckPing), "");
 }
 
-TEST(Faults, OfAScriptComeInTheOrderOfTheirTimes) {
+TEST(Faults, OfAScriptStartInOrderOfTime) {
   Robot robot;
   std::vector<Fault> faults;
   for (const Nanos at : {30ms, 10ms, 20ms, 10ms, 40ms}) faults.push_back(faultOf(FaultKind::kReset, at, 0ms));
@@ -58,7 +58,7 @@ TEST(Faults, OfAScriptComeInTheOrderOfTheirTimes) {
   }
 }
 
-// When each fault was put into its place by itself, as many took minutes.
+// Guards against insertion in quadratic time, which took minutes.
 TEST(Faults, AScriptMayHaveAHundredThousand) {
   Robot robot;
   std::vector<Fault> faults;
@@ -68,7 +68,7 @@ TEST(Faults, AScriptMayHaveAHundredThousand) {
   EXPECT_EQ(robot.faults().begun(), 0);
 }
 
-TEST(Faults, AServoThatLostItsSupplyTakesItsTimeToStart) {
+TEST(Faults, AServoBootsAfterASupplyLoss) {
   Robot robot;
   Fault dead = faultOf(FaultKind::kDead, 10ms, 30ms);
   dead.joints.set(index(Joint::kNeck));
@@ -80,7 +80,7 @@ TEST(Faults, AServoThatLostItsSupplyTakesItsTimeToStart) {
   EXPECT_NE(robot.send(kNeckPing), "");
 }
 
-TEST(Faults, AStuckJointShutsItsServoOffAgainAndAgain) {
+TEST(Faults, ABlockedJointShutsItsServoDownRepeatedly) {
   Robot robot;
   const auto neck = [&] { return robot.board().servo(Joint::kNeck).state(); };
   Fault jam = faultOf(FaultKind::kJam, 0ms, Fault::kForEver);
@@ -99,7 +99,7 @@ TEST(Faults, AStuckJointShutsItsServoOffAgainAndAgain) {
   }
 }
 
-TEST(Faults, MissedBulkReadsAreAnsweredByNobody) {
+TEST(Faults, MissedBulkReadsGetNoReply) {
   Robot robot;
   const std::string read = withChecksum("FF FF FE 06 92 00 01 C8 03");
   Fault miss = faultOf(FaultKind::kMiss, 0ms, 0ms);
@@ -111,7 +111,7 @@ TEST(Faults, MissedBulkReadsAreAnsweredByNobody) {
   EXPECT_NE(robot.send(read), "");
 }
 
-TEST(Faults, ABabblingServoSendsWhatNobodyAskedFor) {
+TEST(Faults, ABabblingServoSendsUnsolicitedBytes) {
   Robot robot;
   Fault babble = faultOf(FaultKind::kBabble, 10ms, 100ms);
   babble.amount = 8;
@@ -131,7 +131,7 @@ TEST(Faults, TwoDevicesWithOneIdGarbleTheirAnswer) {
   EXPECT_NE(robot.send(read), alone);
 }
 
-TEST(Faults, TwoThatOverlapEndTogetherWithTheLater) {
+TEST(Faults, OverlappingFaultsEndWithTheLaterOne) {
   Robot robot;
   for (const Nanos at : {10ms, 20ms}) {
     Fault dead = faultOf(FaultKind::kDead, at, 50ms);
@@ -144,7 +144,7 @@ TEST(Faults, TwoThatOverlapEndTogetherWithTheLater) {
   EXPECT_NE(robot.send(kNeckPing), "");
 }
 
-TEST(Faults, TemperatureRampsAndGoesBack) {
+TEST(Faults, TemperatureRampsAndReturns) {
   Robot robot;
   Fault heat = faultOf(FaultKind::kHeat, 0ms, 3s);
   heat.joints.set(index(Joint::kNeck));
@@ -152,7 +152,7 @@ TEST(Faults, TemperatureRampsAndGoesBack) {
   heat.over = 2s;
   robot.faults().add(heat);
   robot.advance(1s);
-  EXPECT_EQ(robot.readServo("13", "2B"), withChecksum("FF FF 13 03 00 32")) << "50 deg C half way";
+  EXPECT_EQ(robot.readServo("13", "2B"), withChecksum("FF FF 13 03 00 32")) << "50 deg C halfway";
   robot.advance(2s);
   EXPECT_EQ(robot.readServo("13", "2B"), withChecksum("FF FF 13 03 00 46"));
   robot.advance(3s);
@@ -222,7 +222,7 @@ TEST(Faults, ClearEndsAllOfThem) {
   EXPECT_NE(robot.send(kNeckPing), "");
 }
 
-TEST(WireFaults, OneShotSpoilsOneFrameOnly) {
+TEST(WireFaults, OneShotAffectsOneFrameOnly) {
   Robot robot;
   Fault drop = faultOf(FaultKind::kDrop, 0ms, 0ms);
   drop.amount = 1;
@@ -231,7 +231,7 @@ TEST(WireFaults, OneShotSpoilsOneFrameOnly) {
   EXPECT_EQ(robot.send(kNeckPing), "FF FF 13 02 00 EA");
 }
 
-TEST(WireFaults, RequestsAreSpoiledOnTheirWay) {
+TEST(WireFaults, RequestsCanBeCorrupted) {
   Robot robot;
   Fault corrupt = faultOf(FaultKind::kRepeatFrame, 0ms, 1s);
   corrupt.way = Way::kRequests;
@@ -240,7 +240,7 @@ TEST(WireFaults, RequestsAreSpoiledOnTheirWay) {
   EXPECT_EQ(robot.send(kNeckPing), "FF FF 13 02 00 EA | FF FF 13 02 00 EA");
 }
 
-TEST(WireFaults, DelayedFrameHoldsUpThoseBehindIt) {
+TEST(WireFaults, ADelayedFrameDelaysLaterOnes) {
   Robot robot;
   Fault delay = faultOf(FaultKind::kDelay, 0ms, 0ms);
   delay.amount = 3;
@@ -255,7 +255,7 @@ TEST(WireFaults, DelayedFrameHoldsUpThoseBehindIt) {
   EXPECT_EQ(robot.output().front().at, 1ms + 120us + 3ms);
 }
 
-TEST(WireFaults, ChanceIsAboutWhatItSays) {
+TEST(WireFaults, ChanceMatchesItsRate) {
   Robot robot;
   Fault corrupt = faultOf(FaultKind::kCorrupt, 0ms, Fault::kForEver);
   corrupt.amount = 1;
@@ -267,7 +267,7 @@ TEST(WireFaults, ChanceIsAboutWhatItSays) {
   EXPECT_NEAR(spoiled, 250, 50);
 }
 
-TEST(WireFaults, EachKindChangesTheFrameAsItsNameSays) {
+TEST(WireFaults, EachKindChangesTheFrameAsNamed) {
   const auto frame = bytesOf("FF FF 13 02 00 EA");
   Random random{5};
   const auto spoiled_by = [&](FaultKind kind, double amount) {
@@ -287,7 +287,7 @@ TEST(WireFaults, EachKindChangesTheFrameAsItsNameSays) {
   EXPECT_NE(hexOf(spoiled_by(FaultKind::kCorrupt, 1).bytes()), hexOf(frame));
 }
 
-TEST(RandomFaults, ComeAtTheirRateAndOnlyOfTheKindsAllowed) {
+TEST(RandomFaults, OccurAtTheGivenRateAndOfTheGivenKinds) {
   Robot robot;
   Fault random = faultOf(FaultKind::kRandom, 0ms, 100s);
   random.amount = 5;
@@ -299,7 +299,7 @@ TEST(RandomFaults, ComeAtTheirRateAndOnlyOfTheKindsAllowed) {
   EXPECT_NE(robot.send(kNeckPing), "");
   EXPECT_TRUE(robot.portOpen());
   robot.advance(110s);
-  EXPECT_EQ(robot.faults().active(), 0u) << "all over a while after the last";
+  EXPECT_EQ(robot.faults().active(), 0u) << "all have ended";
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// The virtual board against frames printed by other sources, byte for byte: a mistake that encoder and board
-// share cannot hide here.
+// Virtual board against frames printed by other sources, byte for byte: detects errors that encoder and board share.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"
@@ -26,7 +25,7 @@ TEST(GoldenFrames, PowerOnAndOffAreAnsweredByTheBoard) {
   EXPECT_FALSE(bench.board.device().servoPower());
 }
 
-TEST(GoldenFrames, LedFramesOfTheWrapperAreTaken) {
+TEST(GoldenFrames, LedFramesOfTheWrapperAreAccepted) {
   Bench bench;
   const char* ok = "FF FF C8 02 00 35";
   EXPECT_EQ(bench.send("FF FF C8 05 03 1A 1F 02 F4"), ok);
@@ -50,7 +49,7 @@ TEST(GoldenFrames, PresentPositionOfServoOneIsItsStartPose) {
   EXPECT_EQ(bench.send("FF FF 01 04 02 24 02 D2"), "FF FF 01 04 00 DC 05 19");
 }
 
-TEST(GoldenFrames, TorqueOffByTheTwoByteWriteAlsoTurnsTheLedOff) {
+TEST(GoldenFrames, TorqueOffByATwoByteWriteAlsoSwitchesTheLedOff) {
   Bench bench;
   EXPECT_EQ(bench.send("FF FF 01 05 03 18 01 01 DC"), "FF FF 01 02 00 FC");
   EXPECT_EQ(bench.send("FF FF 01 05 03 18 00 00 DE"), "FF FF 01 02 00 FC");
@@ -58,7 +57,7 @@ TEST(GoldenFrames, TorqueOffByTheTwoByteWriteAlsoTurnsTheLedOff) {
   EXPECT_EQ(bench.board.servo(Joint::kShoulderR).table().byte(25), 0);
 }
 
-TEST(GoldenFrames, BroadcastMovingSpeedReachesEveryServoWithoutAnAnswer) {
+TEST(GoldenFrames, ABroadcastOfMovingSpeedReachesEveryServoWithoutReply) {
   Bench bench;
   EXPECT_EQ(bench.send("FF FF FE 05 03 20 10 01 C8"), "");
   EXPECT_EQ(bench.board.servo(Joint::kNeck).table().word(32), 0x110);
@@ -67,7 +66,7 @@ TEST(GoldenFrames, BroadcastMovingSpeedReachesEveryServoWithoutAnAnswer) {
     EXPECT_EQ(bench.board.servo(*findJoint(row.name)).table().word(32), 0) << row.name;
 }
 
-TEST(GoldenFrames, StepSyncWriteOf2013SetsTheNeckAndNobodyElse) {
+TEST(GoldenFrames, StepSyncWriteOf2013SetsTheNeckOnly) {
   Bench bench;
   EXPECT_EQ(bench.send("FF FF FE 0D 83 1C 08 13 20 00 02 08 FF 03 FF 03 0C"), "");
   const ControlTable& neck = bench.board.servo(Joint::kNeck).table();
@@ -75,11 +74,11 @@ TEST(GoldenFrames, StepSyncWriteOf2013SetsTheNeckAndNobodyElse) {
   EXPECT_EQ(neck.word(30), 2050);
   EXPECT_EQ(neck.word(32), 1023);
   EXPECT_EQ(neck.word(34), 1023);
-  EXPECT_EQ(neck.byte(24), 1) << "a goal write switches torque on by itself";
+  EXPECT_EQ(neck.byte(24), 1) << "a goal write enables torque";
   EXPECT_EQ(bench.board.servo(Joint::kHead).table().byte(24), 0);
 }
 
-TEST(GoldenFrames, EmptySyncWriteIsTakenInSilence) {
+TEST(GoldenFrames, AnEmptySyncWriteIsAccepted) {
   Bench bench;
   EXPECT_EQ(bench.send("FF FF FE 04 83 1C 08 56"), "");
   EXPECT_EQ(bench.board.counters().sync_writes, 1u);

@@ -1,4 +1,4 @@
-// The in-memory line: its clock, its repeatability, its faults.
+// In-memory line: clock, determinism, faults.
 #include "hil-mocks/memory_line.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ struct Session {
   explicit Session(std::uint64_t seed = 1) : robot{Bench::powered(), seed}, line{robot} {}
 
   LineStatus send(const std::string& hex) { return line.write(bytesOf(hex)); }
-  /// What one read() brings within 10 ms, or "timeout" or "lost".
+  /// Result of one read() within 10 ms, or "timeout" or "lost".
   std::string read(Nanos wait = 10ms) {
     std::array<std::uint8_t, 600> into;
     std::size_t count = 0;
@@ -29,7 +29,7 @@ struct Session {
 constexpr const char* kPing = "FF FF 01 02 01 FB";
 constexpr const char* kPong = "FF FF 01 02 00 FC";
 
-TEST(MemoryLine, ReadJumpsToTheReplyAndNoFurther) {
+TEST(MemoryLine, ReadAdvancesToTheReplyAndNoFurther) {
   Session s;
   s.line.advanceTo(1s);
   EXPECT_EQ(s.send(kPing), LineStatus::kOk);
@@ -44,7 +44,7 @@ TEST(MemoryLine, ReadWithoutReplyTakesUntilTheDeadline) {
   EXPECT_EQ(s.line.now(), 3ms);
 }
 
-TEST(MemoryLine, ReplyThatIsNotFinishedAtTheDeadlineWaitsForTheNextRead) {
+TEST(MemoryLine, AReplyUnfinishedAtTheDeadlineIsReturnedByTheNextRead) {
   Session s;
   s.send(kPing);
   EXPECT_EQ(s.read(119us), "timeout");
@@ -52,7 +52,7 @@ TEST(MemoryLine, ReplyThatIsNotFinishedAtTheDeadlineWaitsForTheNextRead) {
   EXPECT_EQ(s.read(1us), kPong);
 }
 
-TEST(MemoryLine, BringsOneStatusFrameARead) {
+TEST(MemoryLine, ReturnsOneStatusFramePerRead) {
   Session s;
   s.send(withChecksum("FF FF FE 09 92 00 01 01 2A 01 02 2A"));
   EXPECT_EQ(s.read(), "FF FF 01 03 00 76 85");
@@ -71,7 +71,7 @@ TEST(MemoryLine, SmallBufferGetsTheRestNextTime) {
   EXPECT_EQ(hexOf(Bytes{into}.first(count)), "00 FC");
 }
 
-TEST(MemoryLine, DiscardForgetsWhatHasComeOnly) {
+TEST(MemoryLine, DiscardDropsReceivedBytesOnly) {
   Session s;
   s.send(kPing);
   s.send("FF FF C8 02 01 34");
@@ -80,7 +80,7 @@ TEST(MemoryLine, DiscardForgetsWhatHasComeOnly) {
   EXPECT_EQ(s.read(), "FF FF C8 02 00 35");
 }
 
-TEST(MemoryLine, UnpluggedItIsLostAndComesBackByItself) {
+TEST(MemoryLine, ReconnectsAfterUnplugging) {
   Session s;
   Fault unplug;
   unplug.kind = FaultKind::kUnplug;
@@ -107,7 +107,7 @@ struct Listener : WireObserver {
   }
 };
 
-TEST(MemoryLine, ObserverAndCountersSeeBothWays) {
+TEST(MemoryLine, ObserverAndCountersCoverBothDirections) {
   Session s;
   Listener listener;
   s.line.observe(&listener);
@@ -146,7 +146,7 @@ TEST(MemoryLine, RunsRepeatBitForBitEvenUnderRandomFaults) {
   EXPECT_NE(first, record(8));
 }
 
-TEST(MemoryLine, ResultDoesNotDependOnHowTimeIsCutIntoPieces) {
+TEST(MemoryLine, ResultDoesNotDependOnTheStepSize) {
   Session whole, pieces;
   for (Session* s : {&whole, &pieces}) s->send(withChecksum("FF FF FE 09 83 1E 04 13 00 09 40 00"));
   whole.line.advanceTo(200ms);

@@ -37,7 +37,7 @@ TEST(PlainBody, StartsInTheStartPoseUprightAndAtRest) {
   EXPECT_DOUBLE_EQ(body.state().accel_m_s2[2], 9.80665);
 }
 
-TEST(PlainBody, EveryJointReachesItsGoalWithinATickButNotAllAlike) {
+TEST(PlainBody, EveryJointReachesItsGoalWithinATickWithIndividualOffsets) {
   PlainBody body;
   run(body, allTo(0.5), 3s);
   int exact = 0;
@@ -57,10 +57,10 @@ TEST(PlainBody, KeepsTheSpeedLimit) {
     for (const JointMotion& joint : body.state().joint) fastest = std::max(fastest, std::abs(joint.velocity_rad_s));
   }
   EXPECT_LE(fastest, limit * 1.001);
-  EXPECT_GE(fastest, limit * 0.95) << "and uses it";
+  EXPECT_GE(fastest, limit * 0.95) << "and reaches it";
 }
 
-TEST(PlainBody, IsNeverFasterThanTheMotorTurnsWithoutLoad) {
+TEST(PlainBody, IsNeverFasterThanTheNoLoadSpeed) {
   PlainBody body;
   body.place(Joint::kNeck, -3);
   double fastest = 0;
@@ -80,14 +80,14 @@ TEST(PlainBody, LimpJointCoastsToRest) {
   ASSERT_GT(velocity, 1);
   run(body, Drives{}, 100ms);
   EXPECT_LT(neck(body).velocity_rad_s, velocity);
-  EXPECT_GT(neck(body).velocity_rad_s, 0.5 * velocity) << "it coasts";
+  EXPECT_GT(neck(body).velocity_rad_s, 0.5 * velocity) << "coasting";
   EXPECT_GT(neck(body).position_rad, position + 0.05);
   EXPECT_EQ(neck(body).load, 0);
   run(body, Drives{}, 10s);
   EXPECT_NEAR(neck(body).velocity_rad_s, 0, 1e-6);
 }
 
-TEST(PlainBody, TorqueComingOnMovesFromWhereTheJointIsAtTheSpeedLimit) {
+TEST(PlainBody, TorqueEnableStartsAtThePresentPositionWithTheSpeedLimit) {
   PlainBody body;
   body.place(Joint::kNeck, 0);
   run(body, allTo(1.5), 100ms);
@@ -106,7 +106,7 @@ TEST(PlainBody, WithoutTorqueLimitItDoesNotMove) {
   EXPECT_EQ(neck(body).position_rad, before);
 }
 
-TEST(PlainBody, LoadHasTheSignOfThePush) {
+TEST(PlainBody, LoadHasTheSignOfTheTorque) {
   PlainBody body;
   body.place(Joint::kNeck, 0);
   run(body, allTo(1.0), 10ms);

@@ -1,4 +1,4 @@
-// The virtual robot on a real pseudo terminal, in real time.
+// Virtual robot on a real pseudo terminal, in real time.
 #include "hil-mocks/pty_host.hpp"
 
 #include <fcntl.h>
@@ -18,13 +18,13 @@ Nanos clockNow() {
   return std::chrono::steady_clock::now().time_since_epoch();
 }
 
-/// What a program does that has the port open.
+/// Client with the port open.
 struct Client {
   explicit Client(const std::string& path) : fd{open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK)} {}
   ~Client() { close(fd); }
 
   void send(Bytes bytes) { ASSERT_EQ(write(fd, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size())); }
-  /// Waits for so many bytes, a second at most.
+  /// Waits for this many bytes, at most one second.
   std::vector<std::uint8_t> receive(std::size_t count) {
     std::vector<std::uint8_t> all;
     const Nanos end = clockNow() + 1s;
@@ -52,7 +52,7 @@ std::string linkPath() {
   return testing::TempDir() + "darwinop-port-" + std::to_string(getpid());
 }
 
-TEST(PtyHost, AnswersAClientAndTheOneAfterIt) {
+TEST(PtyHost, AnswersSuccessiveClients) {
   VirtualRobot robot{Bench::powered()};
   PtyHost host{robot};
   for (int i = 0; i < 3; ++i) {
@@ -102,7 +102,7 @@ Nanos medianCycle(const BoardOptions& options, int cycles) {
 
 TEST(PtyHost, PacedCycleIsNeverFasterThanTheWireAndLittleSlower) {
   Nanos median = 1s;
-  for (int attempt = 0; attempt < 5 && median > 5340us * 11 / 10; ++attempt) {  // others may load the machine
+  for (int attempt = 0; attempt < 5 && median > 5340us * 11 / 10; ++attempt) {  // tolerates load by other programs
     median = medianCycle(Bench::powered(), 100);
     std::printf("median %.3f ms, wire 5.340 ms\n", static_cast<double>(median.count()) / 1e6);
     EXPECT_GE(median, 5340us);
@@ -116,7 +116,7 @@ TEST(PtyHost, FastCycleIsMuchFasterThanTheWire) {
   EXPECT_LE(medianCycle(options, 50), 2ms);
 }
 
-TEST(PtyHost, LatencyTimerHoldsAShortReplyBack) {
+TEST(PtyHost, TheLatencyTimerDelaysAShortReply) {
   VirtualRobot robot{Bench::powered()};
   PtyHost host{robot, {"", 16ms}};
   Client client{host.path()};
@@ -125,7 +125,7 @@ TEST(PtyHost, LatencyTimerHoldsAShortReplyBack) {
   EXPECT_GE(clockNow() - start, 16ms);
 }
 
-TEST(PtyHost, LinkPointsToThePortAndGoesWithIt) {
+TEST(PtyHost, TheLinkPointsToThePortAndIsRemovedWithIt) {
   const std::string link = linkPath();
   {
     VirtualRobot robot{Bench::powered()};
@@ -148,7 +148,7 @@ TEST(PtyHost, LinkNeverReplacesAFile) {
   unlink(file.c_str());
 }
 
-TEST(PtyHost, UnplugHangsTheClientUpAndTheLinkLeadsToTheNewPort) {
+TEST(PtyHost, UnplugHangsUpTheClientAndTheLinkPointsToTheNewPort) {
   const std::string link = linkPath();
   VirtualRobot robot{Bench::powered()};
   PtyHost host{robot, {link}};
@@ -172,7 +172,7 @@ TEST(PtyHost, UnplugHangsTheClientUpAndTheLinkLeadsToTheNewPort) {
   EXPECT_EQ(host.withRobot([](VirtualRobot& r) { return r.replugs(); }), 1u);
 }
 
-TEST(PtyHost, DoesWhatItIsAskedForInItsOwnThreadBeforeTheCallerGoesOn) {
+TEST(PtyHost, RunsAnActionInItsOwnThreadBeforeReturning) {
   VirtualRobot robot{Bench::powered()};
   PtyHost host{robot, {linkPath()}};
   for (int i = 0; i < 20; ++i) {

@@ -1,4 +1,4 @@
-// The scripted line plays its script and reports every departure from it.
+// Scripted line: replay, and reporting of every deviation.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -12,10 +12,10 @@ namespace {
 const auto kPingBytes = bytesOf("FF FF 01 02 01 FB");
 const auto kPongBytes = bytesOf("FF FF 01 02 00 FC");
 
-struct Complaints {
-  std::vector<std::string> said;
+struct Failures {
+  std::vector<std::string> messages;
   ScriptFailure collect() {
-    return [this](const std::string& what) { said.push_back(what); };
+    return [this](const std::string& what) { messages.push_back(what); };
   }
 };
 
@@ -27,7 +27,7 @@ std::string read(ScriptedLine& line, Nanos deadline) {
   return status == LineStatus::kLost ? "lost" : "timeout";
 }
 
-TEST(ScriptedLine, PlaysItsScriptOnItsClock) {
+TEST(ScriptedLine, ReplaysItsScriptOnItsClock) {
   ScriptedLine line;
   line.expect(kPingBytes).answer(kPongBytes, 120us).silence().lose().expect(kPingBytes);
   line.advanceTo(1ms);
@@ -42,7 +42,7 @@ TEST(ScriptedLine, PlaysItsScriptOnItsClock) {
   EXPECT_TRUE(line.finished());
 }
 
-TEST(ScriptedLine, AnswerThatIsTooLateWaits) {
+TEST(ScriptedLine, ALateReplyIsReturnedLater) {
   ScriptedLine line;
   line.expect(kPingBytes).answer(kPongBytes, 3ms);
   EXPECT_EQ(line.write(kPingBytes), LineStatus::kOk);
@@ -51,7 +51,7 @@ TEST(ScriptedLine, AnswerThatIsTooLateWaits) {
   EXPECT_EQ(line.now(), 3ms);
 }
 
-TEST(ScriptedLine, DiscardTakesAnswersThatAreDue) {
+TEST(ScriptedLine, DiscardDropsDueReplies) {
   ScriptedLine line;
   line.expect(kPingBytes).answer(kPongBytes).expect(kPingBytes);
   line.write(kPingBytes);
@@ -59,17 +59,17 @@ TEST(ScriptedLine, DiscardTakesAnswersThatAreDue) {
   line.write(kPingBytes);
 }
 
-TEST(ScriptedLine, ComplainsAboutWrongUnexpectedAndMissingWritesAndUnreadAnswers) {
-  Complaints complaints;
+TEST(ScriptedLine, ReportsWrongUnexpectedAndMissingWritesAndUnreadReplies) {
+  Failures failures;
   {
-    ScriptedLine line{complaints.collect()};
+    ScriptedLine line{failures.collect()};
     line.expect(kPingBytes).answer(kPongBytes).expect(kPingBytes);
     line.write(kPongBytes);
     line.write(kPingBytes);
   }
-  EXPECT_EQ(complaints.said,
+  EXPECT_EQ(failures.messages,
             (std::vector<std::string>{"expected FF FF 01 02 01 FB, but FF FF 01 02 00 FC was written",
-                                      "nobody expected a write now, but FF FF 01 02 01 FB was written",
+                                      "unexpected write of FF FF 01 02 01 FB",
                                       "2 steps were not reached; the first is the reading of FF FF 01 02 00 FC"}));
 }
 

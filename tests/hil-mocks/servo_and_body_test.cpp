@@ -1,4 +1,4 @@
-// What a virtual servo takes over from a body that knows more than where its joints are.
+// Values that a virtual servo takes from a body with electrical and thermal state.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,30 +15,30 @@ const std::string kNeckGoal = withChecksum("FF FF 13 05 03 1E 60 09");
 const std::string kNeckPingText = withChecksum("FF FF 13 02 01");
 const std::string kNeckFullTorque = withChecksum("FF FF 13 05 03 22 FF 03");
 
-/// Says what it is told to say of its neck, and remembers what it was driven with.
-class TalkingBody final : public Body {
+/// Reports the given state of its neck and records the drive command.
+class FakeBody final : public Body {
  public:
   void step(Nanos, const Drives& drives) noexcept override { drives_ = drives; }
   [[nodiscard]] const BodyState& state() const noexcept override { return state_; }
-  [[nodiscard]] const char* trouble() const noexcept override { return trouble_; }
-  void end(const char* why) { trouble_ = why; }
+  [[nodiscard]] const char* trouble() const noexcept override { return error_; }
+  void end(const char* why) { error_ = why; }
   [[nodiscard]] JointMotion& neck() { return state_.joint[index(Joint::kNeck)]; }
   [[nodiscard]] const ServoDrive& drive() const { return drives_[index(Joint::kNeck)]; }
 
  private:
   BodyState state_;
   Drives drives_;
-  const char* trouble_ = nullptr;
+  const char* error_ = nullptr;
 };
 
 class ServoOnABody : public ::testing::Test {
  protected:
   ServoOnABody() {
-    auto made = std::make_unique<TalkingBody>();
+    auto made = std::make_unique<FakeBody>();
     body = made.get();
     robot = std::make_unique<VirtualRobot>(Bench::powered(), 1, std::move(made));
   }
-  /// What comes back within 20 ms.
+  /// Reply within 20 ms.
   std::string send(const std::string& hex) {
     robot->receive(bytesOf(hex), robot->now());
     wait(20ms);
@@ -49,11 +49,11 @@ class ServoOnABody : public ::testing::Test {
   void wait(Nanos time) { robot->advance(robot->now() + time); }
   [[nodiscard]] const ControlTable& neck() const { return robot->board().servo(Joint::kNeck).table(); }
 
-  TalkingBody* body = nullptr;
+  FakeBody* body = nullptr;
   std::unique_ptr<VirtualRobot> robot;
 };
 
-TEST_F(ServoOnABody, ShowsTheBodysTemperatureAndSupply) {
+TEST_F(ServoOnABody, ReportsTheBodysTemperatureAndSupply) {
   body->neck().temperature_c = 47.4;
   body->neck().supply_v = 11.24;
   wait(10ms);
@@ -61,7 +61,7 @@ TEST_F(ServoOnABody, ShowsTheBodysTemperatureAndSupply) {
   EXPECT_EQ(neck().byte(kVoltage), 112);
 }
 
-TEST_F(ServoOnABody, ShowsTheBoardsSettingsOfABodyThatDoesNotSay) {
+TEST_F(ServoOnABody, UsesTheBoardsSettingsWithoutValuesOfTheBody) {
   wait(10ms);
   EXPECT_EQ(neck().byte(kTemperature), 30);
   EXPECT_EQ(neck().byte(kVoltage), 118);
@@ -81,7 +81,7 @@ TEST_F(ServoOnABody, AHeatFaultOverridesTheBodyForAsLongAsItLasts) {
   EXPECT_EQ(neck().byte(kTemperature), 41);
 }
 
-TEST_F(ServoOnABody, AVoltageFaultIsWhatTheBodyIsSuppliedWith) {
+TEST_F(ServoOnABody, AVoltageFaultSuppliesTheBody) {
   Fault low;
   low.kind = FaultKind::kVoltage;
   low.amount = 9.5;
@@ -90,7 +90,7 @@ TEST_F(ServoOnABody, AVoltageFaultIsWhatTheBodyIsSuppliedWith) {
   EXPECT_DOUBLE_EQ(body->drive().supply_v, 9.5);
 }
 
-TEST_F(ServoOnABody, ABodyInTroubleSilencesTheRobotAndIsToldOnce) {
+TEST_F(ServoOnABody, AFailedBodySilencesTheRobotAndIsReportedOnce) {
   EXPECT_NE(send(kNeckPingText), "");
   testing::internal::CaptureStderr();
   body->end("the physics came to an end");
@@ -103,12 +103,12 @@ TEST_F(ServoOnABody, GoalAccelerationReachesTheBody) {
   send(kNeckGoal);
   EXPECT_EQ(body->drive().accel_limit_rad_s2, std::numeric_limits<double>::infinity());
   send(withChecksum("FF FF 13 04 03 49 0A"));
-  EXPECT_NEAR(body->drive().accel_limit_rad_s2, 10 * 8.583 * kPi / 180, 1e-12);  // 8.583 deg/s2 a unit (manual)
+  EXPECT_NEAR(body->drive().accel_limit_rad_s2, 10 * 8.583 * kPi / 180, 1e-12);  // 8.583 deg/s2 per unit (manual)
   send(withChecksum("FF FF 13 04 03 49 00"));
   EXPECT_EQ(body->drive().accel_limit_rad_s2, std::numeric_limits<double>::infinity());
 }
 
-TEST_F(ServoOnABody, AnOverloadCutsTorqueAndItsBitStandsUntilTheTorqueLimitIsWrittenAgain) {
+TEST_F(ServoOnABody, AnOverloadCutsTorqueAndItsBitStaysUntilTheTorqueLimitIsWritten) {
   send(kNeckGoal);
   EXPECT_TRUE(body->drive().torque_on);
   body->neck().overload = true;
@@ -117,12 +117,12 @@ TEST_F(ServoOnABody, AnOverloadCutsTorqueAndItsBitStandsUntilTheTorqueLimitIsWri
   EXPECT_EQ(neck().byte(kTorqueEnable), 0);
   EXPECT_FALSE(body->drive().torque_on);
 
-  body->neck().overload = false;  // limp, it feels no load any more
+  body->neck().overload = false;  // no load while limp
   wait(1s);
   EXPECT_EQ(send(kNeckPingText), withChecksum("FF FF 13 02 20"));
   send(kNeckFullTorque);
   EXPECT_EQ(send(kNeckPingText), withChecksum("FF FF 13 02 00"));
-  EXPECT_FALSE(body->drive().torque_on) << "torque must be enabled again, too";
+  EXPECT_FALSE(body->drive().torque_on) << "torque must be enabled again";
 }
 
 TEST_F(ServoOnABody, AnOverloadThatIsNotInTheShutdownMaskIsReportedOnly) {

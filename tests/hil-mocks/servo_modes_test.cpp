@@ -1,4 +1,4 @@
-// Wheel and multi-turn mode, and the options that set servos and board up.
+// Wheel and multi-turn mode, and set-up options of servos and board.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,13 +24,13 @@ double turnsOf(Bench& bench, Joint joint, Nanos time) {
   return (bench.body.state().joint[index(joint)].position_rad - before) / (2 * std::numbers::pi);
 }
 
-TEST(WheelMode, TurnsWithoutEndAtTheSpeedRegisterWhateverTheGoal) {
+TEST(WheelMode, TurnsContinuouslyAtTheSpeedRegisterForAnyGoal) {
   Bench bench{with("Neck=wheel")};
-  bench.send(withChecksum("FF FF 13 07 03 1E 02 08 00 02"));  // goal beside it, speed 512: 58.4 rpm, more than it has
+  bench.send(withChecksum("FF FF 13 07 03 1E 02 08 00 02"));  // another goal, speed 512: 58.4 rpm, above the maximum
   EXPECT_EQ(bench.board.servo(Joint::kNeck).table().byte(servo::kTorqueEnable), 1);
   EXPECT_GT(turnsOf(bench, Joint::kNeck, 5s), 3);
   EXPECT_LE(bench.board.servo(Joint::kNeck).table().word(servo::kPresentPosition), kTickMax);
-  bench.send(withChecksum("FF FF 13 05 03 20 00 06"));  // the other way round
+  bench.send(withChecksum("FF FF 13 05 03 20 00 06"));  // reverse direction
   turnsOf(bench, Joint::kNeck, 1s);
   EXPECT_LT(turnsOf(bench, Joint::kNeck, 5s), -3);
   bench.send(withChecksum("FF FF 13 05 03 20 00 00"));
@@ -38,7 +38,7 @@ TEST(WheelMode, TurnsWithoutEndAtTheSpeedRegisterWhateverTheGoal) {
   EXPECT_NEAR(turnsOf(bench, Joint::kNeck, 1s), 0, 0.01);
 }
 
-TEST(WheelMode, ADirectionInTheSpeedRegisterIsRefusedInJointMode) {
+TEST(WheelMode, ADirectionInTheSpeedRegisterIsRejectedInJointMode) {
   Bench bench;
   EXPECT_EQ(bench.send(withChecksum("FF FF 13 05 03 20 00 06")), withChecksum("FF FF 13 02 08"));
 }
@@ -66,7 +66,7 @@ TEST(ServoOptionsText, SetsEachRegister) {
   EXPECT_EQ(neck.table().word(14), 0);
 }
 
-TEST(ServoOptionsText, RefusesWhatItDoesNotKnowAndSaysWhatIsAllowed) {
+TEST(ServoOptionsText, RejectsUnknownSettingsAndListsTheAllowedOnes) {
   for (const char* text : {"", "Neck", "Nose=wheel", "21=wheel", "0=wheel", "Neck=whel",
                            "Neck=model:", "Neck=cw-limit:4096", "Neck=id:-1"}) {
     BoardOptions options;
@@ -82,7 +82,7 @@ TEST(ServoOptionsText, RefusesWhatItDoesNotKnowAndSaysWhatIsAllowed) {
   EXPECT_THROW(setBoard(options, "no-such-thing"), std::runtime_error);
 }
 
-TEST(BoardOptionsText, TakesAnInstructionAway) {
+TEST(BoardOptionsText, RemovesAnInstruction) {
   const std::string bulk_read = withChecksum("FF FF FE 06 92 00 1E C8 18"), one_servo = "FF FF 13";
   BoardOptions options = Bench::powered();
   Bench whole{options};
@@ -97,9 +97,9 @@ TEST(BoardOptionsText, TakesAnInstructionAway) {
   EXPECT_EQ(one_length.send(withChecksum("FF FF FE 06 92 00 1F C8 18")), "");
   BoardOptions no_sync = Bench::powered();
   setBoard(no_sync, "no-sync-write");
-  Bench deaf{no_sync};
-  deaf.send(withChecksum("FF FF FE 06 83 19 01 13 01"));
-  EXPECT_EQ(deaf.board.servo(Joint::kNeck).table().byte(25), 0);
+  Bench no_sync_write{no_sync};
+  no_sync_write.send(withChecksum("FF FF FE 06 83 19 01 13 01"));
+  EXPECT_EQ(no_sync_write.board.servo(Joint::kNeck).table().byte(25), 0);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What a virtual servo does by itself: limits, protections, torque.
+// Limits, protections and torque of a virtual servo.
 #include <gtest/gtest.h>
 
 #include "bench.hpp"
@@ -8,12 +8,12 @@ namespace {
 
 const std::string kNeckGoal2400 = withChecksum("FF FF 13 05 03 1E 60 09");
 
-TEST(Servo, GoalOutsideItsOwnLimitsIsRefusedWithAngleLimit) {
+TEST(Servo, AGoalOutsideItsLimitsIsRejectedWithAngleLimit) {
   Bench bench;
   bench.send(withChecksum("FF FF 13 05 03 08 00 09"));  // upper limit 2304
   EXPECT_EQ(bench.send(kNeckGoal2400), withChecksum("FF FF 13 02 02"));
   EXPECT_EQ(bench.board.servo(Joint::kNeck).table().word(30), 2050);
-  EXPECT_EQ(bench.send(withChecksum("FF FF 13 02 01")), withChecksum("FF FF 13 02 02")) << "until a good goal comes";
+  EXPECT_EQ(bench.send(withChecksum("FF FF 13 02 01")), withChecksum("FF FF 13 02 02")) << "until a valid goal arrives";
   EXPECT_EQ(bench.send(withChecksum("FF FF 13 05 03 1E 00 08")), withChecksum("FF FF 13 02 02"));
   EXPECT_EQ(bench.send(withChecksum("FF FF 13 02 01")), withChecksum("FF FF 13 02 00"));
 }
@@ -34,7 +34,7 @@ TEST(Servo, OverheatSetsItsBitAndCutsTorqueUntilBothAreRestored) {
   bench.board.setTemperature(Joint::kNeck, 40);
   bench.send(withChecksum("FF FF 13 05 03 22 FF 03"));
   EXPECT_EQ(neck.word(34), 1023);
-  EXPECT_EQ(neck.byte(24), 0) << "torque must be enabled again, too";
+  EXPECT_EQ(neck.byte(24), 0) << "torque must be enabled again";
 }
 
 TEST(Servo, LowSupplyIsReportedWithoutCuttingTorque) {
@@ -46,14 +46,14 @@ TEST(Servo, LowSupplyIsReportedWithoutCuttingTorque) {
   EXPECT_EQ(bench.send(withChecksum("FF FF C8 04 02 32 01")), withChecksum("FF FF C8 03 00 37"));
 }
 
-TEST(Servo, InjectedErrorBitsStandInEveryStatus) {
+TEST(Servo, InjectedErrorBitsAreInEveryStatus) {
   Bench bench;
   bench.board.setServoErrors(Joint::kNeck, error_bit::kOverload);
   EXPECT_EQ(bench.send(withChecksum("FF FF 13 02 01")), withChecksum("FF FF 13 02 20"));
   EXPECT_EQ(bench.board.servo(Joint::kNeck).table().word(34), 0) << "overload is in the shutdown mask";
 }
 
-TEST(Servo, LockedEepromIsOpenAgainOnlyAfterAPowerCycle) {
+TEST(Servo, LockedEepromIsUnlockedByAPowerCycleOnly) {
   Bench bench;
   const std::string ok = withChecksum("FF FF 13 02 00"), range = withChecksum("FF FF 13 02 08");
   EXPECT_EQ(bench.send(withChecksum("FF FF 13 04 03 2F 01")), ok);
@@ -73,10 +73,10 @@ TEST(Servo, UnpluggedOneComesBackLimpWithPowerUpValues) {
   bench.board.setServoDead(Joint::kNeck, false);
   const ControlTable& neck = bench.board.servo(Joint::kNeck).table();
   EXPECT_EQ(neck.byte(24), 0);
-  EXPECT_NEAR(neck.word(30), 2400, 1) << "goal is where it was left";
+  EXPECT_NEAR(neck.word(30), 2400, 1) << "the goal is the position at power-off";
 }
 
-TEST(Servo, FactoryFreshOneIsNotHeardAtOneMegabaud) {
+TEST(Servo, AFactoryFreshOneIsUnreachableAtOneMegabaud) {
   BoardOptions options = Bench::powered();
   options.servo[18] = ServoOptions::factoryFresh();
   options.servo[19].missing = true;
@@ -84,7 +84,7 @@ TEST(Servo, FactoryFreshOneIsNotHeardAtOneMegabaud) {
   Bench bench{options};
   EXPECT_EQ(bench.send(withChecksum("FF FF 13 02 01")), "");
   EXPECT_EQ(bench.send(withChecksum("FF FF 14 02 01")), "");
-  EXPECT_EQ(bench.send("FF FF 01 02 01 FB"), "FF FF 01 02 00 FC") << "its id 1 disturbs nobody";
+  EXPECT_EQ(bench.send("FF FF 01 02 01 FB"), "FF FF 01 02 00 FC") << "its id 1 does not interfere";
   EXPECT_EQ(bench.send(withChecksum("FF FF 12 04 02 02 01")), withChecksum("FF FF 12 03 00 19"));
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Building a controller for the robot on the PC: what is built, what is left alone, what is refused. Needs no robot.
+# Cross-compiling a controller on the PC: built, unchanged and rejected files. Needs no robot.
 set -euo pipefail
 here=$(dirname "$(readlink -f "$0")")
 installer=$(readlink -f "$here/../../installer")
@@ -13,7 +13,7 @@ make_sdk "$LAB/sdk"
 
 fail() { echo "FAIL $scenario: $*"; [ ! -s "$LAB/said" ] || sed 's/^/  /' "$LAB/said"; exit 1; }
 
-# build_controller FOLDER: as `darwinop install` does, in dash and with what a PC's environment may hold. Sets $status and $program.
+# build_controller FOLDER: as in `darwinop install`, in dash and with compiler variables of a PC. Sets $status and $program.
 build_controller() {
   status=0
   # shellcheck disable=SC2016  # dash reads it
@@ -37,7 +37,7 @@ scenario_a_folder_without_makefile_becomes_one_program() {
   result=0; "$program" || result=$?
   [ $result = 21 ] || fail "the program does not run"
   [ "${program##*/}" = walker ] || fail "the program is called ${program##*/}"
-  find "$LAB/pc/walker" | sort | cmp -s - "$LAB/before" || fail "something was left in the student's folder"
+  find "$LAB/pc/walker" | sort | cmp -s - "$LAB/before" || fail "the source folder was changed"
 }
 
 scenario_unchanged_sources_are_not_built_again() {
@@ -47,7 +47,7 @@ scenario_unchanged_sources_are_not_built_again() {
   sleep 1.1
   touch "$LAB/pc/walker/main.cpp"
   build_controller "$LAB/pc/walker"
-  [ "$(stat -c %Y.%i "$program" "${program%/*}/main.o")" = "$before" ] || fail "it was built again"
+  [ "$(stat -c %Y.%i "$program" "${program%/*}/main.o")" = "$before" ] || fail "it was rebuilt"
 }
 
 scenario_a_source_that_came_back_from_a_backup_is_built() {
@@ -60,14 +60,14 @@ scenario_a_source_that_came_back_from_a_backup_is_built() {
   [ $result = 2 ] || fail "the old program was kept"
 }
 
-scenario_a_source_that_is_gone_is_not_linked() {
+scenario_a_removed_source_is_not_linked() {
   controller walker 'return 1;'
   echo 'struct S { S(); } s; S::S() { throw 1; }' >"$LAB/pc/walker/other.cpp"
   build_controller "$LAB/pc/walker"
   rm "$LAB/pc/walker/other.cpp"
   build_controller "$LAB/pc/walker"
   result=0; "$program" || result=$?
-  [ $result = 1 ] || fail "what was removed is still in the program"
+  [ $result = 1 ] || fail "the removed source is still in the program"
 }
 
 scenario_its_own_makefile_is_used() {
@@ -88,10 +88,10 @@ scenario_a_makefile_for_the_old_libraries_is_left_aside() {
   printf 'all:\n\tg++ main.cpp /robotis/Linux/lib/darwin.a -o walker\n' >"$LAB/pc/walker/Makefile.robotis-op2"
   build_controller "$LAB/pc/walker"
   expect 0
-  expect_said 'all \*.cpp of the folder are built instead'
+  expect_said 'building all \*.cpp of the folder instead'
 }
 
-scenario_warnings_are_shown_and_are_no_failure() {
+scenario_warnings_are_shown_without_failure() {
   controller walker 'int unused; return 0;'
   build_controller "$LAB/pc/walker"
   expect 0
@@ -113,13 +113,13 @@ scenario_a_program_of_the_pc_is_never_sent() {
   expect 0
   cmp -s "$program" "$LAB/pc/walker/walker" && fail "the student's own build would be sent"
   for flags in '' -m32 '-static'; do
-    [ "$flags" != -m32 ] || flags='-no-pie'  # a loader is asked for
+    [ "$flags" != -m32 ] || flags='-no-pie'  # requires a loader
     compiler=g++
     [ "$flags" != -no-pie ] || compiler=i686-linux-gnu-g++
     printf 'all:\n\t%s %s main.cpp -o walker\n' $compiler "$flags" >"$LAB/pc/walker/Makefile.darwin-op"
     build_controller "$LAB/pc/walker"
     expect 1
-    expect_said 'no program that the robot can run'
+    expect_said 'is not a static i386 program for the robot'
     rm -rf "$LAB/cache"
   done
 }
@@ -147,7 +147,7 @@ scenario_what_cannot_be_sent_is_refused_first() {
   mkfifo "$LAB/pc/walker/pipe"
   build_controller "$LAB/pc/walker"
   expect 1
-  expect_said 'is no file and no folder'
+  expect_said 'is not a file or folder'
 }
 
 scenario_without_library_or_sources_it_says_what_to_do() {
@@ -157,7 +157,7 @@ scenario_without_library_or_sources_it_says_what_to_do() {
   expect_said './dev build --robot'
   build_controller "$LAB/pc/nobody"
   expect 1
-  expect_said 'there is no folder'
+  expect_said 'does not exist: specify the folder'
   mkdir -p "$LAB/pc/empty"
   build_controller "$LAB/pc/empty"
   expect 1

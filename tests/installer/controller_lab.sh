@@ -1,20 +1,20 @@
 # shellcheck shell=bash disable=SC2034,SC2154  # some names are read by the scenarios, others set by robot.sh
-# For the scenarios with controllers: a robot that has a runtime already, and a library to compile against that is
-# empty, so that nothing but a cross compiler is needed. Sourced by controller_*.sh.
+# Fixture of the controller scenarios: a robot with a runtime, and an empty library to compile against, so that only a
+# cross compiler is needed. Sourced by controller_*.sh.
 . "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/robot.sh"
 # shellcheck source=controller_sources.sh
 . "$HERE/controller_sources.sh"
 
 command -v i686-linux-gnu-g++ >/dev/null || die "not on this machine: i686-linux-gnu-g++. Install: g++-i686-linux-gnu"
 
-# Runs until it is told to end, then takes a moment for it, as a robot that kneels.
+# Runs until SIGINT, then takes time to end, like a kneeling robot.
 until_stopped='
   signal(SIGINT, stop); puts("walking"); fflush(stdout);
   while (!stopped) usleep(20000);
   puts("kneeling"); fflush(stdout); usleep(1500000);
   puts("done"); FILE* ended = fopen("/tmp/ended", "w"); fputs("done\n", ended); fclose(ended); return 7;'
 
-# A runtime as `darwinop install` leaves it, of the fake bundle's scripts.
+# A runtime as installed by `darwinop install`, from the fake bundle's scripts.
 put_runtime() {
   local home=$ROBOT/opt/darwinop version=0.1.0+fake
   mkdir -p "$home/versions"
@@ -22,7 +22,7 @@ put_runtime() {
   ln -s "versions/$version" "$home/current"
   printf '#!/bin/sh\nexec /opt/darwinop/current/share/darwinop/boot\n' >"$home/start"
   i686-linux-gnu-g++ -static -x c++ - -o "$home/current/bin/darwinop-run" <<'RUN'
-// Hands Ctrl-C on and tells how the controller ended, as the real one; knows nothing of robots.
+// Forwards Ctrl-C and reports the controller's exit like the real one; without a robot.
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -55,9 +55,9 @@ start_runtime() {
   wait_for "$ROBOT/run/booted" .
 }
 
-# start_install ARGS...: as in a terminal of its own: a process group that gets Ctrl-C, stdout and stderr apart.
+# start_install ARGS...: as in a terminal: its own process group for Ctrl-C, separate stdout and stderr.
 start_install() {
-  : >"$LAB/stdout"  # of the scenario before
+  : >"$LAB/stdout"  # of the previous scenario
   env --default-signal=INT DARWINOP_PASSWORD="$password" setsid "$installer" "$@" </dev/null >"$LAB/stdout" 2>"$LAB/stderr" &
   install_pid=$!
 }
@@ -83,7 +83,7 @@ wait_for() {
   done
 }
 
-# A cable that was pulled: nobody is told. The PC's ssh is stopped, then killed so that its script can end.
+# An unplugged cable: no close on either side. The PC's ssh is stopped, then killed so that its script can end.
 silence_link() {
   local master
   master=$(pgrep -f 'ssh.* -M .*-N' | head -1)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Sending, running, stopping and making default of controllers, on a robot with a runtime of shell scripts. The
-# controllers are real: small programs for the robot's processor, without our library.
+# controllers are small programs for the robot's processor, without our library.
 # shellcheck disable=SC2154  # controller_lab.sh and robot.sh set what is read here
 . "$(dirname "$(readlink -f "$0")")/controller_lab.sh"
 
@@ -10,7 +10,7 @@ scenario_without_a_runtime_it_says_to_install_first() {
   run_install --controller "$LAB/pc/walker" --run
   expect_status 1
   expect_said 'Install it first: darwinop install'
-  [ ! -e "$ROBOT/opt/darwinop" ] || fail "something was put on the robot"
+  [ ! -e "$ROBOT/opt/darwinop" ] || fail "the robot was changed"
 }
 
 scenario_program_and_data_arrive_and_nothing_else() {
@@ -28,8 +28,8 @@ scenario_program_and_data_arrive_and_nothing_else() {
   printf '%s\n' ./-odd.txt './Töne und mehr/a b.wav' ./config.ini ./linked.motion ./motions/shared.motion ./walker | sort | diff - "$LAB/arrived" ||
     fail "other files arrived than expected"
   [ "$(cat "$ROBOT/opt/darwinop/controllers/walker/linked.motion")" = shared ] || fail "a link was not followed"
-  [ -z "$(find "$ROBOT/opt/darwinop/controllers/walker/" ! -user root -o -perm /022)" ] || fail "rights or owner are the student's"
-  (cd "$LAB/pc/walker" && [ "$(find . -name '*.o' -o -name walker)" = "" ]) || fail "the student's folder was built in"
+  [ -z "$(find "$ROBOT/opt/darwinop/controllers/walker/" ! -user root -o -perm /022)" ] || fail "wrong permissions or owner"
+  (cd "$LAB/pc/walker" && [ "$(find . -name '*.o' -o -name walker)" = "" ]) || fail "the build changed the source folder"
 }
 
 scenario_a_link_out_of_the_folder_is_refused() {
@@ -39,7 +39,7 @@ scenario_a_link_out_of_the_folder_is_refused() {
   ln -s "$LAB/pc/home/.ssh" "$LAB/pc/linker/sounds/more"
   run_install --controller "$LAB/pc/linker"
   expect_status 1
-  expect_said 'linker/sounds/more/.* leads out of the folder, to .*/\.ssh/'
+  expect_said 'linker/sounds/more/.* is a link out of the folder, to .*/\.ssh/'
   [ ! -e "$ROBOT/opt/darwinop/controllers" ] || fail "something was sent"
 }
 
@@ -53,7 +53,7 @@ scenario_setuid_does_not_travel_and_private_files_stay_private() {
   expect_status 0
   local there=$ROBOT/opt/darwinop/controllers/keeper
   [ "$(stat -c %a "$there/helper")" = 755 ] || fail "the helper's mode is $(stat -c %a "$there/helper")"
-  [ "$(stat -c %a "$there/key.txt")" = 600 ] || fail "others may read what only its owner could: $(stat -c %a "$there/key.txt")"
+  [ "$(stat -c %a "$there/key.txt")" = 600 ] || fail "a private file became readable: $(stat -c %a "$there/key.txt")"
 }
 
 scenario_a_controllers_files_are_its_users_and_its_name_is_still_roots() {
@@ -63,8 +63,8 @@ scenario_a_controllers_files_are_its_users_and_its_name_is_still_roots() {
   run_install --controller "$LAB/pc/walker"
   expect_status 0
   local there=$ROBOT/opt/darwinop/controllers
-  [ -z "$(find "$there/walker/" ! -uid 998 -o ! -gid 997)" ] || fail "it may not write its own files"
-  [ "$(stat -c %u:%a "$there" "$there"/.sent-*)" = $'0:755\n0:755' ] || fail "it may change what is started by its name"
+  [ -z "$(find "$there/walker/" ! -uid 998 -o ! -gid 997)" ] || fail "it cannot write its own files"
+  [ "$(stat -c %u:%a "$there" "$there"/.sent-*)" = $'0:755\n0:755' ] || fail "it can replace its own program"
 }
 
 scenario_controllers_of_an_older_version_get_the_user_when_a_new_one_comes() {
@@ -74,9 +74,9 @@ scenario_controllers_of_an_older_version_get_the_user_when_a_new_one_comes() {
   [ "$(stat -L -c %u "$there/walker")" = 0 ] || fail "there is a user already"
   run_install --bundle "$(fake_bundle 0.2.0+b)"
   expect_status 0
-  [ "$(stat -L -c %U "$there/walker/config.ini")" = "$(stat -L -c %U "$there/walker")" ] || fail "not all of it changed hands"
+  [ "$(stat -L -c %U "$there/walker/config.ini")" = "$(stat -L -c %U "$there/walker")" ] || fail "some files have another owner"
   [ "$(stat -L -c %u "$there/walker")" != 0 ] || fail "it still belongs to root"
-  [ "$(stat -c %a "$there"/.sent-*)" = 755 ] || fail "nobody can look into the folder"
+  [ "$(stat -c %a "$there"/.sent-*)" = 755 ] || fail "the folder is not readable"
 }
 
 scenario_names_that_the_installer_needs_itself_are_free() {
@@ -85,7 +85,7 @@ scenario_names_that_the_installer_needs_itself_are_free() {
     controller "$name" 'puts("it runs"); return 0;'
     run_install --controller "$LAB/pc/$name"
     expect_status 0
-    # The tidying of another sending leaves it alone.
+    # Cleanup by another transfer must not remove it.
     controller other 'return 0;'
     run_install --controller "$LAB/pc/other"
     [ "$(chroot "$ROBOT" "/opt/darwinop/controllers/$name/$name")" = "it runs" ] || fail "$name is gone"
@@ -108,14 +108,14 @@ scenario_output_arguments_and_status_come_back() {
   grep -q '^this is stderr$' "$LAB/stderr" || fail "stderr did not come on stderr"
 }
 
-scenario_a_crash_is_said_in_words() {
+scenario_a_crash_is_described() {
   controller walker 'raise(SIGSEGV); return 0;'
   run_install --controller "$LAB/pc/walker" --run
   expect_status 139
-  expect_said 'walker crashed: it used memory that is not its own'
+  expect_said 'walker crashed: invalid memory access'
 }
 
-scenario_output_comes_live_and_ctrl_c_ends_it_tidily() {
+scenario_output_comes_live_and_ctrl_c_ends_it_normally() {
   controller walker "$until_stopped"
   start_install --controller "$LAB/pc/walker" --run "$login@$ADDRESS"
   wait_for "$LAB/stdout" '^walking$'
@@ -124,8 +124,8 @@ scenario_output_comes_live_and_ctrl_c_ends_it_tidily() {
   kill -INT -- "-$install_pid"
   wait_install
   expect_status 7
-  grep -q '^done$' "$LAB/stdout" || fail "the second Ctrl-C cut the end of the controller"
-  grep -q 'already being stopped' "$LAB/stderr" || fail "the second Ctrl-C was not answered"
+  grep -q '^done$' "$LAB/stdout" || fail "the second Ctrl-C interrupted the end of the controller"
+  grep -q 'already being stopped' "$LAB/stderr" || fail "no message for the second Ctrl-C"
   robot_quiet
 }
 
@@ -146,10 +146,10 @@ scenario_a_link_that_falls_silent_stops_the_controller() {
   local begun=$SECONDS
   silence_link
   wait_for "$ROBOT/tmp/ended" "^done$" 20
-  [ $((SECONDS - begun)) -ge 8 ] || fail "stopped after $((SECONDS - begun)) s already: a hiccup of the WLAN would do"
+  [ $((SECONDS - begun)) -ge 8 ] || fail "stopped after $((SECONDS - begun)) s: a short WLAN interruption would suffice"
   wait_install
   expect_status 255
-  grep -q 'the link to the robot was lost' "$LAB/stderr" || fail "the lost link was not said"
+  grep -q 'the connection to the robot was lost' "$LAB/stderr" || fail "the lost connection was not reported"
 }
 
 scenario_a_controller_that_ignores_everything_is_ended() {
@@ -168,10 +168,10 @@ scenario_stop_ends_a_controller_that_another_terminal_runs() {
   wait_for "$LAB/stdout" '^walking$'
   run_install --stop
   expect_status 0
-  expect_said 'walker is stopped'
+  expect_said 'walker stopped'
   wait_install
   expect_status 7
-  grep -q '^done$' "$LAB/stdout" || fail "it did not end tidily"
+  grep -q '^done$' "$LAB/stdout" || fail "it did not end normally"
   run_install --stop
   expect_status 0
 }
@@ -183,11 +183,11 @@ scenario_a_second_run_is_refused_while_one_runs() {
   wait_for "$LAB/stdout" '^walking$'
   run_install --controller "$LAB/pc/other" --run
   expect_status 1
-  expect_said 'walker runs on this robot already; stop it first'
-  # A new version may come meanwhile; what runs keeps its files.
+  expect_said 'walker is already running on this robot; stop it first'
+  # A new version may arrive meanwhile; the running one keeps its files.
   run_install --controller "$LAB/pc/walker"
   expect_status 0
-  [ "$(find "$ROBOT/opt/darwinop/controllers" -maxdepth 1 -name '.sent-*' | wc -l)" = 3 ] || fail "the files of what runs are gone"
+  [ "$(find "$ROBOT/opt/darwinop/controllers" -maxdepth 1 -name '.sent-*' | wc -l)" = 3 ] || fail "the files of the running controller were removed"
   kill -INT -- "-$install_pid"
   wait_install
   run_install --controller "$LAB/pc/other"
@@ -214,7 +214,7 @@ scenario_the_default_controller_is_stopped_first() {
   run_install --controller "$LAB/pc/walker" --run
   expect_status 0
   expect_said 'stopping the default controller'
-  grep -q -e --stop-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not asked"
+  grep -q -e --stop-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not called"
 }
 
 scenario_a_window_that_drives_is_named_and_goes_on() {
@@ -225,25 +225,25 @@ scenario_a_window_that_drives_is_named_and_goes_on() {
   sed -i "2i echo 'driver    pid $driver, for 3 s'" "$ROBOT/opt/darwinop/current/bin/darwinop-runtime"
   run_install --controller "$LAB/pc/walker" --run
   expect_status 1
-  expect_said "somebody drives this robot already, from a window on a PC \(process $driver\)"
+  expect_said "this robot is already driven from a window on a PC \(process $driver\)"
   expect_not_said '^walking$'
   [ ! -e "$ROBOT/opt/darwinop/running" ] || fail "the robot is still claimed"
   run_install --controller "$LAB/pc/walker" --make-default
   expect_status 0
   expect_said 'a window on a PC drives this robot .*; walker starts at the next boot'
-  ! grep -qs . "$ROBOT/run/supervisor-calls" || fail "the supervisor was told"
+  ! grep -qs . "$ROBOT/run/supervisor-calls" || fail "the supervisor was called"
   kill -KILL "$driver"
 }
 
-scenario_make_default_links_it_and_tells_the_supervisor() {
+scenario_make_default_links_it_and_restarts_it() {
   controller walker 'return 0;'
   start_runtime
   run_install --controller "$LAB/pc/walker" --make-default
   expect_status 0
   expect_said 'starts at every boot'
   [ "$(readlink "$ROBOT/opt/darwinop/default")" = controllers/walker ] || fail "default is $(readlink "$ROBOT/opt/darwinop/default")"
-  [ -x "$ROBOT/opt/darwinop/default/walker" ] || fail "default leads nowhere"
-  grep -q -e --restart-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not told"
+  [ -x "$ROBOT/opt/darwinop/default/walker" ] || fail "default is a dangling link"
+  grep -q -e --restart-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not called"
 }
 
 scenario_no_default_starts_nothing_at_boot_any_more() {
@@ -258,7 +258,7 @@ scenario_no_default_starts_nothing_at_boot_any_more() {
   expect_said 'walker no longer starts at boot'
   [ ! -L "$ROBOT/opt/darwinop/default" ] || fail "the default is still there"
   [ -x "$ROBOT/opt/darwinop/controllers/walker/walker" ] || fail "the controller itself is gone"
-  grep -q -e --stop-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not asked to stop it"
+  grep -q -e --stop-controller "$ROBOT/run/supervisor-calls" || fail "the supervisor was not called to stop it"
 }
 
 scenario_a_cut_sending_leaves_the_old_controller() {
@@ -274,11 +274,11 @@ scenario_a_cut_sending_leaves_the_old_controller() {
   expect_status 1
   expect_said 'walker was not changed'
   [ "$(chroot "$ROBOT" /opt/darwinop/controllers/walker/walker)" = old ] || fail "the old controller is gone"
-  [ "$(find "$ROBOT/opt/darwinop/controllers" -maxdepth 1 -name '.*-*' | wc -l)" = 1 ] || fail "half of the new one is left"
+  [ "$(find "$ROBOT/opt/darwinop/controllers" -maxdepth 1 -name '.*-*' | wc -l)" = 1 ] || fail "a partial new version is left"
   mv "$ROBOT/bin/cksum.real" "$ROBOT/bin/cksum"
   run_install --controller "$LAB/pc/walker"
   expect_status 0
-  [ "$(chroot "$ROBOT" /opt/darwinop/controllers/walker/walker)" = new ] || fail "the new controller did not come"
+  [ "$(chroot "$ROBOT" /opt/darwinop/controllers/walker/walker)" = new ] || fail "the new controller did not arrive"
 }
 
 scenario_a_full_disk_is_refused_before_anything_is_sent() {

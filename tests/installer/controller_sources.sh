@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2154  # $LAB and $SOURCE are set by who sources this
-# Controllers to build in tests, and a library to build them against that is empty. Sourced by controller_*.sh.
+# Sources of test controllers, and an empty library to build them with. Sourced by controller_*.sh.
 
 # controller NAME BODY [BEFORE]: a folder $LAB/pc/NAME with the source of a program; BEFORE stands above main.
 controller() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # kill -9 of the robot's side before every command between "# >>> transaction" and "# <<< transaction" of
-# installer/robot/*.sh, while the archive is taken in, and of /opt/darwinop/start: afterwards one whole version runs,
-# and a rerun completes.
+# installer/robot/*.sh, during the transfer, and of /opt/darwinop/start: afterwards one complete version runs, and a rerun
+# completes.
 . "$(dirname "$(readlink -f "$0")")/robot.sh"
 # shellcheck source=robot_torture.sh
 . "$HERE/robot_torture.sh"
@@ -21,14 +21,14 @@ transaction_lines() {
   done
 }
 
-# changed_installer COMMAND PLACE...: a copy with COMMAND before these places; @ in it is FILE:LINE.
+# changed_installer COMMAND PLACE...: a copy with COMMAND inserted before these places; @ in it is FILE:LINE.
 changed_installer() {
   local command=$1 copy=$LAB/changed file line place
   shift
   rm -rf "$copy"
   mkdir "$copy"
   cp -r "$SOURCE/installer" "$SOURCE/rc.local.template" "$copy/"
-  # The last lines first, so that the numbers stay right.
+  # Last lines first, so that the line numbers stay valid.
   printf '%s\n' "$@" | sort -t: -k1,1 -k2,2nr | while IFS= read -r place; do
     file=$(basename "${place%:*}") line=${place##*:}
     sed -i "${line}i ${command//@/$file:$line}" "$copy/installer/robot/$file"
@@ -85,7 +85,7 @@ fresh_install_killed() {
 scenario_fresh_install_killed_at_odd_places() { fresh_install_killed 0; }
 scenario_fresh_install_killed_at_even_places() { fresh_install_killed 1; }
 
-# A failed self-test takes the version back: that way is as dangerous as the way there.
+# A failed self-test reverts the version, which must be equally safe.
 after_failed_self_test() {
   rm "$ROBOT/run/fail-self-test"
   after_break "$1"
@@ -121,7 +121,7 @@ scenario_uninstall_killed() {
   kill_at 0 1 after_killed_uninstall --uninstall
 }
 
-# The power goes while `start` takes an unconfirmed version back.
+# Power failure while `start` reverts an unconfirmed version.
 scenario_start_killed_at_boot() {
   local start=$ROBOT/opt/darwinop/start line lines
   begin_with "$(fake_bundle 0.1.0+a)" "$(fake_bundle 0.2.0+b)"
@@ -143,7 +143,7 @@ scenario_start_killed_at_boot() {
   done
 }
 
-# An upgrade that was cut in its self-test: the new version is current, and pending.
+# An upgrade interrupted in its self-test: the new version is current and pending.
 hold_in_self_test() {
   local tries=0
   : >"$ROBOT/run/hold-self-test"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The link breaks after so and so many bytes of the PC: afterwards one whole version runs, and a rerun completes.
+# The connection is lost after a number of bytes: afterwards one complete version runs, and a rerun completes.
 . "$(dirname "$(readlink -f "$0")")/robot.sh"
 # shellcheck source=robot_torture.sh
 . "$HERE/robot_torture.sh"
@@ -20,7 +20,7 @@ cut_points() {
     robot_restore
     bytes=$((total * point / count - 17))
     install_over_cut_link $bytes
-    [ "$status" != 0 ] || [ "$point" = "$count" ] || fail "cut after $bytes of $total bytes: the installer called that a success"
+    [ "$status" != 0 ] || [ "$point" = "$count" ] || fail "cut after $bytes of $total bytes: the installer reported success"
     [ "$status" -lt 124 ] || fail "cut after $bytes of $total bytes: the installer did not end ($status)"
     after_break "cut after $bytes of $total bytes"
   done

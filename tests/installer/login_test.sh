@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Getting in: passwords, keys, host keys, and the ssh of 2009.
+# Login: passwords, keys, host keys, and the ssh of 2009.
 . "$(dirname "$(readlink -f "$0")")/robot.sh"
 
-# log_ssh_calls: every ssh of the installer leaves its arguments in $LAB/ssh_calls.
+# log_ssh_calls: records the arguments of every ssh call in $LAB/ssh_calls.
 log_ssh_calls() {
   : >"$LAB/ssh_calls"
   pc_program ssh <<END
@@ -18,7 +18,7 @@ scenario_wrong_password_ends_with_a_sentence() {
   password=wrong
   run_install --bundle "$v1"
   expect_status 1
-  expect_said 'did not take the password'
+  expect_said 'rejected the password'
   expect_same_disk --touched "a wrong password changed something"
 }
 
@@ -37,7 +37,7 @@ scenario_password_is_asked_once_and_covers_sudo() {
   run_install_on_terminal 'assword=111111' -- --bundle "$v1"
   expect_status 0
   expect_version 0.1.0+a
-  [ "$(grep -ciE 'password[^:]*: *.?$' "$LAB/out")" = 1 ] || fail "the password was not asked for exactly once"
+  [ "$(grep -ciE 'password[^:]*: *.?$' "$LAB/out")" = 1 ] || fail "the number of password prompts is not 1"
   ! grep -q 111111 "$LAB/out" || fail "the password was shown on the terminal"
 }
 
@@ -60,7 +60,7 @@ scenario_password_with_spaces_and_quotes_stays_secret() {
   ! grep -rqF 'two words' "$ROBOT"/{etc,home,opt,root,tmp,var} "$LAB/pc/home" || fail "the password was left in a file"
 }
 
-# Ctrl-C, which the harness' timeout hands on a second time: as an impatient user does. What is left over, run_scenarios tells.
+# Ctrl-C, sent twice by the harness' timeout, as by an impatient user. run_scenarios reports leftovers.
 scenario_ctrl_c_at_any_question_leaves_nothing_behind() {
   local v1; v1=$(fake_bundle 0.1.0+a)
   remember_disk --touched
@@ -78,7 +78,7 @@ scenario_ctrl_c_in_the_self_test_is_completed_by_the_robot() {
   : >"$ROBOT/run/hold-self-test"
   run_install_on_terminal 'assword.*:=111111' 'self-test='$'\003' -- --bundle "$v1"
   expect_status 130
-  expect_said 'the robot completes what it has begun'
+  expect_said 'the robot completes a step that has started'
   [ -z "$(pgrep -f 'ssh.* -M ' || true)" ] || fail "the connection, whose ssh knows the password, is still open"
   rm "$ROBOT/run/hold-self-test"
   robot_quiet
@@ -191,7 +191,7 @@ scenario_nobody_there() {
   stop_sshd
   run_install --bundle "$v1"
   expect_status 1
-  expect_said 'takes no ssh connection'
+  expect_said 'refuses ssh connections'
 }
 
 legacy_sshd() {

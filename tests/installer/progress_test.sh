@@ -32,7 +32,7 @@ scenario_errors_are_marked_for_programs_only() {
   expect_said '^robot: error: nothing is installed'
   stop_sshd
   watch_install --status
-  expect_said '^darwinop install: error: .*takes no ssh connection'
+  expect_said '^darwinop install: error: .*refuses ssh connections'
   run_install --status --progress 3>&-
   expect_status 2
   expect_said 'file descriptor 3'

@@ -83,7 +83,7 @@ scenario_other_owner_and_writable_for_its_group() {
 }
 scenario_no_interpreter_line() { odd_rc_local --boot-too <<<"$demo"$'\nexit 0'; }
 scenario_windows_line_ends() { odd_rc_local --boot-too --upgrade-too < <(printf '#!/bin/sh -e\r\n%s\r\nexit 0\r\n' "$demo"); }
-scenario_bytes_that_are_no_utf8() { odd_rc_local --boot-too < <(printf '#!/bin/sh -e\n# Gr\374\337e \200\377 %%s \\n $HOME `x` "\n%s\nexit 0\n' "$demo"); }
+scenario_bytes_that_are_not_utf8() { odd_rc_local --boot-too < <(printf '#!/bin/sh -e\n# Gr\374\337e \200\377 %%s \\n $HOME `x` "\n%s\nexit 0\n' "$demo"); }
 scenario_long_comment_and_here_document() {
   odd_rc_local --boot-too < <(printf '#!/bin/sh -e\n# %05000d\ncat <<END >/dev/null\ntext\nEND\nexit 0\n' 7)
 }

@@ -57,7 +57,7 @@ scenario_disk_runs_full_during_an_upgrade() {
   expect_version 0.2.0+b
 }
 
-scenario_all_that_is_wrong_with_the_machine_is_said_at_once() {
+scenario_all_problems_of_the_machine_are_reported_together() {
   local v1; v1=$(fake_bundle 0.1.0+a)
   local flags; flags=$(sed 's/ ssse3//' "$LAB/cpuinfo")
   echo "$flags" >"$LAB/cpuinfo"
@@ -171,14 +171,14 @@ scenario_bundle_with_more_or_other_than_its_manifest_names() {
   run_install --bundle "$v1"
   robot_quiet
   remember_disk
-  for wrong in 'echo x >bin/stranger' 'ln -s /etc/shadow share/shadow' 'ln -sf /bin/true bin/darwinop-run' 'mknod bin/device c 1 3' \
+  for wrong in 'echo x >bin/unlisted' 'ln -s /etc/shadow share/shadow' 'ln -sf /bin/true bin/darwinop-run' 'mknod bin/device c 1 3' \
     'mkdir -p share/more && cp /bin/true share/more/-odd'; do
     v2=$(fake_bundle 0.2.0+b)
     (cd "$folder" && eval "$wrong")
     pack "$folder" "$v2"
     run_install --bundle "$v2"
     expect_status 1
-    expect_said 'which its MANIFEST does not name|no plain file'
+    expect_said 'which its MANIFEST does not list|not a regular file'
     expect_same_disk "let in: $wrong"
   done
 }

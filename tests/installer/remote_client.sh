@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A controller that drives by remote control: remote_client.sh [FILE]. It says "driving" after the first reply, nods until
 # SIGINT, then says "kneeling", waits a moment with the connection in use, and ends with 7. While FILE is there it is
-# deaf to SIGINT.
+# ignores SIGINT.
 address=${DARWINOP_ROBOT#tcp://}
 exec 3<>"/dev/tcp/${address%:*}/${address#*:}" || exit 9
 stopped=0

@@ -52,7 +52,7 @@ await() {
   done
 }
 
-expect_let_go() {
+expect_limp() {
   local tries=0
   until runtime_says | grep '^state .*limp' >/dev/null; do
     [ $((tries += 1)) -lt 400 ] || fail "the robot was not brought to rest: $(runtime_says)"

@@ -9,28 +9,28 @@ scenario_a_whole_run() {
   await '^driving$'
   expect_said 'connected to darwin@127.0.0.1 \([0-9.]+ s\)$'
   expect_said 'version .* is installed'
-  expect_said 'start pose: right'
+  expect_said 'start pose: ok'
   expect_said 'the runtime is ready \([0-9.]+ s\)$'
-  grep -qa -e '--port.0.2.2' "/proc/$(pgrep -x darwinop-remote)/cmdline" || fail "the size of pictures was not handed on"
+  grep -qa -e '--port.0.2.2' "/proc/$(pgrep -x darwinop-remote)/cmdline" || fail "the picture size was not passed on"
   expect_user 998 '^[^ ]*darwinop-remote '
-  supervisor_says | grep -q '^driver .*darwinop-remote' || fail "the supervisor does not say who drives: $(supervisor_says)"
-  ! tr '\0' '\n' <"/proc/$(pgrep -of '^bash .*/remote_client')/environ" | grep -q DARWINOP_PASSWORD || fail "the controller knows the password"
+  supervisor_says | grep -q '^driver .*darwinop-remote' || fail "the supervisor does not report the driver: $(supervisor_says)"
+  ! tr '\0' '\n' <"/proc/$(pgrep -of '^bash .*/remote_client')/environ" | grep -q DARWINOP_PASSWORD || fail "the password is in the controller's environment"
   # Only on loopback, on both sides.
   ! ss -Hltn 2>/dev/null | awk '{ print $4 }' | grep -vE '^(127\.0\.0\.1|\[::1\]):' || fail "a port is open to the network"
   cp "$LAB/out" "$LAB/first"
   run_install --status
   expect_said '^running: .*remote control of .*@darwin'
-  if DARWINOP_PASSWORD=$password "$run" --robot "tcp://$login@$ADDRESS" "$client" </dev/null >"$LAB/out" 2>&1; then fail "two drive"; fi
-  expect_said 'remote control of .*@darwin runs on this robot already; stop it first'
+  if DARWINOP_PASSWORD=$password "$run" --robot "tcp://$login@$ADDRESS" "$client" </dev/null >"$LAB/out" 2>&1; then fail "two programs drive"; fi
+  expect_said 'remote control of .*@darwin is already running on this robot; stop it first'
   cp "$LAB/first" "$LAB/out"
   kill -INT -- "-$run_pid"
   wait_run
   expect_status 7
   expect_said '^kneeling$'
-  expect_let_go
+  expect_limp
 }
 
-# An example as it is, through the library's own client.
+# An unmodified example with the library's client.
 scenario_an_example_drives_from_here() {
   local hello=${DARWINOP_BIN:-$SOURCE/build/debug/bin}/../controllers/01_hello_head/01_hello_head
   [ -x "$hello" ] || fail "there is no $hello; run: ./dev build"
@@ -43,7 +43,7 @@ scenario_an_example_drives_from_here() {
   kill -INT -- "-$run_pid"
   wait_run
   expect_status 0
-  expect_let_go
+  expect_limp
 }
 
 scenario_the_start_pose_is_asked_about() {
@@ -53,26 +53,26 @@ scenario_the_start_pose_is_asked_about() {
   wait_run
   expect_status 3
   expect_said 'KneeR is 0.8 rad off'
-  expect_said 'nothing was started: sit the robot down .* or add --force'
+  expect_said 'nothing was started: sit the robot down .* add --force'
   on_terminal '\[c\]ancel=c\n' --
   expect_status 3
   expect_said 'cancelled; nothing was started'
   on_terminal '\[c\]ancel=\003' --
   expect_status 130
-  expect_let_go
+  expect_limp
   on_terminal '\[c\]ancel=g\n' '^driving=\003' --
   expect_status 7
-  expect_said 'start pose: not right, going on all the same'
-  expect_let_go
-  # Somebody sits it down before it is looked at again.
+  expect_said 'start pose: wrong, continuing'
+  expect_limp
+  # The robot is put into its start pose before the next check.
   : >"$LAB/out"
   (until grep -q 'ancel?' "$LAB/out"; do sleep 0.02; done; rm "$ROBOT/run/pose-unsafe") &
   on_terminal '\[c\]ancel=r\n' '^driving=\003' --
   expect_status 7
-  expect_said 'start pose: right'
+  expect_said 'start pose: ok'
 }
 
-# Whatever it is doing, on the PC or on the robot: the robot sits, nothing goes on, and it is said.
+# In every phase, on the PC or on the robot: the robot sits, everything ends, and a message is printed.
 scenario_ctrl_c_at_any_moment() {
   local round delay seed=${DARWINOP_SEED:-2026}
   echo "DARWINOP_SEED=$seed"
@@ -89,7 +89,7 @@ scenario_ctrl_c_at_any_moment() {
       130) ;;
       *) fail "round $round, Ctrl-C after $delay ms: status $status" ;;
     esac
-    expect_said 'the robot has let go|the robot was not told to do anything yet|no runtime answers'
+    expect_said 'all joints are limp|interrupted before the robot did anything|no runtime responds'
     ! runtime_says >"$LAB/state" 2>&1 || grep -q '^state .*limp' "$LAB/state" || fail "after $delay ms: $(cat "$LAB/state")"
   done
 }
@@ -101,26 +101,26 @@ scenario_killed_hung_up_or_crashed_the_robot_sits_down() {
   kill -KILL "$run_pid"
   wait_run
   tries=0
-  until grep -q 'the robot has let go' "$LAB/out"; do
+  until grep -q 'all joints are limp' "$LAB/out"; do
     [ $((tries += 1)) -lt 500 ] || fail "after kill -9 of darwinop run: $(cat "$LAB/out")"
     sleep 0.02
   done
-  expect_let_go
+  expect_limp
   start_run
   await '^driving$'
   kill -HUP -- "-$run_pid"
   wait_run
   expect_status 143
-  expect_last_line 'the robot has let go'
+  expect_last_line 'all joints are limp'
   start_run
   await '^driving$'
   kill -SEGV "$(pgrep -of '^bash .*/remote_client')"
   wait_run
   expect_status 139
-  expect_last_line 'the robot has let go'
+  expect_last_line 'all joints are limp'
 }
 
-# Nobody is told: the PC's ssh is stopped.
+# Neither side is notified: the PC's ssh is stopped.
 scenario_a_pulled_cable_ends_the_server() {
   robot_with_a_runtime
   start_run
@@ -129,12 +129,12 @@ scenario_a_pulled_cable_ends_the_server() {
   kill -STOP "$master"
   until ! pgrep -x darwinop-remote >/dev/null || [ $((SECONDS - begun)) -gt 20 ]; do sleep 0.05; done
   ! pgrep -x darwinop-remote >/dev/null || fail "the server was not ended"
-  [ $((SECONDS - begun)) -ge 8 ] || fail "stopped after $((SECONDS - begun)) s already: a hiccup of the WLAN would do"
-  expect_let_go
+  [ $((SECONDS - begun)) -ge 8 ] || fail "stopped after $((SECONDS - begun)) s: a short WLAN interruption would suffice"
+  expect_limp
   kill -KILL "$master"
   wait_run
   expect_status 8 143
-  expect_said 'the link to .* was lost, so how the robot is cannot be told'
+  expect_said 'the connection to .* was lost, so the robot.s state is unknown'
 }
 
 scenario_what_breaks_in_between_leaves_no_server() {
@@ -143,20 +143,20 @@ scenario_what_breaks_in_between_leaves_no_server() {
   await '^driving$'
   kill -KILL "$(master_of_ssh)"
   wait_run
-  expect_said 'the link to .* was lost'
-  expect_let_go
+  expect_said 'the connection to .* was lost'
+  expect_limp
   start_run
   await '^driving$'
   kill_shells_of serve_remote
   wait_run
-  expect_let_go
+  expect_limp
   start_run
   await '^driving$'
   run_install --stop
   expect_status 0
-  expect_said 'the remote control of .* is stopped'
+  expect_said 'the remote control of .* stopped'
   wait_run
-  expect_let_go
+  expect_limp
 }
 
 scenario_refusals_say_what_to_do() {
@@ -171,7 +171,7 @@ scenario_refusals_say_what_to_do() {
   expect_status 1
   expect_said 'AllowTcpForwarding yes'
   start_sshd
-  # Somebody on the robot itself drives.
+  # Another program on the robot drives.
   chroot "$ROBOT" /opt/darwinop/current/bin/darwinop-remote --robot runtime --port 5999 >"$LAB/theirs" 2>&1 &
   until grep -qs ready "$LAB/theirs"; do sleep 0.02; done
   DARWINOP_ROBOT=tcp://127.0.0.1:5999 "$client" >"$LAB/their-client" 2>&1 &
@@ -181,13 +181,13 @@ scenario_refusals_say_what_to_do() {
   robot_quiet() { :; }
   wait_run
   expect_status 1
-  expect_last_line 'is driven by another program|drives this robot already' 2
-  expect_said 'darwinop-remote \(process [0-9]+\) drives this robot already'
+  expect_last_line 'is now driven by another program|already drives this robot' 2
+  expect_said 'darwinop-remote \(process [0-9]+\) already drives this robot'
   rm "$ROBOT/opt/darwinop/current/bin/darwinop-remote"
   start_run
   wait_run
   expect_status 1
-  expect_said 'version real on this robot knows no remote control; upgrade it first: darwinop install'
+  expect_said 'version real on this robot does not support remote control; upgrade it first: darwinop install'
 }
 
 run_scenarios "$@"

@@ -1,8 +1,8 @@
 # shellcheck shell=bash
-# A fake bundle: the layout of the real one, but its programs are shell scripts that can be told to fail. Sourced by robot.sh.
+# A fake bundle: the layout of the real one, but its programs are shell scripts with controllable failures. Sourced by robot.sh.
 #
 # Files on the robot that steer them (all in /run, so they count as memory, not disk):
-#   fail-self-test    darwinop-doctor finds something (only in the version that the file names, if it names one)
+#   fail-self-test    darwinop-doctor fails (only in the version named in the file, if any)
 #   hold-self-test    darwinop-doctor waits until it is gone; self-test-begun appears
 #   pose-unsafe       darwinop-runtime --check-pose: exit 3 and the file's lines
 # and what they leave: booted (VERSION of the supervisor that started), doctor-calls, runtime-calls (VERSION ARGS).

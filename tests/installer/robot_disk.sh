@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2034  # others read what is set here
-# The robot itself: its root folder, its sshd, its power switch. Sourced by robot.sh, which has the overview.
+# The simulated robot: root folder, sshd, power. Sourced by robot.sh, which has the overview.
 
 # What stock Ubuntu 9.10 has; each is a link to this machine's program.
 gnu_tools=(
@@ -48,7 +48,7 @@ robot_tools() {
   fi
   ln -s /.host/sbin/sshd "$ROBOT/bin/sshd"
   rm -f "$ROBOT/bin/uname" "$ROBOT/bin/sync"
-  ln -s true "$ROBOT/bin/sync"  # it would write out this machine's disks, and tell nothing here
+  ln -s true "$ROBOT/bin/sync"  # would flush this machine's disks, without use here
   cat >"$ROBOT/bin/uname" <<'END'
 #!/bin/sh
 # The robot's kernel, as /run/kernel says.
@@ -173,7 +173,7 @@ stop_sshd() {
 }
 
 # What may go on when an install has ended: sshd's listener, what it started, a watchdog's last sleep, rc.local. The
-# command line of the install itself holds its whole program, so only the beginning tells.
+# command line of the install itself holds its whole program, so only its start is compared.
 stays='^(sshd: [^ ]* .*listener|sleep |(/bin/sh )?(-e )?(/etc/rc\.local|/opt/darwinop/[^ ]*/darwinop-(supervisor|runtime)) )'
 
 # Process ids in the robot's root. --foreign: without what may go on.

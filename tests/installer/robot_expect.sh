@@ -1,12 +1,12 @@
 # shellcheck shell=bash disable=SC2154  # status is set by run_install
-# What a user cares about, as checks. Each ends the scenario with a sentence. Sourced by robot.sh.
+# Checks of user-visible results. Each ends the scenario with a message. Sourced by robot.sh.
 
 fail() {
   printf 'installer test: %s\n' "$*" >&2
   exit 1
 }
 
-# expect_status CODE...: how the last run_install ended.
+# expect_status CODE...: exit code of the last run_install.
 expect_status() {
   local code
   for code; do [ "$status" != "$code" ] || return 0; done
@@ -26,7 +26,7 @@ whole() {
   )
 }
 
-# What the installed program says of itself; a fake one prints its version.
+# Version printed by the installed program.
 program_says() { chroot "$ROBOT" /opt/darwinop/current/bin/darwinop; }
 
 # Prints the version that the robot would run now: whole and really the one; or what is wrong.

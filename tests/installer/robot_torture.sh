@@ -8,7 +8,7 @@ seed=${DARWINOP_SEED:-2026}
 skip=$((seed % every))
 echo "one break in $every, after the first $skip: DARWINOP_EVERY=$every DARWINOP_SEED=$seed"
 
-# Without the log, which may tell of more or less, and the lock's own traces in memory.
+# Without the log, which may differ, and the lock's traces in memory.
 settled_disk() { robot_disk | grep -v ' opt/darwinop/log/\|^\./opt/darwinop/log/'; }
 
 # begin_with BUNDLE|none NEW_BUNDLE: the robot before each break is saved, the undisturbed result is noted.

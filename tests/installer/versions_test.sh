@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Which version runs on the robot after what: install, again, upgrade, downgrade, rollback, status, uninstall.
+# Version on the robot after install, reinstall, upgrade, downgrade, rollback, status, uninstall.
 . "$(dirname "$(readlink -f "$0")")/robot.sh"
 
 scenario_fresh_robot() {
@@ -28,7 +28,7 @@ scenario_same_version_again_changes_nothing() {
 }
 
 scenario_upgrade_keeps_robot_ini() {
-  local v1 v2; v1=$(fake_bundle 0.9.0+a); v2=$(fake_bundle 0.10.0+b)  # by number, not by letter
+  local v1 v2; v1=$(fake_bundle 0.9.0+a); v2=$(fake_bundle 0.10.0+b)  # numeric comparison
   run_install --bundle "$v1"
   printf '[Robot]\nport = /dev/ttyUSB7\n' >"$ROBOT/opt/darwinop/robot.ini"
   ln -s ttyUSB0 "$ROBOT/dev/ttyUSB7"
@@ -90,7 +90,7 @@ scenario_rollback_with_nothing_to_go_back_to() {
   expect_version 0.1.0+a
 }
 
-scenario_status_tells_and_changes_nothing() {
+scenario_status_changes_nothing() {
   local v1; v1=$(fake_bundle 0.1.0+a)
   remember_disk --touched
   run_install --status
@@ -154,7 +154,7 @@ scenario_uninstall_shows_what_was_written_into_robot_ini() {
   expect_not_said '^    \[Robot\]'
   run_install --bundle "$v1"
   run_install --uninstall
-  expect_not_said 'not as delivered'
+  expect_not_said 'differ from the defaults'
 }
 
 # The line of a user in the robot's file, or nothing.
@@ -168,12 +168,12 @@ scenario_controllers_get_a_user_without_rights_and_uninstall_removes_it() {
     remember_disk
     run_install --bundle "$(fake_bundle 0.1.0+a)"
     expect_status 0
-    expect_said 'made the user darwinop'
+    expect_said 'created the user darwinop'
     [[ $(account passwd) =~ ^darwinop:[x*]:[1-9][0-9]{2}:[0-9]+:.*:/nonexistent:/bin/false$ ]] || fail "the user is: $(account passwd)"
     grep -q '^video:x:44:darwin,darwinop$' "$ROBOT/etc/group" || fail "no camera for it: $(grep ^video "$ROBOT/etc/group")"
     grep -q '^audio:x:29:darwinop$' "$ROBOT/etc/group" || fail "no sound for it"
     run_install --bundle "$(fake_bundle 0.2.0+b)"
-    expect_not_said 'made the user'
+    expect_not_said 'created the user'
     run_install --uninstall
     expect_status 0
     expect_same_disk "the user or the group stayed"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What a page of the robot window says and hears: window_page.sh URL monitor|steering [WORDS...]. WORDS are sent ten times a
+# Messages sent and received by a page of the robot window: window_page.sh URL monitor|steering [WORDS...]. WORDS are sent ten times a
 # second, each once, the last again and again, as a page does; what comes is printed as it comes, frames and all.
 url=${1#http://}
 host=${url%%/*}

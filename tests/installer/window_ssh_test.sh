@@ -16,7 +16,7 @@ open_page() {
   url=$(sed -n 's/^open in a browser: //p' "$LAB/out")
 }
 
-# page NAME CHANNEL WORDS...: a page that goes on until page_gone; what it hears is in $LAB/NAME.
+# page NAME CHANNEL WORDS...: a page that runs until page_gone; received messages are in $LAB/NAME.
 page() {
   "$HERE/window_page.sh" "$url" "${@:2}" >"$LAB/$1" 2>"$LAB/$1.errors" &
   eval "${1}_pid=$!"
@@ -32,7 +32,7 @@ await_page() {
   done
 }
 
-# await_neck MILLIRAD: the neck, as a page that looks on is told, is further than that.
+# await_neck MILLIRAD: waits until an observing page shows the neck beyond this angle.
 await_neck() {
   local tries=0
   until grep -ao '"position":\[[^]]*' "$LAB/eyes" | tail -n 1 | awk -F, -v least="$1" '$19 * 1000 > least { ok = 1 } END { exit !ok }'; do
@@ -66,12 +66,12 @@ scenario_a_window_looks_on_drives_and_ends() {
   kill -INT -- "-$run_pid"
   wait_run
   expect_status 0
-  expect_last_line 'robot: (the robot has let go|how the robot is cannot be told)'  # a busy machine starves its board
-  expect_let_go
+  expect_last_line 'robot: (all joints are limp|the robot.s state is unknown)'  # a busy machine starves its board
+  expect_limp
   page_gone eyes
 }
 
-# It is seen, steering says who it is, and a window that drives ends as tidily when it is killed.
+# The window observes, steering names the driver, and a driving window ends normally even when it is killed.
 scenario_somebody_else_drives_then_the_window_and_it_is_killed() {
   robot_with_a_runtime
   chroot "$ROBOT" /opt/darwinop/start </dev/null >/dev/null 2>&1 &
@@ -84,7 +84,7 @@ scenario_somebody_else_drives_then_the_window_and_it_is_killed() {
   until grep -qs driving "$LAB/their-client"; do sleep 0.02; done
   start_window
   open_page
-  expect_said "darwinop-remote \(process [0-9]+\) drives this robot, and the window looks on. .*: sudo kill -INT [0-9]+"
+  expect_said "darwinop-remote \(process [0-9]+\) drives this robot, and the window observes. .*: sudo kill -INT [0-9]+"
   page eyes monitor '{"rate":62.5}'
   await_page eyes '"state":"driven"'
   page hand steering '{"take":true}' '{}'
@@ -96,7 +96,7 @@ scenario_somebody_else_drives_then_the_window_and_it_is_killed() {
   await_page hand '"yours":true'
   kill -KILL "$run_pid"
   wait_run
-  expect_let_go
+  expect_limp
 }
 
 # A start would take back what is being tried. And a window whose monitor has ended shows nothing: it ends, too.
@@ -109,7 +109,7 @@ scenario_a_window_starts_nothing_while_somebody_installs_and_ends_with_its_monit
   start_window
   open_page
   expect_said "another installation is running on this robot \(process $installing\)"
-  expect_said 'no runtime is started from here: see above'
+  expect_said 'not starting a runtime, see above'
   [ "$(readlink "$ROBOT/opt/darwinop/current") $(cat "$ROBOT/opt/darwinop/pending")" = 'versions/real -' ] || fail "the version that is tried was taken back"
   [ -s "$ROBOT/opt/darwinop/lock" ] || fail "the lock of another one is gone"
   ! supervisor_says >/dev/null 2>&1 || fail "a supervisor was started"
@@ -120,8 +120,8 @@ scenario_a_window_starts_nothing_while_somebody_installs_and_ends_with_its_monit
   kill "$installing"
 }
 
-# An operator ends who drives, also when it is a window; a broken link and a robot that knows no monitor are told.
-scenario_what_ends_a_window_is_told() {
+# An operator can end any driver, including a window; a lost connection and a robot without monitor are reported.
+scenario_the_end_of_a_window_is_reported() {
   robot_with_a_runtime
   start_window
   open_page
@@ -130,15 +130,15 @@ scenario_what_ends_a_window_is_told() {
   page eyes monitor '{"rate":20}'
   cp "$LAB/out" "$LAB/first"
   if DARWINOP_PASSWORD=$password "$run" --robot "tcp://$login@$ADDRESS" "$client" </dev/null >"$LAB/out" 2>&1; then fail "two drive"; fi
-  expect_said 'drives this robot already, from a window on a PC'
+  expect_said 'this robot is already driven from a window on a PC'
   run_install --stop
   expect_status 0
   expect_said 'the window that drove this robot is stopped'
   cp "$LAB/first" "$LAB/out"
   wait_run
   expect_status 1
-  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page was not told"
-  expect_let_go
+  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page got no message"
+  expect_limp
   start_window
   open_page
   page eyes monitor '{"rate":20}'
@@ -146,13 +146,13 @@ scenario_what_ends_a_window_is_told() {
   kill -KILL "$(master_of_ssh)"
   wait_run
   expect_status 1
-  expect_said 'the link to .* was lost, .*If the window drove it, it stops'
-  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page was not told"
+  expect_said 'the connection to .* was lost, .*If the window drove it, it stops'
+  grep -qa 'the connection to darwin@127.0.0.1 is over' "$LAB/eyes" || fail "the page got no message"
   rm "$ROBOT/opt/darwinop/current/bin/darwinop-monitor"
   start_window
   wait_run
   expect_status 1
-  expect_said 'version real on this robot has no monitor that a window could look through; upgrade it first: darwinop install'
+  expect_said 'version real on this robot has no monitor for the window; upgrade it first: darwinop install'
 }
 
 run_scenarios "$@"

@@ -1,4 +1,4 @@
-// What the gait manager leaves behind: wrong files, copies, joints that others want, robots and exceptions that go.
+// Gait manager: invalid files, copies, joints taken by other managers, destroyed robots, exceptions.
 #include <gmock/gmock.h>
 
 #include <RobotisOp2GaitManager.hpp>
@@ -16,7 +16,7 @@ using testing::HasSubstr;
 
 using GaitLending = GaitManager;
 
-TEST_F(GaitLending, NamesAWrongFileAndDoesNothing) {
+TEST_F(GaitLending, AnInvalidFileDisablesItWithAMessage) {
   write("[Walking Config]\nperiod_time = 10\n");
   testing::internal::CaptureStderr();
   EXPECT_FALSE(manager().isCorrectlyInitialized());
@@ -27,26 +27,26 @@ TEST_F(GaitLending, NamesAWrongFileAndDoesNothing) {
   manager().stop();
 }
 
-TEST_F(GaitLending, WalksWithoutAFileAndSaysSoOnce) {
+TEST_F(GaitLending, WalksWithoutAFileAndWarnsOnce) {
   testing::internal::CaptureStderr();
   managers::RobotisOp2GaitManager one{&robot(), "/nowhere/config.ini"}, other{&robot(), "/nowhere/config.ini"};
   EXPECT_TRUE(one.isCorrectlyInitialized() && other.isCorrectlyInitialized());
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(said, HasSubstr("there is no /nowhere/config.ini: the gait's default parameters are used"));
+  EXPECT_THAT(said, HasSubstr("cannot find /nowhere/config.ini: the default gait parameters are used"));
   EXPECT_EQ(lines(said), 1);
 }
 
-TEST_F(GaitLending, SaysThatItWasGivenNoRobot) {
+TEST_F(GaitLending, ReportsANullRobot) {
   testing::internal::CaptureStderr();
   DARwInOPGaitManager nobody{nullptr, ini()};
   nobody.start();
   nobody.step(16);
   nobody.stop();
   EXPECT_FALSE(nobody.isCorrectlyInitialized());
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("it was given no robot"));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("the robot is null"));
 }
 
-TEST_F(GaitLending, CopiesBeginAtRest) {
+TEST_F(GaitLending, CopiesStartAtRest) {
   standing().start();
   steps(5);
   DARwInOPGaitManager copy = manager();
@@ -61,7 +61,7 @@ TEST_F(GaitLending, CopiesBeginAtRest) {
   EXPECT_EQ(goals(), there);
 }
 
-TEST_F(GaitLending, GivesGainsAndLimitsBackWhenItGoesInTheMiddleOfAStep) {
+TEST_F(GaitLending, RestoresGainsAndLimitsIfDestroyedDuringAStep) {
   webots::Motor& knee = *robot().getMotor("LegLowerR");
   knee.setVelocity(2);
   knee.setControlPID(6, 0, 0);
@@ -74,7 +74,7 @@ TEST_F(GaitLending, GivesGainsAndLimitsBackWhenItGoesInTheMiddleOfAStep) {
   EXPECT_EQ(knee.getVelocity(), 2);
 }
 
-TEST_F(GaitLending, LeavesTheJointsToWhoTakesThemAndBeginsAnewBehindThat) {
+TEST_F(GaitLending, ReleasesJointsTakenByAPageAndRestartsAfterIt) {
   standing().start();
   steps(20);
   const auto mid_step = goals();
@@ -82,17 +82,17 @@ TEST_F(GaitLending, LeavesTheJointsToWhoTakesThemAndBeginsAnewBehindThat) {
   currentRobot()->joints_taken_by = &page;
   steps(5);
   EXPECT_EQ(goals(), mid_step);
-  for (std::size_t i = 0; i < kWalking; ++i)  // the page has left it sitting
+  for (std::size_t i = 0; i < kWalking; ++i)  // sitting after the page
     fake.image.joint[i].position = fake.image.joint[i].commanded = radFromTicks(kJointTable[i].start);
   for (std::size_t i = 0; i < kWalking; ++i)
     robot().getMotor(std::string{kJointTable[i].name})->setPosition(radFromTicks(kJointTable[i].start).value);
   robot().step(16);
   currentRobot()->joints_taken_by = nullptr;
   steps(1);
-  for (std::size_t i = 0; i < kWalking; ++i) EXPECT_NEAR(goals()[i], kJointTable[i].start, 12) << "gently, from there";
+  for (std::size_t i = 0; i < kWalking; ++i) EXPECT_NEAR(goals()[i], kJointTable[i].start, 12) << "smoothly from there";
 }
 
-TEST_F(GaitLending, AJointThatIsSilentAndWasToTurnForEverIsGivenNumbersOnly) {
+TEST_F(GaitLending, AnUnknownJointInVelocityControlGetsFiniteGoals) {
   standing();
   const std::size_t knee = index(Joint::kLegLowerR);
   robot().getMotor("LegLowerR")->setPosition(INFINITY);
@@ -117,7 +117,7 @@ TEST_F(GaitLending, MayOutliveItsRobot) {
   manager().step(16);
 }
 
-TEST_F(GaitLending, AnExceptionOutOfAStepLeavesItUsable) {
+TEST_F(GaitLending, AnExceptionFromAStepLeavesItUsable) {
   standing().start();
   steps(30);
   fake.on_cycle = [](std::uint64_t) { throw std::runtime_error("the controller's own"); };
@@ -126,7 +126,7 @@ TEST_F(GaitLending, AnExceptionOutOfAStepLeavesItUsable) {
   manager().stop();
   const auto stance = goals();
   steps(5);
-  EXPECT_EQ(goals(), stance) << "it rests";
+  EXPECT_EQ(goals(), stance) << "at rest";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How the gait manager walks, on a robot in memory.
+// Gait manager on a simulated robot.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ std::vector<std::array<int, kWalking>> goldenOf(const std::string& scenario) {
   return calls;
 }
 
-TEST_F(GaitManager, SendsWhatTheReferenceWalks) {
+TEST_F(GaitManager, SendsTheGoalsOfTheReference) {
   standing().setXAmplitude(1);
   manager().start();
   const auto golden = goldenOf("G2_forward");
@@ -32,8 +32,8 @@ TEST_F(GaitManager, SendsWhatTheReferenceWalks) {
   EXPECT_EQ(fake.last().joint[index(Joint::kHead)].set, 0);
 }
 
-TEST_F(GaitManager, CarriesTheRestOfAStepOver) {
-  standing().step(12);  // at rest: what remains of it is nobody's
+TEST_F(GaitManager, CarriesTheRemainderOfAStepOver) {
+  standing().step(12);  // at rest: the remainder is discarded
   manager().start();
   const auto golden = goldenOf("G1_inplace");
   for (std::size_t step = 1; step <= 80; ++step) {
@@ -56,7 +56,7 @@ TEST_F(GaitManager, ClampsAmplitudesAndIgnoresNaN) {
   EXPECT_THAT(said, HasSubstr("setAAmplitude(NaN) is ignored"));
 }
 
-TEST_F(GaitManager, SetsThePGainsAndTakesSpeedLimitsAway) {
+TEST_F(GaitManager, SetsPGainsAndRemovesSpeedLimits) {
   write("[Walking Config]\np_gain = 40\n");
   webots::Motor& knee = *robot().getMotor("LegLowerR");
   knee.setVelocity(0.5);
@@ -75,9 +75,9 @@ TEST_F(GaitManager, SetsThePGainsAndTakesSpeedLimitsAway) {
   EXPECT_EQ(fake.last().joint[index(Joint::kArmUpperL)].p_gain, 4);
 }
 
-TEST_F(GaitManager, TheGyroscopeDrivesBalance) {
+TEST_F(GaitManager, BalanceUsesTheGyroscope) {
   standing().setBalanceEnable(true);
-  steps(100);  // calibrates, a sample a cycle
+  steps(100);  // calibrates, one sample per cycle
   expectUntouched();
   manager().start();
   steps(3);
@@ -94,7 +94,7 @@ TEST_F(GaitManager, TheGyroscopeDrivesBalance) {
 
 TEST_F(GaitManager, StandsUntilTheGyroscopeIsCalibrated) {
   standing().setBalanceEnable(true);
-  fake.image.board.gyro[0] = RadPerSec{0.3};  // its rest is not 512
+  fake.image.board.gyro[0] = RadPerSec{0.3};  // zero offset
   robot().step(16);
   manager().start();
   for (int i = 0; i < 100; ++i) {
@@ -105,7 +105,7 @@ TEST_F(GaitManager, StandsUntilTheGyroscopeIsCalibrated) {
   EXPECT_EQ(goals(), goldenOf("G1_inplace")[6]);
 }
 
-TEST_F(GaitManager, AReadingOfTheGyroscopeCountsOnceHoweverOftenItIsLookedAt) {
+TEST_F(GaitManager, AGyroscopeReadingIsUsedOnce) {
   standing().setBalanceEnable(true);
   manager().start();
   for (int cycle = 0; cycle < 98; ++cycle) {
@@ -118,23 +118,23 @@ TEST_F(GaitManager, AReadingOfTheGyroscopeCountsOnceHoweverOftenItIsLookedAt) {
   steps(1);
   fake.image.board.motion.age = 0;
   steps(2);
-  EXPECT_EQ(goals(), gait::kStanding.tick) << "the 100th has just been seen";
+  EXPECT_EQ(goals(), gait::kStanding.tick) << "the 100th sample has just been used";
   steps(3);
   EXPECT_NE(goals(), gait::kStanding.tick);
 }
 
-TEST_F(GaitManager, ARobotThatIsMovedWalksWithoutBalance) {
+TEST_F(GaitManager, AMovedRobotWalksWithoutBalance) {
   standing().setBalanceEnable(true);
   fake.on_cycle = [this](std::uint64_t cycle) { fake.image.board.gyro[0] = RadPerSec{cycle % 2 == 0 ? 1.0 : -1.0}; };
   testing::internal::CaptureStderr();
   manager().start();
   steps(300 + 1 + 20);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(said, HasSubstr("balance cannot be calibrated"));
+  EXPECT_THAT(said, HasSubstr("the gyroscope could not be calibrated"));
   EXPECT_EQ(goals(), goldenOf("G1_inplace")[42]);
 }
 
-TEST_F(GaitManager, AGyroscopeThatFallsSilentGivesNoNaN) {
+TEST_F(GaitManager, AnUnknownGyroscopeGivesNoNaN) {
   standing().setBalanceEnable(true);
   steps(100);
   manager().start();
@@ -143,7 +143,7 @@ TEST_F(GaitManager, AGyroscopeThatFallsSilentGivesNoNaN) {
   EXPECT_EQ(goals(), goldenOf("G1_inplace")[39]);
 }
 
-TEST_F(GaitManager, StopReturnsInTheStanceAndThenLeavesTheMotorsAlone) {
+TEST_F(GaitManager, StopReturnsInTheStanceAndReleasesTheMotors) {
   standing().setXAmplitude(1);
   manager().start();
   steps(60);
@@ -154,10 +154,10 @@ TEST_F(GaitManager, StopReturnsInTheStanceAndThenLeavesTheMotorsAlone) {
   robot().getMotor("ShoulderR")->setPosition(0.1);
   steps(20);
   EXPECT_EQ(goals()[0], ticksFromRad(Rad{0.1}));
-  manager().stop();  // nothing to do
+  manager().stop();  // no effect
 }
 
-TEST_F(GaitManager, CallsFromInsideOfAStopAreNotHeard) {
+TEST_F(GaitManager, CallsDuringAStopAreIgnored) {
   standing().setXAmplitude(1);
   manager().start();
   steps(60);
@@ -167,7 +167,7 @@ TEST_F(GaitManager, CallsFromInsideOfAStopAreNotHeard) {
   engine.stop();
   int calls = 0;
   for (; engine.running(); ++calls) engine.next({}, {NAN, NAN});
-  // As a controller does whose own Robot::step() walks, too.
+  // Like a controller whose overridden Robot::step() also calls the gait manager.
   fake.on_cycle = [this](std::uint64_t) {
     manager().step(16);
     manager().start();
@@ -179,7 +179,7 @@ TEST_F(GaitManager, CallsFromInsideOfAStopAreNotHeard) {
   fake.on_cycle = {};
 }
 
-TEST_F(GaitManager, APageThatBeginsInsideOfAStopHasTheJoints) {
+TEST_F(GaitManager, APageThatStartsDuringAStopTakesTheJoints) {
   standing().start();
   steps(60);
   int page = 0;
@@ -191,7 +191,7 @@ TEST_F(GaitManager, APageThatBeginsInsideOfAStopHasTheJoints) {
   fake.on_cycle = {};
 }
 
-TEST_F(GaitManager, StopEndsWhenTheControllerMust) {
+TEST_F(GaitManager, StopEndsWithTheController) {
   standing().setXAmplitude(1);
   manager().start();
   steps(60);
@@ -200,11 +200,11 @@ TEST_F(GaitManager, StopEndsWhenTheControllerMust) {
   manager().stop();
   EXPECT_EQ(robot().step(16), -1);
   const double stance = radFromTicks(gait::kStanding[Joint::kShoulderR]).value;
-  EXPECT_GT(std::abs(robot().getMotor("ShoulderR")->getTargetPosition() - stance), 0.05);  // it did not walk on
+  EXPECT_GT(std::abs(robot().getMotor("ShoulderR")->getTargetPosition() - stance), 0.05);  // the walk did not continue
   testing::internal::GetCapturedStderr();
 }
 
-TEST_F(GaitManager, GoesToItsStanceGently) {
+TEST_F(GaitManager, MovesSmoothlyToItsStance) {
   manager().setBalanceEnable(false);
   manager().start();
   steps(1);
@@ -219,7 +219,7 @@ TEST_F(GaitManager, GoesToItsStanceGently) {
   EXPECT_NEAR(taken * 16, 2675, 40);
 }
 
-TEST_F(GaitManager, AKneeThatHangsBelowItsGoalIsNotLetDown) {
+TEST_F(GaitManager, AKneeBelowItsGoalKeepsItsGoal) {
   JointSensors& knee = fake.image.joint[index(Joint::kLegLowerR)];
   const int goal = ticksFromRad(knee.commanded);
   knee.position.value -= 0.15;
@@ -228,14 +228,14 @@ TEST_F(GaitManager, AKneeThatHangsBelowItsGoalIsNotLetDown) {
   EXPECT_NEAR(goals()[index(Joint::kLegLowerR)], goal, 9);
 }
 
-TEST_F(GaitManager, ShortStepsSaySoOnce) {
+TEST_F(GaitManager, ShortStepsWarnOnce) {
   testing::internal::CaptureStderr();
   standing().start();
   for (int i = 0; i < 10; ++i) manager().step(4);
   manager().step(-5);
   robot().step(16);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(said, HasSubstr("GaitManager: step(4) is too short"));
+  EXPECT_THAT(said, HasSubstr("GaitManager: step(4) has no effect"));
   EXPECT_EQ(goals()[0], -1);
 }
 

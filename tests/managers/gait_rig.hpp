@@ -1,4 +1,4 @@
-// The gait manager on a robot in memory.
+// Test fixture: gait manager on a simulated robot.
 #pragma once
 
 #include <DARwInOPGaitManager.hpp>
@@ -23,7 +23,7 @@ class GaitManager : public Facade {
   void write(const std::string& text) { std::ofstream{ini()} << text; }
   [[nodiscard]] std::string ini() const { return folder_ / "config.ini"; }
 
-  /// Standing in the stance, without balance: its first step is the first call of the engine.
+  /// In the stance, without balance: the first step is the first call of the engine.
   managers::DARwInOPGaitManager& standing() {
     for (std::size_t i = 0; i < kWalking; ++i)
       fake.image.joint[i].position = fake.image.joint[i].commanded = radFromTicks(gait::kStanding.tick[i]);

@@ -1,4 +1,4 @@
-// A page whose first pose is far away is not jumped to; one that is near begins as it always did.
+// Lead-in: a page with a distant first pose starts with a smooth motion, other pages start immediately.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -14,15 +14,15 @@ namespace {
 
 using managers::DARwInOPMotionManager;
 
-TEST(PresentGoal, OfAJointThatNobodyKnowsIsItsStartPoseAndNotTheMiddle) {
+TEST(PresentGoal, OfAnUnknownJointIsItsStartPose) {
   const double start = radFromTicks(row(Joint::kLegLowerR).start).value;
   EXPECT_GT(std::abs(start), 0.5);
   EXPECT_EQ(presentGoal(Joint::kLegLowerR, {}, INFINITY), start);
   EXPECT_EQ(presentGoal(Joint::kLegLowerR, {}, NAN), start);
-  EXPECT_EQ(presentGoal(Joint::kLegLowerR, {}, 0.2), 0.2) << "the controller's wish";
+  EXPECT_EQ(presentGoal(Joint::kLegLowerR, {}, 0.2), 0.2) << "the controller's goal";
 }
 
-/// As a robot does it: what was asked for is where the joints are in the next cycle.
+/// A robot whose joints reach their goals in the next cycle.
 class GentleStart : public MotionManagerTest {
  protected:
   GentleStart() {
@@ -41,7 +41,7 @@ class GentleStart : public MotionManagerTest {
     fake.on_cycle = follow;
     fake.published.clear();
   }
-  /// rad in a step of 16 ms, of all joints, that were at 2000 ticks before.
+  /// Maximum change of all joints in a step of 16 ms, rad, from 2000 ticks.
   double fastest() {
     double most = 0;
     for (std::size_t i = 0; i < kJoints; ++i) {
@@ -56,7 +56,7 @@ class GentleStart : public MotionManagerTest {
   }
 };
 
-TEST_F(GentleStart, APageThatIsFarAwayIsNotJumpedTo) {
+TEST_F(GentleStart, ADistantPageStartsWithASmoothMotion) {
   pages_[1].step[0].position.fill(2048 + 400);
   pages_[1].step[0].position[19] = motion::kKeep;
   write();
@@ -64,8 +64,8 @@ TEST_F(GentleStart, APageThatIsFarAwayIsNotJumpedTo) {
   manager.playPage(1, false);
   manager.step(16);
   robot().step(16);
-  for (const int ticks : necks()) EXPECT_EQ(ticks, 2000) << "it has no part in the first step";
-  EXPECT_NEAR(ticksOf(Joint::kHead), 2000, 2) << "and the others begin where they are";
+  for (const int ticks : necks()) EXPECT_EQ(ticks, 2000) << "not part of the first step";
+  EXPECT_NEAR(ticksOf(Joint::kHead), 2000, 2) << "the others start at their position";
   int steps = 1;
   for (; manager.isMotionPlaying() && steps < 1000; ++steps) {
     manager.step(16);
@@ -73,14 +73,14 @@ TEST_F(GentleStart, APageThatIsFarAwayIsNotJumpedTo) {
   }
   EXPECT_LE(fastest(), LeadIn::kSpeed * 0.016 + 1e-9);
   EXPECT_EQ(ticksOf(Joint::kHead), 2448);
-  EXPECT_NEAR(steps * 0.016, 1.5 * 448 * kRadPerTick / LeadIn::kSpeed + 13 * 0.008, 0.032) << "the page comes behind";
+  EXPECT_NEAR(steps * 0.016, 1.5 * 448 * kRadPerTick / LeadIn::kSpeed + 13 * 0.008, 0.032) << "followed by the page";
   fake.published.clear();
   manager.playPage(1);
-  EXPECT_EQ(fake.published.size(), 7u) << "13 ticks: nothing is added when the robot is there";
+  EXPECT_EQ(fake.published.size(), 7u) << "13 ticks: no lead-in if the robot is in the pose";
 }
 
-TEST_F(GentleStart, AFirstStepThatServosCanDoIsAsItWas) {
-  // 187 ticks in 80 ms are 3.59 rad/s; with twice the time it is less than half of what a servo does without a load.
+TEST_F(GentleStart, AFeasibleFirstStepIsUnchanged) {
+  // 187 ticks in 80 ms are 3.59 rad/s; with twice the time less than half of the no-load speed.
   pages_[1].step[0].position.fill(2187);
   pages_[2] = pages_[1];
   pages_[2].step[0].time = 20;
@@ -93,7 +93,7 @@ TEST_F(GentleStart, AFirstStepThatServosCanDoIsAsItWas) {
   EXPECT_GT(fake.published.size(), 7u + 20u);
 }
 
-TEST_F(GentleStart, APageBySpeedIsJudgedByItsSpeed) {
+TEST_F(GentleStart, APageBySpeedIsCheckedByItsSpeed) {
   pages_[1].schedule = motion::kSpeedBased;
   pages_[1].step[0].position.fill(2400);
   pages_[1].step[0].time = 100;  // 1.44 rad/s
@@ -111,7 +111,7 @@ TEST_F(GentleStart, APageBySpeedIsJudgedByItsSpeed) {
   EXPECT_LE(fastest(), LeadIn::kSpeed * 0.016 + 1e-9);
 }
 
-TEST_F(GentleStart, WhoeverTakesTheJointsEndsIt) {
+TEST_F(GentleStart, EndsIfAnotherManagerTakesTheJoints) {
   pages_[1].step[0].position.fill(2448);
   write();
   DARwInOPMotionManager manager{&robot(), path_}, other{manager};

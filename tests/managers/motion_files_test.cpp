@@ -1,4 +1,4 @@
-// Which file a motion manager reads, and when it plays the runtime's own pages.
+// Motion manager: selection of the motion file and of the built-in pages.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -16,13 +16,13 @@ using testing::internal::GetCapturedStderr;
 
 using MotionFiles = MotionManagerTest;
 
-/// With a data directory of its own.
+/// With another data directory.
 struct Elsewhere : DARwInOPMotionManager {
   Elsewhere(webots::Robot* robot, const std::string& file, const std::string& directory)
       : DARwInOPMotionManager(robot, file, directory) {}
 };
 
-TEST_F(MotionFiles, WithoutACustomFileItIsTheOneInTheDataDirectory) {
+TEST_F(MotionFiles, WithoutACustomFileUsesTheDataDirectory) {
   std::filesystem::copy(path_, folder_ / "motion_4096.bin");
   CaptureStderr();
   EXPECT_TRUE((Elsewhere{&robot(), path_, "/nowhere/"}.isCorrectlyInitialized()));
@@ -33,20 +33,20 @@ TEST_F(MotionFiles, WithoutACustomFileItIsTheOneInTheDataDirectory) {
   EXPECT_EQ(fake.published.size(), 8u) << "16 ticks of 8 ms";
 }
 
-TEST_F(MotionFiles, WithoutAnyFileItPlaysOwnPagesAndSaysSoOnce) {
+TEST_F(MotionFiles, WithoutAnyFilePlaysBuiltInPagesAndWarnsOnce) {
   CaptureStderr();
   Elsewhere missing{&robot(), "", folder_ / ""}, again{&robot(), "", folder_ / ""};
-  EXPECT_EQ(GetCapturedStderr(), "darwinop: MotionManager: there is no " + (folder_ / "motion_4096.bin") +
-                                     ": the runtime's own pages are played (darwinop motion list own)\n");
+  EXPECT_EQ(GetCapturedStderr(), "darwinop: MotionManager: cannot find " + (folder_ / "motion_4096.bin") +
+                                     ": the built-in pages are played (darwinop motion list own)\n");
   EXPECT_TRUE(missing.isCorrectlyInitialized());
   missing.playPage(9, false);
   EXPECT_TRUE(missing.isMotionPlaying());
   missing.step(1000);
   EXPECT_EQ(robot().step(16), 0);
-  EXPECT_NE(ticksOf(Joint::kLegLowerR), 2000) << "it stands up";
+  EXPECT_NE(ticksOf(Joint::kLegLowerR), 2000) << "page 9 stands up";
 }
 
-TEST_F(MotionFiles, OwnPagesCanBeAskedForByName) {
+TEST_F(MotionFiles, BuiltInPagesAreSelectedByName) {
   std::filesystem::copy(path_, folder_ / "motion_4096.bin");
   CaptureStderr();
   Elsewhere manager{&robot(), "own", folder_ / ""};
@@ -55,12 +55,12 @@ TEST_F(MotionFiles, OwnPagesCanBeAskedForByName) {
   EXPECT_EQ(GetCapturedStderr(), "");
 }
 
-TEST_F(MotionFiles, OwnPagesNeverReplaceAFile) {
+TEST_F(MotionFiles, BuiltInPagesNeverReplaceAFile) {
   CaptureStderr();
   DARwInOPMotionManager missing{&robot(), folder_ / "none.bin"};
   EXPECT_FALSE(missing.isCorrectlyInitialized());
   EXPECT_EQ(GetCapturedStderr(),
-            "darwinop: MotionManager: " + (folder_ / "none.bin") + ": it cannot be opened; no page will be played\n");
+            "darwinop: MotionManager: " + (folder_ / "none.bin") + ": cannot open the file; no page will be played\n");
   std::ofstream{folder_ / "motion_4096.bin"} << "darwinop motion 1\n[page 1]\nNeck = x\n";
   CaptureStderr();
   Elsewhere broken{&robot(), "", folder_ / ""};
@@ -70,8 +70,8 @@ TEST_F(MotionFiles, OwnPagesNeverReplaceAFile) {
   std::filesystem::create_symlink("/nowhere/at/all", folder_ / "motion_4096.bin");
   forgetWarnings();
   CaptureStderr();
-  EXPECT_FALSE((Elsewhere{&robot(), "", folder_ / ""}.isCorrectlyInitialized())) << "a link to a disk that is away";
-  EXPECT_THAT(GetCapturedStderr(), HasSubstr("it cannot be opened; no page will be played"));
+  EXPECT_FALSE((Elsewhere{&robot(), "", folder_ / ""}.isCorrectlyInitialized())) << "a dangling symbolic link";
+  EXPECT_THAT(GetCapturedStderr(), HasSubstr("cannot open the file; no page will be played"));
 }
 
 TEST_F(MotionFiles, ACustomFileMayBeText) {

@@ -1,4 +1,4 @@
-// The motion manager as controllers use it: synchronous and asynchronous pages, goals, gains, and what is refused.
+// Motion manager: synchronous and asynchronous pages, goals, gains, refusals.
 #include <gmock/gmock.h>
 
 #include <DARwInOPMotionManager.hpp>
@@ -22,18 +22,18 @@ using testing::HasSubstr;
 using testing::internal::CaptureStderr;
 using testing::internal::GetCapturedStderr;
 
-TEST_F(MotionManagerTest, ASynchronousPageStepsTheRobotUntilItHasEnded) {
+TEST_F(MotionManagerTest, ASynchronousPageStepsTheRobotUntilItEnds) {
   DARwInOPMotionManager manager{&robot(), path_};
   EXPECT_TRUE(manager.isCorrectlyInitialized());
   manager.playPage(1);
   EXPECT_FALSE(manager.isMotionPlaying());
-  // Two ticks a step: 0 3 | 12 12 | 24 37 | 50 62 | 75 88 | 88 100 | 100.
+  // Two ticks per step: 0 3 | 12 12 | 24 37 | 50 62 | 75 88 | 88 100 | 100.
   EXPECT_THAT(necks(), ElementsAre(2003, 2012, 2037, 2062, 2088, 2100, 2100));
   for (std::size_t i = 0; i < kJoints; ++i) EXPECT_EQ(ticksOf(static_cast<Joint>(i)), 2100);
   EXPECT_NEAR(robot().getMotor("Head")->getTargetPosition(), radFromTicks(2100).value, 1e-12);
 }
 
-TEST_F(MotionManagerTest, WholeStepsAreAllThatAPageTakes) {
+TEST_F(MotionManagerTest, APageTakesWholeSteps) {
   DARwInOPMotionManager manager{&robot(), path_};
   manager.playPage(2);
   EXPECT_EQ(fake.published.size(), 8u) << "16 ticks of 8 ms";
@@ -44,8 +44,8 @@ TEST_F(MotionManagerTest, ASynchronousPageEndsWithTheController) {
   fake.on_cycle = [this](std::uint64_t) { stop = fake.published.size() == 3; };
   manager.playPage(1);
   EXPECT_FALSE(manager.isMotionPlaying());
-  EXPECT_THAT(necks(), ElementsAre(2003, 2012, 2037, 2062)) << "the step that gave -1 had been published";
-  EXPECT_EQ(ticksFromRad(Rad{robot().getMotor("Neck")->getTargetPosition()}), 2062) << "and no further";
+  EXPECT_THAT(necks(), ElementsAre(2003, 2012, 2037, 2062)) << "the step that returned -1 was published";
+  EXPECT_EQ(ticksFromRad(Rad{robot().getMotor("Neck")->getTargetPosition()}), 2062) << "no later goals";
   EXPECT_EQ(robot().step(16), -1);
 }
 
@@ -65,21 +65,21 @@ TEST_F(MotionManagerTest, AnAsynchronousPageIsPlayedByStep) {
   robot().getMotor("Neck")->setPosition(0.1);
   manager.step(16);
   robot().step(16);
-  EXPECT_EQ(last(Joint::kNeck).goal.value, 0.1) << "over: the joints are the controller's";
+  EXPECT_EQ(last(Joint::kNeck).goal.value, 0.1) << "the page has ended: the controller's goals apply";
 }
 
-TEST_F(MotionManagerTest, WhatIsLeftOfAStepIsCarriedOver) {
+TEST_F(MotionManagerTest, TheRemainderOfAStepIsCarriedOver) {
   DARwInOPMotionManager manager{&robot(), path_};
   manager.playPage(1, false);
   for (const int ms : {7, 0, -20, 1, 20, 20}) {
     manager.step(ms);
     robot().step(16);
   }
-  // Ticks by then: 0 0 0 1 3 6.
+  // Ticks: 0 0 0 1 3 6.
   EXPECT_THAT(necks(), ElementsAre(-1, -1, -1, 2000, 2012, 2037));
 }
 
-TEST_F(MotionManagerTest, ABasicTimeStepOfItsOwnKeepsTheRate) {
+TEST_F(MotionManagerTest, AnotherBasicTimeStepKeepsTheRate) {
   // 13 ticks are 104 ms. In steps shorter than a tick the end shows with the tick after it.
   const std::pair<int, std::size_t> kSteps[] = {{4, 27}, {8, 13}, {20, 6}, {100, 2}};
   for (const auto& [step_ms, steps] : kSteps) {
@@ -93,7 +93,7 @@ TEST_F(MotionManagerTest, ABasicTimeStepOfItsOwnKeepsTheRate) {
   }
 }
 
-TEST_F(MotionManagerTest, AnotherPageWhileOneIsPlayedIsRefusedAndSaid) {
+TEST_F(MotionManagerTest, ASecondPageIsRefusedWithAMessage) {
   DARwInOPMotionManager manager{&robot(), path_};
   manager.playPage(1, false);
   CaptureStderr();
@@ -103,10 +103,10 @@ TEST_F(MotionManagerTest, AnotherPageWhileOneIsPlayedIsRefusedAndSaid) {
   EXPECT_TRUE(fake.published.empty());
   manager.step(16);
   robot().step(16);
-  EXPECT_EQ(ticksOf(Joint::kNeck), 2003) << "the first one goes on";
+  EXPECT_EQ(ticksOf(Joint::kNeck), 2003) << "the first one continues";
 }
 
-TEST_F(MotionManagerTest, APageThatIsNotThereIsSaid) {
+TEST_F(MotionManagerTest, AMissingPageIsReported) {
   DARwInOPMotionManager manager{&robot(), path_};
   CaptureStderr();
   for (const int page : {-1, 0, 256, 77}) manager.playPage(page);
@@ -118,33 +118,33 @@ TEST_F(MotionManagerTest, APageThatIsNotThereIsSaid) {
   EXPECT_TRUE(fake.published.empty());
 }
 
-TEST_F(MotionManagerTest, ABadFileIsSaidOnceAndNothingPlays) {
+TEST_F(MotionManagerTest, AnInvalidFileIsReportedOnceAndNothingPlays) {
   std::fstream{path_, std::ios::in | std::ios::out | std::ios::binary}.seekp(5 * 512 + 70).put('\x11');
   CaptureStderr();
   DARwInOPMotionManager manager{&robot(), path_};
   RobotisOp2MotionManager twin{&robot(), path_};
   EXPECT_THAT(GetCapturedStderr(),
-              testing::MatchesRegex("darwinop: MotionManager: [^\n]*: page 5, byte 2591: the checksum is wrong: "
+              testing::MatchesRegex("darwinop: MotionManager: [^\n]*: page 5, byte 2591: wrong checksum: "
                                     "[^\n]*; no page will be played\n"));
   EXPECT_FALSE(manager.isCorrectlyInitialized() || twin.isCorrectlyInitialized());
   CaptureStderr();
   manager.playPage(1);
   manager.playPage(1, false);
   manager.step(16);
-  EXPECT_EQ(GetCapturedStderr(), "darwinop: MotionManager: page 1 is skipped: there is no motion file\n");
+  EXPECT_EQ(GetCapturedStderr(), "darwinop: MotionManager: page 1 is skipped: no motion file\n");
   EXPECT_FALSE(manager.isMotionPlaying());
   EXPECT_TRUE(fake.published.empty());
 }
 
-TEST_F(MotionManagerTest, WithoutARobotItSaysSo) {
+TEST_F(MotionManagerTest, ANullRobotIsReported) {
   CaptureStderr();
   DARwInOPMotionManager manager{nullptr, path_};
   manager.playPage(1);
-  EXPECT_THAT(GetCapturedStderr(), HasSubstr("MotionManager: it was given no robot; no page will be played\n"));
+  EXPECT_THAT(GetCapturedStderr(), HasSubstr("MotionManager: the robot is null; no page will be played\n"));
   EXPECT_FALSE(manager.isCorrectlyInitialized());
 }
 
-TEST_F(MotionManagerTest, ThePagesGainsLastAsLongAsThePage) {
+TEST_F(MotionManagerTest, ThePagesGainsEndWithThePage) {
   config.safety.default_p_gain = 5;
   end();
   robot().getMotor("Head")->setControlPID(6, 0, 0);
@@ -157,13 +157,13 @@ TEST_F(MotionManagerTest, ThePagesGainsLastAsLongAsThePage) {
     EXPECT_EQ(image.joint[index(Joint::kHead)].p_gain, 4);
   }
   robot().step(16);
-  EXPECT_EQ(last(Joint::kArmUpperR).p_gain, 5) << "that of a joint which was given none";
-  EXPECT_EQ(last(Joint::kHead).p_gain, 6) << "the controller's own";
+  EXPECT_EQ(last(Joint::kArmUpperR).p_gain, 5) << "default gain";
+  EXPECT_EQ(last(Joint::kHead).p_gain, 6) << "the controller's gain";
   EXPECT_TRUE(last(Joint::kArmUpperR).has(JointCommand::kPGain));
-  EXPECT_EQ(GetCapturedStderr(), "") << "a weak gain is the page's wish, not the user's mistake";
+  EXPECT_EQ(GetCapturedStderr(), "") << "a low gain of a page is not an error";
 }
 
-TEST_F(MotionManagerTest, GoneInTheMiddleOfAPageItGivesTheGainsBack) {
+TEST_F(MotionManagerTest, RestoresTheGainsIfDestroyedDuringAPage) {
   {
     DARwInOPMotionManager manager{&robot(), path_};
     manager.playPage(2, false);
@@ -175,15 +175,15 @@ TEST_F(MotionManagerTest, GoneInTheMiddleOfAPageItGivesTheGainsBack) {
   EXPECT_EQ(last(Joint::kArmUpperR).p_gain, 4);
 }
 
-TEST_F(MotionManagerTest, APageBeginsWhereTheRobotHasItsGoals) {
+TEST_F(MotionManagerTest, APageStartsAtTheRobotsGoals) {
   auto& joint = fake.image.joint;
-  joint[0].commanded = radFromTicks(1900);         // sags by 100 ticks, and is not let down by them
-  joint[1].commanded = Rad{};                      // limp: where it is
-  joint[2].commanded = joint[2].position = Rad{};  // and not even known
-  joint[3].position = Rad{};                       // silent, but commanded
-  joint[4].commanded = radFromTicks(3000);         // still far on its way: where it is, and as far as it pulls
+  joint[0].commanded = radFromTicks(1900);         // sags by 100 ticks: starts at its goal
+  joint[1].commanded = Rad{};                      // limp: starts at its position
+  joint[2].commanded = joint[2].position = Rad{};  // unknown
+  joint[3].position = Rad{};                       // unknown position, but commanded
+  joint[4].commanded = radFromTicks(3000);         // far from its goal: starts near its position
   robot().getMotor("ArmUpperR")->setPosition(radFromTicks(2222).value);
-  robot().getMotor("Neck")->setPosition(0.7);  // never sent: the robot knows nothing of it
+  robot().getMotor("Neck")->setPosition(0.7);  // never sent
   robot().step(16);
   joint[2].commanded = joint[2].position = Rad{};
   DARwInOPMotionManager manager{&robot(), path_};
@@ -198,7 +198,7 @@ TEST_F(MotionManagerTest, APageBeginsWhereTheRobotHasItsGoals) {
   EXPECT_EQ(ticksOf(Joint::kNeck), 2000);
 }
 
-TEST_F(MotionManagerTest, NothingKnownAndVelocityControlIsTheStartPose) {
+TEST_F(MotionManagerTest, UnknownJointsInVelocityControlStartAtTheStartPose) {
   fake.image.joint[2].commanded = fake.image.joint[2].position = Rad{};
   robot().getMotor("ArmUpperR")->setPosition(INFINITY);
   robot().step(16);
@@ -209,7 +209,7 @@ TEST_F(MotionManagerTest, NothingKnownAndVelocityControlIsTheStartPose) {
   EXPECT_EQ(ticksOf(Joint::kArmUpperR), row(Joint::kArmUpperR).start);
 }
 
-TEST_F(MotionManagerTest, ACopyPlaysOnItsOwn) {
+TEST_F(MotionManagerTest, ACopyPlaysIndependently) {
   DARwInOPMotionManager manager{&robot(), path_};
   manager.playPage(1, false);
   DARwInOPMotionManager copy{manager}, assigned{&robot(), path_};
@@ -224,7 +224,7 @@ TEST_F(MotionManagerTest, ACopyPlaysOnItsOwn) {
   EXPECT_TRUE(copy.isMotionPlaying());
 }
 
-TEST_F(MotionManagerTest, AStepFromInsideOfAStepPlaysNothingTwice) {
+TEST_F(MotionManagerTest, ANestedStepHasNoEffect) {
   DARwInOPMotionManager manager{&robot(), path_};
   const auto cycles_of = [&](int page) {
     const std::size_t before = fake.published.size();
@@ -245,10 +245,10 @@ TEST_F(MotionManagerTest, MayOutliveItsRobot) {
   EXPECT_FALSE(manager.isMotionPlaying());
   CaptureStderr();
   manager.playPage(1);
-  EXPECT_THAT(GetCapturedStderr(), HasSubstr("page 1 is skipped: there is no robot\n"));
+  EXPECT_THAT(GetCapturedStderr(), HasSubstr("page 1 is skipped: no robot\n"));
 }
 
-TEST_F(MotionManagerTest, TheTimerNeedsNoStartAndSaysNothing) {
+TEST_F(MotionManagerTest, TheTimerManagerDoesNothing) {
   CaptureStderr();
   managers::DARwInOPMotionTimerManager::MotionTimerInit();
   managers::RobotisOp2MotionTimerManager::MotionTimerInit();

@@ -1,4 +1,4 @@
-// A motion file with two pages, and a robot in memory whose joints are all at 2000 ticks.
+// Test fixture: a motion file with two pages, and a simulated robot with all joints at 2000 ticks.
 #pragma once
 
 #include <DARwInOPMotionManager.hpp>
@@ -29,7 +29,7 @@ class MotionManagerTest : public Facade {
                                                  static_cast<std::streamsize>(bytes.size()));
   }
   const JointCommand& last(Joint joint) { return fake.last().joint[index(joint)]; }
-  /// The neck's goals in ticks in every image that was published.
+  /// Goals of the neck in ticks, one per published image.
   std::vector<int> necks() {
     std::vector<int> seen;
     for (const Commands& image : fake.published) {

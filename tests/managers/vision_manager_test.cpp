@@ -1,4 +1,4 @@
-// The vision manager as controllers use it, under both names.
+// Vision manager under both class names.
 #include <gmock/gmock.h>
 
 #include <DARwInOPVisionManager.hpp>
@@ -25,17 +25,17 @@ class VisionManager : public testing::Test {
     testing::internal::CaptureStderr();
   }
   ~VisionManager() override {
-    if (!heard_) {
-      EXPECT_EQ(heard(), "") << "said without need";
+    if (!logged_) {
+      EXPECT_EQ(logged(), "") << "unexpected message";
     }
   }
-  std::string heard() {
-    heard_ = true;
+  std::string logged() {
+    logged_ = true;
     return testing::internal::GetCapturedStderr();
   }
   static Manager makeRedFinder() { return Manager{40, 30, 0, 15, 60, 15, 0, 50}; }
 
-  /// Whether there is a ball; false also has to say 0, 0.
+  /// Whether a ball was found; if not, the coordinates must be 0, 0.
   bool found(DARwInOPVisionManager& manager, const Picture& picture) {
     x = y = -7;
     const bool there = manager.getBallCenter(x, y, picture.data());
@@ -49,13 +49,13 @@ class VisionManager : public testing::Test {
   Picture ball = Picture{40, 30}.box(10, 20, 4, 5);
 
  private:
-  bool heard_ = false;
+  bool logged_ = false;
 };
 
 using Names = testing::Types<DARwInOPVisionManager, RobotisOp2VisionManager>;
 TYPED_TEST_SUITE(VisionManager, Names);
 
-TYPED_TEST(VisionManager, FindsABallInWholePixels) {
+TYPED_TEST(VisionManager, FindsABallInIntegerPixels) {
   TypeParam manager = this->makeRedFinder();
   EXPECT_TRUE(this->found(manager, this->ball));
   EXPECT_EQ(this->x, 11);
@@ -70,16 +70,16 @@ TYPED_TEST(VisionManager, WithoutABallBothCoordinatesAreZero) {
   EXPECT_FALSE(this->found(manager, Picture(40, 30)));
 }
 
-TYPED_TEST(VisionManager, WithoutAnImageItSaysWhyOnceAndFindsNothing) {
+TYPED_TEST(VisionManager, ANullImageIsReportedOnceAndNothingIsFound) {
   TypeParam manager = this->makeRedFinder();
   EXPECT_TRUE(this->found(manager, this->ball));
   for (int i = 0; i < 3; ++i) EXPECT_FALSE(manager.getBallCenter(this->x, this->y, nullptr));
   EXPECT_TRUE(this->x == 0 && this->y == 0);
-  EXPECT_FALSE(manager.isDetected(11, 22)) << "what an earlier image showed is gone";
-  EXPECT_EQ(this->heard(), "darwinop: VisionManager: getBallCenter() was given no image; is the camera enabled?\n");
+  EXPECT_FALSE(manager.isDetected(11, 22)) << "the earlier result is cleared";
+  EXPECT_EQ(this->logged(), "darwinop: VisionManager: the image of getBallCenter() is null; enable the camera\n");
 }
 
-TYPED_TEST(VisionManager, OutsideOfTheImageAndBeforeTheFirstNothingIsDetected) {
+TYPED_TEST(VisionManager, NothingIsDetectedOutsideOfTheImageOrBeforeTheFirst) {
   TypeParam manager = this->makeRedFinder();
   EXPECT_FALSE(manager.isDetected(11, 22));
   manager.setMinPercent(0);
@@ -90,7 +90,7 @@ TYPED_TEST(VisionManager, OutsideOfTheImageAndBeforeTheFirstNothingIsDetected) {
     EXPECT_FALSE(manager.isDetected(column, row)) << column << ' ' << row;
 }
 
-TYPED_TEST(VisionManager, EachSetterCountsFromTheNextImage) {
+TYPED_TEST(VisionManager, SettersApplyFromTheNextImage) {
   TypeParam manager = this->makeRedFinder();
   EXPECT_TRUE(this->found(manager, this->ball));
   // The ball: hue 0, saturation 94, value 78; 20 of 1200 pixels.
@@ -112,16 +112,16 @@ TYPED_TEST(VisionManager, EachSetterCountsFromTheNextImage) {
   }
 }
 
-TYPED_TEST(VisionManager, WhatIsOutOfRangeIsSaidOnceAndBroughtIntoIt) {
+TYPED_TEST(VisionManager, ValuesOutOfRangeAreReportedOnceAndAdjusted) {
   TypeParam manager{40, 30, -5, 200, -9, 101, -1, 400};
   manager.setHue(-5);
-  const std::string said = this->heard();
-  for (const char* what : {"hue is out of range and brought into it, 0 to 360: the same direction\n",
-                           "hue tolerance is out of range and brought into it, 0 to 180",
-                           "minimum saturation is out of range and brought into it, -1 to 100",
-                           "minimum value is out of range and brought into it, -1 to 100",
-                           "minimum percent is out of range and brought into it, 0 to 100",
-                           "maximum percent is out of range and brought into it, 0 to 100"})
+  const std::string said = this->logged();
+  for (const char* what : {"hue is out of range and was adjusted to 0 to 360: the same direction\n",
+                           "hue tolerance is out of range and was adjusted to 0 to 180",
+                           "minimum saturation is out of range and was adjusted to -1 to 100",
+                           "minimum value is out of range and was adjusted to -1 to 100",
+                           "minimum percent is out of range and was adjusted to 0 to 100",
+                           "maximum percent is out of range and was adjusted to 0 to 100"})
     EXPECT_THAT(said, HasSubstr(what));
   EXPECT_EQ(std::ranges::count(said, '\n'), 6) << said;
   manager.setHueTolerance(15);
@@ -129,28 +129,29 @@ TYPED_TEST(VisionManager, WhatIsOutOfRangeIsSaidOnceAndBroughtIntoIt) {
   EXPECT_TRUE(this->found(manager, this->ball)) << "-5 degrees is 355";
 }
 
-TYPED_TEST(VisionManager, MinusOneLetsGreysInAsHue15) {
+TYPED_TEST(VisionManager, MinusOneAcceptsGreyAsHue15) {
   TypeParam manager{40, 30, 15, 3, -1, -1, 0, 100};
   EXPECT_TRUE(this->found(manager, Picture{40, 30}.box(5, 5, 10, 10, {90, 90, 90})));
   manager.setMinValue(0);
   EXPECT_FALSE(this->found(manager, Picture{40, 30}.box(5, 5, 10, 10, {90, 90, 90})));
 }
 
-TYPED_TEST(VisionManager, AnImpossibleSizeIsSaidAndFindsNothing) {
+TYPED_TEST(VisionManager, AnInvalidSizeIsReportedAndNothingIsFound) {
   TypeParam manager{0, 30, 0, 15, 60, 15, 0, 50};
   EXPECT_FALSE(this->found(manager, this->ball));
   EXPECT_FALSE(manager.isDetected(0, 0));
-  EXPECT_THAT(this->heard(), HasSubstr("VisionManager: the width of an image is 0 pixels; it is 1 to 16384; it will"));
+  EXPECT_THAT(this->logged(),
+              HasSubstr("VisionManager: the width of an image is 0 pixels; must be 1 to 16384; nothing will"));
 }
 
-TYPED_TEST(VisionManager, ACopyGoesItsOwnWay) {
+TYPED_TEST(VisionManager, ACopyIsIndependent) {
   TypeParam manager = this->makeRedFinder();
   EXPECT_TRUE(this->found(manager, this->ball));
   TypeParam copy{manager}, assigned{10, 10, 100, 1, 0, 0, 0, 1};
   assigned = manager;
   manager.setHue(180);
   EXPECT_FALSE(this->found(manager, this->ball));
-  EXPECT_TRUE(copy.isDetected(11, 22)) << "what the first had seen when it was copied";
+  EXPECT_TRUE(copy.isDetected(11, 22)) << "the copied result";
   for (TypeParam* other : {&copy, &assigned}) {
     EXPECT_TRUE(this->found(*other, this->ball));
     other->setHue(180);
@@ -158,20 +159,20 @@ TYPED_TEST(VisionManager, ACopyGoesItsOwnWay) {
   }
   TypeParam of_cyan{manager};
   of_cyan.setMinPercent(0);
-  EXPECT_FALSE(this->found(of_cyan, this->ball)) << "one setting changes, the copied ones stay";
+  EXPECT_FALSE(this->found(of_cyan, this->ball)) << "one setting changed, the copied ones are kept";
   TypeParam& itself = manager;
   manager = itself;
   manager.setHue(0);
   EXPECT_TRUE(this->found(manager, this->ball));
 }
 
-TYPED_TEST(VisionManager, TheImageStaysItsOwners) {
+TYPED_TEST(VisionManager, DoesNotKeepTheImage) {
   auto image = std::make_unique<Picture>(this->ball);
   {
     TypeParam manager = this->makeRedFinder();
     EXPECT_TRUE(this->found(manager, *image));
     image = std::make_unique<Picture>(40, 30);
-    EXPECT_TRUE(manager.isDetected(11, 22)) << "the mask is the manager's own";
+    EXPECT_TRUE(manager.isDetected(11, 22)) << "the mask is a copy";
   }
   EXPECT_EQ(image->bytes().size(), 4u * 40 * 30);
 }
@@ -181,8 +182,8 @@ TYPED_TEST(VisionManager, IsDestroyedThroughItsBase) {
   EXPECT_TRUE(this->found(*manager, this->ball));
 }
 
-// The arguments of the examples that come with the simulator: visual tracking's red ball, soccer's orange one.
-TYPED_TEST(VisionManager, TheExamplesThresholdsFindTheirBalls) {
+// Arguments of the simulator's examples: red ball of visual tracking, orange ball of soccer.
+TYPED_TEST(VisionManager, FindsTheBallsOfTheExamples) {
   TypeParam red{40, 30, 355, 15, 60, 15, 0, 30}, orange{40, 30, 28, 20, 50, 45, 0, 30};
   const Picture orange_ball = Picture{40, 30}.box(20, 10, 6, 6, {230, 120, 20});
   EXPECT_TRUE(this->found(red, this->ball));

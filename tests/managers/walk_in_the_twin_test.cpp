@@ -1,4 +1,4 @@
-// The gait on a body that can fall: it must not, and it must get somewhere. Runs are long, so each shows many things.
+// Gait on the twin: distances, turning, standing up, pushes. Few long runs, each with several checks.
 #include <gmock/gmock.h>
 
 #include <DARwInOPGaitManager.hpp>
@@ -57,7 +57,7 @@ class WalkInTheTwin : public testing::Test {
       lying_longest_ = std::max(lying_longest_, lying_);
     }
   }
-  /// From the start pose until the next tick is that of the first step.
+  /// From the start pose to just before the first step.
   void standUp() {
     gait_->start();
     step(kStance, true);
@@ -73,12 +73,12 @@ class WalkInTheTwin : public testing::Test {
   }
   void push(const std::array<double, 3>& newton) { body_->push(newton, kPush); }
 
-  /// m since the last walk() began, as the world has it and the robot at its start: 0 forwards, 1 to the left.
+  /// Distance since the start of the last walk(), m, in the robot's initial frame: 0 forwards, 1 left.
   [[nodiscard]] double went(std::size_t axis) const { return body_->trunkPosition()[axis] - from_[axis]; }
   [[nodiscard]] double went() const { return std::hypot(went(0), went(1)); }
   [[nodiscard]] double turnedDeg() const { return turned_ / darwinop::kRadPerDegree; }
 
-  static constexpr double kStance = 4.3;  // s: 2.7 to the stance, 1.6 for the gyroscope
+  static constexpr double kStance = 4.3;  // s: 2.7 approach, 1.6 calibration
   static constexpr milliseconds kPush{100};
   std::atomic<bool> stop_{false};
   twin::RobotBody* body_ = nullptr;
@@ -87,22 +87,22 @@ class WalkInTheTwin : public testing::Test {
   std::unique_ptr<DARwInOPGaitManager> gait_;
   std::array<double, 3> from_{};
   double lowest_ = 1, heading_ = 0, turned_ = 0;
-  int lying_ = 0, lying_longest_ = 0;  // steps in a row in which gravity was not where an upright robot has it
+  int lying_ = 0, lying_longest_ = 0;  // consecutive steps without upright gravity
 };
 
-// Limits leave room for a better model of the body; what was measured stands beside them, more in docs/gait.md.
+// Limits have a margin for changes of the body model; measured values are in comments and in docs/gait.md.
 constexpr double kLeans = 0.9;  // 0.96: 16 degrees
 constexpr int kGetUpFromFront = 10;
-constexpr int kFallen = 30;  // steps, as in 05_walk; no step of these walks shakes it so far
+constexpr int kFallen = 30;  // steps, as in 05_walk; not reached without a fall
 
-TEST_F(WalkInTheTwin, GetsUpWalksFarTurnsStopsAndStands) {
-  EXPECT_LT(body_->trunkPosition()[2], 0.26) << "it sits";
+TEST_F(WalkInTheTwin, StandsUpWalksTurnsAndStops) {
+  EXPECT_LT(body_->trunkPosition()[2], 0.26) << "sitting";
   standUp();
   EXPECT_GT(body_->trunkPosition()[2], 0.28);
 
   walk(30, 1, 0, 0);
-  EXPECT_GT(went(0), 0.6 * 0.133 * 30) << "kinematics promises 4.0 m";  // 4.6
-  EXPECT_LT(std::abs(turnedDeg()), 45);                                 // 5
+  EXPECT_GT(went(0), 0.6 * 0.133 * 30) << "4.0 m by kinematics";  // 4.6
+  EXPECT_LT(std::abs(turnedDeg()), 45);                           // 5
 
   walk(3, 0, 0, 1);
   EXPECT_GT(turnedDeg(), 90);  // 256
@@ -118,7 +118,7 @@ TEST_F(WalkInTheTwin, GetsUpWalksFarTurnsStopsAndStands) {
   EXPECT_LT(lying_longest_, kFallen);
 }
 
-TEST_F(WalkInTheTwin, GoesSidewaysBackAndOnTheSpot) {
+TEST_F(WalkInTheTwin, WalksSidewaysBackwardsAndInPlace) {
   standUp();
   walk(8, 0, 1, 0);
   EXPECT_GT(went(1), 0.2);
@@ -129,26 +129,26 @@ TEST_F(WalkInTheTwin, GoesSidewaysBackAndOnTheSpot) {
   EXPECT_GT(lowest_, kLeans);
 }
 
-TEST_F(WalkInTheTwin, SurvivesASmallPushGetsUpAfterALargeOneAndGoesOn) {
+TEST_F(WalkInTheTwin, WithstandsASmallPushAndGetsUpAfterALargeOne) {
   standUp();
   walk(3, 1, 0, 0);
-  push({8, 0, 0});  // 10 whenever it comes; 12.5 fells it at the wrong moment
+  push({8, 0, 0});  // withstands 10 at any time; 12.5 may make it fall
   walk(3, 1, 0, 0);
   push({0, 4, 0});  // 5, and 7.5
   walk(3, 1, 0, 0);
   EXPECT_GT(body_->upright(), kLeans);
-  EXPECT_LT(lying_longest_, kFallen) << "its accelerometer gives no false alarm";
+  EXPECT_LT(lying_longest_, kFallen) << "no false fall detection";
 
   push({40, 0, 0});
   walk(3, 1, 0, 0);
-  EXPECT_LT(body_->upright(), 0.3) << "it lies";
-  EXPECT_GE(lying_longest_, kFallen) << "and its accelerometer says so, though its legs walk on";
+  EXPECT_LT(body_->upright(), 0.3) << "lying";
+  EXPECT_GE(lying_longest_, kFallen) << "the accelerometer detects it while the legs move";
 
   RobotisOp2MotionManager pages{robot_.get(), "own"};
   pages.playPage(kGetUpFromFront);
   EXPECT_GT(body_->upright(), 0.95);
   walk(8, 1, 0, 0);
-  EXPECT_GT(went(), 0.6 * 0.133 * 5) << "the way to the stance takes its time";
+  EXPECT_GT(went(), 0.6 * 0.133 * 5) << "includes the time of the approach";
   EXPECT_GT(body_->upright(), kLeans);
 }
 

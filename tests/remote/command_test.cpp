@@ -106,7 +106,7 @@ TEST_F(RemoteCommand, AsksWhoMayComeBeforeItOpensTheRobotToANetwork) {
 TEST_F(RemoteCommand, WarnsThatAnOpenPortKnowsNoPassword) {
   Program server = run({"--listen", "0.0.0.0", "--allow", "10.1.2.0/24", "4", "2"});
   EXPECT_TRUE(server.says("ready: 0.0.0.0:", 20s)) << server.output();
-  EXPECT_THAT(server.output(), HasSubstr("knows no password"));
+  EXPECT_THAT(server.output(), HasSubstr("has no password"));
   server.kill(SIGTERM);
   EXPECT_EQ(server.wait(20s), 0);
 }

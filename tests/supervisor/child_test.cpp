@@ -38,7 +38,7 @@ Start shell(const std::string& script, const std::string& log = "") {
   return start;
 }
 
-TEST(Child, TellsExitCodeAndSignal) {
+TEST(Child, ReportsExitCodeAndSignal) {
   Child failed{shell("exit 3")};
   EXPECT_EQ(describe(endOf(failed)), "with exit code 3");
   Child killed{shell("kill -SEGV $$")};
@@ -53,11 +53,11 @@ TEST(Child, AppendsItsOutputAndHasItsFolderAndEnvironment) {
   start.folder = "/";
   start.environment = {{"SUPERVISOR_TEST", "new"}};
   Child child{start};
-  EXPECT_TRUE(endOf(child).tidy());
+  EXPECT_TRUE(endOf(child).isNormal());
   EXPECT_EQ(textOf(folder / "log"), "before\n/\nnew\n");
 }
 
-TEST(Child, AProgramThatIsNotThereIsCode127AndASentence) {
+TEST(Child, AMissingProgramEndsWithCode127AndAMessage) {
   const TemporaryFolder folder;
   Start start;
   start.command = {folder / "nothing"};
@@ -79,7 +79,7 @@ TEST(Child, HasTheRightsOfAnAccountAndAppendsToALogThatItMayNotOpen) {
   Start start = shell("id -u; id -G; echo $HOME $USER; cat /etc/shadow 2>/dev/null || echo no shadow", folder / "log");
   start.account = nobody();
   Child child{start};
-  EXPECT_TRUE(endOf(child).tidy());
+  EXPECT_TRUE(endOf(child).isNormal());
   EXPECT_EQ(textOf(folder / "log"), "before\n65534\n65534 44\n/nonexistent nobody\nno shadow\n");
 }
 
@@ -96,24 +96,24 @@ TEST(Child, RunsInAGroupOfItsOwnWithNoSignalBlocked) {
   EXPECT_EQ(ending.code, SIGTERM);
 }
 
-TEST(Child, IsToldToEndAndNotKilledWhenNobodyLooksAfterItAnyMore) {
+TEST(Child, GetsSigtermInsteadOfSigkillWhenItsHandleIsDestroyed) {
   const TemporaryFolder folder;
   {
-    const Child child{shell("trap 'echo told; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log")};
+    const Child child{shell("trap 'echo term; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log")};
     EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\n"; }));
   }
-  EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\ntold\n"; }));
+  EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\nterm\n"; }));
 }
 
 class OrphanedChild : public testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(AsTheSupervisorOrAsAnotherUser, OrphanedChild, testing::Bool());
 
-TEST_P(OrphanedChild, IsToldToEndWhenItsParentIsKilled) {
+TEST_P(OrphanedChild, GetsSigtermWhenItsParentIsKilled) {
   if (GetParam() && geteuid() != 0) GTEST_SKIP() << "only root can start a program as another user";
   const TemporaryFolder folder;
   const pid_t parent = fork();
   if (parent == 0) {
-    Start start = shell("trap 'echo told; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log");
+    Start start = shell("trap 'echo term; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log");
     if (GetParam()) start.account = nobody();
     const Child child{start};
     for (;;) pause();
@@ -121,7 +121,7 @@ TEST_P(OrphanedChild, IsToldToEndWhenItsParentIsKilled) {
   EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\n"; }));
   kill(parent, SIGKILL);
   waitpid(parent, nullptr, 0);
-  EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\ntold\n"; }));
+  EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\nterm\n"; }));
 }
 
 }  // namespace

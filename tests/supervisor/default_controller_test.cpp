@@ -1,4 +1,4 @@
-// When the default controller may begin. Time is an argument; the controller is a script that sleeps.
+// Start conditions of the default controller. Time is an argument; the controller is a script that sleeps.
 #include "supervisor/default_controller.hpp"
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ struct Begin : ::testing::Test {
 
   void SetUp() override {
     fs::create_directories(folder / "log");
-    std::ofstream{folder / "robot.ini"} << "[Robot]\ncontroller_user = root\n";  // a build machine has no other
+    std::ofstream{folder / "robot.ini"} << "[Robot]\ncontroller_user = root\n";  // build machines have no other user
     fs::create_directories(folder / "controllers/walk");
     const std::string program = folder / "controllers/walk/walk";
     std::ofstream{program} << "#!/bin/sh\nexec sleep 100\n";
@@ -63,26 +63,26 @@ struct Begin : ::testing::Test {
   void letTheProgramDo(const std::string& what) {
     std::ofstream{folder / "controllers/walk/walk"} << "#!/bin/sh\n" << what << '\n';
   }
-  /// Looks until the program has ended; processes take real time.
+  /// Steps until the program has ended; processes take real time.
   void lookUntilEnded(const Sensors& seen) {
     for (int i = 0; i < 1000 && runs(); ++i, now += 1ms) {
       std::this_thread::sleep_for(5ms);
       controller.look(seen, now);
     }
   }
-  /// Looks every 20 ms, at least once.
+  /// Steps every 20 ms, at least once.
   void lookFor(Nanos time, const Sensors& seen) {
     for (const Nanos end = now + time; now < end; now += 20ms) controller.look(seen, now);
   }
   [[nodiscard]] Status status() const {
     Status status;
-    controller.tell(status, now);
+    controller.report(status, now);
     return status;
   }
   [[nodiscard]] bool runs() const { return status().controller_pid != 0; }
 };
 
-TEST_F(Begin, ALimpRobotHasToSitForASecond) {
+TEST_F(Begin, ALimpRobotMustSitForASecond) {
   lookFor(980ms, sitting());
   EXPECT_FALSE(runs());
   lookFor(60ms, sitting());
@@ -90,33 +90,33 @@ TEST_F(Begin, ALimpRobotHasToSitForASecond) {
   EXPECT_EQ(status().controller, "walk");
 }
 
-TEST_F(Begin, WithoutAUserToRunItAsItIsRefusedOnceAndNotTriedAgain) {
+TEST_F(Begin, WithoutAUserAccountItIsRejectedOnceAndNotRetried) {
   if (geteuid() != 0) GTEST_SKIP() << "only root starts it as another user";
   std::ofstream{folder / "robot.ini"} << "[Robot]\ncontroller_user = no-such-user\n";
   testing::internal::CaptureStderr();
   lookFor(60s, sitting());
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_FALSE(runs());
-  EXPECT_THAT(said, HasSubstr("walk is not started: "));
+  EXPECT_THAT(said, HasSubstr("walk not started: "));
   EXPECT_THAT(said, HasSubstr("there is no user 'no-such-user'"));
   EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
 }
 
-TEST_F(Begin, ARobotThatIsHeldIsNotAskedForItsPose) {
+TEST_F(Begin, AHeldRobotSkipsThePoseCheck) {
   Sensors held = lying();
   held.safety.state = State::kHolding;
   controller.look(held, now);
   EXPECT_TRUE(runs());
 }
 
-TEST_F(Begin, ARobotThatIsFoundStiffIsNotAskedForItsPoseWhenALegHolds) {
+TEST_F(Begin, ARobotFoundUnderTorqueSkipsThePoseCheckIfALegHolds) {
   Sensors stiff = lying();
   stiff.safety.state = State::kFoundStiff;
   JointSensors& head = stiff.joint[index(Joint::kHead)];
   head.health.received();
   head.torque_enabled = true;
   lookFor(3s, stiff);
-  EXPECT_FALSE(runs()) << "its legs are limp: it may lie in somebody's hands";
+  EXPECT_FALSE(runs()) << "limp legs: a person may hold the robot";
   JointSensors& knee = stiff.joint[index(Joint::kLegLowerL)];
   knee.health.received();
   knee.torque_enabled = true;
@@ -124,7 +124,7 @@ TEST_F(Begin, ARobotThatIsFoundStiffIsNotAskedForItsPoseWhenALegHolds) {
   EXPECT_TRUE(runs());
 }
 
-TEST_F(Begin, NothingBeginsWhileAFaultWaitsForAPersonAndStatusSaysSo) {
+TEST_F(Begin, ALatchedFaultBlocksTheStartAndStatusReportsIt) {
   for (const FaultRow& fault : kFaultTable) {
     if (!fault.latched) continue;
     lookFor(3s, with(fault.fault));
@@ -136,7 +136,7 @@ TEST_F(Begin, NothingBeginsWhileAFaultWaitsForAPersonAndStatusSaysSo) {
   EXPECT_TRUE(runs());
 }
 
-TEST_F(Begin, EveryStartIsAProgramsAndNotAPersons) {
+TEST_F(Begin, EveryStartIsUnattended) {
   letTheProgramDo("echo \"unattended $DARWINOP_UNATTENDED\"");
   lookFor(1100ms, sitting());
   lookUntilEnded(sitting());
@@ -145,7 +145,7 @@ TEST_F(Begin, EveryStartIsAProgramsAndNotAPersons) {
   EXPECT_THAT(log.str(), HasSubstr("unattended 1"));
 }
 
-TEST_F(Begin, OneThatEndedBecauseOfALatchedFaultHasNeitherCrashedNorDoneItsWork) {
+TEST_F(Begin, AnEndByALatchedFaultIsNeitherACrashNorANormalEnd) {
   const fs::path go = folder / "controllers/walk/go";
   for (const std::string how : {"exit 0", "exit 1", "kill -ABRT $$"}) {
     letTheProgramDo("while [ ! -e go ]; do sleep 0.01; done; " + how);
@@ -164,7 +164,7 @@ TEST_F(Begin, OneThatEndedBecauseOfALatchedFaultHasNeitherCrashedNorDoneItsWork)
     }
     letTheProgramDo("exec sleep 100");
     lookFor(980ms, sitting());
-    EXPECT_FALSE(runs()) << "the robot has to sit, as before every start";
+    EXPECT_FALSE(runs()) << "the robot must sit, as before every start";
     lookFor(60ms, sitting());
     EXPECT_TRUE(runs());
     controller.stop(now);
@@ -172,7 +172,7 @@ TEST_F(Begin, OneThatEndedBecauseOfALatchedFaultHasNeitherCrashedNorDoneItsWork)
   }
 }
 
-TEST_F(Begin, TheSecondCountsAnewAfterARobotThatLay) {
+TEST_F(Begin, TheSecondRestartsAfterTheRobotLay) {
   lookFor(800ms, sitting());
   lookFor(20ms, lying());
   lookFor(980ms, sitting());
@@ -181,7 +181,7 @@ TEST_F(Begin, TheSecondCountsAnewAfterARobotThatLay) {
   EXPECT_TRUE(runs());
 }
 
-TEST_F(Begin, TheSecondCountsAnewAfterABoardThatWasSilent) {
+TEST_F(Begin, TheSecondRestartsAfterASilentBoard) {
   lookFor(800ms, sitting());
   lookFor(10s, sitting(State::kOffline));
   lookFor(980ms, sitting());
@@ -190,7 +190,7 @@ TEST_F(Begin, TheSecondCountsAnewAfterABoardThatWasSilent) {
   EXPECT_TRUE(runs());
 }
 
-TEST_F(Begin, TheSecondCountsAnewAfterAnotherController) {
+TEST_F(Begin, TheSecondRestartsAfterAnotherController) {
   lookFor(800ms, sitting());
   {
     const auto lease = runtime::FileLock::tryTake(files.drive_lock);
@@ -203,7 +203,7 @@ TEST_F(Begin, TheSecondCountsAnewAfterAnotherController) {
   EXPECT_TRUE(runs());
 }
 
-TEST_F(Begin, WithoutADefaultNothingBegins) {
+TEST_F(Begin, WithoutADefaultControllerNothingStarts) {
   fs::remove(folder / "default");
   lookFor(3s, sitting());
   EXPECT_FALSE(runs());
@@ -211,7 +211,7 @@ TEST_F(Begin, WithoutADefaultNothingBegins) {
   EXPECT_FALSE(status().controller_ended);
 }
 
-TEST_F(Begin, AsRootItIsRefusedUnlessRobotIniSaysSo) {
+TEST_F(Begin, RootIsRejectedUnlessRobotIniAllowsIt) {
   if (geteuid() != 0) GTEST_SKIP() << "only root's supervisor can start something as root";
   std::ofstream{folder / "robot.ini"} << "[Robot]\ncontroller_user = nobody-like-this\n";
   lookFor(1100ms, sitting());

@@ -5,7 +5,7 @@
 namespace darwinop::supervisor {
 namespace {
 
-TEST(Holder, WhatHoldsGoesOnHoldingAndWhatIsLimpStaysLimp) {
+TEST(Holder, JointsUnderTorqueHoldAndLimpOnesStayLimp) {
   Sensors seen;
   seen.joint[0].driven = true;
   seen.joint[1].health.received();
@@ -18,7 +18,7 @@ TEST(Holder, WhatHoldsGoesOnHoldingAndWhatIsLimpStaysLimp) {
     EXPECT_FALSE(commands.joint[i].torque_on) << i;
   }
   EXPECT_TRUE(commands.start_where_it_is);
-  EXPECT_TRUE(commands.unattended) << "it clears no latched fault";
+  EXPECT_TRUE(commands.unattended) << "must not clear latched faults";
 }
 
 TEST(Holder, LightsAreRed) {

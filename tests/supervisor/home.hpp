@@ -1,4 +1,4 @@
-// An installation in a scratch folder with a virtual robot, and a look at that robot from outside.
+// Test installation in a temporary folder with a virtual robot, and external inspection of that robot.
 #pragma once
 
 #include <sys/types.h>
@@ -29,7 +29,7 @@ namespace darwinop::supervisor {
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-/// What the registers of the robot say when nobody holds the port.
+/// Registers of the robot while the port is free.
 struct Registers {
   int panel = -1, head = -1;  // LEDs; -1: no answer
   int stiff = 0, silent = 0;  // servos
@@ -55,7 +55,7 @@ class Home : public Rig {
     Rig::TearDown();
   }
 
-  /// The default controller does that from its next start on.
+  /// Behaviour of the default controller from its next start on.
   void plan(const std::string& what) {
     std::ofstream{folder_ / "home/controllers/walk/plan"} << what << '\n';
     const auto link = folder_ / "home/default";
@@ -65,7 +65,7 @@ class Home : public Rig {
     supervisor_ = std::make_unique<Program>(
         std::vector<std::string>{program("darwinop-supervisor"), "--home", file("home")}, file("supervisor.txt"));
   }
-  /// Exit code; what it said is in `said_`.
+  /// Returns the exit code; output is in `said_`.
   int ask(const std::string& option) {
     Program asking{{program("darwinop-supervisor"), option}, file("ask.txt")};
     const auto code = asking.wait(seconds{40});
@@ -97,7 +97,7 @@ class Home : public Rig {
     return within(time, [&] { return controllerLog().find(text) != std::string::npos; });
   }
 
-  /// Newest image of whoever hosts the loop now; cycle 0: none.
+  /// Newest image of the present loop; cycle 0: none.
   [[nodiscard]] static Sensors sensors() {
     Sensors seen;
     try {
@@ -110,7 +110,7 @@ class Home : public Rig {
     return seen;
   }
 
-  /// Asks board and servos. Nobody else may hold the port.
+  /// Reads board and servos. The port must be free.
   [[nodiscard]] Registers registers() const {
     cm730::SerialPort line{port()};
     Registers found;
@@ -131,8 +131,7 @@ class Home : public Rig {
     return found;
   }
 
-  /// Straightens the legs and leaves them under torque, as after a restart of the computer. Nobody else may hold the
-  /// port.
+  /// Stretches the legs and leaves them under torque, as after a computer restart. The port must be free.
   void standByHand() const {
     cm730::SerialPort line{port()};
     const std::array<std::uint8_t, 1> on{1};

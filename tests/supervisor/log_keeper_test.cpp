@@ -11,7 +11,7 @@
 namespace darwinop::supervisor {
 namespace {
 
-TEST(LogKeeper, ASmallLogIsLeftAlone) {
+TEST(LogKeeper, ASmallLogIsNotChanged) {
   const TemporaryFolder folder;
   std::ofstream{folder / "log"} << "short";
   EXPECT_TRUE(bound(folder / "log", 100));
@@ -19,7 +19,7 @@ TEST(LogKeeper, ASmallLogIsLeftAlone) {
   EXPECT_FALSE(std::filesystem::exists(folder / "log.1"));
 }
 
-TEST(LogKeeper, AFullOneMovesOnAndItsWriterGoesOnWriting) {
+TEST(LogKeeper, AFullLogIsRotatedAndItsWriterContinues) {
   const TemporaryFolder folder;
   std::ofstream writer{folder / "log", std::ios::app};
   writer << std::string(90, 'a') << std::string(60, 'b') << std::flush;
@@ -29,7 +29,7 @@ TEST(LogKeeper, AFullOneMovesOnAndItsWriterGoesOnWriting) {
   EXPECT_EQ(textOf(folder / "log"), "more");
 }
 
-TEST(LogKeeper, OneThatCannotBeCopiedIsEmptiedAllTheSame) {
+TEST(LogKeeper, ALogThatCannotBeCopiedIsStillTruncated) {
   const TemporaryFolder folder;
   std::ofstream{folder / "log"} << std::string(150, 'a');
   std::filesystem::create_directory(folder / "log.1");
@@ -37,7 +37,7 @@ TEST(LogKeeper, OneThatCannotBeCopiedIsEmptiedAllTheSame) {
   EXPECT_EQ(textOf(folder / "log"), "");
 }
 
-TEST(LogKeeper, ALogThatIsNotThereIsNoError) {
+TEST(LogKeeper, AMissingLogIsNotAnError) {
   const TemporaryFolder folder;
   EXPECT_TRUE(bound(folder / "log", 100));
 }

@@ -1,5 +1,4 @@
-// What becomes of the robot when somebody sends a signal, closes a pipe or shortens a file. hal/signals.hpp has the
-// table.
+// Effect of signals, closed pipes and truncated files on the robot. Table: hal/signals.hpp.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
@@ -36,7 +35,7 @@ class Fate : public Home {
         std::make_unique<Program>(std::vector<std::string>{program("darwinop-runtime"), "--robot", port()}, file("d"));
     ASSERT_TRUE(daemon_->says("ready:", seconds{15})) << daemon_->output();
   }
-  /// It stands when this returns.
+  /// Returns when the robot stands.
   void startController(const std::string& robot) {
     setenv("DARWINOP_ROBOT", robot.c_str(), 1);
     driver_ = std::make_unique<Program>(std::vector<std::string>{file("walk")}, file("c"));
@@ -101,11 +100,11 @@ TEST_P(EndSignal, EndsAnEmbeddedControllerWithTheRobotAtRest) {
   startController(port());
   driver_->kill(GetParam());
   EXPECT_EQ(driver_->wait(seconds{30}), 0) << driver_->output();
-  EXPECT_THAT(driver_->output(), HasSubstr("told to end"));
+  EXPECT_THAT(driver_->output(), HasSubstr("end requested"));
   expectAtRest();
 }
 
-TEST_P(EndSignal, EndsTheOtherProgramsTidily) {
+TEST_P(EndSignal, EndsTheOtherProgramsNormally) {
   startDaemon();
   const std::vector<std::vector<std::string>> all{{program("darwinop-remote"), "--robot", "runtime", "--port", "0"},
                                                   {program("darwinop-monitor"), "--port", "0"},
@@ -125,13 +124,13 @@ TEST_P(EndSignal, EndsASupervisorWithTheRobotAtRest) {
   plan("hold");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
-  sendAllWithoutEffect(*supervisor_, {SIGUSR1, SIGUSR2});  // these are orders
+  sendAllWithoutEffect(*supervisor_, {SIGUSR1, SIGUSR2});  // these are commands
   supervisor_->kill(GetParam());
   EXPECT_EQ(supervisor_->wait(seconds{30}), 0) << supervisor_->output();
   expectAtRest();
 }
 
-TEST_F(Fate, ADaemonWhoseMessagesNobodyReadsGoesOnThroughAFault) {
+TEST_F(Fate, ADaemonWithUnreadOutputContinuesThroughAFault) {
   const std::string fifo = file("fifo");
   ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
   const int reader = open(fifo.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
@@ -139,7 +138,7 @@ TEST_F(Fate, ADaemonWhoseMessagesNobodyReadsGoesOnThroughAFault) {
   ASSERT_TRUE(within(seconds{15}, [] { return sensors().cycle > 0; }));
   startController("runtime");
   close(reader);
-  driver_->kill(SIGSTOP);  // a fault that is told: the controller stalls
+  driver_->kill(SIGSTOP);  // causes a reported fault: the controller stalls
   ASSERT_TRUE(within(seconds{5}, [] { return sensors().safety.active.any(); }));
   std::this_thread::sleep_for(milliseconds{300});
   EXPECT_EQ(sensors().safety.state, State::kHolding);
@@ -153,7 +152,7 @@ class ShortenedUnderASupervisor : public Home, public testing::WithParamInterfac
 INSTANTIATE_TEST_SUITE_P(Each, ShortenedUnderASupervisor, testing::Values("", ".commands"),
                          [](const auto& file) { return *file.param == 0 ? "Exchange" : "Commands"; });
 
-TEST_P(ShortenedUnderASupervisor, TheFileDoesNotKeepTheRobotFromComingToRestAndTheSupervisorGoesOn) {
+TEST_P(ShortenedUnderASupervisor, TheRobotStillComesToRestAndTheSupervisorContinues) {
   startVirtualRobot();
   plan("hold");
   startSupervisor();
@@ -170,7 +169,7 @@ TEST_P(ShortenedUnderASupervisor, TheFileDoesNotKeepTheRobotFromComingToRestAndT
   EXPECT_EQ(ask("--stop"), 0) << said_;
 }
 
-TEST_F(Home, OrdersGoToNobodyButASupervisorOfTheSameUserOrRoot) {
+TEST_F(Home, CommandsReachOnlyASupervisorOfTheSameUserOrRoot) {
   const SupervisorFiles files{runtime::RuntimeFiles{}};
   ASSERT_EQ(mkfifo(files.lock.c_str(), 0666), 0);
   EXPECT_EQ(ask("--stop"), 1);
@@ -178,7 +177,7 @@ TEST_F(Home, OrdersGoToNobodyButASupervisorOfTheSameUserOrRoot) {
   ASSERT_EQ(unlink(files.lock.c_str()), 0);
   if (geteuid() != 0) GTEST_SKIP() << "only root can become another user";
 
-  // Another user takes the name, locks it, and writes the pid of a process of root.
+  // Another user creates and locks the file, and writes the pid of a root process.
   Program victim{{"/bin/sleep", "60"}, file("victim")};
   std::ofstream{files.lock} << victim.pid() << '\n';
   ASSERT_EQ(chown(files.lock.c_str(), 65534, 65534), 0);
@@ -190,7 +189,7 @@ TEST_F(Home, OrdersGoToNobodyButASupervisorOfTheSameUserOrRoot) {
     EXPECT_THAT(said_, HasSubstr("uid 65534")) << order;
   }
   EXPECT_EQ(kill(victim.pid(), 0), 0);
-  EXPECT_EQ(victim.wait(seconds{0}), std::nullopt) << "nobody was sent a signal";
+  EXPECT_EQ(victim.wait(seconds{0}), std::nullopt) << "no signal was sent";
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ Sensors image(std::uint64_t cycle, State state, bool stiff) {
   return seen;
 }
 
-/// Runs until the step is another than `step`; how many cycles that took.
+/// Steps until the state differs from `step`; returns the number of cycles.
 std::uint64_t cyclesOf(Step step, RescueWatch& watch, std::uint64_t& cycle, State state, bool stiff) {
   const std::uint64_t from = cycle;
   while (watch.look(image(cycle, state, stiff)) == step && cycle - from < 100'000) ++cycle;
@@ -41,7 +41,7 @@ TEST(RescueWatch, ALimpRobotIsAtRestWithoutACrouch) {
   EXPECT_EQ(watch.look(image(cycle, State::kLimp, false)), Step::kAtRest);
 }
 
-TEST(RescueWatch, AStiffRobotIsAtRestOnlyWhenEveryServoHasLetGo) {
+TEST(RescueWatch, ARobotUnderTorqueIsAtRestOnlyWhenEveryServoIsLimp) {
   RescueWatch watch{16ms, 10s};
   std::uint64_t cycle = 1;
   cyclesOf(Step::kHold, watch, cycle, State::kLimp, true);
@@ -51,7 +51,7 @@ TEST(RescueWatch, AStiffRobotIsAtRestOnlyWhenEveryServoHasLetGo) {
   EXPECT_EQ(cyclesOf(Step::kCrouch, watch, cycle, State::kLimp, false), 49U);
 }
 
-TEST(RescueWatch, AServoThatDoesNotLetGoDoesNotKeepItForEver) {
+TEST(RescueWatch, AServoThatKeepsTorqueDoesNotBlockTheRescue) {
   RescueWatch watch{16ms, 10s};
   std::uint64_t cycle = 1;
   cyclesOf(Step::kHold, watch, cycle, State::kLimp, true);
@@ -59,7 +59,7 @@ TEST(RescueWatch, AServoThatDoesNotLetGoDoesNotKeepItForEver) {
   EXPECT_EQ(watch.look(image(cycle, State::kLimp, true)), Step::kStiff);
 }
 
-TEST(RescueWatch, TimeWithoutTheBoardCountsForNothing) {
+TEST(RescueWatch, TimeWithoutTheBoardIsNotCounted) {
   RescueWatch watch{16ms, 10s};
   std::uint64_t cycle = 1;
   for (; cycle < 10'000; ++cycle) EXPECT_EQ(watch.look(image(cycle, State::kOffline, false)), Step::kHold);
@@ -68,7 +68,7 @@ TEST(RescueWatch, TimeWithoutTheBoardCountsForNothing) {
   EXPECT_TRUE(watch.online());
 }
 
-TEST(RescueWatch, ARobotOnAPoorCableIsNeverGivenUp) {
+TEST(RescueWatch, ARobotOnABadCableIsNeverGivenUp) {
   RescueWatch watch{16ms, 10s};
   std::uint64_t cycle = 1;
   cyclesOf(Step::kHold, watch, cycle, State::kLimp, true);
@@ -79,7 +79,7 @@ TEST(RescueWatch, ARobotOnAPoorCableIsNeverGivenUp) {
   EXPECT_NEAR(static_cast<double>(cyclesOf(Step::kCrouch, watch, cycle, State::kLimp, true)), 675, 3);
 }
 
-TEST(RescueWatch, ASilentServoIsNotWaitedFor) {
+TEST(RescueWatch, ASilentServoDoesNotDelayTheRescue) {
   Sensors seen = image(1, State::kLimp, true);
   EXPECT_TRUE(anyStiff(seen));
   for (JointSensors& joint : seen.joint) joint.motion.age = 1000;

@@ -10,7 +10,7 @@ using Verdict = RestartPolicy::Verdict;
 
 constexpr Ending kCrash{11, true}, kFailed{1, false}, kTidy{};
 
-TEST(RestartPolicy, AControllerThatEndsByItselfIsNotStartedAgain) {
+TEST(RestartPolicy, AControllerThatEndsNormallyIsNotRestarted) {
   RestartPolicy policy;
   EXPECT_EQ(policy.ended(kTidy, 10s), Verdict::kOver);
 }
@@ -29,19 +29,19 @@ TEST(RestartPolicy, TheThirdCrashWithinAMinuteIsTheLast) {
   EXPECT_EQ(policy.ended(kCrash, 70s), Verdict::kGivenUp);
 }
 
-TEST(RestartPolicy, CrashesThatLieFurtherApartGoOnForEver) {
+TEST(RestartPolicy, CrashesFurtherApartRestartIndefinitely) {
   RestartPolicy policy;
   for (Nanos now = 10s; now < 3600s; now += 31s) EXPECT_EQ(policy.ended(kCrash, now), Verdict::kAgain);
 }
 
-TEST(RestartPolicy, AfterQuietTimesThreeQuickCrashesCountAgain) {
+TEST(RestartPolicy, AfterAQuietTimeThreeCrashesAreNeededAgain) {
   RestartPolicy policy;
   for (int hour = 0; hour < 5; ++hour) EXPECT_EQ(policy.ended(kCrash, hour * 3600s), Verdict::kAgain);
   EXPECT_EQ(policy.ended(kCrash, 4 * 3600s + 1s), Verdict::kAgain);
   EXPECT_EQ(policy.ended(kCrash, 4 * 3600s + 2s), Verdict::kGivenUp);
 }
 
-TEST(RestartPolicy, AnotherChanceBeginsAtZero) {
+TEST(RestartPolicy, AResetForgetsEarlierCrashes) {
   RestartPolicy policy;
   for (const Nanos now : {1s, 2s, 3s}) (void)policy.ended(kCrash, now);
   policy.forget();
@@ -51,7 +51,7 @@ TEST(RestartPolicy, AnotherChanceBeginsAtZero) {
   EXPECT_EQ(policy.ended(kCrash, 6s), Verdict::kGivenUp);
 }
 
-TEST(RestartPolicy, SaysHowAProcessEnded) {
+TEST(RestartPolicy, DescribesHowAProcessEnded) {
   EXPECT_EQ(describe(kFailed), "with exit code 1");
   EXPECT_EQ(describe(kCrash), "by signal 11 (Segmentation fault)");
 }

@@ -23,14 +23,14 @@ TEST(Status, WhatIsWrittenIsRead) {
   EXPECT_EQ(readStatus(folder / "status"), status);
 }
 
-TEST(Status, NoFileAndAnUnfinishedOneAreNothing) {
+TEST(Status, AMissingOrIncompleteFileIsEmpty) {
   const TemporaryFolder folder;
   EXPECT_EQ(readStatus(folder / "status"), std::nullopt);
   std::ofstream{folder / "status"} << "home /opt\nstate x\n";
   EXPECT_EQ(readStatus(folder / "status"), std::nullopt);
 }
 
-TEST(Status, AFolderThatIsNotThereIsToldByFalse) {
+TEST(Status, AMissingFolderReturnsFalse) {
   const TemporaryFolder folder;
   EXPECT_FALSE(writeStatus(Status{}, folder / "nowhere/status"));
 }

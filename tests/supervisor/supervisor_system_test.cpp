@@ -1,4 +1,4 @@
-// Supervisor, runtime and default controller as a robot has them, and what becomes of the robot when one of them fails.
+// System test of supervisor, runtime and default controller, and of the robot's state after failures.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double kGentle = 2.0;     // rad/s, [Safety] gentle_speed of home.hpp: not the usual 1.194
-constexpr double kStretched = 0.9;  // rad from the start pose, at least, when the test's controller stands
+constexpr double kGentle = 2.0;     // rad/s, [Safety] gentle_speed of home.hpp; the default is 1.194
+constexpr double kStretched = 0.9;  // rad from the start pose, at least, when the test controller stands
 constexpr std::size_t kKnee = index(Joint::kLegLowerR);
 
-/// Looks at every image until nobody publishes any more.
+/// Reads every image until no process publishes any more.
 struct Course {
-  double fastest = 0;  // rad/s of the knee's goal, from image to image
+  double fastest = 0;  // rad/s of the knee's goal between images
   bool crouched = false, red = false, offline = false;
 
   void look(const Sensors& seen) {
@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(By, RuntimeFails,
                          testing::Values(SIGKILL, SIGSTOP, SIGILL, SIGTRAP, SIGABRT, SIGBUS, SIGFPE, SIGSEGV, SIGSYS),
                          [](const auto& by) { return std::string{"SIG"} + sigabbrev_np(by.param); });
 
-TEST_P(RuntimeFails, AndTheRobotCrouchesGentlyToTheStartPoseAndLetsGo) {
+TEST_P(RuntimeFails, TheRobotCrouchesSlowlyToTheStartPoseAndGoesLimp) {
   startVirtualRobot();
   plan("hold");
   startSupervisor();
@@ -52,7 +52,7 @@ TEST_P(RuntimeFails, AndTheRobotCrouchesGentlyToTheStartPoseAndLetsGo) {
 
   Course course;
   ASSERT_TRUE(within(seconds{40},
-                     [&] {  // a machine that stalls for 80 ms silences the board, and the crouch begins anew
+                     [&] {  // a stall of 80 ms silences the board, and the crouch restarts
                        const Sensors seen = sensors();
                        if (seen.cycle != 0 && kill(failed, 0) != 0) course.look(seen);
                        return supervisor_->output().find("torque is off") != std::string::npos;
@@ -60,7 +60,7 @@ TEST_P(RuntimeFails, AndTheRobotCrouchesGentlyToTheStartPoseAndLetsGo) {
       << supervisor_->output();
   EXPECT_TRUE(course.crouched);
   EXPECT_TRUE(course.red);
-  EXPECT_GT(course.fastest, 0.9 * kGentle);  // with the settings of robot.ini, not the usual ones
+  EXPECT_GT(course.fastest, 0.9 * kGentle);  // with the settings of robot.ini, not the defaults
   EXPECT_LE(course.fastest, 1.01 * kGentle);
 
   const Registers robot = registers();  // the port is free again
@@ -100,8 +100,8 @@ TEST_F(Home, ALimpRobotWhoseRuntimeDiesStaysLimp) {
   EXPECT_EQ(ask("--stop"), 0) << said_;
 }
 
-TEST_F(Home, ARuntimeThatDiesWhileTheCableIsOutIsMadeUpForWhenItIsBack) {
-  startVirtualRobot("8 unplug for 4\n");  // it stands after 3 s; a busy machine may take longer
+TEST_F(Home, ARuntimeDeathDuringUnplugIsRescuedAfterReplug) {
+  startVirtualRobot("8 unplug for 4\n");  // it stands after 3 s, or later on a busy machine
   plan("hold");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands", seconds{8})) << supervisor_->output() << controllerLog();
@@ -110,7 +110,7 @@ TEST_F(Home, ARuntimeThatDiesWhileTheCableIsOutIsMadeUpForWhenItIsBack) {
     return seen.cycle != 0 && seen.safety.state == State::kOffline;
   }));
   kill(status().runtime_pid, SIGKILL);
-  ASSERT_TRUE(says("cannot reach the robot yet, and keeps trying", seconds{3})) << supervisor_->output();
+  ASSERT_TRUE(says("cannot reach the robot, retrying", seconds{3})) << supervisor_->output();
   ASSERT_TRUE(says("torque is off")) << supervisor_->output();
   const std::string output = supervisor_->output();
   EXPECT_EQ(output.find("cannot reach"), output.rfind("cannot reach"));
@@ -119,14 +119,14 @@ TEST_F(Home, ARuntimeThatDiesWhileTheCableIsOutIsMadeUpForWhenItIsBack) {
   EXPECT_LT(robot.furthest, 0.1);
 }
 
-TEST_F(Home, AControllerThatCrashesThreeTimesIsGivenUpAndTheRobotIsHeldWithRedLights) {
+TEST_F(Home, AfterThreeCrashesTheRobotIsHeldWithRedLights) {
   startVirtualRobot();
   plan("crash");
   startSupervisor();
-  ASSERT_TRUE(says("is given up: 3 crashes within 60 s, the last one by signal 6", seconds{25}))
+  ASSERT_TRUE(says("has failed: 3 crashes within 60 s, the last one by signal 6", seconds{25}))
       << supervisor_->output();
   ASSERT_TRUE(within(seconds{3}, [&] { return sensors().board.led_head == 0x1F; }));
-  std::this_thread::sleep_for(milliseconds{300});  // it was given up in the middle of a movement
+  std::this_thread::sleep_for(milliseconds{300});  // the failure happened during a movement
   const Sensors held = sensors();
   std::this_thread::sleep_for(milliseconds{2500});
   const Sensors later = sensors();
@@ -140,21 +140,21 @@ TEST_F(Home, AControllerThatCrashesThreeTimesIsGivenUpAndTheRobotIsHeldWithRedLi
   EXPECT_EQ(status().controller_pid, 0);
   EXPECT_EQ(status().crashes, 3U);
   EXPECT_EQ(ask("--status"), 0);
-  EXPECT_THAT(said_, HasSubstr("is given up"));
+  EXPECT_THAT(said_, HasSubstr("has failed"));
 
   plan("hold");
   EXPECT_EQ(ask("--restart-controller"), 0);
   EXPECT_TRUE(controllerSays("stands")) << supervisor_->output();
   EXPECT_EQ(ask("--stop-controller"), 0);
-  EXPECT_THAT(said_, HasSubstr("walk is stopped"));
-  EXPECT_THAT(controllerLog(), HasSubstr("told to end"));
+  EXPECT_THAT(said_, HasSubstr("walk stopped"));
+  EXPECT_THAT(controllerLog(), HasSubstr("end requested"));
   EXPECT_EQ(status().controller_pid, 0);
   EXPECT_TRUE(within(seconds{8}, [&] { return sensors().safety.state == State::kLimp; }));
   std::this_thread::sleep_for(milliseconds{1500});  // the robot sits now
-  EXPECT_EQ(status().controller_pid, 0);            // it stays ended all the same
+  EXPECT_EQ(status().controller_pid, 0);            // it stays stopped
 }
 
-TEST_F(Home, AKilledSupervisorTakesTheRestWithItTidily) {
+TEST_F(Home, AKilledSupervisorEndsItsChildrenNormally) {
   startVirtualRobot();
   plan("hold");
   startSupervisor();
@@ -169,14 +169,14 @@ TEST_F(Home, AKilledSupervisorTakesTheRestWithItTidily) {
   EXPECT_LT(robot.furthest, 0.1);
 }
 
-TEST_F(Home, StopEndsEvenAControllerThatDoesNotListen) {
+TEST_F(Home, StopEndsEvenAnUnresponsiveController) {
   startVirtualRobot();
-  plan("deaf");
+  plan("unresponsive");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
   Program second{{program("darwinop-supervisor"), "--home", file("home")}, file("second.txt")};
   EXPECT_EQ(second.wait(seconds{5}), 1);
-  EXPECT_THAT(second.output(), HasSubstr("runs already (pid " + std::to_string(supervisor_->pid())));
+  EXPECT_THAT(second.output(), HasSubstr("is already running (pid " + std::to_string(supervisor_->pid())));
   EXPECT_EQ(ask("--stop"), 0) << said_;
   EXPECT_EQ(supervisor_->wait(seconds{1}), 0) << supervisor_->output();
   EXPECT_THAT(supervisor_->output(), HasSubstr("has not ended within 3 s and is killed"));
@@ -190,26 +190,26 @@ TEST_F(Home, TheDefaultControllerWaitsUntilTheRobotSitsUpright) {
   startVirtualRobot("0 fallen front for 3\n");
   plan("once");
   startSupervisor();
-  ASSERT_TRUE(says("waits until the robot sits upright")) << supervisor_->output();
+  ASSERT_TRUE(says("waiting for the start pose")) << supervisor_->output();
   Program pose{{program("darwinop-runtime"), "--check-pose"}, file("pose.txt")};
   EXPECT_EQ(pose.wait(seconds{5}), 3);
   EXPECT_THAT(pose.output(), HasSubstr("not upright"));
   ASSERT_TRUE(says("walk has ended by itself")) << supervisor_->output();
   const std::string output = supervisor_->output();
-  EXPECT_EQ(output.find("waits until the robot sits"), output.rfind("waits until the robot sits"));
+  EXPECT_EQ(output.find("waiting for the start pose"), output.rfind("waiting for the start pose"));
   EXPECT_THAT(controllerLog(), HasSubstr("plan once"));
   Program again{{program("darwinop-runtime"), "--check-pose"}, file("pose.txt")};
   EXPECT_EQ(again.wait(seconds{5}), 0);
   EXPECT_EQ(again.output(), "start pose: ok\n");
 }
 
-TEST_F(Home, AMistakeInRobotIniIsToldOnceAndNoRuntimeStartsBeforeItIsCorrected) {
+TEST_F(Home, AnInvalidRobotIniIsReportedOnceAndBlocksTheRuntime) {
   startVirtualRobot();
   const std::string sound = "[Robot]\nport = " + port() + "\n";
   std::ofstream{file("home/robot.ini")} << sound << "speed = 3\n";
   startSupervisor();
   ASSERT_TRUE(says("robot.ini, line 3: [Robot] speed = 3: no such key")) << supervisor_->output();
-  std::this_thread::sleep_for(milliseconds{2500});  // it is tried again after 2 s
+  std::this_thread::sleep_for(milliseconds{2500});  // retried after 2 s
   const std::string output = supervisor_->output();
   EXPECT_EQ(output.find("no such key"), output.rfind("no such key")) << output;
   EXPECT_EQ(status().runtime_pid, 0);
@@ -223,7 +223,7 @@ TEST_F(Home, AMistakeInRobotIniIsToldOnceAndNoRuntimeStartsBeforeItIsCorrected) 
   EXPECT_TRUE(says("ends; the robot is at rest")) << supervisor_->output();
 }
 
-/// Some joint gets goals, or was looked at after that cycle and had torque.
+/// Some joint gets goals, or was polled after that cycle and had torque.
 bool anyTorqueSince(std::uint64_t cycle, const Sensors& seen) {
   return std::ranges::any_of(seen.joint, [&](const JointSensors& j) {
     const bool looked_at = j.health.ever() && j.health.age + cycle < seen.cycle;
@@ -231,13 +231,13 @@ bool anyTorqueSince(std::uint64_t cycle, const Sensors& seen) {
   });
 }
 
-/// The fault script has to wait longer than a busy machine takes to the start pose, and to all that follows MODE.
-TEST_F(Home, AfterModeTheRobotStaysLimpUntilSomebodyPressesStart) {
+/// The fault script must wait longer than a busy machine needs for the start pose and all that follows MODE.
+TEST_F(Home, AfterModeTheRobotStaysLimpUntilStartIsPressed) {
   startVirtualRobot("15 button mode for 0.6\n35 button start for 0.6\n");
   plan("sit");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands", seconds{14})) << supervisor_->output() << controllerLog();
-  ASSERT_TRUE(says("waits for a person: the robot was released with MODE; press START", seconds{15}))
+  ASSERT_TRUE(says("waiting for user action: the robot was released with MODE; press START", seconds{15}))
       << supervisor_->output();
   EXPECT_EQ(ask("--status"), 0);
   EXPECT_THAT(said_, HasSubstr("press START, or run: darwinop runtime --reset-faults"));
@@ -264,17 +264,17 @@ TEST_F(Home, AfterAnOperatorsReleaseItWaitsForAReset) {
   ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
   Program release{{program("darwinop-runtime"), "--release"}, file("release.txt")};
   EXPECT_EQ(release.wait(seconds{5}), 0);
-  ASSERT_TRUE(says("waits for a person: a person released the robot")) << supervisor_->output();
+  ASSERT_TRUE(says("waiting for user action: a person released the robot")) << supervisor_->output();
   const std::uint64_t released = sensors().cycle + 1;
   std::this_thread::sleep_for(milliseconds{4000});
   EXPECT_FALSE(anyTorqueSince(released, sensors()));
   EXPECT_EQ(status().controller_pid, 0);
 
-  // Killed and started anew by a program, as systemd does it.
+  // Killed and restarted by a program, like systemd.
   supervisor_->kill(SIGKILL);
   EXPECT_TRUE(within(seconds{20}, [&] { return runtime::FileLock::holder(runtime::RuntimeFiles{}.loop_lock) == 0; }));
   startSupervisor();
-  ASSERT_TRUE(says("waits for a person: a person released the robot")) << supervisor_->output();
+  ASSERT_TRUE(says("waiting for user action: a person released the robot")) << supervisor_->output();
   std::this_thread::sleep_for(milliseconds{2500});
   EXPECT_FALSE(anyTorqueSince(0, sensors()));
 
@@ -296,18 +296,18 @@ TEST_F(Home, ARobotThatIsFoundStandingIsBroughtToRestAtTheEnd) {
   EXPECT_LT(robot.furthest, 0.1);
 }
 
-TEST_F(Home, ARobotThatIsFoundStandingIsNotAskedForItsPose) {
+TEST_F(Home, ARobotFoundStandingSkipsThePoseCheck) {
   startVirtualRobot();
   standByHand();
   plan("hold");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
-  EXPECT_EQ(supervisor_->output().find("waits until the robot sits"), std::string::npos);
+  EXPECT_EQ(supervisor_->output().find("waiting for the start pose"), std::string::npos);
   EXPECT_EQ(ask("--stop"), 0) << said_;
   EXPECT_EQ(registers().stiff, 0);
 }
 
-TEST_F(Home, WithoutASupervisorQuestionsAreAnsweredAllTheSame) {
+TEST_F(Home, WithoutASupervisorCommandsReportThat) {
   EXPECT_EQ(ask("--status"), 1);
   EXPECT_EQ(ask("--stop"), 0);
   EXPECT_EQ(ask("--stop-controller"), 1);

@@ -1,9 +1,9 @@
-// The default controller of the system tests. The file "plan" in its folder says what it does:
-//   hold    stretches both knees and stays so until it is told to end
-//   crash   the same, and dies in the middle of it
-//   deaf    the same, and then neither steps nor listens
+// Default controller of the system tests. Behaviour by the file "plan" in its folder:
+//   hold    stretches both knees and holds them until SIGTERM
+//   crash   the same, and crashes during it
+//   unresponsive    the same, and then neither steps nor handles SIGTERM
 //   once    ends at once
-//   sit     stays in the start pose until it is told to end, and then ends with an error
+//   sit     stays in the start pose until SIGTERM, and then ends with an error
 #include <unistd.h>
 
 #include <cmath>
@@ -31,9 +31,9 @@ int main() {
     if (++steps == 10 && plan == "crash") std::abort();
     if (steps != 40) continue;
     std::cout << "stands" << std::endl;
-    if (plan == "deaf") std::signal(SIGTERM, SIG_IGN);
-    while (plan == "deaf") pause();
+    if (plan == "unresponsive") std::signal(SIGTERM, SIG_IGN);
+    while (plan == "unresponsive") pause();
   }
-  std::cout << "told to end" << std::endl;
+  std::cout << "end requested" << std::endl;
   return plan == "sit" ? 1 : 0;
 }

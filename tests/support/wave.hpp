@@ -45,7 +45,7 @@ inline double amplitudeAt(double hertz, std::span<const double> values, int rate
 }
 
 /// From the first to the last value that is heard.
-inline std::vector<double> heard(const std::vector<double>& values) {
+inline std::vector<double> audiblePart(const std::vector<double>& values) {
   const auto loud = [](double value) { return std::abs(value) > 0.002; };
   const auto first = std::ranges::find_if(values, loud);
   const auto last = std::find_if(values.rbegin(), std::make_reverse_iterator(first), loud).base();

@@ -1,4 +1,4 @@
-// A turn at a known rate, seen by everything that shows the gyroscope: there is one scale between rad/s and counts.
+// Scale of the gyroscope between rad/s and counts: the same in twin, link, recording and monitor at a known rate.
 #include <nlohmann/json.hpp>
 
 #include "connect/lockstep_robot.hpp"
@@ -20,7 +20,7 @@ struct Turn {
   double count;
 };
 
-/// What each shows of a robot that hangs in the air and turns to the left.
+/// Rates reported for a robot that rotates to the left in the air.
 Turn seenAt(double rate_rad_s) {
   const TemporaryFolder folder;
   runtime::LoopConfig config;

@@ -1,5 +1,4 @@
-// The twin as a controller gets it: loaded from its library, in lockstep, behind the same bus and safety layer as a
-// robot.
+// The twin as loaded by a controller: from its shared library, in lockstep, with the bus and safety layer of a robot.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -29,10 +28,10 @@ class Driven {
     connect::Request request;
     request.setting = setting;
     request.record_path = record_path;
-    request.safety.on_exit = safety::OnExit::kLimp;  // the soonest end
+    request.safety.on_exit = safety::OnExit::kLimp;  // the fastest end of session
     link_ = connect::connect(request);
   }
-  /// One cycle in which nobody drives.
+  /// One cycle without commands.
   void look() { EXPECT_TRUE(link_->waitForCycle(++cycle_, stop_)); }
   /// One cycle.
   void step(Commands commands) {
@@ -51,7 +50,7 @@ class Driven {
 
 class Twin : public ::testing::Test {
  protected:
-  /// A model of its own, the usual one where `more` says nothing.
+  /// A model with the sections in `more`, defaults otherwise.
   std::string modelWith(const std::string& more) {
     const std::string xml = "darwin-op.xml";
     std::filesystem::copy_file(std::filesystem::path{DARWINOP_TWIN_MODELS} / xml, folder_ / xml,
@@ -59,7 +58,7 @@ class Twin : public ::testing::Test {
     std::ofstream{folder_ / "my.ini"} << "[model]\nname = my\n" << more;
     return "twin:" + (folder_ / "my.ini");
   }
-  /// Two seconds of waving, and what the runtime wrote of it, but for the date.
+  /// Recording of two seconds of waving, without the date.
   std::string recordingOf(const std::string& setting) {
     const std::string file = folder_ / "log.csv";
     const auto start = std::chrono::steady_clock::now();
@@ -83,10 +82,10 @@ class Twin : public ::testing::Test {
   const TemporaryFolder folder_;
 };
 
-TEST_F(Twin, InLockstepTheSameRunGivesTheSameRecordingButForTheDate) {
+TEST_F(Twin, RecordingsOfEqualLockstepRunsDifferInTheDateOnly) {
   const std::string first = recordingOf("twin"), second = recordingOf("twin");
   EXPECT_THAT(first, HasSubstr("# model: twin in memory"));
-  EXPECT_GT(std::ranges::count(first, '\n'), 120);  // a row a cycle
+  EXPECT_GT(std::ranges::count(first, '\n'), 120);  // one row per cycle
   EXPECT_TRUE(first == second);                     // not EXPECT_EQ, which would print both
 }
 
@@ -100,7 +99,7 @@ TEST_F(Twin, NoiseComesFromTheSeed) {
   EXPECT_FALSE(first == other);
 }
 
-TEST_F(Twin, ThatNobodyDrivesStaysInTheStartPose) {
+TEST_F(Twin, StaysInTheStartPoseWithoutCommands) {
   Driven robot{"twin"};
   while (robot.time() < 5) robot.look();
   const Sensors seen = robot.seen();
@@ -115,7 +114,7 @@ TEST_F(Twin, ThatNobodyDrivesStaysInTheStartPose) {
   EXPECT_NEAR(std::atan2(std::hypot(accel[0].value, accel[1].value), accel[2].value), 0.2, 0.15) << "rad of tilt";
 }
 
-TEST_F(Twin, AJointThatIsStuckOverloadsItsServoAndTheSafetyLayerReportsIt) {
+TEST_F(Twin, AStuckJointOverloadsItsServoAndTheSafetyLayerReportsIt) {
   // A gear that holds with 0.3 N m and a motor that gives 0.2.
   Driven robot{
       modelWith("[effect coulomb Neck]\nfriction = 0.3 N m\n[effect torque_limit Neck]\nduty = 1\n"
@@ -140,7 +139,7 @@ TEST_F(Twin, AJointThatIsStuckOverloadsItsServoAndTheSafetyLayerReportsIt) {
   EXPECT_LT(reported, 4.0);
 }
 
-TEST_F(Twin, AModelThatIsNotThereIsASentenceThatNamesTheOnesThatAre) {
+TEST_F(Twin, AnUnknownModelIsRefusedWithTheListOfModels) {
   try {
     Driven robot{"twin:darwin"};
     ADD_FAILURE() << "a model that does not exist was loaded";

@@ -14,8 +14,8 @@ using testing::HasSubstr;
 
 struct Loudspeaker {
   std::vector<SoundOrder> orders;
-  std::deque<SoundNews> news;
-  std::function<std::deque<SoundNews>(const SoundOrder&)> answer;
+  std::deque<SoundEvent> news;
+  std::function<std::deque<SoundEvent>(const SoundOrder&)> answer;
   bool full = false;
 };
 
@@ -28,9 +28,9 @@ class FakeOutput : public SoundOutput {
     if (loudspeaker_.answer) loudspeaker_.news = loudspeaker_.answer(order);
     return true;
   }
-  std::optional<SoundNews> news(std::chrono::milliseconds) override {
+  std::optional<SoundEvent> news(std::chrono::milliseconds) override {
     if (loudspeaker_.news.empty()) return std::nullopt;
-    SoundNews first = loudspeaker_.news.front();
+    SoundEvent first = loudspeaker_.news.front();
     loudspeaker_.news.pop_front();
     return first;
   }
@@ -139,7 +139,7 @@ TEST_F(SpeakerTest, ValuesBeyondTheirRangesAreBroughtThereAndThatIsSaidOnce) {
 
 TEST_F(SpeakerTest, PlayFileWaitStepsTheRobotUntilTheSoundWasHeard) {
   prepare();
-  loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundNews>{SoundStarted{1, 0.08}}; };
+  loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundEvent>{SoundStarted{1, 0.08}}; };
   const auto before = fake.published.size();
   fake.on_cycle = [&](std::uint64_t) {
     if (fake.published.size() == before + 20) loudspeaker.news = {SoundEnded{1}};
@@ -152,7 +152,7 @@ TEST_F(SpeakerTest, PlayFileWaitStepsTheRobotUntilTheSoundWasHeard) {
 TEST_F(SpeakerTest, InSimulatedTimePlayFileWaitTakesTheTimeOfTheSound) {
   fake.real_time = false;
   prepare();
-  loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundNews>{SoundStarted{1, 0.08}}; };
+  loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundEvent>{SoundStarted{1, 0.08}}; };
   const double begin = robot().getTime();
   speaker().playFileWait("/a.mp3");
   EXPECT_NEAR(robot().getTime() - begin, 0.08, 0.001);
@@ -161,7 +161,7 @@ TEST_F(SpeakerTest, InSimulatedTimePlayFileWaitTakesTheTimeOfTheSound) {
 TEST_F(SpeakerTest, ASimulationThatIsSlowerThanTheSoundTakesAsManySteps) {
   fake.real_time = false;
   prepare();
-  loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundNews>{SoundStarted{1, 0.08}}; };
+  loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundEvent>{SoundStarted{1, 0.08}}; };
   const auto before = fake.published.size();
   fake.on_cycle = [&](std::uint64_t) {
     if (fake.published.size() == before + 1) loudspeaker.news = {SoundEnded{1}};
@@ -174,7 +174,7 @@ TEST_F(SpeakerTest, ASimulationThatIsSlowerThanTheSoundTakesAsManySteps) {
 TEST_F(SpeakerTest, PlayFileWaitEndsWithTheControllerAndWhenNothingIsPlayed) {
   prepare();
   loudspeaker.answer = [](const SoundOrder&) {
-    return std::deque<SoundNews>{SoundTrouble{"no such file"}, SoundEnded{1}};
+    return std::deque<SoundEvent>{SoundError{"no such file"}, SoundEnded{1}};
   };
   speaker().playFileWait("/a.mp3");
   loudspeaker.answer = nullptr;

@@ -41,7 +41,7 @@ class WindowMoves : public testing::Test {
     }
     return request;
   }
-  static window::Orders forwards() { return {.walk = gait::Wish{.x = 0.5}}; }
+  static window::Orders forwards() { return {.walk = gait::WalkCommand{.x = 0.5}}; }
   void falls() {
     for (std::size_t i = 0; i < kFaults; ++i) seen_.safety.active[i] = kFaultTable[i].fault == Fault::kFell;
   }

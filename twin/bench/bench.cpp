@@ -1,4 +1,4 @@
-// A pendulum on a servo.
+// Single-joint bench: integrates one servo model and a pendulum, rigid or through an elastic transmission.
 #include "twin/bench/bench.hpp"
 
 #include <algorithm>
@@ -9,14 +9,14 @@
 namespace darwinop::twin {
 namespace {
 
-constexpr double kShortestJump = 1.0 / 64;  // of a firmware period
-constexpr double kLeastTorque = 1e-3;       // N m; a motor that cannot lift its load jumps for the whole period
-constexpr double kLightest = 1e-6;          // kg m2; at a soft gear an arm has to have some inertia of its own
+constexpr double kMinJump = 1.0 / 64;  // firmware periods
+constexpr double kMinTorque = 1e-3;    // N m; avoids a division by 0 when the motor cannot lift its load
+constexpr double kMinInertia = 1e-6;   // kg m2, of the arm; an elastic transmission integrates the arm separately
 
 void check(double value, double low, const char* what) {
   if (std::isfinite(value) && value >= low) return;
   throw std::runtime_error("pendulum: " + std::string{what} + " is " + std::to_string(value) +
-                           "; it must be a number that is not negative");
+                           "; must be a finite number of at least 0");
 }
 
 }  // namespace
@@ -29,26 +29,25 @@ Bench::Bench(const ServoParameters& parameters, std::vector<std::unique_ptr<Effe
   check(pendulum.gravity_m_s2, 0, "gravity (m/s2)");
   const LoadChange& change = servo_.load();
   const double m = pendulum.payload_kg * change.mass_scale, arm = pendulum.arm_mass_kg * change.mass_scale;
-  // A weight that is drawn in stops at the axis.
-  const double out = std::max(0.0, pendulum.length_m + change.com_shift_m);
-  const double middle = std::max(0.0, pendulum.length_m / 2 + change.com_shift_m);
-  arm_kgm2_ = m * out * out + arm * (pendulum.length_m * pendulum.length_m / 12 + middle * middle);
-  weight_nm_ = (m * out + arm * middle) * pendulum.gravity_m_s2;
-  hangs_at_rad_ = change.angle_offset_rad;
+  // A negative shift moves the mass no further than to the axis.
+  const double payload_m = std::max(0.0, pendulum.length_m + change.com_shift_m);
+  const double arm_com_m = std::max(0.0, pendulum.length_m / 2 + change.com_shift_m);
+  arm_kgm2_ = m * payload_m * payload_m + arm * (pendulum.length_m * pendulum.length_m / 12 + arm_com_m * arm_com_m);
+  weight_nm_ = (m * payload_m + arm * arm_com_m) * pendulum.gravity_m_s2;
+  equilibrium_rad_ = change.angle_offset_rad;
   rotor_kgm2_ = parameters.armature_kgm2 + change.armature_kgm2;
-  if (!(inertia_kgm2() > 0))
-    throw std::runtime_error("pendulum: nothing on it has inertia; give it a payload, or the servo an armature");
+  if (!(inertia_kgm2() > 0)) throw std::runtime_error("pendulum: the total inertia is 0; set a payload or an armature");
   reset({});
 }
 
 void Bench::reset(const BenchOptions& options) {
   if (options.steps_per_period < 1)
     throw std::runtime_error("bench: " + std::to_string(options.steps_per_period) +
-                             " mechanical steps in a firmware period; 1 and more are allowed");
+                             " mechanical steps per firmware period; must be at least 1");
   servo_.reset(options.start_rad, options.session_time_s);
   position_ = options.start_rad;
   velocity_ = options.start_rad_s;
-  gained_ = 0;
+  last_velocity_change_ = 0;
   sine_ = {};
   transmission_.reset(position_, velocity_, rotor_kgm2_);
   steps_ = options.steps_per_period;
@@ -70,40 +69,40 @@ void Bench::stepRigid(int steps) noexcept {
   const double first = steps > 1 ? jumpTime(period) : 0;
   if (first > 0) {
     stepShaft(first);
-    gained_ = 0;  // a jump does not go on
+    last_velocity_change_ = 0;  // the jump does not continue in the next step
     --steps;
   }
   if (first == period) return;
   for (int i = 0; i < steps; ++i) stepShaft((period - first) / steps);
 }
 
-// A motor that takes any speed as soon as its torque lets it takes it at the beginning of a period: a step as long as
-// that lasts. 0: there is no such motor.
+// Law speed_p: time in which the motor reaches its commanded speed at full torque; one mechanical step has this length.
+// 0 for the other law and with torque off.
 double Bench::jumpTime(double period) noexcept {
   const Signals& s = servo_.signals();
   if (s.law != Law::kSpeedP || !s.torque_on) return 0;
   const double change = s.speed_command_rad_s - velocity_;
   const double torque = std::min(servo_.parameters().torque_max_nm * s.duty_limit, s.torque_limit_nm);
-  const double left = torque + std::copysign(1.0, change) * gravityAt(position_);
-  return std::clamp(inertia_kgm2() * std::abs(change) / std::max(left, kLeastTorque), kShortestJump * period, period);
+  const double net = torque + std::copysign(1.0, change) * gravityAt(position_);
+  return std::clamp(inertia_kgm2() * std::abs(change) / std::max(net, kMinTorque), kMinJump * period, period);
 }
 
 void Bench::stepShaft(double h) noexcept {
   position_ += velocity_ * h / 2;
   const double gravity = gravityAt(position_), before = velocity_;
-  // Friction of the speed in the middle, as it is going to be if it changes as it did.
-  const double speed = velocity_ == 0 ? 0 : velocity_ + gained_ / 2;
+  // Friction depends on the mid-step speed, extrapolated from the last change.
+  const double speed = velocity_ == 0 ? 0 : velocity_ + last_velocity_change_ / 2;
   const Actuation actuation = servo_.actuate(position_, speed, gravity);
   velocity_ = shaft_.kick(velocity_, actuation, gravity, inertia_kgm2(), h);
-  gained_ = velocity_ - before;
+  last_velocity_change_ = velocity_ - before;
   if (actuation.follows_speed) servo_.noteMotorTorque(shaft_.motorTorque());
   position_ += velocity_ * h / 2;
 }
 
 void Bench::stepSoft(int steps) noexcept {
-  const double h = servo_.parameters().firmware_period_s / steps, arm_kgm2 = std::max(arm_kgm2_, kLightest);
+  const double h = servo_.parameters().firmware_period_s / steps, arm_kgm2 = std::max(arm_kgm2_, kMinInertia);
   for (int i = 0; i < steps; ++i) {
-    // Gear side and arm go through the same middle of the step.
+    // Midpoint rule for gear side and arm.
     const double middle = position_ + velocity_ * h / 2, gravity = gravityAt(middle);
     const double gear = transmission_.step(servo_, {position_, velocity_, arm_kgm2, gravity}, h);
     velocity_ += (gravity + gear) / arm_kgm2 * h;
@@ -116,11 +115,11 @@ double Bench::encoder_rad() const noexcept {
 }
 
 double Bench::gravityAt(double position_rad) noexcept {
-  return -weight_nm_ * sine_(position_rad - hangs_at_rad_);
+  return -weight_nm_ * sine_(position_rad - equilibrium_rad_);
 }
 
 double Bench::energy_j() const noexcept {
-  const double height = weight_nm_ * (1 - std::cos(position_ - hangs_at_rad_));
+  const double height = weight_nm_ * (1 - std::cos(position_ - equilibrium_rad_));
   const double arm = arm_kgm2_ * velocity_ * velocity_ / 2 + height;
   if (servo_.softGear()) return arm + transmission_.energy_j(servo_.signals(), position_);
   return arm + rotor_kgm2_ * velocity_ * velocity_ / 2;

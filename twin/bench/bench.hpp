@@ -1,4 +1,4 @@
-// The single-joint bench: a servo on a stand swings an arm with a weight. No MuJoCo, no I/O, as fast as possible.
+// Single-joint bench: simulates one servo with a pendulum, without MuJoCo and without I/O.
 #pragma once
 
 #include <memory>
@@ -11,16 +11,17 @@
 
 namespace darwinop::twin {
 
-/// A weight at the end of a uniform arm; angle 0 hangs straight down, positive counter-clockwise.
+/// Point mass at the end of a uniform arm. Angle 0 hangs straight down, positive counter-clockwise.
 struct Pendulum {
   double payload_kg = 0.1, arm_mass_kg = 0, length_m = 0.1;
   double gravity_m_s2 = 9.80665;
 };
 
 struct BenchOptions {
-  int steps_per_period = 2;  // mechanical steps in a firmware period; a soft gear takes more by itself, and of
-                             // two or more the first is as long as the jump of a motor of law speed_p
-  double start_rad = 0;      // at rest there
+  int steps_per_period = 2;  // mechanical steps per firmware period, at least 1. An elastic transmission uses more
+                             // where it needs them. Law speed_p with two or more: the first step is as long as the
+                             // motor takes to reach its speed
+  double start_rad = 0;
   double start_rad_s = 0;
   double session_time_s = 0;
 };
@@ -29,14 +30,14 @@ struct BenchOptions {
 ///
 ///   J q'' = servo - (m L + m_a L/2) g sin q - friction,   J = m L^2 + m_a L^2/3 + armature
 ///
-/// with what the effects change of the load. Second order in the step: position at the middle, torques there, velocity
-/// by Shaft. Not thread-safe; step() allocates nothing.
+/// plus the load changes of the effects. Second order in the step: torques at the mid-step position, velocity by Shaft.
+/// Not thread-safe; step() allocates nothing.
 class Bench {
  public:
-  /// Throws std::runtime_error for a pendulum that cannot be: a negative mass, no inertia at all.
+  /// Throws std::runtime_error for a negative or infinite value and for a total inertia of 0.
   Bench(const ServoParameters& parameters, std::vector<std::unique_ptr<Effect>> effects, const Pendulum& pendulum);
 
-  /// From rest, or from the given speed, all history forgotten. Throws std::runtime_error for no steps at all.
+  /// Sets the initial state and clears all history. Throws std::runtime_error for fewer than one step per period.
   void reset(const BenchOptions& options);
   /// One firmware period.
   void step(const ServoDrive& drive) noexcept;
@@ -44,13 +45,13 @@ class Bench {
   [[nodiscard]] double time_s() const noexcept { return servo_.signals().time_s; }
   [[nodiscard]] double position_rad() const noexcept { return position_; }  // of the arm
   [[nodiscard]] double velocity_rad_s() const noexcept { return velocity_; }
-  /// What an encoder without error would say; with a soft gear it does not see all of the arm.
+  /// Reading of an ideal encoder. It sits on the horn, so with an elastic transmission it differs from position_rad().
   [[nodiscard]] double encoder_rad() const noexcept;
-  /// Kinetic energy of arm and rotor, that of a bent gear, and potential energy against hanging down, J.
+  /// Kinetic energy of arm and rotor, elastic energy of the transmission, potential energy above the lowest point; J.
   [[nodiscard]] double energy_j() const noexcept;
   /// Of arm and rotor, kg m2.
   [[nodiscard]] double inertia_kgm2() const noexcept { return arm_kgm2_ + rotor_kgm2_; }
-  /// Torque of gravity when the arm stands out sideways, N m.
+  /// Gravity torque with the arm horizontal, N m.
   [[nodiscard]] double weight_nm() const noexcept { return weight_nm_; }
   [[nodiscard]] const Servo& servo() const noexcept { return servo_; }
 
@@ -65,10 +66,10 @@ class Bench {
   Shaft shaft_;
   Transmission transmission_;
   NearSine sine_;
-  double arm_kgm2_ = 0, rotor_kgm2_ = 0, weight_nm_ = 0, hangs_at_rad_ = 0;
+  double arm_kgm2_ = 0, rotor_kgm2_ = 0, weight_nm_ = 0, equilibrium_rad_ = 0;
   int steps_ = 2;
   double position_ = 0, velocity_ = 0;
-  double gained_ = 0;  // of the velocity, by the last step
+  double last_velocity_change_ = 0;  // rad/s
 };
 
 }  // namespace darwinop::twin

@@ -1,3 +1,4 @@
+// Moves the ball on a circle in front of the robot, and reads DARWINOP_TWIN_BALL.
 #include "twin/body/ball.hpp"
 
 #include <mujoco/mujoco.h>
@@ -14,18 +15,18 @@
 namespace darwinop::twin {
 namespace {
 
-// Assumed: near enough to be seen by a kneeling robot and far enough for its feet, as fast as a child rolls a ball.
-constexpr double kMiddle = 0.55, kRadius = 0.15;  // m, ahead of the start
-constexpr double kTurn = 8;                       // s a turn
+// Assumed: visible to a kneeling robot, out of reach of its feet, 0.12 m/s.
+constexpr double kCentre = 0.55, kRadius = 0.15;  // m, centre ahead of the start position
+constexpr double kPeriod = 8;                     // s per turn
 
 }  // namespace
 
-void leadBall(mjData_& data, const BodyMap& map, double time_s) noexcept {
+void moveBallOnCircle(mjData_& data, const BodyMap& map, double time_s) noexcept {
   if (map.ball_qpos < 0) return;
-  const double speed = 2 * std::numbers::pi / kTurn, angle = speed * time_s;
+  const double speed = 2 * std::numbers::pi / kPeriod, angle = speed * time_s;
   mjtNum* const place = data.qpos + map.ball_qpos;
   mjtNum* const velocity = data.qvel + map.ball_dof;
-  place[0] = kMiddle + kRadius * std::cos(angle);
+  place[0] = kCentre + kRadius * std::cos(angle);
   place[1] = kRadius * std::sin(angle);
   mju_zero(velocity, 6);
   velocity[0] = -kRadius * speed * std::sin(angle);
@@ -33,12 +34,12 @@ void leadBall(mjData_& data, const BodyMap& map, double time_s) noexcept {
 }
 
 Ball ballFromEnvironment() {
-  const char* const said = std::getenv("DARWINOP_TWIN_BALL");
-  const std::string ball = said == nullptr ? "" : said;
+  const char* const value = std::getenv("DARWINOP_TWIN_BALL");
+  const std::string ball = value == nullptr ? "" : value;
   if (ball.empty() || ball == "rests") return Ball::kRests;
   if (ball == "none") return Ball::kNone;
   if (ball == "circles") return Ball::kCircles;
-  throw std::runtime_error("DARWINOP_TWIN_BALL = " + ball + ": it can be none, rests or circles");
+  throw std::runtime_error("DARWINOP_TWIN_BALL = " + ball + ": must be none, rests or circles");
 }
 
 }  // namespace darwinop::twin

@@ -1,4 +1,4 @@
-// A ball for eyes to follow: led round in a circle in front of the robot, as somebody with a stick would.
+// A moving ball for tests of visual tracking: it circles in front of the robot.
 #pragma once
 
 struct mjData_;
@@ -7,7 +7,7 @@ namespace darwinop::twin {
 
 struct BodyMap;
 
-/// Puts the ball where it is at this time, and gives it the speed that it has there. Nothing where there is no ball.
-void leadBall(mjData_& data, const BodyMap& map, double time_s) noexcept;
+/// Sets position and velocity of the ball at `time_s` on its circle. Does nothing without a ball.
+void moveBallOnCircle(mjData_& data, const BodyMap& map, double time_s) noexcept;
 
 }  // namespace darwinop::twin

@@ -1,4 +1,4 @@
-// Gyroscope: the trunk's turning rate. Accelerometer: change of velocity of its place in a step, less gravity.
+// Gyroscope: angular rate of the trunk. Accelerometer: velocity change of its site per step, minus gravity.
 #include "twin/body/imu.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace darwinop::twin {
 namespace {
 
-// A well mixed number for a counter (splitmix64, Steele et al. 2014): noise needs no state and no order of calls.
+// splitmix64 (Steele et al. 2014) of a counter: noise needs no state and does not depend on the order of calls.
 std::uint64_t mix(std::uint64_t x) noexcept {
   x += 0x9E3779B97F4A7C15U;
   x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -17,7 +17,7 @@ std::uint64_t mix(std::uint64_t x) noexcept {
   return x ^ (x >> 31U);
 }
 
-// Standard normal, by Box and Muller.
+// Standard normal (Box-Muller).
 double normal(std::uint64_t seed, std::uint64_t sample, std::uint64_t channel) noexcept {
   const std::uint64_t first = mix(mix(seed) ^ (sample * 8 + channel));
   constexpr double kUnit = 0x1p-53;
@@ -34,54 +34,54 @@ double distorted(double value, double scale, double bias, double noise, double r
 
 Imu::Imu(const mjModel& m, const BodyMap& map, const ImuSettings& settings, std::uint64_t seed)
     : settings_{settings}, seed_{seed}, qpos_{map.trunk_qpos}, dof_{map.trunk_dof} {
-  mju_copy3(place_, m.site_pos + 3 * map.accelerometer);
+  mju_copy3(site_, m.site_pos + 3 * map.accelerometer);
   mju_negQuat(gyro_axes_, m.site_quat + 4 * map.gyro);
   mju_negQuat(accel_axes_, m.site_quat + 4 * map.accelerometer);
 }
 
-void Imu::velocityThere(const mjData& d, mjtNum* velocity) const noexcept {
+void Imu::siteVelocity(const mjData& d, mjtNum* velocity) const noexcept {
   mjtNum lever[3];
-  mju_cross(lever, d.qvel + dof_ + 3, place_);
+  mju_cross(lever, d.qvel + dof_ + 3, site_);
   mju_rotVecQuat(velocity, lever, d.qpos + qpos_ + 3);
   mju_addTo3(velocity, d.qvel + dof_);
 }
 
 void Imu::reset(const mjData& d) noexcept {
-  velocityThere(d, velocity_);
+  siteVelocity(d, velocity_);
   mju_zero3(acceleration_);
 }
 
-void Imu::moved(const mjModel& m, const mjData& d) noexcept {
+void Imu::update(const mjModel& m, const mjData& d) noexcept {
   mjtNum now[3];
-  velocityThere(d, now);
+  siteVelocity(d, now);
   mju_sub3(acceleration_, now, velocity_);
   mju_scl3(acceleration_, acceleration_, 1 / m.opt.timestep);
   mju_copy3(velocity_, now);
 }
 
 Imu::Axes Imu::gyro(const mjData& d, std::uint64_t sample) const noexcept {
-  mjtNum felt[3];
-  mju_rotVecQuat(felt, d.qvel + dof_ + 3, gyro_axes_);
+  mjtNum sensed[3];
+  mju_rotVecQuat(sensed, d.qvel + dof_ + 3, gyro_axes_);
   Axes out{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double noise = settings_.gyro_noise_rad_s > 0 ? settings_.gyro_noise_rad_s * normal(seed_, sample, i) : 0;
     out[i] =
-        distorted(felt[i], settings_.gyro_scale[i], settings_.gyro_bias_rad_s[i], noise, settings_.gyro_range_rad_s);
+        distorted(sensed[i], settings_.gyro_scale[i], settings_.gyro_bias_rad_s[i], noise, settings_.gyro_range_rad_s);
   }
   return out;
 }
 
 Imu::Axes Imu::accelerometer(const mjModel& m, const mjData& d, std::uint64_t sample) const noexcept {
-  mjtNum world[3], upright[4], trunk[3], felt[3];
+  mjtNum world[3], upright[4], trunk[3], sensed[3];
   mju_sub3(world, acceleration_, m.opt.gravity);
   mju_negQuat(upright, d.qpos + qpos_ + 3);
   mju_rotVecQuat(trunk, world, upright);
-  mju_rotVecQuat(felt, trunk, accel_axes_);
+  mju_rotVecQuat(sensed, trunk, accel_axes_);
   Axes out{};
   for (std::size_t i = 0; i < 3; ++i) {
     const double noise = settings_.accel_noise_m_s2 > 0 ? settings_.accel_noise_m_s2 * normal(seed_, sample, 4 + i) : 0;
     out[i] =
-        distorted(felt[i], settings_.accel_scale[i], settings_.accel_bias_m_s2[i], noise, settings_.accel_range_m_s2);
+        distorted(sensed[i], settings_.accel_scale[i], settings_.accel_bias_m_s2[i], noise, settings_.accel_range_m_s2);
   }
   return out;
 }

@@ -1,4 +1,4 @@
-// The board's gyroscope and accelerometer: what they feel at their places in the trunk, with their faults.
+// Gyroscope and accelerometer of the board: ideal signals at their sites in the trunk, with scale, bias, noise, range.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -16,25 +16,25 @@ class Imu {
 
   Imu(const mjModel& m, const BodyMap& map, const ImuSettings& settings, std::uint64_t seed);
 
-  /// The trunk was put somewhere: what it moved before does not count as acceleration.
+  /// After the trunk was placed: the jump must not appear as an acceleration.
   void reset(const mjData& d) noexcept;
-  /// After every step: what the sensors feel is the mean of the step.
-  void moved(const mjModel& m, const mjData& d) noexcept;
+  /// After every physics step: the sensors measure the mean over the step.
+  void update(const mjModel& m, const mjData& d) noexcept;
 
-  /// Of the last step, in the sensor's axes, within its range. `sample`: which one it is; the same sample has the
-  /// same noise, whoever asks and how often.
+  /// Value of the last step in the sensor's axes, clamped to its range. The noise is a function of seed and `sample`
+  /// number.
   [[nodiscard]] Axes gyro(const mjData& d, std::uint64_t sample) const noexcept;
   [[nodiscard]] Axes accelerometer(const mjModel& m, const mjData& d, std::uint64_t sample) const noexcept;
 
  private:
-  void velocityThere(const mjData& d, mjtNum* velocity) const noexcept;
+  void siteVelocity(const mjData& d, mjtNum* velocity) const noexcept;
 
   ImuSettings settings_;
   std::uint64_t seed_;
   int qpos_, dof_;
-  mjtNum place_[3];                                 // of the accelerometer, in the trunk
-  mjtNum gyro_axes_[4], accel_axes_[4];             // trunk from sensor
-  mjtNum velocity_[3] = {}, acceleration_[3] = {};  // of that place, in the world
+  mjtNum site_[3];                                  // accelerometer, in the trunk frame
+  mjtNum gyro_axes_[4], accel_axes_[4];             // rotate trunk vectors into sensor axes
+  mjtNum velocity_[3] = {}, acceleration_[3] = {};  // of the site, in the world frame
 };
 
 }  // namespace darwinop::twin

@@ -1,4 +1,4 @@
-// Hands the actuations to MuJoCo, and reads back what the solver made of them.
+// Writes actuations into MuJoCo's arrays, and reads the solved forces back.
 #include "twin/body/joint_torques.hpp"
 
 #include <algorithm>
@@ -11,18 +11,18 @@ double finite(double value) noexcept {
   return std::isfinite(value) ? value : 0;
 }
 
-// About the joint's axis, all that moves with it at this pose; armature included.
+// Composite inertia about the joint axis at this pose, including armature.
 double inertiaOf(const mjModel& m, const mjData& d, int dof) noexcept {
   return d.qM[m.dof_Madr[dof]];
 }
-// What a sudden torque finds there: joints beyond give way, so it is less. Of the zero pose, without armature.
-double nimbleInertiaOf(const mjModel& m, int dof) noexcept {
+// Apparent inertia for a sudden torque: smaller, because other joints yield. At the zero pose, without armature.
+double apparentInertiaOf(const mjModel& m, int dof) noexcept {
   return 1 / m.dof_invweight0[dof];
 }
 
-// Whose friction a row of the solver is: of a joint's bearings, or of its motor that follows a speed.
+// Owner of a friction row of the solver: dry friction of a joint, or the speed-controlled motor of a joint.
 struct FrictionRow {
-  int joint;  // -1: of no joint
+  int joint;  // -1: none
   bool motor;
 };
 FrictionRow frictionOf(const mjData& d, const BodyMap& map, int row) noexcept {
@@ -64,7 +64,7 @@ void JointTorques::act(mjModel& m, mjData& d, const BodyMap& map, std::vector<Se
     const int dof = map.dof[i];
     const double position = d.qpos[map.qpos[i]], velocity = d.qvel[dof];
     if (soft_[i]) {
-      const ArmMotion arm{position, velocity, nimbleInertiaOf(m, dof), outside_nm_[i]};
+      const ArmMotion arm{position, velocity, apparentInertiaOf(m, dof), outside_nm_[i]};
       acts_[i] = {.torque_nm = gears_[i].step(servos[i], arm, m.opt.timestep)};
     } else {
       acts_[i] = servos[i].actuate(position, velocity, outside_nm_[i]);
@@ -80,12 +80,12 @@ void JointTorques::act(mjModel& m, mjData& d, const BodyMap& map, std::vector<Se
   }
 }
 
-// Rows of frictions follow those of equalities. A friction's reference acceleration is -B * velocity; towards a wanted
-// speed it is B * (wanted - velocity). That is a steep damper, under which a loaded joint creeps: by hundredths of a
-// tick in ten seconds, by ten ticks where nothing but a light foot hangs on it and the whole robot pulls. So a joint at
-// rest is also drawn back to where it came to rest, by a bristle that bends as far as the friction's limit asks, within
-// which it stays: a millionth of a radian, a hundred of them when a joint without armature holds 1 N m.
-void JointTorques::aimFrictions(mjData& d, const BodyMap& map) noexcept {
+// Friction rows follow equality rows. The reference acceleration of a friction row is -B * velocity; towards a target
+// speed it is B * (target - velocity). This is a stiff damper, under which a loaded joint creeps: 0.01 ticks in 10 s,
+// 10 ticks where the joint carries only a light foot and the whole robot pulls. Therefore a joint at rest is also
+// pulled back to where it stopped, by a bristle (spring) that bends up to the limit of the friction: 1e-6 rad, 1e-4 rad
+// when a joint without armature holds 1 N m.
+void JointTorques::setFrictionReferences(mjData& d, const BodyMap& map) noexcept {
   for (int row = d.ne; row < d.ne + d.nf; ++row) {
     const auto [joint, motor] = frictionOf(d, map, row);
     if (joint < 0) continue;
@@ -96,25 +96,25 @@ void JointTorques::aimFrictions(mjData& d, const BodyMap& map) noexcept {
       continue;
     }
     const double stiffness = damping * damping / 4;              // critically damped
-    const double give = d.efc_frictionloss[row] * d.efc_R[row];  // rad/s2: how soft the solver takes the limit
+    const double give = d.efc_frictionloss[row] * d.efc_R[row];  // rad/s2: softness of the solver at the limit
     d.efc_aref[row] -= stiffness * bend(i, d.qpos[map.qpos[i]], {give / damping, give / stiffness});
   }
 }
 
-// Bend of the bristle, rad. `full`: creep and bend under all that the friction can hold.
+// Bend of the bristle, rad. `full`: creep speed and bend at the friction limit.
 double JointTorques::bend(std::size_t i, double position, const Bristle& full) noexcept {
-  constexpr Bristle kLeast{.creep_rad_s = 1e-4, .bend_rad = 1e-6};  // above the noise of the solver
-  if (std::abs(velocity_[i]) > std::max(full.creep_rad_s, kLeast.creep_rad_s)) rest_rad_[i] = position;
-  const double most = std::max(full.bend_rad, kLeast.bend_rad);
-  const double bent = std::clamp(position - rest_rad_[i], -most, most);
+  constexpr Bristle kMin{.creep_rad_s = 1e-4, .bend_rad = 1e-6};  // above solver noise
+  if (std::abs(velocity_[i]) > std::max(full.creep_rad_s, kMin.creep_rad_s)) rest_rad_[i] = position;
+  const double max_bend = std::max(full.bend_rad, kMin.bend_rad);
+  const double bent = std::clamp(position - rest_rad_[i], -max_bend, max_bend);
   rest_rad_[i] = position - bent;
   return bent;
 }
 
-void JointTorques::takeNote(const mjModel& m, const mjData& d, const BodyMap& map,
-                            std::vector<Servo>& servos) noexcept {
+void JointTorques::readSolverForces(const mjModel& m, const mjData& d, const BodyMap& map,
+                                    std::vector<Servo>& servos) noexcept {
   std::array<double, kJoints> own{};
-  // A motor that may not push has no row.
+  // A motor with a torque limit of 0 has no row.
   for (std::size_t i = 0; i < kJoints; ++i)
     if (acts_[i].follows_speed) servos[i].noteMotorTorque(0);
   for (int row = d.ne; row < d.ne + d.nf; ++row) {
@@ -128,16 +128,16 @@ void JointTorques::takeNote(const mjModel& m, const mjData& d, const BodyMap& ma
     const int dof = map.dof[i];
     const double acceleration = (d.qvel[dof] - velocity_[i]) / m.opt.timestep;
     own[i] += d.qfrc_applied[dof] - m.dof_damping[dof] * d.qvel[dof];  // MuJoCo damps the new velocity
-    outside_nm_[i] = (soft_[i] ? nimbleInertiaOf(m, dof) : inertiaOf(m, d, dof)) * acceleration - own[i];
+    outside_nm_[i] = (soft_[i] ? apparentInertiaOf(m, dof) : inertiaOf(m, d, dof)) * acceleration - own[i];
   }
 }
 
 void JointTorques::step(mjModel& m, mjData& d, const BodyMap& map, std::vector<Servo>& servos) noexcept {
   act(m, d, map, servos);
   mj_step1(&m, &d);
-  aimFrictions(d, map);
+  setFrictionReferences(d, map);
   mj_step2(&m, &d);
-  takeNote(m, d, map, servos);
+  readSolverForces(m, d, map, servos);
 }
 
 }  // namespace darwinop::twin

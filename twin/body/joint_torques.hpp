@@ -1,4 +1,4 @@
-// Twenty servos on twenty hinges for one step: torque, damping, dry friction, motors that follow a speed, soft gears.
+// Couples 20 servo models to 20 MuJoCo hinges: torque, damping, dry friction, speed-controlled motors, transmissions.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -12,19 +12,19 @@
 
 namespace darwinop::twin {
 
-/// Dry friction is a constraint of the solver: it brings a joint to rest with what that takes, up to its limit, while
-/// all other joints and contacts do the same. A motor that follows a speed is one more friction, towards that speed.
-/// With a soft gear the rotor is no part of MuJoCo's body: the joint gets the torque of the gear train.
+/// Dry friction is a solver constraint, solved together with all joints and contacts. A speed-controlled motor (law
+/// speed_p) is another friction constraint, towards its target speed. With an elastic transmission the rotor is not
+/// part of the MuJoCo body: the joint receives the transmission torque.
 class JointTorques {
  public:
-  /// Puts the servos' rotors and loads into the model.
+  /// Writes rotor inertias and load changes into the model.
   JointTorques(mjModel& m, const BodyMap& map, const std::vector<Servo>& servos, bool hold_until_driven);
 
-  /// Everything rests, at these angles.
+  /// Initial state: all joints at rest at the angles in `d`.
   void reset(const mjData& d, const BodyMap& map) noexcept;
-  /// The angle that the encoder of joint i sees.
+  /// Encoder position of joint i.
   [[nodiscard]] double encoderRad(const Servo& servo, std::size_t i, double arm_rad) const noexcept;
-  /// One step of the physics.
+  /// One physics step.
   void step(mjModel& m, mjData& d, const BodyMap& map, std::vector<Servo>& servos) noexcept;
 
  private:
@@ -32,19 +32,19 @@ class JointTorques {
     double creep_rad_s, bend_rad;
   };
   void act(mjModel& m, mjData& d, const BodyMap& map, std::vector<Servo>& servos) noexcept;
-  void aimFrictions(mjData& d, const BodyMap& map) noexcept;
+  void setFrictionReferences(mjData& d, const BodyMap& map) noexcept;
   double bend(std::size_t i, double position, const Bristle& full) noexcept;
-  void takeNote(const mjModel& m, const mjData& d, const BodyMap& map, std::vector<Servo>& servos) noexcept;
+  void readSolverForces(const mjModel& m, const mjData& d, const BodyMap& map, std::vector<Servo>& servos) noexcept;
 
   std::array<bool, kJoints> soft_{};
   std::array<double, kJoints> rotor_kgm2_{};
   std::array<Transmission, kJoints> gears_{};
   std::array<Actuation, kJoints> acts_{};
-  std::array<double, kJoints> outside_nm_{};  // of the step before: what others did to the joint, its inertia apart
-  bool hold_;                               // a joint keeps its angle until its servo is switched on for the first time
-  std::array<bool, kJoints> held_{};        // it still does
-  std::array<double, kJoints> velocity_{};  // before the step
-  std::array<double, kJoints> rest_rad_{};  // where the joint came to rest, within the bend of a bristle
+  std::array<double, kJoints> outside_nm_{};  // external torque in the previous step, without the joint's own inertia
+  bool hold_;                                 // joints keep their angle until their torque is first enabled
+  std::array<bool, kJoints> held_{};          // not yet enabled
+  std::array<double, kJoints> velocity_{};    // before the step
+  std::array<double, kJoints> rest_rad_{};    // anchor of the bristle
 };
 
 }  // namespace darwinop::twin

@@ -1,3 +1,4 @@
+// Error handlers of MuJoCo: jump back to the active guard.
 #include "twin/body/mujoco_guard.hpp"
 
 #include <mujoco/mujoco.h>
@@ -11,25 +12,25 @@ namespace {
 
 thread_local MujocoGuard* active = nullptr;
 
-// MuJoCo writes a file otherwise; its counters stay, and RobotBody reads them.
-void silence(const char* /*warning*/) {}
+// MuJoCo's default handler writes a log file. The warning counters are still updated; RobotBody reads them.
+void ignoreWarning(const char* /*warning*/) {}
 
 }  // namespace
 
-void MujocoGuard::giveUp(const char* why) {
-  if (active == nullptr) {  // not ours: without a way back there is only the end
-    std::fprintf(stderr, "darwinop: MuJoCo gives up: %s\n", why);
+void MujocoGuard::onError(const char* why) {
+  if (active == nullptr) {  // outside of attempt(): the handler must not return
+    std::fprintf(stderr, "darwinop: MuJoCo error: %s\n", why);
     std::_Exit(EXIT_FAILURE);
   }
   std::snprintf(active->why_, sizeof active->why_, "%s", why);
-  std::longjmp(active->back_, 1);  // NOLINT(*-err52-cpp): C code is in between, through which nothing may be thrown
+  std::longjmp(active->back_, 1);  // NOLINT(*-err52-cpp): exceptions must not pass through C frames
 }
 
 MujocoGuard::MujocoGuard() noexcept {
   static std::once_flag once;
   std::call_once(once, [] {
-    mju_user_error = giveUp;
-    mju_user_warning = silence;
+    mju_user_error = onError;
+    mju_user_warning = ignoreWarning;
   });
   active = this;
 }

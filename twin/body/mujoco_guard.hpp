@@ -1,4 +1,5 @@
-// MuJoCo gives up by calling a handler that must not return; its own asks the terminal to press Enter, and exits.
+// Recovers from MuJoCo errors with longjmp: its error handler must not return, and the default one waits for Enter and
+// exits.
 #pragma once
 
 #include <csetjmp>
@@ -8,7 +9,7 @@
 
 namespace darwinop::twin {
 
-/// While it lives on a thread, that thread's MuJoCo errors jump back to attempt(). One at a time per thread.
+/// While it exists, MuJoCo errors of its thread return to attempt(). At most one per thread.
 class MujocoGuard {
  public:
   MujocoGuard() noexcept;
@@ -16,8 +17,8 @@ class MujocoGuard {
   MujocoGuard(const MujocoGuard&) = delete;
   MujocoGuard& operator=(const MujocoGuard&) = delete;
 
-  /// Runs `action`. False: MuJoCo gave up in the middle, and why() says the reason; what it worked on is not to be used
-  /// again. Nothing with a destructor may live in `action` while MuJoCo runs. No heap.
+  /// Runs `action`; false after a MuJoCo error, with its text in why(); the objects that MuJoCo worked on are then
+  /// invalid. No object with a destructor may exist inside `action` while MuJoCo runs. Allocates nothing.
   template <class Action>
   [[nodiscard]] bool attempt(Action&& action) noexcept {
     if (setjmp(back_) != 0) return false;
@@ -27,20 +28,20 @@ class MujocoGuard {
   [[nodiscard]] const char* why() const noexcept { return why_; }
 
  private:
-  static void giveUp(const char* why);
+  static void onError(const char* why);
   std::jmp_buf back_;
   char why_[200] = "";
 };
 
-/// In one line, without what programs put between words.
+/// Replaces each run of blanks and line breaks by one space.
 std::string oneLine(const std::string& text);
 
-/// Runs `action`; throws std::runtime_error that begins with `who` when MuJoCo gives up in it.
+/// Runs `action`; throws std::runtime_error, prefixed with `who`, after a MuJoCo error.
 template <class Action>
 void orThrow(const std::string& who, Action&& action) {
   MujocoGuard guard;
   if (!guard.attempt(std::forward<Action>(action)))
-    throw std::runtime_error{who + ": MuJoCo gives up on this body: " + oneLine(guard.why())};
+    throw std::runtime_error{who + ": MuJoCo error with this body: " + oneLine(guard.why())};
 }
 
 }  // namespace darwinop::twin

@@ -1,4 +1,4 @@
-// Loads the body and applies what the model file may choose about it.
+// Loads the MuJoCo body and applies the settings of the model file.
 #include "twin/body/mujoco_model.hpp"
 
 #include <cmath>
@@ -15,19 +15,17 @@
 namespace darwinop::twin {
 namespace {
 
-constexpr double kStepsOfFriction = 2;  // shortest time constant that MuJoCo takes for a friction, in steps
+constexpr double kFrictionSteps = 2;  // minimum time constant of a friction constraint in MuJoCo, steps
 
 std::string readText(const std::string& path) {
   const std::optional<std::string> text = readTextFile(path);
   if (!text)
-    throw std::runtime_error{path +
-                             ": the body file cannot be read; `xml` in section [body] of the model names it, "
-                             "beside the model file"};
+    throw std::runtime_error{"cannot read the body file " + path + "; check `xml` in section [body] of the model"};
   return *text;
 }
 
-// Out of the text: this MuJoCo cannot take a body out of a compiled model. A body file without a ball is fine.
-void takeBallAway(std::string& xml) {
+// Edits the text, because this MuJoCo version cannot remove a body from a compiled model. Does nothing without a ball.
+void removeBall(std::string& xml) {
   const auto erase = [&](std::string_view first, std::string_view last) {
     const auto from = xml.find(first);
     const auto to = xml.find(last, from);
@@ -54,11 +52,11 @@ MjModelPtr compile(const std::string& xml, const std::string& path) {
   orThrow(path, [&] { loaded = mj_loadXML(kName, files.get(), why.data(), static_cast<int>(why.size())); });
   MjModelPtr model{loaded};
   mj_deleteVFS(files.get());
-  if (!model) throw std::runtime_error{path + ": MuJoCo refuses this body: " + oneLine(why.data())};
+  if (!model) throw std::runtime_error{path + ": MuJoCo cannot load this body: " + oneLine(why.data())};
   return model;
 }
 
-// The floor's contacts, as listed pairs and, for self collision, as the floor's own properties.
+// Contact parameters of the floor: of the listed pairs, and of the geom for dynamic collision detection.
 void setFloor(mjModel& m, int floor, const BodySettings& settings) {
   m.geom_friction[3 * floor] = settings.floor_friction;
   m.geom_solref[mjNREF * floor] = settings.contact_time_s;
@@ -69,13 +67,13 @@ void setFloor(mjModel& m, int floor, const BodySettings& settings) {
   }
 }
 
-// What MuJoCo keeps about masses, after they have changed.
+// Recomputes MuJoCo's constants that depend on masses.
 void updateConstants(mjModel& m, const std::string& file) {
   const MjDataPtr data = dataFor(m, file);
   orThrow(file, [&] { mj_setConst(&m, data.get()); });
 }
 
-// Off: only the pairs that the file lists. On: whatever has masks that match, so the robot's need a bit in common.
+// Off: only the listed pairs. On: all geoms with matching masks, so the robot's geoms need a common bit.
 void setSelfCollision(mjModel& m, int trunk, bool on) {
   m.opt.collision = on ? mjCOL_DYNAMIC : mjCOL_PAIR;
   for (int g = 0; g < m.ngeom; ++g)
@@ -87,7 +85,7 @@ void setSelfCollision(mjModel& m, int trunk, bool on) {
 MjDataPtr dataFor(const mjModel& m, const std::string& file) {
   mjData* data = nullptr;
   orThrow(file, [&] { data = mj_makeData(&m); });
-  if (data == nullptr) throw std::runtime_error{file + ": there is not enough memory for this body"};
+  if (data == nullptr) throw std::runtime_error{file + ": not enough memory for this body"};
   return MjDataPtr{data};
 }
 
@@ -96,13 +94,13 @@ MjModelPtr loadBody(const Model& model, bool ball) {
   const std::string path = (std::filesystem::path{model.folder} / settings.xml).string();
   std::string xml = readText(path);
   if (xml.empty()) throw std::runtime_error{path + ": the body file is empty"};
-  if (!ball) takeBallAway(xml);
+  if (!ball) removeBall(xml);
   MjModelPtr compiled = compile(xml, path);
   mjModel& m = *compiled;
   const BodyMap map = mapBody(m, path);
 
   m.opt.timestep = settings.step_s;
-  const double friction_time_s = kStepsOfFriction * settings.step_s;
+  const double friction_time_s = kFrictionSteps * settings.step_s;
   for (std::size_t i = 0; i < kJoints; ++i) {
     m.dof_solref[map.dof[i] * mjNREF] = friction_time_s;
     m.tendon_solref_fri[map.motor[i] * mjNREF] = friction_time_s;
@@ -111,7 +109,7 @@ MjModelPtr loadBody(const Model& model, bool ball) {
   setSelfCollision(m, map.trunk, settings.self_collision);
   setTrunk(m, map.trunk, settings);
   if (m.opt.integrator == mjINT_RK4)
-    throw std::runtime_error{path + ": integrator RK4 is not possible here; take Euler, or leave it out"};
+    throw std::runtime_error{path + ": integrator RK4 is not supported; use Euler, or remove the attribute"};
   updateConstants(m, path);
   return compiled;
 }
@@ -126,7 +124,7 @@ BodyMap mapBody(const mjModel& m, const std::string& file) {
   map.trunk = find(mjOBJ_BODY, "body", "Body");
   const int free = m.body_jntadr[map.trunk];
   if (free < 0 || m.jnt_type[free] != mjJNT_FREE)
-    throw std::runtime_error{file + ": the body \"Body\" needs a <freejoint/>, it is what falls"};
+    throw std::runtime_error{file + ": the body \"Body\" needs a <freejoint/>"};
   map.trunk_qpos = m.jnt_qposadr[free];
   map.trunk_dof = m.jnt_dofadr[free];
   map.joint_of_dof.assign(static_cast<std::size_t>(m.nv), -1);
@@ -135,7 +133,7 @@ BodyMap mapBody(const mjModel& m, const std::string& file) {
     const std::string_view name = kJointTable[i].name;
     const int joint = find(mjOBJ_JOINT, "joint", name);
     if (m.jnt_type[joint] != mjJNT_HINGE)
-      throw std::runtime_error{file + ": joint \"" + std::string{name} + "\" is no hinge"};
+      throw std::runtime_error{file + ": joint \"" + std::string{name} + "\" is not a hinge"};
     map.qpos[i] = m.jnt_qposadr[joint];
     map.dof[i] = m.jnt_dofadr[joint];
     map.link[i] = m.jnt_bodyid[joint];
@@ -162,13 +160,13 @@ void applyLoads(mjModel& m, const BodyMap& map, const std::array<double, kJoints
     m.body_mass[map.link[i]] *= change.mass_scale;
     for (int k = 0; k < 3; ++k) m.body_inertia[3 * map.link[i] + k] *= change.mass_scale;
 
-    // The joint's anchor is the link's origin: the weight moves outward from there, or inward as far as there.
+    // The joint anchor is the link's origin: the mass moves along the line from there, inward at most to the anchor.
     mjtNum* weight = m.body_ipos + 3 * map.link[i];
     const double distance = mju_norm3(weight);
     if (distance > 0) mju_scl3(weight, weight, std::max(0.0, distance + change.com_shift_m) / distance);
 
-    // A hinge turns what hangs on it by qpos - qpos0, so the encoder reads the true angle + offset: the link and all
-    // beyond it are turned. The stops do not turn with the reading.
+    // A hinge rotates its link by qpos - qpos0, so the encoder reads the true angle + offset. The mechanical stops stay
+    // at the true angle.
     const int joint = m.dof_jntid[map.dof[i]];
     m.qpos0[map.qpos[i]] += change.angle_offset_rad;
     m.jnt_range[2 * joint] += change.angle_offset_rad;

@@ -1,4 +1,4 @@
-// The compiled body: read from its XML, changed as the model file says, and where things are in MuJoCo's arrays.
+// Compiled MuJoCo model of the robot, and the indices of its parts in MuJoCo's arrays.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -23,29 +23,29 @@ struct MjDataDeleter {
 using MjModelPtr = std::unique_ptr<mjModel, MjModelDeleter>;
 using MjDataPtr = std::unique_ptr<mjData, MjDataDeleter>;
 
-/// Dry friction that holds a joint whatever pulls at it, N m: no load of this robot comes near it.
+/// Dry friction that holds a joint against any load of this robot, N m.
 inline constexpr double kStiffNm = 1000;
 
-/// Indices into MuJoCo's arrays; of joints in the order of the servo ids.
+/// Indices into MuJoCo's arrays; joints in the order of the servo ids.
 struct BodyMap {
   int trunk = -1;       // body; its free joint has the addresses below
   int trunk_qpos = -1;  // x y z, then the quaternion w x y z
-  int trunk_dof = -1;   // velocity in the world, then turning rate in the trunk's frame
+  int trunk_dof = -1;   // velocity in the world frame, then angular rate in the trunk frame
   std::array<int, kJoints> qpos{}, dof{}, link{}, motor{};
-  std::vector<int> joint_of_dof, joint_of_motor;  // the other way round; -1: of no joint
+  std::vector<int> joint_of_dof, joint_of_motor;  // inverse maps; -1: none
   int gyro = -1, accelerometer = -1;              // sites
   int floor = -1;                                 // geom
   int ball_qpos = -1, ball_dof = -1;              // -1: there is no ball
 };
 
-/// Throws std::runtime_error, with the file and what MuJoCo or this program misses in it. `ball`: false takes it away.
+/// Loads the body of `model`; `ball` false removes the ball. Throws std::runtime_error with the file and the reason.
 MjModelPtr loadBody(const Model& model, bool ball);
-/// Room for its state. Throws std::runtime_error when there is not enough.
+/// Allocates the simulation state. Throws std::runtime_error without memory.
 MjDataPtr dataFor(const mjModel& m, const std::string& file);
-/// Throws std::runtime_error that names the joint, body or site that is missing. `file` is for that sentence.
+/// Throws std::runtime_error for a missing joint, body or site. `file`: for the message.
 BodyMap mapBody(const mjModel& m, const std::string& file);
 
-/// Rotors as armatures of the joints, and what effects change of the link that hangs on each joint.
+/// Sets the armatures of the joints and applies the load changes to the link of each joint.
 void applyLoads(mjModel& m, const BodyMap& map, const std::array<double, kJoints>& rotor_kgm2,
                 const std::array<LoadChange, kJoints>& changes);
 

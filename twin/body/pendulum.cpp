@@ -1,3 +1,4 @@
+// Computes the pendulum equivalent to one joint of the body.
 #include "twin/body/pendulum.hpp"
 
 #include <mujoco/mujoco.h>
@@ -12,11 +13,11 @@
 namespace darwinop::twin {
 namespace {
 
-/// The trunk's frame is the world's, and gravity points where the trunk feels it. Trunk: left, up, forward.
-void pointDown(mjModel& m, mjData& d, const BodyMap& map, const std::array<double, 3>& accel) {
-  const double most = mju_norm3(m.opt.gravity), told = std::hypot(accel[0], accel[1], accel[2]);
+/// Aligns the trunk with the world and sets gravity from the accelerometer. Trunk axes: left, up, forward.
+void setGravity(mjModel& m, mjData& d, const BodyMap& map, const std::array<double, 3>& accel) {
+  const double magnitude = mju_norm3(m.opt.gravity), measured = std::hypot(accel[0], accel[1], accel[2]);
   const double down[3] = {accel[0], -accel[2], -accel[1]};
-  for (int k = 0; k < 3; ++k) m.opt.gravity[k] = down[k] / told * most;
+  for (int k = 0; k < 3; ++k) m.opt.gravity[k] = down[k] / measured * magnitude;
   const double upright[4] = {1, 0, 0, 0};
   mju_copy4(d.qpos + map.trunk_qpos + 3, upright);
 }
@@ -31,11 +32,11 @@ JointPendulum pendulumOf(const Model& model, Joint joint, const std::array<doubl
   mjData& d = *data;
   const BodyMap map = mapBody(m, model.body.xml);
   m.opt.disableflags |= mjDSBL_CONSTRAINT;
-  pointDown(m, d, map, accel_m_s2);
+  setGravity(m, d, map, accel_m_s2);
   for (std::size_t i = 0; i < kJoints; ++i) d.qpos[map.qpos[i]] = angles_rad[i];
   const auto i = static_cast<std::size_t>(joint);
   const int dof = map.dof[i];
-  // Torque that holds the link: weight sin(q - hangs_at).
+  // Holding torque: weight sin(q - hangs_at).
   std::array<double, 2> holding{};
   std::vector<double> inertia(static_cast<std::size_t>(m.nv) * static_cast<std::size_t>(m.nv));
   orThrow(model.body.xml, [&] {

@@ -1,4 +1,4 @@
-// What one joint of the body swings when all others stand still: exactly a pendulum, wherever its axis points.
+// Load of one joint with all other joints fixed: exactly a pendulum, for any axis direction.
 #pragma once
 
 #include <array>
@@ -10,14 +10,14 @@ namespace darwinop::twin {
 
 /// inertia q'' = torque - weight sin(q - hangs_at)
 struct JointPendulum {
-  double weight_nm;     // of gravity, when the link stands out sideways; 0 for an upright axis
-  double hangs_at_rad;  // angle of the joint at which the link hangs
+  double weight_nm;     // maximum gravity torque; 0 for a vertical axis
+  double hangs_at_rad;  // stable equilibrium angle of the joint
   double inertia_kgm2;  // without the servo's rotor
 };
 
-/// `angles_rad`: of all joints; that of `joint` itself does not matter. `accel_m_s2`: what the accelerometer tells at
-/// rest, right, forward, up: where down is. The trunk is held, and effects of the model change nothing here. Throws
-/// std::runtime_error for a body that MuJoCo refuses.
+/// `angles_rad`: of all joints; the angle of `joint` is ignored. `accel_m_s2`: accelerometer at rest (right, forward,
+/// up), which gives the direction of gravity. The trunk is fixed; effects of the model are not applied. Throws
+/// std::runtime_error if MuJoCo cannot load the body.
 JointPendulum pendulumOf(const Model& model, Joint joint, const std::array<double, kJoints>& angles_rad,
                          const std::array<double, 3>& accel_m_s2);
 

@@ -1,4 +1,4 @@
-// Lowest points of boxes, capsules and spheres; and the pose of a robot at rest.
+// Places the robot on the floor: lowest point of its geoms, pose, settling.
 #include "twin/body/placing.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace darwinop::twin {
 namespace {
 
-// How far a shape reaches down from its centre.
+// Extent of a geom below its centre, m.
 double reach(int type, const mjtNum* size, const mjtNum* rotation) {
   const double up[3] = {std::abs(rotation[6]), std::abs(rotation[7]), std::abs(rotation[8])};
   switch (type) {
@@ -58,7 +58,7 @@ void placeOnFloor(const mjModel& m, mjData& d, const BodyMap& map, const std::ar
   mju_zero(d.qfrc_applied, m.nv);
   mju_zero(d.xfrc_applied, 6 * m.nbody);
   mju_zero3(d.qpos + map.trunk_qpos);
-  // The trunk's x, y, z are left, up, forward; turning about the world's y (left) leans it forward.
+  // Trunk axes x, y, z are left, up, forward; a rotation about the world's y (left) pitches it forward.
   const mjtNum axes[4] = {0.5, 0.5, 0.5, 0.5};
   const mjtNum left[3] = {0, 1, 0};
   mjtNum lean[4];
@@ -69,7 +69,7 @@ void placeOnFloor(const mjModel& m, mjData& d, const BodyMap& map, const std::ar
   mj_kinematics(&m, &d);
 }
 
-void settle(mjModel& m, mjData& d, const BodyMap& map, double seconds) {
+void settleOnFloor(mjModel& m, mjData& d, const BodyMap& map, double seconds) {
   std::array<double, kJoints> angles{};
   for (std::size_t i = 0; i < kJoints; ++i) {
     angles[i] = d.qpos[map.qpos[i]];
@@ -77,12 +77,12 @@ void settle(mjModel& m, mjData& d, const BodyMap& map, double seconds) {
     m.dof_frictionloss[map.dof[i]] = kStiffNm;
   }
   const mjtNum time = d.time;
-  orThrow("the robot in its first pose", [&] {
+  orThrow("start pose", [&] {
     for (int i = 0; i < std::lround(seconds / m.opt.timestep); ++i) mj_step(&m, &d);
   });
   d.time = time;
   for (std::size_t i = 0; i < kJoints; ++i) {
-    m.dof_frictionloss[map.dof[i]] = 0;  // the servos' own comes with the next step
+    m.dof_frictionloss[map.dof[i]] = 0;  // servo friction is set in the next step
     d.qpos[map.qpos[i]] = angles[i];
     d.qvel[map.dof[i]] = 0;
   }

@@ -1,4 +1,4 @@
-// Where a robot stands: poses, and the floor under them.
+// Places the robot on the floor.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -12,16 +12,15 @@ namespace darwinop::twin {
 /// The start pose of core/joints.hpp, rad.
 std::array<double, kJoints> startPose();
 
-/// Trunk over the world's origin, leaning forward by `pitch_rad`, the lowest collision shape touching the floor.
-/// Everything at rest; the ball stays where it is.
+/// Trunk above the world's origin, pitched forward by `pitch_rad`, lowest collision geom at floor height, velocities 0.
+/// The ball is not moved.
 void placeOnFloor(const mjModel& m, mjData& d, const BodyMap& map, const std::array<double, kJoints>& angles_rad,
                   double pitch_rad);
 
-/// Lets the robot sink onto the floor as one stiff piece for `seconds`, then takes all speed out of it: joints keep
-/// their angles, the trunk finds where it rests.
-void settle(mjModel& m, mjData& d, const BodyMap& map, double seconds);
+/// Simulates `seconds` with fixed joints, so that the trunk comes to rest on the floor, then sets all velocities to 0.
+void settleOnFloor(mjModel& m, mjData& d, const BodyMap& map, double seconds);
 
-/// Height of the lowest point of the robot's collision shapes over the floor, m. Positions must be up to date.
+/// Height of the lowest point of the robot's collision geoms above the floor, m. Requires current kinematics.
 double lowestPoint(const mjModel& m, const mjData& d, int trunk);
 
 }  // namespace darwinop::twin

@@ -1,4 +1,4 @@
-// One step: servos, physics, sensors.
+// Robot simulation step: servos, physics, sensors.
 #include "twin/body/robot_body.hpp"
 
 #include <mujoco/mujoco.h>
@@ -19,17 +19,17 @@
 namespace darwinop::twin {
 namespace {
 
-// The start pose kneels on soles and shins; its soles are level when the trunk leans forward by this.
+// The start pose kneels on soles and shins; the soles are level at this pitch of the trunk.
 constexpr double kStartLeanRad = 0.13;
-// Left and right ankle differ by 1.1 degrees in the start pose, so the robot rolls a little before it rests.
+// Left and right ankle differ by 1.1 degrees in the start pose, so the robot rolls slightly before it is at rest.
 constexpr double kSettleSeconds = 0.5;
 
 std::int64_t nanosOf(double seconds) {
   return std::llround(seconds * 1e9);
 }
 
-// Teeth that meet bounce within a fraction of a millisecond: with soft gears no step may be longer than this.
-constexpr double kLongestSoftStep = 0.00025;
+// s; maximum step with elastic transmissions: tooth contact lasts a fraction of a millisecond.
+constexpr double kMaxElasticStep = 0.00025;
 
 std::vector<Servo> servosOf(const Model& model) {
   std::vector<Servo> servos;
@@ -38,19 +38,19 @@ std::vector<Servo> servosOf(const Model& model) {
   return servos;
 }
 
-// The model with a step that its gears can bear: its own, or that cut into equal parts.
-Model steppedFor(Model model, const std::vector<Servo>& servos) {
+// Divides the model's step into equal parts if a transmission requires it.
+Model withStepFor(Model model, const std::vector<Servo>& servos) {
   if (std::ranges::any_of(servos, &Servo::softGear))
-    model.body.step_s /= std::max(1.0, std::ceil(model.body.step_s / kLongestSoftStep - 1e-9));
+    model.body.step_s /= std::max(1.0, std::ceil(model.body.step_s / kMaxElasticStep - 1e-9));
   return model;
 }
 
 }  // namespace
 
 struct RobotBody::Parts {
-  Parts(const Model& asked, const RobotBodyOptions& options)
-      : servos{servosOf(asked)},
-        model{steppedFor(asked, servos)},
+  Parts(const Model& requested, const RobotBodyOptions& options)
+      : servos{servosOf(requested)},
+        model{withStepFor(requested, servos)},
         m{loadBody(model, options.ball != Ball::kNone)},
         map{mapBody(*m, model.body.xml)},
         torques{*m, map, servos, model.body.hold_until_driven},
@@ -63,8 +63,8 @@ struct RobotBody::Parts {
   void physicsStep(const Drives& drives) noexcept;
   void placeAt(const std::array<double, kJoints>& angles_rad, double lean_rad, double settle_s = 0);
   void publish() noexcept;
-  void lookForTrouble() noexcept;
-  void giveUp(const char* why) noexcept;
+  void checkWarnings() noexcept;
+  void stopSimulation(const char* why) noexcept;
 
   std::vector<Servo> servos;
   Model model;
@@ -78,22 +78,21 @@ struct RobotBody::Parts {
   std::int64_t now_ns = 0, next_firmware_ns = 0, pending_ns = 0, push_until_ns = 0;
   std::uint64_t samples = 0;
   BodyState state;
-  std::array<char, 400> trouble{};
+  std::array<char, 400> error{};
 };
 
-// What makes all that follows meaningless. MuJoCo counts it, starts again from its zero pose or leaves contacts out,
-// and goes on.
-void RobotBody::Parts::lookForTrouble() noexcept {
+// Warnings after which the simulation is invalid. MuJoCo only counts them, then resets the state or drops contacts.
+void RobotBody::Parts::checkWarnings() noexcept {
   for (const mjtWarning kind :
        {mjWARN_INERTIA, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL, mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC})
-    if (d->warning[kind].number > 0) return giveUp(mju_warningText(kind, d->warning[kind].lastinfo));
+    if (d->warning[kind].number > 0) return stopSimulation(mju_warningText(kind, d->warning[kind].lastinfo));
 }
 
-void RobotBody::Parts::giveUp(const char* why) noexcept {
+void RobotBody::Parts::stopSimulation(const char* why) noexcept {
   std::snprintf(
-      trouble.data(), trouble.size(),
-      "the physics came to an end after %.3f s, the robot stands still from here on: %.120s. Look for what is "
-      "extreme in the model, and try a shorter [body] step",
+      error.data(), error.size(),
+      "the simulation stopped at %.3f s, the robot no longer moves: %.120s. Check the model for extreme values, or "
+      "reduce [body] step",
       static_cast<double>(now_ns) * 1e-9, why);
 }
 
@@ -102,17 +101,17 @@ void RobotBody::Parts::physicsStep(const Drives& drives) noexcept {
   for (; next_firmware_ns <= now_ns; next_firmware_ns += firmware_ns)
     for (std::size_t i = 0; i < kJoints; ++i)
       servos[i].firmware(drives[i], torques.encoderRad(servos[i], i, data.qpos[map.qpos[i]]), data.qvel[map.dof[i]]);
-  if (ball_circles) leadBall(data, map, static_cast<double>(now_ns) * 1e-9);
+  if (ball_circles) moveBallOnCircle(data, map, static_cast<double>(now_ns) * 1e-9);
   torques.step(*m, data, map, servos);
   now_ns += step_ns;
   ++samples;
-  imu.moved(*m, data);
+  imu.update(*m, data);
   if (now_ns >= push_until_ns) mju_zero(data.xfrc_applied + 6 * map.trunk, 6);
 }
 
 void RobotBody::Parts::placeAt(const std::array<double, kJoints>& angles_rad, double lean_rad, double settle_s) {
   placeOnFloor(*m, *d, map, angles_rad, lean_rad);
-  settle(*m, *d, map, settle_s);
+  settleOnFloor(*m, *d, map, settle_s);
   for (std::size_t i = 0; i < kJoints; ++i) servos[i].reset(angles_rad[i]);
   torques.reset(*d, map);
   imu.reset(*d);
@@ -130,7 +129,7 @@ void RobotBody::Parts::publish() noexcept {
 RobotBody::RobotBody(const Model& model, const RobotBodyOptions& options) {
   parts_ = std::make_unique<Parts>(model, options);
   parts_->placeAt(startPose(), kStartLeanRad, kSettleSeconds);
-  parts_->lookForTrouble();
+  parts_->checkWarnings();
   if (trouble() != nullptr) throw std::runtime_error{model.body.xml + ": " + trouble()};
 }
 
@@ -145,14 +144,14 @@ void RobotBody::step(Nanos dt, const Drives& drives) noexcept {
     for (; p.pending_ns >= p.step_ns; p.pending_ns -= p.step_ns) p.physicsStep(drives);
   });
   if (done)
-    p.lookForTrouble();
+    p.checkWarnings();
   else
-    p.giveUp(guard.why());
+    p.stopSimulation(guard.why());
   if (trouble() == nullptr) p.publish();
 }
 
 const char* RobotBody::trouble() const noexcept {
-  return parts_->trouble[0] == '\0' ? nullptr : parts_->trouble.data();
+  return parts_->error[0] == '\0' ? nullptr : parts_->error.data();
 }
 
 const BodyState& RobotBody::state() const noexcept {
@@ -174,7 +173,7 @@ void RobotBody::placeBall(double x_m, double y_m) noexcept {
   if (p.map.ball_qpos < 0) return;
   mjtNum* q = p.d->qpos + p.map.ball_qpos;
   const mjtNum* at_start = p.m->qpos0 + p.map.ball_qpos;
-  mju_copy(q, at_start, 7);  // its height, and which side is up
+  mju_copy(q, at_start, 7);  // height and orientation
   q[0] = x_m;
   q[1] = y_m;
   mju_zero(p.d->qvel + p.map.ball_dof, 6);

@@ -1,4 +1,4 @@
-// Sources and reasons: docs/twin/body.md, "What is doubtful".
+// Sets centre of mass and inertia of the trunk. Sources and reasons: docs/twin/body.md, "What is doubtful".
 #include "twin/body/trunk.hpp"
 
 #include <algorithm>
@@ -8,11 +8,11 @@ namespace {
 
 // Manufacturer's drawing, and the model of 2011.
 constexpr std::array<double, 3> kManufacturer{-0.00311589, -0.0394437, -0.0196631};
-// Every published model since October 2012: moved down and back, so that the robot falls less.
+// Every published model since October 2012: moved down and back, for more stability.
 constexpr std::array<double, 3> kWebots2013{0, -0.08, -0.05};
-// A uniform box as large as the trunk: left, up, forward.
+// Uniform box of the trunk's size, m: left, up, forward.
 constexpr std::array<double, 3> kBox{0.114, 0.122, 0.112};
-// As published, about the centre of mass: 11, 22, 33, 12, 13, 23.
+// Published inertia about the centre of mass, kg m2: 11, 22, 33, 12, 13, 23.
 constexpr std::array<double, 6> kPublished{3108.18000e-6, 6378.77760e-6, 5331.64250e-6,
                                            -254.60189e-6, 2031.81740e-6, 164.17863e-6};
 

@@ -1,4 +1,4 @@
-// The trunk's centre of mass and inertia: two doubtful facts, and the choices a model file has.
+// Centre of mass and inertia of the trunk: contradicting sources, selected by the model file.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -7,7 +7,7 @@
 
 namespace darwinop::twin {
 
-/// Link frame of the trunk: x left, y up, z forward, m.
+/// In the trunk frame: x left, y up, z forward, m.
 std::array<double, 3> trunkCom(TrunkCom choice);
 void setTrunk(mjModel& m, int trunk, const BodySettings& settings);
 

@@ -1,4 +1,4 @@
-// A limit of the acceleration of the set point on its way to the goal; with the law speed_p, of the motor.
+// Effect: acceleration limit of the set point; with law speed_p, of the motor.
 #include <algorithm>
 
 #include "twin/servo/effect.hpp"
@@ -43,7 +43,7 @@ const EffectInfo kAccelLimit{
     .separated_by =
         "Steps of three sizes, load below its limit: the duration grows with the square root of the size (speed_limit: "
         "in proportion).",
-    .source = "2013 thesis 5.3.1: 55 rad/s2; upper end widened until nothing is limited",
+    .source = "2013 thesis 5.3.1: 55 rad/s2",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<AccelLimit>,

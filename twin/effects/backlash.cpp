@@ -1,4 +1,4 @@
-// Play between the gears and the horn: the encoder sits on the horn, the motor first has to cross the gap.
+// Effect: backlash between gears and horn. The encoder sits on the horn.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -37,10 +37,8 @@ const EffectInfo kBacklash{
     .place = Place::kTransmission,
     .equation = "no torque between gears and horn while |q_gears - q_horn| < play / 2",
     .signature = "Free motion and hunting where the load changes sign; an irregular first swing after a release.",
-    .separated_by =
-        "Hold where gravity pulls one way, not at all, and the other way; compare a small sine around hanging with one "
-        "at 60 degrees.",
-    .source = "MX-28: 20 arcmin; simulator model of the OP2: 0.01 rad; range assumed",
+    .separated_by = "Hold where gravity pulls either way and not at all; small sine around hanging and at 60 degrees.",
+    .source = "MX-28: 20 arcmin; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<Backlash>,

@@ -1,4 +1,4 @@
-// One row an effect; the order is the order in which they act.
+// Table of all effects, in the order in which they act.
 #include "twin/effects/catalogue.hpp"
 
 #include <algorithm>
@@ -6,7 +6,6 @@
 
 namespace darwinop::twin {
 
-// Each is defined in the file of its name.
 extern const EffectInfo kLostPackets, kTransportDelay, kGearScale, kSpeedLimit, kAccelLimit;
 extern const EffectInfo kEncoderQuantisation, kPOnTorque, kDeadband, kKpScale, kIntegral, kDerivative, kTorqueLimit;
 extern const EffectInfo kCoulomb, kViscous, kStribeck, kLoadDependentFriction, kDirectionalLoadFriction,
@@ -16,13 +15,13 @@ extern const EffectInfo kBacklash, kJointFlex, kComMass, kInertia, kEncoderOffse
 
 std::span<const EffectInfo* const> catalogue() {
   static constexpr std::array kTable{
-      // from the host to the set point
+      // command
       &kLostPackets,
       &kTransportDelay,
       &kGearScale,
       &kSpeedLimit,
       &kAccelLimit,
-      // from the set point to the duty
+      // sensor and controller
       &kEncoderQuantisation,
       &kPOnTorque,
       &kDeadband,
@@ -30,7 +29,7 @@ std::span<const EffectInfo* const> catalogue() {
       &kIntegral,
       &kDerivative,
       &kTorqueLimit,
-      // friction; the drift scales what stands before it
+      // friction; temp_drift scales the friction accumulated above it
       &kCoulomb,
       &kViscous,
       &kStribeck,
@@ -38,12 +37,12 @@ std::span<const EffectInfo* const> catalogue() {
       &kDirectionalLoadFriction,
       &kQuadraticLoadFriction,
       &kTempDrift,
-      // the motor, then the supply, which depends on it
+      // motor, then supply, which depends on the motor
       &kKtError,
       &kResistanceError,
       &kSupplySag,
       &kCogging,
-      // from the gears to what the joint carries
+      // transmission and load
       &kBacklash,
       &kJointFlex,
       &kComMass,

@@ -1,4 +1,5 @@
-// The table of all effects. A new one: a file beside this one, and a row in catalogue.cpp; docs/twin/add-an-effect.md.
+// Table of all effects. To add one: a source file in this folder and a row in catalogue.cpp;
+// docs/twin/add-an-effect.md.
 #pragma once
 
 #include <span>
@@ -11,10 +12,10 @@ namespace darwinop::twin {
 
 /// In the order in which they act.
 std::span<const EffectInfo* const> catalogue();
-/// Null: no such effect.
+/// Null if no effect has this id.
 const EffectInfo* findEffect(std::string_view id);
-/// Whatever `effect` is easily taken for, or that is taken for it: who is in whose list does not matter. In the order
-/// of the catalogue; an id that is no effect is left out.
+/// Effects confounded with `effect`: symmetric closure of EffectInfo::confused_with, in catalogue order. Unknown ids
+/// are skipped.
 std::vector<const EffectInfo*> doublesOf(const EffectInfo& effect);
 
 }  // namespace darwinop::twin

@@ -1,4 +1,4 @@
-// Torque that depends on the angle alone: cogging of the motor, or a wheel that runs out of true.
+// Effect: torque ripple as a function of angle, from motor cogging or an eccentric gear.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"
@@ -53,8 +53,7 @@ const EffectInfo kCogging{
     .place = Place::kMotor,
     .equation = "tm = tm + amplitude sin(count q + phase)",
     .signature = "Position ripple locked to the angle, the same at all speeds.",
-    .separated_by =
-        "Slow triangle at two speeds: the ripple keeps its place over the angle, and its frequency in time doubles.",
+    .separated_by = "Slow triangle at two speeds: the ripple keeps its angle.",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

@@ -1,4 +1,4 @@
-// What the joint carries is heavier than the model says, or its centre of mass is further out.
+// Effect: error of the load's mass or centre of mass.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -46,8 +46,7 @@ const EffectInfo kComMass{
     .equation = "m = m (1 + mass); L = L + shift",
     .signature = "Stops short in proportion to the sine of the angle; the swing period differs.",
     .separated_by =
-        "Holds at +90 and -90 degrees (a zero error shows as a difference); swing period with a known extra mass. Only "
-        "inertia against gravity separates mass from distance.",
+        "Holds at +90 and -90 degrees (a zero error shows as a difference); swing period with a known extra mass.",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

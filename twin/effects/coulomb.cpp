@@ -1,4 +1,4 @@
-// Dry friction: the same torque against every motion, and against the start of one.
+// Effect: Coulomb (dry) friction, the same torque at rest and in motion.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -40,9 +40,9 @@ const EffectInfo kCoulomb{
         "Stops short of the goal on the side it comes from; a released swing decays linearly and may rest away from "
         "the lowest point.",
     .separated_by =
-        "Slow triangle both ways at two P gains: for friction, offset times gain is constant. A swing with torque off "
-        "shows it without the controller.",
-    .source = "2013 thesis 5.3.2: 0.025 N m, with viscous friction of 0.002 N m s/rad",
+        "Slow triangle at two P gains: offset times gain is constant. A swing with torque off shows it without the "
+        "controller.",
+    .source = "2013 thesis 5.3.2: 0.025 N m",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<Coulomb>,

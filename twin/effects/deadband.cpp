@@ -1,4 +1,4 @@
-// A controller that does nothing about small errors, and perhaps starts with a punch beyond them.
+// Effect: dead band of the controller, with an optional minimum duty outside it.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"
@@ -12,7 +12,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "width",
               .unit = "rad",
-              .meaning = "errors up to this size, either way, give no duty",
+              .meaning = "errors up to this give no duty",
               .low = 0,
               .high = 0.04,
               .neutral = 0,

@@ -1,4 +1,4 @@
-// A derivative part of the position law that the model does not have.
+// Effect: derivative gain in the position law.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -36,9 +36,7 @@ const EffectInfo kDerivative{
     .title = "derivative gain (D)",
     .place = Place::kController,
     .equation = "u += 8 K gain de/dt",
-    .signature =
-        "Damped steps, a load spike when the goal jumps, rough load in a smooth move (single encoder steps are "
-        "amplified).",
+    .signature = "Damped steps, a load spike when the goal jumps, rough load in a smooth move.",
     .separated_by =
         "Swing with torque off against a powered one: damping by the controller disappears with the torque.",
     .source = "MX-28 manual, registers 26 to 28",

@@ -1,4 +1,4 @@
-// Gears that rub otherwise when the motor drives the load than when the load drives the motor.
+// Effect: gear friction with different coefficients for motor torque and load torque.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"

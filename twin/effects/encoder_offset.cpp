@@ -1,5 +1,4 @@
-// Gravity pulls as if the joint stood elsewhere: the zero of the encoder, a base that tilts, a mass off the middle
-// line.
+// Effect: angle offset of gravity, from an encoder zero error, a tilted base or a lateral mass.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -11,7 +10,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "offset",
               .unit = "rad",
-              .meaning = "reading of the encoder where the arm hangs straight down",
+              .meaning = "reading where the arm hangs straight down",
               .low = -0.15,
               .high = 0.15,
               .neutral = 0,
@@ -37,9 +36,8 @@ const EffectInfo kEncoderOffset{
     .place = Place::kLoad,
     .equation = "te(q) = te(q - offset)",
     .signature = "Rests away from 0 after a release; stops short by different amounts left and right.",
-    .separated_by =
-        "Turn the base by 180 degrees or weigh the arm: for one link, tilt and lateral mass have the same equation.",
-    .source = "Range assumed; a horn slipped by one tooth is far outside it",
+    .separated_by = "Turn the base by 180 degrees or weigh the arm.",
+    .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<EncoderOffset>,

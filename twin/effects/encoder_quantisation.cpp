@@ -1,4 +1,4 @@
-// An encoder with fewer steps than the parameters of the servo say.
+// Effect: encoder with a coarser resolution than ServoParameters::ticks_per_rev.
 #include <cmath>
 
 #include "core/units.hpp"
@@ -43,7 +43,7 @@ const EffectInfo kEncoderQuantisation{
     .equation = "measured = round(q ticks / 2 pi) 2 pi / ticks",
     .signature = "Positions on a coarse grid; at rest the load moves in steps. Only the noise floor rises.",
     .separated_by = "Sort the positions of a slow move: the smallest difference is the step.",
-    .source = "MX-28 manual: 4096 steps per turn; the previous servo generation has 1024",
+    .source = "MX-28 manual: 4096 steps per turn",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<EncoderQuantisation>,

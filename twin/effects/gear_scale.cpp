@@ -1,4 +1,4 @@
-// The joint goes to a multiple of the goal: another gear, or a wrong number of ticks per turn.
+// Effect: scale error of the goal, from another gear ratio or a wrong number of ticks per turn.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

@@ -1,4 +1,4 @@
-// Rotor and gears that are harder, or easier, to accelerate than the model says. Gravity does not notice.
+// Effect: error of the rotor and gear inertia; gravity is unchanged.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -35,7 +35,7 @@ const EffectInfo kInertia{
     .equation = "J = J + change",
     .signature = "Fast motion only: the first 100 ms of a step, the amplitude of a chirp above 2 Hz.",
     .separated_by = "Chirp with and without payload: the armature matters more when the arm is light.",
-    .source = "Half of the 0.003 kg m2 found on benches of this servo family",
+    .source = "Half of the 0.003 kg m2 found on benches",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<Inertia>,

@@ -1,4 +1,4 @@
-// An integral part of the position law that the model does not have.
+// Effect: integral gain in the position law.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

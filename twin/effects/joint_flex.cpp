@@ -1,4 +1,4 @@
-// A spring between the gears and the horn: bracket, horn and gears that give.
+// Effect: elastic joint, a spring and damper between horn and arm.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -47,9 +47,9 @@ const EffectInfo kJointFlex{
     .title = "elastic joint",
     .place = Place::kTransmission,
     .equation = "t = stiffness (q_gears - q_horn) + damping (w_gears - w_horn)",
-    .signature = "Rings after steps, at a frequency that falls with the payload; the motor side barely moves.",
+    .signature = "Rings after steps, at a frequency that falls with the payload.",
     .separated_by = "Tap the arm with two payloads: the frequency is proportional to 1/sqrt(inertia).",
-    .source = "Range assumed; upper end widened until the joint is rigid",
+    .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<JointFlex>,

@@ -1,4 +1,4 @@
-// A P gain that is not what its register says.
+// Effect: scale error of the P gain.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -37,9 +37,9 @@ const EffectInfo kKpScale{
     .title = "P gain scale error",
     .place = Place::kController,
     .equation = "u = scale K P e",
-    .signature = "Stops short by another amount than the model, with the same factor at every load.",
+    .signature = "Stops short by the same factor at every load.",
     .separated_by = "The slope of load against error shows it from the log alone, without any mechanics.",
-    .source = "Range assumed; benches of this servo family differ from the manual",
+    .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<KpScale>,

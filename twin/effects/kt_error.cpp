@@ -1,4 +1,4 @@
-// A motor that is stronger or weaker than its data sheet: torque per current and back EMF go together.
+// Effect: error of the torque constant; the back EMF changes with it.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -48,7 +48,7 @@ const EffectInfo kKtError{
     .signature = "Error proportional to speed, only with torque on; a different top speed.",
     .separated_by =
         "Swing with torque off against powered motion at constant speed: back EMF brakes only with the bridge on.",
-    .source = "Magnets differ by some per cent between units; range assumed",
+    .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<KtError>,

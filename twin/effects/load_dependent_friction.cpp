@@ -1,4 +1,4 @@
-// Gears that rub the more, the more torque goes through them.
+// Effect: gear friction proportional to the transmitted torque.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"
@@ -40,10 +40,8 @@ const EffectInfo kLoadDependentFriction{
     .place = Place::kFriction,
     .equation = "F += share |tm - te|",
     .signature = "Stops short on the side it comes from, by an amount that grows with the payload.",
-    .separated_by =
-        "The same trajectory at three payloads: dry friction stays constant, this one grows. One payload is not "
-        "enough.",
-    .source = "Rhoban's BAM; range assumed. Holding 1 N m puts 2 N m between motor and load.",
+    .separated_by = "Three payloads: dry friction stays constant, this one grows.",
+    .source = "Rhoban's BAM; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<LoadDependentFriction>,

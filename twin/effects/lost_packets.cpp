@@ -1,4 +1,4 @@
-// Commands that never reach the servo, or reach it late. The draws come from a counter and a seed, so a run repeats.
+// Effect: lost and late commands. Random draws use a counter and a seed, so a run is repeatable.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"
@@ -19,7 +19,7 @@ constexpr std::array kParameters{
               .typical = 0.05},
     Parameter{.key = "jitter",
               .unit = "s",
-              .meaning = "standard deviation of the lateness; no packet is early",
+              .meaning = "standard deviation of the delay",
               .low = 0,
               .high = 0.005,
               .neutral = 0,
@@ -27,7 +27,7 @@ constexpr std::array kParameters{
               .secondary = true},
     Parameter{.key = "period",
               .unit = "s",
-              .meaning = "the host writes the goal at least this often",
+              .meaning = "longest period of goal writes",
               .low = 0.001,
               .high = 0.05,
               .neutral = 0.016,
@@ -58,7 +58,7 @@ class LostPackets final : public EffectOf<kLostPackets, kParameters.size()> {
     const auto& [loss, jitter, period, seed] = values_;
     since_s_ += dt_s;
     wait_s_ -= dt_s;
-    // A packet shows as a new goal, or as the old one written again.
+    // A packet is detected by a changed goal or by the write period.
     if (s.goal_rad != sent_ || since_s_ > period - 0.5 * dt_s) {
       sent_ = s.goal_rad;
       since_s_ = 0;
@@ -76,22 +76,22 @@ class LostPackets final : public EffectOf<kLostPackets, kParameters.size()> {
   }
 
  private:
-  // splitmix64 of a counter: the same on every machine, and no state but the counter.
+  // splitmix64 of a counter: identical on every machine, no state but the counter.
   double uniform(double seed) noexcept {
     std::uint64_t x = static_cast<std::uint64_t>(seed) * 0xd1342543de82ef95ULL + ++draws_ * 0x9e3779b97f4a7c15ULL;
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
     return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
   }
-  // Near enough: the sum of twelve has variance one.
+  // Approximately standard normal: a sum of 12 uniform draws has variance 1.
   double normal(double seed) noexcept {
     double sum = -6;
     for (int i = 0; i < 12; ++i) sum += uniform(seed);
     return sum;
   }
 
-  double sent_ = 0, due_ = 0, held_ = 0;  // last written, on its way, in force; rad
-  double since_s_ = 0, wait_s_ = 0;
+  double sent_ = 0, due_ = 0, held_ = 0;  // goal last written, in transit, in effect; rad
+  double since_s_ = 0, wait_s_ = 0;       // since the last write; until the goal in transit arrives
   bool waiting_ = false;
   std::uint64_t draws_ = 0;
 };
@@ -103,9 +103,9 @@ const EffectInfo kLostPackets{
     .title = "lost and late commands",
     .place = Place::kCommand,
     .equation = "goal stays as it was for a share loss of the packets; the others act |N(0, jitter)| later",
-    .signature = "Single rows in which the servo still moves to the old goal, at random times.",
-    .separated_by = "Repeat a log: lost packets affect other rows, a delay affects all. Host time stamps show jitter.",
-    .source = "SyncWrite is not acknowledged; range assumed",
+    .signature = "Single rows, at random times, in which the servo moves to the old goal.",
+    .separated_by = "Repeat a log: lost packets affect other rows, a delay all.",
+    .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<LostPackets>,

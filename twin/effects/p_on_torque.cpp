@@ -1,4 +1,4 @@
-// The law of the real servo in a model that has the other one: P sets the duty of the bridge, so torque, not speed.
+// Effect: replaces law speed_p by law voltage_p, in which P sets the bridge duty.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -23,7 +23,7 @@ class POnTorque final : public EffectOf<kPOnTorque, kParameters.size()> {
  public:
   using EffectOf::EffectOf;
   [[nodiscard]] std::uint8_t hooks() const noexcept override { return kCommandHook; }
-  // First of all: the profile depends on the law already.
+  // In the command hook, because the profile already depends on the law.
   void command(Signals& s, double /*dt_s*/) noexcept override {
     const auto& [on] = values_;
     if (on >= 0.5) s.law = Law::kVoltageP;
@@ -37,10 +37,9 @@ const EffectInfo kPOnTorque{
     .title = "P acts on torque",
     .place = Place::kController,
     .equation = "u = K P e and tm = kt (u V - ke w) / R, in place of a speed in proportion to P e",
-    .signature = "A loaded joint stops short by an amount proportional to load over P; at small P it never arrives.",
+    .signature = "A loaded joint stops short in proportion to load over P.",
     .separated_by =
-        "Step with payload at three P gains: final error times P is constant, and stays when held for 5 s (with "
-        "integral it decays).",
+        "Step with payload at three P gains: final error times P is constant, also after 5 s (integral: it decays).",
     .source = "2013 thesis 5.3.3; MX-28 manual, register 28",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

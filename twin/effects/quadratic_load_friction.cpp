@@ -1,4 +1,4 @@
-// Gears whose friction grows faster than the torque through them.
+// Effect: gear friction quadratic in motor and load torque.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"

@@ -1,4 +1,4 @@
-// A winding whose resistance is not that of the data sheet.
+// Effect: error of the winding resistance.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

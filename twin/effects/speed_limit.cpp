@@ -1,5 +1,4 @@
-// A limit of the speed at which the set point moves to the goal, as the register Moving Speed sets it. The law speed_p
-// has no set point of its own: there it limits the motor.
+// Effect: speed limit of the set point (register Moving Speed). Law speed_p has no profile: there it limits the motor.
 #include <algorithm>
 
 #include "twin/servo/effect.hpp"
@@ -41,9 +40,9 @@ const EffectInfo kSpeedLimit{
     .equation = "|d set_point/dt| <= speed; law speed_p: |w| <= speed",
     .signature = "Straight ramps of one slope after large steps; slower moves unchanged.",
     .separated_by =
-        "Long step at two supply voltages: a limit keeps its slope, no-load speed does not. The duration grows in "
-        "proportion to the step (accel_limit: with its square root).",
-    .source = "MX-28 manual, register 32; range assumed, upper end widened until nothing is limited",
+        "Long step at two supply voltages: a limit keeps its slope. Duration grows with the step (accel_limit: with "
+        "its square root).",
+    .source = "MX-28 manual, register 32; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<SpeedLimit>,

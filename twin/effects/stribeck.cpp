@@ -1,4 +1,4 @@
-// Dry friction that is larger at rest and fades as the joint moves: why it starts with a jerk.
+// Effect: Stribeck friction, extra dry friction that decays with speed.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"
@@ -57,7 +57,7 @@ const EffectInfo kStribeck{
     .equation = "F += friction exp(-(|w| / speed)^exponent)",
     .signature = "Stick-slip in slow moves, no change in fast ones.",
     .separated_by = "Triangle at 0.05, 0.2 and 1 rad/s: the extra friction fades with speed, dry friction does not.",
-    .source = "Stribeck curve; range assumed",
+    .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<Stribeck>,

@@ -1,4 +1,4 @@
-// Resistance of battery and cables, and a battery that runs down.
+// Effect: voltage drop over battery and cable resistance, and discharge over the session.
 #include <algorithm>
 
 #include "twin/servo/effect.hpp"
@@ -12,7 +12,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "resistance",
               .unit = "ohm",
-              .meaning = "of battery and cables, for the current of this one servo",
+              .meaning = "of battery and cables",
               .low = 0,
               .high = 4,
               .neutral = 0,
@@ -34,14 +34,14 @@ class SupplySag final : public EffectOf<kSupplySag, kParameters.size()> {
  public:
   using EffectOf::EffectOf;
   [[nodiscard]] std::uint8_t hooks() const noexcept override { return kMotorHook; }
-  // The current depends on the voltage again; solved for it, nothing lags and nothing rings.
+  // Solves for the current implicitly, because it depends on the voltage; an explicit step would oscillate.
   void motor(Signals& s, double /*dt_s*/) noexcept override {
     const auto& [resistance, droop] = values_;
     const double battery_v = std::max(0.0, s.supply_v - droop * s.session_time_s);
     const double current =
         (s.duty * battery_v - s.back_emf_vs_rad * s.velocity_rad_s) / (s.resistance_ohm + resistance * s.duty * s.duty);
-    const double most = s.torque_limit_nm / s.kt_nm_a;
-    s.supply_v = battery_v - resistance * s.duty * std::clamp(current, -most, most);
+    const double max_current = s.torque_limit_nm / s.kt_nm_a;
+    s.supply_v = battery_v - resistance * s.duty * std::clamp(current, -max_current, max_current);
   }
 };
 
@@ -52,10 +52,9 @@ const EffectInfo kSupplySag{
     .title = "supply voltage sag",
     .place = Place::kSupply,
     .equation = "V = V0 - resistance u i - droop t",
-    .signature =
-        "The voltage dips with the square of the load; top speed and torque fall with it at the same reported load.",
+    .signature = "The voltage dips with the square of the load; top speed and torque fall with it.",
     .separated_by = "Log the voltage; make the same move without payload and with the largest.",
-    .source = "The bridge draws duty times motor current; range assumed",
+    .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<SupplySag>,

@@ -1,4 +1,4 @@
-// Grease that gets thin and copper that gets worse as the servo warms up. Acts on all friction listed before it.
+// Effect: temperature dependence of friction and winding resistance. Scales all friction listed before it.
 #include <cmath>
 
 #include "twin/servo/effect.hpp"
@@ -40,21 +40,20 @@ class TempDrift final : public EffectOf<kTempDrift, kParameters.size()> {
  public:
   using EffectOf::EffectOf;
   [[nodiscard]] std::uint8_t hooks() const noexcept override { return kMotorHook | kMechanicsHook; }
-  void reset(const Signals& now) noexcept override { warm(now); }
-  // Heat is slow: once a firmware period is often enough.
-  void motor(Signals& s, double /*dt_s*/) noexcept override { s.resistance_ohm *= warm(s); }
+  void reset(const Signals& now) noexcept override { update(now); }
+  void motor(Signals& s, double /*dt_s*/) noexcept override { s.resistance_ohm *= update(s); }
   void mechanics(Signals& s) noexcept override {
     s.dry_friction_nm *= friction_factor_;
     s.damping_nms_rad *= friction_factor_;
   }
 
  private:
-  // Gives the factor of the resistance.
-  double warm(const Signals& s) noexcept {
+  // Sets the friction factor and returns the resistance factor.
+  double update(const Signals& s) noexcept {
     const auto& [rate, reference, copper] = values_;
-    const double warmer_k = s.temperature_c - reference;
-    friction_factor_ = std::exp(-rate * warmer_k);
-    return 1 + copper * warmer_k;
+    const double difference_k = s.temperature_c - reference;
+    friction_factor_ = std::exp(-rate * difference_k);
+    return 1 + copper * difference_k;
   }
 
   double friction_factor_ = 1;
@@ -68,8 +67,7 @@ const EffectInfo kTempDrift{
     .place = Place::kFriction,
     .equation = "F = F exp(-rate (T - reference)); R = R (1 + copper (T - reference))",
     .signature = "The same log differs with session time or reported temperature.",
-    .separated_by =
-        "Repeat the first log at the end of the session. Cold logs alone cannot separate it from dry friction.",
+    .separated_by = "Repeat the first log at the end of the session.",
     .source = "Copper: 0.39 % per kelvin; range of rate assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

@@ -1,4 +1,4 @@
-// A cap on the duty of the bridge, as the register Torque Limit sets it, or on the torque of the motor.
+// Effect: limit of the bridge duty (register Torque Limit) or of the motor torque.
 #include <algorithm>
 
 #include "twin/servo/effect.hpp"
@@ -47,9 +47,9 @@ const EffectInfo kTorqueLimit{
     .equation = "|u| <= duty and |tm| <= torque",
     .signature = "Load flat at a value below 100 % (duty), or torque flat at any speed; lifts fail at high payload.",
     .separated_by =
-        "Step with payload: a limit is a straight line in the load, a sagging supply is not. Lift slowly with growing "
-        "payload: a limit stops at one torque, quadratic friction keeps growing.",
-    .source = "MX-28 manual, register 34; stall torque 2.5 N m at 12 V; range assumed",
+        "Step with payload: a limit is flat in the load, a sagging supply is not. Lift growing payloads: a limit stops "
+        "at one torque, quadratic friction keeps growing.",
+    .source = "MX-28 manual, register 34; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<TorqueLimit>,

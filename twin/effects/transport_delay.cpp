@@ -1,4 +1,4 @@
-// Delay between the host and the controller of the servo: goals act later, or positions are read later.
+// Effect: transport delay of goals, and of the position that the controller reads.
 #include <algorithm>
 #include <cmath>
 
@@ -31,8 +31,7 @@ constexpr std::array kParameters{
 constexpr auto kConfusedWith =
     std::to_array<std::string_view>({"viscous", "accel_limit", "lost_packets", "inertia", "joint_flex"});
 
-// Gives back what went in some periods ago; between two samples when the delay is no whole number of periods, so that
-// a fit sees a smooth function of the delay.
+// Delay line with linear interpolation between samples, so that a fit sees a smooth function of the delay.
 class DelayLine {
  public:
   void fill(double value) noexcept { ring_.fill(value); }
@@ -40,13 +39,13 @@ class DelayLine {
     ring_[++head_ % kSize] = value;
     periods = std::min(periods, kSize - 2.0);
     const double nearest = std::nearbyint(periods);
-    if (std::abs(periods - nearest) < 1e-6) return ago(nearest);  // 0.007 / 0.001 is no whole number in floating point
+    if (std::abs(periods - nearest) < 1e-6) return ago(nearest);  // 0.007 / 0.001 is not an integer in floating point
     const double whole = std::floor(periods);
     return ago(whole) + (periods - whole) * (ago(whole + 1) - ago(whole));
   }
 
  private:
-  static constexpr std::uint32_t kSize = 1024;  // 80 ms at a period of 0.1 ms, with room to spare
+  static constexpr std::uint32_t kSize = 1024;  // samples; 80 ms at a period of 0.1 ms are 800
   [[nodiscard]] double ago(double periods) const noexcept {
     return ring_[(head_ - static_cast<std::uint32_t>(periods)) % kSize];
   }
@@ -80,12 +79,12 @@ const EffectInfo kTransportDelay{
     .place = Place::kCommand,
     .equation = "goal(t) = goal sent at t - delay; measured(t) = measured at t - reading",
     .signature =
-        "Error proportional to goal speed, with its sign, at every P gain; dead time after a step. Below one host "
-        "period the controller block does not show it.",
+        "Error proportional to goal speed at every P gain; dead time after a step. Below one host period the "
+        "controller block does not show it.",
     .separated_by =
         "Chirp: the phase lag grows linearly with frequency. Step: the reaction starts late, then with full "
         "acceleration.",
-    .source = "Writing takes about 1 ms, waiting for the host up to 16 ms; range assumed",
+    .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<TransportDelay>,

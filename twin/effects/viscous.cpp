@@ -1,4 +1,4 @@
-// Friction in proportion to speed.
+// Effect: viscous friction, proportional to speed.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -38,7 +38,7 @@ const EffectInfo kViscous{
     .equation = "F += damping |w|",
     .signature = "Error proportional to speed; a released swing decays exponentially.",
     .separated_by = "Swing with torque off (no back EMF) against powered motion at constant speed.",
-    .source = "2013 thesis 5.3.2: 0.002 N m s/rad, with dry friction of 0.025 N m",
+    .source = "2013 thesis 5.3.2: 0.002 N m s/rad",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<Viscous>,

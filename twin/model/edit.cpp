@@ -1,4 +1,4 @@
-// Edits the text of a model file: one effect's section comes, changes or goes, and no other byte.
+// Edits the text of a model file: adds, replaces or removes the section of one effect and leaves all other bytes.
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -12,16 +12,16 @@ namespace {
 
 constexpr const char* kFile = "the model";
 
-/// The file in lines, each with its line end, and the sections in it.
-class Page {
+/// The text split into lines, each with its line end, and an index of its sections.
+class ModelText {
  public:
   struct Section {
     SectionName name;
-    std::size_t begin, end;  // lines: with the comments right above it and those right below its last key
+    std::size_t begin, end;  // line range; includes adjacent comments above the header and below the last key
   };
 
-  explicit Page(std::string_view text) {
-    parseModel(text, kFile);  // what is not sound is not edited
+  explicit ModelText(std::string_view text) {
+    parseModel(text, kFile);  // throws for an invalid file
     text::IniLines contents{text};
     std::array<char, 4096> content{};
     while (contents.next(content.data(), content.size()) != nullptr) {
@@ -55,7 +55,7 @@ class Page {
     if (!ended) lines_.back().resize(lines_.back().size() - lineEnd().size());
   }
 
-  /// Below the other effects, or at the end.
+  /// After the last effect, or at the end of the file.
   void add(std::vector<std::string> lines) {
     const auto last = std::ranges::find_if(sections_.rbegin(), sections_.rend(),
                                            [](const Section& section) { return section.name.info != nullptr; });
@@ -69,7 +69,7 @@ class Page {
   [[nodiscard]] std::string text() const {
     std::string out;
     for (const std::string& line : lines_) out += line;
-    parseModel(out, kFile);  // a value that no file may have is refused here
+    parseModel(out, kFile);  // throws for a value out of range
     return out;
   }
 
@@ -93,10 +93,10 @@ class Page {
     Section section{sectionFrom(std::string_view{line}.substr(1, line.find(']') - 1)), header, header + 1};
     while (section.begin > 0 && isComment(section.begin - 1)) --section.begin;
     std::size_t last = next - 1;
-    while (contents_[last].empty()) --last;  // ends at the header
+    while (contents_[last].empty()) --last;  // stops at the header at the latest
     section.end = last + 1;
     while (section.end < next && isComment(section.end)) ++section.end;
-    // Comments right above the next header are that one's.
+    // Comments directly above the next header belong to that section.
     if (section.end == next && next < lines_.size()) section.end = last + 1;
     return section;
   }
@@ -106,7 +106,7 @@ class Page {
   bool crlf_ = false;
 };
 
-/// One line each: what would end a line within does so.
+/// One comment line each; a line break within a comment starts another comment line.
 void addComments(std::vector<std::string>& lines, const std::vector<std::string>& comments) {
   for (const std::string& comment : comments) {
     std::string line = ";";
@@ -127,23 +127,22 @@ std::string withEffect(std::string_view text, const EffectSetting& setting, cons
   std::vector<std::string> lines;
   addComments(lines, comments);
   for (const std::string& line : sectionLines(setting)) lines.push_back(line);
-  Page page{text};
-  if (const Page::Section* const old = page.find({.info = setting.info, .joint = setting.joint}))
-    page.replace(*old, lines);
+  ModelText model{text};
+  if (const ModelText::Section* const old = model.find({.info = setting.info, .joint = setting.joint}))
+    model.replace(*old, lines);
   else
-    page.add(lines);
-  return page.text();
+    model.add(lines);
+  return model.text();
 }
 
 std::string withoutEffect(std::string_view text, std::string_view id, std::optional<Joint> joint) {
   std::string header = "effect " + std::string{id};
   if (joint) (header += ' ') += row(*joint).name;
-  Page page{text};
-  const Page::Section* const section = page.find(sectionFrom(header));
-  if (section == nullptr)
-    throw std::runtime_error(std::string{kFile} + " has no section [" + header + "], so there is nothing to take out");
-  page.remove(*section);
-  return page.text();
+  ModelText model{text};
+  const ModelText::Section* const section = model.find(sectionFrom(header));
+  if (section == nullptr) throw std::runtime_error(std::string{kFile} + " has no section [" + header + "] to remove");
+  model.remove(*section);
+  return model.text();
 }
 
 }  // namespace darwinop::twin

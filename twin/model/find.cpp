@@ -1,4 +1,4 @@
-// Finds model files: by path, or by name among the shipped ones.
+// Finds model files by path, or by name in the model folders.
 #include <dlfcn.h>
 
 #include <algorithm>
@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kEnding = ".ini";
+constexpr std::string_view kExtension = ".ini";
 
-/// The running program, and the shared library that this code may lie in: a controller loads the twin from where the
-/// twin is installed, not from where the controller lies.
+/// The file that contains this code (a program or the twin's shared library), then the running program. A controller
+/// may be installed in another place than the twin that it loads.
 std::vector<fs::path> runningFiles() {
   std::vector<fs::path> files;
   std::error_code failed;
@@ -49,8 +49,8 @@ std::vector<std::string> modelFolders() {
     if (isIn(file, DARWINOP_BUILD_FOLDER)) folders.emplace_back(DARWINOP_SOURCE_MODELS);
     std::error_code failed;
     for (fs::path above = file.parent_path(); above != above.root_path(); above = above.parent_path())
-      if (const fs::path shelf = above / "share/darwinop/models"; fs::is_directory(shelf, failed))
-        folders.push_back(shelf.string());
+      if (const fs::path models = above / "share/darwinop/models"; fs::is_directory(models, failed))
+        folders.push_back(models.string());
   }
   return folders;
 }
@@ -60,29 +60,29 @@ std::vector<std::string> shippedModels() {
   for (const std::string& folder : modelFolders()) {
     std::error_code failed;
     for (fs::directory_iterator at{folder, failed}, end; !failed && at != end; at.increment(failed))
-      if (at->path().extension() == kEnding && isFile(at->path())) names.insert(at->path().stem().string());
+      if (at->path().extension() == kExtension && isFile(at->path())) names.insert(at->path().stem().string());
   }
   return {names.begin(), names.end()};
 }
 
-std::string shippedOnes() {
+std::string listShippedModels() {
   const auto names = shippedModels();
-  if (names.empty()) return "no models are shipped here: let DARWINOP_MODELS name the folder that holds them";
+  if (names.empty()) return "no shipped models found; set DARWINOP_MODELS to the folder that contains them";
   const std::vector<std::string_view> views(names.begin(), names.end());
   return "the shipped models are " + listed(views);
 }
 
 std::string findModel(const std::string& name) {
-  const bool is_path = name.find('/') != name.npos || name.ends_with(kEnding);
+  const bool is_path = name.find('/') != name.npos || name.ends_with(kExtension);
   if (is_path || isFile(name)) {
     std::error_code failed;
-    if (fs::exists(name, failed)) return name;  // readModel() refuses a folder
-    throw std::runtime_error("there is no model file " + name + "; " + shippedOnes());
+    if (fs::exists(name, failed)) return name;  // readModel() reports a folder
+    throw std::runtime_error("there is no model file " + name + "; " + listShippedModels());
   }
   for (const std::string& folder : modelFolders())
-    if (const fs::path file = fs::path{folder} / (name + std::string{kEnding}); isFile(file)) return file.string();
-  throw std::runtime_error("there is no model \"" + name + "\"; " + shippedOnes() +
-                           ", and a file of your own is named by its path, as in ./my-robot.ini");
+    if (const fs::path file = fs::path{folder} / (name + std::string{kExtension}); isFile(file)) return file.string();
+  throw std::runtime_error("there is no model \"" + name + "\"; " + listShippedModels() +
+                           "; name your own file by its path, as in ./my-robot.ini");
 }
 
 }  // namespace darwinop::twin

@@ -1,5 +1,5 @@
-// The table of all keys of a model file but those of effects (the catalogue has these). Reader, writer, messages and
-// docs/twin/models.md are made from it.
+// Table of the keys of a model file, except those of effects (see the catalogue). Reader, writer, messages and
+// docs/twin/models.md are generated from it.
 #pragma once
 
 #include <array>
@@ -13,34 +13,34 @@
 
 namespace darwinop::twin {
 
-/// Where in a Model a value lies; its type says how it is written.
+/// Pointer to the value in a Model; its type selects the text format.
 using Slot = std::variant<double*, std::array<double, 3>*, bool*, Law*, TrunkCom*, TrunkInertia*, std::string*>;
 
 struct KeyRow {
   std::string_view section, key;
   Slot (*in)(Model&);
-  NumberRule number;                        // of numbers
-  std::span<const std::string_view> words;  // of enumerations, in the order of their values; no and yes
+  NumberRule number;                        // if the value is a number
+  std::span<const std::string_view> words;  // if the value is an enumeration (in the order of its values) or bool
   std::string_view meaning;
 };
 
 std::span<const KeyRow> keyTable();
 /// "model", "servo", "body", "imu".
 std::span<const std::string_view> plainSections();
-/// Null: there is no such key. Both in lower case.
+/// Null if there is no such key. Both arguments in lower case.
 const KeyRow* findKey(std::string_view section, std::string_view key);
 std::vector<std::string_view> keysOf(std::string_view section);
 
-/// Of an effect's parameter.
+/// Unit and range of an effect parameter.
 NumberRule ruleOf(const Parameter& parameter);
 
-/// Sets the value from its text. Throws std::runtime_error, a sentence that says what is allowed.
+/// Sets the value from its text. Throws std::runtime_error with the allowed range.
 void readValue(Model& model, const KeyRow& row, std::string_view text);
 std::string writeValue(const Model& model, const KeyRow& row);
 
-/// For people: "0.1 to 10 N m/A", "voltage_p or speed_p".
+/// Allowed values for messages: "0.1 to 10 N m/A", "voltage_p or speed_p".
 std::string allowed(const KeyRow& row);
-/// All keys with their defaults in Markdown, one list per section.
+/// All keys with their defaults as Markdown, one list per section.
 std::string keysAsMarkdown();
 
 }  // namespace darwinop::twin

@@ -1,5 +1,5 @@
-// A model: everything that a calibration may change about the robot, as one INI file says it. The shape of the body is
-// in the MuJoCo file that it names. docs/twin/models.md shows the format.
+// Model of a twin: all parameters that a calibration may change, read from one INI file. The body geometry is in the
+// MuJoCo file that it names. Format: docs/twin/models.md.
 #pragma once
 
 #include <array>
@@ -13,31 +13,31 @@
 
 namespace darwinop::twin {
 
-/// An effect that is switched on, in all servos or in one.
+/// An enabled effect, for all servos or for one.
 struct EffectSetting {
   const EffectInfo* info = nullptr;
   std::vector<double> values;  // one per parameter of info
-  std::optional<Joint> joint;  // nothing: all joints; a joint's own setting replaces the common one
+  std::optional<Joint> joint;  // empty: all joints; a setting of one joint overrides it
 };
 
-/// Which of the contradicting facts about the trunk is believed; docs/twin/body.md.
+/// Which of the contradicting sources for the trunk is used; docs/twin/body.md.
 enum class TrunkCom { kManufacturer, kWebots2013, kHalfway };
 enum class TrunkInertia { kBox, kPublished };
 
 struct BodySettings {
-  std::string xml = "darwin-op.xml";  // beside the INI file
+  std::string xml = "darwin-op.xml";  // in the folder of the INI file or a model folder
   TrunkCom trunk_com = TrunkCom::kHalfway;
   TrunkInertia trunk_inertia = TrunkInertia::kBox;
   bool self_collision = false;
-  bool hold_until_driven = false;  // a joint that was never switched on keeps its angle
-  double floor_friction = 1.0;     // Coulomb coefficient, as the simulator of 2013 had it
+  bool hold_until_driven = false;  // a joint keeps its angle until its torque is first enabled
+  double floor_friction = 1.0;     // Coulomb coefficient; value of the 2013 simulator
   double contact_time_s = 0.008;   // time constant of a contact, critically damped
-  double step_s = 0.001;           // of the physics
+  double step_s = 0.001;           // physics time step
 };
 
-/// Board's inertial sensor. Counts are made from this by the virtual board.
+/// Inertial sensor of the board, in SI units; the virtual board converts to counts.
 struct ImuSettings {
-  // Saturation: 2000 deg/s and 4 g. The board's register ends before the gyroscope does, at 1835 deg/s.
+  // Saturation: 2000 deg/s and 4 g. The board's gyroscope register saturates earlier, at 1835 deg/s.
   double gyro_range_rad_s = 34.907, accel_range_m_s2 = 39.24;
   std::array<double, 3> gyro_bias_rad_s{}, accel_bias_m_s2{};
   std::array<double, 3> gyro_scale{1, 1, 1}, accel_scale{1, 1, 1};  // -1 mirrors an axis
@@ -46,31 +46,29 @@ struct ImuSettings {
 
 struct Model {
   std::string name;    // "darwin-op"
-  std::string folder;  // where the file was; `body.xml` is looked for there
+  std::string folder;  // that contains `body.xml`
   ServoParameters servo;
   std::vector<EffectSetting> effects;
   BodySettings body;
   ImuSettings imu;
 };
 
-/// Reads a model file. Throws std::runtime_error, "FILE, line N: what is wrong and what is allowed"; nothing is half
-/// loaded.
+/// Reads a model file. Throws std::runtime_error, "FILE, line N: problem; allowed values".
 Model readModel(const std::string& path);
 Model parseModel(std::string_view text, const std::string& file);
 
-/// `name`: a path to an INI file, or the name of a model that is shipped ("darwin-op", "webots-2013"). Throws
-/// std::runtime_error that lists the shipped ones.
+/// `name`: path of an INI file, or name of a shipped model ("darwin-op", "webots-2013"). Throws std::runtime_error with
+/// the list of shipped models.
 std::string findModel(const std::string& name);
-/// Names of the models that are shipped.
 std::vector<std::string> shippedModels();
 
-/// The same model as text; parseModel() gives it back to the last bit.
+/// The model as text; parseModel() of it returns the same model, bit for bit.
 std::string writeModel(const Model& model);
 
-/// `text` of a model file with the section of `setting` added, or replaced where it already stands. Everything else,
-/// comments too, stays as it is. `comments` go above the section, one line each, without their ';'.
+/// Returns `text` of a model file with the section of `setting` added, or replaced in place. All other bytes, including
+/// comments, are unchanged. `comments` go above the section, one line each, without ';'.
 std::string withEffect(std::string_view text, const EffectSetting& setting, const std::vector<std::string>& comments);
-/// Without it. Throws std::runtime_error when there is none.
+/// Returns `text` without that section. Throws std::runtime_error if there is none.
 std::string withoutEffect(std::string_view text, std::string_view id, std::optional<Joint> joint);
 
 /// The effects of one joint, in the order of the catalogue.

@@ -1,3 +1,4 @@
+// Levenshtein distance to a list of known words.
 #include "twin/model/nearest.hpp"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 namespace darwinop::twin {
 namespace {
 
-/// How many letters have to be put in, taken out or changed (Levenshtein).
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -27,15 +27,15 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> known) {
-  constexpr std::size_t kLongest = 40;  // nobody mistypes more than that
+  constexpr std::size_t kLongest = 40;  // characters; bounds the run time
   if (word.size() > kLongest) return std::nullopt;
   const std::string low = text::lowered(word);
   std::optional<std::string_view> best;
-  std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
+  std::size_t min_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string_view candidate : known) {
-    const std::size_t away = distance(low, text::lowered(candidate));
-    if (away >= least || away >= candidate.size()) continue;
-    least = away;
+    const std::size_t edits = distance(low, text::lowered(candidate));
+    if (edits >= min_distance || edits >= candidate.size()) continue;
+    min_distance = edits;
     best = candidate;
   }
   return best;

@@ -1,4 +1,4 @@
-// The known word that somebody may have meant.
+// Suggestions for misspelled names.
 #pragma once
 
 #include <optional>
@@ -8,13 +8,13 @@
 
 namespace darwinop::twin {
 
-/// The one of `known` that is a few letters away, upper and lower case being the same. Nothing: none is near.
+/// The word of `known` with the smallest edit distance, ignoring case; empty if none is close.
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> known);
 
 /// "did you mean coulomb?", or "there are coulomb, viscous and backlash".
 std::string suggestion(std::string_view word, std::span<const std::string_view> known);
 
-/// "coulomb, viscous and backlash"; `last` stands before the last one.
+/// "coulomb, viscous and backlash"; `last` is the conjunction.
 std::string listed(std::span<const std::string_view> words, std::string_view last = "and");
 
 }  // namespace darwinop::twin

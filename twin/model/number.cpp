@@ -1,3 +1,4 @@
+// Reads and writes numbers with units, and suggests the conversion for another unit.
 #include "twin/model/number.hpp"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::string_view kNone = "none";
 
-/// Units that people write for those of the files, and what they are worth.
+/// Common units that a file does not accept, with their conversion factors for the message.
 struct OtherUnit {
   std::string_view written, meant;
   double factor;
@@ -52,7 +53,7 @@ constexpr OtherUnit kOtherUnits[] = {
     {"kohm", "ohm", 1e3},
 };
 
-/// Exact; 0.0001 and 100000 as people write them, without an exponent as long as that is short.
+/// Shortest exact text; without an exponent if that fits in 10 characters.
 std::string shortest(double value) {
   constexpr std::size_t kShort = 10;
   std::array<char, 32> text{};
@@ -72,11 +73,11 @@ std::string withUnit(std::string number, std::string_view unit) {
   return number;
 }
 
-[[noreturn]] void refuse(const std::string& sentence) {
-  throw std::runtime_error(sentence);
+[[noreturn]] void refuse(const std::string& message) {
+  throw std::runtime_error(message);
 }
 
-/// With one blank where there were several.
+/// Collapses runs of blanks.
 std::string squeezed(std::string_view text) {
   std::string out;
   for (const char c : text::withoutBlanks(text)) {
@@ -87,7 +88,7 @@ std::string squeezed(std::string_view text) {
 }
 
 std::string lettersOf(std::string_view unit) {
-  constexpr std::string_view kBetween = " *^()\xc2\xb7";  // the last two are one dot, in UTF-8
+  constexpr std::string_view kBetween = " *^()\xc2\xb7";  // the last two bytes are a middle dot in UTF-8
   std::string out;
   for (const char c : unit)
     if (kBetween.find(c) == kBetween.npos) out += c;
@@ -95,20 +96,20 @@ std::string lettersOf(std::string_view unit) {
 }
 
 [[noreturn]] void refuseUnit(double value, const std::string& unit, const NumberRule& rule) {
-  std::string sentence = rule.unit.empty() ? "this is a pure number, without the unit " + unit
-                                           : "the unit is " + std::string{rule.unit} + ", not " + unit;
+  std::string message = rule.unit.empty() ? "this is a pure number, without the unit " + unit
+                                          : "the unit is " + std::string{rule.unit} + ", not " + unit;
   const auto* const other =
       std::ranges::find_if(kOtherUnits, [&](const OtherUnit& o) { return o.written == unit && o.meant == rule.unit; });
   if (other != std::end(kOtherUnits))
-    sentence += "; write " + withUnit(sixDigits(value * other->factor), rule.unit);
+    message += "; write " + withUnit(sixDigits(value * other->factor), rule.unit);
   else if (!rule.unit.empty() && lettersOf(unit) == lettersOf(rule.unit))
-    sentence += "; write " + withUnit(shortest(value), rule.unit);
+    message += "; write " + withUnit(shortest(value), rule.unit);
   else
-    sentence += "; give " + allowed(rule);
-  refuse(sentence);
+    message += "; give " + allowed(rule);
+  refuse(message);
 }
 
-/// May stand behind a number without a blank between: a letter, a per cent sign, a sign of degrees.
+/// True for a character that may follow a number directly: blank, letter, per cent or degree sign (UTF-8).
 bool beginsUnit(char c) {
   return c == ' ' || c == '\t' || c == '%' || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
          static_cast<unsigned char>(c) >= 0x80;
@@ -138,7 +139,7 @@ double readNumber(std::string_view text, const NumberRule& rule) {
   text = text::withoutBlanks(text);
   if (text::lowered(text) == kNone) {
     if (rule.may_be_none) return kInfinity;
-    refuse("this is no limit that can be left open; give " + allowed(rule));
+    refuse("none is not allowed here; give " + allowed(rule));
   }
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;

@@ -1,4 +1,4 @@
-// A number with its unit, as a model file has it: "1.786 N m/A", "none", "0.01, 0, -0.02 rad/s".
+// Numbers with units in a model file: "1.786 N m/A", "none", "0.01, 0, -0.02 rad/s".
 #pragma once
 
 #include <array>
@@ -7,19 +7,19 @@
 
 namespace darwinop::twin {
 
-/// What may be written for one number.
+/// Unit and allowed range of a number.
 struct NumberRule {
-  std::string_view unit;  // empty: a pure number
+  std::string_view unit;  // empty: dimensionless
   double low = 0, high = 0;
-  bool may_be_none = false;  // "none", infinity inside, where it means "no limit"
+  bool may_be_none = false;  // accepts "none", stored as infinity: no limit
 };
 
-/// Both throw std::runtime_error, a sentence that says what is allowed.
+/// Both throw std::runtime_error with the allowed range.
 double readNumber(std::string_view text, const NumberRule& rule);
-/// x, y, z, and the unit once, at the end.
+/// Three numbers x, y, z, with one unit at the end.
 std::array<double, 3> readAxes(std::string_view text, const NumberRule& rule);
 
-/// The shortest text that gives the same number to the last bit.
+/// The shortest text that reads back as the same double.
 std::string writeNumber(double value, const NumberRule& rule);
 std::string writeAxes(const std::array<double, 3>& values, const NumberRule& rule);
 

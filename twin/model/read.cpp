@@ -1,4 +1,4 @@
-// Reads a model file: strict, because a typing error in a model looks like a discovery about the robot.
+// Reads a model file. Strict: a misspelled key or a missing parameter is an error, because it would bias a calibration.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -19,33 +19,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string first(int line) {
-  return " is there a second time, the first is in line " + std::to_string(line) + "; keep one of the two";
+std::string duplicateOf(int line) {
+  return " is already in line " + std::to_string(line) + "; keep one of the two";
 }
 
-class Reader final : public text::IniReader {
+class ModelReader final : public text::IniReader {
  public:
-  explicit Reader(const std::string& file) : file_{file} {}
+  explicit ModelReader(const std::string& file) : file_{file} {}
 
-  Model take(std::string_view text) {
+  Model read(std::string_view text) {
     text::readIni(text, file_, *this);
     for (const EffectSetting& effect : model_.effects) checkComplete(effect);
-    if (model_.name.empty()) fail("model", "[model] name is missing; say what the model is called: name = my-robot");
+    if (model_.name.empty()) fail("model", "[model] name is missing; add one, as in name = my-robot");
     if (model_.body.contact_time_s < 2 * model_.body.step_s)
       fail(lines_.contains("body/contact_time") ? "body/contact_time" : "body/step",
-           "[body] contact_time is less than two steps; give at least " +
+           "[body] contact_time is shorter than two steps; give at least " +
                writeNumber(2 * model_.body.step_s, {.unit = "s"}) + ", or a smaller step");
     return model_;
   }
 
-  /// Of a section or "section/key", and of what is not there the first.
+  /// Line of a section or "section/key"; 1 if absent.
   [[nodiscard]] int lineOf(const std::string& what) const {
     const auto found = lines_.find(what);
     return found == lines_.end() ? 1 : found->second;
   }
 
-  [[noreturn]] void fail(const std::string& what, const std::string& sentence) const {
-    throw std::runtime_error(text::where(file_, lineOf(what)) + ": " + sentence);
+  [[noreturn]] void fail(const std::string& what, const std::string& message) const {
+    throw std::runtime_error(text::where(file_, lineOf(what)) + ": " + message);
   }
 
  private:
@@ -53,7 +53,7 @@ class Reader final : public text::IniReader {
     section_ = sectionFrom(name);
     const std::string written = text(section_);
     const auto [was, is_new] = lines_.emplace(written, line);
-    if (!is_new) throw std::runtime_error("[" + written + "]" + first(was->second));
+    if (!is_new) throw std::runtime_error("[" + written + "]" + duplicateOf(was->second));
     if (section_.info == nullptr) return;
     constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
     model_.effects.push_back(
@@ -61,15 +61,16 @@ class Reader final : public text::IniReader {
   }
 
   void stray(std::string_view, std::string_view text, int) override {
-    throw std::runtime_error("\"" + std::string{text} + "\" is no [section], no key = value and no comment");
+    throw std::runtime_error("\"" + std::string{text} + "\" is neither a [section], nor key = value, nor a comment");
   }
 
   void pair(std::string_view section, std::string_view key, std::string_view value, int line) override {
     if (section.empty() && lines_.empty())
-      throw std::runtime_error("key \"" + std::string{key} + "\" stands before the first section; begin with [model]");
+      throw std::runtime_error("key \"" + std::string{key} +
+                               "\" is before the first section; start the file with [model]");
     const std::string written = text(section_), low = text::lowered(key);
     if (const auto [was, is_new] = lines_.emplace(written + '/' + low, line); !is_new)
-      throw std::runtime_error("[" + written + "] " + std::string{key} + first(was->second));
+      throw std::runtime_error("[" + written + "] " + std::string{key} + duplicateOf(was->second));
     try {
       section_.info == nullptr ? takeKey(low, value) : takeParameter(low, value);
     } catch (const std::runtime_error& wrong) {
@@ -93,7 +94,7 @@ class Reader final : public text::IniReader {
         readNumber(value, ruleOf(*found));
   }
 
-  /// No parameter of an effect has a default: what an effect does is all said where it is switched on.
+  /// Parameters of effects have no defaults: a section states the effect completely.
   void checkComplete(const EffectSetting& effect) const {
     const std::string written = text({.info = effect.info, .joint = effect.joint});
     for (std::size_t i = 0; i < effect.values.size(); ++i) {
@@ -109,11 +110,11 @@ class Reader final : public text::IniReader {
   std::map<std::string, int> lines_;  // of sections, and of "section/key"
 };
 
-/// Beside the model file, or among the shipped ones, so that a copy of a shipped model works anywhere.
+/// The folder of the model file, or the first model folder with `xml`, so that a copied shipped model works anywhere.
 std::string folderOf(const std::string& file, const std::string& xml) {
   std::string own = fs::path{file}.parent_path().string();
   std::vector<std::string> folders{own};
-  for (const std::string& shelf : modelFolders()) folders.push_back(shelf);
+  for (const std::string& models : modelFolders()) folders.push_back(models);
   for (const std::string& folder : folders)
     if (isFile(fs::path{folder} / xml)) return folder;
   return own;
@@ -122,7 +123,7 @@ std::string folderOf(const std::string& file, const std::string& xml) {
 }  // namespace
 
 Model parseModel(std::string_view text, const std::string& file) {
-  Model model = Reader{file}.take(text);
+  Model model = ModelReader{file}.read(text);
   model.folder = folderOf(file, model.body.xml);
   return model;
 }
@@ -133,16 +134,16 @@ Model readModel(const std::string& path) {
     throw std::runtime_error(path + " is a folder; name a model file in it, such as " +
                              (fs::path{path} / "darwin-op.ini").string());
   const auto text = readTextFile(path);
-  if (!text) throw std::runtime_error("there is no model file " + path + "; " + shippedOnes());
-  Reader reader{path};
-  Model model = reader.take(*text);
+  if (!text) throw std::runtime_error("there is no model file " + path + "; " + listShippedModels());
+  ModelReader reader{path};
+  Model model = reader.read(*text);
   model.folder = folderOf(path, model.body.xml);
   const fs::path xml = fs::path{model.folder} / model.body.xml;
   if (!isFile(xml))
     reader.fail("body/xml", "[body] xml = " + model.body.xml + ": " +
                                 (fs::is_directory(xml, ignored) ? xml.string() + " is a folder"
                                                                 : "there is no file " + xml.string()) +
-                                "; give a file that lies beside the model file, or darwin-op.xml");
+                                "; give a file in the folder of the model file, or darwin-op.xml");
   return model;
 }
 

@@ -1,4 +1,4 @@
-// The lines of an effect's section.
+// Formats the section of an effect.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace darwinop::twin {
 
-/// "[effect coulomb Neck]", "friction = 0.025 N m". Throws std::runtime_error for a setting that fits no effect.
+/// "[effect coulomb Neck]", "friction = 0.025 N m". Throws std::runtime_error if values and parameters differ in
+/// number.
 std::vector<std::string> sectionLines(const EffectSetting& setting);
 
 }  // namespace darwinop::twin

@@ -1,3 +1,4 @@
+// Parses and formats section names of model files.
 #include "twin/model/sections.hpp"
 
 #include <algorithm>
@@ -28,12 +29,12 @@ std::string quoted(std::string_view word) {
   return '"' + std::string{word} + '"';
 }
 
-const EffectInfo& effectCalled(std::string_view id) {
+const EffectInfo& effectNamed(std::string_view id) {
   if (const EffectInfo* const info = findEffect(text::lowered(id))) return *info;
   throw std::runtime_error("there is no effect " + quoted(id) + "; " + suggestion(id, effectIds()));
 }
 
-Joint jointCalled(std::string_view name) {
+Joint jointNamed(std::string_view name) {
   if (const auto joint = findJoint(text::jointName(name))) return *joint;
   std::vector<std::string_view> names;
   names.reserve(kJoints);
@@ -54,17 +55,17 @@ SectionName sectionFrom(std::string_view text) {
       throw std::runtime_error(
           "[" + std::string{text} +
           "]: write [effect NAME], or [effect NAME JOINT] for one joint, as in [effect coulomb Neck]");
-    SectionName name{.info = &effectCalled(words[1])};
-    if (words.size() == 3) name.joint = jointCalled(words[2]);
+    SectionName name{.info = &effectNamed(words[1])};
+    if (words.size() == 3) name.joint = jointNamed(words[2]);
     return name;
   }
-  std::string sentence = "there is no section [" + std::string{text} + "]; ";
+  std::string message = "there is no section [" + std::string{text} + "]; ";
   if (const EffectInfo* const info = words.empty() ? nullptr : findEffect(text::lowered(words[0])))
-    throw std::runtime_error(sentence + "an effect is switched on by [effect " + std::string{info->id} + "]");
+    throw std::runtime_error(message + "write an effect as [effect " + std::string{info->id} + "]");
   std::vector<std::string_view> known(plainSections().begin(), plainSections().end());
   if (const auto near = nearest(text, known))
-    throw std::runtime_error(sentence + "did you mean [" + std::string{*near} + "]?");
-  throw std::runtime_error(sentence + "there are [model], [servo], [body], [imu] and [effect NAME]");
+    throw std::runtime_error(message + "did you mean [" + std::string{*near} + "]?");
+  throw std::runtime_error(message + "there are [model], [servo], [body], [imu] and [effect NAME]");
 }
 
 std::string text(const SectionName& name) {

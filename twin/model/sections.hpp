@@ -1,4 +1,4 @@
-// The name of a section of a model file: one of the four plain ones, or that of an effect.
+// Section names of a model file: [model], [servo], [body], [imu], or an effect.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,15 @@
 namespace darwinop::twin {
 
 struct SectionName {
-  std::string_view plain = {};       // "servo"; empty: an effect
-  const EffectInfo* info = nullptr;  // of an effect
-  std::optional<Joint> joint = {};   // of an effect: nothing is all joints
+  std::string_view plain = {};       // "servo"; empty for an effect
+  const EffectInfo* info = nullptr;  // null for a plain section
+  std::optional<Joint> joint = {};   // empty: all joints
   friend bool operator==(const SectionName&, const SectionName&) = default;
 };
 
-/// "servo", "effect coulomb", "effect coulomb Neck", in any case. Throws std::runtime_error, a sentence with what there
-/// is.
+/// "servo", "effect coulomb", "effect coulomb Neck", case-insensitive. Throws std::runtime_error with a suggestion.
 SectionName sectionFrom(std::string_view text);
-/// As it is written: "effect coulomb Neck".
+/// Canonical spelling: "effect coulomb Neck".
 std::string text(const SectionName& name);
 
 std::vector<std::string_view> effectIds();

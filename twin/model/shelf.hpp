@@ -1,4 +1,4 @@
-// Where models are shipped.
+// Folders with shipped models.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace darwinop::twin {
 
-/// Folders in the order in which they are searched: $DARWINOP_MODELS, then those of this build or installation.
+/// In search order: $DARWINOP_MODELS, then those of this build or installation.
 std::vector<std::string> modelFolders();
 
 /// "the shipped models are darwin-op and webots-2013"
-std::string shippedOnes();
+std::string listShippedModels();
 
 bool isFile(const std::filesystem::path& path);
 

@@ -1,4 +1,4 @@
-// One value of the key table: from text, to text, and what is allowed.
+// Reads and writes one value of the key table.
 #include <algorithm>
 #include <stdexcept>
 #include <type_traits>
@@ -10,13 +10,13 @@
 namespace darwinop::twin {
 namespace {
 
-// A line of an INI file takes 200 characters.
+// Characters; an INI line may have 200.
 constexpr std::size_t kLongestText = 120;
 
 template <class T>
 constexpr bool kIsWord = std::is_enum_v<T> || std::is_same_v<T, bool>;
 
-/// Text as it stands in a line; comments and the quotes around it are gone already.
+/// `text`: without comment and enclosing quotes.
 std::string readText(std::string_view text, const KeyRow& row) {
   const auto odd = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '"'; };
   if (text.empty() || text.size() > kLongestText || std::ranges::any_of(text, odd) || text.front() == ' ' ||
@@ -59,14 +59,14 @@ void readValue(Model& model, const KeyRow& row, std::string_view text) {
 }
 
 std::string writeValue(const Model& model, const KeyRow& row) {
-  Model copy = model;  // the table's places are for writing, too
+  Model copy = model;  // row.in() needs a mutable model
   return std::visit([&](const auto* value) { return written(*value, row); }, row.in(copy));
 }
 
 std::string allowed(const KeyRow& row) {
   if (!row.words.empty()) return listed(row.words, "or");
-  Model any;
-  const Slot slot = row.in(any);
+  Model dummy;
+  const Slot slot = row.in(dummy);
   if (std::holds_alternative<std::string*>(slot))
     return "a text of 1 to " + std::to_string(kLongestText) + " characters without quotes, ; and #";
   const std::string range = allowed(row.number);
@@ -75,12 +75,12 @@ std::string allowed(const KeyRow& row) {
 
 std::string keysAsMarkdown() {
   std::string text;
-  const Model plain;
+  const Model defaults;
   for (const std::string_view section : plainSections()) {
     text += (text.empty() ? "### [" : "\n### [") + std::string{section} + "]\n\n";
     for (const KeyRow& row : keyTable()) {
       if (row.section != section) continue;
-      const std::string value = writeValue(plain, row);
+      const std::string value = writeValue(defaults, row);
       text += "- `" + std::string{row.key} + (value.empty() ? "`, required" : " = " + value + "`") + " (" +
               allowed(row) + "): " + std::string{row.meaning} + "\n";
     }

@@ -1,4 +1,4 @@
-// A model as text, and the effects of one joint.
+// Writes a model as text, and creates the effects of one joint.
 #include <algorithm>
 #include <stdexcept>
 
@@ -27,7 +27,7 @@ std::string textOf(const Model& model) {
 
 std::vector<std::string> sectionLines(const EffectSetting& setting) {
   if (setting.info == nullptr || setting.values.size() != setting.info->parameters.size())
-    throw std::runtime_error("an effect without values for each of its parameters cannot be written");
+    throw std::runtime_error("cannot write an effect without a value for each of its parameters");
   std::vector<std::string> lines{"[" + text({.info = setting.info, .joint = setting.joint}) + "]"};
   for (std::size_t i = 0; i < setting.values.size(); ++i) {
     const Parameter& parameter = setting.info->parameters[i];
@@ -40,7 +40,7 @@ std::string writeModel(const Model& model) {
   std::string text = textOf(model);
   if (textOf(parseModel(text, "the model to be written")) != text)
     throw std::runtime_error(
-        "the model cannot be written: its name and body.xml may have no quotes, ; or #, and no blank at an end");
+        "cannot write the model: name and body.xml must not contain quotes, ; or #, or start or end with a blank");
   return text;
 }
 

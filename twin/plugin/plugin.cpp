@@ -1,4 +1,4 @@
-// The physics twin as a shared library: makes bodies for whoever loads it.
+// C interface of the twin's shared library (BodyLibrary in hal/body_library.hpp).
 #include <cstring>
 #include <exception>
 #include <memory>
@@ -12,30 +12,30 @@
 namespace darwinop::twin {
 namespace {
 
-constexpr const char* kUsualModel = "darwin-op";
+constexpr const char* kDefaultModel = "darwin-op";
 
-void tell(const char* sentence, char* error, std::size_t size) {
+void copyError(const char* message, char* error, std::size_t size) {
   if (size == 0) return;
-  std::strncpy(error, sentence, size - 1);
+  std::strncpy(error, message, size - 1);
   error[size - 1] = '\0';
 }
 
-/// What `make` makes; null when it throws, and `error` says why.
+/// Result of `make`; null if it throws, with the message in `error`. Exceptions must not cross the C interface.
 template <class Make>
-void* orTell(char* error, std::size_t size, Make&& make) {
+void* orError(char* error, std::size_t size, Make&& make) {
   try {
     return make();
   } catch (const std::exception& wrong) {
-    tell(wrong.what(), error, size);
+    copyError(wrong.what(), error, size);
   } catch (...) {
-    tell("the twin cannot be made, for a reason that it does not tell", error, size);
+    copyError("cannot create the twin: unknown exception", error, size);
   }
   return nullptr;
 }
 
 void* make(const char* model, std::uint64_t seed, char* error, std::size_t size) {
-  return orTell(error, size, [&] {
-    const std::string name = *model == '\0' ? kUsualModel : model;
+  return orError(error, size, [&] {
+    const std::string name = *model == '\0' ? kDefaultModel : model;
     const RobotBodyOptions options{.seed = seed, .ball = ballFromEnvironment()};
     return std::make_unique<RobotBody>(readModel(findModel(name)), options).release();
   });
@@ -60,7 +60,7 @@ void end(void* body) {
 }
 
 void* openEyes(void* body, int width, int height, char* error, std::size_t size) {
-  return orTell(error, size, [&] {
+  return orError(error, size, [&] {
     const HeadCamera::Options options{.width = width, .height = height};
     return std::make_unique<HeadCamera>(*static_cast<RobotBody*>(body), options).release();
   });

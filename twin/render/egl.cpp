@@ -1,3 +1,4 @@
+// Loads libEGL at run time and creates a surfaceless OpenGL context.
 #include "twin/render/egl.hpp"
 
 #include <EGL/egl.h>
@@ -13,10 +14,10 @@ namespace darwinop::twin {
 namespace {
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw NoGraphics(why + ". Drawing needs OpenGL: apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri");
+  throw NoGraphics(why + ". Install OpenGL: apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri");
 }
 
-/// Open for good: MuJoCo and the driver keep pointers into it.
+/// Never closed: MuJoCo and the driver keep pointers into it.
 void* library() {
   static void* const handle = dlopen("libEGL.so.1", RTLD_NOW | RTLD_GLOBAL);
   return handle;
@@ -62,14 +63,14 @@ struct EglContext::Library {
   }
 
   void open() {
-    // Mesa's way to draw without display, window and rights on a device.
+    // Mesa's surfaceless platform needs no display, window or device permission.
     const auto platform_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(get_proc_address("eglGetPlatformDisplayEXT"));
     if (platform_display == nullptr) refuse("libEGL has no eglGetPlatformDisplayEXT");
     display = platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     if (display == EGL_NO_DISPLAY || initialize(display, nullptr, nullptr) == EGL_FALSE) fail("opening a display");
     if (bind_api(EGL_OPENGL_API) == EGL_FALSE) fail("choosing OpenGL");
-    // A window is what EGL_SURFACE_TYPE asks for if nothing is said, and this platform has none.
+    // The default of EGL_SURFACE_TYPE is a window, which this platform does not have.
     static constexpr std::array<EGLint, 13> kWanted{EGL_SURFACE_TYPE,
                                                     EGL_PBUFFER_BIT,
                                                     EGL_RENDERABLE_TYPE,
@@ -100,9 +101,9 @@ EglContext::EglContext() {
 }
 
 EglContext::~EglContext() {
-  letGo();
+  release();
   egl_->destroy_context(egl_->display, egl_->context);
-  // The display stays: it is the process's, and another context may live on it.
+  // The display is not terminated: it is shared by the process, and another context may use it.
 }
 
 bool EglContext::tryUse() noexcept {
@@ -110,10 +111,10 @@ bool EglContext::tryUse() noexcept {
 }
 
 void EglContext::use() {
-  if (!tryUse()) egl_->fail("drawing without a window");
+  if (!tryUse()) egl_->fail("activating a context without a window");
 }
 
-void EglContext::letGo() noexcept {
+void EglContext::release() noexcept {
   egl_->make_current(egl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
 }
 

@@ -1,5 +1,5 @@
-// OpenGL without a display: a context of EGL that has no window. libEGL is looked for at run time, so that the twin
-// runs on a PC that has none; it sees nothing then.
+// OpenGL context without a display (surfaceless EGL). libEGL is loaded at run time, so the twin also runs without it,
+// then without camera pictures.
 #pragma once
 
 #include <memory>
@@ -7,25 +7,25 @@
 
 namespace darwinop::twin {
 
-/// There is no OpenGL here; the text says why, and what to install.
+/// OpenGL is not available; the message contains the reason and the packages to install.
 struct NoGraphics : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 class EglContext {
  public:
-  /// Throws NoGraphics. DARWINOP_TWIN_GL=off in the environment: always.
+  /// Throws NoGraphics, always if DARWINOP_TWIN_GL=off is in the environment.
   EglContext();
   ~EglContext();
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
 
-  /// What is drawn from now on by this thread is drawn here. Another thread must have let go of it before.
+  /// Makes the context current on this thread. It must not be current on another thread.
   void use();
-  /// The same; false: refused, and nothing may be drawn.
+  /// The same; false on failure.
   [[nodiscard]] bool tryUse() noexcept;
-  /// This thread draws nowhere.
-  void letGo() noexcept;
+  /// Makes no context current on this thread.
+  void release() noexcept;
 
  private:
   struct Library;

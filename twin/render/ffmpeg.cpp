@@ -1,3 +1,4 @@
+// Runs ffmpeg as a child process and writes raw pictures to its standard input.
 #include "twin/render/ffmpeg.hpp"
 
 #include <fcntl.h>
@@ -23,7 +24,7 @@ std::vector<std::string> commandLine(const std::string& program, const std::stri
   return {program, "-hide_banner", "-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb24",
           "-video_size", size, "-framerate", std::to_string(per_second), "-i", "pipe:0", "-an", "-c:v", "libx264",
           "-preset", "veryfast", "-crf", "20", "-pix_fmt", "yuv420p",
-          // A name that begins with a dash, or looks like a protocol, is a file all the same.
+          // The prefix makes ffmpeg accept names that begin with a dash or look like a protocol.
           "file:" + file};
 }
 
@@ -48,7 +49,8 @@ Ffmpeg::Ffmpeg(const std::string& program, std::string file, int width, int heig
   arguments.push_back(nullptr);
 
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::string{"cannot make a pipe: "} + std::strerror(errno));
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    throw std::runtime_error(std::string{"cannot create a pipe: "} + std::strerror(errno));
   pid_ = fork();
   if (pid_ < 0) {
     close(ends[0]);
@@ -56,11 +58,11 @@ Ffmpeg::Ffmpeg(const std::string& program, std::string file, int width, int heig
     throw std::runtime_error(std::string{"cannot start ffmpeg: "} + std::strerror(errno));
   }
   if (pid_ == 0) {
-    setpgid(0, 0);  // Ctrl-C is for us; it shall write the film to its end
+    setpgid(0, 0);  // Ctrl-C must not end ffmpeg before the video is complete
     sigset_t none;
     sigemptyset(&none);
     sigprocmask(SIG_SETMASK, &none, nullptr);
-    // Not restoreIgnoredSignals(): this is also part of a shared library, and hal is not.
+    // Not restoreIgnoredSignals(): this code is also part of a shared library that does not contain hal.
     for (const int signal : kIgnoredSignals) std::signal(signal, SIG_DFL);
     dup2(ends[0], STDIN_FILENO);
     execv(program.c_str(), arguments.data());
@@ -80,7 +82,7 @@ void Ffmpeg::add(const Picture& picture) {
     const ssize_t written = ::write(pipe_, next, left);
     if (written < 0 && errno == EINTR) continue;
     if (written < 0)
-      throw std::runtime_error("ffmpeg ended before the film was complete; it said above why it cannot write " + file_);
+      throw std::runtime_error("ffmpeg ended before the video was complete; see its output above. File: " + file_);
     next += written;
     left -= static_cast<std::size_t>(written);
   }
@@ -89,7 +91,7 @@ void Ffmpeg::add(const Picture& picture) {
 void Ffmpeg::finish() {
   const int status = end();
   if (status != 0)
-    throw std::runtime_error("ffmpeg could not finish " + file_ + " (exit status " + std::to_string(status) + ")");
+    throw std::runtime_error("ffmpeg could not complete " + file_ + " (exit status " + std::to_string(status) + ")");
 }
 
 int Ffmpeg::end() noexcept {

@@ -1,4 +1,4 @@
-// A film that ffmpeg writes: pictures go to it through a pipe.
+// Video encoder: pipes pictures to ffmpeg.
 #pragma once
 
 #include <sys/types.h>
@@ -9,14 +9,14 @@
 
 namespace darwinop::twin {
 
-/// The program in PATH; empty: not installed.
+/// Path of the program, from PATH; empty if not installed.
 std::string findFfmpeg();
 
 class Ffmpeg final : public Film {
  public:
-  /// Throws std::runtime_error. An existing file is replaced.
+  /// Starts ffmpeg; an existing file is overwritten. Throws std::runtime_error.
   Ffmpeg(const std::string& program, std::string file, int width, int height, int per_second);
-  /// Ends it, whole or not.
+  /// Closes the pipe and waits for ffmpeg.
   ~Ffmpeg() override;
   Ffmpeg(const Ffmpeg&) = delete;
   Ffmpeg& operator=(const Ffmpeg&) = delete;
@@ -26,7 +26,7 @@ class Ffmpeg final : public Film {
   [[nodiscard]] std::string place() const override { return file_; }
 
  private:
-  int end() noexcept;  // its exit status
+  int end() noexcept;  // returns the exit status
 
   std::string file_;
   int pipe_ = -1;

@@ -1,3 +1,4 @@
+// Selects the recording format by the file name.
 #include "twin/render/film.hpp"
 
 #include <csignal>
@@ -13,20 +14,21 @@ std::unique_ptr<Film> makeFilm(const std::string& path, int width, int height, i
   const std::filesystem::path name{path};
   for (const char* other : {".avi", ".mov", ".webm", ".gif", ".png", ".jpg"})
     if (name.extension() == other)
-      throw std::runtime_error("a film cannot be written to '" + path + "': name a file.mp4 or .mkv, or a folder for " +
+      throw std::runtime_error("cannot write a film to '" + path + "': give a file name.mp4 or .mkv, or a folder for " +
                                "pictures");
   if (name.extension() != ".mp4" && name.extension() != ".mkv") return std::make_unique<PngFolder>(path);
   if (width % 2 != 0 || height % 2 != 0)
-    throw std::runtime_error("a video of " + std::to_string(width) + "x" + std::to_string(height) +
-                             " cannot be made: width and height must be even (a folder of pictures takes any size)");
+    throw std::runtime_error("cannot encode a video of " + std::to_string(width) + "x" + std::to_string(height) +
+                             ": width and height must be even (a folder of pictures accepts any size)");
   const std::string ffmpeg = findFfmpeg();
   if (!ffmpeg.empty()) {
-    std::signal(SIGPIPE, SIG_IGN);  // ffmpeg that ends early is told by write()
+    std::signal(SIGPIPE, SIG_IGN);  // write() returns EPIPE if ffmpeg ends early
     return std::make_unique<Ffmpeg>(ffmpeg, path, width, height, per_second);
   }
   const std::string folder = (name.parent_path() / name.stem()).string();
-  note = "ffmpeg is not installed (apt-get install ffmpeg), so the pictures go to the folder " + folder +
-         "; later: ffmpeg -framerate " + std::to_string(per_second) + " -i " + folder + "/frame_%05d.png " + path;
+  note = "ffmpeg is not installed (apt-get install ffmpeg); pictures are written to the folder " + folder +
+         "; convert them with ffmpeg -framerate " + std::to_string(per_second) + " -i " + folder + "/frame_%05d.png " +
+         path;
   return std::make_unique<PngFolder>(folder);
 }
 

@@ -1,3 +1,4 @@
+// Renders the head camera's view, or a test pattern without OpenGL.
 #include "twin/render/head_camera.hpp"
 
 #include <mujoco/mujoco.h>
@@ -21,9 +22,9 @@ Nanos clockOf(const RobotBody& body) {
   return std::chrono::round<Nanos>(std::chrono::duration<double>(body.time_s()));
 }
 
-void sayOnce(const std::string& blindness) {
-  static std::atomic<bool> said{false};
-  if (!said.exchange(true)) std::fprintf(stderr, "twin: the head camera gives a test pattern: %s\n", blindness.c_str());
+void logOnce(const std::string& reason) {
+  static std::atomic<bool> logged{false};
+  if (!logged.exchange(true)) std::fprintf(stderr, "twin: the head camera shows a test pattern: %s\n", reason.c_str());
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ HeadCamera::~HeadCamera() = default;
 
 void HeadCamera::look() noexcept {
   const Nanos now = clockOf(body_);
-  // On a grid of periods: asked every 16 ms for a picture every 33 ms, it still gives 30 a second.
+  // Pictures are taken on a grid of periods: with calls every 16 ms and a period of 33 ms the rate is still 30/s.
   const auto slot = [this](Nanos time) { return time / options_.period; };
   if (sequence_ != 0 && slot(now) == slot(taken_)) return;
   pose_ = poseOf(body_);
@@ -60,10 +61,10 @@ void HeadCamera::draw() {
       offscreen_->scene().show(pose_);
       picture_ = offscreen_->draw();
     }
-  } catch (const std::exception& blind) {  // who looks is a controller, and does not expect one
+  } catch (const std::exception& failure) {  // the calling controller does not expect exceptions
     offscreen_.reset();
-    blindness_ = blind.what();
-    sayOnce(blindness_);
+    blindness_ = failure.what();
+    logOnce(blindness_);
   }
   if (!offscreen_)
     picture_ = testPattern(options_.width, options_.height, blindness_, static_cast<unsigned>(sequence_));

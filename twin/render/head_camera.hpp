@@ -1,4 +1,4 @@
-// What the robot's head camera sees in the twin.
+// Simulated head camera of the twin.
 #pragma once
 
 #include <memory>
@@ -15,9 +15,9 @@ namespace darwinop::twin {
 class RobotBody;
 class Offscreen;
 
-/// Takes a picture when it has looked and `period` has gone by on the body's clock, so that a lockstep run sees the
-/// same pictures every time. Graphics are opened for the first one, which takes a moment. Where nothing can be drawn it
-/// gives a test pattern that says why, and says so once on standard error.
+/// look() stores the pose once per `period` of the body's clock, so that a lockstep run is repeatable; newest() renders
+/// it. OpenGL is initialized for the first picture. Without OpenGL it returns a test pattern with the reason and logs
+/// the reason once.
 class HeadCamera final : public Eyes {
  public:
   struct Options {
@@ -32,10 +32,10 @@ class HeadCamera final : public Eyes {
 
   void look() noexcept override;
   CameraFrame newest() override;
-  /// A test pattern is not seen: its red bar is no ball.
+  /// `seeing` is false for a test pattern, so that its red bar is not detected as a ball.
   [[nodiscard]] CameraHealth health() const override { return {.seeing = blindness_.empty(), .frames = pictures_}; }
 
-  /// The same picture as newest() gave, RGB.
+  /// The picture that newest() returned, as RGB.
   [[nodiscard]] const Picture& picture() const noexcept { return picture_; }
   [[nodiscard]] const char* blindness() const noexcept override {
     return blindness_.empty() ? nullptr : blindness_.c_str();
@@ -47,13 +47,13 @@ class HeadCamera final : public Eyes {
 
   RobotBody& body_;
   Options options_;
-  MjModelPtr model_;                      // a copy of the body's, until graphics are open
-  std::unique_ptr<Offscreen> offscreen_;  // null: not open yet, or blind
+  MjModelPtr model_;                      // copy of the body's model, until OpenGL is initialized
+  std::unique_ptr<Offscreen> offscreen_;  // null: not initialized yet, or OpenGL is not available
   std::string blindness_;
   Picture picture_;
   std::vector<std::uint8_t> bgra_;
   Pose pose_;
-  bool looked_ = false;  // and not drawn what was seen
+  bool looked_ = false;  // pose_ is not rendered yet
   std::uint64_t sequence_ = 0, pictures_ = 0;
   Nanos taken_{0};
 };

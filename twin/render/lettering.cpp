@@ -1,3 +1,4 @@
+// 5x7 bitmap font.
 #include "twin/render/lettering.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 constexpr int kColumns = 5, kRows = 8, kPitch = kColumns + 1;
 constexpr int kFirst = ' ', kLast = '_';
 
-// The usual 5x7 dots of a text display: a byte a column, lowest bit on top.
+// One byte per column, lowest bit at the top.
 constexpr std::array<std::array<std::uint8_t, kColumns>, kLast - kFirst + 1> kDots{{
     {0x00, 0x00, 0x00, 0x00, 0x00}, {0x00, 0x00, 0x5F, 0x00, 0x00}, {0x00, 0x07, 0x00, 0x07, 0x00},
     {0x14, 0x7F, 0x14, 0x7F, 0x14}, {0x24, 0x2A, 0x7F, 0x2A, 0x12}, {0x23, 0x13, 0x08, 0x64, 0x62},

@@ -1,4 +1,4 @@
-// Writes capital letters into a picture, where no font is to be had.
+// Draws text into a picture with a built-in font (capital letters).
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace darwinop::twin {
 
-/// Black on white, `size` pixels a dot, 6x8 dots a letter, from this pixel on; broken at spaces before `right`. What
-/// lies outside the picture is left out.
+/// Black on white, 6x8 dots of `size` pixels per letter, from (left, top); wrapped at spaces before `right`. Clipped to
+/// the picture.
 void write(Picture& picture, int left, int top, int right, int size, std::string_view text);
 
 }  // namespace darwinop::twin

@@ -1,3 +1,4 @@
+// Renders MuJoCo scenes into a buffer with EGL.
 #include "twin/render/offscreen.hpp"
 
 #include <mujoco/mujoco.h>
@@ -19,8 +20,8 @@ Scene prepared(const mjModel& model, int width, int height, Quality quality) {
   return scene;
 }
 
-/// MuJoCo's rows begin at the bottom.
-void turnOver(Picture& picture) {
+/// MuJoCo's first row is the bottom one.
+void flipVertically(Picture& picture) {
   for (int top = 0, bottom = picture.height - 1; top < bottom; ++top, --bottom)
     std::swap_ranges(picture.at(0, top), picture.at(0, top + 1), picture.at(0, bottom));
 }
@@ -38,7 +39,7 @@ struct Offscreen::Parts {
     mjr_defaultContext(&context);
     mjr_makeContext(&scene.model(), &context, mjFONTSCALE_100);
     mjr_setBuffer(mjFB_OFFSCREEN, &context);
-    egl.letGo();
+    egl.release();
   }
   ~Parts() {
     if (egl.tryUse()) mjr_freeContext(&context);
@@ -70,8 +71,8 @@ const Picture& Offscreen::draw() {
   parts_->egl.use();
   mjr_render(area, &parts_->scene.forSize(picture.width, picture.height), &parts_->context);
   mjr_readPixels(picture.rgb.data(), nullptr, area, &parts_->context);
-  parts_->egl.letGo();
-  turnOver(picture);
+  parts_->egl.release();
+  flipVertically(picture);
   return picture;
 }
 

@@ -1,4 +1,4 @@
-// Draws scenes into pictures, without a display.
+// Offscreen renderer: draws a scene into a picture without a display.
 #pragma once
 
 #include <memory>
@@ -8,14 +8,13 @@
 
 namespace darwinop::twin {
 
-/// How good a picture is, and what it costs at 320x240 without a graphics card: the robot's own eye 4 ms, shadows 12 ms
-/// more, smooth edges twice that again.
+/// Picture quality. Cost at 320x240 with software rendering: kEye 4 ms, shadows 12 ms more, antialiasing 24 ms more.
 enum class Quality { kEye, kFilm, kStill };
 
-/// Any thread may use it, one at a time.
+/// May be used from any thread, by one thread at a time.
 class Offscreen {
  public:
-  static constexpr int kSmallest = 16, kLargest = 4096;  // pixels a side
+  static constexpr int kSmallest = 16, kLargest = 4096;  // pixels per side
 
   /// Throws std::runtime_error for a size out of range.
   static void checkSize(int width, int height);
@@ -25,7 +24,7 @@ class Offscreen {
   ~Offscreen();
 
   [[nodiscard]] Scene& scene() noexcept;
-  /// The scene as it is now. The picture stays valid until the next call.
+  /// Renders the present scene. The picture is valid until the next call.
   const Picture& draw();
 
  private:

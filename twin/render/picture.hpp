@@ -1,4 +1,4 @@
-// A picture in memory.
+// RGB picture in memory.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace darwinop::twin {
 
-/// Three bytes a pixel, red, green, blue; top row first, no gaps.
+/// Three bytes per pixel (red, green, blue), top row first, no padding.
 struct Picture {
   Picture() = default;
   Picture(int columns, int rows)

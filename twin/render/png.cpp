@@ -1,3 +1,4 @@
+// Reads and writes PNG files with lodepng.
 #include "twin/render/png.hpp"
 
 #include <lodepng.h>
@@ -9,10 +10,10 @@
 namespace darwinop::twin {
 namespace {
 
-constexpr unsigned kFileTrouble = 79;  // lodepng: the file could not be opened for writing
+constexpr unsigned kOpenError = 79;  // lodepng: failed to open the file for writing
 
 [[noreturn]] void fail(const char* what, const std::string& file, unsigned error) {
-  const char* const why = error == kFileTrouble && errno != 0 ? std::strerror(errno) : lodepng_error_text(error);
+  const char* const why = error == kOpenError && errno != 0 ? std::strerror(errno) : lodepng_error_text(error);
   throw std::runtime_error(std::string{"cannot "} + what + " the picture " + file + ": " + why);
 }
 

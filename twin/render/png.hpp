@@ -1,4 +1,4 @@
-// Pictures as PNG files.
+// PNG files.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace darwinop::twin {
 
-/// Throws std::runtime_error when the file cannot be written.
+/// Throws std::runtime_error on a write error.
 void writePng(const std::string& file, const Picture& picture);
-/// Throws std::runtime_error for what is no PNG.
+/// Throws std::runtime_error for an unreadable file or one that is not a PNG.
 Picture readPng(const std::string& file);
 
 }  // namespace darwinop::twin

@@ -1,3 +1,4 @@
+// Writes numbered PNG files.
 #include "twin/render/png_folder.hpp"
 
 #include <array>
@@ -11,14 +12,14 @@ namespace darwinop::twin {
 namespace fs = std::filesystem;
 
 PngFolder::PngFolder(std::string folder) : folder_{std::move(folder)} {
-  std::error_code trouble;
-  fs::create_directories(folder_, trouble);
+  std::error_code error;
+  fs::create_directories(folder_, error);
   if (!fs::is_directory(folder_))
-    throw std::runtime_error("cannot make the folder " + folder_ + " for the pictures" +
-                             (trouble ? ": " + trouble.message() : std::string{}));
+    throw std::runtime_error("cannot create the folder " + folder_ + " for the pictures" +
+                             (error ? ": " + error.message() : std::string{}));
   for (const auto& entry : fs::directory_iterator{folder_})
     if (entry.path().filename().string().starts_with("frame_"))
-      throw std::runtime_error("the folder " + folder_ + " already holds pictures (" +
+      throw std::runtime_error("the folder " + folder_ + " already contains pictures (" +
                                entry.path().filename().string() + "); name another one, or empty it first");
 }
 

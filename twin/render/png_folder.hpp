@@ -1,4 +1,4 @@
-// A film as a folder of pictures.
+// Recording as a folder of PNG files.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace darwinop::twin {
 
 class PngFolder final : public Film {
  public:
-  /// Makes the folder. Throws std::runtime_error when it cannot, or when pictures of an earlier film lie in it.
+  /// Creates the folder. Throws std::runtime_error on failure, or if it contains pictures of an earlier recording.
   explicit PngFolder(std::string folder);
 
   void add(const Picture& picture) override;

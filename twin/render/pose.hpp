@@ -1,4 +1,4 @@
-// How the twin stands at one instant: all that is needed to draw it, and little enough to be copied often.
+// Generalized coordinates of the twin at one instant: all that rendering needs.
 #pragma once
 
 #include <array>
@@ -8,14 +8,14 @@ namespace darwinop::twin {
 
 class RobotBody;
 
-/// Plain memory, so that it can go through a ring or a file.
+/// Trivially copyable, for a ring buffer or a file.
 struct Pose {
-  static constexpr std::size_t kMost = 48;  // twenty joints and four bodies that move freely
+  static constexpr std::size_t kMaxCoordinates = 48;  // 20 joints and four free bodies
   double time_s = 0;
-  std::array<double, kMost> qpos{};  // as MuJoCo orders it; the model knows how many count
+  std::array<double, kMaxCoordinates> qpos{};  // in MuJoCo's order; the first `nq` are used
 };
 
-/// Between two steps of the body. Allocates nothing.
+/// Call between two steps of the body. Allocates nothing.
 Pose poseOf(RobotBody& body) noexcept;
 
 }  // namespace darwinop::twin

@@ -1,3 +1,4 @@
+// MuJoCo visualization: pose, camera, display options.
 #include "twin/render/scene.hpp"
 
 #include <mujoco/mujoco.h>
@@ -10,12 +11,12 @@
 namespace darwinop::twin {
 namespace {
 
-constexpr int kMostShapes = 1000;
-constexpr double kHeadWidthRad = 1.0123;  // horizontal angle of the head camera; the simulator's, and the robot's
+constexpr int kMaxGeoms = 1000;
+constexpr double kHeadWidthRad = 1.0123;  // horizontal field of view of the head camera, of simulator and robot
 constexpr double kDistance = 0.9, kElevation = -15, kLookAt = 0.19;  // m, deg, m above the floor
 constexpr const char* kHeadCamera = "head";
 
-/// The body that everything hangs on: the one with the most moving parts below it.
+/// The root body with the largest subtree mass.
 int trunkOf(const mjModel& m) {
   int trunk = 1;
   for (int body = 1; body < m.nbody; ++body)
@@ -33,11 +34,11 @@ struct Scene::Parts {
   mjvCamera camera{};
   Viewpoint viewpoint = Viewpoint::kFollow;
   int head = -1, trunk = 1;
-  std::array<double, 2> followed{};  // where the trunk was, m
+  std::array<double, 2> followed{};  // last position of the trunk, m
 
   explicit Parts(const mjModel& original) : model{mj_copyModel(nullptr, &original)}, data{mj_makeData(model)} {
     mjv_defaultScene(&scene);
-    mjv_makeScene(model, &scene, kMostShapes);
+    mjv_makeScene(model, &scene, kMaxGeoms);
     scene.flags[mjRND_REFLECTION] = 0;
     mjv_defaultOption(&option);
     mjv_defaultCamera(&camera);
@@ -52,7 +53,7 @@ struct Scene::Parts {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  /// Over the floor only: a camera that nods with every step makes people seasick.
+  /// Follows the trunk horizontally only; vertical motion of the camera with every step would be unpleasant.
   void follow() {
     for (std::size_t axis = 0; axis < followed.size(); ++axis) {
       const double now = data->xpos[3 * trunk + static_cast<int>(axis)];
@@ -63,9 +64,9 @@ struct Scene::Parts {
 };
 
 Scene::Scene(const mjModel& model) {
-  if (static_cast<std::size_t>(model.nq) > Pose::kMost)
+  if (static_cast<std::size_t>(model.nq) > Pose::kMaxCoordinates)
     throw std::runtime_error("the body has " + std::to_string(model.nq) + " coordinates; at most " +
-                             std::to_string(Pose::kMost) + " can be drawn");
+                             std::to_string(Pose::kMaxCoordinates) + " can be drawn");
   if (mj_name2id(&model, mjOBJ_CAMERA, kHeadCamera) < 0)
     throw std::runtime_error(std::string{"the body has no camera named '"} + kHeadCamera +
                              "': add one to the MuJoCo file");
@@ -82,7 +83,7 @@ void Scene::show(const Pose& pose) noexcept {
   mjData& data = *parts_->data;
   std::copy_n(pose.qpos.begin(), parts_->model->nq, data.qpos);
   data.time = pose.time_s;
-  mj_fwdPosition(parts_->model, &data);  // places, cameras, lights, contacts
+  mj_fwdPosition(parts_->model, &data);  // kinematics, cameras, lights, contacts
   parts_->follow();
 }
 
@@ -101,7 +102,7 @@ void Scene::lookFrom(Viewpoint viewpoint) noexcept {
   camera.lookat[2] = kLookAt;
   camera.distance = kDistance;
   camera.elevation = kElevation;
-  // Azimuth is where the camera looks to: 90 is along +y, from the right of a robot that faces +x.
+  // Azimuth is the viewing direction: 90 looks along +y, from the right of a robot that faces +x.
   camera.azimuth = viewpoint == Viewpoint::kSide ? 90 : viewpoint == Viewpoint::kFront ? 180 : 140;
 }
 
@@ -124,7 +125,7 @@ void Scene::zoom(double nearer) noexcept {
 
 void Scene::showContacts(bool on) noexcept {
   parts_->option.flags[mjVIS_CONTACTPOINT] = on ? 1 : 0;
-  parts_->option.flags[mjVIS_TRANSPARENT] = on ? 1 : 0;  // they lie inside the feet
+  parts_->option.flags[mjVIS_TRANSPARENT] = on ? 1 : 0;  // contact points are inside the feet
 }
 
 bool Scene::showsContacts() const noexcept {
@@ -136,7 +137,7 @@ void Scene::showShadows(bool on) noexcept {
 }
 
 mjvScene& Scene::forSize(int width, int height) noexcept {
-  // MuJoCo's cameras have an angle upward, the robot's has one sideways; pixels are square.
+  // MuJoCo's field of view is vertical, the robot's is horizontal; pixels are square.
   const double aspect = static_cast<double>(height) / width;
   parts_->model->cam_fovy[parts_->head] = 2 * std::atan(std::tan(kHeadWidthRad / 2) * aspect) * 180 / mjPI;
   mjv_updateScene(parts_->model, parts_->data, &parts_->option, nullptr, &parts_->camera, mjCAT_ALL, &parts_->scene);

@@ -1,4 +1,4 @@
-// The twin as something to look at: a model of its own, the pose it stands in, and from where it is looked at.
+// Visual scene of the twin: a copy of the model, a pose, and a viewpoint.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@ struct mjvScene_;
 namespace darwinop::twin {
 
 enum class Viewpoint {
-  kFollow,  // from the front and the right, moves along with the trunk
-  kSide,    // from the robot's right, moves along
-  kFront,   // moves along
-  kHead,    // what the robot's camera sees
+  kFollow,  // from the front right, follows the trunk
+  kSide,    // from the robot's right, follows
+  kFront,   // from the front, follows
+  kHead,    // the robot's head camera
 };
 constexpr std::array<std::string_view, 4> kViewpoints{"follow", "side", "front", "head"};
 
-/// Works on a copy of the model, so nobody has to wait while it is drawn. Not thread-safe.
+/// Has its own copy of the model, so that drawing does not block the simulation. Not thread-safe.
 class Scene {
  public:
   /// Throws std::runtime_error for a model without head camera or with more coordinates than a Pose holds.
@@ -33,7 +33,7 @@ class Scene {
   void lookFrom(Viewpoint viewpoint) noexcept;
   [[nodiscard]] Viewpoint viewpoint() const noexcept;
 
-  // -- by hand; shares of the height of the picture. The head cannot be moved this way.
+  // Mouse control, in fractions of the picture height. No effect on Viewpoint::kHead.
   void turn(double right, double down) noexcept;
   void shift(double right, double down) noexcept;
   void zoom(double nearer) noexcept;
@@ -42,10 +42,10 @@ class Scene {
   void showShadows(bool on) noexcept;
   [[nodiscard]] bool showsContacts() const noexcept;
 
-  /// For whoever draws: the scene for a picture of this size, and the model that the drawing context is made from.
+  /// For renderers: the scene for a picture of this size, and the model for the rendering context.
   [[nodiscard]] mjvScene_& forSize(int width, int height) noexcept;
   [[nodiscard]] const mjModel_& model() const noexcept;
-  /// Room for pictures drawn off screen. Before the drawing context is made.
+  /// Sets the offscreen buffer size. Call before the rendering context is created.
   void reserve(int width, int height, bool smooth_edges, bool shadows) noexcept;
 
  private:

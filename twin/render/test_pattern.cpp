@@ -1,3 +1,4 @@
+// Colour bars with text and a moving mark.
 #include "twin/render/test_pattern.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace {
 constexpr int kBars = 8;
 constexpr std::array<std::array<std::uint8_t, 3>, kBars> kColours{
     {{255, 255, 255}, {255, 255, 0}, {0, 255, 255}, {0, 255, 0}, {255, 0, 255}, {255, 0, 0}, {0, 0, 255}, {0, 0, 0}}};
-constexpr int kMark = 8;  // pixels, a side
+constexpr int kMark = 8;  // pixels per side
 
 }  // namespace
 

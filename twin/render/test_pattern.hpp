@@ -1,4 +1,4 @@
-// What is seen where nothing can be drawn: colour bars that say why.
+// Test pattern for a camera without OpenGL: colour bars with the reason.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace darwinop::twin {
 
-/// Eight bars of full colour: white, yellow, cyan, green, magenta, red, blue, black from left to right. `reason` stands
-/// in the lower half. `count` moves a mark along the bottom, so that a picture that stands still shows.
+/// Eight bars from left to right: white, yellow, cyan, green, magenta, red, blue, black. `reason` is drawn in the lower
+/// half. `count` moves a mark along the bottom edge, so that a frozen picture is visible.
 Picture testPattern(int width, int height, std::string_view reason, unsigned count = 0);
 
 }  // namespace darwinop::twin

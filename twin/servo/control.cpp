@@ -1,4 +1,4 @@
-// The position loop of one servo: profile, then one of two laws.
+// Position control loop of one servo: profile, then law voltage_p or speed_p.
 #include <algorithm>
 #include <cmath>
 
@@ -11,10 +11,10 @@ constexpr double kRegisterPerGain = 8;  // Kp = register / 8 (manual)
 
 }  // namespace
 
-// The servo's own law follows a profile. Webots has none: there speed and acceleration limit the motor itself.
+// Law voltage_p follows a profile. Law speed_p (Webots) has none: its speed and acceleration limits act on the motor.
 void Servo::followGoal(double dt_s) noexcept {
   Signals& s = signals_;
-  if (!s.torque_on) {  // torque coming on starts from where the joint is
+  if (!s.torque_on) {  // the next profile starts at the present position
     s.set_point_rad = s.measured_rad;
     profile_.stop();
   } else if (s.law == Law::kSpeedP) {
@@ -43,18 +43,18 @@ void Servo::control(const ServoDrive& drive, double dt_s) noexcept {
   if (!was_on_) last_error_ = s.error_rad;
   was_on_ = true;
   if (s.law == Law::kVoltageP)
-    pushByError(dt_s);
+    applyVoltageLaw(dt_s);
   else
-    turnByError(dt_s);
+    applySpeedLaw(dt_s);
 }
 
-// P, I and D of the error set the share of the supply that the bridge gives to the motor.
-void Servo::pushByError(double dt_s) noexcept {
+// PID on the position error sets the bridge duty.
+void Servo::applyVoltageLaw(double dt_s) noexcept {
   Signals& s = signals_;
-  // Ki and Kd have Kp's scale: one unit of Kp is 8 units of the register.
+  // Ki and Kd use the scale of Kp: one unit of Kp is 8 register units.
   const double scale = kRegisterPerGain * parameters_.duty_per_kp_per_rad;
   integral_ += s.i_gain * scale * s.error_rad * dt_s;
-  integral_ = s.i_gain == 0 ? 0 : std::clamp(integral_, -s.duty_limit, s.duty_limit);  // no wind-up
+  integral_ = s.i_gain == 0 ? 0 : std::clamp(integral_, -s.duty_limit, s.duty_limit);  // anti-windup
   const double derivative = s.d_gain * scale * (s.error_rad - last_error_) / dt_s;
   last_error_ = s.error_rad;
   const double law = parameters_.duty_per_kp_per_rad * s.p_register * s.error_rad;
@@ -62,13 +62,14 @@ void Servo::pushByError(double dt_s) noexcept {
   s.speed_command_rad_s = 0;
 }
 
-// Webots' motor: P of the error sets a speed; that is limited, and then how fast it changes.
-void Servo::turnByError(double dt_s) noexcept {
+// Webots motor: P on the position error sets a speed, limited in magnitude and in rate.
+void Servo::applySpeedLaw(double dt_s) noexcept {
   Signals& s = signals_;
-  const double most = std::min(parameters_.speed_max_rad_s, s.profile_speed_rad_s);
-  const double wanted = std::clamp(parameters_.speed_gain_per_kp_1_s * s.p_register * s.error_rad, -most, most);
+  const double max_speed = std::min(parameters_.speed_max_rad_s, s.profile_speed_rad_s);
+  const double target =
+      std::clamp(parameters_.speed_gain_per_kp_1_s * s.p_register * s.error_rad, -max_speed, max_speed);
   const double step = std::min(parameters_.accel_max_rad_s2, s.profile_accel_rad_s2) * dt_s;
-  s.speed_command_rad_s += std::clamp(wanted - s.speed_command_rad_s, -step, step);
+  s.speed_command_rad_s += std::clamp(target - s.speed_command_rad_s, -step, step);
   s.duty = integral_ = 0;
 }
 

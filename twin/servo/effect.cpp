@@ -1,4 +1,4 @@
-// Names of the places where effects act.
+// Names of the blocks of the control loop.
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {

@@ -1,4 +1,4 @@
-// Heat and overload.
+// Thermal model and overload protection.
 #include "twin/servo/heat.hpp"
 
 #include <cmath>
@@ -6,9 +6,9 @@
 namespace darwinop::twin {
 namespace {
 
-constexpr double kStandsBelow = 0.05;  // share of the no-load speed
-// A limit as low as this harms nothing: the 2013 test of the torque limit raised it slowly from 0 under a hanging arm,
-// which the limit of the arm's weight (8 %) held back all the time, and no servo tripped.
+constexpr double kStallSpeed = 0.05;  // fraction of the no-load speed
+// Minimum duty for an overload. The 2013 test of the torque limit raised it slowly from 0 under a hanging arm; the duty
+// stayed at the limit up to the arm's weight (8 %) and no servo tripped.
 constexpr double kHarmlessDuty = 0.3;
 
 }  // namespace
@@ -26,9 +26,9 @@ void OverloadGuard::step(const Signals& s, const ServoParameters& parameters, do
   }
   const double duty = std::abs(s.duty);
   const bool at_limit = duty >= parameters.overload_share * s.duty_limit && duty >= kHarmlessDuty;
-  const bool stands = std::abs(s.velocity_rad_s) * parameters.back_emf_vs_rad < kStandsBelow * parameters.supply_v;
-  for_s_ = at_limit && stands ? for_s_ + dt_s : 0;
-  // Half a period: sums of periods are not exact.
+  const bool stalled = std::abs(s.velocity_rad_s) * parameters.back_emf_vs_rad < kStallSpeed * parameters.supply_v;
+  for_s_ = at_limit && stalled ? for_s_ + dt_s : 0;
+  // Half a period: rounding of the summed periods.
   tripped_ = tripped_ || for_s_ > parameters.overload_time_s - dt_s / 2;
 }
 

@@ -1,16 +1,14 @@
-// Temperature of a servo, and its protection against a load that it cannot hold. docs/twin/servo.md says where the
-// numbers come from.
+// Servo temperature (first-order thermal model) and overload protection. Sources of the numbers: docs/twin/servo.md.
 #pragma once
 
 #include "twin/servo/signals.hpp"
 
 namespace darwinop::twin {
 
-/// Winding and case as one body of heat: the copper losses warm it, the room cools it.
+/// Winding and case as one thermal mass: heated by copper losses, cooled by the ambient air.
 double temperatureAfter(const Signals& s, const ServoParameters& parameters, double dt_s) noexcept;
 
-/// Overload: the servo stands, gives all that its torque limit allows, and does so for too long. Latches until the
-/// torque goes off.
+/// Trips when a stalled servo stays at its torque limit for longer than overload_time_s. Latched until torque is off.
 class OverloadGuard {
  public:
   void reset() noexcept { *this = {}; }

@@ -1,40 +1,40 @@
-// The numbers of one servo that are no effect: law, motor, gear, encoder.
+// Parameters of one servo without effects: control law, motor, gear, encoder.
 #pragma once
 
 #include <limits>
 
 namespace darwinop::twin {
 
-/// What the P gain acts on.
+/// Control law: what the P gain acts on.
 enum class Law {
-  kVoltageP,  // the servo's: P sets the duty of the bridge, so torque, and a loaded joint stops short
-  kSpeedP,    // Webots': P sets a velocity, which the motor reaches with whatever torque it has
+  kVoltageP,  // real servo: P sets the bridge duty, so a loaded joint has a steady-state error
+  kSpeedP,    // Webots: P sets a velocity, which the motor reaches with up to its maximum torque
 };
 
-/// Defaults: an MX-28 by its data sheet at 12 V (stall 2.5 N m and 1.4 A, no load 55 rpm), friction left to effects.
+/// Defaults: MX-28 data sheet at 12 V (stall 2.5 N m and 1.4 A, no load 55 rpm). Friction is an effect.
 struct ServoParameters {
   Law law = Law::kVoltageP;
-  double firmware_period_s = 0.001;  // of the position loop; of benches of this servo family
+  double firmware_period_s = 0.001;  // of the position loop; measured on benches of this servo family
   double ticks_per_rev = 4096;       // encoder
 
   // Law voltage_p. Motor torque = kt * current; current = (duty * supply - back_emf * velocity) / resistance.
   double kt_nm_a = 2.5 / 1.4;          // stall torque / stall current
   double resistance_ohm = 12.0 / 1.4;  // supply / stall current
-  double back_emf_vs_rad = 2.5 / 1.4;  // an ideal motor's: as kt; docs/twin tells why the model file says more
-  double supply_v = 12;                // where nobody else sets it
+  double back_emf_vs_rad = 2.5 / 1.4;  // ideal motor: equal to kt; docs/twin/servo.md explains the model file's value
+  double supply_v = 12;                // without a board that sets it
   double duty_per_kp_per_rad = 0.158;  // duty per unit of the P register (28) and rad of error
   double duty_max = 1;
-  double armature_kgm2 = 0.003;  // rotor and gears, seen at the horn (193:1)
+  double armature_kgm2 = 0.003;  // rotor and gears, reflected to the horn (193:1)
 
   // Law speed_p.
   double speed_gain_per_kp_1_s = 0.125;  // rad/s per unit of the P register and rad of error: P = register / 8
   double speed_max_rad_s = 12.26;        // full scale of the speed register
   double torque_max_nm = 2.5;
-  double accel_max_rad_s2 = std::numeric_limits<double>::infinity();  // how fast that velocity may change
+  double accel_max_rad_s2 = std::numeric_limits<double>::infinity();  // of the commanded velocity
 
-  // Heat, of the winding and case as one body.
+  // Thermal model of winding and case.
   double ambient_c = 25, heat_resistance_k_w = 8, heat_capacity_j_k = 60;
-  // Protection: this share of the torque limit for this long is an overload.
+  // Overload: at least this fraction of the torque limit for this long.
   double overload_share = 0.98, overload_time_s = 2;
 };
 

@@ -1,4 +1,4 @@
-// Command, encoder and motor of one servo, and what its registers show.
+// Servo model: command path, encoder, motor, and the values of its registers.
 #include "twin/servo/servo.hpp"
 
 #include <algorithm>
@@ -14,8 +14,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLoadFilter = 0.005;  // s, of the torque feedback of law speed_p
 
-// Rounds to even as nearbyint() does, without its call: beyond 2^52 a double has no fraction. Encoders do not count as
-// far as 2^51.
+// Rounds half to even like nearbyint(), but inline: adding 1.5 * 2^52 removes the fraction. Valid below 2^51.
 double nearestTick(double ticks) {
   constexpr double kShift = 0x1.8p52;
   return (ticks + kShift) - kShift;
@@ -42,7 +41,7 @@ Servo::Servo(const ServoParameters& parameters, std::vector<std::unique_ptr<Effe
   if (parameters.armature_kgm2 + load_.armature_kgm2 < 0)
     throw std::runtime_error("armature = " + std::to_string(parameters.armature_kgm2) +
                              " kg m2 of [servo] and change = " + std::to_string(load_.armature_kgm2) +
-                             " kg m2 of [effect inertia] leave less than no inertia; take less away, or give more");
+                             " kg m2 of [effect inertia] give a negative inertia; increase one of them");
   reset(0);
 }
 
@@ -60,7 +59,7 @@ void Servo::reset(double position_rad, double session_time_s) {
   profile_.stop();
   speed_meter_.reset(position_rad);
   overload_.reset();
-  integral_ = last_error_ = followed_nm_ = shown_load_ = 0;
+  integral_ = last_error_ = followed_nm_ = reported_load_ = 0;
   was_on_ = false;
   for (const auto& effect : effects_) effect->reset(signals_);
   actuate(position_rad, 0, 0);
@@ -84,7 +83,7 @@ void Servo::firmware(const ServoDrive& drive, double position_rad, double veloci
   s.measured_rad = position_rad;
   for (Effect* effect : sensor_) effect->sensor(s, dt);
   s.measured_rad = nearestTick(s.measured_rad * ticks_per_rad_) * rad_per_tick_;
-  speed_meter_.see(s.measured_rad);
+  speed_meter_.update(s.measured_rad);
 
   followGoal(dt);
   control(drive, dt);
@@ -93,22 +92,22 @@ void Servo::firmware(const ServoDrive& drive, double position_rad, double veloci
   s.resistance_ohm = parameters_.resistance_ohm;
   s.back_emf_vs_rad = parameters_.back_emf_vs_rad;
   s.torque_limit_nm = kInfinity;
-  for (Effect* effect : motor_) effect->motor(s, dt);  // the sag of a supply needs the duty
+  for (Effect* effect : motor_) effect->motor(s, dt);  // after control(): supply_sag needs the duty
   const double torque_per_volt = s.kt_nm_a / s.resistance_ohm;
-  stalled_nm_ = torque_per_volt * s.duty * s.supply_v;
+  stall_torque_nm_ = torque_per_volt * s.duty * s.supply_v;
   braking_nms_rad_ = torque_per_volt * s.back_emf_vs_rad;
 
   s.temperature_c = temperatureAfter(s, parameters_, dt);
   overload_.step(s, parameters_, dt);
   followed_nm_ = s.torque_on ? followed_nm_ : 0;
-  showLoad();
+  updateLoad();
 }
 
 double Servo::motorTorque(double velocity_rad_s) const noexcept {
   const Signals& s = signals_;
-  if (!s.torque_on) return 0;  // bridge open: no current, so no braking either
+  if (!s.torque_on) return 0;  // bridge open: no current, no back EMF damping
   if (s.law == Law::kSpeedP) return followed_nm_;
-  return stalled_nm_ - braking_nms_rad_ * velocity_rad_s;
+  return stall_torque_nm_ - braking_nms_rad_ * velocity_rad_s;
 }
 
 Actuation Servo::actuate(double position_rad, double velocity_rad_s, double external_nm) noexcept {
@@ -117,9 +116,9 @@ Actuation Servo::actuate(double position_rad, double velocity_rad_s, double exte
   s.velocity_rad_s = velocity_rad_s;
   s.external_torque_nm = external_nm;
   s.dry_friction_nm = s.damping_nms_rad = s.extra_torque_nm = 0;
-  const double wanted = motorTorque(velocity_rad_s);
-  const bool limited = std::abs(wanted) > s.torque_limit_nm;
-  s.motor_torque_nm = limited ? std::copysign(s.torque_limit_nm, wanted) : wanted;
+  const double unlimited = motorTorque(velocity_rad_s);
+  const bool limited = std::abs(unlimited) > s.torque_limit_nm;
+  s.motor_torque_nm = limited ? std::copysign(s.torque_limit_nm, unlimited) : unlimited;
   s.current_a = s.motor_torque_nm / s.kt_nm_a;
   for (Effect* effect : mechanics_) effect->mechanics(s);
 
@@ -131,8 +130,8 @@ Actuation Servo::actuate(double position_rad, double velocity_rad_s, double exte
     out.speed_torque_nm = std::min(parameters_.torque_max_nm * s.duty_limit, s.torque_limit_nm);
   } else if (limited) {
     out.torque_nm += s.motor_torque_nm;
-  } else {  // the back EMF apart, so that it can be integrated exactly
-    out.torque_nm += stalled_nm_;
+  } else {  // back EMF as damping, which Shaft integrates exactly
+    out.torque_nm += stall_torque_nm_;
     out.damping_nms_rad += braking_nms_rad_;
   }
   return out;
@@ -143,15 +142,15 @@ void Servo::noteMotorTorque(double torque_nm) noexcept {
   signals_.current_a = torque_nm / signals_.kt_nm_a;
 }
 
-// The servo has no torque sensor: its load is the duty. Webots' torque feedback is the motor's torque.
-void Servo::showLoad() noexcept {
+// Present Load: the real servo has no torque sensor and reports the duty; Webots reports the motor torque.
+void Servo::updateLoad() noexcept {
   const Signals& s = signals_;
   if (!s.torque_on)
-    shown_load_ = 0;
+    reported_load_ = 0;
   else if (s.law == Law::kVoltageP)
-    shown_load_ = s.duty;
+    reported_load_ = s.duty;
   else
-    shown_load_ += (followed_nm_ / parameters_.torque_max_nm - shown_load_) * load_share_;
+    reported_load_ += (followed_nm_ / parameters_.torque_max_nm - reported_load_) * load_share_;
 }
 
 JointMotion Servo::report() const noexcept {
@@ -159,7 +158,7 @@ JointMotion Servo::report() const noexcept {
   JointMotion motion;
   motion.position_rad = s.measured_rad;
   motion.velocity_rad_s = speed_meter_.rad_s();
-  motion.load = shown_load_;
+  motion.load = reported_load_;
   motion.temperature_c = s.temperature_c;
   motion.supply_v = s.supply_v;
   motion.overload = overload_.tripped();

@@ -1,5 +1,5 @@
-// One servo as its registers and its horn see it: command, encoder, controller, motor, heat. What the horn carries is
-// somebody else's: a pendulum (twin/bench) or a whole body (twin/body).
+// Model of one servo: command, encoder, controller, motor, temperature. The load on the horn is simulated elsewhere: a
+// pendulum (twin/bench) or the robot body (twin/body).
 #pragma once
 
 #include <memory>
@@ -14,13 +14,13 @@
 
 namespace darwinop::twin {
 
-/// What the motor side puts on its shaft during one mechanical step: torque - damping * velocity, and dry friction
-/// that takes up to `friction_nm` to bring the joint to rest and keep it there.
+/// Torque of the motor side during one mechanical step: torque - damping * velocity, and dry friction of up to
+/// `friction_nm` against motion.
 struct Actuation {
   double torque_nm = 0;
   double damping_nms_rad = 0;  // back EMF and viscous friction
   double friction_nm = 0;
-  // Law speed_p: the motor wants this velocity and has this torque to reach it; then torque and the back EMF are 0.
+  // Law speed_p: target velocity and the torque available to reach it; torque_nm and back EMF damping are then 0.
   bool follows_speed = false;
   double speed_rad_s = 0, speed_torque_nm = 0;
 };
@@ -28,38 +28,38 @@ struct Actuation {
 /// Not thread-safe; allocates only on construction.
 class Servo {
  public:
-  /// Throws std::runtime_error when the effects leave it less than no inertia.
+  /// Throws std::runtime_error if the effects make the armature negative.
   Servo(const ServoParameters& parameters, std::vector<std::unique_ptr<Effect>> effects);
 
-  /// At rest here, its goal where it stands, torque off, all history forgotten.
+  /// Initial state: at rest at `position_rad`, goal equal to it, torque off, history cleared.
   void reset(double position_rad, double session_time_s = 0);
 
-  /// One firmware period: takes the command, reads the encoder, sets the duty. The caller counts the periods. Position
-  /// is the encoder's; with a soft gear Transmission::encoderRad() tells it.
+  /// One firmware period: reads command and encoder, sets the duty. `position_rad` at the encoder; with an elastic
+  /// transmission see Transmission::encoderRad().
   void firmware(const ServoDrive& drive, double position_rad, double velocity_rad_s) noexcept;
 
-  /// At a state of the motor side, within the period: what acts on it. `external_nm`: torque on the arm from outside,
-  /// gravity and contacts, without its own inertia; as known from the step before.
+  /// Torques on the motor side in this state, within the period. `external_nm`: torque of gravity and contacts on the
+  /// arm, without its inertia, from the previous step.
   Actuation actuate(double position_rad, double velocity_rad_s, double external_nm) noexcept;
-  /// Law speed_p: the torque that the motor took to reach its speed in the step that actuate() was for.
+  /// Law speed_p: stores the torque that the motor used in the step after actuate().
   void noteMotorTorque(double torque_nm) noexcept;
 
-  /// As the registers will tell: position of the encoder, velocity and load as the servo makes them.
+  /// Register values: encoder position, velocity and load as the servo computes them.
   [[nodiscard]] JointMotion report() const noexcept;
 
   [[nodiscard]] const Signals& signals() const noexcept { return signals_; }
   [[nodiscard]] const ServoParameters& parameters() const noexcept { return parameters_; }
-  /// What the effects change of the load.
+  /// Load changes of all effects.
   [[nodiscard]] const LoadChange& load() const noexcept { return load_; }
-  /// True when gear side and horn move apart: somebody must integrate both (transmission.hpp).
+  /// True with backlash or joint elasticity: gear side and horn must be integrated separately (transmission.hpp).
   [[nodiscard]] bool softGear() const noexcept;
 
  private:
   void followGoal(double dt_s) noexcept;
   void control(const ServoDrive& drive, double dt_s) noexcept;
-  void pushByError(double dt_s) noexcept;
-  void turnByError(double dt_s) noexcept;
-  void showLoad() noexcept;
+  void applyVoltageLaw(double dt_s) noexcept;
+  void applySpeedLaw(double dt_s) noexcept;
+  void updateLoad() noexcept;
   [[nodiscard]] double motorTorque(double velocity_rad_s) const noexcept;
 
   ServoParameters parameters_;
@@ -69,15 +69,15 @@ class Servo {
   Signals signals_;
 
   double ticks_per_rad_, rad_per_tick_;
-  double load_share_;  // of what is new in the torque feedback, a period
-  // Of this period's duty and voltage: torque at rest, and what the back EMF takes of it per speed.
-  double stalled_nm_ = 0, braking_nms_rad_ = 0;
+  double load_share_;  // low-pass coefficient of the torque feedback, per period
+  // At this period's duty and voltage: stall torque, and its reduction per speed by the back EMF.
+  double stall_torque_nm_ = 0, braking_nms_rad_ = 0;
   SpeedMeter speed_meter_;
   Profile profile_;
   OverloadGuard overload_;
   double integral_ = 0, last_error_ = 0;
-  double followed_nm_ = 0;  // law speed_p: the last torque
-  double shown_load_ = 0;
+  double followed_nm_ = 0;  // law speed_p: torque in the last step
+  double reported_load_ = 0;
   bool was_on_ = false;
 };
 

@@ -1,3 +1,4 @@
+// Starts and ends `darwinop run` as a child process.
 #include "twin/view/controller_process.hpp"
 
 #include <sys/prctl.h>
@@ -19,12 +20,12 @@ namespace {
 
 constexpr std::chrono::milliseconds kGrace{2000};
 
-/// Beside this program, as all commands are.
+/// darwinop-run in the folder of this program.
 std::string runner() {
   std::error_code unknown;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown).parent_path() / "darwinop-run";
   if (access(program.c_str(), X_OK) != 0)
-    throw std::runtime_error("cannot start the controller: " + program.string() + " is not there; install it, too");
+    throw std::runtime_error("cannot start the controller: " + program.string() + " is not installed");
   return program.string();
 }
 

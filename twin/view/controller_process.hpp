@@ -1,4 +1,4 @@
-// The controller that drives the robot which is watched: `darwinop run`, as a child of this process.
+// Controller of the viewed robot: runs `darwinop run` as a child process.
 #pragma once
 
 #include <sys/types.h>
@@ -11,16 +11,16 @@ namespace darwinop::twin {
 
 class ControllerProcess {
  public:
-  /// `controller`: program or folder, and its arguments. `port`: where the robot is. Throws std::runtime_error.
+  /// `controller`: program or folder, and arguments. `port`: serial port of the robot. Throws std::runtime_error.
   ControllerProcess(const std::vector<std::string>& controller, const std::string& port);
-  /// Ends it, at once if it does not end by itself.
+  /// Sends SIGTERM, and SIGKILL after 2 s.
   ~ControllerProcess();
   ControllerProcess(const ControllerProcess&) = delete;
   ControllerProcess& operator=(const ControllerProcess&) = delete;
 
-  /// Its exit status as a shell has it; nothing: it still runs.
+  /// Exit status as in a shell; empty while it runs.
   std::optional<int> ended();
-  /// SIGINT lets the robot sit down first.
+  /// After SIGINT the controller moves the robot to its start pose before it ends.
   void signal(int number) const;
 
  private:

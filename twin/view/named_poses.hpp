@@ -1,4 +1,4 @@
-// Poses of the robot that have a name.
+// Named poses of the robot.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace darwinop::twin {
 
 using Angles = std::array<double, kJoints>;  // rad
 
-/// Kneeling, as a robot is switched on; from the table of the joints.
+/// Start pose (kneeling), from the joint table.
 inline Angles startAngles() {
   Angles angles{};
   for (std::size_t i = 0; i < kJoints; ++i) angles[i] = (kJointTable[i].start - 2048) * kRadPerTick;
@@ -23,7 +23,7 @@ inline Angles startAngles() {
 inline Angles standingAngles() {
   Angles angles{};
   constexpr double kRight = std::numbers::pi / 2;
-  // At zero the upper arms stand 45 deg off and the elbows are bent by 90 deg.
+  // At zero the upper arms point 45 deg outward and the elbows are bent by 90 deg.
   angles[index(Joint::kArmUpperR)] = -0.6;
   angles[index(Joint::kArmUpperL)] = 0.6;
   angles[index(Joint::kArmLowerR)] = 0.4 - kRight;

@@ -1,3 +1,4 @@
+// Output of the view: a window, or a film.
 #include "twin/view/screen.hpp"
 
 #include <cmath>
@@ -12,7 +13,7 @@
 namespace darwinop::twin {
 namespace {
 
-/// Shows the newest pose and forgets the others.
+/// Shows the newest pose and skips older ones.
 class LiveScreen final : public Screen {
  public:
   LiveScreen(const ShowOptions& options, const mjModel_& model, WindowKeys keys)
@@ -21,18 +22,18 @@ class LiveScreen final : public Screen {
     window_.scene().lookFrom(options.from);
   }
 
-  [[nodiscard]] int perSecond() const override { return 60; }
+  [[nodiscard]] int posesPerSecond() const override { return 60; }
   bool draw(PoseRing& poses, const std::string& line) override {
-    window_.listen();
+    window_.pollEvents();
     bool newer = false;
     while (poses.pop(pose_)) newer = true;
     if (!newer) return false;
     window_.scene().show(pose_);
-    window_.say(line);
+    window_.setLine(line);
     window_.draw();
     return true;
   }
-  [[nodiscard]] bool full() override { return window_.closed() || (seconds_ > 0 && pose_.time_s >= seconds_); }
+  [[nodiscard]] bool isFinished() override { return window_.closed() || (seconds_ > 0 && pose_.time_s >= seconds_); }
   void finish(PoseRing&, const std::function<bool()>&) override {}
 
  private:
@@ -53,7 +54,7 @@ class FilmScreen final : public Screen {
     if (!note.empty()) std::cerr << "darwinop twin: " << note << '\n';
   }
 
-  [[nodiscard]] int perSecond() const override { return per_second_; }
+  [[nodiscard]] int posesPerSecond() const override { return per_second_; }
   bool draw(PoseRing& poses, const std::string&) override {
     Pose pose;
     over_ = poses.offered() >= most_;
@@ -63,8 +64,8 @@ class FilmScreen final : public Screen {
     ++count_;
     return true;
   }
-  /// By the robot's clock, as drawing may be late.
-  [[nodiscard]] bool full() override { return over_; }
+  /// By the robot's clock, because drawing may lag behind.
+  [[nodiscard]] bool isFinished() override { return over_; }
   void finish(PoseRing& poses, const std::function<bool()>& hurry) override {
     while (!hurry() && draw(poses, {})) {
     }
@@ -73,7 +74,7 @@ class FilmScreen final : public Screen {
               << static_cast<double>(count_) / per_second_ << " s\n";
     if (poses.dropped() > 0)
       std::cerr << "darwinop twin: " << poses.dropped()
-                << " pictures are missing, drawing was too slow; choose a smaller --size or --fps\n";
+                << " pictures are missing because drawing was too slow; use a smaller --size or --fps\n";
   }
 
  private:
@@ -91,7 +92,7 @@ std::unique_ptr<Screen> makeScreen(const ShowOptions& options, const mjModel_& m
   try {
     return std::make_unique<LiveScreen>(options, model, std::move(keys));
   } catch (const NoDisplay& none) {
-    throw NoDisplay(std::string{none.what()} + "; a film needs none: --record FILE.mp4 (or a folder for pictures)");
+    throw NoDisplay(std::string{none.what()} + "; record a film instead: --record FILE.mp4 (or a folder for pictures)");
   }
 }
 

@@ -1,4 +1,4 @@
-// Where the robot is seen: a window, or a film.
+// Output of the view: a window, or a film.
 #pragma once
 
 #include <functional>
@@ -16,13 +16,14 @@ namespace darwinop::twin {
 class Screen {
  public:
   virtual ~Screen() = default;
-  /// Poses a second that it wants.
-  [[nodiscard]] virtual int perSecond() const = 0;
-  /// Draws what has come; at most a few pictures, so that the caller gets round. True: something was drawn.
+  /// Required pose rate, 1/s.
+  [[nodiscard]] virtual int posesPerSecond() const = 0;
+  /// Draws at most one new picture; returns quickly. True if something was drawn.
   virtual bool draw(PoseRing& poses, const std::string& line) = 0;
-  /// The user, or the length that was asked for, ends it.
-  [[nodiscard]] virtual bool full() = 0;
-  /// The robot has stopped: draws what is left and puts everything away. `hurry` is asked before every picture.
+  /// True once the user has closed it or the requested length is reached.
+  [[nodiscard]] virtual bool isFinished() = 0;
+  /// After the robot has stopped: draws the remaining poses and closes the output. Skips the rest if `hurry` returns
+  /// true.
   virtual void finish(PoseRing& poses, const std::function<bool()>& hurry) = 0;
 };
 

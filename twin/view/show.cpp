@@ -1,3 +1,4 @@
+// Runs `darwinop twin view`: virtual robot, controller process, screen, signals.
 #include "twin/view/show.hpp"
 
 #include <signal.h>
@@ -24,13 +25,14 @@ using std::chrono::steady_clock;
 
 constexpr std::array<double, 3> kPush{15, 0, 0};  // N, forward
 constexpr Nanos kPushTime{100'000'000};
-constexpr std::chrono::seconds kPatience{10};  // for a controller that was asked to end: it lets the robot sit down
-constexpr long kTurnNs = 4'000'000;            // between two looks at signals and poses
+constexpr std::chrono::seconds kEndTimeout{10};  // for a controller after SIGINT: it moves to the start pose first
+constexpr long kPollNs = 4'000'000;              // period of polling signals and poses
 
-/// Signals of kEndSignals wait until they are asked for. Made before the first thread.
+/// Blocks kEndSignals, to be fetched with wait(). Must be constructed before the first thread.
 class Signals {
  public:
-  /// Waits that long. Nothing: none came. True: only we got it; what a terminal sends, the controller gets, too.
+  /// Waits up to `ns`; empty if no signal arrived. True if only this process received it: a signal from the terminal
+  /// also reaches the controller.
   std::optional<bool> wait(long ns) const {
     const timespec time{0, ns};
     siginfo_t info{};
@@ -46,10 +48,10 @@ class Show {
  public:
   explicit Show(const ShowOptions& options) : options_{options} {
     auto body = std::make_unique<RobotBody>(readModel(findModel(options.model)));
-    // The screen first: without one nothing is started.
+    // Before anything is started, because opening the screen may fail.
     RobotBody& robot = *body;
     screen_ = makeScreen(options, *robot.mujocoModel(), {[this] { push(); }, [this] { reset(); }});
-    auto watched = std::make_unique<WatchedBody>(std::move(body), screen_->perSecond());
+    auto watched = std::make_unique<WatchedBody>(std::move(body), screen_->posesPerSecond());
     watched_ = watched.get();
     hil::BoardOptions board;
     board.body_step = hil::kPhysicsStep;
@@ -61,13 +63,13 @@ class Show {
 
   int run() {
     while (!over()) {
-      takeSignals(kTurnNs);
+      takeSignals(kPollNs);
       screen_->draw(watched_->poses(), line());
-      if (screen_->full()) askToEnd(true);
+      if (screen_->isFinished()) requestEnd(true);
     }
     const std::optional<int> status = controller_ && !stopping_ ? controller_->ended() : std::nullopt;
     controller_.reset();
-    host_.reset();  // the robot stands still
+    host_.reset();  // stops the robot
     screen_->finish(watched_->poses(), [this] {
       takeSignals(0);
       return hurry_;
@@ -79,8 +81,8 @@ class Show {
   [[nodiscard]] bool over() {
     if (hurry_) return true;
     const bool driven = controller_ && !controller_->ended();
-    if (stopping_) return !driven || steady_clock::now() > patience_;
-    if (controller_ && !driven) tellEnd();
+    if (stopping_) return !driven || steady_clock::now() > end_deadline_;
+    if (controller_ && !driven) reportEnd();
     return controller_ && !driven && !options_.record.empty();  // a window stays until it is closed
   }
 
@@ -88,20 +90,20 @@ class Show {
     if (const std::optional<bool> only_we = signals_.wait(ns)) {
       hurry_ = stopping_ && asked_by_signal_;
       asked_by_signal_ = true;
-      askToEnd(*only_we);
+      requestEnd(*only_we);
     }
   }
 
-  void askToEnd(bool tell_controller) {
+  void requestEnd(bool signal_controller) {
     if (stopping_) return;
     stopping_ = true;
-    patience_ = steady_clock::now() + kPatience;
-    if (controller_ && tell_controller) controller_->signal(SIGINT);
+    end_deadline_ = steady_clock::now() + kEndTimeout;
+    if (controller_ && signal_controller) controller_->signal(SIGINT);
   }
 
-  void tellEnd() {
-    if (told_) return;
-    told_ = true;
+  void reportEnd() {
+    if (end_reported_) return;
+    end_reported_ = true;
     std::cout << "the controller ended with status " << *controller_->ended() << std::endl;
   }
 
@@ -109,7 +111,7 @@ class Show {
     std::array<char, 160> text{};
     const char* const driver = !controller_           ? "no controller"
                                : controller_->ended() ? "the controller has ended"
-                               : stopping_            ? "the controller is asked to end"
+                               : stopping_            ? "waiting for the controller to end"
                                                       : "driven by the controller";
     std::snprintf(text.data(), text.size(), "%.1f s  %s  %s  H: help",
                   std::chrono::duration<double>(host_->now()).count(), host_->path().c_str(), driver);
@@ -130,8 +132,8 @@ class Show {
   std::unique_ptr<hil::VirtualRobot> robot_;
   std::unique_ptr<hil::PtyHost> host_;
   std::optional<ControllerProcess> controller_;
-  bool stopping_ = false, asked_by_signal_ = false, hurry_ = false, told_ = false;
-  steady_clock::time_point patience_;
+  bool stopping_ = false, asked_by_signal_ = false, hurry_ = false, end_reported_ = false;
+  steady_clock::time_point end_deadline_;
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A body that leaves a trail of poses for whoever draws it, and never waits for him.
+// Body that samples its poses for drawing, without blocking.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace darwinop::twin {
 
-/// The same body; a pose goes into the ring at the start and then `per_second` times a second of its own clock.
+/// Forwards to `body`; pushes a pose at the start and then `per_second` times per second of simulated time.
 class WatchedBody final : public Body {
  public:
   WatchedBody(std::unique_ptr<RobotBody> body, int per_second);
@@ -20,14 +20,14 @@ class WatchedBody final : public Body {
   [[nodiscard]] const char* trouble() const noexcept override { return body_->trouble(); }
 
   [[nodiscard]] RobotBody& robot() noexcept { return *body_; }
-  /// The one thing that another thread may use while the body steps.
+  /// May be used by another thread while the body steps; everything else may not.
   [[nodiscard]] PoseRing& poses() noexcept { return *poses_; }
 
  private:
   std::unique_ptr<RobotBody> body_;
   std::unique_ptr<PoseRing> poses_ = std::make_unique<PoseRing>();
   double per_second_;
-  std::uint64_t seen_ = 0;  // poses so far, dropped ones too
+  std::uint64_t sampled_ = 0;  // poses so far, including dropped ones
 };
 
 }  // namespace darwinop::twin

@@ -1,3 +1,4 @@
+// GLFW window with mouse and keyboard control.
 #include "twin/view/window.hpp"
 
 #include <GLFW/glfw3.h>
@@ -30,10 +31,10 @@ constexpr std::array<std::pair<const char*, const char*>, 9> kHelp{{
 }  // namespace
 
 struct Window::Parts {
-  /// Opens and closes the library.
+  /// Initializes and terminates the library.
   struct Glfw {
     Glfw() {
-      if (glfwInit() == GLFW_FALSE) refuse("there is no display to open a window on");
+      if (glfwInit() == GLFW_FALSE) refuse("cannot open a display");
     }
     ~Glfw() { glfwTerminate(); }
     Glfw(const Glfw&) = delete;
@@ -63,9 +64,9 @@ struct Window::Parts {
   void open(int width, int height, const std::string& title) {
     glfwWindowHint(GLFW_VISIBLE, GLFW_TRUE);
     window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
-    if (window == nullptr) refuse("no window can be opened on this display");
+    if (window == nullptr) refuse("cannot open a window on this display");
     glfwMakeContextCurrent(window);
-    glfwSwapInterval(0);  // the poses set the pace
+    glfwSwapInterval(0);  // the pose rate sets the pace
     mjr_makeContext(&scene.model(), &context, mjFONTSCALE_100);
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
@@ -99,7 +100,7 @@ struct Window::Parts {
       case GLFW_KEY_ESCAPE:
         glfwSetWindowShouldClose(window, GLFW_TRUE);
         break;
-      default:  // any other key there is
+      default:
         break;
     }
   }
@@ -140,11 +141,11 @@ Scene& Window::scene() noexcept {
   return parts_->scene;
 }
 
-void Window::say(const std::string& line) {
+void Window::setLine(const std::string& line) {
   parts_->line = line;
 }
 
-void Window::listen() {
+void Window::pollEvents() {
   glfwPollEvents();
 }
 

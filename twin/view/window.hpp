@@ -1,4 +1,4 @@
-// A window in which the robot is seen, turned and pushed.
+// Interactive window of the twin's scene.
 #pragma once
 
 #include <functional>
@@ -10,17 +10,17 @@
 
 namespace darwinop::twin {
 
-/// No window can be opened here; the text says why.
+/// A window cannot be opened; the message contains the reason.
 struct NoDisplay : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Keys that concern the robot, not the picture.
+/// Actions of keys that act on the robot.
 struct WindowKeys {
   std::function<void()> push, reset;
 };
 
-/// One at a time, in the main thread.
+/// Use from the main thread only, one window at a time.
 class Window {
  public:
   /// Throws NoDisplay.
@@ -28,11 +28,11 @@ class Window {
   ~Window();
 
   [[nodiscard]] Scene& scene() noexcept;
-  /// One line at the top left.
-  void say(const std::string& line);
-  /// Takes keys and mouse.
-  void listen();
-  /// True once the user closed it.
+  /// Sets the text at the top left.
+  void setLine(const std::string& line);
+  /// Processes keyboard and mouse events.
+  void pollEvents();
+  /// True once the user has closed it.
   [[nodiscard]] bool closed() const noexcept;
   void draw();
 

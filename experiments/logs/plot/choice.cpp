@@ -1,4 +1,4 @@
-// Which curves of a log are shown.
+// Selects the curves of a log.
 #include "experiments/logs/plot/choice.hpp"
 
 #include <fnmatch.h>
@@ -14,8 +14,8 @@
 namespace darwinop::plot {
 namespace {
 
-constexpr double kMoves = 0.01;          // rad, about six encoder steps: more than a resting joint's noise
-constexpr std::size_t kJointsShown = 6;  // a page that can be looked at
+constexpr double kMoves = 0.01;  // rad, about six encoder steps: above the noise of a joint at rest
+constexpr std::size_t kJointsShown = 6;
 constexpr std::size_t kColumnsShown = 32;
 
 bool matches(const logs::Column& column, const std::string& pattern) {
@@ -32,8 +32,8 @@ std::vector<std::string> words(const std::string& text) {
   return {std::istream_iterator<std::string>{stream}, {}};
 }
 
-void addAxes(std::vector<Piece>& pieces, const logs::Log& log, const std::vector<double>& x, const std::string& device,
-             const std::string& what) {
+void addAxes(std::vector<LogCurve>& pieces, const logs::Log& log, const std::vector<double>& x,
+             const std::string& device, const std::string& what) {
   for (const char* axis : {"x", "y", "z"})
     if (const logs::Column* column = log.find(device + "." + axis); range(column) > 0)
       pieces.push_back({device, column->name, axis, withUnit(what, column->unit), trace(x, *column)});
@@ -65,14 +65,14 @@ std::vector<std::string> movingJoints(const std::vector<logs::Log>& all, std::ve
     left_out.append(left_out.empty() ? "" : ", ").append(by_motion[i]);
     std::erase(order, by_motion[i]);
   }
-  notes.push_back("the " + std::to_string(kJointsShown) + " joints that move most; these move, too: " + left_out +
-                  " (--columns '" + by_motion[kJointsShown] + ".*' shows one)");
+  notes.push_back("only the " + std::to_string(kJointsShown) + " joints that move most are shown; also moving: " +
+                  left_out + " (--columns '" + by_motion[kJointsShown] + ".*' shows one)");
   return order;
 }
 
-std::vector<Piece> usualPieces(const logs::Log& log, const std::vector<double>& x,
-                               const std::vector<std::string>& joints) {
-  std::vector<Piece> pieces, loads;
+std::vector<LogCurve> defaultCurves(const logs::Log& log, const std::vector<double>& x,
+                                    const std::vector<std::string>& joints) {
+  std::vector<LogCurve> pieces, loads;
   for (const JointColumns& joint : jointsOf(log)) {
     if (std::find(joints.begin(), joints.end(), joint.name) == joints.end()) continue;
     const std::string angle = withUnit("angle", joint.position->unit);
@@ -83,11 +83,11 @@ std::vector<Piece> usualPieces(const logs::Log& log, const std::vector<double>& 
     pieces.push_back({joint.name, joint.name, "measured", angle, trace(x, *joint.position)});
     if (joint.load != nullptr)
       loads.push_back({"load", "load of " + joint.name, joint.name,
-                       withUnit("load", joint.load->unit.empty() ? "1 = greatest torque" : joint.load->unit),
+                       withUnit("load", joint.load->unit.empty() ? "1 = maximum torque" : joint.load->unit),
                        trace(x, *joint.load)});
   }
   std::move(loads.begin(), loads.end(), std::back_inserter(pieces));
-  // The head of an experiment names the sensors that matter; without it, all do.
+  // The header of an experiment names the relevant sensors; other logs show all.
   const std::string sensors =
       log.headValue("sensors").value_or(log.headValue("experiment") ? "" : "gyro accelerometer");
   if (sensors.find("gyro") != std::string::npos) addAxes(pieces, log, x, "gyro", "rate");
@@ -110,9 +110,9 @@ void checkPatterns(const std::vector<logs::Log>& all, const std::vector<std::str
   }
 }
 
-std::vector<Piece> chosenPieces(const logs::Log& log, const std::vector<double>& x,
-                                const std::vector<std::string>& patterns) {
-  std::vector<Piece> pieces;
+std::vector<LogCurve> selectedCurves(const logs::Log& log, const std::vector<double>& x,
+                                     const std::vector<std::string>& patterns) {
+  std::vector<LogCurve> pieces;
   for (const logs::Column& column : log.columns) {
     if (!matchesAny(column, patterns) ||
         std::none_of(column.values.begin(), column.values.end(), [](double v) { return v == v; }))
@@ -122,9 +122,8 @@ std::vector<Piece> chosenPieces(const logs::Log& log, const std::vector<double>&
     pieces.back().y_label = column.unit.empty() ? "" : unit;
   }
   if (pieces.size() > kColumnsShown)
-    throw std::runtime_error(log.file + ": the patterns match " + std::to_string(pieces.size()) +
-                             " columns; nobody can read more than " + std::to_string(kColumnsShown) +
-                             ", name fewer with --columns");
+    throw std::runtime_error(log.file + ": the patterns match " + std::to_string(pieces.size()) + " columns, at most " +
+                             std::to_string(kColumnsShown) + " can be shown; name fewer with --columns");
   return pieces;
 }
 

@@ -1,4 +1,4 @@
-// Which curves of a log are shown, when nothing special is known about it or when columns were named.
+// Selects the curves of a log: by default, or by column patterns.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace darwinop::plot {
 
-/// The joints that the head of an experiment names; else those that move in any of these logs, the ones that move most
-/// when there are many: a note names what is left out.
+/// The joints named in the header of an experiment; otherwise the joints that move in any log, limited to those that
+/// move most (a note lists the others).
 [[nodiscard]] std::vector<std::string> movingJoints(const std::vector<logs::Log>& all, std::vector<std::string>& notes);
 
-/// Goal and measured position and load of these joints, gyro and accelerometer. `x` has a value a row.
-[[nodiscard]] std::vector<Piece> usualPieces(const logs::Log& log, const std::vector<double>& x,
-                                             const std::vector<std::string>& joints);
+/// Goal, measured position and load of these joints, gyro and accelerometer. `x`: one value per row.
+[[nodiscard]] std::vector<LogCurve> defaultCurves(const logs::Log& log, const std::vector<double>& x,
+                                                  const std::vector<std::string>& joints);
 
-/// The columns that match one of the patterns ("*" any text, "?" one letter). Throws when one pattern matches none in
-/// all logs, or when nobody could read so many curves.
+/// Columns that match one of the patterns ("*" any text, "?" one character). Both throw std::runtime_error: for a
+/// pattern without a match in any log, and for too many curves.
 void checkPatterns(const std::vector<logs::Log>& all, const std::vector<std::string>& patterns);
-[[nodiscard]] std::vector<Piece> chosenPieces(const logs::Log& log, const std::vector<double>& x,
-                                              const std::vector<std::string>& patterns);
+[[nodiscard]] std::vector<LogCurve> selectedCurves(const logs::Log& log, const std::vector<double>& x,
+                                                   const std::vector<std::string>& patterns);
 
 }  // namespace darwinop::plot

@@ -1,4 +1,4 @@
-// What is drawn, before anybody draws it: panels of curves over one horizontal axis.
+// A figure, independent of the output format: panels of curves over a common horizontal axis.
 #pragma once
 
 #include <cstddef>
@@ -7,17 +7,17 @@
 
 namespace darwinop::plot {
 
-enum class Style { kLine, kMarks };  // kMarks: few samples, each one marked
+enum class Style { kLine, kMarks };  // kMarks: few samples, each marked
 
-inline constexpr std::size_t kLegend = 28;  // characters of a curve's label that a picture has room for
+inline constexpr std::size_t kLegend = 28;  // maximum characters of a curve label in the picture
 
 struct Curve {
   std::string label;
   std::size_t log = 0;     // index in Figure::sources
   std::size_t colour = 0;  // index in kColours
-  bool dashed = false;     // a goal, as against what was measured
+  bool dashed = false;     // a goal, not a measurement
   Style style = Style::kLine;
-  std::vector<double> x, y;  // not known, in either: the line has a gap
+  std::vector<double> x, y;  // NaN in either: gap in the line
 };
 
 struct Panel {
@@ -26,7 +26,7 @@ struct Panel {
   std::vector<Curve> curves;
 };
 
-/// One log: what its curves are called, and where it comes from.
+/// One log: label of its curves, and its origin.
 struct Source {
   std::string label, file, robot, model, version, date;
 };
@@ -35,14 +35,14 @@ struct Figure {
   std::string title;
   std::string x_label;
   std::vector<Source> sources;
-  std::vector<std::string> notes;  // what a reader has to know, such as joints that are not shown
+  std::vector<std::string> notes;  // for the reader, such as joints that are not shown
   std::vector<Panel> panels;
-  std::vector<double> marks = {};  // of the horizontal axis: a thin line through all panels, where something begins
+  std::vector<double> marks = {};  // x values of vertical lines through all panels
 };
 
-/// Colours that stay apart for colour-blind eyes, on white and (the second) on black paper. Okabe and Ito, "Color
-/// Universal Design", 2008, in an order in which neighbours differ in lightness too, so that grey print shows it; their
-/// yellow is left out, as white paper swallows it.
+/// Colours that are distinguishable with colour blindness, on white and on black background. Okabe and Ito, "Color
+/// Universal Design", 2008, ordered so that neighbours also differ in lightness (for grey print); without yellow, which
+/// is invisible on white.
 struct Colour {
   const char *on_white, *on_black;
 };

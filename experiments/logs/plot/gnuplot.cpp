@@ -1,4 +1,4 @@
-// Runs gnuplot: no shell, script on its standard input, picture on its standard output.
+// Runs gnuplot without a shell: script on standard input, picture on standard output.
 #include "experiments/logs/plot/gnuplot.hpp"
 
 #include <fcntl.h>
@@ -20,10 +20,10 @@ namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-// A file and not a pipe: nobody waits for the other, and gnuplot may end early.
-File scratch() {
+// A file instead of a pipe: no deadlock, and gnuplot may end early.
+File temporaryFile() {
   File file{std::tmpfile(), &std::fclose};
-  if (!file) throw std::runtime_error(std::string{"cannot make a temporary file: "} + std::strerror(errno));
+  if (!file) throw std::runtime_error(std::string{"cannot create a temporary file: "} + std::strerror(errno));
   return file;
 }
 
@@ -37,14 +37,14 @@ std::string firstLineOf(std::FILE* file) {
   return "";
 }
 
-/// 0: ended well; ENOENT and others: did not start; -1: failed.
+/// 0: success; a positive errno: did not start; -1: failed.
 int run(int input, int output, int errors) {
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
-  // --default-settings: no ~/.gnuplot, so that a picture looks the same everywhere.
+  // --default-settings ignores ~/.gnuplot.
   std::array<std::string, 3> words{"gnuplot", "--default-settings", "-"};
   std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
   pid_t child = -1;
@@ -62,8 +62,8 @@ int run(int input, int output, int errors) {
 std::string drawPicture(const Figure& figure, const std::string& path) {
   const File picture{std::fopen(path.c_str(), "wbe"), &std::fclose};
   if (!picture)
-    throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno) + "; name another place with -o");
-  const File script = scratch(), errors = scratch();
+    throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno) + "; choose another path with -o");
+  const File script = temporaryFile(), errors = temporaryFile();
   const std::string commands = gnuplotScript(figure);
   if (std::fwrite(commands.data(), 1, commands.size(), script.get()) != commands.size() ||
       std::fflush(script.get()) != 0)
@@ -73,8 +73,8 @@ std::string drawPicture(const Figure& figure, const std::string& path) {
   if (result == 0) return "";
   (void)std::remove(path.c_str());
   if (result == ENOENT) return "no picture " + path + ": gnuplot is not installed (apt-get install gnuplot-nox)";
-  if (result > 0) return "no picture " + path + ": gnuplot does not start: " + std::strerror(result);
-  return "no picture " + path + ": gnuplot said: " + firstLineOf(errors.get());
+  if (result > 0) return "no picture " + path + ": cannot start gnuplot: " + std::strerror(result);
+  return "no picture " + path + ": gnuplot error: " + firstLineOf(errors.get());
 }
 
 }  // namespace darwinop::plot

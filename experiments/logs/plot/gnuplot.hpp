@@ -1,4 +1,4 @@
-// The figure as a PNG picture, drawn by gnuplot.
+// Draws a figure as a PNG picture with gnuplot.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace darwinop::plot {
 
-inline constexpr int kPictureWidth = 1200;  // pixels; prints at 180 mm with 170 dots an inch
+inline constexpr int kPictureWidth = 1200;  // pixels; 180 mm at 170 dpi
 [[nodiscard]] int pictureHeight(const Figure& figure);
 
-/// What gnuplot reads on its standard input; the picture leaves on its standard output, so that no file name stands
-/// in the script. Texts stand in single quotes, where gnuplot obeys nothing.
+/// Script for gnuplot's standard input. The picture is written to standard output, so the script contains no file name.
+/// Texts are in single quotes, in which gnuplot interprets nothing.
 [[nodiscard]] std::string gnuplotScript(const Figure& figure);
 
-/// Empty: the picture is there. Otherwise a sentence why it is not: gnuplot is missing or failed.
-/// Throws std::runtime_error when the file cannot be written.
+/// Returns an empty string, or a message if gnuplot is missing or failed. Throws std::runtime_error if the file cannot
+/// be written.
 [[nodiscard]] std::string drawPicture(const Figure& figure, const std::string& path);
 
 }  // namespace darwinop::plot

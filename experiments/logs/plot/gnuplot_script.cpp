@@ -1,4 +1,4 @@
-// The figure in gnuplot's language.
+// Generates the gnuplot script of a figure.
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +10,9 @@ namespace {
 
 // Pixels.
 constexpr int kTitle = 44, kLine = 20, kAboveCurves = 24, kBelowCurves = 28, kAxis = 30;
-constexpr int kLeft = 90, kRight = 250;  // the legend stands right of the curves
+constexpr int kLeft = 90, kRight = 250;  // the legend is to the right of the curves
 
-/// A panel alone gets more room.
+/// Fewer panels are taller.
 int panelHeight(const Figure& figure) {
   return figure.panels.size() == 1 ? 440 : figure.panels.size() == 2 ? 320 : 240;
 }
@@ -21,7 +21,7 @@ int linesAbove(const Figure& figure) {
   return static_cast<int>(figure.sources.size() + figure.notes.size());
 }
 
-/// In single quotes gnuplot obeys nothing but their end, and an apostrophe that is not the ASCII one ends none.
+/// Single-quoted text, in which gnuplot interprets nothing; apostrophes become U+2019, which does not end it.
 std::string text(const std::string& raw) {
   std::string quoted = "'";
   for (const char c : oneLine(raw)) quoted.append(c == '\'' ? "\u2019" : std::string(1, c));
@@ -71,7 +71,7 @@ class Script {
     return share;
   }
 
-  /// A blank line is a gap in the curve.
+  /// A blank line makes a gap in the curve.
   void data() {
     std::size_t number = 0;
     for (const Panel& panel : figure_.panels)
@@ -92,7 +92,7 @@ class Script {
       }
   }
 
-  /// Title, where each log comes from, notes. Drawn with the first panel.
+  /// Title, origin of each log, notes. Drawn with the first panel.
   void labels() {
     line("set label 1 " + text(figure_.title) + " at screen 0.5," + fromTop(24) + " center font ',14'");
     int number = 2, y = kTitle + 6;
@@ -135,7 +135,7 @@ class Script {
     line("unset label");
   }
 
-  /// All panels have the same horizontal axis; a curve that does not change gets some room, too.
+  /// Common horizontal axis of all panels; a constant range is widened.
   void setRange() {
     double low = INFINITY, high = -INFINITY;
     for (const Panel& panel : figure_.panels)
@@ -146,11 +146,11 @@ class Script {
             high = std::max(high, curve.x[i]);
           }
     if (!(low <= high)) return line("set xrange [0:1]\nset yrange [0:1]");
-    const double room = high > low ? 0.01 * (high - low) : 1;
+    const double margin = high > low ? 0.01 * (high - low) : 1;
     std::string range = "set xrange [";
-    appendNumber(range, low - room, 10);
+    appendNumber(range, low - margin, 10);
     range += ':';
-    appendNumber(range, high + room, 10);
+    appendNumber(range, high + margin, 10);
     line(range + "]");
   }
 

@@ -1,4 +1,4 @@
-// From logs to a figure.
+// Builds a figure from logs.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace darwinop::plot {
 
-/// `all` is in the order of options.logs. Throws std::runtime_error when there is nothing to draw.
+/// `all`: in the order of options.logs. Throws std::runtime_error if there is nothing to draw.
 [[nodiscard]] Figure makeFigure(const std::vector<logs::Log>& all, const PlotOptions& options);
 
 }  // namespace darwinop::plot

@@ -1,4 +1,4 @@
-// The plots that belong to the experiments of 2013: one row each. Source: the table of experiments in docs/plots.md.
+// Plots specific to the experiments of 2013, one table row each; see the table in docs/plots.md.
 #include "experiments/logs/plot/natural.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using Part = const logs::Column* JointColumns::*;
 
-/// The joint that the head names first, or the one in which this part changes most, or the one that moves most.
+/// The first joint named in the header, or the joint with the largest range of this column, or of the position.
 std::optional<JointColumns> joint(const logs::Log& log, Part part) {
   const std::vector<JointColumns> joints = jointsOf(log);
   const std::string named = log.headValue("joints").value_or("");
@@ -33,8 +33,8 @@ std::string angleOf(const JointColumns& j) {
   return withUnit("angle of " + j.name, j.position->unit);
 }
 
-/// These rows of two columns.
-Curve part(const Stretch& rows, const std::vector<double>& x, const std::vector<double>& y) {
+/// A range of rows of two columns.
+Curve part(const RowRange& rows, const std::vector<double>& x, const std::vector<double>& y) {
   const auto begin = static_cast<std::ptrdiff_t>(rows.begin), end = static_cast<std::ptrdiff_t>(rows.end);
   Curve curve;
   curve.x.assign(x.begin() + begin, x.begin() + end);
@@ -42,10 +42,10 @@ Curve part(const Stretch& rows, const std::vector<double>& x, const std::vector<
   return curve;
 }
 
-/// Several parts as one curve with gaps between them.
-Curve parts(const std::vector<Stretch>& all, const std::vector<double>& x, const std::vector<double>& y) {
+/// Several row ranges as one curve with gaps.
+Curve parts(const std::vector<RowRange>& all, const std::vector<double>& x, const std::vector<double>& y) {
   Curve curve;
-  for (const Stretch& rows : all) {
+  for (const RowRange& rows : all) {
     const Curve one = part(rows, x, y);
     curve.x.insert(curve.x.end(), one.x.begin(), one.x.end());
     curve.y.insert(curve.y.end(), one.y.begin(), one.y.end());
@@ -55,10 +55,10 @@ Curve parts(const std::vector<Stretch>& all, const std::vector<double>& x, const
   return curve;
 }
 
-/// Three axes of a device over x.
-std::vector<Piece> axes(const logs::Log& log, const std::vector<Stretch>& rows, const std::vector<double>& x,
-                        const std::string& device, const std::string& what) {
-  std::vector<Piece> pieces;
+/// The three axes of a device over x.
+std::vector<LogCurve> axes(const logs::Log& log, const std::vector<RowRange>& rows, const std::vector<double>& x,
+                           const std::string& device, const std::string& what) {
+  std::vector<LogCurve> pieces;
   if (rows.empty()) return pieces;
   for (const char* axis : {"x", "y", "z"})
     if (const logs::Column* column = log.find(device + "." + axis); column != nullptr)
@@ -66,23 +66,23 @@ std::vector<Piece> axes(const logs::Log& log, const std::vector<Stretch>& rows, 
   return pieces;
 }
 
-/// The experiment's own time.
-std::vector<Piece> axesOverTime(const logs::Log& log, const std::string& device, const std::string& what) {
+/// From the start to the end of the experiment.
+std::vector<LogCurve> axesOverTime(const logs::Log& log, const std::string& device, const std::string& what) {
   const std::size_t start = startRow(log);
   return axes(log, {{start, endRow(log)}}, timeFrom(log, start), device, what);
 }
 
-std::vector<Piece> gyroscope(const logs::Log& log) {
+std::vector<LogCurve> gyroscope(const logs::Log& log) {
   return axesOverTime(log, "gyro", "rate");
 }
 
-std::vector<Piece> accelerometer(const logs::Log& log) {
+std::vector<LogCurve> accelerometer(const logs::Log& log) {
   return axesOverTime(log, "accelerometer", "acceleration");
 }
 
-/// The row in which the accelerometer no longer shows one g: the robot falls, and its blows on the floor would make the
-/// scale a hundred times too coarse.
-std::size_t firstFall(const logs::Log& log, const Stretch& rows) {
+/// First row in which the acceleration differs from one g: the robot falls. Later rows are omitted, because impacts
+/// would enlarge the scale a hundredfold.
+std::size_t firstFall(const logs::Log& log, const RowRange& rows) {
   const logs::Column *x = log.find("accelerometer.x"), *y = log.find("accelerometer.y"),
                      *z = log.find("accelerometer.z");
   if (x == nullptr || y == nullptr || z == nullptr) return rows.end;
@@ -92,19 +92,19 @@ std::size_t firstFall(const logs::Log& log, const Stretch& rows) {
   return std::max(row, rows.begin + 1);
 }
 
-std::vector<Piece> bow(const logs::Log& log) {
-  const auto ankle = joint(log, &JointColumns::asked);
+std::vector<LogCurve> bow(const logs::Log& log) {
+  const auto ankle = joint(log, &JointColumns::requested);
   if (!ankle) return {};
-  std::vector<Stretch> rows = slowStretches(log, *ankle);
-  for (Stretch& stretch : rows) stretch.end = firstFall(log, stretch);
+  std::vector<RowRange> rows = slowRanges(log, *ankle);
+  for (RowRange& range : rows) range.end = firstFall(log, range);
   return axes(log, rows, ankle->position->values, "accelerometer", "acceleration");
 }
 
-std::vector<Piece> speed(const logs::Log& log) {
+std::vector<LogCurve> speed(const logs::Log& log) {
   const auto j = joint(log, &JointColumns::speed);
   if (!j || j->speed == nullptr) return {};
   std::vector<std::pair<double, double>> sweeps;
-  for (const Step& step : largeSteps(*j, startRow(log)))
+  for (const GoalStep& step : largeSteps(*j, startRow(log)))
     if (const double time = arrival(log, *j, step); !std::isnan(time))
       sweeps.emplace_back(j->speed->values[step.begin], time);
   std::sort(sweeps.begin(), sweeps.end());
@@ -118,12 +118,12 @@ std::vector<Piece> speed(const logs::Log& log) {
   return {{"sweep of " + j->name, "sweep of " + j->name, "sweeps", "time per sweep [s]", curve}};
 }
 
-std::vector<Piece> damping(const logs::Log& log) {
+std::vector<LogCurve> damping(const logs::Log& log) {
   const auto j = joint(log, &JointColumns::torque_on);
   if (!j) return {};
-  const std::vector<Stretch> releases = limpStretches(*j, startRow(log));
-  std::vector<Piece> pieces;
-  for (const Stretch& rows : releases) {
+  const std::vector<RowRange> releases = limpRanges(*j, startRow(log));
+  std::vector<LogCurve> pieces;
+  for (const RowRange& rows : releases) {
     const std::string name = releases.size() == 1 ? "measured" : "release " + std::to_string(pieces.size() + 1);
     pieces.push_back({j->name, releases.size() == 1 ? j->name : name, name, angleOf(*j),
                       part(rows, timeFrom(log, rows.begin), j->position->values)});
@@ -131,12 +131,12 @@ std::vector<Piece> damping(const logs::Log& log) {
   return pieces;
 }
 
-std::vector<Piece> gain(const logs::Log& log) {
+std::vector<LogCurve> gain(const logs::Log& log) {
   const auto j = joint(log, &JointColumns::p_gain);
   if (!j || j->p_gain == nullptr) return {};
-  std::vector<Piece> pieces;
-  for (const Step& step : largeSteps(*j, startRow(log))) {
-    if (step.to < step.from) continue;  // the way back
+  std::vector<LogCurve> pieces;
+  for (const GoalStep& step : largeSteps(*j, startRow(log))) {
+    if (step.to < step.from) continue;  // the return motion
     std::string label = "P = ";
     appendNumber(label, j->p_gain->values[step.begin], 4);
     pieces.push_back({j->name, label, label, angleOf(*j),
@@ -145,32 +145,32 @@ std::vector<Piece> gain(const logs::Log& log) {
   return pieces;
 }
 
-std::vector<Piece> torqueFeedback(const logs::Log& log) {
+std::vector<LogCurve> torqueFeedback(const logs::Log& log) {
   const auto j = joint(log, &JointColumns::load);
   if (!j || j->load == nullptr) return {};
-  std::vector<Piece> pieces;
-  for (const Stretch& rows : slowStretches(log, *j)) {
-    const bool up = j->asked->values[rows.end - 1] > j->asked->values[rows.begin];
-    const std::string way = up ? "angle rising" : "angle falling";
-    pieces.push_back({j->name, way, way, withUnit("load of " + j->name, "1 = greatest torque"),
+  std::vector<LogCurve> pieces;
+  for (const RowRange& rows : slowRanges(log, *j)) {
+    const bool up = j->requested->values[rows.end - 1] > j->requested->values[rows.begin];
+    const std::string direction = up ? "angle rising" : "angle falling";
+    pieces.push_back({j->name, direction, direction, withUnit("load of " + j->name, "1 = maximum torque"),
                       part(rows, j->position->values, j->load->values)});
   }
   return pieces;
 }
 
-std::vector<Piece> angleOverTorque(const logs::Log& log) {
+std::vector<LogCurve> angleOverTorque(const logs::Log& log) {
   const auto j = joint(log, &JointColumns::torque);
   if (!j) return {};
-  const Stretch rows = torqueSlope(*j);
+  const RowRange rows = torqueSlope(*j);
   if (rows.begin == rows.end) return {};
   return {{j->name, j->name, "measured", angleOf(*j), part(rows, j->torque->values, j->position->values)}};
 }
 
-constexpr auto kPlots = std::to_array<NaturalPlot>({
+constexpr auto kPlots = std::to_array<ExperimentPlot>({
     {"speed", "time per sweep over the speed setting", "speed setting [rad/s]", speed},
     {"damping", "released arm", "time since release [s]", damping},
     {"release", "released arm", "time since release [s]", damping},
-    {"gain", "step answers", "time since the step [s]", gain},
+    {"gain", "step responses", "time since the step [s]", gain},
     {"torque-feedback", "load over angle", "angle [rad]", torqueFeedback},
     {"max-torque", "angle over torque limit", "torque limit [N m]", angleOverTorque},
     {"applied-torque", "angle over applied torque", "applied torque [N m]", angleOverTorque},
@@ -181,12 +181,12 @@ constexpr auto kPlots = std::to_array<NaturalPlot>({
 
 }  // namespace
 
-const NaturalPlot* naturalPlot(const logs::Log& log) {
+const ExperimentPlot* experimentPlot(const logs::Log& log) {
   std::string name = log.headValue("experiment").value_or("");
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '_' || c == ' '; }, '-');
-  const auto plot =
-      std::find_if(kPlots.begin(), kPlots.end(), [&](const NaturalPlot& p) { return name.find(p.word) != name.npos; });
+  const auto plot = std::find_if(kPlots.begin(), kPlots.end(),
+                                 [&](const ExperimentPlot& p) { return name.find(p.word) != name.npos; });
   return plot == kPlots.end() ? nullptr : &*plot;
 }
 

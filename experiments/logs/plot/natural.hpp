@@ -1,4 +1,4 @@
-// The plot that belongs to an experiment: what its authors drew, such as time per sweep over speed.
+// Plot specific to an experiment, as in the thesis, such as time per sweep over speed.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace darwinop::plot {
 
-struct NaturalPlot {
+struct ExperimentPlot {
   std::string_view word;  // the experiment's name contains it: "speed"
   std::string_view title, x_label;
-  /// Nothing: the log does not show what the plot needs.
-  std::vector<Piece> (*pieces)(const logs::Log& log);
+  /// Empty if the log lacks the data.
+  std::vector<LogCurve> (*curves)(const logs::Log& log);
 };
 
-/// The plot of the experiment that the head names, or null.
-[[nodiscard]] const NaturalPlot* naturalPlot(const logs::Log& log);
+/// The plot of the experiment named in the header, or null.
+[[nodiscard]] const ExperimentPlot* experimentPlot(const logs::Log& log);
 
 }  // namespace darwinop::plot

@@ -1,4 +1,4 @@
-// Puts the page together: what is written in page/, the plotting library, and the figure as JSON.
+// Assembles the HTML file from the template in page/, the plotting library, and the figure as JSON.
 #include "experiments/logs/plot/page.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace darwinop::plot {
 namespace {
 
-/// Inside <script> nothing but "<" can end the script or begin a comment.
+/// Escapes "<", the only character that can end <script> or begin a comment.
 std::string json(const std::string& raw) {
   std::string quoted = "\"";
   for (const char c : oneLine(raw)) {
@@ -50,7 +50,7 @@ std::string array(const List& list, F&& item) {
   return text + "]";
 }
 
-/// JSON has no NaN: null.
+/// NaN becomes null, because JSON has no NaN.
 std::string numbers(const std::vector<double>& values, int digits) {
   return array(values, [&](std::string& out, double value) {
     if (std::isfinite(value))
@@ -60,7 +60,7 @@ std::string numbers(const std::vector<double>& values, int digits) {
   });
 }
 
-/// Curves of one log share their times; they are written once.
+/// Deduplicates x values: curves of one log share their times.
 class Axes {
  public:
   std::size_t indexOf(const std::vector<double>& x) {
@@ -122,7 +122,7 @@ std::string htmlPage(const Figure& figure) {
   }};
   std::string page;
   std::string_view rest = page_parts::kPage;
-  for (const auto& [place, text] : parts) {  // they stand in the page in this order
+  for (const auto& [place, text] : parts) {  // in the order of the template
     const std::size_t at = rest.find(place);
     page.append(rest.substr(0, at)).append(text);
     rest.remove_prefix(at + place.size());

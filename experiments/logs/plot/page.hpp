@@ -1,4 +1,4 @@
-// The figure as one HTML page that needs nothing else: no network, no other file.
+// The figure as one self-contained HTML file.
 #pragma once
 
 #include <string>

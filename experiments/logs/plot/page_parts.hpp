@@ -1,4 +1,4 @@
-// The texts that a page is made of. embed.cmake makes page_parts.cpp from the files in page/ and from dygraphs.
+// Embedded parts of the HTML file. embed.cmake generates page_parts.cpp from the files in page/ and from dygraphs.
 #pragma once
 
 #include <string_view>

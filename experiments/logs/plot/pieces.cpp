@@ -1,4 +1,4 @@
-// How the curves of one or several logs come together in panels.
+// Groups the curves of one or several logs into panels.
 #include "experiments/logs/plot/pieces.hpp"
 
 #include <algorithm>
@@ -17,22 +17,22 @@ std::size_t indexOf(std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-std::vector<Panel> panelsOf(std::vector<std::vector<Piece>> pieces_of_logs, const std::vector<Source>& sources) {
-  const bool several = pieces_of_logs.size() > 1;
+std::vector<Panel> panelsOf(std::vector<std::vector<LogCurve>> curves_of_logs, const std::vector<Source>& sources) {
+  const bool several = curves_of_logs.size() > 1;
   std::vector<Panel> panels;
   std::vector<std::string> titles;
-  std::vector<std::vector<std::string>> quantities;  // of each panel, in the order of their colours
-  for (std::size_t log = 0; log < pieces_of_logs.size(); ++log) {
-    for (Piece& piece : pieces_of_logs[log]) {
-      const std::size_t at = indexOf(titles, several ? piece.quantity : piece.group);
+  std::vector<std::vector<std::string>> quantities;  // per panel, in the order of their colours
+  for (std::size_t log = 0; log < curves_of_logs.size(); ++log) {
+    for (LogCurve& item : curves_of_logs[log]) {
+      const std::size_t at = indexOf(titles, several ? item.quantity : item.group);
       if (at == panels.size()) {
-        panels.push_back({oneLine(titles[at]), oneLine(piece.y_label), {}});
+        panels.push_back({oneLine(titles[at]), oneLine(item.y_label), {}});
         quantities.emplace_back();
       }
-      piece.curve.log = log;
-      piece.curve.colour = several ? log : indexOf(quantities[at], piece.quantity);
-      piece.curve.label = several ? sources[log].label + (piece.curve.dashed ? ", goal" : "") : oneLine(piece.name);
-      panels[at].curves.push_back(std::move(piece.curve));
+      item.curve.log = log;
+      item.curve.colour = several ? log : indexOf(quantities[at], item.quantity);
+      item.curve.label = several ? sources[log].label + (item.curve.dashed ? ", goal" : "") : oneLine(item.name);
+      panels[at].curves.push_back(std::move(item.curve));
     }
   }
   return panels;

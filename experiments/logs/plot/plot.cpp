@@ -1,4 +1,4 @@
-// `darwinop experiment plot`: reads the logs, writes picture and page.
+// `darwinop experiment plot`: reads the logs, writes PNG and HTML.
 #include "experiments/logs/plot/plot.hpp"
 
 #include <cerrno>
@@ -18,8 +18,9 @@ namespace {
 
 std::string nameOf(const PlotOptions& options) {
   std::filesystem::path name{options.output.empty() ? options.logs.front() : options.output};
-  const std::string ending = name.extension().string();
-  if (options.output.empty() ? ending == ".csv" : ending == ".png" || ending == ".html") name.replace_extension();
+  const std::string extension = name.extension().string();
+  if (options.output.empty() ? extension == ".csv" : extension == ".png" || extension == ".html")
+    name.replace_extension();
   return name.string();
 }
 
@@ -28,13 +29,13 @@ void writeFile(const std::string& path, const std::string& text) {
   bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
   if (file != nullptr) written = std::fclose(file) == 0 && written;
   if (!written)
-    throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno) + "; name another place with -o");
+    throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno) + "; choose another path with -o");
 }
 
 }  // namespace
 
 int plotCommand(const PlotOptions& options) {
-  if (options.logs.empty()) throw std::runtime_error("which log? name one or several recordings");
+  if (options.logs.empty()) throw std::runtime_error("no log given; name one or several recordings");
   std::vector<logs::Log> all;
   for (const std::string& path : options.logs) all.push_back(logs::readLog(path));
   const Figure figure = makeFigure(all, options);

@@ -1,4 +1,4 @@
-// Text from a log on its way to a picture or page.
+// Sanitizes text from logs for pictures and HTML.
 #include "experiments/logs/plot/text.hpp"
 
 #include <charconv>
@@ -25,7 +25,7 @@ std::string oneLine(std::string_view text) {
 std::string shortened(const std::string& text, std::size_t length) {
   std::size_t characters = 0, end = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xC0) == 0x80) continue;  // the middle of a character
+    if ((static_cast<unsigned char>(text[i]) & 0xC0) == 0x80) continue;  // UTF-8 continuation byte
     if (++characters == length) end = i;
   }
   return characters <= length ? text : text.substr(0, end) + "…";

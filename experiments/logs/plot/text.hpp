@@ -1,4 +1,4 @@
-// Text from a log on its way to a picture or page: nothing in it may be taken for a command.
+// Sanitizes text from logs for pictures and HTML.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace darwinop::plot {
 
-/// One line of valid UTF-8: control characters become spaces, broken bytes question marks.
+/// One line of valid UTF-8: control characters become spaces, invalid bytes question marks.
 [[nodiscard]] std::string oneLine(std::string_view text);
 
-/// At most `length` characters; what is cut off is told by an ellipsis.
+/// At most `length` characters; truncated text ends with an ellipsis.
 [[nodiscard]] std::string shortened(const std::string& text, std::size_t length);
 
-/// A number as the outputs write it, `digits` significant ones.
+/// Appends a number with `digits` significant digits.
 void appendNumber(std::string& out, double value, int digits);
 
 }  // namespace darwinop::plot

@@ -1,4 +1,4 @@
-// What of a log can be drawn.
+// Extracts joints, start and end of a run, and curves from a log.
 #include "experiments/logs/plot/traces.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ const logs::Column* knownColumn(const logs::Log& log, const std::string& name) {
   return column != nullptr && known(*column) ? column : nullptr;
 }
 
-/// The number of the state "driven": the head of a recording names all states, "0 passive 1 start …".
+/// Number of the state "driven", from the header of a recording ("0 passive 1 start …").
 std::optional<double> drivenState(const logs::Log& log) {
   const std::string states = " " + log.headValue("safety.state").value_or("") + " ";
   const std::size_t word = states.find(" driven ");
@@ -70,10 +70,10 @@ std::size_t startRow(const logs::Log& log) {
   const std::size_t driven = firstDrivenRow(log);
   std::size_t start = log.rows();
   for (const JointColumns& joint : jointsOf(log)) {
-    if (joint.asked == nullptr) continue;
-    const std::vector<double>& asked = joint.asked->values;
+    if (joint.requested == nullptr) continue;
+    const std::vector<double>& requested = joint.requested->values;
     for (std::size_t row = driven + 1; row < start; ++row)
-      if (asked[row] != asked[row - 1] && !std::isnan(asked[row - 1])) start = row;
+      if (requested[row] != requested[row - 1] && !std::isnan(requested[row - 1])) start = row;
   }
   return start == log.rows() ? driven : start;
 }
@@ -95,15 +95,15 @@ std::vector<double> timeFrom(const logs::Log& log, std::size_t row) {
 Curve trace(std::vector<double> x, const logs::Column& y) {
   Curve curve;
   const std::size_t rows = std::min(x.size(), y.values.size());
-  std::size_t known = 0, alone = 0;
+  std::size_t known = 0, isolated = 0;
   for (std::size_t i = 0; i < rows; ++i) {
     if (!std::isfinite(y.values[i])) continue;
     ++known;
     const bool before = i > 0 && std::isfinite(y.values[i - 1]);
     const bool after = i + 1 < rows && std::isfinite(y.values[i + 1]);
-    if (!before && !after) ++alone;
+    if (!before && !after) ++isolated;
   }
-  if (2 * alone <= known) {
+  if (2 * isolated <= known) {
     curve.x = std::move(x);
     curve.y = y.values;
     return curve;

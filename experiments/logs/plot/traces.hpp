@@ -1,4 +1,4 @@
-// What of a log can be drawn: its joints, when its run begins, and one column over another.
+// Extracts joints, start and end of a run, and curves from a log.
 #pragma once
 
 #include <cstddef>
@@ -10,31 +10,30 @@
 
 namespace darwinop::plot {
 
-/// The columns of one joint; null: the log has none, or never knew a value.
+/// The columns of one joint; null if absent or without any value.
 struct JointColumns {
   std::string name;  // "Neck"; "joint" for a plain file of one joint
   const logs::Column *position = nullptr, *goal = nullptr, *load = nullptr;
-  const logs::Column *asked = nullptr, *speed = nullptr, *torque = nullptr, *p_gain = nullptr, *torque_on = nullptr;
+  const logs::Column *requested = nullptr, *speed = nullptr, *torque = nullptr, *p_gain = nullptr, *torque_on = nullptr;
 };
 
 /// Joints with a measured position, in the order of the log.
 [[nodiscard]] std::vector<JointColumns> jointsOf(const logs::Log& log);
 
-/// Greatest minus smallest known value from this row on; 0 when there is none.
+/// Maximum minus minimum from this row on, ignoring NaN; 0 without values.
 [[nodiscard]] double range(const logs::Column* column, std::size_t from_row = 0);
 
-/// The row at which the experiment's own time begins: the first new goal once the controller drives. 0 for a log that
-/// is of no experiment.
+/// First row of the experiment: the first new goal in the state "driven". 0 for other logs.
 [[nodiscard]] std::size_t startRow(const logs::Log& log);
 
-/// One past the last row in which the controller drives: then the runtime lets go, and the robot may fall. All rows for
-/// a log that is of no experiment.
+/// One past the last row in the state "driven"; afterwards torque goes off and the robot may fall. The number of rows
+/// for other logs.
 [[nodiscard]] std::size_t endRow(const logs::Log& log);
 
 /// Seconds since a row, for every row.
 [[nodiscard]] std::vector<double> timeFrom(const logs::Log& log, std::size_t row);
 
-/// A curve of y over x. Rows where a value is measured now and then only, such as a voltage once a second, are joined.
+/// A curve of y over x. Sparse values, such as a voltage once per second, are connected.
 [[nodiscard]] Curve trace(std::vector<double> x, const logs::Column& y);
 
 /// "angle [rad]"

@@ -1,4 +1,4 @@
-// Where the mix goes: a sound card through ALSA, or nowhere, in the same time.
+// Audio output: an ALSA sound card.
 #include "hal/audio/program/card.hpp"
 
 #include <alsa/asoundlib.h>
@@ -11,10 +11,10 @@ namespace darwinop::audio {
 
 namespace {
 
-constexpr unsigned kLatencyUs = 200'000;  // room in the card: what a busy Atom may be late by
+constexpr unsigned kLatencyUs = 200'000;  // ALSA buffer; tolerates this scheduling delay on the robot's Atom
 
-/// ALSA would write lines for developers to the controller's standard error.
-void saysNothing(const char*, int, const char*, int, const char*, ...) {}
+/// Without this handler, ALSA prints diagnostics to the controller's standard error.
+void discardAlsaMessage(const char*, int, const char*, int, const char*, ...) {}
 
 struct ClosePcm {
   void operator()(snd_pcm_t* pcm) const {
@@ -26,9 +26,9 @@ struct ClosePcm {
 class AlsaCard final : public Card {
  public:
   explicit AlsaCard(const std::string& name) : name_{name} {
-    snd_lib_error_set_handler(saysNothing);
+    snd_lib_error_set_handler(discardAlsaMessage);
     snd_pcm_t* pcm = nullptr;
-    // Not waiting: a card that another program has is not there.
+    // Non-blocking: if another program has the card open, fail at once.
     check(snd_pcm_open(&pcm, name.c_str(), SND_PCM_STREAM_PLAYBACK, SND_PCM_NONBLOCK));
     pcm_.reset(pcm);
     check(snd_pcm_nonblock(pcm, 0));
@@ -39,20 +39,19 @@ class AlsaCard final : public Card {
     while (!samples.empty()) {
       const snd_pcm_sframes_t count = snd_pcm_writei(pcm_.get(), samples.data(), samples.size());
       if (count < 0)
-        check(snd_pcm_recover(pcm_.get(), static_cast<int>(count), 1));  // an underrun: it goes on
+        check(snd_pcm_recover(pcm_.get(), static_cast<int>(count), 1));  // recovers from an underrun
       else
         samples = samples.subspan(static_cast<std::size_t>(count));
     }
-    // By itself it would wait until it is full.
+    // ALSA would otherwise start playback only when its buffer is full.
     if (snd_pcm_state(pcm_.get()) == SND_PCM_STATE_PREPARED) snd_pcm_start(pcm_.get());
   }
 
  private:
   void check(int result) const {
     if (result < 0)
-      throw std::runtime_error(
-          "the sound card \"" + name_ + "\" cannot be used: " + snd_strerror(result) +
-          ". Sounds last as long as they would, and are not heard; docs/sound.md tells what to try");
+      throw std::runtime_error("cannot use sound card \"" + name_ + "\": " + snd_strerror(result) +
+                               "; sounds keep their duration but are silent; see docs/sound.md");
   }
 
   std::string name_;

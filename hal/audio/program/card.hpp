@@ -1,4 +1,4 @@
-// Where the mix goes: a sound card through ALSA, or nowhere, in the same time.
+// Audio output: an ALSA sound card.
 #pragma once
 
 #include <memory>
@@ -12,14 +12,14 @@ namespace darwinop::audio {
 class Card {
  public:
   virtual ~Card() = default;
-  /// May wait until there is room. Throws std::runtime_error when the card has gone.
+  /// Blocks until the buffer has room. Throws std::runtime_error if the card was removed.
   virtual void write(std::span<const Sample> samples) = 0;
 };
 
-/// DARWINOP_SOUND_CARD, or ALSA's "default". Throws std::runtime_error that says why it cannot be had.
+/// DARWINOP_SOUND_CARD, or ALSA's "default". Throws std::runtime_error if it cannot be opened.
 std::unique_ptr<Card> openCard();
 
-/// What must be done before the process ends: ALSA keeps what it read.
+/// Frees ALSA's cached configuration before the process ends.
 void forgetCards();
 
 }  // namespace darwinop::audio

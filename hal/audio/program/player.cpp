@@ -1,4 +1,4 @@
-// The thread that mixes and feeds the card, at the pace of real time.
+// Playback thread: mixes in blocks and writes them to the card in real time.
 #include "hal/audio/program/player.hpp"
 
 #include <array>
@@ -10,16 +10,17 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t kPiece = 1024;  // frames: 23 ms
-// So far ahead of what is heard: a stop is heard that much later, and a busy computer may be late by as much.
+// Blocks are mixed this far ahead of playback: the latency of a stop, and the tolerated scheduling delay.
 constexpr auto kLead = 120ms;
-constexpr auto kRest = 300ms;  // silence after which the card is free for others
+constexpr auto kRest = 300ms;  // after this much silence the card is closed
 
 constexpr std::chrono::nanoseconds timeOf(std::uint64_t frames) {
   return std::chrono::nanoseconds{frames * 1'000'000'000 / kMixRate};
 }
 }  // namespace
 
-Player::Player(std::function<void(const SoundNews&)> tell) : tell_{std::move(tell)}, thread_{[this] { run(); }} {}
+Player::Player(std::function<void(const SoundEvent&)> report)
+    : report_{std::move(report)}, thread_{[this] { run(); }} {}
 
 Player::~Player() {
   {
@@ -41,47 +42,48 @@ void Player::run() {
   }
 }
 
-/// From the first sound to silence.
+/// Plays from the first sound until silence.
 void Player::sound() {
   std::unique_ptr<Card> card;
   try {
     card = openCard();
   } catch (const std::exception& error) {
-    tell_(SoundTrouble{error.what()});
+    report_(SoundError{error.what()});
   }
   const Clock::time_point began = Clock::now();
   std::array<Sample, kPiece> piece;
-  std::uint64_t written = 0, last_heard = 0;
+  std::uint64_t written = 0, last_audible = 0;
   for (;;) {
     {
       const std::lock_guard lock{mutex_};
       if (ending_) return;
       mixer_.mix(piece);
       written += kPiece;
-      if (!mixer_.silent()) last_heard = written;
+      if (!mixer_.silent()) last_audible = written;
       for (const SoundId id : mixer_.takeEnded()) ended_.push_back({began + timeOf(written), id});
     }
     write(card, piece);
     std::this_thread::sleep_until(began + timeOf(written) - kLead);
-    tellEnded(Clock::now());
-    // What ended without a sound, an empty text, is not told later than the rest.
-    if (timeOf(written - last_heard) > kRest && ended_.empty()) break;
+    reportEnded(Clock::now());
+    // An empty text ends without a sound; its end must be reported as well.
+    if (timeOf(written - last_audible) > kRest && ended_.empty()) break;
   }
 }
 
-/// A card that is pulled out leaves the rest of the sounds unheard, not unfinished.
+/// If the card is removed, the remaining sounds end at their usual time, without output.
 void Player::write(std::unique_ptr<Card>& card, std::span<const Sample> piece) {
   if (!card) return;
   try {
     card->write(piece);
   } catch (const std::exception& error) {
     card.reset();
-    tell_(SoundTrouble{error.what()});
+    report_(SoundError{error.what()});
   }
 }
 
-void Player::tellEnded(Clock::time_point heard) {
-  for (; !ended_.empty() && ended_.front().heard <= heard; ended_.pop_front()) tell_(SoundEnded{ended_.front().id});
+void Player::reportEnded(Clock::time_point played_at) {
+  for (; !ended_.empty() && ended_.front().played_at <= played_at; ended_.pop_front())
+    report_(SoundEnded{ended_.front().id});
 }
 
 }  // namespace darwinop::audio

@@ -1,4 +1,4 @@
-// The thread that mixes and feeds the card, at the pace of real time.
+// Playback thread: mixes in blocks and writes them to the card in real time.
 #pragma once
 
 #include <chrono>
@@ -15,13 +15,13 @@ namespace darwinop::audio {
 
 class Player {
  public:
-  /// `tell` is called from its thread.
-  explicit Player(std::function<void(const SoundNews&)> tell);
+  /// `report` is called from the playback thread.
+  explicit Player(std::function<void(const SoundEvent&)> report);
   ~Player();
   Player(const Player&) = delete;
   Player& operator=(const Player&) = delete;
 
-  /// What `change` does to the mixer happens between two pieces.
+  /// Runs `change` on the mixer between two blocks.
   template <class Change>
   auto with(Change change) {
     const std::lock_guard lock{mutex_};
@@ -35,18 +35,18 @@ class Player {
   void run();
   void sound();
   void write(std::unique_ptr<Card>& card, std::span<const Sample> piece);
-  void tellEnded(Clock::time_point heard);
+  void reportEnded(Clock::time_point played_at);
 
-  std::function<void(const SoundNews&)> tell_;
+  std::function<void(const SoundEvent&)> report_;
   std::mutex mutex_;
   std::condition_variable changed_;
   Mixer mixer_;
   bool ending_ = false;
   struct Ended {
-    Clock::time_point heard;
+    Clock::time_point played_at;
     SoundId id;
   };
-  std::deque<Ended> ended_;  // in the card, not heard yet
+  std::deque<Ended> ended_;  // in the card's buffer, not played yet
   std::thread thread_;
 };
 

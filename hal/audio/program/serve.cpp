@@ -1,4 +1,4 @@
-// The sound program: takes orders from a controller's socket until that closes.
+// Sound process: receives commands from a controller's socket until the socket closes.
 #include "hal/audio/program/serve.hpp"
 
 #include <sys/socket.h>
@@ -32,26 +32,26 @@ class Service {
         SoundFile file = openSoundFile(play.file);
         seconds = file.seconds / play.pitch;
         if (!player_.with([&](Mixer& mixer) { return mixer.play(play, std::move(file.source)); }))
-          throw std::runtime_error("more than " + std::to_string(kMostSounds) + " sounds at once: " + play.file +
-                                   " is left out");
+          throw std::runtime_error("cannot play " + play.file + ": " + std::to_string(kMostSounds) +
+                                   " sounds are already playing");
       }
-      tell(SoundStarted{play.id, seconds});
+      report(SoundStarted{play.id, seconds});
     } catch (const std::exception& error) {
       refuse(play.id, error.what());
     }
   }
 
   void operator()(const Speak& speak) {
-    // At the first word: the data of the voices take a moment, and some megabytes.
+    // Loaded on first use: takes time and several megabytes.
     if (!speech_)
-      speech_ = std::make_unique<Speech>(voicesFolder(), [this](const std::string& what) { tell(SoundTrouble{what}); });
+      speech_ = std::make_unique<Speech>(voicesFolder(), [this](const std::string& what) { report(SoundError{what}); });
     auto voice = speech_->speak(speak);
-    if (!voice) return tell(SoundEnded{speak.id});
+    if (!voice) return report(SoundEnded{speak.id});
     player_.with([&](Mixer& mixer) {
       mixer.speak(speak, std::move(voice));
       return true;
     });
-    tell(SoundStarted{speak.id, std::numeric_limits<double>::quiet_NaN()});
+    report(SoundStarted{speak.id, std::numeric_limits<double>::quiet_NaN()});
   }
 
   void operator()(const StopSound& stop) {
@@ -63,12 +63,12 @@ class Service {
 
  private:
   void refuse(SoundId id, const std::string& why) {
-    tell(SoundTrouble{why});
-    tell(SoundEnded{id});
+    report(SoundError{why});
+    report(SoundEnded{id});
   }
-  /// Waits when the controller reads nothing, as in a debugger; whoever has gone is noticed where orders are read.
-  void tell(const SoundNews& news) {
-    const Message message = encode(news);
+  /// Blocks while the controller does not read (a debugger). A closed peer is detected by recv() in serve().
+  void report(const SoundEvent& event) {
+    const Message message = encode(event);
     while (send(socket_, message.data(), message.size(), MSG_NOSIGNAL) < 0 && errno == EINTR) continue;
   }
   [[nodiscard]] std::string voicesFolder() const {
@@ -78,7 +78,7 @@ class Service {
 
   int socket_;
   std::string home_;
-  Player player_{[this](const SoundNews& news) { tell(news); }};
+  Player player_{[this](const SoundEvent& event) { report(event); }};
   std::unique_ptr<Speech> speech_;
 };
 
@@ -95,7 +95,7 @@ void serve(int socket, const std::string& home) {
       const auto order = decodeOrder({message.data(), static_cast<std::size_t>(size)});
       if (order) std::visit(service, *order);
     }
-    // A card that hangs must not keep this process: the default action of the signal ends it.
+    // If the card's driver hangs, the default action of SIGALRM ends this process.
     shutdown(socket, SHUT_RDWR);
     alarm(2);
   }

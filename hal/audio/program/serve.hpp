@@ -1,11 +1,11 @@
-// The sound program: takes orders from a controller's socket until that closes.
+// Sound process: receives commands from a controller's socket until the socket closes.
 #pragma once
 
 #include <string>
 
 namespace darwinop::audio {
 
-/// `home` is the program's folder: on a robot the data of the voices lie in it. Returns when the controller has gone.
+/// `home`: the program's folder; on a robot it contains the voice data. Returns when the controller closes the socket.
 void serve(int socket, const std::string& home);
 
 }  // namespace darwinop::audio

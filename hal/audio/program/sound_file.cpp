@@ -1,4 +1,4 @@
-// A sound file as a source: WAV, MP3, FLAC, Ogg, whatever libsndfile reads.
+// Sound files through libsndfile: WAV, MP3, FLAC, Ogg and others.
 #include "hal/audio/program/sound_file.hpp"
 
 #include <sndfile.h>
@@ -37,7 +37,7 @@ class OpenSoundFile final : public SoundSource {
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
       const float* const frame = samples_.data() + i * channels;
-      frames[i] = {frame[0], frame[channels > 1 ? 1 : 0]};  // of more than two, the first two
+      frames[i] = {frame[0], frame[channels > 1 ? 1 : 0]};  // more than two channels: the first two
     }
     return static_cast<std::size_t>(count);
   }
@@ -56,22 +56,22 @@ class OpenSoundFile final : public SoundSource {
 SoundFile openSoundFile(const std::string& file) {
   struct stat about {};
   if (stat(file.c_str(), &about) != 0)
-    throw std::runtime_error("the sound file " + file + " cannot be read: " + std::strerror(errno));
-  // A pipe would be waited for.
-  if (!S_ISREG(about.st_mode)) throw std::runtime_error(file + " is no file, so it is no sound file");
+    throw std::runtime_error("cannot read sound file " + file + ": " + std::strerror(errno));
+  // Opening a FIFO would block.
+  if (!S_ISREG(about.st_mode)) throw std::runtime_error("cannot read sound file " + file + ": not a regular file");
   SF_INFO info{};
   SNDFILE* const open = sf_open(file.c_str(), SFM_READ, &info);
   if (open == nullptr)
-    throw std::runtime_error("the sound file " + file +
-                             " cannot be played: it is no WAV, MP3, FLAC or Ogg file, or a damaged one");
+    throw std::runtime_error("cannot play sound file " + file +
+                             ": not a WAV, MP3, FLAC or Ogg file, or the file is damaged");
   auto source = std::make_unique<OpenSoundFile>(open, info);
   if (info.channels < 1 || info.channels > kMostChannels || info.samplerate < kLowestRate ||
       info.samplerate > kHighestRate)
-    throw std::runtime_error("the sound file " + file + " cannot be played: it has " + std::to_string(info.channels) +
-                             " channels at " + std::to_string(info.samplerate) + " Hz");
-  const bool tells = info.frames > 0 && info.frames < std::numeric_limits<sf_count_t>::max();
+    throw std::runtime_error("cannot play sound file " + file + ": unsupported format, " +
+                             std::to_string(info.channels) + " channels at " + std::to_string(info.samplerate) + " Hz");
+  const bool is_known = info.frames > 0 && info.frames < std::numeric_limits<sf_count_t>::max();
   return {std::move(source),
-          tells ? static_cast<double>(info.frames) / info.samplerate : std::numeric_limits<double>::quiet_NaN()};
+          is_known ? static_cast<double>(info.frames) / info.samplerate : std::numeric_limits<double>::quiet_NaN()};
 }
 
 }  // namespace darwinop::audio

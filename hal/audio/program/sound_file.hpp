@@ -1,4 +1,4 @@
-// A sound file as a source: WAV, MP3, FLAC, Ogg, whatever libsndfile reads.
+// Sound files through libsndfile: WAV, MP3, FLAC, Ogg and others.
 #pragma once
 
 #include <memory>
@@ -10,10 +10,10 @@ namespace darwinop::audio {
 
 struct SoundFile {
   std::unique_ptr<SoundSource> source;
-  double seconds;  // NaN: the file does not tell
+  double seconds;  // NaN: unknown
 };
 
-/// Reads as it plays, not before. Throws std::runtime_error that says what is wrong with which file.
+/// Opens for streaming. Throws std::runtime_error that names the file and the error.
 SoundFile openSoundFile(const std::string& file);
 
 }  // namespace darwinop::audio

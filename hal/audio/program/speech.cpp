@@ -1,4 +1,4 @@
-// Text becomes speech, in a thread of its own: libespeak-ng has one voice at a time and takes its time.
+// Speech synthesis with libespeak-ng in a thread of its own: the library is not reentrant and blocks.
 #include "hal/audio/program/speech.hpp"
 
 #include <espeak-ng/speak_lib.h>
@@ -14,9 +14,9 @@ namespace darwinop::audio {
 
 namespace {
 
-constexpr std::size_t kLongestTextFile = 1'000'000;  // bytes: a day of speech
+constexpr std::size_t kLongestTextFile = 1'000'000;  // bytes, about a day of speech
 
-/// What the library calls with every piece; the number tells it to go on (0) or to stop (1).
+/// Synthesis callback; returns 0 to continue, 1 to abort.
 int onSamples(short* samples, int count, espeak_EVENT* events) {
   auto* const spoken = static_cast<Spoken*>(events->user_data);
   if (spoken == nullptr) return 0;
@@ -24,16 +24,16 @@ int onSamples(short* samples, int count, espeak_EVENT* events) {
   return spoken->put({samples, static_cast<std::size_t>(count)}) ? 0 : 1;
 }
 
-/// Throws std::runtime_error when it cannot be read, or is too long.
+/// Throws std::runtime_error if the file cannot be read or is too long.
 std::string textOf(const std::string& file) {
   struct stat about {};
   if (stat(file.c_str(), &about) != 0 || !S_ISREG(about.st_mode))
-    throw std::runtime_error("speakFile(): " + file + " is no file");
+    throw std::runtime_error("speakFile(): cannot read " + file + ": not a regular file");
   if (static_cast<std::size_t>(about.st_size) > kLongestTextFile)
     throw std::runtime_error("speakFile(): " + file + " is longer than 1 MB");
   std::ifstream in{file, std::ios::binary};
   std::string text{std::istreambuf_iterator<char>{in}, {}};
-  if (!in) throw std::runtime_error("speakFile(): " + file + " cannot be read");
+  if (!in) throw std::runtime_error("speakFile(): cannot read " + file);
   return text;
 }
 
@@ -46,7 +46,7 @@ class Voice final : public SoundSource {
 
   [[nodiscard]] int rate() const override { return spoken_->rate(); }
   std::size_t read(std::span<Frame> frames) override { return spoken_->take(frames); }
-  [[nodiscard]] bool ended() const override { return spoken_->heard(); }
+  [[nodiscard]] bool ended() const override { return spoken_->drained(); }
   bool rewind() override { return false; }
 
  private:
@@ -55,13 +55,13 @@ class Voice final : public SoundSource {
 
 }  // namespace
 
-Speech::Speech(const std::string& data, std::function<void(const std::string&)> trouble)
-    : trouble_{std::move(trouble)},
+Speech::Speech(const std::string& data, std::function<void(const std::string&)> report)
+    : report_{std::move(report)},
       rate_{espeak_Initialize(AUDIO_OUTPUT_SYNCHRONOUS, 0, data.empty() ? nullptr : data.c_str(),
                               espeakINITIALIZE_DONT_EXIT)} {
   if (rate_ <= 0) {
-    trouble_("nothing can be spoken: the data of the voices (espeak-ng-data) are not there" +
-             (data.empty() ? std::string{} : " in " + data));
+    report_("speech is not available: voice data (espeak-ng-data) not found" +
+            (data.empty() ? std::string{} : " in " + data));
     return;
   }
   espeak_SetSynthCallback(onSamples);
@@ -84,7 +84,7 @@ std::unique_ptr<SoundSource> Speech::speak(const Speak& speak) {
   const std::lock_guard lock{mutex_};
   if (spoken_) spoken_->giveUp();
   spoken_ = std::make_shared<Spoken>(rate_);
-  if (next_) next_->to->complete();  // it is never begun
+  if (next_) next_->to->complete();  // was never started
   next_ = Job{speak, spoken_};
   asked_.notify_one();
   return std::make_unique<Voice>(spoken_);
@@ -98,31 +98,30 @@ void Speech::run() {
     const Job job = *std::exchange(next_, std::nullopt);
     lock.unlock();
     try {
-      say(job);
+      synthesize(job);
     } catch (const std::exception& error) {
-      trouble_(error.what());
+      report_(error.what());
     }
     job.to->complete();
   }
 }
 
 void Speech::choose(const std::string& voice) {
-  // The library takes names of files, too.
+  // espeak also accepts file names as voices.
   const bool is_name = voice.find('/') == std::string::npos && voice.find("..") == std::string::npos;
   if (is_name && espeak_SetVoiceByName(voiceOfToday(voice).c_str()) == EE_OK) return;
-  if (espeak_SetVoiceByName("en") != EE_OK) throw std::runtime_error("nothing can be spoken: there is no voice \"en\"");
-  trouble_("there is no voice \"" + voice + "\" here, \"en\" speaks instead; docs/sound.md lists the voices");
+  if (espeak_SetVoiceByName("en") != EE_OK) throw std::runtime_error("speech is not available: voice \"en\" not found");
+  report_("voice \"" + voice + "\" not found, using \"en\"; see the voices in docs/sound.md");
 }
 
-void Speech::say(const Job& job) {
+void Speech::synthesize(const Job& job) {
   const std::string text = job.speak.text_is_file ? textOf(job.speak.text) : job.speak.text;
   choose(job.speak.voice);
   espeak_SetParameter(espeakRATE, job.speak.words_per_minute, 0);
-  // Neither marks of SSML nor phonemes in brackets mean anything: a text is what is read out. Auto: UTF-8, or Latin-1
-  // where it is none.
+  // SSML and phoneme markup are off: the text is read literally. AUTO: UTF-8, or Latin-1 if it is not valid UTF-8.
   if (espeak_Synth(text.c_str(), text.size() + 1, 0, POS_CHARACTER, 0, espeakCHARS_AUTO, nullptr, job.to.get()) !=
       EE_OK)
-    throw std::runtime_error("a text could not be spoken");
+    throw std::runtime_error("cannot synthesize speech");
 }
 
 }  // namespace darwinop::audio

@@ -1,4 +1,4 @@
-// Text becomes speech, in a thread of its own: libespeak-ng has one voice at a time and takes its time.
+// Speech synthesis with libespeak-ng in a thread of its own: the library is not reentrant and blocks.
 #pragma once
 
 #include <condition_variable>
@@ -16,14 +16,14 @@ namespace darwinop::audio {
 
 class Speech {
  public:
-  /// `data` is the folder that holds espeak-ng-data, empty: where the library looks by itself. `trouble` is told, from
-  /// another thread, what could not be said as asked for.
-  Speech(const std::string& data, std::function<void(const std::string&)> trouble);
+  /// `data`: the folder that contains espeak-ng-data; empty: the library's default. `report` receives errors, from the
+  /// synthesis thread.
+  Speech(const std::string& data, std::function<void(const std::string&)> report);
   ~Speech();
   Speech(const Speech&) = delete;
   Speech& operator=(const Speech&) = delete;
 
-  /// What it will give; ends what was spoken before. Empty when there is no speech here, which was told.
+  /// The samples of this text; aborts the previous speech. Null if speech is not available (already reported).
   [[nodiscard]] std::unique_ptr<SoundSource> speak(const Speak& speak);
 
  private:
@@ -32,11 +32,11 @@ class Speech {
     std::shared_ptr<Spoken> to;
   };
   void run();
-  void say(const Job& job);
+  void synthesize(const Job& job);
   void choose(const std::string& voice);
 
-  std::function<void(const std::string&)> trouble_;
-  int rate_;  // Hz; 0: no speech
+  std::function<void(const std::string&)> report_;
+  int rate_;  // Hz; 0: speech is not available
   std::shared_ptr<Spoken> spoken_;
   std::mutex mutex_;
   std::condition_variable asked_;

@@ -1,4 +1,4 @@
-// Samples on their way from the speech library to the mix: a queue that one thread fills and another one empties.
+// Bounded sample queue from the speech thread to the mixer.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ class Spoken {
 
   [[nodiscard]] int rate() const { return rate_; }
 
-  /// Waits while two seconds are waiting to be heard. False: nobody listens any more.
+  /// Blocks while two seconds are buffered. Returns false if the consumer has cancelled.
   [[nodiscard]] bool put(std::span<const std::int16_t> samples) {
     std::unique_lock lock{mutex_};
     const auto most = 2 * static_cast<std::size_t>(rate_);
@@ -42,7 +42,7 @@ class Spoken {
     room_.notify_one();
     return count;
   }
-  [[nodiscard]] bool heard() {
+  [[nodiscard]] bool drained() {
     const std::lock_guard lock{mutex_};
     return complete_ && samples_.empty();
   }

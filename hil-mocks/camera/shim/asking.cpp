@@ -1,4 +1,4 @@
-// What the camera answers to V4L2's questions.
+// V4L2 query ioctls.
 #include <errno.h>
 #include <linux/videodev2.h>
 
@@ -141,7 +141,7 @@ int Device::answerAboutControls(std::uint32_t request, void* argument) {
     case VIDIOC_TRY_EXT_CTRLS:
       return controls_.set(as<v4l2_ext_controls>(argument), true);
     default:
-      return ENOTTY;  // no such question; cropping among them
+      return ENOTTY;  // unsupported, such as cropping
   }
 }
 

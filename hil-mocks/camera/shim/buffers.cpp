@@ -1,4 +1,4 @@
-// The buffers that a program maps: one anonymous file for all of them.
+// Buffers mapped by a program; one anonymous file for all.
 #include "hil-mocks/camera/shim/buffers.hpp"
 
 #include <sys/mman.h>

@@ -1,4 +1,4 @@
-// The buffers that a program maps, and in which order they are filled and taken.
+// Buffers mapped by a program, and their queues.
 #pragma once
 
 #include <sys/time.h>
@@ -31,17 +31,17 @@ class Line {
   std::uint32_t count_ = 0;
 };
 
-/// What a program mapped stays readable after release(), as long as the program keeps it mapped.
+/// Mapped memory stays readable after release() until the program unmaps it.
 class Buffers {
  public:
-  int allocate(std::uint32_t count, std::uint32_t bytes_each);  // 0 or an errno; releases those there were
+  int allocate(std::uint32_t count, std::uint32_t bytes_each);  // 0 or an errno; releases previous buffers
   void release();
-  void takeBack();  // all belong to the program again: nothing queued, nothing filled
+  void takeBack();  // returns all buffers to the program
   [[nodiscard]] std::uint32_t count() const { return count_; }
   [[nodiscard]] std::uint32_t bytes() const { return bytes_; }
   Buffer& operator[](std::uint32_t index) { return buffer_[index]; }
   [[nodiscard]] std::uint8_t* data(std::uint32_t index) const { return memory_ + offset(index); }
-  /// Where mmap() finds it.
+  /// Offset for mmap().
   [[nodiscard]] std::uint32_t offset(std::uint32_t index) const { return index * stride_; }
   [[nodiscard]] int descriptor() const { return fd_; }
 

@@ -1,4 +1,4 @@
-// The controls of the camera, with the manners of the UVC driver.
+// Camera controls, with the behaviour of the UVC driver.
 #include "hil-mocks/camera/shim/controls.hpp"
 
 #include <cerrno>
@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint32_t kNext = V4L2_CTRL_FLAG_NEXT_CTRL | V4L2_CTRL_FLAG_NEXT_COMPOUND;
 constexpr const char* kFrequencies[] = {"Disabled", "50 Hz", "60 Hz"};
 
-/// Row of the control, or of the first one behind it when the flag asks for that; kControlCount: there is none.
+/// Row of the control, or of the next one if the flag requests that; kControlCount: none.
 std::uint32_t rowOf(std::uint32_t id) {
   const bool next = (id & V4L2_CTRL_FLAG_NEXT_CTRL) != 0;
   if ((id & kNext) == V4L2_CTRL_FLAG_NEXT_COMPOUND) return kControlCount;
@@ -20,7 +20,7 @@ std::uint32_t rowOf(std::uint32_t id) {
   return kControlCount;
 }
 
-/// Not a control, but the name of the group that follows.
+/// A control class, not a control.
 bool isHeading(std::uint32_t row) {
   return kControls[row].type == V4L2_CTRL_TYPE_CTRL_CLASS;
 }
@@ -74,7 +74,7 @@ int Controls::describe(v4l2_query_ext_ctrl& query) const {
 int Controls::describe(v4l2_querymenu& query) {
   const char* name = nullptr;
   if (query.id == V4L2_CID_POWER_LINE_FREQUENCY && query.index < 3) name = kFrequencies[query.index];
-  // What the camera cannot do has no entry: automatic (0) and shutter priority (2).
+  // The camera lacks automatic (0) and shutter priority (2).
   if (query.id == V4L2_CID_EXPOSURE_AUTO && query.index == V4L2_EXPOSURE_MANUAL) name = "Manual Mode";
   if (query.id == V4L2_CID_EXPOSURE_AUTO && query.index == V4L2_EXPOSURE_APERTURE_PRIORITY)
     name = "Aperture Priority Mode";
@@ -96,7 +96,7 @@ int Controls::check(std::uint32_t id, std::int32_t& value, std::uint32_t& row) c
   row = rowOf(id & ~kNext);
   if (row == kControlCount || (id & kNext) != 0) return EINVAL;
   if (isHeading(row)) return EACCES;
-  if ((flags(row) & V4L2_CTRL_FLAG_INACTIVE) != 0) return EACCES;  // exposure is automatic
+  if ((flags(row) & V4L2_CTRL_FLAG_INACTIVE) != 0) return EACCES;  // automatic exposure
   if (kControls[row].type != V4L2_CTRL_TYPE_MENU) {
     value = clamped(kControls[row], value);
     return 0;

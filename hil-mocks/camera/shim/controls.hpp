@@ -1,4 +1,4 @@
-// The controls of the camera: what there are, within which limits, and what is set.
+// Camera controls: ranges and present values.
 #pragma once
 
 #include <linux/videodev2.h>
@@ -13,9 +13,9 @@ struct ControlRow {
   std::int32_t least, most, usual;
 };
 
-// The robot's Logitech C905 through the UVC driver; gain and hue as upstream's controller expects them.
+// Logitech C905 of the robot, as reported by the UVC driver; gain and hue as upstream's controller expects.
 inline constexpr ControlRow kControls[] = {
-    // Ordered by id, as V4L2_CTRL_FLAG_NEXT_CTRL demands.
+    // Sorted by id, as V4L2_CTRL_FLAG_NEXT_CTRL requires.
     {V4L2_CID_USER_CLASS, V4L2_CTRL_TYPE_CTRL_CLASS, "User Controls", 0, 0, 0},
     {V4L2_CID_BRIGHTNESS, V4L2_CTRL_TYPE_INTEGER, "Brightness", 0, 255, 128},
     {V4L2_CID_CONTRAST, V4L2_CTRL_TYPE_INTEGER, "Contrast", 0, 255, 32},
@@ -31,7 +31,7 @@ inline constexpr ControlRow kControls[] = {
 };
 inline constexpr std::uint32_t kControlCount = sizeof kControls / sizeof kControls[0];
 
-/// Every call answers 0 or an errno.
+/// Every call returns 0 or an errno.
 class Controls {
  public:
   constexpr Controls() {
@@ -41,7 +41,7 @@ class Controls {
   int describe(v4l2_query_ext_ctrl& query) const;
   static int describe(v4l2_querymenu& query);
   int get(std::uint32_t id, std::int32_t& value) const;
-  int set(std::uint32_t id, std::int32_t& value);  // `value` becomes what was set
+  int set(std::uint32_t id, std::int32_t& value);  // `value` returns what was set
   int get(v4l2_ext_controls& list) const;
   int set(v4l2_ext_controls& list, bool only_try);
 

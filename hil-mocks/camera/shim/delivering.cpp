@@ -1,4 +1,4 @@
-// The camera's frames: the thread that delivers one per interval.
+// Thread that delivers one picture per interval.
 #include <pthread.h>
 #include <signal.h>
 #include <time.h>
@@ -9,10 +9,10 @@
 namespace darwinop::hil::shim {
 namespace {
 
-constexpr std::size_t kStack = std::size_t{256} * 1024;  // a process that locks its memory locks this, too
+constexpr std::size_t kStack = std::size_t{256} * 1024;  // small, since mlockall() of the program also locks it
 constexpr long kSecondNs = 1'000'000'000;
 constexpr double kSlowS = 0.2;                   // CameraFault::kSlow
-constexpr std::uint32_t kFramesPerRefresh = 30;  // then it looks for another painter
+constexpr std::uint32_t kFramesPerRefresh = 30;  // interval of checking for a new painter
 
 timespec later(timespec time, double seconds) {
   const auto nanoseconds = time.tv_nsec + static_cast<long>(seconds * static_cast<double>(kSecondNs));
@@ -34,16 +34,17 @@ timespec now() {
 int Device::startThread() {
   sigset_t all, mine;
   sigfillset(&all);
-  for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigdelset(&all, own);  // its own faults stay fatal
+  for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    sigdelset(&all, own);  // synchronous faults stay fatal
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
   pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
   pthread_attr_setstacksize(&attributes, kStack);
-  pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);  // SCHED_OTHER, whoever switches it on
+  pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);  // SCHED_OTHER even if the caller is real-time
   ++generation_;
-  pthread_sigmask(SIG_BLOCK, &all, &mine);  // no signal of the program's is for this thread
+  pthread_sigmask(SIG_BLOCK, &all, &mine);  // the program's signals must not be delivered to this thread
   pthread_t thread = {};
-  // NOLINTNEXTLINE(performance-no-int-to-ptr)  a number is all that it is told, and pthread wants a pointer
+  // the argument is a number, passed as a pointer
   auto* const number = reinterpret_cast<void*>(std::uintptr_t{generation_});
   const int error = pthread_create(&thread, &attributes, runThread, number);
   pthread_sigmask(SIG_SETMASK, &mine, nullptr);
@@ -68,7 +69,7 @@ void Device::deliver(std::uint32_t generation) {
     const double slow = reader_.fault() == CameraFault::kSlow ? kSlowS : 0;
     const double period = seconds(interval_);
     next = later(next, period > slow ? period : slow);
-    if (before(next, now())) next = now();  // stopped for a while
+    if (before(next, now())) next = now();  // the process was stopped
     while (generation == generation_ && before(now(), next))
       pthread_cond_clockwait(&changed_, &mutex_, CLOCK_MONOTONIC, &next);
     if (generation != generation_ || !frame()) return;
@@ -83,7 +84,7 @@ bool Device::frame() {
   if (fault == CameraFault::kSilent) return true;
   const std::uint32_t sequence = sequence_++;
   if (fault == CameraFault::kDrops && sequence % 3 == 2) return true;
-  if (buffers_.queued.empty()) return true;  // lost: the program was too slow
+  if (buffers_.queued.empty()) return true;  // lost: the program is too slow
   const std::uint32_t index = buffers_.queued.pop();
   const Size& size = kSizes[size_];
   const timespec time = now();

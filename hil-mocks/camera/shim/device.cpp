@@ -1,4 +1,4 @@
-// The camera itself: opening, closing, mapping, and what being unplugged does.
+// Virtual device: open, close, mmap, unplug.
 #include "hil-mocks/camera/shim/device.hpp"
 
 #include <fcntl.h>
@@ -17,12 +17,12 @@ std::uint32_t Device::handleOf(int fd) const {
   return kNobody;
 }
 
-/// Without a lock: it is asked for every file of the process.
+/// Lock-free: called for every file of the process.
 bool Device::owns(int fd) const {
   return handleOf(fd) != kNobody && process_.load() == getpid();
 }
 
-/// No thread is amid its work while the process is copied.
+/// Holds the lock during fork(), so that no thread is inside.
 void Device::beforeFork() {
   pthread_mutex_lock(&the_camera.mutex_);
 }
@@ -31,9 +31,9 @@ void Device::afterForkInParent() {
   pthread_mutex_unlock(&the_camera.mutex_);
 }
 
-/// The thread that delivers and all that is open are the parent's.
+/// After fork() in the child: the thread and all descriptors belong to the parent.
 void Device::afterForkInChild() {
-  the_camera.changed_ = PTHREAD_COND_INITIALIZER;  // or it would wait for those who waited there
+  the_camera.changed_ = PTHREAD_COND_INITIALIZER;  // otherwise it would wait for the parent's waiters
   for (std::uint32_t i = 0; i < kMostHandles; ++i) the_camera.fds_[i].store(0);
   the_camera.owner_ = kNobody;
   the_camera.streaming_ = false;
@@ -65,7 +65,7 @@ int Device::open(int flags) {
 void Device::closing(int fd) {
   const Lock lock{mutex_};
   const std::uint32_t handle = handleOf(fd);
-  if (handle == kNobody) return;  // another thread was faster
+  if (handle == kNobody) return;  // closed by another thread
   if (handle == owner_) {
     stop();
     buffers_.release();
@@ -102,9 +102,9 @@ CameraFault Device::fault() {
   return reader_.fault();
 }
 
-/// Whoever has it open learns of it: by a descriptor that is readable, and ENODEV.
+/// Notifies programs with the device open: readable descriptor, then ENODEV.
 void Device::unplug() {
-  if (streaming_) stop();  // once: it takes back the signals that follow
+  if (streaming_) stop();  // before the signals: it consumes pending ones
   for (std::uint32_t i = 0; i < kMostHandles; ++i) {
     const std::uint64_t one = 1;
     const int fd = fds_[i].load() - 1;

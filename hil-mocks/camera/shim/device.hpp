@@ -1,4 +1,4 @@
-// The camera itself: who has it open, what it was told, and the thread that delivers a frame per interval.
+// Virtual device: owners, settings, and the delivery thread.
 #pragma once
 
 #include <linux/videodev2.h>
@@ -15,11 +15,11 @@
 
 namespace darwinop::hil::shim {
 
-/// A descriptor of ours is an eventfd that is readable while a filled buffer waits, so poll(), select() and epoll
-/// need no help. A timer would wake a program although the camera is silent.
+/// Each descriptor is an eventfd that is readable while a filled buffer waits, so that poll(), select() and epoll work
+/// unchanged. A timerfd would also wake a program when the camera is silent.
 ///
-/// Any thread may call anything. A child after fork() has no camera until it opens one. Never destroyed: other threads
-/// may still use it while the process ends.
+/// Thread-safe. A child after fork() has no camera until it opens one. Never destroyed: other threads may still use it
+/// at process exit.
 class Device {
  public:
   constexpr Device() = default;
@@ -28,7 +28,7 @@ class Device {
   [[nodiscard]] bool owns(int fd) const;
   void closing(int fd);
   int control(int fd, std::uint32_t request, void* argument);  // 0 or an errno
-  /// What mmap() of this offset maps instead: a descriptor for the caller to close, or -1 and errno.
+  /// Substitute for mmap() at this offset: a descriptor for the caller to close, or -1 and errno.
   int memoryAt(std::size_t length, std::uint32_t offset);
   [[nodiscard]] CameraFault fault();
 
@@ -39,7 +39,7 @@ class Device {
   [[nodiscard]] std::uint32_t handleOf(int fd) const;
   [[nodiscard]] int ownerDescriptor() const { return fds_[owner_].load() - 1; }
 
-  // asking.cpp: one of V4L2's questions each
+  // asking.cpp: one query ioctl each
   int answer(std::uint32_t handle, std::uint32_t request, void* argument);
   int answerAboutControls(std::uint32_t request, void* argument);
   int capability(v4l2_capability& answer);
@@ -74,15 +74,15 @@ class Device {
   static void afterForkInParent();
   static void afterForkInChild();
 
-  pthread_mutex_t mutex_ = PTHREAD_MUTEX_INITIALIZER;  // over all but fds_ and process_
+  pthread_mutex_t mutex_ = PTHREAD_MUTEX_INITIALIZER;  // protects all but fds_ and process_
   pthread_cond_t changed_ = PTHREAD_COND_INITIALIZER;  // generation_
   std::atomic<int> fds_[kMostHandles + 1] = {};        // descriptor + 1; 0: free
   std::atomic<pid_t> process_{0};
   bool dead_[kMostHandles + 1] = {};  // unplugged while open: ENODEV until closed
-  std::uint32_t owner_ = kNobody;     // whose buffers they are
+  std::uint32_t owner_ = kNobody;     // owner of the buffers
   bool streaming_ = false;
   bool minds_forks_ = false;
-  std::uint32_t generation_ = 0;  // of the thread; another one ends it
+  std::uint32_t generation_ = 0;  // thread generation; a new one ends the old thread
   std::uint32_t sequence_ = 0;
   std::uint32_t size_ = 0, priority_ = V4L2_PRIORITY_DEFAULT;
   v4l2_fract interval_ = kSizes[0].fastest;

@@ -1,4 +1,4 @@
-// The reading end of the frame file: mapping, and pictures that are whole.
+// Reader of the frame file.
 #include "hil-mocks/camera/shim/frame_reader.hpp"
 
 #include <fcntl.h>
@@ -13,10 +13,10 @@
 namespace darwinop::hil::shim {
 namespace {
 
-constexpr int kTries = 10;  // each fails only when a picture is completed while we copy, which takes 0.1 ms
+constexpr int kTries = 10;  // each fails only if a picture is completed during the copy of 0.1 ms
 constexpr std::uint8_t kGrey = 128;
 
-/// nullptr: not a frame file of our version, or not ours to write.
+/// nullptr: not a frame file of this version, or not writable.
 FrameFile* mapped(int fd, const struct stat& status) {
   if (status.st_size < static_cast<off_t>(kFrameFileSize)) return nullptr;
   void* const memory = mmap(nullptr, kFrameFileSize, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);

@@ -1,4 +1,4 @@
-// The reading end of the frame file.
+// Reader of the frame file.
 #pragma once
 
 #include <sys/types.h>
@@ -9,19 +9,19 @@
 
 namespace darwinop::hil::shim {
 
-/// Grey, and no fault, as long as nobody paints. Not thread-safe.
+/// Grey and without faults until there is a painter. Not thread-safe.
 class FrameReader {
  public:
-  /// Looks whether $DARWINOP_VIRTUAL_CAMERA names another file than the one mapped: a painter may have come.
+  /// Checks whether $DARWINOP_VIRTUAL_CAMERA names another file than the mapped one.
   void refresh();
   [[nodiscard]] CameraFault fault() const;
-  /// Asks the painter for this size. Remembered for the next painter.
+  /// Requests this size from the present and later painters.
   void want(std::uint32_t width, std::uint32_t height);
-  /// The newest whole picture, and a word to the painter that somebody looks; grey when there is none of this size.
+  /// The newest complete picture of this size, else grey. Marks the file as being read.
   void read(std::uint32_t width, std::uint32_t height, std::uint8_t* yuyv) const;
 
  private:
-  /// Somebody looks: there is a point in painting.
+  /// Marks the file as being read, so that the painter paints.
   void ask() const;
 
   FrameFile* file_ = nullptr;

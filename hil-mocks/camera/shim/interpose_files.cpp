@@ -1,6 +1,5 @@
-// What a program calls to use a camera, in place of the C library's: open, close, ioctl, mmap.
-//
-// Everything that is not about the camera goes on to the C library unchanged.
+// Interposes the C library's open, close, ioctl and mmap for the camera device. All other calls are forwarded
+// unchanged.
 #include <fcntl.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -33,7 +32,7 @@ constinit shim::Next<int(int, unsigned long, ...)> next_ioctl{"ioctl"};
 constinit shim::Next<Map> next_mmap{"mmap"}, next_mmap64{"mmap64"};
 constinit shim::Next<OpenStream> next_fopen{"fopen"}, next_fopen64{"fopen64"};
 
-/// The third argument of open() is there only when a file may be made.
+/// open() has a third argument only if it may create a file.
 bool hasMode(int flags) {
   return (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE;
 }
@@ -92,7 +91,7 @@ DARWINOP_INTERPOSED int openat64(int folder, const char* path, int flags, ...) {
   return shim::isCamera(path) ? the_camera.open(flags) : next_openat64(folder, path, flags, mode);
 }
 
-// What open() becomes in programs compiled with _FORTIFY_SOURCE, when no mode is given.
+// open() without mode in programs compiled with _FORTIFY_SOURCE.
 // NOLINTBEGIN(readability-identifier-naming)
 DARWINOP_INTERPOSED int __open_2(const char* path, int flags) {
   return open(path, flags);

@@ -1,4 +1,4 @@
-// What a program calls to look whether the camera is there, in place of the C library's: stat and its relatives.
+// Interposes stat and its relatives, so that the camera device appears to exist.
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>

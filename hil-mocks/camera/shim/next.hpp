@@ -1,4 +1,4 @@
-// The function behind the one that we stand before: that of the C library, or of a sanitizer.
+// The next definition of an interposed function (C library or sanitizer).
 #pragma once
 
 #include <dlfcn.h>
@@ -7,7 +7,7 @@
 
 namespace darwinop::hil::shim {
 
-/// Looked up at the first call, which may come before any constructor of ours has run: constant initialisation only.
+/// Resolved at the first call, possibly before our constructors have run: constant initialization only.
 template <class Function>
 class Next {
  public:
@@ -18,7 +18,7 @@ class Next {
     Function* known = function_.load(std::memory_order_acquire);
     if (known == nullptr) {
       known = reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name_));
-      function_.store(known, std::memory_order_release);  // two threads find the same
+      function_.store(known, std::memory_order_release);  // concurrent look-ups give the same result
     }
     return known(arguments...);
   }

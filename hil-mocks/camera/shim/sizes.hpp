@@ -1,4 +1,4 @@
-// What pictures the camera sends: the sizes of the robot's camera, and how fast each comes (thesis, table 4.1).
+// Picture sizes of the robot's camera and their maximum rates (thesis, table 4.1).
 #pragma once
 
 #include <linux/videodev2.h>
@@ -19,7 +19,7 @@ inline constexpr Size kSizes[] = {
 };
 inline constexpr std::uint32_t kSizeCount = sizeof kSizes / sizeof kSizes[0];
 
-/// The intervals of a size: its fastest, then these.
+/// Intervals of a size: the fastest, then these.
 inline constexpr v4l2_fract kSlowerIntervals[] = {{1, 15}, {1, 10}, {1, 5}};
 inline constexpr std::uint32_t kIntervalCount = 1 + sizeof kSlowerIntervals / sizeof kSlowerIntervals[0];
 
@@ -30,7 +30,7 @@ constexpr double seconds(v4l2_fract interval) {
   return static_cast<double>(interval.numerator) / static_cast<double>(interval.denominator);
 }
 
-/// As drivers do: a size that there is not becomes the one whose sides differ least.
+/// As drivers do: the supported size whose sides differ least.
 constexpr std::uint32_t nearestSize(std::uint32_t width, std::uint32_t height) {
   constexpr auto kApart = [](std::uint64_t a, std::uint64_t b) { return a > b ? a - b : b - a; };
   std::uint32_t best = 0;
@@ -43,7 +43,7 @@ constexpr std::uint32_t nearestSize(std::uint32_t width, std::uint32_t height) {
 static_assert(nearestSize(160, 120) == 0 && nearestSize(5000, 5000) == kSizeCount - 1 && nearestSize(640, 470) == 3);
 
 constexpr v4l2_fract nearestInterval(const Size& size, v4l2_fract wanted) {
-  if (wanted.numerator == 0 || wanted.denominator == 0) return size.fastest;  // "your default"
+  if (wanted.numerator == 0 || wanted.denominator == 0) return size.fastest;  // request for the default
   constexpr auto kApart = [](double a, double b) { return a > b ? a - b : b - a; };
   v4l2_fract best = size.fastest;
   for (std::uint32_t i = 1; i < kIntervalCount; ++i)

@@ -1,4 +1,4 @@
-// The camera's buffers: who has them, and in what order they go round.
+// Buffer ownership and streaming ioctls.
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -9,7 +9,7 @@
 namespace darwinop::hil::shim {
 namespace {
 
-constexpr int kLookAgainMs = 50;  // while a program waits in DQBUF: did somebody switch off?
+constexpr int kLookAgainMs = 50;  // polling interval of a blocked DQBUF for STREAMOFF
 
 bool readable(int fd, int wait_ms) {
   pollfd one{fd, POLLIN, 0};
@@ -79,7 +79,7 @@ int Device::dequeue(std::uint32_t handle, v4l2_buffer& buffer) {
   const std::uint32_t generation = generation_;
   for (;;) {
     if (dead_[handle]) return ENODEV;
-    if (!streaming_ || generation != generation_) return EINVAL;  // also: switched off while we waited
+    if (!streaming_ || generation != generation_) return EINVAL;  // also after STREAMOFF during the wait
     if (!buffers_.filled.empty()) break;
     if (!waits) return EAGAIN;
     pthread_mutex_unlock(&mutex_);
@@ -90,7 +90,7 @@ int Device::dequeue(std::uint32_t handle, v4l2_buffer& buffer) {
   }
   const std::uint32_t index = buffers_.filled.pop();
   takeSignal();
-  if (reader_.fault() == CameraFault::kIoError) {  // the frame is lost, its buffer is not
+  if (reader_.fault() == CameraFault::kIoError) {  // the picture is lost, the buffer is not
     buffers_[index].state = Buffer::kQueued;
     buffers_.queued.push(index);
     return EIO;
@@ -123,7 +123,7 @@ void Device::stop() {
   buffers_.takeBack();
 }
 
-/// Never waits: nothing is there when the program read its descriptor itself.
+/// Non-blocking: the program may have read the eventfd itself.
 void Device::takeSignal() {
   std::uint64_t one = 0;
   if (readable(ownerDescriptor(), 0)) [[maybe_unused]]

@@ -1,4 +1,4 @@
-// The project's own motion pages.
+// Built-in motion pages.
 #include "managers/motion/pages/own_pages.hpp"
 
 #include <array>
@@ -11,15 +11,15 @@ namespace darwinop::motion {
 
 PageFile mergeTexts(std::span<const OwnText> texts) {
   PageFile all;
-  for (std::size_t i = 0; i < kPages; ++i) all.push_back(unmentionedPage(i));
+  for (std::size_t i = 0; i < kPages; ++i) all.push_back(defaultPage(i));
   std::array<std::string_view, kPages> from{};  // which text has this page
   for (const OwnText& text : texts) {
     const PageFile pages = parsePages(text.text, std::string{text.name});
     for (std::size_t i = 0; i < kPages; ++i) {
-      if (pages[i] == unmentionedPage(i)) continue;
+      if (pages[i] == defaultPage(i)) continue;
       if (!from.at(i).empty())
         throw std::runtime_error("page " + std::to_string(i) + " is in " + std::string{from.at(i)} + " and in " +
-                                 std::string{text.name} + ": give one of them another number");
+                                 std::string{text.name} + ": change one of the numbers");
       from.at(i) = text.name;
       all[i] = pages[i];
     }

@@ -1,4 +1,4 @@
-// The project's own motion pages: the texts of managers/motion/pages/, put into the library when it is built.
+// Built-in motion pages: the texts of managers/motion/pages/, embedded at build time.
 #pragma once
 
 #include <span>
@@ -8,21 +8,21 @@
 
 namespace darwinop::motion {
 
-/// What stands for the own pages where a motion file is asked for; a file of that name is ./own.
+/// Stands for the built-in pages in place of a motion file name; write ./own for a file of that name.
 inline constexpr std::string_view kOwn = "own";
 
 struct OwnText {
-  std::string_view name;  // of the file, without a folder
+  std::string_view name;  // file name without folder
   std::string_view text;
 };
 
-/// In the order of their names.
+/// Sorted by name.
 [[nodiscard]] std::span<const OwnText> ownTexts();
 
-/// All their pages as one file. Throws std::runtime_error: a text is broken, or two have the same page; both are named.
+/// All pages as one file. Throws std::runtime_error if a text is invalid or two texts have the same page.
 [[nodiscard]] PageFile mergeTexts(std::span<const OwnText> texts);
 
-/// Of ownTexts(), parsed at the first call.
+/// The pages of ownTexts(), parsed at the first call.
 [[nodiscard]] const PageFile& ownPages();
 
 }  // namespace darwinop::motion

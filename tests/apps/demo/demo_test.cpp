@@ -1,4 +1,4 @@
-// `darwinop demo walk` as a user runs it: a film, with figures, on a PC without a display.
+// `darwinop demo walk`: records a film on a PC without a display.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -13,31 +13,31 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Share of pixels that differ plainly; noise of the video does not.
+/// Fraction of pixels that differ by more than video noise.
 double changed(const twin::Picture& a, const twin::Picture& b) {
   int count = 0;
   for (std::size_t i = 0; i < a.rgb.size(); ++i) count += std::abs(a.rgb[i] - b.rgb[i]) > 60 ? 1 : 0;
   return static_cast<double>(count) / static_cast<double>(a.rgb.size());
 }
 
-TEST(WalkDemo, FilmsARobotThatGetsUpInItsOwnTime) {
+TEST(WalkDemo, RecordsTheRobotInSimulatedTime) {
   const TemporaryFolder folder;
   const std::string film = folder / "walk.mp4";
   const Outcome made = shell(
       "env -u DISPLAY -u WAYLAND_DISPLAY " DARWINOP_DEMO " walk --seconds 2 --fps 10 --size 160x120 --record " + film);
   ASSERT_EQ(made.status, 0) << made.said;
-  EXPECT_THAT(made.said, HasSubstr("2.0 s of the robot in"));
+  EXPECT_THAT(made.said, HasSubstr("2.0 s simulated in"));
 
   ASSERT_EQ(shell("ffmpeg -v error -i " + film + " " + (folder / "frame_%02d.png")).status, 0);
-  EXPECT_EQ(shell("ls " + (folder / "") + " | grep -c png").said, "20\n") << "ten a second of the robot's clock";
+  EXPECT_EQ(shell("ls " + (folder / "") + " | grep -c png").said, "20\n") << "10 per second of simulated time";
   const auto frame = [&](const char* number) {
     return twin::readPng(folder / ("frame_" + std::string{number} + ".png"));
   };
-  EXPECT_GT(changed(frame("01"), frame("20")), 0.02) << "it got up";
-  EXPECT_GT(changed(frame("10"), frame("20")), 0.01) << "and did so to the end";
+  EXPECT_GT(changed(frame("01"), frame("20")), 0.02) << "the robot stood up";
+  EXPECT_GT(changed(frame("10"), frame("20")), 0.01) << "moving until the end";
 }
 
-TEST(WalkDemo, WithoutDisplayAWindowNamesTheFilm) {
+TEST(WalkDemo, WithoutDisplayAWindowSuggestsAFilm) {
   const Outcome refused = shell("env -u DISPLAY -u WAYLAND_DISPLAY " DARWINOP_DEMO " walk --view");
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.said, HasSubstr("--record"));

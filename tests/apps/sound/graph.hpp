@@ -48,10 +48,10 @@ class SoundGraph : public testing::Test {
   }
   /// What else is told meanwhile is kept.
   void awaitEnd(SoundId id) {
-    await([&](const SoundNews& news) { return news == SoundNews{SoundEnded{id}}; });
+    await([&](const SoundEvent& news) { return news == SoundEvent{SoundEnded{id}}; });
   }
   void awaitBegin(SoundId id) {
-    await([&](const SoundNews& news) {
+    await([&](const SoundEvent& news) {
       const auto* const started = std::get_if<SoundStarted>(&news);
       return started != nullptr && started->id == id;
     });
@@ -70,7 +70,7 @@ class SoundGraph : public testing::Test {
   template <class Condition>
   void await(Condition is_it) {
     while (const auto news = sound().news(kPatience)) {
-      if (const auto* const trouble = std::get_if<SoundTrouble>(&*news)) said += trouble->sentence + '\n';
+      if (const auto* const trouble = std::get_if<SoundError>(&*news)) said += trouble->sentence + '\n';
       if (const auto* const started = std::get_if<SoundStarted>(&*news)) seconds = started->seconds;
       if (is_it(*news)) return;
     }

@@ -41,19 +41,19 @@ TEST_F(SoundGraph, WithoutACardSoundsTakeTheirTimeAndThatIsSaid) {
 TEST_F(SoundGraph, AFileThatIsMissingOrIsNoneIsSaidAndTheNextOneIsHeard) {
   sound().order(PlaySound{.id = 1, .file = folder / "nothing.mp3"});
   awaitEnd(1);
-  EXPECT_THAT(said, HasSubstr("nothing.mp3 cannot be read: No such file"));
+  EXPECT_THAT(said, HasSubstr("cannot read sound file " + (folder / "nothing.mp3") + ": No such file"));
   std::ofstream{folder / "text.mp3"} << "this is no sound at all, whatever its name says";
   sound().order(PlaySound{.id = 2, .file = folder / "text.mp3"});
   awaitEnd(2);
-  EXPECT_THAT(said, HasSubstr("text.mp3 cannot be played"));
+  EXPECT_THAT(said, HasSubstr("cannot play sound file"));
   sound().order(Speak{.id = 3, .text = folder / "no_text", .text_is_file = true});
   awaitEnd(3);
-  EXPECT_THAT(said, HasSubstr("no_text is no file"));
+  EXPECT_THAT(said, HasSubstr("no_text: not a regular file"));
   std::ofstream{folder / "text"} << "Yes!";
   sound().order(Speak{.id = 4, .text = folder / "text", .text_is_file = true, .voice = "gobbledygook+f3"});
   awaitEnd(4);
-  EXPECT_THAT(said, HasSubstr("there is no voice \"gobbledygook+f3\" here, \"en\" speaks instead"));
-  EXPECT_GT(rms(heard(recorded().channel(0))), 0.01);
+  EXPECT_THAT(said, HasSubstr("voice \"gobbledygook+f3\" not found, using \"en\""));
+  EXPECT_GT(rms(audiblePart(recorded().channel(0))), 0.01);
 }
 
 TEST_F(SoundGraph, WhatEndsAtOnceIsToldOfAlsoWhenTheCardIsAboutToBeGivenBack) {

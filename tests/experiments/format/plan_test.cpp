@@ -1,4 +1,4 @@
-// Nothing moves before the whole plan is within limits.
+// Planning: ranges, speeds, durations and limits are checked before a run.
 #include "experiments/format/plan.hpp"
 
 #include <gmock/gmock.h>
@@ -19,12 +19,12 @@ std::string phaseText(const std::string& lines) {
 }
 
 Plan planOf(const std::string& text) {
-  static Experiment experiment;  // a plan points into it
+  static Experiment experiment;  // must outlive the plan
   experiment = parseExperiment(text, "my.ini");
   return makePlan(experiment, safety::hardRanges());
 }
 
-TEST(Plan, SaysHowFarAndHowFast) {
+TEST(Plan, ContainsRangesAndSpeeds) {
   const Plan plan = planOf(phaseText("goal = move\nto = 30 deg\n"));
   ASSERT_EQ(plan.moved.size(), 1U);
   EXPECT_NEAR(plan.moved[0].low, 0.00307, 1e-5) << "the start pose: tick 2050";
@@ -42,7 +42,7 @@ TEST(Plan, GoalBeyondTheLimitIsRefusedWithBoth) {
   EXPECT_EQ(refusal(with(kNod, "30 deg", "1.69 rad")), "");
 }
 
-TEST(Plan, EveryPartOfACurveCounts) {
+TEST(Plan, ChecksTheWholeTrajectory) {
   EXPECT_THAT(refusal(phaseText("goal = sine\namplitude = 1.75 rad\nfrequency = 1 Hz\n")),
               HasSubstr("would send Neck to 1.7"));
   EXPECT_THAT(refusal(phaseText("goal = steps\ngoals = 0 rad, 1.8 rad\nevery = 0.5 s\nvelocity = 1 rad/s\n")),
@@ -55,36 +55,36 @@ TEST(Plan, MirroredJointHasItsOwnLimit) {
   EXPECT_THAT(refusal(with(text, "KNEES", "LegLowerR, LegLowerL")), HasSubstr("would send LegLowerL to 0.5236 rad"));
 }
 
-TEST(Plan, CurveThatIsTooFastIsRefused) {
+TEST(Plan, RefusesATrajectoryAboveTheSpeedLimit) {
   EXPECT_THAT(refusal(phaseText("goal = sine\namplitude = 1 rad\nfrequency = 3 Hz\n")),
               AllOf(HasSubstr("would move Neck at 18.8"), HasSubstr("limited to 12.21 rad/s")));
   EXPECT_THAT(refusal(phaseText("goal = ramp\nto = 1 rad\nvelocity = 0.5 rad/s\n")), HasSubstr("limited to 0.5 rad/s"));
 }
 
-TEST(Plan, FirstPoseIsReachedSlowlyAndWithinLimits) {
+TEST(Plan, RefusesASetupPoseThatIsTooFastOrOutOfRange) {
   EXPECT_THAT(refusal(with(kNod, "pose = start", "pose = start\nArmUpperR = -0.8 rad")),
               AllOf(StartsWith("my.ini, line 6"), HasSubstr("ArmUpperR to -0.8 rad"), HasSubstr("-0.6796 to 2.301")));
   EXPECT_THAT(refusal(with(kNod, "pose = start", "pose = standing")),
               AllOf(HasSubstr("at most 1.2 rad/s"), HasSubstr("a duration of at least 2.1 s")));
 }
 
-TEST(Plan, NarrowerRobotIsHeeded) {
+TEST(Plan, UsesTheRobotsNarrowerRanges) {
   const Experiment nod = parseExperiment(kNod, "my.ini");
   Ranges ranges = safety::hardRanges();
   ranges[index(Joint::kNeck)] = {Rad{-0.3}, Rad{0.3}};
   EXPECT_THROW(makePlan(nod, ranges), std::runtime_error);
 }
 
-TEST(Plan, LimpJointMayBeAnywhereAfterwards) {
+TEST(Plan, AssumesTheFullRangeAfterALimpPhase) {
   const std::string limp = with(kNod, kStep, "torque = off\n") + "[phase then]\njoints = Neck\nduration = 1 s\n";
   const Plan plan = planOf(limp + "goal = move\nto = 0 rad\n");
   EXPECT_TRUE(plan.moved[0].loose);
   EXPECT_NEAR(plan.moved[0].low, -1.93, 0.001);
   EXPECT_THAT(refusal(limp + "goal = sine\namplitude = 0.1 rad\nfrequency = 1 Hz\n"),
-              HasSubstr("put a phase with goal = move before it"));
+              HasSubstr("add a phase with goal = move before it"));
 }
 
-TEST(Plan, JointThatMayBeAnywhereIsPlannedFromBothEnds) {
+TEST(Plan, UnknownStartIsPlannedFromBothEndsOfTheRange) {
   const std::string limp = with(kNod, kStep, "torque = off\n") + "[phase then]\njoints = Neck\nduration = 1 s\n";
   const Plan plan = planOf(limp + "goal = move\nto = -1 rad\n");
   const JointPlan& back = plan.rounds.at(0).phases.at(1).joints.at(0);
@@ -93,20 +93,20 @@ TEST(Plan, JointThatMayBeAnywhereIsPlannedFromBothEnds) {
   EXPECT_NEAR(back.fastest, 1.875 * 2.69, 0.05) << "from the far end, in 1 s; sampled every 4 ms";
 }
 
-TEST(Plan, CurveThatEndsEarlyLeavesItsJointSomewhere) {
+TEST(Plan, TrajectoryThatMayEndEarlyLeavesARange) {
   const std::string ramp = phaseText("goal = ramp\nto = 1 rad\nuntil = rest\n");
   EXPECT_EQ(refusal(ramp), "");
   EXPECT_THAT(refusal(ramp + "[phase then]\njoints = Neck\ngoal = sine\namplitude = 0.1 rad\nfrequency = 1 Hz\n"
                              "duration = 1 s\n"),
-              HasSubstr("put a phase with goal = move before it"));
+              HasSubstr("add a phase with goal = move before it"));
 }
 
-TEST(Plan, LongestRunIsHalfAnHour) {
+TEST(Plan, RunsAreLimitedToHalfAnHour) {
   EXPECT_THAT(refusal(with(kNod, "duration = 1 s\n[record]", "duration = 600 s\n[sweep]\nrepeat = 3\n[record]")),
               HasSubstr("at most 1800 s"));
 }
 
-TEST(Plan, TextTellsWhatAPersonHasToKnow) {
+TEST(Plan, TextContainsJointsRangesAndDurations) {
   const std::string text = with(with(kNod, "pose = start\nduration = 1 s", "pose = standing\nduration = 4 s"),
                                 "velocity", "until = fallen\nvelocity");
   const Experiment nod = parseExperiment(text, "my.ini");
@@ -116,7 +116,7 @@ TEST(Plan, TextTellsWhatAPersonHasToKnow) {
     EXPECT_THAT(plan, HasSubstr(part));
 }
 
-TEST(Plan, TextTellsStandingFromFallingAndKneeling) {
+TEST(Plan, TextStatesWhetherTheRobotMayFall) {
   const auto text_of = [](const std::string& text) {
     const Experiment nod = parseExperiment(text, "my.ini");
     return planText(nod, makePlan(nod, safety::hardRanges()));
@@ -125,8 +125,8 @@ TEST(Plan, TextTellsStandingFromFallingAndKneeling) {
   EXPECT_THAT(standing, HasSubstr("\nfalls    "));
   EXPECT_THAT(standing, testing::Not(HasSubstr("YES: it falls")));
   EXPECT_NE(standing.substr(standing.find("\nfalls")), text_of(kNod).substr(text_of(kNod).find("\nfalls")));
-  EXPECT_THAT(text_of(kNod), HasSubstr("no: it stays on its knees"));
-  EXPECT_THAT(text_of(with(kNod, "joints = Neck", "joints = AnkleR")), HasSubstr("it may: its legs move"));
+  EXPECT_THAT(text_of(kNod), HasSubstr("no: the robot stays on its knees"));
+  EXPECT_THAT(text_of(with(kNod, "joints = Neck", "joints = AnkleR")), HasSubstr("possibly: the legs move"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A small experiment as text, for tests that change one line of it.
+// A small experiment text, for tests that change one line.
 #pragma once
 
 #include <stdexcept>
@@ -32,15 +32,15 @@ inline std::string with(std::string text, const std::string& line, const std::st
   return text.replace(at, line.size(), instead);
 }
 
-/// What the phase of kNod does.
+/// The phase lines of kNod.
 inline const std::string kStep = "goal = step\nto = 30 deg\nvelocity = 2 rad/s\n";
 
-/// kNod with other lines for its phase.
+/// kNod with other phase lines.
 inline Experiment phase(const std::string& lines) {
   return parseExperiment(with(kNod, kStep, lines), "my.ini");
 }
 
-/// The sentence with which `text` is refused, by the reader or by the plan; empty: it is not.
+/// Error message of reader or plan for `text`; empty if it is valid.
 inline std::string refusal(const std::string& text) {
   try {
     const Experiment experiment = parseExperiment(text, "my.ini");

@@ -1,4 +1,4 @@
-// What the runtime records in a lockstep run is what the reader of logs gives back.
+// A recording of a lockstep run read back equals what the controller received.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -12,7 +12,7 @@
 namespace darwinop {
 namespace {
 
-TEST(RoundTrip, ARecordedRunIsReadBackAsTheControllerSawIt) {
+TEST(RoundTrip, ARecordedRunEqualsTheValuesOfTheController) {
   const TemporaryFolder folder;
   std::vector<Sensors> seen;
   {
@@ -36,7 +36,7 @@ TEST(RoundTrip, ARecordedRunIsReadBackAsTheControllerSawIt) {
   EXPECT_TRUE(log.complete);
   EXPECT_TRUE(log.warnings.empty());
   EXPECT_EQ(log.headValue("robot"), "Darwin 7");
-  ASSERT_GE(log.rows(), seen.size()) << "the robot comes to rest after the last step";
+  ASSERT_GE(log.rows(), seen.size()) << "rows after the last step: the robot comes to rest";
   const auto& cycle = log.column("cycle").values;
   const auto& position = log.column("Neck.position").values;
   const auto& asked = log.column("Neck.asked").values;
@@ -45,7 +45,7 @@ TEST(RoundTrip, ARecordedRunIsReadBackAsTheControllerSawIt) {
   for (const Sensors& sensors : seen) {
     const auto row = static_cast<std::size_t>(static_cast<double>(sensors.cycle) - cycle[0]);
     ASSERT_EQ(cycle[row], static_cast<double>(sensors.cycle));
-    // The file has microseconds, and seven digits of an angle.
+    // File resolution: microseconds and seven digits of an angle.
     EXPECT_NEAR(log.seconds(row), static_cast<double>(sensors.time_ns) * 1e-9, 1e-6);
     EXPECT_EQ(state[row], static_cast<double>(sensors.safety.state));
     EXPECT_NEAR(asked[row], 0.3, 1e-9);

@@ -1,4 +1,4 @@
-// The command as a user meets it: what it prints, what it refuses, with which exit status.
+// darwinop experiment: output, refusals, exit status.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <stdlib.h>
@@ -28,12 +28,12 @@ class Command : public testing::Test {
 
   [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
-  /// Runs it to its end; the output is in `said`.
+  /// Runs the command; the output is in `output`.
   int experiment(std::vector<std::string> words) {
     words.insert(words.begin(), std::string{DARWINOP_BIN} + "/darwinop-experiment");
     Program program{words, file("out.txt")};
     const int status = program.wait(std::chrono::seconds{20}).value_or(-1);
-    said = program.output();
+    output = program.output();
     return status;
   }
   [[nodiscard]] std::string text(const std::string& name) const {
@@ -43,28 +43,28 @@ class Command : public testing::Test {
   }
 
   std::filesystem::path folder_;
-  std::string said;
+  std::string output;
 };
 
-TEST_F(Command, ListsTheBatteryWithWhatMoves) {
+TEST_F(Command, ListsTheSuiteWithTheMovedJoints) {
   EXPECT_EQ(experiment({"list"}), 0);
-  EXPECT_THAT(said, HasSubstr("speed\n  How long the head takes for half a turn, at six speeds, thesis 5.3.1\n"
-                              "  Neck -1.571 to 1.571 rad\n"));
-  EXPECT_THAT(said, HasSubstr("falls at the end"));
+  EXPECT_THAT(output, HasSubstr("speed\n  Duration of half a turn of the head at six speeds, thesis 5.3.1\n"
+                                "  Neck -1.571 to 1.571 rad\n"));
+  EXPECT_THAT(output, HasSubstr("falls at the end"));
 }
 
 TEST_F(Command, RunRecordsUnderTheNameOfTheExperiment) {
-  EXPECT_EQ(experiment({"run", "chirp", "--robot", "virtual", "--record", file("log.csv")}), 0) << said;
-  EXPECT_THAT(said, HasSubstr("recorded: " + file("log.csv")));
+  EXPECT_EQ(experiment({"run", "chirp", "--robot", "virtual", "--record", file("log.csv")}), 0) << output;
+  EXPECT_THAT(output, HasSubstr("recorded: " + file("log.csv")));
   const std::string log = text("log.csv");
   EXPECT_THAT(log, HasSubstr("\n# experiment: chirp\n# title: The stretched arm"));
   EXPECT_THAT(log, HasSubstr("\n# joints: ShoulderR\n"));
   EXPECT_TRUE(log.ends_with("# end\n"));
 }
 
-TEST_F(Command, UnknownNameIsAnsweredWithTheNearest) {
+TEST_F(Command, SuggestsTheClosestNameForAnUnknownOne) {
   EXPECT_EQ(experiment({"show", "sped"}), 2);
-  EXPECT_THAT(said, HasSubstr("did you mean speed?"));
+  EXPECT_THAT(output, HasSubstr("did you mean speed?"));
 }
 
 TEST_F(Command, GoalBeyondALimitMovesNothing) {
@@ -72,23 +72,24 @@ TEST_F(Command, GoalBeyondALimitMovesNothing) {
                                     "[phase turn]\njoints = Neck\ngoal = step\nto = 2 rad\nvelocity = 1 rad/s\n"
                                     "duration = 1 s\n[record]\njoints = Neck\n";
   EXPECT_EQ(experiment({"run", file("far.ini"), "--robot", "virtual", "--record", file("log.csv")}), 2);
-  EXPECT_THAT(said, HasSubstr("far.ini, line 10: [phase turn] would send Neck to 2 rad; its limits are -1.93 to 1.69"));
+  EXPECT_THAT(output,
+              HasSubstr("far.ini, line 10: [phase turn] would send Neck to 2 rad; its limits are -1.93 to 1.69"));
   EXPECT_FALSE(std::filesystem::exists(file("log.csv")));
 }
 
 TEST_F(Command, RobotOverTcpMayBeARealOne) {
   EXPECT_EQ(experiment({"run", "speed", "--robot", "tcp://127.0.0.1:1"}), 3);
-  EXPECT_THAT(said, HasSubstr("--yes"));
+  EXPECT_THAT(output, HasSubstr("--yes"));
 }
 
-TEST_F(Command, PortThatIsNoVirtualRobotNeedsYesAndHearsNothing) {
+TEST_F(Command, PortThatIsNotAVirtualRobotNeedsYesAndReceivesNothing) {
   const int master = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
   ASSERT_GE(master, 0);
   ASSERT_EQ(grantpt(master) + unlockpt(master), 0);
   const std::string port = ptsname(master);
   EXPECT_EQ(experiment({"run", "speed", "--robot", port}), 3);
-  EXPECT_THAT(said, HasSubstr("moves    Neck"));
-  EXPECT_THAT(said, HasSubstr("--yes"));
+  EXPECT_THAT(output, HasSubstr("moves    Neck"));
+  EXPECT_THAT(output, HasSubstr("--yes"));
   char byte = 0;
   EXPECT_LT(read(master, &byte, 1), 1) << "a byte was sent";
   close(master);
@@ -96,14 +97,14 @@ TEST_F(Command, PortThatIsNoVirtualRobotNeedsYesAndHearsNothing) {
 
 TEST_F(Command, DaemonNeedsYes) {
   EXPECT_EQ(experiment({"run", "speed", "--robot", "runtime"}), 3);
-  EXPECT_THAT(said, HasSubstr("--yes"));
+  EXPECT_THAT(output, HasSubstr("--yes"));
   EXPECT_EQ(experiment({"run", "speed", "--robot", "runtime", "--yes"}), 2);
-  EXPECT_THAT(said, HasSubstr("darwinop runtime --record FILE"));
+  EXPECT_THAT(output, HasSubstr("darwinop runtime --record FILE"));
 }
 
-TEST_F(Command, RobotThatIsNoneIsRefusedWithTheChoices) {
+TEST_F(Command, InvalidRobotIsRefusedWithTheChoices) {
   EXPECT_EQ(experiment({"run", "speed", "--robot", "nonsense"}), 2);
-  EXPECT_THAT(said, HasSubstr("/dev/ttyUSB0"));
+  EXPECT_THAT(output, HasSubstr("/dev/ttyUSB0"));
 }
 
 }  // namespace

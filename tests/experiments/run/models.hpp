@@ -1,4 +1,4 @@
-// Models of the twin that differ from a delivered one, in a folder of their own.
+// Modified copies of shipped twin models in a temporary folder.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +15,14 @@ class Models {
  public:
   Models() { std::filesystem::copy_file(shipped("darwin-op.xml"), folder_ / "darwin-op.xml"); }
 
-  /// As --robot takes it: the delivered model with one line changed.
+  /// Argument of --robot: the shipped model with one line changed.
   [[nodiscard]] std::string copy(const std::string& model, const std::string& line, const std::string& instead) const {
     std::string text = read(model);
     const std::size_t at = text.find(line);
     if (at == std::string::npos) throw std::logic_error(model + " has no line " + line);
     return write(text.replace(at, line.size(), instead));
   }
-  /// The same with some lines more.
+  /// The same with additional lines.
   [[nodiscard]] std::string with(const std::string& model, const std::string& lines) const {
     return write(read(model) + "\n" + lines);
   }

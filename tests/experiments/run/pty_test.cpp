@@ -1,4 +1,4 @@
-// The same command against a virtual robot on a pty, in real time: --yes or none, and Ctrl-C on the way.
+// darwinop experiment with a virtual robot on a pty, in real time: --yes, and Ctrl-C during a run.
 #include <gmock/gmock.h>
 #include <signal.h>
 
@@ -16,7 +16,7 @@ class OnPty : public Rig {
   }
 };
 
-TEST_F(OnPty, CtrlCBringsTheRobotBackAndKeepsTheRecording) {
+TEST_F(OnPty, CtrlCReturnsTheRobotToItsStartPoseAndKeepsTheRecording) {
   startVirtualRobot();
   Program run{command("speed"), file("run.txt")};
   ASSERT_TRUE(run.says("rad/s, left", std::chrono::seconds{20})) << run.output();
@@ -32,8 +32,8 @@ TEST_F(OnPty, CtrlCBringsTheRobotBackAndKeepsTheRecording) {
   EXPECT_TRUE(log.ends_with("# end\n"));
 }
 
-// The same robot under a name that proves nothing is a serial port like any other.
-TEST_F(OnPty, PortThatMayBeARobotHearsNothingBeforeAPersonHasAgreed) {
+// The same robot behind another path is not provably virtual.
+TEST_F(OnPty, PortThatMayBeARobotReceivesNothingWithoutYes) {
   std::filesystem::copy_file(program("darwinop-virtual-robot"), file("robot"));
   Program robot{{file("robot"), "--link", port()}, file("robot.txt")};
   ASSERT_TRUE(robot.says("link:", std::chrono::seconds{10})) << robot.output();
@@ -44,7 +44,7 @@ TEST_F(OnPty, PortThatMayBeARobotHearsNothingBeforeAPersonHasAgreed) {
   EXPECT_FALSE(std::filesystem::exists(file("log.csv")));
   robot.kill(SIGTERM);
   EXPECT_EQ(robot.wait(std::chrono::seconds{10}), 0);
-  EXPECT_THAT(robot.output(), HasSubstr("frames: 0 ")) << "nothing was written to it, so nothing moved";
+  EXPECT_THAT(robot.output(), HasSubstr("frames: 0 ")) << "nothing was written";
 }
 
 }  // namespace

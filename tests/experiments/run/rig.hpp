@@ -1,4 +1,4 @@
-// An experiment on a robot in this process, in simulated time, with a look at every cycle.
+// Runs an experiment on a robot in this process, in simulated time, and records every cycle.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ namespace darwinop::experiments {
 
 class VirtualRun {
  public:
-  /// What was asked of a joint and what it did, one entry a step.
+  /// Commands and sensor values, one entry per step.
   struct Row {
     std::string phase;
     Commands asked;
@@ -42,14 +42,14 @@ class VirtualRun {
   }
 
   Outcome run() {
-    const auto tell = [this](const std::string& phase, double seconds) {
+    const auto forward = [this](const std::string& phase, double seconds) {
       phase_ = phase;
       if (on_step) on_step(phase, seconds);
     };
-    return Runner{*robot_, experiment_, stop, tell}.run();
+    return Runner{*robot_, experiment_, stop, forward}.run();
   }
 
-  /// As a second Ctrl-C, or a robot that is gone.
+  /// Like a second Ctrl-C, or a lost robot.
   void end() { api_stop_ = true; }
   [[nodiscard]] webots::Motor& motor(const std::string& name) { return *robot_->getMotor(name); }
   [[nodiscard]] double position(Joint joint) const { return rows.back().seen.joint[index(joint)].position.value; }
@@ -57,7 +57,7 @@ class VirtualRun {
   [[nodiscard]] static double secondsOf(const std::vector<Row>& some) {
     return static_cast<double>(some.size()) * 0.016;
   }
-  /// The rows of phases with this name, whatever the round.
+  /// The rows of phases with this name in all rounds.
   [[nodiscard]] std::vector<Row> rowsOf(const std::string& phase) const {
     std::vector<Row> found;
     for (const Row& row : rows)
@@ -67,7 +67,7 @@ class VirtualRun {
 
   std::atomic<bool> stop{false};
   std::function<void(const std::string&, double)> on_step;
-  std::function<void(Sensors&)> bend;  // what the experiment sees instead
+  std::function<void(Sensors&)> bend;  // modifies what the experiment receives
   std::vector<Row> rows;
 
  private:
@@ -76,7 +76,7 @@ class VirtualRun {
     explicit OwnRobot(facade::RobotImpl* impl) : Robot(impl) {}
   };
 
-  /// Hands everything on, and keeps it.
+  /// Forwards and records everything.
   class Spy final : public runtime::RobotLink {
    public:
     Spy(std::unique_ptr<RobotLink> link, VirtualRun& run) : link_{std::move(link)}, run_{run} {}

@@ -1,4 +1,4 @@
-// How a run ends: when it is asked to, when the robot falls, when the robot is gone. Always slowly, while it can.
+// End of a run: stop request, fall, lost robot; always with a slow return where possible.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace darwinop::experiments {
 namespace {
 
-/// The fastest that the goal of any joint moved, rad/s.
+/// Maximum speed of any goal, rad/s.
 double fastestGoal(const VirtualRun& run) {
   double most = 0;
   for (std::size_t i = 1; i < run.rows.size(); ++i)
@@ -23,7 +23,7 @@ double fastestGoal(const VirtualRun& run) {
   return most;
 }
 
-TEST(Run, StopSendsTheRobotBackSlowly) {
+TEST(Run, StopReturnsTheRobotSlowly) {
   const std::string standing = with(with(kNod, "pose = start\nduration = 1 s", "pose = standing\nduration = 4 s"),
                                     "duration = 1 s\n[record]", "duration = 60 s\n[record]");
   VirtualRun run{parseExperiment(standing, "my.ini")};
@@ -36,7 +36,7 @@ TEST(Run, StopSendsTheRobotBackSlowly) {
     EXPECT_NEAR(run.position(static_cast<Joint>(i)), startPose()[i], 0.02) << kJointTable[i].name;
 }
 
-TEST(Run, StopOnTheWayUpSendsTheRobotBackToo) {
+TEST(Run, StopDuringSetupReturnsTheRobot) {
   const std::string standing = with(kNod, "pose = start\nduration = 1 s", "pose = standing\nduration = 4 s");
   VirtualRun run{parseExperiment(standing, "my.ini")};
   run.on_step = [&](const std::string&, double seconds) { run.stop = run.stop || seconds > 2; };
@@ -46,7 +46,7 @@ TEST(Run, StopOnTheWayUpSendsTheRobotBackToo) {
   EXPECT_NEAR(run.position(Joint::kLegLowerR), startPose()[index(Joint::kLegLowerR)], 0.02);
 }
 
-TEST(Run, RobotThatFellOnItsWayUpMeasuresNothing) {
+TEST(Run, FallDuringSetupSkipsAllPhases) {
   VirtualRun run{phase(kStep)};
   run.on_step = [&](const std::string&, double seconds) {
     if (seconds > 0.3)
@@ -58,7 +58,7 @@ TEST(Run, RobotThatFellOnItsWayUpMeasuresNothing) {
   EXPECT_TRUE(run.rowsOf("turn").empty());
 }
 
-TEST(Run, FallEndsAPhaseThatWaitsForIt) {
+TEST(Run, FallEndsAPhaseWithUntilFallen) {
   VirtualRun run{phase(kStep + "until = fallen\n")};
   run.on_step = [&](const std::string& name, double) {
     if (name == "turn")
@@ -70,7 +70,7 @@ TEST(Run, FallEndsAPhaseThatWaitsForIt) {
   EXPECT_NEAR(run.secondsOf(run.rowsOf("turn")), 0.25, 0.05) << "not the whole second";
 }
 
-TEST(Run, EndOfTheRobotIsTheEndOfTheRun) {
+TEST(Run, EndsWithTheRobot) {
   VirtualRun run{phase(kStep)};
   int steps_after = 0;
   run.on_step = [&](const std::string& name, double) {

@@ -1,4 +1,4 @@
-// What a run asks of the robot, step by step, and how it comes back.
+// Commands of a run, step by step, and the return to the start pose.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ double neckAngle(const VirtualRun::Row& row) {
   return row.seen.joint[index(Joint::kNeck)].position.value;
 }
 
-TEST(Run, AsksForWhatThePhaseSays) {
+TEST(Run, SendsTheCommandsOfThePhase) {
   VirtualRun run{phase(kStep + "p_gain = 2\ntorque_limit = 1 N m\n")};
   EXPECT_EQ(run.run(), Outcome::kDone);
   const auto rows = run.rowsOf("turn");
@@ -45,7 +45,7 @@ TEST(Run, ArrivalEndsAPhaseEarly) {
   EXPECT_EQ(run.run(), Outcome::kDone);
   const auto rows = run.rowsOf("turn");
   EXPECT_NEAR(neckAngle(rows.back()), 0.5236, 0.05 + 1e-3);
-  // 0.52 rad at 2 rad/s are 0.26 s, and some for starting and for the last few degrees of a P controller.
+  // 0.52 rad at 2 rad/s take 0.26 s, plus acceleration and the last degrees of a P controller.
   EXPECT_NEAR(run.secondsOf(rows), 0.35, 0.1);
 }
 
@@ -53,15 +53,15 @@ TEST(Run, TorqueLimitRisesOverThePhase) {
   VirtualRun run{phase(kStep + "torque_limit = 0 N m to 2 N m\n")};
   EXPECT_EQ(run.run(), Outcome::kDone);
   const auto rows = run.rowsOf("turn");
-  EXPECT_NEAR(neck(rows[rows.size() / 2]).torque_limit.value, 1, 0.05) << "half way, give or take a step of 0.032 N m";
+  EXPECT_NEAR(neck(rows[rows.size() / 2]).torque_limit.value, 1, 0.05) << "half way, within a step of 0.032 N m";
   EXPECT_NEAR(neck(rows.back()).torque_limit.value, 2, 0.05);
 }
 
-TEST(Run, TorqueOffLetsGo) {
+TEST(Run, TorqueOffReleasesTheJoint) {
   VirtualRun run{phase("torque = off\n")};
   EXPECT_EQ(run.run(), Outcome::kDone);
   for (const auto& row : run.rowsOf("turn")) EXPECT_FALSE(neck(row).torque_on);
-  EXPECT_TRUE(neck(run.rows.back()).torque_on) << "and back again";
+  EXPECT_TRUE(neck(run.rows.back()).torque_on) << "enabled again afterwards";
 }
 
 TEST(Run, NegativeTorquePushesToHigherAnglesAsInWebots) {
@@ -72,38 +72,38 @@ TEST(Run, NegativeTorquePushesToHigherAnglesAsInWebots) {
   EXPECT_GT(neckAngle(rows.back()), neckAngle(rows.front()) + 0.3);
 }
 
-TEST(Run, JointThatWasPushedAwayComesBackSlowly) {
+TEST(Run, JointMovedByATorqueReturnsSlowly) {
   VirtualRun run{phase("torque = -0.5 N m\n")};
   EXPECT_EQ(run.run(), Outcome::kDone);
   const auto back = run.rowsOf("back to the start pose");
   double fastest = 0;
-  const std::size_t stopped = 20;  // 0.3 s, in which it comes to a halt
+  const std::size_t stopped = 20;  // 0.3 s to stop
   for (std::size_t i = stopped; i < back.size(); ++i)
     fastest = std::max(fastest, std::abs(neckAngle(back[i]) - neckAngle(back[i - 1])) / 0.016);
   EXPECT_GT(back.size(), 100U);
-  EXPECT_LT(fastest, kSlow + 2 * kRadPerTick / 0.016) << "two ticks of rounding in one step";
+  EXPECT_LT(fastest, kSlow + 2 * kRadPerTick / 0.016) << "two ticks of rounding per step";
 }
 
-TEST(Run, JointThatWasPushedALittleIsHeldWhereItIs) {
+TEST(Run, JointMovedSlightlyIsHeldInPlace) {
   const std::string pushed =
       with(with(kNod, kStep, "torque = -0.1 N m\n"), "duration = 1 s\n[record]", "duration = 0.3 s\n[record]") +
       "[phase then]\njoints = Neck\ngoal = hold\nduration = 1 s\n";
   VirtualRun run{parseExperiment(pushed, "my.ini")};
   EXPECT_EQ(run.run(), Outcome::kDone);
   const double there = neckAngle(run.rowsOf("turn").back());
-  ASSERT_GT(there, 0.02) << "it moved";
-  ASSERT_LT(there, 0.1) << "less than what counts as far from the goal";
+  ASSERT_GT(there, 0.02) << "no motion";
+  ASSERT_LT(there, 0.1) << "below the threshold for a restart";
   EXPECT_NEAR(neck(run.rowsOf("then").front()).goal.value, there, 1e-6);
 }
 
-TEST(Run, WeakJointDoesNotJumpWhenItIsStrongAgain) {
-  // With a torque limit of next to nothing the head stays behind its goal.
+TEST(Run, JointDoesNotJumpWhenItsTorqueLimitReturns) {
+  // With a very low torque limit the head stays behind its goal.
   const std::string weak = with(kNod, kStep, kStep + "torque_limit = 0.01 N m\n") +
                            "[phase then]\njoints = Neck\ngoal = move\nto = 0 rad\nduration = 2 s\n";
   VirtualRun run{parseExperiment(weak, "my.ini")};
   EXPECT_EQ(run.run(), Outcome::kDone);
   const auto before = run.rowsOf("turn");
-  ASSERT_LT(neckAngle(before.back()), 0.3) << "it did not get there";
+  ASSERT_LT(neckAngle(before.back()), 0.3) << "must not arrive";
   EXPECT_NEAR(neck(run.rowsOf("then").front()).goal.value, neckAngle(before.back()), 0.02);
 }
 
@@ -115,7 +115,7 @@ TEST(Run, AccelerationIsLimitedForThePhaseOnly) {
   };
   EXPECT_EQ(run.run(), Outcome::kDone);
   EXPECT_EQ(in_phase, 5);
-  EXPECT_EQ(run.motor("Neck").getAcceleration(), -1) << "none, as usual";
+  EXPECT_EQ(run.motor("Neck").getAcceleration(), -1) << "default: no limit";
 }
 
 TEST(Run, RobotSettlesBeforeTheFirstPhase) {
@@ -123,10 +123,10 @@ TEST(Run, RobotSettlesBeforeTheFirstPhase) {
       with(kNod, "pose = start\nduration = 1 s", "pose = start\nduration = 1 s\nsettle = 0.8 s");
   VirtualRun run{parseExperiment(settling, "my.ini")};
   EXPECT_EQ(run.run(), Outcome::kDone);
-  EXPECT_NEAR(run.secondsOf(run.rowsOf("to the first pose")), 1.8, 0.033) << "steps of 16 ms, at both ends";
+  EXPECT_NEAR(run.secondsOf(run.rowsOf("to the setup pose")), 1.8, 0.033) << "resolution of 16 ms at both ends";
 }
 
-TEST(Run, FallInAPhaseThatIsNotAboutFallingEndsTheExperiment) {
+TEST(Run, UnexpectedFallEndsTheExperiment) {
   VirtualRun run{phase(kStep)};
   double fell_at = 0, last = 0;
   run.on_step = [&](const std::string& name, double seconds) {
@@ -139,10 +139,10 @@ TEST(Run, FallInAPhaseThatIsNotAboutFallingEndsTheExperiment) {
   };
   EXPECT_EQ(run.run(), Outcome::kFellIn);
   EXPECT_NEAR(run.secondsOf(run.rowsOf("turn")), 0.25, 0.05) << "not the whole second";
-  EXPECT_GT(last, fell_at + 0.5) << "it goes back to the start pose";
+  EXPECT_GT(last, fell_at + 0.5) << "returns to the start pose";
 }
 
-TEST(Run, MirroredJointGoesTheOtherWay) {
+TEST(Run, MirroredJointMovesInTheOppositeDirection) {
   VirtualRun run{parseExperiment(with(kNod, "joints = Neck\ngoal", "joints = ShoulderR, -ShoulderL\ngoal"), "my.ini")};
   EXPECT_EQ(run.run(), Outcome::kDone);
   const Commands asked = run.rowsOf("turn").back().asked;
@@ -150,7 +150,7 @@ TEST(Run, MirroredJointGoesTheOtherWay) {
   EXPECT_NEAR(asked.joint[index(Joint::kShoulderL)].goal.value, -0.5236, 1e-4);
 }
 
-TEST(Run, JointThatHangsBeyondItsLimitIsHeldAtTheLimit) {
+TEST(Run, JointBeyondItsLimitIsHeldAtTheLimit) {
   VirtualRun run{parseExperiment(
       with(kNod, kStep, "torque = off\n") + "[phase then]\njoints = Neck\ngoal = hold\nduration = 1 s\n", "my.ini")};
   run.on_step = [&](const std::string& name, double) {
@@ -161,7 +161,7 @@ TEST(Run, JointThatHangsBeyondItsLimitIsHeldAtTheLimit) {
   EXPECT_LT(run.motor("Neck").getMaxPosition(), 1.7);
 }
 
-TEST(Run, SameRunTwiceIsTheSameToTheBit) {
+TEST(Run, IsBitwiseRepeatable) {
   const Experiment experiment = phase("goal = multisine\namplitude = 0.5 rad\nfrequency = 0.5 Hz, 2 Hz\n");
   const auto rows_of_a_run = [&] {  // one after the other: a process has one robot
     VirtualRun run{experiment};

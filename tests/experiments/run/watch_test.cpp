@@ -1,4 +1,4 @@
-// When a phase ends because of what the robot does.
+// End conditions of phases.
 #include "experiments/run/watch.hpp"
 
 #include <gtest/gtest.h>
@@ -27,11 +27,11 @@ TEST(FallWatch, LyingForAQuarterOfASecondIsFallen) {
 TEST(FallWatch, FortyFiveDegreesAreTheEdge) {
   EXPECT_FALSE(fallenAfter(5, {512, 430, 610})) << "40 degrees: 128 sin and cos of it";
   EXPECT_TRUE(fallenAfter(5, {512, 414, 594})) << "50 degrees";
-  EXPECT_TRUE(fallenAfter(5, {610, 512, 594})) << "and to the side";
+  EXPECT_TRUE(fallenAfter(5, {610, 512, 594})) << "also sideways";
 }
 
-TEST(FallWatch, BlowsAndFreeFallAndSilenceTellNothing) {
-  EXPECT_FALSE(fallenAfter(5, {512, 512 - 250, 512})) << "two g to one side are a blow";
+TEST(FallWatch, ImpactsFreeFallAndMissingDataAreIgnored) {
+  EXPECT_FALSE(fallenAfter(5, {512, 512 - 250, 512})) << "2 g sideways is an impact";
   EXPECT_FALSE(fallenAfter(5, {512, 510, 512}));
   EXPECT_FALSE(fallenAfter(5, {kUnknownCount, kUnknownCount, kUnknownCount}));
 }
@@ -47,57 +47,57 @@ class Ends : public testing::Test {
   Phase phase;
 };
 
-TEST_F(Ends, ArrivalIsWithinADistance) {
+TEST_F(Ends, ArrivalIsWithinATolerance) {
   phase.until = Until::kArrival;
   phase.within = 0.03;
   phase.arrive_at = 1.0;
   EndWatch end{phase, neckAt(0)};
-  EXPECT_FALSE(end.over(neckAt(0.96), false, 1));
-  EXPECT_TRUE(end.over(neckAt(0.98), false, 1));
-  EXPECT_FALSE(end.over(neckAt(1.2), false, 1)) << "it overshoots, and comes back";
-  EXPECT_FALSE(end.over(neckAt(std::nan("")), false, 1));
+  EXPECT_FALSE(end.isOver(neckAt(0.96), false, 1));
+  EXPECT_TRUE(end.isOver(neckAt(0.98), false, 1));
+  EXPECT_FALSE(end.isOver(neckAt(1.2), false, 1)) << "it overshoots";
+  EXPECT_FALSE(end.isOver(neckAt(std::nan("")), false, 1));
 }
 
-TEST_F(Ends, PushedJointMayPass) {
+TEST_F(Ends, JointMovedByATorqueMayPassTheTarget) {
   phase.until = Until::kArrival;
   phase.within = 0.03;
   phase.arrive_at = 1.0;
   phase.torque = TorqueMode::kDirect;
   EndWatch end{phase, neckAt(0)};
-  EXPECT_FALSE(end.over(neckAt(0.9), false, 1));
-  EXPECT_TRUE(end.over(neckAt(1.2), false, 1));
+  EXPECT_FALSE(end.isOver(neckAt(0.9), false, 1));
+  EXPECT_TRUE(end.isOver(neckAt(1.2), false, 1));
 }
 
-TEST_F(Ends, RestIsHalfASecondWithoutMovement) {
+TEST_F(Ends, RestIsHalfASecondWithoutMotion) {
   phase.until = Until::kRest;
   EndWatch end{phase, neckAt(0)};
-  EXPECT_FALSE(end.over(neckAt(0.1), false, 0.4));
-  EXPECT_FALSE(end.over(neckAt(0.101), false, 0.8));
-  EXPECT_TRUE(end.over(neckAt(0.1), false, 0.91));
+  EXPECT_FALSE(end.isOver(neckAt(0.1), false, 0.4));
+  EXPECT_FALSE(end.isOver(neckAt(0.101), false, 0.8));
+  EXPECT_TRUE(end.isOver(neckAt(0.1), false, 0.91));
 }
 
 TEST_F(Ends, CreepingIsNotResting) {
   phase.until = Until::kRest;
   EndWatch end{phase, neckAt(0)};
-  // 0.02 rad/s are seven ticks in half a second; a servo at rest may flicker by one.
-  for (double t = 0; t < 3; t += kPeriod) ASSERT_FALSE(end.over(neckAt(0.02 * t), false, t)) << t;
+  // 0.02 rad/s are seven ticks in half a second; a servo at rest may toggle by one.
+  for (double t = 0; t < 3; t += kPeriod) ASSERT_FALSE(end.isOver(neckAt(0.02 * t), false, t)) << t;
   EndWatch flicker{phase, neckAt(0)};
   bool over = false;
   for (double t = 0; t < 0.6; t += kPeriod)
-    over = over || flicker.over(neckAt(std::fmod(t, 0.1) < 0.05 ? 0 : 0.0016), false, t);
+    over = over || flicker.isOver(neckAt(std::fmod(t, 0.1) < 0.05 ? 0 : 0.0016), false, t);
   EXPECT_TRUE(over);
 }
 
-TEST_F(Ends, SilentJointIsNotAtRest) {
+TEST_F(Ends, JointWithoutDataIsNotAtRest) {
   phase.until = Until::kRest;
   EndWatch end{phase, neckAt(0)};
-  for (double t = 0; t < 3; t += kPeriod) EXPECT_FALSE(end.over(neckAt(std::nan("")), false, t));
+  for (double t = 0; t < 3; t += kPeriod) EXPECT_FALSE(end.isOver(neckAt(std::nan("")), false, t));
 }
 
-TEST_F(Ends, FallenEndsOnlyAPhaseThatWaitsForIt) {
-  EXPECT_FALSE((EndWatch{phase, neckAt(0)}.over(neckAt(0), true, 1)));
+TEST_F(Ends, FallenEndsOnlyAPhaseWithUntilFallen) {
+  EXPECT_FALSE((EndWatch{phase, neckAt(0)}.isOver(neckAt(0), true, 1)));
   phase.until = Until::kFallen;
-  EXPECT_TRUE((EndWatch{phase, neckAt(0)}.over(neckAt(0), true, 1)));
+  EXPECT_TRUE((EndWatch{phase, neckAt(0)}.isOver(neckAt(0), true, 1)));
 }
 
 }  // namespace

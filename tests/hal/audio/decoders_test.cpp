@@ -1,4 +1,4 @@
-// Files that real encoders wrote, files that are none, and every voice by every name that is documented.
+// Sound files of real encoders, invalid files, and all documented voices.
 #include <gmock/gmock.h>
 #include <sndfile.h>
 
@@ -16,7 +16,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// 0.5 s of 441 Hz on the left, of 882 Hz on the right.
+/// 0.5 s of 441 Hz on the left and 882 Hz on the right.
 std::string encoded(const TemporaryFolder& folder, int format, int rate) {
   std::string name = folder / "sound";
   SF_INFO info{};
@@ -33,7 +33,7 @@ std::string encoded(const TemporaryFolder& folder, int format, int rate) {
   return name;
 }
 
-std::string whyNot(const std::string& file) {
+std::string rejection(const std::string& file) {
   try {
     static_cast<void>(openSoundFile(file));
   } catch (const std::exception& error) {
@@ -58,8 +58,8 @@ TEST(SoundFiles, AreReadInEveryFormat) {
       left.push_back(frame.left);
       right.push_back(frame.right);
     }
-    EXPECT_NEAR(amplitudeAt(441, heard(left), 22050), 0.5, 0.05) << std::hex << format;
-    EXPECT_NEAR(amplitudeAt(882, heard(right), 22050), 0.5, 0.05) << std::hex << format;
+    EXPECT_NEAR(amplitudeAt(441, audiblePart(left), 22050), 0.5, 0.05) << std::hex << format;
+    EXPECT_NEAR(amplitudeAt(882, audiblePart(right), 22050), 0.5, 0.05) << std::hex << format;
     EXPECT_EQ(file.source->read(frames), 0U);
     EXPECT_TRUE(file.source->ended());
     EXPECT_TRUE(file.source->rewind());
@@ -67,29 +67,29 @@ TEST(SoundFiles, AreReadInEveryFormat) {
   }
 }
 
-TEST(SoundFiles, ThatAreNoneAreNamedWithTheReason) {
+TEST(SoundFiles, ThatAreInvalidAreNamedWithTheReason) {
   const TemporaryFolder folder;
-  EXPECT_THAT(whyNot(folder / "nothing"), HasSubstr("No such file"));
-  EXPECT_THAT(whyNot(folder / ""), HasSubstr("is no file"));
+  EXPECT_THAT(rejection(folder / "nothing"), HasSubstr("No such file"));
+  EXPECT_THAT(rejection(folder / ""), HasSubstr("not a regular file"));
   for (const std::string& text : {std::string{}, std::string(10'000, '\0'), std::string{"RIFF----WAVEfmt "},
                                   std::string{"\xFF\xFB\x90\x44 and no more"}}) {
     std::ofstream{folder / "some"} << text;
-    EXPECT_THAT(whyNot(folder / "some"), HasSubstr("cannot be played")) << text;
+    EXPECT_THAT(rejection(folder / "some"), HasSubstr("cannot play sound file")) << text;
   }
 }
 
-TEST(Voices, OfEveryDocumentedNameAreThere) {
-  std::string told;
-  Speech speech{"", [&](const std::string& what) { told += what; }};
+TEST(Voices, OfEveryDocumentedNameExist) {
+  std::string errors;
+  Speech speech{"", [&](const std::string& what) { errors += what; }};
   std::vector<Frame> frames(512);
   for (const VoiceName& name : kVoiceNames) {
     const auto voice = speech.speak({.text = "1", .voice = std::string{name.said}});
     ASSERT_TRUE(voice);
-    std::size_t heard_frames = 0;
-    while (!voice->ended()) heard_frames += voice->read(frames);
-    EXPECT_GT(heard_frames, 1000U) << name.said;
+    std::size_t frame_count = 0;
+    while (!voice->ended()) frame_count += voice->read(frames);
+    EXPECT_GT(frame_count, 1000U) << name.said;
   }
-  EXPECT_THAT(told, IsEmpty());
+  EXPECT_THAT(errors, IsEmpty());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The mix: rate, pitch, volume, balance, loop, what is cut off, and who is told to have ended.
+// Mixer: rate, pitch, volume, balance, loop, clipping and end events.
 #include "hal/audio/mixer.hpp"
 
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A tone, the same on both sides.
+/// A tone on both channels.
 class ToneSource : public SoundSource {
  public:
   ToneSource(double hertz, double seconds, int rate, double amplitude = 0.5)
@@ -31,7 +31,7 @@ class ToneSource : public SoundSource {
     at_ = 0;
     return true;
   }
-  bool waits = false;  // has nothing yet
+  bool waits = false;  // no data yet
 
  private:
   int rate_;
@@ -44,7 +44,7 @@ std::unique_ptr<ToneSource> toneSource(double hertz = 441, double seconds = 0.1,
   return std::make_unique<ToneSource>(hertz, seconds, rate, amplitude);
 }
 
-/// Left, then right.
+/// Left and right samples.
 std::array<std::vector<double>, 2> sidesOf(Mixer& mixer, double seconds) {
   std::vector<Sample> out(static_cast<std::size_t>(seconds * kMixRate));
   mixer.mix(out);
@@ -56,11 +56,11 @@ std::array<std::vector<double>, 2> sidesOf(Mixer& mixer, double seconds) {
   return sides;
 }
 
-TEST(Mixer, AnyRateIsHeardAtItsPitchAndForItsTime) {
+TEST(Mixer, AnySampleRateKeepsItsPitchAndDuration) {
   for (const int rate : {8000, 22050, 44100, 48000}) {
     Mixer mixer;
     ASSERT_TRUE(mixer.play({.id = 1, .file = "a"}, toneSource(441, 0.2, rate)));
-    const auto left = heard(sidesOf(mixer, 0.5)[0]);
+    const auto left = audiblePart(sidesOf(mixer, 0.5)[0]);
     EXPECT_NEAR(static_cast<double>(left.size()) / kMixRate, 0.2, 0.002) << rate;
     EXPECT_NEAR(amplitudeAt(441, left, kMixRate), 0.5, 0.02) << rate;
     EXPECT_THAT(mixer.takeEnded(), ElementsAre(1)) << rate;
@@ -72,24 +72,24 @@ TEST(Mixer, VolumePitchAndBalanceAreAsOrdered) {
   Mixer mixer;
   ASSERT_TRUE(mixer.play({.id = 1, .file = "a", .volume = 0.5, .pitch = 0.5, .balance = -0.5}, toneSource()));
   const auto [left, right] = sidesOf(mixer, 0.5);
-  EXPECT_NEAR(static_cast<double>(heard(left).size()) / kMixRate, 0.2, 0.002);
-  EXPECT_NEAR(amplitudeAt(220.5, heard(left), kMixRate), 0.25, 0.01);
-  EXPECT_NEAR(amplitudeAt(220.5, heard(right), kMixRate), 0.125, 0.01);
+  EXPECT_NEAR(static_cast<double>(audiblePart(left).size()) / kMixRate, 0.2, 0.002);
+  EXPECT_NEAR(amplitudeAt(220.5, audiblePart(left), kMixRate), 0.25, 0.01);
+  EXPECT_NEAR(amplitudeAt(220.5, audiblePart(right), kMixRate), 0.125, 0.01);
 }
 
-TEST(Mixer, SoundsAddUpAndWhatIsTooLoudIsCutOff) {
+TEST(Mixer, SoundsAreAddedAndClipped) {
   Mixer mixer;
   ASSERT_TRUE(mixer.play({.id = 1, .file = "a"}, toneSource(441, 0.1, 22050, 0.9)));
   ASSERT_TRUE(mixer.play({.id = 2, .file = "b"}, toneSource(441, 0.1, 22050, 0.9)));
   const auto left = sidesOf(mixer, 0.05)[0];
   EXPECT_NEAR(*std::ranges::max_element(left), 32767 / 32768.0, 1e-9);
-  EXPECT_NEAR(*std::ranges::min_element(left), -32767 / 32768.0, 1e-9) << "it must not turn round";
+  EXPECT_NEAR(*std::ranges::min_element(left), -32767 / 32768.0, 1e-9) << "no wrap-around";
   mixer.stop({"a"});
   EXPECT_THAT(mixer.takeEnded(), ElementsAre(1));
   EXPECT_NEAR(amplitudeAt(441, sidesOf(mixer, 0.02)[0], kMixRate), 0.9, 0.02);
 }
 
-TEST(Mixer, AFileThatSoundsGoesOnWithItsNewValuesUnderItsNewName) {
+TEST(Mixer, APlayingFileContinuesWithItsNewParametersAndId) {
   Mixer mixer;
   ASSERT_TRUE(mixer.play({.id = 1, .file = "a", .loop = true}, toneSource(441, 0.1)));
   EXPECT_NEAR(rms(sidesOf(mixer, 0.4)[0]), 0.5 / std::sqrt(2), 0.01) << "a loop without gaps";
@@ -97,31 +97,31 @@ TEST(Mixer, AFileThatSoundsGoesOnWithItsNewValuesUnderItsNewName) {
   EXPECT_TRUE(mixer.change({.id = 2, .file = "a", .volume = 0.1}));
   EXPECT_THAT(mixer.takeEnded(), ElementsAre(1));
   EXPECT_NEAR(rms(sidesOf(mixer, 0.02)[0]), 0.05 / std::sqrt(2), 0.005);
-  EXPECT_THAT(sidesOf(mixer, 0.2)[0].back(), 0) << "it is no loop any more";
+  EXPECT_THAT(sidesOf(mixer, 0.2)[0].back(), 0) << "the loop has ended";
   EXPECT_THAT(mixer.takeEnded(), ElementsAre(2));
 }
 
-TEST(Mixer, PlayedAfreshASoundReplacesTheLastOneThatWas) {
+TEST(Mixer, ARestartedSoundReplacesThePreviousRestartedOne) {
   Mixer mixer;
   ASSERT_TRUE(mixer.play({.id = 1, .file = "a", .loop = true}, toneSource()));
   ASSERT_TRUE(mixer.play({.id = 2, .file = "b", .loop = true, .afresh = true}, toneSource()));
-  EXPECT_FALSE(mixer.change({.id = 3, .file = "a", .afresh = true})) << "not even one that sounds already";
+  EXPECT_FALSE(mixer.change({.id = 3, .file = "a", .afresh = true})) << "not even if it is already playing";
   ASSERT_TRUE(mixer.play({.id = 3, .file = "b", .loop = true, .afresh = true}, toneSource()));
   EXPECT_THAT(mixer.takeEnded(), ElementsAre(2));
   mixer.stop({});
   EXPECT_THAT(mixer.takeEnded(), ElementsAre(1, 3));
 }
 
-TEST(Mixer, NewWordsReplaceTheOldOnesAndNoSounds) {
+TEST(Mixer, NewSpeechReplacesSpeechButNotSounds) {
   Mixer mixer;
   ASSERT_TRUE(mixer.play({.id = 1, .file = "a", .loop = true}, toneSource()));
   mixer.speak({.id = 2}, toneSource(441, 1));
   mixer.speak({.id = 3, .volume = 0}, toneSource(441, 1));
   EXPECT_THAT(mixer.takeEnded(), ElementsAre(2));
-  EXPECT_NEAR(amplitudeAt(441, sidesOf(mixer, 0.05)[0], kMixRate), 0.5, 0.05) << "of volume 0 nothing is heard";
+  EXPECT_NEAR(amplitudeAt(441, sidesOf(mixer, 0.05)[0], kMixRate), 0.5, 0.05) << "volume 0 is silent";
 }
 
-TEST(Mixer, WordsThatAreNotReadyYetLeaveAGap) {
+TEST(Mixer, SpeechThatIsNotReadyLeavesAGap) {
   Mixer mixer;
   auto voice = toneSource(441, 0.1);
   ToneSource& words = *voice;
@@ -133,7 +133,7 @@ TEST(Mixer, WordsThatAreNotReadyYetLeaveAGap) {
   EXPECT_NEAR(rms(sidesOf(mixer, 0.05)[0]), 0.5 / std::sqrt(2), 0.02);
 }
 
-TEST(Mixer, AnEmptyFileEndsAlsoInALoopAndTooManySoundsAreRefused) {
+TEST(Mixer, AnEmptyLoopEndsAndTooManySoundsAreRejected) {
   Mixer mixer;
   ASSERT_TRUE(mixer.play({.id = 1, .file = "a", .loop = true}, toneSource(441, 0)));
   EXPECT_EQ(rms(sidesOf(mixer, 0.01)[0]), 0);

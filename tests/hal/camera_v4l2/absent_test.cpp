@@ -1,4 +1,4 @@
-// A camera that is none.
+// A device that is absent or not a camera.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,26 +21,26 @@ namespace {
 
 using namespace std::chrono_literals;
 
-Trouble troubleWith(const std::string& path) {
+CameraError errorWith(const std::string& path) {
   try {
     const Device device{path};
   } catch (const CameraRefused& refused) {
     EXPECT_THAT(refused.what(), testing::HasSubstr(path));
-    return refused.trouble();
+    return refused.kind();
   }
   ADD_FAILURE() << path << " was taken for a camera";
-  return Trouble::kOther;
+  return CameraError::kOther;
 }
 
-TEST(AbsentCamera, IsToldFromAFileThatIsNone) {
+TEST(AbsentCamera, IsDistinguishedFromOtherFiles) {
   const TemporaryFolder folder;
-  EXPECT_EQ(troubleWith(folder / "video0"), Trouble::kAbsent);
-  EXPECT_EQ(troubleWith("/dev/null"), Trouble::kNotACamera);
-  EXPECT_EQ(troubleWith("/tmp"), Trouble::kNotACamera);
+  EXPECT_EQ(errorWith(folder / "video0"), CameraError::kAbsent);
+  EXPECT_EQ(errorWith("/dev/null"), CameraError::kNotACamera);
+  EXPECT_EQ(errorWith("/tmp"), CameraError::kNotACamera);
 }
 
-/// The thread is ended, not left behind, if nobody but the test holds the token at the camera's end. On a busy computer
-/// that may take longer than it has on the robot.
+/// The thread has ended, and was not abandoned, if only the test holds the token after the camera's destruction. On a
+/// busy computer this may take longer than on the robot.
 constexpr auto kGrace = 20s;
 
 TEST(AbsentCamera, IsBlackAndLeavesPromptly) {
@@ -74,7 +74,7 @@ TEST(AbsentCamera, IsBlackAndLeavesPromptly) {
   EXPECT_EQ(token.use_count(), 1);
 }
 
-TEST(AbsentCamera, DoesNotKeepItsOwnerWaitingDuringALongPause) {
+TEST(AbsentCamera, DoesNotBlockItsOwnerDuringALongPause) {
   const TemporaryFolder folder;
   CameraOptions options;
   options.device = folder / "video0";

@@ -1,4 +1,4 @@
-// A virtual camera for one test, its painter, and ears for what is said about it.
+// Test bench: a virtual camera, its painter, and a log capture.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -33,7 +33,7 @@ bool waitFor(Condition&& met) {
   return true;
 }
 
-/// Bytes of picture `number`: noise, another one for each number.
+/// Byte of picture `number`: noise that differs between pictures.
 inline std::uint8_t noise(std::uint32_t number, std::size_t at) {
   const std::uint32_t mixed = (static_cast<std::uint32_t>(at) + 977 * number) * 2654435761u;
   return static_cast<std::uint8_t>(mixed >> 23);
@@ -59,39 +59,38 @@ class VirtualCamera {
   hil::FramePainter painter_{folder_ / "camera"};
 };
 
-/// Keeps what was said.
-class Ears {
+/// Records log messages.
+class LogCapture {
  public:
-  std::function<void(const std::string&)> listen() {
+  std::function<void(const std::string&)> callback() {
     return [this](const std::string& sentence) {
       const std::lock_guard lock{mutex_};
-      heard_.push_back(sentence);
+      lines_.push_back(sentence);
     };
   }
-  std::vector<std::string> heard() {
+  std::vector<std::string> lines() {
     const std::lock_guard lock{mutex_};
-    return heard_;
+    return lines_;
   }
   int times(const std::string& words) {
-    const auto all = heard();
+    const auto all = lines();
     return static_cast<int>(std::count_if(all.begin(), all.end(), [&](const std::string& sentence) {
       return sentence.find(words) != std::string::npos;
     }));
   }
-  bool hears(const std::string& words) {
+  bool receives(const std::string& words) {
     return waitFor([&] { return times(words) > 0; });
   }
 
  private:
   std::mutex mutex_;
-  std::vector<std::string> heard_;
+  std::vector<std::string> lines_;
 };
 
-/// A camera that is tried again soon, and soon taken for silent. Its thread is waited for at the end: it must not meet
-/// the next test's camera.
-inline CameraOptions inAHurry(Ears& ears) {
+/// Short retry and silence times. Waits for the thread at the end, so that it cannot use the next test's camera.
+inline CameraOptions fastOptions(LogCapture& log) {
   CameraOptions options;
-  options.say = ears.listen();
+  options.say = log.callback();
   options.patience = {700ms, 5ms, 20ms, 20s};
   return options;
 }
@@ -107,12 +106,12 @@ inline bool waitForFrames(const Camera& camera, std::uint64_t more) {
   return waitFor([&] { return camera.health().frames >= goal; });
 }
 
-/// Pixels of `frame` that are not what picture `number` makes them; the camera's picture may be larger than the frame.
+/// Number of pixels that differ from picture `number`; the camera's picture may be larger than the frame.
 inline int wrongPixels(const CameraFrame& frame, std::uint32_t number, std::size_t stride) {
   int wrong = 0;
   for (int y = 0; y < frame.height; ++y)
     for (int x = 0; x < frame.width; ++x) {
-      // Turned by 180 degrees: the camera is mounted upside down.
+      // Rotated by 180 degrees: the camera is mounted upside down.
       const auto from_x = static_cast<std::size_t>(frame.width - 1 - x);
       const std::size_t row = static_cast<std::size_t>(frame.height - 1 - y) * stride;
       const std::size_t pair = row + from_x / 2 * 4;

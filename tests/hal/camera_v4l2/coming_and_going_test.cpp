@@ -1,4 +1,4 @@
-// A camera that is lost and comes back, and one whose owner leaves.
+// A camera that is lost and comes back, and owners that are destroyed early.
 #include <linux/videodev2.h>
 
 #include "hal/camera_v4l2/bench.hpp"
@@ -10,35 +10,35 @@ namespace {
 
 struct ComingAndGoing : testing::Test {
   VirtualCamera device;
-  Ears ears;
+  LogCapture log;
 };
 
-TEST_F(ComingAndGoing, SaysEachOnceAndLeavesAGapInTheNumbers) {
-  Camera camera{inAHurry(ears)};
+TEST_F(ComingAndGoing, ReportsEachEventOnceAndLeavesASequenceGap) {
+  Camera camera{fastOptions(log)};
   waitForPicture(camera);
   device.fault(CameraFault::kGone);
-  ASSERT_TRUE(ears.hears("the camera at /dev/video0 is gone: check its USB cable"));
+  ASSERT_TRUE(log.receives("camera at /dev/video0 unplugged: check its USB cable"));
   const std::uint64_t last = camera.newest().sequence;
   std::this_thread::sleep_for(100ms);  // several attempts
-  EXPECT_EQ(ears.heard().size(), 1u);
+  EXPECT_EQ(log.lines().size(), 1u);
   EXPECT_EQ(camera.newest().sequence, last);
 
   device.paint(2, kFallback);
   device.fault(CameraFault::kNone);
-  ASSERT_TRUE(ears.hears("the camera at /dev/video0 is back"));
+  ASSERT_TRUE(log.receives("the camera at /dev/video0 is back"));
   const CameraFrame frame = waitForPicture(camera, last);
   EXPECT_GE(frame.sequence, last + 2);
   EXPECT_EQ(wrongPixels(frame, 2), 0);
   EXPECT_EQ(camera.health().reopened, 1u);
   EXPECT_TRUE(camera.health().seeing);
-  EXPECT_EQ(ears.heard().size(), 2u);
+  EXPECT_EQ(log.lines().size(), 2u);
 
   device.fault(CameraFault::kGone);
-  EXPECT_TRUE(waitFor([&] { return ears.times("is gone") == 2; })) << "said anew after it was back";
+  EXPECT_TRUE(waitFor([&] { return log.times("unplugged") == 2; })) << "reported again after recovery";
 }
 
 TEST_F(ComingAndGoing, CountsAllPictures) {
-  Camera camera{inAHurry(ears)};
+  Camera camera{fastOptions(log)};
   ASSERT_TRUE(waitForFrames(camera, 2));
   device.fault(CameraFault::kDrops);
   const std::uint64_t dropped = camera.health().dropped;
@@ -53,24 +53,24 @@ TEST_F(ComingAndGoing, CountsAllPictures) {
   EXPECT_EQ(health.frames + health.dropped + health.damaged, camera.newest().sequence);
 }
 
-TEST_F(ComingAndGoing, IsSeenForTwoSecondsAfterTheLastPicture) {
-  CameraOptions options = inAHurry(ears);
-  options.patience = {};  // as on the robot
-  options.patience.grace = inAHurry(ears).patience.grace;
+TEST_F(ComingAndGoing, CountsAsSeeingForTwoSecondsAfterTheLastPicture) {
+  CameraOptions options = fastOptions(log);
+  options.patience = {};  // the robot's defaults
+  options.patience.grace = fastOptions(log).patience.grace;
   Camera camera{options};
   waitForPicture(camera);
   device.fault(CameraFault::kSilent);
   const auto begun = std::chrono::steady_clock::now();
-  ASSERT_TRUE(ears.hears("sends no pictures"));
+  ASSERT_TRUE(log.receives("no pictures from the camera"));
   EXPECT_GT(std::chrono::steady_clock::now() - begun, 1500ms);
   EXPECT_FALSE(camera.health().seeing);
   device.fault(CameraFault::kNone);
-  EXPECT_TRUE(ears.hears("is back"));
+  EXPECT_TRUE(log.receives("is back"));
   EXPECT_TRUE(camera.health().seeing);
 }
 
-TEST_F(ComingAndGoing, DoesNotKeepItsOwnerWaitingForASilentCamera) {
-  CameraOptions options = inAHurry(ears);
+TEST_F(ComingAndGoing, DoesNotBlockItsOwnerOnASilentCamera) {
+  CameraOptions options = fastOptions(log);
   options.patience.silent = 60s;
   const auto token = std::make_shared<int>(0);
   options.say = [token](const std::string&) {};
@@ -82,10 +82,10 @@ TEST_F(ComingAndGoing, DoesNotKeepItsOwnerWaitingForASilentCamera) {
   const auto begun = std::chrono::steady_clock::now();
   camera.reset();
   EXPECT_LT(std::chrono::steady_clock::now() - begun, 10s);
-  EXPECT_EQ(token.use_count(), 1) << "its thread was left behind";
+  EXPECT_EQ(token.use_count(), 1) << "its thread was abandoned";
 }
 
-/// A driver that does not return from its first call of one kind, until it is told.
+/// A driver whose first call of one kind blocks until released.
 struct StuckDriver final : Quirk {
   explicit StuckDriver(unsigned long where) : in{where} {}
   int call(int fd, unsigned long request, void* argument) override {
@@ -94,15 +94,15 @@ struct StuckDriver final : Quirk {
   }
   const unsigned long in;
   std::atomic<bool> stuck{true}, reached{false};
-  const InForce in_force{*this};  // the last member: the first to go
+  const InForce in_force{*this};  // last member: destroyed first
 };
 
-TEST_F(ComingAndGoing, DoesNotKeepItsOwnerWaitingForADriverThatIsStuck) {
+TEST_F(ComingAndGoing, DoesNotBlockItsOwnerOnABlockedDriver) {
   StuckDriver driver{VIDIOC_S_FMT};
   const auto token = std::make_shared<int>(0);
-  std::atomic<int> said{0};
-  CameraOptions options = inAHurry(ears);
-  options.say = [token, &said](const std::string&) { ++said; };
+  std::atomic<int> messages{0};
+  CameraOptions options = fastOptions(log);
+  options.say = [token, &messages](const std::string&) { ++messages; };
   options.patience.grace = 100ms;
   auto camera = std::make_unique<Camera>(options);
   options.say = nullptr;
@@ -111,73 +111,73 @@ TEST_F(ComingAndGoing, DoesNotKeepItsOwnerWaitingForADriverThatIsStuck) {
   camera.reset();
   EXPECT_LT(std::chrono::steady_clock::now() - begun, 10s);
   EXPECT_TRUE(driver.stuck);
-  device.fault(CameraFault::kGone);  // something to say, to nobody
+  device.fault(CameraFault::kGone);  // would cause a message
   driver.stuck = false;
-  EXPECT_TRUE(waitFor([&] { return token.use_count() == 1; })) << "the thread still holds its listener";
-  EXPECT_EQ(said, 0);
+  EXPECT_TRUE(waitFor([&] { return token.use_count() == 1; })) << "the thread still holds the callback";
+  EXPECT_EQ(messages, 0);
 }
 
-TEST_F(ComingAndGoing, DoesNotBlameOthersForAPredecessorThatIsStuck) {
+TEST_F(ComingAndGoing, DoesNotReportBusyForABlockedPredecessor) {
   StuckDriver driver{VIDIOC_DQBUF};
   const auto token = std::make_shared<int>(0);
-  CameraOptions options = inAHurry(ears);
+  CameraOptions options = fastOptions(log);
   options.say = [token](const std::string&) {};
   options.patience.grace = 10ms;
   auto predecessor = std::make_unique<Camera>(options);
   options.say = nullptr;
   ASSERT_TRUE(waitFor([&] { return driver.reached.load(); }));
   predecessor.reset();
-  ASSERT_NE(token.use_count(), 1) << "its thread is not left behind";
-  Camera camera{inAHurry(ears)};
-  std::this_thread::sleep_for(100ms);  // it is refused, several times
+  ASSERT_NE(token.use_count(), 1) << "its thread was not abandoned";
+  Camera camera{fastOptions(log)};
+  std::this_thread::sleep_for(100ms);  // several rejected attempts
   EXPECT_EQ(camera.health().frames, 0u);
-  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+  EXPECT_THAT(log.lines(), testing::IsEmpty());
   driver.stuck = false;
   waitForPicture(camera);
-  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+  EXPECT_THAT(log.lines(), testing::IsEmpty());
 }
 
-TEST_F(ComingAndGoing, TellsWhenAPredecessorStaysStuck) {
+TEST_F(ComingAndGoing, ReportsAPredecessorThatStaysBlocked) {
   StuckDriver driver{VIDIOC_DQBUF};
-  CameraOptions options = inAHurry(ears);
+  CameraOptions options = fastOptions(log);
   options.patience.grace = 10ms;
   auto predecessor = std::make_unique<Camera>(options);
   ASSERT_TRUE(waitFor([&] { return driver.reached.load(); }));
   predecessor.reset();
-  Camera camera{inAHurry(ears)};
-  EXPECT_TRUE(ears.hears("is in use"));
+  Camera camera{fastOptions(log)};
+  EXPECT_TRUE(log.receives("is in use"));
   driver.stuck = false;
-  EXPECT_TRUE(ears.hears("is back"));
+  EXPECT_TRUE(log.receives("is back"));
 }
 
-TEST_F(ComingAndGoing, TakesNothingFromTheHeapPerPicture) {
-  std::vector<long> allocations;  // of the camera's thread, each time it says something
+TEST_F(ComingAndGoing, DoesNotAllocatePerPicture) {
+  std::vector<long> allocations;  // of the camera's thread, at each message
   std::mutex mutex;
-  CameraOptions options = inAHurry(ears);
+  CameraOptions options = fastOptions(log);
   options.say = [&](const std::string&) {
     const std::lock_guard lock{mutex};
     allocations.push_back(allocationsOfThisThread());
   };
-  const auto said = [&] {
+  const auto messages = [&] {
     const std::lock_guard lock{mutex};
     return allocations.size();
   };
   Camera camera{options};
-  // "is back", pictures, "is gone": what is allocated between the two are the words, however many pictures came.
+  // Between "is back" and "unplugged" only the messages allocate, regardless of the number of pictures.
   const auto comes_and_goes = [&](std::uint64_t pictures) {
-    const std::size_t before = said();
+    const std::size_t before = messages();
     device.fault(CameraFault::kNone);
-    EXPECT_TRUE(waitFor([&] { return said() == before + 1; }));
+    EXPECT_TRUE(waitFor([&] { return messages() == before + 1; }));
     EXPECT_TRUE(waitForFrames(camera, pictures));
     device.fault(CameraFault::kGone);
-    EXPECT_TRUE(waitFor([&] { return said() == before + 2; }));
+    EXPECT_TRUE(waitFor([&] { return messages() == before + 2; }));
     const std::lock_guard lock{mutex};
     return allocations[before + 1] - allocations[before];
   };
   ASSERT_TRUE(waitForFrames(camera, 1));
   device.fault(CameraFault::kGone);
-  ASSERT_TRUE(waitFor([&] { return said() == 1; }));
-  comes_and_goes(1);  // this vector grows
+  ASSERT_TRUE(waitFor([&] { return messages() == 1; }));
+  comes_and_goes(1);  // lets this vector grow
   comes_and_goes(1);
   {
     const std::lock_guard lock{mutex};

@@ -1,4 +1,4 @@
-// Which controls are written.
+// Decision which controls are written.
 #include "hal/camera_v4l2/controls.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ TEST(Controls, AreWrittenOnlyWhenTheyDiffer) {
   EXPECT_EQ(decision.value, 41);
 }
 
-TEST(Controls, GoToTheDriversDefaultForMinusOne) {
+TEST(Controls, AreSetToTheDriversDefaultForMinusOne) {
   const ControlDecision decision = decide(CameraSettings::kDriversDefault, {0, 255, 128, 40});
   EXPECT_EQ(decision.what, What::kWrite);
   EXPECT_EQ(decision.value, 128);

@@ -1,4 +1,4 @@
-// From the driver's count to numbers that a controller can rely on.
+// Mapping of driver sequence numbers.
 #include "hal/camera_v4l2/frame_count.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace darwinop::v4l2 {
 namespace {
 
-TEST(FrameCount, BeginsAtOneWhateverTheDriverBeginsWith) {
+TEST(FrameCount, StartsAtOneForAnyDriverCount) {
   FrameCount count;
   EXPECT_EQ(count.next(4711).sequence, 1u);
   const auto second = count.next(4712);
@@ -14,7 +14,7 @@ TEST(FrameCount, BeginsAtOneWhateverTheDriverBeginsWith) {
   EXPECT_EQ(second.dropped, 0u);
 }
 
-TEST(FrameCount, JumpsOverWhatTheDriverLost) {
+TEST(FrameCount, SkipsPicturesThatTheDriverLost) {
   FrameCount count;
   count.next(0);
   const auto after = count.next(3);
@@ -30,7 +30,7 @@ TEST(FrameCount, SurvivesTheWrapOfTheDriversCount) {
   EXPECT_EQ(after.dropped, 2u);
 }
 
-TEST(FrameCount, GoesOnWithACountThatStandsStillOrRunsBack) {
+TEST(FrameCount, IgnoresACountThatStallsOrDecreases) {
   FrameCount count;
   count.next(10);
   EXPECT_EQ(count.next(10).sequence, 2u);
@@ -39,7 +39,7 @@ TEST(FrameCount, GoesOnWithACountThatStandsStillOrRunsBack) {
   EXPECT_EQ(after.dropped, 0u);
 }
 
-TEST(FrameCount, LeavesAGapWhereTheCameraWasOpenedAnew) {
+TEST(FrameCount, LeavesAGapWhenTheCameraIsReopened) {
   FrameCount count;
   count.restart();
   EXPECT_EQ(count.next(0).sequence, 1u);
@@ -49,7 +49,7 @@ TEST(FrameCount, LeavesAGapWhereTheCameraWasOpenedAnew) {
   EXPECT_EQ(after.dropped, 0u);
 }
 
-TEST(FrameCount, DoesNotCallADamagedPictureDroppedToo) {
+TEST(FrameCount, DoesNotCountADamagedPictureAsDropped) {
   FrameCount count;
   count.next(0);
   count.unnumbered();

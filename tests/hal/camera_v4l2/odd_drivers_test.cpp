@@ -1,4 +1,4 @@
-// Drivers of another kind: older ones, padded rows, few buffers.
+// Unusual drivers: older kernels, padded rows, few buffers.
 #include <linux/videodev2.h>
 
 #include <cerrno>
@@ -11,10 +11,10 @@
 namespace darwinop::v4l2 {
 namespace {
 
-/// Changes the answers of one call.
+/// Changes the result of one ioctl.
 class Changed final : public Quirk {
  public:
-  using Change = std::function<int(int result, void* answer)>;  // gives the result; errno is its own
+  using Change = std::function<int(int result, void* answer)>;  // returns the result; may set errno
   Changed(unsigned long request, Change change) : request_{request}, change_{std::move(change)} {}
   int call(int fd, unsigned long request, void* argument) override {
     const int result = next(fd, request, argument);
@@ -24,12 +24,12 @@ class Changed final : public Quirk {
  private:
   unsigned long request_;
   Change change_;
-  const InForce in_force_{*this};  // the last member: the first to go
+  const InForce in_force_{*this};  // last member: destroyed first
 };
 
 struct OddDriver : testing::Test {
   VirtualCamera device;
-  Ears ears;
+  LogCapture log;
 };
 
 int fails(int error) {
@@ -42,33 +42,34 @@ TEST_F(OddDriver, OfLinux2_6_31KeepsTheBufferOfADamagedPicture) {
   const Changed quirk{VIDIOC_DQBUF, [&](int result, void*) {
                         if (result != 0 || ++calls % 3 != 0) return result;
                         ++errors;
-                        return fails(EIO);  // the buffer is neither the driver's nor, to its knowledge, ours
+                        return fails(EIO);  // the buffer is neither queued nor dequeued
                       }};
-  Camera camera{inAHurry(ears)};
-  ASSERT_TRUE(waitFor([&] { return errors >= 8; })) << "it ran out of buffers";
+  Camera camera{fastOptions(log)};
+  ASSERT_TRUE(waitFor([&] { return errors >= 8; })) << "out of buffers";
   ASSERT_TRUE(waitForFrames(camera, 2));
-  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+  EXPECT_THAT(log.lines(), testing::IsEmpty());
   EXPECT_EQ(camera.health().reopened, 0u);
   device.fault(CameraFault::kGone);
-  ASSERT_TRUE(ears.hears("is gone"));
+  ASSERT_TRUE(log.receives("unplugged"));
   const CameraHealth health = camera.health();
   EXPECT_GE(health.damaged, 8u);
   const std::uint64_t last = camera.newest().sequence, counted = health.frames + health.damaged + health.dropped;
   EXPECT_GE(counted, last);
-  EXPECT_LE(counted, last + 1) << "a damaged picture is not a dropped one, too";  // the last one has no number yet
+  EXPECT_LE(counted, last + 1) << "a damaged picture is not dropped";  // the last one has no number yet
 }
 
 TEST_F(OddDriver, AnswersEveryReadWithAnErrorAtOnce) {
   struct : Quirk {
     int call(int fd, unsigned long request, void* argument) override {
-      return request == VIDIOC_DQBUF ? fails(EIO) : next(fd, request, argument);  // the picture stays: no pace
+      return request == VIDIOC_DQBUF ? fails(EIO)
+                                     : next(fd, request, argument);  // the picture stays, so errors are immediate
     }
   } quirk;
   const InForce in_force{quirk};
-  CameraOptions options = inAHurry(ears);
-  options.patience.silent = 60s;  // it is noticed before that
+  CameraOptions options = fastOptions(log);
+  options.patience.silent = 60s;  // the error must be detected earlier
   Camera camera{options};
-  ASSERT_TRUE(ears.hears("cannot be read (Input/output error)"));
+  ASSERT_TRUE(log.receives("cannot be read (Input/output error)"));
   EXPECT_EQ(camera.newest().sequence, 0u);
 }
 
@@ -77,22 +78,22 @@ TEST_F(OddDriver, IsSlowerThanTheRobotsCamera) {
                         static_cast<v4l2_streamparm*>(answer)->parm.capture.timeperframe = {2, 15};
                         return result;
                       }};
-  Camera camera{inAHurry(ears)};
-  EXPECT_TRUE(ears.hears("/dev/video0 gives 7.5 pictures a second of 320x240, the robot's own camera 30.0: "));
+  Camera camera{fastOptions(log)};
+  EXPECT_TRUE(log.receives("/dev/video0 delivers 7.5 pictures/s at 320x240, the robot's own camera 30.0; "));
 }
 
-TEST_F(OddDriver, DoesNotTellItsRate) {
+TEST_F(OddDriver, DoesNotReportItsRate) {
   const Changed quirk{VIDIOC_S_PARM, [](int result, void* answer) {
                         static_cast<v4l2_streamparm*>(answer)->parm.capture.timeperframe = {0, 0};
                         return result;
                       }};
-  Camera camera{inAHurry(ears)};
+  Camera camera{fastOptions(log)};
   waitForPicture(camera);
-  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+  EXPECT_THAT(log.lines(), testing::IsEmpty());
 }
 
 TEST_F(OddDriver, PadsItsRows) {
-  // In truth 640x480, of which it shows the upper left quarter.
+  // The device delivers 640x480, of which the upper left quarter is shown.
   struct Padded final : Quirk {
     int call(int fd, unsigned long request, void* argument) override {
       if (request != VIDIOC_S_FMT) return next(fd, request, argument);
@@ -108,18 +109,18 @@ TEST_F(OddDriver, PadsItsRows) {
   } quirk;
   const InForce in_force{quirk};
   device.paint(5, {640, 480});
-  Camera camera{inAHurry(ears)};
+  Camera camera{fastOptions(log)};
   const CameraFrame frame = waitForPicture(camera);
   EXPECT_EQ(frame.width, 320);
   EXPECT_EQ(wrongPixels(frame, 5, 1280), 0);
 }
 
-TEST_F(OddDriver, LeavesTheLengthOfARowOpen) {
+TEST_F(OddDriver, LeavesTheRowLengthUnset) {
   const Changed quirk{VIDIOC_S_FMT, [](int result, void* answer) {
                         static_cast<v4l2_format*>(answer)->fmt.pix.bytesperline = 0;
                         return result;
                       }};
-  Camera camera{inAHurry(ears)};
+  Camera camera{fastOptions(log)};
   EXPECT_EQ(wrongPixels(waitForPicture(camera), 1), 0);
 }
 
@@ -131,12 +132,12 @@ TEST_F(OddDriver, GrantsTwoBuffers) {
     }
   } quirk;
   const InForce in_force{quirk};
-  Camera camera{inAHurry(ears)};
+  Camera camera{fastOptions(log)};
   EXPECT_TRUE(waitForFrames(camera, 10));
-  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+  EXPECT_THAT(log.lines(), testing::IsEmpty());
 }
 
-TEST_F(OddDriver, StampsWithTheTimeOfDay) {
+TEST_F(OddDriver, UsesTimeOfDayTimestamps) {
   const Changed quirk{VIDIOC_DQBUF, [](int result, void* answer) {
                         auto& buffer = *static_cast<v4l2_buffer*>(answer);
                         buffer.flags &= ~static_cast<std::uint32_t>(V4L2_BUF_FLAG_TIMESTAMP_MASK);
@@ -144,7 +145,7 @@ TEST_F(OddDriver, StampsWithTheTimeOfDay) {
                         return result;
                       }};
   const Nanos before = monotonicNow();
-  Camera camera{inAHurry(ears)};
+  Camera camera{fastOptions(log)};
   const CameraFrame frame = waitForPicture(camera);
   EXPECT_GT(frame.time, before);
   EXPECT_LT(frame.time, monotonicNow());
@@ -156,27 +157,27 @@ TEST_F(OddDriver, TakesNoPictures) {
                         able.device_caps &= ~static_cast<std::uint32_t>(V4L2_CAP_VIDEO_CAPTURE);
                         return result;
                       }};
-  Camera camera{inAHurry(ears)};
-  EXPECT_TRUE(ears.hears("/dev/video0 is not a camera that takes pictures (it takes no pictures)"));
+  Camera camera{fastOptions(log)};
+  EXPECT_TRUE(log.receives("/dev/video0 is not a capture device (no video capture)"));
 }
 
-TEST_F(OddDriver, HasNoRoomOnItsBus) {
+TEST_F(OddDriver, ExceedsTheBusBandwidth) {
   const Changed quirk{VIDIOC_STREAMON, [](int, void*) { return fails(ENOSPC); }};
-  Camera camera{inAHurry(ears)};
-  EXPECT_TRUE(ears.hears("the USB bus has no room for the pictures of /dev/video0"));
+  Camera camera{fastOptions(log)};
+  EXPECT_TRUE(log.receives("not enough USB bandwidth for /dev/video0"));
 }
 
-TEST_F(OddDriver, HandsOverABufferThatItWasNeverGiven) {
+TEST_F(OddDriver, ReturnsABufferThatWasNotQueued) {
   const Changed quirk{VIDIOC_DQBUF, [](int result, void* answer) {
                         static_cast<v4l2_buffer*>(answer)->index = 4711;
                         return result;
                       }};
-  Camera camera{inAHurry(ears)};
-  EXPECT_TRUE(ears.hears("cannot be read (Protocol error)"));
+  Camera camera{fastOptions(log)};
+  EXPECT_TRUE(log.receives("cannot be read (Protocol error)"));
   EXPECT_EQ(camera.newest().sequence, 0u);
 }
 
-TEST_F(OddDriver, SaysReadyAndHasNothing) {
+TEST_F(OddDriver, PollsReadyWithoutAPicture) {
   struct : Quirk {
     int call(int fd, unsigned long request, void* argument) override {
       if (request != VIDIOC_DQBUF) return next(fd, request, argument);
@@ -186,9 +187,9 @@ TEST_F(OddDriver, SaysReadyAndHasNothing) {
     std::atomic<int> calls{0};
   } quirk;
   const InForce in_force{quirk};
-  Camera camera{inAHurry(ears)};
-  EXPECT_TRUE(ears.hears("sends no pictures"));
-  EXPECT_LT(quirk.calls, 1000) << "it keeps a CPU busy";
+  Camera camera{fastOptions(log)};
+  EXPECT_TRUE(log.receives("no pictures from the camera"));
+  EXPECT_LT(quirk.calls, 1000) << "busy loop";
 }
 
 }  // namespace

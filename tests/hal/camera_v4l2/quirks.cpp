@@ -1,4 +1,4 @@
-// An ioctl() before that of the virtual camera.
+// Interposes ioctl() before the virtual camera.
 #include "hal/camera_v4l2/quirks.hpp"
 
 #include <dlfcn.h>
@@ -39,7 +39,8 @@ extern "C" int ioctl(int fd, unsigned long request, ...) noexcept {
   void* const argument = va_arg(list, void*);
   va_end(list);
   using darwinop::v4l2::Quirk;
-  darwinop::v4l2::inside.fetch_add(1);  // first: whoever waits for us to leave sees us, or we see that it is over
+  darwinop::v4l2::inside.fetch_add(
+      1);  // first: either the waiting thread sees this increment, or we see that the quirk has ended
   Quirk* const quirk = darwinop::v4l2::in_force.load();
   const int result = quirk != nullptr ? quirk->call(fd, request, argument) : Quirk::next(fd, request, argument);
   darwinop::v4l2::inside.fetch_sub(1);

@@ -1,4 +1,4 @@
-// Lets a test stand between a program and its camera's driver, to be a driver of another kind.
+// Interposes a test between the program and its camera driver.
 #pragma once
 
 namespace darwinop::v4l2 {
@@ -9,14 +9,14 @@ class Quirk {
   virtual ~Quirk() = default;
   Quirk(const Quirk&) = delete;
   Quirk& operator=(const Quirk&) = delete;
-  /// Any thread: instead of ioctl().
+  /// Replaces ioctl(). Any thread.
   virtual int call(int fd, unsigned long request, void* argument) = 0;
-  /// The real one, or the virtual camera's.
+  /// The original ioctl(), or the virtual camera's.
   static int next(int fd, unsigned long request, void* argument);
 };
 
-/// Puts a quirk in force while it lives; one at a time. A camera may leave a thread behind: the end waits until no call
-/// is inside the quirk, which must still be whole then.
+/// Activates a quirk during its lifetime; one at a time. A camera may abandon a thread: the destructor waits until no
+/// call is inside the quirk.
 class InForce {
  public:
   explicit InForce(Quirk& quirk);

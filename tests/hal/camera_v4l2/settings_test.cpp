@@ -1,4 +1,4 @@
-// Brightness and the like, as the driver gets to see them.
+// Camera controls as written to the driver.
 #include <linux/videodev2.h>
 
 #include <map>
@@ -12,7 +12,7 @@ namespace {
 
 using Written = std::vector<std::pair<std::uint32_t, int>>;
 
-/// Notes what is written; some controls may be disabled, or refuse.
+/// Records writes; some controls may be disabled or fail.
 struct Notes final : Quirk {
   int call(int fd, unsigned long request, void* argument) override {
     if (request == VIDIOC_S_CTRL) {
@@ -43,13 +43,13 @@ struct Notes final : Quirk {
   std::atomic<std::uint32_t> disabled{0}, unknown{0}, refuses{0};
   std::mutex mutex;
   Written written;
-  const InForce in_force{*this};  // the last member: the first to go
+  const InForce in_force{*this};  // last member: destroyed first
 };
 
-/// The virtual camera keeps what was written as long as the process lives.
+/// The virtual camera keeps written values for the lifetime of the process.
 void resetControls() {
   const Device device{"/dev/video0"};
-  v4l2_control manual{V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL};  // or its exposure could not be set
+  v4l2_control manual{V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL};  // exposure is writable in manual mode only
   ASSERT_EQ(request(device.fd(), VIDIOC_S_CTRL, manual), 0);
   for (const std::uint32_t id :
        {V4L2_CID_EXPOSURE_ABSOLUTE, V4L2_CID_EXPOSURE_AUTO, V4L2_CID_AUTO_WHITE_BALANCE, V4L2_CID_AUTOGAIN,
@@ -68,18 +68,18 @@ struct SettingsTest : testing::Test {
     notes.take();
   }
   Written writtenFor(const CameraSettings& settings) {
-    CameraOptions options = inAHurry(ears);
+    CameraOptions options = fastOptions(log);
     options.settings = settings;
     Camera camera{options};
     waitForPicture(camera);
     return notes.take();
   }
   VirtualCamera device;
-  Ears ears;
+  LogCapture log;
   Notes notes;
 };
 
-TEST_F(SettingsTest, SwitchTheAutomaticsOffFirstAndThenSetWhatDiffers) {
+TEST_F(SettingsTest, DisableAutomaticModesFirstAndThenSetWhatDiffers) {
   const Written expected{{V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL},
                          {V4L2_CID_AUTO_WHITE_BALANCE, 0},
                          {V4L2_CID_AUTOGAIN, 0},
@@ -87,21 +87,21 @@ TEST_F(SettingsTest, SwitchTheAutomaticsOffFirstAndThenSetWhatDiffers) {
                          {V4L2_CID_GAIN, 255},
                          {V4L2_CID_EXPOSURE_ABSOLUTE, 1000}};
   EXPECT_EQ(writtenFor({}), expected);
-  EXPECT_EQ(writtenFor({}), Written{}) << "all is as it should be by now";
+  EXPECT_EQ(writtenFor({}), Written{}) << "all values are already set";
 
   CameraSettings other;
   other.brightness = 130;
   other.auto_gain = true;
   other.gain = 200;
   const Written brighter{{V4L2_CID_AUTOGAIN, 1}, {V4L2_CID_BRIGHTNESS, 130}};
-  EXPECT_EQ(writtenFor(other), brighter) << "a gain that the camera chooses is left to it";
+  EXPECT_EQ(writtenFor(other), brighter) << "automatic gain is not written";
 
   const Written back{{V4L2_CID_AUTOGAIN, 0}, {V4L2_CID_BRIGHTNESS, 128}};
   EXPECT_EQ(writtenFor({}), back) << "-1 is the driver's default";
-  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+  EXPECT_THAT(log.lines(), testing::IsEmpty());
 }
 
-TEST_F(SettingsTest, LeaveOutControlsThatAreDisabledOrNotThere) {
+TEST_F(SettingsTest, SkipDisabledAndMissingControls) {
   notes.disabled = V4L2_CID_BRIGHTNESS;
   notes.unknown = V4L2_CID_CONTRAST;
   CameraSettings settings;
@@ -110,22 +110,22 @@ TEST_F(SettingsTest, LeaveOutControlsThatAreDisabledOrNotThere) {
   EXPECT_THAT(written, testing::Contains(testing::Pair(V4L2_CID_SATURATION, 77)));
   EXPECT_THAT(written, testing::Not(testing::Contains(testing::Pair(V4L2_CID_BRIGHTNESS, testing::_))));
   EXPECT_THAT(written, testing::Not(testing::Contains(testing::Pair(V4L2_CID_CONTRAST, testing::_))));
-  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+  EXPECT_THAT(log.lines(), testing::IsEmpty());
 }
 
-TEST_F(SettingsTest, TellOnceWhatTheCameraDoesNotTake) {
+TEST_F(SettingsTest, ReportRejectedControlsOnce) {
   notes.refuses = V4L2_CID_CONTRAST;
-  CameraOptions options = inAHurry(ears);
+  CameraOptions options = fastOptions(log);
   options.settings.exposure = 5000;  // the camera's range ends at 2047
   options.settings.contrast = 99;
   Camera camera{options};
   waitForPicture(camera);
   device.fault(CameraFault::kGone);
-  ASSERT_TRUE(ears.hears("is gone"));
+  ASSERT_TRUE(log.receives("unplugged"));
   device.fault(CameraFault::kNone);
-  ASSERT_TRUE(ears.hears("is back"));
-  EXPECT_EQ(ears.times("/dev/video0: exposure 5000 is not written, this camera takes 3 to 2047"), 1);
-  EXPECT_EQ(ears.times("/dev/video0: contrast 99 is refused by the camera (Input/output error)"), 1);
+  ASSERT_TRUE(log.receives("is back"));
+  EXPECT_EQ(log.times("/dev/video0: exposure 5000 is not written, this camera takes 3 to 2047"), 1);
+  EXPECT_EQ(log.times("/dev/video0: contrast 99 is refused by the camera (Input/output error)"), 1);
   EXPECT_THAT(notes.take(), testing::Not(testing::Contains(testing::Pair(V4L2_CID_EXPOSURE_ABSOLUTE, testing::_))));
 }
 

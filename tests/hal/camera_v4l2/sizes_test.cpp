@@ -1,4 +1,4 @@
-// The sizes of the robot's camera, and sizes that it does not have.
+// Supported and unsupported picture sizes.
 #include <linux/videodev2.h>
 
 #include "hal/camera_v4l2/bench.hpp"
@@ -9,24 +9,24 @@ namespace {
 
 struct SizesTest : testing::TestWithParam<Size> {
   VirtualCamera device;
-  Ears ears;
+  LogCapture log;
 };
 
-CameraOptions ofSize(Ears& ears, Size size) {
-  CameraOptions options = inAHurry(ears);
+CameraOptions ofSize(LogCapture& log, Size size) {
+  CameraOptions options = fastOptions(log);
   options.width = size.width;
   options.height = size.height;
   return options;
 }
 
-TEST_P(SizesTest, IsTakenAsItIs) {
+TEST_P(SizesTest, IsUsedUnchanged) {
   device.paint(3, GetParam());
-  Camera camera{ofSize(ears, GetParam())};
+  Camera camera{ofSize(log, GetParam())};
   const CameraFrame frame = waitForPicture(camera);
   EXPECT_EQ(frame.width, GetParam().width);
   EXPECT_EQ(frame.height, GetParam().height);
   EXPECT_EQ(wrongPixels(frame, 3), 0);
-  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+  EXPECT_THAT(log.lines(), testing::IsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(Table41, SizesTest,
@@ -36,17 +36,17 @@ INSTANTIATE_TEST_SUITE_P(Table41, SizesTest,
 
 using OtherSizesTest = SizesTest;
 
-TEST_F(OtherSizesTest, BecomeTheSmallOneWithAMessage) {
-  Camera camera{ofSize(ears, {500, 400})};  // the driver would give 640x400
+TEST_F(OtherSizesTest, FallBackToTheSmallSizeWithAMessage) {
+  Camera camera{ofSize(log, {500, 400})};  // the driver would give 640x400
   const CameraFrame frame = waitForPicture(camera);
   EXPECT_EQ(frame.width, 320);
   EXPECT_EQ(frame.height, 240);
   EXPECT_EQ(wrongPixels(frame, 1), 0);
-  EXPECT_EQ(ears.times("/dev/video0 gives no pictures of 500x400: they are 320x240 now"), 1);
-  EXPECT_EQ(ears.heard().size(), 1u);
+  EXPECT_EQ(log.times("/dev/video0 does not support 500x400: using 320x240"), 1);
+  EXPECT_EQ(log.lines().size(), 1u);
 }
 
-/// A camera that has one size only.
+/// A camera with a single size.
 struct OneSize final : Quirk {
   explicit OneSize(Size has) : width(has.width), height(has.height) {}
   int call(int fd, unsigned long request, void* argument) override {
@@ -58,34 +58,34 @@ struct OneSize final : Quirk {
     return next(fd, request, argument);
   }
   std::atomic<int> width, height;
-  const InForce in_force{*this};  // the last member: the first to go
+  const InForce in_force{*this};  // last member: destroyed first
 };
 
-TEST_F(OtherSizesTest, AreTakenWhenTheCameraHasNothingElse) {
+TEST_F(OtherSizesTest, AreAcceptedWhenTheCameraHasNoOther) {
   OneSize quirk{{640, 480}};
   device.paint(4, {640, 480});
-  Camera camera{ofSize(ears, {800, 600})};
+  Camera camera{ofSize(log, {800, 600})};
   const CameraFrame frame = waitForPicture(camera);
   EXPECT_EQ(frame.width, 640);
   EXPECT_EQ(frame.height, 480);
   EXPECT_EQ(wrongPixels(frame, 4), 0);
-  EXPECT_EQ(ears.times("/dev/video0 gives no pictures of 800x600: they are 640x480 now"), 1);
+  EXPECT_EQ(log.times("/dev/video0 does not support 800x600: using 640x480"), 1);
 }
 
-TEST_F(OtherSizesTest, AreNotTakenWhenTheCameraComesBackWithThem) {
+TEST_F(OtherSizesTest, AreRejectedWhenTheCameraComesBackWithThem) {
   OneSize quirk{{320, 240}};
-  Camera camera{inAHurry(ears)};
+  Camera camera{fastOptions(log)};
   waitForPicture(camera);
   quirk.width = 640;
   quirk.height = 480;
   device.fault(CameraFault::kGone);
-  ASSERT_TRUE(ears.hears("is gone"));
+  ASSERT_TRUE(log.receives("unplugged"));
   device.fault(CameraFault::kNone);
-  ASSERT_TRUE(ears.hears("now gives pictures of 640x480 instead of 320x240"));
+  ASSERT_TRUE(log.receives("now delivers 640x480 instead of 320x240"));
   EXPECT_EQ(camera.newest().width, 320);
   quirk.width = 320;
   quirk.height = 240;
-  EXPECT_TRUE(ears.hears("is back"));
+  EXPECT_TRUE(log.receives("is back"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// From buffers to the newest picture, by hand: no thread.
+// PictureTaker without a thread.
 #include <linux/videodev2.h>
 
 #include "hal/camera_v4l2/bench.hpp"
@@ -39,23 +39,23 @@ struct TakerTest : testing::Test {
   }
 };
 
-TEST_F(TakerTest, ShowsTheNewestOfWhatIsReady) {
+TEST_F(TakerTest, ShowsTheNewestReadyPicture) {
   ASSERT_TRUE(waitForFilled(buffers.count()));
   const PictureTaker::Outcome outcome = taker.takeAll();
   EXPECT_TRUE(outcome.shown);
   EXPECT_EQ(outcome.error, 0);
   ASSERT_TRUE(pictures.update());
   EXPECT_EQ(pictures.front().sequence, buffers.count());
-  EXPECT_EQ(raw, buffers.count()) << "the same one, as the camera gave it";
-  EXPECT_EQ(counters.frames, buffers.count()) << "those that were not shown are counted, too";
+  EXPECT_EQ(raw, buffers.count()) << "the same picture in camera format";
+  EXPECT_EQ(counters.frames, buffers.count()) << "pictures that were not shown are counted";
   EXPECT_EQ(counters.dropped, 0u);
 }
 
-TEST_F(TakerTest, GivesAllBuffersBackAndCountsWhatWasLostMeanwhile) {
+TEST_F(TakerTest, QueuesAllBuffersAgainAndCountsLostPictures) {
   unsigned rounds = 0;
   EXPECT_TRUE(waitFor([&] {
     if (!waitForFilled(buffers.count())) return false;
-    std::this_thread::sleep_for(40ms);  // most likely the camera has a picture meanwhile, and no buffer for it
+    std::this_thread::sleep_for(40ms);  // the camera has probably dropped a picture meanwhile
     ++rounds;
     return taker.takeAll().shown && counters.dropped > 0;
   }));
@@ -74,8 +74,8 @@ TEST_F(TakerTest, IsIdleWhenNothingIsReady) {
   EXPECT_FALSE(pictures.update());
 }
 
-TEST_F(TakerTest, ShowsAWholePictureBehindWhichABrokenOneCame) {
-  // Again if this thread was so late that all were whole, or a broken one of the last time came first.
+TEST_F(TakerTest, ShowsACompletePictureFollowedByABrokenOne) {
+  // Retries: a late thread may see only complete pictures, or a broken one of the last attempt first.
   EXPECT_TRUE(waitFor([&] {
     camera.fault(CameraFault::kNone);
     if (!waitFor([&] { return taker.takeAll().idle; })) return false;

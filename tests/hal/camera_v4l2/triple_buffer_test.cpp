@@ -1,4 +1,4 @@
-// Handing large values over without waiting.
+// Triple buffer.
 #include "hal/triple_buffer.hpp"
 
 #include <gtest/gtest.h>
@@ -11,14 +11,14 @@
 namespace darwinop::v4l2 {
 namespace {
 
-TEST(TripleBuffer, BeginsWithTheSameEverywhereAndNothingNew) {
+TEST(TripleBuffer, StartsWithEqualSlotsAndNoNewValue) {
   TripleBuffer<int> buffer{7};
   EXPECT_EQ(buffer.front(), 7);
   EXPECT_EQ(buffer.back(), 7);
   EXPECT_FALSE(buffer.update());
 }
 
-TEST(TripleBuffer, GivesTheNewestAndEachOnce) {
+TEST(TripleBuffer, ReturnsTheNewestValueOnce) {
   TripleBuffer<int> buffer{0};
   for (int value = 1; value <= 5; ++value) {
     buffer.back() = value;
@@ -30,7 +30,7 @@ TEST(TripleBuffer, GivesTheNewestAndEachOnce) {
   EXPECT_EQ(buffer.front(), 5);
 }
 
-TEST(TripleBuffer, LeavesAloneWhatTheReaderLooksAt) {
+TEST(TripleBuffer, DoesNotModifyTheReadersSlot) {
   TripleBuffer<int> buffer{0};
   buffer.back() = 1;
   buffer.publish();
@@ -44,7 +44,7 @@ TEST(TripleBuffer, LeavesAloneWhatTheReaderLooksAt) {
   }
 }
 
-TEST(TripleBuffer, NeverShowsHalfAValueNorAnOlderOne) {
+TEST(TripleBuffer, NeverReturnsAPartialOrOlderValue) {
   using Value = std::array<int, 256>;
   TripleBuffer<Value> buffer{Value{}};
   constexpr int kValues = 20'000;

@@ -1,4 +1,4 @@
-// Sentences that say what to do.
+// Camera error messages.
 #include "hal/camera_v4l2/trouble.hpp"
 
 #include <gmock/gmock.h>
@@ -16,52 +16,52 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-TEST(CameraTrouble, IsFoundByErrno) {
-  EXPECT_EQ(troubleOf(ENOENT), Trouble::kAbsent);
-  EXPECT_EQ(troubleOf(ENODEV), Trouble::kAbsent);
-  EXPECT_EQ(troubleOf(EACCES), Trouble::kForbidden);
-  EXPECT_EQ(troubleOf(EBUSY), Trouble::kBusy);
-  EXPECT_EQ(troubleOf(ENOTTY), Trouble::kNotACamera);
-  EXPECT_EQ(troubleOf(ENOSPC), Trouble::kNoBandwidth);
-  EXPECT_EQ(troubleOf(ENOMEM), Trouble::kOutOfMemory);
-  EXPECT_EQ(troubleOf(EIO), Trouble::kReadErrors);
-  EXPECT_EQ(troubleOf(ERANGE), Trouble::kOther);
+TEST(CameraErrorTest, IsFoundByErrno) {
+  EXPECT_EQ(cameraErrorOf(ENOENT), CameraError::kAbsent);
+  EXPECT_EQ(cameraErrorOf(ENODEV), CameraError::kAbsent);
+  EXPECT_EQ(cameraErrorOf(EACCES), CameraError::kForbidden);
+  EXPECT_EQ(cameraErrorOf(EBUSY), CameraError::kBusy);
+  EXPECT_EQ(cameraErrorOf(ENOTTY), CameraError::kNotACamera);
+  EXPECT_EQ(cameraErrorOf(ENOSPC), CameraError::kNoBandwidth);
+  EXPECT_EQ(cameraErrorOf(ENOMEM), CameraError::kOutOfMemory);
+  EXPECT_EQ(cameraErrorOf(EIO), CameraError::kReadErrors);
+  EXPECT_EQ(cameraErrorOf(ERANGE), CameraError::kOther);
 }
 
-TEST(CameraTrouble, HasAnAdviceForEachKind) {
+TEST(CameraErrorTest, HasARemedyForEachKind) {
   const struct {
-    Trouble trouble;
+    CameraError kind;
     const char* advice;
   } rows[] = {
-      {Trouble::kForbidden, "sudo usermod -aG video"},
-      {Trouble::kBusy, "sudo fuser -v /dev/video7"},
-      {Trouble::kNoStreaming, "uvcvideo"},
-      {Trouble::kOtherFormat, "v4l2-ctl -d /dev/video7 --list-formats-ext"},
-      {Trouble::kOtherSize, "restart the controller"},
-      {Trouble::kFewBuffers, "two are needed"},
-      {Trouble::kNoBandwidth, "choose a smaller size"},
-      {Trouble::kUnplugged, "check its USB cable"},
-      {Trouble::kSilent, "unplug it and plug it in again"},
-      {Trouble::kDamaged, "without a hub"},
-      {Trouble::kReadErrors, "dmesg"},
-      {Trouble::kOutOfMemory, "end other programs"},
-      {Trouble::kOther, "unplug it and plug it in again"},
+      {CameraError::kForbidden, "sudo usermod -aG video"},
+      {CameraError::kBusy, "sudo fuser -v /dev/video7"},
+      {CameraError::kNoStreaming, "uvcvideo"},
+      {CameraError::kOtherFormat, "v4l2-ctl -d /dev/video7 --list-formats-ext"},
+      {CameraError::kOtherSize, "restart the controller"},
+      {CameraError::kFewBuffers, "two are needed"},
+      {CameraError::kNoBandwidth, "choose a smaller size"},
+      {CameraError::kUnplugged, "check its USB cable"},
+      {CameraError::kSilent, "unplug it and plug it in again"},
+      {CameraError::kDamaged, "without a hub"},
+      {CameraError::kReadErrors, "dmesg"},
+      {CameraError::kOutOfMemory, "end other programs"},
+      {CameraError::kOther, "unplug it and plug it in again"},
   };
   for (const auto& row : rows) {
-    const std::string sentence = explain(row.trouble, "/dev/video7", "detail");
+    const std::string sentence = explain(row.kind, "/dev/video7", "detail");
     EXPECT_THAT(sentence, HasSubstr(row.advice));
     EXPECT_THAT(sentence, HasSubstr("/dev/video7"));
   }
 }
 
-TEST(CameraTrouble, NamesTheCamerasThatAreThere) {
+TEST(CameraErrorTest, ListsTheAvailableCameras) {
   const TemporaryFolder dev;
   EXPECT_THAT(videoDevices(dev / ""), IsEmpty());
-  EXPECT_THAT(explain(Trouble::kAbsent, dev / "video0", {}, dev / ""), HasSubstr("no other video device"));
+  EXPECT_THAT(explain(CameraError::kAbsent, dev / "video0", {}, dev / ""), HasSubstr("no other video device"));
   for (const char* name : {"video10", "video2", "video", "videoX", "tty0"}) std::ofstream{dev / name} << "";
   EXPECT_THAT(videoDevices(dev / ""), ElementsAre(dev / "video2", dev / "video10"));
-  const std::string sentence = explain(Trouble::kAbsent, dev / "video10", {}, dev / "");
-  EXPECT_THAT(sentence, HasSubstr("that are there: " + (dev / "video2") + "; `v4l2-ctl --list-devices`"));
+  const std::string sentence = explain(CameraError::kAbsent, dev / "video10", {}, dev / "");
+  EXPECT_THAT(sentence, HasSubstr("available video devices: " + (dev / "video2") + "; `v4l2-ctl --list-devices`"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Each thing is said once.
+// Camera messages are reported once.
 #include "hal/camera_v4l2/voice.hpp"
 
 #include <gmock/gmock.h>
@@ -13,50 +13,50 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-struct VoiceTest : testing::Test {
-  std::vector<std::string> heard;
-  Voice voice{[this](const std::string& sentence) { heard.push_back(sentence); }};
+struct ReporterTest : testing::Test {
+  std::vector<std::string> lines;
+  Reporter reporter{[this](const std::string& sentence) { lines.push_back(sentence); }};
 };
 
-TEST_F(VoiceTest, TellsAKindOfTroubleOnceUntilItIsOver) {
-  voice.trouble(Trouble::kBusy, "busy");
-  voice.trouble(Trouble::kBusy, "still busy");
-  voice.trouble(Trouble::kSilent, "silent");
-  voice.back("back");
-  voice.back("back again");
-  voice.trouble(Trouble::kBusy, "busy anew");
-  EXPECT_THAT(heard, ElementsAre("busy", "silent", "back", "busy anew"));
+TEST_F(ReporterTest, ReportsEachKindOfErrorOnceUntilRecovery) {
+  reporter.report(CameraError::kBusy, "busy");
+  reporter.report(CameraError::kBusy, "still busy");
+  reporter.report(CameraError::kSilent, "silent");
+  reporter.back("back");
+  reporter.back("back again");
+  reporter.report(CameraError::kBusy, "busy again");
+  EXPECT_THAT(lines, ElementsAre("busy", "silent", "back", "busy again"));
 }
 
-TEST_F(VoiceTest, DoesNotWelcomeACameraThatWasNeverMissed) {
-  voice.back("back");
-  EXPECT_FALSE(voice.troubled());
-  EXPECT_THAT(heard, IsEmpty());
+TEST_F(ReporterTest, DoesNotReportRecoveryWithoutAnError) {
+  reporter.back("back");
+  EXPECT_FALSE(reporter.hasError());
+  EXPECT_THAT(lines, IsEmpty());
 }
 
-TEST_F(VoiceTest, DoesNotCallAnUnpluggedCameraAbsentToo) {
-  voice.trouble(Trouble::kUnplugged, "gone");
-  voice.trouble(Trouble::kAbsent, "there is none");
-  EXPECT_THAT(heard, ElementsAre("gone"));
+TEST_F(ReporterTest, DoesNotReportAnUnpluggedCameraAsAbsent) {
+  reporter.report(CameraError::kUnplugged, "gone");
+  reporter.report(CameraError::kAbsent, "there is none");
+  EXPECT_THAT(lines, ElementsAre("gone"));
 }
 
-TEST_F(VoiceTest, MakesARemarkOnce) {
-  voice.remark("this");
-  voice.remark("that");
-  voice.remark("this");
-  EXPECT_THAT(heard, ElementsAre("this", "that"));
+TEST_F(ReporterTest, ReportsARemarkOnce) {
+  reporter.remark("this");
+  reporter.remark("that");
+  reporter.remark("this");
+  EXPECT_THAT(lines, ElementsAre("this", "that"));
 }
 
-TEST_F(VoiceTest, SaysNothingWhenMuted) {
-  voice.mute();
-  voice.trouble(Trouble::kBusy, "busy");
-  EXPECT_THAT(heard, IsEmpty());
+TEST_F(ReporterTest, IsSilentWhenMuted) {
+  reporter.mute();
+  reporter.report(CameraError::kBusy, "busy");
+  EXPECT_THAT(lines, IsEmpty());
 }
 
-TEST(Voice, LivesWithAListenerThatThrowsAndWithNone) {
-  Voice angry{[](const std::string&) { throw std::runtime_error("not now"); }};
-  EXPECT_NO_THROW(angry.trouble(Trouble::kBusy, "busy"));
-  Voice lonely{nullptr};
+TEST(Reporter, SurvivesAThrowingOrMissingReceiver) {
+  Reporter angry{[](const std::string&) { throw std::runtime_error("not now"); }};
+  EXPECT_NO_THROW(angry.report(CameraError::kBusy, "busy"));
+  Reporter lonely{nullptr};
   EXPECT_NO_THROW(lonely.remark("hello"));
 }
 

@@ -1,4 +1,4 @@
-// Waiting for a device, and being called away from it.
+// Interruptible wait for a device.
 #include "hal/camera_v4l2/wake.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(Wake, IsCalledAwayAtOnce) {
+TEST(Wake, IsInterruptedAtOnce) {
   Wake wake;
   const auto begun = std::chrono::steady_clock::now();
   std::thread other{[&wake] { wake.stop(); }};
@@ -18,7 +18,7 @@ TEST(Wake, IsCalledAwayAtOnce) {
   other.join();
   EXPECT_EQ(why, Wake::Why::kStop);
   why = wake.wait(-1, 20s);
-  EXPECT_EQ(why, Wake::Why::kStop) << "for good";
+  EXPECT_EQ(why, Wake::Why::kStop) << "permanently";
   EXPECT_LT(std::chrono::steady_clock::now() - begun, 10s);
 }
 

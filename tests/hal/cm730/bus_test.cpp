@@ -65,14 +65,14 @@ TEST_F(Bus, GoalsAloneTake68Bytes) {
   EXPECT_EQ(readings.wire.bytes_out, 68U + 70U);
 }
 
-TEST_F(Bus, GoalsReachTheServosAndPositionsComeBack) {
+TEST_F(Bus, GoalsReachTheServosAndPositionsAreRead) {
   cycle();
   const auto there = SafeCommandsForTests{}.drive(Joint::kNeck, radFromTicks(2300)).commands;
   for (int i = 0; i < 100; ++i) cycle(there);
   EXPECT_NEAR(readings.servo[index(Joint::kNeck)].position.value, radFromTicks(2300).value, 2 * kRadPerTick);
 }
 
-TEST_F(Bus, EveryServoTellsTemperatureAndVoltageWithinHalfASecond) {
+TEST_F(Bus, EveryServoReportsTemperatureAndVoltageWithinHalfASecond) {
   std::bitset<kJoints> looked;
   for (Nanos t{0}; t < Nanos{500'000'000}; t += kPeriod) {
     cycle();
@@ -137,7 +137,7 @@ TEST_F(Bus, LocksTheEepromOfEveryServo) {
     EXPECT_EQ(robot.board().servo(static_cast<Joint>(i)).table().byte(servo::kLock), 1) << kJointTable[i].name;
 }
 
-TEST_F(Bus, TellsThatAServoHasRestartedAsSoonAsItIsHeardAgain) {
+TEST_F(Bus, ReportsAServoRestartAtItsFirstReply) {
   for (int i = 0; i < 2; ++i) cycle(SafeCommandsForTests{}.driveAll(Rad{0}).commands);
   fault(hil::FaultKind::kDead, Nanos{40'000'000}, 7);
   int cycles = 0;
@@ -149,7 +149,7 @@ TEST_F(Bus, TellsThatAServoHasRestartedAsSoonAsItIsHeardAgain) {
   EXPECT_EQ(readings.servo[7].speed_limit, RadPerSec{0});
 }
 
-TEST_F(Bus, ABoardThatMissesFiveAnswersIsAskedInEveryCycle) {
+TEST_F(Bus, ABoardThatMissesFiveRepliesIsReadInEveryCycle) {
   cycle();
   fault(hil::FaultKind::kStall, Nanos{1'600'000'000});
   cycle();
@@ -158,7 +158,7 @@ TEST_F(Bus, ABoardThatMissesFiveAnswersIsAskedInEveryCycle) {
   EXPECT_EQ(line.counters().bulk_reads - before, kAnswerPatience);
 }
 
-TEST_F(Bus, ASilentBoardIsAskedSeldomAndHeardAtOnceWhenItIsBack) {
+TEST_F(Bus, ASilentBoardIsPolledRarelyAndReadAtOnceAfterItsReturn) {
   cycle();
   fault(hil::FaultKind::kStall, Nanos{1'600'000'000});
   const auto asked_before = line.counters().bulk_reads;
@@ -175,7 +175,7 @@ TEST_F(Bus, ASilentBoardIsAskedSeldomAndHeardAtOnceWhenItIsBack) {
   }
 }
 
-TEST_F(Bus, CountsWhatWasLost) {
+TEST_F(Bus, CountsLosses) {
   cycle();
   fault(hil::FaultKind::kDead, Nanos{320'000'000}, 3);
   for (int i = 0; i < 40; ++i) cycle();
@@ -202,7 +202,7 @@ class BabblingLine final : public ByteLine {
   Nanos now_{0};
 };
 
-TEST(BusOnABadLine, BabbleDoesNotKeepTheLoop) {
+TEST(BusOnABadLine, GarbageDoesNotBlockTheLoop) {
   BabblingLine line;
   Cm730Bus bus{line, BusConfig::forPeriod(kPeriod)};
   BusReadings readings;

@@ -1,4 +1,4 @@
-// What is concluded from figures.
+// Findings derived from measurements.
 #include "hal/cm730/diagnosis.hpp"
 
 #include <gmock/gmock.h>
@@ -46,14 +46,14 @@ Finding rowWith(const Findings& rows, const std::string& text) {
   return {Level::kError, "(no such row)", {}};
 }
 
-TEST(Diagnosis, OneMissIsNoAlarmTwoInSixtyAre) {
+TEST(Diagnosis, OneLossIsAcceptedTwoInSixtyAreReported) {
   RobotFacts facts = healthy();
   facts.servo[4].losses = 1;
   EXPECT_EQ(worst(diagnose(facts)), Level::kOk);
   facts.servo[4].losses = 2;
   const Finding row = rowWith(diagnose(facts), "2 of 60 single reads were lost");
   EXPECT_EQ(row.level, Level::kWarning);
-  EXPECT_THAT(row.mend, HasSubstr("most at servo 5 ArmLowerR"));
+  EXPECT_THAT(row.remedy, HasSubstr("most at servo 5 ArmLowerR"));
   facts.servo[6].losses = 3;
   facts.servo[4].losses = 3;
   facts.servo[5].losses = 1;
@@ -66,7 +66,7 @@ TEST(Diagnosis, TheLatencySignatureBeginsAtEightMilliseconds) {
   EXPECT_EQ(rowWith(diagnose(facts), "a short read takes").level, Level::kOk);
   facts.round_trip = 8ms;
   EXPECT_TRUE(rowWith(diagnose(facts), "a short read takes").is(Kind::kRoundTripLong));
-  EXPECT_EQ(worst(diagnose(facts)), Level::kError) << "no loop waits so long for a reply";
+  EXPECT_EQ(worst(diagnose(facts)), Level::kError) << "longer than the loop's reply timeout";
 }
 
 TEST(Diagnosis, ACycleIsBytesDelaysAndUsb) {
@@ -80,7 +80,7 @@ TEST(Diagnosis, ACycleIsBytesDelaysAndUsb) {
   EXPECT_EQ(cycleTime(facts), 6980us);
 }
 
-TEST(Diagnosis, APeriodMustHoldAFullWriteAndLeaveAMillisecondBesideGoalsAlone) {
+TEST(Diagnosis, APeriodMustFitAFullWriteAndLeaveAMillisecondWithGoalsOnly) {
   RobotFacts facts = healthy();
   facts.period = 8ms;
   facts.round_trip = 160us + 2500us;  // as much as the bus waits for a reply at 8 ms
@@ -97,7 +97,7 @@ TEST(Diagnosis, APeriodMustHoldAFullWriteAndLeaveAMillisecondBesideGoalsAlone) {
   EXPECT_TRUE(cycleFits(facts));
 }
 
-TEST(Diagnosis, AServoThatIsNoMx28OrTurnsLikeAWheelCannotBeDriven) {
+TEST(Diagnosis, AnUnsupportedModelOrWheelModeCannotBeDriven) {
   RobotFacts facts = healthy();
   facts.servo[2].model = 12;
   facts.servo[3].cw_limit = facts.servo[3].ccw_limit = 0;
@@ -112,10 +112,10 @@ TEST(Diagnosis, ATorqueLimitOfZeroIsAShutdown) {
   facts.servo[2].torque_limit = 0;
   EXPECT_TRUE(rowWith(diagnose(facts), "servo 3 ").is(Kind::kTorqueLimitZero));
   facts.servo[2].max_torque = 0;
-  EXPECT_TRUE(rowWith(diagnose(facts), "servo 3 ").is(Kind::kMaxTorqueZero)) << "a setting, no shutdown";
+  EXPECT_TRUE(rowWith(diagnose(facts), "servo 3 ").is(Kind::kMaxTorqueZero)) << "a setting, not a shutdown";
 }
 
-TEST(Diagnosis, PowerThatDoesNotComeOnHidesTheServos) {
+TEST(Diagnosis, MissingServoPowerHidesTheServos) {
   RobotFacts facts = healthy();
   facts.board.power_on = false;
   const Findings rows = diagnose(facts);
@@ -123,14 +123,14 @@ TEST(Diagnosis, PowerThatDoesNotComeOnHidesTheServos) {
   EXPECT_EQ(rowWith(rows, "servo 1 ").what, "(no such row)");
 }
 
-TEST(Diagnosis, BytesThatAreNoAnswersPointAtTheWrongPort) {
+TEST(Diagnosis, InvalidRepliesSuggestAWrongPort) {
   RobotFacts facts;
   facts.port = "/dev/ttyUSB0";
   facts.board.garbled = true;
-  EXPECT_THAT(diagnose(facts)[0].what, HasSubstr("no answers of a CM-730"));
+  EXPECT_THAT(diagnose(facts)[0].what, HasSubstr("are not CM-730 replies"));
 }
 
-TEST(Diagnosis, EveryRowThatIsNotWellSaysWhatMendsItUnlessAnotherRowDoes) {
+TEST(Diagnosis, EveryFindingHasARemedyOrRefersToAnotherRow) {
   RobotFacts facts = healthy();
   for (std::size_t i = 0; i < kJoints; ++i) {
     facts.servo[i].error_bits = static_cast<std::uint8_t>(1u << (i % 7));
@@ -140,11 +140,11 @@ TEST(Diagnosis, EveryRowThatIsNotWellSaysWhatMendsItUnlessAnotherRowDoes) {
   facts.round_trip = 17ms;
   for (const Finding& row : diagnose(facts)) {
     const bool another_row_does = row.what.find("behind servo") != std::string::npos;
-    EXPECT_TRUE(row.level == Level::kOk || another_row_does || !row.mend.empty()) << row.what;
+    EXPECT_TRUE(row.level == Level::kOk || another_row_does || !row.remedy.empty()) << row.what;
   }
 }
 
-TEST(Chains, EveryBreakIsFoundWhereItIs) {
+TEST(Chains, EveryBreakIsLocated) {
   for (std::size_t broken = 0; broken < kJoints; ++broken) {
     const Joint first = static_cast<Joint>(broken);
     RobotFacts facts = healthy();
@@ -153,17 +153,17 @@ TEST(Chains, EveryBreakIsFoundWhereItIs) {
     const ChainBreak found = findBreak(facts, row(first).chain);
     ASSERT_TRUE(found.first_silent);
     EXPECT_EQ(*found.first_silent, first);
-    // Legs and arms count up by two along a chain, the head by one; 1, 2, 7, 8 and 19 hang on the board.
+    // Legs and arms count up by two along a chain, the head by one; 1, 2, 7, 8 and 19 are connected to the board.
     const int id = row(first).id;
     const bool on_the_board = id == 1 || id == 2 || id == 7 || id == 8 || id == 19;
-    EXPECT_EQ(found.last_heard.has_value(), !on_the_board) << id;
-    if (found.last_heard) {
-      EXPECT_EQ(row(*found.last_heard).id, id == 20 ? 19 : id - 2);
+    EXPECT_EQ(found.last_answering.has_value(), !on_the_board) << id;
+    if (found.last_answering) {
+      EXPECT_EQ(row(*found.last_answering).id, id == 20 ? 19 : id - 2);
     }
   }
 }
 
-TEST(Chains, SilenceInTheMiddleIsNoBreakBecauseTheCablesPassOn) {
+TEST(Chains, ASilentServoInTheMiddleIsNotABreak) {
   RobotFacts facts = healthy();
   facts.servo[index(Joint::kLegUpperR)].found = facts.servo[index(Joint::kLegLowerR)].found = false;
   EXPECT_FALSE(findBreak(facts, Chain::kRightLeg).first_silent);

@@ -139,7 +139,7 @@ Outcome run(Nanos period, Nanos latency, Nanos usb_frame, int cycles) {
 class EightMilliseconds : public testing::TestWithParam<Nanos> {};
 INSTANTIATE_TEST_SUITE_P(UsbFrame, EightMilliseconds, testing::Values(0ms, 1ms));
 
-TEST_P(EightMilliseconds, HoldOnABridgeWhoseLatencyTimerIsOne) {
+TEST_P(EightMilliseconds, WorkWithALatencyTimerOfOne) {
   constexpr int kCycles = 2'000;
   const Outcome outcome = run(8ms, 1ms, GetParam(), kCycles);
   const auto ms = [](Nanos time) { return static_cast<double>(time.count()) * 1e-6; };
@@ -151,19 +151,19 @@ TEST_P(EightMilliseconds, HoldOnABridgeWhoseLatencyTimerIsOne) {
   EXPECT_EQ(outcome.incomplete, 0);
 }
 
-TEST_P(EightMilliseconds, AreRefusedOnABridgeWithTheDriversDefaultOfSixteen) {
+TEST_P(EightMilliseconds, AreRejectedWithTheDefaultLatencyTimerOfSixteen) {
   const Outcome outcome = run(8ms, 16ms, GetParam(), 100);
   EXPECT_FALSE(cycleFits(outcome.facts));
   EXPECT_GT(outcome.incomplete, 90) << "rightly refused";
 }
 
-TEST_P(EightMilliseconds, SixteenAreRefusedThereToo) {
+TEST_P(EightMilliseconds, SixteenAreAlsoRejected) {
   const Outcome outcome = run(16ms, 16ms, GetParam(), 100);
   EXPECT_FALSE(cycleFits(outcome.facts));
   EXPECT_GT(outcome.incomplete, 90);
 }
 
-TEST_P(EightMilliseconds, TheCheckNeverAcceptsABridgeOnWhichRepliesAreMissed) {
+TEST_P(EightMilliseconds, TheCheckRejectsEveryBridgeThatLosesReplies) {
   for (const Nanos latency : {1ms, 2ms, 3ms, 5ms, 7ms})
     for (const Nanos period : {8ms, 10ms, 16ms, 40ms}) {
       const Outcome outcome = run(period, latency, GetParam(), 64);

@@ -39,7 +39,7 @@ struct DrivingWriter : ::testing::Test {
   std::size_t write() { return writer.encode(asked.commands).size(); }
 };
 
-TEST(GoalWriter, AServoThatEntersGetsItsSettingsAndItsTorqueLimitTwiceAndThenGoalsAlone) {
+TEST(GoalWriter, AnAddedServoGetsSettingsAndTorqueLimitTwiceAndThenGoalsOnly) {
   GoalWriter writer;
   const SafeCommandsForTests all = SafeCommandsForTests{}.driveAll(Rad{0});
   EXPECT_EQ(writer.encode(all.commands).size(), kAll);
@@ -54,7 +54,7 @@ TEST_F(DrivingWriter, SendsAChangedSpeedTwiceWithoutTheTorqueLimit) {
   EXPECT_EQ(write(), kGoals);
 }
 
-TEST_F(DrivingWriter, RepeatsSettingsNowAndThenAndTheTorqueLimitNot) {
+TEST_F(DrivingWriter, RepeatsSettingsPeriodicallyButNotTheTorqueLimit) {
   int settings = 0;
   for (int i = 0; i < 10 * GoalWriter::kSettingsEvery; ++i) {
     const std::size_t size = write();
@@ -73,7 +73,7 @@ TEST_F(DrivingWriter, WritesATorqueLimitThatChangesInEveryStepWhileNoServoWorksA
   }
 }
 
-TEST_F(DrivingWriter, WritesATorqueLimitSeldomWhileAServoWorksAtItsLimitSoThatItsShutdownIsHeard) {
+TEST_F(DrivingWriter, LimitsTorqueLimitWritesAtTheLimitSoThatAShutdownIsDetected) {
   writer.heard(Joint::kNeck, -0.9);
   int since = GoalWriter::kTorqueEvery, writes = 0;
   for (int i = 0; i < 160; ++i, ++since) {
@@ -86,7 +86,7 @@ TEST_F(DrivingWriter, WritesATorqueLimitSeldomWhileAServoWorksAtItsLimitSoThatIt
   EXPECT_GE(writes, 160 / (2 * GoalWriter::kTorqueEvery));
 }
 
-TEST_F(DrivingWriter, SendsAChangedTorqueLimitAtOnceAndOnceMore) {
+TEST_F(DrivingWriter, SendsAChangedTorqueLimitTwice) {
   for (const double load : {0.1, 1.0}) {
     writer.heard(Joint::kNeck, load);
     asked.drive(Joint::kHead, Rad{0}, RadPerSec{12.2}, NewtonMeter{1 + load});
@@ -97,7 +97,7 @@ TEST_F(DrivingWriter, SendsAChangedTorqueLimitAtOnceAndOnceMore) {
   }
 }
 
-TEST_F(DrivingWriter, ForgetsAJointThatWasNotDrivenInOneCycleWhateverWasWritten) {
+TEST_F(DrivingWriter, ResetsAJointAfterACycleWithoutAGoal) {
   const SafeCommands neither = SafeCommandsForTests{}.commands;
   const SafeCommands torque = SafeCommandsForTests{}.torque(Joint::kHead, false).commands;
   const SafeCommands others = SafeCommandsForTests{}.drive(Joint::kNeck, Rad{0}).commands;
@@ -109,7 +109,7 @@ TEST_F(DrivingWriter, ForgetsAJointThatWasNotDrivenInOneCycleWhateverWasWritten)
   }
 }
 
-TEST_F(DrivingWriter, LeavesOutAJointThatIsHeldAndKeepsItsSettings) {
+TEST_F(DrivingWriter, OmitsAHeldJointAndKeepsItsSettings) {
   asked.hold(Joint::kHead);
   EXPECT_EQ(write(), kGoals - 3);
   asked.driveAll(Rad{0.1});
@@ -133,7 +133,7 @@ TEST(GoalWriter, SwitchesTorqueOfSeveralServosInOneFrame) {
   EXPECT_EQ(toHex(writer.encode(asked.commands)), "ff ff fe 08 83 18 01 01 00 14 01 47");
 }
 
-TEST(GoalWriter, SendsNothingWhenNothingIsToBeSaid) {
+TEST(GoalWriter, SendsNothingWithoutCommands) {
   GoalWriter writer;
   EXPECT_TRUE(writer.encode(SafeCommandsForTests{}.commands).empty());
 }

@@ -1,4 +1,4 @@
-// What the doctor says of a computer.
+// Findings about the computer.
 #include "hal/cm730/host_checks.hpp"
 
 #include <gmock/gmock.h>
@@ -16,38 +16,38 @@ HostFacts good() {
   return {.priority = 80, .priority_error = 0, .memory_error = 0, .memory_limit = {}, .clock_resolution = Nanos{1}};
 }
 
-TEST(HostChecks, AComputerThatPermitsEverythingIsWell) {
+TEST(HostChecks, AComputerThatPermitsEverythingPasses) {
   const Findings rows = diagnoseHost(good());
   EXPECT_EQ(rows.size(), 3u);
   EXPECT_EQ(worst(rows), Level::kOk);
 }
 
-TEST(HostChecks, RefusedPriorityComesWithTheCommandThatPermitsIt) {
+TEST(HostChecks, RefusedPriorityReportsTheRemedy) {
   HostFacts facts = good();
   facts.priority_error = EPERM;
   const Finding row = diagnoseHost(facts)[0];
   EXPECT_EQ(row.level, Level::kWarning);
   EXPECT_THAT(row.what, HasSubstr("priority 80 is refused"));
-  EXPECT_THAT(row.mend, HasSubstr("rtprio 90\" | sudo tee -a /etc/security/limits.d/darwinop.conf"));
+  EXPECT_THAT(row.remedy, HasSubstr("rtprio 90\" | sudo tee -a /etc/security/limits.d/darwinop.conf"));
 }
 
-TEST(HostChecks, RefusedLockingTellsTheLimit) {
+TEST(HostChecks, RefusedLockingReportsTheLimit) {
   HostFacts facts = good();
   facts.memory_error = ENOMEM;
   facts.memory_limit = 8192 * 1024;
   const Finding row = diagnoseHost(facts)[1];
   EXPECT_EQ(row.level, Level::kWarning);
   EXPECT_THAT(row.what, HasSubstr("8192 KiB"));
-  EXPECT_THAT(row.mend, HasSubstr("memlock unlimited"));
+  EXPECT_THAT(row.remedy, HasSubstr("memlock unlimited"));
 }
 
-TEST(HostChecks, AClockThatTicksWithTheSchedulerIsTooCoarse) {
+TEST(HostChecks, AClockWithTickResolutionIsTooCoarse) {
   HostFacts facts = good();
   facts.clock_resolution = Nanos{4'000'000};
   EXPECT_EQ(diagnoseHost(facts)[2].level, Level::kError);
 }
 
-TEST(HostChecks, MeasuringChangesNothingOfTheCallingThread) {
+TEST(HostChecks, MeasuringDoesNotChangeTheCallingThread) {
   const HostFacts facts = measureHost(80);
   EXPECT_EQ(facts.priority, 80);
   EXPECT_GT(facts.clock_resolution.count(), 0);

@@ -1,4 +1,4 @@
-// A horn that sits off its zero: what goes out, what comes back, and what never leaves the joint table's range.
+// Horn offsets on the wire: goals, positions, and the joint table's range.
 #include "hal/cm730/joint_offsets.hpp"
 
 #include <gtest/gtest.h>
@@ -26,13 +26,13 @@ JointOffsets with(Joint joint, Rad offset) {
   return offsets;
 }
 
-/// The goal of the one joint that a writer's first frame carries: ff ff fe len 83 1c 08 id gain 0 goal goal ...
+/// The single goal in a writer's first frame: ff ff fe len 83 1c 08 id gain 0 goal goal ...
 int goalOnTheWire(GoalWriter& writer, Joint joint, Rad goal) {
   const auto frame = writer.encode(SafeCommandsForTests{}.drive(joint, goal).commands);
   return wordAt(frame, 10);
 }
 
-/// What a servo at `ticks` makes a decoder say.
+/// The decoder's result for a servo at `ticks`.
 Rad angleRead(const JointOffsets& offsets, Joint joint, int ticks) {
   const std::array<ReadList::Entry, 1> list{{{static_cast<std::uint8_t>(index(joint)), false}}};
   BusReadings readings;
@@ -57,7 +57,7 @@ Case anyCase() {
   return {joint, with(joint, Rad{*angle(-0.2, 0.2)})};
 }
 
-TEST(JointOffsets, TheFrameOf2013GoesOutForAGoalTenTicksBelowItsOwn) {
+TEST(JointOffsets, AnOffsetOfTenTicksShiftsTheFrameOf2013) {
   GoalWriter writer{with(Joint::kNeck, Rad{10 * kRadPerTick})};
   SafeCommandsForTests asked;
   asked.drive(Joint::kNeck, radFromTicks(2040), RadPerSec{1023 * kRadPerSecPerCount});
@@ -83,7 +83,7 @@ RC_GTEST_PROP(JointOffsets, NoGoalLeavesTheRangeOfTheJointTableOnTheWire, ()) {
   if (reachable) RC_ASSERT(writer.clamped() == 0U);
   if (goal.value < c.offsets.low(c.joint).value - 2 * kRadPerTick ||
       goal.value > c.offsets.high(c.joint).value + 2 * kRadPerTick) {
-    // Within the table, but not for this servo: the wire's own limit has to act.
+    // Within the table but outside this servo's range: the limit at the wire must act.
     const int wanted = c.offsets.servoTicks(c.joint, goal);
     RC_ASSERT(writer.clamped() == (wanted < row(c.joint).low || wanted > row(c.joint).high ? 1U : 0U));
   }
@@ -93,7 +93,7 @@ RC_GTEST_PROP(JointOffsets, APositionThatIsGivenBackAsAGoalIsTheSameTick, ()) {
   const Case c = anyCase();
   const int ticks = *rc::gen::inRange<int>(row(c.joint).low, row(c.joint).high + 1);
   const Rad angle_read = angleRead(c.offsets, c.joint, ticks);
-  if (angle_read < radFromTicks(0) || angle_read > radFromTicks(kTickMax)) return;  // no angle that can be a goal
+  if (angle_read < radFromTicks(0) || angle_read > radFromTicks(kTickMax)) return;  // outside the range of goals
   GoalWriter writer{c.offsets};
   RC_ASSERT(goalOnTheWire(writer, c.joint, angle_read) == ticks);
 }
@@ -114,7 +114,7 @@ struct OffsetRobot : ::testing::Test {
   }
 };
 
-TEST_F(OffsetRobot, ServoStandsShiftedAndTheJointReadsWhatWasCommanded) {
+TEST_F(OffsetRobot, TheServoIsShiftedAndTheJointReadsItsGoal) {
   Cm730Bus bus{line, BusConfig::forPeriod(kCycle, offsets)};
   const auto there =
       SafeCommandsForTests{}.drive(Joint::kNeck, radFromTicks(2300)).drive(Joint::kHead, radFromTicks(2100)).commands;
@@ -127,7 +127,7 @@ TEST_F(OffsetRobot, ServoStandsShiftedAndTheJointReadsWhatWasCommanded) {
   EXPECT_EQ(registerOf(Joint::kNeck, servo::kGoalPosition), 2400);
   EXPECT_NEAR(registerOf(Joint::kNeck, servo::kPresentPosition), 2400, 2);
   EXPECT_NEAR(readings.servo[index(Joint::kNeck)].position.value, radFromTicks(2300).value, 2 * kRadPerTick);
-  EXPECT_EQ(registerOf(Joint::kHead, servo::kGoalPosition), 2100) << "only the joint that has an offset";
+  EXPECT_EQ(registerOf(Joint::kHead, servo::kGoalPosition), 2100) << "only the joint with an offset changes";
   EXPECT_EQ(readings.link.clamped_goals, 0U);
 }
 
@@ -140,7 +140,7 @@ TEST_F(OffsetRobot, AGoalBeyondTheTableIsCounted) {
   EXPECT_EQ(readings.link.clamped_goals, 1U);
 }
 
-TEST_F(OffsetRobot, TheProbeSeesTheJointsAngle) {
+TEST_F(OffsetRobot, TheProbeReportsTheJointAngle) {
   ProbeOptions options = ProbeOptions::quick();
   const RobotFacts stock = measure(line, options);
   options.offsets = offsets;

@@ -1,4 +1,4 @@
-// The thread that brings a lost port back, with files that are only numbers.
+// PortKeeper with fake file descriptors.
 #include "hal/cm730/port_keeper.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A port that can be opened from the attempt `ready_at` on.
+/// A port that can be opened from attempt `ready_at` on.
 struct FakePort {
   std::mutex mutex;
   int attempts = 0, ready_at = 1;
@@ -52,24 +52,24 @@ int waitForNew(PortKeeper& keeper) {
   return fd;
 }
 
-TEST(PortKeeper, DoesNothingWhileThePortIsWell) {
+TEST(PortKeeper, DoesNothingWhileThePortWorks) {
   FakePort port;
   PortKeeper keeper{port.config()};
   EXPECT_EQ(keeper.takeNew(), -1);
   EXPECT_EQ(port.attemptsSoFar(), 0);
 }
 
-TEST(PortKeeper, ClosesTheDeadFileAndTriesUntilAnotherOpens) {
+TEST(PortKeeper, ClosesTheDeadFileAndRetriesUntilAnotherOpens) {
   FakePort port;
   port.ready_at = 4;
   PortKeeper keeper{port.config()};
   keeper.giveUp(7);
   EXPECT_EQ(waitForNew(keeper), 104);
-  EXPECT_EQ(keeper.takeNew(), -1) << "a file changes hands once";
+  EXPECT_EQ(keeper.takeNew(), -1) << "a descriptor is handed over once";
   EXPECT_EQ(port.closed, std::vector<int>{7});
 }
 
-TEST(PortKeeper, BringsAPortBackAgainAndAgain) {
+TEST(PortKeeper, ReopensAPortRepeatedly) {
   FakePort port;
   PortKeeper keeper{port.config()};
   int fd = 7;
@@ -91,7 +91,7 @@ TEST(PortKeeper, WaitsBetweenAttempts) {
   EXPECT_EQ(port.attemptsSoFar(), 1);
 }  // and ends at once, in the middle of the hour
 
-TEST(PortKeeper, ClosesWhatNobodyTook) {
+TEST(PortKeeper, ClosesUnclaimedFiles) {
   FakePort port;
   {
     PortKeeper keeper{port.config()};
@@ -101,7 +101,7 @@ TEST(PortKeeper, ClosesWhatNobodyTook) {
   EXPECT_EQ(port.closed, (std::vector<int>{7, 101}));
 }
 
-TEST(PortKeeper, OutlivesAnAttemptThatThrows) {
+TEST(PortKeeper, SurvivesAnAttemptThatThrows) {
   FakePort port;
   PortKeeper::Config config = port.config();
   config.open = [&port, open = config.open] {

@@ -1,4 +1,4 @@
-// The start-up probe on a virtual robot: what it finds, what it mends, and what it leaves alone.
+// Start-up probe on a virtual robot: findings, corrections, and no other writes.
 #include "hal/cm730/probe.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ constexpr std::size_t at(Joint joint) {
   return index(joint);
 }
 
-/// Counts what is written to servos.
+/// Counts writes to servos.
 class WriteWatch final : public hil::WireObserver {
  public:
   void request(const Frame& frame, Nanos) noexcept override {
@@ -64,7 +64,7 @@ std::string allRows(const ProbeReport& report) {
   return text;
 }
 
-/// An adapter that holds every answer back.
+/// An adapter that delays replies.
 class SlowLine final : public ByteLine {
  public:
   SlowLine(hil::MemoryLine& line, Nanos delay) : line_{line}, delay_{delay} {}
@@ -85,7 +85,7 @@ class SlowLine final : public ByteLine {
   Nanos delay_, not_before_{0};
 };
 
-TEST(Probe, AHealthyRobotIsWellAndQuicklySeen) {
+TEST(Probe, AHealthyRobotPassesQuickly) {
   Bench bench;
   const ProbeReport report = bench.probe();
   EXPECT_EQ(worst(report.findings), Level::kOk) << allRows(report);
@@ -113,7 +113,7 @@ TEST(Probe, WritesNothingToAHealthyServo) {
   EXPECT_EQ(bench.writes.eeprom_writes + bench.writes.ram_writes, 0);
 }
 
-TEST(Probe, SetsAFactoryReturnDelayOnceAndNeverAgain) {
+TEST(Probe, CorrectsAFactoryReturnDelayOnce) {
   BoardOptions options = Bench::powered();
   options.servo[at(Joint::kNeck)].return_delay = 250;
   Bench bench{options};
@@ -135,14 +135,14 @@ TEST(Probe, LeavesASmallReturnDelayAlone) {
   EXPECT_EQ(bench.writes.eeprom_writes, 0);
 }
 
-TEST(Probe, WritesNothingWhenItIsToLookOnly) {
+TEST(Probe, WritesNothingInReadOnlyMode) {
   BoardOptions options = Bench::powered();
   for (ServoOptions& servo : options.servo) servo.return_delay = 250;
   options.servo[at(Joint::kHead)].status_level = 0;
   Bench bench{options};
   const ProbeReport report = bench.probe(ProbeOptions::thorough());
   EXPECT_EQ(bench.writes.eeprom_writes + bench.writes.ram_writes, 0);
-  EXPECT_THAT(rowWith(report, "servo 1 ").mend, HasSubstr("darwinop doctor --fix"));
+  EXPECT_THAT(rowWith(report, "servo 1 ").remedy, HasSubstr("darwinop doctor --fix"));
   EXPECT_EQ(rowWith(report, "servo 1 ").level, Level::kWarning);
 }
 
@@ -159,7 +159,7 @@ TEST(Probe, FactoryReturnDelayOnAllServosBreaksTheCycle) {
   EXPECT_THAT(row.what, AllOf(HasSubstr("10.0 of return delays"), HasSubstr("too long")));
 }
 
-TEST(Probe, WritesNoSettingIntoAServoWhoseTorqueIsOnAndSaysWhy) {
+TEST(Probe, DoesNotWriteToAServoUnderTorqueAndReportsWhy) {
   BoardOptions options = Bench::powered();
   options.servo[at(Joint::kNeck)].return_delay = 250;
   Bench bench{options};
@@ -167,22 +167,22 @@ TEST(Probe, WritesNoSettingIntoAServoWhoseTorqueIsOnAndSaysWhy) {
   ASSERT_TRUE(writeRegisters(bench.line, 19, servo::kTorqueEnable, Bytes{&on, 1}).ok());
   const ProbeReport report = bench.probe();
   EXPECT_EQ(bench.writes.eeprom_writes, 0);
-  EXPECT_EQ(report.facts.servo[at(Joint::kNeck)].delay_mending, Mending::kTorqueOn);
+  EXPECT_EQ(report.facts.servo[at(Joint::kNeck)].delay_correction, Correction::kTorqueOn);
   const Finding row = rowWith(report, "servo 19 Neck");
   EXPECT_EQ(row.level, Level::kWarning);
-  EXPECT_THAT(row.what, HasSubstr("every answer waits 500 us"));
-  EXPECT_THAT(row.mend, HasSubstr("its torque is on"));
+  EXPECT_THAT(row.what, HasSubstr("return delay is 500 us"));
+  EXPECT_THAT(row.remedy, HasSubstr("its torque is on"));
 }
 
-TEST(Probe, SaysThatAServoRefusesASetting) {
+TEST(Probe, ReportsARejectedSetting) {
   BoardOptions options = Bench::powered();
   options.servo[at(Joint::kNeck)].return_delay = 250;
   Bench bench{options};
   const std::uint8_t lock = 1;
   ASSERT_TRUE(writeRegisters(bench.line, 19, find(kMx28, "lock").address, Bytes{&lock, 1}).ok());
   const ProbeReport report = bench.probe();
-  EXPECT_EQ(report.facts.servo[at(Joint::kNeck)].delay_mending, Mending::kRefused);
-  EXPECT_THAT(rowWith(report, "servo 19 Neck").mend, HasSubstr("it refused the new value"));
+  EXPECT_EQ(report.facts.servo[at(Joint::kNeck)].delay_correction, Correction::kRefused);
+  EXPECT_THAT(rowWith(report, "servo 19 Neck").remedy, HasSubstr("it rejected the new value"));
   EXPECT_LE(bench.writes.eeprom_writes, 2);
 }
 
@@ -202,7 +202,7 @@ TEST_P(ProbeStatusLevel, IsSetToTwoOnce) {
 }
 INSTANTIATE_TEST_SUITE_P(ZeroAndOne, ProbeStatusLevel, testing::Values(0, 1));
 
-TEST(Probe, MendsAServoThatIsWrongInBothSettings) {
+TEST(Probe, CorrectsAServoWithTwoWrongSettings) {
   BoardOptions options = Bench::powered();
   options.servo[at(Joint::kFootL)].status_level = 0;
   options.servo[at(Joint::kFootL)].return_delay = 250;
@@ -220,7 +220,7 @@ TEST(Probe, RefusesOldFirmware) {
   EXPECT_THAT(row.what, HasSubstr("firmware is older than 27"));
 }
 
-TEST(Probe, NamesAMissingServoAndWhatAReplacedOneNeeds) {
+TEST(Probe, NamesAMissingServoAndTheSetupOfAReplacement) {
   BoardOptions options = Bench::powered();
   options.servo[at(Joint::kArmUpperR)].missing = true;
   Bench bench{options};
@@ -228,23 +228,23 @@ TEST(Probe, NamesAMissingServoAndWhatAReplacedOneNeeds) {
   const Finding row = rowWith(report, "servo 3 ArmUpperR");
   EXPECT_TRUE(row.is(Kind::kServoSilent));
   EXPECT_THAT(row.what, HasSubstr("silent"));
-  EXPECT_THAT(row.mend, HasSubstr("id 1 and 57142 baud: connect it alone and give it id 3"));
+  EXPECT_THAT(row.remedy, HasSubstr("id 1 and 57142 baud: connect it alone and set id 3"));
   EXPECT_EQ(rowWith(report, "servo 5 ArmLowerR").level, Level::kOk);
 }
 
-TEST(Probe, AReplacedServoAtItsFactoryBaudLooksMissing) {
+TEST(Probe, AReplacementServoAtItsFactoryBaudLooksMissing) {
   BoardOptions options = Bench::powered();
   options.servo[at(Joint::kHead)] = ServoOptions::factoryFresh();
   Bench bench{options};
-  EXPECT_THAT(rowWith(bench.probe(), "servo 20 Head").mend, HasSubstr("a replaced servo comes with id 1"));
+  EXPECT_THAT(rowWith(bench.probe(), "servo 20 Head").remedy, HasSubstr("a new servo has id 1"));
 }
 
-TEST(Probe, FindsTheCableBehindWhichAChainIsSilent) {
+TEST(Probe, LocatesABrokenCableInAChain) {
   BoardOptions options = Bench::powered();
   for (const Joint joint : {Joint::kLegLowerR, Joint::kAnkleR, Joint::kFootR}) options.servo[at(joint)].missing = true;
   Bench bench{options};
   const ProbeReport report = bench.probe();
-  EXPECT_THAT(rowWith(report, "servo 13 LegLowerR").mend,
+  EXPECT_THAT(rowWith(report, "servo 13 LegLowerR").remedy,
               HasSubstr("cable from servo 11 LegUpperR (right hip pitch) into servo 13 LegLowerR"));
   EXPECT_THAT(rowWith(report, "servo 17 FootR").what, HasSubstr("silent, behind servo 13 LegLowerR"));
   EXPECT_EQ(rowWith(report, "servo 11 LegUpperR").level, Level::kOk);
@@ -254,7 +254,7 @@ TEST(Probe, AWholeSilentChainPointsAtTheBoard) {
   BoardOptions options = Bench::powered();
   for (const Joint joint : {Joint::kNeck, Joint::kHead}) options.servo[at(joint)].missing = true;
   Bench bench{options};
-  EXPECT_THAT(rowWith(bench.probe(), "servo 19 Neck").mend, HasSubstr("cable from the board into servo 19 Neck"));
+  EXPECT_THAT(rowWith(bench.probe(), "servo 19 Neck").remedy, HasSubstr("cable from the board into servo 19 Neck"));
 }
 
 TEST(Probe, TwentySilentServosAreOneRowAndCostLessThanASecond) {
@@ -280,19 +280,19 @@ TEST(Probe, AStallOfTheComputerMakesNoServoSilent) {
   }
 }
 
-TEST(Probe, TwoServosWithIdOneAreToldFromABadCable) {
+TEST(Probe, TwoServosWithIdOneAreDistinguishedFromABadCable) {
   BoardOptions options = Bench::powered();
   options.servo[at(Joint::kHead)] = ServoOptions::factoryFresh(1);
   Bench bench{options};
   const ProbeReport report = bench.probe();
   const Finding row = rowWith(report, "servo 1 ShoulderR");
   EXPECT_EQ(row.level, Level::kError);
-  EXPECT_THAT(row.mend, HasSubstr("two servos may share id 1"));
+  EXPECT_THAT(row.remedy, HasSubstr("two servos may share id 1"));
   EXPECT_TRUE(rowWith(report, "servo 20 Head").is(Kind::kServoSilent));
-  EXPECT_EQ(bench.writes.eeprom_writes, 0) << "who would have taken it?";
+  EXPECT_EQ(bench.writes.eeprom_writes, 0) << "the id is ambiguous";
 }
 
-TEST(Probe, KnowsAnFtdiTimerByItsSignatureAndNamesTheCommand) {
+TEST(Probe, DetectsAnFtdiTimerByItsSignatureAndReportsTheCommand) {
   Bench bench;
   SlowLine slow{bench.line, 16ms};
   ProbeOptions options = ProbeOptions::quick();
@@ -300,12 +300,12 @@ TEST(Probe, KnowsAnFtdiTimerByItsSignatureAndNamesTheCommand) {
   const ProbeReport report = probe(slow, options);
   const Finding row = rowWith(report, "a short read takes 16.");
   EXPECT_EQ(rowWith(report, "a full cycle takes").level, Level::kError);
-  EXPECT_THAT(row.mend, HasSubstr("/sys/bus/usb-serial/devices/ttyUSB1/latency_timer"));
-  EXPECT_EQ(rowWith(report, "servo 13 ").level, Level::kOk) << "slow is not silent";
+  EXPECT_THAT(row.remedy, HasSubstr("/sys/bus/usb-serial/devices/ttyUSB1/latency_timer"));
+  EXPECT_EQ(rowWith(report, "servo 13 ").level, Level::kOk) << "a slow servo is not silent";
   EXPECT_LT(report.facts.took, 1300ms) << "loss reads must stop when their time is over";
 }
 
-TEST(Probe, AQuickAdapterIsWell) {
+TEST(Probe, AFastAdapterPasses) {
   Bench bench;
   SlowLine quick{bench.line, 1500us};
   const ProbeReport report = probe(quick, ProbeOptions::quick());
@@ -327,8 +327,8 @@ TEST(Probe, ANoisyLineIsReportedByItsRate) {
   const ProbeReport report = bench.probe(ProbeOptions::thorough());
   const Finding row = rowWith(report, "single reads were lost");
   EXPECT_EQ(row.level, Level::kWarning) << allRows(report);
-  EXPECT_THAT(row.mend, HasSubstr("most at servo"));
-  for (const ServoFacts& servo : report.facts.servo) EXPECT_TRUE(servo.readable) << "noise is not silence";
+  EXPECT_THAT(row.remedy, HasSubstr("most at servo"));
+  for (const ServoFacts& servo : report.facts.servo) EXPECT_TRUE(servo.readable) << "a noisy servo is not silent";
 }
 
 TEST(Probe, AFewLossesAreNormal) {
@@ -357,7 +357,7 @@ TEST(Probe, HeatAndALowBatteryAreReported) {
   EXPECT_EQ(rowWith(report, "supply 10.6 V").level, Level::kWarning);
 }
 
-TEST(Probe, SaysThatNoBoardAnswers) {
+TEST(Probe, ReportsAMissingBoard) {
   Bench bench;
   hil::Fault stall;
   stall.kind = hil::FaultKind::kStall;
@@ -368,7 +368,7 @@ TEST(Probe, SaysThatNoBoardAnswers) {
   EXPECT_LT(report.facts.took, 1s);
 }
 
-TEST(Probe, EndsAtOnceWhenThePortGoesAwayInTheMiddle) {
+TEST(Probe, EndsAtOnceWhenThePortIsLost) {
   Bench bench;
   hil::Fault unplug;
   unplug.kind = hil::FaultKind::kUnplug;
@@ -377,7 +377,7 @@ TEST(Probe, EndsAtOnceWhenThePortGoesAwayInTheMiddle) {
   const ProbeReport report = bench.probe();
   EXPECT_TRUE(report.facts.lost);
   ASSERT_EQ(report.findings.size(), 1u);
-  EXPECT_THAT(report.findings[0].what, HasSubstr("went away"));
+  EXPECT_THAT(report.findings[0].what, HasSubstr("was lost during the check"));
   EXPECT_LT(report.facts.took, 100ms);
 }
 

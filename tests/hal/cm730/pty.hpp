@@ -1,4 +1,4 @@
-// The robot's end of a pseudo terminal.
+// Robot end of a pseudo terminal.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ inline void send(Pty& pty, Bytes bytes) {
   ASSERT_EQ(pty.write(bytes), bytes.size());
 }
 
-/// What the client has sent, when it is `count` bytes; less when they do not come within seconds.
+/// The first `count` bytes sent by the client; fewer after a timeout of seconds.
 inline std::vector<std::uint8_t> receive(Pty& pty, std::size_t count) {
   std::vector<std::uint8_t> bytes;
   pollfd file{pty.fd(), POLLIN, 0};

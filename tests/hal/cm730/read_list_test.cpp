@@ -34,14 +34,14 @@ struct Chain {
   }
 };
 
-TEST(ReadList, AsksAllTwentyInIdOrderWhenAllIsWell) {
+TEST(ReadList, ReadsAllTwentyInIdOrderNormally) {
   Chain chain;
   chain.cycle();
   ASSERT_EQ(chain.order.size(), kJoints);
   EXPECT_TRUE(std::ranges::is_sorted(chain.order));
 }
 
-TEST(ReadList, NeverAsksAnAbsentServoAndDoesNotCountItAsSilent) {
+TEST(ReadList, NeverReadsAnAbsentServoAndDoesNotCountItAsSilent) {
   ReadList list{kRound, kJoints, ReadList::Mask{}.set(3).set(19)};
   for (int cycle = 0; cycle < 200; ++cycle) {
     ReadList::Mask answered;
@@ -55,7 +55,7 @@ TEST(ReadList, NeverAsksAnAbsentServoAndDoesNotCountItAsSilent) {
   EXPECT_TRUE(list.silent().none());
 }
 
-TEST(ReadList, LooksAtEveryServoWithinTwentyCycles) {
+TEST(ReadList, PollsEveryServoWithinTwentyCycles) {
   ReadList list{kRound};
   ReadList::Mask seen;
   for (std::size_t i = 0; i < kJoints; ++i) {
@@ -72,7 +72,7 @@ TEST(ReadList, LooksAtEveryServoWithinTwentyCycles) {
 class DeadServo : public ::testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(AnywhereInTheChain, DeadServo, ::testing::Range(std::size_t{0}, kJoints));
 
-TEST_P(DeadServo, HurtsTheOthersForOneCycleOnly) {
+TEST_P(DeadServo, AffectsOthersForOneCycleOnly) {
   Chain chain;
   chain.cycles(5);
   chain.dead.set(GetParam());
@@ -107,7 +107,7 @@ TEST(ReadList, SixServosBehindABrokenLeadAreAllBackWithinASecond) {
   EXPECT_TRUE(chain.list.silent().none());
 }
 
-TEST(ReadList, AChainThatLosesItsSupplyHurtsTheOthersForOneCycleOnly) {
+TEST(ReadList, AChainWithoutSupplyAffectsOthersForOneCycleOnly) {
   for (const darwinop::Chain which : {darwinop::Chain::kRightArm, darwinop::Chain::kLeftArm, darwinop::Chain::kHead,
                                       darwinop::Chain::kRightLeg, darwinop::Chain::kLeftLeg}) {
     Chain chain;
@@ -122,7 +122,7 @@ TEST(ReadList, AChainThatLosesItsSupplyHurtsTheOthersForOneCycleOnly) {
   }
 }
 
-TEST(ReadList, AServoThatMissedAnAnswerIsLookedAtAsSoonAsItIsHeardAgain) {
+TEST(ReadList, AServoIsPolledAtItsFirstReplyAfterALoss) {
   ReadList list{kRound};
   list.next();
   list.answered(~ReadList::Mask{}.set(4).set(11));
@@ -138,7 +138,7 @@ TEST(ReadList, AServoThatMissedAnAnswerIsLookedAtAsSoonAsItIsHeardAgain) {
   EXPECT_EQ(looks, 1) << "once";
 }
 
-TEST(ReadList, AfterALostAnswerOfTheBoardAllAreLookedAtAsFastAsThePeriodAllows) {
+TEST(ReadList, AfterALostBoardReplyAllAreRecheckedAsFastAsThePeriodAllows) {
   for (const std::size_t most : {std::size_t{4}, kJoints}) {
     ReadList list{kRound, most};
     list.next();
@@ -158,7 +158,7 @@ TEST(ReadList, AfterALostAnswerOfTheBoardAllAreLookedAtAsFastAsThePeriodAllows) 
   }
 }
 
-TEST(ReadList, OneDamagedFrameMovesNobody) {
+TEST(ReadList, OneDamagedFrameDoesNotChangeTheOrder) {
   ReadList list{kRound};
   list.next();
   list.answered(~ReadList::Mask{}.set(4));  // its neighbours heard it: only our copy was damaged
@@ -166,7 +166,7 @@ TEST(ReadList, OneDamagedFrameMovesNobody) {
   EXPECT_EQ(list.next()[4].joint, 4);
 }
 
-TEST(ReadList, AServoThatAnswersNowAndThenHurtsOnlyItself) {
+TEST(ReadList, AnIntermittentServoAffectsOnlyItself) {
   Chain chain;
   int others_lost = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -177,7 +177,7 @@ TEST(ReadList, AServoThatAnswersNowAndThenHurtsOnlyItself) {
   EXPECT_EQ(others_lost, 1);
 }
 
-TEST(ReadList, NobodyIsAskedWhileServoPowerIsOffAndForATimeAfter) {
+TEST(ReadList, NoServoIsReadWithoutServoPowerAndForATimeAfter) {
   ReadList list{kRound};
   list.next();
   list.powerIsOff();

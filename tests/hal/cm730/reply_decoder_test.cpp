@@ -59,7 +59,7 @@ TEST_F(Decoder, ServoAnswersInSiUnitsWithItsErrorByte) {
   EXPECT_FALSE(servo.looked);
 }
 
-TEST_F(Decoder, WhatDidNotAnswerIsAbsentNotZero) {
+TEST_F(Decoder, AMissingReplyIsAbsentNotZero) {
   take(200, boardBlock());
   EXPECT_FALSE(readings.servo[1].answered);
   EXPECT_TRUE(std::isnan(readings.servo[1].position.value));
@@ -67,7 +67,7 @@ TEST_F(Decoder, WhatDidNotAnswerIsAbsentNotZero) {
   EXPECT_FALSE(decoder.complete());
 }
 
-TEST_F(Decoder, TheLookTellsVoltageTemperatureAndTorque) {
+TEST_F(Decoder, TheRoundRobinPollReadsVoltageTemperatureAndTorque) {
   take(200, boardBlock());
   std::vector<std::uint8_t> look(20, 0);
   look[0] = 1;                       // 24 torque enable
@@ -85,7 +85,7 @@ TEST_F(Decoder, TheLookTellsVoltageTemperatureAndTorque) {
   EXPECT_TRUE(decoder.complete());  // the two before it have lost their turn
 }
 
-TEST_F(Decoder, NothingCountsBeforeTheBoardHasAnsweredThisRequest) {
+TEST_F(Decoder, RepliesBeforeTheBoardsReplyAreIgnored) {
   take(1, servoBlock(1000));  // left over from the request before
   EXPECT_FALSE(readings.servo[0].answered);
   take(200, boardBlock(31));  // answers an earlier request, which asked for 31 bytes
@@ -98,7 +98,7 @@ TEST_F(Decoder, NothingCountsBeforeTheBoardHasAnsweredThisRequest) {
   EXPECT_DOUBLE_EQ(readings.servo[0].position.value, (2000 - 2048) * kRadPerTick);
 }
 
-TEST_F(Decoder, AcknowledgementOfABoardWriteIsNoAnswer) {
+TEST_F(Decoder, AnAcknowledgementOfABoardWriteIsNotAReading) {
   take(200, {});
   EXPECT_FALSE(readings.board.answered);
   EXPECT_EQ(decoder.lateReplies(), 0U);
@@ -111,7 +111,7 @@ TEST_F(Decoder, ASecondCopyOfAFrameChangesNothing) {
   EXPECT_DOUBLE_EQ(readings.servo[0].position.value, (1000 - 2048) * kRadPerTick);
 }
 
-TEST_F(Decoder, FramesOfTheWrongLengthOrOfStrangersAreIgnored) {
+TEST_F(Decoder, FramesOfWrongLengthOrUnknownIdAreIgnored) {
   take(200, boardBlock());
   take(1, {1, 2});
   take(77, servoBlock(1000));
@@ -119,7 +119,7 @@ TEST_F(Decoder, FramesOfTheWrongLengthOrOfStrangersAreIgnored) {
   EXPECT_TRUE(decoder.answered().none());
 }
 
-TEST_F(Decoder, KnowsHowManyBytesAreDue) {
+TEST_F(Decoder, ComputesTheExpectedLength) {
   EXPECT_EQ(decoder.nextFrameBytes(), 36U);
   take(200, boardBlock());
   EXPECT_EQ(decoder.nextFrameBytes(), 12U);

@@ -1,4 +1,4 @@
-// Opening ports: settings, exclusiveness, finding them again, and the words for what goes wrong.
+// Opening ports: settings, exclusive access, rediscovery, error messages.
 #include "hal/cm730/serial_open.hpp"
 
 #include <fcntl.h>
@@ -36,7 +36,7 @@ class OpenFile {
   int fd_;
 };
 
-TEST(OpenSerial, MakesAPtyRawAtOneMegabaudWithReadsThatDoNotWait) {
+TEST(OpenSerial, ConfiguresAPtyAsRawOneMegabaudNonBlocking) {
   const Pty pty;
   const OpenFile port{openSerial(pty.path()).fd};
   ASSERT_GE(port.get(), 0);
@@ -48,7 +48,7 @@ TEST(OpenSerial, MakesAPtyRawAtOneMegabaudWithReadsThatDoNotWait) {
   EXPECT_EQ(settings.c_cc[VMIN], 0);
   EXPECT_EQ(settings.c_cc[VTIME], 0);
   std::uint8_t byte = 0;
-  EXPECT_EQ(::read(port.get(), &byte, 1), 0) << "nothing pending must read as 0, at once";
+  EXPECT_EQ(::read(port.get(), &byte, 1), 0) << "read() without data must return 0 at once";
 }
 
 struct Flag {
@@ -56,7 +56,7 @@ struct Flag {
   tcflag_t termios::*field;
   tcflag_t bit;
 };
-// What a former owner of the port can have left behind.
+// Flags that a previous owner of the port may have set.
 constexpr Flag kLeftBehind[] = {
     {"IGNBRK", &termios::c_iflag, IGNBRK},   {"BRKINT", &termios::c_iflag, BRKINT},
     {"IGNPAR", &termios::c_iflag, IGNPAR},   {"PARMRK", &termios::c_iflag, PARMRK},
@@ -76,7 +76,7 @@ constexpr Flag kLeftBehind[] = {
     {"IEXTEN", &termios::c_lflag, IEXTEN},   {"EXTPROC", &termios::c_lflag, EXTPROC},
 };
 
-TEST(OpenSerial, ClearsEveryFlagOfAFormerOwner) {
+TEST(OpenSerial, ClearsEveryFlagOfThePreviousOwner) {
   for (const Flag& flag : kLeftBehind) {
     const Pty pty;
     const int former = ::open(pty.path().c_str(), O_RDWR | O_NOCTTY);
@@ -86,7 +86,7 @@ TEST(OpenSerial, ClearsEveryFlagOfAFormerOwner) {
     settings.*flag.field |= flag.bit;
     ASSERT_EQ(::tcsetattr(former, TCSANOW, &settings), 0) << flag.name;
     ASSERT_EQ(::tcgetattr(former, &settings), 0);
-    ASSERT_EQ(settings.*flag.field & flag.bit, flag.bit) << flag.name << " cannot be set on a pty: take it out here";
+    ASSERT_EQ(settings.*flag.field & flag.bit, flag.bit) << flag.name << " cannot be set on a pty: remove it here";
     ::close(former);
 
     const OpenFile port{openSerial(pty.path()).fd};
@@ -99,7 +99,7 @@ TEST(OpenSerial, ClearsEveryFlagOfAFormerOwner) {
   }
 }
 
-TEST(OpenSerial, RefusesAPortThatSomebodyUsesAndNamesTheProcess) {
+TEST(OpenSerial, RejectsAPortInUseAndNamesTheProcess) {
   const Pty pty;
   const OpenFile first{openSerial(pty.path()).fd};
   ASSERT_GE(first.get(), 0);
@@ -109,17 +109,17 @@ TEST(OpenSerial, RefusesAPortThatSomebodyUsesAndNamesTheProcess) {
   EXPECT_THAT(explain(pty.path(), second), HasSubstr(pty.path() + " is in use by this process"));
 }
 
-TEST(OpenSerial, LeavesAPortThatSomebodyUsesAsItIs) {
+TEST(OpenSerial, DoesNotChangeAPortInUse) {
   Pty pty;
   const OpenFile first{openSerial(pty.path()).fd};
   const std::uint8_t byte = 7;
   send(pty, {&byte, 1});
   EXPECT_EQ(openSerial(pty.path()).fd, -1);
   std::uint8_t got = 0;
-  EXPECT_EQ(::read(first.get(), &got, 1), 1) << "the second opening threw away the first one's bytes";
+  EXPECT_EQ(::read(first.get(), &got, 1), 1) << "the second open() discarded the first one's bytes";
 }
 
-TEST(OpenSerial, SaysWhatIsNoSerialPort) {
+TEST(OpenSerial, ReportsFilesThatAreNotSerialPorts) {
   const TemporaryFolder folder;
   const std::string file = folder / "file";
   std::ofstream{file} << "text";
@@ -130,11 +130,11 @@ TEST(OpenSerial, SaysWhatIsNoSerialPort) {
   }
 }
 
-TEST(OpenSerial, SaysThatAPortIsNotThereAndWhatToDo) {
+TEST(OpenSerial, ReportsAMissingPortWithARemedy) {
   const OpenAttempt attempt = openSerial("/dev/ttyNOSUCHPORT");
   EXPECT_EQ(attempt.error, ENOENT);
   EXPECT_THAT(explain("/dev/ttyNOSUCHPORT", attempt),
-              testing::AllOf(HasSubstr("there is no /dev/ttyNOSUCHPORT"),
+              testing::AllOf(HasSubstr("port /dev/ttyNOSUCHPORT does not exist"),
                              testing::AnyOf(HasSubstr("virtual-robot"), HasSubstr("--robot"))));
 }
 
@@ -142,7 +142,7 @@ TEST(OpenSerial, NamesTheGroupWhenPermissionIsMissing) {
   EXPECT_THAT(explain("/dev/ttyUSB0", {-1, Step::kOpen, EACCES}), HasSubstr("sudo usermod -aG dialout $USER"));
 }
 
-/// Runs as an ordinary user while it lives, if the test runs as root.
+/// Drops root privileges during its lifetime.
 class OrdinaryUser {
  public:
   static bool possible() { return ::geteuid() == 0; }
@@ -157,7 +157,7 @@ class OrdinaryUser {
 };
 
 TEST(OpenSerial, IsRefusedWithoutPermission) {
-  if (!OrdinaryUser::possible()) GTEST_SKIP() << "needs root, to become another user";
+  if (!OrdinaryUser::possible()) GTEST_SKIP() << "needs root";
   const Pty pty;
   ASSERT_EQ(::chmod(pty.path().c_str(), 0600), 0);
   const OrdinaryUser nobody;
@@ -166,21 +166,21 @@ TEST(OpenSerial, IsRefusedWithoutPermission) {
   EXPECT_EQ(attempt.error, EACCES);
 }
 
-// TIOCEXCL outlives the last user of a pty whose other end stays open, as a virtual robot's does.
-TEST(OpenSerial, AnOrdinaryUserCanOpenAPtyAgainAfterItsUserWasKilled) {
-  if (!OrdinaryUser::possible()) GTEST_SKIP() << "needs root, to become another user";
+// TIOCEXCL outlives the last user of a pty whose other end stays open, such as a virtual robot's.
+TEST(OpenSerial, AnUnprivilegedUserCanReopenAPtyAfterItsUserWasKilled) {
+  if (!OrdinaryUser::possible()) GTEST_SKIP() << "needs root";
   const Pty pty;
   ASSERT_EQ(::chmod(pty.path().c_str(), 0666), 0);
   const OrdinaryUser nobody;
   ASSERT_TRUE(nobody.ok());
   const OpenAttempt killed = openSerial(pty.path());
   ASSERT_GE(killed.fd, 0);
-  ::close(killed.fd);  // as the kernel does it
+  ::close(killed.fd);  // as the kernel does when the process is killed
   const OpenFile again{openSerial(pty.path()).fd};
   EXPECT_GE(again.get(), 0);
 }
 
-TEST(PortMemory, FollowsALinkThatWasMadeAnew) {
+TEST(PortMemory, FollowsARecreatedLink) {
   const TemporaryFolder folder;
   const std::string link = folder / "robot";
   std::optional<Pty> pty{link};
@@ -193,7 +193,7 @@ TEST(PortMemory, FollowsALinkThatWasMadeAnew) {
   EXPECT_GE(port.get(), 0);
 }
 
-TEST(PortMemory, NeverFollowsALinkThatWasLeftBehind) {
+TEST(PortMemory, NeverFollowsAStaleLink) {
   const TemporaryFolder folder;
   const std::string link = folder / "robot";
   const Pty somebodys_terminal{link};
@@ -201,7 +201,7 @@ TEST(PortMemory, NeverFollowsALinkThatWasLeftBehind) {
   EXPECT_EQ(PortMemory{somebodys_terminal.path()}.reopen(), -1);
 }
 
-/// A copy of what sysfs shows of USB adapters.
+/// A copy of the sysfs tree of USB adapters.
 class FakeSys {
  public:
   void plug(const std::string& tty, const std::string& vendor, const std::string& serial, int latency = 16) {
@@ -221,7 +221,7 @@ class FakeSys {
   TemporaryFolder folder_;
 };
 
-TEST(UsbSerial, TellsADeviceByVendorProductAndSerialNumber) {
+TEST(UsbSerial, IdentifiesADeviceByVendorProductAndSerialNumber) {
   FakeSys sys;
   sys.plug("ttyUSB0", "0403", "A900");
   const auto identity = usbIdentity("/dev/ttyUSB0", sys.root());
@@ -231,7 +231,7 @@ TEST(UsbSerial, TellsADeviceByVendorProductAndSerialNumber) {
   EXPECT_FALSE(usbIdentity("/dev/ttyUSB1", sys.root()));
 }
 
-TEST(UsbSerial, OnlyTheSameDeviceIsTakenForTheOneThatWentAway) {
+TEST(UsbSerial, OnlyTheSameDeviceReplacesALostOne) {
   FakeSys sys;
   sys.plug("ttyUSB1", "0403", "A900");
   sys.plug("ttyUSB2", "0403", "OTHER");
@@ -250,21 +250,21 @@ TEST(UsbSerial, ReadsAndSetsTheLatencyTimer) {
   EXPECT_FALSE(setLatencyTimer("/dev/ttyUSB5", 1, sys.root()));
 }
 
-TEST(CandidatePorts, AreTheUsbSerialPortsInOrder) {
+TEST(CandidatePorts, AreTheSortedUsbSerialPorts) {
   const TemporaryFolder dev;
   for (const char* name : {"ttyUSB1", "ttyS0", "ttyACM0", "ttyUSB0", "null"}) std::ofstream{dev / name};
   const std::string at = dev / "";
   EXPECT_THAT(candidatePorts(dev / ""), testing::ElementsAre(at + "ttyACM0", at + "ttyUSB0", at + "ttyUSB1"));
 }
 
-TEST(ChoosePort, TakesWhatIsAskedForElseTheFirstThatIsThere) {
+TEST(ChoosePort, UsesTheRequestedPortElseTheFirstOne) {
   EXPECT_EQ(choosePort("/tmp/robot", {"/dev/ttyUSB3"}), "/tmp/robot");
   EXPECT_EQ(choosePort("", {"/dev/ttyUSB3", "/dev/ttyUSB4"}), "/dev/ttyUSB3");
   EXPECT_EQ(choosePort("", {}), "/dev/ttyUSB0");
   EXPECT_THROW(choosePort("tcp://robot", {}), std::runtime_error);
 }
 
-TEST(ChoosePort, SaysWhatToDoWithARobotThatIsNoPort) {
+TEST(ChoosePort, ReportsARemedyForARobotWithoutAPort) {
   const auto error = [](const char* asked) -> std::string {
     try {
       return choosePort(asked, {});
@@ -272,24 +272,24 @@ TEST(ChoosePort, SaysWhatToDoWithARobotThatIsNoPort) {
       return wrong.what();
     }
   };
-  EXPECT_THAT(error("runtime"), HasSubstr("ask it with `darwinop runtime --status`"));
+  EXPECT_THAT(error("runtime"), HasSubstr("query it with `darwinop runtime --status`"));
   EXPECT_THAT(error("virtual"), HasSubstr("start `darwinop virtual-robot`"));
 }
 
-TEST(OpenSerial, TellsAPortThatMayComeYetFromOneThatWillNot) {
+TEST(OpenSerial, DistinguishesTemporaryFromPermanentErrors) {
   for (const int error : {ENOENT, ENODEV, ENXIO, EBUSY, EWOULDBLOCK})
     EXPECT_TRUE(mayComeYet({-1, Step::kOpen, error})) << std::strerror(error);
   for (const int error : {EACCES, EPERM, ENOTTY, EISDIR, ENOTDIR, EINVAL, EIO})
     EXPECT_FALSE(mayComeYet({-1, Step::kOpen, error})) << std::strerror(error);
 }
 
-TEST(CheckPort, SaysOnceWhyAPortCannotBeOpened) {
+TEST(CheckPort, ReportsOnceWhyAPortCannotBeOpened) {
   const PortCheck check = checkPort("/dev/ttyNOSUCHPORT");
   EXPECT_EQ(check.port, nullptr);
   ASSERT_EQ(check.findings.size(), 1u);
   EXPECT_EQ(check.findings[0].level, Level::kError);
   EXPECT_TRUE(check.findings[0].is(Kind::kPortMissing));
-  EXPECT_THAT(toText(check.findings[0]), HasSubstr("FAIL  there is no /dev/ttyNOSUCHPORT"));
+  EXPECT_THAT(toText(check.findings[0]), HasSubstr("FAIL  port /dev/ttyNOSUCHPORT does not exist"));
 }
 
 TEST(CheckPort, OpensAPty) {
@@ -299,11 +299,11 @@ TEST(CheckPort, OpensAPty) {
   EXPECT_EQ(worst(check.findings), Level::kOk);
 }
 
-TEST(LatencyRows, NameTheCommandForATimerThatIsTooLong) {
+TEST(LatencyRows, ContainTheCommandForATimerThatIsTooLong) {
   const Findings slow = latencyRows("/dev/ttyUSB0", 16);
   ASSERT_EQ(slow.size(), 1u);
   EXPECT_TRUE(slow[0].is(Kind::kLatencyTimer));
-  EXPECT_THAT(slow[0].mend, HasSubstr("echo 1 | sudo tee /sys/bus/usb-serial/devices/ttyUSB0/latency_timer"));
+  EXPECT_THAT(slow[0].remedy, HasSubstr("echo 1 | sudo tee /sys/bus/usb-serial/devices/ttyUSB0/latency_timer"));
   EXPECT_EQ(worst(latencyRows("/dev/ttyUSB0", 1)), Level::kOk);
   EXPECT_TRUE(latencyRows("/dev/pts/3", std::nullopt).empty());
 }

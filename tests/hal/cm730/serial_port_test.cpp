@@ -1,4 +1,4 @@
-// The serial port as a byte line, on a real pty.
+// SerialPort on a real pty.
 #include "hal/cm730/serial_port.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::array<std::uint8_t, 5> kBytes{0xFF, 0xFF, 0x0D, 0x0A, 0x03};  // what a cooked terminal would change
+constexpr std::array<std::uint8_t, 5> kBytes{0xFF, 0xFF, 0x0D, 0x0A,
+                                             0x03};  // bytes that a cooked terminal would change
 
 Nanos threadCpuTime() {
   timespec time{};
@@ -41,7 +42,7 @@ TEST(SerialPort, CarriesBytesUnchangedBothWays) {
   EXPECT_TRUE(std::equal(kBytes.begin(), kBytes.end(), into.begin()));
 }
 
-TEST(SerialPort, WaitsUntilTheDeadlineAndNoLongerWithoutUsingTheProcessor) {
+TEST(SerialPort, WaitsUntilTheDeadlineWithoutUsingCpu) {
   Pty pty;
   SerialPort port{pty.path()};
   std::array<std::uint8_t, 8> into{};
@@ -50,10 +51,10 @@ TEST(SerialPort, WaitsUntilTheDeadlineAndNoLongerWithoutUsingTheProcessor) {
   EXPECT_EQ(port.read(into, count, began + 80ms), LineStatus::kTimeout);
   EXPECT_EQ(count, 0u);
   EXPECT_GE(port.now() - began, 80ms);
-  EXPECT_LT(threadCpuTime() - cpu_began, 10ms) << "it spins";
+  EXPECT_LT(threadCpuTime() - cpu_began, 10ms) << "busy loop";
 }
 
-TEST(SerialPort, TakesWhatHasComeEvenWhenTheDeadlineHasPassed) {
+TEST(SerialPort, ReturnsAvailableBytesEvenAfterTheDeadline) {
   Pty pty;
   SerialPort port{pty.path()};
   send(pty, kBytes);
@@ -67,7 +68,7 @@ TEST(SerialPort, TakesWhatHasComeEvenWhenTheDeadlineHasPassed) {
   EXPECT_EQ(status, LineStatus::kOk);
 }
 
-TEST(SerialPort, WakesWhenBytesCome) {
+TEST(SerialPort, WakesWhenBytesArrive) {
   Pty pty;
   SerialPort port{pty.path()};
   std::array<std::uint8_t, 8> into{};
@@ -78,7 +79,7 @@ TEST(SerialPort, WakesWhenBytesCome) {
   sender.join();
 }
 
-TEST(SerialPort, IsLostWhenTheOtherEndGoesInTheMiddleOfAWait) {
+TEST(SerialPort, IsLostWhenTheOtherEndClosesDuringAWait) {
   std::optional<Pty> pty{std::in_place};
   SerialPort port{pty->path()};
   std::array<std::uint8_t, 8> into{};
@@ -90,7 +91,7 @@ TEST(SerialPort, IsLostWhenTheOtherEndGoesInTheMiddleOfAWait) {
   closer.join();
 }
 
-TEST(SerialPort, IsLostAtTheNextWriteAndSaysSoAtOnceFromThenOn) {
+TEST(SerialPort, IsLostAtTheNextWriteAndFailsAtOnceAfterwards) {
   std::optional<Pty> pty{std::in_place};
   SerialPort port{pty->path()};
   pty.reset();
@@ -104,7 +105,7 @@ TEST(SerialPort, IsLostAtTheNextWriteAndSaysSoAtOnceFromThenOn) {
   EXPECT_EQ(port.reconnects(), 0u);
 }
 
-TEST(SerialPort, ComesBackThroughALinkThatWasMadeAnew) {
+TEST(SerialPort, ReconnectsThroughARecreatedLink) {
   const TemporaryFolder folder;
   const std::string link = folder / "robot";
   std::optional<Pty> pty{link};
@@ -119,7 +120,7 @@ TEST(SerialPort, ComesBackThroughALinkThatWasMadeAnew) {
   EXPECT_EQ(receive(after, kBytes.size()), std::vector<std::uint8_t>(kBytes.begin(), kBytes.end()));
 }
 
-TEST(SerialPort, GivesUpAWriteThatNobodyTakes) {
+TEST(SerialPort, AbortsAWriteThatIsNotRead) {
   Pty pty;
   SerialPort port{pty.path()};
   const std::array<std::uint8_t, 4096> much{};
@@ -134,23 +135,23 @@ TEST(SerialPort, GivesUpAWriteThatNobodyTakes) {
   EXPECT_LT(longest, 2s);
 }
 
-TEST(SerialPort, ThrowsAwayStaleInput) {
+TEST(SerialPort, DiscardsStaleInput) {
   Pty pty;
   SerialPort port{pty.path()};
   std::array<std::uint8_t, 1> into{};
   std::size_t count = 0;
   send(pty, kBytes);
-  ASSERT_EQ(port.read(into, count, port.now() + 1s), LineStatus::kOk);  // the rest has come too
+  ASSERT_EQ(port.read(into, count, port.now() + 1s), LineStatus::kOk);  // the rest has also arrived
   port.discardInput();
   EXPECT_EQ(port.read(into, count, Nanos{0}), LineStatus::kTimeout);
 }
 
-TEST(SerialPort, ThrowsASentenceWhenThereIsNoPort) {
+TEST(SerialPort, ThrowsAnErrorWithARemedyWithoutAPort) {
   try {
     const SerialPort port{"/dev/ttyNOSUCHPORT"};
-    FAIL() << "it opened";
+    FAIL() << "the port was opened";
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string{error.what()}.find("there is no /dev/ttyNOSUCHPORT"), std::string::npos);
+    EXPECT_NE(std::string{error.what()}.find("port /dev/ttyNOSUCHPORT does not exist"), std::string::npos);
   }
 }
 

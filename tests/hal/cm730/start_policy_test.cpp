@@ -1,4 +1,4 @@
-// What start-up refuses, and that doctor, start and docs/doctor.md agree about it.
+// Start policy: doctor, start and docs/doctor.md agree.
 #include "hal/cm730/start_policy.hpp"
 
 #include <gmock/gmock.h>
@@ -34,13 +34,13 @@ std::string docsTable() {
   return text;
 }
 
-TEST(StartPolicyDocs, TheDoctorsPageHasTheTable) {
+TEST(StartPolicyDocs, TheDocumentationHasTheTable) {
   std::ifstream file{DARWINOP_DOCTOR_PAGE};
   const std::string page{std::istreambuf_iterator<char>{file}, {}};
-  EXPECT_THAT(page, HasSubstr(docsTable())) << "put this table there:\n" << docsTable();
+  EXPECT_THAT(page, HasSubstr(docsTable())) << "expected table:\n" << docsTable();
 }
 
-TEST(StartPolicy, ARobotIsCalledDrivableExactlyWhenALoopDrivesIt) {
+TEST(StartPolicy, ARobotIsReportedDrivableExactlyWhenALoopDrivesIt) {
   for (const KindRow& row : kKindTable) {
     const Findings one{Finding::of(row.kind, "", "")};
     EXPECT_EQ(worst(one) == Level::kError, decide(one, Purpose::kDrive) > Policy::kLeaveOut) << row.finding;
@@ -53,14 +53,14 @@ TEST(StartPolicy, TheMostSevereFindingDecides) {
   EXPECT_EQ(decide({}, Purpose::kDrive), Policy::kDrive);
 }
 
-TEST(StartPolicy, AJointIsLeftOutEvenIfItsRowHasAMoreSevereFinding) {
+TEST(StartPolicy, AJointIsOmittedEvenIfItsRowHasAMoreSevereFinding) {
   Finding row = Finding::of(Kind::kWheelMode, "", "");
   row.kinds.set(static_cast<std::size_t>(Kind::kServoTooHot));
   row.joint = Joint::kNeck;
   EXPECT_TRUE(leftOut(std::array{row}, Purpose::kRescue)[index(Joint::kNeck)]);
 }
 
-/// One fault of the virtual robot and what follows from it.
+/// A fault of the virtual robot and its expected consequences.
 struct Case {
   const char* option;  // JOINT=SETTING, or a setting of the board
   Kind kind;
@@ -81,7 +81,7 @@ TEST_P(EveryFault, HasItsKindAndItsPolicy) {
   EXPECT_TRUE(std::ranges::any_of(report.findings, [](const Finding& row) { return row.is(GetParam().kind); }));
   EXPECT_EQ(decide(report.findings, Purpose::kDrive), GetParam().drive);
   EXPECT_EQ(decide(report.findings, Purpose::kRescue), GetParam().rescue);
-  EXPECT_EQ(torque_on.count(), 0U) << "the check itself moves nothing";
+  EXPECT_EQ(torque_on.count(), 0U) << "the check must not enable torque";
 }
 INSTANTIATE_TEST_SUITE_P(
     OfTheVirtualRobot, EveryFault,
@@ -128,7 +128,7 @@ struct Instructions : testing::Test {
   std::unique_ptr<hil::MemoryLine> line;
 };
 
-TEST_F(Instructions, LedsAreAsTheyWere) {
+TEST_F(Instructions, LedsAreRestored) {
   start();
   const std::uint8_t on = 1;
   ASSERT_TRUE(writeRegisters(*line, 19, find(kMx28, "led").address, Bytes{&on, 1}).ok());
@@ -138,7 +138,7 @@ TEST_F(Instructions, LedsAreAsTheyWere) {
   EXPECT_EQ(led(Joint::kHead), 0);
 }
 
-TEST_F(Instructions, ANoisyLineIsNotTakenForAnotherFirmware) {
+TEST_F(Instructions, ANoisyLineIsNotReportedAsAnotherFirmware) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     robot = std::make_unique<hil::VirtualRobot>(powered(), seed);
     line = std::make_unique<hil::MemoryLine>(*robot);
@@ -163,7 +163,7 @@ TEST_F(Instructions, ASilentServoDoesNotHideTheOthers) {
   for (const ServoFacts& servo : facts.servo) EXPECT_TRUE(servo.bulk_read_works && servo.sync_write_works);
 }
 
-/// Sees whether anybody asks or writes to a servo.
+/// Detects any request to a servo.
 class Contacts final : public hil::WireObserver {
  public:
   void request(const Frame& frame, Nanos) noexcept override {
@@ -178,7 +178,7 @@ class Contacts final : public hil::WireObserver {
   int direct = 0;
 };
 
-TEST_F(Instructions, AnAbsentServoIsNeverAddressedAndIsNoFinding) {
+TEST_F(Instructions, AnAbsentServoIsNeverAddressedAndNotReported) {
   start();
   Contacts neck;
   line->observe(&neck);

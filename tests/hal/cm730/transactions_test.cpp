@@ -39,7 +39,7 @@ struct Line : hil::ScriptedLine {
 };
 const Octets kRead = readFrame(1, 36, 2);
 
-TEST(Transactions, AReadGivesTheRegistersAndTheErrorBits) {
+TEST(Transactions, AReadReturnsRegistersAndErrorBits) {
   Line line;
   line.expect(readFrame(19, 36, 2)).answer(statusFrame(19, {0xDC, 0x05}, error_bit::kOverload), 200us);
   const Answer answer = readRegisters(line, 19, 36, 2);
@@ -51,7 +51,7 @@ TEST(Transactions, AReadGivesTheRegistersAndTheErrorBits) {
   EXPECT_FALSE(answer.garbled);
 }
 
-TEST(Transactions, SilenceIsAskedAgainAndTheTriesAreCounted) {
+TEST(Transactions, SilenceIsRetriedAndTheAttemptsAreCounted) {
   Line line;
   line.expect(pingFrame(1)).silence().expect(pingFrame(1)).silence().expect(pingFrame(1)).answer(statusFrame(1));
   const Answer answer = ping(line, 1);
@@ -60,7 +60,7 @@ TEST(Transactions, SilenceIsAskedAgainAndTheTriesAreCounted) {
   EXPECT_FALSE(answer.garbled);
 }
 
-TEST(Transactions, WaitAsLongAsTheBytesNeedAndTheMargin) {
+TEST(Transactions, WaitForTheWireTimePlusTheMargin) {
   Line line;
   line.expect(readFrame(1, 0, 44)).silence().expect(readFrame(1, 0, 44)).silence();
   const Nanos began = line.now();
@@ -69,7 +69,7 @@ TEST(Transactions, WaitAsLongAsTheBytesNeedAndTheMargin) {
   EXPECT_EQ(line.now() - began, 2 * (wireTime(8 + 50) + 5ms));
 }
 
-TEST(Transactions, AnotherDevicesAnswerOfEqualLengthDoesNotCount) {
+TEST(Transactions, AnotherDevicesReplyOfEqualLengthIsIgnored) {
   Line line;
   line.expect(kRead).answer(joined(statusFrame(2, {1, 2}), statusFrame(1, {3, 4})));
   const Answer answer = readRegisters(line, 1, 36, 2);
@@ -77,7 +77,7 @@ TEST(Transactions, AnotherDevicesAnswerOfEqualLengthDoesNotCount) {
   EXPECT_EQ(answer.data()[0], 3);
 }
 
-TEST(Transactions, AnAnswerOfAnotherLengthDoesNotCount) {
+TEST(Transactions, AReplyOfAnotherLengthIsIgnored) {
   Line line;
   line.expect(kRead).answer(joined(statusFrame(1, {9}), statusFrame(1, {3, 4})));
   const Answer answer = readRegisters(line, 1, 36, 2);
@@ -85,7 +85,7 @@ TEST(Transactions, AnAnswerOfAnotherLengthDoesNotCount) {
   EXPECT_EQ(answer.data()[0], 3);
 }
 
-TEST(Transactions, AnAnswerThatComesTooLateIsNotTakenForTheNextOne) {
+TEST(Transactions, ALateReplyIsNotTakenForTheNextOne) {
   Line line;
   line.expect(kRead).answer(statusFrame(1, {9, 9}), 4ms).expect(kRead).answer(statusFrame(1, {3, 4}));
   const Patience once{1, 2ms};
@@ -94,13 +94,13 @@ TEST(Transactions, AnAnswerThatComesTooLateIsNotTakenForTheNextOne) {
   EXPECT_EQ(readRegisters(line, 1, 36, 2, once).data()[0], 3);
 }
 
-TEST(Transactions, FindTheAnswerBehindGarbage) {
+TEST(Transactions, FindTheReplyAfterGarbage) {
   Line line;
   line.expect(pingFrame(1)).answer(joined({0x00, 0xFF, 0x41}, statusFrame(1)));
   EXPECT_TRUE(ping(line, 1).ok());
 }
 
-TEST(Transactions, TellGarbledFromSilent) {
+TEST(Transactions, DistinguishGarbledFromSilent) {
   Line line;
   Octets damaged = statusFrame(1, {3, 4});
   damaged[5] ^= 0x10;
@@ -110,19 +110,19 @@ TEST(Transactions, TellGarbledFromSilent) {
   EXPECT_TRUE(answer.garbled);
 }
 
-TEST(Transactions, NoiseThatLeavesNothingBehindIsGarbledToo) {
+TEST(Transactions, NoiseAloneIsGarbled) {
   Line line;
   line.expect(pingFrame(1)).answer(joined({0x55, 0x55}, statusFrame(2))).silence();
   EXPECT_TRUE(ping(line, 1, {1, 2ms}).garbled);
 }
 
-TEST(Transactions, HalfAnAnswerIsGarbledToo) {
+TEST(Transactions, APartialReplyIsGarbled) {
   Line line;
   line.expect(pingFrame(1)).answer(Octets{0xFF, 0xFF, 0x01}).silence();
   EXPECT_TRUE(ping(line, 1, {1, 2ms}).garbled);
 }
 
-TEST(Transactions, ALostLineIsNotAskedAgain) {
+TEST(Transactions, ALostLineIsNotRetried) {
   Line line;
   line.lose();
   const Answer answer = ping(line, 1);
@@ -158,7 +158,7 @@ class BabblingLine final : public ByteLine {
   Nanos now_{0};
 };
 
-TEST(Transactions, EndOnALineThatBabbles) {
+TEST(Transactions, EndOnContinuousGarbage) {
   BabblingLine line;
   const Answer answer = ping(line, 1, {2, 10ms});
   EXPECT_EQ(answer.status, LineStatus::kTimeout);

@@ -1,4 +1,4 @@
-// Keys of a terminal: a process of its own on a real pty, and what it leaves behind.
+// Terminal keyboard in a process of its own on a real pty; restoring the terminal.
 #include <gmock/gmock.h>
 #include <poll.h>
 #include <pty.h>
@@ -23,22 +23,22 @@ namespace {
 
 using testing::HasSubstr;
 
-std::atomic<bool> told_to_end{false};
+std::atomic<bool> end_requested{false};
 
 void onInterrupt(int) {
-  told_to_end = true;
+  end_requested = true;
 }
 
-/// What a controller does: asks every few ms, and prints what changes. Q ends it, X by a crash.
+/// Stand-in controller: polls every few ms and prints changes. Q ends it normally, X by a crash.
 [[noreturn]] void controller(const std::string& from) {
   prctl(PR_SET_DUMPABLE, 0L);
   static_cast<void>(std::setvbuf(stdout, nullptr, _IONBF, 0));
   signal(SIGINT, onInterrupt);
   const auto keys = openKeys(
       {.from = from, .display = "", .say = [](const std::string& what) { std::printf("said: %s\r\n", what.c_str()); }},
-      told_to_end);
+      end_requested);
   std::printf("listening\r\n");
-  for (std::vector<Key> before; !told_to_end;) {
+  for (std::vector<Key> before; !end_requested;) {
     const std::vector<Key> now = keys->take();
     if (now != before) {
       std::printf("[");
@@ -52,7 +52,7 @@ void onInterrupt(int) {
     before = now;
     std::this_thread::sleep_for(std::chrono::milliseconds{2});
   }
-  // It sits down for a while, and does not look at its keys any more.
+  // The robot kneels; keys are no longer polled.
   if (from == "terminal") std::this_thread::sleep_for(std::chrono::minutes{1});
   std::_Exit(0);
 }
@@ -86,7 +86,7 @@ class Terminal : public testing::Test {
     }
     return shown.find(text) != std::string::npos;
   }
-  /// As it was before: lines, and what is typed is shown. Without: every key at once.
+  /// True: line mode with echo, as before. False: raw mode.
   [[nodiscard]] bool isAsBefore() const {
     termios now{};
     tcgetattr(master, &now);
@@ -108,20 +108,20 @@ class Terminal : public testing::Test {
   std::string shown;
 };
 
-TEST_F(Terminal, GivesArrowsAndLettersAndEndsTidily) {
+TEST_F(Terminal, ReadsArrowsAndLettersAndRestoresTheTerminal) {
   start("");
   ASSERT_TRUE(shows("no window (DISPLAY is not set): keys are read from this terminal")) << shown;
   EXPECT_FALSE(isAsBefore());
   type("\x1b[A");
   EXPECT_TRUE(shows("[ 315 ]")) << shown;
-  EXPECT_TRUE(shows("[ ]")) << "let go by itself; " << shown;
+  EXPECT_TRUE(shows("[ ]")) << "released automatically; " << shown;
   type("q");
   EXPECT_TRUE(shows("[ 81 ]")) << shown;
   EXPECT_EQ(ending(), 0);
   EXPECT_TRUE(isAsBefore());
 }
 
-TEST_F(Terminal, IsAsBeforeAfterTheFirstInterruptSoThatASecondOneMayKill) {
+TEST_F(Terminal, IsRestoredAfterTheFirstInterrupt) {
   start();
   ASSERT_TRUE(shows("keys are read from this terminal")) << shown;
   type("\x03");
@@ -131,7 +131,7 @@ TEST_F(Terminal, IsAsBeforeAfterTheFirstInterruptSoThatASecondOneMayKill) {
   EXPECT_TRUE(isAsBefore());
 }
 
-TEST_F(Terminal, IsAsBeforeAfterACrash) {
+TEST_F(Terminal, IsRestoredAfterACrash) {
   start();
   ASSERT_TRUE(shows("keys are read from this terminal")) << shown;
   EXPECT_FALSE(isAsBefore());
@@ -140,7 +140,7 @@ TEST_F(Terminal, IsAsBeforeAfterACrash) {
   EXPECT_TRUE(isAsBefore());
 }
 
-TEST_F(Terminal, IsAsBeforeAfterASignalThatEndsTheProgramAtOnce) {
+TEST_F(Terminal, IsRestoredAfterASignalThatEndsTheProgramAtOnce) {
   start();
   ASSERT_TRUE(shows("keys are read from this terminal")) << shown;
   type("\x1c");  // Ctrl-backslash
@@ -148,7 +148,7 @@ TEST_F(Terminal, IsAsBeforeAfterASignalThatEndsTheProgramAtOnce) {
   EXPECT_TRUE(isAsBefore());
 }
 
-TEST_F(Terminal, ThatIsNotWantedIsLeftAlone) {
+TEST_F(Terminal, IsNotChangedIfNotUsed) {
   start("none");
   ASSERT_TRUE(shows("listening")) << shown;
   type("q\n");
@@ -157,13 +157,13 @@ TEST_F(Terminal, ThatIsNotWantedIsLeftAlone) {
   EXPECT_EQ(ending(), 0);
 }
 
-TEST(Keys, FromSomewhereElseAreRefused) {
+TEST(Keys, FromAnUnknownSourceAreRejected) {
   const std::atomic<bool> ending{false};
   EXPECT_THROW(static_cast<void>(openKeys({.from = "piano", .display = ""}, ending)), std::runtime_error);
 }
 
-/// Standard input is not this test's: it must not be a terminal.
-TEST(Keys, ThatComeFromNowhereAreSaidOnce) {
+/// Standard input must not be a terminal here.
+TEST(Keys, WithoutASourceAreReportedOnce) {
   const int kept = dup(0);
   std::FILE* const nothing = std::fopen("/dev/null", "r");
   dup2(fileno(nothing), 0);
@@ -183,8 +183,8 @@ TEST(Keys, ThatComeFromNowhereAreSaidOnce) {
     EXPECT_TRUE(keys->take().empty());
   }
   EXPECT_THAT(what, HasSubstr("no key is ever pressed"));
-  EXPECT_THAT(what, HasSubstr("DISPLAY=:x is no display"));
-  EXPECT_THAT(what, HasSubstr("no terminal (standard input is no terminal)"));
+  EXPECT_THAT(what, HasSubstr("DISPLAY=:x is not a display name"));
+  EXPECT_THAT(what, HasSubstr("no terminal (standard input is not a terminal)"));
   dup2(kept, 0);
   close(kept);
   std::fclose(nothing);

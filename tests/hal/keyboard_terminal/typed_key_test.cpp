@@ -1,4 +1,4 @@
-// How long a key of a terminal counts as held.
+// Hold time of terminal keys.
 #include "hal/keyboard_terminal/typed_key.hpp"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ struct Typed : testing::Test {
   TypedKey typed{keys};
 };
 
-TEST_F(Typed, IsHeldUntilItCanHaveBeenRepeated) {
+TEST_F(Typed, IsHeldThroughTheInitialRepeatDelay) {
   typed.type(kKeyUp, milliseconds{0});
   EXPECT_THAT(at(0), ElementsAre(kKeyUp));
   EXPECT_THAT(at(699), ElementsAre(kKeyUp));
@@ -45,7 +45,7 @@ TEST_F(Typed, IsEndedByAnotherOne) {
   EXPECT_THAT(at(800), IsEmpty());
 }
 
-TEST_F(Typed, ThatAnotherOneEndedAtOnceIsToldAllTheSame) {
+TEST_F(Typed, IsReturnedEvenIfAnotherKeyEndedItAtOnce) {
   typed.type('A', milliseconds{0});
   typed.type('B', milliseconds{1});
   EXPECT_THAT(at(2), ElementsAre('A', 'B'));

@@ -1,4 +1,4 @@
-// The text of DISPLAY, and servers that are not there.
+// DISPLAY names, and missing servers.
 #include "hal/keyboard_x11/display.hpp"
 
 #include <gmock/gmock.h>
@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string whyNot(const std::string& display) {
+std::string rejection(const std::string& display) {
   try {
     static_cast<void>(connectTo(parseDisplay(display)));
   } catch (const std::runtime_error& error) {
@@ -23,19 +23,19 @@ TEST(Display, HasAHostANumberAndAScreen) {
   EXPECT_EQ(parseDisplay("localhost:10.0"), (DisplayName{"localhost", 10, 0}));
 }
 
-TEST(Display, ThatIsNoneIsNamed) {
-  EXPECT_THAT(whyNot(""), HasSubstr("not set"));
+TEST(Display, NamesAnInvalidDisplay) {
+  EXPECT_THAT(rejection(""), HasSubstr("not set"));
   for (const char* const text : {"0", "here", ":", ":x", ":0.", ":0.1.2", ":-1", ":99999"})
-    EXPECT_THAT(whyNot(text), HasSubstr(text));
+    EXPECT_THAT(rejection(text), HasSubstr(text));
 }
 
-TEST(Display, WithoutAServerSaysSo) {
-  EXPECT_THAT(whyNot(":9876"), HasSubstr("no X server answers at DISPLAY=:9876"));
-  EXPECT_THAT(whyNot("localhost:9876"), HasSubstr("Connection refused"));
+TEST(Display, ReportsAMissingServer) {
+  EXPECT_THAT(rejection(":9876"), HasSubstr("cannot connect to the X server at DISPLAY=:9876"));
+  EXPECT_THAT(rejection("localhost:9876"), HasSubstr("Connection refused"));
 }
 
-TEST(Display, OfAHostByNameIsNotLookedUp) {
-  EXPECT_THAT(whyNot("pc.example:0"), HasSubstr("write the number of pc.example"));
+TEST(Display, DoesNotResolveHostNames) {
+  EXPECT_THAT(rejection("pc.example:0"), HasSubstr("use the IP address of pc.example"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// X11's keys as controllers get them.
+// X11 keysyms to key codes.
 #include "hal/keyboard_x11/keysym.hpp"
 
 #include <X11/keysym.h>
@@ -9,20 +9,20 @@
 namespace darwinop::x11 {
 namespace {
 
-using Syms = std::array<std::uint32_t, 4>;  // plain, Shift, and both of the second layout
+using Syms = std::array<std::uint32_t, 4>;  // unshifted, shifted, and both of the second layout
 
 TEST(Keysym, LettersAreCapitals) {
   EXPECT_EQ(keyOfKeysyms(Syms{XK_a, XK_A}, false), 'A');
   EXPECT_EQ(keyOfKeysyms(Syms{XK_z, XK_Z}, false), 'Z');
 }
 
-TEST(Keysym, DigitsAndMarksAreWhatTheyAreWithoutShift) {
+TEST(Keysym, DigitsAndPunctuationIgnoreShift) {
   EXPECT_EQ(keyOfKeysyms(Syms{XK_1, XK_exclam}, false), '1');
   EXPECT_EQ(keyOfKeysyms(Syms{XK_comma, XK_less}, false), ',');
   EXPECT_EQ(keyOfKeysyms(Syms{XK_space}, false), ' ');
 }
 
-TEST(Keysym, ArrowsAndTheirNeighboursHaveTheNumbersOfTheApi) {
+TEST(Keysym, ArrowsAndNavigationKeysHaveTheCodesOfTheApi) {
   EXPECT_EQ(keyOfKeysym(XK_Left), 314);
   EXPECT_EQ(keyOfKeysym(XK_Up), 315);
   EXPECT_EQ(keyOfKeysym(XK_Right), 316);
@@ -33,12 +33,12 @@ TEST(Keysym, ArrowsAndTheirNeighboursHaveTheNumbersOfTheApi) {
   EXPECT_EQ(keyOfKeysym(XK_Page_Down), 367);
 }
 
-TEST(Keysym, FunctionKeysAreInARow) {
+TEST(Keysym, FunctionKeysAreConsecutive) {
   EXPECT_EQ(keyOfKeysym(XK_F1), 340);
   EXPECT_EQ(keyOfKeysym(XK_F12), 351);
 }
 
-TEST(Keysym, TheNumericPadHasArrowsOfItsOwnAndWithNumLockDigits) {
+TEST(Keysym, TheNumericPadGivesItsOwnArrowsOrDigitsWithNumLock) {
   const Syms seven{XK_KP_Home, XK_KP_7};
   EXPECT_EQ(keyOfKeysyms(seven, false), 375);
   EXPECT_EQ(keyOfKeysyms(seven, true), '7');
@@ -47,7 +47,7 @@ TEST(Keysym, TheNumericPadHasArrowsOfItsOwnAndWithNumLockDigits) {
   EXPECT_EQ(keyOfKeysyms(Syms{XK_KP_Divide}, true), '/');
 }
 
-TEST(Keysym, AKeyThatAsciiDoesNotHaveIsWhatItIsElsewhere) {
+TEST(Keysym, ANonAsciiKeyUsesTheNextLayout) {
   EXPECT_EQ(keyOfKeysyms(Syms{XK_eacute, XK_2}, false), '2');                             // French
   EXPECT_EQ(keyOfKeysyms(Syms{XK_Cyrillic_ef, XK_Cyrillic_EF, XK_a, XK_A}, false), 'A');  // Russian
   EXPECT_EQ(keyOfKeysyms(Syms{XK_Caps_Lock}, false), std::nullopt);
@@ -64,7 +64,7 @@ TEST(Keysym, ModifiersAreBits) {
   EXPECT_TRUE(numLockOfState(0b10000));
 }
 
-TEST(Keysym, HasNamesForPeople) {
+TEST(Keysym, HasDisplayNames) {
   EXPECT_EQ(keyName(kKeyControl | kKeyShift | 'A'), "Control+Shift+A");
   EXPECT_EQ(keyName(' '), "Space");
   EXPECT_EQ(keyName(kKeyNumpadUp), "Numpad Up");

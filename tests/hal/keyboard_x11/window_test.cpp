@@ -1,4 +1,4 @@
-// Keys of a window, on a real X server, pressed by xdotool as by a hand.
+// Keyboard window on a real X server, with keys pressed by xdotool.
 #include <gmock/gmock.h>
 #include <xcb/xcb.h>
 
@@ -31,15 +31,15 @@ class KeyWindowTest : public testing::Test {
                      .say =
                          [this](const std::string& what) {
                            const std::lock_guard lock{mutex};
-                           said += what + "\n";
+                           log += what + "\n";
                          }},
                     ending);
-    // A key that nobody uses: when it arrives, the window has the focus.
+    // An otherwise unused key: its arrival shows that the window has the focus.
     EXPECT_TRUE(eventually([this] {
       tool("key F9");
       return !keys->take().empty();
     })) << "no window: "
-        << heard();
+        << stderrText();
     EXPECT_TRUE(eventually([this] { return keys->take().empty(); }));
   }
 
@@ -55,7 +55,7 @@ class KeyWindowTest : public testing::Test {
     const std::string command = "DISPLAY=" + server.name() + " xdotool " + words + " >/dev/null";
     EXPECT_EQ(std::system(command.c_str()), 0) << command;
   }
-  /// What is held once all has arrived.
+  /// Held keys after all events have arrived.
   [[nodiscard]] std::vector<Key> held(const std::vector<Key>& expected) {
     std::vector<Key> now;
     static_cast<void>(eventually([&] {
@@ -65,19 +65,19 @@ class KeyWindowTest : public testing::Test {
     }));
     return now;
   }
-  std::string heard() {
+  std::string stderrText() {
     const std::lock_guard lock{mutex};
-    return said;
+    return log;
   }
 
   XServer server;
   std::atomic<bool> ending{false};
   std::mutex mutex;
-  std::string said;
+  std::string log;
   std::unique_ptr<KeySource> keys;
 };
 
-TEST_F(KeyWindowTest, TellsKeysThatAreHeldTogetherAndTheirModifiers) {
+TEST_F(KeyWindowTest, ReturnsKeysHeldTogetherWithTheirModifiers) {
   tool("keydown Up keydown space keydown a");
   EXPECT_THAT(held({' ', 'A', kKeyUp}), ElementsAre(' ', 'A', kKeyUp));
   EXPECT_THAT(keys->take(), ElementsAre(kKeyUp, ' ', 'A')) << "again in the next step, in the order of pressing";
@@ -87,7 +87,7 @@ TEST_F(KeyWindowTest, TellsKeysThatAreHeldTogetherAndTheirModifiers) {
   EXPECT_THAT(held({'A'}), ElementsAre('A'));
   tool("keyup a");
   EXPECT_THAT(held({}), IsEmpty());
-  // Down and up before anyone asks.
+  // Pressed and released before the next call.
   tool("key F1 key ctrl+alt+x");
   std::vector<Key> all;
   EXPECT_TRUE(eventually([&] {
@@ -105,8 +105,8 @@ TEST_F(KeyWindowTest, TellsKeysThatAreHeldTogetherAndTheirModifiers) {
   }
 }
 
-/// A server that repeats a key tells its window of a release and a press, though the key stays down.
-TEST_F(KeyWindowTest, AHeldKeyStaysHeldWhenTheServerRepeatsIt) {
+/// During auto-repeat the server reports release and press although the key stays down.
+TEST_F(KeyWindowTest, AHeldKeyStaysHeldDuringAutoRepeat) {
   tool("keydown Left");
   EXPECT_THAT(held({kKeyLeft}), ElementsAre(kKeyLeft));
   xcb_connection_t* const other = xcb_connect(server.name().c_str(), nullptr);
@@ -135,7 +135,7 @@ TEST_F(KeyWindowTest, WithoutTheFocusNoKeyIsHeld) {
   xcb_flush(other);
   EXPECT_THAT(held({}), IsEmpty());
   tool("key F2");
-  tool("mousemove 20 20 click 1");  // into the window: it listens again
+  tool("mousemove 20 20 click 1");  // into the window: gives it the focus
   EXPECT_TRUE(eventually([this] {
     tool("key F3");
     const auto now = keys->take();
@@ -145,28 +145,28 @@ TEST_F(KeyWindowTest, WithoutTheFocusNoKeyIsHeld) {
   xcb_disconnect(other);
 }
 
-TEST_F(KeyWindowTest, ClosedItSaysSoAndTheControllerGoesOn) {
+TEST_F(KeyWindowTest, AClosedWindowIsReportedAndTheControllerContinues) {
   tool("keydown Up");
   EXPECT_THAT(held({kKeyUp}), ElementsAre(kKeyUp));
   tool("search --name 'keys for the robot' windowclose");
-  EXPECT_TRUE(eventually([this] { return heard().find("window was closed") != std::string::npos; }));
+  EXPECT_TRUE(eventually([this] { return stderrText().find("window was closed") != std::string::npos; }));
   EXPECT_THAT(held({}), IsEmpty());
 }
 
-TEST_F(KeyWindowTest, BehindANetworkThatHangsNoKeyStaysDown) {
+TEST_F(KeyWindowTest, AStalledNetworkReleasesAllKeys) {
   tool("keydown Up");
   EXPECT_THAT(held({kKeyUp}), ElementsAre(kKeyUp));
-  std::this_thread::sleep_for(std::chrono::milliseconds{1100});  // two questions
-  EXPECT_THAT(keys->take(), ElementsAre(kKeyUp)) << "a server that answers is believed";
+  std::this_thread::sleep_for(std::chrono::milliseconds{1100});  // two polls
+  EXPECT_THAT(keys->take(), ElementsAre(kKeyUp)) << "the server still reports the key as down";
   server.hang();
   EXPECT_THAT(held({}), IsEmpty());
 }
 
-TEST_F(KeyWindowTest, AServerThatDiesIsSaidAndTheControllerGoesOn) {
+TEST_F(KeyWindowTest, ADeadServerIsReportedAndTheControllerContinues) {
   tool("keydown Up");
   EXPECT_THAT(held({kKeyUp}), ElementsAre(kKeyUp));
   server.end();
-  EXPECT_TRUE(eventually([this] { return heard().find("X server is gone") != std::string::npos; }));
+  EXPECT_TRUE(eventually([this] { return stderrText().find("X server is gone") != std::string::npos; }));
   EXPECT_THAT(held({}), IsEmpty());
 }
 

@@ -1,4 +1,4 @@
-// There and back: what a virtual camera is given is what the robot's capture shows.
+// Round trip: virtual camera input to captured picture.
 #include "hal/pixels/bgra_to_yuyv.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using Colours = std::vector<std::uint8_t>;  // BGRA
 
-/// Through the camera and back.
+/// Through the virtual camera and back.
 Colours seen(const Colours& bgra, int width, int height, std::size_t gap = 0) {
   const std::size_t stride = yuyvRowBytes(width) + gap;
   std::vector<std::uint8_t> yuyv(yuyvBytes(width, height, stride));
@@ -28,7 +28,7 @@ int worstDifference(const Colours& a, const Colours& b) {
   return worst;
 }
 
-TEST(BgraToYuyv, SolidColoursComeBackWithinTwoCounts) {
+TEST(BgraToYuyv, SolidColoursSurviveTheRoundTripWithinTwoCounts) {
   for (int b = 0; b < 256; b += 3)  // 255 is among them
     for (int g = 0; g < 256; g += 3) {
       Colours row;  // pairs of one colour
@@ -39,14 +39,14 @@ TEST(BgraToYuyv, SolidColoursComeBackWithinTwoCounts) {
     }
 }
 
-TEST(BgraToYuyv, GreyComesBackAsItWas) {
+TEST(BgraToYuyv, GreySurvivesTheRoundTrip) {
   Colours row;
   for (int grey = 0; grey < 256; ++grey)
     for (const int byte : {grey, grey, grey, 255}) row.push_back(static_cast<std::uint8_t>(byte));
   EXPECT_EQ(seen(row, 256, 1), row);
 }
 
-TEST(BgraToYuyv, ThePictureComesBackUpright) {
+TEST(BgraToYuyv, TheRoundTripGivesAnUprightPicture) {
   for (const auto& [width, height] : {std::pair{6, 3}, {5, 3}, {1, 1}, {1, 4}, {7, 1}})
     for (const std::size_t gap : {0, 5}) {
       Colours bgra;

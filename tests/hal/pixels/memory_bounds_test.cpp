@@ -1,4 +1,4 @@
-// Nothing is read outside the picture and nothing written outside the output: pages without access lie on both sides.
+// Out-of-bounds accesses, detected by guard pages on both sides.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <unistd.h>
@@ -13,7 +13,7 @@
 namespace darwinop::pixels {
 namespace {
 
-/// Some pages between two that may not be touched. What touches them ends the test program.
+/// Pages between two guard pages. An out-of-bounds access ends the test program.
 class FencedPages {
  public:
   FencedPages() {
@@ -27,13 +27,13 @@ class FencedPages {
   FencedPages& operator=(const FencedPages&) = delete;
   ~FencedPages() { ::munmap(inside_ - page_, kInside + 2 * page_); }
 
-  /// `count` bytes, from `offset` bytes behind the first fence or up to as many before the second.
+  /// `count` bytes, `offset` bytes after the first guard page, or ending that far before the second.
   std::span<std::uint8_t> place(std::size_t count, bool at_end, std::size_t offset) {
     place_ = {inside_ + (at_end ? kInside - count - offset : offset), count};
     return place_;
   }
 
-  /// Whether all around the last place is as it was.
+  /// Whether the bytes around the last range are unchanged.
   [[nodiscard]] bool restUntouched() const {
     const auto untouched = [](const std::uint8_t* begin, const std::uint8_t* end) {
       return std::memcmp(begin, kClear.data(), static_cast<std::size_t>(end - begin)) == 0;
@@ -44,7 +44,7 @@ class FencedPages {
   void clear() { std::memset(inside_, kUntouched, kInside); }
 
  private:
-  static constexpr std::size_t kInside = 16384;  // a multiple of any page here
+  static constexpr std::size_t kInside = 16384;  // a multiple of every page size used here
   static constexpr std::uint8_t kUntouched = 0xA5;
   inline static const std::vector<std::uint8_t> kClear = std::vector<std::uint8_t>(kInside, kUntouched);
   std::size_t page_ = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
@@ -52,7 +52,7 @@ class FencedPages {
   std::span<std::uint8_t> place_;
 };
 
-/// Sizes about the steps of 8 and 16 pixels, at both fences, at every alignment.
+/// Sizes around the steps of 8 and 16 pixels, at both guard pages, at every alignment.
 template <class Check>
 void forEachPlace(Check check) {
   for (const int width : {1, 2, 7, 8, 9, 15, 16, 17, 30, 31, 32, 33, 34, 48, 50})

@@ -1,4 +1,4 @@
-// Pictures for tests: any size and stride, bytes by a seed, and one pixel at a time as the definition has it.
+// Test pictures: any size and stride, seeded bytes, and a reference conversion per pixel.
 #pragma once
 
 #include <algorithm>
@@ -30,22 +30,22 @@ struct Picture {
 
   [[nodiscard]] YuyvImage image() const { return {bytes, width, height, stride}; }
 
-  /// The pixel in column x of row y, as the camera has it.
+  /// The pixel in column x of row y in camera orientation.
   [[nodiscard]] Yuv at(int x, int y) const {
     const std::uint8_t* pair = bytes.data() + stride * y + x / 2 * 4;
     return {pair[x % 2 * 2], pair[1], pair[3]};
   }
-  /// The same after turning by 180 degrees.
+  /// The pixel after rotation by 180 degrees.
   [[nodiscard]] Yuv turned(int x, int y) const { return at(width - 1 - x, height - 1 - y); }
 };
 
-/// Bytes at random, the ends of their range more often; no byte more than the picture needs.
+/// Random bytes with frequent extremes; exactly as many as the picture needs.
 inline Picture pictureOf(int width, int height, std::size_t gap, std::uint32_t seed) {
   const std::size_t stride = yuyvRowBytes(width) + gap;
   Picture picture{width, height, stride, std::vector<std::uint8_t>(yuyvBytes(width, height, stride))};
-  std::mt19937 dice{seed};
+  std::mt19937 rng{seed};
   for (std::uint8_t& byte : picture.bytes) {
-    const auto number = dice();
+    const auto number = rng();
     byte = static_cast<std::uint8_t>(number % 8 == 0 ? number / 8 % 2 * 255 : number >> 24);
   }
   return picture;
@@ -56,7 +56,7 @@ struct Bgra {
   bool operator==(const Bgra&) const = default;
 };
 
-/// The definition, in real numbers, all of which a double holds exactly.
+/// Reference formula in real numbers, exact in double.
 inline Bgra colourOf(const Yuv& pixel) {
   const double u = pixel.u - 128, v = pixel.v - 128;
   const auto limited = [](double x) { return static_cast<std::uint8_t>(x < 0 ? 0 : x > 255 ? 255 : std::floor(x)); };

@@ -1,4 +1,4 @@
-// Every colour by every kernel, and where each pixel goes.
+// Colours and pixel positions of every BGRA kernel.
 #include "hal/pixels/yuyv_to_bgra.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ std::vector<std::uint8_t> bgraBy(ToBgra* function, const Picture& picture) {
   return bgra;
 }
 
-/// One of each value of Y, with the same U and V; a row of 256 pixels for each V.
+/// Every Y with the same U and V; one row of 256 pixels per V.
 Picture allColoursWith(int u) {
   Picture picture{256, 256, 512, {}};
   for (int v = 0; v < 256; ++v)
@@ -38,7 +38,7 @@ std::vector<std::uint8_t> expectedWith(int u) {
   return bgra;
 }
 
-TEST(YuyvToBgra, EveryColourIsTheFormulasByEveryKernel) {
+TEST(YuyvToBgra, EveryKernelMatchesTheFormulaForEveryColour) {
   for (int u = 0; u < 256; ++u) {
     const Picture picture = allColoursWith(u);
     const auto expected = expectedWith(u);
@@ -52,7 +52,7 @@ struct Example {
   Bgra to;
 };
 
-// Upstream's controllers on a robot get these.
+// Regression values of upstream controllers on a robot.
 constexpr Example kExamples[] = {
     {{128, 128, 128}, {128, 128, 128, 255}}, {{128, 0, 128}, {0, 172, 128, 255}},
     {{128, 255, 128}, {255, 84, 128, 255}},  {{128, 128, 0}, {128, 219, 0, 255}},
@@ -63,7 +63,7 @@ constexpr Example kExamples[] = {
 TEST(YuyvToBgra, WorkedExamples) {
   for (const Example& example : kExamples)
     for (const auto& kernel : usable(bgraKernels())) {
-      Picture picture = pictureOf(32, 1, 0, 1);  // as wide as the widest step
+      Picture picture = pictureOf(32, 1, 0, 1);  // as wide as the widest SIMD step
       for (std::size_t at = 0; at < picture.bytes.size(); at += 4) {
         picture.bytes[at] = picture.bytes[at + 2] = static_cast<std::uint8_t>(example.from.y);
         picture.bytes[at + 1] = static_cast<std::uint8_t>(example.from.u);
@@ -124,13 +124,13 @@ TEST(YuyvToBgra, PlainKernelComesFirstAndIsAlwaysUsable) {
 }
 
 #ifdef __SSE2__
-TEST(YuyvToBgra, TheRobotsAtomWorksWithSse2) {
+TEST(YuyvToBgra, TheRobotsAtomUsesSse2) {
   if (!__builtin_cpu_is("bonnell")) GTEST_SKIP() << "not an Atom like the robot's";
   EXPECT_EQ(usable(bgraKernels()).back().name, "sse2");
 }
 #endif
 
-TEST(YuyvImage, TooFewBytesOrTooNarrowRowsAreNoWholePicture) {
+TEST(YuyvImage, TooFewBytesOrTooNarrowRowsAreRejected) {
   const std::vector<std::uint8_t> bytes(64);
   EXPECT_TRUE(isWhole({bytes, 8, 4, 16}));
   EXPECT_TRUE(isWhole({bytes, 7, 4, 16})) << "half a pair takes as much as a whole one";

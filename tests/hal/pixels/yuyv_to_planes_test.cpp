@@ -1,4 +1,4 @@
-// Planes beside their definition, worked out one sample at a time.
+// Plane kernels compared with a sample-by-sample reference.
 #include "hal/pixels/yuyv_to_planes.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(YuyvToPlanes, FourByTwoByHand) {
   }
 }
 
-TEST(YuyvToPlanes, OddWidthPairsOthersThanTheCamera) {
+TEST(YuyvToPlanes, OddWidthsPairDifferentPixelsThanTheCamera) {
   const Picture picture{3, 1, 8, {1, 10, 2, 20, 3, 30, 99, 40}};
   for (const auto& kernel : usable(planesKernels()))
     EXPECT_EQ(planesBy(kernel.function, picture, Chroma::k422), (PlaneBytes{{3, 2, 1}, {20, 10}, {30, 20}}))

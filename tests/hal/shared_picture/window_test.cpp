@@ -1,4 +1,4 @@
-// A writer and readers of one window, each with a mapping of its own, as processes have them.
+// A writer and readers of one shared picture file, each with its own mapping, as in separate processes.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// What a test breaks: the window as a process that means no good, or died, might leave it.
+/// Raw access, to leave the file as a malicious or dead process might.
 class RawWindow {
  public:
   explicit RawWindow(const std::string& path) {
@@ -49,13 +49,14 @@ class SharedPicture : public testing::Test {
   void makeWriter() { writer_.emplace(files_, ::getegid()); }
   Reader& reader() {
     if (!reader_)
-      reader_ = std::make_unique<Reader>(Reader::Options{.files = files_,
-                                                         .group = ::getegid(),
-                                                         .now = [this] { return now_; },
-                                                         .say = [this](const auto& text) { said_.push_back(text); }});
+      reader_ =
+          std::make_unique<Reader>(Reader::Options{.files = files_,
+                                                   .group = ::getegid(),
+                                                   .now = [this] { return now_; },
+                                                   .say = [this](const auto& text) { messages_.push_back(text); }});
     return *reader_;
   }
-  /// One colour all over: a mixture of two pictures shows.
+  /// A single colour, so that a mixture of two pictures is visible.
   bool put(std::uint64_t sequence, int width = kWidth) {
     std::ranges::fill(raw_, static_cast<std::uint8_t>(sequence));
     return writer_->put({raw_, width, kHeight, kStride}, sequence, now_, now_);
@@ -70,14 +71,14 @@ class SharedPicture : public testing::Test {
   WindowFiles files_{folder_ / "pictures", folder_ / "asked"};
   Nanos now_{1h};
   std::vector<std::uint8_t> raw_ = std::vector<std::uint8_t>(kStride * kHeight);
-  std::vector<std::string> said_;
+  std::vector<std::string> messages_;
   std::optional<Writer> writer_;
   std::unique_ptr<Reader> reader_;
 };
 
-TEST_F(SharedPicture, IsCopiedOnlyWhileSomebodyAsks) {
+TEST_F(SharedPicture, IsCopiedOnlyOnRequest) {
   makeWriter();
-  EXPECT_FALSE(put(1)) << "nobody looks";
+  EXPECT_FALSE(put(1)) << "no request";
   EXPECT_EQ(reader().newest().sequence, 0u);
   EXPECT_TRUE(put(2));
   const CameraFrame frame = reader().newest();
@@ -87,29 +88,29 @@ TEST_F(SharedPicture, IsCopiedOnlyWhileSomebodyAsks) {
   EXPECT_TRUE(std::ranges::all_of(frame.yuyv, [](auto byte) { return byte == 2; }));
   EXPECT_TRUE(reader().health().seeing);
   now_ += kAsked;
-  EXPECT_FALSE(put(3)) << "the reader has fallen silent";
+  EXPECT_FALSE(put(3)) << "the reader has stopped";
   EXPECT_FALSE(reader().health().seeing);
-  EXPECT_THAT(said_, ElementsAre());
+  EXPECT_THAT(messages_, ElementsAre());
 }
 
-TEST_F(SharedPicture, IsNotShownWhenItIsLeftFromLongAgo) {
+TEST_F(SharedPicture, IsIgnoredWhenItIsTooOld) {
   makeWriter();
   (void)reader().newest();
   ASSERT_TRUE(put(1));
   now_ += kFresh;
   EXPECT_EQ(reader().newest().sequence, 0u);
   for (int i = 0; i < 10; ++i) lookAgain();
-  EXPECT_THAT(said_, ElementsAre(HasSubstr("no new pictures"))) << "once";
+  EXPECT_THAT(messages_, ElementsAre(HasSubstr("no new pictures"))) << "once";
 }
 
-TEST_F(SharedPicture, IsTheOneBeforeWhenTheWriterDiesInTheMiddle) {
+TEST_F(SharedPicture, IsThePreviousOneWhenTheWriterDiesInTheMiddle) {
   makeWriter();
   (void)reader().newest();
   ASSERT_TRUE(put(1));
   RawWindow raw{files_.pictures};
-  raw->slots[1].turn = 1;  // where the second one was begun
+  raw->slots[1].turn = 1;  // where the second picture was started
   EXPECT_EQ(reader().newest().sequence, 1u);
-  raw->newest = 2;  // not even a newest that points there is believed
+  raw->newest = 2;  // must not be used although `newest` points there
   raw->slots[1].sequence = 2;
   raw->slots[1].time_ns = now_.count();
   EXPECT_EQ(reader().newest().sequence, 1u);
@@ -117,7 +118,7 @@ TEST_F(SharedPicture, IsTheOneBeforeWhenTheWriterDiesInTheMiddle) {
   EXPECT_EQ(reader().newest().sequence, 1u);
 }
 
-/// Writes a slot as a Writer does, but always the same one: it overtakes whoever reads.
+/// Writes a slot as a Writer does, but always the same one, to overtake the reader.
 void overtake(Window& window, std::uint64_t sequence, const std::vector<std::uint8_t>& bytes) {
   Slot& slot = window.slots[0];
   const std::uint32_t turn = slot.turn.exchange(slot.turn + 1, std::memory_order_acq_rel);
@@ -128,7 +129,7 @@ void overtake(Window& window, std::uint64_t sequence, const std::vector<std::uin
   window.newest.store(1, std::memory_order_release);
 }
 
-TEST_F(SharedPicture, IsNeverAMixture) {
+TEST_F(SharedPicture, IsNeverAMixtureOfTwoPictures) {
   makeWriter();
   (void)reader().newest();
   const std::array<std::vector<std::uint8_t>, 2> pictures{std::vector<std::uint8_t>(kPictureBytes, 0),
@@ -157,7 +158,7 @@ TEST_F(SharedPicture, IsNeverAMixture) {
   other.join();
 }
 
-TEST_F(SharedPicture, OfAFileThatSomebodyShortensEndsNeitherWriterNorReader) {
+TEST_F(SharedPicture, OfATruncatedFileEndsNeitherWriterNorReader) {
   makeWriter();
   lookAgain();
   ASSERT_TRUE(put(1));
@@ -171,12 +172,12 @@ TEST_F(SharedPicture, OfAFileThatSomebodyShortensEndsNeitherWriterNorReader) {
 }
 
 TEST_F(SharedPicture, IsFoundAgainWhenItsWriterIsReplaced) {
-  EXPECT_EQ(reader().newest().sequence, 0u) << "there is none yet";
+  EXPECT_EQ(reader().newest().sequence, 0u) << "no picture yet";
   makeWriter();
   lookAgain();
   ASSERT_TRUE(put(7));
   EXPECT_EQ(reader().newest().sequence, 7u);
-  const Writer second{files_, ::getegid()};  // takes the place of the first, which must not remove its files
+  const Writer second{files_, ::getegid()};  // replaces the first writer, which must not remove the new files
   writer_.reset();
   EXPECT_TRUE(std::filesystem::exists(files_.pictures));
   makeWriter();
@@ -187,25 +188,25 @@ TEST_F(SharedPicture, IsFoundAgainWhenItsWriterIsReplaced) {
   EXPECT_FALSE(std::filesystem::exists(files_.pictures));
   EXPECT_FALSE(std::filesystem::exists(files_.asked));
   lookAgain();
-  EXPECT_THAT(said_, ElementsAre());
+  EXPECT_THAT(messages_, ElementsAre());
 }
 
-TEST_F(SharedPicture, IsOfAnotherSizeAndSaidSo) {
+TEST_F(SharedPicture, OfAnotherSizeIsReported) {
   makeWriter();
   (void)reader().newest();
   EXPECT_FALSE(put(1, kWidth / 2));
   for (int i = 0; i < 3; ++i) lookAgain();
-  EXPECT_THAT(said_, ElementsAre(HasSubstr("160x240")));
+  EXPECT_THAT(messages_, ElementsAre(HasSubstr("160x240")));
 }
 
-TEST_F(SharedPicture, IsNotLookedAtWhenItIsNoWindowOfThisVersion) {
+TEST_F(SharedPicture, IsIgnoredWhenItsFileHasAnotherVersion) {
   makeWriter();
   RawWindow {
     files_.pictures
     } -> layout = Window::kLayout + 1;
   for (int i = 0; i < 3; ++i) lookAgain();
-  EXPECT_THAT(said_, ElementsAre(HasSubstr("another version")));
-  EXPECT_FALSE(put(1)) << "it is not asked for either";
+  EXPECT_THAT(messages_, ElementsAre(HasSubstr("another version")));
+  EXPECT_FALSE(put(1)) << "no request either";
 
   RawWindow {
     files_.pictures
@@ -213,14 +214,14 @@ TEST_F(SharedPicture, IsNotLookedAtWhenItIsNoWindowOfThisVersion) {
   std::filesystem::resize_file(files_.pictures, sizeof(Window) - 1);
   reader_.reset();
   lookAgain();
-  EXPECT_THAT(said_.back(), HasSubstr("another version"));
-  EXPECT_EQ(said_.size(), 2u);
+  EXPECT_THAT(messages_.back(), HasSubstr("another version"));
+  EXPECT_EQ(messages_.size(), 2u);
   std::filesystem::resize_file(files_.pictures, sizeof(Window));
   lookAgain();
-  EXPECT_TRUE(put(2)) << "it is one again";
+  EXPECT_TRUE(put(2)) << "valid again";
 }
 
-TEST_F(SharedPicture, OnlookersCanSpoilNothingButTheAsking) {
+TEST_F(SharedPicture, CannotBeModifiedByObservers) {
   makeWriter();
   struct stat pictures {
   }, asked{};
@@ -233,22 +234,22 @@ TEST_F(SharedPicture, OnlookersCanSpoilNothingButTheAsking) {
   std::filesystem::resize_file(files_.asked, 3);
   EXPECT_FALSE(put(2));
   std::ofstream{files_.asked} << "\x7F\xFF\xFF\xFF\xFF\xFF\xFF\x7F";
-  EXPECT_FALSE(put(3)) << "a time to come";
+  EXPECT_FALSE(put(3)) << "a time in the future";
   lookAgain();
-  EXPECT_TRUE(put(4)) << "somebody asks properly";
+  EXPECT_TRUE(put(4)) << "a valid request";
 }
 
-TEST_F(SharedPicture, SaysWhatToDoWhenItCannotBeMade) {
+TEST_F(SharedPicture, ReportsARemedyWhenItCannotBeCreated) {
   const WindowFiles nowhere{folder_ / "none/pictures", folder_ / "none/asked"};
   try {
     const Writer writer{nowhere, ::getegid()};
-    FAIL() << "there is no such folder";
+    FAIL() << "the folder does not exist";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("yours to write"));
+    EXPECT_THAT(error.what(), HasSubstr("writable"));
   }
   std::filesystem::create_directory(files_.pictures);  // cannot be replaced by a file
   EXPECT_THROW(makeWriter(), std::runtime_error);
-  EXPECT_FALSE(std::filesystem::exists(files_.asked)) << "nothing is left behind";
+  EXPECT_FALSE(std::filesystem::exists(files_.asked)) << "no file is left";
 }
 
 }  // namespace

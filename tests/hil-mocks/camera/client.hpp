@@ -1,4 +1,4 @@
-// A program that uses the camera as any would: V4L2 and nothing of ours.
+// Plain V4L2 client of the virtual camera.
 #pragma once
 
 #include <fcntl.h>
@@ -22,12 +22,12 @@ namespace darwinop::hil {
 inline constexpr const char* kDevice = "/dev/video0";
 inline constexpr int kPatienceMs = 2000;
 
-/// A painter whose file the camera in this process reads.
-struct Eyes {
-  Eyes() : painter{folder / "frames"} { setenv("DARWINOP_VIRTUAL_CAMERA", painter.path().c_str(), 1); }
-  ~Eyes() { unsetenv("DARWINOP_VIRTUAL_CAMERA"); }
-  Eyes(const Eyes&) = delete;
-  Eyes& operator=(const Eyes&) = delete;
+/// A painter whose file this process's camera reads.
+struct CameraFixture {
+  CameraFixture() : painter{folder / "frames"} { setenv("DARWINOP_VIRTUAL_CAMERA", painter.path().c_str(), 1); }
+  ~CameraFixture() { unsetenv("DARWINOP_VIRTUAL_CAMERA"); }
+  CameraFixture(const CameraFixture&) = delete;
+  CameraFixture& operator=(const CameraFixture&) = delete;
   TemporaryFolder folder;
   FramePainter painter;
 };
@@ -42,7 +42,7 @@ class Client {
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
-  /// 0 or an errno, as all that follow.
+  /// 0 or an errno, like all following calls.
   template <class T>
   int ask(unsigned long request, T& argument) const {
     return ioctl(fd, request, &argument) == 0 ? 0 : errno;
@@ -94,7 +94,7 @@ class Client {
     pollfd one{fd, POLLIN, 0};
     return poll(&one, 1, wait_ms) == 1;
   }
-  /// Waits, takes a frame into `last` and queues its buffer again.
+  /// Waits, dequeues into `last`, and queues the buffer again.
   int frame() {
     if (!readable()) return ETIMEDOUT;
     last = buffer();

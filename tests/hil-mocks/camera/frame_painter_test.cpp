@@ -1,4 +1,4 @@
-// The frame file: what the painter leaves in it, and what it reads from it.
+// Frame file: written and read by the painter.
 #include "hil-mocks/camera/frame_painter.hpp"
 
 #include <fcntl.h>
@@ -17,7 +17,7 @@
 namespace darwinop::hil {
 namespace {
 
-/// The file as a camera maps it.
+/// The file as mapped by a camera.
 struct Mapped {
   explicit Mapped(const std::string& path) {
     const int fd = open(path.c_str(), O_RDWR | O_CLOEXEC);
@@ -39,7 +39,7 @@ std::vector<std::uint8_t> yuyv(PictureSize size, std::uint8_t value) {
   return std::vector<std::uint8_t>(2 * static_cast<std::size_t>(size.width * size.height), value);
 }
 
-TEST(FramePainter, MakesAFileThatACameraRecognisesAndRemovesIt) {
+TEST(FramePainter, CreatesAValidFileAndRemovesIt) {
   const TemporaryFolder folder;
   {
     const FramePainter painter{folder / "camera"};
@@ -52,7 +52,7 @@ TEST(FramePainter, MakesAFileThatACameraRecognisesAndRemovesIt) {
   EXPECT_TRUE(std::filesystem::is_empty(folder / "."));
 }
 
-TEST(FramePainter, LeavesThePictureBeforeUntouched) {
+TEST(FramePainter, DoesNotModifyThePreviousPicture) {
   const TemporaryFolder folder;
   FramePainter painter{folder / "camera"};
   const Mapped camera{folder / "camera"};
@@ -68,32 +68,32 @@ TEST(FramePainter, LeavesThePictureBeforeUntouched) {
   EXPECT_EQ(camera.file->height[0], 480u);
 }
 
-TEST(FramePainter, TurnsAnUprightPictureAsTheCameraHangs) {
+TEST(FramePainter, RotatesAnUprightPicture) {
   const TemporaryFolder folder;
   FramePainter painter{folder / "camera"};
   const Mapped camera{folder / "camera"};
   std::vector<std::uint8_t> bgra(4 * 4 * 2, 0);
-  for (std::size_t i = 0; i < 8; ++i) bgra[i] = 255;  // the two pixels at the upper left are white
+  for (std::size_t i = 0; i < 8; ++i) bgra[i] = 255;  // the two upper left pixels are white
   painter.paint({4, 2}, bgra);
   EXPECT_EQ(camera.byte(1, 0), 0);
   EXPECT_EQ(camera.byte(1, 4 * 2 * 2 - 4), 255);  // Y of the last pair but one pixel
   EXPECT_EQ(camera.byte(1, 4 * 2 * 2 - 2), 255);
 }
 
-TEST(FramePainter, TellsWhatTheCameraWantsAndWhatIsWrongWithIt) {
+TEST(FramePainter, ReadsTheRequestedSizeAndSetsTheFault) {
   const TemporaryFolder folder;
   FramePainter painter{folder / "camera"};
   const Mapped camera{folder / "camera"};
   camera.file->wanted_width = 800;
   camera.file->wanted_height = 600;
   EXPECT_EQ(painter.wanted(), (PictureSize{800, 600}));
-  camera.file->wanted_width = 100'000;  // no camera of ours
+  camera.file->wanted_width = 100'000;  // not a valid camera
   EXPECT_EQ(painter.wanted().width, kMostWidth);
   painter.setFault(CameraFault::kSilent);
   EXPECT_EQ(camera.file->fault, static_cast<std::uint32_t>(CameraFault::kSilent));
 }
 
-TEST(FramePainter, ReplacesAFileThatACameraStillHasOpen) {
+TEST(FramePainter, ReplacesAFileThatACameraHasOpen) {
   const TemporaryFolder folder;
   FramePainter first{folder / "camera"};
   first.paintYuyv({320, 240}, yuyv({320, 240}, 11));
@@ -114,7 +114,7 @@ TEST(FramePainter, LeavesTheFileOfItsSuccessor) {
   EXPECT_TRUE(std::filesystem::is_empty(folder / "."));
 }
 
-TEST(FramePainter, RefusesPicturesThatDoNotFit) {
+TEST(FramePainter, RejectsPicturesOfWrongSize) {
   const TemporaryFolder folder;
   FramePainter painter{folder / "camera"};
   EXPECT_THROW(painter.paintYuyv({802, 2}, yuyv({802, 2}, 0)), std::invalid_argument);
@@ -124,16 +124,16 @@ TEST(FramePainter, RefusesPicturesThatDoNotFit) {
   EXPECT_EQ(painter.painted(), 0u);
 }
 
-TEST(FramePainter, NamesTheFileThatItCannotMake) {
+TEST(FramePainter, NamesAFileThatCannotBeCreated) {
   try {
     const FramePainter painter{"/nowhere/camera"};
-    FAIL() << "it was made";
+    FAIL() << "the file was created";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("/nowhere/camera: No such file or directory"));
   }
 }
 
-TEST(CameraFaults, HaveNamesInTheOrderOfTheirNumbers) {
+TEST(CameraFaults, HaveNamesInEnumOrder) {
   std::uint32_t number = 0;
   for (const CameraFaultRow& row : kCameraFaults) EXPECT_EQ(static_cast<std::uint32_t>(row.fault), number++);
   EXPECT_EQ(number, static_cast<std::uint32_t>(CameraFault::kDrops) + 1);

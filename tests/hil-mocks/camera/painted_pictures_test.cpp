@@ -1,4 +1,4 @@
-// A program that looks into the painter's file.
+// Direct reader of the painter's file.
 #include "hil-mocks/camera/painted_pictures.hpp"
 
 #include <gmock/gmock.h>
@@ -17,11 +17,11 @@ std::vector<std::uint8_t> plainYuyv(PictureSize size, std::uint8_t value) {
   return std::vector<std::uint8_t>(2 * static_cast<std::size_t>(size.width * size.height), value);
 }
 
-TEST(PaintedPictures, AreSeenAndAskedFor) {
+TEST(PaintedPictures, AreReadAndRequested) {
   const TemporaryFolder folder;
   FramePainter painter{folder / "eyes"};
   PaintedPictures eyes{folder / "eyes", true};
-  EXPECT_EQ(painter.wantedRate(), 0) << "nobody has looked yet";
+  EXPECT_EQ(painter.wantedRate(), 0) << "no reader yet";
   EXPECT_EQ(eyes.newest().sequence, 0U);
   EXPECT_EQ(painter.wantedRate(), 15);
   EXPECT_FALSE(eyes.health().seeing);
@@ -43,7 +43,7 @@ TEST(PaintedPictures, OfAnotherSizeAreNotShown) {
   EXPECT_EQ(eyes.newest().sequence, 2U);
 }
 
-TEST(PaintedPictures, AnOldOneIsNone) {
+TEST(PaintedPictures, AnOldPictureIsIgnored) {
   const TemporaryFolder folder;
   FramePainter painter{folder / "eyes"};
   painter.paintYuyv({320, 240}, plainYuyv({320, 240}, 7));
@@ -55,10 +55,10 @@ TEST(PaintedPictures, AnOldOneIsNone) {
     file.write(reinterpret_cast<const char*>(&before), sizeof before);
   }
   PaintedPictures eyes{folder / "eyes", true};
-  EXPECT_EQ(eyes.newest().sequence, 0U) << "from the last time that somebody looked";
+  EXPECT_EQ(eyes.newest().sequence, 0U) << "left from an earlier reader";
 }
 
-TEST(PaintedPictures, APainterThatCannotSaysWhy) {
+TEST(PaintedPictures, APainterReportsWhyItCannotPaint) {
   const TemporaryFolder folder;
   FramePainter painter{folder / "eyes"};
   const PaintedPictures eyes{folder / "eyes", true};
@@ -68,7 +68,7 @@ TEST(PaintedPictures, APainterThatCannotSaysWhy) {
   EXPECT_EQ(eyes.trouble(), std::string(511, '.'));
 }
 
-TEST(PaintedPictures, AFileThatIsNoneIsRefused) {
+TEST(PaintedPictures, AnInvalidFileIsRejected) {
   const TemporaryFolder folder;
   EXPECT_THROW((PaintedPictures{folder / "eyes", true}), std::runtime_error);
   std::ofstream{folder / "eyes"} << "too short to be mapped";

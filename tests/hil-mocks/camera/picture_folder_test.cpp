@@ -1,4 +1,4 @@
-// A folder of pictures: their order, their size, and what a bad one says.
+// Picture folder: order, size, error messages.
 #include "hil-mocks/camera/picture_folder.hpp"
 
 #include <gmock/gmock.h>
@@ -34,7 +34,7 @@ std::string pixels(std::initializer_list<Colour> colours) {
   return text;
 }
 
-std::string complaint(const std::string& folder) {
+std::string errorOf(const std::string& folder) {
   try {
     const PictureFolder pictures{folder, 1};
   } catch (const std::runtime_error& error) {
@@ -43,7 +43,7 @@ std::string complaint(const std::string& folder) {
   return "none";
 }
 
-TEST(PictureFolder, ShowsEachPictureForItsFramesInNameOrderAndBeginsAgain) {
+TEST(PictureFolder, ShowsEachPictureForItsFramesInNameOrderAndRepeats) {
   const TemporaryFolder folder;
   write(folder / "2.ppm", "P6 1 1 255\n" + pixels({kBlue}));
   write(folder / "1.PPM", "P6\n# drawn by hand\n1 1\n255\n" + pixels({kRed}));
@@ -74,21 +74,21 @@ TEST(PictureFolder, ReadsPng) {
   EXPECT_EQ(shown.colour(1, 1), (Colour{1, 2, 3}));
 }
 
-TEST(PictureFolder, SaysWhatToDoAboutAFolderWithoutPictures) {
+TEST(PictureFolder, ReportsARemedyForAFolderWithoutPictures) {
   const TemporaryFolder folder;
-  EXPECT_THAT(complaint(folder / "."), AllOf(HasSubstr(folder / "."), HasSubstr(".png or .ppm")));
-  EXPECT_THAT(complaint(folder / "none"), AllOf(HasSubstr(folder / "none"), HasSubstr("No such file")));
+  EXPECT_THAT(errorOf(folder / "."), AllOf(HasSubstr(folder / "."), HasSubstr(".png or .ppm")));
+  EXPECT_THAT(errorOf(folder / "none"), AllOf(HasSubstr(folder / "none"), HasSubstr("No such file")));
 }
 
-TEST(PictureFolder, NamesThePictureThatIsDamaged) {
+TEST(PictureFolder, NamesADamagedPicture) {
   for (const std::string text : {"P6 2 2 255\nshort", "P5 1 1 255\nx", "P6 1 1 65535\nabcdef", "P6 0 1 255\n", ""}) {
     const TemporaryFolder folder;
     write(folder / "bad.ppm", text);
-    EXPECT_THAT(complaint(folder / "."), HasSubstr(folder / "./bad.ppm")) << text;
+    EXPECT_THAT(errorOf(folder / "."), HasSubstr(folder / "./bad.ppm")) << text;
   }
   const TemporaryFolder folder;
   write(folder / "bad.png", "no png");
-  EXPECT_THAT(complaint(folder / "."), AllOf(HasSubstr(folder / "./bad.png"), HasSubstr("Save it as PNG again")));
+  EXPECT_THAT(errorOf(folder / "."), AllOf(HasSubstr(folder / "./bad.png"), HasSubstr("save it as PNG again")));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The camera's library in this very process: each fault, as a program sees it.
+// The shim in this process: effect of each fault.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -9,24 +9,24 @@ namespace {
 
 constexpr int kSomeFramesMs = 300;
 
-/// Streams, then has the fault.
+/// Streams, then sets the fault.
 struct Faulty {
   explicit Faulty(CameraFault fault) {
     EXPECT_EQ(client.begin(320, 240), 0);
     EXPECT_EQ(client.frame(), 0);
     setFault(fault);
   }
-  /// Frames from before may wait in all buffers: they are taken.
+  /// Dequeues pictures from before the fault.
   void setFault(CameraFault fault) {
-    eyes.painter.setFault(fault);
+    fixture.painter.setFault(fault);
     for (unsigned i = 0; i < client.buffers.count; ++i)
       if (client.frame() != 0) break;
   }
-  Eyes eyes;
+  CameraFixture fixture;
   Client client;
 };
 
-TEST(CameraFault, GoneEndsTheDescriptorForGood) {
+TEST(CameraFault, GoneInvalidatesTheDescriptorPermanently) {
   Faulty camera{CameraFault::kGone};
   EXPECT_TRUE(camera.client.readable());
   EXPECT_EQ(camera.client.frame(), ENODEV);
@@ -34,25 +34,25 @@ TEST(CameraFault, GoneEndsTheDescriptorForGood) {
   EXPECT_EQ(stat(kDevice, &status), -1);
   EXPECT_LT(Client{}.fd, 0);
   EXPECT_EQ(errno, ENOENT);
-  camera.eyes.painter.setFault(CameraFault::kNone);
+  camera.fixture.painter.setFault(CameraFault::kNone);
   EXPECT_EQ(camera.client.stream(), ENODEV);
   EXPECT_GE(Client{}.fd, 0);
 }
 
-TEST(CameraFault, SilentIsAQuietDescriptorUntilItIsOver) {
+TEST(CameraFault, SilentKeepsTheDescriptorUnreadableUntilCleared) {
   Faulty camera{CameraFault::kSilent};
   EXPECT_FALSE(camera.client.readable(kSomeFramesMs));
-  camera.eyes.painter.setFault(CameraFault::kNone);
+  camera.fixture.painter.setFault(CameraFault::kNone);
   EXPECT_EQ(camera.client.frame(), 0);
 }
 
-TEST(CameraFault, ShortFramesAreHalf) {
+TEST(CameraFault, ShortPicturesHaveHalfTheBytes) {
   Faulty camera{CameraFault::kShort};
   ASSERT_EQ(camera.client.frame(), 0);
   EXPECT_EQ(camera.client.last.bytesused, 320u * 240);
 }
 
-TEST(CameraFault, FlaggedFramesSaySo) {
+TEST(CameraFault, FlaggedPicturesHaveTheErrorFlag) {
   Faulty camera{CameraFault::kFlagged};
   ASSERT_EQ(camera.client.frame(), 0);
   EXPECT_NE(camera.client.last.flags & V4L2_BUF_FLAG_ERROR, 0u);
@@ -61,14 +61,14 @@ TEST(CameraFault, FlaggedFramesSaySo) {
   EXPECT_EQ(camera.client.last.flags & V4L2_BUF_FLAG_ERROR, 0u);
 }
 
-TEST(CameraFault, IoErrorsGoOnUntilTheyAreOverAndCostNoBuffer) {
+TEST(CameraFault, IoErrorsLastUntilClearedAndLoseNoBuffer) {
   Faulty camera{CameraFault::kIoError};
   for (int i = 0; i < 8; ++i) EXPECT_EQ(camera.client.frame(), EIO);
-  camera.eyes.painter.setFault(CameraFault::kNone);
+  camera.fixture.painter.setFault(CameraFault::kNone);
   EXPECT_EQ(camera.client.frame(), 0);
 }
 
-TEST(CameraFault, SlowIsFiveFramesASecond) {
+TEST(CameraFault, SlowIsFivePicturesPerSecond) {
   Faulty camera{CameraFault::kSlow};
   ASSERT_EQ(camera.client.frame(), 0);
   const timeval before = camera.client.last.timestamp;
@@ -79,9 +79,9 @@ TEST(CameraFault, SlowIsFiveFramesASecond) {
       0.1);
 }
 
-TEST(CameraFault, BusyRefusesFormatAndStreaming) {
-  Eyes eyes;
-  eyes.painter.setFault(CameraFault::kBusy);
+TEST(CameraFault, BusyRejectsFormatAndStreaming) {
+  CameraFixture fixture;
+  fixture.painter.setFault(CameraFault::kBusy);
   Client client;
   EXPECT_EQ(client.setSize(320, 240), EBUSY);
   ASSERT_EQ(client.requestBuffers(4), 0);
@@ -89,9 +89,9 @@ TEST(CameraFault, BusyRefusesFormatAndStreaming) {
   EXPECT_EQ(client.stream(), EBUSY);
 }
 
-TEST(CameraFault, NoAccessIsThereButDoesNotOpen) {
-  Eyes eyes;
-  eyes.painter.setFault(CameraFault::kNoAccess);
+TEST(CameraFault, NoAccessExistsButCannotBeOpened) {
+  CameraFixture fixture;
+  fixture.painter.setFault(CameraFault::kNoAccess);
   struct stat status = {};
   EXPECT_EQ(stat(kDevice, &status), 0);
   EXPECT_EQ(access(kDevice, R_OK), -1);
@@ -99,25 +99,25 @@ TEST(CameraFault, NoAccessIsThereButDoesNotOpen) {
   EXPECT_EQ(errno, EACCES);
 }
 
-TEST(CameraFault, OtherFormatIsNotWhatWasAskedFor) {
-  Eyes eyes;
-  eyes.painter.setFault(CameraFault::kOtherFormat);
+TEST(CameraFault, OtherFormatDiffersFromTheRequest) {
+  CameraFixture fixture;
+  fixture.painter.setFault(CameraFault::kOtherFormat);
   Client client;
   ASSERT_EQ(client.setSize(320, 240), 0);
   EXPECT_EQ(client.format.fmt.pix.pixelformat, V4L2_PIX_FMT_MJPEG);
 }
 
-TEST(CameraFault, OneBufferIsAllThatThereIs) {
-  Eyes eyes;
-  eyes.painter.setFault(CameraFault::kOneBuffer);
+TEST(CameraFault, OneBufferIsTheMaximum) {
+  CameraFixture fixture;
+  fixture.painter.setFault(CameraFault::kOneBuffer);
   Client client;
   ASSERT_EQ(client.requestBuffers(4), 0);
   EXPECT_EQ(client.buffers.count, 1u);
 }
 
-TEST(CameraFault, NoMmapHasNoBuffersAndSaysSo) {
-  Eyes eyes;
-  eyes.painter.setFault(CameraFault::kNoMmap);
+TEST(CameraFault, NoMmapHasNoBuffersAndNoStreamingCapability) {
+  CameraFixture fixture;
+  fixture.painter.setFault(CameraFault::kNoMmap);
   Client client;
   v4l2_capability capability = {};
   ASSERT_EQ(client.ask(VIDIOC_QUERYCAP, capability), 0);
@@ -125,7 +125,7 @@ TEST(CameraFault, NoMmapHasNoBuffersAndSaysSo) {
   EXPECT_EQ(client.requestBuffers(4), EINVAL);
 }
 
-TEST(CameraFault, DropsLeaveGapsInTheNumbers) {
+TEST(CameraFault, DropsLeaveGapsInTheSequence) {
   Faulty camera{CameraFault::kDrops};
   for (int i = 0; i < 6; ++i) {
     ASSERT_EQ(camera.client.frame(), 0);

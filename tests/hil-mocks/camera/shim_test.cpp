@@ -1,4 +1,4 @@
-// The camera's library in this very process: a camera that works.
+// The shim in this process: a working camera.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
@@ -12,7 +12,7 @@
 namespace darwinop::hil {
 namespace {
 
-TEST(VirtualCamera, IsNotThereUntilItIsAskedFor) {
+TEST(VirtualCamera, DoesNotExistUntilRequested) {
   unsetenv("DARWINOP_VIRTUAL_CAMERA");
   setenv("DARWINOP_VIRTUAL_CAMERA_DEVICE", "/dev/null", 1);
   const int fd = open("/dev/null", O_RDWR);
@@ -23,14 +23,14 @@ TEST(VirtualCamera, IsNotThereUntilItIsAskedFor) {
   unsetenv("DARWINOP_VIRTUAL_CAMERA_DEVICE");
 }
 
-TEST(VirtualCamera, IsACharacterDeviceAndOtherFilesAreWhatTheyWere) {
-  const Eyes eyes;
+TEST(VirtualCamera, IsACharacterDeviceAndOtherFilesAreUnchanged) {
+  const CameraFixture fixture;
   struct stat status = {};
   ASSERT_EQ(stat(kDevice, &status), 0);
   EXPECT_TRUE(S_ISCHR(status.st_mode));
   EXPECT_EQ(status.st_rdev, makedev(81, 0));
   EXPECT_EQ(access(kDevice, R_OK | W_OK), 0);
-  const int fd = open((eyes.folder / "new").c_str(), O_RDWR | O_CREAT, 0640);
+  const int fd = open((fixture.folder / "new").c_str(), O_RDWR | O_CREAT, 0640);
   ASSERT_GE(fd, 0);
   ASSERT_EQ(fstat(fd, &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0640u);
@@ -43,35 +43,35 @@ TEST(VirtualCamera, IsACharacterDeviceAndOtherFilesAreWhatTheyWere) {
 }
 
 TEST(VirtualCamera, AnswersAnUnknownSizeWithTheNearest) {
-  const Eyes eyes;
+  const CameraFixture fixture;
   Client client;
   ASSERT_EQ(client.setSize(160, 120), 0);
   EXPECT_EQ(client.format.fmt.pix.width, 320u);
   ASSERT_EQ(client.setSize(768, 480), 0);
   EXPECT_EQ(client.format.fmt.pix.width, 768u);
   EXPECT_EQ(client.format.fmt.pix.sizeimage, 768u * 480 * 2);
-  EXPECT_EQ(eyes.painter.wanted(), (PictureSize{768, 480}));
+  EXPECT_EQ(fixture.painter.wanted(), (PictureSize{768, 480}));
   v4l2_streamparm parameters = {};
   parameters.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
   ASSERT_EQ(client.ask(VIDIOC_G_PARM, parameters), 0);
   EXPECT_EQ(parameters.parm.capture.timeperframe.denominator, 28u);
 }
 
-TEST(VirtualCamera, IsGreyUntilSomebodyPaintsThatSizeThenShowsIt) {
-  Eyes eyes;
+TEST(VirtualCamera, IsGreyUntilThatSizeIsPainted) {
+  CameraFixture fixture;
   Client client;
   ASSERT_EQ(client.begin(320, 240), 0);
   ASSERT_EQ(client.frame(), 0);
   EXPECT_EQ(client.pixels()[0], 128);
   EXPECT_EQ(client.last.bytesused, 320u * 240 * 2);
-  eyes.painter.paintYuyv({320, 240}, std::vector<std::uint8_t>(std::size_t{2} * 320 * 240, 77));
+  fixture.painter.paintYuyv({320, 240}, std::vector<std::uint8_t>(std::size_t{2} * 320 * 240, 77));
   for (int i = 0; i < 8 && client.pixels()[0] != 77; ++i) ASSERT_EQ(client.frame(), 0);
   EXPECT_EQ(client.pixels()[0], 77);
   EXPECT_EQ(client.pixels()[2 * 320 * 240 - 1], 77);
 }
 
-TEST(VirtualCamera, NumbersFramesAndSaysWhenTheyWereTaken) {
-  const Eyes eyes;
+TEST(VirtualCamera, NumbersPicturesAndSetsTheirTime) {
+  const CameraFixture fixture;
   Client client;
   ASSERT_EQ(client.begin(320, 240), 0);
   ASSERT_EQ(client.frame(), 0);
@@ -86,8 +86,8 @@ TEST(VirtualCamera, NumbersFramesAndSaysWhenTheyWereTaken) {
   }
 }
 
-TEST(VirtualCamera, LosesAndCountsFramesForWhichThereIsNoBuffer) {
-  const Eyes eyes;
+TEST(VirtualCamera, DropsAndCountsPicturesWithoutABuffer) {
+  const CameraFixture fixture;
   Client client;
   ASSERT_EQ(client.begin(320, 240, 1), 0);
   ASSERT_EQ(client.frame(), 0);
@@ -95,16 +95,16 @@ TEST(VirtualCamera, LosesAndCountsFramesForWhichThereIsNoBuffer) {
   unsigned taken = 1;
   const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds{20};
   do {
-    // The camera's time, not ours to inject: most likely the only buffer is full when the next frame comes.
+    // In the camera's time, which cannot be simulated: the only buffer is probably full at the next picture.
     std::this_thread::sleep_for(std::chrono::milliseconds{100});
     ASSERT_EQ(client.frame(), 0);
     ++taken;
   } while (client.last.sequence < taken && std::chrono::steady_clock::now() < limit);
-  EXPECT_GE(client.last.sequence, taken) << "none was lost, or it was not counted";
+  EXPECT_GE(client.last.sequence, taken) << "no picture was lost, or it was not counted";
 }
 
-TEST(VirtualCamera, StartsAgainWithFrameZero) {
-  const Eyes eyes;
+TEST(VirtualCamera, RestartsWithPictureZero) {
+  const CameraFixture fixture;
   Client client;
   ASSERT_EQ(client.begin(320, 240), 0);
   ASSERT_EQ(client.frame(), 0);
@@ -119,8 +119,8 @@ TEST(VirtualCamera, StartsAgainWithFrameZero) {
   EXPECT_EQ(client.last.sequence, 0u);
 }
 
-TEST(VirtualCamera, BelongsToWhoeverHasItsBuffers) {
-  const Eyes eyes;
+TEST(VirtualCamera, IsOwnedByTheProcessWithItsBuffers) {
+  const CameraFixture fixture;
   Client first, second;
   ASSERT_EQ(first.begin(320, 240), 0);
   EXPECT_EQ(second.requestBuffers(4), EBUSY);
@@ -128,8 +128,8 @@ TEST(VirtualCamera, BelongsToWhoeverHasItsBuffers) {
   EXPECT_EQ(first.frame(), 0);
 }
 
-TEST(VirtualCamera, RefusesAnExposureWhileThatIsAutomatic) {
-  const Eyes eyes;
+TEST(VirtualCamera, RejectsAnExposureInAutomaticMode) {
+  const CameraFixture fixture;
   const Client client;
   ASSERT_EQ(client.control(V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_APERTURE_PRIORITY), 0);
   EXPECT_EQ(client.control(V4L2_CID_EXPOSURE_ABSOLUTE, 1000), EACCES);
@@ -143,25 +143,25 @@ TEST(VirtualCamera, RefusesAnExposureWhileThatIsAutomatic) {
   EXPECT_EQ(gain.value, 255);
 }
 
-TEST(VirtualCamera, EndsAWaitWhenAnotherThreadSwitchesItOff) {
-  const Eyes eyes;
+TEST(VirtualCamera, EndsAWaitWhenAnotherThreadStopsStreaming) {
+  const CameraFixture fixture;
   Client client{O_RDWR};
   ASSERT_EQ(client.setSize(320, 240), 0);
   ASSERT_EQ(client.requestBuffers(1), 0);
-  ASSERT_EQ(client.stream(), 0);  // no buffer is queued: nothing ever comes
+  ASSERT_EQ(client.stream(), 0);  // no buffer is queued, so no picture arrives
   int error = 0;
   std::thread waits{[&] {
     v4l2_buffer one = Client::buffer();
     error = client.ask(VIDIOC_DQBUF, one);
   }};
-  std::this_thread::sleep_for(std::chrono::milliseconds{100});  // so that it does wait
+  std::this_thread::sleep_for(std::chrono::milliseconds{100});  // lets the other thread block
   EXPECT_EQ(client.stream(VIDIOC_STREAMOFF), 0);
   waits.join();
   EXPECT_EQ(error, EINVAL);
 }
 
-TEST(VirtualCamera, IsNotInheritedByAChildWhichMayCloseEverythingAndOpenItsOwn) {
-  const Eyes eyes;
+TEST(VirtualCamera, IsNotInheritedByAChildThatMayOpenItsOwn) {
+  const CameraFixture fixture;
   Client client;
   ASSERT_EQ(client.begin(320, 240), 0);
   const pid_t child = fork();
@@ -173,7 +173,7 @@ TEST(VirtualCamera, IsNotInheritedByAChildWhichMayCloseEverythingAndOpenItsOwn) 
     const Client its_own;
     if (its_own.fd < 0 || its_own.ask(VIDIOC_QUERYCAP, capability) != 0) _exit(2);
     v4l2_requestbuffers buffers = {4, V4L2_BUF_TYPE_VIDEO_CAPTURE, V4L2_MEMORY_MMAP, 0, 0, {}};
-    _exit(its_own.ask(VIDIOC_REQBUFS, buffers) == 0 ? 0 : 3);  // EBUSY while they are its parent's
+    _exit(its_own.ask(VIDIOC_REQBUFS, buffers) == 0 ? 0 : 3);  // EBUSY while the parent owns the buffers
   }
   int status = -1;
   ASSERT_EQ(waitpid(child, &status, 0), child);

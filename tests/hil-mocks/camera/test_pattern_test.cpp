@@ -1,4 +1,4 @@
-// Test patterns: they show what they say.
+// Test patterns.
 #include "hil-mocks/camera/test_pattern.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 namespace darwinop::hil {
 namespace {
 
-/// Middle of all that is red.
+/// Centre of the red pixels.
 Ball seen(const Picture& picture) {
   double x_sum = 0, y_sum = 0, count = 0;
   for (int y = 0; y < picture.height; ++y)
@@ -19,7 +19,7 @@ Ball seen(const Picture& picture) {
   return {x_sum / count, y_sum / count, count};
 }
 
-TEST(TestPattern, TheBallIsWhereItSays) {
+TEST(TestPattern, TheBallIsAtTheComputedPosition) {
   for (const auto& [width, height] : {std::pair{320, 240}, {800, 600}, {640, 360}})
     for (const double seconds : {0.0, 0.7, 2.0, 3.9, 100.3}) {
       Picture picture{width, height};
@@ -31,7 +31,7 @@ TEST(TestPattern, TheBallIsWhereItSays) {
     }
 }
 
-TEST(TestPattern, TheBallBeginsAtTheRightAndGoesDown) {
+TEST(TestPattern, TheBallStartsAtTheRightAndMovesDown) {
   EXPECT_NEAR(ballAt(320, 240, 0).x, 220, 1e-9);
   EXPECT_NEAR(ballAt(320, 240, 0).y, 120, 1e-9);
   EXPECT_NEAR(ballAt(320, 240, 1).x, 160, 1e-9);
@@ -39,7 +39,7 @@ TEST(TestPattern, TheBallBeginsAtTheRightAndGoesDown) {
   EXPECT_NEAR(ballAt(320, 240, 4).x, 220, 1e-9);
 }
 
-TEST(TestPattern, BarsStandFromLeftToRight) {
+TEST(TestPattern, BarsAreOrderedFromLeftToRight) {
   Picture picture{640, 480};
   drawBars(picture, 0);
   for (int bar = 0; bar < 8; ++bar) {
@@ -49,7 +49,7 @@ TEST(TestPattern, BarsStandFromLeftToRight) {
   EXPECT_EQ(picture.bgra[3], 255);
 }
 
-TEST(TestPattern, TheNumberOfTheFrameCanBeRead) {
+TEST(TestPattern, TheFrameNumberCanBeDecoded) {
   Picture small{320, 240}, large{800, 600};
   for (const std::uint32_t number : {0u, 1u, 2u, 0x1234u, 0xFFFFu, 0x8000u}) {
     drawBars(small, number);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The virtual camera as a program sees it that knows nothing of us: v4l2-ctl of v4l-utils.
+# The virtual camera with an independent program: v4l2-ctl of v4l-utils.
 # v4l2_ctl_test.sh CAMERA formats|stream|counts|faults|status, CAMERA being the program darwinop-virtual-camera.
 set -euo pipefail
 camera=$1 scenario=$2
@@ -8,20 +8,20 @@ fail() {
   echo "v4l2_ctl_test: $*" >&2
   exit 1
 }
-command -v v4l2-ctl >/dev/null || fail "there is no v4l2-ctl: install v4l-utils"
+command -v v4l2-ctl >/dev/null || fail "v4l2-ctl not found: install v4l-utils"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 readonly bytes=$((640 * 480 * 2))
-stream() { # [OPTION...]: 30 frames of 640x480 to $folder/film, what v4l2-ctl tells to $folder/log
+stream() { # [OPTION...]: 30 frames of 640x480 to $folder/film, the messages of v4l2-ctl to $folder/log
   "$camera" --pattern bars "$@" -- v4l2-ctl --set-fmt-video=width=640,height=480,pixelformat=YUYV --verbose \
     --stream-mmap=4 --stream-count=30 --stream-to="$folder/film" >"$folder/log" 2>&1
 }
-refuses() { # FAULT WORDS: it does not stream, for the reason that v4l2-ctl tells in these words
+refuses() { # FAULT WORDS: streaming fails, and v4l2-ctl prints WORDS
   ! stream --fault "$1" || fail "it streams although the camera's fault is $1"
-  grep -q "$2" "$folder/log" || fail "$1 is not told as '$2': $(cat "$folder/log")"
+  grep -q "$2" "$folder/log" || fail "the message for $1 does not contain '$2': $(cat "$folder/log")"
 }
-pixels() { # OFFSET: a pair of pixels of the last frame, as hexadecimal Y U Y V
+pixels() { # OFFSET: a pair of pixels of the last frame, hexadecimal Y U Y V
   od -An -tx1 -j$((29 * bytes + $1)) -N4 "$folder/film" | tr -d ' '
 }
 numbers() { sed -n 's/^cap dqbuf:.* seq: *\([0-9]*\) .*/\1/p' "$folder/log"; }

@@ -1,4 +1,4 @@
-// Once it is made, a walk allocates nothing.
+// A walk allocates nothing after construction.
 #include <gtest/gtest.h>
 
 #include "managers/gait/walk.hpp"

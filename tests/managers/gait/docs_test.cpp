@@ -1,4 +1,4 @@
-// docs/gait.md names every parameter of the gait with its default, range, unit and meaning.
+// docs/gait.md contains the table of gait parameters.
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -24,7 +24,7 @@ TEST(GaitDocs, ThePageHasTheTableOfParameters) {
   for (const ParameterRow& row : kParameters)
     rows += "| `" + std::string{row.name} + "` | " + show(Parameters{}.*row.field) + " | " + show(row.low) + " to " +
             show(row.high) + " | " + std::string{row.unit} + " | " + std::string{row.meaning} + " |\n";
-  EXPECT_THAT(text, testing::HasSubstr(rows)) << "put this table into docs/gait.md:\n" << rows;
+  EXPECT_THAT(text, testing::HasSubstr(rows)) << "replace the table in docs/gait.md by:\n" << rows;
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The engine against the reference, tick for tick, and how it starts and stops.
+// Walking engine: equality with the reference in every tick, start and stop.
 #include "managers/gait/engine.hpp"
 
 #include <gmock/gmock.h>
@@ -19,13 +19,13 @@ constexpr int kCallsPerPeriod = 75;  // of 600 ms
 
 struct Scenario {
   const char* name;
-  Wish wish;
+  WalkCommand command;
   Tilt tilt;
   bool shipped_file;
   int stop_before;  // call; -1: never
 };
 
-// Source: the reference, section 13. An amplitude of 0.4 is 16 mm there.
+// Source: the reference, section 13, where an amplitude of 0.4 is 16 mm.
 const Scenario kScenarios[] = {
     {"G1_inplace", {0, 0, 0, false}, kUnseen, true, -1},
     {"G2_forward", {1, 0, 0, false}, kUnseen, true, -1},
@@ -36,7 +36,7 @@ const Scenario kScenarios[] = {
     {"G7_forward_stop100", {1, 0, 0, false}, kUnseen, true, 100},
 };
 
-TEST(GaitEngine, IsTheReferenceTickForTick) {
+TEST(GaitEngine, EqualsTheReferenceInEveryTick) {
   const std::vector<GoldenCall> golden = goldenCalls();
   std::size_t compared = 0;
   for (const Scenario& scenario : kScenarios) {
@@ -47,7 +47,7 @@ TEST(GaitEngine, IsTheReferenceTickForTick) {
       if (expected.scenario != scenario.name) continue;
       if (call == scenario.stop_before) engine.stop();
       ASSERT_EQ(expected.call, call);
-      ASSERT_EQ(engine.next(scenario.wish, scenario.tilt).tick, expected.tick) << scenario.name << " call " << call;
+      ASSERT_EQ(engine.next(scenario.command, scenario.tilt).tick, expected.tick) << scenario.name << " call " << call;
       ASSERT_EQ(engine.running(), expected.running_after) << scenario.name << " call " << call;
       ++call;
       ++compared;
@@ -57,8 +57,8 @@ TEST(GaitEngine, IsTheReferenceTickForTick) {
   EXPECT_EQ(compared, golden.size());
 }
 
-/// Greatest difference that the flaw makes at these joints in three periods, ticks.
-int flawAt(Joint right, Joint left, const Wish& wish) {
+/// Maximum difference between flawed and exact kinematics at these joints in three periods, ticks.
+int flawAt(Joint right, Joint left, const WalkCommand& command) {
   Parameters flawed = shipped(), exact = shipped();
   exact.ik = Ik::kExact;
   Engine one{flawed}, other{exact};
@@ -66,13 +66,13 @@ int flawAt(Joint right, Joint left, const Wish& wish) {
   other.start();
   int greatest = 0;
   for (int call = 0; call < 3 * kCallsPerPeriod; ++call) {
-    const Goals a = one.next(wish, kUnseen), b = other.next(wish, kUnseen);
+    const Goals a = one.next(command, kUnseen), b = other.next(command, kUnseen);
     greatest = std::max({greatest, std::abs(a[right] - b[right]), std::abs(a[left] - b[left])});
   }
   return greatest;
 }
 
-TEST(GaitEngine, TheFlawIsAsLargeAsTheReferenceSays) {
+TEST(GaitEngine, FlawedKinematicsDifferAsInTheReference) {
   EXPECT_EQ(flawAt(Joint::kPelvR, Joint::kPelvL, {1, 0, 0, false}), 53);
   EXPECT_EQ(flawAt(Joint::kPelvR, Joint::kPelvL, {0, 1, 0, false}), 111);
   EXPECT_EQ(flawAt(Joint::kPelvYR, Joint::kPelvYL, {0, 0, 0.5, false}), 143);
@@ -90,30 +90,30 @@ TEST(GaitEngine, StandsBeforeTheStart) {
   EXPECT_FALSE(engine.running());
 }
 
-/// Calls until it rests, from a stop before this call; at most 1000.
-int callsToRest(const Wish& wish, int stop_before) {
+/// Calls until rest after a stop before this call; at most 1000.
+int callsToRest(const WalkCommand& command, int stop_before) {
   Engine engine{Parameters{}};
   engine.start();
-  for (int call = 0; call < stop_before; ++call) engine.next(wish, kUnseen);
+  for (int call = 0; call < stop_before; ++call) engine.next(command, kUnseen);
   engine.stop();
   int calls = 0;
   while (engine.running() && calls < 1000) {
-    engine.next(wish, kUnseen);
+    engine.next(command, kUnseen);
     ++calls;
   }
-  EXPECT_EQ(engine.next(wish, kUnseen).tick, kStanding.tick) << stop_before;
+  EXPECT_EQ(engine.next(command, kUnseen).tick, kStanding.tick) << stop_before;
   EXPECT_FALSE(engine.running());
   return calls;
 }
 
-TEST(GaitEngine, StopsStandingFromEveryMomentOfAPeriod) {
+TEST(GaitEngine, StopsInTheStanceFromEveryPhase) {
   for (int call = 0; call < 3 * kCallsPerPeriod; ++call) {
     EXPECT_LE(callsToRest({}, call), kCallsPerPeriod / 2 + 1) << call;
     EXPECT_LE(callsToRest({-1, 0.5, 1, false}, call), 3 * kCallsPerPeriod / 2 + 1) << call;
   }
 }
 
-TEST(GaitEngine, HonoursAStopBeforeTheFirstCall) {
+TEST(GaitEngine, ObeysAStopBeforeTheFirstCall) {
   EXPECT_EQ(callsToRest({1, 0, 0, false}, 0), 1);
 }
 
@@ -125,12 +125,12 @@ TEST(GaitEngine, WalksAgainAfterAStop) {
   while (engine.running()) engine.next({}, kUnseen);
   engine.start();
   fresh.start();
-  // It rests in the middle of the period: the right foot is the next, half a period away from the left one's.
+  // Stopped in the middle of the period: the right foot is next, half a period after the left one.
   for (int call = 0; call < 37; ++call) fresh.next({}, kUnseen);
   for (int call = 0; call < 300; ++call) ASSERT_EQ(engine.next({}, kUnseen).tick, fresh.next({}, kUnseen).tick) << call;
 }
 
-TEST(GaitEngine, IgnoresATiltThatIsNotKnown) {
+TEST(GaitEngine, IgnoresAnUnknownTilt) {
   Engine blind{Parameters{}}, half_blind{Parameters{}}, lost{Parameters{}};
   for (Engine* engine : {&blind, &half_blind, &lost}) engine->start();
   for (int call = 0; call < 200; ++call) {
@@ -140,7 +140,7 @@ TEST(GaitEngine, IgnoresATiltThatIsNotKnown) {
   }
 }
 
-TEST(GaitEngine, LeansAgainstAFall) {
+TEST(GaitEngine, BalanceOpposesAFall) {
   Engine engine{Parameters{}};
   const Goals level = engine.next({}, {0, 0});
   EXPECT_EQ(level.tick, kStanding.tick);
@@ -156,15 +156,15 @@ TEST(GaitEngine, LeansAgainstAFall) {
   EXPECT_EQ(left[Joint::kFootL] - level[Joint::kFootL], -40);
 }
 
-TEST(GaitEngine, KeepsItsGoalsWhereALegCannotReach) {
-  Parameters torn;  // as no file can ask for it
+TEST(GaitEngine, KeepsItsGoalsIfAFootIsOutOfReach) {
+  Parameters torn;  // out of the range of configuration files
   torn.z_offset = -100;
   Engine engine{torn};
   engine.start();
   for (int call = 0; call < 200; ++call) ASSERT_EQ(engine.next({1, 1, 1, false}, {50, 50}).tick, kStanding.tick);
 }
 
-TEST(GaitEngine, GivesTheArmsSoftServosAndTheLegsThoseOfTheFile) {
+TEST(GaitEngine, ArmsHaveALowPGainAndLegsThatOfTheFile) {
   Parameters p;
   p.p_gain = 40;
   EXPECT_EQ(pGain(Joint::kShoulderR, p), 8);

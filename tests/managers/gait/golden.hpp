@@ -16,10 +16,10 @@ struct GoldenCall {
   std::array<int, kWalkingJoints> tick{};
 };
 
-/// Throws std::runtime_error when the file is missing or is not what it should be.
+/// Throws std::runtime_error if the file is missing or invalid.
 std::vector<GoldenCall> goldenCalls();
 
-/// A real gait configuration: the files shipped with the simulator do not balance sideways.
+/// A gait configuration for the real robot; the files shipped with the simulator have no lateral balance.
 inline Parameters shipped() {
   Parameters p;
   p.balance_hip_roll_gain = p.balance_ankle_roll_gain = 0;

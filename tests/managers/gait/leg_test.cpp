@@ -1,4 +1,4 @@
-// Leg inverse kinematics against forward kinematics written down by themselves, with and without the flaw.
+// Leg inverse kinematics against independent forward kinematics, exact and flawed.
 #include "managers/gait/leg.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ struct Sole {
   Rotation turned;
 };
 
-/// From the hip down: what the joints do when they have these angles.
+/// Forward kinematics from the hip to the sole.
 Sole soleOf(const Leg& leg) {
   const Rotation hip = aboutZ(leg.hip_yaw) * aboutX(leg.hip_roll) * aboutY(leg.hip_pitch);
   const Rotation knee = hip * aboutY(leg.knee);
@@ -33,14 +33,14 @@ double apartMm(const Foot& wanted, const Sole& got) {
   return std::hypot(wanted.x - got.place.x, wanted.y - got.place.y, wanted.z - got.place.z);
 }
 
-/// Angle between where the sole points and where it should, deg.
+/// Rotation error of the sole, deg.
 double turnedDeg(const Foot& wanted, const Sole& got) {
   const Rotation error = inverse(aboutZ(wanted.yaw) * aboutY(wanted.pitch) * aboutX(wanted.roll)) * got.turned;
   const double trace = error.m[0][0] + error.m[1][1] + error.m[2][2];
   return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)) / kRadPerDegree;
 }
 
-TEST(Leg, ExactPutsTheSoleWhereItWasAsked) {
+TEST(Leg, ExactReachesTheRequestedPose) {
   int reached = 0;
   for (double x : {-40.0, 0.0, 30.0})
     for (double y : {-40.0, -3.0, 0.0, 25.0})
@@ -58,7 +58,7 @@ TEST(Leg, ExactPutsTheSoleWhereItWasAsked) {
   EXPECT_GT(reached, 800);
 }
 
-TEST(Leg, TheFlawHalvesRollAndYawOfTheHip) {
+TEST(Leg, FlawedHalvesHipRollAndYaw) {
   const Foot sideways{0, 20, 20, 0, 0, 0};
   const Leg flawed = *legFor(sideways, Ik::kFlawed), exact = *legFor(sideways, Ik::kExact);
   EXPECT_NEAR(flawed.ankle_roll, exact.ankle_roll, 1e-12);
@@ -70,8 +70,8 @@ TEST(Leg, TheFlawHalvesRollAndYawOfTheHip) {
   EXPECT_NEAR(legFor(turned, Ik::kFlawed)->hip_yaw, 0.2, 1e-12);
 }
 
-TEST(Leg, TheFlawIsThisLargeAtTheSole) {
-  // The numbers of docs/gait.md: where the sole goes that was asked to go 20 mm aside, and one turned by 25 degrees.
+TEST(Leg, FlawedErrorAtTheSoleMatchesTheDocs) {
+  // Numbers of docs/gait.md: pose of the sole for a request of 20 mm sideways, and of 25 degrees yaw.
   const Foot sideways{0, 20, 20, 0, 0, 0}, turned{0, 0, 20, 0, 0, 25 * kRadPerDegree};
   const Sole aside = soleOf(*legFor(sideways, Ik::kFlawed)), around = soleOf(*legFor(turned, Ik::kFlawed));
   EXPECT_NEAR(aside.place.y, 8.0, 0.05);
@@ -79,10 +79,10 @@ TEST(Leg, TheFlawIsThisLargeAtTheSole) {
   EXPECT_NEAR(turnedDeg(turned, around), 12.5, 0.01);
 }
 
-TEST(Leg, SaysWhatItCannotReach) {
-  EXPECT_FALSE(legFor({0, 0, -1, 0, 0, 0}, Ik::kFlawed));   // longer than it is
-  EXPECT_FALSE(legFor({150, 0, 10, 0, 0, 0}, Ik::kExact));  // the same, aside
-  EXPECT_FALSE(legFor({0, 0, 186, 0, 0, 0}, Ik::kFlawed));  // folded into a point
+TEST(Leg, ReturnsNothingIfOutOfReach) {
+  EXPECT_FALSE(legFor({0, 0, -1, 0, 0, 0}, Ik::kFlawed));   // longer than the leg
+  EXPECT_FALSE(legFor({150, 0, 10, 0, 0, 0}, Ik::kExact));  // the same, sideways
+  EXPECT_FALSE(legFor({0, 0, 186, 0, 0, 0}, Ik::kFlawed));  // singular
   EXPECT_FALSE(legFor({std::nan(""), 0, 20, 0, 0, 0}, Ik::kFlawed));
   EXPECT_TRUE(legFor({0, 0, 1, 0, 0, 0}, Ik::kFlawed));
 }

@@ -1,5 +1,5 @@
-// Whatever file, wish and gyroscope: goals that are numbers, within the joints' ranges, never faster than a servo, and
-// at rest when they should be.
+// Properties for random configurations, commands and gyroscope readings: goals are finite, within the joint ranges,
+// limited in speed, and at rest after a stop.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace darwinop::gait {
 namespace {
 
-/// One in three is an end of the range.
+/// One in three is a range end.
 double within(double low, double high) {
   switch (*rc::gen::inRange(0, 6)) {
     case 0:
@@ -31,11 +31,11 @@ Parameters anyParameters() {
   return p;
 }
 
-Wish anyWish() {
+WalkCommand anyCommand() {
   return {within(-1, 1), within(-1, 1), within(-1, 1), *rc::gen::arbitrary<bool>()};
 }
 
-/// Silent, at rest, or thrown about.
+/// Unknown, at rest, or random.
 GyroCounts anyGyro() {
   switch (*rc::gen::inRange(0, 4)) {
     case 0:
@@ -47,7 +47,7 @@ GyroCounts anyGyro() {
   }
 }
 
-/// As somebody may have left the joints.
+/// A random initial pose.
 Pose anyPose() {
   Pose pose{};
   for (std::size_t i = 0; i < kWalkingJoints; ++i)
@@ -55,7 +55,7 @@ Pose anyPose() {
   return pose;
 }
 
-/// The robot that gets the goals: remembers the last ones.
+/// Receives goals and checks them against the last ones.
 class Joints {
  public:
   explicit Joints(const Pose& at) : at_{at} {}
@@ -78,28 +78,28 @@ class Joints {
 RC_GTEST_PROP(Gait, AsksForWhatServosCanDoWhateverHappens, ()) {
   Walk walk{anyParameters()};
   Joints joints{anyPose()};
-  if (*rc::gen::arbitrary<bool>())  // balance is known from the first step on
+  if (*rc::gen::arbitrary<bool>())  // balance is calibrated from the first step
     for (int i = 0; i < GyroCentre::kSamples; ++i) walk.tick({}, true, {512, 512});
   for (int stretch = 0; stretch < 8; ++stretch) {
     const int what = stretch == 0 ? 0 : *rc::gen::inRange(0, 5);
     if (what == 0) walk.start(joints.at());
     if (what == 1) walk.stop();
-    const Wish wish = anyWish();
+    const WalkCommand command = anyCommand();
     const bool balance = *rc::gen::arbitrary<bool>();
     GyroCounts gyro = anyGyro();
     const int ticks = *rc::gen::inRange(1, stretch == 0 ? 1500 : 150);
     for (int tick = 0; tick < ticks; ++tick) {
       const bool moves = !walk.resting();
-      walk.tick(wish, balance, gyro);
+      walk.tick(command, balance, gyro);
       if (moves) joints.take(walk.pose());
-      gyro.roll = 1023 - gyro.roll;  // there and back
+      gyro.roll = 1023 - gyro.roll;  // alternating
     }
   }
   walk.stop();
-  // To the stance, one and a half periods, and half a turn at the speed of a servo.
+  // Approach, 1.5 periods, and half a turn at servo speed.
   int left = static_cast<int>((walk.approachMs() + 1.5 * walk.parameters().period_time + 256) / kTickMs) + 5;
   for (; !walk.resting() && left > 0; --left) {
-    walk.tick(anyWish(), true, {512, 512});
+    walk.tick(anyCommand(), true, {512, 512});
     joints.take(walk.pose());
   }
   RC_ASSERT(walk.resting());
@@ -108,16 +108,16 @@ RC_GTEST_PROP(Gait, AsksForWhatServosCanDoWhateverHappens, ()) {
   if (stance_is_in_reach) RC_ASSERT(joints.at() == poseOf(Engine{p}.goals()));
 }
 
-/// Greatest step between two calls, ticks, over stretches of different wishes.
-int greatestJump(const Parameters& p, const std::array<Wish, 4>& wishes) {
+/// Maximum change between two calls, ticks, over intervals with different commands.
+int greatestJump(const Parameters& p, const std::array<WalkCommand, 4>& commands) {
   const Tilt unseen{std::nan(""), std::nan("")};
   Engine engine{p};
   engine.start();
   int greatest = 0;
   Goals last = engine.goals();
-  for (const Wish& wish : wishes) {
+  for (const WalkCommand& command : commands) {
     for (int call = 0; call < 90; ++call) {
-      const Goals goals = engine.next(wish, unseen);
+      const Goals goals = engine.next(command, unseen);
       for (std::size_t i = 0; i < kWalkingJoints; ++i)
         greatest = std::max(greatest, std::abs(goals.tick[i] - last.tick[i]));
       last = goals;
@@ -127,10 +127,10 @@ int greatestJump(const Parameters& p, const std::array<Wish, 4>& wishes) {
 }
 
 RC_GTEST_PROP(Gait, WalksForwardsAndBackwardsWithoutJumps, ()) {
-  std::array<Wish, 4> wishes;
-  for (Wish& wish : wishes) wish.x = within(-1, 1);
-  // 8 rad/s at a knee, so the speed of servos changes nothing. A change of x begins where it makes no difference yet.
-  RC_ASSERT(greatestJump(Parameters{}, wishes) <= 42);
+  std::array<WalkCommand, 4> commands;
+  for (WalkCommand& command : commands) command.x = within(-1, 1);
+  // 8 rad/s at a knee, so the speed limit has no effect. A change of x takes effect where it causes no jump.
+  RC_ASSERT(greatestJump(Parameters{}, commands) <= 42);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A whole walk: the gentle way to the stance, standing still for the gyroscope, steps, rest.
+// State machine of a walk: approach, gyroscope calibration, steps, rest.
 #include "managers/gait/walk.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ int ticksToWalk(Walk& walk, bool balance, const GyroCounts& gyro) {
   return ticks;
 }
 
-TEST(Approach, GoesGentlyFromSittingToTheStance) {
+TEST(Approach, MovesSmoothlyFromSittingToTheStance) {
   Approach approach{sitting(), kStance};
   EXPECT_NEAR(approach.durationMs(), 2675, 1);
   Pose last = sitting();
@@ -46,7 +46,7 @@ TEST(Approach, GoesGentlyFromSittingToTheStance) {
   EXPECT_EQ(last, kStance);
 }
 
-TEST(Approach, TakesNoTimeWhenTheRobotIsThere) {
+TEST(Approach, TakesNoTimeIfTheRobotIsInTheStance) {
   Pose almost = kStance;
   almost[3] += 0.04;
   almost[7] = kSilent;
@@ -56,14 +56,14 @@ TEST(Approach, TakesNoTimeWhenTheRobotIsThere) {
   EXPECT_TRUE((Approach{unknown, kStance}.done()));
 }
 
-TEST(GyroCentre, IsTheMeanOfARobotThatStandsStill) {
-  std::mt19937 dice{7};
+TEST(GyroCentre, IsTheMeanAtRest) {
+  std::mt19937 rng{7};
   std::normal_distribution<double> noise{0, 1};
   GyroCentre centre;
   for (int i = 0; i < GyroCentre::kSamples; ++i) {
     EXPECT_FALSE(centre.known());
     EXPECT_FALSE(centre.tilt(512, 512).roll == 0);
-    centre.add(508 + noise(dice), 516 + noise(dice));
+    centre.add(508 + noise(rng), 516 + noise(rng));
     centre.add(kSilent, 512);
   }
   ASSERT_TRUE(centre.known());
@@ -71,7 +71,7 @@ TEST(GyroCentre, IsTheMeanOfARobotThatStandsStill) {
   EXPECT_NEAR(centre.tilt(518, 506).pitch, -10, 0.5);
 }
 
-TEST(GyroCentre, IsNotThatOfARobotThatIsMoved) {
+TEST(GyroCentre, IsNotAcceptedWhileTheRobotIsMoved) {
   GyroCentre centre;
   for (int i = 0; i < 10 * GyroCentre::kSamples; ++i) centre.add(512 + (i % 2 == 0 ? 2.1 : -2.1), 512);
   EXPECT_FALSE(centre.known());
@@ -81,14 +81,14 @@ TEST(GyroCentre, IsNotThatOfARobotThatIsMoved) {
   EXPECT_TRUE(centre.known());
 }
 
-TEST(Walk, WithoutBalanceStepsAtOnce) {
+TEST(Walk, WithoutBalanceStartsImmediately) {
   Walk walk{Parameters{}};
   walk.start(kStance);
   EXPECT_EQ(ticksToWalk(walk, false, kLevel), 1);
   EXPECT_EQ(walk.pose(), kStance);  // the engine's first call
 }
 
-TEST(Walk, StandsStillForTheGyroscopeOnce) {
+TEST(Walk, CalibratesTheGyroscopeOnce) {
   Walk walk{Parameters{}};
   walk.start(kStance);
   EXPECT_EQ(ticksToWalk(walk, true, kLevel), GyroCentre::kSamples + 1);
@@ -98,23 +98,23 @@ TEST(Walk, StandsStillForTheGyroscopeOnce) {
   EXPECT_EQ(ticksToWalk(walk, true, kLevel), 1);
 }
 
-TEST(Walk, LearnsTheCentreWhileItRests) {
+TEST(Walk, CalibratesWhileAtRest) {
   Walk walk{Parameters{}};
   for (int i = 0; i < GyroCentre::kSamples; ++i) walk.tick({}, true, kLevel);
-  EXPECT_TRUE(walk.knowsBalance());
+  EXPECT_TRUE(walk.isBalanceCalibrated());
   walk.start(kStance);
   EXPECT_EQ(ticksToWalk(walk, true, kLevel), 1);
 }
 
-TEST(Walk, TakesEveryReadingOfTheGyroscopeOnce) {
+TEST(Walk, UsesEveryGyroscopeReadingOnce) {
   Walk walk{Parameters{}};
   walk.start(kStance);
   int ticks = 0;
   for (; !walk.walking() && ticks < 2000; ++ticks) walk.tick({}, true, {512, 512, ticks % 2 == 0});
-  EXPECT_EQ(ticks, 2 * GyroCentre::kSamples) << "of a robot that is read every 16 ms";
+  EXPECT_EQ(ticks, 2 * GyroCentre::kSamples) << "readings every 16 ms";
 }
 
-TEST(Walk, GoesToAFarStrideAtTheSpeedOfServos) {
+TEST(Walk, LimitsJumpsOfGoalsToServoSpeed) {
   Engine engine{Parameters{}};
   Walk walk{Parameters{}};
   engine.start();
@@ -129,18 +129,18 @@ TEST(Walk, GoesToAFarStrideAtTheSpeedOfServos) {
     fastest = std::max(fastest, greatestStep(before, walk.pose()) / 0.008);
     if (walk.pose() != poseOf(engine.next({0, 1, 0, false}, {kSilent, kSilent}))) ++late;
   }
-  EXPECT_NEAR(fastest, 12.26, 1e-9) << "the feet open in a single call of the engine";
-  EXPECT_EQ(late, 1) << "of all other calls not one was changed";
+  EXPECT_NEAR(fastest, 12.26, 1e-9) << "the feet open in one call of the engine";
+  EXPECT_EQ(late, 1) << "all other calls are unchanged";
 }
 
-TEST(Walk, ForgetsSamplesOfAnotherStance) {
+TEST(Walk, DiscardsSamplesFromBeforeTheStance) {
   Walk walk{Parameters{}};
   for (int i = 0; i < 60; ++i) walk.tick({}, true, {511, 511});
   walk.start(kStance);
   EXPECT_EQ(ticksToWalk(walk, true, kLevel), GyroCentre::kSamples + 1);
 }
 
-TEST(Walk, WalksWithoutBalanceWhenItCannotCalibrate) {
+TEST(Walk, WalksWithoutBalanceIfCalibrationFails) {
   Walk walk{Parameters{}}, blind{Parameters{}}, unbalanced{Parameters{}};
   for (Walk* one : {&walk, &blind, &unbalanced}) one->start(kStance);
   int ticks = 0;
@@ -155,7 +155,7 @@ TEST(Walk, WalksWithoutBalanceWhenItCannotCalibrate) {
   }
 }
 
-TEST(Walk, EndsInTheStanceWhateverTheGyroscopeSaysLast) {
+TEST(Walk, EndsInTheStanceForAnyLastGyroscopeReading) {
   Walk walk{Parameters{}};
   walk.start(kStance);
   ticksToWalk(walk, true, kLevel);
@@ -163,13 +163,13 @@ TEST(Walk, EndsInTheStanceWhateverTheGyroscopeSaysLast) {
   walk.stop();
   int ticks = 0;
   for (; !walk.resting() && ticks < 1000; ++ticks) walk.tick({1, 0, 0, false}, true, {520, 500});
-  EXPECT_LE(ticks, 113);  // one and a half periods
+  EXPECT_LE(ticks, 113);  // 1.5 periods
   EXPECT_EQ(walk.pose(), kStance);
   walk.tick({1, 0, 0, false}, true, {520, 500});
   EXPECT_EQ(walk.pose(), kStance);
 }
 
-TEST(Walk, AStopOnTheWayToTheStanceEndsThere) {
+TEST(Walk, AStopDuringTheApproachEndsInTheStance) {
   Walk walk{Parameters{}};
   walk.start(sitting());
   for (int i = 0; i < 50; ++i) walk.tick({}, true, kLevel);
@@ -180,7 +180,7 @@ TEST(Walk, AStopOnTheWayToTheStanceEndsThere) {
   EXPECT_EQ(walk.pose(), kStance);
 }
 
-TEST(Walk, AStartTakesAStopBack) {
+TEST(Walk, AStartCancelsAStop) {
   Walk walk{Parameters{}};
   walk.start(kStance);
   ticksToWalk(walk, false, kLevel);

@@ -1,4 +1,4 @@
-// [Walking Config]: every key, and what is said of those that are wrong.
+// [Walking Config]: keys, ranges, warnings and errors.
 #include "managers/gait/walking_config.hpp"
 
 #include <gmock/gmock.h>
@@ -28,7 +28,7 @@ std::string errorOf(const std::string& lines) {
   return "no error";
 }
 
-TEST(WalkingConfigFile, EveryKeyReachesItsField) {
+TEST(WalkingConfigFile, EveryKeySetsItsField) {
   for (const ParameterRow& row : kParameters) {
     for (double value : {row.low, row.high, (row.low + 3 * row.high) / 4}) {
       const Parameters got = read(std::string{row.name} + " = " + std::to_string(value)).parameters;
@@ -40,7 +40,7 @@ TEST(WalkingConfigFile, EveryKeyReachesItsField) {
   }
 }
 
-TEST(WalkingConfigFile, IsReadAsItsOwnersWroteIt) {
+TEST(WalkingConfigFile, AcceptsExistingFiles) {
   const WalkingConfig got = parseWalkingConfig(
       "[Robot Config]\ntime_step = 16\nx_offset = 5\n"
       "[WALKING config]\nX_Offset = \"-12.5\" ; mm\nfoot_height : 35;no space\n\nz_offset = -1024\nIK = Exact\n"
@@ -55,7 +55,7 @@ TEST(WalkingConfigFile, IsReadAsItsOwnersWroteIt) {
   EXPECT_EQ(Parameters{}.ik, Ik::kFlawed);
 }
 
-TEST(WalkingConfigFile, NamesWhatIsOutOfRange) {
+TEST(WalkingConfigFile, ReportsValuesOutOfRange) {
   EXPECT_EQ(errorOf("\nperiod_time = 60"), "gait.ini, line 3: period_time = 60: give a number from 240 to 3000 (ms)");
   EXPECT_EQ(errorOf("dsp_ratio = 0.9"), "gait.ini, line 2: dsp_ratio = 0.9: give a number from 0 to 0.8 (-)");
   for (const char* line : {"x_offset = ten", "x_offset =", "x_offset = nan", "x_offset = 1e9", "x_offset = 3 mm"})
@@ -63,19 +63,19 @@ TEST(WalkingConfigFile, NamesWhatIsOutOfRange) {
   EXPECT_EQ(errorOf("ik = half"), "gait.ini, line 2: ik = half: give flawed or exact");
 }
 
-TEST(WalkingConfigFile, NamesWhatItDoesNotKnow) {
+TEST(WalkingConfigFile, WarnsOfUnknownKeys) {
   EXPECT_THAT(read("foot_heigth = 30\nwalk!\ni_gain = 3\n").warnings,
               ElementsAre("gait.ini, line 2: key \"foot_heigth\" of section [Walking Config] means nothing to this "
                           "version; it is ignored",
-                          "gait.ini, line 3: is no key = value and no comment; it is ignored",
-                          "gait.ini, line 4: key \"i_gain\" has no effect on this robot, only p_gain has"));
+                          "gait.ini, line 3: is neither key = value nor a comment; it is ignored",
+                          "gait.ini, line 4: key \"i_gain\" has no effect on this robot; only p_gain has"));
 }
 
-TEST(WalkingConfigFile, AFileThatIsNotThereGivesTheDefaults) {
+TEST(WalkingConfigFile, AMissingFileGivesTheDefaults) {
   const TemporaryFolder folder;
   const std::string path = folder / "config.ini";
   EXPECT_THAT(readWalkingConfig(path).warnings,
-              ElementsAre("there is no " + path + ": the gait's default parameters are used"));
+              ElementsAre("cannot find " + path + ": the default gait parameters are used"));
   std::ofstream{path} << "[Walking Config]\nfoot_height = 25\n";
   EXPECT_EQ(readWalkingConfig(path).parameters.foot_height, 25);
 }

@@ -1,4 +1,4 @@
-// Once it is made, the player allocates nothing.
+// The player allocates nothing after construction.
 #include <gtest/gtest.h>
 
 #include "managers/motion/pages.hpp"
@@ -8,8 +8,8 @@ namespace darwinop::motion {
 namespace {
 
 TEST(PlayerAllocation, NoPageAndNoRequestAllocates) {
-  std::mt19937 dice{3};
-  const PageFile pages = randomFile(dice);
+  std::mt19937 rng{3};
+  const PageFile pages = randomFile(rng);
   Player player{pages};
   const long before = allocationsOfThisThread();
   int ticks = 0;

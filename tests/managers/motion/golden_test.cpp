@@ -1,4 +1,4 @@
-// The vendor's pages as the vendor's engine played them: every tick, every joint.
+// The vendor's pages against recordings of the vendor's engine: every tick, every joint.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -33,15 +33,15 @@ std::vector<GoldenRow> goldenRows() {
   return rows;
 }
 
-/// As in the golden runs: the robot stands as page 9 has it stand.
+/// Initial pose of the recordings: the pose of page 9.
 Pose walkReady(const PageFile& pages) {
   Pose pose;
   for (std::size_t i = 0; i < kJoints; ++i) pose[i] = pages[9].step[0].position[i + 1];
   return pose;
 }
 
-TEST(GoldenMotion, EveryTickOfEveryJointIsTheVendors) {
-  if (!exists(vendorsFile())) GTEST_SKIP() << "the vendor's pages are not here: " << vendorsFile();
+TEST(GoldenMotion, EveryTickOfEveryJointEqualsTheVendors) {
+  if (!exists(vendorsFile())) GTEST_SKIP() << "the vendor's pages are not available: " << vendorsFile();
   const PageFile pages = readPageFile(vendorsFile());
   const std::vector<GoldenRow> rows = goldenRows();
   ASSERT_EQ(rows.size(), 1777u);
@@ -59,9 +59,9 @@ TEST(GoldenMotion, EveryTickOfEveryJointIsTheVendors) {
   EXPECT_FALSE(player.tick());
 }
 
-// Source: the vendor's engine, one call a tick; the chain that a page begins is played to its end.
-TEST(GoldenMotion, EveryPageLastsAsLongAsOnTheVendorsRobot) {
-  if (!exists(vendorsFile())) GTEST_SKIP() << "the vendor's pages are not here: " << vendorsFile();
+// Source: the vendor's engine, one call per tick, including following pages.
+TEST(GoldenMotion, EveryPageHasTheVendorsDuration) {
+  if (!exists(vendorsFile())) GTEST_SKIP() << "the vendor's pages are not available: " << vendorsFile();
   const PageFile pages = readPageFile(vendorsFile());
   struct {
     int page, ms;
@@ -79,8 +79,8 @@ TEST(GoldenMotion, EveryPageLastsAsLongAsOnTheVendorsRobot) {
   }
 }
 
-TEST(GoldenMotion, TheVendorsFileSurvivesReadingAndWriting) {
-  if (!exists(vendorsFile())) GTEST_SKIP() << "the vendor's pages are not here: " << vendorsFile();
+TEST(GoldenMotion, TheVendorsFileIsUnchangedByReadingAndWriting) {
+  if (!exists(vendorsFile())) GTEST_SKIP() << "the vendor's pages are not available: " << vendorsFile();
   std::ifstream file{vendorsFile(), std::ios::binary};
   const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>{file}, {}};
   const PageFile pages = decodePages(bytes);

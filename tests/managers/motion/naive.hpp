@@ -1,5 +1,5 @@
-// The playback rules written down once more, as the tables of docs/motions.md have them: slow, wide numbers, no state
-// machine. What the player has to agree with.
+// Reference implementation of the playback rules from the tables of docs/motions.md: slow, wide integers, no state
+// machine.
 #pragma once
 
 #include <cmath>
@@ -45,7 +45,7 @@ struct Servo {
   }
 };
 
-/// All ticks of a chain, or the first `most` of them. `stop_at`: the tick before which a stop is requested, or -1.
+/// All ticks of a chain, at most `most`. `stop_at`: tick before which a stop is requested, or -1.
 inline std::vector<Row> play(const PageFile& pages, int start, const Pose& present, std::size_t most, int stop_at) {
   std::vector<Row> rows;
   std::array<Servo, kJoints> servos;

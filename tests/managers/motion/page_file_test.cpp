@@ -1,4 +1,4 @@
-// The motion file: nothing is lost, and what is wrong with one is said with page and byte.
+// Motion file: lossless conversion, and error messages with page and byte.
 #include "managers/motion/page_file.hpp"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ Bytes validFile() {
   return encodePages(pages);
 }
 
-/// The sentence about a file in which `change` was made to one page, its checksum corrected or not.
+/// Error message for a file with one changed page, with or without a corrected checksum.
 std::string sentenceAbout(std::size_t page, const std::function<void(std::uint8_t*)>& change, bool sealed = true) {
   Bytes bytes = validFile();
   std::uint8_t* const at = bytes.data() + page * kPageBytes;
@@ -41,7 +41,7 @@ std::string sentenceAbout(std::size_t page, const std::function<void(std::uint8_
   return "it is accepted";
 }
 
-TEST(PageFile, EveryFieldLiesWhereTheFormatHasIt) {
+TEST(PageFile, FieldsHaveTheOffsetsOfTheFormat) {
   Bytes bytes(kFileBytes);
   for (std::size_t page = 1; page < kPages; ++page) bytes[page * kPageBytes + 31] = 0xFF;
   std::uint8_t* const page = bytes.data() + 3 * kPageBytes;
@@ -69,10 +69,10 @@ TEST(PageFile, EveryFieldLiesWhereTheFormatHasIt) {
   EXPECT_EQ(seen.step[6].time, 99);
 }
 
-TEST(PageFile, AnyFileSurvivesReadingAndWriting) {
-  std::mt19937 dice{7};
+TEST(PageFile, AnyFileIsUnchangedByReadingAndWriting) {
+  std::mt19937 rng{7};
   for (int run = 0; run < 20; ++run) {
-    PageFile pages = randomFile(dice);
+    PageFile pages = randomFile(rng);
     pages[0].has_checksum = true;
     const Bytes bytes = encodePages(pages);
     ASSERT_EQ(decodePages(bytes), pages);
@@ -80,7 +80,7 @@ TEST(PageFile, AnyFileSurvivesReadingAndWriting) {
   }
 }
 
-TEST(PageFile, PageZeroMayBeAllZerosAndStaysSo) {
+TEST(PageFile, PageZeroMayBeAllZeros) {
   Bytes bytes = validFile();
   std::fill_n(bytes.begin(), kPageBytes, std::uint8_t{0});
   const PageFile pages = decodePages(bytes);
@@ -94,7 +94,7 @@ TEST(PageFile, AnEmptyPageHasTheVendorsChecksum) {
   EXPECT_EQ(encodePages(emptyFile())[5 * kPageBytes + 31], 0xD1);
 }
 
-TEST(PageFile, AnyOneWrongByteIsFound) {
+TEST(PageFile, AnySingleWrongByteIsDetected) {
   const Bytes good = validFile();
   for (std::size_t at = 0; at < kPageBytes; ++at) {
     Bytes bad = good;
@@ -103,18 +103,18 @@ TEST(PageFile, AnyOneWrongByteIsFound) {
   }
 }
 
-TEST(PageFile, WhatIsWrongIsSaidWithPageAndByte) {
+TEST(PageFile, ErrorsContainPageAndByte) {
   const auto nothing = [](std::uint8_t*) {};
   EXPECT_EQ(sentenceAbout(12, nothing), "it is accepted");
   EXPECT_EQ(sentenceAbout(
                 12, [](std::uint8_t* page) { page[70] = static_cast<std::uint8_t>(page[70] + 3); }, false),
-            "page 12, byte 6175: the checksum is wrong: the page's 512 bytes add up to 0x02, not to 0xFF");
+            "page 12, byte 6175: wrong checksum: the 512 bytes of the page add up to 0x02 instead of 0xFF");
   EXPECT_EQ(sentenceAbout(12, [](std::uint8_t* page) { page[20] = 8; }),
-            "page 12, byte 6164: it claims 8 steps; a page has 0 to 7");
+            "page 12, byte 6164: invalid number of steps 8; must be 0 to 7");
   EXPECT_EQ(sentenceAbout(12, [](std::uint8_t* page) { page[16] = 5; }),
-            "page 12, byte 6160: its schedule is 5; it is 0 (by speed) or 10 (by time)");
+            "page 12, byte 6160: invalid schedule 5; must be 0 (by speed) or 10 (by time)");
   EXPECT_EQ(sentenceAbout(12, [](std::uint8_t* page) { page[22] = 0; }),
-            "page 12, byte 6166: its speed is 0; it is 1 to 255, and 32 is the usual one");
+            "page 12, byte 6166: invalid speed 0; must be 1 to 255, default 32");
   EXPECT_EQ(sentenceAbout(13, [](std::uint8_t* page) { page[16] = page[22] = 0; }), "it is accepted")
       << "a page without steps is never played";
   EXPECT_THAT(sentenceAbout(
@@ -126,13 +126,13 @@ TEST(PageFile, WhatIsWrongIsSaidWithPageAndByte) {
       << "only page 0 may be all zeros";
 }
 
-TEST(PageFile, AFileOfAnotherLengthIsRefused) {
+TEST(PageFile, AWrongLengthIsRefused) {
   for (const std::size_t length : {std::size_t{0}, kPageBytes * 4 + 2, kFileBytes - 1, kFileBytes + 1})
     EXPECT_THROW((void)decodePages(Bytes(length)), std::runtime_error) << length;
   EXPECT_THROW((void)encodePages(PageFile(255)), std::invalid_argument);
 }
 
-TEST(PageFile, FromADiskTheSentenceBeginsWithItsName) {
+TEST(PageFile, MessagesBeginWithThePath) {
   const TemporaryFolder folder;
   const std::string path = folder / "motion.bin";
   const auto sentence = [&path] {
@@ -143,28 +143,28 @@ TEST(PageFile, FromADiskTheSentenceBeginsWithItsName) {
     }
     return std::string{};
   };
-  EXPECT_EQ(sentence(), path + ": it cannot be opened");
+  EXPECT_EQ(sentence(), path + ": cannot open the file");
   const auto write = [&path](const Bytes& bytes) {
     std::ofstream{path, std::ios::binary}.write(reinterpret_cast<const char*>(bytes.data()),
                                                 static_cast<std::streamsize>(bytes.size()));
   };
   write(Bytes(1030));
-  EXPECT_EQ(sentence(), path + ": it ends in page 2, at byte 1030; a motion file has 131072 bytes");
+  EXPECT_EQ(sentence(), path + ": the file ends in page 2, at byte 1030; a motion file has 131072 bytes");
   write(Bytes(kFileBytes + 9));
-  EXPECT_EQ(sentence(), path + ": it is longer than the 131072 bytes of a motion file");
+  EXPECT_EQ(sentence(), path + ": the file is longer than the 131072 bytes of a motion file");
   write(validFile());
   EXPECT_EQ(sentence(), "");
   EXPECT_EQ(readPageFile(path)[12].steps, 2);
 }
 
-TEST(PageFile, APipeIsRefusedAndNotWaitedFor) {
+TEST(PageFile, APipeIsRefusedWithoutWaiting) {
   const TemporaryFolder folder;
   const std::string path = folder / "pipe.bin";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   EXPECT_THROW((void)readPageFile(path), std::runtime_error);
 }
 
-TEST(PageFile, APagesSlopesAreGains) {
+TEST(PageFile, SlopesAreConvertedToGains) {
   const std::pair<std::uint8_t, int> kGains[] = {{0x44, 64}, {0x55, 32}, {0x66, 16},
                                                  {0x77, 8},  {0x57, 32}, {0x00, 254}};
   for (const auto& [slopes, gain] : kGains) EXPECT_EQ(pGainRegister(slopes), gain) << int{slopes};

@@ -1,4 +1,4 @@
-// Motion files made up for tests, and the vendor's where it is at hand.
+// Synthetic motion files, and the vendor's file if available.
 #pragma once
 
 #include <cstdlib>
@@ -46,9 +46,9 @@ inline Page pageOf(std::initializer_list<Step> steps, std::uint8_t acceleration 
   return page;
 }
 
-/// Any pages that a file may hold, chained at random.
-inline PageFile randomFile(std::mt19937& dice) {
-  const auto up_to = [&dice](int most) { return static_cast<int>(dice() % static_cast<unsigned>(most + 1)); };
+/// Random valid pages with random links.
+inline PageFile randomFile(std::mt19937& rng) {
+  const auto up_to = [&rng](int most) { return static_cast<int>(rng() % static_cast<unsigned>(most + 1)); };
   const auto byte = [&up_to](int most) { return static_cast<std::uint8_t>(up_to(most)); };
   PageFile pages = emptyFile();
   for (std::size_t i = 1; i < 12; ++i) {

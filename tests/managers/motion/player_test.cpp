@@ -1,5 +1,5 @@
-// The player by hand: sections, chains, stops, and what is refused. The numbers were worked out with pencil and paper
-// from the formulas of docs/motions.md.
+// Player: sections, chains, stops, refusals. Expected numbers are computed by hand from the formulas of
+// docs/motions.md.
 #include "managers/motion/player.hpp"
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::ElementsAreArray;
 
-/// The first joint's way, from 2000, relative to it; one value a tick.
+/// Positions of the first joint relative to 2000, one per tick.
 std::vector<int> wayOf(const PageFile& pages, int page = 1, int stop_at = -1) {
   Player player{pages};
   EXPECT_TRUE(player.start(page, everywhere(2000)));
@@ -31,7 +31,7 @@ PageFile fileOf(const Page& page) {
   return pages;
 }
 
-/// Pages 1, 2, ... that were played, each once a visit.
+/// Sequence of pages played.
 std::vector<int> visits(const PageFile& pages, int stop_at = -1) {
   Player player{pages};
   EXPECT_TRUE(player.start(1, everywhere(2000)));
@@ -45,21 +45,21 @@ std::vector<int> visits(const PageFile& pages, int stop_at = -1) {
   return seen;
 }
 
-// 10 ticks, 2 of them speeding up: V = 21333 / 32 = 666; way of the ramp (333 * 2 * 144 / 15) >> 9 = 12;
-// main way 100 - 12 - (3196 >> 8) = 76.
-TEST(Player, OneStepIsARampAConstantSpeedAndARamp) {
+// 10 ticks, 2 of them accelerating: V = 21333 / 32 = 666; distance of the ramp (333 * 2 * 144 / 15) >> 9 = 12;
+// main distance 100 - 12 - (3196 >> 8) = 76.
+TEST(Player, AStepHasAccelerationConstantSpeedAndDeceleration) {
   EXPECT_THAT(wayOf(fileOf(pageOf({stepTo(2100, 10)}))),
               ElementsAre(0, 3, 12, 12, 24, 37, 50, 62, 75, 88, 88, 100, 100));
 }
 
-// Downwards ">>" rounds away from zero: the way there is not the mirror of the way back.
-TEST(Player, DownwardsTheRoundingIsNotMirrored) {
+// For negative numbers ">>" rounds away from zero: the two directions are not mirror images.
+TEST(Player, RoundingIsAsymmetric) {
   EXPECT_THAT(wayOf(fileOf(pageOf({stepTo(1900, 10)}))),
               ElementsAre(0, -4, -13, -13, -25, -37, -50, -62, -74, -87, -87, -100, -100));
 }
 
-// The first step hands its speed to the second: V = 21333 / (4 + 32) = 592, and nobody slows down in between.
-TEST(Player, AStepInTheSameDirectionDoesNotStopInBetween) {
+// The second step starts at the speed of the first: V = 21333 / (4 + 32) = 592, without deceleration.
+TEST(Player, StepsInTheSameDirectionDoNotStopInBetween) {
   const auto way = wayOf(fileOf(pageOf({stepTo(2100, 10), stepTo(2200, 10)})));
   ASSERT_EQ(way.size(), 26u);
   EXPECT_THAT(std::vector<int>(way.begin(), way.begin() + 13),
@@ -67,36 +67,36 @@ TEST(Player, AStepInTheSameDirectionDoesNotStopInBetween) {
   EXPECT_EQ(way.back(), 200);
 }
 
-TEST(Player, APauseHoldsAndTakesItsTicksAndOne) {
+TEST(Player, APauseTakesItsTicksPlusOne) {
   const auto way = wayOf(fileOf(pageOf({stepTo(2100, 10, 5), stepTo(2200, 10)})));
   ASSERT_EQ(way.size(), 13u + 6u + 13u);
   EXPECT_THAT(std::vector<int>(way.begin() + 11, way.begin() + 20), ElementsAreArray(std::vector<int>(9, 100)));
-  EXPECT_EQ(way[20], 103) << "from standing";
+  EXPECT_EQ(way[20], 103) << "starts at rest";
 }
 
-TEST(Player, HalfTheSpeedByteHalvesTheMoveAndDoublesThePause) {
+TEST(Player, HalfTheSpeedByteHalvesTheTimeAndDoublesThePause) {
   Page page = pageOf({stepTo(2100, 20, 5)});
   page.speed = 16;
   EXPECT_EQ(wayOf(fileOf(page)).size(), 10u + 3u + 10u + 1u);
 }
 
-TEST(Player, AStepThatIsTooShortGetsLessRampAndTheShortestDoesNotMove) {
+TEST(Player, AShortStepHasAShorterRampAndTheShortestNoMotion) {
   EXPECT_EQ(wayOf(fileOf(pageOf({stepTo(2100, 9)}, 32))).size(), 9u + 3u);
   EXPECT_THAT(wayOf(fileOf(pageOf({stepTo(2100, 2)}))), ElementsAre(0, 0, 0));
   EXPECT_THAT(wayOf(fileOf(pageOf({stepTo(2100, 0)}))), ElementsAre(0, 0, 0));
 }
 
-TEST(Player, ASpeedBasedStepTakesAsLongAsItsLongestWay) {
+TEST(Player, TheDurationOfASpeedBasedStepFollowsFromTheLongestDistance) {
   Page page = pageOf({stepTo(2100, 10)});
   page.schedule = kSpeedBased;
   EXPECT_EQ(wayOf(fileOf(page)).size(), 40u * 100 / 30 + 3);
-  page.step[0].position[20] = 2300;  // the head has farther to go, and all wait for it
+  page.step[0].position[20] = 2300;  // the head has the longest distance
   EXPECT_EQ(wayOf(fileOf(page)).size(), 40u * 300 / 30 + 3);
   page.step[0].position.fill(2000);
-  EXPECT_EQ(wayOf(fileOf(page)).size(), 3u) << "nothing to do";
+  EXPECT_EQ(wayOf(fileOf(page)).size(), 3u) << "no distance";
 }
 
-TEST(Player, AJointThatIsNotPartOfTheStepKeepsItsTarget) {
+TEST(Player, AJointWithKeepKeepsItsTarget) {
   for (const std::uint16_t flag : {kKeep, kUnusedWord, kTorqueOff}) {
     Page page = pageOf({stepTo(2100, 10)});
     page.step[0].position[1] = flag;
@@ -104,12 +104,12 @@ TEST(Player, AJointThatIsNotPartOfTheStepKeepsItsTarget) {
   }
 }
 
-TEST(Player, WhatIsOutOfRangeIsTheEndOfTheRange) {
+TEST(Player, PositionsAreClampedToTheRange) {
   const auto way = wayOf(fileOf(pageOf({stepTo(0x9000, 100)})));
   EXPECT_EQ(*std::ranges::max_element(way), 4095 - 2000);
 }
 
-TEST(Player, PagesRepeatAndThenFollowEachOther) {
+TEST(Player, PagesRepeatAndContinueWithTheNext) {
   PageFile pages = emptyFile();
   pages[1] = pages[2] = pages[3] = pageOf({stepTo(2100, 10), stepTo(2000, 10)});
   pages[1].repeat = 2;
@@ -121,17 +121,17 @@ TEST(Player, PagesRepeatAndThenFollowEachOther) {
   EXPECT_THAT(visits(pages), ElementsAre(1, 1, 3)) << "page 4 is empty";
   pages[3].next = 2;
   pages[2].repeat = 0;
-  EXPECT_THAT(visits(pages), ElementsAre(1, 1, 3)) << "page 2 has nothing to repeat";
+  EXPECT_THAT(visits(pages), ElementsAre(1, 1, 3)) << "page 2 has 0 repeats";
 }
 
-TEST(Player, APageThatFollowsItselfGoesOnUntilItIsStopped) {
+TEST(Player, APageLinkedToItselfRunsUntilStopped) {
   Page page = pageOf({stepTo(2100, 10), stepTo(2000, 10)});
   page.next = 1;
   EXPECT_EQ(wayOf(fileOf(page)).size(), 3000u);
-  EXPECT_EQ(wayOf(fileOf(page), 1, 500).size(), 520u) << "26 ticks a turn, and the one under way is finished";
+  EXPECT_EQ(wayOf(fileOf(page), 1, 500).size(), 520u) << "26 ticks per repetition; the current one is completed";
 }
 
-TEST(Player, AStopLetsThePageEndAndGoesThroughItsExit) {
+TEST(Player, AStopCompletesThePageAndPlaysItsExit) {
   PageFile pages = emptyFile();
   pages[1] = pages[2] = pages[5] = pageOf({stepTo(2100, 10), stepTo(2000, 10)});
   pages[1].repeat = 3;
@@ -139,10 +139,10 @@ TEST(Player, AStopLetsThePageEndAndGoesThroughItsExit) {
   EXPECT_THAT(visits(pages, 5), ElementsAre(1));
   pages[1].exit = 5;
   EXPECT_THAT(visits(pages, 5), ElementsAre(1, 5));
-  EXPECT_THAT(visits(pages, 15), ElementsAre(1, 1, 5)) << "the last step had chosen already";
+  EXPECT_THAT(visits(pages, 15), ElementsAre(1, 1, 5)) << "the last step has already selected the next page";
 }
 
-TEST(Player, AStopIsForgottenByTheNextStart) {
+TEST(Player, AStopDoesNotAffectTheNextStart) {
   PageFile pages = emptyFile();
   pages[1] = pages[2] = pageOf({stepTo(2100, 10)});
   pages[1].next = 2;
@@ -159,7 +159,7 @@ TEST(Player, AStopIsForgottenByTheNextStart) {
   EXPECT_EQ(ticks(), 26);
 }
 
-TEST(Player, ABrakeEndsItWhereItIs) {
+TEST(Player, ABrakeEndsImmediately) {
   const PageFile pages = fileOf(pageOf({stepTo(2100, 10)}));
   Player player{pages};
   ASSERT_TRUE(player.start(1, everywhere(2000)));
@@ -169,10 +169,10 @@ TEST(Player, ABrakeEndsItWhereItIs) {
   EXPECT_EQ(player.pose(), everywhere(2037));
   ASSERT_TRUE(player.start(1, player.pose()));
   while (player.tick()) continue;
-  EXPECT_EQ(player.pose()[0], 2100) << "from where it was, afresh";
+  EXPECT_EQ(player.pose()[0], 2100) << "starts at its position";
 }
 
-TEST(Player, WhatCannotBePlayedIsRefusedAndChangesNothing) {
+TEST(Player, UnplayablePagesAreRefusedWithoutEffect) {
   PageFile pages = fileOf(pageOf({stepTo(2100, 10)}));
   pages[3] = pages[1];
   pages[3].repeat = 0;
@@ -182,11 +182,11 @@ TEST(Player, WhatCannotBePlayedIsRefusedAndChangesNothing) {
   ASSERT_TRUE(player.start(1, everywhere(2000)));
   player.tick();
   player.tick();
-  EXPECT_FALSE(player.start(1, everywhere(1000))) << "one at a time";
+  EXPECT_FALSE(player.start(1, everywhere(1000))) << "a page is being played";
   EXPECT_EQ(player.pose(), everywhere(2003));
 }
 
-TEST(Player, TheGainsAreThoseOfThePageBeingPlayed) {
+TEST(Player, GainsAreThoseOfThePagePlayed) {
   PageFile pages = emptyFile();
   pages[1] = pages[2] = pageOf({stepTo(2100, 10)});
   pages[1].slopes[3] = 0x77;

@@ -1,4 +1,4 @@
-// Random pages: the player does what the rules say, in any chain, from any pose, with a stop at any tick.
+// Random pages: the player equals the reference implementation, for any chain, initial pose and stop.
 #include <gtest/gtest.h>
 
 #include "managers/motion/naive.hpp"
@@ -7,20 +7,20 @@
 namespace darwinop::motion {
 namespace {
 
-Pose randomPose(std::mt19937& dice) {
+Pose randomPose(std::mt19937& rng) {
   Pose pose;
-  for (int& ticks : pose) ticks = static_cast<int>(dice() % 4096);
+  for (int& ticks : pose) ticks = static_cast<int>(rng() % 4096);
   return pose;
 }
 
-TEST(RandomPages, ThePlayerDoesWhatTheRulesSay) {
-  std::mt19937 dice{11};
+TEST(RandomPages, ThePlayerEqualsTheReference) {
+  std::mt19937 rng{11};
   std::size_t ticks = 0;
   for (int run = 0; run < 300; ++run) {
-    const PageFile pages = randomFile(dice);
-    const int page = 1 + static_cast<int>(dice() % 11);
-    const int stop_at = dice() % 2 == 0 ? static_cast<int>(dice() % 500) : -1;
-    const Pose present = randomPose(dice);
+    const PageFile pages = randomFile(rng);
+    const int page = 1 + static_cast<int>(rng() % 11);
+    const int stop_at = rng() % 2 == 0 ? static_cast<int>(rng() % 500) : -1;
+    const Pose present = randomPose(rng);
     Player player{pages};
     ASSERT_EQ(player.start(page, present), pages[static_cast<std::size_t>(page)].canPlay());
     if (!player.isPlaying()) continue;
@@ -37,15 +37,15 @@ TEST(RandomPages, ThePlayerDoesWhatTheRulesSay) {
   EXPECT_GT(ticks, 100'000u);
 }
 
-// What the joints' speed promises: 1023 units are 2.4 * 1023 / 256 ticks a call at most, and the two ends of a
-// section add rounding. Steps too short to move in are left out: they are jumps by design of the format.
-TEST(RandomPages, TheFirstMoveFromAnyPoseBeginsGently) {
-  std::mt19937 dice{12};
+// Speed bound: 1023 units are at most 2.4 * 1023 / 256 ticks per call, plus rounding at both ends of a section. Steps
+// too short for a motion are excluded: they are jumps by design of the format.
+TEST(RandomPages, TheFirstStepFromAnyPoseIsLimitedInSpeed) {
+  std::mt19937 rng{12};
   for (int run = 0; run < 200; ++run) {
     PageFile pages = emptyFile();
-    pages[1] = pageOf({stepTo(static_cast<std::uint16_t>(dice() % 4096), 125)}, 32);
+    pages[1] = pageOf({stepTo(static_cast<std::uint16_t>(rng() % 4096), 125)}, 32);
     Player player{pages};
-    const Pose present = randomPose(dice);
+    const Pose present = randomPose(rng);
     ASSERT_TRUE(player.start(1, present));
     Pose before = present;
     for (int tick = 0; player.tick(); ++tick) {

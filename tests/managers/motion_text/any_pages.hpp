@@ -1,4 +1,4 @@
-// Any bytes that a motion file may hold, and the bytes of a file made of them.
+// Random valid motion files.
 #pragma once
 
 #include <algorithm>
@@ -10,20 +10,20 @@
 
 namespace darwinop::motion {
 
-/// Random in every bit but for what the format forbids; its numbers are usual ones now and then.
-inline Page anyPage(std::mt19937& dice) {
-  const auto byte = [&dice] { return static_cast<std::uint8_t>(dice()); };
-  const auto one = [&dice](unsigned in) { return dice() % in == 0; };
+/// Random in every bit within the format; sometimes with default values.
+inline Page anyPage(std::mt19937& rng) {
+  const auto byte = [&rng] { return static_cast<std::uint8_t>(rng()); };
+  const auto one = [&rng](unsigned in) { return rng() % in == 0; };
   Page page = emptyPage();
   if (one(2))
     for (char& letter : page.name) letter = static_cast<char>(byte());
   else
-    for (std::size_t i = dice() % 14; i > 0; --i) page.name.at(i - 1) = static_cast<char>(' ' + dice() % 95);
-  page.steps = static_cast<std::uint8_t>(dice() % 8);
+    for (std::size_t i = rng() % 14; i > 0; --i) page.name.at(i - 1) = static_cast<char>(' ' + rng() % 95);
+  page.steps = static_cast<std::uint8_t>(rng() % 8);
   page.repeat = one(2) ? byte() : std::uint8_t{1};
   page.schedule = one(2) ? kTimeBased : kSpeedBased;
   if (!page.canPlay() && one(2)) page.schedule = byte();
-  page.speed = one(2) ? kUsualSpeed : byte();
+  page.speed = one(2) ? kDefaultSpeed : byte();
   if (page.canPlay() && page.speed == 0) page.speed = 1;
   page.acceleration = byte();
   page.next = byte();
@@ -32,26 +32,26 @@ inline Page anyPage(std::mt19937& dice) {
     if (one(2)) slopes = byte();
   if (one(2))
     for (std::uint8_t& rest : page.rest) rest = byte();
-  const auto others = dice() % 3;  // usual, all alike in a step, or anything
+  const auto others = rng() % 3;  // default, equal within a step, or random
   for (Step& step : page.step) {
     if (one(3)) continue;
     step.time = byte();
     step.pause = byte();
-    const auto other = static_cast<std::uint16_t>(dice());
+    const auto other = static_cast<std::uint16_t>(rng());
     for (std::size_t id = 0; id < kServos; ++id) {
       const bool joint = id >= 1 && id <= kJoints;
-      if (joint || others == 2) step.position.at(id) = static_cast<std::uint16_t>(one(4) ? dice() : dice() % 4096);
+      if (joint || others == 2) step.position.at(id) = static_cast<std::uint16_t>(one(4) ? rng() : rng() % 4096);
       if (!joint && others == 1) step.position.at(id) = other;
     }
   }
   return page;
 }
 
-/// Most pages empty, as in any real file. Page 0 is all zeros, or any page.
-inline PageFile anyFile(std::mt19937& dice) {
+/// Most pages are empty, as in real files. Page 0 is all zeros or random.
+inline PageFile anyFile(std::mt19937& rng) {
   PageFile pages(kPages, emptyPage());
-  for (int i = 0; i < 12; ++i) pages[dice() % kPages] = anyPage(dice);
-  if (dice() % 2 == 0) {
+  for (int i = 0; i < 12; ++i) pages[rng() % kPages] = anyPage(rng);
+  if (rng() % 2 == 0) {
     std::vector<std::uint8_t> bytes = encodePages(pages);
     std::fill_n(bytes.begin(), kPageBytes, std::uint8_t{0});
     pages = decodePages(bytes);

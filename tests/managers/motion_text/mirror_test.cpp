@@ -1,4 +1,4 @@
-// Left and right swapped: where everything goes, and that twice is the same page again.
+// Mirroring of pages.
 #include "managers/motion_text/mirror.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@ namespace darwinop::motion {
 namespace {
 
 RC_GTEST_PROP(Mirror, TwiceIsTheSamePage, (std::uint32_t seed)) {
-  std::mt19937 dice{seed};
-  Page page = anyPage(dice);
+  std::mt19937 rng{seed};
+  Page page = anyPage(rng);
   for (Step& step : page.step)
     for (std::uint16_t& word : step.position) word = std::max<std::uint16_t>(word, 1);  // see the next test
   RC_ASSERT(mirrored(mirrored(page)) == page);
@@ -25,9 +25,9 @@ TEST(Mirror, TickZeroHasNone) {
   EXPECT_EQ(mirrored(page).step[0].position[2], 1);
 }
 
-TEST(Mirror, EverythingGoesToItsPlace) {
+TEST(Mirror, SwapsPositionsAndGains) {
   Page page = pageOf({stepTo(kUnusedWord, 10, 3)});
-  page.step[0].position[1] = 1500;   // right shoulder, 548 below the middle
+  page.step[0].position[1] = 1500;   // right shoulder, 548 below the centre
   page.step[0].position[14] = 2100;  // left knee
   page.step[0].position[17] = kKeep;
   page.step[0].position[19] = 2000;  // pan
@@ -41,10 +41,10 @@ TEST(Mirror, EverythingGoesToItsPlace) {
   EXPECT_EQ(other.step[0].position[18], kKeep);
   EXPECT_EQ(other.step[0].position[19], 2096);
   EXPECT_EQ(other.step[0].position[20], 2200);
-  EXPECT_EQ(other.step[0].position[0], 7) << "no joint";
-  EXPECT_EQ(other.step[0].position[21], 7) << "no joint";
+  EXPECT_EQ(other.step[0].position[0], 7) << "not a joint";
+  EXPECT_EQ(other.step[0].position[21], 7) << "not a joint";
   EXPECT_EQ(other.slopes[4], 0x57) << "the partner has the same gain";
-  EXPECT_EQ(other.slopes[3], kUsualSlopes);
+  EXPECT_EQ(other.slopes[3], kDefaultSlopes);
   EXPECT_EQ(other.step[0].time, 10);
   EXPECT_EQ(other.step[0].pause, 3);
 }

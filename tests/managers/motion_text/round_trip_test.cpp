@@ -1,4 +1,4 @@
-// Binary to text to binary: not a bit is lost, of any file.
+// Binary to text to binary is lossless for any file.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -16,19 +16,19 @@ std::vector<std::uint8_t> throughText(const std::vector<std::uint8_t>& bytes) {
 }
 
 RC_GTEST_PROP(MotionText, AnyFileSurvivesTheWayThroughText, (std::uint32_t seed)) {
-  std::mt19937 dice{seed};
-  const std::vector<std::uint8_t> bytes = encodePages(anyFile(dice));
+  std::mt19937 rng{seed};
+  const std::vector<std::uint8_t> bytes = encodePages(anyFile(rng));
   RC_ASSERT(throughText(bytes) == bytes);
 }
 
-TEST(MotionText, TheVendorsFileSurvivesTheWayThroughText) {
-  if (!std::filesystem::exists(vendorsFile())) GTEST_SKIP() << "the vendor's motion file is not at hand";
+TEST(MotionText, TheVendorsFileIsUnchanged) {
+  if (!std::filesystem::exists(vendorsFile())) GTEST_SKIP() << "the vendor's motion file is not available";
   const PageFile pages = readPageFile(vendorsFile());
   EXPECT_EQ(throughText(encodePages(pages)), encodePages(pages));
   EXPECT_EQ(parsePages(writePages(pages), "pages.txt"), pages);
 }
 
-TEST(MotionText, EveryWordOfTheFileHasATextOfItsOwn) {
+TEST(MotionText, EveryWordHasAUniqueText) {
   for (int word = 0; word <= 0xFFFF; ++word)
     ASSERT_EQ(angleFromText(angleText(static_cast<std::uint16_t>(word))), word);
   for (int byte = 0; byte <= 0xFF; ++byte) {
@@ -39,9 +39,9 @@ TEST(MotionText, EveryWordOfTheFileHasATextOfItsOwn) {
   }
 }
 
-TEST(MotionText, APageLooksLikeThis) {
+TEST(MotionText, APageHasThisFormat) {
   PageFile pages = emptyFile();
-  pages[0] = unmentionedPage(0);
+  pages[0] = defaultPage(0);
   Page& page = pages[12];
   page = pageOf({stepTo(2048, 125), stepTo(1024, 25, 18)}, 32);
   for (Step& step : page.step)
@@ -62,10 +62,10 @@ TEST(MotionText, APageLooksLikeThis) {
       "ShoulderR      =     0.00   -90.00\n";
   EXPECT_EQ(text.substr(0, head.size()), head);
   const std::string tail = "Head           =     0.00     keep\n";
-  EXPECT_EQ(text.substr(text.size() - tail.size()), tail) << "nothing is said of places without a joint";
+  EXPECT_EQ(text.substr(text.size() - tail.size()), tail) << "ids without a joint are omitted";
 }
 
-TEST(MotionText, HandsMayWriteItMoreFreely) {
+TEST(MotionText, AcceptsOtherSpellings) {
   const PageFile pages = parsePages(
       "\xEF\xBB\xBF"
       "darwinop motion 1  # a remark\r\n"

@@ -1,4 +1,4 @@
-// What is said of a movement: worst errors and loads by joint, faults, and how the robot is afterwards.
+// Statistics of a motion: peak errors and loads per joint, faults; posture afterwards.
 #include "managers/motion_watch/motion_watch.hpp"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ Sensors resting(double x, double y, double z, double knee_degrees) {
   return sensors;
 }
 
-TEST(Posture, UprightTheKneesTellSittingFromStanding) {
+TEST(Posture, KneesDistinguishSittingFromStanding) {
   EXPECT_EQ(postureOf(resting(0, 0, kG, 53)), Posture::kStands);
   EXPECT_EQ(postureOf(resting(0, 0, kG, 129)), Posture::kSits);
   Sensors one_knee = resting(0, 0, kG, 129);
@@ -33,7 +33,7 @@ TEST(Posture, UprightTheKneesTellSittingFromStanding) {
   EXPECT_EQ(postureOf(resting(0, 0, kG, kUnknown)), Posture::kStands);
 }
 
-TEST(Posture, LyingItSaysOnWhichSide) {
+TEST(Posture, LyingHasASide) {
   EXPECT_EQ(postureOf(resting(0, -kG, 0, 53)), Posture::kOnFace);
   EXPECT_EQ(postureOf(resting(0, kG, 1, 53)), Posture::kOnBack);
   EXPECT_EQ(postureOf(resting(-kG, 1, 0, 53)), Posture::kOnRight);
@@ -41,7 +41,7 @@ TEST(Posture, LyingItSaysOnWhichSide) {
   EXPECT_EQ(postureOf(resting(0, 0, -kG, 53)), Posture::kUpsideDown);
 }
 
-TEST(Posture, WithoutAMeasurementOrInFreeFallNothingIsClaimed) {
+TEST(Posture, IsUnknownWithoutAMeasurementOrInFreeFall) {
   EXPECT_EQ(postureOf(Sensors{}), Posture::kUnknown);
   EXPECT_EQ(postureOf(resting(0, 0, 1, 53)), Posture::kUnknown);
 }
@@ -57,16 +57,16 @@ Sensors following() {
   return sensors;
 }
 
-TEST(MotionWatch, KeepsTheWorstOfEachJointAndWhenItWas) {
+TEST(MotionWatch, StoresThePeakOfEachJointWithItsTime) {
   MotionWatch watch;
   Sensors seen = following();
   auto& neck = seen.joint[index(Joint::kNeck)];
   neck.position = Rad{-0.2};
   neck.load = -0.5;
-  watch.look(seen, 1);
+  watch.update(seen, 1);
   neck.position = Rad{0.1};
   neck.load = 0.25;
-  watch.look(seen, 2);
+  watch.update(seen, 2);
   EXPECT_DOUBLE_EQ(watch.error(Joint::kNeck).value, 0.2);
   EXPECT_DOUBLE_EQ(watch.error(Joint::kNeck).seconds, 1);
   EXPECT_DOUBLE_EQ(watch.load(Joint::kNeck).value, 0.5);
@@ -74,32 +74,32 @@ TEST(MotionWatch, KeepsTheWorstOfEachJointAndWhenItWas) {
   EXPECT_THAT(watch.jointsText(), HasSubstr("Neck        11.5 deg at   1.00 s   load  50.0 % at   1.00 s\n"));
 }
 
-TEST(MotionWatch, WhatIsOldOrLimpIsNoMeasurement) {
+TEST(MotionWatch, IgnoresStaleAndLimpJoints) {
   MotionWatch watch;
   Sensors seen = following();
   auto &neck = seen.joint[index(Joint::kNeck)], &head = seen.joint[index(Joint::kHead)];
   neck.motion.missed();
   neck.position = Rad{1};
   head.commanded = Rad{};
-  watch.look(seen, 1);
+  watch.update(seen, 1);
   EXPECT_TRUE(std::isnan(watch.error(Joint::kNeck).value));
   EXPECT_TRUE(std::isnan(watch.error(Joint::kHead).value));
   EXPECT_THAT(watch.jointsText(), HasSubstr("Neck       not measured   load not measured\n"));
 }
 
-TEST(MotionWatch, TellsFaultsLimitsAndTheBusSinceTheFirstLook) {
+TEST(MotionWatch, ReportsFaultsLimitsAndBusErrorsSinceTheFirstUpdate) {
   MotionWatch watch;
   Sensors seen = following();
   seen.safety.limit_hits[0] = 7;
   seen.link.retries = 3;
-  watch.look(seen, 0);
+  watch.update(seen, 0);
   EXPECT_EQ(watch.faultsText(), "no faults, no goal cut, nothing lost on the bus\n");
   seen.safety.limit_hits[0] = 9;
   seen.link.retries = 4;
   seen.safety.active.set(2);
-  watch.look(seen, 1);
+  watch.update(seen, 1);
   seen.safety.active.reset();
-  watch.look(seen, 2);
+  watch.update(seen, 2);
   EXPECT_EQ(watch.faultsText(), "faults (docs/faults.md): " + std::string{kFaultTable[2].name} +
                                     "\ngoals cut by the safety layer: 2 position\nbus and loop: 1 retries\n");
 }

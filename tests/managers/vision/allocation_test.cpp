@@ -1,4 +1,4 @@
-// Once it is made, the finder allocates nothing.
+// The colour finder allocates nothing after construction.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,10 +11,10 @@ namespace darwinop::vision {
 namespace {
 
 TEST(ColourFinderAllocation, NoPictureAndNoSettingAllocates) {
-  std::mt19937 dice{1};
+  std::mt19937 rng{1};
   std::vector<Picture> pictures;
   pictures.reserve(20);
-  for (int i = 0; i < 20; ++i) pictures.push_back(randomPicture(160, 120, dice));
+  for (int i = 0; i < 20; ++i) pictures.push_back(randomPicture(160, 120, rng));
   ColourFinder finder{160, 120, {}, {0, 100}};
   int found = 0;
   const long before = allocationsOfThisThread();

@@ -1,4 +1,4 @@
-// Thresholds: what counts as the colour. Every way to decide it says the same as the plain rules.
+// Colour filter: all variants are equal to the reference rules.
 #include "managers/vision/colour_filter.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ std::vector<Instructions> usable() {
   return all;
 }
 
-/// Every colour, blue first, in rows of one red each.
+/// Every colour, BGRA, in rows of one red value each.
 constexpr int kRow = 1 << 16;
 const std::vector<std::uint8_t>& rowOf(int red) {
   static std::vector<std::uint8_t> row = [] {
@@ -41,7 +41,7 @@ const std::vector<std::uint8_t>& rowOf(int red) {
   return row;
 }
 
-/// The rules' colour of every pixel of such a row, divided once for all thresholds.
+/// HSV of every pixel of such a row, computed once for all thresholds.
 std::vector<naive::Colour> coloursOf(int red) {
   std::vector<naive::Colour> colours;
   colours.reserve(kRow);
@@ -54,8 +54,8 @@ std::string text(const Thresholds& t) {
          std::to_string(t.min_saturation) + ", value above " + std::to_string(t.min_value);
 }
 
-/// Compares all classifiers with the rules on the colours of one red. The thresholds' own nothing-at-all is the
-/// finder's business, not theirs.
+/// Compares all classifiers with the rules on the colours of one red value. Thresholds that match nothing are handled
+/// by the finder.
 void compareRow(int red, std::span<const Thresholds> sets) {
   const std::vector<std::uint8_t>& row = rowOf(red);
   const std::vector<naive::Colour> colours = coloursOf(red);
@@ -77,8 +77,8 @@ void compareRow(int red, std::span<const Thresholds> sets) {
   }
 }
 
-TEST(ColourFilter, EveryWayAgreesWithTheRulesOnEveryColour) {
-  // The default, an example, through 0 the other way round, greys, and all but a few degrees, once those of grey.
+TEST(ColourFilter, EveryVariantEqualsTheRulesForEveryColour) {
+  // Default, an example, an arc through 0, greys, and all but a few degrees, once those of grey.
   constexpr auto kSets = std::to_array<Thresholds>({{},
                                                     {28, 20, 50, 45},
                                                     {0, 170, 0, 0},
@@ -89,7 +89,7 @@ TEST(ColourFilter, EveryWayAgreesWithTheRulesOnEveryColour) {
   for (int red = 0; red < 256; ++red) compareRow(red, kSets);
 }
 
-// Each degree alone, each minimum alone: with these, what is left is how they are put together. Two reds a degree.
+// Each degree and each minimum separately; their combination is tested above. Two red values per degree.
 TEST(ColourFilter, EveryDegreeAndEveryMinimumIsExact) {
   for (int i = 0; i <= 360; ++i) {
     const Thresholds degree{i, 1, -1, -1}, rest{i, 179, -1, -1}, minimum{180, 180, i % 102 - 1, (i * 7) % 102 - 1};
@@ -114,7 +114,7 @@ RC_GTEST_PROP(ColourFilter, AnyThresholdsAgreeWithTheRules, ()) {
   }
 }
 
-TEST(ColourFilter, TheseAreTheHuesOfAnArc) {
+TEST(ColourFilter, AnArcContainsTheseHues) {
   const auto count = [](int hue, int tolerance) {
     int hues = 0;
     for (int h = 0; h < 360; ++h) hues += HueArc{Thresholds{hue, tolerance}}.contains(h) ? 1 : 0;
@@ -126,8 +126,8 @@ TEST(ColourFilter, TheseAreTheHuesOfAnArc) {
   EXPECT_EQ(count(100, 179), 357);
   EXPECT_EQ(count(0, 180), 0) << "both bounds are 180";
   EXPECT_EQ(count(100, 180), 0);
-  EXPECT_EQ(count(180, 180), 359) << "360 stays 360: all but 0";
-  EXPECT_EQ(count(345, 15), 29) << "up to 360, which is excluded, and 0 with it";
+  EXPECT_EQ(count(180, 180), 359) << "360 is kept: all but 0";
+  EXPECT_EQ(count(345, 15), 29) << "up to 360, exclusive, so without 0";
   EXPECT_FALSE((HueArc{Thresholds{345, 15}}.contains(0)));
   EXPECT_TRUE((HueArc{Thresholds{346, 15}}.contains(0)));
 }
@@ -137,10 +137,10 @@ TEST(ColourFilter, BothMinimaAreExcluded) {
   EXPECT_TRUE(matches({0, 51, 80}, {0, 15, 50, 10}));
   EXPECT_FALSE(matches({0, 80, 10}, {0, 15, 50, 10}));
   EXPECT_TRUE(matches({0, 80, 11}, {0, 15, 50, 10}));
-  EXPECT_FALSE(matches({0, 100, 100}, {0, 15, 100, 10})) << "nothing is more than 100 %";
+  EXPECT_FALSE(matches({0, 100, 100}, {0, 15, 100, 10})) << "nothing exceeds 100 %";
 }
 
-TEST(ColourFilter, GreyIsHue15WhereBothMinimaAreBelowZero) {
+TEST(ColourFilter, GreyIsHue15IfBothMinimaAreBelowZero) {
   const Hsv grey = toHsv(90, 90, 90);
   EXPECT_TRUE(matches(grey, {15, 1, -1, -1}));
   EXPECT_FALSE(matches(grey, {200, 20, -1, -1}));
@@ -157,13 +157,14 @@ TEST(ColourFilter, NumbersFarOutOfRangeDoNotOverflow) {
   EXPECT_FALSE(compile({kLeast, kMost, 0, 0}).nothing);
 }
 
-// A row of any length: its last pixels, and nothing behind them.
-TEST(ColourFilter, EveryLengthOfARowGivesItsPixelsAndZerosBehind) {
-  std::mt19937 dice{1};
+// Rows of any length: last pixels and padding.
+TEST(ColourFilter, RowsOfAnyLengthHaveZeroPadding) {
+  std::mt19937 rng{1};
   const ColourTest test = compile({15, 100, -1, -1});
   for (int width = 1; width <= 200; ++width) {
-    std::vector<std::uint8_t> bgra(4 * static_cast<std::size_t>(width));  // its end is the sanitizer's to watch
-    for (std::uint8_t& byte : bgra) byte = static_cast<std::uint8_t>(dice() % 4);
+    std::vector<std::uint8_t> bgra(
+        4 * static_cast<std::size_t>(width));  // exact size, so that the sanitizer detects reads beyond it
+    for (std::uint8_t& byte : bgra) byte = static_cast<std::uint8_t>(rng() % 4);
     const std::size_t words = (static_cast<std::size_t>(width) + 63) / 64;
     std::vector<std::uint64_t> expected(words);
     for (std::size_t i = 0; i < static_cast<std::size_t>(width); ++i)
@@ -171,7 +172,7 @@ TEST(ColourFilter, EveryLengthOfARowGivesItsPixelsAndZerosBehind) {
     for (const Instructions instructions : usable()) {
       std::vector<std::uint64_t> got(words + 1, 0xAAAA);
       classifierFor(instructions)(test, bgra.data(), width, got.data());
-      EXPECT_EQ(got.back(), 0xAAAAu) << "written behind the row";
+      EXPECT_EQ(got.back(), 0xAAAAu) << "written beyond the row";
       got.pop_back();
       EXPECT_EQ(got, expected) << width << " pixels, instructions " << int(instructions);
     }

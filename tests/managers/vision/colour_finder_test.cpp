@@ -1,4 +1,4 @@
-// From a picture to its ball: limits, borders, centres, and random pictures against the naive chain.
+// Colour finder: limits, borders, centroids, and random pictures against a naive implementation.
 #include "managers/vision/colour_finder.hpp"
 
 #include <gtest/gtest.h>
@@ -20,23 +20,23 @@ TEST(ColourFinder, TheCentreOfABlockIsFound) {
   EXPECT_EQ(finder.find(Picture{64, 48}.box(10, 20, 5, 7).bytes()), (Pixel{12, 23}));
 }
 
-TEST(ColourFinder, TheMeanIsCutNotRounded) {
+TEST(ColourFinder, TheMeanIsTruncated) {
   ColourFinder finder{64, 48, kReds, kAnyShare};
   EXPECT_EQ(finder.find(Picture{64, 48}.box(10, 20, 4, 6).bytes()), (Pixel{11, 22})) << "11.5 and 22.5";
 }
 
-TEST(ColourFinder, TwoBlocksAreOneMeanBetweenThem) {
+TEST(ColourFinder, TwoBlocksHaveOneCommonMean) {
   ColourFinder finder{64, 48, kReds, kAnyShare};
   EXPECT_EQ(finder.find(Picture{64, 48}.box(10, 10, 3, 3).box(50, 30, 3, 3).bytes()), (Pixel{31, 21}));
   EXPECT_FALSE(finder.isDetected(31, 21));
 }
 
-TEST(ColourFinder, WhatIsThinnerThanThreePixelsIsNoise) {
+TEST(ColourFinder, StructuresThinnerThanThreePixelsAreRemoved) {
   ColourFinder finder{64, 48, kReds, kAnyShare};
   EXPECT_EQ(finder.find(Picture{64, 48}.box(5, 5, 2, 30).box(20, 20, 30, 2).bytes()), std::nullopt);
 }
 
-TEST(ColourFinder, TheLeastShareIsTooLittleAndTheGreatestIsNotTooMuch) {
+TEST(ColourFinder, TheMinimumIsExclusiveAndTheMaximumInclusive) {
   ColourFinder finder{50, 40, kReds};  // 2000 pixels
   const Picture picture = Picture{50, 40}.box(10, 10, 10, 10);
   const auto found = [&](double min, double max) {
@@ -50,15 +50,15 @@ TEST(ColourFinder, TheLeastShareIsTooLittleAndTheGreatestIsNotTooMuch) {
   EXPECT_FALSE(found(0, 4.99));
   EXPECT_FALSE(found(0, 0));
   EXPECT_FALSE(found(100, 0));
-  EXPECT_TRUE(finder.isDetected(12, 12)) << "limits take nothing from the mask";
+  EXPECT_TRUE(finder.isDetected(12, 12)) << "limits do not change the mask";
 }
 
-TEST(ColourFinder, NoPixelAtAllIsNothingWhateverTheLimit) {
+TEST(ColourFinder, NoPixelIsNothingAtAnyLimit) {
   ColourFinder finder{50, 40, kReds, {-1, 100}};
   EXPECT_EQ(finder.find(Picture{50, 40}.bytes()), std::nullopt);
 }
 
-TEST(ColourFinder, TheBordersPixelsAreNeverDetected) {
+TEST(ColourFinder, BorderPixelsAreNeverDetected) {
   ColourFinder finder{70, 40, kReds, kAnyShare};
   EXPECT_TRUE(finder.find(Picture{70, 40, kRed}.bytes()));
   for (int y = -1; y <= 40; ++y)
@@ -66,7 +66,7 @@ TEST(ColourFinder, TheBordersPixelsAreNeverDetected) {
       EXPECT_EQ(finder.isDetected(x, y), x > 0 && y > 0 && x < 69 && y < 39) << x << ' ' << y;
 }
 
-TEST(ColourFinder, APictureThatIsAllBorderHasNothing) {
+TEST(ColourFinder, APictureThatIsAllBorderIsEmpty) {
   for (const auto& [width, height] : {std::pair{1, 1}, {2, 2}, {2, 50}, {50, 2}, {1, 50}}) {
     ColourFinder finder{width, height, kReds, kAnyShare};
     EXPECT_EQ(finder.find(Picture{width, height, kRed}.bytes()), std::nullopt) << width << "x" << height;
@@ -81,7 +81,7 @@ TEST(ColourFinder, BeforeTheFirstPictureNothingIsDetected) {
   EXPECT_FALSE(finder.isDetected(5, 5));
 }
 
-TEST(ColourFinder, ABufferOfAnotherSizeIsNotReadAndForgetsTheLastPicture) {
+TEST(ColourFinder, ABufferOfAnotherSizeIsNotReadAndClearsTheMask) {
   ColourFinder finder{20, 20, kReds, kAnyShare};
   const Picture picture{20, 20, kRed};
   EXPECT_TRUE(finder.find(picture.bytes()));
@@ -92,32 +92,32 @@ TEST(ColourFinder, ABufferOfAnotherSizeIsNotReadAndForgetsTheLastPicture) {
   EXPECT_EQ(finder.find(Picture{21, 20, kRed}.bytes()), std::nullopt);
 }
 
-TEST(ColourFinder, NewThresholdsCountFromTheNextPicture) {
+TEST(ColourFinder, NewThresholdsApplyFromTheNextPicture) {
   ColourFinder finder{20, 20, {120, 15, 50, 10}, kAnyShare};
   const Picture picture{20, 20, kRed};
   EXPECT_FALSE(finder.find(picture.bytes()));
   finder.setThresholds(kReds);
   EXPECT_FALSE(finder.isDetected(5, 5));
   EXPECT_TRUE(finder.find(picture.bytes()));
-  finder.setThresholds({0, 15, 100, 10});  // nothing has more than 100 %
+  finder.setThresholds({0, 15, 100, 10});  // nothing exceeds 100 %
   EXPECT_TRUE(finder.isDetected(5, 5));
   EXPECT_FALSE(finder.find(picture.bytes()));
   EXPECT_FALSE(finder.isDetected(5, 5));
 }
 
-TEST(ColourFinder, ImpossibleSizesThrow) {
+TEST(ColourFinder, InvalidSizesThrow) {
   EXPECT_THROW((ColourFinder{0, 10, {}}), std::invalid_argument);
   EXPECT_THROW((ColourFinder{10, -1, {}}), std::invalid_argument);
 }
 
-TEST(ColourFinder, TwoThousandRandomPicturesAreSeenAsTheNaiveChainSeesThem) {
-  std::mt19937 dice{20131016};
-  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>{0, most}(dice); };
+TEST(ColourFinder, TwoThousandRandomPicturesGiveTheNaiveResult) {
+  std::mt19937 rng{20131016};
+  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>{0, most}(rng); };
   int found = 0;
   for (int i = 0; i < 2000; ++i) {
     const int width = 1 + up_to(i % 10 == 0 ? 199 : 79), height = 1 + up_to(29);
-    const Picture picture = randomPicture(width, height, dice);
-    // Half of them look for about red, so that something is found; the others for anything.
+    const Picture picture = randomPicture(width, height, rng);
+    // Half of the thresholds are near red, so that something is found; the others are random.
     const Thresholds wanted = i % 2 == 0 ? Thresholds{(350 + up_to(20)) % 361, 5 + up_to(30), up_to(60), up_to(40)}
                                          : Thresholds{up_to(360), up_to(180), up_to(101) - 1, up_to(101) - 1};
     const PercentLimits limits{up_to(3) * 0.7, 20 + 20.0 * up_to(4)};
@@ -137,7 +137,7 @@ TEST(ColourFinder, TwoThousandRandomPicturesAreSeenAsTheNaiveChainSeesThem) {
         for (int x = 0; x < width; ++x) ASSERT_EQ(finder.isDetected(x, y), expected.mask.at(x, y)) << "picture " << i;
     }
   }
-  EXPECT_GT(found, 300) << "the test has hardly tried what happens when something is found";
+  EXPECT_GT(found, 300) << "too few positive results";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// RGB to HSV: the recorded table, and every colour there is.
+// RGB to HSV: a recorded table, and every colour against the rules.
 #include "managers/vision/hsv.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ std::uint8_t byte(int value) {
   return static_cast<std::uint8_t>(value);
 }
 
-// A grid of 216 colours, and special ones.
+// A grid of 216 colours, and special cases.
 TEST(Hsv, AgreesWithEveryRowOfTheTable) {
   std::ifstream table{DARWINOP_GOLDEN_HSV};
   std::string line;
@@ -31,7 +31,7 @@ TEST(Hsv, AgreesWithEveryRowOfTheTable) {
   EXPECT_EQ(rows, 237);
 }
 
-TEST(Hsv, IsThatOfTheRulesForEveryColour) {
+TEST(Hsv, EqualsTheRulesForEveryColour) {
   for (int colour = 0; colour < 1 << 24; ++colour) {
     const int r = colour >> 16, g = colour >> 8 & 255, b = colour & 255;
     const naive::Colour expected = naive::convert(r, g, b);
@@ -41,11 +41,11 @@ TEST(Hsv, IsThatOfTheRulesForEveryColour) {
   }
 }
 
-TEST(Hsv, EveryGreyHasNoHueAndNoValueNotEvenWhite) {
+TEST(Hsv, GreyHasNoHueAndZeroValue) {
   for (int grey = 0; grey < 256; ++grey) EXPECT_EQ(toHsv(byte(grey), byte(grey), byte(grey)), (Hsv{0xFFFF, 0, 0}));
 }
 
-TEST(Hsv, DegreesBelowZeroAreCutTowardsZero) {
+TEST(Hsv, NegativeDegreesAreTruncatedTowardsZero) {
   for (int blue = 1; blue <= 4; ++blue) EXPECT_EQ(toHsv(255, 0, byte(blue)).hue, 0) << blue;
   EXPECT_EQ(toHsv(255, 0, 5).hue, 359);
 }

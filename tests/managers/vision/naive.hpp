@@ -1,5 +1,4 @@
-// The colour finder straight from its rules, a pixel at a time and without a thought to speed: what ours is held to.
-// It shares no line with it.
+// Naive, independent implementation of the colour finder: reference for tests.
 #pragma once
 
 #include <cstdint>
@@ -59,7 +58,7 @@ struct Mask {
   [[nodiscard]] bool at(int x, int y) const { return set[place(x, y)] != 0; }
 };
 
-/// Each pixel but the border's: whether `wanted` of its nine neighbours, itself among them, are set.
+/// Each pixel except the border: whether `wanted` of its 3x3 neighbourhood are set.
 inline Mask nine(const Mask& from, int wanted) {
   Mask to{from.width, from.height};
   for (int y = 1; y < from.height - 1; ++y)

@@ -1,4 +1,4 @@
-// Pictures made for the tests.
+// Synthetic pictures.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ struct Rgb {
   std::uint8_t r, g, b;
 };
 
-/// Red, well inside of the thresholds that are the default.
+/// Red, well within the default thresholds.
 inline constexpr Rgb kRed{200, 10, 10};
 inline constexpr Rgb kGreen{20, 150, 30};
 
@@ -44,9 +44,9 @@ class Picture {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Boxes of a few colours, so that there is something to make thinner, and single pixels of any colour.
-inline Picture randomPicture(int width, int height, std::mt19937& dice) {
-  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>{0, most}(dice); };
+/// Boxes of a few colours and single pixels of any colour.
+inline Picture randomPicture(int width, int height, std::mt19937& rng) {
+  const auto up_to = [&](int most) { return std::uniform_int_distribution<int>{0, most}(rng); };
   const auto any = [&] { return static_cast<std::uint8_t>(up_to(255)); };
   Picture picture{width, height, {any(), any(), any()}};
   for (int boxes = up_to(12); boxes > 0; --boxes) {

@@ -1,4 +1,4 @@
-// Benches that cannot be are refused in words.
+// Invalid bench parameters: error messages. Repeatability of runs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-TEST(BenchErrors, NameWhatIsWrongAndWhatIsAllowed) {
+TEST(BenchErrors, NameTheValueAndTheAllowedRange) {
   const auto make = [](const Pendulum& pendulum) { Bench{ServoParameters{}, {}, pendulum}; };
   EXPECT_THAT([&] { make({.payload_kg = -0.1}); },
               ThrowsMessage<std::runtime_error>(HasSubstr("payload (kg) is -0.1")));
@@ -24,17 +24,17 @@ TEST(BenchErrors, NameWhatIsWrongAndWhatIsAllowed) {
       [&] {
         (Bench{light, {}, {.payload_kg = 0}});
       },
-      ThrowsMessage<std::runtime_error>(HasSubstr("give it a payload")));
+      ThrowsMessage<std::runtime_error>(HasSubstr("set a payload")));
   Bench bench{ServoParameters{}, {}, {}};
   EXPECT_THAT([&] { bench.reset({.steps_per_period = 0}); },
-              ThrowsMessage<std::runtime_error>(HasSubstr("1 and more are allowed")));
+              ThrowsMessage<std::runtime_error>(HasSubstr("must be at least 1")));
 }
 
-TEST(BenchRuns, RepeatToTheLastBit) {
+TEST(BenchRuns, AreBitwiseRepeatable) {
   const auto end = [] {
     Bench bench{mx28(), friction(kCoulomb, kViscous), kArm};
     run(bench, driveTo(0.8), 0.3);
-    bench.reset({.start_rad = -0.3});  // forgets all of it
+    bench.reset({.start_rad = -0.3});  // clears all history
     run(bench, driveTo(0.5), 0.2);
     run(bench, kLimp, 0.2);
     return bench.position_rad();

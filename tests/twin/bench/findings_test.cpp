@@ -1,4 +1,4 @@
-// What the validation of 2013 found about the servos comes out of the model.
+// Reproduces the servo findings of the 2013 validation with the model.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,9 +21,9 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 struct Arrival {
   double error_rad, time_s;
 };
-// P gain test (5.3.3): arm down at -0.8 rad, commanded up to 0.8; time until it is within 2 % of its way.
+// P gain test (5.3.3): arm down at -0.8 rad, commanded up to 0.8; time until it is within 2 % of the distance.
 Arrival lift(const ServoParameters& parameters, double kp) {
-  // The arm hangs at -0.785 rad of shoulder roll: at 0.8 it stands out sideways.
+  // The arm hangs at -0.785 rad of shoulder roll; at 0.8 it is horizontal.
   Bench bench{parameters, with(effect("encoder_offset", {-kPi / 4}), friction(kCoulomb, kViscous)), kArm};
   bench.reset({.start_rad = -0.8});
   double arrived = 0;
@@ -34,7 +34,7 @@ Arrival lift(const ServoParameters& parameters, double kp) {
   return {0.8 - bench.position_rad(), arrived};
 }
 
-TEST(Findings2013, WithWebotsLawTheArmArrivesWhateverPIs) {
+TEST(Findings2013, WithWebotsLawTheArmArrivesAtEveryPGain) {
   double before = 30;
   for (const double kp : {0.5, 1.0, 2.0, 4.0, 10.0}) {
     const auto [error, time] = lift(webots(55), kp);
@@ -57,8 +57,8 @@ TEST(Findings2013, WithThePhysicalLawTheArmStopsShortAndLessSoWithMoreP) {
   EXPECT_NEAR(lift(mx28(), 1).error_rad, 0.2 / 3.16, kCoulomb / 3.16 + kRadPerTick);
 }
 
-// Speed test (5.3.1): neck from 90 degrees to -90 at one of six speeds, until it is there for good. A vertical axis, so
-// no gravity. P is the servo's own, 4.
+// Speed test (5.3.1): neck from 90 degrees to -90 at one of six speeds, until it stays there. Vertical axis: no
+// gravity. P gain 4, the servo's default.
 double turningTime(double accel, double speed) {
   Bench bench{webots(accel), friction(kCoulomb, kViscous), {.payload_kg = 0.16, .length_m = 0.03, .gravity_m_s2 = 0}};
   bench.reset({.start_rad = kPi / 2});
@@ -72,9 +72,9 @@ double turningTime(double accel, double speed) {
   return arrived;
 }
 
-// Reaching v at 55 rad/s2 costs v / (2 * 55) s, with all of the 2.5 N m v J / (2 * 2.5) s; times are to a period. The
-// log of 16 ms cannot see that at 1 rad/s, and cannot miss it at full speed, though there the arm slows down for its
-// goal before it got all of v.
+// Reaching v takes v / (2 * 55) s longer at 55 rad/s2, and v J / (2 * 2.5) s longer at the full 2.5 N m; times are
+// accurate to a period. In a log of 16 ms the effect is invisible at 1 rad/s and clear at full speed, although there
+// the arm decelerates for its goal before it reaches v.
 TEST(Findings2013, TheAccelerationLimitShowsAtHighSpeedOnly) {
   constexpr double kLogStep = 0.016, kInertia = 0.003 + 0.16 * 0.03 * 0.03;
   double before = 0;

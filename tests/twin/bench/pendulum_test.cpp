@@ -1,4 +1,4 @@
-// The free pendulum against its closed form.
+// Free pendulum against its closed-form solution.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace darwinop::twin::testing {
 namespace {
 
-// Mean period over `swings`, from upward passes through the lowest point.
+// Mean period over `swings`, from upward crossings of the lowest point.
 double periodOf(Bench& bench, int swings) {
   double first = 0, last = 0, before = bench.position_rad();
   for (int seen = 0; seen <= swings;) {
@@ -24,7 +24,7 @@ double periodOf(Bench& bench, int swings) {
   return (last - first) / swings;
 }
 
-// T = 4 sqrt(J / W) K(sin(q0 / 2)). A central scheme swings too fast by (w h)^2 / 24, here a millionth at most.
+// T = 4 sqrt(J / W) K(sin(q0 / 2)). The central scheme is too fast by (w h)^2 / 24, here at most 1e-6.
 TEST(FreePendulum, HasThePeriodOfTheEllipticIntegral) {
   for (const double start : {0.01, 0.5, 1.5, 2.8}) {
     Bench bench{ServoParameters{}, {}, {.payload_kg = 0.3, .arm_mass_kg = 0.05, .length_m = 0.12}};
@@ -52,7 +52,7 @@ TEST(FreePendulum, LoadChangesMoveMassCentreAndLowestPoint) {
   EXPECT_NEAR(std::abs(tilted.position_rad()), 0.1, 1e-6);
 }
 
-// Bounded by (w h)^2 / 8 of the energy, and no drift: the second half of 200 s is no worse than the first.
+// The energy error is bounded by (w h)^2 / 8 and does not drift: same bound in the second half of 200 s.
 TEST(FreePendulum, KeepsItsEnergy) {
   Bench bench{ServoParameters{}, {}, {.payload_kg = 0.3, .arm_mass_kg = 0.05, .length_m = 0.12}};
   bench.reset({.start_rad = 2});

@@ -1,4 +1,4 @@
-// An arm let go: viscous and dry friction have amplitudes in closed form.
+// Released arm: closed-form amplitudes for viscous and dry friction.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr Pendulum kPendulum{.payload_kg = 0.3, .length_m = 0.12};
 
-// Angles of the turning points, as amounts, until it rests. A turn is within a step: off by w' h^2 / 8 at most, 1e-5.
+// Magnitudes of the turning points until rest. Error of a turning point within a step: at most w' h^2 / 8, 1e-5.
 std::vector<double> amplitudes(Bench& bench, double seconds) {
   std::vector<double> found;
   double before = 0;
@@ -27,7 +27,7 @@ std::vector<double> amplitudes(Bench& bench, double seconds) {
   return found;
 }
 
-// What a swing loses is friction times way, at any amplitude: W (cos q2 - cos q1) = F (q1 + q2).
+// Energy loss per swing is friction times path, at any amplitude: W (cos q2 - cos q1) = F (q1 + q2).
 TEST(Release, DryFrictionTakesItsTorqueTimesTheWay) {
   Bench bench{ServoParameters{}, friction(0.02, 0), kPendulum};
   bench.reset({.start_rad = 1.5});
@@ -44,7 +44,7 @@ TEST(Release, DryFrictionTakesItsTorqueTimesTheWay) {
 }
 
 // Small swings: x = (x - F/W) exp(-pi zeta) - F/W from turn to turn, so linear for F alone, exponential for viscous
-// alone. Of amplitude 0.1 the sine is off by 0.2 %, of which a swing feels a part.
+// alone. At amplitude 0.1 the sine differs from the angle by 0.2 %.
 TEST(Release, SmallSwingsShrinkByExponentialAndLinearTogether) {
   for (const auto& [dry, viscous] : {std::pair{0.0005, 0.0}, {0.0, 0.002}, {0.0005, 0.002}}) {
     Bench bench{ServoParameters{}, friction(dry, viscous), kPendulum};

@@ -1,4 +1,4 @@
-// On the floor: tipping over, slipping, being pushed; the ball; the robot against itself.
+// Contacts of the body: tipping, slipping, pushes, the ball, self collision.
 #include "twin/body/support.hpp"
 
 namespace darwinop::twin::test {
@@ -9,8 +9,8 @@ TEST(StartPose, StandsAsHighAsInTheWorldsOf2013) {
   EXPECT_NEAR(body.trunkPosition()[2], 0.237, 0.005);  // 0.236 to 0.24 m there, above the floor
 }
 
-// A stiff robot, all joints at zero, on a floor that leans: it tips when its centre of mass passes the edge of the
-// soles. Centre of mass 227.7 mm high and 2.9 mm behind the middle of soles of 105 mm (manufacturer's trunk).
+// Rigid robot, all joints at zero, on a tilted floor: it tips when the centre of mass passes the edge of the soles.
+// Centre of mass 227.7 mm high and 2.9 mm behind the middle of soles of 105 mm (manufacturer's trunk).
 bool stands(double slope_rad) {
   RobotBody body{modelWith(50)};
   body.place(Pose{});
@@ -26,7 +26,7 @@ bool stands(double slope_rad) {
 
 TEST(StandingStraight, TipsOverAtTheAngleOfItsGeometry) {
   const double forward = std::atan((52.5 + 2.9) / 227.7), backward = std::atan((52.5 - 2.9) / 227.7);
-  // The floor gives way by a fraction of a millimetre over 105 mm: half a degree.
+  // Contact compliance: a fraction of a millimetre over 105 mm, half a degree.
   const double play = 0.6 * kRadPerDegree;
   EXPECT_TRUE(stands(forward - play));
   EXPECT_FALSE(stands(forward + play));
@@ -44,7 +44,7 @@ TEST(Floor, LetsFeetSlipWhereItIsSmooth) {
     run(body, limp(), 1);
     return body.trunkPosition()[0];
   };
-  EXPECT_LT(slides(0.2), 0.01);  // leans, no more
+  EXPECT_LT(slides(0.2), 0.01);  // contact compliance only
   EXPECT_GT(slides(0.05), 0.1);
 }
 
@@ -58,7 +58,7 @@ TEST(Push, MovesTheTrunkTheWayItPoints) {
   EXPECT_GT(body.trunkPosition()[0], 0.1);
 }
 
-TEST(Ball, LiesWhereItIsPutAndRollsWhenHit) {
+TEST(Ball, StaysWhereItIsPlacedAndRollsWhenHit) {
   RobotBody body{modelWith(50)};
   body.placeBall(0.4, -0.2);
   run(body, limp(), 1);
@@ -75,10 +75,10 @@ TEST(Ball, LiesWhereItIsPutAndRollsWhenHit) {
   EXPECT_LT(std::abs(d.qvel[dof]), 0.05);  // rolling friction ends it
 }
 
-TEST(Ball, IsNotThereWhenNotWanted) {
+TEST(Ball, IsAbsentIfNotRequested) {
   RobotBody body{modelWith(), {.ball = Ball::kNone}};
   EXPECT_EQ(mj_name2id(body.mujocoModel(), mjOBJ_BODY, "ball"), -1);
-  body.placeBall(1, 1);  // and nobody minds
+  body.placeBall(1, 1);  // has no effect
   EXPECT_EQ(body.mujocoModel()->nv, 26);
 }
 
@@ -94,7 +94,7 @@ int selfContacts(RobotBody& body) {
   return count;
 }
 
-TEST(SelfCollision, IsOnlyWhereLimbsReallyMeet) {
+TEST(SelfCollision, OccursOnlyWhereLimbsTouch) {
   Pose arm_in_chest{};
   arm_in_chest[index(Joint::kArmUpperL)] = 0.76;
   arm_in_chest[index(Joint::kShoulderL)] = -0.5;

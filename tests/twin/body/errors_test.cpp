@@ -1,4 +1,4 @@
-// Bodies that are refused, each with a sentence that says why.
+// Invalid bodies: error messages.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -48,9 +48,10 @@ TEST_F(RefusedBody, IsNoneAtAllWithTheShippedFile) {
   EXPECT_EQ(refusal(), "");
 }
 
-TEST_F(RefusedBody, NamesAFileThatIsNotThere) {
-  const std::string why = refusalOf("nobody.xml");
-  EXPECT_NE(why.find("nobody.xml: the body file cannot be read"), std::string::npos) << why;
+TEST_F(RefusedBody, NamesAMissingFile) {
+  const std::string why = refusalOf("missing.xml");
+  EXPECT_NE(why.find("cannot read the body file"), std::string::npos) << why;
+  EXPECT_NE(why.find("missing.xml"), std::string::npos) << why;
   EXPECT_NE(why.find("section [body]"), std::string::npos) << why;
 }
 
@@ -59,10 +60,10 @@ TEST_F(RefusedBody, DoesNotWaitForTheWriterOfAPipe) {
   EXPECT_NE(refusalOf("pipe.xml").find("it is a pipe"), std::string::npos);
 }
 
-TEST_F(RefusedBody, TellsWhatMujocoSaysAboutBrokenXml) {
+TEST_F(RefusedBody, ReportsMujocosMessageAboutBrokenXml) {
   xml_.resize(xml_.size() / 2);
   const std::string why = refusal();
-  EXPECT_NE(why.find("darwin-op.xml: MuJoCo refuses this body: "), std::string::npos) << why;
+  EXPECT_NE(why.find("darwin-op.xml: MuJoCo cannot load this body: "), std::string::npos) << why;
 }
 
 TEST_F(RefusedBody, IsAnEmptyFile) {
@@ -70,31 +71,31 @@ TEST_F(RefusedBody, IsAnEmptyFile) {
   EXPECT_NE(refusal().find("darwin-op.xml: the body file is empty"), std::string::npos);
 }
 
-TEST_F(RefusedBody, IsOneLineWhateverMujocoSays) {
+TEST_F(RefusedBody, IsReportedInOneLine) {
   xml_.resize(xml_.size() / 2);
   EXPECT_EQ(refusal().find('\n'), std::string::npos);
 }
 
-// MuJoCo's own answer to this is to ask the terminal for Enter and to end the program.
-TEST_F(RefusedBody, IsOneThatMujocoGivesUpOn) {
+// MuJoCo's default handler of this error waits for Enter and ends the program.
+TEST_F(RefusedBody, IsOneThatRaisesAMujocoError) {
   replaceAll("<size njmax=\"600\"", "<size nstack=\"2000\" njmax=\"600\"");
   const std::string why = refusal();
-  EXPECT_NE(why.find("MuJoCo gives up on this body"), std::string::npos) << why;
+  EXPECT_NE(why.find("MuJoCo error with this body"), std::string::npos) << why;
   EXPECT_NE(why.find("tack"), std::string::npos) << why;  // stack overflow
 }
 
-TEST_F(RefusedBody, IsOneWithoutRoomForItsContacts) {
+TEST_F(RefusedBody, IsOneWithABufferTooSmallForItsContacts) {
   replaceAll("<size njmax=\"600\"", "<size njmax=\"20\"");
   const std::string why = refusal();
-  EXPECT_NE(why.find("darwin-op.xml: the physics came to an end"), std::string::npos) << why;
+  EXPECT_NE(why.find("darwin-op.xml: the simulation stopped"), std::string::npos) << why;
 }
 
-TEST_F(RefusedBody, NeedsAnIntegratorThatWorksHere) {
+TEST_F(RefusedBody, NeedsASupportedIntegrator) {
   replaceAll("integrator=\"Euler\"", "integrator=\"RK4\"");
-  EXPECT_NE(refusal().find("take Euler"), std::string::npos);
+  EXPECT_NE(refusal().find("use Euler"), std::string::npos);
 }
 
-TEST(BrokenPhysics, StandsStillAndSaysSo) {
+TEST(UnstableSimulation, StopsAndReportsTheReason) {
   RobotBody body{modelWith(0.025)};
   run(body, limp(), 0.1);
   ASSERT_EQ(body.trouble(), nullptr);
@@ -102,25 +103,25 @@ TEST(BrokenPhysics, StandsStillAndSaysSo) {
   run(body, limp(), 0.1);
   ASSERT_NE(body.trouble(), nullptr);
   const std::string why = body.trouble();
-  EXPECT_NE(why.find("the physics came to an end after 0.1"), std::string::npos) << why;
-  EXPECT_NE(why.find("shorter [body] step"), std::string::npos) << why;
+  EXPECT_NE(why.find("the simulation stopped at 0.1"), std::string::npos) << why;
+  EXPECT_NE(why.find("reduce [body] step"), std::string::npos) << why;
   for (const JointMotion& joint : body.state().joint) EXPECT_TRUE(std::isfinite(joint.position_rad));
   for (const double axis : body.state().gyro_rad_s) EXPECT_TRUE(std::isfinite(axis));
 }
 
-TEST_F(RefusedBody, NamesTheJointThatIsMissing) {
+TEST_F(RefusedBody, NamesAMissingJoint) {
   replaceAll("<joint name=\"Neck\"", "<joint name=\"Nock\"");
   replaceAll("joint=\"Neck\"", "joint=\"Nock\"");
   const std::string why = refusal();
   EXPECT_NE(why.find("the body has no joint \"Neck\""), std::string::npos) << why;
 }
 
-TEST_F(RefusedBody, NamesTheSensorThatIsMissing) {
+TEST_F(RefusedBody, NamesAMissingSensor) {
   replaceAll("site name=\"gyro\"", "site name=\"spin\"");
   EXPECT_NE(refusal().find("the body has no site \"gyro\""), std::string::npos);
 }
 
-TEST_F(RefusedBody, IsOneThatCannotFall) {
+TEST_F(RefusedBody, IsOneWithoutAFreeJoint) {
   replaceAll("<freejoint name=\"Body\"/>", "");
   EXPECT_NE(refusal().find("<freejoint/>"), std::string::npos);
 }

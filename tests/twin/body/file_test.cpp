@@ -1,4 +1,4 @@
-// The body file is made from the tables of facts, and nobody edited it since.
+// The checked-in body file equals the one generated from the tables.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ std::string textOf(const std::string& path) {
 TEST(BodyFile, IsWhatTheTablesGive) {
   const std::string models = DARWINOP_MODELS;
   EXPECT_TRUE(textOf(models + "/darwin-op.xml") == bodyXml(models + "/data"))
-      << "renew it: cmake --build BUILD --target make-body-xml";
+      << "regenerate it: cmake --build BUILD --target make-body-xml";
 }
 
 class BrokenTable : public testing::Test {
@@ -43,12 +43,12 @@ class BrokenTable : public testing::Test {
 TEST_F(BrokenTable, IsNamedWithLineAndColumn) {
   write("link,mass\nBody,heavy\n");
   EXPECT_EQ(refusal([](const Csv& csv) { std::ignore = csv.number(0, "mass"); }),
-            path_ + ", line 2, mass: \"heavy\" is no number");
+            path_ + ", line 2, mass: \"heavy\" is not a number");
   EXPECT_EQ(refusal([](const Csv& csv) { std::ignore = csv.text(0, "colour"); }), path_ + ": no column \"colour\"");
   write("link,mass\nBody,1\nHead\n");
-  EXPECT_EQ(refusal([](const Csv&) {}), path_ + ", line 3: 1 cells, the first line names 2");
+  EXPECT_EQ(refusal([](const Csv&) {}), path_ + ", line 3: 1 cells; the header has 2");
   std::filesystem::remove(path_);
-  EXPECT_EQ(refusal([](const Csv&) {}), path_ + ": cannot be read, or is empty");
+  EXPECT_EQ(refusal([](const Csv&) {}), path_ + ": cannot read the file, or it is empty");
 }
 
 }  // namespace

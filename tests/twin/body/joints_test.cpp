@@ -1,10 +1,10 @@
-// Joints under servos: friction that holds without creeping, both laws, other firmware periods, soft gears.
+// Servo-driven joints of the body: dry friction without creep, both laws, other firmware periods, elastic transmission.
 #include "twin/body/support.hpp"
 
 namespace darwinop::twin::test {
 namespace {
 
-// A hanging robot, its right arm stretched sideways: the weight pulls at the shoulder's roll joint.
+// Robot on a stand, right arm horizontal to the side: gravity loads the shoulder roll joint.
 Pose armOut() {
   Pose angles{};
   angles[index(Joint::kArmUpperR)] = 0.8;
@@ -15,7 +15,7 @@ TEST(DryFriction, HoldsALoadBelowItWithoutCreeping) {
   for (const double friction : {0.25, 1.0}) {
     RobotBody body{modelWith(friction), {.ball = Ball::kNone}};
     hangUp(body, armOut());
-    run(body, limp(), 0.5);  // the first shock is over
+    run(body, limp(), 0.5);  // after the initial transient
     const double before = angleOf(body, Joint::kArmUpperR);
     EXPECT_NEAR(before, 0.8, 0.1 * kRadPerTick);
     run(body, limp(), 10);
@@ -23,7 +23,7 @@ TEST(DryFriction, HoldsALoadBelowItWithoutCreeping) {
   }
 }
 
-TEST(DryFriction, LetsGoOfALoadAboveIt) {
+TEST(DryFriction, DoesNotHoldALoadAboveIt) {
   RobotBody body{modelWith(0.05), {.ball = Ball::kNone}};
   hangUp(body, armOut());
   run(body, limp(), 1);
@@ -42,7 +42,7 @@ TEST(DryFriction, NeverAddsEnergy) {
   EXPECT_LT(speed, 1e-4);  // at rest, all of it
 }
 
-// Where the arm comes to rest when it is told to go up, from hanging.
+// Final angle of the arm after a goal upwards, starting from hanging.
 double armAfter(const Model& model, double p_gain, double seconds = 3) {
   RobotBody body{model, {.ball = Ball::kNone}};
   Pose down{};
@@ -55,7 +55,7 @@ double armAfter(const Model& model, double p_gain, double seconds = 3) {
   return angleOf(body, Joint::kArmUpperR);
 }
 
-TEST(LawSpeedP, ReachesItsGoalWhateverPIs) {
+TEST(LawSpeedP, ReachesItsGoalAtEveryPGain) {
   Model model = modelWith(0.025, 0.002);
   model.servo.law = Law::kSpeedP;
   model.servo.accel_max_rad_s2 = 55;
@@ -65,7 +65,7 @@ TEST(LawSpeedP, ReachesItsGoalWhateverPIs) {
   EXPECT_NEAR(armAfter(model, 4), 0.8, 2 * kRadPerTick);
 }
 
-TEST(LawSpeedP, ReportsTheTorqueThatTheArmAsksFor) {
+TEST(LawSpeedP, ReportsTheTorqueThatHoldsTheArm) {
   Model model = modelWith();
   model.servo.law = Law::kSpeedP;
   RobotBody body{model, {.ball = Ball::kNone}};
@@ -78,7 +78,7 @@ TEST(LawSpeedP, ReportsTheTorqueThatTheArmAsksFor) {
   EXPECT_NEAR(body.state().joint[index(Joint::kArmUpperR)].load * 2.5, gravity_nm, 0.05 * gravity_nm);
 }
 
-TEST(LawSpeedP, ReportsNoTorqueOnceItMayUseNone) {
+TEST(LawSpeedP, ReportsNoTorqueAtATorqueLimitOfZero) {
   Model model = modelWith();
   model.servo.law = Law::kSpeedP;
   RobotBody body{model, {.ball = Ball::kNone}};
@@ -109,7 +109,7 @@ TEST(Firmware, MayBeFasterOrSlowerThanThePhysics) {
   }
 }
 
-TEST(SoftGear, PlayLetsTheArmHangByUpToItsWidth) {
+TEST(SoftGear, ArmSagsByAtMostThePlay) {
   const EffectInfo* backlash = findEffect("backlash");
   ASSERT_NE(backlash, nullptr);
   std::vector<double> values;
@@ -118,12 +118,12 @@ TEST(SoftGear, PlayLetsTheArmHangByUpToItsWidth) {
   Model model = modelWith(0.02, 0.01);
   model.effects.push_back({backlash, values, {}});
   const double rigid = armAfter(modelWith(0.02, 0.01), 4), soft = armAfter(model, 4);
-  // The arm hangs down by half its play at most, and the servo holds the middle.
+  // The arm sags by at most half the play; the servo holds the middle.
   EXPECT_LT(soft, rigid + kRadPerTick);
   EXPECT_GT(soft, rigid - 0.015);
 }
 
-TEST(Goals, ThatAreNoNumbersDoNotBreakTheBody) {
+TEST(Goals, ThatAreNotFiniteDoNotDestabilizeTheBody) {
   RobotBody body{modelWith(0.05)};
   Drives drives = holding(Pose{});
   for (ServoDrive& drive : drives) drive.goal_rad = std::numeric_limits<double>::quiet_NaN();

@@ -1,4 +1,4 @@
-// Anchors, axes, signs and lengths of the body, against the table of the 2013 model and by looking where limbs go.
+// Kinematics of the body: joint anchors against the table of the 2013 model, axis signs, lengths, ranges, camera.
 #include "twin/body/support.hpp"
 
 namespace darwinop::twin::test {
@@ -33,7 +33,7 @@ constexpr std::array<AnchorRow, kJoints> kAnchors{{
 
 class Kinematics : public testing::Test {
  protected:
-  // Where a point of the link that this joint carries stands in the trunk.
+  // Position in the trunk frame of a point of the link of this joint.
   Vec pointOf(Joint joint, const Vec& in_link) {
     const int link = idOf(body_, mjOBJ_BODY, std::string{row(joint).name});
     const mjData& d = *body_.mujocoData();
@@ -42,7 +42,7 @@ class Kinematics : public testing::Test {
     mju_addTo3(world, d.xpos + 3 * link);
     return inTrunk(body_, world);
   }
-  // How a point of the whole limb behind a joint moves when only that joint turns, per rad.
+  // Derivative of the position of a point of the limb with respect to the angle of one joint, per rad.
   Vec moves(Joint joint, Joint last, const Vec& in_link, Pose from = {}) {
     constexpr double kTurn = 1e-4;
     pose(body_, from);
@@ -56,7 +56,7 @@ class Kinematics : public testing::Test {
   RobotBody body_{modelWith()};
 };
 
-TEST_F(Kinematics, EveryJointIsAnchoredWhereTheTableSays) {
+TEST_F(Kinematics, EveryJointAnchorMatchesTheTable) {
   pose(body_, {});
   for (const auto& [joint, anchor] : kAnchors) {
     const int id = idOf(body_, mjOBJ_JOINT, std::string{row(joint).name});
@@ -66,9 +66,9 @@ TEST_F(Kinematics, EveryJointIsAnchoredWhereTheTableSays) {
   }
 }
 
-// The words of the table: which way a limb goes when a servo counts up. Component: 0 left, 1 up, 2 forward.
+// Direction in which a limb moves with rising ticks, from the table. Component: 0 left, 1 up, 2 forward.
 struct EffectRow {
-  Joint joint, last;  // what turns; whose link is looked at
+  Joint joint, last;  // rotated joint; joint whose link is observed
   Vec point;          // in that link: hand, toe, camera
   std::size_t component;
   int sign;
@@ -98,10 +98,10 @@ const std::array<EffectRow, kJoints> kEffects{{
     {Joint::kHead, Joint::kHead, {0, 0, 0.036}, 1, 1},     // looks up
 }};
 
-TEST_F(Kinematics, ARisingTickMovesEveryLimbTheWayTheTableSays) {
+TEST_F(Kinematics, RisingTicksMoveEveryLimbAsInTheTable) {
   for (const EffectRow& effect : kEffects) {
     const Vec way = moves(effect.joint, effect.last, effect.point);
-    // A lever of 2 cm at least, so that no sign hangs on rounding.
+    // A lever of at least 2 cm, so that the sign does not depend on rounding.
     EXPECT_GT(way[effect.component] * effect.sign, 0.02) << row(effect.joint).name;
   }
 }
@@ -120,13 +120,13 @@ TEST_F(Kinematics, StandsOnBothSolesWithTheTrunkAt3417Millimetres) {
   EXPECT_NEAR(body_.upright(), 1, 1e-12);
 }
 
-TEST_F(Kinematics, EveryGoalAServoTakesIsWithinTheJointsRange) {
+TEST_F(Kinematics, EveryValidServoGoalIsWithinTheJointsRange) {
   for (const JointRow& joint : kJointTable) {
     const int id = idOf(body_, mjOBJ_JOINT, std::string{joint.name});
     const mjtNum* range = body_.mujocoModel()->jnt_range + 2 * id;
     EXPECT_LE(range[0], radFromTicks(joint.low).value + 1e-8) << joint.name;
     EXPECT_GE(range[1], radFromTicks(joint.high).value - 1e-8) << joint.name;
-    // Not more than what the two sources differ by: 0.29 rad, of the right shoulder.
+    // At most the difference of the two sources: 0.29 rad, right shoulder.
     EXPECT_GT(range[0], radFromTicks(joint.low).value - 0.3) << joint.name;
     EXPECT_LT(range[1], radFromTicks(joint.high).value + 0.13) << joint.name;
   }

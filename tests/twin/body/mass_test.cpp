@@ -1,4 +1,4 @@
-// Masses, centres of mass and inertias, and the choices that a model has about doubtful ones.
+// Masses, centres of mass and inertias of the body, and the choices of a model between contradicting sources.
 #include "twin/body/support.hpp"
 #include "twin/body/trunk.hpp"
 
@@ -30,7 +30,7 @@ Vec centreOfMass(RobotBody& body) {
   return inTrunk(body, body.mujocoData()->subtree_com + 3 * idOf(body, mjOBJ_BODY, "Body"));
 }
 
-TEST(Mass, OfEveryLinkIsTheThesis) {
+TEST(Mass, OfEveryLinkMatchesTheThesis) {
   RobotBody body{modelWith()};
   for (const auto& [link, grams] : kMasses)
     EXPECT_NEAR(body.mujocoModel()->body_mass[idOf(body, mjOBJ_BODY, link)] * 1000, grams, 0.5) << link;
@@ -112,8 +112,8 @@ Pose bent() {
   return angles;
 }
 
-// reading = true angle + offset, so a body with the offset stands as one without it does at a smaller angle.
-TEST(EncoderOffset, TurnsTheLinkAndAllBeyondItInEveryJoint) {
+// reading = true angle + offset: a body with the offset has the pose of one without it at a smaller angle.
+TEST(EncoderOffset, RotatesTheLinkAndItsChildrenInEveryJoint) {
   for (const JointRow& joint : kJointTable) {
     const Joint which = static_cast<Joint>(&joint - kJointTable.data());
     RobotBody off{offsetAt(which), {.ball = Ball::kNone}}, right{modelWith(), {.ball = Ball::kNone}};
@@ -133,7 +133,7 @@ TEST(EncoderOffset, TurnsTheLinkAndAllBeyondItInEveryJoint) {
   }
 }
 
-TEST(EncoderOffset, LeavesTheStopsWhereTheyAre) {
+TEST(EncoderOffset, DoesNotMoveTheMechanicalStops) {
   RobotBody off{offsetAt(Joint::kArmUpperR)}, right{modelWith()};
   const int joint = idOf(right, mjOBJ_JOINT, "ArmUpperR");
   for (int end = 0; end < 2; ++end)

@@ -1,4 +1,4 @@
-// Free motion against closed forms: energy, momentum, a swinging arm; and runs that repeat.
+// Free motion of the body against closed forms: energy, momentum, pendulum period; repeatability of runs.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -31,14 +31,14 @@ TEST(Flight, KeepsEnergyAndAngularMomentum) {
   const Vec turning = momentum();
   const double kinetic = body.mujocoData()->energy[1];
   run(body, limp(), 0.3);
-  // First order in the step of 1 ms: some per mille, measured 0.4 %.
+  // First-order integrator, step 1 ms: measured 0.4 %.
   EXPECT_NEAR(energyOf(body), before, 0.02 * kinetic);
   const Vec after = momentum();
   for (std::size_t k = 0; k < 3; ++k)
     EXPECT_NEAR(after[k], turning[k], 0.01 * std::hypot(turning[0], turning[1], turning[2]));
 }
 
-// The right arm as it hangs, upper and lower arm straight, and what it is as a pendulum about the shoulder.
+// The straight right arm and its parameters as a pendulum about the shoulder.
 struct HangingArm {
   explicit HangingArm(const Model& model) : body{model, {.ball = Ball::kNone}} {
     Pose straight{};
@@ -50,7 +50,7 @@ struct HangingArm {
     inertia = d.qM[body.mujocoModel()->dof_Madr[dof]];
     const mjtNum* com = d.subtree_com + 3 * arm;
     const mjtNum* anchor = d.xanchor + 3 * idOf(body, mjOBJ_JOINT, "ShoulderR");
-    // In the plane across the joint's axis, which is the trunk's left.
+    // In the plane normal to the joint axis, which is the trunk's left.
     const double forward = com[0] - anchor[0], down = anchor[2] - com[2];
     weight_nm = body.mujocoModel()->body_subtreemass[arm] * kGravity * std::hypot(forward, down);
     rest_rad = -std::atan2(forward, down);
@@ -98,7 +98,7 @@ TEST(Arm, WithoutFrictionKeepsItsEnergy) {
     arm.body.step(kStep, limp());
     if (i > 8000) highest = std::max(highest, arm.body.mujocoData()->qpos[qpos] - arm.rest_rad);
   }
-  // The step is symplectic: ten seconds on it still swings as far, within 1 %.
+  // The integrator is symplectic: after 10 s the amplitude is the same within 1 %.
   EXPECT_NEAR(highest, 1.0, 0.01);
 }
 
@@ -117,7 +117,7 @@ Model noisy() {
   return model;
 }
 
-TEST(Runs, WithTheSameSeedAreEqualToTheLastBit) {
+TEST(Runs, WithTheSameSeedAreBitwiseEqual) {
   RobotBody a{noisy(), {.seed = 7}}, b{noisy(), {.seed = 7}}, other{noisy(), {.seed = 8}};
   for (RobotBody* body : {&a, &b, &other}) {
     run(*body, holding(Pose{}), 1);
@@ -128,7 +128,7 @@ TEST(Runs, WithTheSameSeedAreEqualToTheLastBit) {
   EXPECT_NE(a.state().gyro_rad_s, other.state().gyro_rad_s);
 }
 
-TEST(Runs, DoNotDependOnHowTimeIsCut) {
+TEST(Runs, DoNotDependOnTheLengthOfStepCalls) {
   RobotBody fine{noisy()}, coarse{noisy()}, odd{noisy()};
   run(fine, holding(Pose{}), 0.48);
   for (int i = 0; i < 30; ++i) coarse.step(16 * kStep, holding(Pose{}));
@@ -150,7 +150,7 @@ RC_GTEST_PROP(Place, PutsTheLowestPointOnTheFloor, ()) {
   mj_forward(body.mujocoModel(), body.mujocoData());
   const mjData& d = *body.mujocoData();
   for (int c = 0; c < d.ncon; ++c) RC_ASSERT(d.contact[c].dist > -1e-9);
-  // A hair lower, and something touches.
+  // Slightly lower, a geom touches the floor.
   trunkQpos(body)[2] -= 1e-6;
   mj_forward(body.mujocoModel(), body.mujocoData());
   RC_ASSERT(d.ncon > 0);

@@ -1,16 +1,17 @@
-// Gyroscope and accelerometer: axes, signs, flight, faults, noise. Buttons and the servos' own sensors.
+// Sensors of the body: gyroscope and accelerometer (axes, signs, free fall, scale, bias, noise), buttons, servo
+// sensors.
 #include "twin/body/support.hpp"
 
 namespace darwinop::twin::test {
 namespace {
 
-// In the air, upright, turning about the trunk's axes: left, up, forward.
+// In free fall, upright, rotating about the trunk's axes: left, up, forward.
 void spin(RobotBody& body, const Vec& rate) {
   body.place(Pose{});
   lift(body);
   mju_copy3(trunkQvel(body) + 3, rate.data());
 }
-// Joints that hardly give way: the robot turns as one piece.
+// Nearly rigid joints: the robot rotates as one body.
 Model stiff() {
   return modelWith(50);
 }
@@ -19,24 +20,24 @@ TEST(Accelerometer, ReadsOneGravityUpwardsAtRest) {
   RobotBody body{stiff()};
   body.place(Pose{});
   run(body, limp(), 1);
-  const auto& felt = body.state().accel_m_s2;
-  // A box of steel on a soft floor: it hangs over its soles by under half a degree.
-  EXPECT_NEAR(felt[0], 0, 0.08);
-  EXPECT_NEAR(felt[1], 0, 0.08);
-  EXPECT_NEAR(felt[2], kGravity, 0.01);
+  const auto& measured = body.state().accel_m_s2;
+  // Contact compliance tilts the robot by less than half a degree.
+  EXPECT_NEAR(measured[0], 0, 0.08);
+  EXPECT_NEAR(measured[1], 0, 0.08);
+  EXPECT_NEAR(measured[2], kGravity, 0.01);
 }
 
-TEST(Accelerometer, FeelsNothingInFlight) {
+TEST(Accelerometer, ReadsZeroInFreeFall) {
   RobotBody body{stiff()};
   body.place(Pose{});
   lift(body);
   run(body, limp(), 0.5);
-  for (const double felt : body.state().accel_m_s2) EXPECT_NEAR(felt, 0, 1e-6);
+  for (const double measured : body.state().accel_m_s2) EXPECT_NEAR(measured, 0, 1e-6);
 }
 
 TEST(Accelerometer, PointsItsForwardAxisDownFaceDown) {
   RobotBody body{stiff()};
-  body.place(Pose{}, kPi / 2);  // leans forward by a right angle
+  body.place(Pose{}, kPi / 2);  // pitched forward by 90 degrees
   run(body, limp(), 2);
   EXPECT_LT(body.state().accel_m_s2[1], -0.9 * kGravity);
 }
@@ -55,14 +56,15 @@ TEST(Accelerometer, PointsItsRightAxisDownOnTheRightSide) {
   EXPECT_NEAR(body.state().accel_m_s2[2], 0, 0.01);
 }
 
-TEST(Accelerometer, FeelsTheSpinAtItsPlaceInTheTrunk) {
-  // About the up axis through the trunk's centre of mass nothing but the place counts: 10 mm behind the trunk's origin.
+TEST(Accelerometer, MeasuresCentripetalAccelerationAtItsSite) {
+  // Rotation about the vertical axis through the trunk's centre of mass: only the site matters, 10 mm behind the
+  // origin.
   RobotBody body{stiff()};
   hangUp(body);
   const double rate = 10;
   mju_copy3(trunkQvel(body) + 3, Vec{0, rate, 0}.data());
   run(body, limp(), 0.01);
-  EXPECT_NEAR(body.state().accel_m_s2[1], 0.01 * rate * rate, 0.02);  // towards the axis, which lies in front
+  EXPECT_NEAR(body.state().accel_m_s2[1], 0.01 * rate * rate, 0.02);  // towards the axis, which is in front
   EXPECT_NEAR(body.state().accel_m_s2[0], 0, 0.02);
 }
 
@@ -70,11 +72,11 @@ struct SpinRow {
   const char* motion;
   Vec rate;  // of the trunk: left, up, forward
   std::size_t axis;
-  double felt;
+  double measured;
 };
 TEST(Gyro, HasTheBoardsAxesAndSigns) {
-  // Right-handed about the trunk's left axis leans forward, about its forward axis rolls to the right.
-  for (const auto& [motion, rate, axis, felt] :
+  // A positive rate about the trunk's left axis pitches forward, about its forward axis rolls right.
+  for (const auto& [motion, rate, axis, measured] :
        {SpinRow{"pitching backward", {-1, 0, 0}, 1, 1}, SpinRow{"pitching forward", {1, 0, 0}, 1, -1},
         SpinRow{"rolling to the left", {0, 0, -1}, 0, 1}, SpinRow{"turning to the left", {0, 1, 0}, 2, 1}}) {
     RobotBody body{stiff()};
@@ -82,7 +84,7 @@ TEST(Gyro, HasTheBoardsAxesAndSigns) {
     const double before = body.upright();
     run(body, limp(), 0.001);
     for (std::size_t k = 0; k < 3; ++k)
-      EXPECT_NEAR(body.state().gyro_rad_s[k], k == axis ? felt : 0, 0.01) << motion << " axis " << k;
+      EXPECT_NEAR(body.state().gyro_rad_s[k], k == axis ? measured : 0, 0.01) << motion << " axis " << k;
     EXPECT_NEAR(before, 1, 1e-9);
   }
 }
@@ -120,7 +122,7 @@ TEST(Imu, ShowsScaleAndBiasOfTheModel) {
   EXPECT_NEAR(body.state().accel_m_s2[2], 2 * kGravity, 0.02);
 }
 
-TEST(Imu, NoiseHasTheDeviationAskedForAndNoMean) {
+TEST(Imu, NoiseHasTheConfiguredDeviationAndZeroMean) {
   Model model = stiff();
   model.imu.gyro_noise_rad_s = 0.05;
   model.imu.accel_noise_m_s2 = 0.4;
@@ -152,7 +154,7 @@ TEST(Buttons, AreWhatWasPressed) {
   EXPECT_EQ(body.state().buttons, 2);
 }
 
-TEST(ServoSensors, TellSupplyAndTemperature) {
+TEST(ServoSensors, ReportSupplyAndTemperature) {
   RobotBody body{modelWith(0.1)};
   Drives drives = limp();
   drives[index(Joint::kNeck)].supply_v = 11.1;

@@ -1,4 +1,5 @@
-// Torque off: the start pose stays, standing straight falls. What holds the one, and joints that hold until driven.
+// Poses with torque off: the start pose is stable, standing straight is not; required holding torques;
+// hold_until_driven.
 #include "twin/body/support.hpp"
 
 namespace darwinop::twin::test {
@@ -10,7 +11,7 @@ Model shipped(const std::string& name) {
 
 constexpr std::size_t kFirstOfLegs = index(Joint::kPelvYR), kLastOfLegs = index(Joint::kFootL);
 
-/// How far the legs are from the start pose, rad: the joint that is farthest.
+/// Largest deviation of a leg joint from the start pose, rad.
 double legsFromStart(const RobotBody& body) {
   double farthest = 0;
   for (std::size_t i = kFirstOfLegs; i <= kLastOfLegs; ++i)
@@ -20,8 +21,8 @@ double legsFromStart(const RobotBody& body) {
 }
 
 void expectRest(const RobotBody& body) {
-  // What the runtime looks at before a controller may start: legs within 20 degrees of the start pose, and the
-  // accelerometer within 32 counts of upright, 13.05 counts a m/s2. The body does far better with its legs.
+  // Start-pose check of the runtime: legs within 20 degrees of the start pose, accelerometer within 32 counts of
+  // upright (13.05 counts per m/s2).
   EXPECT_LT(legsFromStart(body), 0.05);  // measured 0.032
   const double counts = 32 / 13.05;
   EXPECT_NEAR(body.state().accel_m_s2[0], 0, counts);
@@ -32,11 +33,11 @@ void expectRest(const RobotBody& body) {
 
 TEST(StartPose, StaysWithTorqueOff) {
   RobotBody body{shipped("darwin-op")};
-  run(body, limp(), 2);  // the arms sink
+  run(body, limp(), 2);  // the arms drop
   const double after = legsFromStart(body);
   run(body, limp(), 18);
   expectRest(body);
-  EXPECT_NEAR(legsFromStart(body), after, 0.001);  // and creeps nowhere
+  EXPECT_NEAR(legsFromStart(body), after, 0.001);  // no creep
 }
 
 TEST(StandingStraight, HoldsWithTorqueAndFallsWithout) {
@@ -56,8 +57,8 @@ TEST(StandingStraight, HoldsWithTorqueAndFallsWithout) {
 
 struct HoldRow {
   TrunkCom com;
-  double hip_nm, knee_nm, ankle_nm;  // each, what the weight above asks of it; positive where it falls forward
-  double falls_nm, stays_nm;         // dry friction of all joints
+  double hip_nm, knee_nm, ankle_nm;  // holding torque per joint; positive where it falls forward
+  double falls_nm, stays_nm;         // dry friction of all joints at which the robot falls or stays
 };
 constexpr HoldRow kHolds[] = {
     {TrunkCom::kManufacturer, -0.006, -0.829, 0.188, 0.175, 0.225},
@@ -65,7 +66,7 @@ constexpr HoldRow kHolds[] = {
     {TrunkCom::kWebots2013, -0.197, -1.036, -0.030, 0.200, 0.225},
 };
 
-/// What the weight above both joints of a pair asks of each, N m.
+/// Torque per joint that the weight above a pair of joints requires, N m.
 double weightOn(RobotBody& body, Joint right, Joint left) {
   const mjModel& m = *body.mujocoModel();
   const mjData& d = *body.mujocoData();
@@ -81,7 +82,7 @@ double weightOn(RobotBody& body, Joint right, Joint left) {
   return moment / 2;
 }
 
-TEST(StartPose, AsksOfHipsKneesAndAnklesWhatTheTableSays) {
+TEST(StartPose, LoadsHipsKneesAndAnklesAsInTheTable) {
   for (const HoldRow& hold : kHolds) {
     Model model = modelWith();
     model.body.trunk_com = hold.com;
@@ -94,7 +95,7 @@ TEST(StartPose, AsksOfHipsKneesAndAnklesWhatTheTableSays) {
   }
 }
 
-TEST(StartPose, StaysFromTheFrictionOnThatTheTableSays) {
+TEST(StartPose, IsStableFromTheFrictionInTheTable) {
   for (const HoldRow& hold : kHolds)
     for (const bool stays : {false, true}) {
       Model model = modelWith(stays ? hold.stays_nm : hold.falls_nm, 0.002);
@@ -107,11 +108,11 @@ TEST(StartPose, StaysFromTheFrictionOnThatTheTableSays) {
 
 // --- hold_until_driven
 
-TEST(HoldUntilDriven, KeepsWhateverPoseNobodyDrove) {
+TEST(HoldUntilDriven, KeepsThePoseOfJointsNeverEnabled) {
   RobotBody body{shipped("webots-2013")};
   run(body, limp(), 20);
   expectRest(body);
-  // Half a tick is the best that an encoder can say; measured 4e-6 rad.
+  // Encoder resolution is half a tick; measured 4e-6 rad.
   for (std::size_t i = kFirstOfLegs; i <= kLastOfLegs; ++i)
     EXPECT_NEAR(angleOf(body, static_cast<Joint>(i)), radFromTicks(kJointTable[i].start).value, 1e-4) << i;
   body.place(Pose{});
@@ -132,14 +133,14 @@ TEST(HoldUntilDriven, EndsForEachJointWhenItIsDrivenFirst) {
   run(body, right, 0.016);  // one period of a controller
   EXPECT_NEAR(angleOf(body, Joint::kArmUpperR), 0.8, 0.01);
   run(body, limp(), 2);
-  EXPECT_LT(angleOf(body, Joint::kArmUpperR), 0.2);  // falls, and is stopped by nothing but friction
+  EXPECT_LT(angleOf(body, Joint::kArmUpperR), 0.2);  // falls against friction only
   EXPECT_NEAR(angleOf(body, Joint::kArmUpperL), -0.8, 1e-4);
-  hangUp(body, out);  // put back, it holds again
+  hangUp(body, out);  // placed again, it holds again
   run(body, limp(), 0.2);
   EXPECT_NEAR(angleOf(body, Joint::kArmUpperR), 0.8, 1e-4);
 }
 
-TEST(HoldUntilDriven, IsAskedForByTheModel) {
+TEST(HoldUntilDriven, IsEnabledByTheModel) {
   Model model = shipped("webots-2013");
   model.body.hold_until_driven = false;
   RobotBody body{model};

@@ -1,4 +1,4 @@
-// Robots and measuring tools for the tests of the body.
+// Test fixtures and measurements of the body.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ inline constexpr double kGravity = 9.81;  // of the body file: MuJoCo's own
 using Vec = std::array<double, 3>;
 using Pose = std::array<double, kJoints>;
 
-/// The shipped body; servos without any friction unless asked.
+/// The shipped body, with frictionless servos by default.
 inline Model modelWith(double dry_friction_nm = 0, double damping_nms_rad = 0) {
   Model model;
   model.name = "test";
@@ -48,7 +48,7 @@ inline void run(RobotBody& body, const Drives& drives, double seconds) {
   for (int i = 0; i < std::lround(seconds * 1000); ++i) body.step(kStep, drives);
 }
 
-/// Tests may bend the model: other gravity, a heavier trunk.
+/// Mutable model, for other gravity or masses.
 inline mjModel& bend(RobotBody& body) {
   return const_cast<mjModel&>(*body.mujocoModel());
 }
@@ -77,7 +77,7 @@ inline mjtNum* trunkQvel(RobotBody& body) {
   const mjModel& m = *body.mujocoModel();
   return body.mujocoData()->qvel + m.jnt_dofadr[idOf(body, mjOBJ_JOINT, "Body")];
 }
-/// A point of the world as the trunk sees it: left, up, forward.
+/// Transforms a world point into the trunk frame: left, up, forward.
 inline Vec inTrunk(RobotBody& body, const mjtNum* point) {
   const mjData& d = *body.mujocoData();
   const int trunk = idOf(body, mjOBJ_BODY, "Body");
@@ -86,16 +86,16 @@ inline Vec inTrunk(RobotBody& body, const mjtNum* point) {
   mju_rotVecMatT(seen, from, d.xmat + 9 * trunk);
   return {seen[0], seen[1], seen[2]};
 }
-/// Puts all joints there, without dynamics.
+/// Sets all joint angles, without dynamics.
 inline void pose(RobotBody& body, const Pose& angles) {
   for (std::size_t i = 0; i < kJoints; ++i) body.mujocoData()->qpos[qposOf(body, static_cast<Joint>(i))] = angles[i];
   mj_forward(body.mujocoModel(), body.mujocoData());
 }
-/// So high that nothing touches for a while.
+/// Lifts the robot, so that nothing touches for a while.
 inline void lift(RobotBody& body, double height_m = 100) {
   trunkQpos(body)[2] = height_m;
 }
-/// A trunk that hangs in the air and gives way to nothing, as on a stand; joints at rest at these angles.
+/// Fixes the trunk in the air, as on a stand; joints at rest at these angles.
 inline void hangUp(RobotBody& body, const Pose& angles = {}) {
   constexpr double kHeavy = 1e3;
   mjModel& m = bend(body);

@@ -1,4 +1,4 @@
-// The rows of the catalogue are sound: what model files, pages and searches read from them can be relied on.
+// Consistency of the effect catalogue.
 #include <gtest/gtest.h>
 
 #include <cctype>
@@ -51,17 +51,17 @@ TEST_P(EffectRow, HasKeysUnitsAndTexts) {
   for (const std::string_view text : {info.signature, info.separated_by, info.source})
     EXPECT_TRUE(isSentence(text, 260)) << text;
   EXPECT_FALSE(name(info.place).empty());
-  EXPECT_FALSE(info.parameters.empty()) << "without a parameter it has no neutral value, and cannot be fitted";
+  EXPECT_FALSE(info.parameters.empty()) << "an effect needs a parameter to be fitted";
 
   std::set<std::string_view> keys;
   for (const Parameter& parameter : info.parameters) {
     SCOPED_TRACE(parameter.key);
     EXPECT_TRUE(isIdentifier(parameter.key));
-    EXPECT_TRUE(keys.insert(parameter.key).second) << "a key stands twice";
-    EXPECT_TRUE(isUnit(parameter.unit)) << "unit " << parameter.unit << " is not made of the SI names of this test";
+    EXPECT_TRUE(keys.insert(parameter.key).second) << "duplicate key";
+    EXPECT_TRUE(isUnit(parameter.unit)) << "unit " << parameter.unit << " is not composed of the SI units of this test";
     EXPECT_TRUE(isSentence(parameter.meaning, 100)) << parameter.meaning;
     EXPECT_TRUE(parameter.secondary || info.equation.find(parameter.key) != std::string_view::npos)
-        << "what does it do in " << info.equation;
+        << "missing in the equation " << info.equation;
   }
 }
 
@@ -78,28 +78,28 @@ TEST_P(EffectRow, HasNumbersThatAModelFileMayHold) {
   }
 }
 
-TEST_P(EffectRow, NamesOnlyEffectsThatExistAsItsDoubles) {
+TEST_P(EffectRow, ListsOnlyKnownEffectsAsConfounded) {
   const EffectInfo& info = *GetParam();
-  EXPECT_FALSE(info.confused_with.empty()) << "every effect can be taken for another one";
+  EXPECT_FALSE(info.confused_with.empty()) << "every effect is confounded with at least one other";
   const std::set<std::string_view> unique(info.confused_with.begin(), info.confused_with.end());
-  EXPECT_EQ(unique.size(), info.confused_with.size()) << "a name stands twice";
-  EXPECT_FALSE(unique.contains(info.id)) << "its own double";
+  EXPECT_EQ(unique.size(), info.confused_with.size()) << "duplicate name";
+  EXPECT_FALSE(unique.contains(info.id)) << "confounded with itself";
   for (const std::string_view id : info.confused_with) EXPECT_NE(findEffect(id), nullptr) << id << " does not exist";
 }
 
-TEST_P(EffectRow, IsTheDoubleOfItsDoubles) {
+TEST_P(EffectRow, HasASymmetricConfoundedRelation) {
   for (const EffectInfo* other : doublesOf(*GetParam())) {
     const auto back = doublesOf(*other);
     EXPECT_NE(std::ranges::find(back, GetParam()), back.end()) << other->id;
   }
 }
 
-TEST_P(EffectRow, MakesTheEffectThatItDescribes) {
+TEST_P(EffectRow, CreatesTheEffectThatItDescribes) {
   const EffectInfo& info = *GetParam();
   const auto effect = info.make(valuesOf(info, &Parameter::typical));
   ASSERT_NE(effect, nullptr);
   EXPECT_EQ(&effect->info(), &info);
-  EXPECT_NE(effect->hooks(), 0) << "an effect that is never called";
+  EXPECT_NE(effect->hooks(), 0) << "the effect has no hooks";
   EXPECT_EQ(findEffect(info.id), &info);
 }
 
@@ -108,12 +108,12 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EffectRow, testing::ValuesIn(catalogue().beg
 
 TEST(Catalogue, HasEveryIdOnce) {
   std::set<std::string_view> ids;
-  for (const EffectInfo* info : catalogue()) EXPECT_TRUE(ids.insert(info->id).second) << info->id << " stands twice";
+  for (const EffectInfo* info : catalogue()) EXPECT_TRUE(ids.insert(info->id).second) << "duplicate id " << info->id;
   EXPECT_EQ(findEffect("no_such_effect"), nullptr);
 }
 
-// Model files and results of fits name them: an id that goes away breaks them.
-TEST(Catalogue, KeepsTheIdsThatFilesAlreadyName) {
+// Existing model files and fit results contain these ids.
+TEST(Catalogue, KeepsTheIdsOfExistingFiles) {
   for (const std::string_view id : {"accel_limit",      "speed_limit",  "torque_limit",    "coulomb",
                                     "viscous",          "stribeck",     "backlash",        "load_dependent_friction",
                                     "supply_sag",       "deadband",     "kt_error",        "directional_load_friction",
@@ -124,18 +124,18 @@ TEST(Catalogue, KeepsTheIdsThatFilesAlreadyName) {
     EXPECT_NE(findEffect(id), nullptr) << id;
 }
 
-// The drift scales what has been added up so far.
-TEST(Catalogue, LetsEveryFrictionActBeforeItDriftsWithHeat) {
+// temp_drift scales the friction accumulated before it.
+TEST(Catalogue, HasEveryFrictionBeforeTempDrift) {
   const auto table = catalogue();
   const auto drift = std::ranges::find(table, "temp_drift", &EffectInfo::id);
   for (auto row = drift + 1; row != table.end(); ++row)
     EXPECT_NE((*row)->place, Place::kFriction) << (*row)->id << ": move its row before temp_drift's";
 }
 
-TEST(Doubles, AreFoundFromEitherSideOfTheList) {
+TEST(ConfoundedEffects, AreFoundFromBothSides) {
   const EffectInfo& coulomb = *findEffect("coulomb");
   const auto& listed = coulomb.confused_with;
-  ASSERT_EQ(std::ranges::find(listed, "temp_drift"), listed.end()) << "take another pair that only one side lists";
+  ASSERT_EQ(std::ranges::find(listed, "temp_drift"), listed.end()) << "choose another pair that only one side lists";
   const auto doubles = doublesOf(coulomb);
   EXPECT_NE(std::ranges::find(doubles, findEffect("temp_drift")), doubles.end());
 }

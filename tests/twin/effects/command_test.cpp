@@ -1,4 +1,4 @@
-// What effects do to a command and to the reading of the encoder.
+// Effects on the command path and the encoder.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kPeriod = 0.001;
 
-/// The set point, period by period, of a servo whose horn stands at 0 while the goal jumps in the first period.
+/// Set point per period of a servo whose horn stays at 0 while the goal jumps in the first period.
 std::vector<double> setPointsAfterStep(Servo& servo, double goal, int periods) {
   servo.reset(0);
   servo.firmware(driveTo(0), 0, 0);
@@ -23,7 +23,7 @@ std::vector<double> setPointsAfterStep(Servo& servo, double goal, int periods) {
   return seen;
 }
 
-TEST(TransportDelay, LetsAGoalActLaterByExactlyItsPeriods) {
+TEST(TransportDelay, DelaysAGoalByExactlyItsPeriods) {
   for (int periods = 0; periods <= 80; ++periods) {
     Servo servo = servoWith({{"transport_delay", {{"delay", periods / 1000.0}}}});
     const auto seen = setPointsAfterStep(servo, 1, 90);
@@ -31,7 +31,7 @@ TEST(TransportDelay, LetsAGoalActLaterByExactlyItsPeriods) {
   }
 }
 
-TEST(TransportDelay, TakesThePartOfAPeriodFromBothNeighbours) {
+TEST(TransportDelay, InterpolatesFractionsOfAPeriod) {
   Servo servo = servoWith({{"transport_delay", {{"delay", 2.25 * kPeriod}}}});
   const auto seen = setPointsAfterStep(servo, 1, 4);
   EXPECT_EQ(seen[1], 0);
@@ -39,7 +39,7 @@ TEST(TransportDelay, TakesThePartOfAPeriodFromBothNeighbours) {
   EXPECT_EQ(seen[3], 1);
 }
 
-TEST(TransportDelay, HoldsItsLongestDelayAtAFirmwareTenTimesAsFast) {
+TEST(TransportDelay, SupportsItsLongestDelayAtTenTimesTheFirmwareRate) {
   ServoParameters fast;
   fast.firmware_period_s = 0.0001;
   Servo servo = servoWith({{"transport_delay", {{"delay", 0.08}}}}, fast);
@@ -48,7 +48,7 @@ TEST(TransportDelay, HoldsItsLongestDelayAtAFirmwareTenTimesAsFast) {
   EXPECT_EQ(seen[800], 1);
 }
 
-TEST(TransportDelay, LetsTorqueOffActAtOnce) {
+TEST(TransportDelay, DoesNotDelayTorqueOff) {
   Servo servo = servoWith({{"transport_delay", {{"delay", 0.03}}}});
   setPointsAfterStep(servo, 1, 50);
   ServoDrive off = driveTo(1);
@@ -58,7 +58,7 @@ TEST(TransportDelay, LetsTorqueOffActAtOnce) {
   EXPECT_EQ(servo.signals().duty, 0);
 }
 
-TEST(TransportDelay, MakesTheReadingsOld) {
+TEST(TransportDelay, DelaysTheReadings) {
   Servo servo = servoWith({{"transport_delay", {{"reading", 5 * kPeriod}}}});
   const double tick = 2 * std::numbers::pi / 4096;
   for (int i = 1; i <= 20; ++i) {
@@ -67,7 +67,7 @@ TEST(TransportDelay, MakesTheReadingsOld) {
   }
 }
 
-/// Set points of a servo that gets a new goal every 16 ms; true: the goal of that packet never acted.
+/// Per packet of a servo that receives a new goal every 16 ms: true if that goal never took effect.
 std::vector<bool> lostPackets(double loss, double seed, int packets) {
   Servo servo = servoWith({{"lost_packets", {{"loss", loss}, {"seed", seed}}}});
   std::vector<bool> lost;
@@ -76,7 +76,7 @@ std::vector<bool> lostPackets(double loss, double seed, int packets) {
     for (int i = 0; i < 16; ++i) {
       servo.firmware(driveTo(k), 0, 0);
       const double now = servo.signals().goal_rad;
-      EXPECT_TRUE(now == k || now == before) << "a goal that nobody sent";
+      EXPECT_TRUE(now == k || now == before) << "a goal that was not sent";
     }
     lost.push_back(servo.signals().goal_rad != k);
     before = servo.signals().goal_rad;
@@ -84,7 +84,7 @@ std::vector<bool> lostPackets(double loss, double seed, int packets) {
   return lost;
 }
 
-TEST(LostPackets, LosesItsShareOfThem) {
+TEST(LostPackets, LosesTheConfiguredFraction) {
   const auto lost = lostPackets(0.2, 1, 4000);
   // Four standard deviations of a binomial count: sqrt(4000 0.2 0.8) = 25.
   EXPECT_NEAR(static_cast<double>(std::ranges::count(lost, true)), 800, 100);
@@ -95,8 +95,8 @@ TEST(LostPackets, LosesOthersForAnotherSeedAndTheSameForTheSame) {
   EXPECT_NE(lostPackets(0.2, 7, 200), lostPackets(0.2, 8, 200));
 }
 
-// The host writes a goal again in every cycle, so that a lost one comes 16 ms later.
-TEST(LostPackets, AreMadeGoodByTheNextOne) {
+// The host repeats the goal in every cycle, so a lost one arrives 16 ms later.
+TEST(LostPackets, AreReplacedByTheNextOne) {
   Servo servo = servoWith({{"lost_packets", {{"loss", 0.2}}}});
   int late = 0;
   for (int k = 1; k <= 200; ++k) {
@@ -105,8 +105,8 @@ TEST(LostPackets, AreMadeGoodByTheNextOne) {
       servo.firmware(driveTo(k), 0, 0);
       ++periods;
     } while (servo.signals().goal_rad != k && periods < 1000);
-    EXPECT_EQ((periods - 1) % 16, 0) << "acts when a packet arrives, never between two";
-    EXPECT_LT(periods, 130) << "eight losses in a row at 20 % have a chance of 3 in a million";
+    EXPECT_EQ((periods - 1) % 16, 0) << "goals act only when a packet arrives";
+    EXPECT_LT(periods, 130) << "eight consecutive losses at 20 % have a probability of 3e-6";
     late += periods > 1 ? 1 : 0;
     for (int i = 0; i < 400; ++i) servo.firmware(driveTo(k), 0, 0);
   }
@@ -134,7 +134,7 @@ TEST(GearScale, ScalesTheGoal) {
   EXPECT_NEAR(setPointsAfterStep(servo, 1.2, 3).back(), 1.14, 1e-12);
 }
 
-TEST(SpeedLimit, MakesARampOfOneSlopeWhateverTheStep) {
+TEST(SpeedLimit, GivesRampsOfOneSlopeForAllStepSizes) {
   for (const double size : {0.4, 1.0, -1.6}) {
     Servo servo = servoWith({{"speed_limit", {{"speed", 2}}}});
     const auto seen = setPointsAfterStep(servo, size, 1000);
@@ -165,14 +165,14 @@ TEST(AccelLimit, TakesATimeThatGrowsWithTheRootOfTheStep) {
     Servo servo = servoWith({{"accel_limit", {{"accel", 20}}}});
     const auto seen = setPointsAfterStep(servo, size, 1000);
     const auto arrived = std::ranges::find_if(seen, [&](double at) { return std::abs(at - size) < 1e-9; });
-    // Speeding up half of the way and braking the other half; whole periods add one or two.
+    // Half of the distance accelerating, half decelerating; rounding to periods adds one or two.
     EXPECT_NEAR(static_cast<double>(arrived - seen.begin()), 2000 * std::sqrt(std::abs(size) / 20), 3);
     for (std::size_t i = 2; i < seen.size(); ++i)
       ASSERT_LE(std::abs(seen[i] - 2 * seen[i - 1] + seen[i - 2]) / (kPeriod * kPeriod), 20 * (1 + 1e-6)) << i;
   }
 }
 
-TEST(EncoderQuantisation, PutsReadingsOnItsGrid) {
+TEST(EncoderQuantisation, RoundsReadingsToItsGrid) {
   Servo servo = servoWith({{"encoder_quantisation", {{"ticks", 1024}}}});
   const double tick = 2 * std::numbers::pi / 1024;
   for (int i = 0; i < 500; ++i) {

@@ -1,4 +1,4 @@
-// What effects do to the position controller.
+// Effects on the position controller.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,15 +48,15 @@ double droopAfter(double seconds, const std::vector<Chosen>& choice, double p_ga
   return 1 - bench.position_rad();
 }
 
-TEST(Integral, TakesAwayWhatIsMissingUnderLoad) {
+TEST(Integral, RemovesTheSteadyStateErrorUnderLoad) {
   const double without = droopAfter(5, {});
   const double with = droopAfter(5, {{"integral", {{"gain", 4}}}});
-  // Held by the P gain alone: load / stall torque / slope = 0.41 / 2.5 / 5.06.
+  // With the P gain only: load / stall torque / slope = 0.41 / 2.5 / 5.06.
   EXPECT_NEAR(without, 0.033, 0.003);
   EXPECT_NEAR(with, 0, 2 * kRadPerTick) << "the encoder resolves no better";
 }
 
-TEST(Derivative, AnswersTheChangeOfTheError) {
+TEST(Derivative, RespondsToTheChangeOfTheError) {
   Servo servo = servoWith({{"derivative", {{"gain", 0.05}}}});
   servo.firmware(driveTo(0), 0, 0);
   servo.firmware(driveTo(kRadPerTick), 0, 0);
@@ -91,7 +91,7 @@ TEST(TorqueLimit, CapsTheTorqueOfTheMotorAtAnySpeed) {
   }
 }
 
-// The law of the model file is Webots': with the effect the servo is the real one, to the last bit.
+// The model file has Webots' law; with the effect the servo is bitwise equal to one with the real law.
 TEST(POnTorque, IsTheLawOfTheRealServo) {
   ServoParameters webots;
   webots.law = Law::kSpeedP;
@@ -107,7 +107,7 @@ TEST(POnTorque, IsTheLawOfTheRealServo) {
   }
 }
 
-// The finding of 2013: in the simulator the arm always arrives, on the robot it stops short the more the smaller P is.
+// Finding of 2013: in the simulator the arm always arrives; on the robot the error grows as P falls.
 TEST(POnTorque, StopsShortInProportionToLoadOverP) {
   for (const double p_gain : {1.0, 2.0, 4.0}) {
     EXPECT_NEAR(droopAfter(8, {}, p_gain, Law::kSpeedP), 0, 2 * kRadPerTick);

@@ -1,4 +1,4 @@
-// What holds for every effect, whichever it is: the catalogue is the list of cases.
+// Properties of all effects in the catalogue.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,13 +9,13 @@
 namespace darwinop::twin {
 namespace {
 
-/// What a controller and an observer of the arm get to see.
+/// Servo state and arm position, as seen by a controller and an external observer.
 struct Seen {
   double arm_rad, arm_rad_s, position_rad, speed_rad_s, load, supply_v, temperature_c;
   bool operator==(const Seen&) const = default;
 };
 
-/// Steps that saturate, a smooth part, a hold under load, a release: 2.6 s in which every effect has its chance.
+/// Saturating steps, a smooth part, a hold under load, a release: 2.6 s that excite every effect.
 ServoDrive commandAt(double t) {
   if (t < 0.1) return driveTo(0);
   if (t < 0.8) return driveTo(1);
@@ -37,7 +37,7 @@ std::vector<Seen> run(Bench& bench) {
   return seen;
 }
 
-/// A servo with friction, warm, so that effects that only scale something have something to scale.
+/// A warm servo with friction, so that scaling effects have a base value.
 Bench benchWith(Law law, const EffectInfo* tested, const std::vector<double>& values) {
   ServoParameters parameters;
   parameters.law = law;
@@ -78,19 +78,18 @@ TEST_P(EachEffect, ChangesTheMotionAtItsTypicalValues) {
   double most = 0;
   for (const Law law : {Law::kVoltageP, Law::kSpeedP})
     most = std::max(most, rmsDifference(runWith(law, &info(), typical()), runWithout(law)));
-  // A tenth of what the encoder resolves: less could never be found in any log.
+  // A tenth of the encoder resolution: less is not observable in any log.
   EXPECT_GT(most, 0.00015) << "rad rms";
-  EXPECT_LT(most, 1) << "rad rms: that is no typical servo any more";
+  EXPECT_LT(most, 1) << "rad rms: not typical for the servo";
   RecordProperty("mrad_rms", std::to_string(1000 * most));
 }
 
 TEST_P(EachEffect, DoesNothingAtItsNeutralValues) {
   for (const Law law : {Law::kVoltageP, Law::kSpeedP})
-    EXPECT_TRUE(runWith(law, &info(), valuesOf(info(), &Parameter::neutral)) == runWithout(law))
-        << "not the same to the last bit";
+    EXPECT_TRUE(runWith(law, &info(), valuesOf(info(), &Parameter::neutral)) == runWithout(law)) << "not bitwise equal";
 }
 
-// A secondary parameter's neutral value must not switch the effect off: it would hide what is searched for.
+// The neutral value of a secondary parameter must not disable the effect in a first search.
 TEST_P(EachEffect, StillActsWhenOnlyItsFirstParametersAreTypical) {
   std::vector<double> values = valuesOf(info(), &Parameter::neutral);
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -102,7 +101,7 @@ TEST_P(EachEffect, StillActsWhenOnlyItsFirstParametersAreTypical) {
   EXPECT_GT(most, 0.00015);
 }
 
-TEST_P(EachEffect, ForgetsEverythingOnReset) {
+TEST_P(EachEffect, ClearsAllHistoryOnReset) {
   for (const Law law : {Law::kVoltageP, Law::kSpeedP}) {
     Bench bench = benchWith(law, &info(), typical());
     const std::vector<Seen> first = run(bench);
@@ -118,7 +117,7 @@ TEST_P(EachEffect, KeepsTheArmInBoundsAtTheEndsOfItsRanges) {
       values[i] = end;
       for (const Law law : {Law::kVoltageP, Law::kSpeedP}) {
         const std::vector<Seen> seen = runWith(law, &info(), values);
-        // Goals lie within 1 rad and the servo has twice the torque that the arm needs: nothing turns over.
+        // Goals are within 1 rad and the servo has twice the required torque: the arm does not turn over.
         EXPECT_TRUE(std::ranges::all_of(seen, [](const Seen& now) { return std::abs(now.arm_rad) < 3; }))
             << info().parameters[i].key << " = " << end;
       }
@@ -126,7 +125,7 @@ TEST_P(EachEffect, KeepsTheArmInBoundsAtTheEndsOfItsRanges) {
   }
 }
 
-TEST_P(EachEffect, TakesNothingFromTheHeapWhileItRuns) {
+TEST_P(EachEffect, AllocatesNothingWhileItRuns) {
   Bench bench = benchWith(Law::kVoltageP, &info(), typical());
   const long before = allocationsOfThisThread();
   while (bench.time_s() < 0.5) bench.step(commandAt(bench.time_s()));

@@ -1,4 +1,4 @@
-// What effects do to friction.
+// Friction effects.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,16 +9,16 @@
 namespace darwinop::twin {
 namespace {
 
-/// Most torque that dry friction takes, torque off, at this speed.
+/// Dry friction torque at this speed, torque off.
 double dryFriction(const std::vector<Chosen>& choice, double speed_rad_s) {
   Servo servo = servoWith(choice);
   return servo.actuate(0, speed_rad_s, 0).friction_nm;
 }
 
-/// The same with the motor and the load pulling, torques in N m.
+/// The same with motor and load torque, N m.
 double loadedFriction(const std::vector<Chosen>& choice, double motor_nm, double external_nm, double speed_rad_s = 0) {
   ServoParameters parameters;
-  parameters.ticks_per_rev = 1e9;  // the torque shall be what is asked for
+  parameters.ticks_per_rev = 1e9;  // no quantization of the torque
   parameters.back_emf_vs_rad = 0;
   Servo servo = servoWith(choice, parameters);
   servo.firmware(driveTo(motor_nm / 2.5 / (32 * parameters.duty_per_kp_per_rad)), 0, 0);
@@ -32,7 +32,7 @@ TEST(Coulomb, IsTheSameAtEverySpeed) {
     EXPECT_NEAR(dryFriction({{"coulomb", {{"friction", 0.05}}}}, speed), 0.05, 1e-12);
 }
 
-TEST(Coulomb, HoldsALoadBelowItAndLetsGoAboveIt) {
+TEST(Coulomb, HoldsALoadBelowItAndNotAboveIt) {
   const Bench weight{{}, {}, kArm};
   for (const double angle : {0.3, 0.6}) {
     const double needed = weight.weight_nm() * std::sin(angle);
@@ -52,8 +52,8 @@ TEST(Viscous, GrowsWithSpeedThroughTheDamping) {
   EXPECT_EQ(out.friction_nm, 0);
 }
 
-// Seed finding: a swing with viscous friction alone dies by the same factor each time and ends at the lowest point.
-TEST(Viscous, LetsASwingDieByTheSameFactorEachTime) {
+// With viscous friction alone a swing decays by a constant factor and ends at the lowest point.
+TEST(Viscous, DampsASwingByAConstantFactor) {
   Bench bench{{}, effectsOf({{"viscous", {{"damping", 0.002}}}}), kArm};
   bench.reset({.start_rad = 0.2});  // small, so that the period does not depend on the amplitude
   std::vector<double> peaks;
@@ -139,7 +139,7 @@ TEST(TempDrift, ScalesAllFrictionAndNotTheBackEmf) {
   EXPECT_NEAR(at55.actuate(0, 0, 0).damping_nms_rad, 0.02 * std::exp(-0.6) + back_emf, 1e-6);
 }
 
-TEST(TempDrift, MakesCopperWorseAsItWarms) {
+TEST(TempDrift, IncreasesTheResistanceOfWarmCopper) {
   const std::vector<Chosen> choice{{"temp_drift", {{"copper", 0.0039}}}};
   Servo servo = warmServo(65, choice);
   servo.firmware(driveTo(1), 0, 0);
@@ -148,13 +148,13 @@ TEST(TempDrift, MakesCopperWorseAsItWarms) {
 
 TEST(TempDrift, FollowsTheServoAsItHeatsUp) {
   Servo servo = servoWith({{"coulomb", {{"friction", 0.05}}}, {"temp_drift", {{"rate", 0.05}}}});
-  for (int i = 0; i < 20000; ++i) {  // 20 s against a stop
+  for (int i = 0; i < 20000; ++i) {  // 20 s stalled
     servo.firmware(driveTo(1), 0, 0);
     servo.actuate(0, 0, 0);
   }
   const double warmer = servo.signals().temperature_c - 25;
   EXPECT_GT(warmer, 2);
-  // The friction was made one period before the last warming.
+  // Friction was computed one period before the last temperature update.
   EXPECT_NEAR(servo.signals().dry_friction_nm, 0.05 * std::exp(-0.05 * warmer), 1e-5);
 }
 

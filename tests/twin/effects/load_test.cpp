@@ -1,4 +1,4 @@
-// What effects do between the gears and what the joint carries.
+// Effects on transmission and load.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,12 +11,12 @@
 namespace darwinop::twin {
 namespace {
 
-/// Gears that stand however the arm pulls.
+/// Gears held by friction against any load of the arm.
 const Chosen kStuck{"coulomb", {{"friction", 0.3}}};
 /// An arm too light to move them.
 constexpr Pendulum kLight{.payload_kg = 0.1, .arm_mass_kg = 0.02, .length_m = 0.1};
 
-/// Seconds that half a swing of the arm takes, pushed off where it hangs: the mean of ten.
+/// Mean duration of ten half swings after a push at the lowest point, s.
 double halfSwing(const std::vector<Chosen>& choice, const Pendulum& pendulum) {
   Bench bench{{}, effectsOf(choice), pendulum};
   bench.reset({.steps_per_period = 10, .start_rad_s = 0.05});
@@ -31,7 +31,7 @@ double halfSwing(const std::vector<Chosen>& choice, const Pendulum& pendulum) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-TEST(Backlash, LetsTheArmMoveWithinTheGapWhileTheGearsStand) {
+TEST(Backlash, ArmMovesWithinTheGapWhileTheGearsAreAtRest) {
   for (const double play : {0.0, 0.03}) {
     Bench bench{{}, effectsOf({kStuck, {"backlash", {{"play", play}}}}), kLight};
     bench.reset({.start_rad = 0.1});
@@ -40,12 +40,12 @@ TEST(Backlash, LetsTheArmMoveWithinTheGapWhileTheGearsStand) {
       bench.step({});
       low = std::min(low, bench.position_rad());
     }
-    // From the middle of the gap the arm falls to its flank; teeth give by some hundredths of a milliradian.
+    // From the middle of the gap the arm falls to a flank; tooth compliance is below 0.1 mrad.
     EXPECT_NEAR(0.1 - low, play / 2, 0.001);
   }
 }
 
-TEST(JointFlex, LetsTheArmDroopWhereTheEncoderDoesNotSeeIt) {
+TEST(JointFlex, ArmDeflectsUnseenByTheEncoder) {
   Bench bench{{}, effectsOf({kStuck, {"joint_flex", {{"stiffness", 10}, {"damping", 0.05}}}}), kLight};
   bench.reset({.start_rad = 1});
   runFor(bench, 3, ServoDrive{});
@@ -64,7 +64,7 @@ TEST(JointFlex, RingsMoreSlowlyWithAHeavierArm) {
   }
 }
 
-TEST(ComMass, ScalesTheWeightOrMovesIt) {
+TEST(ComMass, ScalesOrShiftsTheMass) {
   const double plain = Bench{{}, {}, kArm}.weight_nm();
   const Bench heavier{{}, effectsOf({{"com_mass", {{"mass", 0.2}}}}), kArm};
   const Bench longer{{}, effectsOf({{"com_mass", {{"shift", 0.01}}}}), kArm};
@@ -72,21 +72,21 @@ TEST(ComMass, ScalesTheWeightOrMovesIt) {
   EXPECT_NEAR(longer.weight_nm() - plain, 0.34 * 9.80665 * 0.01, 1e-9);
 }
 
-TEST(ComMass, DrawnInEndsAtTheAxis) {
+TEST(ComMass, NegativeShiftIsLimitedToTheAxis) {
   const Bench bench{
       {}, effectsOf({{"com_mass", {{"mass", 0}, {"shift", -0.05}}}}), {.payload_kg = 0.2, .length_m = 0.03}};
   EXPECT_EQ(bench.weight_nm(), 0);
 }
 
-TEST(Inertia, IsRefusedWhereNothingWouldBeLeft) {
+TEST(Inertia, IsRefusedIfTheTotalWouldBeNegative) {
   ServoParameters light;
   light.armature_kgm2 = 0.001;
   try {
     const Servo servo{light, effectsOf({{"inertia", {{"change", -0.0015}}}})};
-    FAIL() << "a negative inertia was taken";
+    FAIL() << "a negative inertia was accepted";
   } catch (const std::runtime_error& error) {
     const std::string why = error.what();
-    for (const char* part : {"armature = 0.001", "change = -0.0015", "[effect inertia]", "take less away"})
+    for (const char* part : {"armature = 0.001", "change = -0.0015", "[effect inertia]", "negative inertia"})
       EXPECT_NE(why.find(part), std::string::npos) << why;
   }
 }
@@ -101,7 +101,7 @@ TEST(Inertia, SlowsTheSwingAndAddsNoWeight) {
   EXPECT_NEAR(halfSwing(choice, kArm) / halfSwing({}, kArm), ratio, 0.001);
 }
 
-TEST(EncoderOffset, IsWhereTheArmComesToRest) {
+TEST(EncoderOffset, IsTheRestingAngleOfTheArm) {
   Bench bench{{}, effectsOf({{"viscous", {{"damping", 0.05}}}, {"encoder_offset", {{"offset", 0.04}}}}), kArm};
   bench.reset({.start_rad = 0.5});
   runFor(bench, 5, ServoDrive{});

@@ -1,4 +1,4 @@
-// What effects do to supply and motor.
+// Effects on supply and motor.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace darwinop::twin {
 namespace {
 
-/// With all the duty that there is, the horn held at 0 or turning at this speed.
+/// Full duty, horn held at 0 or turning at this speed.
 Actuation fullDuty(Servo& servo, double speed_rad_s = 0) {
   servo.firmware(driveTo(3), 0, speed_rad_s);
   return servo.actuate(0, speed_rad_s, 0);
@@ -43,11 +43,11 @@ TEST(SupplySag, GrowsWithTheSquareOfTheLoad) {
     servo.firmware(driveTo(goal), 0, 0);
     return 12 - servo.signals().supply_v;
   };
-  // The resistance of the cables is a hundredth of the winding's, so much may it be off from the square.
+  // The cable resistance is 1 % of the winding's, which bounds the deviation from the square.
   EXPECT_NEAR(sag_at(0.16) / sag_at(0.08), 4, 0.05);
 }
 
-TEST(SupplySag, CountsTheCurrentThatATorqueLimitLeaves) {
+TEST(SupplySag, UsesTheCurrentAtTheTorqueLimit) {
   Servo servo = servoWith({{"supply_sag", {{"resistance", 2}}}, {"torque_limit", {{"torque", 0.5}}}});
   fullDuty(servo);
   EXPECT_NEAR(servo.signals().supply_v, 12 - 2 * 0.5 / ServoParameters{}.kt_nm_a, 1e-9);
@@ -60,7 +60,7 @@ TEST(SupplySag, DroopsOverTheSession) {
   EXPECT_NEAR(servo.signals().supply_v, 12 - 0.5, 1e-4);
 }
 
-TEST(SupplySag, EndsWithAnEmptyBatteryAndTurnsNothingRound) {
+TEST(SupplySag, EndsAtZeroVoltageWithoutReversingTheMotor) {
   Servo servo = servoWith({{"supply_sag", {{"droop", 0.01}}}});
   servo.reset(0, 2000);
   servo.firmware(driveTo(0.5), 0, 0);
@@ -74,7 +74,7 @@ TEST(KtError, MakesTheMotorStrongerAndSlower) {
   EXPECT_NEAR(noLoadSpeed(choice) / noLoadSpeed({}), 1 / 1.08, 1e-9);
 }
 
-TEST(KtError, ItsSecondNumberTouchesTheBackEmfAlone) {
+TEST(KtError, ItsSecondParameterChangesTheBackEmfOnly) {
   const std::vector<Chosen> choice{{"kt_error", {{"back_emf", 0.1}}}};
   EXPECT_NEAR(stallTorque(choice), stallTorque({}), 1e-12);
   EXPECT_NEAR(noLoadSpeed(choice) / noLoadSpeed({}), 1 / 1.1, 1e-9);

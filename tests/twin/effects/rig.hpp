@@ -1,4 +1,4 @@
-// What the tests of the effects share: effects by name, a servo that has them, and a run that shows most of them.
+// Shared helpers of the effect tests: effects by name, a servo with them, a run that excites most of them.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace darwinop::twin {
 
-/// An effect, and those of its parameters that are not neutral.
+/// An effect with its non-neutral parameters.
 struct Chosen {
   std::string_view id;
   std::vector<std::pair<std::string_view, double>> values;
@@ -38,7 +38,7 @@ inline std::vector<double> valuesOf(const EffectInfo& info, const Chosen& chosen
 
 using Effects = std::vector<std::unique_ptr<Effect>>;
 
-/// In the order of the catalogue, as a model file's are.
+/// In catalogue order, as in a model file.
 inline Effects effectsOf(const std::vector<Chosen>& choice) {
   Effects effects;
   for (const EffectInfo* info : catalogue())
@@ -59,7 +59,7 @@ inline ServoDrive driveTo(double goal_rad) {
           .torque_limit = 1};
 }
 
-/// An arm that needs 0.49 N m to stand out sideways, a fifth of what the servo has.
+/// An arm that needs 0.49 N m when horizontal, a fifth of the servo's torque.
 inline constexpr Pendulum kArm{.payload_kg = 0.3, .arm_mass_kg = 0.04, .length_m = 0.155};
 
 inline void runFor(Bench& bench, double seconds, const ServoDrive& drive) {

@@ -1,4 +1,4 @@
-// docs/twin/models.md says what the code reads.
+// docs/twin/models.md agrees with the key table.
 #include <gmock/gmock.h>
 
 #include <fstream>
@@ -17,7 +17,7 @@ std::string page() {
 }
 
 TEST(ModelDocs, ThePageHasTheTableOfAllKeys) {
-  EXPECT_THAT(page(), testing::HasSubstr(keysAsMarkdown())) << "put this table there:\n" << keysAsMarkdown();
+  EXPECT_THAT(page(), testing::HasSubstr(keysAsMarkdown())) << "replace the table by:\n" << keysAsMarkdown();
 }
 
 TEST(ModelDocs, TheModelsOfThePageAreSound) {

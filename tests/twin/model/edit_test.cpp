@@ -1,4 +1,4 @@
-// Edits of a model file's text: one section changes, and no other byte.
+// Edits of the text of a model file change one section and no other byte.
 #include <gtest/gtest.h>
 
 #include "twin/effects/catalogue.hpp"
@@ -30,7 +30,7 @@ TEST(WithEffect, AddsAtTheEndWhereThereIsNoEffectYet) {
             kNamed + "\n[effect coulomb]\nfriction = 0.03 N m\n");
 }
 
-TEST(WithEffect, OfOneJointStandsBesideTheCommonOne) {
+TEST(WithEffect, OfOneJointIsAddedToTheCommonOne) {
   const std::string text = withEffect(withEffect(kPlain, coulomb(0.03), {}), coulomb(0.05, Joint::kNeck), {});
   const Model model = parseModel(text, "my.ini");
   ASSERT_EQ(model.effects.size(), 3U);
@@ -38,7 +38,7 @@ TEST(WithEffect, OfOneJointStandsBesideTheCommonOne) {
   EXPECT_EQ(model.effects[2].values[0], 0.05);
 }
 
-TEST(WithEffect, ReplacesTheSectionWithItsCommentsWhereItStands) {
+TEST(WithEffect, ReplacesTheSectionAndItsCommentsInPlace) {
   const std::string before = "; head of the file\n\n[model]\nname = test\n";
   const std::string after = "\n; on the floor\n[body]\nstep = 0.001 s\n";
   const std::string old = "\n; thesis\n[effect coulomb]\nfriction = 0.025 N m  ; of 2013\n; end\n";
@@ -46,7 +46,7 @@ TEST(WithEffect, ReplacesTheSectionWithItsCommentsWhereItStands) {
             before + "\n; measured\n[effect coulomb]\nfriction = 0.03 N m\n" + after);
 }
 
-TEST(WithEffect, KeepsACommentThatStandsRightAboveTheNextSection) {
+TEST(WithEffect, KeepsACommentDirectlyAboveTheNextSection) {
   const std::string text = kNamed + "[effect coulomb]\nfriction = 0.1 N m\n; on the floor\n[body]\n";
   EXPECT_EQ(withEffect(text, coulomb(0.2), {}),
             kNamed + "[effect coulomb]\nfriction = 0.2 N m\n; on the floor\n[body]\n");
@@ -64,28 +64,28 @@ TEST(WithEffect, MakesOneCommentLineOfEachLineOfAComment) {
             kNamed + "\n; two\n; lines\n;\n; friction = 9 N m\n[effect coulomb]\nfriction = 0.03 N m\n");
 }
 
-TEST(WithEffect, RefusesAValueThatNoFileMayHave) {
+TEST(WithEffect, RefusesAValueOutOfRange) {
   EXPECT_EQ(refusal([] { withEffect(kNamed, coulomb(7), {}); }),
             "the model, line 5: [effect coulomb] friction = 7 N m: out of range; give 0 to 0.3 N m");
   EXPECT_EQ(refusal([] {
               withEffect(kNamed, {findEffect("coulomb"), {}, {}}, {});
             }),
-            "an effect without values for each of its parameters cannot be written");
+            "cannot write an effect without a value for each of its parameters");
 }
 
-TEST(WithEffect, RefusesATextThatIsNoModel) {
+TEST(WithEffect, RefusesAnInvalidModel) {
   EXPECT_EQ(refusal([] { withEffect(kNamed + "[servo]\nkt = 1\n", coulomb(0.1), {}); }),
             "the model, line 4: [servo] kt = 1: the unit is missing; write 1 N m/A");
 }
 
-TEST(WithoutEffect, TakesOutWhatWithEffectPutIn) {
+TEST(WithoutEffect, RemovesWhatWithEffectAdded) {
   EXPECT_EQ(withoutEffect(withEffect(kPlain, coulomb(0.03), {"found"}), "coulomb", {}), kPlain);
   EXPECT_EQ(withoutEffect(withEffect(kPlain, coulomb(0.03, Joint::kHead), {}), "COULOMB", Joint::kHead), kPlain);
 }
 
-TEST(WithoutEffect, RefusesWhatIsNotThere) {
+TEST(WithoutEffect, RefusesAMissingSection) {
   EXPECT_EQ(refusal([] { withoutEffect(kPlain, "viscous", Joint::kNeck); }),
-            "the model has no section [effect viscous Neck], so there is nothing to take out");
+            "the model has no section [effect viscous Neck] to remove");
   EXPECT_EQ(refusal([] { withoutEffect(kPlain, "viscos", {}); }),
             "there is no effect \"viscos\"; did you mean viscous?");
 }

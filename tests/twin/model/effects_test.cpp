@@ -1,4 +1,4 @@
-// Effects in model files: every one of the catalogue, for all joints and for one.
+// All effects of the catalogue in model files, for all joints and for one.
 #include <gmock/gmock.h>
 
 #include "twin/effects/catalogue.hpp"
@@ -16,7 +16,7 @@ class EveryEffect : public testing::TestWithParam<const EffectInfo*> {
     return effect;
   }
 
-  /// A model with nothing but this effect, written and read back.
+  /// A model with only this effect, written and read back.
   static std::vector<EffectSetting> afterAFile(const EffectSetting& effect) {
     Model model;
     model.name = "test";
@@ -40,7 +40,7 @@ TEST_P(EveryEffect, IsSwitchedOnAloneAndReadBackWithoutLoss) {
   }
 }
 
-TEST_P(EveryEffect, IsInTheServosThatItIsSwitchedOnIn) {
+TEST_P(EveryEffect, IsInTheServosOfItsJoints) {
   Model model;
   model.effects = {setting(&Parameter::typical, Joint::kAnkleL)};
   EXPECT_TRUE(effectsOf(model, Joint::kAnkleR).empty());
@@ -49,7 +49,7 @@ TEST_P(EveryEffect, IsInTheServosThatItIsSwitchedOnIn) {
   EXPECT_EQ(&effects[0]->info(), GetParam());
 }
 
-TEST_P(EveryEffect, IsPutIntoAModelFileAndTakenOutAgain) {
+TEST_P(EveryEffect, IsAddedToAModelFileAndRemovedAgain) {
   const EffectSetting effect = setting(&Parameter::typical, Joint::kNeck);
   const std::string with = withEffect(kNamed, effect, {"found on Monday"});
   expectSame(parseModel(with, "my.ini").effects, effect);
@@ -81,12 +81,12 @@ double frictionOf(Joint joint) {
   return s.dry_friction_nm;
 }
 
-TEST(EffectsOfAJoint, ItsOwnSettingReplacesTheCommonOneWhicheverStandsFirst) {
+TEST(EffectsOfAJoint, ItsOwnSettingOverridesTheCommonOneInAnyOrder) {
   EXPECT_EQ(frictionOf(Joint::kNeck), 0.05);
   EXPECT_EQ(frictionOf(Joint::kHead), 0.02);
 }
 
-TEST(EffectsOfAJoint, ComeInTheOrderOfTheCatalogueWhateverThatOfTheFile) {
+TEST(EffectsOfAJoint, AreInCatalogueOrder) {
   const auto effects = effectsOf(modelOf("[effect viscous]\ndamping = 0.01 N m s/rad\n"
                                          "[effect coulomb]\nfriction = 0.02 N m\n"
                                          "[effect speed_limit]\nspeed = 2 rad/s\n"),

@@ -1,4 +1,4 @@
-// Every sentence of a model file that is refused: file, line, key, and what is allowed.
+// Error messages of invalid model files: file, line, key, allowed values.
 #include <gmock/gmock.h>
 
 #include "twin/model/keys.hpp"
@@ -19,35 +19,34 @@ void PrintTo(const Wrong& wrong, std::ostream* out) {  // NOLINT(readability-ide
 
 class WrongModelFile : public testing::TestWithParam<Wrong> {};
 
-TEST_P(WrongModelFile, IsRefusedWithFileLineKeyAndWhatIsAllowed) {
+TEST_P(WrongModelFile, IsRefusedWithFileLineKeyAndAllowedValues) {
   EXPECT_EQ(refusalOf(GetParam().lines), "my.ini, line " + GetParam().sentence);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Sections, WrongModelFile,
-    testing::Values(
-        Wrong{"[servos]\n", "3: there is no section [servos]; did you mean [servo]?"},
-        Wrong{"[camera]\n",
-              "3: there is no section [camera]; there are [model], [servo], [body], [imu] and "
-              "[effect NAME]"},
-        Wrong{"[]\n", "3: there is no section []; there are [model], [servo], [body], [imu] and [effect NAME]"},
-        Wrong{"[coulomb]\n", "3: there is no section [coulomb]; an effect is switched on by [effect coulomb]"},
-        Wrong{"[servo\n", "3: the section's closing bracket ] is missing"},
-        Wrong{"[servo] kt\n", "3: there is something behind the section's closing bracket ]"},
-        Wrong{"[servo]\n\n[body]\n[Servo]\n",
-              "6: [servo] is there a second time, the first is in line 3; keep one of the two"},
-        Wrong{"[servo]\nkt 1.5 N m/A\n", "4: \"kt 1.5 N m/A\" is no [section], no key = value and no comment"}));
+    testing::Values(Wrong{"[servos]\n", "3: there is no section [servos]; did you mean [servo]?"},
+                    Wrong{"[camera]\n",
+                          "3: there is no section [camera]; there are [model], [servo], [body], [imu] and "
+                          "[effect NAME]"},
+                    Wrong{"[]\n",
+                          "3: there is no section []; there are [model], [servo], [body], [imu] and [effect NAME]"},
+                    Wrong{"[coulomb]\n", "3: there is no section [coulomb]; write an effect as [effect coulomb]"},
+                    Wrong{"[servo\n", "3: the section's closing bracket ] is missing"},
+                    Wrong{"[servo] kt\n", "3: there is something behind the section's closing bracket ]"},
+                    Wrong{"[servo]\n\n[body]\n[Servo]\n", "6: [servo] is already in line 3; keep one of the two"},
+                    Wrong{"[servo]\nkt 1.5 N m/A\n",
+                          "4: \"kt 1.5 N m/A\" is neither a [section], nor key = value, nor a comment"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Keys, WrongModelFile,
-    testing::Values(Wrong{"[servo]\nresistence = 8 ohm\n",
-                          "4: [servo] resistence = 8 ohm: no such key; did you mean resistance?"},
-                    Wrong{"[body]\nmass = 3 kg\n",
-                          "4: [body] mass = 3 kg: no such key; there are xml, trunk_com, trunk_inertia, "
-                          "self_collision, hold_until_driven, "
-                          "floor_friction, contact_time and step"},
-                    Wrong{"[servo]\nkt = 1 N m/A\n;\nKT = 2 N m/A\n",
-                          "6: [servo] KT is there a second time, the first is in line 4; keep one of the two"}));
+    testing::Values(
+        Wrong{"[servo]\nresistence = 8 ohm\n", "4: [servo] resistence = 8 ohm: no such key; did you mean resistance?"},
+        Wrong{"[body]\nmass = 3 kg\n",
+              "4: [body] mass = 3 kg: no such key; there are xml, trunk_com, trunk_inertia, "
+              "self_collision, hold_until_driven, "
+              "floor_friction, contact_time and step"},
+        Wrong{"[servo]\nkt = 1 N m/A\n;\nKT = 2 N m/A\n", "6: [servo] KT is already in line 4; keep one of the two"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Numbers, WrongModelFile,
@@ -83,8 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[servo]\naccel_max = inf rad/s2\n",
               "4: [servo] accel_max = inf rad/s2: not a finite number; give 0.1 to 100000 rad/s2, or none for no "
               "limit"},
-        Wrong{"[servo]\nkt = none\n",
-              "4: [servo] kt = none: this is no limit that can be left open; give 0.01 to 10 N m/A"},
+        Wrong{"[servo]\nkt = none\n", "4: [servo] kt = none: none is not allowed here; give 0.01 to 10 N m/A"},
         Wrong{"[servo]\nkt = 1786 N m/A\n", "4: [servo] kt = 1786 N m/A: out of range; give 0.01 to 10 N m/A"},
         Wrong{"[servo]\narmature = -0.001 kg m2\n",
               "4: [servo] armature = -0.001 kg m2: out of range; give 0 to 0.1 kg m2"}));
@@ -127,25 +125,25 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"[effect coulomb]\nfriction = 1 N m\n",
               "4: [effect coulomb] friction = 1 N m: out of range; give 0 to 0.3 N m"},
         Wrong{"[effect coulomb Neck]\nfriction = 0.1 N m\n[effect coulomb neck]\nfriction = 0.2 N m\n",
-              "5: [effect coulomb Neck] is there a second time, the first is in line 3; keep one of the two"}));
+              "5: [effect coulomb Neck] is already in line 3; keep one of the two"}));
 
 TEST(WrongModelFileAsAWhole, NeedsAName) {
   EXPECT_EQ(refusal([] { parseModel("; only this\n", "my.ini"); }),
-            "my.ini, line 1: [model] name is missing; say what the model is called: name = my-robot");
+            "my.ini, line 1: [model] name is missing; add one, as in name = my-robot");
   EXPECT_EQ(refusal([] { parseModel("\n[model]\n", "my.ini"); }),
-            "my.ini, line 2: [model] name is missing; say what the model is called: name = my-robot");
+            "my.ini, line 2: [model] name is missing; add one, as in name = my-robot");
 }
 
 TEST(WrongModelFileAsAWhole, HasNothingBeforeItsFirstSection) {
   EXPECT_EQ(refusal([] { parseModel("name = test\n", "my.ini"); }),
-            "my.ini, line 1: key \"name\" stands before the first section; begin with [model]");
+            "my.ini, line 1: key \"name\" is before the first section; start the file with [model]");
 }
 
-TEST(WrongModelFileAsAWhole, HasNoContactsFasterThanTheStepsCanFollow) {
+TEST(WrongModelFileAsAWhole, NeedsAContactTimeOfAtLeastTwoSteps) {
   EXPECT_EQ(refusalOf("[body]\nstep = 0.005 s\ncontact_time = 0.008 s\n"),
-            "my.ini, line 5: [body] contact_time is less than two steps; give at least 0.01 s, or a smaller step");
+            "my.ini, line 5: [body] contact_time is shorter than two steps; give at least 0.01 s, or a smaller step");
   EXPECT_EQ(refusalOf("[body]\nstep = 0.005 s\n"),
-            "my.ini, line 4: [body] contact_time is less than two steps; give at least 0.01 s, or a smaller step");
+            "my.ini, line 4: [body] contact_time is shorter than two steps; give at least 0.01 s, or a smaller step");
 }
 
 TEST(WrongModelFileAsAWhole, AnUnknownEffectFarFromAllNamesGetsTheList) {
@@ -153,7 +151,7 @@ TEST(WrongModelFileAsAWhole, AnUnknownEffectFarFromAllNamesGetsTheList) {
   EXPECT_THAT(refusalOf("[effect zzzzzz]\n"), HasSubstr("coulomb"));
 }
 
-TEST(WrongModelFileAsAWhole, EveryNumberIsRefusedOutsideItsRangeAndTakenAtItsEnds) {
+TEST(WrongModelFileAsAWhole, EveryNumberIsRefusedOutsideItsRangeAndAcceptedAtItsEnds) {
   for (const KeyRow& row : keyTable()) {
     Model model;
     if (!std::holds_alternative<double*>(row.in(model))) continue;
@@ -167,7 +165,7 @@ TEST(WrongModelFileAsAWhole, EveryNumberIsRefusedOutsideItsRangeAndTakenAtItsEnd
   }
 }
 
-TEST(DamagedModelFile, IsNotReadAsFarAsItsFirstZero) {
+TEST(DamagedModelFile, IsRefusedForAZeroByte) {
   const std::string text = "[model]\nname = mine\n[servo]\nkt = 1 N m/A" + std::string{'\0'} + "junk\n";
   try {
     (void)parseModel(text, "my.ini");

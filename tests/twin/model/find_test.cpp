@@ -1,4 +1,4 @@
-// Where model files are looked for.
+// Search path of model files.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using testing::Contains;
 using testing::HasSubstr;
 
-/// A folder with models of its own; everything is as before when it goes.
+/// A temporary folder with models; the destructor restores the environment.
 class OwnModels : public testing::Test {
  protected:
   OwnModels() : was_{fs::current_path()} {}
@@ -43,8 +43,8 @@ TEST(FindModel, ShippedOnesAreFoundByName) {
 
 TEST(FindModel, AnUnknownNameIsRefusedWithTheShippedOnes) {
   EXPECT_EQ(refusal([] { findModel("darvin-op"); }),
-            "there is no model \"darvin-op\"; the shipped models are darwin-op and webots-2013, and a file of your own "
-            "is named by its path, as in ./my-robot.ini");
+            "there is no model \"darvin-op\"; the shipped models are darwin-op and webots-2013; name your own file by "
+            "its path, as in ./my-robot.ini");
   EXPECT_EQ(refusal([] { findModel("/nowhere/my.ini"); }),
             "there is no model file /nowhere/my.ini; the shipped models are darwin-op and webots-2013");
   EXPECT_THAT(refusal([] { findModel(""); }), HasSubstr("there is no model \"\""));
@@ -58,17 +58,17 @@ TEST_F(OwnModels, AFolderOfTheUserComesBeforeTheShippedOnes) {
   EXPECT_THAT(shippedModels(), testing::ElementsAre("darwin-op", "mine", "webots-2013"));
 }
 
-TEST_F(OwnModels, APathIsAPath) {
+TEST_F(OwnModels, ANameWithASlashOrIniIsAPath) {
   const std::string mine = put("mine.ini"), bare = put("bare");
   EXPECT_EQ(findModel(mine), mine);
   fs::current_path(folder_ / "");
   EXPECT_EQ(findModel("mine.ini"), "mine.ini");
   EXPECT_EQ(findModel("bare"), "bare");
-  fs::create_directory("darwin-op");  // a folder of that name is no model file
+  fs::create_directory("darwin-op");  // a folder of that name is not a model file
   EXPECT_TRUE(fs::equivalent(findModel("darwin-op"), DARWINOP_SHIPPED_MODELS "/darwin-op.ini"));
 }
 
-TEST_F(OwnModels, AModelIsReadWithTheBodyThatLiesBesideIt) {
+TEST_F(OwnModels, AModelIsReadWithTheBodyInItsFolder) {
   const std::string mine = put("mine.ini", kNamed + "[body]\nxml = own.xml\n");
   put("own.xml", "<mujoco/>");
   EXPECT_TRUE(fs::equivalent(readModel(mine).folder, folder_ / ""));
@@ -82,12 +82,12 @@ TEST_F(OwnModels, AMissingBodyIsRefusedWithTheLineThatNamesIt) {
   const std::string mine = put("mine.ini", kNamed + "[body]\nxml = own.xml\n");
   EXPECT_EQ(refusal([&] { readModel(mine); }), mine + ", line 4: [body] xml = own.xml: there is no file " +
                                                    (folder_ / "own.xml") +
-                                                   "; give a file that lies beside the model file, or darwin-op.xml");
+                                                   "; give a file in the folder of the model file, or darwin-op.xml");
   fs::create_directory(folder_ / "own.xml");
   EXPECT_THAT(refusal([&] { readModel(mine); }), HasSubstr((folder_ / "own.xml") + " is a folder; "));
 }
 
-TEST_F(OwnModels, AFolderOrAMissingFileIsNoModel) {
+TEST_F(OwnModels, AFolderOrAMissingFileIsRefused) {
   EXPECT_THAT(refusal([&] { readModel(folder_ / ""); }), HasSubstr(" is a folder; name a model file in it"));
   EXPECT_EQ(refusal([&] { readModel(folder_ / "no.ini"); }),
             "there is no model file " + (folder_ / "no.ini") + "; the shipped models are darwin-op and webots-2013");

@@ -1,4 +1,4 @@
-// What holds for any model: it is written and read back to the last bit, and edits touch one section.
+// Properties of random models: writing and reading is bitwise exact, and edits change one section.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -17,14 +17,14 @@ namespace darwinop::twin {
 namespace {
 
 /// Random models from one seed, so that a failure is repeated by its seed (printed by RapidCheck).
-class Dice {
+class RandomModels {
  public:
-  explicit Dice(std::uint32_t seed) : engine_{seed} {}
+  explicit RandomModels(std::uint32_t seed) : engine_{seed} {}
   bool one(int in) { return upTo(in - 1) == 0; }
   std::size_t upTo(std::size_t most) { return std::uniform_int_distribution<std::size_t>{0, most}(engine_); }
   std::size_t upTo(int most) { return upTo(static_cast<std::size_t>(most)); }
 
-  /// Any number of the range, with all its digits; its ends, and what is next to 0, more often.
+  /// Any number of the range, with all digits; range ends and values near 0 are more frequent.
   double number(const NumberRule& rule) {
     if (rule.may_be_none && one(4)) return std::numeric_limits<double>::infinity();
     if (one(8)) return rule.low;
@@ -76,7 +76,7 @@ class Dice {
 };
 
 void requireSame(double a, double b) {
-  RC_ASSERT(std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b));  // tells -0 from 0
+  RC_ASSERT(std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b));  // distinguishes -0 from 0
 }
 void requireSame(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) requireSame(a[i], b[i]);
@@ -101,28 +101,28 @@ void requireSame(Model a, Model b) {
 }
 
 RC_GTEST_PROP(AnyModel, IsWrittenAndReadBackToTheLastBit, (std::uint32_t seed)) {
-  const Model model = Dice{seed}.model();
+  const Model model = RandomModels{seed}.model();
   const std::string text = writeModel(model);
   const Model read = parseModel(text, "my.ini");
   requireSame(read, model);
   RC_ASSERT(writeModel(read) == text);
 }
 
-/// The same file as somebody's hands would leave it: comments, blank lines, line ends of another system.
-std::string handled(const std::string& text, Dice& dice) {
-  const std::string end = dice.one(2) ? "\r\n" : "\n";
+/// The same file as edited by hand: comments, blank lines, line ends of another system.
+std::string handled(const std::string& text, RandomModels& random) {
+  const std::string end = random.one(2) ? "\r\n" : "\n";
   std::string out;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t next = text.find('\n', at);
-    out += text.substr(at, next - at) + (dice.one(4) ? "  ; why = [servo]" : "") + end;
-    if (dice.one(6)) out += end;
-    if (dice.one(6)) out += "; [effect coulomb]" + end;
+    out += text.substr(at, next - at) + (random.one(4) ? "  ; why = [servo]" : "") + end;
+    if (random.one(6)) out += end;
+    if (random.one(6)) out += "; [effect coulomb]" + end;
     at = next + 1;
   }
   return out;
 }
 
-/// What is left of `all` after the lines of `part` have been taken out where they stand; nothing: they do not.
+/// `all` without the contiguous lines of `part`; empty if `all` does not contain them.
 std::optional<std::string> added(const std::string& all, const std::string& part) {
   std::size_t front = 0, back = 0;
   while (front < part.size() && all[front] == part[front]) ++front;
@@ -132,12 +132,12 @@ std::optional<std::string> added(const std::string& all, const std::string& part
 }
 
 RC_GTEST_PROP(AnyModelFile, AnEffectIsAddedWithoutTouchingAnotherByteAndTakenOutAgain, (std::uint32_t seed)) {
-  Dice dice{seed};
-  Model model = dice.model();
-  const EffectSetting setting = dice.effect();
+  RandomModels random{seed};
+  Model model = random.model();
+  const EffectSetting setting = random.effect();
   std::erase_if(model.effects,
                 [&](const EffectSetting& e) { return e.info == setting.info && e.joint == setting.joint; });
-  const std::string text = handled(writeModel(model), dice);
+  const std::string text = handled(writeModel(model), random);
   const std::string with = withEffect(text, setting, {"found", "in a log"});
   RC_ASSERT(added(with, text).has_value());
   const Model read = parseModel(with, "my.ini");
@@ -150,13 +150,13 @@ RC_GTEST_PROP(AnyModelFile, AnEffectIsAddedWithoutTouchingAnotherByteAndTakenOut
 }
 
 RC_GTEST_PROP(AnyModelFile, AnEffectIsReplacedAndTheRestOfTheModelStays, (std::uint32_t seed)) {
-  Dice dice{seed};
-  Model model = dice.model();
+  RandomModels random{seed};
+  Model model = random.model();
   RC_PRE(!model.effects.empty());
-  const std::string text = handled(writeModel(model), dice);
-  EffectSetting& changed = model.effects[dice.upTo(model.effects.size() - 1)];
+  const std::string text = handled(writeModel(model), random);
+  EffectSetting& changed = model.effects[random.upTo(model.effects.size() - 1)];
   for (std::size_t i = 0; i < changed.values.size(); ++i)
-    changed.values[i] = dice.number(ruleOf(changed.info->parameters[i]));
+    changed.values[i] = random.number(ruleOf(changed.info->parameters[i]));
   requireSame(parseModel(withEffect(text, changed, {"again"}), "my.ini"), model);
 }
 

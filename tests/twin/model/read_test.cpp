@@ -1,4 +1,4 @@
-// What a model file says is what the model is.
+// Reading and writing of model files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace darwinop::twin {
 namespace {
 
-TEST(ModelFile, ValuesGoWhereTheirKeySays) {
+TEST(ModelFile, ValuesAreStoredUnderTheirKey) {
   const Model model = modelOf(
       "[servo]\nlaw = speed_p\nkt = 1.5 N m/A\narmature = 2e-3 kg m2\naccel_max = 55 rad/s2\n"
       "[body]\nxml = bodies/robot.xml\ntrunk_com = halfway\ntrunk_inertia = published\nself_collision = "
@@ -31,19 +31,19 @@ TEST(ModelFile, ValuesGoWhereTheirKeySays) {
   EXPECT_EQ(model.imu.accel_scale, (std::array<double, 3>{1, -1, 1}));
 }
 
-TEST(ModelFile, WhatItDoesNotNameHasTheDefault) {
+TEST(ModelFile, AbsentKeysHaveTheirDefault) {
   const Model model = modelOf("[servo]\nkt = 1.5 N m/A\n");
   EXPECT_EQ(model.servo.resistance_ohm, ServoParameters{}.resistance_ohm);
   EXPECT_EQ(model.body.trunk_com, BodySettings{}.trunk_com);
   EXPECT_TRUE(model.effects.empty());
 }
 
-TEST(ModelFile, NoneIsALimitThatIsNotThere) {
+TEST(ModelFile, NoneMeansNoLimit) {
   EXPECT_TRUE(std::isinf(modelOf("[servo]\naccel_max = none\n").servo.accel_max_rad_s2));
   EXPECT_TRUE(std::isinf(modelOf("[servo]\noverload_time = none\n").servo.overload_time_s));
 }
 
-TEST(ModelFile, HasTheLibertiesOfTheHousesOtherFiles) {
+TEST(ModelFile, AcceptsTheCommonIniSyntax) {
   const Model model = parseModel(
       "\xEF\xBB\xBF; made on another system\r\n[Model]\r\n  Name : test ; comment\r\n\r\n"
       "[SERVO]\r\nKT=1.5N m/A\r\nsupply = +11.1\tV # three cells\r\nback_emf = 2   V  s/rad\r\n"
@@ -59,11 +59,11 @@ TEST(ModelFile, HasTheLibertiesOfTheHousesOtherFiles) {
   EXPECT_EQ(model.effects[0].values, std::vector<double>{0.05});
 }
 
-TEST(ModelFile, TheFolderIsWhereTheFileLies) {
+TEST(ModelFile, TheFolderIsTheOneOfTheFile) {
   EXPECT_EQ(parseModel(kNamed + "[body]\nxml = own.xml\n", "/some/where/my.ini").folder, "/some/where");
 }
 
-TEST(WriteModel, RefusesWhatCouldNotBeReadBack) {
+TEST(WriteModel, RefusesValuesThatCannotBeReadBack) {
   Model model;
   EXPECT_EQ(
       refusal([&] { writeModel(model); }),
@@ -72,7 +72,7 @@ TEST(WriteModel, RefusesWhatCouldNotBeReadBack) {
   for (const char* name : {"a;b", "a#b", "\"a\"", "a ", " a"}) {
     model.name = name;
     EXPECT_EQ(refusal([&] { writeModel(model); }),
-              "the model cannot be written: its name and body.xml may have no quotes, ; or #, and no blank at an end")
+              "cannot write the model: name and body.xml must not contain quotes, ; or #, or start or end with a blank")
         << name;
   }
   model.name = "test";

@@ -1,4 +1,4 @@
-// The models that are shipped are sound, and say what data sheet and thesis say.
+// Shipped models: validity, and agreement with data sheet and thesis.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ double valueOf(const Model& model, std::string_view effect) {
   return NAN;
 }
 
-TEST(ShippedModels, AreAllSoundAndCalledAsTheirFiles) {
+TEST(ShippedModels, AreValidAndNamedAsTheirFiles) {
   int models = 0;
   for (const auto& entry : std::filesystem::directory_iterator{DARWINOP_SHIPPED_MODELS}) {
     if (entry.path().extension() != ".ini") continue;
@@ -42,15 +42,15 @@ TEST(ShippedModels, TheServoTurnsAsFastAsItsDataSheetSays) {
   EXPECT_NEAR(free_torque_nm / braking_nms_rad * 60 / (2 * kPi), 55, 0.05);
 }
 
-// Data sheet of the MX-28 at 12 V: 2.5 N m and 1.4 A when it stands.
-TEST(ShippedModels, TheServoStandsStillAtTheTorqueOfItsDataSheet) {
+// Data sheet of the MX-28 at 12 V: stall at 2.5 N m and 1.4 A.
+TEST(ShippedModels, TheServoStallsAtTheTorqueOfItsDataSheet) {
   const ServoParameters s = shipped("darwin-op").servo;
   EXPECT_EQ(s.law, Law::kVoltageP);
   EXPECT_NEAR(s.supply_v / s.resistance_ohm, 1.4, 0.001);
   EXPECT_NEAR(s.kt_nm_a * s.supply_v / s.resistance_ohm, 2.5, 0.002);
 }
 
-TEST(ShippedModels, TheSimulatorOf2013IsThatOf2013) {
+TEST(ShippedModels, Webots2013HasTheParametersOfThatSimulator) {
   const Model model = shipped("webots-2013");
   EXPECT_EQ(model.servo.law, Law::kSpeedP);
   EXPECT_EQ(model.servo.speed_gain_per_kp_1_s * 8, 1);  // P = register / 8

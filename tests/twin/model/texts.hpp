@@ -1,4 +1,4 @@
-// Model files for tests.
+// Model file texts for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace darwinop::twin {
 
-/// The sentence with which `action` refuses; empty: it did not.
+/// Error message of `action`; empty if it succeeds.
 template <class Action>
 std::string refusal(const Action& action) {
   try {
@@ -21,9 +21,9 @@ std::string refusal(const Action& action) {
   return {};
 }
 
-inline const std::string kNamed = "[model]\nname = test\n";  // the least that a model file has; two lines
+inline const std::string kNamed = "[model]\nname = test\n";  // the minimal model file; two lines
 
-/// The refusal of a file that has these lines, from line 3 on.
+/// Error message for a file with these lines, from line 3 on.
 inline std::string refusalOf(const std::string& lines) {
   return refusal([&] { parseModel(kNamed + lines, "my.ini"); });
 }

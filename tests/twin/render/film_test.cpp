@@ -1,6 +1,5 @@
-// Films: into a folder, or by ffmpeg, and what is said when that cannot be.
+// Recording of films: folder of pictures, ffmpeg, error messages.
 #include "twin/render/film.hpp"
-
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -29,8 +28,8 @@ std::string refusal(const std::string& path, int width, int height) {
   return "taken";
 }
 
-TEST(Film, OfAKindThatItDoesNotMakeIsNoFolderOfThatName) {
-  EXPECT_THAT(refusal("run.avi", 640, 480), HasSubstr("'run.avi': name a file.mp4 or .mkv, or a folder"));
+TEST(Film, OfAnUnsupportedTypeIsRefused) {
+  EXPECT_THAT(refusal("run.avi", 640, 480), HasSubstr("'run.avi': give a file name.mp4 or .mkv, or a folder"));
   EXPECT_FALSE(std::filesystem::exists("run.avi"));
 }
 
@@ -49,7 +48,7 @@ TEST(Film, TwoFilmsDoNotMixInOneFolder) {
   const TemporaryFolder folder;
   std::string note;
   makeFilm(folder / "film", 16, 16, 30, note)->add(testPattern(16, 16, ""));
-  EXPECT_THAT(refusal(folder / "film", 16, 16), HasSubstr("already holds pictures"));
+  EXPECT_THAT(refusal(folder / "film", 16, 16), HasSubstr("already contains pictures"));
 }
 
 TEST(Film, AVideoOfOddSizeIsRefusedAndAFolderIsNot) {
@@ -58,7 +57,7 @@ TEST(Film, AVideoOfOddSizeIsRefusedAndAFolderIsNot) {
   EXPECT_EQ(refusal(folder / "film", 33, 16), "taken");
 }
 
-TEST(Film, WithoutFfmpegTheVideoBecomesAFolderAndTheNoteSaysHowToGoOn) {
+TEST(Film, WithoutFfmpegTheVideoBecomesAFolderWithANote) {
   const TemporaryFolder folder;
   const Environment none{"PATH", folder / ""};
   std::string note;
@@ -69,7 +68,7 @@ TEST(Film, WithoutFfmpegTheVideoBecomesAFolderAndTheNoteSaysHowToGoOn) {
   EXPECT_TRUE(std::filesystem::exists(folder / "film/frame_00001.png"));
 }
 
-TEST(Film, AVideoThatCannotBeWrittenIsNotSilent) {
+TEST(Film, AVideoThatCannotBeWrittenIsAnError) {
   const TemporaryFolder folder;
   std::string note;
   const auto film = makeFilm(folder / "no/such/folder.mp4", 16, 16, 25, note);
@@ -81,7 +80,7 @@ TEST(Film, AVideoThatCannotBeWrittenIsNotSilent) {
       std::runtime_error);
 }
 
-TEST(Film, IsFullByTheRobotsClockHoweverLateItIsDrawn) {
+TEST(Film, IsFinishedByTheRobotsClockHoweverLateItIsDrawn) {
   const TemporaryFolder folder;
   RobotBody body = usualBody();
   ShowOptions options;
@@ -92,16 +91,16 @@ TEST(Film, IsFullByTheRobotsClockHoweverLateItIsDrawn) {
   const auto ring = std::make_unique<PoseRing>();
   for (int i = 0; i < 2; ++i) ring->push(poseOf(body));
   screen->draw(*ring, "");
-  EXPECT_FALSE(screen->full());
-  for (int i = 0; i < 2; ++i) ring->push(poseOf(body));  // two are waiting, the robot's time is over
+  EXPECT_FALSE(screen->isFinished());
+  for (int i = 0; i < 2; ++i) ring->push(poseOf(body));  // two are pending, the requested time has passed
   screen->draw(*ring, "");
-  EXPECT_TRUE(screen->full());
+  EXPECT_TRUE(screen->isFinished());
   screen->finish(*ring, [] { return false; });
   EXPECT_TRUE(std::filesystem::exists(folder / "film/frame_00003.png"));
   EXPECT_FALSE(std::filesystem::exists(folder / "film/frame_00004.png"));
 }
 
-TEST(WatchedBody, LeavesAPoseForEveryPictureOfTheFilm) {
+TEST(WatchedBody, PushesAPoseForEveryPictureOfTheFilm) {
   auto body = std::make_unique<RobotBody>(readModel(findModel("darwin-op")));
   WatchedBody watched{std::move(body), 25};
   for (int i = 0; i < 500; ++i) watched.step(std::chrono::milliseconds{2}, Drives{});
@@ -113,7 +112,7 @@ TEST(WatchedBody, LeavesAPoseForEveryPictureOfTheFilm) {
 
 TEST(PoseRing, DropsAndCountsWhatDoesNotFit) {
   const auto ring = std::make_unique<PoseRing>();
-  for (std::uint32_t i = 0; i < PoseRing::kRoom + 2; ++i) ring->push(Pose{.time_s = i * 1.0});
+  for (std::uint32_t i = 0; i < PoseRing::kCapacity + 2; ++i) ring->push(Pose{.time_s = i * 1.0});
   EXPECT_EQ(ring->dropped(), 2U);
   Pose pose;
   ASSERT_TRUE(ring->pop(pose));

@@ -1,6 +1,5 @@
-// What the robot sees is what lies in front of it, at the place where geometry says.
+// Head camera of the twin: ball position in the picture against a pinhole model, picture format, rate, test pattern.
 #include "twin/render/head_camera.hpp"
-
 #include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
 
@@ -18,13 +17,13 @@ namespace {
 
 constexpr int kWidth = 320, kHeight = 240;
 constexpr double kHalfAngle = 1.0123 / 2;  // horizontal, of the robot's camera
-constexpr double kPixels = 3;              // a ball's picture is no circle: its middle lies up to 2 pixels beside
+constexpr double kPixels = 3;  // the projection of a ball is an ellipse: its centre is off by up to 2 pixels
 
 Spot redSpot(const Picture& p) {
   return centreOf(p, [&](int x, int y) { return red(p, x, y) > 60 && red(p, x, y) > 2 * green(p, x, y); });
 }
 
-/// Where the ball's centre must appear, by a pinhole in the robot's face.
+/// Expected position of the ball's centre in the picture (pinhole camera).
 Spot expected(RobotBody& body) {
   const mjModel& m = *body.mujocoModel();
   mjData& d = *body.mujocoData();
@@ -39,17 +38,17 @@ Spot expected(RobotBody& body) {
           kHeight / 2.0 - pixels_per_unit * seen[1] / -seen[2] - 0.5, 0};
 }
 
-class Eyes : public testing::Test {
+class HeadCameraTest : public testing::Test {
  protected:
-  /// Ball there, robot so; what it sees.
+  /// Places ball and robot and takes a picture.
   Spot look(double ball_x, double ball_y, double neck_rad = 0) {
     Angles angles = startAngles();
     angles[index(Joint::kNeck)] = neck_rad;
     body_.place(angles);
     body_.placeBall(ball_x, ball_y);
-    body_.step(std::chrono::milliseconds{34}, Drives{});  // one picture further
+    body_.step(std::chrono::milliseconds{34}, Drives{});  // one picture period later
     mj_forward(body_.mujocoModel(), body_.mujocoData());
-    if (!camera_) camera_ = std::make_unique<HeadCamera>(body_);  // the dear part of a test
+    if (!camera_) camera_ = std::make_unique<HeadCamera>(body_);  // the slow part of a test
     camera_->look();
     (void)camera_->newest();
     EXPECT_EQ(camera_->blindness(), nullptr);
@@ -60,7 +59,7 @@ class Eyes : public testing::Test {
   std::unique_ptr<HeadCamera> camera_;
 };
 
-TEST_F(Eyes, SeeTheBallWhereGeometrySays) {
+TEST_F(HeadCameraTest, ShowsTheBallWhereThePinholeModelPredicts) {
   for (const auto& [x, y] : {std::pair{0.4, 0.0}, {0.45, 0.12}, {0.5, -0.1}, {0.35, 0.0}}) {
     const Spot seen = look(x, y), wanted = expected(body_);
     EXPECT_GT(seen.pixels, 200) << x << ' ' << y;
@@ -69,19 +68,19 @@ TEST_F(Eyes, SeeTheBallWhereGeometrySays) {
   }
 }
 
-TEST_F(Eyes, ABallOnTheLeftIsLeftAndAFarOneIsHigher) {
+TEST_F(HeadCameraTest, ABallOnTheLeftIsLeftAndAFarOneIsHigher) {
   const Spot ahead = look(0.4, 0), left = look(0.4, 0.1), far = look(0.55, 0);
   EXPECT_LT(left.x, ahead.x - 30);  // 0.1 m at half a metre are 55 pixels
   EXPECT_LT(far.y, ahead.y - 15);   // rows count downward
 }
 
-TEST_F(Eyes, TurningTheHeadLeftMovesTheBallRight) {
+TEST_F(HeadCameraTest, TurningTheHeadLeftMovesTheBallRight) {
   const Spot ahead = look(0.45, 0), turned = look(0.45, 0, 0.2);
   EXPECT_GT(turned.x, ahead.x + 30);
   EXPECT_NEAR(turned.x, expected(body_).x, kPixels);
 }
 
-TEST_F(Eyes, BytesAreBlueGreenRedWithTheTopRowFirst) {
+TEST_F(HeadCameraTest, BytesAreBlueGreenRedWithTheTopRowFirst) {
   look(0.45, 0.05);
   const HeadCamera& camera = *camera_;
   const CameraFrame frame = camera_->newest();
@@ -95,7 +94,7 @@ TEST_F(Eyes, BytesAreBlueGreenRedWithTheTopRowFirst) {
   }
 }
 
-TEST_F(Eyes, GiveANewPictureThirtyTimesASecondAndTheSameOneBetween) {
+TEST_F(HeadCameraTest, ReturnsThirtyDifferentPicturesPerSecond) {
   HeadCamera camera{body_, {.width = 32, .height = 24}};
   const Drives limp{};
   std::uint64_t pictures = 0, last = 0;
@@ -110,10 +109,10 @@ TEST_F(Eyes, GiveANewPictureThirtyTimesASecondAndTheSameOneBetween) {
   EXPECT_NEAR(static_cast<double>(pictures), 30, 1);
   body_.step(std::chrono::milliseconds{200}, limp);
   camera.look();
-  EXPECT_NEAR(static_cast<double>(camera.newest().sequence - last), 6, 1);  // five nobody asked for
+  EXPECT_NEAR(static_cast<double>(camera.newest().sequence - last), 6, 1);  // five were not requested
 }
 
-TEST_F(Eyes, LookingChangesNothing) {
+TEST_F(HeadCameraTest, LookingDoesNotChangeTheSimulation) {
   RobotBody unseen = usualBody();
   HeadCamera camera{body_, {.width = 32, .height = 24}};
   const Drives limp{};
@@ -127,7 +126,7 @@ TEST_F(Eyes, LookingChangesNothing) {
   for (int i = 0; i < count; ++i) EXPECT_EQ(body_.mujocoData()->qpos[i], unseen.mujocoData()->qpos[i]);
 }
 
-TEST_F(Eyes, WithoutGraphicsThereIsATestPatternThatSaysWhy) {
+TEST_F(HeadCameraTest, WithoutOpenGlTheTestPatternContainsTheReason) {
   const Environment none{"DARWINOP_TWIN_GL", "off"};
   testing::internal::CaptureStderr();
   HeadCamera camera{body_}, second{body_};
@@ -135,12 +134,12 @@ TEST_F(Eyes, WithoutGraphicsThereIsATestPatternThatSaysWhy) {
   const CameraFrame frame = camera.newest();
   second.look();
   (void)second.newest();
-  const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(said, testing::HasSubstr("test pattern"));
-  EXPECT_THAT(said, testing::HasSubstr(camera.blindness()));
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;  // once for both
+  const std::string logged = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(logged, testing::HasSubstr("test pattern"));
+  EXPECT_THAT(logged, testing::HasSubstr(camera.blindness()));
+  EXPECT_EQ(std::count(logged.begin(), logged.end(), '\n'), 1) << logged;  // once for both
   EXPECT_THAT(camera.blindness(), testing::HasSubstr("DARWINOP_TWIN_GL"));
-  EXPECT_FALSE(camera.health().seeing) << "a test pattern is nothing to act on";
+  EXPECT_FALSE(camera.health().seeing) << "a test pattern must not be used by controllers";
 
   EXPECT_EQ(frame.sequence, 1U);
   const Picture& p = camera.picture();
@@ -148,7 +147,7 @@ TEST_F(Eyes, WithoutGraphicsThereIsATestPatternThatSaysWhy) {
   EXPECT_EQ((std::array{red(p, 260, 10), green(p, 260, 10), blue(p, 260, 10)}), (std::array{0, 0, 255}));
 }
 
-TEST_F(Eyes, ASizeThatCannotBeIsRefused) {
+TEST_F(HeadCameraTest, AnInvalidSizeIsRefused) {
   EXPECT_THROW((HeadCamera{body_, {.width = 0, .height = 240}}), std::runtime_error);
   EXPECT_THROW((HeadCamera{body_, {.width = 320, .height = 100000}}), std::runtime_error);
 }

@@ -1,4 +1,4 @@
-// Pictures of the robot from outside.
+// Offscreen rendering of the robot, PNG files, lettering, test pattern.
 #include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kColumns = 160, kRows = 120;
 
-/// Pixels that the robot takes, by a picture without it. No shadows: those are on the floor.
+/// Pixels of the robot: difference to a picture without it, rendered without shadows.
 struct Silhouette {
   Picture with, without;
 
@@ -77,7 +77,7 @@ TEST_F(Drawing, AStandingRobotReachesHigherThanAKneelingOne) {
   EXPECT_LT(standing, kneeling - kRows / 15);  // 0.12 m of about 0.65 m in the picture's height
 }
 
-TEST_F(Drawing, FollowsTheRobotThatIsElsewhere) {
+TEST_F(Drawing, FollowsTheRobot) {
   const Silhouette here{offscreen_, body_, Viewpoint::kFollow};
   const mjModel& m = *body_.mujocoModel();
   body_.mujocoData()->qpos[m.jnt_qposadr[m.body_jntadr[mj_name2id(&m, mjOBJ_BODY, "Body")]]] += 3;
@@ -109,7 +109,7 @@ TEST(Picture, GoesIntoAPngAndBack) {
 }
 
 TEST(Lettering, BreaksLinesAtSpacesAndStaysInThePicture) {
-  Picture picture{26, 16};  // room for four letters a line
+  Picture picture{26, 16};  // four letters per line
   std::ranges::fill(picture.rgb, std::uint8_t{128});
   write(picture, 1, 0, 25, 1, "II II");
   const auto black = [&](int x, int y) { return red(picture, x, y) == 0 && x > 0; };
@@ -120,7 +120,7 @@ TEST(Lettering, BreaksLinesAtSpacesAndStaysInThePicture) {
   write(picture, -4, -4, 100, 3, "outside");
 }
 
-TEST(TestPattern, ShowsThatItIsAlive) {
+TEST(TestPattern, HasAMovingMark) {
   EXPECT_NE(testPattern(64, 48, "", 0).rgb, testPattern(64, 48, "", 1).rgb);
 }
 

@@ -1,4 +1,4 @@
-// What the tests of pictures share.
+// Shared helpers of the rendering tests.
 #pragma once
 
 #include <cstdlib>
@@ -29,7 +29,7 @@ struct Spot {
   int pixels = 0;
 };
 
-/// Centre of all pixels for which `is` says yes.
+/// Centroid of all pixels for which `is` returns true.
 template <class Is>
 Spot centreOf(const Picture& p, Is&& is) {
   Spot spot;
@@ -47,7 +47,7 @@ Spot centreOf(const Picture& p, Is&& is) {
   return spot;
 }
 
-/// Sets a variable of the environment for one test.
+/// Sets an environment variable for one test.
 class Environment {
  public:
   Environment(const char* name, const std::string& value) : name_{name} {

@@ -30,7 +30,7 @@ class View : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(View, MakesAVideoThatIsAsLongAsItShould) {
+TEST_F(View, RecordsAVideoOfTheRequestedLength) {
   const std::string film = folder_ / "film.mp4";
   const Outcome made = shell(kTwin + " view --record " + film + " --seconds 2 --fps 25 --size 160x120");
   EXPECT_EQ(made.status, 0) << made.said;
@@ -40,36 +40,36 @@ TEST_F(View, MakesAVideoThatIsAsLongAsItShould) {
   EXPECT_EQ(probed.said, "2.000000,50\n");
 }
 
-TEST_F(View, DrawsWhatTheControllerDoes) {
+TEST_F(View, ShowsTheMotionOfTheController) {
   const std::string film = folder_ / "film";
   const Outcome made =
       shell(kTwin + " view --record " + film + " --seconds 3 --camera head --fps 10 --size 64x48 " DARWINOP_CONTROLLER);
   EXPECT_EQ(made.status, 0) << made.said;
   EXPECT_THAT(made.said, HasSubstr("30 pictures"));
-  EXPECT_THAT(made.said, HasSubstr("report: "));  // the controller was run, and ended tidily
+  EXPECT_THAT(made.said, HasSubstr("report: "));  // the controller ran and ended normally
   EXPECT_NE(readPng(film + "/frame_00001.png").rgb, readPng(film + "/frame_00030.png").rgb);  // the head moved
 }
 
-TEST_F(View, WithAControllerThatCannotBeRunEndsWithItsStatus) {
+TEST_F(View, EndsWithTheStatusOfAControllerThatCannotRun) {
   const Outcome made = shell(kTwin + " view --record " + (folder_ / "film") + " --size 32x32 /no/such/controller");
   EXPECT_EQ(made.status, 2) << made.said;
   EXPECT_THAT(made.said, HasSubstr("there is no controller /no/such/controller"));
 }
 
-TEST_F(View, WithoutDisplayNamesTheWayThatNeedsNone) {
+TEST_F(View, WithoutDisplaySuggestsARecording) {
   const Outcome made = shell("env -u DISPLAY -u WAYLAND_DISPLAY " + kTwin + " view");
   EXPECT_EQ(made.status, 2);
   EXPECT_THAT(made.said, HasSubstr("--record"));
   EXPECT_EQ(std::count(made.said.begin(), made.said.end(), '\n'), 1) << made.said;
 }
 
-TEST_F(View, WithoutGraphicsSaysWhatToInstall) {
+TEST_F(View, WithoutOpenGlNamesTheReason) {
   const Outcome made = shell("DARWINOP_TWIN_GL=off " + kTwin + " view --record " + (folder_ / "film"));
   EXPECT_EQ(made.status, 2);
   EXPECT_THAT(made.said, HasSubstr("DARWINOP_TWIN_GL"));
 }
 
-TEST_F(View, TakesAWrongArgumentForAReasonToExplain) {
+TEST_F(View, ExplainsAWrongArgument) {
   EXPECT_THAT(shell(kTwin + " view --size 640").said, HasSubstr("WIDTHxHEIGHT"));
   EXPECT_THAT(shell(kTwin + " view --camera nose").said, HasSubstr("head"));
   EXPECT_THAT(shell(kTwin + " view --model nonesuch --record " + (folder_ / "f")).said, HasSubstr("webots-2013"));
@@ -83,13 +83,13 @@ std::size_t colours(const Picture& p) {
   return seen.size();
 }
 
-TEST_F(View, OpensAWindowThatShowsTheRobotAndClosesTidily) {
+TEST_F(View, OpensAWindowThatShowsTheRobotAndCloses) {
   const XServer display;
   ASSERT_NE(display.name(), "") << "Xvfb does not start";
   const pid_t view = fork();
   if (view == 0) {
     setenv("DISPLAY", display.name().c_str(), 1);
-    // Mesa's driver for windows keeps 112 bytes when it is unloaded, and what is unloaded has no name to suppress.
+    // Mesa's window driver leaks 112 bytes when it is unloaded; an unloaded module has no name to suppress.
     setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
     execl(kTwin.c_str(), kTwin.c_str(), "view", "--size", "800x600", static_cast<char*>(nullptr));
     _exit(127);
@@ -101,7 +101,7 @@ TEST_F(View, OpensAWindowThatShowsTheRobotAndClosesTidily) {
     shell("ffmpeg -y -loglevel error -f x11grab -video_size 800x600 -i " + display.name() + " -frames:v 1 " + shot);
     if (std::filesystem::exists(shot)) seen = colours(readPng(shot));
   }
-  EXPECT_GE(seen, 100U);  // a server without windows is black
+  EXPECT_GE(seen, 100U);  // the screen of a server without windows is black
   if (const char* const keep = std::getenv("DARWINOP_KEEP_SHOT")) std::filesystem::copy_file(shot, keep);
   kill(view, SIGINT);
   int status = 0;

@@ -1,4 +1,4 @@
-// What tests of the servo and of the single-joint bench have in common: effects by name, drives, and a clock.
+// Shared helpers of the servo and bench tests: effects by name, drive commands, time stepping.
 #pragma once
 
 #include <initializer_list>
@@ -16,7 +16,7 @@ namespace darwinop::twin::testing {
 
 using Effects = std::vector<std::unique_ptr<Effect>>;
 
-/// The effect `id`: its first parameters as given, the rest neutral.
+/// The effect `id` with its first parameters as given and the others neutral.
 inline std::unique_ptr<Effect> effect(std::string_view id, std::initializer_list<double> first) {
   const EffectInfo* info = findEffect(id);
   std::vector<double> values{first};
@@ -36,7 +36,7 @@ inline Effects with(std::unique_ptr<Effect> one, Effects others = {}) {
   return others;
 }
 
-/// No limit of speed, full torque.
+/// No speed limit, full torque.
 inline ServoDrive driveTo(double goal_rad, double kp = 4) {
   return {.torque_on = true,
           .goal_rad = goal_rad,
@@ -60,7 +60,7 @@ inline ServoParameters mx28() {
   p.back_emf_vs_rad = (12 - (kCoulomb + kViscous * kNoLoad) * p.resistance_ohm / p.kt_nm_a) / kNoLoad;
   return p;
 }
-/// The robot's arm, about, on one joint: 0.2 N m when it stands out sideways.
+/// Approximately the robot's arm on one joint: 0.2 N m when horizontal.
 inline constexpr Pendulum kArm{.payload_kg = 0.2, .arm_mass_kg = 0.06, .length_m = 0.0887};
 
 }  // namespace darwinop::twin::testing

@@ -1,4 +1,4 @@
-// Friction takes energy and gives none, and what rests stays, at any state.
+// Properties of friction in any state: it never adds energy, and a joint at rest below the threshold stays at rest.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -14,7 +14,7 @@ double within(double low, double high) {
   return low + (high - low) * *rc::gen::inRange(0, 1000001) / 1e6;
 }
 
-// Without gravity there is nothing but friction: to the last bit, no step speeds it up.
+// Without gravity and motor torque no step increases the speed, not even by rounding.
 RC_GTEST_PROP(Friction, OnlySlowsDownWhereNothingElseActs, ()) {
   const double dry = within(0, 0.3), viscous = within(0, 0.2), speed = within(-15, 15);
   Bench bench{ServoParameters{},
@@ -28,13 +28,13 @@ RC_GTEST_PROP(Friction, OnlySlowsDownWhereNothingElseActs, ()) {
     RC_ASSERT(bench.velocity_rad_s() * speed >= 0);
     before = bench.energy_j();
   }
-  // F stops J w in J w / F at the latest; a step for rounding.
+  // Friction F stops J w within J w / F, plus one step for rounding.
   if (dry > 0 && bench.inertia_kgm2() * std::abs(speed) / dry < 0.499) {
     RC_ASSERT(bench.velocity_rad_s() == 0);
   }
 }
 
-// With gravity the scheme's own energy breathes by (w h)^2 / 8 of what is in it; friction adds nothing to that.
+// With gravity the energy of the scheme oscillates by (w h)^2 / 8; friction must not add to that.
 RC_GTEST_PROP(Friction, NeverAddsEnergyToASwing, ()) {
   const Pendulum pendulum{.payload_kg = within(0.05, 0.5), .length_m = within(0.05, 0.2)};
   Bench bench{ServoParameters{}, friction(within(0, 0.1), within(0, 0.05)), pendulum};
@@ -49,13 +49,13 @@ RC_GTEST_PROP(Friction, NeverAddsEnergyToASwing, ()) {
   }
 }
 
-// Load below the threshold, from gravity and motor together: not one bit, for as long as it lasts.
+// Load below the threshold, from gravity and motor together: the position is exactly constant.
 RC_GTEST_PROP(Friction, HoldsARestingJointUnderEveryLoadBelowIt, ()) {
   const double start = within(-3, 3), dry = within(0.01, 0.3);
   const double weight = 0.49 * dry / std::max(0.01, std::abs(std::sin(start)));
   Bench bench{mx28(), friction(dry, within(0, 0.05)), {.payload_kg = weight / 9.80665, .length_m = 1}};
   bench.reset({.start_rad = start});
-  const double away = 0.49 * dry / (0.158 * 32 * 2.5) - kRadPerTick;  // an error that pushes with the other half
+  const double away = 0.49 * dry / (0.158 * 32 * 2.5) - kRadPerTick;  // a position error that gives the other half
   const ServoDrive drive = driveTo(start + (away > 0 ? within(-away, away) : 0));
   const bool powered = away > 0 && *rc::gen::arbitrary<bool>();
   for (int i = 0; i < 1000; ++i) {
@@ -65,8 +65,8 @@ RC_GTEST_PROP(Friction, HoldsARestingJointUnderEveryLoadBelowIt, ()) {
   }
 }
 
-// And above it, it goes, in the direction of the load.
-RC_GTEST_PROP(Friction, LetsGoAboveIt, ()) {
+// Above the threshold it moves in the direction of the load.
+RC_GTEST_PROP(Friction, DoesNotHoldAboveIt, ()) {
   const double start = within(0.1, 3), dry = within(0.01, 0.3), weight = 1.02 * dry / std::sin(start);
   Bench bench{ServoParameters{}, friction(dry, 0), {.payload_kg = weight / 9.80665, .length_m = 1}};
   bench.reset({.start_rad = start});

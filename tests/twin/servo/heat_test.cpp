@@ -1,4 +1,4 @@
-// Temperature and overload of a servo that is held fast.
+// Temperature and overload protection of a stalled servo.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace darwinop::twin::testing {
 namespace {
 
-// Held by friction that nothing overcomes.
+// Held by friction above any load.
 Bench blocked() {
   return Bench{mx28(), friction(10, 0), {.payload_kg = 0}};
 }
@@ -20,8 +20,8 @@ ServoDrive pushing(double limit) {
 }
 
 // 1.4 A in 8.57 ohm are 16.8 W; in 8 K/W and 60 J/K: 134 K with a time constant of 480 s. Explicit steps of 1 ms are
-// exact to a millionth.
-TEST(ServoHeat, StalledItWarmsAsOneBody) {
+// accurate to 1e-6.
+TEST(ServoHeat, AStalledServoWarmsAsOneThermalMass) {
   Bench bench = blocked();
   run(bench, pushing(1), 60);
   const double end = 1.4 * 1.4 * 12 / 1.4 * 8, tau = 480;
@@ -41,7 +41,7 @@ TEST(ServoHeat, OverloadTripsAfterTwoSecondsAtTheLimit) {
   }
 }
 
-TEST(ServoHeat, OverloadStandsUntilTorqueIsOff) {
+TEST(ServoHeat, OverloadIsLatchedUntilTorqueIsOff) {
   Bench bench = blocked();
   run(bench, pushing(1), 2.1);
   run(bench, driveTo(0), 1);  // no load any more
@@ -49,32 +49,32 @@ TEST(ServoHeat, OverloadStandsUntilTorqueIsOff) {
   bench.step(kLimp);
   EXPECT_FALSE(bench.servo().report().overload);
   run(bench, pushing(1), 1.9);
-  EXPECT_FALSE(bench.servo().report().overload) << "the time starts anew";
+  EXPECT_FALSE(bench.servo().report().overload) << "the time restarts";
 }
 
-TEST(ServoHeat, WhatIsHeldBelowTheLimitIsNoOverload) {
+TEST(ServoHeat, HoldingBelowTheLimitDoesNotTrip) {
   Bench bench{mx28(), friction(kCoulomb, kViscous), {.payload_kg = 1.5, .length_m = 0.15}};  // 2.2 N m
   run(bench, driveTo(kPi / 2, 20), 5);
   ASSERT_GT(bench.servo().report().load, 0.8);
   EXPECT_FALSE(bench.servo().report().overload);
 }
 
-// Running at full duty is what a servo is made for.
-TEST(ServoHeat, FullSpeedIsNoOverload) {
+// Full duty in motion is normal operation.
+TEST(ServoHeat, FullSpeedDoesNotTrip) {
   Bench bench{mx28(), friction(kCoulomb, kViscous), {.payload_kg = 0}};
   run(bench, driveTo(1000), 5);
   ASSERT_EQ(bench.servo().report().load, 1);
   EXPECT_FALSE(bench.servo().report().overload);
 }
 
-// The experiment of 2013: arm down, goal up, torque limit raised slowly from nothing. No servo tripped.
-TEST(ServoHeat, RaisingTheTorqueLimitSlowlyUnderTheArmIsNoOverload) {
+// The experiment of 2013: arm down, goal up, torque limit raised slowly from 0. No servo tripped.
+TEST(ServoHeat, RaisingTheTorqueLimitSlowlyUnderTheArmDoesNotTrip) {
   Bench bench{mx28(), friction(kCoulomb, kViscous), kArm};
   for (double limit = 0; limit < 0.2; limit += 0.02) {
     run(bench, pushing(limit), 2.5);
     ASSERT_FALSE(bench.servo().report().overload) << "at " << limit;
   }
-  EXPECT_GT(bench.position_rad(), 2.9);  // it did come up
+  EXPECT_GT(bench.position_rad(), 2.9);  // the arm was raised
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Webots' motor law: P sets a speed, limited, and so is its change; the torque is what that takes.
+// Law speed_p (Webots): P sets a speed, limited in magnitude and rate, with up to the maximum torque.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ TEST(WebotsLaw, ErrorSetsTheSpeedFromTheFirstPeriodOn) {
 // P / s of the error: exponential arrival. The period of 1 ms and the encoder's tick shift it by less than 1 %.
 TEST(WebotsLaw, ArrivesExponentially) {
   ServoParameters strong = webotsLaw();
-  strong.torque_max_nm = 1000;  // no time is lost on the way to the first speed
+  strong.torque_max_nm = 1000;  // reaches the first speed immediately
   Bench bench{strong, {}, kWeightless};
   run(bench, driveTo(1, 4), 0.25);
   EXPECT_NEAR(1 - bench.position_rad(), std::exp(-4 * 0.25), 0.01 * std::exp(-1));
@@ -59,24 +59,24 @@ TEST(WebotsLaw, GivesNoMoreThanItsTorque) {
   EXPECT_NEAR(bench.servo().report().load, 0.1, 1e-4);  // filtered with 5 ms: exp(-10) is left
 }
 
-// Load is the torque that holds the arm, not a duty.
+// The load is the holding torque of the arm, not a duty.
 TEST(WebotsLaw, LoadIsTheTorqueThatHolds) {
   Bench bench{webotsLaw(), {}, kArm};
   run(bench, driveTo(kPi / 2), 4);
   EXPECT_NEAR(bench.servo().report().load * 2.5, bench.weight_nm(), 0.001);
   Bench rough{webotsLaw(), friction(0.05, 0), kArm};
   run(rough, driveTo(kPi / 2), 4);
-  EXPECT_NEAR(rough.servo().report().load * 2.5, rough.weight_nm() - 0.05, 0.001) << "friction holds its share";
+  EXPECT_NEAR(rough.servo().report().load * 2.5, rough.weight_nm() - 0.05, 0.001) << "friction carries its part";
 }
 
-TEST(WebotsLaw, KnowsNoOverload) {
+TEST(WebotsLaw, HasNoOverloadProtection) {
   Bench bench{webotsLaw(), friction(10, 0), kWeightless};
   run(bench, driveTo(3, 30), 5);
   EXPECT_EQ(bench.velocity_rad_s(), 0);
   EXPECT_FALSE(bench.servo().report().overload);
 }
 
-TEST(WebotsLaw, LimpMeansLimp) {
+TEST(WebotsLaw, GivesNoTorqueWhenLimp) {
   Bench bench{webotsLaw(), {}, kWeightless};
   bench.reset({.start_rad_s = 2});
   run(bench, kLimp, 0.5);

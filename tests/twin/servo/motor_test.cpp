@@ -1,4 +1,4 @@
-// The motor at the horn: data sheet figures and closed forms.
+// Motor torque at the horn: data sheet figures and closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,12 +8,12 @@
 namespace darwinop::twin::testing {
 namespace {
 
-// A stick of no mass but a weight at its end, held out sideways.
+// Point mass on a massless rod, horizontal.
 Pendulum weighing(double weight_nm) {
   return {.payload_kg = weight_nm / 9.80665, .length_m = 1};
 }
 
-// Full duty upward from 90 degrees: how far it got in half a second.
+// Full duty upward from 90 degrees: distance after 0.5 s.
 double riseUnder(double weight_nm) {
   Bench bench{mx28(), friction(kCoulomb, kViscous), weighing(weight_nm)};
   bench.reset({.start_rad = kPi / 2});
@@ -21,7 +21,7 @@ double riseUnder(double weight_nm) {
   return bench.position_rad() - kPi / 2;
 }
 
-// 2.5 N m, and friction of 0.025 N m that stands against both directions. Each load is 0.6 % from the edge.
+// 2.5 N m and friction of 0.025 N m against both directions. Each load is 0.6 % from the threshold.
 TEST(ServoMotor, LiftsWhatTheDataSheetSaysAndHoldsWhatFrictionAdds) {
   EXPECT_GT(riseUnder(2.460), 1e-3);
   EXPECT_EQ(riseUnder(2.490), 0);
@@ -33,7 +33,7 @@ TEST(ServoMotor, StallsAtOnePointFourAmpere) {
   Bench bench{mx28(), friction(kCoulomb, kViscous), weighing(2.5)};
   bench.reset({.start_rad = kPi / 2});
   run(bench, driveTo(kPi, 100), 0.1);
-  EXPECT_NEAR(bench.servo().signals().current_a, 1.4, 1e-9);  // at rest: no rounding but the arithmetic's
+  EXPECT_NEAR(bench.servo().signals().current_a, 1.4, 1e-9);  // at rest: rounding only
   EXPECT_NEAR(bench.servo().signals().motor_torque_nm, 2.5, 1e-9);
 }
 
@@ -43,7 +43,7 @@ TEST(ServoMotor, RunsAtFiftyFiveRpmWithoutLoad) {
   EXPECT_NEAR(bench.velocity_rad_s(), kNoLoad, 1e-6);
 }
 
-// w(t) = w_end (1 - exp(-t / tau)): the kick is the closed solution, so the tolerance is that of rounding.
+// w(t) = w_end (1 - exp(-t / tau)): Shaft uses the closed form, so the tolerance is rounding.
 TEST(ServoMotor, SpeedsUpWithTheTimeConstantOfInertiaAndBackEmf) {
   const ServoParameters p = mx28();
   Bench bench{p, friction(0, kViscous), {.payload_kg = 0}};
@@ -58,8 +58,8 @@ TEST(ServoMotor, SpeedsUpWithTheTimeConstantOfInertiaAndBackEmf) {
   }
 }
 
-// load = duty_per_kp * P register * error * stall torque. Without friction; the encoder rounds by half a tick, and the
-// position may stand anywhere within the tick.
+// load = duty_per_kp * P register * error * stall torque. Without friction; the encoder rounds to a tick, and the
+// position may be anywhere within it.
 TEST(ServoMotor, DroopsByLoadOverGain) {
   for (const double kp : {1.0, 2.0, 4.0, 8.0}) {
     Bench bench{mx28(), friction(0, kViscous), {.payload_kg = 0.4, .length_m = 0.12}};
@@ -70,8 +70,8 @@ TEST(ServoMotor, DroopsByLoadOverGain) {
   }
 }
 
-// The other torque of the model: a limp servo is an open bridge.
-TEST(ServoMotor, BrakesNothingWithTorqueOff) {
+// A limp servo has an open bridge.
+TEST(ServoMotor, DoesNotBrakeWithTorqueOff) {
   Bench bench{mx28(), {}, {.payload_kg = 0}};
   bench.reset({.start_rad_s = 3});
   run(bench, kLimp, 1);
@@ -84,7 +84,7 @@ TEST(ServoMotor, TorqueLimitIsAShareOfTheStallTorque) {
     Bench bench{mx28(), {}, {.payload_kg = 3, .length_m = 0.1}};
     ServoDrive drive = driveTo(3, 100);
     drive.torque_limit = limit;
-    run(bench, drive, 3);  // the weight swings out, and settles where the torque holds it
+    run(bench, drive, 3);  // the weight swings and settles where the torque holds it
     EXPECT_NEAR(bench.weight_nm() * std::sin(bench.position_rad()), 2.5 * limit, 1e-4) << limit;
   }
 }

@@ -1,4 +1,4 @@
-// The motion of the goal: within its limits, without overshoot, exactly there, in the time of a trapezoid.
+// Velocity profile: within its limits, without overshoot, exact arrival, duration of a trapezoid.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -18,7 +18,7 @@ double within(double low, double high) {
   return low + (high - low) * *rc::gen::inRange(0, 1000001) / 1e6;
 }
 
-// Periods until it is there for good; the profile is fed its own set point.
+// Periods until it stays at the goal; the profile receives its own set point.
 int periodsTo(double goal, double speed, double accel) {
   Profile profile;
   double set_point = 0;
@@ -32,12 +32,12 @@ int periodsTo(double goal, double speed, double accel) {
 
 TEST(Profile, TakesTheTimeOfATrapezoid) {
   for (const auto& [way, speed, accel] : {std::array{1.6, 1.0, 5.0}, {3.0, 5.76, 38.0}, {-1.0, 2.0, 10.0}}) {
-    // The last period is rounded up, and so is the one in which it turns from speeding up to slowing down.
+    // The last period and the one between acceleration and deceleration are rounded up.
     EXPECT_NEAR(periodsTo(way, speed, accel) * kPeriod, std::abs(way) / speed + speed / accel, 2 * kPeriod);
   }
 }
 
-TEST(Profile, TakesTheTimeOfATriangleWhenTheWayIsShort) {
+TEST(Profile, TakesTheTimeOfATriangleForAShortDistance) {
   EXPECT_NEAR(periodsTo(0.1, kNone, 10) * kPeriod, 2 * std::sqrt(0.1 / 10), 2 * kPeriod);
 }
 
@@ -53,7 +53,7 @@ TEST(Profile, AZeroLimitHoldsItsPlace) {
   EXPECT_EQ(profile.advance(0.3, 1, kNone, 0, kPeriod), 0.3);
 }
 
-// The goal may jump at any time; what was left when it stops jumping is reached exactly.
+// The goal may change at any time; the last one is reached exactly.
 RC_GTEST_PROP(ProfileProperty, KeepsItsLimitsAndArrivesExactly, ()) {
   const double speed = within(0.1, 12), accel = within(1, 200);
   Profile profile;
@@ -80,7 +80,7 @@ RC_GTEST_PROP(ProfileProperty, FromRestItNeverOvershoots, ()) {
   for (int i = 0; i < 100000 && set_point != goal; ++i) {
     const double next = profile.advance(set_point, goal, speed, accel, kPeriod);
     RC_ASSERT((next - set_point) * goal > 0);
-    RC_ASSERT(std::abs(next) <= std::abs(goal));  // to the last bit
+    RC_ASSERT(std::abs(next) <= std::abs(goal));  // exactly
     set_point = next;
   }
   RC_ASSERT(set_point == goal);

@@ -1,4 +1,4 @@
-// What a servo's registers show, and what its gains do.
+// Servo registers: present position, speed and load; integral and derivative gain.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ TEST(ServoRegisters, PositionIsTheNearestTick) {
   }
 }
 
-// The way over 24 ms in whole ticks: within one tick per 24 ms, and late by 12 ms.
+// Encoder difference over 24 ms: within one tick per 24 ms, delayed by 12 ms.
 TEST(ServoRegisters, PresentSpeedIsTheWayOverTwentyFourMilliseconds) {
   for (const double period : {0.001, 0.0001}) {
     ServoParameters p = mx28();
@@ -33,7 +33,7 @@ TEST(ServoRegisters, PresentSpeedIsTheWayOverTwentyFourMilliseconds) {
   }
 }
 
-// No torque sensor: the register shows the duty, positive pushes counter-clockwise.
+// No torque sensor: the register contains the duty, positive counter-clockwise.
 TEST(ServoRegisters, PresentLoadIsTheDutyWithItsSign) {
   Bench bench{mx28(), friction(kCoulomb, kViscous), kArm};
   run(bench, driveTo(kPi / 2), 3);
@@ -46,7 +46,7 @@ TEST(ServoRegisters, PresentLoadIsTheDutyWithItsSign) {
   EXPECT_EQ(bench.servo().report().load, 0);
 }
 
-TEST(ServoRegisters, IntegralGainTakesTheDroopAway) {
+TEST(ServoRegisters, IntegralGainRemovesTheSteadyStateError) {
   Bench bench{mx28(), {}, kArm};
   ServoDrive drive = driveTo(1.2, 2);
   run(bench, drive, 2);
@@ -54,13 +54,12 @@ TEST(ServoRegisters, IntegralGainTakesTheDroopAway) {
   EXPECT_GT(droop, 10 * kRadPerTick);
   drive.i_gain = 16 * 1000.0 / 2048;
   run(bench, drive, 4);
-  EXPECT_NEAR(bench.position_rad(), 1.2, 2 * kRadPerTick);  // it hunts within the ticks beside the goal
+  EXPECT_NEAR(bench.position_rad(), 1.2, 2 * kRadPerTick);  // limit cycle within the neighbouring ticks
 }
 
-// Ki = I * 1000 / 2048 per second, in the scale of Kp: at Kp = Ki * 1 s an error that stands for a second pushes as
-// much again.
+// Ki = I * 1000 / 2048 per second, in the scale of Kp: with Kp = Ki * 1 s a constant error doubles the duty after 1 s.
 TEST(ServoRegisters, IntegralGrowsByKiPerSecond) {
-  Bench bench{mx28(), friction(3, 0), {.payload_kg = 0}};  // friction that nothing moves
+  Bench bench{mx28(), friction(3, 0), {.payload_kg = 0}};  // friction above any torque
   ServoDrive drive = driveTo(100 * kRadPerTick, 0.5);
   bench.step(drive);
   const double at_once = bench.servo().signals().duty;
@@ -70,21 +69,21 @@ TEST(ServoRegisters, IntegralGrowsByKiPerSecond) {
   EXPECT_NEAR(at_once, 0.158 * 4 * 100 * kRadPerTick, 1e-9);
 }
 
-TEST(ServoRegisters, DerivativeGainPushesAgainstMotion) {
+TEST(ServoRegisters, DerivativeGainOpposesMotion) {
   Bench bench{mx28(), {}, {.payload_kg = 0, .gravity_m_s2 = 0}};
   bench.reset({.start_rad_s = 2});
   ServoDrive drive = driveTo(0, 0);
   drive.d_gain = 0.1;
   run(bench, drive, 0.002);
-  // A tick and 2 mrad in a millisecond are 1 or 2 ticks: -Kd * speed, in ticks a period.
+  // 2 mrad per millisecond are 1 or 2 ticks: -Kd * speed, in ticks per period.
   const double tick_duty = 8 * 0.158 * 0.1 * kRadPerTick / 0.001;
   const double duty = bench.servo().signals().duty;
   EXPECT_LE(duty, -tick_duty + 1e-9);
   EXPECT_GE(duty, -2 * tick_duty - 1e-9);
 }
 
-// Switched on again it starts from where it was pushed to, and with an empty integral.
-TEST(ServoRegisters, TorqueComingOnForgetsTheOldGoal) {
+// Enabled again, it starts at the present position with a zero integral.
+TEST(ServoRegisters, EnablingTorqueDiscardsTheOldGoal) {
   Bench bench{mx28(), friction(0.3, 0), {.payload_kg = 0, .gravity_m_s2 = 0}};
   run(bench, driveTo(1), 1);
   bench.step(kLimp);

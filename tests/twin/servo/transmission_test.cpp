@@ -1,4 +1,4 @@
-// Play and spring between gears and arm.
+// Backlash and elasticity between gears and arm.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace darwinop::twin::testing {
 namespace {
 
-// A spring as stiff as one likes; the catalogue's ends where it counts as rigid.
+// A spring of any stiffness; in the catalogue a stiffness of 1000 N m/rad counts as rigid.
 class AnySpring final : public Effect {
  public:
   AnySpring(double stiffness, double damping) : stiffness_{stiffness}, damping_{damping} {}
@@ -25,7 +25,7 @@ class AnySpring final : public Effect {
   double stiffness_, damping_;
 };
 
-// Greatest distance of the arm from that of the rigid model, over a step up and a release.
+// Maximum deviation of the arm from the rigid model, over a step up and a release.
 template <class Make>
 double farFromRigid(Make&& make) {
   Bench soft{mx28(), make(), kArm}, rigid{mx28(), friction(kCoulomb, kViscous), kArm};
@@ -47,7 +47,7 @@ double farWithPlay(double play) {
   return farFromRigid([&] { return with(effect("backlash", {play}), friction(kCoulomb, kViscous)); });
 }
 
-// The bend is torque over stiffness: under 0.5 N m at the arm, and the release starts from there.
+// Deflection is torque / stiffness, with less than 0.5 N m at the arm; the release starts there.
 TEST(Transmission, AStiffSpringIsTheRigidModel) {
   const double hundred = farWithSpring(100), thousand = farWithSpring(1000), hard = farWithSpring(10000);
   EXPECT_LT(hard, 0.3 * kRadPerTick);
@@ -56,19 +56,19 @@ TEST(Transmission, AStiffSpringIsTheRigidModel) {
   EXPECT_GT(hundred, kRadPerTick);
 }
 
-TEST(Transmission, NarrowPlayIsTheRigidModelWithTeethThatGive) {
-  EXPECT_LT(farWithPlay(1e-6), 3e-3);  // 1000 N m/rad; a release from another bend
+TEST(Transmission, NarrowPlayIsTheRigidModelWithToothCompliance) {
+  EXPECT_LT(farWithPlay(1e-6), 3e-3);  // 1000 N m/rad; a release from another deflection
   EXPECT_GT(farWithPlay(0.03), 0.01);
 }
 
-TEST(Transmission, WithoutPlayAndSpringThereIsNothingSoft) {
+TEST(Transmission, WithoutPlayAndSpringIsRigid) {
   EXPECT_FALSE((Bench{mx28(), friction(1, 1), kArm}.servo().softGear()));
   EXPECT_TRUE((Bench{mx28(), with(effect("backlash", {0.01})), kArm}.servo().softGear()));
   EXPECT_TRUE((Bench{mx28(), with(effect("joint_flex", {50, 0.01})), kArm}.servo().softGear()));
 }
 
-// Gears held by friction; the arm on its spring, against gravity's own: w^2 = (k + W cos q) / J_arm.
-TEST(Transmission, TheArmRingsOnItsSpringWhileTheGearsStand) {
+// Gears held by friction; the arm oscillates on the spring and gravity: w^2 = (k + W cos q) / J_arm.
+TEST(Transmission, TheArmOscillatesOnItsSpringWhileTheGearsAreAtRest) {
   Bench bench{mx28(), with(effect("joint_flex", {20, 0}), friction(10, 0)), kArm};
   bench.reset({.start_rad = 0.3});
   const double sag = bench.weight_nm() * std::sin(0.3) / 20;
@@ -88,11 +88,11 @@ TEST(Transmission, TheArmRingsOnItsSpringWhileTheGearsStand) {
   }
   const double arm = bench.inertia_kgm2() - 0.003;
   const double expected = 2 * kPi / std::sqrt((20 + bench.weight_nm() * std::cos(0.3)) / arm);
-  EXPECT_NEAR((last - first) / turns / expected, 1, 2e-3);  // a sub-step is a quarter of a radian: 1/24 of its square
+  EXPECT_NEAR((last - first) / turns / expected, 1, 2e-3);  // sub-step of 0.25 rad: error of its square / 24
 }
 
-// Encoder on the motor's side: it hardly sees what the arm droops.
-TEST(Transmission, TheEncoderDoesNotSeeTheArmBend) {
+// Encoder on the motor side of the spring.
+TEST(Transmission, TheEncoderDoesNotMeasureTheDeflection) {
   Bench bench{mx28(), with(effect("joint_flex", {10, 0.02}), friction(0, kViscous)), kArm};
   run(bench, driveTo(1.2, 8), 4);
   const double bent = bench.weight_nm() * std::sin(bench.position_rad()) / 10;
@@ -100,8 +100,8 @@ TEST(Transmission, TheEncoderDoesNotSeeTheArmBend) {
   EXPECT_GT(bent, 10 * kRadPerTick);
 }
 
-// Encoder on the horn: it sees the arm fall through the play while the gears stand.
-TEST(Transmission, TheEncoderSeesTheArmMoveInThePlay) {
+// Encoder on the horn: the arm falls through the play while the gears are at rest.
+TEST(Transmission, TheEncoderMeasuresTheArmWithinThePlay) {
   constexpr double kPlay = 0.03;
   Bench bench{mx28(), with(effect("backlash", {kPlay}), friction(10, 0)), kArm};
   bench.reset({.start_rad = 0.5});
@@ -112,12 +112,12 @@ TEST(Transmission, TheEncoderSeesTheArmMoveInThePlay) {
   EXPECT_NEAR(bench.servo().report().position_rad, bench.position_rad(), kRadPerTick / 2);
 }
 
-// Let go over the lowest point the arm swings freely within the play, at its own inertia and without friction.
+// Near the lowest point the arm swings freely within the play, with its own inertia and without friction.
 TEST(Transmission, WithinThePlayTheArmIsFree) {
   Bench bench{mx28(), with(effect("backlash", {0.06}), friction(10, 0)), kArm};
-  bench.reset({.start_rad = 0, .start_rad_s = 0.1});  // gears stop at once, the arm goes on
+  bench.reset({.start_rad = 0, .start_rad_s = 0.1});  // the gears stop, the arm continues
   const double arm = bench.inertia_kgm2() - 0.003, w = std::sqrt(bench.weight_nm() / arm);
-  ASSERT_LT(0.1 / w, 0.02);  // it turns before it meets a tooth
+  ASSERT_LT(0.1 / w, 0.02);  // it reverses before it reaches a tooth
   double most = 0, least = 0;
   while (bench.time_s() < 5) {
     bench.step(kLimp);
@@ -128,8 +128,8 @@ TEST(Transmission, WithinThePlayTheArmIsFree) {
   EXPECT_NEAR(least, -0.1 / w, 0.01 * 0.1 / w);
 }
 
-// Spring and damper that push only: exp(-b t), t until the force is 0 (Schwager and Poeschel 1998). With teeth that
-// pull it were exp(-b pi / w), 5 % less.
+// Spring and damper that only push: exp(-b t), t until the force is 0 (Schwager and Poeschel 1998). With pulling teeth
+// it would be exp(-b pi / w), 5 % less.
 TEST(Transmission, TeethPushAndDoNotPull) {
   Pendulum floating = kArm;
   floating.gravity_m_s2 = 0;
@@ -142,7 +142,7 @@ TEST(Transmission, TeethPushAndDoNotPull) {
   EXPECT_NEAR(-bench.velocity_rad_s() / 0.5, std::exp(-b * t), 0.01 * std::exp(-b * t));
 }
 
-TEST(Transmission, NeitherSpringNorTeethGiveEnergy) {
+TEST(Transmission, SpringAndTeethNeverAddEnergy) {
   for (int i = 0; i < 2; ++i) {
     Bench bench{mx28(), with(i == 0 ? effect("joint_flex", {50, 0}) : effect("backlash", {0.03})), kArm};
     bench.reset({.start_rad = 1.5});
@@ -152,7 +152,7 @@ TEST(Transmission, NeitherSpringNorTeethGiveEnergy) {
       bench.step(kLimp);
       most = std::max(most, bench.energy_j());
     }
-    EXPECT_LT(most, start * 1.01);  // the scheme's own breath: a sub-step of a quarter radian, squared, an eighth
+    EXPECT_LT(most, start * 1.01);  // energy oscillation of the scheme: (0.25 rad)^2 / 8
     if (i == 0) {
       EXPECT_GT(bench.energy_j(), start * 0.99);
     }

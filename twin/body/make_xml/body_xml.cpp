@@ -1,4 +1,4 @@
-// Writes the body file: the frame around it, then one element a row of the tables.
+// Writes the MuJoCo body file: the fixed world, then one element per table row.
 #include "twin/body/make_xml/body_xml.hpp"
 
 #include <array>
@@ -15,9 +15,9 @@
 namespace darwinop::twin {
 namespace {
 
-// Height of the trunk's origin over the floor, standing straight: hip 122.2 mm, leg 219.5 mm, and 0.3 mm to fall.
+// Height of the trunk origin above the floor, standing straight: hip 122.2 mm, leg 219.5 mm, clearance 0.3 mm.
 constexpr double kStartHeight = 0.342;
-// Camera: horizontal field of view of the robot (2013 model), pictures of 4:3. MuJoCo asks for the vertical one.
+// Horizontal field of view of the head camera (2013 model), rad, aspect 4:3. MuJoCo uses the vertical one.
 constexpr double kFieldOfView = 1.0123;
 
 // Axes of the board's sensors in the trunk (docs/twin/body.md): accelerometer right, forward, up; gyro backward,
@@ -58,7 +58,7 @@ std::string shapeOf(const Csv& csv, std::size_t row) {
   out += "\" pos=\"" + triple(csv, row, "tx", "ty", "tz") + '"';
   const double angle = csv.number(row, "angle");
   if (round) {
-    // The tables' axis is y, MuJoCo's is z: turn by 90 degrees about x first (z to -y), then as the table says.
+    // Cylinder axis: y in the tables, z in MuJoCo. Rotate by 90 degrees about x first (z to -y), then as in the table.
     const double half_angle = angle / 2, n = std::sqrt(0.5);
     const double rx = csv.number(row, "rx") * std::sin(half_angle), ry = csv.number(row, "ry") * std::sin(half_angle);
     const double rz = csv.number(row, "rz") * std::sin(half_angle), w = std::cos(half_angle);
@@ -100,7 +100,7 @@ class Writer {
  private:
   void line(std::string_view text) { out_ << std::string(2 * depth_, ' ') << text << '\n'; }
 
-  // Inertia, shapes and devices of a link, then its children.
+  // Inertia, geoms, sites and camera of a link, then its children.
   void link(const std::string& name) {
     inertia(name);
     if (name == "Body") {
@@ -134,7 +134,7 @@ class Writer {
     line("</body>");
   }
 
-  // The wider one of the model's limits and the servo's, so that a goal at either limit is reached.
+  // Union of the model's and the servo's range, so that goals at both limits are reachable.
   [[nodiscard]] std::pair<std::string, std::string> range(std::size_t row) const {
     const auto rad = [](double tick) { return (tick - 2048) * 2 * kPi / 4096; };
     const double low = rad(t_.joints.number(row, "tick_min")), high = rad(t_.joints.number(row, "tick_max"));
@@ -170,7 +170,7 @@ class Writer {
 
   Tables t_;
   std::ostringstream out_;
-  std::vector<std::string> shapes_;  // collision shapes, by name
+  std::vector<std::string> shapes_;  // names of collision geoms
   std::size_t depth_ = 0;
 };
 

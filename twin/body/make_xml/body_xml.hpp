@@ -1,12 +1,12 @@
-// The body as MuJoCo reads it, made from the tables of facts in twin/models/data.
+// Generates the MuJoCo body file from the tables in twin/models/data.
 #pragma once
 
 #include <string>
 
 namespace darwinop::twin {
 
-/// The whole of twin/models/darwin-op.xml. `data` is the folder of the tables. Throws std::runtime_error that names
-/// file, line and column.
+/// Text of twin/models/darwin-op.xml. `data`: folder of the tables. Throws std::runtime_error with file, line and
+/// column.
 std::string bodyXml(const std::string& data);
 
 }  // namespace darwinop::twin

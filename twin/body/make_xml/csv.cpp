@@ -1,4 +1,4 @@
-// Reads the tables of facts.
+// Reads the CSV tables of the body.
 #include "twin/body/make_xml/csv.hpp"
 
 #include <algorithm>
@@ -25,13 +25,13 @@ std::vector<std::string> split(const std::string& line) {
 Csv::Csv(const std::string& path) : path_{path} {
   std::ifstream file{path};
   std::string line;
-  if (!std::getline(file, line)) throw std::runtime_error{path + ": cannot be read, or is empty"};
+  if (!std::getline(file, line)) throw std::runtime_error{path + ": cannot read the file, or it is empty"};
   columns_ = split(line);
   while (std::getline(file, line)) {
     cells_.push_back(split(line));
     if (cells_.back().size() != columns_.size())
       throw std::runtime_error{path + ", line " + std::to_string(cells_.size() + 1) + ": " +
-                               std::to_string(cells_.back().size()) + " cells, the first line names " +
+                               std::to_string(cells_.back().size()) + " cells; the header has " +
                                std::to_string(columns_.size())};
   }
 }
@@ -48,7 +48,7 @@ double Csv::number(std::size_t row, std::string_view column) const {
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (error != std::errc{} || end != cell.data() + cell.size())
     throw std::runtime_error{path_ + ", line " + std::to_string(row + 2) + ", " + std::string{column} + ": \"" + cell +
-                             "\" is no number"};
+                             "\" is not a number"};
   return value;
 }
 

@@ -1,4 +1,4 @@
-// Tables of facts: comma-separated, the first line names the columns.
+// CSV tables with a header line.
 #pragma once
 
 #include <string>
@@ -7,16 +7,16 @@
 
 namespace darwinop::twin {
 
-/// A table as it was written: cells stay text, so that a figure reaches the body file digit by digit.
+/// Cells are kept as text, so that numbers are copied to the body file unchanged.
 class Csv {
  public:
   /// Throws std::runtime_error with file and line.
   explicit Csv(const std::string& path);
 
   [[nodiscard]] std::size_t rows() const { return cells_.size(); }
-  /// Throws std::runtime_error when there is no such column.
+  /// Throws std::runtime_error if there is no such column.
   [[nodiscard]] const std::string& text(std::size_t row, std::string_view column) const;
-  /// Throws std::runtime_error when the cell holds no number.
+  /// Throws std::runtime_error if the cell is not a number.
   [[nodiscard]] double number(std::size_t row, std::string_view column) const;
 
  private:

@@ -1,4 +1,4 @@
-// Draws the figure that stands in this page as JSON. Texts from logs are only ever put in as text, never as HTML.
+// Draws the figure embedded in this page as JSON. Texts from logs are inserted as text, never as HTML.
 "use strict";
 (() => {
   const figure = JSON.parse(document.getElementById("figure").textContent);
@@ -37,7 +37,7 @@
   const rises = (x) => x.every((v, i) => i === 0 || v > x[i - 1]);
   const risingAxis = axes.map(rises);
 
-  // One table for a panel. null: this curve has no sample there; NaN: its line has a gap there.
+  // Table of a panel. null: no sample of this curve; NaN: gap in its line.
   function table(panel) {
     const n = panel.curves.length;
     const rows = [];
@@ -52,7 +52,7 @@
       });
       return [...byX.values()].sort((a, b) => a[0] - b[0]);
     }
-    // An angle goes to and fro: samples stay in the order in which they were taken.
+    // x is not monotonic (an angle): keep the order of the samples.
     panel.curves.forEach((curve, c) => {
       axes[curve.x].forEach((x, i) => {
         if (!Number.isFinite(x)) return;
@@ -61,7 +61,7 @@
         rows.push(row);
       });
     });
-    // dygraphs takes the first and the last row for the ends of the axis.
+    // dygraphs uses the first and last row as the ends of the axis.
     let low = Infinity, high = -Infinity;
     for (const [x] of rows) {
       low = Math.min(low, x);
@@ -71,7 +71,7 @@
     return [end(low), ...rows, end(high)];
   }
 
-  // The sample of a curve next to x; nothing when it is further than the samples lie apart.
+  // The sample of a curve closest to x; null if it is farther than two mean sample distances.
   function near(curve, x) {
     const xs = axes[curve.x];
     let low = 0, high = xs.length - 1;

@@ -1,4 +1,4 @@
-// Which curves of which logs stand where.
+// Selection and grouping of curves.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -40,19 +40,19 @@ PlotOptions options(const std::vector<std::string>& columns = {}, const std::str
   return {{"walk.csv"}, "", columns, x};
 }
 
-TEST(Figure, ShowsGoalAndPositionOfJointsThatMoveTheirLoadAndTheSensors) {
+TEST(Figure, ShowsGoalPositionAndLoadOfMovingJointsAndTheSensors) {
   const Figure figure = makeFigure({twoJoints("walk.csv")}, options());
   EXPECT_THAT(titles(figure), ElementsAre("Neck", "load", "gyro"));
   EXPECT_THAT(labels(figure.panels[0]), ElementsAre("goal", "measured"));
   EXPECT_TRUE(figure.panels[0].curves[0].dashed);
   EXPECT_FALSE(figure.panels[0].curves[1].dashed);
-  EXPECT_EQ(figure.panels[0].curves[0].colour, figure.panels[0].curves[1].colour) << "one quantity, one colour";
+  EXPECT_EQ(figure.panels[0].curves[0].colour, figure.panels[0].curves[1].colour) << "one colour per quantity";
   EXPECT_EQ(figure.panels[0].y_label, "angle [rad]");
   EXPECT_EQ(figure.x_label, "time [s]");
   EXPECT_THAT(figure.panels[0].curves[1].x, ElementsAre(0, 1, 2)) << "from the start of the log";
 }
 
-TEST(Figure, LogsLieOverEachOtherOneColourALogEachFromItsOwnStart) {
+TEST(Figure, OverlaysLogsFromTheirOwnStartWithOneColourPerLog) {
   const Figure figure = makeFigure({twoJoints("a/walk.csv", 10), twoJoints("b/walk.csv", 500)}, options());
   EXPECT_THAT(titles(figure), ElementsAre("Neck", "load of Neck", "gyro.x", "gyro.y"));
   EXPECT_THAT(labels(figure.panels[0]), ElementsAre("a/walk, goal", "a/walk", "b/walk, goal", "b/walk"));
@@ -61,14 +61,14 @@ TEST(Figure, LogsLieOverEachOtherOneColourALogEachFromItsOwnStart) {
     for (const Curve& curve : panel.curves) EXPECT_EQ(curve.colour, curve.log);
 }
 
-TEST(Figure, NamesLogsByTheirModelsWhenTheseDiffer) {
+TEST(Figure, LabelsContainTheModelsIfTheyDiffer) {
   const Figure figure = makeFigure({twoJoints("a.csv", 0, "twin"), twoJoints("b.csv", 0, "/dev/ttyUSB0")}, options());
   EXPECT_EQ(figure.sources[0].label, "a (twin)");
   EXPECT_EQ(figure.sources[1].label, "b (/dev/ttyUSB0)");
   EXPECT_EQ(figure.sources[1].robot, "Darwin 7");
 }
 
-TEST(Figure, ModelsThatDoNotFitBesideTheNamesAreLeftToTheHead) {
+TEST(Figure, LabelsOmitModelsThatDoNotFit) {
   const Figure figure = makeFigure(
       {twoJoints("twin_p_gain.csv", 0, "twin in memory"), twoJoints("b.csv", 0, "twin in memory, model webots-2013")},
       options());
@@ -82,7 +82,7 @@ TEST(Figure, TheSameLogTwiceIsNumbered) {
   EXPECT_EQ(figure.sources[1].label, "a #2");
 }
 
-TEST(Figure, TakesTheColumnsThatMatchOverTheAxisThatWasAskedFor) {
+TEST(Figure, ShowsMatchingColumnsOverTheRequestedAxis) {
   const Figure figure = makeFigure({twoJoints("walk.csv")}, options({"Neck.*", "gyro.?"}, "Neck.position"));
   EXPECT_EQ(figure.x_label, "Neck.position [rad]");
   EXPECT_THAT(titles(figure), ElementsAre("rad/s", "rad", "plain numbers"));
@@ -90,19 +90,19 @@ TEST(Figure, TakesTheColumnsThatMatchOverTheAxisThatWasAskedFor) {
   EXPECT_THAT(figure.panels[0].curves[0].x, ElementsAre(0, 0.5, testing::IsNan()));
 }
 
-TEST(Figure, SaysWhatIsThereWhenAPatternMatchesNothing) {
+TEST(Figure, ListsTheColumnsIfAPatternMatchesNothing) {
   EXPECT_THAT(refusal({twoJoints("walk.csv")}, options({"neck"})),
-              HasSubstr("walk.csv: no column \"neck\"; there are time_s, gyro.x"));
+              HasSubstr("walk.csv: no column \"neck\"; available: time_s, gyro.x"));
   EXPECT_THAT(refusal({twoJoints("walk.csv")}, options({}, "ankle")), HasSubstr("no column \"ankle\""));
 }
 
-TEST(Figure, SaysWhenThereIsNothingToDraw) {
+TEST(Figure, RefusesAnEmptyFigure) {
   EXPECT_THAT(refusal({logs::parseLog("t_s,pos_rad\n1,0\n2,0\n", "still.csv")}, options()),
               HasSubstr("no joint moves and no sensor changes; choose curves with --columns"));
   EXPECT_THAT(refusal({logs::parseLog("t_s,pos_rad\n", "none.csv")}, options()), HasSubstr("none.csv has no rows"));
 }
 
-TEST(Figure, ManyMovingJointsLeaveThoseOutThatMoveLeastAndSaysSo) {
+TEST(Figure, ShowsTheJointsThatMoveMostAndNotesTheOthers) {
   std::string names = "t_s", first = "0", second = "1";
   for (int i = 1; i <= 8; ++i) {
     names += ",J" + std::to_string(i) + ".position [rad]";
@@ -111,10 +111,10 @@ TEST(Figure, ManyMovingJointsLeaveThoseOutThatMoveLeastAndSaysSo) {
   }
   const Figure figure = makeFigure({logs::parseLog(names + "\n" + first + "\n" + second + "\n", "f")}, options());
   EXPECT_THAT(titles(figure), ElementsAre("J2", "J4", "J5", "J6", "J7", "J8"));
-  EXPECT_THAT(figure.notes, ElementsAre(HasSubstr("these move, too: J1, J3 ")));
+  EXPECT_THAT(figure.notes, ElementsAre(HasSubstr("also moving: J1, J3 ")));
 }
 
-TEST(Figure, ValuesThatComeNowAndThenAreJoinedOthersHaveGaps) {
+TEST(Figure, ConnectsSparseValuesAndLeavesOtherGaps) {
   const logs::Log log =
       logs::parseLog("t_s,gyro.x [rad/s],volt_V\n0,1,12\n1,2,\n2,,\n3,3,11\n4,4,\n5,5,\n6,6,11.5\n", "f");
   const Figure figure = makeFigure({log}, {{"f"}, "", {"gyro.x", "volt_V"}, ""});
@@ -127,7 +127,7 @@ TEST(Figure, ValuesThatComeNowAndThenAreJoinedOthersHaveGaps) {
   EXPECT_THAT(voltage.y, ElementsAre(12, 11, 11.5));
 }
 
-TEST(Figure, TellsWhatIsOddAboutALog) {
+TEST(Figure, NotesTheWarningsOfALog) {
   logs::Log log = twoJoints("walk.csv");
   log.warnings.push_back("walk.csv has no \"# end\"");
   EXPECT_THAT(makeFigure({log}, options()).notes, ElementsAre("walk.csv has no \"# end\""));
@@ -138,7 +138,7 @@ TEST(Text, IsOneLineOfValidUtf8) {
   EXPECT_EQ(oneLine("a\nb\x1b[31m\x7f"), "a b [31m ");
   EXPECT_EQ(oneLine("Käfer … 机"), "Käfer … 机");
   EXPECT_EQ(oneLine("\xFF\xC3"), "??");
-  EXPECT_EQ(oneLine("\xED\xA0\x80"), "???") << "half of a surrogate pair is no character";
+  EXPECT_EQ(oneLine("\xED\xA0\x80"), "???") << "half of a surrogate pair is invalid";
 }
 
 TEST(Text, IsCutBetweenCharacters) {

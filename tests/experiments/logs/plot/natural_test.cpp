@@ -1,4 +1,4 @@
-// The plots that belong to the experiments: from made-up runs whose answer is known.
+// Plots of the 2013 experiments from synthetic logs with known results.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A log of an experiment: rows of 16 ms, after 10 rows in which the robot is not yet driven.
+/// A synthetic log of an experiment: rows of 16 ms, the first 10 before the state "driven".
 class ExperimentLog {
  public:
   ExperimentLog(const std::string& experiment, const std::string& columns)
@@ -34,7 +34,7 @@ class ExperimentLog {
   int rows_ = 0;
 };
 
-TEST(NaturalPlot, SpeedIsTimePerSweepOverTheSetting) {
+TEST(ExperimentPlot, SpeedIsTimePerSweepOverTheSetting) {
   ExperimentLog run{"speed", "Neck.asked [rad],Neck.asked_speed [rad/s],Neck.position [rad]"};
   double neck = 0;
   for (int i = 0; i < 10; ++i) run.row({0, 1, neck}, 1);
@@ -50,24 +50,24 @@ TEST(NaturalPlot, SpeedIsTimePerSweepOverTheSetting) {
   EXPECT_EQ(figure.x_label, "speed setting [rad/s]");
   ASSERT_EQ(figure.panels.size(), 1u);
   const Curve& curve = figure.panels[0].curves.at(0);
-  // The way from 0 to the first goal is no sweep; the goal of the second speed stands already.
+  // The motion from 0 to the first goal is not a sweep; the goal of the second speed is already set.
   EXPECT_THAT(curve.x, ElementsAre(1, 1, 2, 2));
-  // 3 rad less the 0.05 rad at which a sweep counts as done; one row of 16 ms either way.
+  // 3 rad minus the arrival tolerance of 0.05 rad; resolution one row of 16 ms.
   EXPECT_NEAR(curve.y[0], 2.95 / 1, 0.02);
   EXPECT_NEAR(curve.y[3], 2.95 / 2, 0.02);
 }
 
-TEST(NaturalPlot, SweepThatOvershootsIsDoneWhenItIsBack) {
+TEST(ExperimentPlot, SweepWithOvershootEndsWhenItStaysAtTheGoal) {
   ExperimentLog run{"speed", "Neck.asked [rad],Neck.asked_speed [rad/s],Neck.position [rad]"};
   for (int i = 0; i < 10; ++i) run.row({-1.5, 1, -1.5}, 1);
   for (int i = 0; i < 10; ++i) run.row({-1.5, 1, -1.5});
   for (int i = 0; i < 100; ++i) run.row({1.5, 1, i < 10 ? -1.5 : i == 10 ? 1.5 : i < 30 ? 1.7 : 1.52});
   const Curve curve = run.figure().panels.at(0).curves.at(0);
   EXPECT_THAT(curve.x, ElementsAre(1));
-  EXPECT_NEAR(curve.y.at(0), 30 * 0.016, 1e-6) << "not after 10 rows, when it only passes";
+  EXPECT_NEAR(curve.y.at(0), 30 * 0.016, 1e-6) << "not at row 10, which is an overshoot";
 }
 
-TEST(NaturalPlot, DampingBeginsWhenTheArmIsReleased) {
+TEST(ExperimentPlot, DampingStartsAtTheRelease) {
   ExperimentLog run{"damping", "ShoulderR.asked [rad],ShoulderR.asked_torque [N m],ShoulderR.position [rad]"};
   for (int i = 0; i < 10; ++i) run.row({NAN, NAN, 0}, 1);
   for (int i = 0; i < 50; ++i) run.row({i < 5 ? 0.0 : 1.5, 2.5, 1.5});
@@ -81,7 +81,7 @@ TEST(NaturalPlot, DampingBeginsWhenTheArmIsReleased) {
   EXPECT_EQ(figure.panels[0].y_label, "angle of ShoulderR [rad]");
 }
 
-TEST(NaturalPlot, GainsLieOverEachOtherEachFromItsOwnStep) {
+TEST(ExperimentPlot, GainsAreOverlaidFromTheirSteps) {
   ExperimentLog run{"p_gain", "ArmUpperR.asked [rad],ArmUpperR.asked_p_gain,ArmUpperR.position [rad]"};
   for (int i = 0; i < 10; ++i) run.row({-0.6, 1, -0.6}, 1);
   for (const double gain : {1.0, 4.0})
@@ -89,14 +89,14 @@ TEST(NaturalPlot, GainsLieOverEachOtherEachFromItsOwnStep) {
       for (int i = 0; i < 30; ++i) run.row({goal, gain, goal > 0 ? 0.8 - 0.2 / gain : -0.6});
   const Figure figure = run.figure();
   ASSERT_EQ(figure.panels.size(), 1u);
-  ASSERT_EQ(figure.panels[0].curves.size(), 2u) << "the way back is no curve";
+  ASSERT_EQ(figure.panels[0].curves.size(), 2u) << "the return is not shown";
   EXPECT_EQ(figure.panels[0].curves[0].label, "P = 1");
   EXPECT_EQ(figure.panels[0].curves[1].label, "P = 4");
   for (const Curve& curve : figure.panels[0].curves) EXPECT_EQ(curve.x.front(), 0);
   EXPECT_NEAR(figure.panels[0].curves[1].y.back(), 0.75, 1e-6);
 }
 
-TEST(NaturalPlot, DampingOverlaysRepeatedReleases) {
+TEST(ExperimentPlot, DampingOverlaysRepeatedReleases) {
   ExperimentLog run{"damping", "ShoulderR.asked [rad],ShoulderR.asked_torque_on,ShoulderR.position [rad]"};
   for (int i = 0; i < 10; ++i) run.row({0, NAN, 0}, 1);
   for (int round = 0; round < 2; ++round) {
@@ -111,10 +111,10 @@ TEST(NaturalPlot, DampingOverlaysRepeatedReleases) {
   EXPECT_NEAR(figure.panels[0].curves[1].y.front(), 0.5, 1e-6);
 }
 
-TEST(NaturalPlot, TorqueFeedbackIsLoadOverAngleWhereTheArmMovesSlowly) {
+TEST(ExperimentPlot, TorqueFeedbackIsLoadOverAngleDuringSlowRamps) {
   ExperimentLog run{"torque_feedback", "ArmUpperR.asked [rad],ArmUpperR.position [rad],ArmUpperR.load"};
   for (int i = 0; i < 10; ++i) run.row({0, 0, 0}, 1);
-  for (int i = 0; i < 100; ++i) run.row({0.008 * i, 0.008 * i, 0.9});  // to its place, 0.5 rad/s
+  for (int i = 0; i < 100; ++i) run.row({0.008 * i, 0.008 * i, 0.9});  // to the initial position, 0.5 rad/s
   double angle = 0.8;
   for (const int way : {-1, 1})
     for (int i = 0; i < 500; ++i) {  // 0.1 rad/s
@@ -127,19 +127,19 @@ TEST(NaturalPlot, TorqueFeedbackIsLoadOverAngleWhereTheArmMovesSlowly) {
   EXPECT_EQ(figure.panels[0].curves[0].label, "angle falling");
   EXPECT_EQ(figure.panels[0].curves[1].label, "angle rising");
   for (const Curve& curve : figure.panels[0].curves) {
-    // All of the slow way but for the rows near its ends, where the direction is not clear.
+    // The slow ramp without the rows near its ends, where the direction is ambiguous.
     EXPECT_NEAR(static_cast<double>(curve.x.size()), 500, 10);
     const auto fast = std::count(curve.y.begin(), curve.y.end(), 0.9);
     EXPECT_LE(fast, 4);
   }
 }
 
-TEST(NaturalPlot, MaximumTorqueIsAngleOverTheLimitThatRises) {
+TEST(ExperimentPlot, MaximumTorqueIsAngleOverTheRisingLimit) {
   ExperimentLog run{"max_torque", "ArmUpperR.asked [rad],ArmUpperR.asked_torque [N m],ArmUpperR.position [rad]"};
   for (int i = 0; i < 10; ++i) run.row({-0.6, NAN, 0}, 1);
   for (int i = 0; i < 10; ++i) run.row({-0.5, NAN, 0});
   for (int i = 0; i <= 60; ++i) run.row({0.8, 0.01 * i, 0.02 * i});
-  for (int i = 0; i < 30; ++i) run.row({0.8, 2.5, 0.8});  // and back, at full torque
+  for (int i = 0; i < 30; ++i) run.row({0.8, 2.5, 0.8});  // return at full torque
   const Figure figure = run.figure();
   const Curve& curve = figure.panels.at(0).curves.at(0);
   ASSERT_EQ(curve.x.size(), 61u);
@@ -147,7 +147,7 @@ TEST(NaturalPlot, MaximumTorqueIsAngleOverTheLimitThatRises) {
   EXPECT_NEAR(curve.y.back(), 1.2, 1e-6);
 }
 
-TEST(NaturalPlot, BowIsTheAccelerometerOverTheAnkleAngle) {
+TEST(ExperimentPlot, BowIsTheAccelerometerOverTheAnkleAngle) {
   ExperimentLog run{"bow_forward",
                     "accelerometer.x [m/s2],accelerometer.y [m/s2],accelerometer.z [m/s2],AnkleR.asked [rad],"
                     "AnkleR.position [rad]"};
@@ -159,10 +159,10 @@ TEST(NaturalPlot, BowIsTheAccelerometerOverTheAnkleAngle) {
   ASSERT_EQ(figure.panels.at(0).curves.size(), 3u);
   const Curve& x = figure.panels[0].curves[0];
   EXPECT_NEAR(*std::max_element(x.x.begin(), x.x.end()), 0.2495, 1e-6);
-  EXPECT_NEAR(x.y[x.y.size() - 2], 4.99, 1e-6) << "the last point ends the curve with a gap";
+  EXPECT_NEAR(x.y[x.y.size() - 2], 4.99, 1e-6) << "the last point is a gap";
 }
 
-TEST(NaturalPlot, BowEndsWhereTheFallBegins) {
+TEST(ExperimentPlot, BowEndsAtTheFall) {
   ExperimentLog run{"bow_forward",
                     "accelerometer.x [m/s2],accelerometer.y [m/s2],accelerometer.z [m/s2],AnkleR.asked [rad],"
                     "AnkleR.position [rad]"};
@@ -173,17 +173,17 @@ TEST(NaturalPlot, BowEndsWhereTheFallBegins) {
     EXPECT_NEAR(*std::max_element(curve.x.begin(), curve.x.end()), 0.0005 * 399, 1e-6);
 }
 
-TEST(NaturalPlot, WhatTheRuntimeDoesAfterTheExperimentIsNotShown) {
+TEST(ExperimentPlot, RowsAfterTheExperimentAreNotShown) {
   ExperimentLog run{"gyroscope", "gyro.x [rad/s],Neck.asked [rad],Neck.position [rad]"};
   for (int i = 0; i < 10; ++i) run.row({0, 0, 0}, 1);
   for (int i = 0; i < 20; ++i) run.row({0.1, 0.1 * i, 0.1 * i});
-  for (int i = 0; i < 10; ++i) run.row({7, 2, 2}, 1);  // it lets go, and the robot falls
+  for (int i = 0; i < 10; ++i) run.row({7, 2, 2}, 1);  // torque goes off, the robot falls
   const Curve curve = run.figure().panels.at(0).curves.at(0);
   EXPECT_NEAR(curve.x.front(), 0, 1e-9);
-  EXPECT_EQ(*std::max_element(curve.y.begin(), curve.y.end() - 1), 0.1) << "the last point ends the curve with a gap";
+  EXPECT_EQ(*std::max_element(curve.y.begin(), curve.y.end() - 1), 0.1) << "the last point is a gap";
 }
 
-TEST(NaturalPlot, TimeOfAnExperimentBeginsWithItsFirstNewGoal) {
+TEST(ExperimentPlot, TimeStartsAtTheFirstNewGoal) {
   ExperimentLog run{"chirp", "Neck.asked [rad],Neck.position [rad]"};
   for (int i = 0; i < 10; ++i) run.row({NAN, 0}, 1);
   for (int i = 0; i < 5; ++i) run.row({0, 0});
@@ -194,7 +194,7 @@ TEST(NaturalPlot, TimeOfAnExperimentBeginsWithItsFirstNewGoal) {
   EXPECT_NEAR(curve.x.front(), -15 * 0.016, 1e-9);
 }
 
-TEST(NaturalPlot, AnExperimentWithoutAPlotOfItsOwnShowsTheJointsAndSensorsItNames) {
+TEST(ExperimentPlot, OtherExperimentsShowTheJointsAndSensorsInTheirHeader) {
   ExperimentLog run{"chirp\n# title: a sweep\n# joints: Head\n# sensors: gyro",
                     "Neck.asked [rad],Neck.position [rad],Head.position [rad],gyro.x [rad/s],accelerometer.x [m/s2]"};
   for (int i = 0; i < 10; ++i) run.row({0.1 * i, 0.1 * i, 0.01 * i, 0.1 * i, 0.1 * i});
@@ -205,12 +205,12 @@ TEST(NaturalPlot, AnExperimentWithoutAPlotOfItsOwnShowsTheJointsAndSensorsItName
   EXPECT_EQ(figure.panels[1].title, "gyro");
 }
 
-TEST(NaturalPlot, ARunThatDoesNotShowItGetsTheUsualCurvesAndANote) {
+TEST(ExperimentPlot, ALogWithoutTheDataShowsDefaultCurvesAndANote) {
   ExperimentLog run{"damping", "ShoulderR.asked [rad],ShoulderR.position [rad]"};
   for (int i = 0; i < 10; ++i) run.row({0.1 * i, 0.1 * i});
   const Figure figure = run.figure();
   EXPECT_EQ(figure.panels.at(0).curves.size(), 2u);
-  EXPECT_THAT(figure.notes, ElementsAre(HasSubstr("run.csv does not show what this plot needs: released arm")));
+  EXPECT_THAT(figure.notes, ElementsAre(HasSubstr("run.csv lacks data for this plot: released arm")));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The page: it carries the data, asks for nothing from outside, and obeys nothing that stands in a log.
+// HTML output: complete data, self-contained, and no injection by texts of logs.
 #include "experiments/logs/plot/page.hpp"
 
 #include <gmock/gmock.h>
@@ -26,14 +26,14 @@ Figure oneCurve(const std::string& text) {
   return {text, text, {{text, text, text, text, text, text}}, {text}, {{text, text, {curve}}}};
 }
 
-/// What the browser takes as the figure: all from the opening tag to the first closing one.
+/// The embedded figure: from the opening tag to the first closing tag, as a browser parses it.
 std::string figureIn(const std::string& page) {
   const std::string tag = "<script type=\"application/json\" id=\"figure\">";
   const std::size_t begin = page.find(tag) + tag.size();
   return page.substr(begin, page.find("</script", begin) - begin);
 }
 
-/// Numbers of the first list that follows this key; null is NaN.
+/// Numbers of the first list after this key; null is NaN.
 std::vector<double> numbersAfter(const std::string& text, const std::string& key) {
   std::size_t at = text.find(key) + key.size();
   std::vector<double> values;
@@ -46,7 +46,7 @@ std::vector<double> numbersAfter(const std::string& text, const std::string& key
   return values;
 }
 
-TEST(Page, CarriesEveryNumberOfTheFigure) {
+TEST(Page, ContainsEveryNumberOfTheFigure) {
   const std::string figure = figureIn(htmlPage(oneCurve("Neck")));
   EXPECT_THAT(numbersAfter(figure, "\"y\":["), ElementsAre(1.25, testing::IsNan(), -3));
   EXPECT_THAT(numbersAfter(figure, "\"axes\":[["), ElementsAre(0, 0.5, 1));
@@ -54,22 +54,22 @@ TEST(Page, CarriesEveryNumberOfTheFigure) {
     EXPECT_THAT(figure, HasSubstr(text));
 }
 
-TEST(Page, CarriesWhereSomethingBegins) {
+TEST(Page, ContainsTheMarks) {
   Figure figure = oneCurve("a");
   figure.marks = {0, 1.25};
   EXPECT_THAT(htmlPage(figure), HasSubstr("\"marks\":[0,1.25]"));
 }
 
-TEST(Page, WritesTimesThatCurvesShareOnce) {
+TEST(Page, WritesSharedTimesOnce) {
   const Figure figure = makeFigure({twoJoints("a.csv"), twoJoints("b.csv", 70)}, {{"a.csv", "b.csv"}, "", {}, ""});
   const std::string text = figureIn(htmlPage(figure));
   EXPECT_THAT(text, HasSubstr("\"axes\":[[0,1,2]]"));
   EXPECT_THAT(text, Not(HasSubstr("\"x\":1")));
 }
 
-TEST(Page, AsksForNothingFromOutside) {
+TEST(Page, ReferencesNoExternalResource) {
   const std::string page = htmlPage(oneCurve("Neck"));
-  // What a browser would fetch: sources, styles, imports, maps.
+  // References that a browser would load: sources, styles, imports, maps.
   for (const char* fetch :
        {"<link rel=\"stylesheet", " src=", "@import", "sourceMappingURL", "url(", "XMLHttpRequest(\"http"})
     EXPECT_THAT(page, Not(HasSubstr(fetch))) << fetch;
@@ -77,13 +77,13 @@ TEST(Page, AsksForNothingFromOutside) {
   for (std::sregex_iterator it{page.begin(), page.end(), address}, end; it != end; ++it)
     EXPECT_THAT(it->str(),
                 testing::AnyOf(HasSubstr("github.com/danvk/dygraphs"), HasSubstr("opensource.org/licenses/MIT")))
-        << "only licence notes in comments of the library name an address";
-  EXPECT_THAT(page, HasSubstr("default-src 'none'")) << "and the browser is told to fetch nothing";
+        << "only licence notes of the library contain an address";
+  EXPECT_THAT(page, HasSubstr("default-src 'none'")) << "the policy forbids loading";
 }
 
 class HostileText : public testing::TestWithParam<const char*> {};
 
-TEST_P(HostileText, EndsNoScriptAndIsKeptToTheLetter) {
+TEST_P(HostileText, DoesNotEndTheScriptAndIsPreserved) {
   const std::string page = htmlPage(oneCurve(GetParam()));
   const std::string plain = htmlPage(oneCurve("Neck"));
   const auto tags = [](const std::string& text) {
@@ -95,8 +95,8 @@ TEST_P(HostileText, EndsNoScriptAndIsKeptToTheLetter) {
     return count;
   };
   EXPECT_EQ(tags(page), tags(plain));
-  EXPECT_THAT(page, HasSubstr("© 2006–2023")) << "the rest of the page stands";
-  // Read back as JSON does: the text itself.
+  EXPECT_THAT(page, HasSubstr("© 2006–2023")) << "the rest of the page is intact";
+  // Unescaped as JSON: the original text.
   const std::string figure = figureIn(page);
   std::string text;
   const std::string key = "{\"title\":\"";

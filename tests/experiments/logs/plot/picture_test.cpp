@@ -1,4 +1,4 @@
-// Pictures, drawn by the real gnuplot and looked at through its own eyes: as raw pixels.
+// Pictures drawn by gnuplot, checked by their pixels.
 #include <gmock/gmock.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -34,7 +34,7 @@ std::string contentOf(const std::string& path) {
 struct Size {
   int width, height;
 };
-/// From the first chunk of a PNG.
+/// Size from the first chunk of a PNG.
 Size sizeOf(const std::string& png) {
   const auto number = [&](std::size_t at) {
     int value = 0;
@@ -45,7 +45,7 @@ Size sizeOf(const std::string& png) {
   return {number(16), number(20)};
 }
 
-/// How many pixels have each colour, by every fourth pixel. gnuplot reads PNG files, so no other library is needed.
+/// Pixel count per colour, from every fourth pixel. gnuplot decodes the PNG file, so no other library is needed.
 std::map<std::string, int> coloursOf(const std::string& path) {
   const std::string command = "gnuplot -e \"set table '" + path + ".txt'; plot '" + path +
                               "' binary filetype=png every 2:2 using 1:2:3 with rgbimage\" 2>/dev/null";
@@ -55,7 +55,7 @@ std::map<std::string, int> coloursOf(const std::string& path) {
   for (std::string line; std::getline(table, line);) {
     if (line.size() < 5 || line.front() == '#') continue;
     char* at = line.data();
-    for (int i = 0; i < 2; ++i) (void)std::strtod(at, &at);  // its place
+    for (int i = 0; i < 2; ++i) (void)std::strtod(at, &at);  // position
     unsigned long colour = 0;
     for (int i = 0; i < 3; ++i) colour = colour * 256 + std::strtoul(at, &at, 10);
     ++numbers[colour];
@@ -69,7 +69,7 @@ std::map<std::string, int> coloursOf(const std::string& path) {
   return count;
 }
 
-/// A wave in the first `colours` colours, each with a phase of its own.
+/// One wave per colour, for the first `colours` colours, each with another phase.
 Figure waves(std::size_t colours, const std::string& text = "wave") {
   Figure figure{text, text, {{text, text, text, text, text, text}}, {}, {{text, text, {}}}};
   for (std::size_t c = 0; c < colours; ++c) {
@@ -94,7 +94,7 @@ TEST(Picture, HasItsSizeAndEveryCurveInItsColour) {
   EXPECT_EQ(size.width, kPictureWidth);
   EXPECT_EQ(size.height, pictureHeight(figure));
   const auto colours = coloursOf(folder / "a.png");
-  // A curve is 860 pixels wide and about 2 high; a text in its colour would have less than 100.
+  // A curve is 860 pixels wide and about 2 high; text in its colour has fewer than 100 pixels.
   for (const char* colour : {"#0072B2", "#E69F00", "#000000"}) {
     ASSERT_TRUE(colours.contains(colour)) << colour;
     EXPECT_GT(colours.at(colour), 400) << colour;
@@ -102,14 +102,14 @@ TEST(Picture, HasItsSizeAndEveryCurveInItsColour) {
   EXPECT_FALSE(colours.contains("#009E73")) << "no fourth curve";
 }
 
-TEST(Picture, ALineStandsWhereSomethingBegins) {
+TEST(Picture, DrawsALineAtAMark) {
   Figure figure = waves(1);
   EXPECT_THAT(gnuplotScript(figure), Not(HasSubstr("set arrow")));
   figure.marks = {0.5, 1};
   EXPECT_THAT(gnuplotScript(figure), HasSubstr("set arrow from 1, graph 0 to 1, graph 1 nohead"));
 }
 
-TEST(Picture, AGapIsNotDrawnOver) {
+TEST(Picture, LeavesGaps) {
   DARWINOP_NEEDS_GNUPLOT();
   const TemporaryFolder folder;
   Figure figure = waves(1);
@@ -118,12 +118,12 @@ TEST(Picture, AGapIsNotDrawnOver) {
   ASSERT_EQ(drawPicture(figure, folder / "gap.png"), "");
   const double share =
       coloursOf(folder / "gap.png").at("#0072B2") / static_cast<double>(coloursOf(folder / "whole.png").at("#0072B2"));
-  // Half of the samples are gone. A line over the gap would keep more than 0.8 of the pixels.
+  // Half of the samples are missing. A line across the gap would keep more than 0.8 of the pixels.
   EXPECT_GT(share, 0.3);
   EXPECT_LT(share, 0.65);
 }
 
-TEST(Picture, TextsOfALogAreDrawnAndNotObeyed) {
+TEST(Picture, TextsOfALogAreNotInterpreted) {
   DARWINOP_NEEDS_GNUPLOT();
   const TemporaryFolder folder;
   const std::string flag = folder / "flag";
@@ -136,7 +136,7 @@ TEST(Picture, TextsOfALogAreDrawnAndNotObeyed) {
   }
 }
 
-TEST(Picture, AFigureWithoutAnyKnownValueIsStillDrawn) {
+TEST(Picture, DrawsAFigureWithoutAnyValue) {
   DARWINOP_NEEDS_GNUPLOT();
   const TemporaryFolder folder;
   Figure figure = waves(1);
@@ -144,7 +144,7 @@ TEST(Picture, AFigureWithoutAnyKnownValueIsStillDrawn) {
   EXPECT_EQ(drawPicture(figure, folder / "a.png"), "");
 }
 
-/// Two logs and what plotCommand makes of them.
+/// Two logs and the output of plotCommand.
 class PlotCommand : public testing::Test {
  protected:
   PlotCommand() {
@@ -162,7 +162,7 @@ class PlotCommand : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(PlotCommand, LaysLogsOverEachOtherInPictureAndPage) {
+TEST_F(PlotCommand, OverlaysLogsInPictureAndPage) {
   DARWINOP_NEEDS_GNUPLOT();
   testing::internal::CaptureStdout();
   EXPECT_EQ(plotCommand(options(folder_ / "both.png")), 0);
@@ -173,7 +173,7 @@ TEST_F(PlotCommand, LaysLogsOverEachOtherInPictureAndPage) {
   EXPECT_THAT(contentOf(folder_ / "both.html"), HasSubstr("\"label\":\"b\",\"log\":1,\"colour\":1"));
 }
 
-TEST_F(PlotCommand, WithoutGnuplotThePageIsMadeAndAPackageNamed) {
+TEST_F(PlotCommand, WithoutGnuplotWritesThePageAndNamesThePackage) {
   const std::string path = getenv("PATH");
   setenv("PATH", "/nowhere", 1);
   testing::internal::CaptureStderr();
@@ -185,16 +185,16 @@ TEST_F(PlotCommand, WithoutGnuplotThePageIsMadeAndAPackageNamed) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.png"));
 }
 
-TEST_F(PlotCommand, SaysWhereItCannotWrite) {
+TEST_F(PlotCommand, ReportsAWriteError) {
   try {
     (void)plotCommand(options(folder_ / "none/a"));
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("none/a.html: No such file or directory; name another place with -o"));
+    EXPECT_THAT(error.what(), HasSubstr("none/a.html: No such file or directory; choose another path with -o"));
   }
 }
 
-TEST_F(PlotCommand, WritesNothingWhenALogIsBad) {
+TEST_F(PlotCommand, WritesNothingForAnInvalidLog) {
   std::ofstream{folder_ / "b.csv"} << "t_s,pos_rad\n0,zero\n";
   EXPECT_THROW((void)plotCommand(options(folder_ / "both")), std::runtime_error);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "both.html"));

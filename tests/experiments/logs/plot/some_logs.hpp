@@ -1,4 +1,4 @@
-// Small logs for tests.
+// Small synthetic logs for tests.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace darwinop::plot {
 
-/// Three rows, one second apart: the neck moves and is silent in the last row, the head rests.
+/// Three rows, 1 s apart: the neck moves and has no value in the last row, the head is at rest.
 inline logs::Log twoJoints(const std::string& file, int start = 0, const std::string& model = "virtual") {
   const auto time = [&](int row) { return std::to_string(start + row); };
   return logs::parseLog(

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace darwinop::remote {
+namespace darwinop::ssh {
 namespace {
 
 TEST(SshTarget, IsARobotWithAUser) {
@@ -20,4 +20,4 @@ TEST(SshTarget, HasNoPortOfTheServer) {
 }
 
 }  // namespace
-}  // namespace darwinop::remote
+}  // namespace darwinop::ssh

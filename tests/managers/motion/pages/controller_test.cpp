@@ -1,4 +1,4 @@
-// Our own pages as a controller plays them: through the motion manager, safety and the bus. It falls, and gets up.
+// Built-in pages played by a controller through motion manager, safety layer and bus: getting up after a push.
 #include <gmock/gmock.h>
 
 #include <RobotisOp2MotionManager.hpp>
@@ -19,7 +19,7 @@ class TwinRobot : public webots::Robot {
   explicit TwinRobot(facade::RobotImpl* impl) : Robot(impl) {}
 };
 
-TEST(ThroughTheManager, ARobotThatWasPushedOverGetsUpOnEitherSideAndSitsDown) {
+TEST(ThroughTheManager, ThePushedRobotGetsUpFromBothSidesAndSitsDown) {
   auto made = std::make_unique<twin::RobotBody>(twin::readModel(twin::findModel("darwin-op")),
                                                 twin::RobotBodyOptions{.ball = twin::Ball::kNone});
   twin::RobotBody& body = *made;
@@ -37,7 +37,7 @@ TEST(ThroughTheManager, ARobotThatWasPushedOverGetsUpOnEitherSideAndSitsDown) {
   pages.playPage(9);
   steps(0.5);
   EXPECT_GT(body.upright(), 0.95);
-  for (const int side : {1, -1}) {  // over the front, over the back
+  for (const int side : {1, -1}) {  // to the front, to the back
     for (int i = 0; i < 150 && body.upright() > 0.7; ++i) {
       body.push({side * 20.0, 0, 0}, Nanos{16'000'000});
       robot.step(16);

@@ -1,4 +1,4 @@
-// Getting up: from either side, on slippery and rough floors, with arms where a fall has left them, on a weak battery.
+// Getting up: from front and back, with different floor friction, arm poses and supply voltage.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -14,10 +14,10 @@ namespace {
 struct Fall {
   const char* what;
   StageOptions stage;
-  Pose goals;  // where the joints were sent, lying
+  Pose goals;  // goals while lying
 };
 
-// Left and right differ: falls are not symmetrical.
+// Left and right differ, because falls are not symmetric.
 Pose armsAt(int shoulder_r, int shoulder_l, int elbow_r, int elbow_l) {
   Pose pose = stance();
   pose[index(Joint::kShoulderR)] += shoulder_r;
@@ -26,7 +26,7 @@ Pose armsAt(int shoulder_r, int shoulder_l, int elbow_r, int elbow_l) {
   pose[index(Joint::kArmLowerL)] -= elbow_l;
   return pose;
 }
-// As a robot lies that fell with straight legs.
+// Pose after a fall with straight legs.
 Pose straight() {
   Pose pose = stance();
   for (std::size_t i = 0; i < kJoints; ++i)
@@ -52,34 +52,34 @@ void expectUpFrom(bool front, int page) {
   Stage first;
   first.stand();
   const Lying lying = first.pushOver(front);
-  ASSERT_LT(std::abs(first.body().upright()), 0.3) << "it should lie";
+  ASSERT_LT(std::abs(first.body().upright()), 0.3) << "must lie";
   for (const Fall& fall : falls()) {
     Stage stage{fall.stage};
     stage.lie(lying, fall.goals);
     ASSERT_LT(std::abs(stage.body().upright()), 0.4) << fall.what;
     const Watched seen = stage.play(pages, page);
     stage.expectStanding(fall.what);
-    EXPECT_LT(seen.full_s, 1.2) << fall.what << ", " << seen.full_joint << ": a servo gives up after 2 s";
+    EXPECT_LT(seen.full_s, 1.2) << fall.what << ", " << seen.full_joint << ": overload protection trips after 2 s";
     EXPECT_LT(seen.mean, 0.6) << fall.what;
     EXPECT_FALSE(seen.overload) << fall.what;
     EXPECT_THAT(seen.touching, testing::IsEmpty()) << fall.what;
   }
 }
 
-// DARWINOP_FALLS: how many on each side. DARWINOP_SEED: other ones.
+// DARWINOP_FALLS: number of falls per side. DARWINOP_SEED: random seed.
 std::uint32_t number(const char* variable, std::uint32_t otherwise) {
   const char* const text = std::getenv(variable);
   return text == nullptr ? otherwise : static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10));
 }
 
-// Any floor, any battery, arms up to 60 degrees from where the stance has them while it falls. Measured:
+// Random floor friction, supply voltage, and arms up to 60 degrees from the stance during the fall. Results:
 // docs/motions.md.
 TEST(GetUp, FromRandomFalls) {
   const PageFile pages = ownPages();
   const std::uint32_t falls = number("DARWINOP_FALLS", 1), seed = number("DARWINOP_SEED", 1);
-  std::mt19937 dice{seed};
-  const auto within = [&dice](double low, double high) {
-    return low + (high - low) * static_cast<double>(dice() >> 8) / 0x1p24;
+  std::mt19937 rng{seed};
+  const auto within = [&rng](double low, double high) {
+    return low + (high - low) * static_cast<double>(rng() >> 8) / 0x1p24;
   };
   for (const bool front : {true, false}) {
     std::uint32_t lay = 0, up = 0, later = 0;
@@ -93,19 +93,19 @@ TEST(GetUp, FromRandomFalls) {
       }
       stage.stand(arms);
       (void)stage.pushOver(front, within(-3, 3));
-      if (std::abs(stage.body().upright()) > 0.5) continue;  // it leans on an arm
+      if (std::abs(stage.body().upright()) > 0.5) continue;  // propped on an arm
       ++lay;
       stage.play(pages, stage.liesOnFront() ? 10 : 11);
       if (stage.stands()) {
         ++up;
-      } else {  // as a controller would
+      } else {  // second attempt, like a controller
         stage.play(pages, stage.liesOnFront() ? 10 : 11);
         if (stage.stands()) ++later;
       }
     }
     std::cout << (front ? "front: " : "back: ") << up << " of " << lay << " stand, " << later
               << " more after another page\n";
-    EXPECT_GE(up * 20, lay * 19) << "seed " << seed << ": one in twenty may not";
+    EXPECT_GE(up * 20, lay * 19) << "seed " << seed << ": at most one in twenty may fail";
     EXPECT_EQ(up + later, lay) << "seed " << seed;
   }
 }

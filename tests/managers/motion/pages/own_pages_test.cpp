@@ -1,4 +1,4 @@
-// The own pages: what is in the library is what lies in managers/motion/pages/, each number once.
+// Built-in pages: the library contains the texts of managers/motion/pages/, each number once.
 #include "managers/motion/pages/own_pages.hpp"
 
 #include <gmock/gmock.h>
@@ -25,18 +25,18 @@ std::string refusalOf(std::initializer_list<OwnText> texts) {
   return "";
 }
 
-TEST(OwnPages, AreInTheLibraryAndAllOfThemCanBePlayed) {
+TEST(OwnPages, AreInTheLibraryAndPlayable) {
   ASSERT_EQ(ownPages().size(), kPages);
   EXPECT_TRUE(ownPages()[1].canPlay());
   EXPECT_TRUE(ownPages()[9].canPlay());
-  EXPECT_EQ(decodePages(encodePages(ownPages())), ownPages()) << "they can be written as a binary file";
+  EXPECT_EQ(decodePages(encodePages(ownPages())), ownPages()) << "valid in the binary format";
 }
 
-TEST(OwnPages, NothingIsFoundWithThem) {
+TEST(OwnPages, HaveNoFindings) {
   EXPECT_THAT(checkPages(ownPages()), IsEmpty());
 }
 
-TEST(OwnPages, TextsGoTogether) {
+TEST(OwnPages, TextsAreMerged) {
   const OwnText texts[] = {{"one.txt", kOne}, {"other.txt", kOther}};
   const PageFile pages = mergeTexts(texts);
   EXPECT_EQ(pages[7].nameText(), "one");
@@ -44,12 +44,12 @@ TEST(OwnPages, TextsGoTogether) {
   EXPECT_FALSE(pages[9].canPlay());
 }
 
-TEST(OwnPages, APageNumberInTwoTextsIsRefusedAndBothAreNamed) {
+TEST(OwnPages, ADuplicatePageNumberIsRefused) {
   EXPECT_EQ(refusalOf({{"one.txt", kOne}, {"other.txt", kOther}, {"third.txt", kOne}}),
-            "page 7 is in one.txt and in third.txt: give one of them another number");
+            "page 7 is in one.txt and in third.txt: change one of the numbers");
 }
 
-TEST(OwnPages, ABrokenTextIsNamed) {
+TEST(OwnPages, AnInvalidTextIsRefused) {
   EXPECT_THAT(refusalOf({{"one.txt", kOne}, {"bad.txt", "darwinop motion 1\n[page 3]\nNeck = x\n"}}),
               HasSubstr("bad.txt, line 3, page 3: Neck"));
 }

@@ -1,4 +1,4 @@
-// Our own pages as they are written: numbers and names that users know, limits, and what they promise to end in.
+// Built-in pages: numbers, names, limits, final poses.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ using testing::IsEmpty;
 
 constexpr std::size_t kWalkReady = 9, kRightKick = 12, kLeftKick = 13, kSitDown = 15;
 
-TEST(OwnPages, HaveTheNumbersThatControllersPlay) {
+TEST(OwnPages, HaveTheNumbersUsedByControllers) {
   const PageFile pages = ownPages();
   std::map<std::size_t, std::string> names;
   for (std::size_t i = 0; i < kPages; ++i)
@@ -33,7 +33,7 @@ TEST(OwnPages, StayWithinLimitsAndSpeeds) {
   EXPECT_THAT(checkPages(ownPages()), IsEmpty());
 }
 
-TEST(OwnPages, MoveEveryJointInEveryStepAndEndByThemselves) {
+TEST(OwnPages, MoveEveryJointInEveryStepAndEnd) {
   const PageFile pages = ownPages();
   for (std::size_t i = 1; i < kPages; ++i) {
     EXPECT_EQ(pages[i].next, 0) << "page " << i;
@@ -52,7 +52,7 @@ TEST(OwnPages, EndInTheStanceOrSitting) {
   }
 }
 
-TEST(OwnPages, TheEngineEndsThereToTheTick) {
+TEST(OwnPages, TheEngineEndsInTheFinalPose) {
   const PageFile pages = ownPages();
   for (std::size_t i = 1; i < kPages; ++i) {
     if (!pages[i].canPlay()) continue;
@@ -66,7 +66,7 @@ TEST(OwnPages, TheEngineEndsThereToTheTick) {
   }
 }
 
-TEST(OwnPages, WalkingBeginsFromTheStanceWithoutAMove) {
+TEST(OwnPages, WalkingStartsFromTheStanceWithoutAnApproach) {
   const Pose ready = lastPose(ownPages()[kWalkReady]);
   gait::Goals goals;
   std::copy_n(ready.begin(), gait::kWalkingJoints, goals.tick.begin());
@@ -75,7 +75,7 @@ TEST(OwnPages, WalkingBeginsFromTheStanceWithoutAMove) {
   EXPECT_EQ(walk.approachMs(), 0);
 }
 
-// Their last step is the stance, whose arms are not quite alike.
+// Except the last step: the stance is not exactly symmetric.
 TEST(OwnPages, TheLeftKickIsTheRightOneMirrored) {
   const PageFile pages = ownPages();
   const Page &left = pages[kLeftKick], mirror = mirrored(pages[kRightKick]);
@@ -90,7 +90,7 @@ TEST(OwnPages, TheLeftKickIsTheRightOneMirrored) {
   }
 }
 
-TEST(OwnPages, AreTheSameInTheBinaryFile) {
+TEST(OwnPages, AreUnchangedByTheBinaryFormat) {
   const PageFile pages = ownPages();
   EXPECT_EQ(decodePages(encodePages(pages)), pages);
 }

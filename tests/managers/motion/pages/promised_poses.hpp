@@ -1,4 +1,4 @@
-// The two poses that our own pages promise to end in.
+// The two final poses of the built-in pages.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace darwinop::motion {
 
-/// The stance in which walking begins; the head looks ahead.
+/// The stance of the walk, head level.
 inline Pose stance() {
   Pose pose{};
   std::ranges::copy(gait::kStanding.tick, pose.begin());
@@ -18,14 +18,14 @@ inline Pose stance() {
   return pose;
 }
 
-/// The start pose: a robot rests in it without its servos.
+/// The start pose, stable without torque.
 inline Pose sitting() {
   Pose pose{};
   for (std::size_t i = 0; i < kJoints; ++i) pose[i] = kJointTable[i].start;
   return pose;
 }
 
-/// Of the last step.
+/// Pose of the last step.
 inline Pose lastPose(const Page& page) {
   Pose pose{};
   for (std::size_t i = 0; i < kJoints; ++i) pose[i] = page.step[page.steps - 1U].position[i + 1];

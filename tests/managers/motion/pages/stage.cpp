@@ -8,7 +8,7 @@ Watched Stage::play(const PageFile& pages, int page, double after_s) {
   Watched seen;
   Player player{pages};
   Pose present = goals_;
-  for (std::size_t i = 0; i < kJoints; ++i) {  // as the motion manager begins, docs/motions.md
+  for (std::size_t i = 0; i < kJoints; ++i) {  // as in the motion manager, docs/motions.md
     constexpr int kFullPull = 256;
     const int at = ticksFromRad(Rad{body_->state().joint[i].position_rad});
     present[i] = std::clamp(present[i], at - kFullPull, at + kFullPull);
@@ -27,7 +27,7 @@ Watched Stage::play(const PageFile& pages, int page, double after_s) {
   }
   seen.seconds = ticks * 0.008;
   seen.mean = std::sqrt(*std::ranges::max_element(squares_) / ticks);
-  hold(goals_);  // the gains are the controller's again
+  hold(goals_);  // restores the controller's gains
   run(after_s);
   std::printf("page %2d: %.2f s, torque %.2f of stall at most, %.2f in the mean of the worst joint", page, seen.seconds,
               seen.peak, seen.mean);

@@ -1,5 +1,5 @@
-// The twin as a stage for pages: plays one, tick for tick as the motion manager does, and watches what the body and its
-// servos go through. Limbs push each other here, as they do on the robot.
+// Plays pages on the twin in the same ticks as the motion manager, with self collision, and records loads of body and
+// servos.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,19 +19,19 @@
 
 namespace darwinop::motion {
 
-/// What a page did. Torques are shares of the stall torque, of the worst joint.
+/// Results of a page. Torques are fractions of the stall torque, of the most loaded joint.
 struct Watched {
   double seconds = 0;              // of the page
-  double peak = 0;                 // greatest torque
+  double peak = 0;                 // maximum torque
   double mean = 0;                 // root mean square over the page
-  double full_s = 0;               // longest time at full voltage without a break
-  std::string full_joint;          // whose
+  double full_s = 0;               // longest uninterrupted time at full voltage
+  std::string full_joint;          // joint of full_s
   bool overload = false;           // a servo's protection tripped
-  double lowest = 1;               // upright at worst
-  std::set<std::string> touching;  // pairs of shapes of the robot that met, deeper than kTouch
+  double lowest = 1;               // minimum of upright()
+  std::set<std::string> touching;  // pairs of geoms in contact deeper than kTouch
 };
 
-/// A robot that lies: where everything is, and what its servos were told.
+/// State of a lying robot: coordinates and goals.
 struct Lying {
   std::vector<double> places;
   Pose goals{};
@@ -47,26 +47,26 @@ struct StageOptions {
 class Stage {
  public:
   static constexpr Nanos kTick{8'000'000};
-  static constexpr double kTouch = 0.0005;  // m; less is how boxes rest on each other
+  static constexpr double kTouch = 0.0005;  // m; penetration of boxes at rest is smaller
   static constexpr double kFull = 0.97;     // of the voltage
 
   explicit Stage(const StageOptions& options = {}) : options_{options} {
     twin::Model model = twin::readModel(twin::findModel(options.model));
     model.body.floor_friction = options.floor_friction;
     model.body.self_collision = true;
-    // Law voltage_p: the load is the share of the voltage, and a turning motor gives some of it back.
+    // Law voltage_p: the load is the duty; back EMF reduces the torque of a turning motor.
     if (model.servo.law == twin::Law::kVoltageP) back_emf_share_ = model.servo.back_emf_vs_rad / options.supply_v;
     body_ = std::make_unique<twin::RobotBody>(
         model, twin::RobotBodyOptions{.ball = options.ball ? twin::Ball::kRests : twin::Ball::kNone});
     map_ = twin::mapBody(*body_->mujocoModel(), model.body.xml);
   }
 
-  /// In the start pose, its servos on.
+  /// In the start pose, torque on.
   void sit() {
     hold(sitting());
     run(0.3);
   }
-  /// In the stance, its trunk leaning as the gait wants it; arms may be elsewhere.
+  /// In the stance with the trunk pitch of the gait; arms may differ.
   void stand(const Pose& goals = stance()) {
     std::array<double, kJoints> angles{};
     for (std::size_t i = 0; i < kJoints; ++i) angles[i] = radFromTicks(goals[i]).value;
@@ -74,7 +74,7 @@ class Stage {
     hold(goals);
     run(0.5);
   }
-  /// Pushed over from where it stands, forwards or backwards, and come to rest there.
+  /// Pushes the standing robot over, forwards or backwards, and waits until it is at rest.
   Lying pushOver(bool forwards, double aside_n = 0) {
     constexpr double kForce = 20, kTipped = 0.7;  // N; upright
     for (int i = 0; i < 250 && body_->upright() > kTipped; ++i) {
@@ -85,7 +85,7 @@ class Stage {
     const mjtNum* const places = body_->mujocoData()->qpos;
     return {{places, places + body_->mujocoModel()->nq}, goals_};
   }
-  /// Lies there as that robot did; then its joints move to other goals.
+  /// Restores a lying robot, then moves its joints to other goals.
   void lie(const Lying& lying, const Pose& goals) {
     std::array<double, kJoints> angles{};
     for (std::size_t i = 0; i < kJoints; ++i) angles[i] = lying.places[static_cast<std::size_t>(map_.qpos[i])];
@@ -93,7 +93,7 @@ class Stage {
     std::ranges::copy(lying.places, body_->mujocoData()->qpos);
     mj_forward(body_->mujocoModel(), body_->mujocoData());
     hold(lying.goals);
-    for (int i = 0; i < 60; ++i) {  // in half a second
+    for (int i = 0; i < 60; ++i) {  // 0.5 s
       for (std::size_t j = 0; j < kJoints; ++j) goals_[j] = lying.goals[j] + (goals[j] - lying.goals[j]) * (i + 1) / 60;
       hold(goals_);
       run(0.008);
@@ -101,10 +101,10 @@ class Stage {
     run(0.3);
   }
 
-  /// The page, from where the robot is, and `after` more seconds.
+  /// Plays the page from the present pose, plus `after` seconds.
   Watched play(const PageFile& pages, int page, double after_s = 0.8);
 
-  /// Stands in the stance: upright, and as high as one does there.
+  /// Checks that the robot stands in the stance, by tilt and height.
   void expectStanding(const std::string& what) {
     EXPECT_TRUE(stands()) << what << ": upright " << body_->upright() << ", " << body_->trunkPosition()[2] << " m high";
     expectGoals(stance(), what);
@@ -116,13 +116,13 @@ class Stage {
   }
 
   [[nodiscard]] bool stands() { return body_->upright() > 0.95 && std::abs(body_->trunkPosition()[2] - 0.317) < 0.006; }
-  /// The chest looks down.
+  /// Lying on its face.
   [[nodiscard]] bool liesOnFront() {
     const mjtNum* const turned = body_->mujocoData()->xmat + 9L * map_.trunk;
     return turned[8] < 0;  // world's up of the trunk's z, forward
   }
   [[nodiscard]] twin::RobotBody& body() { return *body_; }
-  /// Middle of a shape, m, world.
+  /// Centre of a geom, m, world.
   [[nodiscard]] std::array<double, 2> placeOf(const char* shape) {
     const mjData& d = *body_->mujocoData();
     const int geom = mj_name2id(body_->mujocoModel(), mjOBJ_GEOM, shape);
@@ -155,7 +155,7 @@ class Stage {
   twin::BodyMap map_;
   Drives drives_{};
   Pose goals_{};
-  double back_emf_share_ = 0;  // of the stall torque, lost a rad/s
+  double back_emf_share_ = 0;  // fraction of the stall torque lost per rad/s
   std::array<double, kJoints> squares_{}, full_for_{};
 };
 

@@ -1,4 +1,4 @@
-// Pages that begin and end on the feet, on a body that can fall.
+// Built-in pages that start and end standing, on the twin.
 #include <gmock/gmock.h>
 
 #include "managers/motion/pages/own_pages.hpp"
@@ -12,16 +12,16 @@ using testing::IsEmpty;
 constexpr int kInit = 1, kOk = 2, kNo = 3, kHi = 4, kWalkReady = 9, kRightKick = 12, kLeftKick = 13, kSitDown = 15,
               kStandUp = 16, kHello = 24, kByeBye = 38;
 
-// What no gesture comes near: they are to be played a thousand times.
+// Load limits with a margin, because gestures are played often.
 void expectEasy(const Watched& seen, const std::string& what) {
   EXPECT_LT(seen.peak, 0.75) << what;
   EXPECT_LT(seen.mean, 0.35) << what;
   EXPECT_EQ(seen.full_s, 0) << what << ' ' << seen.full_joint;
-  EXPECT_GT(seen.lowest, 0.6) << what;  // a bow
+  EXPECT_GT(seen.lowest, 0.6) << what;  // for a bow
   EXPECT_THAT(seen.touching, IsEmpty()) << what;
 }
 
-TEST(Standing, EveryGestureEndsInTheStanceWhereItBegan) {
+TEST(Standing, EveryGestureEndsInTheStanceAtItsStart) {
   const PageFile pages = ownPages();
   Stage stage;
   stage.stand();
@@ -36,7 +36,7 @@ TEST(Standing, EveryGestureEndsInTheStanceWhereItBegan) {
   }
 }
 
-TEST(Standing, SitsDownAndStandsUpInEachWayThereIs) {
+TEST(Standing, SitsDownAndStandsUpInEveryWay) {
   const PageFile pages = ownPages();
   Stage stage;
   stage.sit();
@@ -49,14 +49,14 @@ TEST(Standing, SitsDownAndStandsUpInEachWayThereIs) {
   }
 }
 
-// Measured: 1.66 m. The ball lies as far from the toe as a robot stops before it, and not quite in the middle.
-TEST(Standing, AKickSendsTheBallForwardsAndEndsInTheStance) {
+// Measured: 1.66 m. The ball is at the distance at which the soccer controller stops, slightly off the middle.
+TEST(Standing, AKickMovesTheBallForwardsAndEndsInTheStance) {
   struct Kick {
     int page;
     const char* foot;
     double gap, aside, friction;  // m
   };
-  constexpr double kToe = 0.0525, kBall = 0.04;  // m: from the foot's middle; radius
+  constexpr double kToe = 0.0525, kBall = 0.04;  // m: from the centre of the foot; radius
   const PageFile pages = ownPages();
   for (const Kick& kick : {Kick{kRightKick, "FootR_1", 0.02, 0, 1}, Kick{kRightKick, "FootR_1", 0.04, 0.02, 0.8},
                            Kick{kLeftKick, "FootL_1", 0.02, 0, 1}, Kick{kLeftKick, "FootL_1", 0, 0.02, 1.2}}) {

@@ -1,5 +1,5 @@
 // A computer's name to addresses. On a PC only: programs of the robot are static, and cannot look names up.
-#include "hal/net/resolve.hpp"
+#include "hal/net/names/resolve.hpp"
 
 #include <netdb.h>
 #include <netinet/in.h>
