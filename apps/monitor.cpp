@@ -18,7 +18,7 @@
 #include "hal/net/web/server.hpp"
 #include "hal/signals.hpp"
 #include "monitor/messages.hpp"
-#include "remote/robot/onlooker_eyes.hpp"
+#include "remote/robot/observer_pictures.hpp"
 #include "runtime/clock.hpp"
 
 namespace {
@@ -43,13 +43,13 @@ void sayMonitorOnce(const std::string& line) {
   if (said.insert(line).second) sayMonitor(line);
 }
 
-web::ServerConfig webConfig(const MonitorArguments& given) {
-  web::ServerConfig config;
+web::WebServerConfig webConfig(const MonitorArguments& given) {
+  web::WebServerConfig config;
   config.address = net::ipv4FromText(given.listen);
   config.port = given.port;
   for (const std::string& network : given.allow) config.allowed.push_back(net::networkFromText(network));
-  config.entry.origins = given.origins;
-  config.entry.hosts = given.hosts;
+  config.origin.origins = given.origins;
+  config.origin.hosts = given.hosts;
   if (net::isLoopback(config.address)) return config;
   if (given.allow.empty())
     throw std::runtime_error("--listen " + given.listen +
@@ -66,7 +66,7 @@ int serveOnlookers(const MonitorArguments& given) {
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
   const runtime::RuntimeFiles files{given.name};
   const auto search = std::make_shared<colour_search::FrameSearch>();
-  const remote::FrameLooker find = [search](const CameraFrame& frame) { search->look(frame); };
+  const remote::FrameCallback find = [search](const CameraFrame& frame) { search->process(frame); };
   monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); },
                            [find] {
                              return remote::openPicturesOfCamera(
@@ -74,12 +74,12 @@ int serveOnlookers(const MonitorArguments& given) {
                                  sayMonitor);
                            },
                            [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); }, search};
-  web::Server server{webConfig(given), sayMonitor};
+  web::WebServer server{webConfig(given), sayMonitor};
   server.channel("/monitor", monitor::kSubprotocol, monitor);
   std::cout << "ready: ws://" << given.listen << ":" << server.port() << "/monitor" << std::endl;
   while (!endRequested()) {
-    server.attend(monitor.pause());
-    monitor.look();
+    server.poll(monitor.pause());
+    monitor.update();
   }
   return 0;
 }

@@ -88,7 +88,7 @@ int serveRemote(const RemoteArguments& given) {
   if (daemon) connect::leaveRoot();
   endOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
-  remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kOwn,
+  remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kEmbedded,
                          [&] { return connect::connect(request); }, request.safety.start == safety::StartMove::kHold};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
   const remote::ImageSize size{remote::kWholeImage.width / given.width_zoom,
@@ -100,7 +100,7 @@ int serveRemote(const RemoteArguments& given) {
   remote::Server server{config, robot, open_pictures, clock, sayRemote};
   std::cout << "ready: " << given.listen << ":" << server.port() << std::endl;
   server.run(endRequested());
-  robot.farewellForWhoLeft();
+  robot.endAbandonedSession();
   return 0;
 }
 

@@ -18,13 +18,13 @@
 #include "ssh_login.hpp"
 #include "window/assets.hpp"
 #include "window/body_json.hpp"
-#include "window/driver.hpp"
-#include "window/over_ssh.hpp"
+#include "window/drive_session.hpp"
+#include "window/drive_thread.hpp"
 #include "window/pages_json.hpp"
 #include "window/report_page.hpp"
 #include "window/robot_choice.hpp"
 #include "window/secret.hpp"
-#include "window/steersman.hpp"
+#include "window/ssh_connection.hpp"
 #include "window/transfer.hpp"
 #include "window/transfer_command.hpp"
 
@@ -32,7 +32,7 @@ namespace {
 
 using namespace darwinop;
 
-constexpr Nanos kDrivingPause{10'000'000};  // shorter than a cycle, so that the driver does not count as stalled
+constexpr Nanos kDrivingPause{10'000'000};  // more often than a cycle: a session must not seem to stall
 
 struct WindowArguments {
   window::RobotChoice choice;
@@ -42,58 +42,59 @@ struct WindowArguments {
   SshLogin login;
 };
 
-void sayWindow(const std::string& line) {
+void logWindow(const std::string& line) {
   std::cerr << "darwinop window: " << line << std::endl;
 }
 
-/// All pages are under a secret path: other local users may connect, but cannot find them.
-std::string serveWindow(web::Server& server, const WindowArguments& given, window::Sight& sight, window::Driver& driver,
-                        window::Transfer& transfer) {
+/// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
+std::string serveWindow(web::WebServer& server, const WindowArguments& given, window::MonitorFeed& feed,
+                        window::DriveSession& session, window::Transfer& transfer) {
   const std::string base = "/" + window::newSecret() + "/";
   for (const window::Asset& asset : window::assets())
     server.serve(base + std::string{asset.name}, {std::string{asset.type}, std::string{asset.body}});
   server.serve(base + "body.json", {"application/json", window::bodyJson(given.model)});
   window::serveReport(server, base, given.report);
   server.serve(base + "pages.json", {"application/json", window::pagesJson(motion::ownPages())});
-  server.channel(base + "monitor", monitor::kSubprotocol, sight.user());
-  server.channel(base + "steering", window::kSteeringProtocol, driver);
+  server.channel(base + "monitor", monitor::kSubprotocol, feed.handler());
+  server.channel(base + "steering", window::kSteeringProtocol, session);
   server.channel(base + "transfer", window::kTransferProtocol, transfer);
   return "http://127.0.0.1:" + std::to_string(server.port()) + base;
 }
 
-/// `ssh`: empty: no login. On return the driver's thread has ended.
-void showWindow(const WindowArguments& given, window::OwnRobot* own, const window::OverSsh* ssh) {
+/// `ssh`: nothing: nobody has logged in. It returns with the session's thread at an end.
+void showWindow(const WindowArguments& given, window::SimulatedRobot* own, const window::SshConnection* ssh) {
   endOnSignals();
-  if (ssh != nullptr && window::OverSsh::toldToEnd()) return;
+  if (ssh != nullptr && window::SshConnection::isEndRequested()) return;
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
-  window::Sight sight = window::sightOf(given.choice, files, own ? own->eyes() : "",
-                                        std::make_shared<colour_search::FrameSearch>(), sayWindow);
-  window::Steersman steersman{[&] { return window::linkToDrive(given.choice, files, sayWindow); }, motion::ownPages()};
+  window::MonitorFeed feed = window::openMonitorFeed(given.choice, files, own ? own->cameraFile() : "",
+                                                     std::make_shared<colour_search::FrameSearch>(), logWindow);
+  window::DriveThread drive_thread{[&] { return window::openDriveLink(given.choice, files, logWindow); },
+                                   motion::ownPages()};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
-  window::Driver driver{steersman, clock};
+  window::DriveSession session{drive_thread, clock};
   window::Transfer transfer{window::Child::programOf("install"), window::RememberedFile::usual(), clock,
                             window::robotOf(given.choice.logged_in_to, given.login.port, given.login.key)};
-  web::ServerConfig config;
+  web::WebServerConfig config;
   config.port = given.port;
-  config.entry.own_origin = true;
-  config.most_channels = 12;  // three per web page
-  web::Server server{config, sayWindow};
-  const std::string address = serveWindow(server, given, sight, driver, transfer);
+  config.origin.own_origin = true;
+  config.max_channels = 12;  // three for each page
+  web::WebServer server{config, logWindow};
+  const std::string address = serveWindow(server, given, feed, session, transfer);
   std::cout << "open in a browser: " << address << '\n';
-  if (own) std::cout << own->howToDrive() << '\n';
+  if (own) std::cout << own->driveInstructions() << '\n';
   std::cout << "end with Ctrl+C" << std::endl;
   while (!endRequested() && (ssh == nullptr || !ssh->ended())) {
-    server.attend(std::min({sight.pause(), transfer.pause(), driver.drives() ? kDrivingPause : sight.pause()}));
-    sight.look();
-    driver.turn();
-    transfer.turn();
-    if (const std::string status = own ? own->news() : ""; !status.empty()) {
-      sight.notice(news);
-      sayWindow(news);
+    server.poll(std::min({feed.pause(), transfer.pause(), session.drives() ? kDrivingPause : feed.pause()}));
+    feed.update();
+    session.update();
+    transfer.update();
+    if (const std::string message = own ? own->takeMessage() : ""; !message.empty()) {
+      feed.notice(message);
+      logWindow(message);
     }
   }
-  if (transfer.runs()) sayWindow("cancelling the programs started on the robot; this takes up to 20 s");
-  if (ssh != nullptr && !endRequested()) ssh->tellPages(server, sight);
+  if (transfer.runs()) logWindow("cancelling the programs on the robot; this takes up to 20 s");
+  if (ssh != nullptr && !endRequested()) ssh->notifyPages(server, feed);
 }
 
 /// Runs the requested window for any kind of robot. Returns the exit status.
@@ -104,13 +105,13 @@ int openWindow(WindowArguments given) {
   if (target && !given.choice.monitor.empty())
     throw std::runtime_error("--monitor cannot be used with --robot tcp://USER@HOST, which starts a monitor there");
   endOnSignals();
-  const std::unique_ptr<window::OwnRobot> own = window::ownRobot(given.choice, given.controller);
+  const std::unique_ptr<window::SimulatedRobot> own = window::startSimulatedRobot(given.choice, given.controller);
   if (!target) {
     showWindow(given, own.get(), nullptr);
     return 0;
   }
-  window::OverSsh ssh{*target, sshWords(given.login)};
-  if (!ssh.arrives()) return std::max(ssh.end(), 1);
+  window::SshConnection ssh{*target, sshWords(given.login)};
+  if (!ssh.waitUntilReady()) return std::max(ssh.end(), 1);
   given.choice = {.robot = ssh.robot(), .monitor = ssh.monitor(), .logged_in_to = ssh.target()};
   showWindow(given, own.get(), &ssh);
   const int status = ssh.end();
@@ -121,8 +122,7 @@ int openWindow(WindowArguments given) {
 
 int main(int count, char** arguments) try {
   WindowArguments given;
-  CLI::App app{"Shows a robot in a browser: pose, sensor and servo curves, loop, faults.",
-               "darwinop window"};
+  CLI::App app{"Shows a robot in a browser: pose, sensor and servo curves, loop, faults.", "darwinop window"};
   app.add_option(
          "--robot", given.choice.robot,
          "twin, twin:MODEL or virtual: start a simulated robot; runtime: the local daemon; tcp://USER@HOST: log in "

@@ -96,7 +96,7 @@ std::unique_ptr<runtime::RobotLink> robotOverTcp(const Request& request, const A
   remote::TcpOptions options;
   options.host = server.host;
   options.port = server.port;
-  options.say = [](const std::string& what) { std::cerr << "darwinop: " << what << std::endl; };
+  options.log = [](const std::string& what) { std::cerr << "darwinop: " << what << std::endl; };
   auto link = std::make_unique<remote::TcpLink>(std::move(options));
   warn(request, tcpWarnings(request, link->period()));
   return link;

@@ -1,4 +1,4 @@
-// What the observers look for in the frames. The program supplies the search, so that the monitor needs no vision.
+// Interface of the colour search in camera frames. The program supplies it, so that the monitor does not use vision.
 #pragma once
 
 #include <cstdint>
@@ -10,34 +10,35 @@
 
 namespace darwinop::monitor {
 
-/// A colour to be found in the frames, as the vision manager finds it.
-struct Search {
+/// Parameters of one colour search, those of the vision manager.
+struct ColourQuery {
   ColourThresholds colour{};
   PercentLimits limits{};
-  bool operator==(const Search&) const = default;
+  bool operator==(const ColourQuery&) const = default;
 };
 
-/// What a search found in one frame.
-struct Found {
-  std::uint64_t picture = 0;                     // its sequence
-  int width = 0, height = 0;                     // of the picture
-  std::optional<Pixel> centre;                   // nothing: too little of the colour, or too much
-  std::uint64_t pixels = 0;                      // that have it, after noise is removed
-  int left = 0, top = 0, right = 0, bottom = 0;  // bounding box, both ends included; of no use without pixels
-  std::vector<std::uint8_t> mask;  // a bit a pixel, row by row, (width + 7) / 8 bytes each; the lowest is the left one
+/// Result of one search in one frame.
+struct ColourMatch {
+  std::uint64_t picture = 0;                     // sequence number of the frame
+  int width = 0, height = 0;                     // of the frame, pixels
+  std::optional<Pixel> centre;                   // nullopt: the share of the colour is outside the limits
+  std::uint64_t pixels = 0;                      // of the colour, after noise removal
+  int left = 0, top = 0, right = 0, bottom = 0;  // bounding box, inclusive; undefined if pixels is 0
+  std::vector<std::uint8_t>
+      mask;  // one bit per pixel, rows of (width + 7) / 8 bytes; the lowest bit is the leftmost pixel
 };
 
-/// want() and found() are called by one thread, look() by one other.
+/// setSearches() and resultOf() are called by one thread, process() by one other.
 class ColourSearch {
  public:
-  static constexpr std::size_t kMost = 8;  // searches: there are no more observers
+  static constexpr std::size_t kMost = 8;  // searches: one for each observer
 
   virtual ~ColourSearch() = default;
-  /// From the next frame on; those beyond kMost are ignored.
-  virtual void want(const std::vector<Search>& searches) = 0;
-  virtual void look(const CameraFrame& frame) noexcept = 0;
-  /// Nothing: that frame was not searched for it, or is long gone.
-  [[nodiscard]] virtual std::optional<Found> found(const Search& search, std::uint64_t picture) const = 0;
+  /// Takes effect with the next frame; searches beyond kMost are ignored.
+  virtual void setSearches(const std::vector<ColourQuery>& searches) = 0;
+  virtual void process(const CameraFrame& frame) noexcept = 0;
+  /// Nullopt: that frame was not searched for it, or its result is no longer kept.
+  [[nodiscard]] virtual std::optional<ColourMatch> resultOf(const ColourQuery& search, std::uint64_t picture) const = 0;
 };
 
 }  // namespace darwinop::monitor

@@ -1,4 +1,4 @@
-// Whom one looks at: said once, at the beginning.
+// The message "hello": tables of joints, devices, faults and limits, sent once at the start.
 #include <array>
 #include <cstring>
 
@@ -28,9 +28,9 @@ Json jointTable() {
                       {"sensor", std::string{row.name} + "S"},
                       {"meaning", row.anatomical},
                       {"chain", kChains[static_cast<std::size_t>(row.chain)]},
-                      {"low", figure(radFromTicks(row.low).value)},
-                      {"high", figure(radFromTicks(row.high).value)},
-                      {"start", figure(radFromTicks(row.start).value)}});
+                      {"low", rounded(radFromTicks(row.low).value)},
+                      {"high", rounded(radFromTicks(row.high).value)},
+                      {"start", rounded(radFromTicks(row.start).value)}});
   return joints;
 }
 
@@ -61,16 +61,16 @@ Json deviceTable() {
 
 }  // namespace
 
-std::string helloText(const runtime::LoopInfo* info, const Wishes& wishes) {
+std::string helloText(const runtime::LoopInfo* info, const Subscription& subscription) {
   Json text;
   text["type"] = "hello";
   text["protocol"] = 1;
   text["runtime"] = runtime::version();
   text["robot"] = info != nullptr ? textOfArray(info->robot) : nullptr;
   text["port"] = info != nullptr ? textOfArray(info->port) : nullptr;
-  text["period"] = info != nullptr ? figure(static_cast<double>(info->period_ns) * 1e-9, 1e9) : nullptr;
-  text["rate"] = figure(wishes.rate);
-  text["camera"] = figure(wishes.camera);
+  text["period"] = info != nullptr ? rounded(static_cast<double>(info->period_ns) * 1e-9, 1e9) : nullptr;
+  text["rate"] = rounded(subscription.rate);
+  text["camera"] = rounded(subscription.camera);
   text["most"] = {{"rate", kMostRate}, {"camera", kMostPictures}};
   text["joints"] = jointTable();
   text["devices"] = deviceTable();
@@ -80,7 +80,7 @@ std::string helloText(const runtime::LoopInfo* info, const Wishes& wishes) {
                    "upright and at rest the accelerometer reads 0, 0, +9.8 m/s2"};
   text["faults"] = faultTable();
   text["limits"] = kLimitNames;
-  return written(text);
+  return dumped(text);
 }
 
 }  // namespace darwinop::monitor

@@ -1,4 +1,4 @@
-// How figures become JSON, for the texts of this room.
+// JSON helpers for the messages of the monitor.
 #pragma once
 
 #include <cmath>
@@ -10,18 +10,19 @@ namespace darwinop::monitor {
 
 using Json = nlohmann::ordered_json;
 
-inline std::string written(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);  // names come from memory that others write
+inline std::string dumped(const Json& json) {
+  return json.dump(-1, ' ', false,
+                   Json::error_handler_t::replace);  // names come from shared memory and may be invalid UTF-8
 }
 
-/// Five digits behind the point: finer than any count of the robot.
-inline Json figure(double value, double digits = 1e5) {
+/// Rounded to five decimals, finer than the resolution of any sensor; null if not finite.
+inline Json rounded(double value, double digits = 1e5) {
   if (!std::isfinite(value)) return nullptr;
-  const double rounded = std::round(value * digits) / digits;
-  constexpr double kExact = 9e15;  // doubles count by ones up to here
-  if (std::abs(rounded) < kExact && rounded == std::trunc(rounded))
-    return static_cast<std::int64_t>(rounded);  // 0, not -0.0
-  return rounded;
+  const double result = std::round(value * digits) / digits;
+  constexpr double kExact = 9e15;  // doubles represent every integer up to here
+  if (std::abs(result) < kExact && result == std::trunc(result))
+    return static_cast<std::int64_t>(result);  // 0, not -0.0
+  return result;
 }
 
 }  // namespace darwinop::monitor

@@ -1,4 +1,4 @@
-// How the loop fares.
+// The message "loop": loop statistics.
 #include <array>
 #include <utility>
 
@@ -27,9 +27,9 @@ Json histogramOf(const runtime::HistogramView& view) {
 }
 
 Json spread(const runtime::HistogramView& view, double unit) {
-  return {{"p50", figure(view.percentile(0.5) * unit)},
-          {"p99", figure(view.percentile(0.99) * unit)},
-          {"max", figure(view.max() * unit)}};
+  return {{"p50", rounded(view.percentile(0.5) * unit)},
+          {"p99", rounded(view.percentile(0.99) * unit)},
+          {"max", rounded(view.max() * unit)}};
 }
 
 Json driverOf(pid_t pid) {
@@ -55,7 +55,7 @@ std::string loopText(const LoopFigures& figures, const Sensors& seen) {
   text["reconnects"] = all.reconnects;
   text["bad_checksums"] = seen.link.bad_checksums;
   text["garbage_bytes"] = seen.link.garbage_bytes;
-  text["recent"] = {{"seconds", figure(figures.seconds, 1e3)},
+  text["recent"] = {{"seconds", rounded(figures.seconds, 1e3)},
                     {"cycles", recent.cycles},
                     {"overruns", recent.overruns},
                     {"skipped", recent.skipped},
@@ -64,9 +64,9 @@ std::string loopText(const LoopFigures& figures, const Sensors& seen) {
                     {"wake_us", spread(recent.wake, 1)}};
   text["wake_us"] = spread(all.wake, 1);
   text["bus_ms"] = spread(all.bus, kMs);
-  text["wire_ms"] = {{"p50", figure(all.wire.percentile(0.5) * kMs)}};
-  text["slack_ms"] = {{"p1", figure(all.slack.percentile(0.01) * kMs)},
-                      {"p50", figure(all.slack.percentile(0.5) * kMs)}};
+  text["wire_ms"] = {{"p50", rounded(all.wire.percentile(0.5) * kMs)}};
+  text["slack_ms"] = {{"p1", rounded(all.slack.percentile(0.01) * kMs)},
+                      {"p50", rounded(all.slack.percentile(0.5) * kMs)}};
   text["wake_histogram"] = histogramOf(all.wake);
   text["stale"] = runtime::staleDevices(seen);
   Json& hits = text["limit_hits"];
@@ -74,7 +74,7 @@ std::string loopText(const LoopFigures& figures, const Sensors& seen) {
   text["driver"] = driverOf(figures.driver);
   text["session"] = figures.session;
   text["lost"] = figures.lost;
-  return written(text);
+  return dumped(text);
 }
 
 }  // namespace darwinop::monitor

@@ -1,4 +1,4 @@
-// What observers are told, but for the two longest texts.
+// Messages of the monitor channel, except "hello" and "loop".
 #include "monitor/messages.hpp"
 
 #include <utility>
@@ -13,7 +13,7 @@
 namespace darwinop::monitor {
 namespace {
 
-constexpr double kHealthStale = 3;  // s; every servo is looked at within one
+constexpr double kHealthStale = 3;  // s; the health of every servo is read within 1 s
 
 Json ageOf(Freshness freshness) {
   return freshness.ever() ? Json(freshness.age) : Json(nullptr);
@@ -27,7 +27,7 @@ bool motionFresh(Freshness freshness) {
   return freshness.age < runtime::kStaleAge;
 }
 
-/// One value of each joint.
+/// Array with one value per joint.
 template <class Value>
 Json each(const Sensors& seen, Value value) {
   Json all = Json::array();
@@ -38,15 +38,15 @@ Json each(const Sensors& seen, Value value) {
 Json jointsOf(const Sensors& seen) {
   const double period = static_cast<double>(seen.period_ns) * 1e-9;
   const auto motion = [](double value, const JointSensors& j) {
-    return motionFresh(j.motion) ? figure(value) : nullptr;
+    return motionFresh(j.motion) ? rounded(value) : nullptr;
   };
   const auto health = [period](double value, const JointSensors& j) {
-    return healthFresh(j, period) ? figure(value) : nullptr;
+    return healthFresh(j, period) ? rounded(value) : nullptr;
   };
   using J = const JointSensors&;
   Json joints;
   joints["position"] = each(seen, [&](J j) { return motion(j.position.value, j); });
-  joints["goal"] = each(seen, [](J j) { return j.driven ? figure(j.commanded.value) : nullptr; });
+  joints["goal"] = each(seen, [](J j) { return j.driven ? rounded(j.commanded.value) : nullptr; });
   joints["speed"] = each(seen, [&](J j) { return motion(j.velocity.value, j); });
   joints["load"] = each(seen, [&](J j) { return motion(j.load, j); });
   joints["age"] = each(seen, [](J j) { return ageOf(j.motion); });
@@ -65,14 +65,14 @@ Json jointsOf(const Sensors& seen) {
 template <class Values>
 Json axes(bool fresh, const Values& values) {
   Json all = Json::array();
-  for (const auto& value : values) all.push_back(fresh ? figure(value.value) : nullptr);
+  for (const auto& value : values) all.push_back(fresh ? rounded(value.value) : nullptr);
   return all;
 }
 
 template <class Values>
 Json countsOf(bool fresh, const Values& values, const Register& law) {
   Json all = Json::array();
-  for (const auto& value : values) all.push_back(fresh ? figure(countFrom(value.value, law), 1) : nullptr);
+  for (const auto& value : values) all.push_back(fresh ? rounded(countFrom(value.value, law), 1) : nullptr);
   return all;
 }
 
@@ -93,19 +93,19 @@ Json boardOf(const BoardSensors& board) {
   text["gyro_count"] = countsOf(fresh, board.gyro, kGyroRegister);
   text["mode_button"] = known((board.buttons & 1) != 0);
   text["start_button"] = known((board.buttons & 2) != 0);
-  text["voltage"] = known(figure(board.voltage.value));
+  text["voltage"] = known(rounded(board.voltage.value));
   text["servo_power"] = known(board.servo_power);
-  text["microphone"] = known(figure(board.microphone_left));
+  text["microphone"] = known(rounded(board.microphone_left));
   text["led"]["panel"] = known(board.led_panel);
   text["led"]["head"] = known(colourText(board.led_head));
-  text["led"]["eye"] = known(colourText(board.led_eye));
+  text["led"]["camera"] = known(colourText(board.led_eye));
   return text;
 }
 
-/// Empty: understood.
-std::string take(const Json& asked, const char* name, double most, double& into) {
-  const auto found = asked.find(name);
-  if (found == asked.end()) return {};
+/// Reads one number; returns an error text or an empty string.
+std::string take(const Json& request, const char* name, double most, double& into) {
+  const auto found = request.find(name);
+  if (found == request.end()) return {};
   const double value = found->is_number() ? found->get<double>() : kUnknown;
   if (!(value >= 0 && value <= most))
     return std::string{name} + " must be a number from 0 to " + std::to_string(static_cast<int>(most)) + ", in Hz";
@@ -115,15 +115,15 @@ std::string take(const Json& asked, const char* name, double most, double& into)
 
 }  // namespace
 
-std::optional<Wishes> readWishes(std::string_view text, const Wishes& before, std::string& why) {
-  const Json asked = Json::parse(text.begin(), text.end(), nullptr, false);
-  Wishes wishes = before;
+std::optional<Subscription> parseSubscription(std::string_view text, const Subscription& before, std::string& why) {
+  const Json request = Json::parse(text.begin(), text.end(), nullptr, false);
+  Subscription subscription = before;
   why.clear();
-  if (!asked.is_object()) why = "say what you want as a JSON object, such as {\"rate\": 20, \"camera\": 5}";
-  if (why.empty()) why = take(asked, "rate", kMostRate, wishes.rate);
-  if (why.empty()) why = take(asked, "camera", kMostPictures, wishes.camera);
-  if (why.empty()) why = takeSearch(asked, wishes);
-  return why.empty() ? std::optional{wishes} : std::nullopt;
+  if (!request.is_object()) why = "the request must be a JSON object, such as {\"rate\": 20, \"camera\": 5}";
+  if (why.empty()) why = take(request, "rate", kMostRate, subscription.rate);
+  if (why.empty()) why = take(request, "camera", kMostPictures, subscription.camera);
+  if (why.empty()) why = takeSearch(request, subscription);
+  return why.empty() ? std::optional{subscription} : std::nullopt;
 }
 
 std::string stateText(const Sensors& seen) {
@@ -131,11 +131,11 @@ std::string stateText(const Sensors& seen) {
   Json text;
   text["type"] = "state";
   text["cycle"] = seen.cycle;
-  text["time"] = figure(static_cast<double>(seen.time_ns) * 1e-9);
+  text["time"] = rounded(static_cast<double>(seen.time_ns) * 1e-9);
   text["state"] = state < kStates ? Json(kStateNames[state]) : Json(nullptr);
   text["joints"] = jointsOf(seen);
   text["board"] = boardOf(seen.board);
-  return written(text);
+  return dumped(text);
 }
 
 std::string faultsText(const SafetyReport& safety) {
@@ -143,7 +143,7 @@ std::string faultsText(const SafetyReport& safety) {
   for (std::size_t i = 0; i < kFaults; ++i) {
     if (!safety.active[i]) continue;
     const FaultRow& row = kFaultTable[i];
-    // Only of the worst one is it known which joint it concerns.
+    // The joint is known only for the worst fault.
     const bool joint = row.fault == safety.worst && safety.worst_joint >= 1 && safety.worst_joint <= kJoints;
     active.push_back({{"code", static_cast<int>(row.fault)},
                       {"name", row.name},
@@ -151,23 +151,23 @@ std::string faultsText(const SafetyReport& safety) {
                       {"meaning", row.meaning},
                       {"remedy", row.remedy}});
   }
-  return written(Json{{"type", "faults"}, {"active", std::move(active)}});
+  return dumped(Json{{"type", "faults"}, {"active", std::move(active)}});
 }
 
 std::string noticeText(std::uint64_t number, double time, const std::string& text) {
-  return written(Json{{"type", "notice"}, {"number", number}, {"time", figure(time)}, {"text", text}});
+  return dumped(Json{{"type", "notice"}, {"number", number}, {"time", rounded(time)}, {"text", text}});
 }
 
 std::string goneText(const std::string& reason) {
-  return written(Json{{"type", "gone"}, {"reason", reason}});
+  return dumped(Json{{"type", "gone"}, {"reason", reason}});
 }
 
 std::string cameraText(bool seeing, const std::string& text) {
-  return written(Json{{"type", "camera"}, {"seeing", seeing}, {"text", text}});
+  return dumped(Json{{"type", "camera"}, {"seeing", seeing}, {"text", text}});
 }
 
 std::string errorText(const std::string& text) {
-  return written(Json{{"type", "error"}, {"text", text}});
+  return dumped(Json{{"type", "error"}, {"text", text}});
 }
 
 }  // namespace darwinop::monitor

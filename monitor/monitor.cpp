@@ -1,3 +1,4 @@
+// Publishes state, faults, loop statistics, pictures and search results to subscribers.
 #include "monitor/monitor.hpp"
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace darwinop::monitor {
 namespace {
 
-/// One lane for each kind of message of which only the newest counts.
+/// One lane for each kind of message of which only the newest is sent.
 enum MonitorLane : web::Lane {
   kHelloLane,
   kGoneLane,
@@ -37,79 +38,82 @@ double secondsOf(Nanos time) {
 
 }  // namespace
 
-Monitor::Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera, Eye::Open share_camera,
-                 std::shared_ptr<ColourSearch> search)
-    : onlooker_{files},
+Monitor::Monitor(const runtime::RuntimeFiles& files, Clock clock, CameraSource::Open open_camera,
+                 CameraSource::Open share_camera, std::shared_ptr<ColourSearch> search)
+    : runtime_{files},
       clock_{std::move(clock)},
-      eye_{std::move(open_camera), std::move(share_camera)},
+      camera_{std::move(open_camera), std::move(share_camera)},
       search_{std::move(search)} {
   now_ = clock_();
-  (void)onlooker_.look(now_);
-  turn();
+  (void)runtime_.update(now_);
+  resetForRuntime();
 }
 
 void Monitor::opened(web::Channel& channel) {
-  const Seat& seat = seats_[&channel];
-  channel.send(kHelloLane,
-               shared(helloText(onlooker_.block() != nullptr ? &onlooker_.block()->info : nullptr, seat.wishes)));
-  tellWhatIs(channel);
+  const Subscriber& subscriber = subscribers_[&channel];
+  channel.send(kHelloLane, shared(helloText(runtime_.block() != nullptr ? &runtime_.block()->info : nullptr,
+                                            subscriber.subscription)));
+  sendRuntimeStatus(channel);
   for (const web::Bytes& notice : notices_) channel.send(web::kEvery, notice);
 }
 
-void Monitor::tellWhatIs(web::Channel& channel) {
-  if (onlooker_.block() == nullptr)
-    channel.send(kGoneLane, shared(goneText(onlooker_.reason())));
+void Monitor::sendRuntimeStatus(web::Channel& channel) {
+  if (runtime_.block() == nullptr)
+    channel.send(kGoneLane, shared(goneText(runtime_.reason())));
   else
     channel.send(kFaultsLane, shared(faults_text_));
 }
 
-void Monitor::said(web::Channel& channel, std::string_view message, bool binary) {
-  const auto seat = seats_.find(&channel);
-  if (seat == seats_.end()) return;
-  std::string why = "say what you want as text";
-  const std::optional<Wishes> wishes = binary ? std::nullopt : readWishes(message, seat->second.wishes, why);
-  if (!wishes) return channel.send(kErrorLane, shared(errorText(why)));
-  searches_changed_ |= wishes->find != seat->second.wishes.find || wishes->camera != seat->second.wishes.camera;
-  seat->second.wishes = *wishes;
-  seat->second.state.restart();
-  seat->second.pictures.restart();
-  if (wishes->camera == 0) seat->second.camera.clear();
+void Monitor::received(web::Channel& channel, std::string_view message, bool binary) {
+  const auto subscriber = subscribers_.find(&channel);
+  if (subscriber == subscribers_.end()) return;
+  std::string why = "requests must be text messages";
+  const std::optional<Subscription> subscription =
+      binary ? std::nullopt : parseSubscription(message, subscriber->second.subscription, why);
+  if (!subscription) return channel.send(kErrorLane, shared(errorText(why)));
+  searches_changed_ |= subscription->find != subscriber->second.subscription.find ||
+                       subscription->camera != subscriber->second.subscription.camera;
+  subscriber->second.subscription = *subscription;
+  subscriber->second.state.restart();
+  subscriber->second.pictures.restart();
+  if (subscription->camera == 0) subscriber->second.camera.clear();
 }
 
 void Monitor::notice(const std::string& text) {
   const double time =
-      onlooker_.block() != nullptr && seen_.cycle > 0 ? static_cast<double>(seen_.time_ns) * 1e-9 : kUnknown;
+      runtime_.block() != nullptr && seen_.cycle > 0 ? static_cast<double>(seen_.time_ns) * 1e-9 : kUnknown;
   notices_.push_back(shared(noticeText(++notice_number_, time, text)));
   if (notices_.size() > kNotices) notices_.pop_front();
-  for (const auto& [channel, seat] : seats_) channel->send(web::kEvery, notices_.back());
+  for (const auto& [channel, subscriber] : subscribers_) channel->send(web::kEvery, notices_.back());
 }
 
 Nanos Monitor::pause() const {
-  if (seats_.empty()) return kIdle;
+  if (subscribers_.empty()) return kIdle;
   double most = 0;
-  for (const auto& [channel, seat] : seats_) most = std::max({most, seat.wishes.rate, seat.wishes.camera});
+  for (const auto& [channel, subscriber] : subscribers_)
+    most = std::max({most, subscriber.subscription.rate, subscriber.subscription.camera});
   if (most <= 0) return kLongest;
   return std::clamp(periodOf(most) / 2, kShortest, kLongest);
 }
 
-void Monitor::look() {
+void Monitor::update() {
   now_ = clock_();
-  if (onlooker_.look(now_)) {
-    turn();
-    const runtime::ExchangeBlock* const block = onlooker_.block();
-    notice(block == nullptr ? onlooker_.reason() : "there is a runtime, pid " + std::to_string(block->info.pid));
+  if (runtime_.update(now_)) {
+    resetForRuntime();
+    const runtime::ExchangeBlock* const block = runtime_.block();
+    notice(block == nullptr ? runtime_.reason() : "a runtime has started, pid " + std::to_string(block->info.pid));
   }
-  if (onlooker_.block() != nullptr) {
-    (void)onlooker_.block()->sensors.read(seen_);  // keeps what it held when the loop was quicker
-    lookAtState();
-    lookAtFaults();
-    lookAtLoop();
+  if (runtime_.block() != nullptr) {
+    (void)runtime_.block()->sensors.read(seen_);  // keeps the previous image if the loop overwrote it while reading
+    publishState();
+    publishFaults();
+    publishLoopStats();
   }
-  lookAtCamera();
+  publishPictures();
 }
 
-/// A runtime has come or gone, or is gone for another reason.
-void Monitor::turn() {
+/// A runtime has started or ended, or the reason why there is none has changed.
+void Monitor::resetForRuntime() {
   seen_ = {};
   state_text_.reset();
   state_cycle_ = 0;
@@ -118,50 +122,52 @@ void Monitor::turn() {
   announcer_ = std::make_unique<runtime::FaultAnnouncer>(announced_);
   faults_text_ = faultsText({});
   driver_ = 0;
-  const runtime::ExchangeBlock* const block = onlooker_.block();
-  for (auto& [channel, seat] : seats_) {
-    channel->forgetNewest();  // all of it was said of another runtime
-    if (block != nullptr) channel->send(kHelloLane, shared(helloText(&block->info, seat.wishes)));
-    tellWhatIs(*channel);
-    seat.cycle = 0;
-    seat.camera.clear();
-    seat.state.restart();
+  const runtime::ExchangeBlock* const block = runtime_.block();
+  for (auto& [channel, subscriber] : subscribers_) {
+    channel->discardQueued();  // queued messages describe the previous runtime
+    if (block != nullptr) channel->send(kHelloLane, shared(helloText(&block->info, subscriber.subscription)));
+    sendRuntimeStatus(*channel);
+    subscriber.cycle = 0;
+    subscriber.camera.clear();
+    subscriber.state.restart();
   }
 }
 
-bool Monitor::everyCycle(const Seat& seat) const {
-  constexpr double kNearly = 0.99;  // 62.5 Hz of 16 ms: a clock of our own would now and then miss one
-  return seat.wishes.rate > 0 && seat.wishes.rate * static_cast<double>(seen_.period_ns) * 1e-9 >= kNearly;
+bool Monitor::everyCycle(const Subscriber& subscriber) const {
+  constexpr double kNearly = 0.99;  // 62.5 Hz at 16 ms: a separate timer would skip a cycle now and then
+  return subscriber.subscription.rate > 0 &&
+         subscriber.subscription.rate * static_cast<double>(seen_.period_ns) * 1e-9 >= kNearly;
 }
 
-void Monitor::lookAtState() {
+void Monitor::publishState() {
   if (seen_.cycle == 0) return;
-  for (auto& [channel, seat] : seats_) {
-    if (seat.cycle == seen_.cycle) continue;
-    if (!everyCycle(seat) && !seat.state.due(now_, seat.wishes.rate)) continue;
-    if (state_cycle_ != seen_.cycle || !state_text_) state_text_ = shared(stateText(seen_));  // one for all
-    state_cycle_ = seat.cycle = seen_.cycle;
+  for (auto& [channel, subscriber] : subscribers_) {
+    if (subscriber.cycle == seen_.cycle) continue;
+    if (!everyCycle(subscriber) && !subscriber.state.due(now_, subscriber.subscription.rate)) continue;
+    if (state_cycle_ != seen_.cycle || !state_text_)
+      state_text_ = shared(stateText(seen_));  // serialized once for all subscribers
+    state_cycle_ = subscriber.cycle = seen_.cycle;
     channel->send(kStateLane, state_text_);
   }
 }
 
-void Monitor::lookAtFaults() {
+void Monitor::publishFaults() {
   if (!faults_pace_.due(now_, kFaultLooks)) return;
   announcer_->look(seen_);
   std::istringstream lines{announced_.str()};
   announced_.str({});
-  constexpr std::string_view kPrefix = "darwinop: ";  // that is what a terminal needs
+  constexpr std::string_view kPrefix = "darwinop: ";  // for terminals only
   for (std::string line; std::getline(lines, line);)
     notice(line.starts_with(kPrefix) ? line.substr(kPrefix.size()) : line);
   std::string text = faultsText(seen_.safety);
   if (text == faults_text_) return;
   faults_text_ = std::move(text);
-  for (const auto& [channel, seat] : seats_) channel->send(kFaultsLane, shared(faults_text_));
+  for (const auto& [channel, subscriber] : subscribers_) channel->send(kFaultsLane, shared(faults_text_));
 }
 
-void Monitor::lookAtLoop() {
-  if (seats_.empty() || !loop_pace_.due(now_, 1)) return;
-  const runtime::ExchangeBlock& block = *onlooker_.block();
+void Monitor::publishLoopStats() {
+  if (subscribers_.empty() || !loop_pace_.due(now_, 1)) return;
+  const runtime::ExchangeBlock& block = *runtime_.block();
   Figures& figures = *figures_;
   figures.before = figures.all;
   block.stats.copyTo(figures.all);
@@ -169,8 +175,8 @@ void Monitor::lookAtLoop() {
   const double seconds = figures_any_ ? secondsOf(now_ - figures_time_) : 0;
   figures_time_ = now_;
   figures_any_ = true;
-  const pid_t driver = onlooker_.driver();
-  for (const auto& [channel, seat] : seats_)
+  const pid_t driver = runtime_.driver();
+  for (const auto& [channel, subscriber] : subscribers_)
     channel->send(kLoopLane, shared(loopText({.all = figures.all,
                                               .recent = figures.recent,
                                               .seconds = seconds,
@@ -180,51 +186,52 @@ void Monitor::lookAtLoop() {
                                              seen_)));
 }
 
-void Monitor::lookAtCamera() {
+void Monitor::publishPictures() {
   if (std::exchange(searches_changed_, false)) updateSearches();
-  const auto wants = [](const auto& seat) { return seat.second.wishes.camera > 0; };
-  const bool wanted = std::ranges::any_of(seats_, wants);
-  const bool runs = onlooker_.block() != nullptr;
-  if (wanted && runs && driver_pace_.due(now_, kDriverLooks)) driver_ = onlooker_.driver();
-  eye_.look(wanted && runs, driver_ == 0 || driver_ == own_driver_, now_);
+  const auto wants = [](const auto& subscriber) { return subscriber.second.subscription.camera > 0; };
+  const bool wanted = std::ranges::any_of(subscribers_, wants);
+  const bool runs = runtime_.block() != nullptr;
+  if (wanted && runs && driver_pace_.due(now_, kDriverLooks)) driver_ = runtime_.driver();
+  camera_.update(wanted && runs, driver_ == 0 || driver_ == own_driver_, now_);
   if (!wanted) return;
-  const remote::JpegPicture picture = eye_.newest();
+  const remote::JpegPicture picture = camera_.newest();
   web::Bytes message;
-  for (auto& [channel, seat] : seats_) {
-    if (seat.wishes.camera <= 0) continue;
-    tellOfCamera(*channel, seat, picture.sequence != 0);
-    if (picture.sequence == 0 || picture.sequence == seat.picture) continue;
-    if (!seat.pictures.due(now_, seat.wishes.camera)) continue;
+  for (auto& [channel, subscriber] : subscribers_) {
+    if (subscriber.subscription.camera <= 0) continue;
+    sendCameraStatus(*channel, subscriber, picture.sequence != 0);
+    if (picture.sequence == 0 || picture.sequence == subscriber.picture) continue;
+    if (!subscriber.pictures.due(now_, subscriber.subscription.camera)) continue;
     if (!message) message = shared(pictureMessage(picture, remote::kWholeImage));
-    seat.picture = picture.sequence;
-    // What was found in it goes ahead of it, so that both can be shown at once.
-    if (search_ && seat.wishes.find)
-      if (const std::optional<Found> found = search_->found(*seat.wishes.find, picture.sequence))
-        channel->send(kFoundLane, shared(foundText(*found, seat.wishes.mask)));
+    subscriber.picture = picture.sequence;
+    // The result precedes its picture, so that a page can show both together.
+    if (search_ && subscriber.subscription.find)
+      if (const std::optional<ColourMatch> found = search_->resultOf(*subscriber.subscription.find, picture.sequence))
+        channel->send(kFoundLane, shared(colourMatchText(*found, subscriber.subscription.mask)));
     channel->sendBinary(kPictureLane, message);
   }
 }
 
 void Monitor::updateSearches() {
   if (!search_) return;
-  std::vector<Search> searches;
-  for (const auto& [channel, seat] : seats_)
-    if (seat.wishes.camera > 0 && seat.wishes.find) searches.push_back(*seat.wishes.find);
-  search_->want(searches);
+  std::vector<ColourQuery> searches;
+  for (const auto& [channel, subscriber] : subscribers_)
+    if (subscriber.subscription.camera > 0 && subscriber.subscription.find)
+      searches.push_back(*subscriber.subscription.find);
+  search_->setSearches(searches);
 }
 
-void Monitor::tellOfCamera(web::Channel& channel, Seat& seat, bool seeing) {
+void Monitor::sendCameraStatus(web::Channel& channel, Subscriber& subscriber, bool seeing) {
   std::string text;
-  if (onlooker_.block() == nullptr)
-    text = cameraText(false, "there is no runtime");
-  else if (const std::string why = eye_.why(); !why.empty())
+  if (runtime_.block() == nullptr)
+    text = cameraText(false, "no runtime is running");
+  else if (const std::string why = camera_.why(); !why.empty())
     text = cameraText(false, why);
   else
-    text = cameraText(seeing, seeing          ? ""
-                              : eye_.shared() ? "a controller drives, and shows no pictures of 320x240"
-                                              : "the camera gives no pictures");
-  if (text == seat.camera) return;
-  seat.camera = text;
+    text = cameraText(seeing, seeing             ? ""
+                              : camera_.shared() ? "a controller drives and shares no pictures of 320x240"
+                                                 : "the camera gives no pictures");
+  if (text == subscriber.camera) return;
+  subscriber.camera = text;
   channel.send(kCameraLane, shared(std::move(text)));
 }
 

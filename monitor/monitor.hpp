@@ -1,4 +1,4 @@
-// The monitor channel: what observers are told of the robot. docs/monitor.md is the contract.
+// Monitor channel: publishes the robot's state to observers. Protocol: docs/monitor.md.
 #pragma once
 
 #include <unistd.h>
@@ -11,72 +11,72 @@
 #include <string>
 
 #include "hal/net/web/channel.hpp"
+#include "monitor/camera_source.hpp"
 #include "monitor/colour_search.hpp"
-#include "monitor/eye.hpp"
-#include "monitor/onlooker.hpp"
 #include "monitor/pace.hpp"
-#include "monitor/wishes.hpp"
+#include "monitor/runtime_observer.hpp"
+#include "monitor/subscription.hpp"
 #include "runtime/fault_announcer.hpp"
 #include "runtime/loop_stats.hpp"
 
 namespace darwinop::monitor {
 
-/// One thread: the web server's. Reads shared memory; the loop never notices.
-class Monitor final : public web::ChannelUser {
+/// Runs in the web server's thread. Maps the runtime's memory read-only, so it cannot disturb the loop.
+class Monitor final : public web::ChannelHandler {
  public:
   using Clock = std::function<Nanos()>;
-  static constexpr std::size_t kNotices = 20;  // a newcomer is told of the last ones
+  static constexpr std::size_t kNotices = 20;  // kept for observers that connect later
 
-  /// `search`: what the frames of those functions are shown to; none: nothing is ever found.
-  Monitor(const runtime::RuntimeFiles& files, Clock clock, Eye::Open open_camera, Eye::Open share_camera = {},
-          std::shared_ptr<ColourSearch> search = nullptr);
+  /// `search`: searches the frames of these functions; null: searches have no results.
+  Monitor(const runtime::RuntimeFiles& files, Clock clock, CameraSource::Open open_camera,
+          CameraSource::Open share_camera = {}, std::shared_ptr<ColourSearch> search = nullptr);
 
   void opened(web::Channel& channel) override;
-  void said(web::Channel& channel, std::string_view message, bool binary) override;
+  void received(web::Channel& channel, std::string_view message, bool binary) override;
   void closed(web::Channel& channel) noexcept override {
-    seats_.erase(&channel);
+    subscribers_.erase(&channel);
     searches_changed_ = true;
   }
 
-  /// Looks at the robot and tells everybody what they are due. To be called again after pause(), or earlier.
-  void look();
+  /// Reads the robot's state and sends what is due. Call it again after pause() or earlier.
+  void update();
   [[nodiscard]] Nanos pause() const;
 
-  /// Who drives in this very process opens no camera: it stays with the onlookers meanwhile.
-  void leaveCameraHere() { own_driver_ = getpid(); }
+  /// A drive session of this process does not open the camera, so observers keep it during that session.
+  void keepCameraForObservers() { own_driver_ = getpid(); }
 
-  /// Something that everybody should know.
+  /// Sends a notice to all subscribers, also to later ones.
   void notice(const std::string& text);
 
  private:
-  struct Seat {
-    Wishes wishes{};
+  struct Subscriber {
+    Subscription subscription{};
     Pace state{}, pictures{};
-    std::uint64_t cycle = 0;    // sent last
-    std::uint64_t picture = 0;  // sent last
-    std::string camera;         // what was said of the camera
+    std::uint64_t cycle = 0;    // last one sent
+    std::uint64_t picture = 0;  // last one sent
+    std::string camera;         // camera status sent last
   };
   struct Figures {
     runtime::StatsView all{}, before{}, recent{};
   };
 
-  void turn();
-  void tellWhatIs(web::Channel& channel);
-  void lookAtState();
-  void lookAtFaults();
-  void lookAtLoop();
-  void lookAtCamera();
+  void resetForRuntime();
+  void sendRuntimeStatus(web::Channel& channel);
+  void publishState();
+  void publishFaults();
+  void publishLoopStats();
+  void publishPictures();
   void updateSearches();
-  void tellOfCamera(web::Channel& channel, Seat& seat, bool seeing);
-  [[nodiscard]] bool everyCycle(const Seat& seat) const;
+  void sendCameraStatus(web::Channel& channel, Subscriber& subscriber, bool seeing);
+  [[nodiscard]] bool everyCycle(const Subscriber& subscriber) const;
 
-  Onlooker onlooker_;
+  RuntimeObserver runtime_;
   Clock clock_;
-  Eye eye_;
+  CameraSource camera_;
   std::shared_ptr<ColourSearch> search_;
   bool searches_changed_ = false;
   Nanos now_{0};
-  std::map<web::Channel*, Seat> seats_;
+  std::map<web::Channel*, Subscriber> subscribers_;
 
   Sensors seen_{};
   web::Bytes state_text_;

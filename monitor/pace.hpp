@@ -1,4 +1,4 @@
-// When the next message of a rate is due.
+// Decides when the next message at a given rate is due.
 #pragma once
 
 #include <algorithm>
@@ -8,22 +8,22 @@
 
 namespace darwinop::monitor {
 
-/// From one message to the next. `rate` in Hz, more than 0; the smallest number there is would fit into no Nanos.
+/// Period of a rate. `rate` in Hz, more than 0. Limited, because the period of the smallest double overflows Nanos.
 inline Nanos periodOf(double rate) {
-  constexpr double kLongestPeriod = 1e6;  // s: eleven days
+  constexpr double kLongestPeriod = 1e6;  // s
   return std::chrono::duration_cast<Nanos>(std::chrono::duration<double>{std::min(1 / rate, kLongestPeriod)});
 }
 
 class Pace {
  public:
-  /// True: one is due now, and is counted as sent. Late ones are not made up for. `rate` in Hz; 0: never.
+  /// True: a message is due now and counts as sent. Missed messages are not made up for. `rate` in Hz; 0: never.
   bool due(Nanos now, double rate) {
     if (rate <= 0 || now < next_) return false;
     const Nanos step = periodOf(rate);
     next_ = next_ + step > now ? next_ + step : now + step;
     return true;
   }
-  /// The next one is due at once.
+  /// The next message is due at once.
   void restart() { next_ = Nanos{0}; }
 
  private:

@@ -1,4 +1,4 @@
-// A picture on the channel: a small head, then a JPEG.
+// Binary picture message: a header of 20 bytes, then a JPEG.
 #pragma once
 
 #include <cstdint>

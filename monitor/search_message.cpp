@@ -1,3 +1,4 @@
+// Parses the request member `find` and writes the message "found".
 #include "monitor/search_message.hpp"
 
 #include <array>
@@ -30,10 +31,10 @@ std::string rangeText(const char* name, const char* kind, int least, int most) {
          std::to_string(most);
 }
 
-/// Empty: understood, or not there.
-std::string takeWhole(const Json& asked, const WholeMember& member, ColourThresholds& into) {
-  const auto found = asked.find(member.name);
-  if (found == asked.end()) return {};
+/// Reads one member if present; returns an error text or an empty string.
+std::string takeWhole(const Json& request, const WholeMember& member, ColourThresholds& into) {
+  const auto found = request.find(member.name);
+  if (found == request.end()) return {};
   const double value = found->is_number() ? found->get<double>() : kUnknown;
   if (!(value >= member.least && value <= member.most) || value != std::trunc(value))
     return rangeText(member.name, "whole number", member.least, member.most);
@@ -41,16 +42,16 @@ std::string takeWhole(const Json& asked, const WholeMember& member, ColourThresh
   return {};
 }
 
-std::string takePercent(const Json& asked, const PercentMember& member, PercentLimits& into) {
-  const auto found = asked.find(member.name);
-  if (found == asked.end()) return {};
+std::string takePercent(const Json& request, const PercentMember& member, PercentLimits& into) {
+  const auto found = request.find(member.name);
+  if (found == request.end()) return {};
   const double value = found->is_number() ? found->get<double>() : kUnknown;
   if (!(value >= 0 && value <= 100)) return rangeText(member.name, "number", 0, 100);
   into.*member.into = value;
   return {};
 }
 
-/// RFC 4648, with its padding.
+/// RFC 4648, with padding.
 std::string base64(const std::vector<std::uint8_t>& bytes) {
   constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -65,38 +66,38 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
 
 }  // namespace
 
-std::string takeSearch(const Json& asked, Wishes& wishes) {
-  const auto find = asked.find("find");
-  if (find == asked.end()) return {};
+std::string takeSearch(const Json& request, Subscription& subscription) {
+  const auto find = request.find("find");
+  if (find == request.end()) return {};
   if (find->is_null()) {
-    wishes.find.reset();
-    wishes.mask = false;
+    subscription.find.reset();
+    subscription.mask = false;
     return {};
   }
   if (!find->is_object()) return "find must be an object, such as {\"hue\": 355, \"hueTolerance\": 15}, or null";
-  Search search;
+  ColourQuery search;
   for (const WholeMember& member : kWholeMembers)
     if (std::string why = takeWhole(*find, member, search.colour); !why.empty()) return why;
   for (const PercentMember& member : kPercentMembers)
     if (std::string why = takePercent(*find, member, search.limits); !why.empty()) return why;
   const auto mask = find->find("mask");
   if (mask != find->end() && !mask->is_boolean()) return "find.mask must be true or false";
-  wishes.mask = mask != find->end() && mask->get<bool>();
-  wishes.find = search;
+  subscription.mask = mask != find->end() && mask->get<bool>();
+  subscription.find = search;
   return {};
 }
 
-Json searchJson(const Wishes& wishes) {
-  if (!wishes.find) return nullptr;
+Json searchJson(const Subscription& subscription) {
+  if (!subscription.find) return nullptr;
   Json find;
-  for (const WholeMember& member : kWholeMembers) find[member.name] = wishes.find->colour.*member.into;
-  for (const PercentMember& member : kPercentMembers) find[member.name] = wishes.find->limits.*member.into;
-  find["mask"] = wishes.mask;
+  for (const WholeMember& member : kWholeMembers) find[member.name] = subscription.find->colour.*member.into;
+  for (const PercentMember& member : kPercentMembers) find[member.name] = subscription.find->limits.*member.into;
+  find["mask"] = subscription.mask;
   return find;
 }
 
-std::string foundText(const Found& found, bool mask) {
-  constexpr std::uint64_t kWraps = 0xFFFFFFFF;  // as the number in a picture's head
+std::string colourMatchText(const ColourMatch& found, bool mask) {
+  constexpr std::uint64_t kWraps = 0xFFFFFFFF;  // as the number in a picture's header
   const bool any = found.pixels > 0;
   const double all = static_cast<double>(found.width) * found.height;
   Json text;
@@ -107,10 +108,10 @@ std::string foundText(const Found& found, bool mask) {
   text["x"] = found.centre ? Json(found.centre->x) : Json(nullptr);
   text["y"] = found.centre ? Json(found.centre->y) : Json(nullptr);
   text["pixels"] = found.pixels;
-  text["percent"] = figure(100 * static_cast<double>(found.pixels) / all);
+  text["percent"] = rounded(100 * static_cast<double>(found.pixels) / all);
   text["box"] = any ? Json::array({found.left, found.top, found.right, found.bottom}) : Json(nullptr);
   if (mask) text["mask"] = base64(found.mask);
-  return written(text);
+  return dumped(text);
 }
 
 }  // namespace darwinop::monitor

@@ -1,19 +1,19 @@
-// What is to be found in the pictures, and what was found, as texts of the channel.
+// Messages of the colour search: the request member `find` and the result "found".
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "monitor/wishes.hpp"
+#include "monitor/subscription.hpp"
 
 namespace darwinop::monitor {
 
-/// The member `find` of what an observer said, if there is one. Empty: understood; else why not, and `wishes` is as it
-/// was.
-[[nodiscard]] std::string takeSearch(const nlohmann::ordered_json& asked, Wishes& wishes);
-/// What takeSearch() understands, for another monitor.
-[[nodiscard]] nlohmann::ordered_json searchJson(const Wishes& wishes);
+/// Reads the member `find` of a request, if present. Returns an error text and leaves `subscription` unchanged, or an
+/// empty string.
+[[nodiscard]] std::string takeSearch(const nlohmann::ordered_json& request, Subscription& subscription);
+/// The inverse of takeSearch(), for a request to another monitor.
+[[nodiscard]] nlohmann::ordered_json searchJson(const Subscription& subscription);
 
-[[nodiscard]] std::string foundText(const Found& found, bool mask);
+[[nodiscard]] std::string colourMatchText(const ColourMatch& found, bool mask);
 
 }  // namespace darwinop::monitor

@@ -1,4 +1,4 @@
-// Where a reply takes its picture from.
+// Interface of a source of JPEG pictures.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,21 @@
 namespace darwinop::remote {
 
 struct JpegPicture {
-  /// Of the frame it was made of: the same number, the same picture. 0: there is none, or the camera has been blind for
-  /// 2 s; `jpeg` is black then.
+  /// Sequence number of the frame. 0: no picture, or the camera has given no frame for 2 s; `jpeg` is black then.
   std::uint64_t sequence = 0;
-  Nanos age{0};  // since the camera took it; 0 with sequence 0
-  /// A whole file of the size that was agreed on, whatever the sequence.
+  Nanos age{0};  // since capture; 0 with sequence 0
+  /// A complete file of the configured size, also with sequence 0.
   std::span<const std::uint8_t> jpeg;
 };
 
-/// Used by one thread.
+/// Not thread-safe.
 class PictureSource {
  public:
   virtual ~PictureSource() = default;
-  /// The newest one. Its bytes stay as they are until the next call.
+  /// The newest picture. Its bytes are valid until the next call.
   virtual JpegPicture newest() = 0;
-  /// Why there will be none, when that is known; else empty.
-  [[nodiscard]] virtual std::string trouble() const { return {}; }
+  /// Why there are no pictures, if known; otherwise empty.
+  [[nodiscard]] virtual std::string error() const { return {}; }
 };
 
 }  // namespace darwinop::remote

@@ -1,8 +1,9 @@
+// Embeds the page's files with the assembler.
 #include "window/assets.hpp"
 
 #include <array>
 
-// A file, byte for byte, between two marks.
+// Embeds a file between two symbols.
 #define DARWINOP_ASSET(mark, file)                              \
   asm(".pushsection .rodata\n"                                  \
       ".global darwinop_asset_" #mark "\ndarwinop_asset_" #mark \

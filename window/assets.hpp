@@ -1,4 +1,4 @@
-// The files of the page, which lie in the program.
+// Files of the web page, embedded in the program.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 namespace darwinop::window {
 
 struct Asset {
-  std::string_view name;  // "window.js"; empty: the page itself
+  std::string_view name;  // "window.js"; empty: index.html
   std::string_view type;
   std::string_view body;
 };

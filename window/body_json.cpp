@@ -1,3 +1,4 @@
+// Writes the compiled MuJoCo body as JSON.
 #include "window/body_json.hpp"
 
 #include <cmath>
@@ -16,7 +17,7 @@ using nlohmann::json;
 constexpr int kDrawnGroup = 1;  // class "visual" of the body file; collision shapes are group 3
 constexpr double kDigits = 1e7;
 
-// A tenth of a micrometre is more than a picture shows and half as long to send.
+// 0.1 micrometre is finer than any rendering and halves the length of the text.
 double rounded(double value) {
   return std::round(value * kDigits) / kDigits + 0.0;  // + 0.0: no -0
 }
@@ -40,7 +41,7 @@ const char* shapeName(int type) {
     case mjGEOM_BOX:
       return "box";
     default:
-      return nullptr;  // no other kind is drawn
+      return nullptr;  // other types are not drawn
   }
 }
 
@@ -69,7 +70,7 @@ json shapesOf(const mjModel& m, int body) {
   return shapes;
 }
 
-// Nothing for a link that no servo turns: the trunk.
+// Null for the trunk, which has no joint.
 json jointOf(const mjModel& m, const twin::BodyMap& map, int body) {
   for (std::size_t i = 0; i < kJoints; ++i) {
     if (map.link[i] != body) continue;
@@ -79,7 +80,7 @@ json jointOf(const mjModel& m, const twin::BodyMap& map, int body) {
   return nullptr;
 }
 
-// Axes of a sensor in the trunk, as a quaternion w x y z.
+// Orientation of a sensor in the trunk, quaternion w x y z.
 json sensorOf(const mjModel& m, int site) {
   return {{"quat", list(m.site_quat + 4 * site, 4)}};
 }
@@ -92,7 +93,7 @@ std::string bodyJson(const std::string& model) {
   const mjModel& m = *compiled;
   const twin::BodyMap map = twin::mapBody(m, read.body.xml);
   json links = json::array();
-  std::vector<int> place(static_cast<std::size_t>(m.nbody), -1);  // of MuJoCo's body in the list
+  std::vector<int> place(static_cast<std::size_t>(m.nbody), -1);  // index in `links` by MuJoCo body
   for (int b = map.trunk; b < m.nbody; ++b) {
     if (m.body_rootid[b] != map.trunk) continue;
     place[static_cast<std::size_t>(b)] = static_cast<int>(links.size());

@@ -1,3 +1,4 @@
+// Forwards messages between page and remote monitor.
 #include "window/bridge.hpp"
 
 #include <array>
@@ -10,9 +11,9 @@
 namespace darwinop::window {
 namespace {
 
-constexpr Nanos kBridgeTurn{4'000'000}, kBridgeIdle{100'000'000};
+constexpr Nanos kBridgePoll{4'000'000}, kBridgeIdle{100'000'000};
 
-// A lane for each kind of message of which only the newest counts; notices, and what later versions say, are all kept.
+// Messages with a lane each, of which only the newest is sent. Notices and unknown types are all kept.
 constexpr std::array<std::string_view, 8> kLaned{"hello",  "gone",   "state", "loop",
                                                  "faults", "camera", "error", "found"};
 constexpr web::Lane kBridgeGone = 1, kBridgeError = 6, kBridgePicture = 8;
@@ -28,69 +29,71 @@ web::Bytes bytesOf(std::string_view text) {
   return std::make_shared<const std::string>(text);
 }
 
-std::string wishText(const monitor::Wishes& wishes) {
-  return nlohmann::ordered_json{{"rate", wishes.rate}, {"camera", wishes.camera}, {"find", monitor::searchJson(wishes)}}
+std::string requestText(const monitor::Subscription& subscription) {
+  return nlohmann::ordered_json{
+      {"rate", subscription.rate}, {"camera", subscription.camera}, {"find", monitor::searchJson(subscription)}}
       .dump();
 }
 
 }  // namespace
 
 void Bridge::opened(web::Channel& channel) {
-  web::CallerConfig config;
+  web::WebSocketClientConfig config;
   config.address = address_;
   config.port = port_;
   config.subprotocol = monitor::kSubprotocol;
-  Line& line = lines_[&channel];
-  line.caller = std::make_unique<web::Caller>(
-      config,
-      web::Caller::Ears{.heard = [this, &channel](std::string_view text, bool binary) { heard(channel, text, binary); },
-                        .broken = [this, &channel](const std::string& why) { broken(channel, why); }});
-  line.caller->say(wishText(line.wishes));
+  Connection& connection = connections_[&channel];
+  connection.client = std::make_unique<web::WebSocketClient>(
+      config, web::WebSocketClient::Callbacks{
+                  .received = [this, &channel](std::string_view text, bool binary) { forward(channel, text, binary); },
+                  .disconnected = [this, &channel](const std::string& why) { disconnected(channel, why); }});
+  connection.client->request(requestText(connection.subscription));
 }
 
-void Bridge::said(web::Channel& channel, std::string_view message, bool binary) {
-  const auto line = lines_.find(&channel);
-  if (line == lines_.end()) return;
-  std::string why = "say what you want as text";
-  const auto wishes = binary ? std::nullopt : monitor::readWishes(message, line->second.wishes, why);
-  if (!wishes) return channel.send(kBridgeError, bytesOf(monitor::errorText(why)));
-  line->second.wishes = *wishes;
-  line->second.caller->say(wishText(*wishes));
+void Bridge::received(web::Channel& channel, std::string_view message, bool binary) {
+  const auto connection = connections_.find(&channel);
+  if (connection == connections_.end()) return;
+  std::string why = "requests must be text messages";
+  const auto subscription =
+      binary ? std::nullopt : monitor::parseSubscription(message, connection->second.subscription, why);
+  if (!subscription) return channel.send(kBridgeError, bytesOf(monitor::errorText(why)));
+  connection->second.subscription = *subscription;
+  connection->second.client->request(requestText(*subscription));
 }
 
-void Bridge::look() {
-  for (auto& [channel, line] : lines_) line.caller->look();
+void Bridge::update() {
+  for (auto& [channel, connection] : connections_) connection.client->poll();
 }
 
-void Bridge::tellEnd(const std::string& why) {
+void Bridge::sendEnd(const std::string& why) {
   const web::Bytes text = bytesOf(nlohmann::json{{"type", "ended"}, {"text", why}}.dump());
-  for (auto& [channel, line] : lines_) channel->send(web::kEvery, text);
+  for (auto& [channel, connection] : connections_) channel->send(web::kEvery, text);
 }
 
 Nanos Bridge::pause() const {
-  return lines_.empty() ? kBridgeIdle : kBridgeTurn;
+  return connections_.empty() ? kBridgeIdle : kBridgePoll;
 }
 
-void Bridge::heard(web::Channel& channel, std::string_view message, bool binary) {
-  lines_.at(&channel).gone.clear();
+void Bridge::forward(web::Channel& channel, std::string_view message, bool binary) {
+  connections_.at(&channel).gone_reason.clear();
   if (binary) return channel.sendBinary(kBridgePicture, bytesOf(message));
-  const auto said = nlohmann::json::parse(message.begin(), message.end(), nullptr, false);
-  if (!said.is_object()) return;  // no monitor says that
-  const auto type = said.find("type");
-  if (type == said.end() || !type->is_string()) return;
-  if (*type == "hello") channel.forgetNewest();  // what waits was said of another runtime
+  const auto parsed = nlohmann::json::parse(message.begin(), message.end(), nullptr, false);
+  if (!parsed.is_object()) return;  // not a monitor message
+  const auto type = parsed.find("type");
+  if (type == parsed.end() || !type->is_string()) return;
+  if (*type == "hello") channel.discardQueued();  // queued messages describe the previous runtime
   channel.send(laneOf(type->get_ref<const std::string&>()), bytesOf(message));
 }
 
-void Bridge::broken(web::Channel& channel, const std::string& why) {
+void Bridge::disconnected(web::Channel& channel, const std::string& why) {
   std::string reason =
       "no connection to the monitor at " + name_ + " (" + why +
-      "). It is tried again each second. Is darwinop monitor running there, and may this computer see it?";
-  Line& line = lines_.at(&channel);
-  if (line.gone == reason) return;
-  channel.forgetNewest();
+      "); retrying every second. Check that darwinop monitor is running there and allows this computer";
+  Connection& connection = connections_.at(&channel);
+  if (connection.gone_reason == reason) return;
+  channel.discardQueued();
   channel.send(kBridgeGone, bytesOf(monitor::goneText(reason)));
-  line.gone = std::move(reason);
+  connection.gone_reason = std::move(reason);
 }
 
 }  // namespace darwinop::window

@@ -1,3 +1,4 @@
+// fork and exec of a child process, its signals and its end.
 #include "window/child.hpp"
 
 #include <fcntl.h>
@@ -26,7 +27,7 @@ std::runtime_error notStarted(const std::string& noun) {
   return std::runtime_error("cannot start darwinop-" + noun + ": " + std::strerror(errno));
 }
 
-/// Ends of pipes: ours, which never waits, and the child's.
+/// Pipe ends: ours (non-blocking) and the child's.
 struct Pipes {
   Streams ours{-1, -1, -1}, theirs{-1, -1, -1};
 
@@ -51,7 +52,7 @@ struct Pipes {
   }
 };
 
-/// Ours, but for the password of our own login: only who is given one gets it.
+/// Our environment without the password of our own login, plus `variable`.
 std::vector<char*> environmentWith(char* variable) {
   std::vector<char*> all;
   for (char** word = environ; *word != nullptr; ++word)
@@ -61,30 +62,30 @@ std::vector<char*> environmentWith(char* variable) {
   return all;
 }
 
-/// In the child. No connection of a browser may stay open because of it.
-void layOut(const Streams& theirs) {
+/// In the child: moves the pipes to descriptors 1 to 3 and closes all others, such as connections of browsers.
+void moveStreams(const Streams& theirs) {
   Streams high{};
   for (std::size_t i = 0; i < high.size(); ++i) high[i] = fcntl(theirs[i], F_DUPFD, kAboveStreams);
   for (std::size_t i = 0; i < high.size(); ++i) dup2(high[i], static_cast<int>(i) + STDOUT_FILENO);
   close_range(Child::kStreams + 1, ~0U, 0);
 }
 
-// In the child. What is behind must not get what a terminal sends to the group: it is ended in its turn. What is heard
-// has no terminal at all, so that ssh cannot ask there.
-[[noreturn]] void become(char* const* words, char* const* environment, pid_t parent, Child::Place place,
-                         const Streams& theirs) {
+// In the child. A background child has its own process group, so that Ctrl-C in the terminal does not reach it: it is
+// ended in order. A captured child has its own session, so that ssh cannot ask questions on the terminal.
+[[noreturn]] void execute(char* const* words, char* const* environment, pid_t parent, Child::Stdio stdio,
+                          const Streams& theirs) {
   prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
   if (getppid() != parent) _exit(143);
   restoreIgnoredSignals();
-  if (place != Child::Place::kTerminal) {
-    place == Child::Place::kHeard ? setsid() : setpgid(0, 0);
+  if (stdio != Child::Stdio::kTerminal) {
+    stdio == Child::Stdio::kCaptured ? setsid() : setpgid(0, 0);
     const int nowhere = open("/dev/null", O_RDWR | O_CLOEXEC);
     dup2(nowhere, STDIN_FILENO);
-    if (place == Child::Place::kBehind) dup2(nowhere, STDOUT_FILENO);
+    if (stdio == Child::Stdio::kBackground) dup2(nowhere, STDOUT_FILENO);
   }
-  if (place == Child::Place::kHeard) {
+  if (stdio == Child::Stdio::kCaptured) {
     for (const int signal : kEndSignals) std::signal(signal, SIG_DFL);
-    layOut(theirs);
+    moveStreams(theirs);
   }
   sigset_t none;
   sigemptyset(&none);
@@ -101,10 +102,11 @@ std::string Child::programOf(const std::string& noun) {
 }
 
 Child::Child(std::string noun, const std::string& program, const std::vector<std::string>& arguments,
-             std::chrono::milliseconds grace, Place place, char* variable)
-    : noun_{std::move(noun)}, grace_{grace}, place_{place} {
+             std::chrono::milliseconds grace, Stdio stdio, char* variable)
+    : noun_{std::move(noun)}, grace_{grace}, stdio_{stdio} {
   if (access(program.c_str(), X_OK) != 0)
-    throw std::runtime_error(program + " is not there; the window needs it, install it, too");
+    throw std::runtime_error("cannot run " + program + ": " + std::strerror(errno) +
+                             "; the window requires it, install it as well");
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
@@ -112,14 +114,14 @@ Child::Child(std::string noun, const std::string& program, const std::vector<std
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const std::vector<char*> environment = environmentWith(variable);
-  const Pipes pipes{place == Place::kHeard, noun_};
+  const Pipes pipes{stdio == Stdio::kCaptured, noun_};
   const pid_t parent = getpid();
-  // What is told between fork and become waits: our handlers, which the child has until then, would swallow it.
+  // Blocks signals between fork and exec: until then the child has our handlers, which would swallow them.
   sigset_t all, before;
   sigfillset(&all);
   sigprocmask(SIG_SETMASK, &all, &before);
   pid_ = fork();
-  if (pid_ == 0) become(pointers.data(), environment.data(), parent, place, pipes.theirs);
+  if (pid_ == 0) execute(pointers.data(), environment.data(), parent, stdio, pipes.theirs);
   const int error = errno;
   sigprocmask(SIG_SETMASK, &before, nullptr);
   Pipes::close(pipes.theirs);
@@ -131,22 +133,22 @@ Child::Child(std::string noun, const std::string& program, const std::vector<std
 }
 
 Child::~Child() {
-  tell(place_ == Place::kHeard ? SIGINT : SIGTERM);
+  sendSignal(stdio_ == Stdio::kCaptured ? SIGINT : SIGTERM);
   if (!endsWithin(grace_)) {
-    kill(pid_, SIGKILL);  // not its group: what of it still tidies up ends by itself
+    kill(pid_, SIGKILL);  // not its group: processes that are still cleaning up end by themselves
     waitpid(pid_, nullptr, 0);
   }
   Pipes::close(streams_);
 }
 
 void Child::interrupt() {
-  if (!ended()) tell(SIGINT);
+  if (!ended()) sendSignal(SIGINT);
 }
 
-/// One that has just been started may not lead a group yet.
-void Child::tell(int signal) const {
+/// Falls back to the process: just after the start it may not lead a group yet.
+void Child::sendSignal(int signal) const {
   if (status_) return;
-  if (place_ != Place::kHeard || kill(-pid_, signal) != 0) kill(pid_, signal);
+  if (stdio_ != Stdio::kCaptured || kill(-pid_, signal) != 0) kill(pid_, signal);
 }
 
 bool Child::endsWithin(std::chrono::milliseconds time) {

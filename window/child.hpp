@@ -1,4 +1,4 @@
-// Another darwinop program, which ends with this one.
+// Child process: another darwinop program that ends with this one.
 #pragma once
 
 #include <sys/types.h>
@@ -13,43 +13,43 @@ namespace darwinop::window {
 
 class Child {
  public:
-  /// kBehind: what it prints is dropped, its complaints are kept. kTerminal: it talks with who started this program.
-  /// kHeard: all that it says comes here; it has no terminal to ask on.
-  enum class Place { kBehind, kTerminal, kHeard };
-  /// File descriptors 1, 2 and 3 of one that is heard; on the last one programs tell programs.
+  /// kBackground: stdout is discarded, stderr is kept. kTerminal: shares our terminal. kCaptured: all output is read
+  /// through stream(); without a terminal.
+  enum class Stdio { kBackground, kTerminal, kCaptured };
+  /// File descriptors 1, 2 and 3 of a captured child; 3 is for machine-readable output.
   static constexpr std::size_t kStreams = 3;
 
-  /// `noun`: "runtime" starts darwinop-runtime, which lies beside this program. `grace`: how long it may take to end.
+  /// `noun`: "runtime" starts darwinop-runtime from this program's folder. `grace`: time it gets to end before SIGKILL.
   /// Throws std::runtime_error.
   Child(const std::string& noun, const std::vector<std::string>& arguments, std::chrono::milliseconds grace,
-        Place place = Place::kBehind)
-      : Child{noun, programOf(noun), arguments, grace, place, nullptr} {}
-  /// `variable`: "NAME=value" for its environment alone; null: none. DARWINOP_PASSWORD of ours is never handed on.
+        Stdio stdio = Stdio::kBackground)
+      : Child{noun, programOf(noun), arguments, grace, stdio, nullptr} {}
+  /// `variable`: "NAME=value" added to its environment; null: none. Our DARWINOP_PASSWORD is not passed on.
   Child(std::string noun, const std::string& program, const std::vector<std::string>& arguments,
-        std::chrono::milliseconds grace, Place place, char* variable);
-  /// Asks it to end, waits, and kills it when it does not. One that is heard is asked as by Ctrl-C, with all its own.
+        std::chrono::milliseconds grace, Stdio stdio, char* variable);
+  /// Sends SIGTERM, waits, then SIGKILL. A captured child gets SIGINT with its whole process group.
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// As Ctrl-C in a terminal: it and what it has started.
+  /// SIGINT to its process group, like Ctrl-C in a terminal.
   void interrupt();
-  /// To read what it says, without waiting; -1: it is not heard.
+  /// Descriptor to read its output from, non-blocking; -1: not captured.
   [[nodiscard]] int stream(std::size_t number) const { return streams_.at(number); }
-  /// Its exit status as a shell has it; nothing: it still runs.
+  /// Exit status as in a shell; nullopt: still running.
   std::optional<int> ended();
   [[nodiscard]] const std::string& noun() const { return noun_; }
 
-  /// Path of the program beside this one, be it there or not.
+  /// Path of the program in this program's folder, whether or not it exists.
   [[nodiscard]] static std::string programOf(const std::string& noun);
 
  private:
-  void tell(int signal) const;
+  void sendSignal(int signal) const;
   bool endsWithin(std::chrono::milliseconds time);
 
   std::string noun_;
   std::chrono::milliseconds grace_;
-  Place place_;
+  Stdio stdio_;
   pid_t pid_ = 0;
   std::array<int, kStreams> streams_{-1, -1, -1};
   std::optional<int> status_;

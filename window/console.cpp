@@ -1,3 +1,4 @@
+// Classifies and stores output lines.
 #include "window/console.hpp"
 
 #include <array>
@@ -5,10 +6,10 @@
 namespace darwinop::window {
 namespace {
 
-constexpr std::array<std::string_view, 2> kSpeakers{"darwinop install: ", "robot: "};
+constexpr std::array<std::string_view, 2> kPrograms{"darwinop install: ", "robot: "};
 constexpr std::string_view kErrorMark = "error: ";
 
-bool holds(std::string_view line, std::string_view part) {
+bool contains(std::string_view line, std::string_view part) {
   return line.find(part) != std::string_view::npos;
 }
 
@@ -19,15 +20,16 @@ std::string_view nameOf(LineKind kind) {
   return kNames.at(static_cast<std::size_t>(kind));
 }
 
-LineKind kindOfComplaint(std::string_view line, LineKind before) {
-  for (const std::string_view speaker : kSpeakers)
-    if (line.starts_with(speaker))
-      return line.substr(speaker.size()).starts_with(kErrorMark) ? LineKind::kError : LineKind::kSaid;
-  if (holds(line, ": warning: ")) return LineKind::kWarning;
-  if (holds(line, ": error: ") || holds(line, ": fatal error: ")) return LineKind::kError;
-  if (holds(line, ": note: ")) return LineKind::kSaid;
-  if (line.starts_with("In file included from ") || holds(line, ": In function ") || holds(line, ": At global scope:"))
-    return LineKind::kSaid;
+LineKind classifyStderrLine(std::string_view line, LineKind before) {
+  for (const std::string_view program : kPrograms)
+    if (line.starts_with(program))
+      return line.substr(program.size()).starts_with(kErrorMark) ? LineKind::kError : LineKind::kMessage;
+  if (contains(line, ": warning: ")) return LineKind::kWarning;
+  if (contains(line, ": error: ") || contains(line, ": fatal error: ")) return LineKind::kError;
+  if (contains(line, ": note: ")) return LineKind::kMessage;
+  if (line.starts_with("In file included from ") || contains(line, ": In function ") ||
+      contains(line, ": At global scope:"))
+    return LineKind::kMessage;
   return line.starts_with(' ') ? before : LineKind::kError;
 }
 

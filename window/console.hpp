@@ -1,4 +1,4 @@
-// What the installer, the robot and its controller have said: the last lines, for every page that looks.
+// Console of the transfer tab: last output lines of installer, robot and controller.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace darwinop::window {
 
-enum class LineKind : std::uint8_t { kCommand, kOutput, kSaid, kWarning, kError };
+enum class LineKind : std::uint8_t { kCommand, kOutput, kMessage, kWarning, kError };
 
 struct ConsoleLine {
   LineKind kind = LineKind::kOutput;
@@ -19,17 +19,18 @@ struct ConsoleLine {
 /// "error"
 [[nodiscard]] std::string_view nameOf(LineKind kind);
 
-/// Of a line on stderr: installer and robot begin theirs with their names, compilers say what theirs are and indent
-/// what belongs to it; the rest is what a controller complains of. `before`: the kind of the line before.
-[[nodiscard]] LineKind kindOfComplaint(std::string_view line, LineKind before);
+/// Classifies a line of stderr: lines of installer and robot start with their name, compiler lines contain their
+/// severity, indented lines continue the previous one; all others are errors of a controller. `before`: kind of the
+/// previous line.
+[[nodiscard]] LineKind classifyStderrLine(std::string_view line, LineKind before);
 
-/// Lines are numbered from 0 on, for as long as the program runs.
+/// Lines are numbered from 0 for the lifetime of the program.
 class Console {
  public:
   static constexpr std::size_t kMostLines = 2000, kMostBytes = std::size_t{512} * 1024;
 
   void add(LineKind kind, std::string_view text);
-  /// Numbers of the oldest one kept, and of the next one to come.
+  /// Number of the oldest line kept, and one past the newest.
   [[nodiscard]] std::uint64_t begin() const { return end_ - lines_.size(); }
   [[nodiscard]] std::uint64_t end() const { return end_; }
   [[nodiscard]] const ConsoleLine& at(std::uint64_t number) const { return lines_.at(number - begin()); }

@@ -1,3 +1,4 @@
+// Parser of darwinop-install's progress lines.
 #include "window/installer_step.hpp"
 
 #include <algorithm>
@@ -6,7 +7,7 @@
 namespace darwinop::window {
 namespace {
 
-/// Up to the next blank, and takes it away.
+/// Removes and returns the text up to the next space.
 std::string_view wordOf(std::string_view& line) {
   const std::size_t end = std::min(line.find(' '), line.size());
   const std::string_view word = line.substr(0, end);

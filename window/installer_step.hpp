@@ -1,4 +1,4 @@
-// What darwinop-install tells programs on file descriptor 3, see installer/pc/progress.sh.
+// Parser of darwinop-install's machine-readable output on file descriptor 3, see installer/pc/progress.sh.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@ namespace darwinop::window {
 
 struct InstallerStep {
   int number = 0, of = 0;
-  std::optional<double> part;  // of it that is done, 0 to 1; nothing: nobody knows
+  std::optional<double> part;  // completed fraction, 0 to 1; nullopt: unknown
   std::string name;
   bool operator==(const InstallerStep&) const = default;
 };
@@ -18,7 +18,7 @@ struct InstallerStep {
 [[nodiscard]] std::optional<InstallerStep> readStep(std::string_view line);
 /// Fingerprint of "host-key SHA256:…"; empty: another line.
 [[nodiscard]] std::string_view readHostKey(std::string_view line);
-/// SHA256 as ssh writes it: 43 letters, all of them.
+/// SHA256 as printed by ssh: exactly 43 base64 characters.
 [[nodiscard]] bool isFingerprint(std::string_view text);
 
 }  // namespace darwinop::window

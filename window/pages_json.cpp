@@ -1,3 +1,4 @@
+// Lists playable motion pages as JSON.
 #include "window/pages_json.hpp"
 
 #include <nlohmann/json.hpp>

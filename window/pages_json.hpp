@@ -1,4 +1,4 @@
-// The motion pages that the page may play, for its buttons.
+// List of playable motion pages for the web page.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace darwinop::window {
 
-/// [{"number": 1, "name": "init"}], of those that can be played by themselves.
+/// [{"number": 1, "name": "init"}]; only pages that can be played on their own.
 [[nodiscard]] std::string pagesJson(const motion::PageFile& pages);
 
 }  // namespace darwinop::window

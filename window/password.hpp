@@ -1,4 +1,4 @@
-// A password on its way from a page to the program that logs in: at one place in memory, which is wiped.
+// A password from the page for the program that logs in: one buffer in memory, wiped after use.
 #pragma once
 
 #include <string.h>
@@ -19,7 +19,7 @@ class Password {
   Password(const Password&) = delete;
   Password& operator=(const Password&) = delete;
 
-  /// false: too long, or it holds what no login takes; there is none then.
+  /// False: too long, or contains NUL or line ends; no password is stored then.
   bool set(std::string_view text) {
     wipe();
     if (text.size() > kLongest || text.find_first_of(std::string_view{"\0\n\r", 3}) != std::string_view::npos)
@@ -30,7 +30,7 @@ class Password {
   }
   void wipe() noexcept { explicit_bzero(variable_.data(), variable_.size()); }
 
-  /// For an environment: "DARWINOP_PASSWORD=…"; null: there is none.
+  /// Environment entry "DARWINOP_PASSWORD=…"; null: no password.
   [[nodiscard]] char* variable() {
     return variable_[0] == '\0' || variable_[kName.size()] == '\0' ? nullptr : &variable_[0];
   }

@@ -1,3 +1,4 @@
+// Creates and removes the temporary folder of a window.
 #include "window/private_folder.hpp"
 
 #include <signal.h>
@@ -13,9 +14,9 @@
 namespace darwinop::window {
 namespace {
 
-constexpr const char* kPrefix = "darwinop-window-";  // then the pid, and what mkdtemp() chooses
+constexpr const char* kPrefix = "darwinop-window-";  // then the pid and the suffix of mkdtemp()
 
-/// Made by a process of this user that is no more.
+/// Created by a process of this user that no longer exists.
 bool isLeft(const std::filesystem::path& path) {
   const std::string name = path.filename();
   if (!name.starts_with(kPrefix)) return false;
@@ -38,7 +39,7 @@ PrivateFolder::PrivateFolder(const std::string& parent)
     : path_{parent + "/" + kPrefix + std::to_string(getpid()) + "-XXXXXX"} {
   sweep(parent);
   if (mkdtemp(path_.data()) == nullptr)
-    throw std::runtime_error("cannot make a folder " + path_ + ": " + std::strerror(errno));
+    throw std::runtime_error("cannot create folder " + path_ + ": " + std::strerror(errno));
 }
 
 PrivateFolder::~PrivateFolder() {

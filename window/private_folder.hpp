@@ -1,4 +1,4 @@
-// A folder for the files of one window, removed with it; one of a window that was killed is removed by the next window.
+// Temporary folder of one window. The folder of a killed window is removed by the next one.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace darwinop::window {
 
 class PrivateFolder {
  public:
-  /// In memory, as all of the runtime's files: the loop must not wait for a disk. Throws std::runtime_error.
+  /// In shared memory, like all files of the runtime: the loop must not wait for a disk. Throws std::runtime_error.
   explicit PrivateFolder(const std::string& parent = "/dev/shm");
   ~PrivateFolder();
   PrivateFolder(const PrivateFolder&) = delete;

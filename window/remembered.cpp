@@ -1,3 +1,4 @@
+// Reads and writes the file of recently used robots and controllers.
 #include "window/remembered.hpp"
 
 #include <fcntl.h>
@@ -21,14 +22,14 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} * 1024;
 
-/// Empty: `all` has everything that `text` says.
+/// Parses the file; returns an error text or an empty string.
 std::string takeAll(const std::string& text, Remembered& all) {
-  const json said = json::parse(text, nullptr, false);
-  if (!said.is_object()) return "it is no JSON object";
-  for (const auto& [name, list] : said.items()) {
-    if (name != "robots" && name != "controllers") return "it knows robots and controllers";
+  const json parsed = json::parse(text, nullptr, false);
+  if (!parsed.is_object()) return "not a JSON object";
+  for (const auto& [name, list] : parsed.items()) {
+    if (name != "robots" && name != "controllers") return "unknown member \"" + name + "\"; use robots and controllers";
     if (!list.is_array() || list.size() > RememberedFile::kMost)
-      return "\"" + name + "\" is no list that it should hold";
+      return "\"" + name + "\" must be a list of at most " + std::to_string(RememberedFile::kMost);
     for (const json& entry : list) {
       std::string why = name == "robots" ? takeRobot(entry, all.robots.emplace_back())
                                          : takePath(entry, "controllers", all.controllers.emplace_back());
@@ -45,7 +46,7 @@ void toFront(std::vector<Entry>& list, const Entry& entry, Same same) {
   if (list.size() > RememberedFile::kMost) list.resize(RememberedFile::kMost);
 }
 
-/// No fsync: it would keep the web server's thread from who drives. A rename leaves the old file or the new one.
+/// No fsync: it would block the web server's thread and thus a driving page. The rename leaves the old or the new file.
 bool writeWhole(int file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(file, text.data(), text.size());
@@ -85,25 +86,26 @@ void RememberedFile::forget(const RobotAddress& robot) {
 }
 
 void RememberedFile::read() {
-  trouble_.clear();
+  error_.clear();
   std::error_code unknown;
   if (file_.empty() || !fs::exists(file_, unknown)) return;
   const bool small = fs::is_regular_file(file_, unknown) && fs::file_size(file_, unknown) <= kLargestFile;
   std::ifstream in{file_, std::ios::binary};
-  if (!small || !in) return keepAside("it cannot be read");
+  if (!small || !in) return moveAside("not a regular file of at most 256 kB, or not readable");
   Remembered found;
   const std::string why = takeAll({std::istreambuf_iterator<char>{in}, {}}, found);
-  if (!why.empty()) return keepAside(why);
+  if (!why.empty()) return moveAside(why);
   all_ = std::move(found);
 }
 
-/// Somebody may want to mend it.
-void RememberedFile::keepAside(const std::string& why) {
+/// Keeps an invalid file so that the user can repair it.
+void RememberedFile::moveAside(const std::string& why) {
   std::error_code failed;
   const fs::path aside = file_.string() + ".damaged";
   fs::rename(file_, aside, failed);
-  trouble_ = file_.string() + " could not be understood (" + why + "). Robots are remembered anew" +
-             (failed ? ", but it stands in the way: " + failed.message() : "; it is kept as " + aside.string());
+  error_ =
+      file_.string() + " is invalid (" + why + "). A new list of robots is started" +
+      (failed ? ", but the file cannot be renamed: " + failed.message() : "; the file is kept as " + aside.string());
 }
 
 void RememberedFile::write() {
@@ -118,7 +120,7 @@ void RememberedFile::write() {
   const std::string next = file_.string() + ".new-" + std::to_string(getpid());
   const int out = open(next.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, S_IRUSR | S_IWUSR);
   const bool well = out >= 0 && writeWhole(out, text) && rename(next.c_str(), file_.c_str()) == 0;
-  if (!well) trouble_ = "robots are not remembered: " + file_.string() + ": " + std::strerror(errno);
+  if (!well) error_ = "robots are not remembered: cannot write " + file_.string() + ": " + std::strerror(errno);
   if (!well && out >= 0) unlink(next.c_str());
   if (out >= 0) close(out);
 }

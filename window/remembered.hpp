@@ -1,46 +1,46 @@
-// Robots and controllers of last time, in a small file of the user's own. Passwords are never in it.
+// Recently used robots and controllers, in a file in the user's home. It never contains passwords.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "window/transfer_words.hpp"
+#include "window/transfer_message.hpp"
 
 namespace darwinop::window {
 
 struct Remembered {
-  std::vector<RobotAddress> robots{};      // the last one used first
-  std::vector<std::string> controllers{};  // folders, the last one used first
+  std::vector<RobotAddress> robots{};      // most recent first
+  std::vector<std::string> controllers{};  // folders, most recent first
 };
 
-/// Read anew before each change: another window may have written meanwhile.
+/// Read again before each change, because another window may have written it.
 class RememberedFile {
  public:
   static constexpr std::size_t kMost = 20;  // of each
 
-  /// `file`: empty: nothing is remembered.
+  /// `file`: empty: nothing is stored.
   explicit RememberedFile(std::filesystem::path file);
-  /// $XDG_CONFIG_HOME/darwinop/robots.json, else below ~/.config; empty: nobody knows where home is.
+  /// $XDG_CONFIG_HOME/darwinop/robots.json, otherwise below ~/.config; empty: HOME is not set.
   [[nodiscard]] static std::filesystem::path usual();
 
   [[nodiscard]] const Remembered& all() const { return all_; }
-  /// What went wrong with the file the last time, for the user; empty: nothing.
-  [[nodiscard]] const std::string& trouble() const { return trouble_; }
+  /// Last error of reading or writing the file, for the user; empty: none.
+  [[nodiscard]] const std::string& error() const { return error_; }
 
-  /// `controller`: empty: none was chosen.
+  /// MotionPlanner robot and controller to the front. `controller`: empty: none.
   void note(const RobotAddress& robot, const std::string& controller);
-  /// All of this user and address.
+  /// Removes all entries with this user and address.
   void forget(const RobotAddress& robot);
 
  private:
   void read();
   void write();
-  void keepAside(const std::string& why);
+  void moveAside(const std::string& why);
 
   std::filesystem::path file_;
   Remembered all_{};
-  std::string trouble_{};
+  std::string error_{};
 };
 
 }  // namespace darwinop::window

@@ -1,3 +1,4 @@
+// Serves a report of darwinop gap to the page.
 #include "window/report_page.hpp"
 
 #include <cstdint>
@@ -16,17 +17,17 @@ constexpr const char* kReportPolicy =
 
 }  // namespace
 
-void serveReport(web::Server& server, const std::string& base, const std::string& file) {
+void serveReport(web::WebServer& server, const std::string& base, const std::string& file) {
   nlohmann::json about{{"name", nullptr}};
   if (!file.empty()) {
     std::error_code unknown;
-    // The opening of a pipe would wait for its writer.
+    // Opening a pipe would block until it has a writer.
     const bool regular = std::filesystem::is_regular_file(file, unknown);
     std::ifstream in;
     if (regular) in.open(file, std::ios::binary);
     if (!regular || !in || std::filesystem::file_size(file, unknown) > kLongestReport || unknown)
       throw std::runtime_error("--report " + file +
-                               ": no file that can be read, or more than 64 MB; darwinop gap writes one");
+                               ": not a readable file of at most 64 MB; give a report of darwinop gap");
     std::ostringstream text;
     text << in.rdbuf();
     about["name"] = std::filesystem::path{file}.filename().string();

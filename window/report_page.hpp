@@ -1,4 +1,4 @@
-// A report of darwinop gap, linked in the page.
+// Serves a report of darwinop gap to the page.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace darwinop::window {
 
-/// Serves `file` as report.html, and its name in report.json; an empty `file`: there is none. The report may run what
-/// it brings along and reach nothing else, this window included. Throws std::runtime_error.
-void serveReport(web::Server& server, const std::string& base, const std::string& file);
+/// Serves `file` as report.html and its name in report.json; empty: no report. The report is sandboxed: it may run its
+/// own scripts but cannot access the window or the network. Throws std::runtime_error.
+void serveReport(web::WebServer& server, const std::string& base, const std::string& file);
 
 }  // namespace darwinop::window

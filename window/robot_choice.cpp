@@ -1,3 +1,4 @@
+// Selection of the robot by --robot and --monitor.
 #include "window/robot_choice.hpp"
 
 #include <stdexcept>
@@ -7,7 +8,7 @@
 #include "hal/net/names/resolve.hpp"
 #include "remote/client/tcp_link.hpp"
 #include "runtime/daemon_link.hpp"
-#include "window/eyes.hpp"
+#include "window/local_monitor.hpp"
 
 namespace darwinop::window {
 namespace {
@@ -15,12 +16,12 @@ namespace {
 constexpr Nanos kServerPatience{3'000'000'000};
 constexpr std::uint16_t kMonitorPort = 5024;
 
-/// "tcp://…": the robot is on another computer.
-bool isElsewhere(const RobotChoice& choice) {
+/// The robot is on another computer.
+bool isRemote(const RobotChoice& choice) {
   return choice.robot.starts_with("tcp://") || !choice.monitor.empty();
 }
 
-/// Where the robot's monitor is: beside its server unless --monitor says otherwise.
+/// Address of the robot's monitor: the host of its server unless --monitor is given.
 connect::Address monitorOf(const RobotChoice& choice) {
   connect::Address monitor;
   monitor.port = kMonitorPort;
@@ -35,40 +36,41 @@ connect::Address monitorOf(const RobotChoice& choice) {
 
 }  // namespace
 
-std::unique_ptr<OwnRobot> ownRobot(const RobotChoice& choice, const std::vector<std::string>& controller) {
+std::unique_ptr<SimulatedRobot> startSimulatedRobot(const RobotChoice& choice,
+                                                    const std::vector<std::string>& controller) {
   const std::string& robot = choice.robot;
-  if (robot == "runtime" || isElsewhere(choice)) {
+  if (robot == "runtime" || isRemote(choice)) {
     if (!controller.empty())
       throw std::runtime_error(
-          "beside a robot that is not the window's own it starts no controller; start it with: darwinop run");
+          "the window starts a controller only on its own virtual robot; start it with: darwinop run");
     return nullptr;
   }
-  if (robot == "virtual") return std::make_unique<OwnRobot>("plain", controller);
-  if (robot == "twin" || robot.starts_with("twin:")) return std::make_unique<OwnRobot>(robot, controller);
-  throw std::runtime_error("--robot " + robot + ": it can be twin, twin:MODEL, virtual, runtime or tcp://HOST");
+  if (robot == "virtual") return std::make_unique<SimulatedRobot>("plain", controller);
+  if (robot == "twin" || robot.starts_with("twin:")) return std::make_unique<SimulatedRobot>(robot, controller);
+  throw std::runtime_error("unknown --robot " + robot + "; use twin, twin:MODEL, virtual, runtime or tcp://HOST");
 }
 
-Sight sightOf(const RobotChoice& choice, const runtime::RuntimeFiles& files, const std::string& painted,
-              const std::shared_ptr<monitor::ColourSearch>& search, const SayLine& say) {
-  if (!isElsewhere(choice)) return Sight{monitorWithEyes(files, painted, search, say)};
+MonitorFeed openMonitorFeed(const RobotChoice& choice, const runtime::RuntimeFiles& files, const std::string& rendered,
+                            const std::shared_ptr<monitor::ColourSearch>& search, const LogLine& log) {
+  if (!isRemote(choice)) return MonitorFeed{makeLocalMonitor(files, rendered, search, log)};
   const connect::Address at = monitorOf(choice);
   const std::string name = choice.logged_in_to.empty() ? at.host + ":" + std::to_string(at.port) : choice.logged_in_to;
-  return Sight{std::make_unique<Bridge>(net::addressesOf(at.host).front(), at.port, name)};
+  return MonitorFeed{std::make_unique<Bridge>(net::addressesOf(at.host).front(), at.port, name)};
 }
 
-std::unique_ptr<runtime::RobotLink> linkToDrive(const RobotChoice& choice, const runtime::RuntimeFiles& files,
-                                                const SayLine& say) {
+std::unique_ptr<runtime::RobotLink> openDriveLink(const RobotChoice& choice, const runtime::RuntimeFiles& files,
+                                                  const LogLine& log) {
   if (choice.robot.starts_with("tcp://")) {
     const connect::Address at = connect::readSetting(choice.robot).server;
     remote::TcpOptions options;
     options.host = at.host;
     options.port = at.port;
-    options.first_patience = kServerPatience;
-    options.say = say;
+    options.connect_timeout = kServerPatience;
+    options.log = log;
     return std::make_unique<remote::TcpLink>(std::move(options));
   }
-  if (isElsewhere(choice))
-    throw std::runtime_error("this window only looks on; to drive, start it with --robot tcp://HOST");
+  if (isRemote(choice))
+    throw std::runtime_error("this window only observes; to drive, start it with --robot tcp://HOST");
   return std::make_unique<runtime::DaemonLink>(files);
 }
 

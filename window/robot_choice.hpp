@@ -1,5 +1,4 @@
-// The robot that a window is for, as --robot and --monitor name it: one of its own, the one of a runtime here, or one
-// elsewhere.
+// Selection of the robot by --robot and --monitor: the window's own virtual robot, a local runtime, or a remote robot.
 #pragma once
 
 #include <functional>
@@ -9,29 +8,30 @@
 
 #include "runtime/names.hpp"
 #include "runtime/robot_link.hpp"
-#include "window/own_robot.hpp"
-#include "window/sight.hpp"
+#include "window/monitor_feed.hpp"
+#include "window/simulated_robot.hpp"
 
 namespace darwinop::window {
 
 struct RobotChoice {
   std::string robot = "twin";
-  std::string monitor{};       // HOST[:PORT]; empty: beside the robot's server
-  std::string logged_in_to{};  // USER@HOST; empty: nowhere
+  std::string monitor{};       // HOST[:PORT]; empty: on the host of the robot's server
+  std::string logged_in_to{};  // USER@HOST of an ssh login; empty: none
 };
 
-/// Told of trouble, from other threads, too.
-using SayLine = std::function<void(const std::string&)>;
+/// Receives errors, also from other threads.
+using LogLine = std::function<void(const std::string&)>;
 
-/// Nothing: the robot of a runtime that runs here or elsewhere. Throws std::runtime_error.
-std::unique_ptr<OwnRobot> ownRobot(const RobotChoice& choice, const std::vector<std::string>& controller);
+/// Starts the window's own virtual robot; null: another robot is selected. Throws std::runtime_error.
+std::unique_ptr<SimulatedRobot> startSimulatedRobot(const RobotChoice& choice,
+                                                    const std::vector<std::string>& controller);
 
-/// `files`: of the runtime here. `painted`: what the own robot sees; empty: it is not the window's own.
-Sight sightOf(const RobotChoice& choice, const runtime::RuntimeFiles& files, const std::string& painted,
-              const std::shared_ptr<monitor::ColourSearch>& search, const SayLine& say);
+/// `files`: of the local runtime. `rendered`: camera file of the own virtual robot; empty: another robot.
+MonitorFeed openMonitorFeed(const RobotChoice& choice, const runtime::RuntimeFiles& files, const std::string& rendered,
+                            const std::shared_ptr<monitor::ColourSearch>& search, const LogLine& log);
 
-/// Throws std::runtime_error where the window only looks on.
-std::unique_ptr<runtime::RobotLink> linkToDrive(const RobotChoice& choice, const runtime::RuntimeFiles& files,
-                                                const SayLine& say);
+/// Throws std::runtime_error if the window only observes.
+std::unique_ptr<runtime::RobotLink> openDriveLink(const RobotChoice& choice, const runtime::RuntimeFiles& files,
+                                                  const LogLine& log);
 
 }  // namespace darwinop::window

@@ -1,11 +1,11 @@
-// What only those know who were told the address of the page.
+// Unguessable part of the page's address.
 #pragma once
 
 #include <string>
 
 namespace darwinop::window {
 
-/// 128 bits from the kernel as 32 letters and digits; new at each call. Throws std::runtime_error.
+/// 128 random bits of the kernel as 32 hexadecimal digits; new at each call. Throws std::runtime_error.
 std::string newSecret();
 
 }  // namespace darwinop::window

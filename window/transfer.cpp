@@ -1,3 +1,4 @@
+// Transfer channel: requests, state, console lines.
 #include "window/transfer.hpp"
 
 #include <algorithm>
@@ -14,13 +15,13 @@ namespace {
 using nlohmann::json;
 
 constexpr Nanos kWhileItRuns{20'000'000}, kNothingRuns{1'000'000'000};
-constexpr const char* kNoPassword = "a password has at most 200 bytes in one line";
+constexpr const char* kNoPassword = "a password must be a single line of at most 200 bytes";
 constexpr web::Lane kTransferState = 0, kTransferKnown = 1;
-// A controller may take 10 s to end tidily and is killed after 6 s more; see installer/robot/controller_run.sh.
-constexpr std::chrono::seconds kLongestFarewell{20};
+// A controller gets 10 s to end and is killed after 6 s more; see installer/robot/controller_run.sh.
+constexpr std::chrono::seconds kCancelTimeout{20};
 
-web::Bytes packed(const json& said) {
-  return std::make_shared<const std::string>(said.dump(-1, ' ', false, json::error_handler_t::replace));
+web::Bytes packed(const json& message) {
+  return std::make_shared<const std::string>(message.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 void refuse(web::Channel& channel, const std::string& why) {
@@ -36,13 +37,13 @@ Transfer::Transfer(std::string installer, std::filesystem::path remembered, Cloc
       given_{std::move(given)},
       remembered_{std::move(remembered)} {}
 
-/// It is read on meanwhile: who cannot get rid of its last words does not end.
+/// Keeps reading its output, because a process with a full pipe does not end.
 Transfer::~Transfer() {
   if (!runs()) return;
   run_->cancel();
-  const auto end = std::chrono::steady_clock::now() + kLongestFarewell;
+  const auto end = std::chrono::steady_clock::now() + kCancelTimeout;
   while (runs() && std::chrono::steady_clock::now() < end)
-    if (!run_->look()) std::this_thread::sleep_for(std::chrono::milliseconds{10});
+    if (!run_->poll()) std::this_thread::sleep_for(std::chrono::milliseconds{10});
 }
 
 void Transfer::opened(web::Channel& channel) {
@@ -51,68 +52,68 @@ void Transfer::opened(web::Channel& channel) {
   channel.send(kTransferState, stateText());
 }
 
-void Transfer::said(web::Channel& channel, std::string_view message, bool binary) {
+void Transfer::received(web::Channel& channel, std::string_view message, bool binary) {
   const auto found = pages_.find(&channel);
   if (found == pages_.end()) return;
-  Page& page = found->second;
+  PageConnection& page = found->second;
   if (binary) {
-    page.no_password = !page.password.set(message);
-    if (page.no_password) refuse(channel, kNoPassword);
+    page.password_rejected = !page.password.set(message);
+    if (page.password_rejected) refuse(channel, kNoPassword);
     return;
   }
   std::string why;
-  const std::optional<TransferWords> words = readTransfer(message, why);
-  if (!words) {
-    page.forgetPassword();  // it may have been a start: what was meant for one robot goes to no other
+  const std::optional<TransferMessage> request = parseTransfer(message, why);
+  if (!request) {
+    page.forgetPassword();  // it may have been a start: the password must not be used for another robot
     return refuse(channel, why);
   }
-  if (words->start) return start(channel, page, *words->start);
-  if (words->cancel && runs()) {
+  if (request->start) return start(channel, page, *request->start);
+  if (request->cancel && runs()) {
     run_->cancel();
-    return tellState();
+    return sendState();
   }
-  if (words->more) {
-    page.next = std::min(*words->more, console_.end());
-    page.waits = true;
+  if (request->more) {
+    page.next = std::min(*request->more, console_.end());
+    page.wants_lines = true;
   }
-  if (words->forget) {
-    remembered_.forget(*words->forget);
-    tellKnown();
+  if (request->forget) {
+    remembered_.forget(*request->forget);
+    sendKnown();
   }
 }
 
-void Transfer::start(web::Channel& channel, Page& page, const TransferStart& start) {
-  if (std::exchange(page.no_password, false)) return refuse(channel, kNoPassword);
+void Transfer::start(web::Channel& channel, PageConnection& page, const TransferStart& start) {
+  if (std::exchange(page.password_rejected, false)) return refuse(channel, kNoPassword);
   if (runs()) {
     page.forgetPassword();
-    return refuse(channel, "one thing at a time: wait until what runs has ended, or cancel it");
+    return refuse(channel, "another transfer is running: wait until it has ended, or cancel it");
   }
   try {
-    const std::vector<std::string> words = installerWords(start);
+    const std::vector<std::string> arguments = installerArguments(start);
     run_.reset();
-    console_.add(LineKind::kCommand, typedCommand(words));
-    run_ = std::make_unique<TransferRun>(installer_, words, page.password, console_);
+    console_.add(LineKind::kCommand, typedCommand(arguments));
+    run_ = std::make_unique<TransferRun>(installer_, arguments, page.password, console_);
   } catch (const std::exception& error) {
     page.forgetPassword();
     return refuse(channel, error.what());
   }
-  doing_ = start;
+  request_ = start;
   remembered_.note(start.robot, start.controller);
-  tellKnown();
-  tellState();
+  sendKnown();
+  sendState();
 }
 
-void Transfer::turn() {
-  if (runs() && run_->look()) tellState();
-  for (auto& [channel, page] : pages_) tellLines(*channel, page);
+void Transfer::update() {
+  if (runs() && run_->poll()) sendState();
+  for (auto& [channel, page] : pages_) sendLines(*channel, page);
 }
 
 Nanos Transfer::pause() const {
   return runs() ? kWhileItRuns : kNothingRuns;
 }
 
-void Transfer::tellLines(web::Channel& channel, Page& page) {
-  if (!page.waits || page.next >= console_.end() || clock_() - page.told < kLinesPause) return;
+void Transfer::sendLines(web::Channel& channel, PageConnection& page) {
+  if (!page.wants_lines || page.next >= console_.end() || clock_() - page.sent_at < kLinesPause) return;
   page.next = std::max(page.next, console_.begin());
   json lines = json::array();
   const std::uint64_t first = page.next;
@@ -121,18 +122,18 @@ void Transfer::tellLines(web::Channel& channel, Page& page) {
     lines.push_back({nameOf(line.kind), line.text});
     bytes += line.text.size();
   }
-  page.waits = false;  // until it asks for more: a page that is too slow gets less, not late
-  page.told = clock_();
+  page.wants_lines = false;  // until it requests more: flow control for slow pages
+  page.sent_at = clock_();
   channel.send(web::kEvery, packed({{"type", "lines"}, {"first", first}, {"lines", lines}}));
 }
 
-void Transfer::tellState() {
+void Transfer::sendState() {
   const web::Bytes text = stateText();
-  if (std::exchange(told_, *text) == *text) return;
+  if (std::exchange(sent_state_, *text) == *text) return;
   for (const auto& [channel, page] : pages_) channel->send(kTransferState, text);
 }
 
-void Transfer::tellKnown() {
+void Transfer::sendKnown() {
   const web::Bytes text = knownText();
   for (const auto& [channel, page] : pages_) channel->send(kTransferKnown, text);
 }
@@ -140,11 +141,11 @@ void Transfer::tellKnown() {
 web::Bytes Transfer::stateText() const {
   json state{{"type", "state"}, {"runs", runs()}, {"action", nullptr}, {"status", nullptr}};
   if (!run_) return packed(state);
-  state["action"] = nameOf(doing_.action);
-  state["robot"] = jsonOf(doing_.robot);
-  state["controller"] = doing_.controller;
+  state["action"] = nameOf(request_.action);
+  state["robot"] = jsonOf(request_.robot);
+  state["controller"] = request_.controller;
   state["cancelled"] = run_->cancelled();
-  state["text"] = run_->sentence();
+  state["text"] = run_->summary();
   state["host_key"] = run_->hostKey();
   state["step"] = nullptr;
   if (const auto& step = run_->step())
@@ -164,7 +165,7 @@ web::Bytes Transfer::knownText() const {
                  {"given", given_ ? jsonOf(*given_) : json(nullptr)},
                  {"controllers", remembered_.all().controllers},
                  {"examples", controllersBeside(installer_)},
-                 {"trouble", remembered_.trouble()}});
+                 {"trouble", remembered_.error()}});  // keep-word: name in the protocol
 }
 
 }  // namespace darwinop::window

@@ -1,4 +1,4 @@
-// The transfer channel: pages have the installer do something to a robot, one thing at a time, and all of them see it.
+// Transfer channel: runs darwinop-install for the pages, one run at a time, visible to all pages.
 #pragma once
 
 #include <functional>
@@ -16,47 +16,46 @@ namespace darwinop::window {
 
 inline constexpr const char* kTransferProtocol = "darwinop-transfer.1";
 
-/// One thread: the web server's. A binary message is the password for the next start of that page.
-class Transfer final : public web::ChannelUser {
+/// Runs in the web server's thread. A binary message is the password for the next start of that page.
+class Transfer final : public web::ChannelHandler {
  public:
   using Clock = std::function<Nanos()>;
-  static constexpr Nanos kLinesPause{50'000'000};  // of one page: twenty messages a second are enough to read
+  static constexpr Nanos kLinesPause{50'000'000};  // between messages to one page
   static constexpr std::size_t kLinesBytes = std::size_t{32} * 1024;
 
-  /// `installer`: path of darwinop-install. `given`: the robot that this window was started for, which pages begin
-  /// with.
+  /// `installer`: path of darwinop-install. `given`: robot of the command line, preselected on pages.
   Transfer(std::string installer, std::filesystem::path remembered, Clock clock,
            std::optional<RobotAddress> given = std::nullopt);
-  /// What runs is cancelled and waited for.
+  /// Cancels a run and wants_lines for its end.
   ~Transfer() override;
 
   void opened(web::Channel& channel) override;
-  void said(web::Channel& channel, std::string_view message, bool binary) override;
+  void received(web::Channel& channel, std::string_view message, bool binary) override;
   void closed(web::Channel& channel) noexcept override { pages_.erase(&channel); }
 
-  /// Tells pages what is new. To be called again after pause(), or earlier.
-  void turn();
+  /// Sends changes to pages; call it again after pause() or earlier.
+  void update();
   [[nodiscard]] Nanos pause() const;
   [[nodiscard]] bool runs() const { return run_ != nullptr && !run_->status(); }
 
  private:
-  struct Page {
+  struct PageConnection {
     Password password{};
-    bool no_password = false;  // it was refused, so that the start that it was for is refused, too
-    std::uint64_t next = 0;    // line that it has not got
-    bool waits = false;        // it has asked for lines
-    Nanos told{0};
+    bool password_rejected = false;  // the password was rejected, so the next start is rejected as well
+    std::uint64_t next = 0;          // first line not sent yet
+    bool wants_lines = false;        // the page has requested lines
+    Nanos sent_at{0};
 
     void forgetPassword() noexcept {
       password.wipe();
-      no_password = false;
+      password_rejected = false;
     }
   };
 
-  void start(web::Channel& channel, Page& page, const TransferStart& start);
-  void tellState();
-  void tellKnown();
-  void tellLines(web::Channel& channel, Page& page);
+  void start(web::Channel& channel, PageConnection& page, const TransferStart& start);
+  void sendState();
+  void sendKnown();
+  void sendLines(web::Channel& channel, PageConnection& page);
   [[nodiscard]] web::Bytes stateText() const;
   [[nodiscard]] web::Bytes knownText() const;
 
@@ -66,9 +65,9 @@ class Transfer final : public web::ChannelUser {
   RememberedFile remembered_;
   Console console_;
   std::unique_ptr<TransferRun> run_;
-  TransferStart doing_{};
-  std::string told_{};  // of the state, to all pages
-  std::map<web::Channel*, Page> pages_;
+  TransferStart request_{};
+  std::string sent_state_{};  // state sent last, to all pages
+  std::map<web::Channel*, PageConnection> pages_;
 };
 
 }  // namespace darwinop::window

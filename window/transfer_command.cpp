@@ -1,9 +1,12 @@
+// Command lines of darwinop-install.
 #include "window/transfer_command.hpp"
 
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -14,28 +17,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path absolutePath(const std::string& typed) {
+fs::path absolutePath(const std::string& text) {
   const char* const home = std::getenv("HOME");
-  if (home != nullptr && (typed == "~" || typed.starts_with("~/"))) return fs::path{home + typed.substr(1)};
-  return fs::absolute(typed);
+  if (home != nullptr && (text == "~" || text.starts_with("~/"))) return fs::path{home + text.substr(1)};
+  return fs::absolute(text);
 }
 
-std::string controllerFolder(const std::string& typed) {
+std::string controllerFolder(const std::string& text) {
   std::error_code unknown;
-  const fs::path folder = absolutePath(typed);
+  const fs::path folder = absolutePath(text);
   if (!fs::is_directory(folder, unknown))
     throw std::runtime_error("there is no folder " + folder.string() +
-                             ": give the folder with the controller's sources");
+                             "; give the folder with the controller's sources");
   return folder.string();
 }
 
-std::string keyFile(const std::string& typed) {
-  const fs::path key = absolutePath(typed);
-  if (access(key.c_str(), R_OK) != 0) throw std::runtime_error("there is no key " + key.string() + " that can be read");
+std::string keyFile(const std::string& text) {
+  const fs::path key = absolutePath(text);
+  if (access(key.c_str(), R_OK) != 0)
+    throw std::runtime_error("cannot read key " + key.string() + ": " + std::strerror(errno));
   return key.string();
 }
 
-std::vector<std::string> actionWords(const TransferStart& start) {
+std::vector<std::string> actionArguments(const TransferStart& start) {
   switch (start.action) {
     case TransferAction::kInstall:
       return {};
@@ -51,7 +55,7 @@ std::vector<std::string> actionWords(const TransferStart& start) {
   }
 }
 
-/// For the eye: in quotes where a shell would need them.
+/// For display: quoted where a shell requires it.
 std::string quoted(const std::string& word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-:@%+=,~";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
@@ -69,34 +73,34 @@ bool holdsController(const fs::path& folder) {
 
 }  // namespace
 
-std::vector<std::string> installerWords(const TransferStart& start) {
-  std::vector<std::string> words = actionWords(start);
-  const auto add = [&words](std::initializer_list<std::string> more) { words.insert(words.end(), more); };
+std::vector<std::string> installerArguments(const TransferStart& start) {
+  std::vector<std::string> arguments = actionArguments(start);
+  const auto add = [&arguments](std::initializer_list<std::string> more) { arguments.insert(arguments.end(), more); };
   if (start.force) add({"--force"});
   if (!start.host_key.empty()) add({"--host-key", start.host_key});
   if (start.robot.port != 0) add({"-p", std::to_string(start.robot.port)});
   if (!start.robot.key.empty()) add({"-i", keyFile(start.robot.key)});
   add({start.robot.user + "@" + start.robot.address});
-  if (start.arguments.empty()) return words;
+  if (start.arguments.empty()) return arguments;
   add({"--"});
-  words.insert(words.end(), start.arguments.begin(), start.arguments.end());
-  return words;
+  arguments.insert(arguments.end(), start.arguments.begin(), start.arguments.end());
+  return arguments;
 }
 
-std::string typedCommand(const std::vector<std::string>& words) {
+std::string typedCommand(const std::vector<std::string>& arguments) {
   std::string text = "darwinop install";
-  for (const std::string& word : words) text += " " + quoted(word);
+  for (const std::string& word : arguments) text += " " + quoted(word);
   return text;
 }
 
 std::optional<RobotAddress> robotOf(const std::string& target, const std::string& port, const std::string& key) {
   const std::size_t at = target.rfind('@');
   if (at == std::string::npos) return std::nullopt;
-  nlohmann::json said{{"user", target.substr(0, at)}, {"address", target.substr(at + 1)}};
-  if (!port.empty()) said["port"] = nlohmann::json::parse(port, nullptr, false);
-  if (!key.empty()) said["key"] = absolutePath(key).string();
+  nlohmann::json parsed{{"user", target.substr(0, at)}, {"address", target.substr(at + 1)}};
+  if (!port.empty()) parsed["port"] = nlohmann::json::parse(port, nullptr, false);
+  if (!key.empty()) parsed["key"] = absolutePath(key).string();
   RobotAddress robot;
-  return takeRobot(said, robot).empty() ? std::optional{robot} : std::nullopt;
+  return takeRobot(parsed, robot).empty() ? std::optional{robot} : std::nullopt;
 }
 
 std::vector<std::string> controllersBeside(const std::string& installer) {

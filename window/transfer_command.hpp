@@ -1,27 +1,26 @@
-// The command line of darwinop-install for what a page asks, and what a page asks for what stands on a command line.
+// Conversion between a page's transfer request and the command line of darwinop-install.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "window/transfer_words.hpp"
+#include "window/transfer_message.hpp"
 
 namespace darwinop::window {
 
-/// Its words after the program, never the password. Paths become absolute, so that none can be taken for an option.
-/// Throws std::runtime_error when there is no such folder or key.
-[[nodiscard]] std::vector<std::string> installerWords(const TransferStart& start);
+/// Arguments after the program name, never the password. Paths become absolute, so that none is taken for an option.
+/// Throws std::runtime_error if a folder or key does not exist.
+[[nodiscard]] std::vector<std::string> installerArguments(const TransferStart& start);
 
-/// As one would type it: "darwinop install --status darwin@192.168.123.1".
-[[nodiscard]] std::string typedCommand(const std::vector<std::string>& words);
+/// As text in a shell: "darwinop install --status darwin@192.168.123.1".
+[[nodiscard]] std::string typedCommand(const std::vector<std::string>& arguments);
 
-/// The robot that a program logs in to: USER@HOST, port and key file as they were given, empty: not. Nothing: no page
-/// could name it so.
+/// The robot of an ssh login: USER@HOST, port and key file as given; empty: not given. Nullopt: not valid for a page.
 [[nodiscard]] std::optional<RobotAddress> robotOf(const std::string& target, const std::string& port,
                                                   const std::string& key);
 
-/// Folders with controllers beside the installer, as in the source tree; there need be none.
+/// Controller folders beside the installer, as in the source tree; may be empty.
 [[nodiscard]] std::vector<std::string> controllersBeside(const std::string& installer);
 
 }  // namespace darwinop::window

@@ -1,4 +1,4 @@
-// One run of darwinop-install: what it says, how far it is, how it ends.
+// One run of darwinop-install: output, progress and result.
 #pragma once
 
 #include <array>
@@ -9,45 +9,45 @@
 #include "window/child.hpp"
 #include "window/console.hpp"
 #include "window/installer_step.hpp"
-#include "window/line_cutter.hpp"
+#include "window/line_splitter.hpp"
 #include "window/password.hpp"
 
 namespace darwinop::window {
 
 class TransferRun {
  public:
-  /// So much is read of each stream at a look: a controller that prints without end delays nobody.
-  static constexpr std::size_t kMostAtOnce = std::size_t{32} * 1024;
+  /// Bytes read from each stream per poll: endless output must not block the thread.
+  static constexpr std::size_t kMaxBytesAtOnce = std::size_t{32} * 1024;
 
-  /// `installer`: its path. `password` is wiped. Throws std::runtime_error.
-  TransferRun(const std::string& installer, const std::vector<std::string>& words, Password& password,
+  /// `installer`: its path. Wipes `password`. Throws std::runtime_error.
+  TransferRun(const std::string& installer, const std::vector<std::string>& arguments, Password& password,
               Console& console);
 
-  /// Takes what has come, without waiting. true: something is new.
-  bool look();
-  /// As Ctrl-C, once: the installer then completes or undoes what it has begun, by itself.
+  /// Reads available output, non-blocking. True: something is new.
+  bool poll();
+  /// Like Ctrl-C, once: the installer completes or rolls back its work.
   void cancel();
 
   [[nodiscard]] bool cancelled() const { return cancelled_; }
   [[nodiscard]] const std::optional<InstallerStep>& step() const { return step_; }
-  /// Of a robot that is not known yet.
+  /// Fingerprint of an unknown host.
   [[nodiscard]] const std::string& hostKey() const { return host_key_; }
-  /// Exit status, when all that it said has been taken.
+  /// Exit status, after all output has been read.
   [[nodiscard]] std::optional<int> status() const { return status_; }
-  /// The installer's last word: what went wrong, or what was done.
-  [[nodiscard]] const std::string& sentence() const { return error_.empty() ? said_ : error_; }
+  /// Last error or message of the installer.
+  [[nodiscard]] const std::string& summary() const { return error_.empty() ? message_ : error_; }
 
  private:
-  bool take(std::size_t stream);
+  bool readStream(std::size_t stream);
   void takeLine(std::size_t stream, std::string_view line);
-  void takeNews(std::string_view line);
+  void takeProgress(std::string_view line);
 
   Console& console_;
   Child child_;
-  std::array<LineCutter, Child::kStreams> cutters_{};
+  std::array<LineSplitter, Child::kStreams> splitters_{};
   std::optional<InstallerStep> step_{};
-  std::string host_key_{}, said_{}, error_{};
-  LineKind complaint_ = LineKind::kSaid;  // of the last line of stderr
+  std::string host_key_{}, message_{}, error_{};
+  LineKind stderr_kind_ = LineKind::kMessage;  // kind of the last line of stderr
   bool cancelled_ = false;
   std::optional<int> status_{};
 };

@@ -1,3 +1,4 @@
+// Colour search of the monitor, run in the encoder thread.
 #include "apps/colour_search/frame_search.hpp"
 
 #include <algorithm>
@@ -9,13 +10,13 @@
 #include "hal/pixels/yuyv_to_bgra.hpp"
 
 namespace darwinop::colour_search {
-using monitor::Found;
-using monitor::Search;
+using monitor::ColourMatch;
+using monitor::ColourQuery;
 
 namespace {
 
-/// What lies in the finder's mask, and the mask itself.
-void describe(const vision::BitRows& mask, Found& found) {
+/// Computes pixel count, bounding box and packed mask of a finder's mask.
+void describe(const vision::BitRows& mask, ColourMatch& found) {
   const std::size_t row_bytes = (static_cast<std::size_t>(mask.width()) + 7) / 8;
   found.width = found.left = mask.width();
   found.height = found.top = mask.height();
@@ -40,31 +41,33 @@ void describe(const vision::BitRows& mask, Found& found) {
 
 }  // namespace
 
-void FrameSearch::want(const std::vector<Search>& searches) {
-  std::vector<Search> different;
-  for (const Search& search : searches)
+void FrameSearch::setSearches(const std::vector<ColourQuery>& searches) {
+  std::vector<ColourQuery> different;
+  for (const ColourQuery& search : searches)
     if (different.size() < kMost && std::ranges::find(different, search) == different.end())
       different.push_back(search);
   const std::lock_guard lock{mutex_};
   wanted_ = std::move(different);
 }
 
-void FrameSearch::look(const CameraFrame& frame) noexcept try { take(frame); } catch (const std::exception&) {
-  return;  // no memory, or a picture of no size: nothing is found
+void FrameSearch::process(const CameraFrame& frame) noexcept try { searchFrame(frame); } catch (const std::exception&) {
+  return;  // out of memory, or an empty frame: no result
 }
 
-void FrameSearch::take(const CameraFrame& frame) {
+void FrameSearch::searchFrame(const CameraFrame& frame) {
   {
     const std::lock_guard lock{mutex_};
-    const auto wanted = [this](const One& one) { return std::ranges::find(wanted_, one.search) != wanted_.end(); };
-    std::erase_if(ones_, [&](const One& one) {
-      return !wanted(one) || one.finder.width() != frame.width || one.finder.height() != frame.height;
+    const auto wanted = [this](const ActiveSearch& active) {
+      return std::ranges::find(wanted_, active.search) != wanted_.end();
+    };
+    std::erase_if(active_, [&](const ActiveSearch& active) {
+      return !wanted(active) || active.finder.width() != frame.width || active.finder.height() != frame.height;
     });
-    for (const Search& search : wanted_)
-      if (std::ranges::find(ones_, search, &One::search) == ones_.end())
-        ones_.push_back({search, vision::ColourFinder{frame.width, frame.height, search.colour, search.limits}});
+    for (const ColourQuery& search : wanted_)
+      if (std::ranges::find(active_, search, &ActiveSearch::search) == active_.end())
+        active_.push_back({search, vision::ColourFinder{frame.width, frame.height, search.colour, search.limits}});
   }
-  if (ones_.empty()) return;
+  if (active_.empty()) return;
   std::span<const std::uint8_t> bgra = frame.bgra;
   if (bgra.empty()) {
     bgra_.resize(4 * static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height));
@@ -73,21 +76,21 @@ void FrameSearch::take(const CameraFrame& frame) {
     pixels::yuyvToBgraRotated(image, bgra_);
     bgra = bgra_;
   }
-  for (One& one : ones_) {
-    Found found;
+  for (ActiveSearch& active : active_) {
+    ColourMatch found;
     found.picture = frame.sequence;
-    found.centre = one.finder.find(bgra);
-    describe(one.finder.mask(), found);
+    found.centre = active.finder.find(bgra);
+    describe(active.finder.mask(), found);
     const std::lock_guard lock{mutex_};
-    one.found[frame.sequence % kKept] = std::move(found);
+    active.results[frame.sequence % kKept] = std::move(found);
   }
 }
 
-std::optional<Found> FrameSearch::found(const Search& search, std::uint64_t picture) const {
+std::optional<ColourMatch> FrameSearch::resultOf(const ColourQuery& search, std::uint64_t picture) const {
   const std::lock_guard lock{mutex_};
-  const auto one = std::ranges::find(ones_, search, &One::search);
-  if (one == ones_.end() || picture == 0) return std::nullopt;
-  const Found& found = one->found[picture % kKept];
+  const auto active = std::ranges::find(active_, search, &ActiveSearch::search);
+  if (active == active_.end() || picture == 0) return std::nullopt;
+  const ColourMatch& found = active->results[picture % kKept];
   return found.picture == picture ? std::optional{found} : std::nullopt;
 }
 

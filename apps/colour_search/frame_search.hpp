@@ -1,5 +1,5 @@
-// Searches camera frames for the colours that observers of the monitor ask for: in the thread that encodes the frames,
-// once for all who want the same.
+// Colour search of the monitor: runs in the thread that encodes the frames, once for all observers with equal
+// parameters.
 #pragma once
 
 #include <array>
@@ -13,28 +13,29 @@
 
 namespace darwinop::colour_search {
 
-/// want() and found() wait for look(), and look() for them, while a few kilobytes are copied.
+/// Calls block each other only while a few kilobytes are copied under a mutex.
 class FrameSearch final : public monitor::ColourSearch {
  public:
-  void want(const std::vector<monitor::Search>& searches) override;
-  /// A frame of another size discards what was found.
-  void look(const CameraFrame& frame) noexcept override;
-  [[nodiscard]] std::optional<monitor::Found> found(const monitor::Search& search,
-                                                    std::uint64_t picture) const override;
+  void setSearches(const std::vector<monitor::ColourQuery>& searches) override;
+  /// A frame of another size discards earlier results.
+  void process(const CameraFrame& frame) noexcept override;
+  [[nodiscard]] std::optional<monitor::ColourMatch> resultOf(const monitor::ColourQuery& search,
+                                                             std::uint64_t picture) const override;
 
  private:
-  static constexpr std::size_t kKept = 4;  // pictures: one may be found in while the one before is still shown
+  static constexpr std::size_t kKept =
+      4;  // frames: results of earlier frames are read while the next active is searched
 
-  struct One {
-    monitor::Search search;
-    vision::ColourFinder finder;  // look()'s alone
-    std::array<monitor::Found, kKept> found{};
+  struct ActiveSearch {
+    monitor::ColourQuery search;
+    vision::ColourFinder finder;  // used by process() only
+    std::array<monitor::ColourMatch, kKept> results{};
   };
-  void take(const CameraFrame& frame);
+  void searchFrame(const CameraFrame& frame);
 
-  mutable std::mutex mutex_;  // of wanted_, and of the members of ones_ but for their finders
-  std::vector<monitor::Search> wanted_;
-  std::vector<One> ones_;
+  mutable std::mutex mutex_;  // guards wanted_ and active_, except for the finders
+  std::vector<monitor::ColourQuery> wanted_;
+  std::vector<ActiveSearch> active_;
   std::vector<std::uint8_t> bgra_;
 };
 

@@ -1,4 +1,4 @@
-// IPv4 addresses and networks as people write them.
+// Converts IPv4 addresses and networks to and from text.
 #include "hal/net/addresses.hpp"
 
 #include <arpa/inet.h>
@@ -12,7 +12,7 @@ namespace darwinop::net {
 Ipv4 ipv4FromText(const std::string& text) {
   in_addr address{};
   if (inet_pton(AF_INET, text.c_str(), &address) != 1)
-    throw std::runtime_error("'" + text + "' is no IPv4 address; write four numbers, such as 192.168.123.1");
+    throw std::runtime_error("'" + text + "' is not an IPv4 address; write four numbers, such as 192.168.123.1");
   return ntohl(address.s_addr);
 }
 
@@ -31,7 +31,7 @@ Network networkFromText(const std::string& text) {
   const auto [end, error] = std::from_chars(first, text.data() + text.size(), bits);
   if (error != std::errc{} || end != text.data() + text.size() || bits < 0 || bits > 32)
     throw std::runtime_error("'" + text +
-                             "' is no network; write it as 192.168.123.0/24, with 0 to 32 behind the slash");
+                             "' is not a network; write it as 192.168.123.0/24, with 0 to 32 after the slash");
   network.mask = bits == 0 ? 0 : ~Ipv4{0} << (32 - bits);
   return network;
 }

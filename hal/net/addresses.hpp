@@ -1,4 +1,4 @@
-// IPv4 addresses and networks as people write them.
+// IPv4 addresses and networks (CIDR), to and from text.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace darwinop::net {
 
-/// In the order of the bytes as written: 127.0.0.1 is 0x7F000001.
+/// Host byte order: 127.0.0.1 is 0x7F000001.
 using Ipv4 = std::uint32_t;
 
-/// Throws std::runtime_error with an example when it is none.
+/// Throws std::runtime_error with an example if `text` is malformed.
 [[nodiscard]] Ipv4 ipv4FromText(const std::string& text);
 [[nodiscard]] std::string textFromIpv4(Ipv4 address);
 
@@ -18,13 +18,13 @@ using Ipv4 = std::uint32_t;
   return address >> 24 == 127;
 }
 
-/// "192.168.123.0/24"; one address alone is a network of one.
+/// "192.168.123.0/24"; a single address is a network of one host.
 struct Network {
   Ipv4 address = 0, mask = 0xFFFFFFFF;
   [[nodiscard]] constexpr bool has(Ipv4 other) const { return (other & mask) == (address & mask); }
 };
 
-/// Throws std::runtime_error with an example when it is none.
+/// Throws std::runtime_error with an example if `text` is malformed.
 [[nodiscard]] Network networkFromText(const std::string& text);
 
 }  // namespace darwinop::net

@@ -1,4 +1,4 @@
-// Lines for people, never more than some a minute: a client must not be able to fill a robot's disk.
+// Rate-limited log: a client must not be able to fill a robot's disk with log lines.
 #pragma once
 
 #include <functional>
@@ -10,30 +10,30 @@ namespace darwinop::net {
 
 class BoundedLog {
  public:
-  using Say = std::function<void(const std::string&)>;
+  using Log = std::function<void(const std::string&)>;
   static constexpr int kLinesPerMinute = 30;
 
-  explicit BoundedLog(Say say) : say_{std::move(say)} {}
+  explicit BoundedLog(Log log) : log_{std::move(log)} {}
 
   void line(const std::string& text, Nanos now) {
-    look(now);
+    reportOmitted(now);
     if (++lines_ <= kLinesPerMinute)
-      say_(text);
+      log_(text);
     else
-      ++left_out_;
+      ++omitted_;
   }
-  /// When a minute is over, tells what it left out.
-  void look(Nanos now) {
+  /// Logs the number of omitted lines when a minute is over.
+  void reportOmitted(Nanos now) {
     if (now - minute_ < std::chrono::minutes{1}) return;
-    if (left_out_ > 0) say_(std::to_string(left_out_) + " more lines in that minute were left out");
+    if (omitted_ > 0) log_(std::to_string(omitted_) + " more lines in that minute were left out");
     minute_ = now;
-    lines_ = left_out_ = 0;
+    lines_ = omitted_ = 0;
   }
 
  private:
-  Say say_;
+  Log log_;
   Nanos minute_{0};
-  int lines_ = 0, left_out_ = 0;
+  int lines_ = 0, omitted_ = 0;
 };
 
 }  // namespace darwinop::net

@@ -1,4 +1,4 @@
-// The door: open while a client may come in, closed while one is inside.
+// Listening TCP socket that can be closed and reopened without giving up its port.
 #pragma once
 
 #include <cstdint>
@@ -11,38 +11,38 @@
 
 namespace darwinop::net {
 
-/// A closed door refuses connections, which every client understands; those of 2013 and of today then try again for ten
-/// seconds. One that was let in and shown out would wait for ever for its answer.
+/// For a server of one client at a time. While closed, the kernel refuses connections, and clients retry for ten
+/// seconds; a client that was accepted and dropped would wait forever for a reply.
 class Listener {
  public:
-  struct Caller {
+  struct Accepted {
     Socket socket;
     Ipv4 address = 0;
     std::string name;  // "192.168.123.5:40312"
   };
 
-  /// Opens the door. Port 0: any that is free. Throws std::runtime_error with what to do.
+  /// Binds and listens. Port 0: any free port. Throws std::runtime_error with the remedy.
   Listener(Ipv4 address, std::uint16_t port);
 
-  /// Throws as the constructor does.
+  /// Listens again after close(). Throws as the constructor does.
   void open();
-  void close() { door_.close(); }
-  [[nodiscard]] bool isOpen() const { return door_.open(); }
-  [[nodiscard]] int descriptor() const { return door_.descriptor(); }
+  void close() { listening_.close(); }
+  [[nodiscard]] bool isOpen() const { return listening_.open(); }
+  [[nodiscard]] int descriptor() const { return listening_.descriptor(); }
   [[nodiscard]] std::uint16_t port() const { return port_; }
 
-  /// Who waits at the door; nothing when nobody does.
-  [[nodiscard]] std::optional<Caller> next();
+  /// The next pending connection, non-blocking; nullopt if there is none.
+  [[nodiscard]] std::optional<Accepted> accept();
 
  private:
-  [[nodiscard]] Socket made() const;
+  [[nodiscard]] Socket makeSocket() const;
   void bindToPort(const Socket& socket) const;
 
   Ipv4 address_;
   std::uint16_t port_;
-  Socket place_;  // bound for life, never listens: keeps the port while the door is closed
-  Socket door_;
-  bool shares_by_user_ = false;  // no other user's socket may be bound beside place_, not even while the door opens
+  Socket reservation_;  // always bound, never listens: keeps the port while closed
+  Socket listening_;
+  bool shares_by_user_ = false;  // SO_REUSEPORT is available: the port stays closed to other users while reopening
 };
 
 }  // namespace darwinop::net

@@ -1,4 +1,4 @@
-// A socket that closes itself.
+// RAII owner of a socket descriptor.
 #pragma once
 
 #include <unistd.h>

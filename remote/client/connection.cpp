@@ -1,4 +1,4 @@
-// A connection to a server: one request and one reply at a time, and nothing waits longer than it is told.
+// Client connection: one request and one reply at a time, with bounded waits.
 #include "remote/client/connection.hpp"
 
 #include <netinet/in.h>
@@ -12,7 +12,7 @@
 namespace darwinop::remote {
 namespace {
 
-bool isForLater(int error) {
+bool isTemporary(int error) {
   return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
 }
 
@@ -78,7 +78,7 @@ void Connection::flush() {
   while (!out_.empty()) {
     const ssize_t count = ::send(socket_.descriptor(), out_.data(), out_.size(), MSG_NOSIGNAL);
     if (count < 0) {
-      if (!isForLater(errno)) close(std::strerror(errno));
+      if (!isTemporary(errno)) close(std::strerror(errno));
       return;
     }
     out_ = out_.subspan(static_cast<std::size_t>(count));
@@ -91,23 +91,23 @@ void Connection::receive() {
   const ssize_t count = ::recv(socket_.descriptor(), room.data(), room.size(), 0);
   if (count > 0) {
     reader_.filled(static_cast<std::size_t>(count));
-    if (!asked_) reader_.forget();  // the NUL behind a reply, or what nobody asked for
+    if (!asked_) reader_.forget();  // the NUL after a reply, or unrequested bytes
     return;
   }
   if (count == 0) return close("the server has closed the connection");
-  if (!isForLater(errno)) close(std::strerror(errno));
+  if (!isTemporary(errno)) close(std::strerror(errno));
 }
 
 std::optional<Reply> Connection::reply() {
   if (!asked_) return std::nullopt;
   Reply reply;
   switch (reader_.next(*asked_, reply)) {
-    case ReplyReader::Found::kNothing:
+    case ReplyReader::Result::kIncomplete:
       return std::nullopt;
-    case ReplyReader::Found::kRefused:
-      close("it answers with what is no reply of remote control");
+    case ReplyReader::Result::kInvalid:
+      close("the reply is not valid; check that the port is that of darwinop remote");
       return std::nullopt;
-    case ReplyReader::Found::kReply:
+    case ReplyReader::Result::kReply:
       break;
   }
   asked_.reset();

@@ -1,4 +1,4 @@
-// A connection to a server: one request and one reply at a time, and nothing waits longer than it is told.
+// Client connection: one request and one reply at a time, with bounded waits.
 #pragma once
 
 #include <cstdint>
@@ -16,21 +16,22 @@ class Connection {
  public:
   enum class State : std::uint8_t { kClosed, kConnecting, kOpen };
 
-  /// Begins to connect, and closes what was there.
+  /// Closes the current connection and starts connecting; host byte order.
   void connect(std::uint32_t address, std::uint16_t port);
   void close(const std::string& why);
 
   [[nodiscard]] State state() const { return state_; }
-  /// Why it is closed, a few words: "Connection refused".
+  /// Why it is closed, such as "Connection refused".
   [[nodiscard]] const std::string& why() const { return why_; }
 
-  /// Not before the reply to the one before has been read.
+  /// Requires that the reply to the previous request has been read.
   void send(const Request& request);
   [[nodiscard]] bool awaitsReply() const { return asked_.has_value(); }
 
-  /// Waits at most that long for anything to come of what is under way. False: a signal came.
+  /// Waits at most `longest` for socket events and handles them. False: interrupted by a signal.
   bool wait(Nanos longest);
-  /// The reply when it is there; its picture and sensors stay until the next wait(). None, too, when the connection
+  /// The reply if it is complete; its picture and sensors are valid until the next wait(). Nullopt also if the
+  /// connection
   /// has ended.
   [[nodiscard]] std::optional<Reply> reply();
 
@@ -43,7 +44,7 @@ class Connection {
   State state_ = State::kClosed;
   std::string why_;
   RequestBuffer buffer_{};
-  std::span<const std::uint8_t> out_;  // what the network has not taken yet
+  std::span<const std::uint8_t> out_;  // not sent yet
   ReplyReader reader_;
   std::optional<Request> asked_;
 };

@@ -1,4 +1,4 @@
-// Is the network fast enough for the controller's steps? And which pictures would it carry in time?
+// Checks whether the network is fast enough for the controller's step, and which picture size would be.
 #include "remote/client/link_speed.hpp"
 
 #include <algorithm>
@@ -7,14 +7,15 @@
 namespace darwinop::remote {
 namespace {
 
-constexpr int kWindow = 128;        // exchanges: two seconds of the usual step
-constexpr double kCoarserBits = 2;  // bytes a pixel, of all smaller sizes against the whole one: quality 80, not 65
+constexpr int kWindow = 128;  // exchanges: about 2 s at 16 ms
+constexpr double kCoarserBits =
+    2;  // bytes per pixel of smaller sizes relative to 320x240: JPEG quality 80 instead of 65
 
 double inMilliseconds(Nanos time) {
   return std::chrono::duration<double, std::milli>(time).count();
 }
 
-void follow(double& figure, double now) {
+void average(double& figure, double now) {
   figure = figure == 0 ? now : (9 * figure + now) / 10;
 }
 
@@ -37,24 +38,24 @@ double bytesOf(ImageSize size, ImageSize now, double bytes_now) {
 }  // namespace
 
 std::string LinkSpeed::note(const Exchange& exchange) {
-  if (told_ || exchange.step <= Nanos{0}) return {};
+  if (reported_ || exchange.step <= Nanos{0}) return {};
   const double took = inMilliseconds(std::min(exchange.network, 10 * exchange.step));
   if (exchange.picture > 0) {
-    follow(picture_ms_, took);
-    follow(picture_bytes_, static_cast<double>(exchange.picture));
+    average(picture_ms_, took);
+    average(picture_bytes_, static_cast<double>(exchange.picture));
   } else {
-    follow(plain_ms_, took);
+    average(plain_ms_, took);
   }
   if (exchange.network > exchange.step) ++late_;
   if (++in_window_ < kWindow) return {};
   const bool too_slow = 2 * late_ > in_window_;
   in_window_ = late_ = 0;
   if (!too_slow) return {};
-  told_ = true;
-  return sentence(exchange);
+  reported_ = true;
+  return message(exchange);
 }
 
-std::string LinkSpeed::sentence(const Exchange& last) const {
+std::string LinkSpeed::message(const Exchange& last) const {
   const double step = inMilliseconds(last.step);
   std::string text = formatted("the link to the robot is too slow for steps of %.0f ms: an exchange takes %.0f ms",
                                step, std::max(plain_ms_, picture_ms_));

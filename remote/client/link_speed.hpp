@@ -1,4 +1,4 @@
-// Is the network fast enough for the controller's steps? And which pictures would it carry in time?
+// Checks whether the network is fast enough for the controller's step, and which picture size would be.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,23 @@ namespace darwinop::remote {
 
 class LinkSpeed {
  public:
-  /// One exchange. `network`: from the request to its reply, without what the server held it back. `step`: what the
-  /// controller gives it. A sentence, once, when the link is too slow; else empty.
+  /// One exchange. `network`: time from request to reply, without the server's hold time. `step`: the controller's
+  /// step.
   struct Exchange {
     Nanos network{0}, step{0};
     std::size_t picture = 0;  // bytes; 0: none
     std::optional<ImageSize> size{};
   };
+  /// Returns a message once, when the network is too slow; otherwise empty.
   [[nodiscard]] std::string note(const Exchange& exchange);
 
  private:
-  [[nodiscard]] std::string sentence(const Exchange& last) const;
+  [[nodiscard]] std::string message(const Exchange& last) const;
 
-  // Moving figures, ms: nine parts of what was, one of what is new, which counts for ten steps at most.
+  // Exponential moving averages (weight of a new value: 0.1), ms; a new value is limited to ten steps.
   double plain_ms_ = 0, picture_ms_ = 0, picture_bytes_ = 0;
   int in_window_ = 0, late_ = 0;
-  bool told_ = false;
+  bool reported_ = false;
 };
 
 }  // namespace darwinop::remote

@@ -1,4 +1,4 @@
-// The pictures of a connection: when one is asked for, the newest one that came, and who looks at it.
+// Camera pictures of a connection: when to request one, and the newest one received.
 #include "remote/client/pictures.hpp"
 
 #include <utility>
@@ -16,20 +16,20 @@ std::string inPixels(ImageSize size) {
 
 }  // namespace
 
-/// Decodes when it is looked at: a picture that nobody looks at costs nothing.
-class Pictures::Eyes final : public FrameSource {
+/// Decodes on access: unused pictures cost no CPU time.
+class Pictures::Source final : public FrameSource {
  public:
-  Eyes(Pictures& pictures, std::function<Nanos()> now) : pictures_{pictures}, now_{std::move(now)} {
-    ++pictures_.watchers_;
+  Source(Pictures& pictures, std::function<Nanos()> now) : pictures_{pictures}, now_{std::move(now)} {
+    ++pictures_.sources_;
   }
-  ~Eyes() override { --pictures_.watchers_; }
-  Eyes(const Eyes&) = delete;
-  Eyes& operator=(const Eyes&) = delete;
+  ~Source() override { --pictures_.sources_; }
+  Source(const Source&) = delete;
+  Source& operator=(const Source&) = delete;
 
   CameraFrame newest() override {
-    pictures_.every_ = std::max(1, pictures_.since_look_);
-    pictures_.since_look_ = 0;
-    pictures_.had_ = false;
+    pictures_.every_ = std::max(1, pictures_.since_access_);
+    pictures_.since_access_ = 0;
+    pictures_.has_new_ = false;
     if (seen_ != pictures_.arrived_) decode();
     return frame_;
   }
@@ -44,13 +44,13 @@ class Pictures::Eyes final : public FrameSource {
   void decode() {
     seen_ = pictures_.arrived_;
     const std::optional<ImageSize> size = imageSizeOf(pictures_.jpeg_);
-    const char* wrong = size ? nullptr : "it is no JPEG, or of a size that a server never sends";
+    const char* error = size ? nullptr : "not a JPEG of a size that servers send";
     if (size) {
       decoded_.resize(4 * static_cast<std::size_t>(size->width) * static_cast<std::size_t>(size->height));
-      wrong = decodeJpeg(pictures_.jpeg_, *size, decoded_);
+      error = decodeJpeg(pictures_.jpeg_, *size, decoded_);
     }
-    if (wrong != nullptr) {
-      if (health_.damaged++ == 0) pictures_.say_(std::string{"Camera: a picture that came is not shown: "} + wrong);
+    if (error != nullptr) {
+      if (health_.damaged++ == 0) pictures_.log_(std::string{"Camera: discarded a received picture: "} + error);
       frame_ = {};
       return;
     }
@@ -62,7 +62,7 @@ class Pictures::Eyes final : public FrameSource {
               .bgra = *size == kWholeImage ? decoded_ : framed(*size)};
   }
 
-  /// The middle of a picture where it belongs, black around it: what is seen keeps its place and its size.
+  /// The cropped picture at its position in 320x240, black around it: objects keep their place and size.
   [[nodiscard]] const std::vector<std::uint8_t>& framed(ImageSize size) {
     framed_.assign(std::size_t{4} * kWholeImage.width * kWholeImage.height, 0);
     for (std::size_t alpha = 3; alpha < framed_.size(); alpha += 4) framed_[alpha] = 255;
@@ -70,9 +70,9 @@ class Pictures::Eyes final : public FrameSource {
     for (int row = 0; row < size.height; ++row)
       std::copy_n(decoded_.begin() + bytes * row, bytes,
                   framed_.begin() + 4 * (std::ptrdiff_t{row + topOf(size)} * kWholeImage.width + leftOf(size)));
-    if (!std::exchange(told_, true))
-      pictures_.say_("Camera: the server sends the middle " + inPixels(size) +
-                     " of its pictures, the rest is black; the whole ones come from: darwinop remote 1 1");
+    if (!std::exchange(logged_crop_, true))
+      pictures_.log_("Camera: the server sends only the middle " + inPixels(size) +
+                     " of its pictures; the rest is black. For whole pictures start it with: darwinop remote 1 1");
     return framed_;
   }
 
@@ -82,16 +82,16 @@ class Pictures::Eyes final : public FrameSource {
   CameraFrame frame_{};
   CameraHealth health_{};
   std::uint64_t seen_ = 0;
-  bool told_ = false;
+  bool logged_crop_ = false;
 };
 
 bool Pictures::areDue() {
-  if (watchers_ == 0) return false;
-  return ++since_look_ >= every_ && !had_;
+  if (sources_ == 0) return false;
+  return ++since_access_ >= every_ && !has_new_;
 }
 
 void Pictures::take(const Reply& reply, Nanos now) {
-  had_ = true;
+  has_new_ = true;
   const bool known = reply.extension.has_value();
   if (reply.jpeg.empty()) {
     if (known && reply.extension->holds_picture) {
@@ -99,28 +99,29 @@ void Pictures::take(const Reply& reply, Nanos now) {
       return;
     }
     blind_ = true;
-    if (!std::exchange(told_eyeless_, true)) say_("Camera: every picture is black: this robot's server has no camera");
+    if (!std::exchange(logged_no_camera_, true))
+      log_("Camera: every picture is black: the robot's server has no camera");
     return;
   }
   const Nanos age{known ? std::int64_t{reply.extension->picture_age_us} * 1000 : 0};
   blind_ = known && reply.extension->picture == 0;
-  noticeBlindness(now);
+  checkBlindness(now);
   held_ = known ? reply.extension->picture : 0;
   taken_ = confirmed_ = now - age;
   ++arrived_;
   jpeg_.assign(reply.jpeg.begin(), reply.jpeg.end());
 }
 
-/// A camera needs a moment to open.
-void Pictures::noticeBlindness(Nanos now) {
+/// Reports black pictures only after kBlindAfter, because a camera takes time to open.
+void Pictures::checkBlindness(Nanos now) {
   if (!blind_) {
     blind_since_.reset();
-    told_blind_ = false;
+    logged_blind_ = false;
     return;
   }
   if (!blind_since_) blind_since_ = now;
-  if (now - *blind_since_ < kBlindAfter || std::exchange(told_blind_, true)) return;
-  say_("Camera: every picture is black: the robot's camera gives none, its server says why");
+  if (now - *blind_since_ < kBlindAfter || std::exchange(logged_blind_, true)) return;
+  log_("Camera: every picture is black: the robot's camera gives no pictures; see the log of its server");
 }
 
 std::optional<ImageSize> Pictures::size() const {
@@ -128,7 +129,7 @@ std::optional<ImageSize> Pictures::size() const {
 }
 
 std::unique_ptr<FrameSource> Pictures::open(std::function<Nanos()> now) {
-  return std::make_unique<Eyes>(*this, std::move(now));
+  return std::make_unique<Source>(*this, std::move(now));
 }
 
 }  // namespace darwinop::remote

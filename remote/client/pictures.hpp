@@ -1,4 +1,4 @@
-// The pictures of a connection: when one is asked for, the newest one that came, and who looks at it.
+// Camera pictures of a connection: when to request one, and the newest one received.
 #pragma once
 
 #include <algorithm>
@@ -15,43 +15,43 @@
 
 namespace darwinop::remote {
 
-/// Used by the controller's thread, as the link that it belongs to.
+/// Used by the controller's thread only.
 class Pictures {
  public:
-  using Say = std::function<void(const std::string&)>;
-  explicit Pictures(Say say) : say_{std::move(say)} {}
+  using Log = std::function<void(const std::string&)>;
+  explicit Pictures(Log log) : log_{std::move(log)} {}
 
-  /// Before each request: is a picture to be in the reply? The one just before it is looked at: a controller whose
-  /// camera has a sampling period of four steps gets every fourth one, and a new one.
+  /// Called before each request: whether to request a picture. Requested just before the controller's next access: with
+  /// a
+  /// sampling period of four steps, every fourth reply has a picture, and a new one.
   [[nodiscard]] bool areDue();
-  /// Number of the one that is here, for a server that need not send it again; 0: none.
+  /// Number of the newest picture received, which the server need not send again; 0: none.
   [[nodiscard]] std::uint32_t held() const { return held_; }
 
-  /// Of the newest one; nothing when none came.
+  /// Size of the newest picture; nullopt: none received.
   [[nodiscard]] std::optional<ImageSize> size() const;
 
-  /// What came for it.
+  /// Stores the picture of a reply to a request with a picture.
   void take(const Reply& reply, Nanos now);
-  /// The next server counts pictures anew.
+  /// For a new connection: the server numbers its pictures from the start.
   void forgetHeld() { held_ = 0; }
 
-  /// Who looks at them; always 320x240. `now` is the clock of take(). This must outlive it.
+  /// A frame source, always 320x240. `now` is the clock of take(). This object must outlive it.
   [[nodiscard]] std::unique_ptr<FrameSource> open(std::function<Nanos()> now);
 
  private:
-  class Eyes;
-  void noticeBlindness(Nanos now);
+  class Source;
+  void checkBlindness(Nanos now);
 
-  Say say_;
-  int watchers_ = 0, since_look_ = 0, every_ = 1;
-  bool had_ = false;  // since it was last looked
+  Log log_;
+  int sources_ = 0, since_access_ = 0, every_ = 1;
+  bool has_new_ = false;  // a picture was received since the last access
   std::vector<std::uint8_t> jpeg_;
-  std::uint64_t arrived_ = 0;  // pictures so far; number of the newest one
+  std::uint64_t arrived_ = 0;  // pictures received so far; number of the newest one
   std::uint32_t held_ = 0;
-  bool blind_ = true, told_eyeless_ = false, told_blind_ = false;
+  bool blind_ = true, logged_no_camera_ = false, logged_blind_ = false;
   std::optional<Nanos> blind_since_;
-  Nanos taken_{0},
-      confirmed_{0};  // when the newest one was taken; when the server last had a picture that is new to it
+  Nanos taken_{0}, confirmed_{0};  // when the newest picture was taken; when the server last had a new one
 };
 
 }  // namespace darwinop::remote

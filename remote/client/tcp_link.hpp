@@ -1,4 +1,4 @@
-// A robot behind `darwinop remote`: each step is an exchange with its server. No thread: the controller's does it all.
+// Robot link over TCP to `darwinop remote`: one request and one reply per step, in the controller's thread.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "remote/client/command_delta.hpp"
 #include "remote/client/connection.hpp"
 #include "remote/client/link_speed.hpp"
 #include "remote/client/pictures.hpp"
-#include "remote/client/wishes.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/fault_announcer.hpp"
 #include "runtime/names.hpp"
@@ -22,18 +22,18 @@ namespace darwinop::remote {
 struct TcpOptions {
   std::string host = "127.0.0.1";
   std::uint16_t port = kUsualPort;
-  Nanos first_patience{10'000'000'000};  // for a server to be there, and again for its first reply
-  Nanos patience{30'000'000'000};        // for one that was there and is gone
-  Nanos silence{2'000'000'000};          // without the reply, after which a connection is no longer one
-  std::function<void(const std::string&)> say;
+  Nanos connect_timeout{10'000'000'000};    // until connected, and again for the first reply
+  Nanos reconnect_timeout{30'000'000'000};  // after a lost connection
+  Nanos reply_timeout{2'000'000'000};       // without a reply: the connection counts as lost
+  std::function<void(const std::string&)> log;
 };
 
-/// A cycle of this link is one of the robot's loop, as its number comes with each reply. While replies do not come,
-/// cycles are counted by the clock here, and all values grow old with them. A server of 2013 tells no cycles: then the
-/// clock here counts periods of 16 ms, and a step's values are those of its beginning, as they were then.
+/// Cycles are those of the robot's loop, numbered in each reply. Without replies, cycles are counted by the local clock
+/// and all values age with them. A server of 2013 sends no cycle numbers: then the local clock counts periods of 16 ms,
+/// and a step returns the values of its start.
 class TcpLink final : public runtime::RobotLink {
  public:
-  /// Connects, and has the first reply. Throws std::runtime_error with what to do.
+  /// Connects and waits for the first reply. Throws std::runtime_error with the remedy.
   explicit TcpLink(TcpOptions options);
   ~TcpLink() override;
 
@@ -43,32 +43,32 @@ class TcpLink final : public runtime::RobotLink {
   [[nodiscard]] bool bringsToRest() const override { return false; }
   void publish(Commands commands) override;
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
-  /// Sends what was published last, too.
+  /// Also sends the commands published last.
   void leaveHolding() override;
   [[nodiscard]] Sensors sensors() const override { return shown_; }
   [[nodiscard]] std::string whyEnded() const override { return why_ended_; }
   [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height) override;
 
  private:
-  void connectFirst();
-  void firstReply();
+  void connect();
+  void awaitFirstReply();
   void send(std::uint64_t cycle);
-  void listen(Nanos longest);
+  void receive(Nanos longest);
   void take(const Reply& reply);
   void takeImage(const ReplyExtension& extension, bool first);
-  void takeOld(const Reply& reply, bool first);
-  void judgeSpeed(const Reply& reply);
+  void takeLegacy(const Reply& reply, bool first);
+  void checkSpeed(const Reply& reply);
   void reconnect();
-  void noticeLoss();
-  void growOld();
-  [[nodiscard]] bool isThere(std::uint64_t cycle) const { return image_.cycle >= cycle; }
-  [[nodiscard]] bool isToAsk(std::uint64_t cycle) const;
+  void detectLoss();
+  void ageShownImage();
+  [[nodiscard]] bool hasImage(std::uint64_t cycle) const { return image_.cycle >= cycle; }
+  [[nodiscard]] bool mustRequest(std::uint64_t cycle) const;
   [[nodiscard]] Nanos expected(std::uint64_t cycle) const;
   [[nodiscard]] std::uint64_t cyclesOnTheWay(std::uint64_t cycle, Nanos held) const;
-  [[nodiscard]] Nanos patienceWithReply() const;
-  [[nodiscard]] bool mayGoOn(const std::atomic<bool>& stop);
+  [[nodiscard]] Nanos replyGrace() const;
+  [[nodiscard]] bool isRunning(const std::atomic<bool>& stop);
   bool end(const std::string& why);
-  void say(const std::string& sentence) const;
+  void log(const std::string& message) const;
   [[nodiscard]] std::string name() const;
 
   TcpOptions options_;
@@ -76,33 +76,33 @@ class TcpLink final : public runtime::RobotLink {
   std::vector<std::uint32_t> addresses_;
   std::size_t next_address_ = 0;
   Connection connection_;
-  Wishes wishes_;
+  CommandDelta command_delta_;
   Pictures pictures_;
   LinkSpeed speed_;
   runtime::FaultAnnouncer faults_;
 
-  Commands wanted_{};
-  bool was_up_ = false;  // the robot has been seen driven
+  Commands commands_{};
+  bool was_driven_ = false;  // the robot has been under torque in this session
   bool unattended_ = runtime::startedUnattended();
-  bool drove_ = false, lost_ = false, came_back_ = false;
-  bool extended_ = true;  // the server knows the extension; believed until a reply lacks it
-  bool greeted_ = false;  // this connection's first reply is there
+  bool has_commands_ = false, is_lost_ = false, reconnected_ = false;
+  bool extended_ = true;          // the server supports the extension; assumed until a reply lacks it
+  bool has_first_reply_ = false;  // the first reply of this connection has been received
   bool real_time_ = true;
-  bool says_farewell_ = true;
+  bool ends_session_ = true;
   Nanos period_{16'000'000};
 
-  Sensors image_{};                // as the last reply told it, in cycles and time of this link
-  Nanos image_at_{0};              // when that came
-  Sensors shown_{};                // that, grown old by as many cycles as went by since
-  std::uint64_t cycle_ahead_ = 0;  // of this link's cycles before the robot's; unsigned numbers may wrap
+  Sensors image_{};                // of the last reply, in cycles and time of this link
+  Nanos image_at_{0};              // when it was received
+  Sensors shown_{};                // image_, aged by the cycles since then
+  std::uint64_t cycle_ahead_ = 0;  // this link's cycle number minus the robot's, modulo 2^64
   std::int64_t time_ahead_ns_ = 0;
   Nanos sent_{0}, attempted_{0}, lost_since_{0}, step_{0};
-  std::uint64_t stepped_to_ = 0;     // end of the step under way, which takes step_
-  bool tells_ = false;               // of the loss under way, and its end
-  std::optional<Nanos> told_at_;     // of a loss, the last time
-  std::uint64_t exchanged_for_ = 0;  // what the last request was made for
-  bool picture_asked_ = false;       // by it
-  bool overdue_ = false;             // its reply has been given up on for now
+  std::uint64_t stepped_to_ = 0;         // end of the present step of length step_
+  bool logs_loss_ = false;               // log the present loss and its end
+  std::optional<Nanos> loss_logged_at_;  // when a loss was logged last
+  std::uint64_t exchanged_for_ = 0;      // cycle of the last request
+  bool picture_asked_ = false;           // in the last request
+  bool is_overdue_ = false;              // the reply has missed its grace period
   std::string why_ended_;
 };
 

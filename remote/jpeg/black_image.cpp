@@ -1,3 +1,4 @@
+// Encodes a black picture.
 #include "remote/jpeg/black_image.hpp"
 
 namespace darwinop::remote {

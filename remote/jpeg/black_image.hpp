@@ -1,4 +1,4 @@
-// What is sent while there is nothing to see: old programs expect a picture in every reply.
+// Black JPEG, sent while there is no picture: clients of 2013 expect one in every reply.
 #pragma once
 
 #include <cstdint>

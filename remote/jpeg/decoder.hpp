@@ -1,4 +1,4 @@
-// A JPEG that came over the network to what a controller gets.
+// Decodes JPEG pictures received over the network to BGRA.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace darwinop::remote {
 
-/// What a file says of its size; nothing when it is no JPEG, or of a size that no client can have.
+/// Size according to the file's header; nullopt if it is not a JPEG or not a size of image_size.hpp.
 [[nodiscard]] std::optional<ImageSize> imageSizeOf(std::span<const std::uint8_t> jpeg);
 
-/// `bgra`: 4 * width * height bytes of `expected`; A is 255. Null: it is done. Else what is wrong with the file, a few
-/// words; `bgra` may have been written to by then. The bytes are not trusted: nothing is taken from the heap for a
-/// picture of another size, and one that is coded in many passes, which could cost any time, is refused.
+/// `bgra`: 4 * width * height bytes of `expected`; A is 255. Returns null, or the reason for the failure; `bgra` may
+/// have been written to by then. The input is untrusted: a picture of another size allocates nothing, and multiple
+/// scans, whose decoding time is unbounded, are refused.
 [[nodiscard]] const char* decodeJpeg(std::span<const std::uint8_t> jpeg, ImageSize expected,
                                      std::span<std::uint8_t> bgra);
 

@@ -1,3 +1,4 @@
+// JPEG encoder without allocation per picture, with libjpeg-turbo.
 #include "remote/jpeg/encoder.hpp"
 
 #include <jerror.h>
@@ -9,20 +10,20 @@
 #include <vector>
 
 #include "hal/pixels/yuyv_to_planes.hpp"
-#include "remote/jpeg/complaints.hpp"
 #include "remote/jpeg/image_memory.hpp"
+#include "remote/jpeg/jpeg_errors.hpp"
 
 namespace darwinop::remote {
 namespace {
 
-constexpr int kUnit = 16;  // pixels, each way, that 4:2:0 codes together
+constexpr int kUnit = 16;  // pixels: width and height of an MCU with 4:2:0
 
 constexpr int wholeUnits(int pixels) {
   return (pixels + kUnit - 1) / kUnit * kUnit;
 }
 
-/// What is coded beyond the edge of an image, up to a whole unit, is taken from the camera's picture: there is always
-/// enough of it, since an image that does not end with a unit ends before the picture.
+/// Padding up to a whole unit is taken from the camera's picture. There is always enough of it: an image whose size is
+/// not a multiple of the unit ends inside the picture.
 constexpr bool unitsAreInside() {
   for (const int width : kImageWidths)
     if (leftOf({width, 240}) + wholeUnits(width) > kWholeImage.width || leftOf({width, 240}) % 2 != 0) return false;
@@ -35,7 +36,7 @@ static_assert(unitsAreInside());
 }  // namespace
 
 struct JpegEncoder::Work {
-  /// Puts the file into the caller's bytes.
+  /// Writes the file to the caller's buffer.
   struct Destination {
     explicit Destination(jpeg_compress_struct& owner) {
       owner.dest = &manager;
@@ -57,14 +58,14 @@ struct JpegEncoder::Work {
         luma(static_cast<std::size_t>(coded.width) * coded.height),
         blue(luma.size() / 4),
         red(luma.size() / 4) {
-    complaints.expected = true;
+    errors.expected = true;
   }
   ~Work() { jpeg_destroy_compress(&cinfo); }
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
 
   jpeg_compress_struct& made() {
-    cinfo.err = &complaints.manager;
+    cinfo.err = &errors.manager;
     jpeg_create_compress(&cinfo);
     return cinfo;
   }
@@ -76,7 +77,7 @@ struct JpegEncoder::Work {
   ImageSize size, coded;
   int quality;
   jpeg_compress_struct cinfo{};
-  JpegComplaints complaints;
+  JpegErrorHandler errors;
   ImageMemory memory{made()};
   Destination destination{cinfo};
   PictureForm form{};
@@ -84,7 +85,7 @@ struct JpegEncoder::Work {
   std::vector<std::uint8_t> luma, blue, red;  // of `coded`
 };
 
-/// libjpeg keeps these from picture to picture. The accurate DCT stays: the fast one is no faster with SSE2 or AVX2.
+/// libjpeg keeps these settings between pictures. Accurate DCT: the fast one is not faster with SSE2 or AVX2.
 void JpegEncoder::Work::prepare(PictureForm wanted) noexcept {
   if (prepared && form == wanted) return;
   const bool planes = wanted == PictureForm::kYuyv;
@@ -99,10 +100,10 @@ void JpegEncoder::Work::prepare(PictureForm wanted) noexcept {
   prepared = true;
 }
 
-/// Cut out first, then halved: an image that begins in an odd row has its colours from its own pairs of rows.
+/// Crops first, then subsamples: an image that starts at an odd row takes its chroma from its own row pairs.
 void JpegEncoder::Work::planesOf(const CameraFrame& frame) noexcept {
   const std::size_t stride = pixels::yuyvRowBytes(frame.width);
-  // Upside down: what is right of and below the part in the upright picture comes first.
+  // The camera is mounted upside down: pixels right of and below the crop come first.
   const int before = frame.width - leftOf(size) - coded.width, above = frame.height - topOf(size) - coded.height;
   pixels::yuyvToPlanesRotated(
       {frame.yuyv.subspan(stride * above + std::size_t{2} * before), coded.width, coded.height, stride},
@@ -136,17 +137,17 @@ void JpegEncoder::Work::writeRows(const CameraFrame& frame) {
 
 JpegEncoder::JpegEncoder(ImageSize size, int quality) {
   if (!isImageSize(size))
-    throw std::invalid_argument("an image of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
-                                ": the width is 320, 160, 80 or 40, the height 240, 120, 60 or 30");
+    throw std::invalid_argument("image size " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                " is not supported: width 320, 160, 80 or 40, height 240, 120, 60 or 30");
   if (quality < 1 || quality > 100)
-    throw std::invalid_argument("a JPEG quality of " + std::to_string(quality) + ": it is 1 to 100");
+    throw std::invalid_argument("JPEG quality " + std::to_string(quality) + " is out of range: 1 to 100");
   work_ = std::make_unique<Work>(size, quality);
 }
 
 JpegEncoder::~JpegEncoder() = default;
 
 std::size_t JpegEncoder::mostBytes() const noexcept {
-  // Headers and tables, and for each sample of 4:2:0 twice its byte: the bound that libjpeg-turbo's own interface uses.
+  // Headers and tables, plus two bytes per 4:2:0 sample: the bound of libjpeg-turbo's tjBufSize().
   return 2048 + 3 * work_->luma.size();
 }
 
@@ -158,8 +159,8 @@ std::size_t JpegEncoder::encode(const CameraFrame& frame, std::span<std::uint8_t
   if (planes ? frame.yuyv.size() != 2 * kPixels : frame.bgra.size() != 4 * kPixels) return 0;
 
   if (planes) work.planesOf(frame);
-  // Between here and the end nothing has a destructor that a jump would leave out.
-  if (setjmp(work.complaints.back) != 0) {
+  // No local object below has a destructor, because longjmp skips them.
+  if (setjmp(work.errors.back) != 0) {
     jpeg_abort_compress(&work.cinfo);
     return 0;
   }

@@ -1,4 +1,4 @@
-// A camera's frame to a baseline JPEG.
+// Encodes camera frames as baseline JPEG.
 #pragma once
 
 #include <cstddef>
@@ -11,21 +11,22 @@
 
 namespace darwinop::remote {
 
-/// Colours at half the resolution both ways (4:2:0), the standard's own tables: what every decoder can read. From YUYV
-/// the planes go to libjpeg-turbo as they are; BGRA it converts back by itself. Used by one thread.
+/// 4:2:0 chroma subsampling and standard tables, which every decoder supports. YUYV planes are passed to libjpeg-turbo
+/// directly; BGRA is converted by libjpeg-turbo. Not thread-safe.
 class JpegEncoder {
  public:
-  /// Throws std::invalid_argument: no size of image_size.hpp, or a quality out of 1..100.
+  /// Throws std::invalid_argument: not a size of image_size.hpp, or quality outside 1..100.
   JpegEncoder(ImageSize size, int quality);
   ~JpegEncoder();
   JpegEncoder(const JpegEncoder&) = delete;
   JpegEncoder& operator=(const JpegEncoder&) = delete;
 
-  /// No file is longer.
+  /// Upper bound of a file's size, bytes.
   [[nodiscard]] std::size_t mostBytes() const noexcept;
 
-  /// Bytes written to `into`, which is mostBytes() long at least. 0: `frame` is not of kWholeImage. Takes nothing from
-  /// the heap.
+  /// Bytes written to `into`, which must have at least mostBytes(). 0: `frame` does not have the size kWholeImage. Does
+  /// not
+  /// allocate.
   [[nodiscard]] std::size_t encode(const CameraFrame& frame, std::span<std::uint8_t> into) noexcept;
 
  private:

@@ -1,3 +1,4 @@
+// Memory manager for libjpeg's pool JPOOL_IMAGE.
 #include "remote/jpeg/image_memory.hpp"
 
 #include <jerror.h>
@@ -8,9 +9,9 @@
 namespace darwinop::remote {
 namespace {
 
-// The vector instructions of libjpeg-turbo want 32, and write up to twice that past the end of a row (jmemmgr's rule).
+// libjpeg-turbo's SIMD code needs alignment 32 and writes up to twice that past the end of a row (see jmemmgr.c).
 constexpr std::size_t kAlign = 64;
-constexpr std::size_t kBytes = 64 * 1024;  // 19 KB are in use for 320 pixels in a row; a test looks at it
+constexpr std::size_t kBytes = 64 * 1024;  // 19 KB are used for rows of 320 pixels; a test checks it
 
 constexpr std::size_t roundedUp(std::size_t bytes) {
   return (bytes + kAlign - 1) / kAlign * kAlign;

@@ -1,8 +1,8 @@
-// Memory for one picture at a time, in place of what libjpeg takes from the heap and gives back for each.
+// Preallocated memory for libjpeg, in place of heap allocations for every picture.
 #pragma once
 
 #include <cstdio>
-// libjpeg's header needs stdio's before it.
+// jpeglib.h requires stdio.h before it.
 #include <jpeglib.h>
 
 #include <cstddef>
@@ -10,17 +10,16 @@
 
 namespace darwinop::remote {
 
-/// Takes over pool JPOOL_IMAGE of a compressor; what lives as long as the compressor stays with libjpeg. For one that
-/// needs no arrays on disk: one scan, standard tables. Must outlive the compressor's last picture, and stay where it
-/// is.
+/// Replaces pool JPOOL_IMAGE of a compressor; the permanent pool stays with libjpeg. Only for one scan and standard
+/// tables, which need no backing store. Must outlive the compressor's last picture and must not move.
 class ImageMemory {
  public:
-  /// `cinfo` has been made by jpeg_create_compress; its client_data belongs to this from now on.
+  /// `cinfo` must come from jpeg_create_compress(); this object uses its client_data.
   explicit ImageMemory(jpeg_compress_struct& cinfo);
   ImageMemory(const ImageMemory&) = delete;
   ImageMemory& operator=(const ImageMemory&) = delete;
 
-  [[nodiscard]] std::size_t most() const noexcept { return most_; }  // that was ever in use, bytes
+  [[nodiscard]] std::size_t most() const noexcept { return most_; }  // peak usage, bytes
 
  private:
   static ImageMemory& of(j_common_ptr cinfo) noexcept { return *static_cast<ImageMemory*>(cinfo->client_data); }

@@ -1,4 +1,4 @@
-// Which pictures a client can have, and which part of the camera's they are.
+// Picture sizes of remote control, as crops of the camera's picture.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +11,16 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-/// The camera's. A client's image is its middle, not a smaller copy of it: a small image has a narrow field of view.
+/// Size of the camera's picture. A smaller image is its centre crop, not a scaled copy: its field of view is narrower.
 inline constexpr ImageSize kWholeImage{320, 240};
-inline constexpr std::array kImageWidths{320, 160, 80, 40}, kImageHeights{240, 120, 60, 30};  // each with each
+inline constexpr std::array kImageWidths{320, 160, 80, 40}, kImageHeights{240, 120, 60, 30};  // in any combination
 
 constexpr bool isImageSize(ImageSize size) {
   return std::ranges::find(kImageWidths, size.width) != kImageWidths.end() &&
          std::ranges::find(kImageHeights, size.height) != kImageHeights.end();
 }
 
-/// First column and row of an image in the whole one.
+/// First column and row of a crop in the whole image.
 constexpr int leftOf(ImageSize size) {
   return (kWholeImage.width - size.width) / 2;
 }
@@ -28,7 +28,7 @@ constexpr int topOf(ImageSize size) {
   return (kWholeImage.height - size.height) / 2;
 }
 
-/// What clients have always been sent: the whole image would be too long for a cycle at more.
+/// JPEG quality, as in 2013: at a higher one the whole image would not fit into a cycle.
 constexpr int qualityOf(ImageSize size) {
   return size == kWholeImage ? 65 : 80;
 }

@@ -1,3 +1,4 @@
+// Encoder thread and wait-free hand-over of pictures.
 #include "remote/jpeg/live_pictures.hpp"
 
 #include <pthread.h>
@@ -19,7 +20,7 @@
 namespace darwinop::remote {
 namespace {
 
-/// The thread may be started by a real-time one; pictures must not delay the loop.
+/// The thread inherits the scheduling of a real-time thread; encoding must not delay the loop.
 void becomeOrdinaryEncoder() {
   const sched_param none{};
   ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &none);
@@ -45,11 +46,11 @@ struct LivePictures::Work {
 
   void run() noexcept {
     becomeOrdinaryEncoder();
-    do look();
-    while (!stoppedWithin(options.look_every));
+    do poll();
+    while (!stoppedWithin(options.poll_interval));
   }
-  void look() noexcept;
-  void complain(const CameraFrame& frame) noexcept;
+  void poll() noexcept;
+  void reportSize(const CameraFrame& frame) noexcept;
   bool stoppedWithin(Nanos pause) noexcept {
     std::unique_lock lock{mutex};
     return changed.wait_for(lock, pause, [this] { return stopping; });
@@ -65,8 +66,8 @@ struct LivePictures::Work {
   JpegEncoder encoder;
   std::vector<std::uint8_t> black;
   TripleBuffer<File> files;
-  std::uint64_t last = 0;  // the thread's
-  bool usable = true;      // the thread's: frames of kWholeImage
+  std::uint64_t last = 0;  // used by the thread only
+  bool usable = true;      // used by the thread only: frames have the size kWholeImage
   std::atomic<bool> sees{false};
   std::mutex mutex;
   std::condition_variable changed;
@@ -74,8 +75,8 @@ struct LivePictures::Work {
   std::thread thread;
 };
 
-void LivePictures::Work::look() noexcept {
-  const bool seeing = camera->health().seeing;  // asked first: true of the frame, or of an older one
+void LivePictures::Work::poll() noexcept {
+  const bool seeing = camera->health().seeing;  // read first, so that it holds for this frame or an older one
   const CameraFrame frame = camera->newest();
   if (frame.sequence != std::exchange(last, frame.sequence)) {
     File& file = files.back();
@@ -83,21 +84,21 @@ void LivePictures::Work::look() noexcept {
     file.sequence = frame.sequence;
     file.time = frame.time;
     if (file.length != 0) {
-      if (options.look_at) options.look_at(frame);
+      if (options.on_frame) options.on_frame(frame);
       files.publish();
     } else if (std::exchange(usable, false)) {
-      complain(frame);
+      reportSize(frame);
     }
   }
   sees.store(usable && seeing, std::memory_order_release);
 }
 
-void LivePictures::Work::complain(const CameraFrame& frame) noexcept {
-  if (!options.say) return;
+void LivePictures::Work::reportSize(const CameraFrame& frame) noexcept {
+  if (!options.log) return;
   try {
-    options.say("the camera's pictures are " + std::to_string(frame.width) + "x" + std::to_string(frame.height) +
-                ", those of remote control are cut out of 320x240: clients see black; use a camera that has this size");
-  } catch (...) {  // no memory for the words
+    options.log("the camera's pictures have " + std::to_string(frame.width) + "x" + std::to_string(frame.height) +
+                " pixels, but 320x240 is required: clients get black pictures; use a camera with this size");
+  } catch (...) {  // out of memory
   }
 }
 
@@ -105,9 +106,9 @@ LivePictures::LivePictures(std::unique_ptr<FrameSource> camera, Options options)
     : work_{std::make_unique<Work>(std::move(camera), std::move(options))} {
   sigset_t all, before;
   ::sigfillset(&all);
-  // What the thread does wrong itself still ends the process as it should.
+  // Synchronous signals stay unblocked, so that a crash in the thread ends the process.
   for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::sigdelset(&all, own);
-  ::pthread_sigmask(SIG_BLOCK, &all, &before);  // inherited by the new thread: signals are for the main one
+  ::pthread_sigmask(SIG_BLOCK, &all, &before);  // inherited by the new thread: the main thread handles signals
   try {
     work_->thread = std::thread{[work = work_.get()] { work->run(); }};
   } catch (...) {
@@ -126,7 +127,7 @@ JpegPicture LivePictures::newest() {
   Work& work = *work_;
   work.files.update();
   const Work::File& file = work.files.front();
-  // An old picture would be followed as if it were the world.
+  // A controller must not follow an outdated picture.
   if (file.sequence == 0 || !work.sees.load(std::memory_order_acquire)) return {0, Nanos{0}, work.black};
   return {file.sequence, work.options.now() - file.time, std::span{file.bytes}.first(file.length)};
 }

@@ -1,4 +1,4 @@
-// Pictures of a camera in real time: a thread of its own encodes each new frame once, whoever asks or not.
+// Real-time camera pictures: a thread encodes each new frame once.
 #pragma once
 
 #include <chrono>
@@ -12,27 +12,28 @@
 
 namespace darwinop::remote {
 
-/// newest() is wait-free and takes no part in the encoding. Lives as long as there is a client: the thread works at the
-/// camera's pace, 30 pictures a second.
+/// newest() is wait-free. The thread encodes at the camera's rate, 30 pictures a second, so create this only while
+/// there is a client.
 class LivePictures final : public PictureSource {
  public:
   struct Options {
     ImageSize size = kWholeImage;
     int quality = qualityOf(kWholeImage);
-    /// The clock of the frames' time.
+    /// Clock of the frame timestamps.
     std::function<Nanos()> now;
-    /// Told a sentence, once, when the camera's frames are not of kWholeImage: then all is black. From the thread.
-    std::function<void(const std::string&)> say;
-    /// Shown each new frame of that size before its picture is; from the thread. It must not throw.
-    std::function<void(const CameraFrame&)> look_at = {};
-    /// How often the camera is looked at, which never waits: a picture is half of it older on average.
-    Nanos look_every = std::chrono::milliseconds{4};
+    /// Called once from the thread if the frames do not have the size kWholeImage; all pictures are black then.
+    std::function<void(const std::string&)> log;
+    /// Called from the thread with each new frame before its picture is published. Must not throw.
+    std::function<void(const CameraFrame&)> on_frame = {};
+    /// Polling interval of the camera; adds half of it to a picture's age on average.
+    Nanos poll_interval = std::chrono::milliseconds{4};
   };
 
-  /// `camera` is used by the thread from now on; one that gives YUYV spares a way through BGRA. Throws
-  /// std::invalid_argument: options without sense; std::system_error: no threads left.
+  /// `camera` is used by the thread from now on; YUYV frames avoid a conversion from BGRA. Throws std::invalid_argument
+  /// for
+  /// invalid options and std::system_error if the thread cannot be started.
   LivePictures(std::unique_ptr<FrameSource> camera, Options options);
-  /// Waits for a picture that is being encoded: some milliseconds.
+  /// Waits for the picture being encoded: some milliseconds.
   ~LivePictures() override;
   LivePictures(const LivePictures&) = delete;
   LivePictures& operator=(const LivePictures&) = delete;

@@ -1,3 +1,4 @@
+// Encodes pictures of a simulated camera between simulation steps.
 #include "remote/jpeg/lockstep_pictures.hpp"
 
 #include <utility>

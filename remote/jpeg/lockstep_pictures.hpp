@@ -1,4 +1,4 @@
-// Pictures of a simulated camera, whose time stands still while they are encoded: no thread, the same in every run.
+// Pictures of a simulated camera: encoded without a thread while simulated time stands still, so runs are repeatable.
 #pragma once
 
 #include <functional>
@@ -13,10 +13,10 @@ namespace darwinop::remote {
 
 class LockstepPictures final : public PictureSource {
  public:
-  /// `now`: simulated time, the clock of the frames' time. Throws std::invalid_argument: see JpegEncoder.
+  /// `now`: simulated time, the clock of the frame timestamps. Throws std::invalid_argument: see JpegEncoder.
   LockstepPictures(std::unique_ptr<FrameSource> camera, ImageSize size, int quality, std::function<Nanos()> now);
 
-  /// Looks, and encodes what is new. Between two steps of the simulation, by the thread that steps.
+  /// Encodes a new frame. Call it between two simulation steps, in the thread that steps.
   JpegPicture newest() override;
 
  private:

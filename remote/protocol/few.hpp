@@ -1,4 +1,4 @@
-// A list of at most N, without heap.
+// Fixed-capacity list without heap.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ class Few {
   [[nodiscard]] constexpr const T* begin() const { return items_.data(); }
   [[nodiscard]] constexpr const T* end() const { return items_.data() + size_; }
   [[nodiscard]] constexpr const T& operator[](std::size_t i) const { return items_[i]; }
-  /// False, and nothing is added, when the list is full.
+  /// False if the list is full; nothing is added then.
   constexpr bool add(const T& item) {
     if (size_ == N) return false;
     items_[size_++] = item;

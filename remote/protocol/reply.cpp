@@ -1,4 +1,4 @@
-// A reply: values in the order in which they were asked for, without tags.
+// Reply of the remote-control protocol: values in the order of the request, without tags.
 #include "remote/protocol/reply.hpp"
 
 #include "remote/protocol/sensor_block.hpp"

@@ -1,4 +1,4 @@
-// A reply: values in the order in which they were asked for, without tags.
+// Reply of the remote-control protocol: values in the order of the request, without tags.
 #pragma once
 
 #include <array>
@@ -13,32 +13,32 @@
 
 namespace darwinop::remote {
 
-inline constexpr std::size_t kReplyHead = 5;  // 'W' and the length, 32 bits, big-endian, without the NUL at the end
+inline constexpr std::size_t kReplyHead = 5;  // 'W' and the length (32 bits, big-endian, without the final NUL)
 
-/// Bytes of the extension's part: tag, version, length; then flags, times and picture, the sensors, a sentence.
+/// Size of the extension in bytes: tag, version, length; then flags, times and picture, sensor block, message.
 inline constexpr std::size_t kExtensionHead = 6, kExtensionFigures = 13;
 
-/// The part of a reply to a request with an Extension.
+/// The extension in a reply to a request with an Extension.
 struct ReplyExtension {
-  bool real_time = true;       // false: simulated time, which stands still between two requests
-  bool holds_picture = false;  // the client has the newest one; it has 0 bytes here
-  std::uint32_t held_us = 0;   // from the request to this reply, at the server
-  std::uint32_t picture = 0;   // number of the newest one; 0: none, or a black one
+  bool real_time = true;       // false: simulated time, which stands still between requests
+  bool holds_picture = false;  // the client already has the newest picture; 0 bytes are sent
+  std::uint32_t held_us = 0;   // hold time at the server, from request to reply
+  std::uint32_t picture = 0;   // number of the newest picture; 0: none, or black
   std::uint32_t picture_age_us = 0;
-  const Sensors* seen = nullptr;  // null: there is no robot to see
-  std::string_view why_ended{};   // a sentence: this is the last reply; empty: it is not
+  const Sensors* seen = nullptr;  // null: no robot is connected
+  std::string_view why_ended{};   // reason, if this is the last reply; otherwise empty
 };
 
-/// Numbers as on the wire.
+/// Values in wire units.
 struct Reply {
   std::array<std::int32_t, 3> accelerometer{}, gyro{};  // counts, 0..1023
   std::span<const std::uint8_t> jpeg;
   Few<std::int32_t, kJoints> positions, torques;  // 1/10000 rad, 1/10000 N m
-  std::optional<ReplyExtension> extension;        // sent when it was asked for
+  std::optional<ReplyExtension> extension;        // sent if requested
 };
 
-/// Puts the reply to `request` and its NUL into `bytes`, whose memory is used again: it has to leave in one piece, as a
-/// client of 2013 that meets the NUL alone throws the next reply away.
+/// Writes the reply to `request` and its NUL to `bytes`, reusing its memory. Send it in one piece: a client of 2013
+/// that receives the NUL alone discards the next reply.
 void writeReply(const Request& request, const Reply& reply, std::vector<std::uint8_t>& bytes);
 
 }  // namespace darwinop::remote

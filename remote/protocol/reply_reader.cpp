@@ -1,4 +1,4 @@
-// Replies out of a stream of bytes, however it is cut into pieces.
+// Incremental parser of replies in a byte stream.
 #include "remote/protocol/reply_reader.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 using ReplyBytes = std::span<const std::uint8_t>;
 
-/// Once a read has asked for more than there is, nothing more is taken.
+/// After a read beyond the end, all further reads return nothing.
 class ReplyCursor {
  public:
   explicit ReplyCursor(ReplyBytes bytes) : left_{bytes} {}
@@ -65,7 +65,7 @@ bool readReplyExtension(ReplyCursor& whole, Reply& reply, Sensors& seen) {
   return !in.tooShort();
 }
 
-/// False: it is no answer to that.
+/// False: the content does not match the request.
 bool readAnswer(ReplyBytes content, const Request& asked, Reply& reply, Sensors& seen) {
   ReplyCursor in{content};
   reply = {};
@@ -77,7 +77,7 @@ bool readAnswer(ReplyBytes content, const Request& asked, Reply& reply, Sensors&
   for (std::size_t i = 0; i < asked.positions.size(); ++i) (void)reply.positions.add(in.word());
   for (std::size_t i = 0; i < asked.torques.size(); ++i) (void)reply.torques.add(in.word());
   if (in.tooShort()) return false;
-  if (in.left() == 0) return true;  // also: from a server that does not know the extension
+  if (in.left() == 0) return true;  // also from a server without the extension
   return asked.extended && readReplyExtension(in, reply, seen);
 }
 
@@ -94,25 +94,25 @@ std::span<std::uint8_t> ReplyReader::room() {
   std::memmove(buffer_.data(), buffer_.data() + begin_, pending());
   end_ -= begin_;
   begin_ = 0;
-  // next() has refused what is too long.
+  // next() rejects longer replies.
   const std::size_t needed = std::min(stated(), kLongestReply) + 1;
   if (buffer_.size() < needed) buffer_.resize(needed);
   return std::span{buffer_}.subspan(end_);
 }
 
-ReplyReader::Found ReplyReader::next(const Request& asked, Reply& reply) {
+ReplyReader::Result ReplyReader::next(const Request& asked, Reply& reply) {
   const auto at = buffer_.begin();
   const auto first =
       std::find(at + static_cast<std::ptrdiff_t>(begin_), at + static_cast<std::ptrdiff_t>(end_), kFirstByte);
   begin_ = static_cast<std::size_t>(first - at);
-  if (pending() < kReplyHead) return Found::kNothing;
+  if (pending() < kReplyHead) return Result::kIncomplete;
   const std::size_t length = stated();
-  if (length < kReplyHead || length > kLongestReply) return Found::kRefused;
-  if (pending() < length) return Found::kNothing;
+  if (length < kReplyHead || length > kLongestReply) return Result::kInvalid;
+  if (pending() < length) return Result::kIncomplete;
   const ReplyBytes content = ReplyBytes{buffer_}.subspan(begin_ + kReplyHead, length - kReplyHead);
-  if (!readAnswer(content, asked, reply, seen_)) return Found::kRefused;
+  if (!readAnswer(content, asked, reply, seen_)) return Result::kInvalid;
   begin_ += length;
-  return Found::kReply;
+  return Result::kReply;
 }
 
 }  // namespace darwinop::remote

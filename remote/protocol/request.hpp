@@ -1,4 +1,4 @@
-// One request of the remote-control protocol as a plain struct. Numbers are those of the wire; units.hpp converts them.
+// Request of the remote-control protocol as a plain struct, in wire units; units.hpp converts them.
 #pragma once
 
 #include <array>
@@ -14,10 +14,10 @@ inline constexpr std::uint16_t kUsualPort = 5023;
 inline constexpr std::uint8_t kFirstByte = 'W';
 inline constexpr std::size_t kRequestHead = 3;  // 'W' and the length, 16 bits, little-endian
 inline constexpr std::size_t kShortestRequest = 4;
-inline constexpr std::size_t kLongestOldRequest = 912;  // every section of 2013 as often as it may come
+inline constexpr std::size_t kLongestOldRequest = 912;  // every section of the 2013 protocol as often as allowed
 inline constexpr std::size_t kExtensionContent = 17;
 inline constexpr std::size_t kLongestRequest = kLongestOldRequest + 3 + kExtensionContent;
-inline constexpr std::size_t kMostStated = 1024;  // receive buffer of the old server; a longer one is no request
+inline constexpr std::size_t kMostStated = 1024;  // receive buffer of the 2013 server; a longer request is invalid
 
 inline constexpr std::size_t kLeds = 5;
 /// Index on the wire: the order of the enumerators.
@@ -29,9 +29,9 @@ struct LedSetting {
   constexpr bool operator==(const LedSetting&) const = default;
 };
 
-/// What is said of one motor. A field counts only when its bit is set.
+/// Settings of one motor. A field is valid only if its bit is set.
 struct MotorSetting {
-  /// In the order in which they must come.
+  /// In wire order.
   enum Bit : std::uint8_t {
     kPosition = 1,
     kVelocity = 2,
@@ -49,15 +49,15 @@ struct MotorSetting {
   constexpr bool operator==(const MotorSetting&) const = default;
 };
 
-/// What our own clients say beyond the words of 2013. A server that does not know it answers without its part.
+/// Extension of the 2013 protocol. A server without support replies without it.
 struct Extension {
-  std::uint64_t until_cycle = 0;   // the reply is to wait for this cycle of the robot's loop, a moment at most; 0: not
+  std::uint64_t until_cycle = 0;   // hold the reply until this cycle of the robot's loop, for a bounded time; 0: do not
   std::uint32_t fault_resets = 0;  // as in Commands
-  std::uint32_t picture = 0;       // the one the client has: not sent again; 0: none
+  std::uint32_t picture = 0;       // newest picture of the client, not sent again; 0: none
   bool start_where_it_is = false;  // as in Commands
-  bool only_if_up = false;         // it has had the robot under torque: one that has let go since is left alone
-  bool farewell = false;           // the last request of a controller that ends tidily
-  bool unattended = false;         // as in Commands
+  bool only_if_up = false;      // the client has had the robot under torque: do not start one whose torque is off since
+  bool end_of_session = false;  // last request of a controller that ends normally
+  bool unattended = false;      // as in Commands
   constexpr bool operator==(const Extension&) const = default;
 };
 
@@ -67,20 +67,20 @@ struct Request {
   bool accelerometer = false, gyro = false, camera = false;
   Few<LedSetting, kLeds> leds;
   Few<MotorSetting, kJoints> motors;
-  Few<std::uint8_t, kJoints> positions, torques;  // indexes as asked; one that is no joint is answered, too
-  bool extended = false;                          // `extension` counts, and the reply is to have its part, too
+  Few<std::uint8_t, kJoints> positions, torques;  // as requested; an index out of range gets a value as well
+  bool extended = false;                          // `extension` is valid, and the reply has an extension as well
   Extension extension{};
   constexpr bool operator==(const Request&) const = default;
 };
 
-/// What was not as it should be in a request that is answered all the same.
-struct Oddities {
-  std::size_t unknown_at = 0;     // offset of a byte that no section begins with there; 0: none. The rest is not read.
-  std::uint8_t unknown_byte = 0;  // it
-  bool cut_off = false;           // a section is longer than the request; it and the rest are not read
-  std::uint8_t refused_leds = 0, refused_motors = 0, refused_sensors = 0;  // indexes out of range
-  [[nodiscard]] constexpr bool any() const { return *this != Oddities{}; }
-  constexpr bool operator==(const Oddities&) const = default;
+/// Problems of a request that is answered nevertheless.
+struct RequestIssues {
+  std::size_t unknown_at = 0;     // offset of a byte that does not start a section; 0: none. The rest is ignored.
+  std::uint8_t unknown_byte = 0;  // value of that byte
+  bool cut_off = false;           // a section is longer than the request; it and the rest are ignored
+  std::uint8_t invalid_leds = 0, invalid_motors = 0, invalid_sensors = 0;  // indexes out of range
+  [[nodiscard]] constexpr bool any() const { return *this != RequestIssues{}; }
+  constexpr bool operator==(const RequestIssues&) const = default;
 };
 
 }  // namespace darwinop::remote

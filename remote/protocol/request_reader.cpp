@@ -1,4 +1,4 @@
-// Requests out of a stream of bytes, however it is cut into pieces.
+// Incremental parser of requests in a byte stream.
 #include "remote/protocol/request_reader.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// Walks over the sections of one request. Behind the last byte stands a NUL, as in the old server's buffer.
+/// Cursor over the sections of one request. Reads NUL after the last byte, as the 2013 server does.
 class SectionCursor {
  public:
   explicit SectionCursor(Bytes bytes) : bytes_{bytes} {}
@@ -23,7 +23,7 @@ class SectionCursor {
     for (int i = 0; i < 4; ++i) value = value << 8 | byte();
     return static_cast<std::int32_t>(value);
   }
-  /// Steps over `tag` when it is here and `more` bytes follow.
+  /// Skips `tag` if it is next and `more` bytes follow.
   [[nodiscard]] bool take(char tag, std::size_t more = 0) {
     if (cut_off_ || at_ == bytes_.size() || bytes_[at_] != static_cast<std::uint8_t>(tag)) return false;
     cut_off_ = bytes_.size() - at_ - 1 < more;
@@ -31,7 +31,7 @@ class SectionCursor {
     return !cut_off_;
   }
 
-  /// False, and the section is cut off: fewer bytes follow.
+  /// False, and marks the section as cut off, if fewer bytes follow.
   [[nodiscard]] bool has(std::size_t more) {
     cut_off_ = cut_off_ || bytes_.size() - at_ < more;
     return !cut_off_;
@@ -44,17 +44,17 @@ class SectionCursor {
   bool cut_off_ = false;
 };
 
-void readLed(SectionCursor& in, Request& request, Oddities& oddities) {
+void readLed(SectionCursor& in, Request& request, RequestIssues& issues) {
   const std::uint8_t index = in.byte();
   std::uint32_t colour = 0;
   for (int i = 0; i < 3; ++i) colour = colour << 8 | in.byte();
   if (index < kLeds)
     (void)request.leds.add({static_cast<Led>(index), colour});
   else
-    ++oddities.refused_leds;
+    ++issues.invalid_leds;
 }
 
-void readMotor(SectionCursor& in, Request& request, Oddities& oddities) {
+void readMotor(SectionCursor& in, Request& request, RequestIssues& issues) {
   const std::uint8_t index = in.byte();
   MotorSetting motor;
   const auto sub = [&](char tag, MotorSetting::Bit bit, std::int32_t& to) {
@@ -72,20 +72,20 @@ void readMotor(SectionCursor& in, Request& request, Oddities& oddities) {
   }
   sub('f', MotorSetting::kTorque, motor.torque);
   if (index >= kJoints) {
-    ++oddities.refused_motors;
+    ++issues.invalid_motors;
     return;
   }
   motor.joint = static_cast<Joint>(index);
   (void)request.motors.add(motor);
 }
 
-void readIndex(SectionCursor& in, Few<std::uint8_t, kJoints>& to, Oddities& oddities) {
+void readIndex(SectionCursor& in, Few<std::uint8_t, kJoints>& to, RequestIssues& issues) {
   const std::uint8_t index = in.byte();
-  if (index >= kJoints) ++oddities.refused_sensors;
+  if (index >= kJoints) ++issues.invalid_sensors;
   (void)to.add(index);
 }
 
-/// One of another version is stepped over: its client gets a reply without the extension's part.
+/// Skips another version: its client gets a reply without the extension.
 void readExtension(SectionCursor& in, Request& request) {
   const std::uint8_t version = in.byte();
   const std::size_t size = in.byte();
@@ -95,7 +95,7 @@ void readExtension(SectionCursor& in, Request& request) {
     const auto word = [&in] { return static_cast<std::uint32_t>(in.word()); };
     const std::uint8_t flags = in.byte();
     request.extension.start_where_it_is = (flags & 1) != 0;
-    request.extension.farewell = (flags & 2) != 0;
+    request.extension.end_of_session = (flags & 2) != 0;
     request.extension.only_if_up = (flags & 4) != 0;
     request.extension.unattended = (flags & 8) != 0;
     request.extension.fault_resets = word();
@@ -109,22 +109,22 @@ void readExtension(SectionCursor& in, Request& request) {
 
 }  // namespace
 
-void readSections(std::span<const std::uint8_t> sections, Request& request, Oddities& oddities) {
+void readSections(std::span<const std::uint8_t> sections, Request& request, RequestIssues& issues) {
   SectionCursor in{sections};
   request = {};
-  oddities = {};
+  issues = {};
   request.accelerometer = in.take('A');
   request.gyro = in.take('G');
   request.camera = in.take('C');
-  for (std::size_t i = 0; i < kLeds && in.take('L', 4); ++i) readLed(in, request, oddities);
-  for (std::size_t i = 0; i < kJoints && in.take('S', 1); ++i) readMotor(in, request, oddities);
-  for (std::size_t i = 0; i < kJoints && in.take('P', 1); ++i) readIndex(in, request.positions, oddities);
-  for (std::size_t i = 0; i < kJoints && in.take('F', 1); ++i) readIndex(in, request.torques, oddities);
+  for (std::size_t i = 0; i < kLeds && in.take('L', 4); ++i) readLed(in, request, issues);
+  for (std::size_t i = 0; i < kJoints && in.take('S', 1); ++i) readMotor(in, request, issues);
+  for (std::size_t i = 0; i < kJoints && in.take('P', 1); ++i) readIndex(in, request.positions, issues);
+  for (std::size_t i = 0; i < kJoints && in.take('F', 1); ++i) readIndex(in, request.torques, issues);
   if (in.take(static_cast<char>(kExtensionTag), 2)) readExtension(in, request);
-  oddities.cut_off = in.cutOff();
+  issues.cut_off = in.cutOff();
   if (in.cutOff() || in.here() == 0) return;
-  oddities.unknown_at = kRequestHead + in.at();
-  oddities.unknown_byte = in.here();
+  issues.unknown_at = kRequestHead + in.at();
+  issues.unknown_byte = in.here();
 }
 
 std::span<std::uint8_t> RequestReader::room() {
@@ -134,18 +134,18 @@ std::span<std::uint8_t> RequestReader::room() {
   return std::span{buffer_}.subspan(end_);
 }
 
-RequestReader::Found RequestReader::next(Request& request, Oddities& oddities) {
+RequestReader::Result RequestReader::next(Request& request, RequestIssues& issues) {
   const auto* const first = std::find(buffer_.data() + begin_, buffer_.data() + end_, kFirstByte);
   const std::size_t skipped = static_cast<std::size_t>(first - buffer_.data()) - begin_;
   garbage_ += skipped;
   begin_ += skipped;
-  if (pending() < kRequestHead) return Found::kNothing;
+  if (pending() < kRequestHead) return Result::kIncomplete;
   const std::size_t length = first[1] | first[2] << 8;
-  if (length < kRequestHead || length > kMostStated) return Found::kRefused;
-  if (pending() < length) return Found::kNothing;
-  readSections({first + kRequestHead, length - kRequestHead}, request, oddities);
+  if (length < kRequestHead || length > kMostStated) return Result::kInvalid;
+  if (pending() < length) return Result::kIncomplete;
+  readSections({first + kRequestHead, length - kRequestHead}, request, issues);
   begin_ += length;
-  return Found::kRequest;
+  return Result::kRequest;
 }
 
 }  // namespace darwinop::remote

@@ -1,4 +1,4 @@
-// Requests out of a stream of bytes, however it is cut into pieces.
+// Incremental parser of requests in a byte stream.
 #pragma once
 
 #include <array>
@@ -12,18 +12,18 @@ namespace darwinop::remote {
 
 class RequestReader {
  public:
-  enum class Found : std::uint8_t {
-    kNothing,  // more bytes are needed
+  enum class Result : std::uint8_t {
+    kIncomplete,  // more bytes are needed
     kRequest,
-    kRefused  // a length that no request has: nothing behind it can be trusted, and nothing more is read
+    kInvalid  // invalid length: the stream is out of sync, stop reading
   };
 
-  /// Room for bytes to come; `filled` of them are there then. Never empty once next() has found nothing.
+  /// Buffer for the next read; report its size with filled(). Not empty after next() has returned kIncomplete.
   [[nodiscard]] std::span<std::uint8_t> room();
   void filled(std::size_t count) { end_ += count; }
 
-  /// The next whole request. Bytes before a 'W' are skipped and counted.
-  [[nodiscard]] Found next(Request& request, Oddities& oddities);
+  /// Parses the next complete request. Skips and counts bytes before a 'W'.
+  [[nodiscard]] Result next(Request& request, RequestIssues& issues);
 
   [[nodiscard]] std::size_t garbageBytes() const { return garbage_; }
   [[nodiscard]] std::size_t pending() const { return end_ - begin_; }
@@ -33,7 +33,7 @@ class RequestReader {
   std::size_t begin_ = 0, end_ = 0, garbage_ = 0;
 };
 
-/// The sections of a request: what lies behind the head, with or without its NUL.
-void readSections(std::span<const std::uint8_t> sections, Request& request, Oddities& oddities);
+/// Parses the sections of a request: the bytes after the header, with or without the NUL.
+void readSections(std::span<const std::uint8_t> sections, Request& request, RequestIssues& issues);
 
 }  // namespace darwinop::remote

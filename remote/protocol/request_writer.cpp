@@ -1,12 +1,12 @@
-// A request as bytes, as the simulator's clients write it.
+// Serializes requests byte for byte as the simulator's clients do.
 #include "remote/protocol/request_writer.hpp"
 
 namespace darwinop::remote {
 namespace {
 
-class RequestPen {
+class RequestWriter {
  public:
-  explicit RequestPen(RequestBuffer& buffer) : buffer_{buffer} {}
+  explicit RequestWriter(RequestBuffer& buffer) : buffer_{buffer} {}
 
   void byte(std::uint8_t value) { buffer_[size_++] = value; }
   void tag(char value) { byte(static_cast<std::uint8_t>(value)); }
@@ -26,7 +26,7 @@ class RequestPen {
   std::size_t size_ = 0;
 };
 
-void writeMotor(const MotorSetting& motor, RequestPen& out) {
+void writeMotor(const MotorSetting& motor, RequestWriter& out) {
   out.tag('S');
   out.byte(static_cast<std::uint8_t>(motor.joint));
   const auto sub = [&](char tag, MotorSetting::Bit bit, std::int32_t value) {
@@ -45,11 +45,11 @@ void writeMotor(const MotorSetting& motor, RequestPen& out) {
   sub('f', MotorSetting::kTorque, motor.torque);
 }
 
-void writeExtension(const Extension& extension, RequestPen& out) {
+void writeExtension(const Extension& extension, RequestWriter& out) {
   out.byte(kExtensionTag);
   out.byte(kExtensionVersion);
   out.byte(kExtensionContent);
-  out.byte(static_cast<std::uint8_t>((extension.start_where_it_is ? 1 : 0) | (extension.farewell ? 2 : 0) |
+  out.byte(static_cast<std::uint8_t>((extension.start_where_it_is ? 1 : 0) | (extension.end_of_session ? 2 : 0) |
                                      (extension.only_if_up ? 4 : 0) | (extension.unattended ? 8 : 0)));
   out.word(static_cast<std::int32_t>(extension.fault_resets));
   out.word(static_cast<std::int32_t>(extension.picture));
@@ -60,9 +60,9 @@ void writeExtension(const Extension& extension, RequestPen& out) {
 }  // namespace
 
 std::span<const std::uint8_t> writeRequest(const Request& request, RequestBuffer& buffer) {
-  RequestPen out{buffer};
+  RequestWriter out{buffer};
   out.byte(kFirstByte);
-  out.byte(0);  // the length, known at the end
+  out.byte(0);  // length, filled in by finish()
   out.byte(0);
   if (request.accelerometer) out.tag('A');
   if (request.gyro) out.tag('G');

@@ -1,4 +1,4 @@
-// A request as bytes, as the simulator's clients write it.
+// Serializes requests byte for byte as the simulator's clients do.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace darwinop::remote {
 
 using RequestBuffer = std::array<std::uint8_t, kLongestRequest>;
 
-/// The part of `buffer` that holds the request.
+/// Returns the used part of `buffer`.
 [[nodiscard]] std::span<const std::uint8_t> writeRequest(const Request& request, RequestBuffer& buffer);
 
 }  // namespace darwinop::remote

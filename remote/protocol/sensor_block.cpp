@@ -1,5 +1,5 @@
-// The sensor block of the protocol extension, docs/remote-protocol.md: one list of the values, in wire order, defines
-// it for both directions.
+// Sensor block of the protocol extension (docs/remote-protocol.md). One list of values in wire order serves reader and
+// writer.
 #include "remote/protocol/sensor_block.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace darwinop::remote {
 namespace {
 
 constexpr std::uint8_t kAgeNever = 255;
-constexpr std::uint32_t kAgeMost = 254;  // this old or older
+constexpr std::uint32_t kAgeMost = 254;  // this age or older
 
 class BlockWriter {
  public:
@@ -71,7 +71,7 @@ class BlockReader {
     unsigned all = taken<std::uint8_t>();
     ((bits = (all & 1U) != 0, all >>= 1U), ...);
   }
-  /// What is beyond `most` becomes the first one.
+  /// A value beyond `most` becomes the first enumerator.
   template <class Enum>
   void choice(Enum& value, Enum most) {
     const auto number = taken<std::uint8_t>();

@@ -1,4 +1,4 @@
-// The sensor block of the protocol extension (docs/remote-protocol.md). sensor_block.cpp defines its layout.
+// Sensor block of the protocol extension (docs/remote-protocol.md). sensor_block.cpp defines its layout.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace darwinop::remote {
 
 inline constexpr std::size_t kSensorBlock = 838;  // bytes
 
-/// Adds kSensorBlock bytes. Values leave as binary32: an angle is off by less than 3e-7 rad.
+/// Appends kSensorBlock bytes. Values are binary32: the rounding error of an angle is below 3e-7 rad.
 void writeSensors(const Sensors& seen, std::vector<std::uint8_t>& bytes);
 
-/// `bytes`: kSensorBlock of them. Any bytes are an image: numbers of faults and states that are none become none.
+/// `bytes`: kSensorBlock bytes. Accepts any bytes: unknown numbers of faults and states become "none".
 [[nodiscard]] Sensors readSensors(std::span<const std::uint8_t> bytes);
 
 }  // namespace darwinop::remote

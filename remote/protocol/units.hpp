@@ -1,5 +1,5 @@
-// Between the numbers on the wire and SI units. Both ways cut towards zero, and so lose a little: the clients of 2013
-// and of today do the same, and a robot driven by them moves to the last tick as it did.
+// Conversion between wire units and SI units. Both directions truncate towards zero, as the clients of 2013 do, so that
+// the robot moves to the same tick.
 #pragma once
 
 #include <cmath>
@@ -10,10 +10,10 @@
 
 namespace darwinop::remote {
 
-/// "Not known" in a reply: no count, angle or torque is ever this. The protocol of 2013 has no word for it.
+/// Unknown value in a reply. The 2013 protocol does not define one; no count, angle or torque has this value.
 inline constexpr std::int32_t kNoValue = std::numeric_limits<std::int32_t>::min();
 
-/// Cut towards zero; what does not fit, or is no number, becomes kNoValue, as on the clients' processors.
+/// Truncates towards zero; NaN and overflow become kNoValue, as the conversion of x86 processors does.
 inline std::int32_t cut(double value) {
   return std::abs(value) < 2147483648.0 ? static_cast<std::int32_t>(value) : kNoValue;
 }
@@ -38,14 +38,14 @@ inline std::int32_t wireFromGain(double gain) {
 constexpr double positionFromWire(std::int32_t wire) {
   return kPi * wire / 2048.0;
 }
-/// An encoder knows no other angle; the old server overhears the others.
+/// Range of the encoder; the 2013 server ignores other values.
 constexpr bool isEncoderPosition(std::int32_t wire) {
   return wire >= -2048 && wire <= 2047;
 }
 constexpr double velocityFromWire(std::int32_t wire) {
   return wire * 0.114 * kPi / 30.0;
 }
-/// Whole numbers: the old server divides so. -1, no limit, survives; 0.5 becomes 0.
+/// Integer division, as in the 2013 server: 0.5 becomes 0. -1 means no limit.
 constexpr double accelerationFromWire(std::int32_t wire) {
   const std::int32_t whole = wire / 100000;
   return whole;
@@ -64,7 +64,7 @@ inline std::int32_t wireFromMeasuredPosition(double rad) {
 inline std::int32_t wireFromMeasuredTorque(double newton_meter) {
   return cut(newton_meter * 10000.0);
 }
-/// For a position in rad or a torque in N m; NaN for "not known".
+/// Position in rad or torque in N m; NaN if unknown.
 constexpr double measuredFromWire(std::int32_t wire) {
   return wire == kNoValue ? std::numeric_limits<double>::quiet_NaN() : wire / 10000.0;
 }

@@ -1,4 +1,4 @@
-// The robot of a controller's link, for the server: what the wire says becomes commands as a controller's would.
+// RobotPort on a runtime::RobotLink: converts requests to the commands that a local controller would give.
 #include "remote/robot/link_port.hpp"
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 namespace darwinop::remote {
 namespace {
 
-constexpr Nanos kDeadLoop{1'000'000'000};   // without a cycle: longer than any period
-constexpr Nanos kLongestStep{500'000'000};  // between two requests; after more the lease is gone
-constexpr double kAtRest = 0.1;             // rad: a joint at rest is nearer to its goal, whatever hangs on it
-constexpr std::uint32_t kBelieved = 3;      // cycles: a position that is older may be far off
+constexpr Nanos kDeadLoop{1'000'000'000};     // without a cycle: the loop counts as dead; longer than any period
+constexpr Nanos kLongestStep{500'000'000};    // between two requests; the lease is given back after that
+constexpr double kAtRest = 0.1;               // rad: maximum distance of a joint at rest from its goal, under any load
+constexpr std::uint32_t kMaxPositionAge = 3;  // cycles: an older position may be far off
 constexpr std::atomic<bool> kNever{false};
 
 std::string faultText(const SafetyReport& report) {
@@ -35,45 +35,45 @@ std::uint8_t panelBit(Led led) {
 
 LinkPort::LinkPort(Home home, Connect connect, bool start_where_it_is)
     : home_{home}, connect_{std::move(connect)}, start_where_it_is_{start_where_it_is} {
-  forgetWishes();
-  if (home_ == Home::kOwn) link_ = connect_();
+  clearCommands();
+  if (home_ == Home::kEmbedded) link_ = connect_();
 }
 
-void LinkPort::forgetWishes() {
+void LinkPort::clearCommands() {
   motors_.clear();
   for (std::size_t i = 0; i < kJoints; ++i) motors_.emplace_back(static_cast<Joint>(i));
   commands_ = {};
 }
 
-void LinkPort::begin(Beginning beginning) {
-  const bool again = beginning == Beginning::kAgain;
+void LinkPort::startSession(SessionStart start) {
+  const bool again = start == SessionStart::kResumed;
   if (home_ == Home::kDaemon) {
     link_ = connect_();
-  } else if (used_) {
-    // Safety meets a driver that it does not know, as it would after a lease that changed hands.
+  } else if (had_session_) {
+    // For safety this is a new driver, as after a change of the lease.
     if (auto* const exchange = dynamic_cast<runtime::ExchangeLink*>(link_.get())) exchange->beginSession();
   }
-  used_ = true;
-  if (!again) forgetWishes();
+  had_session_ = true;
+  if (!again) clearCommands();
   commands_.start_where_it_is = again || start_where_it_is_;
   commands_.unattended = again;
-  // The cycle under way may have begun before the first image was there: only the one after it speaks of us.
+  // The present cycle may have started before this session: only images of later cycles refer to it.
   last_cycle_ = link_->sensors().cycle;
-  first_of_ours_ = last_cycle_ + 2;
-  obeyed_ = last_cycle_at_ = simulated_ = clock_.now();
+  first_session_cycle_ = last_cycle_ + 2;
+  applied_at_ = last_cycle_at_ = simulated_at_ = clock_.now();
 }
 
-/// Safety knows a driver from its first commands on only.
-void LinkPort::leaveAlone() noexcept {
+/// For safety a session starts with its first commands, so none has started yet.
+void LinkPort::cancelSession() noexcept {
   if (home_ == Home::kDaemon) link_.reset();
 }
 
-void LinkPort::obey(const Request& request) {
-  for (const LedSetting& led : request.leds) light(led);
-  for (const MotorSetting& motor : request.motors) listenTo(motor);
+void LinkPort::apply(const Request& request) {
+  for (const LedSetting& led : request.leds) applyLed(led);
+  for (const MotorSetting& motor : request.motors) applyMotor(motor);
   const Nanos now = clock_.now();
-  const double dt_s = std::chrono::duration<double>(std::min(now - obeyed_, kLongestStep)).count();
-  obeyed_ = now;
+  const double dt_s = std::chrono::duration<double>(std::min(now - applied_at_, kLongestStep)).count();
+  applied_at_ = now;
   const Sensors seen = link_->sensors();
   for (std::size_t i = 0; i < kJoints; ++i) commands_.joint[i] = motors_[i].command(seen.joint[i], dt_s);
   if (request.extended) {
@@ -85,7 +85,7 @@ void LinkPort::obey(const Request& request) {
   if (!link_->realTime()) simulate(request);
 }
 
-void LinkPort::listenTo(const MotorSetting& setting) {
+void LinkPort::applyMotor(const MotorSetting& setting) {
   using M = MotorSetting;
   MotorControl& motor = motors_[index(setting.joint)];
   if (setting.has(M::kPosition) && isEncoderPosition(setting.position))
@@ -97,28 +97,28 @@ void LinkPort::listenTo(const MotorSetting& setting) {
   if (setting.has(M::kTorque)) motor.setTorque(torqueFromWire(setting.torque));
 }
 
-void LinkPort::light(const LedSetting& setting) {
+void LinkPort::applyLed(const LedSetting& setting) {
   LedCommand& led = commands_.led;
   const int colour = static_cast<int>(setting.colour);
   if (setting.led == Led::kEye) return led.setEye(rgb15From24(colour));
   if (setting.led == Led::kHead) return led.setHead(rgb15From24(colour));
-  // The three back LEDs share one register: the others stay as they were asked for, or as the board shows them.
+  // The three back LEDs share one register: the other two keep their commanded or their present state.
   const int others = led.has(LedCommand::kPanel) ? led.panel : link_->sensors().board.led_panel;
   const int bit = panelBit(setting.led);
   led.setPanel(static_cast<std::uint8_t>(colour == 1 ? others | bit : others & ~bit));
 }
 
-/// In lockstep nobody else runs the cycles: as many as time has gone by, at least one.
+/// In lockstep the server runs the cycles: as many as real time has passed, at least one.
 void LinkPort::simulate(const Request& request) {
   if (request.extended) return simulateUntil(request.extension.until_cycle);
   const Nanos now = clock_.now();
-  const Nanos gone_by = std::min(now - simulated_, kLongestStep);
-  simulated_ = now;
-  const auto cycles = std::max<Nanos::rep>(1, gone_by / link_->period());
+  const Nanos elapsed = std::min(now - simulated_at_, kLongestStep);
+  simulated_at_ = now;
+  const auto cycles = std::max<Nanos::rep>(1, elapsed / link_->period());
   (void)link_->waitForCycle(link_->sensors().cycle + static_cast<std::uint64_t>(cycles), kNever);
 }
 
-/// Our own client says how far: its run is the same every time, however fast the network and the machines are.
+/// A client with the extension names the cycle, so that runs are repeatable on any network and machine.
 void LinkPort::simulateUntil(std::uint64_t cycle) {
   const std::uint64_t now = link_->sensors().cycle;
   const auto most = static_cast<std::uint64_t>(kLongestStep / link_->period());
@@ -129,59 +129,61 @@ void LinkPort::waitForNextCycle() {
   (void)link_->waitForCycle(link_->sensors().cycle + 1, kNever);
 }
 
-std::string LinkPort::mustEnd() {
+std::string LinkPort::endReason() {
   const Sensors seen = link_->sensors();
   const Nanos now = clock_.now();
   if (seen.cycle != last_cycle_) {
     last_cycle_ = seen.cycle;
     last_cycle_at_ = now;
   }
-  if (seen.cycle >= first_of_ours_ && seen.safety.controller_must_end) return faultText(seen.safety);
-  // A cycle that is finished is not waited for; whether the loop goes on is looked at all the same.
+  if (seen.cycle >= first_session_cycle_ && seen.safety.controller_must_end) return faultText(seen.safety);
+  // Returns at once for a finished cycle, and fails if the loop has ended.
   if (!link_->waitForCycle(seen.cycle, kNever)) return link_->whyEnded();
   if (link_->realTime() && now - last_cycle_at_ > kDeadLoop)
-    return "the robot's loop has not run a cycle for 1 s; look at it with: darwinop runtime --status";
+    return "the robot's loop has not run a cycle for 1 s; check it with: darwinop runtime --status";
   return {};
 }
 
 void LinkPort::hold() noexcept {
   const Sensors seen = link_->sensors();
   for (std::size_t i = 0; i < kJoints; ++i)
-    if (const Rad rest = restingPlace(seen, i); rest.known()) commands_.joint[i].setGoal(rest);
-  // Safety holds within stall_ms what is silent, but lets a slow joint go on to its goal; this is at once, and here.
+    if (const Rad rest = holdPosition(seen, i); rest.known()) commands_.joint[i].setGoal(rest);
+  // Safety holds a silent driver only after stall_ms, and lets a slow joint continue to its goal; this holds at once.
   link_->publish(commands_);
-  if (home_ == Home::kOwn) return;
+  if (home_ == Home::kEmbedded) return;
   link_->leaveHolding();
   link_.reset();
 }
 
-void LinkPort::farewellForWhoLeft() noexcept try {
-  if (home_ == Home::kOwn || !used_ || link_) return;  // who drives says it when the link goes
+void LinkPort::endAbandonedSession() noexcept try {
+  if (home_ == Home::kEmbedded || !had_session_ || link_)
+    return;  // a client that drives: the link's destructor ends the session
   link_ = connect_();
-  // What the client wished for last may not be seen yet.
+  // The client's last commands may not be in the image yet.
   if (!link_->waitForCycle(link_->sensors().cycle + 2, kNever)) return link_.reset();
   const State state = link_->sensors().safety.state;
   commands_.start_where_it_is = commands_.unattended = true;
   const bool at_rest = !drives(state) || state == State::kKneeling;
-  if (!at_rest) link_->publish(commands_);  // who never spoke says none
+  if (!at_rest) link_->publish(commands_);  // without commands the session does not start, so it does not end either
   link_.reset();
 } catch (const std::exception&) {
-  return;  // somebody else drives, or no loop runs: the robot is in other hands
+  return;  // another process drives, or no loop runs
 }
 
-void LinkPort::farewell() noexcept {
+void LinkPort::endSession() noexcept {
   commands_.farewell = true;
   link_->publish(commands_);
   commands_.farewell = false;
-  if (home_ == Home::kDaemon) link_.reset();  // says it once more
+  if (home_ == Home::kDaemon) link_.reset();  // the link's destructor ends the session once more
 }
 
-/// Where a joint is to stay, or not known: it has no goal, so it needs no other one.
-Rad LinkPort::restingPlace(const Sensors& seen, std::size_t joint) const {
+/// Position at which to hold a joint; unknown if it has no goal.
+Rad LinkPort::holdPosition(const Sensors& seen, std::size_t joint) const {
   const JointSensors& now = seen.joint[joint];
   const bool to_start_pose = seen.safety.state != State::kDriven && !commands_.start_where_it_is;
-  if (to_start_pose) return radFromTicks(kJointTable[joint].start);  // safety goes there first, whoever drives
-  const bool on_the_way = std::abs(now.commanded.value - now.position.value) > kAtRest && now.motion.age <= kBelieved;
+  if (to_start_pose) return radFromTicks(kJointTable[joint].start);  // every session starts with a move there
+  const bool on_the_way =
+      std::abs(now.commanded.value - now.position.value) > kAtRest && now.motion.age <= kMaxPositionAge;
   return on_the_way ? now.position : now.commanded;
 }
 

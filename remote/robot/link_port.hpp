@@ -1,4 +1,4 @@
-// The robot of a controller's link, for the server: what the wire says becomes commands as a controller's would.
+// RobotPort on a runtime::RobotLink: converts requests to the commands that a local controller would give.
 #pragma once
 
 #include <array>
@@ -21,58 +21,58 @@ class LinkPort final : public RobotPort {
   using Connect = std::function<std::unique_ptr<runtime::RobotLink>()>;
 
   enum class Home : bool {
-    kDaemon,  // the link is the lease: there is one while a client drives
-    kOwn      // the loop is in this process: there is one link, from now to the end
+    kDaemon,   // a link holds the lease: it exists while a client drives
+    kEmbedded  // the loop runs in this process: one link from construction to destruction
   };
 
-  /// Throws what `connect` throws when the home is our own.
+  /// Throws what `connect` throws if the home is kEmbedded.
   LinkPort(Home home, Connect connect, bool start_where_it_is);
-  /// Whoever drives says farewell: safety does what [Safety] on_exit asks for.
+  /// Ends an open session: safety does what [Safety] on_exit requests.
   ~LinkPort() override = default;
 
-  void begin(Beginning beginning) override;
-  void leaveAlone() noexcept override;
-  void obey(const Request& request) override;
+  void startSession(SessionStart start) override;
+  void cancelSession() noexcept override;
+  void apply(const Request& request) override;
   [[nodiscard]] Sensors sensors() override { return link_->sensors(); }
-  /// Cycle from which on safety speaks of who has begun last.
-  [[nodiscard]] std::uint64_t firstOfOurs() const { return first_of_ours_; }
-  [[nodiscard]] std::string mustEnd() override;
-  /// For who drives by the robot's step. Returns, too, when the robot has gone: mustEnd() knows. Between begin() and
-  /// hold().
+  /// First cycle whose safety report refers to the present session.
+  [[nodiscard]] std::uint64_t firstSessionCycle() const { return first_session_cycle_; }
+  [[nodiscard]] std::string endReason() override;
+  /// Waits for the robot's next cycle. Also returns when the loop has ended, see endReason(). Between startSession()
+  /// and hold().
   void waitForNextCycle();
   void hold() noexcept override;
-  void farewell() noexcept override;
+  void endSession() noexcept override;
   [[nodiscard]] bool realTime() const override { return link_->realTime(); }
 
-  /// At the end of the program. A client that has left gave the lease back without a farewell, and the robot holds for
-  /// gone_s; said in its place, on_exit follows at once.
-  void farewellForWhoLeft() noexcept;
+  /// For the end of the program: ends the session of a client that has disconnected without ending it. Otherwise the
+  /// robot would hold for gone_s before on_exit applies.
+  void endAbandonedSession() noexcept;
 
-  /// Opens what the robot sees, in this form. Throws std::runtime_error when it has no camera.
+  /// Opens the robot's camera in this pixel format. Throws std::runtime_error if there is none.
   using OpenFrames = std::function<std::unique_ptr<FrameSource>(runtime::RobotLink&, PictureForm)>;
-  /// The robot's camera frames as JPEG. Between begin() and hold(), which it must not outlive. Throws what
-  /// `open_frames` throws.
+  /// The robot's camera frames as JPEG. Call after startSession(); destroy before hold(). Throws what `open_frames`
+  /// throws.
   [[nodiscard]] std::unique_ptr<PictureSource> openPictures(ImageSize size, const OpenFrames& open_frames,
-                                                            const std::function<void(const std::string&)>& say);
+                                                            const std::function<void(const std::string&)>& log);
 
  private:
-  void listenTo(const MotorSetting& setting);
-  void light(const LedSetting& setting);
-  [[nodiscard]] Rad restingPlace(const Sensors& seen, std::size_t joint) const;
-  void forgetWishes();
+  void applyMotor(const MotorSetting& setting);
+  void applyLed(const LedSetting& setting);
+  [[nodiscard]] Rad holdPosition(const Sensors& seen, std::size_t joint) const;
+  void clearCommands();
   void simulate(const Request& request);
   void simulateUntil(std::uint64_t cycle);
 
   Home home_;
   Connect connect_;
-  bool start_where_it_is_, used_ = false;
+  bool start_where_it_is_, had_session_ = false;
   runtime::MonotonicClock clock_;
   std::unique_ptr<runtime::RobotLink> link_;
   std::vector<MotorControl> motors_;  // by joint
   Commands commands_{};
-  std::uint64_t first_of_ours_ = 0;  // cycle from which on safety speaks of this client
+  std::uint64_t first_session_cycle_ = 0;  // first cycle whose safety report refers to the session
   std::uint64_t last_cycle_ = 0;
-  Nanos obeyed_{0}, last_cycle_at_{0}, simulated_{0};
+  Nanos applied_at_{0}, last_cycle_at_{0}, simulated_at_{0};
 };
 
 }  // namespace darwinop::remote

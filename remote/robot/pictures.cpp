@@ -1,4 +1,4 @@
-// The eye of the robot that a client drives, as JPEG.
+// Camera pictures of the robot for a client that drives.
 #include "remote/jpeg/live_pictures.hpp"
 #include "remote/jpeg/lockstep_pictures.hpp"
 #include "remote/robot/link_port.hpp"
@@ -6,7 +6,7 @@
 namespace darwinop::remote {
 
 std::unique_ptr<PictureSource> LinkPort::openPictures(ImageSize size, const OpenFrames& open_frames,
-                                                      const std::function<void(const std::string&)>& say) {
+                                                      const std::function<void(const std::string&)>& log) {
   const bool live = link_->realTime();
   std::unique_ptr<FrameSource> frames = open_frames(*link_, live ? PictureForm::kYuyv : PictureForm::kBgra);
   runtime::RobotLink* const link = link_.get();
@@ -15,7 +15,7 @@ std::unique_ptr<PictureSource> LinkPort::openPictures(ImageSize size, const Open
   return std::make_unique<LivePictures>(
       std::move(frames),
       LivePictures::Options{
-          .size = size, .quality = qualityOf(size), .now = [] { return runtime::MonotonicClock{}.now(); }, .say = say});
+          .size = size, .quality = qualityOf(size), .now = [] { return runtime::MonotonicClock{}.now(); }, .log = log});
 }
 
 }  // namespace darwinop::remote

@@ -1,4 +1,4 @@
-// One connection: what came, what has still to go out, what was already said about it.
+// Connection of one client: receive buffer, send buffer, and what has been logged about it.
 #include "remote/server/client.hpp"
 
 #include <netinet/in.h>
@@ -11,11 +11,11 @@
 namespace darwinop::remote {
 namespace {
 
-bool comesLater(int error) {
+bool isTemporary(int error) {
   return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
 }
 
-/// Bytes that one packet to the client carries; 0: not known.
+/// TCP segment size towards the client, bytes; 0: unknown.
 std::size_t segmentBytes(int descriptor) {
   int bytes = 0;
   socklen_t size = sizeof bytes;
@@ -29,16 +29,16 @@ std::size_t segmentBytes(int descriptor) {
 bool Client::receive() {
   const std::span<std::uint8_t> room = reader_.room();
   const ssize_t count = ::recv(descriptor(), room.data(), room.size(), 0);
-  if (count == 0) return ended("has left");
-  if (count < 0) return comesLater(errno) || ended(std::string{"the connection was lost: "} + std::strerror(errno));
+  if (count == 0) return ended("has disconnected");
+  if (count < 0) return isTemporary(errno) || ended(std::string{"the connection was lost: "} + std::strerror(errno));
   reader_.filled(static_cast<std::size_t>(count));
   return true;
 }
 
 bool Client::reply(const Request& request, const Reply& reply) {
   writeReply(request, reply, out_);
-  // Alone in the last packet the NUL may come after its reply was read. A client of 2013 would take it for the head of
-  // the next reply and wait for ever; without any NUL both historic clients go on.
+  // Alone in the last segment, the NUL may arrive after its reply was read. A client of 2013 would take it for the
+  // start of the next reply and hang. Without the NUL, both clients of 2013 work.
   const std::size_t segment = segmentBytes(descriptor());
   if (segment > 0 && out_.size() % segment == 1) out_.pop_back();
   sent_ = 0;
@@ -46,9 +46,9 @@ bool Client::reply(const Request& request, const Reply& reply) {
 }
 
 bool Client::flush() {
-  while (owes()) {
+  while (hasUnsent()) {
     const ssize_t count = ::send(descriptor(), out_.data() + sent_, out_.size() - sent_, MSG_NOSIGNAL);
-    if (count < 0) return comesLater(errno) || ended(std::string{"the connection was lost: "} + std::strerror(errno));
+    if (count < 0) return isTemporary(errno) || ended(std::string{"the connection was lost: "} + std::strerror(errno));
     sent_ += static_cast<std::size_t>(count);
   }
   return true;

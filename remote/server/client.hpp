@@ -1,4 +1,4 @@
-// One connection: what came, what has still to go out, what was already said about it.
+// Connection of one client: receive buffer, send buffer, and what has been logged about it.
 #pragma once
 
 #include <cstdint>
@@ -9,42 +9,42 @@
 #include "hal/byte_line.hpp"
 #include "hal/net/socket.hpp"
 #include "remote/protocol/request_reader.hpp"
-#include "remote/server/answer.hpp"
+#include "remote/server/reply_builder.hpp"
 
 namespace darwinop::remote {
 
 class Client {
  public:
   Client(net::Socket socket, std::string name, Nanos now)
-      : heard{now}, socket_{std::move(socket)}, name_{std::move(name)} {}
+      : last_request_at{now}, socket_{std::move(socket)}, name_{std::move(name)} {}
 
   [[nodiscard]] int descriptor() const { return socket_.descriptor(); }
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// Reads what is there. False: the connection has ended; why() says how.
+  /// Reads available bytes. False: the connection has ended, see why().
   [[nodiscard]] bool receive();
-  [[nodiscard]] RequestReader::Found next(Request& request, Oddities& oddities) {
-    return reader_.next(request, oddities);
+  [[nodiscard]] RequestReader::Result next(Request& request, RequestIssues& issues) {
+    return reader_.next(request, issues);
   }
   [[nodiscard]] std::size_t garbageBytes() const { return reader_.garbageBytes(); }
 
-  /// A reply leaves in one call, with its NUL unless that would travel alone. False: the connection has ended.
+  /// Sends a reply in one call, with its NUL unless that would be alone in a segment. False: the connection has ended.
   [[nodiscard]] bool reply(const Request& request, const Reply& reply);
-  /// Sends what the network did not take yet. False: the connection has ended.
+  /// Sends the rest of a reply. False: the connection has ended.
   [[nodiscard]] bool flush();
-  [[nodiscard]] bool owes() const { return sent_ < out_.size(); }
+  [[nodiscard]] bool hasUnsent() const { return sent_ < out_.size(); }
   [[nodiscard]] const std::string& why() const { return why_; }
 
-  Nanos heard;                   // its last whole request; before the first one, when it came
-  bool drives = false;           // holds the lease
-  bool driven = false;           // has held it
-  Nanos began{0};                // when it got the lease
-  Nanos asked{0};                // when the request came that is being answered
-  bool more = false;             // requests that were read and not looked at: the server had no allowance left
-  std::optional<Request> waits;  // for values that the robot has not told yet, or for a cycle
-  Oddities told{};               // what has been said of its requests
-  Doubts told_values{};          // and of the replies
-  bool told_garbage = false, told_no_picture = false;
+  Nanos last_request_at;           // time of the last complete request; before the first one, of the connection
+  bool drives = false;             // has the lease
+  bool has_driven = false;         // has had the lease
+  Nanos session_start{0};          // when it got the lease
+  Nanos request_at{0};             // when the present request arrived
+  bool has_backlog = false;        // requests were read but not handled, because the rate limit was reached
+  std::optional<Request> waiting;  // request that waits for first sensor values or for a cycle
+  RequestIssues logged_issues{};   // logged problems of its requests
+  StaleValues logged_values{};     // logged stale values of its replies
+  bool logged_garbage = false, logged_no_picture = false;
 
  private:
   [[nodiscard]] bool ended(const std::string& why) {

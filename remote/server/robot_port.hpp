@@ -1,4 +1,4 @@
-// What the server needs of a robot: a lease, somebody who obeys, the newest sensors.
+// Interface between server and robot: sessions, commands, sensors.
 #pragma once
 
 #include <cstdint>
@@ -9,38 +9,38 @@
 
 namespace darwinop::remote {
 
-enum class Beginning : std::uint8_t {
-  kFresh,  // a new client: the robot begins as with a new controller
-  kAgain   // the same one after a silence: from where the robot is, and what it had said still holds
+enum class SessionStart : std::uint8_t {
+  kNew,     // a new client: as for a new controller
+  kResumed  // the same client after a silence: from the present position, with its earlier commands
 };
 
-/// Used by one thread. Nothing here waits for the robot.
+/// Not thread-safe. No call waits for the robot.
 class RobotPort {
  public:
   virtual ~RobotPort() = default;
 
-  /// Takes the driving lease. Throws std::runtime_error with what to do when that cannot be.
-  virtual void begin(Beginning beginning) = 0;
+  /// Takes the driving lease. Throws std::runtime_error with the remedy.
+  virtual void startSession(SessionStart start) = 0;
 
-  /// Gives the lease back as if begin() had not been.
-  virtual void leaveAlone() noexcept {}
+  /// Gives the lease back without any command to the robot.
+  virtual void cancelSession() noexcept {}
 
-  /// Carries out a request's LEDs and motors. Between begin() and hold() only, as all that follows.
-  virtual void obey(const Request& request) = 0;
+  /// Applies the LEDs and motors of a request. This and the following calls require an open session.
+  virtual void apply(const Request& request) = 0;
 
   /// The newest image.
   [[nodiscard]] virtual Sensors sensors() = 0;
 
-  /// A sentence when whoever drives has to end, as after torque was switched off by hand; else empty.
-  [[nodiscard]] virtual std::string mustEnd() = 0;
+  /// Why the session must end, for example after torque was switched off by hand; otherwise empty.
+  [[nodiscard]] virtual std::string endReason() = 0;
 
-  /// Motion is held where it is, the lease is given back.
+  /// Holds the present position and gives the lease back.
   virtual void hold() noexcept = 0;
 
-  /// Instead of hold(), for who ends tidily: safety does what [Safety] on_exit asks for.
-  virtual void farewell() noexcept { hold(); }
+  /// Instead of hold(), for a client that ends normally: safety does what [Safety] on_exit requests.
+  virtual void endSession() noexcept { hold(); }
 
-  /// False in simulated time, where cycles run when they are asked for.
+  /// False in simulated time, where cycles run on request.
   [[nodiscard]] virtual bool realTime() const { return true; }
 };
 

@@ -1,4 +1,4 @@
-// The server: one thread, one client that drives, nothing that waits for the robot, an encoder or a slow network.
+// TCP server of remote control: single-threaded, one client at a time, never blocks on robot, encoder or network.
 #include "remote/server/server.hpp"
 
 #include <poll.h>
@@ -10,183 +10,185 @@
 namespace darwinop::remote {
 namespace {
 
-constexpr int kAtOnce = 64;          // pieces of work: a client has two a step
-constexpr Nanos kLook{100'000'000};  // a signal that comes just before a wait is noticed after it
+constexpr int kAtOnce = 64;                  // burst of the rate limit, pieces of work: a client needs two per step
+constexpr Nanos kPollInterval{100'000'000};  // bounds the delay of a signal that arrives just before a wait
 
-// Servos that nobody drives may have no power. Their first values are worth waiting for, as they were in 2013 (3 s).
-constexpr Nanos kFirstValues{2'000'000'000}, kAskAgain{4'000'000};
+// Servos may be without power before the session. The first values are waited for, as in the 2013 server (3 s).
+constexpr Nanos kFirstValues{2'000'000'000}, kFirstValuesInterval{4'000'000};
 
-// Our own clients wait here for a cycle of the robot: at most so long, a step of theirs being 200 ms or a part of it.
-constexpr Nanos kForACycle{300'000'000}, kLookForACycle{1'000'000};
+// Hold time of a request for a cycle: longer than the longest step of a client, 200 ms.
+constexpr Nanos kMaxCycleWait{300'000'000}, kCyclePollInterval{1'000'000};
 
 }  // namespace
 
 Server::Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_pictures, Clock clock,
-               net::BoundedLog::Say say)
+               net::BoundedLog::Log log)
     : config_{config},
       robot_{robot},
       open_pictures_{std::move(open_pictures)},
       clock_{std::move(clock)},
-      log_{std::move(say)},
-      allowance_{config.pace, kAtOnce},
+      log_{std::move(log)},
+      rate_limiter_{config.pace, kAtOnce},
       listener_{config.address, config.port},
       now_{clock_()} {}
 
 void Server::run(const std::atomic<bool>& stop) {
-  while (!stop) attend(kLook);
+  while (!stop) poll(kPollInterval);
 }
 
-void Server::attend(Nanos longest) {
+void Server::poll(Nanos longest) {
   now_ = clock_();
-  const bool may_work = allowance_.left(now_);
-  // While a reply is on its way no further request is read: a client that does not fetch its replies gets no more.
-  const bool looks = may_work && client_ && !client_->waits && !client_->more;
-  const short for_client = !looks ? 0 : client_->owes() ? POLLOUT : POLLIN;
+  const bool may_work = rate_limiter_.allows(now_);
+  // No request is read while a reply is unsent: a client must read its replies to get more.
+  const bool looks = may_work && client_ && !client_->waiting && !client_->has_backlog;
+  const short for_client = !looks ? 0 : client_->hasUnsent() ? POLLOUT : POLLIN;
   std::array<pollfd, 2> places{{{listener_.isOpen() && may_work ? listener_.descriptor() : -1, POLLIN, 0},
                                 {client_ ? client_->descriptor() : -1, for_client, 0}}};
-  const bool something = poll(places.data(), places.size(), waitFor(longest)) > 0;
+  const bool something = ::poll(places.data(), places.size(), pollTimeout(longest)) > 0;
   now_ = clock_();
-  log_.look(now_);
-  if (client_ && client_->waits) {
-    if (places[1].revents != 0 && !client_->receive())  // asked for nothing, it tells only of an end
-      showOut(client_->why());
-    else if (answerAgain(*client_->waits))
-      answerAll();
-  } else if (client_ && client_->more) {
-    answerAll();
+  log_.reportOmitted(now_);
+  if (client_ && client_->waiting) {
+    if (places[1].revents != 0 &&
+        !client_->receive())  // polled without events: only the end of the connection is reported
+      disconnect(client_->why());
+    else if (resume(*client_->waiting))
+      handleRequests();
+  } else if (client_ && client_->has_backlog) {
+    handleRequests();
   } else if (something && client_ && places[1].revents != 0) {
-    seeToClient();
+    serveClient();
   }
-  lookForSilence();
-  if (something && places[0].revents != 0 && listener_.isOpen()) letIn();
+  checkSilence();
+  if (something && places[0].revents != 0 && listener_.isOpen()) accept();
 }
 
-/// In ms, for poll: no longer than the client may be silent.
-int Server::waitFor(Nanos longest) const {
+/// Timeout for poll(), ms: at most until the client counts as silent.
+int Server::pollTimeout(Nanos longest) const {
   Nanos wait = longest;
-  if (const Nanos rest = allowance_.wait(now_); rest > Nanos{0})
+  if (const Nanos rest = rate_limiter_.wait(now_); rest > Nanos{0})
     wait = std::min(rest, longest);
-  else if (client_ && client_->more)
+  else if (client_ && client_->has_backlog)
     return 0;
-  if (client_ && client_->waits)
-    return static_cast<int>(std::min(longest, client_->waits->extended ? kLookForACycle : kAskAgain).count() /
-                            1'000'000);
-  if (client_ && !listener_.isOpen()) wait = std::clamp(client_->heard + config_.silence - now_, Nanos{0}, wait);
+  if (client_ && client_->waiting)
+    return static_cast<int>(
+        std::min(longest, client_->waiting->extended ? kCyclePollInterval : kFirstValuesInterval).count() / 1'000'000);
+  if (client_ && !listener_.isOpen())
+    wait = std::clamp(client_->last_request_at + config_.silence - now_, Nanos{0}, wait);
   return static_cast<int>((wait.count() + 999'999) / 1'000'000);
 }
 
-void Server::seeToClient() {
-  allowance_.spend(now_);
-  if (client_->owes() ? client_->flush() : client_->receive()) return answerAll();
-  showOut(client_->why());
+void Server::serveClient() {
+  rate_limiter_.spend(now_);
+  if (client_->hasUnsent() ? client_->flush() : client_->receive()) return handleRequests();
+  disconnect(client_->why());
 }
 
-void Server::answerAll() {
+void Server::handleRequests() {
   Request request;
-  Oddities oddities;
-  while (client_ && !client_->owes()) {
-    client_->more = !allowance_.left(now_);
-    if (client_->more) return;
-    const RequestReader::Found found = client_->next(request, oddities);
-    // A web page can make its reader's browser send anything to this port, but only behind a head of HTTP.
-    if (!client_->driven && client_->garbageBytes() > 0)
-      return showOut("speaks another protocol: its first byte begins no request");
-    switch (found) {
-      case RequestReader::Found::kNothing:
-        if (client_->garbageBytes() > 0 && !std::exchange(client_->told_garbage, true))
-          log(client_->name() + ": bytes that begin no request are skipped");
+  RequestIssues issues;
+  while (client_ && !client_->hasUnsent()) {
+    client_->has_backlog = !rate_limiter_.allows(now_);
+    if (client_->has_backlog) return;
+    const RequestReader::Result result = client_->next(request, issues);
+    // A web page can make a browser send any bytes to this port, but only after an HTTP header.
+    if (!client_->has_driven && client_->garbageBytes() > 0)
+      return disconnect("was disconnected: it uses another protocol; its first byte does not start a request");
+    switch (result) {
+      case RequestReader::Result::kIncomplete:
+        if (client_->garbageBytes() > 0 && !std::exchange(client_->logged_garbage, true))
+          log(client_->name() + ": skipped bytes that do not start a request");
         return;
-      case RequestReader::Found::kRefused:
-        return showOut("sent a length that no request has; nothing after it can be trusted");
-      case RequestReader::Found::kRequest:
-        if (oddities.any()) tellOddities(oddities);
-        allowance_.spend(now_);
-        if (!answer(request)) return;
+      case RequestReader::Result::kInvalid:
+        return disconnect("was disconnected: it sent an invalid request length");
+      case RequestReader::Result::kRequest:
+        if (issues.any()) logRequestIssues(issues);
+        rate_limiter_.spend(now_);
+        if (!handle(request)) return;
     }
   }
 }
 
-/// False: not yet, or the client was shown out.
-bool Server::answer(const Request& request) {
-  client_->asked = now_;
-  return answerAgain(request);
+/// False: the request waits, or the client was disconnected.
+bool Server::handle(const Request& request) {
+  client_->request_at = now_;
+  return resume(request);
 }
 
-/// The same of a request that has waited.
-bool Server::answerAgain(const Request& request) {
-  client_->heard = now_;
+/// The same for a request that has waited.
+bool Server::resume(const Request& request) {
+  client_->last_request_at = now_;
   if (!mayDrive(request)) return false;
-  if (!client_->waits || !request.extended) robot_.obey(request);
+  if (!client_->waiting || !request.extended) robot_.apply(request);
   const Sensors seen = robot_.sensors();
-  if (request.extended && isToCome(request.extension.until_cycle, seen)) {
-    client_->waits = request;
+  if (request.extended && mustAwait(request.extension.until_cycle, seen)) {
+    client_->waiting = request;
     return false;
   }
   const JpegPicture newest = picture(request);
-  Doubts doubts;
-  Reply reply = answerTo(request, seen, newest.jpeg, doubts);
+  StaleValues stale;
+  Reply reply = makeReply(request, seen, newest.jpeg, stale);
   if (request.extended) {
-    extend(reply, request.extension, seen, newest, now_ - client_->asked);
+    addExtension(reply, request.extension, seen, newest, now_ - client_->request_at);
     reply.extension->real_time = robot_.realTime();
-  } else if (doubts.never.any() && now_ - client_->began < kFirstValues) {
-    client_->waits = request;
+  } else if (stale.never.any() && now_ - client_->session_start < kFirstValues) {
+    client_->waiting = request;
     return false;
   }
-  if (!request.extended) tellDoubts(doubts);  // else its own values tell how old they are
+  if (!request.extended) logStaleValues(stale);  // the extension contains the ages
   const bool sent = client_->reply(request, reply);
-  const bool last = request.extended && request.extension.farewell;
-  client_->waits.reset();  // and perhaps `request` with it
-  if (!sent) showOut(client_->why());
-  if (sent && last) sayFarewell();
+  const bool last = request.extended && request.extension.end_of_session;
+  client_->waiting.reset();  // destroys `request` if it is this one
+  if (!sent) disconnect(client_->why());
+  if (sent && last) endSession();
   return sent && client_;
 }
 
-bool Server::isToCome(std::uint64_t cycle, const Sensors& seen) const {
-  return robot_.realTime() && seen.cycle < cycle && now_ - client_->asked < kForACycle;
+bool Server::mustAwait(std::uint64_t cycle, const Sensors& seen) const {
+  return robot_.realTime() && seen.cycle < cycle && now_ - client_->request_at < kMaxCycleWait;
 }
 
 JpegPicture Server::picture(const Request& request) {
   if (!request.camera) return {};
-  if (!pictures_ && !client_->told_no_picture) openPictures();
+  if (!pictures_ && !client_->logged_no_picture) openPictures();
   return pictures_ ? pictures_->newest() : JpegPicture{};
 }
 
 void Server::openPictures() {
-  std::string why = "this robot has no eye";
+  std::string why = "this robot has no camera";
   try {
     if (open_pictures_) pictures_ = open_pictures_();
   } catch (const std::runtime_error& blind) {
     why = blind.what();
   }
   if (pictures_) return;
-  client_->told_no_picture = true;
-  log(client_->name() + " asks for pictures, and gets 0 bytes of JPEG: " + why);
+  client_->logged_no_picture = true;
+  log(client_->name() + " requests pictures but gets none: " + why);
 }
 
-void Server::tellOddities(const Oddities& oddities) {
-  Oddities& told = client_->told;
+void Server::logRequestIssues(const RequestIssues& issues) {
+  RequestIssues& logged_issues = client_->logged_issues;
   const std::string who = client_->name() + ": ";
-  if (oddities.unknown_at != 0 && std::exchange(told.unknown_at, oddities.unknown_at) == 0)
-    log(who + "received unknown message: byte " + std::to_string(oddities.unknown_byte) + " at offset " +
-        std::to_string(oddities.unknown_at) + " begins no section there; the rest of such requests is not read");
-  if (oddities.cut_off && !std::exchange(told.cut_off, true))
-    log(who + "a section is longer than its request; it is not obeyed");
-  if (oddities.refused_motors > 0 && std::exchange(told.refused_motors, 1) == 0)
-    log(who + "commands for motors over 19, which do not exist, are refused");
-  if (oddities.refused_leds > 0 && std::exchange(told.refused_leds, 1) == 0)
-    log(who + "commands for LEDs over 4, which do not exist, are refused");
-  if (oddities.refused_sensors > 0 && std::exchange(told.refused_sensors, 1) == 0)
-    log(who + "values of joints over 19, which do not exist, are answered with 0");
+  if (issues.unknown_at != 0 && std::exchange(logged_issues.unknown_at, issues.unknown_at) == 0)
+    log(who + "received unknown message: byte " + std::to_string(issues.unknown_byte) + " at offset " +
+        std::to_string(issues.unknown_at) + " does not start a section; the rest of such requests is ignored");
+  if (issues.cut_off && !std::exchange(logged_issues.cut_off, true))
+    log(who + "ignored a section that is longer than its request");
+  if (issues.invalid_motors > 0 && std::exchange(logged_issues.invalid_motors, 1) == 0)
+    log(who + "ignored commands for motors above 19, which do not exist");
+  if (issues.invalid_leds > 0 && std::exchange(logged_issues.invalid_leds, 1) == 0)
+    log(who + "ignored commands for LEDs above 4, which do not exist");
+  if (issues.invalid_sensors > 0 && std::exchange(logged_issues.invalid_sensors, 1) == 0)
+    log(who + "sends 0 for joints above 19, which do not exist");
 }
 
-void Server::tellDoubts(const Doubts& doubts) {
-  const auto news = doubts.never & ~client_->told_values.never;
-  const auto aged = doubts.old & ~client_->told_values.old;
-  client_->told_values.never |= news;
-  client_->told_values.old |= aged;
-  for (std::size_t i = 0; i <= Doubts::kBoard; ++i) {
-    const std::string device{i == Doubts::kBoard ? "CM-730" : kJointTable[i].name};
-    if (news[i]) log(device + " has never answered: its values are sent as -2147483648, which no sensor can be");
+void Server::logStaleValues(const StaleValues& stale) {
+  const auto unknown = stale.never & ~client_->logged_values.never;
+  const auto aged = stale.old & ~client_->logged_values.old;
+  client_->logged_values.never |= unknown;
+  client_->logged_values.old |= aged;
+  for (std::size_t i = 0; i <= StaleValues::kBoard; ++i) {
+    const std::string device{i == StaleValues::kBoard ? "CM-730" : kJointTable[i].name};
+    if (unknown[i]) log(device + " has never answered: its values are sent as -2147483648 (unknown)");
     if (aged[i]) log(device + " has not answered for 3 cycles: its last known values are sent");
   }
 }

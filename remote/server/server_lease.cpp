@@ -1,4 +1,4 @@
-// Who comes in, who drives, and how a client goes.
+// Connections and sessions of the server: accept, take the lease, hold, disconnect.
 #include <algorithm>
 #include <stdexcept>
 
@@ -8,15 +8,15 @@
 namespace darwinop::remote {
 namespace {
 
-/// Why a robot is no longer that of a controller that had it under torque; empty: it is. A new driver would wake it,
-/// and clear its faults unseen.
-std::string whatCameBetween(const SafetyReport& report, bool only_if_up) {
+/// Why a controller must not resume its session; empty: it may. A new session would start the robot again and clear
+/// faults that nobody has seen.
+std::string whyNotResumed(const SafetyReport& report, bool only_if_up) {
   if (report.controller_must_end) {
     const FaultRow& fault = row(report.worst);
-    return "meanwhile " + std::string{fault.meaning} + "; " + std::string{fault.remedy};
+    return "in the meantime " + std::string{fault.meaning} + "; " + std::string{fault.remedy};
   }
   if (only_if_up && report.state != State::kOffline && !drives(report.state))
-    return "the robot has let go meanwhile: it has sat down, or was released by hand. Start the controller again";
+    return "torque has been switched off in the meantime, at rest or by hand; start the controller again";
   return {};
 }
 
@@ -25,94 +25,95 @@ std::string whatCameBetween(const SafetyReport& report, bool only_if_up) {
 bool Server::mayDrive(const Request& request) {
   if (!client_->drives) {
     try {
-      robot_.begin(client_->driven ? Beginning::kAgain : Beginning::kFresh);
+      robot_.startSession(client_->has_driven ? SessionStart::kResumed : SessionStart::kNew);
     } catch (const std::runtime_error& refused) {
       refuse(request, "cannot drive the robot: ", refused.what());
       return false;
     }
     const bool only_if_up = request.extended && request.extension.only_if_up;
-    const std::string came =
-        only_if_up || client_->driven ? whatCameBetween(robot_.sensors().safety, only_if_up) : std::string{};
-    if (!came.empty()) {
-      robot_.leaveAlone();
-      refuse(request, "goes on too late: ", came);
+    const std::string changed =
+        only_if_up || client_->has_driven ? whyNotResumed(robot_.sensors().safety, only_if_up) : std::string{};
+    if (!changed.empty()) {
+      robot_.cancelSession();
+      refuse(request, "cannot resume: ", changed);
       return false;
     }
     listener_.close();
-    log(client_->name() + (client_->driven ? " is back and drives on" : " drives; others are refused meanwhile"));
-    client_->drives = client_->driven = true;
-    client_->began = now_;
+    log(client_->name() +
+        (client_->has_driven ? " resumes driving" : " drives; other clients are refused until it ends"));
+    client_->drives = client_->has_driven = true;
+    client_->session_start = now_;
   }
-  const std::string why = robot_.mustEnd();
+  const std::string why = robot_.endReason();
   if (why.empty()) return true;
-  refuse(request, "has to end: ", why);
+  refuse(request, "must end: ", why);
   return false;
 }
 
-/// Our own clients are told why before they are shown out.
+/// Sends the reason to clients with the extension, then disconnects.
 void Server::refuse(const Request& request, const std::string& what, const std::string& why) {
-  if (request.extended && !client_->owes()) {
+  if (request.extended && !client_->hasUnsent()) {
     Reply reply;
     for (std::size_t i = 0; i < request.positions.size(); ++i) (void)reply.positions.add(kNoValue);
     for (std::size_t i = 0; i < request.torques.size(); ++i) (void)reply.torques.add(kNoValue);
     reply.extension = ReplyExtension{.real_time = true, .why_ended = why};
     (void)client_->reply(request, reply);
   }
-  showOut(what + why);
+  disconnect(what + why);
 }
 
-void Server::letIn() {
-  allowance_.spend(now_);
-  std::optional<net::Listener::Caller> caller = listener_.next();
-  if (!caller) return;
-  const auto lives_here = [&](const net::Network& network) { return network.has(caller->address); };
-  if (std::ranges::none_of(config_.allowed, lives_here)) {
-    log(caller->name + " may not connect: its address is in no network given with --allow");
+void Server::accept() {
+  rate_limiter_.spend(now_);
+  std::optional<net::Listener::Accepted> accepted = listener_.accept();
+  if (!accepted) return;
+  const auto is_inside = [&](const net::Network& network) { return network.has(accepted->address); };
+  if (std::ranges::none_of(config_.allowed, is_inside)) {
+    log(accepted->name + " was refused: its address is not in a network given with --allow");
     return;
   }
-  if (client_) showOut("was silent, and another client takes its place");
-  log(caller->name + " has connected");
-  client_.emplace(std::move(caller->socket), caller->name, now_);
+  if (client_) disconnect("was silent and is replaced by another client");
+  log(accepted->name + " has connected");
+  client_.emplace(std::move(accepted->socket), accepted->name, now_);
   listener_.close();
 }
 
-void Server::lookForSilence() {
-  if (client_ && now_ - client_->heard < config_.silence) return;
+void Server::checkSilence() {
+  if (client_ && now_ - client_->last_request_at < config_.silence) return;
   if (client_ && client_->drives) {
     stopDriving();
-    log(client_->name() + " is silent: motion is held; it may go on unless another client comes");
+    log(client_->name() + " is silent: the robot holds; the client may resume unless another one connects");
   }
-  openDoor();
+  reopen();
 }
 
 void Server::stopDriving() {
   if (!client_->drives) return;
   client_->drives = false;
-  pictures_.reset();  // before hold(): what it looks through may go with the lease
+  pictures_.reset();  // before hold(): its frame source may end with the lease
   robot_.hold();
 }
 
-void Server::sayFarewell() {
+void Server::endSession() {
   client_->drives = false;
   pictures_.reset();
-  robot_.farewell();
-  showOut("has said farewell");
+  robot_.endSession();
+  disconnect("has ended its session");
 }
 
-void Server::showOut(const std::string& why) {
-  const std::string line = client_->name() + " " + why;  // `why` may be the client's own
+void Server::disconnect(const std::string& why) {
+  const std::string line = client_->name() + " " + why;  // copy: `why` may belong to the client
   stopDriving();
   client_.reset();
-  openDoor();  // first: who reads that one has left may come
+  reopen();  // before the log line: a client that reads it may connect at once
   log(line);
 }
 
-void Server::openDoor() {
+void Server::reopen() {
   if (listener_.isOpen()) return;
   try {
     listener_.open();
   } catch (const std::runtime_error& not_now) {
-    log(not_now.what());  // tried again at the next look
+    log(not_now.what());  // retried in the next poll()
   }
 }
 

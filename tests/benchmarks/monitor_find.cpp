@@ -31,21 +31,22 @@ int main() {
   remote::JpegEncoder encoder{remote::kWholeImage, remote::qualityOf(remote::kWholeImage)};
   bench::Bytes jpeg(encoder.mostBytes());
   for (const int searches : {1, static_cast<int>(monitor::ColourSearch::kMost)}) {
-    std::vector<monitor::Search> wanted;
+    std::vector<monitor::ColourQuery> wanted;
     for (int i = 0; i < searches; ++i) wanted.push_back({{.hue = 40 * i}, {}});
     double ours = 0, peer = 0;
     std::size_t bytes = 0;
     for (std::uint32_t seed = 1; seed <= kScenes; ++seed) {
       const bench::Frame scene{remote::kWholeImage, seed};
       colour_search::FrameSearch search_of_frames;
-      search_of_frames.want(wanted);
+      search_of_frames.setSearches(wanted);
       double find_us = 1e9, encode_us = 1e9;
       for (std::uint64_t turn = 1; turn <= kTurns; ++turn) {
         const CameraFrame frame{turn, Nanos{0}, 320, 240, {}, scene.yuyv};
         keepBest(find_us, [&] {
-          search_of_frames.look(frame);
-          for (const monitor::Search& search : wanted)
-            if (const auto found = search_of_frames.found(search, turn)) bytes = foundText(*found, true).size();
+          search_of_frames.process(frame);
+          for (const monitor::ColourQuery& search : wanted)
+            if (const auto found = search_of_frames.resultOf(search, turn))
+              bytes = colourMatchText(*found, true).size();
         });
         keepBest(encode_us, [&] { (void)encoder.encode(frame, jpeg); });
       }

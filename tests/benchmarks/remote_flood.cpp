@@ -45,7 +45,7 @@ class Sink {
     while (!stop_) {
       pollfd place{door_.descriptor(), POLLIN, 0};
       if (poll(&place, 1, 20) != 1) continue;
-      const auto caller = door_.next();
+      const auto caller = door_.accept();
       place.fd = caller ? caller->socket.descriptor() : -1;
       while (caller && !stop_)
         if (poll(&place, 1, 20) == 1 && recv(place.fd, bytes.data(), bytes.size(), 0) <= 0) break;

@@ -35,8 +35,8 @@ std::vector<double> measureServer() {
 std::vector<double> measureBytes() {
   net::Listener echo{INADDR_LOOPBACK, 0};
   std::thread echoing{[&] {
-    std::optional<net::Listener::Caller> caller;
-    while (!caller) caller = echo.next();
+    std::optional<net::Listener::Accepted> caller;
+    while (!caller) caller = echo.accept();
     RequestBuffer buffer;
     std::vector<std::uint8_t> in(writeRequest(bench::wholePoll(), buffer).size());
     std::vector<std::uint8_t> out(kReplyHead + 24 + 4 + kJpegBytes + 8 * kJoints + 1);

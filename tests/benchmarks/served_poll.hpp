@@ -33,10 +33,10 @@ struct StillRobot final : remote::RobotPort {
     seen.board.gyro.fill(RadPerSec{0});
     seen.board.accelerometer.fill(MeterPerSec2{0});
   }
-  void begin(remote::Beginning) override {}
-  void obey(const remote::Request&) override {}
+  void startSession(remote::SessionStart) override {}
+  void apply(const remote::Request&) override {}
   Sensors sensors() override { return seen; }
-  std::string mustEnd() override { return {}; }
+  std::string endReason() override { return {}; }
   void hold() noexcept override {}
 };
 

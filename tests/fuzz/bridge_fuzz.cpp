@@ -17,19 +17,19 @@ using namespace darwinop;
 using tcp = boost::asio::ip::tcp;
 namespace websocket = boost::beast::websocket;
 
-struct PageOfBridge final : web::Channel {
+struct FakePage final : web::Channel {
   const std::string& name() const override { return who; }
   void send(web::Lane lane, web::Bytes text) override {
-    const auto said = nlohmann::json::parse(*text, nullptr, false);
-    if (!said.is_object() || !said.contains("type") || !said["type"].is_string()) std::abort();
+    const auto message = nlohmann::json::parse(*text, nullptr, false);
+    if (!message.is_object() || !message.contains("type") || !message["type"].is_string()) std::abort();
     if (lane != web::kEvery && lane >= web::kLanes) std::abort();
-    if (said["type"] == "gone" && text->find("robot:5024") != std::string::npos)
+    if (message["type"] == "gone" && text->find("robot:5024") != std::string::npos)
       gone = true;
     else
       bytes += text->size();
   }
   void sendBinary(web::Lane /*lane*/, web::Bytes picture) override { bytes += picture->size(); }
-  void forgetNewest() override {}
+  void discardQueued() override {}
   std::uint64_t lost() const override { return 0; }
   void close(const std::string& /*why*/) override {}
 
@@ -48,15 +48,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const bool greets = (data[0] & 1) != 0;
   const std::size_t cut = std::min<std::size_t>(data[0] >> 1, bytes.size());
 
-  PageOfBridge page;
+  FakePage page;
   window::Bridge bridge{0x7F000001, door.local_endpoint().port(), "robot:5024"};
   const auto turn = [&] {
-    bridge.look();
+    bridge.update();
     context.restart();
     context.poll();
   };
   bridge.opened(page);
-  bridge.look();
+  bridge.update();
   websocket::stream<tcp::socket> robot{door.accept()};
   if (greets) {
     robot.set_option(websocket::stream_base::decorator(

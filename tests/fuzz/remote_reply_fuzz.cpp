@@ -50,9 +50,9 @@ FoundReplies readReplies(Bytes stream, Bytes chunks, const Request& asked) {
     stream = stream.subspan(piece.size());
     Reply reply;
     for (;;) {
-      const ReplyReader::Found what = reader.next(asked, reply);
-      found.refused = what == ReplyReader::Found::kRefused;
-      if (what != ReplyReader::Found::kReply) break;
+      const ReplyReader::Result what = reader.next(asked, reply);
+      found.refused = what == ReplyReader::Result::kInvalid;
+      if (what != ReplyReader::Result::kReply) break;
       writeReply(asked, reply, found.rewritten.emplace_back());
     }
   }

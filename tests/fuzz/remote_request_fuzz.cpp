@@ -19,7 +19,7 @@ void require(bool holds) {
 
 struct FoundRequests {
   std::vector<Request> requests;
-  std::vector<Oddities> oddities;
+  std::vector<RequestIssues> issues;
   std::size_t garbage = 0;
   bool refused = false;
   bool operator==(const FoundRequests&) const = default;
@@ -40,15 +40,15 @@ FoundRequests readStream(Bytes stream, Bytes chunks) {
     stream = stream.subspan(piece.size());
     fed += piece.size();
     Request request;
-    Oddities oddities;
+    RequestIssues issues;
     for (;;) {
       const std::size_t before = reader.pending() + reader.garbageBytes();
-      const RequestReader::Found what = reader.next(request, oddities);
-      found.refused = what == RequestReader::Found::kRefused;
-      if (what != RequestReader::Found::kRequest) break;
+      const RequestReader::Result what = reader.next(request, issues);
+      found.refused = what == RequestReader::Result::kInvalid;
+      if (what != RequestReader::Result::kRequest) break;
       used += before - reader.pending() - reader.garbageBytes();
       found.requests.push_back(request);
-      found.oddities.push_back(oddities);
+      found.issues.push_back(issues);
     }
     require(fed == used + reader.garbageBytes() + reader.pending());
   }

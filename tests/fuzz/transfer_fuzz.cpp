@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "window/transfer_words.hpp"
+#include "window/transfer_message.hpp"
 
 namespace {
 
@@ -17,7 +17,7 @@ void expectWord(const std::string& word) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string why;
-  const auto words = darwinop::window::readTransfer({reinterpret_cast<const char*>(data), size}, why);
+  const auto words = darwinop::window::parseTransfer({reinterpret_cast<const char*>(data), size}, why);
   if (!words && why.empty()) __builtin_trap();
   if (!words || !words->start) return 0;
   const auto& start = *words->start;

@@ -1,4 +1,4 @@
-// The texts of the monitor channel.
+// Messages of the monitor channel.
 #include "monitor/messages.hpp"
 
 #include <gmock/gmock.h>
@@ -17,39 +17,39 @@ namespace {
 using Json = nlohmann::json;
 using testing::HasSubstr;
 
-TEST(MonitorWishes, TakeTheirPlaceMemberByMember) {
+TEST(MonitorSubscription, ReadsMemberByMember) {
   std::string why;
-  EXPECT_EQ(readWishes(R"({"rate": 62.5, "camera": 10, "later": []})", {}, why), (Wishes{62.5, 10}));
-  EXPECT_EQ(readWishes(R"({"camera": 0})", {62.5, 10}, why), (Wishes{62.5, 0}));
-  EXPECT_EQ(readWishes("{}", {62.5, 10}, why), (Wishes{62.5, 10}));
+  EXPECT_EQ(parseSubscription(R"({"rate": 62.5, "camera": 10, "later": []})", {}, why), (Subscription{62.5, 10}));
+  EXPECT_EQ(parseSubscription(R"({"camera": 0})", {62.5, 10}, why), (Subscription{62.5, 0}));
+  EXPECT_EQ(parseSubscription("{}", {62.5, 10}, why), (Subscription{62.5, 10}));
   EXPECT_EQ(why, "");
 }
 
-TEST(MonitorWishes, ThatMakeNoSenseAreNone) {
+TEST(MonitorSubscription, RejectsInvalidRequests) {
   for (const char* text : {"", "20", "[]", "{", "{\"rate\": 20} x", R"({"rate": "20"})", R"({"rate": -1})",
                            R"({"rate": 126})", R"({"rate": null})", R"({"camera": 31})", R"({"camera": 1e999})"}) {
     std::string why;
-    EXPECT_FALSE(readWishes(text, {}, why).has_value()) << text;
+    EXPECT_FALSE(parseSubscription(text, {}, why).has_value()) << text;
     EXPECT_NE(why, "") << text;
   }
   std::string why;
-  EXPECT_FALSE(readWishes(std::string(4096, '['), {}, why).has_value());
-  EXPECT_FALSE(readWishes(R"({"rate": 126})", {}, why).has_value());
+  EXPECT_FALSE(parseSubscription(std::string(4096, '['), {}, why).has_value());
+  EXPECT_FALSE(parseSubscription(R"({"rate": 126})", {}, why).has_value());
   EXPECT_EQ(why, "rate must be a number from 0 to 125, in Hz");
 }
 
-TEST(MonitorTexts, SayShortThingsToTheLetter) {
+TEST(MonitorTexts, WritesShortMessagesExactly) {
   EXPECT_EQ(goneText("no \"runtime\""), R"({"type":"gone","reason":"no \"runtime\""})");
   EXPECT_EQ(cameraText(false, "taken"), R"({"type":"camera","seeing":false,"text":"taken"})");
   EXPECT_EQ(errorText("what?"), R"({"type":"error","text":"what?"})");
   EXPECT_EQ(noticeText(7, 1.5, "it fell"), R"({"type":"notice","number":7,"time":1.5,"text":"it fell"})");
   EXPECT_EQ(noticeText(8, kUnknown, "\xff"),
             "{\"type\":\"notice\",\"number\":8,\"time\":null,\"text\":\"\xef\xbf\xbd\"}")
-      << "what is no UTF-8 is replaced";
+      << "invalid UTF-8 is replaced";
   EXPECT_EQ(faultsText({}), R"({"type":"faults","active":[]})");
 }
 
-TEST(MonitorTexts, TellOfAFaultAsItsTableDoes) {
+TEST(MonitorTexts, DescribesAFaultAsTheFaultTableDoes) {
   SafetyReport safety;
   for (std::size_t i = 0; i < kFaults; ++i)
     safety.active[i] = kFaultTable[i].fault == Fault::kServoSilent || kFaultTable[i].fault == Fault::kBatteryLow;
@@ -63,10 +63,10 @@ TEST(MonitorTexts, TellOfAFaultAsItsTableDoes) {
   EXPECT_EQ(silent["joint"], "Neck");
   EXPECT_EQ(silent["meaning"], row(Fault::kServoSilent).meaning);
   EXPECT_EQ(silent["remedy"], row(Fault::kServoSilent).remedy);
-  EXPECT_TRUE(text["active"][1]["joint"].is_null()) << "only of the worst one is it known";
+  EXPECT_TRUE(text["active"][1]["joint"].is_null()) << "known for the worst fault only";
 }
 
-TEST(MonitorTexts, IntroduceTheRobot) {
+TEST(MonitorTexts, DescribeTheRobotInHello) {
   runtime::LoopInfo info{.period_ns = 16'000'000, .pid = 1};
   runtime::setText(info.robot, sizeof info.robot, "darwin-op");
   const Json hello = Json::parse(helloText(&info, {50, 5}));
@@ -111,7 +111,7 @@ Sensors standing() {
   return seen;
 }
 
-TEST(MonitorState, SaysWhatIsKnownAndNullForWhatIsNot) {
+TEST(MonitorState, ReportsKnownValuesAndNullForUnknownOnes) {
   const Json text = Json::parse(stateText(standing()));
   EXPECT_EQ(text["cycle"], 1234);
   EXPECT_EQ(text["time"], 19.744);
@@ -134,7 +134,7 @@ TEST(MonitorState, SaysWhatIsKnownAndNullForWhatIsNot) {
   EXPECT_TRUE(board["microphone"].is_null());
 }
 
-TEST(MonitorState, DoesNotPassOldValuesForNewOnes) {
+TEST(MonitorState, ReportsStaleValuesAsNull) {
   Sensors seen = standing();
   seen.joint[18].motion.age = 3;
   EXPECT_EQ(Json::parse(stateText(seen))["joints"]["position"][18], 0.5);
@@ -179,7 +179,7 @@ RC_GTEST_PROP(MonitorState, IsJsonWhateverTheImage, ()) {
   seen.board.motion.age = *rc::gen::element<std::uint32_t>(0, Freshness::kNever);
   seen.board.accelerometer[0] = MeterPerSec2{anyDouble()};
   seen.board.led_head = *rc::gen::arbitrary<std::uint16_t>();
-  const Json state = Json::parse(stateText(seen));  // throws what is none
+  const Json state = Json::parse(stateText(seen));  // throws if invalid
   RC_ASSERT(allNumbersAreNumbers(state));
   RC_ASSERT(state["joints"]["position"].size() == kJoints);
   RC_ASSERT(Json::parse(faultsText(seen.safety)).is_object());

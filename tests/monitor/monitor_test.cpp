@@ -1,4 +1,4 @@
-// What observers are told while a runtime comes, works and goes; the runtime is the test itself, in shared memory.
+// The monitor's messages while a runtime starts, runs and ends. The test itself plays the runtime, in shared memory.
 #include "monitor/monitor.hpp"
 
 #include <gmock/gmock.h>
@@ -19,13 +19,13 @@ using Json = nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Remembers what it is sent: texts by type.
+/// Records the messages it is sent, texts by type.
 struct FakeChannel final : web::Channel {
   std::string called = "test";
   std::vector<Json> texts;
   std::vector<std::string> types;
   int pictures = 0, forgot = 0;
-  std::vector<std::string> order;  // of found and picture
+  std::vector<std::string> order;  // of results and pictures
 
   [[nodiscard]] const std::string& name() const override { return called; }
   void send(web::Lane /*lane*/, web::Bytes text) override {
@@ -37,7 +37,7 @@ struct FakeChannel final : web::Channel {
     ++pictures;
     order.push_back("picture " + std::to_string(static_cast<unsigned char>(bytes->at(8))));
   }
-  void forgetNewest() override { ++forgot; }
+  void discardQueued() override { ++forgot; }
   [[nodiscard]] std::uint64_t lost() const override { return 0; }
   void close(const std::string& /*why*/) override {}
 
@@ -55,6 +55,22 @@ struct FakeChannel final : web::Channel {
   }
 };
 
+/// Finds one pixel in every frame that it is given while there is a search.
+struct FakeColourSearch final : ColourSearch {
+  std::vector<ColourQuery> searches;
+  std::uint64_t newest = 0;
+
+  void setSearches(const std::vector<ColourQuery>& requested) override { searches = requested; }
+  void process(const CameraFrame& frame) noexcept override { newest = frame.sequence; }
+  [[nodiscard]] std::optional<ColourMatch> resultOf(const ColourQuery& search, std::uint64_t picture) const override {
+    if (picture != newest || std::ranges::find(searches, search) == searches.end()) return std::nullopt;
+    ColourMatch result;
+    result.picture = picture;
+    result.width = result.height = 4;
+    return result;
+  }
+};
+
 struct FakePictures final : remote::PictureSource {
   int& open;
   std::uint64_t sequence = 0;
@@ -64,18 +80,18 @@ struct FakePictures final : remote::PictureSource {
   ~FakePictures() override { --open; }
   remote::JpegPicture newest() override {
     ++sequence;
-    if (finders) finders->look({sequence, Nanos{0}, 4, 4, black});
+    if (search) search->process({sequence, Nanos{0}, 4, 4, black});
     return {sequence, Nanos{0}, jpeg};
   }
-  [[nodiscard]] std::string trouble() const override { return blind; }
-  std::shared_ptr<Finders> finders;
+  [[nodiscard]] std::string error() const override { return blind; }
+  std::shared_ptr<FakeColourSearch> search;
   std::array<std::uint8_t, 64> black{};
   std::string blind;
 };
 
 class MonitorTest : public testing::Test {
  protected:
-  /// A runtime begins: it holds its lock and publishes when the test says so.
+  /// Starts a runtime: takes the lock and creates the exchange; the test publishes.
   void begin() {
     lock_.emplace(runtime::claimRuntime(files_, static_cast<gid_t>(-1)));
     exchange_.emplace(runtime::Exchange::create(files_.exchange));
@@ -95,14 +111,14 @@ class MonitorTest : public testing::Test {
     exchange_->ownBlock().sensors.publish(seen_);
     exchange_->ownBlock().finished.set(static_cast<std::uint32_t>(seen_.cycle), exchange_->commands().wait);
   }
-  /// Cycles of 16 ms, when there is a runtime, and a look at each.
+  /// Steps of about 16 ms: a cycle if there is a runtime, and an update of the monitor.
   void pass(Nanos time) {
-    constexpr std::array<Nanos, 5> kSteps{16ms, 19ms, 13ms, 10ms, 22ms};  // a thread is never on time
+    constexpr std::array<Nanos, 5> kSteps{16ms, 19ms, 13ms, 10ms, 22ms};  // thread jitter
     std::size_t step = 0;
     for (const Nanos last = now_ + time; now_ < last;) {
       now_ += kSteps[step++ % kSteps.size()];
       if (exchange_) cycle();
-      monitor().look();
+      monitor().update();
     }
   }
   Monitor& monitor() {
@@ -111,11 +127,11 @@ class MonitorTest : public testing::Test {
           files_, [this] { return now_; },
           [this] {
             auto pictures = std::make_unique<FakePictures>(cameras_open_);
-            pictures->finders = finders_;
+            pictures->search = search_;
             pictures->blind = blind_;
             return pictures;
           },
-          Eye::Open{}, finders_);
+          CameraSource::Open{}, search_);
     }
     return *monitor_;
   }
@@ -131,13 +147,13 @@ class MonitorTest : public testing::Test {
   Sensors seen_{};
   Nanos now_{std::chrono::hours{1}};
   int cameras_open_ = 0;
-  std::shared_ptr<Finders> finders_ = std::make_shared<Finders>();
+  std::shared_ptr<FakeColourSearch> search_ = std::make_shared<FakeColourSearch>();
   std::string blind_;
   FakeChannel observer_;
   std::unique_ptr<Monitor> monitor_;
 };
 
-TEST_F(MonitorTest, IntroducesTheRobotAndThenTellsWhatItSenses) {
+TEST_F(MonitorTest, SendsHelloAndThenSensors) {
   begin();
   cycle();
   monitor().opened(observer_);
@@ -151,16 +167,16 @@ TEST_F(MonitorTest, GivesEachObserverItsOwnRate) {
   begin();
   FakeChannel every, none, seldom;
   for (FakeChannel* channel : {&observer_, &every, &none, &seldom}) monitor().opened(*channel);
-  monitor().said(observer_, R"({"rate": 5})", false);
-  monitor().said(every, R"({"rate": 62.5})", false);
-  monitor().said(none, R"({"rate": 0})", false);
-  monitor().said(seldom, R"({"rate": 1e-300})", false);
+  monitor().received(observer_, R"({"rate": 5})", false);
+  monitor().received(every, R"({"rate": 62.5})", false);
+  monitor().received(none, R"({"rate": 0})", false);
+  monitor().received(seldom, R"({"rate": 1e-300})", false);
   pass(1600ms);
   EXPECT_NEAR(observer_.count("state"), 8, 1);
   EXPECT_EQ(every.count("state"), 100) << "each cycle";
   EXPECT_EQ(none.count("state"), 0);
   EXPECT_GE(none.count("loop"), 1);
-  EXPECT_EQ(seldom.count("state"), 1) << "at first, and not again in this age of the world";
+  EXPECT_EQ(seldom.count("state"), 1) << "once at the start only";
   EXPECT_LE(monitor().pause(), 8ms);
   monitor().closed(every);
   every.clear();
@@ -168,17 +184,17 @@ TEST_F(MonitorTest, GivesEachObserverItsOwnRate) {
   EXPECT_TRUE(every.types.empty());
 }
 
-TEST_F(MonitorTest, SaysNothingTwiceAndNothingOld) {
+TEST_F(MonitorTest, SendsEachCycleOnce) {
   begin();
   monitor().opened(observer_);
-  monitor().said(observer_, R"({"rate": 125})", false);
+  monitor().received(observer_, R"({"rate": 125})", false);
   pass(160ms);
   const int states = observer_.count("state");
-  for (int i = 0; i < 20; ++i) monitor().look();  // no new cycle
+  for (int i = 0; i < 20; ++i) monitor().update();  // no new cycle
   EXPECT_EQ(observer_.count("state"), states);
 }
 
-TEST_F(MonitorTest, CannotWriteWhereTheLoopLooks) {
+TEST_F(MonitorTest, MapsTheExchangeReadOnly) {
   begin();
   monitor().opened(observer_);
   pass(100ms);
@@ -190,18 +206,18 @@ TEST_F(MonitorTest, CannotWriteWhereTheLoopLooks) {
   EXPECT_THAT(rights, ElementsAre("r--s"));
 }
 
-TEST_F(MonitorTest, AnswersWhatItDoesNotUnderstand) {
+TEST_F(MonitorTest, AnswersAnInvalidRequestWithAnError) {
   begin();
   monitor().opened(observer_);
   observer_.clear();
-  monitor().said(observer_, "faster!", false);
-  monitor().said(observer_, R"({"rate": 5})", true);
+  monitor().received(observer_, "faster!", false);
+  monitor().received(observer_, R"({"rate": 5})", true);
   EXPECT_THAT(observer_.types, ElementsAre("error", "error"));
   pass(1s);
   EXPECT_NEAR(observer_.count("state"), 20, 1) << "the rate is as before";
 }
 
-TEST_F(MonitorTest, SaysSoWhenThereIsNoRuntimeAndWhenOneComesAndGoes) {
+TEST_F(MonitorTest, ReportsThatNoRuntimeRunsAndWhenOneStartsAndEnds) {
   monitor().opened(observer_);
   EXPECT_THAT(observer_.types, ElementsAre("hello", "gone"));
   EXPECT_TRUE(observer_.texts[0]["period"].is_null());
@@ -214,7 +230,7 @@ TEST_F(MonitorTest, SaysSoWhenThereIsNoRuntimeAndWhenOneComesAndGoes) {
   EXPECT_EQ(observer_.types[0], "hello");
   EXPECT_EQ(observer_.texts[0]["period"], 0.016);
   EXPECT_GT(observer_.count("state"), 0);
-  EXPECT_GT(observer_.forgot, 0) << "what waits unsent was said of another runtime";
+  EXPECT_GT(observer_.forgot, 0) << "queued messages describe the previous runtime";
 
   observer_.clear();
   end();
@@ -228,20 +244,20 @@ TEST_F(MonitorTest, SaysSoWhenThereIsNoRuntimeAndWhenOneComesAndGoes) {
   EXPECT_GT(observer_.count("state"), 0) << "cycles count from 1 again";
 }
 
-TEST_F(MonitorTest, DoesNotTakeARuntimeThatHangsForOneThatWorks) {
+TEST_F(MonitorTest, DetectsARuntimeThatHangs) {
   begin();
   monitor().opened(observer_);
   pass(100ms);
   observer_.clear();
-  for (int i = 0; i < 60; ++i, now_ += 100ms) monitor().look();
+  for (int i = 0; i < 60; ++i, now_ += 100ms) monitor().update();
   EXPECT_EQ(observer_.count("gone"), 1);
   EXPECT_THAT(observer_.last("gone"), HasSubstr("has not run a cycle"));
   observer_.clear();
   pass(400ms);
-  EXPECT_EQ(observer_.types[0], "hello") << "it turns again";
+  EXPECT_EQ(observer_.types[0], "hello") << "it runs cycles again";
 }
 
-TEST_F(MonitorTest, TellsOfFaultsAndTellsNewcomersWhatHappenedBefore) {
+TEST_F(MonitorTest, SendsFaultsAndSendsEarlierNoticesToNewObservers) {
   begin();
   monitor().opened(observer_);
   pass(200ms);
@@ -268,12 +284,12 @@ TEST_F(MonitorTest, KeepsABoundedNumberOfNotices) {
   EXPECT_EQ(observer_.texts.back()["number"], 100);
 }
 
-TEST_F(MonitorTest, OpensTheCameraWhileSomebodyLooksAndNobodyDrives) {
+TEST_F(MonitorTest, OpensTheCameraWhileItIsRequestedAndNoControllerDrives) {
   begin();
   monitor().opened(observer_);
   pass(100ms);
-  EXPECT_EQ(cameras_open_, 0) << "nobody has asked";
-  monitor().said(observer_, R"({"camera": 10})", false);
+  EXPECT_EQ(cameras_open_, 0) << "not requested";
+  monitor().received(observer_, R"({"camera": 10})", false);
   pass(1s);
   EXPECT_EQ(cameras_open_, 1);
   EXPECT_NEAR(observer_.pictures, 10, 2);
@@ -290,74 +306,74 @@ TEST_F(MonitorTest, OpensTheCameraWhileSomebodyLooksAndNobodyDrives) {
   EXPECT_EQ(cameras_open_, 1);
   monitor().closed(observer_);
   pass(32ms);
-  EXPECT_EQ(cameras_open_, 0) << "nobody looks any more";
+  EXPECT_EQ(cameras_open_, 0) << "no longer requested";
 }
 
-TEST_F(MonitorTest, KeepsTheCameraWhileItsOwnProcessDrivesWhenToldSo) {
+TEST_F(MonitorTest, KeepsTheCameraDuringADriveSessionOfItsOwnProcessIfConfigured) {
   begin();
-  monitor().leaveCameraHere();
+  monitor().keepCameraForObservers();
   monitor().opened(observer_);
-  monitor().said(observer_, R"({"camera": 10})", false);
+  monitor().received(observer_, R"({"camera": 10})", false);
   const auto lease = runtime::FileLock::tryTake(files_.drive_lock);
   pass(200ms);
   EXPECT_EQ(cameras_open_, 1);
 }
 
-TEST_F(MonitorTest, TellsWhatItFindsAheadOfThePicture) {
+TEST_F(MonitorTest, SendsTheSearchResultAheadOfThePicture) {
   begin();
   monitor().opened(observer_);
-  monitor().said(observer_, R"({"camera": 10})", false);
+  monitor().received(observer_, R"({"camera": 10})", false);
   pass(300ms);
-  EXPECT_EQ(observer_.count("found"), 0) << "nobody has asked";
+  EXPECT_EQ(observer_.count("found"), 0) << "not requested";
   observer_.order.clear();
-  monitor().said(observer_, R"({"find": {"hue": 28}})", false);
+  monitor().received(observer_, R"({"find": {"hue": 28}})", false);
   pass(500ms);
   ASSERT_GE(observer_.order.size(), 6U);
   for (std::size_t i = 0; i + 1 < 6; i += 2)
     EXPECT_EQ(observer_.order[i].substr(5), observer_.order[i + 1].substr(7))
         << testing::PrintToString(observer_.order);
-  monitor().said(observer_, R"({"find": null})", false);
+  monitor().received(observer_, R"({"find": null})", false);
   const int before = observer_.count("found");
   pass(300ms);
   EXPECT_EQ(observer_.count("found"), before);
 }
 
-TEST_F(MonitorTest, SaysWhyACameraThatIsOpenGivesNoPictures) {
+TEST_F(MonitorTest, ReportsWhyAnOpenCameraGivesNoPictures) {
   blind_ = "it is dark";
   begin();
   monitor().opened(observer_);
-  monitor().said(observer_, R"({"camera": 10})", false);
+  monitor().received(observer_, R"({"camera": 10})", false);
   pass(100ms);
   EXPECT_THAT(observer_.last("camera"), HasSubstr("it is dark"));
 }
 
-TEST(MonitorEye, SeesWhatADriverShowsAndNeverTouchesItsCamera) {
+TEST(MonitorCamera, UsesSharedFramesWhileAControllerDrives) {
   int own = 0, shown = 0;
-  Eye eye{[&own] { return std::make_unique<FakePictures>(own); },
-          [&shown] { return std::make_unique<FakePictures>(shown); }};
+  CameraSource camera{[&own] { return std::make_unique<FakePictures>(own); },
+                      [&shown] { return std::make_unique<FakePictures>(shown); }};
   const auto open = [&] { return std::pair{own, shown}; };
-  eye.look(true, true, Nanos{1h});
+  camera.update(true, true, Nanos{1h});
   EXPECT_EQ(open(), (std::pair{1, 0}));
-  eye.look(true, false, Nanos{1h});
+  camera.update(true, false, Nanos{1h});
   EXPECT_EQ(open(), (std::pair{0, 1})) << "at once";
-  EXPECT_TRUE(eye.shared());
-  eye.look(true, true, Nanos{1h});
+  EXPECT_TRUE(camera.shared());
+  camera.update(true, true, Nanos{1h});
   EXPECT_EQ(open(), (std::pair{1, 0}));
-  EXPECT_FALSE(eye.shared());
-  eye.look(false, false, Nanos{1h});
-  EXPECT_EQ(open(), (std::pair{0, 0})) << "nobody looks";
+  EXPECT_FALSE(camera.shared());
+  camera.update(false, false, Nanos{1h});
+  EXPECT_EQ(open(), (std::pair{0, 0})) << "not requested";
 }
 
-TEST(MonitorEye, TriesAgainLaterWhenThereIsNoCamera) {
+TEST(MonitorCamera, RetriesAfterFiveSecondsIfThereIsNoCamera) {
   int tries = 0;
-  Eye eye{[&]() -> std::unique_ptr<remote::PictureSource> {
+  CameraSource camera{[&]() -> std::unique_ptr<remote::PictureSource> {
     ++tries;
     throw std::runtime_error("unplugged");
   }};
-  for (int i = 0; i < 60; ++i) eye.look(true, true, Nanos{1h} + i * 100ms);
+  for (int i = 0; i < 60; ++i) camera.update(true, true, Nanos{1h} + i * 100ms);
   EXPECT_EQ(tries, 2) << "every five seconds";
-  EXPECT_EQ(eye.why(), "unplugged");
-  EXPECT_EQ(eye.newest().sequence, 0u);
+  EXPECT_EQ(camera.why(), "unplugged");
+  EXPECT_EQ(camera.newest().sequence, 0u);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The monitor beside a daemon on a virtual robot's pty, all as processes, in real time.
+// Monitor, daemon and virtual robot as processes, in real time.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,37 +31,39 @@ class MonitorProcess : public Rig {
         std::vector<std::string>{program("darwinop-runtime"), "--robot", port(), "--period", period},
         file("daemon.txt"));
   }
-  [[nodiscard]] WebClient observer(const std::string& wishes, int receive_buffer = 0) const {
+  [[nodiscard]] WebClient observer(const std::string& subscription, int receive_buffer = 0) const {
     WebClient peer{port_number_, [] { std::this_thread::sleep_for(1ms); }, receive_buffer};
     EXPECT_THAT(peer.open("/monitor", "darwinop-monitor.1"), StartsWith("HTTP/1.1 101"));
-    peer.say(wishes);
+    peer.send(subscription);
     return peer;
   }
-  /// The next message that `wanted` is true of; null: none came within 20 s.
+  /// The next message that satisfies `wanted`; null: none within 20 s.
   template <class Wanted>
-  static Json hearUntil(WebClient& peer, Wanted wanted) {
+  static Json receiveUntil(WebClient& peer, Wanted wanted) {
     const auto give_up = std::chrono::steady_clock::now() + 20s;
     while (std::chrono::steady_clock::now() < give_up) {
-      const auto heard = peer.hear();
-      if (!heard) break;
-      if (heard->opcode != 1) continue;
-      if (Json text = Json::parse(heard->bytes); wanted(text)) return text;
+      const auto received = peer.receiveMessage();
+      if (!received) break;
+      if (received->opcode != 1) continue;
+      if (Json text = Json::parse(received->bytes); wanted(text)) return text;
     }
     return {};
   }
-  static Json hearType(WebClient& peer, const std::string& type) {
-    return hearUntil(peer, [&type](const Json& text) { return text["type"] == type; });
+  static Json receiveType(WebClient& peer, const std::string& type) {
+    return receiveUntil(peer, [&type](const Json& text) { return text["type"] == type; });
   }
 
-  /// A picture, of a camera of which the observer has been told that it sees.
-  static bool hearPicture(WebClient& peer) {
-    if (hearUntil(peer, [](const Json& text) { return text["type"] == "camera" && text["seeing"] == true; }).is_null())
+  /// Waits for camera status "seeing", then for a JPEG picture.
+  static bool receivePicture(WebClient& peer) {
+    if (receiveUntil(peer, [](const Json& text) {
+          return text["type"] == "camera" && text["seeing"] == true;
+        }).is_null())
       return false;
     const auto give_up = std::chrono::steady_clock::now() + 20s;
     while (std::chrono::steady_clock::now() < give_up) {
-      const auto heard = peer.hear();
-      if (!heard) break;
-      if (heard->opcode == 2) return heard->bytes.substr(20, 2) == "\xFF\xD8";
+      const auto received = peer.receiveMessage();
+      if (!received) break;
+      if (received->opcode == 2) return received->bytes.substr(20, 2) == "\xFF\xD8";
     }
     return false;
   }
@@ -73,14 +75,15 @@ class MonitorProcess : public Rig {
 TEST_F(MonitorProcess, ShowsAMoveAFaultAndADaemonThatDiesAndComesBack) {
   startMonitor();
   WebClient peer = observer(R"({"rate": 30})");
-  EXPECT_TRUE(hearType(peer, "hello")["period"].is_null());
-  EXPECT_THAT(hearType(peer, "gone")["reason"].dump(), HasSubstr("darwinop runtime"));
+  EXPECT_TRUE(receiveType(peer, "hello")["period"].is_null());
+  EXPECT_THAT(receiveType(peer, "gone")["reason"].dump(), HasSubstr("darwinop runtime"));
 
   startVirtualRobot("6 dead Head\n");
   auto daemon = startDaemon();
-  EXPECT_EQ(hearType(peer, "hello")["period"], 0.016) << monitor_->output() << daemon->output();
-  EXPECT_FALSE(
-      hearUntil(peer, [](const Json& text) { return text["type"] == "state" && text["state"] == "limp"; }).is_null());
+  EXPECT_EQ(receiveType(peer, "hello")["period"], 0.016) << monitor_->output() << daemon->output();
+  EXPECT_FALSE(receiveUntil(peer, [](const Json& text) {
+                 return text["type"] == "state" && text["state"] == "limp";
+               }).is_null());
 
   Program driver{{program("darwinop-run"), "--robot", "runtime", controller(), "100000"}, file("run.txt")};
   const auto neck_is = [](double low, double high) {
@@ -90,34 +93,34 @@ TEST_F(MonitorProcess, ShowsAMoveAFaultAndADaemonThatDiesAndComesBack) {
       return neck > low && neck < high;
     };
   };
-  EXPECT_FALSE(hearUntil(peer, neck_is(0.3, 0.6)).is_null()) << driver.output();
-  EXPECT_FALSE(hearUntil(peer, neck_is(-0.6, -0.3)).is_null()) << driver.output();
-  EXPECT_TRUE(hearType(peer, "loop")["driver"]["pid"].is_number());
+  EXPECT_FALSE(receiveUntil(peer, neck_is(0.3, 0.6)).is_null()) << driver.output();
+  EXPECT_FALSE(receiveUntil(peer, neck_is(-0.6, -0.3)).is_null()) << driver.output();
+  EXPECT_TRUE(receiveType(peer, "loop")["driver"]["pid"].is_number());
 
   const Json fault =
-      hearUntil(peer, [](const Json& text) { return text["type"] == "notice" && text["time"].is_number(); });
+      receiveUntil(peer, [](const Json& text) { return text["type"] == "notice" && text["time"].is_number(); });
   EXPECT_THAT(fault["text"].dump(), HasSubstr("fault 12 servo_silent (Head, id 20)"));
   WebClient newcomer = observer("{}");
-  // On a busy machine a servo may be silent now and then; this one stays so.
+  // On a busy machine any servo may be silent now and then; this one stays silent.
   const auto is_silent = [](const Json& text) {
     return text["type"] == "state" && text["joints"]["position"][19].is_null() && text["joints"]["silent"][19] == true;
   };
-  EXPECT_FALSE(hearUntil(newcomer, is_silent).is_null());
+  EXPECT_FALSE(receiveUntil(newcomer, is_silent).is_null());
   WebClient third = observer("{}");
-  EXPECT_EQ(hearType(third, "faults")["active"][0]["name"], "servo_silent");
+  EXPECT_EQ(receiveType(third, "faults")["active"][0]["name"], "servo_silent");
 
   daemon->kill(SIGKILL);
-  EXPECT_THAT(hearType(peer, "gone")["reason"].dump(), HasSubstr("has ended"));
+  EXPECT_THAT(receiveType(peer, "gone")["reason"].dump(), HasSubstr("has ended"));
   driver.kill(SIGKILL);
   daemon->wait(5s);
   daemon = startDaemon();
-  EXPECT_EQ(hearType(peer, "hello")["period"], 0.016) << daemon->output();
-  EXPECT_FALSE(hearType(peer, "state").is_null());
+  EXPECT_EQ(receiveType(peer, "hello")["period"], 0.016) << daemon->output();
+  EXPECT_FALSE(receiveType(peer, "state").is_null());
   monitor_->kill(SIGTERM);
   EXPECT_EQ(monitor_->wait(5s), 0);
 }
 
-TEST_F(MonitorProcess, LosesFramesOfSlowObserversAndNothingElse) {
+TEST_F(MonitorProcess, DropsMessagesOfSlowObserversOnly) {
   startVirtualRobot();
   const auto daemon = startDaemon("8");
   ASSERT_TRUE(daemon->says("ready:", 20s)) << daemon->output();
@@ -131,19 +134,19 @@ TEST_F(MonitorProcess, LosesFramesOfSlowObserversAndNothingElse) {
   WebClient ninth{port_number_, doze};
   EXPECT_THAT(ninth.open("/monitor", "darwinop-monitor.1"), StartsWith("HTTP/1.1 503"));
 
-  const std::uint64_t first = hearType(quick, "state")["cycle"];
+  const std::uint64_t first = receiveType(quick, "state")["cycle"];
   std::uint64_t last = first;
-  int heard = 0;
-  for (Json text; last < first + 400; last = text["cycle"], ++heard) {
-    text = hearType(quick, "state");
+  int received = 0;
+  for (Json text; last < first + 400; last = text["cycle"], ++received) {
+    text = receiveType(quick, "state");
     ASSERT_FALSE(text.is_null());
   }
-  for (WebClient& other : others)  // nobody read them all this time, so they have lost some, too
+  for (WebClient& other : others)  // not read so far, so some of their messages were dropped
     EXPECT_FALSE(
-        hearUntil(other, [first](const Json& t) { return t["type"] == "state" && t["cycle"] > first; }).is_null());
-  EXPECT_GT(heard, 200) << "of 400 cycles; a busy machine costs some";
-  const Json loop = hearType(quick, "loop");
-  RecordProperty("overruns", loop["overruns"].get<int>());  // a figure, no judgement: the machine has other work
+        receiveUntil(other, [first](const Json& t) { return t["type"] == "state" && t["cycle"] > first; }).is_null());
+  EXPECT_GT(received, 200) << "of 400 cycles; a busy machine costs some";
+  const Json loop = receiveType(quick, "loop");
+  RecordProperty("overruns", loop["overruns"].get<int>());  // recorded, not checked: the machine may be busy
   RecordProperty("cycles", loop["cycles"].get<int>());
 
   int late = 0;
@@ -152,13 +155,14 @@ TEST_F(MonitorProcess, LosesFramesOfSlowObserversAndNothingElse) {
     ++late;
     return text["cycle"] >= last;
   };
-  EXPECT_FALSE(hearUntil(slow, counted).is_null()) << "the newest state comes in the end";
-  EXPECT_LT(late, heard) << "most were thrown away";
-  EXPECT_FALSE(hearUntil(slow, [](const Json& text) { return text["type"] == "loop" && text["lost"] > 0; }).is_null());
+  EXPECT_FALSE(receiveUntil(slow, counted).is_null()) << "the newest state arrives last";
+  EXPECT_LT(late, received) << "most were dropped";
+  EXPECT_FALSE(
+      receiveUntil(slow, [](const Json& text) { return text["type"] == "loop" && text["lost"] > 0; }).is_null());
 }
 
 #ifdef DARWINOP_VISUAL_TRACKING  // where there is a virtual camera
-TEST_F(MonitorProcess, ShowsWhatTheCameraOfADriverSeesAndThenItsOwn) {
+TEST_F(MonitorProcess, ShowsSharedFramesOfADriverAndThenItsOwnCamera) {
   startVirtualRobot();
   const auto daemon = startDaemon();
   ASSERT_TRUE(daemon->says("ready:", 20s)) << daemon->output();
@@ -168,20 +172,20 @@ TEST_F(MonitorProcess, ShowsWhatTheCameraOfADriverSeesAndThenItsOwn) {
                        file("run.txt")};
   WebClient peer = observer("{}");
   const auto driven = [](const Json& text) { return text["type"] == "loop" && text["driver"].is_object(); };
-  const Json loop = hearUntil(peer, driven);
+  const Json loop = receiveUntil(peer, driven);
   ASSERT_FALSE(loop.is_null()) << driver.output();
-  peer.say(R"({"camera": 30})");
-  EXPECT_THAT(hearType(peer, "camera")["text"].dump(), HasSubstr("a controller drives"));
-  EXPECT_TRUE(hearPicture(peer)) << monitor_->output() << driver.output();
+  peer.send(R"({"camera": 30})");
+  EXPECT_THAT(receiveType(peer, "camera")["text"].dump(), HasSubstr("a controller drives"));
+  EXPECT_TRUE(receivePicture(peer)) << monitor_->output() << driver.output();
   EXPECT_TRUE(std::filesystem::exists(file("runtime.pictures")));
 
   ::kill(loop["driver"]["pid"], SIGKILL);  // perhaps in the middle of a picture
-  EXPECT_THAT(hearType(peer, "camera")["text"].dump(), HasSubstr("the camera gives no pictures"));
-  EXPECT_TRUE(hearPicture(peer)) << monitor_->output();
+  EXPECT_THAT(receiveType(peer, "camera")["text"].dump(), HasSubstr("the camera gives no pictures"));
+  EXPECT_TRUE(receivePicture(peer)) << monitor_->output();
 }
 #endif
 
-TEST_F(MonitorProcess, AsksWhoMayLookBeforeItShowsTheRobotToANetwork) {
+TEST_F(MonitorProcess, RequiresAllowBeforeItListensOnANetwork) {
   Program refused{{program("darwinop-monitor"), "--listen", "0.0.0.0"}, file("monitor.txt")};
   EXPECT_EQ(refused.wait(20s), 1);
   EXPECT_THAT(refused.output(), HasSubstr("--allow 192.168.123.0/24"));

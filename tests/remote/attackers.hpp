@@ -1,4 +1,4 @@
-// Clients that mean no good, on this computer's loopback: what they can send at most, until they are stopped.
+// Hostile clients on the loopback interface: send as much as they can until they are stopped.
 #pragma once
 
 #include <arpa/inet.h>
@@ -22,24 +22,24 @@
 namespace darwinop::remote {
 
 enum class Attack : std::uint8_t {
-  kConnects,   // comes and goes
-  kGarbage,    // bytes that are no request
-  kRequests,   // requests without end, replies are fetched
-  kDeaf,       // requests for all there is, replies are not fetched
-  kSlowLoris,  // sixty-four connections, a byte of a request a second on each
+  kConnects,   // connects and disconnects
+  kGarbage,    // invalid bytes
+  kRequests,   // endless requests, reads the replies
+  kUnread,     // endless requests for everything, does not read the replies
+  kSlowLoris,  // 64 connections, one byte of a request per second on each
 };
-inline constexpr std::array kAttacks{Attack::kConnects, Attack::kGarbage, Attack::kRequests, Attack::kDeaf,
+inline constexpr std::array kAttacks{Attack::kConnects, Attack::kGarbage, Attack::kRequests, Attack::kUnread,
                                      Attack::kSlowLoris};
 
 inline const char* nameOf(Attack attack) {
-  constexpr std::array kNames{"connects", "garbage", "requests", "deaf", "slow_loris"};
+  constexpr std::array kNames{"connects", "garbage", "requests", "unread", "slow_loris"};
   return kNames[static_cast<std::size_t>(attack)];
 }
 
-/// In a thread of its own, from the beginning to the end of its life.
+/// Attacks from a thread from construction to destruction.
 class Attacker {
  public:
-  /// `prepare` is called in the thread, first.
+  /// `prepare` is called in the thread before the attack.
   Attacker(Attack attack, std::uint16_t port, const std::function<void()>& prepare = {})
       : port_{port}, thread_{[this, attack, prepare] {
           if (prepare) prepare();
@@ -52,7 +52,7 @@ class Attacker {
   Attacker(const Attacker&) = delete;
   Attacker& operator=(const Attacker&) = delete;
 
-  /// Connections that the server's computer took.
+  /// Connections that the kernel accepted.
   [[nodiscard]] std::uint64_t connected() const { return connected_; }
   [[nodiscard]] std::uint64_t sent() const { return sent_; }  // bytes
 
@@ -69,10 +69,10 @@ class Attacker {
     const std::span<const std::uint8_t> request =
         attack == Attack::kRequests ? std::span<const std::uint8_t>{kNothing} : std::span<const std::uint8_t>{kMuch};
     while (bytes.size() < 65536) bytes.insert(bytes.end(), request.begin(), request.end());
-    while (!stop_) pour(bytes, attack != Attack::kDeaf);
+    while (!stop_) pour(bytes, attack != Attack::kUnread);
   }
 
-  /// A socket that never waits, and leaves nothing behind when it closes.
+  /// A connected non-blocking socket that is reset on close.
   [[nodiscard]] net::Socket reach() {
     net::Socket socket{::socket(AF_INET, SOCK_STREAM, 0)};
     const linger at_once{1, 0};
@@ -95,7 +95,7 @@ class Attacker {
     while (!stop_) (void)reach();
   }
 
-  /// One connection, for as long as it lasts.
+  /// Sends on one connection until it ends.
   void pour(const Bytes& bytes, bool reads) {
     const net::Socket socket = reach();
     if (!socket.open()) return;
@@ -117,7 +117,7 @@ class Attacker {
   void trickle() {
     constexpr std::array<std::uint8_t, 6> kBegin{'W', 0x2f, 0, 'A', 'G', 'C'};
     std::vector<net::Socket> sockets(64);
-    for (std::size_t tick = 0; !stop_; ++tick) {  // of 10 ms; whoever is out tries to come in
+    for (std::size_t tick = 0; !stop_; ++tick) {  // of 10 ms; closed connections are opened again
       const std::uint8_t byte = kBegin[tick / 100 % kBegin.size()];
       for (net::Socket& socket : sockets) {
         if (!socket.open()) socket = reach();

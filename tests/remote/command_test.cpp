@@ -48,7 +48,7 @@ class RemoteCommand : public testing::Test {
     const std::vector<std::uint8_t> bytes = fromHex(request);
     EXPECT_EQ(send(socket.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL), bytes.size());
     std::vector<std::uint8_t> reply(4096);
-    const ssize_t count = recv(socket.descriptor(), reply.data(), reply.size(), 0);  // waits for the one piece
+    const ssize_t count = recv(socket.descriptor(), reply.data(), reply.size(), 0);  // blocks until the reply arrives
     reply.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
     return toHex(reply);
   }
@@ -65,14 +65,14 @@ TEST_F(RemoteCommand, ServesARobotUntilItIsAskedToEnd) {
     EXPECT_EQ(ask(client, kInertialRequest).substr(0, 14), "57 00 00 00 1d");
     EXPECT_FALSE(connectTo(port).open()) << "one drives";
   }
-  EXPECT_TRUE(server.says("has left", 20s));
+  EXPECT_TRUE(server.says("has disconnected", 20s));
   const net::Socket next = connectTo(port);
   EXPECT_EQ(ask(next, kEmptyRequest), kEmptyReply);
   server.kill(SIGINT);
   EXPECT_EQ(server.wait(20s), 0) << server.output();
 }
 
-TEST_F(RemoteCommand, GoesOnWhenNobodyReadsWhatItSays) {
+TEST_F(RemoteCommand, KeepsRunningWhenItsOutputIsNotRead) {
   const std::string pipe = folder_ / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   Program server{
@@ -86,7 +86,7 @@ TEST_F(RemoteCommand, GoesOnWhenNobodyReadsWhatItSays) {
   }
   for (int client = 0; client < 3; ++client) {
     net::Socket socket;
-    for (int i = 0; i < 500 && !socket.open(); ++i) {  // until the one before has left
+    for (int i = 0; i < 500 && !socket.open(); ++i) {  // until the previous client is disconnected
       socket = connectTo(port);
       if (!socket.open()) std::this_thread::sleep_for(10ms);
     }
@@ -97,13 +97,13 @@ TEST_F(RemoteCommand, GoesOnWhenNobodyReadsWhatItSays) {
   EXPECT_EQ(server.wait(20s), 0);
 }
 
-TEST_F(RemoteCommand, AsksWhoMayComeBeforeItOpensTheRobotToANetwork) {
+TEST_F(RemoteCommand, RequiresAllowBeforeItListensOnANetwork) {
   Program server = run({"--listen", "0.0.0.0"});
   EXPECT_EQ(server.wait(20s), 1);
   EXPECT_THAT(server.output(), HasSubstr("--allow 192.168.123.0/24"));
 }
 
-TEST_F(RemoteCommand, WarnsThatAnOpenPortKnowsNoPassword) {
+TEST_F(RemoteCommand, WarnsThatTheProtocolHasNoPassword) {
   Program server = run({"--listen", "0.0.0.0", "--allow", "10.1.2.0/24", "4", "2"});
   EXPECT_TRUE(server.says("ready: 0.0.0.0:", 20s)) << server.output();
   EXPECT_THAT(server.output(), HasSubstr("has no password"));

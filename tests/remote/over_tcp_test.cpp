@@ -1,4 +1,4 @@
-// The examples on a robot behind `darwinop remote`: they do what they do on a robot of their own.
+// The example controllers over TCP behave as on a local robot.
 #include <gmock/gmock.h>
 
 #include <cstdlib>
@@ -16,7 +16,7 @@ using testing::Not;
 
 class OverTcp : public Rig {
  protected:
-  /// `darwinop remote`; the robot to give a controller.
+  /// Starts `darwinop remote`; returns the robot setting for a controller.
   std::string serve(const std::string& robot, const std::vector<std::string>& options = {}) {
     std::vector<std::string> command{program("darwinop-remote"), "--robot", robot, "--port", port_};
     command.insert(command.end(), options.begin(), options.end());
@@ -28,7 +28,7 @@ class OverTcp : public Rig {
     port_.resize(port_.find('\n'));
     return "tcp://127.0.0.1:" + port_;
   }
-  /// What the controller prints, to its tidy end.
+  /// Output of a controller that ends normally.
   std::string runOn(const std::string& robot, const std::vector<std::string>& command) {
     const runtime::Environment setting{"DARWINOP_ROBOT", robot};
     Program running{command, file("run.txt")};
@@ -40,14 +40,14 @@ class OverTcp : public Rig {
   std::unique_ptr<Program> server_;
 };
 
-TEST_F(OverTcp, ExamplesPrintTheSameAsOnAVirtualRobotOfTheirOwn) {
+TEST_F(OverTcp, ExamplesPrintTheSameAsOnALocalVirtualRobot) {
   const std::string robot = serve("virtual");
   for (const std::vector<std::string>& example : {std::vector<std::string>{DARWINOP_HELLO_HEAD, "--seconds", "5"},
                                                   {DARWINOP_SYMMETRY, "--seconds", "3"},
                                                   {DARWINOP_LEDS, "--seconds", "3"},
                                                   {DARWINOP_WALK, "--seconds", "4", "--x", "1"}})
     EXPECT_EQ(runOn(robot, example), runOn("virtual", example)) << example[0];
-  EXPECT_THAT(server_->output(), HasSubstr("has said farewell"));
+  EXPECT_THAT(server_->output(), HasSubstr("has ended its session"));
   EXPECT_THAT(server_->output(), Not(HasSubstr("never answered")));
 }
 
@@ -66,7 +66,7 @@ TEST_F(OverTcp, TheHeadFollowsABallThroughTheNetwork) {
 }
 #endif
 
-TEST_F(OverTcp, InRealTimeThroughDaemonAndPortAndAServerThatDiesAndComesBack) {
+TEST_F(OverTcp, ReconnectsInRealTimeToAServerThatWasKilledAndRestarted) {
   startVirtualRobot();
   Program daemon{{program("darwinop-runtime"), "--robot", Rig::port()}, file("daemon.txt")};
   ASSERT_TRUE(daemon.says("ready:", seconds{20})) << daemon.output();
@@ -74,20 +74,20 @@ TEST_F(OverTcp, InRealTimeThroughDaemonAndPortAndAServerThatDiesAndComesBack) {
   const runtime::Environment setting{"DARWINOP_ROBOT", robot};
   Program running{{DARWINOP_HELLO_HEAD, "--seconds", "6"}, file("run.txt")};
   ASSERT_TRUE(running.says("neck", seconds{30})) << running.output();
-  std::this_thread::sleep_for(seconds{1});  // no line is sure to come: a step that is late passes over some
+  std::this_thread::sleep_for(seconds{1});  // waits for no line: a late step skips some
   server_->kill(SIGKILL);
   ASSERT_TRUE(running.says("is lost", seconds{10})) << running.output();
   ASSERT_TRUE(running.says("+nan rad", seconds{10})) << "values are absent, not old: " << running.output();
   (void)serve("runtime");
   EXPECT_EQ(running.wait(seconds{30}), 0) << running.output();
-  EXPECT_THAT(running.output(), HasSubstr("is back"));
+  EXPECT_THAT(running.output(), HasSubstr("is connected again"));
   const std::string last = running.output().substr(running.output().rfind("neck"));
   EXPECT_THAT(last, Not(HasSubstr("nan"))) << running.output();
   daemon.kill(SIGTERM);
   EXPECT_EQ(daemon.wait(seconds{20}), 0) << daemon.output();
 }
 
-TEST_F(OverTcp, WhoComesSecondWaitsUntilTheFirstHasEnded) {
+TEST_F(OverTcp, ASecondClientWaitsUntilTheFirstHasEnded) {
   const std::string robot = serve("virtual");
   const runtime::Environment setting{"DARWINOP_ROBOT", robot};
   Program first{{DARWINOP_HELLO_HEAD}, file("first.txt")};

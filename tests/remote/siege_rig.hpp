@@ -1,5 +1,4 @@
-// What an attack meets in earnest: a virtual robot on a pty, the daemon that drives it, the server of remote control,
-// each a process of its own; and a client that drives.
+// Fixture for attacks: virtual robot on a pty, daemon and remote-control server as processes, and a client that drives.
 #pragma once
 
 #include <arpa/inet.h>
@@ -23,8 +22,8 @@ namespace darwinop::remote {
 
 class SiegeRig {
  public:
-  /// `programs`: their folder. `before_runtime`: a command that starts another one, such as setpriv. `server_config`:
-  /// text of the server's config.ini; empty: it has none.
+  /// `programs`: folder of the programs. `before_runtime`: command prefix of the runtime, such as setpriv.
+  /// `server_config`: contents of the server's config.ini; empty: none.
   explicit SiegeRig(const std::string& programs, std::vector<std::string> before_runtime = {},
                     const std::string& server_config = {})
       : robot_{{programs + "/darwinop-virtual-robot", "--link", folder_ / "port"}, folder_ / "robot.txt"} {
@@ -55,7 +54,7 @@ class SiegeRig {
     exchange_->block().stats.copyTo(view);
     return view;
   }
-  /// Until the loop has run that many more cycles. False: it has not within a minute.
+  /// Waits until the loop has run this many more cycles. False: not within a minute.
   [[nodiscard]] bool runCycles(std::uint32_t count) const {
     const std::uint32_t end = exchange_->block().stats.cycles() + count;
     for (int i = 0; i < 6000; ++i) {
@@ -64,7 +63,7 @@ class SiegeRig {
     }
     return false;
   }
-  /// CPU time that the server's process has taken.
+  /// CPU time of the server process.
   [[nodiscard]] std::chrono::duration<double> serverCpu() const {
     clockid_t clock{};
     timespec taken{};
@@ -72,7 +71,7 @@ class SiegeRig {
       throw std::runtime_error("the server has ended: " + server_->output());
     return std::chrono::seconds{taken.tv_sec} + std::chrono::nanoseconds{taken.tv_nsec};
   }
-  /// Memory of the server's process, kB.
+  /// Memory of the server process, kB.
   [[nodiscard]] long residentKb() const {
     std::ifstream status{"/proc/" + std::to_string(server_->pid()) + "/status"};
     for (std::string word; status >> word;)
@@ -93,7 +92,7 @@ class SiegeRig {
   std::uint16_t port_ = 0;
 };
 
-/// Asks and waits for the answer, 5 s at most.
+/// Client that waits for each reply, 5 s at most.
 class SiegeClient {
  public:
   explicit SiegeClient(std::uint16_t port) : socket_{::socket(AF_INET, SOCK_STREAM, 0)} {
@@ -107,7 +106,7 @@ class SiegeClient {
     name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     if (connect(socket_.descriptor(), reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0) socket_.close();
   }
-  /// An empty request. False: no whole answer came.
+  /// Sends an empty request. False: no complete reply.
   [[nodiscard]] bool ask() const {
     if (!socket_.open()) return false;
     const unsigned char request[] = {'W', 4, 0, 0};

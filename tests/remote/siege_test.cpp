@@ -1,5 +1,5 @@
-// Attacks on the port of remote control, with the real daemon and the real server: who drives is served, the loop runs,
-// and nothing grows. How late the loop wakes meanwhile is a benchmark's affair.
+// Attacks on the remote-control port with real daemon and server: the driving client is served, the loop runs, memory
+// is bounded. A benchmark measures the loop's wake-up latency under attack.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,9 +12,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::uint32_t kCyclesOfAnAttack = 60;
-constexpr long kMayGrowKb = 32 * 1024;  // an address sanitizer keeps what was freed
+constexpr long kMayGrowKb = 32 * 1024;  // the address sanitizer retains freed memory
 
-/// Comes as a simulator does: again and again until there is a place.
+/// Connects as a simulator does: retries until it is accepted.
 bool driven(std::uint16_t port) {
   for (int i = 0; i < 300; ++i) {
     if (SiegeClient{port}.ask()) return true;
@@ -25,7 +25,7 @@ bool driven(std::uint16_t port) {
 
 class RemoteSiege : public testing::Test {
  protected:
-  /// The loop has run, and every answer of the robot came whole.
+  /// The loop has run and every reply of the robot was complete.
   void expectRobotUnharmed(const runtime::StatsView& before) const {
     const runtime::StatsView now = rig_.stats().since(before);
     EXPECT_GE(now.cycles, kCyclesOfAnAttack);
@@ -36,7 +36,7 @@ class RemoteSiege : public testing::Test {
   SiegeRig rig_{DARWINOP_BIN};
 };
 
-TEST_F(RemoteSiege, WhoDrivesIsServedWhateverOthersDo) {
+TEST_F(RemoteSiege, TheDrivingClientIsServedDuringEveryAttack) {
   const SiegeClient driver{rig_.port()};
   ASSERT_TRUE(driver.ask());
   for (const Attack attack : kAttacks) {
@@ -52,7 +52,7 @@ TEST_F(RemoteSiege, WhoDrivesIsServedWhateverOthersDo) {
   EXPECT_THAT(rig_.server().output(), testing::Not(testing::HasSubstr("silent")));
 }
 
-TEST_F(RemoteSiege, AfterAnAttackTheServerIsAsItWas) {
+TEST_F(RemoteSiege, TheServerRecoversAfterAnAttack) {
   ASSERT_TRUE(driven(rig_.port()));
   const long resident = rig_.residentKb();
   for (const Attack attack : kAttacks) {
@@ -60,19 +60,19 @@ TEST_F(RemoteSiege, AfterAnAttackTheServerIsAsItWas) {
     {
       const Attacker first{attack, rig_.port()}, second{attack, rig_.port()};
       ASSERT_TRUE(rig_.runCycles(kCyclesOfAnAttack)) << nameOf(attack) << ": " << rig_.runtime().output();
-      EXPECT_GT(first.connected() + second.connected(), 0) << nameOf(attack) << " met nobody";
+      EXPECT_GT(first.connected() + second.connected(), 0) << nameOf(attack) << " has reached no server";
     }
     expectRobotUnharmed(before);
     EXPECT_TRUE(driven(rig_.port())) << nameOf(attack) << ": " << rig_.server().output();
   }
   EXPECT_LT(rig_.residentKb(), resident + kMayGrowKb);
-  EXPECT_LE(lines(rig_.server().output()), 100) << "30 lines a minute, however many come";
+  EXPECT_LE(lines(rig_.server().output()), 100) << "30 lines a minute for any number of clients";
   rig_.server().kill(SIGTERM);
   EXPECT_EQ(rig_.server().wait(20s), 0) << rig_.server().output();
 }
 
-// Each client is told to the log, and each time what of the config.ini a daemon does not grant.
-TEST(RemoteSiegeLog, IsBoundedAlsoWithSettingsOfItsOwn) {
+// Each client is logged, each time with the settings of config.ini that a daemon does not apply.
+TEST(RemoteSiegeLog, IsBoundedWithAConfigIni) {
   SiegeRig rig{DARWINOP_BIN, {}, "[Safety]\nstall_ms = 400\n"};
   for (int i = 0; i < 100; ++i) ASSERT_TRUE(driven(rig.port())) << i;
   const std::string said = rig.server().output();

@@ -1,4 +1,4 @@
-// The page is whole: what it asks for lies in the program.
+// Embedded files of the page are complete.
 #include "window/assets.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace darwinop {
 namespace {
 
-TEST(Assets, TheProgramHoldsAllThatThePageAsksFor) {
+TEST(Assets, ContainAllFilesThatThePageRequests) {
   const auto all = window::assets();
   const std::string page{all[0].body};
   const std::regex wanted{"(?:src|href)=\"([^\"]+)\""};
@@ -23,8 +23,8 @@ TEST(Assets, TheProgramHoldsAllThatThePageAsksFor) {
   for (const window::Asset& asset : all) EXPECT_GT(asset.body.size(), 100U) << asset.name;
 }
 
-/// MIT and the like ask for their text wherever the software goes.
-TEST(Assets, TheScriptCarriesTheLicenceOfEveryPackageInIt) {
+/// MIT and similar licences require their text in every copy.
+TEST(Assets, TheScriptContainsTheLicenceOfEveryBundledPackage) {
   std::string script;
   for (const window::Asset& asset : window::assets())
     if (asset.name.ends_with("window.js")) script = asset.body;
@@ -32,7 +32,7 @@ TEST(Assets, TheScriptCarriesTheLicenceOfEveryPackageInIt) {
     EXPECT_NE(script.find(owner), std::string::npos) << owner;
 }
 
-TEST(Secret, IsLongAndNeverTheSame) {
+TEST(Secret, IsLongAndDifferentEachTime) {
   const std::string first = window::newSecret();
   EXPECT_EQ(first.size(), 32U);
   EXPECT_NE(first, window::newSecret());

@@ -1,4 +1,4 @@
-// What the page draws is the twin's body, whole and in order.
+// The page's geometry is the twin's body, complete and in order.
 #include "window/body_json.hpp"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ const nlohmann::json& shownBody() {
   return body;
 }
 
-TEST(BodyJson, EveryServoTurnsOneLink) {
+TEST(BodyJson, EveryServoMovesOneLink) {
   std::map<std::string, int> links;
   for (const auto& link : shownBody()["links"])
     if (!link["joint"].is_null()) ++links[link["joint"]["name"].get<std::string>()];
@@ -25,7 +25,7 @@ TEST(BodyJson, EveryServoTurnsOneLink) {
   for (const JointRow& joint : kJointTable) EXPECT_EQ(links[std::string{joint.name}], 1) << joint.name;
 }
 
-TEST(BodyJson, ALinkComesAfterTheOneItHangsOn) {
+TEST(BodyJson, ParentsPrecedeTheirChildren) {
   const auto& links = shownBody()["links"];
   EXPECT_EQ(links[0]["parent"], -1);
   for (std::size_t i = 1; i < links.size(); ++i) {
@@ -39,13 +39,13 @@ TEST(BodyJson, TheTrunkHasShapesToDrawAndNoFloorOrBall) {
   for (const auto& link : shownBody()["links"]) EXPECT_NE(link["name"], "ball");
 }
 
-TEST(BodyJson, TheAccelerometersUpIsTheTrunksUp) {
+TEST(BodyJson, TheAccelerometersUpAxisIsTheTrunks) {
   // In the trunk y is up; the sensor's z axis is its quaternion's third column.
   const auto q = shownBody()["sensors"]["accelerometer"]["quat"].get<std::vector<double>>();
   EXPECT_NEAR(2 * (q[2] * q[3] - q[0] * q[1]), 1, 1e-6);
 }
 
-TEST(BodyJson, AModelThatIsNotThereIsNamed) {
+TEST(BodyJson, AMissingModelIsReportedByName) {
   EXPECT_THAT([] { window::bodyJson("nobody"); },
               testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("nobody")));
 }

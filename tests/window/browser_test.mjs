@@ -1,11 +1,11 @@
-// The robot window end to end: real program, virtual robot whose head turns, real browser.
+// End-to-end test of the robot window: real program, virtual robot with a moving head, real browser.
 import assert from 'node:assert/strict';
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {createServer} from 'node:http';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
-import {dice, kMessages, spoilt} from './hostile_messages.mjs';
+import {rng, kMessages, spoilt} from './hostile_messages.mjs';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'darwinop-window-'));
@@ -32,11 +32,11 @@ async function openPage(options = {}, url = shown.url) {
   return page;
 }
 
-test('figures, curves and the picture follow the robot', async () => {
+test('numbers, curves and 3D view follow the robot', async () => {
   const page = await openPage();
   const seen = () => page.waitForFunction(([before]) => {
     const {cells} = [...document.querySelectorAll('tbody tr')].find((row) => row.textContent.startsWith('Neck'));
-    const angle = Number.parseFloat(cells[2].textContent);  // a dash, not a number, until the first figures are shown
+    const angle = Number.parseFloat(cells[2].textContent);  // a dash until the first numbers are shown
     return (before === null ? !Number.isNaN(angle) : Math.abs(angle - before) > 3) && {angle};
   }, [first]).then((found) => found.jsonValue());
   let first = null;
@@ -52,7 +52,7 @@ test('figures, curves and the picture follow the robot', async () => {
   await page.close();
 });
 
-test('pause stops the curves, a drag looks closer, and what is shown is saved', async () => {
+test('pause stops the curves, a drag zooms in, and CSV export saves the range shown', async () => {
   const page = await openPage();
   await page.getByRole('button', {name: 'Pause'}).click();
   const range = () => page.evaluate(() => window.darwinop.timeline.range);
@@ -78,8 +78,8 @@ test('pause stops the curves, a drag looks closer, and what is shown is saved', 
 
 const tabsOf = (page) => page.getByRole('tab').count();
 
-test('tabs go by arrow keys, and every tab is accessible, light and dark', async () => {
-  const page = await openPage({bypassCSP: true});  // for axe alone
+test('tabs follow the arrow keys, and every tab is accessible in light and dark mode', async () => {
+  const page = await openPage({bypassCSP: true});  // for axe only
   await page.addScriptTag({path: kAxe});
   await page.locator('#tab-0').focus();
   for (let i = 0; i < await tabsOf(page); ++i) {
@@ -98,10 +98,10 @@ test('tabs go by arrow keys, and every tab is accessible, light and dark', async
   await page.close();
 });
 
-// In the order of the page: what a keyboard has to reach.
+// Focusable elements in page order.
 const kReachable = 'button:enabled, input:enabled, select:enabled, summary, a[href], [tabindex="0"]';
 
-test('everything is reached by the keyboard, in order, and one sees where one is', async () => {
+test('the keyboard reaches everything in order with a visible focus', async () => {
   const page = await openPage();
   for (let i = 0; i < await tabsOf(page); ++i) {
     await page.click(`#tab-${i}`);
@@ -126,12 +126,12 @@ test('everything is reached by the keyboard, in order, and one sees where one is
   await page.close();
 });
 
-test('a tablet held upright needs no sideways scrolling, and fingers hit the buttons', async () => {
+test('a tablet in portrait mode does not scroll horizontally and has large enough buttons', async () => {
   const page = await openPage({viewport: {width: 820, height: 1180}, hasTouch: true});
   for (let i = 0; i < await tabsOf(page); ++i) {
     await page.tap(`#tab-${i}`);
     const {over, small} = await page.evaluate(() => {
-      const size = (node) => (node.type === 'checkbox' && node.closest('label') || node).getBoundingClientRect();  // one hits its words, too
+      const size = (node) => (node.type === 'checkbox' && node.closest('label') || node).getBoundingClientRect();  // the label is clickable as well
       return {over: document.documentElement.scrollWidth - innerWidth,
         small: [...document.querySelectorAll('button, select, input')].filter((node) => node.checkVisibility() &&
           node.type !== 'range' && size(node).height < 28).map((node) => `${size(node).height}: ${node.outerHTML.slice(0, 80)}`)};
@@ -142,7 +142,7 @@ test('a tablet held upright needs no sideways scrolling, and fingers hit the but
   await page.close();
 });
 
-test('recordings lie over each other, one later than the other, and a report of twin and robot is linked', async () => {
+test('recordings are overlaid with a time shift, and a report of twin and robot is linked', async () => {
   const page = await openPage();
   await page.getByRole('tab', {name: 'Compare'}).click();
   const log = (offset) => 'time_s,cycle,Neck.position [rad],Head.load\n' +
@@ -151,7 +151,7 @@ test('recordings lie over each other, one later than the other, and a report of 
     {name: 'twin.csv', mimeType: 'text/csv', buffer: Buffer.from(log(0))},
     {name: 'robot.csv', mimeType: 'text/csv', buffer: Buffer.from(log(0.2))},
     {name: 'shopping.csv', mimeType: 'text/csv', buffer: Buffer.from('milk,2\n')}]);
-  await page.getByText('shopping.csv is no recording').waitFor();
+  await page.getByText('shopping.csv is not a recording').waitFor();
   await page.selectOption('#compare-column', 'Neck.position');
   await page.waitForFunction(() => window.darwinop.compare.plot?.series.length === 3);
   await page.fill('#shift-1', '1.6');
@@ -166,17 +166,17 @@ test('recordings lie over each other, one later than the other, and a report of 
   await page.close();
 });
 
-test('a robot that says anything neither stops the page nor makes it grow', async () => {
+test('arbitrary messages of a robot neither break the page nor make it grow', async () => {
   const page = await openPage(), errors = [];
   page.on('pageerror', (error) => errors.push(error.stack));
   const good = await page.evaluate(async () => {
     const {feed} = window.darwinop;
     const said = ['hello', 'state', 'loop', 'faults'].map((type) => new Promise((done) =>
       feed.addEventListener(type, ({detail}) => done(detail), {once: true})));
-    feed.socket.close();  // it says hello again
+    feed.socket.close();  // reconnects: a new "hello"
     return Promise.all(said);
   });
-  const [hello] = good, random = dice(3);
+  const [hello] = good, random = rng(3);
   const texts = Array.from({length: 600}, (_, i) => spoilt([...good, ...kMessages.slice(4)][i % 7], random))
     .filter(({type, joints}) => type !== 'hello' || JSON.stringify(joints) === JSON.stringify(hello.joints))  // another robot
     .map((message) => JSON.stringify(message));
@@ -198,13 +198,13 @@ test('a robot that says anything neither stops the page nor makes it grow', asyn
   await page.close();
 });
 
-test('without the secret there is nothing', async () => {
+test('without the secret path every request fails', async () => {
   const root = new URL('/', shown.url).href;
   for (const path of ['', 'window.js', 'body.json', '0123456789abcdef0123456789abcdef/', 'monitor'])
     assert.equal((await fetch(root + path)).status, 404, path);
 });
 
-test('a page from elsewhere can neither read nor listen', async () => {
+test('a page of another origin can neither read nor subscribe', async () => {
   const elsewhere = createServer((_, answer) => answer.end('<!doctype html><title>elsewhere</title>')).listen(0, '127.0.0.1');
   await new Promise((done) => elsewhere.once('listening', done));
   const page = await browser.newPage();
@@ -223,12 +223,12 @@ test('a page from elsewhere can neither read nor listen', async () => {
   assert.deepEqual(got, {read: 'refused', listened: 'refused'});
 });
 
-test('when the program ends, the page says that what it shows is old', async () => {
+test('when the program ends, the page marks its data as old', async () => {
   const page = await openPage();
   await shown.end();
   const banner = page.locator('#banner');
   await banner.waitFor({state: 'visible'});
-  assert.match(await banner.textContent(), /What you see is old/);
+  assert.match(await banner.textContent(), /data shown is old/);
   assert.match(await page.locator('#pills').innerText(), /Battery\s*—/);
   await page.close();
 });

@@ -1,4 +1,4 @@
-// What the window's own robot sees, in the page: a ball is found where it is, and without graphics the page says so.
+// Camera tab with the window's virtual robot: ball position, and the error without graphics.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
 import {startBrowser, startWindow} from './window_program.mjs';
@@ -29,9 +29,9 @@ async function look(words, settings, act) {
 
 const says = (page, id, text) => page.locator(id, {hasText: text}).waitFor();
 
-test('a ball is found where it is drawn, and with another colour it is not', () => look(['--robot', 'virtual'], {}, async (page) => {
+test('finds a ball at its position, and not with another colour', () => look(['--robot', 'virtual'], {}, async (page) => {
   await says(page, '#found-text', /^Ball at/);
-  // The place that is named, the middle of what is tinted, and the colour of the picture there.
+  // The reported position, the centre of the highlighted pixels, and the picture's colour there.
   const seen = await page.evaluate(() => {
     const said = document.getElementById('found-text').textContent.match(/\((\d+), (\d+)\)/).slice(1).map(Number);
     const {data} = document.getElementById('found').getContext('2d').getImageData(0, 0, 320, 240);
@@ -53,7 +53,7 @@ test('a ball is found where it is drawn, and with another colour it is not', () 
   assert.equal(await page.textContent('#found-text'), '');
 }));
 
-test('the ball before the twin is seen by the page and by the controller that follows it', () =>
+test('page and controller see the ball in front of the twin', () =>
   look([process.env.DARWINOP_TRACKING], {DARWINOP_TWIN_BALL: 'rests'}, async (page, shown) => {
     for (let i = 0; i < 200 && !shown.printed().includes('I see the ball'); ++i) await page.waitForTimeout(100);
     assert.match(shown.printed(), /I see the ball/);
@@ -64,7 +64,7 @@ test('the ball before the twin is seen by the page and by the controller that fo
     if (process.env.SHOTS) await page.screenshot({path: `${process.env.SHOTS}/camera.png`});
   }));
 
-test('a twin that cannot draw what it sees says why', () => look([], {DARWINOP_TWIN_GL: 'off'}, async (page) => {
+test('reports why the twin cannot render camera pictures', () => look([], {DARWINOP_TWIN_GL: 'off'}, async (page) => {
   await says(page, '#picture-note', /^No picture: the virtual robot cannot draw what it sees: .*DARWINOP_TWIN_GL/);
   assert.equal(await page.textContent('#found-text'), '');
 }));

@@ -1,4 +1,4 @@
-// Programs that the window starts: what they get of it, and how they end.
+// Child processes of the window: environment, signals, end.
 #include "window/child.hpp"
 
 #include <gmock/gmock.h>
@@ -22,14 +22,14 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 using testing::Not;
 using window::Child;
-using Place = Child::Place;
+using Place = Child::Stdio;
 
 struct WindowChild : testing::Test {
   void programIs(const std::string& text) {
     std::ofstream{program} << "#!/bin/sh\n" << text;
     chmod(program.c_str(), 0700);
   }
-  std::unique_ptr<Child> start(Place place, std::chrono::milliseconds grace = 20s, char* variable = nullptr) {
+  std::unique_ptr<Child> start(Stdio stdio, std::chrono::milliseconds grace = 20s, char* variable = nullptr) {
     return std::make_unique<Child>("test", program, std::vector<std::string>{}, grace, place, variable);
   }
   template <class Done>
@@ -41,7 +41,7 @@ struct WindowChild : testing::Test {
   static int statusOf(Child& child) {
     return comes([&] { return child.ended().has_value(); }) ? *child.ended() : -1;
   }
-  /// It writes its files in one step: echo … >tmp; mv tmp FILE.
+  /// Scripts write their files atomically: echo … >tmp; mv tmp FILE.
   std::string untilWritten(const std::string& name) {
     EXPECT_TRUE(comes([&] { return access((folder / name).c_str(), F_OK) == 0; })) << name;
     std::ifstream in{folder / name};
@@ -58,24 +58,24 @@ struct WindowChild : testing::Test {
 
 constexpr const char* kForEver = "while :; do sleep 0.01; done\n";
 
-TEST_F(WindowChild, OneThatIsHeardIsAskedAsByCtrlCAndTheOthersWithSigterm) {
-  for (const Place place : {Place::kHeard, Place::kBehind, Place::kTerminal}) {
+TEST_F(WindowChild, ACapturedChildGetsSigintAndTheOthersSigterm) {
+  for (const Stdio stdio : {Stdio::kCaptured, Stdio::kBackground, Stdio::kTerminal}) {
     const std::string name = "asked" + std::to_string(static_cast<int>(place));
     programIs("trap '" + writes("echo INT", name) + "exit' INT; trap '" + writes("echo TERM", name) + "exit' TERM\n" +
               writes("echo", "ready" + name) + kForEver);
     const auto child = start(place);
     (void)untilWritten("ready" + name);
-  }  // it is ended here, and waited for
+  }  // ends the child and waits for it
   EXPECT_EQ(untilWritten("asked2"), "INT\n");
   EXPECT_EQ(untilWritten("asked0"), "TERM\n");
   EXPECT_EQ(untilWritten("asked1"), "TERM\n");
 }
 
-// ssh of the installer tells the robot to end what runs there: that must not be cut off.
-TEST_F(WindowChild, WhoDoesNotEndIsKilledAloneAndWhatTidiesUpBehindItGoesOn) {
+// The installer's ssh ends the programs on the robot; it must not be killed while it does.
+TEST_F(WindowChild, KillsOnlyTheChildItselfWhileItsGroupCleansUp) {
   programIs("trap '' INT\nleader=$$\n{ while kill -0 $leader; do sleep 0.01; done; " + writes("echo", "tidied") +
             "} 2>/dev/null &\n" + writes("echo $$", "ready") + kForEver);
-  auto child = start(Place::kHeard, 1ms);
+  auto child = start(Stdio::kCaptured, 1ms);
   const pid_t leader = std::stoi(untilWritten("ready"));
   EXPECT_FALSE(child->ended());
   child.reset();
@@ -83,14 +83,14 @@ TEST_F(WindowChild, WhoDoesNotEndIsKilledAloneAndWhatTidiesUpBehindItGoesOn) {
   EXPECT_TRUE(comes([&] { return access((folder / "tidied").c_str(), F_OK) == 0; }));
 }
 
-TEST_F(WindowChild, NoSignalIsBlockedInItAndOursAreAsBefore) {
+TEST_F(WindowChild, NoSignalIsBlockedInTheChildAndOurMaskIsRestored) {
   sigset_t some, before, after;
   sigemptyset(&some);
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) sigaddset(&some, signal);
   pthread_sigmask(SIG_BLOCK, &some, &before);
   const std::vector<std::string> words{"/proc/self/status", folder / "status"};
-  for (const Place place : {Place::kHeard, Place::kBehind, Place::kTerminal}) {
-    Child child{"test", "/bin/cp", words, 20s, place, nullptr};  // a shell would unblock them by itself
+  for (const Stdio stdio : {Stdio::kCaptured, Stdio::kBackground, Stdio::kTerminal}) {
+    Child child{"test", "/bin/cp", words, 20s, stdio, nullptr};  // a shell would unblock them
     EXPECT_EQ(statusOf(child), 0);
     EXPECT_THAT(untilWritten("status"), HasSubstr("SigBlk:\t0000000000000000\n"));
     unlink((folder / "status").c_str());
@@ -100,13 +100,14 @@ TEST_F(WindowChild, NoSignalIsBlockedInItAndOursAreAsBefore) {
     EXPECT_EQ(sigismember(&after, signal), sigismember(&some, signal)) << signal;
 }
 
-// Between fork and exec it has our handlers, which would swallow a Ctrl-C.
-TEST_F(WindowChild, ACtrlCThatComesAtOnceIsNotLost) {
+// Between fork and exec the child has our handlers, which would swallow a Ctrl-C.
+TEST_F(WindowChild, ACtrlCJustAfterTheStartIsNotLost) {
   programIs(kForEver);
-  for (const sighandler_t ours : {sighandler_t{[](int) {}}, SIG_IGN}) {  // of darwinop window; behind nohup and &
+  for (const sighandler_t ours :
+       {sighandler_t{[](int) {}}, SIG_IGN}) {  // the window's own handler; ignored, as under nohup
     const sighandler_t before = std::signal(SIGINT, ours);
     for (int i = 0; i < 20; ++i) {
-      const auto child = start(Place::kHeard);
+      const auto child = start(Stdio::kCaptured);
       child->interrupt();
       ASSERT_EQ(statusOf(*child), 128 + SIGINT);
     }
@@ -114,24 +115,24 @@ TEST_F(WindowChild, ACtrlCThatComesAtOnceIsNotLost) {
   }
 }
 
-TEST_F(WindowChild, APasswordReachesOnlyWhoIsGivenOne) {
+TEST_F(WindowChild, APasswordReachesOnlyTheChildThatGetsOne) {
   setenv("DARWINOP_PASSWORD", "ours", 1);  // of the window's own login
   setenv("DARWINOP_PASSWORDLESS", "kept", 1);
   programIs(writes("env", "environment"));
-  const auto environment = [this](Place place, char* variable) {
+  const auto environment = [this](Stdio stdio, char* variable) {
     const auto child = start(place, 20s, variable);
     std::string text = untilWritten("environment");
     unlink((folder / "environment").c_str());
     return text;
   };
-  for (const Place place : {Place::kHeard, Place::kBehind, Place::kTerminal}) {
+  for (const Stdio stdio : {Stdio::kCaptured, Stdio::kBackground, Stdio::kTerminal}) {
     const std::string without = environment(place, nullptr);
     EXPECT_THAT(without, Not(HasSubstr("DARWINOP_PASSWORD=")));
     EXPECT_THAT(without, HasSubstr("DARWINOP_PASSWORDLESS=kept"));
     EXPECT_THAT(without, HasSubstr("PATH="));
   }
   std::string theirs = "DARWINOP_PASSWORD=theirs";
-  const std::string with = environment(Place::kHeard, theirs.data());
+  const std::string with = environment(Stdio::kCaptured, theirs.data());
   EXPECT_THAT(with, HasSubstr("DARWINOP_PASSWORD=theirs\n"));
   EXPECT_THAT(with, Not(HasSubstr("ours")));
   unsetenv("DARWINOP_PASSWORD");

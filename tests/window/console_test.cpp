@@ -1,4 +1,4 @@
-// What the installer says, line by line: how long, how many, of what kind, how far it is.
+// Output of the installer: line splitting, classification, limits, progress.
 #include "window/console.hpp"
 
 #include <gmock/gmock.h>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "window/installer_step.hpp"
-#include "window/line_cutter.hpp"
+#include "window/line_splitter.hpp"
 
 namespace darwinop {
 namespace {
@@ -15,8 +15,8 @@ namespace {
 using testing::ElementsAre;
 using window::LineKind;
 
-TEST(TransferConsole, LinesComeWholeInWhateverPieces) {
-  window::LineCutter cutter;
+TEST(TransferConsole, SplitsLinesInAnyFragmentation) {
+  window::LineSplitter cutter;
   std::vector<std::string> lines;
   const auto take = [&lines](std::string_view line) { lines.emplace_back(line); };
   for (const char* piece : {"one\ntw", "o", "\r\n", "10 %\r20 %\n\nlast"}) cutter.add(piece, take);
@@ -26,25 +26,25 @@ TEST(TransferConsole, LinesComeWholeInWhateverPieces) {
   lines.clear();
   for (int i = 0; i < 10; ++i) cutter.add(std::string(1000, 'a'), take);
   cutter.add("\nshort\n", take);
-  EXPECT_THAT(lines, ElementsAre(std::string(window::LineCutter::kLongest, 'a') + "…", "short"));
+  EXPECT_THAT(lines, ElementsAre(std::string(window::LineSplitter::kLongest, 'a') + "…", "short"));
 }
 
-TEST(TransferConsole, ErrorsAreToldFromWhatIsOnlySaid) {
-  const auto kind = [](const char* line, LineKind before = LineKind::kSaid) {
-    return window::kindOfComplaint(line, before);
+TEST(TransferConsole, DistinguishesErrorsFromMessages) {
+  const auto kind = [](const char* line, LineKind before = LineKind::kMessage) {
+    return window::classifyStderrLine(line, before);
   };
-  EXPECT_EQ(kind("darwinop install: sending 12 kB"), LineKind::kSaid);
+  EXPECT_EQ(kind("darwinop install: sending 12 kB"), LineKind::kMessage);
   EXPECT_EQ(kind("darwinop install: error: there is no folder"), LineKind::kError);
-  EXPECT_EQ(kind("robot: walker runs. Ctrl-C stops it"), LineKind::kSaid);
+  EXPECT_EQ(kind("robot: walker runs. Ctrl-C stops it"), LineKind::kMessage);
   EXPECT_EQ(kind("robot: error: the robot's disk is too full"), LineKind::kError);
   EXPECT_EQ(kind("walker.cpp:3:7: warning: unused variable 'x'"), LineKind::kWarning);
   EXPECT_EQ(kind("    3 |   int x;", LineKind::kWarning), LineKind::kWarning);
   EXPECT_EQ(kind("walker.cpp:4:1: error: expected ';'"), LineKind::kError);
-  EXPECT_EQ(kind("walker.cpp: In function 'int main()':"), LineKind::kSaid);
-  EXPECT_EQ(kind("what a controller says on stderr"), LineKind::kError);
+  EXPECT_EQ(kind("walker.cpp: In function 'int main()':"), LineKind::kMessage);
+  EXPECT_EQ(kind("output of a controller on stderr"), LineKind::kError);
 }
 
-TEST(TransferConsole, OnlyTheLastLinesAreKept) {
+TEST(TransferConsole, KeepsTheLastLinesOnly) {
   window::Console console;
   for (std::size_t i = 0; i < window::Console::kMostLines + 10; ++i) console.add(LineKind::kOutput, std::to_string(i));
   EXPECT_EQ(console.begin(), 10U);
@@ -54,7 +54,7 @@ TEST(TransferConsole, OnlyTheLastLinesAreKept) {
   EXPECT_LE((console.end() - console.begin()) * 2000, window::Console::kMostBytes);
 }
 
-TEST(TransferConsole, StepsAreReadAndNothingElseIsOne) {
+TEST(TransferConsole, ParsesValidStepsOnly) {
   const window::InstallerStep sending{.number = 4, .of = 5, .part = 0.42, .name = "sending 12 kB"};
   EXPECT_EQ(window::readStep("progress 4 5 0.420 sending 12 kB"), sending);
   const auto connecting = window::readStep("progress 2 5 - connecting to darwin@r");

@@ -33,8 +33,7 @@ const newest = (page, key) => page.evaluate((name) => {
   return live.at(live.index.get(name), live.count - 1);
 }, key);
 
-/// Does `act` until the measured joint follows by more than `by`, rad. A computer that is so busy that the page falls silent
-/// for half a second takes the robot from it: then once more.
+/// Repeats `act` until the measured joint has moved by more than `by`, rad: on a busy computer the page may lose the session.
 async function moves(page, joint, by, act) {
   for (let tries = 1; ; ++tries) {
     if (!(await page.evaluate(() => window.darwinop.steering.drives))) await drive(page);
@@ -49,7 +48,7 @@ async function moves(page, joint, by, act) {
   }
 }
 
-test('a slider moves its joint, and a dragged arm moves in the way of the pointer', async () => {
+test('a slider moves its joint, and a dragged arm follows the pointer', async () => {
   const page = await openPage();
   await drive(page);
   await page.click('#tab-3');
@@ -80,7 +79,7 @@ test('a slider moves its joint, and a dragged arm moves in the way of the pointe
   await page.close();
 });
 
-test('one page drives; when it goes away the robot is held, and the next may drive', async () => {
+test('one page drives; when it is closed the robot holds and another page may drive', async () => {
   const first = await openPage(), second = await openPage();
   await drive(first);
   await second.click('#take');
@@ -94,11 +93,11 @@ test('one page drives; when it goes away the robot is held, and the next may dri
   await second.close();
 });
 
-test('a page that falls silent no longer drives', async () => {
+test('a page without heartbeat stops driving', async () => {
   const page = await openPage();
   await drive(page);
   await page.evaluate(() => { window.darwinop.steering.send = () => {}; });
-  await page.getByText('not heard for half a second').waitFor();
+  await page.getByText('No heartbeat from this page').waitFor();
   await stateIs(page, 'holding');
   await page.close();
 });

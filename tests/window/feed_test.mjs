@@ -1,4 +1,4 @@
-// What the page says of its channel to the robot, without a browser.
+// Status texts of the monitor channel, without a browser.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
@@ -7,13 +7,13 @@ globalThis.WebSocket = class {
 };
 const {Feed} = await import('../../window/page/src/feed.js');
 
-test('why the program has ended is said also when its channel closes, until it is there again', () => {
+test('keeps the reason of the program\'s end until it reconnects', () => {
   const feed = new Feed('ws://nowhere');
   feed.socket.onopen();
   feed.take('{"type": "ended", "text": "the link is lost."}');
-  assert.match(feed.trouble.text, /has ended: the link is lost\./);
+  assert.match(feed.problem.text, /has ended: the link is lost\./);
   feed.connected = false;
-  assert.match(feed.trouble.text, /has ended: the link is lost\./);
+  assert.match(feed.problem.text, /has ended: the link is lost\./);
   feed.socket.onopen();
-  assert.doesNotMatch(feed.trouble.text, /has ended/);
+  assert.doesNotMatch(feed.problem.text, /has ended/);
 });

@@ -1,4 +1,4 @@
-// Messages of a robot with two joints, one of each type, and ways to spoil them.
+// Valid messages of a robot with two joints, one of each type, and mutations.
 
 const two = (value) => [value, 0];
 export const kMessages = [
@@ -18,8 +18,8 @@ export const kMessages = [
   {type: 'found', picture: 3, width: 12, height: 2, x: 9, y: 1, pixels: 3, percent: 12.5, box: [0, 0, 9, 1], mask: btoa('\x00\xf2\x81\xf0')},
 ];
 
-/// The same numbers between 0 and 1 for the same seed.
-export function dice(seed) {
+/// Random numbers in [0, 1), reproducible by seed.
+export function rng(seed) {
   let state = seed;
   return () => {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
@@ -30,7 +30,7 @@ export function dice(seed) {
 const odd = () => [null, undefined, true, -1, 1e308, Infinity, NaN, 0.5, '', 'hello', 'x'.repeat(20000), [], [[]], {}, {length: 3},
   Array(100).fill(0), {toString: 7}, '<b>x</b>', '__proto__'];
 
-/// A copy with some members, wherever, taken away or replaced by something odd.
+/// A copy with some members removed or replaced by invalid values.
 export function spoilt(message, random) {
   const copy = structuredClone(message), pick = (list) => list[Math.floor(random() * list.length)];
   for (let times = 1 + Math.floor(random() * 3); times > 0; --times) {

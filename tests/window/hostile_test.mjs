@@ -1,19 +1,19 @@
-// Robots and files that say anything: no browser needed. What is understood is within its bounds, the rest counts for
-// nothing, and nothing throws what nobody catches. The same cases each time.
+// Arbitrary messages and files, without a browser: accepted values are in range, others are ignored, nothing throws
+// uncaught. Reproducible.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {jpegSize} from '../../window/page/src/jpeg_size.js';
 import {LogFile} from '../../window/page/src/log_file.js';
-import {forMask, kBalls, sentenceOf} from '../../window/page/src/search_words.js';
+import {forMask, kBalls, resultText} from '../../window/page/src/search_text.js';
 import {isMessage, jointsOf} from '../../window/page/src/shapes.js';
-import {dice, kMessages, spoilt} from './hostile_messages.mjs';
+import {rng, kMessages, spoilt} from './hostile_messages.mjs';
 
-test('what a robot says as it should is understood', () => {
+test('accepts valid messages', () => {
   for (const message of kMessages) assert.ok(isMessage(message), JSON.stringify(message));
   assert.ok(isMessage({type: 'of a later version', what: [1, {}]}));
 });
 
-test('what has another shape is not', () => {
+test('rejects messages of another shape', () => {
   const [hello, state, loop] = kMessages;
   for (const message of [null, 7, 'hello', [], {}, {type: 7}, {type: 'picture'}, {...hello, joints: null}, {...hello, joints: []},
     {...hello, joints: [{...hello.joints[0], name: {}}]}, {...state, time: null}, {...state, joints: undefined},
@@ -23,15 +23,15 @@ test('what has another shape is not', () => {
   assert.ok(Number.isNaN(jointsOf({joints: {...state.joints, goal: []}})));
 });
 
-test('of messages that were spoilt anywhere, no number is left that cannot be drawn', () => {
-  const random = dice(1);
+test('mutated messages never yield a number that cannot be drawn', () => {
+  const random = rng(1);
   let understood = 0;
   for (let i = 0; i < 20000; ++i) {
     const message = spoilt(kMessages[i % kMessages.length], random);
     if (!isMessage(message)) continue;
     ++understood;
     if (message?.type === 'found') {
-      assert.match(sentenceOf(message, kBalls['Red ball']), /^(B|No b)all/);
+      assert.match(resultText(message, kBalls['Red ball']), /^(B|No b)all/);
       if (message.mask !== undefined) forMask(message, (x, y) => assert.ok(x < message.width && y < message.height));
     }
     if (message?.type !== 'state') continue;
@@ -41,8 +41,8 @@ test('of messages that were spoilt anywhere, no number is left that cannot be dr
   assert.ok(understood > 1000, `${understood} of them were harmless`);
 });
 
-test('any bytes as a recording: columns of numbers, rising times, or a sentence', async () => {
-  const random = dice(2), below = (n) => Math.floor(random() * n);
+test('arbitrary bytes as a recording: columns of numbers with rising times, or an error', async () => {
+  const random = rng(2), below = (n) => Math.floor(random() * n);
   const good = '# darwinop recording 1\r\ntime_s,cycle,Neck.position [rad]\r\n1.0,1,0.5\r\n1.016,2,\r\n1.032,3,0.7\r\n';
   const words = ['time_s', 'time', ',', '\n', '\r\n', '#', '[', ']', '1e999', '-', '0x10', 'NaN', '"', '\0', '\ufeff', '9'.repeat(400)];
   let read = 0;
@@ -54,7 +54,7 @@ test('any bytes as a recording: columns of numbers, rising times, or a sentence'
       bytes = Buffer.concat([bytes.subarray(0, at), more, bytes.subarray(at + below(6))]);
     }
     const file = Object.assign(new Blob([bytes]), {name: 'any.csv'});
-    const log = await LogFile.open(file).catch((error) => { assert.match(error.message, /^any\.csv is no recording/); });
+    const log = await LogFile.open(file).catch((error) => { assert.match(error.message, /^any\.csv is not a recording/); });
     for (const name of log?.names ?? []) {
       const {times, values} = await log.read(name);
       ++read;
@@ -66,7 +66,7 @@ test('any bytes as a recording: columns of numbers, rising times, or a sentence'
   assert.ok(read > 1000, `${read} columns were read`);
 });
 
-test('a picture tells its size before there is room for it, and other bytes tell none', () => {
+test('reads the size of a JPEG before it is decoded', () => {
   const jpeg = Uint8Array.from([0xff, 0xd8, 0xff, 0xe0, 0, 4, 1, 2, 0xff, 0xc0, 0, 17, 8, 0, 240, 1, 64, 3]);
   assert.deepEqual(jpegSize(jpeg), [320, 240]);
   for (let length = 0; length < 17; ++length) assert.equal(jpegSize(jpeg.subarray(0, length)), null, `${length} bytes`);
@@ -75,7 +75,7 @@ test('a picture tells its size before there is room for it, and other bytes tell
     spoilt[at] = byte;
     assert.equal(jpegSize(spoilt), null);
   }
-  const random = dice(3);
+  const random = rng(3);
   for (let i = 0; i < 20000; ++i) {
     const any = Uint8Array.from({length: Math.floor(random() * 40)}, () => Math.floor(random() * 256));
     const size = jpegSize(i % 2 ? Uint8Array.from([0xff, 0xd8, 0xff, ...any]) : any);

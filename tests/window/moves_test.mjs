@@ -1,4 +1,4 @@
-// Walking, pages and torque from the page, on the physics twin: it really walks, and it still stands afterwards.
+// Walk, motion pages and torque from the page on the physics twin.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
 import {kAxe, startBrowser, startWindow, takeRobot} from './window_program.mjs';
@@ -19,7 +19,7 @@ after(async () => {
   await shown?.end();
 });
 
-/// A page that a busy computer kept from speaking for half a second does not drive any more: it begins again.
+/// Starts driving again if the page has lost the session on a busy computer.
 const drive = () => takeRobot(page);
 
 async function isAccessible() {
@@ -27,7 +27,7 @@ async function isAccessible() {
   assert.deepEqual(violations.map((one) => `${one.id}: ${one.nodes[0].html}`), []);
 }
 
-/// {low, high} of a column over the last seconds, in its own unit.
+/// {low, high} of a column over the last seconds, in its unit.
 const reach = (key, seconds) => page.evaluate(([name, s]) => {
   const {live} = window.darwinop.timeline, values = [];
   live.read(live.index.get(name), live.find(live.newest - s), live.count, values);
@@ -35,9 +35,9 @@ const reach = (key, seconds) => page.evaluate(([name, s]) => {
   return {low: Math.min(...known), high: Math.max(...known)};
 }, [key, seconds]);
 
-const saysGait = (text) => page.locator('#gait [role=status]').filter({hasText: text}).waitFor();
+const gaitStatusIs = (text) => page.locator('#gait [role=status]').filter({hasText: text}).waitFor();
 
-test('it walks while the pad is held, and stands when it is let go', async () => {
+test('walks while the pad is held and stands after its release', async () => {
   let knee;
   await page.locator('#gait-part').fill('0.3');  // small steps: on a busy computer the twin's balance is late
   for (let tries = 0, walked = false; !walked; ++tries) {
@@ -45,14 +45,14 @@ test('it walks while the pad is held, and stands when it is let go', async () =>
     await drive();
     await page.hover('#go-forward');
     await page.mouse.down();
-    await page.waitForTimeout(5800);  // getting up from its start pose takes 3 s of them
+    await page.waitForTimeout(5800);  // including 3 s to get up from the start pose
     walked = (await page.locator('#gait [role=status]').innerText()) === 'Walking';
     knee = await reach('LegLowerR.position', 1.5);
     if (process.env.SHOTS) await page.screenshot({path: `${process.env.SHOTS}/walk.png`});
     await page.mouse.up();
   }
   await drive();
-  await saysGait('It holds still');
+  await gaitStatusIs('Standing still');
   await page.waitForTimeout(1200);
   assert.ok(knee.high - knee.low > 0.3, `the knee moves: ${JSON.stringify(knee)}`);
   const still = await reach('LegLowerR.position', 0.5), up = await reach('accelerometer.z', 0.5);
@@ -60,12 +60,12 @@ test('it walks while the pad is held, and stands when it is let go', async () =>
   assert.ok(up.low > 7, `it stands: ${JSON.stringify(up)}`);
 });
 
-test('keys walk, too, and a page that loses the focus stands', async () => {
+test('walks with keys, and stands when the page loses the focus', async () => {
   await drive();
   await page.keyboard.down('x');
-  await saysGait('Walking');
+  await gaitStatusIs('Walking');
   await page.evaluate(() => dispatchEvent(new Event('blur')));
-  await saysGait('It holds still');
+  await gaitStatusIs('Standing still');
   await page.keyboard.up('x');
 });
 
@@ -79,11 +79,11 @@ test('a motion page is played to its end', async () => {
   await button.and(page.locator(':enabled')).waitFor();
 });
 
-test('an arm goes limp after a warning, and gets its torque back where it hangs', async () => {
+test('an arm goes limp after a warning and gets its torque back at its position', async () => {
   await drive();
   await page.click('#torque-left_arm');
   if (process.env.SHOTS) await page.screenshot({path: `${process.env.SHOTS}/warning.png`});
-  await isAccessible();  // while it drives, and asks: that takes the page's time
+  await isAccessible();  // while driving with an open warning; takes CPU time
   await drive();
   if (!(await page.locator('#limp-left_arm').isVisible())) await page.click('#torque-left_arm');
   await page.click('#limp-left_arm');
@@ -99,7 +99,7 @@ test('an arm goes limp after a warning, and gets its torque back where it hangs'
   assert.ok(await page.locator('#aim-ArmLowerL').isDisabled());
   await page.hover('#go-forward');
   await page.mouse.down();
-  await page.getByText('walking needs both arms').waitFor();
+  await page.getByText('walking requires both arms').waitFor();
   await page.mouse.up();
   await page.click('#torque-left_arm');
   await page.waitForFunction(() => {
@@ -110,13 +110,13 @@ test('an arm goes limp after a warning, and gets its torque back where it hangs'
   assert.ok(Math.abs(await goal() - hangs.high) < 0.2);
 });
 
-test('a page that falls silent in the middle of a walk ends its step first', async () => {
+test('a page without heartbeat during a walk completes its step', async () => {
   await drive();
   await page.keyboard.down('x');
-  await saysGait('Walking');
-  await page.waitForTimeout(2500);  // it stands already, and knows its gyroscope: steps by now
+  await gaitStatusIs('Walking');
+  await page.waitForTimeout(2500);  // it stands and is calibrated: walking by now
   await page.evaluate(() => { window.darwinop.steering.send = () => {}; });
-  await page.getByText('not heard for half a second').waitFor();
+  await page.getByText('No heartbeat from this page').waitFor();
   await page.keyboard.up('x');
   await page.waitForFunction(() => document.getElementById('pills').textContent.includes('Stateholding'));
   await page.waitForTimeout(700);
@@ -126,7 +126,7 @@ test('a page that falls silent in the middle of a walk ends its step first', asy
   await page.evaluate(() => { delete window.darwinop.steering.send; });
 });
 
-test('a robot that is out of its start pose is taken only by who has seen it', async () => {
+test('a robot out of its start pose is driven only after confirmation', async () => {
   await page.evaluate(() => window.darwinop.steering.leave());
   await page.locator('body:not(.driving)').waitFor();
   await page.waitForFunction(() => document.getElementById('pills').textContent.includes('Stateholding'));
@@ -150,8 +150,8 @@ test('a robot that is out of its start pose is taken only by who has seen it', a
   await page.evaluate(() => window.darwinop.steering.stop());
   await page.locator('body:not(.driving)').waitFor();
   await page.evaluate(() => { window.darwinop.feed.socket.onmessage = null; });
-  await page.getByText('Nothing new from the robot').waitFor();
-  await page.click('#take');  // it is held, as far as one knows
-  await page.getByText('nobody knows how it stands').waitFor();
+  await page.getByText('No data from the robot').waitFor();
+  await page.click('#take');  // held, according to the last state
+  await page.getByText('its pose is unknown').waitFor();
   await page.click('#pose-cancel');
 });

@@ -1,4 +1,4 @@
-// A robot elsewhere: runtime, monitor and remote server on one side, a window that knows only their ports on the other.
+// A remote robot: runtime, monitor and remote server, and a window that uses only their ports.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
 import {startBrowser, startProgram, startWindow} from './window_program.mjs';
@@ -27,10 +27,10 @@ after(async () => {
 const stateIs = (state) => page.waitForFunction((wanted) =>
   document.getElementById('pills').textContent.includes(`State${wanted}`), state);
 
-test('what the robot does is seen, and it is driven, through the network', async () => {
+test('observes and drives the robot over the network', async () => {
   const short = {timeout: 4000};
   await page.click('#tab-3');
-  // A computer so busy that the page falls silent for half a second takes the robot from it: then once more.
+  // On a busy computer the page may lose the session: try again.
   for (let tries = 1; ; ++tries) {
     try {
       await page.click('#take', short);
@@ -52,7 +52,7 @@ test('what the robot does is seen, and it is driven, through the network', async
   await stateIs('holding');
 });
 
-test('a monitor that ends is told, and seen again when it comes back', async () => {
+test('reports a monitor that ends and reconnects when it is back', async () => {
   const port = portOf(monitor);
   await monitor.end();
   const banner = page.locator('#banner').filter({hasText: 'no connection to the monitor'});

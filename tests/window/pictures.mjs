@@ -1,20 +1,20 @@
-// The pictures of docs/window.md, and any others to look at:
+// Renders the images of docs/window.md:
 //   DARWINOP_BIN=build/release/bin DARWINOP_NPM=build/npm/node_modules node tests/window/pictures.mjs docs/window [NAME …]
-// One more tab: a line more in kPictures.
+// For another tab add a line to kPictures.
 import {mkdtempSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {smallPng} from './small_png.mjs';
 import {startBrowser, startProgram, startWindow} from './window_program.mjs';
 
-const kMost = 90000;  // bytes of a picture: they live in the repository
+const kMost = 90000;  // bytes of an image, because they are in the repository
 const kWide = {width: 1200, height: 760}, kTablet = {width: 820, height: 1180}, kCamera = {width: 1280, height: 720};
-// It walks without physics: it stays upright on a busy computer, too.
+// Walks without physics, so that it also stays upright on a busy computer.
 const walker = [`${process.env.DARWINOP_BIN}/../controllers/05_walk/05_walk`, '--', '--seconds', '1000'];
 const [folder, ...wanted] = process.argv.slice(2);
 if (!folder) throw new Error('usage: pictures.mjs FOLDER [NAME …]');
 
-/// `on`: whose window; `tab`; `prepare(page)`; `look`: of the browser's context.
+/// `on`: window to use; `tab`; `prepare(page)`; `look`: options of the browser context.
 const kPictures = [
   {name: 'servos', on: 'walker', tab: 'Servos', prepare: (page) => page.getByRole('button', {name: 'LegLowerR'}).click()},
   {name: 'curves', on: 'walker', tab: 'All curves'},
@@ -51,7 +51,7 @@ async function feelWalk(page) {
   await page.getByRole('tab', {name: 'Motion sensors'}).evaluate((tab) => tab.click());  // the pad is still held
 }
 
-async function showPose(page) {  // the robot is held, bent: to the page it is limp
+async function showPose(page) {  // the robot is held in another pose, shown as limp
   await walk(page);
   await page.mouse.up();
   await page.evaluate(() => window.darwinop.steering.leave());
@@ -65,7 +65,7 @@ async function showPose(page) {  // the robot is held, bent: to the page it is l
   await page.locator('#pose').waitFor();
 }
 
-/// A robot whose battery runs down and one of whose servos gets hot.
+/// A robot with a discharging battery and a hot servo.
 async function faulty() {
   const place = mkdtempSync(join(tmpdir(), 'darwinop-pictures-')), name = join(place, 'runtime');
   writeFileSync(join(place, 'script'), '0 voltage 10.5\n0 heat LegLowerR 68\n1 dead ArmLowerL\n');

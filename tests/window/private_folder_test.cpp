@@ -1,4 +1,4 @@
-// What a window leaves behind when it is killed, and who removes it.
+// Temporary folders of windows and their removal.
 #include "window/private_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ class WindowFolder : public testing::Test {
   [[nodiscard]] int folders() const {
     return static_cast<int>(std::distance(fs::directory_iterator{parent()}, fs::directory_iterator{}));
   }
-  /// A window that is killed before it can tidy.
+  /// A window that is killed before it removes its folder.
   void leaveOne() const {
     const pid_t killed = fork();
     if (killed == 0) {
@@ -44,7 +44,7 @@ TEST_F(WindowFolder, IsRemovedWithItsWindow) {
   EXPECT_EQ(folders(), 0);
 }
 
-TEST_F(WindowFolder, OfAWindowThatWasKilledIsRemovedByTheNext) {
+TEST_F(WindowFolder, OfAKilledWindowIsRemovedByTheNext) {
   leaveOne();
   leaveOne();
   EXPECT_EQ(folders(), 1) << "the second window has removed that of the first";
@@ -53,11 +53,11 @@ TEST_F(WindowFolder, OfAWindowThatWasKilledIsRemovedByTheNext) {
   EXPECT_TRUE(fs::exists(next.path()));
 }
 
-TEST_F(WindowFolder, OfAWindowThatLivesAndOfOthersIsKept) {
+TEST_F(WindowFolder, OfARunningWindowAndOfOthersIsKept) {
   const PrivateFolder other{parent()};
   const std::string elsewhere = folder_ / "important";
   fs::create_directory(elsewhere);
-  fs::create_directory(folder_ / "darwinop-window-3F8a2z");                           // no pid
+  fs::create_directory(folder_ / "darwinop-window-3F8a2z");                           // not a pid
   fs::create_directory_symlink(elsewhere, folder_ / "darwinop-window-4194305-link");  // above every pid
   const PrivateFolder next{parent()};
   EXPECT_EQ(folders(), 5);

@@ -1,4 +1,4 @@
-// What the page keeps, shows and saves: no browser needed.
+// Store, timeline and CSV export of the page, without a browser.
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import {columnsOf, fillRow} from '../../window/page/src/columns.js';
@@ -23,7 +23,7 @@ function recorded(count, rows = 1000) {
   return store;
 }
 
-test('what is not known stays unknown: a gap in the curve, an empty field in the table', () => {
+test('unknown values are gaps in curves and empty CSV fields', () => {
   const store = recorded(3), load = [];
   store.read(store.index.get('Neck.load'), 0, 3, load);
   assert.deepEqual(load, [null, null, null]);
@@ -33,7 +33,7 @@ test('what is not known stays unknown: a gap in the curve, an empty field in the
   assert.equal(first[head.indexOf('Head.position [rad]')], '0');
 });
 
-test('the record keeps the newest rows and never grows', () => {
+test('the store keeps the newest rows in constant memory', () => {
   const store = recorded(250, 100), position = [];
   assert.equal(store.count, 100);
   assert.equal(store.data[0].length, 100);
@@ -42,7 +42,7 @@ test('the record keeps the newest rows and never grows', () => {
   assert.equal(store.find(200 * 0.016), 50);
 });
 
-test('a pause keeps its picture while new rows come', () => {
+test('a pause keeps its data while new rows arrive', () => {
   const timeline = new Timeline(), store = recorded(100, 100);
   timeline.restart(store);
   timeline.pause();
@@ -55,7 +55,7 @@ test('a pause keeps its picture while new rows come', () => {
   assert.equal(timeline.range[1], 99);
 });
 
-test('a zoom pauses and saves only what it shows', () => {
+test('a zoom pauses, and export saves only the range shown', () => {
   const timeline = new Timeline();
   timeline.restart(recorded(200));
   timeline.zoom(1.0, 1.5);

@@ -1,4 +1,4 @@
-// The file of remembered robots: whole, private, and never lost.
+// File of recently used robots: private, atomic, robust.
 #include "window/remembered.hpp"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ struct RememberedRobots : testing::Test {
   window::RobotAddress op2{.address = "op2", .user = "robotis"};
 };
 
-TEST_F(RememberedRobots, TheLastOneUsedComesFirstAndNobodyElseMayRead) {
+TEST_F(RememberedRobots, AreOrderedByUseInAPrivateFile) {
   window::RememberedFile remembered{file};
   remembered.note(darwin, "/walker");
   remembered.note(op2, "");
@@ -39,7 +39,7 @@ TEST_F(RememberedRobots, TheLastOneUsedComesFirstAndNobodyElseMayRead) {
   const window::RememberedFile again{file};
   EXPECT_THAT(again.all().robots, ElementsAre(darwin, op2));
   EXPECT_THAT(again.all().controllers, ElementsAre("/soccer", "/walker"));
-  EXPECT_EQ(again.trouble(), "");
+  EXPECT_EQ(again.error(), "");
   struct stat about {};
   ASSERT_EQ(stat(file.c_str(), &about), 0);
   EXPECT_EQ(about.st_mode & 0777U, 0600U);
@@ -47,13 +47,13 @@ TEST_F(RememberedRobots, TheLastOneUsedComesFirstAndNobodyElseMayRead) {
   EXPECT_THAT(window::RememberedFile{file}.all().robots, ElementsAre(op2));
 }
 
-TEST_F(RememberedRobots, ADamagedFileIsSaidAndKeptAside) {
+TEST_F(RememberedRobots, ReportAndKeepAnInvalidFile) {
   std::filesystem::create_directory((folder / "darwinop"));
   for (const char* text :
        {"{\"robots\": [", R"({"robots": [{"address": "-x", "user": "a"}]})", R"({"password": []})", "[]"}) {
     std::ofstream{file} << text;
     window::RememberedFile remembered{file};
-    EXPECT_THAT(remembered.trouble(), HasSubstr("could not be understood")) << text;
+    EXPECT_THAT(remembered.error(), HasSubstr("is invalid")) << text;
     EXPECT_TRUE(remembered.all().robots.empty());
     EXPECT_EQ(textIn(file + ".damaged"), text);
     remembered.note(op2, "");
@@ -61,7 +61,7 @@ TEST_F(RememberedRobots, ADamagedFileIsSaidAndKeptAside) {
   }
 }
 
-/// No file of this process may grow beyond it, as on a full disk.
+/// Limits the size of files of this process, like a full disk.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) {
@@ -81,7 +81,7 @@ class FullDisk {
   rlimit before_{};
 };
 
-TEST_F(RememberedRobots, AFileThatCannotBeWrittenStaysWholeIsSaidAndNoMoreOnceItCan) {
+TEST_F(RememberedRobots, ReportAFileThatCannotBeWrittenUntilItCan) {
   window::RememberedFile remembered{file};
   remembered.note(darwin, "/walker");
   const std::string before = textIn(file);
@@ -90,38 +90,38 @@ TEST_F(RememberedRobots, AFileThatCannotBeWrittenStaysWholeIsSaidAndNoMoreOnceIt
     const FullDisk full{before.size() / 2};
     remembered.note(op2, "/soccer");
   }
-  EXPECT_THAT(remembered.trouble(), AllOf(HasSubstr("not remembered"), HasSubstr("File too large")));
-  EXPECT_THAT(remembered.all().robots, ElementsAre(op2, darwin)) << "for as long as the window is open";
+  EXPECT_THAT(remembered.error(), AllOf(HasSubstr("not remembered"), HasSubstr("File too large")));
+  EXPECT_THAT(remembered.all().robots, ElementsAre(op2, darwin)) << "kept in memory while the window is open";
   EXPECT_EQ(textIn(file), before);
-  EXPECT_FALSE(std::filesystem::exists(next)) << "half a file lies about";
-  std::filesystem::create_directory(next);  // nor can it be begun
+  EXPECT_FALSE(std::filesystem::exists(next)) << "an incomplete file is left";
+  std::filesystem::create_directory(next);  // so that it cannot be created
   remembered.forget(darwin);
-  EXPECT_THAT(remembered.trouble(), HasSubstr("not remembered"));
+  EXPECT_THAT(remembered.error(), HasSubstr("not remembered"));
   EXPECT_EQ(textIn(file), before);
   std::filesystem::remove(next);
   remembered.note(op2, "");
-  EXPECT_EQ(remembered.trouble(), "");
+  EXPECT_EQ(remembered.error(), "");
   EXPECT_THAT(window::RememberedFile{file}.all().robots, ElementsAre(op2, darwin));
 }
 
-TEST_F(RememberedRobots, ThatAFileWasDamagedIsSaidUntilItWasReadAgain) {
+TEST_F(RememberedRobots, ReportAnInvalidFileUntilItIsReadAgain) {
   std::filesystem::create_directory((folder / "darwinop"));
   window::RememberedFile remembered{file};
   std::ofstream{file} << "[]";
   remembered.note(op2, "");
-  EXPECT_THAT(remembered.trouble(), HasSubstr("could not be understood")) << "it can be written, and that is no excuse";
+  EXPECT_THAT(remembered.error(), HasSubstr("is invalid")) << "writing it does not clear the error";
   remembered.note(darwin, "");
-  EXPECT_EQ(remembered.trouble(), "");
+  EXPECT_EQ(remembered.error(), "");
 }
 
-TEST_F(RememberedRobots, AreFewAndAPlaceThatCannotBeWrittenToIsSaid) {
+TEST_F(RememberedRobots, AreLimitedAndAnUnwritableFolderIsReported) {
   window::RememberedFile remembered{file};
   for (int i = 0; i < 30; ++i)
     remembered.note({.address = "r" + std::to_string(i), .user = "u"}, "/c" + std::to_string(i));
   EXPECT_EQ(window::RememberedFile{file}.all().robots.size(), window::RememberedFile::kMost);
   window::RememberedFile nowhere{"/proc/nowhere/robots.json"};
   nowhere.note(op2, "");
-  EXPECT_THAT(nowhere.trouble(), HasSubstr("not remembered"));
+  EXPECT_THAT(nowhere.error(), HasSubstr("not remembered"));
   EXPECT_THAT(nowhere.all().robots, ElementsAre(op2));
 }
 

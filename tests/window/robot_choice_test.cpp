@@ -1,4 +1,4 @@
-// Which robot a window is for: what cannot be is said, before anything is started.
+// Selection of the robot: invalid combinations are reported before anything is started.
 #include "window/robot_choice.hpp"
 
 #include <gmock/gmock.h>
@@ -21,19 +21,19 @@ std::string whyNot(Act act) {
   return "none";
 }
 
-TEST(WindowRobotChoice, OnlyItsOwnRobotIsStartedAndGivenAController) {
+TEST(WindowRobotChoice, StartsAControllerOnlyOnItsOwnRobot) {
   for (const RobotChoice& choice :
        {RobotChoice{.robot = "runtime"}, RobotChoice{.robot = "tcp://r"}, RobotChoice{.monitor = "r:5024"}}) {
-    EXPECT_EQ(window::ownRobot(choice, {}), nullptr) << choice.robot;
-    EXPECT_THAT(whyNot([&] { (void)window::ownRobot(choice, {"walker"}); }), HasSubstr("darwinop run"));
+    EXPECT_EQ(window::startSimulatedRobot(choice, {}), nullptr) << choice.robot;
+    EXPECT_THAT(whyNot([&] { (void)window::startSimulatedRobot(choice, {"walker"}); }), HasSubstr("darwinop run"));
   }
-  EXPECT_THAT(whyNot([] { (void)window::ownRobot({.robot = "twins"}, {}); }), HasSubstr("twin, twin:MODEL"));
+  EXPECT_THAT(whyNot([] { (void)window::startSimulatedRobot({.robot = "twins"}, {}); }), HasSubstr("twin, twin:MODEL"));
 }
 
-TEST(WindowRobotChoice, WithAMonitorAloneItLooksOn) {
+TEST(WindowRobotChoice, ObservesOnlyWithAMonitorAlone) {
   const runtime::RuntimeFiles nobody{"/nowhere"};
   const RobotChoice looks{.monitor = "127.0.0.1:1"};
-  EXPECT_THAT(whyNot([&] { (void)window::linkToDrive(looks, nobody, {}); }), HasSubstr("only looks on"));
+  EXPECT_THAT(whyNot([&] { (void)window::openDriveLink(looks, nobody, {}); }), HasSubstr("only observes"));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-// A PNG of 256 colours, a third of the bytes: the most frequent ones, everything else as the nearest of them.
+// Reduces a PNG to the 256 most frequent colours: a third of the size.
 import {deflateSync} from 'node:zlib';
 
 const kColours = 256;
 
-/// `page`: any of a browser, which knows how to read a PNG.
+/// `page`: any browser page, used to decode the PNG.
 export async function smallPng(page, png) {
   const {width, height, colours, pixels} = await page.evaluate(async ([base64, most]) => {
     const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))]));
@@ -17,7 +17,7 @@ export async function smallPng(page, png) {
     const apart = (a, b) => (a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2 + (a[2] - b[2]) ** 2;
     for (const [word] of [...seen].sort((a, b) => b[1] - a[1])) {
       if (colours.length === most) break;
-      if (colours.every((one) => apart(one, parts(word)) > 24)) colours.push(parts(word));  // not two that look alike
+      if (colours.every((one) => apart(one, parts(word)) > 24)) colours.push(parts(word));  // skips similar colours
     }
     const nearest = (word) => {
       let best = 0;

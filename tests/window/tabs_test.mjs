@@ -1,4 +1,4 @@
-// The row of tabs, the bar above what has curves, and what the tab Transfer begins with.
+// Tabs, time bar, and initial values of the Transfer tab.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
 import {startBrowser, startWindow} from './window_program.mjs';
@@ -21,15 +21,15 @@ async function openPage() {
   return page;
 }
 
-test('tabs are one row on any screen, and the chosen one is in sight', async () => {
+test('tabs are one row on any screen with the selected one visible', async () => {
   const page = await openPage();
   const count = await page.getByRole('tab').count();
   await page.getByRole('tab').last().click();
   for (const width of [1366, 1200, 1024, 768]) {
     await page.setViewportSize({width, height: 850});
-    for (let i = 0; i < count; ++i) {  // from the last one, which is in sight again, once round
+    for (let i = 0; i < count; ++i) {  // once round, starting from the last one
       const {hidden, ...seen} = await page.evaluate(async () => {
-        for (let frame = 0; frame < 3; ++frame) await new Promise(requestAnimationFrame);  // curves follow the width
+        for (let frame = 0; frame < 3; ++frame) await new Promise(requestAnimationFrame);  // curves adapt to the width
         const list = document.querySelector('#tabs'), row = list.getBoundingClientRect();
         const chosen = list.querySelector('[aria-selected="true"]').getBoundingClientRect();
         return {rows: new Set([...list.children].map((tab) => tab.getBoundingClientRect().top)).size,
@@ -44,7 +44,7 @@ test('tabs are one row on any screen, and the chosen one is in sight', async () 
   await page.close();
 });
 
-test('the bar of the time is where curves are, and its keys go everywhere', async () => {
+test('the time bar is shown with curves, and its keys work everywhere', async () => {
   const page = await openPage();
   for (const tab of await page.getByRole('tab').all()) {
     await tab.click();
@@ -64,16 +64,16 @@ test('the bar of the time is where curves are, and its keys go everywhere', asyn
 const kGiven = {address: '10.0.0.7', user: 'robotis', key: '/keys/op2', port: 2222};
 const kUsed = {address: '10.0.0.8', user: 'darwin', key: '', port: 0}, kOther = {...kUsed, address: '10.0.0.9'};
 
-test('Transfer begins with the robot of --robot, else with the last one used, and never goes over what was typed', async () => {
+test('Transfer starts with the robot of --robot or the last one used, and keeps what was typed', async () => {
   const begun = async (known, typed) => {
     const page = await browser.newPage();
     const opened = new Promise((done) => page.routeWebSocket(/\/transfer$/, done).then(() => page.goto(shown.url)));
     const socket = await opened;
     await page.getByRole('tab', {name: 'Transfer'}).click();
     if (typed) await page.fill('#robot-address', typed);
-    const tell = (more) => socket.send(JSON.stringify({type: 'known', controllers: [], examples: [], trouble: '', ...more}));
-    tell({robots: [kUsed], ...known});
-    tell({robots: [kOther, kUsed], ...known});  // another page has used one
+    const sendKnown = (more) => socket.send(JSON.stringify({type: 'known', controllers: [], examples: [], trouble: '', ...more}));  // keep-word: member of the message
+    sendKnown({robots: [kUsed], ...known});
+    sendKnown({robots: [kOther, kUsed], ...known});  // another page has used a robot
     await page.locator('#robot-used option', {hasText: kOther.address}).waitFor({state: 'attached'});
     const values = await page.evaluate(() => ['address', 'user', 'key', 'port'].map((name) => document.querySelector(`#robot-${name}`).value));
     await page.close();

@@ -1,4 +1,4 @@
-// The Transfer tab against a robot's real sshd: tests/installer/transfer_test.sh makes that robot and runs this in its lab.
+// Transfer tab with a real sshd; run by tests/installer/transfer_test.sh.
 import assert from 'node:assert/strict';
 import {closeSync, openSync, readFileSync, readSync, writeFileSync} from 'node:fs';
 import {after, before, test} from 'node:test';
@@ -7,7 +7,7 @@ import {becomes, line, openTransfer} from './transfer_page.mjs';
 import {kAxe, startBrowser, startWindow} from './window_program.mjs';
 
 const {LAB, PASSWORD, HOST_KEY} = process.env;
-delete process.env.PASSWORD;  // the window inherits what is there
+delete process.env.PASSWORD;  // the window inherits the environment
 let browser, shown, page, other;
 
 before(async () => {
@@ -20,7 +20,7 @@ after(async () => {
   await shown?.end();
 });
 
-test('without a password it says so, the key of an unknown robot is shown, and then it tells how it is', async () => {
+test('asks for password and host key, then shows the robot\'s status', async () => {
   await page.fill('#robot-address', '127.0.0.1');
   await page.click('#transfer-status');
   await page.getByRole('dialog').getByText(HOST_KEY).waitFor();
@@ -34,11 +34,11 @@ test('without a password it says so, the key of an unknown robot is shown, and t
   await page.locator('#robot-used option', {hasText: 'darwin@127.0.0.1'}).waitFor({state: 'attached'});
 });
 
-test('a controller is sent and run, all pages see it, its errors are red and marked, and Cancel ends it tidily', async () => {
+test('sends and runs a controller, visible to all pages, with marked errors, until Cancel ends it', async () => {
   await page.fill('#controller-folder', `${LAB}/pc/walker`);
   await page.fill('#controller-arguments', '--speed 2');
   await page.click('#transfer-run');
-  const seen = page.evaluate(() => new Promise((done) => {  // a step that has a length of its own
+  const seen = page.evaluate(() => new Promise((done) => {  // a step with progress
     const bar = document.querySelector('.transfer-progress .progress'), values = [];
     new MutationObserver(() => {
       values.push(Number(bar.ariaValueNow));
@@ -67,7 +67,7 @@ test('a controller is sent and run, all pages see it, its errors are red and mar
   await becomes(page, 'cancelled');
 });
 
-test('it becomes the default after a question, and a mistake in the source is told as one', async () => {
+test('makes it the default after a confirmation, and reports compiler errors', async () => {
   await page.click('#transfer-make-default');
   await page.getByRole('dialog').getByRole('button', {name: 'Make default'}).click();
   await becomes(page, 'done');
@@ -79,7 +79,7 @@ test('it becomes the default after a question, and a mistake in the source is to
   await line(page, 'warning', 'unused variable');
 });
 
-test('the password is in no page, no memory of the program and nothing that it printed', async () => {
+test('the password is neither in a page nor in the program\'s memory or output', async () => {
   for (const one of [page, other]) assert.ok(!(await one.content()).includes(PASSWORD));
   assert.ok(!(shown.said() + shown.printed()).includes(PASSWORD));
   const secret = Buffer.from(PASSWORD), memory = openSync(`/proc/${shown.process.pid}/mem`, 'r');
@@ -97,7 +97,7 @@ test('the password is in no page, no memory of the program and nothing that it p
   assert.ok(looked > 1e6);
 });
 
-test('a window that is killed stops the controller, too', async () => {
+test('killing the window stops the controller', async () => {
   await page.fill('#controller-folder', `${LAB}/pc/walker`);
   await page.fill('#controller-arguments', '--again 1');
   await page.click('#transfer-run');

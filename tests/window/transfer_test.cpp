@@ -1,4 +1,4 @@
-// The transfer channel with a small shell script in the installer's place.
+// Transfer channel with a shell script as installer.
 #include "window/transfer.hpp"
 
 #include <fcntl.h>
@@ -24,22 +24,22 @@ using testing::Not;
 
 constexpr const char* kStatus = R"({"start": {"action": "status", "robot": {"address": "r", "user": "darwin"}}})";
 
-/// A page that asks for more lines whenever it has got some.
+/// A page that requests more lines after each message.
 struct TransferPage final : web::Channel {
   const std::string& name() const override { return who; }
   void send(web::Lane, web::Bytes text) override {
-    const json said = json::parse(*text);
-    if (said["type"] == "state") state = said;
-    if (said["type"] == "known") known = said;
-    if (said["type"] == "refused") refused = said["text"];
-    if (said["type"] != "lines") return;
-    for (const json& line : said["lines"])
+    const json message = json::parse(*text);
+    if (message["type"] == "state") state = message;
+    if (message["type"] == "known") known = message;
+    if (message["type"] == "refused") refused = message["text"];
+    if (message["type"] != "lines") return;
+    for (const json& line : message["lines"])
       lines.push_back(line[0].get<std::string>() + ": " + line[1].get<std::string>());
-    next = said["first"].get<std::uint64_t>() + said["lines"].size();
+    next = message["first"].get<std::uint64_t>() + message["lines"].size();
     asks = true;
   }
   void sendBinary(web::Lane, web::Bytes) override {}
-  void forgetNewest() override {}
+  void discardQueued() override {}
   std::uint64_t lost() const override { return 0; }
   void close(const std::string&) override {}
 
@@ -62,9 +62,9 @@ struct WindowTransfer : testing::Test {
   void turn() {
     for (TransferPage* one : pages)
       if (std::exchange(one->asks, false))
-        transfer->said(*one, R"({"more": )" + std::to_string(one->next) + "}", false);
+        transfer->received(*one, R"({"more": )" + std::to_string(one->next) + "}", false);
     now += window::Transfer::kLinesPause;
-    transfer->turn();
+    transfer->update();
     std::this_thread::sleep_for(1ms);
   }
   template <class Done>
@@ -73,12 +73,12 @@ struct WindowTransfer : testing::Test {
     while (!done() && std::chrono::steady_clock::now() < end) turn();
     ASSERT_TRUE(done()) << page.state << testing::PrintToString(page.lines);
   }
-  void begin(const std::string& words = kStatus) { transfer->said(page, words, false); }
+  void begin(const std::string& words = kStatus) { transfer->received(page, words, false); }
   void untilEnded() {
     until([this] { return !transfer->runs(); });
     for (int i = 0; i < 5; ++i) turn();
   }
-  bool heard(const std::string& line) const { return std::ranges::find(page.lines, line) != page.lines.end(); }
+  bool hasLine(const std::string& line) const { return std::ranges::find(page.lines, line) != page.lines.end(); }
 
   TemporaryFolder folder;
   std::string installer = folder / "darwinop-install", file = folder / "robots.json";
@@ -89,7 +89,7 @@ struct WindowTransfer : testing::Test {
       std::make_unique<window::Transfer>(installer, file, [this] { return now; });
 };
 
-TEST_F(WindowTransfer, EveryPageSeesWhatIsDoneAndHowItEnds) {
+TEST_F(WindowTransfer, ShowsTheRunAndItsResultToEveryPage) {
   installerIs(
       "echo progress 1 2 0.5 connecting >&3\n"
       "echo \"$@\"; echo 'robot: error: no disk' >&2; exit 1\n");
@@ -104,18 +104,18 @@ TEST_F(WindowTransfer, EveryPageSeesWhatIsDoneAndHowItEnds) {
   EXPECT_EQ(page.state["step"]["name"], "connecting");
   EXPECT_EQ(page.state["step"]["part"], 0.5);
   EXPECT_EQ(page.known["robots"][0]["address"], "r");
-  open(other);  // late
+  open(other);  // after the end
   for (int i = 0; i < 3; ++i) turn();
   EXPECT_EQ(other.lines, page.lines);
   EXPECT_EQ(other.state, page.state);
 }
 
-TEST_F(WindowTransfer, ThePasswordReachesTheProgramOnceAndNothingElse) {
+TEST_F(WindowTransfer, ThePasswordReachesTheProgramOnlyAndOnce) {
   setenv("DARWINOP_PASSWORD", "ours", 1);  // of the window's own login
   installerIs("echo \"${DARWINOP_PASSWORD-none}\" >" + (folder / "") +
               "got; tr '\\0' ' ' </proc/$$/cmdline; echo; env | grep -c '^DARWINOP_PASSWORD='\n");
   open(page);
-  transfer->said(page, "s3cret ü word", true);
+  transfer->received(page, "s3cret ü word", true);
   begin();
   untilEnded();
   const auto got = [this] {
@@ -125,32 +125,32 @@ TEST_F(WindowTransfer, ThePasswordReachesTheProgramOnceAndNothingElse) {
     return text;
   };
   EXPECT_EQ(got(), "s3cret ü word");
-  EXPECT_TRUE(heard("output: 1"));
+  EXPECT_TRUE(hasLine("output: 1"));
   for (const std::string& line : page.lines) EXPECT_THAT(line, Not(HasSubstr("s3cret")));
   EXPECT_THAT(page.state.dump() + page.known.dump(), Not(HasSubstr("s3cret")));
   std::string remembered{std::istreambuf_iterator<char>{std::ifstream{file}.rdbuf()}, {}};
   EXPECT_THAT(remembered, HasSubstr("darwin"));
   EXPECT_THAT(remembered, Not(HasSubstr("s3cret")));
-  begin();  // it was for the start before
+  begin();  // the password was for the previous start
   untilEnded();
   EXPECT_EQ(got(), "none");
   unsetenv("DARWINOP_PASSWORD");
 }
 
-TEST_F(WindowTransfer, APasswordEndsWithTheStartThatItWasForAlsoWhenThatIsRefused) {
+TEST_F(WindowTransfer, APasswordIsDiscardedWithItsStartAlsoIfThatIsRefused) {
   installerIs("echo \"${DARWINOP_PASSWORD-none}\"\n");
   open(page);
-  transfer->said(page, "s3cret", true);
+  transfer->received(page, "s3cret", true);
   begin(R"({"start": {"action": "status", "robot": {"address": "-r", "user": "darwin"}}})");
   EXPECT_THAT(page.refused, Not(IsEmpty()));
   EXPECT_FALSE(transfer->runs());
   begin();
   untilEnded();
-  EXPECT_TRUE(heard("output: none"));
-  transfer->said(page, "s3cret", true);
-  transfer->said(page, std::string(201, 'a'), true);
+  EXPECT_TRUE(hasLine("output: none"));
+  transfer->received(page, "s3cret", true);
+  transfer->received(page, std::string(201, 'a'), true);
   page.refused.clear();
-  begin();  // not without the password that was meant, and not with the one before
+  begin();  // neither without the rejected password nor with the previous one
   EXPECT_THAT(page.refused, HasSubstr("at most 200 bytes"));
   EXPECT_FALSE(transfer->runs());
   begin();
@@ -159,19 +159,19 @@ TEST_F(WindowTransfer, APasswordEndsWithTheStartThatItWasForAlsoWhenThatIsRefuse
   for (const std::string& line : page.lines) EXPECT_THAT(line, Not(HasSubstr("s3cret")));
 }
 
-TEST_F(WindowTransfer, CancelIsCtrlCForAllOfItAndTheInstallerEndsByItself) {
+TEST_F(WindowTransfer, CancelSendsCtrlCToTheGroupAndTheInstallerEndsItself) {
   installerIs(
       "trap 'echo asked; sleep 0.2; echo tidied; exit 130' INT\n"
       "sh -c \"trap 'echo child; exit' INT; echo begun; while :; do sleep 0.02; done\"; while :; do sleep 0.02; "
       "done\n");
   open(page);
   begin();
-  until([this] { return heard("output: begun"); });
-  transfer->said(page, R"({"cancel": true})", false);
-  transfer->said(page, R"({"cancel": true})", false);
+  until([this] { return hasLine("output: begun"); });
+  transfer->received(page, R"({"cancel": true})", false);
+  transfer->received(page, R"({"cancel": true})", false);
   EXPECT_EQ(page.state["cancelled"], true);
   begin();
-  EXPECT_THAT(page.refused, HasSubstr("one thing at a time"));
+  EXPECT_THAT(page.refused, HasSubstr("another transfer is running"));
   untilEnded();
   EXPECT_THAT(page.lines, Contains("output: child"));
   EXPECT_THAT(page.lines, Contains("output: tidied"));
@@ -179,17 +179,17 @@ TEST_F(WindowTransfer, CancelIsCtrlCForAllOfItAndTheInstallerEndsByItself) {
   EXPECT_EQ(std::ranges::count(page.lines, "output: asked"), 1);
 }
 
-TEST_F(WindowTransfer, AWindowThatEndsCancelsWhatRunsAndWaits) {
+TEST_F(WindowTransfer, ClosingTheWindowCancelsTheRunAndWaits) {
   installerIs("trap 'yes | head -c 200000; echo tidied >" + (folder / "") +
               "end; exit 130' INT; echo begun; while :; do sleep 0.02; done\n");
   open(page);
   begin();
-  until([this] { return heard("output: begun"); });
+  until([this] { return hasLine("output: begun"); });
   transfer.reset();
-  EXPECT_TRUE(std::filesystem::exists(folder / "end")) << "killed, or it could not get rid of its output";
+  EXPECT_TRUE(std::filesystem::exists(folder / "end")) << "killed, or blocked on its output";
 }
 
-TEST_F(WindowTransfer, ItHasNoTerminalToAskOnAndNothingOfOurs) {
+TEST_F(WindowTransfer, TheInstallerHasNoTerminalAndNoDescriptorsOfOurs) {
   const int leak = fcntl(1, F_DUPFD, 20);
   installerIs("(: </dev/tty) 2>/dev/null && echo terminal; read -r line || echo no input; ls /proc/$$/fd\n");
   open(page);
@@ -202,32 +202,32 @@ TEST_F(WindowTransfer, ItHasNoTerminalToAskOnAndNothingOfOurs) {
   EXPECT_THAT(page.lines, Not(Contains("output: " + std::to_string(leak))));
 }
 
-TEST_F(WindowTransfer, WhatPrintsWithoutEndDelaysNobodyAndLosesLinesOnly) {
+TEST_F(WindowTransfer, EndlessOutputBlocksNothingAndLosesLinesOnly) {
   installerIs("yes 'a line of a controller that prints without end'\n");
   open(page);
   begin();
   until([this] { return page.lines.size() > 1000; });
-  for (int i = 0; i < 200; ++i) {  // a page that is slow
-    transfer->turn();
+  for (int i = 0; i < 200; ++i) {  // a slow page
+    transfer->update();
     std::this_thread::sleep_for(1ms);
   }
-  until([this] { return page.next > page.lines.size(); });  // some were left out
+  until([this] { return page.next > page.lines.size(); });  // some lines were dropped
   begin(R"({"cancel": true})");
   untilEnded();
 }
 
-TEST_F(WindowTransfer, WhatIsNotUnderstoodOrNotThereIsSaidAndNothingIsDone) {
+TEST_F(WindowTransfer, RefusesInvalidRequestsAndAMissingInstaller) {
   open(page);
   begin("nonsense");
-  EXPECT_THAT(page.refused, HasSubstr("no JSON object"));
+  EXPECT_THAT(page.refused, HasSubstr("must be a JSON object"));
   begin();
-  EXPECT_THAT(page.refused, HasSubstr("darwinop-install is not there"));
+  EXPECT_THAT(page.refused, HasSubstr("darwinop-install: No such file"));
   EXPECT_FALSE(transfer->runs());
-  transfer->said(page, std::string(201, 'a'), true);
+  transfer->received(page, std::string(201, 'a'), true);
   EXPECT_THAT(page.refused, HasSubstr("at most 200 bytes"));
 }
 
-TEST_F(WindowTransfer, PagesAreToldTheRobotThatTheWindowWasStartedFor) {
+TEST_F(WindowTransfer, SendsTheRobotOfTheCommandLineToPages) {
   open(page);
   EXPECT_TRUE(page.known["given"].is_null());
   const window::RobotAddress given{.address = "192.168.123.1", .user = "darwin", .key = "/k", .port = 2222};
@@ -237,7 +237,7 @@ TEST_F(WindowTransfer, PagesAreToldTheRobotThatTheWindowWasStartedFor) {
   EXPECT_EQ(other.known["given"], window::jsonOf(given));
 }
 
-TEST_F(WindowTransfer, TheKeyOfAnUnknownRobotIsPassedOn) {
+TEST_F(WindowTransfer, SendsTheKeyOfAnUnknownRobot) {
   const std::string key = "SHA256:" + std::string(43, 'A');
   installerIs("echo host-key " + key + " >&3; exit 1\n");
   open(page);

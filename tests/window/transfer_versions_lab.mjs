@@ -1,5 +1,4 @@
-// Versions of the runtime through the Transfer tab, on a robot that has none: tests/installer/transfer_test.sh makes that robot
-// and runs this in its lab.
+// Installing runtime versions with the Transfer tab on a robot without one; run by tests/installer/transfer_test.sh.
 import assert from 'node:assert/strict';
 import {copyFileSync, existsSync, readlinkSync} from 'node:fs';
 import {basename, join} from 'node:path';
@@ -26,7 +25,7 @@ after(async () => {
 
 const current = () => readlinkSync(join(kHome, 'current'));
 
-test('the newest build is installed, and a newer one over it', async () => {
+test('installs the newest build and updates it', async () => {
   await page.click('#transfer-install');
   await becomes(page, /^Installing, robotis@127\.0\.0\.1: done\. version 0\.1\.0\+a is installed and confirmed$/);
   await line(page, 'output', 'doctor: everything is well');
@@ -38,20 +37,20 @@ test('the newest build is installed, and a newer one over it', async () => {
   assert.equal(current(), 'versions/0.2.0+b');
 });
 
-test('it goes back by one version', async () => {
+test('goes back by one version', async () => {
   await page.click('#transfer-rollback');
   await line(page, 'said', 'going back from 0.2.0+b to 0.1.0+a');
   await becomes(page, /^Going back, robotis@127\.0\.0\.1: done\. version 0\.1\.0\+a is installed and confirmed$/);
   assert.equal(current(), 'versions/0.1.0+a');
 });
 
-test('it is removed, after a question whose first answer is no', async () => {
+test('removes it after a confirmation, not after Cancel', async () => {
   const question = page.getByRole('dialog', {name: 'Remove everything of darwinop from the robot?'});
   await page.click('#transfer-uninstall');
   await question.waitFor();
   await page.keyboard.press('Enter');
   await question.waitFor({state: 'detached'});
-  await page.click('#transfer-status');  // one thing at a time: nothing else has begun
+  await page.click('#transfer-status');  // only one run at a time: none has started
   await line(page, 'output', 'version:    0.1.0+a (confirmed)');
   await becomes(page, /^Connecting, .*: done/);
   await page.click('#transfer-uninstall');

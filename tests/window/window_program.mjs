@@ -1,4 +1,4 @@
-// The real program with a virtual robot, and a real browser.
+// Helpers: darwinop programs with a virtual robot, and a browser.
 import {spawn} from 'node:child_process';
 import {existsSync} from 'node:fs';
 import {createRequire} from 'node:module';
@@ -13,7 +13,7 @@ export async function startBrowser() {
   return chromium.launch({executablePath: program, args: ['--no-sandbox']});
 }
 
-/// {said(), printed(), end()}: a program of ours that has printed what `ready` finds.
+/// Starts a darwinop program and waits until its output matches `ready`; returns {said(), printed(), end()}.
 export async function startProgram(noun, words, ready, more = {}) {
   const program = spawn(`${process.env.DARWINOP_BIN}/darwinop-${noun}`, words,
     {stdio: ['ignore', 'pipe', 'pipe'], env: {...process.env, ...more}});
@@ -28,7 +28,7 @@ export async function startProgram(noun, words, ready, more = {}) {
   return {process: program, said: () => said, printed: () => printed, end: () => { program.kill('SIGTERM'); return ended; }};
 }
 
-/// The same of `darwinop window`, with its `url`. A computer so busy that the runtime finds its robot too slow is tried again.
+/// Starts `darwinop window`, with its `url`. Retries if the runtime rejects the robot on a busy computer.
 export async function startWindow(...words) {
   for (let tries = 1; ; ++tries) {
     try {
@@ -40,7 +40,7 @@ export async function startWindow(...words) {
   }
 }
 
-/// Until the page drives. A robot that a busy computer kept silent for a moment is asked about first: then once more.
+/// Waits until the page drives; confirms the dialog of a robot whose data was late on a busy computer.
 export async function takeRobot(page) {
   const driving = page.locator('body.driving');
   for (let tries = 1; !(await driving.isVisible()); ++tries) {

@@ -1,4 +1,4 @@
-// A computer's name to addresses. On a PC only: programs of the robot are static, and cannot look names up.
+// Resolves host names. On a PC only: the robot's programs are static, and glibc cannot resolve names in those.
 #include "hal/net/names/resolve.hpp"
 
 #include <netdb.h>
@@ -12,7 +12,7 @@ namespace darwinop::net {
 
 std::vector<std::uint32_t> addressesOf(const std::string& host) {
   addrinfo wanted{};
-  wanted.ai_family = AF_INET;  // as the servers of 2013 and of today
+  wanted.ai_family = AF_INET;  // the servers are IPv4 only
   wanted.ai_socktype = SOCK_STREAM;
   addrinfo* list = nullptr;
   const int error = getaddrinfo(host.c_str(), nullptr, &wanted, &list);
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> addressesOf(const std::string& host) {
   for (const addrinfo* each = error == 0 ? list : nullptr; each != nullptr; each = each->ai_next)
     addresses.push_back(ntohl(reinterpret_cast<const sockaddr_in*>(each->ai_addr)->sin_addr.s_addr));
   if (addresses.empty())
-    throw std::runtime_error("no computer is called '" + host + "' here (" + gai_strerror(error) +
+    throw std::runtime_error("cannot resolve host '" + host + "' (" + gai_strerror(error) +
                              "); give the robot's IPv4 address, such as tcp://192.168.123.1");
   return addresses;
 }

@@ -1,4 +1,4 @@
-// A computer's name to addresses.
+// Host name resolution.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace darwinop::net {
 
-/// IPv4 addresses of a name or of four numbers with points, host byte order; at least one. Asks the system's resolver,
-/// which may take seconds. Throws std::runtime_error.
+/// IPv4 addresses of a name or of dotted-quad text, host byte order; at least one. Blocks on the system's resolver,
+/// possibly for seconds. Throws std::runtime_error.
 [[nodiscard]] std::vector<std::uint32_t> addressesOf(const std::string& host);
 
 }  // namespace darwinop::net

@@ -1,3 +1,4 @@
+// Child process darwinop-install --remote: start, wait until ready, forward signals, end.
 #include "hal/net/ssh/session.hpp"
 
 #include <fcntl.h>
@@ -21,12 +22,13 @@ namespace darwinop::ssh {
 namespace {
 
 volatile sig_atomic_t ssh_pid = 0;
-volatile sig_atomic_t told_to_end = 0;
+volatile sig_atomic_t end_requested = 0;
 
-/// Ctrl-C in a terminal reaches the program over there by itself; what another process sends reaches only us.
+/// Ctrl-C in a terminal reaches the whole process group, so only signals of other processes (si_code <= 0) are
+/// forwarded.
 void handOnToSsh(int signal, siginfo_t* info, void*) {
   const int error = errno;
-  told_to_end = 1;
+  end_requested = 1;
   if (ssh_pid > 0 && info->si_code <= 0) kill(static_cast<pid_t>(ssh_pid), signal);
   errno = error;
 }
@@ -57,10 +59,10 @@ void SshSession::start(std::vector<std::string> words) {
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   int in[2], out[2];
-  // For no other child: when we die, even by kill -9, the pipe ends.
+  // O_CLOEXEC: no other child holds the pipe, so it closes when this process dies, even by kill -9.
   if (pipe2(in, O_CLOEXEC) != 0 || pipe2(out, O_CLOEXEC) != 0) throw notStarted();
-  say_ = in[1];
-  hear_ = out[0];
+  to_ssh_ = in[1];
+  from_ssh_ = out[0];
   catchSignalsForSsh();
   pid_ = fork();
   if (pid_ < 0) throw notStarted();
@@ -76,32 +78,32 @@ void SshSession::start(std::vector<std::string> words) {
   ssh_pid = pid_;
   close(in[0]);
   close(out[1]);
-  unsetenv("DARWINOP_PASSWORD");  // the robot's, and no affair of whoever is started later
+  unsetenv("DARWINOP_PASSWORD");  // the robot's password; later children must not inherit it
 }
 
 std::vector<std::uint16_t> SshSession::waitUntilReady() {
-  std::istringstream said{hear()};
+  std::istringstream line{readLine()};
   std::string word;
-  if (!(said >> word) || word != "ready" || toldToEnd()) return {};
+  if (!(line >> word) || word != "ready" || isEndRequested()) return {};
   std::vector<std::uint16_t> ports;
-  for (std::uint16_t port = 0; said >> port;) ports.push_back(port);
+  for (std::uint16_t port = 0; line >> port;) ports.push_back(port);
   return ports;
 }
 
-/// A line; empty: it says no more.
-std::string SshSession::hear() const {
-  std::string said;
-  while (!said.ends_with('\n')) {
+/// One line of its stdout; empty at end of file.
+std::string SshSession::readLine() const {
+  std::string line;
+  while (!line.ends_with('\n')) {
     char letter = 0;
-    const ssize_t count = read(hear_, &letter, 1);
+    const ssize_t count = read(from_ssh_, &letter, 1);
     if (count == 0 || (count < 0 && errno != EINTR)) return {};
-    if (count > 0) said += letter;
+    if (count > 0) line += letter;
   }
-  return said;
+  return line;
 }
 
-bool SshSession::toldToEnd() {
-  return told_to_end != 0;
+bool SshSession::isEndRequested() {
+  return end_requested != 0;
 }
 
 bool SshSession::ended() const {
@@ -112,17 +114,17 @@ bool SshSession::ended() const {
 
 int SshSession::end() {
   if (pid_ <= 0) return 0;
-  catchSignalsForSsh();  // whoever ran meanwhile had them
-  close(say_);
+  catchSignalsForSsh();  // the program may have replaced the handlers in between
+  close(to_ssh_);
   int status = 0;
   while (waitpid(pid_, &status, 0) < 0)
     if (errno != EINTR) break;
-  close(hear_);
+  close(from_ssh_);
   pid_ = 0;
   ssh_pid = 0;
   if (!WIFSIGNALED(status)) return WEXITSTATUS(status);
   std::cerr << program_ << ": the program that holds the connection was ended by signal " << WTERMSIG(status)
-            << ", so how the robot is cannot be told: it ends remote control within 10 s and sits down. "
+            << "; the robot's state is unknown. It ends remote control within 10 s and sits down. "
                "In danger press MODE on its back"
             << std::endl;
   return 1;

@@ -1,4 +1,4 @@
-// What runs on a robot for as long as a program of this PC needs it, and the ports of this PC that lead there.
+// SSH session: runs a program on a robot for the lifetime of a local program, with forwarded ports.
 #pragma once
 
 #include <sys/types.h>
@@ -9,39 +9,36 @@
 
 namespace darwinop::ssh {
 
-/// The program that logs in, and everything on the robot, is `darwinop-install --remote`, which lies beside this one;
-/// it asks, tells and shows the robot's output on the terminal. Here is its life: started, waited for, ended. One at a
-/// time.
-///
-/// SIGINT, SIGTERM and SIGHUP are its affair until waitUntilReady() returns, and again from end() on; in between they
-/// are whose who wants them.
+/// Starts, awaits and ends `darwinop-install --remote`, installed beside this program, which logs in, runs everything
+/// on the robot and uses the terminal for questions and output. One session at a time. Handles SIGINT, SIGTERM and
+/// SIGHUP until waitUntilReady() returns and again from end() on; in between the program may install its own handlers.
 class SshSession {
  public:
-  /// `program`: "darwinop run", which begins sentences. `words`: options of darwinop-install and the target.
+  /// `program`: prefix of messages, such as "darwinop run". `words`: options of darwinop-install and the target.
   SshSession(std::string program, std::vector<std::string> words);
   ~SshSession();
   SshSession(const SshSession&) = delete;
   SshSession& operator=(const SshSession&) = delete;
 
-  /// Ports of this PC's loopback that lead to the robot. None: it has been said why; end() has the status.
+  /// Forwarded ports on this PC's loopback. Empty: failed, and the reason has been printed; end() returns the status.
   std::vector<std::uint16_t> waitUntilReady();
 
-  /// A signal came that nobody else has caught.
-  [[nodiscard]] static bool toldToEnd();
-  /// By itself: the link is lost, or the robot's half has ended; it has been said.
+  /// An end signal was received by the session's own handler.
+  [[nodiscard]] static bool isEndRequested();
+  /// The child has exited: connection lost or remote program ended; it has printed the reason.
   [[nodiscard]] bool ended() const;
 
-  /// The robot is brought to rest; returns when it is. Exit status.
+  /// Brings the robot to rest and waits for that. Returns the exit status.
   int end();
 
  private:
   void start(std::vector<std::string> words);
-  [[nodiscard]] std::string hear() const;
+  [[nodiscard]] std::string readLine() const;
 
   std::string program_;
   pid_t pid_ = 0;
-  int say_ = -1;   // its stdin, which tells it that we live
-  int hear_ = -1;  // its stdout
+  int to_ssh_ = -1;    // its stdin; end of file means that this process has ended
+  int from_ssh_ = -1;  // its stdout
 };
 
 }  // namespace darwinop::ssh

@@ -1,3 +1,4 @@
+// Parses "tcp://USER@HOST".
 #include "hal/net/ssh/target.hpp"
 
 #include <stdexcept>
@@ -11,10 +12,10 @@ std::optional<std::string> sshTarget(const std::string& robot) {
   std::string target = robot.substr(kTcp.size());
   const std::size_t host = target.rfind('@') + 1;
   if (target.find(':', host) != std::string::npos && target[host] != '[')
-    throw std::runtime_error("'" + robot +
-                             "' has a port: with a user in front the server gets one by itself; the port of ssh " +
-                             "is said with --ssh-port");
-  if (target[host] == '[' && target.ends_with(']')) {  // IPv6, which ssh knows without brackets
+    throw std::runtime_error(
+        "'" + robot + "' has a port; remove it: with USER@ the server's port is chosen automatically, and --ssh-port " +
+        "sets the port of ssh");
+  if (target[host] == '[' && target.ends_with(']')) {  // IPv6: ssh expects it without brackets
     target.pop_back();
     target.erase(host, 1);
   }

@@ -1,4 +1,4 @@
-// "tcp://USER@HOST": a robot that a program of this PC logs in to.
+// Parses "tcp://USER@HOST", a robot reached through ssh.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 namespace darwinop::ssh {
 
-/// USER@HOST of "tcp://USER@HOST"; nothing: another robot is meant. Throws std::runtime_error for one with a port.
+/// USER@HOST of "tcp://USER@HOST"; nullopt: not an ssh target. Throws std::runtime_error if it contains a port.
 std::optional<std::string> sshTarget(const std::string& robot);
 
 }  // namespace darwinop::ssh

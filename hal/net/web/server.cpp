@@ -1,3 +1,4 @@
+// Web server: accepts connections and runs their handlers.
 #include "hal/net/web/server.hpp"
 
 #include <unistd.h>
@@ -7,87 +8,88 @@
 #include <utility>
 
 #include "hal/net/listener.hpp"
-#include "hal/net/web/visit.hpp"
+#include "hal/net/web/http_session.hpp"
 
 namespace darwinop::web {
 namespace {
 
 namespace asio = boost::asio;
 
-/// What a slow peer's kernel may hold of ours: a picture and some messages, not minutes of them.
+/// Kernel send buffer in bytes: one picture and some messages, so that a slow peer does not get minutes-old data.
 constexpr int kSendBuffer = 16384;
-constexpr int kGuestsAtOnce = 16;  // then others have their turn
+constexpr int kAcceptsAtOnce = 16;  // then open connections are served
 
 }  // namespace
 
-struct Server::Work {
-  Work(const ServerConfig& config, Say say)
-      : house{.config = config, .log = net::BoundedLog{std::move(say)}, .pages = {}, .endpoints = {}},
+struct WebServer::Impl {
+  Impl(const WebServerConfig& config, Log log)
+      : shared{.config = config, .log = net::BoundedLog{std::move(log)}, .pages = {}, .endpoints = {}},
         listener{config.address, config.port},
-        door{context, ::dup(listener.descriptor())} {
-    waitAtDoor();
+        acceptor{context, ::dup(listener.descriptor())} {
+    waitForConnection();
   }
 
-  void waitAtDoor() {
-    door.async_wait(asio::posix::stream_descriptor::wait_read, [this](const boost::system::error_code& error) {
+  void waitForConnection() {
+    acceptor.async_wait(asio::posix::stream_descriptor::wait_read, [this](const boost::system::error_code& error) {
       if (error) return;
-      for (int i = 0; i < kGuestsAtOnce; ++i) {
-        auto caller = listener.next();
-        if (!caller) break;
-        letIn(std::move(*caller));
+      for (int i = 0; i < kAcceptsAtOnce; ++i) {
+        auto accepted = listener.accept();
+        if (!accepted) break;
+        accept(std::move(*accepted));
       }
-      waitAtDoor();
+      waitForConnection();
     });
   }
 
-  void letIn(net::Listener::Caller caller) {
-    const auto has = [&](const net::Network& network) { return network.has(caller.address); };
-    if (std::ranges::none_of(house.config.allowed, has))
-      return house.say(caller.name + " may not come in; --allow names who may");
-    if (!house.makeRoom())
-      return house.say(caller.name + " has to go: there are " + std::to_string(house.connections) + " connections");
+  void accept(net::Listener::Accepted accepted) {
+    const auto has = [&](const net::Network& network) { return network.has(accepted.address); };
+    if (std::ranges::none_of(shared.config.allowed, has))
+      return shared.logLine(accepted.name + " was refused: not in a network given with --allow");
+    if (!shared.makeRoom())
+      return shared.logLine(accepted.name + " was refused: " + std::to_string(shared.connections) +
+                            " connections are open");
     boost::system::error_code error;
     asio::ip::tcp::socket socket{context};
-    const int own = ::dup(caller.socket.descriptor());
+    const int own = ::dup(accepted.socket.descriptor());
     if (own < 0) return;
     if (socket.assign(asio::ip::tcp::v4(), own, error); error) {
       ::close(own);
       return;
     }
-    socket.set_option(asio::socket_base::send_buffer_size{kSendBuffer}, error);  // a wish
-    std::make_shared<Visit>(house, std::move(socket), caller.name)->begin();
+    socket.set_option(asio::socket_base::send_buffer_size{kSendBuffer}, error);  // best effort
+    std::make_shared<HttpSession>(shared, std::move(socket), accepted.name)->start();
   }
 
-  House house;
+  ServerContext shared;
   net::Listener listener;
-  asio::io_context context{1};  // behind the house: visits end with it
+  asio::io_context context{1};  // declared after `shared`: destroys the sessions first
   asio::executor_work_guard<asio::io_context::executor_type> guard{context.get_executor()};
-  asio::posix::stream_descriptor door;
+  asio::posix::stream_descriptor acceptor;
 };
 
-Server::Server(const ServerConfig& config, Say say) : work_{std::make_unique<Work>(config, std::move(say))} {}
+WebServer::WebServer(const WebServerConfig& config, Log log) : impl_{std::make_unique<Impl>(config, std::move(log))} {}
 
-Server::~Server() = default;
+WebServer::~WebServer() = default;
 
-void Server::serve(const std::string& path, Page page) {
-  work_->house.pages[path] = std::move(page);
+void WebServer::serve(const std::string& path, WebPage page) {
+  impl_->shared.pages[path] = std::move(page);
 }
 
-void Server::channel(const std::string& path, const std::string& subprotocol, ChannelUser& user) {
-  work_->house.endpoints[path] = {subprotocol, &user};
+void WebServer::channel(const std::string& path, const std::string& subprotocol, ChannelHandler& handler) {
+  impl_->shared.endpoints[path] = {subprotocol, &handler};
 }
 
-void Server::attend(Nanos longest) {
+void WebServer::poll(Nanos longest) {
   constexpr int kAtOnce = 64;
-  work_->house.log.look(std::chrono::steady_clock::now().time_since_epoch());
-  // With no time to wait run_one_for() would not even look.
-  if (work_->context.poll_one() == 0 && work_->context.run_one_for(longest) == 0) return;
-  for (int i = 0; i < kAtOnce && work_->context.poll_one() > 0; ++i) {
+  impl_->shared.log.reportOmitted(std::chrono::steady_clock::now().time_since_epoch());
+  // run_one_for() with no time left runs no handler at all.
+  if (impl_->context.poll_one() == 0 && impl_->context.run_one_for(longest) == 0) return;
+  for (int i = 0; i < kAtOnce && impl_->context.poll_one() > 0; ++i) {
   }
 }
 
-std::uint16_t Server::port() const {
-  return work_->listener.port();
+std::uint16_t WebServer::port() const {
+  return impl_->listener.port();
 }
 
 }  // namespace darwinop::web

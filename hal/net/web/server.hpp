@@ -1,4 +1,4 @@
-// A small web server for observers: fixed pages by GET, and WebSockets whose peers may be as slow as they like.
+// Small web server: static pages by GET, and WebSockets with bounded queues for slow peers.
 #pragma once
 
 #include <cstddef>
@@ -11,54 +11,54 @@
 #include "hal/byte_line.hpp"
 #include "hal/net/addresses.hpp"
 #include "hal/net/web/channel.hpp"
-#include "hal/net/web/entry.hpp"
+#include "hal/net/web/request_origin.hpp"
 
 namespace darwinop::web {
 
-struct ServerConfig {
+struct WebServerConfig {
   net::Ipv4 address = 0x7F000001;  // loopback
-  std::uint16_t port = 0;          // 0: any that is free
+  std::uint16_t port = 0;          // 0: any free port
   std::vector<net::Network> allowed{{0x7F000000, 0xFF000000}};
-  EntryRules entry{};
-  std::size_t most_channels = 8;      // one more: 503
-  std::size_t most_connections = 32;  // one more: the oldest one that is no channel is closed
-  std::size_t longest_message = 4096;
-  int most_messages = 50;                    // a second, of one peer; it is shown out then
-  Nanos greeting{std::chrono::seconds{5}};   // for a whole request
-  Nanos patience{std::chrono::seconds{20}};  // without a word, not even an answer to a ping
+  OriginRules origin{};
+  std::size_t max_channels = 8;      // beyond it: status 503
+  std::size_t max_connections = 32;  // beyond it: closes the oldest connection that is not a channel
+  std::size_t max_message_bytes = 4096;
+  int max_messages_per_s = 50;                       // per second from one peer; beyond it the peer is disconnected
+  Nanos handshake_timeout{std::chrono::seconds{5}};  // for a whole request, and for the WebSocket handshake
+  Nanos idle_timeout{std::chrono::seconds{20}};      // without any data, pongs included
 };
 
-struct Page {
+struct WebPage {
   std::string type;  // "text/html; charset=utf-8"
   std::string body;
-  std::string policy = {};  // Content-Security-Policy; empty: nothing but what comes from here
+  std::string policy = {};  // Content-Security-Policy; empty: default-src 'self'
 };
 
-/// One thread: whoever calls attend(). Nothing here waits for a peer.
-class Server {
+/// Single-threaded: everything happens inside poll(), which never blocks on a peer.
+class WebServer {
  public:
-  using Say = std::function<void(const std::string&)>;
+  using Log = std::function<void(const std::string&)>;
 
-  /// Listens from now on. Throws std::runtime_error with what to do. `say` is told at most 30 lines a minute.
-  Server(const ServerConfig& config, Say say);
-  /// Channels that are open are closed.
-  ~Server();
-  Server(const Server&) = delete;
-  Server& operator=(const Server&) = delete;
+  /// Listens at once. Throws std::runtime_error with the remedy. `log` gets at most 30 lines a minute.
+  WebServer(const WebServerConfig& config, Log log);
+  /// Closes open channels.
+  ~WebServer();
+  WebServer(const WebServer&) = delete;
+  WebServer& operator=(const WebServer&) = delete;
 
-  /// Answers GET and HEAD of exactly this path. Before the first attend().
-  void serve(const std::string& path, Page page);
-  /// A WebSocket endpoint; a peer must offer `subprotocol`. Before the first attend().
-  void channel(const std::string& path, const std::string& subprotocol, ChannelUser& user);
+  /// Answers GET and HEAD of exactly this path. Call before the first poll().
+  void serve(const std::string& path, WebPage page);
+  /// Adds a WebSocket endpoint; a peer must offer `subprotocol`. Call before the first poll().
+  void channel(const std::string& path, const std::string& subprotocol, ChannelHandler& handler);
 
-  /// Waits at most `longest` for something to happen, and sees to it.
-  void attend(Nanos longest);
+  /// Waits at most `longest` for events and handles them.
+  void poll(Nanos longest);
 
   [[nodiscard]] std::uint16_t port() const;
 
  private:
-  struct Work;
-  std::unique_ptr<Work> work_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace darwinop::web

@@ -1,4 +1,4 @@
-// A TCP stream that leaves nothing of earlier messages in the buffers that it reads into.
+// TCP stream that wipes its read buffers, so that no password stays in memory.
 #pragma once
 
 #include <string.h>
@@ -10,8 +10,8 @@
 
 namespace darwinop::web {
 
-/// Beast's WebSocket reads into a buffer of its own, where a message stays until the next one comes: it may have been a
-/// password. What a reader offers to read into is free, so it is overwritten as soon as the next message is waited for.
+/// Beast's WebSocket keeps the last message, possibly a password, in an internal read buffer until the next one
+/// arrives. The buffer passed to a read holds no live data, so it is wiped when the next read begins.
 class WipingStream : public boost::beast::tcp_stream {
  public:
   using boost::beast::tcp_stream::tcp_stream;
@@ -27,7 +27,7 @@ class WipingStream : public boost::beast::tcp_stream {
   }
 };
 
-/// Beast's WebSocket ends a connection with this, and the name is Beast's.
+/// Customization point that Beast's WebSocket calls to end a connection.
 // NOLINTBEGIN(readability-identifier-naming)
 template <class Handler>
 void async_teardown(boost::beast::role_type role, WipingStream& stream, Handler&& handler) {

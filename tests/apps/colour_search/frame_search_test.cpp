@@ -1,4 +1,4 @@
-// What observers look for in the frames, and what is found.
+// Colour search in camera frames for observers of the monitor.
 #include "apps/colour_search/frame_search.hpp"
 
 #include <gmock/gmock.h>
@@ -18,11 +18,11 @@ namespace darwinop::colour_search {
 namespace {
 
 using Json = nlohmann::json;
-using monitor::foundText;
-using monitor::Search;
+using monitor::colourMatchText;
+using monitor::ColourQuery;
 
 constexpr int kWide = 320, kHigh = 240;
-const Search kRedBall{};  // the search's own thresholds
+const ColourQuery kRedBall{};  // the search's own thresholds
 
 /// A red box on a green lawn.
 std::vector<std::uint8_t> lawnWithBox(int left, int top, int width, int height) {
@@ -41,11 +41,11 @@ CameraFrame frameOf(const std::vector<std::uint8_t>& bgra, std::uint64_t number)
   return {.sequence = number, .time = Nanos{0}, .width = kWide, .height = kHigh, .bgra = bgra};
 }
 
-TEST(FrameSearch, FindTheBallWhereItIs) {
+TEST(FrameSearch, FindsTheBallAtItsPosition) {
   FrameSearch search;
-  search.want({kRedBall});
-  search.look(frameOf(lawnWithBox(100, 60, 41, 21), 7));
-  const auto found = search.found(kRedBall, 7);
+  search.setSearches({kRedBall});
+  search.process(frameOf(lawnWithBox(100, 60, 41, 21), 7));
+  const auto found = search.resultOf(kRedBall, 7);
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->centre, (Pixel{120, 70}));
   EXPECT_EQ(found->pixels, 41U * 21U);
@@ -53,87 +53,87 @@ TEST(FrameSearch, FindTheBallWhereItIs) {
   ASSERT_EQ(found->mask.size(), kWide / 8U * kHigh);
   EXPECT_EQ(found->mask[60 * 40 + 12], 0xF0) << "pixels 100 to 103";
   EXPECT_EQ(found->mask[59 * 40 + 12], 0x00);
-  EXPECT_EQ(foundText(*found, false),
+  EXPECT_EQ(colourMatchText(*found, false),
             R"({"type":"found","picture":7,"width":320,"height":240,"x":120,"y":70,"pixels":861,"percent":1.12109,)"
             R"("box":[100,60,140,80]})");
-  const Json text = Json::parse(foundText(*found, true));
+  const Json text = Json::parse(colourMatchText(*found, true));
   const std::string mask = text["mask"];
   EXPECT_EQ(mask.size(), 12800U);
   EXPECT_EQ(mask.substr((60 * 40 + 12) / 3 * 4, 4), "8P//") << "f0 ff ff";
 }
 
-TEST(FrameSearch, FindInWhatACameraGives) {
+TEST(FrameSearch, FindsInYuyvFramesOfACamera) {
   const std::vector<std::uint8_t> bgra = lawnWithBox(100, 60, 41, 21);
   std::vector<std::uint8_t> yuyv(2 * kWide * kHigh);
   pixels::bgraToYuyvRotated(bgra, kWide, kHigh, yuyv, 2 * kWide);
   FrameSearch search;
-  search.want({kRedBall});
-  search.look({.sequence = 1, .time = Nanos{0}, .width = kWide, .height = kHigh, .yuyv = yuyv});
-  ASSERT_TRUE(search.found(kRedBall, 1).has_value());
-  EXPECT_NEAR(search.found(kRedBall, 1)->centre.value_or(Pixel{}).x, 120, 1);
+  search.setSearches({kRedBall});
+  search.process({.sequence = 1, .time = Nanos{0}, .width = kWide, .height = kHigh, .yuyv = yuyv});
+  ASSERT_TRUE(search.resultOf(kRedBall, 1).has_value());
+  EXPECT_NEAR(search.resultOf(kRedBall, 1)->centre.value_or(Pixel{}).x, 120, 1);
   yuyv.resize(100);
-  search.look({.sequence = 2, .time = Nanos{0}, .width = kWide, .height = kHigh, .yuyv = yuyv});
-  EXPECT_FALSE(search.found(kRedBall, 2).has_value()) << "half a picture";
+  search.process({.sequence = 2, .time = Nanos{0}, .width = kWide, .height = kHigh, .yuyv = yuyv});
+  EXPECT_FALSE(search.resultOf(kRedBall, 2).has_value()) << "half a picture";
 }
 
-TEST(FrameSearch, SayHowMuchThereIsWhenItIsNoBall) {
+TEST(FrameSearch, ReportsThePixelCountOutsideTheLimits) {
   FrameSearch search;
-  const Search small{{}, {0, 1}};
-  search.want({small});
-  search.look(frameOf(lawnWithBox(100, 60, 41, 21), 1));
-  EXPECT_FALSE(search.found(small, 1)->centre.has_value());
-  EXPECT_EQ(search.found(small, 1)->pixels, 861U);
-  search.look(frameOf(lawnWithBox(0, 0, 0, 0), 2));
+  const ColourQuery small{{}, {0, 1}};
+  search.setSearches({small});
+  search.process(frameOf(lawnWithBox(100, 60, 41, 21), 1));
+  EXPECT_FALSE(search.resultOf(small, 1)->centre.has_value());
+  EXPECT_EQ(search.resultOf(small, 1)->pixels, 861U);
+  search.process(frameOf(lawnWithBox(0, 0, 0, 0), 2));
   EXPECT_EQ(
-      foundText(*search.found(small, 2), false),
+      colourMatchText(*search.resultOf(small, 2), false),
       R"({"type":"found","picture":2,"width":320,"height":240,"x":null,"y":null,"pixels":0,"percent":0,"box":null})");
 }
 
-TEST(FrameSearch, LookForNoMoreThanObserversCanAskFor) {
-  std::vector<Search> many;
+TEST(FrameSearch, RunsAtMostAsManySearchesAsThereAreObservers) {
+  std::vector<ColourQuery> many;
   for (int hue = 0; hue < 40; ++hue) many.push_back({{.hue = hue / 2}, {}});
   FrameSearch search;
-  search.want(many);
+  search.setSearches(many);
   const auto bgra = lawnWithBox(100, 60, 41, 21);
-  search.look(frameOf(bgra, 1));
-  EXPECT_TRUE(search.found(many[2 * FrameSearch::kMost - 1], 1).has_value()) << "equal ones count once";
-  EXPECT_FALSE(search.found(many[2 * FrameSearch::kMost], 1).has_value());
-  search.want({});
-  search.look(frameOf(bgra, 2));
-  EXPECT_FALSE(search.found(many[0], 2).has_value()) << "nobody asks any more";
+  search.process(frameOf(bgra, 1));
+  EXPECT_TRUE(search.resultOf(many[2 * FrameSearch::kMost - 1], 1).has_value()) << "equal ones count once";
+  EXPECT_FALSE(search.resultOf(many[2 * FrameSearch::kMost], 1).has_value());
+  search.setSearches({});
+  search.process(frameOf(bgra, 2));
+  EXPECT_FALSE(search.resultOf(many[0], 2).has_value()) << "no observer requests it any more";
 }
 
-TEST(FrameSearch, RememberThePicturesOfThisMoment) {
+TEST(FrameSearch, KeepsResultsOfTheLastFrames) {
   FrameSearch search;
-  search.want({kRedBall});
+  search.setSearches({kRedBall});
   for (std::uint64_t number = 1; number <= 10; ++number)
-    search.look(frameOf(lawnWithBox(static_cast<int>(number) * 10, 60, 9, 9), number));
-  EXPECT_EQ(search.found(kRedBall, 10)->left, 100);
-  EXPECT_EQ(search.found(kRedBall, 9)->left, 90);
-  EXPECT_FALSE(search.found(kRedBall, 2).has_value());
-  EXPECT_FALSE(search.found(kRedBall, 0).has_value());
+    search.process(frameOf(lawnWithBox(static_cast<int>(number) * 10, 60, 9, 9), number));
+  EXPECT_EQ(search.resultOf(kRedBall, 10)->left, 100);
+  EXPECT_EQ(search.resultOf(kRedBall, 9)->left, 90);
+  EXPECT_FALSE(search.resultOf(kRedBall, 2).has_value());
+  EXPECT_FALSE(search.resultOf(kRedBall, 0).has_value());
 }
 
-/// A camera that gives a picture as often as it is told.
-struct ToldCamera final : FrameSource {
-  explicit ToldCamera(const std::atomic<std::uint64_t>& told) : number{told} {}
+/// A camera with frame numbers set by the test.
+struct NumberedCamera final : FrameSource {
+  explicit NumberedCamera(const std::atomic<std::uint64_t>& frame_number) : number{frame_number} {}
   const std::atomic<std::uint64_t>& number;
   std::vector<std::uint8_t> bgra = lawnWithBox(100, 60, 41, 21);
   CameraFrame newest() override { return frameOf(bgra, number); }
   [[nodiscard]] CameraHealth health() const override { return {.seeing = true, .frames = number}; }
 };
 
-TEST(FrameSearch, KnowAPictureBeforeItCanBeShown) {
+TEST(FrameSearch, HasTheResultBeforeThePictureIsPublished) {
   FrameSearch search;
-  search.want({kRedBall});
+  search.setSearches({kRedBall});
   std::atomic<std::uint64_t> number{1};
-  remote::LivePictures pictures{std::make_unique<ToldCamera>(number),
+  remote::LivePictures pictures{std::make_unique<NumberedCamera>(number),
                                 {.now = [] { return Nanos{0}; },
                                  .say = {},
-                                 .look_at = [&search](const CameraFrame& frame) { search.look(frame); }}};
+                                 .on_frame = [&search](const CameraFrame& frame) { search.process(frame); }}};
   for (; number <= 3; ++number) {
     while (pictures.newest().sequence != number) std::this_thread::yield();
-    EXPECT_TRUE(search.found(kRedBall, number).has_value()) << number;
+    EXPECT_TRUE(search.resultOf(kRedBall, number).has_value()) << number;
   }
 }
 

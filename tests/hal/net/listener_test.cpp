@@ -1,4 +1,4 @@
-// The port of the server belongs to the server, whoever is inside and whatever another program tries.
+// No other program can bind the server's port, with or without a connected client.
 #include "hal/net/listener.hpp"
 
 #include <gtest/gtest.h>
@@ -23,13 +23,13 @@ using namespace std::chrono_literals;
 constexpr uid_t kNobody = 65534;
 constexpr std::array kAddresses{INADDR_LOOPBACK, INADDR_ANY};
 
-/// Which options the thief sets before it binds.
+/// Socket options that the other program sets before bind().
 struct Claim {
   bool reuse_address = false, reuse_port = false;
 };
 constexpr std::array kClaims{Claim{}, Claim{.reuse_address = true}, Claim{.reuse_port = true}, Claim{true, true}};
 
-/// 0: the port was taken, a connection to it would come here. Else the errno of the call that failed.
+/// 0: the port was taken, so connections would arrive here. Otherwise the errno of the call that failed.
 int take(std::uint16_t port, in_addr_t address, Claim claim) {
   const net::Socket socket{::socket(AF_INET, SOCK_STREAM, 0)};
   const int on = 1;
@@ -43,7 +43,7 @@ int take(std::uint16_t port, in_addr_t address, Claim claim) {
   return listen(socket.descriptor(), 4) == 0 ? 0 : errno;
 }
 
-/// In a process of another user, as which nothing but system calls is done. Its exit code is the result.
+/// Runs in a forked process of another user, with system calls only. Its exit code is the result.
 template <class Action>
 pid_t asNobody(Action action) {
   const pid_t child = fork();
@@ -58,7 +58,7 @@ int exitCode(pid_t child) {
   return waitpid(child, &status, 0) == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// A process of another user that does not end by itself.
+/// A process of another user that is killed at the end.
 class Thief {
  public:
   template <class Action>
@@ -78,7 +78,7 @@ class Thief {
   bool ended_ = false;
 };
 
-/// Every address and option, by another user.
+/// Tries every address and option as another user.
 void expectPortKept(const Served& served, const char* when) {
   for (const in_addr_t address : kAddresses)
     for (const Claim claim : kClaims)
@@ -95,9 +95,9 @@ class RemotePort : public testing::Test {
   }
 };
 
-TEST_F(RemotePort, IsNeverAnotherUsers) {
+TEST_F(RemotePort, CannotBeBoundByAnotherUser) {
   Served served;
-  expectPortKept(served, "nobody has come");
+  expectPortKept(served, "no client has connected");
   TestClient driver{served};
   expectPortKept(served, "a client has connected");
   (void)driver.ask(kEmptyRequest);
@@ -109,18 +109,18 @@ TEST_F(RemotePort, IsNeverAnotherUsers) {
   (void)driver.ask(kEmptyRequest);
   expectPortKept(served, "the client drives on");
   driver.close();
-  expectPortKept(served, "the client has left");
+  expectPortKept(served, "the client has disconnected");
   TestClient next{served};
   (void)next.ask(kEmptyRequest);
   expectPortKept(served, "the next client drives");
   next.reset();
-  expectPortKept(served, "the next client has broken off");
+  expectPortKept(served, "the next client has reset the connection");
   served.robot.refusal = "another controller drives this robot";
   (void)TestClient{served}.ask(kEmptyRequest);
-  expectPortKept(served, "a client was shown out");
+  expectPortKept(served, "a client was disconnected");
 }
 
-TEST_F(RemotePort, IsNotTakenInTheMomentBetweenTwoClients) {
+TEST_F(RemotePort, CannotBeBoundBetweenTwoClients) {
   Served served;
   Thief thief{[port = served.server.port()]() -> int {
     for (;;)
@@ -128,16 +128,17 @@ TEST_F(RemotePort, IsNotTakenInTheMomentBetweenTwoClients) {
         for (const Claim claim : kClaims)
           if (take(port, address, claim) == 0) return 0;
   }};
-  for (int i = 0; i < 1000 && !thief.ended(); ++i) (void)nextIsAnswered(served);  // the kernel is busy: not each is
+  for (int i = 0; i < 1000 && !thief.ended(); ++i)
+    (void)nextIsAnswered(served);  // the kernel is busy: not every client is answered
   EXPECT_FALSE(thief.ended()) << "another user has got the port";
   EXPECT_FALSE(served.hasSaid("cannot listen"));
-  EXPECT_GT(served.robot.obeyed.size(), 0);
+  EXPECT_GT(served.robot.applied.size(), 0);
 }
 
 TEST(RemoteServer, KeepsItsPortFromProgramsOfItsOwnUser) {
   Served served;
   TestClient driver{served};
-  for (const char* const when : {"a client is inside", "nobody is inside"}) {
+  for (const char* const when : {"a client is connected", "no client is connected"}) {
     for (const in_addr_t address : kAddresses)
       for (const Claim claim : {Claim{}, Claim{.reuse_address = true}})
         EXPECT_EQ(take(served.server.port(), address, claim), EADDRINUSE) << when;
@@ -145,8 +146,8 @@ TEST(RemoteServer, KeepsItsPortFromProgramsOfItsOwnUser) {
   }
 }
 
-// What the kernel keeps of an ended connection for a minute must not keep a restarted server from its port.
-TEST(RemoteServer, ComesBackToItsPortAtOnce) {
+// A connection in TIME_WAIT must not keep a restarted server from its port.
+TEST(RemoteServer, ReopensItsPortAtOnceAfterARestart) {
   std::uint16_t port = 0;
   for (int i = 0; i < 3; ++i) {
     Served served{{}, Served::unhurried(), port};
@@ -154,7 +155,7 @@ TEST(RemoteServer, ComesBackToItsPortAtOnce) {
     served.robot.must_end = "torque was switched off by the button";
     TestClient client{served};
     client.send(kEmptyRequest);
-    EXPECT_TRUE(client.shownOut()) << "it is the server that ends the connection, and has to remember it";
+    EXPECT_TRUE(client.shownOut()) << "the server ends the connection, so the TIME_WAIT state is on its side";
   }
 }
 

@@ -1,10 +1,10 @@
-// The parts of the client: wishes as the wire says them, pictures, the judgement of the network.
+// Parts of the client: commands to requests, pictures, network speed.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "remote/client/command_delta.hpp"
 #include "remote/client/link_speed.hpp"
 #include "remote/client/pictures.hpp"
-#include "remote/client/wishes.hpp"
 #include "remote/jpeg/encoder.hpp"
 #include "remote/protocol/units.hpp"
 
@@ -15,65 +15,66 @@ using testing::HasSubstr;
 using testing::Not;
 using namespace std::chrono_literals;
 
-Request newsFrom(Wishes& wishes, const Commands& wanted) {
+Request changesFrom(CommandDelta& delta, const Commands& wanted) {
   Request request;
-  wishes.add(wanted, request);
+  delta.add(wanted, request);
   return request;
 }
 
-TEST(RemoteWishes, ReachTheServoAsTheTickThatTheyWouldHaveBeen) {
+TEST(RemoteCommandDelta, SendsTheSameTickAsWithoutANetwork) {
   for (int tick = 0; tick < 4096; tick += 5) {
-    Wishes wishes;
+    CommandDelta delta;
     Commands wanted;
     wanted.joint[3].setGoal(radFromTicks(tick));
-    const Request request = newsFrom(wishes, wanted);
+    const Request request = changesFrom(delta, wanted);
     ASSERT_EQ(request.motors.size(), 1);
     EXPECT_EQ(ticksFromRad(Rad{positionFromWire(request.motors[0].position)}), tick);
   }
 }
 
-TEST(RemoteWishes, FarGoalsStayGoals) {
-  Wishes wishes;
+TEST(RemoteCommandDelta, ClampsGoalsToTheEncodersRange) {
+  CommandDelta delta;
   Commands wanted;
   wanted.joint[3].setGoal(Rad{5});
-  EXPECT_EQ(newsFrom(wishes, wanted).motors[0].position, 2047) << "the server overhears what no encoder knows";
+  EXPECT_EQ(changesFrom(delta, wanted).motors[0].position, 2047)
+      << "the server ignores values outside the encoder's range";
 }
 
-TEST(RemoteWishes, WhatIsNoNumberChangesNothing) {
-  Wishes wishes;
+TEST(RemoteCommandDelta, IgnoresNan) {
+  CommandDelta delta;
   Commands wanted;
   wanted.joint[3].setGoal(Rad{});
   wanted.joint[3].setTorque(true);
   wanted.joint[3].setTorqueLimit(NewtonMeter{});
-  EXPECT_TRUE(newsFrom(wishes, wanted).motors.empty()) << "above all, the joint does not go limp";
+  EXPECT_TRUE(changesFrom(delta, wanted).motors.empty()) << "torque stays on";
 }
 
-TEST(RemoteWishes, OnlyZeroLetsGo) {
-  Wishes wishes;
+TEST(RemoteCommandDelta, SwitchesTorqueOffOnlyAtZero) {
+  CommandDelta delta;
   Commands wanted;
   wanted.joint[3].setTorque(true);
   wanted.joint[3].setTorqueLimit(NewtonMeter{0.0001});
-  EXPECT_EQ(newsFrom(wishes, wanted).motors[0].available_torque, 1);
+  EXPECT_EQ(changesFrom(delta, wanted).motors[0].available_torque, 1);
   wanted.joint[3].setTorque(false);
-  const Request limp = newsFrom(wishes, wanted);
+  const Request limp = changesFrom(delta, wanted);
   ASSERT_EQ(limp.motors.size(), 1);
   EXPECT_EQ(limp.motors[0].set, MotorSetting::kAvailableTorque);
   EXPECT_EQ(limp.motors[0].available_torque, 0);
 }
 
-TEST(RemoteWishes, LightsOfTheBackAreOneEach) {
-  Wishes wishes;
+TEST(RemoteCommandDelta, SendsEachBackLedOnItsOwn) {
+  CommandDelta delta;
   Commands wanted;
   wanted.led.setPanel(1 | 4);
-  const Request request = newsFrom(wishes, wanted);
+  const Request request = changesFrom(delta, wanted);
   ASSERT_EQ(request.leds.size(), 3);
   EXPECT_EQ(request.leds[0], (LedSetting{Led::kBackRed, 1}));
   EXPECT_EQ(request.leds[1], (LedSetting{Led::kBackGreen, 1}));
   EXPECT_EQ(request.leds[2], (LedSetting{Led::kBackBlue, 0}));
-  EXPECT_TRUE(newsFrom(wishes, wanted).leds.empty());
+  EXPECT_TRUE(changesFrom(delta, wanted).leds.empty());
 }
 
-/// A grey picture of the size, as a server sends it.
+/// A reply with a grey picture of this size.
 std::vector<std::uint8_t> greyJpeg(ImageSize size) {
   const std::vector<std::uint8_t> grey(std::size_t{4} * kWholeImage.width * kWholeImage.height, 128);
   JpegEncoder encoder{size, qualityOf(size)};
@@ -109,7 +110,7 @@ TEST_F(RemotePictures, AreSeen) {
   EXPECT_EQ(said, "");
 }
 
-TEST_F(RemotePictures, OfASmallerSizeStayWhereTheyBelong) {
+TEST_F(RemotePictures, OfASmallerSizeAreCentred) {
   comes(greyJpeg({80, 60}), 1);
   const CameraFrame frame = eyes->newest();
   const auto at = [&](int column, int row) { return frame.bgra[4 * static_cast<std::size_t>(row * 320 + column)]; };
@@ -121,27 +122,27 @@ TEST_F(RemotePictures, OfASmallerSizeStayWhereTheyBelong) {
   EXPECT_THAT(said, HasSubstr("middle 80x60"));
 }
 
-TEST_F(RemotePictures, ThatAreDamagedOrBlackOrOldAreNotSeen) {
+TEST_F(RemotePictures, ThatAreDamagedOrBlackOrOldAreDiscarded) {
   comes({1, 2, 3}, 1);
   EXPECT_EQ(eyes->newest().sequence, 0);
   EXPECT_EQ(eyes->health().damaged, 1);
   comes(greyJpeg(kWholeImage), 0);
   (void)eyes->newest();
-  EXPECT_FALSE(eyes->health().seeing) << "number 0 says that the camera is blind";
+  EXPECT_FALSE(eyes->health().seeing) << "picture number 0 means that the camera is blind";
   comes(greyJpeg(kWholeImage), 2);
   (void)eyes->newest();
   EXPECT_TRUE(eyes->health().seeing);
   now += 3s;
-  EXPECT_FALSE(eyes->health().seeing) << "as long as nothing newer comes";
+  EXPECT_FALSE(eyes->health().seeing) << "while no newer picture arrives";
 }
 
-TEST_F(RemotePictures, OfABlindCameraAreTold) {
+TEST_F(RemotePictures, OfABlindCameraAreLogged) {
   for (int i = 0; i < 50; ++i, now += 100ms) comes(greyJpeg({40, 30}), 0);
-  EXPECT_THAT(said, HasSubstr("the robot's camera gives none"));
+  EXPECT_THAT(said, HasSubstr("the robot's camera gives no pictures"));
   EXPECT_EQ(said.find("Camera"), said.rfind("Camera:")) << "once";
 }
 
-TEST_F(RemotePictures, AreAskedForJustBeforeTheyAreLookedAt) {
+TEST_F(RemotePictures, AreRequestedJustBeforeTheyAreAccessed) {
   (void)eyes->newest();
   std::string asked;
   for (int step = 0; step < 13; ++step) {
@@ -152,7 +153,7 @@ TEST_F(RemotePictures, AreAskedForJustBeforeTheyAreLookedAt) {
   }
   EXPECT_EQ(asked, "P......P...P.") << "it learns that the camera is looked at every fourth step";
   eyes.reset();
-  EXPECT_FALSE(pictures.areDue()) << "nobody looks";
+  EXPECT_FALSE(pictures.areDue()) << "not accessed";
 }
 
 std::string judged(LinkSpeed& speed, Nanos network, std::size_t picture, ImageSize size) {
@@ -168,12 +169,12 @@ std::string judged(LinkSpeed& speed, Nanos network, std::size_t picture, ImageSi
   return said;
 }
 
-TEST(RemoteLinkSpeed, IsNotMentionedWhileItIsEnough) {
+TEST(RemoteLinkSpeed, LogsNothingWhileTheNetworkIsFastEnough) {
   LinkSpeed speed;
   EXPECT_EQ(judged(speed, 12ms, 11000, kWholeImage), "");
 }
 
-TEST(RemoteLinkSpeed, NamesThePictureAndTheSizeThatWouldFit) {
+TEST(RemoteLinkSpeed, LogsThePictureSizeThatWouldFit) {
   LinkSpeed speed;
   const std::string said = judged(speed, 24ms, 11000, kWholeImage);
   EXPECT_THAT(said, HasSubstr("an exchange takes 24 ms"));
@@ -184,7 +185,7 @@ TEST(RemoteLinkSpeed, NamesThePictureAndTheSizeThatWouldFit) {
   EXPECT_EQ(said.find("too slow"), said.rfind("too slow")) << "once";
 }
 
-TEST(RemoteLinkSpeed, WithoutPicturesNoSizeHelps) {
+TEST(RemoteLinkSpeed, SuggestsNoSizeWithoutPictures) {
   LinkSpeed speed;
   EXPECT_THAT(judged(speed, 40ms, 0, kWholeImage), testing::AllOf(HasSubstr("too slow"), Not(HasSubstr("would fit"))));
 }

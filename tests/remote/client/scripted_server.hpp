@@ -1,4 +1,4 @@
-// A server that answers as a test says, in a thread of its own, on a loopback port of its own.
+// A scripted server on a loopback port, in its own thread.
 #pragma once
 
 #include <arpa/inet.h>
@@ -18,16 +18,16 @@
 
 namespace darwinop::remote {
 
-/// How a reply is to be sent.
+/// How to send a reply.
 struct Answer {
   std::vector<std::uint8_t> bytes;
-  std::size_t cut_at = SIZE_MAX;  // so many bytes, then the connection ends
-  bool trickles = false;          // every byte on its own
+  std::size_t cut_at = SIZE_MAX;  // bytes to send before the connection is closed
+  bool trickles = false;          // sends single bytes
 };
 
 class ScriptedServer {
  public:
-  /// `request`, and the number of the connection that it came on, from 0.
+  /// Arguments: the request and the number of its connection, from 0.
   using Script = std::function<Answer(const Request& request, int connection)>;
 
   explicit ScriptedServer(Script script, std::uint16_t port = 0)
@@ -77,8 +77,8 @@ class ScriptedServer {
       if (count <= 0) return;
       reader.filled(static_cast<std::size_t>(count));
       Request request;
-      Oddities oddities;
-      while (reader.next(request, oddities) == RequestReader::Found::kRequest) {
+      RequestIssues issues;
+      while (reader.next(request, issues) == RequestReader::Result::kRequest) {
         {
           const std::lock_guard lock{mutex_};
           requests_.push_back(request);

@@ -1,4 +1,4 @@
-// The client of remote control against servers that answer, answer badly, or do not answer.
+// TcpLink against servers that reply correctly, incorrectly or not at all.
 #include "remote/client/tcp_link.hpp"
 
 #include <gmock/gmock.h>
@@ -17,12 +17,12 @@ using namespace std::chrono_literals;
 
 const std::atomic<bool> kGoOn{false};
 
-/// A robot that has run the cycle that was asked for. In simulated time nothing depends on the machine's.
+/// A robot that has run the requested cycle, in simulated time, so that the machine's speed does not matter.
 struct ScriptedRobot {
   bool real_time = false;
   std::atomic<bool> silent{false};
   std::atomic<Nanos> delay{0ms};  // of the next reply
-  bool delay_is_held = false;     // its loop stands still meanwhile
+  bool delay_is_held = false;     // its loop stands still during the delay
   std::uint64_t first_cycle = 1000;
   std::string must_end;
   std::vector<std::uint8_t> jpeg;
@@ -70,7 +70,7 @@ struct ScriptedRobot {
   }
 };
 
-/// As it was before the extension: it does not read it, and does not answer it.
+/// Replies as a server of 2013, without the extension.
 struct OldRobot : ScriptedRobot {
   Answer operator()(Request request, int connection) {
     request.extended = false;
@@ -83,10 +83,10 @@ class TcpLinkTest : public testing::Test {
   [[nodiscard]] std::unique_ptr<TcpLink> link(std::uint16_t port) {
     TcpOptions options;
     options.port = port;
-    options.first_patience = 500ms;
-    options.patience = patience;
-    options.silence = 300ms;
-    options.say = [this](const std::string& what) { said += what + "\n"; };
+    options.connect_timeout = 500ms;
+    options.reconnect_timeout = patience;
+    options.reply_timeout = 300ms;
+    options.log = [this](const std::string& what) { said += what + "\n"; };
     return std::make_unique<TcpLink>(std::move(options));
   }
   static bool stepOf(TcpLink& link, std::uint64_t cycles = 1) {
@@ -103,7 +103,7 @@ class TcpLinkTest : public testing::Test {
   Nanos patience = 20s;
 };
 
-TEST_F(TcpLinkTest, ShowsTheRobotAsItIsThere) {
+TEST_F(TcpLinkTest, ReturnsTheRobotsSensors) {
   ScriptedRobot robot;
   ScriptedServer server{std::ref(robot)};
   const auto tcp = link(server.port());
@@ -118,7 +118,7 @@ TEST_F(TcpLinkTest, ShowsTheRobotAsItIsThere) {
   EXPECT_EQ(said, "");
 }
 
-TEST_F(TcpLinkTest, SaysEachWishOnceAndInTheServosUnits) {
+TEST_F(TcpLinkTest, SendsEachCommandOnceInTheServosUnits) {
   ScriptedRobot robot;
   ScriptedServer server{std::ref(robot)};
   {
@@ -126,21 +126,21 @@ TEST_F(TcpLinkTest, SaysEachWishOnceAndInTheServosUnits) {
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(stepOf(*tcp));
   }
   const std::vector<Request> requests = server.requests();
-  ASSERT_EQ(requests.size(), 5) << "a greeting, three steps, a farewell";
+  ASSERT_EQ(requests.size(), 5) << "the first request, three steps, the end of the session";
   EXPECT_TRUE(requests[0].motors.empty()) << "nothing is wanted yet";
   EXPECT_FALSE(requests[0].extension.unattended);
-  EXPECT_FALSE(requests[0].extension.only_if_up) << "a controller that begins takes the robot";
+  EXPECT_FALSE(requests[0].extension.only_if_up) << "a new controller may start the robot";
   ASSERT_EQ(requests[1].motors.size(), 1);
   EXPECT_EQ(requests[1].motors[0],
             (MotorSetting{.joint = Joint::kNeck, .set = MotorSetting::kPosition, .position = 326}))
       << "the nearest tick, as without a network";
   EXPECT_EQ(requests[1].leds.size(), 1);
   EXPECT_TRUE(requests[2].motors.empty() && requests[2].leds.empty());
-  EXPECT_TRUE(requests[4].extension.farewell);
-  EXPECT_TRUE(requests[4].extension.only_if_up) << "it wakes nobody";
+  EXPECT_TRUE(requests[4].extension.end_of_session);
+  EXPECT_TRUE(requests[4].extension.only_if_up) << "it does not start a robot at rest";
 }
 
-TEST_F(TcpLinkTest, LeftHoldingItSendsTheLastGoalsAndNoFarewell) {
+TEST_F(TcpLinkTest, SendsTheLastGoalsAndNoEndOfSessionWhenLeftHolding) {
   ScriptedRobot robot;
   ScriptedServer server{std::ref(robot)};
   {
@@ -155,10 +155,10 @@ TEST_F(TcpLinkTest, LeftHoldingItSendsTheLastGoalsAndNoFarewell) {
   ASSERT_EQ(requests.size(), 3) << "a greeting, a step, where it is to stay";
   ASSERT_EQ(requests[2].motors.size(), 1);
   EXPECT_EQ(requests[2].motors[0].position, 163);
-  EXPECT_FALSE(requests[2].extension.farewell);
+  EXPECT_FALSE(requests[2].extension.end_of_session);
 }
 
-TEST_F(TcpLinkTest, AnOldServerIsUnderstoodWhatItCannotTellIsAbsent) {
+TEST_F(TcpLinkTest, WorksWithA2013ServerAndMarksMissingValuesAsAbsent) {
   OldRobot robot;
   ScriptedServer server{std::ref(robot)};
   const auto tcp = link(server.port());
@@ -180,7 +180,7 @@ TEST_F(TcpLinkTest, AnOldServerIsUnderstoodWhatItCannotTellIsAbsent) {
   for (std::size_t i = 1; i < requests.size(); ++i) EXPECT_FALSE(requests[i].extended) << "it would be logged there";
 }
 
-TEST_F(TcpLinkTest, ARobotThatMustEndSaysWhy) {
+TEST_F(TcpLinkTest, ReportsWhyTheSessionMustEnd) {
   ScriptedRobot robot;
   ScriptedServer server{std::ref(robot)};
   const auto tcp = link(server.port());
@@ -190,7 +190,7 @@ TEST_F(TcpLinkTest, ARobotThatMustEndSaysWhy) {
   EXPECT_EQ(tcp->whyEnded(), "the MODE button was held");
 }
 
-TEST_F(TcpLinkTest, TextOfAServerIsNoCommandForATerminal) {
+TEST_F(TcpLinkTest, EscapesControlCharactersInTextOfAServer) {
   ScriptedRobot robot;
   ScriptedServer server{std::ref(robot)};
   const auto tcp = link(server.port());
@@ -200,7 +200,7 @@ TEST_F(TcpLinkTest, TextOfAServerIsNoCommandForATerminal) {
   EXPECT_EQ(tcp->whyEnded(), "\\x1b]0;a title\\x07\\x1b[2Jgone");
 }
 
-TEST_F(TcpLinkTest, SaysAtTheStartWhyItMayNotDrive) {
+TEST_F(TcpLinkTest, ReportsAtTheStartWhyItMayNotDrive) {
   ScriptedRobot robot;
   robot.must_end = "another controller (pid 12) drives this robot";
   ScriptedServer server{std::ref(robot)};
@@ -212,7 +212,7 @@ TEST_F(TcpLinkTest, SaysAtTheStartWhyItMayNotDrive) {
   }
 }
 
-TEST_F(TcpLinkTest, NobodyThereIsASentence) {
+TEST_F(TcpLinkTest, ReportsThatNoServerIsThere) {
   std::uint16_t port = 0;
   {
     ScriptedRobot robot;
@@ -220,15 +220,15 @@ TEST_F(TcpLinkTest, NobodyThereIsASentence) {
   }
   try {
     (void)link(port);
-    ADD_FAILURE() << "somebody answers";
+    ADD_FAILURE() << "a server is there";
   } catch (const std::runtime_error& refused) {
     EXPECT_THAT(refused.what(), HasSubstr("darwinop remote"));
-    EXPECT_THAT(refused.what(), HasSubstr("somebody else drives"));
+    EXPECT_THAT(refused.what(), HasSubstr("another client drives"));
   }
   EXPECT_THAT(said, HasSubstr("waiting for tcp://127.0.0.1:"));
 }
 
-TEST_F(TcpLinkTest, SomethingElseThatListensThereIsASentence) {
+TEST_F(TcpLinkTest, ReportsAServerOfAnotherProtocol) {
   ScriptedServer mute{[](const Request&, int) { return Answer{}; }};
   EXPECT_THROW((void)link(mute.port()), std::runtime_error);
   ScriptedServer rude{[](const Request&, int) { return Answer{{'W', 0xFF, 0xFF, 0xFF, 0xFF}}; }};
@@ -236,11 +236,11 @@ TEST_F(TcpLinkTest, SomethingElseThatListensThereIsASentence) {
     (void)link(rude.port());
     ADD_FAILURE() << "that is no server";
   } catch (const std::runtime_error& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("no reply of remote control"));
+    EXPECT_THAT(refused.what(), HasSubstr("the reply is not valid"));
   }
 }
 
-TEST_F(TcpLinkTest, AReplyMayTrickleIn) {
+TEST_F(TcpLinkTest, AcceptsAReplyInSingleBytes) {
   ScriptedRobot robot;
   ScriptedServer server{[&](const Request& request, int connection) {
     Answer answer = robot(request, connection);
@@ -252,7 +252,7 @@ TEST_F(TcpLinkTest, AReplyMayTrickleIn) {
   EXPECT_EQ(tcp->sensors().cycle, 1003);
 }
 
-/// Greets; then cuts the reply, one byte later each time, and answers whole on the next connection, which ends, too.
+/// Replies once, then cuts each reply one byte later; the next connection gets a whole reply and is closed as well.
 struct CuttingRobot {
   ScriptedRobot robot;
   int greeted_on = -1;
@@ -263,12 +263,12 @@ struct CuttingRobot {
     Answer answer = robot(request, connection);
     if (std::exchange(greeted_on, connection) != connection) return answer;
     answer.cut_at = connection % 2 == 0 ? cut_at++ : answer.bytes.size();
-    done = cut_at >= answer.bytes.size() - 1;  // without its NUL a reply is whole
+    done = cut_at >= answer.bytes.size() - 1;  // a reply is complete without its NUL
     return answer;
   }
 };
 
-TEST_F(TcpLinkTest, GoesOnAfterACutAtEveryByteOfAReply) {
+TEST_F(TcpLinkTest, ReconnectsAfterACutAtEveryByteOfAReply) {
   CuttingRobot robot;
   ScriptedServer server{std::ref(robot)};
   const auto tcp = link(server.port());
@@ -282,10 +282,10 @@ TEST_F(TcpLinkTest, GoesOnAfterACutAtEveryByteOfAReply) {
   }
   EXPECT_GT(steps, 800);
   EXPECT_THAT(said, HasSubstr("is lost"));
-  EXPECT_THAT(said, HasSubstr("is back"));
+  EXPECT_THAT(said, HasSubstr("is connected again"));
 }
 
-TEST_F(TcpLinkTest, TellsAServerThatComesBackAllWishesAndBeginsWhereTheRobotIs) {
+TEST_F(TcpLinkTest, SendsAllCommandsAfterAReconnectAndStartsAtThePresentPosition) {
   ScriptedRobot robot;
   auto server = std::make_unique<ScriptedServer>(std::ref(robot));
   const std::uint16_t port = server->port();
@@ -293,22 +293,22 @@ TEST_F(TcpLinkTest, TellsAServerThatComesBackAllWishesAndBeginsWhereTheRobotIs) 
   for (int i = 0; i < 2; ++i) ASSERT_TRUE(stepOf(*tcp));
   server.reset();
   ScriptedRobot next;
-  next.first_cycle = 1;  // a loop that was started anew
+  next.first_cycle = 1;  // a restarted loop
   ScriptedServer again{std::ref(next), port};
   const std::uint64_t before = tcp->sensors().cycle;
   ASSERT_TRUE(stepOf(*tcp, 3));
   EXPECT_GE(tcp->sensors().cycle, before + 3);
-  std::size_t told = 0;
+  std::size_t sent = 0;
   for (const Request& request : again.requests()) {
     EXPECT_TRUE(request.extension.start_where_it_is);
-    EXPECT_TRUE(request.extension.only_if_up) << "it may be in somebody's hands by now";
-    EXPECT_TRUE(request.extension.unattended) << "no person has started it anew";
-    told += request.motors.size();
+    EXPECT_TRUE(request.extension.only_if_up) << "the robot may have been released";
+    EXPECT_TRUE(request.extension.unattended) << "not restarted by a person";
+    sent += request.motors.size();
   }
-  EXPECT_EQ(told, 1) << "the new one knows nothing of it, and is told once";
+  EXPECT_EQ(sent, 1) << "a new connection gets it once";
 }
 
-TEST_F(TcpLinkTest, WithoutRepliesStepsGoOnAndValuesGrowOld) {
+TEST_F(TcpLinkTest, ContinuesStepsWithAgingValuesWithoutReplies) {
   ScriptedRobot robot;
   robot.real_time = true;
   ScriptedServer server{std::ref(robot)};
@@ -322,30 +322,30 @@ TEST_F(TcpLinkTest, WithoutRepliesStepsGoOnAndValuesGrowOld) {
   EXPECT_THAT(said, HasSubstr("no reply for"));
   robot.silent = false;
   while (!tcp->sensors().joint[7].motion.fresh()) ASSERT_TRUE(stepOf(*tcp));
-  EXPECT_THAT(said, HasSubstr("is back"));
+  EXPECT_THAT(said, HasSubstr("is connected again"));
 }
 
-TEST_F(TcpLinkTest, AReplyThatLayOnItsWaySaysNothingAboutTheLoop) {
+TEST_F(TcpLinkTest, AgesAReplyThatWasBuffered) {
   ScriptedRobot robot;
   robot.real_time = true;
   ScriptedServer server{std::ref(robot)};
   const auto tcp = link(server.port());
   robot.delay = 250ms;
   while (server.requests().size() < 3) ASSERT_TRUE(stepOf(*tcp));
-  EXPECT_GT(server.requests()[2].extension.until_cycle, 1003) << "it has run on meanwhile";
+  EXPECT_GT(server.requests()[2].extension.until_cycle, 1003) << "the loop has continued in the meantime";
 }
 
-TEST_F(TcpLinkTest, ALoopThatStoodStillIsAskedForItsOwnNextCycle) {
+TEST_F(TcpLinkTest, RequestsTheNextCycleOfALoopThatStoodStill) {
   ScriptedRobot robot;
   robot.real_time = robot.delay_is_held = true;
   ScriptedServer server{std::ref(robot)};
   const auto tcp = link(server.port());
   robot.delay = 250ms;
   while (server.requests().size() < 3) ASSERT_TRUE(stepOf(*tcp));
-  EXPECT_EQ(server.requests()[2].extension.until_cycle, 1001) << "it has run none meanwhile";
+  EXPECT_EQ(server.requests()[2].extension.until_cycle, 1001) << "the loop has run no cycle in the meantime";
 }
 
-TEST_F(TcpLinkTest, AControllerThatAsksLateGetsFreshValues) {
+TEST_F(TcpLinkTest, GivesFreshValuesToAControllerThatStepsLate) {
   ScriptedRobot robot;
   robot.real_time = true;
   ScriptedServer server{std::ref(robot)};
@@ -355,7 +355,7 @@ TEST_F(TcpLinkTest, AControllerThatAsksLateGetsFreshValues) {
   EXPECT_TRUE(tcp->sensors().joint[7].motion.fresh());
 }
 
-TEST_F(TcpLinkTest, EndsWhenTheServerDoesNotComeBack) {
+TEST_F(TcpLinkTest, EndsWhenReconnectingTimesOut) {
   patience = 100ms;
   ScriptedRobot robot;
   robot.real_time = true;
@@ -364,10 +364,10 @@ TEST_F(TcpLinkTest, EndsWhenTheServerDoesNotComeBack) {
   ASSERT_TRUE(stepOf(*tcp));
   server.reset();
   while (stepOf(*tcp)) EXPECT_TRUE(tcp->sensors().joint[7].motion.ever());
-  EXPECT_THAT(tcp->whyEnded(), HasSubstr("has not come back"));
+  EXPECT_THAT(tcp->whyEnded(), HasSubstr("could not be restored"));
 }
 
-TEST_F(TcpLinkTest, EndsAtOnceWhenTheUserAsks) {
+TEST_F(TcpLinkTest, EndsAtOnceOnRequest) {
   ScriptedRobot robot;
   robot.real_time = true;
   ScriptedServer server{std::ref(robot)};

@@ -1,4 +1,4 @@
-// From a camera at its device to the picture in a reply.
+// From a camera device to the picture in a reply.
 #include <thread>
 
 #include "hal/camera_v4l2/bench.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(LivePicturesOfACamera, ShowWhatIsBeforeIt) {
+TEST(LivePicturesOfACamera, EncodeItsFrames) {
   const Scene scene = room();
   const TemporaryFolder folder;
   hil::FramePainter painter{folder / "camera"};

@@ -1,4 +1,4 @@
-// Files that are none, damaged, or of another kind than a robot sends.
+// Decoder with valid, damaged and unsupported files.
 #include "remote/jpeg/decoder.hpp"
 
 #include <string>
@@ -21,28 +21,28 @@ struct DecodeJpegTest : testing::Test {
   }
 };
 
-TEST_F(DecodeJpegTest, GivesFourBytesAPixelThatCover) {
+TEST_F(DecodeJpegTest, WritesFourBytesPerPixelWithOpaqueAlpha) {
   EXPECT_EQ(wrongWith(good), "");
   for (std::size_t alpha = 3; alpha < bgra.size(); alpha += 4) ASSERT_EQ(bgra[alpha], 255);
 }
 
-TEST_F(DecodeJpegTest, SaysThatAFileIsNone) {
-  EXPECT_EQ(wrongWith({}), "it is empty");
-  EXPECT_EQ(wrongWith(PixelBytes(100, 0)), "it is no JPEG, or damaged");
-  EXPECT_EQ(wrongWith({0xff, 0xd8, 0xff, 0xe0, 0x00, 0x10, 0xff, 0xd9}), "it is no JPEG, or damaged");
+TEST_F(DecodeJpegTest, RejectsAFileThatIsNotAJpeg) {
+  EXPECT_EQ(wrongWith({}), "empty");
+  EXPECT_EQ(wrongWith(PixelBytes(100, 0)), "not a JPEG, or damaged");
+  EXPECT_EQ(wrongWith({0xff, 0xd8, 0xff, 0xe0, 0x00, 0x10, 0xff, 0xd9}), "not a JPEG, or damaged");
 }
 
-TEST_F(DecodeJpegTest, SaysThatTheSizeIsAnother) {
+TEST_F(DecodeJpegTest, RejectsAnUnexpectedSize) {
   JpegEncoder other{{80, 120}, 80};
-  EXPECT_EQ(wrongWith(encoded(other, scene.frame(PictureForm::kYuyv))), "it has another size");
+  EXPECT_EQ(wrongWith(encoded(other, scene.frame(PictureForm::kYuyv))), "unexpected size");
 }
 
-TEST_F(DecodeJpegTest, SaysThatTheEndIsMissing) {
+TEST_F(DecodeJpegTest, RejectsATruncatedFile) {
   for (std::size_t length = 1; length < good.size() - 2; length += 7)
     EXPECT_NE(wrongWith({good.begin(), good.begin() + static_cast<std::ptrdiff_t>(length)}), "") << length;
 }
 
-TEST_F(DecodeJpegTest, RefusesManyPasses) {
+TEST_F(DecodeJpegTest, RejectsMultipleScans) {
   PixelBytes progressive = good;
   // Marker SOF0 (baseline) becomes SOF2 (progressive).
   const std::uint8_t marker[]{0xff, 0xc0};
@@ -52,14 +52,14 @@ TEST_F(DecodeJpegTest, RefusesManyPasses) {
   EXPECT_NE(wrongWith(progressive), "");
 }
 
-TEST_F(DecodeJpegTest, DoesNotTakeTheTablesOfTheFileBefore) {
+TEST_F(DecodeJpegTest, DoesNotReuseTablesOfThePreviousFile) {
   EXPECT_EQ(wrongWith(good), "");
-  // Another number for both tables of brightness and colour: what the picture asks for is then missing.
+  // Renumbers both quantization tables, so that those the picture refers to are missing.
   PixelBytes without = good;
   for (std::size_t i = 0; i + 4 < without.size(); ++i)
     if (without[i] == 0xff && without[i + 1] == 0xdb) without[i + 4] += 2;
   ASSERT_NE(without, good);
-  EXPECT_EQ(wrongWith(without), "it is no JPEG, or damaged");
+  EXPECT_EQ(wrongWith(without), "not a JPEG, or damaged");
 }
 
 }  // namespace

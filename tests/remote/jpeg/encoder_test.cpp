@@ -1,4 +1,4 @@
-// JPEGs of a camera's frames, looked at through a decoder.
+// JPEG encoder, checked with a decoder.
 #include "remote/jpeg/encoder.hpp"
 
 #include <string>
@@ -32,7 +32,7 @@ TEST(JpegEncoder, KeepsThePictureAtEachSize) {
   });
 }
 
-TEST(JpegEncoder, ShowsMoreAtHigherQuality) {
+TEST(JpegEncoder, KeepsMoreDetailAtHigherQuality) {
   const Scene scene = room();
   for (const PictureForm form : kForms) {
     double last = 0;
@@ -50,7 +50,7 @@ TEST(JpegEncoder, ShowsMoreAtHigherQuality) {
   }
 }
 
-TEST(JpegEncoder, IsNotWorseFromPlanesThanFromPixels) {
+TEST(JpegEncoder, IsAsGoodFromYuyvAsFromBgra) {
   const Scene scene = room();
   for (const int quality : {50, 65, 80, 100}) {
     JpegEncoder encoder{kWholeImage, quality};
@@ -61,7 +61,7 @@ TEST(JpegEncoder, IsNotWorseFromPlanesThanFromPixels) {
   }
 }
 
-TEST(JpegEncoder, TakesTheMiddleToThePixel) {
+TEST(JpegEncoder, CropsTheCentreToThePixel) {
   const Scene scene = room();
   withEachSizeAndForm([&](ImageSize size, PictureForm form) {
     JpegEncoder encoder{size, 90};
@@ -76,13 +76,13 @@ TEST(JpegEncoder, TakesTheMiddleToThePixel) {
   });
 }
 
-TEST(JpegEncoder, PairsTheRowsOfTheImageNotOfTheCamera) {
-  // An image of 30 rows begins in row 105: red above row 107, blue below, in step with the image's own pairs.
+TEST(JpegEncoder, PairsChromaRowsOfTheCropNotOfTheCamera) {
+  // A crop of 30 rows starts at row 105: red above row 107, blue below, aligned with the crop's row pairs.
   const Scene scene{[](int, int y) { return y < 107 ? std::array{0, 0, 200} : std::array{200, 0, 0}; }};
   const ImageSize size{40, 30};
   JpegEncoder encoder{size, 100};
   const auto of_row = [&](const PixelBytes& bgra, int row) { return bgra.data() + std::ptrdiff_t{4} * 40 * row; };
-  // Paired with row 106, row 105 of the camera keeps its red; paired across the edge it would be half blue.
+  // Paired with row 106, row 105 stays red; paired across the edge it would be half blue.
   const PixelBytes planes = decoded(encoded(encoder, scene.frame(PictureForm::kYuyv)), size);
   const PixelBytes pixels = decoded(encoded(encoder, scene.frame(PictureForm::kBgra)), size);
   for (int row = 0; row < 4; ++row)
@@ -90,10 +90,10 @@ TEST(JpegEncoder, PairsTheRowsOfTheImageNotOfTheCamera) {
 }
 
 TEST(JpegEncoder, HasRoomForNoiseAtFullQuality) {
-  std::uint32_t dice = 1;
+  std::uint32_t rng = 1;
   const Scene scene{[&](int, int) {
-    dice = dice * 1664525 + 1013904223;
-    return std::array{dice >> 24, dice >> 16 & 255, dice >> 8 & 255};
+    rng = rng * 1664525 + 1013904223;
+    return std::array{rng >> 24, rng >> 16 & 255, rng >> 8 & 255};
   }};
   withEachSizeAndForm([&](ImageSize size, PictureForm form) {
     JpegEncoder encoder{size, 100};
@@ -111,7 +111,7 @@ TEST(JpegEncoder, WritesTheSameFileEachTimeAndForEachFormInTurn) {
   EXPECT_EQ(encoded(other, scene.frame(PictureForm::kYuyv)), planes);
 }
 
-TEST(JpegEncoder, TakesNothingFromTheHeapAfterTheFirst) {
+TEST(JpegEncoder, DoesNotAllocateAfterTheFirstPicture) {
   const Scene scene = room();
   for (const PictureForm form : kForms) {
     JpegEncoder encoder{kWholeImage, 65};
@@ -124,7 +124,7 @@ TEST(JpegEncoder, TakesNothingFromTheHeapAfterTheFirst) {
   }
 }
 
-TEST(JpegEncoder, LeavesAFrameAloneThatIsNotOfTheWholeSize) {
+TEST(JpegEncoder, RejectsAFrameOfAnotherSize) {
   const Scene scene = room();
   JpegEncoder encoder{{80, 60}, 80};
   PixelBytes into(encoder.mostBytes());

@@ -1,26 +1,27 @@
-// libjpeg on memory of its owner's.
+// libjpeg with preallocated memory.
 #include "remote/jpeg/image_memory.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "remote/jpeg/complaints.hpp"
+#include "remote/jpeg/jpeg_errors.hpp"
 
 namespace darwinop::remote {
 namespace {
 
 struct ImageMemoryTest : testing::Test {
   ImageMemoryTest() {
-    cinfo.err = &complaints.manager;
+    cinfo.err = &errors.manager;
     jpeg_create_compress(&cinfo);
   }
   ~ImageMemoryTest() override { jpeg_destroy_compress(&cinfo); }
 
-  /// Black; the longest way through libjpeg, with a conversion of colours. False: it was given up.
+  /// Encodes a black picture with colour conversion, the longest path through libjpeg. False: libjpeg reported an
+  /// error.
   bool writePicture(JDIMENSION width, JDIMENSION height) {
-    complaints.expected = true;
-    if (setjmp(complaints.back) != 0) {
+    errors.expected = true;
+    if (setjmp(errors.back) != 0) {
       jpeg_abort_compress(&cinfo);
       return false;
     }
@@ -41,12 +42,12 @@ struct ImageMemoryTest : testing::Test {
     return true;
   }
 
-  JpegComplaints complaints;
+  JpegErrorHandler errors;
   jpeg_compress_struct cinfo{};
   std::vector<unsigned char> file = std::vector<unsigned char>(1'000'000), row = std::vector<unsigned char>(4 * 8000);
 };
 
-TEST_F(ImageMemoryTest, IsUsedForEachPictureAnew) {
+TEST_F(ImageMemoryTest, IsReusedForEachPicture) {
   ImageMemory memory{cinfo};
   ASSERT_TRUE(writePicture(320, 240));
   const std::size_t of_one = memory.most();
@@ -56,7 +57,7 @@ TEST_F(ImageMemoryTest, IsUsedForEachPictureAnew) {
   EXPECT_EQ(memory.most(), of_one);
 }
 
-TEST_F(ImageMemoryTest, EndsWithAnErrorNotBeyondItsEnd) {
+TEST_F(ImageMemoryTest, ReportsAnErrorWhenItIsFull) {
   ImageMemory memory{cinfo};
   EXPECT_FALSE(writePicture(8000, 16));
   EXPECT_TRUE(writePicture(320, 240));

@@ -5,7 +5,7 @@
 namespace darwinop::remote {
 namespace {
 
-TEST(ImageSize, KnowsSixteen) {
+TEST(ImageSize, HasSixteenCombinations) {
   int known = 0;
   for (int width = 0; width <= 400; ++width)
     for (int height = 0; height <= 400; ++height)
@@ -15,7 +15,7 @@ TEST(ImageSize, KnowsSixteen) {
   EXPECT_FALSE(isImageSize({240, 320}));
 }
 
-TEST(ImageSize, IsTheMiddleOfTheWholeImage) {
+TEST(ImageSize, IsTheCentreCropOfTheWholeImage) {
   // Columns 160 - 160/n to 160 + 160/n - 1, rows 120 - 120/n to 120 + 120/n - 1, for n = 1, 2, 4, 8.
   for (const int n : {1, 2, 4, 8}) {
     const ImageSize size{320 / n, 240 / n};
@@ -24,7 +24,7 @@ TEST(ImageSize, IsTheMiddleOfTheWholeImage) {
   }
 }
 
-TEST(ImageSize, OnlyTheWholeImageIsCodedCoarsely) {
+TEST(ImageSize, OnlyTheWholeImageHasTheLowerQuality) {
   EXPECT_EQ(qualityOf({320, 240}), 65);
   EXPECT_EQ(qualityOf({320, 120}), 80);
   EXPECT_EQ(qualityOf({160, 240}), 80);

@@ -1,4 +1,4 @@
-// Pictures handed to replies: by a thread in real time, in lockstep without one.
+// Picture sources: in real time with a thread, in lockstep without one.
 #include <gmock/gmock.h>
 
 #include <atomic>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// What a test does to the camera, from its own thread.
+/// Camera state, set by the test from its own thread.
 struct CameraControls {
   std::atomic<std::uint64_t> sequence{0};
   std::atomic<bool> seeing{true};
@@ -22,7 +22,7 @@ struct CameraControls {
   std::atomic<int> frames_taken{0}, looks{0};
 };
 
-/// A frame is grey all over, and its number tells the shade; the bytes are written anew for each, as a camera's are.
+/// Frames of one grey level that encodes the frame number; each frame is written to the buffer again, as cameras do.
 class GreyCamera final : public FrameSource {
  public:
   explicit GreyCamera(CameraControls& controls) : controls_{controls}, yuyv_(2 * pixelsOf(kWholeImage), 128) {}
@@ -57,7 +57,7 @@ bool comesTrue(Condition&& condition) {
   return true;
 }
 
-/// Pixels that are not of the one shade.
+/// Number of pixels that differ from the grey level.
 int pixelsOffShade(std::span<const std::uint8_t> jpeg, int shade, ImageSize size) {
   const PixelBytes bgra = decoded({jpeg.begin(), jpeg.end()}, size);
   int off = 0;
@@ -82,20 +82,20 @@ struct LivePicturesTest : testing::Test {
                                const std::lock_guard lock{mutex};
                                said.push_back(sentence);
                              },
-                         .look_every = 100us}};
+                         .poll_interval = 100us}};
 
   bool shows(std::uint64_t sequence) {
     return comesTrue([&] { return pictures.newest().sequence == sequence; });
   }
 };
 
-TEST_F(LivePicturesTest, AreBlackAndOfNoNumberBeforeTheFirst) {
+TEST_F(LivePicturesTest, AreBlackWithSequenceZeroBeforeTheFirstFrame) {
   const JpegPicture picture = pictures.newest();
   EXPECT_EQ(picture.sequence, 0u);
   EXPECT_EQ(pixelsOffShade(picture.jpeg, 0, kSmall), 0);
 }
 
-TEST_F(LivePicturesTest, AreTheNewestWithItsNumberAndAge) {
+TEST_F(LivePicturesTest, AreTheNewestWithSequenceAndAge) {
   for (const std::uint64_t sequence : {1, 2, 7}) {
     camera.sequence = sequence;
     ASSERT_TRUE(shows(sequence));
@@ -105,7 +105,7 @@ TEST_F(LivePicturesTest, AreTheNewestWithItsNumberAndAge) {
   }
 }
 
-TEST_F(LivePicturesTest, AreTheSameOneWhileNothingIsNew) {
+TEST_F(LivePicturesTest, AreRepeatedWhileThereIsNoNewFrame) {
   camera.sequence = 3;
   ASSERT_TRUE(shows(3));
   const JpegPicture first = pictures.newest();
@@ -116,7 +116,7 @@ TEST_F(LivePicturesTest, AreTheSameOneWhileNothingIsNew) {
   EXPECT_EQ(again.jpeg.data(), first.jpeg.data());
 }
 
-TEST_F(LivePicturesTest, AreBlackAgainWhenTheCameraIsBlindAndNotWhenItSees) {
+TEST_F(LivePicturesTest, AreBlackWhileTheCameraIsBlind) {
   camera.sequence = 3;
   ASSERT_TRUE(shows(3));
   camera.seeing = false;
@@ -154,21 +154,21 @@ TEST_F(LivePicturesTest, AreNeverTornNorOlderThanTheLast) {
   EXPECT_GT(seen, 1);
 }
 
-TEST_F(LivePicturesTest, AreBlackAndSaySoOnceWhenTheCameraHasAnotherSize) {
+TEST_F(LivePicturesTest, AreBlackAndLoggedOnceWhenTheCameraHasAnotherSize) {
   camera.width = 640;
   camera.sequence = 1;
-  const auto told = [&] {
+  const auto logged = [&] {
     const std::lock_guard lock{mutex};
     return said;
   };
-  ASSERT_TRUE(comesTrue([&] { return !told().empty(); }));
+  ASSERT_TRUE(comesTrue([&] { return !logged().empty(); }));
   camera.sequence = 2;
   ASSERT_TRUE(comesTrue([&] { return camera.frames_taken == 2; }));
   EXPECT_EQ(pictures.newest().sequence, 0u);
-  EXPECT_THAT(told(), testing::ElementsAre(testing::HasSubstr("640x240")));
+  EXPECT_THAT(logged(), testing::ElementsAre(testing::HasSubstr("640x240")));
 }
 
-TEST(LockstepPictures, AreThereAtOnce) {
+TEST(LockstepPictures, AreAvailableAtOnce) {
   CameraControls camera;
   Nanos now = 1s;
   LockstepPictures pictures{std::make_unique<GreyCamera>(camera), kSmall, 80, [&now] { return now; }};

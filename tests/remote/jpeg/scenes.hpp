@@ -1,4 +1,4 @@
-// Camera frames for tests, and what a decoder makes of their JPEGs.
+// Camera frames for tests, and a comparison with their decoded JPEGs.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ inline std::size_t pixelsOf(ImageSize size) {
   return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
 }
 
-/// What a camera sees, in both forms: BGRA is made of YUYV, as a controller's is.
+/// A frame in both formats; BGRA is converted from YUYV, as for a controller.
 struct Scene {
   /// `colour`: blue, green, red at a column and a row of the upright picture.
   template <class Colour>
@@ -57,10 +57,10 @@ struct Scene {
   }
 
   PixelBytes yuyv, bgra;
-  std::vector<float> colours;  // of YUYV by JFIF's formula: BGRA rounds down, and is half a count too dark
+  std::vector<float> colours;  // from YUYV by JFIF's formula; BGRA is rounded down and half a count darker
 };
 
-/// A room with edges, slopes and grain: neither as smooth as paper nor as rough as noise.
+/// A scene with edges, gradients and grain, between a plain surface and noise.
 inline Scene room() {
   return Scene{[](int x, int y) {
     const double grain = (x * 7919 + y * 104729) % 13 - 6.0;
@@ -86,7 +86,7 @@ inline PixelBytes decoded(const PixelBytes& jpeg, ImageSize size) {
   return bgra;
 }
 
-/// In dB over all three colours, against the middle of the scene, or what is `right` and `down` of it.
+/// PSNR in dB over all three colours, against the centre of the scene, shifted by `right` and `down`.
 inline double psnr(const Scene& scene, const PixelBytes& bgra, ImageSize size, int right = 0, int down = 0) {
   double squares = 0;
   for (int row = 0; row < size.height; ++row)

@@ -1,4 +1,4 @@
-// Sensor images with something in every value, as they look after a way over the network.
+// Arbitrary sensor images, rounded as on the wire.
 #pragma once
 
 #include <rapidcheck.h>

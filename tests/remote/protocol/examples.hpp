@@ -1,4 +1,4 @@
-// Exchanges of the protocol written down byte by byte, as the clients of 2013 and of today make them.
+// Recorded protocol exchanges, byte by byte.
 #pragma once
 
 #include "remote/protocol/request.hpp"

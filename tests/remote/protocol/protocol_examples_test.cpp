@@ -1,4 +1,4 @@
-// Every worked example, both ways.
+// Every protocol example, in both directions.
 #include <gtest/gtest.h>
 
 #include "examples.hpp"
@@ -18,9 +18,9 @@ std::string bytesOf(const Request& request) {
 Request requestOf(const std::string& hex) {
   const std::vector<std::uint8_t> bytes = fromHex(hex);
   Request request;
-  Oddities oddities;
-  readSections(std::span{bytes}.subspan(kRequestHead), request, oddities);
-  EXPECT_FALSE(oddities.any()) << hex;
+  RequestIssues issues;
+  readSections(std::span{bytes}.subspan(kRequestHead), request, issues);
+  EXPECT_FALSE(issues.any()) << hex;
   return request;
 }
 
@@ -35,7 +35,7 @@ std::string replyTo(const Request& request, const Reply& reply) {
   return toHex(bytes);
 }
 
-TEST(RemoteExample, NothingIsAskedAndAnswered) {
+TEST(RemoteExample, AnEmptyRequestGetsAnEmptyReply) {
   expectExchange({}, kEmptyRequest);
   EXPECT_EQ(replyTo({}, {}), kEmptyReply);
 }
@@ -65,7 +65,7 @@ TEST(RemoteExample, GoalAndVelocityOfOneMotor) {
                  kHeadRequest);
 }
 
-TEST(RemoteExample, AllThatCanBeSaidOfAMotor) {
+TEST(RemoteExample, AllSettingsOfAMotor) {
   expectExchange(requestForMotor({.joint = Joint::kArmUpperR,
                                   .set = 63,
                                   .position = wireFromPosition(-1),
@@ -80,7 +80,7 @@ TEST(RemoteExample, AllThatCanBeSaidOfAMotor) {
   EXPECT_EQ(gainFromWire(10000), 10);
 }
 
-TEST(RemoteExample, ARampIsTakenBack) {
+TEST(RemoteExample, AnAccelerationOfMinusOneRemovesTheRamp) {
   expectExchange(
       requestForMotor(
           {.joint = Joint::kArmUpperR, .set = MotorSetting::kAcceleration, .acceleration = wireFromAcceleration(-1)}),
@@ -95,7 +95,7 @@ TEST(RemoteExample, Leds) {
   expectExchange(request, kLedRequest);
 }
 
-TEST(RemoteExample, PositionsAndTorquesComeInTheOrderAskedFor) {
+TEST(RemoteExample, PositionsAndTorquesAreInTheOrderOfTheRequest) {
   Request request;
   (void)request.positions.add(18);
   (void)request.positions.add(19);
@@ -134,7 +134,7 @@ TEST(RemoteExample, EverythingAtOnce) {
   EXPECT_EQ(toHex(std::span{bytes}.first(5)), "57 00 00 04 59") << "113 + 1000, without the NUL";
 }
 
-TEST(RemoteUnits, WhatIsNotKnownIsNoNumberOfAnyKind) {
+TEST(RemoteUnits, UnknownValuesAreNan) {
   EXPECT_EQ(wireFromMeasuredPosition(std::numeric_limits<double>::quiet_NaN()), kNoValue);
   EXPECT_TRUE(std::isnan(measuredFromWire(kNoValue)));
   EXPECT_EQ(measuredFromWire(-1919), -0.1919);

@@ -1,4 +1,4 @@
-// The reader of replies against the writer, pieces, neighbours and nonsense.
+// Reply parser: round trip, fragmented, concatenated and invalid input.
 #include "remote/protocol/reply_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -12,14 +12,14 @@ namespace {
 
 using ReplyList = std::vector<std::uint8_t>;
 
-/// What is found once all is there, fed in pieces of `size`; `reader` keeps what the reply points to.
-ReplyReader::Found readReplyInPieces(ReplyReader& reader, std::span<const std::uint8_t> bytes, const Request& asked,
-                                     Reply& reply, std::size_t size) {
-  ReplyReader::Found found = ReplyReader::Found::kNothing;
-  while (!bytes.empty() && found == ReplyReader::Found::kNothing) {
+/// Feeds `bytes` in pieces of `size` and returns the result; `reader` owns the data that the reply points to.
+ReplyReader::Result readReplyInPieces(ReplyReader& reader, std::span<const std::uint8_t> bytes, const Request& asked,
+                                      Reply& reply, std::size_t size) {
+  ReplyReader::Result found = ReplyReader::Result::kIncomplete;
+  while (!bytes.empty() && found == ReplyReader::Result::kIncomplete) {
     const std::span<std::uint8_t> room = reader.room();
     const std::size_t count = std::min({size, bytes.size(), room.size()});
-    if (count == 0) return ReplyReader::Found::kRefused;  // a drained reader always has room
+    if (count == 0) return ReplyReader::Result::kInvalid;  // a drained reader always has room
     std::ranges::copy(bytes.first(count), room.begin());
     reader.filled(count);
     bytes = bytes.subspan(count);
@@ -74,7 +74,7 @@ RC_GTEST_PROP(ReplyReader, ReadsWhatWasWrittenHoweverItIsCut, ()) {
   Reply back;
   ReplyReader reader;
   RC_ASSERT(readReplyInPieces(reader, written(asked, reply), asked, back, *rc::gen::inRange<std::size_t>(1, 1500)) ==
-            ReplyReader::Found::kReply);
+            ReplyReader::Result::kReply);
   RC_ASSERT(back.accelerometer == reply.accelerometer);
   RC_ASSERT(back.gyro == reply.gyro);
   RC_ASSERT(std::ranges::equal(back.jpeg, reply.jpeg));
@@ -120,47 +120,47 @@ TEST(SensorBlock, KeepsWhatAControllerReads) {
   EXPECT_EQ(back.safety.worst, Fault::kServoSilent);
 }
 
-TEST(ReplyReader, RefusesWhatIsTooLongAndWhatWasNotAskedFor) {
+TEST(ReplyReader, RejectsRepliesThatAreTooLongOrDoNotMatchTheRequest) {
   for (const ReplyList& bytes :
        {ReplyList{'W', 0, 4, 0x93, 0xE1, 0}, ReplyList{'W', 0xFF, 0xFF, 0xFF, 0xFF}, ReplyList{'W', 0, 0, 0, 4, 0},
         ReplyList{'W', 0, 0, 0, 6, 1, 0}, ReplyList{'W', 0, 0, 0, 9, 0, 0, 0, 1, 0}}) {
     ReplyReader reader;
     Reply reply;
-    EXPECT_EQ(readReplyInPieces(reader, bytes, {}, reply, 100), ReplyReader::Found::kRefused) << +bytes[4];
+    EXPECT_EQ(readReplyInPieces(reader, bytes, {}, reply, 100), ReplyReader::Result::kInvalid) << +bytes[4];
   }
 }
 
-TEST(ReplyReader, APictureThatSaysToBeLongerThanItsReplyIsRefused) {
+TEST(ReplyReader, RejectsAPictureLongerThanItsReply) {
   Request asked;
   asked.camera = true;
   ReplyReader reader;
   Reply reply;
   EXPECT_EQ(readReplyInPieces(reader, ReplyList{'W', 0, 0, 0, 10, 0xFF, 0xFF, 0xFF, 0xFF, 1, 0}, asked, reply, 100),
-            ReplyReader::Found::kRefused);
+            ReplyReader::Result::kInvalid);
 }
 
-TEST(ReplyReader, TakesTheLongestReplyAndKeepsNoMore) {
+TEST(ReplyReader, AcceptsTheLongestReply) {
   Request asked;
   asked.camera = true;
   const ReplyList jpeg(kLongestReply - kReplyHead - 4, 7);
   Reply reply, back;
   reply.jpeg = jpeg;
   ReplyReader reader;
-  EXPECT_EQ(readReplyInPieces(reader, written(asked, reply), asked, back, 1000), ReplyReader::Found::kReply);
+  EXPECT_EQ(readReplyInPieces(reader, written(asked, reply), asked, back, 1000), ReplyReader::Result::kReply);
   EXPECT_EQ(back.jpeg.size(), jpeg.size());
   EXPECT_LE(reader.room().size(), kLongestReply + 1);
 }
 
-TEST(ReplyReader, AServerWithoutTheExtensionAnswersShorter) {
+TEST(ReplyReader, AcceptsAReplyWithoutTheExtension) {
   Request asked;
   asked.extended = true;
   Reply reply;
   ReplyReader reader;
-  EXPECT_EQ(readReplyInPieces(reader, ReplyList{'W', 0, 0, 0, 5, 0}, asked, reply, 100), ReplyReader::Found::kReply);
+  EXPECT_EQ(readReplyInPieces(reader, ReplyList{'W', 0, 0, 0, 5, 0}, asked, reply, 100), ReplyReader::Result::kReply);
   EXPECT_FALSE(reply.extension.has_value());
 }
 
-TEST(ReplyReader, TwoInOnePieceAreTwo) {
+TEST(ReplyReader, SeparatesTwoRepliesInOnePiece) {
   Request asked;
   asked.gyro = true;
   Reply reply;
@@ -171,9 +171,9 @@ TEST(ReplyReader, TwoInOnePieceAreTwo) {
   bytes.insert(bytes.end(), second.begin(), second.end());
   ReplyReader reader;
   Reply back;
-  ASSERT_EQ(readReplyInPieces(reader, bytes, asked, back, 1000), ReplyReader::Found::kReply);
+  ASSERT_EQ(readReplyInPieces(reader, bytes, asked, back, 1000), ReplyReader::Result::kReply);
   EXPECT_EQ(back.gyro[0], 1);
-  ASSERT_EQ(reader.next(asked, back), ReplyReader::Found::kReply);
+  ASSERT_EQ(reader.next(asked, back), ReplyReader::Result::kReply);
   EXPECT_EQ(back.gyro[0], 4);
 }
 

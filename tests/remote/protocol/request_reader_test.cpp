@@ -1,4 +1,4 @@
-// The request parser: pieces, neighbours, nonsense.
+// Request parser: fragmented, concatenated and invalid input.
 #include "remote/protocol/request_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 struct ReadRequests {
   std::vector<Request> requests;
-  std::vector<Oddities> oddities;
+  std::vector<RequestIssues> issues;
   bool refused = false;
   std::size_t garbage = 0, pending = 0;
   bool operator==(const ReadRequests&) const = default;
@@ -30,13 +30,13 @@ ReadRequests readInPieces(std::span<const std::uint8_t> bytes, std::size_t size)
     reader.filled(count);
     bytes = bytes.subspan(count);
     Request request;
-    Oddities oddities;
-    for (auto found = reader.next(request, oddities); found != RequestReader::Found::kNothing && !read.refused;
-         found = reader.next(request, oddities)) {
-      read.refused = found == RequestReader::Found::kRefused;
+    RequestIssues issues;
+    for (auto found = reader.next(request, issues); found != RequestReader::Result::kIncomplete && !read.refused;
+         found = reader.next(request, issues)) {
+      read.refused = found == RequestReader::Result::kInvalid;
       if (read.refused) break;
       read.requests.push_back(request);
-      read.oddities.push_back(oddities);
+      read.issues.push_back(issues);
     }
   }
   read.garbage = reader.garbageBytes();
@@ -66,7 +66,7 @@ TEST(RequestReader, WaitsForTheLastByte) {
   }
 }
 
-TEST(RequestReader, SkipsWhatIsNoRequest) {
+TEST(RequestReader, SkipsBytesOutsideOfRequests) {
   const ReadRequests read = readAll("00 01 02 57 04 00 00 00 57 05 00 43 00");
   ASSERT_EQ(read.requests.size(), 2);
   EXPECT_TRUE(read.requests[1].camera);
@@ -78,10 +78,10 @@ TEST(RequestReader, NeedsNoNulWithinTheLength) {
   ASSERT_EQ(read.requests.size(), 2);
   EXPECT_TRUE(read.requests[0].accelerometer && read.requests[0].gyro);
   EXPECT_EQ(read.requests[1], Request{});
-  EXPECT_FALSE(read.oddities[0].any());
+  EXPECT_FALSE(read.issues[0].any());
 }
 
-TEST(RequestReader, RefusesLengthsThatNoRequestHas) {
+TEST(RequestReader, RejectsInvalidLengths) {
   for (const char* const hex : {"57 00 00", "57 02 00 00", "57 01 04 00", "57 ff ff 41"}) {
     const ReadRequests read = readAll(std::string{hex} + " 57 04 00 00");
     EXPECT_TRUE(read.refused) << hex;
@@ -89,66 +89,66 @@ TEST(RequestReader, RefusesLengthsThatNoRequestHas) {
   }
 }
 
-TEST(RequestReader, TakesTheLongestRequestOfTheOldServer) {
+TEST(RequestReader, AcceptsTheLongestRequestOfThe2013Server) {
   std::vector<std::uint8_t> bytes(kMostStated, 0);
   bytes[0] = kFirstByte;
   bytes[2] = kMostStated >> 8;
   EXPECT_EQ(readInPieces(bytes, 100).requests.size(), 1);
 }
 
-TEST(RequestReader, ASectionInTheWrongPlaceEndsTheReading) {
+TEST(RequestReader, IgnoresTheRestAfterASectionInTheWrongPlace) {
   const ReadRequests read = readAll("57 08 00 47 41 50 03 00");
   ASSERT_EQ(read.requests.size(), 1);
   EXPECT_TRUE(read.requests[0].gyro) << "what came before counts";
   EXPECT_FALSE(read.requests[0].accelerometer);
   EXPECT_TRUE(read.requests[0].positions.empty());
-  EXPECT_EQ(read.oddities[0].unknown_at, 4);
-  EXPECT_EQ(read.oddities[0].unknown_byte, 0x41);
+  EXPECT_EQ(read.issues[0].unknown_at, 4);
+  EXPECT_EQ(read.issues[0].unknown_byte, 0x41);
 }
 
-TEST(RequestReader, SubCommandsHaveAnOrderToo) {
+TEST(RequestReader, RequiresTheOrderOfSubCommands) {
   const ReadRequests read = readAll("57 10 00 53 00 76 00 00 00 01 70 00 00 00 01 00");
   ASSERT_EQ(read.requests.size(), 1);
   ASSERT_EQ(read.requests[0].motors.size(), 1);
   EXPECT_EQ(read.requests[0].motors[0].set, MotorSetting::kVelocity);
-  EXPECT_EQ(read.oddities[0].unknown_byte, 0x70);
+  EXPECT_EQ(read.issues[0].unknown_byte, 0x70);
 }
 
-TEST(RequestReader, ASectionThatIsCutOffIsNotObeyed) {
+TEST(RequestReader, IgnoresASectionThatIsCutOff) {
   const ReadRequests read = readAll("57 09 00 53 12 70 00 00 01 57 05 00 50 57 04 00 50");
   ASSERT_EQ(read.requests.size(), 2);
   ASSERT_EQ(read.requests[0].motors.size(), 1);
   EXPECT_EQ(read.requests[0].motors[0].set, 0);
-  EXPECT_TRUE(read.oddities[0].cut_off);
-  EXPECT_EQ(read.oddities[0].unknown_at, 0);
-  EXPECT_TRUE(read.oddities[1].any());
+  EXPECT_TRUE(read.issues[0].cut_off);
+  EXPECT_EQ(read.issues[0].unknown_at, 0);
+  EXPECT_TRUE(read.issues[1].any());
 }
 
-TEST(RequestReader, MotorsAndLedsThatDoNotExistAreLeftOut) {
+TEST(RequestReader, IgnoresMotorsAndLedsThatDoNotExist) {
   const ReadRequests read = readAll("57 19 00 4c 05 00 00 01 53 14 70 00 00 01 45 53 ff 53 13 70 00 00 00 01 00");
   ASSERT_EQ(read.requests.size(), 1);
   ASSERT_EQ(read.requests[0].motors.size(), 1);
   EXPECT_EQ(read.requests[0].motors[0].joint, Joint::kHead);
   EXPECT_TRUE(read.requests[0].leds.empty());
-  EXPECT_EQ(read.oddities[0], (Oddities{.refused_leds = 1, .refused_motors = 2}));
+  EXPECT_EQ(read.issues[0], (RequestIssues{.invalid_leds = 1, .invalid_motors = 2}));
 }
 
-TEST(RequestReader, SensorsThatDoNotExistAreToldButStayInTheList) {
+TEST(RequestReader, SensorsThatDoNotExistAreCountedButStayInTheList) {
   const ReadRequests read = readAll("57 0a 00 50 14 50 80 46 ff 00");
   ASSERT_EQ(read.requests.size(), 1);
   ASSERT_EQ(read.requests[0].positions.size(), 2);
   EXPECT_EQ(read.requests[0].positions[1], 0x80);
-  EXPECT_EQ(read.oddities[0].refused_sensors, 3);
+  EXPECT_EQ(read.issues[0].invalid_sensors, 3);
 }
 
-TEST(RequestReader, NoSectionComesMoreOftenThanItMay) {
+TEST(RequestReader, LimitsTheNumberOfEachSection) {
   std::vector<std::uint8_t> bytes{kFirstByte, 46, 0};
   for (int i = 0; i < 21; ++i) bytes.insert(bytes.end(), {'P', 1});
   bytes.push_back(0);
   const ReadRequests read = readInPieces(bytes, 100);
   ASSERT_EQ(read.requests.size(), 1);
   EXPECT_EQ(read.requests[0].positions.size(), kJoints);
-  EXPECT_EQ(read.oddities[0].unknown_byte, 'P');
+  EXPECT_EQ(read.issues[0].unknown_byte, 'P');
 }
 
 Request anyRequest() {
@@ -186,7 +186,7 @@ Request anyRequest() {
                          .fault_resets = *arbitrary<std::uint32_t>(),
                          .picture = *arbitrary<std::uint32_t>(),
                          .start_where_it_is = flag(),
-                         .farewell = flag(),
+                         .end_of_session = flag(),
                          .unattended = flag()};
   return request;
 }
@@ -201,11 +201,11 @@ RC_GTEST_PROP(RequestReader, ReadsBackWhatWasWritten, ()) {
   }
   const ReadRequests read = readInPieces(bytes, *rc::gen::inRange<std::size_t>(1, 2000));
   RC_ASSERT(read.requests == (std::vector<Request>{first, second}));
-  RC_ASSERT(read.oddities[0].unknown_at == 0U);
+  RC_ASSERT(read.issues[0].unknown_at == 0U);
   RC_ASSERT(read.pending == 0U);
 }
 
-TEST(RequestReader, TheLongestRequestHasTheLengthOfTheBook) {
+TEST(RequestReader, TheLongestRequestHasTheDocumentedLength) {
   Request request{.accelerometer = true,
                   .gyro = true,
                   .camera = true,

@@ -1,4 +1,4 @@
-// What our own clients and servers say to each other beyond the words of 2013.
+// Extension of the 2013 protocol, server side.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ ByteList bytesToSend(const Request& request) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// A client that asks with the extension and reads the reply; nothing when there is none yet.
+/// A client with the extension; ask() returns the reply, or nullopt if there is none yet.
 class ExtendedClient : public TestClient {
  public:
   using TestClient::TestClient;
@@ -40,7 +40,7 @@ class ExtendedClient : public TestClient {
     std::ranges::copy(bytes, reader_.room().begin());
     reader_.filled(bytes.size());
     Reply reply;
-    if (reader_.next(request, reply) != ReplyReader::Found::kReply) return std::nullopt;
+    if (reader_.next(request, reply) != ReplyReader::Result::kReply) return std::nullopt;
     return reply;
   }
 
@@ -48,39 +48,39 @@ class ExtendedClient : public TestClient {
   ReplyReader reader_;
 };
 
-TEST(RemoteExtension, IsWrittenAsItIsDocumented) {
+TEST(RemoteExtension, IsSerializedAsDocumented) {
   const Request request = extendedRequest({.until_cycle = 0x102030405,
                                            .fault_resets = 2,
                                            .picture = 7,
                                            .only_if_up = true,
-                                           .farewell = true,
+                                           .end_of_session = true,
                                            .unattended = true});
   EXPECT_EQ(toHex(bytesToSend(request)), "57 18 00 58 01 11 0e 00 00 00 02 00 00 00 07 00 00 00 01 02 03 04 05 00");
 }
 
-TEST(RemoteExtension, OfAnotherVersionIsSteppedOver) {
+TEST(RemoteExtension, OfAnotherVersionIsSkipped) {
   for (const char* hex : {"57 08 00 58 02 01 ff 00", "57 07 00 58 01 00 00", "57 08 00 58 01 01 ff 00"}) {
     const ByteList bytes = fromHex(hex);
     Request request;
-    Oddities oddities;
-    readSections(std::span{bytes}.subspan(kRequestHead), request, oddities);
+    RequestIssues issues;
+    readSections(std::span{bytes}.subspan(kRequestHead), request, issues);
     EXPECT_FALSE(request.extended) << hex;
-    EXPECT_FALSE(oddities.any()) << hex;
+    EXPECT_FALSE(issues.any()) << hex;
   }
 }
 
-TEST(RemoteExtension, ThatIsCutOffIsNotObeyed) {
-  const ByteList whole = bytesToSend(extendedRequest({.farewell = true}));
+TEST(RemoteExtension, ThatIsCutOffIsIgnored) {
+  const ByteList whole = bytesToSend(extendedRequest({.end_of_session = true}));
   for (std::size_t size = kRequestHead + 1; size + 1 < whole.size(); ++size) {
     Request request;
-    Oddities oddities;
-    readSections(std::span{whole}.subspan(kRequestHead, size - kRequestHead), request, oddities);
+    RequestIssues issues;
+    readSections(std::span{whole}.subspan(kRequestHead, size - kRequestHead), request, issues);
     EXPECT_FALSE(request.extended) << size;
-    EXPECT_TRUE(oddities.cut_off) << size;
+    EXPECT_TRUE(issues.cut_off) << size;
   }
 }
 
-TEST(RemoteExtension, BringsAllThatTheRobotKnows) {
+TEST(RemoteExtension, ContainsTheSensorImage) {
   Served served;
   served.robot.seen.cycle = 77;
   served.robot.seen.board.buttons = 2;
@@ -97,22 +97,22 @@ TEST(RemoteExtension, BringsAllThatTheRobotKnows) {
   EXPECT_TRUE(reply->extension->real_time);
 }
 
-TEST(RemoteExtension, WaitsForTheCycleAndSaysHowLong) {
+TEST(RemoteExtension, HoldsTheReplyUntilTheCycleAndReportsTheHoldTime) {
   Served served;
   served.robot.seen.cycle = 10;
   ExtendedClient client{served};
   const Request request = extendedRequest({.until_cycle = 11});
-  EXPECT_FALSE(client.ask(request)) << "the cycle is to come";
-  EXPECT_EQ(served.robot.obeyed.size(), 1) << "commands are obeyed at once, and once";
+  EXPECT_FALSE(client.ask(request)) << "the cycle has not run yet";
+  EXPECT_EQ(served.robot.applied.size(), 1) << "commands are applied at once, and once";
   served.robot.seen.cycle = 11;
   served.pass(5ms);
   const auto reply = client.read(request);
   ASSERT_TRUE(reply);
   EXPECT_EQ(reply->extension->held_us, 5000);
-  EXPECT_EQ(served.robot.obeyed.size(), 1);
+  EXPECT_EQ(served.robot.applied.size(), 1);
 }
 
-TEST(RemoteExtension, DoesNotWaitForEverForALoopThatStands) {
+TEST(RemoteExtension, RepliesAfterAWhileIfTheLoopStandsStill) {
   Served served;
   ExtendedClient client{served};
   const Request request = extendedRequest({.until_cycle = 1});
@@ -121,7 +121,7 @@ TEST(RemoteExtension, DoesNotWaitForEverForALoopThatStands) {
   EXPECT_TRUE(client.read(request));
 }
 
-TEST(RemoteExtension, AValueThatNeverCameIsSaidAtOnce) {
+TEST(RemoteExtension, RepliesAtOnceWithUnknownValues) {
   Served served;
   served.robot.seen.joint[5] = {};
   ExtendedClient client{served};
@@ -130,7 +130,7 @@ TEST(RemoteExtension, AValueThatNeverCameIsSaidAtOnce) {
   EXPECT_FALSE(reply->extension->seen->joint[5].motion.ever());
 }
 
-TEST(RemoteExtension, TellsWhyBeforeItShowsOut) {
+TEST(RemoteExtension, SendsTheReasonBeforeItDisconnects) {
   Served served;
   ExtendedClient client{served};
   (void)client.ask(extendedRequest());
@@ -147,7 +147,7 @@ TEST(RemoteExtension, TellsWhyBeforeItShowsOut) {
   EXPECT_EQ(refused->extension->why_ended, "another controller drives");
 }
 
-TEST(RemoteExtension, ARobotThatHasLetGoIsNotTakenByWhoComesBack) {
+TEST(RemoteExtension, AResumedSessionDoesNotStartARobotWhoseTorqueIsOff) {
   Served served;
   served.robot.seen.safety.state = State::kHolding;
   ExtendedClient client{served};
@@ -156,12 +156,12 @@ TEST(RemoteExtension, ARobotThatHasLetGoIsNotTakenByWhoComesBack) {
   const Request goes_on = extendedRequest({.only_if_up = true});
   EXPECT_TRUE(client.ask(goes_on)->extension->why_ended.empty()) << "it is held, and may be driven on";
   served.pass(600ms);
-  served.robot.seen.safety.state = State::kLimp;  // somebody has pressed MODE, and lifts it
-  EXPECT_THAT(client.ask(goes_on)->extension->why_ended, HasSubstr("let go meanwhile"));
+  served.robot.seen.safety.state = State::kLimp;  // released with MODE
+  EXPECT_THAT(client.ask(goes_on)->extension->why_ended, HasSubstr("torque has been switched off"));
   EXPECT_TRUE(client.shownOut());
-  EXPECT_THAT(served.robot.events, ElementsAre("fresh", "hold", "again", "hold", "again", "left alone"));
+  EXPECT_THAT(served.robot.events, ElementsAre("new", "hold", "resumed", "hold", "resumed", "left alone"));
   ExtendedClient back{served};
-  EXPECT_THAT(back.ask(goes_on)->extension->why_ended, HasSubstr("let go meanwhile"));
+  EXPECT_THAT(back.ask(goes_on)->extension->why_ended, HasSubstr("torque has been switched off"));
   SafetyReport& safety = served.robot.seen.safety;
   safety.state = State::kKneeling;
   safety.worst = Fault::kServoOverload;
@@ -170,15 +170,15 @@ TEST(RemoteExtension, ARobotThatHasLetGoIsNotTakenByWhoComesBack) {
   EXPECT_THAT(overloaded.ask(goes_on)->extension->why_ended, HasSubstr("shut itself off"))
       << "a new driver would clear it";
   ExtendedClient next{served};
-  EXPECT_TRUE(next.ask(extendedRequest())->extension->why_ended.empty()) << "a controller that begins takes it";
+  EXPECT_TRUE(next.ask(extendedRequest())->extension->why_ended.empty()) << "a new controller may drive";
 }
 
-TEST(RemoteExtension, AnOldClientThatPausedDoesNotClearTheFaultThatEndedIt) {
+TEST(RemoteExtension, APausedClientOf2013DoesNotClearTheFaultThatEndedIt) {
   Served served;
   TestClient paused{served};
   (void)paused.ask("57 04 00 00");
   served.pass(600ms);
-  served.robot.seen.safety.state = State::kLimp;  // it sat down: a simulation that was paused goes on
+  served.robot.seen.safety.state = State::kLimp;  // at rest: a paused simulation continues
   EXPECT_NE(paused.ask("57 04 00 00"), "");
   served.pass(600ms);
   served.robot.seen.safety.worst = Fault::kReleasedByButton;
@@ -187,14 +187,14 @@ TEST(RemoteExtension, AnOldClientThatPausedDoesNotClearTheFaultThatEndedIt) {
   EXPECT_TRUE(served.hasSaid("released with MODE"));
 }
 
-TEST(RemoteExtension, AFarewellIsNoHold) {
+TEST(RemoteExtension, EndOfSessionEndsInsteadOfHolding) {
   Served served;
   ExtendedClient client{served};
   (void)client.ask(extendedRequest());
-  EXPECT_TRUE(client.ask(extendedRequest({.farewell = true})));
-  EXPECT_THAT(served.robot.events, ElementsAre("fresh", "farewell"));
+  EXPECT_TRUE(client.ask(extendedRequest({.end_of_session = true})));
+  EXPECT_THAT(served.robot.events, ElementsAre("new", "end"));
   EXPECT_TRUE(client.shownOut());
-  EXPECT_TRUE(ExtendedClient{served}.connected()) << "the next one may come";
+  EXPECT_TRUE(ExtendedClient{served}.connected()) << "the next client is accepted";
 }
 
 TEST(RemoteExtension, APictureIsSentOnce) {
@@ -218,7 +218,7 @@ TEST(RemoteExtension, APictureIsSentOnce) {
   EXPECT_TRUE(second->extension->holds_picture);
 }
 
-TEST(RemoteExtension, IsNeverSentToWhoDoesNotAskForIt) {
+TEST(RemoteExtension, IsSentOnlyOnRequest) {
   Served served;
   TestClient client{served};
   EXPECT_EQ(client.ask(kEmptyRequest), kEmptyReply);

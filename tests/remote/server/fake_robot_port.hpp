@@ -1,4 +1,4 @@
-// A robot that remembers what was asked of it.
+// RobotPort that records its calls.
 #pragma once
 
 #include <stdexcept>
@@ -10,8 +10,8 @@
 namespace darwinop::remote {
 
 struct FakeRobotPort final : RobotPort {
-  std::vector<std::string> events;  // "fresh", "again", "hold"
-  std::vector<Request> obeyed;
+  std::vector<std::string> events;  // "new", "resumed", "hold"
+  std::vector<Request> applied;
   Sensors seen{};
   std::string refusal, must_end;
   bool driven = false;
@@ -27,24 +27,24 @@ struct FakeRobotPort final : RobotPort {
     seen.board.gyro.fill(RadPerSec{0});
   }
 
-  void begin(Beginning beginning) override {
+  void startSession(SessionStart start) override {
     if (!refusal.empty()) throw std::runtime_error(refusal);
-    events.emplace_back(beginning == Beginning::kFresh ? "fresh" : "again");
+    events.emplace_back(start == SessionStart::kNew ? "new" : "resumed");
     driven = true;
   }
-  void leaveAlone() noexcept override {
+  void cancelSession() noexcept override {
     events.emplace_back("left alone");
     driven = false;
   }
-  void obey(const Request& request) override { obeyed.push_back(request); }
+  void apply(const Request& request) override { applied.push_back(request); }
   Sensors sensors() override { return seen; }
-  std::string mustEnd() override { return must_end; }
+  std::string endReason() override { return must_end; }
   void hold() noexcept override {
     events.emplace_back("hold");
     driven = false;
   }
-  void farewell() noexcept override {
-    events.emplace_back("farewell");
+  void endSession() noexcept override {
+    events.emplace_back("end");
     driven = false;
   }
 };

@@ -1,4 +1,4 @@
-// The robot's eye for tests of the server.
+// Picture source for tests of the server.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace darwinop::remote {
 
-/// The robot's eye, which always sees the same; counts how often it is opened, and whether it is open.
+/// Always returns the same picture; counts how often it is opened and whether it is open.
 struct FixedEye {
   ByteList jpeg = fromHex("ff d8 ff e0 00 10 ff d9");
   int opened = 0, open = 0;

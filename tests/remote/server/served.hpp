@@ -1,4 +1,4 @@
-// A server with a scripted clock on a loopback port of its own, and clients that read as the historic ones do.
+// Server with a scripted clock on a loopback port, and clients that read like those of 2013.
 #pragma once
 
 #include <arpa/inet.h>
@@ -24,18 +24,18 @@ struct Served {
   Nanos now{std::chrono::hours{1}};
   Server server;
 
-  /// Port 0: any that is free.
+  /// Port 0: any free port.
   explicit Served(Server::OpenPictures pictures = {}, ServerConfig config = unhurried(), std::uint16_t port = 0)
       : server{onPort(port, std::move(config)), robot, std::move(pictures), [this] { return now; },
                [this](const std::string& line) { said.push_back(line); }} {}
 
-  /// Sees to everything that is there. Loopback delivers before send() returns.
-  void attend(int times = 6) {
-    for (int i = 0; i < times; ++i) server.attend(Nanos{0});
+  /// Handles all pending events. Loopback delivers before send() returns.
+  void poll(int times = 6) {
+    for (int i = 0; i < times; ++i) server.poll(Nanos{0});
   }
   void pass(std::chrono::milliseconds time) {
     now += time;
-    attend();
+    poll();
   }
   [[nodiscard]] bool hasSaid(const std::string& part) const {
     for (const std::string& line : said)
@@ -43,7 +43,7 @@ struct Served {
     return false;
   }
 
-  /// The clock stands still, so time earns nothing.
+  /// The clock stands still, so the rate limit would never recover.
   static ServerConfig unhurried() {
     ServerConfig config;
     config.pace = Nanos{0};
@@ -57,10 +57,10 @@ struct Served {
   }
 };
 
-/// A socket of a client. Never waits.
+/// Non-blocking client socket.
 class TestClient {
  public:
-  /// `segment`: the network's packets are that long at most; 0: as long as the loopback's.
+  /// `segment`: maximum TCP segment size; 0: that of loopback.
   explicit TestClient(Served& served, int segment = 0) : served_{served}, socket_{::socket(AF_INET, SOCK_STREAM, 0)} {
     if (segment > 0) (void)setsockopt(socket_.descriptor(), IPPROTO_TCP, TCP_MAXSEG, &segment, sizeof segment);
     sockaddr_in name{};
@@ -68,29 +68,29 @@ class TestClient {
     name.sin_port = htons(served.server.port());
     name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     connected_ = connect(socket_.descriptor(), reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0;
-    const int on = 1;  // or a second small piece would wait for the first one's acknowledgement
+    const int on = 1;  // TCP_NODELAY: a second small piece must not wait for the acknowledgement of the first
     (void)setsockopt(socket_.descriptor(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     (void)fcntl(socket_.descriptor(), F_SETFL, O_NONBLOCK);
-    served_.attend();
+    served_.poll();
   }
 
   [[nodiscard]] bool connected() const { return connected_; }
   void send(const ByteList& bytes) {
     (void)::send(socket_.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    served_.attend();
+    served_.poll();
   }
   void send(const std::string& hex) { send(fromHex(hex)); }
   void close() {
     socket_.close();
-    served_.attend();
+    served_.poll();
   }
-  /// Without a good-bye.
+  /// Resets the connection.
   void reset() {
     const linger at_once{1, 0};
     (void)setsockopt(socket_.descriptor(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
     close();
   }
-  /// At most `most` bytes of what is there.
+  /// At most `most` of the available bytes.
   ByteList receive(std::size_t most = 65536) {
     ByteList bytes(most);
     const ssize_t count = recv(socket_.descriptor(), bytes.data(), most, 0);
@@ -115,13 +115,13 @@ class TestClient {
   bool connected_ = false, closed_ = false;
 };
 
-/// Length of a reply on the wire as its head states it, NUL included.
+/// Length of a reply according to its header, NUL included.
 inline std::size_t statedSize(const ByteList& reply) {
   return (std::size_t{reply[1]} << 24 | std::size_t{reply[2]} << 16 | std::size_t{reply[3]} << 8 | reply[4]) + 1;
 }
 
-/// The client of 2013: waits for 5 bytes, takes all that are there, throws them away when the first one is no 'W',
-/// then reads on until at least the stated length has come. Empty: it would wait.
+/// The client of 2013: waits for 5 bytes, takes all available ones, discards them if the first is not 'W', then reads
+/// until at least the stated length has arrived. Empty: it would block.
 inline ByteList readAsIn2013(TestClient& client) {
   ByteList got = client.receive();
   if (got.size() < 5 || got[0] != 'W') return {};
@@ -133,7 +133,7 @@ inline ByteList readAsIn2013(TestClient& client) {
   return got;
 }
 
-/// Today's: single bytes until a 'W', then 4, then the stated length; the NUL stays and is skipped the next time.
+/// The later client: single bytes until a 'W', then 4, then the stated length; the NUL is skipped next time.
 inline ByteList readAsToday(TestClient& client) {
   ByteList got;
   do {

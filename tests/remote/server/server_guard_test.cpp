@@ -1,4 +1,4 @@
-// What nobody sends who means well, and who may come in.
+// Hostile and invalid requests, rate limit and access control.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,41 +11,41 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(RemoteServer, AFloodOfRequestsIsAnsweredAsFarAsItIsRead) {
+TEST(RemoteServer, AFloodOfRequestsIsAnsweredAsFastAsItsRepliesAreRead) {
   FixedEye eye;
   eye.jpeg.assign(20000, 1);
   Served served{eye.opener()};
   TestClient client{served};
   flood(served, client, kCameraRequest, 2000);
-  const std::size_t unread = served.robot.obeyed.size();
-  EXPECT_LT(unread, 2000) << "nobody reads: 40 MB must not pile up here";
+  const std::size_t unread = served.robot.applied.size();
+  EXPECT_LT(unread, 2000) << "replies are not read: 40 MB must not be buffered";
   served.pass(500ms);
-  EXPECT_FALSE(served.robot.driven) << "who does not read its replies drives nothing";
+  EXPECT_FALSE(served.robot.driven) << "a client that does not read its replies does not drive";
   std::size_t received = 0;
-  const auto give_up = std::chrono::steady_clock::now() + 20s;  // a full network takes its time to say that it has room
+  const auto give_up = std::chrono::steady_clock::now() + 20s;  // the kernel reports free buffer space with a delay
   while (received < 2000 * 20010 && std::chrono::steady_clock::now() < give_up) {
     received += client.receive(1 << 20).size();
-    served.server.attend(1ms);
+    served.server.poll(1ms);
   }
-  EXPECT_EQ(served.robot.obeyed.size(), 2000);
+  EXPECT_EQ(served.robot.applied.size(), 2000);
   EXPECT_EQ(received, 2000 * 20010);
 }
 
-TEST(RemoteServer, AFloodGetsNoMoreThanItsShareOfTheCpu) {
+TEST(RemoteServer, AFloodIsLimitedToItsShareOfTheCpu) {
   Served served{{}, ServerConfig{}};
   TestClient client{served};
   flood(served, client, kEmptyRequest, 250);
-  EXPECT_LE(served.robot.obeyed.size(), 64);
-  EXPECT_GE(served.robot.obeyed.size(), 50);
+  EXPECT_LE(served.robot.applied.size(), 64);
+  EXPECT_GE(served.robot.applied.size(), 50);
   for (int ms = 0; ms < 200; ++ms) {
-    const std::size_t before = served.robot.obeyed.size();
+    const std::size_t before = served.robot.applied.size();
     served.pass(1ms);
-    EXPECT_LE(served.robot.obeyed.size() - before, 2);
+    EXPECT_LE(served.robot.applied.size() - before, 2);
   }
-  EXPECT_EQ(served.robot.obeyed.size(), 250) << "late, but each";
+  EXPECT_EQ(served.robot.applied.size(), 250) << "late, but each";
 }
 
-TEST(RemoteServer, CallersGetNoMoreThanTheirShareEither) {
+TEST(RemoteServer, ConnectionsAreLimitedToTheirShareOfTheCpu) {
   Served served{{}, {.allowed = {net::networkFromText("192.168.123.0/24")}}};
   int shown_out = 0;
   for (int i = 0; i < 67; ++i) shown_out += TestClient{served}.shownOut() ? 1 : 0;
@@ -54,7 +54,7 @@ TEST(RemoteServer, CallersGetNoMoreThanTheirShareEither) {
   EXPECT_TRUE(TestClient{served}.shownOut());
 }
 
-TEST(RemoteServer, WhoAsksEveryStepNeverWaitsForAnAllowance) {
+TEST(RemoteServer, AClientWithOneRequestPerStepIsNeverLimited) {
   Served served{{}, ServerConfig{}};
   TestClient client{served};
   for (int step = 0; step < 500; ++step) {
@@ -63,7 +63,7 @@ TEST(RemoteServer, WhoAsksEveryStepNeverWaitsForAnAllowance) {
   }
 }
 
-TEST(RemoteServer, AnswersOddRequestsAsTheOldOneAndSaysSoOnce) {
+TEST(RemoteServer, AnswersInvalidRequestsAsThe2013ServerAndLogsThemOnce) {
   Served served;
   TestClient client{served};
   for (int i = 0; i < 50; ++i) {
@@ -71,20 +71,20 @@ TEST(RemoteServer, AnswersOddRequestsAsTheOldOneAndSaysSoOnce) {
     EXPECT_EQ(client.ask("57 0a 00 50 14 50 00 46 ff 00"), "57 00 00 00 11 00 00 00 00 00 00 00 00 00 00 00 00 00");
   }
   EXPECT_TRUE(served.hasSaid("received unknown message: byte 65 at offset 4"));
-  EXPECT_TRUE(served.hasSaid("answered with 0"));
+  EXPECT_TRUE(served.hasSaid("sends 0 for joints above 19"));
   EXPECT_LE(served.said.size(), 5);
 }
 
-TEST(RemoteServer, ShowsOutWhoStatesAnImpossibleLength) {
+TEST(RemoteServer, DisconnectsAClientThatSendsAnInvalidLength) {
   Served served;
   TestClient client{served};
   client.send("57 ff ff 41");
   EXPECT_TRUE(client.shownOut());
-  EXPECT_TRUE(served.robot.obeyed.empty());
+  EXPECT_TRUE(served.robot.applied.empty());
   EXPECT_TRUE(nextIsAnswered(served));
 }
 
-// Any web page may have its reader's browser send this to a port of the reader's own computer.
+// Any web page can make a browser send this to a local port.
 TEST(RemoteServer, AWebPageCannotDriveTheRobot) {
   Served served;
   for (const std::size_t first_piece : {std::size_t{200}, std::size_t{1}}) {
@@ -97,31 +97,31 @@ TEST(RemoteServer, AWebPageCannotDriveTheRobot) {
     browser.send(ByteList(cut, bytes.end()));
     EXPECT_TRUE(browser.shownOut());
   }
-  EXPECT_TRUE(served.robot.obeyed.empty());
+  EXPECT_TRUE(served.robot.applied.empty());
   EXPECT_TRUE(served.robot.events.empty());
-  EXPECT_TRUE(served.hasSaid("speaks another protocol"));
+  EXPECT_TRUE(served.hasSaid("uses another protocol"));
   EXPECT_TRUE(nextIsAnswered(served));
 }
 
-TEST(RemoteServer, WhoHasDrivenIsUnderstoodAgainAfterNonsense) {
+TEST(RemoteServer, AClientThatHasDrivenMayContinueAfterInvalidBytes) {
   Served served;
   TestClient client{served};
   (void)client.ask(kEmptyRequest);
   EXPECT_EQ(client.ask(std::string{"00 01 02 "} + kNeckRequest), kEmptyReply);
-  EXPECT_EQ(served.robot.obeyed.back().motors[0].position, 325);
-  EXPECT_TRUE(served.hasSaid("bytes that begin no request are skipped"));
+  EXPECT_EQ(served.robot.applied.back().motors[0].position, 325);
+  EXPECT_TRUE(served.hasSaid("skipped bytes that do not start a request"));
 }
 
-TEST(RemoteServer, KnowsWhoMayConnect) {
+TEST(RemoteServer, AcceptsAllowedNetworksOnly) {
   Served served{{}, {.allowed = {net::networkFromText("192.168.123.0/24")}}};
-  TestClient stranger{served};
-  stranger.send(kNeckRequest);
-  EXPECT_TRUE(stranger.shownOut());
-  EXPECT_TRUE(served.robot.obeyed.empty());
-  EXPECT_TRUE(served.hasSaid("may not connect"));
+  TestClient foreign{served};
+  foreign.send(kNeckRequest);
+  EXPECT_TRUE(foreign.shownOut());
+  EXPECT_TRUE(served.robot.applied.empty());
+  EXPECT_TRUE(served.hasSaid("not in a network given with --allow"));
 }
 
-TEST(RemoteServer, ClientsThatComeAndGoDoNotFillTheLog) {
+TEST(RemoteServer, ReconnectingClientsDoNotFillTheLog) {
   Served served;
   for (int i = 0; i < 100; ++i) TestClient{served}.close();
   EXPECT_EQ(served.said.size(), net::BoundedLog::kLinesPerMinute);
@@ -129,14 +129,14 @@ TEST(RemoteServer, ClientsThatComeAndGoDoNotFillTheLog) {
   EXPECT_TRUE(served.hasSaid("170 more lines in that minute were left out"));
 }
 
-TEST(RemoteServer, SaysThatItsPortIsTaken) {
+TEST(RemoteServer, ReportsThatItsPortIsInUse) {
   Served served;
   FakeRobotPort robot;
   try {
     const Server second{{.port = served.server.port()}, robot, {}, [] { return Nanos{0}; }, [](auto&) {}};
     FAIL() << "two servers on one port";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("another server runs there"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("another server uses the port"));
   }
 }
 

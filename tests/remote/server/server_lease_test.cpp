@@ -1,4 +1,4 @@
-// Who drives, who is silent, and how a client goes.
+// Lease of the server: driving, silent and disconnecting clients.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,17 +11,17 @@ namespace {
 using testing::ElementsAre;
 using namespace std::chrono_literals;
 
-TEST(RemoteServer, ASecondClientIsRefusedByTheDoor) {
+TEST(RemoteServer, RefusesASecondClient) {
   Served served;
   TestClient first{served};
   (void)first.ask(kEmptyRequest);
   TestClient second{served};
   EXPECT_FALSE(second.connected());
   EXPECT_EQ(first.ask(kEmptyRequest), kEmptyReply);
-  EXPECT_TRUE(served.hasSaid("others are refused meanwhile"));
+  EXPECT_TRUE(served.hasSaid("other clients are refused"));
 }
 
-TEST(RemoteServer, HoldsWhenAClientLeavesAndTakesTheNext) {
+TEST(RemoteServer, HoldsWhenAClientDisconnectsAndAcceptsTheNext) {
   Served served;
   for (const bool rudely : {false, true}) {
     TestClient client{served};
@@ -29,10 +29,10 @@ TEST(RemoteServer, HoldsWhenAClientLeavesAndTakesTheNext) {
     rudely ? client.reset() : client.close();
     EXPECT_FALSE(served.robot.driven);
   }
-  EXPECT_THAT(served.robot.events, ElementsAre("fresh", "hold", "fresh", "hold"));
+  EXPECT_THAT(served.robot.events, ElementsAre("new", "hold", "new", "hold"));
 }
 
-TEST(RemoteServer, AClientMayDieAtEveryByte) {
+TEST(RemoteServer, SurvivesADisconnectAtEveryByte) {
   Served served;
   const ByteList bytes = fromHex(std::string{kSixRequest} + " " + kPollRequest);
   for (std::size_t size = 0; size <= bytes.size(); ++size) {
@@ -45,7 +45,7 @@ TEST(RemoteServer, AClientMayDieAtEveryByte) {
   EXPECT_TRUE(nextIsAnswered(served));
 }
 
-TEST(RemoteServer, HoldsASilentClientsRobotAndLetsItGoOn) {
+TEST(RemoteServer, HoldsTheRobotOfASilentClientThatMayResume) {
   Served served;
   TestClient client{served};
   (void)client.ask(kEmptyRequest);
@@ -53,14 +53,14 @@ TEST(RemoteServer, HoldsASilentClientsRobotAndLetsItGoOn) {
   EXPECT_TRUE(served.robot.driven);
   served.pass(1ms);
   EXPECT_FALSE(served.robot.driven);
-  served.pass(60s);  // a simulation may pause for as long as it likes
+  served.pass(60s);  // a simulation may pause for any time
   EXPECT_EQ(client.ask(kEmptyRequest), kEmptyReply);
-  EXPECT_THAT(served.robot.events, ElementsAre("fresh", "hold", "again"));
+  EXPECT_THAT(served.robot.events, ElementsAre("new", "hold", "resumed"));
   TestClient late{served};
   EXPECT_FALSE(late.connected()) << "it drives again";
 }
 
-TEST(RemoteServer, ASilentClientGivesWayToTheNext) {
+TEST(RemoteServer, ReplacesASilentClientByTheNext) {
   Served served;
   TestClient silent{served};
   (void)silent.ask(kEmptyRequest);
@@ -68,10 +68,10 @@ TEST(RemoteServer, ASilentClientGivesWayToTheNext) {
   TestClient next{served};
   EXPECT_EQ(next.ask(kEmptyRequest), kEmptyReply);
   EXPECT_TRUE(silent.shownOut());
-  EXPECT_THAT(served.robot.events, ElementsAre("fresh", "hold", "fresh"));
+  EXPECT_THAT(served.robot.events, ElementsAre("new", "hold", "new"));
 }
 
-TEST(RemoteServer, SlowBytesAreSilence) {
+TEST(RemoteServer, CountsAnIncompleteRequestAsSilence) {
   Served served;
   TestClient slow{served};
   (void)slow.ask(kEmptyRequest);
@@ -83,7 +83,7 @@ TEST(RemoteServer, SlowBytesAreSilence) {
   EXPECT_TRUE(nextIsAnswered(served));
 }
 
-TEST(RemoteServer, ShowsOutAClientForWhomThereIsNoRobot) {
+TEST(RemoteServer, DisconnectsAClientIfTheLeaseIsTaken) {
   Served served;
   served.robot.refusal = "another controller (pid 7) drives this robot";
   TestClient client{served};
@@ -92,14 +92,14 @@ TEST(RemoteServer, ShowsOutAClientForWhomThereIsNoRobot) {
   EXPECT_TRUE(served.hasSaid("another controller (pid 7)"));
 }
 
-TEST(RemoteServer, AClientEndsWhenAControllerWouldHaveTo) {
+TEST(RemoteServer, EndsASessionWhenAControllerWouldHaveToEnd) {
   Served served;
   TestClient client{served};
   (void)client.ask(kEmptyRequest);
   served.robot.must_end = "torque was switched off by the button";
   client.send(kNeckRequest);
   EXPECT_TRUE(client.shownOut());
-  EXPECT_EQ(served.robot.obeyed.size(), 1) << "its command came too late";
+  EXPECT_EQ(served.robot.applied.size(), 1) << "its command came too late";
   EXPECT_FALSE(served.robot.driven);
 }
 

@@ -1,4 +1,4 @@
-// The server on real sockets of the loopback, with a scripted clock.
+// The server on loopback sockets, with a scripted clock.
 #include "remote/server/server.hpp"
 
 #include <gmock/gmock.h>
@@ -17,9 +17,9 @@ using namespace std::chrono_literals;
 TEST(RemoteServer, AnswersTheFirstRequestAtOnce) {
   Served served;
   TestClient client{served};
-  EXPECT_TRUE(served.robot.events.empty()) << "who only connects moves nothing";
+  EXPECT_TRUE(served.robot.events.empty()) << "a connection alone moves nothing";
   EXPECT_EQ(client.ask(kEmptyRequest), kEmptyReply);
-  EXPECT_THAT(served.robot.events, ElementsAre("fresh"));
+  EXPECT_THAT(served.robot.events, ElementsAre("new"));
 }
 
 TEST(RemoteServer, CommandsReachTheRobotAndValuesTheClient) {
@@ -30,8 +30,8 @@ TEST(RemoteServer, CommandsReachTheRobotAndValuesTheClient) {
   served.robot.seen.joint[18].load = -0.18817 / 2.5;
   EXPECT_EQ(client.ask(kFeedbackRequest), kFeedbackReply);
   EXPECT_EQ(client.ask(kNeckRequest), kEmptyReply);
-  ASSERT_EQ(served.robot.obeyed.size(), 2);
-  EXPECT_EQ(served.robot.obeyed[1].motors[0].position, 325);
+  ASSERT_EQ(served.robot.applied.size(), 2);
+  EXPECT_EQ(served.robot.applied[1].motors[0].position, 325);
 }
 
 TEST(RemoteServer, SensorsOfTheBoardAreCounts) {
@@ -41,14 +41,14 @@ TEST(RemoteServer, SensorsOfTheBoardAreCounts) {
             "57 00 00 00 1d 00 00 02 00 00 00 02 00 00 00 02 00 00 00 02 00 00 00 02 00 00 00 02 00 00");
 }
 
-TEST(RemoteServer, ReplyAndNulLeaveTogether) {
+TEST(RemoteServer, SendsReplyAndNulTogether) {
   FixedEye eye;
   Served served{eye.opener()};
   TestClient client{served};
   EXPECT_EQ(client.ask(kCameraRequest), kCameraReply);
 }
 
-TEST(RemoteServer, WithoutAPictureThereAreNoBytesOfIt) {
+TEST(RemoteServer, SendsAnEmptyPictureIfThereIsNoCamera) {
   Served served;
   TestClient client{served};
   for (int i = 0; i < 3; ++i) EXPECT_EQ(client.ask(kCameraRequest), "57 00 00 00 09 00 00 00 00 00");
@@ -56,14 +56,14 @@ TEST(RemoteServer, WithoutAPictureThereAreNoBytesOfIt) {
             1);
 }
 
-TEST(RemoteServer, AnEyeThatCannotBeOpenedIsNamedOnce) {
+TEST(RemoteServer, LogsOnceThatTheCameraCannotBeOpened) {
   Served served{[]() -> std::unique_ptr<PictureSource> { throw std::runtime_error("this one is blind"); }};
   TestClient client{served};
   for (int i = 0; i < 3; ++i) EXPECT_EQ(client.ask(kCameraRequest), "57 00 00 00 09 00 00 00 00 00");
   EXPECT_TRUE(served.hasSaid("this one is blind"));
 }
 
-TEST(RemoteServer, TheEyeIsOpenWhileAClientDrivesThatLooks) {
+TEST(RemoteServer, OpensTheCameraWhileAClientDrivesThatRequestsPictures) {
   FixedEye eye;
   Served served{eye.opener()};
   TestClient client{served};
@@ -72,14 +72,14 @@ TEST(RemoteServer, TheEyeIsOpenWhileAClientDrivesThatLooks) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(client.ask(kCameraRequest), kCameraReply);
   EXPECT_EQ(eye.opened, 1);
   served.pass(500ms);
-  EXPECT_EQ(eye.open, 0) << "nobody encodes for a client that is silent";
+  EXPECT_EQ(eye.open, 0) << "no encoding for a silent client";
   EXPECT_EQ(client.ask(kCameraRequest), kCameraReply);
   client.close();
   EXPECT_EQ(eye.open, 0);
   EXPECT_EQ(eye.opened, 2);
 }
 
-TEST(RemoteServer, AnswersEveryRequestHoweverItIsCut) {
+TEST(RemoteServer, AnswersEveryRequestHoweverItIsFragmented) {
   Served served;
   TestClient client{served};
   std::size_t rounds = 0;
@@ -94,7 +94,7 @@ TEST(RemoteServer, AnswersEveryRequestHoweverItIsCut) {
       EXPECT_EQ(reply.size(), statedSize(reply));
     }
   }
-  EXPECT_EQ(served.robot.obeyed.size(), rounds);
+  EXPECT_EQ(served.robot.applied.size(), rounds);
 }
 
 TEST(RemoteServer, AnswersTwoRequestsInOneSegment) {
@@ -103,9 +103,9 @@ TEST(RemoteServer, AnswersTwoRequestsInOneSegment) {
   EXPECT_EQ(client.ask(std::string{kNeckRequest} + " " + kEmptyRequest), std::string{kEmptyReply} + " " + kEmptyReply);
 }
 
-TEST(RemoteServer, BothHistoricClientsReadTheirReplies) {
+TEST(RemoteServer, BothClientsOf2013ReadTheirReplies) {
   FixedEye eye;
-  eye.jpeg.assign(20000, 0x57);  // 'W' within a picture must not confuse anybody
+  eye.jpeg.assign(20000, 0x57);  // 'W' inside a picture must not be taken for the start of a reply
   Served served{eye.opener()};
   for (const auto read : {readAsIn2013, readAsToday}) {
     TestClient client{served};
@@ -117,9 +117,8 @@ TEST(RemoteServer, BothHistoricClientsReadTheirReplies) {
   }
 }
 
-// A packet of its own for the NUL could come after the rest was read, and would then be taken for the next reply's
-// head.
-TEST(RemoteServer, NoNulTravelsAlone) {
+// Alone in a segment, the NUL could arrive after the rest was read and be taken for the start of the next reply.
+TEST(RemoteServer, NeverSendsTheNulAloneInASegment) {
   FixedEye eye;
   Served served{eye.opener()};
   TestClient client{served, 1000};
@@ -145,12 +144,12 @@ TEST(RemoteServer, WaitsForTheFirstValuesOfServosThatWereWithoutPower) {
   served.pass(1s);
   EXPECT_TRUE(served.robot.driven) << "waiting is not silence";
   served.robot.seen.joint[18] = neck;
-  served.attend();
+  served.poll();
   EXPECT_EQ(toHex(client.receive()), "57 00 00 00 09 00 00 00 b4 00");
   EXPECT_EQ(client.ask(kEmptyRequest), kEmptyReply);
 }
 
-TEST(RemoteServer, AClientMayDieWhileItsAnswerWaits) {
+TEST(RemoteServer, SurvivesADisconnectWhileAReplyWaits) {
   Served served;
   served.robot.seen.joint[18] = JointSensors{};
   TestClient client{served};
@@ -159,7 +158,7 @@ TEST(RemoteServer, AClientMayDieWhileItsAnswerWaits) {
   EXPECT_FALSE(served.robot.driven);
 }
 
-TEST(RemoteServer, SaysWhatItCannotKnow) {
+TEST(RemoteServer, LogsUnknownAndStaleValues) {
   Served served;
   served.robot.seen.joint[18] = JointSensors{};
   served.robot.seen.joint[19].motion.age = 4;

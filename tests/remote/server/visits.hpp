@@ -1,4 +1,4 @@
-// Clients of several tests: one that floods the server, and one who comes next and only wants an answer.
+// Clients shared by several tests: one that floods the server, and a next one that makes a single request.
 #pragma once
 
 #include "remote/protocol/examples.hpp"
@@ -6,13 +6,13 @@
 
 namespace darwinop::remote {
 
-/// Many requests at once; the server gets its turns.
+/// Sends many requests at once and lets the server handle events.
 inline void flood(Served& served, TestClient& client, const char* request, int times) {
   const ByteList one = fromHex(request);
   ByteList all;
   for (int i = 0; i < times; ++i) all.insert(all.end(), one.begin(), one.end());
   client.send(all);
-  served.attend(100);
+  served.poll(100);
 }
 
 inline bool nextIsAnswered(Served& served) {

@@ -1,9 +1,9 @@
-// One question with a yes and a no; Escape is a no.
+// Confirmation dialog; Escape cancels.
 import {el} from './dom.js';
 
 let asked = 0;
 
-/// Resolves to true or false. `paragraphs`: texts or elements.
+/// Resolves to true or false. `paragraphs`: strings or elements.
 export function ask(title, paragraphs, yes, no = 'Cancel') {
   const id = `ask-${++asked}`;
   const accept = el('button', {type: 'button', className: 'danger'}, yes), refuse = el('button', {type: 'button'}, no);

@@ -1,9 +1,9 @@
-// The controls of the colour that is looked for. Kept by the page alone.
+// Controls of the colour search. Settings are stored in the page only.
 import {el, setText} from './dom.js';
-import {codeOf, kBalls, kSettings} from './search_words.js';
+import {codeOf, kBalls, kSettings} from './search_text.js';
 
 export class ColourSearch {
-  /// `changed`: is told of new settings.
+  /// `changed` is called after each change.
   constructor(changed) {
     this.changed = changed;
     this.settings = {...kBalls['Red ball']};
@@ -13,10 +13,10 @@ export class ColourSearch {
     this.code = el('code', {id: 'vision-code'});
     this.copied = el('span', {className: 'note', role: 'status'});
     this.inputs = new Map(kSettings.map((setting) => [setting.name, this.slider(setting)]));
-    for (const box of [this.looks, this.tints]) box.addEventListener('change', () => this.tell());
+    for (const box of [this.looks, this.tints]) box.addEventListener('change', () => this.update());
     const rows = [...this.inputs.values()].map(({row}) => row);
     this.node = el('fieldset', {className: 'search'}, el('legend', {}, 'Colour of the ball'),
-      el('div', {className: 'choose'}, el('label', {}, this.looks, ' look for it'), el('label', {}, this.tints, ' tint its pixels'),
+      el('div', {className: 'choose'}, el('label', {}, this.looks, ' search'), el('label', {}, this.tints, ' highlight pixels'),
         ...Object.keys(kBalls).map((name) => this.ball(name))),
       el('p', {className: 'note'}, 'Click on the ball in the picture to take its hue.'), this.band, ...rows,
       el('p', {className: 'note'}, 'For a controller:'), el('pre', {}, this.code),
@@ -24,8 +24,8 @@ export class ColourSearch {
     this.show();
   }
 
-  /// For the channel; null: nothing is looked for.
-  get wish() { return this.looks.checked ? {...this.settings, mask: this.tints.checked} : null; }
+  /// Request for the channel; null: no search.
+  get request() { return this.looks.checked ? {...this.settings, mask: this.tints.checked} : null; }
 
   slider({name, text, least, most, unit}) {
     const input = el('input', {type: 'range', id: `vision-${name}`, min: least, max: most, step: 1});
@@ -44,16 +44,16 @@ export class ColourSearch {
   copyButton() {
     const button = el('button', {type: 'button', id: 'copy-code'}, 'Copy');
     button.addEventListener('click', () => navigator.clipboard.writeText(this.code.textContent).then(
-      () => setText(this.copied, 'Copied.'), () => setText(this.copied, 'The browser forbids it; mark the line and copy it.')));
+      () => setText(this.copied, 'Copied.'), () => setText(this.copied, 'The browser denied access to the clipboard; select the line and copy it.')));
     return button;
   }
 
   set(some) {
     Object.assign(this.settings, some);
-    this.tell();
+    this.update();
   }
 
-  tell() {
+  update() {
     this.show();
     this.changed();
   }

@@ -1,11 +1,11 @@
-// What is kept of every state: one row of numbers, each column with its name and unit. NaN: not known.
+// Columns stored for every state, with name and unit. NaN: unknown.
 
 const kAxes = ['x', 'y', 'z'];
 const kPerJoint = [
   ['goal', 'rad'], ['position', 'rad'], ['speed', 'rad/s'], ['load', '1'], ['temperature', 'degC'], ['voltage', 'V'],
 ];
 
-/// [{key, joint, unit}], the order of a row. `time` is the first.
+/// [{key, unit}] in row order; `time` is first.
 export function columnsOf(joints) {
   const columns = [{key: 'time', unit: 's'}, {key: 'cycle', unit: '1'}];
   for (const joint of joints)

@@ -1,11 +1,11 @@
-// Recordings over each other: the same column of several files, each shifted as one likes.
+// Compare tab: one column of several recordings, with time shifts.
 import uPlot from 'uplot';
 import {colour, el, setText} from './dom.js';
 import {kMostRows, LogFile} from './log_file.js';
 
 const kMostFiles = 6;
 const kColours = ['actual', 'target', 'third', 'bad', 'quiet', 'warn'];
-const kDashes = [undefined, undefined, undefined, [6, 3], [2, 3], [8, 3, 2, 3]];  // not by colour alone
+const kDashes = [undefined, undefined, undefined, [6, 3], [2, 3], [8, 3, 2, 3]];  // distinguishable without colour
 const kFirstChoice = 'LegLowerR.position';
 
 export class ComparePane {
@@ -20,7 +20,7 @@ export class ComparePane {
     this.box = el('div', {className: 'plot-box'});
     this.report = el('p', {className: 'note'});
     this.node = el('div', {className: 'pane'},
-      el('p', {className: 'note'}, 'Two or more recordings of darwinop run --record, or tables that this page has saved. They stay in the browser.'),
+      el('p', {className: 'note'}, 'Choose two or more recordings of darwinop run --record, or CSV files saved by this page. They are not uploaded.'),
       el('div', {className: 'choose'}, el('label', {htmlFor: 'compare-files'}, 'Recordings'), this.pick,
         el('label', {htmlFor: 'compare-column'}, 'Curve'), this.column),
       this.list, this.status, this.box, this.report);
@@ -30,28 +30,28 @@ export class ComparePane {
 
   begin() {}
   draw() {}
-  tell() {}
+  update() {}
   restyle() { this.build(); }
 
   linkReport(name) {
-    if (name === null) return setText(this.report, 'Twin and robot: darwinop gap writes a report; --report FILE links it here.');
+    if (name === null) return setText(this.report, 'Twin and robot: darwinop window --report FILE links a report of darwinop gap here.');
     return this.report.replaceChildren('Twin and robot: ',
       el('a', {href: 'report.html', target: '_blank', rel: 'noopener noreferrer', id: 'gap-report'}, name));
   }
 
   async add(files) {
-    const troubles = [];
+    const errors = [];
     for (const file of files) {
-      if (this.logs.length === kMostFiles) { troubles.push(`no more than ${kMostFiles} recordings at once`); break; }
+      if (this.logs.length === kMostFiles) { errors.push(`at most ${kMostFiles} recordings at once`); break; }
       try {
         this.logs.push({log: await LogFile.open(file), shift: 0, data: null});
       } catch (error) {
-        troubles.push(error.message);
+        errors.push(error.message);
       }
     }
     this.pick.value = '';
     this.offer();
-    await this.load(troubles);
+    await this.load(errors);
   }
 
   remove(entry) {
@@ -61,14 +61,14 @@ export class ComparePane {
     this.pick.focus();
   }
 
-  // Columns that at least one of them has.
+  // Columns of all recordings.
   offer() {
     const names = [...new Set(this.logs.flatMap(({log}) => log.names))];
     const chosen = names.includes(this.column.value) ? this.column.value : names.includes(kFirstChoice) ? kFirstChoice : names[0];
     this.column.replaceChildren(...names.map((name) => el('option', {value: name, selected: name === chosen}, name)));
   }
 
-  async load(troubles = []) {
+  async load(errors = []) {
     const name = this.column.value, turn = (this.turn = (this.turn ?? 0) + 1);
     for (const entry of this.logs) {
       setText(this.status, `Reading ${entry.log.name} …`);
@@ -76,25 +76,25 @@ export class ComparePane {
         entry.data = await entry.log.read(name);
       } catch (error) {
         entry.data = {times: [], values: [], cut: false};
-        troubles.push(error.message);
+        errors.push(error.message);
       }
-      if (turn !== this.turn) return;  // something else was chosen meanwhile
-      if (entry.data.cut) troubles.push(`${entry.log.name}: only its first ${kMostRows} rows`);
-      if (!entry.log.names.includes(name)) troubles.push(`${entry.log.name} has no ${name}`);
+      if (turn !== this.turn) return;  // another column was chosen in the meantime
+      if (entry.data.cut) errors.push(`${entry.log.name}: only the first ${kMostRows} rows are shown`);
+      if (!entry.log.names.includes(name)) errors.push(`${entry.log.name} has no column ${name}`);
     }
-    setText(this.status, troubles.join('. '));
-    this.tellList();
+    setText(this.status, errors.join('. '));
+    this.showList();
     this.build();
   }
 
-  tellList() {
+  showList() {
     this.list.replaceChildren(...this.logs.map((entry, i) => {
       const line = el('i'), shift = el('input', {type: 'number', step: '0.1', value: String(entry.shift), id: `shift-${i}`});
       line.style.background = colour(kColours[i]);
       shift.addEventListener('input', () => { entry.shift = Number(shift.value) || 0; this.build(); });
       const away = el('button', {type: 'button', ariaLabel: `Remove ${entry.log.name}`}, '×');
       away.addEventListener('click', () => this.remove(entry));
-      return el('li', {className: 'key'}, line, `${entry.log.name} `, el('label', {htmlFor: shift.id}, 'later by, s '), shift, away);
+      return el('li', {className: 'key'}, line, `${entry.log.name} `, el('label', {htmlFor: shift.id}, 'shift, s '), shift, away);
     }));
   }
 
@@ -110,7 +110,7 @@ export class ComparePane {
       width: Math.max(this.box.clientWidth, 100), height: 320, title: unit ? `${name} [${unit}]` : name,
       scales: {x: {time: false}}, cursor: {drag: {x: true, y: false}},
       axes: [{...axis, values: (_, all) => all.map((t) => `${Number(t.toFixed(3))} s`)}, {...axis, size: 60}],
-      // A row that only another file has is no gap: curves go on over it.
+      // A row of another file only is not a gap.
       series: [{label: 's'}, ...shown.map(({log}) => ({label: log.name, spanGaps: false, points: {show: false}, width: 1.6,
         stroke: colour(kColours[this.indexOf(log)]), dash: kDashes[this.indexOf(log)]}))],
     }, uPlot.join(tables), this.box);

@@ -1,9 +1,9 @@
-// The part that is shown, as a table for any spreadsheet. An empty field: not known.
+// CSV export of the time range shown. Empty field: unknown.
 
 export function csvOf(store, [from, to]) {
   const lines = [store.columns.map((column) => `${column.key} [${column.unit}]`).join(',')];
   for (let row = store.find(from); row < store.count && store.at(0, row) <= to; ++row) {
-    if (Number.isNaN(store.at(1, row))) continue;  // a gap that the page itself put in
+    if (Number.isNaN(store.at(1, row))) continue;  // gap marker of the page
     lines.push(store.columns.map((_, i) => field(store.at(i, row), i)).join(','));
   }
   return lines.join('\n') + '\n';
@@ -11,7 +11,7 @@ export function csvOf(store, [from, to]) {
 
 function field(value, column) {
   if (Number.isNaN(value)) return '';
-  return column < 2 ? String(value) : String(Number(value.toPrecision(7)));  // a float has seven digits
+  return column < 2 ? String(value) : String(Number(value.toPrecision(7)));  // precision of a 32-bit float
 }
 
 export function save(text, name) {

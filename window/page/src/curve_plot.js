@@ -1,16 +1,15 @@
-// Curves over time: uPlot, fed from the store, the part of the timeline that is shown.
+// Curves over time: uPlot on the store, for the timeline's range.
 import uPlot from 'uplot';
 import {colour, el, number, setText} from './dom.js';
 import {kGraphicsCard} from './graphics.js';
 
 const kEmpty = [null, null];
-// A processor draws a line of one pixel four times as fast as a wider one.
+// Without a graphics card, lines of 1 px are drawn four times as fast.
 const kLine_px = kGraphicsCard ? 1.6 : 1;
 
 export class CurvePlot {
-  /// curves: [{key, name, colour, scale}]; `span`: [low, high] that is always in the picture; `least`: the
-  /// picture is no less high, so that noise looks like noise. `scale` multiplies what is
-  /// stored, for degrees.
+  /// curves: [{key, name, colour, scale}]; `span`: [low, high], always visible; `least`: minimum height of
+  /// the y range, so that noise stays small. `scale` multiplies stored values, for degrees.
   constructor(timeline, {title, unit, curves, span = kEmpty, least = 0, height = 170, digits = 2, plain = false}) {
     this.timeline = timeline;
     this.span = span;
@@ -29,7 +28,7 @@ export class CurvePlot {
     new ResizeObserver(() => this.fit()).observe(this.box);
   }
 
-  /// Other curves in the same place.
+  /// Replaces the curves.
   show(curves, title = null) {
     this.curves = curves;
     if (title) this.title.firstChild.data = title;
@@ -46,7 +45,7 @@ export class CurvePlot {
     this.build();
   }
 
-  /// Again from the start: after a change of colours.
+  /// Creates the plot again, for example after a change of the colour scheme.
   build() {
     this.plot?.destroy();
     const quiet = colour('quiet'), line = colour('line');
@@ -74,7 +73,7 @@ export class CurvePlot {
     if (width > 0 && width !== this.plot.width) this.plot.setSize({width, height: this.height});
   }
 
-  // What must be seen, and a little air about it.
+  // y range: span and data with a margin.
   reach(low, high) {
     const [least, most] = this.span;
     let from = low ?? least ?? 0, to = high ?? most ?? 1;
@@ -101,11 +100,11 @@ export class CurvePlot {
       this.plot.setData(this.columns, false);
       this.plot.setScale('x', {min: range[0] - origin, max: range[1] - origin});
     });
-    if (!this.plain) this.tell();
+    if (!this.plain) this.update();
   }
 
-  // The number under the cursor; without one the newest.
-  tell() {
+  // Values at the cursor, or the newest.
+  update() {
     const at = this.plot.cursor.idx ?? this.columns[0].length - 1;
     this.values.forEach((value, i) => {
       const shown = this.columns[i + 1][at];
@@ -113,7 +112,7 @@ export class CurvePlot {
     });
   }
 
-  // On the robot's clock.
+  // Time on the robot's clock.
   timeAt(left) { return this.plot.posToVal(left, 'x') + this.timeline.store.origin; }
 
   select(u) {
@@ -123,7 +122,7 @@ export class CurvePlot {
   }
 
   wheel(event) {
-    if (!event.ctrlKey && !this.timeline.paused) return;  // the page scrolls
+    if (!event.ctrlKey && !this.timeline.paused) return;  // leaves the event to the page
     event.preventDefault();
     const left = event.clientX - this.plot.over.getBoundingClientRect().left;
     this.timeline.scale(event.deltaY > 0 ? 1.25 : 0.8, this.timeAt(left));

@@ -1,4 +1,4 @@
-// Target and actual of all twenty at a glance.
+// All curves tab: target and actual position of all joints.
 import {CurvePlot} from './curve_plot.js';
 import {el} from './dom.js';
 
@@ -36,5 +36,5 @@ export class CurvesPane {
     this.plots.forEach((plot, i) => i % 4 === this.turn && plot.draw());
   }
 
-  tell() {}
+  update() {}
 }

@@ -1,4 +1,4 @@
-// Elements in one line, and numbers as people read them.
+// DOM helpers and number formatting.
 
 export function el(tag, properties = {}, ...children) {
   const node = document.createElement(tag);
@@ -10,20 +10,20 @@ export function el(tag, properties = {}, ...children) {
   return node;
 }
 
-/// What is not known is a dash, never a zero.
+/// Unknown values are a dash, never 0.
 export function number(value, digits = 0) {
   if (value === null || value === undefined || Number.isNaN(value)) return '—';
   const text = value.toFixed(digits);
   return Number(text) === 0 ? text.replace('-', '') : text;  // no -0
 }
 
-/// A number with its unit; the unit goes with the number.
+/// A number with its unit; unknown values have no unit.
 export function withUnit(value, digits, unit) {
   const text = number(value, digits);
   return text === '—' ? text : `${text} ${unit}`;
 }
 
-/// Writes only what has changed: the browser lays out the page again after every write.
+/// Writes only changes, because every write causes a layout.
 export function setText(node, text) {
   if (node.textContent !== text) node.textContent = text;
 }
@@ -36,9 +36,9 @@ export const degrees = (rad) => (rad * 180) / Math.PI;
 
 const colours = new Map();
 export const kDark = matchMedia('(prefers-color-scheme: dark)');
-kDark.addEventListener('change', () => colours.clear());  // before others that listen
+kDark.addEventListener('change', () => colours.clear());  // before other listeners
 
-/// The colour that the style sheet gives to --name, light or dark. Kept: to ask costs a layout of the page.
+/// Value of the CSS variable --name in the present colour scheme. Cached, because reading it causes a layout.
 export function colour(name) {
   if (!colours.has(name))
     colours.set(name, getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim());

@@ -1,8 +1,8 @@
-// The channel to the robot: what it says, as events named after the type of the message; comes back by itself.
+// Monitor channel: dispatches messages as events named by type; reconnects automatically.
 import {isMessage, jointsOf} from './shapes.js';
 
 const kProtocol = 'darwinop-monitor.1';
-const kAgain_ms = [250, 500, 1000, 2000];
+const kRetry_ms = [250, 500, 1000, 2000];
 const kSilent_ms = 500;  // thirty cycles
 
 export class Feed extends EventTarget {
@@ -10,12 +10,12 @@ export class Feed extends EventTarget {
     super();
     this.url = url;
     this.tries = 0;
-    this.heard_ms = null;  // when the newest state came
+    this.last_state_ms = null;  // arrival of the newest state
     this.connected = false;
-    this.gone = null;  // why there is no runtime, in words
-    this.ended = null;  // why the program has ended
-    this.joints = 0;   // of the last "hello"
-    this.wish = {rate: 62.5, camera: 0};
+    this.gone = null;  // why there is no runtime
+    this.ended = null;  // why the window's program has ended
+    this.joints = 0;   // number of joints in the last "hello"
+    this.request = {rate: 62.5, camera: 0};
     this.open();
   }
 
@@ -31,14 +31,14 @@ export class Feed extends EventTarget {
     this.socket.onmessage = (event) => this.take(event.data);
     this.socket.onclose = () => {
       this.connected = false;
-      setTimeout(() => this.open(), kAgain_ms[Math.min(this.tries++, kAgain_ms.length - 1)]);
+      setTimeout(() => this.open(), kRetry_ms[Math.min(this.tries++, kRetry_ms.length - 1)]);
     };
   }
 
-  /// How many states and pictures a second are wanted.
-  ask(wish) {
-    Object.assign(this.wish, wish);
-    if (this.connected) this.socket.send(JSON.stringify(this.wish));
+  /// Sets the rates of states and pictures, Hz.
+  ask(request) {
+    Object.assign(this.request, request);
+    if (this.connected) this.socket.send(JSON.stringify(this.request));
   }
 
   take(data) {
@@ -47,29 +47,29 @@ export class Feed extends EventTarget {
     try {
       message = JSON.parse(data);
     } catch {
-      return undefined;  // not ours to mend; the silence will show
+      return undefined;  // ignored; missing states are reported
     }
     if (!isMessage(message) || (message.type === 'state' && jointsOf(message) !== this.joints)) return undefined;
-    if (message.type === 'state') this.heard_ms = performance.now();
+    if (message.type === 'state') this.last_state_ms = performance.now();
     if (message.type === 'hello') {
       this.joints = message.joints.length;
-      this.gone = message.period === null ? 'no runtime runs yet' : null;
+      this.gone = message.period === null ? 'no runtime is running yet' : null;
     }
     if (message.type === 'gone') this.gone = message.reason;
     if (message.type === 'ended') this.ended = message.text;
     return this.emit(message.type, message);
   }
 
-  /// What is wrong with the picture that the page shows, or null.
-  get trouble() {
-    if (this.ended !== null) return {text: `This window has ended: ${this.ended} What you see is old.`};
+  /// Why the data shown is not current, or null.
+  get problem() {
+    if (this.ended !== null) return {text: `This window has ended: ${this.ended} The data shown is old.`};
     if (!this.connected)
-      return {text: 'No connection to the window’s program. What you see is old. Is `darwinop window` still running?'};
-    if (this.gone !== null) return {text: `The robot is gone: ${this.gone}`};
-    if (this.heard_ms === null) return {text: 'Waiting for the robot …', mild: true};
-    const silent_ms = performance.now() - this.heard_ms;
+      return {text: 'No connection to the window’s program; the data shown is old. Check that `darwinop window` is running.'};
+    if (this.gone !== null) return {text: `Robot not available: ${this.gone}`};
+    if (this.last_state_ms === null) return {text: 'Waiting for the robot …', mild: true};
+    const silent_ms = performance.now() - this.last_state_ms;
     if (silent_ms < kSilent_ms) return null;
-    return {text: `Nothing new from the robot for ${(silent_ms / 1000).toFixed(1)} s. What you see is old.`};
+    return {text: `No data from the robot for ${(silent_ms / 1000).toFixed(1)} s. The data shown is old.`};
   }
 
   emit(type, detail) { this.dispatchEvent(new CustomEvent(type, {detail})); }

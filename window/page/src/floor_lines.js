@@ -1,8 +1,7 @@
-// Lines on the floor, a tenth of a metre apart. Short pieces: long ones that begin behind the eye are lost on some
-// computers without a graphics card.
+// Floor grid of 0.1 m. Short segments, because some software renderers drop long lines that start behind the camera.
 import {BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments} from 'three';
 
-const kCell = 0.1, kCells = 40;  // m; cells to a side
+const kCell = 0.1, kCells = 40;  // m; cells per side
 
 export function floorLines() {
   const points = [];
@@ -18,7 +17,7 @@ export function floorLines() {
   return lines;
 }
 
-/// The same lines under a walker, wherever it has got to.
+/// Moves the grid under the robot.
 export function follow(lines, place) {
   lines.position.set(Math.round(place.x / kCell) * kCell, Math.round(place.y / kCell) * kCell, 0);
 }

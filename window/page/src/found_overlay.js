@@ -1,8 +1,8 @@
-// What was found, over the picture: the pixels that have the colour, what they lie in, and their centre.
+// Overlay of a search result: matching pixels, bounding ellipse and centre.
 import {el} from './dom.js';
-import {forMask} from './search_words.js';
+import {forMask} from './search_text.js';
 
-const kTint = [255, 0, 255, 150];  // no ball, lawn or wall has it
+const kTint = [255, 0, 255, 150];  // magenta, absent from typical scenes
 
 export class FoundOverlay {
   constructor() {
@@ -26,7 +26,7 @@ export class FoundOverlay {
     this.context.putImageData(image, 0, 0);
   }
 
-  /// Black below white: to be seen on anything.
+  /// White on black: visible on any background.
   mark({x, y, box: [left, top, right, bottom]}) {
     const {context} = this;
     context.beginPath();

@@ -1,4 +1,4 @@
-// Whether this computer has a graphics card that the browser may use. Without one its processor draws, as slowly as it may be.
+// Detects whether WebGL uses a graphics card or a software renderer.
 
 const kByProcessor = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 

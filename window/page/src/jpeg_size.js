@@ -1,9 +1,9 @@
-// Width and height of a JPEG by its head, before a browser makes room for it: a few bytes may ask for gigabytes.
+// Reads a JPEG's size from its header before decoding: a small file may declare a size of gigabytes.
 
 const kMark = 0xff, kStart = 0xd8, kScan = 0xda;
 const isFrameHead = (kind) => kind >= 0xc0 && kind <= 0xcf && ![0xc4, 0xc8, 0xcc].includes(kind);
 
-/// [width, height], or null: these bytes are no JPEG, or its head is cut off.
+/// [width, height], or null: not a JPEG, or truncated.
 export function jpegSize(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (view.byteLength < 2 || view.getUint8(0) !== kMark || view.getUint8(1) !== kStart) return null;

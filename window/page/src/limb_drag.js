@@ -1,10 +1,10 @@
-// While one drives, a limb in the picture follows the pointer: up and down, left and right turn its joint.
+// Dragging a limb in the 3D view moves its joint while the page drives.
 import {Raycaster, Vector2, Vector3} from 'three';
 
-const kTurn = 0.009;  // rad a pixel
+const kTurn = 0.009;  // rad per pixel
 
 export class LimbDrag {
-  /// `aim(name, rad)` gives back what is within the limits.
+  /// `aim(name, rad)` returns the angle within the limits.
   constructor(view, steering, goalOf, aim) {
     this.view = view;
     this.steering = steering;
@@ -17,7 +17,7 @@ export class LimbDrag {
     for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => { this.held = null; });
   }
 
-  /// The joint whose link is under the pointer, or null.
+  /// The joint of the link under the pointer, or null.
   jointAt(event) {
     const box = this.view.canvas.getBoundingClientRect(), ray = new Raycaster();
     ray.setFromCamera(new Vector2(((event.clientX - box.left) / box.width) * 2 - 1,
@@ -35,19 +35,19 @@ export class LimbDrag {
     if (!this.steering.drives) return;
     const found = this.jointAt(event), angle = found && this.goalOf(found.name);
     if (!found || angle === null) return;
-    event.stopImmediatePropagation();  // the view stays
+    event.stopImmediatePropagation();  // does not rotate the view
     this.view.canvas.setPointerCapture(event.pointerId);
     this.held = {...found, angle, at: [event.clientX, event.clientY], turn: this.across(found)};
   }
 
-  // Where a point in front of the joint goes on the screen when the joint turns: a drag that way is a turn that way.
+  // Screen direction in which a point in front of the joint moves when the joint turns.
   across({name, node}) {
     const {axis} = this.view.robot.joints.get(name);
     const centre = node.getWorldPosition(new Vector3());
     const pole = axis.clone().transformDirection(node.matrixWorld);
     const eye = this.view.camera.position.clone().sub(centre).normalize();
     const way = pole.clone().cross(eye);
-    if (way.length() < 0.3) return new Vector2(1, 0);  // one looks along the axis: left and right
+    if (way.length() < 0.3) return new Vector2(1, 0);  // view along the axis: use left and right
     const flat = (point) => point.clone().project(this.view.camera);
     const moved = flat(centre.clone().addScaledVector(way, 0.05)).sub(flat(centre));
     return new Vector2(moved.x, -moved.y).normalize();

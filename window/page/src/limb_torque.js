@@ -1,4 +1,4 @@
-// A limb without torque can be moved by hand, and falls. Legs are asked about first.
+// Torque switch of a limb, with a warning before it is switched off.
 import {el, setText} from './dom.js';
 
 export const kLimbs = [['right_arm', 'Right arm'], ['left_arm', 'Left arm'], ['head', 'Head'], ['right_leg', 'Right leg'],
@@ -10,7 +10,7 @@ export class LimbTorque {
     this.chain = chain;
     this.name = name;
     this.button = el('button', {type: 'button', id: `torque-${chain}`});
-    this.yes = el('button', {type: 'button', className: 'danger', id: `limp-${chain}`}, `Let the ${name.toLowerCase()} go limp`);
+    this.yes = el('button', {type: 'button', className: 'danger', id: `limp-${chain}`}, `Switch torque of the ${name.toLowerCase()} off`);
     this.no = el('button', {type: 'button'}, 'Keep torque');
     this.question = el('div', {className: 'warning', role: 'alert', hidden: true},
       el('p', {}, `Without torque the ${name.toLowerCase()} falls${chain.endsWith('leg') ? ', and a standing robot with it' : ''}. ` +
@@ -19,8 +19,8 @@ export class LimbTorque {
     this.button.addEventListener('click', () => (this.limp ? steering.torque(chain, true) : this.ask()));
     this.yes.addEventListener('click', () => { steering.torque(chain, false); this.close(); });
     this.no.addEventListener('click', () => this.close());
-    steering.addEventListener('change', () => this.tell());
-    this.tell();
+    steering.addEventListener('change', () => this.update());
+    this.update();
   }
 
   get limp() { return this.steering.doing.limp.includes(this.chain); }
@@ -35,7 +35,7 @@ export class LimbTorque {
     this.button.focus();
   }
 
-  tell() {
+  update() {
     const {drives} = this.steering;
     this.button.disabled = !drives;
     if (!drives) this.question.hidden = true;

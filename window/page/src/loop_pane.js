@@ -1,4 +1,4 @@
-// How the loop fares: wake-up latency, overruns, the bus, who is stale.
+// Loop tab: wake-up latency, overruns, bus times, stale devices.
 import {el, number, setText, withUnit} from './dom.js';
 
 const kFigures = [
@@ -15,7 +15,7 @@ const kFigures = [
   ['Incomplete cycles', (m) => number(m.incomplete)],
   ['Damaged frames', (m) => number(m.bad_checksums)],
   ['Reconnects', (m) => number(m.reconnects)],
-  ['Lost on the way here', (m) => number(m.lost)],
+  ['Dropped messages', (m) => number(m.lost)],
 ];
 
 export class LoopPane {
@@ -27,17 +27,17 @@ export class LoopPane {
     this.hits = el('p', {}, '—');
     this.node = el('div', {className: 'pane'},
       el('dl', {className: 'figures'}, ...kFigures.map(([name], i) => el('div', {}, el('dt', {}, name), this.values[i]))),
-      el('div', {}, el('h3', {}, 'Wake-up latency ', el('span', {className: 'unit'}, 'cycles, logarithmic, by µs late')),
+      el('div', {}, el('h3', {}, 'Wake-up latency ', el('span', {className: 'unit'}, 'cycles (logarithmic) by latency in µs')),
         this.bars),
       el('div', {}, el('h3', {}, 'Stale devices'), this.stale),
-      el('div', {}, el('h3', {}, 'Limits that acted'), this.hits),
-      el('div', {}, el('h3', {}, 'Who drives'), this.driver));
+      el('div', {}, el('h3', {}, 'Limit hits'), this.hits),
+      el('div', {}, el('h3', {}, 'Driver'), this.driver));
   }
 
   begin() {}
   restyle() {}
   draw() {}
-  tell() {}
+  update() {}
 
   /// A "loop" message.
   take(message) {
@@ -50,7 +50,7 @@ export class LoopPane {
   }
 
   driverText({driver, session}) {
-    if (driver === null || driver === undefined) return 'nobody: the robot holds, or is limp';
+    if (driver === null || driver === undefined) return 'none: the robot holds or is limp';
     return driver.pid === null ? 'a program of another user' : `process ${driver.pid}, session ${number(session)}`;
   }
 

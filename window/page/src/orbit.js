@@ -1,4 +1,4 @@
-// The eye that goes round the robot: by finger, mouse, wheel or keys.
+// Orbit control of the 3D view: touch, mouse, wheel and keys.
 import {Vector3} from 'three';
 
 const kNearest = 0.35, kFarthest = 4;  // m
@@ -61,7 +61,7 @@ export class Orbit {
     event.preventDefault();
   }
 
-  /// Keeps a walker in the picture.
+  /// Keeps a walking robot in view.
   follow(place) {
     const part = 0.08;
     const dx = place.x - this.target.x, dy = place.y - this.target.y;

@@ -1,16 +1,16 @@
-// How often and how sharply the robot is drawn: less on a computer without a graphics card, so that the curves stay smooth.
+// Adapts frame rate and resolution of the 3D view to the computer, so that the curves stay smooth.
 import {kGraphicsCard} from './graphics.js';
 
-const kSteps = [  // every so many frames, at this part of the screen's sharpness
+const kSteps = [  // draw every n-th frame at this fraction of the screen resolution
   {every: 1, sharpness: 1}, {every: 2, sharpness: 0.75}, {every: 3, sharpness: 0.6}, {every: 4, sharpness: 0.5},
   {every: 6, sharpness: 0.5},
 ];
 const kBest = kGraphicsCard ? 0 : 2;
 const kLook_ms = 1500;
-const kLate_ms = 25;    // between two frames: one is lost
+const kLate_ms = 25;    // between two frames: one was dropped
 const kHidden_ms = 600;
-const kFew = 3;         // late frames in a look that call for a step down
-const kPatience = 20;   // looks without a late frame before a step up is tried; twice as many each time it was too much
+const kFew = 3;         // late frames in an interval before a step down
+const kPatience = 20;   // intervals without late frames before a step up; doubled after each step down
 
 export class Pace {
   constructor() {

@@ -1,16 +1,16 @@
-// The robot's own motion pages: a button each, and which one is being played.
+// One button per motion page.
 import {el, setText} from './dom.js';
 
 export class PageButtons {
   constructor(steering) {
     this.steering = steering;
     this.list = el('div', {className: 'page-buttons'});
-    this.note = el('p', {className: 'note'}, 'A page moves all of the robot. It begins when the robot stands still.');
+    this.note = el('p', {className: 'note'}, 'A motion page moves the whole robot. It starts only when the robot stands still.');
     this.node = el('fieldset', {id: 'pages'}, el('legend', {}, 'Motion pages'), this.list, this.note);
     this.buttons = [];
     fetch('pages.json').then((answer) => answer.json()).then((pages) => this.begin(pages))
       .catch((error) => setText(this.note, `No motion pages: ${error.message}`));
-    steering.addEventListener('change', () => this.tell());
+    steering.addEventListener('change', () => this.update());
   }
 
   begin(pages) {
@@ -20,10 +20,10 @@ export class PageButtons {
       return {number, button};
     });
     this.list.replaceChildren(...this.buttons.map(({button}) => button));
-    this.tell();
+    this.update();
   }
 
-  tell() {
+  update() {
     const {drives, doing} = this.steering;
     for (const {number, button} of this.buttons) {
       button.disabled = !drives || doing.walks || (doing.page !== 0 && doing.page !== number);

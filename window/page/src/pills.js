@@ -1,9 +1,9 @@
-// The robot at a glance: state, battery, faults, loop.
+// Status bar: state, battery, faults, loop.
 import {el, number, setClass, setText, withUnit} from './dom.js';
 
 const kStates = {
-  offline: ['no robot', 'bad'], limp: ['limp', ''], taking_over: ['taking over', ''], starting: ['going to start pose', ''],
-  driven: ['driven', ''], holding: ['holding', ''], kneeling: ['kneeling', 'warn'], found_stiff: ['stiff, nobody drives', 'warn'],
+  offline: ['offline', 'bad'], limp: ['limp', ''], taking_over: ['taking over', ''], starting: ['going to start pose', ''],
+  driven: ['driven', ''], holding: ['holding', ''], kneeling: ['kneeling', 'warn'], found_stiff: ['torque on, not driven', 'warn'],
 };
 const kLow = 11.0, kEmpty = 10.0;  // V, faults 20 and 21
 

@@ -1,26 +1,26 @@
-// Before somebody drives a robot that is not in its start pose: how it stands, and three ways to go on.
+// Dialog before a takeover of a robot that is not in its start pose.
 import {degrees, el, number} from './dom.js';
 import {PosePicture} from './pose_picture.js';
 import {isSecure, poseFindings} from './start_pose.js';
 
 export class PoseDialog {
-  /// `look`: {joints, state, body} of now; `go`: take the robot.
+  /// `look` returns the present {joints, state, body}; `go` starts driving.
   constructor(look, go) {
     this.look = look;
     this.go = go;
-    this.canvas = el('canvas', {width: 340, height: 300, role: 'img', ariaLabel: 'The robot as it is, and beside it, orange, in its start pose'});
-    this.words = el('div', {role: 'status'});
+    this.canvas = el('canvas', {width: 340, height: 300, role: 'img', ariaLabel: 'The robot now and, in orange, in its start pose'});
+    this.status = el('div', {role: 'status'});
     this.retry = el('button', {type: 'button', id: 'pose-retry'}, 'Retry');
     this.on = el('button', {type: 'button', id: 'pose-go'}, 'Go on');
     this.cancel = el('button', {type: 'button', id: 'pose-cancel'}, 'Cancel');
     const title = el('h2', {id: 'pose-title'}, 'The robot is not in its start pose');
     this.node = el('dialog', {id: 'pose', 'aria-labelledby': 'pose-title'}, title,
       el('div', {className: 'pose-columns'},
-        el('figure', {}, this.canvas, el('figcaption', {}, 'now, and beside it, orange, the start pose')),
-        el('div', {}, this.words,
-          el('p', {}, el('strong', {}, 'Retry: '), 'sit it down upright first, then look again.'),
-          el('p', {}, el('strong', {}, 'Go on: '), 'take it where it is. Nothing moves until you move it; a walk then ' +
-            'begins from here, slowly, a page at its own speed. Hold the robot.'))),
+        el('figure', {}, this.canvas, el('figcaption', {}, 'now; orange: start pose')),
+        el('div', {}, this.status,
+          el('p', {}, el('strong', {}, 'Retry: '), 'put the robot into its start pose, then check again.'),
+          el('p', {}, el('strong', {}, 'Go on: '), 'drive from the present pose. Nothing moves until you move it; a walk ' +
+            'starts slowly from here, a motion page at its own speed. Hold the robot.'))),
       el('div', {className: 'choices'}, this.retry, this.on, this.cancel));
     document.body.append(this.node);
     this.retry.addEventListener('click', () => this.ask());
@@ -28,7 +28,7 @@ export class PoseDialog {
     this.cancel.addEventListener('click', () => this.node.close());
   }
 
-  /// Takes the robot at once when it is where it should be, or when it is held where it is anyway.
+  /// Starts driving at once if the robot is in its start pose or under torque.
   ask() {
     const {joints, state, body} = this.look();
     const findings = state && joints.length > 0 ? poseFindings(joints, state) : null;
@@ -36,7 +36,7 @@ export class PoseDialog {
       if (this.node.open) this.node.close();
       return this.go();
     }
-    this.words.replaceChildren(findings === null ? 'Nothing is heard of the robot: nobody knows how it stands.' : this.list(findings));
+    this.status.replaceChildren(findings === null ? 'No data from the robot: its pose is unknown.' : this.list(findings));
     if (!this.node.open) {
       this.node.showModal();
       this.retry.focus();
@@ -45,7 +45,7 @@ export class PoseDialog {
     return undefined;
   }
 
-  /// Not without WebGL.
+  /// False without WebGL.
   draws(body, joints, state) {
     try {
       new PosePicture(this.canvas, body).draw(joints, state);
@@ -56,9 +56,9 @@ export class PoseDialog {
   }
 
   list({off, upright}) {
-    const lines = off.map(({name, by}) => el('li', {}, by === null ? `${name} does not tell where it is`
+    const lines = off.map(({name, by}) => el('li', {}, by === null ? `${name} reports no position`
       : `${name} is ${number(Math.abs(degrees(by)), 0)}° off`));
-    if (upright !== true) lines.push(el('li', {}, upright === null ? 'nobody knows whether it is upright' : 'it is not upright'));
+    if (upright !== true) lines.push(el('li', {}, upright === null ? 'it is unknown whether the robot is upright' : 'the robot is not upright'));
     return el('ul', {}, ...lines);
   }
 }

@@ -1,4 +1,4 @@
-// A still picture of the robot as it is and, beside it in orange, in its start pose.
+// Still image of the robot now and, in orange, in its start pose.
 import {AmbientLight, DirectionalLight, MeshLambertMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer} from 'three';
 import {colour} from './dom.js';
 import {RobotModel} from './robot_model.js';
@@ -6,8 +6,8 @@ import {Standing} from './standing.js';
 import {Tilt} from './tilt.js';
 
 const kWidth = 340, kHeight = 300;
-const kBeside = 0.32;                   // m, one beside the other
-const kUpright = new Vector3(0, 1, 0);  // of the trunk
+const kBeside = 0.32;                   // m between the two
+const kUpright = new Vector3(0, 1, 0);  // in the trunk
 
 export class PosePicture {
   constructor(canvas, body) {

@@ -1,4 +1,4 @@
-// The robot in three dimensions, made of the shapes of the twin's body file; one that is measured, one that is commanded.
+// 3D model of the robot from the shapes of the twin's body file.
 import {
   BoxGeometry, BufferAttribute, CapsuleGeometry, Color, CylinderGeometry, Group, Matrix4, Mesh, MeshLambertMaterial,
   Quaternion, SphereGeometry, SRGBColorSpace, Vector3,
@@ -7,9 +7,9 @@ import {mergeGeometries} from 'three/addons/utils/BufferGeometryUtils.js';
 import {kGraphicsCard} from './graphics.js';
 
 const quaternion = ([w, x, y, z]) => new Quaternion(x, y, z, w);
-const kLieAlongZ = Math.PI / 2;  // three.js stands cylinders along y, MuJoCo along z
+const kLieAlongZ = Math.PI / 2;  // three.js cylinders are along y, MuJoCo's along z
 
-// Around a round shape; a processor that draws takes its time by triangles.
+// Segments of round shapes; software rendering time grows with triangles.
 const kRound = kGraphicsCard ? 20 : 10, kUpDown = kRound / 2 + 1, kCap = kRound / 5 + 1;
 
 function geometryOf({type, size}) {
@@ -19,11 +19,11 @@ function geometryOf({type, size}) {
     case 'ellipsoid': return new SphereGeometry(1, kRound, kUpDown).scale(...size);
     case 'capsule': return new CapsuleGeometry(size[0], 2 * size[1], kCap, kRound).rotateX(kLieAlongZ);
     case 'cylinder': return new CylinderGeometry(size[0], size[0], 2 * size[1], kRound).rotateX(kLieAlongZ);
-    default: throw new Error(`a shape that this page cannot draw: ${type}`);
+    default: throw new Error(`unsupported shape: ${type}`);
   }
 }
 
-// All shapes of a link in one piece, each with its colour: one call to the graphics card a link.
+// Merges all shapes of a link with their colours: one draw call per link.
 function pieceOf(shapes) {
   const parts = shapes.map((shape) => {
     const part = geometryOf(shape);
@@ -39,7 +39,7 @@ function pieceOf(shapes) {
 }
 
 export class RobotModel {
-  /// body: body.json of the window's program. `material`: nothing: the shapes' own colours.
+  /// `body`: body.json. `material`: null: the shapes' own colours.
   constructor(body, material = null) {
     this.joints = new Map();  // name: {link, axis, zero}
     this.links = body.links.map((link) => {
@@ -68,21 +68,21 @@ export class RobotModel {
 
   find(name) { return this.links.find((link) => link.name === name); }
 
-  /// Name of the joint that turns a link, or null.
+  /// Name of the joint that moves a link, or null.
   jointOf(link) { return this.joint_of[this.links.indexOf(link)] ?? null; }
 
-  /// Angles, rad, by the joint's name; one that is not known stays where it was.
+  /// Sets a joint, rad; an unknown angle changes nothing.
   setJoint(name, angle) {
     const joint = this.joints.get(name);
     if (!joint || typeof angle !== 'number') return;
     joint.link.quaternion.copy(joint.zero).multiply(this.turn.setFromAxisAngle(joint.axis, angle));
-    // about the pivot, which need not be the link's origin
+    // rotate about the pivot, which may differ from the link's origin
     if (joint.pivot.lengthSq() === 0) return;
     joint.link.position.copy(joint.pivot).applyQuaternion(joint.zero).add(joint.home)
       .sub(joint.pivot.clone().applyQuaternion(joint.link.quaternion));
   }
 
-  /// Shows what hangs on a joint of `apart` (names) and nothing else. True when that is anything.
+  /// Shows only links moved by a joint of `apart` (names). True if any.
   showOnly(apart) {
     const shown = [];
     this.links.forEach((link, i) => {

@@ -1,4 +1,4 @@
-// The picture of the robot: measured in its colours, commanded as a ghost.
+// 3D view: measured pose in colour, commanded pose as a ghost.
 import {
   AmbientLight, CircleGeometry, DirectionalLight, Fog, Mesh, MeshBasicMaterial, MeshLambertMaterial,
   PerspectiveCamera, Scene, WebGLRenderer,
@@ -12,8 +12,8 @@ import {RobotModel} from './robot_model.js';
 import {Standing} from './standing.js';
 import {Tilt} from './tilt.js';
 
-const kSame_rad = 0.035;  // commanded and measured this close: no ghost of what hangs there
-const kStill_rad = 5e-4;  // a third of a servo's step: nothing to draw anew
+const kSame_rad = 0.035;  // below this difference no ghost is shown
+const kStill_rad = 5e-4;  // a third of a servo tick: no redraw
 
 export class RobotView {
   constructor(canvas, body) {
@@ -34,7 +34,7 @@ export class RobotView {
     sun.position.set(2, -1.5, 3);
     fill.position.set(1, 3, 1);
     this.floor = new Mesh(new CircleGeometry(6, 48), new MeshBasicMaterial({depthWrite: false}));
-    this.floor.renderOrder = -2;  // first, and under everything: then the lines on it, then the robot
+    this.floor.renderOrder = -2;  // floor, then lines, then robot
     this.lines = floorLines();
     this.lines.renderOrder = -1;
     this.scene.add(new AmbientLight(0xffffff, 1.3), sun, fill, this.floor, this.lines, this.robot.trunk, this.ghost.trunk);
@@ -44,7 +44,7 @@ export class RobotView {
     new ResizeObserver(() => { this.changed = true; }).observe(canvas);
   }
 
-  /// Colours of the page, which may turn light or dark.
+  /// Applies the present colour scheme.
   paint() {
     this.lines.material.color.set(colour('grid'));
     this.floor.material.color.set(colour('floor'));
@@ -55,7 +55,7 @@ export class RobotView {
 
   restart() { this.standing.reset(); }
 
-  /// `joints`: of "hello"; `state`: the newest.
+  /// `joints`: of "hello"; `state`: newest "state" message.
   take(joints, state) {
     this.tilt.take(state.time, state.board.accelerometer, state.board.gyro);
     if (!this.moves(state)) return;
@@ -73,7 +73,7 @@ export class RobotView {
     this.changed = true;
   }
 
-  /// Whether a picture of this state would differ from the one that is there.
+  /// Whether this state differs visibly from the one drawn.
   moves({joints}) {
     const now = [...joints.position, ...joints.goal, ...this.tilt.up];
     const same = this.drawn && now.every((value, i) =>

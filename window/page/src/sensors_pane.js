@@ -1,4 +1,4 @@
-// Accelerometer and gyro over time, and axis against axis.
+// Motion sensors tab: accelerometer and gyro over time and axis against axis.
 import {CurvePlot} from './curve_plot.js';
 import {el} from './dom.js';
 import {SquarePlot} from './square_plot.js';
@@ -31,8 +31,8 @@ export class SensorsPane {
   restyle() { this.plots.forEach((plot) => plot.show(plot.curves)); }
   draw() {
     this.plots.forEach((plot) => plot.draw());
-    this.turn = ((this.turn ?? 0) + 1) % 3;  // of each sensor's three one a frame
+    this.turn = ((this.turn ?? 0) + 1) % 3;  // one of three square plots per sensor and frame
     this.squares.forEach(({plots, reach}) => plots[this.turn].draw(reach));
   }
-  tell() {}
+  update() {}
 }

@@ -1,8 +1,8 @@
-// Servos: one of them closely, all of them as a table.
+// Servos tab: curves of one servo, table of all.
 import {CurvePlot} from './curve_plot.js';
 import {degrees, el, number, setClass, setText} from './dom.js';
 
-const kHot = 65, kWarm = 55;  // deg C; at kHot the robot goes slowly (fault 22)
+const kHot = 65, kWarm = 55;  // deg C; at kHot the robot slows down (fault 22)
 const kHead = [['Servo', ''], ['Target', 'deg'], ['Actual', 'deg'], ['Error', 'deg'], ['Load', '%'], ['Temperature', '°C'],
   ['Supply', 'V'], ['Torque', ''], ['Age', 'cycles']];
 const kDegrees = 180 / Math.PI;
@@ -22,7 +22,7 @@ export class ServosPane {
     const curves = this.curvesOf(joints[this.chosen]);
     const make = (i, title, unit, height, digits, span) =>
       new CurvePlot(this.timeline, {title, unit, curves: curves[i], height, digits, span, least: 2});
-    this.plots = [make(0, '', 'deg', 190, 2), make(1, 'Load', '% of the greatest torque', 115, 0, [-10, 10]),
+    this.plots = [make(0, '', 'deg', 190, 2), make(1, 'Load', '% of maximum torque', 115, 0, [-10, 10]),
       make(2, 'Temperature', '°C', 95, 0, [20, 40])];
     this.body = el('tbody');
     this.rows = joints.map((joint, i) => {
@@ -61,8 +61,8 @@ export class ServosPane {
   restyle() { this.plots?.forEach((plot, i) => plot.show(this.curvesOf(this.joints[this.chosen])[i])); }
   draw() { this.plots?.forEach((plot) => plot.draw()); }
 
-  /// The newest state in figures, a few times a second.
-  tell(state) {
+  /// Updates the table with the newest state.
+  update(state) {
     const j = state.joints;
     this.rows.forEach(({cells}, i) => {
       const goal = j.goal[i], is = j.position[i];

@@ -1,8 +1,7 @@
-// What a robot's messages look like (docs/monitor.md), as far as this page uses them. A robot that says anything else is
-// broken or hostile; its message counts for nothing.
+// Validation of monitor messages (docs/monitor.md). Invalid messages, of a broken or hostile robot, are ignored.
 
 const kMostJoints = 64, kMostNames = 1000, kLongest = 10000, kMostPixels = 4096;
-const kGreatest = 1e15;  // what is more cannot be drawn
+const kGreatest = 1e15;  // larger values cannot be drawn
 
 const text = (value) => typeof value === 'string' && value.length <= kLongest;
 const number = (value) => typeof value === 'number' && Math.abs(value) <= kGreatest;
@@ -47,16 +46,16 @@ const kShapes = {
   camera: shape({seeing: flag, text: words}),
   found: (message) => kFound(message) && (message.x === null || (number(message.y) && message.box !== null)) &&
     (message.mask === undefined || isMask(message)),
-  picture: () => false,  // comes as bytes
+  picture: () => false,  // binary only
 };
 
-/// Types of later versions are as they are.
+/// Accepts unknown types, of later versions.
 export function isMessage(message) {
   if (typeof message !== 'object' || message === null || !text(message.type)) return false;
   return !Object.hasOwn(kShapes, message.type) || kShapes[message.type](message);
 }
 
-/// Of a state: how many joints it tells of; NaN: not of each the same.
+/// Number of joints in a state; NaN: inconsistent.
 export function jointsOf({joints}) {
   const count = joints.position.length;
   return Object.keys(kPerJoint).every((what) => joints[what].length === count) ? count : NaN;

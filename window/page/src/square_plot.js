@@ -1,4 +1,4 @@
-// One axis of a sensor against another: where the newest seconds went.
+// Plot of one sensor axis against another over the time range shown.
 import {colour, el} from './dom.js';
 
 export class SquarePlot {

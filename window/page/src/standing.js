@@ -1,9 +1,9 @@
-// Where the trunk is: nobody measures it, so the lower foot is taken to stay where it stands. Good enough to watch a walk.
+// Estimates the trunk's position: it is not measured, so the lower foot is assumed not to move.
 import {Quaternion, Vector3} from 'three';
 
 const kUp = new Vector3(0, 0, 1);
-const kOther = 0.004;   // m that the other foot must be lower before it is the one that stands
-const kLying = 0.6;     // cosine of the lean from which on no foot is believed
+const kOther = 0.004;   // m: hysteresis for a change of the standing foot
+const kLying = 0.6;     // cosine of the lean beyond which no foot is assumed to stand
 
 export class Standing {
   constructor(model) {
@@ -13,13 +13,13 @@ export class Standing {
   }
 
   reset() {
-    this.stands = null;    // the foot
-    this.where = null;     // its place on the floor and its heading
+    this.stands = null;    // standing foot
+    this.where = null;     // its position and heading
     this.heading = 0;
     this.place = new Vector3();
   }
 
-  /// Puts the trunk so that `up` of the trunk is up, the standing foot stays, and the lowest corner touches the floor.
+  /// Places the trunk: `up` (in the trunk) points up, the standing foot stays, the lowest corner touches the floor.
   settle(up) {
     const trunk = this.model.trunk;
     const lean = new Quaternion().setFromUnitVectors(up.clone().applyQuaternion(this.model.upright), kUp);
@@ -55,7 +55,7 @@ export class Standing {
 
 const shortest = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle));
 
-// A foot's own z axis points forward at zero, as all of the trunk's do.
+// A foot's z axis points forward at zero, like the trunk's.
 function spotOf(foot) {
   const e = foot.matrixWorld.elements;
   return {x: e[12], y: e[13], heading: Math.atan2(e[9], e[8])};

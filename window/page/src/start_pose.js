@@ -1,10 +1,10 @@
-// Whether the robot is in its start pose, by the same bounds as the program that drives it.
+// Checks whether the robot is in its start pose, with the bounds of safety.
 
-const kTolerance = 0.3528;     // rad, 230 ticks, of legs; arms and head are light and hit nothing
+const kTolerance = 0.3528;     // rad (230 ticks), legs only: arms and head are light
 const kUpright = [0, 0, 9.80665];
 const kLean = 9.80665 / 4;     // m/s2 on each axis
 
-/// {off: [{name, by}], upright}; `by` in rad, null: not known. `upright` is null when nobody knows.
+/// {off: [{name, by}], upright}; `by` in rad; null: unknown.
 export function poseFindings(joints, state) {
   const off = [];
   joints.forEach(({name, chain, start}, i) => {

@@ -1,4 +1,4 @@
-// A slider for each servo, within its limits.
+// Steer tab: walk pad, motion pages, torque, and a slider per servo.
 import {degrees, el, number, setText} from './dom.js';
 import {GaitPad} from './gait_pad.js';
 import {kLimbs, LimbTorque} from './limb_torque.js';
@@ -8,8 +8,8 @@ export class SteerPane {
   constructor(steering) {
     this.steering = steering;
     this.note = el('p', {className: 'note'},
-      'Press “Drive …” first. Then move a slider, or drag an arm, a leg or the head in the picture. ' +
-      'No joint turns faster than 2 rad/s, and safety judges every goal as it does a controller’s.');
+      'Press “Drive …” first. Then move a slider, or drag an arm, a leg or the head in the 3D view. ' +
+      'Joints move at most 2 rad/s; safety limits apply as for a controller.');
     this.node = el('div', {className: 'pane'});
     this.pad = new GaitPad(steering);
     this.pages = new PageButtons(steering);
@@ -48,8 +48,8 @@ export class SteerPane {
   restyle() {}
   draw() {}
 
-  /// A slider that nobody holds shows where the joint is to go, or is.
-  tell({joints}) {
+  /// Sliders that are not in use show the goal or the position.
+  update({joints}) {
     this.rows.forEach((row, i) => {
       const is = joints.position[i], goal = joints.goal[i] ?? is;
       row.known = goal !== null;

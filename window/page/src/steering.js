@@ -1,8 +1,8 @@
-// Driving the robot from this page: the lease is held while the page speaks, and given back by a stop, a silence, an end.
+// Steering channel: drives the robot while this page sends heartbeats.
 
 const kProtocol = 'darwinop-steering.1';
-const kSpeak_ms = 80;   // the program lets go after half a second of silence
-const kAgain_ms = 1000;
+const kHeartbeat_ms = 80;   // heartbeat interval; the program's timeout is 0.5 s
+const kRetry_ms = 1000;
 const kNothing = {walks: false, page: 0, limp: [], refused: ''};
 
 export class Steering extends EventTarget {
@@ -10,14 +10,14 @@ export class Steering extends EventTarget {
     super();
     this.url = url;
     this.drives = false;
-    this.asking = false; // the robot is being taken
-    this.text = '';      // why not, or why no longer
+    this.asking = false; // takeover in progress
+    this.text = '';      // why the page does not drive
     this.goals = {};     // by name, rad, not sent yet
-    this.walk = null;    // {x, y, a}: said again and again while it is wanted
+    this.walk = null;    // {x, y, a}, repeated in every message while requested
     this.doing = kNothing;
     this.open();
-    setInterval(() => this.speak(), kSpeak_ms);
-    // Nobody looks: nobody drives.
+    setInterval(() => this.sendHeartbeat(), kHeartbeat_ms);
+    // A hidden page does not drive.
     document.addEventListener('visibilitychange', () => document.hidden && this.leave());
     addEventListener('pagehide', () => this.leave());
   }
@@ -25,31 +25,31 @@ export class Steering extends EventTarget {
   open() {
     this.socket = new WebSocket(this.url, kProtocol);
     this.socket.onmessage = (event) => {
-      const said = JSON.parse(event.data);
-      if (said.type === 'driving') this.change(said.yours, said.text, said.taking === true);
-      if (said.type === 'doing') this.tell(said);
+      const message = JSON.parse(event.data);
+      if (message.type === 'driving') this.change(message.yours, message.text, message.taking === true);
+      if (message.type === 'doing') this.update(message);
     };
     this.socket.onclose = () => {
-      this.change(false, this.drives ? 'The connection broke. The robot holds.' : this.text);
-      setTimeout(() => this.open(), kAgain_ms);
+      this.change(false, this.drives ? 'The connection was lost. The robot holds.' : this.text);
+      setTimeout(() => this.open(), kRetry_ms);
     };
   }
 
   take() { this.send({take: true}); }
 
-  /// At once.
+  /// Holds at once.
   stop() { this.end({stop: true}); }
 
-  /// After the steps under way.
+  /// Holds after the present steps.
   leave() { this.end({leave: true}); }
 
-  end(words) {
+  end(request) {
     this.goals = {};
     this.walk = null;
-    this.send(words);  // also while the robot is being taken
+    this.send(request);  // also during a takeover
   }
 
-  /// A joint's goal, rad; many a second are one message.
+  /// Goal of a joint, rad; collected until the next heartbeat.
   aim(name, angle) {
     if (this.drives) this.goals[name] = angle;
   }
@@ -57,7 +57,7 @@ export class Steering extends EventTarget {
   /// null: stand.
   go(walk) {
     this.walk = this.drives ? walk : null;
-    this.speak();
+    this.sendHeartbeat();
   }
 
   play(page) { if (this.drives) this.send({page, ...this.lasting()}); }
@@ -65,26 +65,26 @@ export class Steering extends EventTarget {
   /// `limb`: "left_arm".
   torque(limb, on) { if (this.drives) this.send({torque: {[limb]: on}, ...this.lasting()}); }
 
-  // What every message has to say again, or it would be no longer wanted.
+  // Requests that every message must repeat to stay active.
   lasting() { return this.walk ? {walk: this.walk} : {}; }
 
-  speak() {
+  sendHeartbeat() {
     if (!this.drives) return;
     this.send({...this.lasting(), ...(Object.keys(this.goals).length > 0 ? {goals: this.goals} : {})});
     this.goals = {};
   }
 
-  send(words) {
-    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(words));
+  send(request) {
+    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(request));
   }
 
-  tell(doing) {
+  update(doing) {
     this.doing = doing;
     this.dispatchEvent(new Event('change'));
   }
 
   change(drives, text, asking = false) {
-    if (drives !== this.drives) this.doing = {...kNothing, limp: drives ? [] : this.doing.limp};  // what is limp stays so
+    if (drives !== this.drives) this.doing = {...kNothing, limp: drives ? [] : this.doing.limp};  // limp limbs stay limp
     this.drives = drives;
     this.asking = asking;
     this.text = text;

@@ -1,17 +1,17 @@
-// The last minutes of every column, in memory that never grows.
+// Ring buffer of the last minutes of every column.
 
 export const kMinutesKept = 5;
 
 export class Store {
-  /// `before`: a record that nobody needs any more, whose memory will do.
+  /// `before`: an obsolete store whose memory is reused.
   constructor(columns, rows, before = null) {
     this.columns = columns;
     this.rows = rows;
     this.index = new Map(columns.map((column, i) => [column.key, i]));
     const again = before?.rows === rows && before.data.length === columns.length;
     this.data = again ? before.data : columns.map((column, i) => (i < 2 ? new Float64Array(rows) : new Float32Array(rows)));
-    this.origin = 0;   // time of the first row ever: axes count from there
-    this.written = 0;  // rows ever written; the oldest are overwritten
+    this.origin = 0;   // time of the first row; origin of the time axes
+    this.written = 0;  // rows written in total; the oldest are overwritten
   }
 
   get count() { return Math.min(this.written, this.rows); }
@@ -23,7 +23,7 @@ export class Store {
     ++this.written;
   }
 
-  /// Row `n` of those kept, 0 the oldest.
+  /// Row `n` of those kept; 0 is the oldest.
   at(column, n) { return this.data[column][(this.written - this.count + n) % this.rows]; }
   get newest() { return this.count === 0 ? NaN : this.at(0, this.count - 1); }
   get oldest() { return this.count === 0 ? NaN : this.at(0, 0); }
@@ -39,7 +39,7 @@ export class Store {
     return low;
   }
 
-  /// Rows [first, last) of a column into `into`, as a curve wants them: null where nothing is known.
+  /// Copies rows [first, last) of a column to `into`; null: unknown.
   read(column, first, last, into) {
     const data = this.data[column], rows = this.rows;
     let at = (this.written - this.count + first) % rows;
@@ -51,7 +51,7 @@ export class Store {
     }
   }
 
-  /// The same rows, which no later ones overwrite.
+  /// Copy of the present rows.
   frozen() {
     const copy = new Store(this.columns, this.rows);
     copy.data = this.data.map((column) => column.slice());

@@ -1,11 +1,10 @@
-// Panes behind tabs, as the ARIA practices have them: arrow keys walk, Home and End jump. They are one row, which scrolls
-// sideways where it is too narrow.
+// Tabs according to the ARIA practices: arrow keys, Home and End. One row that scrolls horizontally.
 import {el} from './dom.js';
 
-const kPeek_px = 40;  // so much of the neighbour is seen, too
+const kPeek_px = 40;  // visible part of the neighbouring tab
 
 export class Tabs {
-  /// panes: [{name, pane}]; `chosen` is told the pane that is shown.
+  /// panes: [{name, pane}]; `chosen` is called with the pane shown.
   constructor(list, stage, panes, chosen) {
     this.list = list;
     this.panes = panes;
@@ -38,7 +37,7 @@ export class Tabs {
     this.chosen(this.panes[i].pane);
   }
 
-  /// The chosen tab; sideways only, the page stays where it is.
+  /// Scrolls horizontally to the selected tab.
   reveal() {
     const {list} = this, row = list.getBoundingClientRect(), tab = this.panes[this.current].tab.getBoundingClientRect();
     if (tab.left < row.left) list.scrollLeft += tab.left - row.left - kPeek_px;
@@ -55,7 +54,7 @@ export class Tabs {
     this.panes[to].tab.focus();
   }
 
-  /// A red number on a tab; 0: none.
+  /// Badge with a number on a tab; 0: none.
   count(i, number) {
     const {tab, name} = this.panes[i];
     tab.replaceChildren(name, ...(number > 0 ? [el('span', {className: 'count'}, String(number))] : []));

@@ -1,13 +1,13 @@
-// Which way is up for the trunk: the gyro tells at once, the accelerometer is right in the long run.
+// Estimates the trunk's up direction: complementary filter of gyro and accelerometer.
 import {Quaternion, Vector3} from 'three';
 
-const kPatience_s = 0.6;       // after which the accelerometer is believed rather than the gyro
+const kTimeConstant_s = 0.6;       // time constant of the filter
 const kGravity = 9.81;         // m/s2
-const kShaken = 0.35;          // more than this part of gravity too much or too little: not believed
+const kShaken = 0.35;          // relative deviation from gravity beyond which the accelerometer is ignored
 const kLongestStep_s = 0.3;
 
 export class Tilt {
-  /// sensors: the axes of both sensors in the trunk, from body.json.
+  /// `sensors`: orientations of both sensors in the trunk, from body.json.
   constructor(sensors) {
     const axes = ([w, x, y, z]) => new Quaternion(x, y, z, w);
     this.accelerometer = axes(sensors.accelerometer.quat);
@@ -30,7 +30,7 @@ export class Tilt {
     this.felt.set(...accelerometer).applyQuaternion(this.accelerometer);
     const strength = this.felt.length() / kGravity;
     if (Math.abs(strength - 1) > kShaken) return;
-    const trust = step === null || this.begin ? 1 : Math.min(step / kPatience_s, 1);
+    const trust = step === null || this.begin ? 1 : Math.min(step / kTimeConstant_s, 1);
     this.begin = false;
     this.up.addScaledVector(this.felt.normalize().sub(this.up), trust).normalize();
   }

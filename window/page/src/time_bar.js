@@ -1,4 +1,4 @@
-// Pause, length, zoom and export of what all plots show.
+// Pause, time range, zoom and CSV export of all plots.
 import {csvOf, save} from './csv.js';
 import {el, setText} from './dom.js';
 import {kLengths} from './timeline.js';
@@ -10,14 +10,14 @@ export class TimeBar {
     this.length = el('select', {ariaLabel: 'Seconds shown'},
       ...kLengths.map((s) => el('option', {value: String(s), selected: s === timeline.length}, s < 60 ? `${s} s` : `${s / 60} min`)));
     this.length.addEventListener('change', () => timeline.setLength(Number(this.length.value)));
-    this.zooms = [this.button('+', () => timeline.scale(0.5), '', 'Look closer'),
-      this.button('−', () => timeline.scale(2), '', 'See more'),
+    this.zooms = [this.button('+', () => timeline.scale(0.5), '', 'Zoom in'),
+      this.button('−', () => timeline.scale(2), '', 'Zoom out'),
       this.button('◀', () => timeline.shift(-0.25), '', 'Earlier'), this.button('▶', () => timeline.shift(0.25), '', 'Later')];
     this.export = this.button('Save CSV', () => timeline.range && save(csvOf(timeline.store, timeline.range), fileName()), 's');
     node.append(this.pause, this.length, ...this.zooms, this.export);
-    timeline.addEventListener('change', () => this.tell());
+    timeline.addEventListener('change', () => this.update());
     document.addEventListener('keydown', (event) => this.key(event));
-    this.tell();
+    this.update();
   }
 
   button(text, act, key = '', label = '') {
@@ -28,7 +28,7 @@ export class TimeBar {
     return button;
   }
 
-  tell() {
+  update() {
     setText(this.pause, this.timeline.paused ? 'Go on' : 'Pause');
     this.pause.setAttribute('aria-pressed', String(this.timeline.paused));
   }

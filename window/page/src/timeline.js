@@ -1,4 +1,4 @@
-// Which part of the record is shown: the newest seconds, or, paused, a part that was picked.
+// Time range shown: the newest seconds, or a chosen range while paused.
 
 export const kLengths = [5, 10, 30, 60, 300];  // s
 
@@ -14,7 +14,7 @@ export class Timeline extends EventTarget {
   get paused() { return this.frozen !== null; }
   get store() { return this.frozen ?? this.live; }
 
-  /// [from, to] in s on the robot's clock, or null while there is nothing.
+  /// [from, to] in s on the robot's clock; null: no data.
   get range() {
     if (!this.store || this.store.count === 0) return null;
     return this.picked ?? [this.store.newest - this.length, this.store.newest];
@@ -29,29 +29,29 @@ export class Timeline extends EventTarget {
     if (this.paused || !this.live || this.live.count === 0) return;
     this.frozen = this.live.frozen();
     this.picked = [this.frozen.newest - this.length, this.frozen.newest];
-    this.tell();
+    this.update();
   }
 
   resume() {
     this.frozen = this.picked = null;
-    this.tell();
+    this.update();
   }
 
   setLength(length) {
     this.length = length;
     if (this.paused) this.picked = [this.picked[1] - length, this.picked[1]];
-    this.tell();
+    this.update();
   }
 
-  /// Looks at a part more closely; that needs a pause.
+  /// Shows a range; pauses.
   zoom(from, to) {
     this.pause();
     if (!this.paused || !(to - from > 0.02)) return;
     this.picked = [from, to];
-    this.tell();
+    this.update();
   }
 
-  /// Nearer (< 1) or wider (> 1) about a time.
+  /// Zooms in (< 1) or out (> 1) about a time.
   scale(factor, about = null) {
     const range = this.range;
     if (!range) return;
@@ -59,7 +59,7 @@ export class Timeline extends EventTarget {
     this.zoom(centre + (range[0] - centre) * factor, centre + (range[1] - centre) * factor);
   }
 
-  /// Earlier (< 0) or later, in parts of what is shown.
+  /// Shifts earlier (< 0) or later, as a fraction of the range.
   shift(part) {
     const range = this.range;
     if (!range) return;
@@ -71,5 +71,5 @@ export class Timeline extends EventTarget {
     if (this.paused) this.setLength(this.length);
   }
 
-  tell() { this.dispatchEvent(new Event('change')); }
+  update() { this.dispatchEvent(new Event('change')); }
 }

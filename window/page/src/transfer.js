@@ -1,8 +1,8 @@
-// The transfer channel: what the installer is to do, and what becomes of it. All pages of a window see the same.
+// Transfer channel: starts darwinop-install and receives its state and output, shared by all pages of a window.
 
 const kProtocol = 'darwinop-transfer.1';
-const kAgain_ms = 1000, kMore_ms = 30;
-const kLongest = 4000;  // bytes of a request, less than the program takes
+const kRetry_ms = 1000, kMore_ms = 30;
+const kLongest = 4000;  // bytes of a request, below the program's limit
 const kNothing = {runs: false, action: null, status: null};
 
 export class Transfer extends EventTarget {
@@ -10,9 +10,9 @@ export class Transfer extends EventTarget {
     super();
     this.url = url;
     this.state = kNothing;
-    this.known = {robots: [], given: null, controllers: [], examples: [], trouble: ''};
-    this.next = 0;       // line of the console that is not here yet
-    this.asked = null;   // what this page has started last
+    this.known = {robots: [], given: null, controllers: [], examples: [], trouble: ''};  // keep-word: member of the message
+    this.next = 0;       // first console line not received yet
+    this.asked = null;   // last request of this page
     this.open();
   }
 
@@ -24,40 +24,40 @@ export class Transfer extends EventTarget {
     this.socket.onmessage = ({data}) => this.take(JSON.parse(data));
     this.socket.onclose = () => {
       this.dispatchEvent(new Event('change'));
-      setTimeout(() => this.open(), kAgain_ms);
+      setTimeout(() => this.open(), kRetry_ms);
     };
   }
 
-  take(said) {
-    if (said.type === 'lines') return this.takeLines(said);
-    if (said.type === 'refused') return this.dispatchEvent(new CustomEvent('refused', {detail: said.text}));
-    if (said.type === 'known') this.known = said;
-    if (said.type === 'state') this.state = said;
-    return this.dispatchEvent(new CustomEvent(said.type === 'known' ? 'known' : 'change'));
+  take(message) {
+    if (message.type === 'lines') return this.takeLines(message);
+    if (message.type === 'refused') return this.dispatchEvent(new CustomEvent('refused', {detail: message.text}));
+    if (message.type === 'known') this.known = message;
+    if (message.type === 'state') this.state = message;
+    return this.dispatchEvent(new CustomEvent(message.type === 'known' ? 'known' : 'change'));
   }
 
   takeLines({first, lines}) {
     this.dispatchEvent(new CustomEvent('lines', {detail: {lines, missing: first - this.next}}));
     this.next = first + lines.length;
-    setTimeout(() => this.more(), kMore_ms);  // no faster than they can be shown
+    setTimeout(() => this.more(), kMore_ms);  // flow control
   }
 
   more() { this.send({more: this.next}); }
   cancel() { this.send({cancel: true}); }
   forget({address, user}) { this.send({forget: {address, user}}); }
 
-  /// The password goes by itself, in no text, and is for this start alone. A sentence when that cannot be.
+  /// Sends the password as a separate binary message for this start only. Returns an error text or ''.
   start(request, password) {
     const text = JSON.stringify({start: request});
     if (new TextEncoder().encode(text).length > kLongest) return 'Paths and arguments are too long.';
-    if (!this.connected) return 'There is no connection to the program of this window.';
+    if (!this.connected) return 'No connection to the window’s program.';
     this.asked = request;
     if (password) this.socket.send(new TextEncoder().encode(password));
     this.socket.send(text);
     return '';
   }
 
-  send(words) {
-    if (this.connected) this.socket.send(JSON.stringify(words));
+  send(request) {
+    if (this.connected) this.socket.send(JSON.stringify(request));
   }
 }

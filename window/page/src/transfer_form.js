@@ -1,4 +1,4 @@
-// Which robot, how to log in, and which controller. The password stays in this page and is asked for anew in the next one.
+// Forms for robot, login and controller. The password is kept in this page only.
 import {el} from './dom.js';
 
 const kFirst = {address: '192.168.123.1', user: 'darwin', key: '', port: 0};
@@ -16,15 +16,15 @@ export class RobotForm {
     this.address = field('robot-address', 'Address', {size: 13});
     this.user = field('robot-user', 'User', {size: 7});
     this.password = field('robot-password', 'Password', {type: 'password', size: 9, autocomplete: 'new-password'});
-    this.key = field('robot-key', 'Key file', {placeholder: 'none: your usual ones', size: 22});
-    this.port = field('robot-port', 'Port of ssh', {type: 'number', min: 1, max: 65535, placeholder: '22'});
+    this.key = field('robot-key', 'Key file', {placeholder: 'default keys of ssh', size: 22});
+    this.port = field('robot-port', 'ssh port', {type: 'number', min: 1, max: 65535, placeholder: '22'});
     this.forget = el('button', {type: 'button'}, 'Forget this robot');
-    this.trouble = el('p', {className: 'note', role: 'status'});
+    this.error = el('p', {className: 'note', role: 'status'});
     this.usedField = el('div', {className: 'field', hidden: true}, el('label', {htmlFor: 'robot-used'}, 'Used before'), this.used);
     this.details = el('details', {}, el('summary', {}, 'Key, port'),
       el('div', {className: 'choose'}, this.key.node, this.port.node, this.forget));
     this.fields = [this.usedField, this.address.node, this.user.node, this.password.node];
-    this.more = [this.details, this.trouble];
+    this.more = [this.details, this.error];
     for (const {input} of [this.address, this.user, this.password, this.key, this.port])
       input.addEventListener('input', () => { this.typed = true; });
     this.used.addEventListener('change', () => this.fill(this.robots[this.used.selectedIndex]));
@@ -34,12 +34,12 @@ export class RobotForm {
   }
 
   offer() {
-    const {robots, given, trouble} = this.transfer.known, first = this.robots === undefined;
+    const {robots, given, trouble: error} = this.transfer.known, first = this.robots === undefined;  // keep-word
     this.robots = robots;
     this.usedField.hidden = robots.length === 0;
     this.used.replaceChildren(...robots.map((robot) => el('option', {}, robotName(robot))));
-    this.trouble.textContent = trouble;
-    const usual = given ?? robots[0];  // the window's own robot before the last one used
+    this.error.textContent = error;
+    const usual = given ?? robots[0];  // robot of the command line, otherwise the last one used
     if (first && usual && !this.typed) this.fill(usual);
     this.used.selectedIndex = robots.findIndex((robot) => robotName(robot) === robotName(this.robot()));
   }
@@ -63,7 +63,7 @@ export class ControllerForm {
     this.folder = field('controller-folder', 'Folder of the controller', {size: 36});
     this.folder.input.setAttribute('list', 'controller-folders');
     this.folder.node.classList.add('wide');
-    this.arguments = field('controller-arguments', 'Its arguments', {size: 14});
+    this.arguments = field('controller-arguments', 'Arguments', {size: 14});
     this.list = el('datalist', {id: 'controller-folders'});
     this.nodes = [this.folder.node, this.arguments.node, this.list];
     transfer.addEventListener('known', () => this.offer(transfer.known));
@@ -76,5 +76,5 @@ export class ControllerForm {
   }
 
   controller() { return this.folder.input.value.trim(); }
-  words() { return this.arguments.input.value.split(/\s+/).filter((word) => word !== ''); }
+  argumentList() { return this.arguments.input.value.split(/\s+/).filter((word) => word !== ''); }
 }

@@ -1,17 +1,17 @@
-// Transfer: the installer of the command line, driven from the page.
+// Transfer tab: runs darwinop install from the page.
 import {ask} from './ask_dialog.js';
 import {el} from './dom.js';
 import {TransferConsole} from './transfer_console.js';
 import {ControllerForm, RobotForm} from './transfer_form.js';
 import {TransferProgress} from './transfer_progress.js';
 
-// Before these the page asks.
+// Actions that require confirmation.
 const kQuestions = {
   uninstall: ['Remove everything of darwinop from the robot?',
-    ['Versions, controllers, logs and robot.ini with its offsets go; /etc/rc.local is as before. The robot sits down first.'], 'Remove'],
+    ['Deletes versions, controllers, logs and robot.ini with its offsets, and restores /etc/rc.local. The robot sits down first.'], 'Remove'],
   'make-default': ['Start it now and at every boot?',
-    ['The controller is sent, starts now, and from then on whenever the robot is switched on and sits in its start pose, with ' +
-      'nobody at a PC. Mind your fingers.'], 'Make default'],
+    ['Sends the controller and starts it now and whenever the robot is switched on in its start pose, without a PC. ' +
+      'Keep your fingers clear.'], 'Make default'],
 };
 
 export class TransferPane {
@@ -27,14 +27,14 @@ export class TransferPane {
     this.node = el('div', {className: 'pane transfer'},
       this.group('Robot', ...this.robot.fields, this.button('status', 'Connect'), ...this.robot.more),
       this.group('Runtime', this.button('install', 'Install or update'), this.button('rollback', 'Go back by one version'),
-        this.button('uninstall', 'Remove …'), this.check(this.older, 'install an older version, too')),
+        this.button('uninstall', 'Remove …'), this.check(this.older, 'allow an older version')),
       this.group('Controller', ...this.controller.nodes, this.button('run', 'Send and run'), this.button('send', 'Send'),
-        this.button('make-default', 'Make default …'), this.button('no-default', 'No default any more'),
-        this.button('stop', 'Stop what runs'), this.button('logs', 'Logs'),
-        this.check(this.anyhow, 'run it whatever the robot’s pose is: I hold it')),
+        this.button('make-default', 'Make default …'), this.button('no-default', 'Remove default'),
+        this.button('stop', 'Stop'), this.button('logs', 'Logs'),
+        this.check(this.anyhow, 'run in any pose: I hold the robot')),
       this.progress.node, this.console.node);
     transfer.addEventListener('lines', ({detail}) => this.console.add(detail));
-    transfer.addEventListener('refused', ({detail}) => this.progress.say(detail));
+    transfer.addEventListener('refused', ({detail}) => this.progress.showError(detail));
     transfer.addEventListener('change', () => this.change());
     this.change();
   }
@@ -54,14 +54,14 @@ export class TransferPane {
     if (question && !(await ask(...question))) return;
     const request = {action, robot: this.robot.robot()};
     if (['send', 'run', 'make-default'].includes(action)) request.controller = this.controller.controller();
-    if (action === 'run') request.arguments = this.controller.words();
+    if (action === 'run') request.arguments = this.controller.argumentList();
     if ((action === 'run' && this.anyhow.checked) || (action === 'install' && this.older.checked)) request.force = true;
     this.start(request);
   }
 
   start(request) {
-    const trouble = this.transfer.start(request, this.robot.password.input.value);
-    if (trouble) this.progress.say(trouble);
+    const error = this.transfer.start(request, this.robot.password.input.value);
+    if (error) this.progress.showError(error);
     else this.asks = true;
   }
 
@@ -73,22 +73,22 @@ export class TransferPane {
     if (!state.runs && state.status !== null) this.asks = false;
   }
 
-  /// Only the page that has begun it asks, and once.
+  /// Only the page that started the run asks, once.
   async askForKey({host_key: key, robot}) {
     const {asked} = this.transfer;
-    if (asked.host_key) return;  // it has another key than the one that was trusted
+    if (asked.host_key) return;  // the host key differs from the trusted one
     this.asks = false;
     const yes = await ask(`Is this ${robot.address}?`, [
-      'This computer has not met it yet. It says that its key is',
+      'The robot is not known to this computer. Its key fingerprint is',
       el('code', {}, key),
-      'On the robot, ssh-keygen -lf /etc/ssh/ssh_host_ed25519_key.pub shows its own (or the one of another kind there). Straight ' +
-        'from this computer into the robot, by cable, nobody can stand between.'], 'Trust this key');
+      'On the robot, ssh-keygen -lf /etc/ssh/ssh_host_ed25519_key.pub shows its fingerprint (or another ssh_host_*_key.pub there). ' +
+        'A direct cable between this computer and the robot cannot be intercepted.'], 'Trust this key');
     if (yes) this.start({...asked, host_key: key});
   }
 
   begin() {}
   restyle() {}
   draw() {}
-  tell() {}
+  update() {}
   shown(yes) { if (yes) this.console.shown(); }
 }

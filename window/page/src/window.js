@@ -1,4 +1,4 @@
-// The robot window: joins the channel, the record and the panes.
+// Main module of the robot window: connects channels, store and tabs.
 import {CameraPane} from './camera_pane.js';
 import {columnsOf, fillRow} from './columns.js';
 import {ComparePane} from './compare_pane.js';
@@ -23,9 +23,9 @@ import {Timeline} from './timeline.js';
 import {Transfer} from './transfer.js';
 import {TransferPane} from './transfer_pane.js';
 
-const kRate = 62.5;        // Hz, the most that a loop of 16 ms gives
-const kGap_s = 0.25;       // more than this between two states: the curve has a gap
-const kFigures_ms = 200;   // numbers that change faster cannot be read
+const kRate = 62.5;        // Hz, rate of a 16 ms loop
+const kGap_s = 0.25;       // gap in curves if states are further apart
+const kFigures_ms = 200;   // update interval of numbers
 const by = (id) => document.getElementById(id);
 
 const channel = (name) => new URL(name, location.href.replace(/^http/, 'ws'));
@@ -47,10 +47,10 @@ const panes = [
 let shown = servos, view = null, shape = null, joints = [], row = null, newest = null, marks = [];
 const tabs = new Tabs(by('tabs'), by('stage'), panes, (pane) => {
   shown = pane;
-  by('time').hidden = !pane.timed;  // no curves: nothing to pause or look closer at
-  tell();
+  by('time').hidden = !pane.timed;  // only for tabs with curves
+  update();
 });
-const fresh = () => (feed.trouble === null ? newest : null);
+const fresh = () => (feed.problem === null ? newest : null);
 const pose = new PoseDialog(() => ({joints, state: fresh(), body: shape}), () => steering.take());
 new SteerBar(by('steer'), steering, () => pose.ask());
 new TimeBar(by('time'), timeline, () => `darwinop-${new Date().toISOString().slice(0, 19).replace(/[:T]/g, '-')}.csv`);
@@ -61,7 +61,7 @@ feed.addEventListener('hello', ({detail}) => {
   document.title = `${detail.robot ?? 'DARwIn-OP'}, robot window`;
   by('robot').title = [detail.port, detail.runtime].filter(Boolean).join(', ');
   if (joints.length > 0) {
-    if (JSON.stringify(joints) !== JSON.stringify(detail.joints)) location.reload();  // another kind of robot
+    if (JSON.stringify(joints) !== JSON.stringify(detail.joints)) location.reload();  // another robot
     return;
   }
   joints = detail.joints;
@@ -79,7 +79,7 @@ function begin() {
 feed.addEventListener('state', ({detail}) => {
   if (joints.length === 0) return;
   const before = timeline.live.newest;
-  if (detail.time < before) begin();  // another runtime: its clock starts anew
+  if (detail.time < before) begin();  // restarted runtime: new clock
   else if (detail.time - before > kGap_s) addGap(before);
   fillRow(row, detail, joints.length);
   timeline.live.add(row);
@@ -101,23 +101,23 @@ feed.addEventListener('faults', ({detail}) => faults.take(detail));
 feed.addEventListener('notice', ({detail}) => faults.notice(detail));
 feed.addEventListener('gone', () => pills.nothing());
 
-// Where a joint is to be, or is.
+// Goal or position of a joint.
 function goalOf(name) {
   const i = joints.findIndex((joint) => joint.name === name), now = fresh();
   return now === null || i < 0 ? null : now.joints.goal[i] ?? now.joints.position[i];
 }
 
-function tell() {
-  const trouble = feed.trouble, banner = by('banner');
-  banner.hidden = trouble === null;
-  setText(banner, trouble?.text ?? '');
-  setClass(banner, trouble?.mild ? 'warn' : '');
-  document.body.classList.toggle('stale', trouble !== null);
-  if (trouble !== null && !trouble.mild) pills.nothing();
+function update() {
+  const problem = feed.problem, banner = by('banner');
+  banner.hidden = problem === null;
+  setText(banner, problem?.text ?? '');
+  setClass(banner, problem?.mild ? 'warn' : '');
+  document.body.classList.toggle('stale', problem !== null);
+  if (problem !== null && !problem.mild) pills.nothing();
   else if (newest) pills.state(newest, marks.length);
-  if (newest && trouble === null) for (const {pane} of panes) if (pane === shown) pane.tell(newest);
+  if (newest && problem === null) for (const {pane} of panes) if (pane === shown) pane.update(newest);
 }
-setInterval(tell, kFigures_ms);
+setInterval(update, kFigures_ms);
 
 const frames = {count: 0, since: performance.now()};  // for measurements: window.darwinop.frames
 function frame() {
@@ -137,7 +137,7 @@ fetch('body.json').then((answer) => answer.json()).then((body) => {
   shape = body;
   view = new RobotView(by('view'), body);
   new LimbDrag(view, steering, goalOf, (name, angle) => steer.aim(name, angle));
-  setText(by('pose-note'), 'Place on the floor is guessed from the standing foot, lean from accelerometer and gyro.');
-}).catch((error) => setText(by('pose-note'), `No picture of the robot: ${error.message}`));
+  setText(by('pose-note'), 'Position is estimated from the standing foot, lean from accelerometer and gyro.');
+}).catch((error) => setText(by('pose-note'), `No 3D view: ${error.message}`));
 
 window.darwinop = {frames, timeline, feed, steering, compare, get view() { return view; }, get newest() { return newest; }};

@@ -23,8 +23,8 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Says back what it hears.
-struct Echo final : ChannelUser {
+/// Sends every message back.
+struct Echo final : ChannelHandler {
   std::set<Channel*> open;
   int ended = 0;
 
@@ -32,7 +32,7 @@ struct Echo final : ChannelUser {
     open.insert(&channel);
     channel.send(kEvery, std::make_shared<const std::string>("welcome"));
   }
-  void said(Channel& channel, std::string_view message, bool binary) override {
+  void received(Channel& channel, std::string_view message, bool binary) override {
     if (message == "out") return channel.close("asked for");
     const auto bytes = std::make_shared<const std::string>(message);
     binary ? channel.sendBinary(kEvery, bytes) : channel.send(kEvery, bytes);
@@ -43,32 +43,32 @@ struct Echo final : ChannelUser {
   }
 };
 
-class WebServer : public testing::Test {
+class WebServerTest : public testing::Test {
  protected:
-  explicit WebServer(const ServerConfig& config = {})
-      : server_{std::make_unique<Server>(config, [this](const std::string& line) { said_ += line + "\n"; })} {
+  explicit WebServerTest(const WebServerConfig& config = {})
+      : server_{std::make_unique<WebServer>(config, [this](const std::string& line) { log_ += line + "\n"; })} {
     server_->serve("/", {.type = "text/html", .body = "<p>hello"});
     server_->serve("/large", {.type = "text/html", .body = std::string(8 << 20, ' ')});
     server_->channel("/echo", "echo.1", echo_);
   }
   [[nodiscard]] WebClient client(int receive_buffer = 0) {
-    return {server_->port(), [this] { server_->attend(1ms); }, receive_buffer};
+    return {server_->port(), [this] { server_->poll(1ms); }, receive_buffer};
   }
   [[nodiscard]] std::string ask(const std::string& request) { return client().ask(request); }
-  /// A client whose channel is open, past the welcome.
+  /// A client with an open channel that has received the welcome message.
   [[nodiscard]] WebClient observer(int receive_buffer = 0) {
     WebClient peer = client(receive_buffer);
-    EXPECT_THAT(peer.open("/echo", "other, echo.1"), StartsWith("HTTP/1.1 101")) << said_;
-    EXPECT_EQ(peer.hear().value_or(Heard{}).bytes, "welcome");
+    EXPECT_THAT(peer.open("/echo", "other, echo.1"), StartsWith("HTTP/1.1 101")) << log_;
+    EXPECT_EQ(peer.receiveMessage().value_or(ReceivedMessage{}).bytes, "welcome");
     return peer;
   }
 
-  std::string said_;
+  std::string log_;
   Echo echo_;
-  std::unique_ptr<Server> server_;
+  std::unique_ptr<WebServer> server_;
 };
 
-TEST_F(WebServer, ServesItsPagesAndNothingElse) {
+TEST_F(WebServerTest, ServesItsPagesAndNothingElse) {
   const std::string page = ask("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n");
   EXPECT_THAT(page, StartsWith("HTTP/1.1 200"));
   EXPECT_THAT(page, HasSubstr("Content-Type: text/html\r\n"));
@@ -80,7 +80,7 @@ TEST_F(WebServer, ServesItsPagesAndNothingElse) {
   EXPECT_THAT(ask("POST / HTTP/1.1\r\nHost: localhost\r\n\r\n"), StartsWith("HTTP/1.1 405"));
 }
 
-TEST_F(WebServer, RefusesPagesOfOthersAndNamesItDoesNotKnow) {
+TEST_F(WebServerTest, RefusesForeignOriginsAndUnknownHostNames) {
   const std::string evil = "Origin: http://evil.example\r\n";
   EXPECT_THAT(ask(WebClient::upgrade("/echo", "echo.1", evil)), StartsWith("HTTP/1.1 403"));
   EXPECT_THAT(ask(WebClient::upgrade("/echo", "echo.1", {}, "evil.example")), StartsWith("HTTP/1.1 403"));
@@ -92,110 +92,110 @@ TEST_F(WebServer, RefusesPagesOfOthersAndNamesItDoesNotKnow) {
   EXPECT_TRUE(echo_.open.empty());
 }
 
-TEST_F(WebServer, CarriesTextAndBytesBothWays) {
+TEST_F(WebServerTest, CarriesTextAndBytesBothWays) {
   WebClient peer = observer();
   EXPECT_THAT(peer.head(), HasSubstr("Sec-WebSocket-Protocol: echo.1"));
   EXPECT_THAT(peer.head(), HasSubstr("s3pPLMBiTxaQ9kYGzzhZRbK+xOo=")) << "the example of RFC 6455";
-  peer.say("to and fro");
-  const Heard text = peer.hear().value_or(Heard{});
+  peer.send("to and fro");
+  const ReceivedMessage text = peer.receiveMessage().value_or(ReceivedMessage{});
   EXPECT_EQ(text.opcode, 1);
   EXPECT_EQ(text.bytes, "to and fro");
-  peer.say(std::string("\0\xff", 2), 2);
-  const Heard bytes = peer.hear().value_or(Heard{});
+  peer.send(std::string("\0\xff", 2), 2);
+  const ReceivedMessage bytes = peer.receiveMessage().value_or(ReceivedMessage{});
   EXPECT_EQ(bytes.opcode, 2);
   EXPECT_EQ(bytes.bytes, std::string("\0\xff", 2));
-  peer.say("are you there", 9);
-  EXPECT_EQ(peer.hear().value_or(Heard{}).opcode, 10);
+  peer.send("are you there", 9);
+  EXPECT_EQ(peer.receiveMessage().value_or(ReceivedMessage{}).opcode, 10);
 }
 
-TEST_F(WebServer, ShowsOutWhoSaysTooMuch) {
+TEST_F(WebServerTest, DisconnectsAPeerThatSendsTooMuch) {
   WebClient wordy = observer(), hasty = observer(), third = observer();
-  wordy.say(std::string(4097, 'x'));
+  wordy.send(std::string(4097, 'x'));
   EXPECT_TRUE(wordy.atEnd());
-  for (int i = 0; i < 60; ++i) hasty.say("x");
+  for (int i = 0; i < 60; ++i) hasty.send("x");
   EXPECT_TRUE(hasty.atEnd());
-  EXPECT_THAT(said_, HasSubstr("too many messages"));
-  third.say("out");
-  EXPECT_EQ(third.hear().value_or(Heard{}).opcode, 8);
+  EXPECT_THAT(log_, HasSubstr("too many messages"));
+  third.send("out");
+  EXPECT_EQ(third.receiveMessage().value_or(ReceivedMessage{}).opcode, 8);
   EXPECT_TRUE(third.atEnd());
-  for (WebClient* peer : {&wordy, &hasty, &third}) peer->leave();
-  for (int i = 0; i < 5000 && echo_.ended < 3; ++i) server_->attend(1ms);
-  EXPECT_EQ(echo_.ended, 3) << said_;
+  for (WebClient* peer : {&wordy, &hasty, &third}) peer->disconnect();
+  for (int i = 0; i < 5000 && echo_.ended < 3; ++i) server_->poll(1ms);
+  EXPECT_EQ(echo_.ended, 3) << log_;
 }
 
-TEST_F(WebServer, HasAPlaceForEightAndOneAgainWhenOneLeaves) {
+TEST_F(WebServerTest, AcceptsEightChannelsAndOneMoreWhenOneDisconnects) {
   std::vector<WebClient> peers;
   peers.reserve(8);
   for (int i = 0; i < 8; ++i) peers.push_back(observer());
   EXPECT_THAT(ask(WebClient::upgrade("/echo", "echo.1")), StartsWith("HTTP/1.1 503"));
-  peers[3].leave();
-  for (int i = 0; i < 5000 && echo_.open.size() == 8; ++i) server_->attend(1ms);
+  peers[3].disconnect();
+  for (int i = 0; i < 5000 && echo_.open.size() == 8; ++i) server_->poll(1ms);
   (void)observer();
 }
 
-TEST_F(WebServer, LosesMessagesOfASlowPeerAloneAndNothingWaits) {
+TEST_F(WebServerTest, DropsMessagesOfTheSlowPeerOnlyAndNeverBlocks) {
   constexpr int kMessages = 300;
   WebClient slow = observer(4096);
   Channel* const slow_channel = *echo_.open.begin();
   WebClient quick = observer();
   const std::string filling(20'000, ' ');
-  int heard = 0;
+  int received = 0;
   for (int i = 1; i <= kMessages; ++i) {
     const auto message = std::make_shared<const std::string>(std::to_string(i) + filling);
     for (Channel* channel : echo_.open) channel->send(0, message);
-    heard += quick.hear().value_or(Heard{}).bytes == *message ? 1 : 0;
+    received += quick.receiveMessage().value_or(ReceivedMessage{}).bytes == *message ? 1 : 0;
   }
-  EXPECT_EQ(heard, kMessages);
+  EXPECT_EQ(received, kMessages);
   EXPECT_GT(slow_channel->lost(), kMessages / 2u);
   std::uint64_t got = 0;
   int last = 0;
   while (last < kMessages) {
-    const std::optional<Heard> late = slow.hear();
+    const std::optional<ReceivedMessage> late = slow.receiveMessage();
     ASSERT_TRUE(late.has_value());
     const int number = std::stoi(late->bytes);
     EXPECT_GT(number, last) << "never an older one";
     last = number;
     ++got;
   }
-  EXPECT_EQ(got + slow_channel->lost(), kMessages) << "the newest one comes in the end, and all are accounted for";
+  EXPECT_EQ(got + slow_channel->lost(), kMessages) << "the newest message arrives last, and received plus lost is complete";
 }
 
-TEST_F(WebServer, TellsOfTheEndOnceWhenItEndsItself) {
+TEST_F(WebServerTest, ReportsTheEndOfAChannelOnceWhenTheServerIsDestroyed) {
   const WebClient peer = observer();
   server_.reset();
   EXPECT_EQ(echo_.ended, 1);
 }
 
-TEST_F(WebServer, NewPagesGetInHoweverManyConnectionsAreHeldOpen) {
+TEST_F(WebServerTest, ServesNewClientsHoweverManyConnectionsAreHeldOpen) {
   WebClient before = observer();
   std::vector<WebClient> held;
   held.reserve(120);
   for (int i = 0; i < 120; ++i) {
     held.push_back(client());
-    // Silent, slow, or one that does not fetch its answer.
+    // Silent, slow, or not reading its response.
     held.back().raw(i % 3 == 0   ? ""
                     : i % 3 == 1 ? "GET / HTTP/1.1\r\nHo"
                                  : "GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
-    for (int turn = 0; turn < 3; ++turn) server_->attend(1ms);
+    for (int turn = 0; turn < 3; ++turn) server_->poll(1ms);
     if (i % 10 == 9) {
       EXPECT_THAT(ask("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), StartsWith("HTTP/1.1 200")) << i;
     }
   }
   (void)observer();
-  before.say("still here");
-  EXPECT_EQ(before.hear().value_or(Heard{}).bytes, "still here") << said_;
-  EXPECT_THAT(said_, HasSubstr("has to go for a newer connection"));
+  before.send("still here");
+  EXPECT_EQ(before.receiveMessage().value_or(ReceivedMessage{}).bytes, "still here") << log_;
+  EXPECT_THAT(log_, HasSubstr("to make room for a newer connection"));
 }
 
-/// Takes messages and keeps nothing.
-struct Nowhere final : ChannelUser {
+/// Counts messages without storing them.
+struct Nowhere final : ChannelHandler {
   int taken = 0;
   void opened(Channel&) override {}
-  void said(Channel&, std::string_view, bool) override { ++taken; }
+  void received(Channel&, std::string_view, bool) override { ++taken; }
   void closed(Channel&) noexcept override {}
 };
 
-/// How often this process' memory has the text that is `reversed` when it is read backwards.
+/// How often this process' writable memory contains the text whose reverse is `reversed`.
 int timesInMemory(const std::string& reversed) {
   static std::array<char, 1 << 20> piece;
   int times = 0;
@@ -223,7 +223,7 @@ int timesInMemory(const std::string& reversed) {
   return times;
 }
 
-TEST_F(WebServer, KeepsNothingOfAMessageThatWasRead) {
+TEST_F(WebServerTest, LeavesNoCopyOfAReceivedMessageInMemory) {
   Nowhere nowhere;
   server_->channel("/nowhere", "nowhere.1", nowhere);
   const std::string reversed = "drowssap suoregnad 7391";
@@ -231,54 +231,54 @@ TEST_F(WebServer, KeepsNothingOfAMessageThatWasRead) {
   if (page == 0) {
     WebClient peer{server_->port(), [] { usleep(1000); }};
     (void)peer.open("/nowhere", "nowhere.1");
-    peer.say(std::string{reversed.rbegin(), reversed.rend()}, 2);
+    peer.send(std::string{reversed.rbegin(), reversed.rend()}, 2);
     (void)peer.atEnd();
     _exit(0);
   }
-  for (int i = 0; i < 5000 && nowhere.taken == 0; ++i) server_->attend(1ms);
-  for (int i = 0; i < 3; ++i) server_->attend(1ms);
+  for (int i = 0; i < 5000 && nowhere.taken == 0; ++i) server_->poll(1ms);
+  for (int i = 0; i < 3; ++i) server_->poll(1ms);
   EXPECT_EQ(nowhere.taken, 1);
   EXPECT_EQ(timesInMemory(reversed), 0);
   std::string present{reversed.rbegin(), reversed.rend()};
   EXPECT_GT(timesInMemory(reversed), 0) << "the search finds what is there: " << present;
   kill(page, SIGKILL);
   waitpid(page, nullptr, 0);
-  server_.reset();  // its user goes now
+  server_.reset();  // its handler is destroyed next
 }
 
-class HastyWebServer : public WebServer {
+class HastyWebServerTest : public WebServerTest {
  protected:
-  HastyWebServer() : WebServer{{.most_connections = 2, .greeting = 20ms, .patience = 40ms}} {}
+  HastyWebServerTest() : WebServerTest{{.max_connections = 2, .handshake_timeout = 20ms, .idle_timeout = 40ms}} {}
 };
 
-TEST_F(HastyWebServer, DoesNotWaitForThoseWhoSayNothing) {
+TEST_F(HastyWebServerTest, ClosesConnectionsThatSendNoRequest) {
   WebClient silent = client(), slow = client();
   slow.raw("GET / HTTP/1.1\r\nHo");
   EXPECT_TRUE(silent.atEnd());
   EXPECT_TRUE(slow.atEnd());
 }
 
-TEST_F(HastyWebServer, ShowsOutWhoAnswersNoPing) {
+TEST_F(HastyWebServerTest, DisconnectsAPeerThatAnswersNoPing) {
   const WebClient dead = observer();
-  for (int i = 0; i < 5000 && echo_.ended == 0; ++i) server_->attend(2ms);
+  for (int i = 0; i < 5000 && echo_.ended == 0; ++i) server_->poll(2ms);
   EXPECT_EQ(echo_.ended, 1);
 }
 
-TEST_F(HastyWebServer, ClosesTheDoorToMoreThanItCanServe) {
+TEST_F(HastyWebServerTest, RefusesConnectionsBeyondTheLimit) {
   const WebClient first = observer(), second = observer();
   WebClient third = client();
   EXPECT_TRUE(third.atEnd());
-  EXPECT_THAT(said_, HasSubstr("has to go"));
+  EXPECT_THAT(log_, HasSubstr("connections are open"));
 }
 
-class ForeignWebServer : public WebServer {
+class ForeignWebServerTest : public WebServerTest {
  protected:
-  ForeignWebServer() : WebServer{{.allowed = {{0x0A000000, 0xFF000000}}}} {}
+  ForeignWebServerTest() : WebServerTest{{.allowed = {{0x0A000000, 0xFF000000}}}} {}
 };
 
-TEST_F(ForeignWebServer, LetsInOnlyTheNetworksThatAreNamed) {
+TEST_F(ForeignWebServerTest, AcceptsOnlyTheAllowedNetworks) {
   EXPECT_EQ(ask("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), "");
-  EXPECT_THAT(said_, HasSubstr("may not come in"));
+  EXPECT_THAT(log_, HasSubstr("not in a network given with --allow"));
 }
 
 }  // namespace

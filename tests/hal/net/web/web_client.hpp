@@ -1,5 +1,5 @@
-// A WebSocket client by hand (RFC 6455), so that server and test share no mistake. Never waits by itself: between two
-// looks at its socket it calls what the test gives it.
+// WebSocket client for tests, written from RFC 6455 without Boost.Beast, so that server and test share no bug. Waiting
+// for bytes, it calls a function of the test, usually Server::poll().
 #pragma once
 
 #include <arpa/inet.h>
@@ -18,7 +18,7 @@
 
 namespace darwinop::web {
 
-struct Heard {
+struct ReceivedMessage {
   int opcode = 0;  // 1 text, 2 binary, 8 close, 9 ping, 10 pong
   std::string bytes;
 };
@@ -27,7 +27,7 @@ class WebClient {
  public:
   using Meanwhile = std::function<void()>;
 
-  /// `receive_buffer`: bytes that the kernel keeps for this client, 0: as usual.
+  /// `receive_buffer`: size of the kernel's receive buffer in bytes; 0: the default.
   WebClient(std::uint16_t port, Meanwhile meanwhile, int receive_buffer = 0)
       : meanwhile_{std::move(meanwhile)}, socket_{::socket(AF_INET, SOCK_STREAM, 0)} {
     if (receive_buffer > 0)
@@ -36,7 +36,7 @@ class WebClient {
     name.sin_family = AF_INET;
     name.sin_port = htons(port);
     name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    open_ = connect(socket_.descriptor(), reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0;
+    open_ = ::connect(socket_.descriptor(), reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0;
     (void)fcntl(socket_.descriptor(), F_SETFL, O_NONBLOCK);
   }
 
@@ -44,10 +44,10 @@ class WebClient {
     (void)::send(socket_.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
     meanwhile_();
   }
-  /// The whole answer to a request that is no WebSocket's.
+  /// The whole response to an HTTP request that is not an upgrade.
   std::string ask(const std::string& request) {
     raw(request);
-    while (look()) {
+    while (waitForBytes()) {
     }
     return std::exchange(bytes_, {});
   }
@@ -58,10 +58,10 @@ class WebClient {
            "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n" +
            (subprotocol.empty() ? "" : "Sec-WebSocket-Protocol: " + subprotocol + "\r\n") + more + "\r\n";
   }
-  /// The status line of the answer; the client is an open channel when it begins with "HTTP/1.1 101".
+  /// The status line of the response; "HTTP/1.1 101" means that the channel is open.
   std::string open(const std::string& path, const std::string& subprotocol, const std::string& more = {}) {
     raw(upgrade(path, subprotocol, more));
-    while (bytes_.find("\r\n\r\n") == std::string::npos && look()) {
+    while (bytes_.find("\r\n\r\n") == std::string::npos && waitForBytes()) {
     }
     const std::size_t end = bytes_.find("\r\n\r\n");
     head_ = bytes_.substr(0, end);
@@ -70,7 +70,7 @@ class WebClient {
   }
   [[nodiscard]] const std::string& head() const { return head_; }
 
-  void say(const std::string& text, int opcode = 1) {
+  void send(const std::string& text, int opcode = 1) {
     std::string frame{static_cast<char>(0x80 | opcode)};
     const std::size_t size = text.size();
     frame += static_cast<char>(0x80 | (size < 126 ? size : 126));
@@ -81,38 +81,37 @@ class WebClient {
     raw(frame);
   }
 
-  /// The next message, as it came; pings and farewells are answered. Nothing: the connection is at its end, or nothing
-  /// comes for 10 s.
-  std::optional<Heard> hear() {
+  /// The next message; answers pings and close frames. Nullopt: the connection has ended, or nothing arrives for 10 s.
+  std::optional<ReceivedMessage> receiveMessage() {
     for (;;) {
-      if (auto heard = next()) {
-        if (heard->opcode == 9) say(heard->bytes, 10);
-        if (heard->opcode == 8) say(heard->bytes, 8);
-        if (heard->opcode != 9) return heard;
-      } else if (!look()) {
+      if (auto message = next()) {
+        if (message->opcode == 9) send(message->bytes, 10);
+        if (message->opcode == 8) send(message->bytes, 8);
+        if (message->opcode != 9) return message;
+      } else if (!waitForBytes()) {
         return std::nullopt;
       }
     }
   }
-  /// One that is there already.
-  std::optional<Heard> hearNow() {
-    (void)receive();
+  /// The next message if it has arrived already.
+  std::optional<ReceivedMessage> receiveNow() {
+    (void)readSocket();
     return next();
   }
-  /// All that is there already, as it came.
-  const std::string& unheard() {
-    (void)receive();
+  /// All bytes that have arrived and were not parsed.
+  const std::string& pendingBytes() {
+    (void)readSocket();
     return bytes_;
   }
-  /// Hears and throws away until the end. False: there is none within 10 s.
+  /// Discards messages until the connection ends. False: it does not end within 10 s.
   bool atEnd() {
-    while (hear()) {
+    while (receiveMessage()) {
     }
     return !open_;
   }
   [[nodiscard]] bool connected() const { return open_; }
-  void leave() { socket_.close(); }
-  /// Says that nothing more will come, then breaks off: no port is left waiting for stray packets.
+  void disconnect() { socket_.close(); }
+  /// Half-closes, then resets the connection: leaves no port in TIME_WAIT.
   void breakOff() {
     (void)shutdown(socket_.descriptor(), SHUT_WR);
     meanwhile_();
@@ -122,7 +121,7 @@ class WebClient {
   }
 
  private:
-  std::optional<Heard> next() {
+  std::optional<ReceivedMessage> next() {
     if (bytes_.size() < 2) return std::nullopt;
     const auto at = [this](std::size_t i) { return static_cast<std::uint8_t>(bytes_[i]); };
     std::size_t head = 2, size = at(1) & 0x7F;
@@ -131,20 +130,20 @@ class WebClient {
     if (more > 0) size = 0;
     for (std::size_t i = 0; i < more; ++i) size = size << 8 | at(head++);
     if (bytes_.size() < head + size) return std::nullopt;
-    Heard heard{at(0) & 0x0F, bytes_.substr(head, size)};
+    ReceivedMessage message{at(0) & 0x0F, bytes_.substr(head, size)};
     bytes_.erase(0, head + size);
-    return heard;
+    return message;
   }
-  /// Waits for more bytes. False: none will come.
-  bool look() {
+  /// Waits for more bytes. False: the connection has ended or 10 s are over.
+  bool waitForBytes() {
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds{10};
     while (open_ && std::chrono::steady_clock::now() < give_up) {
-      if (receive()) return true;
+      if (readSocket()) return true;
       if (open_) meanwhile_();
     }
     return false;
   }
-  bool receive() {
+  bool readSocket() {
     std::array<char, 65536> piece;
     const ssize_t count = recv(socket_.descriptor(), piece.data(), piece.size(), 0);
     if (count > 0) bytes_.append(piece.data(), static_cast<std::size_t>(count));

@@ -1,0 +1,172 @@
+// Drive session: takeover, requests, heartbeat, end.
+#include "window/drive_session.hpp"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace darwinop {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+
+struct FakeDrive final : window::DriveInterface {
+  void start() override {
+    now = {.state = refusal.empty() ? State::kDriving : State::kFree, .why = refusal};
+    end = "";
+  }
+  void request(const window::DriveRequests& requests) override { requested.push_back(requests); }
+  void stop() override { endSession("stop"); }
+  void finish() override { endSession("leave"); }
+  Report report() override { return now; }
+  void endSession(const char* how) {
+    now = {};
+    end = how;
+  }
+
+  Report now{};
+  std::string refusal, end;
+  std::vector<window::DriveRequests> requested;
+};
+
+struct Page final : web::Channel {
+  const std::string& name() const override { return who; }
+  void send(web::Lane, web::Bytes text) override { received = *text; }
+  void sendBinary(web::Lane, web::Bytes) override {}
+  void discardQueued() override {}
+  std::uint64_t lost() const override { return 0; }
+  void close(const std::string&) override {}
+
+  std::string received, who = "page";
+};
+
+struct WindowDriveSession : testing::Test {
+  void take() {
+    session.received(page, R"({"take": true})", false);
+    session.update();
+  }
+  void send(const char* request) {
+    session.received(page, request, false);
+    session.update();
+  }
+
+  Nanos now{0};
+  FakeDrive drive;
+  Page page, other;
+  window::DriveSession session{drive, [this] { return now; }};
+};
+
+TEST_F(WindowDriveSession, IgnoresRequestsBeforeTheTakeover) {
+  send(R"({"goals": {"Neck": 0.3}})");
+  EXPECT_TRUE(drive.requested.empty());
+}
+
+TEST_F(WindowDriveSession, RequestsTheNewestGoalOnce) {
+  take();
+  EXPECT_THAT(page.received, HasSubstr(R"("yours":true)"));
+  session.received(page, R"({"goals": {"Neck": 0.1}})", false);
+  send(R"({"goals": {"Neck": 0.3}})");
+  EXPECT_EQ(drive.requested.back().goals[index(Joint::kNeck)].value_or(Rad{}).value, 0.3);
+  session.update();
+  EXPECT_FALSE(drive.requested.back().goals[index(Joint::kNeck)]);
+}
+
+TEST_F(WindowDriveSession, AWalkLastsWhileThePageRequestsIt) {
+  take();
+  send(R"({"walk": {"x": 0.5, "a": -3}})");
+  session.update();
+  ASSERT_TRUE(drive.requested.back().walk);
+  EXPECT_EQ(drive.requested.back().walk->x, 0.5);
+  EXPECT_EQ(drive.requested.back().walk->a, -1);
+  send("{}");
+  EXPECT_FALSE(drive.requested.back().walk);
+}
+
+TEST_F(WindowDriveSession, RequestsPagesAndTorqueOnceAndSendsTheStatus) {
+  take();
+  send(R"({"page": 9, "torque": {"left_arm": false}})");
+  EXPECT_EQ(drive.requested.back().page, 9);
+  EXPECT_EQ(drive.requested.back().torque[1], false);
+  session.update();
+  EXPECT_EQ(drive.requested.back().page, 0);
+  EXPECT_FALSE(drive.requested.back().torque[1]);
+  drive.now.status = {.page = 9, .limp = 2, .refused = "no"};
+  session.update();
+  EXPECT_THAT(page.received, HasSubstr(R"("limp":["left_arm"],"page":9,"refused":"no")"));
+}
+
+TEST_F(WindowDriveSession, RefusesASecondPage) {
+  take();
+  session.received(other, R"({"take": true, "goals": {"Neck": 0.3}})", false);
+  EXPECT_THAT(other.received, HasSubstr("another page drives"));
+  session.received(other, R"({"stop": true})", false);
+  session.update();
+  EXPECT_FALSE(drive.requested.back().goals[index(Joint::kNeck)]);
+  EXPECT_EQ(drive.end, "");
+}
+
+TEST_F(WindowDriveSession, StopHoldsAtOnceAndALostPageCompletesItsStep) {
+  take();
+  send(R"({"stop": true})");
+  EXPECT_EQ(drive.end, "stop");
+  take();
+  send(R"({"leave": true})");
+  EXPECT_EQ(drive.end, "leave");
+
+  take();
+  now += window::DriveSession::kHeartbeatTimeout;
+  session.update();
+  EXPECT_EQ(drive.end, "");
+  now += 1ms;
+  session.update();
+  EXPECT_EQ(drive.end, "leave");
+  EXPECT_THAT(page.received, HasSubstr("No heartbeat"));
+
+  take();
+  session.closed(page);
+  EXPECT_EQ(drive.end, "leave");
+  EXPECT_FALSE(session.drives());
+}
+
+TEST_F(WindowDriveSession, RefusesATakeoverWhileTheRobotComesToRest) {
+  drive.now.state = window::DriveInterface::State::kEnding;
+  take();
+  EXPECT_FALSE(session.drives());
+  EXPECT_THAT(page.received, HasSubstr("coming to rest"));
+}
+
+TEST_F(WindowDriveSession, AnInvalidRequestDoesNotCountAsAHeartbeat) {
+  take();
+  now += window::DriveSession::kHeartbeatTimeout;
+  for (const char* nonsense :
+       {"", "[]", "{", R"({"take": 1})", R"({"goals": [1]})", R"({"goals": {"Nose": 1}})",
+        R"({"goals": {"Neck": "up"}})", R"({"goals": {"Neck": null}})", R"({"walk": {"z": 1}})",
+        R"({"walk": {"x": "1"}})", R"({"walk": 1})", R"({"page": 0})", R"({"page": 256})", R"({"page": 1.5})",
+        R"({"torque": {"tail": true}})", R"({"torque": {"head": 1}})", R"({"leave": 1})", "\xff\xfe"}) {
+    session.received(page, nonsense, false);
+    EXPECT_THAT(page.received, testing::Not(HasSubstr(R"("text":"")"))) << nonsense;
+  }
+  session.received(page, "{}", true);
+  now += 1ms;
+  session.update();
+  EXPECT_EQ(drive.end, "leave");
+}
+
+TEST_F(WindowDriveSession, ReportsARefusedLeaseAndAFaultAsText) {
+  drive.refusal = "another controller drives";
+  take();
+  EXPECT_THAT(page.received, HasSubstr("another controller drives"));
+  EXPECT_FALSE(session.drives());
+  drive.refusal.clear();
+  take();
+  drive.now = {.why = "the supply is under 10.0 V"};
+  session.update();
+  EXPECT_THAT(page.received, HasSubstr("under 10.0 V"));
+  EXPECT_FALSE(session.drives());
+}
+
+}  // namespace
+}  // namespace darwinop
