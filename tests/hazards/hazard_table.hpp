@@ -252,7 +252,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "remote_client_test:TcpLinkTest.EscapesControlCharactersInTextOfAServer"},
     {"H706", "The start waits for ever", "settings in a pipe or endless device",
      "only regular files up to 1 MB are read", "refused with a message",
-     "settings_test:TextFile.APipeWithoutAWriterIsRefusedAtOnce"},
+     "hal_test:TextFile.APipeWithoutAWriterIsRefusedAtOnce"},
 });
 
 }  // namespace darwinop
