@@ -158,7 +158,8 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "both are tested at start", "refused with a message",
      "serial_test:StartPolicy.ARobotIsReportedDrivableExactlyWhenALoopDrivesIt"},
     {"H214", "Servo data stop without visible reason", "the port was left with XON/XOFF",
-     "the port starts from a known state", "all flags are set", "serial_test:OpenSerial.ClearsEveryFlagOfThePreviousOwner"},
+     "the port starts from a known state", "all flags are set",
+     "serial_test:OpenSerial.ClearsEveryFlagOfThePreviousOwner"},
     {"H310", "Many joints jump after a brown-out", "brief supply loss of a chain or all servos",
      "torque on only at the present position, with a speed limit", "held after one missed answer, then taken over",
      "campaign_test:CorrelatedFaults.ServosThatLoseTheirSupplyTogetherComeBackWithoutAJump "
@@ -246,13 +247,14 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "user darwinop",
      "supervisor_test:Begin.RootIsRejectedUnlessRobotIniAllowsIt runtime_test:Users.ThereIsNoWayBackToRoot"},
     {"H704", "STOP is not reachable", "32 silent connections", "new pages are always accepted",
-     "the oldest silent connection closes", "remote_web_test:WebServerTest.ServesNewClientsHoweverManyConnectionsAreHeldOpen"},
+     "the oldest silent connection closes",
+     "remote_web_test:WebServerTest.ServesNewClientsHoweverManyConnectionsAreHeldOpen"},
     {"H705", "Remote text controls the terminal", "escape sequences in a server's message",
      "remote text is never interpreted", "control characters escaped",
      "remote_client_test:TcpLinkTest.EscapesControlCharactersInTextOfAServer"},
     {"H706", "The start waits for ever", "settings in a pipe or endless device",
      "only regular files up to 1 MB are read", "refused with a message",
-     "settings_test:TextFile.APipeWithoutAWriterIsRefusedAtOnce"},
+     "hal_test:TextFile.APipeWithoutAWriterIsRefusedAtOnce"},
 });
 
 }  // namespace darwinop

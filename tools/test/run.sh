@@ -63,6 +63,7 @@ build_ahead() { # STAGE...
     for stage in "$@"; do
       preset=$(builds_of "$stage")
       [ -f "build/ahead/${preset%% *}" ] || continue  # nothing to build, or built for an earlier stage
+      kill -0 $$ || exit  # run.sh itself has ended
       # shellcheck disable=SC2086  # words
       build $preset || :  # the stage that needs it tries once more and shows why
       rm -f "build/ahead/${preset%% *}"
@@ -78,6 +79,9 @@ stop_ahead() {
   fi
 }
 trap stop_ahead EXIT
+trap 'exit 129' HUP
+trap 'exit 130' INT
+trap 'exit 143' TERM
 
 # Sets $spent: processor time of all programs that have ended, in seconds.
 count_spent() {
