@@ -60,13 +60,13 @@ void TcpLink::send(std::uint64_t cycle) {
   request.camera = picture_asked_ = pictures_.areDue();
   request.extended = extended_;
   if (extended_)
-    request.extension = {.until_cycle = has_first_reply_ ? cycle - cycle_ahead_ : 0,
+    request.extension = {.until_cycle = isConnected(state_) ? cycle - cycle_ahead_ : 0,
                          .fault_resets = commands_.fault_resets,
                          .picture = pictures_.held(),
                          .start_where_it_is = commands_.start_where_it_is || reconnected_,
                          .only_if_up = was_driven_,
                          .unattended = commands_.unattended || unattended_ || reconnected_};
-  if (!extended_ || !has_first_reply_) requestAllSensors(request);
+  if (!extended_ || !isConnected(state_)) requestAllSensors(request);
   sent_ = clock_.now();
   exchanged_for_ = cycle;
   connection_.send(request);
@@ -86,12 +86,14 @@ bool TcpLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
     // Counted from the request if that was later: a controller that computed for long still gets its reply.
     const Nanos until = hasImage(cycle) ? image_at_ : std::max(expected(cycle), sent_) + replyGrace();
     const Nanos left = until - clock_.now();
-    if (hasImage(cycle) && left <= Nanos{0})
+    if (hasImage(cycle) && left <= Nanos{0}) {
       shown_ = image_;
-    else if (real_time_ && left <= Nanos{0})
+    } else if (real_time_ && left <= Nanos{0}) {
+      state_ = next(state_, TcpEvent::kReplyLate);
       ageShownImage();
-    else
+    } else {
       receive(real_time_ ? std::min(left, kStopCheck) : kStopCheck);
+    }
   }
   return false;
 }
@@ -99,7 +101,7 @@ bool TcpLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
 /// A server with the extension is polled until it has reached this cycle; another one gets one request per step.
 bool TcpLink::mustRequest(std::uint64_t cycle) const {
   if (connection_.awaitsReply() || hasImage(cycle)) return false;
-  return extended_ || !has_first_reply_ || exchanged_for_ < cycle;
+  return extended_ || !isConnected(state_) || exchanged_for_ < cycle;
 }
 
 /// Local time at which the cycle is due.
@@ -109,12 +111,12 @@ Nanos TcpLink::expected(std::uint64_t cycle) const {
 
 /// Grace period for a late reply. None after a missed one: the following steps keep their time, without new values.
 Nanos TcpLink::replyGrace() const {
-  return is_lost_ || is_overdue_ ? Nanos{0} : kLateReply;
+  return state_ == TcpState::kLost || state_ == TcpState::kLate ? Nanos{0} : kLateReply;
 }
 
 void TcpLink::take(const Reply& reply) {
-  const bool first = !std::exchange(has_first_reply_, true);
-  is_overdue_ = false;
+  const TcpState before = std::exchange(state_, next(state_, TcpEvent::kReply));
+  const bool first = !isConnected(before);
   if (!reply.extension) {
     extended_ = false;
     takeLegacy(reply, first);
@@ -126,7 +128,7 @@ void TcpLink::take(const Reply& reply) {
   }
   if (picture_asked_) pictures_.take(reply, now());
   if (real_time_) checkSpeed(reply);
-  if (std::exchange(is_lost_, false) && logs_loss_)
+  if (before == TcpState::kLost && logs_loss_)
     log(name() + " is connected again; the robot continues from its present position");
 }
 
@@ -176,12 +178,11 @@ void TcpLink::takeLegacy(const Reply& reply, bool first) {
 
 /// Without a new image: the last one, aged by the cycles since then.
 void TcpLink::ageShownImage() {
-  is_overdue_ = true;
   shown_ = image_;
   if (!real_time_) return;
   const Nanos elapsed = std::max(Nanos{0}, clock_.now() - image_at_);
   ageImage(shown_, static_cast<std::uint64_t>(elapsed / period_), period_);
-  if (is_lost_) shown_.safety.state = State::kOffline;
+  if (state_ == TcpState::kLost) shown_.safety.state = State::kOffline;
 }
 
 void TcpLink::checkSpeed(const Reply& reply) {

@@ -12,6 +12,7 @@
 #include "remote/client/connection.hpp"
 #include "remote/client/link_speed.hpp"
 #include "remote/client/pictures.hpp"
+#include "remote/client/tcp_states.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/fault_announcer.hpp"
 #include "runtime/names.hpp"
@@ -84,9 +85,10 @@ class TcpLink final : public runtime::RobotLink {
   Commands commands_{};
   bool was_driven_ = false;  // the robot has been under torque in this session
   bool unattended_ = runtime::startedUnattended();
-  bool has_commands_ = false, is_lost_ = false, reconnected_ = false;
-  bool extended_ = true;          // the server supports the extension; assumed until a reply lacks it
-  bool has_first_reply_ = false;  // the first reply of this connection has been received
+  TcpState state_ = TcpState::kFirstContact;
+  bool has_commands_ = false;
+  bool reconnected_ = false;  // a connection has been lost in this session
+  bool extended_ = true;      // the server supports the extension; assumed until a reply lacks it
   bool real_time_ = true;
   bool ends_session_ = true;
   Nanos period_{16'000'000};
@@ -102,7 +104,6 @@ class TcpLink final : public runtime::RobotLink {
   std::optional<Nanos> loss_logged_at_;  // when a loss was logged last
   std::uint64_t exchanged_for_ = 0;      // cycle of the last request
   bool picture_asked_ = false;           // in the last request
-  bool is_overdue_ = false;              // the reply has missed its grace period
   std::string why_ended_;
 };
 

@@ -45,7 +45,7 @@ void TcpLink::connect() {
 void TcpLink::awaitFirstReply() {
   send(0);
   const Nanos give_up = clock_.now() + options_.connect_timeout;
-  while (!has_first_reply_) {
+  while (!isConnected(state_)) {
     if (!connection_.wait(std::max(Nanos{0}, give_up - clock_.now())))
       throw std::runtime_error("interrupted before the robot was ready");
     if (const auto reply = connection_.reply()) take(*reply);
@@ -67,15 +67,16 @@ void TcpLink::awaitFirstReply() {
 void TcpLink::receive(Nanos longest) {
   (void)connection_.wait(longest);
   if (const auto reply = connection_.reply()) take(*reply);
-  const Nanos patience = has_first_reply_ ? options_.reply_timeout : options_.connect_timeout;
+  const Nanos patience = isConnected(state_) ? options_.reply_timeout : options_.connect_timeout;
   if (connection_.awaitsReply() && clock_.now() - sent_ > patience)
     connection_.close("no reply for " + inSeconds(patience));
   detectLoss();
 }
 
 void TcpLink::detectLoss() {
-  if (connection_.state() == Connection::State::kOpen || is_lost_ || !why_ended_.empty()) return;
-  is_lost_ = reconnected_ = true;
+  if (connection_.state() == Connection::State::kOpen || state_ == TcpState::kLost || !why_ended_.empty()) return;
+  state_ = next(state_, TcpEvent::kConnectionLost);
+  reconnected_ = true;
   lost_since_ = clock_.now();
   attempted_ = lost_since_ - kBetween;                                             // the first attempt is made at once
   logs_loss_ = !loss_logged_at_ || lost_since_ - *loss_logged_at_ > kLogInterval;  // limits the log for a loose cable
@@ -100,7 +101,6 @@ void TcpLink::reconnect() {
   }
   if (now - attempted_ < kBetween) return;
   attempted_ = now;
-  has_first_reply_ = false;
   extended_ = true;
   command_delta_.forget();
   pictures_.forgetHeld();
@@ -115,7 +115,7 @@ void TcpLink::leaveHolding() {
 
 /// The 2013 protocol has no end of session: there the robot stops when the connection closes.
 TcpLink::~TcpLink() {
-  if (!ends_session_ || !has_commands_ || !extended_ || !has_first_reply_) return;
+  if (!ends_session_ || !has_commands_ || !extended_ || !isConnected(state_)) return;
   const Nanos give_up = clock_.now() + kEndTimeout;
   const auto drain = [&] {
     while (connection_.awaitsReply() && clock_.now() < give_up) {

@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 using testing::Not;
 using window::Child;
-using Place = Child::Stdio;
+using Stdio = Child::Stdio;
 
 struct WindowChild : testing::Test {
   void programIs(const std::string& text) {
@@ -30,7 +30,7 @@ struct WindowChild : testing::Test {
     chmod(program.c_str(), 0700);
   }
   std::unique_ptr<Child> start(Stdio stdio, std::chrono::milliseconds grace = 20s, char* variable = nullptr) {
-    return std::make_unique<Child>("test", program, std::vector<std::string>{}, grace, place, variable);
+    return std::make_unique<Child>("test", program, std::vector<std::string>{}, grace, stdio, variable);
   }
   template <class Done>
   static bool comes(Done done) {
@@ -60,10 +60,10 @@ constexpr const char* kForEver = "while :; do sleep 0.01; done\n";
 
 TEST_F(WindowChild, ACapturedChildGetsSigintAndTheOthersSigterm) {
   for (const Stdio stdio : {Stdio::kCaptured, Stdio::kBackground, Stdio::kTerminal}) {
-    const std::string name = "asked" + std::to_string(static_cast<int>(place));
+    const std::string name = "asked" + std::to_string(static_cast<int>(stdio));
     programIs("trap '" + writes("echo INT", name) + "exit' INT; trap '" + writes("echo TERM", name) + "exit' TERM\n" +
               writes("echo", "ready" + name) + kForEver);
-    const auto child = start(place);
+    const auto child = start(stdio);
     (void)untilWritten("ready" + name);
   }  // ends the child and waits for it
   EXPECT_EQ(untilWritten("asked2"), "INT\n");
@@ -120,13 +120,13 @@ TEST_F(WindowChild, APasswordReachesOnlyTheChildThatGetsOne) {
   setenv("DARWINOP_PASSWORDLESS", "kept", 1);
   programIs(writes("env", "environment"));
   const auto environment = [this](Stdio stdio, char* variable) {
-    const auto child = start(place, 20s, variable);
+    const auto child = start(stdio, 20s, variable);
     std::string text = untilWritten("environment");
     unlink((folder / "environment").c_str());
     return text;
   };
   for (const Stdio stdio : {Stdio::kCaptured, Stdio::kBackground, Stdio::kTerminal}) {
-    const std::string without = environment(place, nullptr);
+    const std::string without = environment(stdio, nullptr);
     EXPECT_THAT(without, Not(HasSubstr("DARWINOP_PASSWORD=")));
     EXPECT_THAT(without, HasSubstr("DARWINOP_PASSWORDLESS=kept"));
     EXPECT_THAT(without, HasSubstr("PATH="));

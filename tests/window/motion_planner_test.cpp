@@ -60,7 +60,7 @@ TEST_F(WindowMotionPlanner, SendsAGoalOnceWithASpeedWithinTheEncodersRange) {
   const remote::Request request = turn(requests);
   ASSERT_EQ(request.motors.size(), 2U);
   EXPECT_NEAR(remote::positionFromWire(request.motors[0].position), 0.3, 0.001);
-  EXPECT_NEAR(remote::velocityFromWire(request.motors[0].velocity), window::MotionPlanner::kFastest, 0.02);
+  EXPECT_NEAR(remote::velocityFromWire(request.motors[0].velocity), window::MotionPlanner::kSliderSpeed, 0.02);
   EXPECT_TRUE(remote::isEncoderPosition(request.motors[1].position));
   EXPECT_TRUE(turn().motors.empty());
 }

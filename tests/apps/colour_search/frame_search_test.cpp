@@ -129,7 +129,7 @@ TEST(FrameSearch, HasTheResultBeforeThePictureIsPublished) {
   std::atomic<std::uint64_t> number{1};
   remote::LivePictures pictures{std::make_unique<NumberedCamera>(number),
                                 {.now = [] { return Nanos{0}; },
-                                 .say = {},
+                                 .log = {},
                                  .on_frame = [&search](const CameraFrame& frame) { search.process(frame); }}};
   for (; number <= 3; ++number) {
     while (pictures.newest().sequence != number) std::this_thread::yield();
