@@ -77,7 +77,7 @@ struct LivePicturesTest : testing::Test {
                         {.size = kSmall,
                          .quality = qualityOf(kSmall),
                          .now = [] { return kNow; },
-                         .say =
+                         .log =
                              [this](const std::string& sentence) {
                                const std::lock_guard lock{mutex};
                                said.push_back(sentence);
