@@ -27,8 +27,7 @@ int run(int argc, char** argv) {
   walk.add_option("--record", show.record, "film.mp4 (uses ffmpeg), or a folder for PNG pictures; no display needed")
       ->capture_default_str();
   walk.add_flag("--view", window, "Show a window in real time instead of a film");
-  walk.add_option("--seconds", show.seconds, "Duration in seconds of simulated time")
-      ->check(CLI::Range(0.1, 1e6));
+  walk.add_option("--seconds", show.seconds, "Duration in seconds of simulated time")->check(CLI::Range(0.1, 1e6));
   walk.add_option("--fps", show.per_second, "Pictures per second of the film")
       ->capture_default_str()
       ->check(CLI::Range(1, 120));

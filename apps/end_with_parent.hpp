@@ -7,7 +7,8 @@
 
 namespace darwinop {
 
-/// Requests SIGTERM at the end of `parent`, which getppid() returned at the start. Returns false if it has already ended. Call after leaveRoot(): the kernel clears the setting when a process changes its user.
+/// Requests SIGTERM at the end of `parent`, which getppid() returned at the start. Returns false if it has already
+/// ended. Call after leaveRoot(): the kernel clears the setting when a process changes its user.
 inline bool endWithParent(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);
   return getppid() == parent;

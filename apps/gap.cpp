@@ -54,20 +54,22 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   json(report(compare, "CASE-compared"));
   CLI::App* const adds = model(on_case(add("add", "add effects to a model file", gap::addEffects)));
   adds->add_option("RESULTS", given.results, "report.json of run, or results.json of battery");
-  adds->add_option("--effect", given.effects,
-                   "effect to add instead of RESULTS: ID.PARAMETER=VALUE, in the unit of docs/twin/effects.md; repeatable");
+  adds->add_option(
+      "--effect", given.effects,
+      "effect to add instead of RESULTS: ID.PARAMETER=VALUE, in the unit of docs/twin/effects.md; repeatable");
   out(adds, "write the model to this file; default: print it");
-  CLI::App* const makes =
-      add("case", "make a case from recordings of experiments with one joint", gap::makeCase);
+  CLI::App* const makes = add("case", "make a case from recordings of experiments with one joint", gap::makeCase);
   makes->add_option("RECORDINGS", given.recordings, "recordings of darwinop experiment run, for fitting")->required();
   makes->add_option("--keep", given.kept, "held-out recording; repeatable");
   makes->add_option("--joint", given.joint, "the joint that moved")->capture_default_str();
   makes->add_option("--model", given.model, "model file or name of an included model; default: darwin-op");
   out(makes, "folder for the case")->required();
-  CLI::App* const plan = on_case(add("plan", "find the most informative next experiment, docs/gap/plan.md", gap::planNext));
+  CLI::App* const plan =
+      on_case(add("plan", "find the most informative next experiment, docs/gap/plan.md", gap::planNext));
   plan->add_option("--against", given.against, "ID,ID: effects to distinguish; default: those that remain ambiguous");
   plan->add_option("--joint", given.joint, "joint that swings the arm")->capture_default_str();
-  plan->add_option("--hangs-at", given.hangs_at_rad, "joint angle at which the arm hangs down, rad; known for the robot's arms");
+  plan->add_option("--hangs-at", given.hangs_at_rad,
+                   "joint angle at which the arm hangs down, rad; known for the robot's arms");
   plan->add_option("--write", given.write, "folder for the best experiments, for darwinop experiment run");
   json(plan);
   CLI::App* const exports = model(on_case(add("export", "export a case's model for another simulator", gap::writeFor)));
@@ -78,7 +80,8 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   battery->add_option("CASES", given.folder, "a folder of cases")->required();
   out(battery, "write results.json incrementally; default: print it");
   battery->add_flag("--resume", given.resume, "continue with the existing results");
-  battery->add_option("--jobs", given.jobs, "concurrent cases; default: one with all threads")->check(CLI::Range(1, 1000));
+  battery->add_option("--jobs", given.jobs, "concurrent cases; default: one with all threads")
+      ->check(CLI::Range(1, 1000));
   CLI::App* const hide = add("hide", "make a synthetic case with hidden effects", gap::hideEffects);
   hide->add_option("--effect", given.effects,
                    "ID, ID:SEVERITY or ID.PARAMETER=VALUE; repeatable; omit for a case without effects");
@@ -111,7 +114,8 @@ bool isShared(Command command) {
 int command(int count, char** arguments) {
   gap::Arguments given;
   CLI::App app{
-      "Locates the difference between simulation and measurement, identifies the missing effect, adds it to the model.\n\n"
+      "Locates the difference between simulation and measurement, identifies the missing effect, adds it to the "
+      "model.\n\n"
       "Exit code of run: 0 nothing is missing, 10 named, 11 ambiguous, 12 unknown, 13 cannot tell, 2 bad input.",
       "darwinop gap"};
   app.require_subcommand(1);
@@ -134,7 +138,8 @@ int command(int count, char** arguments) {
 int main(int count, char** arguments) {
   const gap::Ranks ranks;
   if (!gap::Ranks::isFirst())
-    for (std::ostream* const out : {&std::cout, &std::cerr}) out->setstate(std::ios::badbit);  // only the first rank prints
+    for (std::ostream* const out : {&std::cout, &std::cerr})
+      out->setstate(std::ios::badbit);  // only the first rank prints
   try {
     const int code = command(count, arguments);
     std::cout.flush();

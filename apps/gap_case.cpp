@@ -25,7 +25,8 @@ int makeCase(const Arguments& given) {
   request.recordings = given.recordings;
   request.kept = given.kept;
   for (const std::string& sentence : writeJointCase(request, given.out)) std::cout << sentence << '\n';
-  std::cerr << "darwinop gap: " << given.out << ": case created; analyse it with: darwinop gap run " << given.out << "\n";
+  std::cerr << "darwinop gap: " << given.out << ": case created; analyse it with: darwinop gap run " << given.out
+            << "\n";
   return 0;
 }
 

@@ -52,8 +52,9 @@ web::WebServerConfig webConfig(const MonitorArguments& given) {
   config.origin.hosts = given.hosts;
   if (net::isLoopback(config.address)) return config;
   if (given.allow.empty())
-    throw std::runtime_error("--listen " + given.listen +
-                             " opens the monitor to a network: specify the allowed networks, for example --allow 192.168.123.0/24");
+    throw std::runtime_error(
+        "--listen " + given.listen +
+        " opens the monitor to a network: specify the allowed networks, for example --allow 192.168.123.0/24");
   sayMonitor(
       "the connection has no password: every allowed address can read the robot's sensors and "
       "camera. In a shared network, listen on loopback and connect through ssh");
@@ -90,13 +91,11 @@ int main(int count, char** arguments) try {
   MonitorArguments given;
   CLI::App app{"Publishes sensors, loop, faults and camera to any number of observers. It never drives.",
                "darwinop monitor"};
-  app.add_option("--listen", given.listen, "local address to listen on; 0.0.0.0: all")
-      ->capture_default_str();
+  app.add_option("--listen", given.listen, "local address to listen on; 0.0.0.0: all")->capture_default_str();
   app.add_option("--allow", given.allow, "network with access in addition to this computer; repeatable")
       ->allow_extra_args(false);
   app.add_option("--port", given.port, "TCP port; 0: any free port")->capture_default_str();
-  app.add_flag("--end-with-parent", given.ends_with_parent,
-               "end together with the parent process, even after kill -9");
+  app.add_flag("--end-with-parent", given.ends_with_parent, "end together with the parent process, even after kill -9");
   app.add_option("--origin", given.origins, "allowed web origin, for example http://127.0.0.1:8080")
       ->allow_extra_args(false);
   app.add_option("--host", given.hosts, "allowed host name in addition to addresses and localhost")

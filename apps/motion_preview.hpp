@@ -9,7 +9,8 @@
 
 namespace darwinop::motion {
 
-/// One line per page: name, duration, distance to its first pose, lead-in. The robot starts in its start pose. `pages` must be playable.
+/// One line per page: name, duration, distance to its first pose, lead-in. The robot starts in its start pose. `pages`
+/// must be playable.
 [[nodiscard]] std::string previewOf(const PageFile& file, const std::vector<int>& pages);
 [[nodiscard]] std::string previewOf(const facade::MotionText& motion, const std::string& file);
 

@@ -51,8 +51,9 @@ remote::ServerConfig serverConfig(const RemoteArguments& given) {
   for (const std::string& network : given.allow) config.allowed.push_back(net::networkFromText(network));
   if (net::isLoopback(config.address)) return config;
   if (given.allow.empty())
-    throw std::runtime_error("--listen " + given.listen +
-                             " opens the robot to a network: specify the allowed networks, for example --allow 192.168.123.0/24");
+    throw std::runtime_error(
+        "--listen " + given.listen +
+        " opens the robot to a network: specify the allowed networks, for example --allow 192.168.123.0/24");
   sayRemote(
       "the protocol has no password: every allowed address can move the robot and read "
       "its camera, and traffic can be read and changed on the way. In a shared network, "
@@ -114,19 +115,16 @@ int main(int count, char** arguments) try {
       "network.",
       "darwinop remote"};
   const CLI::IsMember zooms{{1, 2, 4, 8}};
-  app.add_option("WZ", given.width_zoom, "send the middle 320/WZ columns of each picture: 1, 2, 4 or 8")
-      ->check(zooms);
+  app.add_option("WZ", given.width_zoom, "send the middle 320/WZ columns of each picture: 1, 2, 4 or 8")->check(zooms);
   app.add_option("HZ", given.height_zoom, "send the middle 240/HZ rows")->check(zooms);
   app.add_option("--robot", given.robot, "robot to drive:\n" + connect::settingChoices())
       ->envname("DARWINOP_ROBOT")
       ->capture_default_str();
-  app.add_option("--listen", given.listen, "local address to listen on; 0.0.0.0: all")
-      ->capture_default_str();
+  app.add_option("--listen", given.listen, "local address to listen on; 0.0.0.0: all")->capture_default_str();
   app.add_option("--allow", given.allow, "network with access in addition to this computer; repeatable")
       ->allow_extra_args(false);
   app.add_option("--port", given.port, "TCP port; 0: any free port")->capture_default_str();
-  app.add_flag("--end-with-parent", given.ends_with_parent,
-               "end together with the parent process, even after kill -9");
+  app.add_flag("--end-with-parent", given.ends_with_parent, "end together with the parent process, even after kill -9");
   app.add_option("--config", given.config,
                  "config.ini with [Safety] and [Limits] for its clients, in addition to the robot's");
   app.set_version_flag("--version", DARWINOP_VERSION);

@@ -61,7 +61,8 @@ int serve(const Arguments& given, const runtime::RuntimeFiles& files) {
   runtime::LoopConfig config = loopConfig(given, robot);
   const gid_t group = connect::runtimeGroup(robot, given.group);
   endOnSignals();
-  runtime::FileLock claim = runtime::claimRuntime(files, group);  // first: if another runtime runs, its port must not be opened
+  runtime::FileLock claim =
+      runtime::claimRuntime(files, group);  // first: if another runtime runs, its port must not be opened
   std::optional<connect::OpenedBus> opened = openBus(given, robot, config);
   if (!opened) return 0;  // end requested before the robot was found
   config.port = opened->description;
@@ -106,8 +107,7 @@ int carryOut(const Arguments& given) {
 int main(int count, char** arguments) try {
   const DiagnosticsOutput never_waits;
   Arguments given;
-  CLI::App app{"Daemon that runs the loop for successive controllers (--robot runtime).",
-               "darwinop runtime"};
+  CLI::App app{"Daemon that runs the loop for successive controllers (--robot runtime).", "darwinop runtime"};
   app.add_option("--robot", given.port, "serial device or pty of the robot; default: robot.ini, else /dev/ttyUSB0");
   app.add_flag("--wait", given.wait, "wait for the robot's port and board instead of failing, for boot");
   app.add_option("--period", given.period_ms,

@@ -19,8 +19,7 @@ struct SshLogin {
 inline void addSshLogin(CLI::App& app, SshLogin& login) {
   app.add_option("--ssh-port", login.port, "ssh port of the robot; default: ~/.ssh/config")->group(kWithSsh);
   app.add_option("--ssh-key", login.key, "ssh key file; default: ~/.ssh/config")->group(kWithSsh);
-  app.add_flag("--new-host", login.new_host, "accept the host key of an unknown robot without asking")
-      ->group(kWithSsh);
+  app.add_flag("--new-host", login.new_host, "accept the host key of an unknown robot without asking")->group(kWithSsh);
 }
 
 /// For darwinop-install.

@@ -30,7 +30,8 @@ int carryOut(const Arguments& given) {
   if (given.stop) return supervisor::stopSupervisor(files);
   if (given.stop_controller) return supervisor::stopController(files);
   if (given.restart_controller) return supervisor::restartController(files);
-  if (given.home.empty()) throw std::runtime_error("--home is missing; specify the installation, for example --home /opt/darwinop");
+  if (given.home.empty())
+    throw std::runtime_error("--home is missing; specify the installation, for example --home /opt/darwinop");
   const DiagnosticsOutput never_waits;
   return supervisor::Supervisor{{std::filesystem::absolute(given.home), runtimeProgram()}}.run();
 }
@@ -39,9 +40,8 @@ int carryOut(const Arguments& given) {
 
 int main(int count, char** arguments) try {
   Arguments given;
-  CLI::App app{
-      "Starts and monitors runtime and default controller, and brings the robot to rest if the runtime fails.",
-      "darwinop supervisor"};
+  CLI::App app{"Starts and monitors runtime and default controller, and brings the robot to rest if the runtime fails.",
+               "darwinop supervisor"};
   CLI::Option* what[] = {
       app.add_option("--home", given.home, "run as the supervisor of this installation (robot.ini, default, log/)"),
       app.add_flag("--status", given.status, "print its state; exit code 1 if none runs"),

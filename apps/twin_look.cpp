@@ -27,8 +27,9 @@ std::string readSize(const std::string& text, int& width, int& height) {
   if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) == 2 &&
       std::min(width, height) >= twin::Offscreen::kSmallest && std::max(width, height) <= twin::Offscreen::kLargest)
     return {};
-  return "'" + text + "' is not a size: expected WIDTHxHEIGHT in pixels, " + std::to_string(twin::Offscreen::kSmallest) +
-         " to " + std::to_string(twin::Offscreen::kLargest) + " each, as in 640x480";
+  return "'" + text + "' is not a size: expected WIDTHxHEIGHT in pixels, " +
+         std::to_string(twin::Offscreen::kSmallest) + " to " + std::to_string(twin::Offscreen::kLargest) +
+         " each, as in 640x480";
 }
 
 }  // namespace

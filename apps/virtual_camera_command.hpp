@@ -8,7 +8,8 @@
 
 namespace darwinop::app {
 
-/// Prepends `environment`; no signal is blocked, and kIgnoredSignals have their defaults. Returns -1 on failure, already reported.
+/// Prepends `environment`; no signal is blocked, and kIgnoredSignals have their defaults. Returns -1 on failure,
+/// already reported.
 pid_t startWith(std::vector<std::string> environment, const std::vector<std::string>& command);
 
 }  // namespace darwinop::app

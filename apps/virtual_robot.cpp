@@ -50,7 +50,8 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("--link", a.link, "Path of a symbolic link to the port");
   app.add_option("--body", a.body, "Mechanics: plain, twin, or twin:MODEL")->capture_default_str();
 #ifdef DARWINOP_VIRTUAL_CAMERA
-  app.add_option("--camera", a.camera, "Frame file for the camera picture; the environment for client programs is printed");
+  app.add_option("--camera", a.camera,
+                 "Frame file for the camera picture; the environment for client programs is printed");
 #endif
   app.add_flag("--fast", a.fast, "Reply at once instead of at 1 Mbaud");
   app.add_option("--faults", a.faults, "Fault script; format: docs/virtual-robot.md")->check(CLI::ExistingFile);

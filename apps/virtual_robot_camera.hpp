@@ -8,7 +8,8 @@
 
 namespace darwinop::app {
 
-/// Paints into a file, up to 30 times per second on request, in a low-priority thread, for programs with the environment of cameraSettings(). A body without camera shows a ball on a circle.
+/// Paints into a file, up to 30 times per second on request, in a low-priority thread, for programs with the
+/// environment of cameraSettings(). A body without camera shows a ball on a circle.
 class RobotCamera {
  public:
   /// Throws std::runtime_error.

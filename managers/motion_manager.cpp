@@ -43,10 +43,10 @@ struct DARwInOPMotionManager::Stage {
   webots::Robot* robot = nullptr;
   MotionPages pages;  // null: nothing can be played
   std::unique_ptr<motion::Player> player;
-  darwinop::LeadIn lead_in;  // motion to the target of the page's first step
-  int left_ms = 0;                   // carried over from the last step(), less than a tick
-  bool gains_are_lent = false;       // the joints have the page's P gains
-  bool waited_for = false;           // inside playPage(), to reject calls from an overridden Robot::step()
+  darwinop::LeadIn lead_in;     // motion to the target of the page's first step
+  int left_ms = 0;              // carried over from the last step(), less than a tick
+  bool gains_are_lent = false;  // the joints have the page's P gains
+  bool waited_for = false;      // inside playPage(), to reject calls from an overridden Robot::step()
 
   Stage(webots::Robot* owner, MotionPages file) : robot{owner}, pages{std::move(file)} {
     if (pages) player = std::make_unique<motion::Player>(*pages);

@@ -37,8 +37,8 @@ int noneRuns(int code) {
   return code;
 }
 
-/// Signals the process that holds the lock. The pidfd is opened before the lock is checked again, so that a later process
-/// with the same pid is not signalled. Linux before 5.3 has no pidfd.
+/// Signals the process that holds the lock. The pidfd is opened before the lock is checked again, so that a later
+/// process with the same pid is not signalled. Linux before 5.3 has no pidfd.
 bool signalHolder(const runtime::RuntimeFiles& files, pid_t supervisor, int signal) {
   const runtime::SharedFile handle{static_cast<int>(syscall(kPidfdOpen, supervisor, 0))};
   if (runningOne(files) != supervisor) return true;  // it has ended: no process to signal

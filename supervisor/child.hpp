@@ -19,14 +19,14 @@ struct Start {
   std::string log;                   // both outputs are appended here; empty: the supervisor's outputs
   std::vector<std::pair<std::string, std::string>> environment;  // added to the supervisor's
   std::optional<runtime::Account> account;                       // account to run as; empty: the supervisor's
-  bool expendable = false;  // preferred victim of the kernel's OOM killer
+  bool expendable = false;                                       // preferred victim of the kernel's OOM killer
 };
 
 class Child {
  public:
-  /// The program runs without real-time priority in its own process group, so that Ctrl-C in a terminal reaches only the
-  /// supervisor. If the supervisor dies, the kernel sends it SIGTERM. Throws std::runtime_error if fork() fails; a program
-  /// that cannot be executed ends with code 126 or 127.
+  /// The program runs without real-time priority in its own process group, so that Ctrl-C in a terminal reaches only
+  /// the supervisor. If the supervisor dies, the kernel sends it SIGTERM. Throws std::runtime_error if fork() fails; a
+  /// program that cannot be executed ends with code 126 or 127.
   explicit Child(const Start& start);
   /// Sends SIGTERM if it still runs, without waiting: a killed runtime would leave the robot under torque.
   ~Child();

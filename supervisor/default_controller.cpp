@@ -57,8 +57,8 @@ void DefaultController::onEnd(const Ending& ending, Nanos now) {
                                       "--restart-controller");
     case RestartPolicy::Verdict::kAgain:
       not_before_ = now + RestartPolicy::kPause;
-      return become(State::kWaiting, name_ + " ended " + describe(ending) + "; restart in " +
-                                         inSeconds(RestartPolicy::kPause));
+      return become(State::kWaiting,
+                    name_ + " ended " + describe(ending) + "; restart in " + inSeconds(RestartPolicy::kPause));
     case RestartPolicy::Verdict::kGivenUp:
       may_hold_ = true;
       return become(State::kHeld, name_ + " has failed: " + std::to_string(RestartPolicy::kCrashes) +
@@ -75,7 +75,7 @@ void DefaultController::hold() {
     if (holder_->hold()) return;
     may_hold_ = false;  // after a release by a person the robot must not be held again
     state_text_ = name_ + " has failed, and the robot is no longer held: " + holder_->whyEnded() +
-            "; restart it with: darwinop supervisor --restart-controller";
+                  "; restart it with: darwinop supervisor --restart-controller";
     log("default controller: " + state_text_);
     holder_.reset();
   } catch (const std::runtime_error& error) {

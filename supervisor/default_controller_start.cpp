@@ -57,8 +57,8 @@ bool DefaultController::ready(const Sensors& seen, Nanos now) {
     return waitFor("waiting for user action: " + std::string{row(fault).meaning} +
                    "; press START, or run: darwinop runtime --reset-faults");
   if (seen.safety.state == darwinop::State::kOffline) {
-    // The safety layer reports a silent board. The previous message stays: with a bad cable the board comes and goes many
-    // times a minute.
+    // The safety layer reports a silent board. The previous message stays: with a bad cable the board comes and goes
+    // many times a minute.
     in_pose_since_.reset();
     return false;
   }
@@ -67,8 +67,8 @@ bool DefaultController::ready(const Sensors& seen, Nanos now) {
   return held || sits(seen, now);
 }
 
-/// A robot under torque is moved to the start pose slowly, as at any takeover. A limp robot in another pose may be held by
-/// a person or lie on its face.
+/// A robot under torque is moved to the start pose slowly, as at any takeover. A limp robot in another pose may be held
+/// by a person or lie on its face.
 bool DefaultController::sits(const Sensors& seen, Nanos now) {
   const safety::StartPoseCheck check = safety::checkStartPose(seen);
   if (!check.secure())
@@ -99,7 +99,8 @@ void DefaultController::begin(Nanos now) {
     start.command = {runtime::controllerProgram(place)};
     start.folder = place;
     start.log = home_ + "/log/controller.log";
-    // No start by the supervisor counts as user action, including the one at boot: a release by a person stays in force.
+    // No start by the supervisor counts as user action, including the one at boot: a release by a person stays in
+    // force.
     start.environment = {{"DARWINOP_ROBOT", "runtime"}, {runtime::kUnattended, "1"}};
     start.expendable = true;
     if (geteuid() == 0 && !chooseAccount(start)) return;

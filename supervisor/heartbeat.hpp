@@ -11,11 +11,12 @@ namespace darwinop::supervisor {
 class Heartbeat {
  public:
   /// A cycle never takes longer than its period: bus reads end at a deadline, and after the loss of the port the loop
-  /// continues without it. Half a second is thirty cycles of 16 ms: far above a legitimate stall, and short for a standing
-  /// robot whose last goals are not corrected meanwhile. Slow loops (periods up to 1 s are allowed) get ten periods.
+  /// continues without it. Half a second is thirty cycles of 16 ms: far above a legitimate stall, and short for a
+  /// standing robot whose last goals are not corrected meanwhile. Slow loops (periods up to 1 s are allowed) get ten
+  /// periods.
   static constexpr Nanos kShortest{500'000'000};
-  /// Maximum time credited per check. If the supervisor itself did not run (the whole machine was stopped), the loop first
-  /// gets time to run.
+  /// Maximum time credited per check. If the supervisor itself did not run (the whole machine was stopped), the loop
+  /// first gets time to run.
   static constexpr Nanos kLook{50'000'000};
 
   explicit Heartbeat(Nanos period) : patience_{std::max(kShortest, 10 * period)} {}

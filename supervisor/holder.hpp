@@ -19,8 +19,8 @@ class Holder {
   /// Ends the session: the robot sits down and torque goes off.
   ~Holder() = default;
 
-  /// Call at least ten times a second; a driver that is silent for longer counts as stalled. Returns false if the loop is
-  /// gone or a fault has ended the session; see whyEnded().
+  /// Call at least ten times a second; a driver that is silent for longer counts as stalled. Returns false if the loop
+  /// is gone or a fault has ended the session; see whyEnded().
   bool hold();
   [[nodiscard]] const std::string& whyEnded() const { return why_ended_; }
 
@@ -30,8 +30,8 @@ class Holder {
   std::string why_ended_;
 };
 
-/// As an unattended session, which clears no latched fault. Without goals: joints under torque keep their position, limp
-/// joints stay limp.
+/// As an unattended session, which clears no latched fault. Without goals: joints under torque keep their position,
+/// limp joints stay limp.
 [[nodiscard]] Commands asItIs(const Sensors& seen);
 
 }  // namespace darwinop::supervisor

@@ -12,13 +12,13 @@ namespace darwinop::supervisor {
 /// The flash of a DARwIn-OP has 3.6 GB and limited write endurance.
 inline constexpr std::int64_t kLogBytes = 1'000'000;
 
-/// Programs keep their log open in append mode, so it is copied and truncated, not renamed. A line written meanwhile may be
-/// lost. Missing or small files are left unchanged. Returns false if the copy failed; the file is truncated anyway, since a
-/// full disk is worse than a lost log.
+/// Programs keep their log open in append mode, so it is copied and truncated, not renamed. A line written meanwhile
+/// may be lost. Missing or small files are left unchanged. Returns false if the copy failed; the file is truncated
+/// anyway, since a full disk is worse than a lost log.
 bool bound(const std::string& path, std::int64_t bytes = kLogBytes);
 
-/// Checks the files twice a second in a thread without real-time priority: a disk may block a writer for seconds, and the
-/// thread that monitors the loop must not block.
+/// Checks the files twice a second in a thread without real-time priority: a disk may block a writer for seconds, and
+/// the thread that monitors the loop must not block.
 class LogKeeper {
  public:
   explicit LogKeeper(std::vector<std::string> paths);

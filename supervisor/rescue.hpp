@@ -26,14 +26,14 @@ struct RobotSettings {
   std::optional<cm730::UsbIdentity> identity;  // of the port: after replugging, the device may become ttyUSB1
 };
 
-/// A loop like the runtime's, in this process, without a driver: same limits, same slow crouch, same fault reactions. If all
-/// servos are limp, the robot stays as it is. Observers read it like the runtime; controllers are rejected.
+/// A loop like the runtime's, in this process, without a driver: same limits, same slow crouch, same fault reactions.
+/// If all servos are limp, the robot stays as it is. Observers read it like the runtime; controllers are rejected.
 class Rescue {
  public:
   enum class Step { kOpening, kHold, kCrouch, kAtRest, kStiff };
 
-  /// `released`: the robot was released, or lost power, before the runtime failed. It is not moved: torque goes off where a
-  /// servo still holds.
+  /// `released`: the robot was released, or lost power, before the runtime failed. It is not moved: torque goes off
+  /// where a servo still holds.
   Rescue(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released);
   ~Rescue();
   Rescue(const Rescue&) = delete;

@@ -34,8 +34,8 @@ RescueWatch::Step RescueWatch::look(const Sensors& seen) noexcept {
   last_ = seen.cycle;
   online_ = seen.cycle != 0 && seen.safety.state != State::kOffline;
   if (!online_) {
-    // The safety layer restarts its crouch when the board is back; so does the time limit: a robot on a bad cable is never
-    // given up.
+    // The safety layer restarts its crouch when the board is back; so does the time limit: a robot on a bad cable is
+    // never given up.
     limp_ = 0;
     crouching_ = std::min<std::uint64_t>(crouching_, 1);
     return crouching_ > 0 ? Step::kCrouch : Step::kHold;

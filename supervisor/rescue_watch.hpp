@@ -17,8 +17,8 @@ class RescueWatch {
     kAtRest,  // done
     kStiff,   // done, but some servo holds its joint or did not answer
   };
-  // Bystanders see the red light before anything moves. Also long enough to read the torque state of every servo: one per
-  // cycle.
+  // Bystanders see the red light before anything moves. Also long enough to read the torque state of every servo: one
+  // per cycle.
   static constexpr Nanos kHold{1'000'000'000};
 
   /// `crouch_at_most`: upper bound of a crouch from any pose (computed by runtime::Rest).

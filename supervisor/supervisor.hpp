@@ -1,4 +1,5 @@
-// Parent of runtime and default controller: starts and monitors them, and brings the robot to rest if the runtime fails.
+// Parent of runtime and default controller: starts and monitors them, and brings the robot to rest if the runtime
+// fails.
 #pragma once
 
 #include <memory>

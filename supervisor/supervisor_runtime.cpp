@@ -32,8 +32,8 @@ void Supervisor::startRuntime() {
   Start start;
   start.command = {setup_.runtime_program, "--wait"};
   try {
-    // Read now, so that the rescue uses the runtime's settings even if the file changes. With an invalid file nothing may
-    // move, and no runtime is started.
+    // Read now, so that the rescue uses the runtime's settings even if the file changes. With an invalid file nothing
+    // may move, and no runtime is started.
     settings_ = readRobotSettings();
     runtime_ = std::make_unique<RuntimeChild>(start, files_);
   } catch (const std::runtime_error& error) {
@@ -56,8 +56,7 @@ void Supervisor::lookAtRuntime() {
   if (state == RuntimeChild::State::kEnded) return onRuntimeEnd(*runtime_->process().ended());
   if (state == RuntimeChild::State::kSilent && kill_at_ != Nanos{0}) kill_at_ = std::min(kill_at_, now_ + kLastMoment);
   if (state == RuntimeChild::State::kSilent && kill_at_ == Nanos{0})
-    return rescue("runtime: hung, no cycle for " +
-                  std::to_string(runtime_->patience().count() / 1'000'000) + " ms");
+    return rescue("runtime: hung, no cycle for " + std::to_string(runtime_->patience().count() / 1'000'000) + " ms");
   if (state != RuntimeChild::State::kStarting) {
     if (phase_ == Phase::kRuntime && state_text_ != kReady) become(phase_, kReady);
     start_wait_ = kFirstWait;
@@ -105,8 +104,7 @@ void Supervisor::rescue(const std::string& why) {
 void Supervisor::lookAtRescue() {
   (void)runtime_->process().ended();  // reaped: this releases the port and its lock
   const Rescue::Step step = rescue_->look(now_);
-  if (!rescue_->obstacle().empty())
-    once_.log("rescue: cannot reach the robot, retrying: " + rescue_->obstacle());
+  if (!rescue_->obstacle().empty()) once_.log("rescue: cannot reach the robot, retrying: " + rescue_->obstacle());
   if (step == Rescue::Step::kAtRest || step == Rescue::Step::kStiff) return onRest(step);
   if (rescue_->online()) stop_rescue_at_ = now_ + kTimeToReachRobot;
   if (!stop_asked_ || now_ < stop_rescue_at_ || !controller_.over()) return;
@@ -121,11 +119,10 @@ void Supervisor::onRest(Rescue::Step step) {
   runtime_.reset();
   failed_ = step == Rescue::Step::kStiff;
   robot_ = failed_ ? kMayHold : kAtRest;
-  become(
-      Phase::kDown,
-      (failed_ ? "rescue: the robot sits, but a servo is still under torque: press RESET on its back"
-               : "rescue: the robot is at rest, torque is off") +
-          std::string{"; restart at the next boot, or with: darwinop supervisor --restart-controller"});
+  become(Phase::kDown,
+         (failed_ ? "rescue: the robot sits, but a servo is still under torque: press RESET on its back"
+                  : "rescue: the robot is at rest, torque is off") +
+             std::string{"; restart at the next boot, or with: darwinop supervisor --restart-controller"});
   if (const std::string refused = standFast(); !refused.empty()) log(refused);
   if (!std::exchange(restart_asked_, false)) return;
   controller_.restart(now_);

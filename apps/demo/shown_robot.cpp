@@ -37,8 +37,8 @@ struct ShownRobot::Parts {
     facade::installStopSignals();
     runtime::LoopConfig loop;
     loop.port = "twin:" + options.model;
-    robot = std::make_unique<facade::RobotImpl>(connect::lockstepRobot(loop, std::move(seen)), facade::ControllerConfig{},
-                                                facade::stopRequested());
+    robot = std::make_unique<facade::RobotImpl>(connect::lockstepRobot(loop, std::move(seen)),
+                                                facade::ControllerConfig{}, facade::stopRequested());
     if (const std::string error = robot->begin(); !error.empty()) throw std::runtime_error(error);
     for (twin::Pose takeover; watched->poses().pop(takeover);) {
     }

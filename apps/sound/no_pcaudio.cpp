@@ -1,4 +1,5 @@
-// Stub of libpcaudio. libespeak-ng links to it for its own playback, which we do not use; the stub avoids installing libpcaudio and its sound servers on a robot.
+// Stub of libpcaudio. libespeak-ng links to it for its own playback, which we do not use; the stub avoids installing
+// libpcaudio and its sound servers on a robot.
 #include <cstddef>
 
 // NOLINTBEGIN(readability-identifier-naming): names of libpcaudio

@@ -1,4 +1,5 @@
-// darwinop-sound: sound and speech for one controller, which starts it at its first sound and sends commands through its standard input. Ends with that controller.
+// darwinop-sound: sound and speech for one controller, which starts it at its first sound and sends commands through
+// its standard input. Ends with that controller.
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/socket.h>

@@ -1,5 +1,6 @@
 // Recording of films: folder of pictures, ffmpeg, error messages.
 #include "twin/render/film.hpp"
+
 #include <gmock/gmock.h>
 
 #include <filesystem>

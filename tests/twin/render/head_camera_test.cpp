@@ -1,5 +1,6 @@
 // Head camera of the twin: ball position in the picture against a pinhole model, picture format, rate, test pattern.
 #include "twin/render/head_camera.hpp"
+
 #include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
 

@@ -157,7 +157,8 @@ TEST_F(WebServerTest, DropsMessagesOfTheSlowPeerOnlyAndNeverBlocks) {
     last = number;
     ++got;
   }
-  EXPECT_EQ(got + slow_channel->lost(), kMessages) << "the newest message arrives last, and received plus lost is complete";
+  EXPECT_EQ(got + slow_channel->lost(), kMessages)
+      << "the newest message arrives last, and received plus lost is complete";
 }
 
 TEST_F(WebServerTest, ReportsTheEndOfAChannelOnceWhenTheServerIsDestroyed) {
