@@ -9,8 +9,8 @@
 
 namespace darwinop {
 
-inline constexpr const Register& kGyroRegister = find(kCm730, "gyro_x");  // the three axes share one law
-inline constexpr const Register& kAccelRegister = find(kCm730, "accel_x");
+inline constexpr Register kGyroRegister = find(kCm730, "gyro_x");  // the three axes share one law
+inline constexpr Register kAccelRegister = find(kCm730, "accel_x");
 
 /// The count the board sent, 0..1023 (512 at rest); NaN for "not known".
 inline double countFrom(double si, const Register& law) {
