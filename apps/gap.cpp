@@ -1,10 +1,10 @@
-// darwinop-gap: where do simulation and measurement disagree, and what is missing from the model?
+// darwinop-gap: locates where logs and model diverge, and identifies what is missing from the model.
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
 
-#include "gap/sim/parallel.hpp"
-#include "gap/sim/ranks.hpp"
+#include "gap/parallel/parallel.hpp"
+#include "gap/parallel/ranks.hpp"
 #include "gap_commands.hpp"
 
 namespace {
@@ -17,6 +17,45 @@ struct Row {
   CLI::App* parsed;
   Command command;
 };
+
+struct BenchmarkNames {
+  const char *run, *make, *make_case, *score;
+};
+
+/// `group`: heading in --help; empty: not shown there.
+void addBenchmark(CLI::App& parent, gap::Arguments& given, std::vector<Row>& rows, const BenchmarkNames& names,
+                  const std::string& group) {
+  const auto add = [&](const char* name, const char* what, Command command) {
+    CLI::App* const one = parent.add_subcommand(name, what)->group(group);
+    rows.push_back({one, command});
+    return one;
+  };
+  CLI::App* const run = add(names.run, "runs every case of a folder without its answer key", gap::runBenchmark);
+  run->add_option("CASES", given.folder, "folder of cases")->required();
+  run->add_option("--out", given.out, "results.json, written after each case; default: the terminal");
+  run->add_flag("--resume", given.resume, "keep the results that --out has already");
+  run->add_option("--jobs", given.jobs, "cases at once; default: one with all threads")->check(CLI::Range(1, 1000));
+  CLI::App* const make = add(names.make, "makes many cases, over all effects", gap::makeBenchmark);
+  make->add_option("--part", given.part, "quick, singles, effect-free, pairs, outside or all")->capture_default_str();
+  make->add_option("--seed", given.seed, "seed of everything random")->capture_default_str();
+  make->add_option("--out", given.out, "folder for cases/ and key.json")->required();
+  make->add_option("--cases", given.cases, "at most so many cases");
+  CLI::App* const one = add(names.make_case, "makes one case in which effects are hidden", gap::hideEffects);
+  one->add_option("--effect", given.effects, "ID, ID:SEVERITY or ID.PARAMETER=VALUE; repeat for more; none: no effect");
+  one->add_option("--baseline", given.baseline,
+                  "V0 without dry friction, CV with it, W the control law of Webots, F a firmware period of 0.1 ms")
+      ->capture_default_str();
+  one->add_flag("--wrong-numbers", given.wrong_numbers, "the baseline's numbers are off, within their priors");
+  one->add_option("--seed", given.seed, "seed of everything random")->capture_default_str();
+  one->add_option("--name", given.name, "name of the case; must not reveal the effect")->capture_default_str();
+  one->add_option("--out", given.out, "folder for cases/ and key.json")->required();
+  CLI::App* const score = add(names.score, "compares results with an answer key", gap::scoreBenchmark);
+  score->add_option("RESULTS", given.results, "results.json of run")->required();
+  score->add_option("KEY", given.key, "key.json")->required();
+  score->add_flag("--json", given.json, "print the result for programs");
+  score->add_option("--at-least", given.at_least,
+                    "exit 1 unless the fair-answer rate is at least this (upper 95 % confidence bound)");
+}
 
 std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   std::vector<Row> rows;
@@ -44,74 +83,53 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   };
 
   model(on_case(add("check", "what the logs of a case can and cannot reveal", gap::check)));
-  json(model(on_case(add("locate", "where the gap is: log, time, part of the loop; fits nothing", gap::where))));
-  CLI::App* const run = on_case(add("run", "all of it: where, what, and how much it helps on kept logs", gap::run));
+  json(model(on_case(add("locate", "where the gap is: log, time, block of the loop; without any fit", gap::where))));
+  CLI::App* const run = on_case(add("run", "localize, identify, and verify on held-out logs", gap::run));
   json(report(model(run), "CASE"));
-  out(run, "write the model with what was found, an INI file");
-  CLI::App* const compare = on_case(add("report", "two models on the kept logs, before and after", gap::compareModels));
+  out(run, "write the model with the effects, an INI file");
+  CLI::App* const compare = on_case(add("report", "compares two models on the held-out logs", gap::compareModels));
   compare->add_option("--before", given.before, "a model file; else the case's own model");
   compare->add_option("--after", given.after, "a model file")->required();
   json(report(compare, "CASE-compared"));
-  CLI::App* const adds = model(on_case(add("add", "puts effects into a model file", gap::addEffects)));
-  adds->add_option("RESULTS", given.results, "report.json of run, or results.json of battery");
+  CLI::App* const adds = model(on_case(add("add", "adds effects to a model file", gap::addEffects)));
+  adds->add_option("RESULTS", given.results, "report.json of run, or results.json of benchmark run");
   adds->add_option("--effect", given.effects,
-                   "ID.PARAMETER=VALUE instead, in the unit of docs/twin/effects.md; again for more");
-  out(adds, "write the model there, not to the terminal");
+                   "ID.PARAMETER=VALUE instead, in the unit of docs/twin/effects.md; repeat for more");
+  out(adds, "write the model to this file; default: the terminal");
   CLI::App* const makes =
       add("case", "recordings of experiments with one joint of the robot, as a case", gap::makeCase);
   makes->add_option("RECORDINGS", given.recordings, "made by darwinop experiment run; to be fitted")->required();
-  makes->add_option("--keep", given.kept, "a recording that is kept for judging; again for more");
+  makes->add_option("--keep", given.held_out, "a recording that is held out from the fit; repeat for more");
   makes->add_option("--joint", given.joint, "the joint that moved")->capture_default_str();
   makes->add_option("--model", given.model, "a model file or the name of a shipped model; else darwin-op");
   out(makes, "folder for the case")->required();
-  CLI::App* const plan = on_case(add("plan", "the experiment that would tell most, docs/gap/plan.md", gap::planNext));
-  plan->add_option("--against", given.against, "ID,ID: effects to tell apart; else what a naming leaves open");
+  CLI::App* const plan = on_case(add("plan", "the most informative next experiment, docs/gap/plan.md", gap::planNext));
+  plan->add_option("--against", given.against,
+                   "ID,ID: effects to separate; default: what an identification leaves open");
   plan->add_option("--joint", given.joint, "that swings the arm")->capture_default_str();
   plan->add_option("--hangs-at", given.hangs_at_rad, "rad: angle of the joint where the arm hangs; known for the arms");
   plan->add_option("--write", given.write, "folder for the best ones, for darwinop experiment run");
   json(plan);
   CLI::App* const exports = model(on_case(add("export", "a case's model for another simulator", gap::writeFor)));
   exports->add_option("--to", given.target, "webots, mujoco or urdf")->required();
-  out(exports, "write it there, not to the terminal");
+  out(exports, "write it to this file; default: the terminal");
 
-  CLI::App* const battery = add("battery", "every case of a folder, blind", gap::runBattery);
-  battery->add_option("CASES", given.folder, "a folder of cases")->required();
-  out(battery, "write results.json there, case by case, not to the terminal");
-  battery->add_flag("--resume", given.resume, "go on with the results that are there");
-  battery->add_option("--jobs", given.jobs, "cases at once; else one with all threads")->check(CLI::Range(1, 1000));
-  CLI::App* const hide = add("hide", "make a case in which effects are hidden", gap::hideEffects);
-  hide->add_option("--effect", given.effects,
-                   "ID, ID:SEVERITY or ID.PARAMETER=VALUE; again for more; none: nothing is");
-  hide->add_option("--baseline", given.baseline,
-                   "V0 without dry friction, CV with, W the law of Webots, F a firmware of 0.1 ms")
-      ->capture_default_str();
-  hide->add_flag("--wrong-numbers", given.wrong_numbers, "the baseline's numbers are a little off");
-  hide->add_option("--seed", given.seed, "of all that is drawn")->capture_default_str();
-  hide->add_option("--name", given.name, "of the case; must not tell what is in it")->capture_default_str();
-  out(hide, "folder for cases/ and key.json")->required();
-  CLI::App* const make = add("make-battery", "many such cases, over all effects", gap::writeBattery);
-  make->add_option("--part", given.part, "quick, singles, effect-free, pairs, outside or all")->capture_default_str();
-  make->add_option("--seed", given.seed, "of all that is drawn")->capture_default_str();
-  out(make, "folder for cases/ and key.json")->required();
-  make->add_option("--cases", given.cases, "at most so many of them");
-  CLI::App* const score = add("score", "compares results with a key", gap::scoreResults);
-  score->add_option("RESULTS", given.results, "results.json of battery")->required();
-  score->add_option("KEY", given.key, "key.json")->required();
-  json(score);
-  score->add_option("--at-least", given.at_least,
-                    "exit code 1 when so large a share of cases that lead nobody astray is out of the question");
+  CLI::App* const benchmark = app.add_subcommand("benchmark", "synthetic cases: make them, run them blind, score");
+  benchmark->require_subcommand(1);
+  addBenchmark(*benchmark, given, rows, {"run", "make", "make-case", "score"}, "benchmark");
+  addBenchmark(app, given, rows, {"battery", "make-battery", "hide", "score"}, "");  // former names, not in --help
   return rows;
 }
 
 /// Under mpirun, what one rank does alone is for the first.
 bool isShared(Command command) {
-  return command == gap::run || command == gap::runBattery;
+  return command == gap::run || command == gap::runBenchmark;
 }
 
 int command(int count, char** arguments) {
   gap::Arguments given;
   CLI::App app{
-      "Finds where simulation and measurement disagree, names the missing effect, adds it to the model.\n\n"
+      "Locates where logs and model diverge, identifies the missing effect, adds it to the model.\n\n"
       "Exit code of run: 0 nothing is missing, 10 named, 11 ambiguous, 12 unknown, 13 cannot tell, 2 bad input.",
       "darwinop gap"};
   app.require_subcommand(1);

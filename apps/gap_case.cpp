@@ -3,7 +3,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "gap/robot/joint_case.hpp"
+#include "gap/case/robot/joint_case.hpp"
 #include "gap_commands.hpp"
 
 namespace darwinop::gap {
@@ -23,9 +23,9 @@ int makeCase(const Arguments& given) {
   if (!given.model.empty()) request.model = given.model;
   request.joint = jointCalled(given.joint);
   request.recordings = given.recordings;
-  request.kept = given.kept;
+  request.held_out = given.held_out;
   for (const std::string& sentence : writeJointCase(request, given.out)) std::cout << sentence << '\n';
-  std::cerr << "darwinop gap: " << given.out << " is the case; darwinop gap run " << given.out << " looks into it\n";
+  std::cerr << "darwinop gap: " << given.out << " is the case; next: darwinop gap run " << given.out << "\n";
   return 0;
 }
 

@@ -1,17 +1,19 @@
 #include "gap_commands.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "gap/data/data_check.hpp"
+#include "gap/benchmark/make/make_case.hpp"
+#include "gap/case/data_check.hpp"
 #include "gap/export/semantics.hpp"
 #include "gap/export/targets.hpp"
-#include "gap/hide/hide.hpp"
-#include "gap/report/outcome.hpp"
-#include "gap/sim/ranks.hpp"
+#include "gap/parallel/ranks.hpp"
+#include "gap/report/results.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -23,7 +25,7 @@ void write(const std::string& path, const std::string& text) {
   std::ofstream file{path};
   file << text;
   file.close();
-  if (!file) throw std::runtime_error(path + ": cannot be written; is there room, and may you write there?");
+  if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
 }
 
 /// "coulomb", "coulomb:2", "stribeck.friction=0.05"; several of the last kind for one effect belong together.
@@ -43,7 +45,7 @@ void addTo(std::vector<HiddenEffect>& effects, const std::string& text) {
       throw std::invalid_argument(text);
   } catch (const std::logic_error&) {
     throw std::runtime_error("'" + text +
-                             "' says no effect to hide; write ID, ID:SEVERITY or ID.PARAMETER=VALUE, as in " +
+                             "' is not an effect to hide; write ID, ID:SEVERITY or ID.PARAMETER=VALUE, as in " +
                              "coulomb.friction=0.05");
   }
 }
@@ -57,14 +59,14 @@ int check(const Arguments& given) {
 
 int where(const Arguments& given) {
   const Case read = readGiven(given);
-  tellWarnings(read);
-  const Where found = locate(read, evidenceOf(read, baselineOf(read)));
+  printWarnings(read);
+  const Localization found = localize(Study{read});
   std::cout << (given.json ? asJson(found).dump(1) + "\n" : asText(found));
   return 0;
 }
 
 int hideEffects(const Arguments& given) {
-  HideRequest request;
+  CaseRequest request;
   request.seed = given.seed;
   request.wrong_numbers = given.wrong_numbers;
   request.name = given.name;
@@ -84,14 +86,15 @@ int writeFor(const Arguments& given) {
   if (!target) throw std::runtime_error("there is no target '" + given.target + "'; there are webots, mujoco and urdf");
   const Case read = readGiven(given);
   const ExportSettings settings = settingsFor(read);
-  const Export made = exportTo(*target, baselineOf(read), settings);
+  const Hypothesis model = baselineOf(read);
+  const Export made = exportTo(*target, model, settings);
   if (given.out.empty())
     std::cout << made.text;
   else
     write(given.out, made.text);
   for (const std::string& lost : made.lost) std::cerr << "lost: " << lost << '\n';
   for (const std::string& approximated : made.approximated) std::cerr << "approximated: " << approximated << '\n';
-  std::cerr << asText(remeasure(*target, read, baselineOf(read), settings));
+  std::cerr << asText(remeasure(*target, read, model, settings));
   return 0;
 }
 

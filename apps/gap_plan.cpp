@@ -5,9 +5,9 @@
 
 #include "core/number_text.hpp"
 #include "experiments/phase_reader.hpp"
-#include "gap/name/naming.hpp"
-#include "gap/plan/ask.hpp"
-#include "gap/plan/hand_over.hpp"
+#include "gap/identify/identification.hpp"
+#include "gap/plan/question.hpp"
+#include "gap/plan/write_experiments.hpp"
 #include "gap_commands.hpp"
 
 namespace darwinop::gap {
@@ -28,21 +28,21 @@ std::vector<std::string> partsOf(const std::string& list) {
 
 int planNext(const Arguments& given) {
   const Case read = readCase(given.folder);
-  const Stand stand = standOf(experiments::jointNamed(given.joint), given.hangs_at_rad);
-  const Tell tell = [&](const std::string& what) {
+  const ArmSetup stand = armSetupFor(experiments::jointNamed(given.joint), given.hangs_at_rad);
+  const ProgressCallback progress = [&](const std::string& what) {
     if (!given.json) std::cerr << "darwinop gap: " << what << '\n';
   };
   Question question;
   if (given.against.empty()) {
-    NameOptions options;
-    options.tell = tell;
-    const Naming naming = nameEffects(read, options);
-    tell("verdict: " + std::string{nameOf(naming.verdict)});
-    question = questionAfter(read, naming, tell);
+    IdentifyOptions options;
+    options.progress = progress;
+    const Identification naming = identify(Study{read}, options);
+    progress("verdict: " + std::string{nameOf(naming.verdict)});
+    question = questionAfter(read, naming, progress);
   } else {
-    question = questionBetween(read, partsOf(given.against), tell);
+    question = questionBetween(read, partsOf(given.against), progress);
   }
-  tell("simulating the experiments");
+  progress("simulating the experiments");
   const NextExperiments next = nextExperiments(read, stand, std::move(question), candidatesFor(read, stand));
   std::vector<std::string> paths;
   if (!given.write.empty()) paths = writeBest(next, given.write);

@@ -33,7 +33,7 @@ ProgressLine::~ProgressLine() {
   end();
 }
 
-void ProgressLine::tell(const std::string& what) {
+void ProgressLine::show(const std::string& what) {
   if (quiet_) return;
   const std::lock_guard lock{mutex_};
   what_ = what;

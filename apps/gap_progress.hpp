@@ -18,7 +18,7 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// To stderr. "2 of 3: dry friction explains a part of it" fills a third of the bar.
-  void tell(const std::string& what);
+  void show(const std::string& what);
   /// Clears the line, so that results may be printed.
   void end();
 

@@ -3,8 +3,10 @@
 #include <spawn.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -13,9 +15,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "gap/parallel/ranks.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/report.hpp"
-#include "gap/sim/ranks.hpp"
 #include "gap_commands.hpp"
 #include "gap_progress.hpp"
 #include "settings/text_file.hpp"
@@ -29,7 +31,7 @@ constexpr std::size_t kLongestText = 64 << 20;  // bytes: of a report, as darwin
 
 std::string textOf(const std::string& path) {
   const std::optional<std::string> text = settings::readTextFile(path, kLongestText);
-  if (!text) throw std::runtime_error(path + ": cannot be read; is the name right?");
+  if (!text) throw std::runtime_error("cannot read " + path + ": " + std::strerror(errno));
   return *text;
 }
 
@@ -37,7 +39,7 @@ void writeTo(const std::string& path, const std::string& text) {
   std::ofstream file{path, std::ios::binary};
   file << text;
   file.close();
-  if (!file) throw std::runtime_error(path + ": cannot be written; is there room, and may you write there?");
+  if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
 }
 
 /// A name of a case that is also one of a folder.
@@ -74,15 +76,15 @@ void openInBrowser(const std::string& path) {
   char* const words[] = {program.data(), page.data(), nullptr};
   pid_t child = 0;
   if (posix_spawnp(&child, program.c_str(), &quiet, nullptr, words, environ) != 0)
-    std::cerr << "darwinop gap: there is no xdg-open here; open the page yourself\n";
+    std::cerr << "darwinop gap: xdg-open not found; open the page yourself\n";
   posix_spawn_file_actions_destroy(&quiet);
 }
 
 void deliver(const Report& report, const Arguments& given, const std::string& folder) {
   writeReport(report, folder);
   const std::string page = (fs::path{folder} / "report.html").string();
-  std::cerr << "darwinop gap: " << page << " shows it, report.json beside it is for programs"
-            << (report.outcome == nullptr ? "" : ", repaired.ini is the model with what was found") << '\n';
+  std::cerr << "darwinop gap: " << page << " is the report; report.json beside it is for programs"
+            << (report.outcome == nullptr ? "" : ", repaired.ini the model with the effects") << '\n';
   if (given.open || (!given.no_open && !given.json && someoneIsThere())) openInBrowser(page);
 }
 
@@ -112,17 +114,17 @@ Case readGiven(const Arguments& given) {
   return given.model.empty() ? read : withModel(std::move(read), twin::readModel(twin::findModel(given.model)));
 }
 
-void tellWarnings(const Case& read) {
+void printWarnings(const Case& read) {
   if (!Ranks::isFirst()) return;
   for (const std::string& warning : read.warnings) std::cerr << "darwinop gap: " << warning << '\n';
 }
 
 int run(const Arguments& given) {
   const Case read = readGiven(given);
-  tellWarnings(read);
+  printWarnings(read);
   ProgressLine progress{given.json || !Ranks::isFirst()};
-  NameOptions options;
-  options.tell = [&](const std::string& what) { progress.tell(what); };
+  IdentifyOptions options;
+  options.progress = [&](const std::string& what) { progress.show(what); };
   const Outcome outcome = investigate(read, options);
   Report report = reportOf(read, outcome, startModel(given, read));
   progress.end();
@@ -132,12 +134,12 @@ int run(const Arguments& given) {
                          " --out repaired.ini",
                      "darwinop gap report --after repaired.ini" +
                          (given.model.empty() ? "" : " --before " + shellWord(given.model)) + " " + on};
-  const int code = exitCodeOf(outcome.naming.verdict);
+  const int code = exitCodeOf(outcome.identification.verdict);
   if (!Ranks::isFirst()) return code;
   std::cout << (given.json ? dumped(asJson(read, outcome)) : asText(report)) << std::flush;
   if (!given.out.empty()) {
     writeTo(given.out, report.model_after);
-    std::cerr << "darwinop gap: " << given.out << " is the model with what was found; the twin takes it as it is\n";
+    std::cerr << "darwinop gap: " << given.out << " is the model with the effects; the twin reads it\n";
   }
   if (!given.no_report) deliver(report, given, folder);
   return code;
@@ -157,8 +159,7 @@ int compareModels(const Arguments& given) {
 int addEffects(const Arguments& given) {
   const Case read = readGiven(given);
   if (given.results.empty() == given.effects.empty())
-    throw std::runtime_error(
-        "what is to be added? give report.json of a run, or --effect ID.PARAMETER=VALUE; one of the two");
+    throw std::runtime_error("add needs either report.json of a run or --effect ID.PARAMETER=VALUE");
   const Additions additions =
       given.results.empty() ? additionsFrom(given.effects) : additionsIn(textOf(given.results), given.results, read);
   const std::string before = startModel(given, read), text = withAdditions(before, additions);
@@ -167,8 +168,7 @@ int addEffects(const Arguments& given) {
   else
     writeTo(given.out, text);
   for (const AddedEffect& effect : additions.effects)
-    std::cerr << "darwinop gap: " << effect.id
-              << (hasEffect(before, effect.id) ? " replaces what the model had of it\n" : " is in it now\n");
+    std::cerr << "darwinop gap: " << effect.id << (hasEffect(before, effect.id) ? " replaced\n" : " added\n");
   return 0;
 }
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "gap/name/suspects.hpp"
+#include "gap/identify/effect_set.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace {
@@ -51,7 +51,7 @@ bool isSuspect(const EffectInfo& effect, twin::Law law) {
   gap::Case given;
   given.model.servo.law = law;
   given.datasheet.emplace();
-  const auto suspects = gap::suspectsOf(given);
+  const auto suspects = gap::candidateEffectsOf(given);
   return std::find(suspects.begin(), suspects.end(), &effect) != suspects.end();
 }
 

@@ -12,7 +12,7 @@ namespace darwinop::gap {
 /// Of one log: rms of measured against simulated position.
 struct LogGap {
   std::string file;
-  bool score = false;
+  bool held_out = false;
   double twin_mrad = 0, target_mrad = 0;
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gap/fit/slopes.hpp"
+#include "gap/fit/jacobian.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -42,14 +42,14 @@ class RobustCost final : public ceres::CostFunction {
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
 
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Eigen::Map<RowMajor> slopes{jacobians[0], rows + unknowns, unknowns};
-    slopes.setZero();
+    Eigen::Map<RowMajor> jacobian{jacobians[0], rows + unknowns, unknowns};
+    jacobian.setZero();
     const Eigen::VectorXd chain = plain.binaryExpr(out.head(rows), [this](double r, double root) {
       return root == 0 ? 1 : r / (root * std::sqrt(1 + r * r / (width_ * width_)));
     });
-    slopes.topRows(rows) = chain.asDiagonal() * slopesAt(problem_, x, plain, steps_);
+    jacobian.topRows(rows) = chain.asDiagonal() * jacobianAt(problem_, x, plain, steps_);
     for (Eigen::Index i = 0; i < unknowns; ++i)
-      slopes(rows + i, i) = priorWeight(problem_.unknowns()[static_cast<std::size_t>(i)], x[i]);
+      jacobian(rows + i, i) = priorWeight(problem_.unknowns()[static_cast<std::size_t>(i)], x[i]);
     return true;
   }
 

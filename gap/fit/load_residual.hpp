@@ -1,7 +1,7 @@
 // How far off a load is, given where the servo saw itself.
 #pragma once
 
-#include "gap/sim/hypothesis.hpp"
+#include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {
 

@@ -7,9 +7,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "gap/fit/discrepancy.hpp"
 #include "gap/fit/load_residual.hpp"
-#include "gap/fit/unexplained.hpp"
-#include "gap/sim/roll_out.hpp"
+#include "gap/plant/bench/roll_out.hpp"
 
 namespace darwinop::gap {
 
@@ -17,7 +17,7 @@ struct NoiseOptions {
   int runs = 32;  // of each log
   Disturbance disturbance = {};
   std::uint64_t seed = 1;
-  Unexplained unexplained = {};
+  Discrepancy discrepancy = {};
 };
 
 /// Residuals of one log in units of its noise: positions, then loads. Independent, of variance 1, where the model is
@@ -35,10 +35,10 @@ class LogNoise {
   [[nodiscard]] Eigen::VectorXd positionSigma() const;
 
  private:
-  void bearWith(const Unexplained& unexplained, std::size_t log, double period_s);
+  void addDiscrepancy(const Discrepancy& discrepancy, std::size_t log, double period_s);
 
   LoadResidual load_residual_;
-  double together_ = 0;  // samples that count as one, where the model leaves much unexplained; 0: it need not
+  double correlated_samples_ = 0;  // samples that count as one, where the model leaves much unexplained; 0: it need not
   Eigen::VectorXd position_sigma_, load_sigma_;  // of what is independent; infinite: not counted
   Eigen::MatrixXd modes_;                        // orthonormal columns, in units of the sigmas
   Eigen::VectorXd mode_sigma_;                   // of each mode, same units

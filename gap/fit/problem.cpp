@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "gap/data/plausible.hpp"
-#include "gap/sim/parallel.hpp"
+#include "gap/case/plausible.hpp"
+#include "gap/parallel/parallel.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -27,12 +27,12 @@ double Evidence::logDeterminant() const {
   return all;
 }
 
-Evidence evidenceOf(const Case& given, const Hypothesis& hypothesis, bool score, const NoiseOptions& options) {
-  Evidence evidence{.given = &given, .logs = {}, .noise = {}, .unexplained = options.unexplained};
-  const auto copies = duplicates(given);  // the same rows again say nothing new
-  for (std::size_t i = 0; i < given.logs.size(); ++i)
-    if (given.logs[i].score == score && !copies[i]) evidence.logs.push_back(i);
-  evidence.noise = noiseOf(given, evidence.logs, hypothesis, options);
+Evidence evidenceOf(const Case& data, const Hypothesis& hypothesis, LogRole role, const NoiseOptions& options) {
+  Evidence evidence{.given = &data, .logs = {}, .noise = {}, .discrepancy = options.discrepancy};
+  const auto copies = duplicates(data);
+  for (std::size_t i = 0; i < data.logs.size(); ++i)
+    if (data.logs[i].held_out == (role == LogRole::kHeldOut) && !copies[i]) evidence.logs.push_back(i);
+  evidence.noise = noiseOf(data, evidence.logs, hypothesis, options);
   return evidence;
 }
 

@@ -6,6 +6,7 @@
 
 #include "gap/fit/noise.hpp"
 #include "gap/fit/unknown.hpp"
+#include "gap/plant/bench/position_error.hpp"
 
 namespace darwinop::gap {
 
@@ -14,13 +15,13 @@ struct Evidence {
   const Case* given = nullptr;
   std::vector<std::size_t> logs;
   std::vector<LogNoise> noise;
-  Unexplained unexplained = {};
+  Discrepancy discrepancy = {};
 
   [[nodiscard]] Eigen::Index size() const;
   [[nodiscard]] double logDeterminant() const;
 };
-/// Logs that are kept for judging are left out, or taken alone.
-Evidence evidenceOf(const Case& given, const Hypothesis& hypothesis, bool score = false,
+/// The logs of this role, copies of a log once, with the noise that `hypothesis` predicts.
+Evidence evidenceOf(const Case& data, const Hypothesis& hypothesis, LogRole role = LogRole::kFit,
                     const NoiseOptions& options = {});
 
 /// Large residuals count linearly: |r| beyond this many sigma.

@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
+#include "gap/fit/jacobian.hpp"
 #include "gap/fit/levenberg.hpp"
-#include "gap/fit/slopes.hpp"
-#include "gap/sim/parallel.hpp"
+#include "gap/parallel/parallel.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -23,7 +23,7 @@ constexpr int kMostJumps = 3;
 Eigen::MatrixXd informationOf(const Problem& problem, const Fit& fit) {
   Eigen::VectorXd weight =
       fit.residuals.unaryExpr([](double r) { return 1 / std::sqrt(1 + r * r / (kRobust * kRobust)); });
-  Eigen::MatrixXd information = fit.slopes.transpose() * weight.asDiagonal() * fit.slopes;
+  Eigen::MatrixXd information = fit.jacobian.transpose() * weight.asDiagonal() * fit.jacobian;
   for (Eigen::Index i = 0; i < fit.x.size(); ++i) {
     const double prior = priorWeight(problem.unknowns()[static_cast<std::size_t>(i)], fit.x[i]);
     information(i, i) += prior * prior;
@@ -54,7 +54,7 @@ Eigen::MatrixXd covarianceOf(const Eigen::MatrixXd& information) {
 }
 
 void lookAround(const Problem& problem, Fit& fit) {
-  fit.slopes = slopesAt(problem, fit.x, fit.residuals, fit.steps);
+  fit.jacobian = jacobianAt(problem, fit.x, fit.residuals, fit.steps);
   fit.information = informationOf(problem, fit);
   fit.covariance = covarianceOf(fit.information);
 }

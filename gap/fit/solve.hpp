@@ -12,7 +12,7 @@ struct Fit {
   double cost = 0, prior = 0;   // as Problem::cost(); its part that is the prior's
   Eigen::MatrixXd steps;        // of the difference quotients, a column each; slopes.hpp
   Eigen::VectorXd residuals;    // without the prior
-  Eigen::MatrixXd slopes;       // of the residuals by x, without the prior
+  Eigen::MatrixXd jacobian;     // of the residuals by x, without the prior
   Eigen::MatrixXd information;  // of x, the priors' included
   Eigen::MatrixXd covariance;   // its inverse; infinite where the data say nothing
 };

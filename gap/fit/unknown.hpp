@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "gap/sim/hypothesis.hpp"
+#include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {
 

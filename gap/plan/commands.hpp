@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "gap/plan/candidate.hpp"
+#include "gap/plan/experiment_candidate.hpp"
 
 namespace darwinop::gap {
 
@@ -18,7 +18,8 @@ struct Stretch {
 
 /// Throws std::runtime_error, a sentence, for what cannot be foretold: a torque given directly, an end that depends on
 /// what the joint does.
-std::vector<Stretch> commandsOf(const Candidate& candidate, const experiments::Round& round, const Stand& stand);
+std::vector<Stretch> commandsOf(const ExperimentCandidate& candidate, const experiments::Round& round,
+                                const ArmSetup& stand);
 
 /// `given` with these logs in place of its own. Goals are written after the read: each log begins held.
 Case planned(const Case& given, const std::vector<Stretch>& stretches);

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "gap/data/case.hpp"
+#include "gap/case/case.hpp"
 
 namespace darwinop::gap {
 

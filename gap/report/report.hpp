@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/report/outcome.hpp"
+#include "gap/report/results.hpp"
 
 namespace darwinop::gap {
 

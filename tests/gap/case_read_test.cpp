@@ -51,8 +51,8 @@ TEST(CaseRead, RowsInSi) {
   const Trajectory& log = c.logs[0];
   const CsvRow row = sineRows()[10];
   EXPECT_EQ(log.kind, "sine");
-  EXPECT_FALSE(log.score);
-  EXPECT_TRUE(c.logs[1].score);
+  EXPECT_FALSE(log.held_out);
+  EXPECT_TRUE(c.logs[1].held_out);
   EXPECT_EQ(log.session_start_s, 1.5);
   EXPECT_EQ(log.lines[10], 12u);
   EXPECT_NEAR(log.position_rad[10], row.pos, 1e-6);

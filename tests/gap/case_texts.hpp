@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/units.hpp"
-#include "gap/data/parse_case.hpp"
+#include "gap/case/parse_case.hpp"
 #include "logs/read_log.hpp"
 
 namespace darwinop::gap {

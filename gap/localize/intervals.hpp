@@ -1,0 +1,46 @@
+// Where in the logs the gap is: intervals in which the residuals hold more energy than noise has, with control of false
+// discoveries.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gap/localize/blocks.hpp"
+#include "gap/localize/residual.hpp"
+
+namespace darwinop::gap {
+
+struct GapInterval {
+  std::string signal;  // "position", "load", "volt"
+  std::string joint;   // empty: a bench
+  std::string file;
+  double t0_s = 0, t1_s = 0;   // of the file's clock
+  std::string happens;         // "step", "reversal", "rest", "saturation", "torque off", "slow motion", "motion"
+  std::optional<Block> block;  // whose cut is worst there; nothing: all are closed there
+  double chi2 = 0;             // sum of squares in standard deviations
+  double samples = 0;          // that the sum is of
+  double size = 0;             // rms there, in `unit`
+  std::string unit;            // "mrad", "%", "V"
+  [[nodiscard]] double score() const;
+};
+
+/// An interval of one row of residuals in which their energy is beyond noise.
+struct EnergyInterval {
+  std::size_t first = 0, last = 0;  // samples
+  double chi2 = 0;
+};
+
+inline constexpr double kFalseDiscoveries = 0.01;
+/// The strongest intervals of each row, 0.1 to 2 s long, none over another. `time_s`: of each sample.
+std::vector<std::vector<EnergyInterval>> scanEnergy(const std::vector<Eigen::VectorXd>& z,
+                                                    const std::vector<std::vector<double>>& time_s);
+
+/// At most ten; positions first, strongest first.
+std::vector<GapInterval> intervalsOf(const Case& given, const std::vector<LogResidual>& residuals,
+                                     const Blocks& blocks);
+
+/// What the joint does in some rows.
+std::string whatHappens(const Trajectory& log, std::size_t first, std::size_t last, const twin::ServoParameters& servo);
+
+}  // namespace darwinop::gap

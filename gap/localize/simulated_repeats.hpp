@@ -1,0 +1,22 @@
+// Logs as they would be if the baseline were right: the same commands, rolled out with noise, with registers that
+// round.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gap/plant/bench/roll_out.hpp"
+
+namespace darwinop::gap {
+
+/// One entry a run, each with one trajectory a log.
+using SimulatedRepeats = std::vector<std::vector<Trajectory>>;
+
+/// `runs`: 8 tell a standard deviation to a quarter.
+SimulatedRepeats simulateRepeats(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis,
+                                 int runs = 8, std::uint64_t seed = 1);
+
+/// One log of the case as `trace` would have been reported. Columns that the log does not have stay away.
+Trajectory asReported(const Trajectory& log, const Trace& trace, double ticks_per_rev, std::uint64_t seed);
+
+}  // namespace darwinop::gap
