@@ -161,4 +161,119 @@ inline constexpr int kMaxRareEffects = 1;
 /// Share of the mean error. If more remains, the effects found may stand for something else. No evidence yet.
 inline constexpr double kRoughErrorShare = 0.2;
 
+// ---- Noise model (gap/fit/noise.cpp, problem.cpp) ----
+
+/// Samples on either side of a moving average. What varies faster is independent noise, what varies slower a mode. No
+/// evidence yet.
+inline constexpr int kNoiseHalfWindow = 3;
+/// Samples on either side over which the variance of the independent part is averaged. No evidence yet.
+inline constexpr int kNoiseVarianceHalfWindow = 5;
+/// Standard deviations of the independent part. Smaller modes are left out. No evidence yet.
+inline constexpr double kSmallestNoiseMode = 0.5;
+/// Factor on the spread of a few dozen runs, which underestimates that of many.
+inline constexpr double kFewRunsFactor = 1.1;
+/// Standard deviations beyond which a residual counts linearly (pseudo-Huber). The specification says 2. No evidence
+/// yet.
+inline constexpr double kRobustSigmas = 3;
+/// Standard deviations of every sample of a hypothesis that cannot be simulated.
+inline constexpr double kImpossibleSigmas = 1e3;
+
+// ---- Model discrepancy (gap/fit/discrepancy.cpp) ----
+
+/// s. Correlation time of a discrepancy: half a swing of an arm of 0.1 m.
+inline constexpr double kDiscrepancyTime = 0.3;
+/// Standard deviations beyond which a residual against a discrepancy counts linearly. No evidence yet.
+inline constexpr double kDiscrepancyRobustSigmas = 2;
+
+// ---- Unknowns and steps (gap/fit/unknown.cpp, jacobian.cpp) ----
+
+/// Prior standard deviations a search may move a baseline number by; beyond, an effect that says so explains it better.
+inline constexpr double kFarthestPriorSigmas = 6;
+/// Share of a range below which a logarithmic parameter has no effect.
+inline constexpr double kSmallestScale = 1e-4;
+/// First steps. Longest and shortest difference step: a shorter one meets the roughness of stick and slip. No evidence
+/// yet.
+inline constexpr double kLongestStep = 2, kShortestStep = 1e-6;
+/// Share of a step. Less room to a bound on either side counts as this much.
+inline constexpr double kLeastStepRoom = 0.01;
+
+// ---- Least squares (gap/fit/levenberg.cpp, solve.cpp) ----
+
+/// Relative cost. A solver step that gains less is the last.
+inline constexpr double kSolverTolerance = 1e-5;
+/// Standard deviations beyond which a residual counts linearly while the search is far off. No evidence yet.
+inline constexpr double kFarRobustSigmas = 100;
+/// Cost per residual above which a search counts as far off; a right model has about 1. No evidence yet.
+inline constexpr double kFarCost = 2.5;
+/// Share of the largest eigenvalue below which the data do not determine a direction.
+inline constexpr double kUnseenEigenvalue = 1e-9;
+/// Cost, and share of the cost, that a jump out of a local minimum has to gain; jumps per search. No evidence yet.
+inline constexpr double kJumpGain = 2, kJumpGainShare = 0.005;
+inline constexpr int kMaxJumps = 3;
+
+// ---- Block tests (gap/localize/block_test.cpp, blocks.cpp, absorb.cpp, fit_nuisances.cpp) ----
+
+/// Standard deviations beyond simulated repeats from which a block is open. No evidence yet.
+inline constexpr double kOpenSigmas = 6;
+/// Standard deviations that the baseline numbers may move for a block to close: exceeded once in 2000.
+inline constexpr double kMovedSigmas = 3.3;
+/// Samples on either side over which the spread of the simulated repeats is averaged. No evidence yet.
+inline constexpr int kRepeatsHalfWindow = 3;
+/// s. Length of the boxes of which the worst is tested. No evidence yet.
+inline constexpr double kBlockBox = 0.25;
+/// Least relative spread of the mean cost over all logs, of the worst log and of the worst box: eight repeats estimate
+/// a spread badly, and no two simulators agree exactly. No evidence yet.
+inline constexpr double kSpreadOfAll = 0.07, kSpreadOfLog = 0.1, kSpreadOfWorst = 0.2;
+/// Prior standard deviations that absorption may move a number by; a larger move is itself a finding.
+inline constexpr double kAbsorbedSigmas = 3;
+/// Reweightings in absorption.
+inline constexpr int kAbsorptionRounds = 12;
+/// Gauss-Newton steps that fit the baseline numbers to a block, and prior standard deviations of a difference step.
+inline constexpr int kNuisanceSteps = 3;
+inline constexpr double kNuisanceStepSigmas = 0.5;
+/// s. Window of law speed_p in which the positions show what the law commanded.
+inline constexpr double kSpeedLawWindow = 0.06;
+/// Share of the plant's cost beyond noise that a delay has to explain for the plant to count as closed. No evidence
+/// yet.
+inline constexpr double kDelayShare = 0.75;
+/// Times the expected rms that a speed register must exceed: servos filter their speed in many ways.
+inline constexpr double kSensorRatio = 1.5;
+/// Times the expected rms up to which an open controller that nothing explains counts as closed, and the share of its
+/// cost that counts as an explanation. No evidence yet.
+inline constexpr double kControllerNoiseRatio = 1.2, kControllerExplainedShare = 0.15;
+/// Share of the plant's cost that may remain with what was found in earlier blocks. No evidence yet.
+inline constexpr double kPlantRemainderShare = 0.1;
+
+// ---- Command or controller (gap/localize/command_split.cpp) ----
+
+/// s since the goal moved after which a profile has arrived.
+inline constexpr double kGoalAtRest = 0.5;
+/// Shares of the cost beyond noise: less explains nothing; more explains all; less at rest is none. No evidence yet.
+inline constexpr double kSplitExplains = 0.15, kSplitExplainsAll = 0.9, kSplitRestIsNone = 0.1;
+
+// ---- Intervals, regions, remainder (gap/localize/intervals.cpp, interval_scan.cpp, regions.cpp, remains.cpp) ----
+
+/// False discovery rate of intervals (Benjamini and Hochberg 1995). From the specification.
+inline constexpr double kFalseDiscoveries = 0.01;
+/// Share of samples that counts as independent: a release leaves correlated errors. No evidence yet.
+inline constexpr double kIndependentShare = 0.5;
+/// Intervals that are listed, and those of loads and voltages among them.
+inline constexpr std::size_t kMostIntervals = 10, kMostBlockIntervals = 4;
+/// rad from row to row that is a step of the goal; s that it lasts on; rad/s of rest and of slow motion.
+inline constexpr double kGoalStep = 0.1, kAfterGoalStep = 0.3, kRestSpeed = 0.05, kSlowSpeed = 0.3;
+/// Bins of a state variable and of the residual; samples in a bin that is named. No evidence yet.
+inline constexpr std::size_t kStateBins = 8, kResidualLevels = 4, kFewestInBin = 12;
+/// Share of the variance below which state or clock explain nothing. No evidence yet.
+inline constexpr double kDependenceShare = 0.05;
+/// rad/s above which a direction of motion is known.
+inline constexpr double kDirectionSpeed = 0.05;
+/// bits below which a state variable is not worth naming. No evidence yet.
+inline constexpr double kInformativeBits = 0.05;
+/// Share of the energy in one interval that makes it an event. From the specification.
+inline constexpr double kEventShare = 0.8;
+/// Ratio of energy in a bin to the mean from which the bin is named. No evidence yet.
+inline constexpr double kLiftedBin = 1.5;
+/// s by which rows of two repeated logs may differ.
+inline constexpr double kSameRowTime = 2e-3;
+
 }  // namespace darwinop::gap::thresholds

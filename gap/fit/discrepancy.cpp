@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "gap/fit/load_residual.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kTogether = 0.3;     // s: half a swing of an arm of 0.1 m, 2 pi sqrt(0.1 m / g) / 2
 constexpr double kOfMedian = 1.4826;  // standard deviation of a normal distribution over its median |deviation|
-constexpr double kSoft = 2;           // sigma: from here on linearly
 
 double spreadOf(std::vector<double>& values) {
   if (values.empty()) return 0;
@@ -22,8 +21,9 @@ double spreadOf(std::vector<double>& values) {
 }  // namespace
 
 Discrepancy discrepancyOf(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis) {
-  Discrepancy discrepancy{
-      .position_rad = 0, .load = std::vector<double>(given.logs.size(), 0), .correlation_s = kTogether};
+  Discrepancy discrepancy{.position_rad = 0,
+                          .load = std::vector<double>(given.logs.size(), 0),
+                          .correlation_s = thresholds::kDiscrepancyTime};
   std::vector<double> positions;
   Trace trace;
   for (const std::size_t index : logs) {
@@ -43,8 +43,9 @@ Discrepancy discrepancyOf(const Case& given, const std::vector<std::size_t>& log
 }
 
 double softened(double residual) {
-  const double share = residual / kSoft;
-  return std::copysign(kSoft * std::sqrt(2 * (std::sqrt(1 + share * share) - 1)), residual);
+  const double share = residual / thresholds::kDiscrepancyRobustSigmas;
+  return std::copysign(thresholds::kDiscrepancyRobustSigmas * std::sqrt(2 * (std::sqrt(1 + share * share) - 1)),
+                       residual);
 }
 
 }  // namespace darwinop::gap

@@ -6,12 +6,10 @@
 #include <cmath>
 
 #include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr double kLongest = 2;      // first steps
-constexpr double kShortest = 1e-6;  // first steps: below, a simulation with stick and slip is rough
 
 /// How much of `step` stays inside the bounds.
 double roomFor(const Problem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
@@ -39,9 +37,9 @@ Eigen::MatrixXd stepsAlong(const Problem& problem, const Eigen::MatrixXd& inform
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{unit.asDiagonal() * information * unit.asDiagonal()};
   Eigen::MatrixXd steps = eigen.eigenvectors();
   for (Eigen::Index i = 0; i < steps.cols(); ++i) {
-    const double longest = kLongest / steps.col(i).cwiseAbs().maxCoeff();
+    const double longest = thresholds::kLongestStep / steps.col(i).cwiseAbs().maxCoeff();
     const double seen = eigen.eigenvalues()[i] > 0 ? 1 / std::sqrt(eigen.eigenvalues()[i]) : longest;
-    steps.col(i) *= std::clamp(seen, kShortest, longest);
+    steps.col(i) *= std::clamp(seen, thresholds::kShortestStep, longest);
   }
   return unit.asDiagonal() * steps;
 }
@@ -50,10 +48,10 @@ Eigen::MatrixXd jacobianAt(const Problem& problem, const Eigen::VectorXd& x, con
                            const Eigen::MatrixXd& steps) {
   Eigen::MatrixXd changes(residuals.size(), steps.cols());
   forEach(static_cast<std::size_t>(steps.cols()), [&](std::size_t index) {
-    constexpr double kSome = 0.01;  // of a step: less room on either side is as good as none
     const auto i = static_cast<Eigen::Index>(index);
     const double ahead = roomFor(problem, x, steps.col(i)), back = roomFor(problem, x, -steps.col(i));
-    const double share = ahead >= std::min(1.0, back) ? std::max(kSome, ahead) : -std::max(kSome, back);
+    const double share = ahead >= std::min(1.0, back) ? std::max(thresholds::kLeastStepRoom, ahead)
+                                                      : -std::max(thresholds::kLeastStepRoom, back);
     Eigen::VectorXd there(residuals.size());
     problem.residuals(x + share * steps.col(i), there);
     changes.col(i) = (there - residuals) / share;

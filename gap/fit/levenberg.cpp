@@ -6,11 +6,10 @@
 #include <cmath>
 
 #include "gap/fit/jacobian.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr double kLeastGain = 1e-5;  // of the cost: the search is over
 
 /// Pseudo-Huber's signed root.
 double rootOfCost(double residual, double width) {
@@ -93,7 +92,7 @@ Eigen::VectorXd searched(const Problem& problem, Eigen::VectorXd x, const Eigen:
   ceres::Solver::Options options;
   options.max_num_iterations = iterations;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.function_tolerance = kLeastGain;
+  options.function_tolerance = thresholds::kSolverTolerance;
   options.parameter_tolerance = 1e-7;
   options.max_num_consecutive_invalid_steps = 3;
   options.line_search_interpolation_type = ceres::QUADRATIC;  // a cubic one takes slopes at every try

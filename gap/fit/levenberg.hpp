@@ -9,7 +9,7 @@ namespace darwinop::gap {
 double priorWeight(const Unknown& unknown, double x);
 
 /// `x`, moved to where Problem::cost() is least, in so many steps. `steps`: of the difference quotients. `width`:
-/// beyond so many sigma a residual counts linearly; kRobust is what Problem::cost() has.
+/// beyond so many sigma a residual counts linearly; thresholds::kRobustSigmas is what Problem::cost() has.
 Eigen::VectorXd searched(const Problem& problem, Eigen::VectorXd x, const Eigen::MatrixXd& steps, int iterations,
                          double width);
 

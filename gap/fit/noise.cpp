@@ -8,14 +8,11 @@
 
 #include "core/conversions.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr Eigen::Index kHalfWindow = 3;       // samples on either side: what changes faster is rough
-constexpr Eigen::Index kSpread = 5;           // samples on either side over which roughness is averaged
-constexpr double kSmallestMode = 0.5;         // sigma; smaller ones do not show
-constexpr double kFewRuns = 1.1;              // the spread of a few dozen runs is a little small
 constexpr double kLoadStep = 0.001;           // of the register: 0.1 %
 const double kUniform = std::sqrt(1.0 / 12);  // standard deviation of a rounding step of 1
 
@@ -53,13 +50,14 @@ Eigen::MatrixXd deviations(const Case& given, std::size_t log, const Hypothesis&
 /// Takes the rough part out of `part`; returns its standard deviation.
 Eigen::VectorXd takeRoughness(Eigen::Ref<Eigen::MatrixXd> part) {
   Eigen::VectorXd variance = Eigen::VectorXd::Zero(part.rows());
-  constexpr double kLost = 1 + 1.0 / (2 * kHalfWindow);  // of a white noise's variance, by taking the mean away
+  constexpr double kLost =
+      1 + 1.0 / (2 * thresholds::kNoiseHalfWindow);  // of a white noise's variance, by taking the mean away
   for (Eigen::Index run = 0; run < part.cols(); ++run) {
-    const Eigen::VectorXd smooth = smoothed(part.col(run), kHalfWindow);
+    const Eigen::VectorXd smooth = smoothed(part.col(run), thresholds::kNoiseHalfWindow);
     variance += kLost * (part.col(run) - smooth).cwiseAbs2() / static_cast<double>(part.cols());
     part.col(run) = smooth;
   }
-  return smoothed(variance, kSpread).cwiseSqrt();
+  return smoothed(variance, thresholds::kNoiseVarianceHalfWindow).cwiseSqrt();
 }
 
 /// A load is that of the last period of the firmware, and which one that was is known to a period only: what it changes
@@ -100,9 +98,9 @@ LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothe
   spread.bottomRows(n).array().colwise() /= load_sigma_.array();
   const Eigen::BDCSVD<Eigen::MatrixXd> svd{spread / std::sqrt(static_cast<double>(options.runs)), Eigen::ComputeThinU};
   Eigen::Index count = 0;
-  while (count < svd.singularValues().size() && svd.singularValues()[count] > kSmallestMode) ++count;
+  while (count < svd.singularValues().size() && svd.singularValues()[count] > thresholds::kSmallestNoiseMode) ++count;
   modes_ = svd.matrixU().leftCols(count);
-  mode_sigma_ = kFewRuns * svd.singularValues().head(count);
+  mode_sigma_ = thresholds::kFewRunsFactor * svd.singularValues().head(count);
   if (options.discrepancy.any())
     addDiscrepancy(options.discrepancy, log, measured.duration_s() / static_cast<double>(n - 1));
 }

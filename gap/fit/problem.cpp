@@ -7,14 +7,9 @@
 
 #include "gap/case/plausible.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
-namespace {
-
-constexpr double kImpossible = 1e3;  // sigma: of every sample of a hypothesis that cannot be
-
-}  // namespace
-
 Eigen::Index Evidence::size() const {
   Eigen::Index all = 0;
   for (const LogNoise& log : noise) all += log.size();
@@ -38,8 +33,8 @@ Evidence evidenceOf(const Case& data, const Hypothesis& hypothesis, LogRole role
 
 // Pseudo-Huber: smooth, so that a search by derivatives does not stumble.
 double costOf(double residual) {
-  const double share = residual / kRobust;
-  return 2 * kRobust * kRobust * (std::sqrt(1 + share * share) - 1);
+  const double share = residual / thresholds::kRobustSigmas;
+  return 2 * thresholds::kRobustSigmas * thresholds::kRobustSigmas * (std::sqrt(1 + share * share) - 1);
 }
 
 void Problem::residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const {
@@ -56,7 +51,7 @@ void Problem::residualsOfLog(std::size_t i, const Hypothesis& hypothesis, Eigen:
     rollOut(*evidence_->given, evidence_->logs[i], hypothesis, {}, trace);
     evidence_->noise[i].residuals(evidence_->given->logs[evidence_->logs[i]], trace, out);
   } catch (const std::runtime_error&) {
-    out.setConstant(kImpossible);
+    out.setConstant(thresholds::kImpossibleSigmas);
   }
 }
 

@@ -24,9 +24,7 @@ struct Evidence {
 Evidence evidenceOf(const Case& data, const Hypothesis& hypothesis, LogRole role = LogRole::kFit,
                     const NoiseOptions& options = {});
 
-/// Large residuals count linearly: |r| beyond this many sigma.
-inline constexpr double kRobust = 3;
-/// Twice the negative log likelihood of one residual.
+/// Twice the negative log likelihood of one residual, in standard deviations; large ones count linearly.
 double costOf(double residual);
 
 class Problem {

@@ -7,25 +7,19 @@
 #include <cmath>
 
 #include "gap/fit/problem.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
-namespace {
-
-constexpr double kFarthestMove = 3;  // sigma of a prior; beyond, the move is itself a finding
-constexpr int kRounds = 12;
-
-}  // namespace
-
 Absorption absorb(const Eigen::VectorXd& z, const Eigen::MatrixXd& slopes) {
   Absorption out{.left = z, .moves = Eigen::VectorXd::Zero(slopes.cols())};
   if (slopes.cols() == 0) return out;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < thresholds::kAbsorptionRounds; ++round) {
     // Weights of the pseudo-Huber cost; the prior weighs 1.
-    const Eigen::VectorXd weight = (1 + (out.left.array() / kRobust).square()).rsqrt();
+    const Eigen::VectorXd weight = (1 + (out.left.array() / thresholds::kRobustSigmas).square()).rsqrt();
     Eigen::MatrixXd normal = slopes.transpose() * weight.asDiagonal() * slopes;
     normal.diagonal().array() += 1;
     const Eigen::VectorXd right = slopes.transpose() * (weight.array() * z.array()).matrix();
-    out.moves = normal.ldlt().solve(right).cwiseMax(-kFarthestMove).cwiseMin(kFarthestMove);
+    out.moves = normal.ldlt().solve(right).cwiseMax(-thresholds::kAbsorbedSigmas).cwiseMin(thresholds::kAbsorbedSigmas);
     out.left = z - slopes * out.moves;
   }
   return out;

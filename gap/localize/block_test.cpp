@@ -7,16 +7,12 @@
 
 #include "gap/fit/problem.hpp"
 #include "gap/localize/absorb.hpp"
-#include "gap/localize/move_numbers.hpp"
+#include "gap/localize/fit_nuisances.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr Eigen::Index kNeighbours = 3;  // samples on either side over which the spread of the copies is averaged
-constexpr double kBox = 0.25;            // s
-// Eight copies tell their spread badly, and no simulator is another: at least so much of the mean.
-constexpr double kSpreadOfAll = 0.07, kSpreadOfLog = 0.1, kSpreadOfWorst = 0.2;
 
 double square(double x) {
   return std::isnan(x) ? 0 : x * x;
@@ -31,7 +27,8 @@ Eigen::VectorXd spreadOf(const std::vector<BlockResiduals>& copies, std::size_t 
     for (Eigen::Index i = 0; i < n; ++i) {
       const double r = copies[run].residual[i];
       if (std::isnan(r)) continue;
-      for (Eigen::Index j = std::max<Eigen::Index>(0, i - kNeighbours); j <= std::min(n - 1, i + kNeighbours); ++j)
+      for (Eigen::Index j = std::max<Eigen::Index>(0, i - thresholds::kRepeatsHalfWindow);
+           j <= std::min(n - 1, i + thresholds::kRepeatsHalfWindow); ++j)
         sum[j] += r * r, count[j] += 1;
     }
   }
@@ -59,7 +56,7 @@ LogCost costOfLog(const BlockResiduals& samples, const Trajectory& log) {
   for (Eigen::Index i = 0; i < samples.z.size(); ++i) {
     if (std::isnan(samples.residual[i])) continue;
     const double cost = costOf(samples.z[i]), t = log.time_s[samples.row[static_cast<std::size_t>(i)]];
-    if (t - begun_s > kBox) close(), begun_s = t;
+    if (t - begun_s > thresholds::kBlockBox) close(), begun_s = t;
     box += cost, in_box += 1;
     out.mean += cost, out.count += 1;
   }
@@ -91,7 +88,7 @@ double beyond(const std::vector<double>& seen, const std::vector<std::vector<dou
   const double spread = std::max(std::sqrt(square / count), least_spread);
   for (std::size_t i = 0; i < copies.size(); ++i)
     if (means[i] > 0) greatest = std::max(greatest, (seen[i] / means[i] - 1) / spread);
-  const double of_all = std::max(spread / std::sqrt(static_cast<double>(copies.size())), kSpreadOfAll);
+  const double of_all = std::max(spread / std::sqrt(static_cast<double>(copies.size())), thresholds::kSpreadOfAll);
   return std::max(greatest, (all_seen / all_expected - 1) / of_all);
 }
 
@@ -109,7 +106,7 @@ bool BlockTest::known() const {
 }
 
 bool BlockTest::isOpen() const {
-  return significance > kOpenFrom || moved > kMovedTooFar;
+  return significance > thresholds::kOpenSigmas || moved > thresholds::kMovedSigmas;
 }
 
 BlockTest judge(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
@@ -151,7 +148,8 @@ BlockTest judge(const BlockResidualFunction& cut, const Case& given, const std::
     out.cost += seen.mean * seen.count;
     out.expected_cost += sum(means[i]) / static_cast<double>(copies.size()) * seen.count;
   }
-  out.significance = std::max(beyond(seen_means, means, kSpreadOfLog), beyond(seen_worsts, worsts, kSpreadOfWorst));
+  out.significance = std::max(beyond(seen_means, means, thresholds::kSpreadOfLog),
+                              beyond(seen_worsts, worsts, thresholds::kSpreadOfWorst));
   return out;
 }
 

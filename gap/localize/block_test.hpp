@@ -20,10 +20,6 @@ struct BlockTest {
   [[nodiscard]] bool isOpen() const;
 };
 
-/// A cut is open from this significance on, or when the numbers had to move so far.
-inline constexpr double kOpenFrom = 6;
-inline constexpr double kMovedTooFar = 3.3;  // one in 2000
-
 /// `numbers`: that may move inside their priors (nuisancesOf()); without effect on the cut they cost nothing.
 BlockTest judge(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
                 const SimulatedRepeats& copies, const Hypothesis& hypothesis, const std::vector<Unknown>& numbers);

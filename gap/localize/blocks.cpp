@@ -8,13 +8,12 @@
 #include "gap/fit/unknown.hpp"
 #include "gap/localize/command_split.hpp"
 #include "gap/plant/bench/firmware_run.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRowsOfLaw = 0.06;      // s; law speed_p: windows that short tell what the law commanded
-constexpr double kDelayExplains = 0.75;  // of the plant's cost beyond noise: then nothing of the plant is needed
 
 std::string percent(double share) {
   return std::to_string(std::lround(100 * share)) + " %";
@@ -67,7 +66,7 @@ class Finder {
     into.significance = judgement.significance;
     into.moved = judgement.moved;
     into.verdict = judgement.isOpen() ? BlockVerdict::kOpen : BlockVerdict::kClosed;
-    if (judgement.significance <= kOpenFrom && judgement.moved > kMovedTooFar)
+    if (judgement.significance <= thresholds::kOpenSigmas && judgement.moved > thresholds::kMovedSigmas)
       into.detail = "closes only with numbers far outside their priors, " + oneDigit(judgement.moved) + " sigma";
     into.samples = std::move(judgement.samples);
   }
@@ -99,16 +98,15 @@ class Finder {
     std::snprintf(text, sizeof text, "%.2f +- %.2f ohm", slope, out_.supply_ohm_sigma);
     into.detail = text;
     into.significance = std::max(into.significance, std::abs(slope) / out_.supply_ohm_sigma);
-    if (into.significance > kOpenFrom) into.verdict = BlockVerdict::kOpen;
+    if (into.significance > thresholds::kOpenSigmas) into.verdict = BlockVerdict::kOpen;
   }
 
   void sensor() {
     BlockTest cut = judged([](const auto& log, const auto& h) { return sensorResiduals(log, h); }, false);
     if (!cut.known()) return notCut(Block::kSensor, "the logs have no speed");
-    constexpr double kPlainly = 1.5;  // times what is expected: makers of servos filter their speed in many ways
     take(Block::kSensor, std::move(cut), "rad/s", 1);
     BlockFinding& into = out_.of(Block::kSensor);
-    if (into.rms < kPlainly * into.expected_rms) into.verdict = BlockVerdict::kClosed;
+    if (into.rms < thresholds::kSensorRatio * into.expected_rms) into.verdict = BlockVerdict::kClosed;
   }
 
   void lawByItsDuty() {
@@ -120,9 +118,8 @@ class Finder {
     CommandSplit split;
     if (law_open) split = splitCommand(law, given_, logs_, duty, baseline_);
     // Another motion rounds otherwise: as small as noise, and explained by nothing, it is none.
-    constexpr double kAsNoise = 1.2, kNothing = 0.15;
-    if (std::max(split.by_command.share, split.by_controller.share) < kNothing &&
-        duty.rms < kAsNoise * duty.expected_rms)
+    if (std::max(split.by_command.share, split.by_controller.share) < thresholds::kControllerExplainedShare &&
+        duty.rms < thresholds::kControllerNoiseRatio * duty.expected_rms)
       law_open = false;
     take(Block::kController, std::move(duty), "ticks", dutyPerTick());
     if (!law_open) out_.of(Block::kController).verdict = BlockVerdict::kClosed;
@@ -149,7 +146,7 @@ class Finder {
     }
     if (windows.isOpen()) {
       const Explained delay = explainByDelay(plant(false), given_, logs_, windows, baseline_);
-      if (delay.share > kDelayExplains) {
+      if (delay.share > thresholds::kDelayShare) {
         take(Block::kCommand, windows, "mrad", 1e-3);
         out_.of(Block::kCommand).detail =
             "a delay below a row's time takes away " + percent(delay.share) + " of what the plant shows";
@@ -162,12 +159,11 @@ class Finder {
 
   /// `without`: before what was found elsewhere went in. A small rest is that finding's own error.
   void takePlant(const BlockTest& without, BlockTest with, const std::string& how) {
-    constexpr double kRest = 0.1;
     const double before = without.cost - without.expected_cost, after = with.cost - with.expected_cost;
     take(Block::kPlant, std::move(with), "mrad", 1e-3);
     BlockFinding& plant = out_.of(Block::kPlant);
     plant.detail = how;
-    if (plant.verdict != BlockVerdict::kOpen || after > kRest * before) return;
+    if (plant.verdict != BlockVerdict::kOpen || after > thresholds::kPlantRemainderShare * before) return;
     plant.verdict = BlockVerdict::kClosed;
     plant.detail += ", which leaves " + percent(after / before);
   }
@@ -175,8 +171,8 @@ class Finder {
   /// The servo's own law with no torque to see: the speed that it commands is the motor's at once.
   void lawAndMotorAtOnce() {
     const BlockResidualFunction law = [&](const auto& log, const auto& h) {
-      return shootingResiduals(given_, log, h,
-                               {.length_s = kRowsOfLaw, .powered = true, .limp = false, .mixed = false});
+      return shootingResiduals(
+          given_, log, h, {.length_s = thresholds::kSpeedLawWindow, .powered = true, .limp = false, .mixed = false});
     };
     BlockTest rows = judged(law);
     const bool open = rows.isOpen();

@@ -8,6 +8,7 @@
 
 #include "gap/fit/problem.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
@@ -17,10 +18,6 @@ namespace {
 constexpr auto kOfMovingGoals = std::to_array<std::string_view>({"transport_delay", "speed_limit", "accel_limit"});
 constexpr auto kOfTheLaw = std::to_array<std::string_view>(
     {"gear_scale", "p_on_torque", "deadband", "kp_scale", "integral", "derivative", "torque_limit"});
-constexpr double kStill = 0.5;      // s since the goal moved: a profile has arrived
-constexpr double kExplains = 0.15;  // of the cost beyond noise: less is no explanation
-constexpr double kExplainsAll = 0.9;
-constexpr double kRestIsNone = 0.1;  // of the cost: less at rest is none
 
 /// Values to try for one parameter, from hardly visible to plain.
 std::vector<double> valuesToTry(const twin::Parameter& parameter) {
@@ -132,7 +129,7 @@ Explained explain(const BlockResidualFunction& cut, const Case& given, const std
   const double beyond_noise = std::max(before - judged.expected_cost, 1e-9);
   Least least{before, hypothesis};
   double share = 0;
-  for (int changes = 0; changes < 2 && share < kExplainsAll; ++changes) {
+  for (int changes = 0; changes < 2 && share < thresholds::kSplitExplainsAll; ++changes) {
     least = leastOf(cut, given, logs, judged, least, triesOf(ids, least.hypothesis));
     share = (before - least.cost) / beyond_noise;
   }
@@ -152,7 +149,7 @@ double shareAtRest(const Case& given, const std::vector<std::size_t>& logs, cons
       while (since > 0 && log.goal_rad[since - 1] == log.goal_rad[row] && log.torque_on[since - 1] != 0) --since;
       const double excess = costOf(samples.z[k]) - 1;
       all += excess;
-      if (log.time_s[row] - log.time_s[since] > kStill) rest += excess;
+      if (log.time_s[row] - log.time_s[since] > thresholds::kGoalAtRest) rest += excess;
     }
   }
   return all > 0 ? rest / all : 0;
@@ -161,7 +158,8 @@ double shareAtRest(const Case& given, const std::vector<std::size_t>& logs, cons
 }  // namespace
 
 bool CommandSplit::isCommand() const {
-  if (std::max(by_command.share, by_controller.share) < kExplains) return at_rest < kRestIsNone;
+  if (std::max(by_command.share, by_controller.share) < thresholds::kSplitExplains)
+    return at_rest < thresholds::kSplitRestIsNone;
   return by_command.share > by_controller.share;
 }
 

@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "gap/localize/intervals.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr std::array kLengths{0.1, 0.2, 0.4, 0.8, 1.6, 2.0};  // s
-// Of two samples one counts: what is left of a release's chaos goes together.
-constexpr double kIndependent = 0.5;
 
 struct Window {
   std::size_t row, first, last;
@@ -31,8 +30,8 @@ std::vector<Window> windowsOf(const Eigen::VectorXd& z, const std::vector<double
       if (last >= time_s.size()) break;
       const double n = static_cast<double>(last - first), chi2 = sum[last] - sum[first];
       if (n < 3) continue;
-      const boost::math::chi_squared noise{std::max(1.0, kIndependent * n)};
-      const double chance = boost::math::cdf(boost::math::complement(noise, kIndependent * chi2));
+      const boost::math::chi_squared noise{std::max(1.0, thresholds::kIndependentShare * n)};
+      const double chance = boost::math::cdf(boost::math::complement(noise, thresholds::kIndependentShare * chi2));
       out.push_back({row, first, last - 1, chi2, chance, (chi2 - n) / std::sqrt(2 * n)});
     }
   }
@@ -51,7 +50,7 @@ std::vector<std::vector<EnergyInterval>> scanEnergy(const std::vector<Eigen::Vec
   std::ranges::sort(all, {}, &Window::chance);
   std::size_t discoveries = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].chance <= kFalseDiscoveries * static_cast<double>(i + 1) / static_cast<double>(all.size()))
+    if (all[i].chance <= thresholds::kFalseDiscoveries * static_cast<double>(i + 1) / static_cast<double>(all.size()))
       discoveries = i + 1;
   all.resize(discoveries);
   std::ranges::sort(all, std::greater{}, &Window::score);

@@ -4,14 +4,10 @@
 #include <cmath>
 
 #include "gap/plant/bench/block_residuals.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr std::size_t kMostPlaces = 10, kMostOfCuts = 4;  // of loads and voltages together
-constexpr double kStepOfGoal = 0.1;                       // rad; of a goal, from one row to the next
-constexpr double kAfterStep = 0.3;                        // s; what began before the interval still goes on
-constexpr double kStillSpeed = 0.05, kSlowSpeed = 0.3;    // rad/s
 
 double rms(const Eigen::VectorXd& values, const EnergyInterval& at) {
   double sum = 0, count = 0;
@@ -81,7 +77,7 @@ void addPlacesOf(const BlockFinding& block, const Case& given, const std::vector
     z.push_back(samples.z);
     values.push_back(samples.residual);
   }
-  addPlaces(given, residuals, blocks, signal, z, values, kMostOfCuts / 2, into);
+  addPlaces(given, residuals, blocks, signal, z, values, thresholds::kMostBlockIntervals / 2, into);
 }
 
 }  // namespace
@@ -95,9 +91,10 @@ std::string whatHappens(const Trajectory& log, std::size_t first, std::size_t la
   bool step = false;
   double limp = 0, full = 0, fastest = 0, forth = 0, back = 0;
   std::size_t from = first;
-  while (from > 0 && log.time_s[first] - log.time_s[from - 1] <= kAfterStep) --from;
+  while (from > 0 && log.time_s[first] - log.time_s[from - 1] <= thresholds::kAfterGoalStep) --from;
   for (std::size_t row = std::max<std::size_t>(from, 1); row <= last; ++row)
-    step = step || (log.torque_on[row] != 0 && std::abs(log.goal_rad[row] - log.goal_rad[row - 1]) > kStepOfGoal);
+    step = step ||
+           (log.torque_on[row] != 0 && std::abs(log.goal_rad[row] - log.goal_rad[row - 1]) > thresholds::kGoalStep);
   for (std::size_t row = first; row <= last; ++row) {
     const double speed = stateAt(log, row).speed_rad_s;
     limp += log.torque_on[row] == 0 ? 1 : 0;
@@ -109,9 +106,9 @@ std::string whatHappens(const Trajectory& log, std::size_t first, std::size_t la
   if (limp > 0.5 * rows) return "torque off";
   if (step) return full > 0.3 * rows ? "saturation" : "step";
   if (full > 0.3 * rows) return "saturation";
-  if (fastest < kStillSpeed) return "rest";
-  if (std::min(forth, back) > kStillSpeed) return "reversal";
-  return fastest < kSlowSpeed ? "slow motion" : "motion";
+  if (fastest < thresholds::kRestSpeed) return "rest";
+  if (std::min(forth, back) > thresholds::kRestSpeed) return "reversal";
+  return fastest < thresholds::kSlowSpeed ? "slow motion" : "motion";
 }
 
 std::vector<GapInterval> intervalsOf(const Case& given, const std::vector<LogResidual>& residuals,
@@ -122,7 +119,8 @@ std::vector<GapInterval> intervalsOf(const Case& given, const std::vector<LogRes
   const Block law = blocks.of(Block::kCommand).verdict == BlockVerdict::kOpen ? Block::kCommand : Block::kController;
   addPlacesOf(blocks.of(law), given, residuals, blocks, {"load", "%", 0.01}, others);
   addPlacesOf(blocks.of(Block::kSupply), given, residuals, blocks, {"volt", "V", 1}, others);
-  addPlaces(given, residuals, blocks, {"position", "mrad", 1e-3}, z, values, kMostPlaces - others.size(), out);
+  addPlaces(given, residuals, blocks, {"position", "mrad", 1e-3}, z, values, thresholds::kMostIntervals - others.size(),
+            out);
   out.insert(out.end(), others.begin(), others.end());
   return out;
 }

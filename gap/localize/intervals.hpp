@@ -31,7 +31,6 @@ struct EnergyInterval {
   double chi2 = 0;
 };
 
-inline constexpr double kFalseDiscoveries = 0.01;
 /// The strongest intervals of each row, 0.1 to 2 s long, none over another. `time_s`: of each sample.
 std::vector<std::vector<EnergyInterval>> scanEnergy(const std::vector<Eigen::VectorXd>& z,
                                                     const std::vector<std::vector<double>>& time_s);

@@ -5,18 +5,18 @@
 #include <limits>
 
 #include "gap/plant/bench/block_residuals.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 /// Rms of the difference over root 2, row by row by time since the first row; rows without partner do not count.
 double differenceOf(const Trajectory& a, const Trajectory& b) {
-  constexpr double kSameTime = 2e-3;
   double sum = 0, count = 0;
   for (std::size_t i = 0, j = 0; i < a.rows(); ++i) {
     const double t = a.time_s[i] - a.time_s.front() + b.time_s.front();
     while (j + 1 < b.rows() && std::abs(b.time_s[j + 1] - t) <= std::abs(b.time_s[j] - t)) ++j;
-    if (std::abs(b.time_s[j] - t) > kSameTime) continue;
+    if (std::abs(b.time_s[j] - t) > thresholds::kSameRowTime) continue;
     const double d = a.position_rad[i] - b.position_rad[j];
     sum += d * d, count += 1;
   }

@@ -9,14 +9,10 @@
 #include <set>
 
 #include "gap/plant/bench/block_residuals.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr std::size_t kBins = 8, kLevels = 4;
-constexpr std::size_t kFewest = 12;  // samples in a bin that is named
-constexpr double kTelling = 0.05;    // share of the variance: less is chance
-constexpr double kMoving = 0.05;     // rad/s: a direction is known
 
 /// One sample: its residual and the state it is of.
 struct Sample {
@@ -36,7 +32,9 @@ const std::vector<Variable>& variables() {
       {"position", "rad", [](const auto& log, auto row, double, double) { return log.position_rad[row]; }},
       {"speed", "rad/s", [](const auto&, auto, double speed, double) { return std::abs(speed); }},
       {"direction", "",
-       [](const auto&, auto, double speed, double) { return std::abs(speed) < kMoving ? 0 : std::copysign(1, speed); }},
+       [](const auto&, auto, double speed, double) {
+         return std::abs(speed) < thresholds::kDirectionSpeed ? 0 : std::copysign(1, speed);
+       }},
       {"error", "rad",
        [](const auto& log, auto row, double, double) { return std::abs(log.goal_rad[row] - log.position_rad[row]); }},
       {"load", "", [](const auto& log, auto row, double, double) { return log.load[row]; }},
@@ -58,7 +56,7 @@ void addSamples(const Trajectory& log, const Eigen::VectorXd& z, const std::vect
   std::vector<double> speed(log.rows()), since(log.rows());
   for (std::size_t row = 0; row < log.rows(); ++row) {
     speed[row] = stateAt(log, row).speed_rad_s;
-    const double now = std::abs(speed[row]) < kMoving ? direction : std::copysign(1, speed[row]);
+    const double now = std::abs(speed[row]) < thresholds::kDirectionSpeed ? direction : std::copysign(1, speed[row]);
     if (now != direction) turned_s = log.time_s[row], direction = now;
     since[row] = log.time_s[row] - turned_s;
   }
@@ -90,11 +88,12 @@ Region regionOf(const std::vector<Sample>& samples, std::size_t variable, const 
   std::vector<double> values;
   for (const Sample& sample : samples)
     if (!std::isnan(sample.state[variable])) values.push_back(sample.state[variable]);
-  if (values.size() < 2 * kFewest) return region;
-  const std::vector<double> ends = binsOf(values, kBins);
-  std::vector<std::array<double, kLevels>> count(ends.size(), std::array<double, kLevels>{});
+  if (values.size() < 2 * thresholds::kFewestInBin) return region;
+  const std::vector<double> ends = binsOf(values, thresholds::kStateBins);
+  std::vector<std::array<double, thresholds::kResidualLevels>> count(ends.size(),
+                                                                     std::array<double, thresholds::kResidualLevels>{});
   std::vector<double> energy(ends.size());
-  std::array<double, kLevels> level_count{};
+  std::array<double, thresholds::kResidualLevels> level_count{};
   double all_energy = 0;
   for (const Sample& sample : samples) {
     if (std::isnan(sample.state[variable])) continue;
@@ -105,19 +104,20 @@ Region regionOf(const std::vector<Sample>& samples, std::size_t variable, const 
   const double n = static_cast<double>(values.size());
   for (std::size_t bin = 0; bin < ends.size(); ++bin) {
     const double in_bin = std::accumulate(count[bin].begin(), count[bin].end(), 0.0);
-    for (std::size_t level = 0; level < kLevels; ++level)
+    for (std::size_t level = 0; level < thresholds::kResidualLevels; ++level)
       if (count[bin][level] > 0)
         region.information += count[bin][level] / n * std::log2(count[bin][level] * n / in_bin / level_count[level]);
     const double lift = in_bin > 0 ? energy[bin] / in_bin / (all_energy / n) : 0;
-    if (in_bin >= kFewest && lift > region.lift) {
+    if (in_bin >= thresholds::kFewestInBin && lift > region.lift) {
       region.lift = lift;
       region.high = ends[bin];
       region.low = bin > 0 ? ends[bin - 1] : *std::ranges::min_element(values);
-      if (ends.size() < kBins) region.low = region.high;  // single values
+      if (ends.size() < thresholds::kStateBins) region.low = region.high;  // single values
     }
   }
   // Miller and Madow 1955: what so many samples tell by chance.
-  region.information -= static_cast<double>((ends.size() - 1) * (kLevels - 1)) / (2 * n * std::log(2.0));
+  region.information -=
+      static_cast<double>((ends.size() - 1) * (thresholds::kResidualLevels - 1)) / (2 * n * std::log(2.0));
   region.information = std::max(0.0, region.information);
   return region;
 }
@@ -162,7 +162,7 @@ void stateOrClock(const std::vector<Sample>& samples, Dependence& out) {
     out.by_state = std::max(out.by_state, by_state);
     out.by_clock = std::max(out.by_clock, by_both - by_state);
   }
-  const bool state = out.by_state > kTelling, clock = out.by_clock > kTelling;
+  const bool state = out.by_state > thresholds::kDependenceShare, clock = out.by_clock > thresholds::kDependenceShare;
   out.on = state && clock ? Depends::kBoth : state ? Depends::kState : clock ? Depends::kClock : Depends::kNothing;
 }
 
@@ -197,11 +197,11 @@ Dependence dependenceOf(const Case& given, const std::vector<LogResidual>& resid
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     addSamples(log, residuals[i].z, rows, samples);
   }
-  if (samples.size() < 2 * kFewest) return out;
+  if (samples.size() < 2 * thresholds::kFewestInBin) return out;
   std::vector<double> z;
   z.reserve(samples.size());
   for (const Sample& sample : samples) z.push_back(sample.z);
-  const std::vector<double> levels = binsOf(z, kLevels);
+  const std::vector<double> levels = binsOf(z, thresholds::kResidualLevels);
   for (std::size_t variable = 0; variable < variables().size(); ++variable)
     out.regions.push_back(regionOf(samples, variable, levels));
   std::ranges::stable_sort(out.regions, std::greater{}, &Region::information);

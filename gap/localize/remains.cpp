@@ -3,13 +3,10 @@
 #include <cstdio>
 
 #include "gap/localize/localization.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr double kTells = 0.05;    // bits: a state that tells less about the residual is not worth naming
-constexpr double kEvent = 0.8;     // of the energy in one place: something that happened, not something that is
-constexpr double kOneSided = 1.5;  // energy in the bin over the mean
 
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
@@ -30,7 +27,7 @@ std::string whereText(const Localization& where) {
   std::string text =
       formatted(" It is greatest in %s from %.2f to %.2f s, during %s: %.3g %s of %s.", place.file.c_str(), place.t0_s,
                 place.t1_s, place.happens.c_str(), place.size, place.unit.c_str(), place.signal.c_str());
-  if (shareOf(place, where) > kEvent)
+  if (shareOf(place, where) > thresholds::kEventShare)
     text += " Nearly all of it lies there: something happened once, a push or a snag; repeat the log.";
   return text;
 }
@@ -44,12 +41,12 @@ std::string stateText(const Localization& where) {
     if (depends == Depends::kState) return " It is the same at any time of the session: a law, not wear.";
     return "";
   };
-  if (on.regions.empty() || on.regions.front().information < kTells)
+  if (on.regions.empty() || on.regions.front().information < thresholds::kInformativeBits)
     return std::string{clock(on.on)} +
            " No state of the joint that was looked at foretells it: a hidden state, perhaps.";
   const Region& first = on.regions.front();
   text += formatted(" Of all states the %s tells most about it", first.variable.c_str());
-  if (first.lift > kOneSided)
+  if (first.lift > thresholds::kLiftedBin)
     text += formatted(": between %.3g and %.3g %s it is %.1f times the mean", first.low, first.high, first.unit.c_str(),
                       std::sqrt(first.lift));
   return text + "." + clock(on.on);

@@ -5,6 +5,7 @@
 
 #include "gap/localize/absorb.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -25,7 +26,6 @@ std::vector<LogResidual> residualsOf(const Study& study, const NoiseFloor& floor
   const Evidence& evidence = study.evidence;
   const Hypothesis& baseline = study.baseline;
   const std::vector<Unknown> numbers = nuisancesOf(given, baseline);
-  constexpr double kStep = 0.5;  // sigma of a prior
   std::vector<LogResidual> out(evidence.logs.size());
   std::vector<Eigen::MatrixXd> slopes(out.size());
   forEach(out.size(), [&](std::size_t i) {
@@ -42,9 +42,10 @@ std::vector<LogResidual> residualsOf(const Study& study, const NoiseFloor& floor
     one.floors = one.rms_rad / floor.logs[i].rms_rad;
     slopes[i].setZero(one.z.size(), static_cast<Eigen::Index>(numbers.size()));
     for (std::size_t k = 0; k < numbers.size(); ++k) {
-      const double moved = numbers[k].toSearch(numbers[k].expected + kStep * numbers[k].sigma);
+      const double moved =
+          numbers[k].toSearch(numbers[k].expected + thresholds::kNuisanceStepSigmas * numbers[k].sigma);
       const Eigen::VectorXd there = whitened(given, evidence, i, applied(baseline, {numbers[k]}, &moved), trace);
-      slopes[i].col(static_cast<Eigen::Index>(k)) = (one.z - there) / kStep;
+      slopes[i].col(static_cast<Eigen::Index>(k)) = (one.z - there) / thresholds::kNuisanceStepSigmas;
     }
   });
   Eigen::Index rows = 0;

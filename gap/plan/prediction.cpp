@@ -7,6 +7,7 @@
 
 #include "gap/fit/problem.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -54,7 +55,8 @@ double leastCost(const Eigen::VectorXd& off, const Eigen::MatrixXd& jacobian, co
     const Eigen::VectorXd x = -normal.ldlt().solve(weighted.transpose() * off);
     left = off + jacobian * x;
     least = std::min(least, left.unaryExpr(&costOf).sum() + x.dot(information * x));
-    weights = left.unaryExpr([](double r) { return 1 / std::sqrt(1 + r * r / (kRobust * kRobust)); });
+    weights = left.unaryExpr(
+        [](double r) { return 1 / std::sqrt(1 + r * r / (thresholds::kRobustSigmas * thresholds::kRobustSigmas)); });
   }
   return least;
 }

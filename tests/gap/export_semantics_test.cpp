@@ -142,7 +142,7 @@ TEST(ExportSemantics, WhatMujocoHoldsLeavesNoGapAtASmallStep) {
   const ReMeasured measured = remeasure(Target::kMujoco, made, model.get(), fine);
   EXPECT_LT(measured.twin_fit_mrad, 1e-9);
   EXPECT_LT(measured.target_fit_mrad, 2);
-  EXPECT_LT(measured.target_score_mrad, 2);
+  EXPECT_LT(measured.target_held_out_mrad, 2);
   const ReMeasured usual = remeasure(Target::kMujoco, made, model.get());
   EXPECT_EQ(usual.step_s, 0.002);
   EXPECT_GT(usual.target_fit_mrad, measured.target_fit_mrad);
@@ -154,9 +154,9 @@ TEST(ExportSemantics, WhatWebotsCannotHoldShowsInItsGap) {
   const Case made = madeFrom(model.get());
   const ReMeasured webots = remeasure(Target::kWebots, made, model.get());
   const ReMeasured mujoco = remeasure(Target::kMujoco, made, model.get());
-  EXPECT_GT(webots.target_score_mrad, 3 * mujoco.target_score_mrad);
+  EXPECT_GT(webots.target_held_out_mrad, 3 * mujoco.target_held_out_mrad);
   EXPECT_NE(asText(webots).find("Webots"), std::string::npos);
-  EXPECT_NE(asText(webots).find("score.csv (score)"), std::string::npos);
+  EXPECT_NE(asText(webots).find("score.csv (held out)"), std::string::npos);
 }
 
 TEST(ExportSemantics, TheThesisModelIsAtHomeInWebots) {
@@ -167,8 +167,8 @@ TEST(ExportSemantics, TheThesisModelIsAtHomeInWebots) {
   const Case made = madeFrom(h);
   ExportSettings fine = settingsFor(made);
   fine.step_s = 0.001;  // as the twin's period
-  EXPECT_LT(remeasure(Target::kWebots, made, h, fine).target_score_mrad, 10);
-  EXPECT_GT(remeasure(Target::kWebots, made, h).target_score_mrad, 10);  // 16 ms cost
+  EXPECT_LT(remeasure(Target::kWebots, made, h, fine).target_held_out_mrad, 10);
+  EXPECT_GT(remeasure(Target::kWebots, made, h).target_held_out_mrad, 10);  // 16 ms cost
 }
 
 TEST(ExportSemantics, ExampleCasesAreMeasuredAgain) {
@@ -180,8 +180,8 @@ TEST(ExportSemantics, ExampleCasesAreMeasuredAgain) {
   for (const TargetInfo& info : kTargetTable) {
     const ReMeasured measured = remeasure(info.target, given, baselineOf(given));
     EXPECT_EQ(measured.logs.size(), given.logs.size());
-    EXPECT_GT(measured.twin_score_mrad, 0);
-    EXPECT_TRUE(std::isfinite(measured.target_score_mrad) && measured.target_score_mrad < 1000) << asText(measured);
+    EXPECT_GT(measured.twin_held_out_mrad, 0);
+    EXPECT_TRUE(std::isfinite(measured.target_held_out_mrad) && measured.target_held_out_mrad < 1000) << asText(measured);
   }
 }
 

@@ -1,10 +1,11 @@
-#include "gap/localize/move_numbers.hpp"
+#include "gap/localize/fit_nuisances.hpp"
 
 #include <cmath>
 
 #include "gap/fit/problem.hpp"
 #include "gap/localize/absorb.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -25,11 +26,10 @@ class Mover {
 
   /// Takes from z what the numbers explain; returns how far they moved, in sigmas.
   Eigen::VectorXd move() {
-    constexpr int kSteps = 3;
     Eigen::VectorXd moves = Eigen::VectorXd::Zero(count()), best_z = columns({moves}).col(0);
     Eigen::VectorXd best = moves, z = best_z;
     double least = costAt(z, moves);
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0; step < thresholds::kNuisanceSteps; ++step) {
       const Eigen::MatrixXd slopes = jacobianAt(moves, z);
       if (slopes.isZero()) break;
       moves = absorb(z + slopes * moves, slopes).moves;
@@ -67,10 +67,10 @@ class Mover {
 
   /// What a sigma more of each number takes from z.
   [[nodiscard]] Eigen::MatrixXd jacobianAt(const Eigen::VectorXd& moves, const Eigen::VectorXd& z) const {
-    constexpr double kStep = 0.5;  // sigma: stick and slip make smaller steps rough
     std::vector<Eigen::VectorXd> sets(numbers_.size(), moves);
-    for (std::size_t k = 0; k < sets.size(); ++k) sets[k][static_cast<Eigen::Index>(k)] += kStep;
-    return (z.replicate(1, count()) - columns(sets)) / kStep;
+    for (std::size_t k = 0; k < sets.size(); ++k)
+      sets[k][static_cast<Eigen::Index>(k)] += thresholds::kNuisanceStepSigmas;
+    return (z.replicate(1, count()) - columns(sets)) / thresholds::kNuisanceStepSigmas;
   }
 
   const BlockResidualFunction& cut_;
