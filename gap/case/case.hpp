@@ -1,5 +1,5 @@
-// A case: logs of one servo that swings an arm, and the model that somebody believes in. docs/gap/cases.md shows the
-// files. SI throughout; NaN: not known.
+// A case: logs of one servo that swings an arm, and the model to be tested. docs/gap/cases.md shows the files. SI
+// units; NaN: not known.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ enum class GoalOrder : std::uint8_t { kAfterRead, kBeforeRead };
 struct Trajectory {
   std::string file;                      // as the case names it: "fit_1.csv"
   std::string kind;                      // what the joint did: "steps"; logs of one kind have one noise
-  bool held_out = false;                 // kept for judging the result; nothing is fitted on it
+  bool held_out = false;                 // not used by any fit; verifies the result
   std::optional<std::size_t> repeat_of;  // index of the log that this one repeats
 
   double p_register = 32;  // register 28
@@ -42,13 +42,13 @@ struct Trajectory {
   [[nodiscard]] double duration_s() const { return time_s.empty() ? 0 : time_s.back() - time_s.front(); }
 };
 
-/// How far a number of the baseline may be trusted: standard deviation over value.
+/// Prior of a baseline number: relative standard deviation.
 struct Prior {
   std::string number;  // a key of [servo] ("kt"), "payload", "length", or "coulomb.friction" of an effect
   double relative_sigma = 0;
 };
 
-/// What the data sheet says of the servo, for a law that the baseline does not have.
+/// Data sheet values of the servo, for a control law that the baseline does not have.
 struct Datasheet {
   twin::ServoParameters servo;
   double relative_sigma = 0.05;
@@ -64,7 +64,7 @@ struct Case {
   std::vector<Prior> priors;
   std::optional<Datasheet> datasheet;
   std::vector<Trajectory> logs;
-  std::vector<std::string> warnings;  // sentences: what is odd though it can be used
+  std::vector<std::string> warnings;  // sentences about data that are unusual but usable
 };
 
 /// The data or the case cannot be used; the text names file and line.

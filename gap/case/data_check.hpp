@@ -1,4 +1,4 @@
-// What the data of a case are like, and what they can and cannot reveal. Looks at the data only: nothing is fitted.
+// Data check: quality of the logs, and which effects they can and cannot reveal. Nothing is fitted.
 #pragma once
 
 #include <set>

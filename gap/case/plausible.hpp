@@ -1,4 +1,4 @@
-// What no servo can have measured. Wrong units, stuck sensors and holes must not become discoveries.
+// Plausibility checks of logs: wrong units, stuck sensors and gaps in time must not become findings.
 #pragma once
 
 #include <string>

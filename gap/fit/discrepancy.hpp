@@ -1,7 +1,8 @@
-// What a model leaves over, taken for noise: a fit that will not get rid of it has to bear with it.
+// Model discrepancy: what a wrong model leaves over, treated as correlated noise.
 //
-// Noise of a right model is a tick or two, and where the model stays wrong a fit by it bends everything for the few
-// samples that noise disturbs least. Here all samples count alike, outliers little, and neighbours together as one.
+// The noise of a right model is a tick or two. Under it a fit of a wrong model bends every parameter for the few
+// samples with the least noise. With a discrepancy all samples weigh the same, outliers little, and neighbours count as
+// one.
 #pragma once
 
 #include <vector>
@@ -11,17 +12,17 @@
 namespace darwinop::gap {
 
 struct Discrepancy {
-  double position_rad = 0;        // standard deviation, of what is not far off
-  std::vector<double> load = {};  // rms, one a log of the case; a gain multiplies what the clocks differ by
-  double correlation_s = 0;       // samples that near are off together; 0: nothing is left unexplained
+  double position_rad = 0;        // robust standard deviation
+  std::vector<double> load = {};  // rms, one for each log of the case
+  double correlation_s = 0;       // correlation time; 0: no discrepancy
 
   [[nodiscard]] bool any() const { return correlation_s > 0; }
 };
 
-/// What this hypothesis leaves of the logs with these indices.
+/// What this hypothesis leaves unexplained of the logs with these indices.
 Discrepancy discrepancyOf(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis);
 
-/// A residual in units of its noise, as large as its share of the cost: far ones count linearly.
+/// Signed root of the robust cost of a residual in standard deviations: large ones count linearly.
 double softened(double residual);
 
 }  // namespace darwinop::gap

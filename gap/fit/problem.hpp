@@ -1,4 +1,4 @@
-// A hypothesis with unknowns, held against logs: how far off it is, in units of the noise.
+// A hypothesis with unknowns, and its whitened residuals on logs.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace darwinop::gap {
 
-/// The logs that a fit sees, with their noise.
+/// The logs of a fit, with their noise.
 struct Evidence {
   const Case* given = nullptr;
   std::vector<std::size_t> logs;
@@ -32,11 +32,11 @@ class Problem {
   Problem(const Evidence& evidence, Hypothesis hypothesis, std::vector<Unknown> unknowns)
       : evidence_{&evidence}, hypothesis_{std::move(hypothesis)}, unknowns_{std::move(unknowns)} {}
 
-  /// Of all logs, one behind the other.
+  /// Of all logs, concatenated.
   void residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const;
   /// Sum of costOf() over all residuals and of the prior.
   [[nodiscard]] double cost(const Eigen::VectorXd& x) const;
-  /// The same; infinite, and known early, where it is more than `most`.
+  /// The same, but infinity as soon as it exceeds `most`.
   [[nodiscard]] double costUpTo(double most, const Eigen::VectorXd& x) const;
   [[nodiscard]] double priorCost(const Eigen::VectorXd& x) const;
   [[nodiscard]] Hypothesis at(const Eigen::VectorXd& x) const { return applied(hypothesis_, unknowns_, x.data()); }

@@ -1,4 +1,4 @@
-// Where a search for an effect begins.
+// Parameter values at which the screen tries an effect.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,7 @@
 
 namespace darwinop::gap {
 
-/// Values to try for the unknowns of an effect, from hardly visible to plain. Positions that repeat around the turn
-/// (cogging) are left to the screen: amplitude and count only.
+/// Grid of values for the unknowns of an effect, from weak to strong.
 std::vector<std::vector<double>> gridOf(const std::vector<Unknown>& unknowns);
 
 }  // namespace darwinop::gap

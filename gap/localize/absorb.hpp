@@ -1,4 +1,4 @@
-// What the priors of the numbers leave of residuals: a number that is a little off inside its prior is no gap.
+// Removes from residuals what baseline numbers can explain within their priors: that is not a gap.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,15 +7,14 @@ namespace darwinop::gap {
 
 struct Absorption {
   Eigen::VectorXd left;   // of the residuals
-  Eigen::VectorXd moves;  // of the numbers, in sigmas of their priors
+  Eigen::VectorXd moves;  // of the numbers, in prior standard deviations
 };
 
-/// `z`: residuals in standard deviations. `slopes`: what each number takes from them per standard deviation of its
-/// prior. Moves the numbers to where robust cost and prior are least.
+/// `z`: whitened residuals. `slopes`: their decrease per prior standard deviation of each number. Minimises robust cost
+/// plus prior.
 Absorption absorb(const Eigen::VectorXd& z, const Eigen::MatrixXd& slopes);
 
-/// What the moves themselves say, in standard deviations of a normal distribution: numbers that lie inside their priors
-/// do not move that far together.
+/// Significance of the moves together, in standard deviations of a normal distribution.
 double significanceOf(const Eigen::VectorXd& moves);
 
 }  // namespace darwinop::gap

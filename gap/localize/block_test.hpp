@@ -1,4 +1,4 @@
-// Whether a cut is closed: its residuals against those of the same cut through roll-outs of the baseline with noise.
+// Significance test of a block's residuals against those of simulated repeats of the baseline.
 #pragma once
 
 #include <vector>
@@ -10,21 +10,21 @@
 namespace darwinop::gap {
 
 struct BlockTest {
-  std::vector<BlockResiduals> samples;  // a log each, with z
-  double rms = 0, expected_rms = 0;     // in the unit of the cut; NaN when no sample counts
+  std::vector<BlockResiduals> samples;  // one for each log, with z
+  double rms = 0, expected_rms = 0;     // in the unit of the block; NaN without samples
   double cost = 0;                      // sum of costOf(z)
-  double expected_cost = 0;             // its mean over the copies
+  double expected_cost = 0;             // its mean over the simulated repeats
   double significance = 0;  // greatest of: mean cost, that of the worst log, of the worst quarter second; in sigmas
-  double moved = 0;         // how far the numbers had to move inside their priors; in standard deviations
+  double moved = 0;         // significance of the moves of the baseline numbers, in standard deviations
   [[nodiscard]] bool known() const;
   [[nodiscard]] bool isOpen() const;
 };
 
-/// `numbers`: that may move inside their priors (nuisancesOf()); without effect on the cut they cost nothing.
+/// `numbers`: baseline numbers that may move within their priors (nuisancesOf()).
 BlockTest judge(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
                 const SimulatedRepeats& copies, const Hypothesis& hypothesis, const std::vector<Unknown>& numbers);
 
-/// The cost of a judged cut under another hypothesis: same sigmas, no numbers moved.
+/// The cost of a tested block under another hypothesis: same sigmas, no numbers moved.
 double blockCostUnder(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
                       const BlockTest& judged, const Hypothesis& other);
 

@@ -1,6 +1,5 @@
-// The loop cut open at one place after the other. Each piece is fed with what was measured at its entry and compared
-// with what was measured at its exit; nothing is fitted. What is normal comes from the same cuts through roll-outs of
-// the baseline with noise.
+// Open-loop test of each block of the loop: its measured input goes in, its output is compared with the measured one.
+// Nothing is fitted. The null distribution comes from simulated repeats of the baseline.
 #pragma once
 
 #include <array>
@@ -22,17 +21,17 @@ std::string_view name(BlockVerdict verdict);
 struct BlockFinding {
   Block block{};
   BlockVerdict verdict = BlockVerdict::kNotTestable;
-  std::string unit;                  // of rms and expected_rms: "ticks", "V", "mrad", "rad/s"
-  double rms = 0, expected_rms = 0;  // NaN where it is not cut
-  double significance = 0;           // standard deviations beyond what the baseline with noise gives
-  double moved = 0;                  // how far the numbers of the model had to move inside their priors, the same unit
-  std::string detail;                // why it cannot be cut, or what was seen
-  std::vector<BlockResiduals> samples;  // a log of the evidence each; empty where it is not cut
+  std::string unit;                     // of rms and expected_rms: "ticks", "V", "mrad", "rad/s"
+  double rms = 0, expected_rms = 0;     // NaN if not testable
+  double significance = 0;              // standard deviations beyond simulated repeats
+  double moved = 0;                     // significance of the moves of the baseline numbers, same unit
+  std::string detail;                   // why it is not testable, or what was observed
+  std::vector<BlockResiduals> samples;  // one for each log of the evidence; empty if not testable
 };
 
 struct Blocks {
   std::array<BlockFinding, kBlocks> all;        // in the order of Block
-  std::optional<Block> first;                   // where to look first; nothing: all that was cut is closed
+  std::optional<Block> first;                   // first open block; empty: every tested block is closed
   double supply_ohm = 0, supply_ohm_sigma = 0;  // slope of the voltage against the servo's current; NaN: no voltage
 
   [[nodiscard]] const BlockFinding& of(Block block) const { return all[static_cast<std::size_t>(block)]; }

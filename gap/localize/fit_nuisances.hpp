@@ -1,5 +1,4 @@
-// Moves the numbers of a model inside their priors to where a cut has least left: a small search, by a few steps of
-// linear algebra.
+// Fits the baseline numbers, within their priors, to the residuals of one block: a few Gauss-Newton steps.
 #pragma once
 
 #include <vector>
@@ -9,7 +8,7 @@
 
 namespace darwinop::gap {
 
-/// Takes from z of all logs together what the numbers explain; returns how far they moved, in sigmas of their priors.
+/// Removes from z of all logs what the numbers explain. Returns their moves in prior standard deviations.
 Eigen::VectorXd fitNuisances(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
                              const Hypothesis& hypothesis, const std::vector<Unknown>& numbers,
                              std::vector<BlockResiduals>& samples);

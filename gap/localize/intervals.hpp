@@ -1,5 +1,4 @@
-// Where in the logs the gap is: intervals in which the residuals hold more energy than noise has, with control of false
-// discoveries.
+// Intervals of the logs whose residual energy exceeds that of noise, with a controlled false discovery rate.
 #pragma once
 
 #include <optional>
@@ -17,7 +16,7 @@ struct GapInterval {
   std::string file;
   double t0_s = 0, t1_s = 0;   // of the file's clock
   std::string happens;         // "step", "reversal", "rest", "saturation", "torque off", "slow motion", "motion"
-  std::optional<Block> block;  // whose cut is worst there; nothing: all are closed there
+  std::optional<Block> block;  // with the worst residual there; empty: all are closed there
   double chi2 = 0;             // sum of squares in standard deviations
   double samples = 0;          // that the sum is of
   double size = 0;             // rms there, in `unit`
@@ -25,13 +24,13 @@ struct GapInterval {
   [[nodiscard]] double score() const;
 };
 
-/// An interval of one row of residuals in which their energy is beyond noise.
+/// The same within one series of residuals.
 struct EnergyInterval {
   std::size_t first = 0, last = 0;  // samples
   double chi2 = 0;
 };
 
-/// The strongest intervals of each row, 0.1 to 2 s long, none over another. `time_s`: of each sample.
+/// The strongest intervals of each series, 0.1 to 2 s long, not overlapping. `time_s`: of each sample.
 std::vector<std::vector<EnergyInterval>> scanEnergy(const std::vector<Eigen::VectorXd>& z,
                                                     const std::vector<std::vector<double>>& time_s);
 

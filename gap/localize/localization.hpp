@@ -1,4 +1,4 @@
-// Where simulation and measurement disagree, before anything is fitted. docs/gap/where.md says how to read it.
+// Where logs and model diverge, before any fit: noise floor, block tests, intervals, dependence on the state.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ struct Localization {
   std::vector<LogResidual> residuals;
   Blocks blocks;
   std::vector<GapInterval> places;
-  Dependence dependence;  // of nothing where there is no gap
+  Dependence dependence;  // empty if there is no gap
 
   [[nodiscard]] double rms_rad() const;  // of all logs together
   [[nodiscard]] double floors() const;   // that, over the floor
@@ -30,7 +30,7 @@ Localization localize(const Study& study);
 /// For a terminal of 100 columns, at most 25 lines.
 std::string asText(const Localization& where);
 nlohmann::ordered_json asJson(const Localization& where);
-/// Of what a model leaves unexplained, in two or three sentences: how big, where and when, on what it depends.
+/// Two or three sentences on what a model leaves unexplained: how large, where and when, on what it depends.
 std::string describeRemainder(const Localization& where);
 
 }  // namespace darwinop::gap

@@ -1,4 +1,4 @@
-// Below what nothing is a gap: what two runs of the same thing differ by, log by log.
+// Noise floor: run-to-run difference of repeated logs.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,17 +13,17 @@ namespace darwinop::gap {
 struct LogFloor {
   std::size_t log = 0;          // index in the case
   double quantisation_rad = 0;  // rounding and noise of the encoder
-  double repeats_rad = 0;       // rms of the difference of two measured runs over root 2; NaN: nobody repeated it
+  double repeats_rad = 0;       // rms of the difference of two measured runs over root 2; NaN: not repeated
   double expected_rad = 0;      // the same of simulated runs; NaN with the former
   double rms_rad = 0;           // of sigma_rad
-  Eigen::VectorXd sigma_rad;    // a sample each: encoder, and what the assumed disturbance does to this motion
+  Eigen::VectorXd sigma_rad;    // each sample: encoder, and the assumed disturbance on this motion
 };
 
 struct NoiseFloor {
   std::vector<LogFloor> logs;  // of the evidence
   bool assumed = true;         // no log was repeated: the disturbance is an assumption
-  // Measured repeats over simulated ones. Far from 1: the noise is another one, or something changed between the runs
-  // (a servo that warmed up). It does not widen the floor: what changes with the clock is a gap as well.
+  // Measured over simulated differences of repeats. Far from 1: other noise than assumed, or a change between the runs
+  // such as a servo that warmed up. It does not widen the floor: a change over time is a gap as well.
   double factor = 1;
 };
 

@@ -1,4 +1,4 @@
-// On what the gap depends: which state of the joint lifts it, and whether it is the state or the clock.
+// Dependence of the gap on the state of the joint, or on the time of the session.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace darwinop::gap {
 struct Region {
   std::string variable;      // "position", "load", "session time"
   std::string unit;          // "rad"; empty: a pure number
-  double information = 0;    // bits that it tells about the residual; the chance level is taken off
-  double low = 0, high = 0;  // the bin that lifts most
+  double information = 0;    // mutual information with the residual, bits, minus its chance level
+  double low = 0, high = 0;  // the bin with most energy
   double lift = 1;           // energy there over the mean
 };
 
@@ -22,7 +22,7 @@ enum class Depends : std::uint8_t { kNothing, kState, kClock, kBoth };
 std::string_view name(Depends depends);
 
 struct Dependence {
-  std::string of;               // "position", "plant": whose residuals were looked at
+  std::string of;               // "position" or a block: whose residuals were analysed
   std::vector<Region> regions;  // greatest information first
   Depends on = Depends::kNothing;
   double by_state = 0, by_clock = 0;  // shares of the variance: by the state; by the session time at the same state

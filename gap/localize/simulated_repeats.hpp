@@ -1,5 +1,4 @@
-// Logs as they would be if the baseline were right: the same commands, rolled out with noise, with registers that
-// round.
+// Simulated repeats of the logs: the baseline under the same commands, with noise and register rounding.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +8,10 @@
 
 namespace darwinop::gap {
 
-/// One entry a run, each with one trajectory a log.
+/// One entry for each run, each with one trajectory for each log.
 using SimulatedRepeats = std::vector<std::vector<Trajectory>>;
 
-/// `runs`: 8 tell a standard deviation to a quarter.
+/// `runs`: 8 give a standard deviation to about 25 %.
 SimulatedRepeats simulateRepeats(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis,
                                  int runs = 8, std::uint64_t seed = 1);
 

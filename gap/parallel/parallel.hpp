@@ -1,4 +1,4 @@
-// The same work for every index, on as many threads as the machine has.
+// Parallel for loop over threads.
 #pragma once
 
 #include <cstddef>

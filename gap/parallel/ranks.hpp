@@ -24,19 +24,19 @@ class Ranks {
   /// Cores of this rank, counting that others may have been given the same ones.
   static unsigned cores();
 
-  /// Says that this rank cannot go on: all of them end with `code`. Returns it where there is only one.
+  /// Ends all ranks with `code` after a failure of this one. Returns it if there is only one.
   static int giveUp(int code);
 };
 
 /// Work that every rank comes to, shared among them and their threads: work(i, row) fills the `width` numbers of row i.
 /// Returns all rows, one after the other: the same on every rank, and for any number of them.
 ///
-/// What leads here must not depend on the rank, for each waits for the others. Called from another thread than that of
-/// Ranks it shares nothing: ranks that are at different cases need not wait for each other.
+/// Every rank must reach the call with the same arguments, since each waits for the others. Called from another thread
+/// than that of Ranks it shares nothing: ranks that work on different cases do not wait for each other.
 std::vector<double> sharedRows(std::size_t count, std::size_t width,
                                const std::function<void(std::size_t, std::span<double>)>& work);
 
-/// A word to one rank, and the oldest that has come from any; only from the thread of Ranks.
+/// Sends to one rank; returns the oldest message received from any. Only from the thread of Ranks.
 struct Message {
   int from = 0;
   std::string text;

@@ -1,4 +1,4 @@
-// Which joint of the robot swings the arm of a case, and how the robot holds the rest of itself meanwhile.
+// The joint of the robot that swings the arm of a case, and the pose of the other joints.
 #pragma once
 
 #include <optional>

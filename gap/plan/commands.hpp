@@ -1,5 +1,4 @@
-// What an experiment will ask of its joint, as logs without measurement: what a hypothesis foretells of it is what it
-// makes of these.
+// The commands of an experiment as logs without measurements, for prediction.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// An experiment that might be next, and what it takes besides the robot.
+// A candidate for the next experiment, and what it requires besides the robot.
 #pragma once
 
 #include <optional>

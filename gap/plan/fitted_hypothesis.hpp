@@ -1,4 +1,4 @@
-// An explanation of the case that a planned experiment shall judge: fitted numbers, and how far they may be off.
+// A fitted explanation of the case, with its uncertainty, that a planned experiment is to test.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// What one explanation foretells of planned logs, with what its numbers may still do to it.
+// Predictions of one hypothesis for planned logs, with their sensitivity to its parameters.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// What the next experiment shall tell, from what a naming found.
+// The question for the next experiment, from an identification.
 #pragma once
 
 #include "gap/identify/identification.hpp"

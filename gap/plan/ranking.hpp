@@ -1,4 +1,4 @@
-// The next experiment: which one tells most in a minute of robot time.
+// Ranks experiments by expected information per minute of robot time.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,4 +1,4 @@
-// Would this experiment harm the servo, whichever explanation is right?
+// Checks that an experiment is safe for the servo under every hypothesis.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The parts of the loop, and in which of them an effect acts.
+// The blocks of the control loop, and the block in which an effect acts.
 #pragma once
 
 #include <cstdint>

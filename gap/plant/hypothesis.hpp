@@ -1,4 +1,4 @@
-// What somebody believes of a bench: numbers of the servo, effects, and how far the load differs from what was weighed.
+// A model of a bench: numbers of the servo, effects, pendulum, payload factor.
 #pragma once
 
 #include <string_view>
@@ -23,7 +23,7 @@ struct Hypothesis {
   void without(std::string_view id);
 };
 
-/// The case's model, nothing moved.
+/// The model that the case starts from.
 Hypothesis baselineOf(const Case& given);
 
 /// The case with another model as its baseline.

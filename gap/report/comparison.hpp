@@ -1,4 +1,4 @@
-// Two models on the same logs: how far each is off, beside what noise alone makes.
+// Position errors of two models on the same logs, beside the noise floor.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a report was made from, so that another run can tell whether it saw the same data.
+// Hash of the data of a case, so that two reports can be compared.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Before and after: what a student is shown, and what a program may read of it.
+// The report: HTML page, report.json, repaired.ini.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

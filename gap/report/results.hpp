@@ -1,4 +1,4 @@
-// All that a run of `darwinop gap` found, in the forms in which people and programs read it.
+// The outcome of an investigation as text, as results.json, and as edits of a model file.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,4 +1,4 @@
-// What is hidden in a case. Lies beside the cases, never in one; only a score opens it.
+// Answer key: the effects hidden in each case. Stored beside the cases, read only for scoring.
 #pragma once
 
 #include <map>

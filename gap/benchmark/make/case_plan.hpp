@@ -1,4 +1,4 @@
-// A case before anything is measured: the model that is believed in, the commands, and how warm the servo gets.
+// A case before it is simulated: model, commands, temperature.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Hides effects in a case: logs that look measured, made by a bench that is not what the case says.
+// Synthetic cases: logs simulated with effects that the case's model does not have.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct HiddenEffect {
 };
 
 struct CaseRequest {
-  std::string name = "hidden";  // of the case; must not tell what is in it
+  std::string name = "hidden";  // of the case; must not reveal the effect
   std::uint64_t seed = 1;       // of everything that is drawn
   Baseline baseline = Baseline::kFriction;
   std::optional<Case> like;    // bench, priors and commands of this case; nothing: they are drawn

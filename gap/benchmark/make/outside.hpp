@@ -1,5 +1,4 @@
-// Things that happen to benches and that the catalogue of effects does not have: for them `unknown` is the right
-// verdict. Only the hider knows these models.
+// Effects that the catalogue does not have: for them `unknown` is the right verdict. Only this folder knows them.
 #pragma once
 
 #include <memory>

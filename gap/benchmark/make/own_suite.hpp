@@ -1,5 +1,5 @@
-// The project's own battery: cases by seed, over all effects, severities and kinds of baseline. It shares our servo
-// with the finder, so it shows regressions; that the finder is right on other benches is for other batteries to show.
+// The project's own suite: cases by seed, over all effects, severities and baselines. It shares the servo model with
+// the identification, so it shows regressions only; accuracy on other benches needs suites of other simulators.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Makes the measured columns of a log from a bench that is not the one of the model.
+// Simulates the measured columns of a log with the true bench, not the model's.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// results.json while it grows: a run that is killed loses no more than the cases it was at.
+// results.json, written after each case: a killed run loses only the cases in progress.
 #pragma once
 
 #include <map>

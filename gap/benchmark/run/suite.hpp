@@ -1,5 +1,4 @@
-// Runs many cases blind. Of each, case.json and the logs that it names are opened, and nothing else: a key may lie
-// beside them, or in them.
+// Runs a suite of cases blind: only case.json and the logs it names are opened, never an answer key.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What a battery said of its cases: results.json.
+// Results of a suite: results.json.
 #pragma once
 
 #include <map>

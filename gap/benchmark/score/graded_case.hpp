@@ -1,4 +1,4 @@
-// One case of a battery with its answer, and all that is right or wrong about it.
+// One case with its answer, and what is right or wrong about it.
 #pragma once
 
 #include <string>
@@ -34,7 +34,7 @@ struct GradedCase {
   /// Nothing at all is wrong with the verdict.
   [[nodiscard]] bool right() const;
 
-  /// Nobody is led astray: named, in a small ambiguity, silent, or `unknown`, as the case may be.
+  /// The answer misleads nobody: named, in a small ambiguity, `none`, or `unknown`, as the case requires.
   [[nodiscard]] bool fair() const;
 
   /// "coulomb + backlash", for a list of confusions.

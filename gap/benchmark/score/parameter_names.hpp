@@ -1,4 +1,4 @@
-// Batteries call the parameters of effects by many names; a score has to compare them.
+// Maps the parameter names of other suites to those of the catalogue.
 #pragma once
 
 #include <map>

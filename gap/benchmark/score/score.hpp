@@ -1,4 +1,4 @@
-// How good the answers to a battery are, by its key.
+// Scores results against the answer key.
 #pragma once
 
 #include <limits>

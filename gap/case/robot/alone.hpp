@@ -1,4 +1,4 @@
-// Where in a recording of the robot one joint moves alone.
+// Parts of a recording of the robot in which one joint moves alone.
 #pragma once
 
 #include <array>

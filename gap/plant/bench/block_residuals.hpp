@@ -1,4 +1,4 @@
-// What one cut through the loop gives, sample by sample. docs/gap/where.md
+// Residuals of single blocks of the loop, from measured inputs and outputs. No closed loop is simulated.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,17 +9,17 @@
 
 namespace darwinop::gap {
 
-/// Samples of one log. NaN: this sample says nothing.
+/// Samples of one log. NaN: no information.
 struct BlockResiduals {
   Eigen::VectorXd residual;      // measured - expected
-  Eigen::VectorXd sigma;         // standard deviation where the model is right
+  Eigen::VectorXd sigma;         // standard deviation if the model is right
   Eigen::VectorXd z;             // residual over sigma, after what the priors of the numbers explain; NaN as 0
-  std::vector<std::size_t> row;  // that the sample is of; the middle one for a window
+  std::vector<std::size_t> row;  // row of the sample; the middle one for a window
 };
 
 using BlockResidualFunction = std::function<BlockResiduals(const Trajectory& log, const Hypothesis& hypothesis)>;
 
-/// load - law(goal, position), as a duty. Only where the load tells the duty.
+/// load - law(goal, position), as a duty. Only if the load register holds the duty.
 BlockResiduals controllerResiduals(const Case& given, const Trajectory& log, const Hypothesis& hypothesis);
 
 /// volt - what the supply should give, V.
@@ -27,7 +27,8 @@ BlockResiduals supplyResiduals(const Case& given, const Trajectory& log, const H
 /// What the servo draws from its supply at each row, A: duty times motor current.
 Eigen::VectorXd drawnCurrent(const Trajectory& log, const Hypothesis& hypothesis);
 
-/// Slope of the voltage against that current, ohm; the voltage may be off as a whole. NaN when nothing tells.
+/// Slope of the voltage against that current, ohm; a constant offset of the voltage does not matter. NaN without
+/// information.
 double supplyResistance(const Case& given, const std::vector<const Trajectory*>& logs, const Hypothesis& hypothesis);
 
 /// speed - difference of positions over the time that the servo takes, rad/s.
@@ -38,8 +39,8 @@ struct ShootingOptions {
   bool powered = true, limp = true, mixed = true;  // windows that count: torque on, or off, all the time; or changing
   bool measured_supply = false;                    // the motor gets the measured voltage, not the model's
 };
-/// Windows that begin at a measured state and end where the mechanics of the hypothesis, driven by the measured load
-/// as duty, go: measured - simulated position at the end, rad. Where the load tells no duty the law drives.
+/// Multiple shooting: windows start at a measured state, the mechanics of the hypothesis run with the measured load as
+/// duty; residual is measured - simulated position at the end, rad. If the load is not a duty, the control law runs.
 BlockResiduals shootingResiduals(const Case& given, const Trajectory& log, const Hypothesis& hypothesis,
                                  const ShootingOptions& options);
 

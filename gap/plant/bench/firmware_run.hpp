@@ -1,4 +1,4 @@
-// The firmware of a servo, run on the positions that were measured: what it would have told its motor.
+// The servo's firmware, run on the measured positions: the duty it would have commanded.
 #pragma once
 
 #include <vector>
@@ -27,7 +27,7 @@ std::size_t commandsAfter(const Case& given, const Trajectory& log, std::size_t 
 /// Temperature that counts for a row, degC.
 double temperatureOf(const Trajectory& log, std::size_t row);
 
-/// True where the load register tells the duty: law voltage_p, and the log has the column.
+/// True: the load register holds the duty (law voltage_p), and the log has the column.
 bool loadTellsDuty(const Hypothesis& hypothesis, const Trajectory& log);
 
 }  // namespace darwinop::gap

@@ -1,4 +1,5 @@
-// What acts inside a simulated servo and is no effect of the catalogue: given drives, noise of the bench, strangers.
+// Effects inside a simulated servo that are not in the catalogue: given drives, noise, unmodelled effects of
+// benchmarks.
 #pragma once
 
 #include <memory>
@@ -8,7 +9,7 @@
 
 namespace darwinop::gap {
 
-/// Nobody names it, fits it or writes it into a model, so it has no equation, no parameters and no maker.
+/// It is never identified, fitted or written into a model, so it has no equation, no parameters and no factory.
 inline twin::EffectInfo internalEffect(std::string_view id, std::string_view title, twin::Place place) {
   const auto nobody_makes_it = [](std::span<const double>) { return std::unique_ptr<twin::Effect>{}; };
   return {.id = id,

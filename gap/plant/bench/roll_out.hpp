@@ -1,4 +1,4 @@
-// Simulates a log again: the same commands at the same times, on a hypothesis.
+// Closed-loop simulation of a log: the same commands at the same times, on a hypothesis.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace darwinop::gap {
 
-/// What the simulated servo would have told, one value a row of the log. No quantisation unless a Disturbance asks.
+/// What the simulated servo reports, one value for each row of the log. No quantisation unless a Disturbance asks.
 struct Trace {
   std::vector<double> position_rad;    // of the encoder
   std::vector<double> velocity_rad_s;  // of the arm; true
@@ -16,7 +16,7 @@ struct Trace {
   std::vector<double> supply_v;        // at the servo
 };
 
-/// What differs from one run to the next on any bench: seen in repeats, and in what no model can foretell.
+/// Run-to-run noise of a bench: torque, supply and encoder.
 struct Disturbance {
   std::uint64_t seed = 0;
   double torque_nm = 0.002, torque_time_s = 0.02;  // standard deviation and correlation time
@@ -24,8 +24,8 @@ struct Disturbance {
   double encoder_ticks = 0.3;  // before rounding
 };
 
-/// How a log is simulated. Without disturbance the encoder is exact, so that the result is a smooth function of the
-/// hypothesis; with one, registers round as the real ones, and the encoder where the firmware sees its steps.
+/// Without disturbance the encoder is exact, so that the result is a smooth function of the hypothesis. With one,
+/// registers round as the real ones do.
 struct RollOutOptions {
   const Disturbance* disturbance = nullptr;
   // Mechanical steps in a period of the firmware. 0: as many as the law needs, and a firmware faster than 0.5 ms is

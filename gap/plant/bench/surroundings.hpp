@@ -1,4 +1,4 @@
-// What acts on a bench from outside and is no effect of the servo: the temperature that the log tells, and noise.
+// External inputs of a bench: the logged temperature, and noise.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace darwinop::gap {
 
-/// A noise with a memory: first order, standard deviation `sigma` after any time.
+/// First-order Gauss-Markov process with standard deviation `sigma` and correlation time `time_s`.
 class GaussMarkov {
  public:
   GaussMarkov(double sigma, double time_s, double step_s, std::uint64_t seed);
@@ -21,7 +21,7 @@ class GaussMarkov {
   double keep_, add_, value_;
 };
 
-/// Sits in the servo as an effect, first in its row.
+/// The first effect of the servo.
 class Surroundings final : public twin::Effect {
  public:
   /// `temperature_c` belongs to the caller, who changes it as the run goes on. The encoder shows where the joint is
