@@ -220,7 +220,7 @@ TEST(Score, JudgesTheBlockOfTheLoop) {
 TEST(Score, JudgesTheBlockThatOpensByItself) {
   HandMade made;
   expectShare(share(scoreOf(made.keys, made.answers), "the block that opens"), 0, 0);  // no answer tells one
-  made.answers["a"].opens = made.answers["b"].opens = made.answers["c"].opens = "plant";
+  made.answers["a"].first_open_block = made.answers["b"].first_open_block = made.answers["c"].first_open_block = "plant";
   made.answers["c"].block = "controller";  // a dead band is the controller's
   expectShare(share(scoreOf(made.keys, made.answers), "the block that opens"), 2, 8);
 }
@@ -282,11 +282,11 @@ TEST(Answers, AreRefusedWithFileAndCase) {
   EXPECT_EQ(scoreFileError(
                 R"([{"case":"a","verdict":"none","block":null,"where":[{"file":"f","t0":0,"t1":1,"block":null}]}])"),
             "");
-  EXPECT_THAT(scoreFileError("{}"), HasSubstr("results.json: is no list"));
+  EXPECT_THAT(scoreFileError("{}"), HasSubstr("results.json: expected a list"));
   EXPECT_THAT(scoreFileError("[{"), HasSubstr("results.json: "));
   EXPECT_THAT(scoreFileError(R"([{"case":"a"}])"), HasSubstr("results.json, case a: "));
   EXPECT_THAT(scoreFileError(R"([{"case":"a","verdict":"none"},{"case":"a","verdict":"none"}])"),
-              HasSubstr("case a: is answered twice"));
+              HasSubstr("case a: has two results"));
 }
 
 TEST(ExampleKey, GivesFullMarksToItsOwnAnswers) {
@@ -314,6 +314,16 @@ TEST(ExampleKey, GivesFullMarksToItsOwnAnswers) {
   for (const ShareFigure& figure : score.shares) EXPECT_TRUE(figure.reached()) << figure.what;
   EXPECT_NEAR(spread(score, "parameter error").quantile(1), 0, 1e-9);
   EXPECT_NEAR(spread(score, "over the floor").quantile(1), 1, 1e-3);
+}
+
+// Format 1 had the key `opens`; `first_open_block` is that of format 2.
+TEST(Answers, OfTheFormerFormatAreRead) {
+  const TemporaryFolder folder;
+  std::ofstream{folder / "results.json"} << R"([{"case": "old", "verdict": "none", "opens": "plant"},
+    {"format": 2, "case": "new", "verdict": "none", "first_open_block": "command"}])";
+  const Answers answers = readAnswers(folder / "results.json");
+  EXPECT_EQ(answers.at("old").first_open_block, "plant");
+  EXPECT_EQ(answers.at("new").first_open_block, "command");
 }
 
 }  // namespace

@@ -45,6 +45,11 @@ TEST(CaseRead, PriorsOfWhatIsNotThereAreDropped) {
   EXPECT_THAT(priorsOf(CaseTexts{}.read()), ElementsAre("kt", "resistance", "payload", "coulomb.friction"));
 }
 
+TEST(CaseRead, HeldOutIsTheRoleThatScoreWas) {
+  EXPECT_TRUE(CaseTexts{}.with("\"role\": \"score\"", "\"role\": \"held_out\"").read().logs[1].held_out);
+  EXPECT_TRUE(CaseTexts{}.read().logs[1].held_out) << "the former word";
+}
+
 TEST(CaseRead, RowsInSi) {
   const Case c = CaseTexts{}.read();
   ASSERT_EQ(c.logs.size(), 2u);
