@@ -4,7 +4,7 @@
 #include <exception>
 #include <string>
 
-#include "demo/walk.hpp"
+#include "apps/demo/walk.hpp"
 #include "twin_look.hpp"
 
 namespace {

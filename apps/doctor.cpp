@@ -5,13 +5,13 @@
 #include <exception>
 #include <string>
 
+#include "connect/connect.hpp"
+#include "connect/robot_file.hpp"
+#include "connect/start_pose_findings.hpp"
 #include "hal/cm730/host_checks.hpp"
 #include "hal/cm730/port_check.hpp"
 #include "hal/cm730/probe.hpp"
 #include "hal/cm730/serial_open.hpp"
-#include "link/connect.hpp"
-#include "link/robot_file.hpp"
-#include "link/start_pose_findings.hpp"
 
 namespace {
 
@@ -52,10 +52,10 @@ class Report {
 };
 
 /// The robot that the file describes; a stock one, and an error in the report, when the file cannot be used.
-link::RobotFile readRobotFile(Report& report) {
+connect::RobotFile readRobotFile(Report& report) {
   try {
-    link::RobotFile robot = link::readRobotFile();
-    report.add({Finding::ok(link::describe(robot))});
+    connect::RobotFile robot = connect::readRobotFile();
+    report.add({Finding::ok(connect::describe(robot))});
     return robot;
   } catch (const std::exception& wrong) {
     report.add({Finding::of(cm730::Kind::kRobotFile, wrong.what(),
@@ -69,7 +69,7 @@ int examine(const std::string& asked, bool fix) {
   report.heading("computer");
   report.add(cm730::diagnoseHost(cm730::measureHost(kLoopPriority)));
 
-  const link::RobotFile robot = readRobotFile(report);
+  const connect::RobotFile robot = readRobotFile(report);
 
   report.heading("port");
   const std::string wanted = asked.empty() ? robot.port.value_or("") : asked;
@@ -82,15 +82,15 @@ int examine(const std::string& asked, bool fix) {
   cm730::ProbeOptions options = cm730::ProbeOptions::thorough();
   options.port = path;
   options.offsets = robot.offsets;
-  options.period = robot.period.value_or(link::kUsualPeriod);
+  options.period = robot.period.value_or(connect::kUsualPeriod);
   options.absent = robot.safety.absent;
-  options.allowed = link::goalTicks(link::safetyOn(robot, {}, "config.ini"), robot.offsets);
+  options.allowed = connect::goalTicks(connect::safetyOn(robot, {}, "config.ini"), robot.offsets);
   options.correct = fix;
   const cm730::ProbeReport probed = cm730::probe(*check.port, options);
   report.add(probed.findings);
   if (probed.facts.board.readable && probed.facts.board.power_on) {
     report.heading("pose");
-    report.add(link::startPoseFindings(probed.facts));
+    report.add(connect::startPoseFindings(probed.facts));
   }
   return report.finish();
 }

@@ -13,24 +13,23 @@
 #include <string>
 #include <webots/Robot.hpp>
 
-#include "experiments/battery.hpp"
-#include "experiments/gentle_stop.hpp"
-#include "experiments/hardware.hpp"
-#include "experiments/plan.hpp"
-#include "experiments/progress.hpp"
-#include "experiments/reader.hpp"
-#include "experiments/runner.hpp"
-#include "link/robot_file.hpp"
-#include "link/setting.hpp"
-#if __has_include("experiments/plot/plot.hpp")
-#include "experiments/plot/plot.hpp"
+#include "connect/robot_file.hpp"
+#include "connect/setting.hpp"
+#include "experiments/format/battery.hpp"
+#include "experiments/format/plan.hpp"
+#include "experiments/format/reader.hpp"
+#include "experiments/run/gentle_stop.hpp"
+#include "experiments/run/hardware.hpp"
+#include "experiments/run/progress.hpp"
+#include "experiments/run/runner.hpp"
+#if __has_include("experiments/logs/plot/plot.hpp")
+#include "experiments/logs/plot/plot.hpp"
 #define DARWINOP_CAN_PLOT
 #endif
 
 namespace {
 
 using namespace darwinop::experiments;
-namespace link_room = darwinop::link;  // `link` is a system call
 
 // Exit statuses, docs/experiments.md.
 constexpr int kDone = 0, kEnded = 1, kWrong = 2, kNeedsYes = 3, kStopped = 130;
@@ -68,9 +67,9 @@ int show(const std::string& name) {
 }
 
 /// What this robot allows: its own file may narrow the joints' ranges.
-Ranges rangesOf(const link_room::Setting& robot) {
-  if (robot.kind != link_room::Kind::kSerial) return darwinop::safety::hardRanges();
-  return link_room::safetyOn(link_room::readRobotFile(), {}, "config.ini").range;
+Ranges rangesOf(const darwinop::connect::Setting& robot) {
+  if (robot.kind != darwinop::connect::Kind::kSerial) return darwinop::safety::hardRanges();
+  return darwinop::connect::safetyOn(darwinop::connect::readRobotFile(), {}, "config.ini").range;
 }
 
 /// "speed-20260102-150405-twin.csv".
@@ -124,7 +123,7 @@ int tellEnd(Outcome outcome, const std::string& record) {
 int run(Arguments a) {
   const Experiment experiment = readExperiment(findExperiment(a.experiment));
   if (const char* usual = std::getenv("DARWINOP_ROBOT"); a.robot.empty() && usual != nullptr) a.robot = usual;
-  const link_room::Setting robot = link_room::readSetting(a.robot);
+  const darwinop::connect::Setting robot = darwinop::connect::readSetting(a.robot);
   const Plan plan = makePlan(experiment, rangesOf(robot));
   std::cout << planText(experiment, plan) << std::endl;
   if (!a.yes && mayBeHardware(a.robot)) {
@@ -132,7 +131,7 @@ int run(Arguments a) {
                  "somebody holds it, say so with --yes\n";
     return kNeedsYes;
   }
-  if (link_room::loopIsElsewhere(robot) && !a.no_record)
+  if (darwinop::connect::loopIsElsewhere(robot) && !a.no_record)
     throw std::runtime_error(
         "the loop of this robot runs in its daemon, which makes recordings by itself: start that with darwinop runtime "
         "--record FILE, and run the experiment with --no-record");
@@ -149,7 +148,7 @@ int run(Arguments a) {
 void describeRun(CLI::App& app, Arguments& a) {
   app.add_option("EXPERIMENT", a.experiment, "name of a delivered one, or a file: ./mine.ini")->required();
   app.add_option("--robot", a.robot,
-                 "which robot; unset: DARWINOP_ROBOT, or else what is there:\n" + link_room::settingChoices());
+                 "which robot; unset: DARWINOP_ROBOT, or else what is there:\n" + darwinop::connect::settingChoices());
   app.add_option("--record", a.record, "the recording; unset: NAME-DATE-ROBOT.csv in this folder");
   app.add_flag("--no-record", a.no_record, "make no recording")->excludes("--record");
   app.add_option("--period", a.period_ms, "period of the loop in ms, 16 or 8")->check(CLI::Range(1, 1000));

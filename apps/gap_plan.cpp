@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/number_text.hpp"
-#include "experiments/phase_reader.hpp"
+#include "core/text/number_text.hpp"
+#include "experiments/format/phase_reader.hpp"
 #include "gap/identify/identification.hpp"
 #include "gap/plan/question.hpp"
 #include "gap/plan/write_experiments.hpp"
@@ -17,7 +17,7 @@ std::vector<std::string> partsOf(const std::string& list) {
   std::vector<std::string> parts;
   std::istringstream text{list};
   for (std::string part; std::getline(text, part, ',');) {
-    const std::string_view id = withoutBlanks(part);
+    const std::string_view id = text::withoutBlanks(part);
     if (id.empty()) throw std::runtime_error("--against " + list + ": an id is missing between two commas");
     parts.emplace_back(id);
   }

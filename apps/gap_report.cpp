@@ -20,7 +20,7 @@
 #include "gap/report/report.hpp"
 #include "gap_commands.hpp"
 #include "gap_progress.hpp"
-#include "settings/text_file.hpp"
+#include "hal/text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestText = 64 << 20;  // bytes: of a report, as darwinop window takes it
 
 std::string textOf(const std::string& path) {
-  const std::optional<std::string> text = settings::readTextFile(path, kLongestText);
+  const std::optional<std::string> text = readTextFile(path, kLongestText);
   if (!text) throw std::runtime_error("cannot read " + path + ": " + std::strerror(errno));
   return *text;
 }

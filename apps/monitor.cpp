@@ -1,5 +1,5 @@
 // darwinop-monitor: lets onlookers see the robot, read only.
-#include "remote/monitor/monitor.hpp"
+#include "monitor/monitor.hpp"
 
 #include <unistd.h>
 
@@ -11,12 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "apps/colour_search/frame_search.hpp"
+#include "connect/controller_user.hpp"
+#include "connect/eyes.hpp"
 #include "end_with_parent.hpp"
+#include "hal/net/web/server.hpp"
 #include "hal/signals.hpp"
-#include "link/controller_user.hpp"
-#include "remote/monitor/messages.hpp"
+#include "monitor/messages.hpp"
 #include "remote/robot/onlooker_eyes.hpp"
-#include "remote/web/server.hpp"
 #include "runtime/clock.hpp"
 
 namespace {
@@ -43,12 +45,12 @@ void sayMonitorOnce(const std::string& line) {
 
 web::ServerConfig webConfig(const MonitorArguments& given) {
   web::ServerConfig config;
-  config.address = remote::ipv4FromText(given.listen);
+  config.address = net::ipv4FromText(given.listen);
   config.port = given.port;
-  for (const std::string& network : given.allow) config.allowed.push_back(remote::networkFromText(network));
+  for (const std::string& network : given.allow) config.allowed.push_back(net::networkFromText(network));
   config.entry.origins = given.origins;
   config.entry.hosts = given.hosts;
-  if (remote::isLoopback(config.address)) return config;
+  if (net::isLoopback(config.address)) return config;
   if (given.allow.empty())
     throw std::runtime_error("--listen " + given.listen +
                              " shows the robot to a network: say who may look, such as --allow 192.168.123.0/24");
@@ -59,16 +61,19 @@ web::ServerConfig webConfig(const MonitorArguments& given) {
 }
 
 int serveOnlookers(const MonitorArguments& given) {
-  link::leaveRoot();
+  connect::leaveRoot();
   endOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
   const runtime::RuntimeFiles files{given.name};
-  const auto finders = std::make_shared<monitor::Finders>();
-  const remote::FrameLooker find = [finders](const CameraFrame& frame) { finders->look(frame); };
+  const auto search = std::make_shared<colour_search::FrameSearch>();
+  const remote::FrameLooker find = [search](const CameraFrame& frame) { search->look(frame); };
   monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); },
-                           [find] { return remote::openCameraForOnlookers(find, sayMonitor); },
-                           [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); },
-                           finders};
+                           [find] {
+                             return remote::openPicturesOfCamera(
+                                 connect::openCamera({.form = PictureForm::kYuyv, .say = sayMonitor}), find,
+                                 sayMonitor);
+                           },
+                           [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); }, search};
   web::Server server{webConfig(given), sayMonitor};
   server.channel("/monitor", monitor::kSubprotocol, monitor);
   std::cout << "ready: ws://" << given.listen << ":" << server.port() << "/monitor" << std::endl;

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "link/setting.hpp"
+#include "connect/setting.hpp"
 #include "managers/motion_text/check_pages.hpp"
 #include "managers/motion_text/mirror.hpp"
 #include "managers/motion_text/motion_file.hpp"
@@ -130,7 +130,7 @@ void describePlay(CLI::App& command, PlayRequest& play) {
   command.add_option("PAGE", play.pages, "pages, one after the other; none for a .motion file")
       ->check(CLI::Range(1, static_cast<int>(kPages) - 1));
   command.add_option("--robot", play.robot,
-                     "which robot; unset: DARWINOP_ROBOT, or else the twin:\n" + darwinop::link::settingChoices());
+                     "which robot; unset: DARWINOP_ROBOT, or else the twin:\n" + darwinop::connect::settingChoices());
   command.add_option("--record", play.record, "write every cycle to this CSV file, see docs/logs.md");
   command.add_option("--period", play.period_ms, "period of the loop in ms, 16 or 8")->check(CLI::Range(1, 1000));
   command.add_flag("--yes", play.yes, "move a real robot without a question");

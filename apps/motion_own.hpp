@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "managers/motion/pages/own_pages.hpp"
 #include "managers/motion_text/motion_file.hpp"
-#include "managers/own_pages/own_pages.hpp"
 
 namespace darwinop::motion {
 

@@ -13,8 +13,8 @@
 #include <webots/Robot.hpp>
 #include <webots/utils/Motion.hpp>
 
-#include "experiments/hardware.hpp"
-#include "link/setting.hpp"
+#include "connect/setting.hpp"
+#include "experiments/run/hardware.hpp"
 #include "managers/motion_text/values.hpp"
 #include "managers/motion_watch/motion_watch.hpp"
 #include "managers/motion_watch/posture.hpp"
@@ -141,10 +141,10 @@ int play(PlayRequest request) {
   if (const char* usual = std::getenv("DARWINOP_ROBOT"); request.robot.empty() && usual != nullptr)
     request.robot = usual;
   if (request.robot.empty()) request.robot = "twin";
-  const link::Setting robot = link::readSetting(request.robot);
+  const connect::Setting robot = connect::readSetting(request.robot);
   std::cout << preview << "on: " << request.robot << std::endl;
   if (experiments::mayBeHardware(request.robot) && !agreed(request)) return kPlayNeedsYes;
-  if (link::loopIsElsewhere(robot) && !request.record.empty())
+  if (connect::loopIsElsewhere(robot) && !request.record.empty())
     throw std::runtime_error(
         "the loop of this robot runs in its daemon, which makes recordings by itself: start that with darwinop runtime "
         "--record FILE");

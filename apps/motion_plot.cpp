@@ -15,9 +15,9 @@
 #include "managers/motion_text/values.hpp"
 #include "motion_own.hpp"
 #include "motion_print.hpp"
-#if __has_include("experiments/plot/figure.hpp")
-#include "experiments/plot/gnuplot.hpp"
-#include "experiments/plot/page.hpp"
+#if __has_include("experiments/logs/plot/figure.hpp")
+#include "experiments/logs/plot/gnuplot.hpp"
+#include "experiments/logs/plot/page.hpp"
 #define DARWINOP_CAN_PLOT
 #endif
 

@@ -9,14 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "connect/connect.hpp"
+#include "connect/controller_user.hpp"
+#include "connect/eyes.hpp"
+#include "connect/setting.hpp"
 #include "end_with_parent.hpp"
 #include "hal/diagnostics.hpp"
+#include "hal/net/bounded_log.hpp"
 #include "hal/signals.hpp"
-#include "link/connect.hpp"
-#include "link/controller_user.hpp"
-#include "link/setting.hpp"
 #include "remote/robot/link_port.hpp"
-#include "remote/server/bounded_log.hpp"
 #include "remote/server/server.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/daemon_link.hpp"
@@ -39,17 +40,17 @@ struct RemoteArguments {
 /// which may come with each client. A client must not be able to fill a robot's disk.
 void sayRemote(const std::string& line) {
   static std::mutex mutex;
-  static remote::BoundedLog log{[](const std::string& text) { std::cerr << "darwinop remote: " << text << std::endl; }};
+  static net::BoundedLog log{[](const std::string& text) { std::cerr << "darwinop remote: " << text << std::endl; }};
   const std::lock_guard guard{mutex};
   log.line(line, runtime::MonotonicClock{}.now());
 }
 
 remote::ServerConfig serverConfig(const RemoteArguments& given) {
   remote::ServerConfig config;
-  config.address = remote::ipv4FromText(given.listen);
+  config.address = net::ipv4FromText(given.listen);
   config.port = given.port;
-  for (const std::string& network : given.allow) config.allowed.push_back(remote::networkFromText(network));
-  if (remote::isLoopback(config.address)) return config;
+  for (const std::string& network : given.allow) config.allowed.push_back(net::networkFromText(network));
+  if (net::isLoopback(config.address)) return config;
   if (given.allow.empty())
     throw std::runtime_error("--listen " + given.listen +
                              " opens the robot to a network: say who may connect, such as --allow 192.168.123.0/24");
@@ -71,29 +72,32 @@ facade::ControllerConfig controllerConfig(const std::string& config) {
 
 int serveRemote(const RemoteArguments& given) {
   remote::ServerConfig config = serverConfig(given);
-  link::Request request;
+  connect::Request request;
   request.setting = given.robot;
   const facade::ControllerConfig controller = controllerConfig(given.config);
   request.safety = controller.safety;
   if (!given.config.empty()) request.config_file = given.config;
   request.warn = sayRemote;
-  const link::Kind kind = link::readSetting(given.robot).kind;
-  if (kind == link::Kind::kTcp)
+  const connect::Kind kind = connect::readSetting(given.robot).kind;
+  if (kind == connect::Kind::kTcp)
     throw std::runtime_error("--robot " + given.robot + " is behind a server already: connect to that one");
-  const bool daemon = kind == link::Kind::kDaemon;
+  const bool daemon = kind == connect::Kind::kDaemon;
   // In simulated time our own client takes as many cycles a second as the machine runs, and no robot's CPU is at stake.
-  if (kind == link::Kind::kVirtual || kind == link::Kind::kTwin) config.pace = Nanos{0};
+  if (kind == connect::Kind::kVirtual || kind == connect::Kind::kTwin) config.pace = Nanos{0};
   if (daemon && runtime::daemonPid(runtime::RuntimeFiles{}) == 0)
     sayRemote("no runtime daemon is running yet; clients are shown out until one does: darwinop runtime");
-  if (daemon) link::leaveRoot();
+  if (daemon) connect::leaveRoot();
   endOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
   remote::LinkPort robot{daemon ? remote::LinkPort::Home::kDaemon : remote::LinkPort::Home::kOwn,
-                         [&] { return link::connect(request); }, request.safety.start == safety::StartMove::kHold};
+                         [&] { return connect::connect(request); }, request.safety.start == safety::StartMove::kHold};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
   const remote::ImageSize size{remote::kWholeImage.width / given.width_zoom,
                                remote::kWholeImage.height / given.height_zoom};
-  const auto open_pictures = [&] { return robot.openPictures(size, controller.camera, sayRemote); };
+  const auto open_frames = [&](runtime::RobotLink& link, PictureForm form) {
+    return connect::openEyes(link, {.settings = controller.camera, .form = form, .say = sayRemote});
+  };
+  const auto open_pictures = [&] { return robot.openPictures(size, open_frames, sayRemote); };
   remote::Server server{config, robot, open_pictures, clock, sayRemote};
   std::cout << "ready: " << given.listen << ":" << server.port() << std::endl;
   server.run(endRequested());
@@ -114,7 +118,7 @@ int main(int count, char** arguments) try {
   app.add_option("WZ", given.width_zoom, "the middle 320/WZ columns of each picture are sent: 1, 2, 4 or 8")
       ->check(zooms);
   app.add_option("HZ", given.height_zoom, "the middle 240/HZ rows")->check(zooms);
-  app.add_option("--robot", given.robot, "the robot that is driven:\n" + link::settingChoices())
+  app.add_option("--robot", given.robot, "the robot that is driven:\n" + connect::settingChoices())
       ->envname("DARWINOP_ROBOT")
       ->capture_default_str();
   app.add_option("--listen", given.listen, "address of this computer to listen on; 0.0.0.0: all of them")

@@ -14,10 +14,10 @@
 #include <string_view>
 #include <vector>
 
+#include "connect/controller_user.hpp"
 #include "hal/body_library.hpp"
-#include "link/controller_user.hpp"
-#include "remote/ssh/session.hpp"
-#include "remote/ssh/target.hpp"
+#include "hal/net/ssh/session.hpp"
+#include "hal/net/ssh/target.hpp"
 #include "runtime/controller_run.hpp"
 #include "ssh_login.hpp"
 
@@ -87,7 +87,7 @@ int runOverSsh(const std::string& target, const SshOptions& ssh, darwinop::runti
   if (!ssh.picture.empty()) words.insert(words.end(), {"--picture", ssh.picture});
   if (ssh.force) words.emplace_back("--force");
   words.push_back(target);
-  darwinop::remote::SshSession robot{"darwinop run", words};
+  darwinop::ssh::SshSession robot{"darwinop run", words};
   const std::vector<std::uint16_t> ports = robot.waitUntilReady();
   if (ports.empty()) return std::max(robot.end(), 1);
   request.robot = "tcp://127.0.0.1:" + std::to_string(ports.front());
@@ -130,15 +130,15 @@ int main(int count, char** arguments) try {
   request.record = absolute(request.record);
   if (period_ms != 0) request.period_ms = std::to_string(period_ms);
   const char* const robot = std::getenv("DARWINOP_ROBOT");
-  const auto target = darwinop::remote::sshTarget(request.robot.empty() && robot != nullptr ? robot : request.robot);
+  const auto target = darwinop::ssh::sshTarget(request.robot.empty() && robot != nullptr ? robot : request.robot);
   if (target) return runOverSsh(*target, ssh, request);
   if (ssh.any())
     throw std::runtime_error(
         "--picture, --force, --ssh-port, --ssh-key and --new-host go with --robot tcp://USER@HOST; what is the "
         "controller's comes after --");
   // Not root in a controller: it needs no more than the runtime's group.
-  if (darwinop::link::usesRuntime(request.robot.empty() && robot != nullptr ? robot : request.robot))
-    darwinop::link::leaveRoot();
+  if (darwinop::connect::usesRuntime(request.robot.empty() && robot != nullptr ? robot : request.robot))
+    darwinop::connect::leaveRoot();
   return darwinop::runtime::runController(request);
 } catch (const std::exception& error) {
   std::cerr << "darwinop run: " << error.what() << '\n';

@@ -8,12 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "connect/connect.hpp"
+#include "connect/controller_user.hpp"
+#include "connect/robot_file.hpp"
+#include "connect/wait_for_bus.hpp"
 #include "hal/diagnostics.hpp"
 #include "hal/signals.hpp"
-#include "link/connect.hpp"
-#include "link/controller_user.hpp"
-#include "link/robot_file.hpp"
-#include "link/wait_for_bus.hpp"
 #include "runtime/daemon.hpp"
 #include "runtime/operator.hpp"
 #include "webots/config_ini.hpp"
@@ -29,10 +29,10 @@ struct Arguments {
   bool wait = false, status = false, check_pose = false, reset_faults = false, release = false;
 };
 
-runtime::LoopConfig loopConfig(const Arguments& given, const link::RobotFile& robot) {
+runtime::LoopConfig loopConfig(const Arguments& given, const connect::RobotFile& robot) {
   runtime::LoopConfig config;
   config.period =
-      given.period_ms ? std::chrono::milliseconds{*given.period_ms} : robot.period.value_or(link::kUsualPeriod);
+      given.period_ms ? std::chrono::milliseconds{*given.period_ms} : robot.period.value_or(connect::kUsualPeriod);
   config.record_path = given.record;
   config.real_time.demand = runtime::realTimeFromText(given.real_time);
   safety::Config controllers;
@@ -43,26 +43,26 @@ runtime::LoopConfig loopConfig(const Arguments& given, const link::RobotFile& ro
     for (const std::string& warning : reading.warnings) std::cerr << warning << '\n';
     controllers = reading.config.safety;
   }
-  config.safety = link::safetyOn(robot, controllers, given.config.empty() ? "config.ini" : given.config);
+  config.safety = connect::safetyOn(robot, controllers, given.config.empty() ? "config.ini" : given.config);
   return config;
 }
 
-std::optional<link::OpenedBus> openBus(const Arguments& given, const link::RobotFile& robot,
-                                       const runtime::LoopConfig& config) {
+std::optional<connect::OpenedBus> openBus(const Arguments& given, const connect::RobotFile& robot,
+                                          const runtime::LoopConfig& config) {
   const std::string port = given.port.value_or(robot.serialPort());
-  const auto open = [&] { return link::openSerialBus({port, config.period, config.safety, robot.offsets}); };
+  const auto open = [&] { return connect::openSerialBus({port, config.period, config.safety, robot.offsets}); };
   if (!given.wait) return open();
   const auto tell = [](const std::string& what) { std::cerr << "darwinop runtime: " << what << std::endl; };
-  return link::waitForBus(open, endRequested(), tell, link::pauseFor);
+  return connect::waitForBus(open, endRequested(), tell, connect::pauseFor);
 }
 
 int serve(const Arguments& given, const runtime::RuntimeFiles& files) {
-  const link::RobotFile robot = link::readRobotFile();
+  const connect::RobotFile robot = connect::readRobotFile();
   runtime::LoopConfig config = loopConfig(given, robot);
-  const gid_t group = link::runtimeGroup(robot, given.group);
+  const gid_t group = connect::runtimeGroup(robot, given.group);
   endOnSignals();
   runtime::FileLock claim = runtime::claimRuntime(files, group);  // first, so that the port is left to who has it
-  std::optional<link::OpenedBus> opened = openBus(given, robot, config);
+  std::optional<connect::OpenedBus> opened = openBus(given, robot, config);
   if (!opened) return 0;  // asked to end before the robot came
   config.port = opened->description;
   config.safety = opened->safety;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "settings/text_file.hpp"
+#include "hal/text_file.hpp"
 #include "twin/body/robot_body.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/model.hpp"
@@ -63,7 +63,7 @@ CLI::App& describePicture(CLI::App& app, Arguments& a) {
 
 /// The first sentence of a model file's first comment. Of a file that cannot be read: why, so that the list goes on.
 std::string titleOf(const std::string& file) try {
-  std::istringstream text{darwinop::settings::readTextFile(file).value_or("")};
+  std::istringstream text{darwinop::readTextFile(file).value_or("")};
   std::string title;
   for (std::string line; std::getline(text, line) && line.starts_with(';');) {
     line.erase(0, line.find_first_not_of("; "));

@@ -16,15 +16,15 @@
 #include <string>
 #include <vector>
 
+#include "connect/setting.hpp"
+#include "connect/twin_library.hpp"
 #include "core/joints.hpp"
 #include "hal/signals.hpp"
+#include "hal/text_file.hpp"
 #include "hil-mocks/fault_script.hpp"
 #include "hil-mocks/pty_host.hpp"
 #include "hil-mocks/robot_options.hpp"
 #include "hil-mocks/torque_on_counter.hpp"
-#include "link/setting.hpp"
-#include "link/twin_library.hpp"
-#include "settings/text_file.hpp"
 #ifdef DARWINOP_VIRTUAL_CAMERA  // on a PC
 #include "hil-mocks/camera/camera_settings.hpp"
 #include "virtual_robot_camera.hpp"
@@ -34,7 +34,6 @@ namespace {
 
 using darwinop::Nanos;
 namespace hil = darwinop::hil;
-namespace link_room = darwinop::link;  // `link` is a system call
 
 constexpr Nanos kPhysicsRest = std::chrono::milliseconds{2};  // so that a request never waits for many steps at once
 constexpr Nanos kTooLate = std::chrono::milliseconds{16};     // a whole cycle of the loop
@@ -77,14 +76,15 @@ void printJoints(hil::PtyHost& host) {
 }
 
 std::vector<hil::Fault> faultsIn(const std::string& path) {
-  const std::optional<std::string> text = darwinop::settings::readTextFile(path, hil::kLongestFaultScript);
+  const std::optional<std::string> text = darwinop::readTextFile(path, hil::kLongestFaultScript);
   if (!text) throw std::runtime_error("there is no fault script " + path + "; name one with --faults");
   return hil::parseFaultScript(*text, path);
 }
 
 std::unique_ptr<darwinop::Body> makeBody(const Arguments& a) {
   if (a.body == "plain") return nullptr;
-  if (const std::optional<std::string> model = link_room::twinModel(a.body)) return link_room::makeTwin(*model, a.seed);
+  if (const std::optional<std::string> model = darwinop::connect::twinModel(a.body))
+    return darwinop::connect::makeTwin(*model, a.seed);
   throw std::runtime_error("--body " + a.body + ": it can be plain, twin, or twin:MODEL");
 }
 

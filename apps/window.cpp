@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "apps/colour_search/frame_search.hpp"
+#include "hal/net/ssh/target.hpp"
+#include "hal/net/web/server.hpp"
 #include "hal/signals.hpp"
-#include "managers/own_pages/own_pages.hpp"
-#include "remote/monitor/messages.hpp"
-#include "remote/ssh/target.hpp"
-#include "remote/web/server.hpp"
+#include "managers/motion/pages/own_pages.hpp"
+#include "monitor/messages.hpp"
 #include "runtime/clock.hpp"
 #include "ssh_login.hpp"
 #include "window/assets.hpp"
@@ -65,7 +66,8 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
   endOnSignals();
   if (ssh != nullptr && window::OverSsh::toldToEnd()) return;
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
-  window::Sight sight = window::sightOf(given.choice, files, own ? own->eyes() : "", sayWindow);
+  window::Sight sight = window::sightOf(given.choice, files, own ? own->eyes() : "",
+                                        std::make_shared<colour_search::FrameSearch>(), sayWindow);
   window::Steersman steersman{[&] { return window::linkToDrive(given.choice, files, sayWindow); }, motion::ownPages()};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
   window::Driver driver{steersman, clock};
@@ -96,7 +98,7 @@ void showWindow(const WindowArguments& given, window::OwnRobot* own, const windo
 
 /// What the user has asked for, whatever kind of robot it is. Exit status.
 int openWindow(WindowArguments given) {
-  const std::optional<std::string> target = remote::sshTarget(given.choice.robot);
+  const std::optional<std::string> target = ssh::sshTarget(given.choice.robot);
   if (!target && given.login.any())
     throw std::runtime_error("--ssh-port, --ssh-key and --new-host go with --robot tcp://USER@HOST");
   if (target && !given.choice.monitor.empty())

@@ -97,7 +97,7 @@ inline constexpr auto kMx28 = std::to_array<Register>({
     {"p_gain", 28, 1, detail::W, detail::M, 32, 0, 254, 0, 1.0 / 8, "", "Kp = P / 8"},
     {"reserved29", 29, 1, detail::W, detail::M, 0, 0, 255, 0, 1, "", "must be written when a write spans 28..30"},
     {"goal_position", 30, 2, detail::W, detail::M, 2048, 0, 4095, 2048, 2 * kPi / 4096, "rad", "power-up: present"},
-    {"moving_speed", 32, 2, detail::W, detail::M, 0, 0, 1023, 0, 0.114 * kPi / 30, "rad/s", "0 is no limit"},
+    {"moving_speed", 32, 2, detail::W, detail::M, 0, 0, 1023, 0, 0.114 * kPi / 30, "rad/s", "0: unlimited"},
     {"torque_limit", 34, 2, detail::W, detail::M, 1023, 0, 1023, 0, 2.5 / 1023, "N m", "0 after a shutdown"},
     {"present_position", 36, 2, detail::R, detail::M, 2048, 0, 4095, 2048, 2 * kPi / 4096, "rad", ""},
     {"present_speed", 38, 2, detail::R, detail::M, 0, 0, 2047, 0, 0.114 * kPi / 30, "rad/s", "bit 10: clockwise"},

@@ -15,7 +15,7 @@ inline constexpr double kMisfitSigmas = 4;
 /// Prior standard deviations. A baseline number beyond is reported as a prior conflict. From the specification.
 inline constexpr double kPriorConflictSigmas = 3;
 /// Prior standard deviations. Beyond, effects that stand for this number are tried first. No evidence yet.
-inline constexpr double kPriorSuspectSigmas = 2.4;
+inline constexpr double kPriorTensionSigmas = 2.4;
 /// Cost. Least gain of an effect that releases such a number: most of what its sigmas cost. No evidence yet.
 inline constexpr double kPriorReleaseGain = 4;
 /// Half width of a 90 % interval of a normal distribution, in standard deviations. Statistics, not tuned.
@@ -31,8 +31,8 @@ inline constexpr double kCorrelatedSamples = 8;
 inline constexpr double kFinestInterval = 0.004;
 /// Share of a parameter's range. Closer to an end than this counts as at the bound. No evidence yet.
 inline constexpr double kBoundMargin = 1e-3;
-/// Share of a parameter's range. Closer to neutral than this is no finding: the encoder cannot resolve a delay, a play
-/// or a gain that small.
+/// Share of a parameter's range. Closer to neutral than this is not a finding: the encoder cannot resolve a delay, a
+/// play or a gain that small.
 inline constexpr double kNegligibleShare = 3e-4;
 /// Noise floors that may remain after an effect that removes kExplainedGapShare of the gap. No evidence yet.
 inline constexpr double kRemainingFloors = 3;

@@ -8,7 +8,7 @@
 
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
-#include "webots/present_goal.hpp"
+#include "core/present_goal.hpp"
 #include "webots/robot_impl.hpp"
 
 namespace managers {
@@ -79,7 +79,7 @@ gait::Pose BorrowedMotors::present() const {
   gait::Pose pose{};
   for (std::size_t i = 0; i < pose.size(); ++i) {
     const auto joint = static_cast<Joint>(i);
-    pose[i] = darwinop::facade::presentGoal(joint, inside_->lastKnown(joint), motors_[i]->getTargetPosition());
+    pose[i] = darwinop::presentGoal(joint, inside_->lastKnown(joint), motors_[i]->getTargetPosition());
   }
   return pose;
 }

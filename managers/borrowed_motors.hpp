@@ -40,7 +40,7 @@ class BorrowedMotors {
 
   /// Cycle of the loop in which the board, whose gyroscope a walk looks at, was read last.
   [[nodiscard]] std::uint64_t cycleOfReading() const;
-  /// rad, where a walk may begin without a jump: webots/present_goal.hpp.
+  /// rad, where a walk may begin without a jump: core/present_goal.hpp.
   [[nodiscard]] darwinop::gait::Pose present() const;
   void setGoals(const darwinop::gait::Pose& goals);
 

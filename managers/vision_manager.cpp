@@ -42,7 +42,7 @@ int percentInRange(const std::string& what, int percent) {
 
 }  // namespace
 
-struct DARwInOPVisionManager::Eye {
+struct DARwInOPVisionManager::Impl {
   std::optional<vision::ColourFinder> finder;  // none: the image has an impossible size, and nothing is ever found
   vision::Thresholds thresholds;
   vision::PercentLimits limits;
@@ -56,9 +56,9 @@ struct DARwInOPVisionManager::Eye {
 
 DARwInOPVisionManager::DARwInOPVisionManager(int width, int height, int hue, int hue_tolerance, int min_saturation,
                                              int min_value, int min_percent, int max_percent)
-    : eye_{new Eye} {
+    : impl_{new Impl} {
   try {
-    eye_->finder.emplace(width, height, eye_->thresholds);
+    impl_->finder.emplace(width, height, impl_->thresholds);
   } catch (const std::exception& why) {
     warnOnce(std::string{"VisionManager: "} + why.what() + "; it will find nothing");
   }
@@ -70,22 +70,22 @@ DARwInOPVisionManager::DARwInOPVisionManager(int width, int height, int hue, int
   setmaxPercent(max_percent);
 }
 
-DARwInOPVisionManager::DARwInOPVisionManager(const DARwInOPVisionManager& other) : eye_{new Eye{*other.eye_}} {}
+DARwInOPVisionManager::DARwInOPVisionManager(const DARwInOPVisionManager& other) : impl_{new Impl{*other.impl_}} {}
 
 DARwInOPVisionManager& DARwInOPVisionManager::operator=(const DARwInOPVisionManager& other) {
-  if (this != &other) *eye_ = *other.eye_;
+  if (this != &other) *impl_ = *other.impl_;
   return *this;
 }
 
 DARwInOPVisionManager::~DARwInOPVisionManager() {
-  delete eye_;
+  delete impl_;
 }
 
 bool DARwInOPVisionManager::getBallCenter(double& x, double& y, const unsigned char* image) {
   x = y = 0;
   if (image == nullptr) warnOnce("VisionManager: getBallCenter() was given no image; is the camera enabled?");
-  if (!eye_->finder) return false;
-  vision::ColourFinder& finder = *eye_->finder;
+  if (!impl_->finder) return false;
+  vision::ColourFinder& finder = *impl_->finder;
   const std::size_t bytes = 4 * static_cast<std::size_t>(finder.width()) * static_cast<std::size_t>(finder.height());
   const auto centre = image == nullptr ? finder.find({}) : finder.find({image, bytes});
   if (!centre) return false;
@@ -95,37 +95,37 @@ bool DARwInOPVisionManager::getBallCenter(double& x, double& y, const unsigned c
 }
 
 bool DARwInOPVisionManager::isDetected(int x, int y) {
-  return eye_->finder && eye_->finder->isDetected(x, y);
+  return impl_->finder && impl_->finder->isDetected(x, y);
 }
 
 void DARwInOPVisionManager::setHue(int hue) {
-  eye_->thresholds.hue = hueInRange(hue);
-  eye_->renew();
+  impl_->thresholds.hue = hueInRange(hue);
+  impl_->renew();
 }
 
 void DARwInOPVisionManager::setHueTolerance(int hue_tolerance) {
-  eye_->thresholds.hue_tolerance = toleranceInRange(hue_tolerance);
-  eye_->renew();
+  impl_->thresholds.hue_tolerance = toleranceInRange(hue_tolerance);
+  impl_->renew();
 }
 
 void DARwInOPVisionManager::setMinSaturation(int min_saturation) {
-  eye_->thresholds.min_saturation = minimumInRange("minimum saturation", min_saturation);
-  eye_->renew();
+  impl_->thresholds.min_saturation = minimumInRange("minimum saturation", min_saturation);
+  impl_->renew();
 }
 
 void DARwInOPVisionManager::setMinValue(int min_value) {
-  eye_->thresholds.min_value = minimumInRange("minimum value", min_value);
-  eye_->renew();
+  impl_->thresholds.min_value = minimumInRange("minimum value", min_value);
+  impl_->renew();
 }
 
 void DARwInOPVisionManager::setMinPercent(int min_percent) {
-  eye_->limits.min = percentInRange("minimum percent", min_percent);
-  eye_->renew();
+  impl_->limits.min = percentInRange("minimum percent", min_percent);
+  impl_->renew();
 }
 
 void DARwInOPVisionManager::setmaxPercent(int max_percent) {
-  eye_->limits.max = percentInRange("maximum percent", max_percent);
-  eye_->renew();
+  impl_->limits.max = percentInRange("maximum percent", max_percent);
+  impl_->renew();
 }
 
 }  // namespace managers

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/file_lock.hpp"
 #include "runtime/report.hpp"
@@ -27,7 +27,7 @@ Exchange attachAs(Exchange::Access access, const RuntimeFiles& files) {
 /// Whoever may write to the exchange may have written it.
 template <std::size_t N>
 std::string shown(const char (&text)[N]) {
-  return printable({text, strnlen(text, N)});
+  return text::printable({text, strnlen(text, N)});
 }
 }  // namespace
 

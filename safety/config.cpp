@@ -8,7 +8,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "core/number_text.hpp"
+#include "core/text/number_text.hpp"
 
 namespace darwinop::safety {
 namespace {
@@ -36,7 +36,7 @@ struct Setter {
     const std::size_t at = seen++;
     if (name != key) return;
     found = at;
-    const auto parsed = numberFromText(value);
+    const auto parsed = text::numberFromText(value);
     if (!parsed || *parsed < low || *parsed > high) {
       std::string allowed = "give a number from " + show(low) + " to " + show(high);
       if (!unit.empty()) allowed += " " + std::string{unit};
@@ -74,8 +74,8 @@ void setRange(std::array<JointRange, kJoints>& ranges, std::string_view key, std
   if (!joint) refuse("Limits", key, value, "no joint has this name; joints are called as in Webots, e.g. Neck");
   const JointRange hard = hardRange(*joint);
   const auto comma = value.find(',');
-  const auto low = numberFromText(value.substr(0, comma));
-  const auto high = comma == value.npos ? std::nullopt : numberFromText(value.substr(comma + 1));
+  const auto low = text::numberFromText(value.substr(0, comma));
+  const auto high = comma == value.npos ? std::nullopt : text::numberFromText(value.substr(comma + 1));
   // Half a tick of slack, so that a limit printed with a few digits can be given back.
   const double slack = kRadPerTick / 2;
   if (!low || !high || *low >= *high || *low < hard.low.value - slack || *high > hard.high.value + slack)
@@ -88,8 +88,8 @@ void setRange(std::array<JointRange, kJoints>& ranges, std::string_view key, std
 }  // namespace
 
 void Config::set(std::string_view section, std::string_view key, std::string_view value) {
-  key = withoutBlanks(key);
-  value = withoutBlanks(value);
+  key = text::withoutBlanks(key);
+  value = text::withoutBlanks(value);
   if (section == "Limits") return setRange(range, key, value);
   if (section != "Safety") refuse(section, key, value, "safety reads the sections [Safety] and [Limits]");
   Setter setter{key, value};

@@ -107,7 +107,7 @@ struct Config {
     v("default_speed", c.default_speed, 0.0119, 12.21, "rad/s", "speed limit of a joint that was given none");
     v("default_torque", c.default_torque, 0.05, 2.5, "N m", "torque limit of a joint that was given none");
     v("default_p_gain", c.default_p_gain, 0.125, 31.75, "", "P gain of a joint that was given none");
-    v("silent_s", c.silent_s, 0.1, 5.0, "s", "a servo unheard for longer is reported as servo_silent");
+    v("silent_s", c.silent_s, 0.1, 5.0, "s", "a servo silent for longer is reported as servo_silent");
     v("take_over_s", c.take_over_s, 0.1, 10.0, "s", "wait for servos to answer before starting without them");
     v("start_tolerance", c.start_tolerance, 0.02, 1.0, "rad", "a joint this close has reached the start pose");
     v("stall_ms", c.stall_ms, 50.0, 10000.0, "ms", "a controller silent for longer is held");
@@ -118,7 +118,7 @@ struct Config {
     v("overheat", c.overheat, 30.0, 79.0, "deg C", "kneels from here on; servos shut themselves off at 80");
     v("fall_tilt", c.fall_tilt, 20.0, 170.0, "deg", "a trunk tilted by more has fallen");
     v("on_fall", c.on_fall, std::span<const std::string_view>{kOnFallNames}, "limp protects the gears");
-    v("on_exit", c.on_exit, std::span<const std::string_view>{kOnExitNames}, "after a controller has ended tidily");
+    v("on_exit", c.on_exit, std::span<const std::string_view>{kOnExitNames}, "after a normal end of the controller");
     v("release_button", c.release_button, std::span<const std::string_view>{kReleaseButtonNames},
       "held for 0.25 s it switches torque off");
     v("start", c.start, std::span<const std::string_view>{kStartMoveNames},

@@ -195,7 +195,7 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
                state_ == State::kDriven) {
       ++report_.limit_hits[static_cast<std::size_t>(Limit::kRate)];
     }
-    safe.look_[i] = joint.channel().placed();
+    safe.look_[i] = joint.lookDue();
     if (!joint.driven()) continue;
     safe.driven_[i] = true;
     safe.held_[i] = !heard || joint.uncertain();

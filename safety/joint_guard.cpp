@@ -83,7 +83,9 @@ double JointGuard::push(const JointSensors& seen) const noexcept {
 void JointGuard::noteRestart(const JointSensors& seen) noexcept {
   const bool looked = seen.motion.fresh() && seen.health.fresh();
   const bool off = looked && !seen.torque_enabled && seen.torque_limit.value > 0;
-  const bool restarted = looked && (seen.speed_limit.value <= 0 || (off && uncertain_ && channel_.moving()));
+  const bool never_on = !on_seen_ || uncertain_;  // torque on was lost, or it has restarted
+  const bool restarted = looked && (seen.speed_limit.value <= 0 || (off && never_on && channel_.moving()));
+  if (looked && seen.torque_enabled) on_seen_ = true;
   // It restarted while it was not heard, and has torque: a board that was stalled has carried out a goal of before. It
   // runs there without a speed limit.
   if (looked && uncertain_ && had_limit_ && seen.speed_limit.value <= 0 && seen.torque_enabled) orderOff();
@@ -138,7 +140,9 @@ void JointGuard::switchTorque(bool on) noexcept {
     off_due_ = false;
     off_ordered_ = true;
   }
-  if (on && onDue()) channel_.torqueOn();
+  if (!on || !onDue()) return;
+  channel_.torqueOn();
+  on_seen_ = false;
 }
 
 bool JointGuard::move(Rad target, double gentle_step, double full_step) noexcept {
@@ -149,7 +153,7 @@ bool JointGuard::move(Rad target, double gentle_step, double full_step) noexcept
     off_ordered_ = false;
     return true;
   }
-  if (uncertain_) return true;
+  if (uncertain_ || !on_seen_) return true;
   if (!channel_.moving() || !target.known()) return true;
   return channel_.advance(target, gentle_step, full_step);
 }

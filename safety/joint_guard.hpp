@@ -52,8 +52,10 @@ class JointGuard {
   [[nodiscard]] bool offDue() const noexcept { return off_due_; }
   /// Torque off was sent since torque was last switched on here.
   [[nodiscard]] bool offOrdered() const noexcept { return off_ordered_; }
-  /// A look of this cycle found the placed goal and a gentle speed in the servo: a SyncWrite is not acknowledged, and
-  /// torque must not find an older goal.
+  /// Its servo is looked at in every cycle: torque waits for the placed goal to be seen, and the goal stays in its
+  /// place until torque is seen. Nobody acknowledges a SyncWrite, and a goal write switches torque on.
+  [[nodiscard]] bool lookDue() const noexcept { return channel_.placed() || (channel_.moving() && !on_seen_); }
+  /// A look of this cycle found the placed goal and a gentle speed in the servo: torque must not find an older goal.
   [[nodiscard]] bool onDue() const noexcept { return channel_.placed() && has_goal_ && mayBeWritten(); }
   [[nodiscard]] const JointChannel& channel() const noexcept { return channel_; }
   /// Has a goal, and gets the next one in this cycle unless it is uncertain().
@@ -100,6 +102,7 @@ class JointGuard {
   Trip trip_ = Trip::kNone;
   bool suspect_ = false, uncertain_ = false;
   bool has_goal_ = false;      // the servo was seen with it in this cycle
+  bool on_seen_ = false;       // a look has found torque on since it was switched on
   bool shut_at_once_ = false;  // off again when it was seen with it
   bool had_limit_ = false;     // of its speed, when it was looked at last
   int refused_ = 0;            // placed goals in a row that the servo was seen without

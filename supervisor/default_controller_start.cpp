@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "link/controller_user.hpp"
+#include "connect/controller_user.hpp"
 #include "runtime/controller_run.hpp"
 #include "runtime/file_lock.hpp"
 #include "runtime/names.hpp"
@@ -81,7 +81,7 @@ bool DefaultController::sits(const Sensors& seen, Nanos now) {
 /// False: there is no user to run it as, and another try would end the same way.
 bool DefaultController::chooseAccount(Start& start) {
   try {
-    start.account = link::defaultControllerAccount(link::readRobotFile());
+    start.account = connect::defaultControllerAccount(connect::readRobotFile());
     return true;
   } catch (const std::runtime_error& error) {
     become(State::kOver, name_ + " is not started: " + error.what());

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "link/connect.hpp"
+#include "connect/connect.hpp"
 #include "runtime/daemon.hpp"
 #include "runtime/robot_notes.hpp"
 #include "supervisor/holder.hpp"
@@ -15,7 +15,7 @@ namespace {
 constexpr Nanos kFirstWait{100'000'000}, kLongestWait{1'000'000'000};
 constexpr std::uint32_t kSession = 1;  // of a driver who says farewell with the first word
 
-runtime::LoopConfig loopConfig(const RobotSettings& robot, const link::OpenedBus& opened, bool held) {
+runtime::LoopConfig loopConfig(const RobotSettings& robot, const connect::OpenedBus& opened, bool held) {
   runtime::LoopConfig config;
   config.period = robot.period;
   config.safety = opened.safety;
@@ -27,9 +27,9 @@ runtime::LoopConfig loopConfig(const RobotSettings& robot, const link::OpenedBus
 }
 
 /// The port of old, or the name it has now.
-link::OpenedBus openBus(const RobotSettings& robot) {
+connect::OpenedBus openBus(const RobotSettings& robot) {
   const auto open = [&](const std::string& port) {
-    return link::openSerialBus({port, robot.period, robot.safety, robot.offsets}, cm730::Purpose::kRescue);
+    return connect::openSerialBus({port, robot.period, robot.safety, robot.offsets}, cm730::Purpose::kRescue);
   };
   try {
     return open(robot.port);
@@ -65,7 +65,7 @@ class Rescue::OwnLoop {
       : OwnLoop{robot, files, released, std::move(claim), openBus(robot)} {}
 
   OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released, runtime::FileLock claim,
-          link::OpenedBus opened)
+          connect::OpenedBus opened)
       : path_{files.exchange},
         claim_{std::move(claim)},
         notes_{files},

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "link/controller_user.hpp"
-#include "link/robot_file.hpp"
+#include "connect/controller_user.hpp"
+#include "connect/robot_file.hpp"
 
 namespace darwinop::supervisor {
 
@@ -17,14 +17,14 @@ void useRobotFileOf(const std::string& home) {
 }
 
 RobotSettings readRobotSettings() {
-  const link::RobotFile file = link::readRobotFile();
+  const connect::RobotFile file = connect::readRobotFile();
   RobotSettings robot;
   robot.port = file.serialPort();
-  robot.period = file.period.value_or(link::kUsualPeriod);
-  robot.safety = link::safetyOn(file, safety::Config{}, "config.ini");
+  robot.period = file.period.value_or(connect::kUsualPeriod);
+  robot.safety = connect::safetyOn(file, safety::Config{}, "config.ini");
   robot.offsets = file.offsets;
   try {
-    robot.group = link::runtimeGroup(file);
+    robot.group = connect::runtimeGroup(file);
   } catch (const std::runtime_error&) {  // the runtime refuses a group that does not exist, and says so
   }
   robot.identity = cm730::usbIdentity(robot.port);

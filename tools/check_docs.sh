@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Checks that the documentation tells the truth where a program can tell: relative links lead somewhere, commands
-# that pages show exist, the package table is the one in ./dev, and the fuzz ledger is the one in fuzz/.
+# Checks the documentation: relative links, commands and examples that pages name exist; generated tables are up to date;
+# words of tools/words.txt are not used; a type name is defined once; public headers document every method.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -37,7 +37,30 @@ if ! diff <(./dev help packages) <(sed '1,/^<!-- packages -->$/d' docs/dependenc
   wrong "docs/dependencies.md: the table is not that of ./dev; run ./dev docs"
 fi
 if ! diff <(tools/fuzz-ledger.sh print) <(sed '1,/^<!-- ledger -->$/d' docs/fuzzing.md) >&2; then
-  wrong "docs/fuzzing.md: the table is not that of fuzz/ledger.tsv; run tools/fuzz-ledger.sh page"
+  wrong "docs/fuzzing.md: the table is not that of tests/fuzz/ledger.tsv; run tools/fuzz-ledger.sh page"
 fi
-[ $failed = 0 ] && echo "docs: links, commands, package table and fuzz ledger are right"
+
+# Words: a planted one has to be found, then the tree is checked.
+planted=$(mktemp)
+echo 'int untoldWishes = 0;' >"$planted"  # keep-word
+if tools/check_words.pl "$planted" 2>/dev/null; then
+  wrong "tools/check_words.pl: does not find a word of tools/words.txt in $planted"
+else
+  rm "$planted"
+fi
+tools/check_words.pl || failed=1
+
+tools/check_types.pl || failed=1
+
+# Public headers: a method without a comment, and one without a unit, have to be found; then all headers are checked.
+header=$(mktemp)
+printf 'class A {\n public:\n  int plain();\n  /// Speed.\n  double speed();\n};\n' >"$header"
+if [ "$(tools/check_headers.pl "$header" 2>&1 | grep -c "$header")" = 2 ]; then
+  rm "$header"
+else
+  wrong "tools/check_headers.pl: does not find both mistakes in $header"
+fi
+tools/check_headers.pl || failed=1
+
+[ $failed = 0 ] && echo "docs: links, commands, words, type names, public headers, package table and fuzz ledger are right"
 exit $failed

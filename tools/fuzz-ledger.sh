@@ -68,7 +68,7 @@ slice() {
   local name=$1 seconds=$2 log=$build/$1.log status=0 before executions coverage artifact finding=-
   mkdir -p "$build/corpus/$name" "$build/found"
   local folders=("$build/corpus/$name")
-  [ ! -d "fuzz/corpus/$name" ] || folders+=("fuzz/corpus/$name")
+  [ ! -d "tests/fuzz/corpus/$name" ] || folders+=("tests/fuzz/corpus/$name")
   count_spent
   before=$spent
   "$build/bin/$name" -max_total_time="$seconds" -print_final_stats=1 -max_len=4096 -artifact_prefix="$build/found/$name-" \
@@ -134,14 +134,14 @@ add() {
   merge "$(absolute "$1")" "${rows[@]}"
 }
 
-# What a fuzzer checks: the first sentence or lines of comment of its source.
-purpose() { awk '/^\/\//{ sub(/^\/\/ ?/, ""); line = line (line ? " " : "") $0; next } { exit } END { print line }' "$1" | sed 's/|/\\|/g'; }
+# What a fuzzer checks: the first line of its source.
+purpose() { sed -n '1s/^\/\/ //p' "$1" | sed 's/|/\\|/g'; }
 
 print() {
-  local ledger=fuzz/ledger.tsv source name
+  local ledger=tests/fuzz/ledger.tsv source name
   printf '| fuzzer | executions | core hours | edges | features | last finding | commit | what it checks |\n'
   printf '|---|---:|---:|---:|---:|---|---|---|\n'
-  for source in fuzz/*_fuzz.cpp; do
+  for source in tests/fuzz/*_fuzz.cpp; do
     name=$(basename "$source" .cpp)
     awk -F '\t' -v name="$name" -v purpose="$(purpose "$source")" '
       $1 == name { executions = $2; seconds = $3; edges = $4; features = $5; finding = $6; commit = $7 }

@@ -1,5 +1,6 @@
-// Prints docs/twin/effects.md from the catalogue of effects; with `--check FILE` tells whether FILE still says the
-// same.
+// Prints docs/twin/effects.md from the catalogue of effects. `--check FILE`: exit 1 if FILE differs.
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -7,19 +8,23 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "gap/identify/effect_set.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace {
 
-using namespace darwinop::twin;
+using namespace darwinop;
+using twin::EffectInfo;
+using twin::Parameter;
 
-constexpr const char* kHowToRenew = "./dev docs";
+constexpr std::string_view kIntroduction = R"(# Effects
 
-constexpr std::string_view kWhatAnEffectIs = R"([add-an-effect.md](add-an-effect.md) tells how to add one.
+Generated from `twin/effects/` by `./dev docs`; do not edit. New effect: [add-an-effect.md](add-an-effect.md).
 
-An effect is something that real servos do and an ideal one does not. A model file switches one on for all joints, or
-for one of them, with all its parameters ([models.md](models.md)):
+An effect is a deviation of a real servo from an ideal one. A [model file](models.md) switches it on, for all joints or
+for one, with all its parameters:
 
 ```ini
 [effect coulomb]
@@ -27,30 +32,25 @@ friction = 0.025 N m
 [effect backlash Neck]
 play = 0.01 rad
 ```
-
-At its neutral values an effect does nothing, to the last bit. A model file with a value outside the range is refused.
-`log`: a scale, searched in its logarithm. `secondary`: it refines the effect, and a first search leaves it at its
-typical value.
-
-| Symbol | |
-|---|---|
-| `q`, `w` | angle and speed of the joint |
-| `e` | set point minus measured angle |
-| `u` | duty of the bridge, -1 to 1 |
-| `P`, `K` | register of the P gain; duty per unit of it and radian |
-| `V`, `i`, `R` | supply, current, resistance of the winding |
-| `kt`, `ke` | torque per current, back EMF per speed |
-| `tm`, `te` | torque of the motor, torque of the load on the joint |
-| `F` | friction: brakes every motion, and holds up to so much |
-| `T`, `t` | temperature, time in the session |
-| `m`, `L`, `J` | mass, length and inertia of what the joint carries |
-
-Everything is SI and seen at the horn. `te` is gravity and whatever touches the arm, without its own inertia: a joint at
-rest has `te = -tm`.
-
-Effects act in the order of this table:
-
 )";
+
+constexpr std::string_view kHowToRead = R"(
+A model file with a parameter outside its range is refused; a search stays inside. At the neutral value (if not given: 0)
+the effect does nothing, to the last bit. The typical value is given if it differs. `log`: searched in its logarithm.
+`secondary`: fixed at its typical value until the effect is accepted. Without a source the range is assumed.
+
+Symbols, in SI units at the horn:
+
+- `q`, `w`: angle and speed of the joint; `e`: set point minus measured angle
+- `u`: duty, -1 to 1; `P`, `K`: P gain register, duty per unit of it and radian
+- `V`, `i`, `R`: supply voltage, current, winding resistance; `kt`, `ke`: torque per current, back EMF per speed
+- `tm`, `te`: motor torque, load torque without the arm's inertia (at rest `te = -tm`); `F`: friction torque
+- `T`, `t`: temperature, session time; `m`, `L`, `J`: mass, length and inertia carried by the joint
+
+Effects act in the order of this page. In parentheses: the place in the loop.
+)";
+
+using Listed = std::vector<const EffectInfo*>;
 
 std::string number(double value) {
   char text[32];
@@ -58,52 +58,72 @@ std::string number(double value) {
   return text;
 }
 
-std::string link(const EffectInfo& effect) {
-  return "[`" + std::string{effect.id} + "`](#" + std::string{effect.id} + ")";
-}
-
-/// A bar would end a cell of a table.
-std::string cell(std::string_view text) {
+std::string links(const Listed& effects) {
   std::string out;
-  for (const char c : text) (c == '|' ? out += '\\' : out) += c;
+  for (const EffectInfo* effect : effects) {
+    const std::string id{effect->id};
+    out += (out.empty() ? "[`" : ", [`") + id + "`](#" + id + ")";
+  }
   return out;
 }
 
-std::string notes(const Parameter& p) {
-  std::string out = p.logarithmic ? "log" : "";
-  if (p.secondary) out += out.empty() ? "secondary" : ", secondary";
-  return out;
+Listed searchedWith(twin::Law law) {
+  gap::Case given;
+  given.model.servo.law = law;
+  given.datasheet.emplace();
+  return gap::candidateEffectsOf(given);
 }
 
-void printOverview(std::ostream& out) {
-  out << "| Effect | | Acts on | Equation |\n|---|---|---|---|\n";
-  for (const EffectInfo* effect : catalogue())
-    out << "| " << link(*effect) << " | " << effect->title << " | " << name(effect->place) << " | `"
-        << cell(effect->equation) << "` |\n";
+bool contains(const Listed& effects, const EffectInfo* effect) {
+  return std::ranges::find(effects, effect) != effects.end();
+}
+
+void printExceptions(std::ostream& out) {
+  const Listed voltage = searchedWith(twin::Law::kVoltageP), speed = searchedWith(twin::Law::kSpeedP);
+  Listed only_voltage, only_speed, never;
+  for (const EffectInfo* effect : twin::catalogue()) {
+    const bool with_voltage = contains(voltage, effect), with_speed = contains(speed, effect);
+    if (with_voltage && !with_speed) only_voltage.push_back(effect);
+    if (!with_voltage && with_speed) only_speed.push_back(effect);
+    if (!with_voltage && !with_speed) never.push_back(effect);
+  }
+  out << "\n[`darwinop gap`](../gap/README.md) searches every effect, with these exceptions:\n\n"
+      << "- only in a baseline of law `voltage_p`: " << links(only_voltage) << '\n'
+      << "- only in a baseline of law `speed_p` (`hide --baseline W`) with a `servo_datasheet`: " << links(only_speed)
+      << '\n'
+      << "- never, because a host that reads every 16 ms cannot distinguish them from noise: " << links(never) << '\n';
+}
+
+void printParameter(std::ostream& out, const Parameter& p) {
+  out << "- `" << p.key << "`, " << number(p.low) << ".." << number(p.high);
+  if (!p.unit.empty()) out << ' ' << p.unit;
+  std::string notes;
+  const auto note = [&notes](const std::string& text) { notes += (notes.empty() ? "" : ", ") + text; };
+  if (p.neutral != 0) note("neutral " + number(p.neutral));
+  if (p.typical != p.neutral) note("typical " + number(p.typical));
+  if (p.logarithmic) note("log");
+  if (p.secondary) note("secondary");
+  if (!notes.empty()) out << " (" << notes << ')';
+  out << ": " << p.meaning << '\n';
 }
 
 void printEffect(std::ostream& out, const EffectInfo& effect) {
+  std::string title{effect.title};
+  title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
   out << "\n## " << effect.id << "\n\n"
-      << "**" << effect.title << "**, acts on: " << name(effect.place) << "\n\n    " << effect.equation << "\n\n"
-      << "| Parameter | Unit | Meaning | From | To | Neutral | Typical | |\n|---|---|---|---:|---:|---:|---:|---|\n";
-  for (const Parameter& p : effect.parameters)
-    out << "| `" << p.key << "` | " << p.unit << " | " << cell(p.meaning) << " | " << number(p.low) << " | "
-        << number(p.high) << " | " << number(p.neutral) << " | " << number(p.typical) << " | " << notes(p) << " |\n";
-  out << "\n- In logs: " << effect.signature << "\n- Taken for: ";
-  const char* between = "";
-  for (const EffectInfo* other : doublesOf(effect)) {
-    out << between << link(*other);
-    between = ", ";
-  }
-  out << "\n- Told apart by: " << effect.separated_by << "\n- Source: " << effect.source << "\n";
+      << title << " (" << name(effect.place) << "):\n\n    " << effect.equation << "\n\n";
+  for (const Parameter& p : effect.parameters) printParameter(out, p);
+  out << "- Logs: " << effect.signature << "\n- Confounded with: " << links(twin::doublesOf(effect))
+      << "\n- Separation: " << effect.separated_by << '\n';
+  if (effect.source != "Range assumed") out << "- Source: " << effect.source << '\n';
 }
 
 std::string page() {
   std::ostringstream out;
-  out << "# Effects\n\nGenerated from the files in `twin/effects/` by `" << kHowToRenew << "`; do not edit.\n"
-      << kWhatAnEffectIs;
-  printOverview(out);
-  for (const EffectInfo* effect : catalogue()) printEffect(out, *effect);
+  out << kIntroduction;
+  printExceptions(out);
+  out << kHowToRead;
+  for (const EffectInfo* effect : twin::catalogue()) printEffect(out, *effect);
   return out.str();
 }
 
@@ -111,14 +131,14 @@ int check(const char* path) {
   std::ifstream file{path};
   const std::string have{std::istreambuf_iterator<char>{file}, {}};
   if (have == page()) return 0;
-  std::cerr << path << " is out of date: run `" << kHowToRenew << "` and commit the result\n";
+  std::cerr << path << " is out of date: run `./dev docs` and commit the result\n";
   return 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc == 3 && std::string{argv[1]} == "--check") return check(argv[2]);
+  if (argc == 3 && std::string_view{argv[1]} == "--check") return check(argv[2]);
   if (argc != 1) {
     std::cerr << "usage: " << argv[0] << " [--check FILE]\n";
     return 2;

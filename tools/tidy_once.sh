@@ -10,7 +10,7 @@ text=$(awk -v wanted="$file" '
   /"directory":/ { split($0, d, "\"") } /"command":/ { c = $0 }
   /"file":/ { split($0, f, "\""); if (f[4] == wanted) { print d[4]; print c; exit } }' "$build/compile_commands.json")
 folder=${text%%$'\n'*}
-command=$(sed -E 's/^ *"command": "//; s/",?$//; s/\\"/"/g; s/^[^ ]*ccache //; s/ -o [^ ]+ -c / -E -C -o - /' <<<"${text#*$'\n'}")
+command=$(sed -E 's/^ *"command": "//; s/",?$//; s/\\"/"/g; s/^[^ ]*ccache //; s/ -Xclang -include-pch -Xclang [^ ]+//; s/ -o [^ ]+ -c / -E -C -o - /' <<<"${text#*$'\n'}")
 sum=$({
   clang-tidy --version
   cat .clang-tidy tests/.clang-tidy

@@ -8,10 +8,11 @@
 #include <utility>
 
 #include "core/camera_sizes.hpp"
-#include "core/number_text.hpp"
-#include "settings/ini_text.hpp"
-#include "settings/safety_sections.hpp"
-#include "settings/text_file.hpp"
+#include "core/text/ini_text.hpp"
+#include "core/text/letter_case.hpp"
+#include "core/text/number_text.hpp"
+#include "hal/text_file.hpp"
+#include "safety/sections.hpp"
 
 namespace darwinop::facade {
 
@@ -19,45 +20,45 @@ namespace {
 
 /// A whole number from 1 to `high`; "16.0" counts as one, fractions are cut off as they always were.
 int number(std::string_view key, std::string_view value, int high) {
-  const std::optional<double> parsed = numberFromText(value);
+  const std::optional<double> parsed = text::numberFromText(value);
   if (!parsed || !(*parsed >= 1 && *parsed < high + 1.0))
     throw std::runtime_error(std::string{key} + " = " + std::string{value} + ": give a number from 1 to " +
                              std::to_string(high));
   return static_cast<int>(*parsed);
 }
 
-class Reader final : public settings::IniReader {
+class Reader final : public text::IniReader {
  public:
   explicit Reader(const std::string& file) : file_{file} {}
 
   ConfigReading read(std::string_view text) {
-    settings::readIni(text, file_, *this);
+    text::readIni(text, file_, *this);
     finish();
     return std::move(reading_);
   }
 
  private:
   void stray(std::string_view section, std::string_view text, int line) override {
-    const std::string room = settings::lowered(section);
+    const std::string room = text::lowered(section);
     if (room == "safety" || room == "limits")
       throw std::runtime_error("\"" + std::string{text} + "\" is no key = value");
     warn(line, "is no [section], no key = value and no comment; it is ignored");
   }
 
   void pair(std::string_view section, std::string_view key, std::string_view value, int line) override {
-    const std::string room = settings::lowered(section);
+    const std::string room = text::lowered(section);
     ControllerConfig& config = reading_.config;
-    if (settings::takeSafety(config.safety, section, key, value)) return;
+    if (safety::takeSafety(config.safety, section, key, value)) return;
     if (room == "camera") return takeCamera(config.camera, key, value, line);
     // Read by the gait and the servo offsets, each by itself.
     if (room == "walking config" || room == "offset") return;
     if (room == "robot config") {
-      const std::string name = settings::lowered(key);
+      const std::string name = text::lowered(key);
       if (name == "time_step") return keep(config.time_step_ms, has_time_step_, number(key, value, 10000));
       if (name == "camera_width") return keep(config.camera_width, has_width_, number(key, value, 4096));
       if (name == "camera_height") return keep(config.camera_height, has_height_, number(key, value, 4096));
     }
-    if (settings::isLimit(key))
+    if (safety::isLimit(key))
       throw std::runtime_error("key \"" + std::string{key} + "\" stands in section [" + std::string{section} +
                                "], where it would limit nothing; it belongs into [Safety], names of joints into "
                                "[Limits]");
@@ -85,22 +86,22 @@ class Reader final : public settings::IniReader {
                                {"auto_white_balance", &v4l2::CameraSettings::auto_white_balance},
                                {"auto_gain", &v4l2::CameraSettings::auto_gain},
                                {"auto_hue", &v4l2::CameraSettings::auto_hue}});
-    if (const auto* const found = std::ranges::find(kSwitches, settings::lowered(key), &Switch::name);
+    if (const auto* const found = std::ranges::find(kSwitches, text::lowered(key), &Switch::name);
         found != kSwitches.end()) {
-      const std::string said = settings::lowered(value);
+      const std::string said = text::lowered(value);
       if (said != "on" && said != "off")
         throw std::runtime_error(std::string{key} + " = " + std::string{value} + ": give on or off");
       camera.*found->field = said == "on";
       return;
     }
-    const auto* const control = std::ranges::find(kControls, settings::lowered(key), &Control::name);
+    const auto* const control = std::ranges::find(kControls, text::lowered(key), &Control::name);
     if (control == kControls.end())
       return warn(
           line,
           "key \"" + std::string{key} + "\" of section [Camera] means nothing to this version; there are " +
               "Brightness, Contrast, Saturation, Gain, Exposure, Auto_exposure, Auto_white_balance, Auto_gain and "
               "Auto_hue");
-    const std::optional<double> parsed = numberFromText(value);
+    const std::optional<double> parsed = text::numberFromText(value);
     // -2 stands for a key that is not there, in files of 2013.
     if (parsed && *parsed == -2) return;
     if (!parsed || !(*parsed >= v4l2::CameraSettings::kDriversDefault && *parsed < control->high + 1.0))
@@ -127,12 +128,10 @@ class Reader final : public settings::IniReader {
                                   " does not exist; 320x240 is used (also possible: 640x360, 640x400, 640x480, "
                                   "768x480, 800x600)");
     if (!has_width_ || !has_height_ || !known) config.camera_width = 320, config.camera_height = 240;
-    settings::checkSafety(config.safety, file_);
+    safety::checkSafety(config.safety, file_);
   }
 
-  void warn(int line, const std::string& what) {
-    reading_.warnings.push_back(settings::where(file_, line) + ": " + what);
-  }
+  void warn(int line, const std::string& what) { reading_.warnings.push_back(text::where(file_, line) + ": " + what); }
 
   const std::string& file_;
   ConfigReading reading_;
@@ -150,7 +149,7 @@ bool cameraHasSize(int width, int height) {
 }
 
 ConfigReading readConfig(const std::string& path) {
-  const std::optional<std::string> text = settings::readTextFile(path);
+  const std::optional<std::string> text = readTextFile(path);
   if (!text) return {{}, {"there is no " + path + ": a time step of 16 ms and a camera of 320x240 are used"}};
   return parseConfig(*text, path);
 }

@@ -1,8 +1,8 @@
 // A light of the robot.
 #include "webots/LED.hpp"
 
+#include "core/counts.hpp"
 #include "webots/Node.hpp"
-#include "webots/counts.hpp"
 #include "webots/robot_impl.hpp"
 
 namespace webots {
@@ -18,8 +18,8 @@ void LED::set(int value) {
   darwinop::LedCommand& led = robot_.led();
   value_ = which_ == BACK ? (value != 0 ? 1 : 0) : value & 0xFFFFFF;
   set_ = true;
-  if (which_ == EYE) return led.setEye(facade::rgb15From24(value_));
-  if (which_ == HEAD) return led.setHead(facade::rgb15From24(value_));
+  if (which_ == EYE) return led.setEye(darwinop::rgb15From24(value_));
+  if (which_ == HEAD) return led.setHead(darwinop::rgb15From24(value_));
   // The three back LEDs share one register: the others stay as they were asked for, or as the board shows them.
   const int others = led.has(darwinop::LedCommand::kPanel) ? led.panel : robot_.session().sensors().board.led_panel;
   led.setPanel(static_cast<std::uint8_t>(value_ != 0 ? others | panel_bit_ : others & ~panel_bit_));
@@ -28,8 +28,8 @@ void LED::set(int value) {
 int LED::get() const {
   if (set_) return value_;
   const darwinop::BoardSensors& board = robot_.session().sensors().board;
-  if (which_ == EYE) return facade::rgb24From15(board.led_eye);
-  if (which_ == HEAD) return facade::rgb24From15(board.led_head);
+  if (which_ == EYE) return darwinop::rgb24From15(board.led_eye);
+  if (which_ == HEAD) return darwinop::rgb24From15(board.led_head);
   return (board.led_panel & panel_bit_) != 0 ? 1 : 0;
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/present_goal.hpp"
 #include "webots/Motor.hpp"
 #include "webots/notices.hpp"
-#include "webots/present_goal.hpp"
 #include "webots/robot_impl.hpp"
 
 namespace darwinop::facade {

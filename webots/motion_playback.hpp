@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/joints.hpp"
+#include "core/lead_in.hpp"
 #include "hal/byte_line.hpp"
-#include "webots/lead_in.hpp"
 #include "webots/motion_text.hpp"
 
 namespace darwinop::facade {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/number_text.hpp"
-#include "settings/text_file.hpp"
+#include "core/text/number_text.hpp"
+#include "hal/text_file.hpp"
 
 namespace darwinop::facade {
 
@@ -26,7 +26,7 @@ std::vector<std::string_view> fieldsOf(std::string_view line) {
   std::vector<std::string_view> fields;
   for (;;) {
     const auto comma = line.find(',');
-    fields.push_back(withoutBlanks(line.substr(0, comma)));
+    fields.push_back(text::withoutBlanks(line.substr(0, comma)));
     if (comma == std::string_view::npos) return fields;
     line.remove_prefix(comma + 1);
   }
@@ -80,7 +80,7 @@ void readPose(const std::vector<std::string_view>& fields, MotionText& motion) {
   motion.duration_ms = *ms;
   for (std::size_t i = kFirstColumn; i < wanted; ++i) {
     if (fields[i] == "*") continue;
-    const auto rad = numberFromText(fields[i]);
+    const auto rad = text::numberFromText(fields[i]);
     if (!rad) throw Refused{i + 1, quoted(fields[i]) + " is neither a number, in rad, nor *"};
     motion.curves[i - kFirstColumn].keys.push_back({*ms, *rad});
   }
@@ -102,7 +102,7 @@ MotionText parseMotion(std::string_view text, const std::string& file) {
   std::size_t poses = 0;
   for (std::size_t line = 1; line == 1 || !text.empty(); ++line) {
     const auto end = text.find('\n');
-    const std::string_view content = withoutBlanks(text.substr(0, end));
+    const std::string_view content = text::withoutBlanks(text.substr(0, end));
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     if (line > 1 && content.empty()) continue;
     try {
@@ -118,7 +118,7 @@ MotionText parseMotion(std::string_view text, const std::string& file) {
 }
 
 MotionText readMotion(const std::string& file) {
-  const std::optional<std::string> text = settings::readTextFile(file);
+  const std::optional<std::string> text = readTextFile(file);
   if (!text) throw std::runtime_error(file + ": it cannot be opened");
   return parseMotion(*text, file);
 }

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "link/keys.hpp"
-#include "link/sound_program.hpp"
+#include "connect/keys.hpp"
+#include "connect/sound_program.hpp"
 #include "webots/Accelerometer.hpp"
 #include "webots/Camera.hpp"
 #include "webots/Gyro.hpp"
@@ -43,10 +43,10 @@ std::unique_ptr<KeySource> openTheUsualKeys(const std::atomic<bool>& stop) {
     const char* const value = std::getenv(name);
     return std::string{value != nullptr ? value : ""};
   };
-  return link::openKeys({.from = environment("DARWINOP_KEYS"),
-                         .display = environment("DISPLAY"),
-                         .say = [](const std::string& what) { say("Keyboard: " + what); }},
-                        stop);
+  return connect::openKeys({.from = environment("DARWINOP_KEYS"),
+                            .display = environment("DISPLAY"),
+                            .say = [](const std::string& what) { say("Keyboard: " + what); }},
+                           stop);
 }
 
 void warnMissing(const std::string& device) {
@@ -57,7 +57,7 @@ void warnMissing(const std::string& device) {
 RobotImpl::RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerConfig& config,
                      const std::atomic<bool>& stop)
     : open_keys{[&stop] { return openTheUsualKeys(stop); }},
-      open_sound{link::openSound},
+      open_sound{connect::openSound},
       config_{config},
       stop_{stop},
       ends_with_us_{link->bringsToRest()},

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "core/motor_control.hpp"
 #include "hal/keyboard.hpp"
 #include "hal/sound_output.hpp"
 #include "webots/Keyboard.hpp"
 #include "webots/config_ini.hpp"
-#include "webots/motor_control.hpp"
 #include "webots/session.hpp"
 
 namespace webots {

@@ -1,11 +1,11 @@
 // Devices that are only read: encoders, accelerometer, gyroscope, buttons.
+#include "core/counts.hpp"
 #include "webots/Accelerometer.hpp"
 #include "webots/Gyro.hpp"
 #include "webots/Motor.hpp"
 #include "webots/Node.hpp"
 #include "webots/PositionSensor.hpp"
 #include "webots/TouchSensor.hpp"
-#include "webots/counts.hpp"
 #include "webots/robot_impl.hpp"
 
 namespace webots {
@@ -46,7 +46,7 @@ Motor* PositionSensor::getMotor() const {
 
 Accelerometer::Accelerometer(const std::string& name, facade::RobotImpl& robot)
     : Device(name, Node::ACCELEROMETER, robot), values_(), lookup_(), period_(0) {
-  fillLookup(lookup_, facade::kAccelRegister);
+  fillLookup(lookup_, darwinop::kAccelRegister);
 }
 
 Accelerometer::~Accelerometer() = default;
@@ -65,12 +65,12 @@ const double* Accelerometer::getValues() const {
 void Accelerometer::refresh(const darwinop::BoardSensors* board) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     values_[axis] =
-        facade::countFrom(board ? board->accelerometer[axis].value : darwinop::kUnknown, facade::kAccelRegister);
+        darwinop::countFrom(board ? board->accelerometer[axis].value : darwinop::kUnknown, darwinop::kAccelRegister);
 }
 
 Gyro::Gyro(const std::string& name, facade::RobotImpl& robot)
     : Device(name, Node::GYRO, robot), values_(), lookup_(), period_(0) {
-  fillLookup(lookup_, facade::kGyroRegister);
+  fillLookup(lookup_, darwinop::kGyroRegister);
 }
 
 Gyro::~Gyro() = default;
@@ -88,7 +88,7 @@ const double* Gyro::getValues() const {
 
 void Gyro::refresh(const darwinop::BoardSensors* board) {
   for (std::size_t axis = 0; axis < 3; ++axis)
-    values_[axis] = facade::countFrom(board ? board->gyro[axis].value : darwinop::kUnknown, facade::kGyroRegister);
+    values_[axis] = darwinop::countFrom(board ? board->gyro[axis].value : darwinop::kUnknown, darwinop::kGyroRegister);
 }
 
 TouchSensor::TouchSensor(const std::string& name, facade::RobotImpl& robot, int bit)

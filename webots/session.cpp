@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "link/eyes.hpp"
+#include "connect/eyes.hpp"
 #include "webots/notices.hpp"
 
 namespace darwinop::facade {
@@ -43,10 +43,10 @@ Session::Session(std::unique_ptr<runtime::RobotLink> link, const std::atomic<boo
     : link_{std::move(link)}, stop_{stop} {}
 
 std::unique_ptr<FrameSource> Session::openEyes(int width, int height, const v4l2::CameraSettings& settings) {
-  return link::openEyes(*link_,
-                        {.width = width, .height = height, .settings = settings, .say = [](const std::string& what) {
-                           say("Camera: " + what);
-                         }});
+  return connect::openEyes(*link_,
+                           {.width = width, .height = height, .settings = settings, .say = [](const std::string& what) {
+                              say("Camera: " + what);
+                            }});
 }
 
 std::string Session::begin(const Commands& first) {

@@ -11,7 +11,7 @@
 #include <thread>
 #include <utility>
 
-#include "link/connect.hpp"
+#include "connect/connect.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 #include "webots/stop_signals.hpp"
@@ -54,7 +54,7 @@ std::unique_ptr<RobotImpl> start() {
   const ConfigReading reading = readConfig(directory + "/config.ini");
   for (const std::string& warning : reading.warnings) say(warning);
 
-  link::Request request;
+  connect::Request request;
   request.setting = environment("DARWINOP_ROBOT");
   request.period = periodFromEnvironment();
   request.safety = reading.config.safety;
@@ -62,7 +62,7 @@ std::unique_ptr<RobotImpl> start() {
   request.config_file = directory + "/config.ini";
   request.record_path = environment("DARWINOP_RECORD");
   request.record_notes = environment("DARWINOP_RECORD_NOTES");
-  auto robot = std::make_unique<RobotImpl>(link::connect(request), reading.config, stopRequested());
+  auto robot = std::make_unique<RobotImpl>(connect::connect(request), reading.config, stopRequested());
   const std::string why_not = robot->begin();
   if (!why_not.empty()) throw std::runtime_error(why_not);
   return robot;

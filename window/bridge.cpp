@@ -4,8 +4,8 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "remote/monitor/messages.hpp"
-#include "remote/monitor/search_message.hpp"
+#include "monitor/messages.hpp"
+#include "monitor/search_message.hpp"
 
 namespace darwinop::window {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "hal/byte_line.hpp"
-#include "remote/monitor/wishes.hpp"
-#include "remote/server/addresses.hpp"
-#include "remote/web/caller.hpp"
-#include "remote/web/channel.hpp"
+#include "hal/net/addresses.hpp"
+#include "hal/net/web/caller.hpp"
+#include "hal/net/web/channel.hpp"
+#include "monitor/wishes.hpp"
 
 namespace darwinop::window {
 
@@ -18,7 +18,7 @@ namespace darwinop::window {
 class Bridge final : public web::ChannelUser {
  public:
   /// `name`: of the monitor, for sentences: "192.168.123.1:5024".
-  Bridge(remote::Ipv4 address, std::uint16_t port, std::string name)
+  Bridge(net::Ipv4 address, std::uint16_t port, std::string name)
       : address_{address}, port_{port}, name_{std::move(name)} {}
 
   void opened(web::Channel& channel) override;
@@ -42,7 +42,7 @@ class Bridge final : public web::ChannelUser {
   void heard(web::Channel& channel, std::string_view message, bool binary);
   void broken(web::Channel& channel, const std::string& why);
 
-  remote::Ipv4 address_;
+  net::Ipv4 address_;
   std::uint16_t port_;
   std::string name_;
   std::map<web::Channel*, Line> lines_;

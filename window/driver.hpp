@@ -5,7 +5,7 @@
 #include <string>
 
 #include "hal/byte_line.hpp"
-#include "remote/web/channel.hpp"
+#include "hal/net/web/channel.hpp"
 #include "window/helm.hpp"
 #include "window/steering_words.hpp"
 

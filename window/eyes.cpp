@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "connect/eyes.hpp"
 #include "hil-mocks/camera/painted_pictures.hpp"
 #include "remote/jpeg/live_pictures.hpp"
 #include "remote/robot/onlooker_eyes.hpp"
@@ -36,16 +37,18 @@ class PaintedEyes final : public remote::PictureSource {
 }  // namespace
 
 std::unique_ptr<monitor::Monitor> monitorWithEyes(const runtime::RuntimeFiles& files, const std::string& painted,
+                                                  const std::shared_ptr<monitor::ColourSearch>& search,
                                                   const std::function<void(const std::string&)>& say) {
-  const auto finders = std::make_shared<monitor::Finders>();
-  const remote::FrameLooker find = [finders](const CameraFrame& frame) { finders->look(frame); };
-  monitor::Eye::Open camera = [find, say] { return remote::openCameraForOnlookers(find, say); };
+  const remote::FrameLooker find = [search](const CameraFrame& frame) { search->look(frame); };
+  monitor::Eye::Open camera = [find, say] {
+    return remote::openPicturesOfCamera(connect::openCamera({.form = PictureForm::kYuyv, .say = say}), find, say);
+  };
   monitor::Eye::Open share = [files, find, say] { return remote::openPicturesOfDriver(files, find, say); };
   if (!painted.empty()) {
     camera = [painted, find] { return std::make_unique<PaintedEyes>(painted, true, find); };
     share = [painted, find] { return std::make_unique<PaintedEyes>(painted, false, find); };
   }
-  auto monitor = std::make_unique<monitor::Monitor>(files, monotonicTime, std::move(camera), std::move(share), finders);
+  auto monitor = std::make_unique<monitor::Monitor>(files, monotonicTime, std::move(camera), std::move(share), search);
   monitor->leaveCameraHere();  // the page drives without one
   return monitor;
 }

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/counts.hpp"
+#include "core/motor_control.hpp"
+#include "core/present_goal.hpp"
 #include "managers/motion/first_step.hpp"
 #include "remote/protocol/units.hpp"
-#include "webots/counts.hpp"
-#include "webots/motor_control.hpp"
-#include "webots/present_goal.hpp"
 
 namespace darwinop::window {
 namespace {
@@ -29,8 +29,7 @@ std::int32_t tickOf(double rad) {
 
 std::array<double, kJoints> goalsOf(const Sensors& seen) {
   std::array<double, kJoints> pose{};
-  for (std::size_t i = 0; i < kJoints; ++i)
-    pose[i] = facade::presentGoal(static_cast<Joint>(i), seen.joint[i], kUnknown);
+  for (std::size_t i = 0; i < kJoints; ++i) pose[i] = presentGoal(static_cast<Joint>(i), seen.joint[i], kUnknown);
   return pose;
 }
 
@@ -222,9 +221,7 @@ void Moves::advanceWalk(const Orders& orders, const Sensors& seen) {
   const auto& gyro = seen.board.gyro;
   const bool known = seen.board.motion.age < kOldReading;
   const std::uint64_t before = std::exchange(reading_, seen.cycle - seen.board.motion.age);
-  const auto count = [&](std::size_t axis) {
-    return known ? facade::countFrom(gyro[axis].value, facade::kGyroRegister) : kUnknown;
-  };
+  const auto count = [&](std::size_t axis) { return known ? countFrom(gyro[axis].value, kGyroRegister) : kUnknown; };
   gait::GyroCounts counts{count(0), count(1), reading_ != before};
   if (!orders.walk && !walk_.resting() && !walk_.walking()) {  // on its way to its feet: it holds there, too
     walk_.abandon();
@@ -242,7 +239,7 @@ void Moves::advanceWalk(const Orders& orders, const Sensors& seen) {
   }
   if (!moved) return;
   carried_ms_ = left;
-  for (std::size_t i = 0; i < gait::kWalkingJoints; ++i) say(i, walk_.pose()[i], facade::kMaxVelocity);
+  for (std::size_t i = 0; i < gait::kWalkingJoints; ++i) say(i, walk_.pose()[i], kMaxVelocity);
   if (walk_.resting()) usualGains();
 }
 
@@ -256,7 +253,7 @@ void Moves::advancePage() {
   }
   for (std::size_t i = 0; i < kJoints; ++i) {
     const double page = radFromTicks(player_.pose()[i]).value;
-    say(i, lead_in_.done() ? page : lead_in_.at(i), facade::kMaxVelocity);
+    say(i, lead_in_.done() ? page : lead_in_.at(i), kMaxVelocity);
     gain(i, player_.pGainRegister(static_cast<Joint>(i)) / kRegisterPerKp);
   }
   if (!player_.isPlaying()) usualGains();

@@ -4,12 +4,12 @@
 #include <array>
 #include <bitset>
 
+#include "core/lead_in.hpp"
 #include "core/sensors.hpp"
 #include "managers/gait/walk.hpp"
 #include "managers/motion/page_file.hpp"
 #include "managers/motion/player.hpp"
 #include "remote/protocol/request.hpp"
-#include "webots/lead_in.hpp"
 #include "window/helm.hpp"
 
 namespace darwinop::window {
@@ -44,7 +44,7 @@ class Moves {
 
   motion::Player player_;
   const motion::PageFile* pages_;
-  facade::LeadIn lead_in_;  // before the page's first tick; done when the robot is near enough
+  LeadIn lead_in_;  // before the page's first tick; done when the robot is near enough
   gait::Walk walk_{gait::Parameters{}};
   double carried_ms_ = 0;
   double lost_ms_ = 0;           // for which the robot has not followed

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "remote/ssh/session.hpp"
-#include "remote/web/server.hpp"
+#include "hal/net/ssh/session.hpp"
+#include "hal/net/web/server.hpp"
 #include "window/sight.hpp"
 
 namespace darwinop::window {
@@ -25,7 +25,7 @@ class OverSsh {
   /// By itself; it has been said why.
   [[nodiscard]] bool ended() const { return session_.ended(); }
   /// A signal came while nobody else caught them.
-  [[nodiscard]] static bool toldToEnd() { return remote::SshSession::toldToEnd(); }
+  [[nodiscard]] static bool toldToEnd() { return ssh::SshSession::toldToEnd(); }
   /// The last that pages get to know.
   void tellPages(web::Server& server, Sight& sight) const;
   /// The robot's half is ended; returns when it has. Exit status.
@@ -34,7 +34,7 @@ class OverSsh {
  private:
   std::string target_;
   std::vector<std::uint16_t> ports_;
-  remote::SshSession session_;
+  ssh::SshSession session_;
 };
 
 }  // namespace darwinop::window

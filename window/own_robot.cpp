@@ -7,8 +7,8 @@
 #include <thread>
 #include <utility>
 
+#include "connect/robot_file.hpp"
 #include "hil-mocks/camera/camera_settings.hpp"
-#include "link/robot_file.hpp"
 #include "runtime/names.hpp"
 #include "window/scoped_settings.hpp"
 
@@ -54,7 +54,7 @@ void OwnRobot::start(const std::string& body, const std::vector<std::string>& co
   waitForFile(runtime::RuntimeFiles{name_}.exchange,
               add("runtime", {"--robot", port, "--wait", "--name", name_}, kRuntimeGrace));
   try {
-    eye_settings_ = hil::cameraSettings(eyes(), link::readRobotFile().camera.value_or("/dev/video0"));
+    eye_settings_ = hil::cameraSettings(eyes(), connect::readRobotFile().camera.value_or("/dev/video0"));
   } catch (const std::runtime_error& error) {  // the page sees all the same
     untold_ = std::string{"A controller on this virtual robot has no camera: "} + error.what() + ". ";
   }

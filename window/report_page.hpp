@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "remote/web/server.hpp"
+#include "hal/net/web/server.hpp"
 
 namespace darwinop::window {
 

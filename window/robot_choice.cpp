@@ -3,8 +3,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "link/setting.hpp"
-#include "remote/client/resolve.hpp"
+#include "connect/setting.hpp"
+#include "hal/net/resolve.hpp"
 #include "remote/client/tcp_link.hpp"
 #include "runtime/daemon_link.hpp"
 #include "window/eyes.hpp"
@@ -21,13 +21,13 @@ bool isElsewhere(const RobotChoice& choice) {
 }
 
 /// Where the robot's monitor is: beside its server unless --monitor says otherwise.
-link::Address monitorOf(const RobotChoice& choice) {
-  link::Address monitor;
+connect::Address monitorOf(const RobotChoice& choice) {
+  connect::Address monitor;
   monitor.port = kMonitorPort;
   if (choice.monitor.empty()) {
-    monitor.host = link::readSetting(choice.robot).server.host;
+    monitor.host = connect::readSetting(choice.robot).server.host;
   } else {
-    monitor = link::readSetting("tcp://" + choice.monitor).server;
+    monitor = connect::readSetting("tcp://" + choice.monitor).server;
     if (choice.monitor.find(':') == std::string::npos) monitor.port = kMonitorPort;
   }
   return monitor;
@@ -49,17 +49,17 @@ std::unique_ptr<OwnRobot> ownRobot(const RobotChoice& choice, const std::vector<
 }
 
 Sight sightOf(const RobotChoice& choice, const runtime::RuntimeFiles& files, const std::string& painted,
-              const SayLine& say) {
-  if (!isElsewhere(choice)) return Sight{monitorWithEyes(files, painted, say)};
-  const link::Address at = monitorOf(choice);
+              const std::shared_ptr<monitor::ColourSearch>& search, const SayLine& say) {
+  if (!isElsewhere(choice)) return Sight{monitorWithEyes(files, painted, search, say)};
+  const connect::Address at = monitorOf(choice);
   const std::string name = choice.logged_in_to.empty() ? at.host + ":" + std::to_string(at.port) : choice.logged_in_to;
-  return Sight{std::make_unique<Bridge>(remote::addressesOf(at.host).front(), at.port, name)};
+  return Sight{std::make_unique<Bridge>(net::addressesOf(at.host).front(), at.port, name)};
 }
 
 std::unique_ptr<runtime::RobotLink> linkToDrive(const RobotChoice& choice, const runtime::RuntimeFiles& files,
                                                 const SayLine& say) {
   if (choice.robot.starts_with("tcp://")) {
-    const link::Address at = link::readSetting(choice.robot).server;
+    const connect::Address at = connect::readSetting(choice.robot).server;
     remote::TcpOptions options;
     options.host = at.host;
     options.port = at.port;

@@ -28,7 +28,7 @@ std::unique_ptr<OwnRobot> ownRobot(const RobotChoice& choice, const std::vector<
 
 /// `files`: of the runtime here. `painted`: what the own robot sees; empty: it is not the window's own.
 Sight sightOf(const RobotChoice& choice, const runtime::RuntimeFiles& files, const std::string& painted,
-              const SayLine& say);
+              const std::shared_ptr<monitor::ColourSearch>& search, const SayLine& say);
 
 /// Throws std::runtime_error where the window only looks on.
 std::unique_ptr<runtime::RobotLink> linkToDrive(const RobotChoice& choice, const runtime::RuntimeFiles& files,

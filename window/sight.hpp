@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "remote/monitor/monitor.hpp"
+#include "monitor/monitor.hpp"
 #include "window/bridge.hpp"
 
 namespace darwinop::window {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "hal/byte_line.hpp"
-#include "remote/web/channel.hpp"
+#include "hal/net/web/channel.hpp"
 #include "window/remembered.hpp"
 #include "window/transfer_run.hpp"
 

@@ -2,9 +2,9 @@
 #include <charconv>
 
 #include "core/units.hpp"
+#include "experiments/logs/header.hpp"
 #include "gap/case/baseline_keys.hpp"
 #include "gap/case/parts.hpp"
-#include "logs/header.hpp"
 
 namespace darwinop::gap {
 namespace {

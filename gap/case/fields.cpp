@@ -6,8 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "experiments/logs/header.hpp"
 #include "gap/case/case.hpp"
-#include "logs/header.hpp"
 #include "twin/model/nearest.hpp"
 
 namespace darwinop::gap {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/case/parts.hpp"
 #include "gap/case/plausible.hpp"
-#include "logs/read_log.hpp"
-#include "settings/text_file.hpp"
+#include "hal/text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -118,7 +118,7 @@ Case readCase(const std::string& folder) {
   const std::string file = (fs::path{folder} / "case.json").string();
   std::optional<std::string> text;
   try {
-    text = settings::readTextFile(file);
+    text = readTextFile(file);
   } catch (const std::runtime_error& error) {
     throw BadInput(error.what());
   }

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "experiments/logs/log.hpp"
 #include "gap/case/case.hpp"
-#include "logs/log.hpp"
 
 namespace darwinop::gap {
 

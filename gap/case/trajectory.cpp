@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "core/units.hpp"
+#include "experiments/logs/header.hpp"
+#include "experiments/logs/units.hpp"
 #include "gap/case/parts.hpp"
-#include "logs/header.hpp"
-#include "logs/units.hpp"
 
 namespace darwinop::gap {
 namespace {

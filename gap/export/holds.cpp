@@ -127,18 +127,23 @@ constexpr HoldingRow kNumbers[] = {
      [](const Hypothesis&) { return true; }},
 };
 
-std::string cell(const Holding& holding) {
-  return std::string{name(holding.fate)} + ": " + std::string{holding.how};
-}
-
-std::string tableOf(std::string_view first, std::span<const HoldingRow> rows, bool code) {
-  std::string text = "| " + std::string{first} + " |";
-  for (const TargetInfo& info : kTargetTable) text.append(" ").append(info.title).append(" |");
+/// One line per target: which of the rows it holds, approximates and loses.
+std::string tableOf(std::string_view what, std::span<const HoldingRow> rows, std::string_view quote) {
+  constexpr Fate kColumns[] = {Fate::kHeld, Fate::kApproximated, Fate::kLost};
+  std::string text = "| " + std::string{what} + " |";
+  for (const Fate fate : kColumns) text.append(" ").append(name(fate)).append(" |");
   text += "\n|---|---|---|---|\n";
-  for (const HoldingRow& row : rows) {
-    const std::string_view quote = code ? "`" : "";
-    text.append("| ").append(quote).append(row.what).append(quote).append(" |");
-    for (const Holding& holding : row.by_target) text.append(" ").append(cell(holding)).append(" |");
+  for (const TargetInfo& info : kTargetTable) {
+    text.append("| ").append(info.title).append(" |");
+    for (const Fate fate : kColumns) {
+      std::string_view between = " ";
+      for (const HoldingRow& row : rows) {
+        if (row.of(info.target).fate != fate) continue;
+        text.append(between).append(quote).append(row.what).append(quote);
+        between = ", ";
+      }
+      text += " |";
+    }
     text += "\n";
   }
   return text;
@@ -167,7 +172,7 @@ std::string_view name(Fate fate) {
 }
 
 std::string holdingsAsMarkdown() {
-  return tableOf("Effect", kEffects, true) + "\n" + tableOf("Number of the servo", kNumbers, false);
+  return tableOf("Effects", kEffects, "`") + "\n" + tableOf("Numbers of the servo", kNumbers, "");
 }
 
 }  // namespace darwinop::gap

@@ -34,7 +34,7 @@ std::span<const HoldingRow> numberHoldings();
 const HoldingRow& holdingOf(std::string_view effect);
 
 std::string_view name(Fate fate);
-/// Both tables in Markdown.
+/// Two tables in Markdown, effects and numbers by target and fate; `how` is in each exported file.
 std::string holdingsAsMarkdown();
 
 }  // namespace darwinop::gap

@@ -30,7 +30,7 @@ double largestPriorSigma(const FittedModel& fitted) {
 
 double leastGain(const Study& study, const Hypothesis& model, const twin::EffectInfo& effect, double threshold) {
   const bool conflict = aliasesAPrior(study.data, effect) &&
-                        priorSigmasMoved(study.data, study.baseline, model, effect) > thresholds::kPriorSuspectSigmas;
+                        priorSigmasMoved(study.data, study.baseline, model, effect) > thresholds::kPriorTensionSigmas;
   return conflict ? thresholds::kPriorReleaseGain : threshold;
 }
 
@@ -47,7 +47,7 @@ std::vector<PriorConflict> priorConflictsOf(const FittedModel& fitted) {
 }
 
 std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectInfo& effect, double excess) {
-  // What a model leaves unexplained is no white noise: neighbouring samples are off together.
+  // The residual of a wrong model is not white: neighbouring samples are correlated.
   const double wider = excess > thresholds::kRightCostRatio ? std::sqrt(thresholds::kCorrelatedSamples * excess) : 1;
   std::vector<Estimate> estimates;
   const auto& unknowns = fitted.problem.unknowns();
@@ -64,7 +64,7 @@ std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectI
     const double sharpest = thresholds::kFinestInterval * (unknowns[i].logarithmic ? 1 : std::abs(value));
     const double half = std::max(sharpest, wider * thresholds::kInterval90 * std::sqrt(fitted.fit.covariance(at, at)));
     if (unknowns[i].name == "transport_delay.delay") {
-      // A goal acts from the first period after it has come: which instant within the one before, nobody can tell.
+      // A goal acts from the first firmware period after it arrives; its instant within the period before is unknown.
       const double early = fitted.problem.hypothesis().servo.firmware_period_s / 2;
       const double later = std::max(early, unknowns[i].fromSearch(x + half) - value);
       estimates.push_back({unknowns[i].name, "s", value - early, std::max(0.0, value - early - later),

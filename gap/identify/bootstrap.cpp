@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kLoadSteps = 1'000;  // of the register: 0.1 %
 
-/// What the servo would have told in such a run.
-Trajectory told(Trajectory log, const Trace& run) {
+/// The log as the servo would report it in this run.
+Trajectory reportedLog(Trajectory log, const Trace& run) {
   log.position_rad = run.position_rad;
   for (std::size_t row = 0; row < log.rows(); ++row)
     if (std::isfinite(log.load[row])) log.load[row] = std::round(run.load[row] * kLoadSteps) / kLoadSteps;
@@ -44,7 +44,7 @@ Bootstrap bootstrapOf(const FittedModel& present, const Screen* screen, int coun
       disturbance.seed = thresholds::kBootstrapSeed + 1'000 * replica + i;
       rollOut(*evidence.given, evidence.logs[i], hypothesis, {.disturbance = &disturbance}, noisy);
       const Eigen::Index rows = evidence.noise[i].size();
-      evidence.noise[i].residuals(told(evidence.given->logs[evidence.logs[i]], noisy), quiet[i],
+      evidence.noise[i].residuals(reportedLog(evidence.given->logs[evidence.logs[i]], noisy), quiet[i],
                                   residuals.segment(row, rows));
       out[2 + i] = residuals.segment(row, rows).unaryExpr(&costOf).sum();
       row += rows;

@@ -60,8 +60,9 @@ struct RejectedEffect {
 
 struct Identification {
   Verdict verdict = Verdict::kNone;
-  std::vector<IdentifiedEffect> effects;  // strongest first; for `ambiguous` in the order found, the contested one last
-  std::vector<Rival> rivals;              // nearest first
+  std::vector<IdentifiedEffect>
+      effects;                // strongest first; for `ambiguous` in the order found, the one with rivals last
+  std::vector<Rival> rivals;  // nearest first
   std::vector<PriorConflict> prior_conflicts;
   std::vector<RejectedEffect> rejected;
   // Gain that chance exceeds in 1 % of cases; in 2.5 % where the model is plainly wrong. NaN: not computed.

@@ -97,19 +97,19 @@ std::vector<Candidate> ripplesOf(const FittedModel& present) {
     ripples[i + 1] = fitted(known, change, usual);
   });
 
-  std::vector<Candidate> told;
+  std::vector<Candidate> starts;
   for (std::size_t i = 0; i < thresholds::kRippleCandidates; ++i) {
     std::size_t best = 0;
     for (std::size_t count = 1; count <= thresholds::kMaxRipplesPerTurn; ++count) {
       const bool apart = std::ranges::all_of(
-          told, [&](const Candidate& other) { return std::abs(other.values[1] - static_cast<double>(count)) > 1; });
+          starts, [&](const Candidate& other) { return std::abs(other.values[1] - static_cast<double>(count)) > 1; });
       if (apart && ripples[count].explained > ripples[best].explained) best = count;
     }
     if (best == 0) break;
-    told.push_back(
+    starts.push_back(
         {&ripple(), {std::clamp(ripples[best].amplitude, 1e-4, 0.15), static_cast<double>(best), ripples[best].phase}});
   }
-  return told;
+  return starts;
 }
 
 }  // namespace darwinop::gap

@@ -17,7 +17,7 @@ Selection::Choice Selection::choose(const std::vector<FittedModel>& candidates) 
     report("%s gains %.0f, needs %.0f", std::string{effect.id}.c_str(), gain, needed);
     if (!passes(candidate, gain, needed)) continue;
     if (staysInsideItsPrior(candidate)) {
-      // With all other numbers fixed the best explanation is a number inside its prior: a weaker one is no finding.
+      // With all other numbers fixed the best explanation is a number inside its prior: a weaker one is not a finding.
       if (model_.nuisance == Nuisance::kFixed && &candidate == &candidates.front()) {
         choice.present.clear();
         return choice;
@@ -40,7 +40,7 @@ bool Selection::passes(const FittedModel& candidate, double gain, double needed)
 bool Selection::staysInsideItsPrior(const FittedModel& candidate) const {
   const twin::EffectInfo& effect = *candidate.effects.back().info;
   const double most =
-      model_.nuisance == Nuisance::kFixed ? thresholds::kFixedNumberSigmas : thresholds::kPriorSuspectSigmas;
+      model_.nuisance == Nuisance::kFixed ? thresholds::kFixedNumberSigmas : thresholds::kPriorTensionSigmas;
   return aliasesAPrior(study_.data, effect) &&
          priorSigmasMoved(study_.data, study_.baseline, candidate.hypothesis(), effect) < most;
 }
@@ -58,7 +58,7 @@ bool Selection::predictsBetter(const FittedModel& candidate, const FittedModel& 
 }
 
 double Selection::neededFor(const twin::EffectInfo& effect) const {
-  if (aliasesAPrior(study_.data, effect) && largestPriorSigma(model_) > thresholds::kPriorSuspectSigmas)
+  if (aliasesAPrior(study_.data, effect) && largestPriorSigma(model_) > thresholds::kPriorTensionSigmas)
     return thresholds::kPriorReleaseGain;
   const double by_chance = (leavesNoise() ? thresholds::kChanceMargin : 1) * threshold_;
   return std::max(by_chance, thresholds::kLeastExcessShare * excess_cost_);
@@ -73,8 +73,8 @@ void Selection::add(const FittedModel& best, double gain, double needed, const s
     if (neededFor(*effect) > needed) continue;
     double behind = modelEvidence(best) - modelEvidence(other);
     // A rival that bends a number of the baseline, where the best does not, leaves something unnamed.
-    if (largestPriorSigma(other) > thresholds::kPriorSuspectSigmas &&
-        largestPriorSigma(best) < thresholds::kPriorSuspectSigmas)
+    if (largestPriorSigma(other) > thresholds::kPriorTensionSigmas &&
+        largestPriorSigma(best) < thresholds::kPriorTensionSigmas)
       behind = std::max(behind, thresholds::kRivalEvidence);
     rivals_.push_back({idsOf(other.effects), behind, other.problem.unknowns().size() > best.problem.unknowns().size()});
   }

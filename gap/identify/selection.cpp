@@ -78,7 +78,7 @@ void Selection::assess(const Screen* screen) {
 bool Selection::isExplained(const Screen& screen) const {
   if (!model_.effects.empty() && isNearlyExact()) return true;
   return leavesNoise() && screen.candidates().front().predicted_gain < thresholds::kChanceMargin * threshold_ &&
-         largestPriorSigma(model_) < thresholds::kPriorSuspectSigmas;
+         largestPriorSigma(model_) < thresholds::kPriorTensionSigmas;
 }
 
 bool Selection::mayAdd() const {
@@ -89,7 +89,7 @@ bool Selection::mayAdd() const {
 
 std::vector<const twin::EffectInfo*> Selection::aliasesInConflict() const {
   std::vector<const twin::EffectInfo*> aliases;
-  if (largestPriorSigma(model_) <= thresholds::kPriorSuspectSigmas || !leavesNoise()) return aliases;
+  if (largestPriorSigma(model_) <= thresholds::kPriorTensionSigmas || !leavesNoise()) return aliases;
   for (const auto* effect : candidates_)
     if (aliasesAPrior(study_.data, *effect) && !has(model_.effects, *effect)) aliases.push_back(effect);
   return aliases;

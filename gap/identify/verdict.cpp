@@ -16,7 +16,7 @@ bool Selection::explainsAll() const {
 }
 
 bool Selection::isConsistent() const {
-  return explainsAll() && largestPriorSigma(model_) < thresholds::kPriorSuspectSigmas;
+  return explainsAll() && largestPriorSigma(model_) < thresholds::kPriorTensionSigmas;
 }
 
 // The same effect in another simulator, or in a servo, is never the same to the last bit.
@@ -59,7 +59,7 @@ Identification Selection::result() const {
   found.floor_rad = floorOf(model_);
   const bool worsens = !found.effects.empty() && worsensHeldOut(found);
   found.verdict = worsens ? Verdict::kUnknown : verdictOf(found);
-  // In `ambiguous` the last effect is the one that rivals contest, so the order stays.
+  // In `ambiguous` the last effect is the one with close rivals, so the order stays.
   if (found.verdict != Verdict::kAmbiguous)
     std::ranges::stable_sort(found.effects, std::greater{}, &IdentifiedEffect::gain);
   // If half of the gap has no name, there is little reason to trust the name of the other half.

@@ -70,7 +70,7 @@ double sum(const std::vector<double>& values) {
 }
 
 /// How far what was seen lies above the copies, in standard deviations: the greatest of the logs, and of all logs
-/// together. `copies`: a log each, one value a copy. The relative spread is that of all logs, as few copies tell
+/// together. `copies`: a log each, one value a copy. The relative spread is that of all logs, as few copies give
 /// little.
 double beyond(const std::vector<double>& seen, const std::vector<std::vector<double>>& copies, double least_spread) {
   double square = 0, count = 0, greatest = 0, all_seen = 0, all_expected = 0;

@@ -133,10 +133,10 @@ class Finder {
     BlockTest windows = judged(plant(false));
     const bool supply_open = out_.of(Block::kSupply).verdict == BlockVerdict::kOpen;
     if (law_open || supply_open) {
-      // What was found wrong before the plant goes in: between the rows only the law tells the duty.
+      // What was found wrong before the plant goes in: between the rows only the law gives the duty.
       const Hypothesis& law_found = law_open ? split.best().hypothesis : baseline_;
       BlockTest with = judgedWith(plant(supply_open), law_found);
-      // At the reads a delay shows in whole rows only; the plant tells its parts.
+      // At the reads a delay shows in whole rows only; the plant resolves fractions.
       if (law_open && with.isOpen() && split.isCommand() && law_found.find("transport_delay") != nullptr) {
         const Explained delay = explainByDelay(plant(supply_open), given_, logs_, windows, baseline_);
         with = judgedWith(plant(supply_open), delay.hypothesis);
@@ -190,8 +190,8 @@ class Finder {
   }
 
   void noDuty() {
-    notCut(Block::kCommand, "no load column: not to be told from the plant");
-    notCut(Block::kController, "no load column: not to be told from the plant");
+    notCut(Block::kCommand, "no load column: not distinguishable from the plant");
+    notCut(Block::kController, "no load column: not distinguishable from the plant");
     take(Block::kPlant, judged([&](const auto& log, const auto& h) { return shootingResiduals(given_, log, h, {}); }),
          "mrad", 1e-3);
     out_.of(Block::kPlant).detail = "with command and controller: there is no load column";

@@ -14,7 +14,7 @@
 namespace darwinop::gap {
 namespace {
 
-// What only a moving goal shows. A scaled goal shows at rest, too, like an error of the law.
+// Visible only while the goal moves. A scaled goal is visible at rest as well, like an error of the law.
 constexpr auto kOfMovingGoals = std::to_array<std::string_view>({"transport_delay", "speed_limit", "accel_limit"});
 constexpr auto kOfTheLaw = std::to_array<std::string_view>(
     {"gear_scale", "p_on_torque", "deadband", "kp_scale", "integral", "derivative", "torque_limit"});

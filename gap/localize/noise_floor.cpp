@@ -37,7 +37,7 @@ NoiseFloor floorOf(const Case& given, const Evidence& evidence, const SimulatedR
     const auto first = std::ranges::find(evidence.logs, log.repeat_of.value_or(given.logs.size()));
     if (first != evidence.logs.end()) {
       const Trajectory& other = given.logs[*first];
-      if (log.position_rad != other.position_rad) {  // a copy of a file is no repeat
+      if (log.position_rad != other.position_rad) {  // a copy of a file is not a repeat
         floor.repeats_rad = differenceOf(log, other);
         double sum = 0;
         const auto j = static_cast<std::size_t>(first - evidence.logs.begin());

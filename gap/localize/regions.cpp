@@ -115,7 +115,7 @@ Region regionOf(const std::vector<Sample>& samples, std::size_t variable, const 
       if (ends.size() < thresholds::kStateBins) region.low = region.high;  // single values
     }
   }
-  // Miller and Madow 1955: what so many samples tell by chance.
+  // Miller and Madow 1955: expected information by chance.
   region.information -=
       static_cast<double>((ends.size() - 1) * (thresholds::kResidualLevels - 1)) / (2 * n * std::log(2.0));
   region.information = std::max(0.0, region.information);

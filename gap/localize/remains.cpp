@@ -42,10 +42,9 @@ std::string stateText(const Localization& where) {
     return "";
   };
   if (on.regions.empty() || on.regions.front().information < thresholds::kInformativeBits)
-    return std::string{clock(on.on)} +
-           " No state of the joint that was looked at foretells it: a hidden state, perhaps.";
+    return std::string{clock(on.on)} + " No state of the joint predicts it: perhaps a hidden state.";
   const Region& first = on.regions.front();
-  text += formatted(" Of all states the %s tells most about it", first.variable.c_str());
+  text += formatted(" Of all states the %s is most informative", first.variable.c_str());
   if (first.lift > thresholds::kLiftedBin)
     text += formatted(": between %.3g and %.3g %s it is %.1f times the mean", first.low, first.high, first.unit.c_str(),
                       std::sqrt(first.lift));

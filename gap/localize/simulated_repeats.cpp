@@ -39,7 +39,7 @@ Trajectory asReported(const Trajectory& log, const Trace& trace, double ticks_pe
     if (!std::isnan(log.load[row])) out.load[row] = toStep(trace.load[row], kLoadStep);
     if (!std::isnan(log.volt_v[row])) out.volt_v[row] = toStep(trace.supply_v[row], kVoltStep);
     if (std::isnan(log.speed_rad_s[row])) continue;
-    // The servo counts whole ticks, and not those that it tells.
+    // The servo counts whole ticks, not those that it reports.
     const double ticks = std::floor(movedIn(log, trace, row, kSpeedSpan) / tick + phase(random));
     out.speed_rad_s[row] = toStep(ticks * tick / kSpeedSpan, kSpeedStep);
   }

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/plan.hpp"
-#include "experiments/shape.hpp"
+#include "experiments/format/plan.hpp"
+#include "experiments/format/shape.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -15,7 +15,7 @@ constexpr double kSettle = 1;     // s
 
 struct ArmRow {
   Joint joint;
-  double hangs_at_rad;  // docs/experiments.md, the battery
+  double hangs_at_rad;  // docs/experiments.md, delivered experiments
 };
 constexpr std::array<ArmRow, 4> kArms{
     {{Joint::kShoulderR, 0}, {Joint::kShoulderL, 0}, {Joint::kArmUpperR, -0.8}, {Joint::kArmUpperL, 0.8}}};

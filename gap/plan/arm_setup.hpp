@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "experiments/experiment.hpp"
+#include "experiments/format/experiment.hpp"
 
 namespace darwinop::gap {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "experiments/shape.hpp"
+#include "experiments/format/shape.hpp"
 
 namespace darwinop::gap {
 namespace {

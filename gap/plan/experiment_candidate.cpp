@@ -5,8 +5,8 @@
 #include <limits>
 #include <map>
 
-#include "experiments/battery.hpp"
-#include "experiments/reader.hpp"
+#include "experiments/format/battery.hpp"
+#include "experiments/format/reader.hpp"
 #include "gap/plan/bench_experiments.hpp"
 
 namespace darwinop::gap {

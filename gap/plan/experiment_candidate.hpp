@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/experiment.hpp"
+#include "experiments/format/experiment.hpp"
 #include "gap/case/case.hpp"
 #include "gap/plan/arm_setup.hpp"
 

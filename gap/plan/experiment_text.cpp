@@ -4,7 +4,7 @@
 #include <charconv>
 #include <set>
 
-#include "experiments/shape.hpp"
+#include "experiments/format/shape.hpp"
 
 namespace darwinop::gap {
 namespace {

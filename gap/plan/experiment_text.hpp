@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/experiment.hpp"
+#include "experiments/format/experiment.hpp"
 
 namespace darwinop::gap {
 

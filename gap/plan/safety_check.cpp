@@ -5,8 +5,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "experiments/plan.hpp"
-#include "experiments/quantity.hpp"
+#include "experiments/format/plan.hpp"
+#include "experiments/format/quantity.hpp"
 #include "gap/plan/commands.hpp"
 #include "gap/plant/bench/roll_out.hpp"
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "experiments/quantity.hpp"
+#include "experiments/format/quantity.hpp"
 #include "gap/plan/experiment_text.hpp"
 
 namespace darwinop::gap {

@@ -1,4 +1,5 @@
-// The texts that the page is made of. experiments/plot/embed.cmake makes page_parts.cpp from page/ and from dygraphs.
+// The texts that the page is made of. experiments/logs/plot/embed.cmake makes page_parts.cpp from page/ and from
+// dygraphs.
 #pragma once
 
 #include <string_view>

@@ -26,7 +26,7 @@ Report reportOn(const Case& given, const std::string& before, const std::string&
 
 /// One file that needs no other and no network. The same report, the same bytes.
 std::string asHtml(const Report& report);
-/// What asJson() has for a run, and the figures of the page; docs/gap/results.md. Deterministic: no times.
+/// What asJson() has for a run, and the figures of the page; docs/gap/report.md. Deterministic: no times.
 nlohmann::json asJson(const Report& report);
 /// For a terminal, at most 24 lines.
 std::string asText(const Report& report);

@@ -18,7 +18,7 @@ std::string asText(const Case& given, const Comparison& comparison);
 /// Version of the keys in results.json and report.json. 1 (without the key `format`): doubted, strained, opens,
 /// remains, score. Readers accept both.
 inline constexpr int kResultsFormat = 2;
-/// For programs: one object a case, docs/gap/results.md. `gap_score_*` keep their names: other programs read them.
+/// For programs: one object a case, docs/gap/report.md. `gap_score_*` keep their names: other programs read them.
 nlohmann::json asJson(const Case& given, const Outcome& outcome);
 /// Of a case that could not be used.
 nlohmann::json badInput(const std::string& name, const std::string& why);

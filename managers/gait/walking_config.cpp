@@ -7,10 +7,10 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/number_text.hpp"
-#include "settings/ini_text.hpp"
-#include "settings/safety_sections.hpp"
-#include "settings/text_file.hpp"
+#include "core/text/ini_text.hpp"
+#include "core/text/letter_case.hpp"
+#include "core/text/number_text.hpp"
+#include "hal/text_file.hpp"
 
 namespace darwinop::gait {
 
@@ -26,17 +26,17 @@ std::string shortText(double value) {
   return error == std::errc{} ? std::string{digits.data(), end} : std::to_string(value);
 }
 
-class Reader final : public settings::IniReader {
+class Reader final : public text::IniReader {
  public:
   explicit Reader(const std::string& file) : file_{file} {}
 
   WalkingConfig read(std::string_view text) {
-    settings::readIni(text, file_, *this);
+    text::readIni(text, file_, *this);
     return std::move(config_);
   }
 
  private:
-  static bool ours(std::string_view section) { return settings::lowered(section) == "walking config"; }
+  static bool ours(std::string_view section) { return text::lowered(section) == "walking config"; }
 
   void stray(std::string_view section, std::string_view, int line) override {
     if (ours(section)) warn(line, "is no key = value and no comment; it is ignored");
@@ -44,13 +44,13 @@ class Reader final : public settings::IniReader {
 
   void pair(std::string_view section, std::string_view key, std::string_view value, int line) override {
     if (!ours(section)) return;
-    const std::string name = settings::lowered(key);
+    const std::string name = text::lowered(key);
     if (name == "ik") return takeIk(value);
     const auto* const row = std::ranges::find(kParameters, name, &ParameterRow::name);
     if (row == kParameters.end())
       return warn(line, "key \"" + std::string{key} +
                             "\" of section [Walking Config] means nothing to this version; it is ignored");
-    const std::optional<double> number = numberFromText(value);
+    const std::optional<double> number = text::numberFromText(value);
     if (number && *number == kAbsent) return;
     if (!number || !(*number >= row->low && *number <= row->high))
       throw std::runtime_error(std::string{key} + " = " + std::string{value} + ": give a number from " +
@@ -62,15 +62,13 @@ class Reader final : public settings::IniReader {
   }
 
   void takeIk(std::string_view value) {
-    const std::string choice = settings::lowered(value);
+    const std::string choice = text::lowered(value);
     if (choice != "flawed" && choice != "exact")
       throw std::runtime_error("ik = " + std::string{value} + ": give flawed or exact");
     config_.parameters.ik = choice == "exact" ? Ik::kExact : Ik::kFlawed;
   }
 
-  void warn(int line, const std::string& what) {
-    config_.warnings.push_back(settings::where(file_, line) + ": " + what);
-  }
+  void warn(int line, const std::string& what) { config_.warnings.push_back(text::where(file_, line) + ": " + what); }
 
   const std::string& file_;
   WalkingConfig config_;
@@ -83,7 +81,7 @@ WalkingConfig parseWalkingConfig(std::string_view text, const std::string& file)
 }
 
 WalkingConfig readWalkingConfig(const std::string& path) {
-  const std::optional<std::string> text = settings::readTextFile(path);
+  const std::optional<std::string> text = readTextFile(path);
   if (!text) return {{}, {"there is no " + path + ": the gait's default parameters are used"}};
   return parseWalkingConfig(*text, path);
 }

@@ -1,4 +1,4 @@
-// Walks: docs/gait.md. The robot takes its stance, then steps as the amplitudes say, until stop().
+// Walking: the robot moves to its stance, then steps with the given amplitudes until stop(). docs/gait.md
 #ifndef DARWIN_OP_GAIT_MANAGER_HPP
 #define DARWIN_OP_GAIT_MANAGER_HPP
 
@@ -10,41 +10,61 @@ class Robot;
 
 namespace managers {
 
-/// Moves the joints 1..18, all but the head, from start() until stop() has returned, and never else. One object at a
-/// time may walk; a page that is played meanwhile has the joints until its end, and the walk then begins anew. Copies
-/// share the robot, and begin at rest.
+///     managers::DARwInOPGaitManager gait(&robot, "config.ini");
+///     gait.setXAmplitude(1);                    // forwards
+///     gait.start();
+///     while (robot.getTime() < 15) {
+///       gait.step(16);                          // before each step of the robot, with the same duration
+///       if (robot.step(16) == -1) return 1;
+///     }
+///     gait.stop();                              // blocks until the robot stands
+///
+/// Sets goals, speed limits and P gains of joints 1 to 18 (all but the head) from start() until stop() has returned,
+/// and at no other time. Goals never exceed 12.26 rad/s or the joint ranges, and pass through the safety layer. One
+/// object walks at a time; while a motion page is played it has the joints, and the walk restarts from the stance
+/// afterwards.
+///
+/// Tried in the physics twin only, never on a robot. Simulator and 2013: the same engine, tick for tick. Errors are
+/// logged once on stderr, nothing is thrown. Threads: all calls from the thread of the Robot.
 class DARwInOPGaitManager {
  public:
-  /// Enables the gyroscope and reads section [Walking Config] of the file. A file that is not there gives the
-  /// defaults; one with a wrong value is named, and the robot will not walk.
+  /// Enables the gyroscope and reads section [Walking Config] of the file; a relative name starts at the directory of
+  /// the program. A missing file gives the defaults. A wrong value is logged with file and line, and the robot will not
+  /// walk.
   DARwInOPGaitManager(webots::Robot* robot, const std::string& iniFilename);
+  /// The same robot, parameters and amplitudes; the copy stands still until its start().
   DARwInOPGaitManager(const DARwInOPGaitManager& other);
+  /// As the copy constructor; what this object was doing ends.
   DARwInOPGaitManager& operator=(const DARwInOPGaitManager& other);
   virtual ~DARwInOPGaitManager();
-  /// False: every call does nothing.
+  /// False: there is no robot, or the file has a wrong value; every call then does nothing.
   bool isCorrectlyInitialized();
 
-  // In force from the middle of the next step. What is beyond -1..1 is taken as -1 or 1; NaN is ignored.
-  /// 1: 20 mm forwards.
+  // Amplitudes apply from the middle of the next step. They are clamped to -1 to 1, default 0; NaN is ignored with a
+  // warning.
+
+  /// Forwards, -1 to 1; 1 is an amplitude of 20 mm.
   void setXAmplitude(double x);
-  /// 1: 40 mm to the left.
+  /// To the left, -1 to 1; 1 is an amplitude of 40 mm.
   void setYAmplitude(double y);
-  /// 1: 50 degrees to the left.
+  /// Turn to the left, -1 to 1; 1 is an amplitude of 50 degrees.
   void setAAmplitude(double a);
-  /// True: while turning, keeps facing what is in front and steps around it. Default false.
+  /// True: a turn circles around a point in front of the robot and keeps facing it. Default false.
   void setMoveAimOn(bool on);
-  /// True, the default: the gyroscope corrects knees, ankles and hips. Where it rests has to be measured once, while
-  /// the robot stands still for 0.8 s: in calls of step() before start(), else after it, before the first step.
+  /// True (default): the gyroscope corrects knees, ankles and hips. It is calibrated once while the robot stands still
+  /// for 1.6 s: in calls of step() before start(), else after the robot has reached its stance. If the robot moves
+  /// meanwhile it walks without balance, with one warning.
   void setBalanceEnable(bool on);
 
-  /// From the next step() on the robot moves gently to its stance if it is in another pose, and then walks.
+  /// From the next step() on the robot moves to its stance at 0.5 rad/s at most, and then walks. Does not block.
   void start();
-  /// Call it before every Robot::step(), with the same duration. Computes the goals that are due then, one every 8 ms;
-  /// what remains is carried over. Under 8 ms: says so once and does nothing. Does not wait.
+  /// Call it before every Robot::step(), with the same duration in ms, 8 or more, best a multiple of 8. Computes the
+  /// goals that are due, one every 8 ms; the remainder is carried over. Under 8 ms it does nothing, with one warning;
+  /// more than 10000 ms count as 10000. Does not block.
   void step(int ms);
-  /// Goes on to the end of the steps under way, and returns when the robot has its stance again. Meanwhile it calls
-  /// Robot::step() with the basic time step, so sensors, keyboard and safety go on: up to one and a half periods of
-  /// the gait, 0.9 s; on the way to the stance, the rest of that way. Returns at once when Robot::step() gives -1.
+  /// Finishes the current steps and returns when the robot stands in its stance. Until then it calls Robot::step() with
+  /// the basic time step: 1.5 gait periods at most (0.9 s by default), or the rest of the way to the stance. Returns at
+  /// once when Robot::step() returns -1.
   void stop();
 
  private:

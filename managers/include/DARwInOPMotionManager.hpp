@@ -10,27 +10,43 @@ class Robot;
 
 namespace managers {
 
-/// While a page is played its goals and P gains are those of all twenty joints. They begin where the robot has its
-/// goals, so that nothing jumps, and the goals stay when the page has ended; the P gains become the controller's again.
+///     managers::DARwInOPMotionManager pages(&robot);
+///     pages.playPage(9);                        // blocks until the page has ended
+///     pages.playPage(24, false);                // returns at once
+///     while (pages.isMotionPlaying()) {
+///       pages.step(16);                         // before each step of the robot
+///       if (robot.step(16) == -1) return 1;
+///     }
+///
+/// While a page is played, it sets goals and P gains of all 20 joints, through the safety layer as any other goal. It
+/// starts from the robot's current goals, so that goals do not jump. When it has ended the goals stay, and the P gains
+/// are those of the controller again.
+///
+/// Simulator and 2013: the same timing of pages; 2013 ignored customMotionFile and did not approach a first pose
+/// slowly. Errors are logged once on stderr, nothing is thrown. Threads: all calls from the thread of the Robot.
 class DARwInOPMotionManager {
  public:
-  /// The file is customMotionFile, binary or text ("own": the runtime's own pages); when that is "", motion_4096.bin in
-  /// the data directory, and the own pages where there is none.
+  /// Reads the motion file: customMotionFile, binary or text, or "own" for the built-in pages. With "" it reads
+  /// motion_4096.bin in the data directory, and uses the built-in pages if that does not exist.
   explicit DARwInOPMotionManager(webots::Robot* robot, const std::string& customMotionFile = "");
-  /// The same file for the same robot; the copy plays nothing yet.
+  /// The same pages and robot; the copy does not play.
   DARwInOPMotionManager(const DARwInOPMotionManager& other);
+  /// As the copy constructor; a page that this object plays ends.
   DARwInOPMotionManager& operator=(const DARwInOPMotionManager& other);
   virtual ~DARwInOPMotionManager();
 
-  /// False: the file that was named is missing, or a file is broken. It was said which, and nothing will be played.
+  /// False: there is no robot, the named file is missing, or a file is wrong (logged with page and byte or line).
+  /// Nothing will be played.
   bool isCorrectlyInitialized();
-  /// Page 1 to 255. sync: calls Robot::step() with the basic time step until the page and those that follow it have
-  /// ended, or until it gives -1. A first pose that is far away is led to slowly, before the page begins. Not sync:
-  /// returns at once; step() plays it. While a page is played another one is refused, and this is said.
+  /// Plays page `id`, 1 to 255. `sync`: blocks, calling Robot::step() with the basic time step, until the page and the
+  /// pages that follow it have ended, or until step() returns -1. Not `sync`: returns at once, and step() plays it.
+  /// A first pose that is far away is approached slowly before the page starts. An empty page, and a page while another
+  /// one is played, are refused with one warning.
   void playPage(int id, bool sync = true);
-  /// Goes on by this many ms with a page that is not sync; call it before each Robot::step(). What is left over 8 ms is
-  /// kept for the next call.
+  /// Continues a page that was not started with `sync` by `ms` ms; call it before each Robot::step(). Pages advance in
+  /// ticks of 8 ms; the remainder is carried over. Does nothing while no page is played.
   void step(int ms);
+  /// True from playPage() until the last page has ended.
   bool isMotionPlaying();
 
  protected:

@@ -1,5 +1,5 @@
-// Started the 8 ms thread of the old framework. Nothing to start here: the loop runs by itself, and pages are played by
-// playPage() or step() of the motion manager. Controllers may call it, once or often; it does nothing and says nothing.
+// For source compatibility only: in the framework of 2013 it started the 8 ms thread. Here Robot::step() drives the
+// loop.
 #ifndef DARWIN_OP_MOTION_TIMER_MANAGER_HPP
 #define DARWIN_OP_MOTION_TIMER_MANAGER_HPP
 
@@ -7,6 +7,7 @@ namespace managers {
 
 class DARwInOPMotionTimerManager {
  public:
+  /// Does nothing, however often it is called. Thread-safe.
   static void MotionTimerInit() {}
 };
 

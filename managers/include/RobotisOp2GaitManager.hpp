@@ -6,8 +6,10 @@
 
 namespace managers {
 
+/// All methods are those of DARwInOPGaitManager; the two robots have the same legs.
 class RobotisOp2GaitManager : public DARwInOPGaitManager {
  public:
+  /// Same as DARwInOPGaitManager().
   RobotisOp2GaitManager(webots::Robot* robot, const std::string& iniFilename)
       : DARwInOPGaitManager(robot, iniFilename) {}
 };

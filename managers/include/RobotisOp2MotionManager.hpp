@@ -7,8 +7,10 @@
 
 namespace managers {
 
+/// All methods are those of DARwInOPMotionManager.
 class RobotisOp2MotionManager : public DARwInOPMotionManager {
  public:
+  /// Same as DARwInOPMotionManager(), but "" names motion_4096.bin in /robotis/Data/.
   explicit RobotisOp2MotionManager(webots::Robot* robot, const std::string& customMotionFile = "")
       : DARwInOPMotionManager(robot, customMotionFile, RobotisOp2DirectoryManager::getDataDirectory()) {}
 };

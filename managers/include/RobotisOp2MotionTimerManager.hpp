@@ -6,6 +6,7 @@
 
 namespace managers {
 
+/// All methods are those of DARwInOPMotionTimerManager.
 class RobotisOp2MotionTimerManager : public DARwInOPMotionTimerManager {};
 
 }  // namespace managers

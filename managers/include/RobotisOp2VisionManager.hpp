@@ -6,8 +6,10 @@
 
 namespace managers {
 
+/// All methods are those of DARwInOPVisionManager.
 class RobotisOp2VisionManager : public DARwInOPVisionManager {
  public:
+  /// Same as DARwInOPVisionManager(): pixels, degrees and percent.
   RobotisOp2VisionManager(int width, int height, int hue, int hueTolerance, int minSaturation, int minValue,
                           int minPercent, int maxPercent)
       : DARwInOPVisionManager(width, height, hue, hueTolerance, minSaturation, minValue, minPercent, maxPercent) {}

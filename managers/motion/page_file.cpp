@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "settings/text_file.hpp"
+#include "hal/text_file.hpp"
 
 namespace darwinop::motion {
 
@@ -129,7 +129,7 @@ std::vector<std::uint8_t> encodePages(const PageFile& pages) {
 }
 
 PageFile readPageFile(const std::filesystem::path& path) {
-  const std::optional<std::string> text = settings::readTextFile(path.string());
+  const std::optional<std::string> text = readTextFile(path.string());
   if (!text) throw std::runtime_error(path.string() + ": it cannot be opened");
   try {
     return decodePages(std::vector<std::uint8_t>{text->begin(), text->end()});

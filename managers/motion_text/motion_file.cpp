@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "hal/text_file.hpp"
 #include "managers/motion_text/page_text.hpp"
-#include "settings/text_file.hpp"
 
 namespace darwinop::motion {
 
@@ -37,7 +37,7 @@ void writeWhole(const std::filesystem::path& path, const char* data, std::size_t
 }  // namespace
 
 std::vector<std::uint8_t> readBytes(const std::filesystem::path& path) {
-  const std::optional<std::string> bytes = settings::readTextFile(path.string(), kMostBytes);
+  const std::optional<std::string> bytes = readTextFile(path.string(), kMostBytes);
   if (!bytes) throw std::runtime_error(path.string() + ": it cannot be opened");
   return {bytes->begin(), bytes->end()};
 }

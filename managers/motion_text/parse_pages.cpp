@@ -4,7 +4,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "core/number_text.hpp"
+#include "core/text/number_text.hpp"
 #include "managers/motion_text/page_section.hpp"
 #include "managers/motion_text/page_text.hpp"
 #include "managers/motion_text/values.hpp"
@@ -20,7 +20,7 @@ std::string_view withoutRemark(std::string_view line) {
     if (line[i] == '"') quoted = !quoted;
     if (line[i] == '#' && !quoted) line = line.substr(0, i);
   }
-  return withoutBlanks(line);
+  return text::withoutBlanks(line);
 }
 
 class Reader {
@@ -62,7 +62,8 @@ class Reader {
       const std::size_t equals = line.find('=');
       if (equals == line.npos) throw std::runtime_error("write FIELD = VALUE, or [page NUMBER]");
       if (!section_) throw std::runtime_error("write [page NUMBER] before the first field");
-      section_->set(std::string{withoutBlanks(line.substr(0, equals))}, withoutBlanks(line.substr(equals + 1)));
+      section_->set(std::string{text::withoutBlanks(line.substr(0, equals))},
+                    text::withoutBlanks(line.substr(equals + 1)));
     }
   }
 
@@ -70,7 +71,7 @@ class Reader {
     constexpr std::string_view kBegin = "[page ";
     std::optional<std::uint8_t> number;
     if (heading.starts_with(kBegin) && heading.ends_with(']'))
-      number = countFromText(withoutBlanks(heading.substr(kBegin.size(), heading.size() - kBegin.size() - 1)));
+      number = countFromText(text::withoutBlanks(heading.substr(kBegin.size(), heading.size() - kBegin.size() - 1)));
     if (!number) throw std::runtime_error("write [page NUMBER] with a number from 0 to 255");
     if (!begun_.insert(*number).second)
       throw std::runtime_error("page " + std::to_string(*number) + " has been there before");

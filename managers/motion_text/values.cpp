@@ -7,7 +7,7 @@
 
 #include "core/conversions.hpp"
 #include "core/joints.hpp"
-#include "core/number_text.hpp"
+#include "core/text/number_text.hpp"
 #include "managers/motion/page.hpp"
 
 namespace darwinop::motion {
@@ -37,7 +37,7 @@ std::string hexText(unsigned value, int digits) {
 
 /// The nearest whole number of `unit` in `text`, when it is within 0 to `most`.
 std::optional<int> nearest(std::string_view text, double unit, double zero, int most) {
-  const auto number = numberFromText(text);
+  const auto number = text::numberFromText(text);
   if (!number) return std::nullopt;
   const double counts = std::nearbyint(*number / unit) + zero;
   if (!(counts >= 0 && counts <= most)) return std::nullopt;

@@ -1,18 +1,12 @@
 // Which colours count as the ball's: the rule, pixel by pixel. colour_test.hpp decides the same without dividing.
 #pragma once
 
+#include "core/colour_search.hpp"
 #include "managers/vision/hsv.hpp"
 
 namespace darwinop::vision {
 
-/// Defaults are those of the robot's own software, for its red ball.
-struct Thresholds {
-  int hue = 356;            // degrees, 0..360
-  int hue_tolerance = 15;   // degrees, 0..180
-  int min_saturation = 50;  // percent, 0..100; itself excluded. Less than 0: any, greys included
-  int min_value = 10;       // percent, 0..100; itself excluded. Less than 0: any, greys included
-  bool operator==(const Thresholds&) const = default;
-};
+using Thresholds = ColourThresholds;
 
 /// Hues between two bounds that do not belong to it; through 0 where low is above high.
 struct HueArc {

@@ -5,22 +5,14 @@
 #include <optional>
 #include <span>
 
+#include "core/colour_search.hpp"
 #include "managers/vision/bit_rows.hpp"
 #include "managers/vision/classify.hpp"
 
 namespace darwinop::vision {
 
-struct Pixel {
-  int x, y;  // to the right and down, from the top left corner
-  bool operator==(const Pixel&) const = default;
-};
-
-/// Share of the picture that the colour may have. `min` itself is too little, `max` itself is not too much.
-struct PercentLimits {
-  double min = 0.07;
-  double max = 30.0;
-  bool operator==(const PercentLimits&) const = default;
-};
+using darwinop::PercentLimits;
+using darwinop::Pixel;
 
 /// Takes memory when it is made, and none afterwards. One thread at a time.
 class ColourFinder {

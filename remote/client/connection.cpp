@@ -20,7 +20,7 @@ bool isForLater(int error) {
 
 void Connection::connect(std::uint32_t address, std::uint16_t port) {
   close("");
-  socket_ = Socket{::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
+  socket_ = net::Socket{::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
   if (!socket_.open()) return close(std::strerror(errno));
   sockaddr_in name{};
   name.sin_family = AF_INET;

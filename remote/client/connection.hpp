@@ -6,9 +6,9 @@
 #include <string>
 
 #include "hal/byte_line.hpp"
+#include "hal/net/socket.hpp"
 #include "remote/protocol/reply_reader.hpp"
 #include "remote/protocol/request_writer.hpp"
-#include "remote/socket.hpp"
 
 namespace darwinop::remote {
 
@@ -39,7 +39,7 @@ class Connection {
   void flush();
   void receive();
 
-  Socket socket_;
+  net::Socket socket_;
   State state_ = State::kClosed;
   std::string why_;
   RequestBuffer buffer_{};

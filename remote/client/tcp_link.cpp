@@ -5,9 +5,9 @@
 #include <iostream>
 #include <utility>
 
-#include "core/printable.hpp"
+#include "core/text/printable.hpp"
+#include "hal/net/resolve.hpp"
 #include "remote/client/old_sensors.hpp"
-#include "remote/client/resolve.hpp"
 
 namespace darwinop::remote {
 namespace {
@@ -36,7 +36,7 @@ void growOlder(Sensors& image, std::uint64_t cycles, Nanos period) {
 
 TcpLink::TcpLink(TcpOptions options)
     : options_{std::move(options)}, pictures_{[this](const std::string& what) { say(what); }}, faults_{std::cerr} {
-  addresses_ = addressesOf(options_.host);
+  addresses_ = net::addressesOf(options_.host);
   connectFirst();
   firstReply();
 }
@@ -119,7 +119,7 @@ void TcpLink::take(const Reply& reply) {
     extended_ = false;
     takeOld(reply, first);
   } else if (!reply.extension->why_ended.empty()) {
-    end(printableLines(reply.extension->why_ended));
+    end(text::printableLines(reply.extension->why_ended));
     return connection_.close("");
   } else if (reply.extension->seen != nullptr) {
     takeImage(*reply.extension, first);

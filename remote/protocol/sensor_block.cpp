@@ -1,4 +1,5 @@
-// A whole sensor image as bytes, docs/remote-protocol.md. One list of the values serves both directions.
+// The sensor block of the protocol extension, docs/remote-protocol.md: one list of the values, in wire order, defines
+// it for both directions.
 #include "remote/protocol/sensor_block.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A whole sensor image as bytes, docs/remote-protocol.md.
+// The sensor block of the protocol extension (docs/remote-protocol.md). sensor_block.cpp defines its layout.
 #pragma once
 
 #include <cstdint>

@@ -5,9 +5,9 @@
 #include <atomic>
 #include <cmath>
 
+#include "core/counts.hpp"
 #include "remote/protocol/units.hpp"
 #include "runtime/exchange_link.hpp"
-#include "webots/counts.hpp"
 
 namespace darwinop::remote {
 namespace {
@@ -87,7 +87,7 @@ void LinkPort::obey(const Request& request) {
 
 void LinkPort::listenTo(const MotorSetting& setting) {
   using M = MotorSetting;
-  facade::MotorControl& motor = motors_[index(setting.joint)];
+  MotorControl& motor = motors_[index(setting.joint)];
   if (setting.has(M::kPosition) && isEncoderPosition(setting.position))
     motor.setPosition(positionFromWire(setting.position));
   if (setting.has(M::kVelocity)) motor.setVelocity(velocityFromWire(setting.velocity));
@@ -100,8 +100,8 @@ void LinkPort::listenTo(const MotorSetting& setting) {
 void LinkPort::light(const LedSetting& setting) {
   LedCommand& led = commands_.led;
   const int colour = static_cast<int>(setting.colour);
-  if (setting.led == Led::kEye) return led.setEye(facade::rgb15From24(colour));
-  if (setting.led == Led::kHead) return led.setHead(facade::rgb15From24(colour));
+  if (setting.led == Led::kEye) return led.setEye(rgb15From24(colour));
+  if (setting.led == Led::kHead) return led.setHead(rgb15From24(colour));
   // The three back LEDs share one register: the others stay as they were asked for, or as the board shows them.
   const int others = led.has(LedCommand::kPanel) ? led.panel : link_->sensors().board.led_panel;
   const int bit = panelBit(setting.led);

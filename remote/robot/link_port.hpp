@@ -6,13 +6,13 @@
 #include <memory>
 #include <vector>
 
-#include "hal/camera_v4l2/camera.hpp"
+#include "core/motor_control.hpp"
+#include "hal/frame_source.hpp"
 #include "remote/jpeg/image_size.hpp"
 #include "remote/picture_source.hpp"
 #include "remote/server/robot_port.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/robot_link.hpp"
-#include "webots/motor_control.hpp"
 
 namespace darwinop::remote {
 
@@ -48,9 +48,11 @@ class LinkPort final : public RobotPort {
   /// gone_s; said in its place, on_exit follows at once.
   void farewellForWhoLeft() noexcept;
 
-  /// The robot's eye. Between begin() and hold(), which it must not outlive. Throws std::runtime_error when it has
-  /// none.
-  [[nodiscard]] std::unique_ptr<PictureSource> openPictures(ImageSize size, const v4l2::CameraSettings& settings,
+  /// Opens what the robot sees, in this form. Throws std::runtime_error when it has no camera.
+  using OpenFrames = std::function<std::unique_ptr<FrameSource>(runtime::RobotLink&, PictureForm)>;
+  /// The robot's camera frames as JPEG. Between begin() and hold(), which it must not outlive. Throws what
+  /// `open_frames` throws.
+  [[nodiscard]] std::unique_ptr<PictureSource> openPictures(ImageSize size, const OpenFrames& open_frames,
                                                             const std::function<void(const std::string&)>& say);
 
  private:
@@ -66,7 +68,7 @@ class LinkPort final : public RobotPort {
   bool start_where_it_is_, used_ = false;
   runtime::MonotonicClock clock_;
   std::unique_ptr<runtime::RobotLink> link_;
-  std::vector<facade::MotorControl> motors_;  // by joint
+  std::vector<MotorControl> motors_;  // by joint
   Commands commands_{};
   std::uint64_t first_of_ours_ = 0;  // cycle from which on safety speaks of this client
   std::uint64_t last_cycle_ = 0;

@@ -3,9 +3,9 @@
 #include <sys/stat.h>
 
 #include <stdexcept>
+#include <utility>
 
 #include "hal/shared_picture/reader.hpp"
-#include "link/eyes.hpp"
 #include "remote/jpeg/live_pictures.hpp"
 #include "runtime/clock.hpp"
 
@@ -18,11 +18,8 @@ LivePictures::Options onlookerOptions(const FrameLooker& look_at, const Teller& 
 
 }  // namespace
 
-std::unique_ptr<PictureSource> openCameraForOnlookers(const FrameLooker& look_at, const Teller& say) {
-  auto camera = link::openCamera({.width = kWholeImage.width,
-                                  .height = kWholeImage.height,
-                                  .form = PictureForm::kYuyv,
-                                  .say = say});  // seldom: a camera speaks when something changes
+std::unique_ptr<PictureSource> openPicturesOfCamera(std::unique_ptr<FrameSource> camera, const FrameLooker& look_at,
+                                                    const Teller& say) {
   return std::make_unique<LivePictures>(std::move(camera), onlookerOptions(look_at, say));
 }
 

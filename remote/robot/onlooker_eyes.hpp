@@ -15,8 +15,9 @@ namespace darwinop::remote {
 using FrameLooker = std::function<void(const CameraFrame&)>;
 using Teller = std::function<void(const std::string&)>;
 
-/// The camera of this computer that robot.ini names, or /dev/video0. Throws std::runtime_error.
-std::unique_ptr<PictureSource> openCameraForOnlookers(const FrameLooker& look_at, const Teller& say);
+/// As JPEG what `camera` sees, which is of kWholeImage and best gives YUYV.
+std::unique_ptr<PictureSource> openPicturesOfCamera(std::unique_ptr<FrameSource> camera, const FrameLooker& look_at,
+                                                    const Teller& say);
 
 /// What the camera of whoever drives sees; never touches a camera. `say` may be told the same again by the next one.
 /// Throws std::runtime_error when there is no runtime.

@@ -7,15 +7,16 @@
 #include <vector>
 
 #include "hal/byte_line.hpp"
+#include "hal/net/socket.hpp"
 #include "remote/protocol/request_reader.hpp"
 #include "remote/server/answer.hpp"
-#include "remote/server/socket.hpp"
 
 namespace darwinop::remote {
 
 class Client {
  public:
-  Client(Socket socket, std::string name, Nanos now) : heard{now}, socket_{std::move(socket)}, name_{std::move(name)} {}
+  Client(net::Socket socket, std::string name, Nanos now)
+      : heard{now}, socket_{std::move(socket)}, name_{std::move(name)} {}
 
   [[nodiscard]] int descriptor() const { return socket_.descriptor(); }
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -51,7 +52,7 @@ class Client {
     return false;
   }
 
-  Socket socket_;
+  net::Socket socket_;
   std::string name_, why_;
   RequestReader reader_;
   std::vector<std::uint8_t> out_;

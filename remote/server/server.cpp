@@ -22,7 +22,7 @@ constexpr Nanos kForACycle{300'000'000}, kLookForACycle{1'000'000};
 }  // namespace
 
 Server::Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_pictures, Clock clock,
-               BoundedLog::Say say)
+               net::BoundedLog::Say say)
     : config_{config},
       robot_{robot},
       open_pictures_{std::move(open_pictures)},

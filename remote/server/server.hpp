@@ -10,20 +10,20 @@
 #include <vector>
 
 #include "hal/byte_line.hpp"
+#include "hal/net/addresses.hpp"
+#include "hal/net/allowance.hpp"
+#include "hal/net/bounded_log.hpp"
+#include "hal/net/listener.hpp"
 #include "remote/picture_source.hpp"
-#include "remote/server/addresses.hpp"
-#include "remote/server/allowance.hpp"
-#include "remote/server/bounded_log.hpp"
 #include "remote/server/client.hpp"
-#include "remote/server/listener.hpp"
 #include "remote/server/robot_port.hpp"
 
 namespace darwinop::remote {
 
 struct ServerConfig {
-  Ipv4 address = 0x7F000001;  // loopback
+  net::Ipv4 address = 0x7F000001;  // loopback
   std::uint16_t port = kUsualPort;
-  std::vector<Network> allowed{{0x7F000000, 0xFF000000}};
+  std::vector<net::Network> allowed{{0x7F000000, 0xFF000000}};
   Nanos silence{std::chrono::milliseconds{500}};  // without a whole request: motion is held, the lease given back
   /// Between two pieces of work (a caller, a read of 1 kB, an answer) on average; 64 may come at once. 0: no limit.
   Nanos pace{std::chrono::microseconds{500}};
@@ -37,7 +37,8 @@ class Server {
   using OpenPictures = std::function<std::unique_ptr<PictureSource>()>;
 
   /// Listens from now on. Throws std::runtime_error with what to do.
-  Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_pictures, Clock clock, BoundedLog::Say say);
+  Server(const ServerConfig& config, RobotPort& robot, OpenPictures open_pictures, Clock clock,
+         net::BoundedLog::Say say);
 
   /// Waits at most `longest` for something to happen, and sees to it.
   void attend(Nanos longest);
@@ -72,9 +73,9 @@ class Server {
   RobotPort& robot_;
   OpenPictures open_pictures_;
   Clock clock_;
-  BoundedLog log_;
-  Allowance allowance_;
-  Listener listener_;
+  net::BoundedLog log_;
+  net::Allowance allowance_;
+  net::Listener listener_;
   Nanos now_;
   std::optional<Client> client_;
   std::unique_ptr<PictureSource> pictures_;  // while a client drives that has asked for one

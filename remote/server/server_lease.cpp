@@ -63,9 +63,9 @@ void Server::refuse(const Request& request, const std::string& what, const std::
 
 void Server::letIn() {
   allowance_.spend(now_);
-  std::optional<Listener::Caller> caller = listener_.next();
+  std::optional<net::Listener::Caller> caller = listener_.next();
   if (!caller) return;
-  const auto lives_here = [&](const Network& network) { return network.has(caller->address); };
+  const auto lives_here = [&](const net::Network& network) { return network.has(caller->address); };
   if (std::ranges::none_of(config_.allowed, lives_here)) {
     log(caller->name + " may not connect: its address is in no network given with --allow");
     return;

@@ -220,7 +220,8 @@ TEST(Score, JudgesTheBlockOfTheLoop) {
 TEST(Score, JudgesTheBlockThatOpensByItself) {
   HandMade made;
   expectShare(share(scoreOf(made.keys, made.answers), "the block that opens"), 0, 0);  // no answer tells one
-  made.answers["a"].first_open_block = made.answers["b"].first_open_block = made.answers["c"].first_open_block = "plant";
+  made.answers["a"].first_open_block = made.answers["b"].first_open_block = made.answers["c"].first_open_block =
+      "plant";
   made.answers["c"].block = "controller";  // a dead band is the controller's
   expectShare(share(scoreOf(made.keys, made.answers), "the block that opens"), 2, 8);
 }

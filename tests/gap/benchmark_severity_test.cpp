@@ -120,7 +120,7 @@ TEST_P(EachStranger, ShowsWhereTheKeySays) {
   EXPECT_EQ(made.key.kind, CaseClass::kOutside);
   EXPECT_GT(made.key.gap_fit_rad, 3 * kFloor);
   ASSERT_FALSE(made.key.places.empty());
-  for (const KeyGapInterval& place : made.key.places) {
+  for (const KeyPlace& place : made.key.places) {
     const auto log = std::ranges::find(made.given.logs, place.file, &Trajectory::file);
     ASSERT_NE(log, made.given.logs.end());
     EXPECT_FALSE(log->held_out);
@@ -139,11 +139,10 @@ INSTANTIATE_TEST_SUITE_P(Outside, EachStranger, testing::ValuesIn(strangers()),
 
 TEST(Strangers, FollowTheClockOfTheSession) {
   const Hidden bump = hiddenAt("u_bump", 0, 3);
-  for (const KeyGapInterval& place : bump.key.places)
-    EXPECT_EQ(place.file, "fit_3.csv");  // fit_4 repeats it, untouched
+  for (const KeyPlace& place : bump.key.places) EXPECT_EQ(place.file, "fit_3.csv");  // fit_4 repeats it, untouched
   CaseRequest request;
   request.effects = {{.id = "u_string", .values = {{"snaps", 16}}}};
-  for (const KeyGapInterval& place : hidden(request).key.places)
+  for (const KeyPlace& place : hidden(request).key.places)
     EXPECT_THAT(place.file, testing::AnyOf("fit_1.csv", "fit_2.csv"));
 }
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/units.hpp"
+#include "experiments/logs/read_log.hpp"
 #include "gap/case/parse_case.hpp"
-#include "logs/read_log.hpp"
 
 namespace darwinop::gap {
 

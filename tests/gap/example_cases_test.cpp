@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/case/data_check.hpp"
 #include "gap/case/write_case.hpp"
-#include "logs/read_log.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::gap {

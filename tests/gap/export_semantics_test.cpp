@@ -181,7 +181,8 @@ TEST(ExportSemantics, ExampleCasesAreMeasuredAgain) {
     const ReMeasured measured = remeasure(info.target, given, baselineOf(given));
     EXPECT_EQ(measured.logs.size(), given.logs.size());
     EXPECT_GT(measured.twin_held_out_mrad, 0);
-    EXPECT_TRUE(std::isfinite(measured.target_held_out_mrad) && measured.target_held_out_mrad < 1000) << asText(measured);
+    EXPECT_TRUE(std::isfinite(measured.target_held_out_mrad) && measured.target_held_out_mrad < 1000)
+        << asText(measured);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "core/number_text.hpp"
+#include "core/text/number_text.hpp"
 #include "export_rig.hpp"
 
 namespace darwinop::gap {
@@ -45,7 +45,7 @@ std::map<std::string, std::vector<std::string>> webotsFieldsIn(const std::string
 }
 
 double number(const std::string& text) {
-  return numberFromText(text).value_or(-12345);
+  return text::numberFromText(text).value_or(-12345);
 }
 
 /// Value of an attribute of the first tag that begins so.

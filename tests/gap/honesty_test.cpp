@@ -1,4 +1,4 @@
-// What must not change a verdict does not, on small benches; docs/gap/battery.md says why each of these is asked.
+// A verdict is invariant to order, names, fresh noise and duplicates of logs, on small benches.
 #include <gtest/gtest.h>
 
 #include <algorithm>

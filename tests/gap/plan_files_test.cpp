@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "experiments/battery.hpp"
-#include "experiments/plan.hpp"
-#include "experiments/reader.hpp"
+#include "experiments/format/battery.hpp"
+#include "experiments/format/plan.hpp"
+#include "experiments/format/reader.hpp"
 #include "gap/plan/commands.hpp"
 #include "gap/plan/experiment_text.hpp"
 #include "gap/plan/write_experiments.hpp"

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "experiments/plan.hpp"
+#include "experiments/format/plan.hpp"
 #include "gap/plan/commands.hpp"
 #include "plan_rig.hpp"
 

@@ -6,10 +6,10 @@
 #include <fstream>
 #include <limits>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/case/robot/alone.hpp"
 #include "gap/case/robot/joint_case.hpp"
 #include "gap/plant/bench/roll_out.hpp"
-#include "logs/read_log.hpp"
 #include "twin/body/pendulum.hpp"
 #include "twin/body/robot_body.hpp"
 

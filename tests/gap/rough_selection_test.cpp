@@ -113,21 +113,21 @@ FittedModel sagging(const Study& study, double ohm) {
 TEST(Voltage, ThatStaysUpContradictsASupplyThatSags) {
   const Case bench = manualBench();
   const Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
-  EXPECT_TRUE(contradictsVoltage(sagging({given, fewRuns()}, 3)));
-  EXPECT_FALSE(contradictsVoltage(sagging({given, fewRuns()}, 0.3))) << "wires have as much";
+  EXPECT_TRUE(contradictsVoltage(sagging(Study{given, fewRuns()}, 3)));
+  EXPECT_FALSE(contradictsVoltage(sagging(Study{given, fewRuns()}, 0.3))) << "wires have as much";
 }
 
 TEST(Voltage, ThatDipsAllowsIt) {
   const Case bench = manualBench();
   const Case given = measuredIn({.torque_nm = 0}, bench, withEffect(bench, "supply_sag", "resistance", 3));
-  EXPECT_FALSE(contradictsVoltage(sagging({given, fewRuns()}, 3)));
+  EXPECT_FALSE(contradictsVoltage(sagging(Study{given, fewRuns()}, 3)));
 }
 
 TEST(Voltage, ThatNobodyMeasuredSaysNothing) {
   const Case bench = manualBench();
   Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
   for (Trajectory& log : given.logs) log.volt_v.assign(log.rows(), std::numeric_limits<double>::quiet_NaN());
-  EXPECT_FALSE(contradictsVoltage(sagging({given, fewRuns()}, 3)));
+  EXPECT_FALSE(contradictsVoltage(sagging(Study{given, fewRuns()}, 3)));
 }
 
 TEST(Discrepancy, IsWhatMostSamplesAreOffBy) {

@@ -3,10 +3,10 @@
 
 #include <set>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/case/parse_case.hpp"
 #include "gap/case/write_case.hpp"
 #include "gap/identify/identification.hpp"
-#include "logs/read_log.hpp"
 #include "thesis_cases.hpp"
 
 namespace darwinop::gap {

@@ -86,7 +86,7 @@ TEST(Signals, NohupKeepsOneThatWaitsAliveWhenTheTerminalGoes) {
 }
 
 std::string effectText(SignalEffect effect) {
-  if (effect == SignalEffect::kEnds) return "ends tidily";
+  if (effect == SignalEffect::kEnds) return "ends normally";
   if (effect == SignalEffect::kKills) return "ends at once";
   return effect == SignalEffect::kStops ? "stops" : "no effect";
 }

@@ -1,19 +1,12 @@
-// The scripted doubles: they play their script, and complain about every departure from it.
+// The scripted line plays its script and reports every departure from it.
 #include <gtest/gtest.h>
 
 #include <memory>
 
 #include "bench.hpp"
-#include "hil-mocks/scripted_bus.hpp"
 #include "hil-mocks/scripted_line.hpp"
 
-namespace darwinop {
-
-struct SafeCommandsForTests {
-  static SafeCommands make() { return {}; }
-};
-
-namespace hil {
+namespace darwinop::hil {
 namespace {
 
 const auto kPingBytes = bytesOf("FF FF 01 02 01 FB");
@@ -80,41 +73,7 @@ TEST(ScriptedLine, ComplainsAboutWrongUnexpectedAndMissingWritesAndUnreadAnswers
                                       "2 steps were not reached; the first is the reading of FF FF 01 02 00 FC"}));
 }
 
-TEST(ScriptedBus, PlaysItsCyclesAndShowsWhatIsWritten) {
-  ScriptedBus bus;
-  int checked = 0;
-  bus.cycles(2, readingsAtRest()).expectWrite([&](const SafeCommands&) { ++checked; }).cycles(1, BusReadings{});
-  BusReadings seen;
-  for (const bool answered : {true, true, false}) {
-    bus.write(SafeCommandsForTests::make());
-    bus.read(seen);
-    EXPECT_EQ(seen.board.answered, answered);
-    EXPECT_EQ(seen.servo[18].position.known(), answered);
-  }
-  EXPECT_EQ(checked, 2);
-}
-
-TEST(ScriptedBus, ComplainsAboutCyclesLeftOverCyclesTooManyAndWrongOrder) {
-  Complaints complaints;
-  BusReadings seen;
-  {
-    ScriptedBus bus{complaints.collect()};
-    bus.cycles(3, readingsAtRest());
-    bus.read(seen);
-    bus.write(SafeCommandsForTests::make());
-    bus.write(SafeCommandsForTests::make());
-  }
-  {
-    ScriptedBus bus{complaints.collect()};
-    bus.write(SafeCommandsForTests::make());
-  }
-  EXPECT_EQ(complaints.said,
-            (std::vector<std::string>{"read before it was written in cycle 1", "written twice in cycle 2",
-                                      "2 scripted cycles were not reached, 1 were",
-                                      "written after the last scripted cycle, number 0"}));
-}
-
-TEST(ScriptedDoublesDeathTest, AbortByDefaultWhenTheScriptIsNotConsumed) {
+TEST(ScriptedLineDeathTest, AbortByDefaultWhenTheScriptIsNotConsumed) {
   EXPECT_DEATH(
       {
         ScriptedLine line;
@@ -124,5 +83,4 @@ TEST(ScriptedDoublesDeathTest, AbortByDefaultWhenTheScriptIsNotConsumed) {
 }
 
 }  // namespace
-}  // namespace hil
-}  // namespace darwinop
+}  // namespace darwinop::hil

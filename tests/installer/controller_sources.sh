@@ -16,7 +16,7 @@ make_sdk() {
   rm -f "$sdk/lib/libdarwinop.a"
   ar rc "$sdk/lib/libdarwinop.a"
   sed 's/@CMAKE_INSTALL_LIBDIR@/lib/; s/@CMAKE_INSTALL_DATADIR@/share/; s/@CMAKE_INSTALL_INCLUDEDIR@/include/
-    s/@CMAKE_INSTALL_PREFIX@//; s/@DARWINOP_OTHER_FLAGS@//' "$SOURCE/cmake/Makefile.include.in" >"$sdk/share/darwinop/Makefile.include"
+    s/@CMAKE_INSTALL_PREFIX@//; s/@DARWINOP_OTHER_FLAGS@//' "$SOURCE/tools/cmake/Makefile.include.in" >"$sdk/share/darwinop/Makefile.include"
   printf '%s\n' 'CXX := i686-linux-gnu-g++' 'ROBOT_CXXFLAGS := -march=bonnell -mfpmath=sse -fpie' \
     'ROBOT_LFLAGS := -static-pie' >"$sdk/share/darwinop/robot-toolchain.mk"
 }

@@ -74,12 +74,11 @@ scenario_the_start_pose_is_asked_about() {
 
 # Whatever it is doing, on the PC or on the robot: the robot sits, nothing goes on, and it is said.
 scenario_ctrl_c_at_any_moment() {
-  local round delay
-  RANDOM=${DARWINOP_SEED:=$RANDOM}
-  echo "DARWINOP_SEED=$DARWINOP_SEED"
+  local round delay seed=${DARWINOP_SEED:-2026}
+  echo "DARWINOP_SEED=$seed"
   robot_with_a_runtime
   for round in 1 2 3; do
-    delay=$((RANDOM % 2000))
+    delay=$(((seed * 7 + round * 701) % 2000))
     start_run
     sleep "$((delay / 1000)).$(printf %03d $((delay % 1000)))"
     kill -INT -- "-$run_pid"

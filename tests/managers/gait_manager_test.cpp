@@ -4,8 +4,8 @@
 #include <cmath>
 #include <webots/Motor.hpp>
 
-#include "gait/golden.hpp"
 #include "gait_rig.hpp"
+#include "managers/gait/golden.hpp"
 
 namespace darwinop::facade {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/lead_in.hpp"
+#include "core/present_goal.hpp"
 #include "motion_rig.hpp"
-#include "webots/lead_in.hpp"
-#include "webots/present_goal.hpp"
 
 namespace darwinop::facade {
 namespace {

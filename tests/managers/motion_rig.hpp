@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/pages.hpp"
+#include "managers/motion/pages.hpp"
 #include "support/temporary_folder.hpp"
 #include "webots/fixture.hpp"
 

@@ -4,7 +4,7 @@
 #include <DARwInOPVisionManager.hpp>
 #include <RobotisOp2VisionManager.hpp>
 
-#include "vision/pictures.hpp"
+#include "managers/vision/pictures.hpp"
 #include "webots/notices.hpp"
 
 namespace darwinop::facade {

@@ -12,8 +12,8 @@
 #include <webots/Accelerometer.hpp>
 #include <webots/Robot.hpp>
 
+#include "connect/lockstep_robot.hpp"
 #include "core/units.hpp"
-#include "link/lockstep_robot.hpp"
 #include "twin/body/robot_body.hpp"
 #include "webots/robot_impl.hpp"
 
@@ -36,7 +36,7 @@ class WalkInTheTwin : public testing::Test {
                                                   twin::RobotBodyOptions{.ball = twin::Ball::kNone});
     body_ = body.get();
     darwinop::runtime::LoopConfig config;
-    auto impl = std::make_unique<facade::RobotImpl>(darwinop::link::lockstepRobot(config, std::move(body)),
+    auto impl = std::make_unique<facade::RobotImpl>(darwinop::connect::lockstepRobot(config, std::move(body)),
                                                     facade::ControllerConfig{}, stop_);
     EXPECT_EQ(impl->begin(), "");
     robot_ = std::make_unique<TwinRobot>(impl.release());

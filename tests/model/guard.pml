@@ -33,7 +33,8 @@ inline observe() {
   :: else -> skip
   fi;
   /* noteRestart */
-  restart = looked && (reset_seen || (!stiff && !shut_seen && uncertain && phase == MOVING));
+  restart = looked && (reset_seen || (!stiff && !shut_seen && (uncertain || !on_seen) && phase == MOVING));
+  if :: looked && stiff -> on_seen = 1 :: else -> skip fi;
   if :: looked && uncertain && had_limit && reset_seen && stiff -> off_due = 1 :: else -> skip fi;
   if :: looked -> had_limit = !reset_seen :: else -> skip fi;
   uncertain = !looked && (uncertain || !fresh);
@@ -217,7 +218,7 @@ inline compose() {
      :: off_due -> off_due = 0; if :: !off_ordered -> stiff = 0; known = 0 :: else -> skip fi; off_ordered = 1
      :: else -> skip
      fi;
-     if :: heard && phase == PLACED && has_goal && !suspect && !uncertain -> write_on = 1; phase = MOVING :: else -> skip fi
+     if :: heard && phase == PLACED && has_goal && !suspect && !uncertain -> write_on = 1; phase = MOVING; on_seen = 0 :: else -> skip fi
   :: else ->
      if
      :: heard && phase == CONFIRMING && conf == 2 && !suspect ->

@@ -89,6 +89,7 @@ byte looking;
 /* -- guard, the joint -- */
 byte phase = OUT, conf, age;
 bit has_goal;                /* a look of this cycle found the placed goal and a speed limit in the servo */
+bit on_seen;                 /* a look has found torque on since it was switched on */
 bit had_limit;               /* it had a speed limit when it was looked at last */
 bit shut_at_once;            /* off again when it was seen with the placed goal */
 bit uncertain, tripped, off_due, off_ordered, stiff, known;
@@ -154,7 +155,7 @@ inline forget_guard() {
   state = ST_offline; faults = 0; session = 0; ended = 0; started = 0; in_place = 0; holding_up = 0; silence = 0;
   missed = 0; ever = 0; powered = 0; lost = 0; off_once = 0; off_seen = 0; withheld = 0; losses = 0; looking = 0;
   had_power = held; perhaps_held = 1;  /* Config::held_before */
-  phase = OUT; has_goal = 0; had_limit = 0; shut_at_once = 0; conf = 0; age = PATIENCE + 1; uncertain = 0; tripped = 0; off_due = 0; off_ordered = 0;
+  phase = OUT; has_goal = 0; on_seen = 0; had_limit = 0; shut_at_once = 0; conf = 0; age = PATIENCE + 1; uncertain = 0; tripped = 0; off_due = 0; off_ordered = 0;
   suspect = 0; bit_once = 0; off_look = 0; was_on = 0; early = 0; armed = 0;
   if :: remembered -> faults = 1 << FA_released_by_operator :: else -> skip fi;  /* the daemon says so in its first word */
   stiff = 0; known = 0; goal_right = 0; up = 0; fresh = 0; bit_seen = 0; looked = 0; limp_for = 0
@@ -179,7 +180,8 @@ inline deliver() {
      if :: write_on -> s_shut = 0; s_reset = 0; servo_on() :: else -> skip fi;
      if
      :: write_goal ->
-        s_goal_right = goal_right;
+        /* The goal of a joint that is seen to have torque moves on: away from one that has none. */
+        s_goal_right = goal_right && (s_on || phase == PLACED || !on_seen);
         /* The first writes of a goal carry all settings, as do those in which another joint enters: a torque limit
            that is not 0 arms a servo again that has shut itself off. */
         if :: phase == PLACED || rearm -> s_reset = 0; s_shut = 0 :: else -> skip fi;
@@ -198,9 +200,10 @@ inline answer() {
   if
   :: fresh ->
      age = 0; ref_right = 1;
-     looked = look_age >= LOOK || uncertain || !known || phase == PLACED;  /* one in doubt is looked at as soon as it is heard */
+     looked = look_age >= LOOK || uncertain || !known || phase == PLACED || (phase == MOVING && !on_seen);  /* one in doubt is looked at as soon as it is heard */
      if :: looked -> look_age = 0; stiff = s_on; known = 1; reset_seen = s_reset; shut_seen = s_shut;
-        placed_seen = s_placed && !s_reset
+        /* A goal of before may be the one that was placed. */
+        placed_seen = (s_placed || s_goal_right) && !s_reset
      :: else -> look_age++
      fi;
      flicker = s_shut || wire == W_WRONG_BIT
@@ -244,7 +247,7 @@ inline forget_the_dead() {
   if :: phase != PLACED -> s_placed = 0 :: else -> skip fi;
   if :: phase != CONFIRMING -> conf = 0 :: else -> skip fi;
   if :: phase == OUT || phase == CONFIRMING -> goal_right = 0 :: else -> skip fi;
-  if :: phase != MOVING -> armed = 0; early = 0; was_on = 0; off_look = 0 :: else -> skip fi;
+  if :: phase != MOVING -> on_seen = 0; armed = 0; early = 0; was_on = 0; off_look = 0 :: else -> skip fi;
   if :: !board_power -> s_shut = 0; s_reset = 0; s_goal_right = 0; look_age = 0; boot = 0; ref_right = 0 :: else -> skip fi;
   if :: !released -> by_reset = 0 :: else -> skip fi;
   if :: process != RUNNING -> automatic = 0 :: else -> skip fi

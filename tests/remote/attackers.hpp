@@ -16,8 +16,8 @@
 #include <thread>
 #include <vector>
 
+#include "hal/net/socket.hpp"
 #include "remote/protocol/request.hpp"
-#include "remote/server/socket.hpp"
 
 namespace darwinop::remote {
 
@@ -73,8 +73,8 @@ class Attacker {
   }
 
   /// A socket that never waits, and leaves nothing behind when it closes.
-  [[nodiscard]] Socket reach() {
-    Socket socket{::socket(AF_INET, SOCK_STREAM, 0)};
+  [[nodiscard]] net::Socket reach() {
+    net::Socket socket{::socket(AF_INET, SOCK_STREAM, 0)};
     const linger at_once{1, 0};
     (void)setsockopt(socket.descriptor(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
     sockaddr_in name{};
@@ -97,7 +97,7 @@ class Attacker {
 
   /// One connection, for as long as it lasts.
   void pour(const Bytes& bytes, bool reads) {
-    const Socket socket = reach();
+    const net::Socket socket = reach();
     if (!socket.open()) return;
     Bytes replies(65536);
     std::size_t at = 0;
@@ -116,10 +116,10 @@ class Attacker {
 
   void trickle() {
     constexpr std::array<std::uint8_t, 6> kBegin{'W', 0x2f, 0, 'A', 'G', 'C'};
-    std::vector<Socket> sockets(64);
+    std::vector<net::Socket> sockets(64);
     for (std::size_t tick = 0; !stop_; ++tick) {  // of 10 ms; whoever is out tries to come in
       const std::uint8_t byte = kBegin[tick / 100 % kBegin.size()];
-      for (Socket& socket : sockets) {
+      for (net::Socket& socket : sockets) {
         if (!socket.open()) socket = reach();
         if (!socket.open() || tick % 100 != 0) continue;
         if (send(socket.descriptor(), &byte, 1, MSG_NOSIGNAL) == 1)

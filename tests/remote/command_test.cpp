@@ -10,8 +10,8 @@
 #include <fstream>
 #include <thread>
 
-#include "examples.hpp"
-#include "remote/server/socket.hpp"
+#include "hal/net/socket.hpp"
+#include "remote/protocol/examples.hpp"
 #include "support/hex.hpp"
 #include "support/temporary_folder.hpp"
 #include "system/program.hpp"
@@ -35,8 +35,8 @@ class RemoteCommand : public testing::Test {
     const std::string said = server.output();
     return static_cast<std::uint16_t>(std::stoi(said.substr(said.find(ready) + ready.size())));
   }
-  static Socket connectTo(std::uint16_t port) {
-    Socket socket{::socket(AF_INET, SOCK_STREAM, 0)};
+  static net::Socket connectTo(std::uint16_t port) {
+    net::Socket socket{::socket(AF_INET, SOCK_STREAM, 0)};
     sockaddr_in name{};
     name.sin_family = AF_INET;
     name.sin_port = htons(port);
@@ -44,7 +44,7 @@ class RemoteCommand : public testing::Test {
     if (connect(socket.descriptor(), reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0) socket.close();
     return socket;
   }
-  static std::string ask(const Socket& socket, const std::string& request) {
+  static std::string ask(const net::Socket& socket, const std::string& request) {
     const std::vector<std::uint8_t> bytes = fromHex(request);
     EXPECT_EQ(send(socket.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL), bytes.size());
     std::vector<std::uint8_t> reply(4096);
@@ -60,13 +60,13 @@ TEST_F(RemoteCommand, ServesARobotUntilItIsAskedToEnd) {
   Program server = run({});
   const std::uint16_t port = portOf(server);
   {
-    const Socket client = connectTo(port);
+    const net::Socket client = connectTo(port);
     EXPECT_EQ(ask(client, kEmptyRequest), kEmptyReply);
     EXPECT_EQ(ask(client, kInertialRequest).substr(0, 14), "57 00 00 00 1d");
     EXPECT_FALSE(connectTo(port).open()) << "one drives";
   }
   EXPECT_TRUE(server.says("has left", 20s));
-  const Socket next = connectTo(port);
+  const net::Socket next = connectTo(port);
   EXPECT_EQ(ask(next, kEmptyRequest), kEmptyReply);
   server.kill(SIGINT);
   EXPECT_EQ(server.wait(20s), 0) << server.output();
@@ -85,7 +85,7 @@ TEST_F(RemoteCommand, GoesOnWhenNobodyReadsWhatItSays) {
       if (line.starts_with("ready: ")) port = static_cast<std::uint16_t>(std::stoi(line.substr(line.rfind(':') + 1)));
   }
   for (int client = 0; client < 3; ++client) {
-    Socket socket;
+    net::Socket socket;
     for (int i = 0; i < 500 && !socket.open(); ++i) {  // until the one before has left
       socket = connectTo(port);
       if (!socket.open()) std::this_thread::sleep_for(10ms);

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "remote/server/socket.hpp"
+#include "hal/net/socket.hpp"
 #include "runtime/operator.hpp"
 #include "support/temporary_folder.hpp"
 #include "system/program.hpp"
@@ -117,7 +117,7 @@ class SiegeClient {
   }
 
  private:
-  Socket socket_;
+  net::Socket socket_;
 };
 
 }  // namespace darwinop::remote

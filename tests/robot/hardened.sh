@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# hardened.sh BUILD [static]: is every program of that build that is shipped hardened as cmake/Hardening.cmake says?
+# hardened.sh BUILD [static]: is every program of that build that is shipped hardened as tools/cmake/Hardening.cmake says?
 # static: as on a robot, nothing but darwinop-sound asks for a loader.
 set -euo pipefail
 build=$1 kind=${2:-}
@@ -29,11 +29,11 @@ done
 [ $programs -ge 10 ] || complain "$build/bin" "only $programs programs are there; build robot_programs, or all"
 
 # The C library's own checked calls are in every static program: our code has to ask for them itself.
-for room in runtime hal_cm730 settings; do
+for room in runtime hal_cm730 core_text; do
   undefined=$(nm -u "$build/lib/lib$room.a" 2>/dev/null)
   grep -q '__stack_chk_fail' <<<"$undefined" || complain "lib$room.a" "compiled without -fstack-protector-strong"
 done
-undefined=$(nm -u "$build/lib/libruntime.a" "$build/lib/liblink.a" 2>/dev/null)
+undefined=$(nm -u "$build/lib/libruntime.a" "$build/lib/libconnect.a" 2>/dev/null)
 grep -q '_chk$' <<<"$undefined" || complain libruntime.a "compiled without FORTIFY"
 
 [ $failed = 0 ] || exit 1

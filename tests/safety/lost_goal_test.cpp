@@ -1,10 +1,12 @@
-// Takeovers whose goals are lost on the wire. Judged at the servo: its torque comes on only with the goal where it is.
+// Takeovers whose writes are lost on the wire. Judged at the servo: its torque comes on only with the goal where it is.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
+#include "core/conversions.hpp"
 #include "core/registers.hpp"
 #include "safety/wire_rig.hpp"
 
@@ -14,15 +16,17 @@ namespace {
 constexpr Joint kArm = Joint::kShoulderR;
 constexpr double kWasAt = 1.5, kIsAt = -1.2;  // rad
 
-/// Loses SyncWrites with goals; what else is sent gets through.
+/// Loses SyncWrites; what else is sent gets through.
 class LossyLine final : public ByteLine {
  public:
   explicit LossyLine(ByteLine& inner) : inner_{inner} {}
   int goals_to_lose = 0;
+  std::uint32_t writes_to_lose = 0;  // bit 0: the next SyncWrite, bit 1: the one after it, ...
 
   [[nodiscard]] Nanos now() noexcept override { return inner_.now(); }
   LineStatus write(std::span<const std::uint8_t> bytes) noexcept override {
     const bool sync_write = bytes[4] == static_cast<std::uint8_t>(Instruction::kSyncWrite);
+    if (sync_write && (std::exchange(writes_to_lose, writes_to_lose / 2) & 1) != 0) return LineStatus::kOk;
     const bool goals = sync_write && bytes[5] != servo::kTorqueEnable;
     if (!goals || goals_to_lose == 0) return inner_.write(bytes);
     --goals_to_lose;
@@ -38,23 +42,25 @@ class LossyLine final : public ByteLine {
   ByteLine& inner_;
 };
 
-/// An arm is limp and is moved by hand; its servo still has the goal of before. It is asked to stay where it is.
-struct LimpArm {
-  explicit LimpArm(Nanos loop_period = WireRig::kPeriod) : period{loop_period} {
+/// An arm is limp and is moved by hand; its servo still has the goal of before.
+struct LimpArm final : private hil::ServoObserver {
+  explicit LimpArm(Nanos loop_period = WireRig::kPeriod, double is_at = kIsAt) : period{loop_period} {
+    robot.board().observe(this);
     commands.session = 1;
     commands.start_where_it_is = true;
     ask(kWasAt, true);
     run(300);
     ask(kWasAt, false);
     run(50);
-    body.place(kArm, kIsAt);
+    body.place(kArm, is_at);
     run(50);
-    fastest = 0;
+    fastest = furthest = 0;
   }
   void ask(double goal, bool torque) {
     commands.joint[index(kArm)] = {};
     commands.joint[index(kArm)].setGoal(Rad{goal});
     commands.joint[index(kArm)].setTorque(torque);
+    commands.joint[index(kArm)].setSpeedLimit(RadPerSec{1.1});
   }
   void run(int cycles) {
     for (int i = 0; i < cycles; ++i) {
@@ -78,7 +84,17 @@ struct LimpArm {
   runtime::Cycle loop{bus, guard, period};
   Commands commands{};
   Nanos release{0};
-  double fastest = 0;  // rad/s
+  double fastest = 0;   // rad/s
+  double furthest = 0;  // rad: goal and joint when torque came on
+
+ private:
+  void written(Joint joint, std::uint8_t /*address*/, Bytes /*data*/, const hil::ServoState& before,
+               const hil::ServoState& after) noexcept override {
+    if (joint != kArm || before.pulls() || !after.pulls()) return;
+    furthest =
+        std::max(furthest, std::abs(radFromTicks(after.goal).value - body.state().joint[index(kArm)].position_rad));
+  }
+  void changed(Joint, hil::ServoEvent, const hil::ServoState&, const hil::ServoState&) noexcept override {}
 };
 
 class LostGoals : public ::testing::TestWithParam<int> {};
@@ -95,6 +111,25 @@ TEST_P(LostGoals, LeaveTheJointLimpUntilOneHasArrived) {
   EXPECT_LT(arm.fastest, 0.3) << "asked to stay where it is";
   EXPECT_TRUE(arm.servo().pulls()) << "and held there in the end";
   EXPECT_NEAR(arm.body.state().joint[index(kArm)].position_rad, kIsAt, 0.02);
+}
+
+/// An arm that was not moved, and was driven slowly, still has the goal and the speed limit that it is taken over with:
+/// that they are seen proves nothing.
+TEST(LostGoals, WhicheverOfTheFirstWritesAreLostTorqueComesOnWhereTheJointIs) {
+  constexpr double kElsewhere = 0.7, kNear = 9 * kRadPerTick;  // rad
+  for (const double is_at : {kIsAt, kWasAt}) {
+    for (std::uint32_t lost = 0; lost < 128; ++lost) {
+      LimpArm arm{WireRig::kPeriod, is_at};
+      arm.ask(kElsewhere, true);  // it moves off as soon as it is driven
+      arm.line.writes_to_lose = lost;
+      arm.run(150);
+      ASSERT_LE(arm.furthest, kNear) << "lost writes, a bit each: " << lost;
+      ASSERT_TRUE(arm.servo().pulls()) << lost;
+      EXPECT_LT(std::abs(arm.body.state().joint[index(kArm)].position_rad - kElsewhere),
+                std::abs(is_at - kElsewhere) / 2)
+          << lost;
+    }
+  }
 }
 
 TEST(LostGoals, InALoopOfEightMillisecondsAllJointsAreTakenOverFourAtATime) {

@@ -10,9 +10,9 @@
 #include <fstream>
 #include <iostream>
 
+#include "connect/connect.hpp"
 #include "core/conversions.hpp"
 #include "core/packet.hpp"
-#include "link/connect.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop {
@@ -26,11 +26,11 @@ constexpr std::size_t kNeck = index(Joint::kNeck);
 class Driven {
  public:
   explicit Driven(const std::string& setting, const std::string& record_path = "") {
-    link::Request request;
+    connect::Request request;
     request.setting = setting;
     request.record_path = record_path;
     request.safety.on_exit = safety::OnExit::kLimp;  // the soonest end
-    link_ = link::connect(request);
+    link_ = connect::connect(request);
   }
   /// One cycle in which nobody drives.
   void look() { EXPECT_TRUE(link_->waitForCycle(++cycle_, stop_)); }

@@ -8,9 +8,9 @@
 #include <webots/Motor.hpp>
 #include <webots/utils/Motion.hpp>
 
+#include "core/lead_in.hpp"
 #include "fixture.hpp"
 #include "support/temporary_folder.hpp"
-#include "webots/lead_in.hpp"
 #include "webots/motion_text.hpp"
 
 namespace darwinop::facade {

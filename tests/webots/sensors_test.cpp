@@ -6,8 +6,8 @@
 #include <webots/Gyro.hpp>
 #include <webots/TouchSensor.hpp>
 
+#include "core/counts.hpp"
 #include "fixture.hpp"
-#include "webots/counts.hpp"
 
 namespace darwinop::facade {
 namespace {

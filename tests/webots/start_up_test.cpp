@@ -12,18 +12,18 @@
 #include <stdexcept>
 #include <thread>
 
+#include "connect/connect.hpp"
+#include "connect/eyes.hpp"
+#include "connect/keys.hpp"
 #include "fixture.hpp"
-#include "link/connect.hpp"
-#include "link/eyes.hpp"
-#include "link/keys.hpp"
 #include "webots/stop_signals.hpp"
 
 namespace {
 darwinop::facade::FakeRobot* robot_to_meet = nullptr;
-darwinop::link::Request request_seen;
+darwinop::connect::Request request_seen;
 }  // namespace
 
-namespace darwinop::link {
+namespace darwinop::connect {
 std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
   request_seen = request;
   if (!robot_to_meet) throw std::runtime_error("no robot at " + request.setting + ": switch it on");
@@ -36,7 +36,7 @@ std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& /*robot*/, const EyesR
 std::unique_ptr<KeySource> openKeys(KeysRequest /*request*/, const std::atomic<bool>& /*ending*/) {
   return nullptr;
 }
-}  // namespace darwinop::link
+}  // namespace darwinop::connect
 
 namespace darwinop::facade {
 namespace {

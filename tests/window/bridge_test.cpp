@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "remote/web/server.hpp"
+#include "hal/net/web/server.hpp"
 
 namespace darwinop {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "managers/own_pages/own_pages.hpp"
+#include "managers/motion/pages/own_pages.hpp"
 #include "remote/protocol/units.hpp"
 
 namespace darwinop {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "settings/text_file.hpp"
+#include "hal/text_file.hpp"
 #include "twin/body/mujoco_guard.hpp"
 #include "twin/body/trunk.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 constexpr double kStepsOfFriction = 2;  // shortest time constant that MuJoCo takes for a friction, in steps
 
 std::string readText(const std::string& path) {
-  const std::optional<std::string> text = settings::readTextFile(path);
+  const std::optional<std::string> text = readTextFile(path);
   if (!text)
     throw std::runtime_error{path +
                              ": the body file cannot be read; `xml` in section [body] of the model names it, "

@@ -12,7 +12,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "accel",
               .unit = "rad/s2",
-              .meaning = "fastest change of the speed of the set point; 10000: no limit",
+              .meaning = "greatest set point acceleration",
               .low = 5,
               .high = 10000,
               .neutral = 10000,
@@ -36,17 +36,14 @@ class AccelLimit final : public EffectOf<kAccelLimit, kParameters.size()> {
 
 const EffectInfo kAccelLimit{
     .id = "accel_limit",
-    .title = "limit of the acceleration",
+    .title = "acceleration limit",
     .place = Place::kCommand,
     .equation = "|d2 set_point/dt2| <= accel; law speed_p: |dw/dt| <= accel",
-    .signature =
-        "Round starts and stops after large steps, nothing on slow moves; error grows with the number of reversals.",
+    .signature = "Rounded start and stop of large steps; the error grows with the number of reversals.",
     .separated_by =
-        "Steps of three sizes, load away from its limit: time grows with the root of the size (speed_limit: with the "
-        "size).",
-    .source =
-        "2013 thesis 5.3.1: 55 rad/s2 brings simulated and measured speed tests together; upper end widened until "
-        "nothing is limited",
+        "Steps of three sizes, load below its limit: the duration grows with the square root of the size (speed_limit: "
+        "in proportion).",
+    .source = "2013 thesis 5.3.1: 55 rad/s2; upper end widened until nothing is limited",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<AccelLimit>,

@@ -33,15 +33,14 @@ class Backlash final : public EffectOf<kBacklash, kParameters.size()> {
 
 const EffectInfo kBacklash{
     .id = "backlash",
-    .title = "play in the gears",
+    .title = "gear backlash",
     .place = Place::kTransmission,
     .equation = "no torque between gears and horn while |q_gears - q_horn| < play / 2",
-    .signature =
-        "Moves freely where the load changes its sign, hunts around there; the first swing after a release is odd.",
+    .signature = "Free motion and hunting where the load changes sign; an irregular first swing after a release.",
     .separated_by =
-        "Hold at three angles where gravity pulls one way, not at all, the other way; a small sine around hanging "
-        "against one at 60 degrees.",
-    .source = "MX-28: gear play of 20 arc minutes; simulator model of the OP2: 0.01 rad; range assumed",
+        "Hold where gravity pulls one way, not at all, and the other way; compare a small sine around hanging with one "
+        "at 60 degrees.",
+    .source = "MX-28: 20 arcmin; simulator model of the OP2: 0.01 rad; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<Backlash>,

@@ -10,14 +10,14 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "mass",
               .unit = "",
-              .meaning = "share by which the mass is larger",
+              .meaning = "relative change of the mass",
               .low = -0.4,
               .high = 0.4,
               .neutral = 0,
               .typical = 0.08},
     Parameter{.key = "shift",
               .unit = "m",
-              .meaning = "how much further out the centre of mass is",
+              .meaning = "distance of the centre of mass outwards",
               .low = -0.05,
               .high = 0.05,
               .neutral = 0,
@@ -41,13 +41,13 @@ class ComMass final : public EffectOf<kComMass, kParameters.size()> {
 
 const EffectInfo kComMass{
     .id = "com_mass",
-    .title = "mass of the load off",
+    .title = "load mass error",
     .place = Place::kLoad,
     .equation = "m = m (1 + mass); L = L + shift",
-    .signature = "Stops short by an amount that goes with the sine of the angle; the swing has another period.",
+    .signature = "Stops short in proportion to the sine of the angle; the swing period differs.",
     .separated_by =
-        "Holds at +90 and -90 degrees (an offset of the zero shows as a difference), and the swing period with a known "
-        "extra mass. Only inertia against gravity tells mass from distance.",
+        "Holds at +90 and -90 degrees (a zero error shows as a difference); swing period with a known extra mass. Only "
+        "inertia against gravity separates mass from distance.",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

@@ -37,12 +37,12 @@ const EffectInfo kCoulomb{
     .place = Place::kFriction,
     .equation = "F += friction",
     .signature =
-        "Stops short of the goal on the side it comes from; a released swing dies linearly and may come to rest "
-        "away from the lowest point.",
+        "Stops short of the goal on the side it comes from; a released swing decays linearly and may rest away from "
+        "the lowest point.",
     .separated_by =
-        "Slow triangle both ways at two P gains: for friction, offset times gain is constant. A swing with "
-        "torque off shows it without any controller.",
-    .source = "2013 thesis 5.3.2: 0.025 N m, together with viscous friction of 0.002 N m s/rad",
+        "Slow triangle both ways at two P gains: for friction, offset times gain is constant. A swing with torque off "
+        "shows it without the controller.",
+    .source = "2013 thesis 5.3.2: 0.025 N m, with viscous friction of 0.002 N m s/rad",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<Coulomb>,

@@ -50,13 +50,13 @@ class Deadband final : public EffectOf<kDeadband, kParameters.size()> {
 
 const EffectInfo kDeadband{
     .id = "deadband",
-    .title = "dead band of the controller",
+    .title = "dead band",
     .place = Place::kController,
     .equation = "u = 0 if |e| <= width; else K P (e - width sign e) + punch sign e",
-    .signature = "Load exactly 0 while the error is not; stops anywhere within the band.",
+    .signature = "Load exactly 0 while the error is not; the joint stops anywhere within the band.",
     .separated_by =
-        "Plot load against error: the flat piece around 0 is the band. Friction and play leave that line straight.",
-    .source = "Compliance margin and punch of this servo family's older registers; range assumed",
+        "Plot load against error: the flat piece around 0 is the band. Friction and backlash leave it straight.",
+    .source = "Compliance margin and punch of this family's older registers; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<Deadband>,

@@ -33,13 +33,14 @@ class Derivative final : public EffectOf<kDerivative, kParameters.size()> {
 
 const EffectInfo kDerivative{
     .id = "derivative",
-    .title = "derivative part of the controller",
+    .title = "derivative gain (D)",
     .place = Place::kController,
     .equation = "u += 8 K gain de/dt",
     .signature =
-        "Damped steps, a spike of the load when the goal jumps, rough load on a smooth move (it sees single encoder "
-        "steps).",
-    .separated_by = "Torque-off swing against a powered one: damping by the controller is gone with the torque.",
+        "Damped steps, a load spike when the goal jumps, rough load in a smooth move (single encoder steps are "
+        "amplified).",
+    .separated_by =
+        "Swing with torque off against a powered one: damping by the controller disappears with the torque.",
     .source = "MX-28 manual, registers 26 to 28",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

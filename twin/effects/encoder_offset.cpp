@@ -33,13 +33,13 @@ class EncoderOffset final : public EffectOf<kEncoderOffset, kParameters.size()> 
 
 const EffectInfo kEncoderOffset{
     .id = "encoder_offset",
-    .title = "zero of the encoder off",
+    .title = "encoder zero error",
     .place = Place::kLoad,
     .equation = "te(q) = te(q - offset)",
     .signature = "Rests away from 0 after a release; stops short by different amounts left and right.",
     .separated_by =
-        "Turn the base by 180 degrees or weigh the arm: on one link, tilt and lateral mass have the same equation.",
-    .source = "Range assumed; a horn that slips by one tooth is far outside it",
+        "Turn the base by 180 degrees or weigh the arm: for one link, tilt and lateral mass have the same equation.",
+    .source = "Range assumed; a horn slipped by one tooth is far outside it",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<EncoderOffset>,

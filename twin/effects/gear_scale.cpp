@@ -10,7 +10,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "scale",
               .unit = "",
-              .meaning = "angle reached per angle asked for",
+              .meaning = "angle reached per angle commanded",
               .low = 0.85,
               .high = 1.15,
               .neutral = 1,
@@ -32,13 +32,12 @@ class GearScale final : public EffectOf<kGearScale, kParameters.size()> {
 
 const EffectInfo kGearScale{
     .id = "gear_scale",
-    .title = "scale of the goal",
+    .title = "goal scale error",
     .place = Place::kController,
     .equation = "goal = scale * goal",
-    .signature = "Error in proportion to the goal, at rest and without load too, at every P gain.",
+    .signature = "Error proportional to the goal, at every P gain, also at rest without load.",
     .separated_by =
-        "Hold at +1 and -1 rad without load: a scale errs outward or inward on both sides, an offset the same way on "
-        "both.",
+        "Hold at +1 and -1 rad without load: a scale error has opposite signs on the two sides, an offset the same.",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

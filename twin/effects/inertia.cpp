@@ -30,12 +30,12 @@ class Inertia final : public EffectOf<kInertia, kParameters.size()> {
 
 const EffectInfo kInertia{
     .id = "inertia",
-    .title = "inertia of rotor and gears off",
+    .title = "rotor and gear inertia error",
     .place = Place::kLoad,
     .equation = "J = J + change",
-    .signature = "Fast motion only: first 100 ms of a step, amplitude of a chirp above 2 Hz.",
-    .separated_by = "Chirp with payload and without: the armature weighs more, the less the arm does.",
-    .source = "Half of the 0.003 kg m2 that benches of this servo family find, either way",
+    .signature = "Fast motion only: the first 100 ms of a step, the amplitude of a chirp above 2 Hz.",
+    .separated_by = "Chirp with and without payload: the armature matters more when the arm is light.",
+    .source = "Half of the 0.003 kg m2 found on benches of this servo family",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<Inertia>,

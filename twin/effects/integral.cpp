@@ -33,12 +33,12 @@ class Integral final : public EffectOf<kIntegral, kParameters.size()> {
 
 const EffectInfo kIntegral{
     .id = "integral",
-    .title = "integral part of the controller",
+    .title = "integral gain (I)",
     .place = Place::kController,
     .equation = "u += 8 K gain integral(e dt), held within the limit of the duty",
-    .signature = "What is missing at the end of a move under load creeps to 0; overshoot after long errors.",
+    .signature = "The remaining error under load creeps to 0; overshoot after long errors.",
     .separated_by =
-        "Hold for 5 s under load: the error decays for an integral part and stays for friction or a low P gain.",
+        "Hold for 5 s under load: the error decays with an integral gain and stays with friction or a low P gain.",
     .source = "MX-28 manual, registers 26 to 28",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

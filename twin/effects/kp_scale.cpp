@@ -10,7 +10,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "scale",
               .unit = "",
-              .meaning = "real gain per gain of the register",
+              .meaning = "real gain over register gain",
               .low = 0.2,
               .high = 4,
               .neutral = 1,
@@ -34,13 +34,12 @@ class KpScale final : public EffectOf<kKpScale, kParameters.size()> {
 
 const EffectInfo kKpScale{
     .id = "kp_scale",
-    .title = "scale of the P gain",
+    .title = "P gain scale error",
     .place = Place::kController,
     .equation = "u = scale K P e",
-    .signature = "Stops short by another amount than the model, by the same factor at every load.",
-    .separated_by =
-        "Slope of the load against the error, from the log alone: the controller block shows it without any mechanics.",
-    .source = "Range assumed; benches of this servo family find other gains than the manual",
+    .signature = "Stops short by another amount than the model, with the same factor at every load.",
+    .separated_by = "The slope of load against error shows it from the log alone, without any mechanics.",
+    .source = "Range assumed; benches of this servo family differ from the manual",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<KpScale>,

@@ -10,14 +10,14 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "change",
               .unit = "",
-              .meaning = "share by which torque constant and back EMF are larger",
+              .meaning = "relative change of torque constant and back EMF",
               .low = -0.1,
               .high = 0.1,
               .neutral = 0,
               .typical = 0.05},
     Parameter{.key = "back_emf",
               .unit = "",
-              .meaning = "share by which the back EMF alone is larger, on top",
+              .meaning = "further relative change of the back EMF alone",
               .low = -0.2,
               .high = 0.2,
               .neutral = 0,
@@ -42,12 +42,12 @@ class KtError final : public EffectOf<kKtError, kParameters.size()> {
 
 const EffectInfo kKtError{
     .id = "kt_error",
-    .title = "torque constant off",
+    .title = "torque constant error",
     .place = Place::kMotor,
     .equation = "kt = kt (1 + change); ke = ke (1 + change) (1 + back_emf)",
-    .signature = "Error in proportion to speed, only with torque on; another top speed.",
+    .signature = "Error proportional to speed, only with torque on; a different top speed.",
     .separated_by =
-        "Torque-off swing against powered motion at constant speed: back EMF brakes only with the bridge on.",
+        "Swing with torque off against powered motion at constant speed: back EMF brakes only with the bridge on.",
     .source = "Magnets differ by some per cent between units; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

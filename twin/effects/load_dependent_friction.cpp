@@ -36,15 +36,14 @@ class LoadDependentFriction final : public EffectOf<kLoadDependentFriction, kPar
 
 const EffectInfo kLoadDependentFriction{
     .id = "load_dependent_friction",
-    .title = "friction that grows with load",
+    .title = "load-dependent friction",
     .place = Place::kFriction,
     .equation = "F += share |tm - te|",
-    .signature = "Stops short by an amount that grows with the payload, on the side it comes from.",
+    .signature = "Stops short on the side it comes from, by an amount that grows with the payload.",
     .separated_by =
-        "The same trajectory at three payloads: dry friction stays, this one grows. One payload alone cannot tell.",
-    .source =
-        "After the friction models of Rhoban's BAM; range assumed. A joint that holds a load of 1 N m has 2 N m "
-        "between motor and load.",
+        "The same trajectory at three payloads: dry friction stays constant, this one grows. One payload is not "
+        "enough.",
+    .source = "Rhoban's BAM; range assumed. Holding 1 N m puts 2 N m between motor and load.",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<LoadDependentFriction>,

@@ -37,14 +37,11 @@ const EffectInfo kPOnTorque{
     .title = "P acts on torque",
     .place = Place::kController,
     .equation = "u = K P e and tm = kt (u V - ke w) / R, in place of a speed in proportion to P e",
-    .signature =
-        "A loaded joint stops short of the goal, by an amount in proportion to load over P; at small P it never "
-        "arrives.",
+    .signature = "A loaded joint stops short by an amount proportional to load over P; at small P it never arrives.",
     .separated_by =
-        "Step with payload at three P gains: what is missing at the end, times P, is constant for this law. Held for 5 "
-        "s it stays (integral: it creeps away).",
-    .source =
-        "2013 thesis 5.3.3: P acts on torque in the robot and on velocity in the simulator; MX-28 manual, register 28",
+        "Step with payload at three P gains: final error times P is constant, and stays when held for 5 s (with "
+        "integral it decays).",
+    .source = "2013 thesis 5.3.3; MX-28 manual, register 28",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<POnTorque>,

@@ -10,7 +10,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "change",
               .unit = "",
-              .meaning = "share by which the resistance is larger",
+              .meaning = "relative change of the resistance",
               .low = -0.15,
               .high = 0.15,
               .neutral = 0,
@@ -32,12 +32,11 @@ class ResistanceError final : public EffectOf<kResistanceError, kParameters.size
 
 const EffectInfo kResistanceError{
     .id = "resistance_error",
-    .title = "resistance of the winding off",
+    .title = "winding resistance error",
     .place = Place::kMotor,
     .equation = "R = R (1 + change)",
-    .signature = "Every torque of the motor scales; a load needs another duty than the model says.",
-    .separated_by =
-        "Hold a known payload and read the load; then again with the servo warm (copper: 0.39 % per kelvin).",
+    .signature = "All motor torque scales; a load needs a different duty than the model predicts.",
+    .separated_by = "Hold a known payload and read the load; repeat with the servo warm (copper: 0.39 % per kelvin).",
     .source = "Stall current 1.4 A at 12 V includes cables and bridge; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "speed",
               .unit = "rad/s",
-              .meaning = "fastest motion of the set point; 200: no limit",
+              .meaning = "greatest set point speed",
               .low = 0.5,
               .high = 200,
               .neutral = 200,
@@ -36,14 +36,14 @@ class SpeedLimit final : public EffectOf<kSpeedLimit, kParameters.size()> {
 
 const EffectInfo kSpeedLimit{
     .id = "speed_limit",
-    .title = "limit of the speed",
+    .title = "speed limit",
     .place = Place::kCommand,
     .equation = "|d set_point/dt| <= speed; law speed_p: |w| <= speed",
-    .signature = "After large steps straight ramps of one slope; slower moves are as before.",
+    .signature = "Straight ramps of one slope after large steps; slower moves unchanged.",
     .separated_by =
-        "Long step at two supply voltages: a limit keeps its slope, a motor at its no-load speed does not. Time grows "
-        "with the size of the step (accel_limit: with its root).",
-    .source = "MX-28 manual, register 32, 0.114 rpm a unit; range assumed, upper end widened until nothing is limited",
+        "Long step at two supply voltages: a limit keeps its slope, no-load speed does not. The duration grows in "
+        "proportion to the step (accel_limit: with its square root).",
+    .source = "MX-28 manual, register 32; range assumed, upper end widened until nothing is limited",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<SpeedLimit>,

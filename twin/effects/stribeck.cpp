@@ -12,7 +12,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "friction",
               .unit = "N m",
-              .meaning = "what comes on top at rest",
+              .meaning = "extra friction at rest",
               .low = 0,
               .high = 0.3,
               .neutral = 0,
@@ -52,12 +52,11 @@ class Stribeck final : public EffectOf<kStribeck, kParameters.size()> {
 
 const EffectInfo kStribeck{
     .id = "stribeck",
-    .title = "extra friction at low speed",
+    .title = "Stribeck friction at low speed",
     .place = Place::kFriction,
     .equation = "F += friction exp(-(|w| / speed)^exponent)",
-    .signature = "Sticks and slips on slow moves, nothing on fast ones.",
-    .separated_by =
-        "Triangle at 0.05, 0.2 and 1 rad/s: the extra friction fades from one to the next, dry friction does not.",
+    .signature = "Stick-slip in slow moves, no change in fast ones.",
+    .separated_by = "Triangle at 0.05, 0.2 and 1 rad/s: the extra friction fades with speed, dry friction does not.",
     .source = "Stribeck curve; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

@@ -49,13 +49,13 @@ class SupplySag final : public EffectOf<kSupplySag, kParameters.size()> {
 
 const EffectInfo kSupplySag{
     .id = "supply_sag",
-    .title = "supply that sags",
+    .title = "supply voltage sag",
     .place = Place::kSupply,
     .equation = "V = V0 - resistance u i - droop t",
     .signature =
-        "The voltage dips with the square of the load; top speed and torque fall with it, at the same reported load.",
+        "The voltage dips with the square of the load; top speed and torque fall with it at the same reported load.",
     .separated_by = "Log the voltage; make the same move without payload and with the largest.",
-    .source = "The bridge draws duty times motor current from its supply; range assumed",
+    .source = "The bridge draws duty times motor current; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<SupplySag>,

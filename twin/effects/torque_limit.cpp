@@ -10,16 +10,11 @@ extern const EffectInfo kTorqueLimit;
 namespace {
 
 constexpr std::array kParameters{
-    Parameter{.key = "duty",
-              .unit = "",
-              .meaning = "greatest duty; 1: no limit",
-              .low = 0.15,
-              .high = 1,
-              .neutral = 1,
-              .typical = 0.6},
+    Parameter{
+        .key = "duty", .unit = "", .meaning = "greatest duty", .low = 0.15, .high = 1, .neutral = 1, .typical = 0.6},
     Parameter{.key = "torque",
               .unit = "N m",
-              .meaning = "greatest torque of the motor; 10: no limit",
+              .meaning = "greatest torque of the motor",
               .low = 0.2,
               .high = 10,
               .neutral = 10,
@@ -47,14 +42,13 @@ class TorqueLimit final : public EffectOf<kTorqueLimit, kParameters.size()> {
 
 const EffectInfo kTorqueLimit{
     .id = "torque_limit",
-    .title = "limit of the torque",
+    .title = "torque limit",
     .place = Place::kController,
     .equation = "|u| <= duty and |tm| <= torque",
-    .signature = "Load flat at a value below 100 % (duty), or flat torque at any speed; lifts fail at high payload.",
+    .signature = "Load flat at a value below 100 % (duty), or torque flat at any speed; lifts fail at high payload.",
     .separated_by =
-        "Step with payload, and read the load: a limit is a straight line in it, a sagging supply is "
-        "not. Lift slowly with more and more payload: a limit stops at one torque, a loss with the square "
-        "of the load grows all the way.",
+        "Step with payload: a limit is a straight line in the load, a sagging supply is not. Lift slowly with growing "
+        "payload: a limit stops at one torque, quadratic friction keeps growing.",
     .source = "MX-28 manual, register 34; stall torque 2.5 N m at 12 V; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,

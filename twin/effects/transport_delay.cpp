@@ -13,7 +13,7 @@ namespace {
 constexpr std::array kParameters{
     Parameter{.key = "delay",
               .unit = "s",
-              .meaning = "how much later a goal acts",
+              .meaning = "time until a goal acts",
               .low = 0,
               .high = 0.08,
               .neutral = 0,
@@ -21,7 +21,7 @@ constexpr std::array kParameters{
               .logarithmic = true},
     Parameter{.key = "reading",
               .unit = "s",
-              .meaning = "age of the position that the controller sees",
+              .meaning = "age of the position that the controller reads",
               .low = 0,
               .high = 0.02,
               .neutral = 0,
@@ -76,16 +76,16 @@ class TransportDelay final : public EffectOf<kTransportDelay, kParameters.size()
 
 const EffectInfo kTransportDelay{
     .id = "transport_delay",
-    .title = "delay of the commands",
+    .title = "command delay",
     .place = Place::kCommand,
     .equation = "goal(t) = goal sent at t - delay; measured(t) = measured at t - reading",
     .signature =
-        "Error in proportion to the speed of the goal, with its sign and at every P gain; dead time after a step. "
-        "Below one host period the controller block does not show it.",
+        "Error proportional to goal speed, with its sign, at every P gain; dead time after a step. Below one host "
+        "period the controller block does not show it.",
     .separated_by =
-        "Chirp: the lag in phase grows linearly with frequency. Step: first reaction comes late, then with full "
+        "Chirp: the phase lag grows linearly with frequency. Step: the reaction starts late, then with full "
         "acceleration.",
-    .source = "A write takes about 1 ms on the bus and up to a host period of 16 ms to be sent; range assumed",
+    .source = "Writing takes about 1 ms, waiting for the host up to 16 ms; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<TransportDelay>,

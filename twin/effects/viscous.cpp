@@ -36,10 +36,9 @@ const EffectInfo kViscous{
     .title = "viscous friction",
     .place = Place::kFriction,
     .equation = "F += damping |w|",
-    .signature =
-        "Error in proportion to speed; the swings of a released arm die exponentially, each by the same factor.",
-    .separated_by = "Torque-off swing (no back EMF there) against powered motion at constant speed.",
-    .source = "2013 thesis 5.3.2: 0.002 N m s/rad, together with dry friction of 0.025 N m",
+    .signature = "Error proportional to speed; a released swing decays exponentially.",
+    .separated_by = "Swing with torque off (no back EMF) against powered motion at constant speed.",
+    .source = "2013 thesis 5.3.2: 0.002 N m s/rad, with dry friction of 0.025 N m",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
     .make = makeEffect<Viscous>,

@@ -3,8 +3,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "core/number_text.hpp"
-#include "settings/ini_lines.hpp"
+#include "core/text/ini_lines.hpp"
+#include "core/text/number_text.hpp"
 #include "twin/model/section_text.hpp"
 
 namespace darwinop::twin {
@@ -22,7 +22,7 @@ class Page {
 
   explicit Page(std::string_view text) {
     parseModel(text, kFile);  // what is not sound is not edited
-    settings::IniLines contents{text};
+    text::IniLines contents{text};
     std::array<char, 4096> content{};
     while (contents.next(content.data(), content.size()) != nullptr) {
       const std::string_view raw = text.substr(0, std::min(text.find('\n'), text.size() - 1) + 1);
@@ -74,7 +74,7 @@ class Page {
   }
 
  private:
-  [[nodiscard]] bool isBlank(std::size_t line) const { return withoutBlanks(lines_[line]).empty(); }
+  [[nodiscard]] bool isBlank(std::size_t line) const { return text::withoutBlanks(lines_[line]).empty(); }
   [[nodiscard]] bool isComment(std::size_t line) const { return contents_[line].empty() && !isBlank(line); }
   [[nodiscard]] std::string lineEnd() const { return crlf_ ? "\r\n" : "\n"; }
   [[nodiscard]] std::vector<std::string>::iterator at(std::size_t line) {

@@ -40,7 +40,7 @@ std::string writeValue(const Model& model, const KeyRow& row);
 
 /// For people: "0.1 to 10 N m/A", "voltage_p or speed_p".
 std::string allowed(const KeyRow& row);
-/// The table in Markdown, a part a section.
+/// All keys with their defaults in Markdown, one list per section.
 std::string keysAsMarkdown();
 
 }  // namespace darwinop::twin

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <vector>
 
-#include "settings/safety_sections.hpp"
+#include "core/text/letter_case.hpp"
 
 namespace darwinop::twin {
 namespace {
@@ -29,11 +29,11 @@ std::size_t distance(std::string_view a, std::string_view b) {
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> known) {
   constexpr std::size_t kLongest = 40;  // nobody mistypes more than that
   if (word.size() > kLongest) return std::nullopt;
-  const std::string low = settings::lowered(word);
+  const std::string low = text::lowered(word);
   std::optional<std::string_view> best;
   std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string_view candidate : known) {
-    const std::size_t away = distance(low, settings::lowered(candidate));
+    const std::size_t away = distance(low, text::lowered(candidate));
     if (away >= least || away >= candidate.size()) continue;
     least = away;
     best = candidate;

@@ -6,9 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/number_text.hpp"
+#include "core/text/letter_case.hpp"
+#include "core/text/number_text.hpp"
 #include "core/units.hpp"
-#include "settings/safety_sections.hpp"
 
 namespace darwinop::twin {
 namespace {
@@ -79,7 +79,7 @@ std::string withUnit(std::string number, std::string_view unit) {
 /// With one blank where there were several.
 std::string squeezed(std::string_view text) {
   std::string out;
-  for (const char c : withoutBlanks(text)) {
+  for (const char c : text::withoutBlanks(text)) {
     const bool blank = c == ' ' || c == '\t';
     if (!blank || out.back() != ' ') out += blank ? ' ' : c;
   }
@@ -91,7 +91,7 @@ std::string lettersOf(std::string_view unit) {
   std::string out;
   for (const char c : unit)
     if (kBetween.find(c) == kBetween.npos) out += c;
-  return settings::lowered(out);
+  return text::lowered(out);
 }
 
 [[noreturn]] void refuseUnit(double value, const std::string& unit, const NumberRule& rule) {
@@ -135,8 +135,8 @@ std::string allowed(const NumberRule& rule) {
 }
 
 double readNumber(std::string_view text, const NumberRule& rule) {
-  text = withoutBlanks(text);
-  if (settings::lowered(text) == kNone) {
+  text = text::withoutBlanks(text);
+  if (text::lowered(text) == kNone) {
     if (rule.may_be_none) return kInfinity;
     refuse("this is no limit that can be left open; give " + allowed(rule));
   }
@@ -158,8 +158,8 @@ double readNumber(std::string_view text, const NumberRule& rule) {
 std::array<double, 3> readAxes(std::string_view text, const NumberRule& rule) {
   const auto first = text.find(','), second = first == text.npos ? text.npos : text.find(',', first + 1);
   if (second != text.npos && text.find(',', second + 1) == text.npos) {
-    const auto x = numberFromText(text.substr(0, first));
-    const auto y = numberFromText(text.substr(first + 1, second - first - 1));
+    const auto x = text::numberFromText(text.substr(0, first));
+    const auto y = text::numberFromText(text.substr(first + 1, second - first - 1));
     if (x && y) {
       const double z = readNumber(text.substr(second + 1), rule);
       for (const double value : {*x, *y}) checkRange(value, rule);

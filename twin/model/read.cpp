@@ -6,9 +6,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "settings/ini_text.hpp"
-#include "settings/safety_sections.hpp"
-#include "settings/text_file.hpp"
+#include "core/text/ini_text.hpp"
+#include "core/text/letter_case.hpp"
+#include "hal/text_file.hpp"
 #include "twin/model/keys.hpp"
 #include "twin/model/nearest.hpp"
 #include "twin/model/sections.hpp"
@@ -23,12 +23,12 @@ std::string first(int line) {
   return " is there a second time, the first is in line " + std::to_string(line) + "; keep one of the two";
 }
 
-class Reader final : public settings::IniReader {
+class Reader final : public text::IniReader {
  public:
   explicit Reader(const std::string& file) : file_{file} {}
 
   Model take(std::string_view text) {
-    settings::readIni(text, file_, *this);
+    text::readIni(text, file_, *this);
     for (const EffectSetting& effect : model_.effects) checkComplete(effect);
     if (model_.name.empty()) fail("model", "[model] name is missing; say what the model is called: name = my-robot");
     if (model_.body.contact_time_s < 2 * model_.body.step_s)
@@ -45,7 +45,7 @@ class Reader final : public settings::IniReader {
   }
 
   [[noreturn]] void fail(const std::string& what, const std::string& sentence) const {
-    throw std::runtime_error(settings::where(file_, lineOf(what)) + ": " + sentence);
+    throw std::runtime_error(text::where(file_, lineOf(what)) + ": " + sentence);
   }
 
  private:
@@ -67,7 +67,7 @@ class Reader final : public settings::IniReader {
   void pair(std::string_view section, std::string_view key, std::string_view value, int line) override {
     if (section.empty() && lines_.empty())
       throw std::runtime_error("key \"" + std::string{key} + "\" stands before the first section; begin with [model]");
-    const std::string written = text(section_), low = settings::lowered(key);
+    const std::string written = text(section_), low = text::lowered(key);
     if (const auto [was, is_new] = lines_.emplace(written + '/' + low, line); !is_new)
       throw std::runtime_error("[" + written + "] " + std::string{key} + first(was->second));
     try {
@@ -132,7 +132,7 @@ Model readModel(const std::string& path) {
   if (fs::is_directory(path, ignored))
     throw std::runtime_error(path + " is a folder; name a model file in it, such as " +
                              (fs::path{path} / "darwin-op.ini").string());
-  const auto text = settings::readTextFile(path);
+  const auto text = readTextFile(path);
   if (!text) throw std::runtime_error("there is no model file " + path + "; " + shippedOnes());
   Reader reader{path};
   Model model = reader.take(*text);

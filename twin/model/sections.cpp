@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "settings/safety_sections.hpp"
+#include "core/text/letter_case.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
 #include "twin/model/nearest.hpp"
@@ -29,12 +29,12 @@ std::string quoted(std::string_view word) {
 }
 
 const EffectInfo& effectCalled(std::string_view id) {
-  if (const EffectInfo* const info = findEffect(settings::lowered(id))) return *info;
+  if (const EffectInfo* const info = findEffect(text::lowered(id))) return *info;
   throw std::runtime_error("there is no effect " + quoted(id) + "; " + suggestion(id, effectIds()));
 }
 
 Joint jointCalled(std::string_view name) {
-  if (const auto joint = findJoint(settings::jointName(name))) return *joint;
+  if (const auto joint = findJoint(text::jointName(name))) return *joint;
   std::vector<std::string_view> names;
   names.reserve(kJoints);
   for (const JointRow& row : kJointTable) names.push_back(row.name);
@@ -46,10 +46,10 @@ Joint jointCalled(std::string_view name) {
 SectionName sectionFrom(std::string_view text) {
   const auto words = wordsOf(text);
   if (words.size() == 1) {
-    const auto plain = std::ranges::find(plainSections(), settings::lowered(words[0]));
+    const auto plain = std::ranges::find(plainSections(), text::lowered(words[0]));
     if (plain != plainSections().end()) return {.plain = *plain};
   }
-  if (!words.empty() && settings::lowered(words[0]) == kEffect) {
+  if (!words.empty() && text::lowered(words[0]) == kEffect) {
     if (words.size() == 1 || words.size() > 3)
       throw std::runtime_error(
           "[" + std::string{text} +
@@ -59,7 +59,7 @@ SectionName sectionFrom(std::string_view text) {
     return name;
   }
   std::string sentence = "there is no section [" + std::string{text} + "]; ";
-  if (const EffectInfo* const info = words.empty() ? nullptr : findEffect(settings::lowered(words[0])))
+  if (const EffectInfo* const info = words.empty() ? nullptr : findEffect(text::lowered(words[0])))
     throw std::runtime_error(sentence + "an effect is switched on by [effect " + std::string{info->id} + "]");
   std::vector<std::string_view> known(plainSections().begin(), plainSections().end());
   if (const auto near = nearest(text, known))

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "settings/safety_sections.hpp"
+#include "core/text/letter_case.hpp"
 #include "twin/model/keys.hpp"
 #include "twin/model/nearest.hpp"
 
@@ -30,7 +30,7 @@ void readInto(T& value, const KeyRow& row, std::string_view text) {
   if constexpr (std::is_same_v<T, double>) {
     value = readNumber(text, row.number);
   } else if constexpr (kIsWord<T>) {
-    const auto found = std::ranges::find(row.words, settings::lowered(text));
+    const auto found = std::ranges::find(row.words, text::lowered(text));
     if (found == row.words.end()) throw std::runtime_error("give " + allowed(row));
     value = static_cast<T>(found - row.words.begin());
   } else if constexpr (std::is_same_v<T, std::string>) {
@@ -77,13 +77,12 @@ std::string keysAsMarkdown() {
   std::string text;
   const Model plain;
   for (const std::string_view section : plainSections()) {
-    text += (text.empty() ? "### [" : "\n### [") + std::string{section} +
-            "]\n\n| Key | Default | Allowed | Meaning |\n|---|---|---|---|\n";
+    text += (text.empty() ? "### [" : "\n### [") + std::string{section} + "]\n\n";
     for (const KeyRow& row : keyTable()) {
       if (row.section != section) continue;
       const std::string value = writeValue(plain, row);
-      text += "| `" + std::string{row.key} + "` | " + (value.empty() ? "–" : "`" + value + "`") + " | " + allowed(row) +
-              " | " + std::string{row.meaning} + " |\n";
+      text += "- `" + std::string{row.key} + (value.empty() ? "`, required" : " = " + value + "`") + " (" +
+              allowed(row) + "): " + std::string{row.meaning} + "\n";
     }
   }
   return text;

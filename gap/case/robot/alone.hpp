@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/joints.hpp"
-#include "logs/log.hpp"
+#include "experiments/logs/log.hpp"
 
 namespace darwinop::gap {
 

@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/case/parse_case.hpp"
 #include "gap/case/robot/alone.hpp"
 #include "gap/case/write_case.hpp"
-#include "logs/read_log.hpp"
 #include "twin/bench/bench.hpp"
 #include "twin/body/pendulum.hpp"
 

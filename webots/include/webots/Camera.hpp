@@ -12,57 +12,92 @@ class CameraView;
 
 namespace webots {
 
-/// Sizes, settings and what the messages mean: docs/camera.md.
+///     camera->enable(32);                              // ms
+///     while (robot.step(16) != -1) {
+///       const unsigned char* image = camera->getImage();
+///       const int red = webots::Camera::imageGetRed(image, camera->getWidth(), 160, 120);
+///     }
+///
+/// On a robot a V4L2 device; with `--robot twin` the twin's head camera in simulated time; none with `--robot virtual`.
+/// Size, exposure and colour settings are in config.ini: docs/camera.md. Threads: see Robot; pictures are captured by a
+/// thread of the library.
 class Camera : public Device {
  public:
+  /// Value of getType().
   enum { WB_CAMERA_COLOR = 99 };
 
   virtual ~Camera();
-  /// A new picture every so many ms, at the end of a step; the camera itself takes 30 a second, or fewer.
+  /// Opens the camera, which takes a moment, and takes a new picture every `sampling_period` ms at the end of a
+  /// step; the hardware has 30 pictures/s at most. 0 or less: disable(). A camera that cannot be opened logs one
+  /// warning.
   virtual void enable(int sampling_period);
+  /// Closes the camera.
   virtual void disable();
+  /// ms as set last; 0: disabled.
   int getSamplingPeriod() const { return period_; }
-  /// BGRA, 4 bytes a pixel, rows from top to bottom, valid until the next step. NULL while disabled. All black until
-  /// the first picture has come, and again while the camera has been silent for 2 s: nothing is to be followed then.
+  /// BGRA, 4 bytes per pixel, getWidth() x getHeight(), rows from top to bottom; unchanged until the next step (2013:
+  /// overwritten at any time). NULL while disabled. Black until the first picture, and when none came for 2 s, so that
+  /// a controller does not follow an old picture. A picture of another size is scaled, with one warning.
   const unsigned char* getImage() const;
+  /// Pixels, as configured (2013: always 320).
   int getWidth() const;
+  /// Pixels, as configured (2013: always 240).
   int getHeight() const;
+  /// WB_CAMERA_COLOR, 99.
   int getType() const { return WB_CAMERA_COLOR; }
-  /// rad, horizontal.
+  /// Horizontal field of view, 1.0123 rad; the lens is fixed.
   double getFov() const { return 1.0123; }
+  /// Same as getFov(); rad.
   double getMinFov() const { return getFov(); }
+  /// Same as getFov(); rad.
   double getMaxFov() const { return getFov(); }
+  /// No effect, with one warning; rad.
   virtual void setFov(double fov);
+  /// 0 m.
   double getNear() const { return 0; }
+  /// NaN, with one warning: not available. Simulator: J/m2.
   double getExposure() const;
+  /// No effect, with one warning; set the exposure in config.ini, in 100 us.
   virtual void setExposure(double exposure);
+  /// 0 m, with one warning: not known.
   double getFocalLength() const;
+  /// 0 m, with one warning: the focus is fixed.
   double getFocalDistance() const;
+  /// 0 m.
   double getMaxFocalDistance() const;
+  /// 0 m.
   double getMinFocalDistance() const;
+  /// No effect, with one warning; m.
   virtual void setFocalDistance(double focal_distance);
-  /// -1: not in this version, no file is written.
+  /// Writes no file in this version and returns -1, with one warning; `quality` 1 to 100 is ignored.
   int saveImage(const std::string& filename, int quality) const;
 
-  /// The simulator recognises objects of its world; a robot's camera does not.
+  /// False: object recognition exists in the simulator only. The calls behind it do not compile here.
   bool hasRecognition() const { return false; }
+  /// False, as hasRecognition().
   bool hasRecognitionSegmentation() const { return false; }
 
-  /// Sizes that the robot's camera can deliver.
+  /// Whether the robot's camera has this size in pixels; docs/camera.md lists the sizes.
   static bool checkResolution(int width, int height);
+  /// Red, 0 to 255, of pixel x, y (0 at the top left) of a BGRA image that is `width` pixels wide. No range check.
+  /// 2013: read RGB, which gave blue.
   static unsigned char imageGetRed(const unsigned char* image, int width, int x, int y) {
     return image[4 * (y * width + x) + 2];
   }
+  /// Green, 0 to 255, as imageGetRed().
   static unsigned char imageGetGreen(const unsigned char* image, int width, int x, int y) {
     return image[4 * (y * width + x) + 1];
   }
+  /// Blue, 0 to 255, as imageGetRed().
   static unsigned char imageGetBlue(const unsigned char* image, int width, int x, int y) {
     return image[4 * (y * width + x)];
   }
+  /// Mean of the three colours, 0 to 255, each divided by 3 and rounded down; as imageGetRed().
   static unsigned char imageGetGray(const unsigned char* image, int width, int x, int y) {
     const unsigned char* pixel = image + 4 * (y * width + x);
     return static_cast<unsigned char>(pixel[2] / 3 + pixel[1] / 3 + pixel[0] / 3);
   }
+  /// Same as imageGetGray(); 0 to 255.
   static unsigned char imageGetGrey(const unsigned char* image, int width, int x, int y) {
     return imageGetGray(image, width, x, y);
   }

@@ -1,4 +1,4 @@
-// What all devices of a robot have in common: a name.
+// Base class of all devices.
 #ifndef DEVICE_HPP
 #define DEVICE_HPP
 
@@ -16,16 +16,19 @@ class RobotImpl;
 
 namespace webots {
 
-/// Devices belong to the Robot: get them with Robot::getMotor() and its siblings, never delete them.
+/// Devices belong to the Robot: get them with Robot::getMotor() and its siblings, never delete them. Threads: see
+/// Robot. Sampling periods are stored for the getters; a robot reads all sensors in every cycle, except camera and
+/// keyboard.
 class Device {
  public:
   virtual ~Device();
+  /// The name by which Robot finds the device.
   const std::string& getName() const { return name_; }
-  /// Empty: the robot does not tell.
+  /// Empty. Simulator: the model field of the node.
   std::string getModel() const;
-  /// One of Node::Type.
+  /// A Node::Type as a number; compare by name.
   int getNodeType() const { return node_type_; }
-  /// Number of this device on its robot, from 1.
+  /// Number of this device on its robot, from 1. Fixed for a version of this library only.
   int getTag() const { return tag_; }
 
  protected:

@@ -11,18 +11,27 @@ struct BoardSensors;
 
 namespace webots {
 
+///     const double* w = gyro->getValues();                   // keeps pointing to the newest values
+///     const double yaw_in_deg_per_s = (w[2] - 512) * 3.584;
+///
+/// Raw counts of the board, as in the simulator's model and in 2013, not SI units. Threads: see Robot.
 class Gyro : public Device {
  public:
   virtual ~Gyro();
-  /// Values are read in every step, enabled or not.
+  /// Stores `sampling_period` in ms. Values are read in every cycle anyway. Simulator: no values until enabled.
   virtual void enable(int sampling_period);
+  /// Sets the sampling period to 0; values are still read.
   virtual void disable();
+  /// ms as set last; 0: disabled.
   int getSamplingPeriod() const { return period_; }
-  /// Three raw counts 0..1023, axes X, Y, Z; 3.584 deg/s a count; at rest 512, 512, 512. The pointer stays valid, the
-  /// values change with every step. NaN: the board has not answered for 3 cycles.
+  /// Three raw counts, 0 to 1023, for the axes X, Y, Z; 512 is 0, and one count is 3.584 deg/s by the board's firmware
+  /// (the user guide has 1600 deg/s for half the range; no robot was measured, see core/registers.hpp). The pointer
+  /// stays valid as long as the robot, and the values change in every step. NaN: the board has not answered for 3
+  /// cycles.
   const double* getValues() const;
-  /// Two rows of SI value, count, 0: the law between them is a straight line.
+  /// Number of rows of getLookupTable(): 2.
   int getLookupTableSize() const { return 2; }
+  /// Two rows of three numbers, for counts 0 and 1024: value in rad/s, count, noise (0). Linear in between.
   const double* getLookupTable() const { return lookup_; }
 
  private:

@@ -11,8 +11,15 @@ class RobotImpl;
 
 namespace webots {
 
+///     keyboard->enable(16);                                        // ms
+///     for (int key; (key = keyboard->getKey()) != -1;)             // after each step
+///       if ((key & webots::Keyboard::KEY) == webots::Keyboard::UP) forwards();
+///
+/// Key codes: letters as capitals (ASCII), the codes below, F1 and the like with codes of this library; SHIFT, CONTROL
+/// and ALT are added as bits. Simulator: keys of its 3D window. Threads: see Robot.
 class Keyboard {
  public:
+  /// Codes of keys without a character, the mask of the code, and modifier bits (2013: no modifiers, no numeric pad).
   enum {
     END = 312,
     HOME = 313,
@@ -35,13 +42,17 @@ class Keyboard {
   };
 
   virtual ~Keyboard();
-  /// Opens the window, or the terminal where there can be none. Keys are looked at every so many ms, at the end of a
-  /// step. 0: disable().
+  /// Opens a small window, or without a display uses the controller's terminal (DARWINOP_KEYS: window, terminal, none).
+  /// Keys are sampled every `sampling_period` ms at the end of a step. 0 or less: disable(). Without window and
+  /// terminal it logs one warning, and no key is ever pressed. 2013: crashed without a display.
   virtual void enable(int sampling_period);
+  /// Closes the window, or restores the terminal.
   virtual void disable();
+  /// ms as set last; 0: disabled.
   int getSamplingPeriod() const { return period_; }
-  /// The next one of the keys that were down when they were looked at last, or went down since the time before; each
-  /// once, with SHIFT, CONTROL and ALT or-ed. -1: that was all.
+  /// The next key of the newest sample: each key that was down then, or was pressed since the sample before, once, as a
+  /// code with modifier bits. -1: no more keys. All keys are up when the window loses the focus (2013: they stayed
+  /// down).
   int getKey() const;
 
  private:

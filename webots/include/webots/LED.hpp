@@ -7,12 +7,19 @@
 
 namespace webots {
 
+///     robot.getLED("EyeLed")->set(0x00FF00);   // green
+///     robot.getLED("BackLedRed")->set(1);      // on
+///
+/// The three back LEDs are on or off; EyeLed and HeadLed have colours. Threads: see Robot.
 class LED : public Device {
  public:
   virtual ~LED();
-  /// 0xRRGGBB for a colour, 0 for off and anything else for on. Shown with the next Robot::step().
+  /// EyeLed, HeadLed: 0xRRGGBB, of which the board shows 5 bits per colour; higher bits are ignored. Back LEDs: 0 is
+  /// off, any other value is on (2013: 1 only). Shown at the next Robot::step(); LEDs set in one step do not affect
+  /// each other (2013: the last one won, and setting an LED again switched it off).
   virtual void set(int value);
-  /// Value given last (back LEDs: 0 or 1); before the first one, what the board shows.
+  /// The value set last, 0 to 0xFFFFFF (back LEDs: 0 or 1); before the first one, what the board shows.
+  /// 2013: the board's own word.
   int get() const;
 
  private:

@@ -1,4 +1,4 @@
-// Kinds of nodes, as Device::getNodeType() names them. There is no scene tree on a robot.
+// Node types that Device::getNodeType() returns. A robot has no scene tree.
 #ifndef NODE_HPP
 #define NODE_HPP
 

@@ -1,8 +1,8 @@
-// The robot a controller drives. Derive from it or make one; there is one per process.
+// The robot that a controller drives, and the way to its devices.
 #ifndef ROBOT_HPP
 #define ROBOT_HPP
 
-// Controllers written since 2013 lean on what this header brings along.
+// Not needed here: controllers written since 2013 rely on these includes.
 #include <pthread.h>
 #include <sys/time.h>
 
@@ -31,9 +31,30 @@ class Servo;
 class Speaker;
 class TouchSensor;
 
+/// Create one object, or one of a derived class; a second one in the same process ends the program.
+///
+///     webots::Robot robot;                            // blocks until the robot is in its start pose
+///     webots::Motor* neck = robot.getMotor("Neck");
+///     while (robot.step(16) != -1) {                  // 16 ms; -1: end the program
+///       neck->setPosition(0.3 * sin(robot.getTime()));  // rad; sent by the next step
+///     }
+///
+/// Data flow: setters of devices change one command image. step() sends it, waits, and takes one consistent sensor
+/// image, which all getters read until the next step. So nothing moves and no LED changes between steps. A value that
+/// was not received for more than 3 cycles (48 ms at 16 ms) is NaN, never 0 and never an old value; one line on stderr
+/// names the device.
+///
+/// Errors: calls do not throw. A call with an unusable argument or without effect logs one warning on stderr.
+///
+/// Simulated robots: `--robot virtual` and `twin` run in this process in simulated time, `/dev/...` and a pty in real
+/// time, `tcp://HOST` over a network; the same program runs on each.
+///
+/// Threads: not thread-safe. Call all methods of the robot, its devices and the managers from the thread that made it.
 class Robot {
  public:
+  /// Where the controller runs; see getMode().
   enum Mode { MODE_SIMULATION = 0, MODE_CROSS_COMPILATION = 1, MODE_REMOTE_CONTROL = 2 };
+  /// Of the simulator's window; never reported here.
   enum UserInputEvent {
     EVENT_QUIT = -1,
     EVENT_NO_EVENT = 0,
@@ -44,7 +65,8 @@ class Robot {
     EVENT_JOYSTICK_AXIS = 16,
     EVENT_JOYSTICK_POV = 32
   };
-  enum {  // keys, as in 2013; today they are those of Keyboard
+  /// Key codes under the names of 2013; the same values as in Keyboard.
+  enum {
     KEYBOARD_END = 312,
     KEYBOARD_HOME = 313,
     KEYBOARD_LEFT = 314,
@@ -65,76 +87,141 @@ class Robot {
     KEYBOARD_ALT = 0x00040000
   };
 
-  /// Goes to the directory of the program, reads config.ini there, finds the robot, and moves it slowly to its start
-  /// pose. Prints a sentence and ends the program when that fails.
+  /// Connects to the robot and blocks until it is ready for commands:
+  ///  - installs the signal handlers (docs/threads.md#signals);
+  ///  - changes to the directory of the program, unless DARWINOP_KEEP_CWD=1, and reads config.ini there
+  ///  (docs/config.md);
+  ///  - connects to the robot that DARWINOP_ROBOT names (`darwinop run --robot` sets it);
+  ///  - moves the joints slowly to the start pose, or with `[Safety] start = hold` leaves them where they are.
+  /// On failure it prints the reason on stderr and ends the program with exit status 1.
+  /// Simulator: returns at once. 2013: a fixed move of 2 s.
   Robot();
+
+  /// Ends the driving session. The robot then does what `[Safety] on_exit` says: kneel (default), hold or limp.
+  /// exit() and an uncaught exception of the thread that made the Robot end the session in the same way; a process that
+  /// this one forked does not. 2013: servos kept their last goals for ever.
   virtual ~Robot();
 
-  /// Sends what was asked of the devices, waits until `duration` ms after the previous step, reads all sensors.
-  /// 0: in time. Positive: this many ms late. -1: end the program (Ctrl-C, SIGTERM, a fault, the robot is gone).
+  /// Sends the commands, waits, and takes a new sensor image. `duration` in ms; use getBasicTimeStep() or a multiple.
+  /// Waits until `duration` after the previous step on an absolute time line in whole cycles of the loop; the remainder
+  /// is carried over, so step(20) lasts 20 ms on average at 16 ms a cycle. 0 or less: sends and does not wait.
+  /// The loop continues during long steps; safety does not treat them as a stalled controller.
+  ///
+  /// Returns 0: in time. Positive: late by this many ms, and the next step counts from now. -1: end the program; every
+  /// later call returns -1 at once. Reasons, printed once: Ctrl-C, Ctrl-\, SIGTERM, SIGHUP, SIGXCPU, SIGPWR, a fault
+  /// that ends controllers (docs/faults.md), or the loop has ended. A second Ctrl-C, Ctrl-\ or SIGTERM 0.3 s after the
+  /// first kills the program; where it hosts the loop, the joints then stay under torque.
+  ///
+  /// Real time on a robot and with a port; with `--robot virtual` and `twin` the step runs the cycles itself, as fast
+  /// as the machine allows. Simulator: does not return a delay when synchronized.
   virtual int step(int duration);
-  /// The two halves of step(): send; wait and read. Between them the controller may compute.
+
+  /// First half of step(): sends the commands and does not wait. `duration` in ms, as in step(). Returns 0.
+  /// The controller may compute until it calls stepEnd(). 2013: not available.
   virtual int stepBegin(int duration);
+
+  /// Second half of step(): waits and takes the sensor image. Returns what step() returns: 0, a delay in ms, or -1.
   virtual int stepEnd();
 
+  /// "darwin-op", on every robot.
   std::string getName() const;
+  /// "DARwIn-OP", on every robot.
   std::string getModel() const;
-  /// Seconds since the robot stood ready; goes on between steps.
+  /// Time in s, resolution 1 ms, since the robot was ready. After n steps of 16 ms in time it is n * 0.016.
+  /// In real time it advances between steps; the simulator's does not, nor does it in lockstep. 2013: it started before
+  /// the move to the start pose.
   double getTime() const;
+  /// MODE_CROSS_COMPILATION (1), also with the twin and over TCP. Simulator: MODE_SIMULATION (0).
   Mode getMode() const { return MODE_CROSS_COMPILATION; }
+  /// Node::ROBOT, a number to compare by name.
   int getType() const;
-  /// ms, time_step of config.ini; 16 when it is not there.
+  /// Basic time step in ms: `time_step` of config.ini, 1 to 10000, default 16. The loop's own period is independent of
+  /// it. Simulator: of the world file. 2013: undefined without config.ini.
   double getBasicTimeStep() const;
 
-  // NULL: no such device.
+  /// "Accelerometer". NULL and one warning for any other name; the same holds for the getters below. Devices belong to
+  /// the robot and live as long as it does. 2013: NULL without a warning.
   Accelerometer* getAccelerometer(const std::string& name) const;
+  /// "Camera". It opens its hardware in Camera::enable(), not here.
   Camera* getCamera(const std::string& name) const;
+  /// "Gyro".
   Gyro* getGyro(const std::string& name) const;
+  /// Keys of a window or of the terminal; never NULL.
   Keyboard* getKeyboard() const;
+  /// "EyeLed", "HeadLed", "BackLedRed", "BackLedGreen", "BackLedBlue".
   LED* getLED(const std::string& name) const;
+  /// A joint: "ShoulderR" ... "Head" (docs/registers.md). The same object as getServo() returns.
   Motor* getMotor(const std::string& name) const;
+  /// The encoder of a joint: its name and an S, "ShoulderRS" ... "HeadS".
   PositionSensor* getPositionSensor(const std::string& name) const;
+  /// A joint under the class name of 2013. The same object as getMotor() returns.
   Servo* getServo(const std::string& name) const;
+  /// "Speaker".
   Speaker* getSpeaker(const std::string& name) const;
-  /// "ButtonMode" and "ButtonStart".
+  /// "ButtonMode" and "ButtonStart". Neither the simulator's model nor 2013 has them.
   TouchSensor* getTouchSensor(const std::string& name) const;
+  /// Any device by name, except the keyboard.
   Device* getDevice(const std::string& name) const;
+  /// Number of devices that getDeviceByIndex() returns; the keyboard is not one of them.
   int getNumberOfDevices() const;
+  /// `index` from 0 to getNumberOfDevices() - 1; NULL outside of this range.
   Device* getDeviceByIndex(int index) const;
 
-  /// The battery's voltage in V (the simulator gives joules). NaN: the board has not answered for 3 cycles.
+  /// Stores `sampling_period` in ms; the voltage is read anyway, in every cycle. 2013: no battery sensor.
   virtual void batterySensorEnable(int sampling_period);
+  /// Sets the sampling period to 0; the voltage is still read.
   virtual void batterySensorDisable();
+  /// ms as set last; 0: disabled.
   int batterySensorGetSamplingPeriod() const;
+  /// Supply voltage in V, about 10 (empty) to 12.6 (full) with a battery of 3 LiPo cells. NaN: the board has not
+  /// answered for 3 cycles. Simulator: energy in J.
   double batterySensorGetValue() const;
 
-  // Keyboard as in 2013; 0: no key.
+  /// Same as Keyboard::enable(); `sampling_period` in ms.
   virtual void keyboardEnable(int sampling_period);
+  /// Same as Keyboard::disable().
   virtual void keyboardDisable();
+  /// As Keyboard::getKey(), but 0 when there is no more key.
   int keyboardGetKey() const;
 
-  /// The robot of this process; NULL before its constructor has ended.
+  /// The robot of this process; NULL before its constructor has returned and after its destructor.
   static Robot* getInstance();
+  /// Directory of the program, absolute. Simulator: directory of the project.
   std::string getProjectPath() const;
+  /// The text that setCustomData() stored; empty at first. Kept in the program only. Simulator: stored in the world.
   std::string getCustomData() const;
+  /// Stores a text of any length for getCustomData().
   void setCustomData(const std::string& data);
+  /// Same as getCustomData(), under an earlier name.
   std::string getData() const;
+  /// Same as setCustomData(), under an earlier name.
   void setData(const std::string& data);
 
-  // Of the simulator only. Each says once that it has no effect here.
+  // Of the simulator only: without effect here; calls that would do something there log one warning.
+
+  /// Empty: a robot has no world file.
   std::string getWorldPath() const;
+  /// Empty in this version.
   std::string getUrdf(std::string prefix = "") const;
+  /// False: a robot has no supervisor API.
   bool getSupervisor() const { return false; }
+  /// False: a robot does not wait for its controller.
   bool getSynchronization() const { return false; }
+  /// No effect; DARWINOP_ROBOT selects the robot when the program starts.
   virtual void setMode(Mode mode, const char* arg);
+  /// Returns EVENT_NO_EVENT at once; `timeout` in ms is ignored.
   UserInputEvent waitForUserInputEvent(UserInputEvent event_type, int timeout);
+  /// No effect; `size` in bytes. `darwinop window` has its own connection.
   void wwiSend(const char* data, int size);
+  /// No effect, as wwiSend().
   void wwiSendText(const std::string& text);
+  /// NULL, and `*size` is set to 0 bytes.
   const char* wwiReceive(int* size);
+  /// Empty.
   std::string wwiReceiveText();
 
  protected:
-  /// For tests: a robot made elsewhere, which this object then owns.
+  /// For tests: a robot that was made elsewhere; this object then owns it.
   explicit Robot(darwinop::facade::RobotImpl* impl);
 
  private:

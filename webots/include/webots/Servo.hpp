@@ -1,4 +1,4 @@
-// The motor under its first name, of the 2013 thesis. Every motor of this robot is one.
+// The motor under the class name of the thesis of 2013. Every motor of this robot is a Servo.
 #ifndef SERVO_HPP
 #define SERVO_HPP
 
@@ -6,23 +6,28 @@
 
 namespace webots {
 
+/// Adds the method names of 2013 to Motor; units and rules are those of Motor.
 class Servo : public Motor {
  public:
   virtual ~Servo();
-  /// setAvailableTorque().
+  /// Same as setAvailableTorque(); N m, 0 to 2.5.
   virtual void setMotorForce(double force);
-  /// setControlPID(p, 0, 0).
+  /// Same as setControlPID(p, 0, 0); Kp, 0 to 31.75.
   virtual void setControlP(double p);
-  /// Torque feedback.
+  /// Same as enableTorqueFeedback(); ms.
   virtual void enableMotorForceFeedback(int sampling_period);
+  /// Same as disableTorqueFeedback().
   virtual void disableMotorForceFeedback();
+  /// Same as getTorqueFeedbackSamplingPeriod(); ms.
   int getMotorForceFeedbackSamplingPeriod() const { return getTorqueFeedbackSamplingPeriod(); }
+  /// Same as getTorqueFeedback(); N m, positive for a clockwise load.
   double getMotorForceFeedback() const;
+  /// Same as getPositionSamplingPeriod(); ms.
   int getSamplingPeriod() const { return getPositionSamplingPeriod(); }
 
  private:
   friend class darwinop::facade::RobotImpl;
-  Servo(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::facade::MotorControl& control);
+  Servo(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::MotorControl& control);
 };
 
 }  // namespace webots

@@ -1,4 +1,4 @@
-// A push button on the robot's back: "ButtonMode", "ButtonStart". Ours: neither simulator nor 2013 had them.
+// A push button on the robot's back: "ButtonMode", "ButtonStart". An extension: the simulator and 2013 lack them.
 #ifndef TOUCH_SENSOR_HPP
 #define TOUCH_SENSOR_HPP
 
@@ -6,17 +6,27 @@
 
 namespace webots {
 
+///     if (robot.getTouchSensor("ButtonStart")->getValue() == 1) walk();
+///
+/// RESET is not a device: it cuts the supply of the servos. MODE held for 0.25 s releases all joints, unless config.ini
+/// has `release_button = none`. START held for 0.25 s resets latched faults after the controller has ended
+/// (docs/faults.md).
 class TouchSensor : public Device {
  public:
+  /// Kind of sensor; both are BUMPER.
   enum Type { BUMPER = 0, FORCE = 1, FORCE3D = 2 };
 
   virtual ~TouchSensor();
-  /// Values are read in every step, enabled or not.
+  /// Stores `sampling_period` in ms. Buttons are read in every cycle anyway. Simulator: NaN until enabled.
   virtual void enable(int sampling_period);
+  /// Sets the sampling period to 0; values are still read.
   virtual void disable();
+  /// ms as set last; 0: disabled.
   int getSamplingPeriod() const { return period_; }
-  /// 1 pressed, 0 not. NaN: the board has not answered for 3 cycles.
+  /// 1 while pressed, else 0. NaN: the board has not answered for 3 cycles, or over TCP the server does not send
+  /// buttons.
   double getValue() const;
+  /// BUMPER.
   Type getType() const { return BUMPER; }
 
  private:

@@ -1,4 +1,4 @@
-// Terminal colours, as macros, so that they join with string literals.
+// Terminal colours, as macros, so that they concatenate with string literals. Complete, with the simulator's values.
 #ifndef ANSI_CODES_HPP
 #define ANSI_CODES_HPP
 

@@ -16,30 +16,38 @@ class MotionPlayback;
 
 namespace webots {
 
-/// Between play() and its end, or stop(), each Robot::step() moves the motors that the file names. At any other time
-/// they are the controller's.
+///     webots::Motion wave("wave.motion");
+///     wave.play();
+///     while (!wave.isOver() && robot.step(16) != -1) {
+///     }
+///
+/// Between play() and its end, or stop(), each Robot::step() sets the goals of the motors that the file names, through
+/// the same safety layer as any other goal. At any other time the controller may set them. Simulator: the same, but
+/// without the slow approach of the first pose. Threads: see Robot.
 class Motion {
  public:
-  /// A relative name is looked for beside the program.
+  /// Reads the file; a relative name starts at the directory of the program. Motors that this robot does not have are
+  /// skipped with one warning.
   explicit Motion(const std::string& fileName);
   virtual ~Motion();
-  /// False: the file is missing or broken, which was said with its line and field. The other calls then do nothing.
+  /// False: the file is missing or wrong; the constructor logged file, line and field. The other calls then do nothing.
   bool isValid() const;
-  /// Goes on from the present time; from the beginning when it is at the end (from the end when reversed). Motors that
-  /// are far from there are led there slowly, and the time waits.
+  /// Continues from the current time; at the end it starts from the beginning (reversed: from the end). Motors that are
+  /// far from their first goals move there first, at 1.194 rad/s at most, while the motion's time stands still.
   virtual void play();
-  /// Keeps the present time and the goals that the motors have.
+  /// Pauses; the motors keep their goals.
   virtual void stop();
-  /// At its end it begins anew. Not looped (default): it is over there.
+  /// True: restarts at its end. False (default): ends there.
   virtual void setLoop(bool loop);
-  /// The clock runs backwards.
+  /// True: plays backwards. Default false.
   virtual void setReverse(bool reverse);
-  /// ms, brought into 0 to getDuration().
+  /// Sets the current time in ms, clamped to 0 to getDuration().
   virtual void setTime(int time);
-  /// ms.
+  /// Length in ms; 0 if the file is not valid.
   int getDuration() const;
+  /// Current time in ms, 0 to getDuration().
   int getTime() const;
-  /// True at the end (at the beginning when reversed), unless it is looped; true if the file is not valid.
+  /// True at the end (reversed: at the beginning) unless looped; true if the file is not valid.
   bool isOver() const;
 
  private:

@@ -1,0 +1,28 @@
+// Keys for a controller: from a window, or else from its terminal.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "hal/keyboard.hpp"
+
+namespace darwinop::connect {
+
+struct KeysRequest {
+  /// "window", "terminal" or "none"; empty: a window, or a terminal where there can be none.
+  std::string from;
+  /// The text of DISPLAY.
+  std::string display;
+  /// Told once what keys come from where it is not a window, why there are none, and when they end. From another
+  /// thread.
+  std::function<void(const std::string&)> say = {};
+};
+
+/// A thread of its own looks for keys, so this does not wait for an X server that is slow. `ending` becomes true when
+/// the user asks the controller to end; it must outlive the process' threads. Throws std::runtime_error when `from` is
+/// something else.
+std::unique_ptr<KeySource> openKeys(KeysRequest request, const std::atomic<bool>& ending);
+
+}  // namespace darwinop::connect

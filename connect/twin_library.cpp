@@ -1,0 +1,168 @@
+// Finding, checking and loading the twin's library. It stays loaded until the program ends.
+#include "connect/twin_library.hpp"
+
+#include <charconv>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "hal/body_library.hpp"
+
+// What the build tells this file, on a PC only. A robot's programs are static: they can load nothing.
+#ifdef DARWINOP_TWIN_FOLDERS
+#include <dlfcn.h>
+
+#include <array>
+#include <filesystem>
+#endif
+
+namespace darwinop::connect {
+
+std::uint64_t twinSeed() {
+  const char* const text = std::getenv("DARWINOP_TWIN_SEED");
+  if (text == nullptr || *text == '\0') return 1;
+  const std::string_view digits{text};
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(digits.begin(), digits.end(), seed);
+  if (error != std::errc{} || end != digits.end())
+    throw std::runtime_error("DARWINOP_TWIN_SEED = " + std::string{digits} + ": give a whole number, 0 or more");
+  return seed;
+}
+
+#ifndef DARWINOP_TWIN_FOLDERS
+
+std::vector<std::string> twinLibraryPlaces() {
+  return {};
+}
+
+std::unique_ptr<Body> makeTwin(const std::string& /*model*/, std::uint64_t /*seed*/) {
+  throw std::runtime_error(
+      "the physics twin runs on a PC only, and this program was built for the robot; here there is 'virtual', or the "
+      "robot itself");
+}
+
+#else
+
+namespace {
+
+constexpr const char* kVariable = "DARWINOP_TWIN_LIBRARY";
+
+/// What `make` gives; throws the sentence that it gives instead.
+template <class Make>
+void* orThrow(Make&& make) {
+  std::array<char, 2000> error{};
+  void* const made = make(error.data(), error.size());
+  if (made == nullptr) throw std::runtime_error(error.data());
+  return made;
+}
+
+class LibraryEyes final : public Eyes {
+ public:
+  LibraryEyes(const BodyLibrary& library, void* eyes) : library_{library}, eyes_{eyes} {}
+  ~LibraryEyes() override { library_.close_eyes(eyes_); }
+  LibraryEyes(const LibraryEyes&) = delete;
+  LibraryEyes& operator=(const LibraryEyes&) = delete;
+
+  void look() noexcept override { library_.look(eyes_); }
+  CameraFrame newest() override {
+    BodyPicture picture{};
+    library_.newest(eyes_, &picture);
+    if (picture.sequence != shown_) ++frames_;
+    shown_ = picture.sequence;
+    blindness_ = picture.blindness;
+    const auto bytes = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    return {picture.sequence, Nanos{picture.time_ns}, picture.width, picture.height, {picture.bgra, bytes}};
+  }
+  [[nodiscard]] CameraHealth health() const override {
+    return {.seeing = shown_ != 0 && blindness_ == nullptr, .frames = frames_};
+  }
+  [[nodiscard]] const char* blindness() const noexcept override { return blindness_; }
+
+ private:
+  const BodyLibrary& library_;
+  void* eyes_;
+  std::uint64_t shown_ = 0, frames_ = 0;
+  const char* blindness_ = nullptr;  // the library's
+};
+
+class LibraryBody final : public Body {
+ public:
+  LibraryBody(const BodyLibrary& library, void* body) : library_{library}, body_{body} {}
+  ~LibraryBody() override { library_.end(body_); }
+  LibraryBody(const LibraryBody&) = delete;
+  LibraryBody& operator=(const LibraryBody&) = delete;
+
+  void step(Nanos dt, const Drives& drives) noexcept override { library_.step(body_, dt.count(), drives.data()); }
+  [[nodiscard]] const BodyState& state() const noexcept override { return *library_.state(body_); }
+  [[nodiscard]] const char* trouble() const noexcept override { return library_.trouble(body_); }
+  [[nodiscard]] std::unique_ptr<Eyes> openEyes(int width, int height) override {
+    return std::make_unique<LibraryEyes>(library_, orThrow([&](char* error, std::size_t size) {
+                                           return library_.open_eyes(body_, width, height, error, size);
+                                         }));
+  }
+
+ private:
+  const BodyLibrary& library_;
+  void* body_;
+};
+
+std::string dlProblem() {
+  const char* const text = dlerror();
+  return text == nullptr ? "unknown reason" : text;
+}
+
+std::string findLibrary() {
+  std::string looked;
+  for (const std::string& place : twinLibraryPlaces()) {
+    std::error_code unreadable;
+    if (std::filesystem::exists(place, unreadable)) return place;
+    looked += "\n  " + place;
+  }
+  throw std::runtime_error("the physics twin is a library of its own, " + std::string{kTwinLibraryFile} +
+                           ", and it was not found. Looked for:" + looked +
+                           "\nBuild it with ./dev build, or say with " + kVariable + " where it is");
+}
+
+const BodyLibrary& load(const std::string& path) {
+  void* const handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr)
+    throw std::runtime_error("the physics twin cannot be loaded: " + dlProblem() +
+                             ". Are the packages of ./dev help packages installed (libmujoco)?");
+  void* const entry = dlsym(handle, kBodyLibraryEntry);
+  if (entry == nullptr)
+    throw std::runtime_error(path + " is no library of the physics twin: " + dlProblem() + ". Correct " + kVariable);
+  const BodyLibrary* const library = reinterpret_cast<BodyLibraryEntry>(entry)();
+  const std::string ours = bodyLibraryVersion(DARWINOP_VERSION);
+  const std::string theirs = library == nullptr ? "none" : library->version;
+  if (ours != theirs)
+    throw std::runtime_error(path + " belongs to another version (" + theirs + "), this program needs " + ours +
+                             ". Build both from the same sources: ./dev build, then the controller again");
+  return *library;
+}
+
+}  // namespace
+
+std::vector<std::string> twinLibraryPlaces() {
+  namespace fs = std::filesystem;
+  if (const char* const said = std::getenv(kVariable); said != nullptr && *said != '\0')
+    return {fs::absolute(said).string()};
+  std::vector<std::string> places;
+  std::error_code unknown;
+  const fs::path home = fs::read_symlink("/proc/self/exe", unknown).parent_path();
+  for (const char* const folder : {DARWINOP_TWIN_FOLDERS}) {
+    // One that is relative lies beside the folder of the program, as lib does beside bin.
+    const fs::path place = (home.parent_path() / folder / kTwinLibraryFile).lexically_normal();
+    if (places.empty() || places.back() != place) places.push_back(place);
+  }
+  return places;
+}
+
+std::unique_ptr<Body> makeTwin(const std::string& model, std::uint64_t seed) {
+  const BodyLibrary& library = load(findLibrary());
+  void* const body =
+      orThrow([&](char* error, std::size_t size) { return library.make(model.c_str(), seed, error, size); });
+  return std::make_unique<LibraryBody>(library, body);
+}
+
+#endif
+
+}  // namespace darwinop::connect

@@ -1,0 +1,54 @@
+// What a controller wants of one joint, and the command that says so.
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/commands.hpp"
+#include "core/conversions.hpp"
+#include "core/sensors.hpp"
+#include "core/speed_ramp.hpp"
+
+namespace darwinop {
+
+// Source: the simulator's model of this robot. The register ends at 12.213 rad/s.
+inline constexpr double kMaxVelocity = 12.26;
+
+class MotorControl {
+ public:
+  explicit MotorControl(Joint joint) : row_{&row(joint)} {}
+
+  void setPosition(double rad);
+  void setVelocity(double rad_per_s) { velocity_ = rad_per_s; }
+  /// 0 or less: no ramp.
+  void setAcceleration(double rad_per_s2);
+  void setAvailableTorque(double newton_meter);
+  void setTorque(double newton_meter);
+  void setPGain(double kp) { p_gain_ = kp; }
+
+  /// The wishes as a command for the next `dt_s` seconds; `seen` is the newest knowledge of the joint.
+  [[nodiscard]] JointCommand command(const JointSensors& seen, double dt_s);
+
+  [[nodiscard]] const JointRow& joint() const { return *row_; }
+  [[nodiscard]] std::optional<double> position() const { return position_; }
+  [[nodiscard]] double velocity() const { return velocity_.value_or(kMaxVelocity); }
+  [[nodiscard]] double acceleration() const { return acceleration_; }
+  [[nodiscard]] double availableTorque() const { return available_torque_.value_or(kMaxTorqueNm); }
+  [[nodiscard]] double low() const { return radFromTicks(row_->low).value; }
+  [[nodiscard]] double high() const { return radFromTicks(row_->high).value; }
+
+ private:
+  [[nodiscard]] std::optional<double> goal(const JointSensors& seen);
+  void addTorque(JointCommand& command) const;
+
+  const JointRow* row_;
+  std::optional<double> position_, velocity_, available_torque_, p_gain_;
+  std::optional<double> torque_;  // set: pushes against an end of the range
+  std::optional<double> held_;    // velocity control at speed 0
+  bool torque_touched_ = false;   // from then on every image says whether the joint is limp
+  double acceleration_ = -1;
+  SpeedRamp ramp_;
+};
+
+}  // namespace darwinop

@@ -1,0 +1,62 @@
+// Where experiments are: those that are delivered, and files of one's own.
+#include "experiments/format/battery.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+#include <string_view>
+
+#include "experiments/format/quantity.hpp"
+
+namespace darwinop::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::map<std::string, std::string> filesByName() {
+  std::map<std::string, std::string> files;
+  for (const std::string& folder : batteryFolders()) {
+    std::error_code unreadable;
+    for (const auto& entry : fs::directory_iterator{folder, unreadable})
+      if (entry.path().extension() == ".ini") files.emplace(entry.path().stem(), entry.path());
+  }
+  return files;
+}
+
+}  // namespace
+
+std::vector<std::string> batteryFolders() {
+  std::vector<std::string> folders;
+  if (const char* own = std::getenv("DARWINOP_EXPERIMENTS")) folders.emplace_back(own);
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  const fs::path delivered = program.parent_path().parent_path() / "share/darwinop/experiments";
+  folders.push_back(fs::weakly_canonical(delivered, unknown).string());
+  return folders;
+}
+
+std::vector<std::string> batteryFiles() {
+  const auto files = filesByName();
+  std::vector<std::string> paths;
+  paths.reserve(files.size());
+  for (const auto& [name, path] : files) paths.push_back(path);
+  return paths;
+}
+
+std::string findExperiment(const std::string& name) {
+  if (name.find('/') != std::string::npos || name.ends_with(".ini")) {
+    if (fs::is_regular_file(name)) return name;
+    throw std::runtime_error("there is no experiment file " + name);
+  }
+  const auto files = filesByName();
+  if (const auto found = files.find(name); found != files.end()) return found->second;
+  std::vector<std::string_view> names;
+  names.reserve(files.size());
+  for (const auto& [known, path] : files) names.push_back(known);
+  throw std::runtime_error("there is no experiment '" + name + "'" + didYouMean(name, names) + "; there are " +
+                           (names.empty() ? "none in " + batteryFolders().back() : joined(names)) +
+                           ". A file of your own is named by its path: ./mine.ini");
+}
+
+}  // namespace darwinop::experiments

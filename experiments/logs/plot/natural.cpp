@@ -1,0 +1,193 @@
+// The plots that belong to the experiments of 2013: one row each. Source: the table of experiments in docs/plots.md.
+#include "experiments/logs/plot/natural.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "experiments/logs/plot/steps.hpp"
+#include "experiments/logs/plot/text.hpp"
+#include "experiments/logs/plot/traces.hpp"
+
+namespace darwinop::plot {
+namespace {
+
+using Part = const logs::Column* JointColumns::*;
+
+/// The joint that the head names first, or the one in which this part changes most, or the one that moves most.
+std::optional<JointColumns> joint(const logs::Log& log, Part part) {
+  const std::vector<JointColumns> joints = jointsOf(log);
+  const std::string named = log.headValue("joints").value_or("");
+  const std::string first = named.substr(0, named.find(' '));
+  const auto by_name = std::find_if(joints.begin(), joints.end(), [&](const auto& j) { return j.name == first; });
+  if (by_name != joints.end()) return *by_name;
+  for (const Part by : {part, &JointColumns::position}) {
+    const auto most = std::max_element(joints.begin(), joints.end(),
+                                       [&](const auto& a, const auto& b) { return range(a.*by) < range(b.*by); });
+    if (most != joints.end() && range((*most).*by) > 0) return *most;
+  }
+  return std::nullopt;
+}
+
+std::string angleOf(const JointColumns& j) {
+  return withUnit("angle of " + j.name, j.position->unit);
+}
+
+/// These rows of two columns.
+Curve part(const Stretch& rows, const std::vector<double>& x, const std::vector<double>& y) {
+  const auto begin = static_cast<std::ptrdiff_t>(rows.begin), end = static_cast<std::ptrdiff_t>(rows.end);
+  Curve curve;
+  curve.x.assign(x.begin() + begin, x.begin() + end);
+  curve.y.assign(y.begin() + begin, y.begin() + end);
+  return curve;
+}
+
+/// Several parts as one curve with gaps between them.
+Curve parts(const std::vector<Stretch>& all, const std::vector<double>& x, const std::vector<double>& y) {
+  Curve curve;
+  for (const Stretch& rows : all) {
+    const Curve one = part(rows, x, y);
+    curve.x.insert(curve.x.end(), one.x.begin(), one.x.end());
+    curve.y.insert(curve.y.end(), one.y.begin(), one.y.end());
+    curve.x.push_back(one.x.back());
+    curve.y.push_back(NAN);
+  }
+  return curve;
+}
+
+/// Three axes of a device over x.
+std::vector<Piece> axes(const logs::Log& log, const std::vector<Stretch>& rows, const std::vector<double>& x,
+                        const std::string& device, const std::string& what) {
+  std::vector<Piece> pieces;
+  if (rows.empty()) return pieces;
+  for (const char* axis : {"x", "y", "z"})
+    if (const logs::Column* column = log.find(device + "." + axis); column != nullptr)
+      pieces.push_back({device, column->name, axis, withUnit(what, column->unit), parts(rows, x, column->values)});
+  return pieces;
+}
+
+/// The experiment's own time.
+std::vector<Piece> axesOverTime(const logs::Log& log, const std::string& device, const std::string& what) {
+  const std::size_t start = startRow(log);
+  return axes(log, {{start, endRow(log)}}, timeFrom(log, start), device, what);
+}
+
+std::vector<Piece> gyroscope(const logs::Log& log) {
+  return axesOverTime(log, "gyro", "rate");
+}
+
+std::vector<Piece> accelerometer(const logs::Log& log) {
+  return axesOverTime(log, "accelerometer", "acceleration");
+}
+
+/// The row in which the accelerometer no longer shows one g: the robot falls, and its blows on the floor would make the
+/// scale a hundred times too coarse.
+std::size_t firstFall(const logs::Log& log, const Stretch& rows) {
+  const logs::Column *x = log.find("accelerometer.x"), *y = log.find("accelerometer.y"),
+                     *z = log.find("accelerometer.z");
+  if (x == nullptr || y == nullptr || z == nullptr) return rows.end;
+  constexpr double kG = 9.81, kFalls = 0.3 * kG;
+  std::size_t row = rows.begin;
+  while (row < rows.end && !(std::abs(std::hypot(x->values[row], y->values[row], z->values[row]) - kG) > kFalls)) ++row;
+  return std::max(row, rows.begin + 1);
+}
+
+std::vector<Piece> bow(const logs::Log& log) {
+  const auto ankle = joint(log, &JointColumns::asked);
+  if (!ankle) return {};
+  std::vector<Stretch> rows = slowStretches(log, *ankle);
+  for (Stretch& stretch : rows) stretch.end = firstFall(log, stretch);
+  return axes(log, rows, ankle->position->values, "accelerometer", "acceleration");
+}
+
+std::vector<Piece> speed(const logs::Log& log) {
+  const auto j = joint(log, &JointColumns::speed);
+  if (!j || j->speed == nullptr) return {};
+  std::vector<std::pair<double, double>> sweeps;
+  for (const Step& step : largeSteps(*j, startRow(log)))
+    if (const double time = arrival(log, *j, step); !std::isnan(time))
+      sweeps.emplace_back(j->speed->values[step.begin], time);
+  std::sort(sweeps.begin(), sweeps.end());
+  Curve curve;
+  curve.style = Style::kMarks;
+  for (const auto& [setting, time] : sweeps) {
+    curve.x.push_back(setting);
+    curve.y.push_back(time);
+  }
+  if (sweeps.empty()) return {};
+  return {{"sweep of " + j->name, "sweep of " + j->name, "sweeps", "time per sweep [s]", curve}};
+}
+
+std::vector<Piece> damping(const logs::Log& log) {
+  const auto j = joint(log, &JointColumns::torque_on);
+  if (!j) return {};
+  const std::vector<Stretch> releases = limpStretches(*j, startRow(log));
+  std::vector<Piece> pieces;
+  for (const Stretch& rows : releases) {
+    const std::string name = releases.size() == 1 ? "measured" : "release " + std::to_string(pieces.size() + 1);
+    pieces.push_back({j->name, releases.size() == 1 ? j->name : name, name, angleOf(*j),
+                      part(rows, timeFrom(log, rows.begin), j->position->values)});
+  }
+  return pieces;
+}
+
+std::vector<Piece> gain(const logs::Log& log) {
+  const auto j = joint(log, &JointColumns::p_gain);
+  if (!j || j->p_gain == nullptr) return {};
+  std::vector<Piece> pieces;
+  for (const Step& step : largeSteps(*j, startRow(log))) {
+    if (step.to < step.from) continue;  // the way back
+    std::string label = "P = ";
+    appendNumber(label, j->p_gain->values[step.begin], 4);
+    pieces.push_back({j->name, label, label, angleOf(*j),
+                      part({step.begin, step.end}, timeFrom(log, step.begin), j->position->values)});
+  }
+  return pieces;
+}
+
+std::vector<Piece> torqueFeedback(const logs::Log& log) {
+  const auto j = joint(log, &JointColumns::load);
+  if (!j || j->load == nullptr) return {};
+  std::vector<Piece> pieces;
+  for (const Stretch& rows : slowStretches(log, *j)) {
+    const bool up = j->asked->values[rows.end - 1] > j->asked->values[rows.begin];
+    const std::string way = up ? "angle rising" : "angle falling";
+    pieces.push_back({j->name, way, way, withUnit("load of " + j->name, "1 = greatest torque"),
+                      part(rows, j->position->values, j->load->values)});
+  }
+  return pieces;
+}
+
+std::vector<Piece> angleOverTorque(const logs::Log& log) {
+  const auto j = joint(log, &JointColumns::torque);
+  if (!j) return {};
+  const Stretch rows = torqueSlope(*j);
+  if (rows.begin == rows.end) return {};
+  return {{j->name, j->name, "measured", angleOf(*j), part(rows, j->torque->values, j->position->values)}};
+}
+
+constexpr auto kPlots = std::to_array<NaturalPlot>({
+    {"speed", "time per sweep over the speed setting", "speed setting [rad/s]", speed},
+    {"damping", "released arm", "time since release [s]", damping},
+    {"release", "released arm", "time since release [s]", damping},
+    {"gain", "step answers", "time since the step [s]", gain},
+    {"torque-feedback", "load over angle", "angle [rad]", torqueFeedback},
+    {"max-torque", "angle over torque limit", "torque limit [N m]", angleOverTorque},
+    {"applied-torque", "angle over applied torque", "applied torque [N m]", angleOverTorque},
+    {"gyroscope", "gyroscope", "time [s]", gyroscope},
+    {"accelerometer", "accelerometer", "time [s]", accelerometer},
+    {"bow", "accelerometer over ankle angle", "angle of the ankle [rad]", bow},
+});
+
+}  // namespace
+
+const NaturalPlot* naturalPlot(const logs::Log& log) {
+  std::string name = log.headValue("experiment").value_or("");
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '_' || c == ' '; }, '-');
+  const auto plot =
+      std::find_if(kPlots.begin(), kPlots.end(), [&](const NaturalPlot& p) { return name.find(p.word) != name.npos; });
+  return plot == kPlots.end() ? nullptr : &*plot;
+}
+
+}  // namespace darwinop::plot

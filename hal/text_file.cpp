@@ -1,0 +1,61 @@
+#include "hal/text_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+namespace darwinop {
+namespace {
+
+constexpr const char* kRemedy = "; make it a file that you may read (chmod a+r), or remove it to use the defaults";
+
+struct Descriptor {
+  int number;
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+};
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+  throw std::runtime_error("cannot read " + path + ": " + why);
+}
+
+/// "No file", as programs say it.
+bool isNull(const struct stat& about) {
+  return S_ISCHR(about.st_mode) && about.st_rdev == makedev(1, 3);
+}
+
+const char* kindOf(mode_t mode) {
+  return S_ISDIR(mode) ? "it is a folder" : S_ISFIFO(mode) ? "it is a pipe" : "it is a device";
+}
+
+}  // namespace
+
+std::optional<std::string> readTextFile(const std::string& path, std::size_t longest) {
+  // Without O_NONBLOCK the opening of a pipe waits for its writer.
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
+  if (file.number < 0 && errno == ENOENT) return std::nullopt;
+  struct stat about {};
+  if (file.number < 0 || fstat(file.number, &about) != 0) refuse(path, std::strerror(errno) + std::string{kRemedy});
+  if (isNull(about)) return std::string{};
+  if (!S_ISREG(about.st_mode)) refuse(path, kindOf(about.st_mode) + std::string{"; give a regular file"});
+  std::string text;
+  std::array<char, 4096> part{};
+  for (;;) {
+    const ssize_t size = ::read(file.number, part.data(), part.size());
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) refuse(path, std::strerror(errno) + std::string{kRemedy});
+    if (size == 0) return text;
+    text.append(part.data(), static_cast<std::size_t>(size));
+    if (text.size() > longest)  // whatever its size was said to be: files of /proc have 0 bytes
+      refuse(path, "it is longer than " + std::to_string(longest) + " bytes; is it the right file?");
+  }
+}
+
+}  // namespace darwinop

@@ -1,0 +1,31 @@
+#include "monitor/eye.hpp"
+
+#include <stdexcept>
+
+namespace darwinop::monitor {
+
+void Eye::look(bool wanted, bool free, Nanos now) {
+  if (!wanted || free != free_) {
+    pictures_.reset();
+    next_try_ = Nanos{0};
+    why_ = "nobody has asked for pictures";
+  }
+  free_ = free;
+  if (!wanted || pictures_ || now < next_try_) return;
+  next_try_ = now + kAgain;
+  why_ = free ? "this robot has no camera" : "a controller drives, and the camera is left to it";
+  const Open& open = free ? open_ : share_;
+  if (!open) return;
+  try {
+    pictures_ = open();
+    why_.clear();
+  } catch (const std::runtime_error& error) {
+    why_ = error.what();
+  }
+}
+
+remote::JpegPicture Eye::newest() {
+  return pictures_ ? pictures_->newest() : remote::JpegPicture{};
+}
+
+}  // namespace darwinop::monitor

@@ -1,0 +1,133 @@
+// The sound program as a process: what is missing, what dies, and what is left behind.
+#include <gmock/gmock.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <thread>
+
+#include "apps/sound/graph.hpp"
+
+namespace darwinop {
+namespace {
+
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+bool processExists(pid_t pid) {
+  return std::filesystem::exists("/proc/" + std::to_string(pid));
+}
+
+std::string whyNoSound() {
+  try {
+    static_cast<void>(connect::openSound());
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST_F(SoundGraph, WithoutACardSoundsTakeTheirTimeAndThatIsSaid) {
+  writeGraph("pcm.null { type null }\n");
+  const auto begin = std::chrono::steady_clock::now();
+  sound().order(PlaySound{.id = 1, .file = toneFile(440, 0.3)});
+  awaitEnd(1);
+  EXPECT_GE(std::chrono::steady_clock::now() - begin, 300ms);
+  EXPECT_THAT(said, HasSubstr("the sound card \"default\" cannot be used"));
+}
+
+TEST_F(SoundGraph, AFileThatIsMissingOrIsNoneIsSaidAndTheNextOneIsHeard) {
+  sound().order(PlaySound{.id = 1, .file = folder / "nothing.mp3"});
+  awaitEnd(1);
+  EXPECT_THAT(said, HasSubstr("nothing.mp3 cannot be read: No such file"));
+  std::ofstream{folder / "text.mp3"} << "this is no sound at all, whatever its name says";
+  sound().order(PlaySound{.id = 2, .file = folder / "text.mp3"});
+  awaitEnd(2);
+  EXPECT_THAT(said, HasSubstr("text.mp3 cannot be played"));
+  sound().order(Speak{.id = 3, .text = folder / "no_text", .text_is_file = true});
+  awaitEnd(3);
+  EXPECT_THAT(said, HasSubstr("no_text is no file"));
+  std::ofstream{folder / "text"} << "Yes!";
+  sound().order(Speak{.id = 4, .text = folder / "text", .text_is_file = true, .voice = "gobbledygook+f3"});
+  awaitEnd(4);
+  EXPECT_THAT(said, HasSubstr("there is no voice \"gobbledygook+f3\" here, \"en\" speaks instead"));
+  EXPECT_GT(rms(heard(recorded().channel(0))), 0.01);
+}
+
+TEST_F(SoundGraph, WhatEndsAtOnceIsToldOfAlsoWhenTheCardIsAboutToBeGivenBack) {
+  sound().order(Speak{.id = 1, .text = folder / "no_text", .text_is_file = true});
+  awaitEnd(1);
+  sound().order(PlaySound{.id = 2, .file = toneFile(440, 0.1)});
+  awaitEnd(2);
+  std::this_thread::sleep_for(100ms);  // the card rests for 0.3 s after the tone, half of which was over
+  sound().order(Speak{.id = 3, .text = folder / "no_text", .text_is_file = true});
+  awaitEnd(3);
+}
+
+TEST_F(SoundGraph, AProgramThatIsKilledIsToldOfAndLeavesNoZombie) {
+  sound().order(PlaySound{.id = 1, .file = toneFile(440, 10)});
+  awaitBegin(1);
+  const pid_t pid = sound().pid();
+  kill(pid, SIGKILL);
+  const auto news = sound().news(kPatience);
+  ASSERT_TRUE(news && std::holds_alternative<SoundLost>(*news));
+  EXPECT_THAT(std::get<SoundLost>(*news).sentence, HasSubstr("ended by signal 9"));
+  EXPECT_FALSE(processExists(pid));
+  EXPECT_TRUE(sound().order(StopSound{})) << "no signal, and nothing to say again";
+  EXPECT_FALSE(sound().news(0ms));
+}
+
+TEST_F(SoundGraph, TheProgramEndsWithItsController) {
+  const pid_t controller = fork();
+  if (controller == 0) {
+    sound().order(PlaySound{.id = 1, .file = toneFile(440, 10)});
+    awaitBegin(1);
+    std::ofstream{folder / "pid"} << sound().pid() << '\n';
+    std::filesystem::rename(folder / "pid", folder / "began");
+    for (;;) pause();
+  }
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (!std::filesystem::exists(folder / "began") && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(5ms);
+  pid_t program = 0;
+  std::ifstream{folder / "began"} >> program;
+  ASSERT_GT(program, 0);
+  // A zombie does not count: nobody may be there to reap it.
+  const auto lives = [&] {
+    std::ifstream status{"/proc/" + std::to_string(program) + "/stat"};
+    std::string text;
+    std::getline(status, text);
+    return status && text.find(") Z ") == std::string::npos;
+  };
+  kill(program, SIGINT);  // Ctrl-C in the controller's terminal
+  std::this_thread::sleep_for(50ms);
+  EXPECT_TRUE(lives());
+  kill(controller, SIGKILL);
+  waitpid(controller, nullptr, 0);
+  while (lives() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(5ms);
+  EXPECT_FALSE(lives());
+}
+
+TEST_F(SoundGraph, APipeOfTheControllerEndsWhenTheControllerClosesIt) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);  // as popen() and many a library make them
+  sound();
+  close(ends[1]);
+  pollfd end{ends[0], POLLIN, 0};
+  EXPECT_EQ(poll(&end, 1, 1000), 1) << "the sound program has it, too";
+  close(ends[0]);
+}
+
+TEST_F(SoundGraph, AMissingProgramIsAWordAboutWhereItWasLookedFor) {
+  setenv("DARWINOP_SOUND", "/nowhere/darwinop-sound", 1);
+  EXPECT_THAT(whyNoSound(), HasSubstr("it was not found. Looked for:\n  /nowhere/darwinop-sound"));
+  setenv("DARWINOP_SOUND", "none", 1);
+  EXPECT_EQ(whyNoSound(), "DARWINOP_SOUND is \"none\"");
+  unsetenv("DARWINOP_SOUND");
+  EXPECT_THAT(connect::soundProgramPlaces().front(), HasSubstr("/darwinop-sound"));
+}
+
+}  // namespace
+}  // namespace darwinop

@@ -1,0 +1,221 @@
+// robot.ini: what it may say, what it may not, and what holds in the end.
+#include "connect/robot_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "connect/setting.hpp"
+#include "core/conversions.hpp"
+#include "runtime/environment.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace darwinop::connect {
+namespace {
+
+using namespace std::chrono_literals;
+using runtime::Environment;
+using testing::AllOf;
+using testing::HasSubstr;
+
+template <class Action>
+std::string errorOf(const Action& action) {
+  try {
+    action();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+std::string errorIn(const std::string& text) {
+  return errorOf([&] { static_cast<void>(parseRobotFile(text, "robot.ini")); });
+}
+
+TEST(RobotFile, ReadsEverySection) {
+  const RobotFile robot = parseRobotFile(
+      "[Robot]\nport = /dev/ttyUSB1\ncamera = /dev/video2\nperiod_ms = 8\ngroup = robots\n"
+      "controller_user = student\n"
+      "[Safety]\nstall_ms = 250\n[Limits]\nNeck = -0.5, 0.5\n[Offsets]\nNeck = 0.1\nHead = -0.2 # as measured\n",
+      "robot.ini");
+  EXPECT_EQ(robot.path, "robot.ini");
+  EXPECT_EQ(robot.serialPort(), "/dev/ttyUSB1");
+  EXPECT_EQ(robot.camera, "/dev/video2");
+  EXPECT_EQ(robot.period, 8ms);
+  EXPECT_EQ(robot.group, "robots");
+  EXPECT_EQ(robot.controller_user, "student");
+  EXPECT_EQ(robot.safety.stall_ms, 250);
+  EXPECT_EQ(robot.safety.range[index(Joint::kNeck)].high.value, 0.5);
+  EXPECT_EQ(robot.offsets.ticks(Joint::kNeck), 65);
+  EXPECT_EQ(robot.offsets.ticks(Joint::kHead), -130);
+  EXPECT_EQ(robot.offsets.ticks(Joint::kShoulderR), 0);
+}
+
+TEST(RobotFile, WhatItDoesNotNameIsNotThere) {
+  const RobotFile robot = parseRobotFile("", "robot.ini");
+  EXPECT_FALSE(robot.port || robot.camera || robot.period);
+  EXPECT_EQ(robot.serialPort(), "/dev/ttyUSB0");
+  EXPECT_TRUE(robot.safety.named.none());
+}
+
+TEST(RobotFile, NamesJointsThatTheRobotLacks) {
+  const RobotFile robot = parseRobotFile("[Robot]\nabsent = neck , Head\n", "robot.ini");
+  EXPECT_TRUE(robot.safety.absent[index(Joint::kNeck)] && robot.safety.absent[index(Joint::kHead)]);
+  EXPECT_EQ(robot.safety.absent.count(), 2U);
+  EXPECT_EQ(safetyOn(robot, {}, "config.ini").absent, robot.safety.absent) << "it reaches the loop";
+  EXPECT_THAT(describe(robot), HasSubstr("absent: Neck Head"));
+  EXPECT_TRUE(parseRobotFile("[Robot]\nabsent =\n", "robot.ini").safety.absent.none());
+}
+
+TEST(RobotFile, RefusesAnAbsentJointThatDoesNotExistWithItsLine) {
+  for (const char* names : {"Nose", "Neck, Nose", "Neck,", ",", "Neck Head", "19"})
+    EXPECT_THAT(errorIn(std::string{"[Robot]\nport = /dev/ttyUSB0\nabsent = "} + names + "\n"),
+                AllOf(HasSubstr("robot.ini, line 3"), HasSubstr("[Robot] absent"), HasSubstr("as in Webots")))
+        << names;
+  std::string all;
+  for (const JointRow& joint : kJointTable) all += (all.empty() ? "" : ", ") + std::string{joint.name};
+  EXPECT_THAT(errorIn("[Robot]\nabsent = " + all + "\n"), HasSubstr("without any joint"));
+}
+
+TEST(RobotFile, SectionsKeysAndJointsMayBeInAnyCase) {
+  const RobotFile robot = parseRobotFile("[robot]\nPORT : \"/dev/ttyACM0\"\n[OFFSETS]\nneck = 0.1\n", "robot.ini");
+  EXPECT_EQ(robot.port, "/dev/ttyACM0");
+  EXPECT_EQ(robot.offsets.ticks(Joint::kNeck), 65);
+}
+
+struct Wrong {
+  const char *text, *error;
+};
+class WrongRobotFile : public ::testing::TestWithParam<Wrong> {};
+INSTANTIATE_TEST_SUITE_P(
+    Each, WrongRobotFile,
+    ::testing::Values(
+        Wrong{"[Robot]\nport = ttyUSB0",
+              "robot.ini, line 2: [Robot] port = ttyUSB0: give the path of a device, for example /dev/ttyUSB0"},
+        Wrong{"[Robot]\nport =",
+              "robot.ini, line 2: [Robot] port = : give the path of a device, for example /dev/ttyUSB0"},
+        Wrong{"[Robot]\ncamera = 0",
+              "robot.ini, line 2: [Robot] camera = 0: give the path of a device, for example /dev/video0"},
+        Wrong{"[Robot]\nperiod_ms = 4",
+              "robot.ini, line 2: [Robot] period_ms = 4: give a whole number of ms from 8 to 1000 (16, or 8 when only "
+              "goals are sent)"},
+        Wrong{"[Robot]\nperiod_ms = 16.5",
+              "robot.ini, line 2: [Robot] period_ms = 16.5: give a whole number of ms from 8 to 1000 (16, or 8 when "
+              "only goals are sent)"},
+        Wrong{"[Robot]\ngroup = a b",
+              "robot.ini, line 2: [Robot] group = a b: give the name of one group of users, or nothing"},
+        Wrong{"[Robot]\ncontroller_user = a/b",
+              "robot.ini, line 2: [Robot] controller_user = a/b: give the name of one user, or nothing"},
+        Wrong{"[Robot]\nspeed = 3",
+              "robot.ini, line 2: [Robot] speed = 3: no such key; there are port, camera, period_ms, group, "
+              "controller_user and absent"},
+        Wrong{"[Offsets]\nNeck = 0.21",
+              "robot.ini, line 2: [Offsets] Neck = 0.21: give a number from -0.2 to 0.2 rad; a horn that is further "
+              "off has to be put on anew"},
+        Wrong{"[Offsets]\nNeck = nan",
+              "robot.ini, line 2: [Offsets] Neck = nan: give a number from -0.2 to 0.2 rad; a horn that is further "
+              "off has to be put on anew"},
+        Wrong{"[Offsets]\nNose = 0.1",
+              "robot.ini, line 2: [Offsets] Nose = 0.1: no joint has this name; joints are called as in Webots, e.g. "
+              "Neck"},
+        Wrong{"[Safety]\nstall_ms = never",
+              "robot.ini, line 2: [Safety] stall_ms = never: give a number from 50 to 10000 ms"},
+        Wrong{"[Limits]\nNeck = -9, 9",
+              "robot.ini, line 2: [Limits] Neck = -9, 9: give two numbers, low, high, in rad, from -1.92975 to "
+              "1.69045: limits can be narrowed, not widened"},
+        Wrong{"[Safety]\nbattery_low = 9", "robot.ini, [Safety]: battery_empty must not be above battery_low"},
+        Wrong{"\n[Offset]",
+              "robot.ini, line 2: there is no section [Offset]; there are [Robot], [Safety], [Limits] and [Offsets]"},
+        Wrong{"port = /dev/ttyUSB0",
+              "robot.ini, line 1: key \"port\" stands before the first section; there are [Robot], [Safety], [Limits] "
+              "and [Offsets]"},
+        Wrong{"[Offsets]\nNeck 0.1", "robot.ini, line 2: \"Neck 0.1\" is no [section], no key = value and no comment"},
+        Wrong{"[Offsets\nNeck = 0.1", "robot.ini, line 1: the section's closing bracket ] is missing"},
+        Wrong{"[Offsets]\nNeck = 0.1\n[Robot]\n[offsets]\nneck = 0.1",
+              "robot.ini, line 5: [offsets] neck is there a second time; keep one of the two"},
+        Wrong{"[Safety]\nhot = 60\nHot = 61",
+              "robot.ini, line 3: [Safety] Hot is there a second time; keep one of the two"}));
+
+TEST_P(WrongRobotFile, IsRefusedWithFileLineKeyAndWhatIsAllowed) {
+  EXPECT_EQ(errorIn(GetParam().text), GetParam().error);
+}
+
+TEST(RobotFile, TheSameKeyInTwoSectionsIsNoDuplicate) {
+  EXPECT_EQ(errorIn("[Limits]\nNeck = -0.5, 0.5\n[Offsets]\nNeck = 0.1\n"), "no error");
+}
+
+TEST(FindRobotFile, TheNamedOneThenTheUsualOneThenNone) {
+  const TemporaryFolder folder;
+  const std::string usual = folder / "robot.ini", named = folder / "other.ini";
+  EXPECT_EQ(readRobotFile(usual).path, "");
+  std::ofstream{usual} << "[Robot]\nport = /dev/usual\n";
+  EXPECT_EQ(readRobotFile(usual).port, "/dev/usual");
+  const Environment name{"DARWINOP_ROBOT_FILE", named};
+  EXPECT_EQ(
+      errorOf([&] { static_cast<void>(readRobotFile(usual)); }),
+      "DARWINOP_ROBOT_FILE names " + named + ", and there is no such file; correct the path or unset the variable");
+  std::ofstream{named} << "[Robot]\nport = /dev/named\n";
+  EXPECT_EQ(readRobotFile(usual).port, "/dev/named");
+}
+
+TEST(FindRobotFile, AFileThatCannotBeReadIsNotTakenForAbsent) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(errorOf([&] { static_cast<void>(readRobotFile(folder / "")); }), HasSubstr("cannot read "));
+}
+
+TEST(FindRobotFile, ItsPortIsTheOneThatAnUnnamedRobotIsOn) {
+  const TemporaryFolder folder;
+  std::ofstream{folder / "robot.ini"} << "[Robot]\nport = " << folder / "tty"
+                                      << "\n";
+  const Environment file{"DARWINOP_ROBOT_FILE", folder / "robot.ini"};
+  const Environment no_daemon{"DARWINOP_RUNTIME_NAME", folder / "none"};
+  EXPECT_THAT(errorOf([] { static_cast<void>(readSetting("")); }), HasSubstr(folder / "tty does not exist"));
+  std::ofstream{folder / "tty"};
+  EXPECT_EQ(readSetting("").port, folder / "tty");
+}
+
+TEST(SafetyOn, WithoutAFileTheControllersSettingsHold) {
+  safety::Config controller;
+  controller.set("Safety", "max_joint_speed", "3");
+  EXPECT_EQ(safetyOn(RobotFile{}, controller, "config.ini").max_joint_speed, 3);
+}
+
+TEST(SafetyOn, BothFilesCount) {
+  const RobotFile robot = parseRobotFile("[Safety]\nmax_joint_speed = 2\n[Limits]\nNeck = -0.5, 1\n", "robot.ini");
+  safety::Config controller;
+  controller.set("Safety", "max_joint_speed", "3");
+  controller.set("Limits", "Neck", "-1, 0.5");
+  const safety::Config config = safetyOn(robot, controller, "config.ini");
+  EXPECT_EQ(config.max_joint_speed, 2);
+  EXPECT_EQ(config.range[index(Joint::kNeck)].low.value, -0.5);
+  EXPECT_EQ(config.range[index(Joint::kNeck)].high.value, 0.5);
+}
+
+TEST(SafetyOn, KeepsRoomForAnOffsetSoThatTheServoStaysWithinTheTable) {
+  const RobotFile robot = parseRobotFile("[Offsets]\nLegLowerR = 0.1\nNeck = -0.1\n", "robot.ini");
+  const safety::Config config = safetyOn(robot, {}, "config.ini");
+  config.check();
+  for (const Joint joint : {Joint::kLegLowerR, Joint::kNeck, Joint::kHead}) {
+    const safety::JointRange range = config.range[index(joint)];
+    EXPECT_GE(robot.offsets.servoTicks(joint, range.low), row(joint).low);
+    EXPECT_LE(robot.offsets.servoTicks(joint, range.high), row(joint).high);
+  }
+  EXPECT_EQ(robot.offsets.servoTicks(Joint::kLegLowerR, config.range[index(Joint::kLegLowerR)].high),
+            row(Joint::kLegLowerR).high)
+      << "and not more than needed";
+}
+
+TEST(SafetyOn, AnOffsetThatLeavesNothingOfALimitIsAnError) {
+  const RobotFile robot = parseRobotFile("[Limits]\nLegLowerR = 2.2, 2.24\n[Offsets]\nLegLowerR = 0.1\n", "robot.ini");
+  EXPECT_THAT(errorOf([&] { static_cast<void>(safetyOn(robot, {}, "config.ini")); }),
+              HasSubstr("robot.ini, [Offsets] LegLowerR: the offset leaves nothing of the range"));
+}
+
+TEST(DescribeRobotFile, NamesWhatDiffersFromAStockRobot) {
+  EXPECT_THAT(describe(RobotFile{}), HasSubstr("no robot.ini"));
+  EXPECT_EQ(describe(parseRobotFile("[Safety]\nhot = 60\n[Limits]\nHead = 0, 0.3\n[Offsets]\nNeck = 0.1\n", "r.ini")),
+            "r.ini: port /dev/ttyUSB0, 16 ms, 1 setting of [Safety], narrowed: Head, offsets in rad: Neck +0.0997");
+}
+
+}  // namespace
+}  // namespace darwinop::connect

@@ -1,0 +1,23 @@
+// Programs for the robot know the twin by name only.
+#include <gmock/gmock.h>
+
+#include <stdexcept>
+
+#include "connect/connect.hpp"
+
+namespace darwinop::connect {
+namespace {
+
+TEST(TwinOnTheRobot, IsRefusedWithASentence) {
+  Request request;
+  request.setting = "twin";
+  try {
+    connect(request);
+    ADD_FAILURE() << "a static program has loaded a library";
+  } catch (const std::runtime_error& refusal) {
+    EXPECT_THAT(refusal.what(), testing::HasSubstr("runs on a PC only"));
+  }
+}
+
+}  // namespace
+}  // namespace darwinop::connect

@@ -1,0 +1,103 @@
+// What an experiment's file may say, and with which sentence a wrong one is refused.
+#include "experiments/format/reader.hpp"
+
+#include <gmock/gmock.h>
+
+#include "experiments/format/texts.hpp"
+
+namespace darwinop::experiments {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST(ExperimentReader, TakesNumbersWithTheirUnits) {
+  const Experiment nod = parseExperiment(kNod, "my.ini");
+  const Phase& turn = nod.rounds.at(0).phases.at(0);
+  EXPECT_EQ(nod.name, "nod");
+  EXPECT_EQ(turn.joints.at(0).joint, Joint::kNeck);
+  EXPECT_NEAR(turn.goal.to, 30 * kRadPerDegree, 1e-12);  // one multiplication
+  EXPECT_EQ(turn.velocity, 2);
+  EXPECT_EQ(turn.p_gain, 4) << "what a phase does not say is as servos have it";
+  EXPECT_EQ(nod.record_joints, std::vector{Joint::kNeck});
+}
+
+TEST(ExperimentReader, SweepMakesOneRoundOfEachValue) {
+  const std::string text =
+      with(kNod, "velocity = 2 rad/s", "velocity = sweep") + "[sweep]\nvalues = 1 rad/s, 60 deg/s\n";
+  const Experiment nod = parseExperiment(text, "my.ini");
+  ASSERT_EQ(nod.rounds.size(), 2U);
+  EXPECT_EQ(nod.rounds[0].phases[0].velocity, 1);
+  EXPECT_NEAR(nod.rounds[1].phases[0].velocity, 60 * kRadPerDegree, 1e-12);
+  EXPECT_EQ(nod.rounds[1].label, "velocity = 60 deg/s");
+}
+
+TEST(ExperimentReader, RepeatMakesRoundsWithoutAValue) {
+  EXPECT_EQ(parseExperiment(kNod + "[sweep]\nrepeat = 3\n", "my.ini").rounds.size(), 3U);
+}
+
+TEST(ExperimentReader, MinusMirrorsAJoint) {
+  const Experiment nod = parseExperiment(with(kNod, "joints = Neck\ngoal", "joints = AnkleR, -AnkleL\ngoal"), "my.ini");
+  EXPECT_EQ(nod.rounds[0].phases[0].joints[0].sign, 1);
+  EXPECT_EQ(nod.rounds[0].phases[0].joints[1].sign, -1);
+}
+
+struct Wrong {
+  const char *line, *instead;
+  int number;  // of the line that is named
+  std::vector<std::string> says;
+};
+
+class ExperimentErrors : public testing::TestWithParam<Wrong> {};
+
+TEST_P(ExperimentErrors, NameFileLineAndWhatIsAllowed) {
+  const Wrong& wrong = GetParam();
+  const std::string sentence = refusal(with(kNod, wrong.line, wrong.instead));
+  EXPECT_THAT(sentence, StartsWith("my.ini, line " + std::to_string(wrong.number) + ": "));
+  for (const std::string& part : wrong.says) EXPECT_THAT(sentence, HasSubstr(part));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Lines, ExperimentErrors,
+    testing::Values(
+        Wrong{"velocity =", "velocty =", 11, {"no key 'velocty'", "did you mean velocity?", "allowed are"}},
+        Wrong{"velocity = 2 rad/s", "velocity = 2", 11, {"'2' is not a speed", "rad/s, deg/s, rpm"}},
+        Wrong{"velocity = 2 rad/s", "velocity = 20 rad/s", 11, {"out of range", "0.0119 to 12.22 rad/s"}},
+        Wrong{"velocity = 2 rad/s", "velocity = nan rad/s", 11, {"is not a speed"}},
+        Wrong{"velocity = 2 rad/s\n", "", 7, {"goal = step needs 'velocity'"}},
+        Wrong{"duration = 1 s\n[record]", "[record]", 7, {"needs 'duration'"}},
+        Wrong{"joints = Neck\ngoal", "joints = Nek\ngoal", 8, {"no joint 'Nek'", "did you mean Neck?", "ShoulderR"}},
+        Wrong{"joints = Neck\ngoal", "joints = Neck, -Neck\ngoal", 8, {"Neck stands twice"}},
+        Wrong{"goal = step", "goal = stop", 9, {"'stop' is not allowed", "did you mean step?", "multisine"}},
+        Wrong{"goal = step", "goal = sine", 7, {"goal = sine needs 'amplitude'"}},
+        Wrong{"to = 30 deg",
+              "to = 30 deg\nperiod = 1 s",
+              11,
+              {"'period' has no meaning for goal = step", "to, velocity"}},
+        Wrong{"goal = step", "torque = off\ngoal = step", 10, {"leave one of the two out"}},
+        Wrong{"velocity = 2 rad/s", "velocity = sweep", 11, {"needs a section [sweep]"}},
+        Wrong{"velocity = 2 rad/s", "velocity = 2 rad/s\nwithin = 0.1 rad", 12, {"until = arrival"}},
+        Wrong{"pose = start", "pose = stand", 5, {"no pose 'stand'", "start, standing"}},
+        Wrong{"pose = start", "pose = start\npose = start", 6, {"'pose' stands twice"}},
+        Wrong{"[record]", "[recrod]", 13, {"no section [recrod]", "did you mean record?", "[phase NAME]"}},
+        Wrong{"[phase turn]", "[phase]", 7, {"a phase needs a name"}},
+        Wrong{"name = nod", "name = ../nod", 2, {"small letters"}},
+        Wrong{"title = The head nods\n", "", 1, {"needs 'title'"}},
+        Wrong{"pose = start\n", "pose = start\nhello\n", 6, {"neither a section nor key = value"}}));
+
+TEST(ExperimentReader, FileWithoutASectionSaysWhichOne) {
+  EXPECT_THAT(refusal("[experiment]\nname = a\ntitle = b\n"), AllOf(StartsWith("my.ini"), HasSubstr("[setup]")));
+}
+
+TEST(ExperimentReader, SweptValueIsCheckedWhereItIsUsed) {
+  const std::string text = with(kNod, "velocity = 2 rad/s", "velocity = sweep") + "[sweep]\nvalues = 1 rad/s, 5\n";
+  EXPECT_THAT(refusal(text), AllOf(StartsWith("my.ini, line 11"), HasSubstr("'5' is not a speed")));
+}
+
+TEST(ExperimentReader, SweepThatNothingUsesIsRefused) {
+  EXPECT_THAT(refusal(kNod + "[sweep]\nvalues = 1, 2\n"), HasSubstr("no phase uses these values"));
+}
+
+}  // namespace
+}  // namespace darwinop::experiments

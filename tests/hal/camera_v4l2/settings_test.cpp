@@ -1,0 +1,133 @@
+// Brightness and the like, as the driver gets to see them.
+#include <linux/videodev2.h>
+
+#include <map>
+#include <utility>
+
+#include "hal/camera_v4l2/bench.hpp"
+#include "hal/camera_v4l2/quirks.hpp"
+
+namespace darwinop::v4l2 {
+namespace {
+
+using Written = std::vector<std::pair<std::uint32_t, int>>;
+
+/// Notes what is written; some controls may be disabled, or refuse.
+struct Notes final : Quirk {
+  int call(int fd, unsigned long request, void* argument) override {
+    if (request == VIDIOC_S_CTRL) {
+      const auto& control = *static_cast<const v4l2_control*>(argument);
+      const std::lock_guard lock{mutex};
+      written.emplace_back(control.id, control.value);
+      if (control.id == refuses) {
+        errno = EIO;
+        return -1;
+      }
+    }
+    const int result = next(fd, request, argument);
+    if (request == VIDIOC_QUERYCTRL && result == 0) {
+      auto& about = *static_cast<v4l2_queryctrl*>(argument);
+      if (about.id == disabled) about.flags |= V4L2_CTRL_FLAG_DISABLED;
+      if (about.id == unknown) {
+        errno = EINVAL;
+        return -1;
+      }
+    }
+    return result;
+  }
+  Written take() {
+    const std::lock_guard lock{mutex};
+    return std::exchange(written, {});
+  }
+
+  std::atomic<std::uint32_t> disabled{0}, unknown{0}, refuses{0};
+  std::mutex mutex;
+  Written written;
+  const InForce in_force{*this};  // the last member: the first to go
+};
+
+/// The virtual camera keeps what was written as long as the process lives.
+void resetControls() {
+  const Device device{"/dev/video0"};
+  v4l2_control manual{V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL};  // or its exposure could not be set
+  ASSERT_EQ(request(device.fd(), VIDIOC_S_CTRL, manual), 0);
+  for (const std::uint32_t id :
+       {V4L2_CID_EXPOSURE_ABSOLUTE, V4L2_CID_EXPOSURE_AUTO, V4L2_CID_AUTO_WHITE_BALANCE, V4L2_CID_AUTOGAIN,
+        V4L2_CID_HUE_AUTO, V4L2_CID_BRIGHTNESS, V4L2_CID_CONTRAST, V4L2_CID_SATURATION, V4L2_CID_GAIN}) {
+    v4l2_queryctrl about{};
+    about.id = id;
+    ASSERT_EQ(request(device.fd(), VIDIOC_QUERYCTRL, about), 0);
+    v4l2_control control{about.id, about.default_value};
+    ASSERT_EQ(request(device.fd(), VIDIOC_S_CTRL, control), 0);
+  }
+}
+
+struct SettingsTest : testing::Test {
+  SettingsTest() {
+    resetControls();
+    notes.take();
+  }
+  Written writtenFor(const CameraSettings& settings) {
+    CameraOptions options = inAHurry(ears);
+    options.settings = settings;
+    Camera camera{options};
+    waitForPicture(camera);
+    return notes.take();
+  }
+  VirtualCamera device;
+  Ears ears;
+  Notes notes;
+};
+
+TEST_F(SettingsTest, SwitchTheAutomaticsOffFirstAndThenSetWhatDiffers) {
+  const Written expected{{V4L2_CID_EXPOSURE_AUTO, V4L2_EXPOSURE_MANUAL},
+                         {V4L2_CID_AUTO_WHITE_BALANCE, 0},
+                         {V4L2_CID_AUTOGAIN, 0},
+                         {V4L2_CID_HUE_AUTO, 0},
+                         {V4L2_CID_GAIN, 255},
+                         {V4L2_CID_EXPOSURE_ABSOLUTE, 1000}};
+  EXPECT_EQ(writtenFor({}), expected);
+  EXPECT_EQ(writtenFor({}), Written{}) << "all is as it should be by now";
+
+  CameraSettings other;
+  other.brightness = 130;
+  other.auto_gain = true;
+  other.gain = 200;
+  const Written brighter{{V4L2_CID_AUTOGAIN, 1}, {V4L2_CID_BRIGHTNESS, 130}};
+  EXPECT_EQ(writtenFor(other), brighter) << "a gain that the camera chooses is left to it";
+
+  const Written back{{V4L2_CID_AUTOGAIN, 0}, {V4L2_CID_BRIGHTNESS, 128}};
+  EXPECT_EQ(writtenFor({}), back) << "-1 is the driver's default";
+  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+}
+
+TEST_F(SettingsTest, LeaveOutControlsThatAreDisabledOrNotThere) {
+  notes.disabled = V4L2_CID_BRIGHTNESS;
+  notes.unknown = V4L2_CID_CONTRAST;
+  CameraSettings settings;
+  settings.brightness = settings.contrast = settings.saturation = 77;
+  const Written written = writtenFor(settings);
+  EXPECT_THAT(written, testing::Contains(testing::Pair(V4L2_CID_SATURATION, 77)));
+  EXPECT_THAT(written, testing::Not(testing::Contains(testing::Pair(V4L2_CID_BRIGHTNESS, testing::_))));
+  EXPECT_THAT(written, testing::Not(testing::Contains(testing::Pair(V4L2_CID_CONTRAST, testing::_))));
+  EXPECT_THAT(ears.heard(), testing::IsEmpty());
+}
+
+TEST_F(SettingsTest, TellOnceWhatTheCameraDoesNotTake) {
+  notes.refuses = V4L2_CID_CONTRAST;
+  CameraOptions options = inAHurry(ears);
+  options.settings.exposure = 5000;  // the camera's range ends at 2047
+  options.settings.contrast = 99;
+  Camera camera{options};
+  waitForPicture(camera);
+  device.fault(CameraFault::kGone);
+  ASSERT_TRUE(ears.hears("is gone"));
+  device.fault(CameraFault::kNone);
+  ASSERT_TRUE(ears.hears("is back"));
+  EXPECT_EQ(ears.times("/dev/video0: exposure 5000 is not written, this camera takes 3 to 2047"), 1);
+  EXPECT_EQ(ears.times("/dev/video0: contrast 99 is refused by the camera (Input/output error)"), 1);
+  EXPECT_THAT(notes.take(), testing::Not(testing::Contains(testing::Pair(V4L2_CID_EXPOSURE_ABSOLUTE, testing::_))));
+}
+
+}  // namespace
+}  // namespace darwinop::v4l2

@@ -1,0 +1,312 @@
+// Opening ports: settings, exclusiveness, finding them again, and the words for what goes wrong.
+#include "hal/cm730/serial_open.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "hal/cm730/port_check.hpp"
+#include "hal/cm730/pty.hpp"
+
+namespace darwinop::cm730 {
+namespace {
+
+using testing::HasSubstr;
+using Step = OpenAttempt::Step;
+namespace fs = std::filesystem;
+
+class OpenFile {
+ public:
+  explicit OpenFile(int fd) : fd_{fd} {}
+  ~OpenFile() { closeSerial(fd_); }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  [[nodiscard]] int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+TEST(OpenSerial, MakesAPtyRawAtOneMegabaudWithReadsThatDoNotWait) {
+  const Pty pty;
+  const OpenFile port{openSerial(pty.path()).fd};
+  ASSERT_GE(port.get(), 0);
+  termios settings{};
+  ASSERT_EQ(::tcgetattr(port.get(), &settings), 0);
+  EXPECT_EQ(::cfgetospeed(&settings), static_cast<speed_t>(B1000000));
+  EXPECT_EQ(settings.c_lflag & (ICANON | ECHO | ISIG), 0u);
+  EXPECT_EQ(settings.c_oflag & OPOST, 0u);
+  EXPECT_EQ(settings.c_cc[VMIN], 0);
+  EXPECT_EQ(settings.c_cc[VTIME], 0);
+  std::uint8_t byte = 0;
+  EXPECT_EQ(::read(port.get(), &byte, 1), 0) << "nothing pending must read as 0, at once";
+}
+
+struct Flag {
+  const char* name;
+  tcflag_t termios::*field;
+  tcflag_t bit;
+};
+// What a former owner of the port can have left behind.
+constexpr Flag kLeftBehind[] = {
+    {"IGNBRK", &termios::c_iflag, IGNBRK},   {"BRKINT", &termios::c_iflag, BRKINT},
+    {"IGNPAR", &termios::c_iflag, IGNPAR},   {"PARMRK", &termios::c_iflag, PARMRK},
+    {"INPCK", &termios::c_iflag, INPCK},     {"ISTRIP", &termios::c_iflag, ISTRIP},
+    {"INLCR", &termios::c_iflag, INLCR},     {"IGNCR", &termios::c_iflag, IGNCR},
+    {"ICRNL", &termios::c_iflag, ICRNL},     {"IUCLC", &termios::c_iflag, IUCLC},
+    {"IXON", &termios::c_iflag, IXON},       {"IXANY", &termios::c_iflag, IXANY},
+    {"IXOFF", &termios::c_iflag, IXOFF},     {"IMAXBEL", &termios::c_iflag, IMAXBEL},
+    {"IUTF8", &termios::c_iflag, IUTF8},     {"OPOST", &termios::c_oflag, OPOST},
+    {"ONLCR", &termios::c_oflag, ONLCR},     {"OCRNL", &termios::c_oflag, OCRNL},
+    {"OFILL", &termios::c_oflag, OFILL},     {"CSTOPB", &termios::c_cflag, CSTOPB},
+    {"PARODD", &termios::c_cflag, PARODD},   {"HUPCL", &termios::c_cflag, HUPCL},
+    {"CRTSCTS", &termios::c_cflag, CRTSCTS}, {"CMSPAR", &termios::c_cflag, CMSPAR},
+    {"ISIG", &termios::c_lflag, ISIG},       {"ICANON", &termios::c_lflag, ICANON},
+    {"ECHO", &termios::c_lflag, ECHO},       {"ECHONL", &termios::c_lflag, ECHONL},
+    {"NOFLSH", &termios::c_lflag, NOFLSH},   {"TOSTOP", &termios::c_lflag, TOSTOP},
+    {"IEXTEN", &termios::c_lflag, IEXTEN},   {"EXTPROC", &termios::c_lflag, EXTPROC},
+};
+
+TEST(OpenSerial, ClearsEveryFlagOfAFormerOwner) {
+  for (const Flag& flag : kLeftBehind) {
+    const Pty pty;
+    const int former = ::open(pty.path().c_str(), O_RDWR | O_NOCTTY);
+    ASSERT_GE(former, 0);
+    termios settings{};
+    ASSERT_EQ(::tcgetattr(former, &settings), 0);
+    settings.*flag.field |= flag.bit;
+    ASSERT_EQ(::tcsetattr(former, TCSANOW, &settings), 0) << flag.name;
+    ASSERT_EQ(::tcgetattr(former, &settings), 0);
+    ASSERT_EQ(settings.*flag.field & flag.bit, flag.bit) << flag.name << " cannot be set on a pty: take it out here";
+    ::close(former);
+
+    const OpenFile port{openSerial(pty.path()).fd};
+    ASSERT_GE(port.get(), 0) << flag.name;
+    ASSERT_EQ(::tcgetattr(port.get(), &settings), 0);
+    for (const Flag& other : kLeftBehind)
+      EXPECT_EQ(settings.*other.field & other.bit, 0u) << other.name << " after " << flag.name;
+    EXPECT_EQ(settings.c_iflag | settings.c_oflag | settings.c_lflag, 0u) << flag.name;
+    EXPECT_EQ(settings.c_cflag & (CSIZE | CREAD | CLOCAL), static_cast<tcflag_t>(CS8 | CREAD | CLOCAL)) << flag.name;
+  }
+}
+
+TEST(OpenSerial, RefusesAPortThatSomebodyUsesAndNamesTheProcess) {
+  const Pty pty;
+  const OpenFile first{openSerial(pty.path()).fd};
+  ASSERT_GE(first.get(), 0);
+  const OpenAttempt second = openSerial(pty.path());
+  EXPECT_EQ(second.fd, -1);
+  EXPECT_EQ(second.step, Step::kLock);
+  EXPECT_THAT(explain(pty.path(), second), HasSubstr(pty.path() + " is in use by this process"));
+}
+
+TEST(OpenSerial, LeavesAPortThatSomebodyUsesAsItIs) {
+  Pty pty;
+  const OpenFile first{openSerial(pty.path()).fd};
+  const std::uint8_t byte = 7;
+  send(pty, {&byte, 1});
+  EXPECT_EQ(openSerial(pty.path()).fd, -1);
+  std::uint8_t got = 0;
+  EXPECT_EQ(::read(first.get(), &got, 1), 1) << "the second opening threw away the first one's bytes";
+}
+
+TEST(OpenSerial, SaysWhatIsNoSerialPort) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "file";
+  std::ofstream{file} << "text";
+  for (const std::string& path : {std::string{"/dev/null"}, file, folder / ""}) {
+    const OpenAttempt attempt = openSerial(path);
+    EXPECT_EQ(attempt.fd, -1);
+    EXPECT_THAT(explain(path, attempt), HasSubstr(path + " is not a serial port"));
+  }
+}
+
+TEST(OpenSerial, SaysThatAPortIsNotThereAndWhatToDo) {
+  const OpenAttempt attempt = openSerial("/dev/ttyNOSUCHPORT");
+  EXPECT_EQ(attempt.error, ENOENT);
+  EXPECT_THAT(explain("/dev/ttyNOSUCHPORT", attempt),
+              testing::AllOf(HasSubstr("there is no /dev/ttyNOSUCHPORT"),
+                             testing::AnyOf(HasSubstr("virtual-robot"), HasSubstr("--robot"))));
+}
+
+TEST(OpenSerial, NamesTheGroupWhenPermissionIsMissing) {
+  EXPECT_THAT(explain("/dev/ttyUSB0", {-1, Step::kOpen, EACCES}), HasSubstr("sudo usermod -aG dialout $USER"));
+}
+
+/// Runs as an ordinary user while it lives, if the test runs as root.
+class OrdinaryUser {
+ public:
+  static bool possible() { return ::geteuid() == 0; }
+  OrdinaryUser() : ok_{::seteuid(65534) == 0} {}
+  ~OrdinaryUser() { EXPECT_EQ(::seteuid(0), 0); }
+  OrdinaryUser(const OrdinaryUser&) = delete;
+  OrdinaryUser& operator=(const OrdinaryUser&) = delete;
+  [[nodiscard]] bool ok() const { return ok_; }
+
+ private:
+  bool ok_;
+};
+
+TEST(OpenSerial, IsRefusedWithoutPermission) {
+  if (!OrdinaryUser::possible()) GTEST_SKIP() << "needs root, to become another user";
+  const Pty pty;
+  ASSERT_EQ(::chmod(pty.path().c_str(), 0600), 0);
+  const OrdinaryUser nobody;
+  ASSERT_TRUE(nobody.ok());
+  const OpenAttempt attempt = openSerial(pty.path());
+  EXPECT_EQ(attempt.error, EACCES);
+}
+
+// TIOCEXCL outlives the last user of a pty whose other end stays open, as a virtual robot's does.
+TEST(OpenSerial, AnOrdinaryUserCanOpenAPtyAgainAfterItsUserWasKilled) {
+  if (!OrdinaryUser::possible()) GTEST_SKIP() << "needs root, to become another user";
+  const Pty pty;
+  ASSERT_EQ(::chmod(pty.path().c_str(), 0666), 0);
+  const OrdinaryUser nobody;
+  ASSERT_TRUE(nobody.ok());
+  const OpenAttempt killed = openSerial(pty.path());
+  ASSERT_GE(killed.fd, 0);
+  ::close(killed.fd);  // as the kernel does it
+  const OpenFile again{openSerial(pty.path()).fd};
+  EXPECT_GE(again.get(), 0);
+}
+
+TEST(PortMemory, FollowsALinkThatWasMadeAnew) {
+  const TemporaryFolder folder;
+  const std::string link = folder / "robot";
+  std::optional<Pty> pty{link};
+  const PortMemory memory{link};
+  pty.reset();
+  EXPECT_EQ(memory.reopen(), -1);
+
+  const Pty after{link};
+  const OpenFile port{memory.reopen()};
+  EXPECT_GE(port.get(), 0);
+}
+
+TEST(PortMemory, NeverFollowsALinkThatWasLeftBehind) {
+  const TemporaryFolder folder;
+  const std::string link = folder / "robot";
+  const Pty somebodys_terminal{link};
+  EXPECT_EQ(PortMemory{link}.reopen(), -1);
+  EXPECT_EQ(PortMemory{somebodys_terminal.path()}.reopen(), -1);
+}
+
+/// A copy of what sysfs shows of USB adapters.
+class FakeSys {
+ public:
+  void plug(const std::string& tty, const std::string& vendor, const std::string& serial, int latency = 16) {
+    const fs::path usb = fs::path{folder_ / "devices"} / serial;
+    const fs::path port = usb / "1-1:1.0" / tty;
+    fs::create_directories(port);
+    std::ofstream{usb / "idVendor"} << vendor << '\n';
+    std::ofstream{usb / "idProduct"} << "6001\n";
+    std::ofstream{usb / "serial"} << serial << '\n';
+    std::ofstream{port / "latency_timer"} << latency << '\n';
+    fs::create_directories(fs::path{root()} / tty);
+    fs::create_directory_symlink(port, fs::path{root()} / tty / "device");
+  }
+  [[nodiscard]] std::string root() const { return folder_ / "tty"; }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+TEST(UsbSerial, TellsADeviceByVendorProductAndSerialNumber) {
+  FakeSys sys;
+  sys.plug("ttyUSB0", "0403", "A900");
+  const auto identity = usbIdentity("/dev/ttyUSB0", sys.root());
+  ASSERT_TRUE(identity);
+  EXPECT_EQ(*identity, (UsbIdentity{"0403", "6001", "A900"}));
+  EXPECT_TRUE(identity->ftdi());
+  EXPECT_FALSE(usbIdentity("/dev/ttyUSB1", sys.root()));
+}
+
+TEST(UsbSerial, OnlyTheSameDeviceIsTakenForTheOneThatWentAway) {
+  FakeSys sys;
+  sys.plug("ttyUSB1", "0403", "A900");
+  sys.plug("ttyUSB2", "0403", "OTHER");
+  sys.plug("ttyUSB3", "067b", "B1");
+  using testing::ElementsAre;
+  EXPECT_THAT(siblings("/dev/ttyUSB0", UsbIdentity{"0403", "6001", "A900"}, sys.root()), ElementsAre("/dev/ttyUSB1"));
+  EXPECT_THAT(siblings("/dev/ttyUSB0", std::nullopt, sys.root()), ElementsAre("/dev/ttyUSB1", "/dev/ttyUSB2"));
+}
+
+TEST(UsbSerial, ReadsAndSetsTheLatencyTimer) {
+  FakeSys sys;
+  sys.plug("ttyUSB0", "0403", "A900", 16);
+  EXPECT_EQ(latencyTimer("/dev/ttyUSB0", sys.root()), 16);
+  EXPECT_TRUE(setLatencyTimer("/dev/ttyUSB0", 1, sys.root()));
+  EXPECT_EQ(latencyTimer("/dev/ttyUSB0", sys.root()), 1);
+  EXPECT_FALSE(setLatencyTimer("/dev/ttyUSB5", 1, sys.root()));
+}
+
+TEST(CandidatePorts, AreTheUsbSerialPortsInOrder) {
+  const TemporaryFolder dev;
+  for (const char* name : {"ttyUSB1", "ttyS0", "ttyACM0", "ttyUSB0", "null"}) std::ofstream{dev / name};
+  const std::string at = dev / "";
+  EXPECT_THAT(candidatePorts(dev / ""), testing::ElementsAre(at + "ttyACM0", at + "ttyUSB0", at + "ttyUSB1"));
+}
+
+TEST(ChoosePort, TakesWhatIsAskedForElseTheFirstThatIsThere) {
+  EXPECT_EQ(choosePort("/tmp/robot", {"/dev/ttyUSB3"}), "/tmp/robot");
+  EXPECT_EQ(choosePort("", {"/dev/ttyUSB3", "/dev/ttyUSB4"}), "/dev/ttyUSB3");
+  EXPECT_EQ(choosePort("", {}), "/dev/ttyUSB0");
+  EXPECT_THROW(choosePort("tcp://robot", {}), std::runtime_error);
+}
+
+TEST(ChoosePort, SaysWhatToDoWithARobotThatIsNoPort) {
+  const auto error = [](const char* asked) -> std::string {
+    try {
+      return choosePort(asked, {});
+    } catch (const std::runtime_error& wrong) {
+      return wrong.what();
+    }
+  };
+  EXPECT_THAT(error("runtime"), HasSubstr("ask it with `darwinop runtime --status`"));
+  EXPECT_THAT(error("virtual"), HasSubstr("start `darwinop virtual-robot`"));
+}
+
+TEST(OpenSerial, TellsAPortThatMayComeYetFromOneThatWillNot) {
+  for (const int error : {ENOENT, ENODEV, ENXIO, EBUSY, EWOULDBLOCK})
+    EXPECT_TRUE(mayComeYet({-1, Step::kOpen, error})) << std::strerror(error);
+  for (const int error : {EACCES, EPERM, ENOTTY, EISDIR, ENOTDIR, EINVAL, EIO})
+    EXPECT_FALSE(mayComeYet({-1, Step::kOpen, error})) << std::strerror(error);
+}
+
+TEST(CheckPort, SaysOnceWhyAPortCannotBeOpened) {
+  const PortCheck check = checkPort("/dev/ttyNOSUCHPORT");
+  EXPECT_EQ(check.port, nullptr);
+  ASSERT_EQ(check.findings.size(), 1u);
+  EXPECT_EQ(check.findings[0].level, Level::kError);
+  EXPECT_TRUE(check.findings[0].is(Kind::kPortMissing));
+  EXPECT_THAT(toText(check.findings[0]), HasSubstr("FAIL  there is no /dev/ttyNOSUCHPORT"));
+}
+
+TEST(CheckPort, OpensAPty) {
+  const Pty pty;
+  const PortCheck check = checkPort(pty.path());
+  EXPECT_NE(check.port, nullptr);
+  EXPECT_EQ(worst(check.findings), Level::kOk);
+}
+
+TEST(LatencyRows, NameTheCommandForATimerThatIsTooLong) {
+  const Findings slow = latencyRows("/dev/ttyUSB0", 16);
+  ASSERT_EQ(slow.size(), 1u);
+  EXPECT_TRUE(slow[0].is(Kind::kLatencyTimer));
+  EXPECT_THAT(slow[0].mend, HasSubstr("echo 1 | sudo tee /sys/bus/usb-serial/devices/ttyUSB0/latency_timer"));
+  EXPECT_EQ(worst(latencyRows("/dev/ttyUSB0", 1)), Level::kOk);
+  EXPECT_TRUE(latencyRows("/dev/pts/3", std::nullopt).empty());
+}
+
+}  // namespace
+}  // namespace darwinop::cm730

@@ -1,0 +1,194 @@
+// Keys of a terminal: a process of its own on a real pty, and what it leaves behind.
+#include <gmock/gmock.h>
+#include <poll.h>
+#include <pty.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <thread>
+
+#include "connect/keys.hpp"
+
+namespace darwinop::connect {
+namespace {
+
+using testing::HasSubstr;
+
+std::atomic<bool> told_to_end{false};
+
+void onInterrupt(int) {
+  told_to_end = true;
+}
+
+/// What a controller does: asks every few ms, and prints what changes. Q ends it, X by a crash.
+[[noreturn]] void controller(const std::string& from) {
+  prctl(PR_SET_DUMPABLE, 0L);
+  static_cast<void>(std::setvbuf(stdout, nullptr, _IONBF, 0));
+  signal(SIGINT, onInterrupt);
+  const auto keys = openKeys(
+      {.from = from, .display = "", .say = [](const std::string& what) { std::printf("said: %s\r\n", what.c_str()); }},
+      told_to_end);
+  std::printf("listening\r\n");
+  for (std::vector<Key> before; !told_to_end;) {
+    const std::vector<Key> now = keys->take();
+    if (now != before) {
+      std::printf("[");
+      for (const Key key : now) std::printf(" %d", key);
+      std::printf(" ]\r\n");
+    }
+    for (const Key key : now) {
+      if (key == 'Q') std::exit(0);
+      if (key == 'X') std::abort();
+    }
+    before = now;
+    std::this_thread::sleep_for(std::chrono::milliseconds{2});
+  }
+  // It sits down for a while, and does not look at its keys any more.
+  if (from == "terminal") std::this_thread::sleep_for(std::chrono::minutes{1});
+  std::_Exit(0);
+}
+
+class Terminal : public testing::Test {
+ protected:
+  void start(const std::string& from = "terminal") {
+    std::fflush(stdout);
+    pid = forkpty(&master, nullptr, nullptr, nullptr);
+    if (pid == 0) controller(from);
+    ASSERT_GT(pid, 0);
+  }
+  ~Terminal() override {
+    if (pid > 0) {
+      kill(pid, SIGKILL);
+      waitpid(pid, nullptr, 0);
+    }
+    close(master);
+  }
+  void type(const std::string& bytes) const {
+    ASSERT_EQ(write(master, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
+  }
+  bool shows(const std::string& text) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{20};
+    while (shown.find(text) == std::string::npos && std::chrono::steady_clock::now() < end) {
+      pollfd ready{master, POLLIN, 0};
+      std::array<char, 256> part{};
+      if (poll(&ready, 1, 20) != 1) continue;
+      const ssize_t count = read(master, part.data(), part.size());
+      if (count > 0) shown.append(part.data(), static_cast<std::size_t>(count));
+    }
+    return shown.find(text) != std::string::npos;
+  }
+  /// As it was before: lines, and what is typed is shown. Without: every key at once.
+  [[nodiscard]] bool isAsBefore() const {
+    termios now{};
+    tcgetattr(master, &now);
+    return (now.c_lflag & (ICANON | ECHO)) == (ICANON | ECHO) && (now.c_iflag & ICRNL) != 0 && now.c_cc[VMIN] == 1;
+  }
+  bool becomesAsBefore() const {
+    for (int i = 0; i < 2000 && !isAsBefore(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds{5});
+    return isAsBefore();
+  }
+  int ending() {
+    int status = 0;
+    waitpid(pid, &status, 0);
+    pid = 0;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+  pid_t pid = 0;
+  int master = -1;
+  std::string shown;
+};
+
+TEST_F(Terminal, GivesArrowsAndLettersAndEndsTidily) {
+  start("");
+  ASSERT_TRUE(shows("no window (DISPLAY is not set): keys are read from this terminal")) << shown;
+  EXPECT_FALSE(isAsBefore());
+  type("\x1b[A");
+  EXPECT_TRUE(shows("[ 315 ]")) << shown;
+  EXPECT_TRUE(shows("[ ]")) << "let go by itself; " << shown;
+  type("q");
+  EXPECT_TRUE(shows("[ 81 ]")) << shown;
+  EXPECT_EQ(ending(), 0);
+  EXPECT_TRUE(isAsBefore());
+}
+
+TEST_F(Terminal, IsAsBeforeAfterTheFirstInterruptSoThatASecondOneMayKill) {
+  start();
+  ASSERT_TRUE(shows("keys are read from this terminal")) << shown;
+  type("\x03");
+  EXPECT_TRUE(becomesAsBefore());
+  EXPECT_EQ(kill(pid, SIGKILL), 0);
+  EXPECT_EQ(ending(), 128 + SIGKILL);
+  EXPECT_TRUE(isAsBefore());
+}
+
+TEST_F(Terminal, IsAsBeforeAfterACrash) {
+  start();
+  ASSERT_TRUE(shows("keys are read from this terminal")) << shown;
+  EXPECT_FALSE(isAsBefore());
+  type("x");
+  EXPECT_EQ(ending(), 128 + SIGABRT);
+  EXPECT_TRUE(isAsBefore());
+}
+
+TEST_F(Terminal, IsAsBeforeAfterASignalThatEndsTheProgramAtOnce) {
+  start();
+  ASSERT_TRUE(shows("keys are read from this terminal")) << shown;
+  type("\x1c");  // Ctrl-backslash
+  EXPECT_EQ(ending(), 128 + SIGQUIT);
+  EXPECT_TRUE(isAsBefore());
+}
+
+TEST_F(Terminal, ThatIsNotWantedIsLeftAlone) {
+  start("none");
+  ASSERT_TRUE(shows("listening")) << shown;
+  type("q\n");
+  EXPECT_TRUE(isAsBefore());
+  type("\x03");
+  EXPECT_EQ(ending(), 0);
+}
+
+TEST(Keys, FromSomewhereElseAreRefused) {
+  const std::atomic<bool> ending{false};
+  EXPECT_THROW(static_cast<void>(openKeys({.from = "piano", .display = ""}, ending)), std::runtime_error);
+}
+
+/// Standard input is not this test's: it must not be a terminal.
+TEST(Keys, ThatComeFromNowhereAreSaidOnce) {
+  const int kept = dup(0);
+  std::FILE* const nothing = std::fopen("/dev/null", "r");
+  dup2(fileno(nothing), 0);
+  std::atomic<bool> said{false};
+  std::string what;
+  {
+    const std::atomic<bool> ending{false};
+    const auto keys = openKeys({.from = "",
+                                .display = ":x",
+                                .say =
+                                    [&](const std::string& text) {
+                                      what = text;
+                                      said = true;
+                                    }},
+                               ending);
+    for (int i = 0; i < 2000 && !said; ++i) std::this_thread::sleep_for(std::chrono::milliseconds{5});
+    EXPECT_TRUE(keys->take().empty());
+  }
+  EXPECT_THAT(what, HasSubstr("no key is ever pressed"));
+  EXPECT_THAT(what, HasSubstr("DISPLAY=:x is no display"));
+  EXPECT_THAT(what, HasSubstr("no terminal (standard input is no terminal)"));
+  dup2(kept, 0);
+  close(kept);
+  std::fclose(nothing);
+}
+
+}  // namespace
+}  // namespace darwinop::connect

@@ -1,0 +1,174 @@
+// Keys of a window, on a real X server, pressed by xdotool as by a hand.
+#include <gmock/gmock.h>
+#include <xcb/xcb.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "connect/keys.hpp"
+#include "support/x_server.hpp"
+
+namespace darwinop::connect {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class KeyWindowTest : public testing::Test {
+ protected:
+  KeyWindowTest() {
+    keys = openKeys({.from = "window",
+                     .display = server.name(),
+                     .say =
+                         [this](const std::string& what) {
+                           const std::lock_guard lock{mutex};
+                           said += what + "\n";
+                         }},
+                    ending);
+    // A key that nobody uses: when it arrives, the window has the focus.
+    EXPECT_TRUE(eventually([this] {
+      tool("key F9");
+      return !keys->take().empty();
+    })) << "no window: "
+        << heard();
+    EXPECT_TRUE(eventually([this] { return keys->take().empty(); }));
+  }
+
+  [[nodiscard]] static bool eventually(const std::function<bool()>& is_so) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{20};
+    while (!is_so()) {
+      if (std::chrono::steady_clock::now() > end) return false;
+      std::this_thread::sleep_for(std::chrono::milliseconds{2});
+    }
+    return true;
+  }
+  void tool(const std::string& words) const {
+    const std::string command = "DISPLAY=" + server.name() + " xdotool " + words + " >/dev/null";
+    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  }
+  /// What is held once all has arrived.
+  [[nodiscard]] std::vector<Key> held(const std::vector<Key>& expected) {
+    std::vector<Key> now;
+    static_cast<void>(eventually([&] {
+      now = keys->take();
+      std::ranges::sort(now);
+      return now == expected;
+    }));
+    return now;
+  }
+  std::string heard() {
+    const std::lock_guard lock{mutex};
+    return said;
+  }
+
+  XServer server;
+  std::atomic<bool> ending{false};
+  std::mutex mutex;
+  std::string said;
+  std::unique_ptr<KeySource> keys;
+};
+
+TEST_F(KeyWindowTest, TellsKeysThatAreHeldTogetherAndTheirModifiers) {
+  tool("keydown Up keydown space keydown a");
+  EXPECT_THAT(held({' ', 'A', kKeyUp}), ElementsAre(' ', 'A', kKeyUp));
+  EXPECT_THAT(keys->take(), ElementsAre(kKeyUp, ' ', 'A')) << "again in the next step, in the order of pressing";
+  tool("keyup Up keyup space keydown shift");
+  EXPECT_THAT(held({'A' | kKeyShift}), ElementsAre('A' | kKeyShift));
+  tool("keyup shift");
+  EXPECT_THAT(held({'A'}), ElementsAre('A'));
+  tool("keyup a");
+  EXPECT_THAT(held({}), IsEmpty());
+  // Down and up before anyone asks.
+  tool("key F1 key ctrl+alt+x");
+  std::vector<Key> all;
+  EXPECT_TRUE(eventually([&] {
+    std::ranges::copy(keys->take(), std::back_inserter(all));
+    return all.size() == 2;
+  }));
+  EXPECT_THAT(all, ElementsAre(kKeyF1, 'X' | kKeyControl | kKeyAlt));
+  if (const char* const keep = std::getenv("DARWINOP_KEEP_SHOT")) {
+    tool("keydown Up keydown shift keydown a");
+    std::this_thread::sleep_for(std::chrono::milliseconds{300});
+    const std::string command =
+        "ffmpeg -y -loglevel error -f x11grab -video_size 800x600 -i " + server.name() + " -frames:v 1 " + keep;
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    tool("keyup Up keyup shift keyup a");
+  }
+}
+
+/// A server that repeats a key tells its window of a release and a press, though the key stays down.
+TEST_F(KeyWindowTest, AHeldKeyStaysHeldWhenTheServerRepeatsIt) {
+  tool("keydown Left");
+  EXPECT_THAT(held({kKeyLeft}), ElementsAre(kKeyLeft));
+  xcb_connection_t* const other = xcb_connect(server.name().c_str(), nullptr);
+  xcb_query_keymap_reply_t* const map = xcb_query_keymap_reply(other, xcb_query_keymap(other), nullptr);
+  xcb_get_input_focus_reply_t* const focus = xcb_get_input_focus_reply(other, xcb_get_input_focus(other), nullptr);
+  xcb_key_release_event_t release{};
+  release.response_type = XCB_KEY_RELEASE;
+  while ((map->keys[release.detail / 8U] & (1U << (release.detail % 8U))) == 0) ++release.detail;
+  xcb_send_event(other, 0, focus->focus, 0, reinterpret_cast<const char*>(&release));
+  std::free(xcb_get_input_focus_reply(other, xcb_get_input_focus(other), nullptr));  // has been sent by now
+  std::free(map);
+  std::free(focus);
+  xcb_disconnect(other);
+  tool("keydown F9");
+  EXPECT_THAT(held({kKeyLeft, kKeyF1 + 8}), ElementsAre(kKeyLeft, kKeyF1 + 8));
+  tool("keyup Left keyup F9");
+  EXPECT_THAT(held({}), IsEmpty());
+}
+
+TEST_F(KeyWindowTest, WithoutTheFocusNoKeyIsHeld) {
+  tool("keydown Up");
+  EXPECT_THAT(held({kKeyUp}), ElementsAre(kKeyUp));
+  xcb_connection_t* const other = xcb_connect(server.name().c_str(), nullptr);
+  const xcb_window_t root = xcb_setup_roots_iterator(xcb_get_setup(other)).data->root;
+  xcb_set_input_focus(other, XCB_INPUT_FOCUS_NONE, root, XCB_CURRENT_TIME);
+  xcb_flush(other);
+  EXPECT_THAT(held({}), IsEmpty());
+  tool("key F2");
+  tool("mousemove 20 20 click 1");  // into the window: it listens again
+  EXPECT_TRUE(eventually([this] {
+    tool("key F3");
+    const auto now = keys->take();
+    EXPECT_EQ(std::ranges::count(now, kKeyF1 + 1), 0);
+    return std::ranges::count(now, kKeyF1 + 2) == 1;
+  }));
+  xcb_disconnect(other);
+}
+
+TEST_F(KeyWindowTest, ClosedItSaysSoAndTheControllerGoesOn) {
+  tool("keydown Up");
+  EXPECT_THAT(held({kKeyUp}), ElementsAre(kKeyUp));
+  tool("search --name 'keys for the robot' windowclose");
+  EXPECT_TRUE(eventually([this] { return heard().find("window was closed") != std::string::npos; }));
+  EXPECT_THAT(held({}), IsEmpty());
+}
+
+TEST_F(KeyWindowTest, BehindANetworkThatHangsNoKeyStaysDown) {
+  tool("keydown Up");
+  EXPECT_THAT(held({kKeyUp}), ElementsAre(kKeyUp));
+  std::this_thread::sleep_for(std::chrono::milliseconds{1100});  // two questions
+  EXPECT_THAT(keys->take(), ElementsAre(kKeyUp)) << "a server that answers is believed";
+  server.hang();
+  EXPECT_THAT(held({}), IsEmpty());
+}
+
+TEST_F(KeyWindowTest, AServerThatDiesIsSaidAndTheControllerGoesOn) {
+  tool("keydown Up");
+  EXPECT_THAT(held({kKeyUp}), ElementsAre(kKeyUp));
+  server.end();
+  EXPECT_TRUE(eventually([this] { return heard().find("X server is gone") != std::string::npos; }));
+  EXPECT_THAT(held({}), IsEmpty());
+}
+
+}  // namespace
+}  // namespace darwinop::connect

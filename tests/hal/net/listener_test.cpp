@@ -1,0 +1,162 @@
+// The port of the server belongs to the server, whoever is inside and whatever another program tries.
+#include "hal/net/listener.hpp"
+
+#include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "remote/server/visits.hpp"
+
+namespace darwinop::remote {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr uid_t kNobody = 65534;
+constexpr std::array kAddresses{INADDR_LOOPBACK, INADDR_ANY};
+
+/// Which options the thief sets before it binds.
+struct Claim {
+  bool reuse_address = false, reuse_port = false;
+};
+constexpr std::array kClaims{Claim{}, Claim{.reuse_address = true}, Claim{.reuse_port = true}, Claim{true, true}};
+
+/// 0: the port was taken, a connection to it would come here. Else the errno of the call that failed.
+int take(std::uint16_t port, in_addr_t address, Claim claim) {
+  const net::Socket socket{::socket(AF_INET, SOCK_STREAM, 0)};
+  const int on = 1;
+  if (claim.reuse_address) (void)setsockopt(socket.descriptor(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+  if (claim.reuse_port) (void)setsockopt(socket.descriptor(), SOL_SOCKET, SO_REUSEPORT, &on, sizeof on);
+  sockaddr_in name{};
+  name.sin_family = AF_INET;
+  name.sin_port = htons(port);
+  name.sin_addr.s_addr = htonl(address);
+  if (bind(socket.descriptor(), reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0) return errno;
+  return listen(socket.descriptor(), 4) == 0 ? 0 : errno;
+}
+
+/// In a process of another user, as which nothing but system calls is done. Its exit code is the result.
+template <class Action>
+pid_t asNobody(Action action) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  for (int inherited = 3; inherited < 256; ++inherited) (void)close(inherited);  // the server's sockets among them
+  if (setgid(kNobody) != 0 || setuid(kNobody) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) _exit(255);
+  _exit(action());
+}
+
+int exitCode(pid_t child) {
+  int status = 0;
+  return waitpid(child, &status, 0) == child && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// A process of another user that does not end by itself.
+class Thief {
+ public:
+  template <class Action>
+  explicit Thief(Action action) : pid_{asNobody(action)} {}
+  ~Thief() {
+    if (ended_) return;
+    (void)kill(pid_, SIGKILL);
+    (void)waitpid(pid_, nullptr, 0);
+  }
+  Thief(const Thief&) = delete;
+  Thief& operator=(const Thief&) = delete;
+
+  [[nodiscard]] bool ended() { return ended_ = ended_ || waitpid(pid_, nullptr, WNOHANG) == pid_; }
+
+ private:
+  pid_t pid_;
+  bool ended_ = false;
+};
+
+/// Every address and option, by another user.
+void expectPortKept(const Served& served, const char* when) {
+  for (const in_addr_t address : kAddresses)
+    for (const Claim claim : kClaims)
+      EXPECT_EQ(exitCode(asNobody([&] { return take(served.server.port(), address, claim); })), EADDRINUSE)
+          << when << ", address " << address << ", SO_REUSEADDR " << claim.reuse_address << ", SO_REUSEPORT "
+          << claim.reuse_port;
+}
+
+class RemotePort : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (geteuid() != 0)
+      GTEST_SKIP() << "NOT TESTED: another user takes the port. Only root can become another user; run this as root";
+  }
+};
+
+TEST_F(RemotePort, IsNeverAnotherUsers) {
+  Served served;
+  expectPortKept(served, "nobody has come");
+  TestClient driver{served};
+  expectPortKept(served, "a client has connected");
+  (void)driver.ask(kEmptyRequest);
+  expectPortKept(served, "a client drives");
+  EXPECT_FALSE(TestClient{served}.connected());
+  expectPortKept(served, "another client was refused");
+  served.pass(500ms);
+  expectPortKept(served, "the client is silent");
+  (void)driver.ask(kEmptyRequest);
+  expectPortKept(served, "the client drives on");
+  driver.close();
+  expectPortKept(served, "the client has left");
+  TestClient next{served};
+  (void)next.ask(kEmptyRequest);
+  expectPortKept(served, "the next client drives");
+  next.reset();
+  expectPortKept(served, "the next client has broken off");
+  served.robot.refusal = "another controller drives this robot";
+  (void)TestClient{served}.ask(kEmptyRequest);
+  expectPortKept(served, "a client was shown out");
+}
+
+TEST_F(RemotePort, IsNotTakenInTheMomentBetweenTwoClients) {
+  Served served;
+  Thief thief{[port = served.server.port()]() -> int {
+    for (;;)
+      for (const in_addr_t address : kAddresses)
+        for (const Claim claim : kClaims)
+          if (take(port, address, claim) == 0) return 0;
+  }};
+  for (int i = 0; i < 1000 && !thief.ended(); ++i) (void)nextIsAnswered(served);  // the kernel is busy: not each is
+  EXPECT_FALSE(thief.ended()) << "another user has got the port";
+  EXPECT_FALSE(served.hasSaid("cannot listen"));
+  EXPECT_GT(served.robot.obeyed.size(), 0);
+}
+
+TEST(RemoteServer, KeepsItsPortFromProgramsOfItsOwnUser) {
+  Served served;
+  TestClient driver{served};
+  for (const char* const when : {"a client is inside", "nobody is inside"}) {
+    for (const in_addr_t address : kAddresses)
+      for (const Claim claim : {Claim{}, Claim{.reuse_address = true}})
+        EXPECT_EQ(take(served.server.port(), address, claim), EADDRINUSE) << when;
+    driver.close();
+  }
+}
+
+// What the kernel keeps of an ended connection for a minute must not keep a restarted server from its port.
+TEST(RemoteServer, ComesBackToItsPortAtOnce) {
+  std::uint16_t port = 0;
+  for (int i = 0; i < 3; ++i) {
+    Served served{{}, Served::unhurried(), port};
+    port = served.server.port();
+    served.robot.must_end = "torque was switched off by the button";
+    TestClient client{served};
+    client.send(kEmptyRequest);
+    EXPECT_TRUE(client.shownOut()) << "it is the server that ends the connection, and has to remember it";
+  }
+}
+
+}  // namespace
+}  // namespace darwinop::remote

@@ -1,0 +1,285 @@
+// The web server on a loopback port, with clients written by hand.
+#include "hal/net/web/server.hpp"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <set>
+
+#include "web_client.hpp"
+
+namespace darwinop::web {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Says back what it hears.
+struct Echo final : ChannelUser {
+  std::set<Channel*> open;
+  int ended = 0;
+
+  void opened(Channel& channel) override {
+    open.insert(&channel);
+    channel.send(kEvery, std::make_shared<const std::string>("welcome"));
+  }
+  void said(Channel& channel, std::string_view message, bool binary) override {
+    if (message == "out") return channel.close("asked for");
+    const auto bytes = std::make_shared<const std::string>(message);
+    binary ? channel.sendBinary(kEvery, bytes) : channel.send(kEvery, bytes);
+  }
+  void closed(Channel& channel) noexcept override {
+    open.erase(&channel);
+    ++ended;
+  }
+};
+
+class WebServer : public testing::Test {
+ protected:
+  explicit WebServer(const ServerConfig& config = {})
+      : server_{std::make_unique<Server>(config, [this](const std::string& line) { said_ += line + "\n"; })} {
+    server_->serve("/", {.type = "text/html", .body = "<p>hello"});
+    server_->serve("/large", {.type = "text/html", .body = std::string(8 << 20, ' ')});
+    server_->channel("/echo", "echo.1", echo_);
+  }
+  [[nodiscard]] WebClient client(int receive_buffer = 0) {
+    return {server_->port(), [this] { server_->attend(1ms); }, receive_buffer};
+  }
+  [[nodiscard]] std::string ask(const std::string& request) { return client().ask(request); }
+  /// A client whose channel is open, past the welcome.
+  [[nodiscard]] WebClient observer(int receive_buffer = 0) {
+    WebClient peer = client(receive_buffer);
+    EXPECT_THAT(peer.open("/echo", "other, echo.1"), StartsWith("HTTP/1.1 101")) << said_;
+    EXPECT_EQ(peer.hear().value_or(Heard{}).bytes, "welcome");
+    return peer;
+  }
+
+  std::string said_;
+  Echo echo_;
+  std::unique_ptr<Server> server_;
+};
+
+TEST_F(WebServer, ServesItsPagesAndNothingElse) {
+  const std::string page = ask("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n");
+  EXPECT_THAT(page, StartsWith("HTTP/1.1 200"));
+  EXPECT_THAT(page, HasSubstr("Content-Type: text/html\r\n"));
+  EXPECT_THAT(page, HasSubstr("Content-Security-Policy: default-src 'self'\r\n"));
+  EXPECT_THAT(page, testing::EndsWith("\r\n\r\n<p>hello"));
+  EXPECT_THAT(ask("HEAD /?x HTTP/1.1\r\nHost: localhost\r\n\r\n"), testing::EndsWith("Content-Length: 8\r\n\r\n"));
+  EXPECT_THAT(ask("GET /../etc HTTP/1.1\r\nHost: localhost\r\n\r\n"), StartsWith("HTTP/1.1 404"));
+  EXPECT_THAT(ask("GET /echo HTTP/1.1\r\nHost: localhost\r\n\r\n"), StartsWith("HTTP/1.1 426"));
+  EXPECT_THAT(ask("POST / HTTP/1.1\r\nHost: localhost\r\n\r\n"), StartsWith("HTTP/1.1 405"));
+}
+
+TEST_F(WebServer, RefusesPagesOfOthersAndNamesItDoesNotKnow) {
+  const std::string evil = "Origin: http://evil.example\r\n";
+  EXPECT_THAT(ask(WebClient::upgrade("/echo", "echo.1", evil)), StartsWith("HTTP/1.1 403"));
+  EXPECT_THAT(ask(WebClient::upgrade("/echo", "echo.1", {}, "evil.example")), StartsWith("HTTP/1.1 403"));
+  EXPECT_THAT(ask("GET / HTTP/1.1\r\nHost: evil.example\r\n\r\n"), StartsWith("HTTP/1.1 403"));
+  EXPECT_THAT(ask("GET / HTTP/1.1\r\n\r\n"), StartsWith("HTTP/1.1 400"));
+  EXPECT_THAT(ask("GET / HTTP/1.1\r\nHost: localhost\r\nHost: evil.example\r\n\r\n"), StartsWith("HTTP/1.1 400"));
+  EXPECT_THAT(ask(WebClient::upgrade("/echo", "")), StartsWith("HTTP/1.1 400")) << "no subprotocol";
+  EXPECT_THAT(ask(WebClient::upgrade("/", "echo.1")), StartsWith("HTTP/1.1 404"));
+  EXPECT_TRUE(echo_.open.empty());
+}
+
+TEST_F(WebServer, CarriesTextAndBytesBothWays) {
+  WebClient peer = observer();
+  EXPECT_THAT(peer.head(), HasSubstr("Sec-WebSocket-Protocol: echo.1"));
+  EXPECT_THAT(peer.head(), HasSubstr("s3pPLMBiTxaQ9kYGzzhZRbK+xOo=")) << "the example of RFC 6455";
+  peer.say("to and fro");
+  const Heard text = peer.hear().value_or(Heard{});
+  EXPECT_EQ(text.opcode, 1);
+  EXPECT_EQ(text.bytes, "to and fro");
+  peer.say(std::string("\0\xff", 2), 2);
+  const Heard bytes = peer.hear().value_or(Heard{});
+  EXPECT_EQ(bytes.opcode, 2);
+  EXPECT_EQ(bytes.bytes, std::string("\0\xff", 2));
+  peer.say("are you there", 9);
+  EXPECT_EQ(peer.hear().value_or(Heard{}).opcode, 10);
+}
+
+TEST_F(WebServer, ShowsOutWhoSaysTooMuch) {
+  WebClient wordy = observer(), hasty = observer(), third = observer();
+  wordy.say(std::string(4097, 'x'));
+  EXPECT_TRUE(wordy.atEnd());
+  for (int i = 0; i < 60; ++i) hasty.say("x");
+  EXPECT_TRUE(hasty.atEnd());
+  EXPECT_THAT(said_, HasSubstr("too many messages"));
+  third.say("out");
+  EXPECT_EQ(third.hear().value_or(Heard{}).opcode, 8);
+  EXPECT_TRUE(third.atEnd());
+  for (WebClient* peer : {&wordy, &hasty, &third}) peer->leave();
+  for (int i = 0; i < 5000 && echo_.ended < 3; ++i) server_->attend(1ms);
+  EXPECT_EQ(echo_.ended, 3) << said_;
+}
+
+TEST_F(WebServer, HasAPlaceForEightAndOneAgainWhenOneLeaves) {
+  std::vector<WebClient> peers;
+  peers.reserve(8);
+  for (int i = 0; i < 8; ++i) peers.push_back(observer());
+  EXPECT_THAT(ask(WebClient::upgrade("/echo", "echo.1")), StartsWith("HTTP/1.1 503"));
+  peers[3].leave();
+  for (int i = 0; i < 5000 && echo_.open.size() == 8; ++i) server_->attend(1ms);
+  (void)observer();
+}
+
+TEST_F(WebServer, LosesMessagesOfASlowPeerAloneAndNothingWaits) {
+  constexpr int kMessages = 300;
+  WebClient slow = observer(4096);
+  Channel* const slow_channel = *echo_.open.begin();
+  WebClient quick = observer();
+  const std::string filling(20'000, ' ');
+  int heard = 0;
+  for (int i = 1; i <= kMessages; ++i) {
+    const auto message = std::make_shared<const std::string>(std::to_string(i) + filling);
+    for (Channel* channel : echo_.open) channel->send(0, message);
+    heard += quick.hear().value_or(Heard{}).bytes == *message ? 1 : 0;
+  }
+  EXPECT_EQ(heard, kMessages);
+  EXPECT_GT(slow_channel->lost(), kMessages / 2u);
+  std::uint64_t got = 0;
+  int last = 0;
+  while (last < kMessages) {
+    const std::optional<Heard> late = slow.hear();
+    ASSERT_TRUE(late.has_value());
+    const int number = std::stoi(late->bytes);
+    EXPECT_GT(number, last) << "never an older one";
+    last = number;
+    ++got;
+  }
+  EXPECT_EQ(got + slow_channel->lost(), kMessages) << "the newest one comes in the end, and all are accounted for";
+}
+
+TEST_F(WebServer, TellsOfTheEndOnceWhenItEndsItself) {
+  const WebClient peer = observer();
+  server_.reset();
+  EXPECT_EQ(echo_.ended, 1);
+}
+
+TEST_F(WebServer, NewPagesGetInHoweverManyConnectionsAreHeldOpen) {
+  WebClient before = observer();
+  std::vector<WebClient> held;
+  held.reserve(120);
+  for (int i = 0; i < 120; ++i) {
+    held.push_back(client());
+    // Silent, slow, or one that does not fetch its answer.
+    held.back().raw(i % 3 == 0   ? ""
+                    : i % 3 == 1 ? "GET / HTTP/1.1\r\nHo"
+                                 : "GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    for (int turn = 0; turn < 3; ++turn) server_->attend(1ms);
+    if (i % 10 == 9) {
+      EXPECT_THAT(ask("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), StartsWith("HTTP/1.1 200")) << i;
+    }
+  }
+  (void)observer();
+  before.say("still here");
+  EXPECT_EQ(before.hear().value_or(Heard{}).bytes, "still here") << said_;
+  EXPECT_THAT(said_, HasSubstr("has to go for a newer connection"));
+}
+
+/// Takes messages and keeps nothing.
+struct Nowhere final : ChannelUser {
+  int taken = 0;
+  void opened(Channel&) override {}
+  void said(Channel&, std::string_view, bool) override { ++taken; }
+  void closed(Channel&) noexcept override {}
+};
+
+/// How often this process' memory has the text that is `reversed` when it is read backwards.
+int timesInMemory(const std::string& reversed) {
+  static std::array<char, 1 << 20> piece;
+  int times = 0;
+  std::ifstream maps{"/proc/self/maps"};
+  const int memory = open("/proc/self/mem", O_RDONLY);
+  for (std::string line; std::getline(maps, line);) {
+    unsigned long from = 0, to = 0;
+    char rights[5] = {};
+    if (std::sscanf(line.c_str(), "%lx-%lx %4s", &from, &to, rights) != 3 || rights[1] != 'w') continue;
+    if (to - from > (1ul << 30)) continue;  // a sanitizer's own
+    for (unsigned long at = from; at < to; at += piece.size() - reversed.size()) {
+      const ssize_t size =
+          pread(memory, piece.data(), std::min<unsigned long>(piece.size(), to - at), static_cast<off_t>(at));
+      if (size <= 0) break;
+      for (auto found = piece.begin(), end = piece.begin() + size;; ++found) {
+        found = std::search(found, end, reversed.rbegin(), reversed.rend());
+        if (found == end) break;
+        const unsigned long place = at + static_cast<unsigned long>(found - piece.begin());
+        const auto own = reinterpret_cast<unsigned long>(piece.data());
+        if (place < own || place >= own + piece.size()) ++times;
+      }
+    }
+  }
+  close(memory);
+  return times;
+}
+
+TEST_F(WebServer, KeepsNothingOfAMessageThatWasRead) {
+  Nowhere nowhere;
+  server_->channel("/nowhere", "nowhere.1", nowhere);
+  const std::string reversed = "drowssap suoregnad 7391";
+  const pid_t page = fork();  // so that no copy of the sender is in this memory
+  if (page == 0) {
+    WebClient peer{server_->port(), [] { usleep(1000); }};
+    (void)peer.open("/nowhere", "nowhere.1");
+    peer.say(std::string{reversed.rbegin(), reversed.rend()}, 2);
+    (void)peer.atEnd();
+    _exit(0);
+  }
+  for (int i = 0; i < 5000 && nowhere.taken == 0; ++i) server_->attend(1ms);
+  for (int i = 0; i < 3; ++i) server_->attend(1ms);
+  EXPECT_EQ(nowhere.taken, 1);
+  EXPECT_EQ(timesInMemory(reversed), 0);
+  std::string present{reversed.rbegin(), reversed.rend()};
+  EXPECT_GT(timesInMemory(reversed), 0) << "the search finds what is there: " << present;
+  kill(page, SIGKILL);
+  waitpid(page, nullptr, 0);
+  server_.reset();  // its user goes now
+}
+
+class HastyWebServer : public WebServer {
+ protected:
+  HastyWebServer() : WebServer{{.most_connections = 2, .greeting = 20ms, .patience = 40ms}} {}
+};
+
+TEST_F(HastyWebServer, DoesNotWaitForThoseWhoSayNothing) {
+  WebClient silent = client(), slow = client();
+  slow.raw("GET / HTTP/1.1\r\nHo");
+  EXPECT_TRUE(silent.atEnd());
+  EXPECT_TRUE(slow.atEnd());
+}
+
+TEST_F(HastyWebServer, ShowsOutWhoAnswersNoPing) {
+  const WebClient dead = observer();
+  for (int i = 0; i < 5000 && echo_.ended == 0; ++i) server_->attend(2ms);
+  EXPECT_EQ(echo_.ended, 1);
+}
+
+TEST_F(HastyWebServer, ClosesTheDoorToMoreThanItCanServe) {
+  const WebClient first = observer(), second = observer();
+  WebClient third = client();
+  EXPECT_TRUE(third.atEnd());
+  EXPECT_THAT(said_, HasSubstr("has to go"));
+}
+
+class ForeignWebServer : public WebServer {
+ protected:
+  ForeignWebServer() : WebServer{{.allowed = {{0x0A000000, 0xFF000000}}}} {}
+};
+
+TEST_F(ForeignWebServer, LetsInOnlyTheNetworksThatAreNamed) {
+  EXPECT_EQ(ask("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), "");
+  EXPECT_THAT(said_, HasSubstr("may not come in"));
+}
+
+}  // namespace
+}  // namespace darwinop::web

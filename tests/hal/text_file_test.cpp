@@ -1,0 +1,74 @@
+// Files that a user may name by mistake where settings are expected.
+#include "hal/text_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <stdexcept>
+
+#include "support/temporary_folder.hpp"
+
+namespace darwinop::settings {
+namespace {
+
+using testing::HasSubstr;
+
+class TextFile : public testing::Test {
+ protected:
+  /// The sentence; empty: it was read.
+  static std::string refusal(const std::string& path) {
+    try {
+      (void)readTextFile(path);
+      return {};
+    } catch (const std::runtime_error& refused) {
+      return refused.what();
+    }
+  }
+  [[nodiscard]] std::string written(std::size_t bytes) const {
+    const std::string path = folder_ / "settings.ini";
+    std::ofstream{path} << std::string(bytes, '#');
+    return path;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(TextFile, IsReadWholeUpToItsLimit) {
+  for (const std::size_t bytes : {std::size_t{0}, std::size_t{1}, std::size_t{4096}, kLongestTextFile}) {
+    const auto text = readTextFile(written(bytes));
+    ASSERT_TRUE(text.has_value());
+    EXPECT_EQ(text->size(), bytes);
+  }
+}
+
+TEST_F(TextFile, OneByteTooLongIsRefused) {
+  EXPECT_THAT(refusal(written(kLongestTextFile + 1)), HasSubstr("longer than 1048576 bytes"));
+}
+
+TEST_F(TextFile, ThatIsAbsentIsNoError) {
+  EXPECT_FALSE(readTextFile(folder_ / "nothing").has_value());
+}
+
+TEST_F(TextFile, ThatHasNoEndIsRefusedBeforeItIsRead) {
+  for (const char* const device : {"/dev/zero", "/dev/urandom"})
+    EXPECT_EQ(refusal(device), std::string{"cannot read "} + device + ": it is a device; give a regular file");
+}
+
+TEST_F(TextFile, APipeWithoutAWriterIsRefusedAtOnce) {
+  const std::string path = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  EXPECT_THAT(refusal(path), HasSubstr("it is a pipe; give a regular file"));
+}
+
+TEST_F(TextFile, AFolderIsRefused) {
+  EXPECT_THAT(refusal(folder_ / "."), HasSubstr("it is a folder; give a regular file"));
+}
+
+TEST_F(TextFile, OfNothingIsEmpty) {
+  EXPECT_EQ(readTextFile("/dev/null"), "");
+}
+
+}  // namespace
+}  // namespace darwinop::settings

@@ -1,0 +1,174 @@
+// The motion file: nothing is lost, and what is wrong with one is said with page and byte.
+#include "managers/motion/page_file.hpp"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <fstream>
+#include <functional>
+
+#include "managers/motion/pages.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace darwinop::motion {
+namespace {
+
+using testing::HasSubstr;
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes validFile() {
+  PageFile pages = emptyFile();
+  pages[12] = pageOf({stepTo(2000, 25), stepTo(2100, 25)});
+  return encodePages(pages);
+}
+
+/// The sentence about a file in which `change` was made to one page, its checksum corrected or not.
+std::string sentenceAbout(std::size_t page, const std::function<void(std::uint8_t*)>& change, bool sealed = true) {
+  Bytes bytes = validFile();
+  std::uint8_t* const at = bytes.data() + page * kPageBytes;
+  change(at);
+  if (sealed) {
+    unsigned sum = 0;
+    for (std::size_t i = 0; i < kPageBytes; ++i) sum += i == 31 ? 0U : at[i];
+    at[31] = static_cast<std::uint8_t>(0xFF - sum);
+  }
+  try {
+    (void)decodePages(bytes);
+  } catch (const std::runtime_error& why) {
+    return why.what();
+  }
+  return "it is accepted";
+}
+
+TEST(PageFile, EveryFieldLiesWhereTheFormatHasIt) {
+  Bytes bytes(kFileBytes);
+  for (std::size_t page = 1; page < kPages; ++page) bytes[page * kPageBytes + 31] = 0xFF;
+  std::uint8_t* const page = bytes.data() + 3 * kPageBytes;
+  const std::pair<std::size_t, std::uint8_t> kGiven[] = {
+      {0, 'r'},   {1, 'k'},   {15, 4},    {16, 10},   {20, 2},    {22, 21},  {24, 30},  {25, 7},  {26, 9},
+      {33, 0x77}, {64, 0x34}, {65, 0x02}, {66, 0xFF}, {67, 0x0F}, {126, 25}, {127, 50}, {511, 99}};
+  for (const auto& [at, value] : kGiven) {
+    page[at] = value;
+    page[31] = static_cast<std::uint8_t>(page[31] - value);
+  }
+  const Page seen = decodePages(bytes)[3];
+  EXPECT_EQ(seen.nameText(), "rk");
+  EXPECT_EQ(seen.repeat, 4);
+  EXPECT_EQ(seen.schedule, kTimeBased);
+  EXPECT_EQ(seen.steps, 2);
+  EXPECT_EQ(seen.speed, 21);
+  EXPECT_EQ(seen.acceleration, 30);
+  EXPECT_EQ(seen.next, 7);
+  EXPECT_EQ(seen.exit, 9);
+  EXPECT_EQ(seen.slopes[1], 0x77);
+  EXPECT_EQ(seen.step[0].position[0], 0x234);
+  EXPECT_EQ(seen.step[0].position[1], 0xFFF);
+  EXPECT_EQ(seen.step[0].pause, 25);
+  EXPECT_EQ(seen.step[0].time, 50);
+  EXPECT_EQ(seen.step[6].time, 99);
+}
+
+TEST(PageFile, AnyFileSurvivesReadingAndWriting) {
+  std::mt19937 dice{7};
+  for (int run = 0; run < 20; ++run) {
+    PageFile pages = randomFile(dice);
+    pages[0].has_checksum = true;
+    const Bytes bytes = encodePages(pages);
+    ASSERT_EQ(decodePages(bytes), pages);
+    ASSERT_EQ(encodePages(decodePages(bytes)), bytes);
+  }
+}
+
+TEST(PageFile, PageZeroMayBeAllZerosAndStaysSo) {
+  Bytes bytes = validFile();
+  std::fill_n(bytes.begin(), kPageBytes, std::uint8_t{0});
+  const PageFile pages = decodePages(bytes);
+  EXPECT_FALSE(pages[0].canPlay());
+  EXPECT_EQ(encodePages(pages), bytes);
+  bytes[31] = 0xFF;
+  EXPECT_EQ(encodePages(decodePages(bytes)), bytes) << "all zeros with a checksum";
+}
+
+TEST(PageFile, AnEmptyPageHasTheVendorsChecksum) {
+  EXPECT_EQ(encodePages(emptyFile())[5 * kPageBytes + 31], 0xD1);
+}
+
+TEST(PageFile, AnyOneWrongByteIsFound) {
+  const Bytes good = validFile();
+  for (std::size_t at = 0; at < kPageBytes; ++at) {
+    Bytes bad = good;
+    bad[12 * kPageBytes + at] ^= 0x10;
+    EXPECT_THROW((void)decodePages(bad), std::runtime_error) << at;
+  }
+}
+
+TEST(PageFile, WhatIsWrongIsSaidWithPageAndByte) {
+  const auto nothing = [](std::uint8_t*) {};
+  EXPECT_EQ(sentenceAbout(12, nothing), "it is accepted");
+  EXPECT_EQ(sentenceAbout(
+                12, [](std::uint8_t* page) { page[70] = static_cast<std::uint8_t>(page[70] + 3); }, false),
+            "page 12, byte 6175: the checksum is wrong: the page's 512 bytes add up to 0x02, not to 0xFF");
+  EXPECT_EQ(sentenceAbout(12, [](std::uint8_t* page) { page[20] = 8; }),
+            "page 12, byte 6164: it claims 8 steps; a page has 0 to 7");
+  EXPECT_EQ(sentenceAbout(12, [](std::uint8_t* page) { page[16] = 5; }),
+            "page 12, byte 6160: its schedule is 5; it is 0 (by speed) or 10 (by time)");
+  EXPECT_EQ(sentenceAbout(12, [](std::uint8_t* page) { page[22] = 0; }),
+            "page 12, byte 6166: its speed is 0; it is 1 to 255, and 32 is the usual one");
+  EXPECT_EQ(sentenceAbout(13, [](std::uint8_t* page) { page[16] = page[22] = 0; }), "it is accepted")
+      << "a page without steps is never played";
+  EXPECT_THAT(sentenceAbout(
+                  0, [](std::uint8_t* page) { page[40] = 1; }, false),
+              HasSubstr("page 0, byte 31: "));
+  EXPECT_THAT(sentenceAbout(
+                  1, [](std::uint8_t* page) { std::fill_n(page, kPageBytes, std::uint8_t{0}); }, false),
+              HasSubstr("page 1, byte 543: "))
+      << "only page 0 may be all zeros";
+}
+
+TEST(PageFile, AFileOfAnotherLengthIsRefused) {
+  for (const std::size_t length : {std::size_t{0}, kPageBytes * 4 + 2, kFileBytes - 1, kFileBytes + 1})
+    EXPECT_THROW((void)decodePages(Bytes(length)), std::runtime_error) << length;
+  EXPECT_THROW((void)encodePages(PageFile(255)), std::invalid_argument);
+}
+
+TEST(PageFile, FromADiskTheSentenceBeginsWithItsName) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "motion.bin";
+  const auto sentence = [&path] {
+    try {
+      (void)readPageFile(path);
+    } catch (const std::runtime_error& why) {
+      return std::string{why.what()};
+    }
+    return std::string{};
+  };
+  EXPECT_EQ(sentence(), path + ": it cannot be opened");
+  const auto write = [&path](const Bytes& bytes) {
+    std::ofstream{path, std::ios::binary}.write(reinterpret_cast<const char*>(bytes.data()),
+                                                static_cast<std::streamsize>(bytes.size()));
+  };
+  write(Bytes(1030));
+  EXPECT_EQ(sentence(), path + ": it ends in page 2, at byte 1030; a motion file has 131072 bytes");
+  write(Bytes(kFileBytes + 9));
+  EXPECT_EQ(sentence(), path + ": it is longer than the 131072 bytes of a motion file");
+  write(validFile());
+  EXPECT_EQ(sentence(), "");
+  EXPECT_EQ(readPageFile(path)[12].steps, 2);
+}
+
+TEST(PageFile, APipeIsRefusedAndNotWaitedFor) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "pipe.bin";
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  EXPECT_THROW((void)readPageFile(path), std::runtime_error);
+}
+
+TEST(PageFile, APagesSlopesAreGains) {
+  const std::pair<std::uint8_t, int> kGains[] = {{0x44, 64}, {0x55, 32}, {0x66, 16},
+                                                 {0x77, 8},  {0x57, 32}, {0x00, 254}};
+  for (const auto& [slopes, gain] : kGains) EXPECT_EQ(pGainRegister(slopes), gain) << int{slopes};
+}
+
+}  // namespace
+}  // namespace darwinop::motion

@@ -1,0 +1,228 @@
+// What our own clients and servers say to each other beyond the words of 2013.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "remote/protocol/examples.hpp"
+#include "remote/protocol/reply_reader.hpp"
+#include "remote/protocol/request_writer.hpp"
+#include "served.hpp"
+
+namespace darwinop::remote {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+Request extendedRequest(const Extension& extension = {}) {
+  Request request;
+  request.extended = true;
+  request.extension = extension;
+  return request;
+}
+
+ByteList bytesToSend(const Request& request) {
+  RequestBuffer buffer;
+  const auto bytes = writeRequest(request, buffer);
+  return {bytes.begin(), bytes.end()};
+}
+
+/// A client that asks with the extension and reads the reply; nothing when there is none yet.
+class ExtendedClient : public TestClient {
+ public:
+  using TestClient::TestClient;
+  std::optional<Reply> ask(const Request& request) {
+    send(bytesToSend(request));
+    return read(request);
+  }
+  std::optional<Reply> read(const Request& request) {
+    const ByteList bytes = receive();
+    std::ranges::copy(bytes, reader_.room().begin());
+    reader_.filled(bytes.size());
+    Reply reply;
+    if (reader_.next(request, reply) != ReplyReader::Found::kReply) return std::nullopt;
+    return reply;
+  }
+
+ private:
+  ReplyReader reader_;
+};
+
+TEST(RemoteExtension, IsWrittenAsItIsDocumented) {
+  const Request request = extendedRequest({.until_cycle = 0x102030405,
+                                           .fault_resets = 2,
+                                           .picture = 7,
+                                           .only_if_up = true,
+                                           .farewell = true,
+                                           .unattended = true});
+  EXPECT_EQ(toHex(bytesToSend(request)), "57 18 00 58 01 11 0e 00 00 00 02 00 00 00 07 00 00 00 01 02 03 04 05 00");
+}
+
+TEST(RemoteExtension, OfAnotherVersionIsSteppedOver) {
+  for (const char* hex : {"57 08 00 58 02 01 ff 00", "57 07 00 58 01 00 00", "57 08 00 58 01 01 ff 00"}) {
+    const ByteList bytes = fromHex(hex);
+    Request request;
+    Oddities oddities;
+    readSections(std::span{bytes}.subspan(kRequestHead), request, oddities);
+    EXPECT_FALSE(request.extended) << hex;
+    EXPECT_FALSE(oddities.any()) << hex;
+  }
+}
+
+TEST(RemoteExtension, ThatIsCutOffIsNotObeyed) {
+  const ByteList whole = bytesToSend(extendedRequest({.farewell = true}));
+  for (std::size_t size = kRequestHead + 1; size + 1 < whole.size(); ++size) {
+    Request request;
+    Oddities oddities;
+    readSections(std::span{whole}.subspan(kRequestHead, size - kRequestHead), request, oddities);
+    EXPECT_FALSE(request.extended) << size;
+    EXPECT_TRUE(oddities.cut_off) << size;
+  }
+}
+
+TEST(RemoteExtension, BringsAllThatTheRobotKnows) {
+  Served served;
+  served.robot.seen.cycle = 77;
+  served.robot.seen.board.buttons = 2;
+  served.robot.seen.joint[3].temperature = Celsius{41};
+  served.robot.seen.safety.state = State::kDriven;
+  ExtendedClient client{served};
+  const auto reply = client.ask(extendedRequest());
+  ASSERT_TRUE(reply && reply->extension && reply->extension->seen);
+  const Sensors& seen = *reply->extension->seen;
+  EXPECT_EQ(seen.cycle, 77);
+  EXPECT_EQ(seen.board.buttons, 2);
+  EXPECT_EQ(seen.joint[3].temperature.value, 41);
+  EXPECT_EQ(seen.safety.state, State::kDriven);
+  EXPECT_TRUE(reply->extension->real_time);
+}
+
+TEST(RemoteExtension, WaitsForTheCycleAndSaysHowLong) {
+  Served served;
+  served.robot.seen.cycle = 10;
+  ExtendedClient client{served};
+  const Request request = extendedRequest({.until_cycle = 11});
+  EXPECT_FALSE(client.ask(request)) << "the cycle is to come";
+  EXPECT_EQ(served.robot.obeyed.size(), 1) << "commands are obeyed at once, and once";
+  served.robot.seen.cycle = 11;
+  served.pass(5ms);
+  const auto reply = client.read(request);
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->extension->held_us, 5000);
+  EXPECT_EQ(served.robot.obeyed.size(), 1);
+}
+
+TEST(RemoteExtension, DoesNotWaitForEverForALoopThatStands) {
+  Served served;
+  ExtendedClient client{served};
+  const Request request = extendedRequest({.until_cycle = 1});
+  EXPECT_FALSE(client.ask(request));
+  served.pass(400ms);
+  EXPECT_TRUE(client.read(request));
+}
+
+TEST(RemoteExtension, AValueThatNeverCameIsSaidAtOnce) {
+  Served served;
+  served.robot.seen.joint[5] = {};
+  ExtendedClient client{served};
+  const auto reply = client.ask(extendedRequest());
+  ASSERT_TRUE(reply);
+  EXPECT_FALSE(reply->extension->seen->joint[5].motion.ever());
+}
+
+TEST(RemoteExtension, TellsWhyBeforeItShowsOut) {
+  Served served;
+  ExtendedClient client{served};
+  (void)client.ask(extendedRequest());
+  served.robot.must_end = "the battery is empty";
+  const auto reply = client.ask(extendedRequest());
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->extension->why_ended, "the battery is empty");
+  EXPECT_TRUE(client.shownOut());
+  served.robot.must_end.clear();
+  served.robot.refusal = "another controller drives";
+  ExtendedClient next{served};
+  const auto refused = next.ask(extendedRequest());
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->extension->why_ended, "another controller drives");
+}
+
+TEST(RemoteExtension, ARobotThatHasLetGoIsNotTakenByWhoComesBack) {
+  Served served;
+  served.robot.seen.safety.state = State::kHolding;
+  ExtendedClient client{served};
+  (void)client.ask(extendedRequest());
+  served.pass(600ms);
+  const Request goes_on = extendedRequest({.only_if_up = true});
+  EXPECT_TRUE(client.ask(goes_on)->extension->why_ended.empty()) << "it is held, and may be driven on";
+  served.pass(600ms);
+  served.robot.seen.safety.state = State::kLimp;  // somebody has pressed MODE, and lifts it
+  EXPECT_THAT(client.ask(goes_on)->extension->why_ended, HasSubstr("let go meanwhile"));
+  EXPECT_TRUE(client.shownOut());
+  EXPECT_THAT(served.robot.events, ElementsAre("fresh", "hold", "again", "hold", "again", "left alone"));
+  ExtendedClient back{served};
+  EXPECT_THAT(back.ask(goes_on)->extension->why_ended, HasSubstr("let go meanwhile"));
+  SafetyReport& safety = served.robot.seen.safety;
+  safety.state = State::kKneeling;
+  safety.worst = Fault::kServoOverload;
+  safety.controller_must_end = true;
+  ExtendedClient overloaded{served};
+  EXPECT_THAT(overloaded.ask(goes_on)->extension->why_ended, HasSubstr("shut itself off"))
+      << "a new driver would clear it";
+  ExtendedClient next{served};
+  EXPECT_TRUE(next.ask(extendedRequest())->extension->why_ended.empty()) << "a controller that begins takes it";
+}
+
+TEST(RemoteExtension, AnOldClientThatPausedDoesNotClearTheFaultThatEndedIt) {
+  Served served;
+  TestClient paused{served};
+  (void)paused.ask("57 04 00 00");
+  served.pass(600ms);
+  served.robot.seen.safety.state = State::kLimp;  // it sat down: a simulation that was paused goes on
+  EXPECT_NE(paused.ask("57 04 00 00"), "");
+  served.pass(600ms);
+  served.robot.seen.safety.worst = Fault::kReleasedByButton;
+  served.robot.seen.safety.controller_must_end = true;
+  EXPECT_EQ(paused.ask("57 04 00 00"), "");
+  EXPECT_TRUE(served.hasSaid("released with MODE"));
+}
+
+TEST(RemoteExtension, AFarewellIsNoHold) {
+  Served served;
+  ExtendedClient client{served};
+  (void)client.ask(extendedRequest());
+  EXPECT_TRUE(client.ask(extendedRequest({.farewell = true})));
+  EXPECT_THAT(served.robot.events, ElementsAre("fresh", "farewell"));
+  EXPECT_TRUE(client.shownOut());
+  EXPECT_TRUE(ExtendedClient{served}.connected()) << "the next one may come";
+}
+
+TEST(RemoteExtension, APictureIsSentOnce) {
+  struct Newest final : PictureSource {
+    ByteList jpeg{1, 2, 3};
+    JpegPicture newest() override { return {.sequence = 9, .age = 20ms, .jpeg = jpeg}; }
+  };
+  Served served{[] { return std::make_unique<Newest>(); }};
+  ExtendedClient client{served};
+  Request request = extendedRequest();
+  request.camera = true;
+  const auto first = client.ask(request);
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->jpeg.size(), 3);
+  EXPECT_EQ(first->extension->picture, 9);
+  EXPECT_EQ(first->extension->picture_age_us, 20000);
+  request.extension.picture = 9;
+  const auto second = client.ask(request);
+  ASSERT_TRUE(second);
+  EXPECT_TRUE(second->jpeg.empty());
+  EXPECT_TRUE(second->extension->holds_picture);
+}
+
+TEST(RemoteExtension, IsNeverSentToWhoDoesNotAskForIt) {
+  Served served;
+  TestClient client{served};
+  EXPECT_EQ(client.ask(kEmptyRequest), kEmptyReply);
+}
+
+}  // namespace
+}  // namespace darwinop::remote

@@ -1,0 +1,152 @@
+// A server with a scripted clock on a loopback port of its own, and clients that read as the historic ones do.
+#pragma once
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
+#include <functional>
+#include <vector>
+
+#include "fake_robot_port.hpp"
+#include "remote/server/server.hpp"
+#include "support/hex.hpp"
+
+namespace darwinop::remote {
+
+using ByteList = std::vector<std::uint8_t>;
+
+struct Served {
+  FakeRobotPort robot;
+  std::vector<std::string> said;
+  Nanos now{std::chrono::hours{1}};
+  Server server;
+
+  /// Port 0: any that is free.
+  explicit Served(Server::OpenPictures pictures = {}, ServerConfig config = unhurried(), std::uint16_t port = 0)
+      : server{onPort(port, std::move(config)), robot, std::move(pictures), [this] { return now; },
+               [this](const std::string& line) { said.push_back(line); }} {}
+
+  /// Sees to everything that is there. Loopback delivers before send() returns.
+  void attend(int times = 6) {
+    for (int i = 0; i < times; ++i) server.attend(Nanos{0});
+  }
+  void pass(std::chrono::milliseconds time) {
+    now += time;
+    attend();
+  }
+  [[nodiscard]] bool hasSaid(const std::string& part) const {
+    for (const std::string& line : said)
+      if (line.find(part) != std::string::npos) return true;
+    return false;
+  }
+
+  /// The clock stands still, so time earns nothing.
+  static ServerConfig unhurried() {
+    ServerConfig config;
+    config.pace = Nanos{0};
+    return config;
+  }
+
+ private:
+  static ServerConfig onPort(std::uint16_t port, ServerConfig config) {
+    config.port = port;
+    return config;
+  }
+};
+
+/// A socket of a client. Never waits.
+class TestClient {
+ public:
+  /// `segment`: the network's packets are that long at most; 0: as long as the loopback's.
+  explicit TestClient(Served& served, int segment = 0) : served_{served}, socket_{::socket(AF_INET, SOCK_STREAM, 0)} {
+    if (segment > 0) (void)setsockopt(socket_.descriptor(), IPPROTO_TCP, TCP_MAXSEG, &segment, sizeof segment);
+    sockaddr_in name{};
+    name.sin_family = AF_INET;
+    name.sin_port = htons(served.server.port());
+    name.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    connected_ = connect(socket_.descriptor(), reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0;
+    const int on = 1;  // or a second small piece would wait for the first one's acknowledgement
+    (void)setsockopt(socket_.descriptor(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    (void)fcntl(socket_.descriptor(), F_SETFL, O_NONBLOCK);
+    served_.attend();
+  }
+
+  [[nodiscard]] bool connected() const { return connected_; }
+  void send(const ByteList& bytes) {
+    (void)::send(socket_.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    served_.attend();
+  }
+  void send(const std::string& hex) { send(fromHex(hex)); }
+  void close() {
+    socket_.close();
+    served_.attend();
+  }
+  /// Without a good-bye.
+  void reset() {
+    const linger at_once{1, 0};
+    (void)setsockopt(socket_.descriptor(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
+    close();
+  }
+  /// At most `most` bytes of what is there.
+  ByteList receive(std::size_t most = 65536) {
+    ByteList bytes(most);
+    const ssize_t count = recv(socket_.descriptor(), bytes.data(), most, 0);
+    closed_ = count == 0 || (count < 0 && errno != EAGAIN);
+    bytes.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return bytes;
+  }
+  /// The server has ended the connection.
+  [[nodiscard]] bool shownOut() {
+    (void)receive();
+    return closed_;
+  }
+  [[nodiscard]] std::string ask(const std::string& hex) {
+    send(hex);
+    return toHex(receive());
+  }
+  [[nodiscard]] int descriptor() const { return socket_.descriptor(); }
+
+ private:
+  Served& served_;
+  net::Socket socket_;
+  bool connected_ = false, closed_ = false;
+};
+
+/// Length of a reply on the wire as its head states it, NUL included.
+inline std::size_t statedSize(const ByteList& reply) {
+  return (std::size_t{reply[1]} << 24 | std::size_t{reply[2]} << 16 | std::size_t{reply[3]} << 8 | reply[4]) + 1;
+}
+
+/// The client of 2013: waits for 5 bytes, takes all that are there, throws them away when the first one is no 'W',
+/// then reads on until at least the stated length has come. Empty: it would wait.
+inline ByteList readAsIn2013(TestClient& client) {
+  ByteList got = client.receive();
+  if (got.size() < 5 || got[0] != 'W') return {};
+  while (got.size() + 1 < statedSize(got)) {
+    const ByteList more = client.receive();
+    if (more.empty()) return {};
+    got.insert(got.end(), more.begin(), more.end());
+  }
+  return got;
+}
+
+/// Today's: single bytes until a 'W', then 4, then the stated length; the NUL stays and is skipped the next time.
+inline ByteList readAsToday(TestClient& client) {
+  ByteList got;
+  do {
+    got = client.receive(1);
+    if (got.empty()) return {};
+  } while (got[0] != 'W');
+  while (got.size() < 5 || got.size() + 1 < statedSize(got)) {
+    const std::size_t most = got.size() < 5 ? 5 - got.size() : statedSize(got) - 1 - got.size();
+    const ByteList more = client.receive(most);
+    if (more.empty()) return {};
+    got.insert(got.end(), more.begin(), more.end());
+  }
+  return got;
+}
+
+}  // namespace darwinop::remote

@@ -1,0 +1,32 @@
+# shellcheck shell=bash
+# Runs test presets (CMakePresets.json). Sourced by the stages.
+. tools/dev/build.sh
+
+# builds: builds what the stage names in its line "# builds: PRESET [TARGET...]".
+builds() {
+  # shellcheck disable=SC2046  # words
+  build $(sed -n 's/^# builds: //p' "$0")
+}
+
+# no_aslr: starts the stage again without address randomisation, which leaves sanitizers no room on some kernels.
+no_aslr() {
+  if [ -z "${DARWINOP_NO_ASLR:-}" ] && setarch -R true 2>/dev/null; then DARWINOP_NO_ASLR=1 exec setarch -R "$0"; fi
+}
+
+# run_tests PRESET [ARGUMENT...]: runs a test preset, started through the program $under, if set. Prints the output of what
+# failed and the commands that repeat it. CTest's summary also goes to build/PRESET.summary.
+under=
+run_tests() {
+  local preset=$1 log=build/$1.log status=0 launch='' test
+  shift
+  [ -z "$under" ] || launch="$under "
+  $launch ctest --preset "$preset" "$@" 2>&1 | tee "$log" |
+    grep --line-buffered -vE '^ *(Start +[0-9]+: |[0-9]+/[0-9]+ Test.* Passed )' || status=${PIPESTATUS[0]}
+  sed -n "s/^[0-9]*% tests passed.*/& ($preset)/p" "$log" >"build/$preset.summary"
+  [ "$status" != 0 ] || return 0
+  [ -z "${DARWINOP_NO_ASLR:-}" ] || launch="setarch -R $launch"
+  sed -n '/^The following tests FAILED/,$s/^\t *[0-9]* - \(.*\) (.*/\1/p' "$log" | while read -r test; do
+    say "to repeat: ${launch}ctest --preset $preset -R '^$test\$'"
+  done
+  return "$status"
+}

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# The installer against a real sshd with a root folder of its own, and remote control over ssh.
+# builds: release-tests all
+set -euo pipefail
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
+. tools/test/ctest.sh
+
+builds
+build_robot
+run_tests install -j "$(nproc)"
