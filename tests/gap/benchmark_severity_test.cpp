@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gap/benchmark/make/make_case.hpp"
+#include "gap/benchmark/make/outside.hpp"
 #include "gap/benchmark/make/severities.hpp"
 #include "gap/plant/baseline_alias.hpp"
 #include "twin/effects/catalogue.hpp"
