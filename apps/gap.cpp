@@ -1,10 +1,10 @@
-// darwinop-gap: compares simulation with measurement and identifies what is missing from the model.
+// darwinop-gap: locates where logs and model diverge, and identifies what is missing from the model.
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <iostream>
 
-#include "gap/sim/parallel.hpp"
-#include "gap/sim/ranks.hpp"
+#include "gap/parallel/parallel.hpp"
+#include "gap/parallel/ranks.hpp"
 #include "gap_commands.hpp"
 
 namespace {
@@ -18,6 +18,45 @@ struct Row {
   Command command;
 };
 
+struct BenchmarkNames {
+  const char *run, *make, *make_case, *score;
+};
+
+/// `group`: heading in --help; empty: not shown there.
+void addBenchmark(CLI::App& parent, gap::Arguments& given, std::vector<Row>& rows, const BenchmarkNames& names,
+                  const std::string& group) {
+  const auto add = [&](const char* name, const char* what, Command command) {
+    CLI::App* const one = parent.add_subcommand(name, what)->group(group);
+    rows.push_back({one, command});
+    return one;
+  };
+  CLI::App* const run = add(names.run, "runs every case of a folder without its answer key", gap::runBenchmark);
+  run->add_option("CASES", given.folder, "folder of cases")->required();
+  run->add_option("--out", given.out, "results.json, written after each case; default: the terminal");
+  run->add_flag("--resume", given.resume, "keep the results that --out has already");
+  run->add_option("--jobs", given.jobs, "cases at once; default: one with all threads")->check(CLI::Range(1, 1000));
+  CLI::App* const make = add(names.make, "makes many cases, over all effects", gap::makeBenchmark);
+  make->add_option("--part", given.part, "quick, singles, effect-free, pairs, outside or all")->capture_default_str();
+  make->add_option("--seed", given.seed, "seed of everything random")->capture_default_str();
+  make->add_option("--out", given.out, "folder for cases/ and key.json")->required();
+  make->add_option("--cases", given.cases, "at most so many cases");
+  CLI::App* const one = add(names.make_case, "makes one case in which effects are hidden", gap::hideEffects);
+  one->add_option("--effect", given.effects, "ID, ID:SEVERITY or ID.PARAMETER=VALUE; repeat for more; none: no effect");
+  one->add_option("--baseline", given.baseline,
+                  "V0 without dry friction, CV with it, W the control law of Webots, F a firmware period of 0.1 ms")
+      ->capture_default_str();
+  one->add_flag("--wrong-numbers", given.wrong_numbers, "the baseline's numbers are off, within their priors");
+  one->add_option("--seed", given.seed, "seed of everything random")->capture_default_str();
+  one->add_option("--name", given.name, "name of the case; must not reveal the effect")->capture_default_str();
+  one->add_option("--out", given.out, "folder for cases/ and key.json")->required();
+  CLI::App* const score = add(names.score, "compares results with an answer key", gap::scoreBenchmark);
+  score->add_option("RESULTS", given.results, "results.json of run")->required();
+  score->add_option("KEY", given.key, "key.json")->required();
+  score->add_flag("--json", given.json, "print the result for programs");
+  score->add_option("--at-least", given.at_least,
+                    "exit 1 unless the fair-answer rate is at least this (upper 95 % confidence bound)");
+}
+
 std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   std::vector<Row> rows;
   const auto add = [&](const char* name, const char* what, Command command) {
@@ -28,98 +67,73 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
     one->add_option("CASE", given.folder, "a folder with case.json and logs, see docs/gap/cases.md")->required();
     return one;
   };
-  const auto json = [&](CLI::App* one) { one->add_flag("--json", given.json, "print the result as JSON"); };
+  const auto json = [&](CLI::App* one) { one->add_flag("--json", given.json, "print the result for programs"); };
   const auto out = [&](CLI::App* one, const char* what) { return one->add_option("--out", given.out, what); };
 
   const auto model = [&](CLI::App* one) {
-    one->add_option("--model", given.model, "model file or name of an included model; default: the case's model");
+    one->add_option("--model", given.model, "a model file or the name of a shipped model, in place of the case's own");
     return one;
   };
   const auto report = [&](CLI::App* one, const char* otherwise) {
-    one->add_option("--report", given.report, std::string{"folder for report.html; default: gap-report/"} + otherwise);
-    one->add_flag("--no-report", given.no_report, "do not write a report");
-    one->add_flag("--open", given.open, "open the report in a browser");
-    one->add_flag("--no-open", given.no_open, "do not open it; default: opened if run in a desktop terminal");
+    one->add_option("--report", given.report, std::string{"folder for report.html; else gap-report/"} + otherwise);
+    one->add_flag("--no-report", given.no_report, "write no report");
+    one->add_flag("--open", given.open, "show the report in a browser, wherever this runs");
+    one->add_flag("--no-open", given.no_open, "never; else on a terminal of a desktop");
     return one;
   };
 
-  model(on_case(add("check", "identifiability of a case: what its logs can show", gap::check)));
-  json(model(on_case(add("locate", "locate the gap: log, time, block; without a fit", gap::where))));
-  CLI::App* const run = on_case(add("run", "locate, identify and evaluate on held-out logs", gap::run));
+  model(on_case(add("check", "what the logs of a case can and cannot reveal", gap::check)));
+  json(model(on_case(add("locate", "where the gap is: log, time, block of the loop; without any fit", gap::where))));
+  CLI::App* const run = on_case(add("run", "localize, identify, and verify on held-out logs", gap::run));
   json(report(model(run), "CASE"));
-  out(run, "write the extended model, an INI file");
-  CLI::App* const compare = on_case(add("report", "compare two models on the held-out logs", gap::compareModels));
-  compare->add_option("--before", given.before, "model file; default: the case's model");
+  out(run, "write the model with the effects, an INI file");
+  CLI::App* const compare = on_case(add("report", "compares two models on the held-out logs", gap::compareModels));
+  compare->add_option("--before", given.before, "a model file; else the case's own model");
   compare->add_option("--after", given.after, "a model file")->required();
   json(report(compare, "CASE-compared"));
-  CLI::App* const adds = model(on_case(add("add", "add effects to a model file", gap::addEffects)));
-  adds->add_option("RESULTS", given.results, "report.json of run, or results.json of battery");
-  adds->add_option(
-      "--effect", given.effects,
-      "effect to add instead of RESULTS: ID.PARAMETER=VALUE, in the unit of docs/twin/effects.md; repeatable");
-  out(adds, "write the model to this file; default: print it");
-  CLI::App* const makes = add("case", "make a case from recordings of experiments with one joint", gap::makeCase);
-  makes->add_option("RECORDINGS", given.recordings, "recordings of darwinop experiment run, for fitting")->required();
-  makes->add_option("--keep", given.kept, "held-out recording; repeatable");
+  CLI::App* const adds = model(on_case(add("add", "adds effects to a model file", gap::addEffects)));
+  adds->add_option("RESULTS", given.results, "report.json of run, or results.json of benchmark run");
+  adds->add_option("--effect", given.effects,
+                   "ID.PARAMETER=VALUE instead, in the unit of docs/twin/effects.md; repeat for more");
+  out(adds, "write the model to this file; default: the terminal");
+  CLI::App* const makes =
+      add("case", "recordings of experiments with one joint of the robot, as a case", gap::makeCase);
+  makes->add_option("RECORDINGS", given.recordings, "made by darwinop experiment run; to be fitted")->required();
+  makes->add_option("--keep", given.held_out, "a recording that is held out from the fit; repeat for more");
   makes->add_option("--joint", given.joint, "the joint that moved")->capture_default_str();
-  makes->add_option("--model", given.model, "model file or name of an included model; default: darwin-op");
+  makes->add_option("--model", given.model, "a model file or the name of a shipped model; else darwin-op");
   out(makes, "folder for the case")->required();
-  CLI::App* const plan =
-      on_case(add("plan", "find the most informative next experiment, docs/gap/plan.md", gap::planNext));
-  plan->add_option("--against", given.against, "ID,ID: effects to distinguish; default: those that remain ambiguous");
-  plan->add_option("--joint", given.joint, "joint that swings the arm")->capture_default_str();
-  plan->add_option("--hangs-at", given.hangs_at_rad,
-                   "joint angle at which the arm hangs down, rad; known for the robot's arms");
-  plan->add_option("--write", given.write, "folder for the best experiments, for darwinop experiment run");
+  CLI::App* const plan = on_case(add("plan", "the most informative next experiment, docs/gap/plan.md", gap::planNext));
+  plan->add_option("--against", given.against,
+                   "ID,ID: effects to separate; default: what an identification leaves open");
+  plan->add_option("--joint", given.joint, "that swings the arm")->capture_default_str();
+  plan->add_option("--hangs-at", given.hangs_at_rad, "rad: angle of the joint where the arm hangs; known for the arms");
+  plan->add_option("--write", given.write, "folder for the best ones, for darwinop experiment run");
   json(plan);
-  CLI::App* const exports = model(on_case(add("export", "export a case's model for another simulator", gap::writeFor)));
+  CLI::App* const exports = model(on_case(add("export", "a case's model for another simulator", gap::writeFor)));
   exports->add_option("--to", given.target, "webots, mujoco or urdf")->required();
-  out(exports, "write to this file; default: print it");
+  out(exports, "write it to this file; default: the terminal");
 
-  CLI::App* const battery = add("battery", "run every case of a folder without its key", gap::runBattery);
-  battery->add_option("CASES", given.folder, "a folder of cases")->required();
-  out(battery, "write results.json incrementally; default: print it");
-  battery->add_flag("--resume", given.resume, "continue with the existing results");
-  battery->add_option("--jobs", given.jobs, "concurrent cases; default: one with all threads")
-      ->check(CLI::Range(1, 1000));
-  CLI::App* const hide = add("hide", "make a synthetic case with hidden effects", gap::hideEffects);
-  hide->add_option("--effect", given.effects,
-                   "ID, ID:SEVERITY or ID.PARAMETER=VALUE; repeatable; omit for a case without effects");
-  hide->add_option("--baseline", given.baseline,
-                   "V0: without dry friction, CV: with it, W: controller of Webots, F: firmware cycle of 0.1 ms")
-      ->capture_default_str();
-  hide->add_flag("--wrong-numbers", given.wrong_numbers, "perturb the baseline's numbers");
-  hide->add_option("--seed", given.seed, "random seed")->capture_default_str();
-  hide->add_option("--name", given.name, "name of the case; must not reveal its effects")->capture_default_str();
-  out(hide, "folder for cases/ and key.json")->required();
-  CLI::App* const make = add("make-battery", "make a suite of synthetic cases over all effects", gap::writeBattery);
-  make->add_option("--part", given.part, "quick, singles, effect-free, pairs, outside or all")->capture_default_str();
-  make->add_option("--seed", given.seed, "random seed")->capture_default_str();
-  out(make, "folder for cases/ and key.json")->required();
-  make->add_option("--cases", given.cases, "maximum number of cases");
-  CLI::App* const score = add("score", "compare results with a key", gap::scoreResults);
-  score->add_option("RESULTS", given.results, "results.json of battery")->required();
-  score->add_option("KEY", given.key, "key.json")->required();
-  json(score);
-  score->add_option("--at-least", given.at_least,
-                    "exit code 1 unless the fair-answer rate is at least this (upper confidence bound)");
+  CLI::App* const benchmark = app.add_subcommand("benchmark", "synthetic cases: make them, run them blind, score");
+  benchmark->require_subcommand(1);
+  addBenchmark(*benchmark, given, rows, {"run", "make", "make-case", "score"}, "benchmark");
+  addBenchmark(app, given, rows, {"battery", "make-battery", "hide", "score"}, "");  // former names, not in --help
   return rows;
 }
 
-/// Under mpirun, only the first rank does work that is not parallel.
+/// Under mpirun, what one rank does alone is for the first.
 bool isShared(Command command) {
-  return command == gap::run || command == gap::runBattery;
+  return command == gap::run || command == gap::runBenchmark;
 }
 
 int command(int count, char** arguments) {
   gap::Arguments given;
   CLI::App app{
-      "Locates the difference between simulation and measurement, identifies the missing effect, adds it to the "
-      "model.\n\n"
+      "Locates where logs and model diverge, identifies the missing effect, adds it to the model.\n\n"
       "Exit code of run: 0 nothing is missing, 10 named, 11 ambiguous, 12 unknown, 13 cannot tell, 2 bad input.",
       "darwinop gap"};
   app.require_subcommand(1);
-  app.add_option("--threads", given.threads, "number of threads; default: one per core");
+  app.add_option("--threads", given.threads, "threads to use; else one a core");
   const std::vector<Row> rows = describe(app, given);
   app.footer("Example:\n  darwinop gap run tests/gap/cases/example --out repaired.ini");
   try {
@@ -138,8 +152,7 @@ int command(int count, char** arguments) {
 int main(int count, char** arguments) {
   const gap::Ranks ranks;
   if (!gap::Ranks::isFirst())
-    for (std::ostream* const out : {&std::cout, &std::cerr})
-      out->setstate(std::ios::badbit);  // only the first rank prints
+    for (std::ostream* const out : {&std::cout, &std::cerr}) out->setstate(std::ios::badbit);  // one tells for all
   try {
     const int code = command(count, arguments);
     std::cout.flush();

@@ -8,12 +8,12 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "gap/data/data_check.hpp"
+#include "gap/benchmark/make/make_case.hpp"
+#include "gap/case/data_check.hpp"
 #include "gap/export/semantics.hpp"
 #include "gap/export/targets.hpp"
-#include "gap/hide/hide.hpp"
-#include "gap/report/outcome.hpp"
-#include "gap/sim/ranks.hpp"
+#include "gap/parallel/ranks.hpp"
+#include "gap/report/results.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -28,7 +28,7 @@ void write(const std::string& path, const std::string& text) {
   if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
 }
 
-/// "coulomb", "coulomb:2", "stribeck.friction=0.05"; repeated parameters of one effect are combined.
+/// "coulomb", "coulomb:2", "stribeck.friction=0.05"; several of the last kind for one effect belong together.
 void addTo(std::vector<HiddenEffect>& effects, const std::string& text) {
   const std::size_t end = text.find_first_of(".:");
   const std::string id = text.substr(0, end);
@@ -45,7 +45,7 @@ void addTo(std::vector<HiddenEffect>& effects, const std::string& text) {
       throw std::invalid_argument(text);
   } catch (const std::logic_error&) {
     throw std::runtime_error("'" + text +
-                             "' is not an effect; expected ID, ID:SEVERITY or ID.PARAMETER=VALUE, for example " +
+                             "' is not an effect to hide; write ID, ID:SEVERITY or ID.PARAMETER=VALUE, as in " +
                              "coulomb.friction=0.05");
   }
 }
@@ -60,40 +60,41 @@ int check(const Arguments& given) {
 int where(const Arguments& given) {
   const Case read = readGiven(given);
   printWarnings(read);
-  const Where found = locate(read, evidenceOf(read, baselineOf(read)));
+  const Localization found = localize(Study{read});
   std::cout << (given.json ? asJson(found).dump(1) + "\n" : asText(found));
   return 0;
 }
 
 int hideEffects(const Arguments& given) {
-  HideRequest request;
+  CaseRequest request;
   request.seed = given.seed;
   request.wrong_numbers = given.wrong_numbers;
   request.name = given.name;
   for (const Baseline baseline : {Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed, Baseline::kFine})
     if (nameOf(baseline) == given.baseline) request.baseline = baseline;
   if (nameOf(request.baseline) != given.baseline)
-    throw std::runtime_error("unknown baseline '" + given.baseline + "'; expected V0, CV, W or F");
+    throw std::runtime_error("there is no baseline '" + given.baseline + "'; there are V0, CV, W and F");
   for (const std::string& effect : given.effects) addTo(request.effects, effect);
   hide(request, given.out);
-  std::cerr << "darwinop gap: " << (fs::path{given.out} / "cases" / request.name).string() << ": case, "
-            << (fs::path{given.out} / "key.json").string() << ": its effects\n";
+  std::cerr << "darwinop gap: " << (fs::path{given.out} / "cases" / request.name).string() << " is the case, "
+            << (fs::path{given.out} / "key.json").string() << " says what is in it\n";
   return 0;
 }
 
 int writeFor(const Arguments& given) {
   const std::optional<Target> target = targetFrom(given.target);
-  if (!target) throw std::runtime_error("unknown target '" + given.target + "'; expected webots, mujoco or urdf");
+  if (!target) throw std::runtime_error("there is no target '" + given.target + "'; there are webots, mujoco and urdf");
   const Case read = readGiven(given);
   const ExportSettings settings = settingsFor(read);
-  const Export made = exportTo(*target, baselineOf(read), settings);
+  const Hypothesis model = baselineOf(read);
+  const Export made = exportTo(*target, model, settings);
   if (given.out.empty())
     std::cout << made.text;
   else
     write(given.out, made.text);
   for (const std::string& lost : made.lost) std::cerr << "lost: " << lost << '\n';
   for (const std::string& approximated : made.approximated) std::cerr << "approximated: " << approximated << '\n';
-  std::cerr << asText(remeasure(*target, read, baselineOf(read), settings));
+  std::cerr << asText(remeasure(*target, read, model, settings));
   return 0;
 }
 

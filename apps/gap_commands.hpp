@@ -1,4 +1,4 @@
-// Commands of darwinop-gap.
+// What the commands of darwinop-gap do.
 #pragma once
 
 #include <cstdint>
@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "gap/data/case.hpp"
+#include "gap/case/case.hpp"
 
 namespace darwinop::gap {
 
 struct Arguments {
   std::string folder;  // a case, or of cases
   std::string out;     // file or folder to write
-  std::string model;   // model file or name, in place of the case's
-  std::string report;  // folder; empty: named after the case
+  std::string model;   // file or name of a model, in place of the case's
+  std::string report;  // folder; empty: one that is named after the case
   bool no_report = false, open = false, no_open = false;
   std::string before, after;  // files of models to compare
   bool json = false;
@@ -24,35 +24,35 @@ struct Arguments {
   std::string name = "hidden";  // of the case to make
   bool wrong_numbers = false;
   std::uint64_t seed = 1;
-  std::string part = "quick";                 // part of the synthetic suite
-  std::size_t cases = 0;                      // of the suite; 0: all
-  std::size_t jobs = 1;                       // cases at once
-  bool resume = false;                        // of a suite
-  unsigned threads = 0;                       // 0: as many as there are cores
-  std::string results, key;                   // to score
-  std::string against;                        // to plan for: comma-separated effect ids; empty: from the verdict
-  std::string joint = "ShoulderR";            // that swings the arm in planned experiments
-  std::optional<double> hangs_at_rad;         // its angle where the arm hangs; nothing: as the robot's arms do
-  std::string write;                          // folder for planned experiments
-  std::vector<std::string> recordings, kept;  // to make a case of
-  double at_least = 0;                        // required fair-answer rate
+  std::string part = "quick";          // of the own battery
+  std::size_t cases = 0;               // of it; 0: all
+  std::size_t jobs = 1;                // cases at once
+  bool resume = false;                 // of a battery
+  unsigned threads = 0;                // 0: as many as there are cores
+  std::string results, key;            // to score
+  std::string against;                 // to plan for: ids of effects, with commas; empty: what a naming finds
+  std::string joint = "ShoulderR";     // that swings the arm in planned experiments
+  std::optional<double> hangs_at_rad;  // its angle where the arm hangs; nothing: as the robot's arms do
+  std::string write;                   // folder for planned experiments
+  std::vector<std::string> recordings, held_out;  // to make a case of
+  double at_least = 0;                            // share of cases in which nobody is led astray
 };
 
-/// The case, with the given model in place of its own.
+/// The case, with the model that stands in for its own.
 Case readGiven(const Arguments& given);
-/// Warnings about the case, one per line.
+/// What is odd about the case, or left out of it; a line each.
 void printWarnings(const Case& read);
 
-// Each returns the exit code. Throws std::runtime_error.
+// Each returns the exit code, and throws std::runtime_error with a sentence.
 int check(const Arguments& given);
 int where(const Arguments& given);
 int run(const Arguments& given);
 int compareModels(const Arguments& given);
 int addEffects(const Arguments& given);
-int runBattery(const Arguments& given);
+int runBenchmark(const Arguments& given);
 int hideEffects(const Arguments& given);
-int writeBattery(const Arguments& given);
-int scoreResults(const Arguments& given);
+int makeBenchmark(const Arguments& given);
+int scoreBenchmark(const Arguments& given);
 int writeFor(const Arguments& given);
 int planNext(const Arguments& given);
 int makeCase(const Arguments& given);

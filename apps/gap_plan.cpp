@@ -1,13 +1,13 @@
-// darwinop gap plan: the most informative next experiment.
+// darwinop gap plan: the next experiment.
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/text/number_text.hpp"
 #include "experiments/format/phase_reader.hpp"
-#include "gap/name/naming.hpp"
-#include "gap/plan/ask.hpp"
-#include "gap/plan/hand_over.hpp"
+#include "gap/identify/identification.hpp"
+#include "gap/plan/question.hpp"
+#include "gap/plan/write_experiments.hpp"
 #include "gap_commands.hpp"
 
 namespace darwinop::gap {
@@ -28,15 +28,15 @@ std::vector<std::string> partsOf(const std::string& list) {
 
 int planNext(const Arguments& given) {
   const Case read = readCase(given.folder);
-  const Stand stand = standOf(experiments::jointNamed(given.joint), given.hangs_at_rad);
-  const Tell progress = [&](const std::string& what) {
+  const ArmSetup stand = armSetupFor(experiments::jointNamed(given.joint), given.hangs_at_rad);
+  const ProgressCallback progress = [&](const std::string& what) {
     if (!given.json) std::cerr << "darwinop gap: " << what << '\n';
   };
   Question question;
   if (given.against.empty()) {
-    NameOptions options;
-    options.tell = progress;
-    const Naming naming = nameEffects(read, options);
+    IdentifyOptions options;
+    options.progress = progress;
+    const Identification naming = identify(Study{read}, options);
     progress("verdict: " + std::string{nameOf(naming.verdict)});
     question = questionAfter(read, naming, progress);
   } else {

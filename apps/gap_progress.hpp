@@ -1,4 +1,4 @@
-// Progress output of `darwinop gap`: an updated line on a terminal, else one line per step.
+// What `darwinop gap` is doing, told while it works: one line that is written over on a terminal, else a line a step.
 #pragma once
 
 #include <chrono>
@@ -11,13 +11,13 @@ namespace darwinop::gap {
 
 class ProgressLine {
  public:
-  /// `quiet`: no output.
+  /// `quiet`: tells nothing.
   explicit ProgressLine(bool quiet);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Prints to stderr. "2 of 3: dry friction explains a part of it" fills a third of the bar.
+  /// To stderr. "2 of 3: dry friction explains a part of it" fills a third of the bar.
   void show(const std::string& what);
   /// Clears the line, so that results may be printed.
   void end();
@@ -27,11 +27,11 @@ class ProgressLine {
 
   bool quiet_, terminal_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  std::mutex mutex_;  // protects the members below
+  std::mutex mutex_;  // of what follows
   std::condition_variable ended_;
   std::string what_;
   bool done_ = false;
-  std::thread clock_;  // on a terminal: updates the elapsed time
+  std::thread clock_;  // on a terminal: the seconds go on while a step takes long
 };
 
 }  // namespace darwinop::gap

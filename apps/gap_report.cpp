@@ -1,4 +1,4 @@
-// Commands run, report and add.
+// Searches, reports, and puts effects into models.
 #include <fcntl.h>
 #include <spawn.h>
 #include <unistd.h>
@@ -15,9 +15,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "gap/parallel/ranks.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/report.hpp"
-#include "gap/sim/ranks.hpp"
 #include "gap_commands.hpp"
 #include "gap_progress.hpp"
 #include "hal/text_file.hpp"
@@ -31,7 +31,7 @@ constexpr std::size_t kLongestText = 64 << 20;  // bytes: of a report, as darwin
 
 std::string textOf(const std::string& path) {
   const std::optional<std::string> text = readTextFile(path, kLongestText);
-  if (!text) throw std::runtime_error(path + ": cannot read the file; check its name");
+  if (!text) throw std::runtime_error("cannot read " + path + ": " + std::strerror(errno));
   return *text;
 }
 
@@ -42,7 +42,7 @@ void writeTo(const std::string& path, const std::string& text) {
   if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
 }
 
-/// Case name converted to a valid folder name.
+/// A name of a case that is also one of a folder.
 std::string folderName(const std::string& name) {
   std::string out;
   for (const char c : name) {
@@ -57,7 +57,7 @@ std::string reportFolder(const Arguments& given, const std::string& otherwise) {
   return given.report.empty() ? (fs::path{"gap-report"} / folderName(otherwise)).string() : given.report;
 }
 
-/// An interactive desktop terminal, not an ssh session.
+/// Where a person sits in front of a screen; not at the far end of an ssh.
 bool someoneIsThere() {
   const auto set = [](const char* name) {
     const char* const value = std::getenv(name);
@@ -66,7 +66,7 @@ bool someoneIsThere() {
   return isatty(STDOUT_FILENO) == 1 && (set("DISPLAY") || set("WAYLAND_DISPLAY")) && !set("SSH_CONNECTION");
 }
 
-/// Opens the page with xdg-open, if available.
+/// The desktop's own program for pages; nothing happens where there is none.
 void openInBrowser(const std::string& path) {
   posix_spawn_file_actions_t quiet;
   posix_spawn_file_actions_init(&quiet);
@@ -76,15 +76,15 @@ void openInBrowser(const std::string& path) {
   char* const words[] = {program.data(), page.data(), nullptr};
   pid_t child = 0;
   if (posix_spawnp(&child, program.c_str(), &quiet, nullptr, words, environ) != 0)
-    std::cerr << "darwinop gap: xdg-open not found; open the page in a browser\n";
+    std::cerr << "darwinop gap: xdg-open not found; open the page yourself\n";
   posix_spawn_file_actions_destroy(&quiet);
 }
 
 void deliver(const Report& report, const Arguments& given, const std::string& folder) {
   writeReport(report, folder);
   const std::string page = (fs::path{folder} / "report.html").string();
-  std::cerr << "darwinop gap: " << page << ": report, with report.json beside it"
-            << (report.outcome == nullptr ? "" : " and repaired.ini, the extended model") << '\n';
+  std::cerr << "darwinop gap: " << page << " is the report; report.json beside it is for programs"
+            << (report.outcome == nullptr ? "" : ", repaired.ini the model with the effects") << '\n';
   if (given.open || (!given.no_open && !given.json && someoneIsThere())) openInBrowser(page);
 }
 
@@ -102,7 +102,7 @@ bool hasEffect(const std::string& model, const std::string& id) {
   return false;
 }
 
-/// The model file of a case.
+/// The model that a case starts from, as a file has it.
 std::string startModel(const Arguments& given, const Case& read) {
   return given.model.empty() ? caseModel(read) : textOf(twin::findModel(given.model));
 }
@@ -123,8 +123,8 @@ int run(const Arguments& given) {
   const Case read = readGiven(given);
   printWarnings(read);
   ProgressLine progress{given.json || !Ranks::isFirst()};
-  NameOptions options;
-  options.tell = [&](const std::string& what) { progress.show(what); };
+  IdentifyOptions options;
+  options.progress = [&](const std::string& what) { progress.show(what); };
   const Outcome outcome = investigate(read, options);
   Report report = reportOf(read, outcome, startModel(given, read));
   progress.end();
@@ -134,12 +134,12 @@ int run(const Arguments& given) {
                          " --out repaired.ini",
                      "darwinop gap report --after repaired.ini" +
                          (given.model.empty() ? "" : " --before " + shellWord(given.model)) + " " + on};
-  const int code = exitCodeOf(outcome.naming.verdict);
+  const int code = exitCodeOf(outcome.identification.verdict);
   if (!Ranks::isFirst()) return code;
   std::cout << (given.json ? dumped(asJson(read, outcome)) : asText(report)) << std::flush;
   if (!given.out.empty()) {
     writeTo(given.out, report.model_after);
-    std::cerr << "darwinop gap: " << given.out << ": extended model, usable by the twin\n";
+    std::cerr << "darwinop gap: " << given.out << " is the model with the effects; the twin reads it\n";
   }
   if (!given.no_report) deliver(report, given, folder);
   return code;
@@ -159,7 +159,7 @@ int compareModels(const Arguments& given) {
 int addEffects(const Arguments& given) {
   const Case read = readGiven(given);
   if (given.results.empty() == given.effects.empty())
-    throw std::runtime_error("specify either RESULTS (report.json of a run) or --effect ID.PARAMETER=VALUE");
+    throw std::runtime_error("add needs either report.json of a run or --effect ID.PARAMETER=VALUE");
   const Additions additions =
       given.results.empty() ? additionsFrom(given.effects) : additionsIn(textOf(given.results), given.results, read);
   const std::string before = startModel(given, read), text = withAdditions(before, additions);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# gap-battery.sh BIN [--cases N] [--seed N]: the whole battery of `darwinop gap`, blind and scored: the examples of
-# another simulator, if ../shared/gap-cases is there, and our own cases. What is done stays in build/gap-battery: the
-# same command goes on where it was stopped, and another build of the program begins anew.
+# gap-battery.sh BIN [--cases N] [--seed N]: runs and scores the benchmark of `darwinop gap`, blind: the cases of another
+# simulator, if ../shared/gap-cases exists, and our own. Results stay in build/gap-battery: the same command resumes an
+# interrupted run; another build of the program starts again.
 set -euo pipefail
 bin=$(cd "$1" && pwd)
 shift
@@ -26,10 +26,10 @@ gap() { "$bin/darwinop-gap" "$@"; }
 # run NAME CASES KEY: answers what has no answer yet, and says how good all of it is.
 run() {
   local results=build/gap-battery/$1.$program.json status=0
-  gap battery "$2" --out "$results" --resume || status=$?
+  gap benchmark run "$2" --out "$results" --resume || status=$?
   echo
-  echo "== $1: darwinop gap score $results $3"
-  gap score "$results" "$3" | tee "build/gap-battery/$1.$program.txt"
+  echo "== $1: darwinop gap benchmark score $results $3"
+  gap benchmark score "$results" "$3" | tee "build/gap-battery/$1.$program.txt"
   return "$status"
 }
 
@@ -39,7 +39,7 @@ own=own-$seed
 [ "$cases" = 0 ] || own=$own-$cases
 if [ ! -e "build/gap-battery/$own/key.json" ]; then
   rm -rf "build/gap-battery/$own"  # a key is written last: without one the cases are not all there
-  gap make-battery --part all --seed "$seed" --cases "$cases" --out "build/gap-battery/$own"
+  gap benchmark make --part all --seed "$seed" --cases "$cases" --out "build/gap-battery/$own"
 fi
 examples=../shared/gap-cases
 if [ -e "$examples/key.json" ] && [ "$cases" = 0 ]; then

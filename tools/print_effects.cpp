@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gap/name/suspects.hpp"
+#include "gap/identify/effect_set.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace {
@@ -71,7 +71,7 @@ Listed searchedWith(twin::Law law) {
   gap::Case given;
   given.model.servo.law = law;
   given.datasheet.emplace();
-  return gap::suspectsOf(given);
+  return gap::candidateEffectsOf(given);
 }
 
 bool contains(const Listed& effects, const EffectInfo* effect) {

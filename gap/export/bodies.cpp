@@ -44,7 +44,8 @@ struct Rows {
 
 }  // namespace
 
-std::array<double, 2> settle(std::span<const Constraint> constraints, const Pair& mobility, const Pair& free) {
+std::array<double, 2> solveConstraints(std::span<const Constraint> constraints, const Pair& mobility,
+                                       const Pair& free) {
   Rows rows;
   rows.count = std::min<std::size_t>(2, constraints.size());
   for (std::size_t i = 0; i < rows.count; ++i) {

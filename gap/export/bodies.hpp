@@ -21,6 +21,6 @@ struct Constraint {
 };
 
 /// Forces of at most two constraints. `free`: the motion without them; `mobility`: change of it per force.
-std::array<double, 2> settle(std::span<const Constraint> constraints, const Pair& mobility, const Pair& free);
+std::array<double, 2> solveConstraints(std::span<const Constraint> constraints, const Pair& mobility, const Pair& free);
 
 }  // namespace darwinop::gap

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "gap/export/target.hpp"
-#include "gap/sim/hypothesis.hpp"
+#include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {
 

@@ -39,7 +39,7 @@ class MujocoJoint final : public TargetJoint {
     std::size_t count = 0;
     if (f_.frictionloss > 0) rows[count++] = friction();
     if (stop(rows[count])) ++count;
-    const auto force = settle({rows, count}, mobility, free);
+    const auto force = solveConstraints({rows, count}, mobility, free);
     for (std::size_t i = 0; i < count; ++i) {
       torque.gear += rows[i].direction.gear * force[i];
       torque.arm += rows[i].direction.arm * force[i];

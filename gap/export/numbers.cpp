@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/units.hpp"
-#include "gap/sim/surroundings.hpp"
+#include "gap/plant/bench/surroundings.hpp"
 #include "twin/bench/bench.hpp"
 #include "twin/servo/servo.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "gap/sim/hypothesis.hpp"
+#include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {
 

@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "gap/export/joints.hpp"
-#include "gap/sim/parallel.hpp"
-#include "gap/sim/roll_out.hpp"
+#include "gap/parallel/parallel.hpp"
+#include "gap/plant/bench/roll_out.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -58,7 +58,7 @@ ExportSettings settingsFor(const Case& given) {
   double sum = 0;
   std::size_t count = 0;
   for (const Trajectory& log : given.logs) {
-    if (log.score) continue;
+    if (log.held_out) continue;
     if (first) {
       settings.p_register = log.p_register;
       settings.payload_kg = log.payload_kg;
@@ -92,24 +92,24 @@ ReMeasured remeasure(Target target, const Case& given, const Hypothesis& hypothe
     there[i].add(log.position_rad, position);
   });
 
-  SquareSum sums[2][2];  // fit and score; twin and target
+  SquareSum sums[2][2];  // fit and held out; twin and target
   ReMeasured out{.target = target,
                  .step_s = step_s,
                  .logs = {},
                  .twin_fit_mrad = kNan,
                  .target_fit_mrad = kNan,
-                 .twin_score_mrad = kNan,
-                 .target_score_mrad = kNan};
+                 .twin_held_out_mrad = kNan,
+                 .target_held_out_mrad = kNan};
   for (std::size_t i = 0; i < given.logs.size(); ++i) {
     const Trajectory& log = given.logs[i];
-    out.logs.push_back({log.file, log.score, twin[i].rmsMrad(), there[i].rmsMrad()});
-    sums[log.score ? 1 : 0][0].add(twin[i]);
-    sums[log.score ? 1 : 0][1].add(there[i]);
+    out.logs.push_back({log.file, log.held_out, twin[i].rmsMrad(), there[i].rmsMrad()});
+    sums[log.held_out ? 1 : 0][0].add(twin[i]);
+    sums[log.held_out ? 1 : 0][1].add(there[i]);
   }
   out.twin_fit_mrad = sums[0][0].rmsMrad();
   out.target_fit_mrad = sums[0][1].rmsMrad();
-  out.twin_score_mrad = sums[1][0].rmsMrad();
-  out.target_score_mrad = sums[1][1].rmsMrad();
+  out.twin_held_out_mrad = sums[1][0].rmsMrad();
+  out.target_held_out_mrad = sums[1][1].rmsMrad();
   return out;
 }
 
@@ -128,10 +128,10 @@ std::string asText(const ReMeasured& measured) {
                 std::string{infoOf(measured.target).title}.c_str());
   std::string text = head;
   for (const LogGap& log : measured.logs)
-    text += row(log.file + (log.score ? " (score)" : ""), log.twin_mrad, log.target_mrad);
+    text += row(log.file + (log.held_out ? " (held out)" : ""), log.twin_mrad, log.target_mrad);
   text += row("all logs that were fitted", measured.twin_fit_mrad, measured.target_fit_mrad);
-  if (!std::isnan(measured.twin_score_mrad))
-    text += row("all logs kept for judging", measured.twin_score_mrad, measured.target_score_mrad);
+  if (!std::isnan(measured.twin_held_out_mrad))
+    text += row("all held-out logs", measured.twin_held_out_mrad, measured.target_held_out_mrad);
   return text;
 }
 

@@ -12,7 +12,7 @@ namespace darwinop::gap {
 /// Of one log: rms of measured against simulated position.
 struct LogGap {
   std::string file;
-  bool score = false;
+  bool held_out = false;
   double twin_mrad = 0, target_mrad = 0;
 };
 
@@ -21,7 +21,7 @@ struct ReMeasured {
   double step_s = 0;
   std::vector<LogGap> logs;
   // Over all logs of a role; NaN: there are none.
-  double twin_fit_mrad, target_fit_mrad, twin_score_mrad, target_score_mrad;
+  double twin_fit_mrad, target_fit_mrad, twin_held_out_mrad, target_held_out_mrad;
 };
 
 /// What an export of a case's model is usually made for: P and payload of its first log for fitting, mean temperature

@@ -42,7 +42,7 @@ class WebotsJoint final : public TargetJoint {
 
     Constraint rows[2]{{.direction = {1, 0}, .wanted = wanted, .low = -most, .high = most}, {}};
     const bool stops = gap && touch(rows[1]);
-    const auto torque = settle({rows, stops ? 2u : 1u}, mobility, free);
+    const auto torque = solveConstraints({rows, stops ? 2u : 1u}, mobility, free);
     w_.gear = free.gear + mobility.gear * (torque[0] + torque[1] * rows[1].direction.gear);
     w_.arm = gap ? free.arm + mobility.arm * torque[1] * rows[1].direction.arm : w_.gear;
     q_.gear += h_ * w_.gear;

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gap/fit/slopes.hpp"
+#include "gap/fit/jacobian.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr double kLeastGain = 1e-5;  // of the cost: the search is over
 
 /// Pseudo-Huber's signed root.
 double rootOfCost(double residual, double width) {
@@ -42,14 +41,14 @@ class RobustCost final : public ceres::CostFunction {
     if (jacobians == nullptr || jacobians[0] == nullptr) return true;
 
     using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    Eigen::Map<RowMajor> slopes{jacobians[0], rows + unknowns, unknowns};
-    slopes.setZero();
+    Eigen::Map<RowMajor> jacobian{jacobians[0], rows + unknowns, unknowns};
+    jacobian.setZero();
     const Eigen::VectorXd chain = plain.binaryExpr(out.head(rows), [this](double r, double root) {
       return root == 0 ? 1 : r / (root * std::sqrt(1 + r * r / (width_ * width_)));
     });
-    slopes.topRows(rows) = chain.asDiagonal() * slopesAt(problem_, x, plain, steps_);
+    jacobian.topRows(rows) = chain.asDiagonal() * jacobianAt(problem_, x, plain, steps_);
     for (Eigen::Index i = 0; i < unknowns; ++i)
-      slopes(rows + i, i) = priorWeight(problem_.unknowns()[static_cast<std::size_t>(i)], x[i]);
+      jacobian(rows + i, i) = priorWeight(problem_.unknowns()[static_cast<std::size_t>(i)], x[i]);
     return true;
   }
 
@@ -93,7 +92,7 @@ Eigen::VectorXd searched(const Problem& problem, Eigen::VectorXd x, const Eigen:
   ceres::Solver::Options options;
   options.max_num_iterations = iterations;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  options.function_tolerance = kLeastGain;
+  options.function_tolerance = thresholds::kSolverTolerance;
   options.parameter_tolerance = 1e-7;
   options.max_num_consecutive_invalid_steps = 3;
   options.line_search_interpolation_type = ceres::QUADRATIC;  // a cubic one takes slopes at every try

@@ -1,15 +1,15 @@
-// Levenberg-Marquardt, by Ceres.
+// Levenberg-Marquardt least squares, by Ceres.
 #pragma once
 
 #include "gap/fit/problem.hpp"
 
 namespace darwinop::gap {
 
-/// Slope of the search variable's distance to its prior, in sigmas; 0: it has none.
+/// Derivative of the prior residual by the search variable, in standard deviations; 0: no prior.
 double priorWeight(const Unknown& unknown, double x);
 
-/// `x`, moved to where Problem::cost() is least, in so many steps. `steps`: of the difference quotients. `width`:
-/// beyond so many sigma a residual counts linearly; kRobust is what Problem::cost() has.
+/// Minimises Problem::cost() from `x`. `steps`: of the finite differences. `width`: standard deviations beyond which a
+/// residual counts linearly; Problem::cost() has thresholds::kRobustSigmas.
 Eigen::VectorXd searched(const Problem& problem, Eigen::VectorXd x, const Eigen::MatrixXd& steps, int iterations,
                          double width);
 

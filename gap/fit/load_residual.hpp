@@ -1,23 +1,23 @@
-// How far off a load is, given where the servo saw itself.
+// Load residual, given the position that the servo measured.
 #pragma once
 
-#include "gap/sim/hypothesis.hpp"
+#include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {
 
-/// A duty follows the position; where the arm stuck a tick away from where the model has it, the position says so
-/// already, and the load need not say it again.
+/// A duty follows the position error. If the arm sticks a tick away from the model's position, the position residual
+/// shows it; the same error is taken out of the load residual.
 class LoadResidual {
  public:
   explicit LoadResidual(const Hypothesis& hypothesis, double p_register);
   [[nodiscard]] double operator()(double load, double position, double model_load, double model_position) const;
 
  private:
-  double gain_;  // duty per rad; 0: the load is no duty
-  double most_;  // beyond, it does not follow
+  double gain_;  // duty per rad; 0: the load is not a duty
+  double most_;  // duty beyond which the law saturates
 };
 
-/// Whether the load of this law's servo is the duty of its bridge.
+/// True: the load of this law's servo is the duty of its bridge.
 bool loadIsDuty(const Hypothesis& hypothesis);
 
 }  // namespace darwinop::gap

@@ -7,15 +7,12 @@
 #include <optional>
 
 #include "core/conversions.hpp"
-#include "gap/sim/parallel.hpp"
+#include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr Eigen::Index kHalfWindow = 3;       // samples on either side: what changes faster is rough
-constexpr Eigen::Index kSpread = 5;           // samples on either side over which roughness is averaged
-constexpr double kSmallestMode = 0.5;         // sigma; smaller ones do not show
-constexpr double kFewRuns = 1.1;              // the spread of a few dozen runs is a little small
 constexpr double kLoadStep = 0.001;           // of the register: 0.1 %
 const double kUniform = std::sqrt(1.0 / 12);  // standard deviation of a rounding step of 1
 
@@ -53,13 +50,14 @@ Eigen::MatrixXd deviations(const Case& given, std::size_t log, const Hypothesis&
 /// Takes the rough part out of `part`; returns its standard deviation.
 Eigen::VectorXd takeRoughness(Eigen::Ref<Eigen::MatrixXd> part) {
   Eigen::VectorXd variance = Eigen::VectorXd::Zero(part.rows());
-  constexpr double kLost = 1 + 1.0 / (2 * kHalfWindow);  // of a white noise's variance, by taking the mean away
+  constexpr double kLost =
+      1 + 1.0 / (2 * thresholds::kNoiseHalfWindow);  // of a white noise's variance, by taking the mean away
   for (Eigen::Index run = 0; run < part.cols(); ++run) {
-    const Eigen::VectorXd smooth = smoothed(part.col(run), kHalfWindow);
+    const Eigen::VectorXd smooth = smoothed(part.col(run), thresholds::kNoiseHalfWindow);
     variance += kLost * (part.col(run) - smooth).cwiseAbs2() / static_cast<double>(part.cols());
     part.col(run) = smooth;
   }
-  return smoothed(variance, kSpread).cwiseSqrt();
+  return smoothed(variance, thresholds::kNoiseVarianceHalfWindow).cwiseSqrt();
 }
 
 /// A load is that of the last period of the firmware, and which one that was is known to a period only: what it changes
@@ -100,24 +98,25 @@ LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothe
   spread.bottomRows(n).array().colwise() /= load_sigma_.array();
   const Eigen::BDCSVD<Eigen::MatrixXd> svd{spread / std::sqrt(static_cast<double>(options.runs)), Eigen::ComputeThinU};
   Eigen::Index count = 0;
-  while (count < svd.singularValues().size() && svd.singularValues()[count] > kSmallestMode) ++count;
+  while (count < svd.singularValues().size() && svd.singularValues()[count] > thresholds::kSmallestNoiseMode) ++count;
   modes_ = svd.matrixU().leftCols(count);
-  mode_sigma_ = kFewRuns * svd.singularValues().head(count);
-  if (options.unexplained.any()) bearWith(options.unexplained, log, measured.duration_s() / static_cast<double>(n - 1));
+  mode_sigma_ = thresholds::kFewRunsFactor * svd.singularValues().head(count);
+  if (options.discrepancy.any())
+    addDiscrepancy(options.discrepancy, log, measured.duration_s() / static_cast<double>(n - 1));
 }
 
 // What drifts in a right model is far less than what this one leaves: it needs no modes of its own.
-void LogNoise::bearWith(const Unexplained& unexplained, std::size_t log, double period_s) {
+void LogNoise::addDiscrepancy(const Discrepancy& discrepancy, std::size_t log, double period_s) {
   const Eigen::Index n = position_sigma_.size();
   const Eigen::ArrayXd drift = (modes_ * mode_sigma_.asDiagonal()).rowwise().squaredNorm();
   const auto widen = [](Eigen::VectorXd& sigma, const auto& part, double more) {
     sigma = (sigma.array().square() * (1 + part) + more * more).sqrt().matrix();
   };
-  widen(position_sigma_, drift.head(n), unexplained.position_rad);
-  widen(load_sigma_, drift.tail(n), unexplained.load[log]);
+  widen(position_sigma_, drift.head(n), discrepancy.position_rad);
+  widen(load_sigma_, drift.tail(n), discrepancy.load[log]);
   modes_.resize(2 * n, 0);
   mode_sigma_.resize(0);
-  together_ = std::max(1.0, unexplained.together_s / period_s);
+  correlated_samples_ = std::max(1.0, discrepancy.correlation_s / period_s);
 }
 
 void LogNoise::residuals(const Trajectory& measured, const Trace& simulated, Eigen::Ref<Eigen::VectorXd> out) const {
@@ -131,7 +130,7 @@ void LogNoise::residuals(const Trajectory& measured, const Trace& simulated, Eig
     out[i] = std::isfinite(position) ? position : 0;
     out[n + i] = std::isfinite(load) ? load : 0;
   }
-  if (together_ > 0) out = out.unaryExpr(&softened) / std::sqrt(together_);
+  if (correlated_samples_ > 0) out = out.unaryExpr(&softened) / std::sqrt(correlated_samples_);
   if (mode_sigma_.size() == 0) return;
   // C = 1 + U s2 U': its inverse root takes from each mode what exceeds 1.
   const Eigen::VectorXd in_modes = modes_.transpose() * out;
@@ -143,7 +142,7 @@ double LogNoise::logDeterminant() const {
   double sum = (1 + mode_sigma_.array().square()).log().sum() + 2 * position_sigma_.array().log().sum();
   for (const double sigma : load_sigma_)
     if (std::isfinite(sigma)) sum += 2 * std::log(sigma);
-  return together_ > 0 ? sum / together_ : sum;
+  return correlated_samples_ > 0 ? sum / correlated_samples_ : sum;
 }
 
 Eigen::VectorXd LogNoise::positionSigma() const {

@@ -5,16 +5,11 @@
 #include <limits>
 #include <stdexcept>
 
-#include "gap/data/plausible.hpp"
-#include "gap/sim/parallel.hpp"
+#include "gap/case/plausible.hpp"
+#include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
-namespace {
-
-constexpr double kImpossible = 1e3;  // sigma: of every sample of a hypothesis that cannot be
-
-}  // namespace
-
 Eigen::Index Evidence::size() const {
   Eigen::Index all = 0;
   for (const LogNoise& log : noise) all += log.size();
@@ -27,19 +22,19 @@ double Evidence::logDeterminant() const {
   return all;
 }
 
-Evidence evidenceOf(const Case& given, const Hypothesis& hypothesis, bool score, const NoiseOptions& options) {
-  Evidence evidence{.given = &given, .logs = {}, .noise = {}, .unexplained = options.unexplained};
-  const auto copies = duplicates(given);  // the same rows again say nothing new
-  for (std::size_t i = 0; i < given.logs.size(); ++i)
-    if (given.logs[i].score == score && !copies[i]) evidence.logs.push_back(i);
-  evidence.noise = noiseOf(given, evidence.logs, hypothesis, options);
+Evidence evidenceOf(const Case& data, const Hypothesis& hypothesis, LogRole role, const NoiseOptions& options) {
+  Evidence evidence{.given = &data, .logs = {}, .noise = {}, .discrepancy = options.discrepancy};
+  const auto copies = duplicates(data);
+  for (std::size_t i = 0; i < data.logs.size(); ++i)
+    if (data.logs[i].held_out == (role == LogRole::kHeldOut) && !copies[i]) evidence.logs.push_back(i);
+  evidence.noise = noiseOf(data, evidence.logs, hypothesis, options);
   return evidence;
 }
 
 // Pseudo-Huber: smooth, so that a search by derivatives does not stumble.
 double costOf(double residual) {
-  const double share = residual / kRobust;
-  return 2 * kRobust * kRobust * (std::sqrt(1 + share * share) - 1);
+  const double share = residual / thresholds::kRobustSigmas;
+  return 2 * thresholds::kRobustSigmas * thresholds::kRobustSigmas * (std::sqrt(1 + share * share) - 1);
 }
 
 void Problem::residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const {
@@ -56,7 +51,7 @@ void Problem::residualsOfLog(std::size_t i, const Hypothesis& hypothesis, Eigen:
     rollOut(*evidence_->given, evidence_->logs[i], hypothesis, {}, trace);
     evidence_->noise[i].residuals(evidence_->given->logs[evidence_->logs[i]], trace, out);
   } catch (const std::runtime_error&) {
-    out.setConstant(kImpossible);
+    out.setConstant(thresholds::kImpossibleSigmas);
   }
 }
 

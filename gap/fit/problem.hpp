@@ -1,4 +1,4 @@
-// A hypothesis with unknowns, held against logs: how far off it is, in units of the noise.
+// A hypothesis with unknowns, and its whitened residuals on logs.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,26 +6,25 @@
 
 #include "gap/fit/noise.hpp"
 #include "gap/fit/unknown.hpp"
+#include "gap/plant/bench/position_error.hpp"
 
 namespace darwinop::gap {
 
-/// The logs that a fit sees, with their noise.
+/// The logs of a fit, with their noise.
 struct Evidence {
   const Case* given = nullptr;
   std::vector<std::size_t> logs;
   std::vector<LogNoise> noise;
-  Unexplained unexplained = {};
+  Discrepancy discrepancy = {};
 
   [[nodiscard]] Eigen::Index size() const;
   [[nodiscard]] double logDeterminant() const;
 };
-/// Logs that are kept for judging are left out, or taken alone.
-Evidence evidenceOf(const Case& given, const Hypothesis& hypothesis, bool score = false,
+/// The logs of this role, copies of a log once, with the noise that `hypothesis` predicts.
+Evidence evidenceOf(const Case& data, const Hypothesis& hypothesis, LogRole role = LogRole::kFit,
                     const NoiseOptions& options = {});
 
-/// Large residuals count linearly: |r| beyond this many sigma.
-inline constexpr double kRobust = 3;
-/// Twice the negative log likelihood of one residual.
+/// Twice the negative log likelihood of one residual, in standard deviations; large ones count linearly.
 double costOf(double residual);
 
 class Problem {
@@ -33,11 +32,11 @@ class Problem {
   Problem(const Evidence& evidence, Hypothesis hypothesis, std::vector<Unknown> unknowns)
       : evidence_{&evidence}, hypothesis_{std::move(hypothesis)}, unknowns_{std::move(unknowns)} {}
 
-  /// Of all logs, one behind the other.
+  /// Of all logs, concatenated.
   void residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> out) const;
   /// Sum of costOf() over all residuals and of the prior.
   [[nodiscard]] double cost(const Eigen::VectorXd& x) const;
-  /// The same; infinite, and known early, where it is more than `most`.
+  /// The same, but infinity as soon as it exceeds `most`.
   [[nodiscard]] double costUpTo(double most, const Eigen::VectorXd& x) const;
   [[nodiscard]] double priorCost(const Eigen::VectorXd& x) const;
   [[nodiscard]] Hypothesis at(const Eigen::VectorXd& x) const { return applied(hypothesis_, unknowns_, x.data()); }

@@ -6,24 +6,20 @@
 #include <limits>
 #include <vector>
 
+#include "gap/fit/jacobian.hpp"
 #include "gap/fit/levenberg.hpp"
-#include "gap/fit/slopes.hpp"
-#include "gap/sim/parallel.hpp"
+#include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kWide = 100;     // sigma: below, a residual counts in full while the search is far off
-constexpr double kFar = 2.5;      // cost a residual: a right model has about 1
-constexpr double kUnseen = 1e-9;  // of the largest eigenvalue: the data say nothing about this direction
-constexpr double kWorthAJump = 2, kWorthAShare = 0.005;  // cost that is gained, and of all that there is
-constexpr int kMostJumps = 3;
 
 Eigen::MatrixXd informationOf(const Problem& problem, const Fit& fit) {
-  Eigen::VectorXd weight =
-      fit.residuals.unaryExpr([](double r) { return 1 / std::sqrt(1 + r * r / (kRobust * kRobust)); });
-  Eigen::MatrixXd information = fit.slopes.transpose() * weight.asDiagonal() * fit.slopes;
+  Eigen::VectorXd weight = fit.residuals.unaryExpr(
+      [](double r) { return 1 / std::sqrt(1 + r * r / (thresholds::kRobustSigmas * thresholds::kRobustSigmas)); });
+  Eigen::MatrixXd information = fit.jacobian.transpose() * weight.asDiagonal() * fit.jacobian;
   for (Eigen::Index i = 0; i < fit.x.size(); ++i) {
     const double prior = priorWeight(problem.unknowns()[static_cast<std::size_t>(i)], fit.x[i]);
     information(i, i) += prior * prior;
@@ -37,7 +33,7 @@ Eigen::MatrixXd covarianceOf(const Eigen::MatrixXd& information) {
   const Eigen::VectorXd scale =
       information.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{scale.asDiagonal() * information * scale.asDiagonal()};
-  const double least = kUnseen * std::max(1.0, eigen.eigenvalues().maxCoeff());
+  const double least = thresholds::kUnseenEigenvalue * std::max(1.0, eigen.eigenvalues().maxCoeff());
   const Eigen::Index count = information.cols();
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd unseen = Eigen::VectorXd::Zero(count);
@@ -54,7 +50,7 @@ Eigen::MatrixXd covarianceOf(const Eigen::MatrixXd& information) {
 }
 
 void lookAround(const Problem& problem, Fit& fit) {
-  fit.slopes = slopesAt(problem, fit.x, fit.residuals, fit.steps);
+  fit.jacobian = jacobianAt(problem, fit.x, fit.residuals, fit.steps);
   fit.information = informationOf(problem, fit);
   fit.covariance = covarianceOf(fit.information);
 }
@@ -67,20 +63,20 @@ void look(const Problem& problem, Fit& fit) {
 }
 
 bool isFarOff(const Fit& fit) {
-  return fit.cost > kFar * static_cast<double>(fit.residuals.size());
+  return fit.cost > thresholds::kFarCost * static_cast<double>(fit.residuals.size());
 }
 
 /// From far off by way of plain squares, unless that leads astray.
 void search(const Problem& problem, Fit& fit, int iterations) {
   const Fit before = fit;
   if (isFarOff(fit)) {
-    fit.x = searched(problem, fit.x, fit.steps, iterations, kWide);
-    fit.x = searched(problem, fit.x, fit.steps, (iterations + 1) / 2, kRobust);
+    fit.x = searched(problem, fit.x, fit.steps, iterations, thresholds::kFarRobustSigmas);
+    fit.x = searched(problem, fit.x, fit.steps, (iterations + 1) / 2, thresholds::kRobustSigmas);
     look(problem, fit);
     if (fit.cost < before.cost) return;
     fit = before;
   }
-  fit.x = searched(problem, fit.x, fit.steps, iterations, kRobust);
+  fit.x = searched(problem, fit.x, fit.steps, iterations, thresholds::kRobustSigmas);
   look(problem, fit);
   if (fit.cost > before.cost) fit = before;
 }
@@ -93,7 +89,7 @@ bool jump(const Problem& problem, const Eigen::MatrixXd& steps, const std::vecto
   for (Eigen::Index i = 0; i < steps.cols(); ++i)
     for (const double multiple : multiples) tries.push_back(problem.inBounds(fit.x + multiple * steps.col(i)));
   std::vector<double> costs(tries.size());
-  const double worth = fit.cost - std::max(kWorthAJump, kWorthAShare * fit.cost);
+  const double worth = fit.cost - std::max(thresholds::kJumpGain, thresholds::kJumpGainShare * fit.cost);
   forEach(tries.size(), [&](std::size_t i) { costs[i] = problem.costUpTo(worth, tries[i]); });
   const auto best = std::ranges::min_element(costs);
   if (best == costs.end() || !std::isfinite(*best)) return false;
@@ -118,7 +114,7 @@ void searchAndJump(const Problem& problem, const Steps& steps_at, const std::vec
   // A search from the wrong side of such a step runs away from what is behind it.
   if (isFarOff(fit)) jump(problem, steps_at(fit), multiples, fit);
   search(problem, fit, options.iterations);
-  const int most = options.refine ? kMostJumps : 1;
+  const int most = options.refine ? thresholds::kMaxJumps : 1;
   for (int jumps = 0; jumps < most && jump(problem, steps_at(fit), multiples, fit); ++jumps)
     search(problem, fit, options.iterations);
 }

@@ -1,4 +1,4 @@
-// Finds the unknowns that fit best: Levenberg-Marquardt by Ceres, with derivatives from simulation.
+// Maximum a posteriori fit of the unknowns: Levenberg-Marquardt with finite differences, and jumps out of local minima.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,22 +9,22 @@ namespace darwinop::gap {
 
 struct Fit {
   Eigen::VectorXd x;            // search variables
-  double cost = 0, prior = 0;   // as Problem::cost(); its part that is the prior's
-  Eigen::MatrixXd steps;        // of the difference quotients, a column each; slopes.hpp
+  double cost = 0, prior = 0;   // as Problem::cost(); the prior's part of it
+  Eigen::MatrixXd steps;        // of the finite differences, one column each; jacobian.hpp
   Eigen::VectorXd residuals;    // without the prior
-  Eigen::MatrixXd slopes;       // of the residuals by x, without the prior
-  Eigen::MatrixXd information;  // of x, the priors' included
-  Eigen::MatrixXd covariance;   // its inverse; infinite where the data say nothing
+  Eigen::MatrixXd jacobian;     // of the residuals by x, without the prior
+  Eigen::MatrixXd information;  // matrix of x, priors included
+  Eigen::MatrixXd covariance;   // its inverse; infinite for what the data do not determine
 };
 
 struct SolveOptions {
   int iterations = 12;
-  bool refine = true;          // once more, along what the data resolve; else no slopes and no covariance
-  Eigen::MatrixXd steps = {};  // of the difference quotients; empty: those that suit a first look
+  bool refine = true;          // second pass along the eigenvectors; else no Jacobian and no covariance
+  Eigen::MatrixXd steps = {};  // of the finite differences; empty: first steps
 };
 
-/// Begins at `start`; never ends worse. From far off, large residuals count in full at first: a swing that is out of
-/// phase has to be pulled back into it.
+/// Starts at `start`; the result is never worse. From far off, large residuals count in full at first, so that a swing
+/// that is out of phase comes back into phase.
 Fit solve(const Problem& problem, const Eigen::VectorXd& start, const SolveOptions& options = {});
 
 }  // namespace darwinop::gap

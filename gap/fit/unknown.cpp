@@ -6,15 +6,11 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-constexpr double kFarthest = 6;  // sigma of a prior: beyond that the number is wrong, and the effect that says so wins
-
-// Scales that a logarithm can hold: what is smaller than this share of the range has no effect.
-constexpr double kSmallest = 1e-4;
 
 template <class... F>
 struct Cases : F... {
@@ -59,8 +55,8 @@ const std::array kFactors{
 Unknown factor(const KnownFactor& known, double sigma) {
   Unknown unknown{.name = std::string{known.name}, .what = {}, .sigma = sigma};
   std::visit([&](auto what) { unknown.what = what; }, known.what);
-  unknown.low = std::max(0.2, 1 - kFarthest * sigma);
-  unknown.high = 1 + kFarthest * sigma;
+  unknown.low = std::max(0.2, 1 - thresholds::kFarthestPriorSigmas * sigma);
+  unknown.high = 1 + thresholds::kFarthestPriorSigmas * sigma;
   return unknown;
 }
 
@@ -119,8 +115,8 @@ std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis
                           .what = EffectParameter{effect->info, i},
                           .expected = value,
                           .sigma = sigma,
-                          .low = std::max(0.2 * value, value - kFarthest * sigma),
-                          .high = value + kFarthest * sigma});
+                          .low = std::max(0.2 * value, value - thresholds::kFarthestPriorSigmas * sigma),
+                          .high = value + thresholds::kFarthestPriorSigmas * sigma});
     }
   }
   return unknowns;
@@ -137,7 +133,7 @@ std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, bool refined) {
                     .low = parameter.low,
                     .high = parameter.high,
                     .logarithmic = parameter.logarithmic};
-    if (unknown.logarithmic && unknown.low <= 0) unknown.low = kSmallest * unknown.high;
+    if (unknown.logarithmic && unknown.low <= 0) unknown.low = thresholds::kSmallestScale * unknown.high;
     if (unknown.logarithmic && unknown.expected <= unknown.low)
       unknown.expected = std::sqrt(unknown.low * unknown.high);
     unknowns.push_back(std::move(unknown));

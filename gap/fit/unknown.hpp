@@ -1,4 +1,4 @@
-// A number that a fit may move: of the servo, of the load, or of an effect.
+// An unknown of a fit: a number of the servo, of the load, or of an effect, with its prior.
 #pragma once
 
 #include <limits>
@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "gap/sim/hypothesis.hpp"
+#include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {
 
@@ -31,13 +31,13 @@ struct Unknown {
   /// Between value and search variable.
   [[nodiscard]] double toSearch(double value) const;
   [[nodiscard]] double fromSearch(double x) const;
-  /// What one step of a difference quotient is, in the search variable.
+  /// First step of a finite difference, in the search variable.
   [[nodiscard]] double firstStep() const;
 };
 
-/// The numbers of the baseline that its priors let move. Those of effects are for effects that the hypothesis has.
+/// Numbers of the baseline that have a prior. Those of an effect count only if the hypothesis has the effect.
 std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis);
-/// The parameters of an effect, without prior: those that a first search moves, or with those that refine it.
+/// Parameters of an effect, without prior. `refined`: the secondary ones as well.
 std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, bool refined = false);
 
 /// `hypothesis` with the unknowns at these values of the search variables.

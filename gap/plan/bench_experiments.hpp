@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "gap/plan/stand.hpp"
+#include "gap/plan/arm_setup.hpp"
 
 namespace darwinop::gap {
 
-std::vector<experiments::Experiment> benchExperiments(const Stand& stand);
+std::vector<experiments::Experiment> benchExperiments(const ArmSetup& stand);
 
 }  // namespace darwinop::gap

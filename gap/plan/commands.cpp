@@ -32,7 +32,7 @@ double speedLimitOf(const Phase& phase) {
 
 class Recorder {
  public:
-  Recorder(const Candidate& candidate, const Stand& stand)
+  Recorder(const ExperimentCandidate& candidate, const ArmSetup& stand)
       : candidate_{candidate}, stand_{stand}, goal_{candidate.experiment.setup.pose[index(stand.joint)]} {}
 
   void add(const Phase& phase) {
@@ -79,15 +79,16 @@ class Recorder {
     now_s_ += kPlannedRow;
   }
 
-  const Candidate& candidate_;
-  const Stand& stand_;
+  const ExperimentCandidate& candidate_;
+  const ArmSetup& stand_;
   double goal_, now_s_ = 0;
   std::vector<Stretch> stretches_;
 };
 
 }  // namespace
 
-std::vector<Stretch> commandsOf(const Candidate& candidate, const experiments::Round& round, const Stand& stand) {
+std::vector<Stretch> commandsOf(const ExperimentCandidate& candidate, const experiments::Round& round,
+                                const ArmSetup& stand) {
   Recorder recorder{candidate, stand};
   for (const Phase& phase : round.phases) recorder.add(phase);
   return recorder.take();

@@ -1,10 +1,9 @@
-// What an experiment will ask of its joint, as logs without measurement: what a hypothesis foretells of it is what it
-// makes of these.
+// The commands of an experiment as logs without measurements, for prediction.
 #pragma once
 
 #include <vector>
 
-#include "gap/plan/candidate.hpp"
+#include "gap/plan/experiment_candidate.hpp"
 
 namespace darwinop::gap {
 
@@ -18,7 +17,8 @@ struct Stretch {
 
 /// Throws std::runtime_error, a sentence, for what cannot be foretold: a torque given directly, an end that depends on
 /// what the joint does.
-std::vector<Stretch> commandsOf(const Candidate& candidate, const experiments::Round& round, const Stand& stand);
+std::vector<Stretch> commandsOf(const ExperimentCandidate& candidate, const experiments::Round& round,
+                                const ArmSetup& stand);
 
 /// `given` with these logs in place of its own. Goals are written after the read: each log begins held.
 Case planned(const Case& given, const std::vector<Stretch>& stretches);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gap/data/case.hpp"
+#include "gap/case/case.hpp"
 
 namespace darwinop::gap {
 

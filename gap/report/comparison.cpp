@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "gap/fit/noise.hpp"
-#include "gap/sim/parallel.hpp"
+#include "gap/parallel/parallel.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -64,9 +64,9 @@ Squares compareOne(const Case& given, const Hypothesis& before, const Hypothesis
 
 Gap::Gap() : before_rad{std::numeric_limits<double>::quiet_NaN()}, after_rad{before_rad}, floor_rad{before_rad} {}
 
-bool Comparison::anyBelowFloor(const Case& given, bool kept) const {
-  return std::ranges::any_of(logs,
-                             [&](const auto& one) { return one.below_floor && given.logs[one.log].score == kept; });
+bool Comparison::anyBelowFloor(const Case& given, bool of_held_out) const {
+  return std::ranges::any_of(
+      logs, [&](const auto& one) { return one.below_floor && given.logs[one.log].held_out == of_held_out; });
 }
 
 Comparison compare(const Case& given, const Hypothesis& before, const Hypothesis& after) {
@@ -77,12 +77,12 @@ Comparison compare(const Case& given, const Hypothesis& before, const Hypothesis
     out.logs[i].log = i;
     squares[i] = compareOne(given, before, after, out.logs[i]);
   });
-  Squares score, fit;
+  Squares held_out, fit;
   for (std::size_t i = 0; i < squares.size(); ++i) {
-    (given.logs[i].score ? score : fit).add(squares[i]);
-    ++(given.logs[i].score ? out.score_logs : out.fit_logs);
+    (given.logs[i].held_out ? held_out : fit).add(squares[i]);
+    ++(given.logs[i].held_out ? out.held_out_logs : out.fit_logs);
   }
-  out.score = score.rms();
+  out.held_out = held_out.rms();
   out.fit = fit.rms();
   return out;
 }

@@ -1,10 +1,10 @@
-// Two models on the same logs: how far each is off, beside what noise alone makes.
+// Position errors of two models on the same logs, beside the noise floor.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "gap/sim/hypothesis.hpp"
+#include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {
 
@@ -28,9 +28,9 @@ struct LogComparison {
 
 struct Comparison {
   std::vector<LogComparison> logs;  // all of the case
-  Gap score, fit;                   // over all rows of the logs that were kept, and of those that are fitted
-  std::size_t score_logs = 0, fit_logs = 0;
-  [[nodiscard]] bool anyBelowFloor(const Case& given, bool kept) const;
+  Gap held_out, fit;                // over all rows of the logs that were kept, and of those that are fitted
+  std::size_t held_out_logs = 0, fit_logs = 0;
+  [[nodiscard]] bool anyBelowFloor(const Case& given, bool of_held_out) const;
 };
 
 /// Less than this share of the noise: there is less noise than the bench is assumed to have, or the model has seen it.

@@ -1,10 +1,10 @@
-// What a report was made from, so that another run can tell whether it saw the same data.
+// Hash of the data of a case, so that two reports can be compared.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "gap/data/case.hpp"
+#include "gap/case/case.hpp"
 
 namespace darwinop::gap {
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "gap/report/html.hpp"
+#include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "gap/report/page_sections.hpp"
 #include "gap/report/sentences.hpp"
@@ -26,11 +27,11 @@ std::string estimateRow(const Estimate& estimate) {
          html::number(estimate.value, withUnit(estimate.value, estimate.unit)) + "</td><td>" +
          (known ? html::number(estimate.low, withUnit(estimate.low, "")) + " to " +
                       html::number(estimate.high, withUnit(estimate.high, estimate.unit))
-                : std::string{"these data say nothing about it"}) +
+                : std::string{messages::kNotIdentifiable}) +
          "</td></tr>\n";
 }
 
-std::string foundText(const Found& found) {
+std::string foundText(const IdentifiedEffect& found) {
   std::string rows;
   for (const Estimate& estimate : found.estimates) rows += estimateRow(estimate);
   const std::string title{found.effect->title};
@@ -45,7 +46,7 @@ std::string foundText(const Found& found) {
          "\n";
 }
 
-std::string rivalsText(const Naming& naming) {
+std::string rivalsText(const Identification& naming) {
   if (naming.rivals.empty()) return "";
   std::string items;
   for (const Rival& rival : naming.rivals)
@@ -58,26 +59,26 @@ std::string rivalsText(const Naming& naming) {
     chance = "A gain of " + html::number(naming.threshold, shortly(naming.threshold, "%.0f")) +
              " comes by chance once in a hundred cases. ";
   return "<h3>Rivals</h3>" + wrap("ul", items) +
-         wrap("p", chance + "Rivals less than " + shortly(kRivalry, "%.0f") +
-                       " behind are as good as the winner; less than " + shortly(kLargerRivalry, "%.0f") +
-                       ", if they need more numbers.");
+         wrap("p", chance + "Rivals less than " + shortly(thresholds::kRivalEvidence, "%.0f") +
+                       " behind are not excluded by the data; less than " +
+                       shortly(thresholds::kLargerRivalEvidence, "%.0f") + ", if they have more free parameters.");
 }
 
 /// How to tell the effect from its rivals.
-std::string experimentText(const Naming& naming) {
-  if (naming.verdict != Verdict::kAmbiguous || naming.found.empty()) return "";
-  return "<h3>What would decide</h3>" + element("p", naming.found.back().effect->separated_by);
+std::string experimentText(const Identification& naming) {
+  if (naming.verdict != Verdict::kAmbiguous || naming.effects.empty()) return "";
+  return "<h3>Experiment that would decide</h3>" + element("p", naming.effects.back().effect->separated_by);
 }
 
-std::string strainedText(const Naming& naming) {
+std::string conflictsText(const Identification& naming) {
   std::string items;
-  for (const Strained& one : naming.strained)
+  for (const PriorConflict& one : naming.prior_conflicts)
     items += wrap("li", wrap("code", html::text(one.number)) + " has to be " +
                             html::number(one.factor, shortly(one.factor, "%.3f")) + " times what was given, " +
                             html::number(one.sigmas, shortly(std::abs(one.sigmas), "%.1f")) + " sigma of its prior") +
              "\n";
   if (items.empty()) return "";
-  return "<h3>Numbers pulled out of their priors</h3>" + wrap("ul", items) +
+  return "<h3>Prior conflicts</h3>" + wrap("ul", items) +
          element("p",
                  "Measure these again: a number that has to go so far stands for something that is not in the "
                  "model, or was noted down wrongly.");
@@ -85,7 +86,7 @@ std::string strainedText(const Naming& naming) {
 
 /// What no model file holds.
 std::string benchText(const Report& report) {
-  const Hypothesis& model = report.outcome->naming.model;
+  const Hypothesis& model = report.outcome->identification.model;
   const double length = model.pendulum.length_m / report.given->pendulum.length_m;
   if (model.payload_scale == 1 && length == 1) return "";
   return wrap("p", "The fit also moved what case.json says of the arm, inside its priors: payload times " +
@@ -95,7 +96,7 @@ std::string benchText(const Report& report) {
 }
 
 /// Zooms the curve there.
-std::string placeLink(const Report& report, const Place& place) {
+std::string placeLink(const Report& report, const GapInterval& place) {
   std::string file = html::text(place.file);
   for (std::size_t i = 0; i < report.given->logs.size(); ++i)
     if (report.given->logs[i].file == place.file) {
@@ -106,7 +107,7 @@ std::string placeLink(const Report& report, const Place& place) {
   return file;
 }
 
-std::string placeRow(const Report& report, const Place& place) {
+std::string placeRow(const Report& report, const GapInterval& place) {
   return "<tr><td>" + placeLink(report, place) + "</td>" + element("td", place.happens) + element("td", place.signal) +
          "<td>" + html::number(place.size, shortly(place.size, "%.3g")) + " " + html::text(place.unit) + "</td>" +
          element("td", place.block ? std::string{name(*place.block)} : "-") + "</tr>\n";
@@ -120,31 +121,31 @@ std::string sectionOf(std::string_view id, const std::string& title, const std::
 
 std::string whatSection(const Report& report) {
   if (report.outcome == nullptr) return "";
-  const Naming& naming = report.outcome->naming;
+  const Identification& naming = report.outcome->identification;
   std::string inside;
-  if (naming.found.empty()) inside += element("p", "No effect was named.");
-  if (naming.verdict == Verdict::kUnknown && !naming.found.empty())
-    inside += element("p", "These help, and are not enough; they are no names for what is missing.");
-  for (const Found& found : naming.found) inside += foundText(found);
-  if (!report.outcome->remains.empty())
-    inside += "<h3>What nobody explains</h3>" + element("p", report.outcome->remains);
-  for (const Doubted& doubted : naming.doubted) inside += element("p", doubtSentence(doubted));
-  inside += rivalsText(naming) + experimentText(naming) + strainedText(naming) + benchText(report);
+  if (naming.effects.empty()) inside += element("p", "No effect was named.");
+  if (naming.verdict == Verdict::kUnknown && !naming.effects.empty())
+    inside += element("p", "These effects improve the fit but do not explain the gap, so none of them is named.");
+  for (const IdentifiedEffect& found : naming.effects) inside += foundText(found);
+  if (!report.outcome->remainder.empty())
+    inside += "<h3>Unexplained remainder</h3>" + element("p", report.outcome->remainder);
+  for (const RejectedEffect& rejected : naming.rejected) inside += element("p", rejectionSentence(rejected));
+  inside += rivalsText(naming) + experimentText(naming) + conflictsText(naming) + benchText(report);
   return sectionOf("what", naming.verdict == Verdict::kUnknown ? "What helps" : "What is missing", inside);
 }
 
 std::string whereSection(const Report& report) {
   if (report.outcome == nullptr) return "";
-  const Where& where = report.outcome->where;
+  const Localization& where = report.outcome->localization;
   std::string inside;
   if (where.blocks.first)
-    inside += wrap(
-        "p", "Cut open, the loop does not close at the " + wrap("strong", html::text(name(*where.blocks.first))) + ".");
+    inside += wrap("p", "First block of the loop whose residual is significant: " +
+                            wrap("strong", html::text(name(*where.blocks.first))) + ".");
   if (where.places.empty()) {
     inside += element("p", "Nowhere do the logs of the fit differ from the model by more than noise.");
   } else {
     std::string rows;
-    for (const Place& place : where.places) rows += placeRow(report, place);
+    for (const GapInterval& place : where.places) rows += placeRow(report, place);
     inside +=
         "<div class=\"wide\"><table id=\"places\"><thead><tr><th>place, strongest first</th><th>what happens "
         "there</th><th>signal</th><th>size</th><th>part of the loop</th></tr></thead><tbody>\n" +

@@ -8,6 +8,7 @@
 #include "gap/report/data_hash.hpp"
 #include "gap/report/html.hpp"
 #include "gap/report/line_diff.hpp"
+#include "gap/report/messages.hpp"
 #include "gap/report/sentences.hpp"
 
 namespace darwinop::gap {
@@ -51,12 +52,12 @@ std::string gapCells(const Gap& gap, bool below_floor) {
          cell(html::number(rounded2(gap.floorsBefore()), floors(gap.floorsBefore()))) + cell(after_floors);
 }
 
-std::string titleRow(const Comparison& comparison, bool score) {
-  const std::size_t count = score ? comparison.score_logs : comparison.fit_logs;
+std::string titleRow(const Comparison& comparison, bool held_out) {
+  const std::size_t count = held_out ? comparison.held_out_logs : comparison.fit_logs;
   if (count == 0) return "";
   return "<tr class=\"all\"><th scope=\"row\">" + std::to_string(count) + (count == 1 ? " log" : " logs") +
-         "</th><td>" + (score ? "kept" : "fitted") + "</td>" +
-         gapCells(score ? comparison.score : comparison.fit, false) + "</tr>\n";
+         "</th><td>" + (held_out ? "held out" : "fitted") + "</td>" +
+         gapCells(held_out ? comparison.held_out : comparison.fit, false) + "</tr>\n";
 }
 
 }  // namespace
@@ -68,9 +69,10 @@ std::string verdictSection(const Report& report) {
     inside += wrap("h1", "two models compared");
     sentences = helpSentence(report.comparison);
   } else {
-    std::string name{nameOf(report.outcome->naming.verdict)};
+    std::string name{nameOf(report.outcome->identification.verdict)};
     std::ranges::replace(name, '_', ' ');
-    inside += wrap("h1", html::text(name), " class=\"" + std::string{nameOf(report.outcome->naming.verdict)} + "\"");
+    inside +=
+        wrap("h1", html::text(name), " class=\"" + std::string{nameOf(report.outcome->identification.verdict)} + "\"");
     sentences = joined(verdictSentences(*report.outcome, report.comparison), " ");
   }
   return wrap("header", inside + wrap("p", html::text(sentences), " id=\"verdict\"")) + "\n";
@@ -78,34 +80,35 @@ std::string verdictSection(const Report& report) {
 
 std::string headlineSection(const Report& report) {
   const Comparison& all = report.comparison;
-  if (all.score_logs == 0)
-    return section("headline", "Before and after",
-                   element("p",
-                           "No log of this case is kept for judging. Mark one or two with \"role\": \"score\" in "
-                           "case.json: errors on logs that were fitted show nothing."));
-  const Gap& gap = all.score;
+  if (all.held_out_logs == 0)
+    return section(
+        "headline", "Before and after",
+        element("p", std::string{messages::kNoHeldOutLog} +
+                         " Mark one or two with \"role\": \"held_out\" in case.json: errors on logs that were "
+                         "fitted prove nothing."));
+  const Gap& gap = all.held_out;
   const double longest = std::max({gap.before_rad, gap.after_rad, gap.floor_rad});
   std::string inside =
       wrap("dl", bar("before", "before", gap.before_rad, longest) + bar("after", "after", gap.after_rad, longest) +
                      bar("floor", "noise alone", gap.floor_rad, longest));
   inside += element("p", "Position error of the closed loop, root of the mean square, on the " +
-                             std::to_string(all.score_logs) + (all.score_logs == 1 ? " log" : " logs") +
-                             " that no fit has seen. Noise alone is what a right model would show.");
-  if (all.anyBelowFloor(*report.given, true)) inside += wrap("p", html::text(kBelowFloorSentence), " class=\"flag\"");
+                             std::to_string(all.held_out_logs) + (all.held_out_logs == 1 ? " log" : " logs") +
+                             " that no fit has used (held out). Noise alone is what a right model would show.");
+  if (all.anyBelowFloor(*report.given, true)) inside += wrap("p", html::text(messages::kBelowFloor), " class=\"flag\"");
   return section("headline", "Before and after", inside);
 }
 
 std::string logsSection(const Report& report) {
   const Comparison& all = report.comparison;
   std::string rows;
-  for (const bool score : {true, false}) {
-    rows += titleRow(all, score);
+  for (const bool held_out : {true, false}) {
+    rows += titleRow(all, held_out);
     for (const LogComparison& one : all.logs) {
       const Trajectory& log = report.given->logs[one.log];
-      if (log.score != score) continue;
+      if (log.held_out != held_out) continue;
       rows += "<tr><th scope=\"row\"><a href=\"#curves\" data-log=\"" + std::to_string(one.log) + "\">" +
               html::text(log.file) + "</a> " + wrap("small", html::text(log.kind)) + "</th><td>" +
-              (score ? "kept" : "fitted") + "</td>" + gapCells(one.gap, one.below_floor) + "</tr>\n";
+              (held_out ? "held out" : "fitted") + "</td>" + gapCells(one.gap, one.below_floor) + "</tr>\n";
     }
   }
   std::string inside =
@@ -117,7 +120,7 @@ std::string logsSection(const Report& report) {
                     "A floor is what noise alone makes on that motion. About 1 is as good as a model can be; 3 and "
                     "more is a gap. Only kept logs say whether a model is better.");
   if (all.anyBelowFloor(*report.given, true) || all.anyBelowFloor(*report.given, false))
-    inside += wrap("p", html::text(kBelowFloorSentence), " class=\"flag\"");
+    inside += wrap("p", html::text(messages::kBelowFloor), " class=\"flag\"");
   return section("log-by-log", "Log by log", inside);
 }
 

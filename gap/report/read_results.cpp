@@ -15,13 +15,13 @@ const json& resultOf(const json& all, const std::string& name) {
   if (all.is_object()) return all;
   for (const json& one : all)
     if (one.value("case", "") == name) return one;
-  throw std::runtime_error("has no result of case " + name + "; give the results of this case");
+  throw std::runtime_error("has no result of case " + name);
 }
 
 /// The verdict has to name something.
 void checkVerdict(const json& result, const std::string& name) {
   const std::string of = result.at("case"), verdict = result.at("verdict");
-  if (of != name) throw std::runtime_error("is of case " + of + ", not of " + name + "; give its own results");
+  if (of != name) throw std::runtime_error("is of case " + of + ", not of " + name);
   if (verdict == "none") throw std::runtime_error("says that nothing is missing: there is nothing to add");
   if (verdict != "named" && verdict != "ambiguous")
     throw std::runtime_error("has the verdict " + verdict +
@@ -61,8 +61,8 @@ Additions additionsIn(std::string_view results, const std::string& file, const C
       additions.numbers.push_back({number.at("number"), number.at("after")});
     return additions;
   } catch (const json::exception& error) {
-    throw std::runtime_error(file + ": is no results of darwinop gap (" + error.what() +
-                             "); `darwinop gap run` writes report.json, `battery` results.json");
+    throw std::runtime_error(file + ": not a result of darwinop gap (" + error.what() +
+                             "); `darwinop gap run` writes report.json, `darwinop gap benchmark run` results.json");
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(file + ": " + error.what());
   }

@@ -1,6 +1,8 @@
 #include "gap/report/report.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -18,8 +20,8 @@ void writeInto(const fs::path& path, const std::string& text) {
   file << text;
   file.close();
   if (!file)
-    throw std::runtime_error(path.string() + ": cannot be written; is there room, and may you write there? " +
-                             "Name another folder with --report");
+    throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno) +
+                             "; give another folder with --report");
 }
 
 }  // namespace
@@ -28,7 +30,7 @@ Report reportOf(const Case& given, const Outcome& outcome, const std::string& mo
   Report report;
   report.given = &given;
   report.outcome = &outcome;
-  report.comparison = compare(given, baselineOf(given), outcome.naming.model);
+  report.comparison = compare(given, outcome.baseline, outcome.identification.model);
   report.model_before = model.empty() ? caseModel(given) : model;
   report.data_hash = dataHash(given);
   report.model_after = withAdditions(report.model_before, additionsOf(given, outcome, report.data_hash));
@@ -63,7 +65,9 @@ Case withModel(Case given, const twin::Model& model) {
 void writeReport(const Report& report, const std::string& folder) {
   std::error_code wrong;
   fs::create_directories(folder, wrong);
-  if (wrong) throw std::runtime_error(folder + ": cannot be made: " + wrong.message() + "; name another with --report");
+  if (wrong)
+    throw std::runtime_error("cannot create " + folder + ": " + wrong.message() +
+                             "; give another folder with --report");
   writeInto(fs::path{folder} / "report.html", asHtml(report));
   writeInto(fs::path{folder} / "report.json",
             asJson(report).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");

@@ -1,11 +1,11 @@
-// Before and after: what a student is shown, and what a program may read of it.
+// The report: HTML page, report.json, repaired.ini.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
-#include "gap/report/outcome.hpp"
+#include "gap/report/results.hpp"
 
 namespace darwinop::gap {
 

@@ -32,7 +32,7 @@ json logsAsJson(const Report& report) {
     json entry = gapAsJson(one.gap);
     entry["file"] = log.file;
     entry["trajectory"] = log.kind;
-    entry["role"] = log.score ? "score" : "fit";
+    entry["role"] = log.held_out ? "held_out" : "fit";
     entry["below_floor"] = one.below_floor;
     logs.push_back(entry);
   }
@@ -55,7 +55,7 @@ json searchAsJson(const Report& report) {
     for (const AddedEffect& added : additions.effects)
       if (effect["id"] == added.id) effect["because"] = added.because;
   json rivals = json::array();
-  for (const Rival& rival : report.outcome->naming.rivals)
+  for (const Rival& rival : report.outcome->identification.rivals)
     rivals.push_back({{"effects", rival.effects}, {"behind", rival.behind}, {"close", rival.isClose()}});
   all["rivals"] = rivals;
   all["sentences"] = verdictSentences(*report.outcome, report.comparison);
@@ -68,7 +68,7 @@ json asJson(const Report& report) {
   json all = report.outcome == nullptr
                  ? json{{"case", report.given->name}, {"sentences", {helpSentence(report.comparison)}}}
                  : searchAsJson(report);
-  all["score"] = gapAsJson(report.comparison.score);
+  all["held_out"] = gapAsJson(report.comparison.held_out);
   all["fit"] = gapAsJson(report.comparison.fit);
   all["logs"] = logsAsJson(report);
   all["model_changes"] = diffAsJson(report);

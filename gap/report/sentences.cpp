@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "twin/effects/catalogue.hpp"
 
@@ -14,10 +15,10 @@ namespace {
 constexpr std::size_t kRivalsTold = 2;
 constexpr double kNoChange = 0.02;  // share of a gap: less is no change to speak of
 
-std::string titlesOf(const std::vector<Found>& found) {
+std::string titlesOf(const std::vector<IdentifiedEffect>& found) {
   std::vector<std::string> titles;
   titles.reserve(found.size());
-  for (const Found& one : found) titles.emplace_back(one.effect->title);
+  for (const IdentifiedEffect& one : found) titles.emplace_back(one.effect->title);
   if (titles.size() < 2) return joined(titles, "");
   const std::string last = titles.back();
   titles.pop_back();
@@ -25,24 +26,24 @@ std::string titlesOf(const std::vector<Found>& found) {
 }
 
 /// "friction 0.0812 N m (9 in 10 sure: 0.0781 to 0.0853 N m)" of the first number of the first effect.
-std::string firstNumber(const Naming& naming) {
-  if (naming.found.size() != 1 || naming.found.front().estimates.empty()) return "";
-  const Estimate& one = naming.found.front().estimates.front();
+std::string firstNumber(const Identification& naming) {
+  if (naming.effects.size() != 1 || naming.effects.front().estimates.empty()) return "";
+  const Estimate& one = naming.effects.front().estimates.front();
   std::string text = ": " + one.name.substr(one.name.find('.') + 1) + " " + withUnit(one.value, one.unit);
   if (!one.seen || !std::isfinite(one.low) || !std::isfinite(one.high)) return text;
   return text + ", with nine chances in ten between " + withUnit(one.low, "") + " and " + withUnit(one.high, one.unit);
 }
 
 std::string placeOf(const Outcome& outcome) {
-  if (outcome.where.places.empty()) return "";
-  const Place& place = outcome.where.places.front();
+  if (outcome.localization.places.empty()) return "";
+  const GapInterval& place = outcome.localization.places.front();
   char text[80];
   std::snprintf(text, sizeof text, "; it shows most between %.1f and %.1f s of ", place.t0_s, place.t1_s);
   return text + place.file;
 }
 
-std::string namedByRivals(const Naming& naming) {
-  std::vector<std::string> titles{titlesOf(naming.found)};
+std::string namedByRivals(const Identification& naming) {
+  std::vector<std::string> titles{titlesOf(naming.effects)};
   for (const Rival& rival : closeRivals(naming)) {
     if (titles.size() > kRivalsTold) {
       titles.emplace_back("others");
@@ -59,17 +60,17 @@ std::string namedByRivals(const Naming& naming) {
 }
 
 std::string firstSentence(const Outcome& outcome) {
-  const Naming& naming = outcome.naming;
+  const Identification& naming = outcome.identification;
   switch (naming.verdict) {
     case Verdict::kNone:
       return "The model explains these logs: what is left is noise.";
     case Verdict::kNamed:
-      if (std::ranges::all_of(naming.found, &Found::corrected))
-        return "The model has " + titlesOf(naming.found) + ", but with a wrong number" + firstNumber(naming) + ".";
-      return "The model lacks " + titlesOf(naming.found) + firstNumber(naming) +
-             (naming.remains ? "; something is left that none of the known effects explains." : ".");
+      if (std::ranges::all_of(naming.effects, &IdentifiedEffect::corrected))
+        return "The model has " + titlesOf(naming.effects) + ", but with a wrong number" + firstNumber(naming) + ".";
+      return "The model lacks " + titlesOf(naming.effects) + firstNumber(naming) +
+             std::string{naming.remains ? messages::kRemainder : "."};
     case Verdict::kAmbiguous:
-      return "The model lacks something that these logs do not decide: " + namedByRivals(naming) + ".";
+      return "The model lacks something that these logs do not identify: " + namedByRivals(naming) + ".";
     case Verdict::kUnknown:
       return "The model lacks something that none of the " + std::to_string(twin::catalogue().size()) +
              " known effects explains" + placeOf(outcome) + ".";
@@ -82,10 +83,6 @@ std::string firstSentence(const Outcome& outcome) {
 }
 
 }  // namespace
-
-const std::string_view kBelowFloorSentence =
-    "Below the floor: closer to these data than noise lets any model come. Either the servo is quieter than was "
-    "assumed, or the log is no measurement of its own: a copy, or a simulation. Do not count it as a success.";
 
 std::string joined(const std::vector<std::string>& words, std::string_view between) {
   std::string text;
@@ -105,58 +102,59 @@ std::string inMrad(double rad) {
   return text;
 }
 
-std::vector<Rival> closeRivals(const Naming& naming) {
+std::vector<Rival> closeRivals(const Identification& naming) {
   std::vector<Rival> close;
   for (const Rival& rival : naming.rivals)
     if (rival.isClose() && !rival.effects.empty()) close.push_back(rival);
   return close;
 }
 
-std::string shortDoubt(const Doubted& doubted) {
-  const std::string id{doubted.effect->id};
-  switch (doubted.why) {
-    case Doubt::kVoltage:
-      return id + ": fits, but the measured voltage does not dip as it would have to";
-    case Doubt::kUndecided:
-      return id + ": may be there, too; the report says which experiment decides";
-    case Doubt::kWorsensKept:
-      return id + ": fits these logs, and makes the kept ones worse";
-    case Doubt::kForetellsNothing:
+std::string shortRejection(const RejectedEffect& rejected) {
+  std::string id = std::string{rejected.effect->id} + ": ";
+  switch (rejected.why) {
+    case RejectionReason::kVoltage:
+      return id.append(messages::kVoltage);
+    case RejectionReason::kUndecided:
+      return id.append(messages::kUndecided);
+    case RejectionReason::kWorsensHeldOut:
+      return id.append(messages::kWorsensHeldOut);
+    case RejectionReason::kNoPredictiveGain:
       break;
   }
-  return id + ": fits these logs, and foretells no other";
+  return id.append(messages::kNoPredictiveGain);
 }
 
-std::string doubtSentence(const Doubted& doubted) {
-  std::string title{doubted.effect->title};
+std::string rejectionSentence(const RejectedEffect& rejected) {
+  std::string title{rejected.effect->title};
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
-  switch (doubted.why) {
-    case Doubt::kVoltage:
-      return title + " would fit these logs better, but the measured voltage does not dip as it would have to.";
-    case Doubt::kUndecided:
+  switch (rejected.why) {
+    case RejectionReason::kVoltage:
+      return title.append(messages::kVoltageInFull);
+    case RejectionReason::kUndecided:
       break;
-    case Doubt::kForetellsNothing:
-      return title + " would fit these logs better, and foretells none that it has not seen.";
-    case Doubt::kWorsensKept:
-      return title + " would fit these logs better, and make the error on the kept ones greater by half or more.";
+    case RejectionReason::kNoPredictiveGain:
+      return title.append(messages::kNoPredictiveGainInFull);
+    case RejectionReason::kWorsensHeldOut:
+      return title.append(messages::kWorsensHeldOutInFull);
   }
   std::vector<std::string> doubles;
-  for (const std::string_view id : doubted.effect->confused_with) doubles.emplace_back(twin::findEffect(id)->title);
-  return title + " may be there, too, or one of its doubles (" + joined(doubles, ", ") +
-         "): it foretells some of the logs better and others worse. What decides: " +
-         std::string{doubted.effect->separated_by};
+  for (const std::string_view id : rejected.effect->confused_with) doubles.emplace_back(twin::findEffect(id)->title);
+  return title + " is possible, as are the effects it is confused with (" + joined(doubles, ", ") +
+         "): it predicts some left-out logs better and others worse. Experiment that decides: " +
+         std::string{rejected.effect->separated_by};
 }
 
 std::string helpSentence(const Comparison& comparison) {
-  const Gap& gap = comparison.score;
-  if (comparison.score_logs == 0)
-    return "No log was kept for judging, so nothing here shows that a changed model would be better.";
+  const Gap& gap = comparison.held_out;
+  if (comparison.held_out_logs == 0)
+    return std::string{messages::kNoHeldOutLog} + " Nothing here shows that a changed model is better.";
   const std::string noise = "noise alone makes " + inMrad(gap.floor_rad) + ".";
   const std::string before = inMrad(gap.before_rad) + " mrad", after = inMrad(gap.after_rad) + " mrad";
-  const std::string on = "On logs that no fit has seen, the position error ";
+  const std::string on = "On held-out logs the position error ";
   const double change = (gap.after_rad - gap.before_rad) / gap.before_rad;
   if (std::abs(change) < kNoChange) return on + "is " + after + "; " + noise;
-  if (change > 0) return on + "grows from " + before + " to " + after + ": do not use the changed model; " + noise;
+  if (change > 0)
+    return on + "grows from " + before + " to " + after + ": " + std::string{messages::kWorse} + "; " + noise;
   return on + "falls from " + before + " to " + after + "; " + noise;
 }
 

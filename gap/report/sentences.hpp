@@ -4,24 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "gap/report/outcome.hpp"
+#include "gap/report/results.hpp"
 
 namespace darwinop::gap {
 
-/// Two sentences for a student: what is the matter, and what it does to logs that no fit has seen.
+/// Two sentences for a student: what is the matter, and what it does to held-out logs.
 std::vector<std::string> verdictSentences(const Outcome& outcome, const Comparison& comparison);
 /// The second one alone.
 std::string helpSentence(const Comparison& comparison);
 
 /// Why an effect is not named though it fits: in a line of a terminal, and in full.
-std::string shortDoubt(const Doubted& doubted);
-std::string doubtSentence(const Doubted& doubted);
+std::string shortRejection(const RejectedEffect& rejected);
+std::string rejectionSentence(const RejectedEffect& rejected);
 
-/// Rivals that the data do not decide against.
-std::vector<Rival> closeRivals(const Naming& naming);
-
-/// What a table's flag means, where a log has one.
-extern const std::string_view kBelowFloorSentence;
+/// Rivals that the data do not exclude.
+std::vector<Rival> closeRivals(const Identification& naming);
 
 std::string joined(const std::vector<std::string>& words, std::string_view between);
 /// "31.0", "0.931": three digits of a position error, mrad.

@@ -14,10 +14,10 @@
 #include <string_view>
 #include <vector>
 
-#include "gap/hide/hide.hpp"
-#include "gap/name/judge.hpp"
-#include "gap/name/naming.hpp"
-#include "gap/sim/parallel.hpp"
+#include "gap/benchmark/make/make_case.hpp"
+#include "gap/identify/assessment.hpp"
+#include "gap/identify/identification.hpp"
+#include "gap/parallel/parallel.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace {
@@ -30,7 +30,7 @@ constexpr double kMrad = 1e3;
 
 /// Ten logs of seven seconds with a friction that the baseline does not have.
 Hidden hiddenCase() {
-  HideRequest request;
+  CaseRequest request;
   request.seed = 4711;
   request.effects.push_back({.id = "stribeck", .values = {}, .severity = 2});
   return hidden(request);
@@ -92,7 +92,7 @@ void rollOuts() {
 double timeOf(const Case& given, unsigned threads) {
   setThreads(threads);
   const Watch watch;
-  nameEffects(given);
+  identify(Study{given});
   return watch.seconds();
 }
 
@@ -102,7 +102,7 @@ void scaling() {
   Case half = given;
   half.logs.clear();
   for (std::size_t i = 0; i < given.logs.size(); ++i)
-    if (i % 2 == 0 || given.logs[i].score) half.logs.push_back(given.logs[i]);
+    if (i % 2 == 0 || given.logs[i].held_out) half.logs.push_back(given.logs[i]);
   const double two = timeOf(given, 2);
   print("gap_case_2_threads_over_1", two, timeOf(given, 1), "s");
   std::printf("%zu logs, and %zu\n", given.logs.size(), half.logs.size());
@@ -117,7 +117,7 @@ struct Fitting {
 };
 
 /// Rms position error over the logs for fitting: what others minimise.
-double rmsError(unsigned count, const double* x, double* /*slopes*/, void* data) {
+double rmsError(unsigned count, const double* x, double* /*jacobian*/, void* data) {
   auto& fitting = *static_cast<Fitting*>(data);
   ++fitting.trials;
   const Hypothesis hypothesis =
@@ -125,7 +125,7 @@ double rmsError(unsigned count, const double* x, double* /*slopes*/, void* data)
   fitting.squares.assign(fitting.given.logs.size(), 0);
   forEach(fitting.given.logs.size(), [&](std::size_t i) {
     const Trajectory& log = fitting.given.logs[i];
-    if (log.score) return;
+    if (log.held_out) return;
     thread_local Trace trace;
     rollOut(fitting.given, i, hypothesis, {}, trace);
     for (std::size_t row = 0; row < log.rows(); ++row)
@@ -143,14 +143,14 @@ void peer() {
   const Hidden made = hiddenCase();
   const Case& given = made.given;
   const Watch ours;
-  const Naming naming = nameEffects(given);
-  const double our_time = ours.seconds(), our_error = gapOf(given, naming.model, true);
-  std::printf("gap: %s, %zu effects\n", std::string{nameOf(naming.verdict)}.c_str(), naming.found.size());
+  const Identification naming = identify(Study{given});
+  const double our_time = ours.seconds(), our_error = rmsPositionError(given, naming.model, LogRole::kHeldOut);
+  std::printf("gap: %s, %zu effects\n", std::string{nameOf(naming.verdict)}.c_str(), naming.effects.size());
 
-  const Evidence evidence{.given = &given, .logs = {}, .noise = {}, .unexplained = {}};
+  const Study study{given};
   const Problem problem = problemWith(
-      evidence, {{twin::findEffect("coulomb")}, {twin::findEffect("viscous")}, {twin::findEffect("stribeck")}},
-      Numbers::kFree);
+      study, study.evidence, {{twin::findEffect("coulomb")}, {twin::findEffect("viscous")}, {twin::findEffect("stribeck")}},
+      Nuisance::kFree);
   std::vector<double> low, high, x;
   for (const Unknown& unknown : problem.unknowns()) {
     low.push_back(unknown.toSearch(unknown.low));
@@ -173,9 +173,9 @@ void peer() {
   const Hypothesis found = problem.at(Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(count)));
   std::printf("peer: %u numbers, %d trials\n", count, fitting.trials);
   print("gap_case_time", our_time, their_time, "s");
-  print("gap_case_kept_error", kMrad * our_error, kMrad * gapOf(given, found, true), "mrad");
+  print("gap_case_kept_error", kMrad * our_error, kMrad * rmsPositionError(given, found, LogRole::kHeldOut), "mrad");
   std::printf("kept logs of the baseline: %.4g mrad; of the bench that made them, without noise: %.4g mrad\n",
-              kMrad * made.key.gap_score_rad, kMrad * made.key.noise_score_rad);
+              kMrad * made.key.gap_held_out_rad, kMrad * made.key.noise_held_out_rad);
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <string_view>
 
 #include "experiments/logs/read_log.hpp"
-#include "gap/data/data_check.hpp"
-#include "gap/data/parse_case.hpp"
-#include "gap/data/write_case.hpp"
+#include "gap/case/data_check.hpp"
+#include "gap/case/parse_case.hpp"
+#include "gap/case/write_case.hpp"
 
 namespace {
 

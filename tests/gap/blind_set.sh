@@ -3,7 +3,7 @@
 # cores. Cases that are always the same: Naming.* of tests/gap.
 #
 # When it fails. A case is fair when it leads nobody astray (named, in an ambiguity of 3 at most, silent, or unknown, as
-# the case may be). `score --at-least S` fails when even the upper end of the 95 % Wilson interval of the fair share is
+# the case may be). `benchmark score --at-least S` fails when even the upper end of the 95 % Wilson interval of the fair share is
 # below S: 4 cases, S = 0.80, fail at 1 of 4 (0.70) and not at 2 of 4 (0.85). A finder that is fair in 95 % of cases has
 # 1 of 4 or less once in 2000 runs, one that is fair in half of them in 5 of 16, one that always says the same in nearly
 # all.
@@ -14,11 +14,11 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 echo "blind set: seed $seed, 4 cases"
-"$bin/darwinop-gap" make-battery --part quick --seed "$seed" --cases 4 --out "$folder/blind"
+"$bin/darwinop-gap" benchmark make --part quick --seed "$seed" --cases 4 --out "$folder/blind"
 mv "$folder/blind/key.json" "$folder/key.json"  # out of reach of who is blind
 # What is not answered in time counts as wrong: one hard case of a fresh seed must not take a quarter of an hour.
-timeout 240 "$bin/darwinop-gap" battery "$folder/blind/cases" --out "$folder/results.json" || [ $? = 124 ]
-"$bin/darwinop-gap" score "$folder/results.json" "$folder/key.json" --at-least 0.80 || {
+timeout 240 "$bin/darwinop-gap" benchmark run "$folder/blind/cases" --out "$folder/results.json" || [ $? = 124 ]
+"$bin/darwinop-gap" benchmark score "$folder/results.json" "$folder/key.json" --at-least 0.80 || {
   echo "blind set: FAILED; once more: DARWINOP_SEED=$seed $0 $bin"
   exit 1
 }

@@ -45,14 +45,19 @@ TEST(CaseRead, PriorsOfWhatIsNotThereAreDropped) {
   EXPECT_THAT(priorsOf(CaseTexts{}.read()), ElementsAre("kt", "resistance", "payload", "coulomb.friction"));
 }
 
+TEST(CaseRead, HeldOutIsTheRoleThatScoreWas) {
+  EXPECT_TRUE(CaseTexts{}.with("\"role\": \"score\"", "\"role\": \"held_out\"").read().logs[1].held_out);
+  EXPECT_TRUE(CaseTexts{}.read().logs[1].held_out) << "the former word";
+}
+
 TEST(CaseRead, RowsInSi) {
   const Case c = CaseTexts{}.read();
   ASSERT_EQ(c.logs.size(), 2u);
   const Trajectory& log = c.logs[0];
   const CsvRow row = sineRows()[10];
   EXPECT_EQ(log.kind, "sine");
-  EXPECT_FALSE(log.score);
-  EXPECT_TRUE(c.logs[1].score);
+  EXPECT_FALSE(log.held_out);
+  EXPECT_TRUE(c.logs[1].held_out);
   EXPECT_EQ(log.session_start_s, 1.5);
   EXPECT_EQ(log.lines[10], 12u);
   EXPECT_NEAR(log.position_rad[10], row.pos, 1e-6);

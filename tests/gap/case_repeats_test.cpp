@@ -1,9 +1,9 @@
 // Logs that repeat another one, and copies that only look like it.
 #include <gmock/gmock.h>
 
+#include "gap/case/data_check.hpp"
+#include "gap/case/plausible.hpp"
 #include "gap/case_texts.hpp"
-#include "gap/data/data_check.hpp"
-#include "gap/data/plausible.hpp"
 
 namespace darwinop::gap {
 namespace {

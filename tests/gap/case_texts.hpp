@@ -11,7 +11,7 @@
 
 #include "core/units.hpp"
 #include "experiments/logs/read_log.hpp"
-#include "gap/data/parse_case.hpp"
+#include "gap/case/parse_case.hpp"
 
 namespace darwinop::gap {
 

@@ -1,5 +1,5 @@
 // What is said about data before anything is fitted.
-#include "gap/data/data_check.hpp"
+#include "gap/case/data_check.hpp"
 
 #include <gmock/gmock.h>
 
@@ -35,7 +35,7 @@ TEST(DataCheck, ExcitationOfALog) {
   EXPECT_THAT(e.payloads_kg, ElementsAre(0.3));
   EXPECT_THAT(e.p_registers, ElementsAre(32));
   EXPECT_NEAR(check.fit.session_s.high, 1.5 + 3.184, 1e-9);
-  EXPECT_NEAR(check.score.duration_s, 3.184, 1e-9);  // kept logs are not counted with the others
+  EXPECT_NEAR(check.held_out.duration_s, 3.184, 1e-9);  // kept logs are not counted with the others
 }
 
 TEST(DataCheck, RestAndSlowMotion) {
@@ -95,7 +95,7 @@ TEST(DataCheck, OnePayloadAndOneGainHideFriction) {
   two.logs.back().payload_kg = 0.31;  // too near to tell
   EXPECT_FALSE(reveals(two, "payloads"));
   two.logs.back().payload_kg = 0.35;
-  two.logs.back().score = true;  // what is kept is not learnt from
+  two.logs.back().held_out = true;  // what is kept is not learnt from
   EXPECT_FALSE(reveals(two, "payloads"));
 }
 
@@ -144,18 +144,18 @@ TEST(DataCheck, KeptLogsThatLoadTheServoMore) {
   Case c = CaseTexts{}.read();
   for (Trajectory& log : c.logs) log.load.assign(log.rows(), 0.4);
   Trajectory& kept = c.logs.back();
-  ASSERT_TRUE(kept.score);
+  ASSERT_TRUE(kept.held_out);
   kept.load[10] = -0.48;
-  EXPECT_TRUE(reveals(c, "kept_load")) << "near enough";
+  EXPECT_TRUE(reveals(c, "held_out_load")) << "near enough";
   kept.load[10] = -0.52;
-  EXPECT_FALSE(reveals(c, "kept_load"));
+  EXPECT_FALSE(reveals(c, "held_out_load"));
   kept.torque_on[10] = 0;  // then it loads nothing
-  EXPECT_TRUE(reveals(c, "kept_load"));
+  EXPECT_TRUE(reveals(c, "held_out_load"));
   kept.torque_on[10] = 1;
   c.logs.front().load[10] = 0.5;
-  EXPECT_TRUE(reveals(c, "kept_load")) << "a fitted one goes as far";
+  EXPECT_TRUE(reveals(c, "held_out_load")) << "a fitted one goes as far";
   for (Trajectory& log : c.logs) log.load.assign(log.rows(), std::nan(""));
-  EXPECT_TRUE(reveals(c, "kept_load")) << "nobody can see it";
+  EXPECT_TRUE(reveals(c, "held_out_load")) << "nobody can see it";
 }
 
 TEST(DataCheck, NamesEffectsOfTheCatalogueOnly) {

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "experiments/logs/read_log.hpp"
-#include "gap/data/data_check.hpp"
-#include "gap/data/write_case.hpp"
+#include "gap/case/data_check.hpp"
+#include "gap/case/write_case.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::gap {
@@ -99,7 +99,7 @@ TEST(RealServo, IsReadAndItsLimitsAreSaid) {
   EXPECT_NEAR(c.datasheet->servo.duty_per_kp_per_rad, 0.005755, 1e-6);
   const DataCheck check = checkData(c);
   EXPECT_THAT(check.warnings, testing::ElementsAre());
-  EXPECT_THAT(hidden(check), testing::IsSupersetOf({"payloads", "temperature", "repeats", "kept_load"}));
+  EXPECT_THAT(hidden(check), testing::IsSupersetOf({"payloads", "temperature", "repeats", "held_out_load"}));
   EXPECT_THAT(hidden(check), testing::Not(testing::Contains("torque_off")));
 }
 

@@ -9,7 +9,7 @@
 #include "export_rig.hpp"
 #include "gap/export/bodies.hpp"
 #include "gap/export/semantics.hpp"
-#include "gap/sim/roll_out.hpp"
+#include "gap/plant/bench/roll_out.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -93,13 +93,13 @@ TEST(ExportSemantics, TwoConstraintsShareAsTheyMust) {
   const double most = 1e9;
   const Constraint rows[] = {{.direction = {1, 0}, .wanted = 0, .low = -most, .high = most, .softness = 0},
                              {.direction = {-1, 1}, .wanted = 0, .low = 0, .high = most, .softness = 0}};
-  const auto f = settle(rows, {1e8, 100}, {0, -5});
+  const auto f = solveConstraints(rows, {1e8, 100}, {0, -5});
   EXPECT_NEAR(f[1], 0.05, 1e-9);
   EXPECT_NEAR(f[0], 0.05, 1e-9);
-  const auto away = settle(rows, {1e8, 100}, {0, 5});
+  const auto away = solveConstraints(rows, {1e8, 100}, {0, 5});
   EXPECT_EQ(away[1], 0);
   const Constraint weak[] = {{.direction = {1, 0}, .wanted = 3, .low = -0.01, .high = 0.01, .softness = 0}};
-  EXPECT_EQ(settle(weak, {100, 0}, {0, 0})[0], 0.01);
+  EXPECT_EQ(solveConstraints(weak, {100, 0}, {0, 0})[0], 0.01);
 }
 
 /// A log that a twin made of this hypothesis, at 16 ms.
@@ -109,15 +109,15 @@ Case madeFrom(const Hypothesis& hypothesis) {
   made.model.servo = hypothesis.servo;
   made.model.effects = hypothesis.effects;
   made.pendulum = hypothesis.pendulum;
-  for (const bool score : {false, true}) {
+  for (const bool held_out : {false, true}) {
     Trajectory log;
-    log.file = score ? "score.csv" : "fit.csv";
-    log.score = score;
+    log.file = held_out ? "score.csv" : "fit.csv";
+    log.held_out = held_out;
     log.payload_kg = 0.3;
     for (int i = 0; i < 400; ++i) {
       const double t = 0.016 * i;
       log.time_s.push_back(t);
-      log.goal_rad.push_back(score ? 0.9 * std::sin(3 * t) : (i / 100 % 2 == 0 ? 0.8 : -0.5));
+      log.goal_rad.push_back(held_out ? 0.9 * std::sin(3 * t) : (i / 100 % 2 == 0 ? 0.8 : -0.5));
       log.torque_on.push_back(i < 330 ? 1 : 0);
       log.lines.push_back(0);
     }
@@ -142,7 +142,7 @@ TEST(ExportSemantics, WhatMujocoHoldsLeavesNoGapAtASmallStep) {
   const ReMeasured measured = remeasure(Target::kMujoco, made, model.get(), fine);
   EXPECT_LT(measured.twin_fit_mrad, 1e-9);
   EXPECT_LT(measured.target_fit_mrad, 2);
-  EXPECT_LT(measured.target_score_mrad, 2);
+  EXPECT_LT(measured.target_held_out_mrad, 2);
   const ReMeasured usual = remeasure(Target::kMujoco, made, model.get());
   EXPECT_EQ(usual.step_s, 0.002);
   EXPECT_GT(usual.target_fit_mrad, measured.target_fit_mrad);
@@ -154,9 +154,9 @@ TEST(ExportSemantics, WhatWebotsCannotHoldShowsInItsGap) {
   const Case made = madeFrom(model.get());
   const ReMeasured webots = remeasure(Target::kWebots, made, model.get());
   const ReMeasured mujoco = remeasure(Target::kMujoco, made, model.get());
-  EXPECT_GT(webots.target_score_mrad, 3 * mujoco.target_score_mrad);
+  EXPECT_GT(webots.target_held_out_mrad, 3 * mujoco.target_held_out_mrad);
   EXPECT_NE(asText(webots).find("Webots"), std::string::npos);
-  EXPECT_NE(asText(webots).find("score.csv (score)"), std::string::npos);
+  EXPECT_NE(asText(webots).find("score.csv (held out)"), std::string::npos);
 }
 
 TEST(ExportSemantics, TheThesisModelIsAtHomeInWebots) {
@@ -167,8 +167,8 @@ TEST(ExportSemantics, TheThesisModelIsAtHomeInWebots) {
   const Case made = madeFrom(h);
   ExportSettings fine = settingsFor(made);
   fine.step_s = 0.001;  // as the twin's period
-  EXPECT_LT(remeasure(Target::kWebots, made, h, fine).target_score_mrad, 10);
-  EXPECT_GT(remeasure(Target::kWebots, made, h).target_score_mrad, 10);  // 16 ms cost
+  EXPECT_LT(remeasure(Target::kWebots, made, h, fine).target_held_out_mrad, 10);
+  EXPECT_GT(remeasure(Target::kWebots, made, h).target_held_out_mrad, 10);  // 16 ms cost
 }
 
 TEST(ExportSemantics, ExampleCasesAreMeasuredAgain) {
@@ -180,8 +180,9 @@ TEST(ExportSemantics, ExampleCasesAreMeasuredAgain) {
   for (const TargetInfo& info : kTargetTable) {
     const ReMeasured measured = remeasure(info.target, given, baselineOf(given));
     EXPECT_EQ(measured.logs.size(), given.logs.size());
-    EXPECT_GT(measured.twin_score_mrad, 0);
-    EXPECT_TRUE(std::isfinite(measured.target_score_mrad) && measured.target_score_mrad < 1000) << asText(measured);
+    EXPECT_GT(measured.twin_held_out_mrad, 0);
+    EXPECT_TRUE(std::isfinite(measured.target_held_out_mrad) && measured.target_held_out_mrad < 1000)
+        << asText(measured);
   }
 }
 

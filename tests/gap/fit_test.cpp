@@ -1,7 +1,7 @@
 // Noise that is calibrated, unknowns that are found.
 #include <gtest/gtest.h>
 
-#include "gap/fit/slopes.hpp"
+#include "gap/fit/jacobian.hpp"
 #include "gap/fit/solve.hpp"
 #include "small_case.hpp"
 
@@ -92,14 +92,14 @@ TEST(Slopes, SayWhatAMoveAlongAValleyChanges) {
   const Eigen::VectorXd x = problem.expected();
   Eigen::VectorXd here(evidence.size()), there(evidence.size());
   problem.residuals(x, here);
-  const Eigen::MatrixXd first = slopesAt(problem, x, here, firstSteps(problem));
+  const Eigen::MatrixXd first = jacobianAt(problem, x, here, firstSteps(problem));
   const Eigen::MatrixXd along = stepsAlong(problem, first.transpose() * first);
   const Eigen::VectorXd move = along.col(0) / 2;  // the direction that the data see least
   problem.residuals(x + move, there);
-  const auto error = [&](const Eigen::MatrixXd& slopes) {
-    return (slopes * move - (there - here)).norm() / (there - here).norm();
+  const auto error = [&](const Eigen::MatrixXd& jacobian) {
+    return (jacobian * move - (there - here)).norm() / (there - here).norm();
   };
-  EXPECT_LT(error(slopesAt(problem, x, here, along)), 0.35);
+  EXPECT_LT(error(jacobianAt(problem, x, here, along)), 0.35);
   EXPECT_GT(error(first), 1) << "where the first steps do as well, this test shows nothing";
 }
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "gap/name/naming.hpp"
+#include "gap/identify/identification.hpp"
 #include "small_case.hpp"
 
 namespace darwinop::gap {
@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kFriction = 0.04;  // N m
 
-std::vector<std::string> effectsOf(const Naming& naming) {
+std::vector<std::string> effectsOf(const Identification& naming) {
   std::vector<std::string> ids;
-  for (const Found& found : naming.found) ids.emplace_back(found.effect->id);
+  for (const IdentifiedEffect& found : naming.effects) ids.emplace_back(found.effect->id);
   return ids;
 }
 
@@ -25,13 +25,13 @@ const Case& rubbing() {
   return given;
 }
 
-const Naming& namedAsItIs() {
-  static const Naming naming = nameEffects(rubbing());
+const Identification& namedAsItIs() {
+  static const Identification naming = identify(Study{rubbing()});
   return naming;
 }
 
-const Estimate& frictionIn(const Naming& naming) {
-  return naming.found.at(0).estimates.at(0);
+const Estimate& frictionIn(const Identification& naming) {
+  return naming.effects.at(0).estimates.at(0);
 }
 
 double widthOf(const Estimate& estimate) {
@@ -48,7 +48,7 @@ TEST(Honesty, OrderNamesAndLabelsOfLogsAreNoEvidence) {
     shuffled.logs[i].kind = names[shuffled.logs.size() - 1 - i];
   }
   shuffled.name = shuffled.folder = shuffled.model.name = "effect_free";
-  const Naming &before = namedAsItIs(), after = nameEffects(shuffled);
+  const Identification &before = namedAsItIs(), after = identify(Study{shuffled});
   EXPECT_EQ(before.verdict, Verdict::kNamed);
   EXPECT_EQ(after.verdict, before.verdict);
   ASSERT_EQ(effectsOf(after), effectsOf(before));
@@ -63,9 +63,9 @@ TEST(Honesty, ACopyOfALogMakesNothingSurer) {
     twice.logs.back().file = "again_" + twice.logs[i].file;
   }
   EXPECT_EQ(evidenceOf(twice, baselineOf(twice)).logs, evidenceOf(rubbing(), baselineOf(rubbing())).logs);
-  const Naming &once = namedAsItIs(), after = nameEffects(twice);
+  const Identification &once = namedAsItIs(), after = identify(Study{twice});
   ASSERT_EQ(effectsOf(after), effectsOf(once));
-  EXPECT_NEAR(after.found[0].gain, once.found[0].gain, 0.01 * once.found[0].gain);
+  EXPECT_NEAR(after.effects[0].gain, once.effects[0].gain, 0.01 * once.effects[0].gain);
   EXPECT_NEAR(widthOf(frictionIn(after)), widthOf(frictionIn(once)), 0.01 * widthOf(frictionIn(once)));
 }
 
@@ -77,7 +77,7 @@ TEST(Honesty, FreshDataOfARightModelRaiseNoAlarm) {
   const Case bench = smallBench();
   int alarms = 0;
   for (std::uint64_t i = 0; i < 4; ++i) {
-    const Naming naming = nameEffects(measured(bench, baselineOf(bench), first + i));
+    const Identification naming = identify(Study{measured(bench, baselineOf(bench), first + i)});
     alarms += naming.verdict == Verdict::kNone || naming.verdict == Verdict::kCannotTell ? 0 : 1;
   }
   EXPECT_LE(alarms, 1) << "DARWINOP_SEED=" << first << " shows it again";

@@ -1,8 +1,8 @@
 // Degrees that pass for radians are caught, and radians are not.
 #include <gmock/gmock.h>
 
+#include "gap/case/data_check.hpp"
 #include "gap/case_texts.hpp"
-#include "gap/data/data_check.hpp"
 
 namespace darwinop::gap {
 namespace {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "gap/plan/ask.hpp"
+#include "gap/plan/question.hpp"
 #include "plan_rig.hpp"
 
 namespace darwinop::gap {
@@ -12,7 +12,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-const Tell kQuietly = [](const std::string&) {};
+const ProgressCallback kQuietly = [](const std::string&) {};
 
 /// One log of steps: one payload, one gain, no torque off.
 Case poorCase() {
@@ -24,7 +24,7 @@ Case poorCase() {
 
 std::vector<std::string> contendersOf(const Question& question) {
   std::vector<std::string> names;
-  for (const Contender& one : question.contenders) names.push_back(one.name);
+  for (const FittedHypothesis& one : question.hypotheses) names.push_back(one.name);
   return names;
 }
 
@@ -38,16 +38,16 @@ std::string saidOf(const std::function<void()>& work) {
 }
 
 TEST(Question, WithNothingFoundIsWhatTheseLogsCannotShow) {
-  const Question question = questionAfter(poorCase(), Naming{}, kQuietly);
+  const Question question = questionAfter(poorCase(), Identification{}, kQuietly);
   EXPECT_EQ(question.aim, Aim::kReveal);
-  EXPECT_EQ(question.contenders.at(0).name, kNothing);
+  EXPECT_EQ(question.hypotheses.at(0).name, kNothing);
   EXPECT_THAT(contendersOf(question), Contains("load_dependent_friction"));
   EXPECT_THAT(contendersOf(question), Not(Contains("lost_packets")));
 }
 
 TEST(Question, OfCloseRivalsIsWhatSeparatesThem) {
-  Naming naming;
-  naming.found.push_back({twin::findEffect("com_mass"), {}, 40});
+  Identification naming;
+  naming.effects.push_back({twin::findEffect("com_mass"), {}, 40});
   naming.rivals = {{{"encoder_offset"}, 3}, {{"accel_limit"}, 60}};
   const Question question = questionAfter(poorCase(), naming, kQuietly);
   EXPECT_EQ(question.aim, Aim::kSeparate);
@@ -55,19 +55,19 @@ TEST(Question, OfCloseRivalsIsWhatSeparatesThem) {
 }
 
 TEST(Question, OfAnEffectWithoutRivalsIsHowLargeItIs) {
-  Naming naming;
-  naming.found.push_back({twin::findEffect("coulomb"), {}, 40});
+  Identification naming;
+  naming.effects.push_back({twin::findEffect("coulomb"), {}, 40});
   const Question question = questionAfter(poorCase(), naming, kQuietly);
   EXPECT_EQ(question.aim, Aim::kNarrow);
-  EXPECT_EQ(question.contenders.at(0).unknowns.at(question.unknown).name, "coulomb.friction");
+  EXPECT_EQ(question.hypotheses.at(0).unknowns.at(question.unknown).name, "coulomb.friction");
 }
 
 TEST(Question, ACopiedLogMakesNobodySurer) {
   Case once = poorCase(), twice = once;
   twice.logs.push_back(twice.logs.front());
   twice.logs.back().file = "copy.csv";
-  const Eigen::VectorXd sigmas = questionBetween(once, {"coulomb"}, kQuietly).contenders.at(1).sigmas();
-  EXPECT_EQ(questionBetween(twice, {"coulomb"}, kQuietly).contenders.at(1).sigmas(), sigmas);
+  const Eigen::VectorXd sigmas = questionBetween(once, {"coulomb"}, kQuietly).hypotheses.at(1).sigmas();
+  EXPECT_EQ(questionBetween(twice, {"coulomb"}, kQuietly).hypotheses.at(1).sigmas(), sigmas);
 }
 
 TEST(Question, KnowsItsEffects) {

@@ -9,7 +9,7 @@
 #include "experiments/format/reader.hpp"
 #include "gap/plan/commands.hpp"
 #include "gap/plan/experiment_text.hpp"
-#include "gap/plan/hand_over.hpp"
+#include "gap/plan/write_experiments.hpp"
 #include "plan_rig.hpp"
 
 namespace darwinop::gap {
@@ -63,7 +63,7 @@ TEST(ExperimentText, TheBatteryComesBackToTheLastBit) {
 
 TEST(ExperimentText, BenchExperimentsAreTakenByTheirReaderAndTheirCheck) {
   for (const Joint joint : {Joint::kShoulderR, Joint::kShoulderL})
-    for (const Experiment& made : benchExperiments(standOf(joint))) {
+    for (const Experiment& made : benchExperiments(armSetupFor(joint))) {
       const Experiment read = experiments::parseExperiment(experimentText(made, {}), made.name);
       expectSame(made, read);
       EXPECT_NO_THROW((void)experiments::makePlan(read, safety::hardRanges())) << made.name;
@@ -72,7 +72,7 @@ TEST(ExperimentText, BenchExperimentsAreTakenByTheirReaderAndTheirCheck) {
 
 TEST(MovedTo, KeepsTheAnglesOfTheArm) {
   const Experiment raised = experiments::readExperiment(experiments::findExperiment("p_gain"));  // ArmUpperR
-  const auto moved = movedTo(standOf(Joint::kShoulderL), raised);
+  const auto moved = movedTo(armSetupFor(Joint::kShoulderL), raised);
   ASSERT_TRUE(moved);
   const auto& up = moved->rounds.at(0).phases.at(2);
   EXPECT_EQ(up.joints.at(0).joint, Joint::kShoulderL);
@@ -82,16 +82,16 @@ TEST(MovedTo, KeepsTheAnglesOfTheArm) {
 }
 
 TEST(MovedTo, LeavesAloneWhatMovesLegsOrSeveralJoints) {
-  const Stand stand = standOf(Joint::kShoulderR);
+  const ArmSetup stand = armSetupFor(Joint::kShoulderR);
   for (const char* name : {"bow_forward", "gyroscope"})
     EXPECT_FALSE(movedTo(stand, experiments::readExperiment(experiments::findExperiment(name)))) << name;
 }
 
 TEST(Again, AsksTheSameOfTheJointAsTheLogDid) {
   const Case bench = smallBench();
-  const Stand stand = standOf(Joint::kShoulderR);
+  const ArmSetup stand = armSetupFor(Joint::kShoulderR);
   for (const Trajectory& log : bench.logs) {
-    Candidate candidate{.experiment = again(log, stand, "first_log_again"), .payload_kg = 0.3, .prepare = {}};
+    ExperimentCandidate candidate{.experiment = again(log, stand, "first_log_again"), .payload_kg = 0.3, .prepare = {}};
     const Experiment read = experiments::parseExperiment(experimentText(candidate.experiment, {}), "again");
     EXPECT_NO_THROW((void)experiments::makePlan(read, safety::hardRanges())) << log.kind;
     const std::vector<Stretch> stretches = commandsOf(candidate, read.rounds.at(0), stand);
@@ -113,8 +113,8 @@ TEST(Again, AsksTheSameOfTheJointAsTheLogDid) {
 }
 
 TEST(Commands, OneLogForEachPGain) {
-  const Stand stand = standOf(Joint::kShoulderR);
-  const Candidate candidate = named("steps_three_gains");
+  const ArmSetup stand = armSetupFor(Joint::kShoulderR);
+  const ExperimentCandidate candidate = named("steps_three_gains");
   std::vector<double> registers;
   for (const auto& round : candidate.experiment.rounds)
     for (const Stretch& stretch : commandsOf(candidate, round, stand)) registers.push_back(stretch.log.p_register);
@@ -122,11 +122,11 @@ TEST(Commands, OneLogForEachPGain) {
 }
 
 TEST(Commands, RefuseWhatALogCannotTell) {
-  const Stand stand = standOf(Joint::kShoulderR);
+  const ArmSetup stand = armSetupFor(Joint::kShoulderR);
   for (const auto& [name, why] : {std::pair{"max_torque", "torque limit"},
                                   {"applied_torque", "gives a torque"},
                                   {"speed", "depends on what the joint does"}}) {
-    const Candidate candidate{
+    const ExperimentCandidate candidate{
         .experiment = *movedTo(stand, experiments::readExperiment(experiments::findExperiment(name))), .prepare = {}};
     const Vetted one = vetted(candidate, stand, smallBench(), {baselineOf(smallBench())});
     EXPECT_THAT(one.refused, HasSubstr(why)) << name;
@@ -135,7 +135,7 @@ TEST(Commands, RefuseWhatALogCannotTell) {
 
 TEST(HandOver, WritesFilesThatRunAndSayWhatTheyAreFor) {
   NextExperiments next;
-  next.stand = standOf(Joint::kShoulderL);
+  next.stand = armSetupFor(Joint::kShoulderL);
   const Case bench = smallBench();
   next.question = {Aim::kSeparate,
                    {contender(bench, "coulomb", "friction", 0.04, 1), contender(bench, "com_mass", "mass", 0.1, 1)},

@@ -7,10 +7,11 @@
 namespace darwinop::gap {
 namespace {
 
-NextExperiments rankedFor(const Contender& a, const Contender& b, const std::vector<std::string>& names) {
-  std::vector<Candidate> candidates;
+NextExperiments rankedFor(const FittedHypothesis& a, const FittedHypothesis& b, const std::vector<std::string>& names) {
+  std::vector<ExperimentCandidate> candidates;
   for (const std::string& name : names) candidates.push_back(named(name));
-  return nextExperiments(smallBench(), standOf(Joint::kShoulderR), {Aim::kSeparate, {a, b}, 0}, candidates, kFewRuns);
+  return nextExperiments(smallBench(), armSetupFor(Joint::kShoulderR), {Aim::kSeparate, {a, b}, 0}, candidates,
+                         kFewRuns);
 }
 
 double sigmaFor(const NextExperiments& next, const std::string& name) {
@@ -51,8 +52,8 @@ TEST(Ranking, AWrongMotorIsToldFromViscousFrictionByASwingWithoutTorque) {
 
 TEST(Ranking, WhatARefitAbsorbsSeparatesNothing) {
   const Case bench = smallBench();
-  const Contender friction = contender(bench, "coulomb", "friction", 0.04, 1e-3);
-  Contender other = contender(bench, "coulomb", "friction", 0.042, 1e-3);
+  const FittedHypothesis friction = contender(bench, "coulomb", "friction", 0.04, 1e-3);
+  FittedHypothesis other = contender(bench, "coulomb", "friction", 0.042, 1e-3);
   const double told = sigmaFor(rankedFor(friction, other, {"hold_from_both_sides"}), "hold_from_both_sides");
   other = contender(bench, "coulomb", "friction", 0.042, 0.5);
   const double absorbed = sigmaFor(rankedFor(friction, other, {"hold_from_both_sides"}), "hold_from_both_sides");
@@ -62,10 +63,10 @@ TEST(Ranking, WhatARefitAbsorbsSeparatesNothing) {
 
 TEST(Ranking, TheSameRoundTwiceTellsNoMoreAMinute) {
   const Case bench = smallBench();
-  Candidate once = named("hold_once"), twice = once;
+  ExperimentCandidate once = named("hold_once"), twice = once;
   twice.experiment.rounds.push_back(twice.experiment.rounds.front());
   const NextExperiments next = nextExperiments(
-      bench, standOf(Joint::kShoulderR),
+      bench, armSetupFor(Joint::kShoulderR),
       {Aim::kSeparate,
        {contender(bench, "coulomb", "friction", 0.05, 0.1), contender(bench, "com_mass", "mass", 0.2, 0.01)},
        0},
@@ -79,7 +80,7 @@ TEST(Ranking, TheSameRoundTwiceTellsNoMoreAMinute) {
 TEST(Ranking, NarrowsTheIntervalOfAFrictionByMovingNotByWaiting) {
   const Case bench = smallBench();
   const Question question{Aim::kNarrow, {contender(bench, "coulomb", "friction", 0.04, 0.5)}, 2};
-  const NextExperiments next = nextExperiments(bench, standOf(Joint::kShoulderR), question,
+  const NextExperiments next = nextExperiments(bench, armSetupFor(Joint::kShoulderR), question,
                                                {named("hold_once"), named("hold_from_both_sides")}, kFewRuns);
   EXPECT_EQ(namesOf(next).at(0), "hold_from_both_sides");
   EXPECT_LT(next.ranked[0].sigma_after, 0.3 * next.ranked[0].sigma_before);

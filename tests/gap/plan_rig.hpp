@@ -2,14 +2,15 @@
 #pragma once
 
 #include "gap/plan/bench_experiments.hpp"
-#include "gap/plan/next.hpp"
+#include "gap/plan/ranking.hpp"
 #include "small_case.hpp"
 
 namespace darwinop::gap {
 
 /// One effect at one value, which may be off by `sigma` of the search variable; the case's numbers by their priors.
-inline Contender contender(const Case& bench, std::string_view id, std::string_view key, double value, double sigma) {
-  Contender made;
+inline FittedHypothesis contender(const Case& bench, std::string_view id, std::string_view key, double value,
+                                  double sigma) {
+  FittedHypothesis made;
   made.name = id;
   made.hypothesis = withEffect(bench, id, key, value);
   for (Unknown& unknown : nuisancesOf(bench, made.hypothesis))
@@ -26,7 +27,7 @@ inline Contender contender(const Case& bench, std::string_view id, std::string_v
   return made;
 }
 
-inline Candidate named(const std::string& name, const Stand& stand = standOf(Joint::kShoulderR)) {
+inline ExperimentCandidate named(const std::string& name, const ArmSetup& stand = armSetupFor(Joint::kShoulderR)) {
   for (experiments::Experiment& experiment : benchExperiments(stand))
     if (experiment.name == name)
       return {.experiment = std::move(experiment), .payload_kg = 0.3, .prepare = {}, .prepare_s = 0};

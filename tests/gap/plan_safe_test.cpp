@@ -14,15 +14,15 @@ using testing::HasSubstr;
 
 Vetted vettedOn(const std::string& name, Joint joint, double payload_kg = 0.3) {
   const Case bench = smallBench();
-  const Stand stand = standOf(joint);
-  Candidate candidate = named(name, stand);
+  const ArmSetup stand = armSetupFor(joint);
+  ExperimentCandidate candidate = named(name, stand);
   candidate.payload_kg = payload_kg;
   return vetted(std::move(candidate), stand, bench, {baselineOf(bench)});
 }
 
 TEST(Vetting, LetsTheRobotsArmDoAllOfThem) {
   const Case bench = smallBench();
-  const Stand stand = standOf(Joint::kShoulderR);
+  const ArmSetup stand = armSetupFor(Joint::kShoulderR);
   for (const experiments::Experiment& experiment : benchExperiments(stand)) {
     const Vetted one = vetted({.experiment = experiment, .payload_kg = 0.2, .prepare = {}, .prepare_s = 0}, stand,
                               bench, {baselineOf(bench)});
@@ -46,8 +46,8 @@ TEST(Vetting, LeavesOutTheSwingsThatEndInTheStops) {
 }
 
 TEST(Vetting, RefusesWhatHasNoSafeRound) {
-  const Stand stand = standOf(Joint::kLegUpperL);
-  Candidate candidate = named("swing_three_heights", stand);
+  const ArmSetup stand = armSetupFor(Joint::kLegUpperL);
+  ExperimentCandidate candidate = named("swing_three_heights", stand);
   candidate.experiment.rounds.erase(candidate.experiment.rounds.begin());
   const Case bench = smallBench();
   EXPECT_THAT(vetted(std::move(candidate), stand, bench, {baselineOf(bench)}).refused,
@@ -67,8 +67,8 @@ TEST(Vetting, ShortensAHoldAtFullDuty) {
 
 TEST(Vetting, AsksEveryExplanation) {
   const Case bench = smallBench();
-  const Stand stand = standOf(Joint::kShoulderR);
-  Candidate candidate = named("hold_long", stand);
+  const ArmSetup stand = armSetupFor(Joint::kShoulderR);
+  ExperimentCandidate candidate = named("hold_long", stand);
   candidate.payload_kg = 2.2;
   EXPECT_THAT(vetted(candidate, stand, bench, {baselineOf(bench)}).cuts, testing::IsEmpty());
   const Hypothesis heavier = withEffect(bench, "com_mass", "mass", 0.4);

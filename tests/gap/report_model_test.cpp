@@ -29,7 +29,7 @@ std::string sentenceOf(const std::function<void()>& wrong) {
 TEST(RepairedModel, ReadBackIsTheHypothesisThatWasFound) {
   const Told told;
   const Case again = withModel(told.given, twin::parseModel(repairedModel(told.given, told.outcome), "repaired.ini"));
-  const Hypothesis read = baselineOf(again), found = told.outcome.naming.model;
+  const Hypothesis read = baselineOf(again), found = told.outcome.identification.model;
   EXPECT_EQ(movedNumbers(read.servo, told.given.model.servo).size(), 1U) << "kt, nothing else";
   EXPECT_NEAR(read.servo.kt_nm_a, found.servo.kt_nm_a, 1e-5);
   ASSERT_EQ(read.effects.size(), found.effects.size());
@@ -65,8 +65,8 @@ TEST(RepairedModel, IsMadeFromTheResultsOfABattery) {
 
 TEST(RepairedModel, NamesWhatTheDataDoNotDecide) {
   Told told;
-  told.outcome.naming.verdict = Verdict::kAmbiguous;
-  told.outcome.naming.rivals.front().behind = 3;
+  told.outcome.identification.verdict = Verdict::kAmbiguous;
+  told.outcome.identification.rivals.front().behind = 3;
   EXPECT_THAT(repairedModel(told.given, told.outcome), HasSubstr("; Not certain: deadband explains the logs"));
 }
 
@@ -124,11 +124,11 @@ TEST(AddResults, ThatNameNothingAreRefused) {
   const auto sentence = [&](const std::string& text) {
     return sentenceOf([&] { additionsIn(text, "report.json", told.given); });
   };
-  told.outcome.naming.verdict = Verdict::kNone;
+  told.outcome.identification.verdict = Verdict::kNone;
   EXPECT_THAT(sentence(asJson(told.report).dump()), HasSubstr("report.json: says that nothing is missing"));
-  told.outcome.naming.verdict = Verdict::kUnknown;
+  told.outcome.identification.verdict = Verdict::kUnknown;
   EXPECT_THAT(sentence(asJson(told.report).dump()), HasSubstr("names no effect"));
-  told.outcome.naming.verdict = Verdict::kNamed;
+  told.outcome.identification.verdict = Verdict::kNamed;
   told.given.name = "other";
   nlohmann::json of_e1 = asJson(told.report);
   of_e1["case"] = "e1";

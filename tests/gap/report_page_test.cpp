@@ -66,7 +66,7 @@ TEST(GapPage, HasTheFiguresOfTheJson) {
   const Told told;
   const std::string page = asHtml(told.report);
   const json all = asJson(told.report);
-  std::vector<double> wanted = numbersOf(all["score"]);
+  std::vector<double> wanted = numbersOf(all["held_out"]);
   for (const auto& part : {all["logs"][1], all["fit"], all["logs"][0]})
     for (const double value : numbersOf(part)) wanted.push_back(value);
   EXPECT_EQ(numbersIn(partOf(page, "id=\"logs\"", "</table>")), wanted);
@@ -75,8 +75,8 @@ TEST(GapPage, HasTheFiguresOfTheJson) {
   const json& effect = all["effects"][0];
   for (const json& value :
        {effect["params"]["friction"], effect["interval_90"]["friction"][0], effect["interval_90"]["friction"][1],
-        effect["gain"], all["rivals"][0]["behind"], all["rivals"][1]["behind"], all["strained"][0]["factor"],
-        all["strained"][0]["sigma"], all["bench"]["payload_factor"], all["threshold"]})
+        effect["gain"], all["rivals"][0]["behind"], all["rivals"][1]["behind"], all["prior_conflicts"][0]["factor"],
+        all["prior_conflicts"][0]["sigma"], all["bench"]["payload_factor"], all["threshold"]})
     EXPECT_THAT(what, testing::Contains(value.get<double>())) << value;
   for (const json& sentence : all["sentences"]) EXPECT_THAT(page, HasSubstr(sentence.get<std::string>()));
 }
@@ -84,7 +84,7 @@ TEST(GapPage, HasTheFiguresOfTheJson) {
 TEST(GapPage, IsWellFormed) {
   Told told;
   EXPECT_EQ(misplacedTag(asHtml(told.report)), "");
-  told.outcome.naming.verdict = Verdict::kAmbiguous;
+  told.outcome.identification.verdict = Verdict::kAmbiguous;
   told.report.comparison.logs[1].below_floor = true;
   told.make();
   EXPECT_EQ(misplacedTag(asHtml(told.report)), "");
@@ -164,12 +164,12 @@ TEST(GapPage, FlagsWhatIsTooGoodToBeTrue) {
 
 TEST(GapPage, HasNoHeadlineWithoutKeptLogs) {
   Told told;
-  told.given.logs[1].score = false;
+  told.given.logs[1].held_out = false;
   told.make();
   const std::string page = asHtml(told.report);
-  EXPECT_THAT(partOf(page, "id=\"headline\"", "</section>"), HasSubstr("No log of this case is kept for judging"));
+  EXPECT_THAT(partOf(page, "id=\"headline\"", "</section>"), HasSubstr(std::string{messages::kNoHeldOutLog}));
   EXPECT_TRUE(numbersIn(partOf(page, "id=\"headline\"", "</section>")).empty());
-  EXPECT_TRUE(asJson(told.report)["score"]["after_mrad"].is_null()) << "not known is not 0";
+  EXPECT_TRUE(asJson(told.report)["held_out"]["after_mrad"].is_null()) << "not known is not 0";
 }
 
 TEST(GapPage, ShowsTheModelsChangesAndHowToMakeItAgain) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "gap/report/messages.hpp"
 #include "gap/report/report.hpp"
 #include "gap/report/sentences.hpp"
 #include "small_case.hpp"
@@ -43,13 +44,13 @@ inline Comparison comparisonOf(const Case& given) {
     const std::vector<double> still(given.logs[i].rows(), 0.1 * static_cast<double>(i));
     comparison.logs.push_back(
         {.log = i,
-         .gap = given.logs[i].score ? gapOfMrad(31.0412, 0.9314, 0.8881) : gapOfMrad(24.5, 0.87, 0.9),
+         .gap = given.logs[i].held_out ? gapOfMrad(31.0412, 0.9314, 0.8881) : gapOfMrad(24.5, 0.87, 0.9),
          .noise_share = 1,
          .below_floor = false,
          .before_rad = still,
          .after_rad = still});
-    (given.logs[i].score ? comparison.score : comparison.fit) = comparison.logs.back().gap;
-    ++(given.logs[i].score ? comparison.score_logs : comparison.fit_logs);
+    (given.logs[i].held_out ? comparison.held_out : comparison.fit) = comparison.logs.back().gap;
+    ++(given.logs[i].held_out ? comparison.held_out_logs : comparison.fit_logs);
   }
   return comparison;
 }
@@ -57,24 +58,25 @@ inline Comparison comparisonOf(const Case& given) {
 /// "named": dry friction of 0.0423 N m, and a motor constant that moved inside its prior.
 inline Outcome dryFriction(const Case& given) {
   Outcome outcome;
-  Naming& naming = outcome.naming;
+  outcome.baseline = baselineOf(given);
+  Identification& naming = outcome.identification;
   naming.verdict = Verdict::kNamed;
   naming.model = baselineOf(given);
   naming.model.servo.kt_nm_a *= 1.0123;
   naming.model.find("viscous")->values[0] = 0.0161;
   naming.model.with(*twin::findEffect("coulomb")).values = {0.0423};
   naming.model.payload_scale = 1.0042;
-  naming.found = {{twin::findEffect("coulomb"), {{"coulomb.friction", "N m", 0.0423, 0.0401, 0.0447}}, 312.4}};
+  naming.effects = {{twin::findEffect("coulomb"), {{"coulomb.friction", "N m", 0.0423, 0.0401, 0.0447}}, 312.4}};
   naming.rivals = {{{"deadband"}, 45.3}, {{"viscous", "backlash"}, 77.7}};
-  naming.strained = {{"length", 3.4, 1.034}};
+  naming.prior_conflicts = {{"length", 3.4, 1.034}};
   naming.threshold = 27.6;
   naming.misfit = 0.7;
   naming.gap_before_rad = 24.5 * kMrad, naming.gap_after_rad = 0.87 * kMrad, naming.floor_rad = 0.9 * kMrad;
-  outcome.score_before_rad = 31.0412 * kMrad, outcome.score_after_rad = 0.9314 * kMrad;
+  outcome.verification.rms_before_rad = 31.0412 * kMrad, outcome.verification.rms_after_rad = 0.9314 * kMrad;
   outcome.runtime_s = 12.3;
-  outcome.where.places = {
+  outcome.localization.places = {
       {"position", "", given.logs.front().file, 0.3, 0.6, "step", Block::kPlant, 900.5, 20, 45.6, "mrad"}};
-  outcome.where.blocks.first = Block::kPlant;
+  outcome.localization.blocks.first = Block::kPlant;
   return outcome;
 }
 

@@ -43,52 +43,52 @@ TEST(Summary, TellsWhereWhatHowSureAndHowMuchItHelps) {
 
 TEST(Summary, SaysWhyAnEffectThatFitsIsNotNamed) {
   Told told;
-  Naming& naming = told.outcome.naming;
+  Identification& naming = told.outcome.identification;
   naming.remains = true;
-  naming.strained.clear();
-  naming.doubted = {{twin::findEffect("supply_sag"), Doubt::kVoltage},
-                    {twin::findEffect("torque_limit"), Doubt::kUndecided},
-                    {twin::findEffect("cogging"), Doubt::kWorsensKept}};
+  naming.prior_conflicts.clear();
+  naming.rejected = {{twin::findEffect("supply_sag"), RejectionReason::kVoltage},
+                     {twin::findEffect("torque_limit"), RejectionReason::kUndecided},
+                     {twin::findEffect("cogging"), RejectionReason::kWorsensHeldOut}};
   told.make();
   const std::string text = inOneLine(asText(told.report));
-  EXPECT_THAT(text, HasSubstr("supply_sag: fits, but the measured voltage does not dip"));
-  EXPECT_THAT(text, HasSubstr("torque_limit: may be there, too"));
-  EXPECT_THAT(text, HasSubstr("something is left that none of the known effects explains."));
+  EXPECT_THAT(text, HasSubstr("supply_sag: " + std::string{messages::kVoltage}));
+  EXPECT_THAT(text, HasSubstr("torque_limit: " + std::string{messages::kUndecided}));
+  EXPECT_THAT(text, HasSubstr(std::string{messages::kRemainder}));
   const nlohmann::json answer = asJson(told.given, told.outcome);
-  EXPECT_EQ(answer["doubted"][0]["why"], "voltage");
-  EXPECT_EQ(answer["doubted"][1]["id"], "torque_limit");
-  EXPECT_EQ(answer["doubted"][2]["why"], "worsens_kept");
-  EXPECT_THAT(doubtSentence(naming.doubted[2]), HasSubstr("make the error on the kept ones greater"));
-  EXPECT_THAT(doubtSentence(naming.doubted[1]), HasSubstr(twin::findEffect("quadratic_load_friction")->title));
-  EXPECT_THAT(doubtSentence(naming.doubted[1]), HasSubstr(twin::findEffect("torque_limit")->separated_by));
+  EXPECT_EQ(answer["rejected"][0]["why"], "voltage");
+  EXPECT_EQ(answer["rejected"][1]["id"], "torque_limit");
+  EXPECT_EQ(answer["rejected"][2]["why"], "worsens_held_out");
+  EXPECT_THAT(rejectionSentence(naming.rejected[2]), HasSubstr(std::string{messages::kWorsensHeldOutInFull}));
+  EXPECT_THAT(rejectionSentence(naming.rejected[1]), HasSubstr(twin::findEffect("quadratic_load_friction")->title));
+  EXPECT_THAT(rejectionSentence(naming.rejected[1]), HasSubstr(twin::findEffect("torque_limit")->separated_by));
 }
 
 TEST(Results, TellThePartOfTheLoopOfWhatWasNamedAndWhichPartDoesNotClose) {
   const Case given = twoLogs();
   Outcome outcome = dryFriction(given);
-  outcome.where.blocks.first = Block::kController;
+  outcome.localization.blocks.first = Block::kController;
   EXPECT_EQ(asJson(given, outcome)["block"], "plant");
-  EXPECT_EQ(asJson(given, outcome)["opens"], "controller");
-  outcome.naming.found.front().effect = twin::findEffect("deadband");
-  outcome.where.blocks.first.reset();
+  EXPECT_EQ(asJson(given, outcome)["first_open_block"], "controller");
+  outcome.identification.effects.front().effect = twin::findEffect("deadband");
+  outcome.localization.blocks.first.reset();
   EXPECT_EQ(asJson(given, outcome)["block"], "controller");
-  EXPECT_TRUE(asJson(given, outcome)["opens"].is_null());
-  outcome.where.blocks.first = Block::kSensor;
-  outcome.naming.verdict = Verdict::kUnknown;
+  EXPECT_TRUE(asJson(given, outcome)["first_open_block"].is_null());
+  outcome.localization.blocks.first = Block::kSensor;
+  outcome.identification.verdict = Verdict::kUnknown;
   EXPECT_EQ(asJson(given, outcome)["block"], "sensor");
 }
 
 TEST(Summary, FitsAScreenHoweverMuchWasFound) {
   Told told;
-  Naming& naming = told.outcome.naming;
+  Identification& naming = told.outcome.identification;
   naming.verdict = Verdict::kAmbiguous;
   for (const char* id : {"stribeck", "backlash", "supply_sag"})
-    naming.found.push_back(
+    naming.effects.push_back(
         {twin::findEffect(id),
          {{std::string{id} + ".one", "N m", 0.1, 0.09, 0.11}, {std::string{id} + ".two", "", 1, 0, 2}},
          100});
   naming.rivals.assign(9, {{"deadband", "load_dependent_friction", "directional_load_friction"}, 5});
-  naming.strained.assign(9, {"duty_per_kp", 3.3, 1.2});
+  naming.prior_conflicts.assign(9, {"duty_per_kp", 3.3, 1.2});
   told.make();
   const std::vector<std::string> lines = linesOfText(asText(told.report));
   EXPECT_LE(lines.size(), 24U);
@@ -97,33 +97,33 @@ TEST(Summary, FitsAScreenHoweverMuchWasFound) {
 
 TEST(Summary, GivesNoIntervalForWhatTheDataSayNothingAbout) {
   Told told;
-  told.outcome.naming.found.front().estimates.front().seen = false;
+  told.outcome.identification.effects.front().estimates.front().seen = false;
   told.make();
-  EXPECT_THAT(asText(told.report), HasSubstr("(not seen in these data)"));
-  EXPECT_THAT(asHtml(told.report), HasSubstr("these data say nothing about it"));
-  EXPECT_THAT(told.report.model_after, HasSubstr("; friction: these data say nothing about it"));
+  EXPECT_THAT(asText(told.report), HasSubstr("(" + std::string{messages::kNotIdentifiable} + ")"));
+  EXPECT_THAT(asHtml(told.report), HasSubstr(std::string{messages::kNotIdentifiable}));
+  EXPECT_THAT(told.report.model_after, HasSubstr("; friction: " + std::string{messages::kNotIdentifiable}));
   EXPECT_THAT(told.report.model_after, Not(HasSubstr("90 % interval")));
 }
 
 TEST(Summary, WarnsOfAModelThatGotWorseAndOfOneThatIsTooGood) {
   Told told;
-  told.report.comparison.score = gapOfMrad(10, 20, 1);
-  EXPECT_THAT(inOneLine(asText(told.report)), HasSubstr("do not use the changed model"));
-  EXPECT_THAT(asText(told.report), Not(HasSubstr("below the floor")));
+  told.report.comparison.held_out = gapOfMrad(10, 20, 1);
+  EXPECT_THAT(inOneLine(asText(told.report)), HasSubstr(std::string{messages::kWorse}));
+  EXPECT_THAT(asText(told.report), Not(HasSubstr(std::string{messages::kBelowFloorFlag})));
   told.report.comparison.logs[1].below_floor = true;
-  EXPECT_THAT(asText(told.report), HasSubstr("below the floor!"));
+  EXPECT_THAT(asText(told.report), HasSubstr(std::string{messages::kBelowFloorFlag} + "!"));
 }
 
 TEST(Summary, HasASentenceForEachVerdict) {
   Told told;
   const std::pair<Verdict, const char*> sentences[] = {
       {Verdict::kNone, "what is left is noise"},
-      {Verdict::kAmbiguous, "these logs do not decide: dry friction, or dead band"},
+      {Verdict::kAmbiguous, "these logs do not identify: dry friction, or dead band"},
       {Verdict::kUnknown, "known effects explains; it shows most between 0.3 and 0.6 s of fit"},
       {Verdict::kCannotTell, "by too little"}};
-  told.outcome.naming.rivals.front().behind = 3;
+  told.outcome.identification.rivals.front().behind = 3;
   for (const auto& [verdict, words] : sentences) {
-    told.outcome.naming.verdict = verdict;
+    told.outcome.identification.verdict = verdict;
     EXPECT_THAT(verdictSentences(told.outcome, told.report.comparison).front(), HasSubstr(words));
   }
 }
@@ -132,9 +132,9 @@ TEST(Compare, ARightModelIsAtTheFloorAndAWrongOneAbove) {
   const Case bench = twoLogs();
   const Hypothesis truth = withEffect(bench, "coulomb", "friction", 0.06);
   const Comparison found = compare(measured(bench, truth, 3), baselineOf(bench), truth);
-  EXPECT_EQ(found.score_logs, 1U);
-  EXPECT_GT(found.score.floorsBefore(), 3);
-  EXPECT_NEAR(found.score.floorsAfter(), 1, 0.5);
+  EXPECT_EQ(found.held_out_logs, 1U);
+  EXPECT_GT(found.held_out.floorsBefore(), 3);
+  EXPECT_NEAR(found.held_out.floorsAfter(), 1, 0.5);
   EXPECT_FALSE(found.anyBelowFloor(bench, true)) << found.logs[1].noise_share;
 }
 
@@ -157,7 +157,7 @@ TEST(DataHash, IsThatOfSha256sum) {
 
 TEST(DataHash, ChangesWithTheDataAndNotWithTheFolder) {
   Case given = twoLogs();
-  for (Trajectory& log : given.logs) log.file = log.score ? "score 1.csv" : "fit_1.csv";
+  for (Trajectory& log : given.logs) log.file = log.held_out ? "score 1.csv" : "fit_1.csv";
   EXPECT_EQ(dataHash(given), "") << "it lies in no folder";
   given.folder = testing::TempDir() + "/darwinop_data_hash";
   std::filesystem::create_directories(given.folder);
@@ -175,7 +175,7 @@ TEST(WriteReport, SaysWhatToDoWhenItCannot) {
     writeReport(told.report, file + "/report");
     FAIL() << "a file is no folder";
   } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("name another with --report"));
+    EXPECT_THAT(error.what(), HasSubstr("give another folder with --report"));
   }
 }
 

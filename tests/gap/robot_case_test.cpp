@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "experiments/logs/read_log.hpp"
-#include "gap/robot/alone.hpp"
-#include "gap/robot/joint_case.hpp"
-#include "gap/sim/roll_out.hpp"
+#include "gap/case/robot/alone.hpp"
+#include "gap/case/robot/joint_case.hpp"
+#include "gap/plant/bench/roll_out.hpp"
 #include "twin/body/pendulum.hpp"
 #include "twin/body/robot_body.hpp"
 
@@ -80,7 +80,7 @@ using JointCase = Folder;
 
 TEST_F(JointCase, OfTheTwinIsSimulatedAsItMoved) {
   std::ofstream{file("swing.csv")} << recordedSwing();
-  writeJointCase({.recordings = {file("swing.csv")}, .kept = {}}, file("case"));
+  writeJointCase({.recordings = {file("swing.csv")}, .held_out = {}}, file("case"));
   const Case made = readCase(file("case"));
   ASSERT_EQ(made.logs.size(), 1U);
   EXPECT_NEAR(made.model.servo.supply_v, 11.8, 1e-9);
@@ -101,7 +101,7 @@ TEST_F(JointCase, NeedsAPartInWhichTheJointMovesAlone) {
   EXPECT_NEAR(parts[0].to_s, 8, 0.05);
   EXPECT_NEAR(parts[0].angles_rad[index(Joint::kArmUpperR)], -0.65, 0.02);
   try {
-    writeJointCase({.joint = Joint::kNeck, .recordings = {file("swing.csv")}, .kept = {}}, file("case"));
+    writeJointCase({.joint = Joint::kNeck, .recordings = {file("swing.csv")}, .held_out = {}}, file("case"));
     ADD_FAILURE() << "of a joint that was not recorded";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("Neck"));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gap/sim/roll_out.hpp"
+#include "gap/plant/bench/roll_out.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
@@ -49,7 +49,7 @@ inline Case smallBench() {
       "release", 4, 16, 0.3, [](double) { return 1.2; }, 0.5));
   bench.logs.push_back(
       commanded("kept", 4, 12, 0.4, [](double t) { return 0.8 * std::sin(2 * t) + 0.2 * std::sin(9 * t); }));
-  bench.logs.back().score = true;
+  bench.logs.back().held_out = true;
   return bench;
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/conversions.hpp"
-#include "gap/hide/measure.hpp"
+#include "gap/benchmark/make/simulate_log.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap::thesis {
@@ -36,7 +36,7 @@ void add(Log wanted, Case& c) {
   Trajectory log;
   log.file = wanted.file;
   log.kind = wanted.kind;
-  log.score = wanted.file.starts_with("score");
+  log.held_out = wanted.file.starts_with("score");
   log.p_register = wanted.p * kRegisterPerP;
   log.payload_kg = c.pendulum.payload_kg;
   log.speed_limit_rad_s = wanted.speed_limit_rad_s;

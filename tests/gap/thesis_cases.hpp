@@ -2,7 +2,7 @@
 // docs/gap/thesis.md tells what was found then, and what is here.
 #pragma once
 
-#include "gap/data/case.hpp"
+#include "gap/case/case.hpp"
 
 namespace darwinop::gap::thesis {
 

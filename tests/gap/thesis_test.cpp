@@ -4,9 +4,9 @@
 #include <set>
 
 #include "experiments/logs/read_log.hpp"
-#include "gap/data/parse_case.hpp"
-#include "gap/data/write_case.hpp"
-#include "gap/name/naming.hpp"
+#include "gap/case/parse_case.hpp"
+#include "gap/case/write_case.hpp"
+#include "gap/identify/identification.hpp"
 #include "thesis_cases.hpp"
 
 namespace darwinop::gap {
@@ -15,36 +15,36 @@ namespace {
 using testing::UnorderedElementsAre;
 
 struct Told {
-  Naming naming;
+  Identification naming;
   std::string trail;  // what the search said on its way
 };
 
 Told namedIn(const Case& given) {
   Told told;
-  NameOptions options;
-  options.tell = [&](const std::string& what) { told.trail += what + "\n"; };
-  told.naming = nameEffects(given, options);
+  IdentifyOptions options;
+  options.progress = [&](const std::string& what) { told.trail += what + "\n"; };
+  told.naming = identify(Study{given}, options);
   told.trail += std::string{nameOf(told.naming.verdict)} + ", misfit " + std::to_string(told.naming.misfit) + "\n";
-  for (const Found& found : told.naming.found)
+  for (const IdentifiedEffect& found : told.naming.effects)
     for (const Estimate& e : found.estimates)
       told.trail += e.name + " = " + std::to_string(e.value) + " " + e.unit + ", " + std::to_string(e.low) + " to " +
                     std::to_string(e.high) + "\n";
   for (const Rival& rival : told.naming.rivals)
     told.trail += "rival " + rival.effects.back() + " worse by " + std::to_string(rival.behind) + "\n";
-  for (const Strained& one : told.naming.strained)
+  for (const PriorConflict& one : told.naming.prior_conflicts)
     told.trail += one.number + " strained by " + std::to_string(one.sigmas) + " sigma\n";
   return told;
 }
 
-std::vector<std::string> idsIn(const Naming& naming) {
+std::vector<std::string> idsIn(const Identification& naming) {
   std::vector<std::string> ids;
-  for (const Found& found : naming.found) ids.emplace_back(found.effect->id);
+  for (const IdentifiedEffect& found : naming.effects) ids.emplace_back(found.effect->id);
   return ids;
 }
 
 /// The value of the parameter of what was found; NaN: it was not.
-double valueIn(const Naming& naming, const std::string& name) {
-  for (const Found& found : naming.found)
+double valueIn(const Identification& naming, const std::string& name) {
+  for (const IdentifiedEffect& found : naming.effects)
     for (const Estimate& estimate : found.estimates)
       if (estimate.name == name) return estimate.value;
   return std::numeric_limits<double>::quiet_NaN();

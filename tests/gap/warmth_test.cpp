@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "gap/data/parts.hpp"
+#include "gap/case/parts.hpp"
 
 namespace darwinop::gap {
 namespace {

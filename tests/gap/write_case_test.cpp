@@ -1,5 +1,5 @@
 // What is written is read back as it was.
-#include "gap/data/write_case.hpp"
+#include "gap/case/write_case.hpp"
 
 #include <gmock/gmock.h>
 
@@ -26,7 +26,7 @@ void expectSame(const std::vector<double>& a, const std::vector<double>& b) {
 void expectSame(const Trajectory& a, const Trajectory& b) {
   EXPECT_EQ(a.file, b.file);
   EXPECT_EQ(a.kind, b.kind);
-  EXPECT_EQ(a.score, b.score);
+  EXPECT_EQ(a.held_out, b.held_out);
   EXPECT_EQ(a.repeat_of, b.repeat_of);
   EXPECT_EQ(a.p_register, b.p_register);
   EXPECT_EQ(a.payload_kg, b.payload_kg);

@@ -1,0 +1,12 @@
+// Sizes for the key: how far the baseline is off, how much of that is noise, and where a stranger shows.
+#pragma once
+
+#include "gap/benchmark/make/answer_key.hpp"
+#include "gap/benchmark/make/simulate_log.hpp"
+
+namespace darwinop::gap {
+
+/// `measured` and `quiet`: the same bench with and without noise.
+void compare(const Plan& measured, const Plan& quiet, const Truth& truth, Key& key);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,27 @@
+// What a host asks of the joint in the logs of a hidden case: the motions that show most of a servo in a minute.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "gap/benchmark/make/rng.hpp"
+
+namespace darwinop::gap {
+
+enum class Motion : std::uint8_t { kSlowTriangle, kSteps, kMultisine, kBang, kRelease, kChirp, kMoves };
+/// As a case calls it: "slow_tri".
+std::string_view nameOf(Motion motion);
+
+inline constexpr double kHostPeriod = 0.016;  // s, of reads and commands
+
+/// One value a row.
+struct Commands {
+  std::vector<double> goal_rad;  // whole steps of the encoder
+  std::vector<std::uint8_t> torque_on;
+};
+
+/// `kept`: for the logs that are kept for judging; what else is random comes from the dice.
+Commands commandsOf(Motion motion, bool held_out, Rng& rng);
+
+}  // namespace darwinop::gap

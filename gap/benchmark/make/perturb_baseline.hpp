@@ -1,0 +1,15 @@
+// A bench whose numbers are not quite those that its model believes.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "gap/benchmark/make/rng.hpp"
+#include "gap/plant/hypothesis.hpp"
+
+namespace darwinop::gap {
+
+/// Moves every number that has a prior by up to one sigma; returns the factors, by the names of the priors.
+std::map<std::string, double> makeWrong(const Case& given, Rng& rng, Hypothesis& bench);
+
+}  // namespace darwinop::gap

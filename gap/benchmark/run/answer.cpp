@@ -1,0 +1,95 @@
+#include "gap/benchmark/run/answer.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "gap/report/data_hash.hpp"
+#include "gap/report/results.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kLongestWhy = 70;  // columns
+
+json failed(const std::string& name, const std::string& why) {
+  json answer = badInput(name, why);
+  answer["verdict"] = "error";
+  return answer;
+}
+
+std::string joined(const json& words, const char* between) {
+  std::string text;
+  for (const json& word : words) text += (text.empty() ? "" : between) + word.get<std::string>();
+  return text;
+}
+
+std::string findingOf(const json& answer) {
+  const std::string verdict = answer.at("verdict");
+  if (verdict == "ambiguous" && !answer.at("ambiguity").empty())
+    return verdict + ": " + joined(answer.at("ambiguity").front(), " or ");
+  json ids = json::array();
+  for (const json& effect : answer.at("effects")) ids.push_back(effect.at("id"));
+  return ids.empty() ? verdict : verdict + " " + joined(ids, " + ");
+}
+
+std::string formatted(const char* format, double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+/// Without the way to the case, which all lines would have, and to the width of a line.
+std::string shortened(std::string why, const std::string& name) {
+  if (const std::size_t at = why.find("/" + name + "/"); at != std::string::npos) why.erase(0, at + name.size() + 2);
+  if (why.size() <= kLongestWhy) return why;
+  std::size_t end = kLongestWhy;
+  while (end > 0 && (static_cast<unsigned char>(why[end]) & 0xc0) == 0x80) --end;  // not within a letter of UTF-8
+  return why.substr(0, end) + "…";
+}
+
+}  // namespace
+
+json answerFor(const std::string& folder) {
+  const auto begin = std::chrono::steady_clock::now();
+  const std::string name = std::filesystem::path{folder}.filename().string();
+  json answer;
+  try {
+    const Case given = readCase(folder);
+    answer = asJson(given, investigate(given));
+  } catch (const BadInput& bad) {
+    answer = badInput(name, bad.what());
+  } catch (const std::exception& error) {
+    answer = failed(name, error.what());
+  }
+  answer["case"] = name;
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  answer["runtime_s"] = std::round(seconds * 10) / 10;
+  return answer;
+}
+
+std::string fingerprintOf(const std::string& folder) {
+  std::ifstream file{std::filesystem::path{folder} / "case.json", std::ios::binary};
+  if (!file) return "";
+  return sha256(std::string{std::istreambuf_iterator<char>{file}, {}});
+}
+
+std::string lineOf(const json& answer) {
+  std::string line = answer.at("case").get<std::string>() + "  ";
+  if (const auto why = answer.find("why"); why != answer.end() && why->is_string()) {
+    return line + answer.at("verdict").get<std::string>() + ": " + shortened(*why, answer.at("case"));
+  }
+  line += findingOf(answer);
+  const json &before = answer.at("gap_score_before_mrad"), &after = answer.at("gap_score_after_mrad");
+  if (before.is_number() && after.is_number())
+    line += formatted("  %.2f", before.get<double>()) + formatted(" -> %.2f mrad", after.get<double>());
+  return line + formatted("  %.1f s", answer.at("runtime_s").get<double>());
+}
+
+}  // namespace darwinop::gap

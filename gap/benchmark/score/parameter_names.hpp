@@ -1,0 +1,26 @@
+// Maps the parameter names of other suites to those of the catalogue.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace darwinop::gap {
+
+/// A parameter by the catalogue's name.
+struct NamedParameter {
+  std::string_view key;
+  double zero = 0;  // of the other scale: 1 where it is a factor and ours is a change
+};
+/// "Fc" of coulomb is "friction". Nothing: a number that is no parameter of the effect.
+std::optional<NamedParameter> parameterOf(std::string_view effect, std::string_view name);
+
+/// With the catalogue's names, unknown ones left out.
+std::map<std::string, double> inCatalogueNames(std::string_view effect, const std::map<std::string, double>& values);
+
+/// Share by which `told` is off. A factor counts from 1: a scale of 0.95 told as 0.96 is off by a fifth. Nothing where
+/// no share makes sense: a phase, a truth of 0.
+std::optional<double> relativeError(std::string_view effect, std::string_view key, double told, double truth);
+
+}  // namespace darwinop::gap

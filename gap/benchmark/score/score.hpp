@@ -1,0 +1,72 @@
+// Scores results against the answer key.
+#pragma once
+
+#include <limits>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "gap/benchmark/make/answer_key.hpp"
+#include "gap/benchmark/score/answers.hpp"
+
+namespace darwinop::gap {
+
+/// Interval that holds a share in 95 of 100 such batteries (Wilson 1927). Of nothing: 0 to 1.
+std::pair<double, double> wilson(std::size_t right, std::size_t of);
+
+inline constexpr double kNoTarget = std::numeric_limits<double>::quiet_NaN();
+
+/// Of cases, or of parameters.
+struct ShareFigure {
+  std::string what;
+  double at_least = kNoTarget, at_most = kNoTarget;
+  std::size_t right = 0, of = 0;
+
+  void count(bool is_right) {
+    ++of;
+    right += is_right ? 1 : 0;
+  }
+  [[nodiscard]] double share() const { return static_cast<double>(right) / static_cast<double>(of); }
+  [[nodiscard]] bool reached() const;  // true of nothing
+};
+
+/// Of numbers: the median, and what 90 % (or all) are at most.
+struct SpreadFigure {
+  std::string what, unit;
+  double median_at_most = kNoTarget, upper_at_most = kNoTarget;
+  double upper_quantile = 0.9;
+  std::vector<double> values = {};
+
+  [[nodiscard]] double quantile(double share) const;  // NaN of nothing
+  [[nodiscard]] bool reached() const;
+};
+
+struct Confusion {
+  CaseClass kind = CaseClass::kSingle;
+  std::string truth, said;
+  std::vector<std::string> cases;
+};
+
+struct Score {
+  std::size_t cases = 0;
+  ShareFigure fair{"nobody is led astray"};
+  std::vector<ShareFigure> shares;
+  std::vector<ShareFigure> details;  // by severity, and whether the baseline's numbers were exact
+  std::vector<SpreadFigure> spreads;
+  std::vector<Confusion> confusions;     // what is not right, by class, most frequent first
+  std::vector<std::string> unanswered;   // cases without answer, or with one that came after kTooLate
+  std::vector<std::string> without_key;  // answers to cases that the key does not have
+};
+
+/// Even the upper end of the interval of fair answers is below this share: more is wrong than chance explains.
+bool isBelow(const Score& score, double fair_share);
+
+inline constexpr double kTooLate = 180;  // s; such an answer is none
+
+Score scoreOf(const Keys& keys, const Answers& answers);
+
+/// For a terminal of 100 columns.
+std::string asText(const Score& score);
+nlohmann::json asJson(const Score& score);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,39 @@
+// The numbers of a case.json and what they are called here: one row each, for reading and for writing.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "gap/case/case.hpp"
+#include "twin/model/number.hpp"
+
+namespace darwinop::gap {
+
+/// A number of the servo.
+struct ServoKey {
+  std::string_view json;  // "kt_Nm_A", of baseline.params
+  std::string_view key;   // "kt", of [servo]; its range is the model file's
+  double twin::ServoParameters::*member;
+  bool of_voltage_p, of_speed_p;  // the law that needs it
+};
+std::span<const ServoKey> servoKeys();
+[[nodiscard]] twin::NumberRule ruleOf(const ServoKey& key);
+
+/// A baseline's friction is an effect of the model; a value of 0 is none.
+struct FrictionKey {
+  std::string_view json;    // "coulomb_Nm"
+  std::string_view effect;  // "coulomb"; it has one parameter
+  std::string_view prior;   // "coulomb.friction"
+};
+std::span<const FrictionKey> frictionKeys();
+
+/// What swings. `member` of a log's payload is null.
+struct ArmKey {
+  std::string_view json;   // "length_m"
+  std::string_view prior;  // "length"
+  double twin::Pendulum::*member;
+  twin::NumberRule rule;
+};
+std::span<const ArmKey> armKeys();
+
+}  // namespace darwinop::gap

@@ -1,0 +1,78 @@
+// A case: logs of one servo that swings an arm, and the model to be tested. docs/gap/cases.md shows the files. SI
+// units; NaN: not known.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "twin/bench/bench.hpp"
+#include "twin/model/model.hpp"
+
+namespace darwinop::gap {
+
+/// When the goal of a row was written, as against the row's read: right after it (the host reads, then commands), or
+/// before it.
+enum class GoalOrder : std::uint8_t { kAfterRead, kBeforeRead };
+
+/// One log. All columns have a value a row.
+struct Trajectory {
+  std::string file;                      // as the case names it: "fit_1.csv"
+  std::string kind;                      // what the joint did: "steps"; logs of one kind have one noise
+  bool held_out = false;                 // not used by any fit; verifies the result
+  std::optional<std::size_t> repeat_of;  // index of the log that this one repeats
+
+  double p_register = 32;  // register 28
+  double payload_kg = 0;
+  double session_start_s = 0;    // of the first row within the session
+  double speed_limit_rad_s = 0;  // of the servo's own profile, register 32; 0: none
+
+  std::vector<double> time_s;  // rises
+  std::vector<double> goal_rad;
+  std::vector<double> position_rad;
+  std::vector<std::uint8_t> torque_on;
+  std::vector<double> speed_rad_s, load, volt_v, temp_c;  // load: -1 to 1. NaN where the log has none
+  std::vector<double> warmth_c;      // temp_c without the steps of its register; empty: nobody has smoothed it
+  std::vector<std::uint32_t> lines;  // of the file, for messages
+
+  [[nodiscard]] std::size_t rows() const { return time_s.size(); }
+  [[nodiscard]] double duration_s() const { return time_s.empty() ? 0 : time_s.back() - time_s.front(); }
+};
+
+/// Prior of a baseline number: relative standard deviation.
+struct Prior {
+  std::string number;  // a key of [servo] ("kt"), "payload", "length", or "coulomb.friction" of an effect
+  double relative_sigma = 0;
+};
+
+/// Data sheet values of the servo, for a control law that the baseline does not have.
+struct Datasheet {
+  twin::ServoParameters servo;
+  double relative_sigma = 0.05;
+};
+
+struct Case {
+  std::string name;  // "e01"
+  std::string folder;
+  GoalOrder goal_order = GoalOrder::kAfterRead;
+  bool quantised = true;    // the firmware sees its encoder in ticks
+  twin::Model model;        // baseline: servo and effects that are known to be there
+  twin::Pendulum pendulum;  // payload is each log's own
+  std::vector<Prior> priors;
+  std::optional<Datasheet> datasheet;
+  std::vector<Trajectory> logs;
+  std::vector<std::string> warnings;  // sentences about data that are unusual but usable
+};
+
+/// The data or the case cannot be used; the text names file and line.
+struct BadInput : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// `folder`: has a case.json and the logs it names. Throws BadInput.
+Case readCase(const std::string& folder);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,75 @@
+// Data check: quality of the logs, and which effects they can and cannot reveal. Nothing is fitted.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "gap/case/case.hpp"
+
+namespace darwinop::gap {
+
+/// From `low` to `high` of what was seen; NaN while nothing was.
+struct Extent {
+  double low, high;
+  Extent();
+  void add(double value);  // NaN is nothing
+  void add(const Extent& other);
+  [[nodiscard]] bool known() const;
+  [[nodiscard]] double width() const;     // NaN when nothing was seen
+  [[nodiscard]] double greatest() const;  // away from 0
+};
+
+/// What was done to the joint. Speeds are those of the positions over 70 ms.
+struct Excitation {
+  double duration_s = 0, powered_s = 0, limp_s = 0;
+  double at_rest_s = 0;    // slower than a step of the encoder tells
+  double slow_s = 0;       // moving, where friction depends on speed: up to 0.3 rad/s
+  double saturated_s = 0;  // load at its greatest
+  int reversals = 0;       // of the motion
+  int load_reversals = 0;  // of the load, from beyond 2 % to beyond -2 %
+  Extent position_rad, speed_rad_s, load, volt_v, temp_c;
+  Extent session_s;  // clock of the session
+  std::set<double> payloads_kg, p_registers;
+
+  void add(const Excitation& other);
+};
+
+/// Of one log.
+struct LogCheck {
+  std::string file, kind;
+  bool held_out = false;
+  std::optional<std::size_t> duplicate_of;
+  std::size_t rows = 0, lost_rows = 0;  // lost: holes in time, in periods
+  double period_s = 0;                  // median
+  double late_s = 0;                    // 99 % of the rows come at most so much later than a period
+  Excitation excitation;
+};
+
+/// Whether the held-out logs load the joint as much as the fitted ones.
+inline constexpr std::string_view kHeldOutLoadFinding = "held_out_load";
+
+/// Something that these data show, or do not.
+struct Finding {
+  std::string_view id;                    // "no_torque_off"
+  bool reveals = false;                   // true: they can
+  std::string sentence;                   // for a student
+  std::vector<std::string_view> effects;  // that are not to be told apart, or not to be seen; ids of the catalogue
+  std::string_view remedy;                // what to measure; empty when it reveals
+};
+
+struct DataCheck {
+  std::vector<LogCheck> logs;
+  Excitation fit;       // all logs that are fitted, copies once
+  Excitation held_out;  // all that are kept
+  bool has_repeats = false;
+  std::vector<Finding> findings;  // what cannot be seen first
+  std::vector<std::string> warnings;
+};
+
+DataCheck checkData(const Case& c);
+
+/// A table and sentences for a terminal of 80 columns or more.
+std::string asText(const DataCheck& check);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,10 @@
+// What one log asked of the joint.
+#pragma once
+
+#include "gap/case/data_check.hpp"
+
+namespace darwinop::gap {
+
+Excitation excitationOf(const Trajectory& log, const twin::ServoParameters& servo);
+
+}  // namespace darwinop::gap

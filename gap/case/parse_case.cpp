@@ -1,0 +1,140 @@
+// A case.json from top to bottom.
+#include "gap/case/parse_case.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "experiments/logs/read_log.hpp"
+#include "gap/case/parts.hpp"
+#include "gap/case/plausible.hpp"
+#include "hal/text_file.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostLogs = 1000;
+
+std::vector<LogEntry> readEntries(Fields& top, std::vector<std::string>& warnings) {
+  std::vector<LogEntry> entries;
+  std::vector<Fields> list = top.list("logs");
+  if (list.size() > kMostLogs) top.fail("logs", "has more than 1000 entries; make several cases of it");
+  for (Fields& entry : list) {
+    entries.push_back(readLogEntry(entry, warnings));
+    for (std::size_t i = 0; i + 1 < entries.size(); ++i)
+      if (entries[i].head.file == entries.back().head.file && !(entries[i].to_s < entries.back().from_s) &&
+          !(entries.back().to_s < entries[i].from_s))
+        entry.fail("file", "is there twice; keep one of the two");
+    if (entries.back().joint != entries.front().joint)
+      entry.fail("joint", "is another one than that of `logs[0]`; a case is of one joint");
+  }
+  const bool fit = std::ranges::any_of(entries, [](const LogEntry& entry) { return !entry.head.held_out; });
+  if (!fit) top.fail("logs", "has no log with \"role\": \"fit\"; there is nothing to learn from");
+  return entries;
+}
+
+/// The first log of a series of repeats.
+void linkRepeats(Fields& top, std::vector<LogEntry>& entries) {
+  std::vector<std::optional<std::size_t>> of(entries.size());
+  const auto name_of = [](std::size_t i) { return "logs[" + std::to_string(i) + "].repeat_of"; };
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i].repeats.empty()) continue;
+    const auto found =
+        std::ranges::find_if(entries, [&](const LogEntry& e) { return e.head.file == entries[i].repeats; });
+    if (found == entries.end()) top.fail(name_of(i), "names no log of this case; it has to be the file of one");
+    of[i] = static_cast<std::size_t>(found - entries.begin());
+    if (of[i] == i) top.fail(name_of(i), "names the log itself; name the one before");
+  }
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    std::optional<std::size_t> first = of[i];
+    for (std::size_t steps = 0; first && of[*first]; ++steps, first = of[*first])
+      if (steps > entries.size()) top.fail(name_of(i), "goes round in a circle; name the first log");
+    entries[i].head.repeat_of = first;
+  }
+}
+
+logs::Log load(const CaseFiles& files, const std::string& name) {
+  try {
+    return files.log(name);
+  } catch (const std::runtime_error& error) {
+    throw BadInput(error.what());
+  }
+}
+
+void takeOrder(Fields& top, bool recording, Case& into) {
+  const std::vector<std::string_view> words{"after_read", "before_read"};
+  const auto order = static_cast<GoalOrder>(top.word("goal_order", words, 0));
+  if (recording && order == GoalOrder::kBeforeRead)
+    top.fail("goal_order",
+             "is before_read, but a goal of a recording of the runtime acts from the row's read on, after_read; take "
+             "the key away");
+  into.goal_order = order;
+}
+
+}  // namespace
+
+Case parseCase(std::string_view json, const std::string& file, const CaseFiles& files) {
+  const Json parsed = parseJson(json, file);
+  Fields top{parsed, file, ""};
+  Case out;
+  const fs::path path{file};
+  out.folder = path.parent_path().empty() ? "." : path.parent_path().string();
+  out.name = top.text("case", path.parent_path().filename().string());
+  if (out.name.empty()) out.name = "case";
+  // It becomes the name of a model, which has these limits.
+  if (out.name.size() > 120 || out.name.find_first_of("\"';#\n\r") != std::string::npos)
+    top.fail("case", "is no name; take 1 to 120 characters without quotes, ; and #");
+  for (const std::string_view key :
+       {"family", "columns", "host_dt_s", "goal_order", "servo_datasheet", "prior_rel_sigma"})
+    top.leave(key);
+  std::vector<LogEntry> entries = readEntries(top, out.warnings);
+  linkRepeats(top, entries);
+  readModelPart(top, files, entries.front().joint, out);
+  top.finish(out.warnings);
+
+  for (LogEntry& entry : entries) {
+    const logs::Log log = load(files, entry.head.file);
+    takeOrder(top, log.recording, out);
+    out.warnings.insert(out.warnings.end(), log.warnings.begin(), log.warnings.end());
+    fillTrajectory(log, entry, out.warnings);
+    checkRows(entry.head, log.file);
+    checkUnits(entry.head, log.file, out);
+    checkSensor(entry.head, log.file, out);
+    checkLoadSign(entry.head, log.file, out);
+    out.logs.push_back(std::move(entry.head));
+  }
+  const auto clockless = std::ranges::count_if(entries, [](const LogEntry& e) { return !e.session_start_s; });
+  if (clockless > 0 && entries.size() > 1)
+    out.warnings.push_back(file +
+                           ": logs without t0_session_s count as the first of the session; what wears and warms "
+                           "cannot be seen then");
+  checkRepeats(out);
+  smoothTemperatures(out);
+  return out;
+}
+
+Case readCase(const std::string& folder) {
+  const std::string file = (fs::path{folder} / "case.json").string();
+  std::optional<std::string> text;
+  try {
+    text = readTextFile(file);
+  } catch (const std::runtime_error& error) {
+    throw BadInput(error.what());
+  }
+  if (!text)
+    throw BadInput(file +
+                   ": there is no such file. It says which logs a case has and which model is believed in: copy "
+                   "the one of the shipped example and change it, docs/gap/cases.md explains each key");
+  const CaseFiles files{
+      .log = [&](const std::string& name) { return logs::readLog((fs::path{folder} / name).string()); },
+      .model =
+          [&](const std::string& name) {
+            const fs::path beside = fs::path{folder} / name;
+            return twin::readModel(fs::exists(beside) ? beside.string() : twin::findModel(name));
+          },
+  };
+  return parseCase(*text, file, files);
+}
+
+}  // namespace darwinop::gap

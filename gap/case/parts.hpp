@@ -1,0 +1,42 @@
+// The parts of a case.json, each read by a file of its own.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/joints.hpp"
+#include "gap/case/case.hpp"
+#include "gap/case/fields.hpp"
+#include "gap/case/parse_case.hpp"
+
+namespace darwinop::gap {
+
+/// `baseline`, or `model` and `arm`; `servo_datasheet`; `prior_rel_sigma`. `joint`: whose effects count when the model
+/// file has some for single joints.
+void readModelPart(Fields& top, const CaseFiles& files, std::optional<Joint> joint, Case& into);
+
+/// What a sheet does not say is as in the baseline.
+Datasheet readDatasheet(Fields sheet, const twin::ServoParameters& baseline, std::vector<std::string>& warnings);
+inline constexpr twin::NumberRule kRelativeSigma{"", 1e-6, 10};
+
+/// One entry of `logs`.
+struct LogEntry {
+  Trajectory head;      // without rows
+  std::string repeats;  // name of a log; empty: none
+  std::optional<double> p_register;
+  std::optional<double> session_start_s;
+  std::optional<Joint> joint;  // whose columns of a recording
+  double from_s, to_s;         // of the file's own clock
+  double hangs_at_rad;         // angle of the joint at which the arm hangs down; a case counts from there
+};
+LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings);
+
+/// The rows of a log. Recordings of the runtime, docs/logs.md, tell some of the entry, too: into `entry`. Throws
+/// BadInput for a column that is missing or has a wrong unit, and for a value that is missing.
+void fillTrajectory(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings);
+void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings);
+
+/// Fills warmth_c of all logs: heat is slow, so a register that steps by whole degrees tells more than a whole degree.
+void smoothTemperatures(Case& of);
+
+}  // namespace darwinop::gap

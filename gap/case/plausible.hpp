@@ -1,0 +1,29 @@
+// Plausibility checks of logs: wrong units, stuck sensors and gaps in time must not become findings.
+#pragma once
+
+#include <string>
+
+#include "gap/case/case.hpp"
+
+namespace darwinop::gap {
+
+/// Of one log, which errors call `file`. Throw BadInput with file, line and what to do; what is merely odd goes to the
+/// warnings of the case.
+void checkRows(const Trajectory& log, const std::string& file);
+void checkUnits(const Trajectory& log, const std::string& file, Case& c);
+void checkSensor(const Trajectory& log, const std::string& file, const Case& c);
+
+/// Of all logs: what is said to repeat does, and nothing is there twice unnoticed.
+void checkRepeats(Case& c);
+/// For each log the earlier one that has the same goals and positions, row by row: one measurement, copied.
+std::vector<std::optional<std::size_t>> duplicates(const Case& c);
+
+/// Median time between rows.
+double periodOf(const Trajectory& log);
+/// Without load, by the model.
+double noLoadSpeed(const Case& c);
+
+/// Throws BadInput for a load whose sign is the wrong way round.
+void checkLoadSign(const Trajectory& log, const std::string& file, const Case& c);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,134 @@
+#include "gap/case/robot/joint_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "experiments/logs/read_log.hpp"
+#include "gap/case/parse_case.hpp"
+#include "gap/case/robot/alone.hpp"
+#include "gap/case/write_case.hpp"
+#include "twin/bench/bench.hpp"
+#include "twin/body/pendulum.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// One log of the case.
+struct Part {
+  std::string source, file, kind;
+  bool held_out;
+  AlonePart what;
+  double begins_s;  // the session's clock at the recording's start
+  twin::JointPendulum pendulum;
+};
+
+std::string sentence(const Part& part, const std::string& log) {
+  char text[400];
+  std::snprintf(text, sizeof text, "%s: %s, %.1f to %.1f s, %s; weight %.4f N m, inertia %.5f kg m2, hangs at %.3f rad",
+                log.c_str(), part.file.c_str(), part.what.from_s, part.what.to_s,
+                part.held_out ? "kept for judging" : "to be fitted", part.pendulum.weight_nm,
+                part.pendulum.inertia_kgm2, part.pendulum.hangs_at_rad);
+  return text;
+}
+
+std::vector<Part> partsOf(const JointCaseRequest& request, const twin::Model& model) {
+  std::vector<Part> parts;
+  double session_s = 0;
+  const auto add = [&](const std::string& file, bool held_out) {
+    const logs::Log log = logs::readLog(file);
+    const std::vector<AlonePart> found = aloneParts(log, request.joint);
+    if (found.empty())
+      throw std::runtime_error(file + ": there are no 2 s in which " +
+                               std::string{kJointTable[static_cast<std::size_t>(request.joint)].name} +
+                               " moves and all other joints are asked to stand still; was it another joint's?");
+    const fs::path path{file};
+    for (const AlonePart& one : found)
+      parts.push_back({file, path.filename().string(), log.headValue("experiment").value_or(path.stem().string()),
+                       held_out, one, session_s,
+                       twin::pendulumOf(model, request.joint, one.angles_rad, one.accel_m_s2)});
+    session_s += log.seconds(log.rows() - 1) - log.seconds(0);
+  };
+  for (const std::string& file : request.recordings) add(file, false);
+  for (const std::string& file : request.held_out) add(file, true);
+  if (request.recordings.empty()) throw std::runtime_error("a case needs a recording to be fitted; name one or more");
+  return parts;
+}
+
+/// Weight and inertia as one weight at the end of an arm without mass; the length is the same for all logs.
+double lengthOf(const Part& part) {
+  constexpr double kUnloaded = 1e-6;  // N m
+  if (!(part.pendulum.weight_nm > kUnloaded))
+    throw std::runtime_error(part.file +
+                             ": the joint turns about an upright axis and carries no weight; take one that does");
+  return part.pendulum.inertia_kgm2 * twin::Pendulum{}.gravity_m_s2 / part.pendulum.weight_nm;
+}
+
+Json priorsOf(const twin::Model& model, Joint joint) {
+  // Data sheet and drawings: nobody knows a servo better before it is measured.
+  Json priors = {{"kt", 0.02}, {"resistance", 0.04}, {"armature", 0.1}, {"payload", 0.02}, {"length", 0.02}};
+  for (const twin::EffectSetting& effect : model.effects) {
+    if (effect.joint && effect.joint != joint) continue;
+    if (effect.info->id == "coulomb") priors["coulomb.friction"] = 0.1;
+    if (effect.info->id == "viscous") priors["viscous.damping"] = 0.1;
+  }
+  return priors;
+}
+
+Json logOf(const Part& part, Joint joint, double length_m) {
+  const double payload = part.pendulum.weight_nm / twin::Pendulum{}.gravity_m_s2 / length_m;
+  return {{"file", part.file},
+          {"role", part.held_out ? "held_out" : "fit"},
+          {"trajectory", part.kind},
+          {"joint", kJointTable[static_cast<std::size_t>(joint)].name},
+          {"from_s", part.what.from_s},
+          {"to_s", part.what.to_s},
+          {"hangs_at_rad", part.pendulum.hangs_at_rad},
+          {"payload_kg", payload},
+          {"t0_session_s", part.begins_s + part.what.from_s}};
+}
+
+}  // namespace
+
+std::vector<std::string> writeJointCase(const JointCaseRequest& request, const std::string& folder) {
+  twin::Model model = twin::readModel(twin::findModel(request.model));
+  const fs::path body = fs::path{model.folder} / model.body.xml;
+  const std::vector<Part> parts = partsOf(request, model);
+  const double length_m = lengthOf(parts.front());
+  model.servo.supply_v = parts.front().what.supply_v;
+
+  Json json = {{"case", fs::path{folder}.filename().string()},
+               {"model", "model.ini"},
+               {"arm", {{"arm_mass_kg", 0.0}, {"length_m", length_m}}},
+               {"prior_rel_sigma", priorsOf(model, request.joint)},
+               {"logs", Json::array()}};
+  for (const Part& part : parts) json["logs"].push_back(logOf(part, request.joint, length_m));
+  const CaseFiles files{.log =
+                            [&](const std::string& name) {
+                              const auto part = std::ranges::find(parts, name, &Part::file);
+                              return logs::readLog(part->source);
+                            },
+                        .model = [&](const std::string&) { return model; }};
+  Case made = parseCase(json.dump(), (fs::path{folder} / "case.json").string(), files);
+
+  std::vector<std::string> done;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    // A load is that of the last period of the firmware before the read, and on a bus with twenty servos nobody knows
+    // which one that was: a goal shows in it a period too early or too late, as an effect would.
+    std::ranges::fill(made.logs[i].load, std::numeric_limits<double>::quiet_NaN());
+    made.logs[i].file = fs::path{parts[i].file}.stem().string() + "_" + std::to_string(i + 1) + ".csv";
+    done.push_back(sentence(parts[i], made.logs[i].file));
+  }
+  writeCase(made, folder);
+  if (fs::exists(body)) fs::copy_file(body, fs::path{folder} / body.filename(), fs::copy_options::overwrite_existing);
+  return done;
+}
+
+}  // namespace darwinop::gap

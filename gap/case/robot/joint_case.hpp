@@ -1,0 +1,23 @@
+// A case of one joint of a robot: recordings of experiments, and the robot's model for it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/joints.hpp"
+
+namespace darwinop::gap {
+
+struct JointCaseRequest {
+  std::string model = "darwin-op";  // a model file, or the name of a shipped one
+  Joint joint = Joint::kShoulderR;
+  std::vector<std::string> recordings;  // to be fitted
+  std::vector<std::string> held_out;    // for judging
+};
+
+/// Makes the folder: case.json, model.ini, and a log for each part in which the joint moves alone. The pendulum that
+/// the joint swings is that of the model's body, in the pose and at the tilt of each recording; the supply is the
+/// board's. Returns what was done, a sentence a log. Throws std::runtime_error with a sentence.
+std::vector<std::string> writeJointCase(const JointCaseRequest& request, const std::string& folder);
+
+}  // namespace darwinop::gap

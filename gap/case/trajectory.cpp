@@ -1,0 +1,132 @@
+// The rows of a plain log: columns found by name, units from the end of the name.
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/units.hpp"
+#include "experiments/logs/header.hpp"
+#include "experiments/logs/units.hpp"
+#include "gap/case/parts.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+struct Scale {
+  std::string_view unit;
+  double factor;
+};
+constexpr std::array kAngles{Scale{"rad", 1}, Scale{"deg", kPi / 180}};
+constexpr std::array kSpeeds{Scale{"rad/s", 1}, Scale{"deg/s", kPi / 180}, Scale{"rpm", 2 * kPi / 60}};
+constexpr std::array kShares{Scale{"%", 0.01}};
+constexpr std::array kVolts{Scale{"V", 1}};
+constexpr std::array kDegrees{Scale{"degC", 1}};
+
+struct Wanted {
+  std::string_view name;   // without unit
+  std::string_view usual;  // as it is best written
+  std::span<const Scale> units;
+  std::vector<double> Trajectory::*into;
+  bool needed;
+};
+const std::array kWanted{
+    Wanted{"goal", "goal_rad", kAngles, &Trajectory::goal_rad, true},
+    Wanted{"pos", "pos_rad", kAngles, &Trajectory::position_rad, true},
+    Wanted{"speed", "speed_rad_s", kSpeeds, &Trajectory::speed_rad_s, false},
+    Wanted{"load", "load_pct", kShares, &Trajectory::load, false},
+    Wanted{"volt", "volt_V", kVolts, &Trajectory::volt_v, false},
+    Wanted{"temp", "temp_C", kDegrees, &Trajectory::temp_c, false},
+};
+
+const logs::Column* columnFor(const logs::Log& log, const Wanted& wanted) {
+  const logs::Column* found = nullptr;
+  for (const logs::Column& column : log.columns) {
+    const std::string_view bare = logs::withoutSuffix(column.name);
+    const bool alike = bare == wanted.name || column.name.starts_with(std::string{wanted.name} + "_");
+    if (!alike) continue;
+    if (found != nullptr)
+      throw BadInput(log.file + ": columns " + logs::quoted(found->name) + " and " + logs::quoted(column.name) +
+                     " both tell the " + std::string{wanted.name} + "; keep one of the two");
+    found = &column;
+  }
+  if (found == nullptr && wanted.needed)
+    throw BadInput(log.file + ": no column " + std::string{wanted.usual} +
+                   "; a log of a case needs t_s, goal_rad, "
+                   "torque_on and pos_rad, and better has load_pct, volt_V and temp_C, too");
+  return found;
+}
+
+double factorOf(const logs::Log& log, const logs::Column& column, const Wanted& wanted) {
+  std::string allowed;
+  for (const Scale& scale : wanted.units) {
+    if (scale.unit == column.unit) return scale.factor;
+    allowed.append(allowed.empty() ? "" : " or ").append(scale.unit);
+  }
+  throw BadInput(log.file + ": the unit of column " + logs::quoted(column.name) + " is " +
+                 (column.unit.empty() ? "not known" : column.unit) + "; it has to be " + allowed +
+                 ", at the end of the name: " + std::string{wanted.usual});
+}
+
+void take(const logs::Log& log, const Wanted& wanted, const std::vector<std::size_t>& rows, Trajectory& into) {
+  std::vector<double>& values = into.*wanted.into;
+  const logs::Column* column = columnFor(log, wanted);
+  values.assign(rows.size(), kNone);
+  if (column == nullptr) return;
+  const double factor = factorOf(log, *column, wanted);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double value = column->values[rows[i]];
+    if (std::isinf(value) || (wanted.needed && std::isnan(value)))
+      throw BadInput(log.file + ", line " + std::to_string(log.lines[rows[i]]) + ": " + column->name +
+                     (std::isnan(value) ? " is empty; leave the row out where it was not measured"
+                                        : " is infinite; no servo tells that"));
+    values[i] = value * factor;
+  }
+}
+
+void takeTorque(const logs::Log& log, const std::vector<std::size_t>& rows, Trajectory& into) {
+  const logs::Column* column = log.find("torque_on");
+  if (column == nullptr)
+    throw BadInput(log.file + ": no column torque_on; write 1 in each row while the servo is on, 0 while it is limp");
+  for (const std::size_t row : rows) {
+    const double value = column->values[row];
+    if (value != 0 && value != 1)
+      throw BadInput(log.file + ", line " + std::to_string(log.lines[row]) + ": torque_on is " +
+                     (std::isnan(value) ? "empty" : std::to_string(value)) + "; it has to be 0 or 1");
+    into.torque_on.push_back(value != 0 ? 1 : 0);
+  }
+}
+
+void fillFromPlain(const logs::Log& log, LogEntry& entry) {
+  if (entry.joint)
+    throw BadInput(log.file +
+                   ": a plain log is of one joint, and \"joint\" is for recordings of the runtime; take "
+                   "it away from the case");
+  Trajectory& out = entry.head;
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < log.rows(); ++row)
+    if (log.seconds(row) >= entry.from_s && log.seconds(row) <= entry.to_s) rows.push_back(row);
+  for (const std::size_t row : rows) {
+    out.time_s.push_back(log.seconds(row));
+    out.lines.push_back(log.lines[row]);
+  }
+  for (const Wanted& wanted : kWanted) take(log, wanted, rows, out);
+  takeTorque(log, rows, out);
+  if (!entry.p_register)
+    throw BadInput(log.file + ": the case does not say its P register; write \"kp\": 32, or what it was, to the log");
+  out.p_register = *entry.p_register;
+}
+
+}  // namespace
+
+void fillTrajectory(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings) {
+  if (log.recording)
+    fillFromRecording(log, entry, warnings);
+  else
+    fillFromPlain(log, entry);
+  entry.head.session_start_s = entry.session_start_s.value_or(0);
+  for (double& goal : entry.head.goal_rad) goal -= entry.hangs_at_rad;
+  for (double& position : entry.head.position_rad) position -= entry.hangs_at_rad;
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,116 @@
+// Degrees that pass for radians, found by what they would mean: too fast, the wrong grid, out of step with the rest.
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/units.hpp"
+#include "gap/case/plausible.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kWindow = 0.02;                   // s; speeds over less are made of the encoder's steps
+constexpr double kTooFast = 4;                     // times the speed without load
+constexpr double kFallShare = 1.5;                 // of the speed of a free fall from the top
+constexpr double kOnGrid = 0.15;                   // of a step; files round to 0.1 mrad
+constexpr double kGridShare = 0.99;                // of the rows
+constexpr std::size_t kGridValues = 10;            // different positions that it takes to see a grid
+constexpr double kMoved = 0.02;                    // rad, rms of a motion that can be compared
+constexpr double kSlopeLow = 40, kSlopeHigh = 80;  // about 180 / pi
+constexpr double kSpeedRatio = 4;                  // of told and differenced speed: rpm gives 9.5, degrees 57
+
+std::string three(double value) {
+  char text[32];
+  return {text, static_cast<std::size_t>(std::snprintf(text, sizeof text, "%.3g", value))};
+}
+
+/// The row from which the motion into `row` is measured; `row` itself at the beginning.
+std::size_t before(const Trajectory& log, std::size_t row, std::size_t from) {
+  while (from + 1 < row && log.time_s[row] - log.time_s[from + 1] >= kWindow) ++from;
+  return log.time_s[row] - log.time_s[from] >= kWindow ? from : row;
+}
+
+void checkSpeed(const Trajectory& log, const std::string& file, const Case& c) {
+  const double fall = 2 * std::sqrt(c.pendulum.gravity_m_s2 / c.pendulum.length_m);
+  const double most = std::max(kTooFast * noLoadSpeed(c), kFallShare * fall);
+  std::size_t from = 0;
+  double told = 0, moved = 0;
+  for (std::size_t row = 1; row < log.rows(); ++row) {
+    from = before(log, row, from);
+    if (from == row) {
+      from = 0;
+      continue;
+    }
+    const double speed = (log.position_rad[row] - log.position_rad[from]) / (log.time_s[row] - log.time_s[from]);
+    if (std::abs(speed) > most)
+      throw BadInput(file + ", line " + std::to_string(log.lines[row]) + ": pos moves at " + three(std::abs(speed)) +
+                     " rad/s, and this servo without load reaches " + three(noLoadSpeed(c)) +
+                     "; are these degrees? name the column pos_deg then. One jump alone is a reading gone wrong: cut "
+                     "the log there");
+    if (std::isnan(log.speed_rad_s[row])) continue;
+    told += log.speed_rad_s[row] * log.speed_rad_s[row];
+    moved += speed * speed;
+  }
+  const double rows = double(log.rows());
+  const double ratio = std::sqrt(told / moved);
+  if (std::sqrt(moved / rows) > 10 * kMoved && (ratio > kSpeedRatio || (told > 0 && ratio < 1 / kSpeedRatio)))
+    throw BadInput(file + ": speed is " + three(ratio) +
+                   " times as fast as pos moves; its unit is another, so name "
+                   "the column speed_rpm or speed_deg_s, or leave it out");
+}
+
+/// Share of the rows whose position is a whole number of steps from the first.
+double onGrid(const Trajectory& log, double step_rad) {
+  std::size_t on = 0;
+  for (const double position : log.position_rad) {
+    const double steps = (position - log.position_rad.front()) / step_rad;
+    if (std::abs(steps - std::nearbyint(steps)) <= kOnGrid) ++on;
+  }
+  return double(on) / double(log.rows());
+}
+
+void checkGrid(const Trajectory& log, const std::string& file, Case& c) {
+  const std::set<double> values{log.position_rad.begin(), log.position_rad.end()};
+  if (values.size() < kGridValues) return;
+  const double tick = 2 * kPi / c.model.servo.ticks_per_rev;
+  if (onGrid(log, tick) >= kGridShare) return;
+  if (onGrid(log, 360 / c.model.servo.ticks_per_rev) >= kGridShare)
+    throw BadInput(file + ": pos goes in steps of " + three(360 / c.model.servo.ticks_per_rev) +
+                   ", which are the encoder's in degrees; name the column pos_deg, and goal_deg likewise");
+  if (c.quantised)
+    c.warnings.push_back(file + ": pos does not go in steps of the encoder (" + three(tick * 1000) +
+                         " mrad); filtered or resampled logs hide what happened");
+}
+
+/// Positions against the goals that they follow.
+void checkGoals(const Trajectory& log, const std::string& file) {
+  double n = 0, g = 0, p = 0, gg = 0, pp = 0, gp = 0;
+  for (std::size_t i = 0; i < log.rows(); ++i) {
+    if (log.torque_on[i] == 0) continue;
+    const double goal = log.goal_rad[i], position = log.position_rad[i];
+    n += 1, g += goal, p += position, gg += goal * goal, pp += position * position, gp += goal * position;
+  }
+  if (n < 2) return;
+  const double goals = gg - g * g / n, positions = pp - p * p / n, both = gp - g * p / n;
+  if (std::sqrt(std::min(goals, positions) / n) < kMoved / 4 || both * both < 0.8 * goals * positions) return;
+  const double slope = std::sqrt(positions / goals);
+  const auto is_degrees = [](double ratio) { return ratio > kSlopeLow && ratio < kSlopeHigh; };
+  if (is_degrees(slope))
+    throw BadInput(file + ": pos moves " + three(slope) +
+                   " times as far as goal; one is in degrees, so name the column "
+                   "pos_deg");
+  if (is_degrees(1 / slope))
+    throw BadInput(file + ": goal moves " + three(1 / slope) +
+                   " times as far as pos; one is in degrees, so name the "
+                   "column goal_deg");
+}
+
+}  // namespace
+
+void checkUnits(const Trajectory& log, const std::string& file, Case& c) {
+  checkGoals(log, file);
+  checkSpeed(log, file, c);
+  checkGrid(log, file, c);
+}
+
+}  // namespace darwinop::gap

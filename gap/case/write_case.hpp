@@ -1,0 +1,20 @@
+// A case as files: the inverse of readCase().
+#pragma once
+
+#include <string>
+
+#include "gap/case/case.hpp"
+
+namespace darwinop::gap {
+
+/// Makes the folder and writes case.json, a CSV for each log, and model.ini when a `baseline` cannot hold the model.
+/// What is read back agrees to nine digits. Throws std::runtime_error when a file cannot be written.
+void writeCase(const Case& c, const std::string& folder);
+
+/// The two texts, for who has a place of his own for them.
+std::string caseAsJson(const Case& c, bool with_model_file);
+std::string logAsCsv(const Trajectory& log);
+/// A `baseline` says all of the model.
+bool fitsBaseline(const Case& c);
+
+}  // namespace darwinop::gap

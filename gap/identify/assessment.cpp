@@ -1,0 +1,144 @@
+#include "gap/identify/assessment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gap/plant/baseline_alias.hpp"
+#include "gap/thresholds.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+double sigmasOff(const FittedModel& fitted, std::size_t i) {
+  const Unknown& unknown = fitted.problem.unknowns()[i];
+  if (!std::isfinite(unknown.sigma)) return 0;
+  return (unknown.fromSearch(fitted.fit.x[static_cast<Eigen::Index>(i)]) - unknown.expected) / unknown.sigma;
+}
+
+}  // namespace
+
+double misfitOf(const FittedModel& fitted, const Bootstrap& bootstrap) {
+  return (fitted.fit.cost - fitted.fit.prior - bootstrap.cost_mean) / bootstrap.cost_sigma;
+}
+
+double largestPriorSigma(const FittedModel& fitted) {
+  double most = 0;
+  for (std::size_t i = 0; i < fitted.problem.unknowns().size(); ++i)
+    most = std::max(most, std::abs(sigmasOff(fitted, i)));
+  return most;
+}
+
+double leastGain(const Study& study, const Hypothesis& model, const twin::EffectInfo& effect, double threshold) {
+  const bool conflict = aliasesAPrior(study.data, effect) &&
+                        priorSigmasMoved(study.data, study.baseline, model, effect) > thresholds::kPriorTensionSigmas;
+  return conflict ? thresholds::kPriorReleaseGain : threshold;
+}
+
+std::vector<PriorConflict> priorConflictsOf(const FittedModel& fitted) {
+  std::vector<PriorConflict> conflicts;
+  for (std::size_t i = 0; i < fitted.problem.unknowns().size(); ++i) {
+    const Unknown& unknown = fitted.problem.unknowns()[i];
+    const double sigmas = sigmasOff(fitted, i);
+    if (std::abs(sigmas) > thresholds::kPriorConflictSigmas)
+      conflicts.push_back(
+          {unknown.name, sigmas, unknown.fromSearch(fitted.fit.x[static_cast<Eigen::Index>(i)]) / unknown.expected});
+  }
+  return conflicts;
+}
+
+std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectInfo& effect, double excess) {
+  // The residual of a wrong model is not white: neighbouring samples are correlated.
+  const double wider = excess > thresholds::kRightCostRatio ? std::sqrt(thresholds::kCorrelatedSamples * excess) : 1;
+  std::vector<Estimate> estimates;
+  const auto& unknowns = fitted.problem.unknowns();
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
+    if (parameter == nullptr || parameter->info != &effect) continue;
+    const auto at = static_cast<Eigen::Index>(i);
+    if (!std::isfinite(fitted.fit.covariance(at, at))) {
+      estimates.push_back({unknowns[i].name, std::string{effect.parameters[parameter->index].unit},
+                           effect.parameters[parameter->index].neutral, unknowns[i].low, unknowns[i].high, false});
+      continue;
+    }
+    const double x = fitted.fit.x[at], value = unknowns[i].fromSearch(x);
+    const double sharpest = thresholds::kFinestInterval * (unknowns[i].logarithmic ? 1 : std::abs(value));
+    const double half = std::max(sharpest, wider * thresholds::kInterval90 * std::sqrt(fitted.fit.covariance(at, at)));
+    if (unknowns[i].name == "transport_delay.delay") {
+      // A goal acts from the first firmware period after it arrives; its instant within the period before is unknown.
+      const double early = fitted.problem.hypothesis().servo.firmware_period_s / 2;
+      const double later = std::max(early, unknowns[i].fromSearch(x + half) - value);
+      estimates.push_back({unknowns[i].name, "s", value - early, std::max(0.0, value - early - later),
+                           std::min(unknowns[i].high, value - early + later)});
+      continue;
+    }
+    estimates.push_back({unknowns[i].name, std::string{effect.parameters[parameter->index].unit}, value,
+                         std::max(unknowns[i].low, unknowns[i].fromSearch(x - half)),
+                         std::min(unknowns[i].high, unknowns[i].fromSearch(x + half))});
+  }
+  return estimates;
+}
+
+Hypothesis withoutUndetermined(const FittedModel& fitted) {
+  Hypothesis found = fitted.hypothesis();
+  for (std::size_t i = 0; i < fitted.problem.unknowns().size(); ++i) {
+    const auto* const parameter = std::get_if<EffectParameter>(&fitted.problem.unknowns()[i].what);
+    const auto at = static_cast<Eigen::Index>(i);
+    if (parameter == nullptr || std::isfinite(fitted.fit.covariance(at, at))) continue;
+    Hypothesis neutral = found;
+    neutral.with(*parameter->info).values[parameter->index] = parameter->info->parameters[parameter->index].neutral;
+    const Problem as_found{*fitted.evidence, found, {}}, as_neutral{*fitted.evidence, neutral, {}};
+    if (as_neutral.cost({}) < as_found.cost({}) + 1) found = std::move(neutral);
+  }
+  return found;
+}
+
+bool isAtItsBound(const FittedModel& fitted, const twin::EffectInfo& effect) {
+  const auto& unknowns = fitted.problem.unknowns();
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto* const parameter = std::get_if<EffectParameter>(&unknowns[i].what);
+    if (parameter == nullptr || parameter->info != &effect || std::isfinite(unknowns[i].sigma)) continue;
+    const double low = unknowns[i].toSearch(unknowns[i].low), high = unknowns[i].toSearch(unknowns[i].high);
+    const double neutral = unknowns[i].toSearch(effect.parameters[parameter->index].neutral);
+    const double x = fitted.fit.x[static_cast<Eigen::Index>(i)], near = thresholds::kBoundMargin * (high - low);
+    if ((x < low + near && neutral > low + near) || (x > high - near && neutral < high - near)) return true;
+  }
+  return false;
+}
+
+bool isNegligible(const FittedModel& fitted, const twin::EffectInfo& effect) {
+  const auto& unknowns = fitted.problem.unknowns();
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const auto* const own = std::get_if<EffectParameter>(&unknowns[i].what);
+    if (own == nullptr || own->info != &effect) continue;
+    const twin::Parameter& parameter = effect.parameters[own->index];
+    const double value = unknowns[i].fromSearch(fitted.fit.x[static_cast<Eigen::Index>(i)]);
+    if (!parameter.secondary &&
+        std::abs(value - parameter.neutral) > thresholds::kNegligibleShare * (parameter.high - parameter.low))
+      return false;
+  }
+  return !unknownsOf(effect).empty();
+}
+
+double floorOf(const FittedModel& fitted) {
+  double sum = 0, count = 0;
+  for (const LogNoise& noise : fitted.evidence->noise) {
+    const Eigen::VectorXd sigma = noise.positionSigma();
+    sum += sigma.squaredNorm(), count += static_cast<double>(sigma.size());
+  }
+  return std::sqrt(sum / count);
+}
+
+Verdict verdictOf(const Identification& found) {
+  const bool is_noise = found.misfit < thresholds::kMisfitSigmas;
+  if (found.effects.empty()) {
+    if (is_noise) return found.prior_conflicts.empty() ? Verdict::kNone : Verdict::kCannotTell;
+    return found.gap_after_rad < thresholds::kLeastGapFloors * found.floor_rad ? Verdict::kCannotTell
+                                                                               : Verdict::kUnknown;
+  }
+  const bool most_removed = found.gap_after_rad < thresholds::kRemainingFloors * found.floor_rad &&
+                            found.gap_after_rad < (1 - thresholds::kExplainedGapShare) * found.gap_before_rad;
+  if (!is_noise && !most_removed) return Verdict::kUnknown;
+  return std::ranges::any_of(found.rivals, &Rival::isClose) ? Verdict::kAmbiguous : Verdict::kNamed;
+}
+
+}  // namespace darwinop::gap

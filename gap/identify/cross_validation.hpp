@@ -1,0 +1,25 @@
+// Leave-one-log-out cross-validation: each log is predicted by a fit to the others.
+#pragma once
+
+#include <vector>
+
+#include "gap/identify/fitted_model.hpp"
+
+namespace darwinop::gap {
+
+/// Prediction error ratio of two models: mean over the logs of log(error without / error with), and its standard error.
+struct CrossValidation {
+  double mean = 0, error = 0;
+  int logs = 0;
+
+  /// The mean is positive by more than two standard errors.
+  [[nodiscard]] bool improves() const { return logs > 2 && mean > 2 * error; }
+};
+CrossValidation crossValidate(const FittedModel& without, const FittedModel& with);
+/// The same for errors that are known already.
+CrossValidation crossValidate(const std::vector<double>& without, const std::vector<double>& with);
+
+/// Mean |position error| of each log, rad, when the other logs alone are fitted.
+std::vector<double> leaveOneOutErrors(const FittedModel& fitted);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,105 @@
+#include "gap/identify/effect_set.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "gap/plant/baseline_alias.hpp"
+#include "gap/thresholds.hpp"
+#include "twin/effects/catalogue.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+// Only the firmware's own clock and encoder show these; a host at 16 ms reads them as noise.
+constexpr auto kUnobservable = std::to_array<std::string_view>({"lost_packets", "encoder_quantisation"});
+// Need a motor equation, which law speed_p does not have.
+constexpr auto kNeedVoltage =
+    std::to_array<std::string_view>({"supply_sag", "kt_error", "resistance_error", "integral", "derivative"});
+
+template <class List>
+bool contains(const List& list, std::string_view id) {
+  return std::find(list.begin(), list.end(), id) != list.end();
+}
+
+}  // namespace
+
+std::vector<const twin::EffectInfo*> candidateEffectsOf(const Case& data) {
+  const bool voltage = data.model.servo.law == twin::Law::kVoltageP;
+  std::vector<const twin::EffectInfo*> effects;
+  for (const twin::EffectInfo* const effect : twin::catalogue()) {
+    if (contains(kUnobservable, effect->id)) continue;
+    if (voltage ? effect->id == "p_on_torque" : contains(kNeedVoltage, effect->id)) continue;
+    if (effect->id == "p_on_torque" && !data.datasheet) continue;
+    effects.push_back(effect);
+  }
+  return effects;
+}
+
+bool has(const Effects& effects, const twin::EffectInfo& effect) {
+  return std::any_of(effects.begin(), effects.end(),
+                     [&](const ChosenEffect& chosen) { return chosen.info == &effect; });
+}
+
+std::vector<std::string> idsOf(const Effects& effects) {
+  std::vector<std::string> ids;
+  for (const ChosenEffect& effect : effects) ids.emplace_back(effect.info->id);
+  return ids;
+}
+
+Effects without(Effects effects, std::size_t i) {
+  effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(i));
+  return effects;
+}
+
+bool isRoughlyKnown(const Case& data) {
+  return std::ranges::any_of(data.priors, [](const Prior& prior) {
+    return (prior.number == "kt" || prior.number == "resistance") && prior.relative_sigma >= thresholds::kRoughPrior;
+  });
+}
+
+Problem problemWith(const Study& study, const Evidence& evidence, const Effects& effects, Nuisance nuisance) {
+  Hypothesis hypothesis = study.baseline;
+  std::vector<Unknown> own;
+  for (const ChosenEffect& effect : effects) {
+    twin::EffectSetting& setting = hypothesis.with(*effect.info);
+    if (effect.info->id == "p_on_torque") valueOf(setting, "on") = 1;
+    for (Unknown& unknown : unknownsOf(*effect.info, effect.refined)) own.push_back(std::move(unknown));
+  }
+  std::vector<Unknown> all = nuisancesOf(study.data, hypothesis);
+  // Numbers of another law's motor come from a data sheet: they belong to no baseline and are never exact.
+  const bool other_motor = hypothesis.servo.law != twin::Law::kVoltageP && hypothesis.find("p_on_torque") != nullptr;
+  if (nuisance == Nuisance::kFixed)
+    std::erase_if(all,
+                  [&](const Unknown& one) { return !other_motor || (one.name != "kt" && one.name != "resistance"); });
+  std::erase_if(all, [&](const Unknown& one) {  // the effect's own parameter replaces it
+    return one.name.find('.') != std::string::npos &&
+           std::ranges::any_of(effects, [&](const ChosenEffect& chosen) { return isAliasOf(*chosen.info, one.name); });
+  });
+  all.insert(all.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+  return {evidence, std::move(hypothesis), std::move(all)};
+}
+
+Eigen::VectorXd startFrom(const Problem& problem, const Problem& known, const Eigen::VectorXd& x) {
+  Eigen::VectorXd start = problem.expected();
+  for (std::size_t i = 0; i < problem.unknowns().size(); ++i)
+    for (std::size_t j = 0; j < known.unknowns().size(); ++j)
+      if (problem.unknowns()[i].name == known.unknowns()[j].name) {
+        const double value = known.unknowns()[j].fromSearch(x[static_cast<Eigen::Index>(j)]);
+        start[static_cast<Eigen::Index>(i)] = problem.unknowns()[i].toSearch(value);
+      }
+  return start;
+}
+
+Eigen::VectorXd startAfresh(const Problem& problem, const Problem& known, const Eigen::VectorXd& x) {
+  Eigen::VectorXd start = startFrom(problem, known, x);
+  const Eigen::VectorXd expected = problem.expected();
+  for (std::size_t i = 0; i < problem.unknowns().size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    if (std::isfinite(problem.unknowns()[i].sigma)) start[at] = expected[at];
+  }
+  return start;
+}
+
+}  // namespace darwinop::gap

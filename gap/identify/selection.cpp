@@ -1,0 +1,113 @@
+// The loop: screen, refine, select, cross-validate, prune. verdict.cpp turns the result into a verdict.
+#include "gap/identify/selection.hpp"
+
+#include <algorithm>
+
+#include "gap/identify/shortlist.hpp"
+#include "gap/plant/baseline_alias.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+FittedModel baselineAlone(const Study& study, Nuisance nuisance) {
+  const Problem problem = problemWith(study, study.evidence, {}, nuisance);
+  Fit start;
+  start.x = problem.expected();
+  return refit(study, {}, nuisance, problem, start, 4);
+}
+
+}  // namespace
+
+Selection::Selection(const Study& study, const IdentifyOptions& options, Nuisance nuisance)
+    : study_{study},
+      options_{options},
+      candidates_{candidateEffectsOf(study.data)},
+      model_{baselineAlone(study, nuisance)} {}
+
+void Selection::run() {
+  bool swapped = false;
+  for (;;) {
+    const Screen screen{model_, candidates_};  // predicted gain of every effect, by linear algebra
+    assess(&screen);                           // misfit, and the gain that chance alone predicts
+    if (isExplained(screen)) return;
+
+    bool added = false;
+    if (mayAdd()) {
+      // Where noise explains the residual, a number in conflict with its prior comes first.
+      const std::vector<const twin::EffectInfo*> aliases = aliasesInConflict();
+      added = !aliases.empty() && addFrom(fitCandidates(model_, screen, aliases));
+      if (!added) added = addFrom(fitCandidates(model_, screen));
+    }
+    if (added) continue;
+
+    // An early effect was chosen while others were missing. A roughly known baseline has a search of its own for that.
+    if (swapped || isConsistent() || isRoughlyKnown(study_.data) || !swapOne()) return;
+    swapped = true;
+  }
+}
+
+/// The best of the fitted candidates is added, or the present effects are refitted from where one of them led.
+bool Selection::addFrom(const std::vector<FittedModel>& candidates) {
+  const Choice choice = choose(candidates);
+  if (choice.model != nullptr) {
+    add(*choice.model, choice.gain, choice.needed, candidates);
+    prune();
+    return true;
+  }
+  return std::ranges::any_of(choice.present, [&](const FittedModel& same) { return improveFrom(same); });
+}
+
+void Selection::prune() {
+  freeSecondaryParameters();
+  dropNeedless();
+  while (simplifyOne()) {
+  }
+}
+
+void Selection::assess(const Screen* screen) {
+  const bool plainly_wrong =
+      model_.fit.cost > thresholds::kPlainCost * static_cast<double>(model_.fit.residuals.size());
+  const Bootstrap bootstrap =
+      bootstrapOf(model_, screen, plainly_wrong ? thresholds::kFewBootstrapRuns : thresholds::kBootstrapRuns);
+  misfit_ = misfitOf(model_, bootstrap);
+  excess_cost_ = model_.fit.cost - model_.fit.prior - bootstrap.cost_mean;
+  if (screen != nullptr) threshold_ = bootstrap.threshold(options_.alpha);
+  report("misfit %.1f standard deviations; chance alone gains %.0f", misfit_, threshold_);
+}
+
+bool Selection::isExplained(const Screen& screen) const {
+  if (!model_.effects.empty() && isNearlyExact()) return true;
+  return leavesNoise() && screen.candidates().front().predicted_gain < thresholds::kChanceMargin * threshold_ &&
+         largestPriorSigma(model_) < thresholds::kPriorTensionSigmas;
+}
+
+bool Selection::mayAdd() const {
+  const int most = model_.nuisance == Nuisance::kFixed ? std::min(thresholds::kMaxEffectsFixed, options_.most_effects)
+                                                       : options_.most_effects;
+  return static_cast<int>(model_.effects.size()) < most && !leavesMostOfTheGap();
+}
+
+std::vector<const twin::EffectInfo*> Selection::aliasesInConflict() const {
+  std::vector<const twin::EffectInfo*> aliases;
+  if (largestPriorSigma(model_) <= thresholds::kPriorTensionSigmas || !leavesNoise()) return aliases;
+  for (const auto* effect : candidates_)
+    if (aliasesAPrior(study_.data, *effect) && !has(model_.effects, *effect)) aliases.push_back(effect);
+  return aliases;
+}
+
+void Selection::adopt(const Selection& other) {
+  adopt(other, other.model_.effects);
+  gains_ = other.gains_, rivals_ = other.rivals_;
+}
+
+void Selection::adopt(const Selection& other, const Effects& effects) {
+  const FittedModel& found = other.model_;
+  model_ = refit(study_, effects, model_.nuisance, found.problem, found.fit, 2);
+  gains_.assign(effects.size(), 0);
+  for (std::size_t i = 0; i < effects.size(); ++i) gains_[i] = gainOf(i);
+  rivals_.clear();
+  threshold_ = other.threshold_;
+  assess(nullptr);
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,92 @@
+// Forward selection of effects: one at a time, with pruning after each, until the residual is noise or no effect
+// explains it.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "gap/identify/assessment.hpp"
+#include "gap/identify/screen.hpp"
+
+namespace darwinop::gap {
+
+class Selection {
+ public:
+  /// Fits the baseline alone. `study` and `options` must outlive this.
+  Selection(const Study& study, const IdentifyOptions& options, Nuisance nuisance);
+
+  void run();
+  /// Takes the effects of another selection over, or only these of them, refitted with this one's nuisance mode.
+  /// Nothing else is looked for.
+  void adopt(const Selection& other);
+  void adopt(const Selection& other, const Effects& effects);
+
+  /// The misfit is below its threshold. (The floor of a model that is far off may be as large as its gap; its misfit is
+  /// large.)
+  [[nodiscard]] bool leavesNoise() const;
+  /// What is left is noise, or the difference between two ways to write the same effect.
+  [[nodiscard]] bool explainsAll() const;
+  /// explainsAll(), and no number left its prior.
+  [[nodiscard]] bool isConsistent() const;
+  /// Two effects, and still a large share of the gap.
+  [[nodiscard]] bool leavesMostOfTheGap() const;
+  [[nodiscard]] const FittedModel& model() const { return model_; }
+  /// Effects that came close to one that was added.
+  [[nodiscard]] const std::vector<const twin::EffectInfo*>& runnersUp() const { return runners_up_; }
+  [[nodiscard]] Identification result() const;
+
+ private:
+  /// A candidate that passed all tests.
+  struct Choice {
+    const FittedModel* model = nullptr;  // null: none passed
+    double gain = 0, needed = 0;
+    std::vector<FittedModel> present;  // the present effects under the noise of each candidate that was tested
+  };
+
+  // screen, refine
+  void assess(const Screen* screen);
+  [[nodiscard]] bool isExplained(const Screen& screen) const;
+  [[nodiscard]] bool mayAdd() const;
+  [[nodiscard]] std::vector<const twin::EffectInfo*> aliasesInConflict() const;
+  // select, cross-validate
+  bool addFrom(const std::vector<FittedModel>& candidates);
+  [[nodiscard]] Choice choose(const std::vector<FittedModel>& candidates) const;
+  [[nodiscard]] bool passes(const FittedModel& candidate, double gain, double needed) const;
+  [[nodiscard]] bool staysInsideItsPrior(const FittedModel& candidate) const;
+  [[nodiscard]] bool predictsBetter(const FittedModel& candidate, const FittedModel& present, double gain) const;
+  [[nodiscard]] double neededFor(const twin::EffectInfo& effect) const;
+  void add(const FittedModel& best, double gain, double needed, const std::vector<FittedModel>& candidates);
+  bool improveFrom(const FittedModel& same);
+  // prune
+  void prune();
+  void freeSecondaryParameters();
+  void dropNeedless();
+  bool simplifyOne();
+  void replace(std::size_t i, const FittedModel& simpler, double gain);
+  bool swapOne();
+  /// What effect `i` takes away, the others being there.
+  [[nodiscard]] double gainOf(std::size_t i) const;
+  [[nodiscard]] double leastGainOf(const twin::EffectInfo& effect) const;
+  // verdict
+  [[nodiscard]] bool isNearlyExact() const;
+  [[nodiscard]] bool worsensHeldOut(const Identification& found) const;
+  void withdraw(Identification& found, bool worsens) const;
+  template <class... Values>
+  void report(const char* format, Values... values) const {
+    char text[200];
+    std::snprintf(text, sizeof text, format, values...);
+    options_.progress(text);
+  }
+
+  const Study& study_;
+  const IdentifyOptions& options_;
+  std::vector<const twin::EffectInfo*> candidates_;  // of the catalogue
+  FittedModel model_;                                // with what was added so far
+  std::vector<double> gains_;                        // one an effect
+  std::vector<Rival> rivals_;
+  std::vector<const twin::EffectInfo*> runners_up_;
+  double threshold_ = 0, misfit_ = 0, excess_cost_ = 0;  // of model_: chance gain, misfit, cost beyond noise
+};
+
+}  // namespace darwinop::gap

@@ -1,0 +1,18 @@
+// Fits of the most promising candidates for one more effect.
+#pragma once
+
+#include "gap/identify/bootstrap.hpp"
+#include "gap/identify/screen.hpp"
+
+namespace darwinop::gap {
+
+/// Refines the candidates of the screen, fits the best, and compares those near the best one under its noise, best
+/// first. Each model has the effects of `present` and one more. `only`: nothing but these effects; empty: all of the
+/// screen.
+std::vector<FittedModel> fitCandidates(const FittedModel& present, const Screen& screen,
+                                       const std::vector<const twin::EffectInfo*>& only = {});
+
+/// The effects that fit best under the noise of `present`, best first, however far behind the best one.
+std::vector<FittedModel> shortlist(const FittedModel& present, const Screen& screen);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,31 @@
+#include "gap/identify/supply_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gap/plant/bench/block_residuals.hpp"
+#include "gap/thresholds.hpp"
+
+namespace darwinop::gap {
+bool contradictsVoltage(const FittedModel& fitted) {
+  const Study& study = *fitted.study;
+  const Hypothesis hypothesis = fitted.hypothesis();
+  const twin::EffectSetting* const sag = hypothesis.find("supply_sag");
+  if (sag == nullptr) return false;
+  std::vector<double> slopes;
+  for (const std::size_t log : fitted.evidence->logs)
+    if (const double slope = supplyResistance(study.data, {&study.data.logs[log]}, study.baseline);
+        std::isfinite(slope))
+      slopes.push_back(slope);
+  if (slopes.size() < 3) return false;
+  const auto count = static_cast<double>(slopes.size());
+  double mean = 0, error = 0;
+  for (const double slope : slopes) mean += slope / count;
+  for (const double slope : slopes) error += std::pow(slope - mean, 2) / (count * (count - 1));
+  error = std::sqrt(error);
+  return error < thresholds::kSupplyUncertainOhm &&
+         sag->values[0] > std::max(0.0, mean) + std::max(thresholds::kWiringOhm, thresholds::kSupplyErrors * error);
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,35 @@
+#include "gap/localize/absorb.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+
+#include "gap/fit/problem.hpp"
+#include "gap/thresholds.hpp"
+
+namespace darwinop::gap {
+Absorption absorb(const Eigen::VectorXd& z, const Eigen::MatrixXd& slopes) {
+  Absorption out{.left = z, .moves = Eigen::VectorXd::Zero(slopes.cols())};
+  if (slopes.cols() == 0) return out;
+  for (int round = 0; round < thresholds::kAbsorptionRounds; ++round) {
+    // Weights of the pseudo-Huber cost; the prior weighs 1.
+    const Eigen::VectorXd weight = (1 + (out.left.array() / thresholds::kRobustSigmas).square()).rsqrt();
+    Eigen::MatrixXd normal = slopes.transpose() * weight.asDiagonal() * slopes;
+    normal.diagonal().array() += 1;
+    const Eigen::VectorXd right = slopes.transpose() * (weight.array() * z.array()).matrix();
+    out.moves = normal.ldlt().solve(right).cwiseMax(-thresholds::kAbsorbedSigmas).cwiseMin(thresholds::kAbsorbedSigmas);
+    out.left = z - slopes * out.moves;
+  }
+  return out;
+}
+
+double significanceOf(const Eigen::VectorXd& moves) {
+  if (moves.size() == 0) return 0;
+  const boost::math::chi_squared expected{static_cast<double>(moves.size())};
+  const double chance = boost::math::cdf(boost::math::complement(expected, moves.squaredNorm()));
+  return boost::math::quantile(boost::math::complement(boost::math::normal{}, std::clamp(chance, 1e-300, 0.5)));
+}
+
+}  // namespace darwinop::gap

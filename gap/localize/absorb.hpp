@@ -1,0 +1,20 @@
+// Removes from residuals what baseline numbers can explain within their priors: that is not a gap.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace darwinop::gap {
+
+struct Absorption {
+  Eigen::VectorXd left;   // of the residuals
+  Eigen::VectorXd moves;  // of the numbers, in prior standard deviations
+};
+
+/// `z`: whitened residuals. `slopes`: their decrease per prior standard deviation of each number. Minimises robust cost
+/// plus prior.
+Absorption absorb(const Eigen::VectorXd& z, const Eigen::MatrixXd& slopes);
+
+/// Significance of the moves together, in standard deviations of a normal distribution.
+double significanceOf(const Eigen::VectorXd& moves);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,179 @@
+#include "gap/localize/command_split.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "gap/fit/problem.hpp"
+#include "gap/parallel/parallel.hpp"
+#include "gap/thresholds.hpp"
+#include "twin/effects/catalogue.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+// Visible only while the goal moves. A scaled goal is visible at rest as well, like an error of the law.
+constexpr auto kOfMovingGoals = std::to_array<std::string_view>({"transport_delay", "speed_limit", "accel_limit"});
+constexpr auto kOfTheLaw = std::to_array<std::string_view>(
+    {"gear_scale", "p_on_torque", "deadband", "kp_scale", "integral", "derivative", "torque_limit"});
+
+/// Values to try for one parameter, from hardly visible to plain.
+std::vector<double> valuesToTry(const twin::Parameter& parameter) {
+  std::vector<double> values;
+  constexpr std::array kShares{0.02, 0.05, 0.1, 0.25, 0.5, 0.8};  // of the way from neutral to an end
+  if (parameter.logarithmic && parameter.neutral > parameter.low && parameter.neutral < parameter.high) {
+    for (const double share : kShares)
+      for (const double end : {std::max(parameter.low, parameter.neutral / 300), parameter.high})
+        values.push_back(parameter.neutral * std::pow(end / parameter.neutral, share));
+    return values;
+  }
+  if (parameter.logarithmic) {
+    const double low = std::max(parameter.low, parameter.high / 300);
+    for (double share = 0; share <= 1.001; share += 1.0 / 9)
+      values.push_back(low * std::pow(parameter.high / low, share));
+    return values;
+  }
+  for (const double share : kShares)
+    for (const double end : {parameter.low, parameter.high})
+      if (end != parameter.neutral) values.push_back(parameter.neutral + share * (end - parameter.neutral));
+  return values;
+}
+
+struct Try {
+  const twin::EffectInfo* effect;
+  std::size_t parameter;
+  double value;
+};
+
+Hypothesis withTry(const Case& given, const Hypothesis& hypothesis, const Try& one) {
+  Hypothesis changed = hypothesis;
+  twin::EffectSetting& setting = changed.with(*one.effect);
+  setting.values[one.parameter] = one.value;
+  if (one.effect->id == "p_on_torque" && given.datasheet) {  // the law's numbers are the data sheet's
+    const twin::ServoParameters& sheet = given.datasheet->servo;
+    changed.servo.kt_nm_a = sheet.kt_nm_a;
+    changed.servo.resistance_ohm = sheet.resistance_ohm;
+    changed.servo.back_emf_vs_rad = sheet.back_emf_vs_rad;
+    changed.servo.duty_per_kp_per_rad = sheet.duty_per_kp_per_rad;
+    changed.servo.duty_max = sheet.duty_max;
+    changed.servo.supply_v = sheet.supply_v;
+  }
+  return changed;
+}
+
+template <class Ids>
+std::vector<Try> triesOf(const Ids& ids, const Hypothesis& hypothesis) {
+  std::vector<Try> tries;
+  for (const std::string_view id : ids) {
+    const twin::EffectInfo* const effect = twin::findEffect(id);
+    if (effect == nullptr || hypothesis.find(id) != nullptr) continue;
+    if (id == "p_on_torque") {
+      if (hypothesis.servo.law == twin::Law::kSpeedP) tries.push_back({effect, 0, 1});
+      continue;
+    }
+    for (std::size_t i = 0; i < effect->parameters.size(); ++i)
+      if (!effect->parameters[i].secondary)
+        for (const double value : valuesToTry(effect->parameters[i])) tries.push_back({effect, i, value});
+  }
+  return tries;
+}
+
+/// The cost that is left, and the hypothesis that leaves it.
+struct Least {
+  double cost;
+  Hypothesis hypothesis;
+};
+
+/// The best of the tries on top of a hypothesis, and of its neighbourhood.
+Least leastOf(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
+              const BlockTest& judged, const Least& from, std::vector<Try> tries) {
+  Least least = from;
+  Try best{nullptr, 0, 0};
+  const auto run = [&] {
+    std::vector<double> costs(tries.size(), from.cost);
+    forEach(tries.size(), [&](std::size_t i) {
+      try {
+        costs[i] = blockCostUnder(cut, given, logs, judged, withTry(given, from.hypothesis, tries[i]));
+      } catch (const std::runtime_error&) {  // a hypothesis that cannot be explains nothing
+      }
+    });
+    for (std::size_t i = 0; i < tries.size(); ++i)
+      if (costs[i] < least.cost) {
+        best = tries[i];
+        least = {costs[i], withTry(given, from.hypothesis, best)};
+      }
+  };
+  run();
+  // Between the values tried, the best one's neighbourhood.
+  for (const double step : {0.3, 0.1, 0.03, 0.01, 0.003}) {
+    if (best.effect == nullptr) break;
+    const twin::Parameter& parameter = best.effect->parameters[best.parameter];
+    tries.clear();
+    for (const double side : {-2.0, -1.0, 1.0, 2.0}) {
+      const double value = parameter.logarithmic
+                               ? best.value * std::exp(side * step)
+                               : parameter.neutral + (best.value - parameter.neutral) * (1 + side * step);
+      tries.push_back({best.effect, best.parameter, std::clamp(value, parameter.low, parameter.high)});
+    }
+    run();
+  }
+  return least;
+}
+
+template <class Ids>
+Explained explain(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
+                  const BlockTest& judged, const Hypothesis& hypothesis, const Ids& ids) {
+  const double before = blockCostUnder(cut, given, logs, judged, hypothesis);
+  const double beyond_noise = std::max(before - judged.expected_cost, 1e-9);
+  Least least{before, hypothesis};
+  double share = 0;
+  for (int changes = 0; changes < 2 && share < thresholds::kSplitExplainsAll; ++changes) {
+    least = leastOf(cut, given, logs, judged, least, triesOf(ids, least.hypothesis));
+    share = (before - least.cost) / beyond_noise;
+  }
+  return {share, least.hypothesis};
+}
+
+/// Share of the cost beyond noise while the goal has stood for a while.
+double shareAtRest(const Case& given, const std::vector<std::size_t>& logs, const BlockTest& judged) {
+  double rest = 0, all = 0;
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    const Trajectory& log = given.logs[logs[i]];
+    const BlockResiduals& samples = judged.samples[i];
+    for (Eigen::Index k = 0; k < samples.z.size(); ++k) {
+      if (std::isnan(samples.residual[k])) continue;
+      const std::size_t row = samples.row[static_cast<std::size_t>(k)];
+      std::size_t since = row;
+      while (since > 0 && log.goal_rad[since - 1] == log.goal_rad[row] && log.torque_on[since - 1] != 0) --since;
+      const double excess = costOf(samples.z[k]) - 1;
+      all += excess;
+      if (log.time_s[row] - log.time_s[since] > thresholds::kGoalAtRest) rest += excess;
+    }
+  }
+  return all > 0 ? rest / all : 0;
+}
+
+}  // namespace
+
+bool CommandSplit::isCommand() const {
+  if (std::max(by_command.share, by_controller.share) < thresholds::kSplitExplains)
+    return at_rest < thresholds::kSplitRestIsNone;
+  return by_command.share > by_controller.share;
+}
+
+CommandSplit splitCommand(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
+                          const BlockTest& judged, const Hypothesis& hypothesis) {
+  return {.by_command = explain(cut, given, logs, judged, hypothesis, kOfMovingGoals),
+          .by_controller = explain(cut, given, logs, judged, hypothesis, kOfTheLaw),
+          .at_rest = shareAtRest(given, logs, judged)};
+}
+
+Explained explainByDelay(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
+                         const BlockTest& judged, const Hypothesis& hypothesis) {
+  constexpr std::array kDelay{std::string_view{"transport_delay"}};
+  return explain(cut, given, logs, judged, hypothesis, kDelay);
+}
+
+}  // namespace darwinop::gap

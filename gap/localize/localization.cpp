@@ -1,0 +1,36 @@
+#include "gap/localize/localization.hpp"
+
+#include <cmath>
+
+namespace darwinop::gap {
+
+double Localization::rms_rad() const {
+  double sum = 0, count = 0;
+  for (const LogResidual& one : residuals)
+    sum += one.position_rad.squaredNorm(), count += static_cast<double>(one.position_rad.size());
+  return std::sqrt(sum / count);
+}
+
+double Localization::floors() const {
+  double sum = 0, count = 0;
+  for (const LogFloor& one : floor.logs)
+    sum += one.sigma_rad.squaredNorm(), count += static_cast<double>(one.sigma_rad.size());
+  return rms_rad() / std::sqrt(sum / count);
+}
+
+Localization localize(const Study& study) {
+  const Case& data = study.data;
+  const std::vector<std::size_t>& logs = study.evidence.logs;
+  Localization where;
+  for (const std::size_t log : logs) where.files.push_back(data.logs[log].file);
+  const SimulatedRepeats repeats = simulateRepeats(data, logs, study.baseline);
+  where.floor = floorOf(data, study.evidence, repeats);
+  where.residuals = residualsOf(study, where.floor);
+  where.blocks = findBlocks(data, study.baseline, logs, repeats);
+  where.places = intervalsOf(data, where.residuals, where.blocks);
+  const bool is_noise = !where.blocks.first && where.places.empty();
+  if (!is_noise) where.dependence = dependenceOf(data, where.residuals, where.blocks);
+  return where;
+}
+
+}  // namespace darwinop::gap

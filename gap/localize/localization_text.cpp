@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+#include "gap/localize/localization.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr std::size_t kPlacesShown = 5, kRegionsShown = 3;
+constexpr std::size_t kWidth = 100;
+
+[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
+  char text[256];
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(text, sizeof text, format, values);
+  va_end(values);
+  std::string out = text;
+  if (out.size() > kWidth) out = out.substr(0, kWidth - 3) + "...";
+  while (!out.empty() && out.back() == ' ') out.pop_back();
+  return out + "\n";
+}
+
+std::string floorText(const Localization& where) {
+  double sum = 0, count = 0;
+  for (const LogFloor& one : where.floor.logs)
+    sum += one.sigma_rad.squaredNorm(), count += static_cast<double>(one.sigma_rad.size());
+  std::string how = "assumed: no log was repeated";
+  if (!where.floor.assumed)
+    how =
+        "repeats differ " + std::to_string(where.floor.factor).substr(0, 4) + " times as much as noise would make them";
+  return line("Floor %.2f mrad (%s)", 1e3 * std::sqrt(sum / count), how.c_str());
+}
+
+std::string blockText(const BlockFinding& block) {
+  const std::string verdict{name(block.verdict)}, which{name(block.block)};
+  if (std::isnan(block.rms)) return line("  %-10s %-7s %s", which.c_str(), verdict.c_str(), block.detail.c_str());
+  return line("  %-10s %-7s %9.3g %-5s (%.3g expected, %+.0f sigma) %s", which.c_str(), verdict.c_str(), block.rms,
+              block.unit.c_str(), block.expected_rms, block.significance, block.detail.c_str());
+}
+
+std::string placeText(const GapInterval& place) {
+  return line("  %-12s %6.2f to %5.2f s  %-8s %8.3g %-4s %-11s %s", place.file.c_str(), place.t0_s, place.t1_s,
+              place.signal.c_str(), place.size, place.unit.c_str(), place.happens.c_str(),
+              place.block ? std::string{name(*place.block)}.c_str() : "");
+}
+
+std::string regionText(const Region& region) {
+  return line("  %-19s %.2f bits; %.1f times the mean at %.3g to %.3g %s", region.variable.c_str(), region.information,
+              region.lift, region.low, region.high, region.unit.c_str());
+}
+
+}  // namespace
+
+std::string asText(const Localization& where) {
+  std::string text = floorText(where);
+  text +=
+      line("Gap   %.2f mrad, %.1f floors, over %zu logs", 1e3 * where.rms_rad(), where.floors(), where.files.size());
+  const auto worst = std::ranges::max_element(where.residuals, {}, &LogResidual::floors);
+  if (worst != where.residuals.end())
+    text += line("      %.2f mrad, %.1f floors in the worst, %s", 1e3 * worst->rms_rad, worst->floors,
+                 where.files[static_cast<std::size_t>(worst - where.residuals.begin())].c_str());
+  text += where.blocks.first ? line("Loop: look at the %s first", std::string{name(*where.blocks.first)}.c_str())
+                             : line("Loop: all that could be cut is closed");
+  for (const BlockFinding& block : where.blocks.all) text += blockText(block);
+  if (where.places.empty()) return text + "Places: none beyond noise and priors\n";
+  text += "Places, strongest first\n";
+  for (std::size_t i = 0; i < std::min(kPlacesShown, where.places.size()); ++i) text += placeText(where.places[i]);
+  const Dependence& on = where.dependence;
+  text += line("Depends on %s (%s: state %.0f %%, clock %.0f %% of the variance)", std::string{name(on.on)}.c_str(),
+               on.of.c_str(), 100 * on.by_state, 100 * on.by_clock);
+  for (std::size_t i = 0; i < std::min(kRegionsShown, on.regions.size()); ++i) text += regionText(on.regions[i]);
+  return text;
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,43 @@
+// A candidate for the next experiment, and what it requires besides the robot.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/format/experiment.hpp"
+#include "gap/case/case.hpp"
+#include "gap/plan/arm_setup.hpp"
+
+namespace darwinop::gap {
+
+struct ExperimentCandidate {
+  experiments::Experiment experiment;  // of the stand's joint alone
+  double payload_kg = 0;               // at the end of the arm
+  std::string prepare;                 // "hang 100 g more to the arm"; empty: nothing
+  double prepare_s = 0;                // that somebody takes for it
+  double temp_c = 25;                  // of the servo
+  double session_start_s = 0;
+};
+
+/// What the logs of a case were made under, and what a planned one is likely to meet.
+struct Circumstances {
+  double payload_kg = 0;            // that most logs have
+  double cold_c = 25, warm_c = 25;  // least and greatest temperature seen
+  double session_end_s = 0;
+};
+Circumstances circumstancesOf(const Case& given);
+
+/// The delivered experiments that move one joint, moved to `stand`; then those that they lack; then the ones with
+/// another payload, and the first log of the case once more. What cannot be read is left out.
+std::vector<ExperimentCandidate> candidatesFor(const Case& given, const ArmSetup& stand);
+/// Those without the delivered ones.
+std::vector<ExperimentCandidate> benchCandidates(const Case& given, const ArmSetup& stand);
+
+/// The same experiment by another joint, at the same angles of the arm. Nothing: it moves several joints, or falls.
+std::optional<experiments::Experiment> movedTo(const ArmSetup& stand, experiments::Experiment experiment);
+
+/// The commands of a log as an experiment: steps from goal to goal, limp where the log was.
+experiments::Experiment again(const Trajectory& log, const ArmSetup& stand, const std::string& name);
+
+}  // namespace darwinop::gap

@@ -1,0 +1,18 @@
+// The question for the next experiment, from an identification.
+#pragma once
+
+#include "gap/identify/identification.hpp"
+#include "gap/plan/ranking.hpp"
+
+namespace darwinop::gap {
+
+using ProgressCallback = std::function<void(const std::string&)>;
+
+/// Rivals that the data do not decide between; else the effects that these data cannot show, when nothing was found;
+/// else the number whose interval is widest.
+Question questionAfter(const Case& given, const Identification& naming, const ProgressCallback& progress);
+
+/// These effects, each fitted alone; or one, against nothing missing.
+Question questionBetween(const Case& given, const std::vector<std::string>& ids, const ProgressCallback& progress);
+
+}  // namespace darwinop::gap

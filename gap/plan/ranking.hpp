@@ -1,0 +1,58 @@
+// Ranks experiments by expected information per minute of robot time.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "gap/plan/prediction.hpp"
+#include "gap/plan/safety_check.hpp"
+
+namespace darwinop::gap {
+
+enum class Aim : std::uint8_t {
+  kSeparate,  // the contenders from each other
+  kReveal,    // the contenders after the first from the first: would they show, if they were there?
+  kNarrow,    // the interval of one number of the only contender
+};
+
+struct Question {
+  Aim aim = Aim::kSeparate;
+  std::vector<FittedHypothesis> hypotheses;
+  std::size_t unknown = 0;  // kNarrow: its index
+};
+
+struct Separation {
+  std::size_t a = 0, b = 0;  // of the contenders
+  double sigma = 0;
+};
+
+struct Ranked {
+  Vetted vetted;
+  std::vector<Separation> separations;
+  double sigma_before = 0, sigma_after = 0;  // kNarrow: of the search variable
+  double gain = 0;                           // expected difference of log likelihood, or log of the narrowing
+  [[nodiscard]] double perMinute() const { return gain / (vetted.seconds / 60); }
+};
+
+struct Refusal {
+  std::string name, why;
+};
+
+struct NextExperiments {
+  Question question;
+  ArmSetup stand;
+  std::vector<Ranked> ranked;  // best first
+  std::vector<Refusal> refused;
+};
+
+/// `given`: for its law, pendulum and hidden numbers; its logs are in the contenders.
+NextExperiments nextExperiments(const Case& given, const ArmSetup& stand, Question question,
+                                const std::vector<ExperimentCandidate>& candidates, int noise_runs = kNoiseRuns);
+
+/// "small_sines: separates backlash from deadband by 14 sigma in 20 s"
+std::string sentenceOf(const Question& question, const Ranked& ranked);
+std::string asText(const NextExperiments& next);
+nlohmann::json asJson(const NextExperiments& next);
+
+}  // namespace darwinop::gap

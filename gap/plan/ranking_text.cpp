@@ -1,0 +1,181 @@
+// The ranking for people and for programs.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "gap/plan/ranking.hpp"
+#include "twin/effects/catalogue.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kNineInTen = 1.645;  // sigma on either side
+constexpr double kShows = 3;          // sigma: of an effect that shows
+constexpr double kNothingTold = 1;    // sigma
+constexpr std::size_t kMostLines = 8;
+
+std::string printed(const char* format, double value) {
+  char text[48];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string inSigma(double sigma) {
+  constexpr double kMany = 100;  // more is a figure of a linear forecast
+  if (sigma >= kMany) return "more than 100 sigma";
+  return printed(sigma < 10 ? "%.1f" : "%.0f", sigma) + " sigma";
+}
+
+std::string within(double seconds) {
+  return " in " + printed("%.0f", seconds) + " s";
+}
+
+/// "0.079 to 0.083 N m", nine in ten.
+std::string intervalOf(const FittedHypothesis& contender, std::size_t i, double sigma) {
+  const Unknown& unknown = contender.unknowns[i];
+  const double x = contender.x[static_cast<Eigen::Index>(i)];
+  const double low = std::max(unknown.low, unknown.fromSearch(x - kNineInTen * sigma));
+  const double high = std::min(unknown.high, unknown.fromSearch(x + kNineInTen * sigma));
+  std::string text = printed("%.4g", low) + " to " + printed("%.4g", high);
+  const auto* const parameter = std::get_if<EffectParameter>(&unknown.what);
+  if (parameter != nullptr && !parameter->info->parameters[parameter->index].unit.empty())
+    text += " " + std::string{parameter->info->parameters[parameter->index].unit};
+  return text;
+}
+
+std::string separationsText(const Question& question, const Ranked& ranked) {
+  std::string text = "separates ";
+  for (const Separation& one : ranked.separations)
+    text += (&one == ranked.separations.data() ? "" : ", ") + question.hypotheses[one.a].name + " from " +
+            question.hypotheses[one.b].name + " by " + inSigma(one.sigma);
+  return text;
+}
+
+std::string revealsText(const Question& question, std::vector<Separation> separations) {
+  std::ranges::stable_sort(separations, std::greater{}, &Separation::sigma);
+  std::string text;
+  for (const Separation& one : separations)
+    if (one.sigma >= kShows)
+      text += (text.empty() ? "would show " : ", ") + question.hypotheses[one.b].name + " by " + inSigma(one.sigma);
+  return text.empty() ? "would show none of them" : text;
+}
+
+std::string headOf(const Question& question) {
+  const FittedHypothesis& first = question.hypotheses.front();
+  switch (question.aim) {
+    case Aim::kSeparate:
+      return "What tells these explanations apart?\n";
+    case Aim::kReveal:
+      return "These logs cannot show some effects. What would, if they were there at their usual size?\n";
+    case Aim::kNarrow:
+      break;
+  }
+  return "What tells " + first.unknowns[question.unknown].name + " more exactly?\n";
+}
+
+/// Those of its name, which lists them.
+std::vector<const twin::EffectInfo*> effectsIn(const FittedHypothesis& contender) {
+  std::vector<const twin::EffectInfo*> effects;
+  for (const twin::EffectInfo* const effect : twin::catalogue())
+    if ((" + " + contender.name + " + ").find(" + " + std::string{effect->id} + " + ") != std::string::npos)
+      effects.push_back(effect);
+  return effects;
+}
+
+/// The contender's own numbers, and what the catalogue says of each of its effects.
+std::string contenderText(const FittedHypothesis& contender) {
+  std::string text = "  " + contender.name;
+  const Eigen::VectorXd sigmas = contender.sigmas();
+  bool first = true;
+  for (std::size_t i = 0; i < contender.unknowns.size(); ++i) {
+    if (std::isfinite(contender.unknowns[i].sigma)) continue;  // of the baseline
+    text += (first ? ": " : ", ") + contender.unknowns[i].name + " " +
+            intervalOf(contender, i, sigmas[static_cast<Eigen::Index>(i)]);
+    first = false;
+  }
+  text += "\n";
+  for (const twin::EffectInfo* const effect : effectsIn(contender))
+    text += "    catalogue: " + std::string{effect->separated_by} + "\n";
+  return text;
+}
+
+bool tellsNothing(const Question& question, const Ranked& ranked) {
+  return question.aim != Aim::kNarrow &&
+         std::ranges::all_of(ranked.separations, [](const Separation& one) { return one.sigma < kNothingTold; });
+}
+
+}  // namespace
+
+std::string sentenceOf(const Question& question, const Ranked& ranked) {
+  std::string text = ranked.vetted.candidate.experiment.name + ": ";
+  if (question.aim == Aim::kSeparate) text += separationsText(question, ranked);
+  if (question.aim == Aim::kReveal) text += revealsText(question, ranked.separations);
+  if (question.aim == Aim::kNarrow) {
+    const FittedHypothesis& first = question.hypotheses.front();
+    text += "narrows " + first.unknowns[question.unknown].name + " from " +
+            intervalOf(first, question.unknown, ranked.sigma_before) + ", nine in ten, to " +
+            intervalOf(first, question.unknown, ranked.sigma_after);
+  }
+  return text + within(ranked.vetted.seconds);
+}
+
+std::string asText(const NextExperiments& next) {
+  std::string text = headOf(next.question);
+  for (const FittedHypothesis& contender : next.question.hypotheses) text += contenderText(contender);
+  text += "Experiments of " + std::string{row(next.stand.joint).name} + ", most per minute first\n";
+  std::string nothing;
+  std::size_t line = 0;
+  for (const Ranked& ranked : next.ranked) {
+    const experiments::Experiment& experiment = ranked.vetted.candidate.experiment;
+    if (tellsNothing(next.question, ranked)) nothing += (nothing.empty() ? "" : ", ") + experiment.name;
+    if (tellsNothing(next.question, ranked) || ++line > kMostLines) continue;
+    text += printed("%3.0f", static_cast<double>(line)) + ". " + sentenceOf(next.question, ranked) + "\n     " +
+            experiment.title;
+    if (!ranked.vetted.candidate.prepare.empty()) text += "; " + ranked.vetted.candidate.prepare;
+    text += "\n";
+    for (const std::string& cut : ranked.vetted.cuts) text += "     shortened: " + cut + "\n";
+  }
+  if (line == 0) text += "     none of them tells anything\n";
+  if (!nothing.empty()) text += "Less than 1 sigma: " + nothing + "\n";
+  for (const Refusal& refusal : next.refused) text += "Refused: " + refusal.name + ": " + refusal.why + "\n";
+  return text;
+}
+
+nlohmann::json asJson(const NextExperiments& next) {
+  using nlohmann::json;
+  constexpr const char* kAims[]{"separate", "reveal", "narrow"};
+  json out{{"aim", kAims[static_cast<std::size_t>(next.question.aim)]},
+           {"joint", std::string{row(next.stand.joint).name}},
+           {"contenders", json::array()},
+           {"experiments", json::array()},
+           {"refused", json::array()}};
+  for (const FittedHypothesis& contender : next.question.hypotheses) {
+    json numbers = json::object();
+    for (std::size_t i = 0; i < contender.unknowns.size(); ++i)
+      numbers[contender.unknowns[i].name] = contender.unknowns[i].fromSearch(contender.x[static_cast<Eigen::Index>(i)]);
+    json catalogue = json::object();
+    for (const twin::EffectInfo* const effect : effectsIn(contender))
+      catalogue[std::string{effect->id}] = std::string{effect->separated_by};
+    out["contenders"].push_back({{"name", contender.name}, {"numbers", numbers}, {"separated_by", catalogue}});
+  }
+  if (next.question.aim == Aim::kNarrow)
+    out["number"] = next.question.hypotheses.front().unknowns[next.question.unknown].name;
+  for (const Ranked& ranked : next.ranked) {
+    const ExperimentCandidate& candidate = ranked.vetted.candidate;
+    json one{{"name", candidate.experiment.name},     {"title", candidate.experiment.title},
+             {"seconds", ranked.vetted.seconds},      {"gain", ranked.gain},
+             {"gain_per_minute", ranked.perMinute()}, {"payload_kg", candidate.payload_kg},
+             {"prepare", candidate.prepare},          {"shortened", ranked.vetted.cuts}};
+    one["separations"] = json::array();
+    for (const Separation& pair : ranked.separations)
+      one["separations"].push_back({{"of", next.question.hypotheses[pair.a].name},
+                                    {"from", next.question.hypotheses[pair.b].name},
+                                    {"sigma", pair.sigma}});
+    out["experiments"].push_back(std::move(one));
+  }
+  for (const Refusal& refusal : next.refused) out["refused"].push_back({{"name", refusal.name}, {"why", refusal.why}});
+  return out;
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,77 @@
+#include "gap/plant/bench/firmware_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "gap/plant/bench/surroundings.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kRegisterPerKp = 8;    // of the P gain (manual)
+constexpr double kFineTicks = 1 << 26;  // the measured positions are in ticks already
+constexpr double kInstant = 1e-6;       // of a period
+
+twin::Servo servoFor(const Hypothesis& hypothesis, const double& temperature_c) {
+  twin::ServoParameters parameters = hypothesis.servo;
+  parameters.ticks_per_rev = kFineTicks;
+  parameters.overload_time_s = std::numeric_limits<double>::infinity();
+  std::vector<std::unique_ptr<twin::Effect>> effects;
+  effects.push_back(std::make_unique<Surroundings>(temperature_c, nullptr, parameters.firmware_period_s));
+  for (const twin::EffectSetting& effect : hypothesis.effects) effects.push_back(effect.info->make(effect.values));
+  return {parameters, std::move(effects)};
+}
+
+}  // namespace
+
+std::size_t commandsAfter(const Case& given, const Trajectory& log, std::size_t row) {
+  return given.goal_order == GoalOrder::kAfterRead ? row : std::min(row + 1, log.rows() - 1);
+}
+
+double temperatureOf(const Trajectory& log, std::size_t row) {
+  constexpr double kRoom = 25;  // degC, where the log tells none
+  return std::isnan(log.temp_c[row]) ? kRoom : log.temp_c[row];
+}
+
+bool loadTellsDuty(const Hypothesis& hypothesis, const Trajectory& log) {
+  return hypothesis.servo.law == twin::Law::kVoltageP &&
+         std::ranges::any_of(log.load, [](double load) { return !std::isnan(load); });
+}
+
+FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {
+  FirmwareRun run;
+  run.period_s = hypothesis.servo.firmware_period_s;
+  double temperature_c = temperatureOf(log, 0);
+  twin::Servo servo = servoFor(hypothesis, temperature_c);
+  const bool held = given.goal_order == GoalOrder::kAfterRead && log.torque_on[0] != 0;
+  servo.reset(held ? log.goal_rad[0] : log.position_rad[0], log.session_start_s);
+  ServoDrive drive{.torque_limit = 1, .p_gain = log.p_register / kRegisterPerKp, .supply_v = hypothesis.servo.supply_v};
+  drive.speed_limit_rad_s = log.speed_limit_rad_s > 0 ? log.speed_limit_rad_s : std::numeric_limits<double>::infinity();
+  const auto period = [&](std::size_t commands, double position, double velocity) {
+    drive.goal_rad = log.goal_rad[commands];
+    drive.torque_on = log.torque_on[commands] != 0;
+    temperature_c = temperatureOf(log, commands);
+    servo.firmware(drive, position, velocity);
+    run.duty.push_back(servo.signals().duty);
+    run.speed_rad_s.push_back(servo.signals().speed_command_rad_s);
+    run.supply_v.push_back(servo.signals().supply_v);
+    run.position_rad.push_back(position);
+    run.row.push_back(commands);
+  };
+  period(0, log.position_rad[0], 0);
+  run.last.push_back(0);
+  for (std::size_t row = 0; row + 1 < log.rows(); ++row) {
+    const std::size_t commands = commandsAfter(given, log, row);
+    const double from_s = log.time_s[row] - log.time_s[0], to_s = log.time_s[row + 1] - log.time_s[0];
+    const double velocity = (log.position_rad[row + 1] - log.position_rad[row]) / (to_s - from_s);
+    for (double t = static_cast<double>(run.periods()) * run.period_s; t <= to_s + kInstant * run.period_s;
+         t = static_cast<double>(run.periods()) * run.period_s)
+      period(commands, log.position_rad[row] + velocity * (t - from_s), velocity);
+    run.last.push_back(run.periods() - 1);
+  }
+  return run;
+}
+
+}  // namespace darwinop::gap

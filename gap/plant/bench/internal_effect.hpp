@@ -1,0 +1,27 @@
+// Effects inside a simulated servo that are not in the catalogue: given drives, noise, unmodelled effects of
+// benchmarks.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "twin/servo/effect.hpp"
+
+namespace darwinop::gap {
+
+/// It is never identified, fitted or written into a model, so it has no equation, no parameters and no factory.
+inline twin::EffectInfo internalEffect(std::string_view id, std::string_view title, twin::Place place) {
+  const auto nobody_makes_it = [](std::span<const double>) { return std::unique_ptr<twin::Effect>{}; };
+  return {.id = id,
+          .title = title,
+          .place = place,
+          .equation = "",
+          .signature = "",
+          .separated_by = "",
+          .source = "",
+          .confused_with = {},
+          .parameters = {},
+          .make = nobody_makes_it};
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,11 @@
+// Resolution of the registers that a servo reports.
+#pragma once
+
+namespace darwinop::gap {
+
+/// Load 0.1 %, as a fraction; voltage in V; speed 0.114 rpm in rad/s.
+inline constexpr double kLoadStep = 0.001, kVoltStep = 0.1, kSpeedStep = 0.01194;
+/// The servo computes its speed from positions this many seconds apart.
+inline constexpr double kSpeedSpan = 0.024;
+
+}  // namespace darwinop::gap

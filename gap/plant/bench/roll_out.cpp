@@ -1,0 +1,194 @@
+// Rows of a log and periods of a firmware run on two clocks: commands come with the rows, the servo acts every period.
+#include "gap/plant/bench/roll_out.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <random>
+
+#include "core/conversions.hpp"
+#include "gap/plant/bench/surroundings.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr double kRegisterPerGain = 8;  // of the P gain (manual)
+// A host that commands after it reads has held the first goal for a while; one that commands first starts from rest.
+constexpr double kHeldBefore = 1.0;      // s
+constexpr double kExactTicks = 1 << 26;  // a revolution: far below anything that shows
+// A firmware of 0.1 ms costs ten times one of 1 ms, and hardly differs from one of 0.5 ms that looks ahead.
+constexpr double kLongestFold = 5e-4;  // s
+constexpr double kLoadJump = 0.05;     // in a folded period: no motion changes a duty as fast
+
+/// One log on one hypothesis.
+class Run {
+ public:
+  Run(const Case& given, const Trajectory& log, const Hypothesis& hypothesis, const RollOutOptions& options)
+      : given_{given},
+        log_{log},
+        options_{options},
+        folded_{options.steps_per_period > 0 ? 1 : foldedPeriods(log, hypothesis)},
+        period_s_{folded_ * hypothesis.servo.firmware_period_s},
+        nominal_v_{hypothesis.servo.supply_v},
+        temperature_c_{temperatureAt(0)},
+        bench_{servoOf(hypothesis), effects(hypothesis), pendulumOf(hypothesis)} {
+    if (options.disturbance != nullptr)
+      ripple_.emplace(options.disturbance->supply_v, options.disturbance->supply_time_s, period_s_,
+                      options.disturbance->seed * 2 + 1);
+    drive_ = {.torque_on = log.torque_on[0] != 0,
+              .goal_rad = log.goal_rad[0],
+              .speed_limit_rad_s =
+                  log.speed_limit_rad_s > 0 ? log.speed_limit_rad_s : std::numeric_limits<double>::infinity(),
+              .torque_limit = 1,
+              .p_gain = log.p_register / kRegisterPerGain,
+              .supply_v = nominal_v_};
+    begin(hypothesis);
+  }
+
+  void fill(Trace& trace) {
+    const std::size_t rows = log_.rows();
+    for (auto* column : {&trace.position_rad, &trace.velocity_rad_s, &trace.load, &trace.supply_v})
+      column->resize(rows);
+    for (std::size_t row = 0; row < rows; ++row) {
+      advanceTo(log_.time_s[row] - log_.time_s[0]);
+      const double since_s = log_.time_s[row] - log_.time_s[0] - static_cast<double>(periods_) * period_s_;
+      trace.velocity_rad_s[row] = bench_.velocity_rad_s();
+      trace.position_rad[row] = bench_.encoder_rad() + bench_.velocity_rad_s() * since_s;
+      trace.load[row] = loadNow();
+      trace.supply_v[row] = bench_.servo().signals().supply_v;
+      if (given_.goal_order == GoalOrder::kAfterRead)
+        command(row);
+      else if (row + 1 < rows)
+        command(row + 1);
+    }
+  }
+
+ private:
+  void begin(const Hypothesis& hypothesis) {
+    const bool held = given_.goal_order == GoalOrder::kAfterRead && drive_.torque_on;
+    bench_.reset({.steps_per_period = stepsFor(hypothesis),
+                  .start_rad = held ? log_.goal_rad[0] : log_.position_rad[0],
+                  .session_time_s = log_.session_start_s - (held ? kHeldBefore : 0)});
+    if (held)
+      for (long i = std::lround(kHeldBefore / period_s_); i > 0; --i) step();
+  }
+
+  static twin::Law lawOf(const Hypothesis& hypothesis) {
+    const twin::EffectSetting* const other = hypothesis.find("p_on_torque");
+    return other != nullptr && other->values[0] > 0.5 ? twin::Law::kVoltageP : hypothesis.servo.law;
+  }
+
+  // The duty stands still for a period, and the middle of it is right to the second order. A motor that takes any speed
+  // at once has a step of its own for its jump, but not with a soft gear.
+  [[nodiscard]] int stepsFor(const Hypothesis& hypothesis) const {
+    if (options_.steps_per_period > 0) return options_.steps_per_period;
+    const bool soft = hypothesis.find("backlash") != nullptr || hypothesis.find("joint_flex") != nullptr;
+    if (lawOf(hypothesis) == twin::Law::kSpeedP) return soft ? 6 : 2;
+    return soft ? 2 : 1;
+  }
+
+  /// Periods of a fine firmware that are simulated as one: the most that end with every row of the log.
+  static int foldedPeriods(const Trajectory& log, const Hypothesis& hypothesis) {
+    if (hypothesis.find("derivative") != nullptr) return 1;  // swings at 1 ms where it damps at 0.1 ms
+    constexpr double kRounding = 1e-3;                       // of a period; a log tells its times in decimals
+    const double period_s = hypothesis.servo.firmware_period_s;
+    int most = static_cast<int>(kLongestFold / period_s + kRounding);
+    const auto fits = [&](int periods) {
+      return std::ranges::all_of(log.time_s, [&](double time_s) {
+        const double count = (time_s - log.time_s[0]) / (periods * period_s);
+        return std::abs(count - std::round(count)) < kRounding;
+      });
+    };
+    while (most > 1 && !fits(most)) --most;
+    return std::max(1, most);
+  }
+
+  /// The duty of a folded period is the mean of those it stands for: that of a position this much later.
+  [[nodiscard]] double aheadS() const { return period_s_ * (1 - 1.0 / folded_) / 2; }
+
+  void advanceTo(double time_s) {
+    constexpr double kSameInstant = 1e-6;  // of a period
+    while (static_cast<double>(periods_ + 1) <= time_s / period_s_ + kSameInstant) {
+      step();
+      ++periods_;
+    }
+  }
+
+  /// That of the last of the periods that the simulated one stands for.
+  [[nodiscard]] double loadNow() const {
+    const double load = bench_.servo().report().load, most = bench_.servo().signals().duty_limit;
+    const bool jumped = std::abs(load - load_before_) > kLoadJump;  // a goal that came late, a torque that came on
+    return jumped ? load : std::clamp(load + (load - load_before_) * aheadS() / period_s_, -most, most);
+  }
+
+  void step() {
+    load_before_ = bench_.servo().report().load;
+    if (ripple_) drive_.supply_v = nominal_v_ + ripple_->next();
+    bench_.step(drive_);
+  }
+
+  void command(std::size_t row) {
+    drive_.goal_rad = log_.goal_rad[row];
+    drive_.torque_on = log_.torque_on[row] != 0;
+    temperature_c_ = temperatureAt(row);
+  }
+
+  [[nodiscard]] double temperatureAt(std::size_t row) const {
+    constexpr double kRoom = 25;  // degC, where the log tells none
+    const double told = log_.warmth_c.empty() ? log_.temp_c[row] : log_.warmth_c[row];
+    return std::isnan(told) ? kRoom : told;
+  }
+
+  [[nodiscard]] twin::ServoParameters servoOf(const Hypothesis& hypothesis) const {
+    twin::ServoParameters servo = hypothesis.servo;
+    servo.firmware_period_s = period_s_;
+    if (options_.disturbance == nullptr || !given_.quantised) servo.ticks_per_rev = kExactTicks;
+    servo.overload_time_s = std::numeric_limits<double>::infinity();  // the log says when the torque went off
+    return servo;
+  }
+
+  [[nodiscard]] std::vector<std::unique_ptr<twin::Effect>> effects(const Hypothesis& hypothesis) const {
+    std::vector<std::unique_ptr<twin::Effect>> all;
+    all.push_back(std::make_unique<Surroundings>(temperature_c_, options_.disturbance, period_s_, aheadS()));
+    for (const twin::EffectSetting& effect : hypothesis.effects) all.push_back(effect.info->make(effect.values));
+    return all;
+  }
+
+  [[nodiscard]] twin::Pendulum pendulumOf(const Hypothesis& hypothesis) const {
+    twin::Pendulum pendulum = hypothesis.pendulum;
+    pendulum.payload_kg = log_.payload_kg * hypothesis.payload_scale;
+    return pendulum;
+  }
+
+  const Case& given_;
+  const Trajectory& log_;
+  const RollOutOptions options_;
+  const int folded_;  // periods of the firmware in one of the simulation
+  const double period_s_, nominal_v_;
+  double temperature_c_;
+  twin::Bench bench_;
+  std::optional<GaussMarkov> ripple_;
+  ServoDrive drive_;
+  double load_before_ = 0;  // of the period before
+  long periods_ = 0;
+};
+
+void roundAsRegistersDo(const Disturbance& disturbance, double ticks_per_rev, Trace& trace) {
+  std::mt19937_64 random{disturbance.seed * 2 + 2};
+  std::normal_distribution<double> normal;
+  const double tick = 2 * kPi / ticks_per_rev;
+  for (double& position : trace.position_rad)
+    position = std::round(position / tick + disturbance.encoder_ticks * normal(random)) * tick;
+}
+
+}  // namespace
+
+void rollOut(const Case& given, std::size_t log, const Hypothesis& hypothesis, const RollOutOptions& options,
+             Trace& trace) {
+  Run{given, given.logs[log], hypothesis, options}.fill(trace);
+  if (options.disturbance != nullptr) roundAsRegistersDo(*options.disturbance, hypothesis.servo.ticks_per_rev, trace);
+}
+
+}  // namespace darwinop::gap

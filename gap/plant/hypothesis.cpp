@@ -1,0 +1,65 @@
+#include "gap/plant/hypothesis.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "twin/effects/catalogue.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+// Effects act in this order.
+auto placeInCatalogue(const twin::EffectInfo* info) {
+  const auto all = twin::catalogue();
+  return std::find(all.begin(), all.end(), info) - all.begin();
+}
+
+}  // namespace
+
+const twin::EffectSetting* Hypothesis::find(std::string_view id) const {
+  const auto found = std::find_if(effects.begin(), effects.end(), [&](const auto& e) { return e.info->id == id; });
+  return found == effects.end() ? nullptr : &*found;
+}
+
+twin::EffectSetting* Hypothesis::find(std::string_view id) {
+  return const_cast<twin::EffectSetting*>(std::as_const(*this).find(id));
+}
+
+twin::EffectSetting& Hypothesis::with(const twin::EffectInfo& info) {
+  if (twin::EffectSetting* const there = find(info.id)) return *there;
+  twin::EffectSetting setting{.info = &info, .values = {}, .joint = {}};
+  for (const twin::Parameter& parameter : info.parameters) setting.values.push_back(parameter.neutral);
+  const auto before = std::find_if(effects.begin(), effects.end(), [&](const auto& other) {
+    return placeInCatalogue(other.info) > placeInCatalogue(&info);
+  });
+  return *effects.insert(before, std::move(setting));
+}
+
+void Hypothesis::without(std::string_view id) {
+  std::erase_if(effects, [&](const auto& effect) { return effect.info->id == id; });
+}
+
+Hypothesis baselineOf(const Case& given) {
+  Hypothesis baseline{.servo = given.model.servo, .effects = {}, .pendulum = given.pendulum, .payload_scale = 1};
+  for (const twin::EffectSetting& effect : given.model.effects) baseline.with(*effect.info).values = effect.values;
+  return baseline;
+}
+
+Case withModel(Case given, const Hypothesis& model) {
+  given.model.servo = model.servo;
+  given.model.effects = model.effects;
+  given.pendulum = model.pendulum;
+  for (Trajectory& log : given.logs) log.payload_kg *= model.payload_scale;
+  return given;
+}
+
+double& valueOf(twin::EffectSetting& setting, std::string_view key) {
+  const auto& parameters = setting.info->parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i].key == key) return setting.values[i];
+  throw std::logic_error("effect " + std::string{setting.info->id} + " has no parameter " + std::string{key});
+}
+
+}  // namespace darwinop::gap

@@ -1,0 +1,108 @@
+#include "gap/report/results.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "gap/identify/assessment.hpp"
+#include "gap/report/data_hash.hpp"
+#include "gap/report/messages.hpp"
+#include "gap/report/model_text.hpp"
+#include "gap/report/sentences.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+std::string rounded(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f", value);
+  return text;
+}
+
+/// More digits than any fit knows, and few enough to be read. Counts and seeds stay.
+double forReading(double value) {
+  if (value == std::round(value)) return value;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return std::strtod(text, nullptr);
+}
+
+std::vector<std::string> reasonsFor(const Case& given, const Identification& naming, const IdentifiedEffect& found,
+                                    const std::string& data_hash) {
+  std::vector<std::string> lines{"Found by darwinop gap in the logs of case " + given.name +
+                                 ": without it the fit is worse by " + rounded(found.gain)};
+  if (std::isfinite(naming.threshold))
+    lines.front() += "; " + rounded(naming.threshold) + " is exceeded by chance in 1 of 100 cases";
+  if (naming.verdict == Verdict::kUnknown)
+    lines.emplace_back("It improves the fit and leaves a gap that no effect of the catalogue explains");
+  if (naming.remains) lines.emplace_back("These logs have a remainder that no effect of the catalogue explains");
+  if (naming.verdict == Verdict::kAmbiguous && &found == &naming.effects.back())
+    for (const Rival& rival : closeRivals(naming))
+      lines.push_back("Not certain: " + joined(rival.effects, " + ") + " explains the logs nearly as well");
+  if (!data_hash.empty()) lines.push_back("sha256 of the data: " + data_hash);
+  return lines;
+}
+
+const Estimate* estimateOf(const IdentifiedEffect& found, std::string_view key) {
+  for (const Estimate& estimate : found.estimates)
+    if (estimate.name.substr(estimate.name.find('.') + 1) == key) return &estimate;
+  return nullptr;
+}
+
+bool isFound(const Identification& naming, const twin::EffectInfo* effect) {
+  for (const IdentifiedEffect& found : naming.effects)
+    if (found.effect == effect) return true;
+  return false;
+}
+
+/// Numbers of effects that the baseline has already.
+void addMovedEffects(const Hypothesis& before, const Identification& naming, Additions& into) {
+  for (const twin::EffectSetting& was : before.effects) {
+    const twin::EffectSetting* const now = naming.model.find(was.info->id);
+    if (now == nullptr || isFound(naming, was.info)) continue;
+    for (std::size_t i = 0; i < was.values.size(); ++i)
+      if (was.values[i] != now->values[i])
+        into.numbers.push_back(
+            {std::string{was.info->id} + "." + std::string{was.info->parameters[i].key}, forReading(now->values[i])});
+  }
+}
+
+}  // namespace
+
+Additions additionsOf(const Case& given, const Outcome& outcome, const std::string& data_hash) {
+  const Identification& naming = outcome.identification;
+  const Hypothesis& before = outcome.baseline;
+  Additions additions;
+  for (const MovedNumber& moved : movedNumbers(before.servo, naming.model.servo))
+    additions.numbers.push_back({moved.key, forReading(moved.after)});
+  addMovedEffects(before, naming, additions);
+  for (const IdentifiedEffect& found : naming.effects) {
+    const twin::EffectSetting* const setting = naming.model.find(found.effect->id);
+    if (setting == nullptr) continue;
+    AddedEffect effect{std::string{found.effect->id}, {}, reasonsFor(given, naming, found, data_hash)};
+    for (std::size_t i = 0; i < setting->values.size(); ++i) {
+      AddedValue value{std::string{found.effect->parameters[i].key}, forReading(setting->values[i]), std::nan(""),
+                       std::nan("")};
+      const Estimate* const estimate = estimateOf(found, value.key);
+      if (estimate != nullptr && !estimate->seen)
+        effect.because.push_back(value.key + ": " + std::string{messages::kNotIdentifiable});
+      else if (estimate != nullptr)
+        value.low = estimate->low, value.high = estimate->high;
+      effect.values.push_back(value);
+    }
+    additions.effects.push_back(std::move(effect));
+  }
+  return additions;
+}
+
+std::string caseModel(const Case& given) {
+  twin::Model model = given.model;
+  if (model.name.empty()) model.name = given.name;
+  return twin::writeModel(model);
+}
+
+std::string repairedModel(const Case& given, const Outcome& outcome) {
+  return withAdditions(caseModel(given), additionsOf(given, outcome, dataHash(given)));
+}
+
+}  // namespace darwinop::gap

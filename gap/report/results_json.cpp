@@ -1,0 +1,120 @@
+// results.json: one object a case.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "gap/identify/assessment.hpp"
+#include "gap/report/results.hpp"
+#include "gap/report/sentences.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using nlohmann::json;
+
+json mradOrNull(double rad) {
+  return std::isfinite(rad) ? json(mradOf(rad)) : json(nullptr);
+}
+
+json firstOpenBlockOrNull(const Outcome& outcome) {
+  return outcome.localization.blocks.first ? json(name(*outcome.localization.blocks.first)) : json(nullptr);
+}
+
+/// A fit to all logs is more certain than a block residual.
+json blockOrNull(const Outcome& outcome) {
+  const Identification& naming = outcome.identification;
+  if (naming.verdict != Verdict::kNamed || naming.effects.empty()) return firstOpenBlockOrNull(outcome);
+  return name(blockOf(naming.effects.front().effect->place));
+}
+
+json parametersOf(const Additions& additions, const IdentifiedEffect& found) {
+  json parameters = json::object(), intervals = json::object(), in_model = json::object();
+  for (const Estimate& estimate : found.estimates) {
+    const std::string key = estimate.name.substr(estimate.name.find('.') + 1);
+    parameters[key] = estimate.value;
+    intervals[key] = {estimate.low, estimate.high};
+  }
+  for (const AddedEffect& added : additions.effects)
+    if (added.id == found.effect->id)
+      for (const AddedValue& value : added.values) in_model[value.key] = value.value;
+  return {{"id", found.effect->id},
+          {"params", parameters},
+          {"interval_90", intervals},
+          {"in_model", in_model},
+          {"gain", found.gain}};
+}
+
+json numbersOf(const Additions& additions) {
+  json numbers = json::array();
+  for (const AddedNumber& number : additions.numbers)
+    numbers.push_back({{"number", number.key}, {"after", number.value}});
+  return numbers;
+}
+
+/// What the fit moved of the bench, which no model file holds.
+json benchOf(const Case& given, const Identification& naming) {
+  return {{"payload_factor", naming.model.payload_scale},
+          {"length_factor", naming.model.pendulum.length_m / given.pendulum.length_m}};
+}
+
+}  // namespace
+
+json asJson(const Case& given, const Outcome& outcome) {
+  const Identification& naming = outcome.identification;
+  const Additions additions = additionsOf(given, outcome, "");
+  json effects = json::array(), ambiguity = json::array();
+  // In `unknown` the effects only improve the fit.
+  if (naming.verdict != Verdict::kUnknown)
+    for (const IdentifiedEffect& found : naming.effects) effects.push_back(parametersOf(additions, found));
+  if (naming.verdict == Verdict::kAmbiguous) {
+    json set = json::array();
+    if (!naming.effects.empty()) set.push_back(naming.effects.back().effect->id);
+    for (const Rival& rival : naming.rivals)
+      if (rival.isClose() && !rival.effects.empty() && set.size() < 3) set.push_back(rival.effects.back());
+    ambiguity.push_back(set);
+  }
+  json conflicts = json::array();
+  for (const PriorConflict& one : naming.prior_conflicts)
+    conflicts.push_back({{"number", one.number}, {"sigma", one.sigmas}, {"factor", one.factor}});
+  json rejected = json::array();
+  for (const RejectedEffect& one : naming.rejected)
+    rejected.push_back({{"id", one.effect->id}, {"why", nameOf(one.why)}});
+  return {{"format", kResultsFormat},
+          {"case", given.name},
+          {"verdict", nameOf(naming.verdict)},
+          {"effects", effects},
+          {"ambiguity", ambiguity},
+          {"where", asJson(outcome.localization)["places"]},
+          {"block", blockOrNull(outcome)},
+          {"first_open_block", firstOpenBlockOrNull(outcome)},
+          {"remainder", outcome.remainder},
+          {"rejected", rejected},
+          {"prior_conflicts", conflicts},
+          {"numbers", numbersOf(additions)},
+          {"bench", benchOf(given, naming)},
+          {"misfit_sigma", naming.misfit},
+          {"threshold", std::isfinite(naming.threshold) ? json(naming.threshold) : json(nullptr)},
+          {"gap_fit_before_mrad", mradOrNull(naming.gap_before_rad)},
+          {"gap_fit_after_mrad", mradOrNull(naming.gap_after_rad)},
+          {"floor_fit_mrad", mradOrNull(naming.floor_rad)},
+          {"gap_score_before_mrad", mradOrNull(outcome.verification.rms_before_rad)},
+          {"gap_score_after_mrad", mradOrNull(outcome.verification.rms_after_rad)},
+          {"mean_error_held_out_before_mrad", mradOrNull(outcome.verification.mean_before_rad)},
+          {"mean_error_held_out_after_mrad", mradOrNull(outcome.verification.mean_after_rad)},
+          {"warnings", given.warnings},
+          {"runtime_s", std::round(outcome.runtime_s * 10) / 10}};
+}
+
+json badInput(const std::string& name, const std::string& why) {
+  return {{"format", kResultsFormat},
+          {"case", name},
+          {"verdict", nameOf(Verdict::kBadInput)},
+          {"effects", json::array()},
+          {"ambiguity", json::array()},
+          {"where", json::array()},
+          {"why", why},
+          {"gap_score_before_mrad", nullptr},
+          {"gap_score_after_mrad", nullptr},
+          {"runtime_s", 0}};
+}
+
+}  // namespace darwinop::gap

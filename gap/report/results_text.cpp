@@ -1,0 +1,130 @@
+// What a terminal shows: at most 24 lines.
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+#include "gap/identify/assessment.hpp"
+#include "gap/report/messages.hpp"
+#include "gap/report/model_text.hpp"
+#include "gap/report/results.hpp"
+#include "gap/report/sentences.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+constexpr std::size_t kColumns = 100;
+constexpr std::size_t kEstimatesShown = 5, kRivalsShown = 2, kConflictsShown = 2, kRejectedShown = 2;
+
+[[gnu::format(printf, 1, 2)]] std::string line(const char* format, ...) {
+  char text[300];
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(text, sizeof text, format, values);
+  va_end(values);
+  std::string out = text;
+  if (out.size() > kColumns) out = out.substr(0, kColumns - 3) + "...";
+  return out + "\n";
+}
+
+/// Words in lines of a terminal.
+std::string inLines(std::string text) {
+  std::string out;
+  while (text.size() > kColumns) {
+    std::size_t cut = text.rfind(' ', kColumns);
+    if (cut == std::string::npos || cut == 0) cut = kColumns;
+    out += text.substr(0, cut) + "\n";
+    text.erase(0, text.find_first_not_of(' ', cut));
+  }
+  return out + text + "\n";
+}
+
+std::string whereText(const Localization& where) {
+  std::string text;
+  const std::string block = where.blocks.first ? "; loop: the " + std::string{name(*where.blocks.first)} : "";
+  if (!where.places.empty()) {
+    const GapInterval& place = where.places.front();
+    text = line("where     %s, %.1f to %.1f s (%s), %.3g %s%s", place.file.c_str(), place.t0_s, place.t1_s,
+                place.happens.c_str(), place.size, place.unit.c_str(), block.c_str());
+  } else if (!block.empty()) {
+    text = line("where     %s", block.substr(2).c_str());
+  }
+  return text;
+}
+
+std::string whatText(const Identification& naming) {
+  std::string text;
+  std::size_t all = 0;
+  for (const IdentifiedEffect& found : naming.effects) all += found.estimates.size();
+  std::size_t left = all > kEstimatesShown ? kEstimatesShown - 1 : kEstimatesShown;
+  for (const IdentifiedEffect& found : naming.effects)
+    for (const Estimate& estimate : found.estimates) {
+      if (left == 0) return text + "          and more: see the report\n";
+      --left;
+      const std::string known = estimate.seen ? "90 %: " + interval(estimate.low, estimate.high, estimate.unit)
+                                              : std::string{messages::kNotIdentifiable};
+      text += line("%-9s %s = %s   (%s), gain %.0f",
+                   text.empty() ? (naming.verdict == Verdict::kUnknown ? "helps" : "what") : "", estimate.name.c_str(),
+                   withUnit(estimate.value, estimate.unit).c_str(), known.c_str(), found.gain);
+    }
+  return text;
+}
+
+std::string rivalText(const Identification& naming) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kRivalsShown, naming.rivals.size()); ++i)
+    text += line("%-9s %s instead: worse by %.0f%s", i == 0 ? "rivals" : "",
+                 joined(naming.rivals[i].effects, " + ").c_str(), naming.rivals[i].behind,
+                 naming.rivals[i].isClose() ? ", not excluded" : "");
+  for (std::size_t i = 0; i < std::min(kConflictsShown, naming.prior_conflicts.size()); ++i) {
+    const PriorConflict& one = naming.prior_conflicts[i];
+    text += line("%-9s %s has to be %.3f times what was given: %.1f sigma", i == 0 ? "conflict" : "",
+                 one.number.c_str(), one.factor, std::abs(one.sigmas));
+  }
+  const std::size_t rejected = naming.prior_conflicts.empty() ? kRejectedShown : 0;
+  for (std::size_t i = 0; i < std::min(rejected, naming.rejected.size()); ++i)
+    text += line("%-9s %s", i == 0 ? "not named" : "", shortRejection(naming.rejected[i]).c_str());
+  return text;
+}
+
+std::string rowText(const std::string& what, const Gap& gap, bool below_floor) {
+  return line("  %-30s %10s %10s %10s %12s%s", what.c_str(), inMrad(gap.before_rad).c_str(),
+              inMrad(gap.after_rad).c_str(), inMrad(gap.floor_rad).c_str(),
+              std::isfinite(gap.after_rad) ? (std::to_string(gap.floorsAfter()).substr(0, 5) + " floors").c_str() : "-",
+              below_floor ? ("  " + std::string{messages::kBelowFloorFlag} + "!").c_str() : "");
+}
+
+std::string tableText(const Case& given, const Comparison& comparison) {
+  return line("%-32s %10s %10s %10s %12s", "position error, rms, mrad", "before", "after", "noise", "after in") +
+         rowText(std::string{messages::kHeldOutLogs} + " (" + std::to_string(comparison.held_out_logs) + ")",
+                 comparison.held_out, comparison.anyBelowFloor(given, true)) +
+         rowText("logs of the fit (" + std::to_string(comparison.fit_logs) + ")", comparison.fit,
+                 comparison.anyBelowFloor(given, false));
+}
+
+}  // namespace
+
+std::string asText(const Case& given, const Comparison& comparison) {
+  return "case " + given.name + ": two models compared\n" + inLines(helpSentence(comparison)) + "\n" +
+         tableText(given, comparison);
+}
+
+std::string asText(const Case& given, const Outcome& outcome, const Comparison& comparison) {
+  const Identification& naming = outcome.identification;
+  std::string text = "case " + given.name + ": " + std::string{nameOf(naming.verdict)} + "\n";
+  for (const std::string& sentence : verdictSentences(outcome, comparison)) text += inLines(sentence);
+  if (!outcome.remainder.empty()) text += inLines(outcome.remainder);
+  text += "\n" + whereText(outcome.localization) + whatText(naming) + rivalText(naming);
+  text += "\n" + tableText(given, comparison);
+  std::string chance;
+  if (std::isfinite(naming.threshold))
+    chance = "chance gain " + std::to_string(std::lround(naming.threshold)) + " (1 %); ";
+  return text + line("\n%smisfit %.1f sigma (a gap: %.0f); %.0f s", chance.c_str(), naming.misfit,
+                     thresholds::kMisfitSigmas, outcome.runtime_s);
+}
+
+std::string asText(const Case& given, const Outcome& outcome) {
+  return asText(given, outcome, compare(given, outcome.baseline, outcome.identification.model));
+}
+
+}  // namespace darwinop::gap

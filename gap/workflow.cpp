@@ -1,0 +1,58 @@
+#include "gap/workflow.hpp"
+
+#include <chrono>
+
+#include "gap/case/data_check.hpp"
+#include "gap/plant/bench/position_error.hpp"
+
+namespace darwinop::gap {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+IdentifyOptions step(const IdentifyOptions& options, const std::string& prefix) {
+  IdentifyOptions with = options;
+  with.progress = [&options, prefix](const std::string& text) { options.progress(prefix + text); };
+  return with;
+}
+
+Verification verify(const Study& study, const Hypothesis& model) {
+  return {.rms_before_rad = rmsPositionError(study.data, study.baseline, LogRole::kHeldOut),
+          .rms_after_rad = rmsPositionError(study.data, model, LogRole::kHeldOut),
+          .mean_before_rad = meanPositionError(study.data, study.baseline, LogRole::kHeldOut),
+          .mean_after_rad = meanPositionError(study.data, model, LogRole::kHeldOut)};
+}
+
+/// What the final model leaves, localized as the first gap was.
+std::string remainderOf(const Case& data, const DataCheck& check, const Identification& found) {
+  if (found.verdict != Verdict::kUnknown && !found.remains) return "";
+  const Case with_model = withModel(data, found.model);
+  std::string text = describeRemainder(localize(Study{with_model}));
+  for (const Finding& finding : check.findings)
+    if (finding.id == kHeldOutLoadFinding && !finding.reveals) text += " " + finding.sentence;
+  return text;
+}
+
+}  // namespace
+
+Outcome investigate(const Case& data, const IdentifyOptions& options) {
+  const Clock::time_point begin = Clock::now();
+  Outcome outcome;
+
+  options.progress("1 of 3: localizing the gap");
+  const DataCheck check = checkData(data);
+  const Study study{data};
+  outcome.baseline = study.baseline;
+  outcome.localization = localize(study);
+
+  outcome.identification = identify(study, step(options, "2 of 3: "));
+
+  options.progress("3 of 3: error on held-out logs before and after");
+  outcome.verification = verify(study, outcome.identification.model);
+  outcome.remainder = remainderOf(data, check, outcome.identification);
+
+  outcome.runtime_s = std::chrono::duration<double>(Clock::now() - begin).count();
+  return outcome;
+}
+
+}  // namespace darwinop::gap
