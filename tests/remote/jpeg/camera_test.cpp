@@ -17,8 +17,8 @@ TEST(LivePicturesOfACamera, EncodeItsFrames) {
   ::setenv("DARWINOP_VIRTUAL_CAMERA", painter.path().c_str(), 1);
   painter.paintYuyv({kWholeImage.width, kWholeImage.height}, scene.yuyv);
 
-  v4l2::Ears ears;
-  v4l2::CameraOptions options = v4l2::inAHurry(ears);
+  v4l2::LogCapture log;
+  v4l2::CameraOptions options = v4l2::fastOptions(log);
   options.form = PictureForm::kYuyv;
   const ImageSize size{160, 120};
   LivePictures pictures{
