@@ -19,7 +19,7 @@ inline const Page& usedPage(const PageFile& pages, int number, const std::string
   const Page& page = pages.at(static_cast<std::size_t>(number));
   if (!page.canPlay())
     throw std::runtime_error(file + ": page " + std::to_string(number) +
-                             "is empty; list the playable pages with 'darwinop motion list " + file + "'");
+                             " is empty; list the playable pages with 'darwinop motion list " + file + "'");
   return page;
 }
 

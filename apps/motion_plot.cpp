@@ -108,7 +108,7 @@ plot::Figure figureOf(const PageFile& pages, const PlotRequest& request) {
 int plotPage(const PlotRequest& request) {
   const std::string_view out = request.out;
   if (!out.ends_with(".png") && !out.ends_with(".html"))
-    throw std::runtime_error(request.out + ": call it something.png (a picture) or something.html (a page to zoom in)");
+    throw std::runtime_error(request.out + ": expected a name ending in .png (an image) or .html (a page to zoom in)");
   const plot::Figure figure = figureOf(openMotions(request.file).pages, request);
   if (out.ends_with(".png")) {
     if (const std::string missing = plot::drawPicture(figure, request.out); !missing.empty())

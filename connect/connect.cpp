@@ -18,7 +18,7 @@
 #include "hal/cm730/not_ready.hpp"
 #include "hal/cm730/probe.hpp"
 #include "hal/cm730/serial_port.hpp"
-#ifdef DARWINOP_REMOTE_CLIENT
+#ifdef DARWINOP_WITH_REMOTE_CLIENT
 #include "remote/client/tcp_link.hpp"
 #endif
 #include "runtime/daemon_link.hpp"
@@ -86,7 +86,7 @@ std::unique_ptr<runtime::RobotLink> twin(const Request& request, const std::stri
   return lockstepRobot(config, makeTwin(model, twinSeed()));
 }
 
-#ifdef DARWINOP_REMOTE_CLIENT
+#ifdef DARWINOP_WITH_REMOTE_CLIENT
 std::unique_ptr<runtime::RobotLink> robotOverTcp(const Request& request, const Address& server) {
   // The protocol has no word for them, and a robot that is given less than it was asked for must not look safe.
   if (asksForSafety(request.safety))

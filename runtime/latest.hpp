@@ -78,10 +78,10 @@ class Latest {
   /// The whole words, eight in a turn: counting and comparing takes as many instructions as copying one.
   template <class F>
   static void forEachWord(F&& copy) noexcept {
-    std::size_t i = 0;
+    constexpr std::size_t kEights = kWhole / 8 * 8;
     const auto copyFour = [&](std::size_t j) { copy(j), copy(j + 1), copy(j + 2), copy(j + 3); };
-    for (; i + 8 <= kWhole; i += 8) copyFour(i), copyFour(i + 4);
-    for (; i < kWhole; ++i) copy(i);
+    for (std::size_t i = 0; i < kEights; i += 8) copyFour(i), copyFour(i + 4);
+    for (std::size_t i = kEights; i < kWhole; ++i) copy(i);
   }
 
   struct Slot {

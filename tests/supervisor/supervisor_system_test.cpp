@@ -220,7 +220,7 @@ TEST_F(Home, AnInvalidRobotIniIsReportedOnceAndBlocksTheRuntime) {
   EXPECT_EQ(ask("--restart-controller"), 0) << said_;
   EXPECT_TRUE(says("runtime: ready")) << supervisor_->output();
   EXPECT_EQ(ask("--stop"), 0) << said_;
-  EXPECT_TRUE(says("ends; the robot is at rest")) << supervisor_->output();
+  EXPECT_TRUE(says("supervisor: ended; the robot is at rest")) << supervisor_->output();
 }
 
 /// Some joint gets goals, or was polled after that cycle and had torque.
@@ -289,7 +289,7 @@ TEST_F(Home, ARobotThatIsFoundStandingIsBroughtToRestAtTheEnd) {
   ASSERT_TRUE(says("runtime: ready")) << supervisor_->output();
   EXPECT_TRUE(within(seconds{5}, [&] { return sensors().safety.state == State::kFoundStiff; }));
   EXPECT_EQ(ask("--stop"), 0) << said_;
-  EXPECT_TRUE(says("ends; the robot is at rest")) << supervisor_->output();
+  EXPECT_TRUE(says("supervisor: ended; the robot is at rest")) << supervisor_->output();
   const Registers robot = registers();
   EXPECT_EQ(robot.silent, 0);
   EXPECT_EQ(robot.stiff, 0);

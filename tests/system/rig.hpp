@@ -34,7 +34,7 @@ class Rig : public ::testing::Test {
   }
 
   [[nodiscard]] std::string file(const std::string& name) const { return (folder_ / name).string(); }
-  [[nodiscard]] static std::string program(const std::string& name) { return std::string{DARWINOP_BIN} + "/" + name; }
+  [[nodiscard]] static std::string program(const std::string& name) { return DARWINOP_BIN "/" + name; }
   [[nodiscard]] static std::string controller() { return DARWINOP_TEST_CONTROLLER; }
 
   /// With a fault script and options in the format of docs/virtual-robot.md.

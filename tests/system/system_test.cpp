@@ -217,7 +217,7 @@ TEST_F(WholeChain, CtrlCEndsAControllerTidilyAndTheReportIsTheLastLine) {
 TEST_F(WholeChain, APortThatIsNotThereIsOneSentenceAndAFailure) {
   Program running{{program("darwinop-run"), "--robot", file("nothing"), controller()}, file("run.txt")};
   EXPECT_EQ(running.wait(seconds{20}), 1);
-  EXPECT_THAT(running.output(), HasSubstr("there is no " + file("nothing")));
+  EXPECT_THAT(running.output(), HasSubstr("port " + file("nothing") + " does not exist"));
 }
 
 }  // namespace

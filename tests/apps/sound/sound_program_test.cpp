@@ -35,7 +35,7 @@ TEST_F(SoundGraph, WithoutACardSoundsTakeTheirTimeAndThatIsSaid) {
   sound().order(PlaySound{.id = 1, .file = toneFile(440, 0.3)});
   awaitEnd(1);
   EXPECT_GE(std::chrono::steady_clock::now() - begin, 300ms);
-  EXPECT_THAT(said, HasSubstr("the sound card \"default\" cannot be used"));
+  EXPECT_THAT(said, HasSubstr("cannot use sound card \"default\""));
 }
 
 TEST_F(SoundGraph, AFileThatIsMissingOrIsNoneIsSaidAndTheNextOneIsHeard) {

@@ -112,7 +112,7 @@ TEST(Plan, TextContainsJointsRangesAndDurations) {
   const Experiment nod = parseExperiment(text, "my.ini");
   const std::string plan = planText(nod, makePlan(nod, safety::hardRanges()));
   for (const char* part : {"standing", "LegLowerR 2.247 to 0.928 rad", "Neck      0.000 to 0.524 rad, at most 2 rad/s",
-                           "until fallen", "takes", "YES: it falls"})
+                           "until fallen", "takes", "YES: the robot falls"})
     EXPECT_THAT(plan, HasSubstr(part));
 }
 
@@ -123,7 +123,7 @@ TEST(Plan, TextStatesWhetherTheRobotMayFall) {
   };
   const std::string standing = text_of(with(kNod, "pose = start\nduration = 1 s", "pose = standing\nduration = 4 s"));
   EXPECT_THAT(standing, HasSubstr("\nfalls    "));
-  EXPECT_THAT(standing, testing::Not(HasSubstr("YES: it falls")));
+  EXPECT_THAT(standing, testing::Not(HasSubstr("YES: the robot falls")));
   EXPECT_NE(standing.substr(standing.find("\nfalls")), text_of(kNod).substr(text_of(kNod).find("\nfalls")));
   EXPECT_THAT(text_of(kNod), HasSubstr("no: the robot stays on its knees"));
   EXPECT_THAT(text_of(with(kNod, "joints = Neck", "joints = AnkleR")), HasSubstr("possibly: the legs move"));

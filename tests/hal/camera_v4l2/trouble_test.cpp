@@ -45,7 +45,7 @@ TEST(CameraErrorTest, HasARemedyForEachKind) {
       {CameraError::kDamaged, "without a hub"},
       {CameraError::kReadErrors, "dmesg"},
       {CameraError::kOutOfMemory, "end other programs"},
-      {CameraError::kOther, "unplug it and plug it in again"},
+      {CameraError::kOther, "unplug it, plug it in again"},
   };
   for (const auto& row : rows) {
     const std::string sentence = explain(row.kind, "/dev/video7", "detail");
