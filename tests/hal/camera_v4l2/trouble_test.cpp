@@ -41,11 +41,11 @@ TEST(CameraErrorTest, HasARemedyForEachKind) {
       {CameraError::kFewBuffers, "two are needed"},
       {CameraError::kNoBandwidth, "choose a smaller size"},
       {CameraError::kUnplugged, "check its USB cable"},
-      {CameraError::kSilent, "unplug it and plug it in again"},
+      {CameraError::kSilent, "unplug it, plug it in again"},
       {CameraError::kDamaged, "without a hub"},
       {CameraError::kReadErrors, "dmesg"},
       {CameraError::kOutOfMemory, "end other programs"},
-      {CameraError::kOther, "unplug it, plug it in again"},
+      {CameraError::kOther, "unplug it and plug it in again"},
   };
   for (const auto& row : rows) {
     const std::string sentence = explain(row.kind, "/dev/video7", "detail");
