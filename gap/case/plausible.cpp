@@ -53,7 +53,7 @@ void checkTime(const Trajectory& log, const std::string& file) {
                    number(kLongestPeriod) + " s or more often");
   for (std::size_t i = 1; i < log.rows(); ++i) {
     const double step = log.time_s[i] - log.time_s[i - 1];
-    if (step <= 0) throw BadInput(at(file, log, i) + "time does not go on; two logs in one file? split them");
+    if (step <= 0) throw BadInput(at(file, log, i) + "time does not increase; if the file contains two logs, split it");
     if (step > kLongestHole * period)
       throw BadInput(at(file, log, i) + "the log has a hole of " + number(step) + " s before this row; split it there");
   }

@@ -40,7 +40,7 @@ TEST(LogErrors, RangesOfTheColumns) {
 
 TEST(LogErrors, TimeThatDoesNotGoOn) {
   EXPECT_EQ(errorWith(&CsvRow::t, 0.016 * 99 + 0.001), "");
-  EXPECT_THAT(errorWith(&CsvRow::t, 0.016 * 99), inLine102("time does not go on"));
+  EXPECT_THAT(errorWith(&CsvRow::t, 0.016 * 99), inLine102("time does not increase"));
 }
 
 TEST(LogErrors, HolesInTime) {

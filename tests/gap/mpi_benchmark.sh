@@ -16,9 +16,9 @@ untimed() { grep -v '"runtime_s"' "$1"; }
 [ "$(grep -c '"bad_input"' "$folder/two.json")" = 5 ]
 diff <(untimed "$folder/alone.json") <(untimed "$folder/two.json")
 
-# What is no battery is for one rank; a mistake ends all, with one code.
+# Help is printed by one rank; an error ends all, with one exit code.
 "$mpi" 2 "$gap" battery --help | grep -c -- --resume | grep -qx 1
 status=0
 "$mpi" 2 "$gap" battery "$folder/nowhere" 2>"$folder/said" || status=$?
 [ "$status" = 2 ]
-grep -q 'nowhere: is no folder' "$folder/said"
+grep -q 'nowhere: not a folder' "$folder/said"
