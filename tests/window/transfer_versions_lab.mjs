@@ -39,7 +39,7 @@ test('installs the newest build and updates it', async () => {
 
 test('goes back by one version', async () => {
   await page.click('#transfer-rollback');
-  await line(page, 'said', 'going back from 0.2.0+b to 0.1.0+a');
+  await line(page, 'said', 'returning from 0.2.0+b to 0.1.0+a');
   await becomes(page, /^Going back, robotis@127\.0\.0\.1: done\. version 0\.1\.0\+a is installed and confirmed$/);
   assert.equal(current(), 'versions/0.1.0+a');
 });
@@ -55,6 +55,6 @@ test('removes it after a confirmation, not after Cancel', async () => {
   await becomes(page, /^Connecting, .*: done/);
   await page.click('#transfer-uninstall');
   await question.getByRole('button', {name: 'Remove'}).click();
-  await becomes(page, /^Removing, robotis@127\.0\.0\.1: done\. everything is removed/);
+  await becomes(page, /^Removing, robotis@127\.0\.0\.1: done\. everything removed/);
   assert.equal(existsSync(kHome), false);
 });
