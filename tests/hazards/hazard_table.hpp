@@ -241,8 +241,8 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "process_fate_test:Home.CommandsReachOnlyASupervisorOfTheSameUserOrRoot"},
     {"H702", "Another user impersonates the robot", "the remote port is bound meanwhile",
      "the port belongs to one server", "a second bind fails",
-     "remote_server_test:RemotePort.CannotBeBoundByAnotherUser "
-     "remote_server_test:RemotePort.CannotBeBoundBetweenTwoClients"},
+     "hal_net_test:RemotePort.CannotBeBoundByAnotherUser "
+     "hal_net_test:RemotePort.CannotBeBoundBetweenTwoClients"},
     {"H703", "A controller changes the robot's system", "it runs as root", "controllers run as an unprivileged user",
      "user darwinop",
      "supervisor_test:Begin.RootIsRejectedUnlessRobotIniAllowsIt runtime_test:Users.ThereIsNoWayBackToRoot"},
