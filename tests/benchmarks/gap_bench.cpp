@@ -149,8 +149,8 @@ void peer() {
 
   const Study study{given};
   const Problem problem = problemWith(
-      study, study.evidence, {{twin::findEffect("coulomb")}, {twin::findEffect("viscous")}, {twin::findEffect("stribeck")}},
-      Nuisance::kFree);
+      study, study.evidence,
+      {{twin::findEffect("coulomb")}, {twin::findEffect("viscous")}, {twin::findEffect("stribeck")}}, Nuisance::kFree);
   std::vector<double> low, high, x;
   for (const Unknown& unknown : problem.unknowns()) {
     low.push_back(unknown.toSearch(unknown.low));
