@@ -65,6 +65,6 @@ test('page and controller see the ball in front of the twin', () =>
   }));
 
 test('reports why the twin cannot render camera pictures', () => look([], {DARWINOP_TWIN_GL: 'off'}, async (page) => {
-  await says(page, '#picture-note', /^No picture: the virtual robot cannot draw what it sees: .*DARWINOP_TWIN_GL/);
+  await says(page, '#picture-note', /^No picture: the virtual robot cannot render camera pictures: .*DARWINOP_TWIN_GL/);
   assert.equal(await page.textContent('#found-text'), '');
 }));
