@@ -79,8 +79,8 @@ class Latest {
   template <class F>
   static void forEachWord(F&& copy) noexcept {
     constexpr std::size_t kEights = kWhole / 8 * 8;
-    const auto copyFour = [&](std::size_t j) { copy(j), copy(j + 1), copy(j + 2), copy(j + 3); };
-    for (std::size_t i = 0; i < kEights; i += 8) copyFour(i), copyFour(i + 4);
+    const auto copy_four = [&](std::size_t j) { copy(j), copy(j + 1), copy(j + 2), copy(j + 3); };
+    for (std::size_t i = 0; i < kEights; i += 8) copy_four(i), copy_four(i + 4);
     for (std::size_t i = kEights; i < kWhole; ++i) copy(i);
   }
 
