@@ -24,6 +24,9 @@ class WireJudge final : public hil::WireObserver {
       : robot_{robot}, max_step_{max_joint_speed * std::chrono::duration<double>(period).count() / kRadPerTick + 1.0} {}
 
   void beginCycle() {
+    // Two devices with one id answer at once; what is left of it can be a wrong position with a right checksum.
+    for (std::size_t i = 0; i < kJoints; ++i)
+      if (robot_.board().hasTwin(static_cast<Joint>(i))) twin_seen_[i] = cycle_;
     ++cycle_;
     sync_writes_ = bulk_reads_ = 0;
     torque_ = false;
@@ -76,8 +79,6 @@ class WireJudge final : public hil::WireObserver {
     if (ticks < r.low || ticks > r.high) blame(std::string{r.name} + " goal out of limits: " + std::to_string(ticks));
     if (goal_[joint] && std::abs(ticks - *goal_[joint]) > max_step_ * (step_unseen_[joint] ? 2 : 1))
       blame(std::string{r.name} + " jumped " + std::to_string(ticks - *goal_[joint]) + " ticks");
-    // Two devices with one id answer at once; what is left of it can be a wrong position with a right checksum.
-    if (robot_.board().hasTwin(static_cast<Joint>(joint))) twin_seen_[joint] = cycle_;
     if (!goal_[joint] && cycle_ - twin_seen_[joint] > kTwinForgotten) judgeFirst(joint, ticks);
     goal_[joint] = ticks;
     step_unseen_.reset(joint);
