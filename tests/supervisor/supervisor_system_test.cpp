@@ -110,7 +110,7 @@ TEST_F(Home, ARuntimeDeathDuringUnplugIsRescuedAfterReplug) {
     return seen.cycle != 0 && seen.safety.state == State::kOffline;
   }));
   kill(status().runtime_pid, SIGKILL);
-  ASSERT_TRUE(says("cannot reach the robot, retrying", seconds{3})) << supervisor_->output();
+  ASSERT_TRUE(says("cannot reach the robot, retrying", seconds{10})) << supervisor_->output();
   ASSERT_TRUE(says("torque is off")) << supervisor_->output();
   const std::string output = supervisor_->output();
   EXPECT_EQ(output.find("cannot reach"), output.rfind("cannot reach"));
