@@ -35,7 +35,7 @@ struct Arguments {
   std::optional<double> hangs_at_rad;  // its angle where the arm hangs; nothing: as the robot's arms do
   std::string write;                   // folder for planned experiments
   std::vector<std::string> recordings, held_out;  // to make a case of
-  double at_least = 0;                            // share of cases in which nobody is led astray
+  double at_least = 0;                            // minimum share of fair answers
 };
 
 /// The case, with the model that stands in for its own.

@@ -61,7 +61,7 @@ std::string serveWindow(web::WebServer& server, const WindowArguments& given, wi
   return "http://127.0.0.1:" + std::to_string(server.port()) + base;
 }
 
-/// `ssh`: nothing: nobody has logged in. It returns with the session's thread at an end.
+/// `ssh`: null without a login. Returns after the drive thread has ended.
 void showWindow(const WindowArguments& given, window::SimulatedRobot* own, const window::SshConnection* ssh) {
   endOnSignals();
   if (ssh != nullptr && window::SshConnection::isEndRequested()) return;

@@ -1,4 +1,5 @@
-// Raw counts and colour words that controllers of this robot expect. They are spoken here and nowhere else.
+// Raw counts and colour words that controllers of this robot expect. Used at the edges only: Webots API, remote
+// protocol.
 #pragma once
 
 #include <cmath>

@@ -26,7 +26,7 @@ bool isCommon(const twin::EffectInfo& effect) {
 }
 
 /// A start with these effects, every number of the baseline at its expected value.
-FittedModel afresh(const Effects& effects, const FittedModel& from) {
+FittedModel restarted(const Effects& effects, const FittedModel& from) {
   Problem problem = problemWith(*from.study, *from.evidence, effects, Nuisance::kFree);
   Fit fit;
   fit.x = startAfresh(problem, from.problem, from.fit.x);
@@ -66,7 +66,7 @@ RoughSelection::RoughSelection(const Study& study, const IdentifyOptions& option
     : study_{study},
       options_{options},
       candidates_{candidateEffectsOf(study.data)},
-      model_{refitWithDiscrepancy(effects, refitWithDiscrepancy(effects, afresh(effects, from)))} {}
+      model_{refitWithDiscrepancy(effects, refitWithDiscrepancy(effects, restarted(effects, from)))} {}
 
 void RoughSelection::run() {
   addCommonEffects();
@@ -84,7 +84,7 @@ void RoughSelection::addCommonEffects() {
   double least = std::numeric_limits<double>::infinity();
   for (const Start& start : kStarts) {
     // The second refit has less discrepancy to accept as noise.
-    const FittedModel first = refitWithDiscrepancy(common, startedAt(start, afresh(common, bare)));
+    const FittedModel first = refitWithDiscrepancy(common, startedAt(start, restarted(common, bare)));
     FittedModel second = refitWithDiscrepancy(common, first);
     const double error = meanPositionError(study_.data, second.hypothesis(), LogRole::kFit);
     if (error < least) least = error, model_ = std::move(second);

@@ -102,7 +102,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "kneel from 75 deg C", "hazard_reaction_test:Reaction.AnOverheatedServoMakesItKneel"},
     {"H306", "The battery is damaged or the robot drops", "supply under 10 V", "the robot sits while it can",
      "kneel, then limp", "hazard_reaction_test:Reaction.EmptyBatteryMakesItKneel"},
-    {"H307", "Nobody notices a low battery", "supply under 11 V", "reported", "fault 20",
+    {"H307", "A low battery is not reported", "supply under 11 V", "reported", "fault 20",
      "hazard_reaction_test:Reaction.LowBatteryIsReported"},
     {"H308", "A limb is dead unnoticed", "a servo does not answer", "reported by name", "fault 12",
      "hazard_reaction_test:Reaction.ASilentServoIsReported"},
@@ -199,7 +199,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "safety_test:FoundStiff.ARobotThatSomebodyElseLeftStiffIsNeverCalledLimp"},
     {"H410", "The robot stays stiff after all programs end", "found stiff, never driven", "the loop brings it to rest",
      "kneel, limp", "safety_test:FoundStiff.WhenTheLoopClosesItKneelsAndLetsGo"},
-    {"H508", "Daemon dies with all joints stiff", "nobody reads its messages (SIGPIPE)",
+    {"H508", "Daemon dies with all joints stiff", "its output pipe is closed (SIGPIPE)",
      "messages never end or block the process", "ignored; text dropped",
      "hal_test:Diagnostics.WritingToAClosedPipeFailsEachTime "
      "process_fate_test:Fate.ADaemonWithUnreadOutputContinuesThroughAFault"},

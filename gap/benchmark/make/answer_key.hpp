@@ -29,7 +29,7 @@ struct Key {
   std::map<std::string, double> number_factors;      // bench over baseline
   double gap_fit_rad = 0, gap_held_out_rad = 0;      // measured against the baseline, rms
   double noise_fit_rad = 0, noise_held_out_rad = 0;  // measured against the bench without noise, rms
-  std::vector<KeyPlace> places;                      // where what no catalogue has shows; empty: not told
+  std::vector<KeyPlace> places;                      // places of an effect outside the catalogue; empty: not stated
 };
 using Keys = std::map<std::string, Key>;  // by name of the case
 

@@ -17,7 +17,7 @@ struct AnswerEffect {
 struct AnswerPlace {
   std::string file;
   double from_s = 0, to_s = 0;
-  std::string block;  // "controller"; empty: not told
+  std::string block;  // "controller"; empty: not stated
 };
 
 struct Answer {
@@ -25,8 +25,8 @@ struct Answer {
   std::vector<AnswerEffect> effects;
   std::vector<std::vector<std::string>> ambiguity;
   std::vector<AnswerPlace> places;       // strongest first
-  std::string block;                     // of the loop, where it was found; empty: not told
-  std::string first_open_block;          // the block that opens before any fit; empty: not told
+  std::string block;                     // block in which it was found; empty: not stated
+  std::string first_open_block;          // first open block before any fit; empty: not stated
   double before_rad = 0, after_rad = 0;  // on the kept logs; NaN: not told
   double runtime_s = 0;                  // NaN: not told
 };

@@ -34,7 +34,7 @@ struct GradedCase {
   /// Nothing at all is wrong with the verdict.
   [[nodiscard]] bool right() const;
 
-  /// The answer misleads nobody: named, in a small ambiguity, `none`, or `unknown`, as the case requires.
+  /// The answer is fair: named, in a small ambiguity, `none`, or `unknown`, as the case requires.
   [[nodiscard]] bool fair() const;
 
   /// "coulomb + backlash", for a list of confusions.

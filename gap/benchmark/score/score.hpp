@@ -49,7 +49,7 @@ struct Confusion {
 
 struct Score {
   std::size_t cases = 0;
-  ShareFigure fair{"nobody is led astray"};
+  ShareFigure fair{"fair answers"};
   std::vector<ShareFigure> shares;
   std::vector<ShareFigure> details;  // by severity, and whether the baseline's numbers were exact
   std::vector<SpreadFigure> spreads;
