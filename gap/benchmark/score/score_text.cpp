@@ -83,8 +83,8 @@ json jsonOf(const ShareFigure& figure) {
 
 std::string asText(const Score& score) {
   const auto [low, high] = wilson(score.fair.right, score.fair.of);
-  std::string text = formatted("%zu cases, %zu fair answers: %.1f to %.1f %%. ", score.cases,
-                               score.fair.right, 100 * low, 100 * high);
+  std::string text =
+      formatted("%zu cases, %zu fair answers: %.1f to %.1f %%. ", score.cases, score.fair.right, 100 * low, 100 * high);
   text += "Shares with the interval\nthat holds them in 95 of 100 such batteries\n\n";
   for (const ShareFigure& figure : score.shares) text += lineOf(figure);
   if (!score.details.empty()) text += "\nin detail\n\n";
