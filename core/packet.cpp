@@ -102,6 +102,7 @@ std::size_t FrameReader::feed(Bytes bytes) {
 
 void FrameReader::skip(std::size_t bytes) {
   begin_ += bytes;
+  at_boundary_ = false;
   garbage_bytes_ += static_cast<std::uint32_t>(bytes);
 }
 
@@ -109,7 +110,10 @@ std::optional<Frame> FrameReader::find(bool more_expected) {
   for (; pending() >= kFrameOverhead; skip(1)) {
     const std::uint8_t* at = buffer_.data() + begin_;
     // A third FF cannot be an id: the frame starts one byte later.
-    if (at[0] != 0xFF || at[1] != 0xFF || at[2] == 0xFF || at[3] < 2) continue;
+    if (at[0] != 0xFF || at[1] != 0xFF || at[2] == 0xFF || at[3] < 2) {
+      boundary_lost_ |= at_boundary_;
+      continue;
+    }
     const std::size_t size = std::size_t{at[3]} + 4;
     if (pending() < size) {
       if (more_expected) return std::nullopt;
@@ -120,8 +124,10 @@ std::optional<Frame> FrameReader::find(bool more_expected) {
       continue;
     }
     begin_ += size;
+    at_boundary_ = true;
     return Frame{at[2], at[4], Bytes{at + kFrameHeader, size - kFrameOverhead}};
   }
+  boundary_lost_ |= at_boundary_ && !more_expected && pending() > 0;
   return std::nullopt;
 }
 

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace darwinop {
 
@@ -135,7 +136,7 @@ class FrameReader {
   /// Where the next bytes go. At least kRoom once next() has returned nothing; it may move what is held.
   std::span<std::uint8_t> room() {
     if (pending() == 0)
-      clear();
+      begin_ = end_ = 0;
     else if (begin_ > 0)
       moveTailToFront();  // so that a whole frame always fits behind it
     return std::span{buffer_}.subspan(end_);
@@ -147,10 +148,16 @@ class FrameReader {
   /// The next valid frame, or nothing when more bytes are needed. With `more_expected` false, a candidate that
   /// waits for bytes that will not come is given up, so that frames behind it are found.
   std::optional<Frame> next(bool more_expected = true) {
-    return pending() < kFrameOverhead ? std::nullopt : find(more_expected);
+    return pending() < kFrameOverhead && more_expected ? std::nullopt : find(more_expected);
   }
+  /// True once after a call of next() that found no header where the frame before had ended. That frame may have lost
+  /// or gained a byte and have a valid checksum by chance: without a byte, the FF of the next header is its checksum.
+  [[nodiscard]] bool boundaryLost() { return std::exchange(boundary_lost_, false); }
   /// Forgets what was fed, keeps the counters.
-  void clear() { begin_ = end_ = 0; }
+  void clear() {
+    begin_ = end_ = 0;
+    at_boundary_ = boundary_lost_ = false;
+  }
 
   [[nodiscard]] std::uint32_t garbageBytes() const { return garbage_bytes_; }
   [[nodiscard]] std::uint32_t badChecksums() const { return bad_checksums_; }
@@ -163,6 +170,8 @@ class FrameReader {
   void skip(std::size_t bytes);
   std::array<std::uint8_t, kMaxFrame + kRoom> buffer_{};
   std::size_t begin_ = 0, end_ = 0;
+  bool at_boundary_ = false;  // a frame ends at begin_
+  bool boundary_lost_ = false;
   std::uint32_t garbage_bytes_ = 0, bad_checksums_ = 0;
 };
 

@@ -110,10 +110,10 @@ void Cm730Bus::receive(Nanos request_done) noexcept {
     last = std::max(last, now);
     reader_.taken(count);
     wire_.bytes_in += static_cast<std::uint32_t>(count);
-    while (const auto frame = reader_.next()) decoder_.take(*frame);
+    decoder_.takeAll(reader_);
   }
   // Nothing more will come: a damaged frame may hide whole ones behind it.
-  while (const auto frame = reader_.next(false)) decoder_.take(*frame);
+  decoder_.takeAll(reader_, false);
 }
 
 void Cm730Bus::learn(std::span<const ReadList::Entry> list) noexcept {

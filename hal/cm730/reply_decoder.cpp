@@ -51,6 +51,7 @@ void ReplyDecoder::begin(std::span<const ReadList::Entry> list, std::uint8_t boa
   readings_ = &readings;
   board_answered_ = false;
   position_ = 0;
+  last_ = Taken::kNothing;
   answered_.reset();
 }
 
@@ -66,11 +67,31 @@ std::size_t ReplyDecoder::nextFrameBytes() const noexcept {
   return kServoWindows[list_[position_].look].frameBytes();
 }
 
+void ReplyDecoder::takeAll(FrameReader& reader, bool more_expected) noexcept {
+  while (true) {
+    const std::optional<Frame> frame = reader.next(more_expected);
+    if (reader.boundaryLost()) withdraw();
+    if (!frame) return;
+    take(*frame);
+  }
+}
+
 void ReplyDecoder::take(const Frame& frame) noexcept {
+  last_ = Taken::kNothing;
   if (frame.id == kBoardId)
     takeBoard(frame);
   else
     takeServo(frame);
+}
+
+void ReplyDecoder::withdraw() noexcept {
+  if (last_ == Taken::kBoard) board_answered_ = readings_->board.answered = false;
+  if (last_ == Taken::kServo) {
+    const std::uint8_t joint = list_[position_ - 1].joint;
+    answered_[joint] = false;
+    readings_->servo[joint].answered = readings_->servo[joint].looked = false;
+  }
+  last_ = Taken::kNothing;
 }
 
 void ReplyDecoder::takeBoard(const Frame& frame) noexcept {
@@ -80,6 +101,7 @@ void ReplyDecoder::takeBoard(const Frame& frame) noexcept {
     return;
   }
   board_answered_ = true;
+  last_ = Taken::kBoard;
   const Bytes b = frame.params;
   constexpr std::uint8_t kFirst = kBoardWindow.address;
   BoardReading& out = readings_->board;
@@ -120,6 +142,7 @@ void ReplyDecoder::takeServo(const Frame& frame) noexcept {
   const RadPerSec velocity = velocityFromRegister(raw<kMotion, kSpeed>(motion));
   const double load = loadFromRegister(raw<kMotion, kLoad>(motion));
   position_ = at + 1;
+  last_ = Taken::kServo;
   answered_[entry.joint] = true;
   ServoReading& out = readings_->servo[entry.joint];
   out.answered = true;

@@ -22,6 +22,9 @@ class ReplyDecoder {
   explicit ReplyDecoder(const JointOffsets& offsets = {}) : offsets_{offsets} {}
 
   void begin(std::span<const ReadList::Entry> list, std::uint8_t board_bytes, BusReadings& readings) noexcept;
+  /// Every frame that `reader` has. `more_expected`: see FrameReader::next(). A frame that is not followed by the next
+  /// one (FrameReader::boundaryLost) may be damaged: it does not count.
+  void takeAll(FrameReader& reader, bool more_expected = true) noexcept;
   void take(const Frame& frame) noexcept;
 
   /// True when nothing more is to come.
@@ -35,6 +38,8 @@ class ReplyDecoder {
   [[nodiscard]] std::uint32_t lateReplies() const noexcept { return late_; }
 
  private:
+  /// The device whose frame was taken last has not answered.
+  void withdraw() noexcept;
   void takeBoard(const Frame& frame) noexcept;
   void takeServo(const Frame& frame) noexcept;
   void takeLook(Joint joint, Bytes block, ServoReading& out) const noexcept;
@@ -45,6 +50,7 @@ class ReplyDecoder {
   std::uint8_t board_bytes_ = 0;
   bool board_answered_ = false;
   std::size_t position_ = 0;  // entries before it have answered or lost their turn
+  enum class Taken : std::uint8_t { kNothing, kBoard, kServo } last_ = Taken::kNothing;
   ReadList::Mask answered_;
   std::uint32_t late_ = 0;
 };

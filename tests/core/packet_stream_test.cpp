@@ -158,6 +158,42 @@ TEST(FrameReader, ACutFrameHidesTheNextOnlyUntilNoMoreIsExpected) {
   EXPECT_EQ(text(*frame), "1/0: ");
 }
 
+/// What the reader says of the boundary behind the first frame of `stream`.
+bool boundaryLostBehindTheFirst(const ByteVector& stream) {
+  FrameReader reader;
+  reader.feed(stream);
+  EXPECT_TRUE(reader.next(true));
+  EXPECT_FALSE(reader.boundaryLost());
+  reader.next(false);
+  return reader.boundaryLost();
+}
+
+TEST(FrameReader, TellsWhenNoFrameBeginsWhereTheLastOneEnded) {
+  ByteVector whole = status(3, 0, {9});
+  append(whole, status(4, 0, {9}));
+  EXPECT_FALSE(boundaryLostBehindTheFirst(whole));
+
+  // Its checksum was lost, or a parameter: the first byte of the next header is a valid checksum of what is left.
+  ByteVector cut = fromHex("ff ff 03 03 00 fa");
+  append(cut, status(4, 0, {9}));
+  EXPECT_TRUE(boundaryLostBehindTheFirst(cut));
+
+  for (const std::uint8_t more : std::initializer_list<std::uint8_t>{0x00, 0xFF}) {
+    ByteVector behind = status(3, 0, {9});
+    behind.push_back(more);
+    EXPECT_TRUE(boundaryLostBehindTheFirst(behind)) << "one byte behind the last frame";
+    append(behind, status(4, 0, {9}));
+    EXPECT_TRUE(boundaryLostBehindTheFirst(behind));
+  }
+}
+
+TEST(FrameReader, ABadFrameBehindAGoodOneIsNoLostBoundary) {
+  ByteVector stream = status(3, 0, {9});
+  append(stream, fromHex("ff ff 04 03 00 09 00"));  // checksum wrong
+  append(stream, status(5, 0, {9}));
+  EXPECT_FALSE(boundaryLostBehindTheFirst(stream));
+}
+
 TEST(FrameReader, ALengthTooSmallForAFrameIsGarbage) {
   ByteVector stream = fromHex("ff ff 01 01 fd");
   append(stream, status(2, 4, {}));

@@ -119,6 +119,64 @@ TEST_F(Decoder, FramesOfWrongLengthOrUnknownIdAreIgnored) {
   EXPECT_TRUE(decoder.answered().none());
 }
 
+/// The answer to the list, with both servos that are not looked at at `ticks`.
+std::vector<std::uint8_t> answerWith(std::uint16_t ticks) {
+  std::array<std::uint8_t, kMaxFrame> room{};
+  std::vector<std::uint8_t> stream;
+  const auto append = [&](std::uint8_t id, const std::vector<std::uint8_t>& params) {
+    const auto frame = encodeStatus(room, id, 0, params);
+    stream.insert(stream.end(), frame.begin(), frame.end());
+  };
+  append(200, boardBlock());
+  append(1, servoBlock(ticks));
+  append(2, servoBlock(ticks));
+  append(19, std::vector<std::uint8_t>(20, 0));
+  return stream;
+}
+
+struct OneByteWrong : Decoder {
+  /// Readings that `stream` leads to and that are not those of servos at `ticks`.
+  int wrongReadings(const std::vector<std::uint8_t>& stream, std::uint16_t ticks) {
+    readings.forget();
+    decoder.begin(list, 30, readings);
+    FrameReader reader;
+    reader.feed(stream);
+    decoder.takeAll(reader);
+    decoder.takeAll(reader, false);
+    int wrong = 0;
+    for (const std::size_t joint : {0U, 1U})
+      if (readings.servo[joint].answered && readings.servo[joint].position != radFromTicks(ticks)) ++wrong;
+    return wrong;
+  }
+};
+
+// A servo that stands still sends the same bytes again: what is lost from two of its replies in the same place would
+// give the same wrong position twice, and two readings that agree decide where a joint is when torque comes on.
+TEST_F(OneByteWrong, ALostByteNeverGivesAnotherPosition) {
+  for (std::uint16_t ticks = 0; ticks <= kTickMax; ++ticks) {
+    const std::vector<std::uint8_t> whole = answerWith(ticks);
+    ASSERT_EQ(wrongReadings(whole, ticks), 0);
+    ASSERT_EQ(decoder.answered().count(), 3U);
+    for (std::size_t at = 36; at < whole.size(); ++at) {
+      std::vector<std::uint8_t> stream = whole;
+      stream.erase(stream.begin() + static_cast<std::ptrdiff_t>(at));
+      ASSERT_EQ(wrongReadings(stream, ticks), 0) << ticks << " ticks without byte " << at;
+    }
+  }
+}
+
+TEST_F(OneByteWrong, AnAddedByteNeverGivesAnotherPosition) {
+  for (const std::uint8_t added : std::initializer_list<std::uint8_t>{0x00, 0x01, 0x07, 0x7F, 0xFF})
+    for (std::uint16_t ticks = 0; ticks <= kTickMax; ++ticks) {
+      const std::vector<std::uint8_t> whole = answerWith(ticks);
+      for (std::size_t at = 36; at < 60; ++at) {
+        std::vector<std::uint8_t> stream = whole;
+        stream.insert(stream.begin() + static_cast<std::ptrdiff_t>(at), added);
+        ASSERT_EQ(wrongReadings(stream, ticks), 0) << ticks << " ticks, " << int{added} << " before byte " << at;
+      }
+    }
+}
+
 TEST_F(Decoder, ComputesTheExpectedLength) {
   EXPECT_EQ(decoder.nextFrameBytes(), 36U);
   take(200, boardBlock());
