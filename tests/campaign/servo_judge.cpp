@@ -305,12 +305,14 @@ double ServoJudge::truth(Joint joint) const {
   return robot_.board().body().state().joint[index(joint)].position_rad / kRadPerTick + kTickCentre;
 }
 
-/// Where the joint has been in the last cycles, moved into its range.
+/// At the joint, or where the joint has been in the last cycles, moved into its range.
 bool ServoJudge::nearJoint(Joint joint, int goal) const {
   const auto& position = servo_[index(joint)].position;
   const auto [lowest, highest] = std::ranges::minmax(position);
   const double now = truth(joint);
   const double low = row(joint).low, high = row(joint).high;
+  // A servo that has just restarted has the goal where it is, in its range or not.
+  if (std::abs(goal - now) <= kNear) return true;
   return goal >= std::clamp(std::min(lowest, now), low, high) - kNear &&
          goal <= std::clamp(std::max(highest, now), low, high) + kNear;
 }
