@@ -18,6 +18,7 @@ constexpr int kLimpAfter = 80;   // cycles: a lost "torque off" is noticed by th
 constexpr int kForgotten = 6;    // cycles without an answer after which a joint is taken over again
 constexpr int kLate = 2;         // cycles
 constexpr int kGrace = 20;       // cycles under torque before an overload bit is believed; docs/faults.md 24
+constexpr int kEarlyTrips = 5;   // in a row within that time, on a wire that loses writes and answers
 constexpr int kLookRound = 64;   // cycles: every servo has been looked at, and a lost answer or two
 constexpr int kUntrustedFor = 80;  // cycles
 constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
@@ -71,7 +72,7 @@ void ServoJudge::beginCycle(const Commands& asked) {
   operator_releases_ = asked.operator_releases;
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointCommand& joint = asked.joint[i];
-    if (joint.has(JointCommand::kTorque) && joint.torque_on) servo_[i].trips = 0;
+    if (joint.has(JointCommand::kTorque) && joint.torque_on) servo_[i].trips = servo_[i].early_trips = 0;
     if (robot_.board().hasTwin(static_cast<Joint>(i))) servo_[i].untrusted_until = cycle_ + kUntrustedFor;
   }
 }
@@ -86,11 +87,12 @@ void ServoJudge::endCycle(const Sensors& seen) {
     if (fresh != (servo.unheard == 0)) note(static_cast<Joint>(i), fresh ? "answers" : "does not answer");
     const bool driven = seen.joint[i].driven;
     if (driven != servo.driven) note(static_cast<Joint>(i), driven ? "driven" : "not driven");
+    if (driven && !servo.driven) servo.driven_since = cycle_;
     servo.driven = driven;
     servo.unheard = fresh ? 0 : servo.unheard + 1;
     if (fresh) servo.late_goals = 0;
     servo.answered = fresh ? servo.answered + 1 : 0;
-    if (seen.safety.tripped[i] || servo.unheard >= kForgotten) servo.trips = 0;
+    if (seen.safety.tripped[i] || servo.unheard >= kForgotten) servo.trips = servo.early_trips = 0;
   }
   judgeLimp(seen);
   judgeSpeedLimits();
@@ -117,7 +119,7 @@ void ServoJudge::release() {
 }
 
 void ServoJudge::personActs() {
-  for (Servo& servo : servo_) servo.trips = 0;
+  for (Servo& servo : servo_) servo.trips = servo.early_trips = 0;
   if (mode_held_ < kHeldCycles - 1) released_ = false;  // while MODE is held it counts again at once
 }
 
@@ -296,8 +298,13 @@ void ServoJudge::changed(Joint joint, hil::ServoEvent event, const hil::ServoSta
   if (event != hil::ServoEvent::kTripped) return;
   ++tally_.trips;
   servo.tripped_at = cycle_;
-  // One that is being taken over had its torque from before: it is tried again, like any that comes under torque.
-  if (!servo.driven || servo.untrusted_until > cycle_ || cycle_ - servo.pulls_since <= kGrace) return;
+  if (servo.untrusted_until > cycle_) return;
+  // One that is being taken over may have its torque from before: it is tried again, like any that comes under torque.
+  if (!servo.driven || cycle_ - std::max(servo.pulls_since, servo.driven_since) <= kGrace) {
+    if (++servo.early_trips > kEarlyTrips)
+      blame(Promise::kTrip, joint, "shut itself off again and again when taken over");
+    return;
+  }
   if (++servo.trips >= 2) blame(Promise::kTrip, joint, "shut itself off twice before it was believed");
 }
 
