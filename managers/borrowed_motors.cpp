@@ -8,8 +8,8 @@
 #include <webots/Robot.hpp>
 
 #include "core/conversions.hpp"
+#include "core/goals/present_goal.hpp"
 #include "core/joints.hpp"
-#include "core/present_goal.hpp"
 #include "webots/robot_impl.hpp"
 
 namespace managers {
@@ -80,7 +80,7 @@ gait::Pose BorrowedMotors::present() const {
   gait::Pose pose{};
   for (std::size_t i = 0; i < pose.size(); ++i) {
     const auto joint = static_cast<Joint>(i);
-    pose[i] = darwinop::presentGoal(joint, impl_->lastKnown(joint), motors_[i]->getTargetPosition());
+    pose[i] = darwinop::goals::presentGoal(joint, impl_->lastKnown(joint), motors_[i]->getTargetPosition());
   }
   return pose;
 }

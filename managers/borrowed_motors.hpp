@@ -41,7 +41,7 @@ class BorrowedMotors {
 
   /// Cycle of the last successful reading of the board (gyroscope).
   [[nodiscard]] std::uint64_t cycleOfReading() const;
-  /// Start pose of a walk without a jump, rad; see core/present_goal.hpp.
+  /// Start pose of a walk without a jump, rad; see core/goals/present_goal.hpp.
   [[nodiscard]] darwinop::gait::Pose present() const;
   void setGoals(const darwinop::gait::Pose& goals);
 

@@ -8,8 +8,8 @@
 #include "DARwInOPDirectoryManager.hpp"
 #include "DARwInOPMotionManager.hpp"
 #include "core/conversions.hpp"
-#include "core/lead_in.hpp"
-#include "core/present_goal.hpp"
+#include "core/goals/lead_in.hpp"
+#include "core/goals/present_goal.hpp"
 #include "managers/motion/first_step.hpp"
 #include "managers/motion/player.hpp"
 #include "managers/motion_source.hpp"
@@ -25,14 +25,14 @@ namespace motion = darwinop::motion;
 
 namespace {
 
-motion::Pose inTicks(const darwinop::LeadIn::Pose& pose) {
+motion::Pose inTicks(const darwinop::goals::LeadIn::Pose& pose) {
   motion::Pose ticks{};
   for (std::size_t i = 0; i < kJoints; ++i) ticks[i] = ticksFromRad(darwinop::Rad{pose[i]});
   return ticks;
 }
 
-darwinop::LeadIn::Pose inRad(const motion::Pose& ticks) {
-  darwinop::LeadIn::Pose pose{};
+darwinop::goals::LeadIn::Pose inRad(const motion::Pose& ticks) {
+  darwinop::goals::LeadIn::Pose pose{};
   for (std::size_t i = 0; i < kJoints; ++i) pose[i] = darwinop::radFromTicks(ticks[i]).value;
   return pose;
 }
@@ -43,10 +43,10 @@ struct DARwInOPMotionManager::Stage {
   webots::Robot* robot = nullptr;
   MotionPages pages;  // null: nothing can be played
   std::unique_ptr<motion::Player> player;
-  darwinop::LeadIn lead_in;     // motion to the target of the page's first step
-  int left_ms = 0;              // carried over from the last step(), less than a tick
-  bool gains_are_lent = false;  // the joints have the page's P gains
-  bool waited_for = false;      // inside playPage(), to reject calls from an overridden Robot::step()
+  darwinop::goals::LeadIn lead_in;  // motion to the target of the page's first step
+  int left_ms = 0;                  // carried over from the last step(), less than a tick
+  bool gains_are_lent = false;      // the joints have the page's P gains
+  bool waited_for = false;          // inside playPage(), to reject calls from an overridden Robot::step()
 
   Stage(webots::Robot* owner, MotionPages file) : robot{owner}, pages{std::move(file)} {
     if (pages) player = std::make_unique<motion::Player>(*pages);
@@ -64,7 +64,7 @@ struct DARwInOPMotionManager::Stage {
   void leadIn(const motion::Page& page, const motion::Pose& here);
   bool tick();
   void setGoals();
-  [[nodiscard]] darwinop::LeadIn::Pose present(const darwinop::facade::RobotImpl& inside) const;
+  [[nodiscard]] darwinop::goals::LeadIn::Pose present(const darwinop::facade::RobotImpl& inside) const;
 };
 
 /// False if the page cannot be played; a warning has been logged.
@@ -90,12 +90,12 @@ bool DARwInOPMotionManager::Stage::start(int page) {
   return false;
 }
 
-darwinop::LeadIn::Pose DARwInOPMotionManager::Stage::present(const darwinop::facade::RobotImpl& inside) const {
-  darwinop::LeadIn::Pose pose{};
+darwinop::goals::LeadIn::Pose DARwInOPMotionManager::Stage::present(const darwinop::facade::RobotImpl& inside) const {
+  darwinop::goals::LeadIn::Pose pose{};
   for (std::size_t i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
     const webots::Motor* const motor = robot->getMotor(std::string{row(joint).name});
-    pose[i] = darwinop::presentGoal(joint, inside.lastKnown(joint), motor->getTargetPosition());
+    pose[i] = darwinop::goals::presentGoal(joint, inside.lastKnown(joint), motor->getTargetPosition());
   }
   return pose;
 }
@@ -137,7 +137,7 @@ bool DARwInOPMotionManager::Stage::advance(int ms) {
 void DARwInOPMotionManager::Stage::setGoals() {
   darwinop::facade::RobotImpl* const inside = darwinop::facade::currentRobot();
   if (!inside) return player->brake();
-  const darwinop::LeadIn::Pose page = inRad(player->pose());
+  const darwinop::goals::LeadIn::Pose page = inRad(player->pose());
   for (std::size_t i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
     robot->getMotor(std::string{row(joint).name})->setPosition(lead_in.done() ? page[i] : lead_in.at(i));

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/counts.hpp"
-#include "core/motor_control.hpp"
-#include "core/present_goal.hpp"
+#include "core/goals/motor_control.hpp"
+#include "core/goals/present_goal.hpp"
 #include "managers/motion/first_step.hpp"
 #include "remote/protocol/units.hpp"
 
@@ -30,7 +30,8 @@ std::int32_t tickOf(double rad) {
 
 std::array<double, kJoints> goalsOf(const Sensors& seen) {
   std::array<double, kJoints> pose{};
-  for (std::size_t i = 0; i < kJoints; ++i) pose[i] = presentGoal(static_cast<Joint>(i), seen.joint[i], kUnknown);
+  for (std::size_t i = 0; i < kJoints; ++i)
+    pose[i] = goals::presentGoal(static_cast<Joint>(i), seen.joint[i], kUnknown);
   return pose;
 }
 
@@ -240,7 +241,7 @@ void MotionPlanner::advanceWalk(const DriveRequests& requests, const Sensors& se
   }
   if (!moved) return;
   pending_ms_ = left;
-  for (std::size_t i = 0; i < gait::kWalkingJoints; ++i) setGoal(i, walk_.pose()[i], kMaxVelocity);
+  for (std::size_t i = 0; i < gait::kWalkingJoints; ++i) setGoal(i, walk_.pose()[i], goals::kMaxVelocity);
   if (walk_.resting()) resetGains();
 }
 
@@ -254,7 +255,7 @@ void MotionPlanner::advancePage() {
   }
   for (std::size_t i = 0; i < kJoints; ++i) {
     const double page = radFromTicks(player_.pose()[i]).value;
-    setGoal(i, lead_in_.done() ? page : lead_in_.at(i), kMaxVelocity);
+    setGoal(i, lead_in_.done() ? page : lead_in_.at(i), goals::kMaxVelocity);
     setGain(i, player_.pGainRegister(static_cast<Joint>(i)) / kRegisterPerKp);
   }
   if (!player_.isPlaying()) resetGains();

@@ -4,7 +4,7 @@
 #include <array>
 #include <bitset>
 
-#include "core/lead_in.hpp"
+#include "core/goals/lead_in.hpp"
 #include "core/sensors.hpp"
 #include "managers/gait/walk.hpp"
 #include "managers/motion/page_file.hpp"
@@ -44,7 +44,7 @@ class MotionPlanner {
 
   motion::Player player_;
   const motion::PageFile* pages_;
-  LeadIn lead_in_;  // moves to the page's first pose
+  goals::LeadIn lead_in_;  // moves to the page's first pose
   gait::Walk walk_{gait::Parameters{}};
   double pending_ms_ = 0;
   double not_following_ms_ = 0;   // time that the robot has not followed

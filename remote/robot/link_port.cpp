@@ -87,7 +87,7 @@ void LinkPort::apply(const Request& request) {
 
 void LinkPort::applyMotor(const MotorSetting& setting) {
   using M = MotorSetting;
-  MotorControl& motor = motors_[index(setting.joint)];
+  goals::MotorControl& motor = motors_[index(setting.joint)];
   if (setting.has(M::kPosition) && isEncoderPosition(setting.position))
     motor.setPosition(positionFromWire(setting.position));
   if (setting.has(M::kVelocity)) motor.setVelocity(velocityFromWire(setting.velocity));

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/motor_control.hpp"
+#include "core/goals/motor_control.hpp"
 #include "hal/frame_source.hpp"
 #include "remote/jpeg/image_size.hpp"
 #include "remote/picture_source.hpp"
@@ -68,7 +68,7 @@ class LinkPort final : public RobotPort {
   bool start_where_it_is_, had_session_ = false;
   runtime::MonotonicClock clock_;
   std::unique_ptr<runtime::RobotLink> link_;
-  std::vector<MotorControl> motors_;  // by joint
+  std::vector<goals::MotorControl> motors_;  // by joint
   Commands commands_{};
   std::uint64_t first_session_cycle_ = 0;  // first cycle whose safety report refers to the session
   std::uint64_t last_cycle_ = 0;
