@@ -33,6 +33,8 @@ class LinkPort final : public RobotPort {
   void startSession(SessionStart start) override;
   void cancelSession() noexcept override;
   void apply(const Request& request) override;
+  /// Instead of apply(), for a driver in this process: publishes the joint commands and LEDs of `commands`.
+  void publish(const Commands& commands);
   [[nodiscard]] Sensors sensors() override { return link_->sensors(); }
   /// First cycle whose safety report refers to the present session.
   [[nodiscard]] std::uint64_t firstSessionCycle() const { return first_session_cycle_; }
@@ -60,7 +62,7 @@ class LinkPort final : public RobotPort {
   void applyLed(const LedSetting& setting);
   [[nodiscard]] Rad holdPosition(const Sensors& seen, std::size_t joint) const;
   void clearCommands();
-  void simulate(const Request& request);
+  void simulate();
   void simulateUntil(std::uint64_t cycle);
 
   Home home_;
