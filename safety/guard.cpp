@@ -99,8 +99,10 @@ void Guard::watchHold() noexcept {
   const bool held = drives(state_) || state_ == State::kFoundStiff || holding_up_ || perhaps_held_;
   lost_under_torque_ = board_.powerLostNow() && held;
   // Silent servos count as looked at, but only after time in which they could have answered.
-  const auto looked = [this] { return board_.poweredFor() >= fromSeconds(config_.silent_s) && allKnown(); };
-  if (board_.powerOff() || (perhaps_held_ && looked())) perhaps_held_ = false;
+  const auto seen_limp = [this] {
+    return board_.poweredFor() >= fromSeconds(config_.silent_s) && allKnown() && !anyStiff();
+  };
+  if (board_.powerOff() || (perhaps_held_ && seen_limp())) perhaps_held_ = false;
 }
 
 void Guard::noteFaults() noexcept {
