@@ -95,7 +95,7 @@ void ServoJudge::endCycle(const Sensors& seen) {
     if (seen.safety.tripped[i] || servo.unheard >= kForgotten) servo.trips = servo.early_trips = 0;
   }
   judgeLimp(seen);
-  judgeSpeedLimits();
+  judgeSpeedLimits(seen);
   state_ = seen.safety.state;
 }
 
@@ -152,13 +152,15 @@ void ServoJudge::judgeLimp(const Sensors& seen) {
   }
 }
 
-/// Torque that a late goal or a short restart left without a speed limit is noticed at the next look.
-void ServoJudge::judgeSpeedLimits() {
+/// Torque that a late goal or a short restart left without a speed limit is noticed at the next look. A servo that says
+/// that it has shut itself off gets no goal any more: one that has not stays where its last goal is.
+void ServoJudge::judgeSpeedLimits(const Sensors& seen) {
   for (std::size_t i = 0; i < kJoints; ++i) {
     Servo& servo = servo_[i];
     const auto joint = static_cast<Joint>(i);
     const hil::ServoState now = robot_.board().servo(joint).state();
-    const bool unlimited = now.pulls() && now.speed == 0 && servo.unheard == 0 && servo.untrusted_until <= cycle_;
+    const bool unlimited = now.pulls() && now.speed == 0 && servo.unheard == 0 && !seen.safety.tripped[i] &&
+                           servo.untrusted_until <= cycle_;
     servo.unlimited_for = unlimited ? servo.unlimited_for + 1 : 0;
     if (servo.unlimited_for > kLookRound)
       blame(Promise::kSpeedLimit, joint, "for long under torque without a speed limit");
