@@ -33,12 +33,12 @@ enum class Fault : std::uint8_t {
 
 /// What safety does, from mildest to strongest. A reaction must be one the fault still permits.
 enum class Reaction : std::uint8_t {
-  kReport,       // tell, nothing else
+  kReport,       // report only
   kSlow,         // joints move at the gentle speed
   kHold,         // keep the last safe goals
   kKneel,        // slow move to the start pose (sitting), then limp
   kLimp,         // torque off; the robot may drop
-  kStopSending,  // nothing can be told to a bus that does not answer
+  kStopSending,  // a bus that does not answer receives nothing
 };
 
 struct FaultRow {
@@ -89,19 +89,19 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "a joint did not reach the start pose in the slow move to it",
      "look for what blocks the joint, then start the controller again"},
     {Fault::kReleasedByOperator, Reaction::kLimp, true, true, "released_by_operator",
-     "a person released the robot: with `darwinop runtime --release`, or before the runtime was started anew",
+     "a person released the robot: with `darwinop runtime --release`, or before the runtime was restarted",
      "hold the robot, then press START or start the controller again"},
     {Fault::kControllerStalled, Reaction::kHold, false, false, "controller_stalled",
      "the controller has not called step() for 500 ms",
      "the last safe goals are held; it goes on when step() is called"},
     {Fault::kControllerGone, Reaction::kKneel, false, false, "controller_gone",
-     "the controller has been silent for 10 s and has not said farewell",
-     "the robot sits down slowly and lets go; start a controller to take over"},
+     "the controller has been silent for 10 s and has not ended its session",
+     "the robot sits down slowly and releases torque; start a controller to take over"},
 });
 
 inline constexpr FaultRow kNoFault{Fault::kNone, Reaction::kReport, false, false, "none", "all is well", ""};
 
-/// The row of a fault; kNoFault for kNone and for numbers that are no fault.
+/// The row of a fault; kNoFault for kNone and for numbers that are not faults.
 constexpr const FaultRow& row(Fault fault) {
   for (const FaultRow& r : kFaultTable)
     if (r.fault == fault) return r;

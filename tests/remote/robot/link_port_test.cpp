@@ -172,9 +172,9 @@ TEST(RemoteLinkPort, AppliesStartWhereItIsAndEndOfSessionOfTheExtension) {
   EXPECT_TRUE(robot.apply(request).start_where_it_is);
   EXPECT_EQ(robot.published->back().fault_resets, 3);
   robot.port.endSession();
-  EXPECT_TRUE(robot.published->back().farewell);
+  EXPECT_TRUE(robot.published->back().end_of_session);
   robot.port.startSession(SessionStart::kNew);
-  EXPECT_FALSE(robot.apply({}).farewell);
+  EXPECT_FALSE(robot.apply({}).end_of_session);
 }
 
 TEST(RemoteLinkPort, DrivesAVirtualRobot) {
