@@ -212,9 +212,11 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
   // A goal that went into a cable that was out is one that nobody saw; the next one waits for an answer.
   const std::uint32_t goals = sent->goals - servo.goals_arrived + (port_lost_at_ >= servo.goal_at - 1 ? 1 : 0);
   const bool with_goal = carriesGoal(address, data.size());
-  if (with_goal) servo.goal_at = cycle_;
   const bool repeated = sent->goals == servo.goals_arrived;  // by the line
-  servo.goals_arrived = sent->goals;
+  if (with_goal) {
+    servo.goal_at = cycle_;
+    servo.goals_arrived = sent->goals;
+  }
   const bool late = sent->cycle < servo.powered_at || cycle_ - sent->cycle > kLate;
   if (!before.pulls() && after.pulls()) servo.pulls_since = cycle_;
   if (servo.untrusted_until > cycle_) return;
