@@ -18,7 +18,7 @@ constexpr int kLimpAfter = 80;   // cycles: a lost "torque off" is noticed by th
 constexpr int kForgotten = 6;    // cycles without an answer after which a joint is taken over again
 constexpr int kLate = 2;         // cycles
 constexpr int kGrace = 20;       // cycles under torque before an overload bit is believed; docs/faults.md 24
-constexpr int kEarlyTrips = 5;   // in a row within that time, on a wire that loses writes and answers
+constexpr int kEarlyTrips = 20;  // so often is a joint placed again, each time where it is; docs/faults.md 12
 constexpr int kLookRound = 64;   // cycles: every servo has been looked at, and a lost answer or two
 constexpr int kUntrustedFor = 80;  // cycles
 constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
