@@ -37,7 +37,7 @@ class Guard {
   using Joints = std::array<JointGuard, kJoints>;
   using Shares = std::array<double, kJoints>;
 
-  void hear(const Commands& asked, Nanos dt) noexcept;
+  void take(const Commands& asked, Nanos dt) noexcept;
   void watch(const Sensors& seen, Nanos dt) noexcept;
   void watchHold() noexcept;
   void beginSession(const Commands& asked) noexcept;
