@@ -85,7 +85,7 @@ class SyncWriteEncoder {
   }
   /// False, and nothing added, when `data` has another length or the frame would pass 255 bytes.
   bool add(std::uint8_t id, Bytes data) {
-    if (data.size() != data_bytes_ || params_.count() < 2 || !params_.fits(1 + data.size())) return false;
+    if (data.size() != data_bytes_ || !params_.fits(1 + data.size())) return false;
     params_.put(id);
     for (const std::uint8_t byte : data) params_.put(byte);
     return true;

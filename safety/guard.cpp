@@ -163,10 +163,11 @@ inline Guard::Shares Guard::shares() const noexcept {
 
 inline void Guard::moveJoints(double speed, Nanos dt) noexcept {
   const double seconds = std::chrono::duration<double>(dt).count();
+  const double gentle_step = config_.gentle_speed * seconds, full_step = speed * seconds;
   const Shares share = shares();
   std::uint32_t cut_short = 0;
   for (std::size_t i = 0; i < kJoints; ++i)
-    if (!joints_[i].move(target(i), share[i] * config_.gentle_speed * seconds, share[i] * speed * seconds)) ++cut_short;
+    if (!joints_[i].move(target(i), share[i] * gentle_step, share[i] * full_step)) ++cut_short;
   if (state_ == State::kDriven) report_.limit_hits[static_cast<std::size_t>(Limit::kRate)] += cut_short;
 }
 
@@ -180,7 +181,8 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
   safe.torque_off_ = jointsThat([this](std::size_t i) { return joints_[i].offDue(); });
   if (answers) safe.torque_on_ = jointsThat(looking_at_, [this](std::size_t i) { return joints_[i].onDue(); });
   const bool switches = (safe.torque_off_ | safe.torque_on_).any();
-  const bool slow = movesByItself() || faults_.slow();
+  const bool by_itself = movesByItself();
+  const bool slow = by_itself || faults_.slow();
   const double speed = slow ? config_.gentle_speed : config_.max_joint_speed;
   if (switches)
     for (JointGuard& joint : joints_) joint.switchTorque(answers);
@@ -191,8 +193,7 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
   safe.look_ = looking_at_ = jointsThat(unsettled, [this](std::size_t i) { return joints_[i].lookDue(); });
   safe.held_ = safe.driven_;
   if (answers) safe.held_ &= jointsThat(unsettled, [this](std::size_t i) { return joints_[i].uncertain(); });
-  forEachJoint(safe.driven_,
-               [&](std::size_t i) { safe.goal_[i] = joints_[i].goal(RadPerSec{speed}, movesByItself()); });
+  forEachJoint(safe.driven_, [&](std::size_t i) { safe.goal_[i] = joints_[i].goal(RadPerSec{speed}, by_itself); });
   if (switches)
     safe.write_ = SafeCommands::Write::kTorque;
   else if (safe.driven_.any())
