@@ -3,14 +3,14 @@
 
 #include "core/gentle_move.hpp"
 #include "core/joints.hpp"
+#include "core/servo_limits.hpp"
 
 namespace darwinop {
 
 class LeadIn : public GentleMove<kJoints> {
  public:
-  /// rad/s, 11.4 rpm: what the goal of the joint with the longest way takes in the middle. The runtime brings a robot
-  /// to its start pose as fast as that, unless config.ini says otherwise (gentle_speed, safety/config.hpp).
-  static constexpr double kSpeed = 1.194;
+  /// What the goal of the joint with the longest way takes in the middle.
+  static constexpr double kSpeed = kGentleSpeed;
 
   LeadIn() = default;  // done
   LeadIn(const Pose& from, const Pose& to) : GentleMove{from, to, durationMs(longestWay(from, to))} {}

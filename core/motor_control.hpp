@@ -12,9 +12,6 @@
 
 namespace darwinop {
 
-// Source: the simulator's model of this robot. The register ends at 12.213 rad/s.
-inline constexpr double kMaxVelocity = 12.26;
-
 class MotorControl {
  public:
   explicit MotorControl(Joint joint) : row_{&row(joint)} {}
