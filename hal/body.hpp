@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/joints.hpp"
+#include "core/units.hpp"
 #include "hal/byte_line.hpp"
 #include "hal/frame_source.hpp"
 
@@ -37,9 +38,9 @@ struct JointMotion {
 
 struct BodyState {
   std::array<JointMotion, kJoints> joint{};
-  std::array<double, 3> gyro_rad_s{};               // x, y, z
-  std::array<double, 3> accel_m_s2{0, 0, 9.80665};  // x, y, z; upright and at rest
-  std::uint8_t buttons = 0;                         // 1 MODE, 2 START
+  std::array<double, 3> gyro_rad_s{};                // x, y, z
+  std::array<double, 3> accel_m_s2{0, 0, kGravity};  // x, y, z; upright and at rest
+  std::uint8_t buttons = 0;                          // 1 MODE, 2 START
 };
 
 /// The camera of a body. The body must outlive it.

@@ -9,9 +9,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr double kBatteryHysteresis = 0.3;  // V; walking pulls the supply down by about that much
-constexpr double kTiltHysteresis = 15;      // deg
-constexpr double kLeastGravity = 3.0;       // m/s2; less is free fall or a blow, where direction means nothing
+constexpr double kTiltHysteresis = 15;  // deg
+constexpr double kLeastGravity = 3.0;   // m/s2; less is free fall or a blow, where direction means nothing
 constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
 constexpr Nanos kPress{milliseconds{250}};  // a shorter one may be a touch by accident
 

@@ -40,7 +40,6 @@ class ServoWatch {
   [[nodiscard]] bool badVoltage() const noexcept { return voltage_.on(); }
 
  private:
-  static constexpr double kHeatHysteresis = 5;  // deg C
   // Servos start in about 0.3 s; the bus asks again twice a second.
   static constexpr Nanos kStartUp{std::chrono::milliseconds{1000}};
   static constexpr Nanos kVoltageOn{std::chrono::milliseconds{100}}, kVoltageOff{std::chrono::milliseconds{1000}};

@@ -44,7 +44,8 @@ void Camera::disable() {
   delete std::exchange(view_, nullptr);
 }
 
-void Camera::refresh(double time_s) {
+void Camera::refresh() {
+  const double time_s = robot_.seconds();
   if (view_ == nullptr || !darwinop::facade::isDue(due_s_, time_s, period_)) return;
   const std::string error = view_->refresh();
   if (!error.empty()) darwinop::facade::logLine(error);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <map>
@@ -19,11 +20,7 @@
 #include "webots/session.hpp"
 
 namespace webots {
-class Accelerometer;
-class Camera;
 class Device;
-class Gyro;
-class Speaker;
 }  // namespace webots
 
 namespace darwinop::facade {
@@ -54,6 +51,10 @@ class RobotImpl {
   [[nodiscard]] const std::vector<std::unique_ptr<webots::Device>>& devices() const { return devices_; }
   [[nodiscard]] int nextTag() const { return static_cast<int>(devices_.size()) + 1; }
 
+  /// Time since the start, s.
+  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(session_.time()).count(); }
+  /// The board's values, or null when they are older than 3 cycles.
+  [[nodiscard]] const BoardSensors* usableBoard() const;
   /// The board's or a joint's values, or null when they are older than 3 cycles; `device` is then named, once.
   [[nodiscard]] const BoardSensors* board(const std::string& device) const;
   [[nodiscard]] const JointSensors* joint(Joint joint, const std::string& device) const;
@@ -81,9 +82,8 @@ class RobotImpl {
   std::string custom_data;
 
  private:
-  void addDevices();
-  template <class T>
-  T* add(T* device);
+  void addDevices();  // devices.cpp
+  void add(webots::Device* device);
   void addLentGain(std::size_t joint);
   void refresh();
 
@@ -98,10 +98,6 @@ class RobotImpl {
   webots::Keyboard keyboard_{*this};
   std::vector<std::unique_ptr<webots::Device>> devices_;
   std::map<std::string, webots::Device*, std::less<>> by_name_;
-  webots::Accelerometer* accelerometer_ = nullptr;
-  webots::Gyro* gyro_ = nullptr;
-  webots::Camera* camera_ = nullptr;
-  webots::Speaker* speaker_ = nullptr;
 };
 
 /// Finds the robot as environment and config.ini say, and waits until it stands ready. Ends the program with a

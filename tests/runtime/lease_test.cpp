@@ -15,6 +15,7 @@
 #include "other_user.hpp"
 #include "runtime/file_lock.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -66,11 +67,6 @@ std::string whyNotTaken(const std::string& path) {
   } catch (const std::runtime_error& error) {
     return error.what();
   }
-}
-
-std::string textOf(const std::string& path) {
-  std::ifstream file{path};
-  return {std::istreambuf_iterator<char>{file}, {}};
 }
 
 TEST(FileLock, AFifoInItsPlaceIsRefusedAndNobodyWaits) {

@@ -12,6 +12,7 @@
 #include "core/conversions.hpp"
 #include "runtime/log_columns.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -146,15 +147,13 @@ TEST(Recorder, GoesOnWhenTheDiskIsFull) {
 }
 
 TEST(LogColumns, AreAllDescribedInTheDocumentationWithTheirUnits) {
-  std::ifstream file{DARWINOP_SOURCE_DIR "/docs/logs.md"};
-  std::stringstream text;
-  text << file.rdbuf();
+  const std::string text = textOf(DARWINOP_SOURCE_DIR "/docs/logs.md");
   const auto line = [](std::string_view name, std::string_view unit, std::string_view meaning) {
     return "| `" + std::string{name} + "` | " + std::string{unit} + " | " + std::string{meaning} + " |";
   };
-  for (const LogColumn& c : kLogColumns) EXPECT_THAT(text.str(), HasSubstr(line(c.name, c.unit, c.meaning)));
+  for (const LogColumn& c : kLogColumns) EXPECT_THAT(text, HasSubstr(line(c.name, c.unit, c.meaning)));
   for (const JointLogColumn& c : kJointLogColumns)
-    EXPECT_THAT(text.str(), HasSubstr(line("<joint>." + std::string{c.name}, c.unit, c.meaning)));
+    EXPECT_THAT(text, HasSubstr(line("<joint>." + std::string{c.name}, c.unit, c.meaning)));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "fake_bus.hpp"
 #include "runtime/threaded_link.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -85,8 +86,7 @@ std::string asNobody(RealTime demand) {
       out << "refused: " << error.what();
     }
   }};
-  std::ifstream in{said};
-  return {std::istreambuf_iterator<char>{in}, {}};
+  return textOf(said);
 }
 
 TEST(RealTimeDemand, RequiredButRefusedIsAnErrorThatNamesTheRemedy) {

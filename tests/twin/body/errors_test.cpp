@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "support/text_of.hpp"
 #include "twin/body/support.hpp"
 
 namespace darwinop::twin::test {
@@ -16,8 +17,7 @@ class RefusedBody : public testing::Test {
   void SetUp() override {
     folder_ = std::filesystem::path{testing::TempDir()} / ("twin_body_refused_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
-    std::ifstream file{std::string{DARWINOP_MODELS} + "/darwin-op.xml"};
-    xml_ = {std::istreambuf_iterator<char>{file}, {}};
+    xml_ = textOf(std::string{DARWINOP_MODELS} + "/darwin-op.xml");
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
