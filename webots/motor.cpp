@@ -62,7 +62,7 @@ double Motor::getVelocity() const {
   return control_.velocity();
 }
 double Motor::getMaxVelocity() const {
-  return darwinop::goals::kMaxVelocity;
+  return darwinop::kMaxVelocity;
 }
 double Motor::getAcceleration() const {
   return control_.acceleration();

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/counts.hpp"
-#include "core/goals/motor_control.hpp"
+#include "core/servo_limits.hpp"
 
 namespace darwinop::window {
 namespace {
@@ -186,8 +186,7 @@ void MotionPlanner::advanceWalk(const DriveRequests& requests, const Sensors& se
   };
   const body_player::GyroReading gyro{count(0), count(1), seen.cycle - seen.board.motion.age};
   if (!walk_.advance(ms, requests.walk.value_or(gait::WalkCommand{}), true, gyro)) return;
-  for (std::size_t i = 0; i < gait::kWalkingJoints; ++i)
-    setGoal(i, walk_.goal(static_cast<Joint>(i)), goals::kMaxVelocity);
+  for (std::size_t i = 0; i < gait::kWalkingJoints; ++i) setGoal(i, walk_.goal(static_cast<Joint>(i)), kMaxVelocity);
   if (!walks()) resetGains();
 }
 
@@ -196,7 +195,7 @@ void MotionPlanner::advancePage(double ms) {
   (void)page_.advance(ms);
   for (std::size_t i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
-    setGoal(i, page_.goal(joint), goals::kMaxVelocity);
+    setGoal(i, page_.goal(joint), kMaxVelocity);
     commands_.joint[i].setPGain(page_.pGain(joint));
   }
   if (!page_.isPlaying()) resetGains();
