@@ -33,12 +33,12 @@ enum class Fault : std::uint8_t {
 
 /// What safety does, from mildest to strongest. A reaction must be one the fault still permits.
 enum class Reaction : std::uint8_t {
-  kReport,       // a message, nothing else
+  kReport,       // report only
   kSlow,         // joints move at the gentle speed
   kHold,         // keep the last safe goals
   kKneel,        // slow move to the start pose (sitting), then limp
   kLimp,         // torque off; the robot may drop
-  kStopSending,  // nothing can be told to a bus that does not answer
+  kStopSending,  // a bus that does not answer receives nothing
 };
 
 /// The cycles in which the cause of a fault is looked for; times are counted in these.
@@ -128,7 +128,7 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "look for what blocks the joint, then start the controller again", Checked::kAlways, "at the next start",
      "Within `start_tolerance`. The controller drives and prints the joint names."},
     {Fault::kReleasedByOperator, Reaction::kLimp, true, true, "released_by_operator",
-     "a person released the robot: with `darwinop runtime --release`, or before the runtime was started again",
+     "a person released the robot: with `darwinop runtime --release`, or before the runtime was restarted",
      "hold the robot, then press START or start the controller again", Checked::kAlways, "",
      "The previous daemon left the robot released (31, 33) or without power (11)."},
     {Fault::kControllerStalled, Reaction::kHold, false, false, "controller_stalled",
@@ -136,15 +136,15 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "the last safe goals are held; it goes on when step() is called", Checked::kAlways, "",
      "`stall_ms`, not during takeover and start."},
     {Fault::kControllerGone, Reaction::kKneel, false, false, "controller_gone",
-     "the controller has been silent for 10 s without ending its session",
-     "the robot sits down slowly, then torque goes off; start a controller to take over", Checked::kAlways, "",
+     "the controller has been silent for 10 s and has not ended its session",
+     "the robot sits down slowly and releases torque; start a controller to take over", Checked::kAlways, "",
      "`gone_s`. After a regular end `on_exit` applies."},
 });
 
 inline constexpr FaultRow kNoFault{Fault::kNone, Reaction::kReport, false, false, "none", "all is well",
                                    "",           Checked::kAlways,  ""};
 
-/// The row of a fault; kNoFault for kNone and for numbers that are no fault.
+/// The row of a fault; kNoFault for kNone and for numbers that are not faults.
 constexpr const FaultRow& row(Fault fault) {
   for (const FaultRow& r : kFaultTable)
     if (r.fault == fault) return r;

@@ -44,13 +44,13 @@ struct BodyState {
 };
 
 /// The camera of a body. The body must outlive it.
-class Eyes : public FrameSource {
+class BodyCamera : public FrameSource {
  public:
   /// Captures the present scene; the body must not step during this call. newest() then renders it, which may take
   /// milliseconds, while the body may step.
   virtual void look() noexcept = 0;
   /// Why it cannot render, known after newest(); null: it can.
-  [[nodiscard]] virtual const char* blindness() const noexcept { return nullptr; }
+  [[nodiscard]] virtual const char* renderError() const noexcept { return nullptr; }
 };
 
 class Body {
@@ -59,10 +59,10 @@ class Body {
   virtual void step(Nanos dt, const Drives& drives) noexcept = 0;
   [[nodiscard]] virtual const BodyState& state() const noexcept = 0;
   /// Why the simulation has stopped; null: no error. After an error the state is the last valid one.
-  [[nodiscard]] virtual const char* trouble() const noexcept { return nullptr; }
+  [[nodiscard]] virtual const char* error() const noexcept { return nullptr; }
   /// A camera with this picture size; null: the body has none. The body may step during this call; slow initialization
   /// is deferred to the first picture. Throws std::runtime_error if the size is out of range.
-  [[nodiscard]] virtual std::unique_ptr<Eyes> openEyes(int /*width*/, int /*height*/) { return nullptr; }
+  [[nodiscard]] virtual std::unique_ptr<BodyCamera> openCamera(int /*width*/, int /*height*/) { return nullptr; }
 };
 
 }  // namespace darwinop

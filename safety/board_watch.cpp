@@ -1,4 +1,4 @@
-// What the board tells about the robot as a whole.
+// The board's view of the robot as a whole.
 #include "safety/board_watch.hpp"
 
 #include <algorithm>
@@ -48,10 +48,10 @@ void BoardWatch::update(const BoardSensors& seen, bool waits, Nanos dt) noexcept
     power_off_.forget();
   }
   powered_for_ = powered_ ? powered_for_ + dt : Nanos{0};
-  if (!answers_now_) return;  // timers count time in which the board was heard, and nothing else
+  if (!answers_now_) return;  // timers count only time in which the board answers
 
   watchPower(seen);
-  const double volt = seen.voltage.value;  // NaN fails every comparison: unknown is no fault
+  const double volt = seen.voltage.value;  // NaN fails every comparison: unknown is not a fault
   low_.update(volt<config_.battery_low, volt> config_.battery_low + kBatteryHysteresis, dt);
   empty_.update(volt<config_.battery_empty, volt> config_.battery_empty + kBatteryHysteresis, dt);
   watchTilt(seen, dt);

@@ -44,7 +44,7 @@ constexpr std::array<JointRange, kJoints> hardRanges() {
 }
 
 struct Config {
-  /// Period taken before the loop has told its own.
+  /// Period until the loop reports its own.
   Nanos period{std::chrono::milliseconds{16}};
 
   double max_joint_speed = kMaxVelocity;
@@ -70,7 +70,7 @@ struct Config {
   /// Section [Limits]: `Neck = -1.0, 1.0`.
   std::array<JointRange, kJoints> range = hardRanges();
 
-  /// Joints that are never driven. Absent ones (robot.ini) are not asked either and are no fault; those that start-up
+  /// Joints that are never driven. Absent ones (robot.ini) are not asked either and are not faults; those that start-up
   /// has left out are asked and reported.
   std::bitset<kJoints> absent, left_out;
 

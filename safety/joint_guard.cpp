@@ -65,7 +65,7 @@ inline double JointGuard::push(const JointSensors& seen) const noexcept {
   return limit > 0 ? std::copysign(std::min(std::abs(torque), limit), torque) : 0;
 }
 
-/// A look tells whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
+/// A look shows whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
 /// switched it on again. (A servo that shut itself off has a torque limit of 0: TripWatch.)
 inline void JointGuard::noteRestart(const JointSensors& seen) noexcept {
   const bool looked = seen.motion.fresh() && seen.health.fresh();
@@ -73,7 +73,7 @@ inline void JointGuard::noteRestart(const JointSensors& seen) noexcept {
   const bool never_on = !on_seen_ || uncertain_;  // torque on was lost, or it has restarted
   const bool restarted = looked && (seen.speed_limit.value <= 0 || (off && never_on && channel_.moving()));
   if (looked && seen.torque_enabled) on_seen_ = true;
-  // It restarted while it was not heard, and has torque: a board that was stalled has carried out a goal of before. It
+  // It restarted while it was silent, and has torque: a board that was stalled has carried out a goal of before. It
   // runs there without a speed limit.
   if (looked && uncertain_ && had_limit_ && seen.speed_limit.value <= 0 && seen.torque_enabled) orderOff();
   if (looked) had_limit_ = seen.speed_limit.value > 0;

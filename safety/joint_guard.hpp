@@ -1,4 +1,4 @@
-// All that protects one joint: what the controller wishes, whether the servo is well, how it is driven.
+// Protection of one joint: the controller's requests, the servo's health, how it is driven.
 #pragma once
 
 #include <algorithm>
@@ -23,17 +23,17 @@ class JointGuard {
 
   JointGuard(Joint joint, const Config& config);
 
-  // -- what the controller wishes
-  /// A new driver starts without the wishes of the one before.
+  // -- requests of the controller
+  /// A new driver starts without the requests of the previous one.
   void forgetRequests() noexcept;
   void take(const JointCommand& asked, LimitHits& hits) noexcept {
     if (asked.has(JointCommand::kGoal)) requested_goal_ = limitGoal(asked.goal, requested_goal_, range(), hits);
     if ((asked.set & ~JointCommand::kGoal) != 0) takeSettings(asked, hits);
   }
-  /// Where the joint stays when the controller has not said anything yet.
+  /// Goal of the joint until the controller requests one.
   void requestIfNone(Rad goal) noexcept;
 
-  // -- what the servo tells
+  // -- reports of the servo
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
   /// The causes of faults as they are in this cycle.
   [[nodiscard]] FaultSet faults() const noexcept;
@@ -44,7 +44,7 @@ class JointGuard {
     return problems == 0;
   }
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
-  /// As far as is known the servo holds its joint, whoever told it to.
+  /// As far as is known the servo holds its joint, on any request.
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }
   /// It was looked at since it answers, or it does not answer: then nobody can know.
   [[nodiscard]] bool torqueKnown() const noexcept { return torque_known_ || watch_.lost(); }
@@ -88,7 +88,7 @@ class JointGuard {
     return channel_.advance(target, gentle_step, full_step);
   }
   /// What goes on the wire. `speed_cap`: no faster than this.
-  /// `by_itself`: safety moves the robot, and what the controller wished for speed, torque and gain does not count.
+  /// `by_itself`: safety moves the robot, and the requested speed, torque and gain do not count.
   [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap, bool by_itself) const noexcept {
     const double cap = channel_.gentle() ? std::min(config_.gentle_speed, speed_cap.value) : speed_cap.value;
     if (by_itself)

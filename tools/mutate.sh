@@ -83,7 +83,7 @@ export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
 caught_by() {
   local program=$1
   ninja -C "$tree/build/debug" --quiet "$program" >"$log" 2>&1 || {
-    # Tests name rows in static_assert and constexpr tables, too.
+    # Tests name rows in static_assert and constexpr tables also.
     if grep -q 'error' "$log"; then echo compiler && return; else cat "$log" >&2 && exit 1; fi
   }
   ! timeout 900 "$tree/build/debug/bin/$program" "${@:2}" >"$log" 2>&1 || return 1

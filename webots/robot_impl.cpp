@@ -17,16 +17,16 @@ bool usable(Freshness freshness) {
   return freshness.age <= 3;
 }
 
-std::string_view farewell(safety::OnExit on_exit) {
+std::string_view endNotice(safety::OnExit on_exit) {
   switch (on_exit) {
     case safety::OnExit::kHold:
       return "ending: the robot holds its pose; its joints stay under torque";
     case safety::OnExit::kKneel:
-      return "ending: the robot sits down and lets go; a second Ctrl-C would leave its joints under torque";
+      return "ending: the robot sits down and releases torque; a second Ctrl-C would leave its joints under torque";
     case safety::OnExit::kLimp:
       break;
   }
-  return "ending: the robot lets go; a second Ctrl-C would leave its joints under torque";
+  return "ending: the robot releases torque; a second Ctrl-C would leave its joints under torque";
 }
 
 /// DARWINOP_KEYS: window, terminal or none instead of what there is.
@@ -37,7 +37,7 @@ std::unique_ptr<KeySource> openTheUsualKeys(const std::atomic<bool>& stop) {
   };
   return connect::openKeys({.from = environment("DARWINOP_KEYS"),
                             .display = environment("DISPLAY"),
-                            .say = [](const std::string& what) { say("Keyboard: " + what); }},
+                            .log = [](const std::string& what) { logLine("Keyboard: " + what); }},
                            stop);
 }
 
@@ -59,7 +59,7 @@ RobotImpl::RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerC
 }
 
 RobotImpl::~RobotImpl() {
-  if (stop_ && ends_with_us_) say(farewell(config_.safety.on_exit));
+  if (stop_ && ends_with_us_) logLine(endNotice(config_.safety.on_exit));
 }
 
 void RobotImpl::add(webots::Device* device) {

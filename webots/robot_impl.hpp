@@ -29,7 +29,7 @@ class RobotImpl {
  public:
   /// `stop` becomes true when the user asks the controller to end.
   RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerConfig& config, const std::atomic<bool>& stop);
-  /// The robot comes to rest meanwhile, which takes seconds; a user who asked for the end is told so.
+  /// The robot comes to rest meanwhile, which takes seconds; logged if the user requested the end.
   ~RobotImpl();
   RobotImpl(const RobotImpl&) = delete;
   RobotImpl& operator=(const RobotImpl&) = delete;
@@ -61,9 +61,9 @@ class RobotImpl {
   /// The same without a word, whatever its age.
   [[nodiscard]] const JointSensors& lastKnown(Joint joint) const { return session_.sensors().joint[index(joint)]; }
 
-  /// What the robot sees; says by itself what goes wrong later. Throws std::runtime_error when it has no eyes.
-  [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height) {
-    return session_.openEyes(width, height, config_.camera);
+  /// The robot's camera; logs later errors itself. Throws std::runtime_error if it has no camera.
+  [[nodiscard]] std::unique_ptr<FrameSource> openCamera(int width, int height) {
+    return session_.openCamera(width, height, config_.camera);
   }
 
   /// Where keys come from; throws std::runtime_error when DARWINOP_KEYS is wrong. Another one than the usual: for
@@ -113,7 +113,8 @@ std::string programDirectory();
 /// Makes `robot` the one of this process; for tests.
 RobotImpl* adopt(RobotImpl* robot);
 
-/// Deletes `robot` if it is still the one of this process; it then says farewell. Done at the end of the program, too.
+/// Deletes `robot` if it is still the one of this process; it then ends its session. Done at the end of the program
+/// also.
 void release(RobotImpl* robot);
 
 }  // namespace darwinop::facade

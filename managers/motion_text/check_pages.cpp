@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "core/conversions.hpp"
-#include "managers/motion_text/rehearsal.hpp"
+#include "managers/motion_text/dry_run.hpp"
 #include "managers/motion_text/values.hpp"
 
 namespace darwinop::motion {

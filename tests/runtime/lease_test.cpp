@@ -20,7 +20,7 @@
 namespace darwinop::runtime {
 namespace {
 
-TEST(FileLock, HasOneHolderAndTellsWhoItIs) {
+TEST(FileLock, HasOneHolderAndNamesIt) {
   const TemporaryFolder folder;
   EXPECT_EQ(FileLock::holder(folder / "lock"), 0);
   const Child other{[&] { static const auto lock = FileLock::tryTake(folder / "lock"); }};

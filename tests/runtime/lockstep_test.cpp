@@ -115,7 +115,7 @@ TEST(Lockstep, OthersCanLookOnAndTheFiguresSurviveTheController) {
   left.block().stats.copyTo(stats);
   Sensors last;
   ASSERT_TRUE(left.block().sensors.read(last));
-  EXPECT_EQ(stats.cycles, 23u) << "20 and three for the farewell";
+  EXPECT_EQ(stats.cycles, 23u) << "20 and three for the end of session";
   EXPECT_THAT(reportText(stats, last), HasSubstr("FootL"));
   EXPECT_EQ(Nanos{left.block().info.period_ns}, 16ms);
 }

@@ -55,7 +55,7 @@ Sensors sensorsOf(std::uint64_t cycle) {
   neck.position = radFromTicks(2049);
   neck.load = -0.25;
   JointSensors& head = s.joint[index(Joint::kHead)];
-  head.motion.age = 1;  // was heard in the cycle before
+  head.motion.age = 1;  // was received in the cycle before
   head.position = Rad{0.5};
   return s;
 }
@@ -79,7 +79,7 @@ TEST(Recorder, WhatIsReadBackIsWhatTheLoopSaw) {
   EXPECT_EQ(table.rows[0].at("Neck.asked [rad]"), "-0.1");
 }
 
-TEST(Recorder, LeavesAFieldEmptyForWhatWasNotAskedNotHeardOrNotHeardInThisCycle) {
+TEST(Recorder, LeavesAFieldEmptyForWhatWasNotAskedNotReceivedOrNotReceivedInThisCycle) {
   const TemporaryFolder folder;
   { Recorder{folder / "log.csv", {}, Recorder::Writer::kByHand}.push(Commands{}, sensorsOf(1)); }
   const Table table{folder / "log.csv"};
@@ -88,7 +88,7 @@ TEST(Recorder, LeavesAFieldEmptyForWhatWasNotAskedNotHeardOrNotHeardInThisCycle)
     EXPECT_EQ(table.rows.at(0).at(name), "") << name;
 }
 
-TEST(Recorder, HeadTellsRobotModelVersionDateAndPeriod) {
+TEST(Recorder, HeadNamesRobotModelVersionDateAndPeriod) {
   const TemporaryFolder folder;
   {
     const Recorder recorder{

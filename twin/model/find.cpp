@@ -8,7 +8,7 @@
 
 #include "core/text/nearest.hpp"
 #include "twin/model/model.hpp"
-#include "twin/model/shelf.hpp"
+#include "twin/model/shipped.hpp"
 
 namespace darwinop::twin {
 namespace {

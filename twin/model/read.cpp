@@ -12,7 +12,7 @@
 #include "hal/text_file.hpp"
 #include "twin/model/keys.hpp"
 #include "twin/model/sections.hpp"
-#include "twin/model/shelf.hpp"
+#include "twin/model/shipped.hpp"
 
 namespace darwinop::twin {
 namespace {

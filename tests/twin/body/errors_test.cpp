@@ -98,11 +98,11 @@ TEST_F(RefusedBody, NeedsASupportedIntegrator) {
 TEST(UnstableSimulation, StopsAndReportsTheReason) {
   RobotBody body{modelWith(0.025)};
   run(body, limp(), 0.1);
-  ASSERT_EQ(body.trouble(), nullptr);
+  ASSERT_EQ(body.error(), nullptr);
   trunkQvel(body)[0] = std::numeric_limits<double>::infinity();
   run(body, limp(), 0.1);
-  ASSERT_NE(body.trouble(), nullptr);
-  const std::string why = body.trouble();
+  ASSERT_NE(body.error(), nullptr);
+  const std::string why = body.error();
   EXPECT_NE(why.find("the simulation stopped at 0.1"), std::string::npos) << why;
   EXPECT_NE(why.find("reduce [body] step"), std::string::npos) << why;
   for (const JointMotion& joint : body.state().joint) EXPECT_TRUE(std::isfinite(joint.position_rad));

@@ -1,5 +1,5 @@
 // Plots specific to the experiments of 2013, one table row each; see the table in docs/plots.md.
-#include "experiments/logs/plot/natural.hpp"
+#include "experiments/logs/plot/experiment_plot.hpp"
 
 #include <algorithm>
 #include <array>
