@@ -44,9 +44,10 @@ void JointGuard::requestIfNone(Rad goal) noexcept {
 }
 
 FaultSet JointGuard::faults() const noexcept {
-  FaultSet found;
-  detect([&found](Fault fault, int active) { found |= faultIf(active != 0, fault); });
-  return found;
+  return faultIf(watch_.silent() || unresponsive(), Fault::kServoSilent) | faultIf(watch_.hot(), Fault::kServoHot) |
+         faultIf(watch_.overheated() || trip_ == Trip::kOverheat, Fault::kServoOverheat) |
+         faultIf(trip_ == Trip::kOverload, Fault::kServoOverload) | faultIf(watch_.badVoltage(), Fault::kServoVoltage) |
+         faultIf(encoder_watch_.stuck(), Fault::kEncoderStuck);
 }
 
 /// Torque that the servo's P controller makes to reach its goal, N m; never more than it really is. 0: it is not

@@ -37,11 +37,11 @@ class JointGuard {
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
   /// The causes of faults as they are in this cycle.
   [[nodiscard]] FaultSet faults() const noexcept;
-  /// No faults().
+  /// No faults(). Without a branch for each of them: this is asked of every joint in every cycle.
   [[nodiscard]] bool well() const noexcept {
-    int any = 0;
-    detect([&any](Fault /*fault*/, int active) { any |= active; });
-    return any == 0;
+    const int problems = int{watch_.silent()} | watch_.hot() | watch_.overheated() | watch_.badVoltage() |
+                         unresponsive() | encoder_watch_.stuck() | (trip_ != Trip::kNone);
+    return problems == 0;
   }
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
   /// As far as is known the servo holds its joint, on any request.
@@ -100,16 +100,6 @@ class JointGuard {
   // A lost write is rare; each try takes three cycles and does no harm, so all of them about a second.
   static constexpr int kRefusals = 20;
 
-  /// Every fault of a servo and what detects it. Without a branch: this is asked of every joint in every cycle.
-  template <class F>
-  void detect(F&& fault) const noexcept {
-    fault(Fault::kServoSilent, int{watch_.silent()} | unresponsive());
-    fault(Fault::kServoHot, watch_.hot());
-    fault(Fault::kServoOverheat, int{watch_.overheated()} | (trip_ == Trip::kOverheat));
-    fault(Fault::kServoOverload, trip_ == Trip::kOverload);
-    fault(Fault::kServoVoltage, watch_.badVoltage());
-    fault(Fault::kEncoderStuck, encoder_watch_.stuck());
-  }
   /// It answers, and again and again it is seen without what was written to it.
   [[nodiscard]] bool unresponsive() const noexcept { return refused_ >= kRefusals; }
   void takeSettings(const JointCommand& asked, LimitHits& hits) noexcept;

@@ -42,8 +42,8 @@ inline constexpr UnitRow kUnitTable[] = {
     {"kohm", "ohm", 1e3},
 };
 
-/// What to multiply a number in unit `written` by to get `si`; nothing if it is not a unit of the same quantity. "" is
-/// the unit of a dimensionless number.
+/// Factor from unit `written` to unit `si`; nothing if they do not measure the same quantity. "" is the unit of a
+/// dimensionless number.
 constexpr std::optional<double> unitFactor(std::string_view written, std::string_view si) {
   if (written == si) return 1.0;
   for (const UnitRow& row : kUnitTable)
