@@ -6,14 +6,10 @@
 #include <variant>
 #include <vector>
 
-#include "gap/plant/hypothesis.hpp"
+#include "gap/plant/baseline_number.hpp"
 
 namespace darwinop::gap {
 
-/// Payload or length of the pendulum, as a factor of what was weighed or measured.
-enum class LoadFactor { kPayload, kLength };
-/// A number of the servo, as a factor.
-using ServoFactor = double twin::ServoParameters::*;
 /// A parameter of an effect, in its own unit.
 struct EffectParameter {
   const twin::EffectInfo* info = nullptr;

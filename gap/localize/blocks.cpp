@@ -137,7 +137,7 @@ class Finder {
       const Hypothesis& law_found = law_open ? split.best().hypothesis : baseline_;
       BlockTest with = judgedWith(plant(supply_open), law_found);
       // At the reads a delay shows in whole rows only; the plant resolves fractions.
-      if (law_open && with.isOpen() && split.isCommand() && law_found.find("transport_delay") != nullptr) {
+      if (law_open && with.isOpen() && split.isCommand() && law_found.value(twin::ParameterRole::kGoalDelay)) {
         const Explained delay = explainByDelay(plant(supply_open), given_, logs_, windows, baseline_);
         with = judgedWith(plant(supply_open), delay.hypothesis);
       }

@@ -41,6 +41,23 @@ void Hypothesis::without(std::string_view id) {
   std::erase_if(effects, [&](const auto& effect) { return effect.info->id == id; });
 }
 
+std::optional<double> Hypothesis::value(twin::ParameterRole role) const {
+  for (const twin::EffectSetting& effect : effects)
+    if (const auto index = twin::indexOf(*effect.info, role)) return effect.values[*index];
+  return std::nullopt;
+}
+
+bool Hypothesis::has(twin::StepDemand demand) const {
+  return std::ranges::any_of(effects, [&](const auto& effect) { return effect.info->step_demand == demand; });
+}
+
+twin::Law Hypothesis::law() const {
+  const bool replaced = std::ranges::any_of(effects, [](const twin::EffectSetting& effect) {
+    return effect.info->laws == twin::Laws::kReplacesSpeedP && effect.values[0] >= 0.5;
+  });
+  return replaced ? twin::Law::kVoltageP : servo.law;
+}
+
 Hypothesis baselineOf(const Case& given) {
   Hypothesis baseline{.servo = given.model.servo, .effects = {}, .pendulum = given.pendulum, .payload_scale = 1};
   for (const twin::EffectSetting& effect : given.model.effects) baseline.with(*effect.info).values = effect.values;

@@ -1,6 +1,7 @@
 // A model of a bench: numbers of the servo, effects, pendulum, payload factor.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +22,12 @@ struct Hypothesis {
   /// The effect, added at its neutral values where it was not there.
   twin::EffectSetting& with(const twin::EffectInfo& info);
   void without(std::string_view id);
+
+  /// Value of the parameter that has this role, of the first effect that has one; nothing if none has.
+  [[nodiscard]] std::optional<double> value(twin::ParameterRole role) const;
+  [[nodiscard]] bool has(twin::StepDemand demand) const;
+  /// Control law, after an effect that replaces it.
+  [[nodiscard]] twin::Law law() const;
 };
 
 /// The model that the case starts from.
