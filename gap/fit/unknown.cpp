@@ -32,7 +32,7 @@ void move(Hypothesis& hypothesis, const Unknown& unknown, double value) {
                      if (number == &twin::ServoParameters::kt_nm_a) hypothesis.servo.back_emf_vs_rad *= value;
                    },
                    [&](const EffectParameter& parameter) {
-                     hypothesis.with(*parameter.info).values[parameter.index] = value;
+                     hypothesis.with(*parameter.info, parameter.place).values[parameter.index] = value;
                    }},
              unknown.what);
 }
@@ -88,7 +88,7 @@ std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis
       if (effect->info->parameters[i].key != prior.number.substr(dot + 1) || effect->values[i] == 0) continue;
       const double value = effect->values[i], sigma = std::abs(value) * prior.relative_sigma;
       unknowns.push_back({.name = prior.number,
-                          .what = EffectParameter{effect->info, i},
+                          .what = EffectParameter{effect->info, i, {}},
                           .expected = value,
                           .sigma = sigma,
                           .low = std::max(0.2 * value, value - thresholds::kFarthestPriorSigmas * sigma),
@@ -98,13 +98,14 @@ std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis
   return unknowns;
 }
 
-std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, bool refined) {
+std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, bool refined, const Place& place) {
   std::vector<Unknown> unknowns;
+  const std::string prefix = place.name.empty() ? "" : place.name + ".";
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
     const twin::Parameter& parameter = info.parameters[i];
     if (parameter.fixed || (parameter.secondary && !refined)) continue;
-    Unknown unknown{.name = std::string{info.id} + "." + std::string{parameter.key},
-                    .what = EffectParameter{&info, i},
+    Unknown unknown{.name = prefix + std::string{info.id} + "." + std::string{parameter.key},
+                    .what = EffectParameter{&info, i, place},
                     .expected = parameter.typical,
                     .low = parameter.low,
                     .high = parameter.high,

@@ -58,9 +58,9 @@ Problem problemWith(const Study& study, const Evidence& evidence, const Effects&
   Hypothesis hypothesis = study.baseline;
   std::vector<Unknown> own;
   for (const ChosenEffect& effect : effects) {
-    twin::EffectSetting& setting = hypothesis.with(*effect.info);
+    twin::EffectSetting& setting = hypothesis.with(*effect.info, effect.place);
     if (effect.info->laws == twin::Laws::kReplacesSpeedP) setting.values[0] = 1;
-    for (Unknown& unknown : unknownsOf(*effect.info, effect.refined)) own.push_back(std::move(unknown));
+    for (Unknown& unknown : unknownsOf(*effect.info, effect.refined, effect.place)) own.push_back(std::move(unknown));
   }
   std::vector<Unknown> all = nuisancesOf(study.data, hypothesis);
   // Numbers of another law's motor come from a data sheet: they belong to no baseline and are never exact.

@@ -104,10 +104,10 @@ double gapBetween(const Case& given, const Hypothesis& a, const Hypothesis& b) {
     const Trajectory& log = given.logs[i];
     if (log.held_out || log.repeat_of) return;
     Trace first, second;
-    rollOut(given, i, a, {}, first);
-    rollOut(given, i, b, {}, second);
+    plantOf(given).rollOut(given, i, a, {}, first);
+    plantOf(given).rollOut(given, i, b, {}, second);
     for (std::size_t row = 0; row < log.rows(); ++row)
-      sums[i] += std::pow(first.position_rad[row] - second.position_rad[row], 2);
+      sums[i] += std::pow(first[kPositionSignal][row] - second[kPositionSignal][row], 2);
   });
   double sum = 0, rows = 0;
   for (std::size_t i = 0; i < sums.size(); ++i) {

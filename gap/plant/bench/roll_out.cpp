@@ -49,15 +49,15 @@ class Run {
 
   void fill(Trace& trace) {
     const std::size_t rows = log_.rows();
-    for (auto* column : {&trace.position_rad, &trace.velocity_rad_s, &trace.load, &trace.supply_v})
-      column->resize(rows);
+    trace.columns.resize(kBenchSignals);
+    for (std::vector<double>& column : trace.columns) column.resize(rows);
     for (std::size_t row = 0; row < rows; ++row) {
       advanceTo(log_.time_s[row] - log_.time_s[0]);
       const double since_s = log_.time_s[row] - log_.time_s[0] - static_cast<double>(periods_) * period_s_;
-      trace.velocity_rad_s[row] = bench_.velocity_rad_s();
-      trace.position_rad[row] = bench_.encoder_rad() + bench_.velocity_rad_s() * since_s;
-      trace.load[row] = loadNow();
-      trace.supply_v[row] = bench_.servo().signals().supply_v;
+      trace[kSpeedSignal][row] = bench_.velocity_rad_s();
+      trace[kPositionSignal][row] = bench_.encoder_rad() + bench_.velocity_rad_s() * since_s;
+      trace[kLoadSignal][row] = loadNow();
+      trace[kSupplySignal][row] = bench_.servo().signals().supply_v;
       if (given_.goal_order == GoalOrder::kAfterRead)
         command(row);
       else if (row + 1 < rows)
@@ -174,7 +174,7 @@ void roundAsRegistersDo(const Disturbance& disturbance, double ticks_per_rev, Tr
   std::mt19937_64 random{disturbance.seed * 2 + 2};
   std::normal_distribution<double> normal;
   const double tick = 2 * kPi / ticks_per_rev;
-  for (double& position : trace.position_rad)
+  for (double& position : trace[kPositionSignal])
     position = std::round(position / tick + disturbance.encoder_ticks * normal(random)) * tick;
 }
 

@@ -34,7 +34,7 @@ TEST(AddedEffect, IsSimulated) {
   Trace without, with;
   rollOut(bench, 1, baselineOf(bench), {}, without);
   rollOut(bench, 1, withEffect(bench, kId, "stiffness", kStiffness), {}, with);
-  EXPECT_GT(std::abs(with.position_rad.back() - without.position_rad.back()), 0.01);
+  EXPECT_GT(std::abs(with[kPositionSignal].back() - without[kPositionSignal].back()), 0.01);
 }
 
 TEST(AddedEffect, IsHiddenInTheProjectsOwnSuite) {
