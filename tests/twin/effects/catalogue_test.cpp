@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EffectRow, testing::ValuesIn(catalogue().beg
                          [](const auto& row) { return std::string{row.param->id}; });
 
 // Of two parameters with one role only the first would be read.
-TEST(Catalogue, HasEveryIdQuantityAndRankOnce) {
+TEST(Catalogue, HasEveryIdRoleAndRankOnce) {
   std::set<std::string_view> ids;
   std::multiset<ParameterRole> roles;
   std::multiset<int> ranks;
