@@ -12,8 +12,8 @@ constexpr int kLookRound = kJoints + 5;
 // After the robot sits: time to come to rest before it lets go.
 constexpr Nanos kRest{std::chrono::seconds{1}};
 
-Reaction atExit(OnExit wish) noexcept {
-  switch (wish) {
+Reaction atExit(OnExit requested) noexcept {
+  switch (requested) {
     case OnExit::kHold:
       return Reaction::kHold;
     case OnExit::kKneel:
@@ -176,7 +176,7 @@ void Guard::finishStart() noexcept {
   started_ = true;
   report_.missed_start = move_.missing();
   if (progress_ == PoseMove::Progress::kTimedOut) ++report_.start_timeouts;
-  for (std::size_t i = 0; i < kJoints; ++i) joints_[i].wishIfNone(start_pose_[i]);
+  for (std::size_t i = 0; i < kJoints; ++i) joints_[i].requestIfNone(start_pose_[i]);
 }
 
 }  // namespace darwinop::safety

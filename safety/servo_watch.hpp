@@ -14,11 +14,11 @@ class ServoWatch {
 
   /// `given_up`: the bus has taken the servo off its list for now. `powered_for`: how long servos have had power.
   void update(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept {
-    const bool heard = seen.motion.fresh();
-    unheard_ = heard ? Nanos{0} : unheard_ + dt;
-    lost_ = !heard && unheard_ >= fromSeconds(config_.silent_s);
+    const bool answers = seen.motion.fresh();
+    silence_ = answers ? Nanos{0} : silence_ + dt;
+    lost_ = !answers && silence_ >= fromSeconds(config_.silent_s);
     silent_now_ = powered_for >= kStartUp && (lost_ || given_up);
-    if (heard) {
+    if (answers) {
       const bool overheat = (seen.error_bits & error_bit::kOverheat) != 0;
       const bool voltage = (seen.error_bits & error_bit::kVoltage) != 0;
       overheat_bit_.update(overheat, !overheat);
@@ -46,7 +46,7 @@ class ServoWatch {
   static constexpr Nanos kVoltageOn{std::chrono::milliseconds{100}}, kVoltageOff{std::chrono::milliseconds{1000}};
 
   const Config& config_;
-  Nanos unheard_{0};
+  Nanos silence_{0};
   bool lost_ = false, silent_now_ = false;
   Confirm hot_, overheated_, overheat_bit_;
   Debounce voltage_;

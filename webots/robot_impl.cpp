@@ -73,7 +73,7 @@ RobotImpl::~RobotImpl() {
 void RobotImpl::addDevices() {
   for (const JointRow& row : kJointTable) {
     const std::string name{row.name};
-    MotorControl& control = motors_.emplace_back(static_cast<Joint>(row.id - 1));
+    goals::MotorControl& control = motors_.emplace_back(static_cast<Joint>(row.id - 1));
     add(new webots::Servo(name, *this, control));
     add(new webots::PositionSensor(name + "S", *this, row.id - 1U));
   }

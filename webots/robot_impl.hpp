@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/motor_control.hpp"
+#include "core/goals/motor_control.hpp"
 #include "hal/keyboard.hpp"
 #include "hal/sound_output.hpp"
 #include "webots/Keyboard.hpp"
@@ -92,7 +92,7 @@ class RobotImpl {
   bool ends_with_us_;  // the loop: in real time, in this process
   Session session_;
   Commands commands_{};
-  std::deque<MotorControl> motors_;  // by joint
+  std::deque<goals::MotorControl> motors_;  // by joint
   std::array<std::optional<double>, kJoints> lent_gain_{};
   std::array<bool, kJoints> was_lent_{};  // once: from then on every image says the gain
   webots::Keyboard keyboard_{*this};

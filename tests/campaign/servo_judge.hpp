@@ -104,13 +104,14 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
     std::array<double, kPositionWindow> position{};  // ticks, at the ends of the last cycles
     long untrusted_until = 0;                        // cycle; after a damaged write or a second device with its id
     int trips = 0;                                   // since our side last believed one, or was asked to try again
+    int early_trips = 0;                             // the same, soon after it was taken over: not counted in trips
     int unheard = 0, answered = 0;                   // cycles in a row
     int late_goals = 0;                              // carried out late since it was heard last
     int unlimited_for = 0;                           // cycles under torque without a speed limit, all answered
     long goal_at = 0;                                // cycle in which the last goal came through
     long powered_at = 0;                             // cycle
     long tripped_at = -1000;                         // cycle
-    long pulls_since = 0;                            // cycle
+    long pulls_since = 0, driven_since = 0;          // cycle
     long lost_at = -1000;                            // cycle in which it lost its power under torque
     int lost_goal = 0;                               // ticks
     long unlimited_until = 0;                        // cycle; nobody can know yet that it has no speed limit
@@ -125,7 +126,7 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
   void judgeStep(Joint joint, const hil::ServoState& before, const hil::ServoState& after, std::uint32_t goals);
   void judgeOutage(const Sensors& seen);
   void judgeLimp(const Sensors& seen);
-  void judgeSpeedLimits();
+  void judgeSpeedLimits(const Sensors& seen);
   void notePerson(const Sensors& seen);
   void release();
   void personActs();

@@ -153,9 +153,9 @@ TEST(Driving, ALostTorqueOffIsSentAgain) {
   Rig rig;
   rig.start();
   rig.joint(Joint::kShoulderL).setTorque(false);
-  rig.robot[Joint::kShoulderL].hears = false;
+  rig.robot[Joint::kShoulderL].receives = false;
   rig.cycle();
-  rig.robot[Joint::kShoulderL].hears = true;
+  rig.robot[Joint::kShoulderL].receives = true;
   EXPECT_TRUE(rig.robot[Joint::kShoulderL].torque);
   rig.runFor(1);
   EXPECT_FALSE(rig.robot[Joint::kShoulderL].torque);

@@ -24,7 +24,7 @@ struct FakeServo {
   bool torque = false;
   bool restarted = false;  // since its speed was written
   bool answers = true;
-  bool hears = true;
+  bool receives = true;
   bool follows = true;             // false: blocked
   std::optional<double> stuck_at;  // what its encoder says, rad
   bool shuts_off = false;          // by overload, as soon as it is written to
@@ -77,7 +77,7 @@ struct FakeRobot {
     if (!servo_power) return;
     for (std::size_t i = 0; i < kJoints; ++i) {
       FakeServo& s = servo[i];
-      if (!s.hears || safe.held()[i]) continue;
+      if (!s.receives || safe.held()[i]) continue;
       if (safe.write() == SafeCommands::Write::kTorque) {
         if (safe.torqueOn()[i]) s.torque = true;
         if (safe.torqueOff()[i]) s.torque = false;

@@ -50,7 +50,7 @@ TEST(FoundStiff, AServoThatWasLimpAndIsFoundStiffLaterIsNoticed) {
 TEST(FoundStiff, AServoThatDoesNotLetGoIsNotCalledLimpAndOnlyItIsToldAgain) {
   Rig rig;
   rig.start();
-  rig.robot[Joint::kHead].hears = false;
+  rig.robot[Joint::kHead].receives = false;
   rig.commands.farewell = true;
   ASSERT_TRUE(rig.reach(State::kLimp));
   ASSERT_TRUE(rig.reach(State::kFoundStiff));
@@ -60,7 +60,7 @@ TEST(FoundStiff, AServoThatDoesNotLetGoIsNotCalledLimpAndOnlyItIsToldAgain) {
     ASSERT_TRUE(rig.safe->torqueOn().none());
     ASSERT_TRUE(rig.safe->driven().none()) << "the others are limp and stay so";
   }
-  rig.robot[Joint::kHead].hears = true;
+  rig.robot[Joint::kHead].receives = true;
   ASSERT_TRUE(rig.reach(State::kLimp));
   EXPECT_FALSE(rig.robot[Joint::kHead].torque);
 }

@@ -67,7 +67,7 @@ TEST(Kneel, AllJointsArriveTogetherSoThatTheFeetStayFlatOnTheWayDown) {
   }
 }
 
-TEST(Kneel, WhatTheControllerWishedForSpeedTorqueAndGainDoesNotSlowOrWeakenIt) {
+TEST(Kneel, WhatTheControllerRequestedForSpeedTorqueAndGainDoesNotSlowOrWeakenIt) {
   Rig rig{exitBy(OnExit::kKneel)};
   stand(rig);
   for (JointCommand& joint : rig.commands.joint) {
@@ -198,7 +198,7 @@ TEST(Kneel, ARobotThatLosesItsPowerInTheKneelIsNotRaisedAgain) {
   }
 }
 
-TEST(Kneel, AJointThatIsWishedLimpStaysLimpInTheKneel) {
+TEST(Kneel, AJointThatIsRequestedLimpStaysLimpInTheKneel) {
   Rig rig;
   stand(rig);
   rig.joint(Joint::kShoulderR).setTorque(false);

@@ -19,7 +19,7 @@ using std::chrono::milliseconds;
 
 constexpr double kAtTheGoal = 9 * kRadPerTick;
 
-std::string complaint(const FallingBody::TorqueOn& edge) {
+std::string describe(const FallingBody::TorqueOn& edge) {
   return std::string{row(edge.joint).name} + ": goal " + std::to_string(edge.off) + " rad off, speed limit " +
          std::to_string(edge.speed_limit) + " rad/s; ";
 }
@@ -28,7 +28,7 @@ std::string complaint(const FallingBody::TorqueOn& edge) {
 std::string judge(const FallingBody& body) {
   std::string wrong;
   for (const FallingBody::TorqueOn& edge : body.torqueOn())
-    if (std::abs(edge.off) > kAtTheGoal || std::isinf(edge.speed_limit)) wrong += complaint(edge);
+    if (std::abs(edge.off) > kAtTheGoal || std::isinf(edge.speed_limit)) wrong += describe(edge);
   return wrong;
 }
 

@@ -8,7 +8,7 @@
 #include <webots/Motor.hpp>
 #include <webots/utils/Motion.hpp>
 
-#include "core/lead_in.hpp"
+#include "core/goals/lead_in.hpp"
 #include "fixture.hpp"
 #include "support/temporary_folder.hpp"
 #include "webots/motion_text.hpp"
@@ -184,13 +184,15 @@ TEST_F(MotionTest, AFirstPoseThatIsFarAwayIsNotJumpedToAndTheTimeWaits) {
   int steps = 0;
   for (double goal = 0; steps < 1000 && motion.getTime() == 0; ++steps) {
     goal = neckAfterStep();
-    EXPECT_LE(std::abs(goal - before), LeadIn::kSpeed * 0.016 + 1e-9) << "rad in a step of 16 ms, step " << steps;
+    EXPECT_LE(std::abs(goal - before), goals::LeadIn::kSpeed * 0.016 + 1e-9)
+        << "rad in a step of 16 ms, step " << steps;
     EXPECT_FALSE(motion.isOver());
     EXPECT_TRUE(std::isnan(headOfLastStep())) << "it has no first value";
     before = goal;
     if (goal == 1.2) break;
   }
-  EXPECT_NEAR(steps * 0.016, 1.5 * 1.2 / LeadIn::kSpeed, 0.032) << "1.2 rad, in the middle at the greatest speed";
+  EXPECT_NEAR(steps * 0.016, 1.5 * 1.2 / goals::LeadIn::kSpeed, 0.032)
+      << "1.2 rad, in the middle at the greatest speed";
   EXPECT_EQ(motion.getTime(), 0);
   EXPECT_THAT(necks(2), ElementsAre(1.3, 1.4));
   EXPECT_TRUE(motion.isOver());

@@ -35,7 +35,7 @@ const EffectInfo& effectNamed(std::string_view id) {
 }
 
 Joint jointNamed(std::string_view name) {
-  if (const auto joint = findJoint(text::jointName(name))) return *joint;
+  if (const auto joint = findJoint(jointName(name))) return *joint;
   std::vector<std::string_view> names;
   names.reserve(kJoints);
   for (const JointRow& row : kJointTable) names.push_back(row.name);
