@@ -7,7 +7,7 @@
 #include "core/conversions.hpp"
 #include "core/goals/lead_in.hpp"
 #include "managers/motion/first_step.hpp"
-#include "managers/motion_text/rehearsal.hpp"
+#include "managers/motion_text/dry_run.hpp"
 #include "managers/motion_text/values.hpp"
 #include "motion_print.hpp"
 #include "webots/motion_playback.hpp"

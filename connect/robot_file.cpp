@@ -68,7 +68,7 @@ std::string atAngle(double rad) {
   return text;
 }
 
-/// Strict, unlike config.ini's: this file is new, so nobody's old one has to be understood.
+/// Strict, unlike config.ini: no old files exist that must still be read.
 class Reader final : public text::IniReader {
  public:
   explicit Reader(const std::string& path) { file_.path = path; }
@@ -126,7 +126,7 @@ class Reader final : public text::IniReader {
     const auto offset = text::numberFromText(value);
     if (!offset || !(std::abs(*offset) <= kMostOffset))
       refuse("Offsets", key, value,
-             "give a number from -0.2 to 0.2 rad; a horn that is further off has to be put on anew");
+             "give a number from -0.2 to 0.2 rad; a horn that is further off has to be remounted");
     file_.offsets.set(*joint, Rad{*offset});
   }
 

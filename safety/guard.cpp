@@ -92,7 +92,7 @@ void Guard::watch(const Sensors& seen, Nanos dt) noexcept {
   for (JointGuard& joint : joints_) joint.losePower();
 }
 
-/// RESET is a way to let go of the robot. What counts is whether it held its joints when power went, not what was
+/// RESET is a way to release the robot. What counts is whether it held its joints when power went, not what was
 /// known: a torque off that was just sent may have been lost, and a robot that no loop has looked at yet may be stiff.
 /// Servo power that is off from the start, on a robot that no loop has held, is a board that was just switched on.
 void Guard::watchHold() noexcept {
@@ -174,10 +174,10 @@ inline void Guard::moveJoints(double speed, Nanos dt) noexcept {
 SafeCommands Guard::compose(Nanos dt) noexcept {
   SafeCommands safe;
   if (state_ == State::kOffline) return safe;
-  // A board that did not answer may not have heard the last goals either: they wait for it, so that what it hears
-  // next is one step away from what it heard last. Meanwhile nothing is written: a servo may have restarted unseen.
+  // A board that did not answer may not have received the last goals either: they wait for it, so that what it receives
+  // next is one step away from what it received last. Meanwhile nothing is written: a servo may have restarted unseen.
   const bool answers = board_.answersNow();
-  // For the same reason torque comes on only after a goal that was heard; torque off goes out in any case.
+  // For the same reason torque comes on only after a goal that was received; torque off goes out in any case.
   safe.torque_off_ = jointsThat([this](std::size_t i) { return joints_[i].offDue(); });
   if (answers) safe.torque_on_ = jointsThat(looking_at_, [this](std::size_t i) { return joints_[i].onDue(); });
   const bool switches = (safe.torque_off_ | safe.torque_on_).any();

@@ -1,4 +1,4 @@
-// The last step before the encoder: turns what a controller asks for into what the robot may be told.
+// The last step before the encoder: turns requests of a controller into commands that may be sent.
 #pragma once
 
 #include <array>

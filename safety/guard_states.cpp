@@ -9,7 +9,7 @@ namespace {
 // Maximum age of a torque reading, in cycles: one round in which each servo is looked at once, and a margin for lost
 // replies. What is still unknown after two rounds stays unknown.
 constexpr int kLookRound = kJoints + 5;
-// After the robot sits: time to come to rest before it lets go.
+// After the robot sits: time to come to rest before it releases torque.
 constexpr Nanos kRest{std::chrono::seconds{1}};
 
 Reaction atExit(OnExit requested) noexcept {
@@ -44,7 +44,7 @@ std::optional<Event> Guard::findEvent() const noexcept {
   return findEventOf(state_, wanted, demand == Reaction::kHold);
 }
 
-/// Servos keep their torque when whoever drove them dies. A robot that nobody drives yet counts as limp only when each
+/// Servos keep their torque when their driver dies. A robot that nobody drives yet counts as limp only when each
 /// servo that answers has been looked at.
 std::optional<Event> Guard::findEventOffline() const noexcept {
   if (!board_.answersNow()) return std::nullopt;

@@ -44,17 +44,15 @@ void JointGuard::requestIfNone(Rad goal) noexcept {
 }
 
 FaultSet JointGuard::faults() const noexcept {
-  return faultIf(watch_.silent() || unresponsive(), Fault::kServoSilent) | faultIf(watch_.hot(), Fault::kServoHot) |
-         faultIf(watch_.overheated() || trip_ == Trip::kOverheat, Fault::kServoOverheat) |
-         faultIf(trip_ == Trip::kOverload, Fault::kServoOverload) | faultIf(watch_.badVoltage(), Fault::kServoVoltage) |
-         faultIf(encoder_watch_.stuck(), Fault::kEncoderStuck);
+  FaultSet found;
+  detect([&found](Fault fault, int active) { found |= faultIf(active != 0, fault); });
+  return found;
 }
 
 /// Torque that the servo's P controller makes to reach its goal, N m; never more than it really is. 0: it is not
 /// driven, or so slowly that its goal says nothing about its torque, or the torque is too small to count.
 inline double JointGuard::push(const JointSensors& seen) const noexcept {
-  constexpr double kFastEnough = 0.5;                     // rad/s
-  constexpr double kFullDriveError = 1023 * kRadPerTick;  // rad at Kp 1: MX-28 manual, output 0..1023 over ticks
+  constexpr double kFastEnough = 0.5;  // rad/s
   if (!channel_.moving() || !mayBeWritten()) return 0;
   const double gain = std::min(requested_p_gain_, config_.default_p_gain);  // safety's own moves use the default
   const double torque = gain * (channel_.goal().value - seen.position.value) / kFullDriveError * kMaxTorqueNm;
@@ -66,7 +64,7 @@ inline double JointGuard::push(const JointSensors& seen) const noexcept {
   return limit > 0 ? std::copysign(std::min(std::abs(torque), limit), torque) : 0;
 }
 
-/// A look tells whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
+/// A look shows whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
 /// switched it on again. (A servo that shut itself off has a torque limit of 0: TripWatch.)
 inline void JointGuard::noteRestart(const JointSensors& seen) noexcept {
   const bool looked = seen.motion.fresh() && seen.health.fresh();
@@ -74,7 +72,7 @@ inline void JointGuard::noteRestart(const JointSensors& seen) noexcept {
   const bool never_on = !on_seen_ || uncertain_;  // torque on was lost, or it has restarted
   const bool restarted = looked && (seen.speed_limit.value <= 0 || (off && never_on && channel_.moving()));
   if (looked && seen.torque_enabled) on_seen_ = true;
-  // It restarted while it was not heard, and has torque: a board that was stalled has carried out a goal of before. It
+  // It restarted while it was silent, and has torque: a board that was stalled has carried out a goal of before. It
   // runs there without a speed limit.
   if (looked && uncertain_ && had_limit_ && seen.speed_limit.value <= 0 && seen.torque_enabled) orderOff();
   if (looked) had_limit_ = seen.speed_limit.value > 0;

@@ -1,4 +1,4 @@
-// All that protects one joint: what the controller wishes, whether the servo is well, how it is driven.
+// Protection of one joint: the controller's requests, the servo's health, how it is driven.
 #pragma once
 
 #include <algorithm>
@@ -23,28 +23,28 @@ class JointGuard {
 
   JointGuard(Joint joint, const Config& config);
 
-  // -- what the controller wishes
-  /// A new driver starts without the wishes of the one before.
+  // -- requests of the controller
+  /// A new driver starts without the requests of the previous one.
   void forgetRequests() noexcept;
   void take(const JointCommand& asked, LimitHits& hits) noexcept {
     if (asked.has(JointCommand::kGoal)) requested_goal_ = limitGoal(asked.goal, requested_goal_, range(), hits);
     if ((asked.set & ~JointCommand::kGoal) != 0) takeSettings(asked, hits);
   }
-  /// Where the joint stays when the controller has not said anything yet.
+  /// Goal of the joint until the controller requests one.
   void requestIfNone(Rad goal) noexcept;
 
-  // -- what the servo tells
+  // -- reports of the servo
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
   /// The causes of faults as they are in this cycle.
   [[nodiscard]] FaultSet faults() const noexcept;
-  /// No faults(). Without a branch for each of them: this is asked of every joint in every cycle.
+  /// No faults().
   [[nodiscard]] bool well() const noexcept {
-    const int problems = int{watch_.silent()} | watch_.hot() | watch_.overheated() | watch_.badVoltage() |
-                         unresponsive() | encoder_watch_.stuck() | (trip_ != Trip::kNone);
-    return problems == 0;
+    int any = 0;
+    detect([&any](Fault /*fault*/, int active) { any |= active; });
+    return any == 0;
   }
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
-  /// As far as is known the servo holds its joint, whoever told it to.
+  /// As far as is known the servo holds its joint, on any request.
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }
   /// It was looked at since it answers, or it does not answer: then nobody can know.
   [[nodiscard]] bool torqueKnown() const noexcept { return torque_known_ || watch_.lost(); }
@@ -88,7 +88,7 @@ class JointGuard {
     return channel_.advance(target, gentle_step, full_step);
   }
   /// What goes on the wire. `speed_cap`: no faster than this.
-  /// `by_itself`: safety moves the robot, and what the controller wished for speed, torque and gain does not count.
+  /// `by_itself`: safety moves the robot, and the requested speed, torque and gain do not count.
   [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap, bool by_itself) const noexcept {
     const double cap = channel_.gentle() ? std::min(config_.gentle_speed, speed_cap.value) : speed_cap.value;
     if (by_itself)
@@ -100,6 +100,16 @@ class JointGuard {
   // A lost write is rare; each try takes three cycles and does no harm, so all of them about a second.
   static constexpr int kRefusals = 20;
 
+  /// Every fault of a servo and what detects it. Without a branch: this is asked of every joint in every cycle.
+  template <class F>
+  void detect(F&& fault) const noexcept {
+    fault(Fault::kServoSilent, int{watch_.silent()} | unresponsive());
+    fault(Fault::kServoHot, watch_.hot());
+    fault(Fault::kServoOverheat, int{watch_.overheated()} | (trip_ == Trip::kOverheat));
+    fault(Fault::kServoOverload, trip_ == Trip::kOverload);
+    fault(Fault::kServoVoltage, watch_.badVoltage());
+    fault(Fault::kEncoderStuck, encoder_watch_.stuck());
+  }
   /// It answers, and again and again it is seen without what was written to it.
   [[nodiscard]] bool unresponsive() const noexcept { return refused_ >= kRefusals; }
   void takeSettings(const JointCommand& asked, LimitHits& hits) noexcept;

@@ -1,4 +1,4 @@
-// What one servo tells about its health: does it answer, is it warm, is its supply good?
+// Health of one servo: does it answer, is it warm, is its supply good?
 #pragma once
 
 #include "core/packet.hpp"
@@ -24,14 +24,14 @@ class ServoWatch {
       overheat_bit_.update(overheat, !overheat);
       voltage_.update(voltage, !voltage, dt);
     }
-    if (seen.health.fresh()) {  // NaN fails every comparison: unknown is no fault
+    if (seen.health.fresh()) {  // NaN fails every comparison: unknown is not a fault
       const double celsius = seen.temperature.value;
       hot_.update(celsius >= config_.hot, celsius <= config_.hot - kHeatHysteresis);
       overheated_.update(celsius >= config_.overheat, celsius <= config_.overheat - kHeatHysteresis);
     }
   }
 
-  /// Not heard for so long that the last goal must not be trusted any more: it may have moved or restarted.
+  /// Silent for so long that the last goal must not be trusted any more: it may have moved or restarted.
   [[nodiscard]] bool lost() const noexcept { return lost_; }
   /// Lost, or given up by the bus; never in the second after power came on, in which servos start.
   [[nodiscard]] bool silent() const noexcept { return silent_now_; }
@@ -40,7 +40,6 @@ class ServoWatch {
   [[nodiscard]] bool badVoltage() const noexcept { return voltage_.on(); }
 
  private:
-  static constexpr double kHeatHysteresis = 5;  // deg C
   // Servos start in about 0.3 s; the bus asks again twice a second.
   static constexpr Nanos kStartUp{std::chrono::milliseconds{1000}};
   static constexpr Nanos kVoltageOn{std::chrono::milliseconds{100}}, kVoltageOff{std::chrono::milliseconds{1000}};

@@ -19,7 +19,7 @@ class TripWatch {
     kSuspected,  // leave it out until the next reading: a routine write would arm it again
     kOverload,   // shut itself off
     kOverheat,   // shut itself off
-    kNotOn,      // torque is off, its torque limit is not: it has not heard "torque on"
+    kNotOn,      // torque is off, its torque limit is not: it has not received "torque on"
   };
 
   /// `driven_for`: time since torque was switched on, nothing while the joint is not driven.

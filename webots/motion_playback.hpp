@@ -56,7 +56,7 @@ class MotionPlayback {
   goals::LeadIn lead_in_;
 };
 
-/// Once in every step, before the motors' wishes are gathered. Of two that move one motor the younger one wins.
+/// Once per step, before the motors' commands are computed. If two move one motor, the newer one wins.
 void advanceMotions(RobotImpl& robot);
 
 }  // namespace darwinop::facade

@@ -3,14 +3,14 @@
 
 #include "core/goals/gentle_move.hpp"
 #include "core/joints.hpp"
+#include "core/servo_limits.hpp"
 
 namespace darwinop::goals {
 
 class LeadIn : public GentleMove<kJoints> {
  public:
-  /// rad/s, 11.4 rpm: peak speed of the joint with the longest distance. The runtime moves a robot to its start pose at
-  /// the same speed by default (gentle_speed, safety/config.hpp).
-  static constexpr double kSpeed = 1.194;
+  /// Peak speed of the joint with the longest distance.
+  static constexpr double kSpeed = kGentleSpeed;
 
   LeadIn() = default;  // done
   LeadIn(const Pose& from, const Pose& to) : GentleMove{from, to, durationMs(longestDistance(from, to))} {}

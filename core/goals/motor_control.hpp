@@ -7,13 +7,10 @@
 
 #include "core/commands.hpp"
 #include "core/conversions.hpp"
-#include "core/sensors.hpp"
 #include "core/goals/speed_ramp.hpp"
+#include "core/sensors.hpp"
 
 namespace darwinop::goals {
-
-// Source: the simulator's model of this robot. The register ends at 12.213 rad/s.
-inline constexpr double kMaxVelocity = 12.26;
 
 class MotorControl {
  public:

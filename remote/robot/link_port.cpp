@@ -181,9 +181,9 @@ void LinkPort::endAbandonedSession() noexcept try {
 }
 
 void LinkPort::endSession() noexcept {
-  commands_.farewell = true;
+  commands_.end_of_session = true;
   link_->publish(commands_);
-  commands_.farewell = false;
+  commands_.end_of_session = false;
   if (home_ == Home::kDaemon) link_.reset();  // the link's destructor ends the session once more
 }
 

@@ -105,7 +105,7 @@ TEST_F(Encoding, SyncWriteOfAllServosHas188Bytes) {
   EXPECT_EQ(sync.finish().size(), 188u);
 }
 
-TEST_F(Encoding, EmptySyncWriteIsNoFrame) {
+TEST_F(Encoding, EmptySyncWriteIsNotAFrame) {
   SyncWriteEncoder sync{buffer, servo::kPGain, 8};
   EXPECT_TRUE(sync.finish().empty());
 }
@@ -154,7 +154,7 @@ TEST_F(Encoding, BulkReadTakesWhatTheLengthByteAllowsAndNoMore) {
   EXPECT_EQ(bulk.finish().size(), 259u);
 }
 
-TEST_F(Encoding, EmptyBulkReadIsNoFrame) {
+TEST_F(Encoding, EmptyBulkReadIsNotAFrame) {
   EXPECT_TRUE(BulkReadEncoder{buffer}.finish().empty());
 }
 

@@ -65,7 +65,7 @@ TEST(BoardMiss, SixAreALostLink) {
   EXPECT_EQ(robot.state(), State::kOffline);
 }
 
-TEST(BoardMiss, AServoThatRestartsWhileTheBoardIsNotHeardIsPlacedAnew) {
+TEST(BoardMiss, AServoThatRestartsWhileTheBoardIsSilentIsPlacedAgain) {
   for (int start = 0; start < 4; ++start) {
     WireRig robot{nullptr, bootsIn(std::chrono::milliseconds{20})};
     robot.run(300);

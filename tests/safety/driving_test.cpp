@@ -101,7 +101,7 @@ TEST(Driving, GoalsWaitForABoardThatDoesNotAnswer) {
   rig.run(1);
   const double sent = rig.goal(Joint::kNeck);
   rig.run(3);
-  EXPECT_EQ(rig.goal(Joint::kNeck), sent) << "it may have heard none of them";
+  EXPECT_EQ(rig.goal(Joint::kNeck), sent) << "it may have received none of them";
   rig.robot.board_answers = true;
   rig.run(2);
   EXPECT_GT(rig.goal(Joint::kNeck), sent);

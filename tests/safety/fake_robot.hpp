@@ -70,7 +70,7 @@ struct FakeRobot {
   }
 
  private:
-  std::bitset<kJoints> unseen_;  // since they were last heard, or asked to be looked at
+  std::bitset<kJoints> unseen_;  // since their last answer, or asked to be looked at
 
   void obey(const SafeCommands& safe) {
     if (safe.powerOn()) servo_power = servo_power || power_obeys;
@@ -122,7 +122,7 @@ struct FakeRobot {
     s.corruption = 0;
     j.error_bits = s.error_bits;
     if (s.remembers && !s.torque) j.error_bits |= error_bit::kOverload;
-    // As the bus does: one in turn, and whoever missed an answer.
+    // As the bus does: one in turn, and those that missed an answer.
     if (seen.cycle % kJoints != i && !unseen_[i]) return j.health.missed();
     unseen_.reset(i);
     j.health.received();

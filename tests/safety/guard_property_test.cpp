@@ -43,7 +43,7 @@ void command(Commands& c, Rng& rng) {
   if (rng.one(400)) ++c.session;
   if (rng.one(300)) ++c.fault_resets;
   if (rng.one(500)) c.start_where_it_is = !c.start_where_it_is;
-  if (rng.one(2000)) c.farewell = !c.farewell;
+  if (rng.one(2000)) c.end_of_session = !c.end_of_session;
   if (rng.one(3)) return;
   JointCommand& joint = c.joint[static_cast<std::size_t>(rng.upTo(kJoints - 1))];
   if (rng.one(2)) joint.setGoal(Rad{rng.wild()});
@@ -155,7 +155,8 @@ RC_GTEST_PROP(GuardProperty, AJointEntersWhereItIsAlthoughReadingsAreCorrupted, 
     for (std::size_t i = 0; i < kJoints; ++i) {
       FakeServo& s = robot.servo[i];
       s.answers = s.answers ? !rng.one(200) : rng.one(40);
-      // Never two in a row, and by more than a joint moves in a cycle: nothing tells a smaller one from a motion.
+      // Never two in a row, and by more than a joint moves in a cycle: a smaller one is indistinguishable from a
+      // motion.
       s.corruption = cycle % 3 == static_cast<int>(i % 3) && rng.one(3) ? rng.number(0.25, 1) : 0;
       if (rng.one(100)) commands.joint[i].setTorque(!rng.one(3));
       if (rng.one(100)) commands.joint[i].setGoal(Rad{rng.number(-1, 1)});

@@ -168,7 +168,7 @@ class SpoiltLine final : public ByteLine {
   std::uint8_t id_;
 };
 
-/// An arm is limp, is moved by hand, and is asked to stay there. Torque is told on while its replies are spoilt.
+/// An arm is limp, is moved by hand, and is asked to stay there. Torque is switched on while its replies are spoilt.
 struct ArmTakenOver {
   explicit ArmTakenOver(std::uint32_t seed) : random{seed} {}
 
@@ -221,7 +221,7 @@ struct ArmTakenOver {
   }
 };
 
-TEST(Restart, ASuspectedServoIsNotToldTorqueOnBeforeItsGoalHasGoneOut) {
+TEST(Restart, ASuspectedServoGetsNoTorqueOnBeforeItsGoalHasGoneOut) {
   ArmTakenOver arm{1};
   arm.takeOverUnderFaults(true);
   EXPECT_LT(arm.fastest, 0.3) << "asked to stay where it is";

@@ -277,7 +277,7 @@ TEST(TakeOver, ANewSessionStartsFromTheConfirmedPresentPoseWithoutAJump) {
   ASSERT_TRUE(rig.reach(State::kDriven));
   EXPECT_NEAR(rig.goal(Joint::kNeck), rest, 0.015);
   rig.runFor(1);
-  EXPECT_NEAR(rig.robot[Joint::kNeck].position, rest, 0.015) << "the wishes of the old session are forgotten";
+  EXPECT_NEAR(rig.robot[Joint::kNeck].position, rest, 0.015) << "the requests of the old session are forgotten";
 }
 
 TEST(TakeOver, EverySessionGoesThroughTheStartPoseInItsOwnTime) {
@@ -322,7 +322,7 @@ TEST(TakeOver, WaitsForServoPowerAndAsksForIt) {
   EXPECT_FALSE(rig.safe->powerOn());
 }
 
-TEST(TakeOver, TorqueComesOnOnlyAfterAGoalThatTheBoardHeard) {
+TEST(TakeOver, TorqueComesOnOnlyAfterAGoalThatTheBoardReceived) {
   Rig rig;
   rig.newSession();
   rig.run(4);

@@ -50,7 +50,7 @@ TEST(Trip, ATrippedServoIsNeverDrivenUntilAsked) {
   EXPECT_EQ(rig.robot[kKnee].torque_limit, 0);
 }
 
-TEST(Trip, OneCorruptedErrorByteIsNoFaultAndTheJointRestartsWhereItIs) {
+TEST(Trip, OneCorruptedErrorByteIsNotAFaultAndTheJointRestartsWhereItIs) {
   Rig rig;
   rig.start();
   rig.runFor(1);
@@ -154,7 +154,7 @@ TEST(Trip, TheRotatingLookFindsATorqueLimitOfZeroWithoutAnyErrorBit) {
   EXPECT_EQ(rig.robot[kKnee].torque_limit, 0) << "not armed by a routine write";
 }
 
-TEST(Trip, ATorqueLimitOfZeroThatTheControllerAskedForIsNoShutdown) {
+TEST(Trip, ATorqueLimitOfZeroThatTheControllerAskedForIsNotAShutdown) {
   Rig rig;
   rig.start();
   rig.joint(kKnee).setTorqueLimit(NewtonMeter{0});

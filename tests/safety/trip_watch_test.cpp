@@ -28,7 +28,7 @@ JointSensors look(std::uint8_t error_bits, double torque_limit, bool torque_enab
   return seen;
 }
 
-TEST(TripWatchInGrace, AnOverloadBitKeepsTheServoOutOfWritesAndIsNoFaultHoweverOftenItComes) {
+TEST(TripWatchInGrace, AnOverloadBitKeepsTheServoOutOfWritesAndIsNotAFaultHoweverOftenItComes) {
   TripWatch watch;
   for (Nanos driven{0}; driven < TripWatch::kGrace; driven += milliseconds{16})
     ASSERT_EQ(watch.update(answer(error_bit::kOverload), driven), Verdict::kSuspected);

@@ -47,7 +47,7 @@ void addSingles(Rng& rng, Requests& all) {
       for (const int severity : {1, 2, 3}) {
         const Baseline baseline = kind == Baseline::kFriction && rng.coin() ? Baseline::kFine : kind;
         if (shows(*effect, baseline) && severity <= effect->synthetic.most_severe)
-          all.push_back(request(baseline, rng.share() < 0.4, {{.id = id, .severity = severity}}));
+          all.push_back(request(baseline, rng.uniform() < 0.4, {{.id = id, .severity = severity}}));
       }
   }
 }
@@ -83,7 +83,7 @@ void addPairs(std::size_t count, Rng& rng, Requests& all) {
     const twin::EffectInfo &a = *rng.pick(effects), &b = *rng.pick(effects);
     const Baseline baseline = rng.pick(kBaselines);
     if (areDoubles(a, b) || !shows(a, baseline) || !shows(b, baseline)) continue;
-    const bool other_law = baseline == Baseline::kSpeed && rng.share() < 0.3;
+    const bool other_law = baseline == Baseline::kSpeed && rng.uniform() < 0.3;
     const HiddenEffect first{.id = other_law ? otherLaw() : std::string{a.id}, .severity = 3};
     all.push_back(request(baseline, false, {first, {.id = std::string{b.id}, .severity = 2 + (rng.coin() ? 1 : 0)}}));
     --count;
