@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gap/fit/problem.hpp"
-#include "gap/plant/hypothesis.hpp"
+#include "gap/plant/plant.hpp"
 
 namespace darwinop::gap {
 
@@ -13,6 +13,7 @@ struct Study {
   Study& operator=(const Study&) = delete;
 
   const Case& data;
+  const Plant& plant;
   const Hypothesis baseline;  // the model before anything is fitted or added
   const Evidence evidence;    // the logs to be fitted, with the noise that the baseline predicts for them
   const double gap_rad;       // rms position error of the baseline in closed loop, fit logs

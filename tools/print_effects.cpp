@@ -47,7 +47,7 @@ Symbols, in SI units at the horn:
 - `tm`, `te`: motor torque, load torque without the arm's inertia (at rest `te = -tm`); `F`: friction torque
 - `T`, `t`: temperature, session time; `m`, `L`, `J`: mass, length and inertia carried by the joint
 
-Effects act in the order of this page. In parentheses: the place in the loop.
+Effects act in the order of this page. In parentheses: the part of the loop.
 )";
 
 using Listed = std::vector<const EffectInfo*>;
@@ -111,7 +111,7 @@ void printEffect(std::ostream& out, const EffectInfo& effect) {
   std::string title{effect.title};
   title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(title.front())));
   out << "\n## " << effect.id << "\n\n"
-      << title << " (" << name(effect.place) << "):\n\n    " << effect.equation << "\n\n";
+      << title << " (" << name(effect.part) << "):\n\n    " << effect.equation << "\n\n";
   for (const Parameter& p : effect.parameters) printParameter(out, p);
   out << "- Logs: " << effect.signature << "\n- Confounded with: " << links(twin::doublesOf(effect))
       << "\n- Separation: " << effect.separated_by << '\n';

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
 
 namespace darwinop::gap {
@@ -24,11 +25,6 @@ constexpr auto kServoKeys = std::to_array<ServoKey>({
     {"ticks_per_rev", "ticks_per_rev", &S::ticks_per_rev, true, true},
 });
 
-constexpr auto kFrictionKeys = std::to_array<FrictionKey>({
-    {"coulomb_Nm", "coulomb", "coulomb.friction"},
-    {"viscous_Nms_rad", "viscous", "viscous.damping"},
-});
-
 // Ranges: what a servo of this size can swing.
 constexpr auto kArmKeys = std::to_array<ArmKey>({
     {"arm_mass_kg", "arm_mass", &twin::Pendulum::arm_mass_kg, {"kg", 0, 20}},
@@ -46,8 +42,13 @@ twin::NumberRule ruleOf(const ServoKey& key) {
   return twin::findKey("servo", key.key)->number;
 }
 
-std::span<const FrictionKey> frictionKeys() {
-  return kFrictionKeys;
+std::vector<FrictionKey> frictionKeys() {
+  std::vector<FrictionKey> keys;
+  for (const twin::EffectInfo* const effect : twin::catalogue())
+    for (const twin::BaselineAlias& alias : effect->aliases)
+      if (alias.relation == twin::BaselineAlias::Relation::kOwnValue)
+        keys.push_back({alias.case_key, effect, alias.number});
+  return keys;
 }
 
 std::span<const ArmKey> armKeys() {

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "gap/case/case.hpp"
 #include "twin/model/number.hpp"
@@ -21,11 +22,12 @@ std::span<const ServoKey> servoKeys();
 
 /// A baseline's friction is an effect of the model; a value of 0 is none.
 struct FrictionKey {
-  std::string_view json;    // "coulomb_Nm"
-  std::string_view effect;  // "coulomb"; it has one parameter
-  std::string_view prior;   // "coulomb.friction"
+  std::string_view json;           // "coulomb_Nm"
+  const twin::EffectInfo* effect;  // it has one parameter
+  std::string_view prior;          // "coulomb.friction"
 };
-std::span<const FrictionKey> frictionKeys();
+/// Of the effects that a baseline may have, in the order of the catalogue.
+std::vector<FrictionKey> frictionKeys();
 
 /// What swings. `member` of a log's payload is null.
 struct ArmKey {

@@ -15,7 +15,7 @@ constexpr double kFineFirmware = 2e-4;  // s
 const std::vector<std::string_view> kLawNames{"voltage_p", "speed_p"};
 
 void addFriction(const FrictionKey& key, double value, twin::Model& model) {
-  if (value > 0) model.effects.push_back({twin::findEffect(key.effect), {value}, std::nullopt});
+  if (value > 0) model.effects.push_back({key.effect, {value}, std::nullopt});
 }
 
 void readArm(Fields& from, Case& into) {
@@ -41,8 +41,7 @@ std::vector<std::string_view> readBaseline(Fields baseline, Case& into) {
     given.push_back(key.key);
   }
   for (const FrictionKey& key : frictionKeys()) {
-    const twin::EffectInfo& info = *twin::findEffect(key.effect);
-    addFriction(key, params.number(key.json, twin::ruleOf(info.parameters[0])), into.model);
+    addFriction(key, params.number(key.json, twin::ruleOf(key.effect->parameters[0])), into.model);
   }
   readArm(params, into);
   params.finish();

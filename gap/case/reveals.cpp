@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "gap/case/plausible.hpp"
+#include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
 namespace {
+
+using twin::LogFeature;
 
 // What it takes; from the separating experiments of docs/twin/effects.md.
 constexpr double kLimp = 1;        // s, some swings
@@ -38,105 +42,84 @@ struct Rule {
   std::string_view id;
   bool (*reveals)(const Seen&);
   std::string_view can, cannot, remedy;
-  std::vector<std::string_view> effects;
+  std::optional<LogFeature> feature;  // that effects are observable by
 };
 
 const Rule kRules[] = {
-    {"load_column",
-     [](const Seen& s) { return s.fit.load.known(); },
+    {"load_column", [](const Seen& s) { return s.fit.load.known(); },
      "Load was measured: controller and mechanics are judged apart.",
      "No load was measured: controller and mechanics cannot be cut apart, and effects of the one pass for the other.",
-     "read load along with position: registers 36 to 43 are one read",
-     {"deadband", "kp_scale", "torque_limit", "integral", "derivative", "gear_scale"}},
-    {"volt_column",
-     [](const Seen& s) { return s.fit.volt_v.known() && s.fit.load.greatest() > kSag; },
+     "read load along with position: registers 36 to 43 are one read", LogFeature::kLoadColumn},
+    {"volt_column", [](const Seen& s) { return s.fit.volt_v.known() && s.fit.load.greatest() > kSag; },
      "Voltage was measured under load: a weak supply shows.",
      "No voltage under load: a supply that gives in is not told from a weak motor.",
-     "read the voltage along with position, in a log with strong moves",
-     {"supply_sag", "resistance_error", "kt_error", "torque_limit"}},
-    {"torque_off",
-     [](const Seen& s) { return s.fit.limp_s >= kLimp; },
+     "read the voltage along with position, in a log with strong moves", LogFeature::kVoltageColumn},
+    {"torque_off", [](const Seen& s) { return s.fit.limp_s >= kLimp; },
      "The arm swings with torque off: friction shows without the motor.",
      "The arm never swings with torque off: viscous friction is not told from the motor's back EMF.",
-     "raise the arm, switch torque off, and record the swings: experiment release",
-     {"viscous", "kt_error", "coulomb"}},
-    {"payloads",
-     [](const Seen& s) { return differ(s.fit.payloads_kg, kPayloads); },
+     "raise the arm, switch torque off, and record the swings: experiment release", LogFeature::kTorqueOff},
+    {"payloads", [](const Seen& s) { return differ(s.fit.payloads_kg, kPayloads); },
      "More than one payload: friction that grows with load shows.",
      "One payload only: friction that grows with load is not told from dry friction, nor a wrong mass from a wrong "
      "motor.",
-     "repeat one log with another weight, a tenth more at least",
-     {"load_dependent_friction", "directional_load_friction", "quadratic_load_friction", "coulomb", "com_mass"}},
-    {"p_gains",
-     [](const Seen& s) { return differ(s.fit.p_registers, kGains); },
+     "repeat one log with another weight, a tenth more at least", LogFeature::kPayloads},
+    {"p_gains", [](const Seen& s) { return differ(s.fit.p_registers, kGains); },
      "More than one P gain: what the controller adds changes with it, friction does not.",
      "One P gain only: dry friction is not told from a dead band by position alone, nor the gain from the motor.",
-     "repeat one log with half the P gain",
-     {"coulomb", "deadband", "kp_scale", "resistance_error", "p_on_torque"}},
-    {"slow_motion",
-     [](const Seen& s) { return s.fit.slow_s >= kSlow; },
+     "repeat one log with half the P gain", LogFeature::kGains},
+    {"slow_motion", [](const Seen& s) { return s.fit.slow_s >= kSlow; },
      "There is slow motion: friction that falls with speed shows.",
      "Hardly any slow motion: friction that falls with speed, and ripple over the angle, cannot be seen.",
-     "a slow triangle, 0.05 to 0.2 rad/s: experiment slow_triangle",
-     {"stribeck", "cogging"}},
-    {"fast_motion",
-     [](const Seen& s) { return s.fit.speed_rad_s.greatest() >= kFast * noLoadSpeed(s.c); },
+     "a slow triangle, 0.05 to 0.2 rad/s: experiment slow_triangle", LogFeature::kSlowMotion},
+    {"fast_motion", [](const Seen& s) { return s.fit.speed_rad_s.greatest() >= kFast * noLoadSpeed(s.c); },
      "There is fast motion: limits of speed and the motor's back EMF show.",
      "No fast motion: limits of speed and of acceleration, and the motor's back EMF, cannot be seen.",
-     "large steps: experiment steps or bang",
-     {"speed_limit", "accel_limit", "kt_error"}},
-    {"saturation",
-     [](const Seen& s) { return s.fit.saturated_s >= kSaturated; },
+     "large steps: experiment steps or bang", LogFeature::kFastMotion},
+    {"saturation", [](const Seen& s) { return s.fit.saturated_s >= kSaturated; },
      "The servo gives all it has at times: its limit shows.",
      "The servo never gives all it has: a limit above the greatest load cannot be seen, a limit below it can.",
-     "large steps with a heavy payload",
-     {"torque_limit"}},
+     "large steps with a heavy payload", LogFeature::kSaturation},
     {"both_sides",
      [](const Seen& s) { return s.fit.position_rad.low < -kBothSides && s.fit.position_rad.high > kBothSides; },
      "The arm goes to both sides: an offset of angle shows.",
      "The arm stays on one side: a wrong zero is not told from a wrong mass, and play in the gears is always shut.",
-     "move to both sides of hanging",
-     {"encoder_offset", "com_mass", "backlash", "gear_scale"}},
-    {"temperature",
-     [](const Seen& s) { return s.fit.temp_c.width() >= kWarmer; },
+     "move to both sides of hanging", LogFeature::kBothSides},
+    {"temperature", [](const Seen& s) { return s.fit.temp_c.width() >= kWarmer; },
      "The servo gets warmer by 5 K or more: what heat changes shows.",
      "The temperature hardly changes, or was not measured: what heat changes cannot be seen.",
-     "measure cold, and again after some minutes of strong moves",
-     {"temp_drift"}},
-    {"session",
-     [](const Seen& s) { return s.fit.session_s.width() >= kLongSession; },
+     "measure cold, and again after some minutes of strong moves", LogFeature::kTemperature},
+    {"session", [](const Seen& s) { return s.fit.session_s.width() >= kLongSession; },
      "The logs span half a minute or more: what changes with time is told from what changes with state.",
      "The logs span less than half a minute, or do not say when: what changes with time is not told from anything "
      "else.",
-     "say when each log began, t0_session_s, and measure the first one again at the end",
-     {"temp_drift"}},
-    {"repeats",
-     [](const Seen& s) { return s.check.has_repeats; },
-     "A log is repeated: the noise floor is measured.",
-     "No log is repeated: the noise floor has to be assumed.",
-     "repeat one log without any change",
-     {}},
-    {"kept_logs",
-     [](const Seen& s) { return s.check.held_out.duration_s > 0; },
+     "say when each log began, t0_session_s, and measure the first one again at the end", LogFeature::kLongSession},
+    {"repeats", [](const Seen& s) { return s.check.has_repeats; }, "A log is repeated: the noise floor is measured.",
+     "No log is repeated: the noise floor has to be assumed.", "repeat one log without any change", std::nullopt},
+    {"kept_logs", [](const Seen& s) { return s.check.held_out.duration_s > 0; },
      "Some logs are kept for judging the result.",
      "No log is kept for judging the result: whether it holds beyond these logs cannot be told.",
-     "measure another kind of motion, \"role\": \"score\"",
-     {}},
+     "measure another kind of motion, \"role\": \"score\"", std::nullopt},
     {kHeldOutLoadFinding,
      [](const Seen& s) { return !(s.check.held_out.load.greatest() > kHarder * s.fit.load.greatest()); },
      "No kept log is seen to load the servo more than the fitted ones do.",
      "The kept logs load the servo more than the fitted ones: what is said of them goes beyond what was learnt.",
-     "fit a log with moves as strong as those of the kept ones",
-     {}},
+     "fit a log with moves as strong as those of the kept ones", std::nullopt},
     {"host_rate",
      [](const Seen& s) {
        return std::ranges::all_of(s.check.logs, [](const LogCheck& log) { return log.period_s <= kSlowHost; });
      },
      "Rows come fast enough for delays of a few ms.",
      "Rows come slower than the servo acts: delays of less than a row hide in the reading.",
-     "read a single servo, as often as the bus allows",
-     {"transport_delay", "lost_packets", "encoder_quantisation"}},
+     "read a single servo, as often as the bus allows", LogFeature::kHostRate},
 };
+
+/// Ids, in the order of the catalogue.
+std::vector<std::string_view> revealedBy(LogFeature feature) {
+  std::vector<std::string_view> ids;
+  for (const twin::EffectInfo* const effect : twin::catalogue())
+    if (std::ranges::find(effect->revealed_by, feature) != effect->revealed_by.end()) ids.push_back(effect->id);
+  return ids;
+}
 
 }  // namespace
 
@@ -147,7 +130,7 @@ std::vector<Finding> reveals(const DataCheck& check, const Case& c) {
     for (const Rule& rule : kRules) {
       if (rule.reveals(seen) != wanted) continue;
       Finding finding{rule.id, wanted, std::string{wanted ? rule.can : rule.cannot}, {}, {}};
-      if (!wanted) finding.effects = rule.effects;
+      if (!wanted && rule.feature) finding.effects = revealedBy(*rule.feature);
       if (!wanted) finding.remedy = rule.remedy;
       findings.push_back(std::move(finding));
     }

@@ -64,7 +64,7 @@ Json baselineOf(const Case& c) {
       params[std::string{key.json}] = servo.*key.member;
   for (const FrictionKey& key : frictionKeys()) {
     const auto found =
-        std::ranges::find_if(c.model.effects, [&](const twin::EffectSetting& e) { return e.info->id == key.effect; });
+        std::ranges::find_if(c.model.effects, [&](const twin::EffectSetting& e) { return e.info == key.effect; });
     params[std::string{key.json}] = found == c.model.effects.end() ? 0.0 : found->values.front();
   }
   params.update(armOf(c));

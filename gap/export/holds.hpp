@@ -1,23 +1,20 @@
-// The table of what each target can hold: one row an effect, and one for each number of a servo that a target may
-// lack. Exports, their lists of losses and docs/gap/export.md are made from it.
+// The table of what each target can hold: one row an effect, by its facet, and one for each number of a servo that a
+// target may lack. Exports, their lists of losses and docs/gap/export.md are made from it.
 #pragma once
 
 #include <array>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "gap/export/target.hpp"
 #include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {
 
-enum class Fate : std::uint8_t { kHeld, kApproximated, kLost };
-
-struct Holding {
-  Fate fate;
-  std::string_view how;  // "frictionloss"; for what is lost: why, and what to do
-};
+using twin::Fate;
+using twin::Holding;
 
 struct HoldingRow {
   std::string_view what;  // id of an effect, or "back EMF"
@@ -28,10 +25,9 @@ struct HoldingRow {
   [[nodiscard]] const Holding& of(Target target) const { return by_target[static_cast<std::size_t>(target)]; }
 };
 
-std::span<const HoldingRow> effectHoldings();  // in the order of the catalogue
+std::vector<HoldingRow> effectHoldings();  // in the order of the catalogue
 std::span<const HoldingRow> numberHoldings();
-/// Throws std::logic_error for an effect without row.
-const HoldingRow& holdingOf(std::string_view effect);
+HoldingRow holdingOf(const twin::EffectInfo& effect);
 
 std::string_view name(Fate fate);
 /// Two tables in Markdown, effects and numbers by target and fate; `how` is in each exported file.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/units.hpp"
+#include "gap/plant/baseline_alias.hpp"
 #include "gap/plant/bench/surroundings.hpp"
 #include "twin/bench/bench.hpp"
 #include "twin/servo/servo.hpp"
@@ -32,13 +33,6 @@ ServoDrive atTheGoal(const Hypothesis& hypothesis, const Conditions& conditions,
           .torque_limit = 1,
           .p_gain = conditions.p_register / kPerGain,
           .supply_v = hypothesis.servo.supply_v};
-}
-
-double valueOr(const Hypothesis& hypothesis, std::string_view id, std::string_view key, double otherwise) {
-  const twin::EffectSetting* const found = hypothesis.find(id);
-  if (found == nullptr) return otherwise;
-  twin::EffectSetting setting = *found;
-  return valueOf(setting, key);
 }
 
 // At the goal there is no error: what the controller and the motor are set to is all that shows.
@@ -92,10 +86,10 @@ ServoNumbers numbersOf(const Hypothesis& hypothesis, const Conditions& condition
   servo.firmware(atTheGoal(hypothesis, conditions, true), 0, 0);
   takeMotor(hypothesis, servo.signals(), out);
   out.armature_kgm2 = hypothesis.servo.armature_kgm2 + servo.load().armature_kgm2;
-  out.goal_scale = valueOr(hypothesis, "gear_scale", "scale", 1);
-  out.encoder_step_rad = 2 * kPi /
-                         std::min(hypothesis.servo.ticks_per_rev,
-                                  valueOr(hypothesis, "encoder_quantisation", "ticks", hypothesis.servo.ticks_per_rev));
+  out.goal_scale = hypothesis.value(twin::ParameterRole::kGoalFactor).value_or(1);
+  const double ticks = hypothesis.servo.ticks_per_rev;
+  out.encoder_step_rad =
+      2 * kPi / std::min(ticks, hypothesis.value(twin::ParameterRole::kEncoderTicks).value_or(ticks));
   return out;
 }
 
@@ -105,7 +99,7 @@ double ArmNumbers::gravityAt(double position_rad) const {
 
 ArmNumbers armOf(const Hypothesis& hypothesis, double payload_kg) {
   Hypothesis arm_alone = hypothesis;
-  arm_alone.without("inertia");
+  std::erase_if(arm_alone.effects, [](const auto& effect) { return isAliasOf(*effect.info, "armature"); });
   arm_alone.servo.armature_kgm2 = 1e-300;  // nothing beside any arm, and a bench without arm is a bench still
   twin::Pendulum pendulum = hypothesis.pendulum;
   pendulum.payload_kg = payload_kg * hypothesis.payload_scale;

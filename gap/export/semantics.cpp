@@ -80,8 +80,8 @@ ReMeasured remeasure(Target target, const Case& given, const Hypothesis& hypothe
   forEach(given.logs.size(), [&](std::size_t i) {
     const Trajectory& log = given.logs[i];
     Trace trace;
-    rollOut(given, i, hypothesis, {}, trace);
-    twin[i].add(log.position_rad, trace.position_rad);
+    plantOf(given).rollOut(given, i, hypothesis, {}, trace);
+    twin[i].add(log.position_rad, trace[kPositionSignal]);
 
     Conditions conditions = settings.conditions();
     conditions.p_register = log.p_register;

@@ -102,7 +102,7 @@ Export exportTo(Target target, const Hypothesis& hypothesis, const ExportSetting
   for (const HoldingRow& row : numberHoldings())
     if (row.applies(hypothesis)) say(target, std::string{row.what}, row.of(target), out);
   for (const twin::EffectSetting& effect : hypothesis.effects)
-    if (!isNeutral(effect)) say(target, described(effect), holdingOf(effect.info->id).of(target), out);
+    if (!isNeutral(effect)) say(target, described(effect), holdingOf(*effect.info).of(target), out);
 
   JointText joint{.settings = settings,
                   .servo = numbersOf(hypothesis, settings.conditions()),

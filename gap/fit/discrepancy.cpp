@@ -29,11 +29,12 @@ Discrepancy discrepancyOf(const Case& given, const std::vector<std::size_t>& log
   for (const std::size_t index : logs) {
     const Trajectory& log = given.logs[index];
     const LoadResidual load_residual{hypothesis, log.p_register};
-    rollOut(given, index, hypothesis, {}, trace);
+    plantOf(given).rollOut(given, index, hypothesis, {}, trace);
     double squares = 0, count = 0;
     for (std::size_t row = 0; row < log.rows(); ++row) {
-      positions.push_back(std::abs(log.position_rad[row] - trace.position_rad[row]));
-      const double load = load_residual(log.load[row], log.position_rad[row], trace.load[row], trace.position_rad[row]);
+      positions.push_back(std::abs(log.position_rad[row] - trace[kPositionSignal][row]));
+      const double load =
+          load_residual(log.load[row], log.position_rad[row], trace[kLoadSignal][row], trace[kPositionSignal][row]);
       if (log.torque_on[row] != 0 && std::isfinite(load)) squares += load * load, ++count;
     }
     discrepancy.load[index] = count > 0 ? std::sqrt(squares / count) : 0;

@@ -11,7 +11,7 @@ bool loadIsDuty(const Hypothesis& hypothesis) {
 LoadResidual::LoadResidual(const Hypothesis& hypothesis, double p_register)
     : gain_{loadIsDuty(hypothesis) ? hypothesis.servo.duty_per_kp_per_rad * p_register : 0},
       most_{0.99 * hypothesis.servo.duty_max} {
-  if (const twin::EffectSetting* const scaled = hypothesis.find("kp_scale")) gain_ *= scaled->values[0];
+  gain_ *= hypothesis.value(twin::ParameterRole::kGainFactor).value_or(1);
 }
 
 double LoadResidual::operator()(double load, double position, double model_load, double model_position) const {

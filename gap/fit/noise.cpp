@@ -36,12 +36,13 @@ Eigen::MatrixXd deviations(const Case& given, std::size_t log, const Hypothesis&
   for (int run = 0; run < options.runs; ++run) {
     Disturbance disturbance = options.disturbance;
     disturbance.seed = (options.seed * 1'000 + log) * 1'000 + static_cast<std::uint64_t>(run);
-    rollOut(given, log, hypothesis, {.disturbance = &disturbance}, noisy);
+    plantOf(given).rollOut(given, log, hypothesis, {.disturbance = &disturbance}, noisy);
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto row = static_cast<std::size_t>(i);
-      all(i, run) = noisy.position_rad[row] - quiet.position_rad[row];
-      const double load = std::round(noisy.load[row] / kLoadStep) * kLoadStep;
-      all(n + i, run) = load_residual(load, noisy.position_rad[row], quiet.load[row], quiet.position_rad[row]);
+      all(i, run) = noisy[kPositionSignal][row] - quiet[kPositionSignal][row];
+      const double load = std::round(noisy[kLoadSignal][row] / kLoadStep) * kLoadStep;
+      all(n + i, run) =
+          load_residual(load, noisy[kPositionSignal][row], quiet[kLoadSignal][row], quiet[kPositionSignal][row]);
     }
   }
   return all;
@@ -66,7 +67,8 @@ Eigen::VectorXd loadJitter(const Trajectory& log, const Trace& quiet, double per
   const auto n = static_cast<Eigen::Index>(log.rows());
   Eigen::VectorXd jitter = Eigen::VectorXd::Zero(n);
   for (std::size_t row = 1; row < log.rows(); ++row) {
-    const double rate = std::abs(quiet.load[row] - quiet.load[row - 1]) / (log.time_s[row] - log.time_s[row - 1]);
+    const double rate =
+        std::abs(quiet[kLoadSignal][row] - quiet[kLoadSignal][row - 1]) / (log.time_s[row] - log.time_s[row - 1]);
     for (const std::size_t at : {row - 1, row})
       jitter[static_cast<Eigen::Index>(at)] =
           std::max(jitter[static_cast<Eigen::Index>(at)], rate * period_s * kUniform);
@@ -81,7 +83,7 @@ LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothe
   const Trajectory& measured = given.logs[log];
   const auto n = static_cast<Eigen::Index>(measured.rows());
   Trace quiet;
-  rollOut(given, log, hypothesis, {}, quiet);
+  plantOf(given).rollOut(given, log, hypothesis, {}, quiet);
   Eigen::MatrixXd spread = deviations(given, log, hypothesis, options, quiet, load_residual_);
   const double tick = 2 * kPi / hypothesis.servo.ticks_per_rev;
   const double reading = tick * std::hypot(kUniform, options.disturbance.encoder_ticks);
@@ -123,9 +125,9 @@ void LogNoise::residuals(const Trajectory& measured, const Trace& simulated, Eig
   const Eigen::Index n = position_sigma_.size();
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto row = static_cast<std::size_t>(i);
-    const double position = (measured.position_rad[row] - simulated.position_rad[row]) / position_sigma_[i];
-    const double load = load_residual_(measured.load[row], measured.position_rad[row], simulated.load[row],
-                                       simulated.position_rad[row]) /
+    const double position = (measured.position_rad[row] - simulated[kPositionSignal][row]) / position_sigma_[i];
+    const double load = load_residual_(measured.load[row], measured.position_rad[row], simulated[kLoadSignal][row],
+                                       simulated[kPositionSignal][row]) /
                         load_sigma_[i];
     out[i] = std::isfinite(position) ? position : 0;
     out[n + i] = std::isfinite(load) ? load : 0;

@@ -48,7 +48,7 @@ void Problem::residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> ou
 void Problem::residualsOfLog(std::size_t i, const Hypothesis& hypothesis, Eigen::Ref<Eigen::VectorXd> out) const {
   thread_local Trace trace;
   try {
-    rollOut(*evidence_->given, evidence_->logs[i], hypothesis, {}, trace);
+    plantOf(*evidence_->given).rollOut(*evidence_->given, evidence_->logs[i], hypothesis, {}, trace);
     evidence_->noise[i].residuals(evidence_->given->logs[evidence_->logs[i]], trace, out);
   } catch (const std::runtime_error&) {
     out.setConstant(thresholds::kImpossibleSigmas);

@@ -32,41 +32,17 @@ void move(Hypothesis& hypothesis, const Unknown& unknown, double value) {
                      if (number == &twin::ServoParameters::kt_nm_a) hypothesis.servo.back_emf_vs_rad *= value;
                    },
                    [&](const EffectParameter& parameter) {
-                     hypothesis.with(*parameter.info).values[parameter.index] = value;
+                     hypothesis.with(*parameter.info, parameter.place).values[parameter.index] = value;
                    }},
              unknown.what);
 }
 
-struct KnownFactor {
-  std::string_view name;
-  std::variant<LoadFactor, ServoFactor> what;
-};
-const std::array kFactors{
-    KnownFactor{"kt", &twin::ServoParameters::kt_nm_a},
-    KnownFactor{"resistance", &twin::ServoParameters::resistance_ohm},
-    KnownFactor{"armature", &twin::ServoParameters::armature_kgm2},
-    KnownFactor{"supply", &twin::ServoParameters::supply_v},
-    KnownFactor{"duty_per_kp", &twin::ServoParameters::duty_per_kp_per_rad},
-    KnownFactor{"speed_gain", &twin::ServoParameters::speed_gain_per_kp_1_s},
-    KnownFactor{"payload", LoadFactor::kPayload},
-    KnownFactor{"length", LoadFactor::kLength},
-};
-
-Unknown factor(const KnownFactor& known, double sigma) {
+Unknown factor(const BaselineNumber& known, double sigma) {
   Unknown unknown{.name = std::string{known.name}, .what = {}, .sigma = sigma};
   std::visit([&](auto what) { unknown.what = what; }, known.what);
   unknown.low = std::max(0.2, 1 - thresholds::kFarthestPriorSigmas * sigma);
   unknown.high = 1 + thresholds::kFarthestPriorSigmas * sigma;
   return unknown;
-}
-
-bool drivesAMotor(const Hypothesis& hypothesis) {
-  return hypothesis.servo.law == twin::Law::kVoltageP || hypothesis.find("p_on_torque") != nullptr;
-}
-
-/// Not what switches the whole effect, and not what another number says as well.
-bool canRefine(const twin::EffectInfo& info, const twin::Parameter& parameter) {
-  return info.id != "p_on_torque" && parameter.key != "reference" && parameter.key != "seed";
 }
 
 bool isOfTheMotor(std::string_view name) {
@@ -90,8 +66,8 @@ double Unknown::firstStep() const {
 
 std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis) {
   std::vector<Unknown> unknowns;
-  const bool motor = drivesAMotor(hypothesis), other_law = hypothesis.servo.law != twin::Law::kVoltageP;
-  for (const KnownFactor& known : kFactors) {
+  const bool motor = hypothesis.law() == twin::Law::kVoltageP, other_law = hypothesis.servo.law != twin::Law::kVoltageP;
+  for (const BaselineNumber& known : kBaselineNumbers) {
     double sigma = 0;
     for (const Prior& prior : given.priors)
       if (prior.number == known.name) sigma = prior.relative_sigma;
@@ -112,7 +88,7 @@ std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis
       if (effect->info->parameters[i].key != prior.number.substr(dot + 1) || effect->values[i] == 0) continue;
       const double value = effect->values[i], sigma = std::abs(value) * prior.relative_sigma;
       unknowns.push_back({.name = prior.number,
-                          .what = EffectParameter{effect->info, i},
+                          .what = EffectParameter{effect->info, i, {}},
                           .expected = value,
                           .sigma = sigma,
                           .low = std::max(0.2 * value, value - thresholds::kFarthestPriorSigmas * sigma),
@@ -122,13 +98,14 @@ std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis
   return unknowns;
 }
 
-std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, bool refined) {
+std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, bool refined, const Place& place) {
   std::vector<Unknown> unknowns;
+  const std::string prefix = place.name.empty() ? "" : place.name + ".";
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
     const twin::Parameter& parameter = info.parameters[i];
-    if (parameter.secondary && !(refined && canRefine(info, parameter))) continue;
-    Unknown unknown{.name = std::string{info.id} + "." + std::string{parameter.key},
-                    .what = EffectParameter{&info, i},
+    if (parameter.fixed || (parameter.secondary && !refined)) continue;
+    Unknown unknown{.name = prefix + std::string{info.id} + "." + std::string{parameter.key},
+                    .what = EffectParameter{&info, i, place},
                     .expected = parameter.typical,
                     .low = parameter.low,
                     .high = parameter.high,

@@ -6,22 +6,19 @@
 #include <variant>
 #include <vector>
 
-#include "gap/plant/hypothesis.hpp"
+#include "gap/plant/baseline_number.hpp"
 
 namespace darwinop::gap {
 
-/// Payload or length of the pendulum, as a factor of what was weighed or measured.
-enum class LoadFactor { kPayload, kLength };
-/// A number of the servo, as a factor.
-using ServoFactor = double twin::ServoParameters::*;
 /// A parameter of an effect, in its own unit.
 struct EffectParameter {
   const twin::EffectInfo* info = nullptr;
   std::size_t index = 0;
+  Place place = {};
 };
 
 struct Unknown {
-  std::string name;  // "kt", "coulomb.friction"
+  std::string name;  // "kt", "coulomb.friction", of a place with a name "AnkleR.coulomb.friction"
   std::variant<LoadFactor, ServoFactor, EffectParameter> what;
   double expected = 1;                                     // mean of the prior; where a search begins
   double sigma = std::numeric_limits<double>::infinity();  // of the prior; infinity: nothing is known
@@ -38,7 +35,7 @@ struct Unknown {
 /// Numbers of the baseline that have a prior. Those of an effect count only if the hypothesis has the effect.
 std::vector<Unknown> nuisancesOf(const Case& given, const Hypothesis& hypothesis);
 /// Parameters of an effect, without prior. `refined`: the secondary ones as well.
-std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, bool refined = false);
+std::vector<Unknown> unknownsOf(const twin::EffectInfo& info, bool refined = false, const Place& place = {});
 
 /// `hypothesis` with the unknowns at these values of the search variables.
 Hypothesis applied(Hypothesis hypothesis, const std::vector<Unknown>& unknowns, const double* x);

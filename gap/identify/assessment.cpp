@@ -63,7 +63,7 @@ std::vector<Estimate> estimatesOf(const FittedModel& fitted, const twin::EffectI
     const double x = fitted.fit.x[at], value = unknowns[i].fromSearch(x);
     const double sharpest = thresholds::kFinestInterval * (unknowns[i].logarithmic ? 1 : std::abs(value));
     const double half = std::max(sharpest, wider * thresholds::kInterval90 * std::sqrt(fitted.fit.covariance(at, at)));
-    if (unknowns[i].name == "transport_delay.delay") {
+    if (effect.parameters[parameter->index].role == twin::ParameterRole::kGoalDelay) {
       // A goal acts from the first firmware period after it arrives; its instant within the period before is unknown.
       const double early = fitted.problem.hypothesis().servo.firmware_period_s / 2;
       const double later = std::max(early, unknowns[i].fromSearch(x + half) - value);

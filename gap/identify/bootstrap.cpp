@@ -14,9 +14,9 @@ constexpr double kLoadSteps = 1'000;  // of the register: 0.1 %
 
 /// The log as the servo would report it in this run.
 Trajectory reportedLog(Trajectory log, const Trace& run) {
-  log.position_rad = run.position_rad;
+  log.position_rad = run[kPositionSignal];
   for (std::size_t row = 0; row < log.rows(); ++row)
-    if (std::isfinite(log.load[row])) log.load[row] = std::round(run.load[row] * kLoadSteps) / kLoadSteps;
+    if (std::isfinite(log.load[row])) log.load[row] = std::round(run[kLoadSignal][row] * kLoadSteps) / kLoadSteps;
   return log;
 }
 
@@ -32,7 +32,9 @@ Bootstrap bootstrapOf(const FittedModel& present, const Screen* screen, int coun
   const Hypothesis hypothesis = present.hypothesis();
   const auto logs = evidence.logs.size(), replicas = static_cast<std::size_t>(count);
   std::vector<Trace> quiet(logs);
-  forEach(logs, [&](std::size_t i) { rollOut(*evidence.given, evidence.logs[i], hypothesis, {}, quiet[i]); });
+  forEach(logs, [&](std::size_t i) {
+    plantOf(*evidence.given).rollOut(*evidence.given, evidence.logs[i], hypothesis, {}, quiet[i]);
+  });
 
   // Of each replica: its promise, its cost, the cost of each log.
   const auto rows_of_replicas = sharedRows(replicas, 2 + logs, [&](std::size_t replica, std::span<double> out) {
@@ -42,7 +44,8 @@ Bootstrap bootstrapOf(const FittedModel& present, const Screen* screen, int coun
     for (std::size_t i = 0; i < logs; ++i) {
       Disturbance disturbance;
       disturbance.seed = thresholds::kBootstrapSeed + 1'000 * replica + i;
-      rollOut(*evidence.given, evidence.logs[i], hypothesis, {.disturbance = &disturbance}, noisy);
+      plantOf(*evidence.given)
+          .rollOut(*evidence.given, evidence.logs[i], hypothesis, {.disturbance = &disturbance}, noisy);
       const Eigen::Index rows = evidence.noise[i].size();
       evidence.noise[i].residuals(reportedLog(evidence.given->logs[evidence.logs[i]], noisy), quiet[i],
                                   residuals.segment(row, rows));

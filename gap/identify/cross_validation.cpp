@@ -28,10 +28,10 @@ double errorOn(const FittedModel& fitted, std::size_t left_out) {
   const std::size_t log = fitted.evidence->logs[left_out];
   const Trajectory& measured = rest.given->logs[log];
   Trace trace;
-  rollOut(*rest.given, log, problem.at(fit.x), {}, trace);
+  plantOf(*rest.given).rollOut(*rest.given, log, problem.at(fit.x), {}, trace);
   double sum = 0;
   for (std::size_t row = 0; row < measured.rows(); ++row)
-    sum += std::abs(measured.position_rad[row] - trace.position_rad[row]);
+    sum += std::abs(measured.position_rad[row] - trace[kPositionSignal][row]);
   return sum / static_cast<double>(measured.rows());
 }
 

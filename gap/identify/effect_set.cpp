@@ -1,9 +1,7 @@
 #include "gap/identify/effect_set.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 
 #include "gap/plant/baseline_alias.hpp"
 #include "gap/thresholds.hpp"
@@ -12,28 +10,25 @@
 namespace darwinop::gap {
 namespace {
 
-// Only the firmware's own clock and encoder show these; a host at 16 ms reads them as noise.
-constexpr auto kUnobservable = std::to_array<std::string_view>({"lost_packets", "encoder_quantisation"});
-// Need a motor equation, which law speed_p does not have.
-constexpr auto kNeedVoltage =
-    std::to_array<std::string_view>({"supply_sag", "kt_error", "resistance_error", "integral", "derivative"});
-
-template <class List>
-bool contains(const List& list, std::string_view id) {
-  return std::find(list.begin(), list.end(), id) != list.end();
+bool canActIn(const Case& data, twin::Laws laws) {
+  const bool voltage = data.model.servo.law == twin::Law::kVoltageP;
+  switch (laws) {
+    case twin::Laws::kBoth:
+      return true;
+    case twin::Laws::kVoltageP:
+      return voltage;
+    case twin::Laws::kReplacesSpeedP:
+      return !voltage && data.datasheet;
+  }
+  return false;
 }
 
 }  // namespace
 
 std::vector<const twin::EffectInfo*> candidateEffectsOf(const Case& data) {
-  const bool voltage = data.model.servo.law == twin::Law::kVoltageP;
   std::vector<const twin::EffectInfo*> effects;
-  for (const twin::EffectInfo* const effect : twin::catalogue()) {
-    if (contains(kUnobservable, effect->id)) continue;
-    if (voltage ? effect->id == "p_on_torque" : contains(kNeedVoltage, effect->id)) continue;
-    if (effect->id == "p_on_torque" && !data.datasheet) continue;
-    effects.push_back(effect);
-  }
+  for (const twin::EffectInfo* const effect : twin::catalogue())
+    if (effect->visibility == twin::Visibility::kAtHost && canActIn(data, effect->laws)) effects.push_back(effect);
   return effects;
 }
 
@@ -63,13 +58,13 @@ Problem problemWith(const Study& study, const Evidence& evidence, const Effects&
   Hypothesis hypothesis = study.baseline;
   std::vector<Unknown> own;
   for (const ChosenEffect& effect : effects) {
-    twin::EffectSetting& setting = hypothesis.with(*effect.info);
-    if (effect.info->id == "p_on_torque") valueOf(setting, "on") = 1;
-    for (Unknown& unknown : unknownsOf(*effect.info, effect.refined)) own.push_back(std::move(unknown));
+    twin::EffectSetting& setting = hypothesis.with(*effect.info, effect.place);
+    if (effect.info->laws == twin::Laws::kReplacesSpeedP) setting.values[0] = 1;
+    for (Unknown& unknown : unknownsOf(*effect.info, effect.refined, effect.place)) own.push_back(std::move(unknown));
   }
   std::vector<Unknown> all = nuisancesOf(study.data, hypothesis);
   // Numbers of another law's motor come from a data sheet: they belong to no baseline and are never exact.
-  const bool other_motor = hypothesis.servo.law != twin::Law::kVoltageP && hypothesis.find("p_on_torque") != nullptr;
+  const bool other_motor = hypothesis.law() != hypothesis.servo.law;
   if (nuisance == Nuisance::kFixed)
     std::erase_if(all,
                   [&](const Unknown& one) { return !other_motor || (one.name != "kt" && one.name != "resistance"); });

@@ -15,6 +15,7 @@ namespace darwinop::gap {
 struct ChosenEffect {
   const twin::EffectInfo* info = nullptr;
   bool refined = false;
+  Place place = {};
   bool operator==(const ChosenEffect&) const = default;
 };
 using Effects = std::vector<ChosenEffect>;

@@ -45,7 +45,7 @@ bool relyOnABaselineNumber(const Case& data, const Effects& effects) {
 Effects inTheFirmware(const Effects& effects) {
   Effects firmware;
   for (const ChosenEffect& effect : effects)
-    if (effect.info->place == twin::Place::kCommand || effect.info->place == twin::Place::kController)
+    if (effect.info->part == twin::LoopPart::kCommand || effect.info->part == twin::LoopPart::kController)
       firmware.push_back({effect.info});
   return firmware;
 }

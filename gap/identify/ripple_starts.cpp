@@ -15,11 +15,6 @@
 namespace darwinop::gap {
 namespace {
 
-/// The effect: amplitude, count a turn, phase.
-const twin::EffectInfo& ripple() {
-  return *twin::findEffect("cogging");
-}
-
 /// Ends of all windows of the fitted logs, measured - simulated, rad; NaN where a window does not count.
 Eigen::VectorXd endsOf(const FittedModel& present, const Hypothesis& hypothesis) {
   const Case& data = present.study->data;
@@ -40,8 +35,8 @@ Eigen::VectorXd endsOf(const FittedModel& present, const Hypothesis& hypothesis)
   return all;
 }
 
-Hypothesis rippled(Hypothesis hypothesis, double count, double phase) {
-  hypothesis.with(ripple()).values = {thresholds::kRippleTorque, count, phase};
+Hypothesis rippled(Hypothesis hypothesis, const twin::EffectInfo& ripple, double count, double phase) {
+  hypothesis.with(ripple).values = {thresholds::kRippleTorque, count, phase};
   return hypothesis;
 }
 
@@ -69,12 +64,13 @@ Ripple fitted(const Eigen::VectorXd& ends, const Eigen::MatrixX2d& change, doubl
 }  // namespace
 
 bool isRipple(const twin::EffectInfo& effect) {
-  return &effect == &ripple();
+  return twin::indexOf(effect, twin::ParameterRole::kRippleTorque) == 0;
 }
 
 std::vector<Candidate> ripplesOf(const FittedModel& present) {
   Hypothesis hypothesis = present.hypothesis();
-  if (hypothesis.find(ripple().id) != nullptr) return {};
+  const twin::EffectInfo* const ripple = twin::effectWith(twin::ParameterRole::kRippleTorque);
+  if (ripple == nullptr || hypothesis.find(ripple->id) != nullptr) return {};
   hypothesis.servo.firmware_period_s = std::max(hypothesis.servo.firmware_period_s, thresholds::kRipplePeriod);
   const Eigen::VectorXd ends = endsOf(present, hypothesis);
   std::vector<double> sizes;
@@ -90,7 +86,7 @@ std::vector<Candidate> ripplesOf(const FittedModel& present) {
     const double count = static_cast<double>(i + 1);
     Eigen::MatrixX2d change(ends.size(), 2);
     for (const int phase : {0, 1})
-      change.col(phase) = endsOf(present, rippled(hypothesis, count, phase * std::numbers::pi / 2)) - ends;
+      change.col(phase) = endsOf(present, rippled(hypothesis, *ripple, count, phase * std::numbers::pi / 2)) - ends;
     Eigen::VectorXd known = ends;
     for (Eigen::Index k = 0; k < ends.size(); ++k)
       if (std::isnan(ends[k]) || !change.row(k).allFinite()) known[k] = 0, change.row(k).setZero();
@@ -107,7 +103,7 @@ std::vector<Candidate> ripplesOf(const FittedModel& present) {
     }
     if (best == 0) break;
     starts.push_back(
-        {&ripple(), {std::clamp(ripples[best].amplitude, 1e-4, 0.15), static_cast<double>(best), ripples[best].phase}});
+        {ripple, {std::clamp(ripples[best].amplitude, 1e-4, 0.15), static_cast<double>(best), ripples[best].phase}});
   }
   return starts;
 }

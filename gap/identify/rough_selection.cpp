@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <string_view>
 #include <utility>
 
 #include "gap/identify/assessment.hpp"
@@ -17,12 +16,8 @@
 namespace darwinop::gap {
 namespace {
 
-/// Every servo has some of these.
-constexpr auto kCommon =
-    std::to_array<std::string_view>({"coulomb", "viscous", "load_dependent_friction", "encoder_offset"});
-
 bool isCommon(const twin::EffectInfo& effect) {
-  return std::ranges::find(kCommon, effect.id) != kCommon.end();
+  return effect.prevalence == twin::Prevalence::kCommon;
 }
 
 /// A start with these effects, every number of the baseline at its expected value.
@@ -79,8 +74,8 @@ void RoughSelection::addCommonEffects() {
   const std::vector<double> before = leaveOneOutErrors(model_);
   const FittedModel bare = model_;
   Effects common = model_.effects;
-  for (const std::string_view id : kCommon)
-    if (const auto* const effect = twin::findEffect(id); !has(common, *effect)) common.push_back({effect});
+  for (const twin::EffectInfo* const effect : candidates_)
+    if (isCommon(*effect) && !has(common, *effect)) common.push_back({effect});
   double least = std::numeric_limits<double>::infinity();
   for (const Start& start : kStarts) {
     // The second refit has less discrepancy to accept as noise.

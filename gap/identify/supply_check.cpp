@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "gap/plant/bench/block_residuals.hpp"
@@ -11,8 +12,8 @@ namespace darwinop::gap {
 bool contradictsVoltage(const FittedModel& fitted) {
   const Study& study = *fitted.study;
   const Hypothesis hypothesis = fitted.hypothesis();
-  const twin::EffectSetting* const sag = hypothesis.find("supply_sag");
-  if (sag == nullptr) return false;
+  const std::optional<double> resistance_ohm = hypothesis.value(twin::ParameterRole::kSupplyResistance);
+  if (!resistance_ohm) return false;
   std::vector<double> slopes;
   for (const std::size_t log : fitted.evidence->logs)
     if (const double slope = supplyResistance(study.data, {&study.data.logs[log]}, study.baseline);
@@ -24,8 +25,8 @@ bool contradictsVoltage(const FittedModel& fitted) {
   for (const double slope : slopes) mean += slope / count;
   for (const double slope : slopes) error += std::pow(slope - mean, 2) / (count * (count - 1));
   error = std::sqrt(error);
-  return error < thresholds::kSupplyUncertainOhm &&
-         sag->values[0] > std::max(0.0, mean) + std::max(thresholds::kWiringOhm, thresholds::kSupplyErrors * error);
+  return error<thresholds::kSupplyUncertainOhm&& * resistance_ohm> std::max(0.0, mean) +
+         std::max(thresholds::kWiringOhm, thresholds::kSupplyErrors * error);
 }
 
 }  // namespace darwinop::gap

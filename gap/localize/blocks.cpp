@@ -44,12 +44,18 @@ class Finder {
       lawByItsDuty();
     else
       noDuty();
-    for (const Block block : {Block::kCommand, Block::kController, Block::kSupply, Block::kPlant, Block::kSensor})
+    for (const Block block : plantOf(given_).blocks())
       if (!out_.first && out_.of(block).verdict == BlockVerdict::kOpen) out_.first = block;
     return std::move(out_);
   }
 
  private:
+  /// Of the place that is looked at: a bench has one.
+  [[nodiscard]] BlockResiduals residuals(Block block, const Trajectory& log, const Hypothesis& hypothesis,
+                                         const ShootingOptions& options = {}) const {
+    const Plant& plant = plantOf(given_);
+    return plant.blockResiduals(block, plant.places().front(), given_, log, hypothesis, options);
+  }
   [[nodiscard]] BlockTest judged(const BlockResidualFunction& cut, bool priors = true) const {
     return judge(cut, given_, logs_, copies_, baseline_, priors ? numbers_ : std::vector<Unknown>{});
   }
@@ -75,7 +81,7 @@ class Finder {
 
   void supply() {
     out_.supply_ohm = out_.supply_ohm_sigma = kNotKnown;
-    const BlockTest cut = judged([&](const auto& log, const auto& h) { return supplyResiduals(given_, log, h); });
+    const BlockTest cut = judged([&](const auto& log, const auto& h) { return residuals(Block::kSupply, log, h); });
     if (!cut.known()) return notCut(Block::kSupply, "the logs have no voltage");
     BlockFinding& into = out_.of(Block::kSupply);
     take(Block::kSupply, cut, "V", 1);
@@ -102,7 +108,7 @@ class Finder {
   }
 
   void sensor() {
-    BlockTest cut = judged([](const auto& log, const auto& h) { return sensorResiduals(log, h); }, false);
+    BlockTest cut = judged([&](const auto& log, const auto& h) { return residuals(Block::kSensor, log, h); }, false);
     if (!cut.known()) return notCut(Block::kSensor, "the logs have no speed");
     take(Block::kSensor, std::move(cut), "rad/s", 1);
     BlockFinding& into = out_.of(Block::kSensor);
@@ -111,7 +117,7 @@ class Finder {
 
   void lawByItsDuty() {
     const BlockResidualFunction law = [&](const auto& log, const auto& h) {
-      return controllerResiduals(given_, log, h);
+      return residuals(Block::kController, log, h);
     };
     BlockTest duty = judged(law);
     bool law_open = duty.isOpen();
@@ -127,7 +133,7 @@ class Finder {
 
     const auto plant = [&](bool measured_supply) -> BlockResidualFunction {
       return [this, measured_supply](const auto& log, const auto& h) {
-        return shootingResiduals(given_, log, h, {.measured_supply = measured_supply});
+        return residuals(Block::kPlant, log, h, {.measured_supply = measured_supply});
       };
     };
     BlockTest windows = judged(plant(false));
@@ -137,7 +143,7 @@ class Finder {
       const Hypothesis& law_found = law_open ? split.best().hypothesis : baseline_;
       BlockTest with = judgedWith(plant(supply_open), law_found);
       // At the reads a delay shows in whole rows only; the plant resolves fractions.
-      if (law_open && with.isOpen() && split.isCommand() && law_found.find("transport_delay") != nullptr) {
+      if (law_open && with.isOpen() && split.isCommand() && law_found.value(twin::ParameterRole::kGoalDelay)) {
         const Explained delay = explainByDelay(plant(supply_open), given_, logs_, windows, baseline_);
         with = judgedWith(plant(supply_open), delay.hypothesis);
       }
@@ -171,8 +177,8 @@ class Finder {
   /// The servo's own law with no torque to see: the speed that it commands is the motor's at once.
   void lawAndMotorAtOnce() {
     const BlockResidualFunction law = [&](const auto& log, const auto& h) {
-      return shootingResiduals(
-          given_, log, h, {.length_s = thresholds::kSpeedLawWindow, .powered = true, .limp = false, .mixed = false});
+      return residuals(Block::kPlant, log, h,
+                       {.length_s = thresholds::kSpeedLawWindow, .powered = true, .limp = false, .mixed = false});
     };
     BlockTest rows = judged(law);
     const bool open = rows.isOpen();
@@ -181,7 +187,7 @@ class Finder {
     if (rows.known()) take(Block::kController, std::move(rows), "mrad", 1e-3);
     share(split, open);
     BlockTest limp = judged([&](const auto& log, const auto& h) {
-      return shootingResiduals(given_, log, h, {.powered = false, .limp = true, .mixed = false});
+      return residuals(Block::kPlant, log, h, {.powered = false, .limp = true, .mixed = false});
     });
     if (!limp.known())
       return notCut(Block::kPlant, "law speed_p: only torque off would show the plant, and it never is");
@@ -192,7 +198,7 @@ class Finder {
   void noDuty() {
     notCut(Block::kCommand, "no load column: not distinguishable from the plant");
     notCut(Block::kController, "no load column: not distinguishable from the plant");
-    take(Block::kPlant, judged([&](const auto& log, const auto& h) { return shootingResiduals(given_, log, h, {}); }),
+    take(Block::kPlant, judged([&](const auto& log, const auto& h) { return residuals(Block::kPlant, log, h); }),
          "mrad", 1e-3);
     out_.of(Block::kPlant).detail = "with command and controller: there is no load column";
   }

@@ -14,10 +14,16 @@
 namespace darwinop::gap {
 namespace {
 
-// Visible only while the goal moves. A scaled goal is visible at rest as well, like an error of the law.
-constexpr auto kOfMovingGoals = std::to_array<std::string_view>({"transport_delay", "speed_limit", "accel_limit"});
-constexpr auto kOfTheLaw = std::to_array<std::string_view>(
-    {"gear_scale", "p_on_torque", "deadband", "kp_scale", "integral", "derivative", "torque_limit"});
+using EffectList = std::vector<const twin::EffectInfo*>;
+
+/// Effects of the command are visible only while the goal moves; those of the controller, a scaled goal among them, at
+/// rest as well.
+EffectList visibleIn(twin::LoopPart part) {
+  EffectList effects;
+  for (const twin::EffectInfo* const effect : twin::catalogue())
+    if (effect->part == part && effect->visibility == twin::Visibility::kAtHost) effects.push_back(effect);
+  return effects;
+}
 
 /// Values to try for one parameter, from hardly visible to plain.
 std::vector<double> valuesToTry(const twin::Parameter& parameter) {
@@ -51,7 +57,7 @@ Hypothesis withTry(const Case& given, const Hypothesis& hypothesis, const Try& o
   Hypothesis changed = hypothesis;
   twin::EffectSetting& setting = changed.with(*one.effect);
   setting.values[one.parameter] = one.value;
-  if (one.effect->id == "p_on_torque" && given.datasheet) {  // the law's numbers are the data sheet's
+  if (one.effect->laws == twin::Laws::kReplacesSpeedP && given.datasheet) {  // the law's numbers are the data sheet's
     const twin::ServoParameters& sheet = given.datasheet->servo;
     changed.servo.kt_nm_a = sheet.kt_nm_a;
     changed.servo.resistance_ohm = sheet.resistance_ohm;
@@ -63,13 +69,11 @@ Hypothesis withTry(const Case& given, const Hypothesis& hypothesis, const Try& o
   return changed;
 }
 
-template <class Ids>
-std::vector<Try> triesOf(const Ids& ids, const Hypothesis& hypothesis) {
+std::vector<Try> triesOf(const EffectList& effects, const Hypothesis& hypothesis) {
   std::vector<Try> tries;
-  for (const std::string_view id : ids) {
-    const twin::EffectInfo* const effect = twin::findEffect(id);
-    if (effect == nullptr || hypothesis.find(id) != nullptr) continue;
-    if (id == "p_on_torque") {
+  for (const twin::EffectInfo* const effect : effects) {
+    if (hypothesis.find(effect->id) != nullptr) continue;
+    if (effect->laws == twin::Laws::kReplacesSpeedP) {
       if (hypothesis.servo.law == twin::Law::kSpeedP) tries.push_back({effect, 0, 1});
       continue;
     }
@@ -122,15 +126,14 @@ Least leastOf(const BlockResidualFunction& cut, const Case& given, const std::ve
   return least;
 }
 
-template <class Ids>
 Explained explain(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
-                  const BlockTest& judged, const Hypothesis& hypothesis, const Ids& ids) {
+                  const BlockTest& judged, const Hypothesis& hypothesis, const EffectList& effects) {
   const double before = blockCostUnder(cut, given, logs, judged, hypothesis);
   const double beyond_noise = std::max(before - judged.expected_cost, 1e-9);
   Least least{before, hypothesis};
   double share = 0;
   for (int changes = 0; changes < 2 && share < thresholds::kSplitExplainsAll; ++changes) {
-    least = leastOf(cut, given, logs, judged, least, triesOf(ids, least.hypothesis));
+    least = leastOf(cut, given, logs, judged, least, triesOf(effects, least.hypothesis));
     share = (before - least.cost) / beyond_noise;
   }
   return {share, least.hypothesis};
@@ -165,15 +168,15 @@ bool CommandSplit::isCommand() const {
 
 CommandSplit splitCommand(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
                           const BlockTest& judged, const Hypothesis& hypothesis) {
-  return {.by_command = explain(cut, given, logs, judged, hypothesis, kOfMovingGoals),
-          .by_controller = explain(cut, given, logs, judged, hypothesis, kOfTheLaw),
+  return {.by_command = explain(cut, given, logs, judged, hypothesis, visibleIn(twin::LoopPart::kCommand)),
+          .by_controller = explain(cut, given, logs, judged, hypothesis, visibleIn(twin::LoopPart::kController)),
           .at_rest = shareAtRest(given, logs, judged)};
 }
 
 Explained explainByDelay(const BlockResidualFunction& cut, const Case& given, const std::vector<std::size_t>& logs,
                          const BlockTest& judged, const Hypothesis& hypothesis) {
-  constexpr std::array kDelay{std::string_view{"transport_delay"}};
-  return explain(cut, given, logs, judged, hypothesis, kDelay);
+  const twin::EffectInfo* const delay = twin::effectWith(twin::ParameterRole::kGoalDelay);
+  return explain(cut, given, logs, judged, hypothesis, delay == nullptr ? EffectList{} : EffectList{delay});
 }
 
 }  // namespace darwinop::gap

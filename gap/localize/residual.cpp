@@ -11,10 +11,11 @@ namespace darwinop::gap {
 namespace {
 
 /// Positions of one log, in standard deviations of independent samples.
-Eigen::VectorXd whitened(const Case& given, const Evidence& evidence, std::size_t i, const Hypothesis& hypothesis,
-                         Trace& trace) {
+Eigen::VectorXd whitened(const Study& study, std::size_t i, const Hypothesis& hypothesis, Trace& trace) {
+  const Case& given = study.data;
+  const Evidence& evidence = study.evidence;
   Eigen::VectorXd all(evidence.noise[i].size());
-  rollOut(given, evidence.logs[i], hypothesis, {}, trace);
+  study.plant.rollOut(given, evidence.logs[i], hypothesis, {}, trace);
   evidence.noise[i].residuals(given.logs[evidence.logs[i]], trace, all);
   return all.head(all.size() / 2);
 }
@@ -32,11 +33,11 @@ std::vector<LogResidual> residualsOf(const Study& study, const NoiseFloor& floor
     Trace trace;
     LogResidual& one = out[i];
     one.log = evidence.logs[i];
-    one.z = whitened(given, evidence, i, baseline, trace);
+    one.z = whitened(study, i, baseline, trace);
     one.position_rad.resize(one.z.size());
     for (Eigen::Index k = 0; k < one.z.size(); ++k) {
       const auto row = static_cast<std::size_t>(k);
-      one.position_rad[k] = given.logs[one.log].position_rad[row] - trace.position_rad[row];
+      one.position_rad[k] = given.logs[one.log].position_rad[row] - trace[kPositionSignal][row];
     }
     one.rms_rad = std::sqrt(one.position_rad.squaredNorm() / static_cast<double>(one.z.size()));
     one.floors = one.rms_rad / floor.logs[i].rms_rad;
@@ -44,7 +45,7 @@ std::vector<LogResidual> residualsOf(const Study& study, const NoiseFloor& floor
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const double moved =
           numbers[k].toSearch(numbers[k].expected + thresholds::kNuisanceStepSigmas * numbers[k].sigma);
-      const Eigen::VectorXd there = whitened(given, evidence, i, applied(baseline, {numbers[k]}, &moved), trace);
+      const Eigen::VectorXd there = whitened(study, i, applied(baseline, {numbers[k]}, &moved), trace);
       slopes[i].col(static_cast<Eigen::Index>(k)) = (one.z - there) / thresholds::kNuisanceStepSigmas;
     }
   });

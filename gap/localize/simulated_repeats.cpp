@@ -20,7 +20,7 @@ double movedIn(const Trajectory& log, const Trace& trace, std::size_t row, doubl
   double moved = 0;
   for (; row > 0 && span_s > 0; --row) {
     const double step_s = log.time_s[row] - log.time_s[row - 1], part_s = std::min(step_s, span_s);
-    const double now = trace.velocity_rad_s[row], before = trace.velocity_rad_s[row - 1];
+    const double now = trace[kSpeedSignal][row], before = trace[kSpeedSignal][row - 1];
     moved += part_s * (now + 0.5 * (before - now) * part_s / step_s);
     span_s -= part_s;
   }
@@ -35,9 +35,9 @@ Trajectory asReported(const Trajectory& log, const Trace& trace, double ticks_pe
   std::uniform_real_distribution<double> phase{0, 1};
   const double tick = 2 * kPi / ticks_per_rev;
   for (std::size_t row = 0; row < log.rows(); ++row) {
-    out.position_rad[row] = trace.position_rad[row];
-    if (!std::isnan(log.load[row])) out.load[row] = toStep(trace.load[row], kLoadStep);
-    if (!std::isnan(log.volt_v[row])) out.volt_v[row] = toStep(trace.supply_v[row], kVoltStep);
+    out.position_rad[row] = trace[kPositionSignal][row];
+    if (!std::isnan(log.load[row])) out.load[row] = toStep(trace[kLoadSignal][row], kLoadStep);
+    if (!std::isnan(log.volt_v[row])) out.volt_v[row] = toStep(trace[kSupplySignal][row], kVoltStep);
     if (std::isnan(log.speed_rad_s[row])) continue;
     // The servo counts whole ticks, not those that it reports.
     const double ticks = std::floor(movedIn(log, trace, row, kSpeedSpan) / tick + phase(random));
@@ -54,7 +54,7 @@ SimulatedRepeats simulateRepeats(const Case& given, const std::vector<std::size_
     Disturbance disturbance;
     disturbance.seed = (seed * 1'000 + run) * 1'000 + logs[log];
     Trace trace;
-    rollOut(given, logs[log], hypothesis, {.disturbance = &disturbance}, trace);
+    plantOf(given).rollOut(given, logs[log], hypothesis, {.disturbance = &disturbance}, trace);
     copies[run][log] = asReported(given.logs[logs[log]], trace, hypothesis.servo.ticks_per_rev, disturbance.seed);
   });
   return copies;

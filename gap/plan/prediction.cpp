@@ -22,7 +22,7 @@ double stepOf(const Unknown& unknown, double x, double sigma) {
 
 std::vector<Trace> tracesOf(const Case& coming, const Hypothesis& hypothesis) {
   std::vector<Trace> traces(coming.logs.size());
-  for (std::size_t i = 0; i < traces.size(); ++i) rollOut(coming, i, hypothesis, {}, traces[i]);
+  for (std::size_t i = 0; i < traces.size(); ++i) plantOf(coming).rollOut(coming, i, hypothesis, {}, traces[i]);
   return traces;
 }
 
@@ -35,8 +35,8 @@ Eigen::VectorXd residualsOf(const Case& coming, const std::vector<LogNoise>& noi
   Trajectory measured;
   for (std::size_t i = 0; i < noise.size(); ++i) {
     measured.p_register = coming.logs[i].p_register;
-    measured.position_rad = happened[i].position_rad;
-    measured.load = happened[i].load;
+    measured.position_rad = happened[i][kPositionSignal];
+    measured.load = happened[i][kLoadSignal];
     noise[i].residuals(measured, crossValidate[i], all.segment(row, noise[i].size()));
     row += noise[i].size();
   }

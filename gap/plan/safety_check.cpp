@@ -38,9 +38,9 @@ class Watch {
         longest_{kShareOfOverload * hypothesis.servo.overload_time_s} {}
 
   std::optional<Danger> look(const Stretch& stretch, const Trace& trace) {
-    for (std::size_t i = 0; i < trace.position_rad.size(); ++i) {
+    for (std::size_t i = 0; i < trace[kPositionSignal].size(); ++i) {
       const double t = stretch.begins_s + stretch.log.time_s[i];
-      const double angle = trace.position_rad[i] + hangs_at_, speed = std::abs(trace.velocity_rad_s[i]);
+      const double angle = trace[kPositionSignal][i] + hangs_at_, speed = std::abs(trace[kSpeedSignal][i]);
       if (!std::isfinite(angle)) return Danger{"the simulation breaks down", t};
       if (angle < range_.low.value - kOvershoot || angle > range_.high.value + kOvershoot)
         return Danger{name_ + " would get to " + shortText(angle) + " rad; its limits are " +
@@ -50,7 +50,7 @@ class Watch {
         return Danger{name_ + " would turn at " + shortText(speed) + " rad/s; at most " + shortText(kFullSpeed) +
                           " rad/s are allowed",
                       t};
-      full_s_ = std::abs(trace.load[i]) >= full_ ? full_s_ + kPlannedRow : 0;
+      full_s_ = std::abs(trace[kLoadSignal][i]) >= full_ ? full_s_ + kPlannedRow : 0;
       if (full_s_ > longest_)
         return Danger{"the servo would give all it has for more than " + shortText(longest_) +
                           " s; it shuts itself off after " + shortText(longest_ / kShareOfOverload) + " s",
@@ -74,7 +74,7 @@ std::optional<Danger> dangerOf(const ExperimentCandidate& candidate, const Round
   for (const Hypothesis& hypothesis : hypotheses) {
     Watch watch{stand, hypothesis};
     for (std::size_t i = 0; i < stretches.size(); ++i) {
-      rollOut(coming, i, hypothesis, {}, trace);
+      plantOf(coming).rollOut(coming, i, hypothesis, {}, trace);
       if (auto danger = watch.look(stretches[i], trace)) return danger;
     }
   }

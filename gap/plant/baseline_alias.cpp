@@ -1,32 +1,42 @@
 #include "gap/plant/baseline_alias.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <string>
-#include <utility>
+#include <optional>
+
+#include "gap/plant/baseline_number.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr auto kSameAs = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"coulomb", "coulomb.friction"},
-    {"viscous", "viscous.damping"},
-    {"kt_error", "kt"},
-    {"resistance_error", "resistance"},
-    {"inertia", "armature"},
-    {"com_mass", "payload"},
-    {"com_mass", "length"},
-    {"kp_scale", "duty_per_kp"},
-});
+/// Factor by which `hypothesis` changes the number of the alias. Nothing: the baseline does not have it.
+std::optional<double> changeOf(const twin::BaselineAlias& alias, const twin::EffectInfo& effect,
+                               const Hypothesis& baseline, const Hypothesis& hypothesis) {
+  using Relation = twin::BaselineAlias::Relation;
+  const double value = hypothesis.find(effect.id)->values[alias.parameter];
+  if (alias.relation == Relation::kOwnValue) {
+    const twin::EffectSetting* const before = baseline.find(effect.id);
+    if (before == nullptr) return std::nullopt;
+    return value / before->values[alias.parameter];
+  }
+  const double was = numberIn(baseline, alias.number), is = numberIn(hypothesis, alias.number);
+  switch (alias.relation) {
+    case Relation::kFactor:
+      return value * is / was;
+    case Relation::kRelativeChange:
+      return (1 + value) * is / was;
+    default:
+      return (is + value) / was;
+  }
+}
 
 }  // namespace
 
 bool isAliasOf(const twin::EffectInfo& effect, std::string_view number) {
-  return std::ranges::find(kSameAs, std::pair{effect.id, number}) != kSameAs.end();
+  return std::ranges::find(effect.aliases, number, &twin::BaselineAlias::number) != effect.aliases.end();
 }
 
 bool aliasesAPrior(const Case& data, const twin::EffectInfo& effect) {
@@ -35,29 +45,24 @@ bool aliasesAPrior(const Case& data, const twin::EffectInfo& effect) {
 
 double priorSigmasMoved(const Case& data, const Hypothesis& baseline, const Hypothesis& hypothesis,
                         const twin::EffectInfo& effect) {
-  const twin::EffectSetting* const before = baseline.find(effect.id);
-  const twin::EffectSetting* const after = hypothesis.find(effect.id);
-  const auto moved = [&](double factor, std::string_view number) {
-    const auto prior = std::ranges::find(data.priors, number, &Prior::number);
-    if (factor == 1) return 0.0;
-    return prior != data.priors.end() && prior->relative_sigma > 0 ? std::abs(factor - 1) / prior->relative_sigma
-                                                                   : kInfinity;
-  };
-  const double value = after->values[0];
-  const twin::ServoParameters &servo = hypothesis.servo, &was = baseline.servo;
-  if (effect.id == "coulomb" || effect.id == "viscous") {
-    const std::string number = std::string{effect.id} + "." + std::string{effect.parameters[0].key};
-    return before == nullptr ? kInfinity : moved(value / before->values[0], number);
+  if (effect.aliases.empty()) return kInfinity;
+  double most = 0;
+  for (const twin::BaselineAlias& alias : effect.aliases) {
+    const std::optional<double> factor = changeOf(alias, effect, baseline, hypothesis);
+    if (factor == 1) continue;
+    const auto prior = std::ranges::find(data.priors, alias.number, &Prior::number);
+    if (!factor || prior == data.priors.end() || !(prior->relative_sigma > 0)) return kInfinity;
+    most = std::max(most, std::abs(*factor - 1) / prior->relative_sigma);
   }
-  if (effect.id == "kp_scale") return moved(value * servo.duty_per_kp_per_rad / was.duty_per_kp_per_rad, "duty_per_kp");
-  if (effect.id == "kt_error") return moved((1 + value) * servo.kt_nm_a / was.kt_nm_a, "kt");
-  if (effect.id == "resistance_error")
-    return moved((1 + value) * servo.resistance_ohm / was.resistance_ohm, "resistance");
-  if (effect.id == "inertia") return moved((servo.armature_kgm2 + value) / was.armature_kgm2, "armature");
-  if (effect.id != "com_mass") return kInfinity;
-  const double length_m = hypothesis.pendulum.length_m + after->values[1];
-  return std::max(moved((1 + value) * hypothesis.payload_scale, "payload"),
-                  moved(length_m / baseline.pendulum.length_m, "length"));
+  return most;
+}
+
+double numberIn(const Hypothesis& hypothesis, std::string_view name) {
+  const auto found = std::ranges::find(kBaselineNumbers, name, &BaselineNumber::name);
+  if (found == kBaselineNumbers.end()) return std::numeric_limits<double>::quiet_NaN();
+  if (const auto* const servo = std::get_if<ServoFactor>(&found->what)) return hypothesis.servo.**servo;
+  const bool payload = std::get<LoadFactor>(found->what) == LoadFactor::kPayload;
+  return payload ? hypothesis.payload_scale : hypothesis.pendulum.length_m;
 }
 
 }  // namespace darwinop::gap

@@ -9,20 +9,20 @@ std::string_view name(Block block) {
   return kNames[static_cast<std::size_t>(block)];
 }
 
-Block blockOf(twin::Place place) {
-  switch (place) {
-    case twin::Place::kCommand:
+Block blockOf(twin::LoopPart part) {
+  switch (part) {
+    case twin::LoopPart::kCommand:
       return Block::kCommand;
-    case twin::Place::kController:
+    case twin::LoopPart::kController:
       return Block::kController;
-    case twin::Place::kSupply:
+    case twin::LoopPart::kSupply:
       return Block::kSupply;
-    case twin::Place::kSensor:
+    case twin::LoopPart::kSensor:
       return Block::kSensor;
-    case twin::Place::kMotor:
-    case twin::Place::kFriction:
-    case twin::Place::kTransmission:
-    case twin::Place::kLoad:
+    case twin::LoopPart::kMotor:
+    case twin::LoopPart::kFriction:
+    case twin::LoopPart::kTransmission:
+    case twin::LoopPart::kLoad:
       return Block::kPlant;
   }
   return Block::kPlant;

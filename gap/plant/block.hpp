@@ -13,7 +13,7 @@ enum class Block : std::uint8_t { kCommand, kController, kSupply, kPlant, kSenso
 inline constexpr std::size_t kBlocks = 5;
 
 std::string_view name(Block block);
-/// The block in which an effect at this place acts: motor, friction, gear train and load are the plant.
-Block blockOf(twin::Place place);
+/// The block in which an effect in this part of the loop acts: motor, friction, gear train and load are the plant.
+Block blockOf(twin::LoopPart part);
 
 }  // namespace darwinop::gap

@@ -18,18 +18,18 @@ auto placeInCatalogue(const twin::EffectInfo* info) {
 
 }  // namespace
 
-const twin::EffectSetting* Hypothesis::find(std::string_view id) const {
-  const auto found = std::find_if(effects.begin(), effects.end(), [&](const auto& e) { return e.info->id == id; });
+const twin::EffectSetting* Hypothesis::find(std::string_view id, const Place& place) const {
+  const auto found = std::ranges::find_if(effects, [&](const auto& e) { return e.info->id == id && e.place == place; });
   return found == effects.end() ? nullptr : &*found;
 }
 
-twin::EffectSetting* Hypothesis::find(std::string_view id) {
-  return const_cast<twin::EffectSetting*>(std::as_const(*this).find(id));
+twin::EffectSetting* Hypothesis::find(std::string_view id, const Place& place) {
+  return const_cast<twin::EffectSetting*>(std::as_const(*this).find(id, place));
 }
 
-twin::EffectSetting& Hypothesis::with(const twin::EffectInfo& info) {
-  if (twin::EffectSetting* const there = find(info.id)) return *there;
-  twin::EffectSetting setting{.info = &info, .values = {}, .joint = {}};
+twin::EffectSetting& Hypothesis::with(const twin::EffectInfo& info, const Place& place) {
+  if (twin::EffectSetting* const there = find(info.id, place)) return *there;
+  PlacedEffect setting{{.info = &info, .values = {}, .joint = {}}, place};
   for (const twin::Parameter& parameter : info.parameters) setting.values.push_back(parameter.neutral);
   const auto before = std::find_if(effects.begin(), effects.end(), [&](const auto& other) {
     return placeInCatalogue(other.info) > placeInCatalogue(&info);
@@ -37,8 +37,25 @@ twin::EffectSetting& Hypothesis::with(const twin::EffectInfo& info) {
   return *effects.insert(before, std::move(setting));
 }
 
-void Hypothesis::without(std::string_view id) {
-  std::erase_if(effects, [&](const auto& effect) { return effect.info->id == id; });
+void Hypothesis::without(std::string_view id, const Place& place) {
+  std::erase_if(effects, [&](const auto& effect) { return effect.info->id == id && effect.place == place; });
+}
+
+std::optional<double> Hypothesis::value(twin::ParameterRole role) const {
+  for (const twin::EffectSetting& effect : effects)
+    if (const auto index = twin::indexOf(*effect.info, role)) return effect.values[*index];
+  return std::nullopt;
+}
+
+bool Hypothesis::has(twin::StepDemand demand) const {
+  return std::ranges::any_of(effects, [&](const auto& effect) { return effect.info->step_demand == demand; });
+}
+
+twin::Law Hypothesis::law() const {
+  const bool replaced = std::ranges::any_of(effects, [](const twin::EffectSetting& effect) {
+    return effect.info->laws == twin::Laws::kReplacesSpeedP && effect.values[0] >= 0.5;
+  });
+  return replaced ? twin::Law::kVoltageP : servo.law;
 }
 
 Hypothesis baselineOf(const Case& given) {
@@ -49,7 +66,7 @@ Hypothesis baselineOf(const Case& given) {
 
 Case withModel(Case given, const Hypothesis& model) {
   given.model.servo = model.servo;
-  given.model.effects = model.effects;
+  given.model.effects.assign(model.effects.begin(), model.effects.end());
   given.pendulum = model.pendulum;
   for (Trajectory& log : given.logs) log.payload_kg *= model.payload_scale;
   return given;

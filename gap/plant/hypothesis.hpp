@@ -1,26 +1,39 @@
 // A model of a bench: numbers of the servo, effects, pendulum, payload factor.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "gap/case/case.hpp"
+#include "gap/plant/place.hpp"
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::gap {
 
+struct PlacedEffect : twin::EffectSetting {
+  Place place;
+};
+
+/// An effect is found by its id and its place; without a place: that of a bench.
 struct Hypothesis {
   twin::ServoParameters servo;
-  std::vector<twin::EffectSetting> effects;  // in the order of the catalogue, each at most once
-  twin::Pendulum pendulum;                   // without the payload, which is each log's
-  double payload_scale = 1;                  // of every log's payload
+  std::vector<PlacedEffect> effects;  // in the order of the catalogue, each at most once a place
+  twin::Pendulum pendulum;            // without the payload, which is each log's
+  double payload_scale = 1;           // of every log's payload
 
   /// Null: it does not have this effect.
-  [[nodiscard]] twin::EffectSetting* find(std::string_view id);
-  [[nodiscard]] const twin::EffectSetting* find(std::string_view id) const;
+  [[nodiscard]] twin::EffectSetting* find(std::string_view id, const Place& place = {});
+  [[nodiscard]] const twin::EffectSetting* find(std::string_view id, const Place& place = {}) const;
   /// The effect, added at its neutral values where it was not there.
-  twin::EffectSetting& with(const twin::EffectInfo& info);
-  void without(std::string_view id);
+  twin::EffectSetting& with(const twin::EffectInfo& info, const Place& place = {});
+  void without(std::string_view id, const Place& place = {});
+
+  /// Value of the parameter that has this role, of the first effect that has one; nothing if none has.
+  [[nodiscard]] std::optional<double> value(twin::ParameterRole role) const;
+  [[nodiscard]] bool has(twin::StepDemand demand) const;
+  /// Control law, after an effect that replaces it.
+  [[nodiscard]] twin::Law law() const;
 };
 
 /// The model that the case starts from.

@@ -46,10 +46,10 @@ Squares compareOne(const Case& given, const Hypothesis& before, const Hypothesis
   const Trajectory& log = given.logs[one.log];
   const LogNoise noise{given, one.log, after, {}};
   Trace trace;
-  rollOut(given, one.log, before, {}, trace);
-  one.before_rad = trace.position_rad;
-  rollOut(given, one.log, after, {}, trace);
-  one.after_rad = trace.position_rad;
+  plantOf(given).rollOut(given, one.log, before, {}, trace);
+  one.before_rad = trace[kPositionSignal];
+  plantOf(given).rollOut(given, one.log, after, {}, trace);
+  one.after_rad = trace[kPositionSignal];
   Squares squares{.before = squareOf(log.position_rad, one.before_rad),
                   .after = squareOf(log.position_rad, one.after_rad),
                   .floor = noise.positionSigma().squaredNorm(),

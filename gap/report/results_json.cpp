@@ -23,7 +23,7 @@ json firstOpenBlockOrNull(const Outcome& outcome) {
 json blockOrNull(const Outcome& outcome) {
   const Identification& naming = outcome.identification;
   if (naming.verdict != Verdict::kNamed || naming.effects.empty()) return firstOpenBlockOrNull(outcome);
-  return name(blockOf(naming.effects.front().effect->place));
+  return name(blockOf(naming.effects.front().effect->part));
 }
 
 json parametersOf(const Additions& additions, const IdentifiedEffect& found) {

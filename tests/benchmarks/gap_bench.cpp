@@ -130,7 +130,7 @@ double rmsError(unsigned count, const double* x, double* /*jacobian*/, void* dat
     rollOut(fitting.given, i, hypothesis, {}, trace);
     for (std::size_t row = 0; row < log.rows(); ++row)
       fitting.squares[i] +=
-          std::pow(log.position_rad[row] - trace.position_rad[row], 2) / static_cast<double>(log.rows());
+          std::pow(log.position_rad[row] - trace[kPositionSignal][row], 2) / static_cast<double>(log.rows());
   });
   double sum = 0;
   for (const double square : fitting.squares) sum += square;

@@ -94,7 +94,7 @@ TEST(HiddenCase, WithoutEffectClosesToTheFloor) {
       if (c.logs[i].kind == "release") continue;  // a limp arm multiplies what is small
       Trace trace;
       rollOut(c, i, baselineOf(c), {}, trace);
-      const double off_rad = rmsOff(trace.position_rad, c.logs[i].position_rad);
+      const double off_rad = rmsOff(trace[kPositionSignal], c.logs[i].position_rad);
       EXPECT_GT(off_rad, 0.0005) << nameOf(baseline) << " " << c.logs[i].file;
       EXPECT_LT(off_rad, 0.0015) << nameOf(baseline) << " " << c.logs[i].file;
     }
@@ -113,8 +113,8 @@ TEST(HiddenCase, IsIntegratedInAnotherWayWithTheSameResult) {
       measure(plan, truth, nullptr, log);
       Trace trace;
       rollOut(plan.given, i, truth.bench, {.steps_per_period = 10}, trace);
-      EXPECT_LT(rmsOff(trace.position_rad, log.position_rad), 0.0001) << nameOf(baseline) << " " << log.file;
-      EXPECT_NE(trace.position_rad, log.position_rad);
+      EXPECT_LT(rmsOff(trace[kPositionSignal], log.position_rad), 0.0001) << nameOf(baseline) << " " << log.file;
+      EXPECT_NE(trace[kPositionSignal], log.position_rad);
     }
   }
 }
@@ -134,8 +134,8 @@ double furthestFolded(const Plan& plan, const Hypothesis& bench, double (*of)(co
 TEST(HiddenCase, OfAFineFirmwareIsSimulatedInCoarserPeriods) {
   const Plan plan = drawnPlan("c001", Baseline::kFine, 4);
   ASSERT_FALSE(plan.given.quantised);
-  const auto position = [](const Trace& a, const Trace& b) { return rmsOff(a.position_rad, b.position_rad); };
-  const auto load = [](const Trace& a, const Trace& b) { return rmsOff(a.load, b.load); };
+  const auto position = [](const Trace& a, const Trace& b) { return rmsOff(a[kPositionSignal], b[kPositionSignal]); };
+  const auto load = [](const Trace& a, const Trace& b) { return rmsOff(a[kLoadSignal], b[kLoadSignal]); };
   EXPECT_LT(furthestFolded(plan, baselineOf(plan.given), position), 0.00002);
   EXPECT_LT(furthestFolded(plan, baselineOf(plan.given), load), 0.0002);
   // Profiles are on their way, controllers remember, springs swing.

@@ -107,7 +107,7 @@ Case madeFrom(const Hypothesis& hypothesis) {
   Case made;
   made.name = "made";
   made.model.servo = hypothesis.servo;
-  made.model.effects = hypothesis.effects;
+  made.model.effects.assign(hypothesis.effects.begin(), hypothesis.effects.end());
   made.pendulum = hypothesis.pendulum;
   for (const bool held_out : {false, true}) {
     Trajectory log;
@@ -128,7 +128,7 @@ Case madeFrom(const Hypothesis& hypothesis) {
   for (std::size_t i = 0; i < made.logs.size(); ++i) {
     Trace trace;
     rollOut(made, i, hypothesis, {}, trace);
-    made.logs[i].position_rad = trace.position_rad;
+    made.logs[i].position_rad = trace[kPositionSignal];
   }
   return made;
 }

@@ -38,7 +38,7 @@ inline Gap gapOfMrad(double before, double after, double floor) {
   return gap;
 }
 
-inline Comparison comparisonOf(const Case& given) {
+inline Comparison errorScaleOf(const Case& given) {
   Comparison comparison;
   for (std::size_t i = 0; i < given.logs.size(); ++i) {
     const std::vector<double> still(given.logs[i].rows(), 0.1 * static_cast<double>(i));
@@ -92,7 +92,7 @@ struct Told {
   void make() {
     report.given = &given;
     report.outcome = &outcome;
-    report.comparison = comparisonOf(given);
+    report.comparison = errorScaleOf(given);
     report.model_before = caseModel(given);
     report.data_hash = std::string(64, 'a');
     report.model_after = withAdditions(report.model_before, additionsOf(given, outcome, report.data_hash));

@@ -143,7 +143,7 @@ TEST(Compare, DataWithoutNoiseAreBelowTheFloor) {
   Trace trace;
   for (std::size_t i = 0; i < bench.logs.size(); ++i) {
     rollOut(bench, i, baselineOf(bench), {}, trace);
-    bench.logs[i].position_rad = trace.position_rad;
+    bench.logs[i].position_rad = trace[kPositionSignal];
   }
   const Comparison found = compare(bench, baselineOf(bench), baselineOf(bench));
   EXPECT_TRUE(found.anyBelowFloor(bench, true)) << "no servo agrees to the last digit with a simulation";

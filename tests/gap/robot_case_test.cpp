@@ -87,9 +87,9 @@ TEST_F(JointCase, OfTheTwinIsSimulatedAsItMoved) {
   Trace trace;
   rollOut(made, 0, baselineOf(made), {}, trace);
   double sum = 0;
-  for (std::size_t row = 0; row < trace.position_rad.size(); ++row)
-    sum += std::pow(trace.position_rad[row] - made.logs[0].position_rad[row], 2);
-  EXPECT_LT(std::sqrt(sum / static_cast<double>(trace.position_rad.size())), 0.003) << "two steps of the encoder";
+  for (std::size_t row = 0; row < trace[kPositionSignal].size(); ++row)
+    sum += std::pow(trace[kPositionSignal][row] - made.logs[0].position_rad[row], 2);
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(trace[kPositionSignal].size())), 0.003) << "two steps of the encoder";
 }
 
 TEST_F(JointCase, NeedsAPartInWhichTheJointMovesAlone) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/conversions.hpp"
+#include "gap/fit/unknown.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "small_case.hpp"
 
@@ -26,9 +27,9 @@ std::size_t firstRowBeyond(const std::vector<double>& values, double limit) {
 TEST(RollOut, AGoalWrittenBeforeTheReadActsOneRowEarlier) {
   Case bench = smallBench();
   bench.logs[0].position_rad.assign(bench.logs[0].rows(), 0);
-  const std::size_t after = firstRowBeyond(traceOf(bench, 0, baselineOf(bench)).load, 0.1);
+  const std::size_t after = firstRowBeyond(traceOf(bench, 0, baselineOf(bench))[kLoadSignal], 0.1);
   bench.goal_order = GoalOrder::kBeforeRead;
-  const std::size_t before = firstRowBeyond(traceOf(bench, 0, baselineOf(bench)).load, 0.1);
+  const std::size_t before = firstRowBeyond(traceOf(bench, 0, baselineOf(bench))[kLoadSignal], 0.1);
   EXPECT_EQ(after, before + 1);
 }
 
@@ -36,10 +37,11 @@ TEST(RollOut, ALimpServoShowsNoLoadAndTheArmFalls) {
   const Case bench = smallBench();
   const Trace trace = traceOf(bench, 2, baselineOf(bench));
   const std::size_t off = 33;  // rows after 0.5 s
-  EXPECT_GT(trace.load[off - 5], 0.05) << "held against gravity";
-  for (std::size_t row = off + 1; row < trace.load.size(); ++row) ASSERT_EQ(trace.load[row], 0) << row;
-  EXPECT_NEAR(trace.position_rad[off - 5], 1.2, 0.1);
-  EXPECT_LT(*std::min_element(trace.position_rad.begin(), trace.position_rad.end()), -0.3) << "it swings through";
+  EXPECT_GT(trace[kLoadSignal][off - 5], 0.05) << "held against gravity";
+  for (std::size_t row = off + 1; row < trace[kLoadSignal].size(); ++row) ASSERT_EQ(trace[kLoadSignal][row], 0) << row;
+  EXPECT_NEAR(trace[kPositionSignal][off - 5], 1.2, 0.1);
+  EXPECT_LT(*std::min_element(trace[kPositionSignal].begin(), trace[kPositionSignal].end()), -0.3)
+      << "it swings through";
 }
 
 TEST(RollOut, WithDisturbanceItTellsTicksAndDiffersFromSeedToSeed) {
@@ -47,15 +49,15 @@ TEST(RollOut, WithDisturbanceItTellsTicksAndDiffersFromSeedToSeed) {
   const Disturbance one{.seed = 1}, two{.seed = 2};
   const Trace a = traceOf(bench, 1, baselineOf(bench), &one), again = traceOf(bench, 1, baselineOf(bench), &one),
               b = traceOf(bench, 1, baselineOf(bench), &two);
-  EXPECT_EQ(a.position_rad, again.position_rad);
-  EXPECT_NE(a.position_rad, b.position_rad);
-  for (const double position : a.position_rad) {
+  EXPECT_EQ(a[kPositionSignal], again[kPositionSignal]);
+  EXPECT_NE(a[kPositionSignal], b[kPositionSignal]);
+  for (const double position : a[kPositionSignal]) {
     const double ticks = position / kRadPerTick;
     ASSERT_NEAR(ticks, std::round(ticks), 1e-6);
   }
   double worst = 0;
-  for (std::size_t row = 0; row < a.position_rad.size(); ++row)
-    worst = std::max(worst, std::abs(a.position_rad[row] - b.position_rad[row]));
+  for (std::size_t row = 0; row < a[kPositionSignal].size(); ++row)
+    worst = std::max(worst, std::abs(a[kPositionSignal][row] - b[kPositionSignal][row]));
   EXPECT_LT(worst, 8 * kRadPerTick) << "a bench repeats itself";
 }
 
@@ -65,7 +67,9 @@ TEST(RollOut, TheLogsTemperatureIsTheServos) {
   const Trace cold = traceOf(bench, 2, warm);
   bench.logs[2].temp_c.assign(bench.logs[2].rows(), 45);
   const Trace hot = traceOf(bench, 2, warm);
-  const auto lowest = [](const Trace& t) { return *std::min_element(t.position_rad.begin(), t.position_rad.end()); };
+  const auto lowest = [](const Trace& t) {
+    return *std::min_element(t[kPositionSignal].begin(), t[kPositionSignal].end());
+  };
   EXPECT_LT(lowest(hot), lowest(cold) - 0.02) << "thin grease brakes less";
 }
 
@@ -94,6 +98,50 @@ TEST(ForEach, DoesEachOnceAndPassesOnWhatFails) {
                        }),
                std::runtime_error);
   forEach(2, [](std::size_t) { forEach(2, [](std::size_t) {}); });  // within itself: does not hang
+}
+
+TEST(BenchPlant, TracesHaveAColumnForEachSignalAndAValueForEachRow) {
+  const Case bench = smallBench();
+  const Plant& plant = plantOf(bench);
+  Trace trace;
+  plant.rollOut(bench, 1, baselineOf(bench), {}, trace);
+  ASSERT_EQ(trace.columns.size(), plant.signals().size());
+  for (const auto& column : trace.columns) EXPECT_EQ(column.size(), bench.logs[1].rows());
+  EXPECT_EQ(plant.signals()[kPositionSignal].kind, Signal::Kind::kPosition);
+  EXPECT_EQ(plant.signals()[kSupplySignal].kind, Signal::Kind::kSupply);
+}
+
+TEST(BenchPlant, HasResidualsOfEveryBlockThatIsMeasured) {
+  const Case bench = measured(smallBench(), baselineOf(smallBench()), 1);
+  const Plant& plant = plantOf(bench);
+  const auto known = [&](Block block) {
+    const auto found =
+        plant.blockResiduals(block, plant.places().front(), bench, bench.logs[1], baselineOf(bench), {}).residual;
+    return found.array().isNaN().count() < found.size();
+  };
+  EXPECT_TRUE(known(Block::kController));
+  EXPECT_TRUE(known(Block::kPlant));
+  EXPECT_FALSE(known(Block::kSupply)) << "the logs have no voltage";
+  EXPECT_FALSE(known(Block::kSensor)) << "the logs have no speed";
+}
+
+TEST(Hypothesis, HasAnEffectOnceAPlace) {
+  const twin::EffectInfo& friction = *twin::findEffect("coulomb");
+  const Place ankle{Place::Kind::kJoint, "AnkleR"}, knee{Place::Kind::kJoint, "KneeR"};
+  Hypothesis robot;
+  for (const Place& place : {ankle, knee, ankle}) robot.with(friction, place).values[0] += 0.1;
+  ASSERT_EQ(robot.effects.size(), 2u);
+  EXPECT_EQ(robot.find("coulomb", ankle)->values[0], 0.2);
+  EXPECT_EQ(robot.find("coulomb", knee)->values[0], 0.1);
+  EXPECT_EQ(robot.find("coulomb"), nullptr);
+
+  const auto unknowns = unknownsOf(friction, false, knee);
+  EXPECT_EQ(unknowns[0].name, "KneeR.coulomb.friction");
+  const double x = unknowns[0].toSearch(0.05);
+  robot = applied(robot, unknowns, &x);
+  EXPECT_NEAR(robot.find("coulomb", knee)->values[0], 0.05, 1e-12);
+  robot.without("coulomb", ankle);
+  EXPECT_EQ(robot.effects.size(), 1u);
 }
 
 }  // namespace

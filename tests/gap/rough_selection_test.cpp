@@ -54,9 +54,9 @@ Case measuredIn(Disturbance wind, Case bench, const Hypothesis& truth) {
   for (std::size_t i = 0; i < bench.logs.size(); ++i) {
     wind.seed = 700 + i;  // gusts of 1 draw in 3 hide the offset of the encoder
     rollOut(bench, i, truth, {.disturbance = &wind, .steps_per_period = 5}, trace);
-    bench.logs[i].position_rad = trace.position_rad;
-    bench.logs[i].load = trace.load;
-    bench.logs[i].volt_v = trace.supply_v;
+    bench.logs[i].position_rad = trace[kPositionSignal];
+    bench.logs[i].load = trace[kLoadSignal];
+    bench.logs[i].volt_v = trace[kSupplySignal];
   }
   return bench;
 }

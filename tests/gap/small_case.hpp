@@ -60,8 +60,8 @@ inline Case measured(Case bench, const Hypothesis& truth, std::uint64_t seed) {
     Disturbance disturbance;
     disturbance.seed = seed * 100 + i;
     rollOut(bench, i, truth, {.disturbance = &disturbance, .steps_per_period = 5}, trace);
-    bench.logs[i].position_rad = trace.position_rad;
-    bench.logs[i].load = trace.load;
+    bench.logs[i].position_rad = trace[kPositionSignal];
+    bench.logs[i].load = trace[kLoadSignal];
     for (double& load : bench.logs[i].load) load = std::round(load * 1'000) / 1'000;
   }
   return bench;

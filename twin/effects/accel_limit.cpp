@@ -21,6 +21,8 @@ constexpr std::array kParameters{
 };
 constexpr auto kConfusedWith =
     std::to_array<std::string_view>({"speed_limit", "torque_limit", "transport_delay", "inertia"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kFastMotion});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"a_lim", "accel"}});
 
 class AccelLimit final : public EffectOf<kAccelLimit, kParameters.size()> {
  public:
@@ -37,7 +39,7 @@ class AccelLimit final : public EffectOf<kAccelLimit, kParameters.size()> {
 const EffectInfo kAccelLimit{
     .id = "accel_limit",
     .title = "acceleration limit",
-    .place = Place::kCommand,
+    .part = LoopPart::kCommand,
     .equation = "|d2 set_point/dt2| <= accel; law speed_p: |dw/dt| <= accel",
     .signature = "Rounded start and stop of large steps; the error grows with the number of reversals.",
     .separated_by =
@@ -46,6 +48,18 @@ const EffectInfo kAccelLimit{
     .source = "2013 thesis 5.3.1: 55 rad/s2",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.pair_rank = 1},
+    .exports = {.webots =
+                    approximated("acceleration: it limits the motor's speed, and braking begins when P asks for it"),
+                .mujoco = lost("a position actuator has no limit of acceleration; move the goal in the controller"),
+                .urdf = lost("the format has no limit of acceleration")},
+    .other_names = kOtherNames,
     .make = makeEffect<AccelLimit>,
 };
 

@@ -18,6 +18,8 @@ constexpr std::array kParameters{
               .logarithmic = true},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"deadband", "coulomb", "joint_flex", "encoder_offset"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kBothSides});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"backlash", "play"}, {"b", "play"}});
 
 class Backlash final : public EffectOf<kBacklash, kParameters.size()> {
  public:
@@ -34,13 +36,26 @@ class Backlash final : public EffectOf<kBacklash, kParameters.size()> {
 const EffectInfo kBacklash{
     .id = "backlash",
     .title = "gear backlash",
-    .place = Place::kTransmission,
+    .part = LoopPart::kTransmission,
     .equation = "no torque between gears and horn while |q_gears - q_horn| < play / 2",
     .signature = "Free motion and hunting where the load changes sign; an irregular first swing after a release.",
     .separated_by = "Hold where gravity pulls either way and not at all; small sine around hanging and at 60 degrees.",
     .source = "MX-28: 20 arcmin; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kSoftGear,
+    .synthetic = {.pair_rank = 8},
+    .exports = {.webots = approximated(
+                    "HingeJointWithBacklash, gap: hard stops; the sensor sits before the gap, the servo's behind it"),
+                .mujoco =
+                    approximated("a second hinge with a range: soft stops; the actuator sees the angle before the gap"),
+                .urdf = lost("one joint has no play; it would take a second one with limits, which many readers drop")},
+    .other_names = kOtherNames,
     .make = makeEffect<Backlash>,
 };
 

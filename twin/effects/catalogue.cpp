@@ -13,8 +13,10 @@ extern const EffectInfo kCoulomb, kViscous, kStribeck, kLoadDependentFriction, k
 extern const EffectInfo kKtError, kResistanceError, kSupplySag, kCogging;
 extern const EffectInfo kBacklash, kJointFlex, kComMass, kInertia, kEncoderOffset;
 
-std::span<const EffectInfo* const> catalogue() {
-  static constexpr std::array kTable{
+namespace {
+
+std::vector<const EffectInfo*> allEffects() {
+  constexpr std::array kTable{
       // command
       &kLostPackets,
       &kTransportDelay,
@@ -49,12 +51,31 @@ std::span<const EffectInfo* const> catalogue() {
       &kInertia,
       &kEncoderOffset,
   };
-  return kTable;
+  std::vector<const EffectInfo*> all{kTable.begin(), kTable.end()};
+  all.insert(all.end(), addedEffects().begin(), addedEffects().end());
+  return all;
+}
+
+}  // namespace
+
+[[gnu::weak]] std::span<const EffectInfo* const> addedEffects() {
+  return {};
+}
+
+std::span<const EffectInfo* const> catalogue() {
+  static const std::vector<const EffectInfo*> kAll = allEffects();
+  return kAll;
 }
 
 const EffectInfo* findEffect(std::string_view id) {
   const auto table = catalogue();
   const auto found = std::ranges::find(table, id, &EffectInfo::id);
+  return found == table.end() ? nullptr : *found;
+}
+
+const EffectInfo* effectWith(ParameterRole role) {
+  const auto table = catalogue();
+  const auto found = std::ranges::find_if(table, [&](const EffectInfo* one) { return indexOf(*one, role) == 0; });
   return found == table.end() ? nullptr : *found;
 }
 

@@ -25,6 +25,11 @@ constexpr std::array kParameters{
 };
 constexpr auto kConfusedWith =
     std::to_array<std::string_view>({"encoder_offset", "kt_error", "kp_scale", "gear_scale", "inertia", "coulomb"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kPayloads, LogFeature::kBothSides});
+constexpr auto kAliases =
+    std::to_array<BaselineAlias>({{.number = "payload", .relation = BaselineAlias::Relation::kRelativeChange},
+                                  {.number = "length", .relation = BaselineAlias::Relation::kAdded, .parameter = 1}});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"m_fac", "mass", 1}, {"com_shift", "shift"}});
 
 class ComMass final : public EffectOf<kComMass, kParameters.size()> {
  public:
@@ -42,7 +47,7 @@ class ComMass final : public EffectOf<kComMass, kParameters.size()> {
 const EffectInfo kComMass{
     .id = "com_mass",
     .title = "load mass error",
-    .place = Place::kLoad,
+    .part = LoopPart::kLoad,
     .equation = "m = m (1 + mass); L = L + shift",
     .signature = "Stops short in proportion to the sine of the angle; the swing period differs.",
     .separated_by =
@@ -50,6 +55,15 @@ const EffectInfo kComMass{
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = kAliases,
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.growth = Synthetic::Growth::kFirstOrSecond, .pair_rank = 15},
+    .exports = inAllFormats(held(exports::kInTheBody)),
+    .other_names = kOtherNames,
     .make = makeEffect<ComMass>,
 };
 

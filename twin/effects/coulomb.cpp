@@ -15,9 +15,15 @@ constexpr std::array kParameters{
               .high = 0.3,
               .neutral = 0,
               .typical = 0.05,
-              .logarithmic = true},
+              .logarithmic = true,
+              .role = ParameterRole::kDryFriction},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"deadband", "viscous", "backlash", "stribeck"});
+constexpr auto kRevealedBy =
+    std::to_array<LogFeature>({LogFeature::kTorqueOff, LogFeature::kPayloads, LogFeature::kGains});
+constexpr auto kAliases = std::to_array<BaselineAlias>(
+    {{.number = "coulomb.friction", .relation = BaselineAlias::Relation::kOwnValue, .case_key = "coulomb_Nm"}});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"Fc", "friction"}});
 
 class Coulomb final : public EffectOf<kCoulomb, kParameters.size()> {
  public:
@@ -34,7 +40,7 @@ class Coulomb final : public EffectOf<kCoulomb, kParameters.size()> {
 const EffectInfo kCoulomb{
     .id = "coulomb",
     .title = "dry friction",
-    .place = Place::kFriction,
+    .part = LoopPart::kFriction,
     .equation = "F += friction",
     .signature =
         "Stops short of the goal on the side it comes from; a released swing decays linearly and may rest away from "
@@ -45,6 +51,18 @@ const EffectInfo kCoulomb{
     .source = "2013 thesis 5.3.2: 0.025 N m",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kCommon,
+    .aliases = kAliases,
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.pair_rank = 4},
+    .exports = {.webots = approximated(
+                    "staticFriction: brakes and holds the limp joint; a motor that moves by speed overcomes it unseen"),
+                .mujoco = held("frictionloss"),
+                .urdf = held("dynamics friction")},
+    .other_names = kOtherNames,
     .make = makeEffect<Coulomb>,
 };
 

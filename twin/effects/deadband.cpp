@@ -28,6 +28,8 @@ constexpr std::array kParameters{
               .secondary = true},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"coulomb", "backlash", "stribeck"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kLoadColumn, LogFeature::kGains});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"deadband", "width"}, {"d", "width"}, {"u0", "punch"}});
 
 class Deadband final : public EffectOf<kDeadband, kParameters.size()> {
  public:
@@ -51,7 +53,7 @@ class Deadband final : public EffectOf<kDeadband, kParameters.size()> {
 const EffectInfo kDeadband{
     .id = "deadband",
     .title = "dead band",
-    .place = Place::kController,
+    .part = LoopPart::kController,
     .equation = "u = 0 if |e| <= width; else K P (e - width sign e) + punch sign e",
     .signature = "Load exactly 0 while the error is not; the joint stops anywhere within the band.",
     .separated_by =
@@ -59,6 +61,17 @@ const EffectInfo kDeadband{
     .source = "Compliance margin and punch of this family's older registers; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.pair_rank = 9},
+    .exports = {.webots = lost("controlPID has no dead band; keep the goal at the angle in the controller"),
+                .mujoco = lost("an affine actuator has no dead band"),
+                .urdf = lost(exports::kNoController)},
+    .other_names = kOtherNames,
     .make = makeEffect<Deadband>,
 };
 

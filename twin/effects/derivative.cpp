@@ -18,6 +18,7 @@ constexpr std::array kParameters{
               .logarithmic = true},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"viscous", "kt_error"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kLoadColumn});
 
 class Derivative final : public EffectOf<kDerivative, kParameters.size()> {
  public:
@@ -34,7 +35,7 @@ class Derivative final : public EffectOf<kDerivative, kParameters.size()> {
 const EffectInfo kDerivative{
     .id = "derivative",
     .title = "derivative gain (D)",
-    .place = Place::kController,
+    .part = LoopPart::kController,
     .equation = "u += 8 K gain de/dt",
     .signature = "Damped steps, a load spike when the goal jumps, rough load in a smooth move.",
     .separated_by =
@@ -42,6 +43,17 @@ const EffectInfo kDerivative{
     .source = "MX-28 manual, registers 26 to 28",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kVoltageP,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kEveryPeriod,  // swings at 1 ms where it damps at 0.1 ms
+    .synthetic = {},
+    .exports = {.webots = approximated("controlPID, D of a speed"),
+                .mujoco = approximated("biasprm: brakes the joint; the goal's own speed is left out"),
+                .urdf = lost(exports::kNoController)},
+    .other_names = {},
     .make = makeEffect<Derivative>,
 };
 

@@ -54,6 +54,9 @@ constexpr std::array kParameters{
 };
 constexpr auto kConfusedWith =
     std::to_array<std::string_view>({"load_dependent_friction", "com_mass", "quadratic_load_friction"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kPayloads});
+constexpr auto kOtherNames =
+    std::to_array<OtherName>({{"Km", "motor"}, {"Ke", "load"}, {"K_motor", "motor"}, {"K_ext", "load"}});
 
 class DirectionalLoadFriction final : public EffectOf<kDirectionalLoadFriction, kParameters.size()> {
  public:
@@ -73,13 +76,22 @@ class DirectionalLoadFriction final : public EffectOf<kDirectionalLoadFriction, 
 const EffectInfo kDirectionalLoadFriction{
     .id = "directional_load_friction",
     .title = "directional load-dependent friction",
-    .place = Place::kFriction,
+    .part = LoopPart::kFriction,
     .equation = "F += |motor tm - load te| + |slow_motor tm - slow_load te| exp(-|w| / slow_speed)",
     .signature = "Lifting needs more, or lowering less, than load-proportional friction predicts.",
     .separated_by = "Move up and down under load at two payloads; push back by hand with torque off.",
     .source = "Rhoban's BAM; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.growth = Synthetic::Growth::kFirstAndSecond},
+    .exports = inAllFormats(lost(exports::kNoFrictionOfLoad)),
+    .other_names = kOtherNames,
     .make = makeEffect<DirectionalLoadFriction>,
 };
 

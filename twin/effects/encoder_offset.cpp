@@ -17,6 +17,8 @@ constexpr std::array kParameters{
               .typical = 0.03},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"com_mass", "gear_scale", "backlash"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kBothSides});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"zero_off", "offset"}, {"o", "offset"}});
 
 class EncoderOffset final : public EffectOf<kEncoderOffset, kParameters.size()> {
  public:
@@ -33,13 +35,22 @@ class EncoderOffset final : public EffectOf<kEncoderOffset, kParameters.size()> 
 const EffectInfo kEncoderOffset{
     .id = "encoder_offset",
     .title = "encoder zero error",
-    .place = Place::kLoad,
+    .part = LoopPart::kLoad,
     .equation = "te(q) = te(q - offset)",
     .signature = "Rests away from 0 after a release; stops short by different amounts left and right.",
     .separated_by = "Turn the base by 180 degrees or weigh the arm.",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kCommon,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.pair_rank = 11},
+    .exports = inAllFormats(held("in the body: the link turned about its joint by the offset")),
+    .other_names = kOtherNames,
     .make = makeEffect<EncoderOffset>,
 };
 

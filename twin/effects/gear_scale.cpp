@@ -14,9 +14,14 @@ constexpr std::array kParameters{
               .low = 0.85,
               .high = 1.15,
               .neutral = 1,
-              .typical = 0.95},
+              .typical = 0.95,
+              .role = ParameterRole::kGoalFactor,
+              .error_scale = ErrorScale::kFromOne},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"encoder_offset", "com_mass", "kp_scale"});
+constexpr std::string_view kInController = "multiply the goal in the controller";
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kLoadColumn, LogFeature::kBothSides});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"gear_scale", "scale"}, {"s", "scale"}});
 
 class GearScale final : public EffectOf<kGearScale, kParameters.size()> {
  public:
@@ -33,7 +38,7 @@ class GearScale final : public EffectOf<kGearScale, kParameters.size()> {
 const EffectInfo kGearScale{
     .id = "gear_scale",
     .title = "goal scale error",
-    .place = Place::kController,
+    .part = LoopPart::kController,
     .equation = "goal = scale * goal",
     .signature = "Error proportional to the goal, at every P gain, also at rest without load.",
     .separated_by =
@@ -41,6 +46,17 @@ const EffectInfo kGearScale{
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.pair_rank = 12},
+    .exports = {.webots = lost(kInController),
+                .mujoco = held("gainprm, the goal's factor"),
+                .urdf = lost(kInController)},
+    .other_names = kOtherNames,
     .make = makeEffect<GearScale>,
 };
 

@@ -18,6 +18,7 @@ constexpr std::array kParameters{
               .logarithmic = true},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"coulomb", "p_on_torque", "kp_scale"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kLoadColumn});
 
 class Integral final : public EffectOf<kIntegral, kParameters.size()> {
  public:
@@ -34,7 +35,7 @@ class Integral final : public EffectOf<kIntegral, kParameters.size()> {
 const EffectInfo kIntegral{
     .id = "integral",
     .title = "integral gain (I)",
-    .place = Place::kController,
+    .part = LoopPart::kController,
     .equation = "u += 8 K gain integral(e dt), held within the limit of the duty",
     .signature = "The remaining error under load creeps to 0; overshoot after long errors.",
     .separated_by =
@@ -42,6 +43,17 @@ const EffectInfo kIntegral{
     .source = "MX-28 manual, registers 26 to 28",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kVoltageP,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {},
+    .exports = {.webots = approximated("controlPID, I of a speed"),
+                .mujoco = lost("an affine actuator has no integral"),
+                .urdf = lost(exports::kNoController)},
+    .other_names = {},
     .make = makeEffect<Integral>,
 };
 

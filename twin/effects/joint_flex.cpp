@@ -27,6 +27,8 @@ constexpr std::array kParameters{
               .secondary = true},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"backlash", "transport_delay", "cogging", "inertia"});
+constexpr auto kOtherNames =
+    std::to_array<OtherName>({{"flex_k", "stiffness"}, {"k", "stiffness"}, {"flex_c", "damping"}, {"c", "damping"}});
 
 class JointFlex final : public EffectOf<kJointFlex, kParameters.size()> {
  public:
@@ -45,13 +47,25 @@ class JointFlex final : public EffectOf<kJointFlex, kParameters.size()> {
 const EffectInfo kJointFlex{
     .id = "joint_flex",
     .title = "elastic joint",
-    .place = Place::kTransmission,
+    .part = LoopPart::kTransmission,
     .equation = "t = stiffness (q_gears - q_horn) + damping (w_gears - w_horn)",
     .signature = "Rings after steps, at a frequency that falls with the payload.",
     .separated_by = "Tap the arm with two payloads: the frequency is proportional to 1/sqrt(inertia).",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = {},
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kSoftGear,
+    .synthetic = {.pair_rank = 14},
+    .exports = {.webots = lost(
+                    "it would take a second hinge with a springConstant, which steps of 8 and 16 ms cannot follow"),
+                .mujoco = held("a second hinge: stiffness and damping"),
+                .urdf = lost("a joint has no stiffness")},
+    .other_names = kOtherNames,
     .make = makeEffect<JointFlex>,
 };
 

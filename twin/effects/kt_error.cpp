@@ -26,6 +26,11 @@ constexpr std::array kParameters{
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>(
     {"viscous", "resistance_error", "speed_limit", "supply_sag", "load_dependent_friction", "com_mass"});
+constexpr auto kRevealedBy =
+    std::to_array<LogFeature>({LogFeature::kVoltageColumn, LogFeature::kTorqueOff, LogFeature::kFastMotion});
+constexpr auto kAliases =
+    std::to_array<BaselineAlias>({{.number = "kt", .relation = BaselineAlias::Relation::kRelativeChange}});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"kt_fac", "change", 1}});
 
 class KtError final : public EffectOf<kKtError, kParameters.size()> {
  public:
@@ -43,7 +48,7 @@ class KtError final : public EffectOf<kKtError, kParameters.size()> {
 const EffectInfo kKtError{
     .id = "kt_error",
     .title = "torque constant error",
-    .place = Place::kMotor,
+    .part = LoopPart::kMotor,
     .equation = "kt = kt (1 + change); ke = ke (1 + change) (1 + back_emf)",
     .signature = "Error proportional to speed, only with torque on; a different top speed.",
     .separated_by =
@@ -51,6 +56,17 @@ const EffectInfo kKtError{
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kVoltageP,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = kAliases,
+    .step_demand = StepDemand::kNone,
+    .synthetic = {},
+    .exports = {.webots = approximated("maxTorque, maxVelocity and P"),
+                .mujoco = held("actuator: kp, forcerange and the back EMF's biasprm"),
+                .urdf = approximated("limit effort and velocity")},
+    .other_names = kOtherNames,
     .make = makeEffect<KtError>,
 };
 

@@ -21,6 +21,8 @@ constexpr std::array kParameters{
 };
 constexpr auto kConfusedWith =
     std::to_array<std::string_view>({"coulomb", "kt_error", "directional_load_friction", "quadratic_load_friction"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kPayloads});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"Kl", "share"}, {"kl", "share"}, {"K_load", "share"}});
 
 class LoadDependentFriction final : public EffectOf<kLoadDependentFriction, kParameters.size()> {
  public:
@@ -37,13 +39,22 @@ class LoadDependentFriction final : public EffectOf<kLoadDependentFriction, kPar
 const EffectInfo kLoadDependentFriction{
     .id = "load_dependent_friction",
     .title = "load-dependent friction",
-    .place = Place::kFriction,
+    .part = LoopPart::kFriction,
     .equation = "F += share |tm - te|",
     .signature = "Stops short on the side it comes from, by an amount that grows with the payload.",
     .separated_by = "Three payloads: dry friction stays constant, this one grows.",
     .source = "Rhoban's BAM; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kCommon,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.pair_rank = 7},
+    .exports = inAllFormats(lost(exports::kNoFrictionOfLoad)),
+    .other_names = kOtherNames,
     .make = makeEffect<LoadDependentFriction>,
 };
 

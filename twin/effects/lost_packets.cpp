@@ -41,9 +41,12 @@ constexpr std::array kParameters{
               .high = 1000000,
               .neutral = 1,
               .typical = 1,
-              .secondary = true},
+              .secondary = true,
+              .fixed = true,
+              .error_scale = ErrorScale::kNone},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"transport_delay"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kHostRate});
 
 class LostPackets final : public EffectOf<kLostPackets, kParameters.size()> {
  public:
@@ -98,13 +101,22 @@ class LostPackets final : public EffectOf<kLostPackets, kParameters.size()> {
 const EffectInfo kLostPackets{
     .id = "lost_packets",
     .title = "lost and late commands",
-    .place = Place::kCommand,
+    .part = LoopPart::kCommand,
     .equation = "goal stays as it was for a share loss of the packets; the others act |N(0, jitter)| later",
     .signature = "Single rows, at random times, in which the servo moves to the old goal.",
     .separated_by = "Repeat a log: lost packets affect other rows, a delay all.",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kFirmwareOnly,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {},
+    .exports = inAllFormats(lost("every command arrives; drop them in the controller")),
+    .other_names = {},
     .make = makeEffect<LostPackets>,
 };
 

@@ -15,9 +15,11 @@ constexpr std::array kParameters{
               .high = 1,
               .neutral = 0,
               .typical = 1,
-              .secondary = true},
+              .secondary = true,
+              .fixed = true},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"coulomb", "integral", "com_mass"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kGains});
 
 class POnTorque final : public EffectOf<kPOnTorque, kParameters.size()> {
  public:
@@ -35,7 +37,7 @@ class POnTorque final : public EffectOf<kPOnTorque, kParameters.size()> {
 const EffectInfo kPOnTorque{
     .id = "p_on_torque",
     .title = "P acts on torque",
-    .place = Place::kController,
+    .part = LoopPart::kController,
     .equation = "u = K P e and tm = kt (u V - ke w) / R, in place of a speed in proportion to P e",
     .signature = "A loaded joint stops short in proportion to load over P.",
     .separated_by =
@@ -43,6 +45,17 @@ const EffectInfo kPOnTorque{
     .source = "2013 thesis 5.3.3; MX-28 manual, register 28",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kReplacesSpeedP,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.growth = Synthetic::Growth::kSwitch},
+    .exports = {.webots = lost(exports::kSpeedMotor),
+                .mujoco = held("actuator: gainprm and biasprm"),
+                .urdf = lost(exports::kNoController)},
+    .other_names = {},
     .make = makeEffect<POnTorque>,
 };
 

@@ -38,6 +38,8 @@ constexpr std::array kParameters{
 };
 constexpr auto kConfusedWith =
     std::to_array<std::string_view>({"directional_load_friction", "load_dependent_friction", "torque_limit"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kPayloads});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"Kq", "motor"}, {"K", "motor"}});
 
 class QuadraticLoadFriction final : public EffectOf<kQuadraticLoadFriction, kParameters.size()> {
  public:
@@ -56,13 +58,22 @@ class QuadraticLoadFriction final : public EffectOf<kQuadraticLoadFriction, kPar
 const EffectInfo kQuadraticLoadFriction{
     .id = "quadratic_load_friction",
     .title = "friction quadratic in the load",
-    .place = Place::kFriction,
+    .part = LoopPart::kFriction,
     .equation = "F += (motor tm^2 + load te^2) exp(-|w| / fade_speed)",
     .signature = "Small: a few milliradians, only at the largest loads. Usually not identifiable.",
     .separated_by = "High load only: the same hold at half and full payload, approached from both sides.",
     .source = "Rhoban's BAM, 0.5 to 2.4 mrad; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.growth = Synthetic::Growth::kFirstAndSecond, .most_severe = 1},
+    .exports = inAllFormats(lost(exports::kNoFrictionOfLoad)),
+    .other_names = kOtherNames,
     .make = makeEffect<QuadraticLoadFriction>,
 };
 

@@ -17,6 +17,10 @@ constexpr std::array kParameters{
               .typical = 0.05},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"kt_error", "kp_scale", "supply_sag"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kVoltageColumn, LogFeature::kGains});
+constexpr auto kAliases =
+    std::to_array<BaselineAlias>({{.number = "resistance", .relation = BaselineAlias::Relation::kRelativeChange}});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"R_fac", "change", 1}});
 
 class ResistanceError final : public EffectOf<kResistanceError, kParameters.size()> {
  public:
@@ -33,13 +37,24 @@ class ResistanceError final : public EffectOf<kResistanceError, kParameters.size
 const EffectInfo kResistanceError{
     .id = "resistance_error",
     .title = "winding resistance error",
-    .place = Place::kMotor,
+    .part = LoopPart::kMotor,
     .equation = "R = R (1 + change)",
     .signature = "All motor torque scales; a load needs a different duty than the model predicts.",
     .separated_by = "Hold a known payload and read the load; repeat with the servo warm (copper: 0.39 % per kelvin).",
     .source = "Stall current 1.4 A at 12 V includes cables and bridge; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kVoltageP,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = kAliases,
+    .step_demand = StepDemand::kNone,
+    .synthetic = {},
+    .exports = {.webots = approximated("maxTorque"),
+                .mujoco = held("actuator: kp, forcerange and the back EMF's biasprm"),
+                .urdf = approximated("limit effort")},
+    .other_names = kOtherNames,
     .make = makeEffect<ResistanceError>,
 };
 

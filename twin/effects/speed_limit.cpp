@@ -20,6 +20,8 @@ constexpr std::array kParameters{
               .logarithmic = true},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"accel_limit", "supply_sag", "kt_error"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kFastMotion});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"v_lim", "speed"}});
 
 class SpeedLimit final : public EffectOf<kSpeedLimit, kParameters.size()> {
  public:
@@ -36,7 +38,7 @@ class SpeedLimit final : public EffectOf<kSpeedLimit, kParameters.size()> {
 const EffectInfo kSpeedLimit{
     .id = "speed_limit",
     .title = "speed limit",
-    .place = Place::kCommand,
+    .part = LoopPart::kCommand,
     .equation = "|d set_point/dt| <= speed; law speed_p: |w| <= speed",
     .signature = "Straight ramps of one slope after large steps; slower moves unchanged.",
     .separated_by =
@@ -45,6 +47,17 @@ const EffectInfo kSpeedLimit{
     .source = "MX-28 manual, register 32; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.pair_rank = 2},
+    .exports = {.webots = approximated("maxVelocity: it limits the motor, not the goal's way"),
+                .mujoco = lost("a position actuator has no limit of speed; move the goal in the controller"),
+                .urdf = approximated("limit velocity: it limits the joint, not the goal's way")},
+    .other_names = kOtherNames,
     .make = makeEffect<SpeedLimit>,
 };
 

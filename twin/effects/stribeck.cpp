@@ -36,6 +36,9 @@ constexpr std::array kParameters{
               .secondary = true},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"coulomb", "cogging"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kSlowMotion});
+constexpr auto kDrawn = std::to_array<DrawnParameter>({{.parameter = 1, .low = 0.1, .high = 0.3}});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"Fs", "friction"}, {"ws", "speed"}, {"a", "exponent"}});
 
 class Stribeck final : public EffectOf<kStribeck, kParameters.size()> {
  public:
@@ -53,13 +56,22 @@ class Stribeck final : public EffectOf<kStribeck, kParameters.size()> {
 const EffectInfo kStribeck{
     .id = "stribeck",
     .title = "Stribeck friction at low speed",
-    .place = Place::kFriction,
+    .part = LoopPart::kFriction,
     .equation = "F += friction exp(-(|w| / speed)^exponent)",
     .signature = "Stick-slip in slow moves, no change in fast ones.",
     .separated_by = "Triangle at 0.05, 0.2 and 1 rad/s: the extra friction fades with speed, dry friction does not.",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.drawn = kDrawn, .pair_rank = 6},
+    .exports = inAllFormats(lost("its dry friction is the same at every speed")),
+    .other_names = kOtherNames,
     .make = makeEffect<Stribeck>,
 };
 

@@ -17,7 +17,8 @@ constexpr std::array kParameters{
               .high = 4,
               .neutral = 0,
               .typical = 0.5,
-              .logarithmic = true},
+              .logarithmic = true,
+              .role = ParameterRole::kSupplyResistance},
     Parameter{.key = "droop",
               .unit = "V/s",
               .meaning = "loss of voltage over the session",
@@ -29,6 +30,8 @@ constexpr std::array kParameters{
 };
 constexpr auto kConfusedWith =
     std::to_array<std::string_view>({"torque_limit", "speed_limit", "resistance_error", "kt_error", "kp_scale"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kVoltageColumn});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"Rs", "resistance"}});
 
 class SupplySag final : public EffectOf<kSupplySag, kParameters.size()> {
  public:
@@ -50,13 +53,22 @@ class SupplySag final : public EffectOf<kSupplySag, kParameters.size()> {
 const EffectInfo kSupplySag{
     .id = "supply_sag",
     .title = "supply voltage sag",
-    .place = Place::kSupply,
+    .part = LoopPart::kSupply,
     .equation = "V = V0 - resistance u i - droop t",
     .signature = "The voltage dips with the square of the load; top speed and torque fall with it.",
     .separated_by = "Log the voltage; make the same move without payload and with the largest.",
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kVoltageP,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.pair_rank = 16},
+    .exports = inAllFormats(lost("it knows no supply")),
+    .other_names = kOtherNames,
     .make = makeEffect<SupplySag>,
 };
 

@@ -24,7 +24,8 @@ constexpr std::array kParameters{
               .high = 60,
               .neutral = 25,
               .typical = 25,
-              .secondary = true},
+              .secondary = true,
+              .fixed = true},
     Parameter{.key = "copper",
               .unit = "1/K",
               .meaning = "relative resistance growth per kelvin",
@@ -35,6 +36,8 @@ constexpr std::array kParameters{
               .secondary = true},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"coulomb", "viscous", "resistance_error"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kTemperature, LogFeature::kLongSession});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"temp_beta", "rate"}, {"b", "rate"}});
 
 class TempDrift final : public EffectOf<kTempDrift, kParameters.size()> {
  public:
@@ -64,13 +67,24 @@ class TempDrift final : public EffectOf<kTempDrift, kParameters.size()> {
 const EffectInfo kTempDrift{
     .id = "temp_drift",
     .title = "temperature drift of friction and resistance",
-    .place = Place::kFriction,
+    .part = LoopPart::kFriction,
     .equation = "F = F exp(-rate (T - reference)); R = R (1 + copper (T - reference))",
     .signature = "The same log differs with session time or reported temperature.",
     .separated_by = "Repeat the first log at the end of the session.",
     .source = "Copper: 0.39 % per kelvin; range of rate assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {},
+    .exports = {.webots = approximated("friction and torque at one temperature, written beside them"),
+                .mujoco = approximated("friction and torque at one temperature, written beside them"),
+                .urdf = approximated("friction and effort at one temperature, written beside them")},
+    .other_names = kOtherNames,
     .make = makeEffect<TempDrift>,
 };
 

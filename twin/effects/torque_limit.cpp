@@ -23,6 +23,14 @@ constexpr std::array kParameters{
 };
 constexpr auto kConfusedWith =
     std::to_array<std::string_view>({"supply_sag", "accel_limit", "resistance_error", "quadratic_load_friction"});
+constexpr auto kRevealedBy =
+    std::to_array<LogFeature>({LogFeature::kLoadColumn, LogFeature::kVoltageColumn, LogFeature::kSaturation});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"dmax", "duty"},
+                                                       {"duty_max", "duty"},
+                                                       {"u_max", "duty"},
+                                                       {"T", "torque"},
+                                                       {"T_lim", "torque"},
+                                                       {"tau_max", "torque"}});
 
 class TorqueLimit final : public EffectOf<kTorqueLimit, kParameters.size()> {
  public:
@@ -43,7 +51,7 @@ class TorqueLimit final : public EffectOf<kTorqueLimit, kParameters.size()> {
 const EffectInfo kTorqueLimit{
     .id = "torque_limit",
     .title = "torque limit",
-    .place = Place::kController,
+    .part = LoopPart::kController,
     .equation = "|u| <= duty and |tm| <= torque",
     .signature = "Load flat at a value below 100 % (duty), or torque flat at any speed; lifts fail at high payload.",
     .separated_by =
@@ -52,6 +60,18 @@ const EffectInfo kTorqueLimit{
     .source = "MX-28 manual, register 34; range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.pair_rank = 3},
+    .exports = {.webots = approximated("maxTorque; a limit of the duty lowers maxVelocity too"),
+                .mujoco = approximated(
+                    "forcerange: exact for a limit of the duty; one of the torque acts before the back EMF"),
+                .urdf = approximated("limit effort; a limit of the duty lowers velocity too")},
+    .other_names = kOtherNames,
     .make = makeEffect<TorqueLimit>,
 };
 

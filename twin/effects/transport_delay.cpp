@@ -18,7 +18,8 @@ constexpr std::array kParameters{
               .high = 0.08,
               .neutral = 0,
               .typical = 0.008,
-              .logarithmic = true},
+              .logarithmic = true,
+              .role = ParameterRole::kGoalDelay},
     Parameter{.key = "reading",
               .unit = "s",
               .meaning = "age of the position that the controller reads",
@@ -30,6 +31,8 @@ constexpr std::array kParameters{
 };
 constexpr auto kConfusedWith =
     std::to_array<std::string_view>({"viscous", "accel_limit", "lost_packets", "inertia", "joint_flex"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kHostRate});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"d", "delay"}});
 
 // Delay line with linear interpolation between samples, so that a fit sees a smooth function of the delay.
 class DelayLine {
@@ -76,7 +79,7 @@ class TransportDelay final : public EffectOf<kTransportDelay, kParameters.size()
 const EffectInfo kTransportDelay{
     .id = "transport_delay",
     .title = "command delay",
-    .place = Place::kCommand,
+    .part = LoopPart::kCommand,
     .equation = "goal(t) = goal sent at t - delay; measured(t) = measured at t - reading",
     .signature =
         "Error proportional to goal speed at every P gain; dead time after a step. Below one host period the "
@@ -87,6 +90,15 @@ const EffectInfo kTransportDelay{
     .source = "Range assumed",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kRare,
+    .aliases = {},
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.pair_rank = 10},
+    .exports = inAllFormats(lost("commands act in the same step; delay them in the controller")),
+    .other_names = kOtherNames,
     .make = makeEffect<TransportDelay>,
 };
 

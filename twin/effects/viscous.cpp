@@ -15,9 +15,14 @@ constexpr std::array kParameters{
               .high = 0.2,
               .neutral = 0,
               .typical = 0.01,
-              .logarithmic = true},
+              .logarithmic = true,
+              .role = ParameterRole::kViscousFriction},
 };
 constexpr auto kConfusedWith = std::to_array<std::string_view>({"kt_error", "coulomb", "transport_delay"});
+constexpr auto kRevealedBy = std::to_array<LogFeature>({LogFeature::kTorqueOff});
+constexpr auto kAliases = std::to_array<BaselineAlias>(
+    {{.number = "viscous.damping", .relation = BaselineAlias::Relation::kOwnValue, .case_key = "viscous_Nms_rad"}});
+constexpr auto kOtherNames = std::to_array<OtherName>({{"kv", "damping"}});
 
 class Viscous final : public EffectOf<kViscous, kParameters.size()> {
  public:
@@ -34,13 +39,25 @@ class Viscous final : public EffectOf<kViscous, kParameters.size()> {
 const EffectInfo kViscous{
     .id = "viscous",
     .title = "viscous friction",
-    .place = Place::kFriction,
+    .part = LoopPart::kFriction,
     .equation = "F += damping |w|",
     .signature = "Error proportional to speed; a released swing decays exponentially.",
     .separated_by = "Swing with torque off (no back EMF) against powered motion at constant speed.",
     .source = "2013 thesis 5.3.2: 0.002 N m s/rad",
     .confused_with = kConfusedWith,
     .parameters = kParameters,
+    .laws = Laws::kBoth,
+    .visibility = Visibility::kAtHost,
+    .revealed_by = kRevealedBy,
+    .prevalence = Prevalence::kCommon,
+    .aliases = kAliases,
+    .step_demand = StepDemand::kNone,
+    .synthetic = {.pair_rank = 5},
+    .exports = {.webots = approximated(
+                    "dampingConstant: brakes the limp joint; a motor that moves by speed overcomes it unseen"),
+                .mujoco = held("damping"),
+                .urdf = held("dynamics damping")},
+    .other_names = kOtherNames,
     .make = makeEffect<Viscous>,
 };
 

@@ -5,16 +5,18 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
+#include "twin/servo/facets.hpp"
 #include "twin/servo/signals.hpp"
 
 namespace darwinop::twin {
 
 /// Block of the control loop in which an effect acts, and in which `darwinop gap` looks for it.
-enum class Place : std::uint8_t { kCommand, kController, kSupply, kMotor, kFriction, kTransmission, kLoad, kSensor };
-std::string_view name(Place place);
+enum class LoopPart : std::uint8_t { kCommand, kController, kSupply, kMotor, kFriction, kTransmission, kLoad, kSensor };
+std::string_view name(LoopPart part);
 
 struct Parameter {
   std::string_view key;      // in the model file: "friction"
@@ -25,23 +27,43 @@ struct Parameter {
   double typical;            // of this servo family; start value of a search
   bool logarithmic = false;  // scale parameter: searched in its logarithm
   bool secondary = false;    // refinement: held at its typical value in a first search
+  bool fixed = false;        // never free in a fit: a switch, a seed, or what another parameter says as well
+  ParameterRole role = ParameterRole::kNone;
+  ErrorScale error_scale = ErrorScale::kRelative;
 };
 
 class Effect;
 
+/// No field has a default: g++ refuses an effect without one of them (-Wmissing-field-initializers).
 struct EffectInfo {
   std::string_view id;     // "coulomb": section [effect coulomb] of a model file
   std::string_view title;  // "dry friction"
-  Place place;
+  LoopPart part;
   std::string_view equation;                        // symbols: docs/twin/effects.md
   std::string_view signature;                       // appearance in logs
   std::string_view separated_by;                    // experiment that distinguishes it from confounded effects
   std::string_view source;                          // of equation and range
   std::span<const std::string_view> confused_with;  // ids
   std::span<const Parameter> parameters;
+  Laws laws;
+  Visibility visibility;
+  std::span<const LogFeature> revealed_by;
+  Prevalence prevalence;
+  std::span<const BaselineAlias> aliases;
+  StepDemand step_demand;
+  Synthetic synthetic;
+  Exports exports;
+  std::span<const OtherName> other_names;
   /// `values`: one per parameter, in their order.
   std::unique_ptr<Effect> (*make)(std::span<const double> values);
 };
+
+/// Index of the parameter that has this role; nothing if the effect has none.
+constexpr std::optional<std::size_t> indexOf(const EffectInfo& effect, ParameterRole role) {
+  for (std::size_t i = 0; i < effect.parameters.size(); ++i)
+    if (effect.parameters[i].role == role) return i;
+  return std::nullopt;
+}
 
 /// An effect in one servo. Hooks run in the order below, each for all effects in catalogue order; an effect implements
 /// the hooks that it lists in hooks(). They neither allocate nor throw.

@@ -27,8 +27,10 @@ twin::ServoParameters sheetServo() {
   return servo;
 }
 
-void believe(std::string_view effect, double value, Case& c) {
-  c.model.effects.push_back({twin::findEffect(effect), {value}, {}});
+void believe(twin::ParameterRole friction, double value, Case& c) {
+  const twin::EffectInfo* const effect = twin::effectWith(friction);
+  c.model.effects.push_back({effect, {value}, {}});
+  c.priors.push_back({std::string{effect->aliases[0].number}, 0.1});
 }
 
 void drawModel(Baseline baseline, Rng& rng, Case& c) {
@@ -50,12 +52,9 @@ void drawModel(Baseline baseline, Rng& rng, Case& c) {
     c.priors = {{"kt", 0.02}, {"resistance", 0.04}};
   }
   for (const Prior& prior : {Prior{"armature", 0.1}, {"payload", 0.01}, {"length", 0.01}}) c.priors.push_back(prior);
-  if (baseline != Baseline::kFrictionless) {
-    believe("coulomb", rounded(rng.between(0.05, 0.1), 1e-4), c);
-    c.priors.push_back({"coulomb.friction", 0.1});
-  }
-  believe("viscous", rounded(rng.between(0.008, 0.02), 1e-4), c);
-  c.priors.push_back({"viscous.damping", 0.1});
+  if (baseline != Baseline::kFrictionless)
+    believe(twin::ParameterRole::kDryFriction, rounded(rng.between(0.05, 0.1), 1e-4), c);
+  believe(twin::ParameterRole::kViscousFriction, rounded(rng.between(0.008, 0.02), 1e-4), c);
 }
 
 struct LogPlan {

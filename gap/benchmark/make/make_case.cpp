@@ -91,7 +91,7 @@ std::string baselineName(const CaseRequest& request, const Case& given) {
   if (!request.like) return std::string{nameOf(request.baseline)};
   if (given.model.servo.law == twin::Law::kSpeedP) return "W";
   if (!given.quantised) return "F";
-  return baselineOf(given).find("coulomb") != nullptr ? "CV" : "V0";
+  return baselineOf(given).value(twin::ParameterRole::kDryFriction) ? "CV" : "V0";
 }
 
 }  // namespace

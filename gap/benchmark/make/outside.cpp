@@ -11,7 +11,8 @@ namespace {
 
 using Values = std::span<const double>;
 
-const twin::EffectInfo kOutsideInfo = internalEffect("outside", "something that no catalogue has", twin::Place::kLoad);
+const twin::EffectInfo kOutsideInfo =
+    internalEffect("outside", "something that no catalogue has", twin::LoopPart::kLoad);
 
 class Outside : public twin::Effect {
  public:

@@ -4,9 +4,11 @@
 #include <array>
 #include <filesystem>
 #include <mutex>
+#include <sstream>
 #include <stdexcept>
 
 #include "gap/benchmark/make/outside.hpp"
+#include "gap/benchmark/make/quick.hpp"
 #include "gap/case/write_case.hpp"
 #include "gap/parallel/parallel.hpp"
 #include "twin/effects/catalogue.hpp"
@@ -18,23 +20,9 @@ constexpr std::array kBaselines{Baseline::kFrictionless, Baseline::kFriction, Ba
 constexpr std::array kVoltage{Baseline::kFrictionless, Baseline::kFriction, Baseline::kFine};
 constexpr std::size_t kEffectFreeCases = 100, kPairCases = 30, kOutsideCases = 20;
 
-template <class List>
-bool isIn(const List& list, std::string_view id) {
-  return std::ranges::find(list, id) != list.end();
-}
-
-// A motor that takes any speed at once has neither a duty nor a winding.
-constexpr auto kOfTheDuty =
-    std::to_array<std::string_view>({"supply_sag", "kt_error", "resistance_error", "integral", "derivative"});
-// A host at 16 ms can see that they are there, not what they are: one case each is enough to see what is said of them.
-constexpr auto kOfTheFirmware = std::to_array<std::string_view>({"lost_packets", "encoder_quantisation"});
-
-// All of its plausible range is within the noise: asked for once a baseline.
-constexpr std::string_view kNeverPlain = "quadratic_load_friction";
-
-bool shows(std::string_view effect, Baseline baseline) {
+bool shows(const twin::EffectInfo& effect, Baseline baseline) {
   const bool speed = baseline == Baseline::kSpeed;
-  return effect == "p_on_torque" ? speed : !(speed && isIn(kOfTheDuty, effect));
+  return effect.laws == twin::Laws::kBoth || (effect.laws == twin::Laws::kReplacesSpeedP) == speed;
 }
 
 CaseRequest request(Baseline baseline, bool wrong_numbers, std::vector<HiddenEffect> effects) {
@@ -50,14 +38,15 @@ using Requests = std::vector<CaseRequest>;
 void addSingles(Rng& rng, Requests& all) {
   for (const twin::EffectInfo* const effect : twin::catalogue()) {
     const std::string id{effect->id};
-    if (isIn(kOfTheFirmware, id)) {
+    // A host at 16 ms sees that it is there, not what it is: one case is enough to see what is said of it.
+    if (effect->visibility == twin::Visibility::kFirmwareOnly) {
       all.push_back(request(Baseline::kFriction, false, {{.id = id, .severity = 2}}));
       continue;
     }
     for (const Baseline kind : {Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed})
       for (const int severity : {1, 2, 3}) {
         const Baseline baseline = kind == Baseline::kFriction && rng.coin() ? Baseline::kFine : kind;
-        if (shows(id, baseline) && (severity == 1 || id != kNeverPlain))
+        if (shows(*effect, baseline) && severity <= effect->synthetic.most_severe)
           all.push_back(request(baseline, rng.uniform() < 0.4, {{.id = id, .severity = severity}}));
       }
   }
@@ -67,25 +56,36 @@ void addEffectFree(std::size_t count, Requests& all) {
   for (std::size_t i = 0; i < count; ++i) all.push_back(request(kBaselines[i / 2 % kBaselines.size()], i % 2 == 1, {}));
 }
 
-// Effects that are plain alone and act in different places; doubles of each other would be a riddle without an answer.
-constexpr auto kForPairs = std::to_array<std::string_view>(
-    {"accel_limit", "speed_limit", "torque_limit", "coulomb", "viscous", "stribeck", "load_dependent_friction",
-     "backlash", "deadband", "transport_delay", "encoder_offset", "gear_scale", "cogging", "joint_flex", "com_mass",
-     "supply_sag", "kp_scale"});
+/// Effects that are plain alone, in the order of their ranks.
+std::vector<const twin::EffectInfo*> effectsForPairs() {
+  std::vector<const twin::EffectInfo*> effects;
+  for (const twin::EffectInfo* const effect : twin::catalogue())
+    if (effect->synthetic.pair_rank > 0) effects.push_back(effect);
+  std::ranges::stable_sort(effects, {}, [](const auto* effect) { return effect->synthetic.pair_rank; });
+  return effects;
+}
 
-bool areDoubles(std::string_view a, std::string_view b) {
-  const auto doubles = twin::doublesOf(*twin::findEffect(a));
-  return a == b || std::ranges::any_of(doubles, [&](const twin::EffectInfo* other) { return other->id == b; });
+/// The effect that replaces law speed_p.
+std::string otherLaw() {
+  const auto all = twin::catalogue();
+  return std::string{(*std::ranges::find(all, twin::Laws::kReplacesSpeedP, &twin::EffectInfo::laws))->id};
+}
+
+// Effects that act in different places; doubles of each other would be a riddle without an answer.
+bool areDoubles(const twin::EffectInfo& a, const twin::EffectInfo& b) {
+  const auto doubles = twin::doublesOf(a);
+  return &a == &b || std::ranges::find(doubles, &b) != doubles.end();
 }
 
 void addPairs(std::size_t count, Rng& rng, Requests& all) {
+  const auto effects = effectsForPairs();
   while (count > 0) {
-    const std::string_view a = rng.pick(kForPairs), b = rng.pick(kForPairs);
+    const twin::EffectInfo &a = *rng.pick(effects), &b = *rng.pick(effects);
     const Baseline baseline = rng.pick(kBaselines);
     if (areDoubles(a, b) || !shows(a, baseline) || !shows(b, baseline)) continue;
     const bool other_law = baseline == Baseline::kSpeed && rng.uniform() < 0.3;
-    const HiddenEffect first{.id = other_law ? "p_on_torque" : std::string{a}, .severity = 3};
-    all.push_back(request(baseline, false, {first, {.id = std::string{b}, .severity = 2 + (rng.coin() ? 1 : 0)}}));
+    const HiddenEffect first{.id = other_law ? otherLaw() : std::string{a.id}, .severity = 3};
+    all.push_back(request(baseline, false, {first, {.id = std::string{b.id}, .severity = 2 + (rng.coin() ? 1 : 0)}}));
     --count;
   }
 }
@@ -97,20 +97,29 @@ void addOutside(std::size_t count, Requests& all) {
                           {{.id = std::string{strangers[i % strangers.size()].id}}}));
 }
 
-// One of each kind of verdict, and the effects that are met most often.
+/// "CV wrong cogging:2"
+CaseRequest requestFrom(const std::string& line) {
+  std::istringstream words{line};
+  CaseRequest out;
+  std::string word;
+  words >> word;
+  out.baseline = *std::ranges::find(kBaselines, word, [](Baseline one) { return nameOf(one); });
+  while (words >> word) {
+    const std::size_t colon = word.find(':');
+    if (word == "wrong")
+      out.wrong_numbers = true;
+    else if (colon == std::string::npos)
+      out.effects.push_back({.id = word});
+    else
+      out.effects.push_back({.id = word.substr(0, colon), .severity = std::stoi(word.substr(colon + 1))});
+  }
+  return out;
+}
+
 void addQuick(Requests& all) {
-  const auto single = [](Baseline baseline, bool wrong, const char* id, int severity) {
-    return request(baseline, wrong, {{.id = id, .severity = severity}});
-  };
-  all = {single(Baseline::kFriction, false, "coulomb", 2),         single(Baseline::kFrictionless, false, "viscous", 2),
-         single(Baseline::kFriction, false, "transport_delay", 2), single(Baseline::kFriction, true, "cogging", 2),
-         single(Baseline::kSpeed, false, "accel_limit", 2),        single(Baseline::kSpeed, false, "p_on_torque", 3),
-         single(Baseline::kFrictionless, false, "deadband", 3)};
-  addEffectFree(2, all);
-  all.push_back(request(Baseline::kSpeed, true, {}));
-  all.push_back(request(Baseline::kFrictionless, false,
-                        {{.id = "coulomb", .severity = 2}, {.id = "transport_delay", .severity = 3}}));
-  all.push_back(request(Baseline::kFriction, false, {{.id = "u_cable"}}));
+  std::istringstream suite{std::string{quick::kSuite}};
+  for (std::string line; std::getline(suite, line);)
+    if (!line.starts_with('#')) all.push_back(requestFrom(line));
 }
 
 }  // namespace

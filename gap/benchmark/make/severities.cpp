@@ -40,22 +40,25 @@ struct Way {
   }
 };
 
-void drawTheRest(std::string_view id, Rng& rng, Way& way) {
-  constexpr std::array kRipples{12.0, 16.0, 20.0, 24.0, 30.0, 36.0};  // a turn
-  if (id == "cogging") {
-    way.values[1] = rng.pick(kRipples);
-    way.values[2] = rng.between(-kPi, kPi);
-  } else if (id == "stribeck") {
-    way.values[1] = rng.between(0.1, 0.3);
-  } else if (id == "com_mass") {
-    way.grows = rng.below(2);  // heavier or further out, not both: they hide in each other
-  } else if (id == "directional_load_friction" || id == "quadratic_load_friction") {
-    way.tied = 1;
-    way.ratio = rng.between(0.2, 0.8);
-  } else if (id == "p_on_torque") {  // is there, or is not
-    way.grows.reset();
-    way.values[0] = 1;
+void drawTheRest(const twin::EffectInfo& effect, Rng& rng, Way& way) {
+  using Growth = twin::Synthetic::Growth;
+  switch (effect.synthetic.growth) {
+    case Growth::kFirst:
+      break;
+    case Growth::kFirstAndSecond:
+      way.tied = 1;
+      way.ratio = rng.between(0.2, 0.8);
+      break;
+    case Growth::kFirstOrSecond:
+      way.grows = rng.below(2);
+      break;
+    case Growth::kSwitch:
+      way.grows.reset();
+      way.values[0] = effect.parameters[0].typical;
+      break;
   }
+  for (const twin::DrawnParameter& drawn : effect.synthetic.drawn)
+    way.values[drawn.parameter] = drawn.choices.empty() ? rng.between(drawn.low, drawn.high) : rng.pick(drawn.choices);
 }
 
 Way drawnWay(const Hypothesis& without, const twin::EffectInfo& effect, Rng& rng) {
@@ -63,7 +66,7 @@ Way drawnWay(const Hypothesis& without, const twin::EffectInfo& effect, Rng& rng
   for (const twin::Parameter& parameter : effect.parameters) way.values.push_back(parameter.neutral);
   if (const twin::EffectSetting* const there = without.find(effect.id)) way.values = there->values;
   way.grows = 0;
-  drawTheRest(effect.id, rng, way);
+  drawTheRest(effect, rng, way);
   if (!way.grows) return way;
   const twin::Parameter& parameter = effect.parameters[*way.grows];
   way.from = way.values[*way.grows];
@@ -101,10 +104,10 @@ double gapBetween(const Case& given, const Hypothesis& a, const Hypothesis& b) {
     const Trajectory& log = given.logs[i];
     if (log.held_out || log.repeat_of) return;
     Trace first, second;
-    rollOut(given, i, a, {}, first);
-    rollOut(given, i, b, {}, second);
+    plantOf(given).rollOut(given, i, a, {}, first);
+    plantOf(given).rollOut(given, i, b, {}, second);
     for (std::size_t row = 0; row < log.rows(); ++row)
-      sums[i] += std::pow(first.position_rad[row] - second.position_rad[row], 2);
+      sums[i] += std::pow(first[kPositionSignal][row] - second[kPositionSignal][row], 2);
   });
   double sum = 0, rows = 0;
   for (std::size_t i = 0; i < sums.size(); ++i) {

@@ -28,10 +28,6 @@ std::vector<std::unique_ptr<twin::Effect>> effectsOf(const Truth& truth, std::un
   return all;
 }
 
-bool isSoft(const Truth& truth) {
-  return truth.bench.find("backlash") != nullptr || truth.bench.find("joint_flex") != nullptr;
-}
-
 /// One log on a bench of either kind.
 template <class Arm>
 class Session {
@@ -134,7 +130,7 @@ void roundColumns(const Disturbance& disturbance, double ticks_per_rev, Trajecto
 }  // namespace
 
 void measure(const Plan& plan, const Truth& truth, const Disturbance* disturbance, Trajectory& log) {
-  if (isSoft(truth))
+  if (truth.bench.has(twin::StepDemand::kSoftGear))
     Session<twin::Bench>{plan, truth, disturbance, log}.run();
   else
     Session<RigidArm>{plan, truth, disturbance, log}.run();

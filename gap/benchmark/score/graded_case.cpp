@@ -75,7 +75,7 @@ bool GradedCase::rightPlace() const {
 bool GradedCase::acts(std::string_view block) const {
   return std::ranges::any_of(key.effects, [&](const KeyEffect& effect) {
     const twin::EffectInfo* const info = twin::findEffect(effect.id);
-    return block == name(info != nullptr ? blockOf(info->place) : Block::kPlant);
+    return block == name(info != nullptr ? blockOf(info->part) : Block::kPlant);
   });
 }
 

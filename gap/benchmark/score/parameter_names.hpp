@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "twin/servo/facets.hpp"
+
 namespace darwinop::gap {
 
 /// A parameter by the catalogue's name.
@@ -18,6 +20,9 @@ std::optional<NamedParameter> parameterOf(std::string_view effect, std::string_v
 
 /// With the catalogue's names, unknown ones left out.
 std::map<std::string, double> inCatalogueNames(std::string_view effect, const std::map<std::string, double>& values);
+
+/// How an estimate of this parameter is compared with the truth.
+twin::ErrorScale errorScaleOf(std::string_view effect, std::string_view key);
 
 /// Share by which `told` is off. A factor counts from 1: a scale of 0.95 told as 0.96 is off by a fifth. Nothing where
 /// no share makes sense: a phase, a truth of 0.

@@ -92,7 +92,7 @@ struct Tally {
     for (const auto& [name, ends] : told.intervals) {
       const auto parameter = parameterOf(hidden.id, name);
       const auto truth = parameter ? truths.find(std::string{parameter->key}) : truths.end();
-      if (truth == truths.end() || parameter->key == "phase") continue;
+      if (truth == truths.end() || errorScaleOf(hidden.id, parameter->key) == twin::ErrorScale::kNone) continue;
       const double value = truth->second + parameter->zero;
       interval.count(value >= ends.first && value <= ends.second);
     }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "experiments/logs/read_log.hpp"
+#include "gap/case/baseline_keys.hpp"
 #include "gap/case/parse_case.hpp"
 #include "gap/case/robot/alone.hpp"
 #include "gap/case/write_case.hpp"
@@ -76,8 +77,8 @@ Json priorsOf(const twin::Model& model, Joint joint) {
   Json priors = {{"kt", 0.02}, {"resistance", 0.04}, {"armature", 0.1}, {"payload", 0.02}, {"length", 0.02}};
   for (const twin::EffectSetting& effect : model.effects) {
     if (effect.joint && effect.joint != joint) continue;
-    if (effect.info->id == "coulomb") priors["coulomb.friction"] = 0.1;
-    if (effect.info->id == "viscous") priors["viscous.damping"] = 0.1;
+    for (const FrictionKey& key : frictionKeys())
+      if (key.effect == effect.info) priors[key.prior] = 0.1;
   }
   return priors;
 }

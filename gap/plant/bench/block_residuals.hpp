@@ -1,23 +1,11 @@
 // Residuals of single blocks of the loop, from measured inputs and outputs. No closed loop is simulated.
 #pragma once
 
-#include <Eigen/Core>
-#include <functional>
 #include <vector>
 
-#include "gap/plant/hypothesis.hpp"
+#include "gap/plant/block_residuals.hpp"
 
 namespace darwinop::gap {
-
-/// Samples of one log. NaN: no information.
-struct BlockResiduals {
-  Eigen::VectorXd residual;      // measured - expected
-  Eigen::VectorXd sigma;         // standard deviation if the model is right
-  Eigen::VectorXd z;             // residual over sigma, after what the priors of the numbers explain; NaN as 0
-  std::vector<std::size_t> row;  // row of the sample; the middle one for a window
-};
-
-using BlockResidualFunction = std::function<BlockResiduals(const Trajectory& log, const Hypothesis& hypothesis)>;
 
 /// load - law(goal, position), as a duty. Only if the load register holds the duty.
 BlockResiduals controllerResiduals(const Case& given, const Trajectory& log, const Hypothesis& hypothesis);
@@ -34,11 +22,6 @@ double supplyResistance(const Case& given, const std::vector<const Trajectory*>&
 /// speed - difference of positions over the time that the servo takes, rad/s.
 BlockResiduals sensorResiduals(const Trajectory& log, const Hypothesis& hypothesis);
 
-struct ShootingOptions {
-  double length_s = 0.3, stride_s = 0.045;         // of a window, and from one to the next
-  bool powered = true, limp = true, mixed = true;  // windows that count: torque on, or off, all the time; or changing
-  bool measured_supply = false;                    // the motor gets the measured voltage, not the model's
-};
 /// Multiple shooting: windows start at a measured state, the mechanics of the hypothesis run with the measured load as
 /// duty; residual is measured - simulated position at the end, rad. If the load is not a duty, the control law runs.
 BlockResiduals shootingResiduals(const Case& given, const Trajectory& log, const Hypothesis& hypothesis,

@@ -19,9 +19,9 @@ std::size_t overErrors(const Case& data, const Hypothesis& hypothesis, LogRole r
   for (std::size_t i = 0; i < data.logs.size(); ++i) {
     const Trajectory& log = data.logs[i];
     if (log.held_out != (role == LogRole::kHeldOut) || copies[i]) continue;
-    rollOut(data, i, hypothesis, {}, trace);
+    plantOf(data).rollOut(data, i, hypothesis, {}, trace);
     for (std::size_t row = 0; row < log.rows(); ++row)
-      add(log.position_rad[row] - trace.position_rad[row], static_cast<double>(log.rows()));
+      add(log.position_rad[row] - trace[kPositionSignal][row], static_cast<double>(log.rows()));
     ++logs;
   }
   return logs;

@@ -49,15 +49,15 @@ class Run {
 
   void fill(Trace& trace) {
     const std::size_t rows = log_.rows();
-    for (auto* column : {&trace.position_rad, &trace.velocity_rad_s, &trace.load, &trace.supply_v})
-      column->resize(rows);
+    trace.columns.resize(kBenchSignals);
+    for (std::vector<double>& column : trace.columns) column.resize(rows);
     for (std::size_t row = 0; row < rows; ++row) {
       advanceTo(log_.time_s[row] - log_.time_s[0]);
       const double since_s = log_.time_s[row] - log_.time_s[0] - static_cast<double>(periods_) * period_s_;
-      trace.velocity_rad_s[row] = bench_.velocity_rad_s();
-      trace.position_rad[row] = bench_.encoder_rad() + bench_.velocity_rad_s() * since_s;
-      trace.load[row] = loadNow();
-      trace.supply_v[row] = bench_.servo().signals().supply_v;
+      trace[kSpeedSignal][row] = bench_.velocity_rad_s();
+      trace[kPositionSignal][row] = bench_.encoder_rad() + bench_.velocity_rad_s() * since_s;
+      trace[kLoadSignal][row] = loadNow();
+      trace[kSupplySignal][row] = bench_.servo().signals().supply_v;
       if (given_.goal_order == GoalOrder::kAfterRead)
         command(row);
       else if (row + 1 < rows)
@@ -75,24 +75,19 @@ class Run {
       for (long i = std::lround(kHeldBefore / period_s_); i > 0; --i) step();
   }
 
-  static twin::Law lawOf(const Hypothesis& hypothesis) {
-    const twin::EffectSetting* const other = hypothesis.find("p_on_torque");
-    return other != nullptr && other->values[0] > 0.5 ? twin::Law::kVoltageP : hypothesis.servo.law;
-  }
-
   // The duty stands still for a period, and the middle of it is right to the second order. A motor that takes any speed
   // at once has a step of its own for its jump, but not with a soft gear.
   [[nodiscard]] int stepsFor(const Hypothesis& hypothesis) const {
     if (options_.steps_per_period > 0) return options_.steps_per_period;
-    const bool soft = hypothesis.find("backlash") != nullptr || hypothesis.find("joint_flex") != nullptr;
-    if (lawOf(hypothesis) == twin::Law::kSpeedP) return soft ? 6 : 2;
+    const bool soft = hypothesis.has(twin::StepDemand::kSoftGear);
+    if (hypothesis.law() == twin::Law::kSpeedP) return soft ? 6 : 2;
     return soft ? 2 : 1;
   }
 
   /// Periods of a fine firmware that are simulated as one: the most that end with every row of the log.
   static int foldedPeriods(const Trajectory& log, const Hypothesis& hypothesis) {
-    if (hypothesis.find("derivative") != nullptr) return 1;  // swings at 1 ms where it damps at 0.1 ms
-    constexpr double kRounding = 1e-3;                       // of a period; a log tells its times in decimals
+    if (hypothesis.has(twin::StepDemand::kEveryPeriod)) return 1;
+    constexpr double kRounding = 1e-3;  // of a period; a log tells its times in decimals
     const double period_s = hypothesis.servo.firmware_period_s;
     int most = static_cast<int>(kLongestFold / period_s + kRounding);
     const auto fits = [&](int periods) {
@@ -179,7 +174,7 @@ void roundAsRegistersDo(const Disturbance& disturbance, double ticks_per_rev, Tr
   std::mt19937_64 random{disturbance.seed * 2 + 2};
   std::normal_distribution<double> normal;
   const double tick = 2 * kPi / ticks_per_rev;
-  for (double& position : trace.position_rad)
+  for (double& position : trace[kPositionSignal])
     position = std::round(position / tick + disturbance.encoder_ticks * normal(random)) * tick;
 }
 

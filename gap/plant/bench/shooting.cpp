@@ -16,7 +16,7 @@ namespace {
 constexpr double kMargin = 0.04;  // s; from the ends of the log: a speed needs rows on both sides
 
 const twin::EffectInfo kGivenDrive =
-    internalEffect("given_drive", "what was measured drives the motor", twin::Place::kController);
+    internalEffect("given_drive", "what was measured drives the motor", twin::LoopPart::kController);
 
 struct Drive {
   double duty = 0, speed_rad_s = 0, supply_v = 0;
@@ -120,7 +120,7 @@ class Shooter {
     all.push_back(std::make_unique<GivenDrive>(drive_));
     for (const twin::EffectSetting& effect : hypothesis.effects) {
       // The measured voltage has the sag in it.
-      if (options_.measured_supply && effect.info->place == twin::Place::kSupply) continue;
+      if (options_.measured_supply && effect.info->part == twin::LoopPart::kSupply) continue;
       all.push_back(effect.info->make(effect.values));
     }
     return all;

@@ -8,7 +8,7 @@ namespace darwinop::gap {
 namespace {
 
 const twin::EffectInfo kSurroundings =
-    internalEffect("surroundings", "temperature and noise of the bench", twin::Place::kLoad);
+    internalEffect("surroundings", "temperature and noise of the bench", twin::LoopPart::kLoad);
 
 }  // namespace
 

@@ -50,7 +50,7 @@ TEST_P(EffectRow, HasKeysUnitsAndTexts) {
   EXPECT_TRUE(isSentence(info.equation, 160)) << info.equation;
   for (const std::string_view text : {info.signature, info.separated_by, info.source})
     EXPECT_TRUE(isSentence(text, 260)) << text;
-  EXPECT_FALSE(name(info.place).empty());
+  EXPECT_FALSE(name(info.part).empty());
   EXPECT_FALSE(info.parameters.empty()) << "an effect needs a parameter to be fitted";
 
   std::set<std::string_view> keys;
@@ -103,11 +103,42 @@ TEST_P(EffectRow, CreatesTheEffectThatItDescribes) {
   EXPECT_EQ(findEffect(info.id), &info);
 }
 
+TEST_P(EffectRow, HasFacetsThatFitItsParameters) {
+  const EffectInfo& info = *GetParam();
+  const auto count = info.parameters.size();
+  for (const BaselineAlias& alias : info.aliases) {
+    EXPECT_LT(alias.parameter, count) << alias.number;
+    if (alias.relation != BaselineAlias::Relation::kOwnValue) continue;
+    EXPECT_EQ(alias.number, std::string{info.id} + "." + std::string{info.parameters[0].key});
+    EXPECT_FALSE(alias.case_key.empty());
+  }
+  for (const DrawnParameter& drawn : info.synthetic.drawn) {
+    ASSERT_LT(drawn.parameter, count);
+    EXPECT_GE(drawn.low, info.parameters[drawn.parameter].low);
+    EXPECT_LE(drawn.high, info.parameters[drawn.parameter].high);
+  }
+  for (const OtherName& other : info.other_names)
+    EXPECT_TRUE(std::ranges::find(info.parameters, other.key, &Parameter::key) != info.parameters.end()) << other.key;
+  for (const Holding& one : {info.exports.webots, info.exports.mujoco, info.exports.urdf})
+    EXPECT_GT(one.how.size(), 5u);
+  EXPECT_EQ(info.laws == Laws::kReplacesSpeedP, info.synthetic.growth == Synthetic::Growth::kSwitch);
+}
+
 INSTANTIATE_TEST_SUITE_P(Catalogue, EffectRow, testing::ValuesIn(catalogue().begin(), catalogue().end()),
                          [](const auto& row) { return std::string{row.param->id}; });
 
-TEST(Catalogue, HasEveryIdOnce) {
+// Of two parameters with one role only the first would be read.
+TEST(Catalogue, HasEveryIdRoleAndRankOnce) {
   std::set<std::string_view> ids;
+  std::multiset<ParameterRole> roles;
+  std::multiset<int> ranks;
+  for (const EffectInfo* info : catalogue()) {
+    ranks.insert(info->synthetic.pair_rank);
+    for (const Parameter& parameter : info->parameters) roles.insert(parameter.role);
+  }
+  for (const ParameterRole role : roles)
+    EXPECT_TRUE(role == ParameterRole::kNone || roles.count(role) == 1) << static_cast<int>(role);
+  for (const int rank : ranks) EXPECT_TRUE(rank == 0 || ranks.count(rank) == 1) << rank;
   for (const EffectInfo* info : catalogue()) EXPECT_TRUE(ids.insert(info->id).second) << "duplicate id " << info->id;
   EXPECT_EQ(findEffect("no_such_effect"), nullptr);
 }
@@ -129,7 +160,7 @@ TEST(Catalogue, HasEveryFrictionBeforeTempDrift) {
   const auto table = catalogue();
   const auto drift = std::ranges::find(table, "temp_drift", &EffectInfo::id);
   for (auto row = drift + 1; row != table.end(); ++row)
-    EXPECT_NE((*row)->place, Place::kFriction) << (*row)->id << ": move its row before temp_drift's";
+    EXPECT_NE((*row)->part, LoopPart::kFriction) << (*row)->id << ": move its row before temp_drift's";
 }
 
 TEST(ConfoundedEffects, AreFoundFromBothSides) {
