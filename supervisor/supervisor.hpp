@@ -53,7 +53,7 @@ class Supervisor {
   void startRuntime();
   void backOff(const std::string& why);
   void lookAtRuntime();
-  void onRuntimeEnd(const Ending& ending);
+  void onRuntimeEnd(const process::Ending& ending);
   void endRuntime();
   void rescue(const std::string& why);
   void lookAtRescue();

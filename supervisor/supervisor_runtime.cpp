@@ -8,6 +8,7 @@
 #include "runtime/rest.hpp"
 #include "runtime/robot_notes.hpp"
 #include "safety/fault_book.hpp"
+#include "supervisor/child_start.hpp"
 #include "supervisor/rescue_watch.hpp"
 #include "supervisor/robot_settings.hpp"
 #include "supervisor/standing.hpp"
@@ -29,8 +30,7 @@ constexpr const char* kMayHold = "; some joints may be under torque: hold the ro
 }  // namespace
 
 void Supervisor::startRuntime() {
-  Start start;
-  start.command = {setup_.runtime_program, "--wait"};
+  process::Start start = childStart({setup_.runtime_program, "--wait"});
   try {
     // Read now, so that the rescue uses the runtime's settings even if the file changes. With an invalid file nothing
     // may move, and no runtime is started.
@@ -75,7 +75,7 @@ void Supervisor::endRuntime() {
   if (now_ >= kill_at_) rescue("runtime: has not ended in time");
 }
 
-void Supervisor::onRuntimeEnd(const Ending& ending) {
+void Supervisor::onRuntimeEnd(const process::Ending& ending) {
   const bool was_up = runtime_->wasUp();
   kill_at_ = Nanos{0};
   if (was_up && !ending.isNormal()) return rescue("runtime: died " + describe(ending));
