@@ -6,6 +6,7 @@
 #include <string>
 
 #include "runtime/clock.hpp"
+#include "runtime/file_lock.hpp"
 #include "runtime/names.hpp"
 #include "supervisor/default_controller.hpp"
 #include "supervisor/journal.hpp"

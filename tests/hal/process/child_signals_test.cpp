@@ -1,4 +1,5 @@
 // Signals of child processes: what they inherit, their group, the end of their parent.
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 #include <unistd.h>
