@@ -38,15 +38,15 @@ void handOn(int signal, siginfo_t* info, void*) {
 }
 
 /// File in which a controller that hosts the loop itself leaves its figures. It outlives a kill -9.
-class LookOn {
+class ObserverConnection {
  public:
-  LookOn() : path_{kPrefix + std::to_string(getpid())} {
+  ObserverConnection() : path_{kPrefix + std::to_string(getpid())} {
     sweep();
     forget();
   }
-  ~LookOn() { forget(); }
-  LookOn(const LookOn&) = delete;
-  LookOn& operator=(const LookOn&) = delete;
+  ~ObserverConnection() { forget(); }
+  ObserverConnection(const ObserverConnection&) = delete;
+  ObserverConnection& operator=(const ObserverConnection&) = delete;
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
@@ -116,9 +116,9 @@ bool isElsewhere(const std::string& robot) {
   return (robot.empty() && usual != nullptr ? std::string{usual} : robot).starts_with("tcp://");
 }
 
-process::Start startOf(const RunRequest& request, const std::string& program, const std::string& look_on) {
+process::Start startOf(const RunRequest& request, const std::string& program, const std::string& observer) {
   process::Start start{.command = request.command,
-                       .environment = {"DARWINOP_EXCHANGE=" + look_on},
+                       .environment = {"DARWINOP_EXCHANGE=" + observer},
                        .ends_with_us = true,  // even if we are killed
                        .error_prefix = ""};
   start.command.front() = program;
@@ -156,20 +156,20 @@ std::string controllerProgram(const std::string& controller) {
 
 int runController(const RunRequest& request) {
   const std::string program = controllerProgram(request.command.at(0));
-  const LookOn look_on;
+  const ObserverConnection observer;
   const std::optional<LoopFigures> daemon = tryAttach(lookAtDaemon, RuntimeFiles{});
   onEndSignals(handOn);
-  const process::Ending ending = runToItsEnd(startOf(request, program, look_on.path()));
+  const process::Ending ending = runToItsEnd(startOf(request, program, observer.path()));
   if (ending.by_signal) std::cerr << "the controller was ended by signal " << ending.code << std::endl;
 
   const auto attach = [](const RuntimeFiles& files) {
     return Exchange::attach(files.exchange, Exchange::Access::kLook);
   };
-  if (auto embedded = tryAttach(attach, RuntimeFiles{look_on.path()})) {
+  if (auto embedded = tryAttach(attach, RuntimeFiles{observer.path()})) {
     if (ending.by_signal && embedded->leftTorque())
       std::cerr
           << "no loop is left: the joints keep their torque and last goals. Hold the robot; pressing RESET on its "
-             "back (or `darwinop run` again) lets go"
+             "back (or `darwinop run` again) releases torque"
           << std::endl;
     embedded->fromTheBeginning();
     embedded->print();

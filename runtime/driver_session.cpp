@@ -52,7 +52,7 @@ void DriverSession::hold(const Commands& last) {
 }
 
 void DriverSession::end(Commands last) {
-  last.farewell = true;
+  last.end_of_session = true;
   publish(last);
 }
 

@@ -44,7 +44,7 @@ patience 5 to 2 cycles	core/sensors.hpp	s/(kAnswerPatience = )5/\12/
 re-powers 3 to 30	safety/board_watch.hpp	s/(kRepowers = )3/\130/
 re-power window 60 to 1 s	safety/board_watch.hpp	s/(kRepowerWindow\{std::chrono::seconds\{)60/\11/
 press of a button 250 ms to 25 ms	safety/board_watch.cpp	s/(kPress\{milliseconds\{)250/\125/
-battery hysteresis 0.3 V to 0	safety/board_watch.cpp	s/(kBatteryHysteresis = )0.3/\10/
+battery hysteresis 0.3 V to 0	core/servo_limits.hpp	s/(kBatteryHysteresis = )0.3/\10/
 tilt hysteresis 15 deg to 0	safety/board_watch.cpp	s/(kTiltHysteresis = )15/\10/
 least gravity 3 to 0 m/s2	safety/board_watch.cpp	s/(kLeastGravity = )3.0/\10.0/
 agreement of readings 4.5 to 45 ticks	safety/joint_channel.cpp	s/(kAgreement = )[0-9.]+/\145/
@@ -54,10 +54,10 @@ held up 3 to 300 s	safety/joint_channel.hpp	s/(kHeldUp\{std::chrono::seconds\{)3
 readings apart 5 to 500 cycles	safety/joint_channel.cpp	s/(kApart = )5/\1500/
 rest 1 s to 0	safety/guard_states.cpp	s/(kRest\{std::chrono::seconds\{)1/\10/
 round of looks 25 to 1	safety/guard_states.cpp	s/(kLookRound = )kJoints \+ 5/\11/
-greatest P gain 254 to 2540	safety/joint_limiter.cpp	s/254 \/ 8.0/2540 \/ 8.0/
+greatest P gain 254 to 2540	core/servo_limits.hpp	s/254 \* kGain/2540 * kGain/
 grace of an overload bit 300 ms to 0	safety/trip_watch.hpp	s/(kGrace\{std::chrono::milliseconds\{)300/\10/
 start-up of servos 1 s to 0	safety/servo_watch.hpp	s/(kStartUp\{std::chrono::milliseconds\{)1000/\10/
-heat hysteresis 5 to 0	safety/servo_watch.hpp	s/(kHeatHysteresis = )5/\10/
+heat hysteresis 5 to 0	core/servo_limits.hpp	s/(kHeatHysteresis = )5/\10/
 END
 }
 
@@ -83,7 +83,7 @@ export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1
 caught_by() {
   local program=$1
   ninja -C "$tree/build/debug" --quiet "$program" >"$log" 2>&1 || {
-    # Tests name rows in static_assert and constexpr tables, too.
+    # Tests name rows in static_assert and constexpr tables also.
     if grep -q 'error' "$log"; then echo compiler && return; else cat "$log" >&2 && exit 1; fi
   }
   ! timeout 900 "$tree/build/debug/bin/$program" "${@:2}" >"$log" 2>&1 || return 1

@@ -19,7 +19,7 @@ namespace darwinop::cm730 {
 ///
 /// Writing the torque limit makes a servo forget that it shut itself off. It is written when a joint enters, and else
 /// only when it has changed. A servo shuts itself off after it has worked at its torque limit for long: while one in
-/// the frame does, limits are written after kTorqueEvery cycles at the earliest, so that a shutdown is heard in
+/// the frame does, limits are written after kTorqueEvery cycles at the earliest, so that a shutdown is received in
 /// between.
 class GoalWriter {
  public:
@@ -29,7 +29,7 @@ class GoalWriter {
   std::span<const std::uint8_t> encode(const SafeCommands& commands) noexcept;
 
   /// What a servo has answered: its load, fraction of the greatest torque.
-  void heard(Joint joint, double load) noexcept;
+  void noteLoad(Joint joint, double load) noexcept;
 
   /// Locks the EEPROM of every servo until its power is cut: an 8-bit checksum lets one damaged frame in 256 pass,
   /// and none of those may change an id, a baud rate or an angle limit for good.
@@ -70,7 +70,7 @@ class GoalWriter {
     return {goal.speed_limit, goal.torque_limit, goal.p_gain};
   }
 
-  /// What a servo has been told since its joint entered.
+  /// Written to a servo since its joint entered.
   struct Servo {
     Settings settings;  // what the registers below were made from
     std::uint16_t torque = 0;

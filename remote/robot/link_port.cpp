@@ -65,12 +65,23 @@ void LinkPort::apply(const Request& request) {
     commands_.unattended |= request.extension.unattended;
   }
   session_->publish(commands_);
-  if (!session_->link().realTime()) simulate(request);
+  if (session_->link().realTime()) return;
+  if (request.extended)
+    simulateUntil(request.extension.until_cycle);
+  else
+    simulate();
+}
+
+void LinkPort::publish(const Commands& commands) {
+  commands_.joint = commands.joint;
+  commands_.led = commands.led;
+  session_->publish(commands_);
+  if (!session_->link().realTime()) simulate();
 }
 
 void LinkPort::applyMotor(const MotorSetting& setting) {
   using M = MotorSetting;
-  MotorControl& motor = motors_[index(setting.joint)];
+  goals::MotorControl& motor = motors_[index(setting.joint)];
   if (setting.has(M::kPosition) && isEncoderPosition(setting.position))
     motor.setPosition(positionFromWire(setting.position));
   if (setting.has(M::kVelocity)) motor.setVelocity(velocityFromWire(setting.velocity));
@@ -92,8 +103,7 @@ void LinkPort::applyLed(const LedSetting& setting) {
 }
 
 /// In lockstep the server runs the cycles: as many as real time has passed, at least one.
-void LinkPort::simulate(const Request& request) {
-  if (request.extended) return simulateUntil(request.extension.until_cycle);
+void LinkPort::simulate() {
   const Nanos now = clock_.now();
   const Nanos elapsed = std::min(now - simulated_at_, kLongestStep);
   simulated_at_ = now;

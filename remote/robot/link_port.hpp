@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/motor_control.hpp"
+#include "core/goals/motor_control.hpp"
 #include "hal/frame_source.hpp"
 #include "remote/jpeg/image_size.hpp"
 #include "remote/picture_source.hpp"
@@ -34,6 +34,8 @@ class LinkPort final : public RobotPort {
   void startSession(SessionStart start) override;
   void cancelSession() noexcept override;
   void apply(const Request& request) override;
+  /// Instead of apply(), for a driver in this process: publishes the joint commands and LEDs of `commands`.
+  void publish(const Commands& commands);
   [[nodiscard]] Sensors sensors() override { return session_->sensors(); }
   /// First cycle whose safety report refers to the present session.
   [[nodiscard]] std::uint64_t firstSessionCycle() const { return session_->firstCycle(); }
@@ -61,7 +63,7 @@ class LinkPort final : public RobotPort {
   void applyLed(const LedSetting& setting);
   [[nodiscard]] Rad holdPosition(const Sensors& seen, std::size_t joint) const;
   void clearCommands();
-  void simulate(const Request& request);
+  void simulate();
   void simulateUntil(std::uint64_t cycle);
 
   Home home_;
@@ -69,7 +71,7 @@ class LinkPort final : public RobotPort {
   bool start_where_it_is_, had_session_ = false;
   runtime::MonotonicClock clock_;
   std::optional<runtime::DriverSession> session_;
-  std::vector<MotorControl> motors_;  // by joint
+  std::vector<goals::MotorControl> motors_;  // by joint
   Commands commands_{};
   std::uint64_t last_cycle_ = 0;
   Nanos applied_at_{0}, last_cycle_at_{0}, simulated_at_{0};

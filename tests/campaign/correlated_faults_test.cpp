@@ -44,7 +44,7 @@ struct Scene : Campaign {
       : Campaign{1}, steady{streams} {}
 
   void run(int count) {
-    for (int i = 0; i < count && complaint().empty(); ++i) cycle(steady.next());
+    for (int i = 0; i < count && failure().empty(); ++i) cycle(steady.next());
   }
   /// Driven, and in the middle of a motion.
   void runUntilDriven() {
@@ -110,7 +110,7 @@ TEST(CorrelatedFaults, ServosThatLoseTheirSupplyTogetherComeBackWithoutAJump) {
         dead.boot = milliseconds{boot_ms};
         scene.add(dead);
         scene.run(200);
-        EXPECT_EQ(scene.complaint(), "");
+        EXPECT_EQ(scene.failure(), "");
         EXPECT_TRUE(scene.well());
       }
 }
@@ -132,7 +132,7 @@ TEST(CorrelatedFaults, FiveLostAnswersInARowNeverInterruptDriving) {
         EXPECT_EQ(scene.pulling(), 20);
       }
       EXPECT_EQ(scene.servo_judge.tally().outages, 0);
-      EXPECT_EQ(scene.complaint(), "");
+      EXPECT_EQ(scene.failure(), "");
       EXPECT_TRUE(scene.well());
     }
 }
@@ -147,12 +147,12 @@ TEST(CorrelatedFaults, SixToEightLostAnswersCostNoMoreThanAGentleTakeover) {
     miss.amount = count;
     scene.add(miss);
     scene.run(200);
-    EXPECT_EQ(scene.complaint(), "");
+    EXPECT_EQ(scene.failure(), "");
     EXPECT_TRUE(scene.well());
   }
 }
 
-/// Shutdowns of a stuck knee until one was believed, and those that a write undid before any answer told of them.
+/// Shutdowns of a stuck knee until one was believed, and those that a write undid before any answer reported them.
 struct Shutdowns {
   long all, blind;
 };
@@ -167,7 +167,7 @@ Shutdowns shutdownsOfAStuckKnee(SteadyController::Streams streams, int phase_ms)
   scene.add(jam);
   for (int i = 0; i < 1000 && !scene.loop.sensors().safety.tripped[12]; ++i) scene.run(1);
   EXPECT_TRUE(scene.loop.sensors().safety.tripped[12]);
-  EXPECT_EQ(scene.complaint(), "");
+  EXPECT_EQ(scene.failure(), "");
   return {scene.servo_judge.tally().trips, scene.servo_judge.tally().blind};
 }
 
@@ -180,7 +180,7 @@ TEST(CorrelatedFaults, AShutdownAtAnyMomentOfTheCycleIsBelievedAtOnceWhateverIsS
     }
 }
 
-// A new torque limit that is due just then undoes a shutdown that nobody has heard of yet.
+// A new torque limit that is due just then undoes a shutdown that is not known yet.
 TEST(CorrelatedFaults, AStreamOfTorqueLimitsHidesAFewShutdownsAtMost) {
   for (int phase_ms = 0; phase_ms < 256; phase_ms += 4) {
     const Shutdowns seen = shutdownsOfAStuckKnee(SteadyController::Streams::kTorqueLimits, phase_ms);
@@ -203,8 +203,8 @@ TEST(CorrelatedFaults, ModeAndResetEndTorqueAtAnyMomentAndOnlyAPersonBringsItBac
       press.lasts = milliseconds{400};
       scene.add(press);
       scene.run(200);
-      EXPECT_EQ(scene.complaint(), "");
-      if (reset && !was_up) continue;  // nothing was held: RESET let go of nothing
+      EXPECT_EQ(scene.failure(), "");
+      if (reset && !was_up) continue;  // nothing was held: RESET released nothing
       EXPECT_EQ(scene.pulling(), 0);
       EXPECT_EQ(scene.state(), State::kLimp);
       press.kind = FaultKind::kButton;
@@ -212,7 +212,7 @@ TEST(CorrelatedFaults, ModeAndResetEndTorqueAtAnyMomentAndOnlyAPersonBringsItBac
       press.at = scene.line.now();
       scene.add(press);
       scene.run(500);
-      EXPECT_EQ(scene.complaint(), "");
+      EXPECT_EQ(scene.failure(), "");
       EXPECT_EQ(scene.state(), State::kDriven);
     }
 }
@@ -235,7 +235,7 @@ TEST(CorrelatedFaults, ResetInTheMiddleOfAKneelLeavesTheRobotLimp) {
     reset.at = scene.line.now();
     scene.add(reset);
     scene.run(400);
-    EXPECT_EQ(scene.complaint(), "");
+    EXPECT_EQ(scene.failure(), "");
     EXPECT_TRUE(was_up);
     EXPECT_EQ(scene.pulling(), 0);
     EXPECT_EQ(scene.state(), State::kLimp);
@@ -254,7 +254,7 @@ TEST(CorrelatedFaults, ASupplyThatGivesWayUnderTorqueNeverMakesAJointJump) {
     sag.lasts = milliseconds{5000};
     scene.add(sag);
     scene.run(400);
-    EXPECT_EQ(scene.complaint(), "") << sag_v;
+    EXPECT_EQ(scene.failure(), "") << sag_v;
     scene.run(500);
     EXPECT_TRUE(scene.well()) << sag_v;
   }

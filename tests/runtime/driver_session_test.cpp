@@ -1,4 +1,4 @@
-// Drive sessions on a link that records what it is told.
+// Drive sessions on a link that records what it receives.
 #include "runtime/driver_session.hpp"
 
 #include <gmock/gmock.h>
@@ -83,18 +83,18 @@ TEST_F(Driver, TheEndOfTheLoopHasAReason) {
   EXPECT_EQ(session.loopEnd(state.image), "no loop");
 }
 
-TEST_F(Driver, HoldsWithItsLastCommandsOrSaysFarewell) {
+TEST_F(Driver, HoldsWithItsLastCommandsOrEndsTheSession) {
   session.start();
   Commands last;
   last.unattended = true;
   session.hold(last);
   EXPECT_TRUE(state.holds);
-  EXPECT_FALSE(state.published.back().farewell);
+  EXPECT_FALSE(state.published.back().end_of_session);
   EXPECT_TRUE(state.published.back().unattended);
   state.holds = false;
   session.end(last);
   EXPECT_FALSE(state.holds);
-  EXPECT_TRUE(state.published.back().farewell);
+  EXPECT_TRUE(state.published.back().end_of_session);
   EXPECT_TRUE(state.published.back().unattended);
 }
 

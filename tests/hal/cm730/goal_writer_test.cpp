@@ -68,13 +68,13 @@ TEST_F(DrivingWriter, WritesATorqueLimitThatChangesInEveryStepWhileNoServoWorksA
   for (int i = 0; i < 100; ++i) {
     asked.drive(Joint::kHead, Rad{0}, RadPerSec{12.2}, NewtonMeter{1 + 0.01 * (i % 7)});
     ASSERT_EQ(write(), kAll);
-    writer.heard(Joint::kHead, 0.2);
-    writer.heard(Joint::kNeck, -0.6);
+    writer.noteLoad(Joint::kHead, 0.2);
+    writer.noteLoad(Joint::kNeck, -0.6);
   }
 }
 
 TEST_F(DrivingWriter, LimitsTorqueLimitWritesAtTheLimitSoThatAShutdownIsDetected) {
-  writer.heard(Joint::kNeck, -0.9);
+  writer.noteLoad(Joint::kNeck, -0.9);
   int since = GoalWriter::kTorqueEvery, writes = 0;
   for (int i = 0; i < 160; ++i, ++since) {
     asked.drive(Joint::kHead, Rad{0}, RadPerSec{12.2}, NewtonMeter{1 + 0.01 * (i % 7)});
@@ -88,7 +88,7 @@ TEST_F(DrivingWriter, LimitsTorqueLimitWritesAtTheLimitSoThatAShutdownIsDetected
 
 TEST_F(DrivingWriter, SendsAChangedTorqueLimitTwice) {
   for (const double load : {0.1, 1.0}) {
-    writer.heard(Joint::kNeck, load);
+    writer.noteLoad(Joint::kNeck, load);
     asked.drive(Joint::kHead, Rad{0}, RadPerSec{12.2}, NewtonMeter{1 + load});
     EXPECT_EQ(write(), kAll);
     int again = 0;
