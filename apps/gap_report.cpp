@@ -1,6 +1,4 @@
 // Searches, reports, and puts effects into models.
-#include <fcntl.h>
-#include <spawn.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -20,6 +18,7 @@
 #include "gap/report/report.hpp"
 #include "gap_commands.hpp"
 #include "gap_progress.hpp"
+#include "hal/process/child_process.hpp"
 #include "hal/text_file.hpp"
 
 namespace darwinop::gap {
@@ -67,17 +66,12 @@ bool someoneIsThere() {
 }
 
 /// The desktop's own program for pages; nothing happens where there is none.
-void openInBrowser(const std::string& path) {
-  posix_spawn_file_actions_t quiet;
-  posix_spawn_file_actions_init(&quiet);
-  posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addopen(&quiet, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  std::string program = "xdg-open", page = path;
-  char* const words[] = {program.data(), page.data(), nullptr};
-  pid_t child = 0;
-  if (posix_spawnp(&child, program.c_str(), &quiet, nullptr, words, environ) != 0)
-    std::cerr << "darwinop gap: xdg-open not found; open the page yourself\n";
-  posix_spawn_file_actions_destroy(&quiet);
+void openInBrowser(const std::string& path) try {
+  using process::Stream;
+  process::ChildProcess{{.command = {"xdg-open", path}, .streams = {{}, Stream::nothing(), Stream::nothing()}}}
+      .detach();
+} catch (const std::runtime_error&) {
+  std::cerr << "darwinop gap: xdg-open not found; open the page yourself\n";
 }
 
 void deliver(const Report& report, const Arguments& given, const std::string& folder) {

@@ -1,6 +1,5 @@
 // darwinop-virtual-camera: a simulated V4L2 camera for programs with the preloaded shim.
 #include <signal.h>
-#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -17,20 +16,22 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
+#include "hal/process/child_process.hpp"
 #include "hal/signals.hpp"
 #include "hil-mocks/camera/camera_fault.hpp"
 #include "hil-mocks/camera/camera_settings.hpp"
 #include "hil-mocks/camera/frame_painter.hpp"
 #include "hil-mocks/camera/picture_folder.hpp"
 #include "hil-mocks/camera/test_pattern.hpp"
-#include "virtual_camera_command.hpp"
 
 namespace {
 
 namespace hil = darwinop::hil;
 using Clock = std::chrono::steady_clock;
+using darwinop::process::ChildProcess;
 using Seconds = std::chrono::duration<double>;
 
 constexpr double kFramesPerSecond = 30;
@@ -98,8 +99,8 @@ class Studio {
   hil::Picture picture_{2, 2};
 };
 
-/// Paints until the command ends, a signal arrives or the time is over. `child` <= 0: no command.
-int paintOn(Studio& studio, const Arguments& a, const sigset_t& signals, pid_t child) {
+/// Paints until the command ends, a signal arrives or the time is over. `child` null: no command.
+int paintOn(Studio& studio, const Arguments& a, const sigset_t& signals, ChildProcess* child) {
   const Clock::time_point begin = Clock::now();
   double end_s = a.for_s > 0 ? a.for_s : 1e9;
   bool term_sent = false;
@@ -110,15 +111,13 @@ int paintOn(Studio& studio, const Arguments& a, const sigset_t& signals, pid_t c
     const timespec wait{0, static_cast<long>(std::min(wait_s, 0.999) * 1e9)};
     siginfo_t info = {};
     const int signal = sigtimedwait(&signals, &info, &wait);
-    int status = 0;
-    if (child > 0 && waitpid(child, &status, WNOHANG) == child)
-      return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    if (child != nullptr && child->ended()) return child->ended()->shellStatus();
     const bool asked = std::ranges::find(darwinop::kEndSignals, signal) != darwinop::kEndSignals.end();
     const bool over = now_s >= end_s;
-    if (child <= 0 && (asked || over)) return 0;
-    if (asked && info.si_code != SI_KERNEL) kill(child, signal);  // the terminal has signalled the command already
+    if (child == nullptr && (asked || over)) return 0;
+    if (asked && info.si_code != SI_KERNEL) child->signal(signal);  // the terminal has signalled the command already
     if (over) {
-      kill(child, term_sent ? SIGKILL : SIGTERM);
+      child->signal(term_sent ? SIGKILL : SIGTERM);
       term_sent = true;
       end_s = now_s + kPatienceS;
     }
@@ -138,10 +137,17 @@ int serve(Arguments& a) {
     std::printf("camera: %s, for programs started with\n", a.device.c_str());
     for (const std::string& setting : environment) std::printf("export %s\n", setting.c_str());
     std::fflush(stdout);
-    return paintOn(studio, a, signals, -1);
+    return paintOn(studio, a, signals, nullptr);
   }
-  const pid_t child = darwinop::app::startWith(environment, a.command);
-  return child < 0 ? kCannotStart : paintOn(studio, a, signals, child);
+  std::optional<ChildProcess> child;
+  try {
+    child.emplace(
+        darwinop::process::Start{.command = a.command, .environment = environment, .keeps_ignored_signals = true});
+  } catch (const std::system_error& error) {
+    std::fprintf(stderr, "darwinop-virtual-camera: %s\n", error.what());
+    return kCannotStart;
+  }
+  return paintOn(studio, a, signals, &*child);
 }
 
 int run(int argc, char** argv) {

@@ -29,11 +29,11 @@ gid_t runtimeGroup(const RobotFile& robot, const std::optional<std::string>& ask
   return asked ? kNoGroup : runtime::groupId(kControllerUser, files.group).value_or(kNoGroup);
 }
 
-std::optional<runtime::Account> controllerAccount(const RobotFile& robot, const runtime::UserFiles& files) {
+std::optional<process::Account> controllerAccount(const RobotFile& robot, const runtime::UserFiles& files) {
   if (robot.controller_user == kRoot) return std::nullopt;
   const bool named = !robot.controller_user.empty();
   const std::string name = named ? robot.controller_user : kControllerUser;
-  std::optional<runtime::Account> account = runtime::findAccount(name, files);
+  std::optional<process::Account> account = runtime::findAccount(name, files);
   if (!account && named)
     throw std::runtime_error(robot.path + ": there is no user '" + name +
                              "' for [Robot] controller_user; make it, or leave the line out");
@@ -44,8 +44,8 @@ std::optional<runtime::Account> controllerAccount(const RobotFile& robot, const 
   return account;
 }
 
-std::optional<runtime::Account> defaultControllerAccount(const RobotFile& robot, const runtime::UserFiles& files) {
-  std::optional<runtime::Account> account = controllerAccount(robot, files);
+std::optional<process::Account> defaultControllerAccount(const RobotFile& robot, const runtime::UserFiles& files) {
+  std::optional<process::Account> account = controllerAccount(robot, files);
   if (!account && robot.controller_user != kRoot)
     throw std::runtime_error(std::string{"there is no user "} + kControllerUser +
                              " to run it as, and it is not run as root. 'darwinop install' makes the user; "

@@ -22,11 +22,11 @@ gid_t runtimeGroup(const RobotFile& robot, const std::optional<std::string>& ask
 
 /// Empty: robot.ini says root, or it names nobody and there is no user darwinop. Throws std::runtime_error when the
 /// user that it names does not exist.
-std::optional<runtime::Account> controllerAccount(const RobotFile& robot, const runtime::UserFiles& files = {});
+std::optional<process::Account> controllerAccount(const RobotFile& robot, const runtime::UserFiles& files = {});
 
 /// The same for what is started at boot, where nobody asked for rights of root: without a user it throws, unless
 /// robot.ini says root.
-std::optional<runtime::Account> defaultControllerAccount(const RobotFile& robot, const runtime::UserFiles& files = {});
+std::optional<process::Account> defaultControllerAccount(const RobotFile& robot, const runtime::UserFiles& files = {});
 
 /// For a program that uses the runtime: when root has started it, it goes on as the user of controllers, if there is
 /// one.

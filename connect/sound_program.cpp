@@ -1,12 +1,8 @@
 // The program that plays and speaks for a controller: found, started at the first sound, talked to through a socket.
 #include "connect/sound_program.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -15,7 +11,7 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
-#include <thread>
+#include <system_error>
 
 #include "hal/audio/protocol.hpp"
 
@@ -39,38 +35,12 @@ std::vector<std::string> commandFor(const fs::path& program) {
   return {loader, "--library-path", program.parent_path(), program};
 }
 
-/// Its standard input is the socket. It gets nothing else of ours: no signal that is held back or handled, and no
+/// Its standard input is the socket. It gets nothing else of ours: no signal that is blocked or handled, and no
 /// descriptor but standard error, whatever the controller has open: a pipe ends when the controller closes it.
-pid_t startWith(int socket, std::vector<std::string> command) {
-  std::vector<char*> argv;
-  argv.reserve(command.size() + 1);
-  for (std::string& word : command) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, socket, 0);
-  posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addclosefrom_np(&actions, 3);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  sigset_t signals;
-  sigemptyset(&signals);
-  posix_spawnattr_setsigmask(&attributes, &signals);
-  sigfillset(&signals);
-  posix_spawnattr_setsigdefault(&attributes, &signals);
-  pid_t pid = -1;
-  const int failed = posix_spawn(&pid, argv[0], &actions, &attributes, argv.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0)
-    throw std::runtime_error("the sound program " + command.back() + " cannot be started: " + std::strerror(failed));
-  return pid;
-}
-
-std::string howItEnded(int status) {
-  if (WIFSIGNALED(status)) return "was ended by signal " + std::to_string(WTERMSIG(status));
-  return "ended with status " + std::to_string(WEXITSTATUS(status));
+process::Start startOf(const std::string& program, int socket) {
+  using process::Stream;
+  return {
+      .command = commandFor(program), .streams = {Stream::copyOf(socket), Stream::nothing()}, .closes_others = true};
 }
 
 }  // namespace
@@ -103,33 +73,19 @@ SoundProgram::SoundProgram(const std::string& program) : message_(audio::kLonges
     throw std::runtime_error(std::string{"no socket for the sound program: "} + std::strerror(errno));
   socket_ = ends[0];
   try {
-    pid_ = startWith(ends[1], commandFor(program));
-  } catch (...) {
+    process_.emplace(startOf(program, ends[1]));
+  } catch (const std::system_error& error) {
     close(ends[0]);
     close(ends[1]);
-    throw;
+    throw std::runtime_error("the sound program " + program +
+                             " cannot be started: " + std::strerror(error.code().value()));
   }
   close(ends[1]);
 }
 
 SoundProgram::~SoundProgram() {
   close(socket_);
-  for (int i = 0; i < 50; ++i) {
-    if (reap(WNOHANG)) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds{10});
-  }
-  kill(pid_, SIGKILL);
-  static_cast<void>(reap(0));
-}
-
-/// True: it has ended, and is not a zombie.
-bool SoundProgram::reap(int options) {
-  if (pid_ < 0) return true;
-  pid_t reaped = 0;
-  while ((reaped = waitpid(pid_, &status_, options)) < 0 && errno == EINTR) continue;
-  if (reaped == 0) return false;
-  pid_ = -1;  // or the controller, which waits for all its children, has done it
-  return true;
+  (void)process_->waitOrKill(std::chrono::milliseconds{500});
 }
 
 bool SoundProgram::order(const SoundOrder& order) {
@@ -157,8 +113,8 @@ std::optional<SoundEvent> SoundProgram::nextEvent(std::chrono::milliseconds wait
 std::optional<SoundEvent> SoundProgram::lost() {
   lost_ = true;
   // Its socket is closed a moment before it can be reaped.
-  for (int i = 0; i < 50 && !reap(WNOHANG); ++i) std::this_thread::sleep_for(std::chrono::milliseconds{1});
-  return SoundLost{"the sound program " + (pid_ < 0 ? howItEnded(status_) : std::string{"does not answer"}) +
+  const std::optional<process::Ending> ending = process_->waitFor(std::chrono::milliseconds{50});
+  return SoundLost{"the sound program " + (ending ? "ended " + describe(*ending) : std::string{"does not answer"}) +
                    "; sounds are cut off, the next one starts it again"};
 }
 

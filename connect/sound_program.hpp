@@ -1,14 +1,13 @@
 // The program that plays and speaks for a controller: found, started at the first sound, talked to through a socket.
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "hal/process/child_process.hpp"
 #include "hal/sound_output.hpp"
 
 namespace darwinop::connect {
@@ -33,15 +32,13 @@ class SoundProgram final : public SoundOutput {
   bool order(const SoundOrder& order) override;
   std::optional<SoundEvent> nextEvent(std::chrono::milliseconds wait) override;
 
-  [[nodiscard]] pid_t pid() const { return pid_; }
+  [[nodiscard]] pid_t pid() const { return process_->pid(); }
 
  private:
   std::optional<SoundEvent> lost();
-  [[nodiscard]] bool reap(int options);
 
   int socket_ = -1;
-  pid_t pid_ = -1;
-  int status_ = 0;  // of the process, once it was reaped
+  std::optional<process::ChildProcess> process_;
   bool lost_ = false;
   std::vector<std::uint8_t> message_;
 };

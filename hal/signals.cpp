@@ -6,15 +6,10 @@ namespace {
 std::atomic<bool> end_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "written by a signal handler");
 
-void setHandler(int signal, void (*handler)(int)) {
+void ignore(int signal) {
   struct sigaction action {};
-  action.sa_handler = handler;
+  action.sa_handler = SIG_IGN;
   sigaction(signal, &action, nullptr);
-}
-
-void setForIgnored(void (*handler)(int)) {
-  for (const int signal : kIgnoredSignals) setHandler(signal, handler);
-  for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) setHandler(signal, handler);
 }
 
 bool isIgnored(int signal) {
@@ -25,11 +20,8 @@ bool isIgnored(int signal) {
 }  // namespace
 
 void ignoreSignals() {
-  setForIgnored(SIG_IGN);
-}
-
-void restoreIgnoredSignals() {
-  setForIgnored(SIG_DFL);
+  for (const int signal : kIgnoredSignals) ignore(signal);
+  for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) ignore(signal);
 }
 
 void onEndSignals(void (*handler)(int, siginfo_t*, void*), int flags) {

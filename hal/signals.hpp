@@ -79,7 +79,7 @@ inline constexpr auto kEndSignals = signalsThat<SignalEffect::kEnds>();
 inline constexpr auto kIgnoredSignals = signalsThat<SignalEffect::kIgnored>();
 
 /// For programs of this project, before their first thread: signals of kIgnoredSignals and real-time signals have no
-/// effect. Programs that are started inherit this: see restoreIgnoredSignals().
+/// effect. process::ChildProcess undoes this for programs that it starts.
 void ignoreSignals();
 
 /// ignoreSignals(), and the signals of kEndSignals call `handler`. SIGHUP does not when it was ignored before (nohup).
@@ -92,8 +92,5 @@ void endOnSignals();
 /// ignoreSignals(), and the signals of kEndSignals are blocked: the returned set is for sigtimedwait(). SIGHUP is not
 /// in it when it was ignored before (nohup): a blocked signal would be waited for although it is ignored.
 [[nodiscard]] sigset_t blockEndSignals();
-
-/// In a child between fork and exec: what ignoreSignals() changed is the default again. Async-signal-safe.
-void restoreIgnoredSignals();
 
 }  // namespace darwinop

@@ -2,9 +2,7 @@
 #include "runtime/controller_run.hpp"
 
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -18,7 +16,9 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "hal/process/child_process.hpp"
 #include "hal/signals.hpp"
 #include "runtime/exchange.hpp"
 #include "runtime/names.hpp"
@@ -36,22 +36,6 @@ void handOn(int signal, siginfo_t* info, void*) {
   if (child_pid > 0 && info->si_code <= 0) kill(static_cast<pid_t>(child_pid), signal);
   errno = error;
 }
-
-/// Keeps signals back until the controller's pid is known.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    sigset_t all;
-    sigfillset(&all);
-    sigprocmask(SIG_BLOCK, &all, &before_);
-  }
-  ~SignalsHeld() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-
- private:
-  sigset_t before_;
-};
 
 /// File in which a controller that hosts the loop itself leaves its figures. It outlives a kill -9.
 class ObserverConnection {
@@ -132,48 +116,27 @@ bool isElsewhere(const std::string& robot) {
   return (robot.empty() && usual != nullptr ? std::string{usual} : robot).starts_with("tcp://");
 }
 
-void setIfGiven(const char* name, const std::string& value) {
-  if (!value.empty()) setenv(name, value.c_str(), 1);
+process::Start startOf(const RunRequest& request, const std::string& program, const std::string& observer) {
+  process::Start start{.command = request.command,
+                       .environment = {"DARWINOP_EXCHANGE=" + observer},
+                       .ends_with_us = true,  // even if we are killed
+                       .error_prefix = ""};
+  start.command.front() = program;
+  for (const auto& [name, value] : {std::pair{"DARWINOP_ROBOT=", &request.robot},
+                                    {"DARWINOP_RECORD=", &request.record},
+                                    {"DARWINOP_PERIOD_MS=", &request.period_ms}})
+    if (!value->empty()) start.environment.push_back(name + *value);
+  return start;
 }
 
-/// Returns in the parent only.
-pid_t start(const RunRequest& request, const std::string& program, const std::string& observer) {
-  std::vector<char*> arguments;
-  for (const std::string& argument : request.command) arguments.push_back(const_cast<char*>(argument.c_str()));
-  arguments.front() = const_cast<char*>(program.c_str());
-  arguments.push_back(nullptr);
-  const pid_t parent = getpid();
+process::Ending runToItsEnd(const process::Start& start) {
+  std::optional<process::ChildProcess> controller;
   {
-    const SignalsHeld held;
-    const pid_t pid = fork();
-    if (pid < 0) throw std::runtime_error(std::string{"cannot start the controller: "} + std::strerror(errno));
-    child_pid = pid;
-    if (pid != 0) return pid;
-    restoreIgnoredSignals();
-    for (const int signal : kEndSignals) std::signal(signal, SIG_DFL);
+    const process::SignalsHeld until_the_pid_is_known;
+    controller.emplace(start);
+    child_pid = controller->pid();
   }
-  prctl(PR_SET_PDEATHSIG, static_cast<unsigned long>(SIGTERM), 0UL, 0UL, 0UL);  // ends with us, even if we are killed
-  if (getppid() != parent) _exit(143);
-  setIfGiven("DARWINOP_ROBOT", request.robot);
-  setIfGiven("DARWINOP_RECORD", request.record);
-  setIfGiven("DARWINOP_PERIOD_MS", request.period_ms);
-  setenv("DARWINOP_EXCHANGE", observer.c_str(), 1);
-  execv(program.c_str(), arguments.data());
-  std::cerr << "cannot run " << program << ": " << std::strerror(errno) << std::endl;
-  _exit(errno == ENOENT ? 127 : 126);
-}
-
-struct Ending {
-  int status;     // for the shell
-  bool a_signal;  // ended it
-};
-
-Ending waitFor(pid_t pid) {
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0)
-    if (errno != EINTR) return {1, false};
-  if (WIFSIGNALED(status)) return {128 + WTERMSIG(status), true};
-  return {WEXITSTATUS(status), false};
+  return controller->wait();
 }
 
 }  // namespace
@@ -196,14 +159,14 @@ int runController(const RunRequest& request) {
   const ObserverConnection observer;
   const std::optional<LoopFigures> daemon = tryAttach(lookAtDaemon, RuntimeFiles{});
   onEndSignals(handOn);
-  const auto [status, a_signal] = waitFor(start(request, program, observer.path()));
-  if (a_signal) std::cerr << "the controller was ended by signal " << status - 128 << std::endl;
+  const process::Ending ending = runToItsEnd(startOf(request, program, observer.path()));
+  if (ending.by_signal) std::cerr << "the controller was ended by signal " << ending.code << std::endl;
 
   const auto attach = [](const RuntimeFiles& files) {
     return Exchange::attach(files.exchange, Exchange::Access::kLook);
   };
   if (auto embedded = tryAttach(attach, RuntimeFiles{observer.path()})) {
-    if (a_signal && embedded->leftTorque())
+    if (ending.by_signal && embedded->leftTorque())
       std::cerr
           << "no loop is left: the joints keep their torque and last goals. Hold the robot; pressing RESET on its "
              "back (or `darwinop run` again) releases torque"
@@ -219,7 +182,7 @@ int runController(const RunRequest& request) {
                       : reportText({}, {}))
               << reportLine({}, {}) << std::endl;
   }
-  return status;
+  return ending.shellStatus();
 }
 
 }  // namespace darwinop::runtime

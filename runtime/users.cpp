@@ -34,27 +34,17 @@ std::vector<gid_t> groupsOf(const std::string& user, gid_t first, const std::str
 
 }  // namespace
 
-std::optional<Account> findAccount(const std::string& name, const UserFiles& files) {
+std::optional<process::Account> findAccount(const std::string& name, const UserFiles& files) {
   const File file = openFile(files.passwd);
   if (!file) return std::nullopt;
   while (const passwd* entry = fgetpwent(file.get()))
     if (name == entry->pw_name)
-      return Account{name, entry->pw_dir, entry->pw_uid, entry->pw_gid, groupsOf(name, entry->pw_gid, files.group)};
+      return process::Account{name, entry->pw_dir, entry->pw_uid, entry->pw_gid,
+                              groupsOf(name, entry->pw_gid, files.group)};
   return std::nullopt;
 }
 
-std::vector<std::pair<std::string, std::string>> environmentOf(const Account& account) {
-  return {{"HOME", account.home}, {"USER", account.name}, {"LOGNAME", account.name}};
-}
-
-bool takeRightsOf(const Account& account) noexcept {
-  // In this order: without root's rights the groups could not be changed any more. setgid() and setuid() of root set
-  // the saved ids also, so there is no way back.
-  return setgroups(account.groups.size(), account.groups.data()) == 0 && setgid(account.gid) == 0 &&
-         setuid(account.uid) == 0;
-}
-
-void becomeUser(const Account& account) {
+void becomeUser(const process::Account& account) {
   if (!takeRightsOf(account))
     throw std::runtime_error("cannot become user " + account.name + ": " + std::strerror(errno));
   for (const auto& [name, value] : environmentOf(account)) setenv(name.c_str(), value.c_str(), 1);

@@ -45,7 +45,7 @@ void DefaultController::lookWithoutRuntime(Nanos now) {
   if (state_ == State::kEnding) whileEnding(false, now);
 }
 
-void DefaultController::onEnd(const Ending& ending, Nanos now) {
+void DefaultController::onEnd(const process::Ending& ending, Nanos now) {
   child_.reset();
   // Such a fault ends the controller with any exit code. It is neither a normal end nor a crash.
   if (latched_at_ && now - *latched_at_ <= kTimeToEnd)

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/sensors.hpp"
+#include "hal/process/child_process.hpp"
 #include "runtime/names.hpp"
-#include "supervisor/child.hpp"
 #include "supervisor/holder.hpp"
 #include "supervisor/journal.hpp"
 #include "supervisor/restart_policy.hpp"
@@ -51,8 +51,8 @@ class DefaultController {
   [[nodiscard]] bool sits(const Sensors& seen, Nanos now);
   bool waitFor(const std::string& what, const std::string& details = "");
   void begin(Nanos now);
-  bool chooseAccount(Start& start);
-  void onEnd(const Ending& ending, Nanos now);
+  bool chooseAccount(process::Start& start);
+  void onEnd(const process::Ending& ending, Nanos now);
   void resetFaults();
   void end(Nanos now);
   void whileEnding(bool loop_turns, Nanos now);
@@ -65,7 +65,7 @@ class DefaultController {
   RestartPolicy policy_;
   State state_ = State::kWaiting;
   std::string state_text_ = "waiting for the runtime", name_;
-  std::unique_ptr<Child> child_;
+  std::unique_ptr<process::ChildProcess> child_;
   std::unique_ptr<Holder> holder_;
   Once once_;
   Nanos not_before_{0};                 // time of the next start

@@ -12,6 +12,7 @@
 #include "runtime/names.hpp"
 #include "safety/fault_book.hpp"
 #include "safety/start_pose.hpp"
+#include "supervisor/child_start.hpp"
 #include "supervisor/default_controller.hpp"
 
 namespace darwinop::supervisor {
@@ -79,7 +80,7 @@ bool DefaultController::sits(const Sensors& seen, Nanos now) {
 }
 
 /// Returns false if there is no user to run it as; a retry would fail as well.
-bool DefaultController::chooseAccount(Start& start) {
+bool DefaultController::chooseAccount(process::Start& start) {
   try {
     start.account = connect::defaultControllerAccount(connect::readRobotFile());
     return true;
@@ -95,16 +96,14 @@ void DefaultController::begin(Nanos now) {
   try {
     const std::string place = folder();
     name_ = fs::path{place}.filename();
-    Start start;
-    start.command = {runtime::controllerProgram(place)};
+    process::Start start = childStart({runtime::controllerProgram(place)}, home_ + "/log/controller.log");
     start.folder = place;
-    start.log = home_ + "/log/controller.log";
     // No start by the supervisor counts as user action, including the one at boot: a release by a person stays in
     // force.
-    start.environment = {{"DARWINOP_ROBOT", "runtime"}, {runtime::kUnattended, "1"}};
+    start.environment = {"DARWINOP_ROBOT=runtime", std::string{runtime::kUnattended} + "=1"};
     start.expendable = true;
     if (geteuid() == 0 && !chooseAccount(start)) return;
-    child_ = std::make_unique<Child>(start);
+    child_ = std::make_unique<process::ChildProcess>(start);
     become(State::kRunning, name_ + " running (pid " + std::to_string(child_->pid()) + ")");
   } catch (const std::runtime_error& error) {
     log(std::string{"default controller: "} + error.what());

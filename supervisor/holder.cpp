@@ -1,8 +1,9 @@
 // Holds the robot after the default controller has failed.
 #include "supervisor/holder.hpp"
 
-#include <atomic>
+#include <memory>
 
+#include "runtime/daemon_link.hpp"
 #include "safety/fault_book.hpp"
 
 namespace darwinop::supervisor {
@@ -26,22 +27,21 @@ Commands asItIs(const Sensors& seen) {
   return commands;
 }
 
-Holder::Holder(const runtime::RuntimeFiles& files) : link_{files}, commands_{asItIs(link_.sensors())} {
-  link_.publish(commands_);
+Holder::Holder(const runtime::RuntimeFiles& files)
+    : session_{std::make_unique<runtime::DaemonLink>(files)}, commands_{asItIs(session_.sensors())} {
+  session_.start();
+  session_.publish(commands_);
 }
 
 bool Holder::hold() {
-  const std::atomic<bool> go_on{false};
-  const Sensors seen = link_.sensors();
-  if (!link_.waitForCycle(seen.cycle, go_on)) {  // a past cycle, so this does not block
-    why_ended_ = link_.whyEnded();
-    return false;
-  }
+  const Sensors seen = session_.sensors();
+  why_ended_ = session_.loopEnd(seen);
+  if (!why_ended_.empty()) return false;
   if (const Fault fault = safety::latchedFault(seen.safety.active); fault != Fault::kNone) {
     why_ended_ = row(fault).meaning;
     return false;
   }
-  link_.publish(commands_);
+  session_.publish(commands_);
   return true;
 }
 

@@ -5,7 +5,8 @@
 
 #include "core/commands.hpp"
 #include "core/sensors.hpp"
-#include "runtime/daemon_link.hpp"
+#include "runtime/driver_session.hpp"
+#include "runtime/names.hpp"
 
 namespace darwinop::supervisor {
 
@@ -25,7 +26,7 @@ class Holder {
   [[nodiscard]] const std::string& whyEnded() const { return why_ended_; }
 
  private:
-  runtime::DaemonLink link_;
+  runtime::DriverSession session_;
   Commands commands_;
   std::string why_ended_;
 };

@@ -2,21 +2,15 @@
 #include "supervisor/restart_policy.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace darwinop::supervisor {
-
-std::string describe(const Ending& ending) {
-  if (!ending.by_signal) return "with exit code " + std::to_string(ending.code);
-  return "by signal " + std::to_string(ending.code) + " (" + strsignal(ending.code) + ")";
-}
 
 std::size_t RestartPolicy::crashes(Nanos now) const {
   return static_cast<std::size_t>(
       std::count_if(at_.begin(), at_.begin() + count_, [=](Nanos at) { return now - at <= kWindow; }));
 }
 
-RestartPolicy::Verdict RestartPolicy::ended(const Ending& ending, Nanos now) {
+RestartPolicy::Verdict RestartPolicy::ended(const process::Ending& ending, Nanos now) {
   if (ending.isNormal()) return Verdict::kOver;
   if (count_ == kCrashes) {
     std::rotate(at_.begin(), at_.begin() + 1, at_.end());

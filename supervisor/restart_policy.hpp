@@ -3,22 +3,11 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
 
 #include "hal/byte_line.hpp"
+#include "hal/process/ending.hpp"
 
 namespace darwinop::supervisor {
-
-/// Exit status of a process.
-struct Ending {
-  int code = 0;  // exit code or signal number
-  bool by_signal = false;
-
-  [[nodiscard]] bool isNormal() const { return !by_signal && code == 0; }
-};
-
-/// "with exit code 3", "by signal 11 (Segmentation fault)".
-std::string describe(const Ending& ending);
 
 class RestartPolicy {
  public:
@@ -32,7 +21,7 @@ class RestartPolicy {
   static constexpr Nanos kWindow{60'000'000'000};
   static constexpr std::size_t kCrashes = 3;
 
-  [[nodiscard]] Verdict ended(const Ending& ending, Nanos now);
+  [[nodiscard]] Verdict ended(const process::Ending& ending, Nanos now);
   /// Forgets earlier crashes.
   void forget() { count_ = 0; }
   /// Crashes within the window at this time.

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "core/sensors.hpp"
+#include "hal/process/child_process.hpp"
 #include "runtime/exchange_reader.hpp"
 #include "runtime/names.hpp"
-#include "supervisor/child.hpp"
 #include "supervisor/heartbeat.hpp"
 
 namespace darwinop::supervisor {
@@ -20,7 +20,7 @@ class RuntimeChild {
     kEnded,
   };
 
-  RuntimeChild(const Start& start, const runtime::RuntimeFiles& files) : files_{files}, child_{start} {}
+  RuntimeChild(const process::Start& start, const runtime::RuntimeFiles& files) : files_{files}, child_{start} {}
 
   /// Call at least every Heartbeat::kLook.
   [[nodiscard]] State look(Nanos now);
@@ -28,13 +28,13 @@ class RuntimeChild {
   [[nodiscard]] bool wasUp() const { return heart_.has_value(); }
   [[nodiscard]] const Sensors& sensors() const { return seen_; }
   [[nodiscard]] Nanos patience() const { return heart_ ? heart_->patience() : Nanos{0}; }
-  [[nodiscard]] Child& process() { return child_; }
+  [[nodiscard]] process::ChildProcess& process() { return child_; }
 
  private:
   void attach();
 
   runtime::RuntimeFiles files_;
-  Child child_;
+  process::ChildProcess child_;
   std::optional<runtime::ExchangeReader> exchange_;  // not mapped: the supervisor must survive truncation of the file
   std::optional<Heartbeat> heart_;
   Sensors seen_;

@@ -63,7 +63,7 @@ int Supervisor::run() {
     now_ = clock_.now();
     look();
     publishStatus();
-    if (phase_ == Phase::kOver) break;
+    if (phase_ == SupervisorPhase::kOver) break;
   }
   log("ended" + robot_);
   return failed_ ? 1 : 0;
@@ -71,26 +71,31 @@ int Supervisor::run() {
 
 void Supervisor::look() {
   take(takeOrders());
-  if (phase_ != Phase::kRuntime && phase_ != Phase::kStopping) controller_.lookWithoutRuntime(now_);
+  if (!hasRuntime(phase_)) controller_.lookWithoutRuntime(now_);
   switch (phase_) {
-    case Phase::kRuntime:
-    case Phase::kStopping:
+    case SupervisorPhase::kRuntime:
+    case SupervisorPhase::kStopping:
       return lookAtRuntime();
-    case Phase::kBackOff:
+    case SupervisorPhase::kBackOff:
       if (now_ >= next_start_) startRuntime();
       return;
-    case Phase::kRescue:
+    case SupervisorPhase::kRescue:
       return lookAtRescue();
-    case Phase::kDown:
-      if (stop_asked_ && controller_.over()) phase_ = Phase::kOver;
+    case SupervisorPhase::kDown:
+      if (stop_asked_ && controller_.over()) phase_ = next(phase_, PhaseEvent::kAllEnded);
       return;
-    case Phase::kOver:
+    case SupervisorPhase::kOver:
+    case SupervisorPhase::kCount:
       return;
   }
 }
 
-void Supervisor::become(Phase phase, const std::string& text) {
-  phase_ = phase;
+void Supervisor::onEvent(PhaseEvent event, const std::string& text) {
+  phase_ = next(phase_, event);
+  show(text);
+}
+
+void Supervisor::show(const std::string& text) {
   state_text_ = text;
   once_.forget();
   log(text);
@@ -103,18 +108,17 @@ void Supervisor::take(const Orders& orders) {
     restart_asked_ = false;
     controller_.stop(now_);
     stop_rescue_at_ = now_ + kTimeToReachRobot;
-    if (phase_ == Phase::kRuntime) become(Phase::kStopping, "stopping");
-    if (phase_ == Phase::kBackOff) become(Phase::kDown, "stopping");
+    if (next(phase_, PhaseEvent::kStopAsked) != phase_) onEvent(PhaseEvent::kStopAsked, "stopping");
   }
   if (stop_asked_) return;
   if (orders.stop_controller) controller_.stop(now_);
   if (!orders.restart_controller) return;
-  if (phase_ == Phase::kRescue) {
+  if (phase_ == SupervisorPhase::kRescue) {
     restart_asked_ = true;  // the robot comes to rest first
     return;
   }
   controller_.restart(now_);
-  if (phase_ != Phase::kDown && phase_ != Phase::kBackOff) return;
+  if (phase_ != SupervisorPhase::kDown && phase_ != SupervisorPhase::kBackOff) return;
   runtime::RobotNotes::forget(files_);  // given by a person
   startRuntime();
 }
@@ -125,7 +129,7 @@ void Supervisor::publishStatus() {
   status.home = setup_.home;
   status.runtime_pid = runtime_ ? runtime_->process().pid() : 0;
   status.orders = orders_;
-  const bool up = phase_ == Phase::kRuntime && state_text_ == kReady;
+  const bool up = phase_ == SupervisorPhase::kRuntime && state_text_ == kReady;
   if (!up) status.state = state_text_;
   if (status == published_) return;
   if (writeStatus(status, own_.status)) published_ = status;

@@ -6,11 +6,13 @@
 #include <string>
 
 #include "runtime/clock.hpp"
+#include "runtime/file_lock.hpp"
 #include "runtime/names.hpp"
 #include "supervisor/default_controller.hpp"
 #include "supervisor/journal.hpp"
 #include "supervisor/log_keeper.hpp"
 #include "supervisor/orders.hpp"
+#include "supervisor/phases.hpp"
 #include "supervisor/rescue.hpp"
 #include "supervisor/runtime_child.hpp"
 #include "supervisor/status.hpp"
@@ -35,15 +37,6 @@ class Supervisor {
   int run();
 
  private:
-  enum class Phase {
-    kRuntime,   // starting, or its loop runs
-    kBackOff,   // start failed; next attempt at next_start_
-    kStopping,  // ending controller, then runtime
-    kRescue,    // it died or hung; bringing the robot to rest
-    kDown,      // at rest until the next command
-    kOver,
-  };
-
   static constexpr const char* kReady = "runtime: ready";
   static constexpr Nanos kFirstWait{2'000'000'000};         // before a failed start is retried
   static constexpr Nanos kTimeToReachRobot{5'000'000'000};  // limit for a rescue after a stop command
@@ -53,12 +46,13 @@ class Supervisor {
   void startRuntime();
   void backOff(const std::string& why);
   void lookAtRuntime();
-  void onRuntimeEnd(const Ending& ending);
+  void onRuntimeEnd(const process::Ending& ending);
   void endRuntime();
   void rescue(const std::string& why);
   void lookAtRescue();
   void onRest(Rescue::Step step);
-  void become(Phase phase, const std::string& text);
+  void onEvent(PhaseEvent event, const std::string& text);
+  void show(const std::string& text);
   void publishStatus();
 
   Setup setup_;
@@ -74,7 +68,7 @@ class Supervisor {
   std::unique_ptr<Rescue> rescue_;
   LogKeeper logs_;
 
-  Phase phase_ = Phase::kRuntime;
+  SupervisorPhase phase_ = SupervisorPhase::kRuntime;
   std::string state_text_;
   Once once_;
   Nanos next_start_{0}, start_wait_;

@@ -8,6 +8,7 @@
 #include "runtime/rest.hpp"
 #include "runtime/robot_notes.hpp"
 #include "safety/fault_book.hpp"
+#include "supervisor/child_start.hpp"
 #include "supervisor/rescue_watch.hpp"
 #include "supervisor/robot_settings.hpp"
 #include "supervisor/standing.hpp"
@@ -29,8 +30,7 @@ constexpr const char* kMayHold = "; some joints may be under torque: hold the ro
 }  // namespace
 
 void Supervisor::startRuntime() {
-  Start start;
-  start.command = {setup_.runtime_program, "--wait"};
+  process::Start start = childStart({setup_.runtime_program, "--wait"});
   try {
     // Read now, so that the rescue uses the runtime's settings even if the file changes. With an invalid file nothing
     // may move, and no runtime is started.
@@ -41,14 +41,14 @@ void Supervisor::startRuntime() {
   }
   failed_ = false;
   robot_.clear();
-  become(Phase::kRuntime, "runtime: started (pid " + std::to_string(runtime_->process().pid()) + ")");
+  onEvent(PhaseEvent::kStarted, "runtime: started (pid " + std::to_string(runtime_->process().pid()) + ")");
 }
 
 /// Logs the reason once until it changes.
 void Supervisor::backOff(const std::string& why) {
   next_start_ = now_ + start_wait_;
   start_wait_ = std::min(2 * start_wait_, kLongestStartWait);
-  if (phase_ != Phase::kBackOff || state_text_ != why) become(Phase::kBackOff, why);
+  if (phase_ != SupervisorPhase::kBackOff || state_text_ != why) onEvent(PhaseEvent::kStartFailed, why);
 }
 
 void Supervisor::lookAtRuntime() {
@@ -58,13 +58,13 @@ void Supervisor::lookAtRuntime() {
   if (state == RuntimeChild::State::kSilent && kill_at_ == Nanos{0})
     return rescue("runtime: hung, no cycle for " + std::to_string(runtime_->patience().count() / 1'000'000) + " ms");
   if (state != RuntimeChild::State::kStarting) {
-    if (phase_ == Phase::kRuntime && state_text_ != kReady) become(phase_, kReady);
+    if (phase_ == SupervisorPhase::kRuntime && state_text_ != kReady) show(kReady);
     start_wait_ = kFirstWait;
     controller_.look(runtime_->sensors(), now_);
   } else {
     controller_.lookWithoutRuntime(now_);
   }
-  if (phase_ == Phase::kStopping && controller_.over()) endRuntime();
+  if (phase_ == SupervisorPhase::kStopping && controller_.over()) endRuntime();
 }
 
 void Supervisor::endRuntime() {
@@ -75,7 +75,7 @@ void Supervisor::endRuntime() {
   if (now_ >= kill_at_) rescue("runtime: has not ended in time");
 }
 
-void Supervisor::onRuntimeEnd(const Ending& ending) {
+void Supervisor::onRuntimeEnd(const process::Ending& ending) {
   const bool was_up = runtime_->wasUp();
   kill_at_ = Nanos{0};
   if (was_up && !ending.isNormal()) return rescue("runtime: died " + describe(ending));
@@ -83,16 +83,16 @@ void Supervisor::onRuntimeEnd(const Ending& ending) {
   if (was_up) robot_ = last.safety.state == State::kLimp && !anyStiff(last) ? kAtRest : kMayHold;
   runtime_.reset();
   if (was_up || stop_asked_) controller_.runtimeLost(now_);
-  if (stop_asked_) return become(Phase::kDown, "runtime: ended" + robot_);
+  if (stop_asked_) return onEvent(PhaseEvent::kEnded, "runtime: ended" + robot_);
   if (was_up || ending.isNormal())
-    return become(Phase::kDown, "runtime: ended by another process" + robot_ +
-                                    "; restart it with: darwinop supervisor --restart-controller");
+    return onEvent(PhaseEvent::kEnded, "runtime: ended by another process" + robot_ +
+                                           "; restart it with: darwinop supervisor --restart-controller");
   backOff("runtime: start failed (" + describe(ending) + "); next attempt in " +
           std::to_string(start_wait_ / Nanos{1'000'000'000}) + " s");
 }
 
 void Supervisor::rescue(const std::string& why) {
-  become(Phase::kRescue, why + "; bringing the robot to rest: hold, slow crouch, torque off");
+  onEvent(PhaseEvent::kLost, why + "; bringing the robot to rest: hold, slow crouch, torque off");
   kill_at_ = Nanos{0};
   runtime_->process().signal(SIGKILL);
   controller_.runtimeLost(now_);
@@ -111,7 +111,7 @@ void Supervisor::lookAtRescue() {
   failed_ = true;
   robot_ = kMayHold;
   rescue_.reset();
-  become(Phase::kDown, "rescue: stopped before it could reach the robot" + robot_);
+  onEvent(PhaseEvent::kRescueEnded, "rescue: stopped before it could reach the robot" + robot_);
 }
 
 void Supervisor::onRest(Rescue::Step step) {
@@ -119,10 +119,10 @@ void Supervisor::onRest(Rescue::Step step) {
   runtime_.reset();
   failed_ = step == Rescue::Step::kStiff;
   robot_ = failed_ ? kMayHold : kAtRest;
-  become(Phase::kDown,
-         (failed_ ? "rescue: the robot sits, but a servo is still under torque: press RESET on its back"
-                  : "rescue: the robot is at rest, torque is off") +
-             std::string{"; restart at the next boot, or with: darwinop supervisor --restart-controller"});
+  onEvent(PhaseEvent::kRescueEnded,
+          (failed_ ? "rescue: the robot sits, but a servo is still under torque: press RESET on its back"
+                   : "rescue: the robot is at rest, torque is off") +
+              std::string{"; restart at the next boot, or with: darwinop supervisor --restart-controller"});
   if (const std::string refused = standFast(); !refused.empty()) log(refused);
   if (!std::exchange(restart_asked_, false)) return;
   controller_.restart(now_);

@@ -8,7 +8,7 @@
 #include "core/commands.hpp"
 #include "core/sensors.hpp"
 #include "hal/camera_v4l2/camera.hpp"
-#include "runtime/robot_link.hpp"
+#include "runtime/driver_session.hpp"
 #include "webots/time_line.hpp"
 
 namespace darwinop::facade {
@@ -31,8 +31,8 @@ class Session {
   /// Since the robot stood ready. After a step in time it is that of the newest image, so that steps add up exactly;
   /// it goes on from there, except in lockstep.
   [[nodiscard]] Nanos time() const;
-  [[nodiscard]] Nanos period() const { return link_->period(); }
-  [[nodiscard]] bool realTime() const { return link_->realTime(); }
+  [[nodiscard]] Nanos period() const { return driver_.link().period(); }
+  [[nodiscard]] bool realTime() const { return driver_.link().realTime(); }
   /// What this robot sees; it must not outlive the session. Throws std::runtime_error if it has no camera.
   [[nodiscard]] std::unique_ptr<FrameSource> openCamera(int width, int height, const v4l2::CameraSettings& settings);
 
@@ -40,7 +40,7 @@ class Session {
   [[nodiscard]] bool waitForTarget();
   int end(const std::string& sentence);
 
-  std::unique_ptr<runtime::RobotLink> link_;
+  runtime::DriverSession driver_;
   const std::atomic<bool>& stop_;
   Commands asked_{};
   Sensors sensors_{};

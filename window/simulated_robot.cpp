@@ -1,7 +1,6 @@
 // Processes of the window's own virtual robot.
 #include "window/simulated_robot.hpp"
 
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <stdexcept>
@@ -11,7 +10,6 @@
 #include "connect/robot_file.hpp"
 #include "hil-mocks/camera/camera_settings.hpp"
 #include "runtime/names.hpp"
-#include "window/scoped_environment.hpp"
 
 namespace darwinop::window {
 namespace {
@@ -48,8 +46,9 @@ SimulatedRobot::SimulatedRobot(const std::string& body, const std::vector<std::s
 void SimulatedRobot::start(const std::string& body, const std::vector<std::string>& controller) {
   const std::string port = folder_.path() + "/robot";
   const auto add = [this](const std::string& noun, const std::vector<std::string>& words, std::chrono::seconds grace,
-                          Child::Stdio stdio = Child::Stdio::kBackground) -> Child& {
-    return *children_.emplace_back(std::make_unique<Child>(noun, words, grace, stdio));
+                          Child::Stdio stdio = Child::Stdio::kBackground,
+                          const std::vector<std::string>& environment = {}) -> Child& {
+    return *children_.emplace_back(std::make_unique<Child>(noun, words, grace, stdio, environment));
   };
   waitForFile(port, add("virtual-robot", {"--link", port, "--body", body, "--camera", cameraFile()}, kRobotGrace));
   waitForFile(runtime::RuntimeFiles{name_}.exchange,
@@ -60,11 +59,11 @@ void SimulatedRobot::start(const std::string& body, const std::vector<std::strin
     pending_message_ = std::string{"A controller on this virtual robot has no camera: "} + error.what() + ". ";
   }
   if (controller.empty()) return;
-  setenv("DARWINOP_RUNTIME_NAME", name_.c_str(), 1);  // the controller finds the runtime by this name
-  const ScopedEnvironment environment{camera_settings_};
+  std::vector<std::string> environment = camera_settings_;
+  environment.push_back("DARWINOP_RUNTIME_NAME=" + name_);  // the controller finds the runtime by this name
   std::vector<std::string> words{"--robot", "runtime", "--"};
   words.insert(words.end(), controller.begin(), controller.end());
-  add("run", words, kControllerGrace, Child::Stdio::kTerminal);
+  add("run", words, kControllerGrace, Child::Stdio::kTerminal, environment);
 }
 
 void SimulatedRobot::end() noexcept {

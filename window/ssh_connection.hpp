@@ -23,7 +23,7 @@ class SshConnection {
   [[nodiscard]] std::string monitor() const;
 
   /// The connection has ended; the reason has been printed.
-  [[nodiscard]] bool ended() const { return session_.ended(); }
+  [[nodiscard]] bool ended() { return session_.ended(); }
   /// A signal requested the end during login or shutdown.
   [[nodiscard]] static bool isEndRequested() { return ssh::SshSession::isEndRequested(); }
   /// Sends the final message to all pages.

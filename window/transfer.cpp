@@ -39,11 +39,10 @@ Transfer::Transfer(std::string installer, std::filesystem::path remembered, Cloc
 
 /// Keeps reading its output, because a process with a full pipe does not end.
 Transfer::~Transfer() {
-  if (!runs()) return;
-  run_->cancel();
+  cancel();
   const auto end = std::chrono::steady_clock::now() + kCancelTimeout;
   while (runs() && std::chrono::steady_clock::now() < end)
-    if (!run_->poll()) std::this_thread::sleep_for(std::chrono::milliseconds{10});
+    if (!poll()) std::this_thread::sleep_for(std::chrono::milliseconds{10});
 }
 
 void Transfer::opened(web::Channel& channel) {
@@ -69,7 +68,7 @@ void Transfer::received(web::Channel& channel, std::string_view message, bool bi
   }
   if (request->start) return start(channel, page, *request->start);
   if (request->cancel && runs()) {
-    run_->cancel();
+    cancel();
     return sendState();
   }
   if (request->more) {
@@ -91,8 +90,10 @@ void Transfer::start(web::Channel& channel, PageConnection& page, const Transfer
   try {
     const std::vector<std::string> arguments = installerArguments(start);
     run_.reset();
+    state_ = next(state_, TransferEvent::kNotStarted);
     console_.add(LineKind::kCommand, typedCommand(arguments));
     run_ = std::make_unique<TransferRun>(installer_, arguments, page.password, console_);
+    state_ = next(state_, TransferEvent::kStarted);
   } catch (const std::exception& error) {
     page.forgetPassword();
     return refuse(channel, error.what());
@@ -103,8 +104,20 @@ void Transfer::start(web::Channel& channel, PageConnection& page, const Transfer
   sendState();
 }
 
+/// True: something is new.
+bool Transfer::poll() {
+  if (!runs() || !run_->poll()) return false;
+  if (run_->status()) state_ = next(state_, TransferEvent::kExited);
+  return true;
+}
+
+void Transfer::cancel() {
+  const TransferState after = next(state_, TransferEvent::kCancelAsked);
+  if (std::exchange(state_, after) != after) run_->interrupt();
+}
+
 void Transfer::update() {
-  if (runs() && run_->poll()) sendState();
+  if (poll()) sendState();
   for (auto& [channel, page] : pages_) sendLines(*channel, page);
 }
 
@@ -144,7 +157,7 @@ web::Bytes Transfer::stateText() const {
   state["action"] = nameOf(request_.action);
   state["robot"] = jsonOf(request_.robot);
   state["controller"] = request_.controller;
-  state["cancelled"] = run_->cancelled();
+  state["cancelled"] = isCancelled(state_);
   state["text"] = run_->summary();
   state["host_key"] = run_->hostKey();
   state["step"] = nullptr;

@@ -11,6 +11,7 @@
 #include "hal/net/web/channel.hpp"
 #include "window/remembered.hpp"
 #include "window/transfer_run.hpp"
+#include "window/transfer_states.hpp"
 
 namespace darwinop::window {
 
@@ -36,7 +37,7 @@ class Transfer final : public web::ChannelHandler {
   /// Sends changes to pages; call it again after pause() or earlier.
   void update();
   [[nodiscard]] Nanos pause() const;
-  [[nodiscard]] bool runs() const { return run_ != nullptr && !run_->status(); }
+  [[nodiscard]] bool runs() const { return window::runs(state_); }
 
  private:
   struct PageConnection {
@@ -53,6 +54,8 @@ class Transfer final : public web::ChannelHandler {
   };
 
   void start(web::Channel& channel, PageConnection& page, const TransferStart& start);
+  bool poll();
+  void cancel();
   void sendState();
   void sendKnown();
   void sendLines(web::Channel& channel, PageConnection& page);
@@ -64,7 +67,8 @@ class Transfer final : public web::ChannelHandler {
   std::optional<RobotAddress> given_;
   RememberedFile remembered_;
   Console console_;
-  std::unique_ptr<TransferRun> run_;
+  TransferState state_ = TransferState::kIdle;
+  std::unique_ptr<TransferRun> run_;  // the present or the last one
   TransferStart request_{};
   std::string sent_state_{};  // state sent last, to all pages
   std::map<web::Channel*, PageConnection> pages_;

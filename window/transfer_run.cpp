@@ -74,10 +74,4 @@ void TransferRun::takeProgress(std::string_view line) {
   if (const std::string_view key = readHostKey(line); !key.empty()) host_key_ = key;
 }
 
-void TransferRun::cancel() {
-  if (cancelled_ || status_) return;
-  cancelled_ = true;
-  child_.interrupt();
-}
-
 }  // namespace darwinop::window

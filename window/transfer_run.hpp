@@ -25,10 +25,9 @@ class TransferRun {
 
   /// Reads available output, non-blocking. True: something is new.
   bool poll();
-  /// Like Ctrl-C, once: the installer completes or rolls back its work.
-  void cancel();
+  /// Like Ctrl-C: the installer completes or rolls back its work.
+  void interrupt() { child_.interrupt(); }
 
-  [[nodiscard]] bool cancelled() const { return cancelled_; }
   [[nodiscard]] const std::optional<InstallerStep>& step() const { return step_; }
   /// Fingerprint of an unknown host.
   [[nodiscard]] const std::string& hostKey() const { return host_key_; }
@@ -48,7 +47,6 @@ class TransferRun {
   std::optional<InstallerStep> step_{};
   std::string host_key_{}, message_{}, error_{};
   LineKind stderr_kind_ = LineKind::kMessage;  // kind of the last line of stderr
-  bool cancelled_ = false;
   std::optional<int> status_{};
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/goals/motor_control.hpp"
@@ -12,7 +13,7 @@
 #include "remote/picture_source.hpp"
 #include "remote/server/robot_port.hpp"
 #include "runtime/clock.hpp"
-#include "runtime/robot_link.hpp"
+#include "runtime/driver_session.hpp"
 
 namespace darwinop::remote {
 
@@ -35,16 +36,16 @@ class LinkPort final : public RobotPort {
   void apply(const Request& request) override;
   /// Instead of apply(), for a driver in this process: publishes the joint commands and LEDs of `commands`.
   void publish(const Commands& commands);
-  [[nodiscard]] Sensors sensors() override { return link_->sensors(); }
+  [[nodiscard]] Sensors sensors() override { return session_->sensors(); }
   /// First cycle whose safety report refers to the present session.
-  [[nodiscard]] std::uint64_t firstSessionCycle() const { return first_session_cycle_; }
+  [[nodiscard]] std::uint64_t firstSessionCycle() const { return session_->firstCycle(); }
   [[nodiscard]] std::string endReason() override;
   /// Waits for the robot's next cycle. Also returns when the loop has ended, see endReason(). Between startSession()
   /// and hold().
   void waitForNextCycle();
   void hold() noexcept override;
   void endSession() noexcept override;
-  [[nodiscard]] bool realTime() const override { return link_->realTime(); }
+  [[nodiscard]] bool realTime() const override { return session_->link().realTime(); }
 
   /// For the end of the program: ends the session of a client that has disconnected without ending it. Otherwise the
   /// robot would hold for gone_s before on_exit applies.
@@ -69,10 +70,9 @@ class LinkPort final : public RobotPort {
   Connect connect_;
   bool start_where_it_is_, had_session_ = false;
   runtime::MonotonicClock clock_;
-  std::unique_ptr<runtime::RobotLink> link_;
+  std::optional<runtime::DriverSession> session_;
   std::vector<goals::MotorControl> motors_;  // by joint
   Commands commands_{};
-  std::uint64_t first_session_cycle_ = 0;  // first cycle whose safety report refers to the session
   std::uint64_t last_cycle_ = 0;
   Nanos applied_at_{0}, last_cycle_at_{0}, simulated_at_{0};
 };

@@ -7,9 +7,9 @@ namespace darwinop::remote {
 
 std::unique_ptr<PictureSource> LinkPort::openPictures(ImageSize size, const OpenFrames& open_frames,
                                                       const std::function<void(const std::string&)>& log) {
-  const bool live = link_->realTime();
-  std::unique_ptr<FrameSource> frames = open_frames(*link_, live ? PictureForm::kYuyv : PictureForm::kBgra);
-  runtime::RobotLink* const link = link_.get();
+  runtime::RobotLink* const link = &session_->link();
+  const bool live = link->realTime();
+  std::unique_ptr<FrameSource> frames = open_frames(*link, live ? PictureForm::kYuyv : PictureForm::kBgra);
   if (!live)
     return std::make_unique<LockstepPictures>(std::move(frames), size, qualityOf(size), [link] { return link->now(); });
   return std::make_unique<LivePictures>(

@@ -122,18 +122,5 @@ TEST(Signals, NohupHolds) {
   EXPECT_EQ(WEXITSTATUS(status), 20);
 }
 
-TEST(Signals, AChildProcessHasTheDefaultActions) {
-  const pid_t child = fork();
-  if (child == 0) {
-    endOnSignals();
-    restoreIgnoredSignals();
-    raise(SIGPIPE);
-    _exit(20);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGPIPE);
-}
-
 }  // namespace
 }  // namespace darwinop

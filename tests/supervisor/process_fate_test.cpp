@@ -42,7 +42,7 @@ class Fate : public Home {
     unsetenv("DARWINOP_ROBOT");
     ASSERT_TRUE(driver_->says("stands", seconds{20})) << driver_->output();
   }
-  void sendAllWithoutEffect(const Program& to, std::initializer_list<int> but = {}) {
+  void sendAllWithoutEffect(Program& to, std::initializer_list<int> but = {}) {
     for (const SignalRow& row : kSignals) {
       const bool harmless = row.effect == SignalEffect::kIgnored || row.effect == SignalEffect::kNoEffect;
       if (harmless && std::ranges::find(but, row.number) == but.end()) to.kill(row.number);
@@ -110,13 +110,13 @@ TEST_P(EndSignal, EndsTheOtherProgramsNormally) {
                                                   {program("darwinop-monitor"), "--port", "0"},
                                                   {program("darwinop-virtual-robot"), "--link", file("other")}};
   for (const std::vector<std::string>& command : all) {
-    const Program one{command, file("one")};
+    Program one{command, file("one")};
     ASSERT_TRUE(one.says("ready:", seconds{10}) || one.says("body:", seconds{10})) << command[0] << one.output();
     std::this_thread::sleep_for(milliseconds{200});
     sendAllWithoutEffect(
         one, command[0].ends_with("robot") ? std::initializer_list<int>{SIGUSR1} : std::initializer_list<int>{});
     one.kill(GetParam());
-    EXPECT_EQ(const_cast<Program&>(one).wait(seconds{10}), 0) << command[0] << one.output();
+    EXPECT_EQ(one.wait(seconds{10}), 0) << command[0] << one.output();
   }
 }
 

@@ -8,6 +8,7 @@ namespace {
 using namespace std::chrono_literals;
 using Verdict = RestartPolicy::Verdict;
 
+using process::Ending;
 constexpr Ending kCrash{11, true}, kFailed{1, false}, kTidy{};
 
 TEST(RestartPolicy, AControllerThatEndsNormallyIsNotRestarted) {

@@ -1,11 +1,12 @@
-// A command line as a user types it: its exit status, and all that it said.
+// A command line as a user types it: its exit status and its output.
 #pragma once
 
-#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
-#include <cstdio>
 #include <string>
+
+#include "hal/process/child_process.hpp"
 
 namespace darwinop {
 
@@ -15,12 +16,13 @@ struct Outcome {
 };
 
 inline Outcome shell(const std::string& command) {
-  std::FILE* const pipe = popen((command + " 2>&1").c_str(), "r");
+  using process::Stream;
+  process::ChildProcess child{{.command = {"/bin/sh", "-c", command + " 2>&1"}, .streams = {{}, Stream::pipe()}}};
   std::string said;
   std::array<char, 4096> part{};
-  while (const std::size_t count = std::fread(part.data(), 1, part.size(), pipe)) said.append(part.data(), count);
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), said};
+  for (ssize_t count = 0; (count = read(child.stream(STDOUT_FILENO), part.data(), part.size())) > 0;)
+    said.append(part.data(), static_cast<std::size_t>(count));
+  return {child.wait().shellStatus(), said};
 }
 
 }  // namespace darwinop

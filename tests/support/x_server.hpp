@@ -1,31 +1,26 @@
-// An X server of a test's own, without a screen that anybody sees.
+// An X server for a test, without a screen.
 #pragma once
 
-#include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include <optional>
 #include <string>
+
+#include "hal/process/child_process.hpp"
 
 namespace darwinop {
 
 class XServer {
  public:
   XServer() {
-    int ends[2];
-    if (pipe(ends) != 0) return;
-    pid_ = fork();
-    if (pid_ == 0) {
-      const std::string end = std::to_string(ends[1]);
-      execlp("Xvfb", "Xvfb", "-displayfd", end.c_str(), "-screen", "0", "800x600x24", "-nolisten", "tcp",
-             static_cast<char*>(nullptr));
-      _exit(127);
-    }
-    close(ends[1]);
+    if (process::findProgram("Xvfb").empty()) return;
+    using process::Stream;
+    server_.emplace(
+        process::Start{.command = {"Xvfb", "-displayfd", "3", "-screen", "0", "800x600x24", "-nolisten", "tcp"},
+                       .streams = {{}, {}, {}, Stream::pipe()}});
     // It writes the number first and the end of the line later.
     std::string number;
-    for (char next = 0; read(ends[0], &next, 1) == 1 && next != '\n';) number += next;
-    close(ends[0]);
+    for (char next = 0; read(server_->stream(3), &next, 1) == 1 && next != '\n';) number += next;
     if (!number.empty()) name_ = ":" + number;
   }
   ~XServer() { end(); }
@@ -36,17 +31,17 @@ class XServer {
   [[nodiscard]] const std::string& name() const { return name_; }
 
   /// As behind a network that hangs: connected, and silent.
-  void hang() const { kill(pid_, SIGSTOP); }
+  void hang() { server_->signal(SIGSTOP); }
   void end() {
-    if (pid_ <= 0) return;
-    kill(pid_, SIGTERM);
-    kill(pid_, SIGCONT);
-    waitpid(pid_, nullptr, 0);
-    pid_ = 0;
+    if (!server_) return;
+    server_->signal(SIGTERM);
+    server_->signal(SIGCONT);
+    (void)server_->wait();
+    server_.reset();
   }
 
  private:
-  pid_t pid_ = 0;
+  std::optional<process::ChildProcess> server_;
   std::string name_;
 };
 

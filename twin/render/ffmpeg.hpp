@@ -1,16 +1,12 @@
 // Video encoder: pipes pictures to ffmpeg.
 #pragma once
 
-#include <sys/types.h>
-
 #include <string>
 
+#include "hal/process/child_process.hpp"
 #include "twin/render/film.hpp"
 
 namespace darwinop::twin {
-
-/// Path of the program, from PATH; empty if not installed.
-std::string findFfmpeg();
 
 class Ffmpeg final : public Film {
  public:
@@ -26,11 +22,10 @@ class Ffmpeg final : public Film {
   [[nodiscard]] std::string place() const override { return file_; }
 
  private:
-  int end() noexcept;  // returns the exit status
+  int end();  // returns the exit status
 
   std::string file_;
-  int pipe_ = -1;
-  pid_t pid_ = 0;
+  process::ChildProcess process_;
 };
 
 }  // namespace darwinop::twin

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "hal/process/start.hpp"
 #include "twin/render/ffmpeg.hpp"
 #include "twin/render/png_folder.hpp"
 
@@ -20,7 +21,7 @@ std::unique_ptr<Film> makeFilm(const std::string& path, int width, int height, i
   if (width % 2 != 0 || height % 2 != 0)
     throw std::runtime_error("cannot encode a video of " + std::to_string(width) + "x" + std::to_string(height) +
                              ": width and height must be even (a folder of pictures accepts any size)");
-  const std::string ffmpeg = findFfmpeg();
+  const std::string ffmpeg = process::findProgram("ffmpeg");
   if (!ffmpeg.empty()) {
     std::signal(SIGPIPE, SIG_IGN);  // write() returns EPIPE if ffmpeg ends early
     return std::make_unique<Ffmpeg>(ffmpeg, path, width, height, per_second);

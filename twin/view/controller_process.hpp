@@ -1,11 +1,11 @@
 // Controller of the viewed robot: runs `darwinop run` as a child process.
 #pragma once
 
-#include <sys/types.h>
-
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "hal/process/child_process.hpp"
 
 namespace darwinop::twin {
 
@@ -21,11 +21,10 @@ class ControllerProcess {
   /// Exit status as in a shell; empty while it runs.
   std::optional<int> ended();
   /// After SIGINT the controller moves the robot to its start pose before it ends.
-  void signal(int number) const;
+  void signal(int number) { process_.signal(number); }
 
  private:
-  pid_t pid_ = 0;
-  std::optional<int> status_;
+  process::ChildProcess process_;
 };
 
 }  // namespace darwinop::twin

@@ -1,19 +1,16 @@
 // Runs gnuplot without a shell: script on standard input, picture on standard output.
 #include "experiments/logs/plot/gnuplot.hpp"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
+#include <system_error>
 
 #include "experiments/logs/plot/text.hpp"
+#include "hal/process/child_process.hpp"
 
 namespace darwinop::plot {
 namespace {
@@ -38,23 +35,14 @@ std::string firstLineOf(std::FILE* file) {
 }
 
 /// 0: success; a positive errno: did not start; -1: failed.
-int run(int input, int output, int errors) {
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&files, errors, STDERR_FILENO);
+int run(int input, int output, int errors) try {
+  using process::Stream;
   // --default-settings ignores ~/.gnuplot.
-  std::array<std::string, 3> words{"gnuplot", "--default-settings", "-"};
-  std::array<char*, 4> arguments{words[0].data(), words[1].data(), words[2].data(), nullptr};
-  pid_t child = -1;
-  const int error = posix_spawnp(&child, "gnuplot", &files, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  if (error != 0) return error;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) return -1;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : -1;
+  process::ChildProcess gnuplot{{.command = {"gnuplot", "--default-settings", "-"},
+                                 .streams = {Stream::copyOf(input), Stream::copyOf(output), Stream::copyOf(errors)}}};
+  return gnuplot.wait().isNormal() ? 0 : -1;
+} catch (const std::system_error& error) {
+  return error.code().value();
 }
 
 }  // namespace

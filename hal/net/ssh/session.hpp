@@ -1,11 +1,12 @@
 // SSH session: runs a program on a robot for the lifetime of a local program, with forwarded ports.
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "hal/process/child_process.hpp"
 
 namespace darwinop::ssh {
 
@@ -26,7 +27,7 @@ class SshSession {
   /// An end signal was received by the session's own handler.
   [[nodiscard]] static bool isEndRequested();
   /// The child has exited: connection lost or remote program ended; it has printed the reason.
-  [[nodiscard]] bool ended() const;
+  [[nodiscard]] bool ended();
 
   /// Brings the robot to rest and waits for that. Returns the exit status.
   int end();
@@ -36,9 +37,7 @@ class SshSession {
   [[nodiscard]] std::string readLine() const;
 
   std::string program_;
-  pid_t pid_ = 0;
-  int to_ssh_ = -1;    // its stdin; end of file means that this process has ended
-  int from_ssh_ = -1;  // its stdout
+  std::optional<process::ChildProcess> process_;  // end of file of its stdin means that this process has ended
 };
 
 }  // namespace darwinop::ssh

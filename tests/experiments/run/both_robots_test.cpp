@@ -77,7 +77,7 @@ void OnBoth::runAndLookAtTheLog(const std::string& robot) {
 
 TEST_P(OnBoth, RunsWithARecordingAndPlots) {
   for (const char* robot : {"virtual", "twin"}) runAndLookAtTheLog(robot);
-  if (std::system("command -v gnuplot >/dev/null") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  if (process::findProgram("gnuplot").empty()) GTEST_SKIP() << "gnuplot is not installed";
   ASSERT_EQ(experiment({"plot", file("virtual.csv"), file("twin.csv"), "-o", file("both")}), 0) << output;
   EXPECT_THAT(output, testing::Not(HasSubstr("note:"))) << "an incomplete plot";
   const auto content = [this](const char* name) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "connect/keys.hpp"
+#include "support/shell.hpp"
 #include "support/x_server.hpp"
 
 namespace darwinop::connect {
@@ -53,7 +54,7 @@ class KeyWindowTest : public testing::Test {
   }
   void tool(const std::string& words) const {
     const std::string command = "DISPLAY=" + server.name() + " xdotool " + words + " >/dev/null";
-    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    EXPECT_EQ(shell(command).status, 0) << command;
   }
   /// Held keys after all events have arrived.
   [[nodiscard]] std::vector<Key> held(const std::vector<Key>& expected) {
@@ -100,7 +101,7 @@ TEST_F(KeyWindowTest, ReturnsKeysHeldTogetherWithTheirModifiers) {
     std::this_thread::sleep_for(std::chrono::milliseconds{300});
     const std::string command =
         "ffmpeg -y -loglevel error -f x11grab -video_size 800x600 -i " + server.name() + " -frames:v 1 " + keep;
-    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(shell(command).status, 0);
     tool("keyup Up keyup shift keyup a");
   }
 }

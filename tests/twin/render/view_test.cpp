@@ -1,8 +1,6 @@
 // `darwinop twin view` as a user runs it: films without a display, a window on one.
 #include <gmock/gmock.h>
 #include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <filesystem>
@@ -12,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "hal/process/child_process.hpp"
 #include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/x_server.hpp"
@@ -86,14 +85,9 @@ std::size_t colours(const Picture& p) {
 TEST_F(View, OpensAWindowThatShowsTheRobotAndCloses) {
   const XServer display;
   ASSERT_NE(display.name(), "") << "Xvfb does not start";
-  const pid_t view = fork();
-  if (view == 0) {
-    setenv("DISPLAY", display.name().c_str(), 1);
-    // Mesa's window driver leaks 112 bytes when it is unloaded; an unloaded module has no name to suppress.
-    setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
-    execl(kTwin.c_str(), kTwin.c_str(), "view", "--size", "800x600", static_cast<char*>(nullptr));
-    _exit(127);
-  }
+  // Mesa's window driver leaks 112 bytes when it is unloaded; an unloaded module has no name to suppress.
+  process::ChildProcess view{{.command = {kTwin, "view", "--size", "800x600"},
+                              .environment = {"DISPLAY=" + display.name(), "ASAN_OPTIONS=detect_leaks=0"}}};
   const std::string shot = folder_ / "shot.png";
   std::size_t seen = 0;
   for (int attempt = 0; attempt < 40 && seen < 100; ++attempt) {
@@ -103,11 +97,8 @@ TEST_F(View, OpensAWindowThatShowsTheRobotAndCloses) {
   }
   EXPECT_GE(seen, 100U);  // the screen of a server without windows is black
   if (const char* const keep = std::getenv("DARWINOP_KEEP_SHOT")) std::filesystem::copy_file(shot, keep);
-  kill(view, SIGINT);
-  int status = 0;
-  waitpid(view, &status, 0);
-  EXPECT_TRUE(WIFEXITED(status)) << "signal " << WTERMSIG(status);
-  EXPECT_EQ(WEXITSTATUS(status), 0);
+  view.signal(SIGINT);
+  EXPECT_EQ(describe(view.wait()), "with exit code 0");
 }
 
 }  // namespace

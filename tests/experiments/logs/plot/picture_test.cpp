@@ -11,6 +11,7 @@
 
 #include "experiments/logs/plot/gnuplot.hpp"
 #include "experiments/logs/plot/plot.hpp"
+#include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_of.hpp"
 
@@ -22,7 +23,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 #define DARWINOP_NEEDS_GNUPLOT() \
-  if (std::system("command -v gnuplot >/dev/null") != 0) GTEST_SKIP() << "gnuplot is not installed"
+  if (process::findProgram("gnuplot").empty()) GTEST_SKIP() << "gnuplot is not installed"
 
 struct Size {
   int width, height;
@@ -42,7 +43,7 @@ Size sizeOf(const std::string& png) {
 std::map<std::string, int> coloursOf(const std::string& path) {
   const std::string command = "gnuplot -e \"set table '" + path + ".txt'; plot '" + path +
                               "' binary filetype=png every 2:2 using 1:2:3 with rgbimage\" 2>/dev/null";
-  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(shell(command).status, 0);
   std::ifstream table{path + ".txt"};
   std::map<unsigned long, int> numbers;
   for (std::string line; std::getline(table, line);) {

@@ -1,4 +1,4 @@
-#include "supervisor/child.hpp"
+#include "supervisor/child_start.hpp"
 
 #include <gmock/gmock.h>
 #include <signal.h>
@@ -11,12 +11,16 @@
 #include <fstream>
 #include <thread>
 
+#include "hal/process/child_process.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_of.hpp"
 
 namespace darwinop::supervisor {
 namespace {
 
+using process::ChildProcess;
+using process::Ending;
+using process::Start;
 using testing::HasSubstr;
 
 template <class Condition>
@@ -26,68 +30,62 @@ bool soon(Condition condition) {
   return false;
 }
 
-Ending endOf(Child& child) {
+Ending endOf(ChildProcess& child) {
   EXPECT_TRUE(soon([&] { return child.ended().has_value(); }));
   return child.ended().value_or(Ending{-1, true});
 }
 
 Start shell(const std::string& script, const std::string& log = "") {
-  Start start;
-  start.command = {"/bin/sh", "-c", script};
-  start.log = log;
-  return start;
+  return childStart({"/bin/sh", "-c", script}, log);
 }
 
-TEST(Child, ReportsExitCodeAndSignal) {
-  Child failed{shell("exit 3")};
+TEST(ChildOfTheSupervisor, ReportsExitCodeAndSignal) {
+  ChildProcess failed{shell("exit 3")};
   EXPECT_EQ(describe(endOf(failed)), "with exit code 3");
-  Child killed{shell("kill -SEGV $$")};
+  ChildProcess killed{shell("kill -SEGV $$")};
   EXPECT_EQ(describe(endOf(killed)), "by signal 11 (Segmentation fault)");
 }
 
-TEST(Child, AppendsItsOutputAndHasItsFolderAndEnvironment) {
+TEST(ChildOfTheSupervisor, AppendsItsOutputAndHasItsFolderAndEnvironment) {
   const TemporaryFolder folder;
   std::ofstream{folder / "log"} << "before\n";
   setenv("SUPERVISOR_TEST", "old", 1);
   Start start = shell("pwd; echo $SUPERVISOR_TEST >&2", folder / "log");
   start.folder = "/";
-  start.environment = {{"SUPERVISOR_TEST", "new"}};
-  Child child{start};
+  start.environment = {"SUPERVISOR_TEST=new"};
+  ChildProcess child{start};
   EXPECT_TRUE(endOf(child).isNormal());
   EXPECT_EQ(textOf(folder / "log"), "before\n/\nnew\n");
 }
 
-TEST(Child, AMissingProgramEndsWithCode127AndAMessage) {
+TEST(ChildOfTheSupervisor, AMissingProgramEndsWithCode127AndAMessage) {
   const TemporaryFolder folder;
-  Start start;
-  start.command = {folder / "nothing"};
-  start.log = folder / "log";
-  Child child{start};
+  ChildProcess child{childStart({folder / "nothing"}, folder / "log")};
   EXPECT_EQ(endOf(child).code, 127);
-  EXPECT_THAT(textOf(folder / "log"), HasSubstr("cannot run " + (folder / "nothing")));
+  EXPECT_THAT(textOf(folder / "log"), HasSubstr("darwinop supervisor: cannot run " + (folder / "nothing")));
 }
 
-runtime::Account nobody() {
+process::Account nobody() {
   return {"nobody", "/nonexistent", 65534, 65534, {65534, 44}};
 }
 
-TEST(Child, HasTheRightsOfAnAccountAndAppendsToALogThatItMayNotOpen) {
+TEST(ChildOfTheSupervisor, HasTheRightsOfAnAccountAndAppendsToALogThatItMayNotOpen) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can start a program as another user";
   const TemporaryFolder folder;
   std::ofstream{folder / "log"} << "before\n";
   std::filesystem::permissions(folder / "log", std::filesystem::perms::owner_read);
   Start start = shell("id -u; id -G; echo $HOME $USER; cat /etc/shadow 2>/dev/null || echo no shadow", folder / "log");
   start.account = nobody();
-  Child child{start};
+  ChildProcess child{start};
   EXPECT_TRUE(endOf(child).isNormal());
   EXPECT_EQ(textOf(folder / "log"), "before\n65534\n65534 44\n/nonexistent nobody\nno shadow\n");
 }
 
-TEST(Child, RunsInAGroupOfItsOwnWithNoSignalBlocked) {
+TEST(ChildOfTheSupervisor, RunsInAGroupOfItsOwnWithNoSignalBlocked) {
   sigset_t all, before;
   sigfillset(&all);
   sigprocmask(SIG_BLOCK, &all, &before);
-  Child child{shell("exec sleep 100")};
+  ChildProcess child{shell("exec sleep 100")};
   sigprocmask(SIG_SETMASK, &before, nullptr);
   EXPECT_TRUE(soon([&] { return getpgid(child.pid()) == child.pid(); }));
   child.signal(SIGTERM);
@@ -96,10 +94,11 @@ TEST(Child, RunsInAGroupOfItsOwnWithNoSignalBlocked) {
   EXPECT_EQ(ending.code, SIGTERM);
 }
 
-TEST(Child, GetsSigtermInsteadOfSigkillWhenItsHandleIsDestroyed) {
+TEST(ChildOfTheSupervisor, GetsSigtermInsteadOfSigkillWhenItsHandleIsDestroyed) {
   const TemporaryFolder folder;
   {
-    const Child child{shell("trap 'echo term; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log")};
+    const ChildProcess child{
+        shell("trap 'echo term; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log")};
     EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\n"; }));
   }
   EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\nterm\n"; }));
@@ -115,7 +114,7 @@ TEST_P(OrphanedChild, GetsSigtermWhenItsParentIsKilled) {
   if (parent == 0) {
     Start start = shell("trap 'echo term; exit 0' TERM; echo up; while :; do sleep 0.01; done", folder / "log");
     if (GetParam()) start.account = nobody();
-    const Child child{start};
+    const ChildProcess child{start};
     for (;;) pause();
   }
   EXPECT_TRUE(soon([&] { return textOf(folder / "log") == "up\n"; }));
