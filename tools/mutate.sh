@@ -166,7 +166,7 @@ caught_by() {
     if grep -q 'error' "$log"; then compiler_says && return; else cat "$log" >&2 && exit 1; fi
   }
   ! timeout 900 "$tree/build/debug/bin/$program" "${@:2}" >"$log" 2>&1 || return 1
-  printf '%s: %s\n' "$program" "$(grep -oE '^\[  FAILED  \] [A-Za-z0-9_/]+\.[A-Za-z0-9_/]+|judge.*|seed.*' "$log" | head -1 | sed 's/.*\] //')"
+  printf '%s: %s\n' "$program" "$(grep -oE '^\[  FAILED  \] [A-Za-z0-9_/]+\.[A-Za-z0-9_/]+|^result: .*' "$log" | head -1 | sed -E 's/.*\] |result: //')"
 }
 
 # Rows that the model has no cause for cannot be noticed by it.
