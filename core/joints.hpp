@@ -111,6 +111,14 @@ constexpr void forEachJoint(const std::bitset<kJoints>& joints, F&& f) {
     f(static_cast<std::size_t>(std::countr_zero(rest)));
 }
 
+/// The joints of `some` for which is(index) holds.
+template <class Is>
+constexpr std::bitset<kJoints> jointsThat(const std::bitset<kJoints>& some, Is&& is) {
+  std::bitset<kJoints> joints;
+  forEachJoint(some, [&](std::size_t i) { joints[i] = is(i); });
+  return joints;
+}
+
 /// The joint with this Webots device name ("Neck"), or nothing.
 constexpr std::optional<Joint> findJoint(std::string_view name) {
   for (std::size_t i = 0; i < kJoints; ++i)

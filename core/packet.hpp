@@ -85,7 +85,7 @@ class SyncWriteEncoder {
   }
   /// False, and nothing added, when `data` has another length or the frame would pass 255 bytes.
   bool add(std::uint8_t id, Bytes data) {
-    if (data.size() != data_bytes_ || params_.count() < 2 || !params_.fits(1 + data.size())) return false;
+    if (data.size() != data_bytes_ || !params_.fits(1 + data.size())) return false;
     params_.put(id);
     for (const std::uint8_t byte : data) params_.put(byte);
     return true;
@@ -152,7 +152,7 @@ class FrameReader {
   }
   /// True once after a call of next() that found no header where the frame before had ended. That frame may have lost
   /// or gained a byte and have a valid checksum by chance: without a byte, the FF of the next header is its checksum.
-  [[nodiscard]] bool boundaryLost() { return std::exchange(boundary_lost_, false); }
+  [[nodiscard]] bool boundaryLost() { return boundary_lost_ && std::exchange(boundary_lost_, false); }
   /// Forgets what was fed, keeps the counters.
   void clear() {
     begin_ = end_ = 0;

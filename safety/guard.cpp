@@ -99,8 +99,10 @@ void Guard::watchHold() noexcept {
   const bool held = drives(state_) || state_ == State::kFoundStiff || holding_up_ || perhaps_held_;
   lost_under_torque_ = board_.powerLostNow() && held;
   // Silent servos count as looked at, but only after time in which they could have answered.
-  const auto looked = [this] { return board_.poweredFor() >= fromSeconds(config_.silent_s) && allKnown(); };
-  if (board_.powerOff() || (perhaps_held_ && looked())) perhaps_held_ = false;
+  const auto seen_limp = [this] {
+    return board_.poweredFor() >= fromSeconds(config_.silent_s) && allKnown() && !anyStiff();
+  };
+  if (board_.powerOff() || (perhaps_held_ && seen_limp())) perhaps_held_ = false;
 }
 
 void Guard::noteFaults() noexcept {
@@ -115,8 +117,12 @@ void Guard::noteFaults() noexcept {
   causes.note(Fault::kReleasedByOperator, driver_.released());
   causes.note(Fault::kControllerStalled, driver_.stalled());
   causes.note(Fault::kControllerGone, driver_.gone());
-  for (std::size_t i = 0; i < kJoints; ++i)
-    if (!joints_[i].well()) causes.note(joints_[i].faults(), kJointTable[i].id);
+  report_.tripped.reset();
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    if (joints_[i].well()) continue;
+    causes.note(joints_[i].faults(), kJointTable[i].id);
+    report_.tripped[i] = joints_[i].trip() != JointGuard::Trip::kNone;
+  }
   forEachJoint(report_.missed_start,
                [&](std::size_t i) { causes.note(faultIf(true, Fault::kStartMissed), kJointTable[i].id); });
   faults_.update(causes);
@@ -157,10 +163,11 @@ inline Guard::Shares Guard::shares() const noexcept {
 
 inline void Guard::moveJoints(double speed, Nanos dt) noexcept {
   const double seconds = std::chrono::duration<double>(dt).count();
+  const double gentle_step = config_.gentle_speed * seconds, full_step = speed * seconds;
   const Shares share = shares();
   std::uint32_t cut_short = 0;
   for (std::size_t i = 0; i < kJoints; ++i)
-    if (!joints_[i].move(target(i), share[i] * config_.gentle_speed * seconds, share[i] * speed * seconds)) ++cut_short;
+    if (!joints_[i].move(target(i), share[i] * gentle_step, share[i] * full_step)) ++cut_short;
   if (state_ == State::kDriven) report_.limit_hits[static_cast<std::size_t>(Limit::kRate)] += cut_short;
 }
 
@@ -172,20 +179,21 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
   const bool heard = board_.answersNow();
   // For the same reason torque comes on only after a goal that was heard; torque off goes out in any case.
   safe.torque_off_ = jointsThat([this](std::size_t i) { return joints_[i].offDue(); });
-  if (heard) safe.torque_on_ = jointsThat([this](std::size_t i) { return joints_[i].onDue(); });
+  if (heard) safe.torque_on_ = jointsThat(looking_at_, [this](std::size_t i) { return joints_[i].onDue(); });
   const bool switches = (safe.torque_off_ | safe.torque_on_).any();
-  const bool slow = movesByItself() || faults_.slow();
+  const bool by_itself = movesByItself();
+  const bool slow = by_itself || faults_.slow();
   const double speed = slow ? config_.gentle_speed : config_.max_joint_speed;
   if (switches)
     for (JointGuard& joint : joints_) joint.switchTorque(heard);
   else if (heard)
     moveJoints(speed, dt);
-  safe.look_ = jointsThat([this](std::size_t i) { return joints_[i].lookDue(); });
   safe.driven_ = jointsThat([this](std::size_t i) { return joints_[i].driven(); });
+  const auto unsettled = jointsThat([this](std::size_t i) { return joints_[i].lookDue() || joints_[i].uncertain(); });
+  safe.look_ = looking_at_ = jointsThat(unsettled, [this](std::size_t i) { return joints_[i].lookDue(); });
   safe.held_ = safe.driven_;
-  if (heard) safe.held_ &= jointsThat([this](std::size_t i) { return joints_[i].uncertain(); });
-  forEachJoint(safe.driven_,
-               [&](std::size_t i) { safe.goal_[i] = joints_[i].goal(RadPerSec{speed}, movesByItself()); });
+  if (heard) safe.held_ &= jointsThat(unsettled, [this](std::size_t i) { return joints_[i].uncertain(); });
+  forEachJoint(safe.driven_, [&](std::size_t i) { safe.goal_[i] = joints_[i].goal(RadPerSec{speed}, by_itself); });
   if (switches)
     safe.write_ = SafeCommands::Write::kTorque;
   else if (safe.driven_.any())
@@ -202,7 +210,6 @@ void Guard::writeReport() noexcept {
   report_.reaction = faults_.reaction(report_.worst);
   report_.controller_must_end = faults_.endsController();
   report_.session = driver_.session();
-  report_.tripped = jointsThat([this](std::size_t i) { return joints_[i].trip() != JointGuard::Trip::kNone; });
 }
 
 }  // namespace darwinop::safety

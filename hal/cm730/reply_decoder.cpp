@@ -67,23 +67,6 @@ std::size_t ReplyDecoder::nextFrameBytes() const noexcept {
   return kServoWindows[list_[position_].look].frameBytes();
 }
 
-void ReplyDecoder::takeAll(FrameReader& reader, bool more_expected) noexcept {
-  while (true) {
-    const std::optional<Frame> frame = reader.next(more_expected);
-    if (reader.boundaryLost()) withdraw();
-    if (!frame) return;
-    take(*frame);
-  }
-}
-
-void ReplyDecoder::take(const Frame& frame) noexcept {
-  last_ = Taken::kNothing;
-  if (frame.id == kBoardId)
-    takeBoard(frame);
-  else
-    takeServo(frame);
-}
-
 void ReplyDecoder::withdraw() noexcept {
   if (last_ == Taken::kBoard) board_answered_ = readings_->board.answered = false;
   if (last_ == Taken::kServo) {

@@ -24,8 +24,20 @@ class ReplyDecoder {
   void begin(std::span<const ReadList::Entry> list, std::uint8_t board_bytes, BusReadings& readings) noexcept;
   /// Every frame that `reader` has. `more_expected`: see FrameReader::next(). A frame that is not followed by the next
   /// one (FrameReader::boundaryLost) may be damaged: it does not count.
-  void takeAll(FrameReader& reader, bool more_expected = true) noexcept;
-  void take(const Frame& frame) noexcept;
+  void takeAll(FrameReader& reader, bool more_expected = true) noexcept {
+    while (const auto frame = reader.next(more_expected)) {
+      if (reader.boundaryLost()) withdraw();
+      take(*frame);
+    }
+    if (reader.boundaryLost()) withdraw();
+  }
+  void take(const Frame& frame) noexcept {
+    last_ = Taken::kNothing;
+    if (frame.id == kBoardId)
+      takeBoard(frame);
+    else
+      takeServo(frame);
+  }
 
   /// True when nothing more is to come.
   [[nodiscard]] bool complete() const noexcept { return board_answered_ && position_ == list_.size(); }

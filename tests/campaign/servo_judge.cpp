@@ -18,7 +18,7 @@ constexpr int kLimpAfter = 80;   // cycles: a lost "torque off" is noticed by th
 constexpr int kForgotten = 6;    // cycles without an answer after which a joint is taken over again
 constexpr int kLate = 2;         // cycles
 constexpr int kGrace = 20;       // cycles under torque before an overload bit is believed; docs/faults.md 24
-constexpr int kEarlyTrips = 5;   // in a row within that time, on a wire that loses writes and answers
+constexpr int kEarlyTrips = 20;  // so often is a joint placed again, each time where it is; docs/faults.md 12
 constexpr int kLookRound = 64;   // cycles: every servo has been looked at, and a lost answer or two
 constexpr int kUntrustedFor = 80;  // cycles
 constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
@@ -95,7 +95,7 @@ void ServoJudge::endCycle(const Sensors& seen) {
     if (seen.safety.tripped[i] || servo.unheard >= kForgotten) servo.trips = servo.early_trips = 0;
   }
   judgeLimp(seen);
-  judgeSpeedLimits();
+  judgeSpeedLimits(seen);
   state_ = seen.safety.state;
 }
 
@@ -152,13 +152,15 @@ void ServoJudge::judgeLimp(const Sensors& seen) {
   }
 }
 
-/// Torque that a late goal or a short restart left without a speed limit is noticed at the next look.
-void ServoJudge::judgeSpeedLimits() {
+/// Torque that a late goal or a short restart left without a speed limit is noticed at the next look. A servo that says
+/// that it has shut itself off gets no goal any more: one that has not stays where its last goal is.
+void ServoJudge::judgeSpeedLimits(const Sensors& seen) {
   for (std::size_t i = 0; i < kJoints; ++i) {
     Servo& servo = servo_[i];
     const auto joint = static_cast<Joint>(i);
     const hil::ServoState now = robot_.board().servo(joint).state();
-    const bool unlimited = now.pulls() && now.speed == 0 && servo.unheard == 0 && servo.untrusted_until <= cycle_;
+    const bool unlimited = now.pulls() && now.speed == 0 && servo.unheard == 0 && !seen.safety.tripped[i] &&
+                           servo.untrusted_until <= cycle_;
     servo.unlimited_for = unlimited ? servo.unlimited_for + 1 : 0;
     if (servo.unlimited_for > kLookRound)
       blame(Promise::kSpeedLimit, joint, "for long under torque without a speed limit");
@@ -210,9 +212,11 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
   // A goal that went into a cable that was out is one that nobody saw; the next one waits for an answer.
   const std::uint32_t goals = sent->goals - servo.goals_arrived + (port_lost_at_ >= servo.goal_at - 1 ? 1 : 0);
   const bool with_goal = carriesGoal(address, data.size());
-  if (with_goal) servo.goal_at = cycle_;
   const bool repeated = sent->goals == servo.goals_arrived;  // by the line
-  servo.goals_arrived = sent->goals;
+  if (with_goal) {
+    servo.goal_at = cycle_;
+    servo.goals_arrived = sent->goals;
+  }
   const bool late = sent->cycle < servo.powered_at || cycle_ - sent->cycle > kLate;
   if (!before.pulls() && after.pulls()) servo.pulls_since = cycle_;
   if (servo.untrusted_until > cycle_) return;

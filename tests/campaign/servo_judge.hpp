@@ -126,7 +126,7 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
   void judgeStep(Joint joint, const hil::ServoState& before, const hil::ServoState& after, std::uint32_t goals);
   void judgeOutage(const Sensors& seen);
   void judgeLimp(const Sensors& seen);
-  void judgeSpeedLimits();
+  void judgeSpeedLimits(const Sensors& seen);
   void notePerson(const Sensors& seen);
   void release();
   void personActs();

@@ -105,7 +105,7 @@ inline watch() {
   fi;
   observe();
   under_torque = lost_now && (DRIVES(state) || state == ST_found_stiff || holding_up || perhaps_held);
-  if :: off_seen || (powered && (known || age > PATIENCE)) -> perhaps_held = 0 :: else -> skip fi;
+  if :: off_seen || (powered && ((known && !stiff) || age > PATIENCE)) -> perhaps_held = 0 :: else -> skip fi;
   if :: lost -> holding_up = 0; stiff = 0; known = 0 :: else -> skip fi
 }
 

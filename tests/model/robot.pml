@@ -78,7 +78,7 @@ c_code {
 byte state = ST_offline;
 int faults = 0;              /* the active ones, a bit each */
 bit session, ended, started, in_place, holding_up;
-bit perhaps_held;            /* torque may be on: not every joint has been looked at since it was, or since the start */
+bit perhaps_held;            /* torque may be on: not every joint was seen limp since it was, or since the start */
 byte silence;                /* of the controller: 0 talks, 1 stalled, 2 gone */
 byte missed = 0;             /* answers of the board in a row */
 bit ever;                    /* the board has answered */

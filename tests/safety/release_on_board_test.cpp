@@ -204,6 +204,20 @@ TEST(ReleaseOnTheBoard, AResetBeforeALostTorqueOffWasSeenIsARelease) {
   }
 }
 
+TEST(ReleaseOnTheBoard, AResetOfARobotThatWasFoundStiffIsAReleaseAlsoWhileTheBoardIsSilent) {
+  Loop loop;
+  loop.drive();
+  loop.start(Config{});  // nobody drives; the servos hold
+  loop.run(2s);
+  ASSERT_EQ(loop.state(), State::kFoundStiff);
+  loop.fault(hil::FaultKind::kUnplug, 500ms);
+  loop.run(300ms);
+  ASSERT_EQ(loop.state(), State::kOffline);
+  loop.reset();
+  loop.run(500ms);
+  EXPECT_EQ(loop.cyclesWithTorque(5s), 0);
+}
+
 TEST(ReleaseOnTheBoard, AResetBeforeOrAfterTheDeathOfALoopThatHeldTheRobotIsARelease) {
   // After the third cycle it has latched the fault itself, and its note of that outlives it (runtime/robot_notes.hpp).
   for (int lived_on = 0; lived_on < 3; ++lived_on) {
