@@ -60,7 +60,8 @@ struct BusReadings {
 class ServoBus {
  public:
   virtual ~ServoBus() = default;
-  /// At most one SyncWrite, and rarely one write to the board (LEDs, servo power).
+  /// One SyncWrite (two while a servo works at its torque limit and limits change), and rarely one write to the board
+  /// (LEDs, servo power).
   virtual void write(const SafeCommands& commands) noexcept = 0;
   /// One BulkRead. Overwrites `readings` completely: servos without a reply are absent.
   virtual void read(BusReadings& readings) noexcept = 0;

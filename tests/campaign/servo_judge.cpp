@@ -175,7 +175,11 @@ void ServoJudge::request(const Frame& frame, Nanos /*at*/) noexcept {
     const std::size_t joint = rest[0] - std::size_t{1};
     if (joint >= kJoints || size > Sent{}.data.size()) continue;
     Servo& servo = servo_[joint];
-    if (carriesGoal(address, size)) ++servo.goals_sent;
+    if (address == servo::kTorqueLimit) servo.limit_sent_at = cycle_;  // its goal may wait for a cycle
+    if (carriesGoal(address, size)) {
+      servo.goals_sent += servo.limit_sent_at < cycle_ && servo.limit_sent_at > servo.goal_sent_at ? 2 : 1;
+      servo.goal_sent_at = cycle_;
+    }
     Sent& sent = servo.sent[servo.sent_count++ % kSentRoom];
     sent = {cycle_, servo.goals_sent, address, size, {}, false};
     std::ranges::copy(rest.subspan(1, size), sent.data.begin());
