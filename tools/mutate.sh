@@ -52,7 +52,7 @@ power counts as on after one answer	safety/board_watch.cpp	s/seen.servo_power &&
 power withheld by the newest loss only	safety/board_watch.cpp	s/since_.back\(\) </since_.front() </
 agreement of readings 4.5 to 45 ticks	safety/joint_channel.cpp	s/(kAgreement = )[0-9.]+/\145/
 readings apart 5 to 500 cycles	safety/joint_channel.cpp	s/(kApart = )5/\1500/
-placed outside of its range	safety/joint_channel.cpp	s/std::clamp\((confirmer_.confirmed\(\)->value), .*\)\};/\1};/
+placed outside of its range	safety/joint_channel.cpp	s/range.low.value, range.high.value/range.low.value - 1, range.high.value + 1/
 caught up 0.15 to 15 rad	safety/joint_channel.hpp	s/(kCaughtUp = )0.15/\115/
 held up 3 to 300 s	safety/joint_channel.hpp	s/(kHeldUp\{std::chrono::seconds\{)3/\1300/
 refusals 20 to 2000	safety/joint_guard.hpp	s/(kRefusals = )20/\12000/
@@ -105,8 +105,8 @@ new session starts in place	safety/guard.cpp	s/in_place_ = asked.start_where_it_
 wishes of a former session count	safety/guard.cpp	s/^  for \(JointGuard\& joint : joints_\) joint.forgetWishes\(\);//
 torque on to a board that does not answer	safety/guard.cpp	s/if \(heard\) safe.torque_on_/safe.torque_on_/
 goals move on while the board is silent	safety/guard.cpp	s/else if \(heard\)$/else/
-hot servos are not slow	safety/guard.cpp	s/movesByItself\(\) \|\| faults_.slow\(\)/movesByItself()/
-safety's own moves are not slow	safety/guard.cpp	s/movesByItself\(\) \|\| faults_.slow\(\)/faults_.slow()/
+hot servos are not slow	safety/guard.cpp	s/by_itself \|\| faults_.slow\(\)/by_itself/
+safety's own moves are not slow	safety/guard.cpp	s/by_itself \|\| faults_.slow\(\)/by_itself \&\& faults_.slow()/
 uncertain joint is not held	safety/guard.cpp	s/if \(heard\) safe.held_ &=/if (!heard) safe.held_ \&=/
 joints of a pose arrive one by one	safety/guard.cpp	s/if \(!movesByItself\(\)\) return shares;/return shares;/
 an old image is a sign of life	safety/driver_watch.hpp	s/asked.sequence > sequence_\)/asked.sequence >= sequence_)/
