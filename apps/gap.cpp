@@ -117,7 +117,8 @@ std::vector<Row> describe(CLI::App& app, gap::Arguments& given) {
   CLI::App* const benchmark = app.add_subcommand("benchmark", "synthetic cases: make them, run them blind, score");
   benchmark->require_subcommand(1);
   addBenchmark(*benchmark, given, rows, {"run", "make", "make-case", "score"}, "benchmark");
-  addBenchmark(app, given, rows, {"battery", "make-battery", "hide", "score"}, "");  // former names, not in --help
+  // Former names, not in --help.
+  addBenchmark(app, given, rows, {"battery", "make-battery", "hide", "score"}, "");  // keep-word
   return rows;
 }
 
@@ -152,7 +153,7 @@ int command(int count, char** arguments) {
 int main(int count, char** arguments) {
   const gap::Ranks ranks;
   if (!gap::Ranks::isFirst())
-    for (std::ostream* const out : {&std::cout, &std::cerr}) out->setstate(std::ios::badbit);  // one tells for all
+    for (std::ostream* const out : {&std::cout, &std::cerr}) out->setstate(std::ios::badbit);  // one result for all
   try {
     const int code = command(count, arguments);
     std::cout.flush();

@@ -24,7 +24,7 @@ struct Arguments {
   std::string name = "hidden";  // of the case to make
   bool wrong_numbers = false;
   std::uint64_t seed = 1;
-  std::string part = "quick";          // of the own battery
+  std::string part = "quick";          // of our own suite
   std::size_t cases = 0;               // of it; 0: all
   std::size_t jobs = 1;                // cases at once
   bool resume = false;                 // of a battery

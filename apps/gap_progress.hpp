@@ -1,4 +1,4 @@
-// What `darwinop gap` is doing, told while it works: one line that is written over on a terminal, else a line a step.
+// Progress of `darwinop gap`: one line that is overwritten on a terminal, else one line per step.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ namespace darwinop::gap {
 
 class ProgressLine {
  public:
-  /// `quiet`: tells nothing.
+  /// `quiet`: prints nothing.
   explicit ProgressLine(bool quiet);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "apps/colour_search/frame_search.hpp"
+#include "connect/camera.hpp"
 #include "connect/controller_user.hpp"
-#include "connect/eyes.hpp"
 #include "end_with_parent.hpp"
 #include "hal/net/web/server.hpp"
 #include "hal/signals.hpp"
@@ -61,7 +61,7 @@ web::WebServerConfig webConfig(const MonitorArguments& given) {
   return config;
 }
 
-int serveOnlookers(const MonitorArguments& given) {
+int serveObservers(const MonitorArguments& given) {
   connect::leaveRoot();
   endOnSignals();
   if (given.ends_with_parent && !endWithParent(given.parent)) return 0;
@@ -71,7 +71,7 @@ int serveOnlookers(const MonitorArguments& given) {
   monitor::Monitor monitor{files, [] { return runtime::MonotonicClock{}.now(); },
                            [find] {
                              return remote::openPicturesOfCamera(
-                                 connect::openCamera({.form = PictureForm::kYuyv, .say = sayMonitor}), find,
+                                 connect::openLocalCamera({.form = PictureForm::kYuyv, .log = sayMonitor}), find,
                                  sayMonitor);
                            },
                            [files, find] { return remote::openPicturesOfDriver(files, find, sayMonitorOnce); }, search};
@@ -106,7 +106,7 @@ int main(int count, char** arguments) try {
       "Example, beside a running runtime:\n  darwinop monitor\n"
       "On a robot, for its network (docs/monitor.md):\n  darwinop monitor --listen 0.0.0.0 --allow 192.168.123.0/24");
   CLI11_PARSE(app, count, arguments);
-  return serveOnlookers(given);
+  return serveObservers(given);
 } catch (const std::exception& error) {
   std::cerr << "darwinop monitor: " << error.what() << '\n';
   return 1;

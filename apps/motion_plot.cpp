@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/conversions.hpp"
-#include "managers/motion_text/rehearsal.hpp"
+#include "managers/motion_text/dry_run.hpp"
 #include "managers/motion_text/values.hpp"
 #include "motion_own.hpp"
 #include "motion_print.hpp"

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/conversions.hpp"
-#include "core/lead_in.hpp"
+#include "core/goals/lead_in.hpp"
 #include "managers/motion/first_step.hpp"
-#include "managers/motion_text/rehearsal.hpp"
+#include "managers/motion_text/dry_run.hpp"
 #include "managers/motion_text/values.hpp"
 #include "motion_print.hpp"
 #include "webots/motion_playback.hpp"
@@ -25,7 +25,7 @@ struct FarJoint {
 std::string wayText(const FarJoint& far, bool is_led) {
   std::string text = "its first pose is " + fixed(far.way / kRadPerDegree, 1) + " degrees away";
   if (far.way > 0) text += " (" + std::string{kJointTable.at(far.joint).name} + ")";
-  if (is_led) text += "; lead-in of " + fixed(LeadIn::durationMs(far.way) / 1000, 1) + " s";
+  if (is_led) text += "; lead-in of " + fixed(goals::LeadIn::durationMs(far.way) / 1000, 1) + " s";
   return text;
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "managers/motion_text/rehearsal.hpp"
+#include "managers/motion_text/dry_run.hpp"
 #include "managers/motion_text/values.hpp"
 
 namespace darwinop::motion {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "connect/camera.hpp"
 #include "connect/connect.hpp"
 #include "connect/controller_user.hpp"
-#include "connect/eyes.hpp"
 #include "connect/setting.hpp"
 #include "end_with_parent.hpp"
 #include "hal/diagnostics.hpp"
@@ -95,7 +95,7 @@ int serveRemote(const RemoteArguments& given) {
   const remote::ImageSize size{remote::kWholeImage.width / given.width_zoom,
                                remote::kWholeImage.height / given.height_zoom};
   const auto open_frames = [&](runtime::RobotLink& link, PictureForm form) {
-    return connect::openEyes(link, {.settings = controller.camera, .form = form, .say = sayRemote});
+    return connect::openCamera(link, {.settings = controller.camera, .form = form, .log = sayRemote});
   };
   const auto open_pictures = [&] { return robot.openPictures(size, open_frames, sayRemote); };
   remote::Server server{config, robot, open_pictures, clock, sayRemote};

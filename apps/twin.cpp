@@ -12,7 +12,7 @@
 #include "twin/body/robot_body.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/model.hpp"
-#include "twin/model/shelf.hpp"
+#include "twin/model/shipped.hpp"
 #include "twin/render/offscreen.hpp"
 #include "twin/render/png.hpp"
 #include "twin/view/named_poses.hpp"

@@ -26,22 +26,22 @@ class Painting {
     if (const int rate = painter_.wantedRate(); rate == 0 || (rate < kMostRate && ++turn_ % 2 != 0)) return;
     if (const hil::PictureSize wanted = painter_.wanted(); !(wanted == size_)) {
       size_ = wanted;
-      eyes_.reset();
+      camera_.reset();
       Body* body = nullptr;
       host_.askRobot([&body](hil::VirtualRobot& robot) { body = &robot.body(); });
       // Copies a whole model without blocking the robot: reads only what steps do not modify.
-      eyes_ = body->openEyes(size_.width, size_.height);
+      camera_ = body->openCamera(size_.width, size_.height);
       pattern_ = hil::Picture{size_.width, size_.height};
     }
-    if (eyes_ == nullptr) {
+    if (camera_ == nullptr) {
       hil::drawBall(pattern_, std::chrono::duration<double>(host_.now()).count());
       return painter_.paint(size_, pattern_.bgra);
     }
     // Capturing the scene runs in the robot's thread, rendering in this one, which may wait for the CPU.
-    host_.askRobot([this](hil::VirtualRobot&) { eyes_->look(); });
-    const CameraFrame picture = eyes_->newest();
+    host_.askRobot([this](hil::VirtualRobot&) { camera_->look(); });
+    const CameraFrame picture = camera_->newest();
     // The error picture is for people: a colour finder would take its red bar for a ball.
-    const char* const why = eyes_->blindness();
+    const char* const why = camera_->renderError();
     if (why == nullptr) return painter_.paint(size_, picture.bgra);
     painter_.giveUp(why);
     painter_.setFault(hil::CameraFault::kSilent);
@@ -54,7 +54,7 @@ class Painting {
   hil::PtyHost& host_;
   hil::FramePainter painter_;
   hil::PictureSize size_{0, 0};
-  std::unique_ptr<Eyes> eyes_;
+  std::unique_ptr<BodyCamera> camera_;
   hil::Picture pattern_{2, 2};
   unsigned turn_ = 0;
   bool blind_ = false;

@@ -35,7 +35,7 @@ void warn(const Request& request, const std::string& lines) {
     std::cerr << lines;
     return;
   }
-  constexpr std::string_view kSpeaker = "darwinop: ";  // who is told names its own program
+  constexpr std::string_view kSpeaker = "darwinop: ";  // the receiver adds its own program name
   std::istringstream rest{lines};
   for (std::string line; std::getline(rest, line);)
     request.warn(line.starts_with(kSpeaker) ? line.substr(kSpeaker.size()) : line);
@@ -109,7 +109,7 @@ std::unique_ptr<runtime::RobotLink> robotOverTcp(const Request&, const Address& 
 }
 #endif
 
-std::string troubles(const cm730::Findings& findings) {
+std::string problemText(const cm730::Findings& findings) {
   std::string text;
   for (const cm730::Finding& finding : findings)
     if (finding.level != cm730::Level::kOk) text += cm730::toText(finding);
@@ -158,7 +158,7 @@ cm730::ProbeReport check(ByteLine& line, const SerialRobot& robot, cm730::Purpos
   report.findings.push_back(cm730::clockRow(cm730::clockResolution()));
   const cm730::Policy policy = cm730::decide(report.findings, purpose);
   if (policy < cm730::Policy::kWait) return report;
-  const std::string text = "the robot on " + robot.port + " cannot be driven:\n" + troubles(report.findings) +
+  const std::string text = "the robot on " + robot.port + " cannot be driven:\n" + problemText(report.findings) +
                            stiffServos(report.facts) + "Ask for the whole list with: darwinop doctor --robot " +
                            robot.port;
   if (policy == cm730::Policy::kWait) throw cm730::NotReady(text);
@@ -203,7 +203,7 @@ OpenedBus openSerialBus(const SerialRobot& robot, cm730::Purpose purpose) {
   OpenedBus opened;
   opened.safety = withinServoLimits(robot, checked, purpose);
   opened.description = describe(robot, checked.facts, opened.safety);
-  opened.warnings = troubles(checked.findings) + troubles(startPoseFindings(checked.facts));
+  opened.warnings = problemText(checked.findings) + problemText(startPoseFindings(checked.facts));
   cm730::BusConfig config = cm730::BusConfig::forPeriod(robot.period, robot.offsets);
   config.absent = robot.safety.absent;
   config.fixed_block_length = !checked.facts.instructions.all_blocks;

@@ -27,7 +27,7 @@ struct Request {
   std::string record_path;                 // CSV of every cycle; empty: none
   std::string record_notes;                // further lines of its head, "key: value"
   std::string robot_name = "darwin-op";
-  std::function<void(const std::string&)> warn;  // is told each line of warnings; empty: stderr
+  std::function<void(const std::string&)> warn;  // receives each line of warnings; empty: stderr
 };
 
 /// Builds the link: opens the port, looks at the robot, starts the loop. Throws std::runtime_error with a

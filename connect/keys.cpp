@@ -51,7 +51,7 @@ class KeyWork {
     static_cast<void>(!::write(stop_fd_, &one, sizeof one));
     constexpr std::chrono::milliseconds kGrace{200};
     std::unique_lock lock{mutex_};
-    request_.say = nullptr;
+    request_.log = nullptr;
     stopping_ = true;
     return changed_.wait_for(lock, kGrace, [this] { return ended_; });
   }
@@ -63,9 +63,9 @@ class KeyWork {
     if (request_.from == "none") return;
     std::string why = "no window is wanted";
     if (request_.from != "terminal" && fromWindow(why)) return;
-    if (request_.from == "window") return say("no key is ever pressed: " + why);
+    if (request_.from == "window") return log("no key is ever pressed: " + why);
     if (!fromTerminal(why))
-      say("no key is ever pressed: no window (" + why +
+      log("no key is ever pressed: no window (" + why +
           "); start the controller in a terminal, or in a "
           "graphical session");
   }
@@ -78,10 +78,10 @@ class KeyWork {
         case x11::KeyWindow::End::kStopped:
           break;
         case x11::KeyWindow::End::kClosed:
-          say("its window was closed: no key is pressed from now on; Ctrl-C ends the controller");
+          log("its window was closed: no key is pressed from now on; Ctrl-C ends the controller");
           break;
         case x11::KeyWindow::End::kServerGone:
-          say("the X server is gone: no key is pressed from now on; Ctrl-C ends the controller");
+          log("the X server is gone: no key is pressed from now on; Ctrl-C ends the controller");
       }
       return true;
     } catch (const std::exception& error) {
@@ -97,9 +97,9 @@ class KeyWork {
     }
     try {
       terminal::KeyTerminal terminal{keys};
-      say("no window (" + why + "): keys are read from this terminal, one at a time; Ctrl-C ends the controller");
+      log("no window (" + why + "): keys are read from this terminal, one at a time; Ctrl-C ends the controller");
       if (terminal.run(stop_fd_, ending_) == terminal::KeyTerminal::End::kTerminalGone)
-        say("the terminal is gone: no key is pressed from now on");
+        log("the terminal is gone: no key is pressed from now on");
       return true;
     } catch (const std::exception& error) {
       why += std::string{"), no terminal ("} + error.what();
@@ -107,9 +107,9 @@ class KeyWork {
     }
   }
 
-  void say(const std::string& sentence) {
+  void log(const std::string& sentence) {
     const std::lock_guard lock{mutex_};
-    if (request_.say) request_.say(sentence);
+    if (request_.log) request_.log(sentence);
   }
 
   KeysRequest request_;

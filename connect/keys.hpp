@@ -15,9 +15,9 @@ struct KeysRequest {
   std::string from;
   /// The text of DISPLAY.
   std::string display;
-  /// Told once what keys come from where it is not a window, why there are none, and when they end. From another
+  /// Receives one message if keys come from elsewhere than a window, if there are none, and when they end. From another
   /// thread.
-  std::function<void(const std::string&)> say = {};
+  std::function<void(const std::string&)> log = {};
 };
 
 /// A thread of its own looks for keys, so this does not wait for an X server that is slow. `ending` becomes true when

@@ -29,17 +29,17 @@ class VirtualLine final : public ByteLine {
 };
 
 /// Looks whenever it is asked: nothing steps the body meanwhile.
-class LockstepEyes final : public FrameSource {
+class LockstepCamera final : public FrameSource {
  public:
-  explicit LockstepEyes(std::unique_ptr<Eyes> eyes) : eyes_{std::move(eyes)} {}
+  explicit LockstepCamera(std::unique_ptr<BodyCamera> camera) : camera_{std::move(camera)} {}
   CameraFrame newest() override {
-    eyes_->look();
-    return eyes_->newest();
+    camera_->look();
+    return camera_->newest();
   }
-  [[nodiscard]] CameraHealth health() const override { return eyes_->health(); }
+  [[nodiscard]] CameraHealth health() const override { return camera_->health(); }
 
  private:
-  std::unique_ptr<Eyes> eyes_;
+  std::unique_ptr<BodyCamera> camera_;
 };
 
 /// The loop sleeps by letting the line's time pass.
@@ -60,13 +60,13 @@ std::unique_ptr<runtime::RobotLink> lockstepRobot(const runtime::LoopConfig& con
   if (body) options.body_step = hil::kPhysicsStep;
   auto line = std::make_unique<VirtualLine>(options, std::move(body));
   auto clock = std::make_unique<LineClock>(line->memory());
-  const auto open_eyes = [&body_of_robot = line->body()](int width, int height) -> std::unique_ptr<FrameSource> {
-    std::unique_ptr<Eyes> eyes = body_of_robot.openEyes(width, height);
-    if (eyes == nullptr) return nullptr;
-    return std::make_unique<LockstepEyes>(std::move(eyes));
+  const auto open_camera = [&body_of_robot = line->body()](int width, int height) -> std::unique_ptr<FrameSource> {
+    std::unique_ptr<BodyCamera> camera = body_of_robot.openCamera(width, height);
+    if (camera == nullptr) return nullptr;
+    return std::make_unique<LockstepCamera>(std::move(camera));
   };
   auto bus = std::make_unique<OwnedBus<VirtualLine>>(std::move(line), cm730::BusConfig::forPeriod(config.period));
-  return std::make_unique<runtime::LockstepLink>(config, std::move(bus), std::move(clock), open_eyes);
+  return std::make_unique<runtime::LockstepLink>(config, std::move(bus), std::move(clock), open_camera);
 }
 
 }  // namespace darwinop::connect

@@ -52,7 +52,7 @@ std::bitset<kJoints> jointNames(std::string_view key, std::string_view value) {
   std::bitset<kJoints> joints;
   for (std::string_view rest = text::withoutBlanks(value); !rest.empty();) {
     const std::size_t comma = rest.find(',');
-    const auto joint = findJoint(text::jointName(text::withoutBlanks(rest.substr(0, comma))));
+    const auto joint = findJoint(jointName(text::withoutBlanks(rest.substr(0, comma))));
     if (!joint || (comma != rest.npos && text::withoutBlanks(rest.substr(comma + 1)).empty()))
       refuse("Robot", key, value, "give names of joints as in Webots with commas between, e.g. Neck, Head; or nothing");
     joints.set(index(*joint));
@@ -68,7 +68,7 @@ std::string atAngle(double rad) {
   return text;
 }
 
-/// Strict, unlike config.ini's: this file is new, so nobody's old one has to be understood.
+/// Strict, unlike config.ini: no old files exist that must still be read.
 class Reader final : public text::IniReader {
  public:
   explicit Reader(const std::string& path) { file_.path = path; }
@@ -121,12 +121,12 @@ class Reader final : public text::IniReader {
   }
 
   void takeOffset(std::string_view key, std::string_view value) {
-    const auto joint = findJoint(text::jointName(key));
+    const auto joint = findJoint(jointName(key));
     if (!joint) refuse("Offsets", key, value, "no joint has this name; joints are called as in Webots, e.g. Neck");
     const auto offset = text::numberFromText(value);
     if (!offset || !(std::abs(*offset) <= kMostOffset))
       refuse("Offsets", key, value,
-             "give a number from -0.2 to 0.2 rad; a horn that is further off has to be put on anew");
+             "give a number from -0.2 to 0.2 rad; a horn that is further off has to be remounted");
     file_.offsets.set(*joint, Rad{*offset});
   }
 

@@ -1,4 +1,4 @@
-// robot.ini: what one physical robot needs said about itself, whoever drives it. docs/robot-file.md
+// robot.ini: properties of one physical robot, independent of its driver. docs/robot-file.md
 #pragma once
 
 #include <optional>

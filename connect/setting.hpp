@@ -23,7 +23,7 @@ struct Setting {
 };
 
 /// Reads a setting; an empty one means the daemon if one runs, else the serial port of robot.ini. Throws
-/// std::runtime_error, with the choices, for anything that is no robot.
+/// std::runtime_error, with the choices, for anything that is not a robot.
 Setting readSetting(const std::string& text);
 
 /// The loop does not run in the controller's process: it has settings of its own, and makes recordings by itself.

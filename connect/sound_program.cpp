@@ -122,7 +122,7 @@ SoundProgram::~SoundProgram() {
   static_cast<void>(reap(0));
 }
 
-/// True: it has ended, and is no zombie.
+/// True: it has ended, and is not a zombie.
 bool SoundProgram::reap(int options) {
   if (pid_ < 0) return true;
   pid_t reaped = 0;
@@ -134,12 +134,12 @@ bool SoundProgram::reap(int options) {
 
 bool SoundProgram::order(const SoundOrder& order) {
   const audio::Message message = audio::encode(order);
-  // One that has died is noticed where news are read.
+  // One that has died is noticed where events are read.
   return send(socket_, message.data(), message.size(), MSG_DONTWAIT | MSG_NOSIGNAL) >= 0 || errno == EPIPE ||
          errno == ECONNRESET;
 }
 
-std::optional<SoundEvent> SoundProgram::news(std::chrono::milliseconds wait) {
+std::optional<SoundEvent> SoundProgram::nextEvent(std::chrono::milliseconds wait) {
   if (lost_) return std::nullopt;
   if (wait.count() > 0) {
     pollfd waiting{socket_, POLLIN, 0};
@@ -150,7 +150,7 @@ std::optional<SoundEvent> SoundProgram::news(std::chrono::milliseconds wait) {
     if (size < 0 && (errno == EINTR)) continue;
     if (size < 0 && errno == EAGAIN) return std::nullopt;
     if (size <= 0) return lost();
-    if (auto news = audio::decodeEvent({message_.data(), static_cast<std::size_t>(size)})) return news;
+    if (auto event = audio::decodeEvent({message_.data(), static_cast<std::size_t>(size)})) return event;
   }
 }
 

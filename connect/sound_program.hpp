@@ -31,7 +31,7 @@ class SoundProgram final : public SoundOutput {
   SoundProgram& operator=(const SoundProgram&) = delete;
 
   bool order(const SoundOrder& order) override;
-  std::optional<SoundEvent> news(std::chrono::milliseconds wait) override;
+  std::optional<SoundEvent> nextEvent(std::chrono::milliseconds wait) override;
 
   [[nodiscard]] pid_t pid() const { return pid_; }
 

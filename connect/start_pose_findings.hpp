@@ -6,7 +6,7 @@
 
 namespace darwinop::connect {
 
-/// A robot in another pose is no fault, as the loop moves it slowly; but somebody should look first. Each joint that
+/// A robot in another pose is not a fault, as the loop moves it slowly; but somebody should look first. Each joint that
 /// is off is named, with how much.
 cm730::Findings startPoseFindings(const cm730::RobotFacts& facts);
 

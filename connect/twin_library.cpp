@@ -7,7 +7,7 @@
 
 #include "hal/body_library.hpp"
 
-// What the build tells this file, on a PC only. A robot's programs are static: they can load nothing.
+// Definitions from the build, on a PC only. A robot's programs are static: they can load nothing.
 #ifdef DARWINOP_TWIN_FOLDERS
 #include <dlfcn.h>
 
@@ -55,33 +55,33 @@ void* orThrow(Make&& make) {
   return made;
 }
 
-class LibraryEyes final : public Eyes {
+class LibraryCamera final : public BodyCamera {
  public:
-  LibraryEyes(const BodyLibrary& library, void* eyes) : library_{library}, eyes_{eyes} {}
-  ~LibraryEyes() override { library_.close_eyes(eyes_); }
-  LibraryEyes(const LibraryEyes&) = delete;
-  LibraryEyes& operator=(const LibraryEyes&) = delete;
+  LibraryCamera(const BodyLibrary& library, void* camera) : library_{library}, camera_{camera} {}
+  ~LibraryCamera() override { library_.close_camera(camera_); }
+  LibraryCamera(const LibraryCamera&) = delete;
+  LibraryCamera& operator=(const LibraryCamera&) = delete;
 
-  void look() noexcept override { library_.look(eyes_); }
+  void look() noexcept override { library_.look(camera_); }
   CameraFrame newest() override {
     BodyPicture picture{};
-    library_.newest(eyes_, &picture);
+    library_.newest(camera_, &picture);
     if (picture.sequence != shown_) ++frames_;
     shown_ = picture.sequence;
-    blindness_ = picture.blindness;
+    render_error_ = picture.render_error;
     const auto bytes = 4 * static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
     return {picture.sequence, Nanos{picture.time_ns}, picture.width, picture.height, {picture.bgra, bytes}};
   }
   [[nodiscard]] CameraHealth health() const override {
-    return {.seeing = shown_ != 0 && blindness_ == nullptr, .frames = frames_};
+    return {.seeing = shown_ != 0 && render_error_ == nullptr, .frames = frames_};
   }
-  [[nodiscard]] const char* blindness() const noexcept override { return blindness_; }
+  [[nodiscard]] const char* renderError() const noexcept override { return render_error_; }
 
  private:
   const BodyLibrary& library_;
-  void* eyes_;
+  void* camera_;
   std::uint64_t shown_ = 0, frames_ = 0;
-  const char* blindness_ = nullptr;  // the library's
+  const char* render_error_ = nullptr;  // the library's
 };
 
 class LibraryBody final : public Body {
@@ -93,11 +93,11 @@ class LibraryBody final : public Body {
 
   void step(Nanos dt, const Drives& drives) noexcept override { library_.step(body_, dt.count(), drives.data()); }
   [[nodiscard]] const BodyState& state() const noexcept override { return *library_.state(body_); }
-  [[nodiscard]] const char* trouble() const noexcept override { return library_.trouble(body_); }
-  [[nodiscard]] std::unique_ptr<Eyes> openEyes(int width, int height) override {
-    return std::make_unique<LibraryEyes>(library_, orThrow([&](char* error, std::size_t size) {
-                                           return library_.open_eyes(body_, width, height, error, size);
-                                         }));
+  [[nodiscard]] const char* error() const noexcept override { return library_.error(body_); }
+  [[nodiscard]] std::unique_ptr<BodyCamera> openCamera(int width, int height) override {
+    return std::make_unique<LibraryCamera>(library_, orThrow([&](char* error, std::size_t size) {
+                                             return library_.open_camera(body_, width, height, error, size);
+                                           }));
   }
 
  private:
@@ -129,7 +129,7 @@ const BodyLibrary& load(const std::string& path) {
                              ". Are the packages of ./dev help packages installed (libmujoco)?");
   void* const entry = dlsym(handle, kBodyLibraryEntry);
   if (entry == nullptr)
-    throw std::runtime_error(path + " is no library of the physics twin: " + dlProblem() + ". Correct " + kVariable);
+    throw std::runtime_error(path + " is not a library of the physics twin: " + dlProblem() + ". Correct " + kVariable);
   const BodyLibrary* const library = reinterpret_cast<BodyLibraryEntry>(entry)();
   const std::string ours = bodyLibraryVersion(DARWINOP_VERSION);
   const std::string theirs = library == nullptr ? "none" : library->version;

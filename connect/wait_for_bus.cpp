@@ -28,17 +28,17 @@ void pauseFor(Nanos time) {
 }
 
 std::optional<OpenedBus> waitForBus(const std::function<OpenedBus()>& open, const std::atomic<bool>& stop,
-                                    const std::function<void(const std::string&)>& tell,
+                                    const std::function<void(const std::string&)>& log,
                                     const std::function<void(Nanos)>& pause) {
   std::string waiting_for;
   for (Nanos next = kFirstPause; !stop; next = std::min(2 * next, kLongestPause)) {
     try {
       OpenedBus opened = open();
-      if (!waiting_for.empty()) tell("the robot is there: " + opened.description);
+      if (!waiting_for.empty()) log("the robot is there: " + opened.description);
       return opened;
     } catch (const cm730::NotReady& not_yet) {
       if (const std::string now = withoutDigits(not_yet.what()); now != waiting_for) {
-        tell(std::string{"waiting for the robot: "} + not_yet.what());
+        log(std::string{"waiting for the robot: "} + not_yet.what());
         waiting_for = now;
       }
     }

@@ -11,10 +11,10 @@
 namespace darwinop::connect {
 
 /// Calls `open` until it succeeds, and pauses between the attempts: 0.2 s, then longer, 2 s at most. Waits only for
-/// what may come yet (cm730::NotReady); every other error is thrown at once. Tells what it waits for, again
+/// what may come yet (cm730::NotReady); every other error is thrown at once. Logs what it waits for, again
 /// when that changes, and once that it came. Nothing: `stop` became true.
 std::optional<OpenedBus> waitForBus(const std::function<OpenedBus()>& open, const std::atomic<bool>& stop,
-                                    const std::function<void(const std::string&)>& tell,
+                                    const std::function<void(const std::string&)>& log,
                                     const std::function<void(Nanos)>& pause);
 
 /// Sleeps; a signal ends it early.

@@ -1,4 +1,4 @@
-// What a controller asks of the robot in one cycle. Newest wins; a default-built image asks for nothing.
+// Requests of a controller for one cycle. The newest image counts; a default-built one requests nothing.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace darwinop {
 
-/// One joint's wishes. A field counts only when its bit in `set` is on; use the functions, they set it.
-/// Values are as the controller gave them: safety judges them, nobody before it.
+/// Requests for one joint. A field counts only if its bit in `set` is on; the functions set it.
+/// Values are as the controller gave them; only safety checks them.
 struct JointCommand {
   enum Bit : std::uint8_t { kGoal = 1, kSpeedLimit = 2, kTorqueLimit = 4, kPGain = 8, kTorque = 16 };
 
@@ -89,8 +89,8 @@ struct Commands {
   std::uint64_t sequence = 0;
   /// When the image was made, ns on the clock of the loop.
   std::int64_t made_ns = 0;
-  /// True in the last image of a controller that ends tidily.
-  Flag farewell{};
+  /// True in the last image of a controller that ends normally.
+  Flag end_of_session{};
   /// Counts requests to clear latched faults; a change is one request. Ignored while `unattended`.
   std::uint32_t fault_resets = 0;
   /// Skip the slow move to the start pose that a new session begins with, and take over where the robot is.
@@ -100,7 +100,7 @@ struct Commands {
   Flag unattended{};
   /// Read once, in the first image of a session.
   SessionSettings settings{};
-  /// Requests of a person beside the controller, whoever drives; the loop fills them in. A change is one request.
+  /// Requests of a person, independent of the controller; the loop fills them in. A change is one request.
   std::uint32_t operator_resets = 0;    // clear latched faults
   std::uint32_t operator_releases = 0;  // torque off on every joint
 };

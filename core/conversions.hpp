@@ -5,21 +5,10 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/servo_limits.hpp"
 #include "core/units.hpp"
 
 namespace darwinop {
-
-// Source: MX-28 control table. 4096 steps a turn, 2048 is the middle of the range.
-inline constexpr int kTickCentre = 2048;
-inline constexpr int kTickMax = 4095;
-inline constexpr double kRadPerTick = 2.0 * kPi / 4096.0;  // 1.533981 mrad
-
-// Source: MX-28 control table, moving speed and present speed: 0.114 rpm a count.
-inline constexpr double kRadPerSecPerCount = 0.114 * kPi / 30.0;  // 0.0119381 rad/s
-
-// Source: MX-28 data sheet: stall torque 2.5 N m at 12 V is a torque limit of 1023.
-inline constexpr double kMaxTorqueNm = 2.5;
-inline constexpr int kTorqueMax = 1023;
 
 /// Nearest whole number, the even one of two, as std::nearbyint() rounds by default: adding 1.5 * 2^52 leaves no bits
 /// for a fraction. From 2^51 on it may be off by one; what is rounded here is clamped to a register afterwards.
@@ -52,13 +41,13 @@ constexpr RadPerSec velocityFromRegister(std::uint16_t raw) {
 /// Inverse of velocityFromRegister, saturating at 1023 counts.
 inline std::uint16_t registerFromVelocity(RadPerSec velocity) {
   const auto magnitude =
-      static_cast<std::uint16_t>(nearestWithin(std::abs(velocity.value) / kRadPerSecPerCount, 0, 1023));
+      static_cast<std::uint16_t>(nearestWithin(std::abs(velocity.value) / kRadPerSecPerCount, 0, kSpeedMax));
   return velocity.value < 0 && magnitude > 0 ? static_cast<std::uint16_t>(magnitude | 1024) : magnitude;
 }
 
 /// Moving speed register (32): 1..1023; 0 would mean "no limit", so a limit never becomes 0.
 inline std::uint16_t registerFromSpeedLimit(RadPerSec limit) {
-  return static_cast<std::uint16_t>(nearestWithin(std::abs(limit.value) / kRadPerSecPerCount, 1, 1023));
+  return static_cast<std::uint16_t>(nearestWithin(std::abs(limit.value) / kRadPerSecPerCount, 1, kSpeedMax));
 }
 
 /// Present load register (40): fraction of the greatest torque, -1..1, positive when pushing counter-clockwise.
@@ -81,9 +70,12 @@ constexpr NewtonMeter torqueFromRegister(std::uint16_t raw) {
   return NewtonMeter{(raw & 1023) * kMaxTorqueNm / kTorqueMax};
 }
 
-/// P gain register (28): Kp * 8, 0..254 (MX-28 manual: Kp = P / 8).
+// Source: MX-28 manual: Kp = P / 8.
+inline constexpr double kRegisterPerKp = 8;
+
+/// P gain register (28), 0..254.
 inline std::uint8_t registerFromPGain(double kp) {
-  return static_cast<std::uint8_t>(nearestWithin(kp * 8.0, 0, 254));
+  return static_cast<std::uint8_t>(nearestWithin(kp * kRegisterPerKp, 0, 254));
 }
 
 /// Registers in tenths of a volt (MX-28 42, CM-730 50).

@@ -1,5 +1,5 @@
 // Faults and limits: what can go wrong, what the robot does about it, what a person should do.
-// One row a fault; log lines, docs/faults.md and remote messages are these rows.
+// One row a fault; log lines, docs/faults.md and remote messages are these rows. A new fault: CONTRIBUTING.md.
 #pragma once
 
 #include <array>
@@ -33,12 +33,20 @@ enum class Fault : std::uint8_t {
 
 /// What safety does, from mildest to strongest. A reaction must be one the fault still permits.
 enum class Reaction : std::uint8_t {
-  kReport,       // tell, nothing else
+  kReport,       // report only
   kSlow,         // joints move at the gentle speed
   kHold,         // keep the last safe goals
   kKneel,        // slow move to the start pose (sitting), then limp
   kLimp,         // torque off; the robot may drop
-  kStopSending,  // nothing can be told to a bus that does not answer
+  kStopSending,  // a bus that does not answer receives nothing
+};
+
+/// The cycles in which the cause of a fault is looked for; times are counted in these.
+enum class Checked : std::uint8_t {
+  kAlways,  // each cycle
+  kBoard,   // cycles in which the board answers
+  kServo,   // cycles in which the servo answers
+  kPoll,    // the round-robin poll of the servo's temperature and torque, once a second or more often
 };
 
 struct FaultRow {
@@ -47,61 +55,97 @@ struct FaultRow {
   bool latched;          // false: goes away with its cause
   bool ends_controller;  // true: step() returns -1
   std::string_view name, meaning, remedy;
+  // Of docs/faults.md only.
+  Checked checked;
+  std::string_view ends;  // when it goes away, or can be reset; empty: when its cause is gone
+  std::string_view details = "";
 };
 
-// Thresholds named here stand in safety/config.hpp.
+// Thresholds named here stand in safety/config.hpp; tests/safety/fault_docs_test.cpp compares them.
 inline constexpr auto kFaultTable = std::to_array<FaultRow>({
     {Fault::kBusSilent, Reaction::kStopSending, false, false, "bus_silent",
      "the CM-730 board has not answered for more than 5 cycles",
-     "check the USB cable and the robot's power switch; the runtime goes on by itself when the board is back"},
+     "check the USB cable and the robot's power switch; the runtime goes on by itself when the board is back",
+     Checked::kAlways, "",
+     "Powered servos hold their last goal. At the first answer joints continue gently from where they are; without a "
+     "controller the robot kneels."},
     {Fault::kBoardReset, Reaction::kLimp, true, true, "board_reset",
      "servo power was lost while the robot was under torque: RESET was pressed or the supply dipped",
      "hold the robot, then press START or start the controller again; if nobody pressed RESET, check battery and "
-     "connector"},
+     "connector",
+     Checked::kBoard, "",
+     "Two answers in a row. A joint counts as under torque until polled after a torque "
+     "off "
+     "(0.4 s); `NAME.held` in `/dev/shm` keeps this across loops."},
     {Fault::kServoSilent, Reaction::kReport, false, false, "servo_silent",
      "a servo has not answered for half a second, or does not take what is written to it",
-     "check the cable that leads to the first silent servo of its chain"},
+     "check the cable that leads to the first silent servo of its chain", Checked::kAlways, "",
+     "`silent_s`, not in the first second of servo power; or 20 takeovers in a row (a second) did not store goal and "
+     "speed. From the first missed answer on the joint gets no goal: a restarted servo would move without a speed "
+     "limit. "
+     "It continues if the servo kept torque and speed limit, and is taken over gently otherwise or after 5 cycles. A "
+     "servo silent at start gets no goals until the next start."},
     {Fault::kServoPowerOff, Reaction::kReport, false, false, "servo_power_off",
      "the CM-730 reports that servo power is off although it was on",
-     "nothing: it is switched on again, at most 3 times in 60 s; after that press START or start a controller"},
+     "nothing: it is switched on again, at most 3 times in 60 s; after that press START or start a controller",
+     Checked::kBoard, "", "No joint gets a goal meanwhile."},
     {Fault::kBatteryLow, Reaction::kReport, false, false, "battery_low", "the supply is under 11.0 V for 2 s",
-     "charge or change the battery soon"},
+     "charge or change the battery soon", Checked::kBoard, "above 11.3 V for 2 s", "`battery_low`."},
     {Fault::kBatteryEmpty, Reaction::kKneel, true, true, "battery_empty", "the supply is under 10.0 V for 2 s",
-     "change the battery, then start the controller again"},
+     "change the battery, then start the controller again", Checked::kBoard, "above 10.3 V for 2 s",
+     "`battery_empty`."},
     {Fault::kServoHot, Reaction::kSlow, false, false, "servo_hot", "a servo is at 65 deg C or more",
-     "give the robot a rest; joints move at the gentle speed until it has cooled to 60 deg C"},
+     "give the robot a rest; joints move at the gentle speed until it has cooled to 60 deg C", Checked::kPoll,
+     "at 60 deg C", "`hot`, in two readings."},
     {Fault::kServoOverheat, Reaction::kKneel, true, true, "servo_overheat",
      "a servo is at 75 deg C or more, or has set its overheating bit (it shuts itself off at 80)",
-     "let it cool, look for a joint that works against a stop, then start the controller again"},
+     "let it cool, look for a joint that works against a stop, then start the controller again", Checked::kPoll,
+     "at 70 deg C without the bit", "`overheat`, in two readings, or the bit in two replies; it then gets no goals."},
     {Fault::kServoOverload, Reaction::kKneel, true, true, "servo_overload",
      "a servo has shut itself off: its overload bit is set, or its torque or torque limit is found off",
-     "free the joint, then start the controller again: torque limit and torque are restored together"},
+     "free the joint, then start the controller again: torque limit and torque are restored together", Checked::kServo,
+     "once the joint is free, or ends when the controller switches its torque off and on",
+     "The bit in two replies, torque limit 0 or torque off without a restart in two polls, or torque limit 0 after two "
+     "takeovers. From the first suspicion nothing is written to the servo, because a torque limit would switch it on. "
+     "Routine writes omit torque limits; while a servo works at 80 % or more of its limit, a changed one is written "
+     "without "
+     "its goal, in one of 8 to 15 cycles. After a reset an overload bit counts from 0.3 s of torque on."},
     {Fault::kServoVoltage, Reaction::kReport, false, false, "servo_voltage",
-     "a servo reports a supply outside its limits (6 to 16 V)", "check battery and cables"},
+     "a servo reports a supply outside its limits (6 to 16 V)", "check battery and cables", Checked::kServo,
+     "after 1 s", "Lasts 0.1 s."},
     {Fault::kEncoderStuck, Reaction::kReport, false, false, "encoder_stuck",
      "a servo pushed both ways for half a second each, and its position stayed the same to the tick",
-     "stop the controller, move the joint by hand and watch its position; if it stays the same, replace the servo"},
+     "stop the controller, move the joint by hand and watch its position; if it stays the same, replace the servo",
+     Checked::kServo, "", "Pushed: with 0.75 N m or more. A joint clamped from both sides looks the same."},
     {Fault::kFell, Reaction::kReport, false, false, "fell", "the trunk is tilted by more than 60 deg for 0.5 s",
-     "stand the robot up; a controller that can get up may do so (set [Safety] on_fall = limp to forbid it)"},
+     "stand the robot up; a controller that can get up may do so (set [Safety] on_fall = limp to forbid it)",
+     Checked::kBoard, "under 45 deg for 0.5 s",
+     "`fall_tilt`. With `on_fall = limp` torque goes off and returns gently."},
     {Fault::kReleasedByButton, Reaction::kLimp, true, true, "released_by_button", "the robot was released with MODE",
-     "hold the robot, then press START or start the controller again"},
+     "hold the robot, then press START or start the controller again", Checked::kBoard, "",
+     "Held for 0.25 s. `release_button = none` gives it to the controller."},
     {Fault::kStartMissed, Reaction::kReport, false, false, "start_missed",
      "a joint did not reach the start pose in the slow move to it",
-     "look for what blocks the joint, then start the controller again"},
+     "look for what blocks the joint, then start the controller again", Checked::kAlways, "at the next start",
+     "Within `start_tolerance`. The controller drives and prints the joint names."},
     {Fault::kReleasedByOperator, Reaction::kLimp, true, true, "released_by_operator",
-     "a person released the robot: with `darwinop runtime --release`, or before the runtime was started anew",
-     "hold the robot, then press START or start the controller again"},
+     "a person released the robot: with `darwinop runtime --release`, or before the runtime was restarted",
+     "hold the robot, then press START or start the controller again", Checked::kAlways, "",
+     "The previous daemon left the robot released (31, 33) or without power (11)."},
     {Fault::kControllerStalled, Reaction::kHold, false, false, "controller_stalled",
      "the controller has not called step() for 500 ms",
-     "the last safe goals are held; it goes on when step() is called"},
+     "the last safe goals are held; it goes on when step() is called", Checked::kAlways, "",
+     "`stall_ms`, not during takeover and start."},
     {Fault::kControllerGone, Reaction::kKneel, false, false, "controller_gone",
-     "the controller has been silent for 10 s and has not said farewell",
-     "the robot sits down slowly and lets go; start a controller to take over"},
+     "the controller has been silent for 10 s and has not ended its session",
+     "the robot sits down slowly and releases torque; start a controller to take over", Checked::kAlways, "",
+     "`gone_s`. After a regular end `on_exit` applies."},
 });
 
-inline constexpr FaultRow kNoFault{Fault::kNone, Reaction::kReport, false, false, "none", "all is well", ""};
+inline constexpr FaultRow kNoFault{Fault::kNone, Reaction::kReport, false, false, "none", "all is well",
+                                   "",           Checked::kAlways,  ""};
 
-/// The row of a fault; kNoFault for kNone and for numbers that are no fault.
+/// The row of a fault; kNoFault for kNone and for numbers that are not faults.
 constexpr const FaultRow& row(Fault fault) {
   for (const FaultRow& r : kFaultTable)
     if (r.fault == fault) return r;

@@ -1,6 +1,7 @@
 // The twenty joints of a DARwIn-OP: ids, names, limits, start pose, wiring. Nothing here is typed twice.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <bitset>
@@ -124,6 +125,15 @@ constexpr std::optional<Joint> findJoint(std::string_view name) {
   for (std::size_t i = 0; i < kJoints; ++i)
     if (kJointTable[i].name == name) return static_cast<Joint>(i);
   return std::nullopt;
+}
+
+/// The table's spelling of `key`, compared without regard to (ASCII) case; `key` itself if it is not a joint's name.
+constexpr std::string_view jointName(std::string_view key) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  const auto is_same = [&](char a, char b) { return lower(a) == lower(b); };
+  for (const JointRow& joint : kJointTable)
+    if (std::equal(joint.name.begin(), joint.name.end(), key.begin(), key.end(), is_same)) return joint.name;
+  return key;
 }
 
 /// True for the joints of the two legs, ids 7..18.

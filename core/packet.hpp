@@ -121,7 +121,7 @@ class BulkReadEncoder {
   FrameParams params_;
 };
 
-/// A frame found in a stream: instruction or status, told apart only by who sent it.
+/// A frame found in a stream: instruction or status, distinguished only by its sender.
 struct Frame {
   std::uint8_t id = 0;
   std::uint8_t code = 0;  // instruction, or error bits of a status

@@ -9,6 +9,7 @@
 #include <span>
 #include <string_view>
 
+#include "core/servo_limits.hpp"
 #include "core/units.hpp"
 
 namespace darwinop {
@@ -39,7 +40,7 @@ inline constexpr auto M = Memory::kRam;
 // Turn a robot by 360 degrees on a table and integrate gyro.z of the recording: 360 confirms this, 413 the simulator's.
 inline constexpr double kGyroScale = 0.070 * 64.0 * 4.0 / 5.0 * kRadPerDegree;
 // CM-730 firmware: raw16 / 64 at +-4 g full scale: 128 counts a g. (The user guide says 3 g.)
-inline constexpr double kAccelScale = 9.80665 / 128.0;
+inline constexpr double kAccelScale = kGravity / 128.0;
 }  // namespace detail
 
 inline constexpr std::uint8_t kBoardId = 200;
@@ -78,12 +79,13 @@ inline constexpr auto kMx28 = std::to_array<Register>({
     {"id", 3, 1, detail::W, detail::E, 1, 0, 253, 0, 1, "", ""},
     {"baud", 4, 1, detail::W, detail::E, 34, 0, 254, 0, 1, "", "rate = 2000000 / (n + 1); factory 57142"},
     {"return_delay", 5, 1, detail::W, detail::E, 250, 0, 254, 0, 2e-6, "s", "2 us a count; factory 500 us"},
-    {"cw_limit", 6, 2, detail::W, detail::E, 0, 0, 4095, 2048, 2 * kPi / 4096, "rad", ""},
-    {"ccw_limit", 8, 2, detail::W, detail::E, 4095, 0, 4095, 2048, 2 * kPi / 4096, "rad", ""},
+    {"cw_limit", 6, 2, detail::W, detail::E, 0, 0, 4095, 2048, kRadPerTick, "rad", ""},
+    {"ccw_limit", 8, 2, detail::W, detail::E, 4095, 0, 4095, 2048, kRadPerTick, "rad", ""},
     {"temperature_limit", 11, 1, detail::W, detail::E, 80, 0, 99, 0, 1, "deg C", ""},
     {"low_voltage_limit", 12, 1, detail::W, detail::E, 60, 50, 160, 0, 0.1, "V", ""},
     {"high_voltage_limit", 13, 1, detail::W, detail::E, 160, 50, 160, 0, 0.1, "V", ""},
-    {"max_torque", 14, 2, detail::W, detail::E, 1023, 0, 1023, 0, 2.5 / 1023, "N m", "copied to 34 at power-up"},
+    {"max_torque", 14, 2, detail::W, detail::E, 1023, 0, 1023, 0, kMaxTorqueNm / kTorqueMax, "N m",
+     "copied to 34 at power-up"},
     {"status_level", 16, 1, detail::W, detail::E, 2, 0, 2, 0, 1, "", "0 ping, 1 and read, 2 all"},
     {"alarm_led", 17, 1, detail::W, detail::E, 36, 0, 127, 0, 1, "bits", "error bits that blink the LED"},
     {"shutdown", 18, 1, detail::W, detail::E, 36, 0, 127, 0, 1, "bits",
@@ -94,13 +96,14 @@ inline constexpr auto kMx28 = std::to_array<Register>({
     {"led", 25, 1, detail::W, detail::M, 0, 0, 1, 0, 1, "bool", ""},
     {"d_gain", 26, 1, detail::W, detail::M, 0, 0, 254, 0, 4.0 / 1000, "", "Kd = D * 4 / 1000"},
     {"i_gain", 27, 1, detail::W, detail::M, 0, 0, 254, 0, 1000.0 / 2048, "", "Ki = I * 1000 / 2048"},
-    {"p_gain", 28, 1, detail::W, detail::M, 32, 0, 254, 0, 1.0 / 8, "", "Kp = P / 8"},
+    {"p_gain", 28, 1, detail::W, detail::M, 32, 0, 254, 0, kGainPerCount, "", "Kp = P / 8"},
     {"reserved29", 29, 1, detail::W, detail::M, 0, 0, 255, 0, 1, "", "must be written when a write spans 28..30"},
-    {"goal_position", 30, 2, detail::W, detail::M, 2048, 0, 4095, 2048, 2 * kPi / 4096, "rad", "power-up: present"},
-    {"moving_speed", 32, 2, detail::W, detail::M, 0, 0, 1023, 0, 0.114 * kPi / 30, "rad/s", "0: unlimited"},
-    {"torque_limit", 34, 2, detail::W, detail::M, 1023, 0, 1023, 0, 2.5 / 1023, "N m", "0 after a shutdown"},
-    {"present_position", 36, 2, detail::R, detail::M, 2048, 0, 4095, 2048, 2 * kPi / 4096, "rad", ""},
-    {"present_speed", 38, 2, detail::R, detail::M, 0, 0, 2047, 0, 0.114 * kPi / 30, "rad/s", "bit 10: clockwise"},
+    {"goal_position", 30, 2, detail::W, detail::M, 2048, 0, 4095, 2048, kRadPerTick, "rad", "power-up: present"},
+    {"moving_speed", 32, 2, detail::W, detail::M, 0, 0, 1023, 0, kRadPerSecPerCount, "rad/s", "0: unlimited"},
+    {"torque_limit", 34, 2, detail::W, detail::M, 1023, 0, 1023, 0, kMaxTorqueNm / kTorqueMax, "N m",
+     "0 after a shutdown"},
+    {"present_position", 36, 2, detail::R, detail::M, 2048, 0, 4095, 2048, kRadPerTick, "rad", ""},
+    {"present_speed", 38, 2, detail::R, detail::M, 0, 0, 2047, 0, kRadPerSecPerCount, "rad/s", "bit 10: clockwise"},
     {"present_load", 40, 2, detail::R, detail::M, 0, 0, 2047, 0, 1.0 / 1023, "of max torque", "bit 10: clockwise"},
     {"present_voltage", 42, 1, detail::R, detail::M, 118, 0, 255, 0, 0.1, "V", ""},
     {"present_temperature", 43, 1, detail::R, detail::M, 30, 0, 255, 0, 1, "deg C", ""},

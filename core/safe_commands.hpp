@@ -1,5 +1,5 @@
-// Commands that have passed the safety layer. The bus takes nothing else, and only safety::Guard can make one:
-// there is no way round it that compiles.
+// Commands that have passed the safety layer. The bus accepts nothing else, and only safety::Guard can make one:
+// bypassing it does not compile.
 #pragma once
 
 #include <array>

@@ -27,12 +27,12 @@ struct Freshness {
 };
 
 /// So many answers in a row may be lost before the last goals are not trusted any more: of the board, the link counts
-/// as lost; of one servo, it is taken over anew. Lost answers are normal on this bus.
+/// as lost; of one servo, it is taken over again. Lost answers are normal on this bus.
 inline constexpr std::uint32_t kAnswerPatience = 5;  // cycles
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Values are the last received ones; NaN until the first. `motion` and `health` tell how old they are.
+/// Values are the last received ones; NaN until the first. `motion` and `health` are their ages.
 struct JointSensors {
   Freshness motion;             // age of position, velocity, load, error_bits
   Rad position;                 // rad
@@ -57,7 +57,7 @@ struct BoardSensors {
   std::array<RadPerSec, 3> gyro;              // x, y, z, rad/s
   std::array<MeterPerSec2, 3> accelerometer;  // x, y, z, m/s2; upright 0, 0, +9.8
   std::uint8_t buttons = 0;                   // 1 MODE, 2 START
-  bool buttons_known = true;                  // false: who tells of the board has no word for them
+  bool buttons_known = true;                  // false: the source of these values has no buttons
   Volt voltage;
   double microphone_left = kUnknown;  // 0..1023
   bool servo_power = false;

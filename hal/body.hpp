@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/joints.hpp"
+#include "core/units.hpp"
 #include "hal/byte_line.hpp"
 #include "hal/frame_source.hpp"
 
@@ -37,19 +38,19 @@ struct JointMotion {
 
 struct BodyState {
   std::array<JointMotion, kJoints> joint{};
-  std::array<double, 3> gyro_rad_s{};               // x, y, z
-  std::array<double, 3> accel_m_s2{0, 0, 9.80665};  // x, y, z; upright and at rest
-  std::uint8_t buttons = 0;                         // 1 MODE, 2 START
+  std::array<double, 3> gyro_rad_s{};                // x, y, z
+  std::array<double, 3> accel_m_s2{0, 0, kGravity};  // x, y, z; upright and at rest
+  std::uint8_t buttons = 0;                          // 1 MODE, 2 START
 };
 
 /// The camera of a body. The body must outlive it.
-class Eyes : public FrameSource {
+class BodyCamera : public FrameSource {
  public:
   /// Captures the present scene; the body must not step during this call. newest() then renders it, which may take
   /// milliseconds, while the body may step.
   virtual void look() noexcept = 0;
   /// Why it cannot render, known after newest(); null: it can.
-  [[nodiscard]] virtual const char* blindness() const noexcept { return nullptr; }
+  [[nodiscard]] virtual const char* renderError() const noexcept { return nullptr; }
 };
 
 class Body {
@@ -58,10 +59,10 @@ class Body {
   virtual void step(Nanos dt, const Drives& drives) noexcept = 0;
   [[nodiscard]] virtual const BodyState& state() const noexcept = 0;
   /// Why the simulation has stopped; null: no error. After an error the state is the last valid one.
-  [[nodiscard]] virtual const char* trouble() const noexcept { return nullptr; }
+  [[nodiscard]] virtual const char* error() const noexcept { return nullptr; }
   /// A camera with this picture size; null: the body has none. The body may step during this call; slow initialization
   /// is deferred to the first picture. Throws std::runtime_error if the size is out of range.
-  [[nodiscard]] virtual std::unique_ptr<Eyes> openEyes(int /*width*/, int /*height*/) { return nullptr; }
+  [[nodiscard]] virtual std::unique_ptr<BodyCamera> openCamera(int /*width*/, int /*height*/) { return nullptr; }
 };
 
 }  // namespace darwinop

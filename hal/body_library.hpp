@@ -19,7 +19,7 @@ struct BodyPicture {
   std::int64_t time_ns;
   int width, height;
   const std::uint8_t* bgra;
-  const char* blindness;  // error message if the picture is a test pattern that shows it; null: no error
+  const char* render_error;  // error message if the picture is a test pattern that shows it; null: no error
 };
 
 /// The function table. No function throws.
@@ -29,13 +29,13 @@ struct BodyLibrary {
   void* (*make)(const char* model, std::uint64_t seed, char* error, std::size_t size);
   void (*step)(void* body, std::int64_t dt_ns, const ServoDrive* drives);  // array of kJoints
   const BodyState* (*state)(const void* body);
-  const char* (*trouble)(const void* body);  // as Body::trouble()
+  const char* (*error)(const void* body);  // as Body::error()
   void (*end)(void* body);
   // Camera, as in hal/body.hpp. Null on failure, as with make().
-  void* (*open_eyes)(void* body, int width, int height, char* error, std::size_t size);
-  void (*look)(void* eyes);
-  void (*newest)(void* eyes, BodyPicture* picture);
-  void (*close_eyes)(void* eyes);
+  void* (*open_camera)(void* body, int width, int height, char* error, std::size_t size);
+  void (*look)(void* camera);
+  void (*newest)(void* camera, BodyPicture* picture);
+  void (*close_camera)(void* camera);
 };
 using BodyLibraryEntry = const BodyLibrary* (*)();
 

@@ -12,7 +12,7 @@
 
 namespace darwinop {
 
-/// Readings of one servo in this cycle. Valid only if `answered` (below the line: if `looked`) is true.
+/// Readings of one servo. Fields are of this cycle if `answered` (below the line: if `looked`) is true, else undefined.
 struct ServoReading {
   bool answered = false;
   Rad position;
@@ -29,6 +29,7 @@ struct ServoReading {
   Celsius temperature;
 };
 
+/// Readings of the board. Fields are of this cycle if `answered` is true, else undefined.
 struct BoardReading {
   bool answered = false;
   std::array<RadPerSec, 3> gyro;
@@ -49,7 +50,7 @@ struct BusReadings {
   LinkCounters link{};
   std::bitset<kJoints> silent;  // omitted from the read list, retried periodically
 
-  /// Nothing has answered. Fields that do not count then keep what they held.
+  /// Clears the flags; all other fields keep their values of earlier cycles.
   void forget() noexcept {
     for (ServoReading& one : servo) one.answered = one.looked = false;
     board.answered = false;
@@ -63,7 +64,8 @@ class ServoBus {
   /// One SyncWrite (two while a servo works at its torque limit and limits change), and rarely one write to the board
   /// (LEDs, servo power).
   virtual void write(const SafeCommands& commands) noexcept = 0;
-  /// One BulkRead. Overwrites `readings` completely: servos without a reply are absent.
+  /// One BulkRead. Sets every flag (`answered`, `looked`), and the fields whose flag is true; the others keep the
+  /// values of earlier cycles. Also sets `wire`, `link` and `silent`.
   virtual void read(BusReadings& readings) noexcept = 0;
 };
 

@@ -11,7 +11,7 @@
 namespace darwinop {
 
 enum class SignalEffect {
-  kEnds,      // ends tidily: the robot comes to rest first
+  kEnds,      // ends normally: the robot comes to rest first
   kIgnored,   // has no effect, where its default would end or stop the process
   kNoEffect,  // the default, which changes nothing
   kKills,     // ends the process at once: a defect of the program, or kill -9. The supervisor's rescue takes over

@@ -74,7 +74,7 @@ class SoundOutput {
   /// Does not block. Returns false if the output is lost or too many commands are queued.
   virtual bool order(const SoundOrder& order) = 0;
   /// The next event; waits at most `wait`.
-  virtual std::optional<SoundEvent> news(std::chrono::milliseconds wait) = 0;
+  virtual std::optional<SoundEvent> nextEvent(std::chrono::milliseconds wait) = 0;
 };
 
 }  // namespace darwinop

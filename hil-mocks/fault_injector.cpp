@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/units.hpp"
 #include "hil-mocks/wire_faults.hpp"
 
 namespace darwinop::hil {
@@ -12,7 +13,6 @@ namespace {
 constexpr Nanos kRampStep = std::chrono::milliseconds{100};
 // After a shutdown a servo reports it for longer than this: it cools slowly, and the overload bit stays.
 constexpr Nanos kShortestCause = std::chrono::milliseconds{600};
-constexpr double kGravity = 9.80665;
 
 Nanos seconds(double s) {
   return std::chrono::duration_cast<Nanos>(std::chrono::duration<double>(s));
@@ -107,8 +107,7 @@ void FaultInjector::begin(const Fault& fault, VirtualBoard& board) noexcept {
 void FaultInjector::babble(Active& source, Nanos now, VirtualBoard& board) noexcept {
   if (source.next_draw > now) return;
   std::array<std::uint8_t, 64> bytes;
-  const std::size_t count =
-      std::min(bytes.size(), 1 + std::size_t{random_.below(static_cast<std::size_t>(source.fault.amount))});
+  const std::size_t count = std::min(bytes.size(), 1 + random_.below(static_cast<std::size_t>(source.fault.amount)));
   for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<std::uint8_t>(random_.below(256));
   board.babble(Bytes{bytes}.first(count));
   source.next_draw = now + seconds(random_.between(0.0005, 0.02));
@@ -137,8 +136,8 @@ Fault FaultInjector::randomFault(FaultKind kind, Nanos at) noexcept {
   fault.fall = static_cast<Fall>(random_.below(4));
   fault.way = static_cast<Way>(1 + random_.below(3));
   fault.bits = static_cast<std::uint8_t>(random_.below(128));
-  fault.chance = 0.01 + 0.2 * random_.fraction();
-  fault.amount = 1 + random_.below(8);  // bytes or ms
+  fault.chance = 0.01 + 0.2 * random_.uniform();
+  fault.amount = 1 + static_cast<double>(random_.below(8));  // bytes or ms
   if (kind == FaultKind::kHeat) fault.amount = random_.between(40, 90);
   if (kind == FaultKind::kVoltage) fault.amount = random_.between(5, 16.5);
   if (kind == FaultKind::kJam) fault.amount = random_.between(0.35, 2);
@@ -159,7 +158,7 @@ Fault FaultInjector::randomFault(FaultKind kind, Nanos at) noexcept {
 std::bitset<kJoints> FaultInjector::randomJoints() noexcept {
   std::bitset<kJoints> joints;
   const std::size_t first = random_.below(kJoints);
-  const std::uint32_t way = random_.below(8);
+  const std::size_t way = random_.below(8);
   const std::uint64_t any = random_.next();
   for (std::size_t i = 0; i < kJoints; ++i) {
     const JointRow &one = kJointTable[first], &other = kJointTable[i];
@@ -237,7 +236,7 @@ void FaultInjector::pass(Chunk& chunk, Way way) noexcept {
       return false;
     }
     const bool same_way = (static_cast<int>(fault.way) & static_cast<int>(way)) != 0;
-    if (!isWireFault(fault.kind) || !same_way || random_.fraction() >= fault.chance) return false;
+    if (!isWireFault(fault.kind) || !same_way || random_.uniform() >= fault.chance) return false;
     spoil(chunk, fault, random_);
     return fault.lasts == Nanos{0};
   });

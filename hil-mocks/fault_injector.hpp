@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "core/random.hpp"
 #include "hil-mocks/chunk.hpp"
 #include "hil-mocks/fault.hpp"
-#include "hil-mocks/random.hpp"
 #include "hil-mocks/virtual_board.hpp"
 
 namespace darwinop::hil {
@@ -56,7 +56,7 @@ class FaultInjector {
   void planNext(Nanos now) noexcept;
 
   std::uint64_t seed_;
-  Random random_;
+  Rng random_;
   std::vector<Fault> waiting_;  // sorted, latest first
   std::vector<Active> active_;
   std::uint64_t begun_ = 0;

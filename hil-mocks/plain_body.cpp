@@ -11,11 +11,8 @@ namespace {
 
 // MX-28 rotor inertia through the 193:1 gear (about 0.003 kg m2) plus a light limb.
 constexpr double kInertia = 0.004;
-// MX-28 data sheet at 12 V: 2.5 N m stall, 55 rpm no load; the quotient is the damping of the shorted motor.
-constexpr double kNominalV = 12.0;
-constexpr double kBackEmf = kMaxTorqueNm / (55.0 * kPi / 30.0);
-// At Kp = 1 an error of 1023 ticks gives full output (protocol 1: 0..1023).
-constexpr double kFullDriveErrorRad = 1023 * kRadPerTick;
+// Damping of the shorted motor.
+constexpr double kBackEmf = kMaxTorqueNm / kNoLoadSpeed;
 // A limp joint decays with inertia / friction = 0.4 s.
 constexpr double kFriction = 0.01;
 constexpr double kLowest = -2048 * kRadPerTick, kHighest = 2047 * kRadPerTick;
@@ -53,9 +50,8 @@ void PlainBody::step(Nanos dt, const Drives& drives) noexcept {
       const double reach = drive.speed_limit_rad_s * dt_s;
       set_point += std::clamp(way, -reach, reach);
       const double limit = std::clamp(drive.torque_limit, 0.0, 1.0);
-      const double duty =
-          std::clamp(drive.p_gain * (set_point - joint.position_rad) / kFullDriveErrorRad, -limit, limit);
-      torque = duty * kMaxTorqueNm * drive.supply_v / kNominalV;
+      const double duty = std::clamp(drive.p_gain * (set_point - joint.position_rad) / kFullDriveError, -limit, limit);
+      torque = duty * kMaxTorqueNm * drive.supply_v / kNominalSupply;
       damping += kBackEmf;
       joint.load = duty;
     } else {

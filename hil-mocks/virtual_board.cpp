@@ -103,9 +103,9 @@ void VirtualBoard::stepBody(Nanos until) noexcept {
       drives_[i] = servos_[i].drive(body_.state().joint[i]);
     }
     body_.step(options_.body_step, drives_);
-    if (body_.trouble() != nullptr && !silenced_) {
+    if (body_.error() != nullptr && !silenced_) {
       silenced_ = true;
-      std::fprintf(stderr, "darwinop: %s\n", body_.trouble());
+      std::fprintf(stderr, "darwinop: %s\n", body_.error());
     }
     body_time_ += options_.body_step;
   }

@@ -7,23 +7,15 @@
 #include <webots/Motor.hpp>
 #include <webots/Robot.hpp>
 
-#include "core/conversions.hpp"
 #include "core/joints.hpp"
-#include "core/present_goal.hpp"
+#include "managers/present_pose.hpp"
 #include "webots/robot_impl.hpp"
 
 namespace managers {
 
-namespace gait = darwinop::gait;
 using darwinop::Joint;
 
-namespace {
-
-constexpr double kRegisterPerKp = 8;
-
-}  // namespace
-
-BorrowedMotors::BorrowedMotors(webots::Robot& robot) : impl_{darwinop::facade::currentRobot()} {
+BorrowedMotors::BorrowedMotors(webots::Robot& robot) : robot_{&robot}, impl_{darwinop::facade::currentRobot()} {
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     motors_[i] = robot.getMotor(std::string{darwinop::kJointTable[i].name});
     if (motors_[i] == nullptr) throw std::runtime_error("a joint is missing");
@@ -33,6 +25,7 @@ BorrowedMotors::BorrowedMotors(webots::Robot& robot) : impl_{darwinop::facade::c
 BorrowedMotors& BorrowedMotors::operator=(const BorrowedMotors& other) {
   if (this == &other) return *this;
   giveBack();
+  robot_ = other.robot_;
   impl_ = other.impl_;
   motors_ = other.motors_;
   return *this;
@@ -46,14 +39,14 @@ const void* BorrowedMotors::takenBy() const {
   return exist() ? impl_->joints_taken_by : nullptr;
 }
 
-void BorrowedMotors::take(const gait::Parameters& gains) {
+void BorrowedMotors::take(const darwinop::body_player::WalkPlayer& player) {
   impl_->joints_taken_by = this;
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     webots::Motor& motor = *motors_[i];
     if (!taken_) speed_[i] = motor.getVelocity(), acceleration_[i] = motor.getAcceleration();
     if (acceleration_[i] > 0) motor.setAcceleration(-1);
     if (std::abs(speed_[i]) < motor.getMaxVelocity()) motor.setVelocity(motor.getMaxVelocity());
-    impl_->lendGain(static_cast<Joint>(i), gait::pGain(static_cast<Joint>(i), gains) / kRegisterPerKp);
+    impl_->lendGain(static_cast<Joint>(i), player.pGain(static_cast<Joint>(i)));
   }
   taken_ = true;
 }
@@ -76,17 +69,12 @@ std::uint64_t BorrowedMotors::cycleOfReading() const {
   return sensors.cycle - sensors.board.motion.age;
 }
 
-gait::Pose BorrowedMotors::present() const {
-  gait::Pose pose{};
-  for (std::size_t i = 0; i < pose.size(); ++i) {
-    const auto joint = static_cast<Joint>(i);
-    pose[i] = darwinop::presentGoal(joint, impl_->lastKnown(joint), motors_[i]->getTargetPosition());
-  }
-  return pose;
+darwinop::body_player::Pose BorrowedMotors::present() const {
+  return presentPose(*robot_, *impl_);
 }
 
-void BorrowedMotors::setGoals(const gait::Pose& goals) {
-  for (std::size_t i = 0; i < motors_.size(); ++i) motors_[i]->setPosition(goals[i]);
+void BorrowedMotors::setGoals(const darwinop::body_player::WalkPlayer& player) {
+  for (std::size_t i = 0; i < motors_.size(); ++i) motors_[i]->setPosition(player.goal(static_cast<Joint>(i)));
 }
 
 }  // namespace managers

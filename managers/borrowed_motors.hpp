@@ -5,9 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "managers/gait/approach.hpp"
-#include "managers/gait/goals.hpp"
-#include "managers/gait/parameters.hpp"
+#include "managers/body_player/walk_player.hpp"
 
 namespace webots {
 class Motor;
@@ -25,7 +23,7 @@ class BorrowedMotors {
   BorrowedMotors() = default;  // without a robot
   /// Throws std::runtime_error if a joint is missing.
   explicit BorrowedMotors(webots::Robot& robot);
-  BorrowedMotors(const BorrowedMotors& other) : impl_{other.impl_}, motors_{other.motors_} {}
+  BorrowedMotors(const BorrowedMotors& other) : robot_{other.robot_}, impl_{other.impl_}, motors_{other.motors_} {}
   BorrowedMotors& operator=(const BorrowedMotors& other);
   ~BorrowedMotors() { giveBack(); }
 
@@ -35,19 +33,19 @@ class BorrowedMotors {
   [[nodiscard]] bool areOurs() const { return takenBy() == this; }
   [[nodiscard]] bool areAnothers() const { return takenBy() != this && takenBy() != nullptr; }
 
-  /// Saves settings, removes limits (a speed limit would make the robot fall), sets gains.
-  void take(const darwinop::gait::Parameters& gains);
+  /// Saves settings, removes limits (a speed limit would make the robot fall), sets the walk's gains.
+  void take(const darwinop::body_player::WalkPlayer& player);
   void giveBack();
 
   /// Cycle of the last successful reading of the board (gyroscope).
   [[nodiscard]] std::uint64_t cycleOfReading() const;
-  /// Start pose of a walk without a jump, rad; see core/present_goal.hpp.
-  [[nodiscard]] darwinop::gait::Pose present() const;
-  void setGoals(const darwinop::gait::Pose& goals);
+  [[nodiscard]] darwinop::body_player::Pose present() const;
+  void setGoals(const darwinop::body_player::WalkPlayer& player);
 
  private:
   [[nodiscard]] const void* takenBy() const;
 
+  webots::Robot* robot_ = nullptr;
   darwinop::facade::RobotImpl* impl_ = nullptr;
   std::array<webots::Motor*, darwinop::gait::kWalkingJoints> motors_{};
   bool taken_ = false;

@@ -5,13 +5,12 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <webots/Gyro.hpp>
 #include <webots/Robot.hpp>
 
 #include "DARwInOPGaitManager.hpp"
+#include "managers/body_player/walk_player.hpp"
 #include "managers/borrowed_motors.hpp"
-#include "managers/gait/walk.hpp"
 #include "managers/gait/walking_config.hpp"
 #include "webots/notices.hpp"
 
@@ -41,13 +40,11 @@ struct DARwInOPGaitManager::Walker {
   webots::Robot* robot = nullptr;  // null: not initialized
   BorrowedMotors motors;
   webots::Gyro* gyro = nullptr;
-  gait::Walk walk{gait::Parameters{}};
+  darwinop::body_player::WalkPlayer player{gait::Parameters{}};
   gait::WalkCommand command;
   bool balance = true;
   bool requested = false;  // between start() and stop()
   bool stopping = false;   // inside stop(), to reject calls from an overridden Robot::step()
-  int carried_ms = 0;
-  std::uint64_t reading = 0;  // cycle of the last gyroscope reading used
 
   Walker() = default;
   /// The same robot and commands, at rest.
@@ -55,7 +52,7 @@ struct DARwInOPGaitManager::Walker {
       : robot{other.robot},
         motors{other.motors},
         gyro{other.gyro},
-        walk{other.walk.parameters()},
+        player{other.walk().parameters()},
         command{other.command},
         balance{other.balance} {}
   Walker& operator=(const Walker&) = delete;
@@ -63,66 +60,57 @@ struct DARwInOPGaitManager::Walker {
   void prepare(webots::Robot& with, const std::string& ini) {
     gait::WalkingConfig config = gait::readWalkingConfig(ini);
     for (const std::string& warning : config.warnings) warn(warning);
-    walk = gait::Walk{config.parameters};
+    player = darwinop::body_player::WalkPlayer{config.parameters};
     motors = BorrowedMotors{with};
     gyro = with.getGyro("Gyro");
     if (gyro != nullptr) gyro->enable(static_cast<int>(with.getBasicTimeStep()));
     robot = &with;
   }
 
+  [[nodiscard]] const gait::Walk& walk() const { return player.walk(); }
   [[nodiscard]] bool canWalk() const { return robot != nullptr && motors.exist() && !stopping; }
 
   /// Starts at the present joint positions.
   void begin() {
-    const gait::Pose from = motors.present();
-    if (!walk.resting()) walk.abandon();  // a motion page interrupted a step
-    walk.start(from);
-    carried_ms = 0;
-    motors.take(walk.parameters());
+    if (!walk().resting()) player.abandon();  // a motion page interrupted a step
+    player.start(motors.present());
+    motors.take(player);
   }
 
-  /// Fresh if the board was read since the last call, or if the gyroscope is unknown.
-  gait::GyroCounts gyroCounts() {
+  [[nodiscard]] darwinop::body_player::GyroReading gyroReading() const {
     const double* const counts = gyro != nullptr ? gyro->getValues() : nullptr;
-    if (counts == nullptr || std::isnan(counts[0])) return {std::nan(""), std::nan("")};
-    const std::uint64_t before = std::exchange(reading, motors.cycleOfReading());
-    return {counts[0], counts[1], reading != before};
+    if (counts == nullptr) return {std::nan(""), std::nan(""), 0};
+    return {counts[0], counts[1], motors.cycleOfReading()};
   }
 
   void advance(int ms) {
     if (requested && motors.areAnothers()) return;  // a motion page is playing
     if (requested && !motors.areOurs()) begin();
-    const bool walked = walk.walking(), moves = !walk.resting();
-    gait::GyroCounts counts = gyroCounts();
-    carried_ms += ms;
-    for (; carried_ms >= kTick; carried_ms -= kTick) {
-      walk.tick(command, balance, counts);
-      counts.fresh = false;
-    }
-    if (!moves) return;
-    motors.setGoals(walk.pose());
-    if (!walked && walk.walking() && balance && !walk.isBalanceCalibrated())
+    const bool walked = walk().walking();
+    if (!player.advance(ms, command, balance, gyroReading())) return;
+    motors.setGoals(player);
+    if (!walked && walk().walking() && balance && !walk().isBalanceCalibrated())
       warn(
           "balance is off: the gyroscope could not be calibrated, because the robot was moved or the gyroscope does "
           "not reply. Keep the robot still for a second before start()");
-    if (walk.resting()) motors.giveBack();
+    if (walk().resting()) motors.giveBack();
   }
 
   void stop() {
     if (!canWalk()) return;
     requested = false;
-    if (walk.resting()) return;
-    walk.stop();
+    if (walk().resting()) return;
+    player.stop();
     stopping = true;
     const struct Stopped {  // resets the flag also if an overridden Robot::step() throws
       bool& stopping;
       ~Stopped() { stopping = false; }
     } stopped{stopping};
     const int basic = std::max(1, static_cast<int>(robot->getBasicTimeStep()));
-    double remaining_ms = walk.approachMs() + 2 * walk.parameters().period_time + kCatchUpMs;
-    while (!walk.resting() && remaining_ms > -basic) {
+    double remaining_ms = walk().approachMs() + 2 * walk().parameters().period_time + kCatchUpMs;
+    while (!walk().resting() && remaining_ms > -basic) {
       if (!motors.areOurs()) {  // a motion page has moved the joints: there is no step to complete
-        walk.abandon();
+        player.abandon();
         return motors.giveBack();
       }
       advance(basic);

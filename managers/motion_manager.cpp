@@ -7,12 +7,9 @@
 
 #include "DARwInOPDirectoryManager.hpp"
 #include "DARwInOPMotionManager.hpp"
-#include "core/conversions.hpp"
-#include "core/lead_in.hpp"
-#include "core/present_goal.hpp"
-#include "managers/motion/first_step.hpp"
-#include "managers/motion/player.hpp"
+#include "managers/body_player/page_player.hpp"
 #include "managers/motion_source.hpp"
+#include "managers/present_pose.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 
@@ -20,36 +17,18 @@ namespace managers {
 
 using darwinop::Joint;
 using darwinop::kJoints;
+using darwinop::body_player::PagePlayer;
 using darwinop::facade::warnOnce;
-namespace motion = darwinop::motion;
-
-namespace {
-
-motion::Pose inTicks(const darwinop::LeadIn::Pose& pose) {
-  motion::Pose ticks{};
-  for (std::size_t i = 0; i < kJoints; ++i) ticks[i] = ticksFromRad(darwinop::Rad{pose[i]});
-  return ticks;
-}
-
-darwinop::LeadIn::Pose inRad(const motion::Pose& ticks) {
-  darwinop::LeadIn::Pose pose{};
-  for (std::size_t i = 0; i < kJoints; ++i) pose[i] = darwinop::radFromTicks(ticks[i]).value;
-  return pose;
-}
-
-}  // namespace
 
 struct DARwInOPMotionManager::Stage {
   webots::Robot* robot = nullptr;
   MotionPages pages;  // null: nothing can be played
-  std::unique_ptr<motion::Player> player;
-  darwinop::LeadIn lead_in;     // motion to the target of the page's first step
-  int left_ms = 0;              // carried over from the last step(), less than a tick
+  std::unique_ptr<PagePlayer> player;
   bool gains_are_lent = false;  // the joints have the page's P gains
   bool waited_for = false;      // inside playPage(), to reject calls from an overridden Robot::step()
 
   Stage(webots::Robot* owner, MotionPages file) : robot{owner}, pages{std::move(file)} {
-    if (pages) player = std::make_unique<motion::Player>(*pages);
+    if (pages) player = std::make_unique<PagePlayer>(*pages);
   }
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
@@ -61,10 +40,7 @@ struct DARwInOPMotionManager::Stage {
   void end();
 
  private:
-  void leadIn(const motion::Page& page, const motion::Pose& here);
-  bool tick();
-  void setGoals();
-  [[nodiscard]] darwinop::LeadIn::Pose present(const darwinop::facade::RobotImpl& inside) const;
+  void setGoals(darwinop::facade::RobotImpl& inside);
 };
 
 /// False if the page cannot be played; a warning has been logged.
@@ -79,69 +55,31 @@ bool DARwInOPMotionManager::Stage::start(int page) {
     warnOnce(name + " is refused: page " + std::to_string(player->page()) + " is still being played");
     return false;
   }
-  left_ms = 0;
-  const motion::Pose here = inTicks(present(*inside));
-  if (player->start(page, here)) {
+  if (player->start(page, presentPose(*robot, *inside))) {
     inside->joints_taken_by = this;
-    leadIn((*pages)[static_cast<std::size_t>(page)], here);
     return true;
   }
   warnOnce(name + (page < 1 || page > 255 ? " does not exist: pages are 1 to 255" : " is empty: nothing is played"));
   return false;
 }
 
-darwinop::LeadIn::Pose DARwInOPMotionManager::Stage::present(const darwinop::facade::RobotImpl& inside) const {
-  darwinop::LeadIn::Pose pose{};
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    const auto joint = static_cast<Joint>(i);
-    const webots::Motor* const motor = robot->getMotor(std::string{row(joint).name});
-    pose[i] = darwinop::presentGoal(joint, inside.lastKnown(joint), motor->getTargetPosition());
-  }
-  return pose;
-}
-
-/// If the first step is faster than the robot can move, first moves smoothly to its target and starts the page there.
-/// Any other page starts immediately, as in the vendor's engine.
-void DARwInOPMotionManager::Stage::leadIn(const motion::Page& page, const motion::Pose& here) {
-  lead_in = {};
-  if (motion::firstStepSpeed(page, here) <= motion::kFastestFirstStep) return;
-  const motion::Pose target = motion::firstTarget(page, here);
-  lead_in = {inRad(here), inRad(target)};
-  player->brake();
-  player->start(player->page(), target);
-}
-
-/// The next 8 ms. False if the last page has ended.
-bool DARwInOPMotionManager::Stage::tick() {
-  if (lead_in.done()) return player->tick();
-  lead_in.advance(motion::kTickMs);
-  return true;
-}
-
 /// Plays for `ms`. False if the page has ended and the joints have their final goals.
 bool DARwInOPMotionManager::Stage::advance(int ms) {
-  bool moved = false;
-  // Clamped to an hour, which is longer than any page.
-  for (left_ms += std::clamp(ms, 0, 3'600'000); left_ms >= motion::kTickMs; left_ms -= motion::kTickMs) {
-    if (!tick()) break;
-    moved = true;
-  }
-  if (const auto* const inside = darwinop::facade::currentRobot(); inside && inside->joints_taken_by != this)
-    player->brake();  // another manager has taken the joints
+  const bool moved = player->advance(std::clamp(ms, 0, 3'600'000));  // an hour is longer than any page
+  darwinop::facade::RobotImpl* const inside = darwinop::facade::currentRobot();
+  if (!inside || inside->joints_taken_by != this)
+    player->brake();  // the robot is gone, or another manager has taken the joints
   else if (moved)
-    setGoals();
+    setGoals(*inside);
   if (!player->isPlaying()) end();
   return moved || player->isPlaying();
 }
 
-void DARwInOPMotionManager::Stage::setGoals() {
-  darwinop::facade::RobotImpl* const inside = darwinop::facade::currentRobot();
-  if (!inside) return player->brake();
-  const darwinop::LeadIn::Pose page = inRad(player->pose());
+void DARwInOPMotionManager::Stage::setGoals(darwinop::facade::RobotImpl& inside) {
   for (std::size_t i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
-    robot->getMotor(std::string{row(joint).name})->setPosition(lead_in.done() ? page[i] : lead_in.at(i));
-    inside->lendGain(joint, player->pGainRegister(joint) / 8.0);
+    robot->getMotor(std::string{row(joint).name})->setPosition(player->goal(joint));
+    inside.lendGain(joint, player->pGain(joint));
   }
   gains_are_lent = true;
 }
@@ -149,8 +87,6 @@ void DARwInOPMotionManager::Stage::setGoals() {
 /// Ends the page and restores the controller's gains.
 void DARwInOPMotionManager::Stage::end() {
   if (player) player->brake();
-  lead_in = {};
-  left_ms = 0;
   darwinop::facade::RobotImpl* const inside = darwinop::facade::currentRobot();
   if (inside && inside->joints_taken_by == this) {
     inside->joints_taken_by = nullptr;

@@ -54,15 +54,15 @@ class SignalsHeld {
 };
 
 /// File in which a controller that hosts the loop itself leaves its figures. It outlives a kill -9.
-class LookOn {
+class ObserverConnection {
  public:
-  LookOn() : path_{kPrefix + std::to_string(getpid())} {
+  ObserverConnection() : path_{kPrefix + std::to_string(getpid())} {
     sweep();
     forget();
   }
-  ~LookOn() { forget(); }
-  LookOn(const LookOn&) = delete;
-  LookOn& operator=(const LookOn&) = delete;
+  ~ObserverConnection() { forget(); }
+  ObserverConnection(const ObserverConnection&) = delete;
+  ObserverConnection& operator=(const ObserverConnection&) = delete;
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
@@ -137,7 +137,7 @@ void setIfGiven(const char* name, const std::string& value) {
 }
 
 /// Returns in the parent only.
-pid_t start(const RunRequest& request, const std::string& program, const std::string& look_on) {
+pid_t start(const RunRequest& request, const std::string& program, const std::string& observer) {
   std::vector<char*> arguments;
   for (const std::string& argument : request.command) arguments.push_back(const_cast<char*>(argument.c_str()));
   arguments.front() = const_cast<char*>(program.c_str());
@@ -157,7 +157,7 @@ pid_t start(const RunRequest& request, const std::string& program, const std::st
   setIfGiven("DARWINOP_ROBOT", request.robot);
   setIfGiven("DARWINOP_RECORD", request.record);
   setIfGiven("DARWINOP_PERIOD_MS", request.period_ms);
-  setenv("DARWINOP_EXCHANGE", look_on.c_str(), 1);
+  setenv("DARWINOP_EXCHANGE", observer.c_str(), 1);
   execv(program.c_str(), arguments.data());
   std::cerr << "cannot run " << program << ": " << std::strerror(errno) << std::endl;
   _exit(errno == ENOENT ? 127 : 126);
@@ -193,20 +193,20 @@ std::string controllerProgram(const std::string& controller) {
 
 int runController(const RunRequest& request) {
   const std::string program = controllerProgram(request.command.at(0));
-  const LookOn look_on;
+  const ObserverConnection observer;
   const std::optional<LoopFigures> daemon = tryAttach(lookAtDaemon, RuntimeFiles{});
   onEndSignals(handOn);
-  const auto [status, a_signal] = waitFor(start(request, program, look_on.path()));
+  const auto [status, a_signal] = waitFor(start(request, program, observer.path()));
   if (a_signal) std::cerr << "the controller was ended by signal " << status - 128 << std::endl;
 
   const auto attach = [](const RuntimeFiles& files) {
     return Exchange::attach(files.exchange, Exchange::Access::kLook);
   };
-  if (auto embedded = tryAttach(attach, RuntimeFiles{look_on.path()})) {
+  if (auto embedded = tryAttach(attach, RuntimeFiles{observer.path()})) {
     if (a_signal && embedded->leftTorque())
       std::cerr
           << "no loop is left: the joints keep their torque and last goals. Hold the robot; pressing RESET on its "
-             "back (or `darwinop run` again) lets go"
+             "back (or `darwinop run` again) releases torque"
           << std::endl;
     embedded->fromTheBeginning();
     embedded->print();

@@ -32,7 +32,7 @@ class Daemon {
   /// same, when the exchange was lost.
   void run(const std::atomic<bool>& stop);
 
-  /// What real time was refused and how to mend it; empty when all is as it should be.
+  /// Refused real-time settings and the remedy; empty: none.
   [[nodiscard]] const std::string& warning() const { return driver_.warning(); }
 
  private:

@@ -31,7 +31,7 @@ DaemonLink::DaemonLink(const RuntimeFiles& files)
 }
 
 DaemonLink::~DaemonLink() {
-  if (says_farewell_) sayFarewell();
+  if (ends_session_) publishEndOfSession();
 }
 
 bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
@@ -41,7 +41,8 @@ bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop
   for (;;) {
     if (stop.load()) return end(kAskedToStop);
     if (exchange().lost()) return end(kExchangeLost);
-    if (block().closing.load() != 0) return end("the runtime was told to end; start it again with: darwinop runtime");
+    if (block().closing.load() != 0)
+      return end("the runtime was requested to end; start it again with: darwinop runtime");
     if (releasedByOperator())
       return end("an operator has released the robot: torque is off; start the controller again to take over");
     if (finished(cycle)) return true;

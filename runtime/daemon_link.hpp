@@ -16,7 +16,7 @@ class DaemonLink final : public ExchangeLink {
   /// Takes the driving lease. Throws std::runtime_error, with what to do, when no daemon runs, when it is of another
   /// version, or when another controller drives.
   explicit DaemonLink(const RuntimeFiles& files = RuntimeFiles{});
-  /// Says farewell and gives the lease back; the daemon sees to the robot.
+  /// Ends the session and gives the lease back; the daemon brings the robot to rest.
   ~DaemonLink() override;
 
   [[nodiscard]] const RuntimeFiles& files() const { return files_; }
@@ -24,7 +24,7 @@ class DaemonLink final : public ExchangeLink {
   [[nodiscard]] Nanos now() const override { return clock_.now(); }
   [[nodiscard]] bool realTime() const override { return true; }
   [[nodiscard]] bool bringsToRest() const override { return false; }
-  void leaveHolding() override { says_farewell_ = false; }
+  void leaveHolding() override { ends_session_ = false; }
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
 
  private:
@@ -33,7 +33,7 @@ class DaemonLink final : public ExchangeLink {
   RuntimeFiles files_;
   MonotonicClock clock_;
   FileLock lease_;
-  bool says_farewell_ = true;
+  bool ends_session_ = true;
 };
 
 }  // namespace darwinop::runtime

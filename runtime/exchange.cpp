@@ -77,7 +77,7 @@ class FreshFile {
   FreshFile& operator=(const FreshFile&) = delete;
 
   [[nodiscard]] const SharedFile& file() const { return file_; }
-  /// Replaces what has that name. Whoever maps the old file keeps it.
+  /// Replaces a file of that name. Processes that map the old file keep it.
   SharedFile place() {
     if (rename(fresh_.c_str(), path_.c_str()) != 0) fail("cannot replace " + path_, errno, whoHas(path_));
     placed_ = true;

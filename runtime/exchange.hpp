@@ -33,7 +33,7 @@ struct LoopInfo {
 /// Hash of names, offsets, sizes and types of all that the two blocks hold: exchange_layout.cpp.
 std::uint64_t exchangeLayout();
 
-/// What the loop tells. Written by its process alone, which stores whole values and never counts on from what it finds
+/// Output of the loop. Written by its process alone, which stores whole values and never counts on from what it finds
 /// here; everybody else maps it read-only. Plain words and bytes, no pointers.
 struct ExchangeBlock {
   static constexpr std::uint32_t kMagic = 0x50774f44;  // "DOwP"

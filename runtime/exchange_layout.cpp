@@ -50,8 +50,8 @@ struct Layout<RequestWord> {
 DARWINOP_LAYOUT(JointCommand, set, torque_on, goal, speed_limit, torque_limit, p_gain);
 DARWINOP_LAYOUT(LedCommand, set, panel, head, eye);
 DARWINOP_LAYOUT(SessionSettings, numbers, given);
-DARWINOP_LAYOUT(Commands, joint, led, session, sequence, made_ns, farewell, fault_resets, start_where_it_is, unattended,
-                settings, operator_resets, operator_releases);
+DARWINOP_LAYOUT(Commands, joint, led, session, sequence, made_ns, end_of_session, fault_resets, start_where_it_is,
+                unattended, settings, operator_resets, operator_releases);
 
 DARWINOP_LAYOUT(Freshness, age);
 DARWINOP_LAYOUT(JointSensors, motion, position, velocity, load, error_bits, health, voltage, temperature, torque_limit,
@@ -73,7 +73,7 @@ DARWINOP_LAYOUT(CommandBlock, instance, commands, session_taken, fault_reset, re
 
 namespace {
 
-/// The rows that indices and bits stand for count, too.
+/// The rows that indices and bits stand for count also.
 constexpr std::uint64_t hashOfExchange() {
   LayoutHash hash;
   Layout<ExchangeBlock>::addTo(hash);

@@ -49,11 +49,11 @@ void ExchangeLink::setSafety(const safety::Config& config) {
   settings_ = safety::toSession(config);
 }
 
-bool ExchangeLink::sayFarewell() {
+bool ExchangeLink::publishEndOfSession() {
   if (sequence_ == 0) return false;
-  Commands farewell = last_;
-  farewell.farewell = true;
-  publish(farewell);
+  Commands last = last_;
+  last.end_of_session = true;
+  publish(last);
   return true;
 }
 

@@ -16,10 +16,10 @@ class ExchangeLink : public RobotLink {
   [[nodiscard]] Sensors sensors() const override;
   [[nodiscard]] std::string whyEnded() const override { return why_ended_; }
 
-  /// Gives whoever drives from now on a number of their own, so that safety starts them gently. Only the holder of the
+  /// Gives the next driver a new number, so that safety starts it gently. Only the holder of the
   /// driving lease may do this; a link has done it once when it is made.
   void beginSession();
-  /// The robot's [Safety] and [Limits], as the loop told them when the session began.
+  /// The robot's [Safety] and [Limits], as published by the loop when the session began.
   [[nodiscard]] safety::Config robotSafety() const;
   /// What this session asks for besides. Before the first image.
   void setSafety(const safety::Config& config);
@@ -32,9 +32,9 @@ class ExchangeLink : public RobotLink {
   [[nodiscard]] const LoopInfo& info() const { return info_; }
   /// Sleeps until a cycle after the one of this number is finished, a signal comes, or `at_most` is over.
   void sleepUntilAfter(std::uint32_t finished, Nanos at_most) const;
-  /// Publishes the last image once more, saying farewell. False: this controller never drove, so there is nothing to
+  /// Publishes the last image once more, as end of session. False: this controller never drove, so there is nothing to
   /// bring to rest.
-  bool sayFarewell();
+  bool publishEndOfSession();
   /// True when `darwinop runtime --release` ended this session.
   [[nodiscard]] bool releasedByOperator() const;
   [[nodiscard]] bool finished(std::uint64_t cycle) const;

@@ -38,7 +38,7 @@ bool ExchangeReader::look() {
 bool ExchangeReader::sensors(Sensors& into) const {
   Sensors seen;
   if (!copy_->sensors.read(seen)) return false;
-  // The slot of publication n is filled anew for publication n + kSlots, which begins after n + kSlots - 1 is counted.
+  // The slot of publication n is refilled for publication n + kSlots, which begins after n + kSlots - 1 is counted.
   constexpr std::size_t kCount = offsetof(ExchangeBlock, sensors) + Latest<Sensors>::offsetOfCount();
   std::uint32_t later = 0;
   if (!readsWhole(file_.fd(), &later, sizeof later, kCount)) return false;

@@ -14,7 +14,7 @@
 
 namespace darwinop::runtime {
 
-/// For a process that must outlive whatever becomes of the file: whoever shortens it makes read() fail, and nothing
+/// For a process that must survive any change of the file: if it is shortened, read() fails, and nothing
 /// else. 70 KiB are copied at each look.
 class ExchangeReader {
  public:

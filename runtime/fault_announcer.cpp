@@ -1,4 +1,4 @@
-// Tells a person when a fault begins and when it is over.
+// Reports the begin and the end of faults to a person.
 #include "runtime/fault_announcer.hpp"
 
 #include <ostream>
@@ -27,7 +27,7 @@ void FaultAnnouncer::look(const Sensors& seen) {
   if (seen.cycle == 0) return;
   for (std::size_t i = 0; i < kFaults; ++i) {
     const std::string line = change(memory_[i], i, seen);
-    if (!line.empty()) out_ << line << std::flush;  // in one piece: others write there, too
+    if (!line.empty()) out_ << line << std::flush;  // in one piece: others write there also
   }
 }
 
@@ -36,22 +36,22 @@ std::string FaultAnnouncer::change(Memory& memory, std::size_t fault, const Sens
   const bool active = seen.safety.active[fault];
   const bool begins = active && !memory.active;
   memory.active = active;
-  if (memory.told) {
-    memory.told = active;
+  if (memory.reported) {
+    memory.reported = active;
     return active ? "" : nameOf(row) + " is over\n";
   }
-  if (memory.ever && seen.time_ns - memory.told_ns < kQuietNs) {
+  if (memory.ever && seen.time_ns - memory.reported_ns < kQuietNs) {
     if (begins) ++memory.left_out;
     return {};
   }
-  // One that began in the quiet time and still lasts is told now as what it is, not as one left out.
+  // One that began in the quiet time and still lasts is reported now itself, not as one left out.
   if (active && !begins && memory.left_out > 0) --memory.left_out;
   std::string line;
   if (memory.left_out > 0) line = nameOf(row) + " came and went " + times(memory.left_out) + " more\n";
   memory.left_out = 0;
   if (!active) return line;
-  memory.told = memory.ever = true;
-  memory.told_ns = seen.time_ns;
+  memory.reported = memory.ever = true;
+  memory.reported_ns = seen.time_ns;
   return line + nameOf(row) + jointOf(row, seen.safety) + ": " + std::string{row.meaning} + "; " +
          std::string{row.remedy} + "\n";
 }

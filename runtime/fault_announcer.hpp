@@ -1,4 +1,4 @@
-// Tells a person when a fault begins and when it is over, one line each.
+// Reports the begin and the end of faults to a person, one line each.
 #pragma once
 
 #include <array>
@@ -24,11 +24,11 @@ class FaultAnnouncer {
 
  private:
   struct Memory {
-    bool active = false;  // in the image before
-    bool told = false;    // its begin was told, its end not yet
-    bool ever = false;    // its begin was told at `told_ns`
-    std::int64_t told_ns = 0;
-    std::uint32_t left_out = 0;  // begins nobody was told of
+    bool active = false;    // in the image before
+    bool reported = false;  // its begin was reported, its end not yet
+    bool ever = false;      // its begin was reported at `reported_ns`
+    std::int64_t reported_ns = 0;
+    std::uint32_t left_out = 0;  // begins that were not reported
   };
   [[nodiscard]] static std::string change(Memory& memory, std::size_t fault, const Sensors& seen);
 

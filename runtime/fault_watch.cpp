@@ -1,4 +1,4 @@
-// A thread that tells of faults while an embedded loop runs.
+// Thread that reports faults while an embedded loop runs.
 #include "runtime/fault_watch.hpp"
 
 #include <pthread.h>

@@ -1,4 +1,4 @@
-// A thread that tells of faults while an embedded loop runs.
+// Thread that reports faults while an embedded loop runs.
 #pragma once
 
 #include <condition_variable>

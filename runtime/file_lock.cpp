@@ -20,7 +20,7 @@ namespace darwinop::runtime {
 namespace {
 
 /// Opens without O_CREAT first: in a sticky folder such as /dev/shm the kernel refuses O_CREAT on a file of
-/// another user, even to root (fs.protected_regular). Nothing: errno tells why.
+/// another user, even to root (fs.protected_regular). Nothing: see errno.
 std::optional<SharedFile> openLockFile(const std::string& path, gid_t group, FileOwner owner) {
   for (int attempt = 0; attempt < 3; ++attempt) {
     if (auto file = openShared(path, O_RDWR, owner); file || errno != ENOENT) return file;

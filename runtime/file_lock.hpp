@@ -20,8 +20,8 @@ class FileLock {
   static std::optional<FileLock> tryTake(const std::string& path, gid_t group = static_cast<gid_t>(-1),
                                          FileOwner owner = FileOwner::kGroup);
 
-  /// Pid of the holder, 0: nobody holds it, -1: not to be told (the file is another user's). Never disturbs the holder.
-  /// For messages: where the kernel does not tell the pid, it is the one that is written in a trusted user's file.
+  /// Pid of the holder, 0: nobody holds it, -1: unknown (the file is another user's). Never disturbs the holder.
+  /// For messages: where the kernel hides the pid, it is the one written in a trusted user's file.
   static pid_t holder(const std::string& path);
 
   /// The same for sending signals: the file belongs to this user or to root, and the pid comes from the kernel. Throws

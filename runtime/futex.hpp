@@ -24,7 +24,7 @@ class WaitNote {
 /// A number that only goes up, and sleepers who want to know. Sleepers only read it: their mapping may be read-only.
 class WakeWord {
  public:
-  /// One thread only: stores the value and wakes whoever sleeps.
+  /// One thread only: stores the value and wakes the waiting threads.
   void set(std::uint32_t value, const WaitNote& note) noexcept;
   [[nodiscard]] std::uint32_t value() const noexcept { return value_.load(std::memory_order_acquire); }
   /// Sleeps until the value is no longer `seen`, a signal comes, or `at_most` is over. May return early.

@@ -7,13 +7,13 @@
 namespace darwinop::runtime {
 
 LockstepLink::LockstepLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus, std::unique_ptr<Clock> clock,
-                           EyeOpener open_eyes)
+                           CameraOpener open_camera)
     : ExchangeLink{Exchange::embedded()},
       rest_{checked(config).safety, config.period},
       clock_{std::move(clock)},
       host_{config, std::move(bus), exchange(), LoopStats::Timed::kNo, Recorder::Writer::kByHand},
       driver_{host_.loop(), *clock_, config.period},
-      open_eyes_{std::move(open_eyes)},
+      open_camera_{std::move(open_camera)},
       announcer_{std::cerr} {
   beginSession();
 }
@@ -26,8 +26,8 @@ bool LockstepLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& st
   return stop.load() ? end(kAskedToStop) : true;
 }
 
-std::unique_ptr<FrameSource> LockstepLink::openEyes(int width, int height) {
-  return open_eyes_ ? open_eyes_(width, height) : nullptr;
+std::unique_ptr<FrameSource> LockstepLink::openCamera(int width, int height) {
+  return open_camera_ ? open_camera_(width, height) : nullptr;
 }
 
 void LockstepLink::run() {
@@ -37,7 +37,7 @@ void LockstepLink::run() {
 }
 
 LockstepLink::~LockstepLink() {
-  if (!sayFarewell()) return;
+  if (!publishEndOfSession()) return;
   const auto at_most = static_cast<std::uint64_t>(rest_.atMost() / period());
   for (std::uint64_t cycles = 0; !rest_.reached(sensors()) && cycles < at_most; ++cycles) run();
 }

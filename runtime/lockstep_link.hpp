@@ -16,17 +16,17 @@ namespace darwinop::runtime {
 class LockstepLink final : public ExchangeLink {
  public:
   /// Makes what the robot behind the bus sees.
-  using EyeOpener = std::function<std::unique_ptr<FrameSource>(int width, int height)>;
+  using CameraOpener = std::function<std::unique_ptr<FrameSource>(int width, int height)>;
 
   /// `clock` is the simulation's. Throws std::runtime_error with what to do.
   LockstepLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus, std::unique_ptr<Clock> clock,
-               EyeOpener open_eyes = {});
+               CameraOpener open_camera = {});
   ~LockstepLink() override;
 
   [[nodiscard]] Nanos now() const override { return clock_->now(); }
   [[nodiscard]] bool realTime() const override { return false; }
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
-  [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height) override;
+  [[nodiscard]] std::unique_ptr<FrameSource> openCamera(int width, int height) override;
 
  private:
   void run();
@@ -35,7 +35,7 @@ class LockstepLink final : public ExchangeLink {
   std::unique_ptr<Clock> clock_;
   LoopHost host_;
   LockstepDriver driver_;
-  EyeOpener open_eyes_;
+  CameraOpener open_camera_;
   FaultAnnouncer announcer_;
 };
 

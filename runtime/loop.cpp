@@ -48,13 +48,13 @@ bool Loop::isRefused(std::uint32_t session) const noexcept {
 }
 
 const Commands& Loop::withOperator() noexcept {
-  // Safety ends the session that drove at the release. Another one from before it is nobody's.
+  // Safety ends the session that drove at the release. An older session has no owner.
   Commands& asked = newest_.session != 0 && isRefused(newest_.session) ? nobody_ : newest_;
   asked.operator_releases = released_;
   asked.operator_resets = fault_resets_;
   // Without its memory the loop receives no commands, and nobody sees it: it brings the robot to rest.
   const bool closing = block_.closing.load(std::memory_order_relaxed) == ExchangeBlock::kClosing;
-  if (closing || exchange_.lost()) asked.farewell = true;
+  if (closing || exchange_.lost()) asked.end_of_session = true;
   return asked;
 }
 

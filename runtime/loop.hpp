@@ -1,4 +1,4 @@
-// One turn of the loop, whoever drives it: newest commands in, a cycle, sensors out, figures, wake-up.
+// One turn of the loop, for every kind of driver: newest commands in, a cycle, sensors out, figures, wake-up.
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,7 @@ class Loop {
   std::uint32_t resets_seen_ = 0, releases_seen_ = 0;  // numbers of the requests
   std::uint32_t fault_resets_ = 0;
   std::uint32_t session_;   // highest so far, of a driver or a release
-  std::uint32_t released_;  // that the last release got; 0: there was none. Set by whoever makes the exchange
+  std::uint32_t released_;  // that the last release got; 0: there was none. Set by the maker of the exchange
   std::uint32_t driven_at_release_ = 0;  // session that was in force then
 };
 

@@ -21,7 +21,7 @@ std::unique_ptr<Recorder> makeRecorder(const LoopConfig& config, Recorder::Write
   return std::make_unique<Recorder>(config.record_path, head, writer);
 }
 
-void tell(LoopInfo& info, const LoopConfig& config) {
+void fill(LoopInfo& info, const LoopConfig& config) {
   info.period_ns = config.period.count();
   info.pid = getpid();
   setText(info.robot, sizeof info.robot, config.robot);
@@ -46,7 +46,7 @@ LoopHost::LoopHost(const LoopConfig& config, std::unique_ptr<ServoBus> bus, cons
       guard_{withPeriod(checked(config).safety, config.period)},
       recorder_{makeRecorder(config, writer)},
       loop_{*bus_, guard_, exchange, recorder_.get(), config.period, timed} {
-  tell(exchange.ownBlock().info, config);
+  fill(exchange.ownBlock().info, config);
 }
 
 }  // namespace darwinop::runtime

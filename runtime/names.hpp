@@ -15,13 +15,13 @@ struct RuntimeFiles {
   /// "darwinop-runtime".
   explicit RuntimeFiles(const std::string& name = "");
 
-  std::string exchange;    // what the loop tells: written by the runtime alone
+  std::string exchange;    // output of the loop: written by the runtime alone
   std::string commands;    // what the loop is asked for: written by the runtime's group
   std::string loop_lock;   // held as long as the loop lives
   std::string drive_lock;  // held by the one controller that drives
   std::string released;    // exists while a person's release waits for a person; outlives the daemon, not the computer
   std::string held;        // exists while joints are held; the same
-  // What its camera sees, for onlookers, and when they asked for it last: hal/shared_picture/layout.hpp.
+  // Camera pictures for observers, and the time of their last request: hal/shared_picture/layout.hpp.
   std::string pictures, pictures_asked;
 };
 

@@ -24,7 +24,7 @@ Exchange attachAs(Exchange::Access access, const RuntimeFiles& files) {
   return exchange;
 }
 
-/// Whoever may write to the exchange may have written it.
+/// Any process with write access may have written it.
 template <std::size_t N>
 std::string shown(const char (&text)[N]) {
   return text::printable({text, strnlen(text, N)});

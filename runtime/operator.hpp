@@ -20,7 +20,7 @@ std::string daemonStatus(const RuntimeFiles& files);
 /// Latched faults are forgotten; the servos that shut themselves off may be driven again.
 void resetFaults(const RuntimeFiles& files);
 
-/// Torque off on every joint, now, whoever drives: hold the robot. The controller is told to end. Torque stays off
+/// Torque off on every joint, now, in any session: hold the robot. The controller is requested to end. Torque stays off
 /// until a person resets the fault or starts a controller.
 void releaseRobot(const RuntimeFiles& files);
 

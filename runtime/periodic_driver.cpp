@@ -46,7 +46,7 @@ void leaveSignalsToOthers() {
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
 }
 
-std::string mending(int refused) {
+std::string remedyText(int refused) {
   std::string what = "the kernel refused ";
   if (refused & kPriorityRefused) what += "real-time priority";
   if (refused == (kPriorityRefused | kMemoryRefused)) what += " and ";
@@ -76,7 +76,7 @@ PeriodicDriver::PeriodicDriver(Loop& loop, Clock& clock, Nanos period, const Rea
     : loop_{loop}, clock_{clock}, period_{period}, thread_{[this, &config] { run(config.priority); }} {
   refused_.wait(-1);
   const int refused = refused_.load();
-  if (refused != 0) warning_ = mending(refused);
+  if (refused != 0) warning_ = remedyText(refused);
   const bool go = refused == 0 || config.demand == RealTime::kIfAllowed;
   start_.store(go ? Start::kGo : Start::kAbandon);
   start_.notify_one();

@@ -34,7 +34,7 @@ class PeriodicDriver {
   PeriodicDriver(const PeriodicDriver&) = delete;
   PeriodicDriver& operator=(const PeriodicDriver&) = delete;
 
-  /// What was refused and how to mend it; empty when all is as it should be.
+  /// Refused settings and the remedy; empty: none.
   [[nodiscard]] const std::string& warning() const { return warning_; }
 
  private:

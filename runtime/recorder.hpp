@@ -19,7 +19,7 @@ struct LogHead {
   std::string robot = "darwin-op";
   std::string model;  // what answered: a serial port, a simulation
   Nanos period{0};
-  std::string notes{};  // further lines, "key: value", as whoever asked for the recording wants them; empty: none
+  std::string notes{};  // further lines, "key: value", from the requester of the recording; empty: none
 };
 
 class Recorder {
@@ -52,7 +52,7 @@ class Recorder {
 
   std::string path_;
   std::FILE* file_;
-  bool failed_ = false;  // a write failed; told once, the loop goes on
+  bool failed_ = false;  // a write failed; reported once, the loop continues
   std::unique_ptr<Ring<LogRow, kRows>> ring_;
   std::string line_;
   std::atomic<bool> stop_{false};

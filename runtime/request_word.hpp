@@ -7,7 +7,7 @@
 namespace darwinop::runtime {
 
 /// A number and its complement. A program that writes where it should not changes one of them, or both to values that
-/// do not belong together: that is no request.
+/// do not belong together: that is not a request.
 class RequestWord {
  public:
   /// Any process.

@@ -5,11 +5,11 @@
 namespace darwinop::runtime {
 namespace {
 
-constexpr std::uint64_t kTakenIn = 3;  // cycles until a farewell is seen, acted upon and reported
+constexpr std::uint64_t kTakenIn = 3;  // cycles until an end of session is read, acted upon and reported
 // Torque off is a broadcast that nobody acknowledges. After this many cycles every servo has been looked at once
-// and one that did not hear it was told again.
+// and one that did not receive it got it again.
 constexpr std::uint64_t kLookedAtAll = kJoints + 5;
-// A line that hiccups comes back and the kneel goes on; one that stays away for longer cannot be told anything.
+// A line that hiccups comes back and the kneel goes on; one that stays away for longer receives nothing.
 constexpr Nanos kOfflineForGood{3'000'000'000};
 
 }  // namespace

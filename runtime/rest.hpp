@@ -1,4 +1,4 @@
-// After a farewell: has safety done what [Safety] on_exit asks for, so that the loop may end?
+// After the end of a session: has safety done what [Safety] on_exit asks for, so that the loop may end?
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ class Rest {
  public:
   Rest(const safety::Config& safety, Nanos period);
 
-  /// For each image after the farewell, in order; true when the loop may end.
+  /// For each image after the end of session, in order; true when the loop may end.
   [[nodiscard]] bool reached(const Sensors& seen) noexcept;
   /// Longer than a kneel from anywhere can take. Nobody waits for it for ever.
   [[nodiscard]] Nanos atMost() const noexcept;

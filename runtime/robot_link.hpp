@@ -16,7 +16,7 @@ namespace darwinop::runtime {
 /// Used by one thread of the controller.
 class RobotLink {
  public:
-  virtual ~RobotLink() = default;  ///< Says farewell: safety then does what [Safety] on_exit asks for.
+  virtual ~RobotLink() = default;  ///< Ends the session: safety then does what [Safety] on_exit asks for.
 
   /// Nominal period of the loop.
   [[nodiscard]] virtual Nanos period() const = 0;
@@ -35,8 +35,8 @@ class RobotLink {
   /// good (the daemon died) or `stop` became true; whyEnded() then has a sentence for the user.
   [[nodiscard]] virtual bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) = 0;
 
-  /// No farewell at the end: the robot holds, as after a controller that died, and the next one may come within gone_s.
-  /// A link whose end is the end of the loop knows no such thing.
+  /// Does not end the session: the robot holds, as after a controller that died, and the next one may come within
+  /// gone_s. A link whose end is the end of the loop knows no such thing.
   virtual void leaveHolding() {}
 
   /// The newest consistent image. Never waits.
@@ -44,9 +44,9 @@ class RobotLink {
 
   [[nodiscard]] virtual std::string whyEnded() const = 0;
 
-  /// What a robot that is no part of this computer sees, for pictures of this size; the link has to outlive it, and the
-  /// thread that waits for cycles uses it. Null: the robot's eye is a camera of this computer, or it has none.
-  [[nodiscard]] virtual std::unique_ptr<FrameSource> openEyes(int /*width*/, int /*height*/) { return nullptr; }
+  /// The camera of a robot that is not part of this computer, for pictures of this size; the link has to outlive it,
+  /// and the thread that waits for cycles uses it. Null: the robot's eye is a camera of this computer, or it has none.
+  [[nodiscard]] virtual std::unique_ptr<FrameSource> openCamera(int /*width*/, int /*height*/) { return nullptr; }
 };
 
 }  // namespace darwinop::runtime

@@ -31,7 +31,7 @@ class SharedFile {
 };
 
 /// Opens without following a link, without waiting for a FIFO, and without creating. Nothing when there is no such
-/// file, or when this process may not open it (errno tells which). Throws std::runtime_error, with owner and remedy,
+/// file, or when this process may not open it (see errno). Throws std::runtime_error, with owner and remedy,
 /// for a file that must not be used.
 std::optional<SharedFile> openShared(const std::string& path, int flags, FileOwner owner);
 

@@ -24,7 +24,7 @@ bool ThreadedLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& st
 }
 
 ThreadedLink::~ThreadedLink() {
-  if (!sayFarewell()) return;
+  if (!publishEndOfSession()) return;
   const Nanos give_up = now() + rest_.atMost();
   const std::atomic<bool> go_on{false};
   for (Sensors seen = sensors(); !rest_.reached(seen) && now() < give_up; seen = sensors())

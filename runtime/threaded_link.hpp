@@ -16,14 +16,14 @@ class ThreadedLink final : public ExchangeLink {
   /// Starts the loop. The exchange lies in private memory, or in the file that DARWINOP_EXCHANGE names, where
   /// others can look on. Throws std::runtime_error with what to do.
   ThreadedLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus);
-  /// Says farewell, lets safety bring the robot to rest, ends the loop.
+  /// Ends the session, lets safety bring the robot to rest, ends the loop.
   ~ThreadedLink() override;
 
   [[nodiscard]] Nanos now() const override { return clock_.now(); }
   [[nodiscard]] bool realTime() const override { return true; }
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
 
-  /// What real time was refused and how to mend it; empty when all is as it should be.
+  /// Refused real-time settings and the remedy; empty: none.
   [[nodiscard]] const std::string& warning() const { return driver_.warning(); }
 
  private:

@@ -49,7 +49,7 @@ std::vector<std::pair<std::string, std::string>> environmentOf(const Account& ac
 
 bool takeRightsOf(const Account& account) noexcept {
   // In this order: without root's rights the groups could not be changed any more. setgid() and setuid() of root set
-  // the saved ids, too, so there is no way back.
+  // the saved ids also, so there is no way back.
   return setgroups(account.groups.size(), account.groups.data()) == 0 && setgid(account.gid) == 0 &&
          setuid(account.uid) == 0;
 }

@@ -1,4 +1,4 @@
-// What the board tells about the robot as a whole.
+// The board's view of the robot as a whole.
 #include "safety/board_watch.hpp"
 
 #include <algorithm>
@@ -9,9 +9,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr double kBatteryHysteresis = 0.3;  // V; walking pulls the supply down by about that much
-constexpr double kTiltHysteresis = 15;      // deg
-constexpr double kLeastGravity = 3.0;       // m/s2; less is free fall or a blow, where direction means nothing
+constexpr double kTiltHysteresis = 15;  // deg
+constexpr double kLeastGravity = 3.0;   // m/s2; less is free fall or a blow, where direction means nothing
 constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
 constexpr Nanos kPress{milliseconds{250}};  // a shorter one may be a touch by accident
 
@@ -49,10 +48,10 @@ void BoardWatch::update(const BoardSensors& seen, bool waits, Nanos dt) noexcept
     power_off_.forget();
   }
   powered_for_ = powered_ ? powered_for_ + dt : Nanos{0};
-  if (!answers_now_) return;  // timers count time in which the board was heard, and nothing else
+  if (!answers_now_) return;  // timers count only time in which the board answers
 
   watchPower(seen);
-  const double volt = seen.voltage.value;  // NaN fails every comparison: unknown is no fault
+  const double volt = seen.voltage.value;  // NaN fails every comparison: unknown is not a fault
   low_.update(volt<config_.battery_low, volt> config_.battery_low + kBatteryHysteresis, dt);
   empty_.update(volt<config_.battery_empty, volt> config_.battery_empty + kBatteryHysteresis, dt);
   watchTilt(seen, dt);

@@ -1,4 +1,4 @@
-// What the board tells about the robot as a whole: is it there, has it power, does it lie on the floor?
+// The board's view of the robot as a whole: is it there, has it power, does it lie on the floor?
 #pragma once
 
 #include <array>

@@ -44,23 +44,23 @@ constexpr std::array<JointRange, kJoints> hardRanges() {
 }
 
 struct Config {
-  /// Period taken before the loop has told its own.
+  /// Period until the loop reports its own.
   Nanos period{std::chrono::milliseconds{16}};
 
-  double max_joint_speed = 12.26;
-  double gentle_speed = 1.194;
-  double default_speed = 12.21;
-  double default_torque = 2.5;
-  double default_p_gain = 4.0;
+  double max_joint_speed = kMaxVelocity;
+  double gentle_speed = kGentleSpeed;
+  double default_speed = kFullSpeed;
+  double default_torque = kMaxTorqueNm;
+  double default_p_gain = kDefaultPGain;
   double silent_s = 0.5;
   double take_over_s = 1.0;
   double start_tolerance = 0.15;
   double stall_ms = 500;
   double gone_s = 10;
-  double battery_low = 11.0;
-  double battery_empty = 10.0;
-  double hot = 65;
-  double overheat = 75;
+  double battery_low = kBatteryLowV;
+  double battery_empty = kBatteryEmptyV;
+  double hot = kServoHotC;
+  double overheat = kServoOverheatC;
   double fall_tilt = 60;
   OnFall on_fall = OnFall::kReport;
   OnExit on_exit = OnExit::kKneel;
@@ -70,7 +70,7 @@ struct Config {
   /// Section [Limits]: `Neck = -1.0, 1.0`.
   std::array<JointRange, kJoints> range = hardRanges();
 
-  /// Joints that are never driven. Absent ones (robot.ini) are not asked either and are no fault; those that start-up
+  /// Joints that are never driven. Absent ones (robot.ini) are not asked either and are not faults; those that start-up
   /// has left out are asked and reported.
   std::bitset<kJoints> absent, left_out;
 
@@ -102,20 +102,24 @@ struct Config {
  private:
   template <class Self, class V>
   static void visitFields(Self& c, V& v) {
-    v("max_joint_speed", c.max_joint_speed, 0.1, 12.26, "rad/s", "a goal never moves faster; 12.26 is the MX-28");
+    v("max_joint_speed", c.max_joint_speed, 0.1, kMaxVelocity, "rad/s",
+      "a goal never moves faster; 12.26 is the MX-28");
     v("gentle_speed", c.gentle_speed, 0.05, 3.0, "rad/s", "start, kneel, hot servos, joints that come back");
-    v("default_speed", c.default_speed, 0.0119, 12.21, "rad/s", "speed limit of a joint that was given none");
-    v("default_torque", c.default_torque, 0.05, 2.5, "N m", "torque limit of a joint that was given none");
-    v("default_p_gain", c.default_p_gain, 0.125, 31.75, "", "P gain of a joint that was given none");
+    v("default_speed", c.default_speed, kLeastSpeed, kFullSpeed, "rad/s", "speed limit of a joint that was given none");
+    v("default_torque", c.default_torque, 0.05, kMaxTorqueNm, "N m", "torque limit of a joint that was given none");
+    v("default_p_gain", c.default_p_gain, kGainPerCount, kMaxPGain, "", "P gain of a joint that was given none");
     v("silent_s", c.silent_s, 0.1, 5.0, "s", "a servo silent for longer is reported as servo_silent");
     v("take_over_s", c.take_over_s, 0.1, 10.0, "s", "wait for servos to answer before starting without them");
     v("start_tolerance", c.start_tolerance, 0.02, 1.0, "rad", "a joint this close has reached the start pose");
     v("stall_ms", c.stall_ms, 50.0, 10000.0, "ms", "a controller silent for longer is held");
     v("gone_s", c.gone_s, 0.1, 3600.0, "s", "a controller silent for longer is given up");
-    v("battery_low", c.battery_low, 6.0, 16.0, "V", "reported under this; 3 LiPo cells at 3.67 V");
-    v("battery_empty", c.battery_empty, 6.0, 16.0, "V", "kneels under this; LiPo cells are harmed under 3.3 V");
-    v("hot", c.hot, 30.0, 79.0, "deg C", "joints move gently from here on");
-    v("overheat", c.overheat, 30.0, 79.0, "deg C", "kneels from here on; servos shut themselves off at 80");
+    v("battery_low", c.battery_low, kServoSupplyLow, kServoSupplyHigh, "V",
+      "reported under this; 3 LiPo cells at 3.67 V");
+    v("battery_empty", c.battery_empty, kServoSupplyLow, kServoSupplyHigh, "V",
+      "kneels under this; LiPo cells are harmed under 3.3 V");
+    v("hot", c.hot, 30.0, kServoShutdownC - 1, "deg C", "joints move gently from here on");
+    v("overheat", c.overheat, 30.0, kServoShutdownC - 1, "deg C",
+      "kneels from here on; servos shut themselves off at 80");
     v("fall_tilt", c.fall_tilt, 20.0, 170.0, "deg", "a trunk tilted by more has fallen");
     v("on_fall", c.on_fall, std::span<const std::string_view>{kOnFallNames}, "limp protects the gears");
     v("on_exit", c.on_exit, std::span<const std::string_view>{kOnExitNames}, "after a normal end of the controller");

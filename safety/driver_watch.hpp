@@ -29,10 +29,10 @@ class DriverWatch {
       session_ = asked.session;
       sequence_ = came_ ? asked.sequence : std::max(sequence_, asked.sequence);
       resets_ = asked.fault_resets;
-      ended_ = asked.farewell || (ended_ && !came_);
+      ended_ = asked.end_of_session || (ended_ && !came_);
     }
     // A released session is over for good, and so is a loop that closes although nobody has ever driven it.
-    ended_ = ended_ || released_ || (session_ == 0 && asked.farewell);
+    ended_ = ended_ || released_ || (session_ == 0 && asked.end_of_session);
     silence_ = alive || excused || ended_ || session_ == 0 ? Nanos{0} : silence_ + dt;
   }
 
@@ -40,13 +40,13 @@ class DriverWatch {
   [[nodiscard]] bool came() const noexcept { return came_; }
   /// True when this cycle's image is that of the session that is obeyed.
   [[nodiscard]] bool obeyed() const noexcept { return obeyed_; }
-  /// A new session that a person started is a request, too: that person has seen to the robot.
+  /// A new session that a person started is a request also: that person has seen to the robot.
   [[nodiscard]] bool resetAsked() const noexcept { return reset_asked_; }
   /// True in the cycle in which an operator releases the robot.
   [[nodiscard]] bool released() const noexcept { return released_; }
   [[nodiscard]] bool stalled() const noexcept { return silence_ >= fromSeconds(config_.stall_ms / 1000); }
   [[nodiscard]] bool gone() const noexcept { return silence_ >= fromSeconds(config_.gone_s); }
-  /// The controller said farewell; only a new session counts from here on.
+  /// The controller has ended its session; only a new one counts from here on.
   [[nodiscard]] bool ended() const noexcept { return ended_; }
   [[nodiscard]] bool present() const noexcept { return session_ != 0 && !ended_ && !gone(); }
   [[nodiscard]] std::uint32_t session() const noexcept { return session_; }

@@ -43,7 +43,7 @@ Guard::Guard(const Config& config)
 SafeCommands Guard::vet(const Commands& asked, const Sensors& seen) noexcept {
   // The nominal period, never the time that went by: the first step after an overrun is no longer than any other.
   const Nanos dt = seen.period_ns > 0 ? Nanos{seen.period_ns} : config_.period;
-  hear(asked, dt);
+  take(asked, dt);
   watch(seen, dt);
   noteFaults();
   changeState(seen, dt);
@@ -55,13 +55,13 @@ SafeCommands Guard::vet(const Commands& asked, const Sensors& seen) noexcept {
   return safe;
 }
 
-void Guard::hear(const Commands& asked, Nanos dt) noexcept {
+void Guard::take(const Commands& asked, Nanos dt) noexcept {
   const bool moves_by_itself = state_ == State::kTakingOver || state_ == State::kStarting;
   driver_.update(asked, moves_by_itself, dt);
   if (driver_.came()) beginSession(asked);
   if (driver_.resetAsked()) clearFaults();
   if (!driver_.obeyed()) return;
-  for (std::size_t i = 0; i < kJoints; ++i) joints_[i].listen(asked.joint[i], report_.limit_hits);
+  for (std::size_t i = 0; i < kJoints; ++i) joints_[i].take(asked.joint[i], report_.limit_hits);
 }
 
 void Guard::beginSession(const Commands& asked) noexcept {
@@ -70,7 +70,7 @@ void Guard::beginSession(const Commands& asked) noexcept {
   in_place_ = asked.start_where_it_is || config_.start == StartMove::kHold;
   started_ = false;
   report_.missed_start.reset();
-  for (JointGuard& joint : joints_) joint.forgetWishes();
+  for (JointGuard& joint : joints_) joint.forgetRequests();
 }
 
 /// A person has acted.
@@ -92,7 +92,7 @@ void Guard::watch(const Sensors& seen, Nanos dt) noexcept {
   for (JointGuard& joint : joints_) joint.losePower();
 }
 
-/// RESET is a way to let go of the robot. What counts is whether it held its joints when power went, not what was
+/// RESET is a way to release the robot. What counts is whether it held its joints when power went, not what was
 /// known: a torque off that was just sent may have been lost, and a robot that no loop has looked at yet may be stiff.
 /// Servo power that is off from the start, on a robot that no loop has held, is a board that was just switched on.
 void Guard::watchHold() noexcept {
@@ -134,7 +134,7 @@ inline Rad Guard::target(std::size_t joint) const noexcept {
     case State::kKneeling:
       return start_pose_[joint];
     case State::kDriven:
-      return joints_[joint].wish();
+      return joints_[joint].requestedGoal();
     case State::kTakingOver:
     case State::kHolding:
     case State::kOffline:
@@ -174,25 +174,25 @@ inline void Guard::moveJoints(double speed, Nanos dt) noexcept {
 SafeCommands Guard::compose(Nanos dt) noexcept {
   SafeCommands safe;
   if (state_ == State::kOffline) return safe;
-  // A board that did not answer may not have heard the last goals either: they wait for it, so that what it hears
-  // next is one step away from what it heard last. Meanwhile nothing is written: a servo may have restarted unseen.
-  const bool heard = board_.answersNow();
-  // For the same reason torque comes on only after a goal that was heard; torque off goes out in any case.
+  // A board that did not answer may not have received the last goals either: they wait for it, so that what it receives
+  // next is one step away from what it received last. Meanwhile nothing is written: a servo may have restarted unseen.
+  const bool answers = board_.answersNow();
+  // For the same reason torque comes on only after a goal that was received; torque off goes out in any case.
   safe.torque_off_ = jointsThat([this](std::size_t i) { return joints_[i].offDue(); });
-  if (heard) safe.torque_on_ = jointsThat(looking_at_, [this](std::size_t i) { return joints_[i].onDue(); });
+  if (answers) safe.torque_on_ = jointsThat(looking_at_, [this](std::size_t i) { return joints_[i].onDue(); });
   const bool switches = (safe.torque_off_ | safe.torque_on_).any();
   const bool by_itself = movesByItself();
   const bool slow = by_itself || faults_.slow();
   const double speed = slow ? config_.gentle_speed : config_.max_joint_speed;
   if (switches)
-    for (JointGuard& joint : joints_) joint.switchTorque(heard);
-  else if (heard)
+    for (JointGuard& joint : joints_) joint.switchTorque(answers);
+  else if (answers)
     moveJoints(speed, dt);
   safe.driven_ = jointsThat([this](std::size_t i) { return joints_[i].driven(); });
   const auto unsettled = jointsThat([this](std::size_t i) { return joints_[i].lookDue() || joints_[i].uncertain(); });
   safe.look_ = looking_at_ = jointsThat(unsettled, [this](std::size_t i) { return joints_[i].lookDue(); });
   safe.held_ = safe.driven_;
-  if (heard) safe.held_ &= jointsThat(unsettled, [this](std::size_t i) { return joints_[i].uncertain(); });
+  if (answers) safe.held_ &= jointsThat(unsettled, [this](std::size_t i) { return joints_[i].uncertain(); });
   forEachJoint(safe.driven_, [&](std::size_t i) { safe.goal_[i] = joints_[i].goal(RadPerSec{speed}, by_itself); });
   if (switches)
     safe.write_ = SafeCommands::Write::kTorque;

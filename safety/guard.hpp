@@ -1,4 +1,4 @@
-// The last step before the encoder: turns what a controller asks for into what the robot may be told.
+// The last step before the encoder: turns requests of a controller into commands that may be sent.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ class Guard {
   using Joints = std::array<JointGuard, kJoints>;
   using Shares = std::array<double, kJoints>;
 
-  void hear(const Commands& asked, Nanos dt) noexcept;
+  void take(const Commands& asked, Nanos dt) noexcept;
   void watch(const Sensors& seen, Nanos dt) noexcept;
   void watchHold() noexcept;
   void beginSession(const Commands& asked) noexcept;

@@ -9,11 +9,11 @@ namespace {
 // Maximum age of a torque reading, in cycles: one round in which each servo is looked at once, and a margin for lost
 // replies. What is still unknown after two rounds stays unknown.
 constexpr int kLookRound = kJoints + 5;
-// After the robot sits: time to come to rest before it lets go.
+// After the robot sits: time to come to rest before it releases torque.
 constexpr Nanos kRest{std::chrono::seconds{1}};
 
-Reaction atExit(OnExit wish) noexcept {
-  switch (wish) {
+Reaction atExit(OnExit requested) noexcept {
+  switch (requested) {
     case OnExit::kHold:
       return Reaction::kHold;
     case OnExit::kKneel:
@@ -44,7 +44,7 @@ std::optional<Event> Guard::findEvent() const noexcept {
   return findEventOf(state_, wanted, demand == Reaction::kHold);
 }
 
-/// Servos keep their torque when whoever drove them dies. A robot that nobody drives yet counts as limp only when each
+/// Servos keep their torque when their driver dies. A robot that nobody drives yet counts as limp only when each
 /// servo that answers has been looked at.
 std::optional<Event> Guard::findEventOffline() const noexcept {
   if (!board_.answersNow()) return std::nullopt;
@@ -176,7 +176,7 @@ void Guard::finishStart() noexcept {
   started_ = true;
   report_.missed_start = move_.missing();
   if (progress_ == PoseMove::Progress::kTimedOut) ++report_.start_timeouts;
-  for (std::size_t i = 0; i < kJoints; ++i) joints_[i].wishIfNone(start_pose_[i]);
+  for (std::size_t i = 0; i < kJoints; ++i) joints_[i].requestIfNone(start_pose_[i]);
 }
 
 }  // namespace darwinop::safety

@@ -14,57 +14,57 @@ JointGuard::JointGuard(Joint joint, const Config& config)
       absent_{config.absent[index(joint)]},
       never_driven_{absent_ || config.left_out[index(joint)]},
       watch_{config} {
-  forgetWishes();
+  forgetRequests();
 }
 
-void JointGuard::forgetWishes() noexcept {
-  wish_goal_ = Rad{};
-  wish_speed_ = RadPerSec{config_.default_speed};
-  wish_torque_ = NewtonMeter{config_.default_torque};
-  wish_p_gain_ = config_.default_p_gain;
+void JointGuard::forgetRequests() noexcept {
+  requested_goal_ = Rad{};
+  requested_speed_ = RadPerSec{config_.default_speed};
+  requested_torque_ = NewtonMeter{config_.default_torque};
+  requested_p_gain_ = config_.default_p_gain;
   limp_ = false;
 }
 
-void JointGuard::listenToSettings(const JointCommand& asked, LimitHits& hits) noexcept {
-  if (asked.has(JointCommand::kSpeedLimit)) wish_speed_ = limitSpeed(asked.speed_limit, wish_speed_, hits);
-  if (asked.has(JointCommand::kTorqueLimit)) wish_torque_ = limitTorque(asked.torque_limit, wish_torque_, hits);
-  if (asked.has(JointCommand::kPGain)) wish_p_gain_ = limitGain(asked.p_gain, wish_p_gain_, hits);
-  if (asked.has(JointCommand::kTorque)) takeTorqueWish(asked.torque_on);
+void JointGuard::takeSettings(const JointCommand& asked, LimitHits& hits) noexcept {
+  if (asked.has(JointCommand::kSpeedLimit)) requested_speed_ = limitSpeed(asked.speed_limit, requested_speed_, hits);
+  if (asked.has(JointCommand::kTorqueLimit))
+    requested_torque_ = limitTorque(asked.torque_limit, requested_torque_, hits);
+  if (asked.has(JointCommand::kPGain)) requested_p_gain_ = limitGain(asked.p_gain, requested_p_gain_, hits);
+  if (asked.has(JointCommand::kTorque)) takeTorqueRequest(asked.torque_on);
 }
 
-void JointGuard::takeTorqueWish(bool on) noexcept {
+void JointGuard::takeTorqueRequest(bool on) noexcept {
   if (!on && !limp_) orderOff();
   if (on && limp_) resetTrip();  // off and on again is how a controller asks for a tripped joint
   limp_ = !on;
 }
 
-void JointGuard::wishIfNone(Rad goal) noexcept {
-  if (!wish_goal_.known()) wish_goal_ = goal;
+void JointGuard::requestIfNone(Rad goal) noexcept {
+  if (!requested_goal_.known()) requested_goal_ = goal;
 }
 
 FaultSet JointGuard::faults() const noexcept {
-  return faultIf(watch_.silent() || deaf(), Fault::kServoSilent) | faultIf(watch_.hot(), Fault::kServoHot) |
-         faultIf(watch_.overheated() || trip_ == Trip::kOverheat, Fault::kServoOverheat) |
-         faultIf(trip_ == Trip::kOverload, Fault::kServoOverload) | faultIf(watch_.badVoltage(), Fault::kServoVoltage) |
-         faultIf(encoder_watch_.stuck(), Fault::kEncoderStuck);
+  FaultSet found;
+  detect([&found](Fault fault, int active) { found |= faultIf(active != 0, fault); });
+  return found;
 }
 
 /// Torque that the servo's P controller makes to reach its goal, N m; never more than it really is. 0: it is not
 /// driven, or so slowly that its goal says nothing about its torque, or the torque is too small to count.
 inline double JointGuard::push(const JointSensors& seen) const noexcept {
-  constexpr double kFastEnough = 0.5;                     // rad/s
-  constexpr double kFullDriveError = 1023 * kRadPerTick;  // rad at Kp 1: MX-28 manual, output 0..1023 over ticks
+  constexpr double kFastEnough = 0.5;  // rad/s
   if (!channel_.moving() || !mayBeWritten()) return 0;
-  const double gain = std::min(wish_p_gain_, config_.default_p_gain);  // safety's own moves use the default
+  const double gain = std::min(requested_p_gain_, config_.default_p_gain);  // safety's own moves use the default
   const double torque = gain * (channel_.goal().value - seen.position.value) / kFullDriveError * kMaxTorqueNm;
   if (std::abs(torque) < EncoderWatch::kPush) return 0;
-  const double speed = channel_.gentle() ? std::min(wish_speed_.value, config_.gentle_speed) : wish_speed_.value;
+  const double speed =
+      channel_.gentle() ? std::min(requested_speed_.value, config_.gentle_speed) : requested_speed_.value;
   if (!(speed >= kFastEnough)) return 0;
-  const double limit = std::min(std::min(wish_torque_.value, config_.default_torque), seen.torque_limit.value);
+  const double limit = std::min(std::min(requested_torque_.value, config_.default_torque), seen.torque_limit.value);
   return limit > 0 ? std::copysign(std::min(std::abs(torque), limit), torque) : 0;
 }
 
-/// A look tells whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
+/// A look shows whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
 /// switched it on again. (A servo that shut itself off has a torque limit of 0: TripWatch.)
 inline void JointGuard::noteRestart(const JointSensors& seen) noexcept {
   const bool looked = seen.motion.fresh() && seen.health.fresh();
@@ -72,7 +72,7 @@ inline void JointGuard::noteRestart(const JointSensors& seen) noexcept {
   const bool never_on = !on_seen_ || uncertain_;  // torque on was lost, or it has restarted
   const bool restarted = looked && (seen.speed_limit.value <= 0 || (off && never_on && channel_.moving()));
   if (looked && seen.torque_enabled) on_seen_ = true;
-  // It restarted while it was not heard, and has torque: a board that was stalled has carried out a goal of before. It
+  // It restarted while it was silent, and has torque: a board that was stalled has carried out a goal of before. It
   // runs there without a speed limit.
   if (looked && uncertain_ && had_limit_ && seen.speed_limit.value <= 0 && seen.torque_enabled) orderOff();
   if (looked) had_limit_ = seen.speed_limit.value > 0;
@@ -109,10 +109,10 @@ void JointGuard::observe(const JointSensors& seen, bool given_up, Nanos powered_
   notePlaced(seen);
   noteRestart(seen);
   const TripWatch::Verdict verdict = trip_watch_.update(seen, channel_.drivenFor());
-  const bool was_suspect = suspect_;
-  suspect_ = verdict == TripWatch::Verdict::kSuspect;
+  const bool was_suspected = suspected_;
+  suspected_ = verdict == TripWatch::Verdict::kSuspected;
   // Suspected wrongly, or back by itself: it may have been off, and swung away from its last goal.
-  if (was_suspect && !suspect_) restart();
+  if (was_suspected && !suspected_) restart();
   if (verdict == TripWatch::Verdict::kOverload) trip_ = Trip::kOverload;
   if (verdict == TripWatch::Verdict::kOverheat) trip_ = Trip::kOverheat;
   if (verdict == TripWatch::Verdict::kNotOn || watch_.lost() || given_up) restart();

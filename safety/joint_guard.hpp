@@ -1,4 +1,4 @@
-// All that protects one joint: what the controller wishes, whether the servo is well, how it is driven.
+// Protection of one joint: the controller's requests, the servo's health, how it is driven.
 #pragma once
 
 #include <algorithm>
@@ -23,28 +23,28 @@ class JointGuard {
 
   JointGuard(Joint joint, const Config& config);
 
-  // -- what the controller wishes
-  /// A new driver starts without the wishes of the one before.
-  void forgetWishes() noexcept;
-  void listen(const JointCommand& asked, LimitHits& hits) noexcept {
-    if (asked.has(JointCommand::kGoal)) wish_goal_ = limitGoal(asked.goal, wish_goal_, range(), hits);
-    if ((asked.set & ~JointCommand::kGoal) != 0) listenToSettings(asked, hits);
+  // -- requests of the controller
+  /// A new driver starts without the requests of the previous one.
+  void forgetRequests() noexcept;
+  void take(const JointCommand& asked, LimitHits& hits) noexcept {
+    if (asked.has(JointCommand::kGoal)) requested_goal_ = limitGoal(asked.goal, requested_goal_, range(), hits);
+    if ((asked.set & ~JointCommand::kGoal) != 0) takeSettings(asked, hits);
   }
-  /// Where the joint stays when the controller has not said anything yet.
-  void wishIfNone(Rad goal) noexcept;
+  /// Goal of the joint until the controller requests one.
+  void requestIfNone(Rad goal) noexcept;
 
-  // -- what the servo tells
+  // -- reports of the servo
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
   /// The causes of faults as they are in this cycle.
   [[nodiscard]] FaultSet faults() const noexcept;
-  /// No faults(). Without a branch for each of them: this is asked of every joint in every cycle.
+  /// No faults().
   [[nodiscard]] bool well() const noexcept {
-    const int troubles = int{watch_.silent()} | watch_.hot() | watch_.overheated() | watch_.badVoltage() | deaf() |
-                         encoder_watch_.stuck() | (trip_ != Trip::kNone);
-    return troubles == 0;
+    int any = 0;
+    detect([&any](Fault /*fault*/, int active) { any |= active; });
+    return any == 0;
   }
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
-  /// As far as is known the servo holds its joint, whoever told it to.
+  /// As far as is known the servo holds its joint, on any request.
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }
   /// It was looked at since it answers, or it does not answer: then nobody can know.
   [[nodiscard]] bool torqueKnown() const noexcept { return torque_known_ || watch_.lost(); }
@@ -68,18 +68,18 @@ class JointGuard {
   [[nodiscard]] bool onDue() const noexcept { return channel_.placed() && has_goal_ && mayBeWritten(); }
   [[nodiscard]] const JointChannel& channel() const noexcept { return channel_; }
   /// Has a goal, and gets the next one in this cycle unless it is uncertain().
-  [[nodiscard]] bool driven() const noexcept { return channel_.hasGoal() && !suspect_; }
+  [[nodiscard]] bool driven() const noexcept { return channel_.hasGoal() && !suspected_; }
   /// It has missed an answer and was not looked at since: it may have restarted, and then a goal would switch its
   /// torque on, wherever it is by now and without a speed limit.
   [[nodiscard]] bool uncertain() const noexcept { return uncertain_; }
-  [[nodiscard]] Rad wish() const noexcept { return wish_goal_; }
+  [[nodiscard]] Rad requestedGoal() const noexcept { return requested_goal_; }
 
   /// This cycle's write carries torque switches: takes the orders that are due; `on`: also those to switch on.
   void switchTorque(bool on) noexcept;
   /// This cycle's write carries goals: places the joint, or moves it towards `target` (unknown: stays).
   /// False when the step was cut short.
   bool move(Rad target, double gentle_step, double full_step) noexcept {
-    if (suspect_) return true;  // nothing of it is written in this cycle
+    if (suspected_) return true;  // nothing of it is written in this cycle
     if (channel_.ready()) {
       place();
       return true;
@@ -88,22 +88,32 @@ class JointGuard {
     return channel_.advance(target, gentle_step, full_step);
   }
   /// What goes on the wire. `speed_cap`: no faster than this.
-  /// `by_itself`: safety moves the robot, and what the controller wished for speed, torque and gain does not count.
+  /// `by_itself`: safety moves the robot, and the requested speed, torque and gain do not count.
   [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap, bool by_itself) const noexcept {
     const double cap = channel_.gentle() ? std::min(config_.gentle_speed, speed_cap.value) : speed_cap.value;
     if (by_itself)
       return {channel_.goal(), RadPerSec{cap}, NewtonMeter{config_.default_torque}, config_.default_p_gain};
-    return {channel_.goal(), RadPerSec{std::min(wish_speed_.value, cap)}, wish_torque_, wish_p_gain_};
+    return {channel_.goal(), RadPerSec{std::min(requested_speed_.value, cap)}, requested_torque_, requested_p_gain_};
   }
 
  private:
   // A lost write is rare; each try takes three cycles and does no harm, so all of them about a second.
   static constexpr int kRefusals = 20;
 
+  /// Every fault of a servo and what detects it. Without a branch: this is asked of every joint in every cycle.
+  template <class F>
+  void detect(F&& fault) const noexcept {
+    fault(Fault::kServoSilent, int{watch_.silent()} | unresponsive());
+    fault(Fault::kServoHot, watch_.hot());
+    fault(Fault::kServoOverheat, int{watch_.overheated()} | (trip_ == Trip::kOverheat));
+    fault(Fault::kServoOverload, trip_ == Trip::kOverload);
+    fault(Fault::kServoVoltage, watch_.badVoltage());
+    fault(Fault::kEncoderStuck, encoder_watch_.stuck());
+  }
   /// It answers, and again and again it is seen without what was written to it.
-  [[nodiscard]] bool deaf() const noexcept { return refused_ >= kRefusals; }
-  void listenToSettings(const JointCommand& asked, LimitHits& hits) noexcept;
-  void takeTorqueWish(bool on) noexcept;
+  [[nodiscard]] bool unresponsive() const noexcept { return refused_ >= kRefusals; }
+  void takeSettings(const JointCommand& asked, LimitHits& hits) noexcept;
+  void takeTorqueRequest(bool on) noexcept;
   void place() noexcept {
     channel_.place(range());
     uncertain_ = false;  // all it needs is written with this goal
@@ -112,16 +122,16 @@ class JointGuard {
   void noteRestart(const JointSensors& seen) noexcept;
   void notePlaced(const JointSensors& seen) noexcept;
   [[nodiscard]] double push(const JointSensors& seen) const noexcept;
-  [[nodiscard]] bool mayBeWritten() const noexcept { return !suspect_ && !uncertain_; }
+  [[nodiscard]] bool mayBeWritten() const noexcept { return !suspected_ && !uncertain_; }
   [[nodiscard]] const JointRange& range() const noexcept { return config_.range[index(joint_)]; }
 
   const Config& config_;
   Joint joint_;
   bool absent_, never_driven_;
-  Rad wish_goal_;  // unknown: none yet
-  RadPerSec wish_speed_;
-  NewtonMeter wish_torque_;
-  double wish_p_gain_ = 0;
+  Rad requested_goal_;  // unknown: none yet
+  RadPerSec requested_speed_;
+  NewtonMeter requested_torque_;
+  double requested_p_gain_ = 0;
   bool stiff_ = false, torque_known_ = false;
   bool limp_ = false;  // the controller has switched its torque off
 
@@ -130,7 +140,7 @@ class JointGuard {
   EncoderWatch encoder_watch_;
   JointChannel channel_;
   Trip trip_ = Trip::kNone;
-  bool suspect_ = false, uncertain_ = false;
+  bool suspected_ = false, uncertain_ = false;
   bool has_goal_ = false;      // the servo was seen with it in this cycle
   bool on_seen_ = false;       // a look has found torque on since it was switched on
   bool shut_at_once_ = false;  // off again when it was seen with it

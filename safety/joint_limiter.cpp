@@ -9,10 +9,7 @@
 namespace darwinop::safety {
 namespace {
 
-constexpr double kSlowest = kRadPerSecPerCount;
-constexpr double kFastest = 1023 * kRadPerSecPerCount;  // 12.2127 rad/s
 constexpr double kLeastTorque = kMaxTorqueNm / kTorqueMax;
-constexpr double kMaxPGain = 254 / 8.0;
 
 }  // namespace
 
@@ -21,7 +18,8 @@ RadPerSec limitSpeed(RadPerSec asked, RadPerSec keep, LimitHits& hits) noexcept 
     hit(hits, Limit::kNotFinite);
     return keep;
   }
-  return RadPerSec{std::max(kSlowest, clampCounted(std::abs(asked.value), 0, kFastest, Limit::kSpeed, hits))};
+  return RadPerSec{
+      std::max(kRadPerSecPerCount, clampCounted(std::abs(asked.value), 0, kRegisterSpeed, Limit::kSpeed, hits))};
 }
 
 NewtonMeter limitTorque(NewtonMeter asked, NewtonMeter keep, LimitHits& hits) noexcept {

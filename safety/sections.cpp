@@ -9,7 +9,7 @@
 namespace darwinop::safety {
 
 bool isLimit(std::string_view key) {
-  bool found = findJoint(text::jointName(key)).has_value();
+  bool found = findJoint(jointName(key)).has_value();
   safety::Config{}.visit([&](std::string_view name, const auto&...) { found = found || name == text::lowered(key); });
   return found;
 }
@@ -19,7 +19,7 @@ bool takeSafety(safety::Config& config, std::string_view section, std::string_vi
   if (name == "safety")
     config.set("Safety", text::lowered(key), value);
   else if (name == "limits")
-    config.set("Limits", text::jointName(key), value);
+    config.set("Limits", jointName(key), value);
   else
     return false;
   return true;

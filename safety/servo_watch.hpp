@@ -1,4 +1,4 @@
-// What one servo tells about its health: does it answer, is it warm, is its supply good?
+// Health of one servo: does it answer, is it warm, is its supply good?
 #pragma once
 
 #include "core/packet.hpp"
@@ -14,24 +14,24 @@ class ServoWatch {
 
   /// `given_up`: the bus has taken the servo off its list for now. `powered_for`: how long servos have had power.
   void update(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept {
-    const bool heard = seen.motion.fresh();
-    unheard_ = heard ? Nanos{0} : unheard_ + dt;
-    lost_ = !heard && unheard_ >= fromSeconds(config_.silent_s);
+    const bool answers = seen.motion.fresh();
+    silence_ = answers ? Nanos{0} : silence_ + dt;
+    lost_ = !answers && silence_ >= fromSeconds(config_.silent_s);
     silent_now_ = powered_for >= kStartUp && (lost_ || given_up);
-    if (heard) {
+    if (answers) {
       const bool overheat = (seen.error_bits & error_bit::kOverheat) != 0;
       const bool voltage = (seen.error_bits & error_bit::kVoltage) != 0;
       overheat_bit_.update(overheat, !overheat);
       voltage_.update(voltage, !voltage, dt);
     }
-    if (seen.health.fresh()) {  // NaN fails every comparison: unknown is no fault
+    if (seen.health.fresh()) {  // NaN fails every comparison: unknown is not a fault
       const double celsius = seen.temperature.value;
       hot_.update(celsius >= config_.hot, celsius <= config_.hot - kHeatHysteresis);
       overheated_.update(celsius >= config_.overheat, celsius <= config_.overheat - kHeatHysteresis);
     }
   }
 
-  /// Not heard for so long that the last goal must not be trusted any more: it may have moved or restarted.
+  /// Silent for so long that the last goal must not be trusted any more: it may have moved or restarted.
   [[nodiscard]] bool lost() const noexcept { return lost_; }
   /// Lost, or given up by the bus; never in the second after power came on, in which servos start.
   [[nodiscard]] bool silent() const noexcept { return silent_now_; }
@@ -40,13 +40,12 @@ class ServoWatch {
   [[nodiscard]] bool badVoltage() const noexcept { return voltage_.on(); }
 
  private:
-  static constexpr double kHeatHysteresis = 5;  // deg C
   // Servos start in about 0.3 s; the bus asks again twice a second.
   static constexpr Nanos kStartUp{std::chrono::milliseconds{1000}};
   static constexpr Nanos kVoltageOn{std::chrono::milliseconds{100}}, kVoltageOff{std::chrono::milliseconds{1000}};
 
   const Config& config_;
-  Nanos unheard_{0};
+  Nanos silence_{0};
   bool lost_ = false, silent_now_ = false;
   Confirm hot_, overheated_, overheat_bit_;
   Debounce voltage_;

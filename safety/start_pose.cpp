@@ -72,7 +72,7 @@ std::string describe(const StartPoseCheck& check) {
   if (check.upright) return text;
   const auto& a = check.acceleration;
   if (!a[0].known() || !a[1].known() || !a[2].known())
-    text += "orientation not known: the board has not told its acceleration\n";
+    text += "orientation not known: the board has not reported its acceleration\n";
   else
     addLine(text, "not upright: acceleration %.2f %.2f %.2f m/s2, should be 0 0 9.81, each within %.2f\n", a[0].value,
             a[1].value, a[2].value, kOrientationTolerance);

@@ -6,6 +6,7 @@
 
 #include "core/joints.hpp"
 #include "core/sensors.hpp"
+#include "core/units.hpp"
 #include "safety/config.hpp"
 
 namespace darwinop::safety {
@@ -16,8 +17,8 @@ namespace darwinop::safety {
 // Thresholds of the check that came with the robot: 230 ticks (20.2 deg) for leg joints, a quarter of a g in
 // each axis of the trunk. Arms and head are not checked: they are light and hit nothing on their way.
 inline constexpr double kStartPoseTolerance = 230 * kRadPerTick;
-inline constexpr double kOrientationTolerance = 9.80665 / 4;  // m/s2
-inline constexpr std::array<double, 3> kUpright{0, 0, 9.80665};
+inline constexpr double kOrientationTolerance = kGravity / 4;  // m/s2
+inline constexpr std::array<double, 3> kUpright{0, 0, kGravity};
 
 struct StartPoseCheck {
   struct JointOff {

@@ -23,7 +23,7 @@ enum class Event : std::uint8_t {
   kResume,            // the reason to hold has gone
   kKnelt,             // the robot sits
   kStiffSeen,         // nobody drives, and a servo holds its joint
-  kLimpSeen,          // no servo that is heard holds its joint any more
+  kLimpSeen,          // no answering servo holds its joint any more
   kCount
 };
 inline constexpr std::size_t kEvents = static_cast<std::size_t>(Event::kCount);
@@ -64,7 +64,7 @@ constexpr State next(State state, Event event) {
 }
 
 static_assert(next(State::kOffline, Event::kDriverCame) == State::kOffline, "nobody drives a board that is silent");
-static_assert(next(State::kKneeling, Event::kResume) == State::kKneeling, "a kneel is not broken off by a wish");
+static_assert(next(State::kKneeling, Event::kResume) == State::kKneeling, "a kneel is not aborted by a request");
 static_assert(next(State::kLimp, Event::kResume) == State::kLimp, "torque comes on through a takeover only");
 
 }  // namespace darwinop::safety

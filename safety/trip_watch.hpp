@@ -16,10 +16,10 @@ class TripWatch {
  public:
   enum class Verdict : std::uint8_t {
     kFine,
-    kSuspect,   // leave it out until the next reading: a routine write would arm it again
-    kOverload,  // shut itself off
-    kOverheat,  // shut itself off
-    kNotOn,     // torque is off, its torque limit is not: it has not heard "torque on"
+    kSuspected,  // leave it out until the next reading: a routine write would arm it again
+    kOverload,   // shut itself off
+    kOverheat,   // shut itself off
+    kNotOn,      // torque is off, its torque limit is not: it has not received "torque on"
   };
 
   /// `driven_for`: time since torque was switched on, nothing while the joint is not driven.
@@ -37,7 +37,7 @@ class TripWatch {
     if (armed && seen.health.fresh()) noteLook(seen);
     if (bits_.on()) return (last_bits_ & error_bit::kOverheat) != 0 ? Verdict::kOverheat : Verdict::kOverload;
     if (off_.on()) return judgeLook(seen);
-    return early_ || bits_.suspected() || off_.suspected() ? Verdict::kSuspect : Verdict::kFine;
+    return early_ || bits_.suspected() || off_.suspected() ? Verdict::kSuspected : Verdict::kFine;
   }
   /// A reset was asked: judge by readings from now on.
   void forget() noexcept { *this = TripWatch{}; }

@@ -92,7 +92,7 @@ class Rescue::OwnLoop {
     last.led = redLights();
     last.session = kSession;
     last.sequence = 1;
-    last.farewell = true;
+    last.end_of_session = true;
     last.unattended = true;  // a release by a person during the rescue stays in force
     exchange_.commands().commands.publish(last);
     session_ended_ = true;

@@ -3,7 +3,7 @@
 #   cmake -S . -B build/robot -DCMAKE_TOOLCHAIN_FILE=toolchain/i686-linux.cmake     (preset "robot" says the same)
 #
 # ROBOT_SYSROOT, a CMake variable or one of the environment, names the i386 sysroot; unset: make-sysroot.sh makes it.
-# A controller that builds with CMake gives -DCMAKE_PREFIX_PATH=build/robot/sdk, too.
+# A controller that builds with CMake gives -DCMAKE_PREFIX_PATH=build/robot/sdk also.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR i686)
 set(CMAKE_LIBRARY_ARCHITECTURE i386-linux-gnu)
@@ -17,7 +17,7 @@ if(NOT ROBOT_SYSROOT)
     OUTPUT_STRIP_TRAILING_WHITESPACE)
 endif()
 if(NOT ROBOT_SYSROOT OR NOT EXISTS "${ROBOT_SYSROOT}/usr/include/stdio.h")
-  message(FATAL_ERROR "There is no i386 sysroot at '${ROBOT_SYSROOT}'; toolchain/make-sysroot.sh makes one or tells why")
+  message(FATAL_ERROR "There is no i386 sysroot at '${ROBOT_SYSROOT}'; toolchain/make-sysroot.sh makes one or prints why not")
 endif()
 set(CMAKE_SYSROOT "${ROBOT_SYSROOT}")
 

@@ -67,7 +67,7 @@ violations=$(
         file = FILENAME
         sub(/^\.\//, "", file)
         here = home(file)
-        if (!(here in floor)) print file ":1: the folder " here " is no room of " table
+        if (!(here in floor)) print file ":1: the folder " here " is not a room of " table
         built[here] = 1
       }
       /^[ \t]*#[ \t]*include[ \t]*["<]/ || /__has_include/ {

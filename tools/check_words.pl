@@ -40,6 +40,7 @@ sub check {
     next if $line =~ /keep-word/;
     my $split = $line;
     $split =~ s/([a-z0-9])([A-Z])/$1 $2/g;
+  $split =~ s/([A-Z])([A-Z][a-z])/$1 $2/g;
     $split =~ s/_/ /g;
     my $code = $is_code ? $line =~ s/"[^"]*"|\/\/.*//gr : '';
     next unless $code =~ /$exact/ || $split =~ /$plain/;

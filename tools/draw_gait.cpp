@@ -1,4 +1,4 @@
-// Draws the pictures of docs/gait.md from the engine itself: `draw_gait FOLDER`; with `--check FOLDER` tells whether
+// Draws the pictures of docs/gait.md from the engine itself: `draw_gait FOLDER`; with `--check FOLDER` checks whether
 // the pictures there are still what it draws.
 #include <filesystem>
 #include <fstream>

@@ -18,11 +18,11 @@ using svg::Points;
 inline constexpr double kHipHalf = 37;  // mm from the middle of the trunk to a hip
 
 /// From above: where the feet are when both are down, after the left one's swing and after the right one's.
-inline void footprints(Picture& picture, double middle, const WalkCommand& wish, const std::string& title,
+inline void footprints(Picture& picture, double middle, const WalkCommand& command, const std::string& title,
                        const std::string& below) {
   Parameters p;
   const Timing timing{p};
-  const Stride stride{wish, p};
+  const Stride stride{command, p};
   constexpr double kZoom = 0.9, kTop = 150, kHalfLength = 48, kHalfWidth = 26;  // px a mm; px; mm
   const auto foot = [&](const Foot& f, double hip, const char* colour, bool now) {
     Points outline;

@@ -10,15 +10,15 @@ folder=build/model
 compiler=${CC:-gcc}
 
 # Name, effort, and what the configuration defines. `processes`: people, processes and servos on a good wire. `wire`: lost
-# writes and outages of up to MAXMISS cycles, a controller only. `way_out`, `let_go`: from every state of `processes` the
-# robot drives again, or lets go, when nothing breaks any more and a person acts (docs/faults.md); they visit what
+# writes and outages of up to MAXMISS cycles, a controller only. `way_out`, `release`: from every state of `processes` the
+# robot drives again, or becomes limp, when nothing breaks any more and a person acts (docs/faults.md); they visit what
 # `processes` visits, and check the same assertions.
 configurations() {
   cat <<'END'
 processes deep -DNO_WIRE
 wire gate -DFIXED_PROCESSES -DNO_PEOPLE -DMAXMISS=6 -DMAXBOOT=1
 way_out gate -DNO_WIRE -DWAY_OUT=1
-let_go deep -DNO_WIRE -DWAY_OUT=2
+release deep -DNO_WIRE -DWAY_OUT=2
 processes_hold deep -DNO_WIRE -DON_EXIT=RE_hold
 processes_limp deep -DNO_WIRE -DON_EXIT=RE_limp
 way_out_hold deep -DNO_WIRE -DWAY_OUT=1 -DON_EXIT=RE_hold

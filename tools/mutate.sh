@@ -45,7 +45,7 @@ patience 5 to 2 cycles	core/sensors.hpp	s/(kAnswerPatience = )5/\12/
 re-powers 3 to 30	safety/board_watch.hpp	s/(kRepowers = )3/\130/
 re-power window 60 to 1 s	safety/board_watch.hpp	s/(kRepowerWindow\{std::chrono::seconds\{)60/\11/
 press of a button 250 ms to 25 ms	safety/board_watch.cpp	s/(kPress\{milliseconds\{)250/\125/
-battery hysteresis 0.3 V to 0	safety/board_watch.cpp	s/(kBatteryHysteresis = )0.3/\10/
+battery hysteresis 0.3 V to 0	core/servo_limits.hpp	s/(kBatteryHysteresis = )0.3/\10/
 tilt hysteresis 15 deg to 0	safety/board_watch.cpp	s/(kTiltHysteresis = )15/\10/
 least gravity 3 to 0 m/s2	safety/board_watch.cpp	s/(kLeastGravity = )3.0/\10.0/
 power counts as on after one answer	safety/board_watch.cpp	s/seen.servo_power && !power_off_.on\(\)/seen.servo_power/
@@ -56,14 +56,14 @@ placed outside of its range	safety/joint_channel.cpp	s/range.low.value, range.hi
 caught up 0.15 to 15 rad	safety/joint_channel.hpp	s/(kCaughtUp = )0.15/\115/
 held up 3 to 300 s	safety/joint_channel.hpp	s/(kHeldUp\{std::chrono::seconds\{)3/\1300/
 refusals 20 to 2000	safety/joint_guard.hpp	s/(kRefusals = )20/\12000/
-written while suspected	safety/joint_guard.hpp	s/if \(suspect_\) return true;/if (suspect_ \&\& uncertain_) return true;/
-suspected joint counts as driven	safety/joint_guard.hpp	s/channel_.hasGoal\(\) && !suspect_/channel_.hasGoal()/
+written while suspected	safety/joint_guard.hpp	s/if \(suspected_\) return true;/if (suspected_ \&\& uncertain_) return true;/
+suspected joint counts as driven	safety/joint_guard.hpp	s/channel_.hasGoal\(\) && !suspected_/channel_.hasGoal()/
 moved while uncertain	safety/joint_guard.hpp	s/if \(uncertain_ \|\| !on_seen_/if (!on_seen_/
 moved before torque is seen	safety/joint_guard.hpp	s/if \(uncertain_ \|\| !on_seen_/if (uncertain_/
-torque on while uncertain	safety/joint_guard.hpp	s/return !suspect_ && !uncertain_;/return !suspect_;/
-torque on while suspected	safety/joint_guard.hpp	s/return !suspect_ && !uncertain_;/return !uncertain_;/
+torque on while uncertain	safety/joint_guard.hpp	s/return !suspected_ && !uncertain_;/return !suspected_;/
+torque on while suspected	safety/joint_guard.hpp	s/return !suspected_ && !uncertain_;/return !uncertain_;/
 torque on without the goal seen	safety/joint_guard.hpp	s/channel_.placed\(\) && has_goal_ && mayBeWritten/channel_.placed() \&\& mayBeWritten/
-speed limit wished counts when safety moves	safety/joint_guard.hpp	s/if \(by_itself\)/if (by_itself \&\& limp_)/
+speed limit of the controller counts when safety moves	safety/joint_guard.hpp	s/if \(by_itself\)/if (by_itself \&\& limp_)/
 torque seen by any look	safety/joint_guard.cpp	s/looked && seen.torque_enabled\) on_seen_/looked) on_seen_/
 torque seen survives torque on	safety/joint_guard.cpp	s/^  on_seen_ = false;//
 never uncertain	safety/joint_guard.cpp	s/^    uncertain_ = true;/    uncertain_ = false;/
@@ -80,7 +80,7 @@ placed without a speed limit	safety/joint_guard.cpp	s/&& seen.speed_limit.value 
 shut off at once: first time is a fact	safety/joint_guard.cpp	s/if \(shut && shut_at_once_\)/if (shut)/
 shut off at once: never a fact	safety/joint_guard.cpp	s/if \(shut && shut_at_once_\)/if (shut \&\& !shut)/
 shut off at once: torque on	safety/joint_guard.cpp	s/has_goal_ = took && !shut/has_goal_ = took/
-cleared suspicion keeps its goal	safety/joint_guard.cpp	s/was_suspect && !suspect_\) restart/was_suspect \&\& absent_) restart/
+cleared suspicion keeps its goal	safety/joint_guard.cpp	s/was_suspected && !suspected_\) restart/was_suspected \&\& absent_) restart/
 missed torque on keeps its goal	safety/joint_guard.cpp	s/verdict == TripWatch::Verdict::kNotOn \|\| //
 lost servo keeps its goal	safety/joint_guard.cpp	s/ \|\| watch_.lost\(\) \|\| given_up\) restart/) restart/
 lost torque off is not repeated	safety/joint_guard.cpp	s/(if \(off_ordered_ .*\)) orderOff\(\)/\1 off_due_ = off_due_/
@@ -102,12 +102,12 @@ kneel broken off when the controller ends	safety/guard_states.cpp	s/!driver_.end
 taken over without waiting for the others	safety/guard_states.cpp	s/ranges::all_of\(joints_, settled\) && some\)/ranges::any_of(joints_, settled) \&\& some)/
 takeover waits for ever	safety/guard_states.cpp	s/const bool waited = taking_over_for_ >=/const bool waited = taking_over_for_ > 1000 */
 new session starts in place	safety/guard.cpp	s/in_place_ = asked.start_where_it_is \|\|/in_place_ = true ||/
-wishes of a former session count	safety/guard.cpp	s/^  for \(JointGuard\& joint : joints_\) joint.forgetWishes\(\);//
-torque on to a board that does not answer	safety/guard.cpp	s/if \(heard\) safe.torque_on_/safe.torque_on_/
-goals move on while the board is silent	safety/guard.cpp	s/else if \(heard\)$/else/
+requests of a former session count	safety/guard.cpp	s/^  for \(JointGuard\& joint : joints_\) joint.forgetRequests\(\);//
+torque on to a board that does not answer	safety/guard.cpp	s/if \(answers\) safe.torque_on_/safe.torque_on_/
+goals move on while the board is silent	safety/guard.cpp	s/else if \(answers\)$/else/
 hot servos are not slow	safety/guard.cpp	s/by_itself \|\| faults_.slow\(\)/by_itself/
 safety's own moves are not slow	safety/guard.cpp	s/by_itself \|\| faults_.slow\(\)/by_itself \&\& faults_.slow()/
-uncertain joint is not held	safety/guard.cpp	s/if \(heard\) safe.held_ &=/if (!heard) safe.held_ \&=/
+uncertain joint is not held	safety/guard.cpp	s/if \(answers\) safe.held_ &=/if (!answers) safe.held_ \&=/
 joints of a pose arrive one by one	safety/guard.cpp	s/if \(!movesByItself\(\)\) return shares;/return shares;/
 an old image is a sign of life	safety/driver_watch.hpp	s/asked.sequence > sequence_\)/asked.sequence >= sequence_)/
 unattended session resets faults	safety/driver_watch.hpp	s/by_driver && !asked.unattended/by_driver/
@@ -117,14 +117,14 @@ pose: patience 1.5 to 0.15	safety/pose_move.cpp	s/(kPatience = )1.5/\10.15/
 pose: settling 2 to 0.02 s	safety/pose_move.cpp	s/(kSettle = )2.0/\10.02/
 start pose: recent 5 to 500 cycles	safety/start_pose.cpp	s/(kRecent = )5/\1500/
 start pose: 230 to 460 ticks	safety/start_pose.hpp	s/(kStartPoseTolerance = )230/\1460/
-start pose: upright within g/4 to g	safety/start_pose.hpp	s@(kOrientationTolerance = 9.80665) / 4@\1@
-greatest P gain 254 to 2540	safety/joint_limiter.cpp	s/254 \/ 8.0/2540 \/ 8.0/
+start pose: upright within g/4 to g	safety/start_pose.hpp	s@(kOrientationTolerance = kGravity) / 4@\1@
+greatest P gain 254 to 2540	core/servo_limits.hpp	s/254 \* kGain/2540 * kGain/
 grace of an overload bit 300 ms to 0	safety/trip_watch.hpp	s/(kGrace\{std::chrono::milliseconds\{)300/\10/
-overload bit in the grace is no suspicion	safety/trip_watch.hpp	s/return early_ \|\| bits_/return bits_/
-torque limit 0 is no shutdown	safety/trip_watch.hpp	s/!seen.torque_enabled \|\| limit_zero_/!seen.torque_enabled/
-torque off is no shutdown	safety/trip_watch.hpp	s/!seen.torque_enabled \|\| limit_zero_/limit_zero_/
+overload bit in the grace raises no suspicion	safety/trip_watch.hpp	s/return early_ \|\| bits_/return bits_/
+torque limit 0 not a shutdown	safety/trip_watch.hpp	s/!seen.torque_enabled \|\| limit_zero_/!seen.torque_enabled/
+torque off not a shutdown	safety/trip_watch.hpp	s/!seen.torque_enabled \|\| limit_zero_/limit_zero_/
 start-up of servos 1 s to 0	safety/servo_watch.hpp	s/(kStartUp\{std::chrono::milliseconds\{)1000/\10/
-heat hysteresis 5 to 0	safety/servo_watch.hpp	s/(kHeatHysteresis = )5/\10/
+heat hysteresis 5 to 0	core/servo_limits.hpp	s/(kHeatHysteresis = )5/\10/
 bad voltage after 100 to 0 ms	safety/servo_watch.hpp	s/(kVoltageOn\{std::chrono::milliseconds\{)100/\10/
 bad voltage for 1000 to 0 ms	safety/servo_watch.hpp	s/(kVoltageOff\{std::chrono::milliseconds\{)1000/\10/
 END
@@ -162,7 +162,7 @@ compiler_says() { printf 'compiler: %s\n' "$(grep -oE 'error: .*' "$log" | head 
 caught_by() {
   local program=$1
   ninja -C "$tree/build/debug" --quiet "$program" >"$log" 2>&1 || {
-    # Tests name rows in static_assert and constexpr tables, too.
+    # Tests name rows in static_assert and constexpr tables as well.
     if grep -q 'error' "$log"; then compiler_says && return; else cat "$log" >&2 && exit 1; fi
   }
   ! timeout 900 "$tree/build/debug/bin/$program" "${@:2}" >"$log" 2>&1 || return 1

@@ -1,4 +1,4 @@
-// Prints docs/registers.md from the tables of core/; with `--check FILE` tells whether FILE still says the same.
+// Prints docs/registers.md from the tables of core/; with `--check FILE` checks that FILE is up to date.
 #include <algorithm>
 #include <cstdio>
 #include <fstream>

@@ -53,7 +53,7 @@ cmd_build() {
     rm -rf "$making"
     die "the image could not be made; is the Debian archive reachable (apt-get update)?"
   fi
-  # Whoever comes second at the same time finds the folder there, and it is as good.
+  # A second process at the same time finds the folder there, which serves as well.
   mv -T "$making" "$image" 2>/dev/null || rm -rf "$making"
   say "image made in $((SECONDS - started)) s: $image"
 }

@@ -32,7 +32,7 @@ void Camera::enable(int sampling_period) {
   if (view_ != nullptr) return;
   std::unique_ptr<darwinop::FrameSource> source;
   try {
-    source = robot_.openEyes(width_, height_);
+    source = robot_.openCamera(width_, height_);
   } catch (const std::exception& error) {
     warnOnce(std::string{"Camera: every picture is black: "} + error.what());
   }
@@ -44,10 +44,11 @@ void Camera::disable() {
   delete std::exchange(view_, nullptr);
 }
 
-void Camera::refresh(double time_s) {
+void Camera::refresh() {
+  const double time_s = robot_.seconds();
   if (view_ == nullptr || !darwinop::facade::isDue(due_s_, time_s, period_)) return;
-  const std::string complaint = view_->refresh();
-  if (!complaint.empty()) darwinop::facade::say(complaint);
+  const std::string error = view_->refresh();
+  if (!error.empty()) darwinop::facade::logLine(error);
 }
 
 const unsigned char* Camera::getImage() const {

@@ -33,7 +33,7 @@ std::string CameraView::refresh() {
   }
   stretch(frame);
   shown_ = stretched_.data();
-  if (std::exchange(complained_, true)) return {};
+  if (std::exchange(reported_, true)) return {};
   return "Camera: pictures of " + sizeText(frame.width, frame.height) + " are stretched to " +
          sizeText(width_, height_) + "; say in config.ini camera_width = " + std::to_string(frame.width) +
          ", camera_height = " + std::to_string(frame.height) + " and they are as they come";

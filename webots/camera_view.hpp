@@ -30,7 +30,7 @@ class CameraView {
   std::unique_ptr<FrameSource> source_;
   std::vector<std::uint8_t> black_, stretched_;
   const std::uint8_t* shown_;
-  bool complained_ = false;
+  bool reported_ = false;
 };
 
 }  // namespace darwinop::facade

@@ -41,7 +41,7 @@ class Reader final : public text::IniReader {
   void stray(std::string_view section, std::string_view text, int line) override {
     const std::string room = text::lowered(section);
     if (room == "safety" || room == "limits")
-      throw std::runtime_error("\"" + std::string{text} + "\" is no key = value");
+      throw std::runtime_error("\"" + std::string{text} + "\" is not key = value");
     warn(line, "is no [section], no key = value and no comment; it is ignored");
   }
 

@@ -10,6 +10,8 @@ Device::Device(const std::string& name, int node_type, darwinop::facade::RobotIm
 
 Device::~Device() = default;
 
+void Device::refresh() {}
+
 std::string Device::getModel() const {
   return {};
 }

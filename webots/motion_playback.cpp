@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "core/present_goal.hpp"
+#include "core/goals/present_goal.hpp"
 #include "webots/Motor.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
@@ -80,8 +80,8 @@ void MotionPlayback::goOn(Nanos passed) {
 }
 
 /// Done at once when all motors are near their values of the present time. Motors without one by then are left alone.
-LeadIn MotionPlayback::leadIn(const RobotImpl& robot) const {
-  LeadIn::Pose from{}, to{};
+goals::LeadIn MotionPlayback::leadIn(const RobotImpl& robot) const {
+  goals::LeadIn::Pose from{}, to{};
   double way = 0;
   for (const MotionCurve& curve : text_.curves) {
     const auto joint = findJoint(curve.motor);
@@ -89,11 +89,11 @@ LeadIn MotionPlayback::leadIn(const RobotImpl& robot) const {
     const auto* const motor = joint ? dynamic_cast<const webots::Motor*>(robot.find(curve.motor)) : nullptr;
     if (!motor || !rad) continue;
     const std::size_t i = index(*joint);
-    from[i] = presentGoal(*joint, robot.lastKnown(*joint), motor->getTargetPosition());
+    from[i] = goals::presentGoal(*joint, robot.lastKnown(*joint), motor->getTargetPosition());
     to[i] = std::clamp(*rad, motor->getMinPosition(), motor->getMaxPosition());
     way = std::max(way, std::abs(to[i] - from[i]));
   }
-  return way > kNear ? LeadIn{from, to} : LeadIn{};
+  return way > kNear ? goals::LeadIn{from, to} : goals::LeadIn{};
 }
 
 void MotionPlayback::setMotors(RobotImpl& robot) const {

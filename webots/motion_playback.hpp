@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/goals/lead_in.hpp"
 #include "core/joints.hpp"
-#include "core/lead_in.hpp"
 #include "hal/byte_line.hpp"
 #include "webots/motion_text.hpp"
 
@@ -45,7 +45,7 @@ class MotionPlayback {
   [[nodiscard]] Nanos start() const { return reverse_ ? duration() : Nanos{0}; }
   [[nodiscard]] bool isAtEnd() const { return time_ == (reverse_ ? Nanos{0} : Nanos{duration()}); }
   [[nodiscard]] bool isLeading() const { return playing_ && !lead_in_.done(); }
-  [[nodiscard]] LeadIn leadIn(const RobotImpl& robot) const;
+  [[nodiscard]] goals::LeadIn leadIn(const RobotImpl& robot) const;
   void goOn(Nanos passed);
   void setMotors(RobotImpl& robot) const;
 
@@ -53,10 +53,10 @@ class MotionPlayback {
   bool valid_ = false, playing_ = false, loop_ = false, reverse_ = false;
   Nanos time_{0};              // 0 to duration()
   std::optional<Nanos> last_;  // of the robot's clock, in the step before; none: not since play()
-  LeadIn lead_in_;
+  goals::LeadIn lead_in_;
 };
 
-/// Once in every step, before the motors' wishes are gathered. Of two that move one motor the younger one wins.
+/// Once per step, before the motors' commands are computed. If two move one motor, the newer one wins.
 void advanceMotions(RobotImpl& robot);
 
 }  // namespace darwinop::facade

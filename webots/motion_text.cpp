@@ -71,7 +71,7 @@ void readHeader(const std::vector<std::string_view>& fields, MotionText& motion)
 void readPose(const std::vector<std::string_view>& fields, MotionText& motion) {
   const std::size_t wanted = kFirstColumn + motion.curves.size();
   const auto ms = timeFromText(fields[0]);
-  if (!ms) throw Refused{1, quoted(fields[0]) + " is no time; it is minutes:seconds:milliseconds, 00:01:500"};
+  if (!ms) throw Refused{1, quoted(fields[0]) + " is not a time; it is minutes:seconds:milliseconds, 00:01:500"};
   if (*ms < motion.duration_ms) throw Refused{1, "the time goes back"};
   if (fields.size() != wanted)
     throw Refused{

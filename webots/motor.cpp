@@ -13,7 +13,7 @@ namespace webots {
 
 using darwinop::facade::warnOnce;
 
-Motor::Motor(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::MotorControl& control)
+Motor::Motor(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::goals::MotorControl& control)
     : Device(name, Node::ROTATIONAL_MOTOR, robot), control_(control), torque_period_(0), position_period_(0) {}
 
 Motor::~Motor() = default;
@@ -62,7 +62,7 @@ double Motor::getVelocity() const {
   return control_.velocity();
 }
 double Motor::getMaxVelocity() const {
-  return darwinop::kMaxVelocity;
+  return darwinop::goals::kMaxVelocity;
 }
 double Motor::getAcceleration() const {
   return control_.acceleration();
@@ -127,7 +127,7 @@ double Motor::getPosition() const {
   return seen ? seen->position.value : darwinop::kUnknown;
 }
 
-Servo::Servo(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::MotorControl& control)
+Servo::Servo(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::goals::MotorControl& control)
     : Motor(name, robot, control) {}
 
 Servo::~Servo() = default;

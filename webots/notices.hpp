@@ -1,4 +1,4 @@
-// What the facade tells the user: plain sentences on stderr, each warning once.
+// Messages to the user: sentences on stderr, each warning once.
 #pragma once
 
 #include <string_view>
@@ -6,12 +6,12 @@
 namespace darwinop::facade {
 
 /// Prints "darwinop: SENTENCE".
-void say(std::string_view sentence);
+void logLine(std::string_view sentence);
 
-/// As say(), unless this very sentence was said before.
+/// As logLine(), unless the same sentence was logged before.
 void warnOnce(std::string_view sentence);
 
-/// Forgets what was said; for tests.
+/// Forgets what was logged; for tests.
 void forgetWarnings();
 
 }  // namespace darwinop::facade

@@ -1,19 +1,11 @@
 // What stands behind webots::Robot: the session, the command image, the devices.
 #include "webots/robot_impl.hpp"
 
-#include <chrono>
 #include <cstdlib>
 
 #include "connect/keys.hpp"
 #include "connect/sound_program.hpp"
-#include "webots/Accelerometer.hpp"
-#include "webots/Camera.hpp"
-#include "webots/Gyro.hpp"
-#include "webots/LED.hpp"
-#include "webots/PositionSensor.hpp"
-#include "webots/Servo.hpp"
-#include "webots/Speaker.hpp"
-#include "webots/TouchSensor.hpp"
+#include "webots/Device.hpp"
 #include "webots/motion_playback.hpp"
 #include "webots/notices.hpp"
 
@@ -25,16 +17,16 @@ bool usable(Freshness freshness) {
   return freshness.age <= 3;
 }
 
-std::string_view farewell(safety::OnExit on_exit) {
+std::string_view endNotice(safety::OnExit on_exit) {
   switch (on_exit) {
     case safety::OnExit::kHold:
       return "ending: the robot holds its pose; its joints stay under torque";
     case safety::OnExit::kKneel:
-      return "ending: the robot sits down and lets go; a second Ctrl-C would leave its joints under torque";
+      return "ending: the robot sits down and releases torque; a second Ctrl-C would leave its joints under torque";
     case safety::OnExit::kLimp:
       break;
   }
-  return "ending: the robot lets go; a second Ctrl-C would leave its joints under torque";
+  return "ending: the robot releases torque; a second Ctrl-C would leave its joints under torque";
 }
 
 /// DARWINOP_KEYS: window, terminal or none instead of what there is.
@@ -45,7 +37,7 @@ std::unique_ptr<KeySource> openTheUsualKeys(const std::atomic<bool>& stop) {
   };
   return connect::openKeys({.from = environment("DARWINOP_KEYS"),
                             .display = environment("DISPLAY"),
-                            .say = [](const std::string& what) { say("Keyboard: " + what); }},
+                            .log = [](const std::string& what) { logLine("Keyboard: " + what); }},
                            stop);
 }
 
@@ -67,34 +59,12 @@ RobotImpl::RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerC
 }
 
 RobotImpl::~RobotImpl() {
-  if (stop_ && ends_with_us_) say(farewell(config_.safety.on_exit));
+  if (stop_ && ends_with_us_) logLine(endNotice(config_.safety.on_exit));
 }
 
-void RobotImpl::addDevices() {
-  for (const JointRow& row : kJointTable) {
-    const std::string name{row.name};
-    MotorControl& control = motors_.emplace_back(static_cast<Joint>(row.id - 1));
-    add(new webots::Servo(name, *this, control));
-    add(new webots::PositionSensor(name + "S", *this, row.id - 1U));
-  }
-  accelerometer_ = add(new webots::Accelerometer("Accelerometer", *this));
-  gyro_ = add(new webots::Gyro("Gyro", *this));
-  camera_ = add(new webots::Camera("Camera", *this, config_.camera_width, config_.camera_height));
-  add(new webots::LED("EyeLed", *this, webots::LED::EYE, 0));
-  add(new webots::LED("HeadLed", *this, webots::LED::HEAD, 0));
-  add(new webots::LED("BackLedRed", *this, webots::LED::BACK, 1));
-  add(new webots::LED("BackLedBlue", *this, webots::LED::BACK, 2));
-  add(new webots::LED("BackLedGreen", *this, webots::LED::BACK, 4));
-  speaker_ = add(new webots::Speaker("Speaker", *this));
-  add(new webots::TouchSensor("ButtonMode", *this, 1));
-  add(new webots::TouchSensor("ButtonStart", *this, 2));
-}
-
-template <class T>
-T* RobotImpl::add(T* device) {
+void RobotImpl::add(webots::Device* device) {
   devices_.emplace_back(device);
   by_name_.emplace(device->getName(), device);
-  return device;
 }
 
 std::string RobotImpl::begin() {
@@ -131,13 +101,8 @@ int RobotImpl::stepEnd() {
 
 /// Controllers may keep the pointers of getValues() and getImage(), and expect to see every step through them.
 void RobotImpl::refresh() {
-  const BoardSensors& board = session_.sensors().board;
-  accelerometer_->refresh(usable(board.motion) ? &board : nullptr);
-  gyro_->refresh(usable(board.motion) ? &board : nullptr);
-  const double time_s = std::chrono::duration<double>(session_.time()).count();
-  camera_->refresh(time_s);
-  keyboard_.refresh(time_s);
-  speaker_->refresh();
+  for (const auto& device : devices_) device->refresh();
+  keyboard_.refresh(seconds());
 }
 
 webots::Device* RobotImpl::find(const std::string& name) const {
@@ -145,11 +110,15 @@ webots::Device* RobotImpl::find(const std::string& name) const {
   return found == by_name_.end() ? nullptr : found->second;
 }
 
-const BoardSensors* RobotImpl::board(const std::string& device) const {
+const BoardSensors* RobotImpl::usableBoard() const {
   const BoardSensors& board = session_.sensors().board;
-  if (usable(board.motion)) return &board;
-  warnMissing(device);
-  return nullptr;
+  return usable(board.motion) ? &board : nullptr;
+}
+
+const BoardSensors* RobotImpl::board(const std::string& device) const {
+  const BoardSensors* const board = usableBoard();
+  if (board == nullptr) warnMissing(device);
+  return board;
 }
 
 const JointSensors* RobotImpl::joint(Joint joint, const std::string& device) const {

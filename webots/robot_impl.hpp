@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <map>
@@ -11,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/motor_control.hpp"
+#include "core/goals/motor_control.hpp"
 #include "hal/keyboard.hpp"
 #include "hal/sound_output.hpp"
 #include "webots/Keyboard.hpp"
@@ -19,11 +20,7 @@
 #include "webots/session.hpp"
 
 namespace webots {
-class Accelerometer;
-class Camera;
 class Device;
-class Gyro;
-class Speaker;
 }  // namespace webots
 
 namespace darwinop::facade {
@@ -32,7 +29,7 @@ class RobotImpl {
  public:
   /// `stop` becomes true when the user asks the controller to end.
   RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerConfig& config, const std::atomic<bool>& stop);
-  /// The robot comes to rest meanwhile, which takes seconds; a user who asked for the end is told so.
+  /// The robot comes to rest meanwhile, which takes seconds; logged if the user requested the end.
   ~RobotImpl();
   RobotImpl(const RobotImpl&) = delete;
   RobotImpl& operator=(const RobotImpl&) = delete;
@@ -54,15 +51,19 @@ class RobotImpl {
   [[nodiscard]] const std::vector<std::unique_ptr<webots::Device>>& devices() const { return devices_; }
   [[nodiscard]] int nextTag() const { return static_cast<int>(devices_.size()) + 1; }
 
+  /// Time since the start, s.
+  [[nodiscard]] double seconds() const { return std::chrono::duration<double>(session_.time()).count(); }
+  /// The board's values, or null when they are older than 3 cycles.
+  [[nodiscard]] const BoardSensors* usableBoard() const;
   /// The board's or a joint's values, or null when they are older than 3 cycles; `device` is then named, once.
   [[nodiscard]] const BoardSensors* board(const std::string& device) const;
   [[nodiscard]] const JointSensors* joint(Joint joint, const std::string& device) const;
   /// The same without a word, whatever its age.
   [[nodiscard]] const JointSensors& lastKnown(Joint joint) const { return session_.sensors().joint[index(joint)]; }
 
-  /// What the robot sees; says by itself what goes wrong later. Throws std::runtime_error when it has no eyes.
-  [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height) {
-    return session_.openEyes(width, height, config_.camera);
+  /// The robot's camera; logs later errors itself. Throws std::runtime_error if it has no camera.
+  [[nodiscard]] std::unique_ptr<FrameSource> openCamera(int width, int height) {
+    return session_.openCamera(width, height, config_.camera);
   }
 
   /// Where keys come from; throws std::runtime_error when DARWINOP_KEYS is wrong. Another one than the usual: for
@@ -81,9 +82,8 @@ class RobotImpl {
   std::string custom_data;
 
  private:
-  void addDevices();
-  template <class T>
-  T* add(T* device);
+  void addDevices();  // devices.cpp
+  void add(webots::Device* device);
   void addLentGain(std::size_t joint);
   void refresh();
 
@@ -92,16 +92,12 @@ class RobotImpl {
   bool ends_with_us_;  // the loop: in real time, in this process
   Session session_;
   Commands commands_{};
-  std::deque<MotorControl> motors_;  // by joint
+  std::deque<goals::MotorControl> motors_;  // by joint
   std::array<std::optional<double>, kJoints> lent_gain_{};
   std::array<bool, kJoints> was_lent_{};  // once: from then on every image says the gain
   webots::Keyboard keyboard_{*this};
   std::vector<std::unique_ptr<webots::Device>> devices_;
   std::map<std::string, webots::Device*, std::less<>> by_name_;
-  webots::Accelerometer* accelerometer_ = nullptr;
-  webots::Gyro* gyro_ = nullptr;
-  webots::Camera* camera_ = nullptr;
-  webots::Speaker* speaker_ = nullptr;
 };
 
 /// Finds the robot as environment and config.ini say, and waits until it stands ready. Ends the program with a
@@ -117,7 +113,8 @@ std::string programDirectory();
 /// Makes `robot` the one of this process; for tests.
 RobotImpl* adopt(RobotImpl* robot);
 
-/// Deletes `robot` if it is still the one of this process; it then says farewell. Done at the end of the program, too.
+/// Deletes `robot` if it is still the one of this process; it then ends its session. Done at the end of the program
+/// also.
 void release(RobotImpl* robot);
 
 }  // namespace darwinop::facade

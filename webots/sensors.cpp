@@ -62,7 +62,8 @@ const double* Accelerometer::getValues() const {
   return values_;
 }
 
-void Accelerometer::refresh(const darwinop::BoardSensors* board) {
+void Accelerometer::refresh() {
+  const darwinop::BoardSensors* const board = robot_.usableBoard();
   for (std::size_t axis = 0; axis < 3; ++axis)
     values_[axis] =
         darwinop::countFrom(board ? board->accelerometer[axis].value : darwinop::kUnknown, darwinop::kAccelRegister);
@@ -86,7 +87,8 @@ const double* Gyro::getValues() const {
   return values_;
 }
 
-void Gyro::refresh(const darwinop::BoardSensors* board) {
+void Gyro::refresh() {
+  const darwinop::BoardSensors* const board = robot_.usableBoard();
   for (std::size_t axis = 0; axis < 3; ++axis)
     values_[axis] = darwinop::countFrom(board ? board->gyro[axis].value : darwinop::kUnknown, darwinop::kGyroRegister);
 }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "connect/eyes.hpp"
+#include "connect/camera.hpp"
 #include "webots/notices.hpp"
 
 namespace darwinop::facade {
@@ -42,18 +42,18 @@ std::string whatIsAwaited(const SafetyReport& report) {
 Session::Session(std::unique_ptr<runtime::RobotLink> link, const std::atomic<bool>& stop)
     : link_{std::move(link)}, stop_{stop} {}
 
-std::unique_ptr<FrameSource> Session::openEyes(int width, int height, const v4l2::CameraSettings& settings) {
-  return connect::openEyes(*link_,
-                           {.width = width, .height = height, .settings = settings, .say = [](const std::string& what) {
-                              say("Camera: " + what);
-                            }});
+std::unique_ptr<FrameSource> Session::openCamera(int width, int height, const v4l2::CameraSettings& settings) {
+  return connect::openCamera(
+      *link_, {.width = width, .height = height, .settings = settings, .log = [](const std::string& what) {
+                 logLine("Camera: " + what);
+               }});
 }
 
 std::string Session::begin(const Commands& first) {
   const Nanos started = link_->now();
   // The cycle under way may have begun before the first image was there: only the one after it speaks of us.
   const std::uint64_t first_of_ours = link_->sensors().cycle + 2;
-  bool told = false;
+  bool logged = false;
   for (;;) {
     link_->publish(first);
     if (!link_->waitForCycle(link_->sensors().cycle + 1, stop_))
@@ -67,14 +67,14 @@ std::string Session::begin(const Commands& first) {
     const State state = sensors_.safety.state;
     if (waited > (state == State::kStarting ? kLongest : kPatience))
       return "the robot is not ready; " + whatIsAwaited(sensors_.safety);
-    if (waited > kQuiet && !told && state == State::kOffline) {
-      say("waiting: " + whatIsAwaited(sensors_.safety));
-      told = true;
+    if (waited > kQuiet && !logged && state == State::kOffline) {
+      logLine("waiting: " + whatIsAwaited(sensors_.safety));
+      logged = true;
     }
   }
   if (const std::string names = startMissedBy(sensors_.safety); !names.empty())
-    say("not in the start pose after the slow move to it: " + names + "; " +
-        std::string{row(Fault::kStartMissed).remedy});
+    logLine("not in the start pose after the slow move to it: " + names + "; " +
+            std::string{row(Fault::kStartMissed).remedy});
   line_ = TimeLine{link_->period(), sensors_.cycle};
   origin_ = Nanos{sensors_.time_ns};
   returned_ = link_->now();
@@ -131,7 +131,7 @@ bool Session::waitForTarget() {
 
 int Session::end(const std::string& sentence) {
   ended_ = true;
-  if (!sentence.empty()) say(sentence);
+  if (!sentence.empty()) logLine(sentence);
   return -1;
 }
 

@@ -33,8 +33,8 @@ class Session {
   [[nodiscard]] Nanos time() const;
   [[nodiscard]] Nanos period() const { return link_->period(); }
   [[nodiscard]] bool realTime() const { return link_->realTime(); }
-  /// What this robot sees; it must not outlive the session. Throws std::runtime_error when it has no eyes.
-  [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height, const v4l2::CameraSettings& settings);
+  /// What this robot sees; it must not outlive the session. Throws std::runtime_error if it has no camera.
+  [[nodiscard]] std::unique_ptr<FrameSource> openCamera(int width, int height, const v4l2::CameraSettings& settings);
 
  private:
   [[nodiscard]] bool waitForTarget();

@@ -1,4 +1,4 @@
-// What a controller's sounds and words are doing, as far as the news have come in.
+// State of a controller's sounds and speech, from the events received so far.
 #include "webots/sound_desk.hpp"
 
 #include <algorithm>
@@ -75,14 +75,14 @@ double SoundDesk::seconds(SoundId id, std::chrono::milliseconds wait) {
     if (found->second.seconds) return *found->second.seconds;
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
     if (left.count() <= 0) return std::numeric_limits<double>::quiet_NaN();
-    takeNews(left);
+    takeEvents(left);
   }
 }
 
-void SoundDesk::takeNews(std::chrono::milliseconds wait) {
+void SoundDesk::takeEvents(std::chrono::milliseconds wait) {
   if (!output_) return;
-  while (const auto news = output_->news(wait)) {
-    std::visit([this](const auto& one) { take(one); }, *news);
+  while (const auto event = output_->nextEvent(wait)) {
+    std::visit([this](const auto& one) { take(one); }, *event);
     wait = {};
   }
   if (lost_) output_.reset();
@@ -99,8 +99,8 @@ void SoundDesk::take(const SoundEnded& ended) {
   if (speech_ == ended.id) speech_ = 0;
 }
 
-void SoundDesk::take(const SoundError& trouble) {
-  warnOnce("Speaker: " + trouble.sentence);
+void SoundDesk::take(const SoundError& error) {
+  warnOnce("Speaker: " + error.sentence);
 }
 
 void SoundDesk::take(const SoundLost& lost) {

@@ -1,4 +1,4 @@
-// What a controller's sounds and words are doing, as far as the news have come in.
+// State of a controller's sounds and speech, from the events received so far.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,7 @@
 
 namespace darwinop::facade {
 
-/// Used by one thread. What goes wrong is said once and ends nothing.
+/// Used by one thread. Errors are reported once and end nothing.
 class SoundDesk {
  public:
   /// `open` is called at the first order, and again after an output was lost.
@@ -24,13 +24,13 @@ class SoundDesk {
   /// Empty: everything.
   void stop(const std::string& file);
 
-  /// Takes the news, without waiting.
-  void refresh() { takeNews(std::chrono::milliseconds{0}); }
+  /// Takes the events received, without waiting.
+  void refresh() { takeEvents(std::chrono::milliseconds{0}); }
   /// Empty: is there any?
   [[nodiscard]] bool plays(const std::string& file) const;
   [[nodiscard]] bool plays(SoundId id) const;
   [[nodiscard]] bool speaks() const { return speech_ != 0; }
-  /// How long it takes from its beginning to its end; 0: it has ended, NaN: not told. Waits so long for an answer.
+  /// How long it takes from its beginning to its end; 0: it has ended, NaN: unknown. Waits for an answer.
   [[nodiscard]] double seconds(SoundId id, std::chrono::milliseconds wait);
 
  private:
@@ -39,10 +39,10 @@ class SoundDesk {
     std::optional<double> seconds;  // once it has begun
   };
   bool order(const SoundOrder& order);
-  void takeNews(std::chrono::milliseconds wait);
+  void takeEvents(std::chrono::milliseconds wait);
   void take(const SoundStarted& started);
   void take(const SoundEnded& ended);
-  void take(const SoundError& trouble);
+  void take(const SoundError& error);
   void take(const SoundLost& lost);
 
   std::function<std::unique_ptr<SoundOutput>()> open_;

@@ -20,7 +20,7 @@ using darwinop::facade::warnOnce;
 namespace {
 constexpr int kSlowest = 80, kFastest = 450;  // words a minute
 
-/// What is beyond is said once, and not a number is what it would be without the argument.
+/// A value out of range is reported once; NaN counts as the default.
 double within(double low, double value, double high, double usual, const char* what) {
   if (value >= low && value <= high) return value;
   std::ostringstream sentence;
@@ -118,7 +118,7 @@ void Speaker::playFile(const char* filename) {
   desk_->play({.id = 0, .file = given(filename), .afresh = true});
 }
 
-/// In lockstep for as long as the sound lasts, of the robot's time; otherwise until it was heard.
+/// In lockstep for as long as the sound lasts, of the robot's time; otherwise until it has ended.
 void Speaker::playFileWait(const char* filename) {
   const darwinop::SoundId id = desk_->play({.id = 0, .file = given(filename), .afresh = true});
   const bool lockstep = !robot_.realTime();

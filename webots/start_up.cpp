@@ -21,7 +21,7 @@ namespace darwinop::facade {
 namespace {
 
 RobotImpl* current = nullptr;
-pid_t owner = 0;  // a child that this process forks must not say farewell for it
+pid_t owner = 0;  // a child that this process forks must not end its session
 std::thread::id owning_thread;
 std::terminate_handler usual_end = nullptr;
 
@@ -52,7 +52,7 @@ std::unique_ptr<RobotImpl> start() {
   // Files are named relative to the program, as on the robot since 2013.
   if (environment("DARWINOP_KEEP_CWD") != "1") std::filesystem::current_path(directory);
   const ConfigReading reading = readConfig(directory + "/config.ini");
-  for (const std::string& warning : reading.warnings) say(warning);
+  for (const std::string& warning : reading.warnings) logLine(warning);
 
   connect::Request request;
   request.setting = environment("DARWINOP_ROBOT");
@@ -69,7 +69,7 @@ std::unique_ptr<RobotImpl> start() {
 }
 
 [[noreturn]] void giveUp(std::string_view sentence) {
-  say(sentence);
+  logLine(sentence);
   std::exit(EXIT_FAILURE);
 }
 
@@ -78,7 +78,7 @@ std::unique_ptr<RobotImpl> start() {
 RobotImpl* connectOrExit() {
   if (current) giveUp("a second Robot was made in this program: there can be one only");
   installStopSignals();
-  // Into a pipe (to a PC, to a log) output goes by lines, too: it is there when it happens, and survives a crash.
+  // Into a pipe (to a PC, to a log) output goes by lines also: it is there when it happens, and survives a crash.
   if (isatty(STDOUT_FILENO) == 0) (void)std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   try {
     current = start().release();
@@ -88,7 +88,7 @@ RobotImpl* connectOrExit() {
   owner = getpid();
   owning_thread = std::this_thread::get_id();
   if (std::get_terminate() != endAfterException) usual_end = std::set_terminate(endAfterException);
-  // Controllers call exit() and never delete their Robot: the farewell must be said all the same.
+  // Controllers call exit() and never delete their Robot: the session must end all the same.
   std::atexit([] { release(current); });
   return current;
 }

@@ -18,7 +18,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it"
 
 /// What was sent to a whole process group reaches a controller twice: by itself, and handed on by who started it.
 /// Nobody presses Ctrl-C a second time as fast as that.
-constexpr std::uint32_t kOneWishMs = 300;
+constexpr std::uint32_t kOneRequestMs = 300;
 
 /// Of these a second one ends the program at once: a controller that does not step any more could not be ended else.
 constexpr std::array kInsisting{SIGINT, SIGTERM, SIGQUIT};
@@ -43,7 +43,7 @@ void onSignal(int signal) {
   const std::uint32_t now_ms = nowMs();
   std::uint32_t first_ms = 0;
   if (!came_ms.at(static_cast<std::size_t>(signal)).compare_exchange_strong(first_ms, now_ms) &&
-      now_ms - first_ms > kOneWishMs) {
+      now_ms - first_ms > kOneRequestMs) {
     std::signal(signal, SIG_DFL);
     raise(signal);  // comes when this handler is done
   }

@@ -1,4 +1,4 @@
-// What signals do to a controller: Ctrl-C and others as a flag, so that it can end tidily; the rest without effect.
+// What signals do to a controller: Ctrl-C and others as a flag, so that it can end normally; the rest without effect.
 #pragma once
 
 #include <atomic>

@@ -7,7 +7,7 @@
 
 namespace darwinop::facade {
 
-/// An absolute line: steps add up exactly, so that a step that is no multiple of the period keeps its mean rate.
+/// An absolute line: steps add up exactly, so that a step that is not a multiple of the period keeps its mean rate.
 class TimeLine {
  public:
   TimeLine() = default;

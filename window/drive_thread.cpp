@@ -116,7 +116,7 @@ void DriveThread::runCycles() {
     driving = driving || checkDriven(seen);
     if (!driving && (takeover_ms += ms) > kTakeoverTimeoutMs)
       throw std::runtime_error("torque did not come on; check the servo power switch and the Faults tab");
-    port_.apply(planner.plan(*requests, seen, ms));
+    port_.publish(planner.plan(*requests, seen, ms));
     bool finishing = false;
     {
       const std::scoped_lock lock{mutex_};

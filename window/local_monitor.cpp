@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "connect/eyes.hpp"
+#include "connect/camera.hpp"
 #include "hil-mocks/camera/painted_pictures.hpp"
 #include "remote/jpeg/live_pictures.hpp"
 #include "remote/robot/observer_pictures.hpp"
@@ -26,7 +26,7 @@ class RenderedPictures final : public remote::PictureSource {
 
   remote::JpegPicture newest() override { return pictures_.newest(); }
   [[nodiscard]] std::string error() const override {
-    const std::string why = status_.trouble();
+    const std::string why = status_.error();
     return why.empty() ? why : "the virtual robot cannot render camera pictures: " + why;
   }
 
@@ -42,7 +42,7 @@ std::unique_ptr<monitor::Monitor> makeLocalMonitor(const runtime::RuntimeFiles& 
                                                    const std::function<void(const std::string&)>& log) {
   const remote::FrameCallback find = [search](const CameraFrame& frame) { search->process(frame); };
   monitor::CameraSource::Open camera = [find, log] {
-    return remote::openPicturesOfCamera(connect::openCamera({.form = PictureForm::kYuyv, .say = log}), find, log);
+    return remote::openPicturesOfCamera(connect::openLocalCamera({.form = PictureForm::kYuyv, .log = log}), find, log);
   };
   monitor::CameraSource::Open share = [files, find, log] { return remote::openPicturesOfDriver(files, find, log); };
   if (!rendered.empty()) {

@@ -3,47 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/counts.hpp"
-#include "core/motor_control.hpp"
-#include "core/present_goal.hpp"
-#include "managers/motion/first_step.hpp"
-#include "remote/protocol/units.hpp"
+#include "core/goals/motor_control.hpp"
 
 namespace darwinop::window {
 namespace {
 
-using M = remote::MotorSetting;
-
-constexpr double kDefaultGain = 4;  // Kp, 32 in the servo's register
-constexpr double kRegisterPerKp = 8;
+constexpr double kDefaultGain = 4;          // Kp
 constexpr double kMaxStepMs = 500;          // ms between two calls; the lease is lost after more
 constexpr double kMaxNotFollowingMs = 300;  // ms without following; after that the robot may be far from its goals
 constexpr std::uint32_t kStaleAge = 4;      // cycles
 constexpr std::array<int, 2> kGetUpPages{10, 11};  // from lying on the front, on the back
 
-/// To the nearest tick.
-std::int32_t tickOf(double rad) {
-  return static_cast<std::int32_t>(std::lround(std::clamp(rad, -kPi, kPi) * 2048 / kPi));
-}
-
-std::array<double, kJoints> goalsOf(const Sensors& seen) {
-  std::array<double, kJoints> pose{};
-  for (std::size_t i = 0; i < kJoints; ++i) pose[i] = presentGoal(static_cast<Joint>(i), seen.joint[i], kUnknown);
-  return pose;
-}
-
-motion::Pose ticksOf(const std::array<double, kJoints>& pose) {
-  motion::Pose ticks{};
-  for (std::size_t i = 0; i < kJoints; ++i) ticks[i] = ticksFromRad(Rad{pose[i]});
-  return ticks;
-}
-
-std::array<double, kJoints> radOf(const motion::Pose& ticks) {
-  std::array<double, kJoints> pose{};
-  for (std::size_t i = 0; i < kJoints; ++i) pose[i] = radFromTicks(ticks[i]).value;
-  return pose;
+body_player::Pose poseOf(const Sensors& seen) {
+  return body_player::presentPose([&](Joint joint) -> const JointSensors& { return seen.joint[index(joint)]; },
+                                  [](Joint) { return kUnknown; });
 }
 
 bool hasFallen(const SafetyReport& safety) {
@@ -59,23 +34,15 @@ bool MotionPlanner::isLimp(std::size_t joint) const {
 
 void MotionPlanner::setGoal(std::size_t joint, double rad, double speed) {
   if (!std::isfinite(rad)) return;  // unknown: the joint keeps its goal
-  M& setting = settings_[joint];
-  setting.set |= M::kPosition | M::kVelocity;
-  setting.position = std::clamp(tickOf(rad), -2048, 2047);
-  setting.velocity = remote::wireFromVelocity(speed);
-}
-
-void MotionPlanner::setGain(std::size_t joint, double kp) {
-  settings_[joint].set |= M::kPid;
-  settings_[joint].pid = {remote::wireFromGain(kp), 0, 0};
+  commands_.joint[joint].setGoal(Rad{std::clamp(rad, -kPi, kPi)});
+  commands_.joint[joint].setSpeedLimit(RadPerSec{speed});
 }
 
 void MotionPlanner::resetGains() {
-  for (std::size_t i = 0; i < kJoints; ++i) setGain(i, kDefaultGain);
+  for (JointCommand& joint : commands_.joint) joint.setPGain(kDefaultGain);
 }
 
-remote::Request MotionPlanner::plan(DriveRequests requests, const Sensors& seen, double ms) {
-  for (std::size_t i = 0; i < kJoints; ++i) settings_[i] = {.joint = static_cast<Joint>(i)};
+const Commands& MotionPlanner::plan(DriveRequests requests, const Sensors& seen, double ms) {
   if (!requests.walk) walk_blocked_ = false;
   if (walk_blocked_) requests.walk.reset();
   const bool is_new = requests.page != 0 ||
@@ -83,20 +50,17 @@ remote::Request MotionPlanner::plan(DriveRequests requests, const Sensors& seen,
                       (requests.walk && !status_.walks);
   if (is_new) status_.refused.clear();
   applyRequests(requests, seen, ms);
-  if (not_following_ms_ <= 0) pending_ms_ += std::clamp(ms, 0.0, kMaxStepMs);
+  const double followed_ms = not_following_ms_ <= 0 ? std::clamp(ms, 0.0, kMaxStepMs) : 0;
   switchTorque(requests, seen);
-  if (requests.page != 0) beginPage(requests.page, seen);
-  if (requests.walk && !player_.isPlaying()) beginWalk(seen);
+  const bool begins_page = requests.page != 0 && beginPage(requests.page, seen);
+  const bool begins_walk = requests.walk && !page_.isPlaying() && beginWalk(seen);
   applyGoals(requests);
-  advanceWalk(requests, seen);
-  advancePage();
-  if (atRest()) pending_ms_ = 0;
-  status_.walks = !walk_.resting();
-  status_.page = player_.isPlaying() ? player_.page() : 0;
-  remote::Request request;
-  for (const M& setting : settings_)
-    if (setting.set != 0) request.motors.add(setting);
-  return request;
+  // A walk has a valid pose only after its first tick; at rest one tick per reading calibrates the gyroscope.
+  advanceWalk(requests, seen, begins_walk || !walks() ? gait::kTickMs : followed_ms);
+  advancePage(begins_page ? 0 : followed_ms);
+  status_.walks = walks();
+  status_.page = page_.isPlaying() ? page_.page() : 0;
+  return commands_;
 }
 
 /// Rejects motions that the robot cannot follow, and aborts those it has not followed for a while: they would continue
@@ -105,9 +69,9 @@ void MotionPlanner::applyRequests(DriveRequests& requests, const Sensors& seen, 
   const bool follows = seen.safety.state == State::kDriven, fell = hasFallen(seen.safety);
   not_following_ms_ = follows ? 0 : not_following_ms_ + std::max(ms, 1.0);
   if (not_following_ms_ > kMaxNotFollowingMs && !atRest()) abortMotion("aborted: the robot did not follow");
-  if (fell && !walk_.resting()) abortMotion("the robot has fallen");
-  if (requests.walk && !follows && walk_.resting()) requests.walk.reset();  // starts as soon as it follows
-  if (requests.walk && (fell || player_.isPlaying())) {
+  if (fell && walks()) abortMotion("the robot has fallen");
+  if (requests.walk && !follows && !walks()) requests.walk.reset();  // starts as soon as it follows
+  if (requests.walk && (fell || page_.isPlaying())) {
     status_.refused =
         fell ? "the robot has fallen: get it up first" : "a motion page is playing: press again when it has ended";
     walk_blocked_ = true;
@@ -127,8 +91,7 @@ void MotionPlanner::applyRequests(DriveRequests& requests, const Sensors& seen, 
 /// All joints keep their goals.
 void MotionPlanner::abortMotion(const char* why) {
   walk_.abandon();
-  player_.brake();
-  lead_in_ = {};
+  page_.brake();
   resetGains();
   walk_blocked_ = true;
   status_.refused = why;
@@ -158,106 +121,85 @@ void MotionPlanner::switchTorque(const DriveRequests& requests, const Sensors& s
     status_.limp[limb] = !*requests.torque[limb];
     for (std::size_t i = 0; i < kJoints; ++i) {
       if (static_cast<std::size_t>(kJointTable[i].chain) != limb) continue;
-      if (!status_.limp[limb]) setGoal(i, seen.joint[i].position.value, kSliderSpeed);
-      settings_[i].set |= M::kAvailableTorque;
-      settings_[i].available_torque = status_.limp[limb] ? 0 : remote::wireFromTorque(kMaxTorqueNm);
+      commands_.joint[i].setTorque(!status_.limp[limb]);
+      if (status_.limp[limb]) continue;
+      commands_.joint[i].setTorqueLimit(NewtonMeter{kMaxTorqueNm});
+      setGoal(i, seen.joint[i].position.value, kSliderSpeed);
     }
   }
 }
 
-void MotionPlanner::beginPage(int page, const Sensors& seen) {
+/// True if a page has started.
+bool MotionPlanner::beginPage(int page, const Sensors& seen) {
   if (!atRest()) {
     status_.refused = "a page starts only when the robot stands still: it is walking or playing a page";
-    return;
+    return false;
   }
   if (status_.limp.any()) {
     status_.refused = "a page requires every limb: switch all torque on first";
-    return;
+    return false;
   }
   for (std::size_t limb = 0; limb < kLimbs; ++limb)
-    if (!hasPositions(limb, seen)) return;
-  const std::array<double, kJoints> here = goalsOf(seen);
-  const motion::Pose from = ticksOf(here);
-  if (!player_.start(page, from)) {
-    status_.refused = "there is no page " + std::to_string(page);
-    return;
-  }
-  pending_ms_ = 0;
-  lead_in_ = {};
-  const motion::Page& first = (*pages_)[static_cast<std::size_t>(page)];
-  if (motion::firstStepSpeed(first, from) <= motion::kFastestFirstStep) return;
-  // Too far for the page's first step: a lead-in moves there first, as in the motion manager.
-  const motion::Pose target = motion::firstTarget(first, from);
-  lead_in_ = {here, radOf(target)};
-  player_.brake();
-  (void)player_.start(page, target);
+    if (!hasPositions(limb, seen)) return false;
+  if (page_.start(page, poseOf(seen))) return true;
+  status_.refused = "there is no page " + std::to_string(page);
+  return false;
 }
 
-void MotionPlanner::beginWalk(const Sensors& seen) {
-  if (walk_.resting()) {
+/// Starts a walk, or cancels its end. True if a walk has started.
+bool MotionPlanner::beginWalk(const Sensors& seen) {
+  const bool starts = !walks();
+  if (starts) {
     std::bitset<kLimbs> needed = status_.limp;
     needed.reset(static_cast<std::size_t>(Chain::kHead));
     if (needed.any()) {
       status_.refused = "walking requires both arms and both legs: switch their torque on first";
-      return;
+      return false;
     }
-    pending_ms_ = gait::kTickMs;  // the walk has a valid pose only after its first tick
     for (std::size_t i = 0; i < gait::kWalkingJoints; ++i)
-      setGain(i, gait::pGain(static_cast<Joint>(i), walk_.parameters()) / kRegisterPerKp);
+      commands_.joint[i].setPGain(walk_.pGain(static_cast<Joint>(i)));
   }
-  const std::array<double, kJoints> here = goalsOf(seen);
-  gait::Pose from{};
-  std::copy_n(here.begin(), from.size(), from.begin());
-  walk_.start(from);
+  walk_.start(poseOf(seen));
+  return starts;
 }
 
 /// Slider goals: all joints at rest, the head during a walk, none during a page.
 void MotionPlanner::applyGoals(const DriveRequests& requests) {
-  if (player_.isPlaying()) return;
-  for (std::size_t i = walk_.resting() ? 0 : gait::kWalkingJoints; i < kJoints; ++i)
+  if (page_.isPlaying()) return;
+  for (std::size_t i = !walks() ? 0 : gait::kWalkingJoints; i < kJoints; ++i)
     if (requests.goals[i] && !isLimp(i)) setGoal(i, requests.goals[i]->value, kSliderSpeed);
 }
 
-void MotionPlanner::advanceWalk(const DriveRequests& requests, const Sensors& seen) {
-  const auto& gyro = seen.board.gyro;
+void MotionPlanner::advanceWalk(const DriveRequests& requests, const Sensors& seen, double ms) {
+  if (!requests.walk && walks()) {
+    if (walk_.walk().walking()) {
+      walk_.stop();
+    } else {  // moving to the stance: holds there as well
+      walk_.abandon();
+      resetGains();
+    }
+  }
+  if (!walks() && page_.isPlaying()) return;
   const bool known = seen.board.motion.age < kStaleAge;
-  const std::uint64_t before = std::exchange(gyro_cycle_, seen.cycle - seen.board.motion.age);
-  const auto count = [&](std::size_t axis) { return known ? countFrom(gyro[axis].value, kGyroRegister) : kUnknown; };
-  gait::GyroCounts counts{count(0), count(1), gyro_cycle_ != before};
-  if (!requests.walk && !walk_.resting() && !walk_.walking()) {  // moving to the stance: holds there as well
-    walk_.abandon();
-    resetGains();
-  } else if (!requests.walk && !walk_.resting()) {
-    walk_.stop();
-  }
-  const bool moved = !walk_.resting();
-  if (!moved && player_.isPlaying()) return;
-  double left =
-      moved ? pending_ms_ : static_cast<double>(gait::kTickMs);  // at rest the walk calibrates the gyroscope's zero
-  for (; left >= gait::kTickMs; left -= gait::kTickMs) {
-    walk_.tick(requests.walk.value_or(gait::WalkCommand{}), true, counts);
-    counts.fresh = false;
-  }
-  if (!moved) return;
-  pending_ms_ = left;
-  for (std::size_t i = 0; i < gait::kWalkingJoints; ++i) setGoal(i, walk_.pose()[i], kMaxVelocity);
-  if (walk_.resting()) resetGains();
+  const auto count = [&](std::size_t axis) {
+    return known ? countFrom(seen.board.gyro[axis].value, kGyroRegister) : kUnknown;
+  };
+  const body_player::GyroReading gyro{count(0), count(1), seen.cycle - seen.board.motion.age};
+  if (!walk_.advance(ms, requests.walk.value_or(gait::WalkCommand{}), true, gyro)) return;
+  for (std::size_t i = 0; i < gait::kWalkingJoints; ++i)
+    setGoal(i, walk_.goal(static_cast<Joint>(i)), goals::kMaxVelocity);
+  if (!walks()) resetGains();
 }
 
-void MotionPlanner::advancePage() {
-  if (!player_.isPlaying()) return;
-  for (; pending_ms_ >= motion::kTickMs; pending_ms_ -= motion::kTickMs) {
-    if (!lead_in_.done())
-      lead_in_.advance(motion::kTickMs);
-    else if (!player_.tick())
-      break;
-  }
+void MotionPlanner::advancePage(double ms) {
+  if (!page_.isPlaying()) return;
+  (void)page_.advance(ms);
   for (std::size_t i = 0; i < kJoints; ++i) {
-    const double page = radFromTicks(player_.pose()[i]).value;
-    setGoal(i, lead_in_.done() ? page : lead_in_.at(i), kMaxVelocity);
-    setGain(i, player_.pGainRegister(static_cast<Joint>(i)) / kRegisterPerKp);
+    const auto joint = static_cast<Joint>(i);
+    setGoal(i, page_.goal(joint), goals::kMaxVelocity);
+    commands_.joint[i].setPGain(page_.pGain(joint));
   }
-  if (!player_.isPlaying()) resetGains();
+  if (!page_.isPlaying()) resetGains();
 }
 
 }  // namespace darwinop::window

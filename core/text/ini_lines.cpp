@@ -1,4 +1,4 @@
-// Hands the lines of an INI text to inih one by one, with the liberties that robots' files have taken since 2013.
+// Lines of an INI text for inih, with the liberties that robots' files have taken since 2013.
 #include "core/text/ini_lines.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Hands the lines of an INI text to inih one by one, with the liberties that robots' files have taken since 2013.
+// Lines of an INI text for inih, with the liberties that robots' files have taken since 2013.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace darwinop::text {
 
-/// inih takes only " ;" for a comment after a value and reads an indented line as more of the value above; the
-/// parser that controllers' files were written for took `16.0;text` and `16 # text`, and ignored indentation.
+/// inih accepts only " ;" as a comment after a value and reads an indented line as a continuation; the parser that
+/// controllers' files were written for accepted `16.0;text` and `16 # text`, and ignored indentation.
 class IniLines {
  public:
   explicit IniLines(std::string_view text);
@@ -15,9 +15,9 @@ class IniLines {
   /// As fgets: the next line without indentation and comments, cut to `size`; null at the end. For ini_parse_stream.
   char* next(char* into, int size);
 
-  /// Of the line handed out last, from 1.
+  /// Number of the last line returned, from 1.
   [[nodiscard]] int number() const { return number_; }
-  /// Number of the last line that had to be cut, 0: none.
+  /// Number of the last line that was cut; 0: none.
   [[nodiscard]] int cut() const { return cut_; }
 
  private:

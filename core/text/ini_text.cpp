@@ -1,4 +1,4 @@
-// Reads the text of an INI file: every line is somebody's, and the first error is told with file and line.
+// Parser of INI texts on top of inih: no line is ignored; the first error is thrown with file and line.
 #include "core/text/ini_text.hpp"
 
 #include <ini.h>
@@ -38,7 +38,7 @@ class Pass {
     return 1;
   }
 
-  /// Finds what inih passes over in silence.
+  /// Finds what inih ignores without an error.
   void look(std::string_view line) {
     if (line.starts_with('[')) {
       const auto end = line.find(']');
@@ -79,7 +79,7 @@ std::string where(const std::string& file, int line) {
 void readIni(std::string_view text, const std::string& file, IniReader& reader) {
   if (const auto nul = text.find('\0'); nul != text.npos)
     throw std::runtime_error(where(file, 1 + static_cast<int>(std::count(text.begin(), text.begin() + nul, '\n'))) +
-                             ": there is a zero byte, so this is no text file, or a damaged one");
+                             ": there is a zero byte, so this is not a text file, or a damaged one");
   Pass{text, file, reader}.run();
 }
 

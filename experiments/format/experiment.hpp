@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/joints.hpp"
+#include "core/servo_limits.hpp"
 
 namespace darwinop::experiments {
 
@@ -60,8 +61,6 @@ struct Slope {
 enum class Until : std::uint8_t { kTime, kArrival, kRest, kFallen };
 inline constexpr std::array<std::string_view, 4> kUntilNames{"time", "arrival", "rest", "fallen"};
 
-inline constexpr double kFullSpeed = 12.21;  // rad/s, full scale of the servo's speed register
-
 struct Phase {
   std::string name;
   int line = 0, goal_line = 0;  // of the section; of the key that sets the goal
@@ -69,10 +68,11 @@ struct Phase {
   Goal goal;
   double duration_s = 0;  // maximum
   double velocity = kFullSpeed;
-  double acceleration = -1;  // rad/s2; -1: none
-  double p_gain = 4;         // Webots P; the register is 8 times as much
+  double acceleration = -1;       // rad/s2; -1: none
+  double p_gain = kDefaultPGain;  // Webots P; the register is 8 times as much
   TorqueMode torque = TorqueMode::kLimit;
-  Slope newton_meter{2.5, 2.5};  // limit, or torque; sign as in Webots: positive turns to lower angles
+  Slope newton_meter{kMaxTorqueNm,
+                     kMaxTorqueNm};  // limit, or torque; sign as in Webots: positive turns to lower angles
   Until until = Until::kTime;
   double within = 0;                // rad; arrival
   std::optional<double> arrive_at;  // rad; arrival

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/servo_limits.hpp"
 #include "experiments/format/plan.hpp"
 #include "experiments/format/quantity.hpp"
 #include "experiments/format/shape.hpp"
@@ -54,7 +55,7 @@ std::string how(const Phase& phase) {
   if (phase.torque == TorqueMode::kDirect) text = "torque " + slope(phase.newton_meter);
   if (phase.torque == TorqueMode::kLimit) {
     text = kShapeNames[static_cast<std::size_t>(phase.goal.shape)];
-    if (phase.newton_meter.begin < 2.5 || phase.newton_meter.end < 2.5)
+    if (phase.newton_meter.begin < kMaxTorqueNm || phase.newton_meter.end < kMaxTorqueNm)
       text += ", torque limit " + slope(phase.newton_meter);
     if (phase.p_gain != 4) text += ", P gain " + shortText(phase.p_gain);
   }

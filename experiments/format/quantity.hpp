@@ -8,15 +8,10 @@
 
 namespace darwinop::experiments {
 
-struct UnitRow {
-  std::string_view text;  // "" for a dimensionless number
-  double factor;          // to the first unit of the quantity
-};
-
 struct Quantity {
-  std::string_view what;  // "an angle"
-  std::span<const UnitRow> units;
-  double low, high;  // allowed, in the first unit
+  std::string_view what;                    // "an angle"
+  std::span<const std::string_view> units;  // the first is SI; "" for a dimensionless number
+  double low, high;                         // allowed, in the first unit
 };
 
 extern const Quantity kAngle, kDistance, kDuration, kSpeed, kAcceleration, kTorque, kTorqueLimit, kFrequency, kGain;

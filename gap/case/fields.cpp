@@ -6,9 +6,9 @@
 #include <cmath>
 #include <set>
 
+#include "core/text/nearest.hpp"
 #include "experiments/logs/header.hpp"
 #include "gap/case/case.hpp"
-#include "twin/model/nearest.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -71,7 +71,7 @@ bool Fields::flag(std::string_view key, bool otherwise) {
 
 std::size_t Fields::word(std::string_view key, const std::vector<std::string_view>& words, std::size_t otherwise) {
   if (!has(key) && otherwise < words.size()) return otherwise;
-  const std::string choice = twin::listed(words, "or");
+  const std::string choice = text::listed(words, "or");
   const Json& value = needed(key, choice);
   const auto found = value.is_string() ? std::ranges::find(words, value.get_ref<const std::string&>()) : words.end();
   if (found == words.end()) fail(key, "is " + shown(value) + "; it has to be " + choice);
@@ -112,7 +112,7 @@ void Fields::finish() const {
   const std::vector<std::string> left = untaken();
   if (left.empty()) return;
   const std::vector<std::string_view> known{known_.begin(), known_.end()};
-  fail(left.front(), "is not known; " + twin::suggestion(left.front(), known));
+  fail(left.front(), "is not known; " + text::suggestion(left.front(), known));
 }
 
 void Fields::finish(std::vector<std::string>& warnings) const {
@@ -125,7 +125,7 @@ void Fields::finish(std::vector<std::string>& warnings) const {
     };
     if (const auto meant = std::ranges::find_if(known, within); meant != known.end())
       fail(key, "is not known; did you mean " + std::string{*meant} + "?");
-    if (twin::nearest(key, known)) fail(key, "is not known; " + twin::suggestion(key, known));
+    if (text::nearest(key, known)) fail(key, "is not known; " + text::suggestion(key, known));
     warnings.push_back(file_ + ": " + logs::quoted(pathOf(key)) + " is not known and left out");
   }
 }

@@ -1,10 +1,10 @@
 // One entry of the list of logs in a case.json.
 #include <limits>
 
+#include "core/text/nearest.hpp"
 #include "core/units.hpp"
 #include "gap/case/baseline_keys.hpp"
 #include "gap/case/parts.hpp"
-#include "twin/model/nearest.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -35,7 +35,7 @@ std::optional<Joint> jointOf(Fields& entry) {
   const std::string name = entry.text("joint");
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == name) return static_cast<Joint>(i);
-  entry.fail("joint", "is no joint; " + twin::suggestion(name, names));
+  entry.fail("joint", "is no joint; " + text::suggestion(name, names));
 }
 
 }  // namespace

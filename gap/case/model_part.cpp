@@ -1,11 +1,11 @@
 // The model that somebody believes in: its numbers, how far they may be trusted, and the data sheet.
 #include <algorithm>
 
+#include "core/text/nearest.hpp"
 #include "gap/case/baseline_keys.hpp"
 #include "gap/case/parts.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
-#include "twin/model/nearest.hpp"
 
 namespace darwinop::gap {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/units.hpp"
+#include "core/text/unit_factor.hpp"
 #include "experiments/logs/header.hpp"
 #include "experiments/logs/units.hpp"
 #include "gap/case/parts.hpp"
@@ -13,30 +13,25 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-struct Scale {
-  std::string_view unit;
-  double factor;
-};
-constexpr std::array kAngles{Scale{"rad", 1}, Scale{"deg", kPi / 180}};
-constexpr std::array kSpeeds{Scale{"rad/s", 1}, Scale{"deg/s", kPi / 180}, Scale{"rpm", 2 * kPi / 60}};
-constexpr std::array kShares{Scale{"%", 0.01}};
-constexpr std::array kVolts{Scale{"V", 1}};
-constexpr std::array kDegrees{Scale{"degC", 1}};
+constexpr std::array<std::string_view, 2> kAngles{"rad", "deg"};
+constexpr std::array<std::string_view, 3> kSpeeds{"rad/s", "deg/s", "rpm"};
+constexpr std::array<std::string_view, 1> kShares{"%"}, kVolts{"V"}, kDegrees{"degC"};
 
 struct Wanted {
   std::string_view name;   // without unit
   std::string_view usual;  // as it is best written
-  std::span<const Scale> units;
+  std::span<const std::string_view> units;
+  std::string_view si;
   std::vector<double> Trajectory::*into;
   bool needed;
 };
 const std::array kWanted{
-    Wanted{"goal", "goal_rad", kAngles, &Trajectory::goal_rad, true},
-    Wanted{"pos", "pos_rad", kAngles, &Trajectory::position_rad, true},
-    Wanted{"speed", "speed_rad_s", kSpeeds, &Trajectory::speed_rad_s, false},
-    Wanted{"load", "load_pct", kShares, &Trajectory::load, false},
-    Wanted{"volt", "volt_V", kVolts, &Trajectory::volt_v, false},
-    Wanted{"temp", "temp_C", kDegrees, &Trajectory::temp_c, false},
+    Wanted{"goal", "goal_rad", kAngles, "rad", &Trajectory::goal_rad, true},
+    Wanted{"pos", "pos_rad", kAngles, "rad", &Trajectory::position_rad, true},
+    Wanted{"speed", "speed_rad_s", kSpeeds, "rad/s", &Trajectory::speed_rad_s, false},
+    Wanted{"load", "load_pct", kShares, "", &Trajectory::load, false},
+    Wanted{"volt", "volt_V", kVolts, "V", &Trajectory::volt_v, false},
+    Wanted{"temp", "temp_C", kDegrees, "degC", &Trajectory::temp_c, false},
 };
 
 const logs::Column* columnFor(const logs::Log& log, const Wanted& wanted) {
@@ -59,9 +54,9 @@ const logs::Column* columnFor(const logs::Log& log, const Wanted& wanted) {
 
 double factorOf(const logs::Log& log, const logs::Column& column, const Wanted& wanted) {
   std::string allowed;
-  for (const Scale& scale : wanted.units) {
-    if (scale.unit == column.unit) return scale.factor;
-    allowed.append(allowed.empty() ? "" : " or ").append(scale.unit);
+  for (const std::string_view unit : wanted.units) {
+    if (unit == column.unit) return text::unitFactor(unit, wanted.si).value();
+    allowed.append(allowed.empty() ? "" : " or ").append(unit);
   }
   throw BadInput(log.file + ": the unit of column " + logs::quoted(column.name) + " is " +
                  (column.unit.empty() ? "not known" : column.unit) + "; it has to be " + allowed +

@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "core/units.hpp"
 #include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {
@@ -40,7 +41,7 @@ struct ArmNumbers {
   double weight_nm = 0;     // torque of gravity when it stands out sideways
   double hangs_at_rad = 0;  // encoder's reading there
   double mass_kg = 0, com_m = 0;
-  double gravity_m_s2 = 9.80665;
+  double gravity_m_s2 = kGravity;
 
   [[nodiscard]] double gravityAt(double position_rad) const;  // N m
 };

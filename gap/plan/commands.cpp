@@ -4,6 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/servo_limits.hpp"
 #include "experiments/format/shape.hpp"
 
 namespace darwinop::gap {
@@ -27,7 +28,7 @@ std::string_view hindrance(const Phase& phase) {
 }
 
 double speedLimitOf(const Phase& phase) {
-  return phase.velocity < experiments::kFullSpeed ? phase.velocity : 0;
+  return phase.velocity < kFullSpeed ? phase.velocity : 0;
 }
 
 class Recorder {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <set>
 
+#include "core/servo_limits.hpp"
 #include "experiments/format/shape.hpp"
 
 namespace darwinop::gap {
@@ -98,7 +99,7 @@ void writePhase(const Phase& phase, const std::string& name, Writer& out) {
   out.line("joints", joints);
   if (phase.torque == TorqueMode::kLimit) writeGoal(phase, out);
   writeTorque(phase, out);
-  if (experiments::jumps(phase.goal.shape) || phase.velocity != experiments::kFullSpeed)
+  if (experiments::jumps(phase.goal.shape) || phase.velocity != kFullSpeed)
     out.line("velocity", phase.velocity, "rad/s");
   if (phase.acceleration > 0) out.line("acceleration", phase.acceleration, "rad/s2");
   out.line("p_gain", phase.p_gain, "");

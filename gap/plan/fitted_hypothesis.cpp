@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/conversions.hpp"
+#include "core/text/nearest.hpp"
 #include "gap/case/data_check.hpp"
 #include "gap/fit/solve.hpp"
 #include "gap/identify/effect_set.hpp"
@@ -15,7 +16,6 @@
 #include "gap/parallel/parallel.hpp"
 #include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
-#include "twin/model/nearest.hpp"
 #include "twin/model/sections.hpp"
 
 namespace darwinop::gap {
@@ -38,7 +38,7 @@ const twin::EffectInfo& effectCalled(const Case& given, const std::string& id) {
   const twin::EffectInfo* const effect = twin::findEffect(id);
   if (effect == nullptr) {
     const std::vector<std::string_view> known = twin::effectIds();
-    throw std::runtime_error("there is no effect '" + id + "'; " + twin::suggestion(id, known));
+    throw std::runtime_error("there is no effect '" + id + "'; " + text::suggestion(id, known));
   }
   const std::vector<const twin::EffectInfo*> suspects = candidateEffectsOf(given);
   if (std::ranges::find(suspects, effect) == suspects.end())

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/servo_limits.hpp"
 #include "experiments/format/plan.hpp"
 #include "experiments/format/quantity.hpp"
 #include "gap/plan/commands.hpp"
@@ -45,9 +46,9 @@ class Watch {
         return Danger{name_ + " would get to " + shortText(angle) + " rad; its limits are " +
                           shortText(range_.low.value) + " to " + shortText(range_.high.value) + " rad",
                       t};
-      if (speed > experiments::kFullSpeed)
-        return Danger{name_ + " would turn at " + shortText(speed) + " rad/s; at most " +
-                          shortText(experiments::kFullSpeed) + " rad/s are allowed",
+      if (speed > kFullSpeed)
+        return Danger{name_ + " would turn at " + shortText(speed) + " rad/s; at most " + shortText(kFullSpeed) +
+                          " rad/s are allowed",
                       t};
       full_s_ = std::abs(trace.load[i]) >= full_ ? full_s_ + kPlannedRow : 0;
       if (full_s_ > longest_)

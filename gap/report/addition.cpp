@@ -5,10 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/text/nearest.hpp"
 #include "gap/report/model_text.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
-#include "twin/model/nearest.hpp"
 #include "twin/model/sections.hpp"
 
 namespace darwinop::gap {
@@ -16,7 +16,7 @@ namespace {
 
 const twin::EffectInfo& effectCalled(const std::string& id) {
   if (const twin::EffectInfo* const info = twin::findEffect(id)) return *info;
-  throw std::runtime_error("there is no effect '" + id + "'; " + twin::suggestion(id, twin::effectIds()) +
+  throw std::runtime_error("there is no effect '" + id + "'; " + text::suggestion(id, twin::effectIds()) +
                            " (docs/twin/effects.md)");
 }
 
@@ -24,7 +24,7 @@ std::size_t parameterCalled(const twin::EffectInfo& info, const std::string& key
   const auto found = std::ranges::find(info.parameters, key, &twin::Parameter::key);
   if (found == info.parameters.end())
     throw std::runtime_error("effect " + std::string{info.id} + " has no parameter '" + key + "'; " +
-                             twin::suggestion(key, twin::parametersOf(info)));
+                             text::suggestion(key, twin::parametersOf(info)));
   return static_cast<std::size_t>(found - info.parameters.begin());
 }
 

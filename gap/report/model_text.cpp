@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/text/nearest.hpp"
 #include "twin/model/keys.hpp"
-#include "twin/model/nearest.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -22,7 +22,7 @@ const twin::KeyRow& servoRow(const std::string& key) {
   twin::Model some;
   const twin::KeyRow* const row = twin::findKey("servo", key);
   if (row == nullptr || !std::holds_alternative<double*>(row->in(some)))
-    throw std::runtime_error("[servo] has no number '" + key + "'; " + twin::suggestion(key, twin::keysOf("servo")));
+    throw std::runtime_error("[servo] has no number '" + key + "'; " + text::suggestion(key, twin::keysOf("servo")));
   return *row;
 }
 

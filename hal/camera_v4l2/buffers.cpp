@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <string>
 
+#include "hal/camera_v4l2/camera_error.hpp"
 #include "hal/camera_v4l2/monotonic.hpp"
-#include "hal/camera_v4l2/trouble.hpp"
 
 namespace darwinop::v4l2 {
 namespace {

@@ -40,12 +40,12 @@ struct CameraOptions {
   PictureForm form = PictureForm::kBgra;
   /// Called with a message when the camera is lost, is back, or rejects a setting; from the camera's thread. It must
   /// not wait for the thread that destroys the camera.
-  std::function<void(const std::string&)> say;
+  std::function<void(const std::string&)> log;
   RawFrameTaker on_raw_frame = {};
   CameraPatience patience{};
 };
 
-/// newest() and health() are wait-free. A camera that is absent, unplugged or silent is not an error: `say` receives
+/// newest() and health() are wait-free. A camera that is absent, unplugged or silent is not an error: `log` receives
 /// one message, and the device is retried with growing pauses.
 class Camera final : public FrameSource {
  public:

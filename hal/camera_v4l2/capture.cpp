@@ -29,7 +29,7 @@ constinit std::atomic<int> left_behind{0};
 }  // namespace
 
 Capture::Capture(CameraOptions options)
-    : options_{std::move(options)}, reporter_{options_.say}, black_{blackPicture(askable(options_), options_.form)} {}
+    : options_{std::move(options)}, reporter_{options_.log}, black_{blackPicture(askable(options_), options_.form)} {}
 
 Capture::~Capture() {
   if (left_behind_) left_behind.fetch_sub(1);

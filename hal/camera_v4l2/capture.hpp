@@ -8,7 +8,7 @@
 #include "hal/camera_v4l2/device.hpp"
 #include "hal/camera_v4l2/frame_count.hpp"
 #include "hal/camera_v4l2/picture.hpp"
-#include "hal/camera_v4l2/voice.hpp"
+#include "hal/camera_v4l2/reporter.hpp"
 #include "hal/camera_v4l2/wake.hpp"
 #include "hal/triple_buffer.hpp"
 

@@ -8,7 +8,7 @@
 #include <charconv>
 
 #include "core/camera_sizes.hpp"
-#include "hal/camera_v4l2/trouble.hpp"
+#include "hal/camera_v4l2/camera_error.hpp"
 
 namespace darwinop::v4l2 {
 namespace {

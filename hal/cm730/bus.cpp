@@ -48,7 +48,7 @@ void Cm730Bus::write(const SafeCommands& commands) noexcept {
 void Cm730Bus::read(BusReadings& readings) noexcept {
   readings.forget();
   if (!restThisCycle()) {
-    // A board that does not answer is asked alone; the servos behind it could not be heard anyway.
+    // A board that does not answer is asked alone; replies of the servos behind it would be lost anyway.
     const auto list = silent_cycles_ >= kCyclesUntilRest ? std::span<const ReadList::Entry>{} : list_.next();
     line_.discardInput();
     reader_.clear();
@@ -59,7 +59,7 @@ void Cm730Bus::read(BusReadings& readings) noexcept {
     wire_.wire_ns = wireTime(wire_.bytes_out + wire_.bytes_in).count();
     if (readings.board.answered) board_ = readings.board;
     forEachJoint(decoder_.answered(),
-                 [&](std::size_t i) { goals_.heard(static_cast<Joint>(i), readings.servo[i].load); });
+                 [&](std::size_t i) { goals_.noteLoad(static_cast<Joint>(i), readings.servo[i].load); });
     learn(list);
     sendBoardWrite();
   }
@@ -138,7 +138,7 @@ void Cm730Bus::learn(std::span<const ReadList::Entry> list) noexcept {
   }
 }
 
-/// LEDs and servo power are compared with what the board reports, so a lost write and a board reset mend
+/// LEDs and servo power are compared with what the board reports, so a lost write and a board reset repair
 /// themselves. Sent behind the answers, when the line is idle; the acknowledgement is not waited for.
 void Cm730Bus::sendBoardWrite() noexcept {
   if (!decoder_.boardAnswered()) return;

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/registers.hpp"
+#include "core/servo_limits.hpp"
 #include "hal/cm730/bus.hpp"
 #include "hal/cm730/servo_rows.hpp"
 #include "hal/cm730/usb_serial.hpp"
@@ -14,9 +15,8 @@ namespace darwinop::cm730 {
 namespace {
 
 constexpr Nanos kDelayUnit{2'000};
-constexpr double kBatteryLow = 11.0, kBatteryEmpty = 10.0;  // V; faults battery_low and battery_empty
-constexpr std::size_t kSyncWriteBytes = 188;                // gains, goal, speed, torque limit of twenty servos
-constexpr std::size_t kGoalBytes = 68;                      // goals only, as in most cycles
+constexpr std::size_t kSyncWriteBytes = 188;  // gains, goal, speed, torque limit of twenty servos
+constexpr std::size_t kGoalBytes = 68;        // goals only, as in most cycles
 constexpr std::size_t kRequestBytes = kFrameOverhead + 1 + 3 * (kJoints + 1);
 
 template <class... Args>
@@ -61,9 +61,9 @@ Finding silentBoard(const RobotFacts& facts) {
 
 Finding supply(const BoardFacts& board) {
   const std::string volts = format("supply %.1f V", board.voltage.value);
-  if (board.voltage.value < kBatteryEmpty)
+  if (board.voltage.value < kBatteryEmptyV)
     return Finding::of(Kind::kSupplyEmpty, volts + ": empty", "change the battery or plug in the power supply");
-  if (board.voltage.value < kBatteryLow)
+  if (board.voltage.value < kBatteryLowV)
     return Finding::of(Kind::kSupplyLow, volts + ": low", "charge or change the battery soon");
   return Finding::ok(volts);
 }

@@ -30,7 +30,7 @@ std::span<const std::uint8_t> GoalWriter::encode(const SafeCommands& commands) n
   return {};
 }
 
-void GoalWriter::heard(Joint joint, double load) noexcept {
+void GoalWriter::noteLoad(Joint joint, double load) noexcept {
   constexpr double kStrain = 0.8;  // of the torque limit
   Servo& servo = servo_[index(joint)];
   servo.straining = std::abs(load) * kTorqueMax >= kStrain * servo.least;

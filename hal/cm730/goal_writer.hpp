@@ -30,7 +30,7 @@ class GoalWriter {
   std::span<const std::uint8_t> encode(const SafeCommands& commands) noexcept;
 
   /// What a servo has answered: its load, fraction of the greatest torque.
-  void heard(Joint joint, double load) noexcept;
+  void noteLoad(Joint joint, double load) noexcept;
 
   /// Locks the EEPROM of every servo until its power is cut: an 8-bit checksum lets one damaged frame in 256 pass,
   /// and none of those may change an id, a baud rate or an angle limit for good.
@@ -84,7 +84,7 @@ class GoalWriter {
     return {goal.speed_limit, goal.torque_limit, goal.p_gain};
   }
 
-  /// What a servo has been told since its joint entered.
+  /// Written to a servo since its joint entered.
   struct Servo {
     Settings settings;                                 // what the registers below were made from
     std::uint16_t torque = 0;                          // limit

@@ -25,7 +25,7 @@ std::span<const ReadList::Entry> ReadList::next() noexcept {
   listed_.reset();
   looked_at_.reset();
   if (boot_wait_ > 0) return {};
-  const Mask asked = ~silent_ & ~absent_, doubtful = tried_ | suspects_, again = asked & missed_;
+  const Mask asked = ~silent_ & ~absent_, doubtful = tried_ | suspected_, again = asked & missed_;
   append(asked & ~doubtful);
   append(asked & doubtful & ~missed_);
   append(again);
@@ -85,20 +85,20 @@ void ReadList::answered(const Mask& who) noexcept {
   forgive(who & listed_);
   std::size_t last_answer = length_;  // one past the last entry that answered
   while (last_answer > 0 && !who[list_[last_answer - 1].joint]) --last_answer;
-  // Whoever is missing before the last answer was heard by its neighbour: only its frame was damaged. Behind
+  // A device missing before the last answer was received by its neighbour: only its frame was damaged. Behind
   // the last answer the first one is to blame; of those behind it nothing is known.
   if (last_answer == length_) return;
   blame(list_[last_answer].joint);
-  // A plug that comes off silences the rest of its chain, too: those are asked behind the others until they answer.
+  // A plug that comes off silences the rest of its chain also: those are asked behind the others until they answer.
   const Chain chain = kJointTable[list_[last_answer].joint].chain;
   for (std::size_t i = last_answer + 1; i < length_; ++i)
-    if (kJointTable[list_[i].joint].chain == chain) suspects_.set(list_[i].joint);
+    if (kJointTable[list_[i].joint].chain == chain) suspected_.set(list_[i].joint);
 }
 
 void ReadList::forgive(const Mask& who) noexcept {
   forEachJoint(who & missed_, [this](std::size_t joint) { misses_[joint] = 0; });
   missed_ &= ~who;
-  suspects_ &= ~who;
+  suspected_ &= ~who;
   forEachJoint(who & tried_ & ~silent_, [this](std::size_t joint) {
     if (--on_trial_[joint] == 0) tried_.reset(joint);
   });
@@ -129,7 +129,7 @@ void ReadList::powerIsOff() noexcept {
   powered_ = false;
   boot_wait_ = boot_cycles_;
   silent_.reset();
-  suspects_.reset();
+  suspected_.reset();
   missed_.reset();
   misses_.fill(0);
   tried_.reset();

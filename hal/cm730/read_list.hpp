@@ -5,7 +5,7 @@
 // silent it is left out, and asked again now and then, always last.
 //
 // One servo in turn is looked at whole in each cycle. A servo that has missed an answer is looked at as soon as it is
-// heard again, because it may have restarted, and gets no goals before that. So is one that is about to get torque.
+// received again, because it may have restarted, and gets no goals before that. So is one that is about to get torque.
 #pragma once
 
 #include <array>
@@ -67,7 +67,7 @@ class ReadList {
   std::size_t looks_;
   Mask listed_, looked_at_;  // in the list, with a long window
   Mask silent_, absent_;
-  Mask suspects_;                                  // on the chain of a servo that is to blame, and not heard since
+  Mask suspected_;                                 // on the chain of the faulty servo, no answer since
   Mask due_;                                       // to be looked at: have missed an answer, or were asked for
   Mask missed_;                                    // whose misses_ are not 0
   Mask tried_;                                     // whose on_trial_ is not 0

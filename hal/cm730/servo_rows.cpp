@@ -9,13 +9,13 @@
 
 #include "core/packet.hpp"
 #include "core/registers.hpp"
+#include "core/servo_limits.hpp"
 #include "hal/cm730/chains.hpp"
 #include "hal/cm730/diagnosis.hpp"
 
 namespace darwinop::cm730 {
 namespace {
 
-constexpr double kHot = 65, kTooHot = 75;  // deg C; faults servo_hot and servo_overheat
 constexpr int kMicrosecondsPerCount = 2;
 // Maximum shift of the start pose by the servo's own limits: 0.15 rad, the tolerance of a start move ([Safety]
 // start_tolerance).
@@ -121,9 +121,9 @@ void addStatusLevel(const ServoFacts& servo, Row& found) {
 }
 
 void addHealth(const ServoFacts& servo, Row& found) {
-  if (servo.temperature.value >= kTooHot)
+  if (servo.temperature.value >= kServoOverheatC)
     found.add(Kind::kServoTooHot, "too hot", "let it cool to 60 deg C; it shuts down at 80");
-  else if (servo.temperature.value >= kHot)
+  else if (servo.temperature.value >= kServoHotC)
     found.add(Kind::kServoHot, "hot", "let the robot cool down");
   for (const ErrorBitRow& error : kErrorBits)
     if ((servo.error_bits & error.bit) != 0)

@@ -25,7 +25,7 @@ LineStatus await(ByteLine& line, std::uint8_t id, std::size_t params, Nanos dead
     std::size_t count = 0;
     const LineStatus status = line.read(incoming, count, deadline);
     if (status != LineStatus::kOk) {
-      // Another device's frame is no noise, but half of one is.
+      // Another device's frame does not count as noise, but half of one does.
       answer.garbled |= reader.pending() > 0 || reader.garbageBytes() > 0;
       return status;
     }

@@ -27,7 +27,7 @@ struct Window {
 inline constexpr Window kBoardWindow{24, 30};  // 24..53
 
 // Servos: position, speed, load in every cycle. Torque limit (34, 35) is left to the look: the error byte that
-// comes with every answer tells a shutdown sooner, and 20 x 2 bytes would cost 0.4 ms of each cycle.
+// comes with every answer reports a shutdown sooner, and 20 x 2 bytes would cost 0.4 ms of each cycle.
 inline constexpr Window kServoWindow{36, 6};  // 36..41
 
 // One servo a cycle, in turn, is looked at whole: torque enable, gains, goal, limits, motion, voltage,

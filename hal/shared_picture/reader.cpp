@@ -121,7 +121,7 @@ void Reader::unmap() noexcept {
 }
 
 void Reader::log(const std::string& sentence) {
-  if (options_.say && logged_.insert(sentence).second) options_.say(sentence);
+  if (options_.log && logged_.insert(sentence).second) options_.log(sentence);
 }
 
 }  // namespace darwinop::shared_picture

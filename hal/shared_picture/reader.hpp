@@ -15,14 +15,14 @@
 namespace darwinop::shared_picture {
 
 /// Requests pictures while newest() is called; never blocks. The file may be created, removed and replaced at any time;
-/// files of other versions are ignored. `say` receives each message once.
+/// files of other versions are ignored. `log` receives each message once.
 class Reader final : public FrameSource {
  public:
   struct Options {
     WindowFiles files;
     gid_t group = static_cast<gid_t>(-1);  // required group of the file; -1: any
     std::function<Nanos()> now;            // CLOCK_MONOTONIC
-    std::function<void(const std::string&)> say;
+    std::function<void(const std::string&)> log;
   };
 
   explicit Reader(Options options) : options_{std::move(options)} {}

@@ -61,7 +61,7 @@ CameraHealth PaintedPictures::health() const {
   return {.seeing = frame_.sequence != 0 && frameFileClock() - frame_.time.count() < kFreshPaint, .frames = frames_};
 }
 
-std::string PaintedPictures::trouble() const {
+std::string PaintedPictures::error() const {
   return file_->blind.load(std::memory_order_acquire) != 0 ? file_->why : "";
 }
 

@@ -26,7 +26,7 @@ class PaintedPictures final : public FrameSource {
   CameraFrame newest() override;
   [[nodiscard]] CameraHealth health() const override;
   /// Why there are no pictures; empty: no error. Any thread.
-  [[nodiscard]] std::string trouble() const;
+  [[nodiscard]] std::string error() const;
 
  private:
   FrameFile* file_;

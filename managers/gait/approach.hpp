@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/gentle_move.hpp"
+#include "core/goals/gentle_move.hpp"
 #include "managers/gait/goals.hpp"
 #include "managers/gait/timing.hpp"
 
@@ -20,7 +20,7 @@ inline Pose poseOf(const Goals& goals) {
   return pose;
 }
 
-class Approach : public GentleMove<kWalkingJoints> {
+class Approach : public goals::GentleMove<kWalkingJoints> {
  public:
   /// rad/s, mean speed of the joint with the longest distance; the peak is 1.5 times that. From the start pose: 2.7 s.
   static constexpr double kSpeed = 0.5;
@@ -33,7 +33,7 @@ class Approach : public GentleMove<kWalkingJoints> {
   Approach(Pose from, const Pose& to) {
     for (std::size_t i = 0; i < kWalkingJoints; ++i)
       if (!std::isfinite(from[i])) from[i] = to[i];
-    const double distance = longestWay(from, to);
+    const double distance = longestDistance(from, to);
     GentleMove::operator=({from, to, distance > kTolerance ? std::min(distance / kSpeed * 1000, kMaxMs) : 0});
   }
 

@@ -1,17 +1,15 @@
 // Limits the speed of goals to that of the safety layer, so that a jump is spread over several calls.
 #pragma once
 
+#include "core/servo_limits.hpp"
 #include "managers/gait/approach.hpp"
 #include "managers/gait/timing.hpp"
 
 namespace darwinop::gait {
 
-/// rad/s, full scale of the servo's speed register. Faster than the servo: an MX-28 without load at 12 V reaches 5.76
-/// (managers/motion/first_step.hpp). The engine demands 7.5 at the knees of a walk, 18 in one call when the feet open
-/// for a sidestep or a turn, and more after a foot was out of reach.
-inline constexpr double kServoSpeed = 12.26;
-/// Maximum change per call, 64 ticks.
-inline constexpr double kMaxChange = kServoSpeed * kTickMs / 1000;
+/// Maximum change per call, 64 ticks. The engine demands 7.5 rad/s at the knees of a walk, 18 in one call when the feet
+/// open for a sidestep or a turn, and more after a foot was out of reach.
+inline constexpr double kMaxChange = kMaxVelocity * kTickMs / 1000;
 
 /// One call from `from` towards `to`, independently per joint.
 inline Pose atServoSpeed(const Pose& from, const Pose& to) {

@@ -6,8 +6,6 @@
 
 namespace darwinop::motion {
 
-// Source: MX-28 data sheet, 55 rpm without a load at 12 V: 5.760 rad/s.
-inline constexpr double kNoLoadSpeed = 55 * 2 * kPi / 60;
 /// rad/s, mean over a first step. Under the robot's weight a servo reaches about half of its no-load speed.
 inline constexpr double kFastestFirstStep = kNoLoadSpeed / 2;
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "core/conversions.hpp"
-#include "managers/motion_text/rehearsal.hpp"
+#include "managers/motion_text/dry_run.hpp"
 #include "managers/motion_text/values.hpp"
 
 namespace darwinop::motion {
@@ -105,10 +105,10 @@ class Check {
       checkJump(move, seconds, before);
       for (std::size_t i = 0; i < kJoints; ++i) {
         const double distance = move.distance.at(i) * kDegreesPerTick;
-        if (distance * kRadPerDegree / seconds <= kServoMaxSpeed) continue;
+        if (distance * kRadPerDegree / seconds <= kMaxVelocity) continue;
         keep(at(static_cast<std::size_t>(move.page), move.step, i) + fixed(distance, 2) + " degrees in " +
              fixed(seconds, 3) + " s are " + fixed(distance / seconds, 0) + " degrees/s; the servo's maximum is " +
-             fixed(kServoMaxSpeed / kRadPerDegree, 0) + before);
+             fixed(kMaxVelocity / kRadPerDegree, 0) + before);
       }
     }
   }

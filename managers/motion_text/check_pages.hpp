@@ -10,10 +10,6 @@
 
 namespace darwinop::motion {
 
-// Source: MX-28 control table, maximum moving speed, 117.07 rpm; also the safety layer's limit (max_joint_speed). At
-// 12 V without load the servo reaches about half of it.
-inline constexpr double kServoMaxSpeed = 12.26;  // rad/s
-
 /// Finds links to pages that are not playable, endless chains, gains that are too low, positions out of range, jumps of
 /// goals, and speeds above the servo's. Checks playable pages only.
 [[nodiscard]] std::vector<std::string> checkPages(const PageFile& pages);

@@ -10,7 +10,6 @@ namespace darwinop::motion {
 
 namespace {
 
-constexpr double kGravity = 9.80665;          // m/s2
 constexpr double kTilted = 0.70710678;        // cos 45 degrees
 constexpr double kBent = 90 * kRadPerDegree;  // rad; 53 degrees ready to walk, 129 on its knees
 

@@ -14,7 +14,7 @@ std::int32_t goalOnWire(Rad goal) {
   return std::isnan(goal.value) ? kNoValue : cut(std::round(std::clamp(goal.value, -kPi, kPi) * 2048 / kPi));
 }
 std::int32_t speedOnWire(RadPerSec speed) {
-  return cut(std::round(std::abs(speed.value) * 30.0 / (0.114 * kPi)));
+  return cut(std::round(std::abs(speed.value) / kRadPerSecPerCount));
 }
 /// 0 would switch torque off. A limit that is not finite is ignored, as in safety: the joint keeps its limit.
 std::int32_t torqueOnWire(const JointCommand& wanted) {

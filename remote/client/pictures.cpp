@@ -8,7 +8,7 @@
 namespace darwinop::remote {
 namespace {
 
-constexpr Nanos kBlindAfter{2'000'000'000};
+constexpr Nanos kReportBlackAfter{2'000'000'000};
 
 std::string inPixels(ImageSize size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
@@ -36,7 +36,7 @@ class Pictures::Source final : public FrameSource {
 
   [[nodiscard]] CameraHealth health() const override {
     CameraHealth health = health_;
-    health.seeing = frame_.sequence != 0 && !pictures_.blind_ && now_() - pictures_.confirmed_ < kBlindAfter;
+    health.seeing = frame_.sequence != 0 && !pictures_.black_ && now_() - pictures_.confirmed_ < kReportBlackAfter;
     return health;
   }
 
@@ -98,29 +98,29 @@ void Pictures::take(const Reply& reply, Nanos now) {
       confirmed_ = now - Nanos{std::int64_t{reply.extension->picture_age_us} * 1000};
       return;
     }
-    blind_ = true;
+    black_ = true;
     if (!std::exchange(logged_no_camera_, true))
       log_("Camera: every picture is black: the robot's server has no camera");
     return;
   }
   const Nanos age{known ? std::int64_t{reply.extension->picture_age_us} * 1000 : 0};
-  blind_ = known && reply.extension->picture == 0;
-  checkBlindness(now);
+  black_ = known && reply.extension->picture == 0;
+  checkBlack(now);
   held_ = known ? reply.extension->picture : 0;
   taken_ = confirmed_ = now - age;
   ++arrived_;
   jpeg_.assign(reply.jpeg.begin(), reply.jpeg.end());
 }
 
-/// Reports black pictures only after kBlindAfter, because a camera takes time to open.
-void Pictures::checkBlindness(Nanos now) {
-  if (!blind_) {
-    blind_since_.reset();
-    logged_blind_ = false;
+/// Reports black pictures only after kReportBlackAfter, because a camera takes time to open.
+void Pictures::checkBlack(Nanos now) {
+  if (!black_) {
+    black_since_.reset();
+    logged_black_ = false;
     return;
   }
-  if (!blind_since_) blind_since_ = now;
-  if (now - *blind_since_ < kBlindAfter || std::exchange(logged_blind_, true)) return;
+  if (!black_since_) black_since_ = now;
+  if (now - *black_since_ < kReportBlackAfter || std::exchange(logged_black_, true)) return;
   log_("Camera: every picture is black: the robot's camera gives no pictures; see the log of its server");
 }
 

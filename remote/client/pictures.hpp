@@ -41,7 +41,7 @@ class Pictures {
 
  private:
   class Source;
-  void checkBlindness(Nanos now);
+  void checkBlack(Nanos now);
 
   Log log_;
   int sources_ = 0, since_access_ = 0, every_ = 1;
@@ -49,8 +49,8 @@ class Pictures {
   std::vector<std::uint8_t> jpeg_;
   std::uint64_t arrived_ = 0;  // pictures received so far; number of the newest one
   std::uint32_t held_ = 0;
-  bool blind_ = true, logged_no_camera_ = false, logged_blind_ = false;
-  std::optional<Nanos> blind_since_;
+  bool black_ = true, logged_no_camera_ = false, logged_black_ = false;
+  std::optional<Nanos> black_since_;
   Nanos taken_{0}, confirmed_{0};  // when the newest picture was taken; when the server last had a new one
 };
 

@@ -204,7 +204,7 @@ bool TcpLink::end(const std::string& why) {
   return false;
 }
 
-std::unique_ptr<FrameSource> TcpLink::openEyes(int /*width*/, int /*height*/) {
+std::unique_ptr<FrameSource> TcpLink::openCamera(int /*width*/, int /*height*/) {
   return pictures_.open([this] { return now(); });
 }
 

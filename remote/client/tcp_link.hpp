@@ -48,7 +48,7 @@ class TcpLink final : public runtime::RobotLink {
   void leaveHolding() override;
   [[nodiscard]] Sensors sensors() const override { return shown_; }
   [[nodiscard]] std::string whyEnded() const override { return why_ended_; }
-  [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height) override;
+  [[nodiscard]] std::unique_ptr<FrameSource> openCamera(int width, int height) override;
 
  private:
   void connect();

@@ -23,7 +23,7 @@ inline std::int32_t wireFromPosition(double rad) {
   return cut(rad * 2048.0 / kPi);  // 0 is the centre, 1 is 1.534 mrad
 }
 inline std::int32_t wireFromVelocity(double rad_per_s) {
-  return cut(rad_per_s * 30.0 / (0.114 * kPi));
+  return cut(rad_per_s * 30.0 / (kRpmPerCount * kPi));
 }
 inline std::int32_t wireFromAcceleration(double rad_per_s2) {
   return cut(rad_per_s2 * 100000.0);
@@ -43,7 +43,7 @@ constexpr bool isEncoderPosition(std::int32_t wire) {
   return wire >= -2048 && wire <= 2047;
 }
 constexpr double velocityFromWire(std::int32_t wire) {
-  return wire * 0.114 * kPi / 30.0;
+  return wire * kRpmPerCount * kPi / 30.0;
 }
 /// Integer division, as in the 2013 server: 0.5 becomes 0. -1 means no limit.
 constexpr double accelerationFromWire(std::int32_t wire) {

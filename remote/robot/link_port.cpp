@@ -82,12 +82,23 @@ void LinkPort::apply(const Request& request) {
     commands_.unattended |= request.extension.unattended;
   }
   link_->publish(commands_);
-  if (!link_->realTime()) simulate(request);
+  if (link_->realTime()) return;
+  if (request.extended)
+    simulateUntil(request.extension.until_cycle);
+  else
+    simulate();
+}
+
+void LinkPort::publish(const Commands& commands) {
+  commands_.joint = commands.joint;
+  commands_.led = commands.led;
+  link_->publish(commands_);
+  if (!link_->realTime()) simulate();
 }
 
 void LinkPort::applyMotor(const MotorSetting& setting) {
   using M = MotorSetting;
-  MotorControl& motor = motors_[index(setting.joint)];
+  goals::MotorControl& motor = motors_[index(setting.joint)];
   if (setting.has(M::kPosition) && isEncoderPosition(setting.position))
     motor.setPosition(positionFromWire(setting.position));
   if (setting.has(M::kVelocity)) motor.setVelocity(velocityFromWire(setting.velocity));
@@ -109,8 +120,7 @@ void LinkPort::applyLed(const LedSetting& setting) {
 }
 
 /// In lockstep the server runs the cycles: as many as real time has passed, at least one.
-void LinkPort::simulate(const Request& request) {
-  if (request.extended) return simulateUntil(request.extension.until_cycle);
+void LinkPort::simulate() {
   const Nanos now = clock_.now();
   const Nanos elapsed = std::min(now - simulated_at_, kLongestStep);
   simulated_at_ = now;
@@ -171,9 +181,9 @@ void LinkPort::endAbandonedSession() noexcept try {
 }
 
 void LinkPort::endSession() noexcept {
-  commands_.farewell = true;
+  commands_.end_of_session = true;
   link_->publish(commands_);
-  commands_.farewell = false;
+  commands_.end_of_session = false;
   if (home_ == Home::kDaemon) link_.reset();  // the link's destructor ends the session once more
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/motor_control.hpp"
+#include "core/goals/motor_control.hpp"
 #include "hal/frame_source.hpp"
 #include "remote/jpeg/image_size.hpp"
 #include "remote/picture_source.hpp"
@@ -33,6 +33,8 @@ class LinkPort final : public RobotPort {
   void startSession(SessionStart start) override;
   void cancelSession() noexcept override;
   void apply(const Request& request) override;
+  /// Instead of apply(), for a driver in this process: publishes the joint commands and LEDs of `commands`.
+  void publish(const Commands& commands);
   [[nodiscard]] Sensors sensors() override { return link_->sensors(); }
   /// First cycle whose safety report refers to the present session.
   [[nodiscard]] std::uint64_t firstSessionCycle() const { return first_session_cycle_; }
@@ -60,7 +62,7 @@ class LinkPort final : public RobotPort {
   void applyLed(const LedSetting& setting);
   [[nodiscard]] Rad holdPosition(const Sensors& seen, std::size_t joint) const;
   void clearCommands();
-  void simulate(const Request& request);
+  void simulate();
   void simulateUntil(std::uint64_t cycle);
 
   Home home_;
@@ -68,7 +70,7 @@ class LinkPort final : public RobotPort {
   bool start_where_it_is_, had_session_ = false;
   runtime::MonotonicClock clock_;
   std::unique_ptr<runtime::RobotLink> link_;
-  std::vector<MotorControl> motors_;  // by joint
+  std::vector<goals::MotorControl> motors_;  // by joint
   Commands commands_{};
   std::uint64_t first_session_cycle_ = 0;  // first cycle whose safety report refers to the session
   std::uint64_t last_cycle_ = 0;

@@ -32,7 +32,7 @@ std::unique_ptr<PictureSource> openPicturesOfDriver(const runtime::RuntimeFiles&
                                             .files = {files.pictures, files.pictures_asked},
                                             .group = exchange.st_gid,
                                             .now = [] { return runtime::MonotonicClock{}.now(); },
-                                            .say = log}),
+                                            .log = log}),
                                         observerOptions(on_frame, log));
 }
 

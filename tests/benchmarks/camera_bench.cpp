@@ -54,8 +54,8 @@ void print(const std::string& prefix, const Way& ours, const Way& peer) {
 /// Noise: no way's time depends on what is in the picture.
 Bytes noise(std::size_t count) {
   Bytes bytes(count);
-  std::mt19937 dice{1};
-  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(dice() >> 24);
+  std::mt19937 rng{1};
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(rng() >> 24);
   return bytes;
 }
 

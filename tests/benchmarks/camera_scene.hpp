@@ -1,4 +1,4 @@
-// What a camera sees on a field, drawn by dice, and how far a picture of it is off.
+// What a camera sees on a field, drawn at random, and how far a picture of it is off.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +21,9 @@ inline constexpr std::size_t kPixels = std::size_t{320} * 240;
 /// A field with lines, a wall and a ball in the colours of `seed`, under light from one side, with a camera's noise.
 /// Several: how well a flat colour survives is luck.
 inline Bytes scene(std::uint32_t seed) {
-  std::mt19937 dice{seed};
-  const auto drawn = [&dice](double from, double to) {
-    return from + (to - from) * static_cast<double>(dice() >> 8) / 0x1000000;
+  std::mt19937 rng{seed};
+  const auto drawn = [&rng](double from, double to) {
+    return from + (to - from) * static_cast<double>(rng() >> 8) / 0x1000000;
   };
   const auto colour = [&drawn] { return std::array{drawn(20, 240), drawn(20, 240), drawn(20, 240)}; };
   const std::array field = colour(), wall = colour(), line = colour(), ball = colour();

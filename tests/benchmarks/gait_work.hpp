@@ -10,12 +10,12 @@
 namespace darwinop::bench {
 
 // Forwards, to the left and round: no amplitude is zero.
-constexpr gait::WalkCommand kWish{0.5, 0.25, 0.25, false};
+constexpr gait::WalkCommand kCommand{0.5, 0.25, 0.25, false};
 
 class OurGait {
  public:
   OurGait() { engine_.start(); }
-  const gait::Goals& call() { return engine_.next(kWish, {std::nan(""), std::nan("")}); }
+  const gait::Goals& call() { return engine_.next(kCommand, {std::nan(""), std::nan("")}); }
 
  private:
   gait::Engine engine_{gait::Parameters{}};
@@ -23,7 +23,7 @@ class OurGait {
 
 class PeersGait {
  public:
-  PeersGait() { gait_.command(gait::kMaxX * kWish.x, gait::kMaxY * kWish.y, gait::kMaxA * kWish.a); }
+  PeersGait() { gait_.command(gait::kMaxX * kCommand.x, gait::kMaxY * kCommand.y, gait::kMaxA * kCommand.a); }
   const PlainGait::Ticks& call() { return gait_.next(); }
 
  private:

@@ -137,7 +137,7 @@ double rmsError(unsigned count, const double* x, double* /*jacobian*/, void* dat
   return std::sqrt(sum);
 }
 
-// The same data to the end: gap finds which effect it is and fits it; the peer is told the right kind of friction, and
+// The same data to the end: gap finds which effect it is and fits it; the peer gets the right kind of friction, and
 // searches the ranges of its numbers (controlled random search, Kaelo and Ali 2006) with as many trials as others take.
 void peer() {
   const Hidden made = hiddenCase();
@@ -174,7 +174,7 @@ void peer() {
   std::printf("peer: %u numbers, %d trials\n", count, fitting.trials);
   print("gap_case_time", our_time, their_time, "s");
   print("gap_case_kept_error", kMrad * our_error, kMrad * rmsPositionError(given, found, LogRole::kHeldOut), "mrad");
-  std::printf("kept logs of the baseline: %.4g mrad; of the bench that made them, without noise: %.4g mrad\n",
+  std::printf("held-out logs of the baseline: %.4g mrad; of the bench that made them, without noise: %.4g mrad\n",
               kMrad * made.key.gap_held_out_rad, kMrad * made.key.noise_held_out_rad);
 }
 

@@ -35,13 +35,13 @@ class LoopUnderTest {
     turn();
   }
   void publish() noexcept {
-    Commands wish;
-    wish.session = 1;
-    wish.sequence = ++cycles_;
-    wish.start_where_it_is = true;
+    Commands commands;
+    commands.session = 1;
+    commands.sequence = ++cycles_;
+    commands.start_where_it_is = true;
     const double swing = 0.02 * std::sin(static_cast<double>(cycles_) * 0.1);
-    for (std::size_t i = 0; i < servos_; ++i) wish.joint[i].setGoal(Rad{radFromTicks(middle(i)).value + swing});
-    exchange_.commands().commands.publish(wish);
+    for (std::size_t i = 0; i < servos_; ++i) commands.joint[i].setGoal(Rad{radFromTicks(middle(i)).value + swing});
+    exchange_.commands().commands.publish(commands);
   }
   void turn() noexcept { loop_.step(pacer_); }
 

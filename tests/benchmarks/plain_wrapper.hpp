@@ -1,5 +1,5 @@
 // The peer: the straightforward way to do a cycle's work, as wrappers of this robot have done it since 2013 (written
-// anew from its described behaviour). One buffer for everything, every gain and limit sent in every cycle, a whole
+// again from its described behaviour). One buffer for everything, every gain and limit sent in every cycle, a whole
 // reply parsed at its end with the rest shifted down frame by frame, values kept as raw bytes. No safety layer, no
 // ages, no isolation of silent servos, no statistics, nothing shared with another thread.
 #pragma once

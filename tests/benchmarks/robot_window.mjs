@@ -105,7 +105,7 @@ try {
     `ratio=${(ours / peer).toFixed(3)} unit=${unit}`);
   bench('frames', quantile(all, 0.5), 60, '1/s');  // peer: the screen
   bench('frames_p5', quantile(all, 0.05), 60, '1/s');
-  for (const news of shown.said().match(/.* has ended .*/g) ?? []) console.log(`meanwhile: ${news}`);
+  for (const line of shown.said().match(/.* has ended .*/g) ?? []) console.log(`meanwhile: ${line}`);
   for (const [what, slack] of Object.entries(kSlack_MB)) {
     bench(`${what}_memory`, last[what], first[what], 'MB');  // peer: itself, after a tenth of the time
     const grown = last[what] > first[what] * kGrowth + slack;

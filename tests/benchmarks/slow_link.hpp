@@ -81,7 +81,7 @@ class LinkDirection {
   };
 
   void run() {
-    const sched_param soon{.sched_priority = 50};  // where it is allowed: a late forwarder is no slow network
+    const sched_param soon{.sched_priority = 50};  // where it is allowed: a late forwarder is not a slow network
     (void)pthread_setschedparam(pthread_self(), SCHED_FIFO, &soon);
     (void)prctl(PR_SET_TIMERSLACK, 1);
     while (!stop_) {

@@ -29,8 +29,8 @@ struct Image {
 /// Any colour everywhere: nothing can be guessed, and next to nothing is found.
 Image noise(int width, int height) {
   Image image{width, height, std::vector<std::uint8_t>(static_cast<std::size_t>(4 * width * height))};
-  std::mt19937 dice{1};
-  for (std::uint8_t& byte : image.bgra) byte = static_cast<std::uint8_t>(dice());
+  std::mt19937 rng{1};
+  for (std::uint8_t& byte : image.bgra) byte = static_cast<std::uint8_t>(rng());
   return image;
 }
 

@@ -99,15 +99,15 @@ bool Campaign::well() const {
          std::ranges::all_of(s.joint, [](const auto& j) { return j.motion.fresh() && j.driven; });
 }
 
-std::string Campaign::complaint() const {
-  if (!servo_judge.complaint().empty()) return "at a servo, " + servo_judge.complaint();
-  if (!wire_judge.complaint().empty()) return "on the wire: " + wire_judge.complaint();
-  return complaint_;
+std::string Campaign::failure() const {
+  if (!servo_judge.failure().empty()) return "at a servo, " + servo_judge.failure();
+  if (!wire_judge.failure().empty()) return "on the wire: " + wire_judge.failure();
+  return failure_;
 }
 
 void Campaign::fight(long count, double faults_per_second, hil::FaultKinds kinds) {
   robot.faults().add(randomFaults(faults_per_second, kinds));
-  for (long i = 0; i < count && complaint().empty(); ++i) {
+  for (long i = 0; i < count && failure().empty(); ++i) {
     cycle(controller.next());
     if (i % kPeaceEvery != kPeaceEvery - 1) continue;
     robot.faults().clear();
@@ -123,9 +123,9 @@ void Campaign::recover() {
   }
   if (well()) return;
   const SafetyReport& report = loop.sensors().safety;
-  complaint_ = "cycle " + std::to_string(cycles) + ": not driven again after " + std::to_string(kRecoveryCycles) +
-               " cycles without faults; state " + std::string{kStateNames[static_cast<std::size_t>(report.state)]} +
-               ", worst fault " + std::string{row(report.worst).name};
+  failure_ = "cycle " + std::to_string(cycles) + ": not driven again after " + std::to_string(kRecoveryCycles) +
+             " cycles without faults; state " + std::string{kStateNames[static_cast<std::size_t>(report.state)]} +
+             ", worst fault " + std::string{row(report.worst).name};
 }
 
 }  // namespace darwinop

@@ -30,7 +30,7 @@ class Campaign : private hil::WireObserver {
 
   [[nodiscard]] bool well() const;
   /// The first broken promise; empty: none.
-  [[nodiscard]] std::string complaint() const;
+  [[nodiscard]] std::string failure() const;
 
   hil::VirtualRobot robot;
   hil::MemoryLine line{robot};
@@ -52,7 +52,7 @@ class Campaign : private hil::WireObserver {
   void recover();
 
   Nanos release_{0};
-  std::string complaint_;
+  std::string failure_;
 };
 
 /// All kinds, or those after which a reading is either right or missing.

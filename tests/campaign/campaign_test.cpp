@@ -26,7 +26,7 @@ constexpr double kFaultsPerSecond = 2;
 void fightAndReport(Campaign& campaign, std::uint64_t seed, hil::FaultKinds kinds) {
   const long cycles = cyclesFromEnvironment(10'000);
   campaign.fight(cycles, kFaultsPerSecond, kinds);
-  EXPECT_EQ(campaign.complaint(), "");
+  EXPECT_EQ(campaign.failure(), "");
   EXPECT_GT(campaign.wire_judge.goalsSeen(), cycles);  // it did drive
   EXPECT_LE(campaign.fastest, campaign.config.max_joint_speed);
   const ServoJudge::Tally& tally = campaign.servo_judge.tally();

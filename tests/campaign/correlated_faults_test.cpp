@@ -44,7 +44,7 @@ struct Scene : Campaign {
       : Campaign{1}, steady{streams} {}
 
   void run(int count) {
-    for (int i = 0; i < count && complaint().empty(); ++i) cycle(steady.next());
+    for (int i = 0; i < count && failure().empty(); ++i) cycle(steady.next());
   }
   /// Driven, and in the middle of a motion.
   void runUntilDriven() {
@@ -110,7 +110,7 @@ TEST(CorrelatedFaults, ServosThatLoseTheirSupplyTogetherComeBackWithoutAJump) {
         dead.boot = milliseconds{boot_ms};
         scene.add(dead);
         scene.run(200);
-        EXPECT_EQ(scene.complaint(), "");
+        EXPECT_EQ(scene.failure(), "");
         EXPECT_TRUE(scene.well());
       }
 }
@@ -132,7 +132,7 @@ TEST(CorrelatedFaults, FiveLostAnswersInARowNeverInterruptDriving) {
         EXPECT_EQ(scene.pulling(), 20);
       }
       EXPECT_EQ(scene.servo_judge.tally().outages, 0);
-      EXPECT_EQ(scene.complaint(), "");
+      EXPECT_EQ(scene.failure(), "");
       EXPECT_TRUE(scene.well());
     }
 }
@@ -147,12 +147,12 @@ TEST(CorrelatedFaults, SixToEightLostAnswersCostNoMoreThanAGentleTakeover) {
     miss.amount = count;
     scene.add(miss);
     scene.run(200);
-    EXPECT_EQ(scene.complaint(), "");
+    EXPECT_EQ(scene.failure(), "");
     EXPECT_TRUE(scene.well());
   }
 }
 
-/// Shutdowns of a stuck knee until one was believed, and those that a write undid before any answer told of them.
+/// Shutdowns of a stuck knee until one was believed,.
 long shutdownsOfAStuckKnee(SteadyController::Streams streams, int phase_ms) {
   Scene scene{streams};
   scene.runUntilDriven();
@@ -164,7 +164,7 @@ long shutdownsOfAStuckKnee(SteadyController::Streams streams, int phase_ms) {
   scene.add(jam);
   for (int i = 0; i < 1000 && !scene.loop.sensors().safety.tripped[12]; ++i) scene.run(1);
   EXPECT_TRUE(scene.loop.sensors().safety.tripped[12]);
-  EXPECT_EQ(scene.complaint(), "");
+  EXPECT_EQ(scene.failure(), "");
   return scene.servo_judge.tally().trips;
 }
 
@@ -197,8 +197,8 @@ TEST(CorrelatedFaults, ModeAndResetEndTorqueAtAnyMomentAndOnlyAPersonBringsItBac
       press.lasts = milliseconds{400};
       scene.add(press);
       scene.run(200);
-      EXPECT_EQ(scene.complaint(), "");
-      if (reset && !was_up) continue;  // nothing was held: RESET let go of nothing
+      EXPECT_EQ(scene.failure(), "");
+      if (reset && !was_up) continue;  // nothing was held: RESET released nothing
       EXPECT_EQ(scene.pulling(), 0);
       EXPECT_EQ(scene.state(), State::kLimp);
       press.kind = FaultKind::kButton;
@@ -206,7 +206,7 @@ TEST(CorrelatedFaults, ModeAndResetEndTorqueAtAnyMomentAndOnlyAPersonBringsItBac
       press.at = scene.line.now();
       scene.add(press);
       scene.run(500);
-      EXPECT_EQ(scene.complaint(), "");
+      EXPECT_EQ(scene.failure(), "");
       EXPECT_EQ(scene.state(), State::kDriven);
     }
 }
@@ -229,7 +229,7 @@ TEST(CorrelatedFaults, ResetInTheMiddleOfAKneelLeavesTheRobotLimp) {
     reset.at = scene.line.now();
     scene.add(reset);
     scene.run(400);
-    EXPECT_EQ(scene.complaint(), "");
+    EXPECT_EQ(scene.failure(), "");
     EXPECT_TRUE(was_up);
     EXPECT_EQ(scene.pulling(), 0);
     EXPECT_EQ(scene.state(), State::kLimp);
@@ -248,7 +248,7 @@ TEST(CorrelatedFaults, ASupplyThatGivesWayUnderTorqueNeverMakesAJointJump) {
     sag.lasts = milliseconds{5000};
     scene.add(sag);
     scene.run(400);
-    EXPECT_EQ(scene.complaint(), "") << sag_v;
+    EXPECT_EQ(scene.failure(), "") << sag_v;
     scene.run(500);
     EXPECT_TRUE(scene.well()) << sag_v;
   }

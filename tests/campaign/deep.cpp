@@ -54,16 +54,16 @@ class Deep {
       const bool whole = shard % 2 == 0;
       campaign.fight(std::min(kShard, wanted_ - shard * kShard), kFaultsPerSecond,
                      whole ? kindsThatKeepBytesWhole() : allKinds());
-      std::string complaint = campaign.complaint();
+      std::string failure = campaign.failure();
       const double allowed = whole ? 0 : 1 + kWrongReadings * static_cast<double>(campaign.readings);
-      if (complaint.empty() && static_cast<double>(campaign.wrong) > allowed)
-        complaint = std::to_string(campaign.wrong) + " wrong readings passed for fresh";
-      if (complaint.empty() && campaign.fastest > campaign.config.max_joint_speed) complaint = "a joint was too fast";
-      add(campaign, seed, whole, complaint);
+      if (failure.empty() && static_cast<double>(campaign.wrong) > allowed)
+        failure = std::to_string(campaign.wrong) + " wrong readings passed for fresh";
+      if (failure.empty() && campaign.fastest > campaign.config.max_joint_speed) failure = "a joint was too fast";
+      add(campaign, seed, whole, failure);
     }
   }
 
-  void add(Campaign& campaign, std::uint64_t seed, bool whole, const std::string& complaint) {
+  void add(Campaign& campaign, std::uint64_t seed, bool whole, const std::string& failure) {
     const std::scoped_lock lock{mutex_};
     totals_.cycles += campaign.cycles;
     totals_.readings += campaign.readings;
@@ -74,10 +74,10 @@ class Deep {
     totals_.fastest = std::max(totals_.fastest, campaign.fastest);
     for (std::size_t kind = 0; kind < hil::kFaultKinds; ++kind)
       totals_.faults[kind] += campaign.robot.faults().begun(static_cast<hil::FaultKind>(kind));
-    if (!complaint.empty()) {
+    if (!failure.empty()) {
       ++failed_;
       std::printf("%s\nagain: DARWINOP_SEED=%llu DARWINOP_CAMPAIGN_CYCLES=%ld campaign_test --gtest_filter=%s\n",
-                  complaint.c_str(), static_cast<unsigned long long>(seed), kShard, whole ? "*Stale*" : "*Damaged*");
+                  failure.c_str(), static_cast<unsigned long long>(seed), kShard, whole ? "*Stale*" : "*Damaged*");
     }
     const long percent = 100 * totals_.cycles / std::max(1L, wanted_);
     if (percent == shown_) return;

@@ -84,22 +84,22 @@ void ServoJudge::endCycle(const Sensors& seen) {
     Servo& servo = servo_[i];
     servo.position[static_cast<std::size_t>(cycle_) % kPositionWindow] = truth(static_cast<Joint>(i));
     const bool fresh = seen.joint[i].motion.fresh();
-    if (fresh != (servo.unheard == 0)) note(static_cast<Joint>(i), fresh ? "answers" : "does not answer");
+    if (fresh != (servo.silent == 0)) note(static_cast<Joint>(i), fresh ? "answers" : "does not answer");
     const bool driven = seen.joint[i].driven;
     if (driven != servo.driven) note(static_cast<Joint>(i), driven ? "driven" : "not driven");
     if (driven && !servo.driven) servo.driven_since = cycle_;
     servo.driven = driven;
-    servo.unheard = fresh ? 0 : servo.unheard + 1;
+    servo.silent = fresh ? 0 : servo.silent + 1;
     if (fresh) servo.late_goals = 0;
     servo.answered = fresh ? servo.answered + 1 : 0;
-    if (seen.safety.tripped[i] || servo.unheard >= kForgotten) servo.trips = servo.early_trips = 0;
+    if (seen.safety.tripped[i] || servo.silent >= kForgotten) servo.trips = servo.early_trips = 0;
   }
   judgeLimp(seen);
   judgeSpeedLimits(seen);
   state_ = seen.safety.state;
 }
 
-/// Up to five unanswered requests in a row are noise. Cycles in which nothing was asked are no misses.
+/// Up to five unanswered requests in a row are noise. Cycles in which nothing was asked are not misses.
 void ServoJudge::judgeOutage(const Sensors& seen) {
   if (seen.safety.state == State::kOffline && state_ != State::kOffline) {
     ++tally_.outages;
@@ -123,7 +123,7 @@ void ServoJudge::personActs() {
   if (mode_held_ < kHeldCycles - 1) released_ = false;  // while MODE is held it counts again at once
 }
 
-/// MODE and RESET are how a person lets go of the robot. START, pressed while it is at rest, takes that back.
+/// MODE and RESET are how a person releases the robot. START, pressed while it is at rest, takes that back.
 void ServoJudge::notePerson(const Sensors& seen) {
   if (!seen.board.motion.fresh()) return;
   mode_held_ = (seen.board.buttons & kModeButton) != 0 ? mode_held_ + 1 : 0;
@@ -159,7 +159,7 @@ void ServoJudge::judgeSpeedLimits(const Sensors& seen) {
     Servo& servo = servo_[i];
     const auto joint = static_cast<Joint>(i);
     const hil::ServoState now = robot_.board().servo(joint).state();
-    const bool unlimited = now.pulls() && now.speed == 0 && servo.unheard == 0 && !seen.safety.tripped[i] &&
+    const bool unlimited = now.pulls() && now.speed == 0 && servo.silent == 0 && !seen.safety.tripped[i] &&
                            servo.untrusted_until <= cycle_;
     servo.unlimited_for = unlimited ? servo.unlimited_for + 1 : 0;
     if (servo.unlimited_for > kLookRound)
@@ -354,12 +354,12 @@ std::string ServoJudge::historyOf(Joint joint) const {
 }
 
 void ServoJudge::blame(Promise promise, Joint joint, const std::string& what) {
-  blame(promise, std::string{row(joint).name} + ": " + what + (complaint_.empty() ? historyOf(joint) : ""));
+  blame(promise, std::string{row(joint).name} + ": " + what + (failure_.empty() ? historyOf(joint) : ""));
 }
 
 void ServoJudge::blame(Promise promise, const std::string& what) {
   ++tally_.broken[static_cast<std::size_t>(promise)];
-  if (complaint_.empty()) complaint_ = "cycle " + std::to_string(cycle_) + ": " + what;
+  if (failure_.empty()) failure_ = "cycle " + std::to_string(cycle_) + ": " + what;
 }
 
 }  // namespace darwinop

@@ -57,17 +57,17 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
                const hil::ServoState& after) noexcept override;
 
   /// The first broken promise; empty: none.
-  [[nodiscard]] const std::string& complaint() const { return complaint_; }
+  [[nodiscard]] const std::string& failure() const { return failure_; }
 
   struct Tally {
     long edges = 0;       // torque came on at a servo, judged
     long steps = 0;       // a goal moved under torque, judged
     long trips = 0;       // servos that shut themselves off
     long releases = 0;    // by a person: MODE, RESET, or beside the controller
-    long outages = 0;     // offline was said
+    long outages = 0;     // offline was reported
     long limp_looks = 0;  // joints held against a state limp
     long late = 0;        // writes that a stalled board carried out long after they were sent; judged as such
-    long blind = 0;       // shutdowns undone by a write that left before any answer could tell of them
+    long blind = 0;       // shutdowns undone by a write that left before any answer could report them
     long damaged = 0;     // writes that nobody sent: damaged, and their checksum right by chance
     std::array<long, kPromises> broken{};
     Tally& operator+=(const Tally& other);
@@ -105,8 +105,8 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
     long untrusted_until = 0;                          // cycle; after a damaged write or a second device with its id
     int trips = 0;                                     // since our side last believed one, or was asked to try again
     int early_trips = 0;                               // the same, soon after it was taken over: not counted in trips
-    int unheard = 0, answered = 0;                     // cycles in a row
-    int late_goals = 0;                                // carried out late since it was heard last
+    int silent = 0, answered = 0;                      // cycles in a row
+    int late_goals = 0;                                // carried out late since its last answer
     int unlimited_for = 0;                             // cycles under torque without a speed limit, all answered
     long goal_at = 0;                                  // cycle in which the last goal came through
     long powered_at = 0;                               // cycle
@@ -144,7 +144,7 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
   double max_step_;  // ticks a cycle
   std::array<Servo, kJoints> servo_{};
   Tally tally_;
-  std::string complaint_;
+  std::string failure_;
   long cycle_ = 0;
 
   std::uint32_t session_ = 0, resets_ = 0, operator_resets_ = 0, operator_releases_ = 0;

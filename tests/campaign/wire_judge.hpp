@@ -35,7 +35,7 @@ class WireJudge final : public hil::WireObserver {
     cable_out_ = !robot_.portOpen();
     replugs_ = robot_.replugs();
   }
-  /// A joint that is not driven starts anew with its next goal.
+  /// A joint that is not driven starts again with its next goal.
   void endCycle(const Sensors& seen) {
     for (std::size_t joint = 0; joint < kJoints; ++joint)
       if (!seen.joint[joint].driven) goal_[joint].reset();
@@ -55,7 +55,7 @@ class WireJudge final : public hil::WireObserver {
   }
   void reply(Bytes bytes, Nanos at) noexcept override { (void)bytes, (void)at; }
 
-  [[nodiscard]] const std::string& complaint() const { return complaint_; }
+  [[nodiscard]] const std::string& failure() const { return failure_; }
   [[nodiscard]] long goalsSeen() const { return goals_; }
 
  private:
@@ -107,7 +107,7 @@ class WireJudge final : public hil::WireObserver {
   }
 
   void blame(const std::string& what) {
-    if (complaint_.empty()) complaint_ = "cycle " + std::to_string(cycle_) + ": " + what;
+    if (failure_.empty()) failure_ = "cycle " + std::to_string(cycle_) + ": " + what;
   }
 
   hil::VirtualRobot& robot_;
@@ -126,7 +126,7 @@ class WireJudge final : public hil::WireObserver {
   bool cable_out_ = false;
   std::uint32_t replugs_ = 0;
   long goals_ = 0;
-  std::string complaint_;
+  std::string failure_;
 };
 
 }  // namespace darwinop

@@ -55,7 +55,7 @@ TEST_F(ControllerUser, AComputerWithoutTheUserIsAsItWas) {
   EXPECT_EQ(runtimeGroup(says(""), std::nullopt, pc), static_cast<gid_t>(-1));
 }
 
-TEST_F(ControllerUser, AUserThatDoesNotExistIsSaid) {
+TEST_F(ControllerUser, AUserThatDoesNotExistIsReported) {
   EXPECT_THROW((void)controllerAccount(says("controller_user = nobody-like-this"), robot), std::runtime_error);
 }
 

@@ -1,4 +1,4 @@
-// What a controller is told when it asks a daemon for what only the daemon's own start can give.
+// Warnings when a controller asks a daemon for what only the daemon's own start can give.
 #include "connect/daemon_warnings.hpp"
 
 #include <gmock/gmock.h>
@@ -22,9 +22,9 @@ TEST(DaemonWarnings, NameTheRightWayToRecord) {
 TEST(DaemonWarnings, NameBothPeriods) {
   Request request;
   request.period = 8ms;
-  const std::string told = daemonWarnings(request, 16ms);
-  EXPECT_THAT(told, HasSubstr("period of 16 ms holds, not the 8 ms"));
-  EXPECT_THAT(told, HasSubstr("darwinop runtime --period 8\n"));
+  const std::string logged = daemonWarnings(request, 16ms);
+  EXPECT_THAT(logged, HasSubstr("period of 16 ms holds, not the 8 ms"));
+  EXPECT_THAT(logged, HasSubstr("darwinop runtime --period 8\n"));
 }
 
 TEST(AsksForSafety, IsTrueForNumbersRangesChoicesAndNamedDefaults) {
@@ -45,9 +45,9 @@ TEST(TcpWarnings, NameWhatTheRobotDecides) {
   Request request;
   request.record_path = "/tmp/walk.csv";
   request.period = 8ms;
-  const std::string told = tcpWarnings(request, 16ms);
-  EXPECT_THAT(told, HasSubstr("/tmp/walk.csv is not written"));
-  EXPECT_THAT(told, HasSubstr("period of 16 ms holds, not the 8 ms"));
+  const std::string logged = tcpWarnings(request, 16ms);
+  EXPECT_THAT(logged, HasSubstr("/tmp/walk.csv is not written"));
+  EXPECT_THAT(logged, HasSubstr("period of 16 ms holds, not the 8 ms"));
 }
 
 }  // namespace

@@ -111,10 +111,10 @@ INSTANTIATE_TEST_SUITE_P(
               "controller_user and absent"},
         Wrong{"[Offsets]\nNeck = 0.21",
               "robot.ini, line 2: [Offsets] Neck = 0.21: give a number from -0.2 to 0.2 rad; a horn that is further "
-              "off has to be put on anew"},
+              "off has to be remounted"},
         Wrong{"[Offsets]\nNeck = nan",
               "robot.ini, line 2: [Offsets] Neck = nan: give a number from -0.2 to 0.2 rad; a horn that is further "
-              "off has to be put on anew"},
+              "off has to be remounted"},
         Wrong{"[Offsets]\nNose = 0.1",
               "robot.ini, line 2: [Offsets] Nose = 0.1: no joint has this name; joints are called as in Webots, e.g. "
               "Neck"},
@@ -140,7 +140,7 @@ TEST_P(WrongRobotFile, IsRefusedWithFileLineKeyAndWhatIsAllowed) {
   EXPECT_EQ(errorIn(GetParam().text), GetParam().error);
 }
 
-TEST(RobotFile, TheSameKeyInTwoSectionsIsNoDuplicate) {
+TEST(RobotFile, TheSameKeyInTwoSectionsIsNotADuplicate) {
   EXPECT_EQ(errorIn("[Limits]\nNeck = -0.5, 0.5\n[Offsets]\nNeck = 0.1\n"), "no error");
 }
 

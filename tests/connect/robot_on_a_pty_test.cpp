@@ -204,7 +204,7 @@ TEST(StartUp, WhatAPersonHasToPutRightIsNotWaitedFor) {
   }
 }
 
-TEST(StartUp, ARefusedRobotThatIsStiffIsSaidToBe) {
+TEST(StartUp, ARefusedRobotThatIsStiffIsReportedAsSuch) {
   RobotSetUp robot{{"Neck=wheel"}};
   robot.host.withRobot([](hil::VirtualRobot& r) {
     r.receive(std::array<std::uint8_t, 8>{0xFF, 0xFF, 0xC8, 0x04, 0x03, 0x18, 0x01, 0x17}, r.now());  // servo power on

@@ -54,7 +54,7 @@ TEST(SettingText, AUserIsForDarwinopRun) {
   }
 }
 
-TEST(SettingText, WhatIsNoRobotIsRefusedWithAllChoices) {
+TEST(SettingText, WhatIsNotARobotIsRefusedWithAllChoices) {
   for (const char* text : {"twins", "twin:", "Twin", "udp://robot"}) {
     try {
       static_cast<void>(readSetting(text));

@@ -1,4 +1,4 @@
-// What a user is told before a robot moves to its start pose.
+// Warnings before a robot moves to its start pose.
 #include "connect/start_pose_findings.hpp"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ TEST(StartPoseFindings, ARobotThatSitsIsWell) {
   EXPECT_EQ(cm730::worst(startPoseFindings(sitting())), cm730::Level::kOk);
 }
 
-TEST(StartPoseFindings, ABentKneeIsNamedAndTheUserToldWhatToDo) {
+TEST(StartPoseFindings, ABentKneeIsNamedWithARemedy) {
   cm730::RobotFacts facts = sitting();
   facts.servo[index(Joint::kLegLowerR)].position = Rad{0};
   const cm730::Findings findings = startPoseFindings(facts);

@@ -47,32 +47,32 @@ TEST_F(TwinLibrary, GivesABodyThatIsDrivenAndLookedAt) {
   EXPECT_EQ(body->state().joint[0].temperature_c, 7) << "the seed";
 }
 
-TEST_F(TwinLibrary, GivesEyesThatLookWhenTheyAreTold) {
+TEST_F(TwinLibrary, GivesACameraThatCapturesOnRequest) {
   use(DARWINOP_TWIN_STAND_IN);
   const std::unique_ptr<Body> body = makeTwin("", 1);
-  const std::unique_ptr<Eyes> eyes = body->openEyes(1, 1);
-  eyes->look();
+  const std::unique_ptr<BodyCamera> camera = body->openCamera(1, 1);
+  camera->look();
   for (int again = 0; again < 2; ++again) {
-    const CameraFrame frame = eyes->newest();
+    const CameraFrame frame = camera->newest();
     EXPECT_EQ(frame.sequence, 1U);
     EXPECT_EQ(frame.time, Nanos{1000});
     ASSERT_EQ(frame.bgra.size(), 4U);
     EXPECT_EQ(frame.bgra[0], 1);
   }
-  EXPECT_TRUE(eyes->health().seeing);
-  EXPECT_EQ(eyes->blindness(), nullptr);
-  EXPECT_EQ(eyes->health().frames, 1U);
-  eyes->look();
-  eyes->look();
-  EXPECT_EQ(eyes->newest().sequence, 3U);
-  EXPECT_FALSE(eyes->health().seeing) << "the library says that they are blind";
-  EXPECT_STREQ(eyes->blindness(), "it is dark");
+  EXPECT_TRUE(camera->health().seeing);
+  EXPECT_EQ(camera->renderError(), nullptr);
+  EXPECT_EQ(camera->health().frames, 1U);
+  camera->look();
+  camera->look();
+  EXPECT_EQ(camera->newest().sequence, 3U);
+  EXPECT_FALSE(camera->health().seeing) << "the library says that they are blind";
+  EXPECT_STREQ(camera->renderError(), "it is dark");
 }
 
 TEST_F(TwinLibrary, SaysWhyItGivesNoEyes) {
   use(DARWINOP_TWIN_STAND_IN);
   const std::unique_ptr<Body> body = makeTwin("", 1);
-  EXPECT_THAT([&] { (void)body->openEyes(2, 1); },
+  EXPECT_THAT([&] { (void)body->openCamera(2, 1); },
               testing::ThrowsMessage<std::runtime_error>(HasSubstr("these eyes see one pixel")));
 }
 
@@ -102,21 +102,21 @@ TEST_F(TwinLibrary, OfAnotherVersionIsRefusedAndBothAreNamed) {
   EXPECT_THAT(refusal(), HasSubstr(DARWINOP_VERSION));
 }
 
-TEST_F(TwinLibrary, ThatIsNoLibraryOrNotOursIsRefusedByItsName) {
+TEST_F(TwinLibrary, ThatIsNotALibraryOrNotOursIsRefusedByItsName) {
   const TemporaryFolder folder;
   std::ofstream{folder / "text.so"} << "no library\n";
   use(folder / "text.so");
   EXPECT_THAT(refusal(), HasSubstr(folder / "text.so"));
   use(DARWINOP_SOME_OTHER_LIBRARY);
-  EXPECT_THAT(refusal(), HasSubstr("libsome_other_library.so is no library of the physics twin"));
+  EXPECT_THAT(refusal(), HasSubstr("libsome_other_library.so is not a library of the physics twin"));
 }
 
-TEST_F(TwinLibrary, TellsWhyItRefusesAModelInItsOwnWords) {
+TEST_F(TwinLibrary, ReportsWhyItRefusesAModelInItsOwnWords) {
   use(DARWINOP_TWIN_STAND_IN);
   EXPECT_EQ(refusal("refused"), "refused, line 3: no such key");
 }
 
-TEST_F(TwinLibrary, SeedIsANumberOrAMistakeThatIsTold) {
+TEST_F(TwinLibrary, SeedIsANumberOrAReportedMistake) {
   EXPECT_EQ(twinSeed(), 1U);
   setenv("DARWINOP_TWIN_SEED", "18446744073709551615", 1);
   EXPECT_EQ(twinSeed(), 18446744073709551615U);

@@ -29,7 +29,7 @@ const BodyState* state(const void* body) {
   return static_cast<const BodyState*>(body);
 }
 
-const char* trouble(const void* /*body*/) {
+const char* error(const void* /*body*/) {
   return nullptr;
 }
 
@@ -43,7 +43,7 @@ struct OnePixel {
   std::uint8_t bgra[4] = {0, 0, 0, 255};
 };
 
-void* openEyes(void* /*body*/, int width, int /*height*/, char* error, std::size_t size) {
+void* openCamera(void* /*body*/, int width, int /*height*/, char* error, std::size_t size) {
   if (width > 1) {
     std::strncpy(error, "these eyes see one pixel", size - 1);
     return nullptr;
@@ -51,26 +51,26 @@ void* openEyes(void* /*body*/, int width, int /*height*/, char* error, std::size
   return new OnePixel;
 }
 
-void look(void* eyes) {
-  auto& pixel = *static_cast<OnePixel*>(eyes);
+void look(void* camera) {
+  auto& pixel = *static_cast<OnePixel*>(camera);
   pixel.bgra[0] = static_cast<std::uint8_t>(++pixel.looks);
 }
 
-void newest(void* eyes, darwinop::BodyPicture* picture) {
-  const auto& pixel = *static_cast<OnePixel*>(eyes);
+void newest(void* camera, darwinop::BodyPicture* picture) {
+  const auto& pixel = *static_cast<OnePixel*>(camera);
   *picture = {pixel.looks, static_cast<std::int64_t>(pixel.looks) * 1000, 1, 1,
               pixel.bgra,  pixel.looks < 3 ? nullptr : "it is dark"};
 }
 
-void closeEyes(void* eyes) {
-  delete static_cast<OnePixel*>(eyes);
+void closeCamera(void* camera) {
+  delete static_cast<OnePixel*>(camera);
 }
 
 }  // namespace
 
 extern "C" const darwinop::BodyLibrary* TWIN_ENTRY() {
   static const std::string version = darwinop::bodyLibraryVersion(TWIN_VERSION);
-  static const darwinop::BodyLibrary library{version.c_str(), make, step,   state,    trouble, end,
-                                             openEyes,        look, newest, closeEyes};
+  static const darwinop::BodyLibrary library{version.c_str(), make, step,   state,      error, end,
+                                             openCamera,      look, newest, closeCamera};
   return &library;
 }

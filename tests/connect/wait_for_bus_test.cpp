@@ -1,4 +1,4 @@
-// A robot that comes late: what is waited for, what is not, and what is said.
+// A robot that comes late: what is waited for, what is not, and what is logged.
 #include "connect/wait_for_bus.hpp"
 
 #include <gmock/gmock.h>
@@ -21,7 +21,7 @@ struct Wait : ::testing::Test {
   int attempts = 0, comes_at = 1;
   Nanos now{0};
   std::vector<Nanos> asked_at;
-  std::vector<std::string> told;
+  std::vector<std::string> logged;
 
   OpenedBus open() {
     ++attempts;
@@ -31,7 +31,7 @@ struct Wait : ::testing::Test {
   }
   std::function<std::string(int)> obstacle = [](int) { return std::string{"there is no /dev/ttyUSB0"}; };
   std::optional<OpenedBus> wait() {
-    return waitForBus([&] { return open(); }, stop, [&](const std::string& what) { told.push_back(what); },
+    return waitForBus([&] { return open(); }, stop, [&](const std::string& what) { logged.push_back(what); },
                       [&](Nanos time) {
                         now += time;
                         if (now >= 60s) stop = true;
@@ -42,13 +42,14 @@ struct Wait : ::testing::Test {
 TEST_F(Wait, ARobotThatIsThereIsTakenAtOnceAndWithoutAWord) {
   EXPECT_TRUE(wait());
   EXPECT_EQ(now, 0s);
-  EXPECT_THAT(told, ElementsAre());
+  EXPECT_THAT(logged, ElementsAre());
 }
 
 TEST_F(Wait, SaysOnceWhatItWaitsForAndOnceThatItCame) {
   comes_at = 7;
   EXPECT_TRUE(wait());
-  EXPECT_THAT(told, ElementsAre("waiting for the robot: there is no /dev/ttyUSB0", "the robot is there: /dev/ttyUSB0"));
+  EXPECT_THAT(logged,
+              ElementsAre("waiting for the robot: there is no /dev/ttyUSB0", "the robot is there: /dev/ttyUSB0"));
 }
 
 TEST_F(Wait, SaysAgainWhatItWaitsForWhenThatChangesButNotForAnotherFigure) {
@@ -58,7 +59,7 @@ TEST_F(Wait, SaysAgainWhatItWaitsForWhenThatChangesButNotForAnotherFigure) {
   };
   comes_at = 7;
   EXPECT_TRUE(wait());
-  EXPECT_THAT(told,
+  EXPECT_THAT(logged,
               ElementsAre("waiting for the robot: supply 1 V", "waiting for the robot: servo is silent, supply 4 V",
                           "the robot is there: /dev/ttyUSB0"));
 }
@@ -87,7 +88,7 @@ TEST(NotReady, IsAPortThatIsNotThere) {
   EXPECT_THROW(openSerialBus({"/dev/ttyNOSUCHPORT"}), cm730::NotReady);
 }
 
-TEST(NotReady, IsNotAPortThatIsNoPortAndNotAWrongPeriod) {
+TEST(NotReady, IsNotAPortThatIsNotAPortAndNotAWrongPeriod) {
   for (const auto& [port, period] : {std::pair{"/dev/null", 16ms}, std::pair{"/dev/ttyNOSUCHPORT", 1ms}}) {
     try {
       static_cast<void>(openSerialBus({port, period}));

@@ -2,7 +2,10 @@
 #include "core/joints.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <vector>
@@ -85,6 +88,39 @@ TEST(Joints, StartPoseIsNearlyTheSameLeftAndRight) {
     const double b = radFromTicks(kJointTable[right + 1].start).value;
     EXPECT_NEAR(a, -b, 0.15) << kJointTable[right].name;
   }
+}
+
+RC_GTEST_PROP(JointSets, HoldTheJointsForWhichTheConditionIsTrueAndVisitThemInOrder, ()) {
+  const auto bits = *rc::gen::container<std::vector<bool>>(kJoints, rc::gen::arbitrary<bool>());
+  std::vector<std::size_t> asked, visited, expected;
+  const std::bitset<kJoints> joints = jointsThat([&](std::size_t i) {
+    asked.push_back(i);
+    return static_cast<bool>(bits[i]);
+  });
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    RC_ASSERT(joints[i] == bits[i]);
+    if (bits[i]) expected.push_back(i);
+  }
+  forEachJoint(joints, [&](std::size_t i) { visited.push_back(i); });
+  RC_ASSERT(visited == expected);
+  std::ranges::sort(asked);
+  RC_ASSERT(asked.size() == kJoints);
+  for (std::size_t i = 0; i < kJoints; ++i) RC_ASSERT(asked[i] == i);
+}
+
+TEST(JointSets, AnyTrueValueCounts) {
+  EXPECT_EQ(jointsThat([](std::size_t i) { return i == 3 || i == 19 ? 0x100 : 0; }).to_ulong(), 1UL << 3 | 1UL << 19);
+}
+
+TEST(JointSets, OfNoJointVisitNone) {
+  forEachJoint({}, [](std::size_t i) { FAIL() << i; });
+}
+
+TEST(Joints, AreNamedAsInTheTableInAnyCase) {
+  EXPECT_EQ(jointName("legupperr"), "LegUpperR");
+  EXPECT_EQ(jointName("NECK"), "Neck");
+  EXPECT_EQ(jointName("NeckS"), "NeckS") << "a key that names no joint";
+  EXPECT_EQ(jointName(""), "");
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ bool boundaryLostBehindTheFirst(const ByteVector& stream) {
   return reader.boundaryLost();
 }
 
-TEST(FrameReader, TellsWhenNoFrameBeginsWhereTheLastOneEnded) {
+TEST(FrameReader, ReportsWhenNoFrameBeginsWhereTheLastOneEnded) {
   ByteVector whole = status(3, 0, {9});
   append(whole, status(4, 0, {9}));
   EXPECT_FALSE(boundaryLostBehindTheFirst(whole));
@@ -187,7 +187,7 @@ TEST(FrameReader, TellsWhenNoFrameBeginsWhereTheLastOneEnded) {
   }
 }
 
-TEST(FrameReader, ABadFrameBehindAGoodOneIsNoLostBoundary) {
+TEST(FrameReader, ABadFrameBehindAGoodOneIsNotALostBoundary) {
   ByteVector stream = status(3, 0, {9});
   append(stream, fromHex("ff ff 04 03 00 09 00"));  // checksum wrong
   append(stream, status(5, 0, {9}));

@@ -3,7 +3,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -13,6 +16,28 @@
 
 namespace darwinop {
 namespace {
+
+/// One byte after the other: the definition in the manuals.
+std::uint8_t plainChecksum(Bytes body) {
+  unsigned sum = 0;
+  for (const std::uint8_t byte : body) sum += byte;
+  return static_cast<std::uint8_t>(~sum);
+}
+
+RC_GTEST_PROP(Checksum, IsThatOfThePlainSumForEveryLengthAndAlignment, ()) {
+  constexpr std::size_t kLongest = 260, kAlignments = 16;
+  const bool full = *rc::gen::weightedElement<bool>({{1, true}, {9, false}});  // carries everywhere
+  auto bytes =
+      *rc::gen::container<std::vector<std::uint8_t>>(kLongest + kAlignments, rc::gen::arbitrary<std::uint8_t>());
+  if (full) std::ranges::fill(bytes, std::uint8_t{0xFF});
+  alignas(kAlignments) std::array<std::uint8_t, kLongest + kAlignments> memory{};
+  std::ranges::copy(bytes, memory.begin());
+  for (std::size_t at = 0; at < kAlignments; ++at)
+    for (std::size_t length = 0; length <= kLongest; ++length) {
+      const Bytes body{&memory[at], length};
+      RC_ASSERT(checksum(body) == plainChecksum(body));
+    }
+}
 
 class Encoding : public testing::Test {
  protected:
@@ -80,7 +105,7 @@ TEST_F(Encoding, SyncWriteOfAllServosHas188Bytes) {
   EXPECT_EQ(sync.finish().size(), 188u);
 }
 
-TEST_F(Encoding, EmptySyncWriteIsNoFrame) {
+TEST_F(Encoding, EmptySyncWriteIsNotAFrame) {
   SyncWriteEncoder sync{buffer, servo::kPGain, 8};
   EXPECT_TRUE(sync.finish().empty());
 }
@@ -129,7 +154,7 @@ TEST_F(Encoding, BulkReadTakesWhatTheLengthByteAllowsAndNoMore) {
   EXPECT_EQ(bulk.finish().size(), 259u);
 }
 
-TEST_F(Encoding, EmptyBulkReadIsNoFrame) {
+TEST_F(Encoding, EmptyBulkReadIsNotAFrame) {
   EXPECT_TRUE(BulkReadEncoder{buffer}.finish().empty());
 }
 

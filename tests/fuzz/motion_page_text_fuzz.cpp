@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "managers/motion_text/check_pages.hpp"
+#include "managers/motion_text/dry_run.hpp"
 #include "managers/motion_text/mirror.hpp"
 #include "managers/motion_text/page_text.hpp"
-#include "managers/motion_text/rehearsal.hpp"
 
 namespace {
 

@@ -14,6 +14,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // A speed is a number with a fraction on the wire, and -0 is read as 0.
     if (!decodeOrder(again) || again.size() > kLongestMessage || again.size() > size) std::abort();
   }
-  if (const auto news = decodeEvent(message); news && !std::ranges::equal(encode(*news), message)) std::abort();
+  if (const auto event = decodeEvent(message); event && !std::ranges::equal(encode(*event), message)) std::abort();
   return 0;
 }

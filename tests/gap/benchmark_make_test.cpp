@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include "gap/benchmark/make/make_case.hpp"
@@ -11,6 +10,7 @@
 #include "gap/case/data_check.hpp"
 #include "gap/case/write_case.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
@@ -38,11 +38,6 @@ std::string allText(const Case& c) {
   std::string text = caseAsJson(c, false);
   for (const Trajectory& log : c.logs) text += logAsCsv(log);
   return text;
-}
-
-std::string fileText(const std::filesystem::path& path) {
-  std::ifstream file{path, std::ios::binary};
-  return {std::istreambuf_iterator<char>{file}, {}};
 }
 
 std::string hideError(const CaseRequest& request) {
@@ -159,12 +154,12 @@ TEST(HiddenCase, TellsNothingOfItsEffect) {
   hide(
       secret(8, {{.id = "cogging", .values = {{"amplitude", 0.06}, {"count", 24}}}, {.id = "deadband", .severity = 2}}),
       folder / "battery");
-  EXPECT_THAT(fileText(folder / "battery/key.json"), HasSubstr("cogging"));
+  EXPECT_THAT(textOf(folder / "battery/key.json"), HasSubstr("cogging"));
   int files = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator{folder / "battery/cases"}) {
     if (!entry.is_regular_file()) continue;
     ++files;
-    const std::string text = fileText(entry.path()) + entry.path().filename().string();
+    const std::string text = textOf(entry.path()) + entry.path().filename().string();
     for (const char* word :
          {"cogging", "deadband", "amplitude", "width", "effect", "severity", "hidden", "seed", "key"})
       EXPECT_EQ(text.find(word), std::string::npos) << entry.path() << ": " << word;

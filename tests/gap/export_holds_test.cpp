@@ -1,11 +1,11 @@
 // What a target cannot hold is said, for every effect there is.
 #include <gmock/gmock.h>
 
-#include <fstream>
 #include <iterator>
 
 #include "export_rig.hpp"
 #include "gap/export/holds.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -91,8 +91,7 @@ TEST(ExportHolds, AnEffectThatDoesNothingIsNoLoss) {
 }
 
 TEST(ExportHolds, ThePageHasTheTable) {
-  std::ifstream file{DARWINOP_EXPORT_PAGE};
-  const std::string page{std::istreambuf_iterator<char>{file}, {}};
+  const std::string page = textOf(DARWINOP_EXPORT_PAGE);
   EXPECT_THAT(page, HasSubstr(holdingsAsMarkdown())) << "put this into docs/gap/export.md:\n" << holdingsAsMarkdown();
 }
 

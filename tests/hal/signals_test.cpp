@@ -7,10 +7,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <string>
+
+#include "support/text_of.hpp"
 
 namespace darwinop {
 namespace {
@@ -93,8 +94,7 @@ std::string effectText(SignalEffect effect) {
 }
 
 TEST(Signals, TheDocumentationHasTheSameTable) {
-  std::ifstream file{DARWINOP_DOCS "/threads.md"};
-  std::string page{std::istreambuf_iterator<char>{file}, {}};
+  std::string page = textOf(DARWINOP_DOCS "/threads.md");
   std::ranges::replace(page, '\n', ' ');
   std::string without = "No effect: ";
   for (const SignalRow& row : kSignals) {

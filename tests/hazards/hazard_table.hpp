@@ -66,7 +66,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "torque on only after the goal was read back", "registers 30..33 read back; fault 12 after 20",
      "servo_hazards_test:TakeOver/LostGoals.LeaveTheJointLimpUntilOneHasArrived/5 "
      "safety_test:TakeOver.NoTorqueFindsAnOlderGoalWhateverIsLostOnTheWire "
-     "safety_test:TakeOver.TorqueComesOnOnlyAfterAGoalThatTheBoardHeard "
+     "safety_test:TakeOver.TorqueComesOnOnlyAfterAGoalThatTheBoardReceived "
      "safety_test:Driving.GoalsWaitForABoardThatDoesNotAnswer"},
     {"H206", "The loop misses its deadline", "bytes arrive without end", "a cycle ends at its deadline",
      "reading ends after wire time plus twice the margin",
@@ -83,7 +83,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "campaign_test:Campaign.NothingStalePassesForFreshAndNoPromiseIsBroken"},
     {"H210", "Servo power is cut", "corrupted board write", "the runtime never switches servo power off",
      "only power-on is written",
-     "bus_test:Bus.NeverSwitchesServoPowerOff safety_test:Recovery.OneCorruptedPowerBitIsNoReset"},
+     "bus_test:Bus.NeverSwitchesServoPowerOff safety_test:Recovery.OneCorruptedPowerBitIsNotAReset"},
     {"H211", "A servo's settings change for good", "a corrupted frame writes to EEPROM", "servo EEPROM is locked",
      "locked after power-on", "bus_test:Bus.LocksTheEepromOfEveryServo"},
     {"H301", "A restarted servo jumps", "brief loss of plug or supply",
@@ -108,7 +108,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "hazard_reaction_test:Reaction.ASilentServoIsReported"},
     {"H309", "One damaged error byte stops the robot", "a bit error", "two readings are required",
      "left out for one cycle, then taken over",
-     "safety_test:Trip.OneCorruptedErrorByteIsNoFaultAndTheJointRestartsWhereItIs"},
+     "safety_test:Trip.OneCorruptedErrorByteIsNotAFaultAndTheJointRestartsWhereItIs"},
     {"H401", "A person cannot stop the robot", "it moves towards somebody", "MODE switches all torque off",
      "limp, latched",
      "hazard_reaction_test:Reaction.ModeSwitchesAllTorqueOff "
@@ -128,7 +128,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H502", "The robot stands stiff for ever", "the controller was killed", "the robot sits down", "kneel, then limp",
      "hazard_reaction_test:Reaction.AControllerThatIsGoneMakesItKneel"},
     {"H503", "The robot drops when a controller ends", "it ends in a stance", "it sits before torque off",
-     "kneel, one second, limp", "hazard_reaction_test:Reaction.TheEndOfAControllerMakesItKneelAndLetGo"},
+     "kneel, one second, limp", "hazard_reaction_test:Reaction.TheEndOfAControllerMakesItKneelAndReleaseTorque"},
     {"H504", "Two programs drive at once", "a second controller starts", "one driving lease",
      "the second is refused by name", "runtime_process_test:DaemonTest.RefusesASecondControllerAndNamesTheFirst"},
     {"H505", "The robot is stiff and unwatched", "the runtime dies", "the supervisor brings it to rest",
@@ -150,7 +150,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "safety_test:SessionSettings.WhateverNumbersComeTheRobotsGuardsHold"},
     {"H112", "A limp arm runs to an old goal at full speed", "error bit and two lost replies in a takeover",
      "no torque before the goal was sent", "a suspected joint stays off",
-     "servo_hazards_test:Restart.ASuspectedServoIsNotToldTorqueOnBeforeItsGoalHasGoneOut "
+     "servo_hazards_test:Restart.ASuspectedServoGetsNoTorqueOnBeforeItsGoalHasGoneOut "
      "servo_hazards_test:Restart.AJointThatIsAskedToStayStaysWhateverHappensToItsReplies"},
     {"H212", "A walk ends without need", "three to five lost board answers", "up to five are tolerated",
      "goals pause, no takeover", "campaign_test:CorrelatedFaults.FiveLostAnswersInARowNeverInterruptDriving"},
@@ -163,7 +163,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H310", "Many joints jump after a brown-out", "brief supply loss of a chain or all servos",
      "torque on only at the present position, with a speed limit", "held after one missed answer, then taken over",
      "campaign_test:CorrelatedFaults.ServosThatLoseTheirSupplyTogetherComeBackWithoutAJump "
-     "servo_hazards_test:BoardMiss.AServoThatRestartsWhileTheBoardIsNotHeardIsPlacedAnew"},
+     "servo_hazards_test:BoardMiss.AServoThatRestartsWhileTheBoardIsSilentIsPlacedAgain"},
     {"H311", "A stalled motor is switched on repeatedly", "a stream of speeds, gains or torque limits",
      "the first shutdown counts", "torque limits do not go with goals while a servo works at its limit",
      "servo_hazards_test:Shutdown.IsBelievedAtOnceWhenTheSpeedOfTheJointChangesInEveryStep "
@@ -198,7 +198,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "only servos that were read are reported limp", "state found_stiff",
      "safety_test:FoundStiff.ARobotThatSomebodyElseLeftStiffIsNeverCalledLimp"},
     {"H410", "The robot stays stiff after all programs end", "found stiff, never driven", "the loop brings it to rest",
-     "kneel, limp", "safety_test:FoundStiff.WhenTheLoopClosesItKneelsAndLetsGo"},
+     "kneel, limp", "safety_test:FoundStiff.WhenTheLoopClosesItKneelsAndReleasesTorque"},
     {"H508", "Daemon dies with all joints stiff", "its output pipe is closed (SIGPIPE)",
      "messages never end or block the process", "ignored; text dropped",
      "hal_test:Diagnostics.WritingToAClosedPipeFailsEachTime "
@@ -214,9 +214,10 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
     {"H511", "Every later controller hangs in step()", "a controller corrupts shared memory",
      "controllers write commands only", "commands copied whole each cycle",
      "runtime_test:Exchange.NoStrayWriteToTheCommandsKeepsTheNextControllerFromDriving "
-     "runtime_test:Exchange.OnlyTheLoopsProcessCanWriteWhatTheLoopTells"},
+     "runtime_test:Exchange.OnlyTheLoopsProcessCanWriteTheLoopsMemory"},
     {"H512", "An incompatible controller misreads the exchange", "equal size, different fields",
-     "layouts must be equal", "hash of all fields", "runtime_test:LayoutHash.TellsOrderTypeNumberAndNestedFieldsApart"},
+     "layouts must be equal", "hash of all fields",
+     "runtime_test:LayoutHash.DistinguishesOrderTypeNumberAndNestedFields"},
     {"H513", "Random bytes pass as commands", "overwritten command file", "any bytes stay within the limits",
      "any byte is a valid boolean; numbers are checked",
      "safety_property_test:GuardProperty.RandomBytesInPlaceOfCommandsStayWithinTheLimits"},

@@ -122,8 +122,8 @@ TEST_F(Reaction, AControllerThatIsGoneMakesItKneel) {
   measure(isIn(State::kKneeling), 630);
 }
 
-TEST_F(Reaction, TheEndOfAControllerMakesItKneelAndLetGo) {
-  rig.commands.farewell = true;
+TEST_F(Reaction, TheEndOfAControllerMakesItKneelAndReleaseTorque) {
+  rig.commands.end_of_session = true;
   measure([this] { return rig.torqueCount() == 0; }, 400);
 }
 

@@ -269,7 +269,7 @@ TEST(WireFaults, ChanceMatchesItsRate) {
 
 TEST(WireFaults, EachKindChangesTheFrameAsNamed) {
   const auto frame = bytesOf("FF FF 13 02 00 EA");
-  Random random{5};
+  Rng random{5};
   const auto spoiled_by = [&](FaultKind kind, double amount) {
     Fault fault = faultOf(kind, 0ms, 0ms);
     fault.amount = amount;

@@ -20,7 +20,7 @@ class FakeBody final : public Body {
  public:
   void step(Nanos, const Drives& drives) noexcept override { drives_ = drives; }
   [[nodiscard]] const BodyState& state() const noexcept override { return state_; }
-  [[nodiscard]] const char* trouble() const noexcept override { return error_; }
+  [[nodiscard]] const char* error() const noexcept override { return error_; }
   void end(const char* why) { error_ = why; }
   [[nodiscard]] JointMotion& neck() { return state_.joint[index(Joint::kNeck)]; }
   [[nodiscard]] const ServoDrive& drive() const { return drives_[index(Joint::kNeck)]; }

@@ -13,7 +13,7 @@ scenario_steps_and_how_much_has_come() {
   watch_install --bundle "$v1"
   expect_status 0
   expect_version 0.1.0+a
-  grep -q '^progress ' "$LAB/progress" || fail "nothing was said on file descriptor 3"
+  grep -q '^progress ' "$LAB/progress" || fail "nothing was written to file descriptor 3"
   [ "$(cut -d ' ' -f 2 "$LAB/progress" | uniq | tr '\n' ' ')" = "1 2 3 4 5 " ] || fail "steps: $(cat "$LAB/progress")"
   expect_progress 'progress 2 5 - connecting to darwin@127\.0\.0\.1'
   expect_progress 'progress 4 5 - sending [0-9]+ kB'

@@ -42,7 +42,7 @@ scenario_install_boot_and_uninstall() {
 scenario_a_robot_without_a_servo_is_not_confirmed() {
   local bundle; bundle=$(real_bundle)
   rm "$ROBOT/dev/ttyUSB0"
-  ln -s zero "$ROBOT/dev/ttyUSB0"  # a device that is no CM-730
+  ln -s zero "$ROBOT/dev/ttyUSB0"  # a device that is not a CM-730
   run_install --bundle "$bundle"
   expect_status 1 4
   expect_version none

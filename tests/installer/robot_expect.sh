@@ -34,7 +34,7 @@ version_now() {
   local home=$ROBOT/opt/darwinop link version
   if [ ! -e "$home" ]; then echo none; return; fi
   if [ ! -L "$home/current" ]; then
-    if [ -e "$home/current" ]; then echo 'current is no link'; else echo none; fi
+    if [ -e "$home/current" ]; then echo 'current is not a link'; else echo none; fi
     return
   fi
   link=$(readlink "$home/current")

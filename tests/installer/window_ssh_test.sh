@@ -27,7 +27,7 @@ page_gone() { kill "$(eval "echo \$${1}_pid")" 2>/dev/null || true; }
 await_page() {
   local tries=0
   until grep -qaE -- "$2" "$LAB/$1"; do
-    [ $((tries += 1)) -lt 500 ] || fail "the page did not hear '$2': $(tail -c 600 "$LAB/$1" | tr -d '\0')$(cat "$LAB/out")"
+    [ $((tries += 1)) -lt 500 ] || fail "the page did not receive '$2': $(tail -c 600 "$LAB/$1" | tr -d '\0')$(cat "$LAB/out")"
     sleep 0.02
   done
 }
@@ -99,7 +99,7 @@ scenario_somebody_else_drives_then_the_window_and_it_is_killed() {
   expect_limp
 }
 
-# A start would take back what is being tried. And a window whose monitor has ended shows nothing: it ends, too.
+# A start would take back what is being tried. And a window whose monitor has ended shows nothing: it ends also.
 scenario_a_window_starts_nothing_while_somebody_installs_and_ends_with_its_monitor() {
   robot_with_a_runtime
   sleep 300 &

@@ -5,22 +5,13 @@
 #include <cmath>
 #include <utility>
 
-#include "core/lead_in.hpp"
-#include "core/present_goal.hpp"
+#include "core/goals/lead_in.hpp"
 #include "motion_rig.hpp"
 
 namespace darwinop::facade {
 namespace {
 
 using managers::DARwInOPMotionManager;
-
-TEST(PresentGoal, OfAnUnknownJointIsItsStartPose) {
-  const double start = radFromTicks(row(Joint::kLegLowerR).start).value;
-  EXPECT_GT(std::abs(start), 0.5);
-  EXPECT_EQ(presentGoal(Joint::kLegLowerR, {}, INFINITY), start);
-  EXPECT_EQ(presentGoal(Joint::kLegLowerR, {}, NAN), start);
-  EXPECT_EQ(presentGoal(Joint::kLegLowerR, {}, 0.2), 0.2) << "the controller's goal";
-}
 
 /// A robot whose joints reach their goals in the next cycle.
 class GentleStart : public MotionManagerTest {
@@ -71,9 +62,10 @@ TEST_F(GentleStart, ADistantPageStartsWithASmoothMotion) {
     manager.step(16);
     robot().step(16);
   }
-  EXPECT_LE(fastest(), LeadIn::kSpeed * 0.016 + 1e-9);
+  EXPECT_LE(fastest(), goals::LeadIn::kSpeed * 0.016 + 1e-9);
   EXPECT_EQ(ticksOf(Joint::kHead), 2448);
-  EXPECT_NEAR(steps * 0.016, 1.5 * 448 * kRadPerTick / LeadIn::kSpeed + 13 * 0.008, 0.032) << "followed by the page";
+  EXPECT_NEAR(steps * 0.016, 1.5 * 448 * kRadPerTick / goals::LeadIn::kSpeed + 13 * 0.008, 0.032)
+      << "followed by the page";
   fake.published.clear();
   manager.playPage(1);
   EXPECT_EQ(fake.published.size(), 7u) << "13 ticks: no lead-in if the robot is in the pose";
@@ -108,7 +100,7 @@ TEST_F(GentleStart, APageBySpeedIsCheckedByItsSpeed) {
   DARwInOPMotionManager faster{&robot(), path_};
   faster.playPage(1);
   EXPECT_GT(fake.published.size(), slow);
-  EXPECT_LE(fastest(), LeadIn::kSpeed * 0.016 + 1e-9);
+  EXPECT_LE(fastest(), goals::LeadIn::kSpeed * 0.016 + 1e-9);
 }
 
 TEST_F(GentleStart, EndsIfAnotherManagerTakesTheJoints) {

@@ -3,7 +3,7 @@
 /* People and processes: at most one acts in a cycle. */
 /* A release is noted in a file within a few cycles; a process that dies before is not considered. */
 #define NOTED (!released || remembered || by_reset)
-#define START_COUNTS (withheld || (told && !DRIVES(state)))  /* BoardWatch::update; told: a latched fault is active */
+#define START_COUNTS (withheld || (fact && !DRIVES(state)))  /* BoardWatch::update; fact: a latched fault is active */
 #define FREE (!session || ended || silence == 2)
 inline choose_who_acts() {
   act = A_NOBODY;
@@ -33,15 +33,15 @@ inline choose_who_acts() {
   fi
 }
 
-/* What a person does who wants the robot to move (1), or to let go (2), and reads what docs/faults.md says: nothing
+/* What a person does who wants the robot to move (1), or to release it (2), and reads what docs/faults.md says: nothing
    breaks any more. */
 inline the_way_out() {
   if
   :: process == DOWN -> act = A_BOOTS
   :: process == RESCUING -> skip                                /* waits for its end */
 #if WAY_OUT == 2
-  :: process == RUNNING && !let_go -> act = A_MODE; let_go = 1
-  :: process == RUNNING && let_go -> skip
+  :: process == RUNNING && !mode_pressed -> act = A_MODE; mode_pressed = 1
+  :: process == RUNNING && mode_pressed -> skip
 #else
   :: process == RUNNING && FREE -> act = A_COMES; if :: in_place_now = 0 :: in_place_now = 1 fi
   :: process == RUNNING && !FREE && silence == 1 -> act = A_GOES_ON
@@ -63,7 +63,7 @@ inline carry_out() {
   :: act == A_HANGS -> silence++; automatic = 1             /* hangs or was killed */
   :: act == A_GOES_ON -> silence = 0
   :: act == A_RUNTIME_DIES -> forget_guard(); process = RESCUING; session = 1; ended = 1; automatic = 0
-  :: act == A_BOOTS -> remembered = 0; held = 0; forget_guard(); process = RUNNING; released = 0; let_go = 0  /* --restart-controller, or the power switch */
+  :: act == A_BOOTS -> remembered = 0; held = 0; forget_guard(); process = RUNNING; released = 0; mode_pressed = 0  /* --restart-controller, or the power switch */
   :: act == A_SUPERVISOR_DIES -> forget_guard(); process = RUNNING; automatic = 1  /* systemd starts another one */
   :: else -> skip
   fi

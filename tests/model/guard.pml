@@ -5,8 +5,8 @@ inline clear_faults() {
   faults = 0; withheld = 0; losses = 0; tripped = 0; bit_once = 0; off_look = 0; was_on = 0; early = 0
 }
 
-/* Guard::hear */
-inline hear() {
+/* Guard::take */
+inline take_commands() {
   if
   :: came != NOBODY -> session = 1; ended = 0; silence = 0; started = 0;
      in_place = in_place_now
@@ -71,10 +71,10 @@ inline observe() {
   :: else -> skip
   fi;
   if :: verdict == 0 && (early || bit_once || off_look) -> verdict = 1 :: else -> skip fi;
-  was_suspect = suspect;
-  suspect = verdict == 1;
+  was_suspected = suspected;
+  suspected = verdict == 1;
   if :: verdict == 2 -> tripped = 1 :: else -> skip fi;
-  if :: (was_suspect && !suspect) || verdict == 3 || age > PATIENCE -> restart_joint() :: else -> skip fi;
+  if :: (was_suspected && !suspected) || verdict == 3 || age > PATIENCE -> restart_joint() :: else -> skip fi;
   if :: age > PATIENCE -> known = 0; if :: !off_ordered -> stiff = 0 :: else -> skip fi :: else -> skip fi;
   if :: off_ordered && looked && stiff -> off_due = 1 :: else -> skip fi;
   /* JointChannel::observe */
@@ -122,16 +122,16 @@ inline note_faults() {
   c_code { now.faults = noted(now.faults, now.cause); };
   cause = 0;
   /* A controller whose step() returns -1 ends; without that its process goes on asking. */
-  c_code { now.told = ends_controller(now.faults); };
-  if :: session && !ended && told && obeys != 0 -> ended = 1; automatic = (obeys == 2)
+  c_code { now.fact = ends_controller(now.faults); };
+  if :: session && !ended && fact && obeys != 0 -> ended = 1; automatic = (obeys == 2)
   :: else -> skip fi
 }
 
 inline find_event() {
   ev = NEVENTS;
   offline_now = !ever || missed > PATIENCE;
-  c_code { now.told = worst_reaction(now.faults); };
-  demand = told;
+  c_code { now.fact = worst_reaction(now.faults); };
+  demand = fact;
   if
   :: ended && state != ST_kneeling ->
      if
@@ -209,23 +209,23 @@ inline change_state() {
 
 /* Guard::compose */
 inline compose() {
-  write_off = 0; write_on = 0; write_goal = 0; heard = up;
+  write_off = 0; write_on = 0; write_goal = 0; received = up;
   if
   :: state == ST_offline -> skip
-  :: state != ST_offline && (off_due || (heard && phase == PLACED && has_goal && !suspect && !uncertain)) ->
+  :: state != ST_offline && (off_due || (received && phase == PLACED && has_goal && !suspected && !uncertain)) ->
      write_off = off_due;
      if
      :: off_due -> off_due = 0; if :: !off_ordered -> stiff = 0; known = 0 :: else -> skip fi; off_ordered = 1
      :: else -> skip
      fi;
-     if :: heard && phase == PLACED && has_goal && !suspect && !uncertain -> write_on = 1; phase = MOVING; on_seen = 0 :: else -> skip fi
+     if :: received && phase == PLACED && has_goal && !suspected && !uncertain -> write_on = 1; phase = MOVING; on_seen = 0 :: else -> skip fi
   :: else ->
      if
-     :: heard && phase == CONFIRMING && conf == 2 && !suspect ->
+     :: received && phase == CONFIRMING && conf == 2 && !suspected ->
         phase = PLACED; s_placed = 0; off_ordered = 0; uncertain = 0; goal_right = ref_right
      :: else -> skip
      fi;
-     write_goal = heard && (phase == PLACED || phase == MOVING) && !suspect && !uncertain
+     write_goal = received && (phase == PLACED || phase == MOVING) && !suspected && !uncertain
   fi;
-  if :: (phase == PLACED || phase == MOVING) && !suspect -> holding_up = 1 :: else -> skip fi
+  if :: (phase == PLACED || phase == MOVING) && !suspected -> holding_up = 1 :: else -> skip fi
 }

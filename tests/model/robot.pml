@@ -93,8 +93,8 @@ bit on_seen;                 /* a look has found torque on since it was switched
 bit had_limit;               /* it had a speed limit when it was looked at last */
 bit shut_at_once;            /* off again when it was seen with the placed goal */
 bit uncertain, tripped, off_due, off_ordered, stiff, known;
-bit suspect;                                  /* JointGuard::suspect_: decides what is written */
-bit bit_once, off_look, was_on, early, armed; /* TripWatch: its memory; a reset forgets it, and not `suspect` */
+bit suspected;                                  /* JointGuard::suspected_: decides what is written */
+bit bit_once, off_look, was_on, early, armed; /* TripWatch: its memory; a reset forgets it, and not `suspected` */
 
 /* -- ghosts: what the guard cannot know -- */
 bit goal_right;              /* the guard's goal is where the joint is */
@@ -120,17 +120,17 @@ bit remembered;              /* a file says that a person's release waits for a 
 bit held;                    /* a file says that the runtime holds joints; it outlives the runtime */
 bit automatic;               /* the supervisor may start the controller again */
 bit calm;                    /* from here on nothing breaks, and a person looks after the robot */
-bit let_go;                  /* since then MODE was pressed */
+bit mode_pressed;                  /* since then MODE was pressed */
 
 /* -- of one cycle; zero between two -- */
 mtype = { A_NOBODY, A_MODE, A_START, A_RESET, A_RELEASE, A_COMES, A_RESTARTED, A_ENDS, A_FAILS, A_HANGS, A_GOES_ON,
           A_RUNTIME_DIES, A_BOOTS, A_SUPERVISOR_DIES, B_NOTHING, B_RESET, B_RAIL, B_OVERLOAD, W_FINE, W_WRITE_LOST,
           W_WRONG_BIT, W_REPLY_LOST, W_BOTH_LOST }
-byte act, broken, wire, boot_now, obeys, rearm, armed_now;  /* obeys: a controller that step() tells to end: 0 goes on, 1 ends, 2 fails */
+byte act, broken, wire, boot_now, obeys, rearm, armed_now;  /* obeys: a controller that step() requests to end: 0 goes on, 1 ends, 2 fails */
 bit before_write, in_place_now, arrived;
-byte came, ev, demand, write_off, write_on, write_goal, delivered, wanted, heard;
-byte lost_now, under_torque, was_suspect, offline_now, restart, verdict;
-int cause, told, event = NEVENTS;
+byte came, ev, demand, write_off, write_on, write_goal, delivered, wanted, received;
+byte lost_now, under_torque, was_suspected, offline_now, restart, verdict;
+int cause, fact, event = NEVENTS;
 
 inline servo_off() {
   if :: s_on -> off_for = 0; goal_right = 0; ref_right = 0 :: else -> skip fi;  /* a limp joint stays where it is */
@@ -156,7 +156,7 @@ inline forget_guard() {
   missed = 0; ever = 0; powered = 0; lost = 0; off_once = 0; off_seen = 0; withheld = 0; losses = 0; looking = 0;
   had_power = held; perhaps_held = 1;  /* Config::held_before */
   phase = OUT; has_goal = 0; on_seen = 0; had_limit = 0; shut_at_once = 0; conf = 0; age = PATIENCE + 1; uncertain = 0; tripped = 0; off_due = 0; off_ordered = 0;
-  suspect = 0; bit_once = 0; off_look = 0; was_on = 0; early = 0; armed = 0;
+  suspected = 0; bit_once = 0; off_look = 0; was_on = 0; early = 0; armed = 0;
   if :: remembered -> faults = 1 << FA_released_by_operator :: else -> skip fi;  /* the daemon says so in its first word */
   stiff = 0; known = 0; goal_right = 0; up = 0; fresh = 0; bit_seen = 0; looked = 0; limp_for = 0
 }
@@ -200,7 +200,7 @@ inline answer() {
   if
   :: fresh ->
      age = 0; ref_right = 1;
-     looked = look_age >= LOOK || uncertain || !known || phase == PLACED || (phase == MOVING && !on_seen);  /* one in doubt is looked at as soon as it is heard */
+     looked = look_age >= LOOK || uncertain || !known || phase == PLACED || (phase == MOVING && !on_seen);  /* one in doubt is looked at as soon as it answers */
      if :: looked -> look_age = 0; stiff = s_on; known = 1; reset_seen = s_reset; shut_seen = s_shut;
         /* A goal of before may be the one that was placed. */
         placed_seen = (s_placed || s_goal_right) && !s_reset
@@ -217,12 +217,12 @@ inline answer() {
 }
 
 inline judge() {
-  c_code { now.told = keeps_limp(now.faults); };
-  if :: process != DOWN -> remembered = told :: else -> skip fi;           /* ReleaseNote */
+  c_code { now.fact = keeps_limp(now.faults); };
+  if :: process != DOWN -> remembered = fact :: else -> skip fi;           /* ReleaseNote */
   if :: process != DOWN && ever -> held = DRIVES(state) || state == ST_found_stiff || (held && (state != ST_limp || perhaps_held))
   :: else -> skip fi;
-  printf("%d came %d act %d broke %d wire %d | state %d event %d faults %x session %d ended %d silence %d | phase %d has goal %d conf %d age %d suspect %d off %d/%d stiff %d | write off %d on %d goal %d delivered %d up %d | servo power %d boot %d on %d shut %d right %d off for %d released %d missed %d\n",
-    process, came, act, broken, wire, state, ev, faults, session, ended, silence, phase, has_goal, conf, age, suspect, off_due, off_ordered, stiff, write_off, write_on, write_goal, delivered, up, board_power, boot, s_on, s_shut, s_goal_right, off_for, released, missed);
+  printf("%d came %d act %d broke %d wire %d | state %d event %d faults %x session %d ended %d silence %d | phase %d has goal %d conf %d age %d suspected %d off %d/%d stiff %d | write off %d on %d goal %d delivered %d up %d | servo power %d boot %d on %d shut %d right %d off for %d released %d missed %d\n",
+    process, came, act, broken, wire, state, ev, faults, session, ended, silence, phase, has_goal, conf, age, suspected, off_due, off_ordered, stiff, write_off, write_on, write_goal, delivered, up, board_power, boot, s_on, s_shut, s_goal_right, off_for, released, missed);
   assert(!(state == ST_offline && ever && missed > 0 && missed <= 5 && ev == EV_board_lost));  /* A3: 5 misses */
   /* A4: the state says limp, the servo answers, and holds its joint for longer than a look and a repeated order take */
   if
@@ -261,7 +261,7 @@ active proctype robot() {
 #ifdef WAY_OUT
        if :: calm = 1 :: skip fi;
 #endif
-       c_code { now.told = any_latched(now.faults); };
+       c_code { now.fact = any_latched(now.faults); };
        choose_who_acts();
        choose_what_breaks();
        choose_wire();
@@ -271,7 +271,7 @@ active proctype robot() {
        :: else -> arrived = calm
        fi;
        if :: session && !ended && faults != 0 -> if :: obeys = 1 :: obeys = 2 :: !calm -> obeys = 0 fi :: else -> obeys = 1 fi;
-       /* The grace in which an overload bit is no fact yet ends at any time; another joint enters in any cycle. */
+       /* The grace in which an overload bit is not a fact yet ends at any time; another joint enters in any cycle. */
        if :: phase == MOVING && !armed -> if :: !calm -> armed_now = 0 :: armed_now = 1 fi :: else -> armed_now = 0 fi;
        if :: s_shut && phase == MOVING && !calm -> if :: rearm = 0 :: rearm = 1 fi :: else -> rearm = 0 fi;
        d_step {
@@ -279,7 +279,7 @@ active proctype robot() {
          if
          :: process == DOWN -> something_breaks()
          :: else ->
-            hear();
+            take_commands();
             watch();
             note_faults();
             find_event();
@@ -293,8 +293,8 @@ active proctype robot() {
          fi;
          forget_the_dead();
          act = 0; broken = 0; wire = 0; boot_now = 0; before_write = 0; in_place_now = 0; obeys = 0; arrived = 0;
-         came = 0; ev = 0; demand = 0; write_off = 0; write_on = 0; write_goal = 0; delivered = 0; wanted = 0; heard = 0;
-         lost_now = 0; under_torque = 0; was_suspect = 0; offline_now = 0; told = 0; cause = 0; kept = 0;
+         came = 0; ev = 0; demand = 0; write_off = 0; write_on = 0; write_goal = 0; delivered = 0; wanted = 0; received = 0;
+         lost_now = 0; under_torque = 0; was_suspected = 0; offline_now = 0; fact = 0; cause = 0; kept = 0;
          rearm = 0; armed_now = 0; restart = 0; verdict = 0
        }
      }
@@ -302,9 +302,9 @@ active proctype robot() {
 }
 
 /* Every state has a way out: when nothing breaks any more and a person does what docs/faults.md says, the robot drives
-   again (1) or lets go (2), and stays so. */
+   again (1) or becomes limp (2), and stays so. */
 #if WAY_OUT == 2
-#define HOME (state == ST_limp && !s_on && let_go)
+#define HOME (state == ST_limp && !s_on && mode_pressed)
 #else
 #define HOME (state == ST_driven && phase == MOVING && s_on && s_goal_right)
 #endif

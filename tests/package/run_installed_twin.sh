@@ -21,7 +21,7 @@ cp "$build/controllers/02_symmetry/02_symmetry" "$work/controller"  # far from t
 mkdir "$work/elsewhere"
 cd "$work/elsewhere"
 
-# The dynamic linker tells which files it opened, and what looks for models and experiments takes its own folder first:
+# The dynamic linker prints which files it opened, and what looks for models and experiments takes its own folder first:
 # so a file of the build folder that is used shows, although it is there.
 step "darwinop-run --robot twin"
 LD_DEBUG=files LD_DEBUG_OUTPUT="$work/opened" "$prefix/bin/darwinop-run" --robot twin "$work/controller" --seconds 1 \

@@ -28,7 +28,7 @@ int main(int count, char** arguments) {
   struct rlimit limit;
   unsigned long limits64[4];
   struct timespec time;
-  struct flock64 lock = {.l_type = F_RDLCK, .l_whence = SEEK_SET};
+  struct flock64 lock = {.l_type = F_RDLCK, .l_whence = SEEK_SET};  // keep-word
   char name[16];
   int child_subreaper;
   struct utsname system;

@@ -28,7 +28,7 @@ good() {
   rm -rf attic
 }
 fails=0
-# expect "WHAT IS SAID" SHELL: after this change of the good house the check fails and says so.
+# expect "MESSAGE" SHELL: after this change of the valid tree the check fails with this message.
 expect() {
   local said
   good
@@ -49,7 +49,7 @@ expect 'hal/one (floor 2) does not use hal/a' 'echo "#include \"hal/a/a.hpp\"" >
 expect 'hal/b (floor 2) does not use hal/one' 'echo "#include \"hal/one.hpp\"" >>hal/b/b.hpp'
 expect 'hal/one: never threads' 'echo "#include <mutex>" >>hal/one.hpp'
 expect 'attic/x.hpp is in no room' 'echo "#include \"attic/x.hpp\"" >>webots/robot.cpp'
-expect 'the folder attic is no room' 'mkdir attic; echo "int x;" >attic/x.cpp'
+expect 'the folder attic is not a room' 'mkdir attic; echo "int x;" >attic/x.cpp'
 expect 'webots includes nothing of safety' 'sed -i /safety/d webots/robot.cpp'
 expect 'safety uses hal/a, which does not come before it' 'sed -i "s/safety | core/safety | hal\/a core/" tools/cmake/rooms.table'
 expect 'hal/b uses safety, which stands on the same floor' 'sed -i "s/^1 /2 /; s/b | hal/b | safety hal/" tools/cmake/rooms.table'

@@ -64,7 +64,7 @@ TEST(Run, HandsOnASignalThatAnotherProcessSends) {
   EXPECT_EQ(run("wait").status, 5);
 }
 
-TEST(Run, ReportsNothingRunForAProgramThatIsNoController) {
+TEST(Run, ReportsNothingRunForAProgramThatIsNotAController) {
   const Environment away{"DARWINOP_RUNTIME_NAME", "darwinop-test-none"};
   testing::internal::CaptureStdout();
   EXPECT_EQ(runController({{"/bin/false"}, "", "", ""}), 1);

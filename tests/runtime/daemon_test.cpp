@@ -28,7 +28,7 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 using testing::Not;
 
-std::atomic<bool> told_to_end{false};
+std::atomic<bool> end_requested{false};
 
 // Exit codes of the child.
 constexpr int kLostAtRest = 3, kLeftStiff = 4;
@@ -44,11 +44,11 @@ class DaemonTest : public testing::Test {
     robot->power = power;
     daemon = std::make_unique<Daemon>(config, files, claimRuntime(files, getgid()), getgid(),
                                       std::make_unique<FakeBus>(robot));
-    std::signal(SIGTERM, [](int) { told_to_end = true; });
+    std::signal(SIGTERM, [](int) { end_requested = true; });
     std::thread{[&daemon, robot] {
       int status = 0;
       try {
-        daemon->run(told_to_end);
+        daemon->run(end_requested);
       } catch (const std::runtime_error& error) {
         std::cerr << error.what() << std::endl;
         status = kLostAtRest;
@@ -119,9 +119,9 @@ TEST_F(DaemonTest, GoesOnWhenItsControllerIsKilledAndTheNextOneTakesOverWithoutA
     drive(link, 0.5, stop_);
   }};
   controller.kill(SIGKILL);
-  const Exchange onlooker = attachToDaemon(files_);
+  const Exchange observer = attachToDaemon(files_);
   Sensors before;
-  ASSERT_TRUE(onlooker.block().sensors.read(before));
+  ASSERT_TRUE(observer.block().sensors.read(before));
   EXPECT_NEAR(before.joint[index(Joint::kNeck)].position.value, 0.5, 1e-3) << "held where the dead one left it";
 
   DaemonLink next{files_};
@@ -153,7 +153,7 @@ TEST_F(DaemonTest, ItsDeathEndsTheControllersStepWithinASecond) {
   EXPECT_THAT(refusal(), HasSubstr("has ended"));
 }
 
-TEST_F(DaemonTest, ASecondDaemonReplacesADeadOneAndTheOldControllerIsTold) {
+TEST_F(DaemonTest, ASecondDaemonReplacesADeadOneAndTheOldControllerIsNotified) {
   DaemonLink old{files_};
   drive(old, 0.1, stop_);
   child_.kill(SIGKILL);
@@ -164,16 +164,16 @@ TEST_F(DaemonTest, ASecondDaemonReplacesADeadOneAndTheOldControllerIsTold) {
   EXPECT_THAT(old.whyEnded(), HasSubstr("has died"));
 }
 
-TEST_F(DaemonTest, ToldToEndItEndsTheControllerAndLeavesTheRobotLimp) {
+TEST_F(DaemonTest, OnRequestItEndsTheControllerAndLeavesTheRobotLimp) {
   DaemonLink link{files_};
   drive(link, 0.1, stop_);
-  const Exchange onlooker = attachToDaemon(files_);
+  const Exchange observer = attachToDaemon(files_);
   kill(child_.pid(), SIGTERM);
   while (link.waitForCycle(link.sensors().cycle + 1, stop_)) link.publish(neckTo(0.1));
-  EXPECT_THAT(link.whyEnded(), HasSubstr("told to end"));
+  EXPECT_THAT(link.whyEnded(), HasSubstr("requested to end"));
   child_.kill(SIGCONT);  // waits until it is gone
   Sensors last;
-  ASSERT_TRUE(onlooker.block().sensors.read(last));
+  ASSERT_TRUE(observer.block().sensors.read(last));
   EXPECT_EQ(last.safety.state, State::kLimp);
   EXPECT_THAT(refusal(), HasSubstr("no runtime has been started"));
 }
@@ -184,11 +184,11 @@ TEST_F(DaemonTest, AnOperatorCanReleaseTheRobotUnderAController) {
   releaseRobot(files_);
   EXPECT_FALSE(link.waitForCycle(link.sensors().cycle + 1000, stop_));
   EXPECT_THAT(link.whyEnded(), HasSubstr("operator"));
-  const Exchange onlooker = attachToDaemon(files_);
+  const Exchange observer = attachToDaemon(files_);
   Sensors seen;
   for (int i = 0; i < 500 && seen.safety.active.none(); ++i) {
     std::this_thread::sleep_for(10ms);
-    (void)onlooker.block().sensors.read(seen);
+    (void)observer.block().sensors.read(seen);
   }
   EXPECT_THAT(daemonStatus(files_), HasSubstr("fault         33 released_by_operator"));
 }
@@ -205,7 +205,7 @@ TEST_F(DaemonTest, ARobotThatWasReleasedStaysSoOverAKilledDaemonUntilAPersonActs
   child_.kill(SIGKILL);
 
   std::unique_ptr<Daemon> daemon;
-  const Child anew{[&] { serve(files_, daemon); }};
+  const Child again{[&] { serve(files_, daemon); }};
   EXPECT_TRUE(comes(Fault::kReleasedByOperator));
   resetFaults(files_);
   for (int i = 0; i < 500 && access(files_.released.c_str(), F_OK) == 0; ++i) std::this_thread::sleep_for(10ms);
@@ -234,7 +234,7 @@ TEST_F(DaemonTest, ServoPowerThatIsFoundOffAfterADaemonThatDroveIsARelease) {
   EXPECT_THAT(status_of(false), Not(HasSubstr("board_reset"))) << "a board that was just switched on";
 }
 
-TEST_F(DaemonTest, TellsOfAFaultWhenItBeginsAndWhenItIsOver) {
+TEST_F(DaemonTest, ReportsAFaultWhenItBeginsAndWhenItIsOver) {
   testing::internal::CaptureStderr();
   const RuntimeFiles files{folder_ / "other"};
   std::unique_ptr<Daemon> daemon;
@@ -246,9 +246,9 @@ TEST_F(DaemonTest, TellsOfAFaultWhenItBeginsAndWhenItIsOver) {
     drive(link, 0.2, stop_);
     std::this_thread::sleep_for(200ms);
   }
-  const std::string told = testing::internal::GetCapturedStderr();
-  EXPECT_THAT(told, HasSubstr("darwinop: fault 40 controller_stalled: "));
-  EXPECT_THAT(told, HasSubstr("darwinop: fault 40 controller_stalled is over\n"));
+  const std::string text = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(text, HasSubstr("darwinop: fault 40 controller_stalled: "));
+  EXPECT_THAT(text, HasSubstr("darwinop: fault 40 controller_stalled is over\n"));
 }
 
 class SomebodyShortens : public DaemonTest, public testing::WithParamInterface<std::tuple<const char*, off_t>> {};
@@ -260,7 +260,7 @@ TEST_P(SomebodyShortens, TheSharedMemoryAndTheRobotComesToRestAndBothSidesSayWhy
   ASSERT_EQ(truncate((files_.exchange + ending).c_str(), length), 0);
   const Nanos end = link.now() + 20s;
   while (link.now() < end && link.waitForCycle(link.sensors().cycle + 1, stop_)) link.publish(neckTo(0.2));
-  EXPECT_THAT(link.whyEnded(), testing::AnyOf(HasSubstr("shortened or overwritten"), HasSubstr("told to end")));
+  EXPECT_THAT(link.whyEnded(), testing::AnyOf(HasSubstr("shortened or overwritten"), HasSubstr("requested to end")));
   EXPECT_EQ(child_.exitStatus(), kLostAtRest) << "neither killed nor with joints under torque";
   EXPECT_THAT(refusal(), HasSubstr("no runtime has been started"));
 }
@@ -278,7 +278,7 @@ TEST_F(DaemonTest, AStrayWriteOfOneControllerDoesNotMakeTheNextOneWait) {
   drive(next, 0.2, stop_);
 }
 
-TEST_F(DaemonTest, WhoMayNotUseItIsToldSo) {
+TEST_F(DaemonTest, AUserWhoMayNotUseItGetsAnError) {
   const TemporaryFolder folder;
   chmod((folder / "").c_str(), 0777);
   chmod((folder_ / "").c_str(), 0755);
@@ -289,12 +289,12 @@ TEST_F(DaemonTest, WhoMayNotUseItIsToldSo) {
   }};
   std::ifstream in{said};
   if (!in) GTEST_SKIP() << "only root can become another user";
-  const std::string told{std::istreambuf_iterator<char>{in}, {}};
-  EXPECT_THAT(told, HasSubstr("-1 a runtime of another user runs"));
-  EXPECT_THAT(told, HasSubstr("sudo rm " + files_.exchange));
+  const std::string text{std::istreambuf_iterator<char>{in}, {}};
+  EXPECT_THAT(text, HasSubstr("-1 a runtime of another user runs"));
+  EXPECT_THAT(text, HasSubstr("sudo rm " + files_.exchange));
 }
 
-TEST_F(DaemonTest, StatusTellsWhoDrivesAndHowTheLoopFares) {
+TEST_F(DaemonTest, StatusShowsWhoDrivesAndHowTheLoopFares) {
   EXPECT_THAT(daemonStatus(files_), HasSubstr("driver        none"));
   const Child controller{[this] {
     static DaemonLink link{files_};

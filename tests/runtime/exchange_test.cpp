@@ -54,13 +54,13 @@ TEST(Exchange, LetsTheGroupReadAndCommandAndNobodyElse) {
   EXPECT_EQ(rightsOf(folder / "x.commands"), 0660u);
 }
 
-TEST(Exchange, OnlyTheLoopsProcessCanWriteWhatTheLoopTells) {
+TEST(Exchange, OnlyTheLoopsProcessCanWriteTheLoopsMemory) {
   const TemporaryFolder folder;
   const Exchange loop = Exchange::create(folder / "x"), controller = Exchange::attach(folder / "x");
   EXPECT_THROW((void)controller.ownBlock(), std::logic_error);
   EXPECT_DEATH(const_cast<ExchangeBlock&>(controller.block()).closing.store(1), "");
-  const Exchange onlooker = Exchange::attach(folder / "x", Exchange::Access::kLook);
-  EXPECT_THROW((void)onlooker.commands(), std::logic_error);
+  const Exchange observer = Exchange::attach(folder / "x", Exchange::Access::kLook);
+  EXPECT_THROW((void)observer.commands(), std::logic_error);
 }
 
 TEST(Exchange, OfAnEmbeddedLoopTakesNoCommandsFromOthers) {
@@ -130,11 +130,11 @@ TEST(Exchange, ReplacesTheFileOfADeadLoopWithoutHarmToThoseWhoStillMapIt) {
     static const Exchange exchange = Exchange::create(folder / "x");
     exchange.ownBlock().session.store(9);
   }};
-  const Exchange onlooker = Exchange::attach(folder / "x", Exchange::Access::kLook);
+  const Exchange observer = Exchange::attach(folder / "x", Exchange::Access::kLook);
   dead.kill(SIGKILL);
   const Exchange next = Exchange::create(folder / "x");
   EXPECT_EQ(next.block().session.load(), 0u);
-  EXPECT_EQ(onlooker.block().session.load(), 9u) << "the old memory must stay readable";
+  EXPECT_EQ(observer.block().session.load(), 9u) << "the old memory must stay readable";
   EXPECT_EQ(Exchange::attach(folder / "x").block().session.load(), 0u);
 }
 
@@ -194,7 +194,7 @@ TEST(RequestWord, EachRequestCountsOnceAndNoStrayWriteDoes) {
     std::memset(static_cast<void*>(&word), byte, sizeof word);
     EXPECT_FALSE(word.isNew(seen)) << byte;
     word.ask();
-    EXPECT_TRUE(word.isNew(seen)) << "a person is heard after that, too";
+    EXPECT_TRUE(word.isNew(seen)) << "a person's request counts after that also";
   }
 }
 

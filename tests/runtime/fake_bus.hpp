@@ -1,4 +1,4 @@
-// A bus with a robot that is where it was told to be one cycle later; no line, no bytes, no time.
+// A bus with a robot that reaches its goals one cycle later; no line, no bytes, no time.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// What a person is told of faults, and how often.
+// Which faults are reported to a person, and how often.
 #include "runtime/fault_announcer.hpp"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// Images 0.1 s apart and what was told of each.
+/// Images 0.1 s apart and what was reported of each.
 struct Listener {
   std::ostringstream out;
   FaultAnnouncer announcer{out};
@@ -36,7 +36,7 @@ struct Listener {
   }
 };
 
-TEST(FaultAnnouncer, TellsTheBeginOnceWithJointMeaningAndRemedyAndThenTheEnd) {
+TEST(FaultAnnouncer, ReportsTheBeginOnceWithJointMeaningAndRemedyAndThenTheEnd) {
   Listener l;
   l.seen.safety.worst = Fault::kServoOverload;
   l.seen.safety.worst_joint = 19;
@@ -60,23 +60,23 @@ TEST(FaultAnnouncer, NamesTheJointOfTheWorstFaultOnly) {
 
 TEST(FaultAnnouncer, CountsWhatComesAndGoesWithinFiveSeconds) {
   Listener l;
-  std::string told;
-  for (int i = 0; i < 20; ++i) told += l.look(Fault::kServoSilent, i % 2 == 0);
-  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 2) << told;
-  told.clear();
-  for (int i = 0; i < 50; ++i) told += l.look();
-  EXPECT_EQ(told, "darwinop: fault 12 servo_silent came and went 9 times more\n");
+  std::string text;
+  for (int i = 0; i < 20; ++i) text += l.look(Fault::kServoSilent, i % 2 == 0);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
+  text.clear();
+  for (int i = 0; i < 50; ++i) text += l.look();
+  EXPECT_EQ(text, "darwinop: fault 12 servo_silent came and went 9 times more\n");
   EXPECT_THAT(l.look(Fault::kServoSilent, true), HasSubstr(row(Fault::kServoSilent).meaning)) << "as new again";
 }
 
-TEST(FaultAnnouncer, TellsAfterFiveSecondsOfOneThatBeganMeanwhileAndLasts) {
+TEST(FaultAnnouncer, ReportsAfterFiveSecondsOfOneThatBeganMeanwhileAndLasts) {
   Listener l;
   l.look(Fault::kFell, true);
   l.look(Fault::kFell, false);
   EXPECT_THAT(l.look(Fault::kFell, true), IsEmpty());
-  std::string told;
-  for (int i = 0; i < 50; ++i) told += l.look();
-  EXPECT_THAT(told, StartsWith("darwinop: fault 30 fell: "));
+  std::string text;
+  for (int i = 0; i < 50; ++i) text += l.look();
+  EXPECT_THAT(text, StartsWith("darwinop: fault 30 fell: "));
   EXPECT_EQ(l.look(Fault::kFell, false), "darwinop: fault 30 fell is over\n");
 }
 

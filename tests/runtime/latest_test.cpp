@@ -69,7 +69,7 @@ TEST(Latest, GivesTheNewestValueAgainAndAgain) {
   }
 }
 
-TEST(Latest, KeepsSizesThatAreNoMultipleOfAWord) {
+TEST(Latest, KeepsSizesThatAreNotAMultipleOfAWord) {
   struct Odd {
     std::array<char, 7> text;
   };

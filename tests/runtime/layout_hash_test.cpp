@@ -1,4 +1,4 @@
-// The hash that tells two builds with different memory apart.
+// Hash that distinguishes builds with different memory layouts.
 #include "runtime/layout_hash.hpp"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ constexpr std::uint64_t fieldsOf() {
   return hash.value();
 }
 
-TEST(LayoutHash, TellsOrderTypeNumberAndNestedFieldsApart) {
+TEST(LayoutHash, DistinguishesOrderTypeNumberAndNestedFields) {
   const std::set<std::uint64_t> different{
       fieldsOf<LayoutBase>(),   fieldsOf<LayoutSwapped>(), fieldsOf<LayoutSigned>(),     fieldsOf<LayoutFloat>(),
       fieldsOf<LayoutLonger>(), fieldsOf<LayoutNested>(),  fieldsOf<LayoutOtherNested>()};

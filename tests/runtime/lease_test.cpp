@@ -15,11 +15,12 @@
 #include "other_user.hpp"
 #include "runtime/file_lock.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::runtime {
 namespace {
 
-TEST(FileLock, HasOneHolderAndTellsWhoItIs) {
+TEST(FileLock, HasOneHolderAndNamesIt) {
   const TemporaryFolder folder;
   EXPECT_EQ(FileLock::holder(folder / "lock"), 0);
   const Child other{[&] { static const auto lock = FileLock::tryTake(folder / "lock"); }};
@@ -66,11 +67,6 @@ std::string whyNotTaken(const std::string& path) {
   } catch (const std::runtime_error& error) {
     return error.what();
   }
-}
-
-std::string textOf(const std::string& path) {
-  std::ifstream file{path};
-  return {std::istreambuf_iterator<char>{file}, {}};
 }
 
 TEST(FileLock, AFifoInItsPlaceIsRefusedAndNobodyWaits) {

@@ -3,16 +3,15 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 #include <random>
 #include <regex>
-#include <sstream>
 
 #include "environment.hpp"
 #include "runtime/operator.hpp"
 #include "runtime/report.hpp"
 #include "simulated_robot.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -94,10 +93,7 @@ TEST(Lockstep, TheSameRunGivesTheSameRecordingButForItsDate) {
       SimulatedRobot sim{config};
       for (int i = 0; i < 700; ++i) sim.step(neckTo(0.001 * i));
     }
-    std::ifstream file{config.record_path};
-    std::stringstream all;
-    all << file.rdbuf();
-    run = std::regex_replace(all.str(), std::regex{"# date: .*"}, "");
+    run = std::regex_replace(textOf(config.record_path), std::regex{"# date: .*"}, "");
   }
   EXPECT_EQ(text[0], text[1]);
   EXPECT_GT(std::count(text[0].begin(), text[0].end(), '\n'), 700) << "more cycles than the ring holds, none lost";
@@ -119,7 +115,7 @@ TEST(Lockstep, OthersCanLookOnAndTheFiguresSurviveTheController) {
   left.block().stats.copyTo(stats);
   Sensors last;
   ASSERT_TRUE(left.block().sensors.read(last));
-  EXPECT_EQ(stats.cycles, 23u) << "20 and three for the farewell";
+  EXPECT_EQ(stats.cycles, 23u) << "20 and three for the end of session";
   EXPECT_THAT(reportText(stats, last), HasSubstr("FootL"));
   EXPECT_EQ(Nanos{left.block().info.period_ns}, 16ms);
 }

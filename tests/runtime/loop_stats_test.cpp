@@ -47,7 +47,7 @@ TEST(LoopStats, DoesNotTakeSimulatedTimeForAMeasurement) {
   EXPECT_NEAR(view.wire.percentile(0.5), 5000, 16) << "wire time is computed, not measured";
 }
 
-TEST(LoopStats, ADifferenceTellsOfOneRunOnly) {
+TEST(LoopStats, ADifferenceCoversOneRunOnly) {
   const auto stats = std::make_unique<LoopStats>();
   for (int i = 0; i < 50; ++i) stats->account(cycleWith(900, 9000, 5), 5, LoopStats::Timed::kYes);
   StatsView before, after;

@@ -1,4 +1,4 @@
-// A controller for tests of `darwinop run`: twenty cycles on a fake robot, then it does what it is told.
+// A controller for tests of `darwinop run`: twenty cycles on a fake robot, then it does as requested.
 #include <unistd.h>
 
 #include <csignal>
@@ -10,7 +10,7 @@
 #include "simulated_robot.hpp"
 
 namespace {
-std::atomic<bool>* told = nullptr;
+std::atomic<bool>* stop_flag = nullptr;
 
 /// In the middle of driving a robot in real time.
 void crash() {
@@ -35,13 +35,13 @@ int main(int count, char** arguments) {
   if (end == "away") return 3;  // never makes a robot here
   if (end == "crash") crash();
   SimulatedRobot sim;
-  told = &sim.stop;
+  stop_flag = &sim.stop;
   sim.step({}, 20);
   std::cout << "robot=" << std::getenv("DARWINOP_ROBOT") << " period=" << std::getenv("DARWINOP_PERIOD_MS")
             << std::endl;
   if (end == "die") std::raise(SIGKILL);
   if (end == "wait") {
-    std::signal(SIGTERM, [](int) { *told = true; });
+    std::signal(SIGTERM, [](int) { *stop_flag = true; });
     kill(getppid(), SIGTERM);  // it must come back to us
     while (!sim.stop) usleep(1000);
     return 5;

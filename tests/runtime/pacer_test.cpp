@@ -39,7 +39,7 @@ TEST(Pacer, KeepsTheGridWhateverACycleTakes) {
   EXPECT_EQ(run.pacer.skipped(), 0u);
 }
 
-TEST(Pacer, TellsHowLateACycleBeganAndDoesNotMoveTheGridForIt) {
+TEST(Pacer, ReportsHowLateACycleBeganAndDoesNotMoveTheGridForIt) {
   Drive run;
   run.clock.oversleep(3ms);
   run.cycle(5ms);

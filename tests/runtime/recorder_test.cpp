@@ -12,6 +12,7 @@
 #include "core/conversions.hpp"
 #include "runtime/log_columns.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -54,7 +55,7 @@ Sensors sensorsOf(std::uint64_t cycle) {
   neck.position = radFromTicks(2049);
   neck.load = -0.25;
   JointSensors& head = s.joint[index(Joint::kHead)];
-  head.motion.age = 1;  // was heard in the cycle before
+  head.motion.age = 1;  // was received in the cycle before
   head.position = Rad{0.5};
   return s;
 }
@@ -78,7 +79,7 @@ TEST(Recorder, WhatIsReadBackIsWhatTheLoopSaw) {
   EXPECT_EQ(table.rows[0].at("Neck.asked [rad]"), "-0.1");
 }
 
-TEST(Recorder, LeavesAFieldEmptyForWhatWasNotAskedNotHeardOrNotHeardInThisCycle) {
+TEST(Recorder, LeavesAFieldEmptyForWhatWasNotAskedNotReceivedOrNotReceivedInThisCycle) {
   const TemporaryFolder folder;
   { Recorder{folder / "log.csv", {}, Recorder::Writer::kByHand}.push(Commands{}, sensorsOf(1)); }
   const Table table{folder / "log.csv"};
@@ -87,7 +88,7 @@ TEST(Recorder, LeavesAFieldEmptyForWhatWasNotAskedNotHeardOrNotHeardInThisCycle)
     EXPECT_EQ(table.rows.at(0).at(name), "") << name;
 }
 
-TEST(Recorder, HeadTellsRobotModelVersionDateAndPeriod) {
+TEST(Recorder, HeadNamesRobotModelVersionDateAndPeriod) {
   const TemporaryFolder folder;
   {
     const Recorder recorder{
@@ -146,15 +147,13 @@ TEST(Recorder, GoesOnWhenTheDiskIsFull) {
 }
 
 TEST(LogColumns, AreAllDescribedInTheDocumentationWithTheirUnits) {
-  std::ifstream file{DARWINOP_SOURCE_DIR "/docs/logs.md"};
-  std::stringstream text;
-  text << file.rdbuf();
+  const std::string text = textOf(DARWINOP_SOURCE_DIR "/docs/logs.md");
   const auto line = [](std::string_view name, std::string_view unit, std::string_view meaning) {
     return "| `" + std::string{name} + "` | " + std::string{unit} + " | " + std::string{meaning} + " |";
   };
-  for (const LogColumn& c : kLogColumns) EXPECT_THAT(text.str(), HasSubstr(line(c.name, c.unit, c.meaning)));
+  for (const LogColumn& c : kLogColumns) EXPECT_THAT(text, HasSubstr(line(c.name, c.unit, c.meaning)));
   for (const JointLogColumn& c : kJointLogColumns)
-    EXPECT_THAT(text.str(), HasSubstr(line("<joint>." + std::string{c.name}, c.unit, c.meaning)));
+    EXPECT_THAT(text, HasSubstr(line("<joint>." + std::string{c.name}, c.unit, c.meaning)));
 }
 
 }  // namespace

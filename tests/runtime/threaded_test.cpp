@@ -11,6 +11,7 @@
 #include "fake_bus.hpp"
 #include "runtime/threaded_link.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -58,7 +59,7 @@ TEST(ThreadedLink, GoesOnWhileTheControllerDoesNothing) {
   EXPECT_GT(link.sensors().cycle, 10u);
 }
 
-TEST(ThreadedLink, TellsOfAFaultWhileItRuns) {
+TEST(ThreadedLink, ReportsAFaultWhileItRuns) {
   testing::internal::CaptureStderr();
   {
     ThreadedLink link{quick(), std::make_unique<FakeBus>()};
@@ -68,7 +69,7 @@ TEST(ThreadedLink, TellsOfAFaultWhileItRuns) {
   }
 }
 
-/// Runs in a process without rights, whoever runs the tests; what it prints comes back.
+/// Runs in a process without rights, for any user; returns what it prints.
 std::string asNobody(RealTime demand) {
   const TemporaryFolder folder;
   chmod((folder / "").c_str(), 0777);
@@ -85,11 +86,10 @@ std::string asNobody(RealTime demand) {
       out << "refused: " << error.what();
     }
   }};
-  std::ifstream in{said};
-  return {std::istreambuf_iterator<char>{in}, {}};
+  return textOf(said);
 }
 
-TEST(RealTimeDemand, RequiredButRefusedIsAnErrorThatSaysHowToMendIt) {
+TEST(RealTimeDemand, RequiredButRefusedIsAnErrorThatNamesTheRemedy) {
   const std::string said = asNobody(RealTime::kRequired);
   EXPECT_THAT(said, HasSubstr("refused: the kernel refused real-time priority"));
   EXPECT_THAT(said, HasSubstr("rtprio"));
@@ -102,7 +102,7 @@ TEST(RealTimeDemand, IfAllowedButRefusedIsAWarning) {
 
 TEST(RealTimeDemand, IsReadFromTheEnvironmentAndNothingElseIsTakenForIt) {
   EXPECT_EQ(realTimeFromEnvironment(), RealTime::kIfAllowed);
-  const Environment wish{"DARWINOP_REALTIME", "required"};
+  const Environment requested{"DARWINOP_REALTIME", "required"};
   EXPECT_EQ(realTimeFromEnvironment(), RealTime::kRequired);
   EXPECT_THROW(realTimeFromText("always"), std::runtime_error);
 }

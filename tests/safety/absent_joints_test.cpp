@@ -15,7 +15,7 @@ Config lacking(std::bitset<kJoints> Config::*kind, Joint joint) {
   return config;
 }
 
-/// A day in which every state and every order comes: start, motion, a release, another start, a farewell.
+/// A day in which every state and every order comes: start, motion, a release, another start, an end of session.
 void liveWith(Rig& rig, Joint joint, const std::function<void()>& check) {
   const auto run = [&](int cycles) {
     for (int i = 0; i < cycles; ++i) {
@@ -31,12 +31,12 @@ void liveWith(Rig& rig, Joint joint, const std::function<void()>& check) {
   run(50);
   rig.joint(joint).setTorque(false);
   run(50);
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   run(1500);
   EXPECT_EQ(rig.state(), State::kLimp);
 }
 
-TEST(AbsentJoint, GetsNeitherGoalNorTorqueSwitchAndIsNoFault) {
+TEST(AbsentJoint, GetsNeitherGoalNorTorqueSwitchAndIsNotAFault) {
   for (const Joint joint : {Joint::kNeck, Joint::kLegLowerR}) {
     Rig rig{lacking(&Config::absent, joint)};
     rig.robot[joint].answers = false;

@@ -31,12 +31,12 @@ INSTANTIATE_TEST_SUITE_P(BoardMiss, LostBoardAnswers, ::testing::Range(1, 6));
 TEST_P(LostBoardAnswers, UpToFiveAreRiddenThroughWithoutATakeover) {
   WalkingKnee robot;
   ASSERT_EQ(robot.state(), State::kDriven);
-  robot.line.deaf = true;
+  robot.line.loses_answers = true;
   for (int i = 0; i < GetParam(); ++i) {
     robot.step();
     ASSERT_TRUE(robot.allDriven());
   }
-  robot.line.deaf = false;
+  robot.line.loses_answers = false;
   for (int i = 0; i < 60; ++i) {
     robot.step();
     ASSERT_EQ(robot.state(), State::kDriven) << "cycle " << i;
@@ -51,7 +51,7 @@ TEST_P(LostBoardAnswers, UpToFiveAreRiddenThroughWithoutATakeover) {
 TEST_P(LostBoardAnswers, RepeatedEveryTenCyclesStillAllowDriving) {
   WalkingKnee robot;
   for (int i = 0; i < 300; ++i) {
-    robot.line.deaf = i % 10 < GetParam();
+    robot.line.loses_answers = i % 10 < GetParam();
     robot.step();
     ASSERT_EQ(robot.state(), State::kDriven) << "cycle " << i;
     ASSERT_TRUE(robot.allDriven()) << "cycle " << i;
@@ -60,21 +60,21 @@ TEST_P(LostBoardAnswers, RepeatedEveryTenCyclesStillAllowDriving) {
 
 TEST(BoardMiss, SixAreALostLink) {
   WalkingKnee robot;
-  robot.line.deaf = true;
+  robot.line.loses_answers = true;
   for (int i = 0; i < 7; ++i) robot.step();
   EXPECT_EQ(robot.state(), State::kOffline);
 }
 
-TEST(BoardMiss, AServoThatRestartsWhileTheBoardIsNotHeardIsPlacedAnew) {
+TEST(BoardMiss, AServoThatRestartsWhileTheBoardIsSilentIsPlacedAgain) {
   for (int start = 0; start < 4; ++start) {
     WireRig robot{nullptr, bootsIn(std::chrono::milliseconds{20})};
     robot.run(300);
     ASSERT_EQ(robot.state(), State::kDriven);
-    robot.line.deaf = true;
+    robot.line.loses_answers = true;
     robot.cutSupply(std::bitset<kJoints>{}.set(kWalkingKnee), robot.release + std::chrono::milliseconds{16 * start + 7},
                     std::chrono::milliseconds{5});
     robot.run(4);
-    robot.line.deaf = false;
+    robot.line.loses_answers = false;
     robot.run(2);
     EXPECT_FALSE(robot.seen().joint[kWalkingKnee].driven) << "no goal until it is placed";
     EXPECT_TRUE(robot.seen().joint[0].driven);

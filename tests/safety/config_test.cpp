@@ -86,7 +86,7 @@ TEST(SafetyConfig, LimitsCanBeNarrowedAndNotWidened) {
   EXPECT_THAT(refusal("Limits", "Nose", "0, 1"), HasSubstr("no joint has this name"));
 }
 
-TEST(SafetyConfig, ALimitGivenBackAsPrintedIsNoWidening) {
+TEST(SafetyConfig, ALimitGivenBackAsPrintedIsNotAWidening) {
   Config config;
   config.set("Limits", "Neck", "-1.92975, 1.69044");
   EXPECT_GE(config.range[index(Joint::kNeck)].low, hardRange(Joint::kNeck).low);

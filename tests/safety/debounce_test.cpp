@@ -15,7 +15,7 @@ TEST(Debounce, TurnsOnAfterTheConditionLastedAndNotBefore) {
   EXPECT_TRUE(d.update(true, false, kTick));
 }
 
-TEST(Debounce, AnInterruptionStartsTheWaitAnew) {
+TEST(Debounce, AnInterruptionRestartsTheWait) {
   Debounce d{3 * kTick, 2 * kTick};
   for (int i = 0; i < 10; ++i) {
     EXPECT_FALSE(d.update(true, false, kTick));

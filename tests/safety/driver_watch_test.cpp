@@ -23,7 +23,7 @@ TEST(DriverWatch, SessionZeroIsNobody) {
   EXPECT_FALSE(watch.came());
 }
 
-TEST(DriverWatch, ASequenceThatStandsStillIsNoSignOfLife) {
+TEST(DriverWatch, ASequenceThatStandsStillIsNotASignOfLife) {
   const Config config;
   DriverWatch watch{config};
   watch.update(image(1, 7), false, kCycle);
@@ -33,7 +33,7 @@ TEST(DriverWatch, ASequenceThatStandsStillIsNoSignOfLife) {
   EXPECT_TRUE(watch.stalled()) << "512 ms";
 }
 
-TEST(DriverWatch, ASequenceThatRunsBackwardsIsNoSignOfLife) {
+TEST(DriverWatch, ASequenceThatRunsBackwardsIsNotASignOfLife) {
   const Config config;
   DriverWatch watch{config};
   watch.update(image(1, 1000), false, kCycle);
@@ -41,7 +41,7 @@ TEST(DriverWatch, ASequenceThatRunsBackwardsIsNoSignOfLife) {
   EXPECT_TRUE(watch.stalled());
 }
 
-TEST(DriverWatch, AnImageOfAnOldSessionIsNoSignOfLife) {
+TEST(DriverWatch, AnImageOfAnOldSessionIsNotASignOfLife) {
   const Config config;
   DriverWatch watch{config};
   watch.update(image(1, 1), false, kCycle);
@@ -57,12 +57,12 @@ TEST(DriverWatch, ARobotThatMovesByItselfExcusesSilence) {
   EXPECT_FALSE(watch.stalled());
 }
 
-TEST(DriverWatch, AfterFarewellOnlyANewSessionCounts) {
+TEST(DriverWatch, AfterTheEndOfASessionOnlyANewOneCounts) {
   const Config config;
   DriverWatch watch{config};
   watch.update(image(1, 1), false, kCycle);
   Commands last = image(1, 2);
-  last.farewell = true;
+  last.end_of_session = true;
   watch.update(last, false, kCycle);
   EXPECT_TRUE(watch.ended());
   watch.update(image(1, 3), false, kCycle);

@@ -101,7 +101,7 @@ TEST(Driving, GoalsWaitForABoardThatDoesNotAnswer) {
   rig.run(1);
   const double sent = rig.goal(Joint::kNeck);
   rig.run(3);
-  EXPECT_EQ(rig.goal(Joint::kNeck), sent) << "it may have heard none of them";
+  EXPECT_EQ(rig.goal(Joint::kNeck), sent) << "it may have received none of them";
   rig.robot.board_answers = true;
   rig.run(2);
   EXPECT_GT(rig.goal(Joint::kNeck), sent);
@@ -153,9 +153,9 @@ TEST(Driving, ALostTorqueOffIsSentAgain) {
   Rig rig;
   rig.start();
   rig.joint(Joint::kShoulderL).setTorque(false);
-  rig.robot[Joint::kShoulderL].hears = false;
+  rig.robot[Joint::kShoulderL].receives = false;
   rig.cycle();
-  rig.robot[Joint::kShoulderL].hears = true;
+  rig.robot[Joint::kShoulderL].receives = true;
   EXPECT_TRUE(rig.robot[Joint::kShoulderL].torque);
   rig.runFor(1);
   EXPECT_FALSE(rig.robot[Joint::kShoulderL].torque);

@@ -24,7 +24,7 @@ struct FakeServo {
   bool torque = false;
   bool restarted = false;  // since its speed was written
   bool answers = true;
-  bool hears = true;
+  bool receives = true;
   bool follows = true;             // false: blocked
   std::optional<double> stuck_at;  // what its encoder says, rad
   bool shuts_off = false;          // by overload, as soon as it is written to
@@ -70,14 +70,14 @@ struct FakeRobot {
   }
 
  private:
-  std::bitset<kJoints> unseen_;  // since they were last heard, or asked to be looked at
+  std::bitset<kJoints> unseen_;  // since their last answer, or asked to be looked at
 
   void obey(const SafeCommands& safe) {
     if (safe.powerOn()) servo_power = servo_power || power_obeys;
     if (!servo_power) return;
     for (std::size_t i = 0; i < kJoints; ++i) {
       FakeServo& s = servo[i];
-      if (!s.hears || safe.held()[i]) continue;
+      if (!s.receives || safe.held()[i]) continue;
       if (safe.write() == SafeCommands::Write::kTorque) {
         if (safe.torqueOn()[i]) s.torque = true;
         if (safe.torqueOff()[i]) s.torque = false;
@@ -122,7 +122,7 @@ struct FakeRobot {
     s.corruption = 0;
     j.error_bits = s.error_bits;
     if (s.remembers && !s.torque) j.error_bits |= error_bit::kOverload;
-    // As the bus does: one in turn, and whoever missed an answer.
+    // As the bus does: one in turn, and those that missed an answer.
     if (seen.cycle % kJoints != i && !unseen_[i]) return j.health.missed();
     unseen_.reset(i);
     j.health.received();

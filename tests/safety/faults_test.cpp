@@ -110,7 +110,7 @@ TEST_P(EveryFault, IsRaisedAfterItsTimeAndNotBefore) {
     EXPECT_EQ(rig.report().worst_joint, c.servo);
     EXPECT_EQ(rig.report().reaction, row(c.fault).reaction);
   }
-  const bool under_torque = c.fault == Fault::kServoPowerOff;  // then it is a board_reset, too
+  const bool under_torque = c.fault == Fault::kServoPowerOff;  // then it is a board_reset also
   EXPECT_EQ(rig.report().controller_must_end, c.latched || under_torque);
 }
 
@@ -258,7 +258,7 @@ TEST(Faults, AServoTheBusHasGivenUpIsReportedAtOnce) {
 
 TEST(Faults, ServosThatStartUpAreNotSilentYet) {
   Rig rig;
-  rig.runFor(1);  // each was looked at: it is limp, and losing power is no release
+  rig.runFor(1);  // each was looked at: it is limp, and losing power is not a release
   rig.robot.servo_power = rig.robot.power_obeys = false;
   rig.runFor(2);
   rig.robot.servo_power = true;
@@ -274,7 +274,7 @@ TEST(Faults, ServosThatStartUpAreNotSilentYet) {
   EXPECT_TRUE(rig.report().active.none());
 }
 
-TEST(Faults, FreeFallTellsNoDirection) {
+TEST(Faults, FreeFallHasNoDirection) {
   Rig rig;
   rig.start();
   rig.robot.acceleration = {1.5, 0, 0.5};
@@ -282,7 +282,7 @@ TEST(Faults, FreeFallTellsNoDirection) {
   EXPECT_FALSE(rig.active(Fault::kFell));
 }
 
-TEST(Faults, WhatIsNotKnownIsNoFault) {
+TEST(Faults, WhatIsNotKnownIsNotAFault) {
   Rig rig;
   rig.robot.volt = kUnknown;
   rig.robot.acceleration = {kUnknown, 0, 0};
@@ -292,7 +292,7 @@ TEST(Faults, WhatIsNotKnownIsNoFault) {
   EXPECT_TRUE(rig.report().active.none());
 }
 
-TEST(Faults, OneCorruptedTemperatureIsNoFault) {
+TEST(Faults, OneCorruptedTemperatureIsNotAFault) {
   Rig rig;
   rig.start();
   rig.runFor(1);
@@ -305,7 +305,7 @@ TEST(Faults, OneCorruptedTemperatureIsNoFault) {
   EXPECT_EQ(rig.state(), State::kDriven);
 }
 
-TEST(Faults, AJoltIsNoFall) {
+TEST(Faults, AJoltIsNotAFall) {
   Rig rig;
   rig.start();
   for (int i = 0; i < 100; ++i) {

@@ -47,11 +47,11 @@ TEST(FoundStiff, AServoThatWasLimpAndIsFoundStiffLaterIsNoticed) {
   EXPECT_EQ(rig.state(), State::kLimp);
 }
 
-TEST(FoundStiff, AServoThatDoesNotLetGoIsNotCalledLimpAndOnlyItIsToldAgain) {
+TEST(FoundStiff, AServoThatStaysStiffIsNotCalledLimpAndOnlyItGetsTheOrderAgain) {
   Rig rig;
   rig.start();
-  rig.robot[Joint::kHead].hears = false;
-  rig.commands.farewell = true;
+  rig.robot[Joint::kHead].receives = false;
+  rig.commands.end_of_session = true;
   ASSERT_TRUE(rig.reach(State::kLimp));
   ASSERT_TRUE(rig.reach(State::kFoundStiff));
   for (int i = 0; i < 200; ++i) {
@@ -60,16 +60,16 @@ TEST(FoundStiff, AServoThatDoesNotLetGoIsNotCalledLimpAndOnlyItIsToldAgain) {
     ASSERT_TRUE(rig.safe->torqueOn().none());
     ASSERT_TRUE(rig.safe->driven().none()) << "the others are limp and stay so";
   }
-  rig.robot[Joint::kHead].hears = true;
+  rig.robot[Joint::kHead].receives = true;
   ASSERT_TRUE(rig.reach(State::kLimp));
   EXPECT_FALSE(rig.robot[Joint::kHead].torque);
 }
 
-TEST(FoundStiff, WhenTheLoopClosesItKneelsAndLetsGo) {
+TEST(FoundStiff, WhenTheLoopClosesItKneelsAndReleasesTorque) {
   Rig rig;
   makeStiff(rig);
   rig.runFor(1);
-  rig.commands.farewell = true;  // of nobody: session 0
+  rig.commands.end_of_session = true;  // of nobody: session 0
   ASSERT_TRUE(rig.reach(State::kKneeling));
   ASSERT_TRUE(rig.reach(State::kLimp));
   rig.runFor(1);
@@ -80,7 +80,7 @@ TEST(FoundStiff, WhenTheLoopClosesItKneelsAndLetsGo) {
 TEST(FoundStiff, WhenTheLoopClosesALimpRobotStaysLimp) {
   Rig rig;
   rig.runFor(1);
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   for (int i = 0; i < 300; ++i) {
     rig.cycle();
     ASSERT_EQ(rig.safe->write(), Write::kNothing);
@@ -92,7 +92,7 @@ TEST(FoundStiff, OnExitHoldLeavesItStiff) {
   config.on_exit = OnExit::kHold;
   Rig rig{config};
   makeStiff(rig);
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   rig.runFor(3);
   EXPECT_EQ(rig.state(), State::kFoundStiff);
   EXPECT_TRUE(rig.robot[Joint::kNeck].torque);

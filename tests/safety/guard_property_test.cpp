@@ -14,9 +14,9 @@ namespace darwinop::safety {
 namespace {
 
 /// Random numbers from one seed, so that a failure is repeated by its seed (printed by RapidCheck).
-class Dice {
+class Rng {
  public:
-  explicit Dice(std::uint32_t seed) : engine_{seed} {}
+  explicit Rng(std::uint32_t seed) : engine_{seed} {}
   bool one(int in) { return std::uniform_int_distribution{1, in}(engine_) == 1; }
   int upTo(int most) { return std::uniform_int_distribution{0, most}(engine_); }
   double number(double low, double high) { return std::uniform_real_distribution{low, high}(engine_); }
@@ -38,46 +38,46 @@ class Dice {
   std::mt19937 engine_;
 };
 
-void command(Commands& c, Dice& dice) {
-  if (!dice.one(40)) ++c.sequence;
-  if (dice.one(400)) ++c.session;
-  if (dice.one(300)) ++c.fault_resets;
-  if (dice.one(500)) c.start_where_it_is = !c.start_where_it_is;
-  if (dice.one(2000)) c.farewell = !c.farewell;
-  if (dice.one(3)) return;
-  JointCommand& joint = c.joint[static_cast<std::size_t>(dice.upTo(kJoints - 1))];
-  if (dice.one(2)) joint.setGoal(Rad{dice.wild()});
-  if (dice.one(5)) joint.setSpeedLimit(RadPerSec{dice.wild()});
-  if (dice.one(5)) joint.setTorqueLimit(NewtonMeter{dice.wild()});
-  if (dice.one(5)) joint.setPGain(dice.wild());
-  if (dice.one(40)) joint.setTorque(dice.one(2));
-  if (dice.one(20)) joint.set = static_cast<std::uint8_t>(dice.upTo(31));
+void command(Commands& c, Rng& rng) {
+  if (!rng.one(40)) ++c.sequence;
+  if (rng.one(400)) ++c.session;
+  if (rng.one(300)) ++c.fault_resets;
+  if (rng.one(500)) c.start_where_it_is = !c.start_where_it_is;
+  if (rng.one(2000)) c.end_of_session = !c.end_of_session;
+  if (rng.one(3)) return;
+  JointCommand& joint = c.joint[static_cast<std::size_t>(rng.upTo(kJoints - 1))];
+  if (rng.one(2)) joint.setGoal(Rad{rng.wild()});
+  if (rng.one(5)) joint.setSpeedLimit(RadPerSec{rng.wild()});
+  if (rng.one(5)) joint.setTorqueLimit(NewtonMeter{rng.wild()});
+  if (rng.one(5)) joint.setPGain(rng.wild());
+  if (rng.one(40)) joint.setTorque(rng.one(2));
+  if (rng.one(20)) joint.set = static_cast<std::uint8_t>(rng.upTo(31));
 }
 
-void disturb(FakeRobot& robot, Dice& dice) {
-  robot.board_answers = robot.board_answers ? !dice.one(150) : dice.one(8);
-  if (dice.one(1500)) robot.servo_power = false;
-  robot.power_obeys = !dice.one(2);
-  if (dice.one(700)) robot.volt = dice.number(8, 13);
-  if (dice.one(900)) robot.buttons = static_cast<std::uint8_t>(dice.upTo(3));
-  if (dice.one(300)) robot.acceleration = {dice.number(-10, 10), dice.number(-10, 10), dice.number(-10, 10)};
+void disturb(FakeRobot& robot, Rng& rng) {
+  robot.board_answers = robot.board_answers ? !rng.one(150) : rng.one(8);
+  if (rng.one(1500)) robot.servo_power = false;
+  robot.power_obeys = !rng.one(2);
+  if (rng.one(700)) robot.volt = rng.number(8, 13);
+  if (rng.one(900)) robot.buttons = static_cast<std::uint8_t>(rng.upTo(3));
+  if (rng.one(300)) robot.acceleration = {rng.number(-10, 10), rng.number(-10, 10), rng.number(-10, 10)};
   for (FakeServo& s : robot.servo) {
-    s.answers = s.answers ? !dice.one(100) : dice.one(12);
-    s.hears = !dice.one(50);
-    if (dice.one(60)) s.corruption = dice.number(-4, 4);
-    if (dice.one(2000)) s.celsius = dice.number(20, 90);
-    if (dice.one(400)) s.error_bits = dice.one(3) ? static_cast<std::uint8_t>(dice.upTo(127)) : std::uint8_t{0};
-    if (dice.one(800)) s.torque = false;
-    if (dice.one(1500)) s.torque_limit = 0;
-    if (!s.torque && dice.one(200)) s.position += dice.number(-0.5, 0.5);  // moved by hand
+    s.answers = s.answers ? !rng.one(100) : rng.one(12);
+    s.receives = !rng.one(50);
+    if (rng.one(60)) s.corruption = rng.number(-4, 4);
+    if (rng.one(2000)) s.celsius = rng.number(20, 90);
+    if (rng.one(400)) s.error_bits = rng.one(3) ? static_cast<std::uint8_t>(rng.upTo(127)) : std::uint8_t{0};
+    if (rng.one(800)) s.torque = false;
+    if (rng.one(1500)) s.torque_limit = 0;
+    if (!s.torque && rng.one(200)) s.position += rng.number(-0.5, 0.5);  // moved by hand
   }
-  for (std::size_t i = 0; i < kJoints; ++i) robot.given_up[i] = !robot.servo[i].answers && dice.one(2);
+  for (std::size_t i = 0; i < kJoints; ++i) robot.given_up[i] = !robot.servo[i].answers && rng.one(2);
 }
 
 /// Joints whose torque the controller has switched off, as a reader of the images would keep it.
-class TorqueWishes {
+class TorqueRequests {
  public:
-  void hear(const Commands& c) {
+  void take(const Commands& c) {
     if (c.session == 0) return;
     if (c.session != session_) off_.reset();
     session_ = c.session;
@@ -106,28 +106,28 @@ void checkFirstGoals(const SafeCommands& safe, const std::bitset<kJoints>& drive
 
 RC_GTEST_PROP(GuardProperty, WhateverHappensTheLimitsHold, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
-  Dice dice{seed};
+  Rng rng{seed};
   Config config;
-  config.on_exit = static_cast<OnExit>(dice.upTo(2));
-  config.on_fall = static_cast<OnFall>(dice.upTo(1));
-  config.start = static_cast<StartMove>(dice.upTo(1));
+  config.on_exit = static_cast<OnExit>(rng.upTo(2));
+  config.on_fall = static_cast<OnFall>(rng.upTo(1));
+  config.start = static_cast<StartMove>(rng.upTo(1));
   config.set("Limits", "Neck", "-0.5, 0.7");
   Guard guard{config};
   Invariants invariants{config};
   FakeRobot robot;
-  robot.goal_write_switches_on = dice.one(2);
+  robot.goal_write_switches_on = rng.one(2);
   Commands commands;
   commands.session = 1;
-  TorqueWishes wishes;
+  TorqueRequests requests;
   for (int cycle = 0; cycle < 1500; ++cycle) {
-    command(commands, dice);
-    disturb(robot, dice);
-    wishes.hear(commands);
+    command(commands, rng);
+    disturb(robot, rng);
+    requests.take(commands);
     const SafeCommands safe = guard.vet(commands, robot.seen);
     const std::string wrong = invariants.check(safe, robot.seen);
     if (!wrong.empty()) RC_FAIL("cycle " + std::to_string(cycle) + ": " + wrong);
-    RC_ASSERT((safe.driven() & wishes.off()).none());
-    RC_ASSERT((safe.torqueOn() & wishes.off()).none());
+    RC_ASSERT((safe.driven() & requests.off()).none());
+    RC_ASSERT((safe.torqueOn() & requests.off()).none());
     RC_ASSERT((safe.driven() & guard.report().tripped).none());
     RC_ASSERT((safe.torqueOn() & guard.report().tripped).none());
     robot.cycle(safe);
@@ -136,7 +136,7 @@ RC_GTEST_PROP(GuardProperty, WhateverHappensTheLimitsHold, ()) {
 
 RC_GTEST_PROP(GuardProperty, AJointEntersWhereItIsAlthoughReadingsAreCorrupted, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
-  Dice dice{seed};
+  Rng rng{seed};
   Guard guard{Config{}};
   FakeRobot robot;
   Commands commands;
@@ -146,7 +146,7 @@ RC_GTEST_PROP(GuardProperty, AJointEntersWhereItIsAlthoughReadingsAreCorrupted, 
   last_goal.fill(1e9);
   for (int cycle = 0; cycle < 1000; ++cycle) {
     ++commands.sequence;
-    if (dice.one(200)) ++commands.session;
+    if (rng.one(200)) ++commands.session;
     const SafeCommands safe = guard.vet(commands, robot.seen);
     if (safe.write() == Write::kGoals) checkFirstGoals(safe, driven_before, robot, last_goal);
     for (std::size_t i = 0; i < kJoints; ++i)
@@ -154,12 +154,13 @@ RC_GTEST_PROP(GuardProperty, AJointEntersWhereItIsAlthoughReadingsAreCorrupted, 
     driven_before = safe.driven();
     for (std::size_t i = 0; i < kJoints; ++i) {
       FakeServo& s = robot.servo[i];
-      s.answers = s.answers ? !dice.one(200) : dice.one(40);
-      // Never two in a row, and by more than a joint moves in a cycle: nothing tells a smaller one from a motion.
-      s.corruption = cycle % 3 == static_cast<int>(i % 3) && dice.one(3) ? dice.number(0.25, 1) : 0;
-      if (dice.one(100)) commands.joint[i].setTorque(!dice.one(3));
-      if (dice.one(100)) commands.joint[i].setGoal(Rad{dice.number(-1, 1)});
-      if (!s.torque && dice.one(50)) s.position += dice.number(-0.3, 0.3);
+      s.answers = s.answers ? !rng.one(200) : rng.one(40);
+      // Never two in a row, and by more than a joint moves in a cycle: a smaller one is indistinguishable from a
+      // motion.
+      s.corruption = cycle % 3 == static_cast<int>(i % 3) && rng.one(3) ? rng.number(0.25, 1) : 0;
+      if (rng.one(100)) commands.joint[i].setTorque(!rng.one(3));
+      if (rng.one(100)) commands.joint[i].setGoal(Rad{rng.number(-1, 1)});
+      if (!s.torque && rng.one(50)) s.position += rng.number(-0.3, 0.3);
     }
     robot.cycle(safe);
   }
@@ -167,23 +168,23 @@ RC_GTEST_PROP(GuardProperty, AJointEntersWhereItIsAlthoughReadingsAreCorrupted, 
 
 RC_GTEST_PROP(GuardProperty, ATrippedServoIsNotDrivenUntilSomebodyAsks, ()) {
   const auto seed = *rc::gen::arbitrary<std::uint32_t>();
-  Dice dice{seed};
+  Rng rng{seed};
   Rig rig;
   rig.start();
   rig.runFor(1);
-  const auto i = static_cast<std::size_t>(dice.upTo(kJoints - 1));
-  rig.robot.servo[i].error_bits = dice.one(2) ? error_bit::kOverload : error_bit::kOverheat;
+  const auto i = static_cast<std::size_t>(rng.upTo(kJoints - 1));
+  rig.robot.servo[i].error_bits = rng.one(2) ? error_bit::kOverload : error_bit::kOverheat;
   rig.robot.servo[i].torque = false;
   rig.robot.servo[i].torque_limit = 0;
   rig.run(3);
   RC_ASSERT(rig.report().tripped[i]);
   rig.robot.servo[i].error_bits = 0;
   for (int cycle = 0; cycle < 800; ++cycle) {
-    const auto other = static_cast<std::size_t>(dice.upTo(kJoints - 1));
-    if (other != i) rig.commands.joint[other].setTorque(dice.one(2));
-    rig.commands.joint[i].setGoal(Rad{dice.wild()});
-    if (dice.one(100)) rig.robot.board_answers = !rig.robot.board_answers;
-    rig.robot.servo[i].answers = !dice.one(20);
+    const auto other = static_cast<std::size_t>(rng.upTo(kJoints - 1));
+    if (other != i) rig.commands.joint[other].setTorque(rng.one(2));
+    rig.commands.joint[i].setGoal(Rad{rng.wild()});
+    if (rng.one(100)) rig.robot.board_answers = !rig.robot.board_answers;
+    rig.robot.servo[i].answers = !rng.one(20);
     rig.cycle();
     RC_ASSERT(!rig.safe->driven()[i]);
     RC_ASSERT(!rig.safe->torqueOn()[i]);

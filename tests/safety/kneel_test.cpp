@@ -1,4 +1,4 @@
-// How the robot lets go: farewell, a controller that is gone, the button.
+// How the robot releases torque: end of a session, a controller that is gone, the button.
 #include <gtest/gtest.h>
 
 #include "safety/rig.hpp"
@@ -25,10 +25,10 @@ void expectLimp(const Rig& rig) {
   for (const FakeServo& servo : rig.robot.servo) EXPECT_FALSE(servo.torque);
 }
 
-TEST(Kneel, AFarewellMakesTheRobotSitDownSlowlyAndLetGo) {
+TEST(Kneel, TheEndOfASessionMakesTheRobotSitDownSlowlyAndReleaseTorque) {
   Rig rig{exitBy(OnExit::kKneel)};
   stand(rig);
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   rig.cycle();
   EXPECT_EQ(rig.state(), State::kKneeling);
   double last = rig.robot[Joint::kLegLowerR].position;
@@ -42,7 +42,7 @@ TEST(Kneel, AFarewellMakesTheRobotSitDownSlowlyAndLetGo) {
   rig.runFor(5);
   EXPECT_EQ(rig.state(), State::kLimp);
   EXPECT_EQ(rig.safe->write(), Write::kNothing);
-  EXPECT_TRUE(rig.report().active.none()) << "a tidy end is no fault";
+  EXPECT_TRUE(rig.report().active.none()) << "a normal end is not a fault";
 }
 
 TEST(Kneel, AllJointsArriveTogetherSoThatTheFeetStayFlatOnTheWayDown) {
@@ -51,7 +51,7 @@ TEST(Kneel, AllJointsArriveTogetherSoThatTheFeetStayFlatOnTheWayDown) {
   const std::array leg{Joint::kLegUpperR, Joint::kLegLowerR, Joint::kAnkleR};
   for (const Joint joint : leg) rig.joint(joint).setGoal(Rad{0});  // straight
   rig.runFor(3);
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   std::array<double, 3> begin{}, end{};
   for (std::size_t i = 0; i < leg.size(); ++i) {
     begin[i] = rig.goal(leg[i]);
@@ -67,7 +67,7 @@ TEST(Kneel, AllJointsArriveTogetherSoThatTheFeetStayFlatOnTheWayDown) {
   }
 }
 
-TEST(Kneel, WhatTheControllerWishedForSpeedTorqueAndGainDoesNotSlowOrWeakenIt) {
+TEST(Kneel, WhatTheControllerRequestedForSpeedTorqueAndGainDoesNotSlowOrWeakenIt) {
   Rig rig{exitBy(OnExit::kKneel)};
   stand(rig);
   for (JointCommand& joint : rig.commands.joint) {
@@ -76,7 +76,7 @@ TEST(Kneel, WhatTheControllerWishedForSpeedTorqueAndGainDoesNotSlowOrWeakenIt) {
     joint.setPGain(0);
   }
   rig.cycle();
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   rig.cycle();
   ASSERT_EQ(rig.state(), State::kKneeling);
   const SafeCommands::JointGoal& knee = rig.safe->goal(Joint::kLegLowerR);
@@ -85,7 +85,7 @@ TEST(Kneel, WhatTheControllerWishedForSpeedTorqueAndGainDoesNotSlowOrWeakenIt) {
   EXPECT_DOUBLE_EQ(knee.p_gain, rig.config.default_p_gain);
 }
 
-TEST(Release, TheButtonLetsGoOfARobotThatSomebodyElseLeftStiff) {
+TEST(Release, TheButtonReleasesARobotThatSomebodyElseLeftStiff) {
   Rig rig;
   for (FakeServo& servo : rig.robot.servo) servo.torque = true;  // its controller was killed
   rig.runFor(1);
@@ -99,18 +99,18 @@ TEST(Release, TheButtonLetsGoOfARobotThatSomebodyElseLeftStiff) {
   EXPECT_EQ(rig.safe->write(), Write::kNothing) << "once is enough";
 }
 
-TEST(Kneel, ItRestsForASecondBeforeItLetsGo) {
+TEST(Kneel, ItRestsForASecondBeforeItReleasesTorque) {
   Rig rig;
   rig.start();
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   const int cycles = rig.runUntil([&] { return rig.state() == State::kLimp; });
   EXPECT_GE(cycles * 0.016, 0.98);
 }
 
-TEST(Kneel, AFarewellCanBeToHold) {
+TEST(Kneel, TheEndOfASessionCanHold) {
   Rig rig{exitBy(OnExit::kHold)};
   stand(rig);
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   rig.runFor(20);
   EXPECT_EQ(rig.state(), State::kHolding);
   EXPECT_EQ(rig.goal(Joint::kLegLowerR), 0.3);
@@ -119,10 +119,10 @@ TEST(Kneel, AFarewellCanBeToHold) {
   EXPECT_NEAR(rig.robot[Joint::kLegLowerR].position, 0.3, 0.01);
 }
 
-TEST(Kneel, AFarewellCanBeToLetGoAtOnce) {
+TEST(Kneel, TheEndOfASessionCanReleaseTorqueAtOnce) {
   Rig rig{exitBy(OnExit::kLimp)};
   stand(rig);
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   rig.cycle();
   EXPECT_EQ(rig.safe->write(), Write::kTorque);
   EXPECT_TRUE(rig.safe->torqueOff().all());
@@ -186,7 +186,7 @@ TEST(Kneel, AControllerThatReturnsInTheMiddleOfTheKneelTakesOver) {
 TEST(Kneel, ARobotThatLosesItsPowerInTheKneelIsNotRaisedAgain) {
   Rig rig;
   stand(rig);
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   rig.run(10);
   rig.robot.servo_power = rig.robot.power_obeys = false;
   rig.run(5);
@@ -198,12 +198,12 @@ TEST(Kneel, ARobotThatLosesItsPowerInTheKneelIsNotRaisedAgain) {
   }
 }
 
-TEST(Kneel, AJointThatIsWishedLimpStaysLimpInTheKneel) {
+TEST(Kneel, AJointThatIsRequestedLimpStaysLimpInTheKneel) {
   Rig rig;
   stand(rig);
   rig.joint(Joint::kShoulderR).setTorque(false);
   rig.run(3);
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   while (rig.state() != State::kLimp) {
     rig.cycle();
     ASSERT_FALSE(rig.driven(Joint::kShoulderR));
@@ -216,7 +216,7 @@ TEST(Kneel, AnEndingControllerDoesNotMakeAKneelingRobotDrop) {
   rig.robot.volt = 9.5;
   ASSERT_TRUE(rig.reach(State::kKneeling));
   EXPECT_TRUE(rig.report().controller_must_end);
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   rig.run(5);
   EXPECT_EQ(rig.state(), State::kKneeling);
   EXPECT_TRUE(rig.reach(State::kLimp));
@@ -226,7 +226,7 @@ TEST(Kneel, ABlockedJointDoesNotMakeItKneelForever) {
   Rig rig;
   stand(rig);
   rig.robot[Joint::kLegLowerR].follows = false;
-  rig.commands.farewell = true;
+  rig.commands.end_of_session = true;
   EXPECT_TRUE(rig.reach(State::kLimp));
 }
 
@@ -260,7 +260,7 @@ TEST(Kneel, AfterAReleaseAResetLeadsThroughTheStartPose) {
   EXPECT_EQ(rig.state(), State::kStarting);
 }
 
-TEST(Kneel, TimeInWhichTheBoardIsNotHeardDoesNotCountAsPressed) {
+TEST(Kneel, TimeInWhichTheBoardIsSilentDoesNotCountAsPressed) {
   Rig rig;
   rig.start();
   rig.robot.buttons = 1;

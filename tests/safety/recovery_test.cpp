@@ -29,7 +29,7 @@ TEST(Recovery, NothingIsSentFromSixCyclesOfSilenceOn) {
   look(rig);
   rig.robot.board_answers = false;
   rig.run(6);
-  EXPECT_EQ(rig.state(), State::kDriven) << "five missed replies are no reason";
+  EXPECT_EQ(rig.state(), State::kDriven) << "five missed replies are not a reason";
   rig.run(1);
   EXPECT_EQ(rig.state(), State::kOffline);
   EXPECT_EQ(rig.safe->write(), Write::kNothing);
@@ -90,7 +90,7 @@ TEST(Recovery, AControllerThatDiedWhileTheLinkWasLostDoesNotDriveAgain) {
   rig.steps = false;
   rig.runFor(12);
   rig.robot.board_answers = true;
-  ASSERT_TRUE(rig.reach(State::kKneeling)) << "torque was left on: sit down before letting go";
+  ASSERT_TRUE(rig.reach(State::kKneeling)) << "torque was left on: sit down before releasing torque";
   ASSERT_TRUE(rig.reach(State::kLimp));
   EXPECT_FALSE(rig.robot[Joint::kNeck].torque);
 }
@@ -179,7 +179,7 @@ TEST(Recovery, AJointThatWasNeverCommandedReturnsToTheStartPose) {
   EXPECT_NEAR(rig.robot[Joint::kHead].position, radFromTicks(2173).value, 0.005);
 }
 
-TEST(Recovery, OneCorruptedPowerBitIsNoReset) {
+TEST(Recovery, OneCorruptedPowerBitIsNotAReset) {
   Rig rig;
   look(rig);
   rig.robot.seen.board.servo_power = false;

@@ -175,7 +175,7 @@ TEST(ReleaseOnTheBoard, AResetJustAfterAControllersEndIsAReleaseIfAServoStillHel
   for (int phase = 0; phase < 8; ++phase) {
     Loop loop{config};
     loop.drive();
-    loop.commands.farewell = true;
+    loop.commands.end_of_session = true;
     for (int i = 0; i < phase / 2; ++i) loop.cycle();
     loop.line.advanceTo(loop.release + phase % 2 * kPeriod / 2);
     if (!loop.anyTorque()) continue;
@@ -187,14 +187,14 @@ TEST(ReleaseOnTheBoard, AResetJustAfterAControllersEndIsAReleaseIfAServoStillHel
   EXPECT_GT(held, 0);
 }
 
-/// Torque off is a broadcast that nobody acknowledges: here one servo does not hear it.
+/// Torque off is a broadcast that nobody acknowledges: here one servo does not receive it.
 TEST(ReleaseOnTheBoard, AResetBeforeALostTorqueOffWasSeenIsARelease) {
   Config config;
   config.on_exit = OnExit::kLimp;
   for (int cycles = 0; cycles < 24; cycles += 3) {
     Loop loop{config};
     loop.drive();
-    loop.commands.farewell = true;
+    loop.commands.end_of_session = true;
     loop.fault(hil::FaultKind::kStall, 40ms);
     for (int i = 0; i < cycles; ++i) loop.cycle();
     if (!loop.anyTorque()) continue;

@@ -76,7 +76,7 @@ const std::array kWhere{
            rig.start();
            rig.joint(Joint::kLegLowerR).setGoal(Rad{0.3});
            rig.runFor(1);
-           rig.commands.farewell = true;
+           rig.commands.end_of_session = true;
            rig.run(10);
          }},
 };
@@ -116,11 +116,11 @@ const std::array kReleases{
 const std::array kAfterwards{
     Step{"crash and restart", [](Rig& rig) { unattendedSession(rig, false); }},
     Step{"holder", [](Rig& rig) { unattendedSession(rig, true); }},
-    Step{"farewell", [](Rig& rig) { rig.commands.farewell = true; }},
-    Step{"farewell of a new session",
+    Step{"end of session", [](Rig& rig) { rig.commands.end_of_session = true; }},
+    Step{"end of a new session",
          [](Rig& rig) {
            unattendedSession(rig, true);
-           rig.commands.farewell = true;
+           rig.commands.end_of_session = true;
          }},
     Step{"kill -9",
          [](Rig& rig) {

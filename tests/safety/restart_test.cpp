@@ -19,7 +19,7 @@ using std::chrono::milliseconds;
 
 constexpr double kAtTheGoal = 9 * kRadPerTick;
 
-std::string complaint(const FallingBody::TorqueOn& edge) {
+std::string describe(const FallingBody::TorqueOn& edge) {
   return std::string{row(edge.joint).name} + ": goal " + std::to_string(edge.off) + " rad off, speed limit " +
          std::to_string(edge.speed_limit) + " rad/s; ";
 }
@@ -28,7 +28,7 @@ std::string complaint(const FallingBody::TorqueOn& edge) {
 std::string judge(const FallingBody& body) {
   std::string wrong;
   for (const FallingBody::TorqueOn& edge : body.torqueOn())
-    if (std::abs(edge.off) > kAtTheGoal || std::isinf(edge.speed_limit)) wrong += complaint(edge);
+    if (std::abs(edge.off) > kAtTheGoal || std::isinf(edge.speed_limit)) wrong += describe(edge);
   return wrong;
 }
 
@@ -168,7 +168,7 @@ class SpoiltLine final : public ByteLine {
   std::uint8_t id_;
 };
 
-/// An arm is limp, is moved by hand, and is asked to stay there. Torque is told on while its replies are spoilt.
+/// An arm is limp, is moved by hand, and is asked to stay there. Torque is switched on while its replies are spoilt.
 struct ArmTakenOver {
   explicit ArmTakenOver(std::uint32_t seed) : random{seed} {}
 
@@ -221,7 +221,7 @@ struct ArmTakenOver {
   }
 };
 
-TEST(Restart, ASuspectedServoIsNotToldTorqueOnBeforeItsGoalHasGoneOut) {
+TEST(Restart, ASuspectedServoGetsNoTorqueOnBeforeItsGoalHasGoneOut) {
   ArmTakenOver arm{1};
   arm.takeOverUnderFaults(true);
   EXPECT_LT(arm.fastest, 0.3) << "asked to stay where it is";

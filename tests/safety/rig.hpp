@@ -24,7 +24,7 @@ class Invariants {
   std::string check(const SafeCommands& safe, const Sensors& seen) {
     std::string wrong;
     const double dt = static_cast<double>(seen.period_ns > 0 ? seen.period_ns : config_.period.count()) * 1e-9;
-    const auto complain = [&](std::size_t i, const char* what) {
+    const auto reject = [&](std::size_t i, const char* what) {
       wrong += std::string{kJointTable[i].name} + ": " + what + "; ";
     };
     const bool nothing = safe.write() == Write::kNothing;
@@ -39,16 +39,16 @@ class Invariants {
       const auto& goal = safe.goal(static_cast<Joint>(i));
       if (safe.driven()[i]) {
         const JointRange& range = config_.range[i];
-        if (!(goal.goal.value >= range.low.value && goal.goal.value <= range.high.value)) complain(i, "goal");
-        if (!(goal.speed_limit.value >= 0.0119 && goal.speed_limit.value <= 12.22)) complain(i, "speed limit");
-        if (!(goal.torque_limit.value > 0 && goal.torque_limit.value <= 2.5)) complain(i, "torque limit");
-        if (!(goal.p_gain >= 0 && goal.p_gain <= 31.75)) complain(i, "gain");
+        if (!(goal.goal.value >= range.low.value && goal.goal.value <= range.high.value)) reject(i, "goal");
+        if (!(goal.speed_limit.value >= 0.0119 && goal.speed_limit.value <= 12.22)) reject(i, "speed limit");
+        if (!(goal.torque_limit.value > 0 && goal.torque_limit.value <= 2.5)) reject(i, "torque limit");
+        if (!(goal.p_gain >= 0 && goal.p_gain <= 31.75)) reject(i, "gain");
         const bool small_step =
             last_goal_[i] && std::abs(goal.goal.value - *last_goal_[i]) <= config_.max_joint_speed * dt + 1e-9;
-        if (was_driven_[i] && !small_step) complain(i, "step");
+        if (was_driven_[i] && !small_step) reject(i, "step");
         // A joint that comes back goes on where it stood, or gently from where it is.
         if (!was_driven_[i] && !small_step && goal.speed_limit.value > config_.gentle_speed + 1e-9)
-          complain(i, "first goal not gentle");
+          reject(i, "first goal not gentle");
         last_goal_[i] = goal.goal.value;
       }
       was_driven_[i] = safe.driven()[i];

@@ -82,7 +82,7 @@ TEST(StartPose, AnUnknownOrientationFailsAndSaysSo) {
   EXPECT_THAT(describe(check), HasSubstr("orientation not known"));
 }
 
-TEST(StartPose, ALyingRobotIsToldAsSuch) {
+TEST(StartPose, ALyingRobotIsReportedAsSuch) {
   Sensors seen = sitting();
   seen.board.accelerometer = {MeterPerSec2{9.8}, MeterPerSec2{0}, MeterPerSec2{0.1}};
   EXPECT_THAT(describe(checkStartPose(seen)), HasSubstr("not upright: acceleration 9.80 0.00 0.10"));

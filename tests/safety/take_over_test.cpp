@@ -51,7 +51,7 @@ TEST(TakeOver, NoTorqueFindsAnOlderGoalWhateverIsLostOnTheWire) {
     rig.robot[Joint::kNeck].goal = 3;
     rig.robot[Joint::kNeck].speed = speed;
     rig.robot[Joint::kNeck].restarted = speed == 0;
-    rig.robot[Joint::kNeck].hears = false;
+    rig.robot[Joint::kNeck].receives = false;
     rig.newSession();
     for (int i = 0; i < 300; ++i) {
       rig.cycle();
@@ -60,7 +60,7 @@ TEST(TakeOver, NoTorqueFindsAnOlderGoalWhateverIsLostOnTheWire) {
     EXPECT_TRUE(rig.robot[Joint::kHead].torque) << "the others are not kept waiting";
     EXPECT_TRUE(rig.active(Fault::kServoSilent)) << "it is reported";
     EXPECT_EQ(rig.report().worst_joint, 19);
-    rig.robot[Joint::kNeck].hears = true;
+    rig.robot[Joint::kNeck].receives = true;
     rig.run(10);
     EXPECT_TRUE(rig.robot[Joint::kNeck].torque);
     EXPECT_FALSE(rig.active(Fault::kServoSilent));
@@ -256,7 +256,7 @@ TEST(TakeOver, AGoalStaysInItsPlaceUntilTorqueIsSeen) {
   EXPECT_LT(rig.goal(Joint::kHead), placed);
 }
 
-TEST(TakeOver, ATorqueOffWishIsRespectedFromTheStart) {
+TEST(TakeOver, ATorqueOffRequestIsRespectedFromTheStart) {
   Rig rig;
   rig.joint(Joint::kShoulderR).setTorque(false);
   rig.robot[Joint::kShoulderR].torque = true;  // left over from an earlier program
@@ -270,7 +270,7 @@ TEST(TakeOver, ATorqueOffWishIsRespectedFromTheStart) {
   EXPECT_EQ(rig.report().start_timeouts, 0u) << "a limp joint is not waited for";
 }
 
-TEST(TakeOver, ARobotWithAllJointsWishedLimpIsTakenOverAllTheSame) {
+TEST(TakeOver, ARobotWithAllJointsRequestedLimpIsTakenOverAllTheSame) {
   Rig rig;
   for (auto& joint : rig.commands.joint) joint.setTorque(false);
   rig.start();
@@ -296,7 +296,7 @@ TEST(TakeOver, ANewSessionStartsFromTheConfirmedPresentPoseWithoutAJump) {
   ASSERT_TRUE(rig.reach(State::kDriven));
   EXPECT_NEAR(rig.goal(Joint::kNeck), rest, 0.015);
   rig.runFor(1);
-  EXPECT_NEAR(rig.robot[Joint::kNeck].position, rest, 0.015) << "the wishes of the old session are forgotten";
+  EXPECT_NEAR(rig.robot[Joint::kNeck].position, rest, 0.015) << "the requests of the old session are forgotten";
 }
 
 TEST(TakeOver, EverySessionGoesThroughTheStartPoseInItsOwnTime) {
@@ -341,7 +341,7 @@ TEST(TakeOver, WaitsForServoPowerAndAsksForIt) {
   EXPECT_FALSE(rig.safe->powerOn());
 }
 
-TEST(TakeOver, TorqueComesOnOnlyAfterAGoalThatTheBoardHeard) {
+TEST(TakeOver, TorqueComesOnOnlyAfterAGoalThatTheBoardReceived) {
   Rig rig;
   rig.newSession();
   rig.run(4);
@@ -371,10 +371,10 @@ TEST(TakeOver, ALostTorqueOnIsSentAgain) {
   Rig rig;
   rig.newSession();
   ASSERT_GE(rig.runUntil([&] { return rig.safe->write() == Write::kGoals; }), 0);
-  rig.robot[Joint::kNeck].hears = false;  // just that one frame is lost
+  rig.robot[Joint::kNeck].receives = false;  // just that one frame is lost
   rig.cycle();
   ASSERT_EQ(rig.safe->write(), Write::kTorque);
-  rig.robot[Joint::kNeck].hears = true;
+  rig.robot[Joint::kNeck].receives = true;
   rig.runFor(2.5);
   EXPECT_TRUE(rig.robot[Joint::kNeck].torque);
   EXPECT_FALSE(rig.active(Fault::kServoOverload));

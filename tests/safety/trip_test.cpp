@@ -50,7 +50,7 @@ TEST(Trip, ATrippedServoIsNeverDrivenUntilAsked) {
   EXPECT_EQ(rig.robot[kKnee].torque_limit, 0);
 }
 
-TEST(Trip, OneCorruptedErrorByteIsNoFaultAndTheJointRestartsWhereItIs) {
+TEST(Trip, OneCorruptedErrorByteIsNotAFaultAndTheJointRestartsWhereItIs) {
   Rig rig;
   rig.start();
   rig.runFor(1);
@@ -144,17 +144,17 @@ TEST(Trip, TheRotatingLookFindsATorqueLimitOfZeroWithoutAnyErrorBit) {
   Rig rig;
   rig.start();
   rig.runFor(1);
-  rig.robot[kKnee].hears = false;  // so that the fake is not armed again before it is looked at
+  rig.robot[kKnee].receives = false;  // so that the fake is not armed again before it is looked at
   shutOff(rig.robot[kKnee], 0);
   ASSERT_GE(rig.runUntil([&] { return !rig.driven(kKnee); }), 0) << "suspected at the first look";
   EXPECT_FALSE(rig.active(Fault::kServoOverload));
-  rig.robot[kKnee].hears = true;
+  rig.robot[kKnee].receives = true;
   rig.runFor(0.5);
   EXPECT_TRUE(rig.active(Fault::kServoOverload)) << "confirmed by the second";
   EXPECT_EQ(rig.robot[kKnee].torque_limit, 0) << "not armed by a routine write";
 }
 
-TEST(Trip, ATorqueLimitOfZeroThatTheControllerAskedForIsNoShutdown) {
+TEST(Trip, ATorqueLimitOfZeroThatTheControllerAskedForIsNotAShutdown) {
   Rig rig;
   rig.start();
   rig.joint(kKnee).setTorqueLimit(NewtonMeter{0});

@@ -28,40 +28,40 @@ JointSensors look(std::uint8_t error_bits, double torque_limit, bool torque_enab
   return seen;
 }
 
-TEST(TripWatchInGrace, AnOverloadBitKeepsTheServoOutOfWritesAndIsNoFaultHoweverOftenItComes) {
+TEST(TripWatchInGrace, AnOverloadBitKeepsTheServoOutOfWritesAndIsNotAFaultHoweverOftenItComes) {
   TripWatch watch;
   for (Nanos driven{0}; driven < TripWatch::kGrace; driven += milliseconds{16})
-    ASSERT_EQ(watch.update(answer(error_bit::kOverload), driven), Verdict::kSuspect);
+    ASSERT_EQ(watch.update(answer(error_bit::kOverload), driven), Verdict::kSuspected);
 }
 
 TEST(TripWatchInGrace, AnAnswerWithoutTheBitEndsTheSuspicion) {
   TripWatch watch;
-  EXPECT_EQ(watch.update(answer(error_bit::kOverload), kInGrace), Verdict::kSuspect);
+  EXPECT_EQ(watch.update(answer(error_bit::kOverload), kInGrace), Verdict::kSuspected);
   EXPECT_EQ(watch.update(answer(0), kInGrace), Verdict::kFine);
 }
 
 TEST(TripWatchInGrace, ALostAnswerDoesNotEndTheSuspicion) {
   TripWatch watch;
-  EXPECT_EQ(watch.update(answer(error_bit::kOverload), kInGrace), Verdict::kSuspect);
-  EXPECT_EQ(watch.update(JointSensors{}, kInGrace), Verdict::kSuspect);
+  EXPECT_EQ(watch.update(answer(error_bit::kOverload), kInGrace), Verdict::kSuspected);
+  EXPECT_EQ(watch.update(JointSensors{}, kInGrace), Verdict::kSuspected);
 }
 
 TEST(TripWatchInGrace, ATorqueLimitOfZeroKeepsTheServoOutOfWrites) {
   TripWatch watch;
-  EXPECT_EQ(watch.update(look(0, 0, false), kInGrace), Verdict::kSuspect);
+  EXPECT_EQ(watch.update(look(0, 0, false), kInGrace), Verdict::kSuspected);
   EXPECT_EQ(watch.update(look(0, 2.5, true), kInGrace), Verdict::kFine);
 }
 
 TEST(TripWatchInGrace, ABitThatOutlivesTheGraceIsAShutdownAtTheSecondAnswer) {
   TripWatch watch;
-  EXPECT_EQ(watch.update(answer(error_bit::kOverload), kInGrace), Verdict::kSuspect);
-  EXPECT_EQ(watch.update(answer(error_bit::kOverload), TripWatch::kGrace), Verdict::kSuspect);
+  EXPECT_EQ(watch.update(answer(error_bit::kOverload), kInGrace), Verdict::kSuspected);
+  EXPECT_EQ(watch.update(answer(error_bit::kOverload), TripWatch::kGrace), Verdict::kSuspected);
   EXPECT_EQ(watch.update(answer(error_bit::kOverload), TripWatch::kGrace), Verdict::kOverload);
 }
 
 TEST(TripWatchInGrace, AServoThatIsNotDrivenIsNotSuspected) {
   TripWatch watch;
-  EXPECT_EQ(watch.update(answer(error_bit::kOverload), kInGrace), Verdict::kSuspect);
+  EXPECT_EQ(watch.update(answer(error_bit::kOverload), kInGrace), Verdict::kSuspected);
   EXPECT_EQ(watch.update(answer(error_bit::kOverload), std::nullopt), Verdict::kFine);
 }
 

@@ -12,18 +12,18 @@
 
 namespace darwinop {
 
-/// Passes bytes on; while `deaf` all answers are lost.
-class DeafLine final : public ByteLine {
+/// Passes bytes on; while `loses_answers` all answers are lost.
+class LossyLine final : public ByteLine {
  public:
-  explicit DeafLine(ByteLine& inner) : inner_{inner} {}
-  bool deaf = false;
+  explicit LossyLine(ByteLine& inner) : inner_{inner} {}
+  bool loses_answers = false;
 
   [[nodiscard]] Nanos now() noexcept override { return inner_.now(); }
   LineStatus write(std::span<const std::uint8_t> bytes) noexcept override { return inner_.write(bytes); }
   LineStatus read(std::span<std::uint8_t> into, std::size_t& count, Nanos deadline) noexcept override {
     LineStatus status = inner_.read(into, count, deadline);
-    while (deaf && status == LineStatus::kOk) status = inner_.read(into, count, deadline);
-    if (deaf) count = 0;
+    while (loses_answers && status == LineStatus::kOk) status = inner_.read(into, count, deadline);
+    if (loses_answers) count = 0;
     return status;
   }
   void discardInput() noexcept override { inner_.discardInput(); }
@@ -75,7 +75,7 @@ struct WireRig {
   static constexpr Nanos kPeriod{16'000'000};
   hil::VirtualRobot robot;
   hil::MemoryLine memory{robot};
-  DeafLine line{memory};
+  LossyLine line{memory};
   cm730::Cm730Bus bus{line, cm730::BusConfig::forPeriod(kPeriod)};
   safety::Config config{};
   safety::Guard guard{config};

@@ -44,7 +44,7 @@ inline double amplitudeAt(double hertz, std::span<const double> values, int rate
   return 2 * std::sqrt(std::max(0.0, power)) / static_cast<double>(values.size());
 }
 
-/// From the first to the last value that is heard.
+/// From the first to the last audible value.
 inline std::vector<double> audiblePart(const std::vector<double>& values) {
   const auto loud = [](double value) { return std::abs(value) > 0.002; };
   const auto first = std::ranges::find_if(values, loud);
@@ -76,7 +76,7 @@ inline void writeWave(const std::string& file, const Wave& wave) {
 inline Wave readWave(const std::string& file) {
   std::ifstream in{file, std::ios::binary};
   const std::string bytes{std::istreambuf_iterator<char>{in}, {}};
-  if (bytes.size() < 44 || !bytes.starts_with("RIFF")) throw std::runtime_error(file + " is no WAV file");
+  if (bytes.size() < 44 || !bytes.starts_with("RIFF")) throw std::runtime_error(file + " is not a WAV file");
   Wave wave;
   std::uint16_t channels = 0;
   std::memcpy(&channels, bytes.data() + 22, sizeof channels);

@@ -71,7 +71,7 @@ TEST_F(EyesOfARobot, SeeNothingInATestPattern) {
   const runtime::Environment blind{"DARWINOP_TWIN_GL", "off"};
   const std::string said = track("twin", "4");
   EXPECT_THAT(said, HasSubstr("test pattern: ")) << "and why";
-  EXPECT_EQ(inView(said), 0) << "its red bar is no ball";
+  EXPECT_EQ(inView(said), 0) << "its red bar is not a ball";
 }
 
 TEST_F(EyesOfARobot, AreUsedByControllersOfBothStyles) {

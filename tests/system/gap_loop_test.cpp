@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "support/text_of.hpp"
 #include "system/rig.hpp"
 
 namespace darwinop {
@@ -13,12 +14,6 @@ using std::chrono::seconds;
 using testing::HasSubstr;
 
 constexpr int kNamed = 10;  // exit code of darwinop gap run
-
-std::string textOf(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream{path}.rdbuf();
-  return text.str();
-}
 
 class GapLoop : public Rig {
  protected:

@@ -21,7 +21,7 @@ const char* const kLegs[] = {"PelvY", "Pelv", "LegUpper", "LegLower", "Ankle", "
 const double kRight[] = {-0.01, 0.01, -1.18, 2.25, 1.22, 0.04};
 const double kLeft[] = {-0.02, -0.01, 1.15, -2.25, -1.24, -0.02};
 
-/// Runs for so long; calls `each` with the share of the time that has gone, 0..1. Ends the program when told to.
+/// Runs for so long; calls `each` with the share of the time that has gone, 0..1. Ends the program on request.
 template <class F>
 void during(Robot& robot, double seconds, F each) {
   const int step_ms = static_cast<int>(robot.getBasicTimeStep());
@@ -29,7 +29,7 @@ void during(Robot& robot, double seconds, F each) {
   while (robot.getTime() - start < seconds) {
     each((robot.getTime() - start) / seconds);
     if (robot.step(step_ms) == -1) {
-      std::cout << "told to end" << std::endl;
+      std::cout << "requested to end" << std::endl;
       std::exit(1);
     }
   }

@@ -1,4 +1,4 @@
-// The controller of the system tests: swings neck and elbow for a number of steps, tells what it sees.
+// The controller of the system tests: swings neck and elbow for a number of steps, prints what it sees.
 //   test_controller STEPS [STEP_MS]
 #include <cmath>
 #include <cstdlib>
@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     neck->setPosition(0.5 * std::sin(0.02 * i));
     elbow->setPosition(0.5 + 0.3 * std::sin(0.03 * i));
     if (robot.step(step_ms) == -1) {
-      std::cout << "told to end after " << i << " steps" << std::endl;
+      std::cout << "requested to end after " << i << " steps" << std::endl;
       return 0;
     }
   }

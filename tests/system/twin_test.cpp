@@ -66,7 +66,7 @@ constexpr std::array<const char*, 8> kArmsAndHead{"ShoulderR", "ShoulderL", "Arm
 
 class OnTheTwin : public Rig {
  protected:
-  /// `darwinop run`, to its tidy end.
+  /// `darwinop run`, to its normal end.
   std::string runOn(const std::string& robot, const std::vector<std::string>& command, const std::string& log = "") {
     std::vector<std::string> all{program("darwinop-run"), "--robot", robot};
     if (!log.empty()) all.insert(all.end(), {"--record", file(log)});
@@ -141,7 +141,7 @@ TEST_F(OnTheTwin, ARobotInTheStartPoseWithAllTorqueOffStaysThere) {
   EXPECT_LT(log.range("accelerometer.z [m/s2]"), 2) << "a fifth of g: the arms swing to rest";
 }
 
-TEST_F(OnTheTwin, ARobotThatStandsAndLetsGoFallsAndTheSafetyLayerReportsIt) {
+TEST_F(OnTheTwin, ARobotThatStandsAndReleasesTorqueFallsAndTheSafetyLayerReportsIt) {
   const std::string output = runOn("twin", {DARWINOP_STANDING_CONTROLLER}, "log.csv");
   EXPECT_THAT(output, HasSubstr("stood"));
   EXPECT_THAT(output, HasSubstr("fault 30 fell"));
@@ -167,7 +167,7 @@ TEST_F(OnTheTwin, TheExampleWalksOverThePtyInRealTimeAndStands) {
   EXPECT_GE(bends, 4) << "a step every 0.6 s";
 }
 
-TEST_F(OnTheTwin, AFallIsToldByTheStatusOfTheDaemon) {
+TEST_F(OnTheTwin, AFallIsReportedByTheStatusOfTheDaemon) {
   const auto robot = twinOnAPort();
   const Program daemon{{program("darwinop-runtime"), "--robot", port()}, file("daemon.txt")};
   ASSERT_TRUE(daemon.says("ready:", seconds{20})) << daemon.output();

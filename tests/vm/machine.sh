@@ -85,7 +85,7 @@ expect_version() {
 
 # Every file with kind, mode, owner and size; with its digest where an installer could have been at work. Left out is
 # what Debian writes by itself: the random seed, the logs of logins, and sudo's note that darwin has used it.
-# Of the users' files only the contents: useradd and userdel write them anew, and keep backups and a lock.
+# Of the users' files only the contents: useradd and userdel rewrite them, and keep backups and a lock.
 listing() {
   guest "find / -xdev \( -path /var/lib/systemd/random-seed -o -path /var/log/wtmp -o -path /var/log/btmp \
       -o -path /var/log/lastlog -o -path /home/darwin/.sudo_as_admin_successful -o -path '/tmp/systemd-private-*' -o -path '/var/tmp/systemd-private-*' \

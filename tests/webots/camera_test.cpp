@@ -46,7 +46,7 @@ class SceneSource final : public FrameSource {
 class CameraTest : public Facade {
  protected:
   CameraTest() {
-    fake.open_eyes = [this](int width, int height) {
+    fake.open_camera = [this](int width, int height) {
       opened_.push_back({width, height});
       return std::make_unique<SceneSource>(scene_);
     };
@@ -151,7 +151,7 @@ TEST_F(CameraTest, IsBlackWhileTheCameraIsSilent) {
   EXPECT_EQ(seen(), 51);
 }
 
-TEST_F(CameraTest, StretchesWhatComesInAnotherSizeAndSaysSoOnce) {
+TEST_F(CameraTest, StretchesWhatComesInAnotherSizeAndReportsItOnce) {
   config.camera_width = 640;
   config.camera_height = 480;
   camera().enable(16);
@@ -169,7 +169,7 @@ TEST_F(CameraTest, StretchesWhatComesInAnotherSizeAndSaysSoOnce) {
 }
 
 TEST_F(CameraTest, ARobotWithoutEyesSaysSoAndTheControllerGoesOn) {
-  fake.open_eyes = [](int, int) -> std::unique_ptr<FrameSource> { throw std::runtime_error("it has no head"); };
+  fake.open_camera = [](int, int) -> std::unique_ptr<FrameSource> { throw std::runtime_error("it has no head"); };
   testing::internal::CaptureStderr();
   camera().enable(16);
   EXPECT_EQ(seen(), 0);
@@ -177,7 +177,7 @@ TEST_F(CameraTest, ARobotWithoutEyesSaysSoAndTheControllerGoesOn) {
 }
 
 TEST_F(CameraTest, ALockstepRobotNeverOpensTheCameraOfThisComputer) {
-  fake.open_eyes = {};
+  fake.open_camera = {};
   fake.real_time = false;
   testing::internal::CaptureStderr();
   camera().enable(16);

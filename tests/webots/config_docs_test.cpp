@@ -2,13 +2,13 @@
 #include <gmock/gmock.h>
 
 #include <cstdio>
-#include <fstream>
 #include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "safety/config.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop {
 namespace {
@@ -42,8 +42,7 @@ struct Rows {
 };
 
 TEST(ConfigDocs, ThePageHasTheTableOfTheSafetyLayer) {
-  std::ifstream page{DARWINOP_CONFIG_PAGE};
-  const std::string text{std::istreambuf_iterator<char>{page}, {}};
+  const std::string text = textOf(DARWINOP_CONFIG_PAGE);
   Rows rows;
   safety::Config{}.visit(rows);
   EXPECT_THAT(text, testing::HasSubstr(rows.text)) << "put this table into docs/config.md:\n" << rows.text;

@@ -163,8 +163,8 @@ TEST(ConfigIni, AKeyBehindItsSectionIsAnErrorAndNotIgnored) {
 }
 
 TEST(ConfigIni, ALimitWithoutAnEqualsSignIsAnError) {
-  EXPECT_EQ(errorOf("[Limits]\nNeck -0.5, 0.5\n"), "config.ini, line 2: \"Neck -0.5, 0.5\" is no key = value");
-  EXPECT_EQ(errorOf("[safety]\non_exit limp\n"), "config.ini, line 2: \"on_exit limp\" is no key = value");
+  EXPECT_EQ(errorOf("[Limits]\nNeck -0.5, 0.5\n"), "config.ini, line 2: \"Neck -0.5, 0.5\" is not key = value");
+  EXPECT_EQ(errorOf("[safety]\non_exit limp\n"), "config.ini, line 2: \"on_exit limp\" is not key = value");
 }
 
 TEST(ConfigIni, EveryLineThatIsNothingIsNamed) {

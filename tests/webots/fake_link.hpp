@@ -22,9 +22,9 @@ struct FakeRobot {
   Sensors image;  // served with cycle number and times filled in
   std::vector<Commands> published;
   std::function<void(std::uint64_t cycle)> on_cycle;  // may change the image
-  std::function<std::unique_ptr<FrameSource>(int width, int height)> open_eyes;
+  std::function<std::unique_ptr<FrameSource>(int width, int height)> open_camera;
   bool gone = false;  // the daemon died
-  bool farewell = false;
+  bool end_of_session = false;
   bool real_time = true;       // the controller's process hosts the loop; false: lockstep
   int signal_during_wait = 0;  // raised once, inside waitForCycle
 
@@ -56,14 +56,14 @@ struct FakeRobot {
 class FakeLink : public runtime::RobotLink {
  public:
   explicit FakeLink(FakeRobot& robot) : robot_{robot} {}
-  ~FakeLink() override { robot_.farewell = true; }
+  ~FakeLink() override { robot_.end_of_session = true; }
 
   [[nodiscard]] Nanos period() const override { return robot_.period; }
   [[nodiscard]] Nanos now() const override { return robot_.now; }
   [[nodiscard]] bool realTime() const override { return robot_.real_time; }
   void publish(Commands commands) override { robot_.published.push_back(commands); }
-  [[nodiscard]] std::unique_ptr<FrameSource> openEyes(int width, int height) override {
-    return robot_.open_eyes ? robot_.open_eyes(width, height) : nullptr;
+  [[nodiscard]] std::unique_ptr<FrameSource> openCamera(int width, int height) override {
+    return robot_.open_camera ? robot_.open_camera(width, height) : nullptr;
   }
 
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override {

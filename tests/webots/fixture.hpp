@@ -57,8 +57,8 @@ class Facade : public testing::Test {
   /// Ends this robot; robot() makes another one.
   void end() { robot_.reset(); }
 
-  /// One step, and what the robot was told about this joint.
-  JointCommand told(Joint joint) {
+  /// One step, and the command published for this joint.
+  JointCommand commanded(Joint joint) {
     EXPECT_EQ(robot().step(16), 0);
     return fake.last().joint[index(joint)];
   }

@@ -29,7 +29,7 @@ class KeyboardTest : public Facade {
   }
 };
 
-TEST_F(KeyboardTest, TellsEachKeyOnceAStepForAsLongAsItIsHeld) {
+TEST_F(KeyboardTest, ReturnsEachKeyOnceAStepForAsLongAsItIsHeld) {
   keyboard().enable(16);
   held = {Keyboard::UP, ' ', 'A' | Keyboard::SHIFT};
   EXPECT_THAT(all(), IsEmpty()) << "before the first step";
@@ -75,7 +75,7 @@ TEST_F(KeyboardTest, IsOpenedOnceAndClosedByDisable) {
   EXPECT_EQ(keys_opened, 2);
 }
 
-TEST_F(KeyboardTest, ThatCannotBeIsSaidAndNothingIsPressed) {
+TEST_F(KeyboardTest, AnErrorIsReportedAndNothingIsPressed) {
   robot();
   testing::internal::CaptureStderr();
   why_no_keys = "DARWINOP_KEYS=piano";

@@ -1,4 +1,4 @@
-// Lights: what the board is told, and what get() answers.
+// Lights: commands to the board, and values of get().
 #include <webots/LED.hpp>
 
 #include "fixture.hpp"
@@ -8,23 +8,23 @@ namespace {
 
 class LedTest : public Facade {
  protected:
-  LedCommand told() {
+  LedCommand commanded() {
     EXPECT_EQ(robot().step(16), 0);
     return fake.last().led;
   }
   webots::LED& led(const char* name) { return *robot().getLED(name); }
 };
 
-TEST_F(LedTest, NothingIsToldUntilALightIsSet) {
-  EXPECT_EQ(told().set, 0);
+TEST_F(LedTest, NothingIsCommandedUntilALightIsSet) {
+  EXPECT_EQ(commanded().set, 0);
 }
 
 TEST_F(LedTest, ColoursBecomeFifteenBits) {
   led("EyeLed").set(0x00FF00);
   led("HeadLed").set(0xFF0000);
-  EXPECT_EQ(told().eye, 0x03E0);
-  EXPECT_EQ(told().head, 0x001F);
-  EXPECT_FALSE(told().has(LedCommand::kPanel));
+  EXPECT_EQ(commanded().eye, 0x03E0);
+  EXPECT_EQ(commanded().head, 0x001F);
+  EXPECT_FALSE(commanded().has(LedCommand::kPanel));
 }
 
 TEST_F(LedTest, GetReturnsTheColourThatWasSet) {
@@ -43,29 +43,29 @@ TEST_F(LedTest, GetBeforeSetIsWhatTheBoardShows) {
 TEST_F(LedTest, BackLedsShareARegisterWithoutDisturbingEachOther) {
   led("BackLedRed").set(1);
   led("BackLedGreen").set(1);
-  EXPECT_EQ(told().panel, 5);
+  EXPECT_EQ(commanded().panel, 5);
   led("BackLedBlue").set(1);
   led("BackLedRed").set(0);
-  EXPECT_EQ(told().panel, 6);
+  EXPECT_EQ(commanded().panel, 6);
 }
 
 TEST_F(LedTest, ABackLedSetAgainStaysOn) {
   for (int i = 0; i < 5; ++i) {
     led("BackLedRed").set(1);
-    EXPECT_EQ(told().panel, 1);
+    EXPECT_EQ(commanded().panel, 1);
   }
 }
 
 TEST_F(LedTest, AnyValueButZeroIsOn) {
   led("BackLedBlue").set(255);
-  EXPECT_EQ(told().panel, 2);
+  EXPECT_EQ(commanded().panel, 2);
   EXPECT_EQ(led("BackLedBlue").get(), 1);
 }
 
 TEST_F(LedTest, TheFirstSetKeepsTheLightsThatAreOn) {
   fake.image.board.led_panel = 4;
   led("BackLedRed").set(1);
-  EXPECT_EQ(told().panel, 5);
+  EXPECT_EQ(commanded().panel, 5);
 }
 
 }  // namespace

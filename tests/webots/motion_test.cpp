@@ -8,7 +8,7 @@
 #include <webots/Motor.hpp>
 #include <webots/utils/Motion.hpp>
 
-#include "core/lead_in.hpp"
+#include "core/goals/lead_in.hpp"
 #include "fixture.hpp"
 #include "support/temporary_folder.hpp"
 #include "webots/motion_text.hpp"
@@ -51,14 +51,14 @@ class MotionTest : public Facade {
     };
   }
   /// The goal in the next step; NaN: none was ever set.
-  double neckAfterStep() { return goalOf(told(Joint::kNeck)); }
+  double neckAfterStep() { return goalOf(commanded(Joint::kNeck)); }
   double headOfLastStep() { return goalOf(fake.last().joint[index(Joint::kHead)]); }
   std::vector<double> necks(int steps) {
     std::vector<double> seen(static_cast<std::size_t>(steps));
     for (double& goal : seen) goal = std::round(neckAfterStep() * 1000) / 1000;
     return seen;
   }
-  /// What is said about a file with this text.
+  /// Messages about a file with this text.
   std::string sentenceAbout(const std::string& text) {
     CaptureStderr();
     const webots::Motion motion{file(text)};
@@ -81,7 +81,7 @@ TEST_F(MotionTest, ItMovesMotorsFromPlayToItsEndAndAtNoOtherTime) {
   webots::Motion motion{file(kNod)};
   ASSERT_TRUE(motion.isValid());
   EXPECT_EQ(motion.getDuration(), 64);
-  for (int i = 0; i < 5; ++i) EXPECT_EQ(told(Joint::kNeck).set, 0) << "made, not played";
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(commanded(Joint::kNeck).set, 0) << "made, not played";
   EXPECT_FALSE(motion.isOver());
   motion.play();
   EXPECT_THAT(necks(4), ElementsAre(0, 0.2, 0.4, 0.2));
@@ -119,7 +119,7 @@ TEST_F(MotionTest, StopKeepsTheTimeAndPlayGoesOnFromIt) {
   EXPECT_THAT(necks(3), ElementsAre(0.2, 0.4, 0.2)) << "the pause does not count";
 }
 
-TEST_F(MotionTest, PlayedAgainItBeginsAnew) {
+TEST_F(MotionTest, PlayedAgainItStartsAgain) {
   webots::Motion motion{file(kNod)};
   for (int round = 0; round < 2; ++round) {
     motion.play();
@@ -184,13 +184,15 @@ TEST_F(MotionTest, AFirstPoseThatIsFarAwayIsNotJumpedToAndTheTimeWaits) {
   int steps = 0;
   for (double goal = 0; steps < 1000 && motion.getTime() == 0; ++steps) {
     goal = neckAfterStep();
-    EXPECT_LE(std::abs(goal - before), LeadIn::kSpeed * 0.016 + 1e-9) << "rad in a step of 16 ms, step " << steps;
+    EXPECT_LE(std::abs(goal - before), goals::LeadIn::kSpeed * 0.016 + 1e-9)
+        << "rad in a step of 16 ms, step " << steps;
     EXPECT_FALSE(motion.isOver());
     EXPECT_TRUE(std::isnan(headOfLastStep())) << "it has no first value";
     before = goal;
     if (goal == 1.2) break;
   }
-  EXPECT_NEAR(steps * 0.016, 1.5 * 1.2 / LeadIn::kSpeed, 0.032) << "1.2 rad, in the middle at the greatest speed";
+  EXPECT_NEAR(steps * 0.016, 1.5 * 1.2 / goals::LeadIn::kSpeed, 0.032)
+      << "1.2 rad, in the middle at the greatest speed";
   EXPECT_EQ(motion.getTime(), 0);
   EXPECT_THAT(necks(2), ElementsAre(1.3, 1.4));
   EXPECT_TRUE(motion.isOver());
@@ -269,7 +271,7 @@ TEST_F(MotionTest, MotorsThatTheRobotDoesNotHaveAreNamedOnceAndLeftOut) {
   EXPECT_THAT(necks(1), ElementsAre(0.5));
 }
 
-TEST_F(MotionTest, ABrokenFileIsSaidWithLineAndFieldAndNeverMoves) {
+TEST_F(MotionTest, ABrokenFileIsReportedWithLineAndFieldAndNeverMoves) {
   const std::string head = "#WEBOTS_MOTION,V1.0,Neck,Head\n";
   EXPECT_EQ(sentenceAbout(kNod), "");
   EXPECT_EQ(sentenceAbout(head + "\r\n 00:00:000 , Rest , 0 , * \r\n\n"), "") << "blanks and other line ends";
@@ -281,9 +283,9 @@ TEST_F(MotionTest, ABrokenFileIsSaidWithLineAndFieldAndNeverMoves) {
       {"#WEBOTS_MOTION,V1.0,Neck,Neck", ":1: field 4: the motor \"Neck\" has a column already"},
       {head, ":2: it has no pose"},
       {head + "00:00:000,A,0,0\n00:01,B,0,0",
-       ":3: field 1: \"00:01\" is no time; it is minutes:seconds:milliseconds, 00:01:500"},
-      {head + "00:00:-10,A,0,0", ":2: field 1: \"00:00:-10\" is no time"},
-      {head + "99999999:00:000,A,0,0", ":2: field 1: \"99999999:00:000\" is no time"},
+       ":3: field 1: \"00:01\" is not a time; it is minutes:seconds:milliseconds, 00:01:500"},
+      {head + "00:00:-10,A,0,0", ":2: field 1: \"00:00:-10\" is not a time"},
+      {head + "99999999:00:000,A,0,0", ":2: field 1: \"99999999:00:000\" is not a time"},
       {head + "00:01:000,A,0,0\n00:00:999,B,0,0", ":3: field 1: the time goes back"},
       {head + "00:00:000,A,0", ":2: field 4: the line has 3 fields, and the header asks for 4"},
       {head + "00:00:000,A,0,0,0", ":2: field 5: the line has 5 fields, and the header asks for 4"},
@@ -308,7 +310,7 @@ TEST_F(MotionTest, APipeIsRefusedAndNotWaitedFor) {
   EXPECT_THAT(GetCapturedStderr(), HasSubstr("it is a pipe"));
 }
 
-TEST_F(MotionTest, AMissingFileIsSaidAndEveryCallIsHarmless) {
+TEST_F(MotionTest, AMissingFileIsReportedAndEveryCallIsHarmless) {
   CaptureStderr();
   webots::Motion motion{"no/such.motion"};
   EXPECT_EQ(GetCapturedStderr(), "darwinop: Motion: no/such.motion: it cannot be opened; it will not be played\n");
@@ -316,7 +318,7 @@ TEST_F(MotionTest, AMissingFileIsSaidAndEveryCallIsHarmless) {
   motion.setLoop(true);
   motion.setTime(100);
   motion.play();
-  EXPECT_EQ(told(Joint::kNeck).set, 0);
+  EXPECT_EQ(commanded(Joint::kNeck).set, 0);
   EXPECT_EQ(motion.getTime() + motion.getDuration(), 0);
   EXPECT_TRUE(motion.isOver());
 }

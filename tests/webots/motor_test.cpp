@@ -24,7 +24,7 @@ class MotorTest : public Facade {
 };
 
 TEST_F(MotorTest, AMotorThatWasNotTouchedAsksForNothing) {
-  EXPECT_EQ(told(kElbow).set, 0);
+  EXPECT_EQ(commanded(kElbow).set, 0);
   motor().setPosition(0.1);
   robot().step(16);
   EXPECT_EQ(fake.last().joint[index(Joint::kArmLowerL)].set, 0);
@@ -32,7 +32,7 @@ TEST_F(MotorTest, AMotorThatWasNotTouchedAsksForNothing) {
 
 TEST_F(MotorTest, SetPositionIsPassedOnUnclampedForSafetyToJudge) {
   motor().setPosition(2.5);
-  const JointCommand command = told(kElbow);
+  const JointCommand command = commanded(kElbow);
   EXPECT_EQ(command.set, JointCommand::kGoal);
   EXPECT_EQ(command.goal.value, 2.5);
 }
@@ -45,7 +45,7 @@ TEST_F(MotorTest, TargetPositionIsInRadians) {
 
 TEST_F(MotorTest, SetVelocityIsTheSpeedLimitWithoutItsSign) {
   motor().setVelocity(-2);
-  const JointCommand command = told(kElbow);
+  const JointCommand command = commanded(kElbow);
   EXPECT_EQ(command.set, JointCommand::kSpeedLimit);
   EXPECT_EQ(command.speed_limit.value, 2);
   EXPECT_EQ(motor().getVelocity(), -2);
@@ -54,9 +54,9 @@ TEST_F(MotorTest, SetVelocityIsTheSpeedLimitWithoutItsSign) {
 TEST_F(MotorTest, AnInfinitePositionIsVelocityControl) {
   motor().setPosition(INFINITY);
   motor().setVelocity(1.5);
-  EXPECT_EQ(told(kElbow).goal.value, motor().getMaxPosition());
+  EXPECT_EQ(commanded(kElbow).goal.value, motor().getMaxPosition());
   motor().setVelocity(-1.5);
-  const JointCommand back = told(kElbow);
+  const JointCommand back = commanded(kElbow);
   EXPECT_EQ(back.goal.value, motor().getMinPosition());
   EXPECT_EQ(back.speed_limit.value, 1.5);
 }
@@ -65,44 +65,44 @@ TEST_F(MotorTest, VelocityControlAtSpeedZeroHoldsTheJointWhereItIs) {
   joint().position = Rad{0.3};
   motor().setPosition(INFINITY);
   motor().setVelocity(0);
-  EXPECT_EQ(told(kElbow).goal.value, 0.3);
+  EXPECT_EQ(commanded(kElbow).goal.value, 0.3);
   joint().position = Rad{0.2};  // sagging does not move the point
-  told(kElbow);
-  EXPECT_EQ(told(kElbow).goal.value, 0.3);
+  commanded(kElbow);
+  EXPECT_EQ(commanded(kElbow).goal.value, 0.3);
   motor().setVelocity(1);
-  told(kElbow);
+  commanded(kElbow);
   motor().setVelocity(0);
-  EXPECT_EQ(told(kElbow).goal.value, 0.2) << "the next stop holds another point";
+  EXPECT_EQ(commanded(kElbow).goal.value, 0.2) << "the next stop holds another point";
 }
 
 TEST_F(MotorTest, ZeroTorqueIsLimpUntilAPositiveOne) {
   motor().setAvailableTorque(0);
-  JointCommand command = told(kElbow);
+  JointCommand command = commanded(kElbow);
   EXPECT_EQ(command.set, JointCommand::kTorque);
   EXPECT_FALSE(command.torque_on);
   motor().setPosition(0.1);
-  command = told(kElbow);
+  command = commanded(kElbow);
   EXPECT_FALSE(command.torque_on) << "a goal does not bring torque back";
   motor().setAvailableTorque(1.25);
-  command = told(kElbow);
+  command = commanded(kElbow);
   EXPECT_TRUE(command.torque_on);
   EXPECT_EQ(command.torque_limit.value, 1.25);
 }
 
 TEST_F(MotorTest, AvailableTorqueIsClampedAsIn2013) {
   motor().setAvailableTorque(99);
-  EXPECT_EQ(told(kElbow).torque_limit.value, 2.5);
+  EXPECT_EQ(commanded(kElbow).torque_limit.value, 2.5);
   motor().setAvailableTorque(-1);
-  EXPECT_FALSE(told(kElbow).torque_on);
+  EXPECT_FALSE(commanded(kElbow).torque_on);
 }
 
 TEST_F(MotorTest, SetTorquePushesAgainstAnEndOfTheRange) {
   motor().setTorque(0.5);
-  JointCommand command = told(kElbow);
+  JointCommand command = commanded(kElbow);
   EXPECT_EQ(command.goal.value, motor().getMinPosition()) << "positive turns clockwise, as in 2013";
   EXPECT_EQ(command.torque_limit.value, 0.5);
   motor().setForce(-0.25);
-  command = told(kElbow);
+  command = commanded(kElbow);
   EXPECT_EQ(command.goal.value, motor().getMaxPosition());
   EXPECT_EQ(command.torque_limit.value, 0.25);
 }
@@ -110,32 +110,32 @@ TEST_F(MotorTest, SetTorquePushesAgainstAnEndOfTheRange) {
 TEST_F(MotorTest, SetTorqueIsBoundedByTheAvailableTorque) {
   motor().setAvailableTorque(1);
   motor().setTorque(2);
-  EXPECT_EQ(told(kElbow).torque_limit.value, 1);
+  EXPECT_EQ(commanded(kElbow).torque_limit.value, 1);
 }
 
 TEST_F(MotorTest, SetTorqueZeroStaysLimpUntilAPositionIsSet) {
   motor().setTorque(0);
-  told(kElbow);
-  EXPECT_FALSE(told(kElbow).torque_on);
+  commanded(kElbow);
+  EXPECT_FALSE(commanded(kElbow).torque_on);
   motor().setPosition(0.1);
-  const JointCommand command = told(kElbow);
+  const JointCommand command = commanded(kElbow);
   EXPECT_TRUE(command.torque_on);
   EXPECT_EQ(command.goal.value, 0.1);
   EXPECT_EQ(command.torque_limit.value, 2.5);
 }
 
-TEST_F(MotorTest, ATorqueThatIsNoNumberIsRefused) {
+TEST_F(MotorTest, ATorqueThatIsNotANumberIsRefused) {
   CaptureStderr();
   motor().setTorque(NAN);
   EXPECT_THAT(GetCapturedStderr(), HasSubstr("setTorque(NaN) of ArmLowerR"));
-  EXPECT_EQ(told(kElbow).set, 0);
+  EXPECT_EQ(commanded(kElbow).set, 0);
 }
 
 TEST_F(MotorTest, OnlyPOfThePidCounts) {
   CaptureStderr();
   motor().setControlPID(10, 0, 0);
   EXPECT_EQ(GetCapturedStderr(), "");
-  EXPECT_EQ(told(kElbow).p_gain, 10);
+  EXPECT_EQ(commanded(kElbow).p_gain, 10);
   CaptureStderr();
   motor().setControlPID(10, 1, 0);
   motor().setControlPID(10, 0, 1);
@@ -146,9 +146,9 @@ TEST_F(MotorTest, OnlyPOfThePidCounts) {
 TEST_F(MotorTest, ANegativePIsIgnoredAndASmallOneWarnsButCounts) {
   CaptureStderr();
   motor().setControlPID(-1, 0, 0);
-  EXPECT_EQ(told(kElbow).set, 0);
+  EXPECT_EQ(commanded(kElbow).set, 0);
   motor().setControlPID(1, 0, 0);
-  EXPECT_EQ(told(kElbow).p_gain, 1);
+  EXPECT_EQ(commanded(kElbow).p_gain, 1);
   EXPECT_THAT(GetCapturedStderr(), HasSubstr("p under 3"));
 }
 
@@ -158,7 +158,7 @@ TEST_F(MotorTest, AnAccelerationRaisesTheSpeedLimitStepByStepUpToTheVelocity) {
   motor().setPosition(joint().position.value - 1);
   double previous = 0;
   for (int step = 1; step <= 10; ++step) {
-    const double limit = told(kElbow).speed_limit.value;
+    const double limit = commanded(kElbow).speed_limit.value;
     EXPECT_NEAR(limit, std::min(1.0, step * 0.16), 1e-9);
     EXPECT_GE(limit, previous);
     previous = limit;
@@ -169,25 +169,25 @@ TEST_F(MotorTest, TheEndOfAnAccelerationRestoresTheVelocity) {
   motor().setVelocity(3);
   motor().setAcceleration(1);
   motor().setPosition(0.5);
-  EXPECT_LT(told(kElbow).speed_limit.value, 1);
+  EXPECT_LT(commanded(kElbow).speed_limit.value, 1);
   motor().setAcceleration(-1);
-  EXPECT_EQ(told(kElbow).speed_limit.value, 3);
+  EXPECT_EQ(commanded(kElbow).speed_limit.value, 3);
   EXPECT_EQ(motor().getAcceleration(), -1);
 }
 
 TEST_F(MotorTest, TheEndOfAnAccelerationWithoutVelocityIsFullSpeed) {
   motor().setAcceleration(1);
   motor().setPosition(0.5);
-  EXPECT_LT(told(kElbow).speed_limit.value, 1);
+  EXPECT_LT(commanded(kElbow).speed_limit.value, 1);
   motor().setAcceleration(-1);
-  EXPECT_EQ(told(kElbow).speed_limit.value, motor().getMaxVelocity());
+  EXPECT_EQ(commanded(kElbow).speed_limit.value, motor().getMaxVelocity());
 }
 
 TEST_F(MotorTest, AnAccelerationGivenInEveryStepStillRises) {
   motor().setPosition(joint().position.value - 1);
   for (int i = 0; i < 5; ++i) {
     motor().setAcceleration(10);
-    told(kElbow);
+    commanded(kElbow);
   }
   EXPECT_NEAR(fake.last().joint[index(kElbow)].speed_limit.value, 0.8, 1e-9);
 }
@@ -242,7 +242,7 @@ TEST_F(MotorTest, ServoIsTheSameMotorUnderItsFirstName) {
   EXPECT_EQ(servo, robot().getMotor("ArmLowerR"));
   servo->setMotorForce(1);
   servo->setControlP(5);
-  const JointCommand command = told(kElbow);
+  const JointCommand command = commanded(kElbow);
   EXPECT_EQ(command.torque_limit.value, 1);
   EXPECT_EQ(command.p_gain, 5);
   servo->enableMotorForceFeedback(32);

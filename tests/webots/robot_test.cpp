@@ -58,14 +58,14 @@ TEST_F(RobotTest, ANameOfAnotherClassIsNull) {
   EXPECT_EQ(robot().getLED("Neck"), nullptr);
 }
 
-TEST_F(RobotTest, TheEndOfTheRobotSaysFarewell) {
+TEST_F(RobotTest, TheEndOfTheRobotEndsTheSession) {
   auto impl = std::make_unique<RobotImpl>(std::make_unique<FakeLink>(fake), config, stop);
   ASSERT_EQ(impl->begin(), "");
   {
     const TestRobot mine{impl.release()};
-    EXPECT_FALSE(fake.farewell);
+    EXPECT_FALSE(fake.end_of_session);
   }
-  EXPECT_TRUE(fake.farewell);
+  EXPECT_TRUE(fake.end_of_session);
   EXPECT_EQ(webots::Robot::getInstance(), nullptr);
 }
 
@@ -74,10 +74,10 @@ TEST_F(RobotTest, ReleasingTheRobotBeforeItsOwnerIsHarmless) {
   RobotImpl* const raw = impl.release();
   const TestRobot mine{raw};
   release(raw);  // as at exit()
-  EXPECT_TRUE(fake.farewell);
+  EXPECT_TRUE(fake.end_of_session);
 }
 
-TEST_F(RobotTest, AUserWhoAsksForTheEndIsToldWhatTheRobotDoesMeanwhile) {
+TEST_F(RobotTest, AUserWhoRequestsTheEndIsInformedWhatTheRobotDoesMeanwhile) {
   const auto said = [&](safety::OnExit on_exit, bool asked, bool real_time) {
     config.safety.on_exit = on_exit;
     fake.real_time = real_time;
@@ -87,12 +87,13 @@ TEST_F(RobotTest, AUserWhoAsksForTheEndIsToldWhatTheRobotDoesMeanwhile) {
     impl.reset();
     return testing::internal::GetCapturedStderr();
   };
-  EXPECT_EQ(said(safety::OnExit::kKneel, true, true),
-            "darwinop: ending: the robot sits down and lets go; a second Ctrl-C would leave its joints under torque\n");
-  EXPECT_THAT(said(safety::OnExit::kLimp, true, true), HasSubstr("ending: the robot lets go"));
-  EXPECT_THAT(said(safety::OnExit::kHold, true, true), HasSubstr("ending: the robot holds its pose"));
-  EXPECT_EQ(said(safety::OnExit::kKneel, false, true), "") << "nobody waits at a terminal";
-  EXPECT_EQ(said(safety::OnExit::kKneel, true, false), "") << "a simulation takes no time";
+  EXPECT_EQ(notice(safety::OnExit::kKneel, true, true),
+            "darwinop: ending: the robot sits down and releases torque; a second Ctrl-C would leave its joints under "
+            "torque\n");
+  EXPECT_THAT(notice(safety::OnExit::kLimp, true, true), HasSubstr("ending: the robot releases torque"));
+  EXPECT_THAT(notice(safety::OnExit::kHold, true, true), HasSubstr("ending: the robot holds its pose"));
+  EXPECT_EQ(notice(safety::OnExit::kKneel, false, true), "") << "nobody waits at a terminal";
+  EXPECT_EQ(notice(safety::OnExit::kKneel, true, false), "") << "a simulation takes no time";
 }
 
 TEST_F(RobotTest, CustomDataIsKept) {

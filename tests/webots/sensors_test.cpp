@@ -60,7 +60,7 @@ TEST_F(SensorTest, ButtonsAreTheBoardsBits) {
   EXPECT_EQ(robot().getTouchSensor("ButtonStart")->getValue(), 1);
 }
 
-TEST_F(SensorTest, AButtonThatNobodyTellsOfIsNotANumber) {
+TEST_F(SensorTest, AButtonThatIsNotReportedIsNaN) {
   fake.image.board.buttons_known = false;
   EXPECT_EQ(robot().step(16), 0);
   EXPECT_TRUE(std::isnan(robot().getTouchSensor("ButtonStart")->getValue()));

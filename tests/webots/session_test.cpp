@@ -35,7 +35,7 @@ TEST_F(SessionTest, AStepOfTwoPeriodsSkipsACycle) {
   EXPECT_EQ(fake.now - start, milliseconds{16});
 }
 
-TEST_F(SessionTest, StepsThatAreNoMultipleOfThePeriodKeepTheirMeanRate) {
+TEST_F(SessionTest, StepsThatAreNotAMultipleOfThePeriodKeepTheirMeanRate) {
   robot();
   const Nanos start = fake.now;
   for (int i = 0; i < 160; ++i) EXPECT_EQ(robot().step(20), 0);
@@ -64,7 +64,7 @@ TEST_F(SessionTest, AStepLateByCyclesReturnsAllOfIt) {
   EXPECT_EQ(robot().step(16), 50);
 }
 
-TEST_F(SessionTest, AControllerThatIsAlwaysTooSlowIsToldTheSameExcessEveryTime) {
+TEST_F(SessionTest, AControllerThatIsAlwaysTooSlowGetsTheSameExcessEveryTime) {
   robot();
   const Nanos start = fake.now;
   for (int i = 0; i < 100; ++i) {
@@ -169,11 +169,11 @@ TEST_F(SessionTest, AControllerInALongStepIsNotTakenForAStalledOne) {
   robot().getMotor("Neck")->setPosition(0.25);
   EXPECT_EQ(robot().step(16), 0);
   std::size_t published = fake.published.size();
-  Nanos heard = fake.now, longest{0};
+  Nanos received = fake.now, longest{0};
   fake.on_cycle = [&](std::uint64_t) {
-    if (fake.published.size() > published) heard = fake.now;
+    if (fake.published.size() > published) received = fake.now;
     published = fake.published.size();
-    longest = std::max(longest, fake.now - heard);
+    longest = std::max(longest, fake.now - received);
     EXPECT_DOUBLE_EQ(fake.last().joint[index(Joint::kNeck)].goal.value, 0.25);
   };
   EXPECT_EQ(robot().step(2000), 0);

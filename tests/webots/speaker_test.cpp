@@ -1,4 +1,4 @@
-// The loudspeaker as controllers use it: orders, news, steps, and an output that fails.
+// The loudspeaker as controllers use it: orders, events, steps, and an output that fails.
 #include <gmock/gmock.h>
 
 #include <deque>
@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 struct Loudspeaker {
   std::vector<SoundOrder> orders;
-  std::deque<SoundEvent> news;
+  std::deque<SoundEvent> events;
   std::function<std::deque<SoundEvent>(const SoundOrder&)> answer;
   bool full = false;
 };
@@ -25,13 +25,13 @@ class FakeOutput : public SoundOutput {
   bool order(const SoundOrder& order) override {
     if (loudspeaker_.full) return false;
     loudspeaker_.orders.push_back(order);
-    if (loudspeaker_.answer) loudspeaker_.news = loudspeaker_.answer(order);
+    if (loudspeaker_.answer) loudspeaker_.events = loudspeaker_.answer(order);
     return true;
   }
-  std::optional<SoundEvent> news(std::chrono::milliseconds) override {
-    if (loudspeaker_.news.empty()) return std::nullopt;
-    SoundEvent first = loudspeaker_.news.front();
-    loudspeaker_.news.pop_front();
+  std::optional<SoundEvent> nextEvent(std::chrono::milliseconds) override {
+    if (loudspeaker_.events.empty()) return std::nullopt;
+    SoundEvent first = loudspeaker_.events.front();
+    loudspeaker_.events.pop_front();
     return first;
   }
 
@@ -53,10 +53,10 @@ class SpeakerTest : public Facade {
     captures_ = true;
   }
   ~SpeakerTest() override {
-    if (captures_) told();
+    if (captures_) printed();
   }
-  /// All that was said since prepare(); once.
-  std::string told() {
+  /// All that was printed since prepare(); once.
+  std::string printed() {
     captures_ = false;
     return testing::internal::GetCapturedStderr();
   }
@@ -87,21 +87,21 @@ TEST_F(SpeakerTest, BothStylesOfSpeechBecomeOrders) {
   EXPECT_EQ(last<Speak>(),
             (Speak{.id = 4, .text = "/x/text.txt", .text_is_file = true, .voice = "it", .words_per_minute = 80}));
   EXPECT_EQ(opened, 1);
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(printed(), "");
 }
 
-TEST_F(SpeakerTest, ItSpeaksUntilTheNewsThatItsLastWordsHaveEnded) {
+TEST_F(SpeakerTest, ItSpeaksUntilTheEventThatItsLastWordsHaveEnded) {
   prepare();
   EXPECT_FALSE(speaker().isSpeaking());
   speaker().speak("one", 1);
   speaker().speak("two", 1);
-  loudspeaker.news = {SoundEnded{1}};
+  loudspeaker.events = {SoundEnded{1}};
   EXPECT_TRUE(speaker().isSpeaking()) << "that was the first text";
-  loudspeaker.news = {SoundEnded{2}};
+  loudspeaker.events = {SoundEnded{2}};
   EXPECT_EQ(robot().step(16), 0);
-  EXPECT_TRUE(loudspeaker.news.empty()) << "a step takes the news";
+  EXPECT_TRUE(loudspeaker.events.empty()) << "a step takes the events";
   EXPECT_FALSE(speaker().isSpeaking());
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(printed(), "");
 }
 
 TEST_F(SpeakerTest, SoundsAreKnownByTheirFilesAndStopAtOnce) {
@@ -120,10 +120,10 @@ TEST_F(SpeakerTest, SoundsAreKnownByTheirFilesAndStopAtOnce) {
   s.speak("hello", 1);
   s.stop("");
   EXPECT_FALSE(s.isSpeaking() || s.isSoundPlaying(""));
-  EXPECT_EQ(told(), "");
+  EXPECT_EQ(printed(), "");
 }
 
-TEST_F(SpeakerTest, ValuesBeyondTheirRangesAreBroughtThereAndThatIsSaidOnce) {
+TEST_F(SpeakerTest, ValuesBeyondTheirRangesAreBroughtThereAndAreReportedOnce) {
   prepare();
   webots::Speaker& s = speaker();
   for (int i = 0; i < 2; ++i) webots::Speaker::playSound(&s, &s, "/a.wav", 3, 0.1, std::nan(""), false);
@@ -132,17 +132,17 @@ TEST_F(SpeakerTest, ValuesBeyondTheirRangesAreBroughtThereAndThatIsSaidOnce) {
   EXPECT_EQ(last<Speak>().words_per_minute, 450);
   s.speak(std::string(31'999, 'x') + "\u00fc", 1);
   EXPECT_EQ(last<Speak>().text.size(), 31'999U) << "a letter is not cut in two";
-  const std::string text = told();
+  const std::string text = printed();
   EXPECT_EQ(std::ranges::count(text, '\n'), 5) << "volume, pitch, balance, speed, length";
   EXPECT_THAT(text, HasSubstr("a speed lies between 80 and 450; it"));
 }
 
-TEST_F(SpeakerTest, PlayFileWaitStepsTheRobotUntilTheSoundWasHeard) {
+TEST_F(SpeakerTest, PlayFileWaitStepsTheRobotUntilTheSoundHasEnded) {
   prepare();
   loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundEvent>{SoundStarted{1, 0.08}}; };
   const auto before = fake.published.size();
   fake.on_cycle = [&](std::uint64_t) {
-    if (fake.published.size() == before + 20) loudspeaker.news = {SoundEnded{1}};
+    if (fake.published.size() == before + 20) loudspeaker.events = {SoundEnded{1}};
   };
   speaker().playFileWait("/a.mp3");
   EXPECT_EQ(fake.published.size(), before + 20) << "its 0.08 s do not matter here, its end does";
@@ -164,7 +164,7 @@ TEST_F(SpeakerTest, ASimulationThatIsSlowerThanTheSoundTakesAsManySteps) {
   loudspeaker.answer = [](const SoundOrder&) { return std::deque<SoundEvent>{SoundStarted{1, 0.08}}; };
   const auto before = fake.published.size();
   fake.on_cycle = [&](std::uint64_t) {
-    if (fake.published.size() == before + 1) loudspeaker.news = {SoundEnded{1}};
+    if (fake.published.size() == before + 1) loudspeaker.events = {SoundEnded{1}};
   };
   const double begin = robot().getTime();
   speaker().playFileWait("/a.mp3");
@@ -182,10 +182,10 @@ TEST_F(SpeakerTest, PlayFileWaitEndsWithTheControllerAndWhenNothingIsPlayed) {
   EXPECT_GT(robot().getTime(), 10) << "a program that hangs is not waited for for ever";
   stop = true;
   speaker().playFileWait("/c.mp3");
-  EXPECT_THAT(told(), HasSubstr("Speaker: no such file\n"));
+  EXPECT_THAT(printed(), HasSubstr("Speaker: no such file\n"));
 }
 
-TEST_F(SpeakerTest, WithoutAProgramOneSentenceIsSaidAndNothingSounds) {
+TEST_F(SpeakerTest, WithoutAProgramOneSentenceIsPrintedAndNothingSounds) {
   prepare();
   why_no_sound = "it was not found";
   webots::Speaker& s = speaker();
@@ -195,19 +195,19 @@ TEST_F(SpeakerTest, WithoutAProgramOneSentenceIsSaidAndNothingSounds) {
   s.stop("");
   webots::Speaker::playSound(&s, &s, "x.wav", 1, 1, 0, false);
   EXPECT_FALSE(s.isSpeaking() || s.isSoundPlaying(""));
-  EXPECT_EQ(told(), "darwinop: Speaker: sounds and speech are skipped: it was not found\n");
+  EXPECT_EQ(printed(), "darwinop: Speaker: sounds and speech are skipped: it was not found\n");
 }
 
-TEST_F(SpeakerTest, AProgramThatDiedIsSaidAndTheNextSoundStartsAnotherOne) {
+TEST_F(SpeakerTest, AProgramThatDiedIsReportedAndTheNextSoundStartsAnotherOne) {
   prepare();
   speaker().speak("hello", 1);
   speaker().playFile("/a.mp3");
-  loudspeaker.news = {SoundLost{"it was ended by signal 9"}};
+  loudspeaker.events = {SoundLost{"it was ended by signal 9"}};
   EXPECT_EQ(robot().step(16), 0);
   EXPECT_FALSE(speaker().isSpeaking() || speaker().isSoundPlaying(""));
   speaker().playFile("/a.mp3");
   EXPECT_EQ(opened, 2);
-  loudspeaker.news = {SoundLost{"it was ended by signal 9"}};
+  loudspeaker.events = {SoundLost{"it was ended by signal 9"}};
   speaker().stop("");
   EXPECT_EQ(opened, 2) << "no program is started to be silent";
   speaker().playFile("/a.mp3");
@@ -215,7 +215,7 @@ TEST_F(SpeakerTest, AProgramThatDiedIsSaidAndTheNextSoundStartsAnotherOne) {
   loudspeaker.full = true;
   speaker().playFile("/b.mp3");
   EXPECT_FALSE(speaker().isSoundPlaying("/b.mp3"));
-  EXPECT_THAT(told(), HasSubstr("ended by signal 9\ndarwinop: Speaker: too many orders"));
+  EXPECT_THAT(printed(), HasSubstr("ended by signal 9\ndarwinop: Speaker: too many orders"));
 }
 
 }  // namespace

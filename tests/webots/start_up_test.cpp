@@ -12,8 +12,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "connect/camera.hpp"
 #include "connect/connect.hpp"
-#include "connect/eyes.hpp"
 #include "connect/keys.hpp"
 #include "fixture.hpp"
 #include "webots/stop_signals.hpp"
@@ -30,7 +30,7 @@ std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
   return std::make_unique<facade::FakeLink>(*robot_to_meet);
 }
 // Or their library would be linked after all, with the true connect().
-std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& /*robot*/, const EyesRequest& /*request*/) {
+std::unique_ptr<FrameSource> openCamera(runtime::RobotLink& /*robot*/, const CameraRequest& /*request*/) {
   return nullptr;
 }
 std::unique_ptr<KeySource> openKeys(KeysRequest /*request*/, const std::atomic<bool>& /*ending*/) {
@@ -103,7 +103,7 @@ TEST_F(StartUp, CtrlCMakesStepReturnMinusOne) {
 }
 
 // Sent to a process group, a signal comes by itself and once more from who started the controller.
-TEST_F(StartUp, ASignalThatComesTwiceAtOnceIsOneWish) {
+TEST_F(StartUp, ASignalThatComesTwiceAtOnceIsOneRequest) {
   webots::Robot robot;
   std::raise(SIGINT);
   std::raise(SIGINT);
@@ -188,27 +188,27 @@ void failUncaught() {
 }
 
 /// At the end of the program or when std::terminate() has been called.
-void tellOfFarewell() {
-  std::fputs(robot_to_meet->farewell ? "farewell was said\n" : "not a word\n", stderr);
+void printEndOfSession() {
+  std::fputs(robot_to_meet->end_of_session ? "the session was ended\n" : "the session was not ended\n", stderr);
 }
-struct TellAtExit {
-  ~TellAtExit() { tellOfFarewell(); }
+struct PrintAtExit {
+  ~PrintAtExit() { printEndOfSession(); }
 };
 
-TEST_F(StartUpDeathTest, ExitSaysFarewellForARobotThatNobodyDeletes) {
+TEST_F(StartUpDeathTest, ExitEndsTheSessionOfARobotThatNobodyDeletes) {
   EXPECT_EXIT(
       {
-        static const TellAtExit told;
+        static const PrintAtExit at_exit;
         new webots::Robot;
         std::exit(0);
       },
-      testing::ExitedWithCode(0), "farewell was said");
+      testing::ExitedWithCode(0), "the session was ended");
 }
 
-TEST_F(StartUpDeathTest, AChildThatTheControllerForksSaysNoFarewellForIt) {
+TEST_F(StartUpDeathTest, AChildThatTheControllerForksDoesNotEndItsSession) {
   EXPECT_EXIT(
       {
-        static const TellAtExit told;
+        static const PrintAtExit at_exit;
         new webots::Robot;
         if (fork() == 0) std::exit(0);
         wait(nullptr);
@@ -217,22 +217,22 @@ TEST_F(StartUpDeathTest, AChildThatTheControllerForksSaysNoFarewellForIt) {
       testing::ExitedWithCode(0), "not a word");
 }
 
-TEST_F(StartUpDeathTest, AnUncaughtExceptionSaysFarewellBeforeTheUsualEnd) {
+TEST_F(StartUpDeathTest, AnUncaughtExceptionEndsTheSessionBeforeTheUsualEnd) {
   EXPECT_EXIT(
       {
-        std::set_terminate(tellOfFarewell);
+        std::set_terminate(printEndOfSession);
         { const webots::Robot before; }
-        fake_.farewell = false;
+        fake_.end_of_session = false;
         new webots::Robot;
         []() noexcept { failUncaught(); }();
       },
-      testing::KilledBySignal(SIGABRT), "farewell was said");
+      testing::KilledBySignal(SIGABRT), "the session was ended");
 }
 
 TEST_F(StartUpDeathTest, AnUncaughtExceptionOfAnotherThreadLeavesTheLinkAlone) {
   EXPECT_EXIT(
       {
-        std::set_terminate(tellOfFarewell);
+        std::set_terminate(printEndOfSession);
         new webots::Robot;
         std::thread{failUncaught}.join();
       },

@@ -10,7 +10,7 @@
 namespace darwinop::facade {
 namespace {
 
-/// What is said on stderr from here to the end.
+/// Output on stderr from here to the end.
 class StubTest : public Facade {
  protected:
   StubTest() {

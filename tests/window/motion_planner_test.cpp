@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "managers/motion/pages/own_pages.hpp"
-#include "remote/protocol/units.hpp"
 
 namespace darwinop {
 namespace {
@@ -30,16 +29,31 @@ class WindowMotionPlanner : public testing::Test {
     seen_.joint[joint].position = seen_.joint[joint].commanded = Rad{rad};
     seen_.joint[joint].driven = true;
   }
-  remote::Request turn(const window::DriveRequests& requests = {}) {
+  /// One cycle. Returns the number of joints whose command has changed.
+  std::size_t turn(const window::DriveRequests& requests = {}) {
     ++seen_.cycle;
-    remote::Request request = planner_.plan(requests, seen_, kCycleMs);
-    for (const remote::MotorSetting& setting : request.motors) {
-      if (!setting.has(remote::MotorSetting::kPosition)) continue;
-      const double rad = remote::positionFromWire(setting.position);
-      fastest_ = std::max(fastest_, std::abs(rad - seen_.joint[index(setting.joint)].position.value) / kCycleMs * 1000);
-      put(index(setting.joint), rad);
+    const Commands before = commands_;
+    commands_ = planner_.plan(requests, seen_, kCycleMs);
+    std::size_t changed = 0;
+    for (std::size_t i = 0; i < kJoints; ++i) {
+      const JointCommand& now = commands_.joint[i];
+      if (!isSame(now, before.joint[i])) ++changed;
+      if (!now.has(JointCommand::kGoal) || isLimp(static_cast<Joint>(i))) continue;
+      fastest_ = std::max(fastest_, std::abs(now.goal.value - seen_.joint[i].position.value) / kCycleMs * 1000);
+      put(i, now.goal.value);
     }
-    return request;
+    return changed;
+  }
+  /// Fields that are not set are compared also.
+  static bool isSame(const JointCommand& a, const JointCommand& b) {
+    const auto equal = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+    return a.set == b.set && a.torque_on == b.torque_on && equal(a.goal.value, b.goal.value) &&
+           equal(a.speed_limit.value, b.speed_limit.value) && equal(a.torque_limit.value, b.torque_limit.value) &&
+           equal(a.p_gain, b.p_gain);
+  }
+  [[nodiscard]] const JointCommand& command(Joint joint) const { return commands_.joint[index(joint)]; }
+  [[nodiscard]] bool isLimp(Joint joint) const {
+    return command(joint).has(JointCommand::kTorque) && !command(joint).torque_on;
   }
   static window::DriveRequests forwards() { return {.walk = gait::WalkCommand{.x = 0.5}}; }
   void falls() {
@@ -50,19 +64,20 @@ class WindowMotionPlanner : public testing::Test {
 
   Sensors seen_{};
   window::MotionPlanner planner_{motion::ownPages()};
+  Commands commands_{};
   double fastest_ = 0;  // rad/s, of goals
 };
 
-TEST_F(WindowMotionPlanner, SendsAGoalOnceWithASpeedWithinTheEncodersRange) {
+TEST_F(WindowMotionPlanner, CommandsASlidersGoalInRadWithASpeedUntilItChanges) {
   window::DriveRequests requests;
   requests.goals[index(Joint::kNeck)] = Rad{0.3};
   requests.goals[index(Joint::kHead)] = Rad{-1e300};
-  const remote::Request request = turn(requests);
-  ASSERT_EQ(request.motors.size(), 2U);
-  EXPECT_NEAR(remote::positionFromWire(request.motors[0].position), 0.3, 0.001);
-  EXPECT_NEAR(remote::velocityFromWire(request.motors[0].velocity), window::MotionPlanner::kSliderSpeed, 0.02);
-  EXPECT_TRUE(remote::isEncoderPosition(request.motors[1].position));
-  EXPECT_TRUE(turn().motors.empty());
+  EXPECT_EQ(turn(requests), 2U);
+  EXPECT_EQ(command(Joint::kNeck).goal.value, 0.3);
+  EXPECT_EQ(command(Joint::kNeck).speed_limit.value, window::MotionPlanner::kSliderSpeed);
+  EXPECT_EQ(command(Joint::kHead).goal.value, -kPi) << "at most half a turn";
+  EXPECT_EQ(turn(), 0U);
+  EXPECT_EQ(command(Joint::kNeck).goal.value, 0.3);
 }
 
 TEST_F(WindowMotionPlanner, WalksWhileRequestedThenStandsWithDefaultGains) {
@@ -76,12 +91,12 @@ TEST_F(WindowMotionPlanner, WalksWhileRequestedThenStandsWithDefaultGains) {
   EXPECT_TRUE(planner_.status().walks);
   EXPECT_GT(most, standing + 0.2) << "the feet are lifted";
   EXPECT_LT(fastest_, 12.5) << "no goal jumps";
-  remote::Request last;
-  for (int i = 0; i < 100 && planner_.status().walks; ++i) last = turn();
+  EXPECT_EQ(command(Joint::kLegLowerR).p_gain, 4) << "32 in the register, as by default";
+  EXPECT_EQ(command(Joint::kArmLowerR).p_gain, 1) << "compliant arms";
+  for (int i = 0; i < 100 && planner_.status().walks; ++i) (void)turn();
   EXPECT_FALSE(planner_.status().walks);
   EXPECT_NEAR(knee(), standing, 0.03);
-  ASSERT_EQ(last.motors.size(), kJoints);
-  for (const remote::MotorSetting& setting : last.motors) EXPECT_EQ(remote::gainFromWire(setting.pid[0]), 4.0);
+  for (const JointCommand& joint : commands_.joint) EXPECT_EQ(joint.p_gain, 4);
 }
 
 TEST_F(WindowMotionPlanner, MovesSlowlyToTheStanceBeforeItWalks) {
@@ -112,21 +127,19 @@ TEST_F(WindowMotionPlanner, ALimpLimbHasNoGoalsAndResumesAtItsPosition) {
   off.torque[1] = false;
   on.torque[1] = true;
   slider.goals[index(Joint::kArmLowerL)] = Rad{-0.5};
-  const remote::Request limp = turn(off);
-  ASSERT_EQ(limp.motors.size(), 3U);
-  for (const auto& setting : limp.motors) EXPECT_EQ(setting.available_torque, 0);
-  EXPECT_TRUE(turn(slider).motors.empty());
+  EXPECT_EQ(turn(off), 3U);
+  for (const Joint joint : {Joint::kShoulderL, Joint::kArmUpperL, Joint::kArmLowerL}) EXPECT_TRUE(isLimp(joint));
+  EXPECT_EQ(turn(slider), 0U);
   (void)turn(forwards());
   EXPECT_FALSE(planner_.status().walks);
   EXPECT_THAT(planner_.status().refused, testing::HasSubstr("torque"));
 
   seen_.joint[index(Joint::kArmLowerL)].position = Rad{0.7};
-  const remote::Request again = turn(on);
+  EXPECT_EQ(turn(on), 3U);
   EXPECT_EQ(planner_.status().refused, "");
-  const auto elbow = std::ranges::find(again.motors, Joint::kArmLowerL, &remote::MotorSetting::joint);
-  ASSERT_NE(elbow, again.motors.end());
-  EXPECT_NEAR(remote::positionFromWire(elbow->position), 0.7, 0.001);
-  EXPECT_GT(elbow->available_torque, 0);
+  EXPECT_FALSE(isLimp(Joint::kArmLowerL));
+  EXPECT_EQ(command(Joint::kArmLowerL).goal.value, 0.7);
+  EXPECT_EQ(command(Joint::kArmLowerL).torque_limit.value, kMaxTorqueNm);
 }
 
 TEST_F(WindowMotionPlanner, RefusesTorqueAndPagesDuringAWalk) {
@@ -147,7 +160,7 @@ TEST_F(WindowMotionPlanner, StartsNoMotionBeforeTheRobotFollows) {
   (void)turn(pageOf(9));
   EXPECT_EQ(planner_.status().page, 0);
   EXPECT_THAT(planner_.status().refused, testing::HasSubstr("does not follow yet"));
-  EXPECT_TRUE(turn(forwards()).motors.empty());
+  EXPECT_EQ(turn(forwards()), 0U);
   seen_.safety.state = State::kDriven;
   (void)turn(forwards());
   EXPECT_TRUE(planner_.status().walks);
@@ -163,7 +176,7 @@ TEST_F(WindowMotionPlanner, AbortsAPageThatTheRobotDoesNotFollow) {
   EXPECT_EQ(planner_.status().page, 0);
   EXPECT_THAT(planner_.status().refused, testing::HasSubstr("aborted"));
   seen_.safety.state = State::kDriven;
-  EXPECT_TRUE(turn().motors.empty());
+  EXPECT_EQ(turn(), 0U);
 }
 
 TEST_F(WindowMotionPlanner, AbortsAWalkThatTheRobotDoesNotFollowUntilItIsRequestedAgain) {
@@ -172,7 +185,7 @@ TEST_F(WindowMotionPlanner, AbortsAWalkThatTheRobotDoesNotFollowUntilItIsRequest
   for (int i = 0; i < 30; ++i) (void)turn(forwards());
   EXPECT_FALSE(planner_.status().walks);
   seen_.safety.state = State::kDriven;
-  for (int i = 0; i < 5; ++i) EXPECT_TRUE(turn(forwards()).motors.empty());
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(turn(forwards()), 0U);
   EXPECT_THAT(planner_.status().refused, testing::HasSubstr("aborted"));
   (void)turn();
   (void)turn(forwards());
@@ -219,7 +232,7 @@ TEST_F(WindowMotionPlanner, WithdrawingAWalkBeforeTheStanceHoldsTheRobotThere) {
   const double before = knee();
   (void)turn();
   EXPECT_FALSE(planner_.status().walks);
-  for (int i = 0; i < 20; ++i) EXPECT_TRUE(turn().motors.empty());
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(turn(), 0U);
   EXPECT_EQ(knee(), before);
 }
 
@@ -229,7 +242,7 @@ TEST_F(WindowMotionPlanner, ALimbWithoutAKnownPositionStaysLimp) {
   on.torque[1] = true;
   (void)turn(off);
   seen_.joint[index(Joint::kArmLowerL)].motion.age = 100;
-  EXPECT_TRUE(turn(on).motors.empty());
+  EXPECT_EQ(turn(on), 0U);
   EXPECT_TRUE(planner_.status().limp[1]);
   EXPECT_THAT(planner_.status().refused, testing::HasSubstr("ArmLowerL reports no position"));
 }

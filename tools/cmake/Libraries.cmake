@@ -44,7 +44,7 @@ function(darwinop_library NAME OUT)
   elseif(NAME STREQUAL "lodepng")
     darwinop_plain_library(lodepng lodepng.h liblodepng-dev lodepng)
     set(found darwinop_lodepng)
-  elseif(NAME STREQUAL "egl")  # headers alone: libEGL is loaded at run time, so the twin runs without GL, too
+  elseif(NAME STREQUAL "egl")  # headers alone: libEGL is loaded at run time, so the twin runs without GL also
     darwinop_plain_library(egl EGL/eglext.h libegl-dev)
     set(found darwinop_egl)
   elseif(NAME STREQUAL "mujoco")  # Debian's CMake package names a file that is not there

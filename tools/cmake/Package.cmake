@@ -12,7 +12,7 @@ foreach(room IN LISTS rooms)
 endforeach()
 
 # Where a controller's process looks for it: beside the running program, then where it was built, then where it is
-# installed. The robot's programs are told nothing: they cannot load a library, and say so.
+# installed. The robot's programs get none: they cannot load a library, and report that.
 if(NOT CMAKE_CROSSCOMPILING)
   set_source_files_properties(connect/twin_library.cpp PROPERTIES COMPILE_DEFINITIONS
     "DARWINOP_TWIN_FOLDERS=\"lib\",\"${CMAKE_INSTALL_LIBDIR}\",\"${CMAKE_BINARY_DIR}/lib\",\"${CMAKE_INSTALL_FULL_LIBDIR}\";DARWINOP_VERSION=\"${PROJECT_VERSION}\"")
@@ -85,7 +85,7 @@ configure_file(tools/cmake/Makefile.include.in Makefile.include @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/darwinop.pc" DESTINATION "${pc_dir}" COMPONENT sdk)
 install(FILES "${PROJECT_BINARY_DIR}/Makefile.include" DESTINATION "${CMAKE_INSTALL_DATADIR}/darwinop" COMPONENT sdk)
 
-# Makefile.include reads it, and whoever else builds for the robot without CMake.
+# Makefile.include reads it, and others who build for the robot without CMake.
 if(CMAKE_CROSSCOMPILING)
   configure_file(tools/cmake/robot-toolchain.mk.in robot-toolchain.mk @ONLY)
   install(FILES "${PROJECT_BINARY_DIR}/robot-toolchain.mk" DESTINATION "${CMAKE_INSTALL_DATADIR}/darwinop" COMPONENT sdk)

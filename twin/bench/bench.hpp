@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/units.hpp"
 #include "twin/bench/near_sine.hpp"
 #include "twin/servo/servo.hpp"
 #include "twin/servo/shaft.hpp"
@@ -14,7 +15,7 @@ namespace darwinop::twin {
 /// Point mass at the end of a uniform arm. Angle 0 hangs straight down, positive counter-clockwise.
 struct Pendulum {
   double payload_kg = 0.1, arm_mass_kg = 0, length_m = 0.1;
-  double gravity_m_s2 = 9.80665;
+  double gravity_m_s2 = kGravity;
 };
 
 struct BenchOptions {

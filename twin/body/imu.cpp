@@ -4,17 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/random.hpp"
 #include "core/units.hpp"
 
 namespace darwinop::twin {
 namespace {
 
-// splitmix64 (Steele et al. 2014) of a counter: noise needs no state and does not depend on the order of calls.
 std::uint64_t mix(std::uint64_t x) noexcept {
-  x += 0x9E3779B97F4A7C15U;
-  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
-  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
-  return x ^ (x >> 31U);
+  return splitMix(x + kSplitMixStep);
 }
 
 // Standard normal (Box-Muller).
@@ -22,7 +19,7 @@ double normal(std::uint64_t seed, std::uint64_t sample, std::uint64_t channel) n
   const std::uint64_t first = mix(mix(seed) ^ (sample * 8 + channel));
   constexpr double kUnit = 0x1p-53;
   const double u = (static_cast<double>(first >> 11U) + 0.5) * kUnit;  // never 0
-  const double v = static_cast<double>(mix(first) >> 11U) * kUnit;
+  const double v = uniformFrom(mix(first));
   return std::sqrt(-2 * std::log(u)) * std::cos(2 * kPi * v);
 }
 

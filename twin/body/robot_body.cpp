@@ -130,14 +130,14 @@ RobotBody::RobotBody(const Model& model, const RobotBodyOptions& options) {
   parts_ = std::make_unique<Parts>(model, options);
   parts_->placeAt(startPose(), kStartLeanRad, kSettleSeconds);
   parts_->checkWarnings();
-  if (trouble() != nullptr) throw std::runtime_error{model.body.xml + ": " + trouble()};
+  if (error() != nullptr) throw std::runtime_error{model.body.xml + ": " + error()};
 }
 
 RobotBody::~RobotBody() = default;
 
 void RobotBody::step(Nanos dt, const Drives& drives) noexcept {
   Parts& p = *parts_;
-  if (trouble() != nullptr) return;
+  if (error() != nullptr) return;
   p.pending_ns += dt.count();
   MujocoGuard guard;
   const bool done = guard.attempt([&] {
@@ -147,10 +147,10 @@ void RobotBody::step(Nanos dt, const Drives& drives) noexcept {
     p.checkWarnings();
   else
     p.stopSimulation(guard.why());
-  if (trouble() == nullptr) p.publish();
+  if (error() == nullptr) p.publish();
 }
 
-const char* RobotBody::trouble() const noexcept {
+const char* RobotBody::error() const noexcept {
   return parts_->error[0] == '\0' ? nullptr : parts_->error.data();
 }
 

@@ -34,7 +34,7 @@ class RobotBody final : public Body {
   /// Simulates `dt` in steps of the model; a remainder is carried over to the next call.
   void step(Nanos dt, const Drives& drives) noexcept override;
   [[nodiscard]] const BodyState& state() const noexcept override;
-  [[nodiscard]] const char* trouble() const noexcept override;
+  [[nodiscard]] const char* error() const noexcept override;
 
   /// Places the robot on the floor with these joint angles (rad), at rest. The trunk pitches forward by `lean_rad`. The
   /// ball is not moved.

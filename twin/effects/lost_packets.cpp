@@ -1,6 +1,7 @@
 // Effect: lost and late commands. Random draws use a counter and a seed, so a run is repeatable.
 #include <cmath>
 
+#include "core/random.hpp"
 #include "twin/servo/effect.hpp"
 
 namespace darwinop::twin {
@@ -76,12 +77,8 @@ class LostPackets final : public EffectOf<kLostPackets, kParameters.size()> {
   }
 
  private:
-  // splitmix64 of a counter: identical on every machine, no state but the counter.
   double uniform(double seed) noexcept {
-    std::uint64_t x = static_cast<std::uint64_t>(seed) * 0xd1342543de82ef95ULL + ++draws_ * 0x9e3779b97f4a7c15ULL;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-    return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
+    return uniformFrom(splitMix(static_cast<std::uint64_t>(seed) * 0xd1342543de82ef95U + ++draws_ * kSplitMixStep));
   }
   // Approximately standard normal: a sum of 12 uniform draws has variance 1.
   double normal(double seed) noexcept {

@@ -6,9 +6,9 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/text/nearest.hpp"
 #include "twin/model/model.hpp"
-#include "twin/model/nearest.hpp"
-#include "twin/model/shelf.hpp"
+#include "twin/model/shipped.hpp"
 
 namespace darwinop::twin {
 namespace {
@@ -69,7 +69,7 @@ std::string listShippedModels() {
   const auto names = shippedModels();
   if (names.empty()) return "no shipped models found; set DARWINOP_MODELS to the folder that contains them";
   const std::vector<std::string_view> views(names.begin(), names.end());
-  return "the shipped models are " + listed(views);
+  return "the shipped models are " + text::listed(views);
 }
 
 std::string findModel(const std::string& name) {

@@ -1,7 +1,6 @@
 // Reads and writes numbers with units, and suggests the conversion for another unit.
 #include "twin/model/number.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -9,49 +8,13 @@
 
 #include "core/text/letter_case.hpp"
 #include "core/text/number_text.hpp"
-#include "core/units.hpp"
+#include "core/text/unit_factor.hpp"
 
 namespace darwinop::twin {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::string_view kNone = "none";
-
-/// Common units that a file does not accept, with their conversion factors for the message.
-struct OtherUnit {
-  std::string_view written, meant;
-  double factor;
-};
-constexpr double kRadPerDegree = kPi / 180;
-constexpr OtherUnit kOtherUnits[] = {
-    {"deg", "rad", kRadPerDegree},
-    {"degree", "rad", kRadPerDegree},
-    {"degrees", "rad", kRadPerDegree},
-    {"°", "rad", kRadPerDegree},
-    {"deg/s", "rad/s", kRadPerDegree},
-    {"°/s", "rad/s", kRadPerDegree},
-    {"dps", "rad/s", kRadPerDegree},
-    {"deg/s2", "rad/s2", kRadPerDegree},
-    {"°/s2", "rad/s2", kRadPerDegree},
-    {"rpm", "rad/s", 2 * kPi / 60},
-    {"arcmin", "rad", kRadPerDegree / 60},
-    {"mrad", "rad", 1e-3},
-    {"mrad/s", "rad/s", 1e-3},
-    {"ms", "s", 1e-3},
-    {"us", "s", 1e-6},
-    {"mm", "m", 1e-3},
-    {"cm", "m", 1e-2},
-    {"g", "kg", 1e-3},
-    {"g", "m/s2", 9.80665},
-    {"mN m", "N m", 1e-3},
-    {"N mm", "N m", 1e-3},
-    {"g cm2", "kg m2", 1e-7},
-    {"%", "", 1e-2},
-    {"mV", "V", 1e-3},
-    {"mA", "A", 1e-3},
-    {"mohm", "ohm", 1e-3},
-    {"kohm", "ohm", 1e3},
-};
 
 /// Shortest exact text; without an exponent if that fits in 10 characters.
 std::string shortest(double value) {
@@ -98,10 +61,8 @@ std::string lettersOf(std::string_view unit) {
 [[noreturn]] void refuseUnit(double value, const std::string& unit, const NumberRule& rule) {
   std::string message = rule.unit.empty() ? "this is a pure number, without the unit " + unit
                                           : "the unit is " + std::string{rule.unit} + ", not " + unit;
-  const auto* const other =
-      std::ranges::find_if(kOtherUnits, [&](const OtherUnit& o) { return o.written == unit && o.meant == rule.unit; });
-  if (other != std::end(kOtherUnits))
-    message += "; write " + withUnit(sixDigits(value * other->factor), rule.unit);
+  if (const auto factor = text::unitFactor(unit, rule.unit))
+    message += "; write " + withUnit(sixDigits(value * *factor), rule.unit);
   else if (!rule.unit.empty() && lettersOf(unit) == lettersOf(rule.unit))
     message += "; write " + withUnit(shortest(value), rule.unit);
   else

@@ -8,11 +8,11 @@
 
 #include "core/text/ini_text.hpp"
 #include "core/text/letter_case.hpp"
+#include "core/text/nearest.hpp"
 #include "hal/text_file.hpp"
 #include "twin/model/keys.hpp"
-#include "twin/model/nearest.hpp"
 #include "twin/model/sections.hpp"
-#include "twin/model/shelf.hpp"
+#include "twin/model/shipped.hpp"
 
 namespace darwinop::twin {
 namespace {
@@ -81,7 +81,7 @@ class ModelReader final : public text::IniReader {
 
   void takeKey(const std::string& key, std::string_view value) {
     const KeyRow* const row = findKey(section_.plain, key);
-    if (row == nullptr) throw std::runtime_error("no such key; " + suggestion(key, keysOf(section_.plain)));
+    if (row == nullptr) throw std::runtime_error("no such key; " + text::suggestion(key, keysOf(section_.plain)));
     readValue(model_, *row, value);
   }
 
@@ -89,7 +89,7 @@ class ModelReader final : public text::IniReader {
     const auto parameters = section_.info->parameters;
     const auto found = std::ranges::find(parameters, key, &Parameter::key);
     if (found == parameters.end())
-      throw std::runtime_error("no such key; " + suggestion(key, parametersOf(*section_.info)));
+      throw std::runtime_error("no such key; " + text::suggestion(key, parametersOf(*section_.info)));
     model_.effects.back().values[static_cast<std::size_t>(found - parameters.begin())] =
         readNumber(value, ruleOf(*found));
   }

@@ -5,9 +5,9 @@
 #include <stdexcept>
 
 #include "core/text/letter_case.hpp"
+#include "core/text/nearest.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
-#include "twin/model/nearest.hpp"
 
 namespace darwinop::twin {
 namespace {
@@ -31,15 +31,15 @@ std::string quoted(std::string_view word) {
 
 const EffectInfo& effectNamed(std::string_view id) {
   if (const EffectInfo* const info = findEffect(text::lowered(id))) return *info;
-  throw std::runtime_error("there is no effect " + quoted(id) + "; " + suggestion(id, effectIds()));
+  throw std::runtime_error("there is no effect " + quoted(id) + "; " + text::suggestion(id, effectIds()));
 }
 
 Joint jointNamed(std::string_view name) {
-  if (const auto joint = findJoint(text::jointName(name))) return *joint;
+  if (const auto joint = findJoint(jointName(name))) return *joint;
   std::vector<std::string_view> names;
   names.reserve(kJoints);
   for (const JointRow& row : kJointTable) names.push_back(row.name);
-  throw std::runtime_error("there is no joint " + quoted(name) + "; " + suggestion(name, names));
+  throw std::runtime_error("there is no joint " + quoted(name) + "; " + text::suggestion(name, names));
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ SectionName sectionFrom(std::string_view text) {
   if (const EffectInfo* const info = words.empty() ? nullptr : findEffect(text::lowered(words[0])))
     throw std::runtime_error(message + "write an effect as [effect " + std::string{info->id} + "]");
   std::vector<std::string_view> known(plainSections().begin(), plainSections().end());
-  if (const auto near = nearest(text, known))
+  if (const auto near = text::nearest(text, known))
     throw std::runtime_error(message + "did you mean [" + std::string{*near} + "]?");
   throw std::runtime_error(message + "there are [model], [servo], [body], [imu] and [effect NAME]");
 }

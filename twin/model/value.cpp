@@ -4,8 +4,8 @@
 #include <type_traits>
 
 #include "core/text/letter_case.hpp"
+#include "core/text/nearest.hpp"
 #include "twin/model/keys.hpp"
-#include "twin/model/nearest.hpp"
 
 namespace darwinop::twin {
 namespace {
@@ -64,7 +64,7 @@ std::string writeValue(const Model& model, const KeyRow& row) {
 }
 
 std::string allowed(const KeyRow& row) {
-  if (!row.words.empty()) return listed(row.words, "or");
+  if (!row.words.empty()) return text::listed(row.words, "or");
   Model dummy;
   const Slot slot = row.in(dummy);
   if (std::holds_alternative<std::string*>(slot))

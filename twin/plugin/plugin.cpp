@@ -51,33 +51,33 @@ const BodyState* state(const void* body) {
   return &static_cast<const RobotBody*>(body)->state();
 }
 
-const char* trouble(const void* body) {
-  return static_cast<const RobotBody*>(body)->trouble();
+const char* error(const void* body) {
+  return static_cast<const RobotBody*>(body)->error();
 }
 
 void end(void* body) {
   delete static_cast<RobotBody*>(body);
 }
 
-void* openEyes(void* body, int width, int height, char* error, std::size_t size) {
+void* openCamera(void* body, int width, int height, char* error, std::size_t size) {
   return orError(error, size, [&] {
     const HeadCamera::Options options{.width = width, .height = height};
     return std::make_unique<HeadCamera>(*static_cast<RobotBody*>(body), options).release();
   });
 }
 
-void look(void* eyes) {
-  static_cast<HeadCamera*>(eyes)->look();
+void look(void* camera) {
+  static_cast<HeadCamera*>(camera)->look();
 }
 
-void newest(void* eyes, BodyPicture* picture) {
-  HeadCamera& camera = *static_cast<HeadCamera*>(eyes);
-  const CameraFrame frame = camera.newest();
-  *picture = {frame.sequence, frame.time.count(), frame.width, frame.height, frame.bgra.data(), camera.blindness()};
+void newest(void* camera, BodyPicture* picture) {
+  HeadCamera& head = *static_cast<HeadCamera*>(camera);
+  const CameraFrame frame = head.newest();
+  *picture = {frame.sequence, frame.time.count(), frame.width, frame.height, frame.bgra.data(), head.renderError()};
 }
 
-void closeEyes(void* eyes) {
-  delete static_cast<HeadCamera*>(eyes);
+void closeCamera(void* camera) {
+  delete static_cast<HeadCamera*>(camera);
 }
 
 }  // namespace
@@ -89,11 +89,11 @@ extern "C" const darwinop::BodyLibrary* darwinop_body_library() {
                                              .make = darwinop::twin::make,
                                              .step = darwinop::twin::step,
                                              .state = darwinop::twin::state,
-                                             .trouble = darwinop::twin::trouble,
+                                             .error = darwinop::twin::error,
                                              .end = darwinop::twin::end,
-                                             .open_eyes = darwinop::twin::openEyes,
+                                             .open_camera = darwinop::twin::openCamera,
                                              .look = darwinop::twin::look,
                                              .newest = darwinop::twin::newest,
-                                             .close_eyes = darwinop::twin::closeEyes};
+                                             .close_camera = darwinop::twin::closeCamera};
   return &library;
 }

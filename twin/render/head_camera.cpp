@@ -63,11 +63,11 @@ void HeadCamera::draw() {
     }
   } catch (const std::exception& failure) {  // the calling controller does not expect exceptions
     offscreen_.reset();
-    blindness_ = failure.what();
-    logOnce(blindness_);
+    render_error_ = failure.what();
+    logOnce(render_error_);
   }
   if (!offscreen_)
-    picture_ = testPattern(options_.width, options_.height, blindness_, static_cast<unsigned>(sequence_));
+    picture_ = testPattern(options_.width, options_.height, render_error_, static_cast<unsigned>(sequence_));
   const std::uint8_t* rgb = picture_.rgb.data();
   for (std::size_t i = 0; i < bgra_.size(); i += 4, rgb += 3) {
     bgra_[i] = rgb[2];

@@ -18,7 +18,7 @@ class Offscreen;
 /// look() stores the pose once per `period` of the body's clock, so that a lockstep run is repeatable; newest() renders
 /// it. OpenGL is initialized for the first picture. Without OpenGL it returns a test pattern with the reason and logs
 /// the reason once.
-class HeadCamera final : public Eyes {
+class HeadCamera final : public BodyCamera {
  public:
   struct Options {
     int width = 320, height = 240;
@@ -33,12 +33,12 @@ class HeadCamera final : public Eyes {
   void look() noexcept override;
   CameraFrame newest() override;
   /// `seeing` is false for a test pattern, so that its red bar is not detected as a ball.
-  [[nodiscard]] CameraHealth health() const override { return {.seeing = blindness_.empty(), .frames = pictures_}; }
+  [[nodiscard]] CameraHealth health() const override { return {.seeing = render_error_.empty(), .frames = pictures_}; }
 
   /// The picture that newest() returned, as RGB.
   [[nodiscard]] const Picture& picture() const noexcept { return picture_; }
-  [[nodiscard]] const char* blindness() const noexcept override {
-    return blindness_.empty() ? nullptr : blindness_.c_str();
+  [[nodiscard]] const char* renderError() const noexcept override {
+    return render_error_.empty() ? nullptr : render_error_.c_str();
   }
 
  private:
@@ -49,7 +49,7 @@ class HeadCamera final : public Eyes {
   Options options_;
   MjModelPtr model_;                      // copy of the body's model, until OpenGL is initialized
   std::unique_ptr<Offscreen> offscreen_;  // null: not initialized yet, or OpenGL is not available
-  std::string blindness_;
+  std::string render_error_;
   Picture picture_;
   std::vector<std::uint8_t> bgra_;
   Pose pose_;

@@ -15,7 +15,7 @@ using Angles = std::array<double, kJoints>;  // rad
 /// Start pose (kneeling), from the joint table.
 inline Angles startAngles() {
   Angles angles{};
-  for (std::size_t i = 0; i < kJoints; ++i) angles[i] = (kJointTable[i].start - 2048) * kRadPerTick;
+  for (std::size_t i = 0; i < kJoints; ++i) angles[i] = (kJointTable[i].start - kTickCentre) * kRadPerTick;
   return angles;
 }
 

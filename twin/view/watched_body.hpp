@@ -17,7 +17,7 @@ class WatchedBody final : public Body {
 
   void step(Nanos dt, const Drives& drives) noexcept override;
   [[nodiscard]] const BodyState& state() const noexcept override { return body_->state(); }
-  [[nodiscard]] const char* trouble() const noexcept override { return body_->trouble(); }
+  [[nodiscard]] const char* error() const noexcept override { return body_->error(); }
 
   [[nodiscard]] RobotBody& robot() noexcept { return *body_; }
   /// May be used by another thread while the body steps; everything else may not.

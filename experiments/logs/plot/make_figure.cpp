@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "experiments/logs/plot/choice.hpp"
-#include "experiments/logs/plot/natural.hpp"
+#include "experiments/logs/plot/experiment_plot.hpp"
 #include "experiments/logs/plot/text.hpp"
 #include "experiments/logs/plot/traces.hpp"
 

@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "core/text/nearest.hpp"
 #include "gap/benchmark/make/key_figures.hpp"
 #include "gap/benchmark/make/perturb_baseline.hpp"
 #include "gap/benchmark/make/severities.hpp"
 #include "gap/case/write_case.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
-#include "twin/model/nearest.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -23,7 +23,7 @@ std::size_t indexOf(const List& parameters, const std::string& key, const std::s
   if (found != parameters.end()) return static_cast<std::size_t>(found - parameters.begin());
   std::vector<std::string_view> keys;
   for (const auto& parameter : parameters) keys.push_back(parameter.key);
-  throw std::runtime_error("effect " + effect + " has no parameter " + key + "; " + twin::suggestion(key, keys));
+  throw std::runtime_error("effect " + effect + " has no parameter " + key + "; " + text::suggestion(key, keys));
 }
 
 std::string numberText(double value) {
@@ -73,7 +73,7 @@ KeyEffect add(const HiddenEffect& wanted, const OutsideInfo& info, Rng& rng, Tru
   std::vector<std::string_view> known;
   for (const twin::EffectInfo* const info : twin::catalogue()) known.push_back(info->id);
   for (const OutsideInfo& info : outsideCatalogue()) known.push_back(info.id);
-  throw std::runtime_error("there is no effect " + id + " to hide; " + twin::suggestion(id, known));
+  throw std::runtime_error("there is no effect " + id + " to hide; " + text::suggestion(id, known));
 }
 
 CaseClass classOf(const Truth& truth, std::size_t effects) {

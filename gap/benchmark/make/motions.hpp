@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gap/benchmark/make/rng.hpp"
+#include "core/random.hpp"
 
 namespace darwinop::gap {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "gap/benchmark/make/rng.hpp"
+#include "core/random.hpp"
 #include "twin/bench/bench.hpp"
 #include "twin/servo/effect.hpp"
 

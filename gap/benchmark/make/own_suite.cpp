@@ -58,7 +58,7 @@ void addSingles(Rng& rng, Requests& all) {
       for (const int severity : {1, 2, 3}) {
         const Baseline baseline = kind == Baseline::kFriction && rng.coin() ? Baseline::kFine : kind;
         if (shows(id, baseline) && (severity == 1 || id != kNeverPlain))
-          all.push_back(request(baseline, rng.share() < 0.4, {{.id = id, .severity = severity}}));
+          all.push_back(request(baseline, rng.uniform() < 0.4, {{.id = id, .severity = severity}}));
       }
   }
 }
@@ -83,7 +83,7 @@ void addPairs(std::size_t count, Rng& rng, Requests& all) {
     const std::string_view a = rng.pick(kForPairs), b = rng.pick(kForPairs);
     const Baseline baseline = rng.pick(kBaselines);
     if (areDoubles(a, b) || !shows(a, baseline) || !shows(b, baseline)) continue;
-    const bool other_law = baseline == Baseline::kSpeed && rng.share() < 0.3;
+    const bool other_law = baseline == Baseline::kSpeed && rng.uniform() < 0.3;
     const HiddenEffect first{.id = other_law ? "p_on_torque" : std::string{a}, .severity = 3};
     all.push_back(request(baseline, false, {first, {.id = std::string{b}, .severity = 2 + (rng.coin() ? 1 : 0)}}));
     --count;

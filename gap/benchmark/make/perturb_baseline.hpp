@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "gap/benchmark/make/rng.hpp"
+#include "core/random.hpp"
 #include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {

@@ -117,7 +117,7 @@ double gapBetween(const Case& given, const Hypothesis& a, const Hypothesis& b) {
 Strength strengthOf(const Case& given, const Hypothesis& without, const twin::EffectInfo& effect, int severity,
                     Rng& rng) {
   const GapRange range = gapRangeOf(severity);
-  const double wanted = range.low_rad * std::pow(range.high_rad / range.low_rad, rng.share());
+  const double wanted = range.low_rad * std::pow(range.high_rad / range.low_rad, rng.uniform());
   const Way way = drawnWay(without, effect, rng);
   const auto tried = [&](double strength) {
     Strength found{.severity = severity, .values = way.at(strength), .gap_rad = 0};

@@ -1,7 +1,7 @@
 // How strong an effect has to be to open a gap of some size. Found by simulation on the bench at hand, not by taste.
 #pragma once
 
-#include "gap/benchmark/make/rng.hpp"
+#include "core/random.hpp"
 #include "gap/plant/hypothesis.hpp"
 
 namespace darwinop::gap {

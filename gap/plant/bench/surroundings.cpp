@@ -13,7 +13,7 @@ const twin::EffectInfo kSurroundings =
 }  // namespace
 
 GaussMarkov::GaussMarkov(double sigma, double time_s, double step_s, std::uint64_t seed)
-    : state_{seed}, keep_{std::exp(-step_s / time_s)}, add_{sigma * std::sqrt(1 - keep_ * keep_)} {
+    : rng_{seed}, keep_{std::exp(-step_s / time_s)}, add_{sigma * std::sqrt(1 - keep_ * keep_)} {
   value_ = sigma * nearlyNormal();
 }
 
@@ -21,13 +21,9 @@ double GaussMarkov::next() {
   return value_ = keep_ * value_ + add_ * nearlyNormal();
 }
 
-// SplitMix64 (Steele, Lea, Flood 2014), and the sum of its four quarters: of mean 0 and variance 1. What wanders is the
-// sum of dozens of them.
+// The sum of four quarters of a draw: mean 0, variance 1. The process sums dozens of them.
 double GaussMarkov::nearlyNormal() {
-  std::uint64_t z = state_ += 0x9e3779b97f4a7c15;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
-  z ^= z >> 31;
+  const std::uint64_t z = rng_.next();
   constexpr std::uint64_t kQuarter = 0xffff;
   const std::uint64_t sum = (z & kQuarter) + (z >> 16 & kQuarter) + (z >> 32 & kQuarter) + (z >> 48);
   static const double kScale = std::sqrt(3.0) / 65'536;  // each is uniform, of variance 65536^2 / 12

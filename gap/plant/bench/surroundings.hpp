@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "core/random.hpp"
 #include "gap/plant/bench/roll_out.hpp"
 #include "twin/servo/effect.hpp"
 
@@ -17,7 +18,7 @@ class GaussMarkov {
  private:
   double nearlyNormal();
 
-  std::uint64_t state_;
+  Rng rng_;
   double keep_, add_, value_;
 };
 

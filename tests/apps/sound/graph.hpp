@@ -46,13 +46,13 @@ class SoundGraph : public testing::Test {
     if (!sound_) sound_ = std::make_unique<connect::SoundProgram>(DARWINOP_SOUND_PROGRAM);
     return *sound_;
   }
-  /// What else is told meanwhile is kept.
+  /// Other events meanwhile are kept.
   void awaitEnd(SoundId id) {
-    await([&](const SoundEvent& news) { return news == SoundEvent{SoundEnded{id}}; });
+    await([&](const SoundEvent& event) { return event == SoundEvent{SoundEnded{id}}; });
   }
   void awaitBegin(SoundId id) {
-    await([&](const SoundEvent& news) {
-      const auto* const started = std::get_if<SoundStarted>(&news);
+    await([&](const SoundEvent& event) {
+      const auto* const started = std::get_if<SoundStarted>(&event);
       return started != nullptr && started->id == id;
     });
   }
@@ -65,18 +65,18 @@ class SoundGraph : public testing::Test {
   }
 
   TemporaryFolder folder;
-  std::string said;    // troubles
+  std::string said;    // errors
   double seconds = 0;  // of the sound that began last
 
  private:
   template <class Condition>
   void await(Condition is_it) {
-    while (const auto news = sound().news(kPatience)) {
-      if (const auto* const trouble = std::get_if<SoundError>(&*news)) said += trouble->sentence + '\n';
-      if (const auto* const started = std::get_if<SoundStarted>(&*news)) seconds = started->seconds;
-      if (is_it(*news)) return;
+    while (const auto event = sound().nextEvent(kPatience)) {
+      if (const auto* const error = std::get_if<SoundError>(&*event)) said += error->sentence + '\n';
+      if (const auto* const started = std::get_if<SoundStarted>(&*event)) seconds = started->seconds;
+      if (is_it(*event)) return;
     }
-    FAIL() << "nothing more was told; before that: " << said;
+    FAIL() << "no further event; before that: " << said;
   }
 
   std::unique_ptr<connect::SoundProgram> sound_;

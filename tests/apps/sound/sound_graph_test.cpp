@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
-double secondsHeard(const std::vector<double>& values, int rate) {
+double secondsOfSound(const std::vector<double>& values, int rate) {
   return static_cast<double>(audiblePart(values).size()) / rate;
 }
 
@@ -52,14 +52,14 @@ void expectSpeech(const std::vector<double>& values, int rate) {
   EXPECT_GT(levels[levels.size() * 9 / 10], 4 * levels[levels.size() / 10]);
 }
 
-TEST_F(SoundGraph, AToneIsHeardForItsTimeAtItsPitchAndVolume) {
+TEST_F(SoundGraph, AToneSoundsForItsTimeAtItsPitchAndVolume) {
   sound().order(PlaySound{.id = 1, .file = toneFile(440, 0.4), .volume = 0.5, .balance = 0.5});
   awaitEnd(1);
   EXPECT_DOUBLE_EQ(seconds, 0.4);
   const Wave wave = recorded();
   ASSERT_EQ(wave.channels, 2);
   const auto left = audiblePart(wave.channel(0)), right = audiblePart(wave.channel(1));
-  EXPECT_NEAR(secondsHeard(right, wave.rate), 0.4, 0.01);
+  EXPECT_NEAR(secondsOfSound(right, wave.rate), 0.4, 0.01);
   EXPECT_NEAR(amplitudeAt(440, right, wave.rate), 0.25, 0.01);
   EXPECT_NEAR(amplitudeAt(440, left, wave.rate), 0.125, 0.01);
   EXPECT_LT(amplitudeAt(880, right, wave.rate), 0.01);
@@ -71,7 +71,7 @@ TEST_F(SoundGraph, AnMp3FileAnOctaveHigherTakesHalfItsTime) {
   awaitEnd(1);
   const Wave wave = recorded();
   const auto values = audiblePart(wave.channel(0));
-  EXPECT_NEAR(secondsHeard(values, wave.rate), 0.25, 0.06) << "an MP3 file begins and ends with some silence";
+  EXPECT_NEAR(secondsOfSound(values, wave.rate), 0.25, 0.06) << "an MP3 file begins and ends with some silence";
   EXPECT_GT(amplitudeAt(1760, values, wave.rate), 10 * amplitudeAt(880, values, wave.rate));
 }
 
@@ -85,7 +85,7 @@ TEST_F(SoundGraph, SpeechIsSpeechAndASoundCanBeMixedIntoIt) {
   EXPECT_EQ(said, "");
   const Wave wave = recorded();
   const auto values = audiblePart(wave.channel(0));
-  EXPECT_GT(secondsHeard(values, wave.rate), 1.5);
+  EXPECT_GT(secondsOfSound(values, wave.rate), 1.5);
   expectSpeech(values, wave.rate);
   EXPECT_GT(amplitudeAt(5000, values, wave.rate), 0.02);
 }
@@ -116,7 +116,7 @@ TEST_F(SoundGraph, ALoopGoesOnUntilItIsStopped) {
   awaitEnd(2);
   const Wave wave = recorded();
   const auto values = audiblePart(wave.channel(0));
-  EXPECT_GT(secondsHeard(values, wave.rate), 0.8);
+  EXPECT_GT(secondsOfSound(values, wave.rate), 0.8);
   const std::span all{values};
   const auto quarter = all.size() / 4;
   EXPECT_NEAR(amplitudeAt(440, all.first(quarter), wave.rate), 0.5, 0.05);

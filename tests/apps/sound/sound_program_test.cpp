@@ -30,7 +30,7 @@ std::string whyNoSound() {
   return "";
 }
 
-TEST_F(SoundGraph, WithoutACardSoundsTakeTheirTimeAndThatIsSaid) {
+TEST_F(SoundGraph, WithoutACardSoundsTakeTheirTimeAndThatIsReported) {
   writeGraph("pcm.null { type null }\n");
   const auto begin = std::chrono::steady_clock::now();
   sound().order(PlaySound{.id = 1, .file = toneFile(440, 0.3)});
@@ -39,11 +39,11 @@ TEST_F(SoundGraph, WithoutACardSoundsTakeTheirTimeAndThatIsSaid) {
   EXPECT_THAT(said, HasSubstr("cannot use sound card \"default\""));
 }
 
-TEST_F(SoundGraph, AFileThatIsMissingOrIsNoneIsSaidAndTheNextOneIsHeard) {
+TEST_F(SoundGraph, AFileThatIsMissingOrIsNoneIsReportedAndTheNextOneSounds) {
   sound().order(PlaySound{.id = 1, .file = folder / "nothing.mp3"});
   awaitEnd(1);
   EXPECT_THAT(said, HasSubstr("cannot read sound file " + (folder / "nothing.mp3") + ": No such file"));
-  std::ofstream{folder / "text.mp3"} << "this is no sound at all, whatever its name says";
+  std::ofstream{folder / "text.mp3"} << "this is not a sound at all, whatever its name says";
   sound().order(PlaySound{.id = 2, .file = folder / "text.mp3"});
   awaitEnd(2);
   EXPECT_THAT(said, HasSubstr("cannot play sound file"));
@@ -57,7 +57,7 @@ TEST_F(SoundGraph, AFileThatIsMissingOrIsNoneIsSaidAndTheNextOneIsHeard) {
   EXPECT_GT(rms(audiblePart(recorded().channel(0))), 0.01);
 }
 
-TEST_F(SoundGraph, WhatEndsAtOnceIsToldOfAlsoWhenTheCardIsAboutToBeGivenBack) {
+TEST_F(SoundGraph, WhatEndsAtOnceIsReportedAlsoWhenTheCardIsAboutToBeGivenBack) {
   sound().order(Speak{.id = 1, .text = folder / "no_text", .text_is_file = true});
   awaitEnd(1);
   sound().order(PlaySound{.id = 2, .file = toneFile(440, 0.1)});
@@ -67,17 +67,17 @@ TEST_F(SoundGraph, WhatEndsAtOnceIsToldOfAlsoWhenTheCardIsAboutToBeGivenBack) {
   awaitEnd(3);
 }
 
-TEST_F(SoundGraph, AProgramThatIsKilledIsToldOfAndLeavesNoZombie) {
+TEST_F(SoundGraph, AProgramThatIsKilledIsReportedAndLeavesNoZombie) {
   sound().order(PlaySound{.id = 1, .file = toneFile(440, 10)});
   awaitBegin(1);
   const pid_t pid = sound().pid();
   kill(pid, SIGKILL);
-  const auto news = sound().news(kPatience);
-  ASSERT_TRUE(news && std::holds_alternative<SoundLost>(*news));
-  EXPECT_THAT(std::get<SoundLost>(*news).sentence, HasSubstr("ended by signal 9"));
+  const auto event = sound().nextEvent(kPatience);
+  ASSERT_TRUE(event && std::holds_alternative<SoundLost>(*event));
+  EXPECT_THAT(std::get<SoundLost>(*event).sentence, HasSubstr("ended by signal 9"));
   EXPECT_FALSE(processExists(pid));
   EXPECT_TRUE(sound().order(StopSound{})) << "no signal, and nothing to say again";
-  EXPECT_FALSE(sound().news(0ms));
+  EXPECT_FALSE(sound().nextEvent(0ms));
 }
 
 /// State of a process as ps shows it; Z or nothing: it has ended.
@@ -161,7 +161,7 @@ TEST_F(SoundGraph, APipeOfTheControllerEndsWhenTheControllerClosesIt) {
   sound();
   close(ends[1]);
   pollfd end{ends[0], POLLIN, 0};
-  EXPECT_EQ(poll(&end, 1, 1000), 1) << "the sound program has it, too";
+  EXPECT_EQ(poll(&end, 1, 1000), 1) << "the sound program has it also";
   close(ends[0]);
 }
 

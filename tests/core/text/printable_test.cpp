@@ -25,7 +25,7 @@ TEST(Printable, CommandsForATerminalAreShownAndNotCarriedOut) {
   EXPECT_EQ(text::printable(std::string_view{"a\0b", 3}), "a\\x00b");
 }
 
-TEST(Printable, WhatIsNoUtf8IsShownAsBytes) {
+TEST(Printable, WhatIsNotUtf8IsShownAsBytes) {
   EXPECT_EQ(text::printable("\x9b"
                             "2J"),
             "\\x9b2J");

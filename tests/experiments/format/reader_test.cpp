@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Wrong{"velocity =", "velocty =", 11, {"no key 'velocty'", "did you mean velocity?", "allowed are"}},
         Wrong{"velocity = 2 rad/s", "velocity = 2", 11, {"'2' is not a speed", "rad/s, deg/s, rpm"}},
-        Wrong{"velocity = 2 rad/s", "velocity = 20 rad/s", 11, {"out of range", "0.0119 to 12.22 rad/s"}},
+        Wrong{"velocity = 2 rad/s", "velocity = 20 rad/s", 11, {"out of range", "0.0119 to 12.21 rad/s"}},
         Wrong{"velocity = 2 rad/s", "velocity = nan rad/s", 11, {"is not a speed"}},
         Wrong{"velocity = 2 rad/s\n", "", 7, {"goal = step needs 'velocity'"}},
         Wrong{"duration = 1 s\n[record]", "[record]", 7, {"needs 'duration'"}},

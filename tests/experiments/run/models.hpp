@@ -3,11 +3,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::experiments {
 
@@ -31,11 +31,7 @@ class Models {
   static std::filesystem::path shipped(const std::string& file) {
     return std::filesystem::path{DARWINOP_TWIN_MODELS} / file;
   }
-  static std::string read(const std::string& model) {
-    std::ostringstream text;
-    text << std::ifstream{shipped(model + ".ini")}.rdbuf();
-    return text.str();
-  }
+  static std::string read(const std::string& model) { return textOf(shipped(model + ".ini")); }
   [[nodiscard]] std::string write(const std::string& text) const {
     std::ofstream{folder_ / "mine.ini"} << text;
     return "twin:" + (folder_ / "mine.ini");

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "hal/camera_v4l2/camera.hpp"
+#include "hal/camera_v4l2/camera_error.hpp"
 #include "hal/camera_v4l2/device.hpp"
 #include "hal/camera_v4l2/picture.hpp"
-#include "hal/camera_v4l2/trouble.hpp"
 #include "hal/pixels/yuyv_to_bgra.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -51,14 +51,14 @@ TEST(AbsentCamera, IsBlackAndLeavesPromptly) {
   options.device = folder / "video0";
   options.width = 64;
   options.height = 48;
-  options.say = [token, &said](const std::string&) {
+  options.log = [token, &said](const std::string&) {
     ++said;
     throw std::runtime_error("a listener that throws");
   };
   options.patience.first_pause = options.patience.longest_pause = 1ms;
   options.patience.grace = kGrace;
   auto camera = std::make_unique<Camera>(options);
-  options.say = nullptr;
+  options.log = nullptr;
   const CameraFrame frame = camera->newest();
   EXPECT_EQ(frame.sequence, 0u);
   EXPECT_EQ(frame.width, 64);
@@ -82,9 +82,9 @@ TEST(AbsentCamera, DoesNotBlockItsOwnerDuringALongPause) {
   options.patience.grace = kGrace;
   const auto token = std::make_shared<int>(0);
   std::atomic<bool> said{false};
-  options.say = [token, &said](const std::string&) { said = true; };
+  options.log = [token, &said](const std::string&) { said = true; };
   auto camera = std::make_unique<Camera>(options);
-  options.say = nullptr;
+  options.log = nullptr;
   while (!said) std::this_thread::sleep_for(1ms);
   const auto begun = std::chrono::steady_clock::now();
   camera.reset();

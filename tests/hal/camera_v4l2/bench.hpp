@@ -90,7 +90,7 @@ class LogCapture {
 /// Short retry and silence times. Waits for the thread at the end, so that it cannot use the next test's camera.
 inline CameraOptions fastOptions(LogCapture& log) {
   CameraOptions options;
-  options.say = log.callback();
+  options.log = log.callback();
   options.patience = {700ms, 5ms, 20ms, 20s};
   return options;
 }

@@ -73,9 +73,9 @@ TEST_F(ComingAndGoing, DoesNotBlockItsOwnerOnASilentCamera) {
   CameraOptions options = fastOptions(log);
   options.patience.silent = 60s;
   const auto token = std::make_shared<int>(0);
-  options.say = [token](const std::string&) {};
+  options.log = [token](const std::string&) {};
   auto camera = std::make_unique<Camera>(options);
-  options.say = nullptr;
+  options.log = nullptr;
   waitForPicture(*camera);
   device.fault(CameraFault::kSilent);
   std::this_thread::sleep_for(50ms);
@@ -102,10 +102,10 @@ TEST_F(ComingAndGoing, DoesNotBlockItsOwnerOnABlockedDriver) {
   const auto token = std::make_shared<int>(0);
   std::atomic<int> messages{0};
   CameraOptions options = fastOptions(log);
-  options.say = [token, &messages](const std::string&) { ++messages; };
+  options.log = [token, &messages](const std::string&) { ++messages; };
   options.patience.grace = 100ms;
   auto camera = std::make_unique<Camera>(options);
-  options.say = nullptr;
+  options.log = nullptr;
   ASSERT_TRUE(waitFor([&] { return driver.reached.load(); }));
   const auto begun = std::chrono::steady_clock::now();
   camera.reset();
@@ -121,10 +121,10 @@ TEST_F(ComingAndGoing, DoesNotReportBusyForABlockedPredecessor) {
   StuckDriver driver{VIDIOC_DQBUF};
   const auto token = std::make_shared<int>(0);
   CameraOptions options = fastOptions(log);
-  options.say = [token](const std::string&) {};
+  options.log = [token](const std::string&) {};
   options.patience.grace = 10ms;
   auto predecessor = std::make_unique<Camera>(options);
-  options.say = nullptr;
+  options.log = nullptr;
   ASSERT_TRUE(waitFor([&] { return driver.reached.load(); }));
   predecessor.reset();
   ASSERT_NE(token.use_count(), 1) << "its thread was not abandoned";
@@ -154,7 +154,7 @@ TEST_F(ComingAndGoing, DoesNotAllocatePerPicture) {
   std::vector<long> allocations;  // of the camera's thread, at each message
   std::mutex mutex;
   CameraOptions options = fastOptions(log);
-  options.say = [&](const std::string&) {
+  options.log = [&](const std::string&) {
     const std::lock_guard lock{mutex};
     allocations.push_back(allocationsOfThisThread());
   };

@@ -2,8 +2,8 @@
 #include <linux/videodev2.h>
 
 #include "hal/camera_v4l2/bench.hpp"
+#include "hal/camera_v4l2/camera_error.hpp"
 #include "hal/camera_v4l2/picture_taker.hpp"
-#include "hal/camera_v4l2/trouble.hpp"
 #include "support/allocation_probe.hpp"
 
 namespace darwinop::v4l2 {

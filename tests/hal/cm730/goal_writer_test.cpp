@@ -68,8 +68,8 @@ TEST_F(DrivingWriter, WritesATorqueLimitThatChangesInEveryStepWhileNoServoWorksA
   for (int i = 0; i < 100; ++i) {
     asked.drive(Joint::kHead, Rad{0}, RadPerSec{12.2}, NewtonMeter{1 + 0.01 * (i % 7)});
     ASSERT_EQ(write(), kAll);
-    writer.heard(Joint::kHead, 0.2);
-    writer.heard(Joint::kNeck, -0.6);
+    writer.noteLoad(Joint::kHead, 0.2);
+    writer.noteLoad(Joint::kNeck, -0.6);
   }
 }
 
@@ -79,7 +79,7 @@ struct StrainingWriter : DrivingWriter {
     for (int i = 0; i < 3 * GoalWriter::kSettingsEvery; ++i) (void)write();
     while (write() != kSettings) {
     }
-    writer.heard(Joint::kNeck, -0.9);
+    writer.noteLoad(Joint::kNeck, -0.9);
   }
 };
 
@@ -107,7 +107,7 @@ TEST_F(StrainingWriter, SendsItsTorqueLimitWithoutAGoalSoThatAShutdownIsSeen) {
 
 TEST_F(StrainingWriter, SendsLimitsAloneToFourServosAtMostThatWorkAtTheirLimitsAndToAllInTurn) {
   SafeCommands::Mask had;
-  for (std::size_t i = 0; i < kJoints; ++i) writer.heard(static_cast<Joint>(i), 1);
+  for (std::size_t i = 0; i < kJoints; ++i) writer.noteLoad(static_cast<Joint>(i), 1);
   for (int i = 0; i < 160; ++i) {
     for (std::size_t joint = 0; joint < kJoints; ++joint)
       asked.drive(static_cast<Joint>(joint), Rad{0}, RadPerSec{12.2}, NewtonMeter{1 + 0.01 * (i % 7)});
@@ -140,7 +140,7 @@ TEST_F(StrainingWriter, SendsAChangedTorqueLimitTwice) {
 }
 
 TEST_F(DrivingWriter, SendsAChangedTorqueLimitTwice) {
-  writer.heard(Joint::kNeck, 0.1);
+  writer.noteLoad(Joint::kNeck, 0.1);
   asked.drive(Joint::kHead, Rad{0}, RadPerSec{12.2}, NewtonMeter{1.1});
   EXPECT_EQ(write(), kAll);
   int again = 0;

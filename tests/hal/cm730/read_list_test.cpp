@@ -161,7 +161,7 @@ TEST(ReadList, AfterALostBoardReplyAllAreRecheckedAsFastAsThePeriodAllows) {
 TEST(ReadList, OneDamagedFrameDoesNotChangeTheOrder) {
   ReadList list{kRound};
   list.next();
-  list.answered(~ReadList::Mask{}.set(4));  // its neighbours heard it: only our copy was damaged
+  list.answered(~ReadList::Mask{}.set(4));  // its neighbours received it: only our copy was damaged
   EXPECT_TRUE(list.silent().none());
   EXPECT_EQ(list.next()[4].joint, 4);
 }

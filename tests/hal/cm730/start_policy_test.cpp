@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <fstream>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -19,6 +18,7 @@
 #include "hil-mocks/memory_line.hpp"
 #include "hil-mocks/robot_options.hpp"
 #include "hil-mocks/torque_on_counter.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::cm730 {
 namespace {
@@ -35,8 +35,7 @@ std::string docsTable() {
 }
 
 TEST(StartPolicyDocs, TheDocumentationHasTheTable) {
-  std::ifstream file{DARWINOP_DOCTOR_PAGE};
-  const std::string page{std::istreambuf_iterator<char>{file}, {}};
+  const std::string page = textOf(DARWINOP_DOCTOR_PAGE);
   EXPECT_THAT(page, HasSubstr(docsTable())) << "expected table:\n" << docsTable();
 }
 

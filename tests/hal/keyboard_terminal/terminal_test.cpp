@@ -35,7 +35,7 @@ void onInterrupt(int) {
   static_cast<void>(std::setvbuf(stdout, nullptr, _IONBF, 0));
   signal(SIGINT, onInterrupt);
   const auto keys = openKeys(
-      {.from = from, .display = "", .say = [](const std::string& what) { std::printf("said: %s\r\n", what.c_str()); }},
+      {.from = from, .display = "", .log = [](const std::string& what) { std::printf("said: %s\r\n", what.c_str()); }},
       end_requested);
   std::printf("listening\r\n");
   for (std::vector<Key> before; !end_requested;) {
@@ -173,7 +173,7 @@ TEST(Keys, WithoutASourceAreReportedOnce) {
     const std::atomic<bool> ending{false};
     const auto keys = openKeys({.from = "",
                                 .display = ":x",
-                                .say =
+                                .log =
                                     [&](const std::string& text) {
                                       what = text;
                                       said = true;

@@ -28,7 +28,7 @@ class KeyWindowTest : public testing::Test {
   KeyWindowTest() {
     keys = openKeys({.from = "window",
                      .display = server.name(),
-                     .say =
+                     .log =
                          [this](const std::string& what) {
                            const std::lock_guard lock{mutex};
                            log += what + "\n";

@@ -53,7 +53,7 @@ class SharedPicture : public testing::Test {
           std::make_unique<Reader>(Reader::Options{.files = files_,
                                                    .group = ::getegid(),
                                                    .now = [this] { return now_; },
-                                                   .say = [this](const auto& text) { messages_.push_back(text); }});
+                                                   .log = [this](const auto& text) { messages_.push_back(text); }});
     return *reader_;
   }
   /// A single colour, so that a mixture of two pictures is visible.

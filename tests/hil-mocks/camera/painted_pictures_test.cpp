@@ -62,10 +62,10 @@ TEST(PaintedPictures, APainterReportsWhyItCannotPaint) {
   const TemporaryFolder folder;
   FramePainter painter{folder / "eyes"};
   const PaintedPictures eyes{folder / "eyes", true};
-  EXPECT_EQ(eyes.trouble(), "");
+  EXPECT_EQ(eyes.error(), "");
   painter.giveUp(std::string(600, '.'));
   painter.giveUp("something else");
-  EXPECT_EQ(eyes.trouble(), std::string(511, '.'));
+  EXPECT_EQ(eyes.error(), std::string(511, '.'));
 }
 
 TEST(PaintedPictures, AnInvalidFileIsRejected) {

@@ -2,11 +2,11 @@
 #include <gmock/gmock.h>
 
 #include <cstdio>
-#include <fstream>
 #include <iterator>
 #include <string>
 
 #include "managers/gait/parameters.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::gait {
 namespace {
@@ -18,8 +18,7 @@ std::string show(double value) {
 }
 
 TEST(GaitDocs, ThePageHasTheTableOfParameters) {
-  std::ifstream page{DARWINOP_GAIT_PAGE};
-  const std::string text{std::istreambuf_iterator<char>{page}, {}};
+  const std::string text = textOf(DARWINOP_GAIT_PAGE);
   std::string rows;
   for (const ParameterRow& row : kParameters)
     rows += "| `" + std::string{row.name} + "` | " + show(Parameters{}.*row.field) + " | " + show(row.low) + " to " +

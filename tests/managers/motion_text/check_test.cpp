@@ -3,7 +3,7 @@
 
 #include "managers/motion/pages.hpp"
 #include "managers/motion_text/check_pages.hpp"
-#include "managers/motion_text/rehearsal.hpp"
+#include "managers/motion_text/dry_run.hpp"
 
 namespace darwinop::motion {
 namespace {

@@ -7,11 +7,11 @@
 
 #include <cstdio>
 #include <fstream>
-#include <sstream>
 
 #include "managers/motion/pages.hpp"
 #include "managers/motion_text/motion_file.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 #include "system/program.hpp"
 
 namespace darwinop::motion {
@@ -134,10 +134,9 @@ TEST_F(MotionCommand, PlotDrawsThePageAndItsSuccessors) {
     return;
   }
   ASSERT_EQ(run({"plot", folder_ / "two.bin", "12", "--out", out}), 0) << output_;
-  std::stringstream page;
-  page << std::ifstream{out}.rdbuf();
-  EXPECT_THAT(page.str(), HasSubstr("\"Neck, P 32 8\""));
-  EXPECT_THAT(page.str(), HasSubstr("\"marks\":[0,1.024,2.048]")) << "starts of steps";
+  const std::string page = textOf(out);
+  EXPECT_THAT(page, HasSubstr("\"Neck, P 32 8\""));
+  EXPECT_THAT(page, HasSubstr("\"marks\":[0,1.024,2.048]")) << "starts of steps";
   EXPECT_EQ(run({"plot", folder_ / "two.bin", "12", "--out", folder_ / "two.txt"}), 2);
   EXPECT_THAT(output_, HasSubstr("expected a name ending in .png"));
   EXPECT_EQ(run({"plot", folder_ / "two.bin", "14", "--out", out}), 2);

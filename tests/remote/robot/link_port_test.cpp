@@ -67,6 +67,24 @@ TEST(RemoteLinkPort, KeepsCommandsUntilTheyChange) {
   EXPECT_EQ(neck.p_gain, 10);
 }
 
+TEST(RemoteLinkPort, PublishesTheJointsAndLedsOfADriverInThisProcessUnchanged) {
+  PortOfAWatchedLink robot;
+  robot.seen->cycle = 100;
+  Commands commands;
+  commands.joint[index(Joint::kNeck)].setGoal(Rad{0.123456});
+  commands.joint[index(Joint::kHead)].setTorque(false);
+  commands.led.setEye(0x1F);
+  commands.end_of_session = true;  // the port's own
+  robot.port.publish(commands);
+  const Commands& published = robot.published->back();
+  EXPECT_EQ(published.joint[index(Joint::kNeck)].goal.value, 0.123456);
+  EXPECT_TRUE(published.joint[index(Joint::kHead)].has(JointCommand::kTorque));
+  EXPECT_FALSE(published.joint[index(Joint::kHead)].torque_on);
+  EXPECT_EQ(published.led, commands.led);
+  EXPECT_FALSE(published.end_of_session);
+  EXPECT_GT(robot.seen->cycle, 100) << "simulated time goes on";
+}
+
 TEST(RemoteLinkPort, IgnoresAPositionOutsideTheEncodersRange) {
   PortOfAWatchedLink robot;
   EXPECT_FALSE(robot.neck({.joint = Joint::kNeck, .set = MotorSetting::kPosition, .position = kNoValue})
@@ -172,9 +190,9 @@ TEST(RemoteLinkPort, AppliesStartWhereItIsAndEndOfSessionOfTheExtension) {
   EXPECT_TRUE(robot.apply(request).start_where_it_is);
   EXPECT_EQ(robot.published->back().fault_resets, 3);
   robot.port.endSession();
-  EXPECT_TRUE(robot.published->back().farewell);
+  EXPECT_TRUE(robot.published->back().end_of_session);
   robot.port.startSession(SessionStart::kNew);
-  EXPECT_FALSE(robot.apply({}).farewell);
+  EXPECT_FALSE(robot.apply({}).end_of_session);
 }
 
 TEST(RemoteLinkPort, DrivesAVirtualRobot) {

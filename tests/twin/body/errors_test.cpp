@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "support/text_of.hpp"
 #include "twin/body/support.hpp"
 
 namespace darwinop::twin::test {
@@ -16,8 +17,7 @@ class RefusedBody : public testing::Test {
   void SetUp() override {
     folder_ = std::filesystem::path{testing::TempDir()} / ("twin_body_refused_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
-    std::ifstream file{std::string{DARWINOP_MODELS} + "/darwin-op.xml"};
-    xml_ = {std::istreambuf_iterator<char>{file}, {}};
+    xml_ = textOf(std::string{DARWINOP_MODELS} + "/darwin-op.xml");
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
@@ -98,11 +98,11 @@ TEST_F(RefusedBody, NeedsASupportedIntegrator) {
 TEST(UnstableSimulation, StopsAndReportsTheReason) {
   RobotBody body{modelWith(0.025)};
   run(body, limp(), 0.1);
-  ASSERT_EQ(body.trouble(), nullptr);
+  ASSERT_EQ(body.error(), nullptr);
   trunkQvel(body)[0] = std::numeric_limits<double>::infinity();
   run(body, limp(), 0.1);
-  ASSERT_NE(body.trouble(), nullptr);
-  const std::string why = body.trouble();
+  ASSERT_NE(body.error(), nullptr);
+  const std::string why = body.error();
   EXPECT_NE(why.find("the simulation stopped at 0.1"), std::string::npos) << why;
   EXPECT_NE(why.find("reduce [body] step"), std::string::npos) << why;
   for (const JointMotion& joint : body.state().joint) EXPECT_TRUE(std::isfinite(joint.position_rad));

@@ -7,16 +7,12 @@
 #include <iterator>
 #include <tuple>
 
+#include "support/text_of.hpp"
 #include "twin/body/make_xml/body_xml.hpp"
 #include "twin/body/make_xml/csv.hpp"
 
 namespace darwinop::twin {
 namespace {
-
-std::string textOf(const std::string& path) {
-  std::ifstream file{path};
-  return {std::istreambuf_iterator<char>{file}, {}};
-}
 
 TEST(BodyFile, IsWhatTheTablesGive) {
   const std::string models = DARWINOP_MODELS;

@@ -1,9 +1,9 @@
 // docs/twin/models.md agrees with the key table.
 #include <gmock/gmock.h>
 
-#include <fstream>
 #include <iterator>
 
+#include "support/text_of.hpp"
 #include "twin/model/keys.hpp"
 #include "twin/model/texts.hpp"
 
@@ -11,9 +11,7 @@ namespace darwinop::twin {
 namespace {
 
 std::string page() {
-  std::ifstream file{DARWINOP_MODELS_PAGE};
-  EXPECT_TRUE(file) << DARWINOP_MODELS_PAGE;
-  return {std::istreambuf_iterator<char>{file}, {}};
+  return textOf(DARWINOP_MODELS_PAGE);
 }
 
 TEST(ModelDocs, ThePageHasTheTableOfAllKeys) {

@@ -171,7 +171,7 @@ TEST(DamagedModelFile, IsRefusedForAZeroByte) {
     (void)parseModel(text, "my.ini");
     FAIL();
   } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "my.ini, line 4: there is a zero byte, so this is no text file, or a damaged one");
+    EXPECT_STREQ(error.what(), "my.ini, line 4: there is a zero byte, so this is not a text file, or a damaged one");
   }
 }
 

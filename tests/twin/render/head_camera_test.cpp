@@ -52,7 +52,7 @@ class HeadCameraTest : public testing::Test {
     if (!camera_) camera_ = std::make_unique<HeadCamera>(body_);  // the slow part of a test
     camera_->look();
     (void)camera_->newest();
-    EXPECT_EQ(camera_->blindness(), nullptr);
+    EXPECT_EQ(camera_->renderError(), nullptr);
     return redSpot(camera_->picture());
   }
 
@@ -137,9 +137,9 @@ TEST_F(HeadCameraTest, WithoutOpenGlTheTestPatternContainsTheReason) {
   (void)second.newest();
   const std::string logged = testing::internal::GetCapturedStderr();
   EXPECT_THAT(logged, testing::HasSubstr("test pattern"));
-  EXPECT_THAT(logged, testing::HasSubstr(camera.blindness()));
+  EXPECT_THAT(logged, testing::HasSubstr(camera.renderError()));
   EXPECT_EQ(std::count(logged.begin(), logged.end(), '\n'), 1) << logged;  // once for both
-  EXPECT_THAT(camera.blindness(), testing::HasSubstr("DARWINOP_TWIN_GL"));
+  EXPECT_THAT(camera.renderError(), testing::HasSubstr("DARWINOP_TWIN_GL"));
   EXPECT_FALSE(camera.health().seeing) << "a test pattern must not be used by controllers";
 
   EXPECT_EQ(frame.sequence, 1U);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "core/servo_limits.hpp"
 #include "core/units.hpp"
 #include "twin/body/make_xml/csv.hpp"
 #include "twin/body/make_xml/world_xml.hpp"
@@ -136,7 +137,7 @@ class Writer {
 
   // Union of the model's and the servo's range, so that goals at both limits are reachable.
   [[nodiscard]] std::pair<std::string, std::string> range(std::size_t row) const {
-    const auto rad = [](double tick) { return (tick - 2048) * 2 * kPi / 4096; };
+    const auto rad = [](double tick) { return (tick - kTickCentre) * kRadPerTick; };
     const double low = rad(t_.joints.number(row, "tick_min")), high = rad(t_.joints.number(row, "tick_max"));
     return {low < t_.joints.number(row, "min_rad") ? brief(low) : t_.joints.text(row, "min_rad"),
             high > t_.joints.number(row, "max_rad") ? brief(high) : t_.joints.text(row, "max_rad")};

@@ -5,10 +5,6 @@
 #include <webots/Device.hpp>
 #include <webots/Robot.hpp>
 
-namespace darwinop {
-struct BoardSensors;
-}
-
 namespace webots {
 
 ///     const double* a = accelerometer->getValues();   // keeps pointing to the newest values
@@ -38,7 +34,7 @@ class Accelerometer : public Device {
   friend class darwinop::facade::RobotImpl;
   Accelerometer(const std::string& name, darwinop::facade::RobotImpl& robot);
   /// NULL: too old.
-  void refresh(const darwinop::BoardSensors* board);
+  virtual void refresh();
   double values_[3];
   double lookup_[6];
   int period_;

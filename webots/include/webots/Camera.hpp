@@ -107,7 +107,7 @@ class Camera : public Device {
   Camera(const std::string& name, darwinop::facade::RobotImpl& robot, int width, int height);
   Camera(const Camera&);
   Camera& operator=(const Camera&);
-  void refresh(double time_s);
+  virtual void refresh();
   int width_, height_, period_;
   double due_s_;                        // of the next picture; negative: at once
   darwinop::facade::CameraView* view_;  // NULL while disabled

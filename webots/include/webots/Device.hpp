@@ -37,6 +37,7 @@ class Device {
 
  private:
   friend class darwinop::facade::RobotImpl;
+  virtual void refresh();  // called after each step; does nothing in devices that have nothing to prepare
   Device(const Device&);
   Device& operator=(const Device&);
   std::string name_;

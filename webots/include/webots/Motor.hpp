@@ -7,7 +7,7 @@
 #include <webots/Device.hpp>
 #include <webots/Robot.hpp>
 
-namespace darwinop {
+namespace darwinop::goals {
 class MotorControl;
 }
 
@@ -122,10 +122,10 @@ class Motor : public Device {
   double getPosition() const;
 
  protected:
-  Motor(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::MotorControl& control);
+  Motor(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::goals::MotorControl& control);
 
  private:
-  darwinop::MotorControl& control_;
+  darwinop::goals::MotorControl& control_;
   int torque_period_, position_period_;
 };
 

@@ -27,7 +27,7 @@ class Servo : public Motor {
 
  private:
   friend class darwinop::facade::RobotImpl;
-  Servo(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::MotorControl& control);
+  Servo(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::goals::MotorControl& control);
 };
 
 }  // namespace webots

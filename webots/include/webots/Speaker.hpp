@@ -68,7 +68,7 @@ class Speaker : public Device {
  private:
   friend class darwinop::facade::RobotImpl;
   Speaker(const std::string& name, darwinop::facade::RobotImpl& robot);
-  void refresh();
+  virtual void refresh();
 
   std::string language_;
   darwinop::facade::SoundDesk* desk_;

@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <sstream>
 
 #include "experiments/logs/plot/gnuplot.hpp"
 #include "experiments/logs/plot/plot.hpp"
 #include "support/temporary_folder.hpp"
+#include "support/text_of.hpp"
 
 namespace darwinop::plot {
 namespace {
@@ -23,13 +23,6 @@ using testing::Not;
 
 #define DARWINOP_NEEDS_GNUPLOT() \
   if (std::system("command -v gnuplot >/dev/null") != 0) GTEST_SKIP() << "gnuplot is not installed"
-
-std::string contentOf(const std::string& path) {
-  std::ifstream file{path, std::ios::binary};
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 struct Size {
   int width, height;
@@ -90,7 +83,7 @@ TEST(Picture, HasItsSizeAndEveryCurveInItsColour) {
   const TemporaryFolder folder;
   const Figure figure = waves(3);
   ASSERT_EQ(drawPicture(figure, folder / "a.png"), "");
-  const Size size = sizeOf(contentOf(folder / "a.png"));
+  const Size size = sizeOf(textOf(folder / "a.png"));
   EXPECT_EQ(size.width, kPictureWidth);
   EXPECT_EQ(size.height, pictureHeight(figure));
   const auto colours = coloursOf(folder / "a.png");
@@ -132,7 +125,7 @@ TEST(Picture, TextsOfALogAreNotInterpreted) {
         std::string{"it's {/Symbol a}_2 \\ @a $d0 %s EOD \xFF"}, "\\'; system('touch " + flag + "') #"}) {
     EXPECT_EQ(drawPicture(waves(1, text), folder / "a.png"), "") << text;
     EXPECT_FALSE(std::filesystem::exists(flag)) << text;
-    EXPECT_EQ(sizeOf(contentOf(folder / "a.png")).width, kPictureWidth);
+    EXPECT_EQ(sizeOf(textOf(folder / "a.png")).width, kPictureWidth);
   }
 }
 
@@ -170,7 +163,7 @@ TEST_F(PlotCommand, OverlaysLogsInPictureAndPage) {
   const auto colours = coloursOf(folder_ / "both.png");
   EXPECT_GT(colours.at("#0072B2"), 400);
   EXPECT_GT(colours.at("#E69F00"), 400);
-  EXPECT_THAT(contentOf(folder_ / "both.html"), HasSubstr("\"label\":\"b\",\"log\":1,\"colour\":1"));
+  EXPECT_THAT(textOf(folder_ / "both.html"), HasSubstr("\"label\":\"b\",\"log\":1,\"colour\":1"));
 }
 
 TEST_F(PlotCommand, WithoutGnuplotWritesThePageAndNamesThePackage) {

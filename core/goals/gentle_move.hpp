@@ -1,4 +1,4 @@
-// From one pose to another: all joints together, at rest at both ends.
+// Move from one pose to another on a cubic: all joints arrive together, at rest at both ends.
 #pragma once
 
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace darwinop {
+namespace darwinop::goals {
 
 /// Angles in rad, times in ms. Allocates nothing.
 template <std::size_t N>
@@ -14,16 +14,16 @@ class GentleMove {
  public:
   using Pose = std::array<double, N>;
 
-  /// The greatest speed, in the middle, as a multiple of the mean.
-  static constexpr double kSteepest = 1.5;
+  /// Peak speed, in the middle, as a multiple of the mean.
+  static constexpr double kPeakPerMean = 1.5;
 
   GentleMove() = default;  // done
   GentleMove(const Pose& from, const Pose& to, double duration_ms) : from_{from}, to_{to}, duration_ms_{duration_ms} {}
 
-  static double longestWay(const Pose& from, const Pose& to) {
-    double way = 0;
-    for (std::size_t i = 0; i < N; ++i) way = std::max(way, std::abs(to[i] - from[i]));
-    return way;
+  static double longestDistance(const Pose& from, const Pose& to) {
+    double longest = 0;
+    for (std::size_t i = 0; i < N; ++i) longest = std::max(longest, std::abs(to[i] - from[i]));
+    return longest;
   }
 
   [[nodiscard]] double durationMs() const { return duration_ms_; }
@@ -40,4 +40,4 @@ class GentleMove {
   double duration_ms_ = 0, time_ms_ = 0;
 };
 
-}  // namespace darwinop
+}  // namespace darwinop::goals

@@ -1,5 +1,5 @@
 // Levenshtein distance to a list of known words.
-#include "twin/model/nearest.hpp"
+#include "core/text/nearest.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,7 @@
 
 #include "core/text/letter_case.hpp"
 
-namespace darwinop::twin {
+namespace darwinop::text {
 namespace {
 
 std::size_t distance(std::string_view a, std::string_view b) {
@@ -29,11 +29,11 @@ std::size_t distance(std::string_view a, std::string_view b) {
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> known) {
   constexpr std::size_t kLongest = 40;  // characters; bounds the run time
   if (word.size() > kLongest) return std::nullopt;
-  const std::string low = text::lowered(word);
+  const std::string low = lowered(word);
   std::optional<std::string_view> best;
   std::size_t min_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string_view candidate : known) {
-    const std::size_t edits = distance(low, text::lowered(candidate));
+    const std::size_t edits = distance(low, lowered(candidate));
     if (edits >= min_distance || edits >= candidate.size()) continue;
     min_distance = edits;
     best = candidate;
@@ -55,4 +55,4 @@ std::string listed(std::span<const std::string_view> words, std::string_view las
   return text;
 }
 
-}  // namespace darwinop::twin
+}  // namespace darwinop::text

@@ -1,9 +1,9 @@
-// What a controller wants of one joint, and the command that says so.
-#include "core/motor_control.hpp"
+// A controller's settings of one motor, converted to the joint command of each step.
+#include "core/goals/motor_control.hpp"
 
 #include <algorithm>
 
-namespace darwinop {
+namespace darwinop::goals {
 
 void MotorControl::setPosition(double rad) {
   position_ = rad;
@@ -13,7 +13,7 @@ void MotorControl::setPosition(double rad) {
 
 void MotorControl::setAcceleration(double rad_per_s2) {
   acceleration_ = rad_per_s2 > 0 ? rad_per_s2 : -1;
-  velocity_ = velocity();  // said from now on, so that the end of a ramp restores it
+  velocity_ = velocity();  // set from now on, so that the end of a ramp restores it
 }
 
 void MotorControl::setAvailableTorque(double newton_meter) {
@@ -28,11 +28,11 @@ void MotorControl::setTorque(double newton_meter) {
 
 JointCommand MotorControl::command(const JointSensors& seen, double dt_s) {
   JointCommand out;
-  const std::optional<double> wanted = goal(seen);
-  if (wanted) out.setGoal(Rad{*wanted});
-  if (acceleration_ > 0 && wanted) {
+  const std::optional<double> requested = goal(seen);
+  if (requested) out.setGoal(Rad{*requested});
+  if (acceleration_ > 0 && requested) {
     const double cruise = std::abs(velocity());
-    const double reachable = std::clamp(*wanted, low(), high());
+    const double reachable = std::clamp(*requested, low(), high());
     out.setSpeedLimit(RadPerSec{ramp_.next(cruise, acceleration_, reachable - seen.position.value, dt_s)});
   } else if (velocity_) {
     out.setSpeedLimit(RadPerSec{std::abs(*velocity_)});
@@ -60,9 +60,9 @@ void MotorControl::addTorque(JointCommand& command) const {
   if (!torque_touched_) return;
   double limit = availableTorque();
   if (torque_) limit = std::min(limit, std::abs(*torque_));
-  // Only 0 lets go: a limit that is not a number is for safety to refuse.
+  // Only 0 switches torque off; safety rejects a limit that is not a number.
   command.setTorque(limit != 0);
   if (limit != 0) command.setTorqueLimit(NewtonMeter{limit});
 }
 
-}  // namespace darwinop
+}  // namespace darwinop::goals

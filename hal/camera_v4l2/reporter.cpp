@@ -1,5 +1,5 @@
 // Reports each camera message once.
-#include "hal/camera_v4l2/voice.hpp"
+#include "hal/camera_v4l2/reporter.hpp"
 
 namespace darwinop::v4l2 {
 

@@ -1,5 +1,5 @@
 // Camera messages are reported once.
-#include "hal/camera_v4l2/voice.hpp"
+#include "hal/camera_v4l2/reporter.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

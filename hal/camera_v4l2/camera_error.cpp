@@ -1,5 +1,5 @@
 // Error messages for the camera.
-#include "hal/camera_v4l2/trouble.hpp"
+#include "hal/camera_v4l2/camera_error.hpp"
 
 #include <algorithm>
 #include <cerrno>

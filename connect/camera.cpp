@@ -1,4 +1,4 @@
-#include "connect/eyes.hpp"
+#include "connect/camera.hpp"
 
 #include <sys/stat.h>
 
@@ -12,9 +12,9 @@
 namespace darwinop::connect {
 namespace {
 
-/// Onlookers are the daemon's group's. That they see nothing stops nobody: it is said.
-v4l2::RawFrameTaker showOnlookers(const runtime::RuntimeFiles& files,
-                                  const std::function<void(const std::string&)>& say) {
+/// Observers belong to the daemon's group. A failure is reported and stops nothing.
+v4l2::RawFrameTaker shareFrames(const runtime::RuntimeFiles& files,
+                                const std::function<void(const std::string&)>& log) {
   struct stat exchange {};
   if (::stat(files.exchange.c_str(), &exchange) != 0) return {};  // the daemon has just ended
   try {
@@ -24,32 +24,32 @@ v4l2::RawFrameTaker showOnlookers(const runtime::RuntimeFiles& files,
       (void)writer->put(image, sequence, time, v4l2::monotonicNow());
     };
   } catch (const std::runtime_error& error) {
-    if (say) say(std::string{"onlookers of darwinop monitor see no pictures while this drives: "} + error.what());
+    if (log) log(std::string{"observers of darwinop monitor see no pictures while this drives: "} + error.what());
     return {};
   }
 }
 
 }  // namespace
 
-std::unique_ptr<FrameSource> openCamera(const EyesRequest& request) {
+std::unique_ptr<FrameSource> openLocalCamera(const CameraRequest& request) {
   v4l2::CameraOptions options;
   if (const RobotFile file = readRobotFile(); file.camera) options.device = *file.camera;
   options.width = request.width;
   options.height = request.height;
   options.settings = request.settings;
   options.form = request.form;
-  options.say = request.say;
-  if (request.onlookers) options.on_raw_frame = showOnlookers(*request.onlookers, request.say);
+  options.log = request.log;
+  if (request.observers) options.on_raw_frame = shareFrames(*request.observers, request.log);
   return std::make_unique<v4l2::Camera>(std::move(options));
 }
 
-std::unique_ptr<FrameSource> openEyes(runtime::RobotLink& robot, const EyesRequest& request) {
-  if (auto its_own = robot.openEyes(request.width, request.height)) return its_own;
+std::unique_ptr<FrameSource> openCamera(runtime::RobotLink& robot, const CameraRequest& request) {
+  if (auto its_own = robot.openCamera(request.width, request.height)) return its_own;
   // A camera of this computer shows another world than the simulated one.
   if (!robot.realTime()) throw std::runtime_error("this virtual robot has no camera: the twin has one, --robot twin");
-  EyesRequest seen = request;
-  if (const auto* const daemon = dynamic_cast<const runtime::DaemonLink*>(&robot)) seen.onlookers = daemon->files();
-  return openCamera(seen);
+  CameraRequest seen = request;
+  if (const auto* const daemon = dynamic_cast<const runtime::DaemonLink*>(&robot)) seen.observers = daemon->files();
+  return openLocalCamera(seen);
 }
 
 }  // namespace darwinop::connect

@@ -1,4 +1,4 @@
-// What a controller wants of one joint, and the command that says so.
+// A controller's settings of one motor, converted to the joint command of each step.
 #pragma once
 
 #include <cmath>
@@ -7,13 +7,10 @@
 
 #include "core/commands.hpp"
 #include "core/conversions.hpp"
+#include "core/goals/speed_ramp.hpp"
 #include "core/sensors.hpp"
-#include "core/speed_ramp.hpp"
 
-namespace darwinop {
-
-// Source: the simulator's model of this robot. The register ends at 12.213 rad/s.
-inline constexpr double kMaxVelocity = 12.26;
+namespace darwinop::goals {
 
 class MotorControl {
  public:
@@ -27,7 +24,7 @@ class MotorControl {
   void setTorque(double newton_meter);
   void setPGain(double kp) { p_gain_ = kp; }
 
-  /// The wishes as a command for the next `dt_s` seconds; `seen` is the newest knowledge of the joint.
+  /// Command for the next `dt_s` seconds; `seen`: newest sensor values of the joint.
   [[nodiscard]] JointCommand command(const JointSensors& seen, double dt_s);
 
   [[nodiscard]] const JointRow& joint() const { return *row_; }
@@ -44,11 +41,11 @@ class MotorControl {
 
   const JointRow* row_;
   std::optional<double> position_, velocity_, available_torque_, p_gain_;
-  std::optional<double> torque_;  // set: pushes against an end of the range
+  std::optional<double> torque_;  // set: pushes towards an end of the range
   std::optional<double> held_;    // velocity control at speed 0
-  bool torque_touched_ = false;   // from then on every image says whether the joint is limp
+  bool torque_touched_ = false;   // from then on every command sets torque on or off
   double acceleration_ = -1;
   SpeedRamp ramp_;
 };
 
-}  // namespace darwinop
+}  // namespace darwinop::goals

@@ -1,11 +1,11 @@
 // The speed limit of a joint with an acceleration, and a servo that follows it.
-#include "core/speed_ramp.hpp"
+#include "core/goals/speed_ramp.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-namespace darwinop {
+namespace darwinop::goals {
 namespace {
 
 constexpr double kStep = 0.016;
@@ -53,4 +53,4 @@ TEST(SpeedRamp, RisesWithoutKnowingThePosition) {
 }
 
 }  // namespace
-}  // namespace darwinop
+}  // namespace darwinop::goals

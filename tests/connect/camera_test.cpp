@@ -1,5 +1,5 @@
-// Which camera a robot sees with, and that it is told what the user asked for.
-#include "connect/eyes.hpp"
+// Which camera a robot uses, and that it gets the user's settings.
+#include "connect/camera.hpp"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -78,64 +78,64 @@ class Seeing : public testing::Test {
 };
 
 TEST_F(Seeing, IsThroughTheCameraThatTheRobotsFileNames) {
-  const auto eyes = openEyes(robot_, {.width = 640, .height = 480});
-  const CameraFrame frame = firstFrame(*eyes);
+  const auto camera = openCamera(robot_, {.width = 640, .height = 480});
+  const CameraFrame frame = firstFrame(*camera);
   EXPECT_EQ(frame.width, 640);
   EXPECT_EQ(frame.height, 480);
-  EXPECT_TRUE(eyes->health().seeing);
+  EXPECT_TRUE(camera->health().seeing);
 }
 
-TEST_F(Seeing, TellsTheCameraWhatTheUserAskedFor) {
-  EyesRequest request;
+TEST_F(Seeing, GivesTheCameraTheUsersSettings) {
+  CameraRequest request;
   request.settings.brightness = 17;
   request.settings.gain = 33;
   request.settings.exposure = 444;
   request.settings.auto_white_balance = true;
-  const auto eyes = openEyes(robot_, request);
-  ASSERT_GT(firstFrame(*eyes).sequence, 0U);
+  const auto camera = openCamera(robot_, request);
+  ASSERT_GT(firstFrame(*camera).sequence, 0U);
   EXPECT_EQ(controlOf(V4L2_CID_BRIGHTNESS), 17);
   EXPECT_EQ(controlOf(V4L2_CID_GAIN), 33);
   EXPECT_EQ(controlOf(V4L2_CID_EXPOSURE_ABSOLUTE), 444);
   EXPECT_EQ(controlOf(V4L2_CID_AUTO_WHITE_BALANCE), 1);
 }
 
-TEST_F(Seeing, ACameraThatIsNotThereIsSaid) {
+TEST_F(Seeing, ACameraThatIsNotThereIsReported) {
   std::ofstream{folder_ / "robot.ini"} << "[Robot]\ncamera = /dev/video_of_nobody\n";
   std::atomic<int> said{0};
   std::string sentence;
-  EyesRequest request;
-  request.say = [&](const std::string& what) {
+  CameraRequest request;
+  request.log = [&](const std::string& what) {
     if (said == 0) sentence = what;
     ++said;
   };
-  const auto eyes = openEyes(robot_, request);
+  const auto camera = openCamera(robot_, request);
   for (int tries = 0; tries < 1000 && said == 0; ++tries) std::this_thread::sleep_for(std::chrono::milliseconds{10});
   EXPECT_THAT(sentence, HasSubstr("/dev/video_of_nobody"));
-  EXPECT_EQ(eyes->newest().sequence, 0U);
+  EXPECT_EQ(camera->newest().sequence, 0U);
 }
 
-TEST_F(Seeing, GoesOnWhenOnlookersCannotBeShown) {
-  EyesRequest request;
-  request.onlookers.emplace(folder_ / "runtime");
-  std::ofstream{request.onlookers->exchange};
-  std::filesystem::create_directory(request.onlookers->pictures);  // where a file should be
+TEST_F(Seeing, GoesOnWhenObserversGetNoPictures) {
+  CameraRequest request;
+  request.observers.emplace(folder_ / "runtime");
+  std::ofstream{request.observers->exchange};
+  std::filesystem::create_directory(request.observers->pictures);  // where a file should be
   std::vector<std::string> said;
-  request.say = [&](const std::string& what) { said.push_back(what); };
-  auto eyes = openCamera(request);
-  EXPECT_GT(firstFrame(*eyes).sequence, 0U);
-  eyes.reset();  // nothing is said after it
-  EXPECT_THAT(said, testing::ElementsAre(HasSubstr("onlookers of darwinop monitor see no pictures")));
+  request.log = [&](const std::string& what) { said.push_back(what); };
+  auto camera = openLocalCamera(request);
+  EXPECT_GT(firstFrame(*camera).sequence, 0U);
+  camera.reset();  // nothing is logged after it
+  EXPECT_THAT(said, testing::ElementsAre(HasSubstr("observers of darwinop monitor see no pictures")));
 }
 
 TEST_F(Seeing, ARobotInSimulatedTimeHasNoCameraOfThisComputer) {
   NoRobot simulated{false};
-  EXPECT_THAT([&] { (void)openEyes(simulated, {}); },
+  EXPECT_THAT([&] { (void)openCamera(simulated, {}); },
               testing::ThrowsMessage<std::runtime_error>(HasSubstr("--robot twin")));
 }
 
 TEST_F(Seeing, AWrongRobotFileIsAnErrorWithItsLine) {
   std::ofstream{folder_ / "robot.ini"} << "[Robot]\ncamera =\n";
-  EXPECT_THAT([&] { (void)openEyes(robot_, {}); }, testing::ThrowsMessage<std::runtime_error>(HasSubstr("line 2")));
+  EXPECT_THAT([&] { (void)openCamera(robot_, {}); }, testing::ThrowsMessage<std::runtime_error>(HasSubstr("line 2")));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace darwinop::twin {
+namespace darwinop::text {
 
 /// The word of `known` with the smallest edit distance, ignoring case; empty if none is close.
 std::optional<std::string_view> nearest(std::string_view word, std::span<const std::string_view> known);
@@ -17,4 +17,4 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
 /// "coulomb, viscous and backlash"; `last` is the conjunction.
 std::string listed(std::span<const std::string_view> words, std::string_view last = "and");
 
-}  // namespace darwinop::twin
+}  // namespace darwinop::text

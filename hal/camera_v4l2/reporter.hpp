@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "hal/camera_v4l2/trouble.hpp"
+#include "hal/camera_v4l2/camera_error.hpp"
 
 namespace darwinop::v4l2 {
 

@@ -1,10 +1,11 @@
 // Plots specific to the experiments of 2013, one table row each; see the table in docs/plots.md.
-#include "experiments/logs/plot/natural.hpp"
+#include "experiments/logs/plot/experiment_plot.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "core/units.hpp"
 #include "experiments/logs/plot/steps.hpp"
 #include "experiments/logs/plot/text.hpp"
 #include "experiments/logs/plot/traces.hpp"
@@ -86,9 +87,10 @@ std::size_t firstFall(const logs::Log& log, const RowRange& rows) {
   const logs::Column *x = log.find("accelerometer.x"), *y = log.find("accelerometer.y"),
                      *z = log.find("accelerometer.z");
   if (x == nullptr || y == nullptr || z == nullptr) return rows.end;
-  constexpr double kG = 9.81, kFalls = 0.3 * kG;
+  constexpr double kFalls = 0.3 * kGravity;
   std::size_t row = rows.begin;
-  while (row < rows.end && !(std::abs(std::hypot(x->values[row], y->values[row], z->values[row]) - kG) > kFalls)) ++row;
+  while (row < rows.end && !(std::abs(std::hypot(x->values[row], y->values[row], z->values[row]) - kGravity) > kFalls))
+    ++row;
   return std::max(row, rows.begin + 1);
 }
 

@@ -1,5 +1,5 @@
 // Simulates pages without a robot.
-#include "managers/motion_text/rehearsal.hpp"
+#include "managers/motion_text/dry_run.hpp"
 
 #include <algorithm>
 #include <cstdlib>

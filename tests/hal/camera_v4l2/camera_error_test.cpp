@@ -1,5 +1,5 @@
 // Camera error messages.
-#include "hal/camera_v4l2/trouble.hpp"
+#include "hal/camera_v4l2/camera_error.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

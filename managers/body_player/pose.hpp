@@ -1,0 +1,24 @@
+// Pose of all joints in SI units.
+#pragma once
+
+#include "core/goals/lead_in.hpp"
+#include "core/goals/present_goal.hpp"
+
+namespace darwinop::body_player {
+
+/// rad, by joint.
+using Pose = goals::LeadIn::Pose;
+
+/// First goals of a motion that takes over, see core/goals/present_goal.hpp. `sensorsOf(joint)`: newest sensor values;
+/// `requestedOf(joint)`: the controller's goal in rad, used if a joint's goal and position are unknown.
+template <class SensorsOf, class RequestedOf>
+Pose presentPose(const SensorsOf& sensorsOf, const RequestedOf& requestedOf) {
+  Pose pose{};
+  for (std::size_t i = 0; i < kJoints; ++i) {
+    const auto joint = static_cast<Joint>(i);
+    pose[i] = goals::presentGoal(joint, sensorsOf(joint), requestedOf(joint));
+  }
+  return pose;
+}
+
+}  // namespace darwinop::body_player

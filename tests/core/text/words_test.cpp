@@ -1,0 +1,38 @@
+// The nearest known word, and units that are converted.
+#include <gmock/gmock.h>
+
+#include <array>
+
+#include "core/text/nearest.hpp"
+#include "core/text/unit_factor.hpp"
+
+namespace darwinop::text {
+namespace {
+
+constexpr std::array<std::string_view, 3> kKnown{"coulomb", "viscous", "backlash"};
+
+TEST(Nearest, IgnoresCaseAndFindsOneOrTwoMistakes) {
+  EXPECT_EQ(nearest("Colomb", kKnown), "coulomb");
+  EXPECT_EQ(nearest("vicsous", kKnown), "viscous");
+}
+
+TEST(Nearest, IsEmptyWhenNoWordIsCloseOrTheTextIsLong) {
+  EXPECT_EQ(nearest("friction", kKnown), std::nullopt);
+  EXPECT_EQ(nearest(std::string(1000, 'c'), kKnown), std::nullopt);
+}
+
+TEST(Nearest, ASuggestionNamesTheWordOrAllWords) {
+  EXPECT_EQ(suggestion("colomb", kKnown), "did you mean coulomb?");
+  EXPECT_EQ(suggestion("friction", kKnown), "there are coulomb, viscous and backlash");
+}
+
+TEST(UnitFactor, ConvertsWithinAQuantityOnly) {
+  EXPECT_EQ(unitFactor("rad", "rad"), 1);
+  EXPECT_DOUBLE_EQ(unitFactor("rpm", "rad/s").value_or(0), 0.10471975511965977);
+  EXPECT_DOUBLE_EQ(unitFactor("g", "kg").value_or(0), 1e-3);
+  EXPECT_DOUBLE_EQ(unitFactor("g", "m/s2").value_or(0), 9.80665);
+  EXPECT_EQ(unitFactor("deg", "rad/s"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace darwinop::text
