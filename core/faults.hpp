@@ -107,8 +107,9 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "once the joint is free, or ends when the controller switches its torque off and on",
      "The bit in two replies, torque limit 0 or torque off without a restart in two polls, or torque limit 0 after two "
      "takeovers. From the first suspicion nothing is written to the servo, because a torque limit would switch it on. "
-     "Routine writes omit torque limits; those of a controller are written in one of 8 cycles while a servo works at "
-     "80 % or more of its limit. After a reset an overload bit counts from 0.3 s of torque on."},
+     "Routine writes omit torque limits; while a servo works at 80 % or more of its limit, a changed one is written "
+     "without "
+     "its goal, in one of 8 to 15 cycles. After a reset an overload bit counts from 0.3 s of torque on."},
     {Fault::kServoVoltage, Reaction::kReport, false, false, "servo_voltage",
      "a servo reports a supply outside its limits (6 to 16 V)", "check battery and cables", Checked::kServo,
      "after 1 s", "Lasts 0.1 s."},

@@ -61,7 +61,8 @@ struct BusReadings {
 class ServoBus {
  public:
   virtual ~ServoBus() = default;
-  /// At most one SyncWrite, and rarely one write to the board (LEDs, servo power).
+  /// One SyncWrite (two while a servo works at its torque limit and limits change), and rarely one write to the board
+  /// (LEDs, servo power).
   virtual void write(const SafeCommands& commands) noexcept = 0;
   /// One BulkRead. Sets every flag (`answered`, `looked`), and the fields whose flag is true; the others keep the
   /// values of earlier cycles. Also sets `wire`, `link` and `silent`.

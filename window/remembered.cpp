@@ -90,8 +90,9 @@ void RememberedFile::read() {
   std::error_code unknown;
   if (file_.empty() || !fs::exists(file_, unknown)) return;
   const bool small = fs::is_regular_file(file_, unknown) && fs::file_size(file_, unknown) <= kLargestFile;
-  std::ifstream in{file_, std::ios::binary};
-  if (!small || !in) return moveAside("not a regular file of at most 256 kB, or not readable");
+  std::ifstream in;
+  if (small) in.open(file_, std::ios::binary);  // opening a pipe would wait for its writer
+  if (!in.is_open()) return moveAside("not a regular file of at most 256 kB, or not readable");
   Remembered found;
   const std::string why = takeAll({std::istreambuf_iterator<char>{in}, {}}, found);
   if (!why.empty()) return moveAside(why);

@@ -54,6 +54,12 @@ void linkRepeats(Fields& top, std::vector<LogEntry>& entries) {
   }
 }
 
+logs::Log readRegularLog(const fs::path& path) {
+  if (fs::exists(path) && !fs::is_regular_file(path))  // opening a pipe waits for its writer
+    throw std::runtime_error("cannot read the log " + path.string() + ": it is not a regular file");
+  return logs::readLog(path.string());
+}
+
 logs::Log load(const CaseFiles& files, const std::string& name) {
   try {
     return files.log(name);
@@ -127,7 +133,7 @@ Case readCase(const std::string& folder) {
                    ": there is no such file. It says which logs a case has and which model is believed in: copy "
                    "the one of the shipped example and change it, docs/gap/cases.md explains each key");
   const CaseFiles files{
-      .log = [&](const std::string& name) { return logs::readLog((fs::path{folder} / name).string()); },
+      .log = [&](const std::string& name) { return readRegularLog(fs::path{folder} / name); },
       .model =
           [&](const std::string& name) {
             const fs::path beside = fs::path{folder} / name;

@@ -35,13 +35,14 @@ void Cm730Bus::write(const SafeCommands& commands) noexcept {
   wire_ = {};
   led_wanted_ = commands.led();
   power_wanted_ = commands.powerOn();
-  list_.lookAt(commands.look());
   Bytes frame = goals_.encode(commands);
+  list_.lookAt(goals_.limitsWentAlone() ? commands.look() | goals_.limitsAlone() : commands.look());
   if (frame.empty() && locks_due_ > 0 && silent_cycles_ == 0 && list_.servosAreUp()) {
     frame = goals_.encodeLock();  // safety drives nobody in the first cycles after power came on
     --locks_due_;
   }
   if (!frame.empty()) send(frame);
+  if (const Bytes more = goals_.takeSecond(); !more.empty()) send(more);
 }
 
 void Cm730Bus::read(BusReadings& readings) noexcept {

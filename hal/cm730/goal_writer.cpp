@@ -16,6 +16,7 @@ inline std::uint16_t GoalWriter::goalTicks(Joint joint, Rad goal) noexcept {
 
 std::span<const std::uint8_t> GoalWriter::encode(const SafeCommands& commands) noexcept {
   forEachJoint(~commands.driven(), [this](std::size_t i) { servo_[i] = {}; });
+  ++frames_;
   since_torque_ = std::min(since_torque_ + 1, torque_wait_);
   since_settings_ = std::min(since_settings_ + 1, kSettingsEvery);
   switch (commands.write()) {
@@ -32,7 +33,7 @@ std::span<const std::uint8_t> GoalWriter::encode(const SafeCommands& commands) n
 void GoalWriter::noteLoad(Joint joint, double load) noexcept {
   constexpr double kStrain = 0.8;  // of the torque limit
   Servo& servo = servo_[index(joint)];
-  servo.straining = std::abs(load) * kTorqueMax >= kStrain * servo.torque;
+  servo.straining = std::abs(load) * kTorqueMax >= kStrain * servo.least;
 }
 
 void GoalWriter::noteSettings(Servo& servo, const SafeCommands::JointGoal& goal) noexcept {
@@ -47,24 +48,30 @@ void GoalWriter::noteSettings(Servo& servo, const SafeCommands::JointGoal& goal)
 }
 
 inline const GoalWriter::Block& GoalWriter::choose(const Due& due) const noexcept {
-  if (due.all || (due.torque > 0 && (!due.straining || since_torque_ >= torque_wait_))) return kAll;
+  if (due.all > 0 || due.torque > 0) return kAll;
   return due.settings > 0 || since_settings_ >= kSettingsEvery ? kSettings : kGoal;
 }
 
 void GoalWriter::noteSent(const Block& block, const SafeCommands::Mask& who) noexcept {
   if (block.bytes == kGoal.bytes) return;
   since_settings_ = 0;
-  if (block.bytes == kAll.bytes) {
-    since_torque_ = 0;
-    torque_wait_ = kTorqueEvery + (5 * torque_wait_ + 3) % kTorqueEvery;  // each of kTorqueEvery numbers in turn
-  }
   forEachJoint(who, [&](std::size_t i) {
     Servo& servo = servo_[i];
     if (servo.settings_due > 0) --servo.settings_due;
     if (block.bytes != kAll.bytes) return;
-    if (servo.torque_due > 0) --servo.torque_due;
-    servo.entering = servo.entering && servo.torque_due > 0;
+    noteLimitSent(i);
+    if (servo.entering == 0) return;
+    entered_[i] = frames_;
+    --servo.entering;
   });
+}
+
+/// The servo has this limit now or, if the frame is lost, the one before.
+void GoalWriter::noteLimitSent(std::size_t joint) noexcept {
+  Servo& servo = servo_[joint];
+  if (servo.torque_due > 0) --servo.torque_due;
+  servo.least = servo.entering > 0 ? servo.torque : std::min(servo.torque, sent_[joint]);
+  sent_[joint] = servo.torque;
 }
 
 std::span<const std::uint8_t> GoalWriter::encodeGoals(const SafeCommands& commands) noexcept {
@@ -77,18 +84,68 @@ std::span<const std::uint8_t> GoalWriter::encodeGoals(const SafeCommands& comman
     if (servo.settings != settingsOf(goal)) noteSettings(servo, goal);
     due.add(servo);
   });
+  if (due.straining && (due.all > 0 || due.torque > 0)) return encodeTwo(commands, who);
   const Block& block = choose(due);
   noteSent(block, who);
-  if (block.bytes == kGoal.bytes) return encodeBlock<kGoal.address, kGoal.bytes>(commands, who);
-  if (block.bytes == kSettings.bytes) return encodeBlock<kSettings.address, kSettings.bytes>(commands, who);
-  return encodeBlock<kAll.address, kAll.bytes>(commands, who);
+  if (block.bytes == kGoal.bytes) return encodeBlock<kGoal.address, kGoal.bytes>(frame_, commands, who);
+  if (block.bytes == kSettings.bytes) return encodeBlock<kSettings.address, kSettings.bytes>(frame_, commands, who);
+  return encodeBlock<kAll.address, kAll.bytes>(frame_, commands, who);
+}
+
+/// A servo that works at its torque limit must not get a limit together with a goal: two frames.
+std::span<const std::uint8_t> GoalWriter::encodeTwo(const SafeCommands& commands,
+                                                    const SafeCommands::Mask& who) noexcept {
+  Due due;
+  forEachJoint(who, [&](std::size_t i) { due.add(servo_[i]); });
+  std::span<const std::uint8_t> frame;
+  SafeCommands::Mask rest = who;
+  if (due.all > 0) {
+    const auto first =
+        jointsThat(who, [this](std::size_t i) { return servo_[i].entering > 0 || !servo_[i].straining; });
+    noteSent(kAll, first);
+    frame = encodeBlock<kAll.address, kAll.bytes>(frame_, commands, first);
+    rest &= ~first;
+  } else if (since_torque_ >= torque_wait_) {
+    frame = encodeLimits(who);
+    if (!frame.empty()) rest &= ~limits_alone_;
+  }
+  if (rest.none()) return frame;
+  const bool settings = due.settings > 0 || since_settings_ >= kSettingsEvery;
+  noteSent(settings ? kSettings : kGoal, rest);
+  second_ = settings ? encodeBlock<kSettings.address, kSettings.bytes>(second_frame_, commands, rest)
+                     : encodeBlock<kGoal.address, kGoal.bytes>(second_frame_, commands, rest);
+  return frame.empty() ? takeSecond() : frame;
+}
+
+/// New torque limits alone: goals of limitsAlone() wait for a cycle. Empty when nobody may get one yet.
+std::span<const std::uint8_t> GoalWriter::encodeLimits(const SafeCommands::Mask& who) noexcept {
+  const auto due =
+      jointsThat(who, [this](std::size_t i) { return servo_[i].torque_due > 0 && frames_ - entered_[i] >= kSettled; });
+  const auto straining = jointsThat(due, [this](std::size_t i) { return servo_[i].straining; });
+  if ((straining & ~had_their_turn_).none()) had_their_turn_.reset();
+  limits_alone_.reset();
+  forEachJoint(straining & ~had_their_turn_, [this](std::size_t i) {
+    if (limits_alone_.count() < kMostLooks) limits_alone_.set(i);
+  });
+  had_their_turn_ |= limits_alone_;
+  SyncWriteEncoder sync{frame_, kLimit.address, kLimit.bytes};
+  forEachJoint((due & ~straining) | limits_alone_, [&](std::size_t i) {
+    noteLimitSent(i);
+    sync.add(servoId(i), std::span{servo_[i].registers}.subspan(kLimit.address - kAll.address, kLimit.bytes));
+  });
+  const auto frame = sync.finish();
+  if (!frame.empty()) {
+    since_torque_ = 0;
+    torque_wait_ = kTorqueEvery + (5 * torque_wait_ + 3) % kTorqueEvery;  // each of kTorqueEvery numbers in turn
+  }
+  return frame;
 }
 
 /// Compiled for each block: a copy of known size is one or two instructions.
 template <std::uint8_t kAddress, std::uint8_t kBytes>
-std::span<const std::uint8_t> GoalWriter::encodeBlock(const SafeCommands& commands,
+std::span<const std::uint8_t> GoalWriter::encodeBlock(Buffer& out, const SafeCommands& commands,
                                                       const SafeCommands::Mask& who) noexcept {
-  SyncWriteEncoder sync{frame_, kAddress, kBytes};
+  SyncWriteEncoder sync{out, kAddress, kBytes};
   forEachJoint(who, [&](std::size_t i) {
     const auto joint = static_cast<Joint>(i);
     const std::uint16_t ticks = goalTicks(joint, commands.goal(joint).goal);

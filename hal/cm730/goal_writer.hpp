@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "core/packet.hpp"
 #include "core/registers.hpp"
@@ -17,10 +18,10 @@ namespace darwinop::cm730 {
 /// goals alone are sent only while each servo in the frame is known to have its settings. A joint that is not driven
 /// in a cycle is not known any more.
 ///
-/// Writing the torque limit makes a servo forget that it shut itself off. It is written when a joint enters, and else
-/// only when it has changed. A servo shuts itself off after it has worked at its torque limit for long: while one in
-/// the frame does, limits are written after kTorqueEvery cycles at the earliest, so that a shutdown is received in
-/// between.
+/// Writing the torque limit makes a servo forget that it shut itself off, and a goal write switches its torque on
+/// again. Limits are written when a joint enters, and else only when they have changed. A servo shuts itself off after
+/// it has worked at its torque limit for long: while one does, limits go without goals, after kTorqueEvery cycles at
+/// the earliest, and are looked at in the same cycle: the torque of a servo that has shut itself off is still off.
 class GoalWriter {
  public:
   explicit GoalWriter(const JointOffsets& offsets = {}) : offsets_{offsets} { forget(); }
@@ -35,6 +36,13 @@ class GoalWriter {
   /// and none of those may change an id, a baud rate or an angle limit for good.
   std::span<const std::uint8_t> encodeLock() noexcept;
 
+  /// What goes out behind that frame; empty nearly always.
+  std::span<const std::uint8_t> takeSecond() noexcept { return std::exchange(second_, {}); }
+  /// The last frame carried torque limits and no goals.
+  [[nodiscard]] bool limitsWentAlone() const noexcept { return since_torque_ == 0; }
+  /// It went to these servos, which work at their limits.
+  [[nodiscard]] const SafeCommands::Mask& limitsAlone() const noexcept { return limits_alone_; }
+
   /// Forget what the servos know, so that the next write is a full one: after a reconnect or a power cut.
   void forget() noexcept { servo_.fill({}); }
 
@@ -48,14 +56,20 @@ class GoalWriter {
  private:
   /// A frame that is lost must not leave a servo without its settings: they go out twice in a row.
   static constexpr int kWrites = 2;
+  /// Longer than an overload bit after torque on is taken for an old one: TripWatch::kGrace at a period of 8 ms.
+  static constexpr std::uint32_t kSettled = 48;
+  /// Servos that can be looked at in one cycle in any case: BusConfig::looks().
+  static constexpr std::size_t kMostLooks = 4;
 
-  /// Registers that a frame writes: a goal is always among them.
+  /// Registers that a frame writes: a goal is among them, except in kLimit.
   struct Block {
     std::uint8_t address, bytes;
   };
+  using Buffer = std::array<std::uint8_t, kMaxFrame>;
   static constexpr Block kGoal{servo::kGoalPosition, 2};
   static constexpr Block kSettings{servo::kPGain, 6};  // 28 P gain, 29 reserved, 30 goal, 32 speed
   static constexpr Block kAll{servo::kPGain, 8};       // and 34 torque limit
+  static constexpr Block kLimit{servo::kTorqueLimit, 2};
   static_assert(servo::kGoalPosition == servo::kPGain + 2 && servo::kMovingSpeed == servo::kPGain + 4 &&
                 servo::kTorqueLimit == servo::kPGain + 6);
 
@@ -72,21 +86,23 @@ class GoalWriter {
 
   /// Written to a servo since its joint entered.
   struct Servo {
-    Settings settings;  // what the registers below were made from
-    std::uint16_t torque = 0;
+    Settings settings;                                 // what the registers below were made from
+    std::uint16_t torque = 0;                          // limit
+    std::uint16_t least = 0;                           // of the last two limits sent
     std::array<std::uint8_t, kAll.bytes> registers{};  // those of kAll; the goal is filled in when it is sent
     int settings_due = kWrites;                        // writes of P gain and speed
     int torque_due = kWrites;                          // writes of the torque limit
-    bool entering = true;                              // has not had all of it yet
+    std::uint8_t entering = kWrites;                   // writes of all of it
     bool straining = false;                            // works at its torque limit, or nearly
   };
 
   /// What the servos of a frame need together.
   struct Due {
-    bool all = false, straining = false;
+    std::uint8_t all = 0;
+    bool straining = false;
     int settings = 0, torque = 0;
     void add(const Servo& servo) noexcept {
-      all |= servo.entering;
+      all = static_cast<std::uint8_t>(all | servo.entering);
       straining |= servo.straining;
       settings |= servo.settings_due;
       torque |= servo.torque_due;
@@ -94,18 +110,28 @@ class GoalWriter {
   };
 
   void noteSettings(Servo& servo, const SafeCommands::JointGoal& goal) noexcept;
+  void noteLimitSent(std::size_t joint) noexcept;
   void noteSent(const Block& block, const SafeCommands::Mask& who) noexcept;
   [[nodiscard]] const Block& choose(const Due& due) const noexcept;
   std::span<const std::uint8_t> encodeGoals(const SafeCommands& commands) noexcept;
   template <std::uint8_t kAddress, std::uint8_t kBytes>
-  std::span<const std::uint8_t> encodeBlock(const SafeCommands& commands, const SafeCommands::Mask& who) noexcept;
+  std::span<const std::uint8_t> encodeBlock(Buffer& out, const SafeCommands& commands,
+                                            const SafeCommands::Mask& who) noexcept;
+  [[gnu::cold, gnu::noinline]] std::span<const std::uint8_t> encodeTwo(const SafeCommands& commands,
+                                                                       const SafeCommands::Mask& who) noexcept;
+  [[gnu::cold, gnu::noinline]] std::span<const std::uint8_t> encodeLimits(const SafeCommands::Mask& who) noexcept;
   std::span<const std::uint8_t> encodeTorque(const SafeCommands& commands) noexcept;
   std::uint16_t goalTicks(Joint joint, Rad goal) noexcept;
 
   JointOffsets offsets_;
   std::uint32_t clamped_ = 0;
-  std::array<std::uint8_t, kMaxFrame> frame_{};
+  Buffer frame_{}, second_frame_{};
+  std::span<const std::uint8_t> second_;
   std::array<Servo, kJoints> servo_{};
+  SafeCommands::Mask limits_alone_, had_their_turn_;
+  std::uint32_t frames_ = 0;
+  std::array<std::uint16_t, kJoints> sent_{};             // torque limit
+  std::array<std::uint32_t, kJoints> entered_{};          // number of the frame
   int since_settings_ = 0, since_torque_ = kTorqueEvery;  // cycles
   // Varies: a servo that trips again and again must not stay in step with the writes that hide it.
   int torque_wait_ = kTorqueEvery;  // cycles, kTorqueEvery .. 2 * kTorqueEvery - 1

@@ -67,6 +67,7 @@ Picture readPpm(const fs::path& file) {
 }  // namespace
 
 Picture readPicture(const fs::path& file) {
+  if (fs::exists(file) && !fs::is_regular_file(file)) fail(file, "not a regular file; remove it");
   return ending(file) == ".ppm" ? readPpm(file) : readPng(file);
 }
 

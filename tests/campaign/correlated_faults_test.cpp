@@ -152,11 +152,8 @@ TEST(CorrelatedFaults, SixToEightLostAnswersCostNoMoreThanAGentleTakeover) {
   }
 }
 
-/// Shutdowns of a stuck knee until one was believed, and those that a write undid before any answer reported them.
-struct Shutdowns {
-  long all, blind;
-};
-Shutdowns shutdownsOfAStuckKnee(SteadyController::Streams streams, int phase_ms) {
+/// Shutdowns of a stuck knee until one was believed,.
+long shutdownsOfAStuckKnee(SteadyController::Streams streams, int phase_ms) {
   Scene scene{streams};
   scene.runUntilDriven();
   hil::Fault jam;
@@ -168,7 +165,7 @@ Shutdowns shutdownsOfAStuckKnee(SteadyController::Streams streams, int phase_ms)
   for (int i = 0; i < 1000 && !scene.loop.sensors().safety.tripped[12]; ++i) scene.run(1);
   EXPECT_TRUE(scene.loop.sensors().safety.tripped[12]);
   EXPECT_EQ(scene.failure(), "");
-  return {scene.servo_judge.tally().trips, scene.servo_judge.tally().blind};
+  return scene.servo_judge.tally().trips;
 }
 
 TEST(CorrelatedFaults, AShutdownAtAnyMomentOfTheCycleIsBelievedAtOnceWhateverIsStreamed) {
@@ -176,17 +173,14 @@ TEST(CorrelatedFaults, AShutdownAtAnyMomentOfTheCycleIsBelievedAtOnceWhateverIsS
   for (const auto streams : {kGoals, kSpeedLimits})
     for (int phase_ms = 0; phase_ms < 16; ++phase_ms) {
       SCOPED_TRACE("phase " + std::to_string(phase_ms) + " ms");
-      EXPECT_EQ(shutdownsOfAStuckKnee(streams, phase_ms).all, 1);
+      EXPECT_EQ(shutdownsOfAStuckKnee(streams, phase_ms), 1);
     }
 }
 
-// A new torque limit that is due just then undoes a shutdown that is not known yet.
-TEST(CorrelatedFaults, AStreamOfTorqueLimitsHidesAFewShutdownsAtMost) {
-  for (int phase_ms = 0; phase_ms < 256; phase_ms += 4) {
-    const Shutdowns seen = shutdownsOfAStuckKnee(SteadyController::Streams::kTorqueLimits, phase_ms);
-    EXPECT_LE(seen.all, 5) << "phase " << phase_ms << " ms";
-    EXPECT_EQ(seen.all - seen.blind, 1) << "phase " << phase_ms << " ms";
-  }
+// 256 ms: new limits are sent in every 8th to 15th cycle.
+TEST(CorrelatedFaults, AStreamOfTorqueLimitsHidesNoShutdown) {
+  for (int phase_ms = 0; phase_ms < 256; ++phase_ms)
+    EXPECT_EQ(shutdownsOfAStuckKnee(SteadyController::Streams::kTorqueLimits, phase_ms), 1) << phase_ms << " ms";
 }
 
 TEST(CorrelatedFaults, ModeAndResetEndTorqueAtAnyMomentAndOnlyAPersonBringsItBack) {

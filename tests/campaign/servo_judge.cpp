@@ -175,7 +175,11 @@ void ServoJudge::request(const Frame& frame, Nanos /*at*/) noexcept {
     const std::size_t joint = rest[0] - std::size_t{1};
     if (joint >= kJoints || size > Sent{}.data.size()) continue;
     Servo& servo = servo_[joint];
-    if (carriesGoal(address, size)) ++servo.goals_sent;
+    if (address == servo::kTorqueLimit) servo.limit_sent_at = cycle_;  // its goal may wait for a cycle
+    if (carriesGoal(address, size)) {
+      servo.goals_sent += servo.limit_sent_at < cycle_ && servo.limit_sent_at > servo.goal_sent_at ? 2 : 1;
+      servo.goal_sent_at = cycle_;
+    }
     Sent& sent = servo.sent[servo.sent_count++ % kSentRoom];
     sent = {cycle_, servo.goals_sent, address, size, {}, false};
     std::ranges::copy(rest.subspan(1, size), sent.data.begin());
@@ -208,6 +212,8 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
   }
   note(joint, address == servo::kTorqueEnable   ? "torque written"
               : address == servo::kGoalPosition ? "goal written"
+              : address == servo::kTorqueLimit  ? "torque limit written"
+              : address == servo::kLock         ? "lock written"
                                                 : "goal and settings written");
   // A goal that went into a cable that was out is one that nobody saw; the next one waits for an answer.
   const std::uint32_t goals = sent->goals - servo.goals_arrived + (port_lost_at_ >= servo.goal_at - 1 ? 1 : 0);
@@ -224,7 +230,9 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
   if (late) return;
   if (!before.pulls() && after.pulls()) judgeEdge(joint, after);
   if (servo.untrusted_until > cycle_) return;
-  if (after.pulls() && after.speed == 0 && cycle_ > servo.unlimited_until)
+  // Other writes neither switch torque on nor move the joint: judgeSpeedLimits().
+  const bool drives = with_goal || address == servo::kTorqueEnable;
+  if (drives && after.pulls() && after.speed == 0 && cycle_ > servo.unlimited_until)
     blame(Promise::kSpeedLimit, joint, "under torque without a speed limit");
   if (before.pulls() && after.goal != before.goal) judgeStep(joint, before, after, goals);
 }

@@ -29,6 +29,8 @@ class WireJudge final : public hil::WireObserver {
       if (robot_.board().hasTwin(static_cast<Joint>(i))) twin_seen_[i] = cycle_;
     ++cycle_;
     sync_writes_ = bulk_reads_ = 0;
+    limited_.reset();
+    given_.reset();
     torque_ = false;
     cable_out_ = !robot_.portOpen();
     replugs_ = robot_.replugs();
@@ -39,6 +41,7 @@ class WireJudge final : public hil::WireObserver {
       if (!seen.joint[joint].driven) goal_[joint].reset();
     // A goal that went into a cable that was out is a step nobody saw. At most one is on the way: the next goal
     // waits for an answer.
+    waited_ |= limited_ & ~given_;
     const bool lost = sync_writes_ == 0 && (cable_out_ || !robot_.portOpen() || robot_.replugs() != replugs_);
     if (lost) step_unseen_.set();
   }
@@ -46,7 +49,8 @@ class WireJudge final : public hil::WireObserver {
     (void)at;
     if (frame.code == static_cast<std::uint8_t>(Instruction::kBulkRead) && ++bulk_reads_ > 1) blame("two BulkReads");
     if (frame.code != static_cast<std::uint8_t>(Instruction::kSyncWrite)) return;
-    if (++sync_writes_ > 1) blame("two SyncWrites");
+    // Two while a servo works at its torque limit: limits must not go with its goal.
+    if (++sync_writes_ > 2) blame("three SyncWrites");
     judgeSyncWrite(frame.params);
   }
   void reply(Bytes bytes, Nanos at) noexcept override { (void)bytes, (void)at; }
@@ -59,11 +63,16 @@ class WireJudge final : public hil::WireObserver {
     const std::uint8_t address = params[0], length = params[1];
     if (address == servo::kLock) return;
     torque_ = address == servo::kTorqueEnable;
-    if (!torque_ && (address > servo::kGoalPosition || address + length < servo::kGoalPosition + 2))
+    const bool limits = address == servo::kTorqueLimit && length == 2;
+    if (!torque_ && !limits && (address > servo::kGoalPosition || address + length < servo::kGoalPosition + 2))
       return blame("registers nobody asked for: " + std::to_string(address));
     for (std::size_t at = 2; at + length < params.size(); at += length + 1U) {
       const std::size_t joint = params[at] - 1U;
       if (joint >= kJoints) return blame("a servo that does not exist");
+      if (limits) {
+        limited_.set(joint);
+        continue;
+      }
       if (torque_) {
         if (params[at + 1] == 0) goal_[joint].reset();
         continue;
@@ -77,11 +86,15 @@ class WireJudge final : public hil::WireObserver {
     ++goals_;
     const JointRow& r = kJointTable[joint];
     if (ticks < r.low || ticks > r.high) blame(std::string{r.name} + " goal out of limits: " + std::to_string(ticks));
-    if (goal_[joint] && std::abs(ticks - *goal_[joint]) > max_step_ * (step_unseen_[joint] ? 2 : 1))
+    if (given_[joint]) blame(std::string{r.name} + " got two goals in one cycle");
+    const int steps = 1 + (step_unseen_[joint] ? 1 : 0) + (waited_[joint] ? 1 : 0);
+    if (goal_[joint] && std::abs(ticks - *goal_[joint]) > max_step_ * steps)
       blame(std::string{r.name} + " jumped " + std::to_string(ticks - *goal_[joint]) + " ticks");
     if (!goal_[joint] && cycle_ - twin_seen_[joint] > kTwinForgotten) judgeFirst(joint, ticks);
     goal_[joint] = ticks;
     step_unseen_.reset(joint);
+    waited_.reset(joint);
+    given_.set(joint);
   }
 
   /// A joint that was not driven starts from where it is (or from its limit, when it hangs outside).
@@ -109,7 +122,7 @@ class WireJudge final : public hil::WireObserver {
   long cycle_ = 0;
   bool torque_ = false;
   int sync_writes_ = 0, bulk_reads_ = 0;
-  std::bitset<kJoints> step_unseen_;
+  std::bitset<kJoints> step_unseen_, limited_, given_, waited_;
   bool cable_out_ = false;
   std::uint32_t replugs_ = 0;
   long goals_ = 0;

@@ -1,11 +1,13 @@
 // A battery with answers that cost nothing: which cases it runs, what it writes, what it survives. Each test holds for
 // one process and under mpirun, where all ranks come to it.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <set>
 
 #include "benchmark_folder.hpp"
+#include "gap/benchmark/run/answer.hpp"
 #include "gap/benchmark/run/results.hpp"
 #include "gap/benchmark/run/suite.hpp"
 #include "gap/parallel/ranks.hpp"
@@ -55,6 +57,15 @@ TEST_F(BatteryRun, AnswersEveryCaseInTheOrderOfTheNames) {
   EXPECT_EQ(written(), answers);
   EXPECT_EQ(answers[0].at("case_hash").get<std::string>().size(), 64U);
   EXPECT_EQ(errorsIn(answers), 0U);
+}
+
+TEST_F(BatteryRun, APipeInPlaceOfACaseIsNotWaitedFor) {
+  if (Ranks::isFirst()) {
+    const std::string file = folder.cases() + "/b/case.json";
+    std::filesystem::remove(file);
+    ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  }
+  EXPECT_EQ(fingerprintOf(folder.cases() + "/b"), "");
 }
 
 TEST_F(BatteryRun, TakesTheFolderAroundTheCasesToo) {

@@ -1,11 +1,13 @@
 // Scores, against figures made by hand.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "gap/benchmark/score/parameter_names.hpp"
@@ -276,6 +278,23 @@ std::string scoreFileError(const std::string& text) {
     return error.what();
   }
   return "";
+}
+
+std::string refusalOf(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Answers, APipeInPlaceOfAFileIsRefusedAtOnce) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder / "pipe.json";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(refusalOf([&] { (void)readAnswers(pipe); }), HasSubstr("it is a pipe"));
+  EXPECT_THAT(refusalOf([&] { (void)readKeys(pipe); }), HasSubstr("it is a pipe"));
 }
 
 TEST(Answers, AreRefusedWithFileAndCase) {

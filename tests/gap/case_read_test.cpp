@@ -1,5 +1,6 @@
 // What a case.json says arrives, under the names of this house.
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -185,6 +186,19 @@ TEST(CaseRead, AFolder) {
   const Case c = readCase(path);
   EXPECT_EQ(c.folder, path);
   EXPECT_EQ(c.logs.size(), 2u);
+}
+
+TEST(CaseRead, APipeInPlaceOfALogIsRefusedAtOnce) {
+  const TemporaryFolder folder;
+  const CaseTexts texts;
+  std::ofstream{folder / "case.json"} << texts.json;
+  for (const auto& [name, text] : texts.logs) ASSERT_EQ(mkfifo((folder / name).c_str(), 0600), 0);
+  try {
+    readCase(std::filesystem::path{folder / "case.json"}.parent_path());
+    FAIL();
+  } catch (const BadInput& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr("not a regular file"));
+  }
 }
 
 TEST(CaseRead, AFolderWithoutACaseSaysHowToMakeOne) {

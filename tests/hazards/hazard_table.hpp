@@ -165,9 +165,9 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "campaign_test:CorrelatedFaults.ServosThatLoseTheirSupplyTogetherComeBackWithoutAJump "
      "servo_hazards_test:BoardMiss.AServoThatRestartsWhileTheBoardIsSilentIsPlacedAgain"},
     {"H311", "A stalled motor is switched on repeatedly", "a stream of speeds, gains or torque limits",
-     "the first shutdown counts; with streamed torque limits, after a few", "routine writes skip the torque limit",
+     "the first shutdown counts", "torque limits do not go with goals while a servo works at its limit",
      "servo_hazards_test:Shutdown.IsBelievedAtOnceWhenTheSpeedOfTheJointChangesInEveryStep "
-     "campaign_test:CorrelatedFaults.AStreamOfTorqueLimitsHidesAFewShutdownsAtMost"},
+     "campaign_test:CorrelatedFaults.AStreamOfTorqueLimitsHidesNoShutdown"},
     {"H312", "A joint is driven without feedback", "its encoder is stuck",
      "a constant position while the servo pushes both ways is reported", "fault 26",
      "safety_test:Encoder.APositionThatStaysTheSameWhileTheServoPushesBothWaysIsReported"},

@@ -46,10 +46,11 @@ TEST(TakeOver, GoalIsThePresentPositionAndTorqueComesWhenTheServosAreSeenToHaveI
 }
 
 TEST(TakeOver, NoTorqueFindsAnOlderGoalWhateverIsLostOnTheWire) {
-  for (const bool powered_up : {false, true}) {  // then it has no speed limit either
+  for (const double speed : {0.0, 1.0, 12.0}) {  // left over from an earlier program, as its goal; 0: powered up
     Rig rig;
-    rig.robot[Joint::kNeck].goal = 3;  // left over from an earlier program
-    rig.robot[Joint::kNeck].restarted = powered_up;
+    rig.robot[Joint::kNeck].goal = 3;
+    rig.robot[Joint::kNeck].speed = speed;
+    rig.robot[Joint::kNeck].restarted = speed == 0;
     rig.robot[Joint::kNeck].receives = false;
     rig.newSession();
     for (int i = 0; i < 300; ++i) {
@@ -235,6 +236,24 @@ TEST(TakeOver, AJointThatNeverAnsweredIsLeftOutReportedAndJoinsLaterGently) {
   }
   rig.runFor(1);
   EXPECT_NEAR(rig.robot[Joint::kHead].position, 0, 1e-9);
+}
+
+TEST(TakeOver, AGoalStaysInItsPlaceUntilTorqueIsSeen) {
+  Rig rig;
+  rig.robot[Joint::kHead].answers = false;
+  rig.robot[Joint::kHead].position = 0.9;
+  rig.start();
+  rig.joint(Joint::kHead).setGoal(Rad{0});
+  rig.robot[Joint::kHead].answers = true;
+  ASSERT_GE(rig.runUntil([&] { return rig.safe->torqueOn()[index(Joint::kHead)]; }), 0);
+  const double placed = rig.goal(Joint::kHead);
+  for (int i = 0; i < 5; ++i) {
+    rig.robot.seen.joint[index(Joint::kHead)].health.missed();  // position only
+    rig.cycle();
+    ASSERT_EQ(rig.goal(Joint::kHead), placed) << i;
+  }
+  rig.run(5);
+  EXPECT_LT(rig.goal(Joint::kHead), placed);
 }
 
 TEST(TakeOver, ATorqueOffRequestIsRespectedFromTheStart) {

@@ -42,6 +42,12 @@ class Fate : public Home {
     unsetenv("DARWINOP_ROBOT");
     ASSERT_TRUE(driver_->says("stands", seconds{20})) << driver_->output();
   }
+  /// The controller hosts the loop. Returns when the robot stands.
+  void startRun() {
+    driver_ = std::make_unique<Program>(
+        std::vector<std::string>{program("darwinop-run"), "--robot", port(), file("walk")}, file("c"));
+    ASSERT_TRUE(driver_->says("stands", seconds{20})) << driver_->output();
+  }
   void sendAllWithoutEffect(Program& to, std::initializer_list<int> but = {}) {
     for (const SignalRow& row : kSignals) {
       const bool harmless = row.effect == SignalEffect::kIgnored || row.effect == SignalEffect::kNoEffect;
@@ -55,6 +61,7 @@ class Fate : public Home {
     for (int word = 0; word < 3; ++word) file >> state;
     EXPECT_TRUE(state == "S" || state == "R" || state == "D") << "neither stopped nor ended: " << state;
   }
+  static std::vector<std::string> window() { return {program("darwinop-window"), "--robot", "runtime", "--port", "0"}; }
   void expectAtRest() {
     const Registers robot = registers();
     EXPECT_EQ(robot.silent, 0);
@@ -83,6 +90,67 @@ TEST_F(Fate, SignalsWithoutEffectLeaveAnEmbeddedControllerDriving) {
   expectAtRest();
 }
 
+TEST_F(Fate, SignalsWithoutEffectLeaveARunAndItsControllerDriving) {
+  startRun();
+  sendAllWithoutEffect(*driver_);
+  EXPECT_THROW((void)registers(), std::runtime_error) << "the controller has the port";
+  driver_->kill(SIGTERM);
+  EXPECT_EQ(driver_->wait(seconds{30}), 0) << driver_->output();
+  expectAtRest();
+}
+
+TEST_F(Fate, AStoppedRunLeavesItsControllerDriving) {
+  startRun();
+  driver_->kill(SIGSTOP);
+  std::this_thread::sleep_for(milliseconds{700});
+  EXPECT_THROW((void)registers(), std::runtime_error) << "the controller has the port";
+  driver_->kill(SIGCONT);
+  driver_->kill(SIGTERM);
+  EXPECT_EQ(driver_->wait(seconds{30}), 0) << driver_->output();
+  expectAtRest();
+}
+
+constexpr auto kKillSignals = signalsThat<SignalEffect::kKills>();
+class KillSignal : public Fate, public testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P(Each, KillSignal, testing::ValuesIn(kKillSignals),
+                         [](const auto& by) { return nameOf(by.param); });
+
+TEST_P(KillSignal, OfARunEndsItsControllerWithTheRobotAtRest) {
+  startRun();
+  driver_->kill(GetParam());
+  EXPECT_NE(driver_->wait(seconds{30}).value_or(0), 0);
+  ASSERT_TRUE(driver_->says("end requested", seconds{20})) << driver_->output();
+  EXPECT_TRUE(within(seconds{30}, [this] {
+    try {
+      return registers().stiff == 0;
+    } catch (const std::runtime_error&) {
+      return false;  // the controller has the port
+    }
+  }));
+  expectAtRest();
+}
+
+#ifdef DARWINOP_WITH_WINDOW
+TEST_F(Fate, AWindowThatIsKilledOrStoppedLeavesTheRobotDriving) {
+  startDaemon();
+  startController("runtime");
+  const auto driving = [](std::uint64_t since) {
+    return sensors().cycle > since + 5 && sensors().safety.state == State::kDriven;
+  };
+  for (const SignalRow& row : kSignals) {
+    if (row.effect != SignalEffect::kKills && row.effect != SignalEffect::kStops) continue;
+    Program one{window(), file("one")};
+    ASSERT_TRUE(one.says("open in a browser:", seconds{20})) << one.output();
+    one.kill(row.number);
+    if (row.effect == SignalEffect::kKills) {
+      EXPECT_NE(one.wait(seconds{10}).value_or(0), 0) << row.name;
+    }
+    const std::uint64_t before = sensors().cycle;
+    EXPECT_TRUE(within(seconds{5}, [&] { return driving(before); })) << row.name;
+  }
+}
+#endif
+
 class EndSignal : public Fate, public testing::WithParamInterface<int> {};
 INSTANTIATE_TEST_SUITE_P(Each, EndSignal, testing::ValuesIn(kEndSignals),
                          [](const auto& by) { return nameOf(by.param); });
@@ -104,14 +172,30 @@ TEST_P(EndSignal, EndsAnEmbeddedControllerWithTheRobotAtRest) {
   expectAtRest();
 }
 
+TEST_P(EndSignal, EndsARunAndItsControllerWithTheRobotAtRest) {
+  startRun();
+  driver_->kill(GetParam());
+  EXPECT_EQ(driver_->wait(seconds{30}), 0) << driver_->output();
+  EXPECT_THAT(driver_->output(), HasSubstr("end requested"));
+  expectAtRest();
+}
+
+bool hasStarted(const std::string& output) {
+  return std::ranges::any_of(std::array{"ready:", "body:", "open in a browser:"},
+                             [&](const char* text) { return output.find(text) != std::string::npos; });
+}
+
 TEST_P(EndSignal, EndsTheOtherProgramsNormally) {
   startDaemon();
   const std::vector<std::vector<std::string>> all{{program("darwinop-remote"), "--robot", "runtime", "--port", "0"},
                                                   {program("darwinop-monitor"), "--port", "0"},
+#ifdef DARWINOP_WITH_WINDOW
+                                                  window(),
+#endif
                                                   {program("darwinop-virtual-robot"), "--link", file("other")}};
   for (const std::vector<std::string>& command : all) {
     Program one{command, file("one")};
-    ASSERT_TRUE(one.says("ready:", seconds{10}) || one.says("body:", seconds{10})) << command[0] << one.output();
+    ASSERT_TRUE(within(seconds{20}, [&] { return hasStarted(one.output()); })) << command[0] << one.output();
     std::this_thread::sleep_for(milliseconds{200});
     sendAllWithoutEffect(
         one, command[0].ends_with("robot") ? std::initializer_list<int>{SIGUSR1} : std::initializer_list<int>{});

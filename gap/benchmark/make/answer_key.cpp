@@ -6,13 +6,18 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
+
+#include "hal/text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLongestKey = std::size_t{64} << 20;  // bytes
 
 // In the order of CaseClass.
 constexpr std::array<std::string_view, 4> kClasses{"single", "control", "double", "uncatalogued"};
@@ -98,12 +103,12 @@ void writeKeys(const Keys& keys, const std::string& path) {
 }
 
 Keys readKeys(const std::string& path) {
-  std::ifstream file{path, std::ios::binary};
-  if (!file) throw std::runtime_error("cannot read " + path + "; a key lies beside the folder of the cases");
+  const std::optional<std::string> text = readTextFile(path, kLongestKey);
+  if (!text) throw std::runtime_error("cannot read " + path + "; a key lies beside the folder of the cases");
   Keys keys;
   std::string name;
   try {
-    const Json all = Json::parse(file);
+    const Json all = Json::parse(*text);
     for (const auto& [case_name, json] : all.items()) {
       name = ", case " + case_name;
       keys[case_name] = keyOf(json);

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
 
 #include "gap/report/data_hash.hpp"
 #include "gap/report/results.hpp"
+#include "hal/text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -74,10 +75,11 @@ json answerFor(const std::string& folder) {
   return answer;
 }
 
-std::string fingerprintOf(const std::string& folder) {
-  std::ifstream file{std::filesystem::path{folder} / "case.json", std::ios::binary};
-  if (!file) return "";
-  return sha256(std::string{std::istreambuf_iterator<char>{file}, {}});
+std::string fingerprintOf(const std::string& folder) try {
+  const std::optional<std::string> text = readTextFile((std::filesystem::path{folder} / "case.json").string());
+  return text ? sha256(*text) : "";
+} catch (const std::runtime_error&) {
+  return "";  // answerFor() reports it
 }
 
 std::string lineOf(const json& answer) {

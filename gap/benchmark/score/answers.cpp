@@ -1,14 +1,18 @@
 #include "gap/benchmark/score/answers.hpp"
 
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
+
+#include "hal/text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLongestResults = std::size_t{64} << 20;  // bytes
 
 double numberOf(const Json& json, const char* name) {
   const auto found = json.find(name);
@@ -52,12 +56,12 @@ Answer answerOf(const Json& json) {
 }  // namespace
 
 Answers readAnswers(const std::string& path) {
-  std::ifstream file{path, std::ios::binary};
-  if (!file) throw std::runtime_error("cannot read " + path + "; `darwinop gap benchmark run` writes it");
+  const std::optional<std::string> text = readTextFile(path, kLongestResults);
+  if (!text) throw std::runtime_error("cannot read " + path + "; `darwinop gap benchmark run` writes it");
   Answers answers;
   std::string at;
   try {
-    const Json all = Json::parse(file);
+    const Json all = Json::parse(*text);
     if (!all.is_array()) throw std::runtime_error("expected a list with one object for each case");
     for (const Json& json : all) {
       const std::string name = json.at("case");

@@ -56,9 +56,11 @@ class SoundGraph : public testing::Test {
       return started != nullptr && started->id == id;
     });
   }
+  /// Ends the program; sound() starts the next one.
+  void endProgram() { sound_.reset(); }
   /// Ends the program and reads what it has played.
   Wave recorded() {
-    sound_.reset();
+    endProgram();
     return readWave(recording());
   }
 

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "apps/sound/graph.hpp"
+#include "hal/signals.hpp"
 
 namespace darwinop {
 namespace {
@@ -77,6 +78,50 @@ TEST_F(SoundGraph, AProgramThatIsKilledIsReportedAndLeavesNoZombie) {
   EXPECT_FALSE(processExists(pid));
   EXPECT_TRUE(sound().order(StopSound{})) << "no signal, and nothing to say again";
   EXPECT_FALSE(sound().nextEvent(0ms));
+}
+
+/// State of a process as ps shows it; Z or nothing: it has ended.
+char stateOf(pid_t pid) {
+  std::ifstream file{"/proc/" + std::to_string(pid) + "/stat"};
+  std::string text;
+  std::getline(file, text);
+  const std::size_t name_end = text.rfind(") ");
+  return name_end == std::string::npos ? 'Z' : text.at(name_end + 2);
+}
+
+/// The state that the program has half a second after the signal, or earlier the one wanted.
+char stateAfter(pid_t pid, int signal, char wanted) {
+  kill(pid, signal);
+  for (int i = 0; i < 50 && stateOf(pid) != wanted; ++i) std::this_thread::sleep_for(10ms);
+  return stateOf(pid);
+}
+
+TEST_F(SoundGraph, EachSignalHasTheDocumentedEffectOnTheProgram) {
+  const auto plays = [this] {
+    sound().order(PlaySound{.id = 1, .file = toneFile(440, 10)});
+    awaitBegin(1);
+    return sound().pid();
+  };
+  pid_t pid = plays();
+  for (const SignalRow& row : kSignals) {
+    const bool by_controller = row.number == SIGINT || row.number == SIGQUIT || row.number == SIGHUP;
+    const bool harmless = row.effect == SignalEffect::kIgnored || row.effect == SignalEffect::kNoEffect;
+    if (harmless || by_controller) {
+      kill(pid, row.number);
+      std::this_thread::sleep_for(20ms);
+      ASSERT_NE(stateOf(pid), 'Z') << row.name;
+      ASSERT_NE(stateOf(pid), 'T') << row.name;
+      continue;
+    }
+    const bool stops = row.effect == SignalEffect::kStops;
+    EXPECT_EQ(stateAfter(pid, row.number, stops ? 'T' : 'Z'), stops ? 'T' : 'Z') << row.name;
+    if (stops) {
+      EXPECT_NE(stateAfter(pid, SIGCONT, 'S'), 'T');
+      continue;
+    }
+    endProgram();
+    pid = plays();
+  }
 }
 
 TEST_F(SoundGraph, TheProgramEndsWithItsController) {

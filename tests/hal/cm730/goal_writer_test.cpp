@@ -73,12 +73,31 @@ TEST_F(DrivingWriter, WritesATorqueLimitThatChangesInEveryStepWhileNoServoWorksA
   }
 }
 
-TEST_F(DrivingWriter, LimitsTorqueLimitWritesAtTheLimitSoThatAShutdownIsDetected) {
-  writer.noteLoad(Joint::kNeck, -0.9);
+/// The same, long after its servos have entered; the neck works at its torque limit.
+struct StrainingWriter : DrivingWriter {
+  StrainingWriter() {
+    for (int i = 0; i < 3 * GoalWriter::kSettingsEvery; ++i) (void)write();
+    while (write() != kSettings) {
+    }
+    writer.noteLoad(Joint::kNeck, -0.9);
+  }
+};
+
+constexpr std::size_t frameTo(std::size_t servos, std::size_t registers) {
+  return kFrameOverhead + 2 + servos * (1 + registers);
+}
+
+TEST_F(StrainingWriter, SendsItsTorqueLimitWithoutAGoalSoThatAShutdownIsSeen) {
   int since = GoalWriter::kTorqueEvery, writes = 0;
   for (int i = 0; i < 160; ++i, ++since) {
-    asked.drive(Joint::kHead, Rad{0}, RadPerSec{12.2}, NewtonMeter{1 + 0.01 * (i % 7)});
-    if (write() != kAll) continue;
+    asked.drive(Joint::kNeck, Rad{0}, RadPerSec{12.2}, NewtonMeter{1 + 0.01 * (i % 7)});
+    const std::size_t size = write();
+    ASSERT_NE(size, kAll);
+    const std::size_t second = writer.takeSecond().size();
+    if (!writer.limitsWentAlone()) continue;
+    EXPECT_EQ(size, frameTo(1, 2));
+    EXPECT_EQ(writer.limitsAlone(), SafeCommands::Mask{}.set(index(Joint::kNeck)));
+    EXPECT_TRUE(second == frameTo(kJoints - 1, 2) || second == frameTo(kJoints - 1, 6)) << "the others get their goals";
     ASSERT_GE(since, GoalWriter::kTorqueEvery);
     since = 0;
     ++writes;
@@ -86,15 +105,47 @@ TEST_F(DrivingWriter, LimitsTorqueLimitWritesAtTheLimitSoThatAShutdownIsDetected
   EXPECT_GE(writes, 160 / (2 * GoalWriter::kTorqueEvery));
 }
 
-TEST_F(DrivingWriter, SendsAChangedTorqueLimitTwice) {
-  for (const double load : {0.1, 1.0}) {
-    writer.noteLoad(Joint::kNeck, load);
-    asked.drive(Joint::kHead, Rad{0}, RadPerSec{12.2}, NewtonMeter{1 + load});
-    EXPECT_EQ(write(), kAll);
-    int again = 0;
-    for (int i = 0; i < 5 * GoalWriter::kTorqueEvery; ++i) again += write() == kAll ? 1 : 0;
-    EXPECT_EQ(again, 1);
+TEST_F(StrainingWriter, SendsLimitsAloneToFourServosAtMostThatWorkAtTheirLimitsAndToAllInTurn) {
+  SafeCommands::Mask had;
+  for (std::size_t i = 0; i < kJoints; ++i) writer.noteLoad(static_cast<Joint>(i), 1);
+  for (int i = 0; i < 160; ++i) {
+    for (std::size_t joint = 0; joint < kJoints; ++joint)
+      asked.drive(static_cast<Joint>(joint), Rad{0}, RadPerSec{12.2}, NewtonMeter{1 + 0.01 * (i % 7)});
+    (void)write();
+    (void)writer.takeSecond();
+    if (!writer.limitsWentAlone()) continue;
+    ASSERT_LE(writer.limitsAlone().count(), 4u);
+    had |= writer.limitsAlone();
   }
+  EXPECT_TRUE(had.all()) << had;
+}
+
+TEST_F(StrainingWriter, GetsItsGoalWithoutALimitWhileAnotherJointEnters) {
+  const SafeCommands others = SafeCommandsForTests{}.drive(Joint::kNeck, Rad{0}).commands;
+  (void)writer.encode(others);
+  (void)writer.takeSecond();
+  EXPECT_EQ(write(), frameTo(kJoints - 1, 8));
+  EXPECT_EQ(writer.takeSecond().size(), frameTo(1, 6));
+}
+
+TEST_F(StrainingWriter, SendsAChangedTorqueLimitTwice) {
+  asked.drive(Joint::kHead, Rad{0}, RadPerSec{12.2}, NewtonMeter{2});
+  int limits = 0;
+  for (int i = 0; i < 5 * GoalWriter::kTorqueEvery; ++i) {
+    (void)write();
+    (void)writer.takeSecond();
+    limits += writer.limitsWentAlone() ? 1 : 0;
+  }
+  EXPECT_EQ(limits, 2);
+}
+
+TEST_F(DrivingWriter, SendsAChangedTorqueLimitTwice) {
+  writer.noteLoad(Joint::kNeck, 0.1);
+  asked.drive(Joint::kHead, Rad{0}, RadPerSec{12.2}, NewtonMeter{1.1});
+  EXPECT_EQ(write(), kAll);
+  int again = 0;
+  for (int i = 0; i < 5 * GoalWriter::kTorqueEvery; ++i) again += write() == kAll ? 1 : 0;
+  EXPECT_EQ(again, 1);
 }
 
 TEST_F(DrivingWriter, ResetsAJointAfterACycleWithoutAGoal) {

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <stdexcept>
@@ -78,6 +79,12 @@ TEST(PictureFolder, ReportsARemedyForAFolderWithoutPictures) {
   const TemporaryFolder folder;
   EXPECT_THAT(errorOf(folder / "."), AllOf(HasSubstr(folder / "."), HasSubstr(".png or .ppm")));
   EXPECT_THAT(errorOf(folder / "none"), AllOf(HasSubstr(folder / "none"), HasSubstr("No such file")));
+}
+
+TEST(PictureFolder, DoesNotWaitForAPipe) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe.ppm").c_str(), 0600), 0);
+  EXPECT_THAT(errorOf(folder / "."), AllOf(HasSubstr("pipe.ppm"), HasSubstr("not a regular file")));
 }
 
 TEST(PictureFolder, NamesADamagedPicture) {
