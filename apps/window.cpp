@@ -62,7 +62,7 @@ std::string serveWindow(web::WebServer& server, const WindowArguments& given, wi
 }
 
 /// `ssh`: null without a login. Returns after the drive thread has ended.
-void showWindow(const WindowArguments& given, window::SimulatedRobot* own, const window::SshConnection* ssh) {
+void showWindow(const WindowArguments& given, window::SimulatedRobot* own, window::SshConnection* ssh) {
   endOnSignals();
   if (ssh != nullptr && window::SshConnection::isEndRequested()) return;
   const runtime::RuntimeFiles files{own ? own->name() : given.name};
