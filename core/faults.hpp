@@ -80,11 +80,10 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
     {Fault::kServoSilent, Reaction::kReport, false, false, "servo_silent",
      "a servo has not answered for half a second, or does not take what is written to it",
      "check the cable that leads to the first silent servo of its chain", Checked::kAlways, "",
-     "`silent_s`, not in the first second of servo power; or 20 takeovers in a row (a second) did not store goal and "
-     "speed. From the first missed answer on the joint gets no goal: a restarted servo would move without a speed "
-     "limit. "
-     "It continues if the servo kept torque and speed limit, and is taken over gently otherwise or after 5 cycles. A "
-     "servo silent at start gets no goals until the next start."},
+     "`silent_s` or three requests in a row, not in the first second of servo power; or 20 takeovers in a row (a "
+     "second) did not store goal and speed. From the first missed answer on the joint gets no goal: a restarted servo "
+     "would move without a speed limit. It continues if the servo kept torque and speed limit, and is taken over "
+     "gently otherwise or after 5 cycles. A servo silent at start gets no goals until the next start."},
     {Fault::kServoPowerOff, Reaction::kReport, false, false, "servo_power_off",
      "the CM-730 reports that servo power is off although it was on",
      "nothing: it is switched on again, at most 3 times in 60 s; after that press START or start a controller",

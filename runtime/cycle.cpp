@@ -10,7 +10,7 @@ Cycle::Cycle(ServoBus& bus, safety::Guard& guard, Nanos period) : bus_{bus}, gua
 
 void Cycle::run(const Commands& asked, const CycleTime& time) noexcept {
   const SafeCommands safe = guard_.vet(asked, sensors_);  // nothing reaches the bus but through here
-  bus_.write(safe);                                       // one SyncWrite
+  bus_.write(safe);                                       // one SyncWrite, seldom two
   bus_.read(readings_);                                   // one BulkRead
   noteCommanded(safe, sensors_);
   merge(readings_, sensors_);  // fresh values replace, missing ones grow old

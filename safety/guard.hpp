@@ -1,4 +1,4 @@
-// The last step before the encoder: turns requests of a controller into commands that may be sent.
+// The last step before the packet encoder: turns requests of a controller into commands that may be sent.
 #pragma once
 
 #include <array>

@@ -40,7 +40,7 @@ class ServoWatch {
   [[nodiscard]] bool badVoltage() const noexcept { return voltage_.on(); }
 
  private:
-  // Servos start in about 0.3 s; the bus asks again twice a second.
+  // Servos start in about 0.3 s; the bus asks a silent one again every 16 cycles.
   static constexpr Nanos kStartUp{std::chrono::milliseconds{1000}};
   static constexpr Nanos kVoltageOn{std::chrono::milliseconds{100}}, kVoltageOff{std::chrono::milliseconds{1000}};
 

@@ -1,4 +1,5 @@
-// Turns safe commands into the cycle's one SyncWrite, as short as it may be. See docs/performance.md for the sizes.
+// Turns safe commands into the cycle's SyncWrite, as short as it may be (docs/performance.md has the sizes). Two of
+// them only while a servo works at its torque limit and limits change.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// One request, one answer, a few tries.
+// One request, one answer, a few tries: for start-up and tools, never in the loop.
 #include "hal/cm730/transactions.hpp"
 
 #include <algorithm>
