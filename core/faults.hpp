@@ -9,7 +9,7 @@
 
 namespace darwinop {
 
-/// Latched until a reset is asked for. Numbers are stable: they stand in logs and in users' scripts.
+/// Latched ones stay until a reset is asked for. Numbers are stable: they stand in logs and in users' scripts.
 enum class Fault : std::uint8_t {
   kNone = 0,
   kBusSilent = 10,
