@@ -89,8 +89,8 @@ void printExceptions(std::ostream& out) {
   }
   out << "\n[`darwinop gap`](../gap/README.md) searches every effect, with these exceptions:\n\n"
       << "- only in a baseline of law `voltage_p`: " << links(only_voltage) << '\n'
-      << "- only in a baseline of law `speed_p` (`hide --baseline W`) with a `servo_datasheet`: " << links(only_speed)
-      << '\n'
+      << "- only in a baseline of law `speed_p` (`benchmark make-case --baseline W`) with a `servo_datasheet`: "
+      << links(only_speed) << '\n'
       << "- never, because a host that reads every 16 ms cannot distinguish them from noise: " << links(never) << '\n';
 }
 

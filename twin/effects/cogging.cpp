@@ -73,9 +73,9 @@ const EffectInfo kCogging{
     .aliases = {},
     .step_demand = StepDemand::kNone,
     .synthetic = {.drawn = kDrawn, .pair_rank = 13},
-    .exports = {.webots = lost("no torque of a joint depends on its angle alone; add it in a physics plug-in"),
-                .mujoco = lost("no torque of a joint depends on its angle so; add it as qfrc_applied"),
-                .urdf = lost("no torque of a joint depends on its angle alone")},
+    .exports = {.webots = lost("no joint has a periodic torque; add it in a physics plug-in"),
+                .mujoco = lost("no joint has a periodic torque; add it as qfrc_applied"),
+                .urdf = lost("no joint has a periodic torque")},
     .other_names = kOtherNames,
     .make = makeEffect<Cogging>,
 };
