@@ -214,7 +214,7 @@ TEST_F(StartUpDeathTest, AChildThatTheControllerForksDoesNotEndItsSession) {
         wait(nullptr);
         _exit(0);
       },
-      testing::ExitedWithCode(0), "not a word");
+      testing::ExitedWithCode(0), "the session was not ended");
 }
 
 TEST_F(StartUpDeathTest, AnUncaughtExceptionEndsTheSessionBeforeTheUsualEnd) {
@@ -236,7 +236,7 @@ TEST_F(StartUpDeathTest, AnUncaughtExceptionOfAnotherThreadLeavesTheLinkAlone) {
         new webots::Robot;
         std::thread{failUncaught}.join();
       },
-      testing::KilledBySignal(SIGABRT), "not a word");
+      testing::KilledBySignal(SIGABRT), "the session was not ended");
 }
 
 }  // namespace
