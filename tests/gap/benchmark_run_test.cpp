@@ -59,15 +59,6 @@ TEST_F(BatteryRun, AnswersEveryCaseInTheOrderOfTheNames) {
   EXPECT_EQ(errorsIn(answers), 0U);
 }
 
-TEST_F(BatteryRun, APipeInPlaceOfACaseIsNotWaitedFor) {
-  if (Ranks::isFirst()) {
-    const std::string file = folder.cases() + "/b/case.json";
-    std::filesystem::remove(file);
-    ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
-  }
-  EXPECT_EQ(fingerprintOf(folder.cases() + "/b"), "");
-}
-
 TEST_F(BatteryRun, TakesTheFolderAroundTheCasesToo) {
   battery.folder = folder.top();
   const json answers = runSuite(battery);
@@ -95,6 +86,13 @@ class BatteryAlone : public BatteryRun {
     if (Ranks::count() > 1) GTEST_SKIP() << "for one process";
   }
 };
+
+TEST_F(BatteryAlone, APipeInPlaceOfACaseIsNotWaitedFor) {
+  const std::string file = folder.cases() + "/b/case.json";
+  std::filesystem::remove(file);
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  EXPECT_EQ(fingerprintOf(folder.cases() + "/b"), "");
+}
 
 TEST_F(BatteryAlone, ResumeAnswersOnlyWhatHasNoAnswer) {
   (void)runSuite(battery);
