@@ -175,10 +175,13 @@ void ServoJudge::request(const Frame& frame, Nanos /*at*/) noexcept {
     const std::size_t joint = rest[0] - std::size_t{1};
     if (joint >= kJoints || size > Sent{}.data.size()) continue;
     Servo& servo = servo_[joint];
-    if (address == servo::kTorqueLimit) servo.limit_sent_at = cycle_;  // its goal may wait for a cycle
+    if (address == servo::kTorqueLimit) {  // its goal may wait for a cycle
+      ++servo.waits;
+      servo.limit_sent_at = cycle_;
+    }
     if (carriesGoal(address, size)) {
-      servo.goals_sent += servo.limit_sent_at < cycle_ && servo.limit_sent_at > servo.goal_sent_at ? 2 : 1;
-      servo.goal_sent_at = cycle_;
+      servo.goals_sent += 1 + servo.waits - (servo.limit_sent_at == cycle_ ? 1 : 0);
+      servo.waits = 0;
     }
     Sent& sent = servo.sent[servo.sent_count++ % kSentRoom];
     sent = {cycle_, servo.goals_sent, address, size, {}, false};
@@ -223,6 +226,7 @@ void ServoJudge::written(Joint joint, std::uint8_t address, Bytes data, const hi
     servo.goal_at = cycle_;
     servo.goals_arrived = sent->goals;
   }
+  if (address == servo::kTorqueLimit && before.torque_limit == 0) noteErasedTrip(joint);
   const bool late = sent->cycle < servo.powered_at || cycle_ - sent->cycle > kLate;
   if (!before.pulls() && after.pulls()) servo.pulls_since = cycle_;
   if (servo.untrusted_until > cycle_) return;
@@ -281,6 +285,17 @@ bool ServoJudge::undoesUnseenTrip(Joint joint) {
   ++tally_.blind;
   --servo_[index(joint)].trips;
   return true;
+}
+
+/// A limit that is written alone just after a shutdown erases what tells it from a restart. Torque stays off until the
+/// joint is taken over.
+void ServoJudge::noteErasedTrip(Joint joint) {
+  Servo& servo = servo_[index(joint)];
+  if (cycle_ - servo.tripped_at > 1 || servo.trips == 0) return;
+  ++tally_.blind;
+  --servo.trips;
+  if (++servo.early_trips > kEarlyTrips)
+    blame(Promise::kTrip, joint, "shut itself off again and again, and no limit 0 was seen");
 }
 
 /// A goal moves by one step for each goal that was sent, or to where the joint is.

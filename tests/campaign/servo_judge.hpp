@@ -101,27 +101,29 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
     std::array<Sent, kSentRoom> sent{};
     std::uint32_t sent_count = 0, arrived = 0;  // arrived: number of the last write that came through
     std::uint32_t goals_sent = 0, goals_arrived = 0;
-    std::array<double, kPositionWindow> position{};    // ticks, at the ends of the last cycles
-    long untrusted_until = 0;                          // cycle; after a damaged write or a second device with its id
-    int trips = 0;                                     // since our side last believed one, or was asked to try again
-    int early_trips = 0;                               // the same, soon after it was taken over: not counted in trips
-    int silent = 0, answered = 0;                      // cycles in a row
-    int late_goals = 0;                                // carried out late since its last answer
-    int unlimited_for = 0;                             // cycles under torque without a speed limit, all answered
-    long goal_at = 0;                                  // cycle in which the last goal came through
-    long powered_at = 0;                               // cycle
-    long goal_sent_at = -1000, limit_sent_at = -1000;  // cycle
-    long tripped_at = -1000;                           // cycle
-    long pulls_since = 0, driven_since = 0;            // cycle
-    long lost_at = -1000;                              // cycle in which it lost its power under torque
-    int lost_goal = 0;                                 // ticks
-    long unlimited_until = 0;                          // cycle; nobody can know yet that it has no speed limit
+    std::array<double, kPositionWindow> position{};  // ticks, at the ends of the last cycles
+    long untrusted_until = 0;                        // cycle; after a damaged write or a second device with its id
+    int trips = 0;                                   // since our side last believed one, or was asked to try again
+    int early_trips = 0;                             // the same, soon after it was taken over: not counted in trips
+    int silent = 0, answered = 0;                    // cycles in a row
+    int late_goals = 0;                              // carried out late since its last answer
+    int unlimited_for = 0;                           // cycles under torque without a speed limit, all answered
+    long goal_at = 0;                                // cycle in which the last goal came through
+    long powered_at = 0;                             // cycle
+    long limit_sent_at = -1000;                      // cycle
+    std::uint32_t waits = 0;                         // limits sent without a goal since the last goal
+    long tripped_at = -1000;                         // cycle
+    long pulls_since = 0, driven_since = 0;          // cycle
+    long lost_at = -1000;                            // cycle in which it lost its power under torque
+    int lost_goal = 0;                               // ticks
+    long unlimited_until = 0;                        // cycle; nobody can know yet that it has no speed limit
     bool driven = false;
   };
 
   void judgeEdge(Joint joint, const hil::ServoState& after);
   [[nodiscard]] bool judgeShortOutage(Joint joint, const hil::ServoState& after);
   [[nodiscard]] bool undoesUnseenTrip(Joint joint);
+  void noteErasedTrip(Joint joint);
   void judgeLate(Joint joint, const Sent& sent, const hil::ServoState& before, const hil::ServoState& after,
                  std::uint32_t goals);
   void judgeStep(Joint joint, const hil::ServoState& before, const hil::ServoState& after, std::uint32_t goals);

@@ -41,7 +41,8 @@ class WireJudge final : public hil::WireObserver {
       if (!seen.joint[joint].driven) goal_[joint].reset();
     // A goal that went into a cable that was out is a step nobody saw. At most one is on the way: the next goal
     // waits for an answer.
-    waited_ |= limited_ & ~given_;
+    for (std::size_t joint = 0; joint < kJoints; ++joint)
+      if (limited_[joint] && !given_[joint]) ++waited_[joint];
     const bool lost = sync_writes_ == 0 && (cable_out_ || !robot_.portOpen() || robot_.replugs() != replugs_);
     if (lost) step_unseen_.set();
   }
@@ -87,13 +88,13 @@ class WireJudge final : public hil::WireObserver {
     const JointRow& r = kJointTable[joint];
     if (ticks < r.low || ticks > r.high) blame(std::string{r.name} + " goal out of limits: " + std::to_string(ticks));
     if (given_[joint]) blame(std::string{r.name} + " got two goals in one cycle");
-    const int steps = 1 + (step_unseen_[joint] ? 1 : 0) + (waited_[joint] ? 1 : 0);
+    const int steps = 1 + (step_unseen_[joint] ? 1 : 0) + waited_[joint];
     if (goal_[joint] && std::abs(ticks - *goal_[joint]) > max_step_ * steps)
       blame(std::string{r.name} + " jumped " + std::to_string(ticks - *goal_[joint]) + " ticks");
     if (!goal_[joint] && cycle_ - twin_seen_[joint] > kTwinForgotten) judgeFirst(joint, ticks);
     goal_[joint] = ticks;
     step_unseen_.reset(joint);
-    waited_.reset(joint);
+    waited_[joint] = 0;
     given_.set(joint);
   }
 
@@ -122,7 +123,8 @@ class WireJudge final : public hil::WireObserver {
   long cycle_ = 0;
   bool torque_ = false;
   int sync_writes_ = 0, bulk_reads_ = 0;
-  std::bitset<kJoints> step_unseen_, limited_, given_, waited_;
+  std::bitset<kJoints> step_unseen_, limited_, given_;
+  std::array<int, kJoints> waited_{};  // cycles without a goal, for a limit, since the last goal
   bool cable_out_ = false;
   std::uint32_t replugs_ = 0;
   long goals_ = 0;
