@@ -287,8 +287,8 @@ bool ServoJudge::undoesUnseenTrip(Joint joint) {
   return true;
 }
 
-/// A limit that is written alone just after a shutdown erases what tells it from a restart. Torque stays off until the
-/// joint is taken over.
+/// A limit that is written alone just after a shutdown erases what distinguishes it from a restart. Torque stays off
+/// until the joint is taken over.
 void ServoJudge::noteErasedTrip(Joint joint) {
   Servo& servo = servo_[index(joint)];
   if (cycle_ - servo.tripped_at > 1 || servo.trips == 0) return;
