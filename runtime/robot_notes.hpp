@@ -19,7 +19,7 @@ class RobotNotes {
 
   /// A person released the robot, and no person has acted since: a loop that begins must not drive it.
   [[nodiscard]] bool released() const { return released_.exists; }
-  /// Joints were held, and nobody has seen since that all are limp. A loop that begins and finds servo power off
+  /// Joints were held, and not all were seen limp since. A loop that begins and finds servo power off
   /// knows by this that RESET was pressed under torque (safety::Config::held_before).
   [[nodiscard]] bool held() const { return held_.exists; }
 

@@ -44,7 +44,7 @@ std::optional<Event> Guard::findEvent() const noexcept {
   return findEventOf(state_, wanted, demand == Reaction::kHold);
 }
 
-/// Servos keep their torque when their driver dies. A robot that nobody drives yet counts as limp only when each
+/// Servos keep their torque when their driver dies. A robot that has no driver yet counts as limp only when each
 /// servo that answers has been looked at.
 std::optional<Event> Guard::findEventOffline() const noexcept {
   if (!board_.answersNow()) return std::nullopt;

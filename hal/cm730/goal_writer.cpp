@@ -117,7 +117,7 @@ std::span<const std::uint8_t> GoalWriter::encodeTwo(const SafeCommands& commands
   return frame.empty() ? takeSecond() : frame;
 }
 
-/// New torque limits alone: goals of limitsAlone() wait for a cycle. Empty when nobody may get one yet.
+/// New torque limits alone: goals of limitsAlone() wait for a cycle. Empty when no servo may get one yet.
 std::span<const std::uint8_t> GoalWriter::encodeLimits(const SafeCommands::Mask& who) noexcept {
   const auto due =
       jointsThat(who, [this](std::size_t i) { return servo_[i].torque_due > 0 && frames_ - entered_[i] >= kSettled; });

@@ -50,7 +50,8 @@ class WireJudge final : public hil::WireObserver {
     (void)at;
     if (frame.code == static_cast<std::uint8_t>(Instruction::kBulkRead) && ++bulk_reads_ > 1) blame("two BulkReads");
     if (frame.code != static_cast<std::uint8_t>(Instruction::kSyncWrite)) return;
-    // Two while a servo works at its torque limit: limits must not go with its goal.
+    // Two while a servo works at its torque limit, when limits must not go with its goal; that there is such a servo is
+    // not checked here.
     if (++sync_writes_ > 2) blame("three SyncWrites");
     judgeSyncWrite(frame.params);
   }

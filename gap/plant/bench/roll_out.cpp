@@ -87,7 +87,7 @@ class Run {
   /// Periods of a fine firmware that are simulated as one: the most that end with every row of the log.
   static int foldedPeriods(const Trajectory& log, const Hypothesis& hypothesis) {
     if (hypothesis.has(twin::StepDemand::kEveryPeriod)) return 1;
-    constexpr double kRounding = 1e-3;  // of a period; a log tells its times in decimals
+    constexpr double kRounding = 1e-3;  // of a period; times in a log are rounded decimals
     const double period_s = hypothesis.servo.firmware_period_s;
     int most = static_cast<int>(kLongestFold / period_s + kRounding);
     const auto fits = [&](int periods) {
