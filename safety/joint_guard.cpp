@@ -53,8 +53,8 @@ FaultSet JointGuard::faults() const noexcept {
 /// Torque that the servo's P controller makes to reach its goal, N m; never more than it really is. 0: it is not
 /// driven, or so slowly that its goal says nothing about its torque, or the torque is too small to count.
 inline double JointGuard::push(const JointSensors& seen) const noexcept {
-  constexpr double kFastEnough = 0.5;  // rad/s
-  if (!channel_.moving() || !mayBeWritten()) return 0;
+  constexpr double kFastEnough = 0.5;                                       // rad/s
+  if (!channel_.moving() || suspected_ || uncertain_) return 0;             // its last goal may not have arrived
   const double gain = std::min(requested_p_gain_, config_.default_p_gain);  // safety's own moves use the default
   const double torque = gain * (channel_.goal().value - seen.position.value) / kFullDriveError * kMaxTorqueNm;
   if (std::abs(torque) < EncoderWatch::kPush) return 0;
@@ -112,11 +112,11 @@ void JointGuard::observe(const JointSensors& seen, bool given_up, Nanos powered_
   const TripWatch::Verdict verdict = trip_watch_.update(seen, channel_.drivenFor());
   const bool was_suspected = suspected_;
   suspected_ = verdict == TripWatch::Verdict::kSuspected;
-  // Suspected wrongly, or back by itself: it may have been off, and swung away from its last goal.
+  // Suspected wrongly, back by itself, or its torque is off (kNotOn): it may have swung away from its last goal.
   if (was_suspected && !suspected_) restart();
   if (verdict == TripWatch::Verdict::kOverload) trip_ = Trip::kOverload;
   if (verdict == TripWatch::Verdict::kOverheat) trip_ = Trip::kOverheat;
-  if (verdict == TripWatch::Verdict::kNotOn || watch_.lost() || given_up) restart();
+  if (watch_.lost() || given_up) restart();
   if (seen.health.fresh()) {
     stiff_ = seen.torque_enabled;
     torque_known_ = true;

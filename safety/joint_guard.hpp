@@ -65,7 +65,7 @@ class JointGuard {
   /// place until torque is seen. Nobody acknowledges a SyncWrite, and a goal write switches torque on.
   [[nodiscard]] bool lookDue() const noexcept { return channel_.placed() || (channel_.moving() && !on_seen_); }
   /// A look of this cycle found the placed goal and a gentle speed in the servo: torque must not find an older goal.
-  [[nodiscard]] bool onDue() const noexcept { return channel_.placed() && has_goal_ && mayBeWritten(); }
+  [[nodiscard]] bool onDue() const noexcept { return channel_.placed() && has_goal_ && !suspected_; }
   [[nodiscard]] const JointChannel& channel() const noexcept { return channel_; }
   /// Has a goal, and gets the next one in this cycle unless it is uncertain().
   [[nodiscard]] bool driven() const noexcept { return channel_.hasGoal() && !suspected_; }
@@ -112,7 +112,6 @@ class JointGuard {
   void noteRestart(const JointSensors& seen) noexcept;
   void notePlaced(const JointSensors& seen) noexcept;
   [[nodiscard]] double push(const JointSensors& seen) const noexcept;
-  [[nodiscard]] bool mayBeWritten() const noexcept { return !suspected_ && !uncertain_; }
   [[nodiscard]] const JointRange& range() const noexcept { return config_.range[index(joint_)]; }
 
   const Config& config_;

@@ -60,16 +60,15 @@ written while suspected	safety/joint_guard.hpp	s/if \(suspected_\) return true;/
 suspected joint counts as driven	safety/joint_guard.hpp	s/channel_.hasGoal\(\) && !suspected_/channel_.hasGoal()/
 moved while uncertain	safety/joint_guard.hpp	s/if \(uncertain_ \|\| !on_seen_/if (!on_seen_/
 moved before torque is seen	safety/joint_guard.hpp	s/if \(uncertain_ \|\| !on_seen_/if (uncertain_/
-torque on while uncertain	safety/joint_guard.hpp	s/return !suspected_ && !uncertain_;/return !suspected_;/
-torque on while suspected	safety/joint_guard.hpp	s/return !suspected_ && !uncertain_;/return !uncertain_;/
-torque on without the goal seen	safety/joint_guard.hpp	s/channel_.placed\(\) && has_goal_ && mayBeWritten/channel_.placed() \&\& mayBeWritten/
+torque on while suspected	safety/joint_guard.hpp	s/ && has_goal_ && !suspected_/ \&\& has_goal_/
+torque on without the goal seen	safety/joint_guard.hpp	s/channel_.placed\(\) && has_goal_ &&/channel_.placed() \&\&/
 speed limit of the controller counts when safety moves	safety/joint_guard.hpp	s/if \(by_itself\)/if (by_itself \&\& limp_)/
 torque seen by any look	safety/joint_guard.cpp	s/looked && seen.torque_enabled\) on_seen_/looked) on_seen_/
 torque seen survives torque on	safety/joint_guard.cpp	s/^  on_seen_ = false;//
 never uncertain	safety/joint_guard.cpp	s/^    uncertain_ = true;/    uncertain_ = false;/
 certain without a look	safety/joint_guard.cpp	s/^  else if \(looked\)$/  else/
 restart not seen by speed limit 0	safety/joint_guard.cpp	s/seen.speed_limit.value <= 0 \|\| \(off/false || (off/
-restart not seen by torque off	safety/joint_guard.cpp	s/\(off && never_on && channel_.moving\(\)\)/false \&\& off \&\& never_on/
+restart not seen by torque off	safety/joint_guard.cpp	s/\(off && never_on && channel_.moving\(\)\)/(off \&\& never_on \&\& channel_.out())/
 placed joint stays when uncertain	safety/joint_guard.cpp	s/restarted \|\| doubtful \|\|/restarted || (doubtful \&\& off) ||/
 old reading keeps its goal	safety/joint_guard.cpp	s/seen.motion.age > kAnswerPatience/seen.motion.age > 100 * kAnswerPatience/
 late goal of a stalled board stays	safety/joint_guard.cpp	s/(looked && uncertain_ && had_limit_ .*)orderOff\(\)/\1off_due_ = off_due_/
@@ -81,8 +80,7 @@ shut off at once: first time is a fact	safety/joint_guard.cpp	s/if \(shut && shu
 shut off at once: never a fact	safety/joint_guard.cpp	s/if \(shut && shut_at_once_\)/if (shut \&\& !shut)/
 shut off at once: torque on	safety/joint_guard.cpp	s/has_goal_ = took && !shut/has_goal_ = took/
 cleared suspicion keeps its goal	safety/joint_guard.cpp	s/was_suspected && !suspected_\) restart/was_suspected \&\& absent_) restart/
-missed torque on keeps its goal	safety/joint_guard.cpp	s/verdict == TripWatch::Verdict::kNotOn \|\| //
-lost servo keeps its goal	safety/joint_guard.cpp	s/ \|\| watch_.lost\(\) \|\| given_up\) restart/) restart/
+lost servo keeps its goal	safety/joint_guard.cpp	s/watch_.lost\(\) \|\| given_up\) restart/false) restart/
 lost torque off is not repeated	safety/joint_guard.cpp	s/(if \(off_ordered_ .*\)) orderOff\(\)/\1 off_due_ = off_due_/
 old looks count after torque off	safety/joint_guard.cpp	s/if \(!off_ordered_\) stiff_ = torque_known_ = false;//
 torque off and on does not reset a trip	safety/joint_guard.cpp	s/if \(on && limp_\) resetTrip/if (on \&\& limp_ \&\& absent_) resetTrip/

@@ -107,6 +107,17 @@ TEST(Driving, GoalsWaitForABoardThatDoesNotAnswer) {
   EXPECT_GT(rig.goal(Joint::kNeck), sent);
 }
 
+TEST(Driving, GoalsWaitAlsoWhenOnlyTheReplyOfTheBoardIsLost) {
+  Rig rig;
+  rig.start();
+  rig.joint(Joint::kNeck).setGoal(Rad{1.6});
+  rig.robot.board_reply_lost = true;
+  rig.run(1);
+  const double sent = rig.goal(Joint::kNeck);
+  rig.run(3);
+  EXPECT_EQ(rig.goal(Joint::kNeck), sent);
+}
+
 TEST(Driving, ImagesOfNobodyAreNotObeyed) {
   Rig rig;
   rig.start();

@@ -25,6 +25,7 @@ struct FakeServo {
   bool restarted = false;  // since its speed was written
   bool answers = true;
   bool receives = true;
+  bool looked_at = true;           // false: its torque registers are never read
   bool follows = true;             // false: blocked
   std::optional<double> stuck_at;  // what its encoder says, rad
   bool shuts_off = false;          // by overload, as soon as it is written to
@@ -37,6 +38,7 @@ struct FakeServo {
 struct FakeRobot {
   std::array<FakeServo, kJoints> servo{};
   bool board_answers = true;
+  bool board_reply_lost = false;  // the servos' replies arrive, and it carries out what it receives
   bool servo_power = true;
   double volt = 12;
   std::array<double, 3> acceleration{0, 0, 9.8};
@@ -99,7 +101,7 @@ struct FakeRobot {
     seen.silent = given_up;
     for (std::size_t i = 0; i < kJoints; ++i) readServo(i);
     BoardSensors& b = seen.board;
-    if (!board_answers) return b.motion.missed();
+    if (!board_answers || board_reply_lost) return b.motion.missed();
     b.motion.received();
     b.servo_power = servo_power;
     b.voltage = Volt{volt};
@@ -123,7 +125,7 @@ struct FakeRobot {
     j.error_bits = s.error_bits;
     if (s.remembers && !s.torque) j.error_bits |= error_bit::kOverload;
     // As the bus does: one in turn, and those that missed an answer.
-    if (seen.cycle % kJoints != i && !unseen_[i]) return j.health.missed();
+    if (!s.looked_at || (seen.cycle % kJoints != i && !unseen_[i])) return j.health.missed();
     unseen_.reset(i);
     j.health.received();
     j.temperature = Celsius{s.celsius};

@@ -246,6 +246,21 @@ TEST(Faults, AmongEqualsTheFirstRowIsTheWorst) {
   EXPECT_EQ(rig.report().worst, Fault::kBatteryLow);
 }
 
+TEST(Faults, AVoltageFaultEndsAfterASecondOfGoodSupplyAndNotBetweenTwoDips) {
+  Rig rig;
+  rig.start();
+  rig.robot.servo[2].error_bits = error_bit::kVoltage;
+  rig.runFor(1);
+  ASSERT_TRUE(rig.active(Fault::kServoVoltage));
+  rig.robot.servo[2].error_bits = 0;
+  for (int i = 0; i < 55; ++i) {  // 0.9 s
+    rig.cycle();
+    ASSERT_TRUE(rig.active(Fault::kServoVoltage)) << "cycle " << i;
+  }
+  rig.runFor(0.5);
+  EXPECT_FALSE(rig.active(Fault::kServoVoltage));
+}
+
 TEST(Faults, AServoTheBusHasGivenUpIsReportedAtOnce) {
   Rig rig;
   rig.start();

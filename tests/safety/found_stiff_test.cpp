@@ -47,6 +47,35 @@ TEST(FoundStiff, AServoThatWasLimpAndIsFoundStiffLaterIsNoticed) {
   EXPECT_EQ(rig.state(), State::kLimp);
 }
 
+TEST(FoundStiff, ItIsNotCalledLimpBeforeEveryServoHasBeenLookedAt) {
+  Rig rig;
+  FakeServo &first = rig.robot.servo[0], &later = rig.robot.servo[15];
+  first.torque = later.torque = true;
+  later.looked_at = false;
+  ASSERT_TRUE(rig.reach(State::kFoundStiff));
+  first.torque = false;
+  rig.run(kJoints + 3);  // the first is seen limp
+  EXPECT_EQ(rig.state(), State::kFoundStiff);
+  later.looked_at = true;
+  for (int i = 0; i < 30; ++i) {
+    rig.cycle();
+    ASSERT_EQ(rig.state(), State::kFoundStiff) << "cycle " << i;
+  }
+}
+
+TEST(FoundStiff, AMissedAnswerDoesNotReleaseAServoThatAnotherProgramLeftWithoutASpeedLimit) {
+  Rig rig;
+  makeStiff(rig);
+  for (FakeServo& servo : rig.robot.servo) servo.restarted = true;  // its moving speed register is 0
+  rig.runFor(1);
+  rig.robot[Joint::kLegLowerL].answers = false;
+  rig.cycle();
+  rig.robot[Joint::kLegLowerL].answers = true;
+  rig.runFor(1);
+  EXPECT_TRUE(rig.robot[Joint::kLegLowerL].torque);
+  EXPECT_EQ(rig.state(), State::kFoundStiff);
+}
+
 TEST(FoundStiff, AServoThatStaysStiffIsNotCalledLimpAndOnlyItGetsTheOrderAgain) {
   Rig rig;
   rig.start();

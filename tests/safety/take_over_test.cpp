@@ -46,25 +46,60 @@ TEST(TakeOver, GoalIsThePresentPositionAndTorqueComesWhenTheServosAreSeenToHaveI
 }
 
 TEST(TakeOver, NoTorqueFindsAnOlderGoalWhateverIsLostOnTheWire) {
-  for (const double speed : {0.0, 1.0, 12.0}) {  // left over from an earlier program, as its goal; 0: powered up
-    Rig rig;
-    rig.robot[Joint::kNeck].goal = 3;
-    rig.robot[Joint::kNeck].speed = speed;
-    rig.robot[Joint::kNeck].restarted = speed == 0;
-    rig.robot[Joint::kNeck].receives = false;
-    rig.newSession();
-    for (int i = 0; i < 300; ++i) {
-      rig.cycle();
-      ASSERT_FALSE(rig.safe->torqueOn()[index(Joint::kNeck)]) << "cycle " << i;
+  // Left over from an earlier program: the goal, in ticks from where the joint is, and its speed. 0: powered up.
+  for (const double away : {900.0, 3.0, 0.0}) {
+    for (const double speed : {0.0, 1.0, 12.0}) {
+      if (away == 0 && speed == 1) continue;  // what is written as well
+      Rig rig;
+      FakeServo& neck = rig.robot[Joint::kNeck];
+      neck.goal = neck.position + away * kRadPerTick;
+      neck.speed = speed;
+      neck.restarted = speed == 0;
+      neck.receives = false;
+      rig.newSession();
+      for (int i = 0; i < 300; ++i) {
+        rig.cycle();
+        ASSERT_FALSE(rig.safe->torqueOn()[index(Joint::kNeck)]) << "cycle " << i;
+      }
+      EXPECT_TRUE(rig.robot[Joint::kHead].torque) << "the others are not kept waiting";
+      EXPECT_TRUE(rig.active(Fault::kServoSilent)) << away << " ticks, " << speed << " rad/s: it is reported";
+      EXPECT_EQ(rig.report().worst_joint, 19);
+      neck.receives = true;
+      rig.run(10);
+      EXPECT_TRUE(neck.torque);
+      EXPECT_FALSE(rig.active(Fault::kServoSilent));
     }
-    EXPECT_TRUE(rig.robot[Joint::kHead].torque) << "the others are not kept waiting";
-    EXPECT_TRUE(rig.active(Fault::kServoSilent)) << "it is reported";
-    EXPECT_EQ(rig.report().worst_joint, 19);
-    rig.robot[Joint::kNeck].receives = true;
-    rig.run(10);
-    EXPECT_TRUE(rig.robot[Joint::kNeck].torque);
-    EXPECT_FALSE(rig.active(Fault::kServoSilent));
   }
+}
+
+TEST(TakeOver, TorqueWaitsForTheReplyOfTheBoard) {
+  const auto cyclesUntilPlaced = [] {
+    Rig rig;
+    rig.newSession();
+    return rig.runUntil([&] { return rig.safe && rig.driven(Joint::kNeck); });
+  };
+  Rig rig;
+  rig.newSession();
+  rig.run(cyclesUntilPlaced() - 1);
+  rig.robot.board_reply_lost = true;
+  rig.cycle();  // goals are written and seen in the servos; the board's reply is missing
+  ASSERT_TRUE(rig.driven(Joint::kNeck));
+  rig.robot.board_reply_lost = false;
+  rig.cycle();
+  EXPECT_TRUE(rig.safe->torqueOn().none());
+  rig.run(3);
+  EXPECT_TRUE(rig.robot[Joint::kNeck].torque);
+}
+
+TEST(TakeOver, AServoWhoseTorqueGoesOffSoonAfterItCameOnIsTakenOverAgain) {
+  Rig rig;
+  rig.newSession();
+  ASSERT_GE(rig.runUntil([&] { return rig.robot[Joint::kNeck].torque; }), 0);
+  rig.run(2);  // it was seen with torque
+  rig.robot[Joint::kNeck].torque = false;
+  rig.runFor(2);
+  EXPECT_TRUE(rig.robot[Joint::kNeck].torque);
+  EXPECT_FALSE(rig.active(Fault::kServoOverload));
 }
 
 TEST(TakeOver, AServoThatShutsItselfOffAtOnceIsTriedTwiceAndThenBelieved) {
@@ -165,6 +200,18 @@ TEST(TakeOver, AJointThatDoesNotGetToTheStartPoseIsReportedAndNotWaitedForForeve
   EXPECT_EQ(rig.report().start_timeouts, 1u);
   EXPECT_EQ(rig.report().missed_start.count(), 1u);
   EXPECT_TRUE(rig.report().missed_start[index(Joint::kHead)]);
+}
+
+TEST(TakeOver, AJointThatArrivesASecondAfterTheOthersIsWaitedFor) {
+  Rig rig;
+  rig.robot[Joint::kHead].position += 0.4;
+  rig.robot[Joint::kHead].follows = false;
+  rig.newSession();
+  ASSERT_TRUE(rig.reach(State::kStarting));
+  rig.runFor(1.5);
+  rig.robot[Joint::kHead].follows = true;
+  ASSERT_TRUE(rig.reach(State::kDriven));
+  EXPECT_EQ(rig.report().start_timeouts, 0u);
 }
 
 TEST(TakeOver, ALongWayGetsTheTimeItTakes) {

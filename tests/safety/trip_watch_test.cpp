@@ -59,6 +59,13 @@ TEST(TripWatchInGrace, ABitThatOutlivesTheGraceIsAShutdownAtTheSecondAnswer) {
   EXPECT_EQ(watch.update(answer(error_bit::kOverload), TripWatch::kGrace), Verdict::kOverload);
 }
 
+TEST(TripWatch, ATorqueLimitOfZeroIsAShutdownAtTheSecondLookAlsoWhereTorqueStaysEnabled) {
+  TripWatch watch;
+  EXPECT_EQ(watch.update(look(0, 2.5, true), TripWatch::kGrace), Verdict::kFine);
+  EXPECT_EQ(watch.update(look(0, 0, true), TripWatch::kGrace), Verdict::kSuspected);
+  EXPECT_EQ(watch.update(look(0, 0, true), TripWatch::kGrace), Verdict::kOverload);
+}
+
 TEST(TripWatchInGrace, AServoThatIsNotDrivenIsNotSuspected) {
   TripWatch watch;
   EXPECT_EQ(watch.update(answer(error_bit::kOverload), kInGrace), Verdict::kSuspected);
