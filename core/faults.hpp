@@ -74,9 +74,8 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "hold the robot, then press START or start the controller again; if nobody pressed RESET, check battery and "
      "connector",
      Checked::kBoard, "",
-     "Two answers in a row. A joint counts as under torque until polled after a torque "
-     "off "
-     "(0.4 s); `NAME.held` in `/dev/shm` keeps this across loops."},
+     "Two answers in a row. A joint counts as under torque until polled after a torque off (0.4 s); `NAME.held` in "
+     "`/dev/shm` keeps this across loops."},
     {Fault::kServoSilent, Reaction::kReport, false, false, "servo_silent",
      "a servo has not answered for half a second, or does not take what is written to it",
      "check the cable that leads to the first silent servo of its chain", Checked::kAlways, "",
@@ -103,12 +102,12 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
     {Fault::kServoOverload, Reaction::kKneel, true, true, "servo_overload",
      "a servo has shut itself off: its overload bit is set, or its torque or torque limit is found off",
      "free the joint, then start the controller again: torque limit and torque are restored together", Checked::kServo,
-     "once the joint is free, or ends when the controller switches its torque off and on",
-     "The bit in two replies, torque limit 0 or torque off without a restart in two polls, or torque limit 0 after two "
+     "once the joint is free",
+     "A controller that switches the joint's torque off and on drives it again; the fault stays. The bit in two "
+     "replies, torque limit 0 or torque off without a restart in two polls, or torque limit 0 after two "
      "takeovers. From the first suspicion nothing is written to the servo, because a torque limit would switch it on. "
      "Routine writes omit torque limits; while a servo works at 80 % or more of its limit, a changed one is written "
-     "without "
-     "its goal, in one of 8 to 15 cycles. After a reset an overload bit counts from 0.3 s of torque on."},
+     "without its goal, in one of 8 to 15 cycles. After a reset an overload bit counts from 0.3 s of torque on."},
     {Fault::kServoVoltage, Reaction::kReport, false, false, "servo_voltage",
      "a servo reports a supply outside its limits (6 to 16 V)", "check battery and cables", Checked::kServo,
      "after 1 s", "Lasts 0.1 s."},

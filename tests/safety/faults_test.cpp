@@ -271,6 +271,17 @@ TEST(Faults, AServoTheBusHasGivenUpIsReportedAtOnce) {
   EXPECT_EQ(rig.report().worst_joint, 5);
 }
 
+TEST(Faults, ServoPowerThatGoesOffWhileTheRobotIsLimpEndsNoController) {
+  Rig rig;
+  rig.runFor(1);
+  ASSERT_EQ(rig.state(), State::kLimp);
+  rig.robot.servo_power = rig.robot.power_obeys = false;
+  rig.runFor(1);
+  EXPECT_TRUE(rig.active(Fault::kServoPowerOff));
+  EXPECT_FALSE(rig.active(Fault::kBoardReset));
+  EXPECT_FALSE(rig.report().controller_must_end);
+}
+
 TEST(Faults, ServosThatStartUpAreNotSilentYet) {
   Rig rig;
   rig.runFor(1);  // each was looked at: it is limp, and losing power is not a release

@@ -138,6 +138,8 @@ TEST(Trip, TorqueSwitchedOffAndOnByTheControllerAsksForThatJoint) {
   rig.run(6);
   EXPECT_FALSE(rig.report().tripped[index(kKnee)]);
   EXPECT_TRUE(rig.driven(kKnee)) << "it helps with the kneel";
+  EXPECT_TRUE(rig.active(Fault::kServoOverload)) << "which a controller cannot call off";
+  EXPECT_TRUE(rig.reach(State::kLimp));
 }
 
 TEST(Trip, TheRotatingLookFindsATorqueLimitOfZeroWithoutAnyErrorBit) {
