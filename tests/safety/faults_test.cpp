@@ -280,6 +280,27 @@ TEST(Faults, ServoPowerThatGoesOffWhileTheRobotIsLimpEndsNoController) {
   EXPECT_TRUE(rig.active(Fault::kServoPowerOff));
   EXPECT_FALSE(rig.active(Fault::kBoardReset));
   EXPECT_FALSE(rig.report().controller_must_end);
+  rig.newSession();
+  rig.run(3);
+  EXPECT_EQ(rig.state(), State::kTakingOver) << "it waits for power";
+  rig.robot.power_obeys = true;
+  EXPECT_TRUE(rig.reach(State::kDriven));
+}
+
+TEST(Faults, AMissedStartIsOverAtTheNextStartAlsoWhenNoPersonHasActed) {
+  Rig rig;
+  rig.robot.servo[kSome].follows = false;
+  rig.robot.servo[kSome].position += 0.4;
+  rig.start();
+  rig.run(2);
+  ASSERT_TRUE(rig.active(Fault::kStartMissed));
+  rig.robot.servo[kSome].follows = true;
+  rig.commands.unattended = true;
+  rig.newSession();
+  rig.run(2);
+  ASSERT_TRUE(rig.reach(State::kDriven));
+  rig.run(2);
+  EXPECT_FALSE(rig.active(Fault::kStartMissed));
 }
 
 TEST(Faults, ServosThatStartUpAreNotSilentYet) {
