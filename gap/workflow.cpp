@@ -23,7 +23,7 @@ Verification verify(const Study& study, const Hypothesis& model) {
           .mean_after_rad = meanPositionError(study.data, model, LogRole::kHeldOut)};
 }
 
-/// What the final model leaves, localized as the first gap was.
+/// Localizes the remaining gap of the final model.
 std::string remainderOf(const Case& data, const DataCheck& check, const Identification& found) {
   if (found.verdict != Verdict::kUnknown && !found.remains) return "";
   const Case with_model = withModel(data, found.model);

@@ -35,7 +35,7 @@ std::optional<Joint> jointOf(Fields& entry) {
   const std::string name = entry.text("joint");
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == name) return static_cast<Joint>(i);
-  entry.fail("joint", "is no joint; " + text::suggestion(name, names));
+  entry.fail("joint", "is not a joint; " + text::suggestion(name, names));
 }
 
 }  // namespace

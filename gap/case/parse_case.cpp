@@ -88,9 +88,9 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   out.folder = path.parent_path().empty() ? "." : path.parent_path().string();
   out.name = top.text("case", path.parent_path().filename().string());
   if (out.name.empty()) out.name = "case";
-  // It becomes the name of a model, which has these limits.
+  // The name of a model has these limits.
   if (out.name.size() > 120 || out.name.find_first_of("\"';#\n\r") != std::string::npos)
-    top.fail("case", "is no name; take 1 to 120 characters without quotes, ; and #");
+    top.fail("case", "is not a valid name; use 1 to 120 characters without quotes, ; and #");
   for (const std::string_view key :
        {"family", "columns", "host_dt_s", "goal_order", "servo_datasheet", "prior_rel_sigma"})
     top.leave(key);

@@ -35,7 +35,7 @@ constexpr HoldingRow kNumbers[] = {
       lost("the format has no sensor of a joint")},
      [](const Hypothesis&) { return true; }},
     {"heat of the servo and its protection",
-     {lost("it knows no heat"), lost("it knows no heat"), lost("it knows no heat")},
+     {lost("it has no thermal model"), lost("it has no thermal model"), lost("it has no thermal model")},
      [](const Hypothesis&) { return true; }},
 };
 

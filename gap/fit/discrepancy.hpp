@@ -1,8 +1,8 @@
-// Model discrepancy: what a wrong model leaves over, treated as correlated noise.
+// Model discrepancy: the remaining error of a wrong model, treated as correlated noise.
 //
-// The noise of a right model is a tick or two. Under it a fit of a wrong model bends every parameter for the few
-// samples with the least noise. With a discrepancy all samples weigh the same, outliers little, and neighbours count as
-// one.
+// The noise of a right model is a tick or two. Under it a fit of a wrong model distorts every parameter for the
+// few samples with the least noise. With a discrepancy all samples weigh the same, outliers little, and neighbours
+// count as one.
 #pragma once
 
 #include <vector>
@@ -19,7 +19,7 @@ struct Discrepancy {
   [[nodiscard]] bool any() const { return correlation_s > 0; }
 };
 
-/// What this hypothesis leaves unexplained of the logs with these indices.
+/// Of this hypothesis on the logs with these indices.
 Discrepancy discrepancyOf(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis);
 
 /// Signed root of the robust cost of a residual in standard deviations: large ones count linearly.

@@ -61,8 +61,7 @@ Eigen::VectorXd takeRoughness(Eigen::Ref<Eigen::MatrixXd> part) {
   return smoothed(variance, thresholds::kNoiseVarianceHalfWindow).cwiseSqrt();
 }
 
-/// A load is that of the last period of the firmware, and which one that was is known to a period only: what it changes
-/// in that time, sample by sample.
+/// Uncertainty of each load: it is that of the last firmware period before the read, which is known to one period only.
 Eigen::VectorXd loadJitter(const Trajectory& log, const Trace& quiet, double period_s) {
   const auto n = static_cast<Eigen::Index>(log.rows());
   Eigen::VectorXd jitter = Eigen::VectorXd::Zero(n);
@@ -93,7 +92,7 @@ LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothe
   load_sigma_ = takeRoughness(spread.bottomRows(n)).cwiseMax(duty);
   load_sigma_ = load_sigma_.cwiseAbs2() + loadJitter(measured, quiet, hypothesis.servo.firmware_period_s).cwiseAbs2();
   load_sigma_ = load_sigma_.cwiseSqrt().eval();
-  // The torque feedback of law speed_p tells about that law's motor, which no servo has.
+  // The torque feedback of law speed_p belongs to the ideal motor of that law, which no servo has.
   if (!loadIsDuty(hypothesis)) load_sigma_.setConstant(std::numeric_limits<double>::infinity());
 
   spread.topRows(n).array().colwise() /= position_sigma_.array();
@@ -107,7 +106,7 @@ LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothe
     addDiscrepancy(options.discrepancy, log, measured.duration_s() / static_cast<double>(n - 1));
 }
 
-// What drifts in a right model is far less than what this one leaves: it needs no modes of its own.
+// The drift of a right model is far smaller than this discrepancy: it needs no modes of its own.
 void LogNoise::addDiscrepancy(const Discrepancy& discrepancy, std::size_t log, double period_s) {
   const Eigen::Index n = position_sigma_.size();
   const Eigen::ArrayXd drift = (modes_ * mode_sigma_.asDiagonal()).rowwise().squaredNorm();

@@ -31,7 +31,7 @@ Evidence evidenceOf(const Case& data, const Hypothesis& hypothesis, LogRole role
   return evidence;
 }
 
-// Pseudo-Huber: smooth, so that a search by derivatives does not stumble.
+// Pseudo-Huber: smooth, as a search by derivatives needs.
 double costOf(double residual) {
   const double share = residual / thresholds::kRobustSigmas;
   return 2 * thresholds::kRobustSigmas * thresholds::kRobustSigmas * (std::sqrt(1 + share * share) - 1);

@@ -36,7 +36,7 @@ Bootstrap bootstrapOf(const FittedModel& present, const Screen* screen, int coun
     plantOf(*evidence.given).rollOut(*evidence.given, evidence.logs[i], hypothesis, {}, quiet[i]);
   });
 
-  // Of each replica: its promise, its cost, the cost of each log.
+  // For each replica: greatest predicted gain, cost, cost of each log.
   const auto rows_of_replicas = sharedRows(replicas, 2 + logs, [&](std::size_t replica, std::span<double> out) {
     Eigen::VectorXd residuals(evidence.size());
     Eigen::Index row = 0;

@@ -51,7 +51,7 @@ double modelEvidence(const FittedModel& fitted) {
     const Unknown& unknown = fitted.problem.unknowns()[static_cast<std::size_t>(i)];
     const double value = unknown.logarithmic ? unknown.fromSearch(fitted.fit.x[i]) : 1;
     const double width = unknown.toSearch(unknown.high) - unknown.toSearch(unknown.low);
-    // A range says as much as a bell of its standard deviation.
+    // A range has the information of a normal distribution of the same standard deviation.
     const double before = std::isfinite(unknown.sigma) ? square(value / unknown.sigma) : 12 / square(width);
     if (!std::isfinite(unknown.sigma)) information(i, i) += before;
     evidence += std::log(before);

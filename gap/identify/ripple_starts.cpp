@@ -45,7 +45,7 @@ struct Ripple {
   double explained = 0;  // of a cost in which an outlier counts little
 };
 
-/// Least squares in which a window that nothing explains counts little. Amplitude 0: no window feels this ripple.
+/// Robust least squares over the windows. Amplitude 0: no window responds to this ripple.
 Ripple fitted(const Eigen::VectorXd& ends, const Eigen::MatrixX2d& change, double usual) {
   Eigen::Vector2d amount = Eigen::Vector2d::Zero();
   const auto left = [&]() -> Eigen::ArrayXd { return (ends + change * amount).array() / usual; };

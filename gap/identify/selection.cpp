@@ -46,7 +46,7 @@ void Selection::run() {
   }
 }
 
-/// The best of the fitted candidates is added, or the present effects are refitted from where one of them led.
+/// Adds the best of the fitted candidates, or refits the present effects from the optimum that a candidate found.
 bool Selection::addFrom(const std::vector<FittedModel>& candidates) {
   const Choice choice = choose(candidates);
   if (choice.model != nullptr) {

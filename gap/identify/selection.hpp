@@ -18,14 +18,14 @@ class Selection {
 
   void run();
   /// Takes the effects of another selection over, or only these of them, refitted with this one's nuisance mode.
-  /// Nothing else is looked for.
+  /// Does not search for others.
   void adopt(const Selection& other);
   void adopt(const Selection& other, const Effects& effects);
 
   /// The misfit is below its threshold. (The floor of a model that is far off may be as large as its gap; its misfit is
   /// large.)
   [[nodiscard]] bool leavesNoise() const;
-  /// What is left is noise, or the difference between two ways to write the same effect.
+  /// The residual is noise, or the difference between two implementations of the same effect.
   [[nodiscard]] bool explainsAll() const;
   /// explainsAll(), and no number left its prior.
   [[nodiscard]] bool isConsistent() const;
@@ -65,7 +65,7 @@ class Selection {
   bool simplifyOne();
   void replace(std::size_t i, const FittedModel& simpler, double gain);
   bool swapOne();
-  /// What effect `i` takes away, the others being there.
+  /// Cost that effect `i` removes, in the presence of the others.
   [[nodiscard]] double gainOf(std::size_t i) const;
   [[nodiscard]] double leastGainOf(const twin::EffectInfo& effect) const;
   // verdict

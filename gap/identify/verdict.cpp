@@ -1,4 +1,4 @@
-// What a finished selection says: the verdict, and effects that are withdrawn because they do not hold elsewhere.
+// The verdict of a finished selection; withdraws effects that fail on held-out logs.
 #include <algorithm>
 #include <functional>
 
@@ -19,7 +19,7 @@ bool Selection::isConsistent() const {
   return explainsAll() && largestPriorSigma(model_) < thresholds::kPriorTensionSigmas;
 }
 
-// The same effect in another simulator, or in a servo, is never the same to the last bit.
+// Another simulator, or a servo, never has exactly the same effect.
 bool Selection::isNearlyExact() const {
   if (misfit_ > thresholds::kNearMisfitSigmas) return false;
   const double after = rmsPositionError(study_.data, model_.hypothesis(), LogRole::kFit);
@@ -68,7 +68,7 @@ Identification Selection::result() const {
   return found;
 }
 
-/// The baseline again, as if nothing had been added.
+/// The baseline again, without additions.
 void Selection::withdraw(Identification& found, bool worsens) const {
   for (const IdentifiedEffect& one : found.effects)
     if (worsens) found.rejected.push_back({one.effect, RejectionReason::kWorsensHeldOut});

@@ -40,7 +40,7 @@ class Finder {
     sensor();
     if (baseline_.servo.law == twin::Law::kSpeedP)
       lawAndMotorAtOnce();
-    else if (std::ranges::any_of(logs_, [&](std::size_t i) { return loadTellsDuty(baseline_, given_.logs[i]); }))
+    else if (std::ranges::any_of(logs_, [&](std::size_t i) { return loadIsDutyIn(baseline_, given_.logs[i]); }))
       lawByItsDuty();
     else
       noDuty();
@@ -50,7 +50,7 @@ class Finder {
   }
 
  private:
-  /// Of the place that is looked at: a bench has one.
+  /// Of the one place of a bench.
   [[nodiscard]] BlockResiduals residuals(Block block, const Trajectory& log, const Hypothesis& hypothesis,
                                          const ShootingOptions& options = {}) const {
     const Plant& plant = plantOf(given_);
@@ -85,7 +85,7 @@ class Finder {
     if (!cut.known()) return notCut(Block::kSupply, "the logs have no voltage");
     BlockFinding& into = out_.of(Block::kSupply);
     take(Block::kSupply, cut, "V", 1);
-    if (baseline_.servo.law == twin::Law::kSpeedP) return;  // its motor draws no current that anybody knows
+    if (baseline_.servo.law == twin::Law::kSpeedP) return;  // the current of its motor is unknown
     std::vector<const Trajectory*> measured;
     measured.reserve(logs_.size());
     for (const std::size_t i : logs_) measured.push_back(&given_.logs[i]);
@@ -123,7 +123,7 @@ class Finder {
     bool law_open = duty.isOpen();
     CommandSplit split;
     if (law_open) split = splitCommand(law, given_, logs_, duty, baseline_);
-    // Another motion rounds otherwise: as small as noise, and explained by nothing, it is none.
+    // Rounding differs with the motion: an excess as small as noise that no change explains does not count.
     if (std::max(split.by_command.share, split.by_controller.share) < thresholds::kControllerExplainedShare &&
         duty.rms < thresholds::kControllerNoiseRatio * duty.expected_rms)
       law_open = false;
@@ -139,7 +139,7 @@ class Finder {
     BlockTest windows = judged(plant(false));
     const bool supply_open = out_.of(Block::kSupply).verdict == BlockVerdict::kOpen;
     if (law_open || supply_open) {
-      // What was found wrong before the plant goes in: between the rows only the law gives the duty.
+      // Findings in earlier blocks are applied first: between the rows only the law gives the duty.
       const Hypothesis& law_found = law_open ? split.best().hypothesis : baseline_;
       BlockTest with = judgedWith(plant(supply_open), law_found);
       // At the reads a delay shows in whole rows only; the plant resolves fractions.
@@ -163,7 +163,7 @@ class Finder {
     take(Block::kPlant, std::move(windows), "mrad", 1e-3);
   }
 
-  /// `without`: before what was found elsewhere went in. A small rest is that finding's own error.
+  /// `without`: before findings in other blocks were applied. A small remainder is the error of that finding.
   void takePlant(const BlockTest& without, BlockTest with, const std::string& how) {
     const double before = without.cost - without.expected_cost, after = with.cost - with.expected_cost;
     take(Block::kPlant, std::move(with), "mrad", 1e-3);
@@ -174,7 +174,7 @@ class Finder {
     plant.detail += ", which leaves " + percent(after / before);
   }
 
-  /// The servo's own law with no torque to see: the speed that it commands is the motor's at once.
+  /// Law speed_p has no duty: the motor takes the commanded speed at once.
   void lawAndMotorAtOnce() {
     const BlockResidualFunction law = [&](const auto& log, const auto& h) {
       return residuals(Block::kPlant, log, h,
@@ -203,7 +203,7 @@ class Finder {
     out_.of(Block::kPlant).detail = "with command and controller: there is no load column";
   }
 
-  /// No cut lies between command and controller; what was found is given to one of the two.
+  /// No signal is measured between command and controller; the finding is assigned to one of the two.
   void share(const CommandSplit& split, bool open) {
     BlockFinding& command = out_.of(Block::kCommand);
     BlockFinding& controller = out_.of(Block::kController);

@@ -15,7 +15,7 @@ using SimulatedRepeats = std::vector<std::vector<Trajectory>>;
 SimulatedRepeats simulateRepeats(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis,
                                  int runs = 8, std::uint64_t seed = 1);
 
-/// One log of the case as `trace` would have been reported. Columns that the log does not have stay away.
+/// One log of the case as `trace` would have been reported. Columns that the log does not have stay empty.
 Trajectory asReported(const Trajectory& log, const Trace& trace, double ticks_per_rev, std::uint64_t seed);
 
 }  // namespace darwinop::gap

@@ -41,7 +41,7 @@ ExperimentCandidate withPayload(ExperimentCandidate candidate, const std::string
   return candidate;
 }
 
-/// Those of which the catalogue wants the same at other payloads.
+/// Those that the catalogue recommends at other payloads.
 bool wantsPayloads(const std::string& name) {
   for (const std::string_view known :
        {"steps", "slow_triangle", "chirp", "release", "hold_from_both_sides", "constant_speed", "long_steps"})

@@ -17,7 +17,7 @@ struct Signal {
   Place place = {};
 };
 
-/// A column for each of Plant::signals(), one value for each row of the log. No quantisation unless a Disturbance asks.
+/// A column for each of Plant::signals(), one value for each row of the log. Quantised only with a Disturbance.
 struct Trace {
   std::vector<std::vector<double>> columns;
 

@@ -1,4 +1,4 @@
-// A bench whose logs are made by rolling out its own model, with whatever a test hides in it.
+// A bench whose logs are roll-outs of its own model, with the effect that a test adds.
 #pragma once
 
 #include <cmath>

@@ -107,7 +107,7 @@ TEST(LogRecording, AnswersThatAreMissing) {
   EXPECT_THAT(caseOf(rows).error(), HasSubstr("did not answer in 21 of 200 rows; look at its cable"));
 }
 
-TEST(LogRecording, MustSayWhichJointAndNotTheWrongOrder) {
+TEST(LogRecording, NeedsTheJointAndTheRightGoalOrder) {
   const CaseTexts texts = caseOf(recordedRows());
   EXPECT_THAT(texts.with("\"joint\": \"Neck\", ", "").error(), HasSubstr("say which one the log is of"));
   EXPECT_THAT(texts.with("\"Neck\"", "\"Head\"").error(), HasSubstr("no column \"Head.commanded\""));

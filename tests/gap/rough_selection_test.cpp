@@ -61,36 +61,36 @@ Case measuredIn(Disturbance wind, Case bench, const Hypothesis& truth) {
   return bench;
 }
 
-const IdentifiedEffect* foundIn(const Identification& naming, std::string_view id) {
+const IdentifiedEffect* foundIn(const Identification& identification, std::string_view id) {
   const auto there =
-      std::ranges::find(naming.effects, id, [](const IdentifiedEffect& found) { return found.effect->id; });
-  return there == naming.effects.end() ? nullptr : &*there;
+      std::ranges::find(identification.effects, id, [](const IdentifiedEffect& found) { return found.effect->id; });
+  return there == identification.effects.end() ? nullptr : &*there;
 }
 
 TEST(RoughNumbers, WhatEveryServoHasIsNamedThoughSomethingRemains) {
   const Case bench = manualBench();
   const Disturbance gusts{.torque_nm = 0.06, .torque_time_s = 0.4};  // that no model of a servo knows
-  const Identification naming = identify(Study{measuredIn(gusts, bench, realServo(bench))});
-  EXPECT_EQ(naming.verdict, Verdict::kNamed);
-  EXPECT_TRUE(naming.remains);
-  const IdentifiedEffect* const gain = foundIn(naming, "kp_scale");
+  const Identification identification = identify(Study{measuredIn(gusts, bench, realServo(bench))});
+  EXPECT_EQ(identification.verdict, Verdict::kNamed);
+  EXPECT_TRUE(identification.remains);
+  const IdentifiedEffect* const gain = foundIn(identification, "kp_scale");
   ASSERT_NE(gain, nullptr);
   EXPECT_NEAR(gain->estimates.front().value, 0.5, 0.01);
   EXPECT_LT(gain->estimates.front().low, gain->estimates.front().high);
-  EXPECT_NE(foundIn(naming, "encoder_offset"), nullptr);
-  EXPECT_NE(foundIn(naming, "load_dependent_friction"), nullptr);
-  EXPECT_LE(naming.effects.size(), 5U) << "nothing else is missing";
-  EXPECT_EQ(foundIn(naming, "supply_sag"), nullptr);
-  EXPECT_LT(naming.gap_after_rad, 0.15 * naming.gap_before_rad);
+  EXPECT_NE(foundIn(identification, "encoder_offset"), nullptr);
+  EXPECT_NE(foundIn(identification, "load_dependent_friction"), nullptr);
+  EXPECT_LE(identification.effects.size(), 5U) << "nothing else is missing";
+  EXPECT_EQ(foundIn(identification, "supply_sag"), nullptr);
+  EXPECT_LT(identification.gap_after_rad, 0.15 * identification.gap_before_rad);
 }
 
 TEST(RoughNumbers, AModelThatExplainsAllIsFoundAsEver) {
   const Case bench = manualBench();
   const Case given = measuredIn({}, bench, withEffect(bench, "coulomb", "friction", 0.08));
-  const Identification naming = identify(Study{given});
-  EXPECT_FALSE(naming.remains);
-  ASSERT_EQ(naming.effects.size(), 1U);
-  EXPECT_EQ(naming.effects.front().effect->id, "coulomb");
+  const Identification identification = identify(Study{given});
+  EXPECT_FALSE(identification.remains);
+  ASSERT_EQ(identification.effects.size(), 1U);
+  EXPECT_EQ(identification.effects.front().effect->id, "coulomb");
 }
 
 NoiseOptions fewRuns() {

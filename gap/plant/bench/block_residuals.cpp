@@ -16,7 +16,7 @@ namespace {
 constexpr double kUnknownSample = std::numeric_limits<double>::quiet_NaN();
 const double kOfAStep = std::sqrt(1.0 / 12);  // standard deviation of rounding to steps of 1
 constexpr double kRipple = 0.03;              // V; of the supply, as every Disturbance
-constexpr double kStateHalf = 0.04;           // s; rows on either side that tell a speed
+constexpr double kStateHalf = 0.04;           // s; rows on either side from which a speed is computed
 
 BlockResiduals samplesOf(const Trajectory& log) {
   const auto n = static_cast<Eigen::Index>(log.rows());
@@ -55,14 +55,14 @@ RowState stateAt(const Trajectory& log, std::size_t row) {
     normal += basis * basis.transpose();
     right += basis * (log.position_rad[i] - log.position_rad[row]);
   }
-  normal.diagonal().array() += 1e-9;  // fewer than three rows: still an answer
+  normal.diagonal().array() += 1e-9;  // fewer than three rows: still solvable
   const Eigen::Vector3d fit = normal.inverse() * right;
   return {log.position_rad[row] + fit[0], fit[1] / kStateHalf};
 }
 
 BlockResiduals controllerResiduals(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {
   BlockResiduals out = samplesOf(log);
-  if (!loadTellsDuty(hypothesis, log)) return out;
+  if (!loadIsDutyIn(hypothesis, log)) return out;
   const FirmwareRun run = runFirmware(given, log, hypothesis);
   const double gain = hypothesis.servo.duty_per_kp_per_rad * log.p_register;
   const double reading = std::hypot(gain * readingSigma(hypothesis.servo), kLoadStep * kOfAStep);
@@ -70,7 +70,7 @@ BlockResiduals controllerResiduals(const Case& given, const Trajectory& log, con
     if (log.torque_on[run.row[run.last[row]]] == 0) continue;
     const auto i = static_cast<Eigen::Index>(row);
     out.residual[i] = log.load[row] - run.duty[run.last[row]];
-    // Which period a load is of is known to a period only, and a row may be read late by as much.
+    // The period of a load is known to one period only, and a row may be read late by as much.
     const double rate = (log.load[row] - log.load[row - 1]) / (log.time_s[row] - log.time_s[row - 1]);
     out.sigma[i] = std::hypot(reading, std::isnan(rate) ? 0 : rate * run.period_s * kOfAStep);
   }
