@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "gap/case/data_check.hpp"
-#include "gap/plant/bench/position_error.hpp"
+#include "gap/plant/position_error.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -17,10 +17,10 @@ IdentifyOptions step(const IdentifyOptions& options, const std::string& prefix) 
 }
 
 Verification verify(const Study& study, const Hypothesis& model) {
-  return {.rms_before_rad = rmsPositionError(study.data, study.baseline, LogRole::kHeldOut),
-          .rms_after_rad = rmsPositionError(study.data, model, LogRole::kHeldOut),
-          .mean_before_rad = meanPositionError(study.data, study.baseline, LogRole::kHeldOut),
-          .mean_after_rad = meanPositionError(study.data, model, LogRole::kHeldOut)};
+  return {.rms_before_rad = rmsPositionError(study.plant, study.data, study.baseline, LogRole::kHeldOut),
+          .rms_after_rad = rmsPositionError(study.plant, study.data, model, LogRole::kHeldOut),
+          .mean_before_rad = meanPositionError(study.plant, study.data, study.baseline, LogRole::kHeldOut),
+          .mean_after_rad = meanPositionError(study.plant, study.data, model, LogRole::kHeldOut)};
 }
 
 /// Localizes the remaining gap of the final model.

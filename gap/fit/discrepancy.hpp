@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "gap/plant/bench/roll_out.hpp"
+#include "gap/plant/plant.hpp"
 
 namespace darwinop::gap {
 
@@ -20,7 +20,8 @@ struct Discrepancy {
 };
 
 /// Of this hypothesis on the logs with these indices.
-Discrepancy discrepancyOf(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis);
+Discrepancy discrepancyOf(const Plant& plant, const Case& given, const std::vector<std::size_t>& logs,
+                          const Hypothesis& hypothesis);
 
 /// Signed root of the robust cost of a residual in standard deviations: large ones count linearly.
 double softened(double residual);

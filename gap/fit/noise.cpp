@@ -8,12 +8,12 @@
 
 #include "core/conversions.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kLoadStep = 0.001;           // of the register: 0.1 %
 const double kUniform = std::sqrt(1.0 / 12);  // standard deviation of a rounding step of 1
 
 /// Mean over a window that is cut at the ends.
@@ -28,7 +28,7 @@ Eigen::VectorXd smoothed(const Eigen::Ref<const Eigen::VectorXd>& values, Eigen:
 }
 
 /// Deviations of the runs with noise from the one without: positions above loads, a column a run.
-Eigen::MatrixXd deviations(const Case& given, std::size_t log, const Hypothesis& hypothesis,
+Eigen::MatrixXd deviations(const Plant& plant, const Case& given, std::size_t log, const Hypothesis& hypothesis,
                            const NoiseOptions& options, const Trace& quiet, const LoadResidual& load_residual) {
   const auto n = static_cast<Eigen::Index>(given.logs[log].rows());
   Eigen::MatrixXd all(2 * n, options.runs);
@@ -36,7 +36,7 @@ Eigen::MatrixXd deviations(const Case& given, std::size_t log, const Hypothesis&
   for (int run = 0; run < options.runs; ++run) {
     Disturbance disturbance = options.disturbance;
     disturbance.seed = (options.seed * 1'000 + log) * 1'000 + static_cast<std::uint64_t>(run);
-    plantOf(given).rollOut(given, log, hypothesis, {.disturbance = &disturbance}, noisy);
+    plant.rollOut(given, log, hypothesis, {.disturbance = &disturbance}, noisy);
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto row = static_cast<std::size_t>(i);
       all(i, run) = noisy[kPositionSignal][row] - quiet[kPositionSignal][row];
@@ -77,13 +77,14 @@ Eigen::VectorXd loadJitter(const Trajectory& log, const Trace& quiet, double per
 
 }  // namespace
 
-LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothesis, const NoiseOptions& options)
+LogNoise::LogNoise(const Plant& plant, const Case& given, std::size_t log, const Hypothesis& hypothesis,
+                   const NoiseOptions& options)
     : load_residual_{hypothesis, given.logs[log].p_register} {
   const Trajectory& measured = given.logs[log];
   const auto n = static_cast<Eigen::Index>(measured.rows());
   Trace quiet;
-  plantOf(given).rollOut(given, log, hypothesis, {}, quiet);
-  Eigen::MatrixXd spread = deviations(given, log, hypothesis, options, quiet, load_residual_);
+  plant.rollOut(given, log, hypothesis, {}, quiet);
+  Eigen::MatrixXd spread = deviations(plant, given, log, hypothesis, options, quiet, load_residual_);
   const double tick = 2 * kPi / hypothesis.servo.ticks_per_rev;
   const double reading = tick * std::hypot(kUniform, options.disturbance.encoder_ticks);
   position_sigma_ = takeRoughness(spread.topRows(n)).cwiseMax(reading);
@@ -152,10 +153,10 @@ Eigen::VectorXd LogNoise::positionSigma() const {
   return (position_sigma_.array() * (1 + together).sqrt()).matrix();
 }
 
-std::vector<LogNoise> noiseOf(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis,
-                              const NoiseOptions& options) {
+std::vector<LogNoise> noiseOf(const Plant& plant, const Case& given, const std::vector<std::size_t>& logs,
+                              const Hypothesis& hypothesis, const NoiseOptions& options) {
   std::vector<std::optional<LogNoise>> found(logs.size());
-  forEach(logs.size(), [&](std::size_t i) { found[i].emplace(given, logs[i], hypothesis, options); });
+  forEach(logs.size(), [&](std::size_t i) { found[i].emplace(plant, given, logs[i], hypothesis, options); });
   std::vector<LogNoise> noise;
   noise.reserve(logs.size());
   for (auto& one : found) noise.push_back(std::move(*one));

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "gap/parallel/parallel.hpp"
-#include "gap/plant/bench/block_residuals.hpp"
 #include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
 
@@ -18,13 +17,14 @@ namespace {
 /// Ends of all windows of the fitted logs, measured - simulated, rad; NaN where a window does not count.
 Eigen::VectorXd endsOf(const FittedModel& present, const Hypothesis& hypothesis) {
   const Case& data = present.study->data;
+  const Plant& plant = present.study->plant;
+  const ShootingOptions windows{
+      .length_s = thresholds::kRippleWindow, .stride_s = thresholds::kRippleWindow, .mixed = false};
   std::vector<Eigen::VectorXd> logs;
   Eigen::Index size = 0;
   for (const std::size_t i : present.evidence->logs) {
-    logs.push_back(shootingResiduals(
-                       data, data.logs[i], hypothesis,
-                       {.length_s = thresholds::kRippleWindow, .stride_s = thresholds::kRippleWindow, .mixed = false})
-                       .residual);
+    logs.push_back(
+        plant.blockResiduals(Block::kPlant, plant.places().front(), data, data.logs[i], hypothesis, windows).residual);
     size += logs.back().size();
   }
   Eigen::VectorXd all(size);

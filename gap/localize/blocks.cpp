@@ -7,7 +7,6 @@
 #include "core/conversions.hpp"
 #include "gap/fit/unknown.hpp"
 #include "gap/localize/command_split.hpp"
-#include "gap/plant/bench/firmware_run.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -26,9 +25,14 @@ std::string oneDigit(double value) {
 
 class Finder {
  public:
-  Finder(const Case& given, const Hypothesis& baseline, const std::vector<std::size_t>& logs,
+  Finder(const Plant& plant, const Case& given, const Hypothesis& baseline, const std::vector<std::size_t>& logs,
          const SimulatedRepeats& copies)
-      : given_{given}, logs_{logs}, copies_{copies}, baseline_{baseline}, numbers_{nuisancesOf(given, baseline)} {
+      : plant_{plant},
+        given_{given},
+        logs_{logs},
+        copies_{copies},
+        baseline_{baseline},
+        numbers_{nuisancesOf(given, baseline)} {
     for (std::size_t i = 0; i < kBlocks; ++i) {
       out_.all[i].block = static_cast<Block>(i);
       out_.all[i].rms = out_.all[i].expected_rms = kNotKnown;
@@ -44,23 +48,22 @@ class Finder {
       lawByItsDuty();
     else
       noDuty();
-    for (const Block block : plantOf(given_).blocks())
+    for (const Block block : plant_.blocks())
       if (!out_.first && out_.of(block).verdict == BlockVerdict::kOpen) out_.first = block;
     return std::move(out_);
   }
 
  private:
-  /// Of the one place of a bench.
+  /// At the place of the case's joint.
   [[nodiscard]] BlockResiduals residuals(Block block, const Trajectory& log, const Hypothesis& hypothesis,
                                          const ShootingOptions& options = {}) const {
-    const Plant& plant = plantOf(given_);
-    return plant.blockResiduals(block, plant.places().front(), given_, log, hypothesis, options);
+    return plant_.blockResiduals(block, plant_.places().front(), given_, log, hypothesis, options);
   }
   [[nodiscard]] BlockTest judged(const BlockResidualFunction& cut, bool priors = true) const {
     return judge(cut, given_, logs_, copies_, baseline_, priors ? numbers_ : std::vector<Unknown>{});
   }
   [[nodiscard]] BlockTest judgedWith(const BlockResidualFunction& cut, const Hypothesis& hypothesis) const {
-    return judge(cut, given_, logs_, simulateRepeats(given_, logs_, hypothesis), hypothesis,
+    return judge(cut, given_, logs_, simulateRepeats(plant_, given_, logs_, hypothesis), hypothesis,
                  nuisancesOf(given_, hypothesis));
   }
 
@@ -89,13 +92,14 @@ class Finder {
     std::vector<const Trajectory*> measured;
     measured.reserve(logs_.size());
     for (const std::size_t i : logs_) measured.push_back(&given_.logs[i]);
-    const double slope = supplyResistance(given_, measured, baseline_);
+    const double slope = plant_.supplyResistance(plant_.places().front(), given_, measured, baseline_);
     double spread = 0;
     for (const auto& run : copies_) {
       std::vector<const Trajectory*> copied;
       copied.reserve(run.size());
       for (const Trajectory& log : run) copied.push_back(&log);
-      spread += std::pow(supplyResistance(given_, copied, baseline_), 2) / static_cast<double>(copies_.size());
+      spread += std::pow(plant_.supplyResistance(plant_.places().front(), given_, copied, baseline_), 2) /
+                static_cast<double>(copies_.size());
     }
     out_.supply_ohm = slope;
     out_.supply_ohm_sigma = std::sqrt(spread);
@@ -235,6 +239,7 @@ class Finder {
     return gain * baseline_.servo.duty_per_kp_per_rad * 2 * kPi / baseline_.servo.ticks_per_rev;
   }
 
+  const Plant& plant_;
   const Case& given_;
   const std::vector<std::size_t>& logs_;
   const SimulatedRepeats& copies_;
@@ -257,9 +262,9 @@ std::string_view name(BlockVerdict verdict) {
   return "not cut";
 }
 
-Blocks findBlocks(const Case& given, const Hypothesis& baseline, const std::vector<std::size_t>& logs,
-                  const SimulatedRepeats& copies) {
-  return Finder{given, baseline, logs, copies}.find();
+Blocks findBlocks(const Plant& plant, const Case& given, const Hypothesis& baseline,
+                  const std::vector<std::size_t>& logs, const SimulatedRepeats& copies) {
+  return Finder{plant, given, baseline, logs, copies}.find();
 }
 
 }  // namespace darwinop::gap

@@ -88,7 +88,7 @@ FittedHypothesis fitted(const Study& study, const std::vector<const twin::Effect
   // Fitted again under the noise of the fitted model.
   NoiseOptions options;
   options.runs = thresholds::kNoiseRuns;
-  const Evidence own = evidenceOf(study.data, problem.at(x), LogRole::kFit, options);
+  const Evidence own = evidenceOf(study.plant, study.data, problem.at(x), LogRole::kFit, options);
   const Problem final_problem = problemWith(study, own, effects, Nuisance::kFree);
   const Fit fit = solve(final_problem, x);
   FittedHypothesis result{.name = "",

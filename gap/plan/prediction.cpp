@@ -7,6 +7,7 @@
 
 #include "gap/fit/problem.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/plants.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -105,7 +106,7 @@ Prediction predict(const Case& coming, const FittedHypothesis& hypothesis, int n
   for (std::size_t i = 0; i < logs.size(); ++i) logs[i] = i;
   NoiseOptions options;
   options.runs = noise_runs;
-  prediction.noise = noiseOf(coming, logs, hypothesis.best(), options);
+  prediction.noise = noiseOf(plantOf(coming), coming, logs, hypothesis.best(), options);
   return prediction;
 }
 

@@ -9,7 +9,7 @@
 #include "experiments/format/plan.hpp"
 #include "experiments/format/quantity.hpp"
 #include "gap/plan/commands.hpp"
-#include "gap/plant/bench/roll_out.hpp"
+#include "gap/plants.hpp"
 
 namespace darwinop::gap {
 namespace {

@@ -13,7 +13,7 @@ double share(const Eigen::VectorXd& residuals) {
 }
 
 Eigen::VectorXd residualsOf(const Case& bench) {
-  const Evidence evidence = evidenceOf(bench, baselineOf(bench));
+  const Evidence evidence = evidenceOf(plantOf(bench), bench, baselineOf(bench));
   const Problem problem{evidence, baselineOf(bench), {}};
   Eigen::VectorXd residuals(evidence.size());
   problem.residuals({}, residuals);
@@ -43,7 +43,7 @@ TEST(Noise, UnknownSamplesDoNotCount) {
 TEST(Noise, TheFloorIsAtLeastWhatTheEncoderRounds) {
   const Case bench = smallBench();
   const double tick = 2 * 3.14159265 / 4096;
-  for (const LogNoise& log : evidenceOf(bench, baselineOf(bench)).noise) {
+  for (const LogNoise& log : evidenceOf(plantOf(bench), bench, baselineOf(bench)).noise) {
     EXPECT_GE(log.positionSigma().minCoeff(), 0.4 * tick);
     EXPECT_LT(log.positionSigma().minCoeff(), 0.6 * tick) << "the arm stands still somewhere";
   }
@@ -55,7 +55,7 @@ TEST(Solve, FindsAMovedNumberAndItsInterval) {
   truth.servo.kt_nm_a *= 1.03;
   truth.servo.back_emf_vs_rad *= 1.03;
   const Case given = measured(bench, truth, 4);
-  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
   std::vector<Unknown> unknowns;
   for (Unknown& unknown : nuisancesOf(given, baselineOf(given)))
     if (unknown.name == "kt") unknowns.push_back(unknown);
@@ -71,7 +71,7 @@ TEST(Solve, FindsAMovedNumberAndItsInterval) {
 
 TEST(Problem, StopsWhereACostExceedsItsBound) {
   const Case given = measured(smallBench(), baselineOf(smallBench()), 7);
-  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
   const Problem problem{evidence, baselineOf(given), nuisancesOf(given, baselineOf(given))};
   const Eigen::VectorXd x = problem.expected();
   Eigen::VectorXd all(evidence.size());
@@ -87,7 +87,7 @@ TEST(Problem, StopsWhereACostExceedsItsBound) {
 // derivatives is mostly the curvature of the steps, unless a step goes along that valley.
 TEST(Jacobian, IsExactAlongAFlatValley) {
   const Case given = measured(smallBench(), baselineOf(smallBench()), 6);
-  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
   const Problem problem{evidence, baselineOf(given), nuisancesOf(given, baselineOf(given))};
   const Eigen::VectorXd x = problem.expected();
   Eigen::VectorXd here(evidence.size()), there(evidence.size());
@@ -107,7 +107,7 @@ TEST(Jacobian, IsExactAlongAFlatValley) {
 TEST(Solve, FindsADelayFromPeriodsAway) {
   const Case bench = smallBench();
   const Case given = measured(bench, withEffect(bench, "transport_delay", "delay", 0.0292), 7);
-  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
   const twin::EffectInfo& delay = *twin::findEffect("transport_delay");
   Hypothesis with = baselineOf(given);
   with.with(delay);
@@ -120,7 +120,7 @@ TEST(Solve, FindsADelayFromPeriodsAway) {
 
 TEST(Solve, AnUnknownThatChangesNothingHasNoCovariance) {
   const Case given = measured(smallBench(), baselineOf(smallBench()), 5);
-  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
   // A ripple without amplitude: its phase cannot be known.
   Hypothesis flat = baselineOf(given);
   flat.with(*twin::findEffect("cogging"));

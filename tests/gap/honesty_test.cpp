@@ -62,7 +62,9 @@ TEST(Honesty, ACopyOfALogNarrowsNoInterval) {
     twice.logs.push_back(twice.logs[i]);
     twice.logs.back().file = "again_" + twice.logs[i].file;
   }
-  EXPECT_EQ(evidenceOf(twice, baselineOf(twice)).logs, evidenceOf(rubbing(), baselineOf(rubbing())).logs);
+  const Case single = rubbing();
+  EXPECT_EQ(evidenceOf(plantOf(twice), twice, baselineOf(twice)).logs,
+            evidenceOf(plantOf(single), single, baselineOf(single)).logs);
   const Identification &once = namedAsItIs(), after = identify(Study{twice});
   ASSERT_EQ(effectsOf(after), effectsOf(once));
   EXPECT_NEAR(after.effects[0].gain, once.effects[0].gain, 0.01 * once.effects[0].gain);

@@ -8,7 +8,8 @@ namespace darwinop::gap {
 namespace {
 
 Blocks blocksOf(const Case& given, std::vector<std::size_t> logs = {0, 1, 2}) {
-  return findBlocks(given, baselineOf(given), logs, simulateRepeats(given, logs, baselineOf(given)));
+  const Plant& plant = plantOf(given);
+  return findBlocks(plant, given, baselineOf(given), logs, simulateRepeats(plant, given, logs, baselineOf(given)));
 }
 
 struct HiddenIn {

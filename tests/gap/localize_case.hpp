@@ -9,6 +9,8 @@
 
 #include "core/units.hpp"
 #include "gap/localize/simulated_repeats.hpp"
+#include "gap/plant/bench/roll_out.hpp"
+#include "gap/plants.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {

@@ -18,7 +18,7 @@ Localization whereIs(const Case& given) {
 
 NoiseFloor floorFor(const Case& given) {
   const Study study{given, kFewRuns};
-  return floorOf(given, study.evidence, simulateRepeats(given, study.evidence.logs, study.baseline));
+  return floorOf(given, study.evidence, simulateRepeats(study.plant, given, study.evidence.logs, study.baseline));
 }
 
 TEST(Floor, AgreesWithRepeatsThatDifferAsAssumed) {

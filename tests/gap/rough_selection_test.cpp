@@ -134,12 +134,12 @@ TEST(Discrepancy, IsWhatMostSamplesAreOffBy) {
   const Case bench = manualBench();
   Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
   const std::vector<std::size_t> logs{0, 1};
-  const double before = discrepancyOf(given, logs, baselineOf(given)).position_rad;
+  const double before = discrepancyOf(plantOf(given), given, logs, baselineOf(given)).position_rad;
   EXPECT_LT(before, 0.003);
   for (double& position : given.logs[0].position_rad) position += 0.02;
   for (double& position : given.logs[1].position_rad) position -= 0.02;
   for (std::size_t row = 0; row < 20; ++row) given.logs[0].position_rad[row] += 1;  // a hand on the arm
-  EXPECT_NEAR(discrepancyOf(given, logs, baselineOf(given)).position_rad, 1.4826 * 0.02, 0.003);
+  EXPECT_NEAR(discrepancyOf(plantOf(given), given, logs, baselineOf(given)).position_rad, 1.4826 * 0.02, 0.003);
 }
 
 TEST(Discrepancy, NeighboursCountAsOne) {
@@ -151,7 +151,7 @@ TEST(Discrepancy, NeighboursCountAsOne) {
   Hypothesis off = baselineOf(given);
   off.pendulum.length_m *= 1.005;
   const auto cost = [&](const NoiseOptions& options) {
-    const Evidence evidence = evidenceOf(given, baselineOf(given), LogRole::kFit, options);
+    const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given), LogRole::kFit, options);
     return Problem{evidence, off, {}}.cost({});
   };
   NoiseOptions alone = bearing;

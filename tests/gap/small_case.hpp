@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gap/plant/bench/roll_out.hpp"
+#include "gap/plants.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {

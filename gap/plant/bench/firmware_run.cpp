@@ -35,11 +35,6 @@ double temperatureOf(const Trajectory& log, std::size_t row) {
   return std::isnan(log.temp_c[row]) ? kRoom : log.temp_c[row];
 }
 
-bool loadIsDutyIn(const Hypothesis& hypothesis, const Trajectory& log) {
-  return hypothesis.servo.law == twin::Law::kVoltageP &&
-         std::ranges::any_of(log.load, [](double load) { return !std::isnan(load); });
-}
-
 FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {
   FirmwareRun run;
   run.period_s = hypothesis.servo.firmware_period_s;

@@ -27,7 +27,4 @@ std::size_t commandsAfter(const Case& given, const Trajectory& log, std::size_t 
 /// Temperature that counts for a row, degC.
 double temperatureOf(const Trajectory& log, std::size_t row);
 
-/// True: the load register holds the duty (law voltage_p), and the log has the column.
-bool loadIsDutyIn(const Hypothesis& hypothesis, const Trajectory& log);
-
 }  // namespace darwinop::gap

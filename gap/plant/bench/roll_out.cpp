@@ -49,7 +49,7 @@ class Run {
 
   void fill(Trace& trace) {
     const std::size_t rows = log_.rows();
-    trace.columns.resize(kBenchSignals);
+    trace.columns.resize(kJointSignals);
     for (std::vector<double>& column : trace.columns) column.resize(rows);
     for (std::size_t row = 0; row < rows; ++row) {
       advanceTo(log_.time_s[row] - log_.time_s[0]);
