@@ -16,6 +16,7 @@ class Selection {
   /// Fits the baseline alone. `study` and `options` must outlive this.
   Selection(const Study& study, const IdentifyOptions& options, Nuisance nuisance);
 
+  /// Adds, prunes and replaces effects until the residual is explained or no candidate passes.
   void run();
   /// Takes the effects of another selection over, or only these of them, refitted with this one's nuisance mode.
   /// Does not search for others.
@@ -48,6 +49,7 @@ class Selection {
   void assess(const Screen* screen);
   [[nodiscard]] bool isExplained(const Screen& screen) const;
   [[nodiscard]] bool mayAdd() const;
+  bool addOne(const Screen& screen);
   [[nodiscard]] std::vector<const twin::EffectInfo*> aliasesInConflict() const;
   // select, cross-validate
   bool addFrom(const std::vector<FittedModel>& candidates);
@@ -64,6 +66,7 @@ class Selection {
   void dropNeedless();
   bool simplifyOne();
   void replace(std::size_t i, const FittedModel& simpler, double gain);
+  [[nodiscard]] bool maySwap() const;
   bool swapOne();
   /// Cost that effect `i` removes, in the presence of the others.
   [[nodiscard]] double gainOf(std::size_t i) const;
@@ -83,7 +86,7 @@ class Selection {
   const IdentifyOptions& options_;
   std::vector<const twin::EffectInfo*> candidates_;  // of the catalogue
   FittedModel model_;                                // with what was added so far
-  std::vector<double> gains_;                        // one an effect
+  std::vector<double> gains_;                        // one for each effect of model_
   std::vector<Rival> rivals_;
   std::vector<const twin::EffectInfo*> runners_up_;
   double threshold_ = 0, misfit_ = 0, excess_cost_ = 0;  // of model_: chance gain, misfit, cost beyond noise
