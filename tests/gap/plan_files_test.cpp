@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "experiments/format/battery.hpp"
+#include "experiments/format/experiment_files.hpp"
 #include "experiments/format/plan.hpp"
 #include "experiments/format/reader.hpp"
 #include "gap/plan/commands.hpp"
@@ -53,7 +53,7 @@ void expectSame(const Experiment& a, const Experiment& b) {
 }
 
 TEST(ExperimentText, TheDeliveredSetComesBackToTheLastBit) {
-  const std::vector<std::string> files = experiments::batteryFiles();
+  const std::vector<std::string> files = experiments::experimentFiles();
   ASSERT_GE(files.size(), 17U);
   for (const std::string& file : files) {
     const Experiment read = experiments::readExperiment(file);
