@@ -44,7 +44,7 @@ LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   LogEntry out{};
   out.head.file = entry.text("file");
   if (!isInside(out.head.file))
-    entry.fail("file", "lies outside the folder of the case; copy the log beside the case.json");
+    entry.fail("file", "is outside the folder of the case; copy the log next to the case.json");
   out.head.kind = entry.text("trajectory", kindOf(out.head.file));
   out.head.held_out = entry.word("role", {"fit", "held_out", "score"}, 3) > 0;
   for (const ArmKey& key : armKeys())

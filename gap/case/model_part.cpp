@@ -55,7 +55,7 @@ void keepOnly(std::optional<Joint> joint, Fields& top, twin::Model& model) {
   for (const twin::EffectSetting& effect : model.effects) {
     if (effect.joint && !joint)
       top.fail("model", "has [effect " + std::string{effect.info->id} +
-                            "] for one joint; say in `logs` which joint the "
+                            "] for one joint; give in `logs` the joint that the "
                             "logs are of: \"joint\": \"ArmUpperR\"");
     if (effect.joint && effect.joint != joint) continue;
     std::erase_if(kept, [&](const twin::EffectSetting& other) { return other.info == effect.info && effect.joint; });

@@ -49,7 +49,7 @@ void linkRepeats(Fields& top, std::vector<LogEntry>& entries) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     std::optional<std::size_t> first = of[i];
     for (std::size_t steps = 0; first && of[*first]; ++steps, first = of[*first])
-      if (steps > entries.size()) top.fail(name_of(i), "goes round in a circle; name the first log");
+      if (steps > entries.size()) top.fail(name_of(i), "is circular; name the first log");
     entries[i].head.repeat_of = first;
   }
 }
@@ -130,7 +130,7 @@ Case readCase(const std::string& folder) {
   }
   if (!text)
     throw BadInput(file +
-                   ": there is no such file. It says which logs a case has and which model is believed in: copy "
+                   ": there is no such file. It lists the logs of a case and its model: copy "
                    "the one of the shipped example and change it, docs/gap/cases.md explains each key");
   const CaseFiles files{
       .log = [&](const std::string& name) { return readRegularLog(fs::path{folder} / name); },

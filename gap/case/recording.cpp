@@ -75,7 +75,7 @@ std::vector<std::size_t> rowsOf(const logs::Log& log, const LogEntry& entry, con
   const double share = double(without) / double(rows.size() + without);
   const std::string sentence = log.file + ": the servo did not answer in " + std::to_string(without) + " of " +
                                std::to_string(rows.size() + without) + " rows";
-  if (share > kMostUnanswered) throw BadInput(sentence + "; look at its cable and measure again");
+  if (share > kMostUnanswered) throw BadInput(sentence + "; check its cable and measure again");
   if (without > 0) warnings.push_back(sentence + ", which are left out");
   return rows;
 }
@@ -84,7 +84,7 @@ std::vector<std::size_t> rowsOf(const logs::Log& log, const LogEntry& entry, con
 
 void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings) {
   if (!entry.joint)
-    throw BadInput(log.file + ": a recording has twenty joints; say which one the log is of: \"joint\": \"ArmUpperR\"");
+    throw BadInput(log.file + ": a recording has twenty joints; give the joint of the log: \"joint\": \"ArmUpperR\"");
   const JointColumns c = columnsOf(log, *entry.joint);
   checkGainUnit(log, *entry.joint);
   const std::vector<std::size_t> rows = rowsOf(log, entry, c, warnings);
@@ -108,7 +108,7 @@ void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::s
   const std::optional<double> p_register = p_gain ? std::optional{*p_gain / gain.scale} : std::nullopt;
   if (p_register && entry.p_register && std::abs(*p_register - *entry.p_register) > 0.5)
     throw BadInput(log.file + ": its P gain is register " + std::to_string(std::lround(*p_register)) +
-                   ", but the case says \"kp\": " + std::to_string(std::lround(*entry.p_register)) +
+                   ", but the case has \"kp\": " + std::to_string(std::lround(*entry.p_register)) +
                    "; remove kp, the recording has it");
   out.p_register = p_register.value_or(entry.p_register.value_or(out.p_register));  // 32: where the servo starts
   const std::optional<double> limit = constant(log, c, c.speed_limit, rows, "speed limit");

@@ -108,7 +108,7 @@ void fillFromPlain(const logs::Log& log, LogEntry& entry) {
   for (const Wanted& wanted : kWanted) take(log, wanted, rows, out);
   takeTorque(log, rows, out);
   if (!entry.p_register)
-    throw BadInput(log.file + ": the case does not say its P register; write \"kp\": 32, or what it was, to the log");
+    throw BadInput(log.file + ": the case does not have its P register; add \"kp\": 32, or its value, to the log");
   out.p_register = *entry.p_register;
 }
 

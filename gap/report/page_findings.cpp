@@ -89,7 +89,7 @@ std::string benchText(const Report& report) {
   const Hypothesis& model = report.outcome->identification.model;
   const double length = model.pendulum.length_m / report.given->pendulum.length_m;
   if (model.payload_scale == 1 && length == 1) return "";
-  return wrap("p", "The fit also moved what case.json says of the arm, inside its priors: payload times " +
+  return wrap("p", "The fit also moved the arm of case.json, within its priors: payload times " +
                        html::number(model.payload_scale, shortly(model.payload_scale, "%.4f")) + ", length times " +
                        html::number(length, shortly(length, "%.4f")) +
                        ". That belongs to the bench, so it is not in the model file.");

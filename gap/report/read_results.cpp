@@ -22,7 +22,7 @@ const json& resultOf(const json& all, const std::string& name) {
 void checkVerdict(const json& result, const std::string& name) {
   const std::string of = result.at("case"), verdict = result.at("verdict");
   if (of != name) throw std::runtime_error("is of case " + of + ", not of " + name);
-  if (verdict == "none") throw std::runtime_error("says that nothing is missing: there is nothing to add");
+  if (verdict == "none") throw std::runtime_error("nothing is missing by this result: there is nothing to add");
   if (verdict != "named" && verdict != "ambiguous")
     throw std::runtime_error("has the verdict " + verdict +
                              ", which names no effect; to add one anyway, give it with --effect");

@@ -41,8 +41,7 @@ TEST(CaseRepeats, LeadToTheFirstOfTheSeries) {
 }
 
 TEST(CaseRepeats, InACircleAreRefused) {
-  EXPECT_THAT(threeLogs("fit_3.csv", "fit_2.csv").error(),
-              HasSubstr("my/case.json: `logs[1].repeat_of` goes round in a circle"));
+  EXPECT_THAT(threeLogs("fit_3.csv", "fit_2.csv").error(), HasSubstr("my/case.json: `logs[1].repeat_of` is circular"));
 }
 
 TEST(CaseRepeats, HaveTheSameGainAndGoals) {

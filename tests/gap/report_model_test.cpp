@@ -124,7 +124,7 @@ TEST(AddResults, ThatNameNothingAreRefused) {
     return sentenceOf([&] { additionsIn(text, "report.json", rig.given); });
   };
   rig.outcome.identification.verdict = Verdict::kNone;
-  EXPECT_THAT(sentence(asJson(rig.report).dump()), HasSubstr("report.json: says that nothing is missing"));
+  EXPECT_THAT(sentence(asJson(rig.report).dump()), HasSubstr("report.json: nothing is missing by this result"));
   rig.outcome.identification.verdict = Verdict::kUnknown;
   EXPECT_THAT(sentence(asJson(rig.report).dump()), HasSubstr("names no effect"));
   rig.outcome.identification.verdict = Verdict::kNamed;

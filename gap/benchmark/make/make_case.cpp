@@ -48,7 +48,7 @@ KeyEffect add(const HiddenEffect& wanted, const twin::EffectInfo& info, const Ca
       const bool on_top = before.find(info.id) != nullptr;
       values[i] = on_top ? values[i] + value : value;
       if (!(values[i] >= info.parameters[i].low && values[i] <= info.parameters[i].high))
-        throw std::runtime_error("effect " + wanted.id + ": " + key + " comes out as " + numberText(values[i]) + "; " +
+        throw std::runtime_error("effect " + wanted.id + ": " + key + " becomes " + numberText(values[i]) + "; " +
                                  twin::allowed(twin::ruleOf(info.parameters[i])) + " is allowed");
     }
   }
