@@ -15,7 +15,7 @@
 
 #include "connect/robot_file.hpp"
 #include "connect/setting.hpp"
-#include "experiments/format/battery.hpp"
+#include "experiments/format/experiment_files.hpp"
 #include "experiments/format/plan.hpp"
 #include "experiments/format/reader.hpp"
 #include "experiments/run/gentle_stop.hpp"
@@ -42,7 +42,7 @@ struct Arguments {
 
 int list() {
   int status = kDone;
-  const std::vector<std::string> files = batteryFiles();
+  const std::vector<std::string> files = experimentFiles();
   for (const std::string& file : files) try {
       const Experiment experiment = readExperiment(file);
       const Plan plan = makePlan(experiment, darwinop::safety::hardRanges());
@@ -56,7 +56,7 @@ int list() {
       std::cerr << "darwinop experiment: " << wrong.what() << '\n';
       status = kWrong;
     }
-  if (files.empty()) throw std::runtime_error("no experiments found in " + batteryFolders().back());
+  if (files.empty()) throw std::runtime_error("no experiments found in " + experimentFolders().back());
   return status;
 }
 

@@ -77,7 +77,7 @@ int hideEffects(const Arguments& given) {
   for (const std::string& effect : given.effects) addTo(request.effects, effect);
   hide(request, given.out);
   std::cerr << "darwinop gap: " << (fs::path{given.out} / "cases" / request.name).string() << " is the case, "
-            << (fs::path{given.out} / "key.json").string() << " says what is in it\n";
+            << (fs::path{given.out} / "key.json").string() << " has its effects\n";
   return 0;
 }
 

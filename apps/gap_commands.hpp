@@ -30,7 +30,7 @@ struct Arguments {
   bool resume = false;                 // of a battery
   unsigned threads = 0;                // 0: as many as there are cores
   std::string results, key;            // to score
-  std::string against;                 // to plan for: ids of effects, with commas; empty: what a naming finds
+  std::string against;                 // to plan for: ids of effects, with commas; empty: from the identification
   std::string joint = "ShoulderR";     // that swings the arm in planned experiments
   std::optional<double> hangs_at_rad;  // its angle where the arm hangs; nothing: as the robot's arms do
   std::string write;                   // folder for planned experiments

@@ -36,9 +36,9 @@ int planNext(const Arguments& given) {
   if (given.against.empty()) {
     IdentifyOptions options;
     options.progress = progress;
-    const Identification naming = identify(Study{read}, options);
-    progress("verdict: " + std::string{nameOf(naming.verdict)});
-    question = questionAfter(read, naming, progress);
+    const Identification identification = identify(Study{read}, options);
+    progress("verdict: " + std::string{nameOf(identification.verdict)});
+    question = questionAfter(read, identification, progress);
   } else {
     question = questionBetween(read, partsOf(given.against), progress);
   }

@@ -1,6 +1,6 @@
 #include "gap/study.hpp"
 
-#include "gap/plant/bench/position_error.hpp"
+#include "gap/plants.hpp"
 
 namespace darwinop::gap {
 
@@ -8,7 +8,7 @@ Study::Study(const Case& given, const NoiseOptions& noise)
     : data{given},
       plant{plantOf(given)},
       baseline{baselineOf(given)},
-      evidence{evidenceOf(given, baseline, LogRole::kFit, noise)},
-      gap_rad{rmsPositionError(given, baseline, LogRole::kFit)} {}
+      evidence{evidenceOf(plant, given, baseline, LogRole::kFit, noise)},
+      gap_rad{rmsPositionError(plant, given, baseline, LogRole::kFit)} {}
 
 }  // namespace darwinop::gap

@@ -1,6 +1,6 @@
 // Every tuned constant of the identification, with its unit, what it does, and the evidence for its value.
 //
-// "No evidence yet": chosen by judgement; nobody has measured what half and twice the value do to a suite.
+// "No evidence yet": chosen by judgement; the effect of half and twice the value on a suite has not been measured.
 #pragma once
 
 #include <cstddef>

@@ -3,27 +3,29 @@
 #include <chrono>
 
 #include "gap/case/data_check.hpp"
-#include "gap/plant/bench/position_error.hpp"
+#include "gap/plant/position_error.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-IdentifyOptions step(const IdentifyOptions& options, const std::string& prefix) {
+/// `options` whose progress texts begin with `prefix`.
+IdentifyOptions withPrefix(const IdentifyOptions& options, const std::string& prefix) {
   IdentifyOptions with = options;
   with.progress = [&options, prefix](const std::string& text) { options.progress(prefix + text); };
   return with;
 }
 
+/// Error on the held-out logs, before and after.
 Verification verify(const Study& study, const Hypothesis& model) {
-  return {.rms_before_rad = rmsPositionError(study.data, study.baseline, LogRole::kHeldOut),
-          .rms_after_rad = rmsPositionError(study.data, model, LogRole::kHeldOut),
-          .mean_before_rad = meanPositionError(study.data, study.baseline, LogRole::kHeldOut),
-          .mean_after_rad = meanPositionError(study.data, model, LogRole::kHeldOut)};
+  return {.rms_before_rad = rmsPositionError(study.plant, study.data, study.baseline, LogRole::kHeldOut),
+          .rms_after_rad = rmsPositionError(study.plant, study.data, model, LogRole::kHeldOut),
+          .mean_before_rad = meanPositionError(study.plant, study.data, study.baseline, LogRole::kHeldOut),
+          .mean_after_rad = meanPositionError(study.plant, study.data, model, LogRole::kHeldOut)};
 }
 
-/// What the final model leaves, localized as the first gap was.
+/// Localizes the remaining gap of the final model. Empty: no gap remains.
 std::string remainderOf(const Case& data, const DataCheck& check, const Identification& found) {
   if (found.verdict != Verdict::kUnknown && !found.remains) return "";
   const Case with_model = withModel(data, found.model);
@@ -45,7 +47,7 @@ Outcome investigate(const Case& data, const IdentifyOptions& options) {
   outcome.baseline = study.baseline;
   outcome.localization = localize(study);
 
-  outcome.identification = identify(study, step(options, "2 of 3: "));
+  outcome.identification = identify(study, withPrefix(options, "2 of 3: "));
 
   options.progress("3 of 3: error on held-out logs before and after");
   outcome.verification = verify(study, outcome.identification.model);

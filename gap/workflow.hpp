@@ -19,7 +19,7 @@ struct Outcome {
   Localization localization;
   Identification identification;
   Verification verification;
-  std::string remainder;  // what is left, where, when and on what it depends, in sentences; empty: noise
+  std::string remainder;  // the remaining gap in sentences: where, when, on what it depends; empty: noise
   double runtime_s = 0;
 };
 

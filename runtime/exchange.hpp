@@ -38,9 +38,9 @@ std::uint64_t exchangeLayout();
 struct ExchangeBlock {
   static constexpr std::uint32_t kMagic = 0x50774f44;  // "DOwP"
 
-  /// Values of `closing`. kClosing: the loop brings the robot to rest, then ends. kNobodyDrives: no controller may
+  /// Values of `closing`. kClosing: the loop brings the robot to rest, then ends. kNoControllers: no controller may
   /// drive, and the loop goes on by itself, as in a rescue.
-  static constexpr std::uint32_t kOpen = 0, kClosing = 1, kNobodyDrives = 2;
+  static constexpr std::uint32_t kOpen = 0, kClosing = 1, kNoControllers = 2;
 
   std::atomic<std::uint32_t> magic{kMagic};
   std::uint32_t size = sizeof(ExchangeBlock);
@@ -50,7 +50,7 @@ struct ExchangeBlock {
 
   Latest<Sensors> sensors;
   WakeWord finished;                       // low 32 bits of Sensors::cycle; moves when a cycle is finished
-  std::atomic<std::uint32_t> closing{0};   // kOpen, kClosing or kNobodyDrives
+  std::atomic<std::uint32_t> closing{0};   // kOpen, kClosing or kNoControllers
   std::atomic<std::uint32_t> session{0};   // highest number of a driving session, or of a release, so far
   std::atomic<std::uint32_t> released{0};  // number that the last release got; 0: there was none
   std::atomic<std::uint32_t> refused{0};   // session that publishes and is not obeyed because of a release; 0: none

@@ -78,7 +78,7 @@ class Rescue::OwnLoop {
   /// Red lights and no driver; no other process has access to the commands.
   static runtime::Exchange closedExchange(const std::string& path, gid_t group, bool released) {
     runtime::Exchange exchange = runtime::Exchange::createToLookAt(path, group);
-    exchange.ownBlock().closing.store(runtime::ExchangeBlock::kNobodyDrives);
+    exchange.ownBlock().closing.store(runtime::ExchangeBlock::kNoControllers);
     exchange.ownBlock().released.store(released ? kSession : 0);
     Commands nobody;
     nobody.led = redLights();

@@ -1,18 +1,14 @@
 #!/usr/bin/env perl
-# Checks that no file uses a word of tools/words.txt, except in the places listed in tools/words-todo.txt.
+# Checks that no file uses a word of tools/words.txt.
 #
-#   tools/check_words.pl            the whole tree; also fails when a listed place is clean, so that the list shrinks
-#   tools/check_words.pl FILE...    these files, listed or not
-#   tools/check_words.pl renew      writes tools/words-todo.txt: every place that fails now; prints those that are new
-#
-# A line of words-todo.txt is a file, or a folder with a slash at its end: its files, not those of folders in it.
+#   tools/check_words.pl            the whole tree
+#   tools/check_words.pl FILE...    these files
 use strict;
 use warnings;
 use open qw(:std :encoding(UTF-8));
 use FindBin;
-chdir "$FindBin::Bin/.." unless @ARGV && $ARGV[0] ne 'renew';
+chdir "$FindBin::Bin/.." unless @ARGV;
 
-my $todo_file = 'tools/words-todo.txt';
 my @words;
 open my $list, '<', "$FindBin::Bin/words.txt" or die "cannot read tools/words.txt: $!\n";
 while (<$list>) {
@@ -40,7 +36,7 @@ sub check {
     next if $line =~ /keep-word/;
     my $split = $line;
     $split =~ s/([a-z0-9])([A-Z])/$1 $2/g;
-  $split =~ s/([A-Z])([A-Z][a-z])/$1 $2/g;
+    $split =~ s/([A-Z])([A-Z][a-z])/$1 $2/g;
     $split =~ s/_/ /g;
     my $code = $is_code ? $line =~ s/"[^"]*"|\/\/.*//gr : '';
     next unless $code =~ /$exact/ || $split =~ /$plain/;
@@ -52,42 +48,13 @@ sub check {
   return @found;
 }
 
-if (@ARGV && $ARGV[0] ne 'renew') {
-  my @found = map { check($_) } @ARGV;
-  print STDERR "$_\n" for @found;
-  exit(@found ? 1 : 0);
+my @files = @ARGV;
+if (!@files) {
+  my @patterns = qw(*.md *.hpp *.cpp *.h *.c *.sh *.pl *.py *.cmake *CMakeLists.txt *.js *.mjs *.html *.css *.ini *.pml dev);
+  my $patterns = join ' ', map { "'$_'" } @patterns;
+  @files = grep { -f && !m{^(?:tests/webots/api/2013|tests/fuzz/corpus)/} }
+    split /\n/, `git ls-files --cached --others --exclude-standard --deduplicate -- $patterns`;
 }
-
-my @patterns = qw(*.md *.hpp *.cpp *.h *.c *.sh *.pl *.py *.cmake *CMakeLists.txt *.js *.mjs *.html *.css *.ini *.pml dev);
-my $files = join ' ', map { "'$_'" } @patterns;
-my %todo;
-if (open my $in, '<', $todo_file) {
-  while (<$in>) {
-    chomp;
-    $todo{$_} = 0 unless /^\s*(?:#|$)/;
-  }
-}
-my (@messages, %places);
-for my $file (split /\n/, `git ls-files --cached --others --exclude-standard --deduplicate -- $files`) {
-  next if !-f $file || $file =~ m{^(?:tests/webots/api/2013|tests/fuzz/corpus)/};
-  my @found = check($file) or next;
-  my $folder = $file =~ m{^(.*/)} ? $1 : '';
-  my $place = $file =~ /\.md$/ || $folder eq '' ? $file : $folder;
-  $places{$place}++;
-  my ($listed) = grep { exists $todo{$_} } $file, $folder;
-  if (defined $listed) { $todo{$listed}++ }
-  else { push @messages, @found }
-}
-
-if (@ARGV) {
-  open my $out, '>', $todo_file or die "cannot write $todo_file: $!\n";
-  print $out "# Places that still use words of words.txt, one a line: delete the line with the last word.\n";
-  for my $place (sort keys %places) {
-    print $out "$place\n";
-    print "added $place\n" unless exists $todo{$place};
-  }
-  exit 0;
-}
-push @messages, map { "$todo_file: $_ is clean: delete its line" } grep { !$todo{$_} } sort keys %todo;
-print STDERR "$_\n" for @messages;
-exit(@messages ? 1 : 0);
+my @found = map { check($_) } @files;
+print STDERR "$_\n" for @found;
+exit(@found ? 1 : 0);

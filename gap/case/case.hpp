@@ -35,7 +35,7 @@ struct Trajectory {
   std::vector<double> position_rad;
   std::vector<std::uint8_t> torque_on;
   std::vector<double> speed_rad_s, load, volt_v, temp_c;  // load: -1 to 1. NaN where the log has none
-  std::vector<double> warmth_c;      // temp_c without the steps of its register; empty: nobody has smoothed it
+  std::vector<double> warmth_c;      // temp_c without the steps of its register; empty: not smoothed
   std::vector<std::uint32_t> lines;  // of the file, for messages
 
   [[nodiscard]] std::size_t rows() const { return time_s.size(); }

@@ -65,8 +65,8 @@ std::string asText(const DataCheck& check) {
   std::string out = printed("%-14s %6s %6s %5s %5s %5s %13s %6s %11s %11s %7s\n", "log", "s", "limp", "rest", "slow",
                             "turns", "position rad", "rad/s", "load %", "V", "degC");
   for (const LogCheck& log : check.logs) out += row(log.file, log.excitation);
-  out += row("fit, in all", check.fit);
-  if (check.held_out.duration_s > 0) out += row("kept, in all", check.held_out);
+  out += row("fit, all", check.fit);
+  if (check.held_out.duration_s > 0) out += row("held out, all", check.held_out);
   out += timing(check);
   out += printed("fit: payload %s kg, P register %s, %.1f %% of the time under torque at full load, session %s s\n",
                  listed(check.fit.payloads_kg).c_str(), listed(check.fit.p_registers).c_str(), share(check.fit),

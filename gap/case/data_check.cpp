@@ -52,7 +52,7 @@ void warn(const LogCheck& log, std::vector<std::string>& warnings) {
     warnings.push_back(log.file + ": " + std::to_string(log.lost_rows) + " rows are missing between the " +
                        std::to_string(log.rows) + " there are");
   if (log.late_s > kLate * log.period_s)
-    warnings.push_back(log.file + ": of a hundred rows one comes " + milliseconds(log.late_s) +
+    warnings.push_back(log.file + ": one row in a hundred is " + milliseconds(log.late_s) +
                        " late or more, with a row every " + milliseconds(log.period_s));
 }
 

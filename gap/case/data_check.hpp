@@ -23,7 +23,7 @@ struct Extent {
 /// What was done to the joint. Speeds are those of the positions over 70 ms.
 struct Excitation {
   double duration_s = 0, powered_s = 0, limp_s = 0;
-  double at_rest_s = 0;    // slower than a step of the encoder tells
+  double at_rest_s = 0;    // slower than a step of the encoder resolves
   double slow_s = 0;       // moving, where friction depends on speed: up to 0.3 rad/s
   double saturated_s = 0;  // load at its greatest
   int reversals = 0;       // of the motion
@@ -53,15 +53,15 @@ inline constexpr std::string_view kHeldOutLoadFinding = "held_out_load";
 struct Finding {
   std::string_view id;                    // "no_torque_off"
   bool reveals = false;                   // true: they can
-  std::string sentence;                   // for a student
-  std::vector<std::string_view> effects;  // that are not to be told apart, or not to be seen; ids of the catalogue
+  std::string sentence;                   // for the user
+  std::vector<std::string_view> effects;  // that cannot be distinguished, or not be seen; ids of the catalogue
   std::string_view remedy;                // what to measure; empty when it reveals
 };
 
 struct DataCheck {
   std::vector<LogCheck> logs;
   Excitation fit;       // all logs that are fitted, copies once
-  Excitation held_out;  // all that are kept
+  Excitation held_out;  // all held-out logs
   bool has_repeats = false;
   std::vector<Finding> findings;  // what cannot be seen first
   std::vector<std::string> warnings;

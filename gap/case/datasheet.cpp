@@ -66,8 +66,8 @@ Datasheet readDatasheet(Fields sheet, const twin::ServoParameters& baseline, std
   for (const ServoKey& key : servoKeys()) {
     const twin::NumberRule rule = ruleOf(key);
     if (!(servo.*key.member >= rule.low && servo.*key.member <= rule.high))
-      sheet.fail(key.json, "comes out as " + std::to_string(servo.*key.member) + "; a servo has " +
-                               twin::allowed(rule) + ", so look at the figures again");
+      sheet.fail(key.json, "becomes " + std::to_string(servo.*key.member) + "; a servo has " + twin::allowed(rule) +
+                               "; check the figures");
   }
   out.relative_sigma = sheet.number("rel_sigma", kRelativeSigma, out.relative_sigma);
   for (const std::string_view key : {"gear_ratio", "backlash_rad", "position_p_divisor", "pwm_limit"}) sheet.leave(key);

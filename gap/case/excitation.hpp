@@ -1,4 +1,4 @@
-// What one log asked of the joint.
+// The excitation of the joint by one log.
 #pragma once
 
 #include "gap/case/data_check.hpp"

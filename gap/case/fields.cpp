@@ -167,7 +167,7 @@ Json parseJson(std::string_view text, const std::string& file) {
   };
   try {
     Json json = Json::parse(text, watch);
-    if (!json.is_object()) throw BadInput(file + ": is no object; a case begins with { and ends with }");
+    if (!json.is_object()) throw BadInput(file + ": not a JSON object; a case begins with { and ends with }");
     return json;
   } catch (const Json::parse_error& error) {
     throw BadInput(file + ", line " + std::to_string(lineOf(text, error.byte)) +

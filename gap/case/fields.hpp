@@ -32,11 +32,11 @@ class Fields {
 
   /// May be there, for people.
   void leave(std::string_view key);
-  /// Keys that nobody asked for.
+  /// Keys that were not read.
   [[nodiscard]] std::vector<std::string> untaken() const;
   /// Throws for the first of them. Comments may stand anywhere: note, comment, source and the like.
   void finish() const;
-  /// Of an object that other programs add to: throws for what is a few letters away from a key that was asked for, or a
+  /// Of an object that other programs add to: throws for what is a few letters away from a key that was read, or a
   /// part of one, and puts into `warnings` what else is left out.
   void finish(std::vector<std::string>& warnings) const;
 
@@ -53,7 +53,7 @@ class Fields {
   std::vector<std::string> known_;
 };
 
-/// The whole of a file, an object. Throws BadInput with file and line for what is no JSON, or has a key twice.
+/// The whole of a file, an object. Throws BadInput with file and line for invalid JSON and for a key that occurs twice.
 Json parseJson(std::string_view text, const std::string& file);
 
 }  // namespace darwinop::gap

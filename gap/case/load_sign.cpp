@@ -1,7 +1,7 @@
-// A load that is told with the wrong sign, as some servos of the robot had it until 2012 (2013 thesis, 5.3.4).
+// Detects a load with the wrong sign, as some servos of the robot had it until 2012 (2013 thesis, 5.3.4).
 //
-// The load of law voltage_p is the duty, and the duty follows the error. Told the other way round it would push away
-// from the goal, which no servo survives: any effect found from it would be an invention.
+// The load of law voltage_p is the duty, and the duty follows the error. With the opposite sign it would push away
+// from the goal: the loop would be unstable, and any effect fitted to it would be false.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPlain = 0.03;     // of full duty: smaller ones may have either sign, by a step of the encoder
 constexpr double kAlike = 0.25;     // of the duty: a mirrored load is the duty but for its sign
-constexpr std::size_t kFew = 50;    // rows; fewer say nothing
+constexpr std::size_t kFew = 50;    // rows; fewer are not enough
 constexpr double kNearlyAll = 0.9;  // of them
 
 }  // namespace
@@ -30,9 +30,9 @@ void checkLoadSign(const Trajectory& log, const std::string& file, const Case& c
     if (std::abs(log.load[row] + std::clamp(duty, -1.0, 1.0)) < kAlike * std::abs(duty)) ++mirrored;
   }
   if (plain < kFew || static_cast<double>(mirrored) < kNearlyAll * static_cast<double>(plain)) return;
-  throw BadInput(file + ": load is what the error asks for, but pushes away from the goal, in " +
+  throw BadInput(file + ": load has the size that the position error requires, but the opposite sign, in " +
                  std::to_string(mirrored) + " of " + std::to_string(plain) +
-                 " rows; its sign is mirrored. Turn the sign where the log is written; positive is counter-clockwise");
+                 " rows. Invert the sign where the log is written; positive is counter-clockwise");
 }
 
 }  // namespace darwinop::gap

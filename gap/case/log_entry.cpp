@@ -35,7 +35,7 @@ std::optional<Joint> jointOf(Fields& entry) {
   const std::string name = entry.text("joint");
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == name) return static_cast<Joint>(i);
-  entry.fail("joint", "is no joint; " + text::suggestion(name, names));
+  entry.fail("joint", "is not a joint; " + text::suggestion(name, names));
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   LogEntry out{};
   out.head.file = entry.text("file");
   if (!isInside(out.head.file))
-    entry.fail("file", "lies outside the folder of the case; copy the log beside the case.json");
+    entry.fail("file", "is outside the folder of the case; copy the log next to the case.json");
   out.head.kind = entry.text("trajectory", kindOf(out.head.file));
   out.head.held_out = entry.word("role", {"fit", "held_out", "score"}, 3) > 0;
   for (const ArmKey& key : armKeys())

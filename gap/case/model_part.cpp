@@ -1,4 +1,4 @@
-// The model that somebody believes in: its numbers, how far they may be trusted, and the data sheet.
+// The baseline model: its numbers, their priors, and the data sheet.
 #include <algorithm>
 
 #include "core/text/nearest.hpp"
@@ -10,7 +10,7 @@
 namespace darwinop::gap {
 namespace {
 
-// The servo family whose firmware acts every 0.1 ms has an encoder that is finer than its registers tell.
+// The servo family whose firmware acts every 0.1 ms has an encoder finer than the resolution of its registers.
 constexpr double kFineFirmware = 2e-4;  // s
 const std::vector<std::string_view> kLawNames{"voltage_p", "speed_p"};
 
@@ -55,7 +55,7 @@ void keepOnly(std::optional<Joint> joint, Fields& top, twin::Model& model) {
   for (const twin::EffectSetting& effect : model.effects) {
     if (effect.joint && !joint)
       top.fail("model", "has [effect " + std::string{effect.info->id} +
-                            "] for one joint; say in `logs` which joint the "
+                            "] for one joint; give in `logs` the joint that the "
                             "logs are of: \"joint\": \"ArmUpperR\"");
     if (effect.joint && effect.joint != joint) continue;
     std::erase_if(kept, [&](const twin::EffectSetting& other) { return other.info == effect.info && effect.joint; });
@@ -72,7 +72,7 @@ bool hasParameter(const std::string& name, const Case& c, const Fields& priors, 
   const twin::EffectInfo* info = twin::findEffect(name.substr(0, dot));
   if (info == nullptr ||
       std::ranges::find(info->parameters, name.substr(dot + 1), &twin::Parameter::key) == info->parameters.end())
-    priors.fail(key, "is no parameter of an effect; docs/twin/effects.md has them all");
+    priors.fail(key, "is not a parameter of an effect; docs/twin/effects.md has them all");
   return std::ranges::find(c.model.effects, info, &twin::EffectSetting::info) != c.model.effects.end();
 }
 

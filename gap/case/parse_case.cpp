@@ -49,7 +49,7 @@ void linkRepeats(Fields& top, std::vector<LogEntry>& entries) {
   for (std::size_t i = 0; i < entries.size(); ++i) {
     std::optional<std::size_t> first = of[i];
     for (std::size_t steps = 0; first && of[*first]; ++steps, first = of[*first])
-      if (steps > entries.size()) top.fail(name_of(i), "goes round in a circle; name the first log");
+      if (steps > entries.size()) top.fail(name_of(i), "is circular; name the first log");
     entries[i].head.repeat_of = first;
   }
 }
@@ -88,9 +88,9 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   out.folder = path.parent_path().empty() ? "." : path.parent_path().string();
   out.name = top.text("case", path.parent_path().filename().string());
   if (out.name.empty()) out.name = "case";
-  // It becomes the name of a model, which has these limits.
+  // The name of a model has these limits.
   if (out.name.size() > 120 || out.name.find_first_of("\"';#\n\r") != std::string::npos)
-    top.fail("case", "is no name; take 1 to 120 characters without quotes, ; and #");
+    top.fail("case", "is not a valid name; use 1 to 120 characters without quotes, ; and #");
   for (const std::string_view key :
        {"family", "columns", "host_dt_s", "goal_order", "servo_datasheet", "prior_rel_sigma"})
     top.leave(key);
@@ -130,7 +130,7 @@ Case readCase(const std::string& folder) {
   }
   if (!text)
     throw BadInput(file +
-                   ": there is no such file. It says which logs a case has and which model is believed in: copy "
+                   ": there is no such file. It lists the logs of a case and its model: copy "
                    "the one of the shipped example and change it, docs/gap/cases.md explains each key");
   const CaseFiles files{
       .log = [&](const std::string& name) { return readRegularLog(fs::path{folder} / name); },

@@ -31,12 +31,12 @@ struct LogEntry {
 };
 LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings);
 
-/// The rows of a log. Recordings of the runtime, docs/logs.md, tell some of the entry, too: into `entry`. Throws
+/// The rows of a log. A recording of the runtime, docs/logs.md, also has some values of `entry`. Throws
 /// BadInput for a column that is missing or has a wrong unit, and for a value that is missing.
 void fillTrajectory(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings);
 void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings);
 
-/// Fills warmth_c of all logs: heat is slow, so a register that steps by whole degrees tells more than a whole degree.
+/// Fills warmth_c of all logs: temperature changes slowly, so smoothing resolves less than the register's 1 degC.
 void smoothTemperatures(Case& of);
 
 }  // namespace darwinop::gap

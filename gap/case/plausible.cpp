@@ -17,7 +17,7 @@ struct Range {
   std::string_view advice;
 };
 constexpr double kTurns = 4 * kPi;
-// Loads end at 100 %; servos have been seen to tell a count more.
+// Loads end at 100 %; some servos report a count more.
 const std::array kRanges{
     Range{&Trajectory::goal_rad, "goal", "rad", -kTurns, kTurns, 1, "are these degrees? name the column goal_deg then"},
     Range{&Trajectory::position_rad, "pos", "rad", -kTurns, kTurns, 1,
@@ -46,7 +46,7 @@ std::string at(const std::string& file, const Trajectory& log, std::size_t row) 
 void checkTime(const Trajectory& log, const std::string& file) {
   if (log.duration_s() < kShortest)
     throw BadInput(file + ": " + number(log.duration_s()) + " s of data; a log needs " + number(kShortest) +
-                   " s or more to tell anything");
+                   " s or more");
   const double period = periodOf(log);
   if (period > kLongestPeriod)
     throw BadInput(file + ": a row every " + number(period) + " s; the motion of a joint needs one every " +
@@ -68,7 +68,7 @@ void checkRows(const Trajectory& log, const std::string& file) {
     for (std::size_t i = 0; i < values.size(); ++i)
       if (values[i] < range.low || values[i] > range.high)
         throw BadInput(at(file, log, i) + std::string{range.column} + " is " + number(values[i] * range.shown) + " " +
-                       std::string{range.unit} + ", beyond what a servo can tell (" + number(range.low * range.shown) +
+                       std::string{range.unit} + ", outside the range of a servo (" + number(range.low * range.shown) +
                        " to " + number(range.high * range.shown) + "); " + std::string{range.advice});
   }
   checkTime(log, file);

@@ -13,7 +13,7 @@ void checkRows(const Trajectory& log, const std::string& file);
 void checkUnits(const Trajectory& log, const std::string& file, Case& c);
 void checkSensor(const Trajectory& log, const std::string& file, const Case& c);
 
-/// Of all logs: what is said to repeat does, and nothing is there twice unnoticed.
+/// Of all logs: a declared repeat has the same commands; copies are reported.
 void checkRepeats(Case& c);
 /// For each log the earlier one that has the same goals and positions, row by row: one measurement, copied.
 std::vector<std::optional<std::size_t>> duplicates(const Case& c);

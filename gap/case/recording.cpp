@@ -2,8 +2,8 @@
 //
 // A cycle writes the goals and reads the servos right behind that (runtime/cycle.cpp), and a row is what one cycle
 // wrote and read. Between the two lies a millisecond or so, in which nothing moves: a row's goal shows in the next row
-// first, as if it had been written after the read, GoalOrder::kAfterRead. `commanded` is there while the joint is
-// driven, so it tells when torque is on.
+// first, as if it had been written after the read, GoalOrder::kAfterRead. `commanded` has a value while the
+// joint is driven: torque is on.
 #include <cmath>
 #include <limits>
 
@@ -13,7 +13,7 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr double kMostUnanswered = 0.1;  // of the rows: more without an answer is no measurement
+constexpr double kMostUnanswered = 0.1;  // of the rows: more without an answer are refused
 
 struct JointColumns {
   const std::vector<double>&goal, &position, &speed, &load, &volt, &temperature, &p_gain, &speed_limit;
@@ -41,7 +41,7 @@ JointColumns columnsOf(const logs::Log& log, Joint joint) {
           column("voltage"),   column("temperature"), column("asked_p_gain"), column("asked_speed")};
 }
 
-/// A gain or limit that a log has one of: the same in all rows where it is told and the joint is driven.
+/// A gain or limit that must be constant over a log: the same in all rows that have it while the joint is driven.
 std::optional<double> constant(const logs::Log& log, const JointColumns& c, const std::vector<double>& values,
                                const std::vector<std::size_t>& rows, const char* what) {
   std::optional<double> found;
@@ -75,7 +75,7 @@ std::vector<std::size_t> rowsOf(const logs::Log& log, const LogEntry& entry, con
   const double share = double(without) / double(rows.size() + without);
   const std::string sentence = log.file + ": the servo did not answer in " + std::to_string(without) + " of " +
                                std::to_string(rows.size() + without) + " rows";
-  if (share > kMostUnanswered) throw BadInput(sentence + "; look at its cable and measure again");
+  if (share > kMostUnanswered) throw BadInput(sentence + "; check its cable and measure again");
   if (without > 0) warnings.push_back(sentence + ", which are left out");
   return rows;
 }
@@ -84,7 +84,7 @@ std::vector<std::size_t> rowsOf(const logs::Log& log, const LogEntry& entry, con
 
 void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings) {
   if (!entry.joint)
-    throw BadInput(log.file + ": a recording has twenty joints; say which one the log is of: \"joint\": \"ArmUpperR\"");
+    throw BadInput(log.file + ": a recording has twenty joints; give the joint of the log: \"joint\": \"ArmUpperR\"");
   const JointColumns c = columnsOf(log, *entry.joint);
   checkGainUnit(log, *entry.joint);
   const std::vector<std::size_t> rows = rowsOf(log, entry, c, warnings);
@@ -105,12 +105,12 @@ void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::s
   }
   constexpr const Register& gain = find(kMx28, "p_gain");
   const std::optional<double> p_gain = constant(log, c, c.p_gain, rows, "P gain");
-  const std::optional<double> asked = p_gain ? std::optional{*p_gain / gain.scale} : std::nullopt;
-  if (asked && entry.p_register && std::abs(*asked - *entry.p_register) > 0.5)
-    throw BadInput(log.file + ": its P gain is register " + std::to_string(std::lround(*asked)) +
-                   ", but the case says \"kp\": " + std::to_string(std::lround(*entry.p_register)) +
-                   "; the recording knows, take kp away");
-  out.p_register = asked.value_or(entry.p_register.value_or(out.p_register));  // 32: where the servo starts
+  const std::optional<double> p_register = p_gain ? std::optional{*p_gain / gain.scale} : std::nullopt;
+  if (p_register && entry.p_register && std::abs(*p_register - *entry.p_register) > 0.5)
+    throw BadInput(log.file + ": its P gain is register " + std::to_string(std::lround(*p_register)) +
+                   ", but the case has \"kp\": " + std::to_string(std::lround(*entry.p_register)) +
+                   "; remove kp, the recording has it");
+  out.p_register = p_register.value_or(entry.p_register.value_or(out.p_register));  // 32: where the servo starts
   const std::optional<double> limit = constant(log, c, c.speed_limit, rows, "speed limit");
   if (limit && out.speed_limit_rad_s == 0) out.speed_limit_rad_s = *limit;
 }

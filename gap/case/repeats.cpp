@@ -55,7 +55,7 @@ void checkRepeats(Case& c) {
   for (std::size_t i = 0; i < copies.size(); ++i)
     if (copies[i])
       c.warnings.push_back(c.folder + "/" + c.logs[i].file + ": has the same rows as " + c.logs[*copies[i]].file +
-                           "; a copy counts once and is no repeat");
+                           "; a copy counts once and not as a repeat");
 }
 
 }  // namespace darwinop::gap

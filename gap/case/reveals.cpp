@@ -13,7 +13,7 @@ namespace {
 
 using twin::LogFeature;
 
-// What it takes; from the separating experiments of docs/twin/effects.md.
+// Required excitation; from the separating experiments of docs/twin/effects.md.
 constexpr double kLimp = 1;        // s, some swings
 constexpr double kSlow = 1;        // s
 constexpr double kWarmer = 5;      // K
@@ -21,10 +21,10 @@ constexpr double kPayloads = 0.1;  // difference over the greater one
 constexpr double kGains = 0.2;
 constexpr double kFast = 0.3;        // of the speed without load
 constexpr double kSaturated = 0.05;  // s
-constexpr double kSag = 0.3;         // load at which a supply with 0.5 ohm gives in by the 0.1 V that a column tells
+constexpr double kSag = 0.3;         // load at which a supply with 0.5 ohm drops by the 0.1 V that a column resolves
 constexpr double kBothSides = 0.2;   // rad
 constexpr double kLongSession = 30;  // s
-constexpr double kHarder = 1.25;  // load over the greatest that was fitted: farther, a law is not read off but guessed
+constexpr double kHarder = 1.25;     // load over the greatest fitted one: beyond it the model extrapolates
 constexpr double kSlowHost = 0.004;  // s; an MX-28's current follows its voltage within a ms
 
 struct Seen {
@@ -47,25 +47,25 @@ struct Rule {
 
 const Rule kRules[] = {
     {"load_column", [](const Seen& s) { return s.fit.load.known(); },
-     "Load was measured: controller and mechanics are judged apart.",
-     "No load was measured: controller and mechanics cannot be cut apart, and effects of the one pass for the other.",
+     "Load was measured: controller and mechanics are examined separately.",
+     "No load was measured: effects of the controller and of the mechanics cannot be distinguished.",
      "read load along with position: registers 36 to 43 are one read", LogFeature::kLoadColumn},
     {"volt_column", [](const Seen& s) { return s.fit.volt_v.known() && s.fit.load.greatest() > kSag; },
      "Voltage was measured under load: a weak supply shows.",
-     "No voltage under load: a supply that gives in is not told from a weak motor.",
+     "No voltage under load: a weak supply cannot be distinguished from a weak motor.",
      "read the voltage along with position, in a log with strong moves", LogFeature::kVoltageColumn},
     {"torque_off", [](const Seen& s) { return s.fit.limp_s >= kLimp; },
      "The arm swings with torque off: friction shows without the motor.",
-     "The arm never swings with torque off: viscous friction is not told from the motor's back EMF.",
+     "The arm never swings with torque off: viscous friction cannot be distinguished from the motor's back EMF.",
      "raise the arm, switch torque off, and record the swings: experiment release", LogFeature::kTorqueOff},
     {"payloads", [](const Seen& s) { return differ(s.fit.payloads_kg, kPayloads); },
      "More than one payload: friction that grows with load shows.",
-     "One payload only: friction that grows with load is not told from dry friction, nor a wrong mass from a wrong "
-     "motor.",
+     "One payload only: friction that grows with load cannot be distinguished from dry friction, nor a wrong mass from "
+     "a wrong motor.",
      "repeat one log with another weight, a tenth more at least", LogFeature::kPayloads},
     {"p_gains", [](const Seen& s) { return differ(s.fit.p_registers, kGains); },
      "More than one P gain: what the controller adds changes with it, friction does not.",
-     "One P gain only: dry friction is not told from a dead band by position alone, nor the gain from the motor.",
+     "One P gain only: position alone cannot distinguish dry friction from a dead band, nor the gain from the motor.",
      "repeat one log with half the P gain", LogFeature::kGains},
     {"slow_motion", [](const Seen& s) { return s.fit.slow_s >= kSlow; },
      "There is slow motion: friction that falls with speed shows.",
@@ -76,40 +76,39 @@ const Rule kRules[] = {
      "No fast motion: limits of speed and of acceleration, and the motor's back EMF, cannot be seen.",
      "large steps: experiment steps or bang", LogFeature::kFastMotion},
     {"saturation", [](const Seen& s) { return s.fit.saturated_s >= kSaturated; },
-     "The servo gives all it has at times: its limit shows.",
-     "The servo never gives all it has: a limit above the greatest load cannot be seen, a limit below it can.",
+     "The load reaches its maximum at times: the limit shows.",
+     "The load never reaches its maximum: a limit above the greatest load cannot be seen, a limit below it can.",
      "large steps with a heavy payload", LogFeature::kSaturation},
     {"both_sides",
      [](const Seen& s) { return s.fit.position_rad.low < -kBothSides && s.fit.position_rad.high > kBothSides; },
      "The arm goes to both sides: an offset of angle shows.",
-     "The arm stays on one side: a wrong zero is not told from a wrong mass, and play in the gears is always shut.",
+     "The arm stays on one side: a wrong zero cannot be distinguished from a wrong mass, and backlash does not show.",
      "move to both sides of hanging", LogFeature::kBothSides},
     {"temperature", [](const Seen& s) { return s.fit.temp_c.width() >= kWarmer; },
-     "The servo gets warmer by 5 K or more: what heat changes shows.",
-     "The temperature hardly changes, or was not measured: what heat changes cannot be seen.",
+     "The servo gets warmer by 5 K or more: effects of heat show.",
+     "The temperature hardly changes, or was not measured: effects of heat cannot be seen.",
      "measure cold, and again after some minutes of strong moves", LogFeature::kTemperature},
     {"session", [](const Seen& s) { return s.fit.session_s.width() >= kLongSession; },
-     "The logs span half a minute or more: what changes with time is told from what changes with state.",
-     "The logs span less than half a minute, or do not say when: what changes with time is not told from anything "
-     "else.",
-     "say when each log began, t0_session_s, and measure the first one again at the end", LogFeature::kLongSession},
+     "The logs span half a minute or more: changes over time are distinguished from changes with state.",
+     "The logs span less than half a minute, or have no session time: changes over time cannot be distinguished from "
+     "other effects.",
+     "give the start of each log, t0_session_s, and measure the first one again at the end", LogFeature::kLongSession},
     {"repeats", [](const Seen& s) { return s.check.has_repeats; }, "A log is repeated: the noise floor is measured.",
      "No log is repeated: the noise floor has to be assumed.", "repeat one log without any change", std::nullopt},
-    {"kept_logs", [](const Seen& s) { return s.check.held_out.duration_s > 0; },
-     "Some logs are kept for judging the result.",
-     "No log is kept for judging the result: whether it holds beyond these logs cannot be told.",
-     "measure another kind of motion, \"role\": \"score\"", std::nullopt},
+    {"held_out_logs", [](const Seen& s) { return s.check.held_out.duration_s > 0; },
+     "Some logs are held out to verify the result.", "No log is held out: the result cannot be verified.",
+     "measure another kind of motion, \"role\": \"held_out\"", std::nullopt},
     {kHeldOutLoadFinding,
      [](const Seen& s) { return !(s.check.held_out.load.greatest() > kHarder * s.fit.load.greatest()); },
-     "No kept log is seen to load the servo more than the fitted ones do.",
-     "The kept logs load the servo more than the fitted ones: what is said of them goes beyond what was learnt.",
-     "fit a log with moves as strong as those of the kept ones", std::nullopt},
+     "No held-out log loads the servo more than the fitted ones, as far as load was measured.",
+     "The held-out logs load the servo more than the fitted ones: there the fitted model extrapolates.",
+     "fit a log with moves as strong as those of the held-out ones", std::nullopt},
     {"host_rate",
      [](const Seen& s) {
        return std::ranges::all_of(s.check.logs, [](const LogCheck& log) { return log.period_s <= kSlowHost; });
      },
      "Rows come fast enough for delays of a few ms.",
-     "Rows come slower than the servo acts: delays of less than a row hide in the reading.",
+     "Rows come slower than the servo acts: delays of less than a row cannot be seen.",
      "read a single servo, as often as the bus allows", LogFeature::kHostRate},
 };
 

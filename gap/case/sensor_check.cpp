@@ -1,8 +1,8 @@
-// A position that stands still while everything else says that the joint moves.
+// Detects a position that stays constant while load, goal or speed show that the joint moves.
 //
-// Standing alone is no sign: with dry friction a joint under torque has been measured to keep its position to the last
-// step for 3 s, while its goal moved by 0.3 rad and its load by 60 % of full, one way. What friction cannot do is to
-// hold against a strong push one way and then the other.
+// A constant position alone is not enough: with dry friction a joint under torque has been measured to keep its
+// position to the last step for 3 s, while its goal moved by 0.3 rad and its load by 60 % of full, one way. But
+// friction cannot hold a joint against a strong push one way and then the other.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ constexpr double kStill = 0.3;       // s
 constexpr double kReaction = 0.1;    // s, longest delay of a servo; what comes later in a standstill may be its end
 constexpr double kStrong = 0.4;      // of full duty, both ways
 constexpr double kSameLoad = 0.005;  // 0.1 % is a count
-constexpr double kToldSpeed = 0.2;   // rad/s, told by the speed register: 16 counts
+constexpr double kMoving = 0.2;      // rad/s in the speed register: 16 counts
 constexpr double kGoals = 0.05;      // rad, of goals that must move a joint somehow
 
 struct Span {
@@ -31,8 +31,8 @@ struct Span {
   [[nodiscard]] double width() const { return high - low; }
 };
 
-/// Duty that the law of the baseline asks for, -1 to 1; law speed_p: speed instead of duty. A row sooner or later is no
-/// matter here.
+/// Duty by the control law of the baseline, -1 to 1; law speed_p: speed instead of duty. Shifted by up to
+/// a row, which does not matter here.
 double wanted(const Trajectory& log, std::size_t row, const Case& c) {
   const twin::ServoParameters& servo = c.model.servo;
   const double error = log.p_register * (log.goal_rad[row] - log.position_rad[row]);
@@ -54,13 +54,13 @@ void judge(const Trajectory& log, std::size_t from, std::size_t to, const std::s
   }
   const std::string place = file + ", line " + std::to_string(log.lines[from]) + ": pos stays the same for " +
                             std::to_string(std::lround((log.time_s[to] - log.time_s[from]) * 1000)) + " ms from here, ";
-  const std::string advice = "; the sensor is stuck, or old readings were told again. Measure again";
+  const std::string advice = "; the sensor is stuck, or old readings were logged again. Measure again";
   if (load.known ? load.bothWays() : duty.bothWays())
     throw BadInput(place + "though the servo pushes hard both ways" + advice);
   if (load.known && load.width() < kSameLoad && duty.bothWays())
-    throw BadInput(place + "and so does load, though the goals ask for a push both ways" + advice);
-  if (speeds > rows / 2 && speed / double(speeds) > kToldSpeed)
-    throw BadInput(place + "though speed says that the joint moves" + advice);
+    throw BadInput(place + "and so does load, though the goals require torque both ways" + advice);
+  if (speeds > rows / 2 && speed / double(speeds) > kMoving)
+    throw BadInput(place + "though the joint moves according to speed" + advice);
 }
 
 }  // namespace

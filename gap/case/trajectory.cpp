@@ -42,13 +42,13 @@ const logs::Column* columnFor(const logs::Log& log, const Wanted& wanted) {
     if (!alike) continue;
     if (found != nullptr)
       throw BadInput(log.file + ": columns " + logs::quoted(found->name) + " and " + logs::quoted(column.name) +
-                     " both tell the " + std::string{wanted.name} + "; keep one of the two");
+                     " both contain the " + std::string{wanted.name} + "; keep one of the two");
     found = &column;
   }
   if (found == nullptr && wanted.needed)
     throw BadInput(log.file + ": no column " + std::string{wanted.usual} +
                    "; a log of a case needs t_s, goal_rad, "
-                   "torque_on and pos_rad, and better has load_pct, volt_V and temp_C, too");
+                   "torque_on and pos_rad, and preferably has load_pct, volt_V and temp_C as well");
   return found;
 }
 
@@ -74,7 +74,7 @@ void take(const logs::Log& log, const Wanted& wanted, const std::vector<std::siz
     if (std::isinf(value) || (wanted.needed && std::isnan(value)))
       throw BadInput(log.file + ", line " + std::to_string(log.lines[rows[i]]) + ": " + column->name +
                      (std::isnan(value) ? " is empty; leave the row out where it was not measured"
-                                        : " is infinite; no servo tells that"));
+                                        : " is infinite; leave the row out"));
     values[i] = value * factor;
   }
 }
@@ -108,7 +108,7 @@ void fillFromPlain(const logs::Log& log, LogEntry& entry) {
   for (const Wanted& wanted : kWanted) take(log, wanted, rows, out);
   takeTorque(log, rows, out);
   if (!entry.p_register)
-    throw BadInput(log.file + ": the case does not say its P register; write \"kp\": 32, or what it was, to the log");
+    throw BadInput(log.file + ": the case does not have its P register; add \"kp\": 32, or its value, to the log");
   out.p_register = *entry.p_register;
 }
 

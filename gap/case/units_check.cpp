@@ -1,4 +1,4 @@
-// Degrees that pass for radians, found by what they would mean: too fast, the wrong grid, out of step with the rest.
+// Detects degrees in place of radians: too fast, on the wrong grid, inconsistent with the other columns.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -17,7 +17,7 @@ constexpr double kGridShare = 0.99;                // of the rows
 constexpr std::size_t kGridValues = 10;            // different positions that it takes to see a grid
 constexpr double kMoved = 0.02;                    // rad, rms of a motion that can be compared
 constexpr double kSlopeLow = 40, kSlopeHigh = 80;  // about 180 / pi
-constexpr double kSpeedRatio = 4;                  // of told and differenced speed: rpm gives 9.5, degrees 57
+constexpr double kSpeedRatio = 4;                  // of register and differenced speed: rpm gives 9.5, degrees 57
 
 std::string three(double value) {
   char text[32];
@@ -34,7 +34,7 @@ void checkSpeed(const Trajectory& log, const std::string& file, const Case& c) {
   const double fall = 2 * std::sqrt(c.pendulum.gravity_m_s2 / c.pendulum.length_m);
   const double most = std::max(kTooFast * noLoadSpeed(c), kFallShare * fall);
   std::size_t from = 0;
-  double told = 0, moved = 0;
+  double reported = 0, moved = 0;
   for (std::size_t row = 1; row < log.rows(); ++row) {
     from = before(log, row, from);
     if (from == row) {
@@ -45,15 +45,15 @@ void checkSpeed(const Trajectory& log, const std::string& file, const Case& c) {
     if (std::abs(speed) > most)
       throw BadInput(file + ", line " + std::to_string(log.lines[row]) + ": pos moves at " + three(std::abs(speed)) +
                      " rad/s, and this servo without load reaches " + three(noLoadSpeed(c)) +
-                     "; are these degrees? name the column pos_deg then. One jump alone is a reading gone wrong: cut "
+                     "; if these are degrees, name the column pos_deg. A single jump is a wrong reading: cut "
                      "the log there");
     if (std::isnan(log.speed_rad_s[row])) continue;
-    told += log.speed_rad_s[row] * log.speed_rad_s[row];
+    reported += log.speed_rad_s[row] * log.speed_rad_s[row];
     moved += speed * speed;
   }
   const double rows = double(log.rows());
-  const double ratio = std::sqrt(told / moved);
-  if (std::sqrt(moved / rows) > 10 * kMoved && (ratio > kSpeedRatio || (told > 0 && ratio < 1 / kSpeedRatio)))
+  const double ratio = std::sqrt(reported / moved);
+  if (std::sqrt(moved / rows) > 10 * kMoved && (ratio > kSpeedRatio || (reported > 0 && ratio < 1 / kSpeedRatio)))
     throw BadInput(file + ": speed is " + three(ratio) +
                    " times as fast as pos moves; its unit is another, so name "
                    "the column speed_rpm or speed_deg_s, or leave it out");

@@ -1,5 +1,5 @@
 // A temperature register steps by one degree; the servo does not. A straight line through the readings of some seconds
-// around each instant, of neighbouring logs, too, follows the servo to a few tenths of a degree.
+// around each instant, also of neighbouring logs, follows the servo to a few tenths of a degree.
 #include <algorithm>
 #include <cmath>
 #include <vector>

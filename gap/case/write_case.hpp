@@ -11,10 +11,10 @@ namespace darwinop::gap {
 /// What is read back agrees to nine digits. Throws std::runtime_error when a file cannot be written.
 void writeCase(const Case& c, const std::string& folder);
 
-/// The two texts, for who has a place of his own for them.
+/// The texts of the two files.
 std::string caseAsJson(const Case& c, bool with_model_file);
 std::string logAsCsv(const Trajectory& log);
-/// A `baseline` says all of the model.
+/// A `baseline` can represent the whole model.
 bool fitsBaseline(const Case& c);
 
 }  // namespace darwinop::gap

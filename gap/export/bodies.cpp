@@ -11,7 +11,7 @@ namespace {
 
 struct Rows {
   std::array<std::array<double, 2>, 2> a{};  // what each row's motion makes of each force
-  std::array<double, 2> missing{};           // motion that each row wants and does not have
+  std::array<double, 2> missing{};           // motion that each row lacks
   std::array<Constraint, 2> c{};
   std::size_t count = 0;
 
@@ -19,7 +19,7 @@ struct Rows {
     double worst = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const double left = a[i][0] * f[0] + a[i][1] * f[1] - missing[i];
-      if (state[i] == 0)  // in units of motion, too
+      if (state[i] == 0)  // also in units of motion
         worst = std::max(worst, a[i][i] * std::max(f[i] - c[i].high, c[i].low - f[i]));
       else
         worst = std::max(worst, state[i] < 0 ? -left : left);

@@ -1,4 +1,4 @@
-// Gear side and arm under constraints, as simulators that solve for constraint forces see them.
+// Gear side and arm under constraints, for simulators that solve for constraint forces.
 #pragma once
 
 #include <array>

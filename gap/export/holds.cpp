@@ -30,12 +30,12 @@ constexpr HoldingRow kNumbers[] = {
      {approximated(twin::exports::kInTheLink), held("armature"), approximated(twin::exports::kInTheLink)},
      [](const Hypothesis& h) { return h.servo.armature_kgm2 > 0; }},
     {"encoder's steps",
-     {approximated("resolution of the PositionSensor; the motor's own loop sees the exact angle"),
-      approximated("noise of the jointpos sensor; the actuator sees the exact angle"),
+     {approximated("resolution of the PositionSensor; the motor's own loop has the exact angle"),
+      approximated("noise of the jointpos sensor; the actuator has the exact angle"),
       lost("the format has no sensor of a joint")},
      [](const Hypothesis&) { return true; }},
     {"heat of the servo and its protection",
-     {lost("it knows no heat"), lost("it knows no heat"), lost("it knows no heat")},
+     {lost("it has no thermal model"), lost("it has no thermal model"), lost("it has no thermal model")},
      [](const Hypothesis&) { return true; }},
 };
 

@@ -15,7 +15,7 @@ class TargetJoint {
   virtual void reset(double position_rad) = 0;
   /// One time step of the target.
   virtual void step(bool torque_on, double goal_rad) = 0;
-  /// As an encoder without steps tells it.
+  /// By an encoder without quantisation.
   [[nodiscard]] virtual double position_rad() const = 0;
   [[nodiscard]] virtual double velocity_rad_s() const = 0;
 };

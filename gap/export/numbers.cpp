@@ -1,4 +1,4 @@
-// Asks the twin's own servo, so that no equation of an effect stands here again.
+// Evaluates the twin's servo, so that no equation of an effect is repeated here.
 #include "gap/export/numbers.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ ServoDrive atTheGoal(const Hypothesis& hypothesis, const Conditions& conditions,
           .supply_v = hypothesis.servo.supply_v};
 }
 
-// At the goal there is no error: what the controller and the motor are set to is all that shows.
+// At the goal there is no error: only the settings of controller and motor remain.
 void takeMotor(const Hypothesis& hypothesis, const twin::Signals& s, ServoNumbers& out) {
   const twin::ServoParameters& servo = hypothesis.servo;
   const double per_duty_nm = s.kt_nm_a / s.resistance_ohm * servo.supply_v;

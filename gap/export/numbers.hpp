@@ -1,4 +1,4 @@
-// A hypothesis as plain numbers: all that a simulator without our effects can be told about one joint.
+// A hypothesis as plain numbers: what a simulator without our effects can represent of one joint.
 #pragma once
 
 #include <limits>

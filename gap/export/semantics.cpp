@@ -80,7 +80,7 @@ ReMeasured remeasure(Target target, const Case& given, const Hypothesis& hypothe
   forEach(given.logs.size(), [&](std::size_t i) {
     const Trajectory& log = given.logs[i];
     Trace trace;
-    plantOf(given).rollOut(given, i, hypothesis, {}, trace);
+    rollOut(given, i, hypothesis, {}, trace);
     twin[i].add(log.position_rad, trace[kPositionSignal]);
 
     Conditions conditions = settings.conditions();

@@ -1,4 +1,4 @@
-// The gap again, by the target's own rules: what somebody will see who runs the exported joint there.
+// The gap of the exported joint, simulated by the target's own rules.
 #pragma once
 
 #include <limits>

@@ -46,7 +46,7 @@ std::string described(const twin::EffectSetting& effect) {
   return std::string{effect.info->id} + " (" + text + ")";
 }
 
-void say(Target target, const std::string& what, const Holding& holding, Export& out) {
+void report(Target target, const std::string& what, const Holding& holding, Export& out) {
   const std::string title{infoOf(target).title}, how{holding.how};
   if (holding.fate == Fate::kLost) out.lost.push_back(title + " loses " + what + ": " + how + ".");
   if (holding.fate == Fate::kApproximated)
@@ -100,9 +100,9 @@ Export exportTo(Target target, const Hypothesis& hypothesis, const ExportSetting
   checkSettings(target, settings);
   Export out;
   for (const HoldingRow& row : numberHoldings())
-    if (row.applies(hypothesis)) say(target, std::string{row.what}, row.of(target), out);
+    if (row.applies(hypothesis)) report(target, std::string{row.what}, row.of(target), out);
   for (const twin::EffectSetting& effect : hypothesis.effects)
-    if (!isNeutral(effect)) say(target, described(effect), holdingOf(*effect.info).of(target), out);
+    if (!isNeutral(effect)) report(target, described(effect), holdingOf(*effect.info).of(target), out);
 
   JointText joint{.settings = settings,
                   .servo = numbersOf(hypothesis, settings.conditions()),

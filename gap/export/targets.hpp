@@ -1,4 +1,4 @@
-// A model written for another simulator, with what that one cannot hold.
+// A model written for another simulator, with a list of what is lost.
 #pragma once
 
 #include <limits>
@@ -28,7 +28,7 @@ struct Export {
   std::vector<std::string> approximated;  // likewise
 };
 
-/// Throws std::runtime_error for a name that the target could not read, and for a P gain or step that cannot be.
+/// Throws std::runtime_error for a name that the target could not read, and for an impossible P gain or step.
 Export exportTo(Target target, const Hypothesis& hypothesis, const ExportSettings& settings);
 
 }  // namespace darwinop::gap

@@ -1,4 +1,4 @@
-// The three formats. Each writes the fields that it is given, and nothing that it makes up.
+// Writers of the three formats. Each writes the given fields only.
 #pragma once
 
 #include <string>
@@ -18,8 +18,8 @@ struct JointText {
 
   /// Of the link about its own centre of mass; as small as formats allow where the arm is a point.
   [[nodiscard]] double ownInertia() const;
-  /// With the servo's armature, for formats that have no place for it. The same about all axes: the one axis alone
-  /// would be no body that can be.
+  /// With the servo's armature, for formats that have no place for it. The same about all axes: about one axis
+  /// alone it would not be a possible body.
   [[nodiscard]] double inertiaWithArmature() const { return ownInertia() + servo.armature_kgm2; }
   [[nodiscard]] double mass() const;
 };

@@ -1,5 +1,5 @@
-// URDF says what a joint is, and nothing about who moves it. Taken here is the best that a reader can do with it: a
-// controller that is at the goal in the next step, as far as effort and velocity allow.
+// URDF describes a joint without its controller. Assumed here is the best possible controller: at the goal in the next
+// step, as far as effort and velocity allow.
 #include <algorithm>
 
 #include "gap/export/fields.hpp"

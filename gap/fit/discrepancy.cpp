@@ -20,7 +20,8 @@ double spreadOf(std::vector<double>& values) {
 
 }  // namespace
 
-Discrepancy discrepancyOf(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis) {
+Discrepancy discrepancyOf(const Plant& plant, const Case& given, const std::vector<std::size_t>& logs,
+                          const Hypothesis& hypothesis) {
   Discrepancy discrepancy{.position_rad = 0,
                           .load = std::vector<double>(given.logs.size(), 0),
                           .correlation_s = thresholds::kDiscrepancyTime};
@@ -29,7 +30,7 @@ Discrepancy discrepancyOf(const Case& given, const std::vector<std::size_t>& log
   for (const std::size_t index : logs) {
     const Trajectory& log = given.logs[index];
     const LoadResidual load_residual{hypothesis, log.p_register};
-    plantOf(given).rollOut(given, index, hypothesis, {}, trace);
+    plant.rollOut(given, index, hypothesis, {}, trace);
     double squares = 0, count = 0;
     for (std::size_t row = 0; row < log.rows(); ++row) {
       positions.push_back(std::abs(log.position_rad[row] - trace[kPositionSignal][row]));

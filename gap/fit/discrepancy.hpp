@@ -1,13 +1,13 @@
-// Model discrepancy: what a wrong model leaves over, treated as correlated noise.
+// Model discrepancy: the remaining error of a wrong model, treated as correlated noise.
 //
-// The noise of a right model is a tick or two. Under it a fit of a wrong model bends every parameter for the few
-// samples with the least noise. With a discrepancy all samples weigh the same, outliers little, and neighbours count as
-// one.
+// The noise of a right model is a tick or two. Under it a fit of a wrong model distorts every parameter for the
+// few samples with the least noise. With a discrepancy all samples weigh the same, outliers little, and neighbours
+// count as one.
 #pragma once
 
 #include <vector>
 
-#include "gap/plant/bench/roll_out.hpp"
+#include "gap/plant/plant.hpp"
 
 namespace darwinop::gap {
 
@@ -19,8 +19,9 @@ struct Discrepancy {
   [[nodiscard]] bool any() const { return correlation_s > 0; }
 };
 
-/// What this hypothesis leaves unexplained of the logs with these indices.
-Discrepancy discrepancyOf(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis);
+/// Of this hypothesis on the logs with these indices.
+Discrepancy discrepancyOf(const Plant& plant, const Case& given, const std::vector<std::size_t>& logs,
+                          const Hypothesis& hypothesis);
 
 /// Signed root of the robust cost of a residual in standard deviations: large ones count linearly.
 double softened(double residual);

@@ -53,7 +53,7 @@ class RobustCost final : public ceres::CostFunction {
   }
 
  private:
-  /// A place is asked for up to three times in a row: on the way, as the end of a step, and with its slopes.
+  /// A point is evaluated up to three times in a row: during a step, as its end, and for its Jacobian.
   const Eigen::VectorXd& residualsAt(const Eigen::VectorXd& x) const {
     if (known_at_.size() == x.size() && known_at_ == x) return known_;
     known_.resize(problem_.evidence().size());

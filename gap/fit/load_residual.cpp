@@ -4,10 +4,6 @@
 
 namespace darwinop::gap {
 
-bool loadIsDuty(const Hypothesis& hypothesis) {
-  return hypothesis.servo.law == twin::Law::kVoltageP;
-}
-
 LoadResidual::LoadResidual(const Hypothesis& hypothesis, double p_register)
     : gain_{loadIsDuty(hypothesis) ? hypothesis.servo.duty_per_kp_per_rad * p_register : 0},
       most_{0.99 * hypothesis.servo.duty_max} {

@@ -17,7 +17,4 @@ class LoadResidual {
   double most_;  // duty beyond which the law saturates
 };
 
-/// True: the load of this law's servo is the duty of its bridge.
-bool loadIsDuty(const Hypothesis& hypothesis);
-
 }  // namespace darwinop::gap

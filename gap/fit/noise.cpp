@@ -8,12 +8,12 @@
 
 #include "core/conversions.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kLoadStep = 0.001;           // of the register: 0.1 %
 const double kUniform = std::sqrt(1.0 / 12);  // standard deviation of a rounding step of 1
 
 /// Mean over a window that is cut at the ends.
@@ -28,7 +28,7 @@ Eigen::VectorXd smoothed(const Eigen::Ref<const Eigen::VectorXd>& values, Eigen:
 }
 
 /// Deviations of the runs with noise from the one without: positions above loads, a column a run.
-Eigen::MatrixXd deviations(const Case& given, std::size_t log, const Hypothesis& hypothesis,
+Eigen::MatrixXd deviations(const Plant& plant, const Case& given, std::size_t log, const Hypothesis& hypothesis,
                            const NoiseOptions& options, const Trace& quiet, const LoadResidual& load_residual) {
   const auto n = static_cast<Eigen::Index>(given.logs[log].rows());
   Eigen::MatrixXd all(2 * n, options.runs);
@@ -36,7 +36,7 @@ Eigen::MatrixXd deviations(const Case& given, std::size_t log, const Hypothesis&
   for (int run = 0; run < options.runs; ++run) {
     Disturbance disturbance = options.disturbance;
     disturbance.seed = (options.seed * 1'000 + log) * 1'000 + static_cast<std::uint64_t>(run);
-    plantOf(given).rollOut(given, log, hypothesis, {.disturbance = &disturbance}, noisy);
+    plant.rollOut(given, log, hypothesis, {.disturbance = &disturbance}, noisy);
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto row = static_cast<std::size_t>(i);
       all(i, run) = noisy[kPositionSignal][row] - quiet[kPositionSignal][row];
@@ -61,8 +61,7 @@ Eigen::VectorXd takeRoughness(Eigen::Ref<Eigen::MatrixXd> part) {
   return smoothed(variance, thresholds::kNoiseVarianceHalfWindow).cwiseSqrt();
 }
 
-/// A load is that of the last period of the firmware, and which one that was is known to a period only: what it changes
-/// in that time, sample by sample.
+/// Uncertainty of each load: it is that of the last firmware period before the read, which is known to one period only.
 Eigen::VectorXd loadJitter(const Trajectory& log, const Trace& quiet, double period_s) {
   const auto n = static_cast<Eigen::Index>(log.rows());
   Eigen::VectorXd jitter = Eigen::VectorXd::Zero(n);
@@ -78,13 +77,14 @@ Eigen::VectorXd loadJitter(const Trajectory& log, const Trace& quiet, double per
 
 }  // namespace
 
-LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothesis, const NoiseOptions& options)
+LogNoise::LogNoise(const Plant& plant, const Case& given, std::size_t log, const Hypothesis& hypothesis,
+                   const NoiseOptions& options)
     : load_residual_{hypothesis, given.logs[log].p_register} {
   const Trajectory& measured = given.logs[log];
   const auto n = static_cast<Eigen::Index>(measured.rows());
   Trace quiet;
-  plantOf(given).rollOut(given, log, hypothesis, {}, quiet);
-  Eigen::MatrixXd spread = deviations(given, log, hypothesis, options, quiet, load_residual_);
+  plant.rollOut(given, log, hypothesis, {}, quiet);
+  Eigen::MatrixXd spread = deviations(plant, given, log, hypothesis, options, quiet, load_residual_);
   const double tick = 2 * kPi / hypothesis.servo.ticks_per_rev;
   const double reading = tick * std::hypot(kUniform, options.disturbance.encoder_ticks);
   position_sigma_ = takeRoughness(spread.topRows(n)).cwiseMax(reading);
@@ -93,7 +93,7 @@ LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothe
   load_sigma_ = takeRoughness(spread.bottomRows(n)).cwiseMax(duty);
   load_sigma_ = load_sigma_.cwiseAbs2() + loadJitter(measured, quiet, hypothesis.servo.firmware_period_s).cwiseAbs2();
   load_sigma_ = load_sigma_.cwiseSqrt().eval();
-  // The torque feedback of law speed_p tells about that law's motor, which no servo has.
+  // The torque feedback of law speed_p belongs to the ideal motor of that law, which no servo has.
   if (!loadIsDuty(hypothesis)) load_sigma_.setConstant(std::numeric_limits<double>::infinity());
 
   spread.topRows(n).array().colwise() /= position_sigma_.array();
@@ -107,7 +107,7 @@ LogNoise::LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothe
     addDiscrepancy(options.discrepancy, log, measured.duration_s() / static_cast<double>(n - 1));
 }
 
-// What drifts in a right model is far less than what this one leaves: it needs no modes of its own.
+// The drift of a right model is far smaller than this discrepancy: it needs no modes of its own.
 void LogNoise::addDiscrepancy(const Discrepancy& discrepancy, std::size_t log, double period_s) {
   const Eigen::Index n = position_sigma_.size();
   const Eigen::ArrayXd drift = (modes_ * mode_sigma_.asDiagonal()).rowwise().squaredNorm();
@@ -153,10 +153,10 @@ Eigen::VectorXd LogNoise::positionSigma() const {
   return (position_sigma_.array() * (1 + together).sqrt()).matrix();
 }
 
-std::vector<LogNoise> noiseOf(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis,
-                              const NoiseOptions& options) {
+std::vector<LogNoise> noiseOf(const Plant& plant, const Case& given, const std::vector<std::size_t>& logs,
+                              const Hypothesis& hypothesis, const NoiseOptions& options) {
   std::vector<std::optional<LogNoise>> found(logs.size());
-  forEach(logs.size(), [&](std::size_t i) { found[i].emplace(given, logs[i], hypothesis, options); });
+  forEach(logs.size(), [&](std::size_t i) { found[i].emplace(plant, given, logs[i], hypothesis, options); });
   std::vector<LogNoise> noise;
   noise.reserve(logs.size());
   for (auto& one : found) noise.push_back(std::move(*one));

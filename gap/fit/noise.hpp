@@ -9,7 +9,7 @@
 
 #include "gap/fit/discrepancy.hpp"
 #include "gap/fit/load_residual.hpp"
-#include "gap/plant/bench/roll_out.hpp"
+#include "gap/plant/plant.hpp"
 
 namespace darwinop::gap {
 
@@ -24,7 +24,8 @@ struct NoiseOptions {
 /// sample is 0.
 class LogNoise {
  public:
-  LogNoise(const Case& given, std::size_t log, const Hypothesis& hypothesis, const NoiseOptions& options);
+  LogNoise(const Plant& plant, const Case& given, std::size_t log, const Hypothesis& hypothesis,
+           const NoiseOptions& options);
 
   /// `simulated`: without disturbance. `out` has size() elements.
   void residuals(const Trajectory& measured, const Trace& simulated, Eigen::Ref<Eigen::VectorXd> out) const;
@@ -45,7 +46,7 @@ class LogNoise {
 };
 
 /// One for each of the logs with these indices.
-std::vector<LogNoise> noiseOf(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis,
-                              const NoiseOptions& options);
+std::vector<LogNoise> noiseOf(const Plant& plant, const Case& given, const std::vector<std::size_t>& logs,
+                              const Hypothesis& hypothesis, const NoiseOptions& options);
 
 }  // namespace darwinop::gap

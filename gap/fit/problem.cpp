@@ -22,16 +22,17 @@ double Evidence::logDeterminant() const {
   return all;
 }
 
-Evidence evidenceOf(const Case& data, const Hypothesis& hypothesis, LogRole role, const NoiseOptions& options) {
-  Evidence evidence{.given = &data, .logs = {}, .noise = {}, .discrepancy = options.discrepancy};
+Evidence evidenceOf(const Plant& plant, const Case& data, const Hypothesis& hypothesis, LogRole role,
+                    const NoiseOptions& options) {
+  Evidence evidence{.plant = &plant, .given = &data, .logs = {}, .noise = {}, .discrepancy = options.discrepancy};
   const auto copies = duplicates(data);
   for (std::size_t i = 0; i < data.logs.size(); ++i)
     if (data.logs[i].held_out == (role == LogRole::kHeldOut) && !copies[i]) evidence.logs.push_back(i);
-  evidence.noise = noiseOf(data, evidence.logs, hypothesis, options);
+  evidence.noise = noiseOf(plant, data, evidence.logs, hypothesis, options);
   return evidence;
 }
 
-// Pseudo-Huber: smooth, so that a search by derivatives does not stumble.
+// Pseudo-Huber: smooth, as a search by derivatives needs.
 double costOf(double residual) {
   const double share = residual / thresholds::kRobustSigmas;
   return 2 * thresholds::kRobustSigmas * thresholds::kRobustSigmas * (std::sqrt(1 + share * share) - 1);
@@ -48,7 +49,7 @@ void Problem::residuals(const Eigen::VectorXd& x, Eigen::Ref<Eigen::VectorXd> ou
 void Problem::residualsOfLog(std::size_t i, const Hypothesis& hypothesis, Eigen::Ref<Eigen::VectorXd> out) const {
   thread_local Trace trace;
   try {
-    plantOf(*evidence_->given).rollOut(*evidence_->given, evidence_->logs[i], hypothesis, {}, trace);
+    evidence_->plant->rollOut(*evidence_->given, evidence_->logs[i], hypothesis, {}, trace);
     evidence_->noise[i].residuals(evidence_->given->logs[evidence_->logs[i]], trace, out);
   } catch (const std::runtime_error&) {
     out.setConstant(thresholds::kImpossibleSigmas);

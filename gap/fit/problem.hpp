@@ -6,12 +6,13 @@
 
 #include "gap/fit/noise.hpp"
 #include "gap/fit/unknown.hpp"
-#include "gap/plant/bench/position_error.hpp"
+#include "gap/plant/position_error.hpp"
 
 namespace darwinop::gap {
 
 /// The logs of a fit, with their noise.
 struct Evidence {
+  const Plant* plant = nullptr;
   const Case* given = nullptr;
   std::vector<std::size_t> logs;
   std::vector<LogNoise> noise;
@@ -20,8 +21,9 @@ struct Evidence {
   [[nodiscard]] Eigen::Index size() const;
   [[nodiscard]] double logDeterminant() const;
 };
-/// The logs of this role, copies of a log once, with the noise that `hypothesis` predicts.
-Evidence evidenceOf(const Case& data, const Hypothesis& hypothesis, LogRole role = LogRole::kFit,
+/// The logs of this role, copies of a log once, with the noise that `hypothesis` predicts. `plant` and `data` must
+/// outlive it.
+Evidence evidenceOf(const Plant& plant, const Case& data, const Hypothesis& hypothesis, LogRole role = LogRole::kFit,
                     const NoiseOptions& options = {});
 
 /// Twice the negative log likelihood of one residual, in standard deviations; large ones count linearly.

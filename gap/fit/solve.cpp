@@ -27,9 +27,9 @@ Eigen::MatrixXd informationOf(const Problem& problem, const Fit& fit) {
   return information;
 }
 
-/// Infinite for an unknown that has a part in what the data say nothing about.
+/// Infinite for an unknown with a component in a direction that the data do not determine.
 Eigen::MatrixXd covarianceOf(const Eigen::MatrixXd& information) {
-  // In units in which every number that shows anything shows as much.
+  // Scaled so that every unknown that the data determine has the same sensitivity.
   const Eigen::VectorXd scale =
       information.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{scale.asDiagonal() * information * scale.asDiagonal()};
@@ -66,7 +66,7 @@ bool isFarOff(const Fit& fit) {
   return fit.cost > thresholds::kFarCost * static_cast<double>(fit.residuals.size());
 }
 
-/// From far off by way of plain squares, unless that leads astray.
+/// From a distant start by way of plain least squares, unless that increases the cost.
 void search(const Problem& problem, Fit& fit, int iterations) {
   const Fit before = fit;
   if (isFarOff(fit)) {
@@ -81,9 +81,8 @@ void search(const Problem& problem, Fit& fit, int iterations) {
   if (fit.cost > before.cost) fit = before;
 }
 
-/// Tries what is `multiples` of each of the steps away: a delay, a play, an arm that comes to rest in one dip of a
-/// ripple or in the next make a cost with steps in it, at which a search by slopes stands still. Whether one of them is
-/// better.
+/// Tries points at `multiples` of each step: a delay, backlash, or an arm that comes to rest in one dip of a ripple or
+/// in the next make the cost discontinuous, and a gradient search stops there. True: one of them is better.
 bool jump(const Problem& problem, const Eigen::MatrixXd& steps, const std::vector<double>& multiples, Fit& fit) {
   std::vector<Eigen::VectorXd> tries;
   for (Eigen::Index i = 0; i < steps.cols(); ++i)
@@ -111,7 +110,7 @@ Eigen::MatrixXd stepsToJump(const Problem& problem, const Fit& fit) {
 template <class Steps>
 void searchAndJump(const Problem& problem, const Steps& steps_at, const std::vector<double>& multiples,
                    const SolveOptions& options, Fit& fit) {
-  // A search from the wrong side of such a step runs away from what is behind it.
+  // A search from the wrong side of such a step moves away from the optimum behind it.
   if (isFarOff(fit)) jump(problem, steps_at(fit), multiples, fit);
   search(problem, fit, options.iterations);
   const int most = options.refine ? thresholds::kMaxJumps : 1;

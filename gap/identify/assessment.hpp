@@ -1,4 +1,4 @@
-// What a fitted model says: misfit, prior conflicts, intervals, and the verdict that follows from them.
+// Assessment of a fitted model: misfit, prior conflicts, intervals, and the verdict that follows from them.
 #pragma once
 
 #include "gap/identify/bootstrap.hpp"

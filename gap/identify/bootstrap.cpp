@@ -32,11 +32,10 @@ Bootstrap bootstrapOf(const FittedModel& present, const Screen* screen, int coun
   const Hypothesis hypothesis = present.hypothesis();
   const auto logs = evidence.logs.size(), replicas = static_cast<std::size_t>(count);
   std::vector<Trace> quiet(logs);
-  forEach(logs, [&](std::size_t i) {
-    plantOf(*evidence.given).rollOut(*evidence.given, evidence.logs[i], hypothesis, {}, quiet[i]);
-  });
+  forEach(logs,
+          [&](std::size_t i) { evidence.plant->rollOut(*evidence.given, evidence.logs[i], hypothesis, {}, quiet[i]); });
 
-  // Of each replica: its promise, its cost, the cost of each log.
+  // For each replica: greatest predicted gain, cost, cost of each log.
   const auto rows_of_replicas = sharedRows(replicas, 2 + logs, [&](std::size_t replica, std::span<double> out) {
     Eigen::VectorXd residuals(evidence.size());
     Eigen::Index row = 0;
@@ -44,8 +43,7 @@ Bootstrap bootstrapOf(const FittedModel& present, const Screen* screen, int coun
     for (std::size_t i = 0; i < logs; ++i) {
       Disturbance disturbance;
       disturbance.seed = thresholds::kBootstrapSeed + 1'000 * replica + i;
-      plantOf(*evidence.given)
-          .rollOut(*evidence.given, evidence.logs[i], hypothesis, {.disturbance = &disturbance}, noisy);
+      evidence.plant->rollOut(*evidence.given, evidence.logs[i], hypothesis, {.disturbance = &disturbance}, noisy);
       const Eigen::Index rows = evidence.noise[i].size();
       evidence.noise[i].residuals(reportedLog(evidence.given->logs[evidence.logs[i]], noisy), quiet[i],
                                   residuals.segment(row, rows));

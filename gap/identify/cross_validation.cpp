@@ -9,7 +9,7 @@ namespace darwinop::gap {
 namespace {
 
 Evidence leftOut(const Evidence& all, std::size_t left_out) {
-  Evidence rest{.given = all.given, .logs = {}, .noise = {}, .discrepancy = all.discrepancy};
+  Evidence rest{.plant = all.plant, .given = all.given, .logs = {}, .noise = {}, .discrepancy = all.discrepancy};
   for (std::size_t i = 0; i < all.logs.size(); ++i) {
     if (i == left_out) continue;
     rest.logs.push_back(all.logs[i]);
@@ -28,7 +28,7 @@ double errorOn(const FittedModel& fitted, std::size_t left_out) {
   const std::size_t log = fitted.evidence->logs[left_out];
   const Trajectory& measured = rest.given->logs[log];
   Trace trace;
-  plantOf(*rest.given).rollOut(*rest.given, log, problem.at(fit.x), {}, trace);
+  rest.plant->rollOut(*rest.given, log, problem.at(fit.x), {}, trace);
   double sum = 0;
   for (std::size_t row = 0; row < measured.rows(); ++row)
     sum += std::abs(measured.position_rad[row] - trace[kPositionSignal][row]);

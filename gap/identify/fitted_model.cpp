@@ -51,7 +51,7 @@ double modelEvidence(const FittedModel& fitted) {
     const Unknown& unknown = fitted.problem.unknowns()[static_cast<std::size_t>(i)];
     const double value = unknown.logarithmic ? unknown.fromSearch(fitted.fit.x[i]) : 1;
     const double width = unknown.toSearch(unknown.high) - unknown.toSearch(unknown.low);
-    // A range says as much as a bell of its standard deviation.
+    // A range has the information of a normal distribution of the same standard deviation.
     const double before = std::isfinite(unknown.sigma) ? square(value / unknown.sigma) : 12 / square(width);
     if (!std::isfinite(unknown.sigma)) information(i, i) += before;
     evidence += std::log(before);
@@ -66,7 +66,7 @@ FittedModel refit(const Study& study, const Effects& effects, Nuisance nuisance,
   std::optional<FittedModel> best;
   for (int round = 0; round < rounds; ++round) {
     auto evidence = std::make_shared<const Evidence>(
-        evidenceOf(study.data, at, LogRole::kFit, manyRuns(from.evidence().discrepancy)));
+        evidenceOf(study.plant, study.data, at, LogRole::kFit, manyRuns(from.evidence().discrepancy)));
     Problem problem = problemWith(study, *evidence, effects, nuisance);
     const Problem& last = best ? best->problem : from;
     const Fit& last_fit = best ? best->fit : known;
@@ -99,7 +99,7 @@ FittedModel withFreeNuisance(const FittedModel& fitted) {
 
 FittedModel evaluateUnderOwnNoise(const FittedModel& fitted) {
   auto evidence = std::make_shared<const Evidence>(
-      evidenceOf(fitted.study->data, fitted.hypothesis(), LogRole::kFit, manyRuns({})));
+      evidenceOf(fitted.study->plant, fitted.study->data, fitted.hypothesis(), LogRole::kFit, manyRuns({})));
   Problem problem{*evidence, fitted.problem.hypothesis(), fitted.problem.unknowns()};
   Fit fit = solve(problem, fitted.fit.x, {.iterations = 0, .refine = false});
   const double total = fit.cost + evidence->logDeterminant();

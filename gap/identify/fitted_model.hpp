@@ -36,7 +36,7 @@ FittedModel withFreeNuisance(const FittedModel& fitted);
 FittedModel evaluateUnderOwnNoise(const FittedModel& fitted);
 
 /// The same effects, refitted under the noise of `reference`: costs of both are then comparable sample by sample.
-/// Without a Jacobian unless asked for.
+/// Without a Jacobian unless requested.
 FittedModel refitUnderNoiseOf(const FittedModel& other, const FittedModel& reference, bool jacobian = false);
 FittedModel refitUnderNoiseOf(const Effects& effects, Nuisance nuisance, const Problem& from, const Fit& known,
                               const FittedModel& reference, bool jacobian = false);

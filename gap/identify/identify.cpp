@@ -85,7 +85,7 @@ Identification identify(const Study& study, const IdentifyOptions& options) {
   }
   if (exact.isConsistent() && modelEvidence(exact.model()) > modelEvidence(free.model())) return exact.result();
   if (free.explainsAll()) return free.result();
-  // Numbers that moved and explain nothing do harm on other logs.
+  // Moved numbers that explain nothing increase the error on other logs.
   if (free.model().effects.empty() || free.leavesMostOfTheGap()) return exact.result();
   const CrossValidation validation = crossValidate(exact.model(), free.model());
   return validation.mean > validation.error ? free.result() : exact.result();

@@ -1,5 +1,5 @@
-// After an effect was added: free what refines it, drop what it made needless, replace what is more complex than
-// needed.
+// After an effect was added: free what refines it, drop effects that are no longer needed, replace effects that are
+// more complex than needed.
 #include <algorithm>
 
 #include "gap/identify/selection.hpp"
@@ -92,7 +92,7 @@ void Selection::replace(std::size_t i, const FittedModel& simpler, double gain) 
   effects[i] = simpler.effects.back();
   model_ = refit(simpler, effects, 1);
   gains_[i] = gain;
-  std::erase(candidates_, &rich);  // else the two could replace each other without end
+  std::erase(candidates_, &rich);  // else the two could replace each other endlessly
 }
 
 // Each effect but the last was chosen while something else was missing as well.

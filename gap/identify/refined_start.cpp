@@ -1,5 +1,5 @@
-// Gauss-Newton along the unknowns of one effect alone: whatever the other numbers could explain is taken away by linear
-// algebra, so that a step costs as few runs as the effect has unknowns.
+// Gauss-Newton along the unknowns of one effect alone: the part of the residual that other numbers explain is projected
+// out, so that a step needs only as many simulations as the effect has unknowns.
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace darwinop::gap {
 namespace {
 
-/// The vector of residuals and prior terms of the present model, with another effect at work.
+/// Residuals and prior terms of the present model with one more effect.
 class Along {
  public:
   Along(const FittedModel& present, const Candidate& candidate) : present_{present}, own_{candidate.values.size()} {

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "gap/parallel/parallel.hpp"
-#include "gap/plant/bench/block_residuals.hpp"
 #include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
 
@@ -18,13 +17,14 @@ namespace {
 /// Ends of all windows of the fitted logs, measured - simulated, rad; NaN where a window does not count.
 Eigen::VectorXd endsOf(const FittedModel& present, const Hypothesis& hypothesis) {
   const Case& data = present.study->data;
+  const Plant& plant = present.study->plant;
+  const ShootingOptions windows{
+      .length_s = thresholds::kRippleWindow, .stride_s = thresholds::kRippleWindow, .mixed = false};
   std::vector<Eigen::VectorXd> logs;
   Eigen::Index size = 0;
   for (const std::size_t i : present.evidence->logs) {
-    logs.push_back(shootingResiduals(
-                       data, data.logs[i], hypothesis,
-                       {.length_s = thresholds::kRippleWindow, .stride_s = thresholds::kRippleWindow, .mixed = false})
-                       .residual);
+    logs.push_back(
+        plant.blockResiduals(Block::kPlant, plant.places().front(), data, data.logs[i], hypothesis, windows).residual);
     size += logs.back().size();
   }
   Eigen::VectorXd all(size);
@@ -45,7 +45,7 @@ struct Ripple {
   double explained = 0;  // of a cost in which an outlier counts little
 };
 
-/// Least squares in which a window that nothing explains counts little. Amplitude 0: no window feels this ripple.
+/// Robust least squares over the windows. Amplitude 0: no window responds to this ripple.
 Ripple fitted(const Eigen::VectorXd& ends, const Eigen::MatrixX2d& change, double usual) {
   Eigen::Vector2d amount = Eigen::Vector2d::Zero();
   const auto left = [&]() -> Eigen::ArrayXd { return (ends + change * amount).array() / usual; };

@@ -10,7 +10,7 @@
 #include "gap/identify/assessment.hpp"
 #include "gap/identify/shortlist.hpp"
 #include "gap/identify/supply_check.hpp"
-#include "gap/plant/bench/position_error.hpp"
+#include "gap/plant/position_error.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
@@ -48,8 +48,12 @@ FittedModel startedAt(const Start& start, FittedModel fitted) {
 
 /// `effects` with all numbers free; what `from` leaves counts as noise.
 FittedModel refitWithDiscrepancy(const Effects& effects, const FittedModel& from) {
-  Evidence evidence{.given = from.evidence->given, .logs = from.evidence->logs, .noise = {}, .discrepancy = {}};
-  evidence.discrepancy = discrepancyOf(*evidence.given, evidence.logs, from.hypothesis());
+  Evidence evidence{.plant = from.evidence->plant,
+                    .given = from.evidence->given,
+                    .logs = from.evidence->logs,
+                    .noise = {},
+                    .discrepancy = {}};
+  evidence.discrepancy = discrepancyOf(*evidence.plant, *evidence.given, evidence.logs, from.hypothesis());
   return refit(*from.study, effects, Nuisance::kFree, {evidence, from.problem.hypothesis(), from.problem.unknowns()},
                from.fit, 2);
 }
@@ -81,7 +85,7 @@ void RoughSelection::addCommonEffects() {
     // The second refit has less discrepancy to accept as noise.
     const FittedModel first = refitWithDiscrepancy(common, startedAt(start, restarted(common, bare)));
     FittedModel second = refitWithDiscrepancy(common, first);
-    const double error = meanPositionError(study_.data, second.hypothesis(), LogRole::kFit);
+    const double error = meanPositionError(study_.plant, study_.data, second.hypothesis(), LogRole::kFit);
     if (error < least) least = error, model_ = std::move(second);
   }
   dropNeedless();
@@ -154,8 +158,8 @@ bool RoughSelection::hasAll(const std::vector<std::string>& effects) const {
 
 // If much of the error remains, the effects found may stand for something else.
 Verdict RoughSelection::verdictWithRemainder(const Identification& found) const {
-  const double before = meanPositionError(study_.data, study_.baseline, LogRole::kFit);
-  const double after = meanPositionError(study_.data, found.model, LogRole::kFit);
+  const double before = meanPositionError(study_.plant, study_.data, study_.baseline, LogRole::kFit);
+  const double after = meanPositionError(study_.plant, study_.data, found.model, LogRole::kFit);
   const bool mostly = after < thresholds::kRoughErrorShare * before;
   return mostly && !found.effects.empty() ? Verdict::kNamed : Verdict::kUnknown;
 }
@@ -178,7 +182,7 @@ Identification RoughSelection::result() const {
   found.misfit = misfitOf(exactly, bootstrapOf(exactly, nullptr, thresholds::kBootstrapRuns));
   found.floor_rad = floorOf(exactly);
   found.gap_before_rad = study_.gap_rad;
-  found.gap_after_rad = rmsPositionError(study_.data, found.model, LogRole::kFit);
+  found.gap_after_rad = rmsPositionError(study_.plant, study_.data, found.model, LogRole::kFit);
   found.remains = found.misfit > thresholds::kMisfitSigmas;
   found.verdict = found.remains ? verdictWithRemainder(found) : verdictOf(found);
   return found;

@@ -1,5 +1,5 @@
-// Selection on a roughly known baseline: numbers from a manual, logs of a servo that nobody has measured. No model
-// comes near the noise, so effects are selected by cross-validation instead. docs/gap/verdicts.md
+// Selection on a roughly known baseline: numbers from a manual, logs of a servo that was not measured before. No model
+// fits to the noise, so effects are selected by cross-validation instead. docs/gap/verdicts.md
 #pragma once
 
 #include <string>

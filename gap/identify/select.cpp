@@ -17,7 +17,7 @@ Selection::Choice Selection::choose(const std::vector<FittedModel>& candidates) 
     report("%s gains %.0f, needs %.0f", std::string{effect.id}.c_str(), gain, needed);
     if (!passes(candidate, gain, needed)) continue;
     if (staysInsideItsPrior(candidate)) {
-      // With all other numbers fixed the best explanation is a number inside its prior: a weaker one is not a finding.
+      // With exact numbers the best explanation is a number inside its prior: a weaker candidate is not a finding.
       if (model_.nuisance == Nuisance::kFixed && &candidate == &candidates.front()) {
         choice.present.clear();
         return choice;
@@ -72,7 +72,7 @@ void Selection::add(const FittedModel& best, double gain, double needed, const s
     if (std::ranges::find(runners_up_, effect) == runners_up_.end()) runners_up_.push_back(effect);
     if (neededFor(*effect) > needed) continue;
     double behind = modelEvidence(best) - modelEvidence(other);
-    // A rival that bends a number of the baseline, where the best does not, leaves something unnamed.
+    // A rival that needs a number beyond its prior, where the best does not, leaves part of the gap unexplained.
     if (largestPriorSigma(other) > thresholds::kPriorTensionSigmas &&
         largestPriorSigma(best) < thresholds::kPriorTensionSigmas)
       behind = std::max(behind, thresholds::kRivalEvidence);

@@ -1,4 +1,5 @@
-// The loop: screen, refine, select, cross-validate, prune. verdict.cpp turns the result into a verdict.
+// The loop: screen, refine, select, cross-validate, prune. select.cpp and prune.cpp have the steps; verdict.cpp turns
+// the result into a verdict.
 #include "gap/identify/selection.hpp"
 
 #include <algorithm>
@@ -31,22 +32,22 @@ void Selection::run() {
     assess(&screen);                           // misfit, and the gain that chance alone predicts
     if (isExplained(screen)) return;
 
-    bool added = false;
-    if (mayAdd()) {
-      // Where noise explains the residual, a number in conflict with its prior comes first.
-      const std::vector<const twin::EffectInfo*> aliases = aliasesInConflict();
-      added = !aliases.empty() && addFrom(fitCandidates(model_, screen, aliases));
-      if (!added) added = addFrom(fitCandidates(model_, screen));
-    }
-    if (added) continue;
+    if (mayAdd() && addOne(screen)) continue;  // refine, select, cross-validate, prune
 
-    // An early effect was chosen while others were missing. A roughly known baseline has a search of its own for that.
-    if (swapped || isConsistent() || isRoughlyKnown(study_.data) || !swapOne()) return;
+    // The first effects were chosen while others were missing: replace one of them, once.
+    if (swapped || !maySwap() || !swapOne()) return;
     swapped = true;
   }
 }
 
-/// The best of the fitted candidates is added, or the present effects are refitted from where one of them led.
+/// Where noise explains the residual, effects that stand for a number in conflict with its prior are tried first.
+bool Selection::addOne(const Screen& screen) {
+  const std::vector<const twin::EffectInfo*> aliases = aliasesInConflict();
+  if (!aliases.empty() && addFrom(fitCandidates(model_, screen, aliases))) return true;
+  return addFrom(fitCandidates(model_, screen));
+}
+
+/// Adds the best of the fitted candidates, or refits the present effects from the optimum that a candidate found.
 bool Selection::addFrom(const std::vector<FittedModel>& candidates) {
   const Choice choice = choose(candidates);
   if (choice.model != nullptr) {
@@ -73,6 +74,11 @@ void Selection::assess(const Screen* screen) {
   excess_cost_ = model_.fit.cost - model_.fit.prior - bootstrap.cost_mean;
   if (screen != nullptr) threshold_ = bootstrap.threshold(options_.alpha);
   report("misfit %.1f standard deviations; chance alone gains %.0f", misfit_, threshold_);
+}
+
+// A roughly known baseline has its own search for better effects, RoughSelection.
+bool Selection::maySwap() const {
+  return !isConsistent() && !isRoughlyKnown(study_.data);
 }
 
 bool Selection::isExplained(const Screen& screen) const {

@@ -16,16 +16,17 @@ class Selection {
   /// Fits the baseline alone. `study` and `options` must outlive this.
   Selection(const Study& study, const IdentifyOptions& options, Nuisance nuisance);
 
+  /// Adds, prunes and replaces effects until the residual is explained or no candidate passes.
   void run();
   /// Takes the effects of another selection over, or only these of them, refitted with this one's nuisance mode.
-  /// Nothing else is looked for.
+  /// Does not search for others.
   void adopt(const Selection& other);
   void adopt(const Selection& other, const Effects& effects);
 
   /// The misfit is below its threshold. (The floor of a model that is far off may be as large as its gap; its misfit is
   /// large.)
   [[nodiscard]] bool leavesNoise() const;
-  /// What is left is noise, or the difference between two ways to write the same effect.
+  /// The residual is noise, or the difference between two implementations of the same effect.
   [[nodiscard]] bool explainsAll() const;
   /// explainsAll(), and no number left its prior.
   [[nodiscard]] bool isConsistent() const;
@@ -48,6 +49,7 @@ class Selection {
   void assess(const Screen* screen);
   [[nodiscard]] bool isExplained(const Screen& screen) const;
   [[nodiscard]] bool mayAdd() const;
+  bool addOne(const Screen& screen);
   [[nodiscard]] std::vector<const twin::EffectInfo*> aliasesInConflict() const;
   // select, cross-validate
   bool addFrom(const std::vector<FittedModel>& candidates);
@@ -64,8 +66,9 @@ class Selection {
   void dropNeedless();
   bool simplifyOne();
   void replace(std::size_t i, const FittedModel& simpler, double gain);
+  [[nodiscard]] bool maySwap() const;
   bool swapOne();
-  /// What effect `i` takes away, the others being there.
+  /// Cost that effect `i` removes, in the presence of the others.
   [[nodiscard]] double gainOf(std::size_t i) const;
   [[nodiscard]] double leastGainOf(const twin::EffectInfo& effect) const;
   // verdict
@@ -83,7 +86,7 @@ class Selection {
   const IdentifyOptions& options_;
   std::vector<const twin::EffectInfo*> candidates_;  // of the catalogue
   FittedModel model_;                                // with what was added so far
-  std::vector<double> gains_;                        // one an effect
+  std::vector<double> gains_;                        // one for each effect of model_
   std::vector<Rival> rivals_;
   std::vector<const twin::EffectInfo*> runners_up_;
   double threshold_ = 0, misfit_ = 0, excess_cost_ = 0;  // of model_: chance gain, misfit, cost beyond noise

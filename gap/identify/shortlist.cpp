@@ -77,7 +77,7 @@ void keepBestStarts(std::vector<ShortlistEntry>& entries) {
   std::erase_if(entries, [&](const ShortlistEntry& entry) { return !kept.insert(entry.effect).second; });
 }
 
-/// What the present model moves within a prior, an effect may begin from.
+/// An effect may start from a baseline number that the present model has moved within its prior.
 void addKnown(const FittedModel& present, std::vector<ShortlistEntry>& entries) {
   std::vector<ShortlistEntry> known;
   for (const ShortlistEntry& entry : entries) {
@@ -94,7 +94,7 @@ void addKnown(const FittedModel& present, std::vector<ShortlistEntry>& entries) 
   entries.insert(entries.end(), known.begin(), known.end());
 }
 
-/// The same starts, with the numbers where they are expected.
+/// The same starts, with the baseline numbers at their expected values.
 void addAfresh(const FittedModel& present, std::vector<ShortlistEntry>& entries) {
   for (std::size_t i = 0, count = entries.size(); i < count; ++i) {
     ShortlistEntry afresh = entries[i];
@@ -146,8 +146,8 @@ bool hasMoreEvidence(const FittedModel& a, const FittedModel& b) {
   return modelEvidence(a) > modelEvidence(b);
 }
 
-/// A model that explains more needs less noise, so all are compared under the noise of the best. A rival that leads
-/// even there takes its place if it leads under its own noise as well.
+/// A model that explains more needs less noise, so all are compared under the noise of the best. A rival that is
+/// better even there replaces it if it is better under its own noise as well.
 std::vector<FittedModel> rank(const FittedModel& present, const std::vector<const ShortlistEntry*>& entries) {
   std::vector<FittedModel> ranked{refitEntry(present, *entries.front())};
   for (std::size_t i = 1; i < entries.size(); ++i) {

@@ -19,7 +19,7 @@ std::vector<double> valuesOf(const Unknown& unknown, bool alone) {
     for (int i = 0; i < steps; ++i) values.push_back(low * std::pow(unknown.high / low, (i + 0.5) / steps));
     return values;
   }
-  // To either side of where it does nothing; a limit of the duty has one side only.
+  // On both sides of the neutral value; a limit of the duty has one side only.
   const double nothing = neutralOf(unknown), up = unknown.high - nothing, down = nothing - unknown.low;
   if (up > 0 && down > 0)
     for (const double share : {0.6, 0.15, 0.03})

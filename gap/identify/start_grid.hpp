@@ -1,4 +1,4 @@
-// Parameter values at which the screen tries an effect.
+// Parameter values at which the screening evaluates an effect.
 #pragma once
 
 #include <vector>

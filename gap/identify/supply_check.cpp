@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "gap/plant/bench/block_residuals.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -16,7 +15,8 @@ bool contradictsVoltage(const FittedModel& fitted) {
   if (!resistance_ohm) return false;
   std::vector<double> slopes;
   for (const std::size_t log : fitted.evidence->logs)
-    if (const double slope = supplyResistance(study.data, {&study.data.logs[log]}, study.baseline);
+    if (const double slope = study.plant.supplyResistance(study.plant.places().front(), study.data,
+                                                          {&study.data.logs[log]}, study.baseline);
         std::isfinite(slope))
       slopes.push_back(slope);
   if (slopes.size() < 3) return false;

@@ -1,4 +1,4 @@
-// Whether the voltage that the servo measured allows what a fit says about its supply.
+// Consistency of a fitted supply sag with the measured voltage.
 #pragma once
 
 #include "gap/identify/fitted_model.hpp"

@@ -1,9 +1,9 @@
-// What a finished selection says: the verdict, and effects that are withdrawn because they do not hold elsewhere.
+// The verdict of a finished selection; withdraws effects that fail on held-out logs.
 #include <algorithm>
 #include <functional>
 
 #include "gap/identify/selection.hpp"
-#include "gap/plant/bench/position_error.hpp"
+#include "gap/plant/position_error.hpp"
 
 namespace darwinop::gap {
 
@@ -19,23 +19,23 @@ bool Selection::isConsistent() const {
   return explainsAll() && largestPriorSigma(model_) < thresholds::kPriorTensionSigmas;
 }
 
-// The same effect in another simulator, or in a servo, is never the same to the last bit.
+// Another simulator, or a servo, never has exactly the same effect.
 bool Selection::isNearlyExact() const {
   if (misfit_ > thresholds::kNearMisfitSigmas) return false;
-  const double after = rmsPositionError(study_.data, model_.hypothesis(), LogRole::kFit);
+  const double after = rmsPositionError(study_.plant, study_.data, model_.hypothesis(), LogRole::kFit);
   return after < thresholds::kNearFloors * floorOf(model_) && after < thresholds::kNearGapShare * study_.gap_rad;
 }
 
 // A third effect would be no finding either.
 bool Selection::leavesMostOfTheGap() const {
-  return model_.effects.size() > 1 && rmsPositionError(study_.data, model_.hypothesis(), LogRole::kFit) >
+  return model_.effects.size() > 1 && rmsPositionError(study_.plant, study_.data, model_.hypothesis(), LogRole::kFit) >
                                           thresholds::kHopelessGapShare * study_.gap_rad;
 }
 
 // False without held-out logs: comparisons with NaN.
 bool Selection::worsensHeldOut(const Identification& found) const {
-  const double before = meanPositionError(study_.data, study_.baseline, LogRole::kHeldOut);
-  const double after = meanPositionError(study_.data, found.model, LogRole::kHeldOut);
+  const double before = meanPositionError(study_.plant, study_.data, study_.baseline, LogRole::kHeldOut);
+  const double after = meanPositionError(study_.plant, study_.data, found.model, LogRole::kHeldOut);
   return after > thresholds::kHeldOutErrorRatio * before &&
          after > before + thresholds::kHeldOutFloors * found.floor_rad;
 }
@@ -55,7 +55,7 @@ Identification Selection::result() const {
         {&effect, estimatesOf(free, effect, excess), gains_[i], study_.baseline.find(effect.id) != nullptr});
   }
   found.gap_before_rad = study_.gap_rad;
-  found.gap_after_rad = rmsPositionError(study_.data, found.model, LogRole::kFit);
+  found.gap_after_rad = rmsPositionError(study_.plant, study_.data, found.model, LogRole::kFit);
   found.floor_rad = floorOf(model_);
   const bool worsens = !found.effects.empty() && worsensHeldOut(found);
   found.verdict = worsens ? Verdict::kUnknown : verdictOf(found);
@@ -68,7 +68,7 @@ Identification Selection::result() const {
   return found;
 }
 
-/// The baseline again, as if nothing had been added.
+/// The baseline again, without additions.
 void Selection::withdraw(Identification& found, bool worsens) const {
   for (const IdentifiedEffect& one : found.effects)
     if (worsens) found.rejected.push_back({one.effect, RejectionReason::kWorsensHeldOut});

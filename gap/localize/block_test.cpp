@@ -69,9 +69,9 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// How far what was seen lies above the copies, in standard deviations: the greatest of the logs, and of all logs
-/// together. `copies`: a log each, one value a copy. The relative spread is that of all logs, as few copies give
-/// little.
+/// Excess of the observed cost over the simulated copies, in standard deviations: the greatest of the logs, and of all
+/// logs together. `copies`: one entry for each log, one value for each copy. The relative spread is pooled over the
+/// logs, because the copies are few.
 double beyond(const std::vector<double>& seen, const std::vector<std::vector<double>>& copies, double least_spread) {
   double square = 0, count = 0, greatest = 0, all_seen = 0, all_expected = 0;
   std::vector<double> means, together(copies.empty() ? 0 : copies.front().size());

@@ -5,7 +5,7 @@
 
 #include "gap/fit/unknown.hpp"
 #include "gap/localize/simulated_repeats.hpp"
-#include "gap/plant/bench/block_residuals.hpp"
+#include "gap/plant/block_residuals.hpp"
 
 namespace darwinop::gap {
 

@@ -7,7 +7,6 @@
 #include "core/conversions.hpp"
 #include "gap/fit/unknown.hpp"
 #include "gap/localize/command_split.hpp"
-#include "gap/plant/bench/firmware_run.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
@@ -26,9 +25,14 @@ std::string oneDigit(double value) {
 
 class Finder {
  public:
-  Finder(const Case& given, const Hypothesis& baseline, const std::vector<std::size_t>& logs,
+  Finder(const Plant& plant, const Case& given, const Hypothesis& baseline, const std::vector<std::size_t>& logs,
          const SimulatedRepeats& copies)
-      : given_{given}, logs_{logs}, copies_{copies}, baseline_{baseline}, numbers_{nuisancesOf(given, baseline)} {
+      : plant_{plant},
+        given_{given},
+        logs_{logs},
+        copies_{copies},
+        baseline_{baseline},
+        numbers_{nuisancesOf(given, baseline)} {
     for (std::size_t i = 0; i < kBlocks; ++i) {
       out_.all[i].block = static_cast<Block>(i);
       out_.all[i].rms = out_.all[i].expected_rms = kNotKnown;
@@ -40,27 +44,26 @@ class Finder {
     sensor();
     if (baseline_.servo.law == twin::Law::kSpeedP)
       lawAndMotorAtOnce();
-    else if (std::ranges::any_of(logs_, [&](std::size_t i) { return loadTellsDuty(baseline_, given_.logs[i]); }))
+    else if (std::ranges::any_of(logs_, [&](std::size_t i) { return loadIsDutyIn(baseline_, given_.logs[i]); }))
       lawByItsDuty();
     else
       noDuty();
-    for (const Block block : plantOf(given_).blocks())
+    for (const Block block : plant_.blocks())
       if (!out_.first && out_.of(block).verdict == BlockVerdict::kOpen) out_.first = block;
     return std::move(out_);
   }
 
  private:
-  /// Of the place that is looked at: a bench has one.
+  /// At the place of the case's joint.
   [[nodiscard]] BlockResiduals residuals(Block block, const Trajectory& log, const Hypothesis& hypothesis,
                                          const ShootingOptions& options = {}) const {
-    const Plant& plant = plantOf(given_);
-    return plant.blockResiduals(block, plant.places().front(), given_, log, hypothesis, options);
+    return plant_.blockResiduals(block, plant_.places().front(), given_, log, hypothesis, options);
   }
   [[nodiscard]] BlockTest judged(const BlockResidualFunction& cut, bool priors = true) const {
     return judge(cut, given_, logs_, copies_, baseline_, priors ? numbers_ : std::vector<Unknown>{});
   }
   [[nodiscard]] BlockTest judgedWith(const BlockResidualFunction& cut, const Hypothesis& hypothesis) const {
-    return judge(cut, given_, logs_, simulateRepeats(given_, logs_, hypothesis), hypothesis,
+    return judge(cut, given_, logs_, simulateRepeats(plant_, given_, logs_, hypothesis), hypothesis,
                  nuisancesOf(given_, hypothesis));
   }
 
@@ -85,17 +88,18 @@ class Finder {
     if (!cut.known()) return notCut(Block::kSupply, "the logs have no voltage");
     BlockFinding& into = out_.of(Block::kSupply);
     take(Block::kSupply, cut, "V", 1);
-    if (baseline_.servo.law == twin::Law::kSpeedP) return;  // its motor draws no current that anybody knows
+    if (baseline_.servo.law == twin::Law::kSpeedP) return;  // the current of its motor is unknown
     std::vector<const Trajectory*> measured;
     measured.reserve(logs_.size());
     for (const std::size_t i : logs_) measured.push_back(&given_.logs[i]);
-    const double slope = supplyResistance(given_, measured, baseline_);
+    const double slope = plant_.supplyResistance(plant_.places().front(), given_, measured, baseline_);
     double spread = 0;
     for (const auto& run : copies_) {
       std::vector<const Trajectory*> copied;
       copied.reserve(run.size());
       for (const Trajectory& log : run) copied.push_back(&log);
-      spread += std::pow(supplyResistance(given_, copied, baseline_), 2) / static_cast<double>(copies_.size());
+      spread += std::pow(plant_.supplyResistance(plant_.places().front(), given_, copied, baseline_), 2) /
+                static_cast<double>(copies_.size());
     }
     out_.supply_ohm = slope;
     out_.supply_ohm_sigma = std::sqrt(spread);
@@ -123,7 +127,7 @@ class Finder {
     bool law_open = duty.isOpen();
     CommandSplit split;
     if (law_open) split = splitCommand(law, given_, logs_, duty, baseline_);
-    // Another motion rounds otherwise: as small as noise, and explained by nothing, it is none.
+    // Rounding differs with the motion: an excess as small as noise that no change explains does not count.
     if (std::max(split.by_command.share, split.by_controller.share) < thresholds::kControllerExplainedShare &&
         duty.rms < thresholds::kControllerNoiseRatio * duty.expected_rms)
       law_open = false;
@@ -139,7 +143,7 @@ class Finder {
     BlockTest windows = judged(plant(false));
     const bool supply_open = out_.of(Block::kSupply).verdict == BlockVerdict::kOpen;
     if (law_open || supply_open) {
-      // What was found wrong before the plant goes in: between the rows only the law gives the duty.
+      // Findings in earlier blocks are applied first: between the rows only the law gives the duty.
       const Hypothesis& law_found = law_open ? split.best().hypothesis : baseline_;
       BlockTest with = judgedWith(plant(supply_open), law_found);
       // At the reads a delay shows in whole rows only; the plant resolves fractions.
@@ -163,7 +167,7 @@ class Finder {
     take(Block::kPlant, std::move(windows), "mrad", 1e-3);
   }
 
-  /// `without`: before what was found elsewhere went in. A small rest is that finding's own error.
+  /// `without`: before findings in other blocks were applied. A small remainder is the error of that finding.
   void takePlant(const BlockTest& without, BlockTest with, const std::string& how) {
     const double before = without.cost - without.expected_cost, after = with.cost - with.expected_cost;
     take(Block::kPlant, std::move(with), "mrad", 1e-3);
@@ -174,7 +178,7 @@ class Finder {
     plant.detail += ", which leaves " + percent(after / before);
   }
 
-  /// The servo's own law with no torque to see: the speed that it commands is the motor's at once.
+  /// Law speed_p has no duty: the motor takes the commanded speed at once.
   void lawAndMotorAtOnce() {
     const BlockResidualFunction law = [&](const auto& log, const auto& h) {
       return residuals(Block::kPlant, log, h,
@@ -203,7 +207,7 @@ class Finder {
     out_.of(Block::kPlant).detail = "with command and controller: there is no load column";
   }
 
-  /// No cut lies between command and controller; what was found is given to one of the two.
+  /// No signal is measured between command and controller; the finding is assigned to one of the two.
   void share(const CommandSplit& split, bool open) {
     BlockFinding& command = out_.of(Block::kCommand);
     BlockFinding& controller = out_.of(Block::kController);
@@ -235,6 +239,7 @@ class Finder {
     return gain * baseline_.servo.duty_per_kp_per_rad * 2 * kPi / baseline_.servo.ticks_per_rev;
   }
 
+  const Plant& plant_;
   const Case& given_;
   const std::vector<std::size_t>& logs_;
   const SimulatedRepeats& copies_;
@@ -257,9 +262,9 @@ std::string_view name(BlockVerdict verdict) {
   return "not cut";
 }
 
-Blocks findBlocks(const Case& given, const Hypothesis& baseline, const std::vector<std::size_t>& logs,
-                  const SimulatedRepeats& copies) {
-  return Finder{given, baseline, logs, copies}.find();
+Blocks findBlocks(const Plant& plant, const Case& given, const Hypothesis& baseline,
+                  const std::vector<std::size_t>& logs, const SimulatedRepeats& copies) {
+  return Finder{plant, given, baseline, logs, copies}.find();
 }
 
 }  // namespace darwinop::gap

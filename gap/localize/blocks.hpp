@@ -38,7 +38,7 @@ struct Blocks {
   [[nodiscard]] BlockFinding& of(Block block) { return all[static_cast<std::size_t>(block)]; }
 };
 
-Blocks findBlocks(const Case& given, const Hypothesis& baseline, const std::vector<std::size_t>& logs,
-                  const SimulatedRepeats& copies);
+Blocks findBlocks(const Plant& plant, const Case& given, const Hypothesis& baseline,
+                  const std::vector<std::size_t>& logs, const SimulatedRepeats& copies);
 
 }  // namespace darwinop::gap

@@ -84,7 +84,7 @@ std::vector<Try> triesOf(const EffectList& effects, const Hypothesis& hypothesis
   return tries;
 }
 
-/// The cost that is left, and the hypothesis that leaves it.
+/// Remaining cost, and its hypothesis.
 struct Least {
   double cost;
   Hypothesis hypothesis;
@@ -100,7 +100,7 @@ Least leastOf(const BlockResidualFunction& cut, const Case& given, const std::ve
     forEach(tries.size(), [&](std::size_t i) {
       try {
         costs[i] = blockCostUnder(cut, given, logs, judged, withTry(given, from.hypothesis, tries[i]));
-      } catch (const std::runtime_error&) {  // a hypothesis that cannot be explains nothing
+      } catch (const std::runtime_error&) {  // an impossible hypothesis explains nothing
       }
     });
     for (std::size_t i = 0; i < tries.size(); ++i)

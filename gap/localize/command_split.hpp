@@ -7,7 +7,7 @@
 
 namespace darwinop::gap {
 
-/// What changes in one block can explain.
+/// The part that changes in one block explain.
 struct Explained {
   double share = 0;       // of the cost beyond the noise
   Hypothesis hypothesis;  // the baseline with the changes

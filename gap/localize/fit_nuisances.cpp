@@ -24,7 +24,7 @@ class Mover {
     for (const BlockResiduals& one : samples) begin_.push_back(begin_.back() + one.z.size());
   }
 
-  /// Takes from z what the numbers explain; returns how far they moved, in sigmas.
+  /// Subtracts from z the part that the numbers explain; returns their moves in sigmas.
   Eigen::VectorXd move() {
     Eigen::VectorXd moves = Eigen::VectorXd::Zero(count()), best_z = columns({moves}).col(0);
     Eigen::VectorXd best = moves, z = best_z;
@@ -65,7 +65,7 @@ class Mover {
     return z;
   }
 
-  /// What a sigma more of each number takes from z.
+  /// Decrease of z per sigma of each number.
   [[nodiscard]] Eigen::MatrixXd jacobianAt(const Eigen::VectorXd& moves, const Eigen::VectorXd& z) const {
     std::vector<Eigen::VectorXd> sets(numbers_.size(), moves);
     for (std::size_t k = 0; k < sets.size(); ++k)

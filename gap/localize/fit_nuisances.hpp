@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gap/fit/unknown.hpp"
-#include "gap/plant/bench/block_residuals.hpp"
+#include "gap/plant/block_residuals.hpp"
 
 namespace darwinop::gap {
 

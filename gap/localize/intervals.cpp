@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gap/plant/bench/block_residuals.hpp"
+#include "gap/plant/row_state.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {

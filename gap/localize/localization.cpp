@@ -23,10 +23,10 @@ Localization localize(const Study& study) {
   const std::vector<std::size_t>& logs = study.evidence.logs;
   Localization where;
   for (const std::size_t log : logs) where.files.push_back(data.logs[log].file);
-  const SimulatedRepeats repeats = simulateRepeats(data, logs, study.baseline);
+  const SimulatedRepeats repeats = simulateRepeats(study.plant, data, logs, study.baseline);
   where.floor = floorOf(data, study.evidence, repeats);
   where.residuals = residualsOf(study, where.floor);
-  where.blocks = findBlocks(data, study.baseline, logs, repeats);
+  where.blocks = findBlocks(study.plant, data, study.baseline, logs, repeats);
   where.places = intervalsOf(data, where.residuals, where.blocks);
   const bool is_noise = !where.blocks.first && where.places.empty();
   if (!is_noise) where.dependence = dependenceOf(data, where.residuals, where.blocks);

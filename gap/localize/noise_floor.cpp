@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gap/plant/bench/block_residuals.hpp"
+#include "gap/plant/registers.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {

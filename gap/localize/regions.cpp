@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "gap/plant/bench/block_residuals.hpp"
+#include "gap/plant/row_state.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {

@@ -54,7 +54,7 @@ std::string stateText(const Localization& where) {
 }  // namespace
 
 std::string describeRemainder(const Localization& where) {
-  if (where.places.empty()) return "Nothing remains that stands out of the noise.";
+  if (where.places.empty()) return "Nothing remains above the noise.";
   std::string text = formatted("%.2f mrad remain, %.1f times the noise floor.", 1e3 * where.rms_rad(), where.floors());
   if (where.blocks.first)
     text += formatted(" Of the loop the %s does not close.", std::string{name(*where.blocks.first)}.c_str());

@@ -6,7 +6,7 @@
 
 #include "core/conversions.hpp"
 #include "gap/parallel/parallel.hpp"
-#include "gap/plant/bench/registers.hpp"
+#include "gap/plant/registers.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -46,15 +46,15 @@ Trajectory asReported(const Trajectory& log, const Trace& trace, double ticks_pe
   return out;
 }
 
-SimulatedRepeats simulateRepeats(const Case& given, const std::vector<std::size_t>& logs, const Hypothesis& hypothesis,
-                                 int runs, std::uint64_t seed) {
+SimulatedRepeats simulateRepeats(const Plant& plant, const Case& given, const std::vector<std::size_t>& logs,
+                                 const Hypothesis& hypothesis, int runs, std::uint64_t seed) {
   SimulatedRepeats copies(static_cast<std::size_t>(runs), std::vector<Trajectory>(logs.size()));
   forEach(copies.size() * logs.size(), [&](std::size_t i) {
     const std::size_t run = i / logs.size(), log = i % logs.size();
     Disturbance disturbance;
     disturbance.seed = (seed * 1'000 + run) * 1'000 + logs[log];
     Trace trace;
-    plantOf(given).rollOut(given, logs[log], hypothesis, {.disturbance = &disturbance}, trace);
+    plant.rollOut(given, logs[log], hypothesis, {.disturbance = &disturbance}, trace);
     copies[run][log] = asReported(given.logs[logs[log]], trace, hypothesis.servo.ticks_per_rev, disturbance.seed);
   });
   return copies;

@@ -24,7 +24,7 @@ struct Joined {
 };
 Joined joined;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): as MPI itself, once a process
 
-/// What mpirun, or another launcher that OpenMPI understands, leaves in the environment.
+/// Environment variable of mpirun, or of another launcher that OpenMPI supports.
 bool startedByMpi() {
   return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_RANK") != nullptr;
 }
@@ -52,7 +52,7 @@ bool isShared() {
   return joined.count > 1 && std::this_thread::get_id() == joined.thread;
 }
 
-/// Ranks that are not at the same work would wait for each other for ever, or mix their numbers up.
+/// Ranks at different work would wait for each other forever, or exchange wrong rows.
 void expectSameWork(std::size_t count, std::size_t width) {
   const std::array<std::size_t, 2> own{count, width};
   std::vector<std::array<std::size_t, 2>> all(static_cast<std::size_t>(joined.count));

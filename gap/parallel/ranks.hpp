@@ -1,4 +1,4 @@
-// The processes of one `mpirun -n N darwinop gap …`. Without mpirun there is one, and MPI is not touched.
+// The processes of one `mpirun -n N darwinop gap …`. Without mpirun there is one, and MPI is not used.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace darwinop::gap {
 
-/// Lives in main(), before any thread: joins the other ranks, and leaves them when it goes.
+/// Constructed in main() before any thread: joins the other ranks; its destructor leaves them.
 class Ranks {
  public:
   Ranks();
@@ -28,10 +28,10 @@ class Ranks {
   static int giveUp(int code);
 };
 
-/// Work that every rank comes to, shared among them and their threads: work(i, row) fills the `width` numbers of row i.
+/// Work shared among all ranks and their threads: work(i, row) fills the `width` numbers of row i.
 /// Returns all rows, one after the other: the same on every rank, and for any number of them.
 ///
-/// Every rank must reach the call with the same arguments, since each waits for the others. Called from another thread
+/// Every rank must reach the call with the same arguments, since each waits for the others. Called from a thread other
 /// than that of Ranks it shares nothing: ranks that work on different cases do not wait for each other.
 std::vector<double> sharedRows(std::size_t count, std::size_t width,
                                const std::function<void(std::size_t, std::span<double>)>& work);

@@ -41,7 +41,7 @@ class Script {
     goal.every_s = {every};
     return drive("jump", std::move(goal), every * static_cast<double>(angles.size()));
   }
-  Script& letGo(double seconds) {
+  Script& torqueOff(double seconds) {
     drive("limp", {}, seconds);
     round_.phases.back().torque = experiments::TorqueMode::kOff;
     return *this;
@@ -105,7 +105,7 @@ std::vector<Round> holdFromBothSides(const ArmSetup& s) {
 }
 std::vector<Round> swingThreeHeights(const ArmSetup& s) {
   std::vector<Round> rounds;
-  for (const double angle : {0.5, 1.0, 1.5}) rounds.push_back(Script{s}.move(angle, 1).hold(0.3).letGo(4).round());
+  for (const double angle : {0.5, 1.0, 1.5}) rounds.push_back(Script{s}.move(angle, 1).hold(0.3).torqueOff(4).round());
   return rounds;
 }
 std::vector<Round> smallSines(const ArmSetup& s) {
@@ -132,7 +132,7 @@ constexpr BenchRow kBench[]{
     {"hold_once", "One hold on one side", holdOnce},
     {"hold_long", "One hold of five seconds under load", holdLong},
     {"hold_from_both_sides", "The same hold approached from below and from above", holdFromBothSides},
-    {"swing_three_heights", "Let go from three heights: the arm swings with torque off", swingThreeHeights},
+    {"swing_three_heights", "Torque off at three heights: the arm swings freely", swingThreeHeights},
     {"small_sines", "Small sine around hanging and around 60 degrees", smallSines},
     {"constant_speed", "Constant speed both ways, 1 and 3 rad/s", constantSpeed},
     {"long_steps", "Long steps from side to side at full speed", longSteps},

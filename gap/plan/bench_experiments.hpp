@@ -1,4 +1,4 @@
-// Experiments for a bench that the battery has not: the ones that the catalogue names to tell effects apart.
+// Bench experiments that the delivered set lacks: those that the catalogue names to distinguish effects.
 #pragma once
 
 #include <vector>

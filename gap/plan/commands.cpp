@@ -16,14 +16,14 @@ using experiments::TorqueMode;
 constexpr double kUnmeasured = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRegisterPerP = 8;  // of the P gain (manual)
 
-/// Why a phase cannot be foretold; empty: it can.
+/// Why a phase cannot be predicted; empty: it can.
 std::string_view hindrance(const Phase& phase) {
   using experiments::Until;
   const bool weak = phase.newton_meter.begin < 2.5 || phase.newton_meter.end < 2.5;
-  if (phase.torque == TorqueMode::kDirect) return "it gives a torque, and logs tell of goals only";
-  if (phase.torque == TorqueMode::kLimit && weak) return "it changes the torque limit, which logs do not tell";
-  if (phase.acceleration > 0) return "it limits the acceleration, which logs do not tell";
-  if (phase.until == Until::kArrival || phase.until == Until::kFallen) return "its end depends on what the joint does";
+  if (phase.torque == TorqueMode::kDirect) return "it commands a torque, and logs record goals only";
+  if (phase.torque == TorqueMode::kLimit && weak) return "it changes the torque limit, which logs do not record";
+  if (phase.acceleration > 0) return "it limits the acceleration, which logs do not record";
+  if (phase.until == Until::kArrival || phase.until == Until::kFallen) return "its end depends on the joint's motion";
   return {};
 }
 
@@ -38,7 +38,7 @@ class Recorder {
 
   void add(const Phase& phase) {
     if (const std::string_view why = hindrance(phase); !why.empty())
-      throw std::runtime_error("[phase " + phase.name + "] cannot be foretold: " + std::string{why});
+      throw std::runtime_error("[phase " + phase.name + "] cannot be predicted: " + std::string{why});
     const double p_register = phase.p_gain * kRegisterPerP, speed_limit = speedLimitOf(phase);
     if (stretches_.empty() || stretches_.back().log.p_register != p_register ||
         stretches_.back().log.speed_limit_rad_s != speed_limit)

@@ -15,8 +15,8 @@ struct Stretch {
   double begins_s = 0;  // of its first row within the round
 };
 
-/// Throws std::runtime_error, a sentence, for what cannot be foretold: a torque given directly, an end that depends on
-/// what the joint does.
+/// Throws std::runtime_error, a sentence, for what cannot be predicted: a torque command, an end that depends on the
+/// joint's motion.
 std::vector<Stretch> commandsOf(const ExperimentCandidate& candidate, const experiments::Round& round,
                                 const ArmSetup& stand);
 

@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include "experiments/format/battery.hpp"
+#include "experiments/format/experiment_files.hpp"
 #include "experiments/format/reader.hpp"
 #include "gap/plan/bench_experiments.hpp"
 
@@ -41,7 +41,7 @@ ExperimentCandidate withPayload(ExperimentCandidate candidate, const std::string
   return candidate;
 }
 
-/// Those of which the catalogue wants the same at other payloads.
+/// Those that the catalogue recommends at other payloads.
 bool wantsPayloads(const std::string& name) {
   for (const std::string_view known :
        {"steps", "slow_triangle", "chirp", "release", "hold_from_both_sides", "constant_speed", "long_steps"})
@@ -128,7 +128,7 @@ std::vector<ExperimentCandidate> benchCandidates(const Case& given, const ArmSet
 std::vector<ExperimentCandidate> candidatesFor(const Case& given, const ArmSetup& stand) {
   const Circumstances at = circumstancesOf(given);
   std::vector<ExperimentCandidate> all;
-  for (const std::string& file : experiments::batteryFiles()) {
+  for (const std::string& file : experiments::experimentFiles()) {
     try {
       if (auto moved = movedTo(stand, experiments::readExperiment(file))) all.push_back(plainly(std::move(*moved), at));
     } catch (const std::runtime_error&) {

@@ -15,12 +15,12 @@ struct ExperimentCandidate {
   experiments::Experiment experiment;  // of the stand's joint alone
   double payload_kg = 0;               // at the end of the arm
   std::string prepare;                 // "hang 100 g more to the arm"; empty: nothing
-  double prepare_s = 0;                // that somebody takes for it
+  double prepare_s = 0;                // of a person's time
   double temp_c = 25;                  // of the servo
   double session_start_s = 0;
 };
 
-/// What the logs of a case were made under, and what a planned one is likely to meet.
+/// Conditions under which the logs of a case were recorded; a planned log is likely to have the same.
 struct Circumstances {
   double payload_kg = 0;            // that most logs have
   double cold_c = 25, warm_c = 25;  // least and greatest temperature seen
@@ -28,7 +28,7 @@ struct Circumstances {
 };
 Circumstances circumstancesOf(const Case& given);
 
-/// The delivered experiments that move one joint, moved to `stand`; then those that they lack; then the ones with
+/// The delivered experiments that move one joint, moved to `stand`; then the bench experiments; then some with
 /// another payload, and the first log of the case once more. What cannot be read is left out.
 std::vector<ExperimentCandidate> candidatesFor(const Case& given, const ArmSetup& stand);
 /// Those without the delivered ones.

@@ -21,17 +21,17 @@
 namespace darwinop::gap {
 namespace {
 
-/// A log that somebody copied tells nothing new.
+/// A copied log adds no information.
 Case withoutCopies(const Case& given) {
   const DataCheck check = checkData(given);
-  Case kept = given;
-  kept.logs.clear();
+  Case distinct = given;
+  distinct.logs.clear();
   for (std::size_t i = 0; i < given.logs.size(); ++i) {
     if (check.logs[i].duplicate_of) continue;
-    kept.logs.push_back(given.logs[i]);
-    kept.logs.back().repeat_of.reset();  // its index may be another one now, and fits do not ask
+    distinct.logs.push_back(given.logs[i]);
+    distinct.logs.back().repeat_of.reset();  // its index may have changed, and fits do not use it
   }
-  return kept;
+  return distinct;
 }
 
 const twin::EffectInfo& effectCalled(const Case& given, const std::string& id) {
@@ -40,8 +40,8 @@ const twin::EffectInfo& effectCalled(const Case& given, const std::string& id) {
     const std::vector<std::string_view> known = twin::effectIds();
     throw std::runtime_error("there is no effect '" + id + "'; " + text::suggestion(id, known));
   }
-  const std::vector<const twin::EffectInfo*> suspects = candidateEffectsOf(given);
-  if (std::ranges::find(suspects, effect) == suspects.end())
+  const std::vector<const twin::EffectInfo*> candidates = candidateEffectsOf(given);
+  if (std::ranges::find(candidates, effect) == candidates.end())
     throw std::runtime_error("'" + id + "' cannot be fitted here: with this baseline and a log of positions it does " +
                              "not show");
   return *effect;
@@ -78,30 +78,30 @@ FittedHypothesis fitted(const Study& study, const std::vector<const twin::Effect
   Effects effects;
   Problem problem = problemWith(study, evidence, effects, Nuisance::kFree);
   Eigen::VectorXd x = problem.expected();
-  for (const twin::EffectInfo* const effect : set) {  // one after the other, as they are found
+  for (const twin::EffectInfo* const effect : set) {  // one after the other, as identification adds them
     effects.push_back({effect});
     Problem with = problemWith(study, evidence, effects, Nuisance::kFree);
     x = bestStart(with, startFrom(with, problem, x), *effect);
     problem = std::move(with);
     x = solve(problem, x, {.iterations = 8, .refine = false}).x;
   }
-  // Once more on the noise that belongs to what was fitted.
+  // Fitted again under the noise of the fitted model.
   NoiseOptions options;
   options.runs = thresholds::kNoiseRuns;
-  const Evidence own = evidenceOf(study.data, problem.at(x), LogRole::kFit, options);
-  const Problem settled = problemWith(study, own, effects, Nuisance::kFree);
-  const Fit fit = solve(settled, x);
-  FittedHypothesis contender{.name = "",
-                             .hypothesis = settled.hypothesis(),
-                             .unknowns = settled.unknowns(),
-                             .x = fit.x,
-                             .information = {},
-                             .cost = fit.cost};
+  const Evidence own = evidenceOf(study.plant, study.data, problem.at(x), LogRole::kFit, options);
+  const Problem final_problem = problemWith(study, own, effects, Nuisance::kFree);
+  const Fit fit = solve(final_problem, x);
+  FittedHypothesis result{.name = "",
+                          .hypothesis = final_problem.hypothesis(),
+                          .unknowns = final_problem.unknowns(),
+                          .x = fit.x,
+                          .information = {},
+                          .cost = fit.cost};
   for (const twin::EffectInfo* const effect : set)
-    contender.name += (contender.name.empty() ? "" : " + ") + std::string{effect->id};
-  if (set.empty()) contender.name = kNothing;
-  contender.information = informationOf(contender.unknowns, contender.x, fit.jacobian);
-  return contender;
+    result.name += (result.name.empty() ? "" : " + ") + std::string{effect->id};
+  if (set.empty()) result.name = kNothing;
+  result.information = informationOf(result.unknowns, result.x, fit.jacobian);
+  return result;
 }
 
 }  // namespace
@@ -135,8 +135,8 @@ std::vector<FittedHypothesis> fitHypotheses(const Case& given, const std::vector
     effects.emplace_back();
     for (const std::string& id : ids) effects.back().push_back(&effectCalled(given, id));
   }
-  const Case kept = withoutCopies(given);
-  const Study study{kept};
+  const Case distinct = withoutCopies(given);
+  const Study study{distinct};
   std::vector<FittedHypothesis> hypotheses;
   for (const auto& set : effects) {
     hypotheses.push_back(fitted(study, set));

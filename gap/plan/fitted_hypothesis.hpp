@@ -26,7 +26,7 @@ struct FittedHypothesis {
   [[nodiscard]] Eigen::VectorXd sigmas() const;
 };
 
-/// `slopes`: of residuals in units of their noise, a column an unknown; no rows: nothing was measured.
+/// `jacobian`: of residuals in units of their noise, one column for each unknown; no rows: nothing was measured.
 Eigen::MatrixXd informationOf(const std::vector<Unknown>& unknowns, const Eigen::VectorXd& x,
                               const Eigen::MatrixXd& jacobian);
 

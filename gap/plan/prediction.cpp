@@ -7,12 +7,13 @@
 
 #include "gap/fit/problem.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/plants.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
 
-constexpr double kWidestStep = 0.1;  // of the range: beyond that, a slope is no slope
+constexpr double kWidestStep = 0.1;  // of the range: beyond that the response is not linear
 
 double stepOf(const Unknown& unknown, double x, double sigma) {
   const double low = unknown.toSearch(unknown.low), high = unknown.toSearch(unknown.high);
@@ -26,26 +27,26 @@ std::vector<Trace> tracesOf(const Case& coming, const Hypothesis& hypothesis) {
   return traces;
 }
 
-/// Of all logs in units of `noise`: `happened` measured, `foretold` simulated.
-Eigen::VectorXd residualsOf(const Case& coming, const std::vector<LogNoise>& noise, const std::vector<Trace>& happened,
-                            const std::vector<Trace>& crossValidate) {
+/// Of all logs in units of `noise`: `actual` minus `predicted`.
+Eigen::VectorXd residualsOf(const Case& coming, const std::vector<LogNoise>& noise, const std::vector<Trace>& actual,
+                            const std::vector<Trace>& predicted) {
   Eigen::Index rows = 0, row = 0;
   for (const LogNoise& log : noise) rows += log.size();
   Eigen::VectorXd all(rows);
   Trajectory measured;
   for (std::size_t i = 0; i < noise.size(); ++i) {
     measured.p_register = coming.logs[i].p_register;
-    measured.position_rad = happened[i][kPositionSignal];
-    measured.load = happened[i][kLoadSignal];
-    noise[i].residuals(measured, crossValidate[i], all.segment(row, noise[i].size()));
+    measured.position_rad = actual[i][kPositionSignal];
+    measured.load = actual[i][kLoadSignal];
+    noise[i].residuals(measured, predicted[i], all.segment(row, noise[i].size()));
     row += noise[i].size();
   }
   return all;
 }
 
-/// Least of the robust cost of off + slopes * x, plus x' information x.
+/// Least of the robust cost of off + jacobian * x, plus x' information x.
 double leastCost(const Eigen::VectorXd& off, const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& information) {
-  constexpr int kRounds = 6;  // large residuals count less each time; it settles in three or four
+  constexpr int kRounds = 6;  // large residuals count less each time; it converges in three or four
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(off.size());
   Eigen::VectorXd left = off;
   double least = off.unaryExpr(&costOf).sum();
@@ -61,7 +62,7 @@ double leastCost(const Eigen::VectorXd& off, const Eigen::MatrixXd& jacobian, co
   return least;
 }
 
-/// Judged by the noise of one of the two.
+/// Under the noise of one of the two.
 double costBetween(const Case& coming, const std::vector<LogNoise>& noise, const FittedHypothesis& a,
                    const Prediction& of_a, const FittedHypothesis& b, const Prediction& of_b) {
   const Eigen::VectorXd off = residualsOf(coming, noise, of_a.expected, of_b.expected);
@@ -87,26 +88,26 @@ Eigen::Index Prediction::size() const {
   return all;
 }
 
-Prediction predict(const Case& coming, const FittedHypothesis& contender, int noise_runs) {
-  Prediction foresight;
-  foresight.expected = tracesOf(coming, contender.best());
-  const Eigen::VectorXd sigmas = contender.sigmas();
-  foresight.steps.resize(contender.x.size());
-  foresight.moved.resize(contender.unknowns.size());
-  forEach(contender.unknowns.size(), [&](std::size_t i) {
+Prediction predict(const Case& coming, const FittedHypothesis& hypothesis, int noise_runs) {
+  Prediction prediction;
+  prediction.expected = tracesOf(coming, hypothesis.best());
+  const Eigen::VectorXd sigmas = hypothesis.sigmas();
+  prediction.steps.resize(hypothesis.x.size());
+  prediction.moved.resize(hypothesis.unknowns.size());
+  forEach(hypothesis.unknowns.size(), [&](std::size_t i) {
     const auto at = static_cast<Eigen::Index>(i);
-    foresight.steps[at] = stepOf(contender.unknowns[i], contender.x[at], sigmas[at]);
-    Eigen::VectorXd x = contender.x;
-    x[at] += foresight.steps[at];
-    foresight.moved[i] = tracesOf(coming, contender.at(x));
+    prediction.steps[at] = stepOf(hypothesis.unknowns[i], hypothesis.x[at], sigmas[at]);
+    Eigen::VectorXd x = hypothesis.x;
+    x[at] += prediction.steps[at];
+    prediction.moved[i] = tracesOf(coming, hypothesis.at(x));
   });
-  if (noise_runs == 0) return foresight;
+  if (noise_runs == 0) return prediction;
   std::vector<std::size_t> logs(coming.logs.size());
   for (std::size_t i = 0; i < logs.size(); ++i) logs[i] = i;
   NoiseOptions options;
   options.runs = noise_runs;
-  foresight.noise = noiseOf(coming, logs, contender.best(), options);
-  return foresight;
+  prediction.noise = noiseOf(plantOf(coming), coming, logs, hypothesis.best(), options);
+  return prediction;
 }
 
 double separationOf(const Case& coming, const FittedHypothesis& a, const Prediction& of_a, const FittedHypothesis& b,
@@ -117,12 +118,12 @@ double separationOf(const Case& coming, const FittedHypothesis& a, const Predict
   return std::sqrt(cost);
 }
 
-Eigen::MatrixXd informationFrom(const Case& coming, const Prediction& foresight) {
-  Eigen::MatrixXd jacobian(foresight.size(), foresight.steps.size());
+Eigen::MatrixXd informationFrom(const Case& coming, const Prediction& prediction) {
+  Eigen::MatrixXd jacobian(prediction.size(), prediction.steps.size());
   for (Eigen::Index i = 0; i < jacobian.cols(); ++i)
     jacobian.col(i) =
-        residualsOf(coming, foresight.noise, foresight.expected, foresight.moved[static_cast<std::size_t>(i)]) /
-        foresight.steps[i];
+        residualsOf(coming, prediction.noise, prediction.expected, prediction.moved[static_cast<std::size_t>(i)]) /
+        prediction.steps[i];
   return jacobian.transpose() * jacobian;
 }
 

@@ -14,19 +14,19 @@ constexpr double kClose = 10;           // evidence: a rival that is worth an ex
 constexpr std::size_t kMostRivals = 3;  // each costs simulations against every other
 constexpr double kMore = 0.3;           // of an effect that the baseline has already
 
-std::vector<std::string> idsFound(const Identification& naming) {
+std::vector<std::string> idsFound(const Identification& identification) {
   std::vector<std::string> ids;
-  for (const IdentifiedEffect& found : naming.effects) ids.emplace_back(found.effect->id);
+  for (const IdentifiedEffect& found : identification.effects) ids.emplace_back(found.effect->id);
   return ids;
 }
 
-/// Effects that the data check says these logs cannot show.
+/// Effects that these logs cannot show, by the data check.
 std::vector<const twin::EffectInfo*> hiddenOnes(const Case& given) {
   std::vector<const twin::EffectInfo*> hidden;
-  const std::vector<const twin::EffectInfo*> suspects = candidateEffectsOf(given);
+  const std::vector<const twin::EffectInfo*> candidates = candidateEffectsOf(given);
   for (const Finding& finding : checkData(given).findings) {
     if (finding.reveals) continue;
-    for (const twin::EffectInfo* const effect : suspects)
+    for (const twin::EffectInfo* const effect : candidates)
       if (std::ranges::find(finding.effects, effect->id) != finding.effects.end() &&
           std::ranges::find(hidden, effect) == hidden.end())
         hidden.push_back(effect);
@@ -34,7 +34,7 @@ std::vector<const twin::EffectInfo*> hiddenOnes(const Case& given) {
   return hidden;
 }
 
-/// The first contender with an effect of the size that servos of this family have.
+/// The first hypothesis with an effect of the size that is typical of this servo family.
 FittedHypothesis typically(const FittedHypothesis& present, const twin::EffectInfo& effect) {
   FittedHypothesis with{
       .name = std::string{effect.id}, .hypothesis = present.best(), .unknowns = {}, .x = {}, .information = {}};
@@ -45,15 +45,15 @@ FittedHypothesis typically(const FittedHypothesis& present, const twin::EffectIn
   return with;
 }
 
-/// Of the effects' own numbers, or of all where there is none: that whose interval is widest beside its value.
-std::size_t widest(const FittedHypothesis& contender) {
-  const Eigen::VectorXd sigmas = contender.sigmas();
+/// Index of the effects' parameter, or of any where there is none, whose interval is widest relative to its value.
+std::size_t widest(const FittedHypothesis& hypothesis) {
+  const Eigen::VectorXd sigmas = hypothesis.sigmas();
   std::size_t found = 0;
   double most = -1;
-  for (std::size_t i = 0; i < contender.unknowns.size(); ++i) {
-    const Unknown& unknown = contender.unknowns[i];
+  for (std::size_t i = 0; i < hypothesis.unknowns.size(); ++i) {
+    const Unknown& unknown = hypothesis.unknowns[i];
     const auto at = static_cast<Eigen::Index>(i);
-    const double value = std::abs(unknown.fromSearch(contender.x[at]));
+    const double value = std::abs(unknown.fromSearch(hypothesis.x[at]));
     const double share = unknown.logarithmic ? sigmas[at] : sigmas[at] / std::max(value, 1e-9);
     const bool own = !std::isfinite(unknown.sigma);  // numbers of the baseline have priors
     const double rank = own ? 1e6 + share : std::isfinite(unknown.sigma) ? sigmas[at] / unknown.sigma : share;
@@ -64,15 +64,15 @@ std::size_t widest(const FittedHypothesis& contender) {
 
 }  // namespace
 
-Question questionAfter(const Case& given, const Identification& naming, const ProgressCallback& progress) {
-  std::vector<std::vector<std::string>> sets{idsFound(naming)};
-  for (const Rival& rival : naming.rivals)
-    if (rival.behind < kClose && sets.size() <= kMostRivals && !naming.effects.empty() &&
+Question questionAfter(const Case& given, const Identification& identification, const ProgressCallback& progress) {
+  std::vector<std::vector<std::string>> sets{idsFound(identification)};
+  for (const Rival& rival : identification.rivals)
+    if (rival.behind < kClose && sets.size() <= kMostRivals && !identification.effects.empty() &&
         std::ranges::find(sets, rival.effects) == sets.end())
       sets.push_back(rival.effects);
   Question question{Aim::kSeparate, fitHypotheses(given, sets, progress), 0};
   if (question.hypotheses.size() > 1) return question;
-  if (naming.effects.empty()) {
+  if (identification.effects.empty()) {
     question.aim = Aim::kReveal;
     for (const twin::EffectInfo* const effect : hiddenOnes(given))
       question.hypotheses.push_back(typically(question.hypotheses.front(), *effect));
@@ -81,7 +81,7 @@ Question questionAfter(const Case& given, const Identification& naming, const Pr
   question.aim = Aim::kNarrow;
   if (question.hypotheses.front().unknowns.empty())
     throw std::runtime_error(
-        "nothing is missing, these logs could show every effect, and no number may move: there is nothing to plan for");
+        "nothing is missing, these logs could show every effect, and no number is free: there is nothing to plan");
   question.unknown = widest(question.hypotheses.front());
   return question;
 }
@@ -90,7 +90,8 @@ Question questionBetween(const Case& given, const std::vector<std::string>& ids,
   std::vector<std::vector<std::string>> sets;
   for (const std::string& id : ids) {
     const std::vector<std::string> set{id};
-    if (std::ranges::find(sets, set) != sets.end()) throw std::runtime_error("'" + id + "' stands twice in --against");
+    if (std::ranges::find(sets, set) != sets.end())
+      throw std::runtime_error("'" + id + "' is given twice in --against");
     sets.push_back(set);
   }
   if (sets.size() == 1) sets.insert(sets.begin(), std::vector<std::string>{});

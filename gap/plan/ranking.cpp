@@ -23,8 +23,8 @@ bool samePhase(const experiments::Phase& a, const experiments::Phase& b) {
          a.p_gain == b.p_gain && a.torque == b.torque;
 }
 
-/// A round that is run again tells how large the noise is, and about effects what it told before: it counts once.
-std::vector<Stretch> tellingCommands(const ExperimentCandidate& candidate, const ArmSetup& stand) {
+/// A repeated round shows the noise, and adds little about effects: it counts once.
+std::vector<Stretch> distinctCommands(const ExperimentCandidate& candidate, const ArmSetup& stand) {
   std::vector<Stretch> all;
   const auto& rounds = candidate.experiment.rounds;
   for (std::size_t i = 0; i < rounds.size(); ++i) {
@@ -46,7 +46,7 @@ std::vector<std::pair<std::size_t, std::size_t>> pairsOf(const Question& questio
   return pairs;
 }
 
-/// Whichever contender is right: how far behind is the nearest other one? In the mean over all of them.
+/// Expected log likelihood ratio of the true hypothesis to its nearest rival, averaged over the hypotheses.
 double nearestOnes(const Question& question, const std::vector<Separation>& separations) {
   double sum = 0;
   for (std::size_t right = 0; right < question.hypotheses.size(); ++right) {
@@ -70,20 +70,21 @@ double sigmaOf(const Eigen::MatrixXd& information, std::size_t unknown) {
 }
 
 void judge(const Case& given, const ArmSetup& stand, const Question& question, int noise_runs, Ranked& ranked) {
-  const Case coming = planned(given, tellingCommands(ranked.vetted.candidate, stand));
-  std::vector<Prediction> foresights;
-  foresights.reserve(question.hypotheses.size());
-  for (const FittedHypothesis& contender : question.hypotheses) {
-    const bool judges = question.aim != Aim::kReveal || foresights.empty();  // what is there now tells what noise is
-    foresights.push_back(predict(coming, contender, judges ? noise_runs : 0));
+  const Case coming = planned(given, distinctCommands(ranked.vetted.candidate, stand));
+  std::vector<Prediction> predictions;
+  predictions.reserve(question.hypotheses.size());
+  for (const FittedHypothesis& hypothesis : question.hypotheses) {
+    const bool judges =
+        question.aim != Aim::kReveal || predictions.empty();  // the first one, the present model, defines the noise
+    predictions.push_back(predict(coming, hypothesis, judges ? noise_runs : 0));
   }
   for (const auto& [a, b] : pairsOf(question))
     ranked.separations.push_back(
-        {a, b, separationOf(coming, question.hypotheses[a], foresights[a], question.hypotheses[b], foresights[b])});
+        {a, b, separationOf(coming, question.hypotheses[a], predictions[a], question.hypotheses[b], predictions[b])});
   if (question.aim == Aim::kNarrow) {
     const Eigen::MatrixXd& known = question.hypotheses[0].information;
     ranked.sigma_before = sigmaOf(known, question.unknown);
-    ranked.sigma_after = sigmaOf(known + informationFrom(coming, foresights[0]), question.unknown);
+    ranked.sigma_after = sigmaOf(known + informationFrom(coming, predictions[0]), question.unknown);
     ranked.gain = std::log(ranked.sigma_before / ranked.sigma_after);
   } else {
     ranked.gain =
@@ -96,7 +97,7 @@ void judge(const Case& given, const ArmSetup& stand, const Question& question, i
 NextExperiments nextExperiments(const Case& given, const ArmSetup& stand, Question question,
                                 const std::vector<ExperimentCandidate>& candidates, int noise_runs) {
   std::vector<Hypothesis> hypotheses;
-  for (const FittedHypothesis& contender : question.hypotheses) hypotheses.push_back(contender.best());
+  for (const FittedHypothesis& hypothesis : question.hypotheses) hypotheses.push_back(hypothesis.best());
   std::vector<std::optional<Ranked>> judged(candidates.size());
   std::vector<Refusal> refused(candidates.size());
   forEach(candidates.size(), [&](std::size_t i) {

@@ -11,9 +11,9 @@
 namespace darwinop::gap {
 
 enum class Aim : std::uint8_t {
-  kSeparate,  // the contenders from each other
-  kReveal,    // the contenders after the first from the first: would they show, if they were there?
-  kNarrow,    // the interval of one number of the only contender
+  kSeparate,  // the hypotheses from each other
+  kReveal,    // the hypotheses after the first from the first: would they show?
+  kNarrow,    // the interval of one parameter of the only hypothesis
 };
 
 struct Question {
@@ -23,7 +23,7 @@ struct Question {
 };
 
 struct Separation {
-  std::size_t a = 0, b = 0;  // of the contenders
+  std::size_t a = 0, b = 0;  // indices of hypotheses
   double sigma = 0;
 };
 
@@ -46,7 +46,7 @@ struct NextExperiments {
   std::vector<Refusal> refused;
 };
 
-/// `given`: for its law, pendulum and hidden numbers; its logs are in the contenders.
+/// `given`: for its law, pendulum and hidden numbers; the hypotheses contain what its logs determine.
 NextExperiments nextExperiments(const Case& given, const ArmSetup& stand, Question question,
                                 const std::vector<ExperimentCandidate>& candidates, int noise_runs = kNoiseRuns);
 

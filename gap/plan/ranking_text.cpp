@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kNineInTen = 1.645;  // sigma on either side
 constexpr double kShows = 3;          // sigma: of an effect that shows
-constexpr double kNothingTold = 1;    // sigma
+constexpr double kUninformative = 1;  // sigma
 constexpr std::size_t kMostLines = 8;
 
 std::string printed(const char* format, double value) {
@@ -22,7 +22,7 @@ std::string printed(const char* format, double value) {
 }
 
 std::string inSigma(double sigma) {
-  constexpr double kMany = 100;  // more is a figure of a linear forecast
+  constexpr double kMany = 100;  // beyond that the linear prediction has no meaning
   if (sigma >= kMany) return "more than 100 sigma";
   return printed(sigma < 10 ? "%.1f" : "%.0f", sigma) + " sigma";
 }
@@ -32,9 +32,9 @@ std::string within(double seconds) {
 }
 
 /// "0.079 to 0.083 N m", nine in ten.
-std::string intervalOf(const FittedHypothesis& contender, std::size_t i, double sigma) {
-  const Unknown& unknown = contender.unknowns[i];
-  const double x = contender.x[static_cast<Eigen::Index>(i)];
+std::string intervalOf(const FittedHypothesis& hypothesis, std::size_t i, double sigma) {
+  const Unknown& unknown = hypothesis.unknowns[i];
+  const double x = hypothesis.x[static_cast<Eigen::Index>(i)];
   const double low = std::max(unknown.low, unknown.fromSearch(x - kNineInTen * sigma));
   const double high = std::min(unknown.high, unknown.fromSearch(x + kNineInTen * sigma));
   std::string text = printed("%.4g", low) + " to " + printed("%.4g", high);
@@ -65,44 +65,44 @@ std::string headOf(const Question& question) {
   const FittedHypothesis& first = question.hypotheses.front();
   switch (question.aim) {
     case Aim::kSeparate:
-      return "What tells these explanations apart?\n";
+      return "Which experiment distinguishes these explanations?\n";
     case Aim::kReveal:
-      return "These logs cannot show some effects. What would, if they were there at their usual size?\n";
+      return "These logs cannot show some effects. Which experiment would, at their usual size?\n";
     case Aim::kNarrow:
       break;
   }
-  return "What tells " + first.unknowns[question.unknown].name + " more exactly?\n";
+  return "Which experiment narrows the interval of " + first.unknowns[question.unknown].name + "?\n";
 }
 
 /// Those of its name, which lists them.
-std::vector<const twin::EffectInfo*> effectsIn(const FittedHypothesis& contender) {
+std::vector<const twin::EffectInfo*> effectsIn(const FittedHypothesis& hypothesis) {
   std::vector<const twin::EffectInfo*> effects;
   for (const twin::EffectInfo* const effect : twin::catalogue())
-    if ((" + " + contender.name + " + ").find(" + " + std::string{effect->id} + " + ") != std::string::npos)
+    if ((" + " + hypothesis.name + " + ").find(" + " + std::string{effect->id} + " + ") != std::string::npos)
       effects.push_back(effect);
   return effects;
 }
 
-/// The contender's own numbers, and what the catalogue says of each of its effects.
-std::string contenderText(const FittedHypothesis& contender) {
-  std::string text = "  " + contender.name;
-  const Eigen::VectorXd sigmas = contender.sigmas();
+/// Parameters of the hypothesis, and the catalogue's advice for each of its effects.
+std::string hypothesisText(const FittedHypothesis& hypothesis) {
+  std::string text = "  " + hypothesis.name;
+  const Eigen::VectorXd sigmas = hypothesis.sigmas();
   bool first = true;
-  for (std::size_t i = 0; i < contender.unknowns.size(); ++i) {
-    if (std::isfinite(contender.unknowns[i].sigma)) continue;  // of the baseline
-    text += (first ? ": " : ", ") + contender.unknowns[i].name + " " +
-            intervalOf(contender, i, sigmas[static_cast<Eigen::Index>(i)]);
+  for (std::size_t i = 0; i < hypothesis.unknowns.size(); ++i) {
+    if (std::isfinite(hypothesis.unknowns[i].sigma)) continue;  // of the baseline
+    text += (first ? ": " : ", ") + hypothesis.unknowns[i].name + " " +
+            intervalOf(hypothesis, i, sigmas[static_cast<Eigen::Index>(i)]);
     first = false;
   }
   text += "\n";
-  for (const twin::EffectInfo* const effect : effectsIn(contender))
+  for (const twin::EffectInfo* const effect : effectsIn(hypothesis))
     text += "    catalogue: " + std::string{effect->separated_by} + "\n";
   return text;
 }
 
-bool tellsNothing(const Question& question, const Ranked& ranked) {
+bool isUninformative(const Question& question, const Ranked& ranked) {
   return question.aim != Aim::kNarrow &&
-         std::ranges::all_of(ranked.separations, [](const Separation& one) { return one.sigma < kNothingTold; });
+         std::ranges::all_of(ranked.separations, [](const Separation& one) { return one.sigma < kUninformative; });
 }
 
 }  // namespace
@@ -122,21 +122,21 @@ std::string sentenceOf(const Question& question, const Ranked& ranked) {
 
 std::string asText(const NextExperiments& next) {
   std::string text = headOf(next.question);
-  for (const FittedHypothesis& contender : next.question.hypotheses) text += contenderText(contender);
+  for (const FittedHypothesis& hypothesis : next.question.hypotheses) text += hypothesisText(hypothesis);
   text += "Experiments of " + std::string{row(next.stand.joint).name} + ", most per minute first\n";
   std::string nothing;
   std::size_t line = 0;
   for (const Ranked& ranked : next.ranked) {
     const experiments::Experiment& experiment = ranked.vetted.candidate.experiment;
-    if (tellsNothing(next.question, ranked)) nothing += (nothing.empty() ? "" : ", ") + experiment.name;
-    if (tellsNothing(next.question, ranked) || ++line > kMostLines) continue;
+    if (isUninformative(next.question, ranked)) nothing += (nothing.empty() ? "" : ", ") + experiment.name;
+    if (isUninformative(next.question, ranked) || ++line > kMostLines) continue;
     text += printed("%3.0f", static_cast<double>(line)) + ". " + sentenceOf(next.question, ranked) + "\n     " +
             experiment.title;
     if (!ranked.vetted.candidate.prepare.empty()) text += "; " + ranked.vetted.candidate.prepare;
     text += "\n";
     for (const std::string& cut : ranked.vetted.cuts) text += "     shortened: " + cut + "\n";
   }
-  if (line == 0) text += "     none of them tells anything\n";
+  if (line == 0) text += "     none of them is informative\n";
   if (!nothing.empty()) text += "Less than 1 sigma: " + nothing + "\n";
   for (const Refusal& refusal : next.refused) text += "Refused: " + refusal.name + ": " + refusal.why + "\n";
   return text;
@@ -147,17 +147,18 @@ nlohmann::json asJson(const NextExperiments& next) {
   constexpr const char* kAims[]{"separate", "reveal", "narrow"};
   json out{{"aim", kAims[static_cast<std::size_t>(next.question.aim)]},
            {"joint", std::string{row(next.stand.joint).name}},
-           {"contenders", json::array()},
+           {"hypotheses", json::array()},
            {"experiments", json::array()},
            {"refused", json::array()}};
-  for (const FittedHypothesis& contender : next.question.hypotheses) {
+  for (const FittedHypothesis& hypothesis : next.question.hypotheses) {
     json numbers = json::object();
-    for (std::size_t i = 0; i < contender.unknowns.size(); ++i)
-      numbers[contender.unknowns[i].name] = contender.unknowns[i].fromSearch(contender.x[static_cast<Eigen::Index>(i)]);
+    for (std::size_t i = 0; i < hypothesis.unknowns.size(); ++i)
+      numbers[hypothesis.unknowns[i].name] =
+          hypothesis.unknowns[i].fromSearch(hypothesis.x[static_cast<Eigen::Index>(i)]);
     json catalogue = json::object();
-    for (const twin::EffectInfo* const effect : effectsIn(contender))
+    for (const twin::EffectInfo* const effect : effectsIn(hypothesis))
       catalogue[std::string{effect->id}] = std::string{effect->separated_by};
-    out["contenders"].push_back({{"name", contender.name}, {"numbers", numbers}, {"separated_by", catalogue}});
+    out["hypotheses"].push_back({{"name", hypothesis.name}, {"numbers", numbers}, {"separated_by", catalogue}});
   }
   if (next.question.aim == Aim::kNarrow)
     out["number"] = next.question.hypotheses.front().unknowns[next.question.unknown].name;

@@ -9,7 +9,7 @@
 #include "experiments/format/plan.hpp"
 #include "experiments/format/quantity.hpp"
 #include "gap/plan/commands.hpp"
-#include "gap/plant/bench/roll_out.hpp"
+#include "gap/plants.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -52,7 +52,7 @@ class Watch {
                       t};
       full_s_ = std::abs(trace[kLoadSignal][i]) >= full_ ? full_s_ + kPlannedRow : 0;
       if (full_s_ > longest_)
-        return Danger{"the servo would give all it has for more than " + shortText(longest_) +
+        return Danger{"the servo would run at full duty for more than " + shortText(longest_) +
                           " s; it shuts itself off after " + shortText(longest_ / kShareOfOverload) + " s",
                       t, true};
     }

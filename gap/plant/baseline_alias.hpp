@@ -7,7 +7,7 @@
 
 namespace darwinop::gap {
 
-/// True: the effect says that `number` is off.
+/// True: the effect is an error of `number`.
 bool isAliasOf(const twin::EffectInfo& effect, std::string_view number);
 
 /// True: the effect only releases a baseline number that has a prior (coulomb where the baseline has dry friction).

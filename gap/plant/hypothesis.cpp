@@ -1,6 +1,7 @@
 #include "gap/plant/hypothesis.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -56,6 +57,14 @@ twin::Law Hypothesis::law() const {
     return effect.info->laws == twin::Laws::kReplacesSpeedP && effect.values[0] >= 0.5;
   });
   return replaced ? twin::Law::kVoltageP : servo.law;
+}
+
+bool loadIsDuty(const Hypothesis& hypothesis) {
+  return hypothesis.servo.law == twin::Law::kVoltageP;
+}
+
+bool loadIsDutyIn(const Hypothesis& hypothesis, const Trajectory& log) {
+  return loadIsDuty(hypothesis) && std::ranges::any_of(log.load, [](double load) { return !std::isnan(load); });
 }
 
 Hypothesis baselineOf(const Case& given) {

@@ -36,6 +36,11 @@ struct Hypothesis {
   [[nodiscard]] twin::Law law() const;
 };
 
+/// True: the load register holds the duty of the bridge (law voltage_p).
+bool loadIsDuty(const Hypothesis& hypothesis);
+/// The same, and the log has the column.
+bool loadIsDutyIn(const Hypothesis& hypothesis, const Trajectory& log);
+
 /// The model that the case starts from.
 Hypothesis baselineOf(const Case& given);
 

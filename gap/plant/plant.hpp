@@ -1,10 +1,11 @@
-// What can be simulated. One implementation: gap/plant/bench, a servo that swings an arm.
+// Interface of a plant: what can be simulated. gap/plants.cpp lists the implementations.
 #pragma once
 
 #include <span>
 
 #include "gap/plant/block.hpp"
 #include "gap/plant/block_residuals.hpp"
+#include "gap/plant/hypothesis.hpp"
 #include "gap/plant/trace.hpp"
 
 namespace darwinop::gap {
@@ -17,7 +18,7 @@ class Plant {
   Plant& operator=(const Plant&) = delete;
   virtual ~Plant() = default;
 
-  /// Columns of a trace, in this order.
+  /// Columns of a trace, in this order. The first kJointSignals are of the first joint.
   [[nodiscard]] virtual std::span<const Signal> signals() const = 0;
   /// Where effects may act. A hypothesis may have each effect once a place.
   [[nodiscard]] virtual std::span<const Place> places() const = 0;
@@ -34,9 +35,12 @@ class Plant {
   [[nodiscard]] virtual BlockResiduals blockResiduals(Block block, const Place& place, const Case& given,
                                                       const Trajectory& log, const Hypothesis& hypothesis,
                                                       const ShootingOptions& options) const = 0;
-};
 
-/// The plant that the logs of a case are of. Every case is of a bench today, so gap/plant/bench defines it.
-const Plant& plantOf(const Case& given);
+  /// Slope of the supply voltage at one place against the current that it draws, over all of `logs`, ohm; a constant
+  /// offset of the voltage does not matter. NaN where the logs do not determine it.
+  [[nodiscard]] virtual double supplyResistance(const Place& place, const Case& given,
+                                                const std::vector<const Trajectory*>& logs,
+                                                const Hypothesis& hypothesis) const = 0;
+};
 
 }  // namespace darwinop::gap

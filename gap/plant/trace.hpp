@@ -1,6 +1,7 @@
 // Result and options of a simulated log.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -17,7 +18,14 @@ struct Signal {
   Place place = {};
 };
 
-/// A column for each of Plant::signals(), one value for each row of the log. No quantisation unless a Disturbance asks.
+/// Columns of the first joint in a trace, and their indices in Plant::signals().
+inline constexpr std::size_t kPositionSignal = 0;  // rad, of the encoder
+inline constexpr std::size_t kSpeedSignal = 1;     // rad/s, of the arm; true
+inline constexpr std::size_t kLoadSignal = 2;      // as the servo reports it, -1 to 1
+inline constexpr std::size_t kSupplySignal = 3;    // V, at the servo
+inline constexpr std::size_t kJointSignals = 4;
+
+/// A column for each of Plant::signals(), one value for each row of the log. Quantised only with a Disturbance.
 struct Trace {
   std::vector<std::vector<double>> columns;
 

@@ -43,7 +43,7 @@ std::string withEffectNumber(const std::string& text, const AddedNumber& number)
   const auto there = std::ranges::find_if(
       model.effects, [&](const twin::EffectSetting& effect) { return effect.info == &info && !effect.joint; });
   if (there == model.effects.end())
-    throw std::runtime_error("the model has no [effect " + std::string{info.id} + "] whose number could be changed");
+    throw std::runtime_error("the model has no [effect " + std::string{info.id} + "], so no number can be changed");
   checkRange(info, info.parameters[i], number.value);
   const std::string was = withUnit(there->values[i], info.parameters[i].unit);
   there->values[i] = number.value;
@@ -64,7 +64,7 @@ twin::EffectSetting settingOf(const AddedEffect& added, std::vector<std::string>
       comments.push_back(value.key + ": 90 % interval " + interval(value.low, value.high, info.parameters[i].unit));
   }
   if (std::ranges::find(given, true) == given.end())
-    throw std::runtime_error("effect " + added.id + " comes without a value; give one, " + added.id + "." +
+    throw std::runtime_error("effect " + added.id + " has no value; give one, " + added.id + "." +
                              std::string{info.parameters.front().key} + "=VALUE");
   for (std::size_t i = 0; i < given.size(); ++i)
     if (!given[i]) comments.push_back(std::string{info.parameters[i].key} + ": not known, the typical value");
@@ -77,7 +77,7 @@ Additions additionsFrom(const std::vector<std::string>& texts) {
   Additions additions;
   for (const std::string& text : texts) {
     const std::size_t dot = text.find('.'), equals = text.find('=');
-    const std::string wanted = "'" + text + "' says no effect; write ID.PARAMETER=VALUE, as in coulomb.friction=0.05";
+    const std::string wanted = "'" + text + "' is not an effect; write ID.PARAMETER=VALUE, as in coulomb.friction=0.05";
     if (dot == std::string::npos || equals == std::string::npos || dot > equals) throw std::runtime_error(wanted);
     const std::string id = text.substr(0, dot), key = text.substr(dot + 1, equals - dot - 1);
     double value = 0;

@@ -1,4 +1,4 @@
-// What goes into a model file: effects, numbers that moved, and how anybody knows.
+// Additions to a model file: effects, changed numbers, and their evidence.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace darwinop::gap {
 
-/// A value of an effect's parameter. The interval holds the truth in nine of ten cases; NaN: nobody knows one.
+/// A value of an effect's parameter. The interval holds the truth in nine of ten cases; NaN: unknown.
 struct AddedValue {
   std::string key;  // "friction"
   double value = 0, low = 0, high = 0;
@@ -35,11 +35,12 @@ struct Additions {
 
 /// "coulomb.friction=0.05"; several of one effect belong together. Throws std::runtime_error with a sentence.
 Additions additionsFrom(const std::vector<std::string>& texts);
-/// Of this case, from what `run --json` or `battery` wrote. Throws std::runtime_error for a verdict that names nothing.
+/// Of this case, from what `run --json` or `benchmark run` wrote. Throws std::runtime_error for a verdict that names
+/// nothing.
 Additions additionsIn(std::string_view results, const std::string& file, const Case& given);
 
 /// The model file `text` with them; everything else in it stays. Throws std::runtime_error with a sentence for an
-/// effect or parameter that does not exist, and for a value that no servo has.
+/// effect or parameter that does not exist, and for an impossible value.
 std::string withAdditions(std::string text, const Additions& additions);
 
 }  // namespace darwinop::gap

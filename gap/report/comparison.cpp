@@ -7,6 +7,7 @@
 
 #include "gap/fit/noise.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/plants.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -44,11 +45,12 @@ double shareOf(const LogNoise& noise, const Trajectory& log, const Trace& trace)
 
 Squares compareOne(const Case& given, const Hypothesis& before, const Hypothesis& after, LogComparison& one) {
   const Trajectory& log = given.logs[one.log];
-  const LogNoise noise{given, one.log, after, {}};
+  const Plant& plant = plantOf(given);
+  const LogNoise noise{plant, given, one.log, after, {}};
   Trace trace;
-  plantOf(given).rollOut(given, one.log, before, {}, trace);
+  plant.rollOut(given, one.log, before, {}, trace);
   one.before_rad = trace[kPositionSignal];
-  plantOf(given).rollOut(given, one.log, after, {}, trace);
+  plant.rollOut(given, one.log, after, {}, trace);
   one.after_rad = trace[kPositionSignal];
   Squares squares{.before = squareOf(log.position_rad, one.before_rad),
                   .after = squareOf(log.position_rad, one.after_rad),

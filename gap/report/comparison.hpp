@@ -11,7 +11,7 @@ namespace darwinop::gap {
 /// Rms position errors of the closed loop, rad; NaN where there is no log.
 struct Gap {
   double before_rad, after_rad;
-  double floor_rad;  // what a right model would show: noise alone
+  double floor_rad;  // of a right model: noise alone
   Gap();
   [[nodiscard]] double floorsBefore() const { return before_rad / floor_rad; }
   [[nodiscard]] double floorsAfter() const { return after_rad / floor_rad; }
@@ -20,20 +20,20 @@ struct Gap {
 struct LogComparison {
   std::size_t log = 0;  // index in the case
   Gap gap;
-  // What the second model leaves, sample by sample in units of its noise: 1 where it is right.
+  // Residual of the second model in units of its noise: 1 for a right model.
   double noise_share = 1;
-  bool below_floor = false;                   // closer to the data than noise lets any model come
+  bool below_floor = false;                   // closer to the data than noise permits
   std::vector<double> before_rad, after_rad;  // simulated positions, one a row
 };
 
 struct Comparison {
   std::vector<LogComparison> logs;  // all of the case
-  Gap held_out, fit;                // over all rows of the logs that were kept, and of those that are fitted
+  Gap held_out, fit;                // over all rows of the held-out logs, and of the fitted ones
   std::size_t held_out_logs = 0, fit_logs = 0;
   [[nodiscard]] bool anyBelowFloor(const Case& given, bool of_held_out) const;
 };
 
-/// Less than this share of the noise: there is less noise than the bench is assumed to have, or the model has seen it.
+/// Less than this share of the noise: the noise is less than assumed, or the log is not independent of the model.
 inline constexpr double kBelowFloor = 0.7;
 
 /// The noise is that of `after`. Deterministic.

@@ -1,4 +1,4 @@
-// HTML from texts of logs: whatever stands in them, it is only ever text.
+// Escapes texts of logs for HTML.
 #pragma once
 
 #include <string>

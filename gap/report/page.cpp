@@ -10,7 +10,7 @@
 namespace darwinop::gap {
 namespace {
 
-/// Who made the plotting library, and under which licence: as the page of plots says it.
+/// Author and licence of the plotting library, as in the HTML plots.
 std::string libraryNote() {
   constexpr std::string_view kBegin = "<footer>", kEnd = "</footer>";
   const std::string_view page = page_parts::kPlotPage;
@@ -35,7 +35,7 @@ std::string asHtml(const Report& report) {
   }};
   std::string page;
   std::string_view rest = page_parts::kPage;
-  for (const auto& [place, text] : parts) {  // they stand in the page in this order
+  for (const auto& [place, text] : parts) {  // in the order of the page
     const std::size_t at = rest.find(place);
     page.append(rest.substr(0, at)).append(text);
     rest.remove_prefix(at + place.size());

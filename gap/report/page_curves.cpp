@@ -29,7 +29,7 @@ std::string curvesAsJson(const Report& report) {
     const Trajectory& log = report.given->logs[one.log];
     logs.push_back({{"file", log.file},
                     {"kind", log.kind},
-                    {"score", log.held_out},
+                    {"held_out", log.held_out},
                     {"gap_mrad", mradOf(one.gap.before_rad)},
                     {"floor_mrad", mradOf(one.gap.floor_rad)},
                     {"t", inUnits(log.time_s, kTimeUnit)},

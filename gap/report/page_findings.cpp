@@ -46,17 +46,17 @@ std::string foundText(const IdentifiedEffect& found) {
          "\n";
 }
 
-std::string rivalsText(const Identification& naming) {
-  if (naming.rivals.empty()) return "";
+std::string rivalsText(const Identification& identification) {
+  if (identification.rivals.empty()) return "";
   std::string items;
-  for (const Rival& rival : naming.rivals)
+  for (const Rival& rival : identification.rivals)
     items += wrap("li", wrap("code", html::text(joined(rival.effects, " + "))) + " instead: the fit is worse by " +
                             html::number(rival.behind, shortly(rival.behind, "%.0f")) +
                             (rival.isClose() ? ", <strong>too little to decide</strong>" : "")) +
              "\n";
   std::string chance;
-  if (std::isfinite(naming.threshold))
-    chance = "A gain of " + html::number(naming.threshold, shortly(naming.threshold, "%.0f")) +
+  if (std::isfinite(identification.threshold))
+    chance = "A gain of " + html::number(identification.threshold, shortly(identification.threshold, "%.0f")) +
              " comes by chance once in a hundred cases. ";
   return "<h3>Rivals</h3>" + wrap("ul", items) +
          wrap("p", chance + "Rivals less than " + shortly(thresholds::kRivalEvidence, "%.0f") +
@@ -64,15 +64,15 @@ std::string rivalsText(const Identification& naming) {
                        shortly(thresholds::kLargerRivalEvidence, "%.0f") + ", if they have more free parameters.");
 }
 
-/// How to tell the effect from its rivals.
-std::string experimentText(const Identification& naming) {
-  if (naming.verdict != Verdict::kAmbiguous || naming.effects.empty()) return "";
-  return "<h3>Experiment that would decide</h3>" + element("p", naming.effects.back().effect->separated_by);
+/// How to distinguish the effect from its rivals.
+std::string experimentText(const Identification& identification) {
+  if (identification.verdict != Verdict::kAmbiguous || identification.effects.empty()) return "";
+  return "<h3>Experiment that would decide</h3>" + element("p", identification.effects.back().effect->separated_by);
 }
 
-std::string conflictsText(const Identification& naming) {
+std::string conflictsText(const Identification& identification) {
   std::string items;
-  for (const PriorConflict& one : naming.prior_conflicts)
+  for (const PriorConflict& one : identification.prior_conflicts)
     items += wrap("li", wrap("code", html::text(one.number)) + " has to be " +
                             html::number(one.factor, shortly(one.factor, "%.3f")) + " times what was given, " +
                             html::number(one.sigmas, shortly(std::abs(one.sigmas), "%.1f")) + " sigma of its prior") +
@@ -84,12 +84,12 @@ std::string conflictsText(const Identification& naming) {
                  "model, or was noted down wrongly.");
 }
 
-/// What no model file holds.
+/// Numbers that a model file does not contain.
 std::string benchText(const Report& report) {
   const Hypothesis& model = report.outcome->identification.model;
   const double length = model.pendulum.length_m / report.given->pendulum.length_m;
   if (model.payload_scale == 1 && length == 1) return "";
-  return wrap("p", "The fit also moved what case.json says of the arm, inside its priors: payload times " +
+  return wrap("p", "The fit also moved the arm of case.json, within its priors: payload times " +
                        html::number(model.payload_scale, shortly(model.payload_scale, "%.4f")) + ", length times " +
                        html::number(length, shortly(length, "%.4f")) +
                        ". That belongs to the bench, so it is not in the model file.");
@@ -121,17 +121,18 @@ std::string sectionOf(std::string_view id, const std::string& title, const std::
 
 std::string whatSection(const Report& report) {
   if (report.outcome == nullptr) return "";
-  const Identification& naming = report.outcome->identification;
+  const Identification& identification = report.outcome->identification;
   std::string inside;
-  if (naming.effects.empty()) inside += element("p", "No effect was named.");
-  if (naming.verdict == Verdict::kUnknown && !naming.effects.empty())
+  if (identification.effects.empty()) inside += element("p", "No effect was named.");
+  if (identification.verdict == Verdict::kUnknown && !identification.effects.empty())
     inside += element("p", "These effects improve the fit but do not explain the gap, so none of them is named.");
-  for (const IdentifiedEffect& found : naming.effects) inside += foundText(found);
+  for (const IdentifiedEffect& found : identification.effects) inside += foundText(found);
   if (!report.outcome->remainder.empty())
     inside += "<h3>Unexplained remainder</h3>" + element("p", report.outcome->remainder);
-  for (const RejectedEffect& rejected : naming.rejected) inside += element("p", rejectionSentence(rejected));
-  inside += rivalsText(naming) + experimentText(naming) + conflictsText(naming) + benchText(report);
-  return sectionOf("what", naming.verdict == Verdict::kUnknown ? "What helps" : "What is missing", inside);
+  for (const RejectedEffect& rejected : identification.rejected) inside += element("p", rejectionSentence(rejected));
+  inside +=
+      rivalsText(identification) + experimentText(identification) + conflictsText(identification) + benchText(report);
+  return sectionOf("what", identification.verdict == Verdict::kUnknown ? "What helps" : "What is missing", inside);
 }
 
 std::string whereSection(const Report& report) {

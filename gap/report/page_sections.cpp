@@ -116,9 +116,10 @@ std::string logsSection(const Report& report) {
       "<th>after, mrad</th><th>noise, mrad</th><th>before, floors</th><th>after, floors</th></tr>"
       "</thead><tbody>\n" +
       rows + "</tbody></table></div>";
-  inside += element("p",
-                    "A floor is what noise alone makes on that motion. About 1 is as good as a model can be; 3 and "
-                    "more is a gap. Only kept logs say whether a model is better.");
+  inside +=
+      element("p",
+              "A floor is the error that noise alone causes on that motion. About 1 is as good as a model can be; 3 "
+              "and more is a gap. Only held-out logs show whether a model is better.");
   if (all.anyBelowFloor(*report.given, true) || all.anyBelowFloor(*report.given, false))
     inside += wrap("p", html::text(messages::kBelowFloor), " class=\"flag\"");
   return section("log-by-log", "Log by log", inside);

@@ -18,14 +18,14 @@ const json& resultOf(const json& all, const std::string& name) {
   throw std::runtime_error("has no result of case " + name);
 }
 
-/// The verdict has to name something.
+/// Throws for a verdict without an effect.
 void checkVerdict(const json& result, const std::string& name) {
   const std::string of = result.at("case"), verdict = result.at("verdict");
   if (of != name) throw std::runtime_error("is of case " + of + ", not of " + name);
-  if (verdict == "none") throw std::runtime_error("says that nothing is missing: there is nothing to add");
+  if (verdict == "none") throw std::runtime_error("nothing is missing by this result: there is nothing to add");
   if (verdict != "named" && verdict != "ambiguous")
     throw std::runtime_error("has the verdict " + verdict +
-                             ", which names no effect; if you want one all the same, give it with --effect");
+                             ", which names no effect; to add one anyway, give it with --effect");
   if (result.at("effects").empty()) throw std::runtime_error("names no effect: there is nothing to add");
 }
 

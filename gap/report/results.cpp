@@ -19,7 +19,7 @@ std::string rounded(double value) {
   return text;
 }
 
-/// More digits than any fit knows, and few enough to be read. Counts and seeds stay.
+/// More digits than a fit determines, few enough to read. Counts and seeds stay.
 double forReading(double value) {
   if (value == std::round(value)) return value;
   char text[32];
@@ -27,17 +27,18 @@ double forReading(double value) {
   return std::strtod(text, nullptr);
 }
 
-std::vector<std::string> reasonsFor(const Case& given, const Identification& naming, const IdentifiedEffect& found,
-                                    const std::string& data_hash) {
+std::vector<std::string> reasonsFor(const Case& given, const Identification& identification,
+                                    const IdentifiedEffect& found, const std::string& data_hash) {
   std::vector<std::string> lines{"Found by darwinop gap in the logs of case " + given.name +
                                  ": without it the fit is worse by " + rounded(found.gain)};
-  if (std::isfinite(naming.threshold))
-    lines.front() += "; " + rounded(naming.threshold) + " is exceeded by chance in 1 of 100 cases";
-  if (naming.verdict == Verdict::kUnknown)
+  if (std::isfinite(identification.threshold))
+    lines.front() += "; " + rounded(identification.threshold) + " is exceeded by chance in 1 of 100 cases";
+  if (identification.verdict == Verdict::kUnknown)
     lines.emplace_back("It improves the fit and leaves a gap that no effect of the catalogue explains");
-  if (naming.remains) lines.emplace_back("These logs have a remainder that no effect of the catalogue explains");
-  if (naming.verdict == Verdict::kAmbiguous && &found == &naming.effects.back())
-    for (const Rival& rival : closeRivals(naming))
+  if (identification.remains)
+    lines.emplace_back("These logs have a remainder that no effect of the catalogue explains");
+  if (identification.verdict == Verdict::kAmbiguous && &found == &identification.effects.back())
+    for (const Rival& rival : closeRivals(identification))
       lines.push_back("Not certain: " + joined(rival.effects, " + ") + " explains the logs nearly as well");
   if (!data_hash.empty()) lines.push_back("sha256 of the data: " + data_hash);
   return lines;
@@ -49,17 +50,17 @@ const Estimate* estimateOf(const IdentifiedEffect& found, std::string_view key) 
   return nullptr;
 }
 
-bool isFound(const Identification& naming, const twin::EffectInfo* effect) {
-  for (const IdentifiedEffect& found : naming.effects)
+bool isFound(const Identification& identification, const twin::EffectInfo* effect) {
+  for (const IdentifiedEffect& found : identification.effects)
     if (found.effect == effect) return true;
   return false;
 }
 
 /// Numbers of effects that the baseline has already.
-void addMovedEffects(const Hypothesis& before, const Identification& naming, Additions& into) {
+void addMovedEffects(const Hypothesis& before, const Identification& identification, Additions& into) {
   for (const twin::EffectSetting& was : before.effects) {
-    const twin::EffectSetting* const now = naming.model.find(was.info->id);
-    if (now == nullptr || isFound(naming, was.info)) continue;
+    const twin::EffectSetting* const now = identification.model.find(was.info->id);
+    if (now == nullptr || isFound(identification, was.info)) continue;
     for (std::size_t i = 0; i < was.values.size(); ++i)
       if (was.values[i] != now->values[i])
         into.numbers.push_back(
@@ -70,16 +71,16 @@ void addMovedEffects(const Hypothesis& before, const Identification& naming, Add
 }  // namespace
 
 Additions additionsOf(const Case& given, const Outcome& outcome, const std::string& data_hash) {
-  const Identification& naming = outcome.identification;
+  const Identification& identification = outcome.identification;
   const Hypothesis& before = outcome.baseline;
   Additions additions;
-  for (const MovedNumber& moved : movedNumbers(before.servo, naming.model.servo))
+  for (const MovedNumber& moved : movedNumbers(before.servo, identification.model.servo))
     additions.numbers.push_back({moved.key, forReading(moved.after)});
-  addMovedEffects(before, naming, additions);
-  for (const IdentifiedEffect& found : naming.effects) {
-    const twin::EffectSetting* const setting = naming.model.find(found.effect->id);
+  addMovedEffects(before, identification, additions);
+  for (const IdentifiedEffect& found : identification.effects) {
+    const twin::EffectSetting* const setting = identification.model.find(found.effect->id);
     if (setting == nullptr) continue;
-    AddedEffect effect{std::string{found.effect->id}, {}, reasonsFor(given, naming, found, data_hash)};
+    AddedEffect effect{std::string{found.effect->id}, {}, reasonsFor(given, identification, found, data_hash)};
     for (std::size_t i = 0; i < setting->values.size(); ++i) {
       AddedValue value{std::string{found.effect->parameters[i].key}, forReading(setting->values[i]), std::nan(""),
                        std::nan("")};

@@ -10,7 +10,7 @@
 
 namespace darwinop::gap {
 
-/// For a terminal: where, what, how sure, before and after; at most 24 lines of 100 columns.
+/// For a terminal: place, effect, interval, error before and after; at most 24 lines of 100 columns.
 std::string asText(const Case& given, const Outcome& outcome, const Comparison& comparison);
 std::string asText(const Case& given, const Outcome& outcome);
 /// Of two models, where nothing was searched.
@@ -23,10 +23,10 @@ nlohmann::json asJson(const Case& given, const Outcome& outcome);
 /// Of a case that could not be used.
 nlohmann::json badInput(const std::string& name, const std::string& why);
 
-/// What was found, as it goes into a model file; `data_hash` goes into its comments.
+/// The findings as additions to a model file; `data_hash` goes into its comments.
 Additions additionsOf(const Case& given, const Outcome& outcome, const std::string& data_hash);
-/// The case's model as a model file, with what was found: the twin reads it. Comments above each effect say where it
-/// comes from and how sure it is.
+/// The case's model as a model file, with what was found: the twin reads it. Comments above each effect have its
+/// source and intervals.
 std::string repairedModel(const Case& given, const Outcome& outcome);
 /// The case's model as a model file.
 std::string caseModel(const Case& given);

@@ -21,9 +21,9 @@ json firstOpenBlockOrNull(const Outcome& outcome) {
 
 /// A fit to all logs is more certain than a block residual.
 json blockOrNull(const Outcome& outcome) {
-  const Identification& naming = outcome.identification;
-  if (naming.verdict != Verdict::kNamed || naming.effects.empty()) return firstOpenBlockOrNull(outcome);
-  return name(blockOf(naming.effects.front().effect->part));
+  const Identification& identification = outcome.identification;
+  if (identification.verdict != Verdict::kNamed || identification.effects.empty()) return firstOpenBlockOrNull(outcome);
+  return name(blockOf(identification.effects.front().effect->part));
 }
 
 json parametersOf(const Additions& additions, const IdentifiedEffect& found) {
@@ -51,36 +51,36 @@ json numbersOf(const Additions& additions) {
 }
 
 /// What the fit moved of the bench, which no model file holds.
-json benchOf(const Case& given, const Identification& naming) {
-  return {{"payload_factor", naming.model.payload_scale},
-          {"length_factor", naming.model.pendulum.length_m / given.pendulum.length_m}};
+json benchOf(const Case& given, const Identification& identification) {
+  return {{"payload_factor", identification.model.payload_scale},
+          {"length_factor", identification.model.pendulum.length_m / given.pendulum.length_m}};
 }
 
 }  // namespace
 
 json asJson(const Case& given, const Outcome& outcome) {
-  const Identification& naming = outcome.identification;
+  const Identification& identification = outcome.identification;
   const Additions additions = additionsOf(given, outcome, "");
   json effects = json::array(), ambiguity = json::array();
   // In `unknown` the effects only improve the fit.
-  if (naming.verdict != Verdict::kUnknown)
-    for (const IdentifiedEffect& found : naming.effects) effects.push_back(parametersOf(additions, found));
-  if (naming.verdict == Verdict::kAmbiguous) {
+  if (identification.verdict != Verdict::kUnknown)
+    for (const IdentifiedEffect& found : identification.effects) effects.push_back(parametersOf(additions, found));
+  if (identification.verdict == Verdict::kAmbiguous) {
     json set = json::array();
-    if (!naming.effects.empty()) set.push_back(naming.effects.back().effect->id);
-    for (const Rival& rival : naming.rivals)
+    if (!identification.effects.empty()) set.push_back(identification.effects.back().effect->id);
+    for (const Rival& rival : identification.rivals)
       if (rival.isClose() && !rival.effects.empty() && set.size() < 3) set.push_back(rival.effects.back());
     ambiguity.push_back(set);
   }
   json conflicts = json::array();
-  for (const PriorConflict& one : naming.prior_conflicts)
+  for (const PriorConflict& one : identification.prior_conflicts)
     conflicts.push_back({{"number", one.number}, {"sigma", one.sigmas}, {"factor", one.factor}});
   json rejected = json::array();
-  for (const RejectedEffect& one : naming.rejected)
+  for (const RejectedEffect& one : identification.rejected)
     rejected.push_back({{"id", one.effect->id}, {"why", nameOf(one.why)}});
   return {{"format", kResultsFormat},
           {"case", given.name},
-          {"verdict", nameOf(naming.verdict)},
+          {"verdict", nameOf(identification.verdict)},
           {"effects", effects},
           {"ambiguity", ambiguity},
           {"where", asJson(outcome.localization)["places"]},
@@ -90,12 +90,12 @@ json asJson(const Case& given, const Outcome& outcome) {
           {"rejected", rejected},
           {"prior_conflicts", conflicts},
           {"numbers", numbersOf(additions)},
-          {"bench", benchOf(given, naming)},
-          {"misfit_sigma", naming.misfit},
-          {"threshold", std::isfinite(naming.threshold) ? json(naming.threshold) : json(nullptr)},
-          {"gap_fit_before_mrad", mradOrNull(naming.gap_before_rad)},
-          {"gap_fit_after_mrad", mradOrNull(naming.gap_after_rad)},
-          {"floor_fit_mrad", mradOrNull(naming.floor_rad)},
+          {"bench", benchOf(given, identification)},
+          {"misfit_sigma", identification.misfit},
+          {"threshold", std::isfinite(identification.threshold) ? json(identification.threshold) : json(nullptr)},
+          {"gap_fit_before_mrad", mradOrNull(identification.gap_before_rad)},
+          {"gap_fit_after_mrad", mradOrNull(identification.gap_after_rad)},
+          {"floor_fit_mrad", mradOrNull(identification.floor_rad)},
           {"gap_score_before_mrad", mradOrNull(outcome.verification.rms_before_rad)},
           {"gap_score_after_mrad", mradOrNull(outcome.verification.rms_after_rad)},
           {"mean_error_held_out_before_mrad", mradOrNull(outcome.verification.mean_before_rad)},

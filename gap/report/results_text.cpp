@@ -52,38 +52,38 @@ std::string whereText(const Localization& where) {
   return text;
 }
 
-std::string whatText(const Identification& naming) {
+std::string whatText(const Identification& identification) {
   std::string text;
   std::size_t all = 0;
-  for (const IdentifiedEffect& found : naming.effects) all += found.estimates.size();
+  for (const IdentifiedEffect& found : identification.effects) all += found.estimates.size();
   std::size_t left = all > kEstimatesShown ? kEstimatesShown - 1 : kEstimatesShown;
-  for (const IdentifiedEffect& found : naming.effects)
+  for (const IdentifiedEffect& found : identification.effects)
     for (const Estimate& estimate : found.estimates) {
       if (left == 0) return text + "          and more: see the report\n";
       --left;
       const std::string known = estimate.seen ? "90 %: " + interval(estimate.low, estimate.high, estimate.unit)
                                               : std::string{messages::kNotIdentifiable};
       text += line("%-9s %s = %s   (%s), gain %.0f",
-                   text.empty() ? (naming.verdict == Verdict::kUnknown ? "helps" : "what") : "", estimate.name.c_str(),
-                   withUnit(estimate.value, estimate.unit).c_str(), known.c_str(), found.gain);
+                   text.empty() ? (identification.verdict == Verdict::kUnknown ? "helps" : "what") : "",
+                   estimate.name.c_str(), withUnit(estimate.value, estimate.unit).c_str(), known.c_str(), found.gain);
     }
   return text;
 }
 
-std::string rivalText(const Identification& naming) {
+std::string rivalText(const Identification& identification) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(kRivalsShown, naming.rivals.size()); ++i)
+  for (std::size_t i = 0; i < std::min(kRivalsShown, identification.rivals.size()); ++i)
     text += line("%-9s %s instead: worse by %.0f%s", i == 0 ? "rivals" : "",
-                 joined(naming.rivals[i].effects, " + ").c_str(), naming.rivals[i].behind,
-                 naming.rivals[i].isClose() ? ", not excluded" : "");
-  for (std::size_t i = 0; i < std::min(kConflictsShown, naming.prior_conflicts.size()); ++i) {
-    const PriorConflict& one = naming.prior_conflicts[i];
+                 joined(identification.rivals[i].effects, " + ").c_str(), identification.rivals[i].behind,
+                 identification.rivals[i].isClose() ? ", not excluded" : "");
+  for (std::size_t i = 0; i < std::min(kConflictsShown, identification.prior_conflicts.size()); ++i) {
+    const PriorConflict& one = identification.prior_conflicts[i];
     text += line("%-9s %s has to be %.3f times what was given: %.1f sigma", i == 0 ? "conflict" : "",
                  one.number.c_str(), one.factor, std::abs(one.sigmas));
   }
-  const std::size_t rejected = naming.prior_conflicts.empty() ? kRejectedShown : 0;
-  for (std::size_t i = 0; i < std::min(rejected, naming.rejected.size()); ++i)
-    text += line("%-9s %s", i == 0 ? "not named" : "", shortRejection(naming.rejected[i]).c_str());
+  const std::size_t rejected = identification.prior_conflicts.empty() ? kRejectedShown : 0;
+  for (std::size_t i = 0; i < std::min(rejected, identification.rejected.size()); ++i)
+    text += line("%-9s %s", i == 0 ? "not named" : "", shortRejection(identification.rejected[i]).c_str());
   return text;
 }
 
@@ -110,16 +110,16 @@ std::string asText(const Case& given, const Comparison& comparison) {
 }
 
 std::string asText(const Case& given, const Outcome& outcome, const Comparison& comparison) {
-  const Identification& naming = outcome.identification;
-  std::string text = "case " + given.name + ": " + std::string{nameOf(naming.verdict)} + "\n";
+  const Identification& identification = outcome.identification;
+  std::string text = "case " + given.name + ": " + std::string{nameOf(identification.verdict)} + "\n";
   for (const std::string& sentence : verdictSentences(outcome, comparison)) text += inLines(sentence);
   if (!outcome.remainder.empty()) text += inLines(outcome.remainder);
-  text += "\n" + whereText(outcome.localization) + whatText(naming) + rivalText(naming);
+  text += "\n" + whereText(outcome.localization) + whatText(identification) + rivalText(identification);
   text += "\n" + tableText(given, comparison);
   std::string chance;
-  if (std::isfinite(naming.threshold))
-    chance = "chance gain " + std::to_string(std::lround(naming.threshold)) + " (1 %); ";
-  return text + line("\n%smisfit %.1f sigma (a gap: %.0f); %.0f s", chance.c_str(), naming.misfit,
+  if (std::isfinite(identification.threshold))
+    chance = "chance gain " + std::to_string(std::lround(identification.threshold)) + " (1 %); ";
+  return text + line("\n%smisfit %.1f sigma (a gap: %.0f); %.0f s", chance.c_str(), identification.misfit,
                      thresholds::kMisfitSigmas, outcome.runtime_s);
 }
 

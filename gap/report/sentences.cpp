@@ -12,8 +12,8 @@
 namespace darwinop::gap {
 namespace {
 
-constexpr std::size_t kRivalsTold = 2;
-constexpr double kNoChange = 0.02;  // share of a gap: less is no change to speak of
+constexpr std::size_t kRivalsNamed = 2;
+constexpr double kNoChange = 0.02;  // share of a gap: less counts as unchanged
 
 std::string titlesOf(const std::vector<IdentifiedEffect>& found) {
   std::vector<std::string> titles;
@@ -26,9 +26,9 @@ std::string titlesOf(const std::vector<IdentifiedEffect>& found) {
 }
 
 /// "friction 0.0812 N m (9 in 10 sure: 0.0781 to 0.0853 N m)" of the first number of the first effect.
-std::string firstNumber(const Identification& naming) {
-  if (naming.effects.size() != 1 || naming.effects.front().estimates.empty()) return "";
-  const Estimate& one = naming.effects.front().estimates.front();
+std::string firstNumber(const Identification& identification) {
+  if (identification.effects.size() != 1 || identification.effects.front().estimates.empty()) return "";
+  const Estimate& one = identification.effects.front().estimates.front();
   std::string text = ": " + one.name.substr(one.name.find('.') + 1) + " " + withUnit(one.value, one.unit);
   if (!one.seen || !std::isfinite(one.low) || !std::isfinite(one.high)) return text;
   return text + ", with nine chances in ten between " + withUnit(one.low, "") + " and " + withUnit(one.high, one.unit);
@@ -42,10 +42,10 @@ std::string placeOf(const Outcome& outcome) {
   return text + place.file;
 }
 
-std::string namedByRivals(const Identification& naming) {
-  std::vector<std::string> titles{titlesOf(naming.effects)};
-  for (const Rival& rival : closeRivals(naming)) {
-    if (titles.size() > kRivalsTold) {
+std::string namedByRivals(const Identification& identification) {
+  std::vector<std::string> titles{titlesOf(identification.effects)};
+  for (const Rival& rival : closeRivals(identification)) {
+    if (titles.size() > kRivalsNamed) {
       titles.emplace_back("others");
       break;
     }
@@ -60,17 +60,18 @@ std::string namedByRivals(const Identification& naming) {
 }
 
 std::string firstSentence(const Outcome& outcome) {
-  const Identification& naming = outcome.identification;
-  switch (naming.verdict) {
+  const Identification& identification = outcome.identification;
+  switch (identification.verdict) {
     case Verdict::kNone:
       return "The model explains these logs: what is left is noise.";
     case Verdict::kNamed:
-      if (std::ranges::all_of(naming.effects, &IdentifiedEffect::corrected))
-        return "The model has " + titlesOf(naming.effects) + ", but with a wrong number" + firstNumber(naming) + ".";
-      return "The model lacks " + titlesOf(naming.effects) + firstNumber(naming) +
-             std::string{naming.remains ? messages::kRemainder : "."};
+      if (std::ranges::all_of(identification.effects, &IdentifiedEffect::corrected))
+        return "The model has " + titlesOf(identification.effects) + ", but with a wrong number" +
+               firstNumber(identification) + ".";
+      return "The model lacks " + titlesOf(identification.effects) + firstNumber(identification) +
+             std::string{identification.remains ? messages::kRemainder : "."};
     case Verdict::kAmbiguous:
-      return "The model lacks something that these logs do not identify: " + namedByRivals(naming) + ".";
+      return "The model lacks something that these logs do not identify: " + namedByRivals(identification) + ".";
     case Verdict::kUnknown:
       return "The model lacks something that none of the " + std::to_string(twin::catalogue().size()) +
              " known effects explains" + placeOf(outcome) + ".";
@@ -102,9 +103,9 @@ std::string inMrad(double rad) {
   return text;
 }
 
-std::vector<Rival> closeRivals(const Identification& naming) {
+std::vector<Rival> closeRivals(const Identification& identification) {
   std::vector<Rival> close;
-  for (const Rival& rival : naming.rivals)
+  for (const Rival& rival : identification.rivals)
     if (rival.isClose() && !rival.effects.empty()) close.push_back(rival);
   return close;
 }

@@ -8,7 +8,7 @@
 
 namespace darwinop::gap {
 
-/// Two sentences for a student: what is the matter, and what it does to held-out logs.
+/// Two sentences for the user: the finding, and the error on the held-out logs.
 std::vector<std::string> verdictSentences(const Outcome& outcome, const Comparison& comparison);
 /// The second one alone.
 std::string helpSentence(const Comparison& comparison);
@@ -18,7 +18,7 @@ std::string shortRejection(const RejectedEffect& rejected);
 std::string rejectionSentence(const RejectedEffect& rejected);
 
 /// Rivals that the data do not exclude.
-std::vector<Rival> closeRivals(const Identification& naming);
+std::vector<Rival> closeRivals(const Identification& identification);
 
 std::string joined(const std::vector<std::string>& words, std::string_view between);
 /// "31.0", "0.931": three digits of a position error, mrad.

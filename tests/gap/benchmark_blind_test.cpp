@@ -1,4 +1,4 @@
-// A battery opens case.json and the logs that it names, and nothing else. The kernel itself says what was opened.
+// A suite opens case.json and the logs that it names, and nothing else, as inotify reports.
 #include <gmock/gmock.h>
 #include <sys/inotify.h>
 #include <sys/stat.h>
@@ -51,7 +51,7 @@ class OpenedFiles {
   bool broken_ = false;
 };
 
-/// Commands of the small bench, and a joint that obeys: enough to be read.
+/// Commands of the small bench, and a joint that follows them: enough to be read.
 Case tame() {
   Case bench = smallBench();
   bench.model.name = bench.name;
@@ -65,40 +65,40 @@ void addKey(const std::string& folder) {
   chmod(path.c_str(), 0);  // root may read it all the same
 }
 
-TEST(BatteryIsBlind, OnlyTheCaseAndItsLogsAreOpened) {
-  const BatteryFolder folder{{}};
+TEST(SuiteIsBlind, OnlyTheCaseAndItsLogsAreOpened) {
+  const SuiteFolder folder{{}};
   const std::string one = folder.cases() + "/a";
   writeCase(tame(), one);
   for (const std::string& beside : {folder.top(), folder.cases(), one}) addKey(beside);
   std::ofstream{one + "/fit_9.csv"} << "a log that no case names";
 
-  Suite battery;
-  battery.folder = folder.top();
+  Suite suite;
+  suite.folder = folder.top();
   // All of the reading, without the hours of thought behind it.
-  battery.answer = [](const std::string& path) {
+  suite.answer = [](const std::string& path) {
     nlohmann::json answer = cheapAnswer(path);
     answer["logs"] = readCase(path).logs.size();
     return answer;
   };
   const OpenedFiles opened{{folder.top(), folder.cases(), one}};
-  if (opened.isBroken()) GTEST_SKIP() << "this machine does not tell what is opened (inotify)";
-  EXPECT_EQ(runSuite(battery)[0].at("logs"), 4);
+  if (opened.isBroken()) GTEST_SKIP() << "inotify reports nothing on this machine";
+  EXPECT_EQ(runSuite(suite)[0].at("logs"), 4);
   EXPECT_THAT(opened.names(),
               UnorderedElementsAre("case.json", "steps.csv", "triangle.csv", "release.csv", "kept.csv"));
 }
 
-TEST(BatteryIsBlind, TheTestSeesAKeyThatIsOpened) {
-  const BatteryFolder folder{{"a"}};
+TEST(SuiteIsBlind, TheTestDetectsAnOpenedKey) {
+  const SuiteFolder folder{{"a"}};
   addKey(folder.cases());
   const OpenedFiles opened{{folder.cases()}};
-  if (opened.isBroken()) GTEST_SKIP() << "this machine does not tell what is opened (inotify)";
+  if (opened.isBroken()) GTEST_SKIP() << "inotify reports nothing on this machine";
   chmod((folder.cases() + "/key.json").c_str(), 0600);
   std::ifstream{folder.cases() + "/key.json"}.peek();
   EXPECT_THAT(opened.names(), UnorderedElementsAre("key.json"));
 }
 
-TEST(Answer, ACaseThatCannotBeUsedSaysWhy) {
-  const BatteryFolder folder{{"empty"}};
+TEST(Answer, ACaseThatCannotBeUsedHasAReason) {
+  const SuiteFolder folder{{"empty"}};
   const nlohmann::json answer = answerFor(folder.cases() + "/empty");
   EXPECT_EQ(answer.at("case"), "empty");
   EXPECT_EQ(answer.at("verdict"), "bad_input");
@@ -106,12 +106,12 @@ TEST(Answer, ACaseThatCannotBeUsedSaysWhy) {
   EXPECT_THAT(lineOf(answer), testing::StartsWith("empty  bad_input: case.json: "));
 }
 
-TEST(Answer, DegreesThatPassForRadiansAreBadInput) {
+TEST(Answer, DegreesInPlaceOfRadiansAreBadInput) {
   Case given = tame();
   for (Trajectory& log : given.logs)
     for (auto* const column : {&log.goal_rad, &log.position_rad})
       for (double& angle : *column) angle *= 180 / kPi;
-  const BatteryFolder folder{{}};
+  const SuiteFolder folder{{}};
   writeCase(given, folder.cases() + "/a");
   const nlohmann::json answer = answerFor(folder.cases() + "/a");
   EXPECT_EQ(answer.at("verdict"), "bad_input") << answer.dump(1);
@@ -123,7 +123,7 @@ TEST(Answer, DegreesThatPassForRadiansAreBadInput) {
   EXPECT_EQ(answerFor(folder.cases() + "/b").at("verdict"), "bad_input");
 }
 
-TEST(Answer, ALineSaysWhatWasFound) {
+TEST(Answer, ALineHasTheFinding) {
   const nlohmann::json named = {{"case", "e07"},
                                 {"verdict", "named"},
                                 {"effects", {{{"id", "coulomb"}}, {{"id", "backlash"}}}},

@@ -1,4 +1,4 @@
-// A folder of cases that hold nothing but a case.json, for batteries whose answers cost nothing.
+// A folder of cases with a case.json only, for suites with trivial results.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,17 @@
 
 namespace darwinop::gap {
 
-class BatteryFolder {
+class SuiteFolder {
  public:
-  explicit BatteryFolder(const std::vector<std::string>& names) {
+  explicit SuiteFolder(const std::vector<std::string>& names) {
     for (const std::string& name : names) add(name);
   }
   void add(const std::string& name) { write(name, "{}"); }
   void change(const std::string& name) { write(name, "{ }"); }
   void remove(const std::string& name) { std::filesystem::remove_all(cases() + "/" + name); }
 
-  [[nodiscard]] std::string top() const { return folder_ / "battery"; }
-  [[nodiscard]] std::string cases() const { return folder_ / "battery/cases"; }
+  [[nodiscard]] std::string top() const { return folder_ / "suite"; }
+  [[nodiscard]] std::string cases() const { return folder_ / "suite/cases"; }
   [[nodiscard]] std::string results() const { return folder_ / "results.json"; }
 
  private:

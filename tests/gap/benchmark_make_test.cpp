@@ -1,4 +1,4 @@
-// A hidden case looks measured, tells nothing of its secret, and is what its key says.
+// A synthetic case looks like a measured one, does not reveal its effect, and agrees with its key.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -49,32 +49,32 @@ std::string hideError(const CaseRequest& request) {
   return "";
 }
 
-TEST(HiddenCase, IsReadBackWithoutAWarning) {
+TEST(SyntheticCase, IsReadBackWithoutAWarning) {
   const TemporaryFolder folder;
   for (const Baseline baseline : {Baseline::kFriction, Baseline::kSpeed}) {
     CaseRequest request = secret(3, {{.id = "viscous", .values = {{"damping", 0.02}}}}, baseline);
     request.name = std::string{"c-"} + std::string{nameOf(baseline)};
-    hide(request, folder / "battery");
-    const Case c = readCase(folder / "battery/cases/" + request.name);
+    hide(request, folder / "suite");
+    const Case c = readCase(folder / "suite/cases/" + request.name);
     EXPECT_THAT(c.warnings, ElementsAre());
     EXPECT_THAT(checkData(c).warnings, ElementsAre());
     EXPECT_EQ(c.logs.size(), 10u);
     EXPECT_EQ(c.logs[3].repeat_of, 2u);
     EXPECT_TRUE(c.datasheet.has_value());
   }
-  EXPECT_THAT(readKeys(folder / "battery/key.json"),
+  EXPECT_THAT(readKeys(folder / "suite/key.json"),
               ElementsAre(testing::Key("c-CV"), testing::Key("c-W")));  // the second joins the first
 }
 
-TEST(HiddenCase, IsTheSameForASeedAndAnotherForTheNext) {
+TEST(SyntheticCase, IsTheSameForASeedAndAnotherForTheNext) {
   const auto effects = std::vector<HiddenEffect>{{.id = "coulomb", .values = {{"friction", 0.03}}}};
   const std::string first = allText(hidden(secret(5, effects)).given);
   EXPECT_EQ(allText(hidden(secret(5, effects)).given), first);
   EXPECT_NE(allText(hidden(secret(6, effects)).given), first);
 }
 
-// docs/gap/tutorial.md says by which command. Other noise would be a tick or two off.
-TEST(HiddenCase, TheShippedExampleCanBeMadeAgain) {
+// docs/gap/tutorial.md has the command. Other noise would differ by a tick or two.
+TEST(SyntheticCase, TheShippedExampleCanBeMadeAgain) {
   CaseRequest request = secret(13, {{.id = "coulomb", .severity = 2}}, Baseline::kFrictionless);
   request.name = "example";
   const Case made = hidden(request).given, shipped = readCase(DARWINOP_GAP_EXAMPLE);
@@ -87,7 +87,7 @@ TEST(HiddenCase, TheShippedExampleCanBeMadeAgain) {
 }
 
 // Two-sided: noise that is missing would be as wrong as a gap.
-TEST(HiddenCase, WithoutEffectClosesToTheFloor) {
+TEST(SyntheticCase, WithoutEffectClosesToTheFloor) {
   for (const Baseline baseline : {Baseline::kFrictionless, Baseline::kFriction, Baseline::kSpeed, Baseline::kFine}) {
     const Case c = hidden(secret(2, {}, baseline)).given;
     for (std::size_t i = 0; i < c.logs.size(); ++i) {
@@ -102,8 +102,9 @@ TEST(HiddenCase, WithoutEffectClosesToTheFloor) {
 }
 
 // The two integrators have nothing in common but the equations: without noise and rounding they agree far below a step
-// of the encoder (1.5 mrad). The law speed_p changes its speed at once; that takes fine steps from the finder's.
-TEST(HiddenCase, IsIntegratedInAnotherWayWithTheSameResult) {
+// of the encoder (1.5 mrad). The law speed_p changes its speed at once; the integrator of the fits needs fine steps for
+// that.
+TEST(SyntheticCase, IsIntegratedInAnotherWayWithTheSameResult) {
   for (const Baseline baseline : {Baseline::kFriction, Baseline::kSpeed}) {
     Plan plan = drawnPlan("c001", baseline, 4);
     plan.given.quantised = false;
@@ -131,7 +132,7 @@ double furthestFolded(const Plan& plan, const Hypothesis& bench, double (*of)(co
 }
 
 // A firmware of 0.1 ms is folded into periods of 0.5 ms: a fifth of the work, and a small part of an encoder's step.
-TEST(HiddenCase, OfAFineFirmwareIsSimulatedInCoarserPeriods) {
+TEST(SyntheticCase, OfAFineFirmwareIsSimulatedInCoarserPeriods) {
   const Plan plan = drawnPlan("c001", Baseline::kFine, 4);
   ASSERT_FALSE(plan.given.quantised);
   const auto position = [](const Trace& a, const Trace& b) { return rmsOff(a[kPositionSignal], b[kPositionSignal]); };
@@ -149,14 +150,14 @@ TEST(HiddenCase, OfAFineFirmwareIsSimulatedInCoarserPeriods) {
   }
 }
 
-TEST(HiddenCase, TellsNothingOfItsEffect) {
+TEST(SyntheticCase, DoesNotRevealItsEffect) {
   const TemporaryFolder folder;
   hide(
       secret(8, {{.id = "cogging", .values = {{"amplitude", 0.06}, {"count", 24}}}, {.id = "deadband", .severity = 2}}),
-      folder / "battery");
-  EXPECT_THAT(textOf(folder / "battery/key.json"), HasSubstr("cogging"));
+      folder / "suite");
+  EXPECT_THAT(textOf(folder / "suite/key.json"), HasSubstr("cogging"));
   int files = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator{folder / "battery/cases"}) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{folder / "suite/cases"}) {
     if (!entry.is_regular_file()) continue;
     ++files;
     const std::string text = textOf(entry.path()) + entry.path().filename().string();
@@ -167,7 +168,7 @@ TEST(HiddenCase, TellsNothingOfItsEffect) {
   EXPECT_EQ(files, 11);
 }
 
-TEST(HiddenCase, HasAKeyThatCountsTheBaselinesFrictionIn) {
+TEST(SyntheticCase, HasAKeyThatIncludesTheBaselinesFriction) {
   const Hidden made = hidden(secret(5, {{.id = "coulomb", .values = {{"friction", 0.03}}}}));
   const double believed = baselineOf(made.given).find("coulomb")->values[0];
   ASSERT_EQ(made.key.effects.size(), 1u);
@@ -176,7 +177,7 @@ TEST(HiddenCase, HasAKeyThatCountsTheBaselinesFrictionIn) {
   EXPECT_GT(made.key.gap_fit_rad, 5 * made.key.noise_fit_rad);
 }
 
-TEST(HiddenCase, MayHaveABenchThatIsNotQuiteItsModel) {
+TEST(SyntheticCase, MayHaveABenchThatDiffersSlightlyFromItsModel) {
   CaseRequest request = secret(9, {});
   request.wrong_numbers = true;
   const Hidden made = hidden(request);
@@ -191,7 +192,7 @@ TEST(HiddenCase, MayHaveABenchThatIsNotQuiteItsModel) {
   EXPECT_THAT(hidden(request).key.number_factors, testing::IsEmpty());
 }
 
-TEST(HiddenCase, CanBeLikeAnotherCase) {
+TEST(SyntheticCase, CanBeLikeAnotherCase) {
   const Case other = hidden(secret(5, {})).given;
   CaseRequest request = secret(6, {{.id = "transport_delay", .values = {{"delay", 0.02}}}});
   request.like = other;
@@ -204,7 +205,7 @@ TEST(HiddenCase, CanBeLikeAnotherCase) {
   }
 }
 
-TEST(HiddenCase, RefusesWhatCannotBeHidden) {
+TEST(SyntheticCase, RefusesWhatCannotBeHidden) {
   EXPECT_THAT(hideError(secret(1, {{.id = "colomb"}})), HasSubstr("did you mean coulomb?"));
   EXPECT_THAT(hideError(secret(1, {{.id = "coulomb", .values = {{"fricton", 0.1}}}})), HasSubstr("friction"));
   EXPECT_THAT(hideError(secret(1, {{.id = "backlash", .values = {{"play", 0.5}}}})), HasSubstr("0 to 0.06 rad"));

@@ -17,7 +17,7 @@ class JoinedRanks : public testing::Environment {
   std::unique_ptr<Ranks> ranks_;
 };
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): how GoogleTest is told
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): interface of GoogleTest
 [[maybe_unused]] testing::Environment* const kRanks = testing::AddGlobalTestEnvironment(new JoinedRanks);
 
 }  // namespace

@@ -24,7 +24,7 @@ std::vector<double> squares(std::size_t count, std::atomic<int>& calls) {
   });
 }
 
-TEST(Ranks, WithoutMpirunNothingOfMpiIsTouched) {
+TEST(Ranks, WithoutMpirunMpiIsNotUsed) {
   if (std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr) GTEST_SKIP() << "this is a run under mpirun";
   int is_initialised = 1;
   MPI_Initialized(&is_initialised);
@@ -56,7 +56,7 @@ TEST(Ranks, FewerRowsThanRanksDo) {
   EXPECT_THAT(squares(0, calls), ElementsAre());
 }
 
-TEST(Ranks, AnotherThreadSharesNothingAndWaitsForNobody) {
+TEST(Ranks, AnotherThreadSharesNoWorkAndDoesNotWait) {
   std::atomic<int> calls{0};
   std::vector<double> rows;
   // Only the first rank comes here: if it shared, it would wait for the others for ever.
@@ -66,7 +66,7 @@ TEST(Ranks, AnotherThreadSharesNothingAndWaitsForNobody) {
   EXPECT_EQ(calls, 3);
 }
 
-TEST(Ranks, DifferentWorkIsASentenceAndNotAnEndlessWait) {
+TEST(Ranks, DifferentWorkIsAnErrorAndNotAnEndlessWait) {
   if (Ranks::count() == 1) GTEST_SKIP() << "only under mpirun";
   const auto nothing = [](std::size_t, std::span<double>) {};
   EXPECT_THROW(sharedRows(Ranks::isFirst() ? 3 : 4, 1, nothing), std::runtime_error);

@@ -1,5 +1,5 @@
-// A battery with answers that cost nothing: which cases it runs, what it writes, what it survives. Each test holds for
-// one process and under mpirun, where all ranks come to it.
+// A suite with trivial results: which cases it runs, what it writes, which errors it survives. Each test holds for one
+// process and under mpirun, where all ranks execute it.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -25,9 +25,9 @@ std::vector<std::string> namesOf(const json& answers) {
   return names;
 }
 
-std::string refusal(const Suite& battery) {
+std::string refusal(const Suite& suite) {
   try {
-    (void)runSuite(battery);
+    (void)runSuite(suite);
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -35,10 +35,10 @@ std::string refusal(const Suite& battery) {
 }
 
 /// Under mpirun the folder is that of all ranks.
-class BatteryRun : public testing::Test {
+class SuiteRun : public testing::Test {
  protected:
-  BatteryFolder folder{{"c", "a", "b"}};
-  Suite battery = withAnswers();
+  SuiteFolder folder{{"c", "a", "b"}};
+  Suite suite = withAnswers();
 
   Suite withAnswers() {
     Suite one;
@@ -50,8 +50,8 @@ class BatteryRun : public testing::Test {
   json written() const { return json::parse(std::ifstream{folder.results()}); }
 };
 
-TEST_F(BatteryRun, AnswersEveryCaseInTheOrderOfTheNames) {
-  const json answers = runSuite(battery);
+TEST_F(SuiteRun, AnswersEveryCaseInTheOrderOfTheNames) {
+  const json answers = runSuite(suite);
   if (!Ranks::isFirst()) return;
   EXPECT_THAT(namesOf(answers), ElementsAre("a", "b", "c"));
   EXPECT_EQ(written(), answers);
@@ -59,131 +59,131 @@ TEST_F(BatteryRun, AnswersEveryCaseInTheOrderOfTheNames) {
   EXPECT_EQ(errorsIn(answers), 0U);
 }
 
-TEST_F(BatteryRun, TakesTheFolderAroundTheCasesToo) {
-  battery.folder = folder.top();
-  const json answers = runSuite(battery);
+TEST_F(SuiteRun, AcceptsTheFolderAroundTheCases) {
+  suite.folder = folder.top();
+  const json answers = runSuite(suite);
   EXPECT_EQ(answers.size(), Ranks::isFirst() ? 3U : 0U);
 }
 
-TEST_F(BatteryRun, TellsEachCaseAsItIsDone) {
+TEST_F(SuiteRun, ReportsEachCaseWhenItIsDone) {
   std::vector<std::size_t> done;
   std::set<std::string> names;
-  battery.progress = [&](const SuiteProgress& progress) {
+  suite.progress = [&](const SuiteProgress& progress) {
     done.push_back(progress.done);
     names.insert(progress.answer.at("case"));
     EXPECT_EQ(progress.of, 3U);
     EXPECT_EQ(written().size(), progress.done) << "results are written as they come";
   };
-  (void)runSuite(battery);
+  (void)runSuite(suite);
   if (!Ranks::isFirst()) return;
   EXPECT_THAT(done, ElementsAre(1, 2, 3));
   EXPECT_EQ(names.size(), 3U);
 }
 
-class BatteryAlone : public BatteryRun {
+class SuiteAlone : public SuiteRun {
  protected:
   void SetUp() override {
     if (Ranks::count() > 1) GTEST_SKIP() << "for one process";
   }
 };
 
-TEST_F(BatteryAlone, APipeInPlaceOfACaseIsNotWaitedFor) {
+TEST_F(SuiteAlone, APipeInPlaceOfACaseIsNotWaitedFor) {
   const std::string file = folder.cases() + "/b/case.json";
   std::filesystem::remove(file);
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
   EXPECT_EQ(fingerprintOf(folder.cases() + "/b"), "");
 }
 
-TEST_F(BatteryAlone, ResumeAnswersOnlyWhatHasNoAnswer) {
-  (void)runSuite(battery);
+TEST_F(SuiteAlone, ResumeAnswersOnlyWhatHasNoAnswer) {
+  (void)runSuite(suite);
   folder.add("d");
   std::set<std::string> run;
-  battery.answer = [&](const std::string& path) {
+  suite.answer = [&](const std::string& path) {
     run.insert(std::filesystem::path{path}.filename());
     return cheapAnswer(path);
   };
-  battery.resume = true;
+  suite.resume = true;
   std::size_t kept = 0;
-  battery.begun = [&](std::size_t count) { kept = count; };
-  EXPECT_THAT(namesOf(runSuite(battery)), ElementsAre("a", "b", "c", "d"));
+  suite.begun = [&](std::size_t count) { kept = count; };
+  EXPECT_THAT(namesOf(runSuite(suite)), ElementsAre("a", "b", "c", "d"));
   EXPECT_THAT(run, ElementsAre("d"));
   EXPECT_EQ(kept, 3U);
 }
 
-TEST_F(BatteryAlone, ResumeRunsAnotherCaseOfTheSameNameAnew) {
-  (void)runSuite(battery);
+TEST_F(SuiteAlone, ResumeRunsAnotherCaseOfTheSameNameAgain) {
+  (void)runSuite(suite);
   folder.change("b");
   folder.remove("c");
-  battery.resume = true;
+  suite.resume = true;
   std::set<std::string> run;
-  battery.progress = [&](const SuiteProgress& progress) { run.insert(progress.answer.at("case")); };
-  EXPECT_THAT(namesOf(runSuite(battery)), ElementsAre("a", "b"));
+  suite.progress = [&](const SuiteProgress& progress) { run.insert(progress.answer.at("case")); };
+  EXPECT_THAT(namesOf(runSuite(suite)), ElementsAre("a", "b"));
   EXPECT_THAT(run, ElementsAre("b"));
 }
 
-TEST_F(BatteryAlone, AKilledRunLosesNoMoreThanTheCaseItWasAt) {
-  battery.answer = [&](const std::string& path) -> json {
+TEST_F(SuiteAlone, AKilledRunLosesOnlyTheCaseInProgress) {
+  suite.answer = [&](const std::string& path) -> json {
     if (path.ends_with("b")) throw 1;  // nothing that is caught: as good as a kill
     return cheapAnswer(path);
   };
-  EXPECT_ANY_THROW((void)runSuite(battery));
-  battery = withAnswers();
-  battery.resume = true;
+  EXPECT_ANY_THROW((void)runSuite(suite));
+  suite = withAnswers();
+  suite.resume = true;
   std::set<std::string> run;
-  battery.progress = [&](const SuiteProgress& progress) { run.insert(progress.answer.at("case")); };
-  EXPECT_EQ(runSuite(battery).size(), 3U);
+  suite.progress = [&](const SuiteProgress& progress) { run.insert(progress.answer.at("case")); };
+  EXPECT_EQ(runSuite(suite).size(), 3U);
   EXPECT_THAT(run, ElementsAre("b", "c"));
 }
 
-TEST_F(BatteryAlone, WithoutResumeItBeginsAnewAndKeepsTheOldFile) {
-  (void)runSuite(battery);
+TEST_F(SuiteAlone, WithoutResumeItStartsAgainAndKeepsTheOldFile) {
+  (void)runSuite(suite);
   folder.remove("c");
-  EXPECT_EQ(runSuite(battery).size(), 2U);
+  EXPECT_EQ(runSuite(suite).size(), 2U);
   EXPECT_EQ(json::parse(std::ifstream{folder.results() + ".before"}).size(), 3U);
 }
 
-TEST_F(BatteryAlone, SeveralCasesAtOnceGiveTheSame) {
-  const json one = runSuite(battery);
-  battery.jobs = 3;
-  EXPECT_EQ(runSuite(battery), one);
+TEST_F(SuiteAlone, SeveralCasesAtOnceGiveTheSame) {
+  const json one = runSuite(suite);
+  suite.jobs = 3;
+  EXPECT_EQ(runSuite(suite), one);
 }
 
-TEST_F(BatteryAlone, AnErrorIsCountedAndTriedAgain) {
-  battery.answer = [](const std::string& path) {
+TEST_F(SuiteAlone, AnErrorIsCountedAndTriedAgain) {
+  suite.answer = [](const std::string& path) {
     json answer = cheapAnswer(path);
     if (path.ends_with("b")) answer["verdict"] = "error";
     return answer;
   };
-  EXPECT_EQ(errorsIn(runSuite(battery)), 1U);
-  battery = withAnswers();
-  battery.resume = true;
+  EXPECT_EQ(errorsIn(runSuite(suite)), 1U);
+  suite = withAnswers();
+  suite.resume = true;
   std::set<std::string> run;
-  battery.progress = [&](const SuiteProgress& progress) { run.insert(progress.answer.at("case")); };
-  EXPECT_EQ(errorsIn(runSuite(battery)), 0U);
+  suite.progress = [&](const SuiteProgress& progress) { run.insert(progress.answer.at("case")); };
+  EXPECT_EQ(errorsIn(runSuite(suite)), 0U);
   EXPECT_THAT(run, ElementsAre("b"));
 }
 
-TEST_F(BatteryAlone, RefusalsSayWhatToDo) {
-  battery.folder = folder.cases() + "/a";
-  EXPECT_THAT(refusal(battery), HasSubstr("/a: is a single case; use `darwinop gap run`"));
-  battery.folder = folder.cases() + "/nowhere";
-  EXPECT_THAT(refusal(battery), HasSubstr("not a folder"));
-  battery = withAnswers();
-  battery.out = folder.cases() + "/nowhere/results.json";
-  EXPECT_THAT(refusal(battery), HasSubstr("cannot write"));
-  battery = withAnswers();
-  std::ofstream{battery.out} << "no json";
-  battery.resume = true;
-  EXPECT_THAT(refusal(battery), HasSubstr("results.json: not a results.json of benchmark run"));
+TEST_F(SuiteAlone, RefusalsNameARemedy) {
+  suite.folder = folder.cases() + "/a";
+  EXPECT_THAT(refusal(suite), HasSubstr("/a: is a single case; use `darwinop gap run`"));
+  suite.folder = folder.cases() + "/nowhere";
+  EXPECT_THAT(refusal(suite), HasSubstr("not a folder"));
+  suite = withAnswers();
+  suite.out = folder.cases() + "/nowhere/results.json";
+  EXPECT_THAT(refusal(suite), HasSubstr("cannot write"));
+  suite = withAnswers();
+  std::ofstream{suite.out} << "no json";
+  suite.resume = true;
+  EXPECT_THAT(refusal(suite), HasSubstr("results.json: not a results.json of benchmark run"));
 }
 
-TEST_F(BatteryAlone, BytesOfABrokenFileDoNotBreakTheResults) {
-  battery.answer = [](const std::string& path) {
+TEST_F(SuiteAlone, BytesOfABrokenFileDoNotBreakTheResults) {
+  suite.answer = [](const std::string& path) {
     json answer = cheapAnswer(path);
     answer["why"] = "column \xff is unknown";
     return answer;
   };
-  EXPECT_EQ(runSuite(battery).size(), 3U);
+  EXPECT_EQ(runSuite(suite).size(), 3U);
   EXPECT_THAT(written()[0].at("why").get<std::string>(), HasSubstr("is unknown"));
 }
 

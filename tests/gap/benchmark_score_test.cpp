@@ -113,7 +113,7 @@ TEST(Score, CountsWhatIsRight) {
   expectShare(share(score, "two effects: the first"), 2, 2);
   expectShare(share(score, "outside the catalogue: unknown"), 1, 2);
   expectShare(share(score, "outside the catalogue: a wrong name"), 0, 2);
-  expectShare(share(score, "block"), 0, 0);  // no answer tells one
+  expectShare(share(score, "block"), 0, 0);  // no answer has one
   EXPECT_FALSE(share(score, "effect-free").reached());
   EXPECT_TRUE(share(score, "two effects: the first").reached());
 }
@@ -140,7 +140,7 @@ TEST(Score, ListsConfusions) {
                            "deadband -> ambiguous: coulomb or deadband  (c)", "viscous + deadband -> viscous  (h)",
                            "u_cable -> unknown, another place  (j)"})
     EXPECT_THAT(text, HasSubstr(line));
-  EXPECT_THAT(text, HasSubstr("nothing hidden, and what was said of it\n\n   1  nothing -> inertia"));
+  EXPECT_THAT(text, HasSubstr("nothing hidden, and the answers that are wrong\n\n   1  nothing -> inertia"));
   EXPECT_EQ(score.confusions.size(), 6u);
   const auto json = asJson(score);
   EXPECT_EQ(json.at("shares").at(0).at("right"), 1);
@@ -190,7 +190,7 @@ TEST(Score, SplitsBySeverityAndNumbers) {
   EXPECT_EQ(asJson(score).at("details").size(), score.details.size());
 }
 
-TEST(Score, SaysInHowManyCasesNobodyIsLedAstray) {
+TEST(Score, ReportsTheShareOfFairAnswers) {
   const HandMade made;
   const Score score = scoreOf(made.keys, made.answers);
   // a, c (ambiguous), e, g, h (the first is right), i, j (unknown): not b, d and f.
@@ -199,7 +199,7 @@ TEST(Score, SaysInHowManyCasesNobodyIsLedAstray) {
   EXPECT_FALSE(isBelow(score, 0.89));
 }
 
-TEST(Score, TakesOneNameTooManyForWrong) {
+TEST(Score, CountsOneNameTooManyAsWrong) {
   HandMade made;
   made.answers["g"].effects.push_back({"backlash", {}, {}});
   made.answers["j"].effects.push_back({"backlash", {}, {}});
@@ -219,16 +219,16 @@ TEST(Score, JudgesTheBlockOfTheLoop) {
   expectShare(share(scoreOf(made.keys, made.answers), "block"), 2, 8);
 }
 
-TEST(Score, JudgesTheBlockThatOpensByItself) {
+TEST(Score, JudgesTheFirstOpenBlockByItself) {
   HandMade made;
-  expectShare(share(scoreOf(made.keys, made.answers), "the block that opens"), 0, 0);  // no answer tells one
+  expectShare(share(scoreOf(made.keys, made.answers), "first open block right"), 0, 0);  // no answer has one
   made.answers["a"].first_open_block = made.answers["b"].first_open_block = made.answers["c"].first_open_block =
       "plant";
   made.answers["c"].block = "controller";  // a dead band is the controller's
-  expectShare(share(scoreOf(made.keys, made.answers), "the block that opens"), 2, 8);
+  expectShare(share(scoreOf(made.keys, made.answers), "first open block right"), 2, 8);
 }
 
-TEST(ParameterNames, AreThoseOfManyBatteries) {
+TEST(ParameterNames, AreThoseOfManySuites) {
   const auto of = [](const char* effect, const char* name) {
     const auto found = parameterOf(effect, name);
     return found ? std::string{found->key} : "nothing";
@@ -309,7 +309,7 @@ TEST(Answers, AreRefusedWithFileAndCase) {
               HasSubstr("case a: has two results"));
 }
 
-TEST(ExampleKey, GivesFullMarksToItsOwnAnswers) {
+TEST(ExampleKey, GivesTheFullScoreToItsOwnAnswers) {
   const char* const shared = std::getenv("DARWINOP_SHARED");
   const std::filesystem::path path = std::filesystem::path{shared != nullptr ? shared : DARWINOP_SHARED} / "gap-cases";
   if (!std::filesystem::exists(path / "key.json")) GTEST_SKIP() << "no example key in " << path;

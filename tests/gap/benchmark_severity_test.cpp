@@ -1,4 +1,4 @@
-// Effects are as strong as they are asked to be, where a bench shows them at all.
+// Effects have the requested strength, where a bench shows them at all.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -71,10 +71,11 @@ TEST(Severity, IsWhatTheRangeAllowsWhereThatIsLess) {
   const twin::EffectInfo& info = *twin::findEffect("resistance_error");
   const Strength found = strengthOf(plan.given, baselineOf(plan.given), info, 3, rng);
   EXPECT_LT(found.severity, 3);
-  EXPECT_DOUBLE_EQ(std::abs(found.values[0]), 0.9 * 0.15) << "at the end of the range a fit cannot tell what is beyond";
+  EXPECT_DOUBLE_EQ(std::abs(found.values[0]), 0.9 * 0.15)
+      << "an estimate at the end of the range has no upper interval end";
 }
 
-// A payload that was weighed to 2 % and is 1 % heavier hides nothing: `none` would be the right answer.
+// A payload that is known to 2 % and is 1 % heavier makes no finding: `none` would be the right answer.
 TEST(Severity, IsMoreThanThePriorOfTheNumberThatTheEffectMeans) {
   Plan plan = drawnPlan("c001", Baseline::kFriction, 21);
   plan.given.priors = {{.number = "payload", .relative_sigma = 0.02}, {.number = "length", .relative_sigma = 0.02}};
@@ -95,7 +96,7 @@ TEST(Severity, IsMoreThanThePriorOfTheNumberThatTheEffectMeans) {
         least = std::min(least, sigmas);
     }
   }
-  EXPECT_LT(least, 2) << "otherwise this shows nothing";
+  EXPECT_LT(least, 2) << "otherwise this test has no meaning";
 }
 
 TEST(Severity, IsNoneWhereThePriorAllowsAllOfTheRange) {
@@ -114,9 +115,9 @@ TEST(Severity, OfAnEffectThatTheLawDoesNotHaveIsNone) {
   EXPECT_EQ(severityOfGap(0.05), 3);
 }
 
-class EachStranger : public testing::TestWithParam<std::string> {};
+class EachOutsideEffect : public testing::TestWithParam<std::string> {};
 
-TEST_P(EachStranger, ShowsWhereTheKeySays) {
+TEST_P(EachOutsideEffect, ShowsWhereTheKeySays) {
   const Hidden made = hiddenAt(GetParam(), 0, 14);
   EXPECT_EQ(made.key.kind, CaseClass::kOutside);
   EXPECT_GT(made.key.gap_fit_rad, 3 * kFloor);
@@ -130,15 +131,15 @@ TEST_P(EachStranger, ShowsWhereTheKeySays) {
   }
 }
 
-std::vector<std::string> strangers() {
+std::vector<std::string> outsideIds() {
   std::vector<std::string> ids;
   for (const OutsideInfo& info : outsideCatalogue()) ids.emplace_back(info.id);
   return ids;
 }
-INSTANTIATE_TEST_SUITE_P(Outside, EachStranger, testing::ValuesIn(strangers()),
+INSTANTIATE_TEST_SUITE_P(Outside, EachOutsideEffect, testing::ValuesIn(outsideIds()),
                          [](const auto& tested) { return tested.param; });
 
-TEST(Strangers, FollowTheClockOfTheSession) {
+TEST(OutsideEffects, FollowTheClockOfTheSession) {
   const Hidden bump = hiddenAt("u_bump", 0, 3);
   for (const KeyPlace& place : bump.key.places) EXPECT_EQ(place.file, "fit_3.csv");  // fit_4 repeats it, untouched
   CaseRequest request;

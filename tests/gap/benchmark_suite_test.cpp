@@ -1,4 +1,4 @@
-// The project's own battery holds what it says it holds, and does not give it away.
+// The project's own suite has the promised cases, and their names do not reveal the effects.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace darwinop::gap {
 namespace {
 
-bool isStranger(const CaseRequest& request) {
+bool isOutside(const CaseRequest& request) {
   return request.effects.size() == 1 && findOutside(request.effects[0].id) != nullptr;
 }
 
@@ -22,31 +22,31 @@ std::size_t countIf(const std::vector<CaseRequest>& all, bool (*is)(const CaseRe
   return static_cast<std::size_t>(std::ranges::count_if(all, is));
 }
 
-TEST(OwnBattery, HasEnoughOfEverything) {
+TEST(OwnSuite, HasEnoughOfEverything) {
   const auto all = ownRequests(1, Part::kAll);
-  EXPECT_GE(countIf(all, [](const auto& r) { return r.effects.size() == 1 && !isStranger(r); }), 200u);
+  EXPECT_GE(countIf(all, [](const auto& r) { return r.effects.size() == 1 && !isOutside(r); }), 200u);
   EXPECT_EQ(countIf(all, [](const auto& r) { return r.effects.empty(); }), 100u);
   EXPECT_EQ(countIf(all, [](const auto& r) { return r.effects.empty() && r.wrong_numbers; }), 50u);
   EXPECT_EQ(countIf(all, [](const auto& r) { return r.effects.size() == 2; }), 30u);
-  EXPECT_EQ(countIf(all, [](const auto& r) { return isStranger(r); }), 20u);
+  EXPECT_EQ(countIf(all, [](const auto& r) { return isOutside(r); }), 20u);
 
-  std::set<std::string> hidden_ids, strangers;
+  std::set<std::string> hidden_ids, outside_ids;
   std::map<std::string, std::set<int>> severities;
   std::map<Baseline, int> baselines;
   for (const CaseRequest& request : all) {
     ++baselines[request.baseline];
     for (const HiddenEffect& effect : request.effects) {
-      (findOutside(effect.id) != nullptr ? strangers : hidden_ids).insert(effect.id);
+      (findOutside(effect.id) != nullptr ? outside_ids : hidden_ids).insert(effect.id);
       if (request.effects.size() == 1) severities[effect.id].insert(effect.severity);
     }
   }
   EXPECT_EQ(hidden_ids.size(), twin::catalogue().size());
-  EXPECT_GE(strangers.size(), 5u);
+  EXPECT_GE(outside_ids.size(), 5u);
   EXPECT_THAT(severities["coulomb"], testing::ElementsAre(1, 2, 3));
   EXPECT_EQ(baselines.size(), 4u);
 }
 
-TEST(OwnBattery, HasNamesAndAnOrderThatTellNothing) {
+TEST(OwnSuite, HasNamesAndAnOrderThatRevealNothing) {
   const auto all = ownRequests(1, Part::kAll);
   EXPECT_EQ(all[0].name, "c001");
   std::set<std::uint64_t> seeds;
@@ -66,22 +66,22 @@ std::string textOf(const std::vector<CaseRequest>& all) {
   return text;
 }
 
-TEST(OwnBattery, IsTheSameForASeedAndAnotherForTheNext) {
+TEST(OwnSuite, IsTheSameForASeedAndAnotherForTheNext) {
   for (const Part part : {Part::kQuick, Part::kPairs}) {
     EXPECT_EQ(textOf(ownRequests(4, part)), textOf(ownRequests(4, part)));
     EXPECT_NE(textOf(ownRequests(4, part)), textOf(ownRequests(5, part)));
   }
 }
 
-TEST(OwnBattery, HasAQuickPartOfTwelve) {
+TEST(OwnSuite, HasAQuickPartOfTwelve) {
   const auto quick = ownRequests(kEverydaySeed, Part::kQuick);
   EXPECT_EQ(quick.size(), 12u);
   EXPECT_EQ(countIf(quick, [](const auto& r) { return r.effects.empty(); }), 3u);
   EXPECT_EQ(countIf(quick, [](const auto& r) { return r.effects.size() == 2; }), 1u);
-  EXPECT_EQ(countIf(quick, [](const auto& r) { return isStranger(r); }), 1u);
+  EXPECT_EQ(countIf(quick, [](const auto& r) { return isOutside(r); }), 1u);
 }
 
-TEST(OwnBattery, IsWrittenWithTheKeyBesideTheCases) {
+TEST(OwnSuite, IsWrittenWithTheKeyBesideTheCases) {
   const TemporaryFolder folder;
   auto few = ownRequests(6, Part::kEffectFree);
   few.resize(2);

@@ -1,4 +1,4 @@
-// A case.json with a mistake is refused, and the sentence says which.
+// A case.json with a mistake is refused, and the message names it.
 #include <gmock/gmock.h>
 
 #include <ostream>
@@ -49,8 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"R_ohm\": 8.5", "\"R_ohm\": 8.5, \"spin_Nm\": 1", "`baseline.params.spin_Nm` is not known"},
         Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0", "`prior_rel_sigma.kt_Nm_A` is 0"},
         Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0.02, \"kt\": 0.03", "has a sigma already"},
-        Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0.02, \"coulomb.fricton\": 0.1", "no parameter of an effect"},
-        Mistake{"\"tiny\"", "\"a;b\"", "`case` is no name"},
+        Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0.02, \"coulomb.fricton\": 0.1", "is not a parameter of an effect"},
+        Mistake{"\"tiny\"", "\"a;b\"", "`case` is not a valid name"},
         Mistake{"\"tiny\"", "7", "`case` is 7; it has to be a text"},
         Mistake{"\"kp\": 32", "\"kp\": -1", "`logs[0].kp` is -1"},
         Mistake{"\"payload_kg\": 0.3", "\"payload_kg\": true", "`logs[0].payload_kg` is true"},
@@ -58,12 +58,12 @@ INSTANTIATE_TEST_SUITE_P(
                 "`logs[1].role` is \"test\"; it has to be fit, held_out or score"},
         Mistake{"\"role\": \"fit\"", "\"role\": \"score\"", "`logs` has no log with \"role\": \"fit\""},
         Mistake{"\"file\": \"fit_1.csv\"", "\"file\": \"fit_2.csv\"", "my/fit_2.csv: there is no such file"},
-        Mistake{"\"file\": \"fit_1.csv\"", "\"file\": \"../fit_1.csv\"", "`logs[0].file` lies outside"},
+        Mistake{"\"file\": \"fit_1.csv\"", "\"file\": \"../fit_1.csv\"", "`logs[0].file` is outside"},
         Mistake{"\"file\": \"fit_1.csv\"", "\"file\": \"score_1.csv\"", "`logs[1].file` is there twice"},
         Mistake{"\"repeat_of\": null", "\"repeat_of\": \"fit_9.csv\"", "`logs[0].repeat_of` names no log"},
         Mistake{"\"repeat_of\": null", "\"repeat_of\": \"fit_1.csv\"", "`logs[0].repeat_of` names the log itself"},
-        Mistake{"\"kp\": 32, ", "", "my/fit_1.csv: the case does not say its P register"},
-        Mistake{"\"kp\": 32", "\"joint\": \"Nek\", \"kp\": 32", "`logs[0].joint` is no joint; did you mean Neck?"},
+        Mistake{"\"kp\": 32, ", "", "my/fit_1.csv: the case does not have its P register"},
+        Mistake{"\"kp\": 32", "\"joint\": \"Nek\", \"kp\": 32", "`logs[0].joint` is not a joint; did you mean Neck?"},
         Mistake{"\"kp\": 32", "\"joint\": \"Neck\", \"kp\": 32", "is another one than that of `logs[0]`"},
         Mistake{"\"kp\": 32", "\"from_s\": 2, \"to_s\": 1, \"kp\": 32", "`logs[0].to_s` is not after"},
         Mistake{"\"logs\"", "\"model\": \"a.ini\", \"logs\"", "`model` and `baseline` are two models"},
@@ -85,7 +85,7 @@ TEST(CaseMistakes, NotesMayStandAnywhere) {
 TEST(CaseMistakes, SomethingElseThanAnObject) {
   CaseTexts texts;
   texts.json = "[1, 2]";
-  EXPECT_EQ(texts.error(), "my/case.json: is no object; a case begins with { and ends with }");
+  EXPECT_EQ(texts.error(), "my/case.json: not a JSON object; a case begins with { and ends with }");
   texts.json = "";
   EXPECT_THAT(texts.error(), StartsWith("my/case.json, line 1: this is not JSON"));
 }

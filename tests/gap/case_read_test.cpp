@@ -1,4 +1,4 @@
-// What a case.json says arrives, under the names of this house.
+// The values of a case.json are read into our names and units.
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
@@ -35,7 +35,7 @@ TEST(CaseRead, NumbersOfTheVoltageLaw) {
   EXPECT_THAT(c.warnings, ElementsAre());
 }
 
-TEST(CaseRead, FrictionIsAnEffectAndNoneIsNoEffect) {
+TEST(CaseRead, FrictionBecomesAnEffectUnlessItIsZero) {
   const Case c = CaseTexts{}.read();
   ASSERT_EQ(c.model.effects.size(), 1u);  // viscous is 0
   EXPECT_EQ(c.model.effects[0].info->id, "coulomb");
@@ -46,7 +46,7 @@ TEST(CaseRead, PriorsOfWhatIsNotThereAreDropped) {
   EXPECT_THAT(priorsOf(CaseTexts{}.read()), ElementsAre("kt", "resistance", "payload", "coulomb.friction"));
 }
 
-TEST(CaseRead, HeldOutIsTheRoleThatScoreWas) {
+TEST(CaseRead, ScoreIsReadAsHeldOut) {
   EXPECT_TRUE(CaseTexts{}.with("\"role\": \"score\"", "\"role\": \"held_out\"").read().logs[1].held_out);
   EXPECT_TRUE(CaseTexts{}.read().logs[1].held_out) << "the former word";
 }
@@ -128,12 +128,12 @@ TEST(CaseRead, ADataSheetAtItsOwnVoltage) {
   EXPECT_EQ(c.model.servo.kt_nm_a, 1.8);                                  // the baseline stays
 }
 
-TEST(CaseRead, WhatADataSheetSaysBesidesIsLeftAside) {
+TEST(CaseRead, OtherKeysOfADataSheetAreIgnored) {
   const Case c = CaseTexts{}.with("\"logs\"", R"("servo_datasheet": {"colour": "black"}, "logs")").read();
   EXPECT_THAT(c.warnings, ElementsAre(HasSubstr("servo_datasheet.colour")));
 }
 
-TEST(CaseRead, WhatOtherProgramsAddIsLeftOutAndSaid) {
+TEST(CaseRead, KeysOfOtherProgramsAreIgnoredWithAWarning) {
   const Case c = CaseTexts{}
                      .with("\"family\"", R"("bench_serial": 7, "family")")
                      .with("\"kp\": 32", R"("weather": "dry", "kp": 32)")
@@ -144,7 +144,7 @@ TEST(CaseRead, WhatOtherProgramsAddIsLeftOutAndSaid) {
                                       "my/case.json: \"bench_serial\" is not known and left out"));
 }
 
-TEST(CaseRead, AFastFirmwareSeesFinerThanItsSteps) {
+TEST(CaseRead, AFastFirmwareHasAFinerEncoderThanItsRegisters) {
   EXPECT_FALSE(CaseTexts{}.with("\"firmware_dt_s\": 0.001", "\"firmware_dt_s\": 0.0001").read().quantised);
   EXPECT_TRUE(CaseTexts{}
                   .with("\"firmware_dt_s\": 0.001", "\"firmware_dt_s\": 0.0001, \"position_in_ticks\": true")
@@ -152,7 +152,7 @@ TEST(CaseRead, AFastFirmwareSeesFinerThanItsSteps) {
                   .quantised);
 }
 
-TEST(CaseRead, StepsOfTheEncoderAreNeededWhereTheFirmwareSeesThem) {
+TEST(CaseRead, StepsOfTheEncoderAreRequiredWhereTheFirmwareUsesThem) {
   const CaseTexts without = CaseTexts{}.with(", \"ticks_per_rev\": 4096", "");
   EXPECT_THAT(without.error(), HasSubstr("`baseline.params.ticks_per_rev` is missing"));
   EXPECT_EQ(without.with("\"firmware_dt_s\": 0.001", "\"firmware_dt_s\": 0.0001").error(), "");
@@ -201,7 +201,7 @@ TEST(CaseRead, APipeInPlaceOfALogIsRefusedAtOnce) {
   }
 }
 
-TEST(CaseRead, AFolderWithoutACaseSaysHowToMakeOne) {
+TEST(CaseRead, AnErrorForAFolderWithoutACaseSuggestsHowToMakeOne) {
   const TemporaryFolder folder;
   try {
     readCase(folder / "");

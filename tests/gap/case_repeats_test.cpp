@@ -41,8 +41,7 @@ TEST(CaseRepeats, LeadToTheFirstOfTheSeries) {
 }
 
 TEST(CaseRepeats, InACircleAreRefused) {
-  EXPECT_THAT(threeLogs("fit_3.csv", "fit_2.csv").error(),
-              HasSubstr("my/case.json: `logs[1].repeat_of` goes round in a circle"));
+  EXPECT_THAT(threeLogs("fit_3.csv", "fit_2.csv").error(), HasSubstr("my/case.json: `logs[1].repeat_of` is circular"));
 }
 
 TEST(CaseRepeats, HaveTheSameGainAndGoals) {
@@ -54,7 +53,7 @@ TEST(CaseRepeats, HaveTheSameGainAndGoals) {
   EXPECT_THAT(texts.error(), HasSubstr("`logs[1].repeat_of` names fit_1.csv, which has other goals"));
 }
 
-TEST(CaseRepeats, ACopyIsNoRepeatAndCountsOnce) {
+TEST(CaseRepeats, ACopyCountsOnceAndNotAsARepeat) {
   CaseTexts texts = threeLogs("fit_1.csv", "");
   const double before_s = checkData(texts.read()).fit.duration_s;
   texts.logs["fit_2.csv"] = texts.logs["fit_1.csv"];

@@ -79,7 +79,7 @@ inline const std::string kVoltageCase = R"({
  ]
 })";
 
-/// A case that is sound until a test breaks it.
+/// A valid case, which a test may break.
 struct CaseTexts {
   std::string json = kVoltageCase;
   std::map<std::string, std::string> logs{{"fit_1.csv", csvOf(sineRows())}, {"score_1.csv", csvOf(sineRows(0.4, 0.8))}};

@@ -1,4 +1,4 @@
-// What is said about data before anything is fitted.
+// The data check before any fit.
 #include "gap/case/data_check.hpp"
 
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Whether the case reveals what a rule asks for.
+/// True: the case satisfies a rule.
 bool reveals(const Case& c, std::string_view id) {
   const DataCheck check = checkData(c);
   const auto found = std::ranges::find(check.findings, id, &Finding::id);
@@ -35,7 +35,7 @@ TEST(DataCheck, ExcitationOfALog) {
   EXPECT_THAT(e.payloads_kg, ElementsAre(0.3));
   EXPECT_THAT(e.p_registers, ElementsAre(32));
   EXPECT_NEAR(check.fit.session_s.high, 1.5 + 3.184, 1e-9);
-  EXPECT_NEAR(check.held_out.duration_s, 3.184, 1e-9);  // kept logs are not counted with the others
+  EXPECT_NEAR(check.held_out.duration_s, 3.184, 1e-9);  // held-out logs are not counted with the others
 }
 
 TEST(DataCheck, RestAndSlowMotion) {
@@ -81,7 +81,7 @@ TEST(DataCheck, ASlowerHostWithTorqueLosesNoRows) {
   EXPECT_TRUE(check.warnings.empty());
 }
 
-TEST(DataCheck, OnePayloadAndOneGainHideFriction) {
+TEST(DataCheck, OnePayloadAndOneGainDoNotShowFriction) {
   const Case one = CaseTexts{}.read();
   EXPECT_FALSE(reveals(one, "payloads"));
   EXPECT_FALSE(reveals(one, "p_gains"));
@@ -92,7 +92,7 @@ TEST(DataCheck, OnePayloadAndOneGainHideFriction) {
   two.logs.back().p_register = 16;
   EXPECT_TRUE(reveals(two, "payloads"));
   EXPECT_TRUE(reveals(two, "p_gains"));
-  two.logs.back().payload_kg = 0.31;  // too near to tell
+  two.logs.back().payload_kg = 0.31;  // too close to distinguish
   EXPECT_FALSE(reveals(two, "payloads"));
   two.logs.back().payload_kg = 0.35;
   two.logs.back().held_out = true;  // what is kept is not learnt from
@@ -129,18 +129,18 @@ TEST(DataCheck, WarmthTimeAndSides) {
   EXPECT_FALSE(reveals(c, "both_sides"));
 }
 
-TEST(DataCheck, SaturationAndRepeatsAndKeptLogs) {
+TEST(DataCheck, SaturationAndRepeatsAndHeldOutLogs) {
   Case c = CaseTexts{}.read();
   EXPECT_FALSE(reveals(c, "saturation"));
   for (std::size_t i = 10; i < 15; ++i) c.logs[0].load[i] = i % 2 == 0 ? -1 : 0.996;
   EXPECT_TRUE(reveals(c, "saturation"));
   EXPECT_FALSE(reveals(c, "repeats"));
-  EXPECT_TRUE(reveals(c, "kept_logs"));
+  EXPECT_TRUE(reveals(c, "held_out_logs"));
   c.logs.pop_back();
-  EXPECT_FALSE(reveals(c, "kept_logs"));
+  EXPECT_FALSE(reveals(c, "held_out_logs"));
 }
 
-TEST(DataCheck, KeptLogsThatLoadTheServoMore) {
+TEST(DataCheck, HeldOutLogsThatLoadTheServoMore) {
   Case c = CaseTexts{}.read();
   for (Trajectory& log : c.logs) log.load.assign(log.rows(), 0.4);
   Trajectory& kept = c.logs.back();
@@ -155,7 +155,7 @@ TEST(DataCheck, KeptLogsThatLoadTheServoMore) {
   c.logs.front().load[10] = 0.5;
   EXPECT_TRUE(reveals(c, "held_out_load")) << "a fitted one goes as far";
   for (Trajectory& log : c.logs) log.load.assign(log.rows(), std::nan(""));
-  EXPECT_TRUE(reveals(c, "held_out_load")) << "nobody can see it";
+  EXPECT_TRUE(reveals(c, "held_out_load")) << "not measured";
 }
 
 TEST(DataCheck, NamesEffectsOfTheCatalogueOnly) {

@@ -1,4 +1,4 @@
-// The example cases of other simulators, and logs of a real servo: they are read, and nothing is odd about them.
+// The example cases of other simulators, and logs of a real servo: they are read without warnings.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -87,7 +87,7 @@ TEST(ExampleCases, InDegreesAreRefused) {
   }
 }
 
-TEST(RealServo, IsReadAndItsLimitsAreSaid) {
+TEST(RealServo, IsReadAndItsLimitsAreReported) {
   if (!fs::exists(shared("real-servo"))) GTEST_SKIP() << "no logs of a real servo in " << shared("real-servo");
   const Case c = readCase(shared("real-servo"));
   EXPECT_EQ(c.goal_order, GoalOrder::kBeforeRead);

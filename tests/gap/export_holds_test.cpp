@@ -1,4 +1,4 @@
-// What a target cannot hold is said, for every effect there is.
+// The export reports what a target cannot represent, for every effect.
 #include <gmock/gmock.h>
 
 #include <iterator>
@@ -26,7 +26,7 @@ TEST(ExportHolds, EveryEffectOfTheCatalogueHasARowForEveryTarget) {
 }
 
 // What the table calls held must move with the effect in the numbers that are written, and what it calls lost must not.
-TEST(ExportHolds, TheTableIsTrueOfTheTexts) {
+TEST(ExportHolds, TheTableAgreesWithTheTexts) {
   const ExportSettings settings = forArm();
   for (const twin::EffectInfo* info : twin::catalogue()) {
     Believed neutral, typical;
@@ -83,7 +83,7 @@ TEST(ExportHolds, AModelWhosePIsSwappedIsOneOfThatLaw) {
   EXPECT_THAT(exportTo(Target::kMujoco, swapped.get(), forArm()).lost, Not(Contains(HasSubstr("P on"))));
 }
 
-TEST(ExportHolds, AnEffectThatDoesNothingIsNoLoss) {
+TEST(ExportHolds, AnEffectAtItsNeutralValuesIsNotReported) {
   Believed model;
   model.with("stribeck", "friction", 0);
   EXPECT_THAT(exportTo(Target::kUrdf, model.get(), forArm()).lost, Not(Contains(HasSubstr("stribeck"))));

@@ -1,4 +1,4 @@
-// MuJoCo itself reads what is written for it, and moves as this library says that it will.
+// MuJoCo reads the exported files and moves as this library predicts.
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 

@@ -133,7 +133,7 @@ Case madeFrom(const Hypothesis& hypothesis) {
   return made;
 }
 
-TEST(ExportSemantics, WhatMujocoHoldsLeavesNoGapAtASmallStep) {
+TEST(ExportSemantics, WhatMujocoRepresentsLeavesNoGapAtASmallStep) {
   Believed model;
   model.friction();
   const Case made = madeFrom(model.get());
@@ -148,7 +148,7 @@ TEST(ExportSemantics, WhatMujocoHoldsLeavesNoGapAtASmallStep) {
   EXPECT_GT(usual.target_fit_mrad, measured.target_fit_mrad);
 }
 
-TEST(ExportSemantics, WhatWebotsCannotHoldShowsInItsGap) {
+TEST(ExportSemantics, WhatWebotsCannotRepresentShowsInItsGap) {
   Believed model;
   model.friction();
   const Case made = madeFrom(model.get());
@@ -159,7 +159,7 @@ TEST(ExportSemantics, WhatWebotsCannotHoldShowsInItsGap) {
   EXPECT_NE(asText(webots).find("score.csv (held out)"), std::string::npos);
 }
 
-TEST(ExportSemantics, TheThesisModelIsAtHomeInWebots) {
+TEST(ExportSemantics, TheThesisModelIsExactInWebots) {
   Believed model;
   model.bySpeed().with("accel_limit", "accel", 55).with("coulomb", "friction", 0.025).with("viscous", "damping", 0.002);
   Hypothesis h = model.get();

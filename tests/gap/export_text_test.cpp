@@ -1,4 +1,4 @@
-// The files that are written: sound in form, and the numbers in them are the model's to the last bit.
+// The exported files are well formed, with the model's numbers to the last bit.
 #include <gmock/gmock.h>
 
 #include <sstream>
@@ -131,7 +131,7 @@ TEST(ExportText, TheModelOfTheThesisKeepsItsNumbersInWebots) {
   EXPECT_EQ(number(in.at("HingeJointParameters.staticFriction").at(0)), 0.025);
 }
 
-TEST(ExportText, WhatCannotBeWrittenIsRefusedWithASentence) {
+TEST(ExportText, WhatCannotBeWrittenIsRefusedWithAMessage) {
   const auto refusal = [](auto change) {
     ExportSettings settings = forArm();
     change(settings);

@@ -1,4 +1,4 @@
-// Noise that is calibrated, unknowns that are found.
+// Calibrated noise; unknowns are found by the fit.
 #include <gtest/gtest.h>
 
 #include "gap/fit/jacobian.hpp"
@@ -13,7 +13,7 @@ double share(const Eigen::VectorXd& residuals) {
 }
 
 Eigen::VectorXd residualsOf(const Case& bench) {
-  const Evidence evidence = evidenceOf(bench, baselineOf(bench));
+  const Evidence evidence = evidenceOf(plantOf(bench), bench, baselineOf(bench));
   const Problem problem{evidence, baselineOf(bench), {}};
   Eigen::VectorXd residuals(evidence.size());
   problem.residuals({}, residuals);
@@ -34,7 +34,7 @@ TEST(Noise, AWrongModelCostsMore) {
   EXPECT_GT(share(residualsOf(measured(bench, withEffect(bench, "encoder_offset", "offset", 0.01), 1))), 1.5);
 }
 
-TEST(Noise, WhatIsNotKnownCountsNothing) {
+TEST(Noise, UnknownSamplesDoNotCount) {
   Case bench = measured(smallBench(), baselineOf(smallBench()), 1);
   for (double& load : bench.logs[0].load) load = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(residualsOf(bench).allFinite());
@@ -43,19 +43,19 @@ TEST(Noise, WhatIsNotKnownCountsNothing) {
 TEST(Noise, TheFloorIsAtLeastWhatTheEncoderRounds) {
   const Case bench = smallBench();
   const double tick = 2 * 3.14159265 / 4096;
-  for (const LogNoise& log : evidenceOf(bench, baselineOf(bench)).noise) {
+  for (const LogNoise& log : evidenceOf(plantOf(bench), bench, baselineOf(bench)).noise) {
     EXPECT_GE(log.positionSigma().minCoeff(), 0.4 * tick);
-    EXPECT_LT(log.positionSigma().minCoeff(), 0.6 * tick) << "somewhere the arm just stands";
+    EXPECT_LT(log.positionSigma().minCoeff(), 0.6 * tick) << "the arm stands still somewhere";
   }
 }
 
-TEST(Solve, FindsAMovedNumberAndSaysHowSurely) {
+TEST(Solve, FindsAMovedNumberAndItsInterval) {
   const Case bench = smallBench();
   Hypothesis truth = baselineOf(bench);
   truth.servo.kt_nm_a *= 1.03;
   truth.servo.back_emf_vs_rad *= 1.03;
   const Case given = measured(bench, truth, 4);
-  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
   std::vector<Unknown> unknowns;
   for (Unknown& unknown : nuisancesOf(given, baselineOf(given)))
     if (unknown.name == "kt") unknowns.push_back(unknown);
@@ -65,13 +65,13 @@ TEST(Solve, FindsAMovedNumberAndSaysHowSurely) {
   const double sigma = std::sqrt(fit.covariance(0, 0));
   EXPECT_NEAR(fit.x[0], 1.03, 4 * sigma);
   EXPECT_GT(sigma, 1e-5);
-  EXPECT_LT(sigma, 0.005) << "the prior of 2 % is not what decides";
+  EXPECT_LT(sigma, 0.005) << "the logs, not the prior of 2 %, determine it";
   EXPECT_LE(fit.cost, problem.cost(problem.expected()));
 }
 
-TEST(Problem, SaysWhereACostIsMoreThanItMayBe) {
+TEST(Problem, StopsWhereACostExceedsItsBound) {
   const Case given = measured(smallBench(), baselineOf(smallBench()), 7);
-  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
   const Problem problem{evidence, baselineOf(given), nuisancesOf(given, baselineOf(given))};
   const Eigen::VectorXd x = problem.expected();
   Eigen::VectorXd all(evidence.size());
@@ -84,10 +84,10 @@ TEST(Problem, SaysWhereACostIsMoreThanItMayBe) {
 }
 
 // Torque constant, resistance, payload and length together leave hardly a trace, and what is left of the sum of their
-// slopes is mostly the curvature of the steps, unless a step goes along that valley.
-TEST(Slopes, SayWhatAMoveAlongAValleyChanges) {
+// derivatives is mostly the curvature of the steps, unless a step goes along that valley.
+TEST(Jacobian, IsExactAlongAFlatValley) {
   const Case given = measured(smallBench(), baselineOf(smallBench()), 6);
-  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
   const Problem problem{evidence, baselineOf(given), nuisancesOf(given, baselineOf(given))};
   const Eigen::VectorXd x = problem.expected();
   Eigen::VectorXd here(evidence.size()), there(evidence.size());
@@ -100,14 +100,14 @@ TEST(Slopes, SayWhatAMoveAlongAValleyChanges) {
     return (jacobian * move - (there - here)).norm() / (there - here).norm();
   };
   EXPECT_LT(error(jacobianAt(problem, x, here, along)), 0.35);
-  EXPECT_GT(error(first), 1) << "where the first steps do as well, this test shows nothing";
+  EXPECT_GT(error(first), 1) << "otherwise the second pass is not needed";
 }
 
-// Goals that come a period later or earlier make a cost with steps in it.
+// Goals that come a period later or earlier make the cost discontinuous.
 TEST(Solve, FindsADelayFromPeriodsAway) {
   const Case bench = smallBench();
   const Case given = measured(bench, withEffect(bench, "transport_delay", "delay", 0.0292), 7);
-  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
   const twin::EffectInfo& delay = *twin::findEffect("transport_delay");
   Hypothesis with = baselineOf(given);
   with.with(delay);
@@ -120,7 +120,7 @@ TEST(Solve, FindsADelayFromPeriodsAway) {
 
 TEST(Solve, AnUnknownThatChangesNothingHasNoCovariance) {
   const Case given = measured(smallBench(), baselineOf(smallBench()), 5);
-  const Evidence evidence = evidenceOf(given, baselineOf(given));
+  const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given));
   // A ripple without amplitude: its phase cannot be known.
   Hypothesis flat = baselineOf(given);
   flat.with(*twin::findEffect("cogging"));
@@ -129,7 +129,7 @@ TEST(Solve, AnUnknownThatChangesNothingHasNoCovariance) {
   EXPECT_FALSE(std::isfinite(fit.covariance(0, 0)));
 }
 
-TEST(Unknowns, AreThoseThatThePriorsName) {
+TEST(Unknowns, AreTheNumbersWithPriors) {
   const Case bench = smallBench();
   std::vector<std::string> names;
   for (const Unknown& unknown : nuisancesOf(bench, baselineOf(bench))) names.push_back(unknown.name);

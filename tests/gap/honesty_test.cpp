@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kFriction = 0.04;  // N m
 
-std::vector<std::string> effectsOf(const Identification& naming) {
+std::vector<std::string> effectsOf(const Identification& identification) {
   std::vector<std::string> ids;
-  for (const IdentifiedEffect& found : naming.effects) ids.emplace_back(found.effect->id);
+  for (const IdentifiedEffect& found : identification.effects) ids.emplace_back(found.effect->id);
   return ids;
 }
 
@@ -26,19 +26,19 @@ const Case& rubbing() {
 }
 
 const Identification& namedAsItIs() {
-  static const Identification naming = identify(Study{rubbing()});
-  return naming;
+  static const Identification identification = identify(Study{rubbing()});
+  return identification;
 }
 
-const Estimate& frictionIn(const Identification& naming) {
-  return naming.effects.at(0).estimates.at(0);
+const Estimate& frictionIn(const Identification& identification) {
+  return identification.effects.at(0).estimates.at(0);
 }
 
 double widthOf(const Estimate& estimate) {
   return estimate.high - estimate.low;
 }
 
-TEST(Honesty, OrderNamesAndLabelsOfLogsAreNoEvidence) {
+TEST(Honesty, OrderNamesAndLabelsOfLogsDoNotCount) {
   Case shuffled = rubbing();
   std::rotate(shuffled.logs.begin(), shuffled.logs.begin() + 2, shuffled.logs.end());
   std::swap(shuffled.logs[0], shuffled.logs[1]);
@@ -52,17 +52,19 @@ TEST(Honesty, OrderNamesAndLabelsOfLogsAreNoEvidence) {
   EXPECT_EQ(before.verdict, Verdict::kNamed);
   EXPECT_EQ(after.verdict, before.verdict);
   ASSERT_EQ(effectsOf(after), effectsOf(before));
-  // The dice of the noise fall otherwise for another order of the logs.
+  // Another order of the logs draws other noise.
   EXPECT_NEAR(frictionIn(after).value, frictionIn(before).value, widthOf(frictionIn(before)));
 }
 
-TEST(Honesty, ACopyOfALogMakesNothingSurer) {
+TEST(Honesty, ACopyOfALogNarrowsNoInterval) {
   Case twice = rubbing();
   for (std::size_t i = 0; i < 2; ++i) {
     twice.logs.push_back(twice.logs[i]);
     twice.logs.back().file = "again_" + twice.logs[i].file;
   }
-  EXPECT_EQ(evidenceOf(twice, baselineOf(twice)).logs, evidenceOf(rubbing(), baselineOf(rubbing())).logs);
+  const Case single = rubbing();
+  EXPECT_EQ(evidenceOf(plantOf(twice), twice, baselineOf(twice)).logs,
+            evidenceOf(plantOf(single), single, baselineOf(single)).logs);
   const Identification &once = namedAsItIs(), after = identify(Study{twice});
   ASSERT_EQ(effectsOf(after), effectsOf(once));
   EXPECT_NEAR(after.effects[0].gain, once.effects[0].gain, 0.01 * once.effects[0].gain);
@@ -77,8 +79,8 @@ TEST(Honesty, FreshDataOfARightModelRaiseNoAlarm) {
   const Case bench = smallBench();
   int alarms = 0;
   for (std::uint64_t i = 0; i < 4; ++i) {
-    const Identification naming = identify(Study{measured(bench, baselineOf(bench), first + i)});
-    alarms += naming.verdict == Verdict::kNone || naming.verdict == Verdict::kCannotTell ? 0 : 1;
+    const Identification identification = identify(Study{measured(bench, baselineOf(bench), first + i)});
+    alarms += identification.verdict == Verdict::kNone || identification.verdict == Verdict::kCannotTell ? 0 : 1;
   }
   EXPECT_LE(alarms, 1) << "DARWINOP_SEED=" << first << " shows it again";
 }

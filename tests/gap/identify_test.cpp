@@ -1,4 +1,4 @@
-// Names what is missing, and is silent when nothing is.
+// Identifies the missing effect, and reports none when nothing is missing.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,11 +20,11 @@ Identification namedIn(const Case& given) {
   return identify(Study{given});
 }
 
-std::string idOf(const Identification& naming) {
-  return naming.effects.empty() ? "" : std::string{naming.effects.front().effect->id};
+std::string idOf(const Identification& identification) {
+  return identification.effects.empty() ? "" : std::string{identification.effects.front().effect->id};
 }
 
-/// A fit that says of this effect what `values` say.
+/// A fit with this effect at `values`.
 FittedModel sayingOf(const Study& study, std::string_view id, const std::vector<double>& values) {
   auto evidence = std::make_shared<const Evidence>(study.evidence);
   const Effects effects{{twin::findEffect(id)}};
@@ -46,120 +46,120 @@ TEST(Judging, ADeadBandOfFourMicroradiansIsNothing) {
   EXPECT_TRUE(is_nothing("deadband", {4e-6}));
   EXPECT_FALSE(is_nothing("deadband", {0.0025}));
   EXPECT_TRUE(is_nothing("com_mass", {0.0001, 0}));
-  EXPECT_FALSE(is_nothing("com_mass", {0, 0.01})) << "one of its numbers does something";
+  EXPECT_FALSE(is_nothing("com_mass", {0, 0.01})) << "one of its parameters has an influence";
   EXPECT_FALSE(is_nothing("accel_limit", {9990})) << "an encoder shows it";
 }
 
-// A base that leans one way in the logs that are fitted, and the other way in the one that is kept.
-TEST(Identification, WhatMakesKeptLogsWorseIsNotNamed) {
+// A base that leans one way in the fitted logs, and the other way in the held-out one.
+TEST(Identification, AnEffectThatWorsensHeldOutLogsIsNotNamed) {
   const Case bench = smallBench();
   Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.12), 12);
   const Case other = measured(bench, withEffect(bench, "encoder_offset", "offset", -0.12), 12);
   given.logs.back() = other.logs.back();
-  const Identification naming = namedIn(given);
-  EXPECT_EQ(naming.verdict, Verdict::kUnknown) << idOf(naming);
-  EXPECT_TRUE(naming.effects.empty());
-  ASSERT_FALSE(naming.rejected.empty());
-  EXPECT_EQ(naming.rejected.front().effect->id, "encoder_offset");
-  EXPECT_EQ(naming.rejected.front().why, RejectionReason::kWorsensHeldOut);
-  EXPECT_GT(naming.misfit, 4) << "of the baseline, which is what is left";
+  const Identification identification = namedIn(given);
+  EXPECT_EQ(identification.verdict, Verdict::kUnknown) << idOf(identification);
+  EXPECT_TRUE(identification.effects.empty());
+  ASSERT_FALSE(identification.rejected.empty());
+  EXPECT_EQ(identification.rejected.front().effect->id, "encoder_offset");
+  EXPECT_EQ(identification.rejected.front().why, RejectionReason::kWorsensHeldOut);
+  EXPECT_GT(identification.misfit, 4) << "of the baseline, which remains";
 }
 
-TEST(Identification, AModelThatIsRightMissesNothing) {
+TEST(Identification, ARightModelHasNoFinding) {
   const Case bench = smallBench();
-  const Identification naming = namedIn(measured(bench, baselineOf(bench), 11));
-  EXPECT_EQ(naming.verdict, Verdict::kNone) << idOf(naming);
-  EXPECT_LT(std::abs(naming.misfit), 4);
+  const Identification identification = namedIn(measured(bench, baselineOf(bench), 11));
+  EXPECT_EQ(identification.verdict, Verdict::kNone) << idOf(identification);
+  EXPECT_LT(std::abs(identification.misfit), 4);
 }
 
-TEST(Identification, NumbersThatAreOffWithinTheirPriorsAreNoEffect) {
+TEST(Identification, NumbersThatAreOffWithinTheirPriorsAreNotAFinding) {
   const Case bench = smallBench();
   Hypothesis truth = baselineOf(bench);
   truth.servo.resistance_ohm *= 1.03;
   truth.servo.armature_kgm2 *= 0.93;
   truth.payload_scale = 1.007;
-  const Identification naming = namedIn(measured(bench, truth, 12));
-  EXPECT_EQ(naming.verdict, Verdict::kNone) << idOf(naming);
-  EXPECT_GT(naming.gap_before_rad, 1.5 * naming.gap_after_rad) << "they do move";
+  const Identification identification = namedIn(measured(bench, truth, 12));
+  EXPECT_EQ(identification.verdict, Verdict::kNone) << idOf(identification);
+  EXPECT_GT(identification.gap_before_rad, 1.5 * identification.gap_after_rad) << "they do move";
 }
 
 TEST(Identification, DryFriction) {
   const Case bench = smallBench();
-  const Identification naming = namedIn(measured(bench, withEffect(bench, "coulomb", "friction", 0.04), 13));
-  ASSERT_EQ(naming.verdict, Verdict::kNamed) << idOf(naming);
-  ASSERT_EQ(idOf(naming), "coulomb");
-  const Estimate& friction = naming.effects.front().estimates.front();
+  const Identification identification = namedIn(measured(bench, withEffect(bench, "coulomb", "friction", 0.04), 13));
+  ASSERT_EQ(identification.verdict, Verdict::kNamed) << idOf(identification);
+  ASSERT_EQ(idOf(identification), "coulomb");
+  const Estimate& friction = identification.effects.front().estimates.front();
   EXPECT_NEAR(friction.value, 0.04, 0.002);
   EXPECT_LT(friction.low, friction.value);
   EXPECT_GT(friction.high, friction.value);
-  EXPECT_LT(naming.gap_after_rad, 2 * naming.floor_rad);
+  EXPECT_LT(identification.gap_after_rad, 2 * identification.floor_rad);
 }
 
-// While the sagging supply is still missing, a gear that rubs otherwise one way explains a little of it.
-TEST(Identification, WhatWasChosenTooRichIsMadeSimpler) {
+// While the sagging supply is still missing, directional friction explains a little of it.
+TEST(Identification, ATooComplexEffectIsSimplified) {
   const Case bench = smallBench();
   Hypothesis truth = withEffect(bench, "load_dependent_friction", "share", 0.3);
   valueOf(truth.with(*twin::findEffect("supply_sag")), "resistance") = 3;
-  const Identification naming = namedIn(measured(bench, truth, 31));
-  EXPECT_EQ(naming.verdict, Verdict::kNamed);
+  const Identification identification = namedIn(measured(bench, truth, 31));
+  EXPECT_EQ(identification.verdict, Verdict::kNamed);
   std::vector<std::string_view> ids;
-  ASSERT_EQ(naming.effects.size(), 2U);
-  EXPECT_GT(naming.effects.front().gain, naming.effects.back().gain) << "the strongest first";
-  for (const IdentifiedEffect& found : naming.effects) {
+  ASSERT_EQ(identification.effects.size(), 2U);
+  EXPECT_GT(identification.effects.front().gain, identification.effects.back().gain) << "the strongest first";
+  for (const IdentifiedEffect& found : identification.effects) {
     ids.push_back(found.effect->id);
-    EXPECT_GT(found.gain, naming.threshold) << found.effect->id;
+    EXPECT_GT(found.gain, identification.threshold) << found.effect->id;
   }
   EXPECT_THAT(ids, UnorderedElementsAre("load_dependent_friction", "supply_sag"));
-  for (const Rival& rival : naming.rivals) {
+  for (const Rival& rival : identification.rivals) {
     EXPECT_EQ(rival.effects.size(), 2U);
-    EXPECT_THAT(rival.effects, Not(Contains("directional_load_friction"))) << "it was made simpler there, too";
+    EXPECT_THAT(rival.effects, Not(Contains("directional_load_friction"))) << "it was simplified there as well";
     EXPECT_NE(rival.effects.front(), rival.effects.back());
   }
 }
 
-TEST(Identification, ADeadBandIsToldFromDryFriction) {
+TEST(Identification, ADeadBandIsDistinguishedFromDryFriction) {
   const Case bench = smallBench();
-  const Identification naming = namedIn(measured(bench, withEffect(bench, "deadband", "width", 0.01), 14));
-  EXPECT_EQ(idOf(naming), "deadband");
+  const Identification identification = namedIn(measured(bench, withEffect(bench, "deadband", "width", 0.01), 14));
+  EXPECT_EQ(idOf(identification), "deadband");
 }
 
-// As strong as the catalogue allows: what only stands in for something else ends there, too.
-TEST(Identification, AnEffectThatIsAsStrongAsItCanBe) {
+// As strong as the catalogue allows; an effect that stands in for another one also ends there.
+TEST(Identification, AnEffectAtTheEndOfItsRange) {
   const Case bench = smallBench();
-  const Identification naming = namedIn(measured(bench, withEffect(bench, "deadband", "width", 0.04), 16));
-  EXPECT_EQ(naming.verdict, Verdict::kNamed);
-  EXPECT_EQ(idOf(naming), "deadband");
+  const Identification identification = namedIn(measured(bench, withEffect(bench, "deadband", "width", 0.04), 16));
+  EXPECT_EQ(identification.verdict, Verdict::kNamed);
+  EXPECT_EQ(idOf(identification), "deadband");
 }
 
 // Two sigma off, while six other numbers are right to a tenth of theirs.
-TEST(Identification, TheOneNumberThatIsWrong) {
+TEST(Identification, ASingleWrongNumber) {
   Case bench = smallBench();
   bench.priors.push_back({"viscous.damping", 0.1});
-  const Identification naming = namedIn(measured(bench, withEffect(bench, "viscous", "damping", 0.018), 17));
-  EXPECT_EQ(naming.verdict, Verdict::kNamed);
-  ASSERT_EQ(idOf(naming), "viscous");
-  EXPECT_NEAR(naming.effects.front().estimates.front().value, 0.018, 0.0005);
+  const Identification identification = namedIn(measured(bench, withEffect(bench, "viscous", "damping", 0.018), 17));
+  EXPECT_EQ(identification.verdict, Verdict::kNamed);
+  ASSERT_EQ(idOf(identification), "viscous");
+  EXPECT_NEAR(identification.effects.front().estimates.front().value, 0.018, 0.0005);
 }
 
-TEST(Identification, ARivalThatNeedsMoreNumbersHasToComeNearer) {
-  Identification naming;
-  naming.effects.push_back({.effect = twin::findEffect("coulomb"), .estimates = {}});
-  naming.rivals.push_back({.effects = {"stribeck"}, .behind = 5});
-  EXPECT_EQ(verdictOf(naming), Verdict::kAmbiguous);
-  naming.rivals.front().larger = true;
-  EXPECT_EQ(verdictOf(naming), Verdict::kNamed);
-  naming.rivals.front().behind = 3;
-  EXPECT_EQ(verdictOf(naming), Verdict::kAmbiguous);
+TEST(Identification, ARivalWithMoreParametersHasToBeCloser) {
+  Identification identification;
+  identification.effects.push_back({.effect = twin::findEffect("coulomb"), .estimates = {}});
+  identification.rivals.push_back({.effects = {"stribeck"}, .behind = 5});
+  EXPECT_EQ(verdictOf(identification), Verdict::kAmbiguous);
+  identification.rivals.front().larger = true;
+  EXPECT_EQ(verdictOf(identification), Verdict::kNamed);
+  identification.rivals.front().behind = 3;
+  EXPECT_EQ(verdictOf(identification), Verdict::kAmbiguous);
 }
 
-// All residuals together are as large as noise makes them; along what this effect does they are not.
-TEST(Identification, AnEffectThatNoiseNearlyHides) {
+// All residuals together are as large as the noise; in the direction of this effect they are larger.
+TEST(Identification, AnEffectBarelyAboveTheNoise) {
   const Case bench = smallBench();
   const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.004), 19);
-  const Identification naming = namedIn(given);
-  ASSERT_EQ(idOf(naming), "encoder_offset");
-  EXPECT_NEAR(naming.effects.front().estimates.front().value, 0.004, 0.001);
-  EXPECT_LT(naming.gap_before_rad, 3 * naming.floor_rad) << "a small gap";
+  const Identification identification = namedIn(given);
+  ASSERT_EQ(idOf(identification), "encoder_offset");
+  EXPECT_NEAR(identification.effects.front().estimates.front().value, 0.004, 0.001);
+  EXPECT_LT(identification.gap_before_rad, 3 * identification.floor_rad) << "a small gap";
 }
 
 TEST(Outcome, TheRepairedModelHasTheEffectAndReadsBack) {
@@ -167,8 +167,7 @@ TEST(Outcome, TheRepairedModelHasTheEffectAndReadsBack) {
   const Case given = measured(bench, withEffect(bench, "encoder_offset", "offset", 0.03), 15);
   const Outcome outcome = investigate(given);
   ASSERT_EQ(idOf(outcome.identification), "encoder_offset");
-  EXPECT_LT(outcome.verification.rms_after_rad, 0.3 * outcome.verification.rms_before_rad)
-      << "on a log that no fit has seen";
+  EXPECT_LT(outcome.verification.rms_after_rad, 0.3 * outcome.verification.rms_before_rad) << "on a held-out log";
   const twin::Model repaired = twin::parseModel(repairedModel(given, outcome), "repaired.ini");
   ASSERT_EQ(repaired.effects.size(), 2U);
   const nlohmann::json json = asJson(given, outcome);

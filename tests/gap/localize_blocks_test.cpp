@@ -1,4 +1,4 @@
-// Each block opens for what is hidden in it, and for nothing else.
+// Each block opens for an effect that acts in it, and for no other.
 #include <gmock/gmock.h>
 
 #include "gap/localize/blocks.hpp"
@@ -8,7 +8,8 @@ namespace darwinop::gap {
 namespace {
 
 Blocks blocksOf(const Case& given, std::vector<std::size_t> logs = {0, 1, 2}) {
-  return findBlocks(given, baselineOf(given), logs, simulateRepeats(given, logs, baselineOf(given)));
+  const Plant& plant = plantOf(given);
+  return findBlocks(plant, given, baselineOf(given), logs, simulateRepeats(plant, given, logs, baselineOf(given)));
 }
 
 struct HiddenIn {
@@ -64,7 +65,7 @@ TEST(Blocks, CloseWhenNumbersAreOffInsideTheirPriors) {
   EXPECT_EQ(blocksOf(given).first, Block::kPlant) << "without";
 }
 
-TEST(Blocks, TellTheControllersErrorInTicks) {
+TEST(Blocks, ReportTheControllersErrorInTicks) {
   const BlockFinding quiet = blocksOf(measuredCase({})).of(Block::kController);
   EXPECT_EQ(quiet.unit, "ticks");
   EXPECT_GT(quiet.rms, 0.3);  // rounding and noise of the encoder are there
@@ -78,14 +79,14 @@ TEST(Blocks, MeasureTheResistanceOfTheSupply) {
   EXPECT_LT(found.supply_ohm_sigma, 0.1);
 }
 
-TEST(Blocks, SeeASpeedThatIsNotThePositions) {
+TEST(Blocks, DetectASpeedThatContradictsThePositions) {
   Case given = measuredCase({});
   for (Trajectory& log : given.logs)
     for (double& speed : log.speed_rad_s) speed *= 2;
   EXPECT_EQ(blocksOf(given).first, Block::kSensor);
 }
 
-TEST(Blocks, SayWhatTheyCannotCut) {
+TEST(Blocks, ReportBlocksThatCannotBeSeparated) {
   Case given = measuredCase({});
   for (Trajectory& log : given.logs) {
     std::ranges::fill(log.load, std::nan(""));

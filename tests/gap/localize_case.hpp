@@ -1,4 +1,4 @@
-// A bench whose logs are made by rolling out its own model, with whatever a test hides in it.
+// A bench whose logs are roll-outs of its own model, with the effect that a test adds.
 #pragma once
 
 #include <cmath>
@@ -9,6 +9,8 @@
 
 #include "core/units.hpp"
 #include "gap/localize/simulated_repeats.hpp"
+#include "gap/plant/bench/roll_out.hpp"
+#include "gap/plants.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {

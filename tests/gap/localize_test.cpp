@@ -1,4 +1,4 @@
-// Floor, places, regions, and what is said of them.
+// Noise floor, places, regions, and their texts.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -18,20 +18,20 @@ Localization whereIs(const Case& given) {
 
 NoiseFloor floorFor(const Case& given) {
   const Study study{given, kFewRuns};
-  return floorOf(given, study.evidence, simulateRepeats(given, study.evidence.logs, study.baseline));
+  return floorOf(given, study.evidence, simulateRepeats(study.plant, given, study.evidence.logs, study.baseline));
 }
 
 TEST(Floor, AgreesWithRepeatsThatDifferAsAssumed) {
   const NoiseFloor floor = floorFor(measuredCase({}));
   EXPECT_FALSE(floor.assumed);
   EXPECT_NEAR(floor.factor, 1, 0.3);
-  EXPECT_TRUE(std::isnan(floor.logs[1].repeats_rad)) << "nobody repeated the sine";
+  EXPECT_TRUE(std::isnan(floor.logs[1].repeats_rad)) << "the sine has no repeat";
   EXPECT_GT(floor.logs[3].repeats_rad, 0);
   for (const LogFloor& log : floor.logs) EXPECT_GE(log.rms_rad, log.quantisation_rad);
-  EXPECT_GT(floor.logs[2].rms_rad, floor.logs[0].rms_rad) << "a released arm tells runs apart";
+  EXPECT_GT(floor.logs[2].rms_rad, floor.logs[0].rms_rad) << "a released arm differs more from run to run";
 }
 
-TEST(Floor, SaysByHowMuchRepeatsDifferFromTheAssumedNoise) {
+TEST(Floor, ReportsTheRatioOfRepeatsToTheAssumedNoise) {
   const NoiseFloor floor = floorFor(measuredCase({}, twin::Law::kVoltageP, 5, {.torque_nm = 0.03}));
   EXPECT_GT(floor.factor, 2);
 }
@@ -70,7 +70,7 @@ TEST(Places, AreNoneInNoise) {
     EXPECT_THAT(where.places, testing::IsEmpty());
     EXPECT_FALSE(where.blocks.first);
     EXPECT_EQ(where.dependence.on, Depends::kNothing);
-    EXPECT_GT(where.floors(), 0.5);  // too good would be a finding, too
+    EXPECT_GT(where.floors(), 0.5);  // too good would also be a finding
     EXPECT_LT(where.floors(), 1.5);
   }
 }

@@ -1,4 +1,4 @@
-// Values that no servo can have measured: just inside passes, just outside is refused with file and line.
+// Impossible values: just inside passes, just outside is refused with file and line.
 #include <gmock/gmock.h>
 
 #include "gap/case_texts.hpp"
@@ -95,7 +95,7 @@ TEST(LogErrors, ColumnsAndTheirUnits) {
               HasSubstr("unit of column \"pos_grad\" is not known; it has to be rad or deg"));
   EXPECT_THAT(named("pos_rad", "pos"), HasSubstr("unit of column \"pos\" is not known"));
   EXPECT_THAT(named("volt_V", "volt_A"), HasSubstr("unit of column \"volt_A\" is A; it has to be V"));
-  EXPECT_THAT(named("volt_V", "pos_deg"), HasSubstr("both tell the pos"));
+  EXPECT_THAT(named("volt_V", "pos_deg"), HasSubstr("both contain the pos"));
 }
 
 TEST(LogErrors, ASensorThatNeverMoves) {
@@ -126,10 +126,10 @@ TEST(LogErrors, ASensorThatStopsForAWhile) {
   const std::string both = errorOfAStandstill(-45, 90, 0);
   EXPECT_THAT(both, AllOf(StartsWith("my/fit_1.csv, line "), HasSubstr("pushes hard both ways")));
   EXPECT_EQ(errorOfAStandstill(0, 10, 0.15), "");
-  EXPECT_THAT(errorOfAStandstill(0, 10, 0.25), HasSubstr("though speed says that the joint moves"));
+  EXPECT_THAT(errorOfAStandstill(0, 10, 0.25), HasSubstr("though the joint moves according to speed"));
 }
 
-TEST(LogErrors, OldReadingsToldAgain) {
+TEST(LogErrors, OldReadingsLoggedAgain) {
   const auto with_goals = [](double amplitude) {
     std::vector<CsvRow> rows = sineRows(0.05);
     for (std::size_t i = 50; i < 175; ++i) {

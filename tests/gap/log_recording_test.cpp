@@ -104,12 +104,12 @@ TEST(LogRecording, AnswersThatAreMissing) {
   EXPECT_EQ(c.logs[0].rows(), 180u);
   EXPECT_THAT(c.warnings, testing::Contains(HasSubstr("did not answer in 20 of 200 rows, which are left out")));
   rows[5].position = "";
-  EXPECT_THAT(caseOf(rows).error(), HasSubstr("did not answer in 21 of 200 rows; look at its cable"));
+  EXPECT_THAT(caseOf(rows).error(), HasSubstr("did not answer in 21 of 200 rows; check its cable"));
 }
 
-TEST(LogRecording, MustSayWhichJointAndNotTheWrongOrder) {
+TEST(LogRecording, NeedsTheJointAndTheRightGoalOrder) {
   const CaseTexts texts = caseOf(recordedRows());
-  EXPECT_THAT(texts.with("\"joint\": \"Neck\", ", "").error(), HasSubstr("say which one the log is of"));
+  EXPECT_THAT(texts.with("\"joint\": \"Neck\", ", "").error(), HasSubstr("give the joint of the log"));
   EXPECT_THAT(texts.with("\"Neck\"", "\"Head\"").error(), HasSubstr("no column \"Head.commanded\""));
   EXPECT_THAT(texts.with("\"logs\"", "\"goal_order\": \"before_read\", \"logs\"").error(),
               HasSubstr("acts from the row's read on"));

@@ -1,4 +1,4 @@
-// Degrees that pass for radians are caught, and radians are not.
+// Degrees in place of radians are detected, and radians are accepted.
 #include <gmock/gmock.h>
 
 #include "gap/case/data_check.hpp"

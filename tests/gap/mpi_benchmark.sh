@@ -11,14 +11,14 @@ for name in c001 c002 c003 c004 c005; do
 done
 untimed() { grep -v '"runtime_s"' "$1"; }
 
-"$gap" battery "$folder/cases" --out "$folder/alone.json"
-"$mpi" 2 "$gap" battery "$folder/cases" --out "$folder/two.json"
+"$gap" benchmark run "$folder/cases" --out "$folder/alone.json"
+"$mpi" 2 "$gap" benchmark run "$folder/cases" --out "$folder/two.json"
 [ "$(grep -c '"bad_input"' "$folder/two.json")" = 5 ]
 diff <(untimed "$folder/alone.json") <(untimed "$folder/two.json")
 
-# Help is printed by one rank; an error ends all, with one exit code.
+# Help, here under a former name, is printed by one rank; an error ends all, with one exit code.
 "$mpi" 2 "$gap" battery --help | grep -c -- --resume | grep -qx 1
 status=0
-"$mpi" 2 "$gap" battery "$folder/nowhere" 2>"$folder/said" || status=$?
+"$mpi" 2 "$gap" benchmark run "$folder/nowhere" 2>"$folder/said" || status=$?
 [ "$status" = 2 ]
 grep -q 'nowhere: not a folder' "$folder/said"

@@ -1,4 +1,4 @@
-// Cases of our own battery that were answered wrongly once.
+// Cases of our own suite that once had a wrong answer.
 #include <gtest/gtest.h>
 
 #include "gap/benchmark/make/make_case.hpp"
@@ -10,8 +10,8 @@ namespace darwinop::gap {
 namespace {
 
 // Seven numbers of the baseline are off by up to one sigma. The friction that the baseline has holds the released arm
-// where the bench lets it swing on; a search by slopes alone goes to more friction, six sigma of it, and stays there.
-TEST(OnceWrong, NumbersThatHoldAnArmThatSwings) {
+// where the bench lets it swing on; a gradient search alone goes to more friction, six sigma of it, and stays there.
+TEST(OnceWrong, WrongNumbersThatHoldASwingingArm) {
   CaseRequest request;
   request.seed = 1625791690498315838;
   request.baseline = Baseline::kSpeed;
@@ -28,7 +28,7 @@ TEST(OnceWrong, NumbersThatHoldAnArmThatSwings) {
 
 // The baseline's viscous friction is 6 % off, and known to 10 %: no finding. Dry friction, of which it has none,
 // explains the same a little less well: no finding, either.
-TEST(OnceWrong, WhatANumberInsideItsPriorExplainsBetter) {
+TEST(OnceWrong, ANumberInsideItsPriorThatExplainsMore) {
   CaseRequest request;
   request.seed = 7094019704520756267;
   request.baseline = Baseline::kFrictionless;
@@ -39,17 +39,17 @@ TEST(OnceWrong, WhatANumberInsideItsPriorExplainsBetter) {
 }
 
 // Where the released arm rests depends on the dip it falls into. The first fit of the ripple is stuck beside the truth,
-// and no other effect helps; on the noise that another candidate makes, the same fit finds its way.
+// and no other effect helps; under the noise of another candidate, the same fit converges.
 TEST(OnceWrong, ARippleThatIsFoundAndFittedBadly) {
   CaseRequest request;
   request.seed = 16039037185508414292U;
   request.baseline = Baseline::kFriction;
   request.wrong_numbers = true;
   request.effects = {{.id = "cogging", .severity = 1}};
-  const Identification naming = identify(Study{hidden(request).given});
-  EXPECT_EQ(naming.verdict, Verdict::kNamed);
-  ASSERT_EQ(naming.effects.size(), 1U);
-  EXPECT_EQ(naming.effects.front().effect->id, "cogging");
+  const Identification identification = identify(Study{hidden(request).given});
+  EXPECT_EQ(identification.verdict, Verdict::kNamed);
+  ASSERT_EQ(identification.effects.size(), 1U);
+  EXPECT_EQ(identification.effects.front().effect->id, "cogging");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What is asked follows from what is open.
+// The question of a plan follows from the verdict.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ Case poorCase() {
   return measured(bench, baselineOf(bench), 3);
 }
 
-std::vector<std::string> contendersOf(const Question& question) {
+std::vector<std::string> namesOf(const Question& question) {
   std::vector<std::string> names;
   for (const FittedHypothesis& one : question.hypotheses) names.push_back(one.name);
   return names;
@@ -41,28 +41,28 @@ TEST(Question, WithNothingFoundIsWhatTheseLogsCannotShow) {
   const Question question = questionAfter(poorCase(), Identification{}, kQuietly);
   EXPECT_EQ(question.aim, Aim::kReveal);
   EXPECT_EQ(question.hypotheses.at(0).name, kNothing);
-  EXPECT_THAT(contendersOf(question), Contains("load_dependent_friction"));
-  EXPECT_THAT(contendersOf(question), Not(Contains("lost_packets")));
+  EXPECT_THAT(namesOf(question), Contains("load_dependent_friction"));
+  EXPECT_THAT(namesOf(question), Not(Contains("lost_packets")));
 }
 
 TEST(Question, OfCloseRivalsIsWhatSeparatesThem) {
-  Identification naming;
-  naming.effects.push_back({twin::findEffect("com_mass"), {}, 40});
-  naming.rivals = {{{"encoder_offset"}, 3}, {{"accel_limit"}, 60}};
-  const Question question = questionAfter(poorCase(), naming, kQuietly);
+  Identification identification;
+  identification.effects.push_back({twin::findEffect("com_mass"), {}, 40});
+  identification.rivals = {{{"encoder_offset"}, 3}, {{"accel_limit"}, 60}};
+  const Question question = questionAfter(poorCase(), identification, kQuietly);
   EXPECT_EQ(question.aim, Aim::kSeparate);
-  EXPECT_THAT(contendersOf(question), testing::ElementsAre("com_mass", "encoder_offset"));
+  EXPECT_THAT(namesOf(question), testing::ElementsAre("com_mass", "encoder_offset"));
 }
 
 TEST(Question, OfAnEffectWithoutRivalsIsHowLargeItIs) {
-  Identification naming;
-  naming.effects.push_back({twin::findEffect("coulomb"), {}, 40});
-  const Question question = questionAfter(poorCase(), naming, kQuietly);
+  Identification identification;
+  identification.effects.push_back({twin::findEffect("coulomb"), {}, 40});
+  const Question question = questionAfter(poorCase(), identification, kQuietly);
   EXPECT_EQ(question.aim, Aim::kNarrow);
   EXPECT_EQ(question.hypotheses.at(0).unknowns.at(question.unknown).name, "coulomb.friction");
 }
 
-TEST(Question, ACopiedLogMakesNobodySurer) {
+TEST(Question, ACopiedLogNarrowsNoInterval) {
   Case once = poorCase(), twice = once;
   twice.logs.push_back(twice.logs.front());
   twice.logs.back().file = "copy.csv";
@@ -70,14 +70,14 @@ TEST(Question, ACopiedLogMakesNobodySurer) {
   EXPECT_EQ(questionBetween(twice, {"coulomb"}, kQuietly).hypotheses.at(1).sigmas(), sigmas);
 }
 
-TEST(Question, KnowsItsEffects) {
+TEST(Question, RefusesUnknownEffects) {
   const Case given = poorCase();
   EXPECT_THAT(saidOf([&] {
                 questionBetween(given, {"colomb", "viscous"}, kQuietly);
               }),
               HasSubstr("there is no effect 'colomb'; did you mean coulomb?"));
   EXPECT_THAT(saidOf([&] { questionBetween(given, {"lost_packets"}, kQuietly); }), HasSubstr("cannot be fitted here"));
-  EXPECT_THAT(saidOf([&] { questionBetween(given, {"viscous", "viscous"}, kQuietly); }), HasSubstr("stands twice"));
+  EXPECT_THAT(saidOf([&] { questionBetween(given, {"viscous", "viscous"}, kQuietly); }), HasSubstr("given twice"));
 }
 
 }  // namespace

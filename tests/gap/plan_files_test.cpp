@@ -1,10 +1,10 @@
-// What is handed to `darwinop experiment run` is what was planned.
+// The files for `darwinop experiment run` are the planned experiments.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "experiments/format/battery.hpp"
+#include "experiments/format/experiment_files.hpp"
 #include "experiments/format/plan.hpp"
 #include "experiments/format/reader.hpp"
 #include "gap/plan/commands.hpp"
@@ -52,8 +52,8 @@ void expectSame(const Experiment& a, const Experiment& b) {
   EXPECT_EQ(a.title, b.title);
 }
 
-TEST(ExperimentText, TheBatteryComesBackToTheLastBit) {
-  const std::vector<std::string> files = experiments::batteryFiles();
+TEST(ExperimentText, TheDeliveredSetComesBackToTheLastBit) {
+  const std::vector<std::string> files = experiments::experimentFiles();
   ASSERT_GE(files.size(), 17U);
   for (const std::string& file : files) {
     const Experiment read = experiments::readExperiment(file);
@@ -87,7 +87,7 @@ TEST(MovedTo, LeavesAloneWhatMovesLegsOrSeveralJoints) {
     EXPECT_FALSE(movedTo(stand, experiments::readExperiment(experiments::findExperiment(name)))) << name;
 }
 
-TEST(Again, AsksTheSameOfTheJointAsTheLogDid) {
+TEST(Again, HasTheCommandsOfTheLog) {
   const Case bench = smallBench();
   const ArmSetup stand = armSetupFor(Joint::kShoulderR);
   for (const Trajectory& log : bench.logs) {
@@ -121,11 +121,11 @@ TEST(Commands, OneLogForEachPGain) {
   EXPECT_THAT(registers, testing::ElementsAre(8, 16, 32));
 }
 
-TEST(Commands, RefuseWhatALogCannotTell) {
+TEST(Commands, RefuseWhatALogDoesNotRecord) {
   const ArmSetup stand = armSetupFor(Joint::kShoulderR);
   for (const auto& [name, why] : {std::pair{"max_torque", "torque limit"},
-                                  {"applied_torque", "gives a torque"},
-                                  {"speed", "depends on what the joint does"}}) {
+                                  {"applied_torque", "commands a torque"},
+                                  {"speed", "depends on the joint's motion"}}) {
     const ExperimentCandidate candidate{
         .experiment = *movedTo(stand, experiments::readExperiment(experiments::findExperiment(name))), .prepare = {}};
     const Vetted one = vetted(candidate, stand, smallBench(), {baselineOf(smallBench())});
@@ -133,13 +133,14 @@ TEST(Commands, RefuseWhatALogCannotTell) {
   }
 }
 
-TEST(HandOver, WritesFilesThatRunAndSayWhatTheyAreFor) {
+TEST(HandOver, WritesFilesThatRunAndStateTheirPurpose) {
   NextExperiments next;
   next.stand = armSetupFor(Joint::kShoulderL);
   const Case bench = smallBench();
-  next.question = {Aim::kSeparate,
-                   {contender(bench, "coulomb", "friction", 0.04, 1), contender(bench, "com_mass", "mass", 0.1, 1)},
-                   0};
+  next.question = {
+      Aim::kSeparate,
+      {hypothesisWith(bench, "coulomb", "friction", 0.04, 1), hypothesisWith(bench, "com_mass", "mass", 0.1, 1)},
+      0};
   Ranked ranked;
   ranked.vetted.candidate = named("steps_three_gains", next.stand);
   ranked.vetted.candidate.prepare = "hang 100 g more to the arm";

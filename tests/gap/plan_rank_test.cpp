@@ -1,4 +1,4 @@
-// The experiment that the catalogue recommends comes before the one that cannot tell.
+// The experiment that the catalogue recommends ranks above one that cannot distinguish.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,55 +20,55 @@ double sigmaFor(const NextExperiments& next, const std::string& name) {
   return -1;
 }
 
-// Who comes from below stops short for either reason; who comes from both sides knows.
-TEST(Ranking, DryFrictionIsToldFromAMassByHoldsFromBothSides) {
+// From below the arm stops short for either reason; from both sides the reasons differ.
+TEST(Ranking, HoldsFromBothSidesDistinguishDryFrictionFromAMass) {
   const Case bench = smallBench();
   const NextExperiments next =
-      rankedFor(contender(bench, "coulomb", "friction", 0.04, 1.0), contender(bench, "com_mass", "mass", 0.1, 0.1),
-                {"hold_once", "hold_from_both_sides"});
+      rankedFor(hypothesisWith(bench, "coulomb", "friction", 0.04, 1.0),
+                hypothesisWith(bench, "com_mass", "mass", 0.1, 0.1), {"hold_once", "hold_from_both_sides"});
   EXPECT_THAT(namesOf(next), testing::ElementsAre("hold_from_both_sides", "hold_once"));
   EXPECT_GT(sigmaFor(next, "hold_from_both_sides"), 3);
 }
 
 // Play shows where gravity changes sides; on one side it is always shut.
-TEST(Ranking, ADeadBandIsToldFromPlayAroundHanging) {
+TEST(Ranking, MotionAroundHangingDistinguishesADeadBandFromPlay) {
   const Case bench = smallBench();
   const NextExperiments next =
-      rankedFor(contender(bench, "deadband", "width", 0.006, 0.5), contender(bench, "backlash", "play", 0.012, 0.5),
-                {"hold_once", "small_sines"});
+      rankedFor(hypothesisWith(bench, "deadband", "width", 0.006, 0.5),
+                hypothesisWith(bench, "backlash", "play", 0.012, 0.5), {"hold_once", "small_sines"});
   EXPECT_THAT(namesOf(next), testing::ElementsAre("small_sines", "hold_once"));
   EXPECT_GT(sigmaFor(next, "small_sines"), 3);
 }
 
 // Back EMF brakes with the bridge on only.
-TEST(Ranking, AWrongMotorIsToldFromViscousFrictionByASwingWithoutTorque) {
+TEST(Ranking, ASwingWithoutTorqueDistinguishesAWrongMotorFromViscousFriction) {
   const Case bench = smallBench();
-  const NextExperiments next =
-      rankedFor(contender(bench, "kt_error", "change", 0.05, 0.05), contender(bench, "viscous", "damping", 0.03, 0.7),
-                {"hold_once", "constant_speed", "swing_three_heights"});
+  const NextExperiments next = rankedFor(hypothesisWith(bench, "kt_error", "change", 0.05, 0.05),
+                                         hypothesisWith(bench, "viscous", "damping", 0.03, 0.7),
+                                         {"hold_once", "constant_speed", "swing_three_heights"});
   EXPECT_EQ(namesOf(next).at(0), "swing_three_heights");
   EXPECT_EQ(namesOf(next).at(2), "hold_once");
 }
 
 TEST(Ranking, WhatARefitAbsorbsSeparatesNothing) {
   const Case bench = smallBench();
-  const FittedHypothesis friction = contender(bench, "coulomb", "friction", 0.04, 1e-3);
-  FittedHypothesis other = contender(bench, "coulomb", "friction", 0.042, 1e-3);
-  const double told = sigmaFor(rankedFor(friction, other, {"hold_from_both_sides"}), "hold_from_both_sides");
-  other = contender(bench, "coulomb", "friction", 0.042, 0.5);
+  const FittedHypothesis friction = hypothesisWith(bench, "coulomb", "friction", 0.04, 1e-3);
+  FittedHypothesis other = hypothesisWith(bench, "coulomb", "friction", 0.042, 1e-3);
+  const double separated = sigmaFor(rankedFor(friction, other, {"hold_from_both_sides"}), "hold_from_both_sides");
+  other = hypothesisWith(bench, "coulomb", "friction", 0.042, 0.5);
   const double absorbed = sigmaFor(rankedFor(friction, other, {"hold_from_both_sides"}), "hold_from_both_sides");
-  EXPECT_LT(absorbed, 0.2 * told);
+  EXPECT_LT(absorbed, 0.2 * separated);
   EXPECT_LT(absorbed, 1);
 }
 
-TEST(Ranking, TheSameRoundTwiceTellsNoMoreAMinute) {
+TEST(Ranking, TheSameRoundTwiceGainsNoMorePerMinute) {
   const Case bench = smallBench();
   ExperimentCandidate once = named("hold_once"), twice = once;
   twice.experiment.rounds.push_back(twice.experiment.rounds.front());
   const NextExperiments next = nextExperiments(
       bench, armSetupFor(Joint::kShoulderR),
       {Aim::kSeparate,
-       {contender(bench, "coulomb", "friction", 0.05, 0.1), contender(bench, "com_mass", "mass", 0.2, 0.01)},
+       {hypothesisWith(bench, "coulomb", "friction", 0.05, 0.1), hypothesisWith(bench, "com_mass", "mass", 0.2, 0.01)},
        0},
       {twice, once}, kFewRuns);
   ASSERT_EQ(next.ranked.size(), 2U);
@@ -79,7 +79,7 @@ TEST(Ranking, TheSameRoundTwiceTellsNoMoreAMinute) {
 
 TEST(Ranking, NarrowsTheIntervalOfAFrictionByMovingNotByWaiting) {
   const Case bench = smallBench();
-  const Question question{Aim::kNarrow, {contender(bench, "coulomb", "friction", 0.04, 0.5)}, 2};
+  const Question question{Aim::kNarrow, {hypothesisWith(bench, "coulomb", "friction", 0.04, 0.5)}, 2};
   const NextExperiments next = nextExperiments(bench, armSetupFor(Joint::kShoulderR), question,
                                                {named("hold_once"), named("hold_from_both_sides")}, kFewRuns);
   EXPECT_EQ(namesOf(next).at(0), "hold_from_both_sides");
@@ -87,7 +87,7 @@ TEST(Ranking, NarrowsTheIntervalOfAFrictionByMovingNotByWaiting) {
   EXPECT_THAT(sentenceOf(next.question, next.ranked[0]), testing::HasSubstr("narrows coulomb.friction from"));
 }
 
-TEST(Ranking, SaysItInOneSentence) {
+TEST(Ranking, HasAOneSentenceSummary) {
   Ranked ranked;
   ranked.vetted.candidate = named("small_sines");
   ranked.vetted.seconds = 20;
@@ -95,7 +95,7 @@ TEST(Ranking, SaysItInOneSentence) {
   const Case bench = smallBench();
   const Question question{
       Aim::kSeparate,
-      {contender(bench, "backlash", "play", 0.01, 1), contender(bench, "deadband", "width", 0.01, 1)},
+      {hypothesisWith(bench, "backlash", "play", 0.01, 1), hypothesisWith(bench, "deadband", "width", 0.01, 1)},
       0};
   EXPECT_EQ(sentenceOf(question, ranked), "small_sines: separates backlash from deadband by 14 sigma in 20 s");
 }

@@ -1,4 +1,4 @@
-// Explanations of the small bench, made by hand, and what is planned to tell them apart.
+// Hypotheses of the small bench, made by hand, and the plan to distinguish them.
 #pragma once
 
 #include "gap/plan/bench_experiments.hpp"
@@ -8,8 +8,8 @@
 namespace darwinop::gap {
 
 /// One effect at one value, which may be off by `sigma` of the search variable; the case's numbers by their priors.
-inline FittedHypothesis contender(const Case& bench, std::string_view id, std::string_view key, double value,
-                                  double sigma) {
+inline FittedHypothesis hypothesisWith(const Case& bench, std::string_view id, std::string_view key, double value,
+                                       double sigma) {
   FittedHypothesis made;
   made.name = id;
   made.hypothesis = withEffect(bench, id, key, value);

@@ -1,4 +1,4 @@
-// An experiment that would harm is refused or shortened, and says why.
+// A harmful experiment is refused or shortened, with the reason.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST(Vetting, RefusesAGoalBeyondTheJointsLimits) {
               HasSubstr("would send PelvR to -1.5 rad; its limits"));
 }
 
-// The goals are within the limits; where a limp arm swings to, only simulation knows.
+// The goals are within the limits; the end of a limp swing needs the simulation.
 TEST(Vetting, LeavesOutTheSwingsThatEndInTheStops) {
   const Vetted one = vettedOn("swing_three_heights", Joint::kLegUpperL);
   EXPECT_EQ(one.refused, "");
@@ -57,7 +57,7 @@ TEST(Vetting, RefusesWhatHasNoSafeRound) {
 TEST(Vetting, ShortensAHoldAtFullDuty) {
   constexpr double kTooHeavy = 4;  // kg: more than the 2.5 N m that the servo has
   const Vetted one = vettedOn("hold_long", Joint::kShoulderR, kTooHeavy);
-  ASSERT_THAT(one.cuts, ElementsAre(HasSubstr("the servo would give all it has for more than 1 s")));
+  ASSERT_THAT(one.cuts, ElementsAre(HasSubstr("the servo would run at full duty for more than 1 s")));
   const auto& phases = one.candidate.experiment.rounds.at(0).phases;
   double seconds = 0;
   for (const auto& phase : phases) seconds += phase.duration_s;
@@ -65,7 +65,7 @@ TEST(Vetting, ShortensAHoldAtFullDuty) {
   EXPECT_NO_THROW((void)experiments::makePlan(one.candidate.experiment, safety::hardRanges()));
 }
 
-TEST(Vetting, AsksEveryExplanation) {
+TEST(Vetting, ChecksEveryHypothesis) {
   const Case bench = smallBench();
   const ArmSetup stand = armSetupFor(Joint::kShoulderR);
   ExperimentCandidate candidate = named("hold_long", stand);

@@ -1,4 +1,4 @@
-// What was found, put into model files: read back it is the same model, and nonsense is refused.
+// Findings written to model files: reading them back gives the same model; nonsense is refused.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -27,10 +27,10 @@ std::string sentenceOf(const std::function<void()>& wrong) {
 }
 
 TEST(RepairedModel, ReadBackIsTheHypothesisThatWasFound) {
-  const Told told;
-  const Case again = withModel(told.given, twin::parseModel(repairedModel(told.given, told.outcome), "repaired.ini"));
-  const Hypothesis read = baselineOf(again), found = told.outcome.identification.model;
-  EXPECT_EQ(movedNumbers(read.servo, told.given.model.servo).size(), 1U) << "kt, nothing else";
+  const ReportRig rig;
+  const Case again = withModel(rig.given, twin::parseModel(repairedModel(rig.given, rig.outcome), "repaired.ini"));
+  const Hypothesis read = baselineOf(again), found = rig.outcome.identification.model;
+  EXPECT_EQ(movedNumbers(read.servo, rig.given.model.servo).size(), 1U) << "kt, nothing else";
   EXPECT_NEAR(read.servo.kt_nm_a, found.servo.kt_nm_a, 1e-5);
   ASSERT_EQ(read.effects.size(), found.effects.size());
   for (std::size_t i = 0; i < read.effects.size(); ++i) {
@@ -41,33 +41,32 @@ TEST(RepairedModel, ReadBackIsTheHypothesisThatWasFound) {
   }
 }
 
-TEST(RepairedModel, SaysInCommentsHowSureAndFromWhatData) {
-  const Told told;
+TEST(RepairedModel, HasIntervalsAndSourceInComments) {
+  const ReportRig rig;
   for (const char* comment :
        {"; Found by darwinop gap in the logs of case e<1>", "; friction: 90 % interval 0.0401 to 0.0447 N m",
         "; sha256 of the data: aaaa", "; was 1.786 N m/A", "; Moved by the fit"})
-    EXPECT_THAT(told.report.model_after, HasSubstr(comment));
+    EXPECT_THAT(rig.report.model_after, HasSubstr(comment));
 }
 
 TEST(RepairedModel, IsMadeAgainFromTheReport) {
-  const Told told;
-  const Additions additions = additionsIn(asJson(told.report).dump(), "report.json", told.given);
-  EXPECT_EQ(withAdditions(caseModel(told.given), additions), told.report.model_after);
+  const ReportRig rig;
+  const Additions additions = additionsIn(asJson(rig.report).dump(), "report.json", rig.given);
+  EXPECT_EQ(withAdditions(caseModel(rig.given), additions), rig.report.model_after);
 }
 
-TEST(RepairedModel, IsMadeFromTheResultsOfABattery) {
-  const Told told;
-  const nlohmann::json results{badInput("other", "no logs"), asJson(told.given, told.outcome)};
-  const std::string text =
-      withAdditions(caseModel(told.given), additionsIn(results.dump(), "results.json", told.given));
+TEST(RepairedModel, IsMadeFromTheResultsOfASuite) {
+  const ReportRig rig;
+  const nlohmann::json results{badInput("other", "no logs"), asJson(rig.given, rig.outcome)};
+  const std::string text = withAdditions(caseModel(rig.given), additionsIn(results.dump(), "results.json", rig.given));
   EXPECT_THAT(text, HasSubstr("friction = 0.0423 N m"));
 }
 
-TEST(RepairedModel, NamesWhatTheDataDoNotDecide) {
-  Told told;
-  told.outcome.identification.verdict = Verdict::kAmbiguous;
-  told.outcome.identification.rivals.front().behind = 3;
-  EXPECT_THAT(repairedModel(told.given, told.outcome), HasSubstr("; Not certain: deadband explains the logs"));
+TEST(RepairedModel, NamesRivalsThatTheDataDoNotExclude) {
+  ReportRig rig;
+  rig.outcome.identification.verdict = Verdict::kAmbiguous;
+  rig.outcome.identification.rivals.front().behind = 3;
+  EXPECT_THAT(repairedModel(rig.given, rig.outcome), HasSubstr("; Not certain: deadband explains the logs"));
 }
 
 TEST(ServoNumber, ChangesItsLineAndNoOther) {
@@ -78,7 +77,7 @@ TEST(ServoNumber, ChangesItsLineAndNoOther) {
   EXPECT_THAT(withServoNumber("[model]\nname = mine", "kt", 1.75), HasSubstr("\n[servo]\nkt = 1.75 N m/A"));
 }
 
-TEST(ServoNumber, ThatIsNoneIsRefused) {
+TEST(ServoNumber, OfAnUnknownNameIsRefused) {
   EXPECT_THAT(sentenceOf([] { withServoNumber(kModel, "ktt", 1.75); }), HasSubstr("did you mean kt?"));
   EXPECT_THAT(sentenceOf([] { withServoNumber(kModel, "kt", -1); }), HasSubstr("kt"));
 }
@@ -120,17 +119,17 @@ TEST(AddByHand, TheSameParameterTwiceIsRefused) {
 }
 
 TEST(AddResults, ThatNameNothingAreRefused) {
-  Told told;
+  ReportRig rig;
   const auto sentence = [&](const std::string& text) {
-    return sentenceOf([&] { additionsIn(text, "report.json", told.given); });
+    return sentenceOf([&] { additionsIn(text, "report.json", rig.given); });
   };
-  told.outcome.identification.verdict = Verdict::kNone;
-  EXPECT_THAT(sentence(asJson(told.report).dump()), HasSubstr("report.json: says that nothing is missing"));
-  told.outcome.identification.verdict = Verdict::kUnknown;
-  EXPECT_THAT(sentence(asJson(told.report).dump()), HasSubstr("names no effect"));
-  told.outcome.identification.verdict = Verdict::kNamed;
-  told.given.name = "other";
-  nlohmann::json of_e1 = asJson(told.report);
+  rig.outcome.identification.verdict = Verdict::kNone;
+  EXPECT_THAT(sentence(asJson(rig.report).dump()), HasSubstr("report.json: nothing is missing by this result"));
+  rig.outcome.identification.verdict = Verdict::kUnknown;
+  EXPECT_THAT(sentence(asJson(rig.report).dump()), HasSubstr("names no effect"));
+  rig.outcome.identification.verdict = Verdict::kNamed;
+  rig.given.name = "other";
+  nlohmann::json of_e1 = asJson(rig.report);
   of_e1["case"] = "e1";
   EXPECT_THAT(sentence(of_e1.dump()), HasSubstr("is of case e1, not of other"));
   EXPECT_THAT(sentence("[]"), HasSubstr("has no result of case other"));

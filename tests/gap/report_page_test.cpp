@@ -1,4 +1,4 @@
-// The page: the figures of report.json, well formed, whole in itself, and obeying nothing that stands in a log.
+// The page: the figures of report.json, well formed, self-contained, with the texts of logs escaped.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -20,7 +20,7 @@ std::string partOf(const std::string& page, const std::string& mark, const std::
   return page.substr(begin, page.find(end, begin) - begin);
 }
 
-/// What a program reads of it: the value of every <data>.
+/// The machine-readable figures: the value of every <data>.
 std::vector<double> numbersIn(const std::string& html) {
   std::vector<double> values;
   const std::regex number{"<data value=\"([^\"]+)\">"};
@@ -39,7 +39,7 @@ std::vector<double> numbersOf(const json& gap) {
 /// Every tag that opens closes, in order, outside scripts and styles. Empty: it does.
 std::string misplacedTag(std::string page) {
   page = std::regex_replace(page, std::regex{"<!DOCTYPE html>"}, "");
-  for (const std::string tag : {"script", "style"})  // their inside is no HTML; a long text is too much for <regex>
+  for (const std::string tag : {"script", "style"})  // their content is not HTML, and too long for <regex>
     for (std::size_t at = page.find("<" + tag); at != std::string::npos; at = page.find("<" + tag, at + 1)) {
       const std::size_t begin = page.find('>', at) + 1;
       page.erase(begin, page.find("</" + tag, begin) - begin);
@@ -63,9 +63,9 @@ std::string misplacedTag(std::string page) {
 }
 
 TEST(GapPage, HasTheFiguresOfTheJson) {
-  const Told told;
-  const std::string page = asHtml(told.report);
-  const json all = asJson(told.report);
+  const ReportRig rig;
+  const std::string page = asHtml(rig.report);
+  const json all = asJson(rig.report);
   std::vector<double> wanted = numbersOf(all["held_out"]);
   for (const auto& part : {all["logs"][1], all["fit"], all["logs"][0]})
     for (const double value : numbersOf(part)) wanted.push_back(value);
@@ -82,51 +82,51 @@ TEST(GapPage, HasTheFiguresOfTheJson) {
 }
 
 TEST(GapPage, IsWellFormed) {
-  Told told;
-  EXPECT_EQ(misplacedTag(asHtml(told.report)), "");
-  told.outcome.identification.verdict = Verdict::kAmbiguous;
-  told.report.comparison.logs[1].below_floor = true;
-  told.make();
-  EXPECT_EQ(misplacedTag(asHtml(told.report)), "");
-  told.report.outcome = nullptr;  // two models, no search
-  EXPECT_EQ(misplacedTag(asHtml(told.report)), "");
+  ReportRig rig;
+  EXPECT_EQ(misplacedTag(asHtml(rig.report)), "");
+  rig.outcome.identification.verdict = Verdict::kAmbiguous;
+  rig.report.comparison.logs[1].below_floor = true;
+  rig.make();
+  EXPECT_EQ(misplacedTag(asHtml(rig.report)), "");
+  rig.report.outcome = nullptr;  // two models, no search
+  EXPECT_EQ(misplacedTag(asHtml(rig.report)), "");
 }
 
-TEST(GapPage, TakesWhatStandsInALogForTextOnly) {
-  const Told told;
-  const std::string page = asHtml(told.report);
+TEST(GapPage, EscapesTheTextsOfLogs) {
+  const ReportRig rig;
+  const std::string page = asHtml(rig.report);
   EXPECT_THAT(page, Not(HasSubstr("fit</script>")));
   EXPECT_THAT(page, Not(HasSubstr("<!--&")));
   EXPECT_THAT(page, HasSubstr("fit&lt;/script&gt;&lt;!--&amp;&quot;1&quot;.csv"));
   EXPECT_THAT(page, HasSubstr("<title>darwinop gap: e&lt;1&gt;</title>"));
   const json curves = json::parse(partOf(page, "id=\"data\"", "</script>"));
-  EXPECT_EQ(curves["logs"][0]["file"], told.given.logs[0].file) << "and the curves know its name to the letter";
+  EXPECT_EQ(curves["logs"][0]["file"], rig.given.logs[0].file) << "and the curves have the exact name";
 }
 
-TEST(GapPage, SurvivesNamesThatAreNoText) {
-  Told told;
-  told.given.logs[0].file = "fit\xff\xfe.csv";
-  told.outcome = dryFriction(told.given);
-  told.make();
-  EXPECT_EQ(misplacedTag(asHtml(told.report)), "");
+TEST(GapPage, SurvivesNamesThatAreNotUtf8) {
+  ReportRig rig;
+  rig.given.logs[0].file = "fit\xff\xfe.csv";
+  rig.outcome = dryFriction(rig.given);
+  rig.make();
+  EXPECT_EQ(misplacedTag(asHtml(rig.report)), "");
 }
 
 TEST(GapPage, DrawsEverySampleAndShowsUnknownOnesAsGaps) {
-  Told told;
-  told.given.logs[0].position_rad[3] = std::numeric_limits<double>::quiet_NaN();
-  told.given.logs[0].position_rad[4] = -0.12345;
-  const json curves = json::parse(partOf(asHtml(told.report), "id=\"data\"", "</script>"));
+  ReportRig rig;
+  rig.given.logs[0].position_rad[3] = std::numeric_limits<double>::quiet_NaN();
+  rig.given.logs[0].position_rad[4] = -0.12345;
+  const json curves = json::parse(partOf(asHtml(rig.report), "id=\"data\"", "</script>"));
   const json& log = curves["logs"][0];
   EXPECT_TRUE(log["measured"][3].is_null());
   EXPECT_NEAR(log["measured"][4].get<double>() * curves["angle_unit_rad"].get<double>(), -0.12345, 1e-9);
-  EXPECT_EQ(log["after"].size(), told.given.logs[0].rows());
-  EXPECT_FALSE(log["score"]);
-  EXPECT_TRUE(curves["logs"][1]["score"]);
+  EXPECT_EQ(log["after"].size(), rig.given.logs[0].rows());
+  EXPECT_FALSE(log["held_out"]);
+  EXPECT_TRUE(curves["logs"][1]["held_out"]);
 }
 
-TEST(GapPage, AsksForNothingFromOutside) {
-  const Told told;
-  const std::string page = asHtml(told.report);
+TEST(GapPage, LoadsNothingFromOutside) {
+  const ReportRig rig;
+  const std::string page = asHtml(rig.report);
   for (const char* fetch : {"<link rel=\"stylesheet", " src=", "@import", "sourceMappingURL", "url("})
     EXPECT_THAT(page, Not(HasSubstr(fetch))) << fetch;
   const std::regex address{"https?://[^\\s\"'<>)]+"};
@@ -134,54 +134,54 @@ TEST(GapPage, AsksForNothingFromOutside) {
     EXPECT_THAT(it->str(),
                 testing::AnyOf(HasSubstr("github.com/danvk/dygraphs"), HasSubstr("opensource.org/licenses/MIT")))
         << "only licence notes in comments of the library name an address";
-  EXPECT_THAT(page, HasSubstr("default-src 'none'")) << "and the browser is told to fetch nothing";
+  EXPECT_THAT(page, HasSubstr("default-src 'none'")) << "and the browser must not fetch anything";
 }
 
 TEST(GapPage, IsTheSameEachTime) {
-  const Told one, other;
+  const ReportRig one, other;
   EXPECT_EQ(asHtml(one.report), asHtml(other.report));
-  Told slow;
+  ReportRig slow;
   slow.outcome.runtime_s = 99;
   EXPECT_EQ(asHtml(one.report), asHtml(slow.report)) << "however long it took";
   EXPECT_EQ(asJson(one.report).dump(), asJson(slow.report).dump());
 }
 
 TEST(GapPage, LinksAPlaceToItsCurve) {
-  const Told told;
-  EXPECT_THAT(asHtml(told.report),
+  const ReportRig rig;
+  EXPECT_THAT(asHtml(rig.report),
               HasSubstr("<a href=\"#curves\" data-log=\"0\" data-from=\"0.300\" data-to=\"0.600\">"));
 }
 
 TEST(GapPage, FlagsWhatIsTooGoodToBeTrue) {
-  Told told;
-  EXPECT_THAT(asHtml(told.report), Not(HasSubstr("Below the floor:")));
-  told.report.comparison.logs[1].below_floor = true;
-  const std::string page = asHtml(told.report);
+  ReportRig rig;
+  EXPECT_THAT(asHtml(rig.report), Not(HasSubstr("Below the floor:")));
+  rig.report.comparison.logs[1].below_floor = true;
+  const std::string page = asHtml(rig.report);
   EXPECT_THAT(partOf(page, "id=\"headline\"", "</section>"), HasSubstr("Do not count it as a success"));
   EXPECT_THAT(partOf(page, "id=\"logs\"", "</table>"), HasSubstr("below the floor"));
-  EXPECT_TRUE(asJson(told.report)["logs"][1]["below_floor"]);
+  EXPECT_TRUE(asJson(rig.report)["logs"][1]["below_floor"]);
 }
 
-TEST(GapPage, HasNoHeadlineWithoutKeptLogs) {
-  Told told;
-  told.given.logs[1].held_out = false;
-  told.make();
-  const std::string page = asHtml(told.report);
+TEST(GapPage, HasNoHeadlineWithoutHeldOutLogs) {
+  ReportRig rig;
+  rig.given.logs[1].held_out = false;
+  rig.make();
+  const std::string page = asHtml(rig.report);
   EXPECT_THAT(partOf(page, "id=\"headline\"", "</section>"), HasSubstr(std::string{messages::kNoHeldOutLog}));
   EXPECT_TRUE(numbersIn(partOf(page, "id=\"headline\"", "</section>")).empty());
-  EXPECT_TRUE(asJson(told.report)["held_out"]["after_mrad"].is_null()) << "not known is not 0";
+  EXPECT_TRUE(asJson(rig.report)["held_out"]["after_mrad"].is_null()) << "not known is not 0";
 }
 
 TEST(GapPage, ShowsTheModelsChangesAndHowToMakeItAgain) {
-  const Told told;
-  const std::string page = asHtml(told.report);
+  const ReportRig rig;
+  const std::string page = asHtml(rig.report);
   const std::string model = partOf(page, "id=\"model\"", "</section>");
   EXPECT_THAT(model, HasSubstr("<ins>+ [effect coulomb]</ins>"));
   EXPECT_THAT(model, HasSubstr("<ins>+ friction = 0.0423 N m</ins>"));
   EXPECT_THAT(model, HasSubstr("<del>- kt = 1.786 N m/A</del>"));
   EXPECT_THAT(model, Not(HasSubstr("duty_max")));
   EXPECT_THAT(page, HasSubstr("darwinop gap run 'cases/e&lt;1&gt;'"));
-  EXPECT_THAT(page, HasSubstr(told.report.data_hash));
+  EXPECT_THAT(page, HasSubstr(rig.report.data_hash));
 }
 
 }  // namespace

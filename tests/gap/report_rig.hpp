@@ -59,19 +59,21 @@ inline Comparison errorScaleOf(const Case& given) {
 inline Outcome dryFriction(const Case& given) {
   Outcome outcome;
   outcome.baseline = baselineOf(given);
-  Identification& naming = outcome.identification;
-  naming.verdict = Verdict::kNamed;
-  naming.model = baselineOf(given);
-  naming.model.servo.kt_nm_a *= 1.0123;
-  naming.model.find("viscous")->values[0] = 0.0161;
-  naming.model.with(*twin::findEffect("coulomb")).values = {0.0423};
-  naming.model.payload_scale = 1.0042;
-  naming.effects = {{twin::findEffect("coulomb"), {{"coulomb.friction", "N m", 0.0423, 0.0401, 0.0447}}, 312.4}};
-  naming.rivals = {{{"deadband"}, 45.3}, {{"viscous", "backlash"}, 77.7}};
-  naming.prior_conflicts = {{"length", 3.4, 1.034}};
-  naming.threshold = 27.6;
-  naming.misfit = 0.7;
-  naming.gap_before_rad = 24.5 * kMrad, naming.gap_after_rad = 0.87 * kMrad, naming.floor_rad = 0.9 * kMrad;
+  Identification& identification = outcome.identification;
+  identification.verdict = Verdict::kNamed;
+  identification.model = baselineOf(given);
+  identification.model.servo.kt_nm_a *= 1.0123;
+  identification.model.find("viscous")->values[0] = 0.0161;
+  identification.model.with(*twin::findEffect("coulomb")).values = {0.0423};
+  identification.model.payload_scale = 1.0042;
+  identification.effects = {
+      {twin::findEffect("coulomb"), {{"coulomb.friction", "N m", 0.0423, 0.0401, 0.0447}}, 312.4}};
+  identification.rivals = {{{"deadband"}, 45.3}, {{"viscous", "backlash"}, 77.7}};
+  identification.prior_conflicts = {{"length", 3.4, 1.034}};
+  identification.threshold = 27.6;
+  identification.misfit = 0.7;
+  identification.gap_before_rad = 24.5 * kMrad, identification.gap_after_rad = 0.87 * kMrad,
+  identification.floor_rad = 0.9 * kMrad;
   outcome.verification.rms_before_rad = 31.0412 * kMrad, outcome.verification.rms_after_rad = 0.9314 * kMrad;
   outcome.runtime_s = 12.3;
   outcome.localization.places = {
@@ -81,14 +83,14 @@ inline Outcome dryFriction(const Case& given) {
 }
 
 /// Report and what it is of.
-struct Told {
+struct ReportRig {
   Case given = twoLogs();
   Outcome outcome = dryFriction(given);
   Report report;
 
-  Told() { make(); }
-  Told(const Told&) = delete;
-  Told& operator=(const Told&) = delete;
+  ReportRig() { make(); }
+  ReportRig(const ReportRig&) = delete;
+  ReportRig& operator=(const ReportRig&) = delete;
   void make() {
     report.given = &given;
     report.outcome = &outcome;

@@ -29,9 +29,9 @@ std::string inOneLine(std::string text) {
   return text;
 }
 
-TEST(Summary, TellsWhereWhatHowSureAndHowMuchItHelps) {
-  const Told told;
-  const std::string text = inOneLine(asText(told.report));
+TEST(Summary, HasPlaceEffectIntervalAndImprovement) {
+  const ReportRig rig;
+  const std::string text = inOneLine(asText(rig.report));
   EXPECT_THAT(text, HasSubstr("The model lacks dry friction: friction 0.0423 N m, with nine chances in ten between "
                               "0.0401 and"));
   EXPECT_THAT(text, HasSubstr("falls from 31.0 mrad to 0.93 mrad; noise alone makes 0.89."));
@@ -42,28 +42,29 @@ TEST(Summary, TellsWhereWhatHowSureAndHowMuchItHelps) {
 }
 
 TEST(Summary, SaysWhyAnEffectThatFitsIsNotNamed) {
-  Told told;
-  Identification& naming = told.outcome.identification;
-  naming.remains = true;
-  naming.prior_conflicts.clear();
-  naming.rejected = {{twin::findEffect("supply_sag"), RejectionReason::kVoltage},
-                     {twin::findEffect("torque_limit"), RejectionReason::kUndecided},
-                     {twin::findEffect("cogging"), RejectionReason::kWorsensHeldOut}};
-  told.make();
-  const std::string text = inOneLine(asText(told.report));
+  ReportRig rig;
+  Identification& identification = rig.outcome.identification;
+  identification.remains = true;
+  identification.prior_conflicts.clear();
+  identification.rejected = {{twin::findEffect("supply_sag"), RejectionReason::kVoltage},
+                             {twin::findEffect("torque_limit"), RejectionReason::kUndecided},
+                             {twin::findEffect("cogging"), RejectionReason::kWorsensHeldOut}};
+  rig.make();
+  const std::string text = inOneLine(asText(rig.report));
   EXPECT_THAT(text, HasSubstr("supply_sag: " + std::string{messages::kVoltage}));
   EXPECT_THAT(text, HasSubstr("torque_limit: " + std::string{messages::kUndecided}));
   EXPECT_THAT(text, HasSubstr(std::string{messages::kRemainder}));
-  const nlohmann::json answer = asJson(told.given, told.outcome);
+  const nlohmann::json answer = asJson(rig.given, rig.outcome);
   EXPECT_EQ(answer["rejected"][0]["why"], "voltage");
   EXPECT_EQ(answer["rejected"][1]["id"], "torque_limit");
   EXPECT_EQ(answer["rejected"][2]["why"], "worsens_held_out");
-  EXPECT_THAT(rejectionSentence(naming.rejected[2]), HasSubstr(std::string{messages::kWorsensHeldOutInFull}));
-  EXPECT_THAT(rejectionSentence(naming.rejected[1]), HasSubstr(twin::findEffect("quadratic_load_friction")->title));
-  EXPECT_THAT(rejectionSentence(naming.rejected[1]), HasSubstr(twin::findEffect("torque_limit")->separated_by));
+  EXPECT_THAT(rejectionSentence(identification.rejected[2]), HasSubstr(std::string{messages::kWorsensHeldOutInFull}));
+  EXPECT_THAT(rejectionSentence(identification.rejected[1]),
+              HasSubstr(twin::findEffect("quadratic_load_friction")->title));
+  EXPECT_THAT(rejectionSentence(identification.rejected[1]), HasSubstr(twin::findEffect("torque_limit")->separated_by));
 }
 
-TEST(Results, TellThePartOfTheLoopOfWhatWasNamedAndWhichPartDoesNotClose) {
+TEST(Results, HaveTheBlockOfTheNamedEffectAndTheFirstOpenBlock) {
   const Case given = twoLogs();
   Outcome outcome = dryFriction(given);
   outcome.localization.blocks.first = Block::kController;
@@ -79,52 +80,52 @@ TEST(Results, TellThePartOfTheLoopOfWhatWasNamedAndWhichPartDoesNotClose) {
 }
 
 TEST(Summary, FitsAScreenHoweverMuchWasFound) {
-  Told told;
-  Identification& naming = told.outcome.identification;
-  naming.verdict = Verdict::kAmbiguous;
+  ReportRig rig;
+  Identification& identification = rig.outcome.identification;
+  identification.verdict = Verdict::kAmbiguous;
   for (const char* id : {"stribeck", "backlash", "supply_sag"})
-    naming.effects.push_back(
+    identification.effects.push_back(
         {twin::findEffect(id),
          {{std::string{id} + ".one", "N m", 0.1, 0.09, 0.11}, {std::string{id} + ".two", "", 1, 0, 2}},
          100});
-  naming.rivals.assign(9, {{"deadband", "load_dependent_friction", "directional_load_friction"}, 5});
-  naming.prior_conflicts.assign(9, {"duty_per_kp", 3.3, 1.2});
-  told.make();
-  const std::vector<std::string> lines = linesOfText(asText(told.report));
+  identification.rivals.assign(9, {{"deadband", "load_dependent_friction", "directional_load_friction"}, 5});
+  identification.prior_conflicts.assign(9, {"duty_per_kp", 3.3, 1.2});
+  rig.make();
+  const std::vector<std::string> lines = linesOfText(asText(rig.report));
   EXPECT_LE(lines.size(), 24U);
   for (const std::string& line : lines) EXPECT_LE(line.size(), 100U) << line;
 }
 
 TEST(Summary, GivesNoIntervalForWhatTheDataSayNothingAbout) {
-  Told told;
-  told.outcome.identification.effects.front().estimates.front().seen = false;
-  told.make();
-  EXPECT_THAT(asText(told.report), HasSubstr("(" + std::string{messages::kNotIdentifiable} + ")"));
-  EXPECT_THAT(asHtml(told.report), HasSubstr(std::string{messages::kNotIdentifiable}));
-  EXPECT_THAT(told.report.model_after, HasSubstr("; friction: " + std::string{messages::kNotIdentifiable}));
-  EXPECT_THAT(told.report.model_after, Not(HasSubstr("90 % interval")));
+  ReportRig rig;
+  rig.outcome.identification.effects.front().estimates.front().seen = false;
+  rig.make();
+  EXPECT_THAT(asText(rig.report), HasSubstr("(" + std::string{messages::kNotIdentifiable} + ")"));
+  EXPECT_THAT(asHtml(rig.report), HasSubstr(std::string{messages::kNotIdentifiable}));
+  EXPECT_THAT(rig.report.model_after, HasSubstr("; friction: " + std::string{messages::kNotIdentifiable}));
+  EXPECT_THAT(rig.report.model_after, Not(HasSubstr("90 % interval")));
 }
 
 TEST(Summary, WarnsOfAModelThatGotWorseAndOfOneThatIsTooGood) {
-  Told told;
-  told.report.comparison.held_out = gapOfMrad(10, 20, 1);
-  EXPECT_THAT(inOneLine(asText(told.report)), HasSubstr(std::string{messages::kWorse}));
-  EXPECT_THAT(asText(told.report), Not(HasSubstr(std::string{messages::kBelowFloorFlag})));
-  told.report.comparison.logs[1].below_floor = true;
-  EXPECT_THAT(asText(told.report), HasSubstr(std::string{messages::kBelowFloorFlag} + "!"));
+  ReportRig rig;
+  rig.report.comparison.held_out = gapOfMrad(10, 20, 1);
+  EXPECT_THAT(inOneLine(asText(rig.report)), HasSubstr(std::string{messages::kWorse}));
+  EXPECT_THAT(asText(rig.report), Not(HasSubstr(std::string{messages::kBelowFloorFlag})));
+  rig.report.comparison.logs[1].below_floor = true;
+  EXPECT_THAT(asText(rig.report), HasSubstr(std::string{messages::kBelowFloorFlag} + "!"));
 }
 
 TEST(Summary, HasASentenceForEachVerdict) {
-  Told told;
+  ReportRig rig;
   const std::pair<Verdict, const char*> sentences[] = {
       {Verdict::kNone, "what is left is noise"},
       {Verdict::kAmbiguous, "these logs do not identify: dry friction, or dead band"},
       {Verdict::kUnknown, "known effects explains; it shows most between 0.3 and 0.6 s of fit"},
       {Verdict::kCannotTell, "by too little"}};
-  told.outcome.identification.rivals.front().behind = 3;
+  rig.outcome.identification.rivals.front().behind = 3;
   for (const auto& [verdict, words] : sentences) {
-    told.outcome.identification.verdict = verdict;
-    EXPECT_THAT(verdictSentences(told.outcome, told.report.comparison).front(), HasSubstr(words));
+    rig.outcome.identification.verdict = verdict;
+    EXPECT_THAT(verdictSentences(rig.outcome, rig.report.comparison).front(), HasSubstr(words));
   }
 }
 
@@ -168,11 +169,11 @@ TEST(DataHash, ChangesWithTheDataAndNotWithTheFolder) {
 }
 
 TEST(WriteReport, SaysWhatToDoWhenItCannot) {
-  const Told told;
+  const ReportRig rig;
   const std::string file = testing::TempDir() + "/darwinop_no_folder";
   std::ofstream{file} << "a file";
   try {
-    writeReport(told.report, file + "/report");
+    writeReport(rig.report, file + "/report");
     FAIL() << "a file is no folder";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("give another folder with --report"));

@@ -23,7 +23,7 @@ std::string nameOf(std::size_t joint) {
   return std::string{kJointTable[joint].name};
 }
 
-/// What a runtime would have recorded of the twin: the right arm is stretched, swings at the shoulder, and is let go.
+/// What the runtime would have recorded of the twin: the right arm is stretched, swings at the shoulder, and goes limp.
 std::string recordedSwing() {
   twin::RobotBody body{twin::readModel(twin::findModel("darwin-op"))};
   Drives drives;
@@ -57,8 +57,8 @@ std::string recordedSwing() {
     shoulder.torque_on = t < 5.5;
     for (std::size_t i = 0; i < kJoints; ++i)
       text += (drives[i].torque_on ? number(drives[i].goal_rad) : ",") + number(state.joint[i].position_rad);
-    const JointMotion& told = state.joint[index(Joint::kShoulderR)];
-    text += ",4,," + std::to_string(told.velocity_rad_s) + number(told.load) + ",,30\n";
+    const JointMotion& reading = state.joint[index(Joint::kShoulderR)];
+    text += ",4,," + std::to_string(reading.velocity_rad_s) + number(reading.load) + ",,30\n";
     for (int ms = 0; ms < 16; ++ms) body.step(std::chrono::milliseconds{1}, drives);
   }
   return text + "# end\n";

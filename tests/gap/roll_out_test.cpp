@@ -44,7 +44,7 @@ TEST(RollOut, ALimpServoShowsNoLoadAndTheArmFalls) {
       << "it swings through";
 }
 
-TEST(RollOut, WithDisturbanceItTellsTicksAndDiffersFromSeedToSeed) {
+TEST(RollOut, WithDisturbanceItIsInTicksAndDiffersFromSeedToSeed) {
   const Case bench = smallBench();
   const Disturbance one{.seed = 1}, two{.seed = 2};
   const Trace a = traceOf(bench, 1, baselineOf(bench), &one), again = traceOf(bench, 1, baselineOf(bench), &one),

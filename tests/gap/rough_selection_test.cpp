@@ -61,36 +61,36 @@ Case measuredIn(Disturbance wind, Case bench, const Hypothesis& truth) {
   return bench;
 }
 
-const IdentifiedEffect* foundIn(const Identification& naming, std::string_view id) {
+const IdentifiedEffect* foundIn(const Identification& identification, std::string_view id) {
   const auto there =
-      std::ranges::find(naming.effects, id, [](const IdentifiedEffect& found) { return found.effect->id; });
-  return there == naming.effects.end() ? nullptr : &*there;
+      std::ranges::find(identification.effects, id, [](const IdentifiedEffect& found) { return found.effect->id; });
+  return there == identification.effects.end() ? nullptr : &*there;
 }
 
 TEST(RoughNumbers, WhatEveryServoHasIsNamedThoughSomethingRemains) {
   const Case bench = manualBench();
   const Disturbance gusts{.torque_nm = 0.06, .torque_time_s = 0.4};  // that no model of a servo knows
-  const Identification naming = identify(Study{measuredIn(gusts, bench, realServo(bench))});
-  EXPECT_EQ(naming.verdict, Verdict::kNamed);
-  EXPECT_TRUE(naming.remains);
-  const IdentifiedEffect* const gain = foundIn(naming, "kp_scale");
+  const Identification identification = identify(Study{measuredIn(gusts, bench, realServo(bench))});
+  EXPECT_EQ(identification.verdict, Verdict::kNamed);
+  EXPECT_TRUE(identification.remains);
+  const IdentifiedEffect* const gain = foundIn(identification, "kp_scale");
   ASSERT_NE(gain, nullptr);
   EXPECT_NEAR(gain->estimates.front().value, 0.5, 0.01);
   EXPECT_LT(gain->estimates.front().low, gain->estimates.front().high);
-  EXPECT_NE(foundIn(naming, "encoder_offset"), nullptr);
-  EXPECT_NE(foundIn(naming, "load_dependent_friction"), nullptr);
-  EXPECT_LE(naming.effects.size(), 5U) << "nothing else is missing";
-  EXPECT_EQ(foundIn(naming, "supply_sag"), nullptr);
-  EXPECT_LT(naming.gap_after_rad, 0.15 * naming.gap_before_rad);
+  EXPECT_NE(foundIn(identification, "encoder_offset"), nullptr);
+  EXPECT_NE(foundIn(identification, "load_dependent_friction"), nullptr);
+  EXPECT_LE(identification.effects.size(), 5U) << "nothing else is missing";
+  EXPECT_EQ(foundIn(identification, "supply_sag"), nullptr);
+  EXPECT_LT(identification.gap_after_rad, 0.15 * identification.gap_before_rad);
 }
 
 TEST(RoughNumbers, AModelThatExplainsAllIsFoundAsEver) {
   const Case bench = manualBench();
   const Case given = measuredIn({}, bench, withEffect(bench, "coulomb", "friction", 0.08));
-  const Identification naming = identify(Study{given});
-  EXPECT_FALSE(naming.remains);
-  ASSERT_EQ(naming.effects.size(), 1U);
-  EXPECT_EQ(naming.effects.front().effect->id, "coulomb");
+  const Identification identification = identify(Study{given});
+  EXPECT_FALSE(identification.remains);
+  ASSERT_EQ(identification.effects.size(), 1U);
+  EXPECT_EQ(identification.effects.front().effect->id, "coulomb");
 }
 
 NoiseOptions fewRuns() {
@@ -134,12 +134,12 @@ TEST(Discrepancy, IsWhatMostSamplesAreOffBy) {
   const Case bench = manualBench();
   Case given = measuredIn({.torque_nm = 0}, bench, baselineOf(bench));
   const std::vector<std::size_t> logs{0, 1};
-  const double before = discrepancyOf(given, logs, baselineOf(given)).position_rad;
+  const double before = discrepancyOf(plantOf(given), given, logs, baselineOf(given)).position_rad;
   EXPECT_LT(before, 0.003);
   for (double& position : given.logs[0].position_rad) position += 0.02;
   for (double& position : given.logs[1].position_rad) position -= 0.02;
   for (std::size_t row = 0; row < 20; ++row) given.logs[0].position_rad[row] += 1;  // a hand on the arm
-  EXPECT_NEAR(discrepancyOf(given, logs, baselineOf(given)).position_rad, 1.4826 * 0.02, 0.003);
+  EXPECT_NEAR(discrepancyOf(plantOf(given), given, logs, baselineOf(given)).position_rad, 1.4826 * 0.02, 0.003);
 }
 
 TEST(Discrepancy, NeighboursCountAsOne) {
@@ -151,7 +151,7 @@ TEST(Discrepancy, NeighboursCountAsOne) {
   Hypothesis off = baselineOf(given);
   off.pendulum.length_m *= 1.005;
   const auto cost = [&](const NoiseOptions& options) {
-    const Evidence evidence = evidenceOf(given, baselineOf(given), LogRole::kFit, options);
+    const Evidence evidence = evidenceOf(plantOf(given), given, baselineOf(given), LogRole::kFit, options);
     return Problem{evidence, off, {}}.cost({});
   };
   NoiseOptions alone = bearing;

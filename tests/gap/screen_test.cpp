@@ -101,7 +101,7 @@ TEST(Grid, HasBothSidesOfWhereAnEffectDoesNothing) {
     mildest = std::max(mildest, point[0]);
   }
   EXPECT_LT(strictest, 0.35);
-  EXPECT_GT(mildest, 0.95) << "1 is no limit";
+  EXPECT_GT(mildest, 0.95) << "1 is not a limit";
   EXPECT_LT(mildest, 1);
 }
 

@@ -1,4 +1,4 @@
-// A small bench in memory: three short logs, told by the twin itself with the noise of a bench.
+// A small bench in memory: three short logs, simulated by the twin with the noise of a bench.
 #pragma once
 
 #include <cmath>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gap/plant/bench/roll_out.hpp"
+#include "gap/plants.hpp"
 #include "twin/effects/catalogue.hpp"
 
 namespace darwinop::gap {
@@ -53,7 +54,7 @@ inline Case smallBench() {
   return bench;
 }
 
-/// What a bench that is so would tell.
+/// The logs of a bench that has this hypothesis.
 inline Case measured(Case bench, const Hypothesis& truth, std::uint64_t seed) {
   Trace trace;
   for (std::size_t i = 0; i < bench.logs.size(); ++i) {

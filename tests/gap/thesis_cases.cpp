@@ -52,7 +52,7 @@ void add(Log wanted, Case& c) {
   c.logs.push_back(std::move(log));
 }
 
-/// What the robot would have told.
+/// The logs of the robot.
 Case measured(const Case& model, const Hypothesis& robot, std::uint64_t seed) {
   Plan plan = planLike(model, model.name);
   for (std::size_t i = 0; i < plan.given.logs.size(); ++i) {
@@ -165,10 +165,10 @@ Case mirroredLoad() {
   slow("fit_1.csv", 4);
   slow("fit_2.csv", 2);
   slow("score_1.csv", 3);
-  Case told = measured(c, baselineOf(c), 4);
-  for (Trajectory& log : told.logs)
+  Case mirrored = measured(c, baselineOf(c), 4);
+  for (Trajectory& log : mirrored.logs)
     for (double& load : log.load) load = -load;
-  return told;
+  return mirrored;
 }
 
 // With so low a gain that the goal's distance is a torque, which rises slowly, as in the thesis. The arm starts at rest

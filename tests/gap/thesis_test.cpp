@@ -14,37 +14,38 @@ namespace {
 
 using testing::UnorderedElementsAre;
 
-struct Told {
-  Identification naming;
-  std::string trail;  // what the search said on its way
+struct Identified {
+  Identification identification;
+  std::string trail;  // progress of the search
 };
 
-Told namedIn(const Case& given) {
-  Told told;
+Identified namedIn(const Case& given) {
+  Identified result;
   IdentifyOptions options;
-  options.progress = [&](const std::string& what) { told.trail += what + "\n"; };
-  told.naming = identify(Study{given}, options);
-  told.trail += std::string{nameOf(told.naming.verdict)} + ", misfit " + std::to_string(told.naming.misfit) + "\n";
-  for (const IdentifiedEffect& found : told.naming.effects)
+  options.progress = [&](const std::string& what) { result.trail += what + "\n"; };
+  result.identification = identify(Study{given}, options);
+  result.trail += std::string{nameOf(result.identification.verdict)} + ", misfit " +
+                  std::to_string(result.identification.misfit) + "\n";
+  for (const IdentifiedEffect& found : result.identification.effects)
     for (const Estimate& e : found.estimates)
-      told.trail += e.name + " = " + std::to_string(e.value) + " " + e.unit + ", " + std::to_string(e.low) + " to " +
-                    std::to_string(e.high) + "\n";
-  for (const Rival& rival : told.naming.rivals)
-    told.trail += "rival " + rival.effects.back() + " worse by " + std::to_string(rival.behind) + "\n";
-  for (const PriorConflict& one : told.naming.prior_conflicts)
-    told.trail += one.number + " strained by " + std::to_string(one.sigmas) + " sigma\n";
-  return told;
+      result.trail += e.name + " = " + std::to_string(e.value) + " " + e.unit + ", " + std::to_string(e.low) + " to " +
+                      std::to_string(e.high) + "\n";
+  for (const Rival& rival : result.identification.rivals)
+    result.trail += "rival " + rival.effects.back() + " worse by " + std::to_string(rival.behind) + "\n";
+  for (const PriorConflict& one : result.identification.prior_conflicts)
+    result.trail += one.number + " in conflict with its prior by " + std::to_string(one.sigmas) + " sigma\n";
+  return result;
 }
 
-std::vector<std::string> idsIn(const Identification& naming) {
+std::vector<std::string> idsIn(const Identification& identification) {
   std::vector<std::string> ids;
-  for (const IdentifiedEffect& found : naming.effects) ids.emplace_back(found.effect->id);
+  for (const IdentifiedEffect& found : identification.effects) ids.emplace_back(found.effect->id);
   return ids;
 }
 
 /// The value of the parameter of what was found; NaN: it was not.
-double valueIn(const Identification& naming, const std::string& name) {
-  for (const IdentifiedEffect& found : naming.effects)
+double valueIn(const Identification& identification, const std::string& name) {
+  for (const IdentifiedEffect& found : identification.effects)
     for (const Estimate& estimate : found.estimates)
       if (estimate.name == name) return estimate.value;
   return std::numeric_limits<double>::quiet_NaN();
@@ -52,24 +53,24 @@ double valueIn(const Identification& naming, const std::string& name) {
 
 // The first guess of 2013 was the speed.
 TEST(Thesis, T1HeadSweepsMissALimitOfTheAccelerationAndNotOneOfTheSpeed) {
-  const Told told = namedIn(thesis::speedTest());
-  EXPECT_EQ(told.naming.verdict, Verdict::kNamed) << told.trail;
-  EXPECT_THAT(idsIn(told.naming), UnorderedElementsAre("accel_limit")) << told.trail;
-  EXPECT_NEAR(valueIn(told.naming, "accel_limit.accel"), 55, 5.5) << told.trail;
+  const Identified result = namedIn(thesis::speedTest());
+  EXPECT_EQ(result.identification.verdict, Verdict::kNamed) << result.trail;
+  EXPECT_THAT(idsIn(result.identification), UnorderedElementsAre("accel_limit")) << result.trail;
+  EXPECT_NEAR(valueIn(result.identification, "accel_limit.accel"), 55, 5.5) << result.trail;
 }
 
-TEST(Thesis, T2AnArmLetGoMissesDryFrictionBesideTheViscous) {
-  const Told told = namedIn(thesis::freeSwing());
-  EXPECT_EQ(told.naming.verdict, Verdict::kNamed) << told.trail;
-  EXPECT_THAT(idsIn(told.naming), UnorderedElementsAre("coulomb", "viscous")) << told.trail;
-  EXPECT_NEAR(valueIn(told.naming, "coulomb.friction"), 0.025, 0.0025) << told.trail;
-  EXPECT_NEAR(valueIn(told.naming, "viscous.damping"), 0.002, 0.0004) << told.trail;
+TEST(Thesis, T2AReleasedArmShowsDryAndViscousFriction) {
+  const Identified result = namedIn(thesis::freeSwing());
+  EXPECT_EQ(result.identification.verdict, Verdict::kNamed) << result.trail;
+  EXPECT_THAT(idsIn(result.identification), UnorderedElementsAre("coulomb", "viscous")) << result.trail;
+  EXPECT_NEAR(valueIn(result.identification, "coulomb.friction"), 0.025, 0.0025) << result.trail;
+  EXPECT_NEAR(valueIn(result.identification, "viscous.damping"), 0.002, 0.0004) << result.trail;
 }
 
 TEST(Thesis, T3AnArmThatNeverArrivesHasPOnTorque) {
-  const Told told = namedIn(thesis::lowGainStep());
-  EXPECT_EQ(told.naming.verdict, Verdict::kNamed) << told.trail;
-  EXPECT_THAT(idsIn(told.naming), UnorderedElementsAre("p_on_torque")) << told.trail;
+  const Identified result = namedIn(thesis::lowGainStep());
+  EXPECT_EQ(result.identification.verdict, Verdict::kNamed) << result.trail;
+  EXPECT_THAT(idsIn(result.identification), UnorderedElementsAre("p_on_torque")) << result.trail;
 }
 
 /// What reading the case from files says; empty: nothing.
@@ -90,28 +91,28 @@ std::string refusalOf(const Case& given) {
 }
 
 // Not an effect of the servo but of who wrote the log: refused, with the reason, before anything is named.
-TEST(Thesis, T4AMirroredLoadIsToldByItsSign) {
-  Case told = thesis::mirroredLoad();
-  EXPECT_THAT(refusalOf(told), testing::HasSubstr("its sign is mirrored"));
-  for (Trajectory& log : told.logs)
+TEST(Thesis, T4AMirroredLoadIsRefused) {
+  Case mirrored = thesis::mirroredLoad();
+  EXPECT_THAT(refusalOf(mirrored), testing::HasSubstr("but the opposite sign"));
+  for (Trajectory& log : mirrored.logs)
     for (double& load : log.load) load = -load;
-  EXPECT_EQ(refusalOf(told), "");
+  EXPECT_EQ(refusalOf(mirrored), "");
 }
 
 // "Small resistances or masses": from an arm that only rises nobody can say more.
 TEST(Thesis, T7AnArmThatOnlyRisesLeavesItOpenWhetherFrictionOrMassIsMissing) {
-  const Told told = namedIn(thesis::risingArm());
-  EXPECT_EQ(told.naming.verdict, Verdict::kAmbiguous) << told.trail;
+  const Identified result = namedIn(thesis::risingArm());
+  EXPECT_EQ(result.identification.verdict, Verdict::kAmbiguous) << result.trail;
   std::set<std::string> all;
-  for (const std::string& id : idsIn(told.naming)) all.insert(id);
+  for (const std::string& id : idsIn(result.identification)) all.insert(id);
   // Among the rivals at least: other frictions and the resistance of the motor stand nearer, docs/gap/thesis.md.
-  for (const Rival& rival : told.naming.rivals) all.insert(rival.effects.back());
-  EXPECT_THAT(all, testing::IsSupersetOf({"coulomb", "com_mass"})) << told.trail;
+  for (const Rival& rival : result.identification.rivals) all.insert(rival.effects.back());
+  EXPECT_THAT(all, testing::IsSupersetOf({"coulomb", "com_mass"})) << result.trail;
 }
 
 TEST(Thesis, T8KicksThatDifferByTheirMotionFileMissNothing) {
-  const Told told = namedIn(thesis::kicks());
-  EXPECT_EQ(told.naming.verdict, Verdict::kNone) << told.trail;
+  const Identified result = namedIn(thesis::kicks());
+  EXPECT_EQ(result.identification.verdict, Verdict::kNone) << result.trail;
 }
 
 }  // namespace

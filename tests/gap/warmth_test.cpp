@@ -26,10 +26,10 @@ Case warmingUp(int logs) {
   return session;
 }
 
-double worst(const Trajectory& log, const std::vector<double>& told) {
+double worst(const Trajectory& log, const std::vector<double>& smoothed) {
   double off = 0;
   for (std::size_t row = 0; row < log.rows(); ++row)
-    off = std::max(off, std::abs(told[row] - heatAt(log.session_start_s + log.time_s[row])));
+    off = std::max(off, std::abs(smoothed[row] - heatAt(log.session_start_s + log.time_s[row])));
   return off;
 }
 
@@ -42,7 +42,7 @@ TEST(Warmth, FollowsTheServoBetweenTheStepsOfItsRegister) {
   EXPECT_GT(worst(session.logs[0], session.logs[0].temp_c), 0.45) << "or there is nothing to smooth";
 }
 
-TEST(Warmth, LogsOfAnotherDayAreNoNeighbours) {
+TEST(Warmth, LogsOfAnotherDayAreNotNeighbours) {
   Case session = warmingUp(2);
   for (double& temp : session.logs[1].temp_c) temp = 25;
   session.logs[1].session_start_s = session.logs[0].session_start_s;  // both begin at once: two sessions

@@ -104,7 +104,7 @@ void writeKeys(const Keys& keys, const std::string& path) {
 
 Keys readKeys(const std::string& path) {
   const std::optional<std::string> text = readTextFile(path, kLongestKey);
-  if (!text) throw std::runtime_error("cannot read " + path + "; a key lies beside the folder of the cases");
+  if (!text) throw std::runtime_error("cannot read " + path + "; the key is next to the folder of the cases");
   Keys keys;
   std::string name;
   try {

@@ -33,7 +33,7 @@ struct Key {
 };
 using Keys = std::map<std::string, Key>;  // by name of the case
 
-/// As in the example batteries. Throws std::runtime_error, a sentence with the file.
+/// As in the example suites. Throws std::runtime_error, a sentence with the file.
 void writeKeys(const Keys& keys, const std::string& path);
 Keys readKeys(const std::string& path);
 

@@ -27,7 +27,7 @@ twin::ServoParameters sheetServo() {
   return servo;
 }
 
-void believe(twin::ParameterRole friction, double value, Case& c) {
+void addFriction(twin::ParameterRole friction, double value, Case& c) {
   const twin::EffectInfo* const effect = twin::effectWith(friction);
   c.model.effects.push_back({effect, {value}, {}});
   c.priors.push_back({std::string{effect->aliases[0].number}, 0.1});
@@ -53,8 +53,8 @@ void drawModel(Baseline baseline, Rng& rng, Case& c) {
   }
   for (const Prior& prior : {Prior{"armature", 0.1}, {"payload", 0.01}, {"length", 0.01}}) c.priors.push_back(prior);
   if (baseline != Baseline::kFrictionless)
-    believe(twin::ParameterRole::kDryFriction, rounded(rng.between(0.05, 0.1), 1e-4), c);
-  believe(twin::ParameterRole::kViscousFriction, rounded(rng.between(0.008, 0.02), 1e-4), c);
+    addFriction(twin::ParameterRole::kDryFriction, rounded(rng.between(0.05, 0.1), 1e-4), c);
+  addFriction(twin::ParameterRole::kViscousFriction, rounded(rng.between(0.008, 0.02), 1e-4), c);
 }
 
 struct LogPlan {
@@ -74,7 +74,7 @@ constexpr auto kSession = std::to_array<LogPlan>({
     {Motion::kRelease, true, false, false, false},
 });
 
-/// What the bench cannot know before.
+/// Values that only the simulation gives.
 void clearMeasured(const WarmUp& warmth, Trajectory& log) {
   const std::size_t rows = log.rows();
   log.position_rad.resize(rows, 0);  // a log that begins limp begins where it did

@@ -26,13 +26,13 @@ struct WarmUp {
 };
 
 struct Plan {
-  Case given;  // its logs have time, goal and torque; what is measured is not there yet, the temperature is foretold
+  Case given;  // its logs have time, goal and torque; measured columns are empty except for the temperature
   WarmUp warmth;
 };
 
 /// Numbers around those of an MX-28, ten logs as benches of this servo make them in a session of 86 s.
 Plan drawnPlan(const std::string& name, Baseline baseline, std::uint64_t seed);
-/// Bench and commands of a case that there is.
+/// Bench and commands of an existing case.
 Plan planLike(const Case& other, const std::string& name);
 
 }  // namespace darwinop::gap

@@ -40,7 +40,7 @@ void compare(const Plan& measured, const Plan& quiet, const Truth& truth, Key& k
   for (std::size_t i = 0; i < measured.given.logs.size(); ++i) {
     const Trajectory& log = measured.given.logs[i];
     Trace believed;
-    plantOf(measured.given).rollOut(measured.given, i, baseline, {}, believed);
+    rollOut(measured.given, i, baseline, {}, believed);
     gap[log.held_out ? 1 : 0].add(log.position_rad, believed[kPositionSignal]);
     noise[log.held_out ? 1 : 0].add(log.position_rad, quiet.given.logs[i].position_rad);
     if (truth.outside.empty() || log.held_out) continue;

@@ -1,4 +1,4 @@
-// Sizes for the key: how far the baseline is off, how much of that is noise, and where a stranger shows.
+// Figures of the key: error of the baseline, its share of noise, and where an effect outside the catalogue shows.
 #pragma once
 
 #include "gap/benchmark/make/answer_key.hpp"

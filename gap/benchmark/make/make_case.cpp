@@ -30,14 +30,14 @@ std::string numberText(double value) {
   return twin::writeNumber(value, {});
 }
 
-/// Hides one effect of the catalogue; tells what of it is hidden.
+/// Adds one effect of the catalogue to the true bench. Returns its entry in the key.
 KeyEffect add(const HiddenEffect& wanted, const twin::EffectInfo& info, const Case& given, Rng& rng, Truth& truth) {
-  KeyEffect told{wanted.id, wanted.severity, {}};
+  KeyEffect entry{wanted.id, wanted.severity, {}};
   std::vector<double> values;
   if (wanted.values.empty() && wanted.severity > 0) {
     const Strength strength = strengthOf(given, truth.bench, info, wanted.severity, rng);
     values = strength.values;
-    told.severity = strength.severity;
+    entry.severity = strength.severity;
   } else {
     const Hypothesis before = truth.bench;
     values = truth.bench.with(info).values;
@@ -48,25 +48,25 @@ KeyEffect add(const HiddenEffect& wanted, const twin::EffectInfo& info, const Ca
       const bool on_top = before.find(info.id) != nullptr;
       values[i] = on_top ? values[i] + value : value;
       if (!(values[i] >= info.parameters[i].low && values[i] <= info.parameters[i].high))
-        throw std::runtime_error("effect " + wanted.id + ": " + key + " comes out as " + numberText(values[i]) + "; " +
+        throw std::runtime_error("effect " + wanted.id + ": " + key + " becomes " + numberText(values[i]) + "; " +
                                  twin::allowed(twin::ruleOf(info.parameters[i])) + " is allowed");
     }
   }
   truth.bench.with(info).values = values;
   for (std::size_t i = 0; i < values.size(); ++i)
     if (values[i] != info.parameters[i].neutral || !info.parameters[i].secondary)
-      told.values[std::string{info.parameters[i].key}] = values[i];
-  return told;
+      entry.values[std::string{info.parameters[i].key}] = values[i];
+  return entry;
 }
 
 KeyEffect add(const HiddenEffect& wanted, const OutsideInfo& info, Rng& rng, Truth& truth) {
   OutsideSetting setting = drawnOutside(info, rng);
   for (const auto& [key, value] : wanted.values) setting.values[indexOf(info.parameters, key, wanted.id)] = value;
-  KeyEffect told{wanted.id, 0, {}};
+  KeyEffect entry{wanted.id, 0, {}};
   for (std::size_t i = 0; i < setting.values.size(); ++i)
-    told.values[std::string{info.parameters[i].key}] = setting.values[i];
+    entry.values[std::string{info.parameters[i].key}] = setting.values[i];
   truth.outside.push_back(std::move(setting));
-  return told;
+  return entry;
 }
 
 [[noreturn]] void refuse(const std::string& id) {

@@ -1,4 +1,4 @@
-// What a host asks of the joint in the logs of a hidden case: the motions that show most of a servo in a minute.
+// Commands in the logs of a synthetic case: the motions that excite most of a servo's effects in a minute.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Commands {
   std::vector<std::uint8_t> torque_on;
 };
 
-/// `kept`: for the logs that are kept for judging; what else is random comes from the dice.
+/// `held_out`: the variant for held-out logs; `rng` draws the rest.
 Commands commandsOf(Motion motion, bool held_out, Rng& rng);
 
 }  // namespace darwinop::gap

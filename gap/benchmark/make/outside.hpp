@@ -1,4 +1,4 @@
-// Effects that the catalogue does not have: for them `unknown` is the right verdict. Only this folder knows them.
+// Effects outside the catalogue, for which `unknown` is the right verdict. No other folder uses them.
 #pragma once
 
 #include <memory>

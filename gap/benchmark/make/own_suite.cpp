@@ -38,7 +38,7 @@ using Requests = std::vector<CaseRequest>;
 void addSingles(Rng& rng, Requests& all) {
   for (const twin::EffectInfo* const effect : twin::catalogue()) {
     const std::string id{effect->id};
-    // A host at 16 ms sees that it is there, not what it is: one case is enough to see what is said of it.
+    // Logs at 16 ms show that it is present, but not which effect it is: one case is enough to test the verdict.
     if (effect->visibility == twin::Visibility::kFirmwareOnly) {
       all.push_back(request(Baseline::kFriction, false, {{.id = id, .severity = 2}}));
       continue;
@@ -71,7 +71,7 @@ std::string otherLaw() {
   return std::string{(*std::ranges::find(all, twin::Laws::kReplacesSpeedP, &twin::EffectInfo::laws))->id};
 }
 
-// Effects that act in different places; doubles of each other would be a riddle without an answer.
+// The logs cannot distinguish doubles, so a pair of them would have no right answer.
 bool areDoubles(const twin::EffectInfo& a, const twin::EffectInfo& b) {
   const auto doubles = twin::doublesOf(a);
   return &a == &b || std::ranges::find(doubles, &b) != doubles.end();
@@ -91,10 +91,10 @@ void addPairs(std::size_t count, Rng& rng, Requests& all) {
 }
 
 void addOutside(std::size_t count, Requests& all) {
-  const auto strangers = outsideCatalogue();
+  const auto outside = outsideCatalogue();
   for (std::size_t i = 0; i < count; ++i)
-    all.push_back(request(kVoltage[i / strangers.size() % kVoltage.size()], false,
-                          {{.id = std::string{strangers[i % strangers.size()].id}}}));
+    all.push_back(request(kVoltage[i / outside.size() % kVoltage.size()], false,
+                          {{.id = std::string{outside[i % outside.size()].id}}}));
 }
 
 /// "CV wrong cogging:2"
@@ -148,11 +148,11 @@ void makeCases(const std::string& folder, const std::vector<CaseRequest>& reques
   if (fs::exists(cases) || fs::exists(key))
     throw std::runtime_error(folder + " has cases already; give another folder, or remove cases and key.json there");
   Keys keys;
-  std::mutex noting;
+  std::mutex key_mutex;
   forEach(requests.size(), [&](std::size_t i) {
     Hidden made = hidden(requests[i]);
     writeCase(made.given, (cases / requests[i].name).string());
-    const std::lock_guard lock{noting};
+    const std::lock_guard lock{key_mutex};
     keys[requests[i].name] = std::move(made.key);
     if (progress) progress(keys.size(), requests.size());
   });

@@ -20,10 +20,10 @@ enum class Part : std::uint8_t {
   kAll,
 };
 
-/// What is hidden in each case, in an order and under names that tell nothing.
+/// Requests in random order, under neutral names.
 std::vector<CaseRequest> ownRequests(std::uint64_t seed, Part part);
 
-/// For every day, so that two days compare. A second quick battery with a fresh seed, which is printed, keeps honest.
+/// Fixed, so that runs of different days compare. A second quick suite with a new, printed seed prevents overfitting.
 inline constexpr std::uint64_t kEverydaySeed = 20130;
 
 /// After each case: how many are done, of how many. From any thread, one at a time.

@@ -1,4 +1,4 @@
-// A bench whose numbers are not quite those that its model believes.
+// A bench whose numbers differ slightly from those of its model.
 #pragma once
 
 #include <map>

@@ -104,8 +104,8 @@ double gapBetween(const Case& given, const Hypothesis& a, const Hypothesis& b) {
     const Trajectory& log = given.logs[i];
     if (log.held_out || log.repeat_of) return;
     Trace first, second;
-    plantOf(given).rollOut(given, i, a, {}, first);
-    plantOf(given).rollOut(given, i, b, {}, second);
+    rollOut(given, i, a, {}, first);
+    rollOut(given, i, b, {}, second);
     for (std::size_t row = 0; row < log.rows(); ++row)
       sums[i] += std::pow(first[kPositionSignal][row] - second[kPositionSignal][row], 2);
   });

@@ -1,4 +1,4 @@
-// How strong an effect has to be to open a gap of some size. Found by simulation on the bench at hand, not by taste.
+// How strong an effect has to be to open a gap of some size. Determined by simulation on the bench of the case.
 #pragma once
 
 #include "core/random.hpp"
@@ -20,11 +20,11 @@ int severityOfGap(double gap_rad);
 double gapBetween(const Case& given, const Hypothesis& a, const Hypothesis& b);
 
 struct Strength {
-  int severity = 0;            // as wanted; else what the plausible range allows on this bench, or a prior asks for
-  std::vector<double> values;  // of all parameters; what is there already (friction of the baseline) is counted in
+  int severity = 0;            // as requested, or what the plausible range or a prior permits on this bench
+  std::vector<double> values;  // of all parameters; includes what the baseline has already (friction)
   double gap_rad = 0;
 };
-/// The values of `effect` that open a gap of this severity beside the bench `without`. The dice choose the direction
+/// The values of `effect` that open a gap of this severity beside the bench `without`. `rng` draws the direction
 /// (lighter or heavier) and what else the effect leaves open. Deterministic. The commands of `given` are enough.
 Strength strengthOf(const Case& given, const Hypothesis& without, const twin::EffectInfo& effect, int severity,
                     Rng& rng);

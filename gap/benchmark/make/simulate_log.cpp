@@ -18,7 +18,7 @@ constexpr double kFineTicks = 1 << 26;
 constexpr double kPPerRegister = 1.0 / 8;
 constexpr double kLoadUnit = 0.001, kVoltUnit = 0.1, kTempUnit = 1;
 
-/// Beyond the catalogue's effects: noise and warmth first, what only the hider knows last.
+/// All effects of the true bench: noise and temperature first, effects outside the catalogue last.
 std::vector<std::unique_ptr<twin::Effect>> effectsOf(const Truth& truth, std::unique_ptr<twin::Effect> surroundings,
                                                      const twin::Pendulum& arm) {
   std::vector<std::unique_ptr<twin::Effect>> all;
@@ -96,11 +96,11 @@ class Session {
     drive_.torque_on = log_.torque_on[row] != 0;
   }
   void read(std::size_t row) {
-    const JointMotion told = arm_.servo().report();
+    const JointMotion reading = arm_.servo().report();
     log_.position_rad[row] = arm_.encoder_rad();
-    log_.speed_rad_s[row] = told.velocity_rad_s;
-    log_.load[row] = told.load;
-    log_.volt_v[row] = told.supply_v;
+    log_.speed_rad_s[row] = reading.velocity_rad_s;
+    log_.load[row] = reading.load;
+    log_.volt_v[row] = reading.supply_v;
     log_.temp_c[row] = temperature_c_;
   }
 

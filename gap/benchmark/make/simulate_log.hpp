@@ -9,15 +9,15 @@
 
 namespace darwinop::gap {
 
-/// What the bench really is.
+/// The true bench.
 struct Truth {
   Hypothesis bench;
   std::vector<OutsideSetting> outside;
 };
 
-/// Fills the measured columns of one log of the plan, as registers tell them. `disturbance` null: a quiet bench, whose
-/// columns are not rounded; its firmware still counts in steps of the encoder. A rigid gear runs on RigidArm; one with
-/// play or a spring on twin::Bench, four times as finely as a finder runs it.
+/// Fills the measured columns of one log of the plan, in the resolution of the registers. `disturbance` null: without
+/// noise and rounding; the firmware still counts in steps of the encoder. A rigid gear runs on RigidArm; one with play
+/// or a spring on twin::Bench, with a quarter of the time step of a fit.
 void measure(const Plan& plan, const Truth& truth, const Disturbance* disturbance, Trajectory& log);
 
 }  // namespace darwinop::gap

@@ -1,4 +1,4 @@
-// What is said of one case.
+// The result of one case.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -6,11 +6,11 @@
 
 namespace darwinop::gap {
 
-/// All of a run on the case in `folder`, under the folder's name; its time is how long it took. What goes wrong is an
-/// answer, too: verdict `bad_input` when the case cannot be used, `error` when the fault is ours, and `why`.
+/// Investigates the case in `folder`; the folder's name is the name of the case. Errors are results as well: verdict
+/// `bad_input` for a case that cannot be used, `error` for an internal error, and `why`.
 nlohmann::json answerFor(const std::string& folder);
 
-/// Tells one content of case.json from another: the same name in another battery is another case. Empty: unreadable.
+/// Hash of case.json: two suites may use one name for different cases. Empty: unreadable.
 std::string fingerprintOf(const std::string& folder);
 
 /// "e07  named coulomb + backlash  31.00 -> 0.90 mrad  12.3 s", at most 100 columns.

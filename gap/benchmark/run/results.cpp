@@ -70,7 +70,7 @@ void Results::load() {
   }
 }
 
-// Under another name first: whoever reads meanwhile, or is killed, has the one before.
+// Written to another file first, so that a reader, or a kill, never meets half a file.
 void Results::save() const {
   if (path_.empty()) return;
   const std::string fresh = path_ + ".part";

@@ -19,16 +19,17 @@ struct SuiteProgress {
 struct Suite {
   std::string folder;    // of cases; one that has `cases` in it does as well
   std::string out;       // results.json; empty: nothing is written
-  bool resume = false;   // go on with what `out` has
+  bool resume = false;   // keep the results that `out` has
   std::size_t jobs = 1;  // cases at once; under mpirun each rank has one
   std::function<nlohmann::json(const std::string& folder)> answer = answerFor;
   std::function<void(std::size_t kept)> begun = [](std::size_t) {};  // with so many answers of an earlier run
   std::function<void(const SuiteProgress&)> progress = [](const SuiteProgress&) {};
 };
 
-/// All answers, in the order of the names. Under mpirun every rank calls it, the first tells, writes and returns them,
-/// and the others return nothing. Throws std::runtime_error, a sentence, when there is no case or no room for results.
-nlohmann::json runSuite(const Suite& battery);
+/// All results, in the order of the names. Under mpirun every rank calls it; the first reports, writes and returns
+/// them, the others return an empty list. Throws std::runtime_error, a sentence, when there is no case or no room for
+/// results.
+nlohmann::json runSuite(const Suite& suite);
 
 /// Cases that ended with verdict `error`.
 std::size_t errorsIn(const nlohmann::json& answers);

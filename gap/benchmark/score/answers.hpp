@@ -27,8 +27,8 @@ struct Answer {
   std::vector<AnswerPlace> places;       // strongest first
   std::string block;                     // block in which it was found; empty: not stated
   std::string first_open_block;          // first open block before any fit; empty: not stated
-  double before_rad = 0, after_rad = 0;  // on the kept logs; NaN: not told
-  double runtime_s = 0;                  // NaN: not told
+  double before_rad = 0, after_rad = 0;  // on the held-out logs; NaN: not stated
+  double runtime_s = 0;                  // NaN: not stated
 };
 using Answers = std::map<std::string, Answer>;  // by name of the case
 

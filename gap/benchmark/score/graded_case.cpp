@@ -27,7 +27,7 @@ std::string idsOf(const List& effects) {
 
 }  // namespace
 
-bool GradedCase::said(std::string_view verdict) const {
+bool GradedCase::hasVerdict(std::string_view verdict) const {
   return answer != nullptr && answer->verdict == verdict;
 }
 
@@ -40,11 +40,11 @@ bool GradedCase::firstRight() const {
 }
 
 bool GradedCase::namedFirst() const {
-  return said("named") && firstRight();
+  return hasVerdict("named") && firstRight();
 }
 
 bool GradedCase::namedAll() const {
-  if (!said("named") || answer->effects.size() != key.effects.size()) return false;
+  if (!hasVerdict("named") || answer->effects.size() != key.effects.size()) return false;
   return std::ranges::all_of(key.effects, [&](const KeyEffect& hidden) {
     return std::ranges::find(answer->effects, hidden.id, &AnswerEffect::id) != answer->effects.end();
   });
@@ -52,13 +52,14 @@ bool GradedCase::namedAll() const {
 
 bool GradedCase::honest() const {
   if (namedFirst()) return true;
-  return said("ambiguous") && std::ranges::any_of(answer->ambiguity, [&](const std::vector<std::string>& set) {
+  return hasVerdict("ambiguous") && std::ranges::any_of(answer->ambiguity, [&](const std::vector<std::string>& set) {
            return set.size() <= kLargestSet && std::ranges::any_of(set, [&](const auto& id) { return hides(id); });
          });
 }
 
 bool GradedCase::alarm() const {
-  return answer == nullptr || said("named") || said("ambiguous") || said("unknown") || said("bad_input");
+  return answer == nullptr || hasVerdict("named") || hasVerdict("ambiguous") || hasVerdict("unknown") ||
+         hasVerdict("bad_input");
 }
 
 bool GradedCase::rightPlace() const {
@@ -66,8 +67,8 @@ bool GradedCase::rightPlace() const {
   if (answer == nullptr) return false;
   for (std::size_t i = 0; i < std::min(kPlaces, answer->places.size()); ++i)
     for (const KeyPlace& place : key.places) {
-      const AnswerPlace& told = answer->places[i];
-      if (told.file == place.file && told.from_s <= place.to_s && told.to_s >= place.from_s) return true;
+      const AnswerPlace& found = answer->places[i];
+      if (found.file == place.file && found.from_s <= place.to_s && found.to_s >= place.from_s) return true;
     }
   return false;
 }
@@ -94,9 +95,9 @@ bool GradedCase::right() const {
     case CaseClass::kDouble:
       return namedAll();
     case CaseClass::kEffectFree:
-      return said("none");
+      return hasVerdict("none");
     case CaseClass::kOutside:
-      return said("unknown") && rightPlace();
+      return hasVerdict("unknown") && rightPlace();
   }
   return false;
 }
@@ -109,7 +110,7 @@ bool GradedCase::fair() const {
     case CaseClass::kEffectFree:
       return !alarm();
     case CaseClass::kOutside:
-      return said("unknown");
+      return hasVerdict("unknown");
   }
   return false;
 }
@@ -120,11 +121,11 @@ std::string GradedCase::truth() const {
 
 std::string GradedCase::answered() const {
   if (answer == nullptr) return "no answer in time";
-  if (said("none")) return "nothing";
-  if (said("named")) return idsOf(answer->effects);
-  if (said("ambiguous"))
+  if (hasVerdict("none")) return "nothing";
+  if (hasVerdict("named")) return idsOf(answer->effects);
+  if (hasVerdict("ambiguous"))
     return "ambiguous: " + (answer->ambiguity.empty() ? idsOf(answer->effects) : listed(answer->ambiguity[0], " or "));
-  if (said("unknown") && key.kind == CaseClass::kOutside) return "unknown, another place";
+  if (hasVerdict("unknown") && key.kind == CaseClass::kOutside) return "unknown, another place";
   return answer->verdict;
 }
 

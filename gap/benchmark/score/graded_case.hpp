@@ -1,4 +1,4 @@
-// One case with its answer, and what is right or wrong about it.
+// One case with its result, compared with the answer key.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct GradedCase {
   const Key& key;
   const Answer* answer;  // null: none that counts
 
-  [[nodiscard]] bool said(std::string_view verdict) const;
+  [[nodiscard]] bool hasVerdict(std::string_view verdict) const;
   /// An effect of the case.
   [[nodiscard]] bool hides(const std::string& id) const;
   /// The effect that the answer found first is one of the case, whatever the verdict.
@@ -22,16 +22,16 @@ struct GradedCase {
   [[nodiscard]] bool namedAll() const;
   /// Named, or in an ambiguity that is small enough to help.
   [[nodiscard]] bool honest() const;
-  /// Something was made of nothing; no answer counts as that, too.
+  /// False alarm: an effect-free case with a finding, or without a result.
   [[nodiscard]] bool alarm() const;
-  /// One of the first places is one where the stranger shows; true where the key does not tell.
+  /// One of the first places is one where the effect outside the catalogue shows; true where the key has no places.
   [[nodiscard]] bool rightPlace() const;
-  /// A hidden effect acts in this block of the loop; what no catalogue has acts in the plant.
+  /// A hidden effect acts in this block of the loop; effects outside the catalogue act in the plant.
   [[nodiscard]] bool acts(std::string_view block) const;
   [[nodiscard]] bool rightBlock() const;
-  /// The block that opens before any fit is one of them.
+  /// The first open block before any fit is one of them.
   [[nodiscard]] bool firstOpenBlockRight() const;
-  /// Nothing at all is wrong with the verdict.
+  /// The verdict and all effects are right.
   [[nodiscard]] bool right() const;
 
   /// The answer is fair: named, in a small ambiguity, `none`, or `unknown`, as the case requires.

@@ -46,12 +46,12 @@ twin::ErrorScale errorScaleOf(std::string_view effect, std::string_view key) {
   return twin::ErrorScale::kRelative;
 }
 
-std::optional<double> relativeError(std::string_view effect, std::string_view key, double told, double truth) {
+std::optional<double> relativeError(std::string_view effect, std::string_view key, double estimate, double truth) {
   const twin::ErrorScale compared = errorScaleOf(effect, key);
   if (compared == twin::ErrorScale::kNone) return std::nullopt;
   const double one = compared == twin::ErrorScale::kFromOne ? 1 : 0;
   if (truth == one) return std::nullopt;
-  return std::abs((told - truth) / (truth - one));
+  return std::abs((estimate - truth) / (truth - one));
 }
 
 }  // namespace darwinop::gap

@@ -24,8 +24,8 @@ std::map<std::string, double> inCatalogueNames(std::string_view effect, const st
 /// How an estimate of this parameter is compared with the truth.
 twin::ErrorScale errorScaleOf(std::string_view effect, std::string_view key);
 
-/// Share by which `told` is off. A factor counts from 1: a scale of 0.95 told as 0.96 is off by a fifth. Nothing where
-/// no share makes sense: a phase, a truth of 0.
-std::optional<double> relativeError(std::string_view effect, std::string_view key, double told, double truth);
+/// Relative error of `estimate`. A factor counts from 1: 0.96 instead of a scale of 0.95 is an error of a fifth.
+/// Nothing where no relative error is defined: a phase, a truth of 0.
+std::optional<double> relativeError(std::string_view effect, std::string_view key, double estimate, double truth);
 
 }  // namespace darwinop::gap

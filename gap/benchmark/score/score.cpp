@@ -46,10 +46,10 @@ struct Tally {
   ShareFigure unknown{"outside the catalogue: unknown, right place", 0.85};
   ShareFigure mistaken{"outside the catalogue: a wrong name", kNoTarget, 0.15};
   ShareFigure block{"block of the loop right", 0.95};
-  ShareFigure first_open_block{"the block that opens before any fit"};
+  ShareFigure first_open_block{"first open block right, before any fit"};
   SpreadFigure error{"parameter error when named", "%", 3, 15};
-  SpreadFigure floors{"kept logs: gap after, over the floor", "", 1.3, 3};
-  SpreadFigure shrunk{"kept logs: gap after over before", "", 0.15, kNoTarget};
+  SpreadFigure floors{"held-out logs: gap after, over the floor", "", 1.3, 3};
+  SpreadFigure shrunk{"held-out logs: gap after over before", "", 0.15, kNoTarget};
   SpreadFigure runtime{"time of a case", "s", 30, 120, 1};
 
   ShareFigure fair;
@@ -76,20 +76,20 @@ struct Tally {
   }
 
   void parameters(const GradedCase& graded) {
-    if (!graded.said("named")) return;
+    if (!graded.hasVerdict("named")) return;
     for (const KeyEffect& hidden : graded.key.effects) {
-      const auto told = std::ranges::find(graded.answer->effects, hidden.id, &AnswerEffect::id);
-      if (told != graded.answer->effects.end()) compare(hidden, *told);
+      const auto found = std::ranges::find(graded.answer->effects, hidden.id, &AnswerEffect::id);
+      if (found != graded.answer->effects.end()) compare(hidden, *found);
     }
   }
-  void compare(const KeyEffect& hidden, const AnswerEffect& told) {
+  void compare(const KeyEffect& hidden, const AnswerEffect& estimate) {
     const auto truths = inCatalogueNames(hidden.id, hidden.values);
-    for (const auto& [key, value] : inCatalogueNames(hidden.id, told.values)) {
+    for (const auto& [key, value] : inCatalogueNames(hidden.id, estimate.values)) {
       const auto truth = truths.find(key);
       if (truth == truths.end()) continue;
       if (const auto off = relativeError(hidden.id, key, value, truth->second)) error.values.push_back(100 * *off);
     }
-    for (const auto& [name, ends] : told.intervals) {
+    for (const auto& [name, ends] : estimate.intervals) {
       const auto parameter = parameterOf(hidden.id, name);
       const auto truth = parameter ? truths.find(std::string{parameter->key}) : truths.end();
       if (truth == truths.end() || errorScaleOf(hidden.id, parameter->key) == twin::ErrorScale::kNone) continue;
@@ -131,7 +131,7 @@ struct Tally {
   }
 };
 
-bool tellsBlocks(const Answers& answers) {
+bool namesBlocks(const Answers& answers) {
   return std::ranges::any_of(answers, [](const auto& answer) {
     if (!answer.second.block.empty()) return true;
     return std::ranges::any_of(answer.second.places, [](const AnswerPlace& place) { return !place.block.empty(); });
@@ -144,7 +144,7 @@ Score scoreOf(const Keys& keys, const Answers& answers) {
   Score score;
   Tally tally;
   std::map<std::tuple<CaseClass, std::string, std::string>, std::vector<std::string>> confusions;
-  const bool blocks = tellsBlocks(answers);
+  const bool blocks = namesBlocks(answers);
   const bool first_open_block =
       std::ranges::any_of(answers, [](const auto& answer) { return !answer.second.first_open_block.empty(); });
   for (const auto& [name, key] : keys) {

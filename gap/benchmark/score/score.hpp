@@ -11,7 +11,7 @@
 
 namespace darwinop::gap {
 
-/// Interval that holds a share in 95 of 100 such batteries (Wilson 1927). Of nothing: 0 to 1.
+/// 95 % confidence interval of a share (Wilson 1927). `of` 0: 0 to 1.
 std::pair<double, double> wilson(std::size_t right, std::size_t of);
 
 inline constexpr double kNoTarget = std::numeric_limits<double>::quiet_NaN();
@@ -43,7 +43,7 @@ struct SpreadFigure {
 
 struct Confusion {
   CaseClass kind = CaseClass::kSingle;
-  std::string truth, said;
+  std::string truth, answered;
   std::vector<std::string> cases;
 };
 
@@ -53,7 +53,7 @@ struct Score {
   std::vector<ShareFigure> shares;
   std::vector<ShareFigure> details;  // by severity, and whether the baseline's numbers were exact
   std::vector<SpreadFigure> spreads;
-  std::vector<Confusion> confusions;     // what is not right, by class, most frequent first
+  std::vector<Confusion> confusions;     // wrong answers, by class, most frequent first
   std::vector<std::string> unanswered;   // cases without answer, or with one that came after kTooLate
   std::vector<std::string> without_key;  // answers to cases that the key does not have
 };

@@ -51,7 +51,7 @@ std::string headingOf(CaseClass kind) {
     case CaseClass::kDouble:
       return "two effects hidden";
     case CaseClass::kOutside:
-      return "hidden what no catalogue has";
+      return "an effect outside the catalogue hidden";
   }
   return "";
 }
@@ -85,7 +85,7 @@ std::string asText(const Score& score) {
   const auto [low, high] = wilson(score.fair.right, score.fair.of);
   std::string text =
       formatted("%zu cases, %zu fair answers: %.1f to %.1f %%. ", score.cases, score.fair.right, 100 * low, 100 * high);
-  text += "Shares with the interval\nthat holds them in 95 of 100 such batteries\n\n";
+  text += "Shares with their 95 %\nconfidence interval\n\n";
   for (const ShareFigure& figure : score.shares) text += lineOf(figure);
   if (!score.details.empty()) text += "\nin detail\n\n";
   for (const ShareFigure& figure : score.details) text += lineOf(figure);
@@ -94,8 +94,8 @@ std::string asText(const Score& score) {
   for (std::size_t i = 0; i < score.confusions.size(); ++i) {
     const Confusion& confusion = score.confusions[i];
     if (i == 0 || score.confusions[i - 1].kind != confusion.kind)
-      text += "\n" + headingOf(confusion.kind) + ", and what was said of it\n\n";
-    text += formatted("%4zu  ", confusion.cases.size()) + confusion.truth + " -> " + confusion.said + "  (" +
+      text += "\n" + headingOf(confusion.kind) + ", and the answers that are wrong\n\n";
+    text += formatted("%4zu  ", confusion.cases.size()) + confusion.truth + " -> " + confusion.answered + "  (" +
             listOf(confusion.cases) + ")\n";
   }
   if (!score.unanswered.empty()) text += "\nno answer in time: " + listOf(score.unanswered) + "\n";
@@ -118,7 +118,7 @@ json asJson(const Score& score) {
                        {"upper_at_most", orNull(figure.upper_at_most)},
                        {"reached", figure.reached()}});
   for (const Confusion& confusion : score.confusions)
-    confusions.push_back({{"hidden", confusion.truth}, {"said", confusion.said}, {"cases", confusion.cases}});
+    confusions.push_back({{"hidden", confusion.truth}, {"answered", confusion.answered}, {"cases", confusion.cases}});
   return {{"cases", score.cases},
           {"fair", jsonOf(score.fair)},
           {"shares", shares},

@@ -29,7 +29,7 @@ class Reader {
   Reader(const logs::Log& log, Joint joint) : log_{log}, joint_{joint} {
     if (!log.recording)
       throw std::runtime_error(log.file +
-                               ": this is no recording of the runtime; make one with darwinop experiment run, or "
+                               ": not a recording of the runtime; make one with darwinop experiment run, or "
                                "write a case.json for it, docs/gap/cases.md");
     for (std::size_t i = 0; i < kJoints; ++i) {
       const std::string name{kJointTable[i].name};
@@ -63,7 +63,7 @@ class Reader {
         return false;
     return same((*p_gain_)[row], (*p_gain_)[row - 1]) && same((*speed_)[row], (*speed_)[row - 1]);
   }
-  /// It is driven at first, and then asked for something else.
+  /// It is driven at first, and its goal changes later.
   [[nodiscard]] bool moves(std::size_t from, std::size_t to) const {
     if (std::isnan(own()[from])) return false;
     for (std::size_t row = from + 1; row < to; ++row)
@@ -80,7 +80,7 @@ class Reader {
       out.angles_rad[i] = mean(*position_[i], from, to);
       if (std::isnan(out.angles_rad[i]))
         throw std::runtime_error(log_.file + ": " + std::string{kJointTable[i].name} +
-                                 " never answers, so nobody knows where it stands; look at its cable");
+                                 " never answers, so its position is unknown; check its cable");
     }
     for (std::size_t k = 0; k < 3; ++k) out.accel_m_s2[k] = mean(*accel_[k], from, to);
     return out;

@@ -35,8 +35,8 @@ std::string sentence(const Part& part, const std::string& log) {
   char text[400];
   std::snprintf(text, sizeof text, "%s: %s, %.1f to %.1f s, %s; weight %.4f N m, inertia %.5f kg m2, hangs at %.3f rad",
                 log.c_str(), part.file.c_str(), part.what.from_s, part.what.to_s,
-                part.held_out ? "kept for judging" : "to be fitted", part.pendulum.weight_nm,
-                part.pendulum.inertia_kgm2, part.pendulum.hangs_at_rad);
+                part.held_out ? "held out" : "to be fitted", part.pendulum.weight_nm, part.pendulum.inertia_kgm2,
+                part.pendulum.hangs_at_rad);
   return text;
 }
 
@@ -49,7 +49,7 @@ std::vector<Part> partsOf(const JointCaseRequest& request, const twin::Model& mo
     if (found.empty())
       throw std::runtime_error(file + ": there are no 2 s in which " +
                                std::string{kJointTable[static_cast<std::size_t>(request.joint)].name} +
-                               " moves and all other joints are asked to stand still; was it another joint's?");
+                               " moves and all other joints hold their goals; was it another joint's?");
     const fs::path path{file};
     for (const AlonePart& one : found)
       parts.push_back({file, path.filename().string(), log.headValue("experiment").value_or(path.stem().string()),
@@ -73,7 +73,7 @@ double lengthOf(const Part& part) {
 }
 
 Json priorsOf(const twin::Model& model, Joint joint) {
-  // Data sheet and drawings: nobody knows a servo better before it is measured.
+  // Uncertainty of data sheet and drawings.
   Json priors = {{"kt", 0.02}, {"resistance", 0.04}, {"armature", 0.1}, {"payload", 0.02}, {"length", 0.02}};
   for (const twin::EffectSetting& effect : model.effects) {
     if (effect.joint && effect.joint != joint) continue;
@@ -121,8 +121,8 @@ std::vector<std::string> writeJointCase(const JointCaseRequest& request, const s
 
   std::vector<std::string> done;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    // A load is that of the last period of the firmware before the read, and on a bus with twenty servos nobody knows
-    // which one that was: a goal shows in it a period too early or too late, as an effect would.
+    // A load is that of the last period of the firmware before the read, and on a bus with twenty servos that
+    // period is unknown: a goal may show in it a period too early or too late, like an effect.
     std::ranges::fill(made.logs[i].load, std::numeric_limits<double>::quiet_NaN());
     made.logs[i].file = fs::path{parts[i].file}.stem().string() + "_" + std::to_string(i + 1) + ".csv";
     done.push_back(sentence(parts[i], made.logs[i].file));

@@ -12,7 +12,7 @@ struct JointCaseRequest {
   std::string model = "darwin-op";  // a model file, or the name of a shipped one
   Joint joint = Joint::kShoulderR;
   std::vector<std::string> recordings;  // to be fitted
-  std::vector<std::string> held_out;    // for judging
+  std::vector<std::string> held_out;    // not fitted: to verify the result
 };
 
 /// Makes the folder: case.json, model.ini, and a log for each part in which the joint moves alone. The pendulum that

@@ -8,7 +8,7 @@
 namespace darwinop::gap {
 
 std::span<const Signal> BenchPlant::signals() const {
-  static const std::array<Signal, kBenchSignals> kAll{{{Signal::Kind::kPosition, "rad"},
+  static const std::array<Signal, kJointSignals> kAll{{{Signal::Kind::kPosition, "rad"},
                                                        {Signal::Kind::kSpeed, "rad/s"},
                                                        {Signal::Kind::kLoad, ""},
                                                        {Signal::Kind::kSupply, "V"}}};
@@ -46,9 +46,9 @@ BlockResiduals BenchPlant::blockResiduals(Block block, const Place& /*place*/, c
   return {};
 }
 
-const Plant& plantOf(const Case& /*given*/) {
-  static const BenchPlant kBench;
-  return kBench;
+double BenchPlant::supplyResistance(const Place& /*place*/, const Case& given,
+                                    const std::vector<const Trajectory*>& logs, const Hypothesis& hypothesis) const {
+  return gap::supplyResistance(given, logs, hypothesis);
 }
 
 }  // namespace darwinop::gap

@@ -5,13 +5,6 @@
 
 namespace darwinop::gap {
 
-/// Signals of a bench, and columns of its traces.
-inline constexpr std::size_t kPositionSignal = 0;  // rad, of the encoder
-inline constexpr std::size_t kSpeedSignal = 1;     // rad/s, of the arm; true
-inline constexpr std::size_t kLoadSignal = 2;      // as the servo reports it, -1 to 1
-inline constexpr std::size_t kSupplySignal = 3;    // V, at the servo
-inline constexpr std::size_t kBenchSignals = 4;
-
 class BenchPlant final : public Plant {
  public:
   [[nodiscard]] std::span<const Signal> signals() const override;
@@ -22,6 +15,9 @@ class BenchPlant final : public Plant {
   [[nodiscard]] BlockResiduals blockResiduals(Block block, const Place& place, const Case& given, const Trajectory& log,
                                               const Hypothesis& hypothesis,
                                               const ShootingOptions& options) const override;
+  [[nodiscard]] double supplyResistance(const Place& place, const Case& given,
+                                        const std::vector<const Trajectory*>& logs,
+                                        const Hypothesis& hypothesis) const override;
 };
 
 }  // namespace darwinop::gap

@@ -1,14 +1,12 @@
 #include "gap/plant/bench/block_residuals.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/conversions.hpp"
 #include "gap/plant/bench/firmware_run.hpp"
-#include "gap/plant/bench/registers.hpp"
-#include "gap/plant/bench/roll_out.hpp"
+#include "gap/plant/registers.hpp"
+#include "gap/plant/row_state.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -16,7 +14,6 @@ namespace {
 constexpr double kUnknownSample = std::numeric_limits<double>::quiet_NaN();
 const double kOfAStep = std::sqrt(1.0 / 12);  // standard deviation of rounding to steps of 1
 constexpr double kRipple = 0.03;              // V; of the supply, as every Disturbance
-constexpr double kStateHalf = 0.04;           // s; rows on either side that tell a speed
 
 BlockResiduals samplesOf(const Trajectory& log) {
   const auto n = static_cast<Eigen::Index>(log.rows());
@@ -39,30 +36,9 @@ double positionAt(const Trajectory& log, std::size_t row, double time_s) {
 
 }  // namespace
 
-double readingSigma(const twin::ServoParameters& servo) {
-  return 2 * kPi / servo.ticks_per_rev * std::hypot(kOfAStep, Disturbance{}.encoder_ticks);
-}
-
-RowState stateAt(const Trajectory& log, std::size_t row) {
-  std::size_t from = row, to = row;
-  while (from > 0 && log.time_s[row] - log.time_s[from - 1] <= kStateHalf) --from;
-  while (to + 1 < log.rows() && log.time_s[to + 1] - log.time_s[row] <= kStateHalf) ++to;
-  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d right = Eigen::Vector3d::Zero();
-  for (std::size_t i = from; i <= to; ++i) {
-    const double t = (log.time_s[i] - log.time_s[row]) / kStateHalf;
-    const Eigen::Vector3d basis{1, t, t * t};
-    normal += basis * basis.transpose();
-    right += basis * (log.position_rad[i] - log.position_rad[row]);
-  }
-  normal.diagonal().array() += 1e-9;  // fewer than three rows: still an answer
-  const Eigen::Vector3d fit = normal.inverse() * right;
-  return {log.position_rad[row] + fit[0], fit[1] / kStateHalf};
-}
-
 BlockResiduals controllerResiduals(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {
   BlockResiduals out = samplesOf(log);
-  if (!loadTellsDuty(hypothesis, log)) return out;
+  if (!loadIsDutyIn(hypothesis, log)) return out;
   const FirmwareRun run = runFirmware(given, log, hypothesis);
   const double gain = hypothesis.servo.duty_per_kp_per_rad * log.p_register;
   const double reading = std::hypot(gain * readingSigma(hypothesis.servo), kLoadStep * kOfAStep);
@@ -70,7 +46,7 @@ BlockResiduals controllerResiduals(const Case& given, const Trajectory& log, con
     if (log.torque_on[run.row[run.last[row]]] == 0) continue;
     const auto i = static_cast<Eigen::Index>(row);
     out.residual[i] = log.load[row] - run.duty[run.last[row]];
-    // Which period a load is of is known to a period only, and a row may be read late by as much.
+    // The period of a load is known to one period only, and a row may be read late by as much.
     const double rate = (log.load[row] - log.load[row - 1]) / (log.time_s[row] - log.time_s[row - 1]);
     out.sigma[i] = std::hypot(reading, std::isnan(rate) ? 0 : rate * run.period_s * kOfAStep);
   }

@@ -27,13 +27,4 @@ BlockResiduals sensorResiduals(const Trajectory& log, const Hypothesis& hypothes
 BlockResiduals shootingResiduals(const Case& given, const Trajectory& log, const Hypothesis& hypothesis,
                                  const ShootingOptions& options);
 
-/// Position and speed at a row: a parabola through the rows around it.
-struct RowState {
-  double position_rad, speed_rad_s;
-};
-RowState stateAt(const Trajectory& log, std::size_t row);
-
-/// Standard deviation of one reported position: rounding and noise of the encoder.
-double readingSigma(const twin::ServoParameters& servo);
-
 }  // namespace darwinop::gap

@@ -31,13 +31,8 @@ std::size_t commandsAfter(const Case& given, const Trajectory& log, std::size_t 
 }
 
 double temperatureOf(const Trajectory& log, std::size_t row) {
-  constexpr double kRoom = 25;  // degC, where the log tells none
+  constexpr double kRoom = 25;  // degC, where the log has none
   return std::isnan(log.temp_c[row]) ? kRoom : log.temp_c[row];
-}
-
-bool loadTellsDuty(const Hypothesis& hypothesis, const Trajectory& log) {
-  return hypothesis.servo.law == twin::Law::kVoltageP &&
-         std::ranges::any_of(log.load, [](double load) { return !std::isnan(load); });
 }
 
 FirmwareRun runFirmware(const Case& given, const Trajectory& log, const Hypothesis& hypothesis) {

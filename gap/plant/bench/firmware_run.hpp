@@ -11,10 +11,10 @@ namespace darwinop::gap {
 struct FirmwareRun {
   double period_s = 0;
   std::vector<double> duty, speed_rad_s;  // of law voltage_p, and of speed_p
-  std::vector<double> supply_v;           // at the motor, after what the hypothesis says of the supply
+  std::vector<double> supply_v;           // at the motor, under the hypothesis
   std::vector<double> position_rad;       // measured, between the rows on a straight line
   std::vector<std::size_t> row;           // the row whose commands are in force
-  std::vector<std::size_t> last;          // one a row: the last period that this row's read can tell of
+  std::vector<std::size_t> last;          // one a row: the last period before this row's read
 
   [[nodiscard]] std::size_t periods() const { return duty.size(); }
 };
@@ -26,8 +26,5 @@ std::size_t commandsAfter(const Case& given, const Trajectory& log, std::size_t 
 
 /// Temperature that counts for a row, degC.
 double temperatureOf(const Trajectory& log, std::size_t row);
-
-/// True: the load register holds the duty (law voltage_p), and the log has the column.
-bool loadTellsDuty(const Hypothesis& hypothesis, const Trajectory& log);
 
 }  // namespace darwinop::gap

@@ -11,7 +11,7 @@ namespace darwinop::gap {
 
 /// It is never identified, fitted or written into a model, so it has no equation, no parameters and no factory.
 inline twin::EffectInfo internalEffect(std::string_view id, std::string_view title, twin::LoopPart part) {
-  const auto nobody_makes_it = [](std::span<const double>) { return std::unique_ptr<twin::Effect>{}; };
+  const auto no_factory = [](std::span<const double>) { return std::unique_ptr<twin::Effect>{}; };
   return {.id = id,
           .title = title,
           .part = part,
@@ -30,7 +30,7 @@ inline twin::EffectInfo internalEffect(std::string_view id, std::string_view tit
           .synthetic = {},
           .exports = twin::inAllFormats(twin::lost("")),
           .other_names = {},
-          .make = nobody_makes_it};
+          .make = no_factory};
 }
 
 }  // namespace darwinop::gap

@@ -49,7 +49,7 @@ class Run {
 
   void fill(Trace& trace) {
     const std::size_t rows = log_.rows();
-    trace.columns.resize(kBenchSignals);
+    trace.columns.resize(kJointSignals);
     for (std::vector<double>& column : trace.columns) column.resize(rows);
     for (std::size_t row = 0; row < rows; ++row) {
       advanceTo(log_.time_s[row] - log_.time_s[0]);
@@ -75,8 +75,8 @@ class Run {
       for (long i = std::lround(kHeldBefore / period_s_); i > 0; --i) step();
   }
 
-  // The duty stands still for a period, and the middle of it is right to the second order. A motor that takes any speed
-  // at once has a step of its own for its jump, but not with a soft gear.
+  // The duty is constant over a period, so the midpoint is accurate to second order. A motor that takes any speed at
+  // once needs a separate step for its jump, except with a soft gear.
   [[nodiscard]] int stepsFor(const Hypothesis& hypothesis) const {
     if (options_.steps_per_period > 0) return options_.steps_per_period;
     const bool soft = hypothesis.has(twin::StepDemand::kSoftGear);
@@ -131,16 +131,16 @@ class Run {
   }
 
   [[nodiscard]] double temperatureAt(std::size_t row) const {
-    constexpr double kRoom = 25;  // degC, where the log tells none
-    const double told = log_.warmth_c.empty() ? log_.temp_c[row] : log_.warmth_c[row];
-    return std::isnan(told) ? kRoom : told;
+    constexpr double kRoom = 25;  // degC, where the log has none
+    const double temperature = log_.warmth_c.empty() ? log_.temp_c[row] : log_.warmth_c[row];
+    return std::isnan(temperature) ? kRoom : temperature;
   }
 
   [[nodiscard]] twin::ServoParameters servoOf(const Hypothesis& hypothesis) const {
     twin::ServoParameters servo = hypothesis.servo;
     servo.firmware_period_s = period_s_;
     if (options_.disturbance == nullptr || !given_.quantised) servo.ticks_per_rev = kExactTicks;
-    servo.overload_time_s = std::numeric_limits<double>::infinity();  // the log says when the torque went off
+    servo.overload_time_s = std::numeric_limits<double>::infinity();  // the log records when the torque is off
     return servo;
   }
 

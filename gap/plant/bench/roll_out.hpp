@@ -6,7 +6,7 @@
 namespace darwinop::gap {
 
 /// Reuses the memory of `trace`. May run in several threads at once, each with a trace of its own. Throws
-/// std::runtime_error for a hypothesis that cannot be (no inertia left).
+/// std::runtime_error for an impossible hypothesis (no inertia left).
 void rollOut(const Case& given, std::size_t log, const Hypothesis& hypothesis, const RollOutOptions& options,
              Trace& trace);
 

@@ -1,5 +1,5 @@
 // Short simulations of the mechanics, each from a measured state. Never by differentiating positions: a duty that jumps
-// between two rows would turn into torques that nobody applied.
+// between two rows would turn into torques that were never applied.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,7 +22,7 @@ struct Drive {
   double duty = 0, speed_rad_s = 0, supply_v = 0;
 };
 
-/// Puts a given duty in the place of the law's.
+/// Replaces the duty of the control law by a given one.
 class GivenDrive final : public twin::Effect {
  public:
   explicit GivenDrive(const Drive& drive) : drive_{drive} {}
@@ -37,7 +37,7 @@ class GivenDrive final : public twin::Effect {
   const Drive& drive_;
 };
 
-/// Between the rows the law says how the duty went, and the rows say by how much it was off.
+/// The law's duty between the rows, offset to agree with the measured load at the rows.
 std::vector<double> measuredDuty(const Trajectory& log, const FirmwareRun& run, double most) {
   std::vector<double> duty = run.duty;
   for (std::size_t row = 0; row + 1 < log.rows(); ++row) {
@@ -59,7 +59,7 @@ class Shooter {
       : log_{log},
         options_{options},
         run_{runFirmware(given, log, hypothesis)},
-        duty_{loadTellsDuty(hypothesis, log) ? measuredDuty(log, run_, hypothesis.servo.duty_max) : run_.duty},
+        duty_{loadIsDutyIn(hypothesis, log) ? measuredDuty(log, run_, hypothesis.servo.duty_max) : run_.duty},
         nominal_v_{hypothesis.servo.supply_v},
         temperature_c_{temperatureOf(log, 0)},
         bench_{servoOf(hypothesis), effects(hypothesis), pendulumOf(hypothesis, log)} {}

@@ -138,8 +138,8 @@
     whole = [rows.position[0][0], rows.position[rows.position.length - 1][0]];
     charts = made;
     byId("log").value = String(current);
-    byId("role").textContent = log.score ? "kept: no fit has seen it" : "fitted";
-    byId("role").className = log.score ? "kept" : "fitted";
+    byId("role").textContent = log.held_out ? "held out: not used by any fit" : "fitted";
+    byId("role").className = log.held_out ? "held-out" : "fitted";
     for (const swatch of document.querySelectorAll(".swatch")) swatch.style.borderColor = colour(swatch.dataset.key);
     follow(...whole);
   }
@@ -156,7 +156,7 @@
   function build() {
     byId("viewer").hidden = false;
     data.logs.forEach((log, i) => {
-      element("option", byId("log"), log.file + " · " + log.kind + (log.score ? " · kept" : " · fitted")).value = String(i);
+      element("option", byId("log"), log.file + " · " + log.kind + (log.held_out ? " · held out" : " · fitted")).value = String(i);
     });
     for (const kind of kinds) {
       const label = element("label", byId("shown"));
@@ -197,10 +197,10 @@
         setTimeout(() => byId("position").focus({ preventScroll: true }), 0);
       });
     const worst = data.logs.reduce((best, log, i) => {
-      const better = log.score === data.logs[best].score ? log.gap_mrad > data.logs[best].gap_mrad : log.score;
+      const better = log.held_out === data.logs[best].held_out ? log.gap_mrad > data.logs[best].gap_mrad : log.held_out;
       return better ? i : best;
     }, 0);
-    choose(worst); // the kept log that had the largest gap
+    choose(worst); // the held-out log with the largest gap
   }
 
   function setTheme(isDark) {

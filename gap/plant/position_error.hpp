@@ -3,16 +3,16 @@
 
 #include <cstdint>
 
-#include "gap/plant/hypothesis.hpp"
+#include "gap/plant/plant.hpp"
 
 namespace darwinop::gap {
 
 enum class LogRole : std::uint8_t { kFit, kHeldOut };
 
 /// Root mean square over all rows of the logs of that role, rad. Copies of a log count once. NaN without such a log.
-double rmsPositionError(const Case& data, const Hypothesis& hypothesis, LogRole role);
+double rmsPositionError(const Plant& plant, const Case& data, const Hypothesis& hypothesis, LogRole role);
 /// Mean of |error| of each log, averaged over the logs, rad. A swing that is out of phase weighs less than in the
 /// root mean square.
-double meanPositionError(const Case& data, const Hypothesis& hypothesis, LogRole role);
+double meanPositionError(const Plant& plant, const Case& data, const Hypothesis& hypothesis, LogRole role);
 
 }  // namespace darwinop::gap

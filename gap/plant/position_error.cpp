@@ -1,25 +1,25 @@
-#include "gap/plant/bench/position_error.hpp"
+#include "gap/plant/position_error.hpp"
 
 #include <cmath>
 #include <limits>
 #include <vector>
 
 #include "gap/case/plausible.hpp"
-#include "gap/plant/bench/roll_out.hpp"
 
 namespace darwinop::gap {
 namespace {
 
 /// Calls add(measured - simulated, rows of the log) for every row; returns the number of logs.
 template <class Add>
-std::size_t overErrors(const Case& data, const Hypothesis& hypothesis, LogRole role, const Add& add) {
+std::size_t overErrors(const Plant& plant, const Case& data, const Hypothesis& hypothesis, LogRole role,
+                       const Add& add) {
   std::size_t logs = 0;
   Trace trace;
   const auto copies = duplicates(data);
   for (std::size_t i = 0; i < data.logs.size(); ++i) {
     const Trajectory& log = data.logs[i];
     if (log.held_out != (role == LogRole::kHeldOut) || copies[i]) continue;
-    plantOf(data).rollOut(data, i, hypothesis, {}, trace);
+    plant.rollOut(data, i, hypothesis, {}, trace);
     for (std::size_t row = 0; row < log.rows(); ++row)
       add(log.position_rad[row] - trace[kPositionSignal][row], static_cast<double>(log.rows()));
     ++logs;
@@ -31,16 +31,16 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-double rmsPositionError(const Case& data, const Hypothesis& hypothesis, LogRole role) {
+double rmsPositionError(const Plant& plant, const Case& data, const Hypothesis& hypothesis, LogRole role) {
   double sum = 0, count = 0;
-  overErrors(data, hypothesis, role, [&](double error, double /*rows*/) { sum += error * error, ++count; });
+  overErrors(plant, data, hypothesis, role, [&](double error, double /*rows*/) { sum += error * error, ++count; });
   return count == 0 ? kUnknown : std::sqrt(sum / count);
 }
 
-double meanPositionError(const Case& data, const Hypothesis& hypothesis, LogRole role) {
+double meanPositionError(const Plant& plant, const Case& data, const Hypothesis& hypothesis, LogRole role) {
   double sum = 0;
   const std::size_t logs =
-      overErrors(data, hypothesis, role, [&](double error, double rows) { sum += std::abs(error) / rows; });
+      overErrors(plant, data, hypothesis, role, [&](double error, double rows) { sum += std::abs(error) / rows; });
   return logs == 0 ? kUnknown : sum / static_cast<double>(logs);
 }
 

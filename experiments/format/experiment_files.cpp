@@ -1,5 +1,5 @@
 // Finds experiment files by name or path.
-#include "experiments/format/battery.hpp"
+#include "experiments/format/experiment_files.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 std::map<std::string, std::string> filesByName() {
   std::map<std::string, std::string> files;
-  for (const std::string& folder : batteryFolders()) {
+  for (const std::string& folder : experimentFolders()) {
     std::error_code unreadable;
     for (const auto& entry : fs::directory_iterator{folder, unreadable})
       if (entry.path().extension() == ".ini") files.emplace(entry.path().stem(), entry.path());
@@ -26,7 +26,7 @@ std::map<std::string, std::string> filesByName() {
 
 }  // namespace
 
-std::vector<std::string> batteryFolders() {
+std::vector<std::string> experimentFolders() {
   std::vector<std::string> folders;
   if (const char* own = std::getenv("DARWINOP_EXPERIMENTS")) folders.emplace_back(own);
   std::error_code unknown;
@@ -36,7 +36,7 @@ std::vector<std::string> batteryFolders() {
   return folders;
 }
 
-std::vector<std::string> batteryFiles() {
+std::vector<std::string> experimentFiles() {
   const auto files = filesByName();
   std::vector<std::string> paths;
   paths.reserve(files.size());
@@ -55,7 +55,7 @@ std::string findExperiment(const std::string& name) {
   names.reserve(files.size());
   for (const auto& [known, path] : files) names.push_back(known);
   throw std::runtime_error("there is no experiment '" + name + "'" + didYouMean(name, names) + "; there are " +
-                           (names.empty() ? "none in " + batteryFolders().back() : joined(names)) +
+                           (names.empty() ? "none in " + experimentFolders().back() : joined(names)) +
                            ". Name your own file by its path: ./mine.ini");
 }
 

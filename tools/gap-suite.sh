@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# gap-battery.sh BIN [--cases N] [--seed N]: runs and scores the benchmark of `darwinop gap`, blind: the cases of another
-# simulator, if ../shared/gap-cases exists, and our own. Results stay in build/gap-battery: the same command resumes an
+# gap-suite.sh BIN [--cases N] [--seed N]: runs and scores the benchmark of `darwinop gap`, blind: the cases of another
+# simulator, if ../shared/gap-cases exists, and our own. Results stay in build/gap-suite: the same command resumes an
 # interrupted run; another build of the program starts again.
 set -euo pipefail
 bin=$(cd "$1" && pwd)
@@ -13,7 +13,7 @@ while [ $# -gt 0 ]; do
     --cases) cases=${2:?--cases needs a number} ;;
     --seed) seed=${2:?--seed needs a number} ;;
     *)
-      echo "gap-battery: no option '$1'; there are --cases N and --seed N" >&2
+      echo "gap-suite: no option '$1'; there are --cases N and --seed N" >&2
       exit 2
       ;;
   esac
@@ -25,25 +25,25 @@ gap() { "$bin/darwinop-gap" "$@"; }
 
 # run NAME CASES KEY: answers what has no answer yet, and says how good all of it is.
 run() {
-  local results=build/gap-battery/$1.$program.json status=0
+  local results=build/gap-suite/$1.$program.json status=0
   gap benchmark run "$2" --out "$results" --resume || status=$?
   echo
   echo "== $1: darwinop gap benchmark score $results $3"
-  gap benchmark score "$results" "$3" | tee "build/gap-battery/$1.$program.txt"
+  gap benchmark score "$results" "$3" | tee "build/gap-suite/$1.$program.txt"
   return "$status"
 }
 
-mkdir -p build/gap-battery
+mkdir -p build/gap-suite
 status=0
 own=own-$seed
 [ "$cases" = 0 ] || own=$own-$cases
-if [ ! -e "build/gap-battery/$own/key.json" ]; then
-  rm -rf "build/gap-battery/$own"  # a key is written last: without one the cases are not all there
-  gap benchmark make --part all --seed "$seed" --cases "$cases" --out "build/gap-battery/$own"
+if [ ! -e "build/gap-suite/$own/key.json" ]; then
+  rm -rf "build/gap-suite/$own"  # a key is written last: without one the cases are not all there
+  gap benchmark make --part all --seed "$seed" --cases "$cases" --out "build/gap-suite/$own"
 fi
 examples=../shared/gap-cases
 if [ -e "$examples/key.json" ] && [ "$cases" = 0 ]; then
   run examples "$examples/cases" "$examples/key.json" || status=$?
 fi
-run "$own" "build/gap-battery/$own/cases" "build/gap-battery/$own/key.json" || status=$?
+run "$own" "build/gap-suite/$own/cases" "build/gap-suite/$own/key.json" || status=$?
 exit "$status"

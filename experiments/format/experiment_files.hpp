@@ -7,10 +7,10 @@
 namespace darwinop::experiments {
 
 /// Search path: $DARWINOP_EXPERIMENTS, then the experiments installed with the program.
-std::vector<std::string> batteryFolders();
+std::vector<std::string> experimentFolders();
 
 /// Paths of all experiments in these folders, sorted by name; the first folder with a name takes precedence.
-std::vector<std::string> batteryFiles();
+std::vector<std::string> experimentFiles();
 
 /// The file of an experiment, given by path or name. Throws std::runtime_error with the list of names.
 std::string findExperiment(const std::string& name);
