@@ -2,8 +2,10 @@
 #include "monitor/search_message.hpp"
 
 #include <array>
+#include <cmath>
 #include <string_view>
 
+#include "core/sensors.hpp"
 #include "monitor/json.hpp"
 
 namespace darwinop::monitor {

@@ -6,7 +6,6 @@
 #                                       adds each slice to LEDGER as soon as it ends; stop it at any time, nothing is lost
 #   fuzz-ledger.sh add LEDGER OTHER     adds the sums of a ledger that was kept elsewhere (once)
 #   fuzz-ledger.sh print                the table of docs/fuzzing.md
-#   fuzz-ledger.sh page                 renews that table
 #
 # Environment of `run`: FUZZ_BUILD (build/fuzz: has bin/, gets corpus/, found/ and logs), FUZZ_SLICE (120: longest slice
 # in seconds), FUZZ_COMMIT (that of the sources; default: HEAD).
@@ -152,13 +151,7 @@ print() {
   awk -F '\t' '!/^#/ { executions += $2; seconds += $3; n += 1 } END { printf "| all %d | %d | %.2f | | | | | |\n", n, executions, seconds / 3600 }' "$ledger"
 }
 
-page() {
-  local text
-  text=$(sed '/^<!-- ledger -->$/q' docs/fuzzing.md)
-  { printf '%s\n' "$text" && print; } >docs/fuzzing.md
-}
-
 case ${1:-}:$# in
-  run:3 | add:3 | print:1 | page:1) "$@" ;;
+  run:3 | add:3 | print:1) "$@" ;;
   *) usage ;;
 esac

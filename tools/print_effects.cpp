@@ -1,11 +1,8 @@
-// Prints docs/twin/effects.md from the catalogue of effects. `--check FILE`: exit 1 if FILE differs.
+// Prints docs/twin/effects.md from the catalogue of effects.
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
-#include <iterator>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -118,30 +115,11 @@ void printEffect(std::ostream& out, const EffectInfo& effect) {
   if (effect.source != "Range assumed") out << "- Source: " << effect.source << '\n';
 }
 
-std::string page() {
-  std::ostringstream out;
-  out << kIntroduction;
-  printExceptions(out);
-  out << kHowToRead;
-  for (const EffectInfo* effect : twin::catalogue()) printEffect(out, *effect);
-  return out.str();
-}
-
-int check(const char* path) {
-  std::ifstream file{path};
-  const std::string have{std::istreambuf_iterator<char>{file}, {}};
-  if (have == page()) return 0;
-  std::cerr << path << " is out of date: run `./dev docs` and commit the result\n";
-  return 1;
-}
-
 }  // namespace
 
-int main(int argc, char** argv) {
-  if (argc == 3 && std::string_view{argv[1]} == "--check") return check(argv[2]);
-  if (argc != 1) {
-    std::cerr << "usage: " << argv[0] << " [--check FILE]\n";
-    return 2;
-  }
-  std::cout << page();
+int main() {
+  std::cout << kIntroduction;
+  printExceptions(std::cout);
+  std::cout << kHowToRead;
+  for (const EffectInfo* effect : twin::catalogue()) printEffect(std::cout, *effect);
 }

@@ -1,12 +1,10 @@
-// print_faults PAGE          docs/faults.md with its faults renewed from core/faults.hpp: the text up to the mark stays
-// print_faults --check PAGE  exit code 1 unless PAGE is that
+// Prints the faults of docs/faults.md from core/faults.hpp.
+#include <array>
 #include <cctype>
-#include <fstream>
 #include <iostream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
-#include <vector>
+#include <string_view>
 
 #include "core/faults.hpp"
 
@@ -14,7 +12,6 @@ namespace {
 
 using namespace darwinop;
 
-constexpr std::string_view kMark = "<!-- faults: made by ./dev docs from core/faults.hpp -->\n";
 constexpr std::array<std::string_view, 6> kReactions{"Report", "Slow", "Hold", "Kneel", "Limp", "Stop sending"};
 constexpr std::array<std::string_view, 4> kChecked{"each cycle", "cycles in which the board answers",
                                                    "cycles in which the servo answers", "polls of the servo"};
@@ -62,35 +59,9 @@ std::string checkedWhen() {
   return text;
 }
 
-std::string renewed(const std::string& page) {
-  const auto mark = page.find(kMark);
-  if (mark == page.npos) throw std::runtime_error("the page has no line '" + std::string{kMark} + "'");
-  std::ostringstream out;
-  out << page.substr(0, mark + kMark.size());
-  out << '\n' << wrapped("Checked, and times counted, in " + checkedWhen() + ".");
-  for (const FaultRow& fault : kFaultTable) print(out, fault);
-  return out.str();
-}
-
-int run(const std::vector<std::string>& arguments) {
-  const bool check = arguments.size() == 2 && arguments.front() == "--check";
-  if (!check && arguments.size() != 1) throw std::runtime_error("give PAGE or --check PAGE");
-  std::ifstream file{arguments.back()};
-  if (!file) throw std::runtime_error("cannot read " + arguments.back());
-  std::ostringstream page;
-  page << file.rdbuf();
-  const std::string right = renewed(page.str());
-  if (!check) std::cout << right;
-  if (!check || page.str() == right) return 0;
-  std::cerr << arguments.back() << " is out of date: run `./dev docs` and commit the result\n";
-  return 1;
-}
-
 }  // namespace
 
-int main(int count, char** arguments) try {
-  return run({arguments + 1, arguments + count});
-} catch (const std::exception& error) {
-  std::cerr << "print_faults: " << error.what() << '\n';
-  return 1;
+int main() {
+  std::cout << '\n' << wrapped("Checked, and times counted, in " + checkedWhen() + ".");
+  for (const FaultRow& fault : kFaultTable) print(std::cout, fault);
 }

@@ -1,11 +1,8 @@
-// Prints docs/registers.md from the tables of core/; with `--check FILE` checks that FILE is up to date.
+// Prints docs/registers.md from the tables of core/.
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <span>
-#include <sstream>
 #include <string>
 
 #include "core/conversions.hpp"
@@ -15,8 +12,6 @@
 namespace {
 
 using namespace darwinop;
-
-constexpr const char* kHowToRenew = "./dev docs";
 
 constexpr int kFirstRam = 24;
 constexpr bool eepromIsBelow(int address, std::span<const Register> table) {
@@ -64,12 +59,9 @@ void printJoints(std::ostream& out) {
   }
 }
 
-std::string page() {
-  std::ostringstream out;
+void printPage(std::ostream& out) {
   out << "# Joints and registers\n\n"
-         "Generated from `core/joints.hpp` and `core/registers.hpp` by `"
-      << kHowToRenew
-      << "`; do not edit.\n"
+         "Generated from `core/joints.hpp` and `core/registers.hpp` by `./dev docs`; do not edit.\n"
          "Where sources disagree, the comments of those two files name the conflict and the choice.\n\n"
          "## Joints\n\n"
          "2048 ticks are 0 rad, 4096 ticks are a turn. A rising tick is a positive angle, for every joint.\n\n";
@@ -79,24 +71,10 @@ std::string page() {
   printTable(out, kCm730);
   out << "\n## MX-28, ids 1 to " << kJoints << "\n\nProtocol 1.0, firmware 27 or newer.\n\n";
   printTable(out, kMx28);
-  return out.str();
-}
-
-int check(const char* path) {
-  std::ifstream file{path};
-  const std::string have{std::istreambuf_iterator<char>{file}, {}};
-  if (have == page()) return 0;
-  std::cerr << path << " is out of date: run `" << kHowToRenew << "` and commit the result\n";
-  return 1;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  if (argc == 3 && std::string{argv[1]} == "--check") return check(argv[2]);
-  if (argc != 1) {
-    std::cerr << "usage: " << argv[0] << " [--check FILE]\n";
-    return 2;
-  }
-  std::cout << page();
+int main() {
+  printPage(std::cout);
 }

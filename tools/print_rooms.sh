@@ -1,10 +1,8 @@
 #!/usr/bin/env bash
-# print_rooms.sh [--check | --write]: the rooms of tools/cmake/rooms.table as docs/architecture.md shows them, diagram and
-# table. --write puts them into the page between its marks, --check fails when the page has others.
+# Prints docs/architecture.md with the rooms of tools/cmake/rooms.table, diagram and table, between its marks.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
 table=tools/cmake/rooms.table
-page=docs/architecture.md
 
 # A line a floor, highest first; hal/* stands for the rooms in hal/ on that floor.
 diagram() {
@@ -37,28 +35,14 @@ rows() {
 
 part() { case $1 in diagram) diagram ;; table) rows ;; esac; }
 
-# The page with both parts renewed.
-renewed() {
-  local line skip=
-  while IFS= read -r line; do
-    case $line in
-      '<!-- rooms: '*' -->')
-        printf '%s\n' "$line"
-        skip=${line#<!-- rooms: } skip=${skip% -->}
-        part "$skip"
-        ;;
-      '<!-- end of rooms -->') skip= && printf '%s\n' "$line" ;;
-      *) [ -n "$skip" ] || printf '%s\n' "$line" ;;
-    esac
-  done <$page
-}
-
-case ${1:-} in
-  --check) diff $page <(renewed) || { echo "$page: the rooms are not those of $table; run tools/print_rooms.sh --write" >&2 && exit 1; } ;;
-  --write)
-    text=$(renewed)
-    printf '%s\n' "$text" >$page
-    ;;
-  '') diagram && rows ;;
-  *) sed -n '2,3s/^# //p' "$0" && exit 2 ;;
-esac
+while IFS= read -r line; do
+  case $line in
+    '<!-- rooms: '*' -->')
+      printf '%s\n' "$line"
+      skip=${line#<!-- rooms: } skip=${skip% -->}
+      part "$skip"
+      ;;
+    '<!-- end of rooms -->') skip= && printf '%s\n' "$line" ;;
+    *) [ -n "${skip:-}" ] || printf '%s\n' "$line" ;;
+  esac
+done <docs/architecture.md

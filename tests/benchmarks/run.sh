@@ -206,6 +206,9 @@ gait() {
 # YUYV to BGRA by each kernel that this CPU has, and to planes. Peers: libyuv, five passes, and memcpy, which is the limit.
 camera() { "$build/bin/camera_bench"; }
 
+# The SIMD kernels of camera and vision. Peer: the same written with Highway, at the same instruction set.
+highway() { "$build/bin/highway_bench"; }
+
 # The picture in a reply, from YUYV to bytes and back. Peers: libjpeg from BGRA, the same and as in 2013; raw bytes.
 remote_jpeg() { "$build/bin/remote_jpeg_bench"; }
 
@@ -232,7 +235,7 @@ window() {
     node "$(dirname "$0")/robot_window.mjs" "${words[@]}"
 }
 
-all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera vision remote_jpeg remote_table monitor_find remote_round_trip remote_flood
+all=(cycle_instructions codec_instructions cycle_time bus_overhead wake_latency twin_bench twin_body gap camera highway vision remote_jpeg remote_table monitor_find remote_round_trip remote_flood
   remote_link gait window)
 for name in "${all[@]}"; do
   [ -z "$wanted" ] || [ "$wanted" = "$name" ] || continue

@@ -5,7 +5,6 @@
 
 #include "export_rig.hpp"
 #include "gap/export/holds.hpp"
-#include "support/text_of.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -87,11 +86,6 @@ TEST(ExportHolds, AnEffectAtItsNeutralValuesIsNotReported) {
   Believed model;
   model.with("stribeck", "friction", 0);
   EXPECT_THAT(exportTo(Target::kUrdf, model.get(), forArm()).lost, Not(Contains(HasSubstr("stribeck"))));
-}
-
-TEST(ExportHolds, ThePageHasTheTable) {
-  const std::string page = textOf(DARWINOP_EXPORT_PAGE);
-  EXPECT_THAT(page, HasSubstr(holdingsAsMarkdown())) << "put this into docs/gap/export.md:\n" << holdingsAsMarkdown();
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 
 no_aslr
 tools/check_docs.sh
-build asan-ubsan print_registers print_faults
-for page in registers faults; do build/asan-ubsan/bin/print_$page --check docs/$page.md; done
+mapfile -t programs < <(tools/pages.sh programs --fast)
+build asan-ubsan "${programs[@]}"
 build_hazard_tests asan-ubsan
-tools/check_hazards.sh build/asan-ubsan
+tools/pages.sh check build/asan-ubsan --fast

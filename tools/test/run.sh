@@ -12,7 +12,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/dev/build.sh
 
 gate=(format scripts build docs model asan release i686 tsan install tidy)
-deep=(lint gap gap-sanitized long-model campaign long-install vm n270 i686-native fuzz bench)
+deep=(lint headers gap gap-sanitized long-model campaign long-install vm n270 i686-native fuzz bench)
 more=(fast slow)  # for developers: one label of the debug build
 
 has_stage() { [[ " ${gate[*]} ${deep[*]} ${more[*]} " == *" $1 "* ]]; }

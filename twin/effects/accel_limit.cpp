@@ -36,7 +36,7 @@ class AccelLimit final : public EffectOf<kAccelLimit, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kAccelLimit{
+const EffectInfo kAccelLimit{{
     .id = "accel_limit",
     .title = "acceleration limit",
     .part = LoopPart::kCommand,
@@ -61,6 +61,6 @@ const EffectInfo kAccelLimit{
                 .urdf = lost("the format has no limit of acceleration")},
     .other_names = kOtherNames,
     .make = makeEffect<AccelLimit>,
-};
+}};
 
 }  // namespace darwinop::twin

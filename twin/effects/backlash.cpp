@@ -33,7 +33,7 @@ class Backlash final : public EffectOf<kBacklash, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kBacklash{
+const EffectInfo kBacklash{{
     .id = "backlash",
     .title = "gear backlash",
     .part = LoopPart::kTransmission,
@@ -57,6 +57,6 @@ const EffectInfo kBacklash{
                 .urdf = lost("one joint has no play; it would take a second one with limits, which many readers drop")},
     .other_names = kOtherNames,
     .make = makeEffect<Backlash>,
-};
+}};
 
 }  // namespace darwinop::twin

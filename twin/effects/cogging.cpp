@@ -56,7 +56,7 @@ class Cogging final : public EffectOf<kCogging, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kCogging{
+const EffectInfo kCogging{{
     .id = "cogging",
     .title = "torque ripple",
     .part = LoopPart::kMotor,
@@ -78,6 +78,6 @@ const EffectInfo kCogging{
                 .urdf = lost("no joint has a periodic torque")},
     .other_names = kOtherNames,
     .make = makeEffect<Cogging>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -44,7 +44,7 @@ class ComMass final : public EffectOf<kComMass, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kComMass{
+const EffectInfo kComMass{{
     .id = "com_mass",
     .title = "load mass error",
     .part = LoopPart::kLoad,
@@ -65,6 +65,6 @@ const EffectInfo kComMass{
     .exports = inAllFormats(held(exports::kInTheBody)),
     .other_names = kOtherNames,
     .make = makeEffect<ComMass>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -37,7 +37,7 @@ class Coulomb final : public EffectOf<kCoulomb, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kCoulomb{
+const EffectInfo kCoulomb{{
     .id = "coulomb",
     .title = "dry friction",
     .part = LoopPart::kFriction,
@@ -64,6 +64,6 @@ const EffectInfo kCoulomb{
                 .urdf = held("dynamics friction")},
     .other_names = kOtherNames,
     .make = makeEffect<Coulomb>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -50,7 +50,7 @@ class Deadband final : public EffectOf<kDeadband, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kDeadband{
+const EffectInfo kDeadband{{
     .id = "deadband",
     .title = "dead band",
     .part = LoopPart::kController,
@@ -73,6 +73,6 @@ const EffectInfo kDeadband{
                 .urdf = lost(exports::kNoController)},
     .other_names = kOtherNames,
     .make = makeEffect<Deadband>,
-};
+}};
 
 }  // namespace darwinop::twin

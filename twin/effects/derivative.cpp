@@ -32,7 +32,7 @@ class Derivative final : public EffectOf<kDerivative, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kDerivative{
+const EffectInfo kDerivative{{
     .id = "derivative",
     .title = "derivative gain (D)",
     .part = LoopPart::kController,
@@ -55,6 +55,6 @@ const EffectInfo kDerivative{
                 .urdf = lost(exports::kNoController)},
     .other_names = {},
     .make = makeEffect<Derivative>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -73,7 +73,7 @@ class DirectionalLoadFriction final : public EffectOf<kDirectionalLoadFriction, 
 
 }  // namespace
 
-const EffectInfo kDirectionalLoadFriction{
+const EffectInfo kDirectionalLoadFriction{{
     .id = "directional_load_friction",
     .title = "directional load-dependent friction",
     .part = LoopPart::kFriction,
@@ -93,6 +93,6 @@ const EffectInfo kDirectionalLoadFriction{
     .exports = inAllFormats(lost(exports::kNoFrictionOfLoad)),
     .other_names = kOtherNames,
     .make = makeEffect<DirectionalLoadFriction>,
-};
+}};
 
 }  // namespace darwinop::twin

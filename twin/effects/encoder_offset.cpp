@@ -32,7 +32,7 @@ class EncoderOffset final : public EffectOf<kEncoderOffset, kParameters.size()> 
 
 }  // namespace
 
-const EffectInfo kEncoderOffset{
+const EffectInfo kEncoderOffset{{
     .id = "encoder_offset",
     .title = "encoder zero error",
     .part = LoopPart::kLoad,
@@ -52,6 +52,6 @@ const EffectInfo kEncoderOffset{
     .exports = inAllFormats(held("in the body: the link turned about its joint by the offset")),
     .other_names = kOtherNames,
     .make = makeEffect<EncoderOffset>,
-};
+}};
 
 }  // namespace darwinop::twin

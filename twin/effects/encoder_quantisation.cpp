@@ -38,7 +38,7 @@ class EncoderQuantisation final : public EffectOf<kEncoderQuantisation, kParamet
 
 }  // namespace
 
-const EffectInfo kEncoderQuantisation{
+const EffectInfo kEncoderQuantisation{{
     .id = "encoder_quantisation",
     .title = "coarse encoder",
     .part = LoopPart::kSensor,
@@ -61,6 +61,6 @@ const EffectInfo kEncoderQuantisation{
                 .urdf = lost("the format has no sensor of a joint")},
     .other_names = {},
     .make = makeEffect<EncoderQuantisation>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -35,7 +35,7 @@ class GearScale final : public EffectOf<kGearScale, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kGearScale{
+const EffectInfo kGearScale{{
     .id = "gear_scale",
     .title = "goal scale error",
     .part = LoopPart::kController,
@@ -58,6 +58,6 @@ const EffectInfo kGearScale{
                 .urdf = lost(kInController)},
     .other_names = kOtherNames,
     .make = makeEffect<GearScale>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -30,7 +30,7 @@ class Inertia final : public EffectOf<kInertia, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kInertia{
+const EffectInfo kInertia{{
     .id = "inertia",
     .title = "rotor and gear inertia error",
     .part = LoopPart::kLoad,
@@ -52,6 +52,6 @@ const EffectInfo kInertia{
                 .urdf = approximated(exports::kInTheLink)},
     .other_names = {},
     .make = makeEffect<Inertia>,
-};
+}};
 
 }  // namespace darwinop::twin

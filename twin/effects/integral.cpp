@@ -32,7 +32,7 @@ class Integral final : public EffectOf<kIntegral, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kIntegral{
+const EffectInfo kIntegral{{
     .id = "integral",
     .title = "integral gain (I)",
     .part = LoopPart::kController,
@@ -55,6 +55,6 @@ const EffectInfo kIntegral{
                 .urdf = lost(exports::kNoController)},
     .other_names = {},
     .make = makeEffect<Integral>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -44,7 +44,7 @@ class JointFlex final : public EffectOf<kJointFlex, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kJointFlex{
+const EffectInfo kJointFlex{{
     .id = "joint_flex",
     .title = "elastic joint",
     .part = LoopPart::kTransmission,
@@ -67,6 +67,6 @@ const EffectInfo kJointFlex{
                 .urdf = lost("a joint has no stiffness")},
     .other_names = kOtherNames,
     .make = makeEffect<JointFlex>,
-};
+}};
 
 }  // namespace darwinop::twin

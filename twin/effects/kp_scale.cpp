@@ -38,7 +38,7 @@ class KpScale final : public EffectOf<kKpScale, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kKpScale{
+const EffectInfo kKpScale{{
     .id = "kp_scale",
     .title = "P gain scale error",
     .part = LoopPart::kController,
@@ -60,6 +60,6 @@ const EffectInfo kKpScale{
                 .urdf = lost(exports::kNoController)},
     .other_names = kOtherNames,
     .make = makeEffect<KpScale>,
-};
+}};
 
 }  // namespace darwinop::twin

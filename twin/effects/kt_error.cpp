@@ -45,7 +45,7 @@ class KtError final : public EffectOf<kKtError, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kKtError{
+const EffectInfo kKtError{{
     .id = "kt_error",
     .title = "torque constant error",
     .part = LoopPart::kMotor,
@@ -68,6 +68,6 @@ const EffectInfo kKtError{
                 .urdf = approximated("limit effort and velocity")},
     .other_names = kOtherNames,
     .make = makeEffect<KtError>,
-};
+}};
 
 }  // namespace darwinop::twin

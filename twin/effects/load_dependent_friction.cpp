@@ -36,7 +36,7 @@ class LoadDependentFriction final : public EffectOf<kLoadDependentFriction, kPar
 
 }  // namespace
 
-const EffectInfo kLoadDependentFriction{
+const EffectInfo kLoadDependentFriction{{
     .id = "load_dependent_friction",
     .title = "load-dependent friction",
     .part = LoopPart::kFriction,
@@ -56,6 +56,6 @@ const EffectInfo kLoadDependentFriction{
     .exports = inAllFormats(lost(exports::kNoFrictionOfLoad)),
     .other_names = kOtherNames,
     .make = makeEffect<LoadDependentFriction>,
-};
+}};
 
 }  // namespace darwinop::twin

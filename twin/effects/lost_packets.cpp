@@ -98,7 +98,7 @@ class LostPackets final : public EffectOf<kLostPackets, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kLostPackets{
+const EffectInfo kLostPackets{{
     .id = "lost_packets",
     .title = "lost and late commands",
     .part = LoopPart::kCommand,
@@ -118,6 +118,6 @@ const EffectInfo kLostPackets{
     .exports = inAllFormats(lost("every command arrives; drop them in the controller")),
     .other_names = {},
     .make = makeEffect<LostPackets>,
-};
+}};
 
 }  // namespace darwinop::twin

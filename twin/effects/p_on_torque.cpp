@@ -34,7 +34,7 @@ class POnTorque final : public EffectOf<kPOnTorque, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kPOnTorque{
+const EffectInfo kPOnTorque{{
     .id = "p_on_torque",
     .title = "P acts on torque",
     .part = LoopPart::kController,
@@ -57,6 +57,6 @@ const EffectInfo kPOnTorque{
                 .urdf = lost(exports::kNoController)},
     .other_names = {},
     .make = makeEffect<POnTorque>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -55,7 +55,7 @@ class QuadraticLoadFriction final : public EffectOf<kQuadraticLoadFriction, kPar
 
 }  // namespace
 
-const EffectInfo kQuadraticLoadFriction{
+const EffectInfo kQuadraticLoadFriction{{
     .id = "quadratic_load_friction",
     .title = "friction quadratic in the load",
     .part = LoopPart::kFriction,
@@ -75,6 +75,6 @@ const EffectInfo kQuadraticLoadFriction{
     .exports = inAllFormats(lost(exports::kNoFrictionOfLoad)),
     .other_names = kOtherNames,
     .make = makeEffect<QuadraticLoadFriction>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -34,7 +34,7 @@ class ResistanceError final : public EffectOf<kResistanceError, kParameters.size
 
 }  // namespace
 
-const EffectInfo kResistanceError{
+const EffectInfo kResistanceError{{
     .id = "resistance_error",
     .title = "winding resistance error",
     .part = LoopPart::kMotor,
@@ -56,6 +56,6 @@ const EffectInfo kResistanceError{
                 .urdf = approximated("limit effort")},
     .other_names = kOtherNames,
     .make = makeEffect<ResistanceError>,
-};
+}};
 
 }  // namespace darwinop::twin

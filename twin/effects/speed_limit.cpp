@@ -35,7 +35,7 @@ class SpeedLimit final : public EffectOf<kSpeedLimit, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kSpeedLimit{
+const EffectInfo kSpeedLimit{{
     .id = "speed_limit",
     .title = "speed limit",
     .part = LoopPart::kCommand,
@@ -59,6 +59,6 @@ const EffectInfo kSpeedLimit{
                 .urdf = approximated("limit velocity: it limits the joint, not the goal's way")},
     .other_names = kOtherNames,
     .make = makeEffect<SpeedLimit>,
-};
+}};
 
 }  // namespace darwinop::twin

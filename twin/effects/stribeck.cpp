@@ -53,7 +53,7 @@ class Stribeck final : public EffectOf<kStribeck, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kStribeck{
+const EffectInfo kStribeck{{
     .id = "stribeck",
     .title = "Stribeck friction at low speed",
     .part = LoopPart::kFriction,
@@ -73,6 +73,6 @@ const EffectInfo kStribeck{
     .exports = inAllFormats(lost("its dry friction is the same at every speed")),
     .other_names = kOtherNames,
     .make = makeEffect<Stribeck>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -50,7 +50,7 @@ class SupplySag final : public EffectOf<kSupplySag, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kSupplySag{
+const EffectInfo kSupplySag{{
     .id = "supply_sag",
     .title = "supply voltage sag",
     .part = LoopPart::kSupply,
@@ -70,6 +70,6 @@ const EffectInfo kSupplySag{
     .exports = inAllFormats(lost("it knows no supply")),
     .other_names = kOtherNames,
     .make = makeEffect<SupplySag>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -64,7 +64,7 @@ class TempDrift final : public EffectOf<kTempDrift, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kTempDrift{
+const EffectInfo kTempDrift{{
     .id = "temp_drift",
     .title = "temperature drift of friction and resistance",
     .part = LoopPart::kFriction,
@@ -86,6 +86,6 @@ const EffectInfo kTempDrift{
                 .urdf = approximated("friction and effort at one temperature, written beside them")},
     .other_names = kOtherNames,
     .make = makeEffect<TempDrift>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -48,7 +48,7 @@ class TorqueLimit final : public EffectOf<kTorqueLimit, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kTorqueLimit{
+const EffectInfo kTorqueLimit{{
     .id = "torque_limit",
     .title = "torque limit",
     .part = LoopPart::kController,
@@ -73,6 +73,6 @@ const EffectInfo kTorqueLimit{
                 .urdf = approximated("limit effort; a limit of the duty lowers velocity too")},
     .other_names = kOtherNames,
     .make = makeEffect<TorqueLimit>,
-};
+}};
 
 }  // namespace darwinop::twin

@@ -76,14 +76,13 @@ class TransportDelay final : public EffectOf<kTransportDelay, kParameters.size()
 
 }  // namespace
 
-const EffectInfo kTransportDelay{
+const EffectInfo kTransportDelay{{
     .id = "transport_delay",
     .title = "command delay",
     .part = LoopPart::kCommand,
     .equation = "goal(t) = goal sent at t - delay; measured(t) = measured at t - reading",
-    .signature =
-        "Error proportional to goal speed at every P gain; dead time after a step. Below one host period the "
-        "controller block does not show it.",
+    .signature = "Error proportional to goal speed at every P gain; dead time after a step. Below one host period the "
+                 "controller block does not show it.",
     .separated_by =
         "Chirp: the phase lag grows linearly with frequency. Step: the reaction starts late, then with full "
         "acceleration.",
@@ -100,6 +99,6 @@ const EffectInfo kTransportDelay{
     .exports = inAllFormats(lost("commands act in the same step; delay them in the controller")),
     .other_names = kOtherNames,
     .make = makeEffect<TransportDelay>,
-};
+}};
 
 }  // namespace darwinop::twin

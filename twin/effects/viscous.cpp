@@ -36,7 +36,7 @@ class Viscous final : public EffectOf<kViscous, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kViscous{
+const EffectInfo kViscous{{
     .id = "viscous",
     .title = "viscous friction",
     .part = LoopPart::kFriction,
@@ -59,6 +59,6 @@ const EffectInfo kViscous{
                 .urdf = held("dynamics damping")},
     .other_names = kOtherNames,
     .make = makeEffect<Viscous>,
-};
+}};
 
 }  // namespace darwinop::twin

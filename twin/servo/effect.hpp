@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 
 #include "twin/servo/facets.hpp"
 #include "twin/servo/signals.hpp"
@@ -34,28 +35,46 @@ struct Parameter {
 
 class Effect;
 
-/// No field has a default: g++ refuses an effect without one of them (-Wmissing-field-initializers).
-struct EffectInfo {
-  std::string_view id;     // "coulomb": section [effect coulomb] of a model file
-  std::string_view title;  // "dry friction"
-  LoopPart part;
-  std::string_view equation;                        // symbols: docs/twin/effects.md
-  std::string_view signature;                       // appearance in logs
-  std::string_view separated_by;                    // experiment that distinguishes it from confounded effects
-  std::string_view source;                          // of equation and range
-  std::span<const std::string_view> confused_with;  // ids
-  std::span<const Parameter> parameters;
-  Laws laws;
-  Visibility visibility;
-  std::span<const LogFeature> revealed_by;
-  Prevalence prevalence;
-  std::span<const BaselineAlias> aliases;
-  StepDemand step_demand;
-  Synthetic synthetic;
-  Exports exports;
-  std::span<const OtherName> other_names;
+template <template <class> class Field>
+struct EffectFields {
+  Field<std::string_view> id;     // "coulomb": section [effect coulomb] of a model file
+  Field<std::string_view> title;  // "dry friction"
+  Field<LoopPart> part;
+  Field<std::string_view> equation;                        // symbols: docs/twin/effects.md
+  Field<std::string_view> signature;                       // appearance in logs
+  Field<std::string_view> separated_by;                    // experiment that distinguishes it from confounded effects
+  Field<std::string_view> source;                          // of equation and range
+  Field<std::span<const std::string_view>> confused_with;  // ids
+  Field<std::span<const Parameter>> parameters;
+  Field<Laws> laws;
+  Field<Visibility> visibility;
+  Field<std::span<const LogFeature>> revealed_by;
+  Field<Prevalence> prevalence;
+  Field<std::span<const BaselineAlias>> aliases;
+  Field<StepDemand> step_demand;
+  Field<Synthetic> synthetic;
+  Field<Exports> exports;
+  Field<std::span<const OtherName>> other_names;
   /// `values`: one per parameter, in their order.
-  std::unique_ptr<Effect> (*make)(std::span<const double> values);
+  Field<std::unique_ptr<Effect> (*)(std::span<const double> values)> make;
+};
+
+/// A reference must be initialised: an effect without one of the fields does not compile.
+template <class T>
+using Required = const T&;
+using EffectRow = EffectFields<Required>;
+
+constexpr EffectFields<std::type_identity_t> copied(const EffectRow& row) {
+  const auto& [id, title, part, equation, signature, separated_by, source, confused_with, parameters, laws, visibility,
+               revealed_by, prevalence, aliases, step_demand, synthetic, exports, other_names, make] = row;
+  return {id,         title,       part,       equation,    signature,  separated_by, source,      confused_with,
+          parameters, laws,        visibility, revealed_by, prevalence, aliases,      step_demand, synthetic,
+          exports,    other_names, make};
+}
+
+/// `const EffectInfo kCoulomb{{.id = "coulomb", ...}};`
+struct EffectInfo : EffectFields<std::type_identity_t> {
+  constexpr explicit EffectInfo(const EffectRow& row) : EffectFields{copied(row)} {}
 };
 
 /// Index of the parameter that has this role; nothing if the effect has none.

@@ -32,7 +32,7 @@ class ReturnSpring final : public EffectOf<kReturnSpring, kParameters.size()> {
 
 }  // namespace
 
-const EffectInfo kReturnSpring{
+const EffectInfo kReturnSpring{{
     .id = "return_spring",
     .title = "return spring",
     .part = LoopPart::kLoad,
@@ -52,7 +52,7 @@ const EffectInfo kReturnSpring{
     .exports = inAllFormats(lost("no torque of a joint depends on its angle alone")),
     .other_names = {},
     .make = makeEffect<ReturnSpring>,
-};
+}};
 
 std::span<const EffectInfo* const> addedEffects() {
   static constexpr std::array kAdded{&kReturnSpring};

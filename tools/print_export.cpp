@@ -1,0 +1,8 @@
+// Prints the tables of docs/gap/export.md: what each target can hold.
+#include <iostream>
+
+#include "gap/export/holds.hpp"
+
+int main() {
+  std::cout << darwinop::gap::holdingsAsMarkdown();
+}
