@@ -61,7 +61,6 @@ class LinkPort final : public RobotPort {
  private:
   void applyMotor(const MotorSetting& setting);
   void applyLed(const LedSetting& setting);
-  [[nodiscard]] Rad holdPosition(const Sensors& seen, std::size_t joint) const;
   void clearCommands();
   void simulate();
   void simulateUntil(std::uint64_t cycle);
