@@ -69,13 +69,6 @@ void LinkPort::apply(const Request& request) {
     simulate();
 }
 
-void LinkPort::publish(const Commands& commands) {
-  commands_.joint = commands.joint;
-  commands_.led = commands.led;
-  session_->publish(commands_);
-  if (!session_->link().realTime()) simulate();
-}
-
 void LinkPort::applyMotor(const MotorSetting& setting) {
   using M = MotorSetting;
   goals::MotorControl& motor = motors_[index(setting.joint)];
@@ -113,10 +106,6 @@ void LinkPort::simulateUntil(std::uint64_t cycle) {
   const std::uint64_t now = session_->sensors().cycle;
   const auto most = static_cast<std::uint64_t>(kLongestStep / session_->link().period());
   if (cycle > now) (void)session_->waitForCycle(std::min(cycle, now + most));
-}
-
-void LinkPort::waitForNextCycle() {
-  (void)session_->waitForCycle(session_->sensors().cycle + 1);
 }
 
 std::string LinkPort::endReason() {
