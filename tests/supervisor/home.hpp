@@ -17,8 +17,8 @@
 
 #include "core/conversions.hpp"
 #include "core/registers.hpp"
+#include "hal/cm730/diagnosis/transactions.hpp"
 #include "hal/cm730/serial_port.hpp"
-#include "hal/cm730/transactions.hpp"
 #include "runtime/exchange.hpp"
 #include "runtime/file_lock.hpp"
 #include "supervisor/status.hpp"

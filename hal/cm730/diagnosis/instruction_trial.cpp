@@ -1,5 +1,5 @@
 // Tests BulkRead and SyncWrite as the loop sends them, with retries.
-#include "hal/cm730/instruction_trial.hpp"
+#include "hal/cm730/diagnosis/instruction_trial.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 
 #include "core/packet.hpp"
 #include "core/registers.hpp"
-#include "hal/cm730/diagnosis.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
+#include "hal/cm730/diagnosis/transactions.hpp"
 #include "hal/cm730/request_tag.hpp"
-#include "hal/cm730/transactions.hpp"
 #include "hal/cm730/wire.hpp"
 
 namespace darwinop::cm730 {

@@ -1,5 +1,5 @@
 // Findings about the board, the serial line and the cycle time. Servos: servo_rows.cpp.
-#include "hal/cm730/diagnosis.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -7,7 +7,7 @@
 #include "core/registers.hpp"
 #include "core/servo_limits.hpp"
 #include "hal/cm730/bus.hpp"
-#include "hal/cm730/servo_rows.hpp"
+#include "hal/cm730/diagnosis/servo_rows.hpp"
 #include "hal/cm730/usb_serial.hpp"
 #include "hal/cm730/wire.hpp"
 
