@@ -64,6 +64,8 @@ TEST_F(Driver, ReportsFromBeforeTheSessionSayNothingAboutIt) {
   EXPECT_EQ(session.faultEnd(state.image), "");
   EXPECT_TRUE(session.drives(afterCycles(1)));
   EXPECT_THAT(session.faultEnd(state.image), HasSubstr(std::string{row(Fault::kBatteryEmpty).remedy}));
+  state.image.safety.controller_must_end = false;
+  EXPECT_EQ(session.faultEnd(state.image), "") << "a fault that ends no session";
   session.start();  // the next driver on this link
   EXPECT_FALSE(session.drives(afterCycles(1)));
   EXPECT_TRUE(session.drives(afterCycles(1)));

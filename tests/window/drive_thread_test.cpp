@@ -37,7 +37,7 @@ class FakeRobotLink final : public runtime::RobotLink {
     if (robot_.torque_works) robot_.image.safety.state = State::kDriven;
   }
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>&) override {
-    std::this_thread::sleep_for(50us);
+    std::this_thread::sleep_for(200us);
     const std::scoped_lock lock{robot_.mutex};
     robot_.image.period_ns = 16'000'000;
     robot_.image.cycle = std::max(robot_.image.cycle, cycle);
@@ -121,6 +121,28 @@ TEST_F(WindowDriveThread, HoldsAJointOnItsWayAtItsPosition) {
   EXPECT_EQ(neckGoal(), 0.3);
 }
 
+TEST_F(WindowDriveThread, EndsItsSessionWhenItIsDestroyed) {
+  const auto connect = [this] { return std::make_unique<FakeRobotLink>(robot); };
+  auto other = std::make_unique<DriveThread>(connect, pages);
+  other->start();
+  while (other->report().state != DriveState::kDriving) std::this_thread::sleep_for(1ms);
+  const std::uint64_t before = robotHas(&FakeRobot::image).cycle;
+  other.reset();
+  EXPECT_TRUE(robotHas(&FakeRobot::left_holding));
+  EXPECT_LT(robotHas(&FakeRobot::image).cycle, before + 1500) << "it has waited for requests";
+}
+
+TEST_F(WindowDriveThread, GoesOnWhileRequestsCome) {
+  drive.start();
+  ASSERT_TRUE(reaches(DriveState::kDriving));
+  const auto start = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - start < DriveThread::kRequestTimeout + 400ms) {
+    drive.request({});
+    std::this_thread::sleep_for(20ms);
+  }
+  EXPECT_EQ(drive.report().state, DriveState::kDriving);
+}
+
 TEST_F(WindowDriveThread, EndsWithoutRequests) {
   drive.start();
   ASSERT_TRUE(reaches(DriveState::kDriving));
@@ -142,6 +164,21 @@ TEST_F(WindowDriveThread, ReportsWhyItCouldNotStart) {
   drive.start();
   ASSERT_TRUE(reaches(DriveState::kFree));
   EXPECT_THAT(drive.report().why, HasSubstr("torque did not come on"));
+}
+
+TEST_F(WindowDriveThread, StartsWithoutTheRequestsAndTheReasonOfBefore) {
+  drive.start();
+  ASSERT_TRUE(reaches(DriveState::kDriving));
+  change([](FakeRobot& its) { its.loop_runs = false; });
+  ASSERT_TRUE(reaches(DriveState::kFree));
+  requestNeck(0.7);
+  change([](FakeRobot& its) { its.loop_runs = true; });
+  drive.start();
+  ASSERT_TRUE(reaches(DriveState::kDriving));
+  EXPECT_EQ(drive.report().why, "");
+  drive.stop();
+  ASSERT_TRUE(reaches(DriveState::kFree));
+  EXPECT_NE(neckGoal(), 0.7);
 }
 
 TEST_F(WindowDriveThread, ReportsWhyTheRobotEndedTheSession) {
