@@ -101,7 +101,7 @@ class Home : public Rig {
   [[nodiscard]] static Sensors sensors() {
     Sensors seen;
     try {
-      (void)runtime::Exchange::attach(runtime::RuntimeFiles{}.exchange, runtime::Exchange::Access::kLook)
+      (void)runtime::Exchange::attach(runtime::RuntimeFiles{}.exchange, runtime::Exchange::Access::kRead)
           .block()
           .sensors.read(seen);
     } catch (const std::runtime_error&) {
