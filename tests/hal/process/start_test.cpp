@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <system_error>
 
 #include "hal/process/child_process.hpp"
 #include "support/temporary_folder.hpp"
@@ -89,6 +90,24 @@ TEST(Start, AProgramThatCannotGetIntoItsFolderDoesNotRun) {
   EXPECT_EQ(error, "test: cannot go to /nonexistent: No such file or directory\n");
 }
 
+TEST(Start, ClosesOthersFromTheFirstBehindTheStandardOnes) {
+  EXPECT_TRUE(holdsInAnotherProcess([] {
+    dup2(0, 3);  // without O_CLOEXEC
+    Start start{.command = {"/bin/sh", "-c", "[ -e /proc/$$/fd/3 ] && echo open || echo closed"}};
+    EXPECT_EQ(textOn(1, start), "open\n");
+    start.closes_others = true;
+    EXPECT_EQ(textOn(1, start), "closed\n");
+  }));
+}
+
+TEST(Start, AFailureIsReportedEvenIfItsPipeHasTheNumberOfAStream) {
+  EXPECT_TRUE(holdsInAnotherProcess([] {
+    close(0);  // so that the pipe of the failure is 0 and 3
+    const Start start{.command = {"/nonexistent"}, .streams = {{}, {}, {}, Stream::nothing()}};
+    EXPECT_THROW(ChildProcess{start}, std::system_error);
+  }));
+}
+
 TEST(Start, ALogFileHasMode0644AndOneBehindALinkIsReported) {
   const TemporaryFolder folder;
   const mode_t before = umask(022);
@@ -151,6 +170,17 @@ TEST(ChildProcess, TheNumberOfAClosedStreamIsGone) {
   close(ours);
   child.closeStream(0);
   child.wait();
+}
+
+TEST(ChildProcess, ClosesItsStreamsWithItsHandle) {
+  int ours = -1;
+  {
+    ChildProcess child{{.command = {"true"}, .streams = {{}, Stream::pipe()}}};
+    child.wait();
+    ours = child.stream(1);
+    EXPECT_NE(fcntl(ours, F_GETFD), -1);
+  }
+  EXPECT_EQ(fcntl(ours, F_GETFD), -1);
 }
 
 }  // namespace
