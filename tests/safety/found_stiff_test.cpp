@@ -23,7 +23,7 @@ TEST(FoundStiff, ARobotThatSomebodyElseLeftStiffIsNeverCalledLimp) {
   }
 }
 
-TEST(FoundStiff, ALimpRobotIsCalledSoWithinTwoLookRounds) {
+TEST(FoundStiff, ALimpRobotIsCalledSoWithinTwoPollRounds) {
   Rig rig;
   EXPECT_TRUE(rig.reach(State::kLimp));
   EXPECT_LE(rig.robot.seen.cycle, 50U);

@@ -45,7 +45,7 @@ Nanos usbTime(const RobotFacts& facts) {
 }
 
 constexpr std::size_t kReadBytes =
-    kRequestBytes + kBoardWindow.frameBytes() + kServoLook.frameBytes() + (kJoints - 1) * kServoWindow.frameBytes();
+    kRequestBytes + kBoardWindow.frameBytes() + kServoPoll.frameBytes() + (kJoints - 1) * kServoWindow.frameBytes();
 constexpr std::size_t kCycleBytes = kSyncWriteBytes + kReadBytes, kGoalCycleBytes = kGoalBytes + kReadBytes;
 
 Finding silentBoard(const RobotFacts& facts) {
