@@ -8,9 +8,9 @@
 #include "connect/connect.hpp"
 #include "connect/robot_file.hpp"
 #include "connect/start_pose_findings.hpp"
-#include "hal/cm730/host_checks.hpp"
-#include "hal/cm730/port_check.hpp"
-#include "hal/cm730/probe.hpp"
+#include "hal/cm730/diagnosis/host_checks.hpp"
+#include "hal/cm730/diagnosis/port_check.hpp"
+#include "hal/cm730/diagnosis/probe.hpp"
 #include "hal/cm730/serial_open.hpp"
 
 namespace {

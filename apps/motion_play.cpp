@@ -14,8 +14,8 @@
 #include <webots/utils/Motion.hpp>
 
 #include "connect/setting.hpp"
+#include "core/text/number_text.hpp"
 #include "experiments/run/hardware.hpp"
-#include "managers/motion_text/values.hpp"
 #include "managers/motion_watch/motion_watch.hpp"
 #include "managers/motion_watch/posture.hpp"
 #include "motion_own.hpp"
@@ -94,7 +94,7 @@ class Stage {
   }
 
   void printSummary(double seconds) const {
-    std::cout << "played for " << fixed(seconds, 1) << " s; greatest distance from the goal, greatest load:\n"
+    std::cout << "played for " << text::fixedText(seconds, 1) << " s; greatest distance from the goal, greatest load:\n"
               << watch_.jointsText() << watch_.faultsText() << "the robot " << textOf(postureOf(sensors()))
               << std::endl;
   }

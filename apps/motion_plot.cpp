@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/conversions.hpp"
+#include "core/text/number_text.hpp"
 #include "managers/motion_text/dry_run.hpp"
 #include "managers/motion_text/values.hpp"
 #include "motion_own.hpp"
@@ -74,7 +75,7 @@ plot::Panel panelOf(const Limb& limb, const PageFile& pages, const DryRun& playe
 
 std::string stepsText(const DryRun& played, const DryRun::Section& section) {
   std::string text = "steps begin at";
-  for (const std::size_t at : section.steps) text += " " + fixed(static_cast<double>(at) * kPlotTick, 2);
+  for (const std::size_t at : section.steps) text += " " + text::fixedText(static_cast<double>(at) * kPlotTick, 2);
   return text + " s" + (&section == &played.sections.back() ? "" : ", then:");
 }
 
@@ -87,7 +88,7 @@ plot::Figure figureOf(const PageFile& pages, const PlotRequest& request) {
   const DryRun played = dryRun(pages, request.page, from);
   plot::Figure figure;
   figure.title = "page " + std::to_string(request.page) + " \"" + nameOf(page) + "\", " +
-                 fixed(static_cast<double>(played.poses.size() - 1) * kPlotTick, 2) + " s, from " +
+                 text::fixedText(static_cast<double>(played.poses.size() - 1) * kPlotTick, 2) + " s, from " +
                  (from_start ? "the start pose" : "its own first pose");
   figure.x_label = "time [s]; a thin line where a step begins. P: gain register";
   for (const DryRun::Section& section : played.sections) {

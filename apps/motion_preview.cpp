@@ -6,9 +6,9 @@
 
 #include "core/conversions.hpp"
 #include "core/goals/lead_in.hpp"
+#include "core/text/number_text.hpp"
 #include "managers/motion/first_step.hpp"
 #include "managers/motion_text/dry_run.hpp"
-#include "managers/motion_text/values.hpp"
 #include "motion_print.hpp"
 #include "webots/motion_playback.hpp"
 
@@ -23,9 +23,9 @@ struct FarJoint {
 
 /// "its first pose is 75.6 degrees away (LegLowerR)", and the duration of the lead-in.
 std::string wayText(const FarJoint& far, bool is_led) {
-  std::string text = "its first pose is " + fixed(far.way / kRadPerDegree, 1) + " degrees away";
+  std::string text = "its first pose is " + text::fixedText(far.way / kRadPerDegree, 1) + " degrees away";
   if (far.way > 0) text += " (" + std::string{kJointTable.at(far.joint).name} + ")";
-  if (is_led) text += "; lead-in of " + fixed(goals::LeadIn::durationMs(far.way) / 1000, 1) + " s";
+  if (is_led) text += "; lead-in of " + text::fixedText(goals::LeadIn::durationMs(far.way) / 1000, 1) + " s";
   return text;
 }
 
@@ -55,7 +55,7 @@ std::string previewOf(const PageFile& file, const std::vector<int>& pages) {
     const DryRun played = dryRun(file, number, is_led ? target : pose);
     pose = played.poses.back();
     text += "page " + std::to_string(number) + " \"" + nameOf(page) +
-            "\": " + fixed(static_cast<double>(played.poses.size() - 1) * kTickMs / 1000, 1) + " s";
+            "\": " + text::fixedText(static_cast<double>(played.poses.size() - 1) * kTickMs / 1000, 1) + " s";
     if (played.sections.size() > 1) text += "including its successors";
     if (played.cut) text += ", then repeats until stopped";
     text += "; " + wayText(far, is_led) + '\n';
@@ -72,7 +72,7 @@ std::string previewOf(const facade::MotionText& motion, const std::string& file)
     const double way = std::abs(*first - radFromTicks(row(*joint).start).value);
     if (way > far.way) far = {index(*joint), way};
   }
-  return file + ": " + fixed(motion.duration_ms / 1000.0, 1) + " s; " +
+  return file + ": " + text::fixedText(motion.duration_ms / 1000.0, 1) + " s; " +
          wayText(far, far.way > facade::MotionPlayback::kNear) + '\n';
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/text/number_text.hpp"
 #include "managers/motion_text/dry_run.hpp"
 #include "managers/motion_text/values.hpp"
 
@@ -27,7 +28,7 @@ std::string linkText(std::uint8_t page) {
 
 std::string durationText(const PageFile& pages, int page) {
   const bool by_speed = pages.at(static_cast<std::size_t>(page)).schedule == kSpeedBased;
-  return (by_speed ? ">" : "") + fixed(ticksOf(pages, page) * kTickSeconds, 3) + " s";
+  return (by_speed ? ">" : "") + text::fixedText(ticksOf(pages, page) * kTickSeconds, 3) + " s";
 }
 
 /// Flag words have no angle.
@@ -45,12 +46,12 @@ std::string rowOf(const std::string& title, const Page& page, const TextOfStep& 
 /// Duration of a step at the page's speed; speed-based pages have none.
 std::string moveText(const Page& page, const Step& step) {
   const int scaled = std::max(1, (step.time * page.speed) >> 5);
-  return page.schedule == kTimeBased ? fixed(scaled * kTickSeconds, 3) : "v=" + std::to_string(scaled);
+  return page.schedule == kTimeBased ? text::fixedText(scaled * kTickSeconds, 3) : "v=" + std::to_string(scaled);
 }
 
 std::string pauseText(const Page& page, const Step& step) {
   const int ticks = step.pause * kDefaultSpeed / page.speed;
-  return fixed(ticks * kTickSeconds, 3);
+  return text::fixedText(ticks * kTickSeconds, 3);
 }
 
 }  // namespace

@@ -14,9 +14,9 @@
 #include "connect/setting.hpp"
 #include "connect/start_pose_findings.hpp"
 #include "connect/twin_library.hpp"
-#include "hal/cm730/host_checks.hpp"
+#include "hal/cm730/diagnosis/host_checks.hpp"
+#include "hal/cm730/diagnosis/probe.hpp"
 #include "hal/cm730/not_ready.hpp"
-#include "hal/cm730/probe.hpp"
 #include "hal/cm730/serial_port.hpp"
 #ifdef DARWINOP_WITH_REMOTE_CLIENT
 #include "remote/client/tcp_link.hpp"

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "hal/byte_line.hpp"
+#include "hal/cm730/diagnosis/robot_facts.hpp"
+#include "hal/cm730/diagnosis/start_policy.hpp"
 #include "hal/cm730/joint_offsets.hpp"
-#include "hal/cm730/robot_facts.hpp"
-#include "hal/cm730/start_policy.hpp"
 #include "hal/servo_bus.hpp"
 #include "runtime/robot_link.hpp"
 #include "safety/config.hpp"
@@ -55,8 +55,8 @@ struct OpenedBus {
 /// The goals that servos can get with these settings, in their own ticks.
 cm730::TickRanges goalTicks(const safety::Config& safety, const cm730::JointOffsets& offsets);
 
-/// Opens a serial device and checks the robot behind it; hal/cm730/start_policy.hpp says what is refused. Throws as
-/// connect() does; cm730::NotReady when what is missing may come yet.
+/// Opens a serial device and checks the robot behind it; hal/cm730/diagnosis/start_policy.hpp says what is refused.
+/// Throws as connect() does; cm730::NotReady when what is missing may come yet.
 OpenedBus openSerialBus(const SerialRobot& robot, cm730::Purpose purpose = cm730::Purpose::kDrive);
 
 }  // namespace darwinop::connect

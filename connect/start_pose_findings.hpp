@@ -1,8 +1,8 @@
 // Is the robot where a controller expects it to begin? Asked on every way to a robot on a serial line.
 #pragma once
 
-#include "hal/cm730/finding.hpp"
-#include "hal/cm730/robot_facts.hpp"
+#include "hal/cm730/diagnosis/finding.hpp"
+#include "hal/cm730/diagnosis/robot_facts.hpp"
 
 namespace darwinop::connect {
 

@@ -30,7 +30,7 @@ class SafeCommands {
   /// What this cycle's SyncWrite carries.
   enum class Write : std::uint8_t {
     kNothing,  // nothing may be sent (link down, nobody drives yet)
-    kGoals,    // gains, goals, limits of the joints in driven() without held()
+    kGoals,    // gains, goals, limits of the joints in driven() without skipped()
     kTorque,   // torque enable: on for torqueOn(), off for torqueOff(); goals wait for the next cycle
   };
 
@@ -39,9 +39,9 @@ class SafeCommands {
   [[nodiscard]] const Mask& driven() const { return driven_; }
   /// Driven joints that this cycle's write leaves out: they have the goal above already, or it is not certain that
   /// they still hold it. They keep their settings.
-  [[nodiscard]] const Mask& held() const { return held_; }
-  /// Joints whose servos are to be looked at whole in this cycle: torque waits for their goal registers.
-  [[nodiscard]] const Mask& look() const { return look_; }
+  [[nodiscard]] const Mask& skipped() const { return skipped_; }
+  /// Joints whose servos are to be polled in this cycle: torque waits for their goal registers.
+  [[nodiscard]] const Mask& poll() const { return poll_; }
   [[nodiscard]] const Mask& torqueOn() const { return torque_on_; }
   [[nodiscard]] const Mask& torqueOff() const { return torque_off_; }
   [[nodiscard]] const LedCommand& led() const { return led_; }
@@ -55,7 +55,7 @@ class SafeCommands {
 
   Write write_ = Write::kNothing;
   std::array<JointGoal, kJoints> goal_{};
-  Mask driven_, held_, look_, torque_on_, torque_off_;
+  Mask driven_, skipped_, poll_, torque_on_, torque_off_;
   LedCommand led_{};
   bool power_on_ = false;
 };

@@ -13,7 +13,7 @@
 
 namespace darwinop {
 
-/// Age of a measurement in cycles. 0: received in this cycle.
+/// Age of a measurement in cycles. 0: received in the cycle of the image, which for safety is the one before.
 struct Freshness {
   static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t age = kNever;
@@ -40,7 +40,7 @@ struct JointSensors {
   double load = kUnknown;       // fraction of the greatest torque, -1..1, positive pushes counter-clockwise
   std::uint8_t error_bits = 0;  // error byte of the last status packet, see error_bit
 
-  Freshness health;  // age of what follows: each servo is looked at in turn, all within a second
+  Freshness health;  // age of what follows, the values of the last poll: each servo in turn, all within a second
   Volt voltage;
   Celsius temperature;
   NewtonMeter torque_limit;  // as the servo has it; 0 after it shut itself off

@@ -12,7 +12,7 @@
 
 namespace darwinop {
 
-/// Readings of one servo. Fields are of this cycle if `answered` (below the line: if `looked`) is true, else undefined.
+/// Readings of one servo. Fields are of this cycle if `answered` (below the line: if `polled`) is true, else undefined.
 struct ServoReading {
   bool answered = false;
   Rad position;
@@ -20,7 +20,7 @@ struct ServoReading {
   double load = kUnknown;
   std::uint8_t error_bits = 0;
   // -- in the cycle of this servo's turn in the round-robin poll:
-  bool looked = false;
+  bool polled = false;
   bool torque_enabled = false;
   NewtonMeter torque_limit;
   Rad goal;               // goal register
@@ -52,7 +52,7 @@ struct BusReadings {
 
   /// Clears the flags; all other fields keep their values of earlier cycles.
   void forget() noexcept {
-    for (ServoReading& one : servo) one.answered = one.looked = false;
+    for (ServoReading& one : servo) one.answered = one.polled = false;
     board.answered = false;
   }
 };
@@ -64,7 +64,7 @@ class ServoBus {
   /// One SyncWrite (two while a servo works at its torque limit and limits change), and rarely one write to the board
   /// (LEDs, servo power).
   virtual void write(const SafeCommands& commands) noexcept = 0;
-  /// One BulkRead. Sets every flag (`answered`, `looked`), and the fields whose flag is true; the others keep the
+  /// One BulkRead. Sets every flag (`answered`, `polled`), and the fields whose flag is true; the others keep the
   /// values of earlier cycles. Also sets `wire`, `link` and `silent`.
   virtual void read(BusReadings& readings) noexcept = 0;
 };

@@ -13,7 +13,7 @@
 namespace darwinop {
 namespace {
 
-constexpr const char* kRemedy = "; make it a file that you may read (chmod a+r), or remove it to use the defaults";
+constexpr const char* kRemedy = "; make it readable for this user (chmod a+r)";
 
 struct Descriptor {
   int number;

@@ -1,4 +1,4 @@
-// A whole file of settings as text; absent is not the same as unreadable.
+// Reads a whole text file; absent is not the same as unreadable.
 #pragma once
 
 #include <cstddef>

@@ -153,7 +153,7 @@ void Monitor::publishState() {
 
 void Monitor::publishFaults() {
   if (!faults_pace_.due(now_, kFaultLooks)) return;
-  announcer_->look(seen_);
+  announcer_->update(seen_);
   std::istringstream lines{announced_.str()};
   announced_.str({});
   constexpr std::string_view kPrefix = "darwinop: ";  // for terminals only

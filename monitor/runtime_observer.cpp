@@ -19,7 +19,7 @@ bool RuntimeObserver::update(Nanos now) {
 std::string RuntimeObserver::whyUnavailable(Nanos now) {
   if (!exchange_) {
     try {
-      exchange_.emplace(runtime::lookAtDaemon(files_));
+      exchange_.emplace(runtime::observeDaemon(files_));
     } catch (const std::runtime_error& error) {
       return error.what();
     }

@@ -157,13 +157,13 @@ std::string controllerProgram(const std::string& controller) {
 int runController(const RunRequest& request) {
   const std::string program = controllerProgram(request.command.at(0));
   const ObserverConnection observer;
-  const std::optional<LoopFigures> daemon = tryAttach(lookAtDaemon, RuntimeFiles{});
+  const std::optional<LoopFigures> daemon = tryAttach(observeDaemon, RuntimeFiles{});
   onEndSignals(handOn);
   const process::Ending ending = runToItsEnd(startOf(request, program, observer.path()));
   if (ending.by_signal) std::cerr << "the controller was ended by signal " << ending.code << std::endl;
 
   const auto attach = [](const RuntimeFiles& files) {
-    return Exchange::attach(files.exchange, Exchange::Access::kLook);
+    return Exchange::attach(files.exchange, Exchange::Access::kRead);
   };
   if (auto embedded = tryAttach(attach, RuntimeFiles{observer.path()})) {
     if (ending.by_signal && embedded->leftTorque())

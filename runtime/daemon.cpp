@@ -60,17 +60,17 @@ void Daemon::run(const std::atomic<bool>& stop) {
   FaultAnnouncer announcer{std::cerr};
   for (; !stop.load() && !exchange_.shortened(); doze()) {
     const Sensors seen = sensors();
-    announcer.look(seen);
-    notes_.look(seen);
+    announcer.update(seen);
+    notes_.update(seen);
   }
   exchange_.ownBlock().closing.store(ExchangeBlock::kClosing);  // ends the controller, and brings the robot to rest
   const Nanos give_up = clock_.now() + rest_.atMost();
   for (Sensors seen = sensors(); !rest_.reached(seen) && clock_.now() < give_up; seen = sensors()) {
-    announcer.look(seen);
-    notes_.look(seen);
+    announcer.update(seen);
+    notes_.update(seen);
     doze();
   }
-  notes_.look(sensors());
+  notes_.update(sensors());
   if (exchange_.shortened())
     throw std::runtime_error("the shared memory (" + files_.exchange +
                              ") was shortened or overwritten by another program, so the robot was brought to rest; "

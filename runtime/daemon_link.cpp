@@ -35,7 +35,7 @@ DaemonLink::~DaemonLink() {
 }
 
 bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
-  constexpr Nanos kLook{100'000'000};
+  constexpr Nanos kCheckInterval{100'000'000};
   std::uint32_t seen = block().finished.value();
   Nanos asleep_since = now();
   for (;;) {
@@ -46,12 +46,12 @@ bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop
     if (releasedByOperator())
       return end("an operator has released the robot: torque is off; start the controller again to take over");
     if (finished(cycle)) return true;
-    sleepUntilAfter(seen, kLook);
+    sleepUntilAfter(seen, kCheckInterval);
     const std::uint32_t value = block().finished.value();
     if (value != seen) {
       seen = value;
       asleep_since = now();
-    } else if (now() - asleep_since >= kLook && !daemonAnswers(asleep_since)) {
+    } else if (now() - asleep_since >= kCheckInterval && !daemonAnswers(asleep_since)) {
       return false;
     }
   }

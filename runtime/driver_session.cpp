@@ -1,5 +1,7 @@
 #include "runtime/driver_session.hpp"
 
+#include <cmath>
+
 #include "core/joints.hpp"
 #include "runtime/exchange_link.hpp"
 
@@ -7,6 +9,18 @@ namespace darwinop::runtime {
 namespace {
 
 constexpr std::atomic<bool> kNever{false};
+constexpr double kAtRest = 0.1;               // rad: maximum distance of a joint at rest from its goal, under any load
+constexpr std::uint32_t kMaxPositionAge = 3;  // cycles: an older position may be far off
+
+/// Position at which to hold a joint; unknown if it has no goal.
+Rad holdPosition(const Sensors& seen, bool start_where_it_is, std::size_t joint) {
+  const JointSensors& now = seen.joint[joint];
+  const bool to_start_pose = seen.safety.state != State::kDriven && !start_where_it_is;
+  if (to_start_pose) return radFromTicks(kJointTable[joint].start);  // every session starts with a move there
+  const bool on_the_way =
+      std::abs(now.commanded.value - now.position.value) > kAtRest && now.motion.age <= kMaxPositionAge;
+  return on_the_way ? now.position : now.commanded;
+}
 
 }  // namespace
 
@@ -46,8 +60,13 @@ std::string DriverSession::loopEnd(const Sensors& seen) {
   return waitForCycle(seen.cycle) ? std::string{} : link_->whyEnded();  // a finished cycle, so this does not block
 }
 
-void DriverSession::hold(const Commands& last) {
-  publish(last);
+/// Safety holds a silent driver only after stall_ms, and lets a slow joint continue to its goal; this holds at once.
+void DriverSession::hold(Commands& commands) {
+  const Sensors seen = sensors();
+  for (std::size_t i = 0; i < kJoints; ++i)
+    if (const Rad rest = holdPosition(seen, commands.start_where_it_is, i); rest.known())
+      commands.joint[i].setGoal(rest);
+  publish(commands);
   link_->leaveHolding();
 }
 

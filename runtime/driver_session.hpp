@@ -39,9 +39,9 @@ class DriverSession {
   /// Why there is no loop to drive any more; empty: it runs. Never blocks.
   [[nodiscard]] std::string loopEnd(const Sensors& seen);
 
-  /// The robot holds until the next driver comes, at most gone_s. Without effect where the end of the link is the end
-  /// of the loop.
-  void hold(const Commands& last);
+  /// Makes each joint's present position the goal in `commands` and publishes them. The robot holds until the next
+  /// driver comes, at most gone_s; without effect where the end of the link is the end of the loop.
+  void hold(Commands& commands);
   /// Ends it as [Safety] on_exit says.
   void end(Commands last);
 

@@ -144,14 +144,14 @@ Exchange Exchange::inMemory() {
 
 Exchange Exchange::embedded() {
   const char* path = std::getenv("DARWINOP_EXCHANGE");
-  return path == nullptr || *path == '\0' ? inMemory() : createToLookAt(path);
+  return path == nullptr || *path == '\0' ? inMemory() : createObservable(path);
 }
 
 Exchange Exchange::create(const std::string& path, gid_t group) {
   return made(path, group, true);
 }
 
-Exchange Exchange::createToLookAt(const std::string& path, gid_t group) {
+Exchange Exchange::createObservable(const std::string& path, gid_t group) {
   return made(path, group, false);
 }
 
@@ -197,7 +197,7 @@ Exchange Exchange::attach(const std::string& path, Access access) {
     throw std::runtime_error(path +
                              " was made by another version of the runtime; build controller and runtime from "
                              "the same version, then restart the runtime");
-  if (access == Access::kLook) return exchange;
+  if (access == Access::kRead) return exchange;
   const SharedFile commands = openedCommands(commandsPath(path), userOf(file));
   if (hasSize(commands, sizeof(CommandBlock))) {
     exchange.commands_file_ = mapped(commands, path, sizeof(CommandBlock), PROT_READ | PROT_WRITE);
@@ -221,7 +221,7 @@ ExchangeBlock& Exchange::ownBlock() const {
 }
 
 CommandBlock& Exchange::commands() const {
-  if (commands_ == nullptr) throw std::logic_error("this exchange is open for looking only");
+  if (commands_ == nullptr) throw std::logic_error("this exchange is open for reading only");
   return *commands_;
 }
 

@@ -69,23 +69,23 @@ struct CommandBlock {
 /// Holds both blocks, in private memory or mapped from files.
 class Exchange {
  public:
-  /// Private memory: loop and controller are one process and nobody looks on.
+  /// Private memory: loop and controller are one process and nobody observes.
   static Exchange inMemory();
 
-  /// For a loop in the controller's own process: the file that DARWINOP_EXCHANGE names, so that others can look
+  /// For a loop in the controller's own process: the file that DARWINOP_EXCHANGE names, so that others can read
   /// on, or private memory when it is unset.
   static Exchange embedded();
 
   /// New files `path` and `path`.commands that replace old ones. Processes that still map the old ones keep them.
   static Exchange create(const std::string& path, gid_t group = static_cast<gid_t>(-1));
-  /// The same, and the commands lie in private memory: others can look on, and nobody else can drive.
-  static Exchange createToLookAt(const std::string& path, gid_t group = static_cast<gid_t>(-1));
+  /// The same, and the commands lie in private memory: others can observe, and nobody else can drive.
+  static Exchange createObservable(const std::string& path, gid_t group = static_cast<gid_t>(-1));
   /// Removes the files.
   static void remove(const std::string& path) noexcept;
 
   enum class Access {
     kUse,   // commands can be written
-    kLook,  // nothing can be written
+    kRead,  // nothing can be written
   };
   /// Existing files. Throws std::runtime_error, with a sentence for the user, when there are none, when they must not
   /// be used, or when they are not of this build.
@@ -94,7 +94,7 @@ class Exchange {
   [[nodiscard]] const ExchangeBlock& block() const { return *block_; }
   /// Where this process hosts the loop. Throws std::logic_error elsewhere.
   [[nodiscard]] ExchangeBlock& ownBlock() const;
-  /// Throws std::logic_error when this process may only look.
+  /// Throws std::logic_error when this process may only read.
   [[nodiscard]] CommandBlock& commands() const;
 
   /// Somebody has shortened or overwritten a file: what is written here reaches nobody, what is read is empty.

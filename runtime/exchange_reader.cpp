@@ -20,13 +20,13 @@ std::optional<ExchangeReader> ExchangeReader::open(const std::string& path) try 
   auto file = openShared(path, O_RDONLY, FileOwner::kGroup);
   if (!file) return std::nullopt;
   ExchangeReader reader{std::move(*file)};
-  if (!reader.look()) return std::nullopt;
+  if (!reader.refresh()) return std::nullopt;
   return reader;
 } catch (const std::runtime_error&) {
   return std::nullopt;
 }
 
-bool ExchangeReader::look() {
+bool ExchangeReader::refresh() {
   if (!readsWhole(file_.fd(), next_.get(), sizeof(ExchangeBlock), 0)) return false;
   if (next_->magic != ExchangeBlock::kMagic || next_->size != sizeof(ExchangeBlock) ||
       next_->layout != exchangeLayout())

@@ -15,7 +15,7 @@
 namespace darwinop::runtime {
 
 /// For a process that must survive any change of the file: if it is shortened, read() fails, and nothing
-/// else. 70 KiB are copied at each look.
+/// else. 70 KiB are copied at each refresh.
 class ExchangeReader {
  public:
   /// Nothing: there is no file, it must not be used, or it is not of this build.
@@ -23,8 +23,8 @@ class ExchangeReader {
 
   /// Copies what the file says now. False: it is shorter than it was, or no exchange any more; the copy is then what it
   /// was before.
-  [[nodiscard]] bool look();
-  /// Of the last successful look.
+  [[nodiscard]] bool refresh();
+  /// Of the last successful refresh.
   [[nodiscard]] const ExchangeBlock& block() const { return *copy_; }
   /// Newest value in the copy. False: there is none, or the loop overwrote it while it was copied; `into` keeps what it
   /// held.

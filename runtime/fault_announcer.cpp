@@ -23,7 +23,7 @@ std::string times(std::uint32_t count) {
 
 }  // namespace
 
-void FaultAnnouncer::look(const Sensors& seen) {
+void FaultAnnouncer::update(const Sensors& seen) {
   if (seen.cycle == 0) return;
   for (std::size_t i = 0; i < kFaults; ++i) {
     const std::string line = change(memory_[i], i, seen);

@@ -20,7 +20,7 @@ class FaultAnnouncer {
   explicit FaultAnnouncer(std::ostream& out) : out_{out} {}
 
   /// For successive images; it does not matter when some are left out, as long as the faults in them last.
-  void look(const Sensors& seen);
+  void update(const Sensors& seen);
 
  private:
   struct Memory {

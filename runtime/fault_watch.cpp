@@ -36,7 +36,7 @@ void FaultWatch::run() {
   std::unique_lock lock{mutex_};
   for (bool last = false; !last;) {
     last = ending_.wait_for(lock, std::chrono::milliseconds{100}, [this] { return stop_; });
-    if (sensors_.read(seen)) announcer.look(seen);
+    if (sensors_.read(seen)) announcer.update(seen);
   }
 }
 

@@ -9,11 +9,11 @@
 
 namespace darwinop::runtime {
 
-/// Looks at the newest sensors ten times a second and writes to stderr. The loop knows nothing of it.
+/// Reads the newest sensors ten times a second and writes to stderr. The loop knows nothing of it.
 class FaultWatch {
  public:
   explicit FaultWatch(const Latest<Sensors>& sensors);
-  /// Looks once more, so that nothing of a short run is lost.
+  /// Reads once more, so that nothing of a short run is lost.
   ~FaultWatch();
   FaultWatch(const FaultWatch&) = delete;
   FaultWatch& operator=(const FaultWatch&) = delete;

@@ -77,7 +77,7 @@ std::optional<FileLock> FileLock::tryTake(const std::string& path, gid_t group, 
                                                 "user's runtime has ended, remove what is left of it: sudo rm " +
                                                     path
                                               : ""));
-  // Somebody who only looks may hold it for an instant (see holder()).
+  // An observer may hold it for an instant (see holder()).
   for (int attempt = 0; flock(file->fd(), LOCK_EX | LOCK_NB) != 0; ++attempt) {
     if (errno != EINTR && (errno != EWOULDBLOCK || attempt == 20)) return std::nullopt;
     usleep(5'000);

@@ -33,7 +33,7 @@ std::unique_ptr<FrameSource> LockstepLink::openCamera(int width, int height) {
 void LockstepLink::run() {
   driver_.run(1);
   if (host_.recorder() != nullptr) host_.recorder()->drain();
-  announcer_.look(sensors());
+  announcer_.update(sensors());
 }
 
 LockstepLink::~LockstepLink() {

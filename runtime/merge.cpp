@@ -13,7 +13,7 @@ void mergeJoint(const ServoReading& reading, JointSensors& joint) noexcept {
   } else {
     joint.motion.missed();
   }
-  if (reading.answered && reading.looked) {
+  if (reading.answered && reading.polled) {
     joint.health.received();
     joint.voltage = reading.voltage;
     joint.temperature = reading.temperature;

@@ -35,12 +35,12 @@ Exchange attachToDaemon(const RuntimeFiles& files) {
   return attachAs(Exchange::Access::kUse, files);
 }
 
-Exchange lookAtDaemon(const RuntimeFiles& files) {
-  return attachAs(Exchange::Access::kLook, files);
+Exchange observeDaemon(const RuntimeFiles& files) {
+  return attachAs(Exchange::Access::kRead, files);
 }
 
 std::string daemonStatus(const RuntimeFiles& files) {
-  const Exchange exchange = lookAtDaemon(files);
+  const Exchange exchange = observeDaemon(files);
   const ExchangeBlock& block = exchange.block();
   const pid_t driver = FileLock::holder(files.drive_lock);
   const auto stats = std::make_unique<StatsView>();
@@ -62,7 +62,7 @@ void resetFaults(const RuntimeFiles& files) {
 }
 
 void releaseRobot(const RuntimeFiles& files) {
-  constexpr Nanos kPatience{3'000'000'000}, kLook{5'000'000};  // longer than the longest period
+  constexpr Nanos kPatience{3'000'000'000}, kCheckInterval{5'000'000};  // longer than the longest period
   const Exchange exchange = attachToDaemon(files);
   const MonotonicClock clock;
   const Nanos end = clock.now() + kPatience;
@@ -71,15 +71,15 @@ void releaseRobot(const RuntimeFiles& files) {
     if (clock.now() > end)
       throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) +
                                ") has not released the robot within 3 s: hold it and press RESET on its back");
-    std::this_thread::sleep_for(kLook);
+    std::this_thread::sleep_for(kCheckInterval);
     (void)exchange.block().sensors.read(seen);
   }
 }
 
 safety::StartPoseCheck startPoseNow(const RuntimeFiles& files) {
   // Longer than the longest period: an image that does not change is one of a loop that hangs.
-  constexpr Nanos kPatience{3'000'000'000}, kLook{5'000'000};
-  const Exchange exchange = lookAtDaemon(files);
+  constexpr Nanos kPatience{3'000'000'000}, kCheckInterval{5'000'000};
+  const Exchange exchange = observeDaemon(files);
   const WakeWord& finished = exchange.block().finished;
   const std::uint32_t before = finished.value();
   const MonotonicClock clock;
@@ -88,7 +88,7 @@ safety::StartPoseCheck startPoseNow(const RuntimeFiles& files) {
     if (clock.now() > end)
       throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) +
                                ") has not run a cycle for 3 s, so nothing is known of the robot; restart it");
-    std::this_thread::sleep_for(kLook);
+    std::this_thread::sleep_for(kCheckInterval);
   }
   Sensors seen;
   (void)exchange.block().sensors.read(seen);

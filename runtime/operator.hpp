@@ -12,7 +12,7 @@ namespace darwinop::runtime {
 /// Attaches to a daemon that lives. Throws std::runtime_error with what to do.
 Exchange attachToDaemon(const RuntimeFiles& files);
 /// The same, and nothing can be written there.
-Exchange lookAtDaemon(const RuntimeFiles& files);
+Exchange observeDaemon(const RuntimeFiles& files);
 
 /// State, faults and what to do about them, battery, who drives, loop figures.
 std::string daemonStatus(const RuntimeFiles& files);

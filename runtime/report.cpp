@@ -2,7 +2,8 @@
 #include "runtime/report.hpp"
 
 #include <cmath>
-#include <cstdio>
+
+#include "core/text/number_text.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -26,15 +27,8 @@ Figures figures(const StatsView& stats) {
   return f;
 }
 
-std::string number(double value, int digits) {
-  if (std::isnan(value)) return "nan";  // printf may say "-nan"
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
 std::string shown(double value, int digits, const char* unit) {
-  return std::isnan(value) ? "not measured" : number(value, digits) + unit;
+  return std::isnan(value) ? "not measured" : text::fixedText(value, digits) + unit;
 }
 
 std::string joined(const std::vector<std::string>& names) {
@@ -56,9 +50,9 @@ std::vector<std::string> staleDevices(const Sensors& sensors) {
 std::string reportLine(const StatsView& stats, const Sensors& last) {
   const Figures f = figures(stats);
   return "report: cycles=" + std::to_string(stats.cycles) + " overruns=" + std::to_string(stats.overruns) +
-         " wake_p50_us=" + number(f.wake_p50, 0) + " wake_p99_us=" + number(f.wake_p99, 0) +
-         " wake_max_us=" + number(f.wake_max, 0) + " bus_ms_median=" + number(f.bus_p50, 3) +
-         " wire_ms=" + number(f.wire, 3) + " bus_ratio=" + number(f.ratio, 3) +
+         " wake_p50_us=" + text::fixedText(f.wake_p50, 0) + " wake_p99_us=" + text::fixedText(f.wake_p99, 0) +
+         " wake_max_us=" + text::fixedText(f.wake_max, 0) + " bus_ms_median=" + text::fixedText(f.bus_p50, 3) +
+         " wire_ms=" + text::fixedText(f.wire, 3) + " bus_ratio=" + text::fixedText(f.ratio, 3) +
          " retries=" + std::to_string(stats.retries) +
          " stale=" + std::to_string(stats.cycles == 0 ? 0 : staleDevices(last).size());
 }
@@ -67,8 +61,8 @@ std::string reportText(const StatsView& stats, const Sensors& last) {
   if (stats.cycles == 0) return "The loop has not run a cycle.\n";
   const Figures f = figures(stats);
   const double seconds = stats.cycles * static_cast<double>(last.period_ns) * 1e-9;
-  return "cycles        " + std::to_string(stats.cycles) + " (" + number(seconds, 1) + " s at " +
-         number(static_cast<double>(last.period_ns) * 1e-6, 1) + " ms)\n" + "overruns      " +
+  return "cycles        " + std::to_string(stats.cycles) + " (" + text::fixedText(seconds, 1) + " s at " +
+         text::fixedText(static_cast<double>(last.period_ns) * 1e-6, 1) + " ms)\n" + "overruns      " +
          std::to_string(stats.overruns) + ", releases skipped " + std::to_string(stats.skipped) + "\n" +
          "wake latency  median " + shown(f.wake_p50, 0, " us") + ", p99 " + shown(f.wake_p99, 0, " us") + ", max " +
          shown(f.wake_max, 0, " us") + "\n" + "bus time      median " + shown(f.bus_p50, 2, " ms") + ", p99 " +

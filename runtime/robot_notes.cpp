@@ -8,8 +8,8 @@
 namespace darwinop::runtime {
 namespace {
 
-// After so many limp cycles each servo was looked at once (safety/guard_states.cpp), and a loss of power was noticed.
-constexpr std::uint64_t kAllLooked = kJoints + 5;
+// After so many limp cycles each servo was polled once (safety/guard_states.cpp), and a loss of power was noticed.
+constexpr std::uint64_t kAllPolled = kJoints + 5;
 
 bool exists(const std::string& path) {
   return access(path.c_str(), F_OK) == 0;
@@ -31,7 +31,7 @@ void RobotNotes::Note::set(bool wanted) {
   if (file >= 0) close(file);
 }
 
-void RobotNotes::look(const Sensors& seen) {
+void RobotNotes::update(const Sensors& seen) {
   if (seen.cycle == 0) return;
   released_.set(safety::keptLimp(seen.safety.active));
   const State state = seen.safety.state;
@@ -41,7 +41,7 @@ void RobotNotes::look(const Sensors& seen) {
     limp_since_ = seen.cycle;
   if (drives(state) || state == State::kFoundStiff)
     held_.set(true);
-  else if (limp_since_ && seen.cycle - *limp_since_ >= kAllLooked)
+  else if (limp_since_ && seen.cycle - *limp_since_ >= kAllPolled)
     held_.set(false);
 }
 

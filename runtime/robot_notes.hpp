@@ -24,7 +24,7 @@ class RobotNotes {
   [[nodiscard]] bool held() const { return held_.exists; }
 
   /// For each image of the loop, or for one in a few.
-  void look(const Sensors& seen);
+  void update(const Sensors& seen);
 
   /// A person has acted while no loop was there.
   static void forget(const RuntimeFiles& files);

@@ -13,13 +13,13 @@ ThreadedLink::ThreadedLink(const LoopConfig& config, std::unique_ptr<ServoBus> b
 }
 
 bool ThreadedLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
-  constexpr Nanos kLook{50'000'000};  // a signal ends the sleep; this is for a flag that another thread sets
+  constexpr Nanos kCheckInterval{50'000'000};  // a signal ends the sleep; this is for a flag that another thread sets
   for (;;) {
     if (stop.load()) return end(kAskedToStop);
     if (exchange().lost()) return end(kExchangeLost);
     const std::uint32_t seen = block().finished.value();
     if (finished(cycle)) return true;
-    sleepUntilAfter(seen, kLook);
+    sleepUntilAfter(seen, kCheckInterval);
   }
 }
 

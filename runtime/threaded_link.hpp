@@ -14,7 +14,7 @@ namespace darwinop::runtime {
 class ThreadedLink final : public ExchangeLink {
  public:
   /// Starts the loop. The exchange lies in private memory, or in the file that DARWINOP_EXCHANGE names, where
-  /// others can look on. Throws std::runtime_error with what to do.
+  /// others can observe. Throws std::runtime_error with what to do.
   ThreadedLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus);
   /// Ends the session, lets safety bring the robot to rest, ends the loop.
   ~ThreadedLink() override;

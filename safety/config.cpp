@@ -2,7 +2,6 @@
 #include "safety/config.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 #include <stdexcept>
 #include <tuple>
@@ -14,9 +13,7 @@ namespace darwinop::safety {
 namespace {
 
 std::string show(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
+  return text::generalText(value, 6);
 }
 
 [[noreturn]] void refuse(std::string_view section, std::string_view key, std::string_view value,

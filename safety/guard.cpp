@@ -93,12 +93,12 @@ void Guard::watch(const Sensors& seen, Nanos dt) noexcept {
 }
 
 /// RESET is a way to release the robot. What counts is whether it held its joints when power went, not what was
-/// known: a torque off that was just sent may have been lost, and a robot that no loop has looked at yet may be stiff.
+/// known: a torque off that was just sent may have been lost, and a robot that no loop has polled yet may be stiff.
 /// Servo power that is off from the start, on a robot that no loop has held, is a board that was just switched on.
 void Guard::watchHold() noexcept {
   const bool held = drives(state_) || state_ == State::kFoundStiff || holding_up_ || perhaps_held_;
   lost_under_torque_ = board_.powerLostNow() && held;
-  // Silent servos count as looked at, but only after time in which they could have answered.
+  // Silent servos count as polled, but only after time in which they could have answered.
   const auto seen_limp = [this] {
     return board_.poweredFor() >= fromSeconds(config_.silent_s) && allKnown() && !anyStiff();
   };
@@ -179,7 +179,7 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
   const bool answers = board_.answersNow();
   // For the same reason torque comes on only after a goal that was received; torque off goes out in any case.
   safe.torque_off_ = jointsThat([this](std::size_t i) { return joints_[i].offDue(); });
-  if (answers) safe.torque_on_ = jointsThat(looking_at_, [this](std::size_t i) { return joints_[i].onDue(); });
+  if (answers) safe.torque_on_ = jointsThat(polling_, [this](std::size_t i) { return joints_[i].onDue(); });
   const bool switches = (safe.torque_off_ | safe.torque_on_).any();
   const bool by_itself = movesByItself();
   const bool slow = by_itself || faults_.slow();
@@ -189,10 +189,10 @@ SafeCommands Guard::compose(Nanos dt) noexcept {
   else if (answers)
     moveJoints(speed, dt);
   safe.driven_ = jointsThat([this](std::size_t i) { return joints_[i].driven(); });
-  const auto unsettled = jointsThat([this](std::size_t i) { return joints_[i].lookDue() || joints_[i].uncertain(); });
-  safe.look_ = looking_at_ = jointsThat(unsettled, [this](std::size_t i) { return joints_[i].lookDue(); });
-  safe.held_ = safe.driven_;
-  if (answers) safe.held_ &= jointsThat(unsettled, [this](std::size_t i) { return joints_[i].uncertain(); });
+  const auto unsettled = jointsThat([this](std::size_t i) { return joints_[i].pollDue() || joints_[i].uncertain(); });
+  safe.poll_ = polling_ = jointsThat(unsettled, [this](std::size_t i) { return joints_[i].pollDue(); });
+  safe.skipped_ = safe.driven_;
+  if (answers) safe.skipped_ &= jointsThat(unsettled, [this](std::size_t i) { return joints_[i].uncertain(); });
   forEachJoint(safe.driven_, [&](std::size_t i) { safe.goal_[i] = joints_[i].goal(RadPerSec{speed}, by_itself); });
   if (switches)
     safe.write_ = SafeCommands::Write::kTorque;

@@ -75,13 +75,13 @@ class Guard {
   Joints joints_;
 
   State state_ = State::kOffline;
-  bool in_place_ = false;          // this session starts where the robot is
-  bool started_ = false;           // this session's start is over
-  SafeCommands::Mask looking_at_;  // joints that the last commands asked to look at; torque comes on for none but these
-  int looking_for_ = 0;            // cycles in which the board answers and it is not yet known whether the servos hold
-  bool holding_up_ = false;        // torque was switched on by us, and not off since
-  bool perhaps_held_ = true;       // not each servo was seen limp since torque was ordered off, or since the start
-  bool lost_under_torque_ = false;  // servo power was lost in this cycle, and joints were held until then
+  bool in_place_ = false;           // this session starts where the robot is
+  bool started_ = false;            // this session's start is over
+  SafeCommands::Mask polling_;      // joints that the last commands asked to poll; torque comes on for none but these
+  int polling_for_ = 0;             // cycles in which the board answers and it is not yet known whether the servos hold
+  bool holding_up_ = false;         // torque was switched on by us, and not off since
+  bool perhaps_held_ = true;        // not each servo was seen limp since torque was ordered off, or since the start
+  bool lost_under_torque_ = false;  // by the newest image servo power is lost, and joints were held until then
   Nanos taking_over_for_{0};
   PoseMove move_;
   PoseMove::Progress progress_ = PoseMove::Progress::kMoving;

@@ -6,9 +6,9 @@
 namespace darwinop::safety {
 namespace {
 
-// Maximum age of a torque reading, in cycles: one round in which each servo is looked at once, and a margin for lost
+// Maximum age of a torque reading, in cycles: one round in which each servo is polled once, and a margin for lost
 // replies. What is still unknown after two rounds stays unknown.
-constexpr int kLookRound = kJoints + 5;
+constexpr int kPollRound = kJoints + 5;
 // After the robot sits: time to come to rest before it releases torque.
 constexpr Nanos kRest{std::chrono::seconds{1}};
 
@@ -45,12 +45,12 @@ std::optional<Event> Guard::findEvent() const noexcept {
 }
 
 /// Servos keep their torque when their driver dies. A robot that has no driver yet counts as limp only when each
-/// servo that answers has been looked at.
+/// servo that answers has been polled.
 std::optional<Event> Guard::findEventOffline() const noexcept {
   if (!board_.answersNow()) return std::nullopt;
   if (anyStiff() || holding_up_) return Event::kStiffSeen;
-  const bool looked = !board_.powered() || allKnown() || looking_for_ > 2 * kLookRound;
-  return looked || driver_.present() ? std::optional{Event::kBoardFound} : std::nullopt;
+  const bool polled = !board_.powered() || allKnown() || polling_for_ > 2 * kPollRound;
+  return polled || driver_.present() ? std::optional{Event::kBoardFound} : std::nullopt;
 }
 
 std::optional<Event> Guard::findEventAtRest() const noexcept {
@@ -119,7 +119,7 @@ void Guard::changeState(const Sensors& seen, Nanos dt) noexcept {
 }
 
 void Guard::runTimers(const Sensors& seen, Nanos dt) noexcept {
-  looking_for_ = state_ == State::kOffline && board_.answersNow() ? std::min(looking_for_ + 1, 2 * kLookRound + 1) : 0;
+  polling_for_ = state_ == State::kOffline && board_.answersNow() ? std::min(polling_for_ + 1, 2 * kPollRound + 1) : 0;
   if (state_ == State::kTakingOver && board_.powered()) taking_over_for_ += dt;
   if (state_ != State::kStarting && state_ != State::kKneeling) return;
   PoseMove::Mask moving;

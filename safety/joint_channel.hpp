@@ -43,7 +43,7 @@ class JointChannel {
   void leaveOut() noexcept { phase_ = Phase::kOut; }
   /// From anywhere: readings from now on decide where it is.
   void restart() noexcept;
-  /// Once a cycle, with this cycle's reading.
+  /// Once a cycle, with the reading of the cycle before.
   void observe(const JointSensors& seen, Nanos dt) noexcept {
     if (phase_ == Phase::kConfirming) confirmer_.update(seen);
     if (seen.motion.fresh()) seen_ = seen.position;

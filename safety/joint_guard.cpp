@@ -65,21 +65,21 @@ inline double JointGuard::push(const JointSensors& seen) const noexcept {
   return limit > 0 ? std::copysign(std::min(std::abs(torque), limit), torque) : 0;
 }
 
-/// A look shows whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
+/// A poll shows whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
 /// switched it on again. (A servo that shut itself off has a torque limit of 0: TripWatch.)
 inline void JointGuard::noteRestart(const JointSensors& seen) noexcept {
-  const bool looked = seen.motion.fresh() && seen.health.fresh();
-  const bool off = looked && !seen.torque_enabled && seen.torque_limit.value > 0;
+  const bool polled = seen.motion.fresh() && seen.health.fresh();
+  const bool off = polled && !seen.torque_enabled && seen.torque_limit.value > 0;
   const bool never_on = !on_seen_ || uncertain_;  // torque on was lost, or it has restarted
-  const bool restarted = looked && (seen.speed_limit.value <= 0 || (off && never_on && channel_.moving()));
-  if (looked && seen.torque_enabled) on_seen_ = true;
+  const bool restarted = polled && (seen.speed_limit.value <= 0 || (off && never_on && channel_.moving()));
+  if (polled && seen.torque_enabled) on_seen_ = true;
   // It restarted while it was silent, and has torque: a board that was stalled has carried out a goal of before. It
   // runs there without a speed limit.
-  if (looked && uncertain_ && had_limit_ && seen.speed_limit.value <= 0 && seen.torque_enabled) orderOff();
-  if (looked) had_limit_ = seen.speed_limit.value > 0;
+  if (polled && uncertain_ && had_limit_ && seen.speed_limit.value <= 0 && seen.torque_enabled) orderOff();
+  if (polled) had_limit_ = seen.speed_limit.value > 0;
   if (!seen.motion.fresh())
     uncertain_ = true;
-  else if (looked)
+  else if (polled)
     uncertain_ = false;
   const bool doubtful = channel_.placed() && uncertain_;  // where it is has to be certain until torque is on
   if (channel_.hasGoal() && (restarted || doubtful || seen.motion.age > kAnswerPatience)) restart();
@@ -145,7 +145,7 @@ void JointGuard::restart() noexcept {
 
 void JointGuard::switchTorque(bool on) noexcept {
   if (off_due_) {
-    // Older looks say nothing any more. A servo that has missed an order counts as stiff until a look says otherwise.
+    // Older polls say nothing any more. A servo that has missed an order counts as stiff until a poll says otherwise.
     if (!off_ordered_) stiff_ = torque_known_ = false;
     off_due_ = false;
     off_ordered_ = true;

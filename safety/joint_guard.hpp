@@ -35,7 +35,7 @@ class JointGuard {
 
   // -- reports of the servo
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
-  /// The causes of faults as they are in this cycle.
+  /// The causes of faults, by the reading of the cycle before.
   [[nodiscard]] FaultSet faults() const noexcept;
   /// No faults(). Without a branch for each of them: this is asked of every joint in every cycle.
   [[nodiscard]] bool well() const noexcept {
@@ -46,7 +46,7 @@ class JointGuard {
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
   /// As far as is known the servo holds its joint, on any request.
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }
-  /// It was looked at since it answers, or it does not answer: then nobody can know.
+  /// It was polled since it answers, or it does not answer: then nobody can know.
   [[nodiscard]] bool torqueKnown() const noexcept { return torque_known_ || watch_.lost(); }
   /// Servo power is off, and with it its torque.
   void losePower() noexcept { stiff_ = torque_known_ = false; }
@@ -61,15 +61,15 @@ class JointGuard {
   [[nodiscard]] bool offDue() const noexcept { return off_due_; }
   /// Torque off was sent since torque was last switched on here.
   [[nodiscard]] bool offOrdered() const noexcept { return off_ordered_; }
-  /// Its servo is looked at in every cycle: torque waits for the placed goal to be seen, and the goal stays in its
+  /// Its servo is polled in every cycle: torque waits for the placed goal to be seen, and the goal stays in its
   /// place until torque is seen. Nobody acknowledges a SyncWrite, and a goal write switches torque on.
-  [[nodiscard]] bool lookDue() const noexcept { return channel_.placed() || (channel_.moving() && !on_seen_); }
-  /// A look of this cycle found the placed goal and a gentle speed in the servo: torque must not find an older goal.
+  [[nodiscard]] bool pollDue() const noexcept { return channel_.placed() || (channel_.moving() && !on_seen_); }
+  /// A poll in the cycle before found the placed goal and a gentle speed: torque must not find an older goal.
   [[nodiscard]] bool onDue() const noexcept { return channel_.placed() && has_goal_ && !suspected_; }
   [[nodiscard]] const JointChannel& channel() const noexcept { return channel_; }
   /// Has a goal, and gets the next one in this cycle unless it is uncertain().
   [[nodiscard]] bool driven() const noexcept { return channel_.hasGoal() && !suspected_; }
-  /// It has missed an answer and was not looked at since: it may have restarted, and then a goal would switch its
+  /// It has missed an answer and was not polled since: it may have restarted, and then a goal would switch its
   /// torque on, wherever it is by now and without a speed limit.
   [[nodiscard]] bool uncertain() const noexcept { return uncertain_; }
   [[nodiscard]] Rad requestedGoal() const noexcept { return requested_goal_; }
@@ -130,13 +130,13 @@ class JointGuard {
   JointChannel channel_;
   Trip trip_ = Trip::kNone;
   bool suspected_ = false, uncertain_ = false;
-  bool has_goal_ = false;      // the servo was seen with it in this cycle
-  bool on_seen_ = false;       // a look has found torque on since it was switched on
+  bool has_goal_ = false;      // a poll in the cycle before found it in the servo
+  bool on_seen_ = false;       // a poll has found torque on since it was switched on
   bool shut_at_once_ = false;  // off again when it was seen with it
-  bool had_limit_ = false;     // of its speed, when it was looked at last
+  bool had_limit_ = false;     // of its speed, when it was polled last
   int refused_ = 0;            // placed goals in a row that the servo was seen without
   bool off_due_ = false;       // torque off has to be sent
-  bool off_ordered_ = false;   // it was; a look that says otherwise means that the write was lost
+  bool off_ordered_ = false;   // it was; a poll that says otherwise means that the write was lost
 };
 
 }  // namespace darwinop::safety

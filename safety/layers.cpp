@@ -1,8 +1,9 @@
 #include "safety/layers.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <stdexcept>
+
+#include "core/text/number_text.hpp"
 
 namespace darwinop::safety {
 namespace {
@@ -35,9 +36,7 @@ struct Merger {
 };
 
 std::string show(const JointRange& range) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.4g, %.4g", range.low.value, range.high.value);
-  return text.data();
+  return text::generalText(range.low.value, 4) + ", " + text::generalText(range.high.value, 4);
 }
 
 void intersect(JointRange& range, const JointRange& with, std::string_view joint, const Layer& robot,

@@ -1,5 +1,5 @@
 // Finds out that a servo has shut itself off, by two witnesses: the error byte of every reply, and the torque
-// registers that are looked at in turn. One witness once is a suspicion, twice a fact.
+// registers that are polled in turn. One witness once is a suspicion, twice a fact.
 #pragma once
 
 #include <cstdint>
@@ -34,9 +34,9 @@ class TripWatch {
       early_ = false;
     else if (seen.motion.fresh())
       early_ = (seen.health.fresh() && seen.torque_limit.value <= 0) || (seen.error_bits & error_bit::kOverload) != 0;
-    if (armed && seen.health.fresh()) noteLook(seen);
+    if (armed && seen.health.fresh()) notePoll(seen);
     if (bits_.on()) return (last_bits_ & error_bit::kOverheat) != 0 ? Verdict::kOverheat : Verdict::kOverload;
-    if (off_.on()) return judgeLook(seen);
+    if (off_.on()) return judgePoll(seen);
     return early_ || bits_.suspected() || off_.suspected() ? Verdict::kSuspected : Verdict::kFine;
   }
   /// A reset was asked: judge by readings from now on.
@@ -53,13 +53,13 @@ class TripWatch {
     if (bits != 0) last_bits_ = bits;
     bits_.update(bits != 0, bits == 0);
   }
-  void noteLook(const JointSensors& seen) noexcept {
+  void notePoll(const JointSensors& seen) noexcept {
     limit_zero_ = seen.torque_limit.value <= 0;
     const bool off = !seen.torque_enabled || limit_zero_;
     off_.update(off, !off);
     was_on_ = was_on_ || !off;
   }
-  [[nodiscard]] Verdict judgeLook(const JointSensors& seen) const noexcept {
+  [[nodiscard]] Verdict judgePoll(const JointSensors& seen) const noexcept {
     // A servo that has restarted was missed before (JointGuard); one that shut itself off goes on answering.
     if (!limit_zero_ && !was_on_) return Verdict::kNotOn;
     return (seen.error_bits & error_bit::kOverheat) != 0 ? Verdict::kOverheat : Verdict::kOverload;

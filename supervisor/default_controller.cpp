@@ -32,7 +32,7 @@ void DefaultController::become(State state, const std::string& text) {
   log("default controller: " + text);
 }
 
-void DefaultController::look(const Sensors& seen, Nanos now) {
+void DefaultController::update(const Sensors& seen, Nanos now) {
   if (safety::latchedFault(seen.safety.active) != Fault::kNone) latched_at_ = now;
   if (state_ == State::kWaiting && now >= not_before_ && ready(seen, now)) begin(now);
   if (state_ == State::kRunning)
@@ -41,7 +41,7 @@ void DefaultController::look(const Sensors& seen, Nanos now) {
   if (state_ == State::kEnding) whileEnding(true, now);
 }
 
-void DefaultController::lookWithoutRuntime(Nanos now) {
+void DefaultController::updateWithoutRuntime(Nanos now) {
   if (state_ == State::kEnding) whileEnding(false, now);
 }
 

@@ -21,9 +21,9 @@ class DefaultController {
   DefaultController(std::string home, const runtime::RuntimeFiles& files);
 
   /// Call while the runtime's loop runs, with its newest image.
-  void look(const Sensors& seen, Nanos now);
+  void update(const Sensors& seen, Nanos now);
   /// Call while there is no loop, so that the controller's end is noticed.
-  void lookWithoutRuntime(Nanos now);
+  void updateWithoutRuntime(Nanos now);
 
   /// Starts to end it; the robot sits down. It stays ended.
   void stop(Nanos now);

@@ -17,19 +17,19 @@ class Heartbeat {
   static constexpr Nanos kShortest{500'000'000};
   /// Maximum time credited per check. If the supervisor itself did not run (the whole machine was stopped), the loop
   /// first gets time to run.
-  static constexpr Nanos kLook{50'000'000};
+  static constexpr Nanos kCheckInterval{50'000'000};
 
   explicit Heartbeat(Nanos period) : patience_{std::max(kShortest, 10 * period)} {}
 
-  /// Call at every check, at least every kLook. Returns false if the counter has not changed for too long.
+  /// Call at every check, at least every kCheckInterval. Returns false if the counter has not changed for too long.
   [[nodiscard]] bool beats(std::uint32_t cycles, Nanos now) {
     if (!any_ || cycles != cycles_)
       silent_ = Nanos{0};
     else
-      silent_ += std::min(now - looked_, kLook);
+      silent_ += std::min(now - checked_, kCheckInterval);
     any_ = true;
     cycles_ = cycles;
-    looked_ = now;
+    checked_ = now;
     return silent_ < patience_;
   }
   [[nodiscard]] Nanos patience() const { return patience_; }
@@ -38,7 +38,7 @@ class Heartbeat {
   Nanos patience_;
   bool any_ = false;
   std::uint32_t cycles_ = 0;
-  Nanos looked_{0}, silent_{0};
+  Nanos checked_{0}, silent_{0};
 };
 
 }  // namespace darwinop::supervisor

@@ -43,6 +43,7 @@ connect::OpenedBus openBus(const RobotSettings& robot) {
 
 }  // namespace
 
+/// Without runtime::DriverSession: it publishes two images and waits for no cycle, so a link would only add code.
 class Rescue::OwnLoop {
  public:
   OwnLoop(const RobotSettings& robot, const runtime::RuntimeFiles& files, bool released)
@@ -51,10 +52,10 @@ class Rescue::OwnLoop {
   OwnLoop(const OwnLoop&) = delete;
   OwnLoop& operator=(const OwnLoop&) = delete;
 
-  RescueWatch::Step look() {
+  RescueWatch::Step update() {
     (void)exchange_.block().sensors.read(seen_);
-    notes_.look(seen_);
-    const RescueWatch::Step step = watch_.look(seen_);
+    notes_.update(seen_);
+    const RescueWatch::Step step = watch_.update(seen_);
     if (step == RescueWatch::Step::kCrouch && !session_ended_) endSession();
     return step;
   }
@@ -77,7 +78,7 @@ class Rescue::OwnLoop {
 
   /// Red lights and no driver; no other process has access to the commands.
   static runtime::Exchange closedExchange(const std::string& path, gid_t group, bool released) {
-    runtime::Exchange exchange = runtime::Exchange::createToLookAt(path, group);
+    runtime::Exchange exchange = runtime::Exchange::createObservable(path, group);
     exchange.ownBlock().closing.store(runtime::ExchangeBlock::kNoControllers);
     exchange.ownBlock().released.store(released ? kSession : 0);
     Commands nobody;
@@ -131,10 +132,10 @@ void Rescue::open(Nanos now) {
   }
 }
 
-Rescue::Step Rescue::look(Nanos now) {
+Rescue::Step Rescue::update(Nanos now) {
   if (!loop_) open(now);
   if (!loop_) return Step::kOpening;
-  switch (loop_->look()) {
+  switch (loop_->update()) {
     case RescueWatch::Step::kHold:
       return Step::kHold;
     case RescueWatch::Step::kCrouch:

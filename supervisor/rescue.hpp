@@ -40,7 +40,7 @@ class Rescue {
   Rescue& operator=(const Rescue&) = delete;
 
   /// Call about every 50 ms. Opening the port may take a second.
-  [[nodiscard]] Step look(Nanos now);
+  [[nodiscard]] Step update(Nanos now);
   /// Error of the last attempt to open the port; empty: open, or not tried yet.
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
   /// The board responds.

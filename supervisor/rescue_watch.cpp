@@ -29,7 +29,7 @@ RescueWatch::RescueWatch(Nanos period, Nanos crouch_at_most)
       settled_{kTwoRounds},
       at_most_{cyclesIn(crouch_at_most, period) + kTwoRounds} {}
 
-RescueWatch::Step RescueWatch::look(const Sensors& seen) noexcept {
+RescueWatch::Step RescueWatch::update(const Sensors& seen) noexcept {
   const std::uint64_t passed = seen.cycle - std::min(last_, seen.cycle);
   last_ = seen.cycle;
   online_ = seen.cycle != 0 && seen.safety.state != State::kOffline;

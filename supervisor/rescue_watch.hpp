@@ -25,7 +25,7 @@ class RescueWatch {
   RescueWatch(Nanos period, Nanos crouch_at_most);
 
   /// Call with successive images. Time without a response of the board does not count.
-  [[nodiscard]] Step look(const Sensors& seen) noexcept;
+  [[nodiscard]] Step update(const Sensors& seen) noexcept;
   /// The board answered in the newest image.
   [[nodiscard]] bool online() const noexcept { return online_; }
 

@@ -16,9 +16,9 @@ void RuntimeChild::attach() {
 }
 
 /// After truncation of the file the last copy stays, with a constant cycle counter: the runtime counts as hung.
-RuntimeChild::State RuntimeChild::look(Nanos now) {
+RuntimeChild::State RuntimeChild::update(Nanos now) {
   if (!exchange_ && !child_.ended()) attach();
-  if (exchange_ && exchange_->look()) (void)exchange_->sensors(seen_);
+  if (exchange_ && exchange_->refresh()) (void)exchange_->sensors(seen_);
   if (child_.ended()) return State::kEnded;  // its last image shows whether the robot is at rest
   if (!exchange_) return State::kStarting;
   if (!heart_) heart_.emplace(Nanos{exchange_->block().info.period_ns});

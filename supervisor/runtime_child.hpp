@@ -22,8 +22,8 @@ class RuntimeChild {
 
   RuntimeChild(const process::Start& start, const runtime::RuntimeFiles& files) : files_{files}, child_{start} {}
 
-  /// Call at least every Heartbeat::kLook.
-  [[nodiscard]] State look(Nanos now);
+  /// Call at least every Heartbeat::kCheckInterval.
+  [[nodiscard]] State update(Nanos now);
   /// It has been ready at some time.
   [[nodiscard]] bool wasUp() const { return heart_.has_value(); }
   [[nodiscard]] const Sensors& sensors() const { return seen_; }

@@ -61,7 +61,7 @@ int Supervisor::run() {
   startRuntime();
   for (;; doze()) {
     now_ = clock_.now();
-    look();
+    update();
     publishStatus();
     if (phase_ == SupervisorPhase::kOver) break;
   }
@@ -69,18 +69,18 @@ int Supervisor::run() {
   return failed_ ? 1 : 0;
 }
 
-void Supervisor::look() {
+void Supervisor::update() {
   take(takeOrders());
-  if (!hasRuntime(phase_)) controller_.lookWithoutRuntime(now_);
+  if (!hasRuntime(phase_)) controller_.updateWithoutRuntime(now_);
   switch (phase_) {
     case SupervisorPhase::kRuntime:
     case SupervisorPhase::kStopping:
-      return lookAtRuntime();
+      return updateRuntime();
     case SupervisorPhase::kBackOff:
       if (now_ >= next_start_) startRuntime();
       return;
     case SupervisorPhase::kRescue:
-      return lookAtRescue();
+      return updateRescue();
     case SupervisorPhase::kDown:
       if (stop_asked_ && controller_.over()) phase_ = next(phase_, PhaseEvent::kAllEnded);
       return;

@@ -41,15 +41,15 @@ class Supervisor {
   static constexpr Nanos kFirstWait{2'000'000'000};         // before a failed start is retried
   static constexpr Nanos kTimeToReachRobot{5'000'000'000};  // limit for a rescue after a stop command
 
-  void look();
+  void update();
   void take(const Orders& orders);
   void startRuntime();
   void backOff(const std::string& why);
-  void lookAtRuntime();
+  void updateRuntime();
   void onRuntimeEnd(const process::Ending& ending);
   void endRuntime();
   void rescue(const std::string& why);
-  void lookAtRescue();
+  void updateRescue();
   void onRest(Rescue::Step step);
   void onEvent(PhaseEvent event, const std::string& text);
   void show(const std::string& text);

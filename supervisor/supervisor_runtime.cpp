@@ -51,8 +51,8 @@ void Supervisor::backOff(const std::string& why) {
   if (phase_ != SupervisorPhase::kBackOff || state_text_ != why) onEvent(PhaseEvent::kStartFailed, why);
 }
 
-void Supervisor::lookAtRuntime() {
-  const RuntimeChild::State state = runtime_->look(now_);
+void Supervisor::updateRuntime() {
+  const RuntimeChild::State state = runtime_->update(now_);
   if (state == RuntimeChild::State::kEnded) return onRuntimeEnd(*runtime_->process().ended());
   if (state == RuntimeChild::State::kSilent && kill_at_ != Nanos{0}) kill_at_ = std::min(kill_at_, now_ + kLastMoment);
   if (state == RuntimeChild::State::kSilent && kill_at_ == Nanos{0})
@@ -60,9 +60,9 @@ void Supervisor::lookAtRuntime() {
   if (state != RuntimeChild::State::kStarting) {
     if (phase_ == SupervisorPhase::kRuntime && state_text_ != kReady) show(kReady);
     start_wait_ = kFirstWait;
-    controller_.look(runtime_->sensors(), now_);
+    controller_.update(runtime_->sensors(), now_);
   } else {
-    controller_.lookWithoutRuntime(now_);
+    controller_.updateWithoutRuntime(now_);
   }
   if (phase_ == SupervisorPhase::kStopping && controller_.over()) endRuntime();
 }
@@ -101,9 +101,9 @@ void Supervisor::rescue(const std::string& why) {
   rescue_ = std::make_unique<Rescue>(settings_, files_, safety::keptLimp(runtime_->sensors().safety.active));
 }
 
-void Supervisor::lookAtRescue() {
+void Supervisor::updateRescue() {
   (void)runtime_->process().ended();  // reaped: this releases the port and its lock
-  const Rescue::Step step = rescue_->look(now_);
+  const Rescue::Step step = rescue_->update(now_);
   if (!rescue_->obstacle().empty()) once_.log("rescue: cannot reach the robot, retrying: " + rescue_->obstacle());
   if (step == Rescue::Step::kAtRest || step == Rescue::Step::kStiff) return onRest(step);
   if (rescue_->online()) stop_rescue_at_ = now_ + kTimeToReachRobot;

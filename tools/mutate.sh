@@ -63,16 +63,16 @@ moved before torque is seen	safety/joint_guard.hpp	s/if \(uncertain_ \|\| !on_se
 torque on while suspected	safety/joint_guard.hpp	s/ && has_goal_ && !suspected_/ \&\& has_goal_/
 torque on without the goal seen	safety/joint_guard.hpp	s/channel_.placed\(\) && has_goal_ &&/channel_.placed() \&\&/
 speed limit of the controller counts when safety moves	safety/joint_guard.hpp	s/if \(by_itself\)/if (by_itself \&\& limp_)/
-torque seen by any look	safety/joint_guard.cpp	s/looked && seen.torque_enabled\) on_seen_/looked) on_seen_/
+torque seen by any poll	safety/joint_guard.cpp	s/polled && seen.torque_enabled\) on_seen_/polled) on_seen_/
 torque seen survives torque on	safety/joint_guard.cpp	s/^  on_seen_ = false;//
 never uncertain	safety/joint_guard.cpp	s/^    uncertain_ = true;/    uncertain_ = false;/
-certain without a look	safety/joint_guard.cpp	s/^  else if \(looked\)$/  else/
+certain without a poll	safety/joint_guard.cpp	s/^  else if \(polled\)$/  else/
 restart not seen by speed limit 0	safety/joint_guard.cpp	s/seen.speed_limit.value <= 0 \|\| \(off/false || (off/
 restart not seen by torque off	safety/joint_guard.cpp	s/\(off && never_on && channel_.moving\(\)\)/(off \&\& never_on \&\& channel_.out())/
 placed joint stays when uncertain	safety/joint_guard.cpp	s/restarted \|\| doubtful \|\|/restarted || (doubtful \&\& off) ||/
 old reading keeps its goal	safety/joint_guard.cpp	s/seen.motion.age > kAnswerPatience/seen.motion.age > 100 * kAnswerPatience/
-late goal of a stalled board stays	safety/joint_guard.cpp	s/(looked && uncertain_ && had_limit_ .*)orderOff\(\)/\1off_due_ = off_due_/
-late goal: torque off for any missed answer	safety/joint_guard.cpp	s/looked && uncertain_ && had_limit_ &&/looked \&\& uncertain_ \&\&/
+late goal of a stalled board stays	safety/joint_guard.cpp	s/(polled && uncertain_ && had_limit_ .*)orderOff\(\)/\1off_due_ = off_due_/
+late goal: torque off for any missed answer	safety/joint_guard.cpp	s/polled && uncertain_ && had_limit_ &&/polled \&\& uncertain_ \&\&/
 goal in place within 1 to 100 ticks	safety/joint_guard.cpp	s/(kTolerance = )kRadPerTick/\1100 * kRadPerTick/
 placed at any speed limit	safety/joint_guard.cpp	s/<= config_.gentle_speed \+ kSpeedTolerance/<= 1000 * kSpeedTolerance/
 placed without a speed limit	safety/joint_guard.cpp	s/&& seen.speed_limit.value > 0 &&$/\&\&/
@@ -82,7 +82,7 @@ shut off at once: torque on	safety/joint_guard.cpp	s/has_goal_ = took && !shut/h
 cleared suspicion keeps its goal	safety/joint_guard.cpp	s/was_suspected && !suspected_\) restart/was_suspected \&\& absent_) restart/
 lost servo keeps its goal	safety/joint_guard.cpp	s/watch_.lost\(\) \|\| given_up\) restart/false) restart/
 lost torque off is not repeated	safety/joint_guard.cpp	s/(if \(off_ordered_ .*\)) orderOff\(\)/\1 off_due_ = off_due_/
-old looks count after torque off	safety/joint_guard.cpp	s/if \(!off_ordered_\) stiff_ = torque_known_ = false;//
+old polls count after torque off	safety/joint_guard.cpp	s/if \(!off_ordered_\) stiff_ = torque_known_ = false;//
 torque off and on does not reset a trip	safety/joint_guard.cpp	s/if \(on && limp_\) resetTrip/if (on \&\& limp_ \&\& absent_) resetTrip/
 tripped joint stays engaged	safety/joint_guard.cpp	s/ \|\| limp_ \|\| trip_ != Trip::kNone\)/ || limp_)/
 limp joint stays engaged	safety/joint_guard.cpp	s/ \|\| limp_ \|\| trip_ != Trip::kNone\)/ || trip_ != Trip::kNone)/
@@ -94,8 +94,8 @@ stuck encoder when pushed one way	safety/encoder_watch.hpp	s/std::min\(up_, down
 one reading confirms	safety/debounce.hpp	s/if \(set_ == 2\)/if (set_ == 1)/
 one reading clears	safety/debounce.hpp	s/if \(clear_ == 2\)/if (clear_ == 1)/
 rest 1 s to 0	safety/guard_states.cpp	s/(kRest\{std::chrono::seconds\{)1/\10/
-round of looks 25 to 1	safety/guard_states.cpp	s/(kLookRound = )kJoints \+ 5/\11/
-found limp before all are looked at	safety/guard_states.cpp	s/!anyStiff\(\) && \(allKnown\(\) \|\| !board_.powered\(\)\)/!anyStiff()/
+round of polls 25 to 1	safety/guard_states.cpp	s/(kPollRound = )kJoints \+ 5/\11/
+found limp before all are polled	safety/guard_states.cpp	s/!anyStiff\(\) && \(allKnown\(\) \|\| !board_.powered\(\)\)/!anyStiff()/
 kneel broken off when the controller ends	safety/guard_states.cpp	s/!driver_.ended\(\) \|\| state_ == State::kKneeling/!driver_.ended()/
 taken over without waiting for the others	safety/guard_states.cpp	s/ranges::all_of\(joints_, settled\) && some\)/ranges::any_of(joints_, settled) \&\& some)/
 takeover waits for ever	safety/guard_states.cpp	s/const bool waited = taking_over_for_ >=/const bool waited = taking_over_for_ > 1000 */
@@ -105,7 +105,7 @@ torque on to a board that does not answer	safety/guard.cpp	s/if \(answers\) safe
 goals move on while the board is silent	safety/guard.cpp	s/else if \(answers\)$/else/
 hot servos are not slow	safety/guard.cpp	s/by_itself \|\| faults_.slow\(\)/by_itself/
 safety's own moves are not slow	safety/guard.cpp	s/by_itself \|\| faults_.slow\(\)/by_itself \&\& faults_.slow()/
-uncertain joint is not held	safety/guard.cpp	s/if \(answers\) safe.held_ &=/if (!answers) safe.held_ \&=/
+uncertain joint is not held	safety/guard.cpp	s/if \(answers\) safe.skipped_ &=/if (!answers) safe.skipped_ \&=/
 joints of a pose arrive one by one	safety/guard.cpp	s/if \(!movesByItself\(\)\) return shares;/return shares;/
 an old image is a sign of life	safety/driver_watch.hpp	s/asked.sequence > sequence_\)/asked.sequence >= sequence_)/
 unattended session resets faults	safety/driver_watch.hpp	s/by_driver && !asked.unattended/by_driver/

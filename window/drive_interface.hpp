@@ -10,6 +10,7 @@
 #include "core/joints.hpp"
 #include "core/units.hpp"
 #include "managers/gait/stride.hpp"
+#include "window/drive_states.hpp"
 
 namespace darwinop::window {
 
@@ -40,10 +41,9 @@ struct DriveStatus {
 /// Called by one thread; no call blocks.
 class DriveInterface {
  public:
-  enum class State : std::uint8_t { kFree, kStarting, kDriving, kEnding };
   struct Report {
-    State state = State::kFree;
-    std::string why{};  // kFree: why the last session ended or did not start; empty: on request
+    DriveState state = DriveState::kFree;
+    std::string why{};  // why the session ends, or the last one ended or did not start; empty: on request
     DriveStatus status{};
   };
 

@@ -47,8 +47,7 @@ void DriveSession::received(web::Channel& channel, std::string_view message, boo
 }
 
 void DriveSession::take(web::Channel& channel) {
-  const DriveInterface::State state = drive_.report().state;
-  if (state != DriveInterface::State::kFree)
+  if (drive_.report().state != DriveState::kFree)
     return sendDriving(channel, false, "the previous session is still coming to rest; try again");
   driver_ = &channel;
   is_driving_ = false;
@@ -61,9 +60,9 @@ void DriveSession::take(web::Channel& channel) {
 void DriveSession::update() {
   if (driver_ == nullptr) return;
   const DriveInterface::Report report = drive_.report();
-  if (report.state == DriveInterface::State::kFree || (is_driving_ && report.state == DriveInterface::State::kEnding))
+  if (report.state == DriveState::kFree || (is_driving_ && report.state != DriveState::kDriving))
     return release(report.why);
-  if (!is_driving_ && report.state == DriveInterface::State::kDriving) {
+  if (!is_driving_ && report.state == DriveState::kDriving) {
     is_driving_ = true;
     last_heartbeat_ = clock_();  // the page did not have to send heartbeats so far
     sendDriving(*driver_, true, "");

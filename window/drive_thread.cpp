@@ -3,23 +3,17 @@
 
 #include <exception>
 #include <stdexcept>
-#include <utility>
 
+#include "window/drive_timers.hpp"
 #include "window/motion_planner.hpp"
 
 namespace darwinop::window {
 namespace {
 
 constexpr const char* kNoRequests = "the window's program did not respond for 0.8 s. The robot holds.";
-
-constexpr bool kStartWhereItIs = true;  // no move to the start pose before a limb is dragged
-constexpr double kSettleMs = 300;       // ms after the last step, so that joints arrive before they are held
-constexpr double kLongestEndMs = 6000;  // ms for the last steps and the stance; then the robot is held in any case
+constexpr const char* kNoTorque = "torque did not come on; check the servo power switch and the Faults tab";
 
 }  // namespace
-
-DriveThread::DriveThread(remote::LinkPort::Connect connect, const motion::PageFile& pages)
-    : port_{remote::LinkPort::Home::kDaemon, std::move(connect), kStartWhereItIs}, pages_{&pages} {}
 
 DriveThread::~DriveThread() {
   finish();
@@ -28,13 +22,18 @@ DriveThread::~DriveThread() {
 
 void DriveThread::start() {
   if (thread_.joinable()) thread_.join();  // kFree: the thread has ended
-  stop_ = false;
   const std::scoped_lock lock{mutex_};
   requests_ = {};
-  finishing_ = timed_out_ = false;
-  report_ = {.state = State::kStarting};
-  last_request_ = clock_.now();
-  thread_ = std::thread{[this] { drive(); }};
+  report_ = {};
+  handleLocked(DriveEvent::kStartAsked, {});
+  thread_ = std::thread{[this] {
+    try {
+      driveSession();
+      handle(DriveEvent::kReleased);
+    } catch (const std::exception& error) {
+      handle(DriveEvent::kReleased, error.what());
+    }
+  }};
 }
 
 void DriveThread::request(const DriveRequests& requests) {
@@ -43,91 +42,68 @@ void DriveThread::request(const DriveRequests& requests) {
   last_request_ = clock_.now();
 }
 
-void DriveThread::stop() {
-  stop_ = true;
-  finish();
-}
-
-void DriveThread::finish() {
-  const std::scoped_lock lock{mutex_};
-  finishing_ = true;
-  if (report_.state != State::kFree) report_.state = State::kEnding;
-}
-
 DriveInterface::Report DriveThread::report() {
   const std::scoped_lock lock{mutex_};
   return report_;
 }
 
-void DriveThread::setState(State state, const std::string& why) {
+void DriveThread::handle(DriveEvent event, const std::string& why) {
   const std::scoped_lock lock{mutex_};
-  report_ = {.state = state, .why = why};
+  handleLocked(event, why);
+}
+
+void DriveThread::handleLocked(DriveEvent event, const std::string& why) {
+  const DriveState after = next(report_.state, event);
+  if (after != report_.state && !why.empty()) report_.why = why;
+  report_.state = after;
+  if (event == DriveEvent::kTorqueOn) last_request_ = clock_.now();  // requests were not required so far
 }
 
 std::optional<DriveRequests> DriveThread::takeRequests() {
   const std::scoped_lock lock{mutex_};
-  if (stop_) return std::nullopt;
-  if (report_.state == State::kDriving && clock_.now() - last_request_ > kRequestTimeout) {
-    finishing_ = timed_out_ = true;
-    report_.state = State::kEnding;
-    report_.why = kNoRequests;
-  }
-  if (finishing_) return DriveRequests{};  // request nothing: stand
-  DriveRequests now = requests_;
+  if (clock_.now() - last_request_ > kRequestTimeout) handleLocked(DriveEvent::kRequestsMissed, kNoRequests);
+  if (report_.state == DriveState::kHolding) return std::nullopt;
+  if (report_.state == DriveState::kEnding) return DriveRequests{};  // request nothing: stand
+  const DriveRequests now = requests_;
   requests_.clearOneTime();
   return now;
 }
 
-void DriveThread::drive() {
+/// Throws std::runtime_error if there is no session to drive.
+void DriveThread::driveSession() {
+  runtime::DriverSession session{connect_()};
+  session.start();
+  Commands commands{};
+  commands.start_where_it_is = true;  // no move to the start pose before a limb is dragged
   try {
-    port_.startSession(remote::SessionStart::kNew);
+    runCycles(session, commands);
   } catch (const std::exception& error) {
-    return setState(State::kFree, error.what());
+    handle(DriveEvent::kFailed, error.what());
   }
-  std::string why;
-  try {
-    runCycles();
-  } catch (const std::exception& error) {
-    why = error.what();
-  }
-  port_.hold();
-  setState(State::kFree, why.empty() && timed_out_ ? kNoRequests : why);
-}
-
-/// Whether the robot is driven by now. The heartbeat is required from then on.
-bool DriveThread::checkDriven(const Sensors& seen) {
-  if (seen.cycle < port_.firstSessionCycle() || seen.safety.state != darwinop::State::kDriven) return false;
-  const std::scoped_lock lock{mutex_};
-  if (!finishing_) report_.state = State::kDriving;
-  last_request_ = clock_.now();
-  return true;
+  session.hold(commands);
 }
 
 /// Throws std::runtime_error with the reason if the robot ends the session.
-void DriveThread::runCycles() {
+void DriveThread::runCycles(runtime::DriverSession& session, Commands& commands) {
   MotionPlanner planner{*pages_};
-  std::uint64_t cycle = port_.sensors().cycle;
-  double ending_ms = 0, settling_ms = 0, takeover_ms = 0;
-  bool driving = false;
+  DriveTimers timers;
+  std::uint64_t cycle = session.sensors().cycle;
   while (const std::optional<DriveRequests> requests = takeRequests()) {
-    const Sensors seen = port_.sensors();
+    const Sensors seen = session.sensors();
     const double ms = static_cast<double>(static_cast<std::int64_t>(seen.cycle - cycle) * seen.period_ns) * 1e-6;
     cycle = seen.cycle;
-    driving = driving || checkDriven(seen);
-    if (!driving && (takeover_ms += ms) > kTakeoverTimeoutMs)
-      throw std::runtime_error("torque did not come on; check the servo power switch and the Faults tab");
-    port_.publish(planner.plan(*requests, seen, ms));
-    bool finishing = false;
+    commands.joint = planner.plan(*requests, seen, ms).joint;
+    session.publish(commands);
     {
       const std::scoped_lock lock{mutex_};
       report_.status = planner.status();
-      finishing = finishing_;
+      const auto event = timers.advance(report_.state, session.drives(seen), planner.status().walks, ms);
+      if (event) handleLocked(*event, event == DriveEvent::kFailed ? kNoTorque : "");
+      if (report_.state == DriveState::kHolding) return;
     }
-    if (planner.status().walks) settling_ms = kSettleMs;
-    if (finishing && ((!planner.status().walks && (settling_ms -= ms) <= 0) || (ending_ms += ms) > kLongestEndMs))
-      return;
-    port_.waitForNextCycle();
-    if (const std::string why = port_.endReason(); !why.empty()) throw std::runtime_error(why);
+    const bool loop_runs = session.waitForCycle(cycle + 1);
+    if (const std::string why = session.faultEnd(session.sensors()); !why.empty()) throw std::runtime_error(why);
+    if (!loop_runs) throw std::runtime_error(session.link().whyEnded());
   }
 }
 

@@ -1,26 +1,29 @@
 // Drives the robot from its own thread, once per cycle like a controller, independent of the page's timing.
 #pragma once
 
-#include <atomic>
+#include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "managers/motion/page_file.hpp"
-#include "remote/robot/link_port.hpp"
+#include "runtime/clock.hpp"
+#include "runtime/driver_session.hpp"
 #include "window/drive_interface.hpp"
 
 namespace darwinop::window {
 
 class DriveThread final : public DriveInterface {
  public:
+  /// Acquires the lease and may block; throws std::runtime_error on failure.
+  using Connect = std::function<std::unique_ptr<runtime::RobotLink>()>;
   /// Without a request for this time the web server's thread hangs. Longer than the page's heartbeat timeout.
   static constexpr Nanos kRequestTimeout{800'000'000};
-  /// Timeout for torque to come on.
-  static constexpr double kTakeoverTimeoutMs = 30'000;  // ms
 
-  /// `connect` takes the lease and may block; it throws std::runtime_error on failure.
-  DriveThread(remote::LinkPort::Connect connect, const motion::PageFile& pages);
+  /// `pages` must outlive it.
+  DriveThread(Connect connect, const motion::PageFile& pages) : connect_{std::move(connect)}, pages_{&pages} {}
   /// Ends an open session.
   ~DriveThread() override;
   DriveThread(const DriveThread&) = delete;
@@ -28,27 +31,25 @@ class DriveThread final : public DriveInterface {
 
   void start() override;
   void request(const DriveRequests& requests) override;
-  void stop() override;
-  void finish() override;
+  void stop() override { handle(DriveEvent::kStopAsked); }
+  void finish() override { handle(DriveEvent::kFinishAsked); }
   [[nodiscard]] Report report() override;
 
  private:
-  void drive();
-  void runCycles();
-  [[nodiscard]] bool checkDriven(const Sensors& seen);
-  void setState(State state, const std::string& why);
-  /// Nullopt: stop.
+  void driveSession();
+  void runCycles(runtime::DriverSession& session, Commands& commands);
+  /// The requests of this cycle. Nullopt: hold.
   [[nodiscard]] std::optional<DriveRequests> takeRequests();
+  /// `why` is reported if the event changes the state.
+  void handle(DriveEvent event, const std::string& why = {});
+  void handleLocked(DriveEvent event, const std::string& why);
 
-  remote::LinkPort port_;  // used by the thread while it runs
+  Connect connect_;
   const motion::PageFile* pages_;
   runtime::MonotonicClock clock_;
-  std::atomic<bool> stop_{false};
   std::mutex mutex_;  // guards the members below
   DriveRequests requests_{};
   Report report_{};
-  bool finishing_ = false;
-  bool timed_out_ = false;
   Nanos last_request_{0};
   std::thread thread_;
 };

@@ -9,10 +9,11 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <utility>
+
+#include "hal/text_file.hpp"
 
 namespace darwinop::window {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} * 1024;
+constexpr std::size_t kLargestFile = std::size_t{256} * 1024;
 
 /// Parses the file; returns an error text or an empty string.
 std::string takeAll(const std::string& text, Remembered& all) {
@@ -85,18 +86,16 @@ void RememberedFile::forget(const RobotAddress& robot) {
   write();
 }
 
-void RememberedFile::read() {
+void RememberedFile::read() try {
   error_.clear();
   std::error_code unknown;
   if (file_.empty() || !fs::exists(file_, unknown)) return;
-  const bool small = fs::is_regular_file(file_, unknown) && fs::file_size(file_, unknown) <= kLargestFile;
-  std::ifstream in;
-  if (small) in.open(file_, std::ios::binary);  // opening a pipe would wait for its writer
-  if (!in.is_open()) return moveAside("not a regular file of at most 256 kB, or not readable");
   Remembered found;
-  const std::string why = takeAll({std::istreambuf_iterator<char>{in}, {}}, found);
+  const std::string why = takeAll(readTextFile(file_, kLargestFile).value_or(""), found);
   if (!why.empty()) return moveAside(why);
   all_ = std::move(found);
+} catch (const std::runtime_error& error) {
+  moveAside(error.what());
 }
 
 /// Keeps an invalid file so that the user can repair it.

@@ -28,7 +28,7 @@ class RememberedFile {
   /// Last error of reading or writing the file, for the user; empty: none.
   [[nodiscard]] const std::string& error() const { return error_; }
 
-  /// MotionPlanner robot and controller to the front. `controller`: empty: none.
+  /// Moves robot and controller to the front. `controller`: empty: none.
   void note(const RobotAddress& robot, const std::string& controller);
   /// Removes all entries with this user and address.
   void forget(const RobotAddress& robot);

@@ -1,9 +1,10 @@
-// A number as people write it into files of settings.
+// Numbers from and to text, the same in every locale.
 #pragma once
 
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace darwinop::text {
@@ -15,7 +16,7 @@ constexpr std::string_view withoutBlanks(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-/// The whole text as one finite number, or nothing. The same in every locale.
+/// The whole text as one finite number, or nothing.
 inline std::optional<double> numberFromText(std::string_view text) {
   text = withoutBlanks(text);
   if (text.starts_with('+')) text.remove_prefix(1);
@@ -24,5 +25,12 @@ inline std::optional<double> numberFromText(std::string_view text) {
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
   return value;
 }
+
+/// With `decimals` digits after the point: "%.*f" of printf. NaN is "nan".
+std::string fixedText(double value, int decimals);
+/// With at most `digits` significant digits: "%.*g" of printf.
+std::string generalText(double value, int digits);
+/// The shortest text that reads back as the same number.
+std::string shortestText(double value);
 
 }  // namespace darwinop::text

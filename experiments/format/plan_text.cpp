@@ -1,9 +1,9 @@
 // Formats the plan of an experiment for users.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "core/servo_limits.hpp"
+#include "core/text/number_text.hpp"
 #include "experiments/format/plan.hpp"
 #include "experiments/format/quantity.hpp"
 #include "experiments/format/shape.hpp"
@@ -12,9 +12,7 @@ namespace darwinop::experiments {
 namespace {
 
 std::string angle(double rad) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f", rad);
-  return text;
+  return text::fixedText(rad, 3);
 }
 
 std::string padded(std::string text, std::size_t width) {

@@ -1,7 +1,6 @@
 // Parses numbers with units: "90 deg", "0.5 rad/s". Also suggestions for misspelled words.
 #include "experiments/format/quantity.hpp"
 
-#include <cstdio>
 #include <optional>
 #include <stdexcept>
 
@@ -91,9 +90,7 @@ std::string joined(const std::vector<std::string_view>& words) {
 }
 
 std::string shortText(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+  return text::generalText(value, 4);
 }
 
 }  // namespace darwinop::experiments

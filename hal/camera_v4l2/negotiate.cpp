@@ -4,10 +4,9 @@
 #include <linux/videodev2.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 
 #include "core/camera_sizes.hpp"
+#include "core/text/number_text.hpp"
 #include "hal/camera_v4l2/camera_error.hpp"
 
 namespace darwinop::v4l2 {
@@ -24,12 +23,6 @@ void resetCropping(int fd) {
   static_cast<void>(request(fd, VIDIOC_S_CROP, crop));
 }
 
-std::string oneDecimal(double value) {
-  std::array<char, 32> digits{};
-  return {digits.data(),
-          std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed, 1).ptr};
-}
-
 /// The driver picks the nearest rate for this size. Drivers with a fixed rate lack this call or return 0.
 void askForRate(const Device& device, Size size, const Remark& remark) {
   constexpr unsigned kPicturesPerSecond = 30;
@@ -43,9 +36,9 @@ void askForRate(const Device& device, Size size, const Remark& remark) {
   const double granted = static_cast<double>(interval.denominator) / static_cast<double>(interval.numerator);
   const CameraSize* const usual = cameraSize(size.width, size.height);
   if (usual != nullptr && granted < kClearlySlower * usual->rate_hz)
-    remark(device.path() + " delivers " + oneDecimal(granted) + " pictures/s at " + text(size) +
-           ", the robot's own camera " + oneDecimal(usual->rate_hz) + "; find a faster size with `v4l2-ctl -d " +
-           device.path() + " --list-formats-ext`");
+    remark(device.path() + " delivers " + text::fixedText(granted, 1) + " pictures/s at " + text(size) +
+           ", the robot's own camera " + text::fixedText(usual->rate_hz, 1) +
+           "; find a faster size with `v4l2-ctl -d " + device.path() + " --list-formats-ext`");
 }
 
 /// The fourcc as text, such as "MJPG".

@@ -20,7 +20,7 @@ Cm730Bus::Cm730Bus(ByteLine& line, const BusConfig& config)
     : line_{line},
       config_{config},
       goals_{config.offsets},
-      list_{config.period, config.looks(), config.absent},
+      list_{config.period, config.polls(), config.absent},
       decoder_{config.offsets},
       tag_{config.fixed_block_length} {}
 
@@ -36,7 +36,7 @@ void Cm730Bus::write(const SafeCommands& commands) noexcept {
   led_wanted_ = commands.led();
   power_wanted_ = commands.powerOn();
   Bytes frame = goals_.encode(commands);
-  list_.lookAt(goals_.limitsWentAlone() ? commands.look() | goals_.limitsAlone() : commands.look());
+  list_.requestPolls(goals_.limitsWentAlone() ? commands.poll() | goals_.limitsAlone() : commands.poll());
   if (frame.empty() && locks_due_ > 0 && silent_cycles_ == 0 && list_.servosAreUp()) {
     frame = goals_.encodeLock();  // safety drives nobody in the first cycles after power came on
     --locks_due_;
@@ -90,7 +90,7 @@ std::size_t Cm730Bus::sendRequest(std::span<const ReadList::Entry> list) noexcep
   BulkReadEncoder request{frame_};
   request.add(kBoardId, kBoardWindow.address, tag_.boardBytes());
   for (const ReadList::Entry entry : list) {
-    const Window window = kServoWindows[entry.look];
+    const Window window = kServoWindows[entry.poll];
     request.add(servoId(entry.joint), window.address, window.count);
   }
   send(request.finish());

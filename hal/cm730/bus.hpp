@@ -34,11 +34,11 @@ struct BusConfig {
   static constexpr BusConfig forPeriod(Nanos period, const JointOffsets& offsets = {}) {
     return {period, std::clamp(period - kFullCycle, Nanos{1'000'000}, Nanos{5'000'000}), offsets, {}, false};
   }
-  /// How many servos may be looked at in one cycle: what the period has room for beside a full cycle and a missing
+  /// How many servos may be polled in one cycle: what the period has room for beside a full cycle and a missing
   /// answer, and four in any case.
-  [[nodiscard]] constexpr std::size_t looks() const {
-    constexpr Nanos kLookTime = wireTime(kServoLook.count - kServoWindow.count);
-    const auto room = (period - kFullCycle - margin) / kLookTime;
+  [[nodiscard]] constexpr std::size_t polls() const {
+    constexpr Nanos kPollTime = wireTime(kServoPoll.count - kServoWindow.count);
+    const auto room = (period - kFullCycle - margin) / kPollTime;
     return static_cast<std::size_t>(std::clamp<std::int64_t>(room, 4, kJoints));
   }
 

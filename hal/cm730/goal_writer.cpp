@@ -75,7 +75,7 @@ void GoalWriter::noteLimitSent(std::size_t joint) noexcept {
 }
 
 std::span<const std::uint8_t> GoalWriter::encodeGoals(const SafeCommands& commands) noexcept {
-  const SafeCommands::Mask who = commands.driven() & ~commands.held();
+  const SafeCommands::Mask who = commands.driven() & ~commands.skipped();
   if (who.none()) return {};
   Due due;
   forEachJoint(who, [&](std::size_t i) {
@@ -125,7 +125,7 @@ std::span<const std::uint8_t> GoalWriter::encodeLimits(const SafeCommands::Mask&
   if ((straining & ~had_their_turn_).none()) had_their_turn_.reset();
   limits_alone_.reset();
   forEachJoint(straining & ~had_their_turn_, [this](std::size_t i) {
-    if (limits_alone_.count() < kMostLooks) limits_alone_.set(i);
+    if (limits_alone_.count() < kMostPolls) limits_alone_.set(i);
   });
   had_their_turn_ |= limits_alone_;
   SyncWriteEncoder sync{frame_, kLimit.address, kLimit.bytes};

@@ -22,7 +22,7 @@ namespace darwinop::cm730 {
 /// Writing the torque limit makes a servo forget that it shut itself off, and a goal write switches its torque on
 /// again. Limits are written when a joint enters, and else only when they have changed. A servo shuts itself off after
 /// it has worked at its torque limit for long: while one does, limits go without goals, after kTorqueEvery cycles at
-/// the earliest, and are looked at in the same cycle: the torque of a servo that has shut itself off is still off.
+/// the earliest, and are polled in the same cycle: the torque of a servo that has shut itself off is still off.
 class GoalWriter {
  public:
   explicit GoalWriter(const JointOffsets& offsets = {}) : offsets_{offsets} { forget(); }
@@ -59,8 +59,8 @@ class GoalWriter {
   static constexpr int kWrites = 2;
   /// Longer than an overload bit after torque on is taken for an old one: TripWatch::kGrace at a period of 8 ms.
   static constexpr std::uint32_t kSettled = 48;
-  /// Servos that can be looked at in one cycle in any case: BusConfig::looks().
-  static constexpr std::size_t kMostLooks = 4;
+  /// Servos that can be polled in one cycle in any case: BusConfig::polls().
+  static constexpr std::size_t kMostPolls = 4;
 
   /// Registers that a frame writes: a goal is among them, except in kLimit.
   struct Block {

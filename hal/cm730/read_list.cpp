@@ -17,22 +17,22 @@ constexpr Nanos kBootTime{300'000'000};
 
 }  // namespace
 
-ReadList::ReadList(Nanos period, std::size_t looks, const Mask& absent)
-    : looks_{looks}, absent_{absent}, boot_cycles_{static_cast<std::uint32_t>(kBootTime / period) + 1} {}
+ReadList::ReadList(Nanos period, std::size_t polls, const Mask& absent)
+    : polls_{polls}, absent_{absent}, boot_cycles_{static_cast<std::uint32_t>(kBootTime / period) + 1} {}
 
 std::span<const ReadList::Entry> ReadList::next() noexcept {
   length_ = 0;
   listed_.reset();
-  looked_at_.reset();
+  polled_.reset();
   if (boot_wait_ > 0) return {};
   const Mask asked = ~silent_ & ~absent_, doubtful = tried_ | suspected_, again = asked & missed_;
   append(asked & ~doubtful);
   append(asked & doubtful & ~missed_);
   append(again);
   retries_ += static_cast<std::uint32_t>(again.count());
-  lookInTurn();
+  pollInTurn();
   appendProbe();
-  chooseLooks();
+  choosePolls();
   return {list_.data(), length_};
 }
 
@@ -41,25 +41,25 @@ void ReadList::append(const Mask& joints) noexcept {
   forEachJoint(joints, [this](std::size_t joint) { list_[length_++] = {static_cast<std::uint8_t>(joint), false}; });
 }
 
-void ReadList::chooseLooks() noexcept {
-  if ((due_ & listed_ & ~looked_at_).none()) return;
-  std::size_t left = looks_;
+void ReadList::choosePolls() noexcept {
+  if ((due_ & listed_ & ~polled_).none()) return;
+  std::size_t left = polls_;
   for (std::size_t i = 0; i < length_ && left > 0; ++i) {
-    if (!due_[list_[i].joint] || list_[i].look) continue;
-    list_[i].look = true;
-    looked_at_.set(list_[i].joint);
+    if (!due_[list_[i].joint] || list_[i].poll) continue;
+    list_[i].poll = true;
+    polled_.set(list_[i].joint);
     --left;
   }
 }
 
-void ReadList::lookInTurn() noexcept {
+void ReadList::pollInTurn() noexcept {
   // The next joint in turn that is in the list; a silent one loses its turn.
   for (std::size_t step = 0; step < kJoints && length_ > 0; ++step) {
-    const std::size_t joint = (next_look_ + step) % kJoints;
+    const std::size_t joint = (next_poll_ + step) % kJoints;
     if (!listed_[joint]) continue;
-    std::ranges::find(list_, joint, &Entry::joint)->look = true;
-    looked_at_.set(joint);
-    next_look_ = (joint + 1) % kJoints;
+    std::ranges::find(list_, joint, &Entry::joint)->poll = true;
+    polled_.set(joint);
+    next_poll_ = (joint + 1) % kJoints;
     return;
   }
 }
@@ -81,7 +81,7 @@ void ReadList::appendProbe() noexcept {
 
 void ReadList::answered(const Mask& who) noexcept {
   due_ |= ~who;
-  due_ &= ~(who & looked_at_);
+  due_ &= ~(who & polled_);
   forgive(who & listed_);
   std::size_t last_answer = length_;  // one past the last entry that answered
   while (last_answer > 0 && !who[list_[last_answer - 1].joint]) --last_answer;

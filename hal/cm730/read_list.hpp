@@ -4,7 +4,7 @@
 // The first one that did not answer goes to the end of the next list, where it can hurt only itself; if it stays
 // silent it is left out, and asked again now and then, always last.
 //
-// One servo in turn is looked at whole in each cycle. A servo that has missed an answer is looked at as soon as it is
+// One servo in turn is polled in each cycle. A servo that has missed an answer is polled as soon as it is
 // received again, because it may have restarted, and gets no goals before that. So is one that is about to get torque.
 #pragma once
 
@@ -22,19 +22,19 @@ class ReadList {
  public:
   struct Entry {
     std::uint8_t joint;  // index, 0..19
-    bool look;           // true: read the long window
+    bool poll;           // true: read the long window
   };
   using Mask = std::bitset<kJoints>;
 
-  /// `period` of the loop, for what is counted in cycles but meant in seconds. `looks`: as many long windows at most
+  /// `period` of the loop, for what is counted in cycles but meant in seconds. `polls`: as many long windows at most
   /// are asked for in a cycle besides the one in turn. `absent`: never asked.
-  explicit ReadList(Nanos period, std::size_t looks = kJoints, const Mask& absent = {});
+  explicit ReadList(Nanos period, std::size_t polls = kJoints, const Mask& absent = {});
 
   /// The servos to ask in this cycle, in order. The board is always asked first and is not part of the list.
   std::span<const Entry> next() noexcept;
 
-  /// These are due to be looked at, besides those that have missed an answer.
-  void lookAt(const Mask& who) noexcept { due_ |= who; }
+  /// These are due to be polled, besides those that have missed an answer.
+  void requestPolls(const Mask& who) noexcept { due_ |= who; }
 
   /// What came of the last list. Call only when the board itself answered: otherwise nothing is learnt.
   void answered(const Mask& who) noexcept;
@@ -56,24 +56,24 @@ class ReadList {
  private:
   void append(const Mask& joints) noexcept;
   void appendProbe() noexcept;
-  void chooseLooks() noexcept;
-  void lookInTurn() noexcept;
+  void choosePolls() noexcept;
+  void pollInTurn() noexcept;
   void forgive(const Mask& who) noexcept;
   void blame(std::size_t joint) noexcept;
   void onTrial(std::size_t joint) noexcept;
 
   std::array<Entry, kJoints> list_{};
   std::size_t length_ = 0;
-  std::size_t looks_;
-  Mask listed_, looked_at_;  // in the list, with a long window
+  std::size_t polls_;
+  Mask listed_, polled_;  // in the list, with a long window
   Mask silent_, absent_;
   Mask suspected_;                                 // on the chain of the faulty servo, no answer since
-  Mask due_;                                       // to be looked at: have missed an answer, or were asked for
+  Mask due_;                                       // to be polled: have missed an answer, or were asked for
   Mask missed_;                                    // whose misses_ are not 0
   Mask tried_;                                     // whose on_trial_ is not 0
   std::array<std::uint8_t, kJoints> misses_{};     // in a row, only those the servo is to blame for
   std::array<std::uint16_t, kJoints> on_trial_{};  // cycles it stays at the end after it misbehaved
-  std::size_t next_probe_ = 0, next_look_ = 0;
+  std::size_t next_probe_ = 0, next_poll_ = 0;
   std::uint32_t cycles_to_probe_ = 0;
   bool probe_answered_ = false;
   std::uint32_t boot_cycles_, boot_wait_ = 0;

@@ -57,14 +57,14 @@ void ReplyDecoder::begin(std::span<const ReadList::Entry> list, std::uint8_t boa
 
 std::size_t ReplyDecoder::answerBytes() const noexcept {
   std::size_t bytes = board_bytes_ + kFrameOverhead;
-  for (const ReadList::Entry entry : list_) bytes += kServoWindows[entry.look].frameBytes();
+  for (const ReadList::Entry entry : list_) bytes += kServoWindows[entry.poll].frameBytes();
   return bytes;
 }
 
 std::size_t ReplyDecoder::nextFrameBytes() const noexcept {
   if (!board_answered_) return board_bytes_ + kFrameOverhead;
   if (position_ == list_.size()) return 0;
-  return kServoWindows[list_[position_].look].frameBytes();
+  return kServoWindows[list_[position_].poll].frameBytes();
 }
 
 void ReplyDecoder::withdraw() noexcept {
@@ -72,7 +72,7 @@ void ReplyDecoder::withdraw() noexcept {
   if (last_ == Taken::kServo) {
     const std::uint8_t joint = list_[position_ - 1].joint;
     answered_[joint] = false;
-    readings_->servo[joint].answered = readings_->servo[joint].looked = false;
+    readings_->servo[joint].answered = readings_->servo[joint].polled = false;
   }
   last_ = Taken::kNothing;
 }
@@ -109,13 +109,13 @@ void ReplyDecoder::takeServo(const Frame& frame) noexcept {
     ++late_;
     return;
   }
-  constexpr std::uint8_t kMotion = kServoWindow.address, kLook = kServoLook.address;
+  constexpr std::uint8_t kMotion = kServoWindow.address, kPoll = kServoPoll.address;
   const ReadList::Entry entry = list_[at];
-  if (frame.params.size() != kServoWindows[entry.look].count) {
+  if (frame.params.size() != kServoWindows[entry.poll].count) {
     ++late_;  // not what was asked for
     return;
   }
-  const Bytes motion = frame.params.subspan(entry.look ? kMotion - kLook : 0);
+  const Bytes motion = frame.params.subspan(entry.poll ? kMotion - kPoll : 0);
   const std::uint16_t position = raw<kMotion, kPosition>(motion);
   if (position > kTickMax) {
     ++late_;
@@ -133,12 +133,12 @@ void ReplyDecoder::takeServo(const Frame& frame) noexcept {
   out.velocity = velocity;
   out.load = load;
   out.error_bits = frame.code;
-  if (entry.look) takeLook(joint, frame.params, out);
+  if (entry.poll) takePoll(joint, frame.params, out);
 }
 
-void ReplyDecoder::takeLook(Joint joint, Bytes block, ServoReading& out) const noexcept {
-  constexpr std::uint8_t kFirst = kServoLook.address;
-  out.looked = true;
+void ReplyDecoder::takePoll(Joint joint, Bytes block, ServoReading& out) const noexcept {
+  constexpr std::uint8_t kFirst = kServoPoll.address;
+  out.polled = true;
   out.torque_enabled = raw<kFirst, kTorqueEnable>(block) != 0;
   out.speed_limit = RadPerSec{si<kFirst, kMovingSpeed>(block)};
   out.goal = offsets_.jointAngle(joint, raw<kFirst, kGoal>(block));

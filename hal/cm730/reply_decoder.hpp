@@ -54,7 +54,7 @@ class ReplyDecoder {
   void withdraw() noexcept;
   void takeBoard(const Frame& frame) noexcept;
   void takeServo(const Frame& frame) noexcept;
-  void takeLook(Joint joint, Bytes block, ServoReading& out) const noexcept;
+  void takePoll(Joint joint, Bytes block, ServoReading& out) const noexcept;
 
   JointOffsets offsets_;
   std::span<const ReadList::Entry> list_;

@@ -26,18 +26,18 @@ struct Window {
 // Board: power, LEDs, buttons, gyro, accelerometer, voltage, left microphone.
 inline constexpr Window kBoardWindow{24, 30};  // 24..53
 
-// Servos: position, speed, load in every cycle. Torque limit (34, 35) is left to the look: the error byte that
+// Servos: position, speed, load in every cycle. Torque limit (34, 35) is left to the poll: the error byte that
 // comes with every answer reports a shutdown sooner, and 20 x 2 bytes would cost 0.4 ms of each cycle.
 inline constexpr Window kServoWindow{36, 6};  // 36..41
 
-// One servo a cycle, in turn, is looked at whole: torque enable, gains, goal, limits, motion, voltage,
+// One servo a cycle, in turn, is polled: torque enable, gains, goal, limits, motion, voltage,
 // temperature. 14 bytes more: 0.14 ms; twenty servos take 0.32 s at 16 ms.
-inline constexpr Window kServoLook{24, 20};  // 24..43
+inline constexpr Window kServoPoll{24, 20};  // 24..43
 
-/// What is read of a servo, by whether it is looked at.
-inline constexpr std::array<Window, 2> kServoWindows{kServoWindow, kServoLook};
+/// What is read of a servo, by whether it is polled.
+inline constexpr std::array<Window, 2> kServoWindows{kServoWindow, kServoPoll};
 
 static_assert(kServoWindow.address == servo::kPresentPosition);
-static_assert(kServoLook.address + kServoLook.count == servo::kPresentTemperature + 1);
+static_assert(kServoPoll.address + kServoPoll.count == servo::kPresentTemperature + 1);
 
 }  // namespace darwinop::cm730

@@ -2,8 +2,6 @@
 #include "managers/gait/walking_config.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <optional>
 #include <stdexcept>
 
@@ -18,13 +16,6 @@ namespace {
 
 // Value that means "absent" in files of 2013.
 constexpr double kAbsent = -1024;
-
-/// "0.1", not "0.100000".
-std::string shortText(double value) {
-  std::array<char, 32> digits{};
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return error == std::errc{} ? std::string{digits.data(), end} : std::to_string(value);
-}
 
 class WalkingConfigReader final : public text::IniReader {
  public:
@@ -53,8 +44,8 @@ class WalkingConfigReader final : public text::IniReader {
     if (number && *number == kAbsent) return;
     if (!number || !(*number >= row->low && *number <= row->high))
       throw std::runtime_error(std::string{key} + " = " + std::string{value} + ": give a number from " +
-                               shortText(row->low) + " to " + shortText(row->high) + " (" + std::string{row->unit} +
-                               ")");
+                               text::shortestText(row->low) + " to " + text::shortestText(row->high) + " (" +
+                               std::string{row->unit} + ")");
     config_.parameters.*row->field = *number;
     if ((name == "i_gain" || name == "d_gain") && *number != 0)
       warn(line, "key \"" + name + "\" has no effect on this robot; only p_gain has");

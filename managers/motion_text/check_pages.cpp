@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/conversions.hpp"
+#include "core/text/number_text.hpp"
 #include "managers/motion_text/dry_run.hpp"
 #include "managers/motion_text/values.hpp"
 
@@ -20,7 +21,7 @@ constexpr int kMaxTicksWithoutMotion = 2;
 constexpr int kJump = 12;  // ticks, 1.05 degrees: minimum for a finding
 
 std::string degrees(int ticks) {
-  return fixed((ticks - kTickCentre) * kDegreesPerTick, 2);
+  return text::fixedText((ticks - kTickCentre) * kDegreesPerTick, 2);
 }
 
 std::string at(std::size_t page, std::size_t step, std::size_t joint) {
@@ -106,9 +107,9 @@ class Check {
       for (std::size_t i = 0; i < kJoints; ++i) {
         const double distance = move.distance.at(i) * kDegreesPerTick;
         if (distance * kRadPerDegree / seconds <= kMaxVelocity) continue;
-        keep(at(static_cast<std::size_t>(move.page), move.step, i) + fixed(distance, 2) + " degrees in " +
-             fixed(seconds, 3) + " s are " + fixed(distance / seconds, 0) + " degrees/s; the servo's maximum is " +
-             fixed(kMaxVelocity / kRadPerDegree, 0) + before);
+        keep(at(static_cast<std::size_t>(move.page), move.step, i) + text::fixedText(distance, 2) + " degrees in " +
+             text::fixedText(seconds, 3) + " s are " + text::fixedText(distance / seconds, 0) +
+             " degrees/s; the servo's maximum is " + text::fixedText(kMaxVelocity / kRadPerDegree, 0) + before);
       }
     }
   }
@@ -117,8 +118,8 @@ class Check {
     if (move.ticks > kMaxTicksWithoutMotion || *farthest < kJump) return;
     keep(
         at(static_cast<std::size_t>(move.page), move.step, static_cast<std::size_t>(farthest - move.distance.begin())) +
-        "the goal jumps by " + fixed(*farthest * kDegreesPerTick, 2) + " degrees: " + fixed(seconds, 3) +
-        " s are too short for a motion" + before);
+        "the goal jumps by " + text::fixedText(*farthest * kDegreesPerTick, 2) +
+        " degrees: " + text::fixedText(seconds, 3) + " s are too short for a motion" + before);
   }
   /// Without duplicates: a page that repeats reaches its first step twice.
   void keep(const std::string& finding) {

@@ -1,7 +1,6 @@
 // Converts values of a page to and from text.
 #include "managers/motion_text/values.hpp"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -46,16 +45,10 @@ std::optional<int> nearest(std::string_view text, double unit, double zero, int 
 
 }  // namespace
 
-std::string fixed(double value, int digits) {
-  std::array<char, 64> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, digits).ptr;
-  return {text.data(), end};
-}
-
 std::string angleText(std::uint16_t word) {
   if (word == kUnusedWord) return "keep";
   if (word > kTickMax) return "0x" + hexText(word, 4);
-  return fixed((word - kTickCentre) * kDegreesPerTick, 2);
+  return text::fixedText((word - kTickCentre) * kDegreesPerTick, 2);
 }
 
 std::optional<std::uint16_t> angleFromText(std::string_view text) {
@@ -67,7 +60,7 @@ std::optional<std::uint16_t> angleFromText(std::string_view text) {
 }
 
 std::string secondsText(std::uint8_t units) {
-  return fixed(units * kSecondsPerUnit, 3);
+  return text::fixedText(units * kSecondsPerUnit, 3);
 }
 
 std::optional<std::uint8_t> secondsFromText(std::string_view text) {

@@ -11,9 +11,6 @@ namespace darwinop::motion {
 inline constexpr double kSecondsPerUnit = 0.008;  // of times, pauses and the acceleration
 inline constexpr double kDegreesPerTick = 360.0 / 4096.0;
 
-/// Fixed-point text, independent of the locale.
-[[nodiscard]] std::string fixed(double value, int digits);
-
 /// Ticks as degrees with two digits, which round back to the same tick. "keep" is the vendor's word for a joint that is
 /// not part of a step; any other word is hexadecimal: 0x4000.
 [[nodiscard]] std::string angleText(std::uint16_t word);

@@ -57,11 +57,11 @@ bool Connection::wait(Nanos longest) {
   const timespec time{static_cast<time_t>(whole.count()), static_cast<long>((longest - whole).count())};
   const int ready = ppoll(&place, state_ == State::kClosed ? 0 : 1, &time, nullptr);
   if (ready < 0) return errno != EINTR;
-  if (ready > 0) look(place.revents);
+  if (ready > 0) handle(place.revents);
   return true;
 }
 
-void Connection::look(short events) {
+void Connection::handle(short events) {
   if (state_ == State::kConnecting) {
     int error = 0;
     socklen_t size = sizeof error;

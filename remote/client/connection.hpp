@@ -36,7 +36,7 @@ class Connection {
   [[nodiscard]] std::optional<Reply> reply();
 
  private:
-  void look(short events);
+  void handle(short events);
   void flush();
   void receive();
 

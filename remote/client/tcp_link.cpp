@@ -151,7 +151,7 @@ void TcpLink::takeImage(const ReplyExtension& extension, bool first) {
   image_at_ = clock_.now();
   shown_ = image_;
   was_driven_ = was_driven_ || drives(image_.safety.state);
-  faults_.look(image_);
+  faults_.update(image_);
 }
 
 /// Age of a reply that was buffered, for example while the controller was stopped, in cycles. Delays within the grace

@@ -2,7 +2,6 @@
 #include "remote/robot/link_port.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/counts.hpp"
 #include "remote/protocol/units.hpp"
@@ -10,10 +9,8 @@
 namespace darwinop::remote {
 namespace {
 
-constexpr Nanos kDeadLoop{1'000'000'000};     // without a cycle: the loop counts as dead; longer than any period
-constexpr Nanos kLongestStep{500'000'000};    // between two requests; the lease is given back after that
-constexpr double kAtRest = 0.1;               // rad: maximum distance of a joint at rest from its goal, under any load
-constexpr std::uint32_t kMaxPositionAge = 3;  // cycles: an older position may be far off
+constexpr Nanos kDeadLoop{1'000'000'000};   // without a cycle: the loop counts as dead; longer than any period
+constexpr Nanos kLongestStep{500'000'000};  // between two requests; the lease is given back after that
 
 /// Value in the panel's register.
 std::uint8_t panelBit(Led led) {
@@ -72,13 +69,6 @@ void LinkPort::apply(const Request& request) {
     simulate();
 }
 
-void LinkPort::publish(const Commands& commands) {
-  commands_.joint = commands.joint;
-  commands_.led = commands.led;
-  session_->publish(commands_);
-  if (!session_->link().realTime()) simulate();
-}
-
 void LinkPort::applyMotor(const MotorSetting& setting) {
   using M = MotorSetting;
   goals::MotorControl& motor = motors_[index(setting.joint)];
@@ -118,10 +108,6 @@ void LinkPort::simulateUntil(std::uint64_t cycle) {
   if (cycle > now) (void)session_->waitForCycle(std::min(cycle, now + most));
 }
 
-void LinkPort::waitForNextCycle() {
-  (void)session_->waitForCycle(session_->sensors().cycle + 1);
-}
-
 std::string LinkPort::endReason() {
   const Sensors seen = session_->sensors();
   const Nanos now = clock_.now();
@@ -137,10 +123,6 @@ std::string LinkPort::endReason() {
 }
 
 void LinkPort::hold() noexcept {
-  const Sensors seen = session_->sensors();
-  for (std::size_t i = 0; i < kJoints; ++i)
-    if (const Rad rest = holdPosition(seen, i); rest.known()) commands_.joint[i].setGoal(rest);
-  // Safety holds a silent driver only after stall_ms, and lets a slow joint continue to its goal; this holds at once.
   session_->hold(commands_);
   if (home_ == Home::kDaemon) session_.reset();
 }
@@ -164,16 +146,6 @@ void LinkPort::endAbandonedSession() noexcept try {
 void LinkPort::endSession() noexcept {
   session_->end(commands_);
   if (home_ == Home::kDaemon) session_.reset();  // the link's destructor ends the session once more
-}
-
-/// Position at which to hold a joint; unknown if it has no goal.
-Rad LinkPort::holdPosition(const Sensors& seen, std::size_t joint) const {
-  const JointSensors& now = seen.joint[joint];
-  const bool to_start_pose = seen.safety.state != State::kDriven && !commands_.start_where_it_is;
-  if (to_start_pose) return radFromTicks(kJointTable[joint].start);  // every session starts with a move there
-  const bool on_the_way =
-      std::abs(now.commanded.value - now.position.value) > kAtRest && now.motion.age <= kMaxPositionAge;
-  return on_the_way ? now.position : now.commanded;
 }
 
 }  // namespace darwinop::remote

@@ -34,15 +34,8 @@ class LinkPort final : public RobotPort {
   void startSession(SessionStart start) override;
   void cancelSession() noexcept override;
   void apply(const Request& request) override;
-  /// Instead of apply(), for a driver in this process: publishes the joint commands and LEDs of `commands`.
-  void publish(const Commands& commands);
   [[nodiscard]] Sensors sensors() override { return session_->sensors(); }
-  /// First cycle whose safety report refers to the present session.
-  [[nodiscard]] std::uint64_t firstSessionCycle() const { return session_->firstCycle(); }
   [[nodiscard]] std::string endReason() override;
-  /// Waits for the robot's next cycle. Also returns when the loop has ended, see endReason(). Between startSession()
-  /// and hold().
-  void waitForNextCycle();
   void hold() noexcept override;
   void endSession() noexcept override;
   [[nodiscard]] bool realTime() const override { return session_->link().realTime(); }
@@ -61,7 +54,6 @@ class LinkPort final : public RobotPort {
  private:
   void applyMotor(const MotorSetting& setting);
   void applyLed(const LedSetting& setting);
-  [[nodiscard]] Rad holdPosition(const Sensors& seen, std::size_t joint) const;
   void clearCommands();
   void simulate();
   void simulateUntil(std::uint64_t cycle);

@@ -16,7 +16,7 @@ namespace darwinop::bench {
 
 inline constexpr Nanos kPeriod{16'000'000};
 inline constexpr std::uint64_t kWarmUp = 400;    // cycles until torque is on and every joint is driven
-inline constexpr std::uint64_t kMeasured = 320;  // all of the rotations: full write every 16, look every 20 cycles
+inline constexpr std::uint64_t kMeasured = 320;  // all of the rotations: full write every 16, poll every 20 cycles
 
 inline hil::BoardOptions robotWith(std::size_t servos) {
   hil::BoardOptions options;

@@ -14,12 +14,12 @@ namespace {
 constexpr int kNear = 9;         // ticks: two readings that agree within 8.5
 constexpr int kPatience = 5;     // unanswered requests in a row that must not count as a lost board; docs/faults.md 10
 constexpr int kHeldCycles = 17;  // MODE for 0.25 s at 16 ms, and one
-constexpr int kLimpAfter = 80;   // cycles: a lost "torque off" is noticed by the next look at the servo, and repeated
+constexpr int kLimpAfter = 80;   // cycles: a lost "torque off" is noticed by the next poll of the servo, and repeated
 constexpr int kForgotten = 6;    // cycles without an answer after which a joint is taken over again
 constexpr int kLate = 2;         // cycles
 constexpr int kGrace = 20;       // cycles under torque before an overload bit is believed; docs/faults.md 24
 constexpr int kEarlyTrips = 20;  // so often is a joint placed again, each time where it is; docs/faults.md 12
-constexpr int kLookRound = 64;   // cycles: every servo has been looked at, and a lost answer or two
+constexpr int kPollRound = 64;   // cycles: every servo has been polled, and a lost answer or two
 constexpr int kUntrustedFor = 80;  // cycles
 constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
 
@@ -152,7 +152,7 @@ void ServoJudge::judgeLimp(const Sensors& seen) {
   }
 }
 
-/// Torque that a late goal or a short restart left without a speed limit is noticed at the next look. A servo that says
+/// Torque that a late goal or a short restart left without a speed limit is noticed at the next poll. A servo that says
 /// that it has shut itself off gets no goal any more: one that has not stays where its last goal is.
 void ServoJudge::judgeSpeedLimits(const Sensors& seen) {
   for (std::size_t i = 0; i < kJoints; ++i) {
@@ -162,7 +162,7 @@ void ServoJudge::judgeSpeedLimits(const Sensors& seen) {
     const bool unlimited = now.pulls() && now.speed == 0 && servo.silent == 0 && !seen.safety.tripped[i] &&
                            servo.untrusted_until <= cycle_;
     servo.unlimited_for = unlimited ? servo.unlimited_for + 1 : 0;
-    if (servo.unlimited_for > kLookRound)
+    if (servo.unlimited_for > kPollRound)
       blame(Promise::kSpeedLimit, joint, "for long under torque without a speed limit");
   }
 }
@@ -266,12 +266,12 @@ void ServoJudge::judgeLate(Joint joint, const Sent& sent, const hil::ServoState&
 }
 
 /// A servo that restarts within a few cycles may not even miss an answer: its goal goes on from where it was, and that
-/// it has lost its settings is seen when its turn to be looked at comes.
+/// it has lost its settings is seen when its turn to be polled comes.
 bool ServoJudge::judgeShortOutage(Joint joint, const hil::ServoState& after) {
   Servo& servo = servo_[index(joint)];
   const long cycles = cycle_ - servo.lost_at;
   if (cycles > kForgotten) return false;
-  servo.unlimited_until = cycle_ + kLookRound;
+  servo.unlimited_until = cycle_ + kPollRound;
   const int step = std::abs(after.goal - servo.lost_goal);
   if (step <= max_step_ * static_cast<double>(cycles + 1) || nearJoint(joint, after.goal)) return true;
   blame(Promise::kStep, joint, "goal moved by " + std::to_string(step) + " ticks in a short outage");

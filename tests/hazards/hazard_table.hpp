@@ -75,7 +75,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "cycle_allocation_test:Cycle.AllocatesNothingInTenThousandCyclesUnderFaults "
      "safety_allocation_test:GuardAllocation.NothingIsAllocatedInAnyState"},
     {"H208", "Nineteen servos are not read", "one silent servo blocks the chain of answers",
-     "a silent servo costs the others one cycle", "asked last, then left out and polled",
+     "a silent servo costs the others one cycle", "asked last, then left out and asked again",
      "bus_test:AnywhereInTheChain/DeadServoOnTheBus.AllOthersAreReadFromThreeCyclesLaterAndItIsBackWithinASecond/12"},
     {"H209", "A stale value passes for a measurement", "a missing answer",
      "a value not received is absent, with an age", "ages count up",
@@ -95,7 +95,7 @@ inline constexpr auto kHazards = std::to_array<Hazard>({
      "hazard_reaction_test:Reaction.AnOverloadShutdownMakesItKneel "
      "safety_test:Trip.ATrippedServoIsNeverDrivenUntilAsked"},
     {"H303", "A shutdown stays unseen", "the overload bit is lost", "the torque registers also show it",
-     "torque limit 0 counts as shutdown", "safety_test:Trip.TheRotatingLookFindsATorqueLimitOfZeroWithoutAnyErrorBit"},
+     "torque limit 0 counts as shutdown", "safety_test:Trip.ThePollFindsATorqueLimitOfZeroWithoutAnyErrorBit"},
     {"H304", "A servo overheats", "long work near its limit", "joints slow down before the shutdown",
      "gentle speed from 65 deg C", "hazard_reaction_test:Reaction.HotServosSlowAllJointsDown"},
     {"H305", "A servo shuts itself off in a stance", "it reaches 80 deg C", "the robot sits earlier",

@@ -5,16 +5,22 @@
 
 #include <vector>
 
+#include "simulated_robot.hpp"
+
 namespace darwinop::runtime {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 struct RecordingLink final : RobotLink {
   struct State {
     Sensors image{};
     std::vector<Commands> published{};
+    std::uint64_t waited_for = 0;
     bool loop_runs = true, holds = false;
+    std::size_t published_before_hold = 0;
   };
   explicit RecordingLink(State& state) : state_{state} {}
 
@@ -23,9 +29,13 @@ struct RecordingLink final : RobotLink {
   [[nodiscard]] bool realTime() const override { return true; }
   void publish(Commands commands) override { state_.published.push_back(commands); }
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override {
+    state_.waited_for = cycle;
     return state_.loop_runs && !stop && cycle <= state_.image.cycle;
   }
-  void leaveHolding() override { state_.holds = true; }
+  void leaveHolding() override {
+    state_.holds = true;
+    state_.published_before_hold = state_.published.size();
+  }
   [[nodiscard]] Sensors sensors() const override { return state_.image; }
   [[nodiscard]] std::string whyEnded() const override { return "no loop"; }
 
@@ -54,6 +64,8 @@ TEST_F(Driver, ReportsFromBeforeTheSessionSayNothingAboutIt) {
   EXPECT_EQ(session.faultEnd(state.image), "");
   EXPECT_TRUE(session.drives(afterCycles(1)));
   EXPECT_THAT(session.faultEnd(state.image), HasSubstr(std::string{row(Fault::kBatteryEmpty).remedy}));
+  state.image.safety.controller_must_end = false;
+  EXPECT_EQ(session.faultEnd(state.image), "") << "a fault that ends no session";
   session.start();  // the next driver on this link
   EXPECT_FALSE(session.drives(afterCycles(1)));
   EXPECT_TRUE(session.drives(afterCycles(1)));
@@ -71,14 +83,35 @@ TEST_F(Driver, DrivesOnlyInTheStateDriven) {
 TEST_F(Driver, AFaultIsNamedWithItsJoint) {
   SafetyReport report;
   report.worst = Fault::kBatteryEmpty;
-  EXPECT_THAT(describe(report), Not(HasSubstr(", id ")));
+  const std::uint8_t no_joint = kJoints + 1;
+  for (const std::uint8_t none : {std::uint8_t{0}, no_joint}) {
+    report.worst_joint = none;
+    EXPECT_THAT(describe(report), Not(HasSubstr(", id "))) << int{none};
+  }
   report.worst_joint = 14;
   EXPECT_THAT(describe(report), HasSubstr(" (LegLowerL, id 14); "));
+  report.worst_joint = kJoints;
+  EXPECT_THAT(describe(report), HasSubstr(" (Head, id 20); "));
+  report.worst_joint = 1;
+  EXPECT_THAT(describe(report), StartsWith(std::string{row(Fault::kBatteryEmpty).meaning} + " (ShoulderR, id 1); "));
+  EXPECT_THAT(describe(report), EndsWith(row(Fault::kBatteryEmpty).remedy));
+}
+
+TEST_F(Driver, WaitsForTheCycleUntilItIsAskedToStop) {
+  EXPECT_TRUE(session.waitForCycle(100));
+  EXPECT_EQ(state.waited_for, 100U);
+  EXPECT_FALSE(session.waitForCycle(101));
+  std::atomic<bool> stop{false};
+  EXPECT_TRUE(session.waitForCycle(99, stop));
+  EXPECT_EQ(state.waited_for, 99U);
+  stop = true;
+  EXPECT_FALSE(session.waitForCycle(99, stop));
 }
 
 TEST_F(Driver, TheEndOfTheLoopHasAReason) {
   session.start();
   EXPECT_EQ(session.loopEnd(state.image), "");
+  EXPECT_EQ(state.waited_for, 100U) << "a later cycle would block";
   state.loop_runs = false;
   EXPECT_EQ(session.loopEnd(state.image), "no loop");
 }
@@ -89,6 +122,7 @@ TEST_F(Driver, HoldsWithItsLastCommandsOrEndsTheSession) {
   last.unattended = true;
   session.hold(last);
   EXPECT_TRUE(state.holds);
+  EXPECT_EQ(state.published_before_hold, 1U) << "a link may send only what was published before";
   EXPECT_FALSE(state.published.back().end_of_session);
   EXPECT_TRUE(state.published.back().unattended);
   state.holds = false;
@@ -96,6 +130,62 @@ TEST_F(Driver, HoldsWithItsLastCommandsOrEndsTheSession) {
   EXPECT_FALSE(state.holds);
   EXPECT_TRUE(state.published.back().end_of_session);
   EXPECT_TRUE(state.published.back().unattended);
+}
+
+/// Goal of a joint that is held at `position` on its way to `commanded`; its age in cycles.
+struct HeldJoint {
+  const char* why;
+  State state;
+  bool start_where_it_is;
+  std::uint32_t age;
+  double position, commanded, goal;
+};
+
+TEST_F(Driver, HoldsAJointThatMovesAtItsPositionAndOneAtRestAtItsGoal) {
+  const double start = radFromTicks(row(Joint::kNeck).start).value;
+  session.start();
+  for (const HeldJoint& held : {
+           HeldJoint{"on its way", State::kDriven, false, 3, 0.3, 1.0, 0.3},
+           {"on its way back", State::kDriven, false, 0, 0.3, -1.0, 0.3},
+           {"at rest: it must not sag", State::kDriven, false, 0, 0.3, 0.39, 0.39},
+           {"its position is old", State::kDriven, false, 4, 0.3, 1.0, 1.0},
+           {"during the move to the start pose", State::kStarting, false, 0, 0.3, 1.0, start},
+           {"not driven, without that move", State::kHolding, true, 0, 0.3, 1.0, 0.3},
+       }) {
+    state.image.safety.state = held.state;
+    JointSensors& neck = state.image.joint[index(Joint::kNeck)];
+    neck.motion.received();
+    neck.motion.age = held.age;
+    neck.position = Rad{held.position};
+    neck.commanded = Rad{held.commanded};
+    Commands commands;
+    commands.start_where_it_is = held.start_where_it_is;
+    commands.joint[index(Joint::kNeck)].setGoal(Rad{2});
+    session.hold(commands);
+    EXPECT_EQ(state.published.back().joint[index(Joint::kNeck)].goal, Rad{held.goal}) << held.why;
+    EXPECT_EQ(commands.joint[index(Joint::kNeck)].goal, Rad{held.goal}) << "the caller may publish them again";
+  }
+}
+
+TEST_F(Driver, GivesAJointWithoutAGoalNoneToHold) {
+  session.start();
+  state.image.safety.state = State::kDriven;
+  Commands commands;
+  session.hold(commands);
+  for (const JointCommand& joint : state.published.back().joint) EXPECT_FALSE(joint.has(JointCommand::kGoal));
+}
+
+TEST(DriverOnAnExchange, EachDriverButTheFirstBeginsANewSession) {
+  SimulatedRobot robot;
+  DriverSession session{std::move(robot.link)};
+  const auto session_after_start = [&] {
+    session.start();
+    session.publish({});
+    EXPECT_TRUE(session.waitForCycle(session.firstCycle()));
+    return session.sensors().safety.session;
+  };
+  EXPECT_EQ(session_after_start(), 1U) << "begun by the link";
+  EXPECT_EQ(session_after_start(), 2U);
 }
 
 }  // namespace

@@ -59,15 +59,15 @@ TEST(Exchange, OnlyTheLoopsProcessCanWriteTheLoopsMemory) {
   const Exchange loop = Exchange::create(folder / "x"), controller = Exchange::attach(folder / "x");
   EXPECT_THROW((void)controller.ownBlock(), std::logic_error);
   EXPECT_DEATH(const_cast<ExchangeBlock&>(controller.block()).closing.store(1), "");
-  const Exchange observer = Exchange::attach(folder / "x", Exchange::Access::kLook);
+  const Exchange observer = Exchange::attach(folder / "x", Exchange::Access::kRead);
   EXPECT_THROW((void)observer.commands(), std::logic_error);
 }
 
 TEST(Exchange, OfAnEmbeddedLoopTakesNoCommandsFromOthers) {
   const TemporaryFolder folder;
   { const Exchange old = Exchange::create(folder / "x"); }
-  const Exchange embedded = Exchange::createToLookAt(folder / "x");
-  EXPECT_NO_THROW(Exchange::attach(folder / "x", Exchange::Access::kLook));
+  const Exchange embedded = Exchange::createObservable(folder / "x");
+  EXPECT_NO_THROW(Exchange::attach(folder / "x", Exchange::Access::kRead));
   EXPECT_THAT(whyRefused(folder / "x"), HasSubstr("takes no commands from other programs"));
 }
 
@@ -130,7 +130,7 @@ TEST(Exchange, ReplacesTheFileOfADeadLoopWithoutHarmToThoseWhoStillMapIt) {
     static const Exchange exchange = Exchange::create(folder / "x");
     exchange.ownBlock().session.store(9);
   }};
-  const Exchange observer = Exchange::attach(folder / "x", Exchange::Access::kLook);
+  const Exchange observer = Exchange::attach(folder / "x", Exchange::Access::kRead);
   dead.kill(SIGKILL);
   const Exchange next = Exchange::create(folder / "x");
   EXPECT_EQ(next.block().session.load(), 0u);

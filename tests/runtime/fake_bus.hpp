@@ -27,7 +27,7 @@ class FakeBus final : public ServoBus {
   explicit FakeBus(std::shared_ptr<FakeRobot> robot = std::make_shared<FakeRobot>()) : robot_{std::move(robot)} {}
 
   void write(const SafeCommands& commands) noexcept override {
-    look_ = commands.look();
+    poll_ = commands.poll();
     if (commands.write() == SafeCommands::Write::kNothing) return;
     ++robot_->writes;
     for (std::size_t i = 0; i < kJoints; ++i) {
@@ -57,7 +57,7 @@ class FakeBus final : public ServoBus {
     servo.position = robot_->position[i];
     servo.velocity = RadPerSec{0};
     servo.load = 0;
-    servo.looked = look_[i] || robot_->reads % kJoints == i;
+    servo.polled = poll_[i] || robot_->reads % kJoints == i;
     servo.goal = robot_->position[i];
     servo.speed_limit = RadPerSec{1};
     servo.torque_enabled = robot_->torque[i];
@@ -67,7 +67,7 @@ class FakeBus final : public ServoBus {
   }
 
   std::shared_ptr<FakeRobot> robot_;
-  SafeCommands::Mask look_;
+  SafeCommands::Mask poll_;
 };
 
 }  // namespace darwinop::runtime

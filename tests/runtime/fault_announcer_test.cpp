@@ -23,7 +23,7 @@ struct Listener {
     ++seen.cycle;
     seen.time_ns += 100'000'000;
     out.str("");
-    announcer.look(seen);
+    announcer.update(seen);
     return out.str();
   }
   void set(Fault fault, bool active) {
@@ -89,7 +89,7 @@ TEST(FaultAnnouncer, OneFaultDoesNotSilenceAnother) {
 TEST(FaultAnnouncer, SaysNothingBeforeTheFirstCycle) {
   Listener l;
   l.set(Fault::kBusSilent, true);
-  l.announcer.look(l.seen);
+  l.announcer.update(l.seen);
   EXPECT_THAT(l.out.str(), IsEmpty());
 }
 

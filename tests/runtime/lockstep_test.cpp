@@ -110,7 +110,7 @@ TEST(Lockstep, OthersCanLookOnAndTheFiguresSurviveTheController) {
     sim.robot->dead[index(Joint::kFootL)] = true;
     sim.step({}, 20);
   }
-  const Exchange left = Exchange::attach(folder / "x", Exchange::Access::kLook);
+  const Exchange left = Exchange::attach(folder / "x", Exchange::Access::kRead);
   StatsView stats;
   left.block().stats.copyTo(stats);
   Sensors last;

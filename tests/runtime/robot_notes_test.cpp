@@ -18,7 +18,7 @@ class Notes : public testing::Test {
     if (fault != Fault::kNone) seen_.safety.active.set(safety::rowIndex(fault));
     for (int i = 0; i < cycles; ++i) {
       ++seen_.cycle;
-      notes_.look(seen_);
+      notes_.update(seen_);
     }
   }
 

@@ -1,5 +1,5 @@
 // A robot without bus and physics for tests of the guard: servos follow their goals at their speed, torque switches
-// work, each servo is looked at in turn. Faults are set by assigning its fields.
+// work, each servo is polled in turn. Faults are set by assigning its fields.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct FakeServo {
   bool restarted = false;  // since its speed was written
   bool answers = true;
   bool receives = true;
-  bool looked_at = true;           // false: its torque registers are never read
+  bool polled = true;              // false: its torque registers are never read
   bool follows = true;             // false: blocked
   std::optional<double> stuck_at;  // what its encoder says, rad
   bool shuts_off = false;          // by overload, as soon as it is written to
@@ -67,19 +67,19 @@ struct FakeRobot {
       const double way = s.goal - s.position;
       s.position += std::copysign(std::min(std::abs(way), s.speed * dt), way);
     }
-    unseen_ |= safe.look();
+    unseen_ |= safe.poll();
     read();
   }
 
  private:
-  std::bitset<kJoints> unseen_;  // since their last answer, or asked to be looked at
+  std::bitset<kJoints> unseen_;  // since their last answer, or asked to be polled
 
   void obey(const SafeCommands& safe) {
     if (safe.powerOn()) servo_power = servo_power || power_obeys;
     if (!servo_power) return;
     for (std::size_t i = 0; i < kJoints; ++i) {
       FakeServo& s = servo[i];
-      if (!s.receives || safe.held()[i]) continue;
+      if (!s.receives || safe.skipped()[i]) continue;
       if (safe.write() == SafeCommands::Write::kTorque) {
         if (safe.torqueOn()[i]) s.torque = true;
         if (safe.torqueOff()[i]) s.torque = false;
@@ -125,7 +125,7 @@ struct FakeRobot {
     j.error_bits = s.error_bits;
     if (s.remembers && !s.torque) j.error_bits |= error_bit::kOverload;
     // As the bus does: one in turn, and those that missed an answer.
-    if (!s.looked_at || (seen.cycle % kJoints != i && !unseen_[i])) return j.health.missed();
+    if (!s.polled || (seen.cycle % kJoints != i && !unseen_[i])) return j.health.missed();
     unseen_.reset(i);
     j.health.received();
     j.temperature = Celsius{s.celsius};

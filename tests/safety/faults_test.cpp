@@ -305,7 +305,7 @@ TEST(Faults, AMissedStartIsOverAtTheNextStartAlsoWhenNoPersonHasActed) {
 
 TEST(Faults, ServosThatStartUpAreNotSilentYet) {
   Rig rig;
-  rig.runFor(1);  // each was looked at: it is limp, and losing power is not a release
+  rig.runFor(1);  // each was polled: it is limp, and losing power is not a release
   rig.robot.servo_power = rig.robot.power_obeys = false;
   rig.runFor(2);
   rig.robot.servo_power = true;

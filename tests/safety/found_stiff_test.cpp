@@ -23,7 +23,7 @@ TEST(FoundStiff, ARobotThatSomebodyElseLeftStiffIsNeverCalledLimp) {
   }
 }
 
-TEST(FoundStiff, ALimpRobotIsCalledSoWithinTwoLookRounds) {
+TEST(FoundStiff, ALimpRobotIsCalledSoWithinTwoPollRounds) {
   Rig rig;
   EXPECT_TRUE(rig.reach(State::kLimp));
   EXPECT_LE(rig.robot.seen.cycle, 50U);
@@ -47,16 +47,16 @@ TEST(FoundStiff, AServoThatWasLimpAndIsFoundStiffLaterIsNoticed) {
   EXPECT_EQ(rig.state(), State::kLimp);
 }
 
-TEST(FoundStiff, ItIsNotCalledLimpBeforeEveryServoHasBeenLookedAt) {
+TEST(FoundStiff, ItIsNotCalledLimpBeforeEveryServoHasBeenPolled) {
   Rig rig;
   FakeServo &first = rig.robot.servo[0], &later = rig.robot.servo[15];
   first.torque = later.torque = true;
-  later.looked_at = false;
+  later.polled = false;
   ASSERT_TRUE(rig.reach(State::kFoundStiff));
   first.torque = false;
   rig.run(kJoints + 3);  // the first is seen limp
   EXPECT_EQ(rig.state(), State::kFoundStiff);
-  later.looked_at = true;
+  later.polled = true;
   for (int i = 0; i < 30; ++i) {
     rig.cycle();
     ASSERT_EQ(rig.state(), State::kFoundStiff) << "cycle " << i;

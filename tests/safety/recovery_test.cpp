@@ -199,7 +199,7 @@ TEST(Recovery, AJointAwayForLongRestartsWhereItIs) {
   for (std::uint32_t i = 0; i < kAnswerPatience; ++i) {
     rig.cycle();
     EXPECT_TRUE(rig.driven(Joint::kNeck));
-    EXPECT_TRUE(rig.held(Joint::kNeck)) << "it may have restarted: a goal would switch its torque on";
+    EXPECT_TRUE(rig.skipped(Joint::kNeck)) << "it may have restarted: a goal would switch its torque on";
   }
   rig.cycle();
   EXPECT_FALSE(rig.driven(Joint::kNeck));
@@ -211,7 +211,7 @@ TEST(Recovery, AJointAwayForLongRestartsWhereItIs) {
   EXPECT_LE(fastestUntil(rig, 1.0), 1.194 + 1e-6);
 }
 
-TEST(Recovery, AServoThatMissedAnAnswerGetsNoGoalUntilALookShowsThatItHasNotRestarted) {
+TEST(Recovery, AServoThatMissedAnAnswerGetsNoGoalUntilAPollShowsThatItHasNotRestarted) {
   Rig rig;
   look(rig);
   rig.joint(Joint::kNeck).setGoal(Rad{0.5});
@@ -219,13 +219,13 @@ TEST(Recovery, AServoThatMissedAnAnswerGetsNoGoalUntilALookShowsThatItHasNotRest
   rig.cycle();
   rig.robot[Joint::kNeck].answers = true;
   rig.cycle();
-  EXPECT_TRUE(rig.held(Joint::kNeck));
+  EXPECT_TRUE(rig.skipped(Joint::kNeck));
   rig.cycle();
-  EXPECT_FALSE(rig.held(Joint::kNeck)) << "looked at";
+  EXPECT_FALSE(rig.skipped(Joint::kNeck)) << "polled";
   EXPECT_LT(rig.goal(Joint::kNeck), 1.0) << "and goes on where it was, without a takeover";
 }
 
-TEST(Recovery, AServoFoundRestartedByALookIsTakenOverWhereItIs) {
+TEST(Recovery, AServoFoundRestartedByAPollIsTakenOverWhereItIs) {
   for (const bool switched_on : {false, true}) {
     Rig rig;
     look(rig);

@@ -126,7 +126,7 @@ TEST(Restart, AnySetOfServosThatLosesItsSupplyComesBackWhereItIs) {
   for (std::uint32_t i = 0; i < runs; ++i) ASSERT_EQ(cutSuppliesAtRandom(seed + i), "") << "DARWINOP_SEED=" << seed + i;
 }
 
-TEST(Restart, AServoThatWasBackTooSoonToBeMissedHasItsSpeedLimitAgainWithinOneRoundOfLooks) {
+TEST(Restart, AServoThatWasBackTooSoonToBeMissedHasItsSpeedLimitAgainWithinOneRoundOfPolls) {
   FallingRig falling{Nanos{0}};
   falling.run(300, 0);
   const auto knee = std::bitset<kJoints>{}.set(index(Joint::kLegLowerL));

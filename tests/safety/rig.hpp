@@ -33,7 +33,7 @@ class Invariants {
     const bool offline = !seen.board.motion.ever() || seen.board.motion.age > kAnswerPatience;
     if (offline && (!nothing || safe.powerOn())) wrong += "sent while offline; ";
     if ((safe.torqueOn() & safe.torqueOff()).any()) wrong += "torque on and off at once; ";
-    if ((safe.held() & safe.torqueOn()).any()) wrong += "torque on although it is uncertain where the goal is; ";
+    if ((safe.skipped() & safe.torqueOn()).any()) wrong += "torque on although it is uncertain where the goal is; ";
     if ((safe.driven() & safe.torqueOff()).any()) wrong += "driven although torque goes off; ";
     for (std::size_t i = 0; i < kJoints; ++i) {
       const auto& goal = safe.goal(static_cast<Joint>(i));
@@ -77,7 +77,7 @@ struct Rig {
   JointCommand& joint(Joint j) { return commands.joint[index(j)]; }
   double goal(Joint j) const { return safe->goal(j).goal.value; }
   bool driven(Joint j) const { return safe->driven()[index(j)]; }
-  bool held(Joint j) const { return safe->held()[index(j)]; }
+  bool skipped(Joint j) const { return safe->skipped()[index(j)]; }
   const SafetyReport& report() const { return guard.report(); }
   State state() const { return report().state; }
   bool active(Fault fault) const { return report().active[rowIndex(fault)]; }

@@ -39,7 +39,7 @@ TEST(TakeOver, GoalIsThePresentPositionAndTorqueComesWhenTheServosAreSeenToHaveI
     EXPECT_NEAR(goal.speed_limit.value, 1.194, 1e-9);
     EXPECT_FALSE(rig.robot.servo[i].torque);
   }
-  EXPECT_TRUE(rig.safe->look().all());
+  EXPECT_TRUE(rig.safe->poll().all());
   rig.cycle();
   EXPECT_EQ(rig.safe->write(), Write::kTorque);
   EXPECT_TRUE(rig.safe->torqueOn().all());

@@ -142,13 +142,13 @@ TEST(Trip, TorqueSwitchedOffAndOnByTheControllerAsksForThatJoint) {
   EXPECT_TRUE(rig.reach(State::kLimp));
 }
 
-TEST(Trip, TheRotatingLookFindsATorqueLimitOfZeroWithoutAnyErrorBit) {
+TEST(Trip, ThePollFindsATorqueLimitOfZeroWithoutAnyErrorBit) {
   Rig rig;
   rig.start();
   rig.runFor(1);
-  rig.robot[kKnee].receives = false;  // so that the fake is not armed again before it is looked at
+  rig.robot[kKnee].receives = false;  // so that the fake is not armed again before it is polled
   shutOff(rig.robot[kKnee], 0);
-  ASSERT_GE(rig.runUntil([&] { return !rig.driven(kKnee); }), 0) << "suspected at the first look";
+  ASSERT_GE(rig.runUntil([&] { return !rig.driven(kKnee); }), 0) << "suspected at the first poll";
   EXPECT_FALSE(rig.active(Fault::kServoOverload));
   rig.robot[kKnee].receives = true;
   rig.runFor(0.5);

@@ -67,12 +67,12 @@ struct Begin : ::testing::Test {
   void lookUntilEnded(const Sensors& seen) {
     for (int i = 0; i < 1000 && runs(); ++i, now += 1ms) {
       std::this_thread::sleep_for(5ms);
-      controller.look(seen, now);
+      controller.update(seen, now);
     }
   }
   /// Steps every 20 ms, at least once.
   void lookFor(Nanos time, const Sensors& seen) {
-    for (const Nanos end = now + time; now < end; now += 20ms) controller.look(seen, now);
+    for (const Nanos end = now + time; now < end; now += 20ms) controller.update(seen, now);
   }
   [[nodiscard]] Status status() const {
     Status status;
@@ -105,7 +105,7 @@ TEST_F(Begin, WithoutAUserAccountItIsRejectedOnceAndNotRetried) {
 TEST_F(Begin, AHeldRobotSkipsThePoseCheck) {
   Sensors held = lying();
   held.safety.state = State::kHolding;
-  controller.look(held, now);
+  controller.update(held, now);
   EXPECT_TRUE(runs());
 }
 
@@ -120,7 +120,7 @@ TEST_F(Begin, ARobotFoundUnderTorqueSkipsThePoseCheckIfALegHolds) {
   JointSensors& knee = stiff.joint[index(Joint::kLegLowerL)];
   knee.health.received();
   knee.torque_enabled = true;
-  controller.look(stiff, now);
+  controller.update(stiff, now);
   EXPECT_TRUE(runs());
 }
 

@@ -17,8 +17,8 @@
 
 #include "core/conversions.hpp"
 #include "core/registers.hpp"
+#include "hal/cm730/diagnosis/transactions.hpp"
 #include "hal/cm730/serial_port.hpp"
-#include "hal/cm730/transactions.hpp"
 #include "runtime/exchange.hpp"
 #include "runtime/file_lock.hpp"
 #include "supervisor/status.hpp"
@@ -101,7 +101,7 @@ class Home : public Rig {
   [[nodiscard]] static Sensors sensors() {
     Sensors seen;
     try {
-      (void)runtime::Exchange::attach(runtime::RuntimeFiles{}.exchange, runtime::Exchange::Access::kLook)
+      (void)runtime::Exchange::attach(runtime::RuntimeFiles{}.exchange, runtime::Exchange::Access::kRead)
           .block()
           .sensors.read(seen);
     } catch (const std::runtime_error&) {

@@ -21,7 +21,7 @@ struct Course {
   double fastest = 0;  // rad/s of the knee's goal between images
   bool crouched = false, red = false, offline = false;
 
-  void look(const Sensors& seen) {
+  void update(const Sensors& seen) {
     if (seen.cycle == before.cycle) return;
     const bool next = seen.cycle > before.cycle;
     const double step = seen.joint[kKnee].commanded.value - before.joint[kKnee].commanded.value;
@@ -54,7 +54,7 @@ TEST_P(RuntimeFails, TheRobotCrouchesSlowlyToTheStartPoseAndGoesLimp) {
   ASSERT_TRUE(within(seconds{40},
                      [&] {  // a stall of 80 ms silences the board, and the crouch restarts
                        const Sensors seen = sensors();
-                       if (seen.cycle != 0 && kill(failed, 0) != 0) course.look(seen);
+                       if (seen.cycle != 0 && kill(failed, 0) != 0) course.update(seen);
                        return supervisor_->output().find("torque is off") != std::string::npos;
                      }))
       << supervisor_->output();

@@ -14,7 +14,7 @@ struct SafeCommandsForTests {
                               NewtonMeter torque = NewtonMeter{2.5}, double p_gain = 4.0) {
     commands.write_ = SafeCommands::Write::kGoals;
     commands.driven_.set(index(joint));
-    commands.held_.reset(index(joint));
+    commands.skipped_.reset(index(joint));
     commands.goal_[index(joint)] = {goal, speed, torque, p_gain};
     return *this;
   }
@@ -23,7 +23,7 @@ struct SafeCommandsForTests {
     return *this;
   }
   SafeCommandsForTests& hold(Joint joint) {
-    commands.held_.set(index(joint));
+    commands.skipped_.set(index(joint));
     return *this;
   }
   SafeCommandsForTests& torque(Joint joint, bool on) {

@@ -62,7 +62,7 @@ enum Outcome { kWell = 0, kNotDriven = 3, kNoFilter = 4, kStray = 5 };
   std::uint64_t count = 0;
   while (count < 20) cycle.run(swinging(++count), {});
   if (!lockDown()) _exit(kNoFilter);
-  while (count < 300) cycle.run(swinging(++count), {});  // back to back: takeover, goals, LEDs, looks
+  while (count < 300) cycle.run(swinging(++count), {});  // back to back: takeover, goals, LEDs, polls
   if (stray) (void)getppid();
   _exit(cycle.sensors().safety.state == State::kDriven ? kWell : kNotDriven);
 }

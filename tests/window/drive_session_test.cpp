@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 struct FakeDrive final : window::DriveInterface {
   void start() override {
-    now = {.state = refusal.empty() ? State::kDriving : State::kFree, .why = refusal};
+    now = {.state = refusal.empty() ? window::DriveState::kDriving : window::DriveState::kFree, .why = refusal};
     end = "";
   }
   void request(const window::DriveRequests& requests) override { requested.push_back(requests); }
@@ -132,7 +132,7 @@ TEST_F(WindowDriveSession, StopHoldsAtOnceAndALostPageCompletesItsStep) {
 }
 
 TEST_F(WindowDriveSession, RefusesATakeoverWhileTheRobotComesToRest) {
-  drive.now.state = window::DriveInterface::State::kEnding;
+  drive.now.state = window::DriveState::kEnding;
   take();
   EXPECT_FALSE(session.drives());
   EXPECT_THAT(page.received, HasSubstr("coming to rest"));

@@ -64,7 +64,7 @@ TEST_F(RememberedRobots, ReportAndKeepAnInvalidFile) {
 TEST_F(RememberedRobots, DoNotWaitForAPipeInPlaceOfTheFile) {
   std::filesystem::create_directory((folder / "darwinop"));
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
-  EXPECT_THAT(window::RememberedFile{file}.error(), HasSubstr("not a regular file"));
+  EXPECT_THAT(window::RememberedFile{file}.error(), HasSubstr("it is a pipe; give a regular file"));
 }
 
 /// Limits the size of files of this process, like a full disk.

@@ -19,16 +19,9 @@ constexpr std::string_view kNone = "none";
 /// Shortest exact text; without an exponent if that fits in 10 characters.
 std::string shortest(double value) {
   constexpr std::size_t kShort = 10;
-  std::array<char, 32> text{};
-  char* const last = text.data() + text.size();
+  std::array<char, kShort> text{};
   const auto [end, error] = std::to_chars(text.data(), text.data() + kShort, value, std::chars_format::fixed);
-  if (error == std::errc{}) return {text.data(), end};
-  return {text.data(), std::to_chars(text.data(), last, value).ptr};
-}
-
-std::string sixDigits(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6).ptr};
+  return error == std::errc{} ? std::string{text.data(), end} : text::shortestText(value);
 }
 
 std::string withUnit(std::string number, std::string_view unit) {
@@ -62,7 +55,7 @@ std::string lettersOf(std::string_view unit) {
   std::string message = rule.unit.empty() ? "this is a pure number, without the unit " + unit
                                           : "the unit is " + std::string{rule.unit} + ", not " + unit;
   if (const auto factor = text::unitFactor(unit, rule.unit))
-    message += "; write " + withUnit(sixDigits(value * *factor), rule.unit);
+    message += "; write " + withUnit(text::generalText(value * *factor, 6), rule.unit);
   else if (!rule.unit.empty() && lettersOf(unit) == lettersOf(rule.unit))
     message += "; write " + withUnit(shortest(value), rule.unit);
   else

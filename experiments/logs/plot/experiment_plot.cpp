@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/text/number_text.hpp"
 #include "core/units.hpp"
 #include "experiments/logs/plot/steps.hpp"
 #include "experiments/logs/plot/text.hpp"
@@ -140,7 +141,7 @@ std::vector<LogCurve> gain(const logs::Log& log) {
   for (const GoalStep& step : largeSteps(*j, startRow(log))) {
     if (step.to < step.from) continue;  // the return motion
     std::string label = "P = ";
-    appendNumber(label, j->p_gain->values[step.begin], 4);
+    label += text::generalText(j->p_gain->values[step.begin], 4);
     pieces.push_back({j->name, label, label, angleOf(*j),
                       part({step.begin, step.end}, timeFrom(log, step.begin), j->position->values)});
   }

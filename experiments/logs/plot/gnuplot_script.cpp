@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text/number_text.hpp"
 #include "experiments/logs/plot/gnuplot.hpp"
 #include "experiments/logs/plot/text.hpp"
 
@@ -45,7 +46,7 @@ class Script {
     data();
     for (const double mark : figure_.marks) {
       std::string at;
-      appendNumber(at, mark, 10);
+      at += text::generalText(mark, 10);
       std::string arrow = "set arrow from ";
       arrow.append(at).append(", graph 0 to ").append(at).append(", graph 1 nohead back");
       line(arrow.append(" dashtype (3,5) linecolor rgb '#888888'"));
@@ -62,12 +63,12 @@ class Script {
 
   [[nodiscard]] std::string fromTop(int pixels) const {
     std::string share;
-    appendNumber(share, 1.0 - static_cast<double>(pixels) / height_, 6);
+    share += text::generalText(1.0 - static_cast<double>(pixels) / height_, 6);
     return share;
   }
   static std::string fromLeft(int pixels) {
     std::string share;
-    appendNumber(share, static_cast<double>(pixels) / kPictureWidth, 6);
+    share += text::generalText(static_cast<double>(pixels) / kPictureWidth, 6);
     return share;
   }
 
@@ -81,9 +82,9 @@ class Script {
         for (std::size_t i = 0; i < curve.x.size(); ++i) {
           const bool known = std::isfinite(curve.x[i]) && std::isfinite(curve.y[i]);
           if (known) {
-            appendNumber(out_, curve.x[i], 10);
+            out_ += text::generalText(curve.x[i], 10);
             out_ += ' ';
-            appendNumber(out_, curve.y[i], 7);
+            out_ += text::generalText(curve.y[i], 7);
           }
           if (known || !gap) out_ += '\n';
           gap = !known;
@@ -148,9 +149,9 @@ class Script {
     if (!(low <= high)) return line("set xrange [0:1]\nset yrange [0:1]");
     const double margin = high > low ? 0.01 * (high - low) : 1;
     std::string range = "set xrange [";
-    appendNumber(range, low - margin, 10);
+    range += text::generalText(low - margin, 10);
     range += ':';
-    appendNumber(range, high + margin, 10);
+    range += text::generalText(high + margin, 10);
     line(range + "]");
   }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/text/number_text.hpp"
 #include "experiments/logs/plot/page_parts.hpp"
 #include "experiments/logs/plot/text.hpp"
 
@@ -54,7 +55,7 @@ std::string array(const List& list, F&& item) {
 std::string numbers(const std::vector<double>& values, int digits) {
   return array(values, [&](std::string& out, double value) {
     if (std::isfinite(value))
-      appendNumber(out, value, digits);
+      out += text::generalText(value, digits);
     else
       out += "null";
   });

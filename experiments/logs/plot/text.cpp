@@ -1,8 +1,6 @@
 // Sanitizes text from logs for pictures and HTML.
 #include "experiments/logs/plot/text.hpp"
 
-#include <charconv>
-
 #include "core/text/printable.hpp"
 
 namespace darwinop::plot {
@@ -29,12 +27,6 @@ std::string shortened(const std::string& text, std::size_t length) {
     if (++characters == length) end = i;
   }
   return characters <= length ? text : text.substr(0, end) + "…";
-}
-
-void appendNumber(std::string& out, double value, int digits) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits);
-  out.append(text, end);
 }
 
 }  // namespace darwinop::plot

@@ -12,7 +12,4 @@ namespace darwinop::plot {
 /// At most `length` characters; truncated text ends with an ellipsis.
 [[nodiscard]] std::string shortened(const std::string& text, std::size_t length);
 
-/// Appends a number with `digits` significant digits.
-void appendNumber(std::string& out, double value, int digits);
-
 }  // namespace darwinop::plot

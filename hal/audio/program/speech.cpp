@@ -2,19 +2,18 @@
 #include "hal/audio/program/speech.hpp"
 
 #include <espeak-ng/speak_lib.h>
-#include <sys/stat.h>
 
-#include <fstream>
-#include <iterator>
+#include <stdexcept>
 #include <utility>
 
 #include "hal/audio/voice_names.hpp"
+#include "hal/text_file.hpp"
 
 namespace darwinop::audio {
 
 namespace {
 
-constexpr std::size_t kLongestTextFile = 1'000'000;  // bytes, about a day of speech
+constexpr std::size_t kLongestSpeech = 1'000'000;  // bytes, about a day of speech
 
 /// Synthesis callback; returns 0 to continue, 1 to abort.
 int onSamples(short* samples, int count, espeak_EVENT* events) {
@@ -25,16 +24,11 @@ int onSamples(short* samples, int count, espeak_EVENT* events) {
 }
 
 /// Throws std::runtime_error if the file cannot be read or is too long.
-std::string textOf(const std::string& file) {
-  struct stat about {};
-  if (stat(file.c_str(), &about) != 0 || !S_ISREG(about.st_mode))
-    throw std::runtime_error("speakFile(): cannot read " + file + ": not a regular file");
-  if (static_cast<std::size_t>(about.st_size) > kLongestTextFile)
-    throw std::runtime_error("speakFile(): " + file + " is longer than 1 MB");
-  std::ifstream in{file, std::ios::binary};
-  std::string text{std::istreambuf_iterator<char>{in}, {}};
-  if (!in) throw std::runtime_error("speakFile(): cannot read " + file);
-  return text;
+std::string textOf(const std::string& file) try {
+  if (auto text = readTextFile(file, kLongestSpeech)) return *std::move(text);
+  throw std::runtime_error("cannot read " + file + ": No such file or directory");
+} catch (const std::runtime_error& error) {
+  throw std::runtime_error("speakFile(): " + std::string{error.what()});
 }
 
 class Voice final : public SoundSource {

@@ -73,14 +73,14 @@ TEST_F(Bus, GoalsReachTheServosAndPositionsAreRead) {
 }
 
 TEST_F(Bus, EveryServoReportsTemperatureAndVoltageWithinHalfASecond) {
-  std::bitset<kJoints> looked;
+  std::bitset<kJoints> polled;
   for (Nanos t{0}; t < Nanos{500'000'000}; t += kPeriod) {
     cycle();
     for (std::size_t i = 0; i < kJoints; ++i)
-      if (readings.servo[i].looked && readings.servo[i].temperature.known() && readings.servo[i].voltage.known())
-        looked.set(i);
+      if (readings.servo[i].polled && readings.servo[i].temperature.known() && readings.servo[i].voltage.known())
+        polled.set(i);
   }
-  EXPECT_TRUE(looked.all());
+  EXPECT_TRUE(polled.all());
 }
 
 class DeadServoOnTheBus : public Bus, public ::testing::WithParamInterface<std::size_t> {};
@@ -145,7 +145,7 @@ TEST_F(Bus, ReportsAServoRestartAtItsFirstReply) {
     cycle();
     ASSERT_LT(++cycles, 60);
   } while (cycles < 3 || !readings.servo[7].answered);
-  EXPECT_TRUE(readings.servo[7].looked);
+  EXPECT_TRUE(readings.servo[7].polled);
   EXPECT_EQ(readings.servo[7].speed_limit, RadPerSec{0});
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "hal/cm730/bus.hpp"
-#include "hal/cm730/diagnosis.hpp"
-#include "hal/cm730/probe.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
+#include "hal/cm730/diagnosis/probe.hpp"
 #include "hil-mocks/latency_timer.hpp"
 #include "hil-mocks/memory_line.hpp"
 #include "support/safe_commands_for_tests.hpp"

@@ -9,7 +9,7 @@
 
 #include "core/conversions.hpp"
 #include "hal/cm730/bus.hpp"
-#include "hal/cm730/probe.hpp"
+#include "hal/cm730/diagnosis/probe.hpp"
 #include "hil-mocks/memory_line.hpp"
 #include "hil-mocks/virtual_robot.hpp"
 #include "support/hex.hpp"

@@ -59,11 +59,11 @@ TEST(ReadList, PollsEveryServoWithinTwentyCycles) {
   ReadList list{kRound};
   ReadList::Mask seen;
   for (std::size_t i = 0; i < kJoints; ++i) {
-    int looks = 0;
+    int polls = 0;
     for (const auto entry : list.next()) {
-      if (entry.look) seen.set(entry.joint), ++looks;
+      if (entry.poll) seen.set(entry.joint), ++polls;
     }
-    EXPECT_EQ(looks, 1);
+    EXPECT_EQ(polls, 1);
     list.answered(ReadList::Mask{}.set());
   }
   EXPECT_TRUE(seen.all());
@@ -126,16 +126,16 @@ TEST(ReadList, AServoIsPolledAtItsFirstReplyAfterALoss) {
   ReadList list{kRound};
   list.next();
   list.answered(~ReadList::Mask{}.set(4).set(11));
-  int looks = 0;
+  int polls = 0;
   for (const auto entry : list.next()) {
-    looks += entry.look ? 1 : 0;
-    EXPECT_TRUE(entry.look || (entry.joint != 4 && entry.joint != 11));
+    polls += entry.poll ? 1 : 0;
+    EXPECT_TRUE(entry.poll || (entry.joint != 4 && entry.joint != 11));
   }
-  EXPECT_LE(looks, 3);
+  EXPECT_LE(polls, 3);
   list.answered(ReadList::Mask{}.set());
-  looks = 0;
-  for (const auto entry : list.next()) looks += entry.look ? 1 : 0;
-  EXPECT_EQ(looks, 1) << "once";
+  polls = 0;
+  for (const auto entry : list.next()) polls += entry.poll ? 1 : 0;
+  EXPECT_EQ(polls, 1) << "once";
 }
 
 TEST(ReadList, AfterALostBoardReplyAllAreRecheckedAsFastAsThePeriodAllows) {
@@ -143,18 +143,18 @@ TEST(ReadList, AfterALostBoardReplyAllAreRecheckedAsFastAsThePeriodAllows) {
     ReadList list{kRound, most};
     list.next();
     list.missedAll();
-    ReadList::Mask looked;
+    ReadList::Mask polled;
     for (std::size_t cycle = 0; cycle < kJoints / most; ++cycle) {
-      std::size_t looks = 0;
+      std::size_t polls = 0;
       for (const auto entry : list.next()) {
-        if (!entry.look) continue;
-        looked.set(entry.joint);
-        ++looks;
+        if (!entry.poll) continue;
+        polled.set(entry.joint);
+        ++polls;
       }
-      EXPECT_LE(looks, most + 1);
+      EXPECT_LE(polls, most + 1);
       list.answered(ReadList::Mask{}.set());
     }
-    EXPECT_TRUE(looked.all());
+    EXPECT_TRUE(polled.all());
   }
 }
 

@@ -56,7 +56,7 @@ TEST_F(Decoder, ServoAnswersInSiUnitsWithItsErrorByte) {
   EXPECT_DOUBLE_EQ(servo.velocity.value, -10 * kRadPerSecPerCount);
   EXPECT_NEAR(servo.load, 0.5, 0.001);
   EXPECT_EQ(servo.error_bits, 32);
-  EXPECT_FALSE(servo.looked);
+  EXPECT_FALSE(servo.polled);
 }
 
 TEST_F(Decoder, AMissingReplyIsAbsentNotZero) {
@@ -76,7 +76,7 @@ TEST_F(Decoder, TheRoundRobinPollReadsVoltageTemperatureAndTorque) {
   look[18] = 121, look[19] = 47;     // 42 voltage, 43 temperature
   take(19, look);
   const ServoReading& servo = readings.servo[18];
-  ASSERT_TRUE(servo.looked);
+  ASSERT_TRUE(servo.polled);
   EXPECT_TRUE(servo.torque_enabled);
   EXPECT_DOUBLE_EQ(servo.torque_limit.value, 2.5);
   EXPECT_DOUBLE_EQ(servo.position.value, 2 * kRadPerTick);
@@ -119,7 +119,7 @@ TEST_F(Decoder, FramesOfWrongLengthOrUnknownIdAreIgnored) {
   EXPECT_TRUE(decoder.answered().none());
 }
 
-/// The answer to the list, with both servos that are not looked at at `ticks`.
+/// The answer to the list, with both servos that are not polled at `ticks`.
 std::vector<std::uint8_t> answerWith(std::uint16_t ticks) {
   std::array<std::uint8_t, kMaxFrame> room{};
   std::vector<std::uint8_t> stream;

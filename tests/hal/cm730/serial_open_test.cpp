@@ -14,7 +14,7 @@
 #include <fstream>
 #include <optional>
 
-#include "hal/cm730/port_check.hpp"
+#include "hal/cm730/diagnosis/port_check.hpp"
 #include "hal/cm730/pty.hpp"
 
 namespace darwinop::cm730 {

@@ -62,6 +62,7 @@ TEST_P(ChildSignals, JustAfterTheStartAreNotLost) {
     const sighandler_t before = std::signal(SIGINT, ours);
     for (int i = 0; i < 20; ++i) {
       Start start{.command = {"/bin/sleep", "100"}, .group = Start::Group::kItsOwnSession};
+      start.keeps_ignored_signals = i % 2 == 0 && ours != SIG_IGN;
       if (GetParam()) start.error_prefix = "";
       ChildProcess child{start};
       child.signalGroup(SIGINT);

@@ -67,24 +67,6 @@ TEST(RemoteLinkPort, KeepsCommandsUntilTheyChange) {
   EXPECT_EQ(neck.p_gain, 10);
 }
 
-TEST(RemoteLinkPort, PublishesTheJointsAndLedsOfADriverInThisProcessUnchanged) {
-  PortOfAWatchedLink robot;
-  robot.seen->cycle = 100;
-  Commands commands;
-  commands.joint[index(Joint::kNeck)].setGoal(Rad{0.123456});
-  commands.joint[index(Joint::kHead)].setTorque(false);
-  commands.led.setEye(0x1F);
-  commands.end_of_session = true;  // the port's own
-  robot.port.publish(commands);
-  const Commands& published = robot.published->back();
-  EXPECT_EQ(published.joint[index(Joint::kNeck)].goal.value, 0.123456);
-  EXPECT_TRUE(published.joint[index(Joint::kHead)].has(JointCommand::kTorque));
-  EXPECT_FALSE(published.joint[index(Joint::kHead)].torque_on);
-  EXPECT_EQ(published.led, commands.led);
-  EXPECT_FALSE(published.end_of_session);
-  EXPECT_GT(robot.seen->cycle, 100) << "simulated time goes on";
-}
-
 TEST(RemoteLinkPort, IgnoresAPositionOutsideTheEncodersRange) {
   PortOfAWatchedLink robot;
   EXPECT_FALSE(robot.neck({.joint = Joint::kNeck, .set = MotorSetting::kPosition, .position = kNoValue})

@@ -1,14 +1,13 @@
 // Writes the MuJoCo body file: the fixed world, then one element per table row.
 #include "twin/body/make_xml/body_xml.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
 #include "core/servo_limits.hpp"
+#include "core/text/number_text.hpp"
 #include "core/units.hpp"
 #include "twin/body/make_xml/csv.hpp"
 #include "twin/body/make_xml/world_xml.hpp"
@@ -29,9 +28,7 @@ constexpr std::string_view kTrunkSites =
 )";
 
 std::string brief(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.9g", value);
-  return text.data();
+  return text::generalText(value, 9);
 }
 
 std::string triple(const Csv& csv, std::size_t row, const std::string& a, const std::string& b, const std::string& c) {

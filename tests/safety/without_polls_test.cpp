@@ -8,9 +8,9 @@ namespace {
 
 constexpr Joint kUnseen = Joint::kNeck;
 
-TEST(WithoutLooks, TorqueWaitsUntilTheGoalWasSeenInTheServo) {
+TEST(WithoutPolls, TorqueWaitsUntilTheGoalWasSeenInTheServo) {
   Rig rig;
-  rig.robot[kUnseen].looked_at = false;
+  rig.robot[kUnseen].polled = false;
   rig.newSession();
   for (int i = 0; i < 300; ++i) {
     rig.cycle();
@@ -19,27 +19,27 @@ TEST(WithoutLooks, TorqueWaitsUntilTheGoalWasSeenInTheServo) {
   EXPECT_TRUE(rig.robot[Joint::kHead].torque) << "the others are not kept waiting";
 }
 
-TEST(WithoutLooks, AJointThatMissedAnAnswerStaysHeldUntilItsTorqueRegistersAreRead) {
+TEST(WithoutPolls, AJointThatMissedAnAnswerIsSkippedUntilItsTorqueRegistersAreRead) {
   Rig rig;
   rig.start();
   rig.runFor(1);
   const double goal = rig.goal(kUnseen);
-  rig.robot[kUnseen].looked_at = rig.robot[kUnseen].answers = false;
+  rig.robot[kUnseen].polled = rig.robot[kUnseen].answers = false;
   rig.cycle();
   rig.robot[kUnseen].answers = true;
   rig.joint(kUnseen).setGoal(Rad{goal + 0.3});
   rig.cycle();
   for (int i = 0; i < 30; ++i) {
     rig.cycle();
-    ASSERT_TRUE(rig.held(kUnseen)) << "cycle " << i;
+    ASSERT_TRUE(rig.skipped(kUnseen)) << "cycle " << i;
     ASSERT_EQ(rig.goal(kUnseen), goal) << "cycle " << i;
   }
-  rig.robot[kUnseen].looked_at = true;
+  rig.robot[kUnseen].polled = true;
   rig.runFor(1);
   EXPECT_NEAR(rig.goal(kUnseen), goal + 0.3, 1e-9);
 }
 
-TEST(WithoutLooks, TorqueStaysOffWhereTheReadingThatFindsTheGoalReportsOverheating) {
+TEST(WithoutPolls, TorqueStaysOffWhereTheReadingThatFindsTheGoalReportsOverheating) {
   const auto placed = [](Rig& rig) {
     rig.newSession();
     return rig.runUntil([&] { return rig.safe && rig.driven(kUnseen); });

@@ -1,5 +1,5 @@
 // One request, one answer: what counts as the answer, and how long it is waited for.
-#include "hal/cm730/transactions.hpp"
+#include "hal/cm730/diagnosis/transactions.hpp"
 
 #include <gtest/gtest.h>
 

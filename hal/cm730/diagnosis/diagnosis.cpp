@@ -1,5 +1,5 @@
 // Findings about the board, the serial line and the cycle time. Servos: servo_rows.cpp.
-#include "hal/cm730/diagnosis.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -7,7 +7,7 @@
 #include "core/registers.hpp"
 #include "core/servo_limits.hpp"
 #include "hal/cm730/bus.hpp"
-#include "hal/cm730/servo_rows.hpp"
+#include "hal/cm730/diagnosis/servo_rows.hpp"
 #include "hal/cm730/usb_serial.hpp"
 #include "hal/cm730/wire.hpp"
 
@@ -45,7 +45,7 @@ Nanos usbTime(const RobotFacts& facts) {
 }
 
 constexpr std::size_t kReadBytes =
-    kRequestBytes + kBoardWindow.frameBytes() + kServoLook.frameBytes() + (kJoints - 1) * kServoWindow.frameBytes();
+    kRequestBytes + kBoardWindow.frameBytes() + kServoPoll.frameBytes() + (kJoints - 1) * kServoWindow.frameBytes();
 constexpr std::size_t kCycleBytes = kSyncWriteBytes + kReadBytes, kGoalCycleBytes = kGoalBytes + kReadBytes;
 
 Finding silentBoard(const RobotFacts& facts) {

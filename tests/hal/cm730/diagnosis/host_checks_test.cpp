@@ -1,5 +1,5 @@
 // Findings about the computer.
-#include "hal/cm730/host_checks.hpp"
+#include "hal/cm730/diagnosis/host_checks.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // One request, one answer, a few tries: for start-up and tools, never in the loop.
-#include "hal/cm730/transactions.hpp"
+#include "hal/cm730/diagnosis/transactions.hpp"
 
 #include <algorithm>
 

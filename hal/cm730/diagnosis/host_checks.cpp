@@ -1,5 +1,5 @@
 // Measures real-time priority, memory locking and clock resolution.
-#include "hal/cm730/host_checks.hpp"
+#include "hal/cm730/diagnosis/host_checks.hpp"
 
 #include <pthread.h>
 #include <sched.h>

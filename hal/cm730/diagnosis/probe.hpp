@@ -6,9 +6,9 @@
 #include <string>
 
 #include "hal/byte_line.hpp"
-#include "hal/cm730/finding.hpp"
+#include "hal/cm730/diagnosis/finding.hpp"
+#include "hal/cm730/diagnosis/robot_facts.hpp"
 #include "hal/cm730/joint_offsets.hpp"
-#include "hal/cm730/robot_facts.hpp"
 
 namespace darwinop::cm730 {
 

@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "hal/cm730/finding.hpp"
-#include "hal/cm730/robot_facts.hpp"
+#include "hal/cm730/diagnosis/finding.hpp"
+#include "hal/cm730/diagnosis/robot_facts.hpp"
 
 namespace darwinop::cm730 {
 

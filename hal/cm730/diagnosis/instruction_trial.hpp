@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hal/byte_line.hpp"
-#include "hal/cm730/robot_facts.hpp"
+#include "hal/cm730/diagnosis/robot_facts.hpp"
 
 namespace darwinop::cm730 {
 

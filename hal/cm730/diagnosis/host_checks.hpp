@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "hal/byte_line.hpp"
-#include "hal/cm730/finding.hpp"
+#include "hal/cm730/diagnosis/finding.hpp"
 
 namespace darwinop::cm730 {
 

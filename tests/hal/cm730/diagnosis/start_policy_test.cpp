@@ -1,5 +1,5 @@
 // Start policy: doctor, start and docs/doctor.md agree.
-#include "hal/cm730/start_policy.hpp"
+#include "hal/cm730/diagnosis/start_policy.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 #include <memory>
 #include <string>
 
-#include "hal/cm730/finding.hpp"
-#include "hal/cm730/instruction_trial.hpp"
-#include "hal/cm730/probe.hpp"
-#include "hal/cm730/transactions.hpp"
+#include "hal/cm730/diagnosis/finding.hpp"
+#include "hal/cm730/diagnosis/instruction_trial.hpp"
+#include "hal/cm730/diagnosis/probe.hpp"
+#include "hal/cm730/diagnosis/transactions.hpp"
 #include "hil-mocks/memory_line.hpp"
 #include "hil-mocks/robot_options.hpp"
 #include "hil-mocks/torque_on_counter.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/cm730/finding.hpp"
+#include "hal/cm730/diagnosis/finding.hpp"
 #include "hal/cm730/serial_port.hpp"
 
 namespace darwinop::cm730 {

@@ -1,5 +1,5 @@
 // Tests BulkRead and SyncWrite as the loop sends them, with retries.
-#include "hal/cm730/instruction_trial.hpp"
+#include "hal/cm730/diagnosis/instruction_trial.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,16 +8,16 @@
 
 #include "core/packet.hpp"
 #include "core/registers.hpp"
-#include "hal/cm730/diagnosis.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
+#include "hal/cm730/diagnosis/transactions.hpp"
 #include "hal/cm730/request_tag.hpp"
-#include "hal/cm730/transactions.hpp"
 #include "hal/cm730/wire.hpp"
 
 namespace darwinop::cm730 {
 namespace {
 
 constexpr std::uint8_t kTrialLed = find(kMx28, "led").address;
-constexpr std::size_t kLedAt = kTrialLed - kServoLook.address;
+constexpr std::size_t kLedAt = kTrialLed - kServoPoll.address;
 constexpr int kTries = 6;                  // single losses are normal, and a busy PC stalls
 constexpr Nanos kMargin{15'000'000};       // scheduling delay of a busy PC
 constexpr Nanos kLateReplies{40'000'000};  // wait after an incomplete exchange
@@ -49,8 +49,8 @@ class Trial {
     request.add(kBoardId, kBoardWindow.address, board_bytes);
     std::size_t bytes = board_bytes + kFrameOverhead;
     for (const std::size_t i : servos) {
-      request.add(kJointTable[i].id, kServoLook.address, kServoLook.count);
-      bytes += kServoLook.frameBytes();
+      request.add(kJointTable[i].id, kServoPoll.address, kServoPoll.count);
+      bytes += kServoPoll.frameBytes();
     }
     const Bytes sent = request.finish();
     line_.discardInput();
@@ -88,7 +88,7 @@ class Trial {
 
   void take(const Frame& frame, std::uint8_t board_bytes, bool& board) {
     if (frame.id == kBoardId && frame.params.size() == board_bytes) board = true;
-    if (frame.id < 1 || frame.id > kJoints || frame.params.size() != kServoLook.count) return;
+    if (frame.id < 1 || frame.id > kJoints || frame.params.size() != kServoPoll.count) return;
     const std::size_t i = frame.id - 1u;
     answered_.set(i);
     led_[i] = frame.params[kLedAt] != 0;

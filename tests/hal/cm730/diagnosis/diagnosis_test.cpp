@@ -1,10 +1,10 @@
 // Findings derived from measurements.
-#include "hal/cm730/diagnosis.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "hal/cm730/chains.hpp"
+#include "hal/cm730/diagnosis/chains.hpp"
 
 namespace darwinop::cm730 {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/joints.hpp"
-#include "hal/cm730/robot_facts.hpp"
+#include "hal/cm730/diagnosis/robot_facts.hpp"
 
 namespace darwinop::cm730 {
 

@@ -1,5 +1,5 @@
 // Start-up probe on a virtual robot: findings, corrections, and no other writes.
-#include "hal/cm730/probe.hpp"
+#include "hal/cm730/diagnosis/probe.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <bitset>
 
 #include "core/registers.hpp"
-#include "hal/cm730/diagnosis.hpp"
-#include "hal/cm730/transactions.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
+#include "hal/cm730/diagnosis/transactions.hpp"
 #include "hil-mocks/memory_line.hpp"
 
 namespace darwinop::cm730 {

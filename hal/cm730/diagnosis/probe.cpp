@@ -1,5 +1,5 @@
 // Start-up measurements.
-#include "hal/cm730/probe.hpp"
+#include "hal/cm730/diagnosis/probe.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -7,9 +7,9 @@
 #include "core/conversions.hpp"
 #include "core/packet.hpp"
 #include "core/registers.hpp"
-#include "hal/cm730/diagnosis.hpp"
-#include "hal/cm730/instruction_trial.hpp"
-#include "hal/cm730/transactions.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
+#include "hal/cm730/diagnosis/instruction_trial.hpp"
+#include "hal/cm730/diagnosis/transactions.hpp"
 
 namespace darwinop::cm730 {
 namespace {

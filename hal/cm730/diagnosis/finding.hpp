@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/joints.hpp"
-#include "hal/cm730/start_policy.hpp"
+#include "hal/cm730/diagnosis/start_policy.hpp"
 
 namespace darwinop::cm730 {
 

@@ -1,5 +1,5 @@
 // Serial port check of the doctor.
-#include "hal/cm730/port_check.hpp"
+#include "hal/cm730/diagnosis/port_check.hpp"
 
 #include <stdexcept>
 

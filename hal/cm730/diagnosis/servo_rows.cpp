@@ -1,5 +1,5 @@
 // Findings about each servo.
-#include "hal/cm730/servo_rows.hpp"
+#include "hal/cm730/diagnosis/servo_rows.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -10,8 +10,8 @@
 #include "core/packet.hpp"
 #include "core/registers.hpp"
 #include "core/servo_limits.hpp"
-#include "hal/cm730/chains.hpp"
-#include "hal/cm730/diagnosis.hpp"
+#include "hal/cm730/diagnosis/chains.hpp"
+#include "hal/cm730/diagnosis/diagnosis.hpp"
 
 namespace darwinop::cm730 {
 namespace {
