@@ -91,6 +91,23 @@ TEST(TakeOver, TorqueWaitsForTheReplyOfTheBoard) {
   EXPECT_TRUE(rig.robot[Joint::kNeck].torque);
 }
 
+TEST(TakeOver, ALostTorqueOnIsSeenAtTheNextPollAndRepeated) {
+  const auto ordered = [](Rig& rig) { return rig.safe && rig.safe->torqueOn()[index(Joint::kNeck)]; };
+  Rig undisturbed;
+  undisturbed.newSession();
+  const int cycles = undisturbed.runUntil([&] { return ordered(undisturbed); });
+  ASSERT_GT(cycles, 1);
+  Rig rig;
+  rig.newSession();
+  rig.run(cycles - 1);
+  rig.robot[Joint::kNeck].receives = false;
+  rig.cycle();
+  ASSERT_TRUE(ordered(rig));
+  rig.robot[Joint::kNeck].receives = true;
+  rig.run(8);
+  EXPECT_TRUE(rig.robot[Joint::kNeck].torque);
+}
+
 TEST(TakeOver, AServoWhoseTorqueGoesOffSoonAfterItCameOnIsTakenOverAgain) {
   Rig rig;
   rig.newSession();
