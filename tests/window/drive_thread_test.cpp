@@ -89,8 +89,10 @@ TEST_F(WindowDriveThread, TakesTheRobotWhereItIsAndExecutesRequests) {
   ASSERT_TRUE(reaches(DriveState::kDriving));
   EXPECT_TRUE(robotHas(&FakeRobot::leased));
   EXPECT_TRUE(robotHas(&FakeRobot::published).start_where_it_is);
-  requestNeck(0.25);
-  for (int i = 0; i < 20'000 && neckGoal() != 0.25; ++i) std::this_thread::sleep_for(1ms);
+  for (int i = 0; i < 20'000 && neckGoal() != 0.25; ++i) {
+    requestNeck(0.25);
+    std::this_thread::sleep_for(1ms);
+  }
   EXPECT_EQ(neckGoal(), 0.25);
 }
 
@@ -121,6 +123,29 @@ TEST_F(WindowDriveThread, HoldsAJointOnItsWayAtItsPosition) {
   EXPECT_EQ(neckGoal(), 0.3);
 }
 
+TEST_F(WindowDriveThread, ExecutesNoRequestThatComesAfterAStop) {
+  drive.start();
+  ASSERT_TRUE(reaches(DriveState::kDriving));
+  drive.stop();
+  requestNeck(0.9);
+  ASSERT_TRUE(reaches(DriveState::kFree));
+  EXPECT_NE(neckGoal(), 0.9);
+}
+
+TEST_F(WindowDriveThread, ExecutesAPageOnce) {
+  drive.start();
+  ASSERT_TRUE(reaches(DriveState::kDriving));
+  DriveRequests page, torque;
+  page.page = 99;
+  torque.torque[0] = true;
+  drive.request(page);
+  for (int i = 0; i < 20'000 && drive.report().status.refused.empty(); ++i) std::this_thread::sleep_for(1ms);
+  EXPECT_NE(drive.report().status.refused, "");
+  drive.request(torque);
+  for (int i = 0; i < 500 && !drive.report().status.refused.empty(); ++i) std::this_thread::sleep_for(1ms);
+  EXPECT_EQ(drive.report().status.refused, "") << "it was refused again";
+}
+
 TEST_F(WindowDriveThread, EndsItsSessionWhenItIsDestroyed) {
   const auto connect = [this] { return std::make_unique<FakeRobotLink>(robot); };
   auto other = std::make_unique<DriveThread>(connect, pages);
@@ -148,7 +173,9 @@ TEST_F(WindowDriveThread, EndsWithoutRequests) {
   ASSERT_TRUE(reaches(DriveState::kDriving));
   const auto driving = std::chrono::steady_clock::now();
   ASSERT_TRUE(reaches(DriveState::kFree));
-  EXPECT_GT(std::chrono::steady_clock::now() - driving, DriveThread::kRequestTimeout - 100ms);
+  const auto lasted = std::chrono::steady_clock::now() - driving;
+  EXPECT_GT(lasted, DriveThread::kRequestTimeout - 100ms);
+  EXPECT_LT(lasted, 2 * DriveThread::kRequestTimeout);
   EXPECT_THAT(drive.report().why, HasSubstr("did not respond for 0.8 s"));
   EXPECT_TRUE(robotHas(&FakeRobot::left_holding));
 }
