@@ -19,11 +19,11 @@ void expect(bool holds) {
 
 struct FakeDrive final : window::DriveInterface {
   void start() override {
-    expect(now.state == State::kFree);
-    now = {.state = State::kStarting};
+    expect(now.state == window::DriveState::kFree);
+    now = {.state = window::DriveState::kStarting};
   }
   void request(const window::DriveRequests& requests) override {
-    expect(now.state == State::kDriving && requests.page >= 0 && requests.page <= 255);
+    expect(now.state == window::DriveState::kDriving && requests.page >= 0 && requests.page <= 255);
     for (const auto& goal : requests.goals) expect(!goal || std::isfinite(goal->value));
     if (!requests.walk) return;
     for (const double part : {requests.walk->x, requests.walk->y, requests.walk->a}) expect(std::abs(part) <= 1);
@@ -32,8 +32,8 @@ struct FakeDrive final : window::DriveInterface {
   void finish() override { endSession(); }
   Report report() override { return now; }
   void endSession() {
-    expect(now.state != State::kFree);
-    now = {.state = State::kEnding};
+    expect(now.state != window::DriveState::kFree);
+    now = {.state = window::DriveState::kEnding};
   }
 
   Report now{};
@@ -71,7 +71,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     FakePage& page = pages[line[0] & 1];
     switch (line[0]) {
       case 'g':
-        drive.now = {.state = window::DriveInterface::State::kDriving};
+        drive.now = {.state = window::DriveState::kDriving};
         break;  // it has the robot, or falls from the sky
       case 'e':
         drive.now = {.why = "it ended"};

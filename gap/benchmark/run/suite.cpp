@@ -96,7 +96,8 @@ void workForFirstRank(const Suite& suite) {
   const std::vector<CaseFolder> cases = casesIn(suite.folder);
   while (true) {
     sendTo(0, kRequest);
-    const std::string text = nextMessage().text;
+    const Message message = nextMessage();
+    const std::string& text = message.text;
     if (text == kDone) return;
     const auto one = std::ranges::find(cases, text.substr(std::string_view{kCase}.size()), &CaseFolder::name);
     if (one == cases.end())
