@@ -112,11 +112,10 @@ void JointGuard::observe(const JointSensors& seen, bool given_up, Nanos powered_
   const TripWatch::Verdict verdict = trip_watch_.update(seen, channel_.drivenFor());
   const bool was_suspected = suspected_;
   suspected_ = verdict == TripWatch::Verdict::kSuspected;
-  // Suspected wrongly, back by itself, or its torque is off (kNotOn): it may have swung away from its last goal.
-  if (was_suspected && !suspected_) restart();
   if (verdict == TripWatch::Verdict::kOverload) trip_ = Trip::kOverload;
   if (verdict == TripWatch::Verdict::kOverheat) trip_ = Trip::kOverheat;
-  if (watch_.lost() || given_up) restart();
+  // No longer suspected, or its torque is off (kNotOn): it may have swung away from its last goal.
+  if ((was_suspected && !suspected_) || watch_.lost() || given_up) restart();
   if (seen.health.fresh()) {
     stiff_ = seen.torque_enabled;
     torque_known_ = true;

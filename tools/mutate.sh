@@ -79,8 +79,8 @@ placed without a speed limit	safety/joint_guard.cpp	s/&& seen.speed_limit.value 
 shut off at once: first time is a fact	safety/joint_guard.cpp	s/if \(shut && shut_at_once_\)/if (shut)/
 shut off at once: never a fact	safety/joint_guard.cpp	s/if \(shut && shut_at_once_\)/if (shut \&\& !shut)/
 shut off at once: torque on	safety/joint_guard.cpp	s/has_goal_ = took && !shut/has_goal_ = took/
-cleared suspicion keeps its goal	safety/joint_guard.cpp	s/was_suspected && !suspected_\) restart/was_suspected \&\& absent_) restart/
-lost servo keeps its goal	safety/joint_guard.cpp	s/watch_.lost\(\) \|\| given_up\) restart/false) restart/
+cleared suspicion keeps its goal	safety/joint_guard.cpp	s/\(was_suspected && !suspected_\) \|\|/(was_suspected \&\& absent_) ||/
+lost servo keeps its goal	safety/joint_guard.cpp	s/ \|\| watch_.lost\(\) \|\| given_up\) restart/) restart/
 lost torque off is not repeated	safety/joint_guard.cpp	s/(if \(off_ordered_ .*\)) orderOff\(\)/\1 off_due_ = off_due_/
 old polls count after torque off	safety/joint_guard.cpp	s/if \(!off_ordered_\) stiff_ = torque_known_ = false;//
 torque off and on does not reset a trip	safety/joint_guard.cpp	s/if \(on && limp_\) resetTrip/if (on \&\& limp_ \&\& absent_) resetTrip/
