@@ -73,14 +73,14 @@ TEST(TakeOver, NoTorqueFindsAnOlderGoalWhateverIsLostOnTheWire) {
 }
 
 TEST(TakeOver, TorqueWaitsForTheReplyOfTheBoard) {
-  const auto cyclesUntilPlaced = [] {
+  const auto cycles_until_placed = [] {
     Rig rig;
     rig.newSession();
     return rig.runUntil([&] { return rig.safe && rig.driven(Joint::kNeck); });
   };
   Rig rig;
   rig.newSession();
-  rig.run(cyclesUntilPlaced() - 1);
+  rig.run(cycles_until_placed() - 1);
   rig.robot.board_reply_lost = true;
   rig.cycle();  // goals are written and seen in the servos; the board's reply is missing
   ASSERT_TRUE(rig.driven(Joint::kNeck));
