@@ -62,6 +62,17 @@ stop() {
   [ -z "$fuzzing" ] || kill -INT "$fuzzing" 2>/dev/null || :
 }
 
+# is_slow NAME INPUT: libFuzzer measures real time, and a busy or suspended machine makes any input slow. More than 2 core
+# seconds are a finding.
+is_slow() {
+  local before
+  count_spent
+  before=$spent
+  "$build/bin/$1" "$2" >/dev/null 2>&1 || return 0
+  count_spent
+  [ $((spent - before)) -gt 200 ]
+}
+
 # slice NAME SECONDS: one run of a fuzzer. Sets $used (hundredths of a core second); returns 1 when it found something.
 slice() {
   local name=$1 seconds=$2 log=$build/$1.log status=0 before executions coverage artifact finding=-
@@ -84,6 +95,11 @@ slice() {
   executions=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -1)
   coverage=$(grep -oE 'cov: [0-9]+ ft: [0-9]+' "$log" | tail -1 | awk '{ print $2 "\t" $4 }')
   artifact=$(sed -n 's/^.*Test unit written to //p' "$log" | tail -1)
+  if [[ ${artifact##*/} == "$name"-slow-unit-* ]] && ! is_slow "$name" "$artifact"; then
+    rm "$artifact"
+    artifact=
+    status=0
+  fi
   if [ -n "$artifact" ]; then
     finding="$(date -u +%F) ${artifact##*/"$name"-}"
   elif [ "$status" != 0 ] && [ -z "$stopped" ]; then
