@@ -69,7 +69,7 @@ struct CommandBlock {
 /// Holds both blocks, in private memory or mapped from files.
 class Exchange {
  public:
-  /// Private memory: loop and controller are one process and nobody observes.
+  /// Private memory: loop and controller are one process, without observers.
   static Exchange inMemory();
 
   /// For a loop in the controller's own process: the file that DARWINOP_EXCHANGE names, so that others can read
@@ -78,7 +78,7 @@ class Exchange {
 
   /// New files `path` and `path`.commands that replace old ones. Processes that still map the old ones keep them.
   static Exchange create(const std::string& path, gid_t group = static_cast<gid_t>(-1));
-  /// The same, and the commands lie in private memory: others can observe, and nobody else can drive.
+  /// The same, and the commands lie in private memory: other processes can observe, but not drive.
   static Exchange createObservable(const std::string& path, gid_t group = static_cast<gid_t>(-1));
   /// Removes the files.
   static void remove(const std::string& path) noexcept;

@@ -6,7 +6,7 @@ namespace darwinop::runtime {
 namespace {
 
 constexpr std::uint64_t kTakenIn = 3;  // cycles until an end of session is read, acted upon and reported
-// Torque off is a broadcast that nobody acknowledges. After this many cycles every servo has been polled once
+// Torque off is a broadcast, which is not acknowledged. After this many cycles every servo has been polled once
 // and one that did not receive it got it again.
 constexpr std::uint64_t kLookedAtAll = kJoints + 5;
 // A line that hiccups comes back and the kneel goes on; one that stays away for longer receives nothing.

@@ -46,7 +46,7 @@ class JointGuard {
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
   /// As far as is known the servo holds its joint, on any request.
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }
-  /// It was polled since it answers, or it does not answer: then nobody can know.
+  /// It was polled since it answers, or it does not answer, and its torque cannot be known.
   [[nodiscard]] bool torqueKnown() const noexcept { return torque_known_ || watch_.lost(); }
   /// Servo power is off, and with it its torque.
   void losePower() noexcept { stiff_ = torque_known_ = false; }
@@ -62,7 +62,7 @@ class JointGuard {
   /// Torque off was sent since torque was last switched on here.
   [[nodiscard]] bool offOrdered() const noexcept { return off_ordered_; }
   /// Its servo is polled in every cycle: torque waits for the placed goal to be seen, and the goal stays in its
-  /// place until torque is seen. Nobody acknowledges a SyncWrite, and a goal write switches torque on.
+  /// place until torque is seen. A SyncWrite is not acknowledged, and a goal write switches torque on.
   [[nodiscard]] bool pollDue() const noexcept { return channel_.placed() || (channel_.moving() && !on_seen_); }
   /// A poll in the cycle before found the placed goal and a gentle speed: torque must not find an older goal.
   [[nodiscard]] bool onDue() const noexcept { return channel_.placed() && has_goal_ && !suspected_; }

@@ -116,7 +116,7 @@ class ServoJudge final : public hil::ServoObserver, public hil::WireObserver {
     long pulls_since = 0, driven_since = 0;          // cycle
     long lost_at = -1000;                            // cycle in which it lost its power under torque
     int lost_goal = 0;                               // ticks
-    long unlimited_until = 0;                        // cycle; nobody can know yet that it has no speed limit
+    long unlimited_until = 0;                        // cycle; until then a missing speed limit cannot have been seen
     bool driven = false;
   };
 

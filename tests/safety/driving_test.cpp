@@ -94,28 +94,20 @@ TEST(Driving, ThePeriodOfTheLoopCountsNotThatOfTheConfiguration) {
 }
 
 TEST(Driving, GoalsWaitForABoardThatDoesNotAnswer) {
-  Rig rig;
-  rig.start();
-  rig.joint(Joint::kNeck).setGoal(Rad{1.6});
-  rig.robot.board_answers = false;
-  rig.run(1);
-  const double sent = rig.goal(Joint::kNeck);
-  rig.run(3);
-  EXPECT_EQ(rig.goal(Joint::kNeck), sent) << "it may have received none of them";
-  rig.robot.board_answers = true;
-  rig.run(2);
-  EXPECT_GT(rig.goal(Joint::kNeck), sent);
-}
-
-TEST(Driving, GoalsWaitAlsoWhenOnlyTheReplyOfTheBoardIsLost) {
-  Rig rig;
-  rig.start();
-  rig.joint(Joint::kNeck).setGoal(Rad{1.6});
-  rig.robot.board_reply_lost = true;
-  rig.run(1);
-  const double sent = rig.goal(Joint::kNeck);
-  rig.run(3);
-  EXPECT_EQ(rig.goal(Joint::kNeck), sent);
+  for (const bool only_its_reply_is_lost : {false, true}) {
+    Rig rig;
+    rig.start();
+    rig.joint(Joint::kNeck).setGoal(Rad{1.6});
+    (only_its_reply_is_lost ? rig.robot.board_reply_lost : rig.robot.board_answers) = only_its_reply_is_lost;
+    rig.run(1);
+    const double sent = rig.goal(Joint::kNeck);
+    rig.run(3);
+    EXPECT_EQ(rig.goal(Joint::kNeck), sent) << "it may have received none of them";
+    rig.robot.board_reply_lost = false;
+    rig.robot.board_answers = true;
+    rig.run(2);
+    EXPECT_GT(rig.goal(Joint::kNeck), sent);
+  }
 }
 
 TEST(Driving, ImagesOfNobodyAreNotObeyed) {
