@@ -40,10 +40,9 @@ std::uint32_t grantedBuffers(const Device& device) {
   const int error = request(device.fd(), VIDIOC_REQBUFS, wanted);
   if (error == EINVAL) throw CameraRefused{CameraError::kNoStreaming, device.path()};
   if (error != 0) refuse(device.path(), error);
-  if (wanted.count < StreamBuffers::kNeeded) {
-    const std::string granted = wanted.count == 0 ? "no buffer" : "a single buffer";
-    throw CameraRefused{CameraError::kFewBuffers, device.path(), granted};
-  }
+  if (wanted.count < StreamBuffers::kNeeded)
+    throw CameraRefused{CameraError::kFewBuffers, device.path(),
+                        wanted.count == 0 ? StreamBuffers::kNoBuffer : StreamBuffers::kOneBuffer};
   return wanted.count;
 }
 

@@ -25,6 +25,8 @@ struct Filled {
 class StreamBuffers {
  public:
   static constexpr std::uint32_t kAsked = 4, kNeeded = 2;
+  /// Details of CameraError::kFewBuffers.
+  static constexpr const char *kNoBuffer = "no buffer", *kOneBuffer = "a single buffer";
 
   /// Throws CameraRefused. `device` must outlive it.
   explicit StreamBuffers(const Device& device);

@@ -99,6 +99,10 @@ std::string explain(CameraError kind, const std::string& device, const std::stri
   return "cannot use " + device + " as a camera" + more + ": unplug it and plug it in again";
 }
 
+std::string explainReturn(const std::string& device) {
+  return "the camera at " + device + " is back";
+}
+
 void refuse(const std::string& device, int error) {
   throw CameraRefused{cameraErrorOf(error), device, std::strerror(error)};
 }

@@ -34,6 +34,9 @@ enum class CameraError : std::uint8_t {
 [[nodiscard]] std::string explain(CameraError kind, const std::string& device, const std::string& detail = {},
                                   const std::string& dev = "/dev");
 
+/// The message when pictures arrive again after an error.
+[[nodiscard]] std::string explainReturn(const std::string& device);
+
 /// Thrown while a camera is opened; what() is the message.
 class CameraRefused : public std::runtime_error {
  public:

@@ -123,7 +123,7 @@ Capture::Ending Capture::watch(const Device& device, PictureTaker& taker) {
     if (why != Wake::Why::kTimeout) outcome = taker.takeAll();
     if (outcome.shown) {
       last = monotonicNow();
-      if (reporter_.hasError()) reporter_.back("the camera at " + options_.device + " is back");
+      if (reporter_.hasError()) reporter_.back(explainReturn(options_.device));
     }
     if (outcome.error != 0) return lost(outcome.error);
     if (why == Wake::Why::kPollError && outcome.idle) return lost(ENODEV);

@@ -21,7 +21,7 @@ void checkCapabilities(int fd, const std::string& path) {
   if (error != 0) refuse(path, error);
   // One camera may have several device nodes, one of them for capture. Linux 2.6.31 does not distinguish them.
   const auto caps = (able.capabilities & V4L2_CAP_DEVICE_CAPS) != 0 ? able.device_caps : able.capabilities;
-  if ((caps & V4L2_CAP_VIDEO_CAPTURE) == 0) throw CameraRefused{CameraError::kNotACamera, path, "no video capture"};
+  if ((caps & V4L2_CAP_VIDEO_CAPTURE) == 0) throw CameraRefused{CameraError::kNotACamera, path, kNoVideoCapture};
   if ((caps & V4L2_CAP_STREAMING) == 0) throw CameraRefused{CameraError::kNoStreaming, path};
 }
 

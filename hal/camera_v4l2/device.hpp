@@ -8,6 +8,9 @@
 
 namespace darwinop::v4l2 {
 
+/// Detail of CameraError::kNotACamera.
+inline constexpr const char* kNoVideoCapture = "no video capture";
+
 /// ioctl(); returns 0 or the errno. Requests: those of linux/videodev2.h that Linux 2.6.31 has.
 template <class Argument>
 [[nodiscard]] int request(int fd, unsigned long what, Argument& argument) noexcept {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "hal/camera_v4l2/camera.hpp"
+#include "hal/camera_v4l2/camera_error.hpp"
 #include "hal/camera_v4l2/negotiate.hpp"
 #include "hil-mocks/camera/frame_painter.hpp"
 #include "support/temporary_folder.hpp"
@@ -37,6 +38,14 @@ bool waitFor(Condition&& met) {
 inline std::uint8_t noise(std::uint32_t number, std::size_t at) {
   const std::uint32_t mixed = (static_cast<std::uint32_t>(at) + 977 * number) * 2654435761u;
   return static_cast<std::uint8_t>(mixed >> 23);
+}
+
+/// The message about the virtual camera.
+inline std::string messageOf(CameraError kind, const std::string& detail = {}) {
+  return explain(kind, "/dev/video0", detail);
+}
+inline std::string messageOfReturn() {
+  return explainReturn("/dev/video0");
 }
 
 class VirtualCamera {
@@ -72,6 +81,7 @@ class LogCapture {
     const std::lock_guard lock{mutex_};
     return lines_;
   }
+  /// Number of messages that contain `words`.
   int times(const std::string& words) {
     const auto all = lines();
     return static_cast<int>(std::count_if(all.begin(), all.end(), [&](const std::string& sentence) {

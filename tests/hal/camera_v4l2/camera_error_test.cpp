@@ -6,12 +6,14 @@
 
 #include <cerrno>
 #include <fstream>
+#include <set>
 
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::v4l2 {
 namespace {
 
+using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -28,40 +30,43 @@ TEST(CameraErrorTest, IsFoundByErrno) {
   EXPECT_EQ(cameraErrorOf(ERANGE), CameraError::kOther);
 }
 
-TEST(CameraErrorTest, HasARemedyForEachKind) {
+/// "SENTENCE: remedy" or "SENTENCE; remedy", for each kind a different one.
+TEST(CameraErrorTest, NamesTheDeviceAndARemedyForEachKind) {
+  const TemporaryFolder dev;
+  std::set<std::string> sentences;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(CameraError::kCount); ++i) {
+    const std::string sentence = explain(static_cast<CameraError>(i), "/dev/video7", "detail", dev / "");
+    EXPECT_THAT(sentence, ContainsRegex("/dev/video7.*[:;] [a-z`]+ .+"));
+    sentences.insert(sentence);
+  }
+  EXPECT_EQ(sentences.size(), static_cast<std::size_t>(CameraError::kCount));
+}
+
+TEST(CameraErrorTest, NamesTheToolThatHelps) {
   const struct {
     CameraError kind;
-    const char* advice;
+    const char* tool;
   } rows[] = {
-      {CameraError::kForbidden, "sudo usermod -aG video"},
-      {CameraError::kBusy, "sudo fuser -v /dev/video7"},
+      {CameraError::kForbidden, "usermod -aG video $USER"},
+      {CameraError::kBusy, "fuser -v /dev/video7"},
       {CameraError::kNoStreaming, "uvcvideo"},
       {CameraError::kOtherFormat, "v4l2-ctl -d /dev/video7 --list-formats-ext"},
-      {CameraError::kOtherSize, "restart the controller"},
-      {CameraError::kFewBuffers, "two are needed"},
-      {CameraError::kNoBandwidth, "choose a smaller size"},
-      {CameraError::kUnplugged, "check its USB cable"},
-      {CameraError::kSilent, "unplug it, plug it in again"},
-      {CameraError::kDamaged, "without a hub"},
+      {CameraError::kUnplugged, "USB"},
+      {CameraError::kSilent, "dmesg"},
+      {CameraError::kDamaged, "USB"},
       {CameraError::kReadErrors, "dmesg"},
-      {CameraError::kOutOfMemory, "end other programs"},
-      {CameraError::kOther, "unplug it and plug it in again"},
   };
-  for (const auto& row : rows) {
-    const std::string sentence = explain(row.kind, "/dev/video7", "detail");
-    EXPECT_THAT(sentence, HasSubstr(row.advice));
-    EXPECT_THAT(sentence, HasSubstr("/dev/video7"));
-  }
+  for (const auto& row : rows) EXPECT_THAT(explain(row.kind, "/dev/video7", "detail"), HasSubstr(row.tool));
 }
 
 TEST(CameraErrorTest, ListsTheAvailableCameras) {
   const TemporaryFolder dev;
   EXPECT_THAT(videoDevices(dev / ""), IsEmpty());
-  EXPECT_THAT(explain(CameraError::kAbsent, dev / "video0", {}, dev / ""), HasSubstr("no other video device"));
+  EXPECT_THAT(explain(CameraError::kAbsent, dev / "video0", {}, dev / ""), HasSubstr("lsusb"));
   for (const char* name : {"video10", "video2", "video", "videoX", "tty0"}) std::ofstream{dev / name} << "";
   EXPECT_THAT(videoDevices(dev / ""), ElementsAre(dev / "video2", dev / "video10"));
   const std::string sentence = explain(CameraError::kAbsent, dev / "video10", {}, dev / "");
-  EXPECT_THAT(sentence, HasSubstr("available video devices: " + (dev / "video2") + "; `v4l2-ctl --list-devices`"));
+  EXPECT_THAT(sentence, HasSubstr(": " + (dev / "video2") + "; `v4l2-ctl --list-devices`"));
 }
 
 }  // namespace

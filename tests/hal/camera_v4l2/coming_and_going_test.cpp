@@ -17,7 +17,7 @@ TEST_F(ComingAndGoing, ReportsEachEventOnceAndLeavesASequenceGap) {
   Camera camera{fastOptions(log)};
   waitForPicture(camera);
   device.fault(CameraFault::kGone);
-  ASSERT_TRUE(log.receives("camera at /dev/video0 unplugged: check its USB cable"));
+  ASSERT_TRUE(log.receives(messageOf(CameraError::kUnplugged)));
   const std::uint64_t last = camera.newest().sequence;
   std::this_thread::sleep_for(100ms);  // several attempts
   EXPECT_EQ(log.lines().size(), 1u);
@@ -25,7 +25,7 @@ TEST_F(ComingAndGoing, ReportsEachEventOnceAndLeavesASequenceGap) {
 
   device.paint(2, kFallback);
   device.fault(CameraFault::kNone);
-  ASSERT_TRUE(log.receives("the camera at /dev/video0 is back"));
+  ASSERT_TRUE(log.receives(messageOfReturn()));
   const CameraFrame frame = waitForPicture(camera, last);
   EXPECT_GE(frame.sequence, last + 2);
   EXPECT_EQ(wrongPixels(frame, 2), 0);
@@ -34,7 +34,8 @@ TEST_F(ComingAndGoing, ReportsEachEventOnceAndLeavesASequenceGap) {
   EXPECT_EQ(log.lines().size(), 2u);
 
   device.fault(CameraFault::kGone);
-  EXPECT_TRUE(waitFor([&] { return log.times("unplugged") == 2; })) << "reported again after recovery";
+  EXPECT_TRUE(waitFor([&] { return log.times(messageOf(CameraError::kUnplugged)) == 2; }))
+      << "reported again after recovery";
 }
 
 TEST_F(ComingAndGoing, CountsAllPictures) {
@@ -61,11 +62,11 @@ TEST_F(ComingAndGoing, CountsAsSeeingForTwoSecondsAfterTheLastPicture) {
   waitForPicture(camera);
   device.fault(CameraFault::kSilent);
   const auto begun = std::chrono::steady_clock::now();
-  ASSERT_TRUE(log.receives("no pictures from the camera"));
+  ASSERT_TRUE(log.receives(messageOf(CameraError::kSilent)));
   EXPECT_GT(std::chrono::steady_clock::now() - begun, 1500ms);
   EXPECT_FALSE(camera.health().seeing);
   device.fault(CameraFault::kNone);
-  EXPECT_TRUE(log.receives("is back"));
+  EXPECT_TRUE(log.receives(messageOfReturn()));
   EXPECT_TRUE(camera.health().seeing);
 }
 
@@ -145,9 +146,9 @@ TEST_F(ComingAndGoing, ReportsAPredecessorThatStaysBlocked) {
   ASSERT_TRUE(waitFor([&] { return driver.reached.load(); }));
   predecessor.reset();
   Camera camera{fastOptions(log)};
-  EXPECT_TRUE(log.receives("is in use"));
+  EXPECT_TRUE(log.receives(messageOf(CameraError::kBusy)));
   driver.stuck = false;
-  EXPECT_TRUE(log.receives("is back"));
+  EXPECT_TRUE(log.receives(messageOfReturn()));
 }
 
 TEST_F(ComingAndGoing, DoesNotAllocatePerPicture) {

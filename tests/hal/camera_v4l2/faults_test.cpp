@@ -1,5 +1,6 @@
 // Every fault of the virtual camera: message, reported once, recovery.
 #include "hal/camera_v4l2/bench.hpp"
+#include "hal/camera_v4l2/buffers.hpp"
 
 namespace darwinop::v4l2 {
 namespace {
@@ -7,7 +8,8 @@ namespace {
 struct FaultRow {
   const char* name;
   CameraFault fault;
-  const char* words;
+  CameraError error;
+  const char* detail = "";
 };
 
 std::ostream& operator<<(std::ostream& out, const FaultRow& row) {
@@ -17,14 +19,15 @@ std::ostream& operator<<(std::ostream& out, const FaultRow& row) {
 struct FaultTest : testing::TestWithParam<FaultRow> {
   VirtualCamera device;
   LogCapture log;
+  static std::string message() { return messageOf(GetParam().error, GetParam().detail); }
 
   void expectSaidOnceAndOver(Camera& camera, std::uint64_t last) {
-    ASSERT_TRUE(log.receives(GetParam().words)) << testing::PrintToString(log.lines());
+    ASSERT_TRUE(log.receives(message())) << testing::PrintToString(log.lines());
     std::this_thread::sleep_for(150ms);  // many attempts, or more of the fault
     EXPECT_EQ(log.lines().size(), 1u) << testing::PrintToString(log.lines());
     EXPECT_THAT(log.lines().front(), testing::EndsWith("; retrying"));
     device.fault(CameraFault::kNone);
-    EXPECT_TRUE(log.receives("the camera at /dev/video0 is back"));
+    EXPECT_TRUE(log.receives(messageOfReturn()));
     EXPECT_EQ(wrongPixels(waitForPicture(camera, last), 1), 0);
     EXPECT_EQ(log.lines().size(), 2u) << testing::PrintToString(log.lines());
   }
@@ -34,7 +37,7 @@ using AtOpening = FaultTest;
 TEST_P(AtOpening, IsReportedOnceAndEnds) {
   device.fault(GetParam().fault);
   Camera camera{fastOptions(log)};
-  ASSERT_TRUE(log.receives(GetParam().words)) << testing::PrintToString(log.lines());
+  ASSERT_TRUE(log.receives(message())) << testing::PrintToString(log.lines());
   EXPECT_EQ(camera.newest().sequence, 0u);
   EXPECT_EQ(camera.health().frames, 0u);
   EXPECT_FALSE(camera.health().seeing);
@@ -43,15 +46,15 @@ TEST_P(AtOpening, IsReportedOnceAndEnds) {
 
 INSTANTIATE_TEST_SUITE_P(
     Camera, AtOpening,
-    testing::Values(FaultRow{"Absent", CameraFault::kGone, "no camera at /dev/video0; "},
-                    FaultRow{"NoAccess", CameraFault::kNoAccess, "run `sudo usermod -aG video $USER`"},
-                    FaultRow{"Busy", CameraFault::kBusy, "find it with `sudo fuser -v /dev/video0`"},
-                    FaultRow{"OtherFormat", CameraFault::kOtherFormat, "delivers MJPG, expected YUYV"},
-                    FaultRow{"OneBuffer", CameraFault::kOneBuffer, "grants a single buffer, two are needed"},
-                    FaultRow{"NoMmap", CameraFault::kNoMmap, "does not support memory-mapped streaming"},
-                    FaultRow{"Silent", CameraFault::kSilent, "no pictures from the camera at /dev/video0: unplug it"},
-                    FaultRow{"Short", CameraFault::kShort, "only damaged pictures from the camera"},
-                    FaultRow{"Flagged", CameraFault::kFlagged, "only damaged pictures from the camera"}),
+    testing::Values(FaultRow{"Absent", CameraFault::kGone, CameraError::kAbsent},
+                    FaultRow{"NoAccess", CameraFault::kNoAccess, CameraError::kForbidden},
+                    FaultRow{"Busy", CameraFault::kBusy, CameraError::kBusy},
+                    FaultRow{"OtherFormat", CameraFault::kOtherFormat, CameraError::kOtherFormat, "MJPG"},
+                    FaultRow{"OneBuffer", CameraFault::kOneBuffer, CameraError::kFewBuffers, StreamBuffers::kOneBuffer},
+                    FaultRow{"NoMmap", CameraFault::kNoMmap, CameraError::kNoStreaming},
+                    FaultRow{"Silent", CameraFault::kSilent, CameraError::kSilent},
+                    FaultRow{"Short", CameraFault::kShort, CameraError::kDamaged},
+                    FaultRow{"Flagged", CameraFault::kFlagged, CameraError::kDamaged}),
     [](const auto& tested) { return std::string{tested.param.name}; });
 
 using AmidPictures = FaultTest;
@@ -59,20 +62,18 @@ TEST_P(AmidPictures, IsReportedOnceAndEnds) {
   Camera camera{fastOptions(log)};
   waitForPicture(camera);
   device.fault(GetParam().fault);
-  ASSERT_TRUE(log.receives(GetParam().words)) << testing::PrintToString(log.lines());
+  ASSERT_TRUE(log.receives(message())) << testing::PrintToString(log.lines());
   expectSaidOnceAndOver(camera, camera.newest().sequence);
   EXPECT_GT(camera.health().reopened, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Camera, AmidPictures,
-    testing::Values(FaultRow{"Gone", CameraFault::kGone, "camera at /dev/video0 unplugged"},
-                    FaultRow{"Silent", CameraFault::kSilent, "no pictures from the camera at /dev/video0: unplug it"},
-                    FaultRow{"Short", CameraFault::kShort,
-                             "only damaged pictures from the camera at /dev/video0: check its USB cable"},
-                    FaultRow{"Flagged", CameraFault::kFlagged, "only damaged pictures from the camera"},
-                    FaultRow{"IoError", CameraFault::kIoError, "only damaged pictures from the camera"}),
-    [](const auto& tested) { return std::string{tested.param.name}; });
+INSTANTIATE_TEST_SUITE_P(Camera, AmidPictures,
+                         testing::Values(FaultRow{"Gone", CameraFault::kGone, CameraError::kUnplugged},
+                                         FaultRow{"Silent", CameraFault::kSilent, CameraError::kSilent},
+                                         FaultRow{"Short", CameraFault::kShort, CameraError::kDamaged},
+                                         FaultRow{"Flagged", CameraFault::kFlagged, CameraError::kDamaged},
+                                         FaultRow{"IoError", CameraFault::kIoError, CameraError::kDamaged}),
+                         [](const auto& tested) { return std::string{tested.param.name}; });
 
 using Faults = FaultTest;
 

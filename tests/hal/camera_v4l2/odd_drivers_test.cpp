@@ -2,9 +2,11 @@
 #include <linux/videodev2.h>
 
 #include <cerrno>
+#include <cstring>
 #include <functional>
 
 #include "hal/camera_v4l2/bench.hpp"
+#include "hal/camera_v4l2/device.hpp"
 #include "hal/camera_v4l2/monotonic.hpp"
 #include "hal/camera_v4l2/quirks.hpp"
 
@@ -50,7 +52,7 @@ TEST_F(OddDriver, OfLinux2_6_31KeepsTheBufferOfADamagedPicture) {
   EXPECT_THAT(log.lines(), testing::IsEmpty());
   EXPECT_EQ(camera.health().reopened, 0u);
   device.fault(CameraFault::kGone);
-  ASSERT_TRUE(log.receives("unplugged"));
+  ASSERT_TRUE(log.receives(messageOf(CameraError::kUnplugged)));
   const CameraHealth health = camera.health();
   EXPECT_GE(health.damaged, 8u);
   const std::uint64_t last = camera.newest().sequence, counted = health.frames + health.damaged + health.dropped;
@@ -69,7 +71,7 @@ TEST_F(OddDriver, AnswersEveryReadWithAnErrorAtOnce) {
   CameraOptions options = fastOptions(log);
   options.patience.silent = 60s;  // the error must be detected earlier
   Camera camera{options};
-  ASSERT_TRUE(log.receives("(Input/output error): check the USB cable"));
+  ASSERT_TRUE(log.receives(messageOf(CameraError::kReadErrors, std::strerror(EIO))));
   EXPECT_EQ(camera.newest().sequence, 0u);
 }
 
@@ -79,7 +81,7 @@ TEST_F(OddDriver, IsSlowerThanTheRobotsCamera) {
                         return result;
                       }};
   Camera camera{fastOptions(log)};
-  EXPECT_TRUE(log.receives("/dev/video0 delivers 7.5 pictures/s at 320x240, the robot's own camera 30.0; "));
+  EXPECT_TRUE(log.receives("7.5 pictures/s at 320x240"));
 }
 
 TEST_F(OddDriver, DoesNotReportItsRate) {
@@ -158,13 +160,13 @@ TEST_F(OddDriver, TakesNoPictures) {
                         return result;
                       }};
   Camera camera{fastOptions(log)};
-  EXPECT_TRUE(log.receives("/dev/video0 is not a capture device (no video capture)"));
+  EXPECT_TRUE(log.receives(messageOf(CameraError::kNotACamera, kNoVideoCapture)));
 }
 
 TEST_F(OddDriver, ExceedsTheBusBandwidth) {
   const Changed quirk{VIDIOC_STREAMON, [](int, void*) { return fails(ENOSPC); }};
   Camera camera{fastOptions(log)};
-  EXPECT_TRUE(log.receives("not enough USB bandwidth for /dev/video0"));
+  EXPECT_TRUE(log.receives(messageOf(CameraError::kNoBandwidth)));
 }
 
 TEST_F(OddDriver, ReturnsABufferThatWasNotQueued) {
@@ -173,7 +175,7 @@ TEST_F(OddDriver, ReturnsABufferThatWasNotQueued) {
                         return result;
                       }};
   Camera camera{fastOptions(log)};
-  EXPECT_TRUE(log.receives("(Protocol error)"));
+  EXPECT_TRUE(log.receives(messageOf(CameraError::kReadErrors, std::strerror(EPROTO))));
   EXPECT_EQ(camera.newest().sequence, 0u);
 }
 
@@ -188,7 +190,7 @@ TEST_F(OddDriver, PollsReadyWithoutAPicture) {
   } quirk;
   const InForce in_force{quirk};
   Camera camera{fastOptions(log)};
-  EXPECT_TRUE(log.receives("no pictures from the camera"));
+  EXPECT_TRUE(log.receives(messageOf(CameraError::kSilent)));
   EXPECT_LT(quirk.calls, 1000) << "busy loop";
 }
 

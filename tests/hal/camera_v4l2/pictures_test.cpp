@@ -44,7 +44,7 @@ TEST_F(PicturesTest, StayTheSameUntilThereIsANewerOne) {
   Camera camera{fastOptions(log)};
   waitForPicture(camera);
   device.fault(CameraFault::kGone);
-  ASSERT_TRUE(log.receives("unplugged"));
+  ASSERT_TRUE(log.receives(messageOf(CameraError::kUnplugged)));
   const CameraFrame last = camera.newest(), again = camera.newest();
   EXPECT_EQ(last.sequence, again.sequence);
   EXPECT_EQ(last.time, again.time);

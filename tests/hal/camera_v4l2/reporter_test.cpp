@@ -23,7 +23,7 @@ TEST_F(ReporterTest, ReportsEachKindOfErrorOnceUntilRecovery) {
   reporter.report(CameraError::kBusy, "still busy");
   reporter.report(CameraError::kSilent, "silent");
   reporter.back("back");
-  reporter.back("back again");
+  reporter.back("second return");
   reporter.report(CameraError::kBusy, "busy again");
   EXPECT_THAT(lines, ElementsAre("busy", "silent", "back", "busy again"));
 }
