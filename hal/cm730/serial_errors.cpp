@@ -52,10 +52,10 @@ std::string choices() {
 
 std::string inUse(const std::string& path) {
   const std::string who = holder(path);
-  if (who.empty()) return path + " is in use by another program: find it with `sudo fuser -v " + path + "` and stop it";
+  if (who.empty()) return path + kPortInUse + "another program: find it with `sudo fuser -v " + path + "` and stop it";
   if (who.find("(darwinop-runtim") != std::string::npos)  // the kernel keeps 15 letters of a name
-    return path + " is in use by the daemon, " + who + ": use --robot runtime, or stop it first";
-  return path + " is in use by " + who + ": stop it first";
+    return path + kPortInUse + "the daemon, " + who + ": use --robot runtime, or stop it first";
+  return path + kPortInUse + who + ": stop it first";
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ std::string explain(const std::string& path, const OpenAttempt& failed) {
     case ENODEV:
     case ENXIO:
     case ENOTDIR:
-      return "port " + path + " does not exist; " + choices();
+      return "port " + path + kNoSuchPort + "; " + choices();
     case EACCES:
     case EPERM:
       return "no permission to open " + path + ": run `sudo usermod -aG dialout $USER`, then log out and in again";
@@ -89,7 +89,7 @@ std::string explain(const std::string& path, const OpenAttempt& failed) {
       return inUse(path);
     case ENOTTY:
     case EISDIR:
-      return path + " is not a serial port; " + choices();
+      return path + kNotASerialPort + "; " + choices();
     default:
       break;
   }

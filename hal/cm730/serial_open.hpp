@@ -9,6 +9,11 @@
 
 namespace darwinop::cm730 {
 
+// Phrases of the messages, after the port's name.
+inline constexpr const char* kNoSuchPort = " does not exist";
+inline constexpr const char* kPortInUse = " is in use by ";
+inline constexpr const char* kNotASerialPort = " is not a serial port";
+
 /// On failure `fd` is -1 and `error` the errno of `step`.
 struct OpenAttempt {
   enum class Step { kOpen, kTerminal, kLock };

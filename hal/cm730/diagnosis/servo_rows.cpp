@@ -111,7 +111,7 @@ void addReturnDelay(const ServoFacts& servo, Row& found) {
 void addStatusLevel(const ServoFacts& servo, Row& found) {
   if (servo.level_correction == Correction::kNotNeeded) return;
   if (servo.level_correction == Correction::kDone)
-    found.note("status return level set to 2 permanently");
+    found.note(kStatusLevelCorrected);
   else
     found.add(Kind::kStatusLevel,
               "status return level " + std::to_string(servo.status_level) +
@@ -206,8 +206,8 @@ Finding unreadableRow(Joint joint, const ServoFacts& servo) {
   const std::string what = servoName(joint) + ": garbled replies";
   if (row(joint).id == 1)
     return Finding::of(Kind::kServoGarbled, what,
-                       "two servos may share id 1, the id of a new servo: find the silent one, connect it "
-                       "alone and set its id; otherwise check the cable");
+                       kIdOneTwice + std::string{", the id of a new servo: find the silent one, connect it alone and "
+                                                 "set its id; otherwise check the cable"});
   return Finding::of(Kind::kServoGarbled, what,
                      "check the cable that leads to it, and that no other servo has this id");
 }

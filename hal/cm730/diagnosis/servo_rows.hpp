@@ -8,6 +8,10 @@
 
 namespace darwinop::cm730 {
 
+// Notes and remedies that have no kind of their own.
+inline constexpr const char* kStatusLevelCorrected = "status return level set to 2 permanently";
+inline constexpr const char* kIdOneTwice = "two servos may share id 1";
+
 /// "servo 13 LegLowerR (right knee)"
 std::string servoName(Joint joint);
 

@@ -5,7 +5,7 @@
 
 #include <chrono>
 #include <mutex>
-#include <stdexcept>
+#include <new>
 #include <vector>
 
 namespace darwinop::cm730 {
@@ -106,7 +106,7 @@ TEST(PortKeeper, SurvivesAnAttemptThatThrows) {
   PortKeeper::Config config = port.config();
   config.open = [&port, open = config.open] {
     const int fd = open();
-    if (port.attemptsSoFar() == 1) throw std::runtime_error{"out of memory"};
+    if (port.attemptsSoFar() == 1) throw std::bad_alloc{};
     return fd;
   };
   PortKeeper keeper{config};

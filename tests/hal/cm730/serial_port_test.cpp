@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "hal/cm730/pty.hpp"
+#include "hal/cm730/serial_open.hpp"
 #include "support/allocation_probe.hpp"
 
 namespace darwinop::cm730 {
@@ -151,7 +152,7 @@ TEST(SerialPort, ThrowsAnErrorWithARemedyWithoutAPort) {
     const SerialPort port{"/dev/ttyNOSUCHPORT"};
     FAIL() << "the port was opened";
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string{error.what()}.find("port /dev/ttyNOSUCHPORT does not exist"), std::string::npos);
+    EXPECT_NE(std::string{error.what()}.find(std::string{"/dev/ttyNOSUCHPORT"} + kNoSuchPort), std::string::npos);
   }
 }
 

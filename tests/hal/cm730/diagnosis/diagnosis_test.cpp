@@ -4,7 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "hal/cm730/diagnosis/chains.hpp"
+#include "hal/cm730/diagnosis/rows.hpp"
+#include "hal/cm730/diagnosis/servo_rows.hpp"
 
 namespace darwinop::cm730 {
 namespace {
@@ -40,32 +44,27 @@ RobotFacts healthy() {
   return facts;
 }
 
-Finding rowWith(const Findings& rows, const std::string& text) {
-  for (const Finding& row : rows)
-    if (row.what.find(text) != std::string::npos) return row;
-  return {Level::kError, "(no such row)", {}};
-}
-
 TEST(Diagnosis, OneLossIsAcceptedTwoInSixtyAreReported) {
   RobotFacts facts = healthy();
   facts.servo[4].losses = 1;
   EXPECT_EQ(worst(diagnose(facts)), Level::kOk);
   facts.servo[4].losses = 2;
-  const Finding row = rowWith(diagnose(facts), "2 of 60 single reads were lost");
-  EXPECT_EQ(row.level, Level::kWarning);
-  EXPECT_THAT(row.remedy, HasSubstr("most at servo 5 ArmLowerR"));
+  const Finding lossy = rowOf(diagnose(facts), Kind::kRepliesLost);
+  EXPECT_EQ(lossy.level, Level::kWarning);
+  EXPECT_THAT(lossy.what, HasSubstr("2 of 60 "));
+  EXPECT_THAT(lossy.remedy, HasSubstr(servoName(Joint::kArmLowerR)));
   facts.servo[6].losses = 3;
   facts.servo[4].losses = 3;
   facts.servo[5].losses = 1;
-  EXPECT_TRUE(rowWith(diagnose(facts), "single reads were lost").is(Kind::kRepliesLost));
+  EXPECT_TRUE(has(diagnose(facts), Kind::kRepliesLost));
 }
 
 TEST(Diagnosis, TheLatencySignatureBeginsAtEightMilliseconds) {
   RobotFacts facts = healthy();
   facts.round_trip = 7999us;
-  EXPECT_EQ(rowWith(diagnose(facts), "a short read takes").level, Level::kOk);
+  EXPECT_FALSE(has(diagnose(facts), Kind::kRoundTripLong));
   facts.round_trip = 8ms;
-  EXPECT_TRUE(rowWith(diagnose(facts), "a short read takes").is(Kind::kRoundTripLong));
+  EXPECT_TRUE(has(diagnose(facts), Kind::kRoundTripLong));
   EXPECT_EQ(worst(diagnose(facts)), Level::kError) << "longer than the loop's reply timeout";
 }
 
@@ -92,7 +91,7 @@ TEST(Diagnosis, APeriodMustFitAFullWriteAndLeaveAMillisecondWithGoalsOnly) {
   EXPECT_TRUE(cycleFits(facts));
   for (ServoFacts& servo : facts.servo) servo.return_delay = 64;  // 2.56 ms
   EXPECT_FALSE(cycleFits(facts));
-  EXPECT_TRUE(rowWith(diagnose(facts), "a full cycle takes").is(Kind::kCycleTooLong));
+  EXPECT_TRUE(has(diagnose(facts), Kind::kCycleTooLong));
   facts.period = 16ms;
   EXPECT_TRUE(cycleFits(facts));
 }
@@ -102,32 +101,33 @@ TEST(Diagnosis, AnUnsupportedModelOrWheelModeCannotBeDriven) {
   facts.servo[2].model = 12;
   facts.servo[3].cw_limit = facts.servo[3].ccw_limit = 0;
   const Findings rows = diagnose(facts);
-  EXPECT_THAT(rowWith(rows, "servo 3 ").what, HasSubstr("unsupported model 12"));
-  EXPECT_THAT(rowWith(rows, "servo 4 ").what, HasSubstr("wheel mode"));
+  EXPECT_TRUE(rowOf(rows, Joint::kArmUpperR).is(Kind::kServoModel));
+  EXPECT_THAT(rowOf(rows, Joint::kArmUpperR).what, HasSubstr(" 12 "));
+  EXPECT_TRUE(rowOf(rows, Joint::kArmUpperL).is(Kind::kWheelMode));
   EXPECT_EQ(worst(rows), Level::kError);
 }
 
 TEST(Diagnosis, ATorqueLimitOfZeroIsAShutdown) {
   RobotFacts facts = healthy();
   facts.servo[2].torque_limit = 0;
-  EXPECT_TRUE(rowWith(diagnose(facts), "servo 3 ").is(Kind::kTorqueLimitZero));
+  EXPECT_TRUE(rowOf(diagnose(facts), Joint::kArmUpperR).is(Kind::kTorqueLimitZero));
   facts.servo[2].max_torque = 0;
-  EXPECT_TRUE(rowWith(diagnose(facts), "servo 3 ").is(Kind::kMaxTorqueZero)) << "a setting, not a shutdown";
+  EXPECT_TRUE(rowOf(diagnose(facts), Joint::kArmUpperR).is(Kind::kMaxTorqueZero)) << "a setting, not a shutdown";
 }
 
 TEST(Diagnosis, MissingServoPowerHidesTheServos) {
   RobotFacts facts = healthy();
   facts.board.power_on = false;
   const Findings rows = diagnose(facts);
-  EXPECT_EQ(rowWith(rows, "servo power is off").level, Level::kError);
-  EXPECT_EQ(rowWith(rows, "servo 1 ").what, "(no such row)");
+  EXPECT_EQ(rowOf(rows, Kind::kServoPowerOff).level, Level::kError);
+  EXPECT_TRUE(std::ranges::none_of(rows, [](const Finding& row) { return row.joint.has_value(); }));
 }
 
 TEST(Diagnosis, InvalidRepliesSuggestAWrongPort) {
   RobotFacts facts;
   facts.port = "/dev/ttyUSB0";
   facts.board.garbled = true;
-  EXPECT_THAT(diagnose(facts)[0].what, HasSubstr("are not CM-730 replies"));
+  EXPECT_THAT(rowOf(diagnose(facts), Kind::kBoardGarbled).what, HasSubstr("/dev/ttyUSB0"));
 }
 
 TEST(Diagnosis, EveryFindingHasARemedyOrRefersToAnotherRow) {
@@ -136,10 +136,15 @@ TEST(Diagnosis, EveryFindingHasARemedyOrRefersToAnotherRow) {
     facts.servo[i].error_bits = static_cast<std::uint8_t>(1u << (i % 7));
     facts.servo[i].found = facts.servo[i].readable = i % 3 != 0;
   }
+  const Joint behind_a_break = Joint::kFootR;
+  for (const Joint joint : {Joint::kLegLowerR, Joint::kAnkleR, behind_a_break})
+    facts.servo[index(joint)].found = facts.servo[index(joint)].readable = false;
   facts.board.voltage = Volt{9.0};
   facts.round_trip = 17ms;
-  for (const Finding& row : diagnose(facts)) {
-    const bool another_row_does = row.what.find("behind servo") != std::string::npos;
+  const Findings rows = diagnose(facts);
+  EXPECT_THAT(rowOf(rows, behind_a_break).what, HasSubstr(servoName(Joint::kLegLowerR)));
+  for (const Finding& row : rows) {
+    const bool another_row_does = row.joint == behind_a_break || row.joint == Joint::kAnkleR;
     EXPECT_TRUE(row.level == Level::kOk || another_row_does || !row.remedy.empty()) << row.what;
   }
 }
