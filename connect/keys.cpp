@@ -63,25 +63,24 @@ class KeyWork {
     if (request_.from == "none") return;
     std::string why = "no window is wanted";
     if (request_.from != "terminal" && fromWindow(why)) return;
-    if (request_.from == "window") return log("no key is ever pressed: " + why);
+    if (request_.from == "window") return log(kNoKeys + (": " + why));
     if (!fromTerminal(why))
-      log("no key is ever pressed: no window (" + why +
-          "); start the controller in a terminal, or in a "
-          "graphical session");
+      log(kNoKeys + (": no window (" + why + "); start the controller in a terminal, or in a graphical session"));
   }
 
   /// False, and why: there is no window.
   bool fromWindow(std::string& why) {
     try {
+      const std::string no_more = ": no key is pressed from now on; Ctrl-C ends the controller";
       x11::KeyWindow window{keys, request_.display};
       switch (window.run(stop_fd_)) {
         case x11::KeyWindow::End::kStopped:
           break;
         case x11::KeyWindow::End::kClosed:
-          log("its window was closed: no key is pressed from now on; Ctrl-C ends the controller");
+          log(kKeyWindowClosed + no_more);
           break;
         case x11::KeyWindow::End::kServerGone:
-          log("the X server is gone: no key is pressed from now on; Ctrl-C ends the controller");
+          log(kKeyServerGone + no_more);
       }
       return true;
     } catch (const std::exception& error) {
@@ -97,7 +96,7 @@ class KeyWork {
     }
     try {
       terminal::KeyTerminal terminal{keys};
-      log("no window (" + why + "): keys are read from this terminal, one at a time; Ctrl-C ends the controller");
+      log("no window (" + why + "): " + kKeysFromTerminal + ", one at a time; Ctrl-C ends the controller");
       if (terminal.run(stop_fd_, ending_) == terminal::KeyTerminal::End::kTerminalGone)
         log("the terminal is gone: no key is pressed from now on");
       return true;

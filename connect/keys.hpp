@@ -10,6 +10,12 @@
 
 namespace darwinop::connect {
 
+// What the messages about keys say, with the reason or the remedy around it.
+inline constexpr const char* kKeysFromTerminal = "keys are read from this terminal";
+inline constexpr const char* kNoKeys = "no key is ever pressed";
+inline constexpr const char* kKeyWindowClosed = "its window was closed";
+inline constexpr const char* kKeyServerGone = "the X server is gone";
+
 struct KeysRequest {
   /// "window", "terminal" or "none"; empty: a window, or a terminal where there can be none.
   std::string from;

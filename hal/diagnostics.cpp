@@ -40,7 +40,7 @@ NeverWaitingBuffer::int_type NeverWaitingBuffer::overflow(int_type letter) {
 
 /// Always reports success: after one failure, iostreams would stay in the failed state.
 std::streamsize NeverWaitingBuffer::xsputn(const char* text, std::streamsize count) {
-  if (dropped_) dropped_ = !writeWithoutWaiting(fd_, "(messages were dropped here: the output was not read)\n");
+  if (dropped_) dropped_ = !writeWithoutWaiting(fd_, kMessagesDropped);
   if (!dropped_) dropped_ = !writeWithoutWaiting(fd_, {text, static_cast<std::size_t>(count)});
   return count;
 }

@@ -7,6 +7,9 @@
 
 namespace darwinop {
 
+/// Printed where text is missing.
+inline constexpr std::string_view kMessagesDropped = "(messages were dropped here: the output was not read)\n";
+
 /// Writes what fits at once; returns false if text was dropped (full pipe, stopped terminal, closed reader). SIGPIPE
 /// must be ignored (hal/signals.hpp).
 bool writeWithoutWaiting(int fd, std::string_view text) noexcept;

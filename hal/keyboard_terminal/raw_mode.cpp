@@ -69,7 +69,7 @@ void watchNoMore() {
 }  // namespace
 
 RawMode::RawMode(int fd) {
-  if (isatty(fd) == 0) throw std::runtime_error("standard input is not a terminal");
+  if (isatty(fd) == 0) throw std::runtime_error(kInputNotATerminal);
   if (tcgetpgrp(fd) != getpgrp()) throw std::runtime_error("this program runs in the background");
   if (raw_fd >= 0) throw std::runtime_error("this terminal is already used for keyboard input");
   if (tcgetattr(fd, &before) != 0)

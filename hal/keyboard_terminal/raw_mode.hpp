@@ -3,6 +3,8 @@
 
 namespace darwinop::terminal {
 
+inline constexpr const char* kInputNotATerminal = "standard input is not a terminal";
+
 /// One per process. Ctrl-C and Ctrl-\ keep their meaning; Ctrl-Z is a key: a controller that hosts the robot's loop
 /// must not be stopped. A crash (SIGSEGV, SIGABRT and others) also restores the terminal; kill -9 cannot: run `stty
 /// sane`.

@@ -125,7 +125,7 @@ int openSocket(const DisplayName& display, const std::string& name) {
 }  // namespace
 
 DisplayName parseDisplay(const std::string& text) {
-  if (text.empty()) noServer("DISPLAY is not set");
+  if (text.empty()) noServer(kDisplayNotSet);
   DisplayName display;
   const auto colon = text.rfind(':');
   if (colon == std::string::npos) noServer("DISPLAY=" + text + " is not a display name; expected :0 or localhost:10.0");

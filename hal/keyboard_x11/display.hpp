@@ -8,6 +8,8 @@
 
 namespace darwinop::x11 {
 
+inline constexpr const char* kDisplayNotSet = "DISPLAY is not set";
+
 /// "[host]:number[.screen]". No host: a Unix socket.
 struct DisplayName {
   std::string host;

@@ -23,7 +23,7 @@ constexpr int kBacklog = 4;
                              : error == EADDRNOTAVAIL ? "; give an address of this computer with --listen"
                              : error == EACCES ? "; ports below 1024 are reserved for root: choose another --port"
                                                : "";
-  throw std::runtime_error("cannot listen on " + endpoint + ": " + std::strerror(error) + remedy);
+  throw std::runtime_error(kCannotListen + endpoint + ": " + std::strerror(error) + remedy);
 }
 
 bool setOption(const Socket& socket, int level, int name, bool value = true) {

@@ -11,6 +11,9 @@
 
 namespace darwinop::net {
 
+/// First words of the exception, before address, port and reason.
+inline constexpr const char* kCannotListen = "cannot listen on ";
+
 /// For a server of one client at a time. While closed, the kernel refuses connections, and clients retry for ten
 /// seconds; a client that was accepted and dropped would wait forever for a reply.
 class Listener {

@@ -116,7 +116,7 @@ ChildProcess::ChildProcess(const Start& start) {
     while ((count = read(failure->read, &error, sizeof error)) < 0 && errno == EINTR) continue;
     if (count > 0) (void)wait();
   }
-  if (error != 0) throw std::system_error{error, std::generic_category(), "cannot start " + start.command.front()};
+  if (error != 0) throw std::system_error{error, std::generic_category(), kCannotStart + start.command.front()};
   for (std::size_t i = 0; i < pipes.size(); ++i)
     if (pipes[i]) streams_[i] = std::exchange(i == 0 ? pipes[i]->write : pipes[i]->read, -1);
 }

@@ -25,6 +25,9 @@ class SignalsHeld {
   sigset_t before_;
 };
 
+/// First words of the exception, before the program's name and the reason.
+inline constexpr const char* kCannotStart = "cannot start ";
+
 /// Not thread-safe.
 class ChildProcess {
  public:

@@ -75,7 +75,7 @@ void Reader::attach(Nanos now) {
       log("camera pictures of the controller are " + std::to_string(other >> 16) + "x" +
           std::to_string(other & 0xFFFF) + ": observers need 320x240; set this size in the controller");
     else if (now - since_ >= 2 * kFresh && !health().seeing)
-      log("no new pictures in " + options_.files.pictures + ": the camera delivers none, or the controller was killed");
+      log(kNoNewPictures + options_.files.pictures + ": the camera delivers none, or the controller was killed");
     return;
   }
   unmap();
@@ -104,7 +104,8 @@ std::string Reader::rejection(int file) const {
   const bool ours = status.st_size == static_cast<off_t>(sizeof(Window)) &&
                     ::pread(file, head, sizeof head, 0) == static_cast<ssize_t>(sizeof head) &&
                     head[0] == Window::kMagic && head[1] == Window::kLayout && head[2] == sizeof(Window);
-  return ours ? "" : "written by another version; build the controller and darwinop monitor from the same version";
+  if (ours) return {};
+  return std::string{kOtherVersion} + "; build the controller and darwinop monitor from the same version";
 }
 
 void Reader::ask(Nanos now) {

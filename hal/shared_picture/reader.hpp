@@ -14,6 +14,10 @@
 
 namespace darwinop::shared_picture {
 
+// Phrases by which the messages of Reader are recognized.
+inline constexpr const char* kNoNewPictures = "no new pictures in ";
+inline constexpr const char* kOtherVersion = "written by another version";
+
 /// Requests pictures while newest() is called; never blocks. The file may be created, removed and replaced at any time;
 /// files of other versions are ignored. `log` receives each message once.
 class Reader final : public FrameSource {

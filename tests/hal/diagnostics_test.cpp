@@ -42,7 +42,7 @@ TEST(Diagnostics, AFullPipeDropsTheRestAndReportsIt) {
   EXPECT_GT(pipe.taken().size(), 10'000u);
   out << "fault 40 is over\n";
   const std::string later = pipe.taken();
-  EXPECT_THAT(later, HasSubstr("messages were dropped"));
+  EXPECT_THAT(later, HasSubstr(kMessagesDropped));
   EXPECT_THAT(later, HasSubstr("fault 40 is over"));
 }
 

@@ -13,6 +13,7 @@
 namespace darwinop::settings {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 class TextFile : public testing::Test {
@@ -44,7 +45,7 @@ TEST_F(TextFile, IsReadWholeUpToItsLimit) {
 }
 
 TEST_F(TextFile, OneByteTooLongIsRefused) {
-  EXPECT_THAT(refusal(written(kLongestTextFile + 1)), HasSubstr("longer than 1048576 bytes"));
+  EXPECT_THAT(refusal(written(kLongestTextFile + 1)), HasSubstr("1048576"));
 }
 
 TEST_F(TextFile, ThatIsAbsentIsNotAnError) {
@@ -53,17 +54,17 @@ TEST_F(TextFile, ThatIsAbsentIsNotAnError) {
 
 TEST_F(TextFile, ThatHasNoEndIsRefusedBeforeItIsRead) {
   for (const char* const device : {"/dev/zero", "/dev/urandom"})
-    EXPECT_EQ(refusal(device), std::string{"cannot read "} + device + ": it is a device; give a regular file");
+    EXPECT_THAT(refusal(device), AllOf(HasSubstr(std::string{device} + ": "), HasSubstr("device")));
 }
 
 TEST_F(TextFile, APipeWithoutAWriterIsRefusedAtOnce) {
-  const std::string path = folder_ / "pipe";
+  const std::string path = folder_ / "fifo";
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
-  EXPECT_THAT(refusal(path), HasSubstr("it is a pipe; give a regular file"));
+  EXPECT_THAT(refusal(path), AllOf(HasSubstr(path + ": "), HasSubstr("pipe")));
 }
 
 TEST_F(TextFile, AFolderIsRefused) {
-  EXPECT_THAT(refusal(folder_ / "."), HasSubstr("it is a folder; give a regular file"));
+  EXPECT_THAT(refusal(folder_ / "."), HasSubstr("folder"));
 }
 
 TEST_F(TextFile, OfNothingIsEmpty) {

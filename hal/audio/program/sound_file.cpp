@@ -56,19 +56,19 @@ class OpenSoundFile final : public SoundSource {
 SoundFile openSoundFile(const std::string& file) {
   struct stat about {};
   if (stat(file.c_str(), &about) != 0)
-    throw std::runtime_error("cannot read sound file " + file + ": " + std::strerror(errno));
+    throw std::runtime_error(kCannotReadSoundFile + file + ": " + std::strerror(errno));
   // Opening a FIFO would block.
-  if (!S_ISREG(about.st_mode)) throw std::runtime_error("cannot read sound file " + file + ": not a regular file");
+  if (!S_ISREG(about.st_mode)) throw std::runtime_error(kCannotReadSoundFile + file + ": not a regular file");
   SF_INFO info{};
   SNDFILE* const open = sf_open(file.c_str(), SFM_READ, &info);
   if (open == nullptr)
-    throw std::runtime_error("cannot play sound file " + file +
+    throw std::runtime_error(kCannotPlaySoundFile + file +
                              ": not a WAV, MP3, FLAC or Ogg file, or the file is damaged");
   auto source = std::make_unique<OpenSoundFile>(open, info);
   if (info.channels < 1 || info.channels > kMostChannels || info.samplerate < kLowestRate ||
       info.samplerate > kHighestRate)
-    throw std::runtime_error("cannot play sound file " + file + ": unsupported format, " +
-                             std::to_string(info.channels) + " channels at " + std::to_string(info.samplerate) + " Hz");
+    throw std::runtime_error(kCannotPlaySoundFile + file + ": unsupported format, " + std::to_string(info.channels) +
+                             " channels at " + std::to_string(info.samplerate) + " Hz");
   const bool is_known = info.frames > 0 && info.frames < std::numeric_limits<sf_count_t>::max();
   return {std::move(source),
           is_known ? static_cast<double>(info.frames) / info.samplerate : std::numeric_limits<double>::quiet_NaN()};

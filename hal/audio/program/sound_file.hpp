@@ -8,6 +8,10 @@
 
 namespace darwinop::audio {
 
+// First words of a message, before the file's name: the file cannot be opened, or its content is not supported.
+inline constexpr const char* kCannotReadSoundFile = "cannot read sound file ";
+inline constexpr const char* kCannotPlaySoundFile = "cannot play sound file ";
+
 struct SoundFile {
   std::unique_ptr<SoundSource> source;
   double seconds;  // NaN: unknown

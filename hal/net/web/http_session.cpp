@@ -7,6 +7,8 @@
 #include <boost/beast/http/write.hpp>
 #include <utility>
 
+#include "hal/net/web/messages.hpp"
+
 namespace darwinop::web {
 namespace {
 
@@ -64,8 +66,8 @@ HttpSession::~HttpSession() {
 }
 
 void HttpSession::evict() {
-  context_.logLine(name_ + " was closed to make room for a newer connection; it had " +
-                   (request_->is_done() ? "" : "not ") + "sent its request");
+  context_.logLine(name_ + messages::kClosedForNewer + "; it had " + (request_->is_done() ? "" : "not ") +
+                   "sent its request");
   context_.idle_sessions.remove(this);
   --context_.connections;
   is_counted_ = false;
@@ -186,7 +188,7 @@ void HttpSession::received() {
     second_ = now;
     messages_ = 0;
   }
-  if (++messages_ > context_.config.max_messages_per_s) close("too many messages");
+  if (++messages_ > context_.config.max_messages_per_s) close(messages::kTooManyMessages);
   if (!closing_) {
     const auto bytes = read_buffer_.cdata();
     handler_->received(*this, {static_cast<const char*>(bytes.data()), bytes.size()}, stream_.got_binary());

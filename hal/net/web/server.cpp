@@ -9,6 +9,7 @@
 
 #include "hal/net/listener.hpp"
 #include "hal/net/web/http_session.hpp"
+#include "hal/net/web/messages.hpp"
 
 namespace darwinop::web {
 namespace {
@@ -44,10 +45,10 @@ struct WebServer::Impl {
   void accept(net::Listener::Accepted accepted) {
     const auto has = [&](const net::Network& network) { return network.has(accepted.address); };
     if (std::ranges::none_of(shared.config.allowed, has))
-      return shared.logLine(accepted.name + " was refused: not in a network given with --allow");
+      return shared.logLine(accepted.name + " was refused: " + messages::kNotInAllowedNetwork);
     if (!shared.makeRoom())
       return shared.logLine(accepted.name + " was refused: " + std::to_string(shared.connections) +
-                            " connections are open");
+                            messages::kConnectionsOpen);
     boost::system::error_code error;
     asio::ip::tcp::socket socket{context};
     const int own = ::dup(accepted.socket.descriptor());

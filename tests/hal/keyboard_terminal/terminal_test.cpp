@@ -17,6 +17,8 @@
 #include <thread>
 
 #include "connect/keys.hpp"
+#include "hal/keyboard_terminal/raw_mode.hpp"
+#include "hal/keyboard_x11/display.hpp"
 
 namespace darwinop::connect {
 namespace {
@@ -110,7 +112,7 @@ class Terminal : public testing::Test {
 
 TEST_F(Terminal, ReadsArrowsAndLettersAndRestoresTheTerminal) {
   start("");
-  ASSERT_TRUE(shows("no window (DISPLAY is not set): keys are read from this terminal")) << shown;
+  ASSERT_TRUE(shows(std::string{"("} + x11::kDisplayNotSet + "): " + kKeysFromTerminal)) << shown;
   EXPECT_FALSE(isAsBefore());
   type("\x1b[A");
   EXPECT_TRUE(shows("[ 315 ]")) << shown;
@@ -123,7 +125,7 @@ TEST_F(Terminal, ReadsArrowsAndLettersAndRestoresTheTerminal) {
 
 TEST_F(Terminal, IsRestoredAfterTheFirstInterrupt) {
   start();
-  ASSERT_TRUE(shows("keys are read from this terminal")) << shown;
+  ASSERT_TRUE(shows(kKeysFromTerminal)) << shown;
   type("\x03");
   EXPECT_TRUE(becomesAsBefore());
   EXPECT_EQ(kill(pid, SIGKILL), 0);
@@ -133,7 +135,7 @@ TEST_F(Terminal, IsRestoredAfterTheFirstInterrupt) {
 
 TEST_F(Terminal, IsRestoredAfterACrash) {
   start();
-  ASSERT_TRUE(shows("keys are read from this terminal")) << shown;
+  ASSERT_TRUE(shows(kKeysFromTerminal)) << shown;
   EXPECT_FALSE(isAsBefore());
   type("x");
   EXPECT_EQ(ending(), 128 + SIGABRT);
@@ -142,7 +144,7 @@ TEST_F(Terminal, IsRestoredAfterACrash) {
 
 TEST_F(Terminal, IsRestoredAfterASignalThatEndsTheProgramAtOnce) {
   start();
-  ASSERT_TRUE(shows("keys are read from this terminal")) << shown;
+  ASSERT_TRUE(shows(kKeysFromTerminal)) << shown;
   type("\x1c");  // Ctrl-backslash
   EXPECT_EQ(ending(), 128 + SIGQUIT);
   EXPECT_TRUE(isAsBefore());
@@ -182,9 +184,9 @@ TEST(Keys, WithoutASourceAreReportedOnce) {
     for (int i = 0; i < 2000 && !said; ++i) std::this_thread::sleep_for(std::chrono::milliseconds{5});
     EXPECT_TRUE(keys->take().empty());
   }
-  EXPECT_THAT(what, HasSubstr("no key is ever pressed"));
-  EXPECT_THAT(what, HasSubstr("DISPLAY=:x is not a display name"));
-  EXPECT_THAT(what, HasSubstr("no terminal (standard input is not a terminal)"));
+  EXPECT_THAT(what, HasSubstr(kNoKeys));
+  EXPECT_THAT(what, HasSubstr("DISPLAY=:x "));
+  EXPECT_THAT(what, HasSubstr(terminal::kInputNotATerminal));
   dup2(kept, 0);
   close(kept);
   std::fclose(nothing);

@@ -3,9 +3,13 @@
 
 #include <gmock/gmock.h>
 
+#include <cerrno>
+#include <cstring>
+
 namespace darwinop::x11 {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 std::string rejection(const std::string& display) {
@@ -24,18 +28,18 @@ TEST(Display, HasAHostANumberAndAScreen) {
 }
 
 TEST(Display, NamesAnInvalidDisplay) {
-  EXPECT_THAT(rejection(""), HasSubstr("not set"));
+  EXPECT_EQ(rejection(""), kDisplayNotSet);
   for (const char* const text : {"0", "here", ":", ":x", ":0.", ":0.1.2", ":-1", ":99999"})
     EXPECT_THAT(rejection(text), HasSubstr(text));
 }
 
 TEST(Display, ReportsAMissingServer) {
-  EXPECT_THAT(rejection(":9876"), HasSubstr("cannot connect to the X server at DISPLAY=:9876"));
-  EXPECT_THAT(rejection("localhost:9876"), HasSubstr("Connection refused"));
+  EXPECT_THAT(rejection(":9876"), AllOf(HasSubstr("DISPLAY=:9876 "), HasSubstr(std::strerror(ENOENT))));
+  EXPECT_THAT(rejection("localhost:9876"), HasSubstr(std::strerror(ECONNREFUSED)));
 }
 
 TEST(Display, DoesNotResolveHostNames) {
-  EXPECT_THAT(rejection("pc.example:0"), HasSubstr("use the IP address of pc.example"));
+  EXPECT_THAT(rejection("pc.example:0"), AllOf(HasSubstr("IP address"), HasSubstr("pc.example")));
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ TEST_F(KeyWindowTest, AClosedWindowIsReportedAndTheControllerContinues) {
   tool("keydown Up");
   EXPECT_THAT(held({kKeyUp}), ElementsAre(kKeyUp));
   tool("search --name 'keys for the robot' windowclose");
-  EXPECT_TRUE(eventually([this] { return stderrText().find("window was closed") != std::string::npos; }));
+  EXPECT_TRUE(eventually([this] { return stderrText().find(kKeyWindowClosed) != std::string::npos; }));
   EXPECT_THAT(held({}), IsEmpty());
 }
 
@@ -167,7 +167,7 @@ TEST_F(KeyWindowTest, ADeadServerIsReportedAndTheControllerContinues) {
   tool("keydown Up");
   EXPECT_THAT(held({kKeyUp}), ElementsAre(kKeyUp));
   server.end();
-  EXPECT_TRUE(eventually([this] { return stderrText().find("X server is gone") != std::string::npos; }));
+  EXPECT_TRUE(eventually([this] { return stderrText().find(kKeyServerGone) != std::string::npos; }));
   EXPECT_THAT(held({}), IsEmpty());
 }
 

@@ -131,7 +131,7 @@ TEST_F(RemotePort, CannotBeBoundBetweenTwoClients) {
   for (int i = 0; i < 1000 && !thief.ended(); ++i)
     (void)nextIsAnswered(served);  // the kernel is busy: not every client is answered
   EXPECT_FALSE(thief.ended()) << "another user has got the port";
-  EXPECT_FALSE(served.hasSaid("cannot listen"));
+  EXPECT_FALSE(served.hasSaid(net::kCannotListen));
   EXPECT_GT(served.robot.applied.size(), 0);
 }
 

@@ -8,7 +8,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -21,8 +23,11 @@
 namespace darwinop::process {
 namespace {
 
+using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 /// Standard output or error of a child that ends.
 std::string textOn(std::size_t number, Start start) {
@@ -87,7 +92,8 @@ TEST(Start, AVariableReplacesOnlyOneOfTheSameName) {
 TEST(Start, AProgramThatCannotGetIntoItsFolderDoesNotRun) {
   const std::string error =
       textOn(2, {.command = {"/bin/sh", "-c", "echo runs >&2"}, .folder = "/nonexistent", .error_prefix = "test: "});
-  EXPECT_EQ(error, "test: cannot go to /nonexistent: No such file or directory\n");
+  EXPECT_THAT(error,
+              AllOf(StartsWith("test: "), EndsWith(std::string{" /nonexistent: "} + std::strerror(ENOENT) + "\n")));
 }
 
 TEST(Start, ClosesOthersFromTheFirstBehindTheStandardOnes) {
@@ -154,7 +160,7 @@ TEST(Start, AProgramOfAnotherUserHasItsRightsAndVariables) {
   if (geteuid() == 0)
     EXPECT_EQ(textOn(1, start), "65534\n65534\n65534 12345\n/home/someone someone someone\n");
   else
-    EXPECT_THAT(textOn(2, start), HasSubstr("test: cannot become user someone: "));
+    EXPECT_THAT(textOn(2, start), AllOf(StartsWith("test: "), HasSubstr(" someone: ")));
 }
 
 TEST(ChildProcess, TheNumberOfAClosedStreamIsGone) {

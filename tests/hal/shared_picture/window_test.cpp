@@ -100,7 +100,7 @@ TEST_F(SharedPicture, IsIgnoredWhenItIsTooOld) {
   now_ += kFresh;
   EXPECT_EQ(reader().newest().sequence, 0u);
   for (int i = 0; i < 10; ++i) lookAgain();
-  EXPECT_THAT(messages_, ElementsAre(HasSubstr("no new pictures"))) << "once";
+  EXPECT_THAT(messages_, ElementsAre(HasSubstr(kNoNewPictures))) << "once";
 }
 
 TEST_F(SharedPicture, IsThePreviousOneWhenTheWriterDiesInTheMiddle) {
@@ -205,7 +205,7 @@ TEST_F(SharedPicture, IsIgnoredWhenItsFileHasAnotherVersion) {
     files_.pictures
     } -> layout = Window::kLayout + 1;
   for (int i = 0; i < 3; ++i) lookAgain();
-  EXPECT_THAT(messages_, ElementsAre(HasSubstr("another version")));
+  EXPECT_THAT(messages_, ElementsAre(HasSubstr(kOtherVersion)));
   EXPECT_FALSE(put(1)) << "no request either";
 
   RawWindow {
@@ -214,7 +214,7 @@ TEST_F(SharedPicture, IsIgnoredWhenItsFileHasAnotherVersion) {
   std::filesystem::resize_file(files_.pictures, sizeof(Window) - 1);
   reader_.reset();
   lookAgain();
-  EXPECT_THAT(messages_.back(), HasSubstr("another version"));
+  EXPECT_THAT(messages_.back(), HasSubstr(kOtherVersion));
   EXPECT_EQ(messages_.size(), 2u);
   std::filesystem::resize_file(files_.pictures, sizeof(Window));
   lookAgain();

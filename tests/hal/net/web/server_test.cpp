@@ -14,6 +14,7 @@
 #include <fstream>
 #include <set>
 
+#include "hal/net/web/messages.hpp"
 #include "web_client.hpp"
 
 namespace darwinop::web {
@@ -33,7 +34,7 @@ struct Echo final : ChannelHandler {
     channel.send(kEvery, std::make_shared<const std::string>("welcome"));
   }
   void received(Channel& channel, std::string_view message, bool binary) override {
-    if (message == "out") return channel.close("asked for");
+    if (message == "out") return channel.close("test");
     const auto bytes = std::make_shared<const std::string>(message);
     binary ? channel.sendBinary(kEvery, bytes) : channel.send(kEvery, bytes);
   }
@@ -114,7 +115,7 @@ TEST_F(WebServerTest, DisconnectsAPeerThatSendsTooMuch) {
   EXPECT_TRUE(wordy.atEnd());
   for (int i = 0; i < 60; ++i) hasty.send("x");
   EXPECT_TRUE(hasty.atEnd());
-  EXPECT_THAT(log_, HasSubstr("too many messages"));
+  EXPECT_THAT(log_, HasSubstr(messages::kTooManyMessages));
   third.send("out");
   EXPECT_EQ(third.receiveMessage().value_or(ReceivedMessage{}).opcode, 8);
   EXPECT_TRUE(third.atEnd());
@@ -185,7 +186,7 @@ TEST_F(WebServerTest, ServesNewClientsHoweverManyConnectionsAreHeldOpen) {
   (void)observer();
   before.send("still here");
   EXPECT_EQ(before.receiveMessage().value_or(ReceivedMessage{}).bytes, "still here") << log_;
-  EXPECT_THAT(log_, HasSubstr("to make room for a newer connection"));
+  EXPECT_THAT(log_, HasSubstr(messages::kClosedForNewer));
 }
 
 /// Counts messages without storing them.
@@ -269,7 +270,7 @@ TEST_F(HastyWebServerTest, RefusesConnectionsBeyondTheLimit) {
   const WebClient first = observer(), second = observer();
   WebClient third = client();
   EXPECT_TRUE(third.atEnd());
-  EXPECT_THAT(log_, HasSubstr("connections are open"));
+  EXPECT_THAT(log_, HasSubstr("2" + std::string{messages::kConnectionsOpen}));
 }
 
 class ForeignWebServerTest : public WebServerTest {
@@ -279,7 +280,7 @@ class ForeignWebServerTest : public WebServerTest {
 
 TEST_F(ForeignWebServerTest, AcceptsOnlyTheAllowedNetworks) {
   EXPECT_EQ(ask("GET / HTTP/1.1\r\nHost: localhost\r\n\r\n"), "");
-  EXPECT_THAT(log_, HasSubstr("not in a network given with --allow"));
+  EXPECT_THAT(log_, HasSubstr(messages::kNotInAllowedNetwork));
 }
 
 }  // namespace
