@@ -21,6 +21,7 @@
 #include "hal/process/child_process.hpp"
 #include "hal/signals.hpp"
 #include "runtime/exchange.hpp"
+#include "runtime/messages.hpp"
 #include "runtime/names.hpp"
 #include "runtime/operator.hpp"
 #include "runtime/report.hpp"
@@ -146,10 +147,10 @@ std::string controllerProgram(const std::string& controller) {
   fs::path path{controller};
   if (fs::is_directory(path)) path /= fs::canonical(path).filename();
   if (!fs::exists(path))
-    throw std::runtime_error("there is no controller " + path.string() +
+    throw std::runtime_error(messages::kNoSuchController + path.string() +
                              (fs::is_directory(controller) ? "; build it first (make, or ./dev build)" : ""));
   if (access(path.c_str(), X_OK) != 0)
-    throw std::runtime_error(path.string() + " is not a program that may be run; name the built controller");
+    throw std::runtime_error(path.string() + messages::kNotAProgram + "; name the built controller");
   // A name without a slash is a file here, not a command in PATH.
   return path.has_parent_path() ? path.string() : "./" + path.string();
 }
@@ -167,10 +168,9 @@ int runController(const RunRequest& request) {
   };
   if (auto embedded = tryAttach(attach, RuntimeFiles{observer.path()})) {
     if (ending.by_signal && embedded->leftTorque())
-      std::cerr
-          << "no loop is left: the joints keep their torque and last goals. Hold the robot; pressing RESET on its "
-             "back (or `darwinop run` again) releases torque"
-          << std::endl;
+      std::cerr << messages::kNoLoopLeft
+                << ". Hold the robot; pressing RESET on its back (or `darwinop run` again) releases torque"
+                << std::endl;
     embedded->fromTheBeginning();
     embedded->print();
   } else if (daemon && daemon->driven()) {

@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 
+#include "runtime/messages.hpp"
 #include "runtime/operator.hpp"
 
 namespace darwinop::runtime {
@@ -41,10 +42,8 @@ bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop
   for (;;) {
     if (stop.load()) return end(kAskedToStop);
     if (exchange().lost()) return end(kExchangeLost);
-    if (block().closing.load() != 0)
-      return end("the runtime was requested to end; start it again with: darwinop runtime");
-    if (releasedByOperator())
-      return end("an operator has released the robot: torque is off; start the controller again to take over");
+    if (block().closing.load() != 0) return end(messages::kRuntimeEnds);
+    if (releasedByOperator()) return end(messages::kRobotReleased);
     if (finished(cycle)) return true;
     sleepUntilAfter(seen, kCheckInterval);
     const std::uint32_t value = block().finished.value();
@@ -62,9 +61,7 @@ bool DaemonLink::daemonAnswers(Nanos asleep_since) {
   constexpr Nanos kHung{5'000'000'000};
   const std::string pid = std::to_string(info().pid);
   const pid_t living = daemonPid(files_);  // another pid is a later daemon, with a memory of its own
-  if (living != info().pid && living != -1)
-    return end("the runtime (pid " + pid + ") has died; the robot holds its last goals and nobody watches over it. " +
-               "Start it again with: darwinop runtime");
+  if (living != info().pid && living != -1) return end("the runtime (pid " + pid + messages::kRuntimeDied);
   if (now() - asleep_since > kHung)
     return end("the runtime (pid " + pid +
                ") lives but has not run a cycle for 5 s; look at it with: " + "darwinop runtime --status");

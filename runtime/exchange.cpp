@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "runtime/groups.hpp"
+#include "runtime/messages.hpp"
 #include "runtime/shared_file.hpp"
 
 namespace darwinop::runtime {
@@ -41,7 +42,7 @@ GuardedMapping mapped(const SharedFile& file, const std::string& path, std::size
 std::string notPermitted(const std::string& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return "cannot open " + path + ": its folder may not be read";
-  return "a runtime of another user runs (" + path + ") and you are not permitted to use it: only " + ownerOf(status) +
+  return messages::kOtherUsersRuntime + path + ") and you are not permitted to use it: only " + ownerOf(status) +
          " and group '" + groupName(status.st_gid) +
          "' are. Become a member of a group of your own choice, have the runtime started with --group GROUP, "
          "and log in again. If that runtime has ended, remove what is left of it: sudo rm " +
@@ -116,15 +117,14 @@ uid_t userOf(const SharedFile& file) {
 SharedFile openedBlock(const std::string& path) {
   if (auto file = openShared(path, O_RDONLY, FileOwner::kAny)) return std::move(*file);
   if (errno == EACCES) throw std::runtime_error(notPermitted(path));
-  throw std::runtime_error("no runtime has been started here (" + path +
-                           " does not exist); start one with: darwinop runtime");
+  throw std::runtime_error(messages::kNoRuntime + path + " does not exist); " + messages::kStartRuntime);
 }
 
 SharedFile openedCommands(const std::string& path, uid_t user) {
   auto file = openShared(path, O_RDWR, FileOwner::kAny);
   if (!file && errno == EACCES) throw std::runtime_error(notPermitted(path));
   if (!file)
-    throw std::runtime_error("the loop takes no commands from other programs (" + path +
+    throw std::runtime_error(messages::kTakesNoCommands + path +
                              " does not exist): a controller hosts it, or the supervisor brings the robot to rest");
   if (userOf(*file) != user)
     throw std::runtime_error(path + " is not used: " + whoHas(path) + ". The runtime is of another user");
@@ -194,8 +194,8 @@ Exchange Exchange::attach(const std::string& path, Access access) {
            exchange.block_->layout == exchangeLayout();
   }
   if (!ours)
-    throw std::runtime_error(path +
-                             " was made by another version of the runtime; build controller and runtime from "
+    throw std::runtime_error(path + messages::kOtherVersion +
+                             "; build controller and runtime from "
                              "the same version, then restart the runtime");
   if (access == Access::kRead) return exchange;
   const SharedFile commands = openedCommands(commandsPath(path), userOf(file));
@@ -204,8 +204,8 @@ Exchange Exchange::attach(const std::string& path, Access access) {
     exchange.commands_ = static_cast<CommandBlock*>(exchange.commands_file_.data());
   }
   if (exchange.commands_ == nullptr || exchange.commands_->instance != exchange.block_->instance)
-    throw std::runtime_error(path + " and " + commandsPath(path) +
-                             " do not belong together: the runtime is just being started, or one of them was "
+    throw std::runtime_error(path + " and " + commandsPath(path) + messages::kNotOneRuntime +
+                             ": the runtime is just being started, or one of them was "
                              "overwritten. Try again, then restart the runtime");
   return exchange;
 }

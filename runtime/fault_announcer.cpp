@@ -38,7 +38,7 @@ std::string FaultAnnouncer::change(Memory& memory, std::size_t fault, const Sens
   memory.active = active;
   if (memory.reported) {
     memory.reported = active;
-    return active ? "" : nameOf(row) + " is over\n";
+    return active ? "" : nameOf(row) + kIsOver;
   }
   if (memory.ever && seen.time_ns - memory.reported_ns < kQuietNs) {
     if (begins) ++memory.left_out;
@@ -47,7 +47,7 @@ std::string FaultAnnouncer::change(Memory& memory, std::size_t fault, const Sens
   // One that began in the quiet time and still lasts is reported now itself, not as one left out.
   if (active && !begins && memory.left_out > 0) --memory.left_out;
   std::string line;
-  if (memory.left_out > 0) line = nameOf(row) + " came and went " + times(memory.left_out) + " more\n";
+  if (memory.left_out > 0) line = nameOf(row) + kCameAndWent + times(memory.left_out) + " more\n";
   memory.left_out = 0;
   if (!active) return line;
   memory.reported = memory.ever = true;

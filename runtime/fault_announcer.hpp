@@ -17,6 +17,9 @@ class FaultAnnouncer {
   /// count of what was left out.
   static constexpr std::int64_t kQuietNs = 5'000'000'000;
 
+  /// After the fault's name; the second is followed by how often.
+  static constexpr const char *kIsOver = " is over\n", *kCameAndWent = " came and went ";
+
   explicit FaultAnnouncer(std::ostream& out) : out_{out} {}
 
   /// For successive images; it does not matter when some are left out, as long as the faults in them last.

@@ -10,6 +10,7 @@
 #include "core/text/printable.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/file_lock.hpp"
+#include "runtime/messages.hpp"
 #include "runtime/report.hpp"
 #include "safety/fault_book.hpp"
 
@@ -20,7 +21,7 @@ Exchange attachAs(Exchange::Access access, const RuntimeFiles& files) {
   Exchange exchange = Exchange::attach(files.exchange, access);
   if (FileLock::holder(files.loop_lock) == 0)
     throw std::runtime_error("the runtime (pid " + std::to_string(exchange.block().info.pid) +
-                             ") has ended; start it again with: darwinop runtime");
+                             messages::kRuntimeHasEnded);
   return exchange;
 }
 

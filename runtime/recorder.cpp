@@ -77,7 +77,7 @@ Recorder::~Recorder() {
   if (thread_.joinable()) thread_.join();
   drain();
   if (const std::uint32_t lost = ring_->dropped(); lost != 0)
-    put("# lost rows: " + std::to_string(lost) + " (the disk was too slow)\n");
+    put(kLostRows + std::to_string(lost) + " (the disk was too slow)\n");
   put("# end\n");
   if (std::fclose(file_) != 0 && !failed_)
     std::cerr << "the recording " << path_ << " is not complete: " << std::strerror(errno) << '\n';

@@ -14,6 +14,9 @@
 
 namespace darwinop::runtime {
 
+/// Comment before the number of rows that were lost; experiments/logs reads it.
+inline constexpr const char* kLostRows = "# lost rows: ";
+
 /// What the head of a recording says.
 struct LogHead {
   std::string robot = "darwin-op";

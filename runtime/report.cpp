@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text/number_text.hpp"
+#include "runtime/messages.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -58,7 +59,7 @@ std::string reportLine(const StatsView& stats, const Sensors& last) {
 }
 
 std::string reportText(const StatsView& stats, const Sensors& last) {
-  if (stats.cycles == 0) return "The loop has not run a cycle.\n";
+  if (stats.cycles == 0) return messages::kNoCycle;
   const Figures f = figures(stats);
   const double seconds = stats.cycles * static_cast<double>(last.period_ns) * 1e-9;
   return "cycles        " + std::to_string(stats.cycles) + " (" + text::fixedText(seconds, 1) + " s at " +

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "runtime/groups.hpp"
+#include "runtime/messages.hpp"
 
 namespace darwinop::runtime {
 namespace {
@@ -36,10 +37,10 @@ bool accepted(const struct stat& status, FileOwner owner) {
 
 /// Empty: the file may be used.
 std::string whyRefused(const struct stat& status, FileOwner owner) {
-  if (!S_ISREG(status.st_mode)) return "it is not a regular file; " + ownerOf(status) + " made it";
-  if (status.st_nlink > 1) return "it has more than one name; it belongs to " + ownerOf(status);
-  if ((status.st_mode & S_IWOTH) != 0) return "every user may write it; it belongs to " + ownerOf(status);
-  if (!accepted(status, owner)) return "it belongs to " + ownerOf(status) + ", who is not trusted here";
+  if (!S_ISREG(status.st_mode)) return messages::kNotARegularFile + ("; " + ownerOf(status)) + " made it";
+  if (status.st_nlink > 1) return messages::kSeveralNames + ("; it belongs to " + ownerOf(status));
+  if ((status.st_mode & S_IWOTH) != 0) return messages::kEveryUserMayWrite + ("; it belongs to " + ownerOf(status));
+  if (!accepted(status, owner)) return "it belongs to " + ownerOf(status) + ", " + messages::kOwnerNotTrusted;
   return {};
 }
 
@@ -69,7 +70,7 @@ std::optional<SharedFile> openShared(const std::string& path, int flags, FileOwn
     const int error = errno;
     // ELOOP: a link. ENXIO: a FIFO without a reader, or a socket. EISDIR: a folder.
     if ((error == ELOOP || error == ENXIO || error == EISDIR) && lstat(path.c_str(), &status) == 0)
-      refuse(path, "it is not a regular file; " + ownerOf(status) + " made it");
+      refuse(path, messages::kNotARegularFile + ("; " + ownerOf(status)) + " made it");
     if (error != ENOENT && error != EACCES)
       throw std::runtime_error("cannot open " + path + ": " + std::strerror(error));
     errno = error;

@@ -14,11 +14,13 @@
 #include "environment.hpp"
 #include "fake_bus.hpp"
 #include "runtime/daemon.hpp"
+#include "runtime/messages.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::runtime {
 namespace {
 
+using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -57,7 +59,7 @@ TEST(Run, ReportsAControllerThatWasKilled) {
 }
 
 TEST(Run, SaysThatNoLoopIsLeftWhenTheControllerThatHadItIsKilled) {
-  EXPECT_THAT(run("crash").warned, HasSubstr("no loop is left: the joints keep their torque and last goals"));
+  EXPECT_THAT(run("crash").warned, HasSubstr(messages::kNoLoopLeft));
 }
 
 TEST(Run, HandsOnASignalThatAnotherProcessSends) {
@@ -81,7 +83,7 @@ TEST(Run, LeavesTheFiguresOfADaemonAloneThatItDidNotDrive) {
   const Environment there{"DARWINOP_RUNTIME_NAME", files.exchange};
   testing::internal::CaptureStdout();
   EXPECT_EQ(runController({{MINI_CONTROLLER, "away"}, "", "", ""}), 3);
-  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("has not run a cycle"));
+  EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr(messages::kNoCycle));
 }
 
 TEST(Run, LeavesNoFileBehind) {
@@ -123,9 +125,10 @@ std::string refusal(const std::string& controller) {
 TEST(Run, SaysWhatItLookedFor) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "walk");
-  EXPECT_THAT(refusal(folder / "none"), HasSubstr("there is no controller " + (folder / "none")));
-  EXPECT_THAT(refusal(folder / "walk"), HasSubstr("build it first"));
-  EXPECT_THAT(refusal("/etc/passwd"), HasSubstr("not a program"));
+  EXPECT_EQ(refusal(folder / "none"), messages::kNoSuchController + (folder / "none"));
+  EXPECT_THAT(refusal(folder / "walk"),
+              AllOf(StartsWith(messages::kNoSuchController + (folder / "walk/walk")), HasSubstr("make")));
+  EXPECT_THAT(refusal("/etc/passwd"), StartsWith(std::string{"/etc/passwd"} + messages::kNotAProgram));
 }
 
 }  // namespace

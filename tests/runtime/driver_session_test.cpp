@@ -14,6 +14,8 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
+constexpr const char* kWhyEnded = "the test's reason";
+
 struct RecordingLink final : RobotLink {
   struct State {
     Sensors image{};
@@ -37,7 +39,7 @@ struct RecordingLink final : RobotLink {
     state_.published_before_hold = state_.published.size();
   }
   [[nodiscard]] Sensors sensors() const override { return state_.image; }
-  [[nodiscard]] std::string whyEnded() const override { return "no loop"; }
+  [[nodiscard]] std::string whyEnded() const override { return kWhyEnded; }
 
  private:
   State& state_;
@@ -113,7 +115,7 @@ TEST_F(Driver, TheEndOfTheLoopHasAReason) {
   EXPECT_EQ(session.loopEnd(state.image), "");
   EXPECT_EQ(state.waited_for, 100U) << "a later cycle would block";
   state.loop_runs = false;
-  EXPECT_EQ(session.loopEnd(state.image), "no loop");
+  EXPECT_EQ(session.loopEnd(state.image), kWhyEnded);
 }
 
 TEST_F(Driver, HoldsWithItsLastCommandsOrEndsTheSession) {

@@ -15,11 +15,13 @@
 #include <thread>
 
 #include "child.hpp"
+#include "runtime/messages.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::runtime {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 std::string whyRefused(const std::string& path) {
@@ -68,7 +70,7 @@ TEST(Exchange, OfAnEmbeddedLoopTakesNoCommandsFromOthers) {
   { const Exchange old = Exchange::create(folder / "x"); }
   const Exchange embedded = Exchange::createObservable(folder / "x");
   EXPECT_NO_THROW(Exchange::attach(folder / "x", Exchange::Access::kRead));
-  EXPECT_THAT(whyRefused(folder / "x"), HasSubstr("takes no commands from other programs"));
+  EXPECT_THAT(whyRefused(folder / "x"), HasSubstr(messages::kTakesNoCommands));
 }
 
 TEST(Exchange, IsLostWhenAnyOfItsFilesIsShortened) {
@@ -103,25 +105,26 @@ TEST(Exchange, TwoFilesOfDifferentRuntimesAreNotUsedTogether) {
   const Exchange one = Exchange::create(folder / "x");
   const Exchange other = Exchange::create(folder / "y");
   std::filesystem::rename(folder / "y.commands", folder / "x.commands");
-  EXPECT_THAT(whyRefused(folder / "x"), HasSubstr("do not belong together"));
+  EXPECT_THAT(whyRefused(folder / "x"), HasSubstr(messages::kNotOneRuntime));
 }
 
 TEST(Exchange, SaysWhatToDoWhenThereIsNone) {
   const TemporaryFolder folder;
-  EXPECT_THAT(whyRefused(folder / "x"), HasSubstr("start one with: darwinop runtime"));
+  EXPECT_THAT(whyRefused(folder / "x"),
+              AllOf(HasSubstr(messages::kNoRuntime + (folder / "x")), HasSubstr(messages::kStartRuntime)));
 }
 
 TEST(Exchange, RefusesAFileOfAnotherSizeMagicOrLayout) {
   const TemporaryFolder folder;
   std::ofstream{folder / "short"} << "hello";
-  EXPECT_THAT(whyRefused(folder / "short"), HasSubstr("another version"));
+  EXPECT_THAT(whyRefused(folder / "short"), HasSubstr(messages::kOtherVersion));
 
   const Exchange exchange = Exchange::create(folder / "x");
   exchange.ownBlock().layout += 1;
-  EXPECT_THAT(whyRefused(folder / "x"), HasSubstr("another version"));
+  EXPECT_THAT(whyRefused(folder / "x"), HasSubstr(messages::kOtherVersion));
   exchange.ownBlock().layout -= 1;
   exchange.ownBlock().magic = 0;
-  EXPECT_THAT(whyRefused(folder / "x"), HasSubstr("another version"));
+  EXPECT_THAT(whyRefused(folder / "x"), HasSubstr(messages::kOtherVersion));
 }
 
 TEST(Exchange, ReplacesTheFileOfADeadLoopWithoutHarmToThoseWhoStillMapIt) {

@@ -5,6 +5,8 @@
 
 #include <memory>
 
+#include "runtime/messages.hpp"
+
 namespace darwinop::runtime {
 namespace {
 
@@ -56,7 +58,7 @@ TEST(Report, CountsStaleDevicesInTheLineAndNamesThemInTheText) {
 }
 
 TEST(Report, TextSaysSoWhenNoCycleHasRun) {
-  EXPECT_THAT(reportText(StatsView{}, Sensors{}), HasSubstr("has not run"));
+  EXPECT_EQ(reportText(StatsView{}, Sensors{}), messages::kNoCycle);
   EXPECT_THAT(reportLine(StatsView{}, Sensors{}), HasSubstr("cycles=0 "));
 }
 

@@ -58,7 +58,7 @@ TEST_F(Notes, AReleaseIsKnownUntilItsFaultIsOver) {
     EXPECT_FALSE(RobotNotes{files_}.released());
   }
   see(State::kKneeling, 1, Fault::kServoOverload);
-  EXPECT_FALSE(RobotNotes{files_}.released()) << "torque is on";
+  EXPECT_FALSE(RobotNotes{files_}.released()) << "it is not limp";
 }
 
 TEST_F(Notes, APersonsActEndsBoth) {

@@ -17,7 +17,9 @@ namespace darwinop::runtime {
 namespace {
 
 using namespace std::chrono_literals;
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 LoopConfig quick() {
   LoopConfig config;
@@ -91,13 +93,13 @@ std::string asNobody(RealTime demand) {
 
 TEST(RealTimeDemand, RequiredButRefusedIsAnErrorThatNamesTheRemedy) {
   const std::string said = asNobody(RealTime::kRequired);
-  EXPECT_THAT(said, HasSubstr("refused: the kernel refused real-time priority"));
+  EXPECT_THAT(said, StartsWith("refused: "));
   EXPECT_THAT(said, HasSubstr("rtprio"));
   EXPECT_THAT(said, HasSubstr("DARWINOP_REALTIME=if-allowed"));
 }
 
 TEST(RealTimeDemand, IfAllowedButRefusedIsAWarning) {
-  EXPECT_THAT(asNobody(RealTime::kIfAllowed), HasSubstr("warned: the kernel refused real-time priority"));
+  EXPECT_THAT(asNobody(RealTime::kIfAllowed), AllOf(StartsWith("warned: "), HasSubstr("rtprio")));
 }
 
 TEST(RealTimeDemand, IsReadFromTheEnvironmentAndNothingElseIsTakenForIt) {

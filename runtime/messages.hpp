@@ -1,0 +1,38 @@
+// Message texts, or the phrases by which they are recognized. Sorted by the file that uses them.
+#pragma once
+
+namespace darwinop::runtime::messages {
+
+// controller_run.cpp
+inline constexpr const char* kNoSuchController = "there is no controller ";       // then its path
+inline constexpr const char* kNotAProgram = " is not a program that may be run";  // after its path
+inline constexpr const char* kNoLoopLeft = "no loop is left: the joints keep their torque and last goals";
+
+// daemon_link.cpp: why a controller has no loop any more
+inline constexpr const char* kRuntimeEnds = "the runtime was requested to end; start it again with: darwinop runtime";
+inline constexpr const char* kRobotReleased =
+    "an operator has released the robot: torque is off; start the controller again to take over";
+inline constexpr const char* kRuntimeDied =  // after the pid
+    ") has died; the robot holds its last goals and nobody watches over it. Start it again with: darwinop runtime";
+
+// exchange.cpp
+inline constexpr const char* kNoRuntime = "no runtime has been started here (";  // then the file
+inline constexpr const char* kStartRuntime = "start one with: darwinop runtime";
+inline constexpr const char* kOtherUsersRuntime = "a runtime of another user runs (";
+inline constexpr const char* kTakesNoCommands = "the loop takes no commands from other programs (";
+inline constexpr const char* kOtherVersion = " was made by another version of the runtime";  // after the file
+inline constexpr const char* kNotOneRuntime = " do not belong together";                     // after both files
+
+// operator.cpp
+inline constexpr const char* kRuntimeHasEnded = ") has ended; start it again with: darwinop runtime";  // after the pid
+
+// report.cpp
+inline constexpr const char* kNoCycle = "The loop has not run a cycle.\n";
+
+// shared_file.cpp: why a file is not used
+inline constexpr const char* kNotARegularFile = "it is not a regular file";
+inline constexpr const char* kSeveralNames = "it has more than one name";
+inline constexpr const char* kEveryUserMayWrite = "every user may write it";
+inline constexpr const char* kOwnerNotTrusted = "who is not trusted here";
+
+}  // namespace darwinop::runtime::messages
