@@ -68,7 +68,7 @@ std::string knownKeys(const Config& config) {
 
 void setRange(std::array<JointRange, kJoints>& ranges, std::string_view key, std::string_view value) {
   const auto joint = findJoint(key);
-  if (!joint) refuse("Limits", key, value, "no joint has this name; joints are called as in Webots, e.g. Neck");
+  if (!joint) refuse("Limits", key, value, kNoSuchJoint);
   const JointRange hard = hardRange(*joint);
   const auto comma = value.find(',');
   const auto low = text::numberFromText(value.substr(0, comma));

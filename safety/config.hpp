@@ -43,6 +43,9 @@ constexpr std::array<JointRange, kJoints> hardRanges() {
   return all;
 }
 
+/// Allowed values, where a key names a joint that does not exist.
+inline constexpr const char* kNoSuchJoint = "no joint has this name; joints are called as in Webots, e.g. Neck";
+
 struct Config {
   /// Period until the loop reports its own.
   Nanos period{std::chrono::milliseconds{16}};

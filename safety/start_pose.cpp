@@ -26,7 +26,7 @@ void describeJoint(std::string& text, const StartPoseCheck::JointOff& off) {
   const std::string who =
       std::string{joint.name} + " (id " + std::to_string(joint.id) + ", " + std::string{joint.anatomical} + ")";
   if (!std::isfinite(off.off_rad)) {
-    text += who + ": position not known; check the cable that leads to it\n";
+    text += who + ": " + kPositionUnknown + "; check the cable that leads to it\n";
     return;
   }
   addLine(text, "%s: %+.1f deg (%+.3f rad) from the start pose, %.1f allowed; it is at %.3f rad, should be at %.3f\n",
@@ -72,10 +72,10 @@ std::string describe(const StartPoseCheck& check) {
   if (check.upright) return text;
   const auto& a = check.acceleration;
   if (!a[0].known() || !a[1].known() || !a[2].known())
-    text += "orientation not known: the board has not reported its acceleration\n";
+    text += kOrientationUnknown + std::string{": the board has not reported its acceleration\n"};
   else
-    addLine(text, "not upright: acceleration %.2f %.2f %.2f m/s2, should be 0 0 9.81, each within %.2f\n", a[0].value,
-            a[1].value, a[2].value, kOrientationTolerance);
+    addLine(text, "%s: acceleration %.2f %.2f %.2f m/s2, should be 0 0 9.81, each within %.2f\n", kNotUpright,
+            a[0].value, a[1].value, a[2].value, kOrientationTolerance);
   return text;
 }
 

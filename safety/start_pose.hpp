@@ -20,6 +20,11 @@ inline constexpr double kStartPoseTolerance = 230 * kRadPerTick;
 inline constexpr double kOrientationTolerance = kGravity / 4;  // m/s2
 inline constexpr std::array<double, 3> kUpright{0, 0, kGravity};
 
+// Parts of describe(): of a joint after its name, and the first words about the trunk.
+inline constexpr const char* kPositionUnknown = "position not known";
+inline constexpr const char* kOrientationUnknown = "orientation not known";
+inline constexpr const char* kNotUpright = "not upright";
+
 struct StartPoseCheck {
   struct JointOff {
     Joint joint{};

@@ -7,11 +7,14 @@
 #include <set>
 #include <stdexcept>
 
+#include "core/text/number_text.hpp"
+
 namespace darwinop::safety {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 std::string refusal(std::string_view section, std::string_view key, std::string_view value) {
   Config config;
@@ -45,11 +48,12 @@ TEST(SafetyConfig, EveryNumberIsSetByItsNameAndRefusedOutsideItsRange) {
           if (other == name) changed = std::abs(value - wanted) < 1e-4;
       });
       EXPECT_TRUE(changed) << name;
-      EXPECT_THAT(refusal("Safety", name, std::to_string(high * 1.5 + 1)), HasSubstr(std::string{name}));
-      EXPECT_THAT(refusal("Safety", name, "-1"), HasSubstr("give a number from"));
-      EXPECT_THAT(refusal("Safety", name, "nan"), HasSubstr("give a number from"));
-      EXPECT_THAT(refusal("Safety", name, "12 volts"), HasSubstr("give a number from"));
-      EXPECT_THAT(refusal("Safety", name, ""), HasSubstr("give a number from"));
+      const std::string range = text::generalText(low, 6) + " to " + text::generalText(high, 6);
+      for (const std::string& wrong : {std::to_string(high * 1.5 + 1), std::string{"-1"}, std::string{"nan"},
+                                       std::string{"12 volts"}, std::string{}})
+        EXPECT_THAT(refusal("Safety", name, wrong),
+                    AllOf(StartsWith("config.ini, [Safety] " + std::string{name} + " = " + wrong + ": "),
+                          HasSubstr(" " + range)));
     }
   });
   EXPECT_GE(numbers, 10);
@@ -80,10 +84,10 @@ TEST(SafetyConfig, LimitsCanBeNarrowedAndNotWidened) {
   EXPECT_EQ(config.range[index(Joint::kNeck)].low, Rad{-1});
   EXPECT_EQ(config.range[index(Joint::kNeck)].high, Rad{1});
   EXPECT_THAT(refusal("Limits", "Neck", "-3.0, 1.0"), AllOf(HasSubstr("Neck"), HasSubstr("-1.929"), HasSubstr("1.69")));
-  EXPECT_THAT(refusal("Limits", "Neck", "1, -1"), HasSubstr("low, high"));
-  EXPECT_THAT(refusal("Limits", "Neck", "1"), HasSubstr("low, high"));
-  EXPECT_THAT(refusal("Limits", "Neck", "nan, 1"), HasSubstr("low, high"));
-  EXPECT_THAT(refusal("Limits", "Nose", "0, 1"), HasSubstr("no joint has this name"));
+  for (const std::string wrong : {"1, -1", "1", "nan, 1"})
+    EXPECT_THAT(refusal("Limits", "Neck", wrong),
+                AllOf(HasSubstr("Neck = " + wrong + ": "), HasSubstr("-1.929"), HasSubstr("1.69")));
+  EXPECT_EQ(refusal("Limits", "Nose", "0, 1"), std::string{"config.ini, [Limits] Nose = 0, 1: "} + kNoSuchJoint);
 }
 
 TEST(SafetyConfig, ALimitGivenBackAsPrintedIsNotAWidening) {

@@ -89,7 +89,7 @@ TEST(Release, TheButtonReleasesARobotThatSomebodyElseLeftStiff) {
   Rig rig;
   for (FakeServo& servo : rig.robot.servo) servo.torque = true;  // its controller was killed
   rig.runFor(1);
-  EXPECT_EQ(rig.state(), State::kFoundStiff) << "nobody drives";
+  EXPECT_EQ(rig.state(), State::kFoundStiff) << "without a driver";
   EXPECT_TRUE(rig.robot[Joint::kNeck].torque) << "and it is left as it is";
   rig.robot.buttons = 1;
   rig.runFor(1);
@@ -244,7 +244,7 @@ TEST(Kneel, TheButtonReleasesAllJointsAtOnceAndStaysReleased) {
   expectLimp(rig);
   EXPECT_TRUE(rig.active(Fault::kReleasedByButton));
   rig.newSession();
-  EXPECT_TRUE(rig.reach(State::kDriven)) << "start the controller again";
+  EXPECT_TRUE(rig.reach(State::kDriven)) << "by a new session";
 }
 
 TEST(Kneel, AfterAReleaseAResetLeadsThroughTheStartPose) {

@@ -10,6 +10,8 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 struct Layers : ::testing::Test {
   Config robot, controller;
@@ -76,15 +78,15 @@ TEST_F(Layers, LimitsAreWhatBothAllow) {
 TEST_F(Layers, LimitsThatHaveNothingInCommonAreAnErrorThatNamesBothFiles) {
   robot.set("Limits", "Neck", "-1.0, -0.5");
   controller.set("Limits", "Neck", "-0.5, 0.9");
-  EXPECT_EQ(error(),
-            "[Limits] Neck: robot.ini allows -1, -0.5 and walk/config.ini allows -0.5, 0.9 rad, and no angle is in "
-            "both; change one of the two");
+  EXPECT_THAT(error(), AllOf(StartsWith("[Limits] Neck: robot.ini "), HasSubstr(" -1, -0.5 "),
+                             HasSubstr(" walk/config.ini "), HasSubstr(" -0.5, 0.9 rad")));
 }
 
 TEST_F(Layers, FilesThatContradictEachOtherAreAnErrorThatNamesBoth) {
   robot.set("Safety", "battery_empty", "10.8");
   controller.set("Safety", "battery_low", "10.5");
-  EXPECT_EQ(error(), "robot.ini and walk/config.ini together: [Safety]: battery_empty must not be above battery_low");
+  EXPECT_THAT(error(), AllOf(StartsWith("robot.ini and walk/config.ini "), HasSubstr(": [Safety]: battery_empty "),
+                             HasSubstr(" battery_low"), Not(HasSubstr(": config.ini"))));
 }
 
 TEST(StricterWins, NamesSettingsThatExist) {

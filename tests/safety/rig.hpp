@@ -40,8 +40,8 @@ class Invariants {
       if (safe.driven()[i]) {
         const JointRange& range = config_.range[i];
         if (!(goal.goal.value >= range.low.value && goal.goal.value <= range.high.value)) reject(i, "goal");
-        if (!(goal.speed_limit.value >= 0.0119 && goal.speed_limit.value <= 12.22)) reject(i, "speed limit");
-        if (!(goal.torque_limit.value > 0 && goal.torque_limit.value <= 2.5)) reject(i, "torque limit");
+        if (!(goal.speed_limit.value >= 0.0119 && goal.speed_limit.value <= 12.22)) reject(i, "speed");
+        if (!(goal.torque_limit.value > 0 && goal.torque_limit.value <= 2.5)) reject(i, "torque");
         if (!(goal.p_gain >= 0 && goal.p_gain <= 31.75)) reject(i, "gain");
         const bool small_step =
             last_goal_[i] && std::abs(goal.goal.value - *last_goal_[i]) <= config_.max_joint_speed * dt + 1e-9;
