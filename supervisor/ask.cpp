@@ -16,6 +16,7 @@
 
 #include "runtime/clock.hpp"
 #include "runtime/file_lock.hpp"
+#include "supervisor/messages.hpp"
 #include "supervisor/orders.hpp"
 #include "supervisor/status.hpp"
 
@@ -33,7 +34,7 @@ pid_t runningOne(const runtime::RuntimeFiles& files) {
 }
 
 int noneRuns(int code) {
-  std::cout << "no supervisor runs\n";
+  std::cout << messages::kNoSupervisor << '\n';
   return code;
 }
 

@@ -9,6 +9,7 @@
 
 #include "runtime/operator.hpp"
 #include "safety/fault_book.hpp"
+#include "supervisor/messages.hpp"
 
 namespace darwinop::supervisor {
 namespace {
@@ -52,16 +53,15 @@ void DefaultController::onEnd(const process::Ending& ending, Nanos now) {
     return become(State::kWaiting, name_ + " has ended because of a fault that needs user action");
   switch (policy_.ended(ending, now)) {
     case RestartPolicy::Verdict::kOver:
-      return become(State::kOver, name_ +
-                                      " has ended by itself; restart it with: darwinop supervisor "
-                                      "--restart-controller");
+      return become(State::kOver,
+                    name_ + messages::kEndedByItself + "; restart it with: darwinop supervisor --restart-controller");
     case RestartPolicy::Verdict::kAgain:
       not_before_ = now + RestartPolicy::kPause;
       return become(State::kWaiting,
                     name_ + " ended " + describe(ending) + "; restart in " + inSeconds(RestartPolicy::kPause));
     case RestartPolicy::Verdict::kGivenUp:
       may_hold_ = true;
-      return become(State::kHeld, name_ + " has failed: " + std::to_string(RestartPolicy::kCrashes) +
+      return become(State::kHeld, name_ + messages::kFailed + std::to_string(RestartPolicy::kCrashes) +
                                       " crashes within " + inSeconds(RestartPolicy::kWindow) + ", the last one " +
                                       describe(ending) + ". The robot holds its pose, with red lights; see " + home_ +
                                       "/log/controller.log; restart it with: darwinop supervisor --restart-controller");
@@ -95,14 +95,14 @@ void DefaultController::end(Nanos now) {
 void DefaultController::whileEnding(bool loop_turns, Nanos now) {
   const auto ending = child_->ended();
   if (!ending && now >= kill_at_) {
-    once_.log(name_ + " has not ended within " + inSeconds(kTimeToEnd) + " and is killed");
+    once_.log(name_ + " has not ended within " + inSeconds(kTimeToEnd) + messages::kKilled);
     child_->signal(SIGKILL);
   }
   if (!ending) return;
   child_.reset();
   if (loop_turns && !ending->isNormal()) endSession();
   if (again_) return restart(now);
-  become(State::kOver, name_ + " stopped");
+  become(State::kOver, name_ + messages::kStopped);
 }
 
 /// A killed controller has not ended its session; a short session of our own does that.

@@ -14,6 +14,7 @@
 #include "safety/start_pose.hpp"
 #include "supervisor/child_start.hpp"
 #include "supervisor/default_controller.hpp"
+#include "supervisor/messages.hpp"
 
 namespace darwinop::supervisor {
 namespace {
@@ -55,8 +56,7 @@ bool DefaultController::ready(const Sensors& seen, Nanos now) {
   if (const pid_t driver = runtime::FileLock::holder(files_.drive_lock); driver != 0)
     return waitFor("waiting for the end of the controller that drives", " (pid " + std::to_string(driver) + ")");
   if (const Fault fault = safety::latchedFault(seen.safety.active); fault != Fault::kNone)
-    return waitFor("waiting for user action: " + std::string{row(fault).meaning} +
-                   "; press START, or run: darwinop runtime --reset-faults");
+    return waitFor(messages::kWaitingForUser + std::string{row(fault).meaning} + "; " + messages::kHowToReset);
   if (seen.safety.state == darwinop::State::kOffline) {
     // The safety layer reports a silent board. The previous message stays: with a bad cable the board comes and goes
     // many times a minute.
@@ -73,8 +73,9 @@ bool DefaultController::ready(const Sensors& seen, Nanos now) {
 bool DefaultController::sits(const Sensors& seen, Nanos now) {
   const safety::StartPoseCheck check = safety::checkStartPose(seen);
   if (!check.secure())
-    return waitFor("waiting for the start pose: set the robot upright; details: darwinop runtime --check-pose",
-                   "\n" + safety::describe(check));
+    return waitFor(
+        messages::kWaitingForPose + std::string{": set the robot upright; details: darwinop runtime --check-pose"},
+        "\n" + safety::describe(check));
   if (!in_pose_since_) in_pose_since_ = now;
   return now - *in_pose_since_ >= kSteady;
 }
@@ -85,7 +86,7 @@ bool DefaultController::chooseAccount(process::Start& start) {
     start.account = connect::defaultControllerAccount(connect::readRobotFile());
     return true;
   } catch (const std::runtime_error& error) {
-    become(State::kOver, name_ + " not started: " + error.what());
+    become(State::kOver, name_ + messages::kNotStarted + error.what());
     return false;
   }
 }

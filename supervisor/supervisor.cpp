@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "runtime/robot_notes.hpp"
+#include "supervisor/messages.hpp"
 #include "supervisor/robot_settings.hpp"
 #include "supervisor/standing.hpp"
 
@@ -65,7 +66,7 @@ int Supervisor::run() {
     publishStatus();
     if (phase_ == SupervisorPhase::kOver) break;
   }
-  log("ended" + robot_);
+  log(messages::kEnded + robot_);
   return failed_ ? 1 : 0;
 }
 
@@ -129,7 +130,7 @@ void Supervisor::publishStatus() {
   status.home = setup_.home;
   status.runtime_pid = runtime_ ? runtime_->process().pid() : 0;
   status.orders = orders_;
-  const bool up = phase_ == SupervisorPhase::kRuntime && state_text_ == kReady;
+  const bool up = phase_ == SupervisorPhase::kRuntime && state_text_ == messages::kRuntimeReady;
   if (!up) status.state = state_text_;
   if (status == published_) return;
   if (writeStatus(status, own_.status)) published_ = status;

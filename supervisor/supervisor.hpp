@@ -37,7 +37,6 @@ class Supervisor {
   int run();
 
  private:
-  static constexpr const char* kReady = "runtime: ready";
   static constexpr Nanos kFirstWait{2'000'000'000};         // before a failed start is retried
   static constexpr Nanos kTimeToReachRobot{5'000'000'000};  // limit for a rescue after a stop command
 

@@ -9,6 +9,7 @@
 #include "runtime/robot_notes.hpp"
 #include "safety/fault_book.hpp"
 #include "supervisor/child_start.hpp"
+#include "supervisor/messages.hpp"
 #include "supervisor/rescue_watch.hpp"
 #include "supervisor/robot_settings.hpp"
 #include "supervisor/standing.hpp"
@@ -23,9 +24,6 @@ constexpr Nanos kLongestStartWait{60'000'000'000};
 constexpr Nanos kTimeToStop{5'000'000'000};
 // A loop that stops while ending gets this time to end its process.
 constexpr Nanos kLastMoment{2'000'000'000};
-
-constexpr const char* kAtRest = "; the robot is at rest";
-constexpr const char* kMayHold = "; some joints may be under torque: hold the robot and press RESET on its back";
 
 }  // namespace
 
@@ -58,7 +56,7 @@ void Supervisor::updateRuntime() {
   if (state == RuntimeChild::State::kSilent && kill_at_ == Nanos{0})
     return rescue("runtime: hung, no cycle for " + std::to_string(runtime_->patience().count() / 1'000'000) + " ms");
   if (state != RuntimeChild::State::kStarting) {
-    if (phase_ == SupervisorPhase::kRuntime && state_text_ != kReady) show(kReady);
+    if (phase_ == SupervisorPhase::kRuntime && state_text_ != messages::kRuntimeReady) show(messages::kRuntimeReady);
     start_wait_ = kFirstWait;
     controller_.update(runtime_->sensors(), now_);
   } else {
@@ -80,7 +78,7 @@ void Supervisor::onRuntimeEnd(const process::Ending& ending) {
   kill_at_ = Nanos{0};
   if (was_up && !ending.isNormal()) return rescue("runtime: died " + describe(ending));
   const Sensors& last = runtime_->sensors();
-  if (was_up) robot_ = last.safety.state == State::kLimp && !anyStiff(last) ? kAtRest : kMayHold;
+  if (was_up) robot_ = last.safety.state == State::kLimp && !anyStiff(last) ? messages::kAtRest : messages::kMayHold;
   runtime_.reset();
   if (was_up || stop_asked_) controller_.runtimeLost(now_);
   if (stop_asked_) return onEvent(PhaseEvent::kEnded, "runtime: ended" + robot_);
@@ -104,12 +102,12 @@ void Supervisor::rescue(const std::string& why) {
 void Supervisor::updateRescue() {
   (void)runtime_->process().ended();  // reaped: this releases the port and its lock
   const Rescue::Step step = rescue_->update(now_);
-  if (!rescue_->obstacle().empty()) once_.log("rescue: cannot reach the robot, retrying: " + rescue_->obstacle());
+  if (!rescue_->obstacle().empty()) once_.log(messages::kCannotReachRobot + rescue_->obstacle());
   if (step == Rescue::Step::kAtRest || step == Rescue::Step::kStiff) return onRest(step);
   if (rescue_->online()) stop_rescue_at_ = now_ + kTimeToReachRobot;
   if (!stop_asked_ || now_ < stop_rescue_at_ || !controller_.over()) return;
   failed_ = true;
-  robot_ = kMayHold;
+  robot_ = messages::kMayHold;
   rescue_.reset();
   onEvent(PhaseEvent::kRescueEnded, "rescue: stopped before it could reach the robot" + robot_);
 }
@@ -118,10 +116,10 @@ void Supervisor::onRest(Rescue::Step step) {
   rescue_.reset();
   runtime_.reset();
   failed_ = step == Rescue::Step::kStiff;
-  robot_ = failed_ ? kMayHold : kAtRest;
+  robot_ = failed_ ? messages::kMayHold : messages::kAtRest;
   onEvent(PhaseEvent::kRescueEnded,
           (failed_ ? "rescue: the robot sits, but a servo is still under torque: press RESET on its back"
-                   : "rescue: the robot is at rest, torque is off") +
+                   : messages::kRescued) +
               std::string{"; restart at the next boot, or with: darwinop supervisor --restart-controller"});
   if (const std::string refused = standFast(); !refused.empty()) log(refused);
   if (!std::exchange(restart_asked_, false)) return;

@@ -15,6 +15,7 @@
 #include "runtime/environment.hpp"
 #include "runtime/file_lock.hpp"
 #include "safety/fault_book.hpp"
+#include "supervisor/messages.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::supervisor {
@@ -97,8 +98,8 @@ TEST_F(Begin, WithoutAUserAccountItIsRejectedOnceAndNotRetried) {
   lookFor(60s, sitting());
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_FALSE(runs());
-  EXPECT_THAT(said, HasSubstr("walk not started: "));
-  EXPECT_THAT(said, HasSubstr("there is no user 'no-such-user'"));
+  EXPECT_THAT(said, HasSubstr(std::string{"walk"} + messages::kNotStarted));
+  EXPECT_THAT(said, HasSubstr("'no-such-user'"));
   EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
 }
 
@@ -130,7 +131,7 @@ TEST_F(Begin, ALatchedFaultBlocksTheStartAndStatusReportsIt) {
     lookFor(3s, with(fault.fault));
     EXPECT_FALSE(runs()) << fault.name;
     EXPECT_THAT(status().state, HasSubstr(std::string{fault.meaning}));
-    EXPECT_THAT(status().state, HasSubstr("press START, or run: darwinop runtime --reset-faults"));
+    EXPECT_THAT(status().state, HasSubstr(messages::kHowToReset));
   }
   lookFor(1100ms, with(Fault::kBatteryLow));
   EXPECT_TRUE(runs());
@@ -159,7 +160,7 @@ TEST_F(Begin, AnEndByALatchedFaultIsNeitherACrashNorANormalEnd) {
       EXPECT_FALSE(runs());
       EXPECT_EQ(status().crashes, 0U);
       lookFor(10s, with(Fault::kReleasedByButton));
-      EXPECT_THAT(status().state, HasSubstr("released with MODE; press START"));
+      EXPECT_THAT(status().state, HasSubstr(std::string{row(Fault::kReleasedByButton).meaning}));
       EXPECT_FALSE(status().controller_ended);
     }
     letTheProgramDo("exec sleep 100");

@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include "hal/signals.hpp"
+#include "runtime/messages.hpp"
 #include "supervisor/home.hpp"
+#include "supervisor/messages.hpp"
 
 namespace darwinop::supervisor {
 namespace {
@@ -140,7 +142,7 @@ TEST_F(Fate, AWindowThatIsKilledOrStoppedLeavesTheRobotDriving) {
   for (const SignalRow& row : kSignals) {
     if (row.effect != SignalEffect::kKills && row.effect != SignalEffect::kStops) continue;
     Program one{window(), file("one")};
-    ASSERT_TRUE(one.says("open in a browser:", seconds{20})) << one.output();
+    ASSERT_TRUE(one.says("http://", seconds{20})) << one.output();
     one.kill(row.number);
     if (row.effect == SignalEffect::kKills) {
       EXPECT_NE(one.wait(seconds{10}).value_or(0), 0) << row.name;
@@ -181,7 +183,7 @@ TEST_P(EndSignal, EndsARunAndItsControllerWithTheRobotAtRest) {
 }
 
 bool hasStarted(const std::string& output) {
-  return std::ranges::any_of(std::array{"ready:", "body:", "open in a browser:"},
+  return std::ranges::any_of(std::array{"ready:", "body:", "http://"},
                              [&](const char* text) { return output.find(text) != std::string::npos; });
 }
 
@@ -243,13 +245,13 @@ TEST_P(ShortenedUnderASupervisor, TheRobotStillComesToRestAndTheSupervisorContin
   ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
   const std::string path = runtime::RuntimeFiles{}.exchange;
   ASSERT_EQ(truncate((path + GetParam()).c_str(), 0), 0);
-  ASSERT_TRUE(says("torque is off", seconds{40})) << supervisor_->output();
+  ASSERT_TRUE(says(messages::kRescued, seconds{40})) << supervisor_->output();
   const Registers robot = registers();
   EXPECT_EQ(robot.stiff, 0);
   EXPECT_LT(robot.furthest, 0.1);
   EXPECT_EQ(ask("--status"), 0) << said_;
   EXPECT_EQ(ask("--restart-controller"), 0) << said_;
-  EXPECT_TRUE(says("runtime: ready")) << supervisor_->output();
+  EXPECT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
   EXPECT_EQ(ask("--stop"), 0) << said_;
 }
 
@@ -257,7 +259,7 @@ TEST_F(Home, CommandsReachOnlyASupervisorOfTheSameUserOrRoot) {
   const SupervisorFiles files{runtime::RuntimeFiles{}};
   ASSERT_EQ(mkfifo(files.lock.c_str(), 0666), 0);
   EXPECT_EQ(ask("--stop"), 1);
-  EXPECT_THAT(said_, HasSubstr("not a regular file"));
+  EXPECT_THAT(said_, HasSubstr(runtime::messages::kNotARegularFile));
   ASSERT_EQ(unlink(files.lock.c_str()), 0);
   if (geteuid() != 0) GTEST_SKIP() << "only root can become another user";
 

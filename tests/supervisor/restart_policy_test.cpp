@@ -52,10 +52,5 @@ TEST(RestartPolicy, AResetForgetsEarlierCrashes) {
   EXPECT_EQ(policy.ended(kCrash, 6s), Verdict::kGivenUp);
 }
 
-TEST(RestartPolicy, DescribesHowAProcessEnded) {
-  EXPECT_EQ(describe(kFailed), "with exit code 1");
-  EXPECT_EQ(describe(kCrash), "by signal 11 (Segmentation fault)");
-}
-
 }  // namespace
 }  // namespace darwinop::supervisor

@@ -5,16 +5,25 @@
 #include <cstdint>
 
 #include "safety/fault_book.hpp"
+#include "safety/start_pose.hpp"
 #include "supervisor/home.hpp"
+#include "supervisor/messages.hpp"
 
 namespace darwinop::supervisor {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr double kGentle = 2.0;     // rad/s, [Safety] gentle_speed of home.hpp; the default is 1.194
 constexpr double kStretched = 0.9;  // rad from the start pose, at least, when the test controller stands
 constexpr std::size_t kKnee = index(Joint::kLegLowerR);
+
+/// Message of the default controller while this fault lasts.
+std::string waitingFor(Fault fault) {
+  return messages::kWaitingForUser + std::string{row(fault).meaning};
+}
 
 /// Reads every image until no process publishes any more.
 struct Course {
@@ -55,7 +64,7 @@ TEST_P(RuntimeFails, TheRobotCrouchesSlowlyToTheStartPoseAndGoesLimp) {
                      [&] {  // a stall of 80 ms silences the board, and the crouch restarts
                        const Sensors seen = sensors();
                        if (seen.cycle != 0 && kill(failed, 0) != 0) course.update(seen);
-                       return supervisor_->output().find("torque is off") != std::string::npos;
+                       return supervisor_->output().find(messages::kRescued) != std::string::npos;
                      }))
       << supervisor_->output();
   EXPECT_TRUE(course.crouched);
@@ -75,27 +84,27 @@ TEST_P(RuntimeFails, TheRobotCrouchesSlowlyToTheStartPoseAndGoesLimp) {
   EXPECT_EQ(status().runtime_pid, 0);
   EXPECT_EQ(status().controller_pid, 0);
   EXPECT_EQ(ask("--status"), 0);
-  EXPECT_THAT(said_, HasSubstr("the robot is at rest"));
+  EXPECT_THAT(said_, HasSubstr(messages::kRescued));
 }
 
 TEST_F(Home, ALimpRobotWhoseRuntimeDiesStaysLimp) {
   startVirtualRobot();
   startSupervisor();  // without a default controller
-  ASSERT_TRUE(says("runtime: ready")) << supervisor_->output();
+  ASSERT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
   const pid_t failed = status().runtime_pid;
   kill(failed, SIGKILL);
   bool driven = false;
   ASSERT_TRUE(within(seconds{12}, [&] {
     const Sensors seen = sensors();
     for (const JointSensors& joint : seen.joint) driven = driven || joint.driven || joint.torque_enabled;
-    return supervisor_->output().find("torque is off") != std::string::npos;
+    return supervisor_->output().find(messages::kRescued) != std::string::npos;
   })) << supervisor_->output();
   EXPECT_FALSE(driven);
   EXPECT_EQ(registers().stiff, 0);
 
   plan("once");
   EXPECT_EQ(ask("--restart-controller"), 0) << said_;
-  EXPECT_TRUE(says("walk has ended by itself")) << supervisor_->output();
+  EXPECT_TRUE(says(std::string{"walk"} + messages::kEndedByItself)) << supervisor_->output();
   EXPECT_NE(status().runtime_pid, 0);
   EXPECT_EQ(ask("--stop"), 0) << said_;
 }
@@ -110,10 +119,10 @@ TEST_F(Home, ARuntimeDeathDuringUnplugIsRescuedAfterReplug) {
     return seen.cycle != 0 && seen.safety.state == State::kOffline;
   }));
   kill(status().runtime_pid, SIGKILL);
-  ASSERT_TRUE(says("cannot reach the robot, retrying", seconds{10})) << supervisor_->output();
-  ASSERT_TRUE(says("torque is off")) << supervisor_->output();
+  ASSERT_TRUE(says(messages::kCannotReachRobot, seconds{10})) << supervisor_->output();
+  ASSERT_TRUE(says(messages::kRescued)) << supervisor_->output();
   const std::string output = supervisor_->output();
-  EXPECT_EQ(output.find("cannot reach"), output.rfind("cannot reach"));
+  EXPECT_EQ(output.find(messages::kCannotReachRobot), output.rfind(messages::kCannotReachRobot));
   const Registers robot = registers();
   EXPECT_EQ(robot.stiff, 0);
   EXPECT_LT(robot.furthest, 0.1);
@@ -123,8 +132,7 @@ TEST_F(Home, AfterThreeCrashesTheRobotIsHeldWithRedLights) {
   startVirtualRobot();
   plan("crash");
   startSupervisor();
-  ASSERT_TRUE(says("has failed: 3 crashes within 60 s, the last one by signal 6", seconds{25}))
-      << supervisor_->output();
+  ASSERT_TRUE(says(std::string{"walk"} + messages::kFailed + "3 ", seconds{25})) << supervisor_->output();
   ASSERT_TRUE(within(seconds{3}, [&] { return sensors().board.led_head == 0x1F; }));
   std::this_thread::sleep_for(milliseconds{300});  // the failure happened during a movement
   const Sensors held = sensors();
@@ -140,13 +148,13 @@ TEST_F(Home, AfterThreeCrashesTheRobotIsHeldWithRedLights) {
   EXPECT_EQ(status().controller_pid, 0);
   EXPECT_EQ(status().crashes, 3U);
   EXPECT_EQ(ask("--status"), 0);
-  EXPECT_THAT(said_, HasSubstr("has failed"));
+  EXPECT_THAT(said_, AllOf(HasSubstr(messages::kFailed), HasSubstr(describe(process::Ending{SIGABRT, true}))));
 
   plan("hold");
   EXPECT_EQ(ask("--restart-controller"), 0);
   EXPECT_TRUE(controllerSays("stands")) << supervisor_->output();
   EXPECT_EQ(ask("--stop-controller"), 0);
-  EXPECT_THAT(said_, HasSubstr("walk stopped"));
+  EXPECT_THAT(said_, HasSubstr(std::string{"walk"} + messages::kStopped));
   EXPECT_THAT(controllerLog(), HasSubstr("end requested"));
   EXPECT_EQ(status().controller_pid, 0);
   EXPECT_TRUE(within(seconds{8}, [&] { return sensors().safety.state == State::kLimp; }));
@@ -176,10 +184,10 @@ TEST_F(Home, StopEndsEvenAnUnresponsiveController) {
   ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
   Program second{{program("darwinop-supervisor"), "--home", file("home")}, file("second.txt")};
   EXPECT_EQ(second.wait(seconds{5}), 1);
-  EXPECT_THAT(second.output(), HasSubstr("is already running (pid " + std::to_string(supervisor_->pid())));
+  EXPECT_THAT(second.output(), HasSubstr("(pid " + std::to_string(supervisor_->pid()) + ")"));
   EXPECT_EQ(ask("--stop"), 0) << said_;
   EXPECT_EQ(supervisor_->wait(seconds{1}), 0) << supervisor_->output();
-  EXPECT_THAT(supervisor_->output(), HasSubstr("has not ended within 3 s and is killed"));
+  EXPECT_THAT(supervisor_->output(), HasSubstr(std::string{" 3 s"} + messages::kKilled));
   EXPECT_FALSE(std::filesystem::exists(SupervisorFiles{runtime::RuntimeFiles{}}.status));
   const Registers robot = registers();
   EXPECT_EQ(robot.stiff, 0);
@@ -190,17 +198,17 @@ TEST_F(Home, TheDefaultControllerWaitsUntilTheRobotSitsUpright) {
   startVirtualRobot("0 fallen front for 3\n");
   plan("once");
   startSupervisor();
-  ASSERT_TRUE(says("waiting for the start pose")) << supervisor_->output();
+  ASSERT_TRUE(says(messages::kWaitingForPose)) << supervisor_->output();
   Program pose{{program("darwinop-runtime"), "--check-pose"}, file("pose.txt")};
   EXPECT_EQ(pose.wait(seconds{5}), 3);
-  EXPECT_THAT(pose.output(), HasSubstr("not upright"));
-  ASSERT_TRUE(says("walk has ended by itself")) << supervisor_->output();
+  EXPECT_THAT(pose.output(), HasSubstr(safety::kNotUpright));
+  ASSERT_TRUE(says(std::string{"walk"} + messages::kEndedByItself)) << supervisor_->output();
   const std::string output = supervisor_->output();
-  EXPECT_EQ(output.find("waiting for the start pose"), output.rfind("waiting for the start pose"));
+  EXPECT_EQ(output.find(messages::kWaitingForPose), output.rfind(messages::kWaitingForPose));
   EXPECT_THAT(controllerLog(), HasSubstr("plan once"));
   Program again{{program("darwinop-runtime"), "--check-pose"}, file("pose.txt")};
   EXPECT_EQ(again.wait(seconds{5}), 0);
-  EXPECT_EQ(again.output(), "start pose: ok\n");
+  EXPECT_THAT(again.output(), Not(HasSubstr(safety::kNotUpright)));
 }
 
 TEST_F(Home, AnInvalidRobotIniIsReportedOnceAndBlocksTheRuntime) {
@@ -208,19 +216,19 @@ TEST_F(Home, AnInvalidRobotIniIsReportedOnceAndBlocksTheRuntime) {
   const std::string sound = "[Robot]\nport = " + port() + "\n";
   std::ofstream{file("home/robot.ini")} << sound << "speed = 3\n";
   startSupervisor();
-  ASSERT_TRUE(says("robot.ini, line 3: [Robot] speed = 3: no such key")) << supervisor_->output();
+  ASSERT_TRUE(says("robot.ini, line 3: [Robot] speed = 3: ")) << supervisor_->output();
   std::this_thread::sleep_for(milliseconds{2500});  // retried after 2 s
   const std::string output = supervisor_->output();
-  EXPECT_EQ(output.find("no such key"), output.rfind("no such key")) << output;
+  EXPECT_EQ(output.find("line 3: "), output.rfind("line 3: ")) << output;
   EXPECT_EQ(status().runtime_pid, 0);
   EXPECT_EQ(ask("--status"), 0);
   EXPECT_THAT(said_, HasSubstr("line 3"));
 
   std::ofstream{file("home/robot.ini")} << sound;
   EXPECT_EQ(ask("--restart-controller"), 0) << said_;
-  EXPECT_TRUE(says("runtime: ready")) << supervisor_->output();
+  EXPECT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
   EXPECT_EQ(ask("--stop"), 0) << said_;
-  EXPECT_TRUE(says("supervisor: ended; the robot is at rest")) << supervisor_->output();
+  EXPECT_TRUE(says(std::string{"supervisor: "} + messages::kEnded + messages::kAtRest)) << supervisor_->output();
 }
 
 /// Some joint gets goals, or was polled after that cycle and had torque.
@@ -237,10 +245,9 @@ TEST_F(Home, AfterModeTheRobotStaysLimpUntilStartIsPressed) {
   plan("sit");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands", seconds{14})) << supervisor_->output() << controllerLog();
-  ASSERT_TRUE(says("waiting for user action: the robot was released with MODE; press START", seconds{15}))
-      << supervisor_->output();
+  ASSERT_TRUE(says(waitingFor(Fault::kReleasedByButton), seconds{15})) << supervisor_->output();
   EXPECT_EQ(ask("--status"), 0);
-  EXPECT_THAT(said_, HasSubstr("press START, or run: darwinop runtime --reset-faults"));
+  EXPECT_THAT(said_, HasSubstr(messages::kHowToReset));
   EXPECT_EQ(status().crashes, 0U);
   bool torque = false;
   const std::uint64_t released = sensors().cycle + 1;
@@ -264,7 +271,7 @@ TEST_F(Home, AfterAnOperatorsReleaseItWaitsForAReset) {
   ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
   Program release{{program("darwinop-runtime"), "--release"}, file("release.txt")};
   EXPECT_EQ(release.wait(seconds{5}), 0);
-  ASSERT_TRUE(says("waiting for user action: a person released the robot")) << supervisor_->output();
+  ASSERT_TRUE(says(waitingFor(Fault::kReleasedByOperator))) << supervisor_->output();
   const std::uint64_t released = sensors().cycle + 1;
   std::this_thread::sleep_for(milliseconds{4000});
   EXPECT_FALSE(anyTorqueSince(released, sensors()));
@@ -274,7 +281,7 @@ TEST_F(Home, AfterAnOperatorsReleaseItWaitsForAReset) {
   supervisor_->kill(SIGKILL);
   EXPECT_TRUE(within(seconds{20}, [&] { return runtime::FileLock::holder(runtime::RuntimeFiles{}.loop_lock) == 0; }));
   startSupervisor();
-  ASSERT_TRUE(says("waiting for user action: a person released the robot")) << supervisor_->output();
+  ASSERT_TRUE(says(waitingFor(Fault::kReleasedByOperator))) << supervisor_->output();
   std::this_thread::sleep_for(milliseconds{2500});
   EXPECT_FALSE(anyTorqueSince(0, sensors()));
 
@@ -286,10 +293,10 @@ TEST_F(Home, ARobotThatIsFoundStandingIsBroughtToRestAtTheEnd) {
   startVirtualRobot();
   standByHand();
   startSupervisor();  // without a default controller
-  ASSERT_TRUE(says("runtime: ready")) << supervisor_->output();
+  ASSERT_TRUE(says(messages::kRuntimeReady)) << supervisor_->output();
   EXPECT_TRUE(within(seconds{5}, [&] { return sensors().safety.state == State::kFoundStiff; }));
   EXPECT_EQ(ask("--stop"), 0) << said_;
-  EXPECT_TRUE(says("supervisor: ended; the robot is at rest")) << supervisor_->output();
+  EXPECT_TRUE(says(std::string{"supervisor: "} + messages::kEnded + messages::kAtRest)) << supervisor_->output();
   const Registers robot = registers();
   EXPECT_EQ(robot.silent, 0);
   EXPECT_EQ(robot.stiff, 0);
@@ -302,7 +309,7 @@ TEST_F(Home, ARobotFoundStandingSkipsThePoseCheck) {
   plan("hold");
   startSupervisor();
   ASSERT_TRUE(controllerSays("stands")) << supervisor_->output() << controllerLog();
-  EXPECT_EQ(supervisor_->output().find("waiting for the start pose"), std::string::npos);
+  EXPECT_EQ(supervisor_->output().find(messages::kWaitingForPose), std::string::npos);
   EXPECT_EQ(ask("--stop"), 0) << said_;
   EXPECT_EQ(registers().stiff, 0);
 }
@@ -312,7 +319,7 @@ TEST_F(Home, WithoutASupervisorCommandsReportThat) {
   EXPECT_EQ(ask("--stop"), 0);
   EXPECT_EQ(ask("--stop-controller"), 1);
   EXPECT_EQ(ask("--restart-controller"), 1);
-  EXPECT_THAT(said_, HasSubstr("no supervisor runs"));
+  EXPECT_THAT(said_, HasSubstr(messages::kNoSupervisor));
 }
 
 }  // namespace

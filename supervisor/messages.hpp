@@ -1,0 +1,29 @@
+// Phrases by which the supervisor's messages are recognized. Sorted by the file that uses them.
+#pragma once
+
+namespace darwinop::supervisor::messages {
+
+// ask.cpp
+inline constexpr const char* kNoSupervisor = "no supervisor runs";
+
+// default_controller.cpp: after the controller's name
+inline constexpr const char* kEndedByItself = " has ended by itself";
+inline constexpr const char* kFailed = " has failed: ";   // then the number of crashes; the robot is held
+inline constexpr const char* kKilled = " and is killed";  // it did not end in time
+inline constexpr const char* kStopped = " stopped";
+
+// default_controller_start.cpp
+inline constexpr const char* kWaitingForPose = "waiting for the start pose";
+inline constexpr const char* kWaitingForUser = "waiting for user action: ";  // then the fault's meaning
+inline constexpr const char* kHowToReset = "press START, or run: darwinop runtime --reset-faults";
+inline constexpr const char* kNotStarted = " not started: ";  // after the controller's name, before the reason
+
+// supervisor.cpp, supervisor_runtime.cpp
+inline constexpr const char* kRuntimeReady = "runtime: ready";
+inline constexpr const char* kCannotReachRobot = "rescue: cannot reach the robot, retrying: ";  // then the reason
+inline constexpr const char* kRescued = "rescue: the robot is at rest, torque is off";
+inline constexpr const char* kEnded = "ended";  // then one of the next two
+inline constexpr const char* kAtRest = "; the robot is at rest";
+inline constexpr const char* kMayHold = "; some joints may be under torque: hold the robot and press RESET on its back";
+
+}  // namespace darwinop::supervisor::messages
