@@ -3,13 +3,18 @@
 #include <sha2.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <limits>
+#include <optional>
+
+#include "hal/text_file.hpp"
 
 namespace darwinop::gap {
 namespace {
+
+constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
 
 std::vector<std::string> filesOf(const Case& given) {
   std::vector<std::string> files{"case.json"};
@@ -27,9 +32,10 @@ std::string sha256(std::string_view data) {
 std::string dataHash(const Case& given) {
   std::string all;
   for (const std::string& name : filesOf(given)) {
-    std::ifstream file{std::filesystem::path{given.folder} / name, std::ios::binary};
-    if (given.folder.empty() || !file) return "";
-    all.append(std::istreambuf_iterator<char>{file}, {});
+    const auto text =
+        given.folder.empty() ? std::nullopt : readTextFile(std::filesystem::path{given.folder} / name, kAnyLength);
+    if (!text) return "";
+    all += *text;
   }
   return sha256(all);
 }
