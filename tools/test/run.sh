@@ -11,7 +11,7 @@ set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../.."
 . tools/dev/build.sh
 
-gate=(format scripts build docs model asan release i686 tsan install tidy)
+gate=(format scripts build docs model asan release i686 install tsan tidy)
 deep=(lint headers gap gap-sanitized long-model campaign long-install vm n270 i686-native fuzz bench)
 more=(fast slow)  # for developers: one label of the debug build
 
