@@ -57,7 +57,7 @@ std::string previewOf(const PageFile& file, const std::vector<int>& pages) {
     pose = played.poses.back();
     text += "page " + std::to_string(number) + " \"" + nameOf(page) +
             "\": " + text::fixedText(static_cast<double>(played.poses.size() - 1) * kTickMs / 1000, 1) + " s";
-    if (played.sections.size() > 1) text += "including its successors";
+    if (played.sections.size() > 1) text += ", including its successors";
     if (played.cut) text += kRepeatsForever;
     text += "; " + wayText(far, is_led) + '\n';
   }
