@@ -108,7 +108,7 @@ int mirror(const Arguments& a) {
 }
 
 int begin(const Arguments& a) {
-  if (std::filesystem::exists(a.out)) throw std::runtime_error(a.out + "already exists; choose another name");
+  if (std::filesystem::exists(a.out)) throw std::runtime_error(a.out + ": already exists; choose another name");
   PageSection section{numberOf(a.page)};
   section.set("name", '"' + a.name + '"');
   Page page = section.finish();

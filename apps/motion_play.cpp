@@ -18,6 +18,7 @@
 #include "experiments/run/hardware.hpp"
 #include "managers/motion_watch/motion_watch.hpp"
 #include "managers/motion_watch/posture.hpp"
+#include "motion_messages.hpp"
 #include "motion_own.hpp"
 #include "motion_preview.hpp"
 #include "webots/robot_impl.hpp"
@@ -117,7 +118,7 @@ class Stage {
 
 int perform(const PlayRequest& request, bool is_motion) {
   Stage stage;
-  std::cout << "the robot is ready; Ctrl-C ends it" << std::endl;
+  std::cout << kReady << std::endl;
   bool whole = true;
   if (is_motion) whole = stage.motion(request.file);
   for (std::size_t i = 0; whole && i < request.pages.size(); ++i) whole = stage.page(request.file, request.pages[i]);
@@ -126,7 +127,7 @@ int perform(const PlayRequest& request, bool is_motion) {
   stage.printSummary(seconds);
   if (!request.record.empty()) std::cout << "recorded: " << request.record << std::endl;
   if (whole) return kPlayed;
-  std::cerr << (facade::stopRequested() ? "stopped on request\n" : "ended by the robot, see above\n");
+  std::cerr << (facade::stopRequested() ? kStoppedOnRequest : "ended by the robot, see above\n");
   return facade::stopRequested() ? kPlayStopped : kPlayEnded;
 }
 

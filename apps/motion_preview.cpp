@@ -9,6 +9,7 @@
 #include "core/text/number_text.hpp"
 #include "managers/motion/first_step.hpp"
 #include "managers/motion_text/dry_run.hpp"
+#include "motion_messages.hpp"
 #include "motion_print.hpp"
 #include "webots/motion_playback.hpp"
 
@@ -56,8 +57,8 @@ std::string previewOf(const PageFile& file, const std::vector<int>& pages) {
     pose = played.poses.back();
     text += "page " + std::to_string(number) + " \"" + nameOf(page) +
             "\": " + text::fixedText(static_cast<double>(played.poses.size() - 1) * kTickMs / 1000, 1) + " s";
-    if (played.sections.size() > 1) text += "including its successors";
-    if (played.cut) text += ", then repeats until stopped";
+    if (played.sections.size() > 1) text += ", including its successors";
+    if (played.cut) text += kRepeatsForever;
     text += "; " + wayText(far, is_led) + '\n';
   }
   return text;

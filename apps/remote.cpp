@@ -18,6 +18,7 @@
 #include "hal/net/bounded_log.hpp"
 #include "hal/signals.hpp"
 #include "remote/robot/link_port.hpp"
+#include "remote/server/messages.hpp"
 #include "remote/server/server.hpp"
 #include "runtime/clock.hpp"
 #include "runtime/daemon_link.hpp"
@@ -54,10 +55,7 @@ remote::ServerConfig serverConfig(const RemoteArguments& given) {
     throw std::runtime_error(
         "--listen " + given.listen +
         " opens the robot to a network: specify the allowed networks, for example --allow 192.168.123.0/24");
-  sayRemote(
-      "the protocol has no password: every allowed address can move the robot and read "
-      "its camera, and traffic can be read and changed on the way. In a shared network, "
-      "listen on loopback and connect through ssh");
+  sayRemote(remote::messages::kNoPassword);
   return config;
 }
 

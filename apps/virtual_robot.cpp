@@ -25,6 +25,7 @@
 #include "hil-mocks/pty_host.hpp"
 #include "hil-mocks/robot_options.hpp"
 #include "hil-mocks/torque_on_counter.hpp"
+#include "virtual_robot_report.hpp"
 #ifdef DARWINOP_VIRTUAL_CAMERA  // on a PC
 #include "hil-mocks/camera/camera_settings.hpp"
 #include "virtual_robot_camera.hpp"
@@ -123,12 +124,13 @@ void waitForEnd(const sigset_t& signals, double for_s, bool physics, hil::PtyHos
 
 void report(const hil::VirtualRobot& robot, std::uint64_t torque_on, double seconds, Nanos lag) {
   const hil::BoardCounters& c = robot.board().counters();
-  std::printf("\nframes: %" PRIu64 "  sync writes: %" PRIu64 "  bulk reads: %" PRIu64 "  replies: %" PRIu64
-              "  checksum errors: %" PRIu64 "  lost bytes: %" PRIu64 "\n",
-              c.frames, c.sync_writes, c.bulk_reads, c.replies, c.bad_checksums, c.lost_bytes);
+  std::printf("\nframes: %" PRIu64 "  %s: %" PRIu64 "  %s: %" PRIu64 "  replies: %" PRIu64 "  checksum errors: %" PRIu64
+              "  lost bytes: %" PRIu64 "\n",
+              c.frames, darwinop::app::kSyncWrites, c.sync_writes, darwinop::app::kBulkReads, c.bulk_reads, c.replies,
+              c.bad_checksums, c.lost_bytes);
   std::printf("cycles per second: %.1f over %.1f s\n", static_cast<double>(c.bulk_reads) / seconds, seconds);
-  std::printf("torque switched on: %" PRIu64 "\n", torque_on);
-  std::printf("behind real time: at most %.1f ms\n", ms(lag));
+  std::printf("%s: %" PRIu64 "\n", darwinop::app::kTorqueSwitchedOn, torque_on);
+  std::printf("%s: at most %.1f ms\n", darwinop::app::kBehindRealTime, ms(lag));
 }
 
 #ifdef DARWINOP_VIRTUAL_CAMERA

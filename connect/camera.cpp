@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "connect/messages.hpp"
 #include "connect/robot_file.hpp"
 #include "hal/camera_v4l2/monotonic.hpp"
 #include "hal/shared_picture/writer.hpp"
@@ -24,7 +25,7 @@ v4l2::RawFrameTaker shareFrames(const runtime::RuntimeFiles& files,
       (void)writer->put(image, sequence, time, v4l2::monotonicNow());
     };
   } catch (const std::runtime_error& error) {
-    if (log) log(std::string{"observers of darwinop monitor see no pictures while this drives: "} + error.what());
+    if (log) log(std::string{messages::kNoPicturesForObservers} + error.what());
     return {};
   }
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "connect/messages.hpp"
 #include "core/text/ini_text.hpp"
 #include "core/text/letter_case.hpp"
 #include "core/text/number_text.hpp"
@@ -58,7 +59,7 @@ std::bitset<kJoints> jointNames(std::string_view key, std::string_view value) {
     joints.set(index(*joint));
     rest = comma == rest.npos ? std::string_view{} : rest.substr(comma + 1);
   }
-  if (joints.all()) refuse("Robot", key, value, "a robot without any joint cannot be driven");
+  if (joints.all()) refuse("Robot", key, value, messages::kNoJointLeft);
   return joints;
 }
 
@@ -95,8 +96,7 @@ class Reader final : public text::IniReader {
       throw std::runtime_error("key \"" + std::string{key} + "\" stands before the first section; " + kSections);
     const std::string room = lowered(section);
     if (!seen_.insert(room + '/' + lowered(key)).second)
-      throw std::runtime_error("[" + std::string{section} + "] " + std::string{key} +
-                               " is there a second time; keep one of the two");
+      throw std::runtime_error("[" + std::string{section} + "] " + std::string{key} + messages::kGivenTwice);
     if (safety::takeSafety(file_.safety, section, key, value)) return;
     if (room == "offsets") return takeOffset(key, value);
     takeRobot(key, value);
@@ -167,7 +167,7 @@ safety::Config safetyOn(const RobotFile& robot, const safety::Config& controller
 }
 
 std::string describe(const RobotFile& robot) {
-  if (robot.path.empty()) return "no robot.ini: port, limits and offsets are as on a stock robot";
+  if (robot.path.empty()) return messages::kNoRobotFile;
   std::string text = robot.path + ": port " + robot.serialPort() + ", " +
                      std::to_string(robot.period.value_or(kUsualPeriod) / std::chrono::milliseconds{1}) + " ms";
   std::string offsets, limits, absent;

@@ -12,6 +12,7 @@
 #include "managers/body_player/walk_player.hpp"
 #include "managers/borrowed_motors.hpp"
 #include "managers/gait/walking_config.hpp"
+#include "managers/messages.hpp"
 #include "webots/notices.hpp"
 
 namespace managers {
@@ -89,10 +90,7 @@ struct DARwInOPGaitManager::Walker {
     const bool walked = walk().walking();
     if (!player.advance(ms, command, balance, gyroReading())) return;
     motors.setGoals(player);
-    if (!walked && walk().walking() && balance && !walk().isBalanceCalibrated())
-      warn(
-          "balance is off: the gyroscope could not be calibrated, because the robot was moved or the gyroscope does "
-          "not reply. Keep the robot still for a second before start()");
+    if (!walked && walk().walking() && balance && !walk().isBalanceCalibrated()) warn(messages::kWalksWithoutBalance);
     if (walk().resting()) motors.giveBack();
   }
 
@@ -122,7 +120,7 @@ struct DARwInOPGaitManager::Walker {
 
 DARwInOPGaitManager::DARwInOPGaitManager(webots::Robot* robot, const std::string& ini_filename) : walker_{new Walker} {
   try {
-    if (robot == nullptr) throw std::runtime_error("the robot is null");
+    if (robot == nullptr) throw std::runtime_error(messages::kRobotIsNull);
     walker_->prepare(*robot, ini_filename);
   } catch (const std::exception& why) {
     warn(std::string{why.what()} + "; the gait manager is disabled");

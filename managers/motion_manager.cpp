@@ -8,6 +8,7 @@
 #include "DARwInOPDirectoryManager.hpp"
 #include "DARwInOPMotionManager.hpp"
 #include "managers/body_player/page_player.hpp"
+#include "managers/messages.hpp"
 #include "managers/motion_source.hpp"
 #include "managers/present_pose.hpp"
 #include "webots/notices.hpp"
@@ -102,7 +103,7 @@ DARwInOPMotionManager::DARwInOPMotionManager(webots::Robot* robot, const std::st
 DARwInOPMotionManager::DARwInOPMotionManager(webots::Robot* robot, const std::string& custom_motion_file,
                                              const std::string& data_directory)
     : stage_{nullptr} {
-  if (!robot) warnOnce("MotionManager: the robot is null; no page will be played");
+  if (!robot) warnOnce(std::string{"MotionManager: "} + messages::kRobotIsNull + "; no page will be played");
   stage_ = new Stage{robot, robot ? readMotionPages(custom_motion_file, data_directory) : nullptr};
 }
 

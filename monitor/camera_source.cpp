@@ -14,7 +14,7 @@ void CameraSource::update(bool wanted, bool free, Nanos now) {
   free_ = free;
   if (!wanted || pictures_ || now < next_try_) return;
   next_try_ = now + kAgain;
-  why_ = free ? "this robot has no camera" : "a controller drives and may use the camera";
+  why_ = free ? "this robot has no camera" : kControllerDrives;
   const Open& open = free ? open_ : share_;
   if (!open) return;
   try {

@@ -15,6 +15,7 @@ class CameraSource {
   /// Opens the camera. Throws std::runtime_error if that fails. An empty function: no camera.
   using Open = std::function<std::unique_ptr<remote::PictureSource>()>;
   static constexpr const char* kNotRequested = "no observer requests pictures";
+  static constexpr const char* kControllerDrives = "a controller drives and may use the camera";
   static constexpr Nanos kAgain{5'000'000'000};  // between attempts to open
 
   /// `share`: opens the frames that the driving controller shares, never the camera device. Empty: none are shared.

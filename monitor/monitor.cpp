@@ -227,9 +227,7 @@ void Monitor::sendCameraStatus(web::Channel& channel, Subscriber& subscriber, bo
   else if (const std::string why = camera_.why(); !why.empty())
     text = cameraText(false, why);
   else
-    text = cameraText(seeing, seeing             ? ""
-                              : camera_.shared() ? "a controller drives and shares no pictures of 320x240"
-                                                 : "the camera gives no pictures");
+    text = cameraText(seeing, seeing ? "" : camera_.shared() ? kNoSharedPictures : kCameraIsBlind);
   if (text == subscriber.camera) return;
   subscriber.camera = text;
   channel.send(kCameraLane, shared(std::move(text)));

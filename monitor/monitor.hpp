@@ -25,6 +25,8 @@ namespace darwinop::monitor {
 class Monitor final : public web::ChannelHandler {
  public:
   using Clock = std::function<Nanos()>;
+  static constexpr const char* kNoSharedPictures = "a controller drives and shares no pictures of 320x240";
+  static constexpr const char* kCameraIsBlind = "the camera gives no pictures";
   static constexpr std::size_t kNotices = 20;  // kept for observers that connect later
 
   /// `search`: searches the frames of these functions; null: searches have no results.

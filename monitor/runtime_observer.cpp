@@ -35,13 +35,11 @@ std::string RuntimeObserver::whyUnavailable(Nanos now) {
   const pid_t living = runtime::FileLock::holder(files_.loop_lock);
   if (living != block.info.pid && living != -1) {
     exchange_.reset();  // the next runtime creates new memory
-    return "the runtime (pid " + pid + ") has ended; start it again with: darwinop runtime";
+    return "the runtime (pid " + pid + ")" + kHasEnded;
   }
   if (const std::uint32_t finished = block.finished.value(); finished != std::exchange(finished_, finished))
     advanced_at_ = now;
-  if (now - advanced_at_ >= kHung)
-    return "the runtime (pid " + pid +
-           ") is alive but has not run a cycle for 5 s; check it with: darwinop runtime --status";
+  if (now - advanced_at_ >= kHung) return "the runtime (pid " + pid + ")" + kHangs;
   return {};
 }
 

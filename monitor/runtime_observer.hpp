@@ -15,6 +15,10 @@ namespace darwinop::monitor {
 class RuntimeObserver {
  public:
   static constexpr Nanos kCheckInterval{200'000'000}, kHung{5'000'000'000};
+  // After "the runtime (pid N)".
+  static constexpr const char* kHasEnded = " has ended; start it again with: darwinop runtime";
+  static constexpr const char* kHangs =
+      " is alive but has not run a cycle for 5 s; check it with: darwinop runtime --status";
 
   explicit RuntimeObserver(runtime::RuntimeFiles files) : files_{std::move(files)} {}
 

@@ -9,6 +9,7 @@
 
 #include "core/text/number_text.hpp"
 #include "hal/text_file.hpp"
+#include "webots/messages.hpp"
 
 namespace darwinop::facade {
 
@@ -113,7 +114,7 @@ MotionText parseMotion(std::string_view text, const std::string& file) {
     }
     poses += line > 1 ? 1 : 0;
   }
-  if (poses == 0) throw std::runtime_error(file + ":2: it has no pose");
+  if (poses == 0) throw std::runtime_error(file + ":2" + messages::kNoPose);
   return motion;
 }
 

@@ -6,6 +6,7 @@
 #include "connect/keys.hpp"
 #include "connect/sound_program.hpp"
 #include "webots/Device.hpp"
+#include "webots/messages.hpp"
 #include "webots/motion_playback.hpp"
 #include "webots/notices.hpp"
 
@@ -20,13 +21,13 @@ bool usable(Freshness freshness) {
 std::string_view endNotice(safety::OnExit on_exit) {
   switch (on_exit) {
     case safety::OnExit::kHold:
-      return "ending: the robot holds its pose; its joints stay under torque";
+      return messages::kEndsHolding;
     case safety::OnExit::kKneel:
-      return "ending: the robot sits down and releases torque; a second Ctrl-C would leave its joints under torque";
+      return messages::kEndsKneeling;
     case safety::OnExit::kLimp:
       break;
   }
-  return "ending: the robot releases torque; a second Ctrl-C would leave its joints under torque";
+  return messages::kEndsLimp;
 }
 
 /// DARWINOP_KEYS: window, terminal or none instead of what there is.

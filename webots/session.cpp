@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "connect/camera.hpp"
+#include "webots/messages.hpp"
 #include "webots/notices.hpp"
 
 namespace darwinop::facade {
@@ -47,7 +48,7 @@ std::string Session::begin(const Commands& first) {
   for (;;) {
     driver_.publish(first);
     if (!driver_.waitForCycle(driver_.sensors().cycle + 1, stop_))
-      return stop_ ? "asked to end before the robot was ready" : driver_.link().whyEnded();
+      return stop_ ? messages::kAskedToEnd : driver_.link().whyEnded();
     sensors_ = driver_.sensors();
     if (std::string why = driver_.faultEnd(sensors_); !why.empty()) return why;
     if (driver_.drives(sensors_)) break;

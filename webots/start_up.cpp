@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "connect/connect.hpp"
+#include "webots/messages.hpp"
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 #include "webots/stop_signals.hpp"
@@ -76,7 +77,7 @@ std::unique_ptr<RobotImpl> start() {
 }  // namespace
 
 RobotImpl* connectOrExit() {
-  if (current) giveUp("a second Robot was made in this program: there can be one only");
+  if (current) giveUp(messages::kSecondRobot);
   installStopSignals();
   // Into a pipe (to a PC, to a log) output goes by lines also: it is there when it happens, and survives a crash.
   if (isatty(STDOUT_FILENO) == 0) (void)std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);

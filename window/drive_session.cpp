@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "window/messages.hpp"
+
 namespace darwinop::window {
 namespace {
 
@@ -32,7 +34,7 @@ void DriveSession::received(web::Channel& channel, std::string_view message, boo
   if (request->take && driver_ == nullptr)
     take(channel);
   else if (request->take && driver_ != &channel)
-    sendDriving(channel, false, "another page drives");
+    sendDriving(channel, false, messages::kAnotherPageDrives);
   if (driver_ != &channel) return;
   last_heartbeat_ = clock_();
   if (request->stop) {
@@ -47,8 +49,7 @@ void DriveSession::received(web::Channel& channel, std::string_view message, boo
 }
 
 void DriveSession::take(web::Channel& channel) {
-  if (drive_.report().state != DriveState::kFree)
-    return sendDriving(channel, false, "the previous session is still coming to rest; try again");
+  if (drive_.report().state != DriveState::kFree) return sendDriving(channel, false, messages::kPreviousSessionEnds);
   driver_ = &channel;
   is_driving_ = false;
   requests_ = {};
@@ -70,7 +71,7 @@ void DriveSession::update() {
   if (!is_driving_) return;
   if (clock_() - last_heartbeat_ > kHeartbeatTimeout) {
     drive_.finish();
-    return release("No heartbeat from this page for half a second. The robot holds.");
+    return release(messages::kNoHeartbeat);
   }
   drive_.request(requests_);
   requests_.clearOneTime();

@@ -5,16 +5,10 @@
 #include <stdexcept>
 
 #include "window/drive_timers.hpp"
+#include "window/messages.hpp"
 #include "window/motion_planner.hpp"
 
 namespace darwinop::window {
-namespace {
-
-constexpr const char* kNoRequests = "the window's program did not respond for 0.8 s. The robot holds.";
-constexpr const char* kNoTorque = "torque did not come on; check the servo power switch and the Faults tab";
-
-}  // namespace
-
 DriveThread::~DriveThread() {
   finish();
   if (thread_.joinable()) thread_.join();
@@ -61,7 +55,7 @@ void DriveThread::handleLocked(DriveEvent event, const std::string& why) {
 
 std::optional<DriveRequests> DriveThread::takeRequests() {
   const std::scoped_lock lock{mutex_};
-  if (clock_.now() - last_request_ > kRequestTimeout) handleLocked(DriveEvent::kRequestsMissed, kNoRequests);
+  if (clock_.now() - last_request_ > kRequestTimeout) handleLocked(DriveEvent::kRequestsMissed, messages::kNoRequests);
   if (report_.state == DriveState::kHolding) return std::nullopt;
   if (report_.state == DriveState::kEnding) return DriveRequests{};  // request nothing: stand
   const DriveRequests now = requests_;
@@ -98,7 +92,7 @@ void DriveThread::runCycles(runtime::DriverSession& session, Commands& commands)
       const std::scoped_lock lock{mutex_};
       report_.status = planner.status();
       const auto event = timers.advance(report_.state, session.drives(seen), planner.status().walks, ms);
-      if (event) handleLocked(*event, event == DriveEvent::kFailed ? kNoTorque : "");
+      if (event) handleLocked(*event, event == DriveEvent::kFailed ? messages::kNoTorque : "");
       if (report_.state == DriveState::kHolding) return;
     }
     const bool loop_runs = session.waitForCycle(cycle + 1);

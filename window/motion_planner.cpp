@@ -6,6 +6,7 @@
 
 #include "core/counts.hpp"
 #include "core/servo_limits.hpp"
+#include "window/messages.hpp"
 
 namespace darwinop::window {
 namespace {
@@ -68,20 +69,19 @@ const Commands& MotionPlanner::plan(DriveRequests requests, const Sensors& seen,
 void MotionPlanner::applyRequests(DriveRequests& requests, const Sensors& seen, double ms) {
   const bool follows = seen.safety.state == State::kDriven, fell = hasFallen(seen.safety);
   not_following_ms_ = follows ? 0 : not_following_ms_ + std::max(ms, 1.0);
-  if (not_following_ms_ > kMaxNotFollowingMs && !atRest()) abortMotion("aborted: the robot did not follow");
+  if (not_following_ms_ > kMaxNotFollowingMs && !atRest()) abortMotion(messages::kMotionAborted);
   if (fell && walks()) abortMotion("the robot has fallen");
   if (requests.walk && !follows && !walks()) requests.walk.reset();  // starts as soon as it follows
   if (requests.walk && (fell || page_.isPlaying())) {
-    status_.refused =
-        fell ? "the robot has fallen: get it up first" : "a motion page is playing: press again when it has ended";
+    status_.refused = fell ? "the robot has fallen: get it up first" : messages::kPageIsPlaying;
     walk_blocked_ = true;
   }
   if (requests.page != 0) {
     const bool gets_up = std::ranges::find(kGetUpPages, requests.page) != kGetUpPages.end();
     if (!follows || gets_up != fell) {
-      status_.refused = !follows ? "the robot does not follow yet"
+      status_.refused = !follows ? messages::kRobotDoesNotFollow
                         : fell   ? "the robot has fallen: play a page that gets it up first"
-                                 : "this page requires a fallen robot";
+                                 : messages::kPageRequiresAFall;
       requests.page = 0;
     }
   }
@@ -132,7 +132,7 @@ void MotionPlanner::switchTorque(const DriveRequests& requests, const Sensors& s
 /// True if a page has started.
 bool MotionPlanner::beginPage(int page, const Sensors& seen) {
   if (!atRest()) {
-    status_.refused = "a page starts only when the robot stands still: it is walking or playing a page";
+    status_.refused = messages::kPageRequiresRest;
     return false;
   }
   if (status_.limp.any()) {
@@ -153,7 +153,7 @@ bool MotionPlanner::beginWalk(const Sensors& seen) {
     std::bitset<kLimbs> needed = status_.limp;
     needed.reset(static_cast<std::size_t>(Chain::kHead));
     if (needed.any()) {
-      status_.refused = "walking requires both arms and both legs: switch their torque on first";
+      status_.refused = messages::kWalkRequiresTorque;
       return false;
     }
     for (std::size_t i = 0; i < gait::kWalkingJoints; ++i)

@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "window/messages.hpp"
 #include "window/transfer_command.hpp"
 
 namespace darwinop::window {
@@ -15,7 +16,6 @@ namespace {
 using nlohmann::json;
 
 constexpr Nanos kWhileItRuns{20'000'000}, kNothingRuns{1'000'000'000};
-constexpr const char* kNoPassword = "a password must be a single line of at most 200 bytes";
 constexpr web::Lane kTransferState = 0, kTransferKnown = 1;
 // A controller gets 10 s to end and is killed after 6 s more; see installer/robot/controller_run.sh.
 constexpr std::chrono::seconds kCancelTimeout{20};
@@ -57,7 +57,7 @@ void Transfer::received(web::Channel& channel, std::string_view message, bool bi
   PageConnection& page = found->second;
   if (binary) {
     page.password_rejected = !page.password.set(message);
-    if (page.password_rejected) refuse(channel, kNoPassword);
+    if (page.password_rejected) refuse(channel, messages::kInvalidPassword);
     return;
   }
   std::string why;
@@ -82,10 +82,10 @@ void Transfer::received(web::Channel& channel, std::string_view message, bool bi
 }
 
 void Transfer::start(web::Channel& channel, PageConnection& page, const TransferStart& start) {
-  if (std::exchange(page.password_rejected, false)) return refuse(channel, kNoPassword);
+  if (std::exchange(page.password_rejected, false)) return refuse(channel, messages::kInvalidPassword);
   if (runs()) {
     page.forgetPassword();
-    return refuse(channel, "another transfer is running: wait until it has ended, or cancel it");
+    return refuse(channel, messages::kAnotherTransferRuns);
   }
   try {
     const std::vector<std::string> arguments = installerArguments(start);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "window/installer_step.hpp"
+#include "window/messages.hpp"
 
 namespace darwinop::window {
 namespace {
@@ -93,7 +94,7 @@ std::string takeStart(const Json& object, TransferStart& start) {
   }
   if (!has_action || !has_robot) return "\"start\" requires an \"action\" and a \"robot\"";
   if (start.controller.empty() == hasController(start.action))
-    return hasController(start.action) ? "choose the folder of a controller"
+    return hasController(start.action) ? messages::kNoControllerFolder
                                        : "\"controller\" is not allowed with this action";
   if (!start.arguments.empty() && start.action != TransferAction::kRun)
     return "\"arguments\" are allowed only with \"run\"";
@@ -149,7 +150,7 @@ Json jsonOf(const RobotAddress& robot) {
 
 std::optional<TransferMessage> parseTransfer(std::string_view text, std::string& why) {
   const Json message = Json::parse(text.begin(), text.end(), nullptr, false);
-  why = "the request must be a JSON object with one of start, cancel, more and forget";
+  why = messages::kInvalidTransferRequest;
   if (!message.is_object() || message.size() != 1) return std::nullopt;
   TransferMessage request;
   const std::string& name = message.items().begin().key();

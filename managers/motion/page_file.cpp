@@ -130,7 +130,7 @@ std::vector<std::uint8_t> encodePages(const PageFile& pages) {
 
 PageFile readPageFile(const std::filesystem::path& path) {
   const std::optional<std::string> text = readTextFile(path.string());
-  if (!text) throw std::runtime_error(path.string() + ": cannot open the file");
+  if (!text) throw std::runtime_error(path.string() + kCannotOpenFile);
   try {
     return decodePages(std::vector<std::uint8_t>{text->begin(), text->end()});
   } catch (const std::runtime_error& why) {

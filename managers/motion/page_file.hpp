@@ -14,6 +14,9 @@ namespace darwinop::motion {
 inline constexpr std::size_t kPageBytes = 512;
 inline constexpr std::size_t kFileBytes = kPages * kPageBytes;
 
+/// After the path.
+inline constexpr const char* kCannotOpenFile = ": cannot open the file";
+
 /// Always 256 pages.
 using PageFile = std::vector<Page>;
 

@@ -41,7 +41,7 @@ void writeWhole(const std::filesystem::path& path, const char* data, std::size_t
 
 std::vector<std::uint8_t> readBytes(const std::filesystem::path& path) {
   const std::optional<std::string> bytes = readTextFile(path.string(), kMaxBytes);
-  if (!bytes) throw std::runtime_error(path.string() + ": cannot open the file");
+  if (!bytes) throw std::runtime_error(path.string() + kCannotOpenFile);
   return {bytes->begin(), bytes->end()};
 }
 

@@ -71,7 +71,7 @@ std::string MotionWatch::faultsText() const {
   add(bus, first_->overruns, last_.overruns, "cycles too long");
   const std::string all = lineOf("faults (docs/faults.md)", faults) + lineOf("goals cut by the safety layer", limits) +
                           lineOf("bus and loop", bus);
-  return all.empty() ? "no faults, no goal cut, nothing lost on the bus\n" : all;
+  return all.empty() ? kNoFaults : all;
 }
 
 }  // namespace darwinop::motion

@@ -12,6 +12,9 @@ namespace darwinop::motion {
 
 class MotionWatch {
  public:
+  /// faultsText() without any.
+  static constexpr const char* kNoFaults = "no faults, no goal cut, nothing lost on the bus\n";
+
   /// Call once per cycle; `seconds` since the start of the motion. Counters are relative to the first call.
   void update(const Sensors& sensors, double seconds);
 
@@ -26,7 +29,7 @@ class MotionWatch {
 
   /// One line per joint: "Neck  1.2 deg at 0.48 s  load 31 % at 0.50 s".
   [[nodiscard]] std::string jointsText() const;
-  /// Active faults by name, safety limits that cut goals, bus errors: one line each; "no faults ..." without any.
+  /// Active faults by name, safety limits that cut goals, bus errors: one line each, or kNoFaults.
   [[nodiscard]] std::string faultsText() const;
 
  private:

@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "remote/client/messages.hpp"
+
 namespace darwinop::remote {
 namespace {
 
@@ -105,7 +107,7 @@ std::optional<Reply> Connection::reply() {
     case ReplyReader::Result::kIncomplete:
       return std::nullopt;
     case ReplyReader::Result::kInvalid:
-      close("the reply is not valid; check that the port is that of darwinop remote");
+      close(messages::kInvalidReply);
       return std::nullopt;
     case ReplyReader::Result::kReply:
       break;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "remote/client/messages.hpp"
+
 namespace darwinop::remote {
 namespace {
 
@@ -57,8 +59,8 @@ std::string LinkSpeed::note(const Exchange& exchange) {
 
 std::string LinkSpeed::message(const Exchange& last) const {
   const double step = inMilliseconds(last.step);
-  std::string text = formatted("the link to the robot is too slow for steps of %.0f ms: an exchange takes %.0f ms",
-                               step, std::max(plain_ms_, picture_ms_));
+  std::string text = messages::kNetworkTooSlow +
+                     formatted("%.0f ms: an exchange takes %.0f ms", step, std::max(plain_ms_, picture_ms_));
   const double for_picture = std::max(0.0, picture_ms_ - plain_ms_);
   if (picture_ms_ == 0 || !last.size) return text + "; no smaller picture would help. Use a cable, or a longer step";
   text += formatted(", %.0f ms of it for the %.0f bytes of a picture of ", for_picture, picture_bytes_) +
@@ -70,9 +72,7 @@ std::string LinkSpeed::message(const Exchange& last) const {
         plain_ms_ + for_picture * bytesOf(size, *last.size, picture_bytes_) / std::max(1.0, picture_bytes_);
     if (would_take > step) continue;
     const std::string zooms = formatted("%d %d", kWholeImage.width / size.width, kWholeImage.height / size.height);
-    return text.append(". The middle ")
-        .append(pixels(size))
-        .append(" would fit: start the server with darwinop remote " + zooms);
+    return text + ". The middle " + pixels(size) + messages::kSizeFits + zooms;
   }
   return text + "; no size would fit. Use a cable, a longer step, or a longer sampling period of the camera";
 }

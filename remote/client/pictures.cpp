@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "remote/client/messages.hpp"
 #include "remote/jpeg/decoder.hpp"
 
 namespace darwinop::remote {
@@ -121,7 +122,7 @@ void Pictures::checkBlack(Nanos now) {
   }
   if (!black_since_) black_since_ = now;
   if (now - *black_since_ < kReportBlackAfter || std::exchange(logged_black_, true)) return;
-  log_("Camera: every picture is black: the robot's camera gives no pictures; see the log of its server");
+  log_(messages::kRobotsCameraIsBlind);
 }
 
 std::optional<ImageSize> Pictures::size() const {

@@ -8,6 +8,7 @@
 #include "core/text/printable.hpp"
 #include "hal/net/names/resolve.hpp"
 #include "remote/client/legacy_sensors.hpp"
+#include "remote/client/messages.hpp"
 
 namespace darwinop::remote {
 namespace {
@@ -128,8 +129,7 @@ void TcpLink::take(const Reply& reply) {
   }
   if (picture_asked_) pictures_.take(reply, now());
   if (real_time_) checkSpeed(reply);
-  if (before == TcpState::kLost && logs_loss_)
-    log(name() + " is connected again; the robot continues from its present position");
+  if (before == TcpState::kLost && logs_loss_) log(name() + messages::kConnectedAgain);
 }
 
 void TcpLink::takeImage(const ReplyExtension& extension, bool first) {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "remote/client/messages.hpp"
 #include "remote/client/tcp_link.hpp"
 
 namespace darwinop::remote {
@@ -31,10 +32,8 @@ void TcpLink::connect() {
     if (connection_.state() == Connection::State::kOpen) return;
     const std::string why = connection_.why().empty() ? "no answer" : connection_.why();
     if (clock_.now() >= give_up)
-      throw std::runtime_error(
-          "no connection to " + name() + " in " + inSeconds(options_.connect_timeout) + ": " + why +
-          ". Start `darwinop remote` there, with --receive and --allow for this computer. It also refuses "
-          "connections while another client drives");
+      throw std::runtime_error("no connection to " + name() + " in " + inSeconds(options_.connect_timeout) + ": " +
+                               why + messages::kNoServer);
     if (!std::exchange(logged, true)) log("waiting for " + name() + ": " + why);
     connection_.close(why);
     if (!connection_.wait(std::min(kBetween, give_up - clock_.now())))
@@ -69,7 +68,7 @@ void TcpLink::receive(Nanos longest) {
   if (const auto reply = connection_.reply()) take(*reply);
   const Nanos patience = isConnected(state_) ? options_.reply_timeout : options_.connect_timeout;
   if (connection_.awaitsReply() && clock_.now() - sent_ > patience)
-    connection_.close("no reply for " + inSeconds(patience));
+    connection_.close(messages::kNoReplyFor + inSeconds(patience));
   detectLoss();
 }
 
@@ -82,7 +81,7 @@ void TcpLink::detectLoss() {
   logs_loss_ = !loss_logged_at_ || lost_since_ - *loss_logged_at_ > kLogInterval;  // limits the log for a loose cable
   if (!logs_loss_) return;
   loss_logged_at_ = lost_since_;
-  log("the connection to " + name() + " is lost (" + connection_.why() + "); reconnecting for " +
+  log("the connection to " + name() + messages::kConnectionLost + connection_.why() + "); reconnecting for " +
       inSeconds(options_.reconnect_timeout) + "; sensor values are NaN until then");
 }
 
@@ -91,8 +90,8 @@ void TcpLink::reconnect() {
   const Nanos now = clock_.now();
   detectLoss();
   if (now - lost_since_ > options_.reconnect_timeout) {
-    end("the connection to " + name() + " was lost " + inSeconds(options_.reconnect_timeout) +
-        " ago and could not be restored: " + connection_.why());
+    end("the connection to " + name() + " was lost " + inSeconds(options_.reconnect_timeout) + messages::kNotRestored +
+        connection_.why());
     return;
   }
   if (connection_.state() == Connection::State::kConnecting) {

@@ -29,12 +29,12 @@ struct Decompressor {
 const char* decompress(Decompressor& decompressor, std::span<const std::uint8_t> jpeg, ImageSize expected,
                        std::uint8_t* bgra) {
   jpeg_decompress_struct& cinfo = decompressor.cinfo;
-  if (setjmp(decompressor.errors.back) != 0) return "not a JPEG, or damaged";
+  if (setjmp(decompressor.errors.back) != 0) return kInvalidJpeg;
   jpeg_mem_src(&cinfo, jpeg.data(), static_cast<unsigned long>(jpeg.size()));
   jpeg_read_header(&cinfo, TRUE);
   if (cinfo.image_width != static_cast<JDIMENSION>(expected.width) ||
       cinfo.image_height != static_cast<JDIMENSION>(expected.height))
-    return "unexpected size";
+    return kUnexpectedSize;
   if (jpeg_has_multiple_scans(&cinfo) != FALSE) return "multiple scans are not supported";  // includes progressive JPEG
   if (cinfo.jpeg_color_space != JCS_YCbCr) return "not a colour picture";
   cinfo.out_color_space = JCS_EXT_BGRA;  // A is 255
@@ -71,7 +71,7 @@ std::optional<ImageSize> imageSizeOf(std::span<const std::uint8_t> jpeg) {
 
 const char* decodeJpeg(std::span<const std::uint8_t> jpeg, ImageSize expected, std::span<std::uint8_t> bgra) {
   assert(bgra.size() == static_cast<std::size_t>(4 * expected.width * expected.height));
-  if (jpeg.empty()) return "empty";
+  if (jpeg.empty()) return kEmptyJpeg;
   Decompressor decompressor;
   return decompress(decompressor, jpeg, expected, bgra.data());
 }

@@ -117,8 +117,7 @@ std::string LinkPort::endReason() {
   }
   if (std::string why = session_->faultEnd(seen); !why.empty()) return why;
   if (std::string why = session_->loopEnd(seen); !why.empty()) return why;
-  if (session_->link().realTime() && now - last_cycle_at_ > kDeadLoop)
-    return "the robot's loop has not run a cycle for 1 s; check it with: darwinop runtime --status";
+  if (session_->link().realTime() && now - last_cycle_at_ > kDeadLoop) return kNoCycle;
   return {};
 }
 

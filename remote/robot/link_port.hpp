@@ -26,6 +26,10 @@ class LinkPort final : public RobotPort {
     kEmbedded  // the loop runs in this process: one link from construction to destruction
   };
 
+  /// endReason() of a loop that hangs.
+  static constexpr const char* kNoCycle =
+      "the robot's loop has not run a cycle for 1 s; check it with: darwinop runtime --status";
+
   /// Throws what `connect` throws if the home is kEmbedded.
   LinkPort(Home home, Connect connect, bool start_where_it_is);
   /// Ends an open session: safety does what [Safety] on_exit requests.

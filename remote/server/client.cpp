@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "remote/server/messages.hpp"
+
 namespace darwinop::remote {
 namespace {
 
@@ -29,7 +31,7 @@ std::size_t segmentBytes(int descriptor) {
 bool Client::receive() {
   const std::span<std::uint8_t> room = reader_.room();
   const ssize_t count = ::recv(descriptor(), room.data(), room.size(), 0);
-  if (count == 0) return ended("has disconnected");
+  if (count == 0) return ended(messages::kDisconnected);
   if (count < 0) return isTemporary(errno) || ended(std::string{"the connection was lost: "} + std::strerror(errno));
   reader_.filled(static_cast<std::size_t>(count));
   return true;

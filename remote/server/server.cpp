@@ -7,6 +7,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "remote/server/messages.hpp"
+
 namespace darwinop::remote {
 namespace {
 
@@ -91,12 +93,11 @@ void Server::handleRequests() {
     if (client_->has_backlog) return;
     const RequestReader::Result result = client_->next(request, issues);
     // A web page can make a browser send any bytes to this port, but only after an HTTP header.
-    if (!client_->has_driven && client_->garbageBytes() > 0)
-      return disconnect("was disconnected: it uses another protocol; its first byte does not start a request");
+    if (!client_->has_driven && client_->garbageBytes() > 0) return disconnect(messages::kOtherProtocol);
     switch (result) {
       case RequestReader::Result::kIncomplete:
         if (client_->garbageBytes() > 0 && !std::exchange(client_->logged_garbage, true))
-          log(client_->name() + ": skipped bytes that do not start a request");
+          log(client_->name() + messages::kSkippedBytes);
         return;
       case RequestReader::Result::kInvalid:
         return disconnect("was disconnected: it sent an invalid request length");
@@ -169,7 +170,7 @@ void Server::logRequestIssues(const RequestIssues& issues) {
   RequestIssues& logged_issues = client_->logged_issues;
   const std::string who = client_->name() + ": ";
   if (issues.unknown_at != 0 && std::exchange(logged_issues.unknown_at, issues.unknown_at) == 0)
-    log(who + "received unknown message: byte " + std::to_string(issues.unknown_byte) + " at offset " +
+    log(who + messages::kUnknownSection + std::to_string(issues.unknown_byte) + " at offset " +
         std::to_string(issues.unknown_at) + " does not start a section; the rest of such requests is ignored");
   if (issues.cut_off && !std::exchange(logged_issues.cut_off, true))
     log(who + "ignored a section that is longer than its request");
@@ -178,7 +179,7 @@ void Server::logRequestIssues(const RequestIssues& issues) {
   if (issues.invalid_leds > 0 && std::exchange(logged_issues.invalid_leds, 1) == 0)
     log(who + "ignored commands for LEDs above 4, which do not exist");
   if (issues.invalid_sensors > 0 && std::exchange(logged_issues.invalid_sensors, 1) == 0)
-    log(who + "sends 0 for joints above 19, which do not exist");
+    log(who + messages::kUnknownJoints);
 }
 
 void Server::logStaleValues(const StaleValues& stale) {
@@ -188,8 +189,8 @@ void Server::logStaleValues(const StaleValues& stale) {
   client_->logged_values.old |= aged;
   for (std::size_t i = 0; i <= StaleValues::kBoard; ++i) {
     const std::string device{i == StaleValues::kBoard ? "CM-730" : kJointTable[i].name};
-    if (unknown[i]) log(device + " has never answered: its values are sent as -2147483648 (unknown)");
-    if (aged[i]) log(device + " has not answered for 3 cycles: its last known values are sent");
+    if (unknown[i]) log(device + messages::kNeverAnswered);
+    if (aged[i]) log(device + messages::kAnsweredLongAgo);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "remote/protocol/units.hpp"
+#include "remote/server/messages.hpp"
 #include "remote/server/server.hpp"
 
 namespace darwinop::remote {
@@ -15,8 +16,7 @@ std::string whyNotResumed(const SafetyReport& report, bool only_if_up) {
     const FaultRow& fault = row(report.worst);
     return "in the meantime " + std::string{fault.meaning} + "; " + std::string{fault.remedy};
   }
-  if (only_if_up && report.state != State::kOffline && !drives(report.state))
-    return "torque has been switched off in the meantime, at rest or by hand; start the controller again";
+  if (only_if_up && report.state != State::kOffline && !drives(report.state)) return messages::kTorqueSwitchedOff;
   return {};
 }
 
@@ -39,8 +39,7 @@ bool Server::mayDrive(const Request& request) {
       return false;
     }
     listener_.close();
-    log(client_->name() +
-        (client_->has_driven ? " resumes driving" : " drives; other clients are refused until it ends"));
+    log(client_->name() + (client_->has_driven ? " resumes driving" : messages::kDrives));
     client_->drives = client_->has_driven = true;
     client_->session_start = now_;
   }
@@ -97,7 +96,7 @@ void Server::endSession() {
   client_->drives = false;
   pictures_.reset();
   robot_.endSession();
-  disconnect("has ended its session");
+  disconnect(messages::kSessionEnded);
 }
 
 void Server::disconnect(const std::string& why) {

@@ -77,7 +77,7 @@ TEST_F(Wait, EndsWhenAskedTo) {
 }
 
 TEST_F(Wait, AnotherErrorIsNotWaitedFor) {
-  const auto wrong = []() -> OpenedBus { throw std::runtime_error("no permission"); };
+  const auto wrong = []() -> OpenedBus { throw std::runtime_error("other"); };
   const auto pause = [&](Nanos) { stop = true; };
   EXPECT_THROW(static_cast<void>(waitForBus(
                    wrong, stop, [](const std::string&) {}, pause)),

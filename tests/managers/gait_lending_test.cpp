@@ -7,6 +7,7 @@
 #include <webots/Motor.hpp>
 
 #include "gait_rig.hpp"
+#include "managers/messages.hpp"
 
 namespace darwinop::facade {
 namespace {
@@ -43,7 +44,7 @@ TEST_F(GaitLending, ReportsANullRobot) {
   nobody.step(16);
   nobody.stop();
   EXPECT_FALSE(nobody.isCorrectlyInitialized());
-  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("the robot is null"));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(managers::messages::kRobotIsNull));
 }
 
 TEST_F(GaitLending, CopiesStartAtRest) {
@@ -126,7 +127,7 @@ TEST_F(GaitLending, AnExceptionFromAStepLeavesItUsable) {
   manager().stop();
   const auto stance = goals();
   steps(5);
-  EXPECT_EQ(goals(), stance) << "at rest";
+  EXPECT_EQ(goals(), stance) << "it rests";
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ class WalkInTheTwin : public testing::Test {
     robot_ = std::make_unique<TwinRobot>(impl.release());
     accelerometer_ = robot_->getAccelerometer("Accelerometer");
     accelerometer_->enable(16);
-    gait_ = std::make_unique<DARwInOPGaitManager>(robot_.get(), "there is no such file");
+    gait_ = std::make_unique<DARwInOPGaitManager>(robot_.get(), "missing.ini");
   }
 
   void step(double seconds, bool walking) {

@@ -236,7 +236,7 @@ TEST_F(MonitorTest, ReportsThatNoRuntimeRunsAndWhenOneStartsAndEnds) {
   end();
   pass(400ms);
   EXPECT_EQ(observer_.types[0], "gone");
-  EXPECT_THAT(observer_.texts[0]["reason"].get<std::string>(), HasSubstr("has ended"));
+  EXPECT_THAT(observer_.texts[0]["reason"].get<std::string>(), HasSubstr(RuntimeObserver::kHasEnded));
   observer_.clear();
   begin();
   pass(400ms);
@@ -251,7 +251,7 @@ TEST_F(MonitorTest, DetectsARuntimeThatHangs) {
   observer_.clear();
   for (int i = 0; i < 60; ++i, now_ += 100ms) monitor().update();
   EXPECT_EQ(observer_.count("gone"), 1);
-  EXPECT_THAT(observer_.last("gone"), HasSubstr("has not run a cycle"));
+  EXPECT_THAT(observer_.last("gone"), HasSubstr(RuntimeObserver::kHangs));
   observer_.clear();
   pass(400ms);
   EXPECT_EQ(observer_.types[0], "hello") << "it runs cycles again";
@@ -300,7 +300,7 @@ TEST_F(MonitorTest, OpensTheCameraWhileItIsRequestedAndNoControllerDrives) {
     pass(96ms);
     EXPECT_EQ(cameras_open_, 0) << "the camera is the controller's";
     ASSERT_EQ(observer_.count("camera"), 1);
-    EXPECT_THAT(observer_.last("camera"), HasSubstr("a controller drives"));
+    EXPECT_THAT(observer_.last("camera"), HasSubstr(CameraSource::kControllerDrives));
   }
   pass(200ms);
   EXPECT_EQ(cameras_open_, 1);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hal/net/web/web_client.hpp"
+#include "monitor/monitor.hpp"
 #include "system/rig.hpp"
 
 namespace darwinop::monitor {
@@ -110,7 +111,7 @@ TEST_F(MonitorProcess, ShowsAMoveAFaultAndADaemonThatDiesAndComesBack) {
   EXPECT_EQ(receiveType(third, "faults")["active"][0]["name"], "servo_silent");
 
   daemon->kill(SIGKILL);
-  EXPECT_THAT(receiveType(peer, "gone")["reason"].dump(), HasSubstr("has ended"));
+  EXPECT_THAT(receiveType(peer, "gone")["reason"].dump(), HasSubstr(RuntimeObserver::kHasEnded));
   driver.kill(SIGKILL);
   daemon->wait(5s);
   daemon = startDaemon();
@@ -175,12 +176,12 @@ TEST_F(MonitorProcess, ShowsSharedFramesOfADriverAndThenItsOwnCamera) {
   const Json loop = receiveUntil(peer, driven);
   ASSERT_FALSE(loop.is_null()) << driver.output();
   peer.send(R"({"camera": 30})");
-  EXPECT_THAT(receiveType(peer, "camera")["text"].dump(), HasSubstr("a controller drives"));
+  EXPECT_THAT(receiveType(peer, "camera")["text"].dump(), HasSubstr(Monitor::kNoSharedPictures));
   EXPECT_TRUE(receivePicture(peer)) << monitor_->output() << driver.output();
   EXPECT_TRUE(std::filesystem::exists(file("runtime.pictures")));
 
   ::kill(loop["driver"]["pid"], SIGKILL);  // perhaps in the middle of a picture
-  EXPECT_THAT(receiveType(peer, "camera")["text"].dump(), HasSubstr("the camera gives no pictures"));
+  EXPECT_THAT(receiveType(peer, "camera")["text"].dump(), HasSubstr(Monitor::kCameraIsBlind));
   EXPECT_TRUE(receivePicture(peer)) << monitor_->output();
 }
 #endif

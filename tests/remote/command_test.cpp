@@ -12,6 +12,7 @@
 
 #include "hal/net/socket.hpp"
 #include "remote/protocol/examples.hpp"
+#include "remote/server/messages.hpp"
 #include "support/hex.hpp"
 #include "support/temporary_folder.hpp"
 #include "system/program.hpp"
@@ -65,7 +66,7 @@ TEST_F(RemoteCommand, ServesARobotUntilItIsAskedToEnd) {
     EXPECT_EQ(ask(client, kInertialRequest).substr(0, 14), "57 00 00 00 1d");
     EXPECT_FALSE(connectTo(port).open()) << "one drives";
   }
-  EXPECT_TRUE(server.says("has disconnected", 20s));
+  EXPECT_TRUE(server.says(messages::kDisconnected, 20s));
   const net::Socket next = connectTo(port);
   EXPECT_EQ(ask(next, kEmptyRequest), kEmptyReply);
   server.kill(SIGINT);
@@ -106,7 +107,7 @@ TEST_F(RemoteCommand, RequiresAllowBeforeItListensOnANetwork) {
 TEST_F(RemoteCommand, WarnsThatTheProtocolHasNoPassword) {
   Program server = run({"--listen", "0.0.0.0", "--allow", "10.1.2.0/24", "4", "2"});
   EXPECT_TRUE(server.says("ready: 0.0.0.0:", 20s)) << server.output();
-  EXPECT_THAT(server.output(), HasSubstr("has no password"));
+  EXPECT_THAT(server.output(), HasSubstr(messages::kNoPassword));
   server.kill(SIGTERM);
   EXPECT_EQ(server.wait(20s), 0);
 }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -55,6 +56,13 @@ class Rig : public ::testing::Test {
     virtual_robot_->kill(SIGTERM);
     EXPECT_EQ(virtual_robot_->wait(std::chrono::seconds{10}), 0);
     return numbers(virtual_robot_->output(), ": ");
+  }
+
+  /// The number before the first "%"; NaN: there is none.
+  static double percentIn(const std::string& output) {
+    const auto sign = output.find(" %");
+    if (sign == std::string::npos) return std::numeric_limits<double>::quiet_NaN();
+    return std::strtod(output.c_str() + output.find_last_not_of("0123456789.", sign - 1) + 1, nullptr);
   }
 
   /// `darwinop run CONTROLLER --robot ROBOT …`, to its end.

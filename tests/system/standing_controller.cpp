@@ -29,7 +29,7 @@ void during(Robot& robot, double seconds, F each) {
   while (robot.getTime() - start < seconds) {
     each((robot.getTime() - start) / seconds);
     if (robot.step(step_ms) == -1) {
-      std::cout << "requested to end" << std::endl;
+      std::cout << "step() = -1" << std::endl;
       std::exit(1);
     }
   }

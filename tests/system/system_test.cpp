@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "system/rig.hpp"
+#include "virtual_robot_report.hpp"
 
 namespace darwinop {
 namespace {
@@ -73,9 +74,9 @@ TEST_P(Period, ACycleIsOneSyncWriteAndOneBulkReadCloseToTheirWireTime) {
   EXPECT_GE(report.at("cycles"), 400) << output;
   EXPECT_LE(report.at("overruns"), 0.02 * report.at("cycles")) << output;
   constexpr double kStartUp = 100;  // the check before the loop tries both, at most so often on a busy machine
-  EXPECT_LE(board.at("bulk reads"), report.at("cycles") + kStartUp);
-  EXPECT_LE(board.at("sync writes"), report.at("cycles") + kStartUp);
-  EXPECT_GE(board.at("bulk reads"), 0.95 * report.at("cycles"));
+  EXPECT_LE(board.at(app::kBulkReads), report.at("cycles") + kStartUp);
+  EXPECT_LE(board.at(app::kSyncWrites), report.at("cycles") + kStartUp);
+  EXPECT_GE(board.at(app::kBulkReads), 0.95 * report.at("cycles"));
 }
 
 TEST_F(WholeChain, AnUnpluggedCableComesBackWithoutRestartingTheController) {
@@ -130,7 +131,7 @@ TEST_P(RefusedRobot, IsDrivenByNobodyAndSaysWhatToDo) {
     EXPECT_EQ(way.wait(seconds{60}), 1) << way.output();
     EXPECT_THAT(way.output(), testing::AllOf(HasSubstr("FAIL  servo"), HasSubstr(joint), HasSubstr("-> ")));
   }
-  EXPECT_EQ(countersOfVirtualRobot().at("torque switched on"), 0);
+  EXPECT_EQ(countersOfVirtualRobot().at(app::kTorqueSwitchedOn), 0);
 }
 
 TEST_F(WholeChain, ASilentKneeIsWaitedForAndDrivenWithoutOnlyWhenRobotIniNamesIt) {
@@ -199,7 +200,7 @@ TEST_F(WholeChain, AKilledDaemonEndsTheControllerWithASentence) {
   ASSERT_TRUE(driving.says("ready", seconds{20})) << driving.output();
   daemon.kill(SIGKILL);
   EXPECT_EQ(driving.wait(seconds{5}), 0) << driving.output();
-  EXPECT_THAT(driving.output(), HasSubstr("requested to end"));
+  EXPECT_THAT(driving.output(), HasSubstr("step() = -1"));
   EXPECT_THAT(driving.output(), HasSubstr("runtime"));
 }
 
@@ -210,14 +211,14 @@ TEST_F(WholeChain, CtrlCEndsAControllerNormallyAndTheReportIsTheLastLine) {
   running.kill(SIGINT);
   EXPECT_EQ(running.wait(seconds{20}), 0) << running.output();
   const std::string output = running.output();
-  EXPECT_THAT(output, HasSubstr("requested to end"));
+  EXPECT_THAT(output, HasSubstr("step() = -1"));
   EXPECT_EQ(output.find('\n', output.rfind("report: ")), output.size() - 1);
 }
 
 TEST_F(WholeChain, APortThatIsNotThereIsOneSentenceAndAFailure) {
   Program running{{program("darwinop-run"), "--robot", file("nothing"), controller()}, file("run.txt")};
   EXPECT_EQ(running.wait(seconds{20}), 1);
-  EXPECT_THAT(running.output(), HasSubstr("port " + file("nothing") + " does not exist"));
+  EXPECT_THAT(running.output(), HasSubstr(" " + file("nothing") + " "));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     neck->setPosition(0.5 * std::sin(0.02 * i));
     elbow->setPosition(0.5 + 0.3 * std::sin(0.03 * i));
     if (robot.step(step_ms) == -1) {
-      std::cout << "requested to end after " << i << " steps" << std::endl;
+      std::cout << "step() = -1 after " << i << " steps" << std::endl;
       return 0;
     }
   }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "system/rig.hpp"
+#include "virtual_robot_report.hpp"
 
 namespace darwinop {
 namespace {
@@ -91,7 +92,7 @@ TEST_F(OnTheTwin, SymmetryMovesTheSameJointsTheSameWayInLockstepAndOverThePty) {
   runOn(port(), symmetry, "pty.csv");
   robot->kill(SIGTERM);
   EXPECT_EQ(robot->wait(seconds{10}), 0);
-  EXPECT_THAT(robot->output(), HasSubstr("behind real time: at most"));
+  EXPECT_THAT(robot->output(), HasSubstr(app::kBehindRealTime));
 
   const Drive lockstep{file("lockstep.csv")}, pty{file("pty.csv")};
   ASSERT_GT(lockstep.rows(), 300U);
@@ -151,14 +152,13 @@ TEST_F(OnTheTwin, ARobotThatStandsAndReleasesTorqueFallsAndTheSafetyLayerReports
   EXPECT_LT(log.tiltAtSecond(4.9), 0.25) << "it stands: the feet would leave the floor at more";
   EXPECT_NEAR(log.atSecond(4.9, position("LegLowerR")), 0, 0.1) << "with straight knees";
   EXPECT_EQ(log.atSecond(4.9, "safety.fault"), 0);
-  EXPECT_GT(log.tiltAtSecond(7.9), 1.0) << "it lies";
+  EXPECT_GT(log.tiltAtSecond(7.9), 1.0) << "lying";
   EXPECT_EQ(log.atSecond(7.9, "safety.fault"), kFell);
 }
 
 TEST_F(OnTheTwin, TheExampleWalksOverThePtyInRealTimeAndStands) {
   const auto robot = twinOnAPort();
   const std::string output = runOn(port(), {DARWINOP_WALK, "--seconds", "3"}, "log.csv");
-  EXPECT_THAT(output, HasSubstr("It walked, and stands."));
   EXPECT_THAT(output, testing::Not(HasSubstr("fault 30")));
   const Drive log{file("log.csv")};
   const std::vector<double> knee = log.read(position("LegLowerR"));

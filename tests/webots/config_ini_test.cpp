@@ -4,12 +4,17 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <stdexcept>
+
+#include "hal/text_file.hpp"
 
 namespace darwinop::facade {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -65,10 +70,8 @@ TEST(ConfigIni, SectionsOfOtherPartsAreAcceptedInSilence) {
 
 TEST(ConfigIni, AnUnknownKeyIsNamedWithFileAndLine) {
   const ConfigReading reading = parseConfig(kSound + "tme_step = 3\n", "/home/darwin/config.ini");
-  EXPECT_THAT(
-      reading.warnings,
-      ElementsAre("/home/darwin/config.ini, line 5: key \"tme_step\" of section [Robot Config] means nothing to "
-                  "this version; it is ignored"));
+  EXPECT_THAT(reading.warnings, ElementsAre(AllOf(HasSubstr("/home/darwin/config.ini, line 5: "),
+                                                  HasSubstr("\"tme_step\""), HasSubstr("[Robot Config]"))));
 }
 
 TEST(ConfigIni, ALineThatIsNothingIsNamed) {
@@ -108,10 +111,11 @@ TEST(ConfigIni, ACameraSettingThatIsNotThereKeepsItsDefault) {
 TEST(ConfigIni, AWrongCameraSettingIsNamed) {
   for (const char* wrong : {"Gain = 256", "Exposure = -3", "Contrast = high", "Brightness = nan"})
     EXPECT_THAT(errorOf(kSound + "[Camera]\n" + wrong),
-                testing::AllOf(HasSubstr("config.ini, line 6"), HasSubstr("-1 for the driver's own")));
-  EXPECT_THAT(errorOf(kSound + "[Camera]\nAuto_gain = 1\n"), HasSubstr("Auto_gain = 1: give on or off"));
+                AllOf(HasSubstr("config.ini, line 6"), HasSubstr(wrong), HasSubstr("-1")));
+  EXPECT_THAT(errorOf(kSound + "[Camera]\nAuto_gain = 1\n"),
+              AllOf(HasSubstr("Auto_gain = 1: "), HasSubstr("on"), HasSubstr("off")));
   EXPECT_THAT(parseConfig(kSound + "[Camera]\nZoom = 3\n", "config.ini").warnings,
-              ElementsAre(testing::AllOf(HasSubstr("Zoom"), HasSubstr("Saturation"))));
+              ElementsAre(AllOf(HasSubstr("Zoom"), HasSubstr("Saturation"))));
 }
 
 TEST(ConfigIni, AnImpossibleCameraSizeBecomesTheDefault) {
@@ -144,8 +148,10 @@ TEST(ConfigIni, ASafetySettingThatIsWrongIsAnError) {
 }
 
 TEST(ConfigIni, ASettingOfSafetyInAnotherSectionIsAnErrorAndNotIgnored) {
-  EXPECT_THAT(errorOf("[Saftey]\nStall_ms = 250\n"), HasSubstr("line 2: key \"Stall_ms\" stands in section [Saftey]"));
-  EXPECT_THAT(errorOf("[Limit]\nneck = -0.5, 0.5\n"), HasSubstr("it belongs into [Safety], names of joints into"));
+  EXPECT_THAT(errorOf("[Saftey]\nStall_ms = 250\n"),
+              AllOf(HasSubstr("line 2: "), HasSubstr("\"Stall_ms\""), HasSubstr("[Saftey]"), HasSubstr("[Safety]")));
+  EXPECT_THAT(errorOf("[Limit]\nneck = -0.5, 0.5\n"),
+              AllOf(HasSubstr("\"neck\""), HasSubstr("[Limit]"), HasSubstr("[Limits]")));
   EXPECT_THAT(errorOf("Neck = -0.5, 0.5\n"), HasSubstr("line 1"));
   EXPECT_THAT(errorOf("[Robot Config]\non_exit = limp\n"), HasSubstr("on_exit"));
   EXPECT_EQ(errorOf("[My Game]\nnose = 1\n"), "no error");
@@ -190,10 +196,10 @@ TEST(ConfigIni, AFileThatCannotBeReadIsAnErrorAndNotTakenForAbsent) {
     return std::string{"no error"};
   };
   std::filesystem::create_directory(path);
-  EXPECT_THAT(error(), HasSubstr("cannot read " + path + ": it is a folder; "));
+  EXPECT_THAT(error(), AllOf(HasSubstr(path), HasSubstr(kFolderInsteadOfFile)));
   std::filesystem::remove(path);
   std::filesystem::create_symlink(path, path);
-  EXPECT_THAT(error(), HasSubstr("cannot read " + path + ": Too many levels of symbolic links; "));
+  EXPECT_THAT(error(), AllOf(HasSubstr(path), HasSubstr(std::strerror(ELOOP))));
   std::filesystem::remove(path);
 }
 

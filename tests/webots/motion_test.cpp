@@ -10,12 +10,15 @@
 
 #include "core/goals/lead_in.hpp"
 #include "fixture.hpp"
+#include "hal/text_file.hpp"
 #include "support/temporary_folder.hpp"
+#include "webots/messages.hpp"
 #include "webots/motion_text.hpp"
 
 namespace darwinop::facade {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::internal::CaptureStderr;
@@ -281,7 +284,7 @@ TEST_F(MotionTest, ABrokenFileIsReportedWithLineAndFieldAndNeverMoves) {
       {"#WEBOTS_MOTION,V2.0,Neck", ":1: field 2: its version is not V1.0"},
       {"#WEBOTS_MOTION,V1.0,Neck,", ":1: field 4: a motor without a name"},
       {"#WEBOTS_MOTION,V1.0,Neck,Neck", ":1: field 4: the motor \"Neck\" has a column already"},
-      {head, ":2: it has no pose"},
+      {head, std::string{":2"} + messages::kNoPose},
       {head + "00:00:000,A,0,0\n00:01,B,0,0",
        ":3: field 1: \"00:01\" is not a time; it is minutes:seconds:milliseconds, 00:01:500"},
       {head + "00:00:-10,A,0,0", ":2: field 1: \"00:00:-10\" is not a time"},
@@ -307,7 +310,7 @@ TEST_F(MotionTest, APipeIsRefusedAndNotWaitedFor) {
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   CaptureStderr();
   EXPECT_FALSE(webots::Motion{pipe}.isValid());
-  EXPECT_THAT(GetCapturedStderr(), HasSubstr("it is a pipe"));
+  EXPECT_THAT(GetCapturedStderr(), AllOf(HasSubstr(pipe), HasSubstr(kPipeInsteadOfFile)));
 }
 
 TEST_F(MotionTest, AMissingFileIsReportedAndEveryCallIsHarmless) {

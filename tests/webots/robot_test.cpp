@@ -9,6 +9,7 @@
 #include <webots/Speaker.hpp>
 
 #include "fixture.hpp"
+#include "webots/messages.hpp"
 
 namespace darwinop::facade {
 namespace {
@@ -87,18 +88,16 @@ TEST_F(RobotTest, AUserWhoRequestsTheEndIsInformedWhatTheRobotDoesMeanwhile) {
     impl.reset();
     return testing::internal::GetCapturedStderr();
   };
-  EXPECT_EQ(notice(safety::OnExit::kKneel, true, true),
-            "darwinop: ending: the robot sits down and releases torque; a second Ctrl-C would leave its joints under "
-            "torque\n");
-  EXPECT_THAT(notice(safety::OnExit::kLimp, true, true), HasSubstr("ending: the robot releases torque"));
-  EXPECT_THAT(notice(safety::OnExit::kHold, true, true), HasSubstr("ending: the robot holds its pose"));
+  EXPECT_EQ(notice(safety::OnExit::kKneel, true, true), "darwinop: " + std::string{messages::kEndsKneeling} + "\n");
+  EXPECT_THAT(notice(safety::OnExit::kLimp, true, true), HasSubstr(messages::kEndsLimp));
+  EXPECT_THAT(notice(safety::OnExit::kHold, true, true), HasSubstr(messages::kEndsHolding));
   EXPECT_EQ(notice(safety::OnExit::kKneel, false, true), "") << "nobody waits at a terminal";
   EXPECT_EQ(notice(safety::OnExit::kKneel, true, false), "") << "a simulation takes no time";
 }
 
 TEST_F(RobotTest, CustomDataIsKept) {
-  robot().setCustomData("left foot");
-  EXPECT_EQ(robot().getCustomData(), "left foot");
+  robot().setCustomData("left_foot");
+  EXPECT_EQ(robot().getCustomData(), "left_foot");
 }
 
 TEST_F(RobotTest, CallsOfTheSimulatorSayOnceThatTheyDoNothing) {

@@ -6,6 +6,7 @@
 #include <webots/Motor.hpp>
 
 #include "fixture.hpp"
+#include "webots/messages.hpp"
 
 namespace darwinop::facade {
 namespace {
@@ -263,7 +264,7 @@ TEST_F(SessionTest, BeginIsPatientWithASlowStartMove) {
 TEST_F(SessionTest, BeginEndsWhenTheUserAsks) {
   stop = true;
   robot();
-  EXPECT_THAT(why_not, HasSubstr("asked to end"));
+  EXPECT_EQ(why_not, messages::kAskedToEnd);
 }
 
 TEST_F(SessionTest, StopMakesStepReturnMinusOneForEver) {

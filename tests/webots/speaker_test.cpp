@@ -174,7 +174,7 @@ TEST_F(SpeakerTest, ASimulationThatIsSlowerThanTheSoundTakesAsManySteps) {
 TEST_F(SpeakerTest, PlayFileWaitEndsWithTheControllerAndWhenNothingIsPlayed) {
   prepare();
   loudspeaker.answer = [](const SoundOrder&) {
-    return std::deque<SoundEvent>{SoundError{"no such file"}, SoundEnded{1}};
+    return std::deque<SoundEvent>{SoundError{"broken file"}, SoundEnded{1}};
   };
   speaker().playFileWait("/a.mp3");
   loudspeaker.answer = nullptr;
@@ -182,12 +182,12 @@ TEST_F(SpeakerTest, PlayFileWaitEndsWithTheControllerAndWhenNothingIsPlayed) {
   EXPECT_GT(robot().getTime(), 10) << "a program that hangs is not waited for for ever";
   stop = true;
   speaker().playFileWait("/c.mp3");
-  EXPECT_THAT(printed(), HasSubstr("Speaker: no such file\n"));
+  EXPECT_THAT(printed(), HasSubstr("Speaker: broken file\n"));
 }
 
 TEST_F(SpeakerTest, WithoutAProgramOneSentenceIsPrintedAndNothingSounds) {
   prepare();
-  why_no_sound = "it was not found";
+  why_no_sound = "broken program";
   webots::Speaker& s = speaker();
   s.speak("hello", "en", 120);
   s.playFile("x.wav");
@@ -195,7 +195,7 @@ TEST_F(SpeakerTest, WithoutAProgramOneSentenceIsPrintedAndNothingSounds) {
   s.stop("");
   webots::Speaker::playSound(&s, &s, "x.wav", 1, 1, 0, false);
   EXPECT_FALSE(s.isSpeaking() || s.isSoundPlaying(""));
-  EXPECT_EQ(printed(), "darwinop: Speaker: sounds and speech are skipped: it was not found\n");
+  EXPECT_EQ(printed(), "darwinop: Speaker: sounds and speech are skipped: broken program\n");
 }
 
 TEST_F(SpeakerTest, AProgramThatDiedIsReportedAndTheNextSoundStartsAnotherOne) {

@@ -16,6 +16,7 @@
 #include "connect/connect.hpp"
 #include "connect/keys.hpp"
 #include "fixture.hpp"
+#include "webots/messages.hpp"
 #include "webots/stop_signals.hpp"
 
 namespace {
@@ -180,7 +181,7 @@ TEST_F(StartUpDeathTest, ABadPeriodIsASentenceAndStatusOne) {
 
 TEST_F(StartUpDeathTest, ASecondRobotIsASentenceAndStatusOne) {
   const webots::Robot first;
-  EXPECT_EXIT(webots::Robot{}, testing::ExitedWithCode(1), "a second Robot was made");
+  EXPECT_EXIT(webots::Robot{}, testing::ExitedWithCode(1), testing::HasSubstr(facade::messages::kSecondRobot));
 }
 
 void failUncaught() {

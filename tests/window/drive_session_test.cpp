@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "window/messages.hpp"
+
 namespace darwinop {
 namespace {
 
@@ -101,7 +103,7 @@ TEST_F(WindowDriveSession, RequestsPagesAndTorqueOnceAndSendsTheStatus) {
 TEST_F(WindowDriveSession, RefusesASecondPage) {
   take();
   session.received(other, R"({"take": true, "goals": {"Neck": 0.3}})", false);
-  EXPECT_THAT(other.received, HasSubstr("another page drives"));
+  EXPECT_THAT(other.received, HasSubstr(window::messages::kAnotherPageDrives));
   session.received(other, R"({"stop": true})", false);
   session.update();
   EXPECT_FALSE(drive.requested.back().goals[index(Joint::kNeck)]);
@@ -123,7 +125,7 @@ TEST_F(WindowDriveSession, StopHoldsAtOnceAndALostPageCompletesItsStep) {
   now += 1ms;
   session.update();
   EXPECT_EQ(drive.end, "leave");
-  EXPECT_THAT(page.received, HasSubstr("No heartbeat"));
+  EXPECT_THAT(page.received, HasSubstr(window::messages::kNoHeartbeat));
 
   take();
   session.closed(page);
@@ -135,7 +137,7 @@ TEST_F(WindowDriveSession, RefusesATakeoverWhileTheRobotComesToRest) {
   drive.now.state = window::DriveState::kEnding;
   take();
   EXPECT_FALSE(session.drives());
-  EXPECT_THAT(page.received, HasSubstr("coming to rest"));
+  EXPECT_THAT(page.received, HasSubstr(window::messages::kPreviousSessionEnds));
 }
 
 TEST_F(WindowDriveSession, AnInvalidRequestDoesNotCountAsAHeartbeat) {
@@ -162,9 +164,9 @@ TEST_F(WindowDriveSession, ReportsARefusedLeaseAndAFaultAsText) {
   EXPECT_FALSE(session.drives());
   drive.refusal.clear();
   take();
-  drive.now = {.why = "the supply is under 10.0 V"};
+  drive.now = {.why = "empty battery"};
   session.update();
-  EXPECT_THAT(page.received, HasSubstr("under 10.0 V"));
+  EXPECT_THAT(page.received, HasSubstr("empty battery"));
   EXPECT_FALSE(session.drives());
 }
 

@@ -6,7 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 
@@ -53,7 +55,7 @@ TEST_F(RememberedRobots, ReportAndKeepAnInvalidFile) {
        {"{\"robots\": [", R"({"robots": [{"address": "-x", "user": "a"}]})", R"({"password": []})", "[]"}) {
     std::ofstream{file} << text;
     window::RememberedFile remembered{file};
-    EXPECT_THAT(remembered.error(), HasSubstr("is invalid")) << text;
+    EXPECT_THAT(remembered.error(), HasSubstr(file + ".damaged")) << text;
     EXPECT_TRUE(remembered.all().robots.empty());
     EXPECT_EQ(textIn(file + ".damaged"), text);
     remembered.note(op2, "");
@@ -96,13 +98,13 @@ TEST_F(RememberedRobots, ReportAFileThatCannotBeWrittenUntilItCan) {
     const FullDisk full{before.size() / 2};
     remembered.note(op2, "/soccer");
   }
-  EXPECT_THAT(remembered.error(), AllOf(HasSubstr("not remembered"), HasSubstr("File too large")));
+  EXPECT_THAT(remembered.error(), AllOf(HasSubstr(file), HasSubstr(std::strerror(EFBIG))));
   EXPECT_THAT(remembered.all().robots, ElementsAre(op2, darwin)) << "kept in memory while the window is open";
   EXPECT_EQ(textIn(file), before);
   EXPECT_FALSE(std::filesystem::exists(next)) << "an incomplete file is left";
   std::filesystem::create_directory(next);  // so that it cannot be created
   remembered.forget(darwin);
-  EXPECT_THAT(remembered.error(), HasSubstr("not remembered"));
+  EXPECT_THAT(remembered.error(), AllOf(HasSubstr(file), HasSubstr(std::strerror(EISDIR))));
   EXPECT_EQ(textIn(file), before);
   std::filesystem::remove(next);
   remembered.note(op2, "");
@@ -115,7 +117,7 @@ TEST_F(RememberedRobots, ReportAnInvalidFileUntilItIsReadAgain) {
   window::RememberedFile remembered{file};
   std::ofstream{file} << "[]";
   remembered.note(op2, "");
-  EXPECT_THAT(remembered.error(), HasSubstr("is invalid")) << "writing it does not clear the error";
+  EXPECT_THAT(remembered.error(), HasSubstr(file + ".damaged")) << "writing it does not clear the error";
   remembered.note(darwin, "");
   EXPECT_EQ(remembered.error(), "");
 }
@@ -127,7 +129,7 @@ TEST_F(RememberedRobots, AreLimitedAndAnUnwritableFolderIsReported) {
   EXPECT_EQ(window::RememberedFile{file}.all().robots.size(), window::RememberedFile::kMost);
   window::RememberedFile nowhere{"/proc/nowhere/robots.json"};
   nowhere.note(op2, "");
-  EXPECT_THAT(nowhere.error(), HasSubstr("not remembered"));
+  EXPECT_THAT(nowhere.error(), AllOf(HasSubstr("/proc/nowhere/robots.json"), HasSubstr(std::strerror(ENOENT))));
   EXPECT_THAT(nowhere.all().robots, ElementsAre(op2));
 }
 

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "support/temporary_folder.hpp"
+#include "window/messages.hpp"
 
 namespace darwinop {
 namespace {
@@ -151,7 +152,7 @@ TEST_F(WindowTransfer, APasswordIsDiscardedWithItsStartAlsoIfThatIsRefused) {
   transfer->received(page, std::string(201, 'a'), true);
   page.refused.clear();
   begin();  // neither without the rejected password nor with the previous one
-  EXPECT_THAT(page.refused, HasSubstr("at most 200 bytes"));
+  EXPECT_EQ(page.refused, window::messages::kInvalidPassword);
   EXPECT_FALSE(transfer->runs());
   begin();
   EXPECT_TRUE(transfer->runs());
@@ -171,7 +172,7 @@ TEST_F(WindowTransfer, CancelSendsCtrlCToTheGroupAndTheInstallerEndsItself) {
   transfer->received(page, R"({"cancel": true})", false);
   EXPECT_EQ(page.state["cancelled"], true);
   begin();
-  EXPECT_THAT(page.refused, HasSubstr("another transfer is running"));
+  EXPECT_EQ(page.refused, window::messages::kAnotherTransferRuns);
   untilEnded();
   EXPECT_THAT(page.lines, Contains("output: child"));
   EXPECT_THAT(page.lines, Contains("output: tidied"));
@@ -219,12 +220,12 @@ TEST_F(WindowTransfer, EndlessOutputBlocksNothingAndLosesLinesOnly) {
 TEST_F(WindowTransfer, RefusesInvalidRequestsAndAMissingInstaller) {
   open(page);
   begin("nonsense");
-  EXPECT_THAT(page.refused, HasSubstr("must be a JSON object"));
+  EXPECT_EQ(page.refused, window::messages::kInvalidTransferRequest);
   begin();
   EXPECT_THAT(page.refused, HasSubstr("darwinop-install: No such file"));
   EXPECT_FALSE(transfer->runs());
   transfer->received(page, std::string(201, 'a'), true);
-  EXPECT_THAT(page.refused, HasSubstr("at most 200 bytes"));
+  EXPECT_EQ(page.refused, window::messages::kInvalidPassword);
 }
 
 TEST_F(WindowTransfer, SendsTheRobotOfTheCommandLineToPages) {

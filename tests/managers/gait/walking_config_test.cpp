@@ -74,8 +74,7 @@ TEST(WalkingConfigFile, WarnsOfUnknownKeys) {
 TEST(WalkingConfigFile, AMissingFileGivesTheDefaults) {
   const TemporaryFolder folder;
   const std::string path = folder / "config.ini";
-  EXPECT_THAT(readWalkingConfig(path).warnings,
-              ElementsAre("cannot find " + path + ": the default gait parameters are used"));
+  EXPECT_THAT(readWalkingConfig(path).warnings, ElementsAre(testing::HasSubstr(path)));
   std::ofstream{path} << "[Walking Config]\nfoot_height = 25\n";
   EXPECT_EQ(readWalkingConfig(path).parameters.foot_height, 25);
 }

@@ -143,7 +143,7 @@ TEST(PageFile, MessagesBeginWithThePath) {
     }
     return std::string{};
   };
-  EXPECT_EQ(sentence(), path + ": cannot open the file");
+  EXPECT_EQ(sentence(), path + kCannotOpenFile);
   const auto write = [&path](const Bytes& bytes) {
     std::ofstream{path, std::ios::binary}.write(reinterpret_cast<const char*>(bytes.data()),
                                                 static_cast<std::streamsize>(bytes.size()));

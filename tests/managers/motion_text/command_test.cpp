@@ -5,11 +5,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 
+#include "hal/text_file.hpp"
 #include "managers/motion/pages.hpp"
 #include "managers/motion_text/motion_file.hpp"
+#include "managers/motion_watch/motion_watch.hpp"
+#include "managers/motion_watch/posture.hpp"
+#include "motion_messages.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_of.hpp"
 #include "system/program.hpp"
@@ -17,7 +24,10 @@
 namespace darwinop::motion {
 namespace {
 
+using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 class MotionCommand : public testing::Test {
  protected:
@@ -46,9 +56,8 @@ class MotionCommand : public testing::Test {
 TEST_F(MotionCommand, ListsAndShows) {
   const std::string file = binaryFile();
   EXPECT_EQ(run({"list", file}), 0);
-  EXPECT_EQ(output_,
-            "page  name           steps  repeat  next  exit    duration\n"
-            "  12  rk                 2       1     -     -     2.048 s\n");
+  EXPECT_THAT(output_, EndsWith("\n  12  rk                 2       1     -     -     2.048 s\n"));
+  EXPECT_EQ(std::ranges::count(output_, '\n'), 2) << "a heading and one page";
   EXPECT_EQ(run({"show", file, "12"}), 0);
   EXPECT_THAT(output_,
               HasSubstr("page 12 \"rk\": 2.048 s, repeat 1, next -, exit -, acceleration 0.256 s, speed 32\n"));
@@ -65,7 +74,7 @@ TEST_F(MotionCommand, ConvertsThereAndBack) {
   EXPECT_TRUE(isText(bytesOf(text)));
   EXPECT_EQ(bytesOf(back), bytesOf(file));
   EXPECT_EQ(run({"convert", file, folder_ / "no such folder/a"}), 2);
-  EXPECT_THAT(output_, HasSubstr("cannot write "));
+  EXPECT_THAT(output_, AllOf(HasSubstr(folder_ / "no such folder/a"), HasSubstr(std::strerror(ENOENT))));
 }
 
 TEST_F(MotionCommand, ConvertsTheVendorsFileThereAndBack) {
@@ -78,7 +87,7 @@ TEST_F(MotionCommand, ConvertsTheVendorsFileThereAndBack) {
 TEST_F(MotionCommand, CheckReportsByItsExitCode) {
   const std::string file = binaryFile();
   EXPECT_EQ(run({"check", file}), 0);
-  EXPECT_EQ(output_, file + ": 1 page to play, no findings\n");
+  EXPECT_THAT(output_, StartsWith(file + ": 1 "));
   std::vector<std::uint8_t> bytes = bytesOf(file);
   bytes[12 * kPageBytes + 70] ^= 1U;
   std::ofstream{file, std::ios::binary}.write(reinterpret_cast<const char*>(bytes.data()),
@@ -95,7 +104,8 @@ TEST_F(MotionCommand, CreatesAndMirrorsAPage) {
   const std::string file = folder_ / "bow.txt", both = folder_ / "both.txt";
   EXPECT_EQ(run({"new", "--name", "bow", "--out", file}), 0) << output_;
   EXPECT_EQ(run({"check", file}), 0) << output_;
-  EXPECT_EQ(run({"new", "--name", "bow", "--out", file}), 2) << "already exists";
+  EXPECT_EQ(run({"new", "--name", "bow", "--out", file}), 2) << "exists";
+  EXPECT_THAT(output_, HasSubstr(file + ": "));
   EXPECT_EQ(run({"new", "--name", "a\"b", "--out", folder_ / "c"}), 2);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "c"));
   EXPECT_EQ(run({"mirror", file, "1", "--to", "2", "--out", both}), 0) << output_;
@@ -104,7 +114,7 @@ TEST_F(MotionCommand, CreatesAndMirrorsAPage) {
   EXPECT_EQ(pages[1].nameText(), "bow");
   for (const JointRow& joint : kJointTable) EXPECT_EQ(pages[1].step[0].position.at(joint.id), joint.start);
   EXPECT_EQ(pages[2].step[0].position[1], 4096 - row(Joint::kShoulderL).start);
-  EXPECT_EQ(run({"mirror", both, "1", "--out", both}), 0) << "in place";
+  EXPECT_EQ(run({"mirror", both, "1", "--out", both}), 0) << "onto itself";
   EXPECT_EQ(readMotionFile(both).pages[1], pages[2]);
 }
 
@@ -112,7 +122,7 @@ TEST_F(MotionCommand, OwnSelectsTheBuiltInPages) {
   EXPECT_EQ(run({"list", "own"}), 0);
   EXPECT_THAT(output_, HasSubstr("\n   9  "));
   EXPECT_EQ(run({"check", "own"}), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("to play, no findings"));
+  EXPECT_THAT(output_, StartsWith("own: "));
   EXPECT_EQ(run({"convert", "own", folder_ / "own.bin"}), 0) << output_;
   EXPECT_FALSE(isText(bytesOf(folder_ / "own.bin")));
   EXPECT_EQ(run({"mirror", "own", "9", "--to", "200", "--out", folder_ / "own.txt"}), 0) << output_;
@@ -130,15 +140,15 @@ TEST_F(MotionCommand, PlotDrawsThePageAndItsSuccessors) {
   const std::string out = folder_ / "two.html";
   if (!DARWINOP_CAN_PLOT) {
     EXPECT_EQ(run({"plot", folder_ / "two.bin", "12", "--out", out}), 2);
-    EXPECT_THAT(output_, HasSubstr("plotting is available on a PC only"));
+    EXPECT_THAT(output_, HasSubstr("PC"));
     return;
   }
   ASSERT_EQ(run({"plot", folder_ / "two.bin", "12", "--out", out}), 0) << output_;
-  const std::string page = textOf(out);
+  const std::string page = darwinop::textOf(out);
   EXPECT_THAT(page, HasSubstr("\"Neck, P 32 8\""));
   EXPECT_THAT(page, HasSubstr("\"marks\":[0,1.024,2.048]")) << "starts of steps";
   EXPECT_EQ(run({"plot", folder_ / "two.bin", "12", "--out", folder_ / "two.txt"}), 2);
-  EXPECT_THAT(output_, HasSubstr("expected a name ending in .png"));
+  EXPECT_THAT(output_, AllOf(HasSubstr(folder_ / "two.txt"), HasSubstr(".png"), HasSubstr(".html")));
   EXPECT_EQ(run({"plot", folder_ / "two.bin", "14", "--out", out}), 2);
 }
 
@@ -155,10 +165,11 @@ class MotionPlay : public MotionCommand {
 TEST_F(MotionPlay, PrintsPlanAndResult) {
   EXPECT_EQ(run({"play", "own", "9", "--robot", "virtual", "--record", folder_ / "log.csv"}), 0) << output_;
   EXPECT_THAT(output_, HasSubstr("page 9 \""));
-  EXPECT_THAT(output_, HasSubstr("degrees away (LegLower"));
+  EXPECT_THAT(output_, HasSubstr("(LegLower"));
   EXPECT_THAT(output_, HasSubstr("on: virtual\n"));
   EXPECT_THAT(output_, HasSubstr("\nLegLowerR  "));
-  EXPECT_THAT(output_, HasSubstr("no faults, no goal cut, nothing lost on the bus\nthe robot stands\n"));
+  EXPECT_THAT(output_,
+              AllOf(HasSubstr(MotionWatch::kNoFaults), HasSubstr(" " + std::string{textOf(Posture::kStands)} + "\n")));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "log.csv"));
 }
 
@@ -167,22 +178,22 @@ TEST_F(MotionPlay, ReportsTheLeadInOfADistantPage) {
   pages[1] = pageOf({stepTo(2048, 2)});
   writeMotionFile(folder_ / "far.bin", {pages, false});
   EXPECT_EQ(run({"play", folder_ / "far.bin", "1", "--robot", "virtual"}), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("its first pose is 129.8 degrees away (LegLowerL); lead-in of 2.8 s\n"));
-  EXPECT_THAT(output_, HasSubstr("no goal cut")) << "slow enough for the safety layer";
+  EXPECT_THAT(output_, AllOf(HasSubstr("129.8"), HasSubstr("(LegLowerL)"), HasSubstr("2.8 s\n")));
+  EXPECT_THAT(output_, HasSubstr(MotionWatch::kNoFaults)) << "slow enough for the safety layer";
 }
 
 TEST_F(MotionPlay, PlaysAMotionFile) {
   const std::string file = folder_ / "nod";
   std::ofstream{file} << "#WEBOTS_MOTION,V1.0,Neck\n00:00:000,A,1\n00:00:500,B,0.5\n";
   EXPECT_EQ(run({"play", file, "--robot", "virtual"}), 0) << output_;
-  EXPECT_THAT(output_, HasSubstr("nod: 0.5 s; its first pose is 57.1 degrees away (Neck); lead-in of"));
-  EXPECT_THAT(output_, HasSubstr("played for 1.8 s"));
+  EXPECT_THAT(output_, AllOf(HasSubstr("nod: 0.5 s"), HasSubstr("57.1"), HasSubstr("(Neck)")));
+  EXPECT_THAT(output_, HasSubstr(" 1.8 s"));
   EXPECT_EQ(run({"play", file, "3", "--robot", "virtual"}), 2) << "it has no pages";
 }
 
 TEST_F(MotionPlay, NothingMovesAfterAnError) {
   EXPECT_EQ(run({"play", "own", "--robot", "virtual"}), 2);
-  EXPECT_THAT(output_, HasSubstr("PAGE is missing"));
+  EXPECT_THAT(output_, AllOf(HasSubstr("PAGE"), HasSubstr("darwinop motion list own")));
   EXPECT_EQ(run({"play", binaryFile(), "12", "13", "--robot", "virtual"}), 2);
   EXPECT_THAT(output_, HasSubstr("page 13 is empty"));
   EXPECT_EQ(run({"play", "own", "9", "--robot", "nonsense"}), 2);
@@ -207,21 +218,21 @@ TEST_F(MotionPlay, CtrlCEndsAPageThatNeverEnds) {
   pages[1].next = 1;
   writeMotionFile(folder_ / "ring.bin", {pages, false});
   Program program{{DARWINOP_MOTION, "play", folder_ / "ring.bin", "1", "--robot", "virtual"}, folder_ / "output"};
-  ASSERT_TRUE(program.says("the robot is ready", std::chrono::seconds{60}));
+  ASSERT_TRUE(program.says(kReady, std::chrono::seconds{60}));
   program.kill(SIGINT);
   EXPECT_EQ(program.wait(std::chrono::seconds{60}), 130);
-  EXPECT_THAT(program.output(), HasSubstr("then repeats until stopped"));
-  EXPECT_THAT(program.output(), HasSubstr("\nstopped on request\n"));
+  EXPECT_THAT(program.output(), HasSubstr(kRepeatsForever));
+  EXPECT_THAT(program.output(), HasSubstr(kStoppedOnRequest));
 }
 
 TEST_F(MotionCommand, InvalidArgumentsAreReported) {
   EXPECT_EQ(run({}), 2);
   EXPECT_EQ(run({"show", "x", "256"}), 2);
   EXPECT_EQ(run({"list", folder_ / "none"}), 2);
-  EXPECT_EQ(output_, "darwinop motion: " + (folder_ / "none") + ": cannot open the file\n");
+  EXPECT_THAT(output_, EndsWith((folder_ / "none") + kCannotOpenFile + "\n"));
   ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
   EXPECT_EQ(run({"list", folder_ / "pipe"}), 2);
-  EXPECT_THAT(output_, HasSubstr("it is a pipe"));
+  EXPECT_THAT(output_, AllOf(HasSubstr(folder_ / "pipe"), HasSubstr(kPipeInsteadOfFile)));
   EXPECT_EQ(run({"mirror", "--help"}), 0);
   EXPECT_THAT(output_, HasSubstr("Example:"));
 }

@@ -93,7 +93,7 @@ TEST(MotionWatch, ReportsFaultsLimitsAndBusErrorsSinceTheFirstUpdate) {
   seen.safety.limit_hits[0] = 7;
   seen.link.retries = 3;
   watch.update(seen, 0);
-  EXPECT_EQ(watch.faultsText(), "no faults, no goal cut, nothing lost on the bus\n");
+  EXPECT_EQ(watch.faultsText(), MotionWatch::kNoFaults);
   seen.safety.limit_hits[0] = 9;
   seen.link.retries = 4;
   seen.safety.active.set(2);

@@ -90,7 +90,7 @@ TEST(BitRows, InvalidSizesAreRefused) {
       (void)BitRows(width, height);
       ADD_FAILURE() << width << "x" << height;
     } catch (const std::invalid_argument& why) {
-      EXPECT_TRUE(std::string{why.what()}.find("of an image is") != std::string::npos) << why.what();
+      EXPECT_NE(std::string{why.what()}.find(std::to_string(BitRows::kMaxSide)), std::string::npos) << why.what();
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include "remote/client/command_delta.hpp"
 #include "remote/client/link_speed.hpp"
+#include "remote/client/messages.hpp"
 #include "remote/client/pictures.hpp"
 #include "remote/jpeg/encoder.hpp"
 #include "remote/protocol/units.hpp"
@@ -138,8 +139,7 @@ TEST_F(RemotePictures, ThatAreDamagedOrBlackOrOldAreDiscarded) {
 
 TEST_F(RemotePictures, OfABlindCameraAreLogged) {
   for (int i = 0; i < 50; ++i, now += 100ms) comes(greyJpeg({40, 30}), 0);
-  EXPECT_THAT(said, HasSubstr("the robot's camera gives no pictures"));
-  EXPECT_EQ(said.find("Camera"), said.rfind("Camera:")) << "once";
+  EXPECT_EQ(said, messages::kRobotsCameraIsBlind) << "once";
 }
 
 TEST_F(RemotePictures, AreRequestedJustBeforeTheyAreAccessed) {
@@ -177,17 +177,17 @@ TEST(RemoteLinkSpeed, LogsNothingWhileTheNetworkIsFastEnough) {
 TEST(RemoteLinkSpeed, LogsThePictureSizeThatWouldFit) {
   LinkSpeed speed;
   const std::string said = judged(speed, 24ms, 11000, kWholeImage);
-  EXPECT_THAT(said, HasSubstr("an exchange takes 24 ms"));
-  EXPECT_THAT(said, HasSubstr("20 ms of it"));
+  EXPECT_THAT(said, HasSubstr(" 24 ms"));
+  EXPECT_THAT(said, HasSubstr(" 20 ms"));
   EXPECT_THAT(said, HasSubstr("11000 bytes"));
-  EXPECT_THAT(said, HasSubstr("160x120 would fit"));
-  EXPECT_THAT(said, HasSubstr("darwinop remote 2 2"));
-  EXPECT_EQ(said.find("too slow"), said.rfind("too slow")) << "once";
+  EXPECT_THAT(said, HasSubstr("160x120" + std::string{messages::kSizeFits} + "2 2"));
+  EXPECT_EQ(said.find(messages::kNetworkTooSlow), said.rfind(messages::kNetworkTooSlow)) << "once";
 }
 
 TEST(RemoteLinkSpeed, SuggestsNoSizeWithoutPictures) {
   LinkSpeed speed;
-  EXPECT_THAT(judged(speed, 40ms, 0, kWholeImage), testing::AllOf(HasSubstr("too slow"), Not(HasSubstr("would fit"))));
+  EXPECT_THAT(judged(speed, 40ms, 0, kWholeImage),
+              testing::AllOf(HasSubstr(messages::kNetworkTooSlow), Not(HasSubstr(messages::kSizeFits))));
 }
 
 }  // namespace

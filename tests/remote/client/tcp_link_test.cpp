@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "remote/client/messages.hpp"
 #include "remote/protocol/units.hpp"
 #include "scripted_server.hpp"
 
@@ -222,10 +223,9 @@ TEST_F(TcpLinkTest, ReportsThatNoServerIsThere) {
     (void)link(port);
     ADD_FAILURE() << "a server is there";
   } catch (const std::runtime_error& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("darwinop remote"));
-    EXPECT_THAT(refused.what(), HasSubstr("another client drives"));
+    EXPECT_THAT(refused.what(), HasSubstr(messages::kNoServer));
   }
-  EXPECT_THAT(said, HasSubstr("waiting for tcp://127.0.0.1:"));
+  EXPECT_THAT(said, HasSubstr("tcp://127.0.0.1:"));
 }
 
 TEST_F(TcpLinkTest, ReportsAServerOfAnotherProtocol) {
@@ -236,7 +236,7 @@ TEST_F(TcpLinkTest, ReportsAServerOfAnotherProtocol) {
     (void)link(rude.port());
     ADD_FAILURE() << "that is no server";
   } catch (const std::runtime_error& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("the reply is not valid"));
+    EXPECT_THAT(refused.what(), HasSubstr(messages::kInvalidReply));
   }
 }
 
@@ -281,8 +281,8 @@ TEST_F(TcpLinkTest, ReconnectsAfterACutAtEveryByteOfAReply) {
     last = tcp->sensors().cycle;
   }
   EXPECT_GT(steps, 800);
-  EXPECT_THAT(said, HasSubstr("is lost"));
-  EXPECT_THAT(said, HasSubstr("is connected again"));
+  EXPECT_THAT(said, HasSubstr(messages::kConnectionLost));
+  EXPECT_THAT(said, HasSubstr(messages::kConnectedAgain));
 }
 
 TEST_F(TcpLinkTest, SendsAllCommandsAfterAReconnectAndStartsAtThePresentPosition) {
@@ -319,10 +319,10 @@ TEST_F(TcpLinkTest, ContinuesStepsWithAgingValuesWithoutReplies) {
   EXPECT_GE(tcp->sensors().joint[7].motion.age, 8) << "never an old value as a fresh one";
   EXPECT_GE(tcp->sensors().board.motion.age, 8);
   while (said.empty()) ASSERT_TRUE(stepOf(*tcp));
-  EXPECT_THAT(said, HasSubstr("no reply for"));
+  EXPECT_THAT(said, HasSubstr(messages::kNoReplyFor));
   robot.silent = false;
   while (!tcp->sensors().joint[7].motion.fresh()) ASSERT_TRUE(stepOf(*tcp));
-  EXPECT_THAT(said, HasSubstr("is connected again"));
+  EXPECT_THAT(said, HasSubstr(messages::kConnectedAgain));
 }
 
 TEST_F(TcpLinkTest, AgesAReplyThatWasBuffered) {
@@ -364,7 +364,7 @@ TEST_F(TcpLinkTest, EndsWhenReconnectingTimesOut) {
   ASSERT_TRUE(stepOf(*tcp));
   server.reset();
   while (stepOf(*tcp)) EXPECT_TRUE(tcp->sensors().joint[7].motion.ever());
-  EXPECT_THAT(tcp->whyEnded(), HasSubstr("could not be restored"));
+  EXPECT_THAT(tcp->whyEnded(), HasSubstr(messages::kNotRestored));
 }
 
 TEST_F(TcpLinkTest, EndsAtOnceOnRequest) {

@@ -27,14 +27,14 @@ TEST_F(DecodeJpegTest, WritesFourBytesPerPixelWithOpaqueAlpha) {
 }
 
 TEST_F(DecodeJpegTest, RejectsAFileThatIsNotAJpeg) {
-  EXPECT_EQ(wrongWith({}), "empty");
-  EXPECT_EQ(wrongWith(PixelBytes(100, 0)), "not a JPEG, or damaged");
-  EXPECT_EQ(wrongWith({0xff, 0xd8, 0xff, 0xe0, 0x00, 0x10, 0xff, 0xd9}), "not a JPEG, or damaged");
+  EXPECT_EQ(wrongWith({}), kEmptyJpeg);
+  EXPECT_EQ(wrongWith(PixelBytes(100, 0)), kInvalidJpeg);
+  EXPECT_EQ(wrongWith({0xff, 0xd8, 0xff, 0xe0, 0x00, 0x10, 0xff, 0xd9}), kInvalidJpeg);
 }
 
 TEST_F(DecodeJpegTest, RejectsAnUnexpectedSize) {
   JpegEncoder other{{80, 120}, 80};
-  EXPECT_EQ(wrongWith(encoded(other, scene.frame(PictureForm::kYuyv))), "unexpected size");
+  EXPECT_EQ(wrongWith(encoded(other, scene.frame(PictureForm::kYuyv))), kUnexpectedSize);
 }
 
 TEST_F(DecodeJpegTest, RejectsATruncatedFile) {
@@ -59,7 +59,7 @@ TEST_F(DecodeJpegTest, DoesNotReuseTablesOfThePreviousFile) {
   for (std::size_t i = 0; i + 4 < without.size(); ++i)
     if (without[i] == 0xff && without[i + 1] == 0xdb) without[i + 4] += 2;
   ASSERT_NE(without, good);
-  EXPECT_EQ(wrongWith(without), "not a JPEG, or damaged");
+  EXPECT_EQ(wrongWith(without), kInvalidJpeg);
 }
 
 }  // namespace

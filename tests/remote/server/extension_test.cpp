@@ -5,6 +5,7 @@
 #include "remote/protocol/examples.hpp"
 #include "remote/protocol/reply_reader.hpp"
 #include "remote/protocol/request_writer.hpp"
+#include "remote/server/messages.hpp"
 #include "served.hpp"
 
 namespace darwinop::remote {
@@ -157,17 +158,17 @@ TEST(RemoteExtension, AResumedSessionDoesNotStartARobotWhoseTorqueIsOff) {
   EXPECT_TRUE(client.ask(goes_on)->extension->why_ended.empty()) << "it is held, and may be driven on";
   served.pass(600ms);
   served.robot.seen.safety.state = State::kLimp;  // released with MODE
-  EXPECT_THAT(client.ask(goes_on)->extension->why_ended, HasSubstr("torque has been switched off"));
+  EXPECT_EQ(client.ask(goes_on)->extension->why_ended, messages::kTorqueSwitchedOff);
   EXPECT_TRUE(client.shownOut());
   EXPECT_THAT(served.robot.events, ElementsAre("new", "hold", "resumed", "hold", "resumed", "left alone"));
   ExtendedClient back{served};
-  EXPECT_THAT(back.ask(goes_on)->extension->why_ended, HasSubstr("torque has been switched off"));
+  EXPECT_EQ(back.ask(goes_on)->extension->why_ended, messages::kTorqueSwitchedOff);
   SafetyReport& safety = served.robot.seen.safety;
   safety.state = State::kKneeling;
   safety.worst = Fault::kServoOverload;
   safety.controller_must_end = true;
   ExtendedClient overloaded{served};
-  EXPECT_THAT(overloaded.ask(goes_on)->extension->why_ended, HasSubstr("shut itself off"))
+  EXPECT_THAT(overloaded.ask(goes_on)->extension->why_ended, HasSubstr(std::string{row(Fault::kServoOverload).meaning}))
       << "a new driver would clear it";
   ExtendedClient next{served};
   EXPECT_TRUE(next.ask(extendedRequest())->extension->why_ended.empty()) << "a new controller may drive";
@@ -184,7 +185,7 @@ TEST(RemoteExtension, APausedClientOf2013DoesNotClearTheFaultThatEndedIt) {
   served.robot.seen.safety.worst = Fault::kReleasedByButton;
   served.robot.seen.safety.controller_must_end = true;
   EXPECT_EQ(paused.ask("57 04 00 00"), "");
-  EXPECT_TRUE(served.hasSaid("released with MODE"));
+  EXPECT_TRUE(served.hasSaid(std::string{row(Fault::kReleasedByButton).meaning}));
 }
 
 TEST(RemoteExtension, EndOfSessionEndsInsteadOfHolding) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "remote/server/messages.hpp"
 #include "remote/server/server.hpp"
 #include "visits.hpp"
 
@@ -18,7 +19,7 @@ TEST(RemoteServer, RefusesASecondClient) {
   TestClient second{served};
   EXPECT_FALSE(second.connected());
   EXPECT_EQ(first.ask(kEmptyRequest), kEmptyReply);
-  EXPECT_TRUE(served.hasSaid("other clients are refused"));
+  EXPECT_TRUE(served.hasSaid(messages::kDrives));
 }
 
 TEST(RemoteServer, HoldsWhenAClientDisconnectsAndAcceptsTheNext) {

@@ -6,6 +6,7 @@
 
 #include "fixed_eye.hpp"
 #include "remote/protocol/examples.hpp"
+#include "remote/server/messages.hpp"
 #include "served.hpp"
 
 namespace darwinop::remote {
@@ -168,8 +169,8 @@ TEST(RemoteServer, LogsUnknownAndStaleValues) {
   EXPECT_EQ(toHex(client.receive()), "57 00 00 00 0d 80 00 00 00 00 00 00 be 00");
   EXPECT_EQ(client.ask("57 08 00 50 12 50 13 00"), "57 00 00 00 0d 80 00 00 00 00 00 00 be 00")
       << "at once from now on";
-  EXPECT_TRUE(served.hasSaid("Neck has never answered"));
-  EXPECT_TRUE(served.hasSaid("Head has not answered for 3 cycles"));
+  EXPECT_TRUE(served.hasSaid("Neck" + std::string{messages::kNeverAnswered}));
+  EXPECT_TRUE(served.hasSaid("Head" + std::string{messages::kAnsweredLongAgo}));
 }
 
 }  // namespace

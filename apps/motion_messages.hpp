@@ -1,0 +1,10 @@
+// Messages of `darwinop motion play`, or the parts that identify them.
+#pragma once
+
+namespace darwinop::motion {
+
+inline constexpr const char* kReady = "the robot is ready; Ctrl-C ends it";
+inline constexpr const char* kRepeatsForever = ", then repeats until stopped";
+inline constexpr const char* kStoppedOnRequest = "stopped on request\n";
+
+}  // namespace darwinop::motion

@@ -1,0 +1,15 @@
+// Messages of connect, or the parts that identify them.
+#pragma once
+
+namespace darwinop::connect::messages {
+
+// robot.ini.
+inline constexpr const char* kNoRobotFile = "no robot.ini: port, limits and offsets are as on a stock robot";
+inline constexpr const char* kNoJointLeft = "a robot without any joint cannot be driven";
+inline constexpr const char* kGivenTwice = " is there a second time; keep one of the two";  // after the key
+
+// Camera. Then the reason.
+inline constexpr const char* kNoPicturesForObservers =
+    "observers of darwinop monitor see no pictures while this drives: ";
+
+}  // namespace darwinop::connect::messages

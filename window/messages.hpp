@@ -1,0 +1,31 @@
+// Messages of the window that identify a reason: for its page and its tests.
+#pragma once
+
+namespace darwinop::window::messages {
+
+// Drive session and drive thread.
+inline constexpr const char* kAnotherPageDrives = "another page drives";
+inline constexpr const char* kPreviousSessionEnds = "the previous session is still coming to rest; try again";
+inline constexpr const char* kNoHeartbeat = "No heartbeat from this page for half a second. The robot holds.";
+inline constexpr const char* kNoRequests = "the window's program did not respond for 0.8 s. The robot holds.";
+inline constexpr const char* kNoTorque = "torque did not come on; check the servo power switch and the Faults tab";
+
+// Refused requests of the motion planner.
+inline constexpr const char* kMotionAborted = "aborted: the robot did not follow";
+inline constexpr const char* kRobotDoesNotFollow = "the robot does not follow yet";
+inline constexpr const char* kPageIsPlaying = "a motion page is playing: press again when it has ended";
+inline constexpr const char* kPageRequiresAFall = "this page requires a fallen robot";
+inline constexpr const char* kPageRequiresRest =
+    "a page starts only when the robot stands still: it is walking or playing a page";
+inline constexpr const char* kWalkRequiresTorque =
+    "walking requires both arms and both legs: switch their torque on first";
+
+// Transfer.
+inline constexpr const char* kInvalidTransferRequest =
+    "the request must be a JSON object with one of start, cancel, more and forget";
+inline constexpr const char* kNoControllerFolder = "choose the folder of a controller";
+inline constexpr const char* kInvalidPassword = "a password must be a single line of at most 200 bytes";
+inline constexpr const char* kAnotherTransferRuns =
+    "another transfer is running: wait until it has ended, or cancel it";
+
+}  // namespace darwinop::window::messages
