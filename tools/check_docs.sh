@@ -45,6 +45,16 @@ tools/check_words.pl || failed=1
 
 tools/check_types.pl || failed=1
 
+# Messages: a test that repeats the words of one has to be found, then all tests are checked.
+repeating=$(mktemp)
+grep -ohEm1 '"[a-z ]*[a-z] [a-z ]*"' hal/text_file.* >"$repeating"
+if tools/check_test_texts.pl "$repeating" 2>/dev/null; then
+  wrong "tools/check_test_texts.pl: does not find the words of a message in $repeating"
+else
+  rm "$repeating"
+fi
+tools/check_test_texts.pl || failed=1
+
 # Public headers: a method without a comment, and one without a unit, have to be found; then all headers are checked.
 header=$(mktemp)
 printf 'class A {\n public:\n  int plain();\n  /// Speed.\n  double speed();\n};\n' >"$header"
