@@ -32,7 +32,7 @@ bool isNull(const struct stat& about) {
 }
 
 const char* kindOf(mode_t mode) {
-  return S_ISDIR(mode) ? "it is a folder" : S_ISFIFO(mode) ? "it is a pipe" : "it is a device";
+  return S_ISDIR(mode) ? kFolderInsteadOfFile : S_ISFIFO(mode) ? kPipeInsteadOfFile : kDeviceInsteadOfFile;
 }
 
 }  // namespace

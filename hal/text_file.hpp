@@ -10,6 +10,11 @@ namespace darwinop {
 /// Bytes; enough for a settings file of thousands of lines.
 inline constexpr std::size_t kLongestTextFile = 1 << 20;
 
+// Why readTextFile() refuses what is not a regular file.
+inline constexpr const char* kFolderInsteadOfFile = "it is a folder";
+inline constexpr const char* kPipeInsteadOfFile = "it is a pipe";
+inline constexpr const char* kDeviceInsteadOfFile = "it is a device";
+
 /// Empty if the file does not exist. Throws std::runtime_error if it cannot be read: it may contain the robot's limits,
 /// without which nothing may move. Also throws if it is not a regular file (a pipe would block, a device may be
 /// endless) or longer than `longest`.
