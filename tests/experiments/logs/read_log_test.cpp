@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -140,11 +142,11 @@ TEST(ReadLog, ListsTheColumnsIfOneIsMissing) {
 
 TEST(ReadLog, RefusesAMissingFileAndAFolder) {
   const TemporaryFolder folder;
-  for (const std::string& path : {folder / "none.csv", folder / "."}) try {
+  for (const auto& [path, error_code] : {std::pair{folder / "none.csv", ENOENT}, std::pair{folder / ".", EISDIR}}) try {
       (void)readLog(path);
       FAIL() << path;
     } catch (const std::runtime_error& error) {
-      EXPECT_THAT(error.what(), HasSubstr("cannot read the log " + path));
+      EXPECT_THAT(error.what(), HasSubstr(path + ": " + std::strerror(error_code)));
     }
 }
 
