@@ -9,6 +9,7 @@
 #include "core/text/nearest.hpp"
 #include "experiments/logs/header.hpp"
 #include "gap/case/case.hpp"
+#include "gap/case/messages.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -173,7 +174,7 @@ Json parseJson(std::string_view text, const std::string& file) {
     throw BadInput(file + ", line " + std::to_string(lineOf(text, error.byte)) +
                    ": this is not JSON; a comma or a quotation mark too many or too few?");
   } catch (const Json::exception&) {
-    throw BadInput(file + ": a number has more digits than any number can have");
+    throw BadInput(file + ": " + messages::kDigitsBeyondDouble);
   }
 }
 

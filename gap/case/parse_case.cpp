@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "experiments/logs/read_log.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 #include "gap/case/plausible.hpp"
 #include "hal/text_file.hpp"
@@ -27,7 +28,7 @@ std::vector<LogEntry> readEntries(Fields& top, std::vector<std::string>& warning
           !(entries.back().to_s < entries[i].from_s))
         entry.fail("file", "is there twice; keep one of the two");
     if (entries.back().joint != entries.front().joint)
-      entry.fail("joint", "is another one than that of `logs[0]`; a case is of one joint");
+      entry.fail("joint", std::string{messages::kOtherJoint} + "; a case is of one joint");
   }
   const bool fit = std::ranges::any_of(entries, [](const LogEntry& entry) { return !entry.head.held_out; });
   if (!fit) top.fail("logs", "has no log with \"role\": \"fit\"; there is nothing to learn from");
@@ -56,7 +57,7 @@ void linkRepeats(Fields& top, std::vector<LogEntry>& entries) {
 
 logs::Log readRegularLog(const fs::path& path) {
   if (fs::exists(path) && !fs::is_regular_file(path))  // opening a pipe waits for its writer
-    throw std::runtime_error("cannot read the log " + path.string() + ": it is not a regular file");
+    throw std::runtime_error("cannot read the log " + path.string() + ": " + messages::kNotRegular);
   return logs::readLog(path.string());
 }
 

@@ -3,6 +3,7 @@
 
 #include <ostream>
 
+#include "gap/case/messages.hpp"
 #include "gap/case_texts.hpp"
 
 namespace darwinop::gap {
@@ -31,7 +32,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"kt_Nm_A\": 1.8", "\"kt_Nm_A\": -1.8", "`baseline.params.kt_Nm_A` is -1.8"},
         Mistake{"\"kt_Nm_A\": 1.8", "\"kt_Nm_A\": 10.1", "`baseline.params.kt_Nm_A` is 10.1"},
         Mistake{"\"kt_Nm_A\": 1.8", "\"kt_Nm_A\": null", "`baseline.params.kt_Nm_A` is null"},
-        Mistake{"\"kt_Nm_A\": 1.8", "\"kt_Nm_A\": 1e999", "more digits than any number"},
+        Mistake{"\"kt_Nm_A\": 1.8", "\"kt_Nm_A\": 1e999", messages::kDigitsBeyondDouble},
         Mistake{"\"kt_Nm_A\": 1.8", "\"kt_Nm_A\": NaN", "my/case.json, line 9: this is not JSON"},
         Mistake{"\"kt_Nm_A\": 1.8,", "", "`baseline.params.kt_Nm_A` is missing"},
         Mistake{"\"R_ohm\": 8.5", "\"R_ohm\": 8.5, \"R_ohm\": 9", "\"R_ohm\" is there twice"},
@@ -48,8 +49,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "`logs[0].hangs_at` is not known; did you mean hangs_at_rad?"},
         Mistake{"\"R_ohm\": 8.5", "\"R_ohm\": 8.5, \"spin_Nm\": 1", "`baseline.params.spin_Nm` is not known"},
         Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0", "`prior_rel_sigma.kt_Nm_A` is 0"},
-        Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0.02, \"kt\": 0.03", "has a sigma already"},
-        Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0.02, \"coulomb.fricton\": 0.1", "is not a parameter of an effect"},
+        Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0.02, \"kt\": 0.03", messages::kSecondSigma},
+        Mistake{"\"kt_Nm_A\": 0.02", "\"kt_Nm_A\": 0.02, \"coulomb.fricton\": 0.1", messages::kUnknownParameter},
         Mistake{"\"tiny\"", "\"a;b\"", "`case` is not a valid name"},
         Mistake{"\"tiny\"", "7", "`case` is 7; it has to be a text"},
         Mistake{"\"kp\": 32", "\"kp\": -1", "`logs[0].kp` is -1"},
@@ -64,11 +65,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"repeat_of\": null", "\"repeat_of\": \"fit_1.csv\"", "`logs[0].repeat_of` names the log itself"},
         Mistake{"\"kp\": 32, ", "", "my/fit_1.csv: the case does not have its P register"},
         Mistake{"\"kp\": 32", "\"joint\": \"Nek\", \"kp\": 32", "`logs[0].joint` is not a joint; did you mean Neck?"},
-        Mistake{"\"kp\": 32", "\"joint\": \"Neck\", \"kp\": 32", "is another one than that of `logs[0]`"},
+        Mistake{"\"kp\": 32", "\"joint\": \"Neck\", \"kp\": 32", messages::kOtherJoint},
         Mistake{"\"kp\": 32", "\"from_s\": 2, \"to_s\": 1, \"kp\": 32", "`logs[0].to_s` is not after"},
         Mistake{"\"logs\"", "\"model\": \"a.ini\", \"logs\"", "`model` and `baseline` are two models"},
         Mistake{"\"logs\"", "\"servo_datasheet\": {\"stall_Nm\": 2.5, \"stall_A_at_5V\": 1.4}, \"logs\"",
-                "is of another voltage"},
+                messages::kOtherDatasheetVoltage},
         Mistake{"\"logs\": [", "\"logs\": [3,", "`logs[0]` is 3; it has to be an object"}));
 
 TEST(CaseMistakes, RangesIncludeTheirEnds) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "gap/case/messages.hpp"
 #include "gap/case_texts.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -197,7 +198,7 @@ TEST(CaseRead, APipeInPlaceOfALogIsRefusedAtOnce) {
     readCase(std::filesystem::path{folder / "case.json"}.parent_path());
     FAIL();
   } catch (const BadInput& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("not a regular file"));
+    EXPECT_THAT(refused.what(), HasSubstr(messages::kNotRegular));
   }
 }
 
