@@ -4,11 +4,24 @@
 namespace darwinop::gap::messages {
 
 // case.json
+inline constexpr const char* kBeyondFolder = "is outside the folder of the case";
 inline constexpr const char* kDigitsBeyondDouble = "a number has more digits than any number can have";
+inline constexpr const char* kEndBeforeStart = "is not after `from_s`";
+inline constexpr const char* kGivenTwice = "is there twice";
+inline constexpr const char* kInvalidName = "is not a valid name";
+inline constexpr const char* kMissing = "is missing; give ";
+inline constexpr const char* kNoFitLog = "has no log with \"role\": \"fit\"";
+inline constexpr const char* kNoPRegister = "the case does not have its P register";
+inline constexpr const char* kNotJson = "this is not JSON";
+inline constexpr const char* kNotJsonObject = "not a JSON object";
 inline constexpr const char* kOtherDatasheetVoltage = "is of another voltage than ";
 inline constexpr const char* kOtherGainOrPayload = "which has another kp or payload";
 inline constexpr const char* kOtherJoint = "is another one than that of `logs[0]`";
+inline constexpr const char* kRepeatOfItself = "names the log itself";
+inline constexpr const char* kRepeatOfNothing = "names no log of this case";
 inline constexpr const char* kSecondSigma = "stands for a number that has a sigma already";
+inline constexpr const char* kTwoModels = "and `baseline` are two models";
+inline constexpr const char* kUnknownKey = "is not known";
 inline constexpr const char* kUnknownParameter = "is not a parameter of an effect";
 
 // logs
@@ -20,7 +33,6 @@ inline constexpr const char* kOutsideServoRange = ", outside the range of a serv
 inline constexpr const char* kStuckDespiteLoad = "though the servo pushes hard both ways";
 inline constexpr const char* kStuckDespiteSpeed = "though the joint moves according to speed";
 inline constexpr const char* kStuckLikeLoad = "and so does load, though the goals require torque both ways";
-inline constexpr const char* kTimeGoesBack = "time does not increase";
 inline constexpr const char* kTooFastForServo = " rad/s, and this servo without load reaches ";
 
 // the data check

@@ -106,7 +106,7 @@ void readPriors(Fields priors, const std::vector<std::string_view>& given, Case&
 void readModelPart(Fields& top, const CaseFiles& files, std::optional<Joint> joint, Case& into) {
   std::vector<std::string_view> given;
   const bool own = top.has("model");
-  if (own && top.has("baseline")) top.fail("model", "and `baseline` are two models; keep one of the two");
+  if (own && top.has("baseline")) top.fail("model", std::string{messages::kTwoModels} + "; keep one of the two");
   if (own) {
     try {
       into.model = files.model(top.text("model"));

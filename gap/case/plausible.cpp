@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/units.hpp"
+#include "experiments/logs/read_log.hpp"
 #include "gap/case/messages.hpp"
 
 namespace darwinop::gap {
@@ -54,8 +55,7 @@ void checkTime(const Trajectory& log, const std::string& file) {
                    number(kLongestPeriod) + " s or more often");
   for (std::size_t i = 1; i < log.rows(); ++i) {
     const double step = log.time_s[i] - log.time_s[i - 1];
-    if (step <= 0)
-      throw BadInput(at(file, log, i) + messages::kTimeGoesBack + "; if the file contains two logs, split it");
+    if (step <= 0) throw BadInput(at(file, log, i) + logs::kTimeGoesBack + "; if the file contains two logs, split it");
     if (step > kLongestHole * period)
       throw BadInput(at(file, log, i) + "the log has a hole of " + number(step) + " s before this row; split it there");
   }

@@ -1,6 +1,7 @@
 // Impossible values: just inside passes, just outside is refused with file and line.
 #include <gmock/gmock.h>
 
+#include "experiments/logs/read_log.hpp"
 #include "gap/case/messages.hpp"
 #include "gap/case_texts.hpp"
 
@@ -41,7 +42,7 @@ TEST(LogErrors, RangesOfTheColumns) {
 
 TEST(LogErrors, TimeThatDoesNotGoOn) {
   EXPECT_EQ(errorWith(&CsvRow::t, 0.016 * 99 + 0.001), "");
-  EXPECT_THAT(errorWith(&CsvRow::t, 0.016 * 99), inLine102(messages::kTimeGoesBack));
+  EXPECT_THAT(errorWith(&CsvRow::t, 0.016 * 99), inLine102(logs::kTimeGoesBack));
 }
 
 TEST(LogErrors, HolesInTime) {
