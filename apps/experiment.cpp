@@ -16,6 +16,7 @@
 #include "connect/robot_file.hpp"
 #include "connect/setting.hpp"
 #include "experiments/format/experiment_files.hpp"
+#include "experiments/format/messages.hpp"
 #include "experiments/format/plan.hpp"
 #include "experiments/format/reader.hpp"
 #include "experiments/run/gentle_stop.hpp"
@@ -49,7 +50,7 @@ int list() {
       std::printf("%s\n  %s%s%s\n  %s\n  %.0f s at most%s\n", experiment.name.c_str(), experiment.title.c_str(),
                   experiment.source.empty() ? "" : ", ", experiment.source.c_str(), movedText(plan).c_str(),
                   plan.seconds(),
-                  plan.falls     ? ", falls at the end"
+                  plan.falls     ? messages::kFallsInList
                   : plan.on_feet ? ", on its feet"
                                  : "");
     } catch (const std::exception& wrong) {

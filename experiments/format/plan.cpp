@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/text/ini_text.hpp"
+#include "experiments/format/messages.hpp"
 #include "experiments/format/quantity.hpp"
 #include "experiments/format/shape.hpp"
 
@@ -97,7 +98,7 @@ class Planner {
     const std::string name{row(moved.joint).name};
     if (swings(phase.goal.shape) && !where.certain())
       fail(phase, "oscillates around the position of " + name +
-                      " at its start, which is not known: add a phase with goal = move before it");
+                      " at its start, which is not known: " + messages::kAddMoveBefore);
     JointPlan out{moved.joint, where.low, where.high, 0, false};
     if (jumps(phase.goal.shape)) out.fastest = phase.velocity;
     sample(phase, moved.sign, where.low, out);

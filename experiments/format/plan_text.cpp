@@ -4,6 +4,7 @@
 
 #include "core/servo_limits.hpp"
 #include "core/text/number_text.hpp"
+#include "experiments/format/messages.hpp"
 #include "experiments/format/plan.hpp"
 #include "experiments/format/quantity.hpp"
 #include "experiments/format/shape.hpp"
@@ -63,10 +64,9 @@ std::string how(const Phase& phase) {
 }
 
 std::string falling(const Plan& plan) {
-  if (plan.falls) return "YES: the robot falls at the end. Use a soft floor and catch it";
-  if (plan.on_feet) return "possibly: the robot stands on its feet. Hold it by its handle";
-  return plan.legs ? "possibly: the legs move or their torque is off. Hold the robot by its handle"
-                   : "no: the robot stays on its knees";
+  if (plan.falls) return messages::kFalls;
+  if (plan.on_feet) return messages::kOnFeet;
+  return plan.legs ? messages::kLegsMayMove : messages::kOnKnees;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "core/text/ini_text.hpp"
 #include "core/text/number_text.hpp"
+#include "experiments/format/messages.hpp"
 #include "experiments/format/phase_reader.hpp"
 #include "experiments/format/quantity.hpp"
 #include "experiments/format/sections.hpp"
@@ -63,7 +64,7 @@ class FileReader {
     const Entry& name = need(head, "name");
     constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789_-";
     if (name.value.find_first_not_of(kLetters) != std::string::npos)
-      fail(name.line, "the name is used in file names: use lower-case letters, digits, _ and -");
+      fail(name.line, std::string{"the name is used in file names: "} + messages::kNameLetters);
     out_.name = name.value;
     out_.title = need(head, "title").value;
     if (const Entry* source = head.find("source")) out_.source = source->value;
@@ -111,7 +112,8 @@ class FileReader {
     if (entry) {
       values.clear();
       for (const std::string_view value : splitList(entry->value)) values.emplace_back(value);
-      if (label("").starts_with(' ')) fail(entry->line, "no phase uses these values: write KEY = sweep in one");
+      if (label("").starts_with(' '))
+        fail(entry->line, std::string{messages::kSweepUnused} + ": write KEY = sweep in one");
       if (std::ranges::find(values, "") != values.end()) fail(entry->line, "a value is missing between two commas");
     }
     const int repeat = readRepeat(sweep);

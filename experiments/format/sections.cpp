@@ -7,6 +7,7 @@
 #include "core/joints.hpp"
 #include "core/text/ini_text.hpp"
 #include "core/text/number_text.hpp"
+#include "experiments/format/messages.hpp"
 #include "experiments/format/quantity.hpp"
 
 namespace darwinop::experiments {
@@ -40,7 +41,7 @@ class SectionReader final : public text::IniReader {
       throw std::runtime_error("there is no section [" + kind + "]" + didYouMean(kind, kKinds) +
                                "; allowed are [experiment], [setup], [sweep], [phase NAME], [record]");
     if ((kind == "phase") == name.empty())
-      throw std::runtime_error(kind == "phase" ? "a phase needs a name: [phase raise]"
+      throw std::runtime_error(kind == "phase" ? std::string{messages::kPhaseNeedsName} + ": [phase raise]"
                                                : "[" + kind + "] takes no name");
     if (std::ranges::any_of(sections, [&](const Section& s) { return s.kind == kind && s.name == name; }))
       throw std::runtime_error("[" + std::string{text} + "] is defined twice; remove one");
@@ -61,7 +62,7 @@ class SectionReader final : public text::IniReader {
   }
 
   void stray(std::string_view, std::string_view text, int) override {
-    throw std::runtime_error("'" + std::string{text} + "' is neither a section nor key = value");
+    throw std::runtime_error("'" + std::string{text} + "' " + messages::kNeitherSectionNorPair);
   }
 };
 

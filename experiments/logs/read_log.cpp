@@ -128,8 +128,8 @@ class Parser {
     const std::string name = quoted(log_.columns[log_.time].name);
     if (!std::isfinite(now)) throw std::runtime_error("column " + name + " is empty; every row needs a time");
     if (log_.rows() == 0 || now > log_.columns[log_.time].values.back()) return;
-    throw std::runtime_error("time does not increase: column " + name + " has " + std::to_string(now) + " after " +
-                             std::to_string(log_.columns[log_.time].values.back()) +
+    throw std::runtime_error(std::string{kTimeGoesBack} + ": column " + name + " has " + std::to_string(now) +
+                             " after " + std::to_string(log_.columns[log_.time].values.back()) +
                              "; if the file contains two logs, split it");
   }
 

@@ -8,6 +8,8 @@
 
 namespace darwinop::logs {
 
+inline constexpr const char* kTimeGoesBack = "time does not increase";
+
 /// Throws std::runtime_error, "FILE, line N: problem". Recoverable problems (truncated last row, lost rows) are stored
 /// as warnings in the log. Accepts Windows line ends and a byte order mark.
 Log readLog(const std::string& path);

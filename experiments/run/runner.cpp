@@ -40,7 +40,7 @@ Runner::Runner(webots::Robot& robot, const Experiment& experiment, const std::at
 
 Outcome Runner::run() {
   const Setup& setup = experiment_.setup;
-  phase_ = "to the setup pose";
+  phase_ = kSetupPhase;
   bool complete = moveTo(setup.pose, setup.duration_s, Stop::kAllowed) && wait(setup.settle_s);
   const bool fell = fall_.fallen();
   if (complete && !fell) complete = runRounds();
@@ -64,7 +64,7 @@ bool Runner::runRounds() {
 /// the API, which hands over to the safety layer.
 void Runner::goBack() {
   if (ended_) return;
-  phase_ = "back to the start pose";
+  phase_ = kReturnPhase;
   restoreOthers(nullptr);
   double distance = 0;
   for (std::size_t i = 0; i < kJoints; ++i)

@@ -25,6 +25,10 @@ enum class Outcome : std::uint8_t {
   kFellIn,   // in a phase without until = fallen; later phases were skipped
 };
 
+// Phases that every experiment has, before and after its own.
+inline constexpr const char* kSetupPhase = "to the setup pose";
+inline constexpr const char* kReturnPhase = "back to the start pose";
+
 /// Called in every step: the phase, seconds since the experiment began.
 using ProgressCallback = std::function<void(const std::string& phase, double seconds)>;
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "gap/case/data_check.hpp"
+#include "gap/case/messages.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -72,7 +73,7 @@ std::string asText(const DataCheck& check) {
                  listed(check.fit.payloads_kg).c_str(), listed(check.fit.p_registers).c_str(), share(check.fit),
                  range(check.fit.session_s, "%.0f to %.0f").c_str());
   for (const bool reveals : {true, false}) {
-    out += reveals ? "\nThese data can reveal:\n" : "\nThese data cannot reveal:\n";
+    out += std::string{"\n"} + (reveals ? messages::kCanReveal : messages::kCannotReveal) + "\n";
     bool any = false;
     for (const Finding& finding : check.findings) {
       if (finding.reveals != reveals) continue;

@@ -4,6 +4,7 @@
 #include "core/units.hpp"
 #include "experiments/logs/header.hpp"
 #include "gap/case/baseline_keys.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 
 namespace darwinop::gap {
@@ -40,7 +41,7 @@ void takeStall(Fields& sheet, twin::ServoParameters& servo) {
   if (torque) servo.torque_max_nm = sheet.number(torque->key, {"N m", 0.01, 100}) * servo.supply_v / torque->volt;
   if (!torque || !current) return;
   if (torque->volt != current->volt)
-    sheet.fail(current->key, "is of another voltage than " + torque->key + "; give both at the same");
+    sheet.fail(current->key, messages::kOtherDatasheetVoltage + torque->key + "; give both at the same");
   const double amps = sheet.number(current->key, {"A", 0.01, 100});
   servo.kt_nm_a = sheet.number(torque->key, {"N m", 0.01, 100}) / amps;
   servo.resistance_ohm = torque->volt / amps;

@@ -9,6 +9,7 @@
 #include "core/text/nearest.hpp"
 #include "experiments/logs/header.hpp"
 #include "gap/case/case.hpp"
+#include "gap/case/messages.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -112,7 +113,7 @@ void Fields::finish() const {
   const std::vector<std::string> left = untaken();
   if (left.empty()) return;
   const std::vector<std::string_view> known{known_.begin(), known_.end()};
-  fail(left.front(), "is not known; " + text::suggestion(left.front(), known));
+  fail(left.front(), std::string{messages::kUnknownKey} + "; " + text::suggestion(left.front(), known));
 }
 
 void Fields::finish(std::vector<std::string>& warnings) const {
@@ -124,9 +125,9 @@ void Fields::finish(std::vector<std::string>& warnings) const {
              (key.find(other) != std::string::npos || other.find(key) != std::string_view::npos);
     };
     if (const auto meant = std::ranges::find_if(known, within); meant != known.end())
-      fail(key, "is not known; did you mean " + std::string{*meant} + "?");
-    if (text::nearest(key, known)) fail(key, "is not known; " + text::suggestion(key, known));
-    warnings.push_back(file_ + ": " + logs::quoted(pathOf(key)) + " is not known and left out");
+      fail(key, std::string{messages::kUnknownKey} + "; did you mean " + std::string{*meant} + "?");
+    if (text::nearest(key, known)) fail(key, std::string{messages::kUnknownKey} + "; " + text::suggestion(key, known));
+    warnings.push_back(file_ + ": " + logs::quoted(pathOf(key)) + " " + messages::kUnknownKey + " and left out");
   }
 }
 
@@ -146,7 +147,7 @@ void Fields::fail(std::string_view key, const std::string& sentence) const {
 const Json& Fields::needed(std::string_view key, const std::string& wanted) {
   leave(key);
   const auto found = json_->find(std::string{key});
-  if (found == json_->end()) fail(key, "is missing; give " + wanted);
+  if (found == json_->end()) fail(key, messages::kMissing + wanted);
   return *found;
 }
 
@@ -161,19 +162,20 @@ Json parseJson(std::string_view text, const std::string& file) {
     if (event == Event::object_start) keys.emplace_back();
     if (event == Event::object_end) keys.pop_back();
     if (event == Event::key && !keys.back().insert(parsed.get_ref<const std::string&>()).second)
-      throw BadInput(file + ": the key " + logs::quoted(parsed.get_ref<const std::string&>()) +
-                     " is there twice in one object; keep one of the two");
+      throw BadInput(file + ": the key " + logs::quoted(parsed.get_ref<const std::string&>()) + " " +
+                     messages::kGivenTwice + " in one object; keep one of the two");
     return true;
   };
   try {
     Json json = Json::parse(text, watch);
-    if (!json.is_object()) throw BadInput(file + ": not a JSON object; a case begins with { and ends with }");
+    if (!json.is_object())
+      throw BadInput(file + ": " + messages::kNotJsonObject + "; a case begins with { and ends with }");
     return json;
   } catch (const Json::parse_error& error) {
-    throw BadInput(file + ", line " + std::to_string(lineOf(text, error.byte)) +
-                   ": this is not JSON; a comma or a quotation mark too many or too few?");
+    throw BadInput(file + ", line " + std::to_string(lineOf(text, error.byte)) + ": " + messages::kNotJson +
+                   "; a comma or a quotation mark too many or too few?");
   } catch (const Json::exception&) {
-    throw BadInput(file + ": a number has more digits than any number can have");
+    throw BadInput(file + ": " + messages::kDigitsBeyondDouble);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/case/messages.hpp"
 #include "gap/case/plausible.hpp"
 
 namespace darwinop::gap {
@@ -30,7 +31,7 @@ void checkLoadSign(const Trajectory& log, const std::string& file, const Case& c
     if (std::abs(log.load[row] + std::clamp(duty, -1.0, 1.0)) < kAlike * std::abs(duty)) ++mirrored;
   }
   if (plain < kFew || static_cast<double>(mirrored) < kNearlyAll * static_cast<double>(plain)) return;
-  throw BadInput(file + ": load has the size that the position error requires, but the opposite sign, in " +
+  throw BadInput(file + ": load has the size that the position error requires" + messages::kLoadHasOppositeSign +
                  std::to_string(mirrored) + " of " + std::to_string(plain) +
                  " rows. Invert the sign where the log is written; positive is counter-clockwise");
 }

@@ -4,6 +4,7 @@
 #include "core/text/nearest.hpp"
 #include "core/units.hpp"
 #include "gap/case/baseline_keys.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 
 namespace darwinop::gap {
@@ -44,7 +45,7 @@ LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   LogEntry out{};
   out.head.file = entry.text("file");
   if (!isInside(out.head.file))
-    entry.fail("file", "is outside the folder of the case; copy the log next to the case.json");
+    entry.fail("file", std::string{messages::kBeyondFolder} + "; copy the log next to the case.json");
   out.head.kind = entry.text("trajectory", kindOf(out.head.file));
   out.head.held_out = entry.word("role", {"fit", "held_out", "score"}, 3) > 0;
   for (const ArmKey& key : armKeys())
@@ -57,7 +58,8 @@ LogEntry readLogEntry(Fields& entry, std::vector<std::string>& warnings) {
   out.from_s = entry.number("from_s", kClock, -std::numeric_limits<double>::infinity());
   out.to_s = entry.number("to_s", kClock, std::numeric_limits<double>::infinity());
   out.hangs_at_rad = entry.number("hangs_at_rad", {"rad", -kPi, kPi}, 0);
-  if (out.from_s >= out.to_s) entry.fail("to_s", "is not after `from_s`; nothing is left of the log");
+  if (out.from_s >= out.to_s)
+    entry.fail("to_s", std::string{messages::kEndBeforeStart} + "; nothing is left of the log");
   entry.finish(warnings);
   return out;
 }

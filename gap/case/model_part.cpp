@@ -3,6 +3,7 @@
 
 #include "core/text/nearest.hpp"
 #include "gap/case/baseline_keys.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
@@ -72,7 +73,7 @@ bool hasParameter(const std::string& name, const Case& c, const Fields& priors, 
   const twin::EffectInfo* info = twin::findEffect(name.substr(0, dot));
   if (info == nullptr ||
       std::ranges::find(info->parameters, name.substr(dot + 1), &twin::Parameter::key) == info->parameters.end())
-    priors.fail(key, "is not a parameter of an effect; docs/twin/effects.md has them all");
+    priors.fail(key, std::string{messages::kUnknownParameter} + "; docs/twin/effects.md has them all");
   return std::ranges::find(c.model.effects, info, &twin::EffectSetting::info) != c.model.effects.end();
 }
 
@@ -80,7 +81,7 @@ void readPriors(Fields priors, const std::vector<std::string_view>& given, Case&
   const auto take = [&](std::string_view key, std::string_view name, bool is_there) {
     const bool known_already = std::ranges::find(into.priors, name, &Prior::number) != into.priors.end();
     if (!priors.has(key)) return;
-    if (known_already) priors.fail(key, "stands for a number that has a sigma already; keep one of the two");
+    if (known_already) priors.fail(key, std::string{messages::kSecondSigma} + "; keep one of the two");
     const double sigma = priors.number(key, kRelativeSigma);
     if (is_there) into.priors.push_back({std::string{name}, sigma});  // else: of what the baseline does not have
   };
@@ -105,7 +106,7 @@ void readPriors(Fields priors, const std::vector<std::string_view>& given, Case&
 void readModelPart(Fields& top, const CaseFiles& files, std::optional<Joint> joint, Case& into) {
   std::vector<std::string_view> given;
   const bool own = top.has("model");
-  if (own && top.has("baseline")) top.fail("model", "and `baseline` are two models; keep one of the two");
+  if (own && top.has("baseline")) top.fail("model", std::string{messages::kTwoModels} + "; keep one of the two");
   if (own) {
     try {
       into.model = files.model(top.text("model"));

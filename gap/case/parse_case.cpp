@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "experiments/logs/read_log.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 #include "gap/case/plausible.hpp"
 #include "hal/text_file.hpp"
@@ -25,12 +26,12 @@ std::vector<LogEntry> readEntries(Fields& top, std::vector<std::string>& warning
     for (std::size_t i = 0; i + 1 < entries.size(); ++i)
       if (entries[i].head.file == entries.back().head.file && !(entries[i].to_s < entries.back().from_s) &&
           !(entries.back().to_s < entries[i].from_s))
-        entry.fail("file", "is there twice; keep one of the two");
+        entry.fail("file", std::string{messages::kGivenTwice} + "; keep one of the two");
     if (entries.back().joint != entries.front().joint)
-      entry.fail("joint", "is another one than that of `logs[0]`; a case is of one joint");
+      entry.fail("joint", std::string{messages::kOtherJoint} + "; a case is of one joint");
   }
   const bool fit = std::ranges::any_of(entries, [](const LogEntry& entry) { return !entry.head.held_out; });
-  if (!fit) top.fail("logs", "has no log with \"role\": \"fit\"; there is nothing to learn from");
+  if (!fit) top.fail("logs", std::string{messages::kNoFitLog} + "; there is nothing to learn from");
   return entries;
 }
 
@@ -42,9 +43,10 @@ void linkRepeats(Fields& top, std::vector<LogEntry>& entries) {
     if (entries[i].repeats.empty()) continue;
     const auto found =
         std::ranges::find_if(entries, [&](const LogEntry& e) { return e.head.file == entries[i].repeats; });
-    if (found == entries.end()) top.fail(name_of(i), "names no log of this case; it has to be the file of one");
+    if (found == entries.end())
+      top.fail(name_of(i), std::string{messages::kRepeatOfNothing} + "; it has to be the file of one");
     of[i] = static_cast<std::size_t>(found - entries.begin());
-    if (of[i] == i) top.fail(name_of(i), "names the log itself; name the one before");
+    if (of[i] == i) top.fail(name_of(i), std::string{messages::kRepeatOfItself} + "; name the one before");
   }
   for (std::size_t i = 0; i < entries.size(); ++i) {
     std::optional<std::size_t> first = of[i];
@@ -56,7 +58,7 @@ void linkRepeats(Fields& top, std::vector<LogEntry>& entries) {
 
 logs::Log readRegularLog(const fs::path& path) {
   if (fs::exists(path) && !fs::is_regular_file(path))  // opening a pipe waits for its writer
-    throw std::runtime_error("cannot read the log " + path.string() + ": it is not a regular file");
+    throw std::runtime_error("cannot read the log " + path.string() + ": " + messages::kNotRegular);
   return logs::readLog(path.string());
 }
 
@@ -90,7 +92,7 @@ Case parseCase(std::string_view json, const std::string& file, const CaseFiles& 
   if (out.name.empty()) out.name = "case";
   // The name of a model has these limits.
   if (out.name.size() > 120 || out.name.find_first_of("\"';#\n\r") != std::string::npos)
-    top.fail("case", "is not a valid name; use 1 to 120 characters without quotes, ; and #");
+    top.fail("case", std::string{messages::kInvalidName} + "; use 1 to 120 characters without quotes, ; and #");
   for (const std::string_view key :
        {"family", "columns", "host_dt_s", "goal_order", "servo_datasheet", "prior_rel_sigma"})
     top.leave(key);

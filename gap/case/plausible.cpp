@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/units.hpp"
+#include "experiments/logs/read_log.hpp"
+#include "gap/case/messages.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -53,7 +55,7 @@ void checkTime(const Trajectory& log, const std::string& file) {
                    number(kLongestPeriod) + " s or more often");
   for (std::size_t i = 1; i < log.rows(); ++i) {
     const double step = log.time_s[i] - log.time_s[i - 1];
-    if (step <= 0) throw BadInput(at(file, log, i) + "time does not increase; if the file contains two logs, split it");
+    if (step <= 0) throw BadInput(at(file, log, i) + logs::kTimeGoesBack + "; if the file contains two logs, split it");
     if (step > kLongestHole * period)
       throw BadInput(at(file, log, i) + "the log has a hole of " + number(step) + " s before this row; split it there");
   }
@@ -68,7 +70,7 @@ void checkRows(const Trajectory& log, const std::string& file) {
     for (std::size_t i = 0; i < values.size(); ++i)
       if (values[i] < range.low || values[i] > range.high)
         throw BadInput(at(file, log, i) + std::string{range.column} + " is " + number(values[i] * range.shown) + " " +
-                       std::string{range.unit} + ", outside the range of a servo (" + number(range.low * range.shown) +
+                       std::string{range.unit} + messages::kOutsideServoRange + number(range.low * range.shown) +
                        " to " + number(range.high * range.shown) + "); " + std::string{range.advice});
   }
   checkTime(log, file);

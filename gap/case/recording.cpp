@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/registers.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 
 namespace darwinop::gap {
@@ -83,8 +84,7 @@ std::vector<std::size_t> rowsOf(const logs::Log& log, const LogEntry& entry, con
 }  // namespace
 
 void fillFromRecording(const logs::Log& log, LogEntry& entry, std::vector<std::string>& warnings) {
-  if (!entry.joint)
-    throw BadInput(log.file + ": a recording has twenty joints; give the joint of the log: \"joint\": \"ArmUpperR\"");
+  if (!entry.joint) throw BadInput(log.file + ": " + messages::kJointNotGiven + ": \"joint\": \"ArmUpperR\"");
   const JointColumns c = columnsOf(log, *entry.joint);
   checkGainUnit(log, *entry.joint);
   const std::vector<std::size_t> rows = rowsOf(log, entry, c, warnings);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/case/messages.hpp"
 #include "gap/case/plausible.hpp"
 
 namespace darwinop::gap {
@@ -47,7 +48,7 @@ void checkRepeats(Case& c) {
     const Trajectory& first = c.logs[*log.repeat_of];
     const std::string place = file + ": `logs[" + std::to_string(i) + "].repeat_of` ";
     if (log.p_register != first.p_register || log.payload_kg != first.payload_kg)
-      throw BadInput(place + "names " + first.file + ", which has another kp or payload; a repeat has the same");
+      throw BadInput(place + "names " + first.file + ", " + messages::kOtherGainOrPayload + "; a repeat has the same");
     if (goalsApart(log, first) > kSameGoals)
       throw BadInput(place + "names " + first.file + ", which has other goals; a repeat has the same");
   }

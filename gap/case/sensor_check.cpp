@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gap/case/messages.hpp"
 #include "gap/case/plausible.hpp"
 
 namespace darwinop::gap {
@@ -55,12 +56,11 @@ void judge(const Trajectory& log, std::size_t from, std::size_t to, const std::s
   const std::string place = file + ", line " + std::to_string(log.lines[from]) + ": pos stays the same for " +
                             std::to_string(std::lround((log.time_s[to] - log.time_s[from]) * 1000)) + " ms from here, ";
   const std::string advice = "; the sensor is stuck, or old readings were logged again. Measure again";
-  if (load.known ? load.bothWays() : duty.bothWays())
-    throw BadInput(place + "though the servo pushes hard both ways" + advice);
+  if (load.known ? load.bothWays() : duty.bothWays()) throw BadInput(place + messages::kStuckDespiteLoad + advice);
   if (load.known && load.width() < kSameLoad && duty.bothWays())
-    throw BadInput(place + "and so does load, though the goals require torque both ways" + advice);
+    throw BadInput(place + messages::kStuckLikeLoad + advice);
   if (speeds > rows / 2 && speed / double(speeds) > kMoving)
-    throw BadInput(place + "though the joint moves according to speed" + advice);
+    throw BadInput(place + messages::kStuckDespiteSpeed + advice);
 }
 
 }  // namespace

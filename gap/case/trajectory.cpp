@@ -6,6 +6,7 @@
 #include "core/text/unit_factor.hpp"
 #include "experiments/logs/header.hpp"
 #include "experiments/logs/units.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case/parts.hpp"
 
 namespace darwinop::gap {
@@ -108,7 +109,7 @@ void fillFromPlain(const logs::Log& log, LogEntry& entry) {
   for (const Wanted& wanted : kWanted) take(log, wanted, rows, out);
   takeTorque(log, rows, out);
   if (!entry.p_register)
-    throw BadInput(log.file + ": the case does not have its P register; add \"kp\": 32, or its value, to the log");
+    throw BadInput(log.file + ": " + messages::kNoPRegister + "; add \"kp\": 32, or its value, to the log");
   out.p_register = *entry.p_register;
 }
 

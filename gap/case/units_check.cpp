@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/units.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case/plausible.hpp"
 
 namespace darwinop::gap {
@@ -44,7 +45,7 @@ void checkSpeed(const Trajectory& log, const std::string& file, const Case& c) {
     const double speed = (log.position_rad[row] - log.position_rad[from]) / (log.time_s[row] - log.time_s[from]);
     if (std::abs(speed) > most)
       throw BadInput(file + ", line " + std::to_string(log.lines[row]) + ": pos moves at " + three(std::abs(speed)) +
-                     " rad/s, and this servo without load reaches " + three(noLoadSpeed(c)) +
+                     messages::kTooFastForServo + three(noLoadSpeed(c)) +
                      "; if these are degrees, name the column pos_deg. A single jump is a wrong reading: cut "
                      "the log there");
     if (std::isnan(log.speed_rad_s[row])) continue;
@@ -96,13 +97,11 @@ void checkGoals(const Trajectory& log, const std::string& file) {
   const double slope = std::sqrt(positions / goals);
   const auto is_degrees = [](double ratio) { return ratio > kSlopeLow && ratio < kSlopeHigh; };
   if (is_degrees(slope))
-    throw BadInput(file + ": pos moves " + three(slope) +
-                   " times as far as goal; one is in degrees, so name the column "
+    throw BadInput(file + ": pos moves " + three(slope) + " times as far as goal" + messages::kOneInDegrees +
                    "pos_deg");
   if (is_degrees(1 / slope))
-    throw BadInput(file + ": goal moves " + three(1 / slope) +
-                   " times as far as pos; one is in degrees, so name the "
-                   "column goal_deg");
+    throw BadInput(file + ": goal moves " + three(1 / slope) + " times as far as pos" + messages::kOneInDegrees +
+                   "goal_deg");
 }
 
 }  // namespace

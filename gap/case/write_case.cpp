@@ -2,8 +2,10 @@
 #include "gap/case/write_case.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -115,7 +117,7 @@ void write(const fs::path& path, const std::string& text) {
   std::ofstream file{path, std::ios::binary};
   file << text;
   file.close();
-  if (!file) throw std::runtime_error("cannot write " + path.string() + "; is there space, and may you write there?");
+  if (!file) throw std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ bool pushes(const Hypothesis& h) {
 }
 
 constexpr HoldingRow kNumbers[] = {
-    {"P on torque (law voltage_p)",
+    {kPOnTorque,
      {lost(twin::exports::kSpeedMotor), held("actuator: gainprm and biasprm"), lost(twin::exports::kNoController)},
      pushes},
     {"P on speed (law speed_p)",

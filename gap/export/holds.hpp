@@ -16,6 +16,9 @@ namespace darwinop::gap {
 using twin::Fate;
 using twin::Holding;
 
+/// Name of the row of a servo whose P sets its duty.
+inline constexpr const char* kPOnTorque = "P on torque (law voltage_p)";
+
 struct HoldingRow {
   std::string_view what;  // id of an effect, or "back EMF"
   std::array<Holding, kTargets> by_target;

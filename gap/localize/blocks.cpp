@@ -193,8 +193,7 @@ class Finder {
     BlockTest limp = judged([&](const auto& log, const auto& h) {
       return residuals(Block::kPlant, log, h, {.powered = false, .limp = true, .mixed = false});
     });
-    if (!limp.known())
-      return notCut(Block::kPlant, "law speed_p: only torque off would show the plant, and it never is");
+    if (!limp.known()) return notCut(Block::kPlant, kPlantNeedsTorqueOff);
     take(Block::kPlant, std::move(limp), "mrad", 1e-3);
     out_.of(Block::kPlant).detail = "law speed_p: seen with torque off only";
   }

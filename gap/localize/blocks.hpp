@@ -29,6 +29,10 @@ struct BlockFinding {
   std::vector<BlockResiduals> samples;  // one for each log of the evidence; empty if not testable
 };
 
+/// Detail of the plant of law speed_p in logs that never have torque off.
+inline constexpr const char* kPlantNeedsTorqueOff =
+    "law speed_p: only torque off would show the plant, and it never is";
+
 struct Blocks {
   std::array<BlockFinding, kBlocks> all;        // in the order of Block
   std::optional<Block> first;                   // first open block; empty: every tested block is closed

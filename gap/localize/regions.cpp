@@ -39,7 +39,7 @@ const std::vector<Variable>& variables() {
        [](const auto& log, auto row, double, double) { return std::abs(log.goal_rad[row] - log.position_rad[row]); }},
       {"load", "", [](const auto& log, auto row, double, double) { return log.load[row]; }},
       {"temperature", "degC", [](const auto& log, auto row, double, double) { return log.temp_c[row]; }},
-      {"session time", "s",
+      {kSessionTime, "s",
        [](const auto& log, auto row, double, double) { return log.session_start_s + log.time_s[row] - log.time_s[0]; }},
       {"time since reversal", "s", [](const auto&, auto, double, double since) { return since; }},
       {"payload", "kg", [](const auto& log, auto, double, double) { return log.payload_kg; }},

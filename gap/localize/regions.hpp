@@ -9,9 +9,11 @@
 
 namespace darwinop::gap {
 
+inline constexpr const char* kSessionTime = "session time";  // a Region::variable
+
 /// One variable of the state, cut into bins.
 struct Region {
-  std::string variable;      // "position", "load", "session time"
+  std::string variable;      // "position", "load", kSessionTime
   std::string unit;          // "rad"; empty: a pure number
   double information = 0;    // mutual information with the residual, bits, minus its chance level
   double low = 0, high = 0;  // the bin with most energy

@@ -6,6 +6,7 @@
 
 #include "core/servo_limits.hpp"
 #include "experiments/format/shape.hpp"
+#include "gap/plan/messages.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -20,10 +21,10 @@ constexpr double kRegisterPerP = 8;  // of the P gain (manual)
 std::string_view hindrance(const Phase& phase) {
   using experiments::Until;
   const bool weak = phase.newton_meter.begin < 2.5 || phase.newton_meter.end < 2.5;
-  if (phase.torque == TorqueMode::kDirect) return "it commands a torque, and logs record goals only";
-  if (phase.torque == TorqueMode::kLimit && weak) return "it changes the torque limit, which logs do not record";
+  if (phase.torque == TorqueMode::kDirect) return messages::kTorqueNotLogged;
+  if (phase.torque == TorqueMode::kLimit && weak) return messages::kTorqueLimitNotLogged;
   if (phase.acceleration > 0) return "it limits the acceleration, which logs do not record";
-  if (phase.until == Until::kArrival || phase.until == Until::kFallen) return "its end depends on the joint's motion";
+  if (phase.until == Until::kArrival || phase.until == Until::kFallen) return messages::kEndDependsOnMotion;
   return {};
 }
 

@@ -14,6 +14,7 @@
 #include "gap/identify/ripple_starts.hpp"
 #include "gap/identify/start_grid.hpp"
 #include "gap/parallel/parallel.hpp"
+#include "gap/plan/messages.hpp"
 #include "gap/thresholds.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/sections.hpp"
@@ -42,8 +43,8 @@ const twin::EffectInfo& effectCalled(const Case& given, const std::string& id) {
   }
   const std::vector<const twin::EffectInfo*> candidates = candidateEffectsOf(given);
   if (std::ranges::find(candidates, effect) == candidates.end())
-    throw std::runtime_error("'" + id + "' cannot be fitted here: with this baseline and a log of positions it does " +
-                             "not show");
+    throw std::runtime_error("'" + id + "' " + messages::kEffectNotFittable +
+                             ": with this baseline and a log of positions it does not show");
   return *effect;
 }
 

@@ -6,6 +6,7 @@
 
 #include "gap/case/data_check.hpp"
 #include "gap/identify/effect_set.hpp"
+#include "gap/plan/messages.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -91,7 +92,7 @@ Question questionBetween(const Case& given, const std::vector<std::string>& ids,
   for (const std::string& id : ids) {
     const std::vector<std::string> set{id};
     if (std::ranges::find(sets, set) != sets.end())
-      throw std::runtime_error("'" + id + "' is given twice in --against");
+      throw std::runtime_error("'" + id + "' " + messages::kEffectGivenTwice);
     sets.push_back(set);
   }
   if (sets.size() == 1) sets.insert(sets.begin(), std::vector<std::string>{});

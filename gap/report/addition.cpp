@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/text/nearest.hpp"
+#include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
@@ -67,7 +68,7 @@ twin::EffectSetting settingOf(const AddedEffect& added, std::vector<std::string>
     throw std::runtime_error("effect " + added.id + " has no value; give one, " + added.id + "." +
                              std::string{info.parameters.front().key} + "=VALUE");
   for (std::size_t i = 0; i < given.size(); ++i)
-    if (!given[i]) comments.push_back(std::string{info.parameters[i].key} + ": not known, the typical value");
+    if (!given[i]) comments.push_back(std::string{info.parameters[i].key} + ": " + messages::kTypicalValue);
   return setting;
 }
 
@@ -86,13 +87,13 @@ Additions additionsFrom(const std::vector<std::string>& texts) {
       value = std::stod(text.substr(equals + 1), &used);
       if (equals + 1 + used != text.size()) throw std::invalid_argument(text);
     } catch (const std::logic_error&) {
-      throw std::runtime_error(wanted + "; the value is a number without unit, in the unit of docs/twin/effects.md");
+      throw std::runtime_error(wanted + "; " + messages::kUnitNotAllowed + ", in the unit of docs/twin/effects.md");
     }
     auto effect = std::ranges::find(additions.effects, id, &AddedEffect::id);
     if (effect == additions.effects.end())
       effect = additions.effects.insert(effect, {id, {}, {"Put in by hand: darwinop gap add"}});
     if (std::ranges::find(effect->values, key, &AddedValue::key) != effect->values.end())
-      throw std::runtime_error("'" + text + "': this number is given twice; keep one of the two");
+      throw std::runtime_error("'" + text + "': " + messages::kNumberGivenTwice + "; keep one of the two");
     effect->values.push_back({key, value, std::nan(""), std::nan("")});
   }
   return additions;

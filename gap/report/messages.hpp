@@ -1,31 +1,41 @@
 // Message texts of reports that more than one place needs: terminal, page, model file and tests.
 #pragma once
 
-#include <string_view>
-
 namespace darwinop::gap::messages {
 
 // Why an effect that improves the fit is not named: after its id, and after its title.
-inline constexpr std::string_view kVoltage = "fits, but the measured voltage does not drop as this effect requires";
-inline constexpr std::string_view kUndecided = "possible; the report names the experiment that decides";
-inline constexpr std::string_view kNoPredictiveGain = "fits these logs and predicts no left-out log better";
-inline constexpr std::string_view kWorsensHeldOut = "fits these logs and worsens the held-out logs";
-inline constexpr std::string_view kVoltageInFull =
+inline constexpr const char* kVoltage = "fits, but the measured voltage does not drop as this effect requires";
+inline constexpr const char* kUndecided = "possible; the report names the experiment that decides";
+inline constexpr const char* kNoPredictiveGain = "fits these logs and predicts no left-out log better";
+inline constexpr const char* kWorsensHeldOut = "fits these logs and worsens the held-out logs";
+inline constexpr const char* kVoltageInFull =
     " would improve the fit, but the measured voltage does not drop as this effect requires.";
-inline constexpr std::string_view kNoPredictiveGainInFull =
+inline constexpr const char* kNoPredictiveGainInFull =
     " would improve the fit, but predicts no log better that the fit leaves out.";
-inline constexpr std::string_view kWorsensHeldOutInFull =
+inline constexpr const char* kWorsensHeldOutInFull =
     " would improve the fit, but increases the error on the held-out logs by half or more.";
 
-inline constexpr std::string_view kRemainder = "; a remainder is left that no effect of the catalogue explains.";
-inline constexpr std::string_view kNotIdentifiable = "not identifiable from these data";
-inline constexpr std::string_view kHeldOutLogs = "held-out logs";
-inline constexpr std::string_view kNoHeldOutLog = "No log of this case is held out.";
-inline constexpr std::string_view kWorse = "do not use the changed model";
-inline constexpr std::string_view kBelowFloorFlag = "below the floor";
-inline constexpr std::string_view kBelowFloor =
+// The sentence of a verdict.
+inline constexpr const char* kOnlyNoise = "The model explains these logs: what is left is noise.";
+inline constexpr const char* kNotIdentified = "something that these logs do not identify: ";
+inline constexpr const char* kOutsideCatalogue = " known effects explains";
+inline constexpr const char* kTooLittle =
+    "These logs differ from the model, but by too little, or in too few ways, to say why.";
+inline constexpr const char* kRemainder = "; a remainder is left that no effect of the catalogue explains.";
+inline constexpr const char* kNotIdentifiable = "not identifiable from these data";
+inline constexpr const char* kHeldOutLogs = "held-out logs";
+inline constexpr const char* kNoHeldOutLog = "No log of this case is held out.";
+inline constexpr const char* kWorse = "do not use the changed model";
+inline constexpr const char* kBelowFloorFlag = "below the floor";
+inline constexpr const char* kBelowFloor =
     "Below the floor: closer to these data than noise lets any model come. Either the servo is quieter than assumed, "
-    "or "
-    "the log is not a measurement of its own: a copy, or a simulation. Do not count it as a success.";
+    "or the log is not a measurement of its own: a copy, or a simulation. Do not count it as a success.";
+
+// Effects that cannot be added, and a comment in the model file.
+inline constexpr const char* kNamesNoEffect = "names no effect";
+inline constexpr const char* kNotAResult = "not a result of darwinop gap";
+inline constexpr const char* kNumberGivenTwice = "this number is given twice";
+inline constexpr const char* kTypicalValue = "not known, the typical value";
+inline constexpr const char* kUnitNotAllowed = "the value is a number without unit";
 
 }  // namespace darwinop::gap::messages

@@ -45,7 +45,7 @@ std::string gapCells(const Gap& gap, bool below_floor) {
     return wrap("td", inside, attributes);
   };
   std::string after_floors = html::number(rounded2(gap.floorsAfter()), floors(gap.floorsAfter()));
-  if (below_floor) after_floors += " <strong class=\"flag\">below the floor</strong>";
+  if (below_floor) after_floors += std::string{" <strong class=\"flag\">"} + messages::kBelowFloorFlag + "</strong>";
   return cell(html::number(mradOf(gap.before_rad), inMrad(gap.before_rad))) +
          cell(html::number(mradOf(gap.after_rad), inMrad(gap.after_rad))) +
          cell(html::number(mradOf(gap.floor_rad), inMrad(gap.floor_rad))) +

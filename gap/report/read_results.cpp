@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "gap/report/addition.hpp"
+#include "gap/report/messages.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -24,9 +25,10 @@ void checkVerdict(const json& result, const std::string& name) {
   if (of != name) throw std::runtime_error("is of case " + of + ", not of " + name);
   if (verdict == "none") throw std::runtime_error("nothing is missing by this result: there is nothing to add");
   if (verdict != "named" && verdict != "ambiguous")
-    throw std::runtime_error("has the verdict " + verdict +
-                             ", which names no effect; to add one anyway, give it with --effect");
-  if (result.at("effects").empty()) throw std::runtime_error("names no effect: there is nothing to add");
+    throw std::runtime_error("has the verdict " + verdict + ", which " + messages::kNamesNoEffect +
+                             "; to add one anyway, give it with --effect");
+  if (result.at("effects").empty())
+    throw std::runtime_error(std::string{messages::kNamesNoEffect} + ": there is nothing to add");
 }
 
 AddedEffect effectIn(const json& from, const json& result) {
@@ -61,7 +63,7 @@ Additions additionsIn(std::string_view results, const std::string& file, const C
       additions.numbers.push_back({number.at("number"), number.at("after")});
     return additions;
   } catch (const json::exception& error) {
-    throw std::runtime_error(file + ": not a result of darwinop gap (" + error.what() +
+    throw std::runtime_error(file + ": " + messages::kNotAResult + " (" + error.what() +
                              "); `darwinop gap run` writes report.json, `darwinop gap benchmark run` results.json");
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(file + ": " + error.what());

@@ -63,7 +63,7 @@ std::string firstSentence(const Outcome& outcome) {
   const Identification& identification = outcome.identification;
   switch (identification.verdict) {
     case Verdict::kNone:
-      return "The model explains these logs: what is left is noise.";
+      return messages::kOnlyNoise;
     case Verdict::kNamed:
       if (std::ranges::all_of(identification.effects, &IdentifiedEffect::corrected))
         return "The model has " + titlesOf(identification.effects) + ", but with a wrong number" +
@@ -71,12 +71,12 @@ std::string firstSentence(const Outcome& outcome) {
       return "The model lacks " + titlesOf(identification.effects) + firstNumber(identification) +
              std::string{identification.remains ? messages::kRemainder : "."};
     case Verdict::kAmbiguous:
-      return "The model lacks something that these logs do not identify: " + namedByRivals(identification) + ".";
+      return std::string{"The model lacks "} + messages::kNotIdentified + namedByRivals(identification) + ".";
     case Verdict::kUnknown:
       return "The model lacks something that none of the " + std::to_string(twin::catalogue().size()) +
-             " known effects explains" + placeOf(outcome) + ".";
+             messages::kOutsideCatalogue + placeOf(outcome) + ".";
     case Verdict::kCannotTell:
-      return "These logs differ from the model, but by too little, or in too few ways, to say why.";
+      return messages::kTooLittle;
     case Verdict::kBadInput:
       break;
   }

@@ -37,7 +37,7 @@ Picture readPng(const fs::path& file) {
   std::vector<std::uint8_t> rgb;
   unsigned width = 0, height = 0;
   const unsigned error = lodepng::decode(rgb, width, height, file.string(), LCT_RGB);
-  if (error != 0) fail(file, std::string{lodepng_error_text(error)} + "; save it as PNG again, or remove it");
+  if (error != 0) fail(file, std::string{lodepng_error_text(error)} + "; " + kSavePngAgain + ", or remove it");
   return fromRgb(static_cast<int>(width), static_cast<int>(height), rgb.data());
 }
 
@@ -67,7 +67,7 @@ Picture readPpm(const fs::path& file) {
 }  // namespace
 
 Picture readPicture(const fs::path& file) {
-  if (fs::exists(file) && !fs::is_regular_file(file)) fail(file, "not a regular file; remove it");
+  if (fs::exists(file) && !fs::is_regular_file(file)) fail(file, std::string{kNotRegularFile} + "; remove it");
   return ending(file) == ".ppm" ? readPpm(file) : readPng(file);
 }
 

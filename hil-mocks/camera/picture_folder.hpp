@@ -9,6 +9,10 @@
 
 namespace darwinop::hil {
 
+// Errors of readPicture().
+inline constexpr const char* kNotRegularFile = "not a regular file";
+inline constexpr const char* kSavePngAgain = "save it as PNG again";
+
 /// PNG, or binary PPM (P6) with maximum value 255. Throws std::runtime_error with a remedy.
 Picture readPicture(const std::filesystem::path& file);
 

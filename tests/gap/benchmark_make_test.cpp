@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 
+#include "core/text/nearest.hpp"
 #include "gap/benchmark/make/make_case.hpp"
 #include "gap/benchmark/make/simulate_log.hpp"
 #include "gap/case/data_check.hpp"
@@ -12,6 +13,7 @@
 #include "support/temporary_folder.hpp"
 #include "support/text_of.hpp"
 #include "twin/effects/catalogue.hpp"
+#include "twin/model/sections.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -206,12 +208,12 @@ TEST(SyntheticCase, CanBeLikeAnotherCase) {
 }
 
 TEST(SyntheticCase, RefusesWhatCannotBeHidden) {
-  EXPECT_THAT(hideError(secret(1, {{.id = "colomb"}})), HasSubstr("did you mean coulomb?"));
+  EXPECT_THAT(hideError(secret(1, {{.id = "colomb"}})), HasSubstr(text::suggestion("colomb", twin::effectIds())));
   EXPECT_THAT(hideError(secret(1, {{.id = "coulomb", .values = {{"fricton", 0.1}}}})), HasSubstr("friction"));
   EXPECT_THAT(hideError(secret(1, {{.id = "backlash", .values = {{"play", 0.5}}}})), HasSubstr("0 to 0.06 rad"));
   CaseRequest request = secret(1, {});
   request.name = "../key";
-  EXPECT_THAT(hideError(request), HasSubstr("letters and digits"));
+  EXPECT_THAT(hideError(request), HasSubstr("`../key`"));
 }
 
 }  // namespace

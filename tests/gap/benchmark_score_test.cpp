@@ -12,6 +12,7 @@
 
 #include "gap/benchmark/score/parameter_names.hpp"
 #include "gap/benchmark/score/score.hpp"
+#include "hal/text_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::gap {
@@ -39,16 +40,16 @@ Answer answerWith(const std::string& verdict, std::vector<AnswerEffect> effects 
   return answer;
 }
 
-const ShareFigure& share(const Score& score, const std::string& begins) {
+const ShareFigure& share(const Score& score, const std::string& name) {
   for (const ShareFigure& figure : score.shares)
-    if (figure.what.starts_with(begins)) return figure;
-  throw std::logic_error("no figure " + begins);
+    if (figure.what == name) return figure;
+  throw std::logic_error("no figure " + name);
 }
 
-const SpreadFigure& spread(const Score& score, const std::string& begins) {
+const SpreadFigure& spread(const Score& score, const std::string& name) {
   for (const SpreadFigure& figure : score.spreads)
-    if (figure.what.find(begins) != std::string::npos) return figure;
-  throw std::logic_error("no figure " + begins);
+    if (figure.what == name) return figure;
+  throw std::logic_error("no figure " + name);
 }
 
 void expectShare(const ShareFigure& figure, std::size_t right, std::size_t of) {
@@ -103,33 +104,33 @@ TEST(Score, CountsWhatIsRight) {
   const HandMade made;
   const Score score = scoreOf(made.keys, made.answers);
   EXPECT_EQ(score.cases, 10u);
-  expectShare(share(score, "severity 2 and 3, exact"), 1, 2);
-  expectShare(share(score, "severity 2, numbers slightly wrong"), 0, 1);
-  expectShare(share(score, "severity 1"), 0, 1);
-  expectShare(share(score, "all of these"), 2, 4);
-  expectShare(share(score, "90 % interval"), 1, 1);
-  expectShare(share(score, "effect-free"), 1, 2);
-  expectShare(share(score, "two effects: both"), 1, 2);
-  expectShare(share(score, "two effects: the first"), 2, 2);
-  expectShare(share(score, "outside the catalogue: unknown"), 1, 2);
-  expectShare(share(score, "outside the catalogue: a wrong name"), 0, 2);
-  expectShare(share(score, "block"), 0, 0);  // no answer has one
-  EXPECT_FALSE(share(score, "effect-free").reached());
-  EXPECT_TRUE(share(score, "two effects: the first").reached());
+  expectShare(share(score, figures::kExactNumbers), 1, 2);
+  expectShare(share(score, figures::kWrongNumbers), 0, 1);
+  expectShare(share(score, figures::kWeak), 0, 1);
+  expectShare(share(score, figures::kHonest), 2, 4);
+  expectShare(share(score, figures::kInterval), 1, 1);
+  expectShare(share(score, figures::kFalseAlarm), 1, 2);
+  expectShare(share(score, figures::kBothOfTwo), 1, 2);
+  expectShare(share(score, figures::kFirstOfTwo), 2, 2);
+  expectShare(share(score, figures::kOutsideUnknown), 1, 2);
+  expectShare(share(score, figures::kOutsideNamed), 0, 2);
+  expectShare(share(score, figures::kBlock), 0, 0);  // no answer has one
+  EXPECT_FALSE(share(score, figures::kFalseAlarm).reached());
+  EXPECT_TRUE(share(score, figures::kFirstOfTwo).reached());
 }
 
 TEST(Score, MeasuresNumbers) {
   HandMade made;
   made.answers["a"].after_rad = 0.004;
   const Score score = scoreOf(made.keys, made.answers);
-  ASSERT_EQ(spread(score, "parameter error").values.size(), 1u);
-  EXPECT_NEAR(spread(score, "parameter error").values[0], 2, 1e-9);  // %
+  ASSERT_EQ(spread(score, figures::kParameterError).values.size(), 1u);
+  EXPECT_NEAR(spread(score, figures::kParameterError).values[0], 2, 1e-9);  // %
   // 2 mrad five times and 4 mrad once, over a floor of 1 mrad and from 20 mrad.
-  EXPECT_NEAR(spread(score, "over the floor").quantile(0.5), 2, 1e-9);
-  EXPECT_NEAR(spread(score, "over the floor").quantile(0.9), 3, 1e-9);
-  EXPECT_NEAR(spread(score, "over before").quantile(1), 0.2, 1e-9);
-  EXPECT_FALSE(spread(score, "over the floor").reached());
-  EXPECT_TRUE(spread(score, "time").reached());
+  EXPECT_NEAR(spread(score, figures::kGapOverFloor).quantile(0.5), 2, 1e-9);
+  EXPECT_NEAR(spread(score, figures::kGapOverFloor).quantile(0.9), 3, 1e-9);
+  EXPECT_NEAR(spread(score, figures::kGapOverBefore).quantile(1), 0.2, 1e-9);
+  EXPECT_FALSE(spread(score, figures::kGapOverFloor).reached());
+  EXPECT_TRUE(spread(score, figures::kRuntime).reached());
 }
 
 TEST(Score, ListsConfusions) {
@@ -155,21 +156,21 @@ TEST(Score, CountsNoAnswerAndALateOneAsWrong) {
   made.answers["a"].runtime_s = 181;
   made.answers["zz"] = answerWith("none");
   const Score score = scoreOf(made.keys, made.answers);
-  expectShare(share(score, "severity 2 and 3, exact"), 0, 2);
-  expectShare(share(score, "two effects: both"), 0, 2);
+  expectShare(share(score, figures::kExactNumbers), 0, 2);
+  expectShare(share(score, figures::kBothOfTwo), 0, 2);
   EXPECT_THAT(score.unanswered, ElementsAre("a", "g"));
   EXPECT_THAT(score.without_key, ElementsAre("zz"));
-  EXPECT_FALSE(spread(score, "time").reached());
+  EXPECT_FALSE(spread(score, figures::kRuntime).reached());
 }
 
 TEST(Score, CountsNoAnswerToANullAsAnAlarm) {
   HandMade made;
   made.answers["e"] = answerWith("error");  // a crash
-  expectShare(share(scoreOf(made.keys, made.answers), "effect-free"), 2, 2);
+  expectShare(share(scoreOf(made.keys, made.answers), figures::kFalseAlarm), 2, 2);
   made.answers["e"] = answerWith("bad_input");  // the data are good
-  expectShare(share(scoreOf(made.keys, made.answers), "effect-free"), 2, 2);
+  expectShare(share(scoreOf(made.keys, made.answers), figures::kFalseAlarm), 2, 2);
   made.answers["e"] = answerWith("cannot_tell");  // honest
-  expectShare(share(scoreOf(made.keys, made.answers), "effect-free"), 1, 2);
+  expectShare(share(scoreOf(made.keys, made.answers), figures::kFalseAlarm), 1, 2);
 }
 
 TEST(Score, SplitsBySeverityAndNumbers) {
@@ -204,9 +205,9 @@ TEST(Score, CountsOneNameTooManyAsWrong) {
   made.answers["g"].effects.push_back({"backlash", {}, {}});
   made.answers["j"].effects.push_back({"backlash", {}, {}});
   const Score score = scoreOf(made.keys, made.answers);
-  expectShare(share(score, "two effects: both"), 0, 2);
-  expectShare(share(score, "two effects: the first"), 2, 2);
-  expectShare(share(score, "outside the catalogue: a wrong name"), 1, 2);
+  expectShare(share(score, figures::kBothOfTwo), 0, 2);
+  expectShare(share(score, figures::kFirstOfTwo), 2, 2);
+  expectShare(share(score, figures::kOutsideNamed), 1, 2);
 }
 
 TEST(Score, JudgesTheBlockOfTheLoop) {
@@ -214,18 +215,18 @@ TEST(Score, JudgesTheBlockOfTheLoop) {
   made.answers["a"].places = {{"fit_1.csv", 0, 1, "plant"}};
   made.answers["c"].places = {{"fit_1.csv", 0, 1, "plant"}};  // a dead band is the controller's
   const Score score = scoreOf(made.keys, made.answers);
-  expectShare(share(score, "block"), 1, 8);
+  expectShare(share(score, figures::kBlock), 1, 8);
   made.answers["c"].block = "controller";  // what the answer says as a whole goes before the strongest place
-  expectShare(share(scoreOf(made.keys, made.answers), "block"), 2, 8);
+  expectShare(share(scoreOf(made.keys, made.answers), figures::kBlock), 2, 8);
 }
 
 TEST(Score, JudgesTheFirstOpenBlockByItself) {
   HandMade made;
-  expectShare(share(scoreOf(made.keys, made.answers), "first open block right"), 0, 0);  // no answer has one
+  expectShare(share(scoreOf(made.keys, made.answers), figures::kFirstOpenBlock), 0, 0);  // no answer has one
   made.answers["a"].first_open_block = made.answers["b"].first_open_block = made.answers["c"].first_open_block =
       "plant";
   made.answers["c"].block = "controller";  // a dead band is the controller's
-  expectShare(share(scoreOf(made.keys, made.answers), "first open block right"), 2, 8);
+  expectShare(share(scoreOf(made.keys, made.answers), figures::kFirstOpenBlock), 2, 8);
 }
 
 TEST(ParameterNames, AreThoseOfManySuites) {
@@ -293,8 +294,8 @@ TEST(Answers, APipeInPlaceOfAFileIsRefusedAtOnce) {
   const TemporaryFolder folder;
   const std::string pipe = folder / "pipe.json";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_THAT(refusalOf([&] { (void)readAnswers(pipe); }), HasSubstr("it is a pipe"));
-  EXPECT_THAT(refusalOf([&] { (void)readKeys(pipe); }), HasSubstr("it is a pipe"));
+  EXPECT_THAT(refusalOf([&] { (void)readAnswers(pipe); }), HasSubstr(kPipeInsteadOfFile));
+  EXPECT_THAT(refusalOf([&] { (void)readKeys(pipe); }), HasSubstr(kPipeInsteadOfFile));
 }
 
 TEST(Answers, AreRefusedWithFileAndCase) {
@@ -332,8 +333,8 @@ TEST(ExampleKey, GivesTheFullScoreToItsOwnAnswers) {
   const Score score = scoreOf(keys, answers);
   EXPECT_THAT(score.confusions, testing::IsEmpty());
   for (const ShareFigure& figure : score.shares) EXPECT_TRUE(figure.reached()) << figure.what;
-  EXPECT_NEAR(spread(score, "parameter error").quantile(1), 0, 1e-9);
-  EXPECT_NEAR(spread(score, "over the floor").quantile(1), 1, 1e-3);
+  EXPECT_NEAR(spread(score, figures::kParameterError).quantile(1), 0, 1e-9);
+  EXPECT_NEAR(spread(score, figures::kGapOverFloor).quantile(1), 1, 1e-3);
 }
 
 // Format 1 had the key `opens`; `first_open_block` is that of format 2.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "gap/case/messages.hpp"
 #include "gap/case_texts.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 std::vector<std::string> priorsOf(const Case& c) {
   std::vector<std::string> names;
@@ -139,9 +141,9 @@ TEST(CaseRead, KeysOfOtherProgramsAreIgnoredWithAWarning) {
                      .with("\"kp\": 32", R"("weather": "dry", "kp": 32)")
                      .with("\"kt_Nm_A\": 0.02", R"("kt_Nm_A": 0.02, "spin_Nm": 0.1)")
                      .read();
-  EXPECT_THAT(c.warnings, ElementsAre("my/case.json: \"logs[0].weather\" is not known and left out",
-                                      "my/case.json: \"prior_rel_sigma.spin_Nm\" is not known and left out",
-                                      "my/case.json: \"bench_serial\" is not known and left out"));
+  EXPECT_THAT(c.warnings, ElementsAre(StartsWith("my/case.json: \"logs[0].weather\" "),
+                                      StartsWith("my/case.json: \"prior_rel_sigma.spin_Nm\" "),
+                                      StartsWith("my/case.json: \"bench_serial\" ")));
 }
 
 TEST(CaseRead, AFastFirmwareHasAFinerEncoderThanItsRegisters) {
@@ -197,7 +199,7 @@ TEST(CaseRead, APipeInPlaceOfALogIsRefusedAtOnce) {
     readCase(std::filesystem::path{folder / "case.json"}.parent_path());
     FAIL();
   } catch (const BadInput& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("not a regular file"));
+    EXPECT_THAT(refused.what(), HasSubstr(messages::kNotRegular));
   }
 }
 
@@ -207,7 +209,7 @@ TEST(CaseRead, AnErrorForAFolderWithoutACaseSuggestsHowToMakeOne) {
     readCase(folder / "");
     FAIL();
   } catch (const BadInput& refused) {
-    EXPECT_THAT(refused.what(), AllOf(HasSubstr("case.json: there is no such file"), HasSubstr("docs/gap/cases.md")));
+    EXPECT_THAT(refused.what(), AllOf(HasSubstr(folder / "case.json"), HasSubstr("docs/gap/cases.md")));
   }
 }
 

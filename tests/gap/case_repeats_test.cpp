@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "gap/case/data_check.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case/plausible.hpp"
 #include "gap/case_texts.hpp"
 
@@ -45,7 +46,7 @@ TEST(CaseRepeats, InACircleAreRefused) {
 }
 
 TEST(CaseRepeats, HaveTheSameGainAndGoals) {
-  EXPECT_THAT(threeLogs("fit_1.csv", "", "16").error(), HasSubstr("another kp or payload"));
+  EXPECT_THAT(threeLogs("fit_1.csv", "", "16").error(), HasSubstr(messages::kOtherGainOrPayload));
   CaseTexts texts = threeLogs("fit_1.csv", "");
   texts.logs["fit_2.csv"] = csvOf(sineRows(0.53));
   EXPECT_EQ(texts.error(), "");  // 6 % away: clocks may differ by a row

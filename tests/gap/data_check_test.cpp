@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "gap/case/messages.hpp"
 #include "gap/case_texts.hpp"
 #include "twin/effects/catalogue.hpp"
 
@@ -64,7 +65,7 @@ TEST(DataCheck, LostRowsAndLateOnes) {
   const DataCheck late = checkData(CaseTexts{}.with(rows).read());
   EXPECT_NEAR(late.logs[0].late_s, 0.006, 1e-9);
   EXPECT_EQ(late.logs[0].lost_rows, 3u);
-  EXPECT_THAT(late.warnings, testing::Contains(HasSubstr("rows are missing")));
+  EXPECT_THAT(late.warnings, testing::Contains(HasSubstr("fit_1.csv: 3 ")));
 }
 
 TEST(DataCheck, ASlowerHostWithTorqueLosesNoRows) {
@@ -166,10 +167,13 @@ TEST(DataCheck, NamesEffectsOfTheCatalogueOnly) {
 }
 
 TEST(DataCheck, AsText) {
-  const std::string text = asText(checkData(CaseTexts{}.read()));
+  const DataCheck check = checkData(CaseTexts{}.read());
+  const std::string text = asText(check);
   EXPECT_THAT(text, HasSubstr("fit_1.csv         3.2    0.0"));
-  EXPECT_THAT(text, HasSubstr("These data cannot reveal:\n"));
-  EXPECT_THAT(text, HasSubstr("  No log is repeated: the noise floor has to be assumed.\n    -> repeat one log"));
+  EXPECT_THAT(text, HasSubstr(messages::kCannotReveal));
+  const auto found = std::ranges::find(check.findings, "repeats", &Finding::id);
+  ASSERT_NE(found, check.findings.end());
+  EXPECT_THAT(text, HasSubstr("  " + found->sentence + "\n    -> " + std::string{found->remedy} + "\n"));
 }
 
 }  // namespace

@@ -68,8 +68,8 @@ TEST(ExportHolds, LossesAreSentencesWithTheNumbers) {
       EXPECT_THAT(out.text, HasSubstr(sentence));  // the file says it too
     }
   }
-  EXPECT_THAT(exportTo(Target::kWebots, model.get(), forArm()).lost, Contains(HasSubstr("P on torque")));
-  EXPECT_THAT(exportTo(Target::kMujoco, model.get(), forArm()).lost, Not(Contains(HasSubstr("P on torque"))));
+  EXPECT_THAT(exportTo(Target::kWebots, model.get(), forArm()).lost, Contains(HasSubstr(kPOnTorque)));
+  EXPECT_THAT(exportTo(Target::kMujoco, model.get(), forArm()).lost, Not(Contains(HasSubstr(kPOnTorque))));
 }
 
 TEST(ExportHolds, AModelWhosePIsSwappedIsOneOfThatLaw) {

@@ -142,8 +142,8 @@ TEST(ExportText, WhatCannotBeWrittenIsRefusedWithAMessage) {
     }
     return std::string{"written"};
   };
-  EXPECT_THAT(refusal([](ExportSettings& s) { s.joint = "Arm\"><x/>"; }), HasSubstr("use letters, digits"));
-  EXPECT_THAT(refusal([](ExportSettings& s) { s.p_register = 0; }), HasSubstr("1 to 254 are allowed"));
+  EXPECT_THAT(refusal([](ExportSettings& s) { s.joint = "Arm\"><x/>"; }), HasSubstr("\"Arm\"><x/>\""));
+  EXPECT_THAT(refusal([](ExportSettings& s) { s.p_register = 0; }), HasSubstr("1 to 254"));
   EXPECT_THAT(refusal([](ExportSettings& s) { s.step_s = 2; }), HasSubstr("usual one is 0.002 s"));
 }
 

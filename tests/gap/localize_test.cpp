@@ -111,7 +111,7 @@ TEST(Dependence, OfWhatChangesFromRunToRunIsOnTheClock) {
   const Localization clock = whereIs(given);
   EXPECT_GT(clock.dependence.by_clock, 0.1);
   EXPECT_TRUE(clock.dependence.on == Depends::kClock || clock.dependence.on == Depends::kBoth);
-  EXPECT_EQ(clock.dependence.regions.front().variable, "session time");
+  EXPECT_EQ(clock.dependence.regions.front().variable, kSessionTime);
 }
 
 TEST(Localization, FitsATerminalAndIsWholeInJson) {

@@ -1,6 +1,8 @@
 // Impossible values: just inside passes, just outside is refused with file and line.
 #include <gmock/gmock.h>
 
+#include "experiments/logs/read_log.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case_texts.hpp"
 
 namespace darwinop::gap {
@@ -27,7 +29,7 @@ TEST(LogErrors, RangesOfTheColumns) {
   EXPECT_EQ(errorWith(&CsvRow::volt, 3), "");
   EXPECT_THAT(errorWith(&CsvRow::volt, 2.9), inLine102("volt is 2.9 V"));
   EXPECT_EQ(errorWith(&CsvRow::volt, 30), "");
-  EXPECT_THAT(errorWith(&CsvRow::volt, 120), inLine102("raw counts of 0.1 V"));
+  EXPECT_THAT(errorWith(&CsvRow::volt, 120), inLine102("volt is 120 V"));
   EXPECT_EQ(errorWith(&CsvRow::temp, -20), "");
   EXPECT_THAT(errorWith(&CsvRow::temp, -21), inLine102("temp is -21 degC"));
   EXPECT_EQ(errorWith(&CsvRow::temp, 100), "");
@@ -40,7 +42,7 @@ TEST(LogErrors, RangesOfTheColumns) {
 
 TEST(LogErrors, TimeThatDoesNotGoOn) {
   EXPECT_EQ(errorWith(&CsvRow::t, 0.016 * 99 + 0.001), "");
-  EXPECT_THAT(errorWith(&CsvRow::t, 0.016 * 99), inLine102("time does not increase"));
+  EXPECT_THAT(errorWith(&CsvRow::t, 0.016 * 99), inLine102(logs::kTimeGoesBack));
 }
 
 TEST(LogErrors, HolesInTime) {
@@ -124,9 +126,9 @@ TEST(LogErrors, ASensorThatStopsForAWhile) {
   EXPECT_EQ(errorOfAStandstill(10, 90, 0), "");  // friction, and a push one way
   EXPECT_EQ(errorOfAStandstill(-35, 90, 0), "");
   const std::string both = errorOfAStandstill(-45, 90, 0);
-  EXPECT_THAT(both, AllOf(StartsWith("my/fit_1.csv, line "), HasSubstr("pushes hard both ways")));
+  EXPECT_THAT(both, AllOf(StartsWith("my/fit_1.csv, line "), HasSubstr(messages::kStuckDespiteLoad)));
   EXPECT_EQ(errorOfAStandstill(0, 10, 0.15), "");
-  EXPECT_THAT(errorOfAStandstill(0, 10, 0.25), HasSubstr("though the joint moves according to speed"));
+  EXPECT_THAT(errorOfAStandstill(0, 10, 0.25), HasSubstr(messages::kStuckDespiteSpeed));
 }
 
 TEST(LogErrors, OldReadingsLoggedAgain) {
@@ -138,7 +140,7 @@ TEST(LogErrors, OldReadingsLoggedAgain) {
     return CaseTexts{}.with(rows).error();
   };
   EXPECT_EQ(with_goals(0.02), "");  // the law asks for 10 % of duty each way
-  EXPECT_THAT(with_goals(0.3), HasSubstr("and so does load"));
+  EXPECT_THAT(with_goals(0.3), HasSubstr(messages::kStuckLikeLoad));
 }
 
 }  // namespace

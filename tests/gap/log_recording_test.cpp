@@ -1,11 +1,13 @@
 // A recording of the runtime as a log of a case.
 #include <gmock/gmock.h>
 
+#include "gap/case/messages.hpp"
 #include "gap/case_texts.hpp"
 
 namespace darwinop::gap {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 struct RecordingRow {
@@ -109,10 +111,10 @@ TEST(LogRecording, AnswersThatAreMissing) {
 
 TEST(LogRecording, NeedsTheJointAndTheRightGoalOrder) {
   const CaseTexts texts = caseOf(recordedRows());
-  EXPECT_THAT(texts.with("\"joint\": \"Neck\", ", "").error(), HasSubstr("give the joint of the log"));
+  EXPECT_THAT(texts.with("\"joint\": \"Neck\", ", "").error(), HasSubstr(messages::kJointNotGiven));
   EXPECT_THAT(texts.with("\"Neck\"", "\"Head\"").error(), HasSubstr("no column \"Head.commanded\""));
   EXPECT_THAT(texts.with("\"logs\"", "\"goal_order\": \"before_read\", \"logs\"").error(),
-              HasSubstr("acts from the row's read on"));
+              AllOf(HasSubstr("`goal_order` is before_read"), HasSubstr("after_read")));
 }
 
 }  // namespace

@@ -2,12 +2,15 @@
 #include <gmock/gmock.h>
 
 #include "gap/case/data_check.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case_texts.hpp"
 
 namespace darwinop::gap {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 constexpr double kDegrees = 180 / kPi;
 
@@ -18,14 +21,15 @@ std::vector<CsvRow> inDegrees(std::vector<CsvRow> rows) {
 
 TEST(LogUnits, LargeMotionsInDegreesAreMoreThanTwoTurns) {
   EXPECT_EQ(CaseTexts{}.with(sineRows(0.5)).error(), "");
-  EXPECT_THAT(CaseTexts{}.with(inDegrees(sineRows(0.5))).error(), HasSubstr("name the column goal_deg"));
+  EXPECT_THAT(CaseTexts{}.with(inDegrees(sineRows(0.5))).error(),
+              AllOf(HasSubstr(messages::kOutsideServoRange), HasSubstr("goal_deg")));
 }
 
 TEST(LogUnits, QuickSmallMotionsInDegreesAreTooFast) {
   // 0.2 rad at 1 Hz: 1.3 rad/s; as degrees 72, ten times what the servo can do.
   EXPECT_EQ(CaseTexts{}.with(sineRows(0.2, 1)).error(), "");
   EXPECT_THAT(CaseTexts{}.with(inDegrees(sineRows(0.2, 1))).error(),
-              AllOf(testing::StartsWith("my/fit_1.csv, line "), HasSubstr("pos moves at "), HasSubstr("pos_deg")));
+              AllOf(StartsWith("my/fit_1.csv, line "), HasSubstr(messages::kTooFastForServo), HasSubstr("pos_deg")));
 }
 
 TEST(LogUnits, SlowSmallMotionsInDegreesHaveTheStepsOfDegrees) {
@@ -38,12 +42,10 @@ TEST(LogUnits, SlowSmallMotionsInDegreesHaveTheStepsOfDegrees) {
 TEST(LogUnits, OneOfGoalAndPositionInDegrees) {
   std::vector<CsvRow> rows = sineRows(0.2);
   for (CsvRow& row : rows) row.goal *= kDegrees;
-  EXPECT_THAT(CaseTexts{}.with(rows).error(),
-              HasSubstr("times as far as pos; one is in degrees, so name the column goal_deg"));
+  EXPECT_THAT(CaseTexts{}.with(rows).error(), HasSubstr(messages::kOneInDegrees + std::string{"goal_deg"}));
   rows = sineRows(0.2, 0.3);
   for (CsvRow& row : rows) row.pos *= kDegrees;
-  EXPECT_THAT(CaseTexts{}.with(rows).error(),
-              HasSubstr("times as far as goal; one is in degrees, so name the column pos_deg"));
+  EXPECT_THAT(CaseTexts{}.with(rows).error(), HasSubstr(messages::kOneInDegrees + std::string{"pos_deg"}));
 }
 
 TEST(LogUnits, SpeedInRpm) {

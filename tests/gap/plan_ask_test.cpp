@@ -2,8 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/text/nearest.hpp"
+#include "gap/plan/messages.hpp"
 #include "gap/plan/question.hpp"
 #include "plan_rig.hpp"
+#include "twin/model/sections.hpp"
 
 namespace darwinop::gap {
 namespace {
@@ -75,9 +78,13 @@ TEST(Question, RefusesUnknownEffects) {
   EXPECT_THAT(saidOf([&] {
                 questionBetween(given, {"colomb", "viscous"}, kQuietly);
               }),
-              HasSubstr("there is no effect 'colomb'; did you mean coulomb?"));
-  EXPECT_THAT(saidOf([&] { questionBetween(given, {"lost_packets"}, kQuietly); }), HasSubstr("cannot be fitted here"));
-  EXPECT_THAT(saidOf([&] { questionBetween(given, {"viscous", "viscous"}, kQuietly); }), HasSubstr("given twice"));
+              HasSubstr("'colomb'; " + text::suggestion("colomb", twin::effectIds())));
+  EXPECT_THAT(saidOf([&] { questionBetween(given, {"lost_packets"}, kQuietly); }),
+              HasSubstr(std::string{"'lost_packets' "} + messages::kEffectNotFittable));
+  EXPECT_THAT(saidOf([&] {
+                questionBetween(given, {"viscous", "viscous"}, kQuietly);
+              }),
+              HasSubstr(messages::kEffectGivenTwice));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "experiments/format/reader.hpp"
 #include "gap/plan/commands.hpp"
 #include "gap/plan/experiment_text.hpp"
+#include "gap/plan/messages.hpp"
 #include "gap/plan/write_experiments.hpp"
 #include "plan_rig.hpp"
 
@@ -123,9 +124,9 @@ TEST(Commands, OneLogForEachPGain) {
 
 TEST(Commands, RefuseWhatALogDoesNotRecord) {
   const ArmSetup stand = armSetupFor(Joint::kShoulderR);
-  for (const auto& [name, why] : {std::pair{"max_torque", "torque limit"},
-                                  {"applied_torque", "commands a torque"},
-                                  {"speed", "depends on the joint's motion"}}) {
+  for (const auto& [name, why] : {std::pair{"max_torque", messages::kTorqueLimitNotLogged},
+                                  {"applied_torque", messages::kTorqueNotLogged},
+                                  {"speed", messages::kEndDependsOnMotion}}) {
     const ExperimentCandidate candidate{
         .experiment = *movedTo(stand, experiments::readExperiment(experiments::findExperiment(name))), .prepare = {}};
     const Vetted one = vetted(candidate, stand, smallBench(), {baselineOf(smallBench())});
@@ -154,7 +155,7 @@ TEST(HandOver, WritesFilesThatRunAndStateTheirPurpose) {
   expectSame(ranked.vetted.candidate.experiment, read);
   EXPECT_EQ(commandFor("d/steps.ini"), "darwinop experiment run d/steps.ini --record steps.csv");
   const std::string text = fileOf(next, ranked);
-  EXPECT_THAT(text, HasSubstr("; First: hang 100 g more to the arm."));
+  EXPECT_THAT(text, HasSubstr("; First: " + ranked.vetted.candidate.prepare));
   EXPECT_THAT(text, HasSubstr("\"joint\": \"ShoulderL\", \"hangs_at_rad\": 0, \"payload_kg\": 0.3"));
   EXPECT_THAT(text, HasSubstr("goals        = 0 rad, 0.9 rad, 0.3 rad, -0.9 rad, 0 rad"));
   fs::remove_all(folder);

@@ -3,13 +3,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/text/nearest.hpp"
 #include "gap/report/line_diff.hpp"
 #include "gap/report/model_text.hpp"
 #include "report_rig.hpp"
+#include "twin/model/sections.hpp"
 
 namespace darwinop::gap {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -88,12 +91,12 @@ TEST(AddByHand, PutsEffectsIntoTheFileAndLeavesItsComments) {
   EXPECT_THAT(text, HasSubstr("; as new\n[effect viscous]"));
   EXPECT_THAT(text, HasSubstr("[effect coulomb]\nfriction = 0.05 N m"));
   EXPECT_THAT(text, HasSubstr("[effect stribeck]\nfriction = 0.06 N m\nspeed = 0.2 rad/s"));
-  EXPECT_THAT(text, HasSubstr("not known, the typical value")) << "the exponent of stribeck";
+  EXPECT_THAT(text, HasSubstr("exponent: " + std::string{messages::kTypicalValue}));
 }
 
 struct Refused {
   const char* effect;
-  const char* says;
+  std::string says;
 };
 class AddNonsense : public testing::TestWithParam<Refused> {};
 
@@ -104,18 +107,18 @@ TEST_P(AddNonsense, IsRefusedWithASentence) {
 
 INSTANTIATE_TEST_SUITE_P(All, AddNonsense,
                          testing::Values(Refused{"coulomb", "write ID.PARAMETER=VALUE"},
-                                         Refused{"coulmb.friction=0.05", "did you mean coulomb?"},
+                                         Refused{"coulmb.friction=0.05", text::suggestion("coulmb", twin::effectIds())},
                                          Refused{"coulomb.fricton=0.05", "did you mean friction?"},
                                          Refused{"coulomb.friction=5", "give 0 to 0.3 N m"},
                                          Refused{"coulomb.friction=nan", "give 0 to 0.3 N m"},
-                                         Refused{"coulomb.friction=0.05 N m", "a number without unit"},
-                                         Refused{"coulomb.friction=", "a number without unit"}));
+                                         Refused{"coulomb.friction=0.05 N m", messages::kUnitNotAllowed},
+                                         Refused{"coulomb.friction=", messages::kUnitNotAllowed}));
 
 TEST(AddByHand, TheSameParameterTwiceIsRefused) {
   EXPECT_THAT(sentenceOf([] {
                 additionsFrom({"coulomb.friction=0.05", "coulomb.friction=0.06"});
               }),
-              HasSubstr("given twice"));
+              HasSubstr(messages::kNumberGivenTwice));
 }
 
 TEST(AddResults, ThatNameNothingAreRefused) {
@@ -126,14 +129,14 @@ TEST(AddResults, ThatNameNothingAreRefused) {
   rig.outcome.identification.verdict = Verdict::kNone;
   EXPECT_THAT(sentence(asJson(rig.report).dump()), HasSubstr("report.json: nothing is missing by this result"));
   rig.outcome.identification.verdict = Verdict::kUnknown;
-  EXPECT_THAT(sentence(asJson(rig.report).dump()), HasSubstr("names no effect"));
+  EXPECT_THAT(sentence(asJson(rig.report).dump()), AllOf(HasSubstr("unknown"), HasSubstr(messages::kNamesNoEffect)));
   rig.outcome.identification.verdict = Verdict::kNamed;
   rig.given.name = "other";
   nlohmann::json of_e1 = asJson(rig.report);
   of_e1["case"] = "e1";
   EXPECT_THAT(sentence(of_e1.dump()), HasSubstr("is of case e1, not of other"));
   EXPECT_THAT(sentence("[]"), HasSubstr("has no result of case other"));
-  EXPECT_THAT(sentence("{\"case\": 3"), HasSubstr("`darwinop gap run` writes report.json"));
+  EXPECT_THAT(sentence("{\"case\": 3"), HasSubstr(std::string{"report.json: "} + messages::kNotAResult));
 }
 
 TEST(LineDiff, ShowsWhatChangedWithALittleAround) {

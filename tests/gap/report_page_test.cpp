@@ -154,11 +154,11 @@ TEST(GapPage, LinksAPlaceToItsCurve) {
 
 TEST(GapPage, FlagsWhatIsTooGoodToBeTrue) {
   ReportRig rig;
-  EXPECT_THAT(asHtml(rig.report), Not(HasSubstr("Below the floor:")));
+  EXPECT_THAT(asHtml(rig.report), Not(HasSubstr(messages::kBelowFloor)));
   rig.report.comparison.logs[1].below_floor = true;
   const std::string page = asHtml(rig.report);
-  EXPECT_THAT(partOf(page, "id=\"headline\"", "</section>"), HasSubstr("Do not count it as a success"));
-  EXPECT_THAT(partOf(page, "id=\"logs\"", "</table>"), HasSubstr("below the floor"));
+  EXPECT_THAT(partOf(page, "id=\"headline\"", "</section>"), HasSubstr(messages::kBelowFloor));
+  EXPECT_THAT(partOf(page, "id=\"logs\"", "</table>"), HasSubstr(messages::kBelowFloorFlag));
   EXPECT_TRUE(asJson(rig.report)["logs"][1]["below_floor"]);
 }
 
@@ -167,7 +167,7 @@ TEST(GapPage, HasNoHeadlineWithoutHeldOutLogs) {
   rig.given.logs[1].held_out = false;
   rig.make();
   const std::string page = asHtml(rig.report);
-  EXPECT_THAT(partOf(page, "id=\"headline\"", "</section>"), HasSubstr(std::string{messages::kNoHeldOutLog}));
+  EXPECT_THAT(partOf(page, "id=\"headline\"", "</section>"), HasSubstr(messages::kNoHeldOutLog));
   EXPECT_TRUE(numbersIn(partOf(page, "id=\"headline\"", "</section>")).empty());
   EXPECT_TRUE(asJson(rig.report)["held_out"]["after_mrad"].is_null()) << "not known is not 0";
 }

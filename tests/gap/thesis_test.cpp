@@ -4,6 +4,7 @@
 #include <set>
 
 #include "experiments/logs/read_log.hpp"
+#include "gap/case/messages.hpp"
 #include "gap/case/parse_case.hpp"
 #include "gap/case/write_case.hpp"
 #include "gap/identify/identification.hpp"
@@ -93,7 +94,7 @@ std::string refusalOf(const Case& given) {
 // Not an effect of the servo but of who wrote the log: refused, with the reason, before anything is named.
 TEST(Thesis, T4AMirroredLoadIsRefused) {
   Case mirrored = thesis::mirroredLoad();
-  EXPECT_THAT(refusalOf(mirrored), testing::HasSubstr("but the opposite sign"));
+  EXPECT_THAT(refusalOf(mirrored), testing::HasSubstr(messages::kLoadHasOppositeSign));
   for (Trajectory& log : mirrored.logs)
     for (double& load : log.load) load = -load;
   EXPECT_EQ(refusalOf(mirrored), "");

@@ -36,14 +36,13 @@ Bench::Bench(const ServoParameters& parameters, std::vector<std::unique_ptr<Effe
   weight_nm_ = (m * payload_m + arm * arm_com_m) * pendulum.gravity_m_s2;
   equilibrium_rad_ = change.angle_offset_rad;
   rotor_kgm2_ = parameters.armature_kgm2 + change.armature_kgm2;
-  if (!(inertia_kgm2() > 0)) throw std::runtime_error("pendulum: the total inertia is 0; set a payload or an armature");
+  if (!(inertia_kgm2() > 0)) throw std::runtime_error(std::string{"pendulum: "} + kNoInertia);
   reset({});
 }
 
 void Bench::reset(const BenchOptions& options) {
   if (options.steps_per_period < 1)
-    throw std::runtime_error("bench: " + std::to_string(options.steps_per_period) +
-                             " mechanical steps per firmware period; must be at least 1");
+    throw std::runtime_error("bench: " + std::to_string(options.steps_per_period) + " " + kTooFewSteps);
   servo_.reset(options.start_rad, options.session_time_s);
   position_ = options.start_rad;
   velocity_ = options.start_rad_s;

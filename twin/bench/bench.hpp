@@ -18,6 +18,10 @@ struct Pendulum {
   double gravity_m_s2 = kGravity;
 };
 
+// Errors of Bench.
+inline constexpr const char* kNoInertia = "the total inertia is 0; set a payload or an armature";
+inline constexpr const char* kTooFewSteps = "mechanical steps per firmware period; must be at least 1";
+
 struct BenchOptions {
   int steps_per_period = 2;  // mechanical steps per firmware period, at least 1. An elastic transmission uses more
                              // where it needs them. Law speed_p with two or more: the first step is as long as the

@@ -36,12 +36,14 @@ class MujocoGuard {
 /// Replaces each run of blanks and line breaks by one space.
 std::string oneLine(const std::string& text);
 
+inline constexpr const char* kMujocoError = "MuJoCo error with this body: ";
+
 /// Runs `action`; throws std::runtime_error, prefixed with `who`, after a MuJoCo error.
 template <class Action>
 void orThrow(const std::string& who, Action&& action) {
   MujocoGuard guard;
   if (!guard.attempt(std::forward<Action>(action)))
-    throw std::runtime_error{who + ": MuJoCo error with this body: " + oneLine(guard.why())};
+    throw std::runtime_error{who + ": " + kMujocoError + oneLine(guard.why())};
 }
 
 }  // namespace darwinop::twin

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/text/nearest.hpp"
+#include "twin/model/messages.hpp"
 #include "twin/model/model.hpp"
 #include "twin/model/shipped.hpp"
 
@@ -77,11 +78,11 @@ std::string findModel(const std::string& name) {
   if (is_path || isFile(name)) {
     std::error_code failed;
     if (fs::exists(name, failed)) return name;  // readModel() reports a folder
-    throw std::runtime_error("there is no model file " + name + "; " + listShippedModels());
+    throw std::runtime_error(messages::kNoModelFile + name + "; " + listShippedModels());
   }
   for (const std::string& folder : modelFolders())
     if (const fs::path file = fs::path{folder} / (name + std::string{kExtension}); isFile(file)) return file.string();
-  throw std::runtime_error("there is no model \"" + name + "\"; " + listShippedModels() +
+  throw std::runtime_error(messages::kNoModel + ("\"" + name) + "\"; " + listShippedModels() +
                            "; name your own file by its path, as in ./my-robot.ini");
 }
 

@@ -9,6 +9,7 @@
 #include "core/text/letter_case.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/unit_factor.hpp"
+#include "twin/model/messages.hpp"
 
 namespace darwinop::twin {
 namespace {
@@ -70,7 +71,7 @@ bool beginsUnit(char c) {
 }
 
 void checkRange(double value, const NumberRule& rule) {
-  if (!(value >= rule.low && value <= rule.high)) refuse("out of range; give " + allowed(rule));
+  if (!(value >= rule.low && value <= rule.high)) refuse(messages::kOutOfRange + allowed(rule));
 }
 
 }  // namespace
@@ -99,7 +100,7 @@ double readNumber(std::string_view text, const NumberRule& rule) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const std::string_view rest{end, text.data() + text.size()};
-  if (error == std::errc::result_out_of_range) refuse("out of range; give " + allowed(rule));
+  if (error == std::errc::result_out_of_range) refuse(messages::kOutOfRange + allowed(rule));
   if (error != std::errc{} || (!rest.empty() && !beginsUnit(rest.front())))
     refuse("not a number; give " + allowed(rule) + (rest.starts_with(',') ? ", with a point for decimals" : ""));
   if (!std::isfinite(value)) refuse("not a finite number; give " + allowed(rule));

@@ -11,6 +11,7 @@
 #include "core/text/nearest.hpp"
 #include "hal/text_file.hpp"
 #include "twin/model/keys.hpp"
+#include "twin/model/messages.hpp"
 #include "twin/model/sections.hpp"
 #include "twin/model/shipped.hpp"
 
@@ -100,7 +101,7 @@ class ModelReader final : public text::IniReader {
     for (std::size_t i = 0; i < effect.values.size(); ++i) {
       if (!std::isnan(effect.values[i])) continue;
       const Parameter& missing = effect.info->parameters[i];
-      fail(written, "[" + written + "] " + std::string{missing.key} + " is missing; give " + allowed(ruleOf(missing)));
+      fail(written, "[" + written + "] " + std::string{missing.key} + messages::kMissing + allowed(ruleOf(missing)));
     }
   }
 
@@ -131,19 +132,19 @@ Model parseModel(std::string_view text, const std::string& file) {
 Model readModel(const std::string& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored))
-    throw std::runtime_error(path + " is a folder; name a model file in it, such as " +
+    throw std::runtime_error(path + messages::kIsFolder + "name a model file in it, such as " +
                              (fs::path{path} / "darwin-op.ini").string());
   const auto text = readTextFile(path);
-  if (!text) throw std::runtime_error("there is no model file " + path + "; " + listShippedModels());
+  if (!text) throw std::runtime_error(messages::kNoModelFile + path + "; " + listShippedModels());
   ModelReader reader{path};
   Model model = reader.read(*text);
   model.folder = folderOf(path, model.body.xml);
   const fs::path xml = fs::path{model.folder} / model.body.xml;
   if (!isFile(xml))
     reader.fail("body/xml", "[body] xml = " + model.body.xml + ": " +
-                                (fs::is_directory(xml, ignored) ? xml.string() + " is a folder"
-                                                                : "there is no file " + xml.string()) +
-                                "; give a file in the folder of the model file, or darwin-op.xml");
+                                (fs::is_directory(xml, ignored) ? xml.string() + messages::kIsFolder
+                                                                : messages::kNoBodyFile + xml.string() + "; ") +
+                                "give a file in the folder of the model file, or darwin-op.xml");
   return model;
 }
 

@@ -8,6 +8,7 @@
 #include "core/text/nearest.hpp"
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
+#include "twin/model/messages.hpp"
 
 namespace darwinop::twin {
 namespace {
@@ -52,9 +53,7 @@ SectionName sectionFrom(std::string_view text) {
   }
   if (!words.empty() && text::lowered(words[0]) == kEffect) {
     if (words.size() == 1 || words.size() > 3)
-      throw std::runtime_error(
-          "[" + std::string{text} +
-          "]: write [effect NAME], or [effect NAME JOINT] for one joint, as in [effect coulomb Neck]");
+      throw std::runtime_error("[" + std::string{text} + "]: " + messages::kEffectSyntax);
     SectionName name{.info = &effectNamed(words[1])};
     if (words.size() == 3) name.joint = jointNamed(words[2]);
     return name;

@@ -4,6 +4,7 @@
 
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
+#include "twin/model/messages.hpp"
 #include "twin/model/section_text.hpp"
 
 namespace darwinop::twin {
@@ -27,7 +28,7 @@ std::string textOf(const Model& model) {
 
 std::vector<std::string> sectionLines(const EffectSetting& setting) {
   if (setting.info == nullptr || setting.values.size() != setting.info->parameters.size())
-    throw std::runtime_error("cannot write an effect without a value for each of its parameters");
+    throw std::runtime_error(messages::kValuesMissing);
   std::vector<std::string> lines{"[" + text({.info = setting.info, .joint = setting.joint}) + "]"};
   for (std::size_t i = 0; i < setting.values.size(); ++i) {
     const Parameter& parameter = setting.info->parameters[i];
@@ -38,9 +39,7 @@ std::vector<std::string> sectionLines(const EffectSetting& setting) {
 
 std::string writeModel(const Model& model) {
   std::string text = textOf(model);
-  if (textOf(parseModel(text, "the model to be written")) != text)
-    throw std::runtime_error(
-        "cannot write the model: name and body.xml must not contain quotes, ; or #, or start or end with a blank");
+  if (textOf(parseModel(text, "the model to be written")) != text) throw std::runtime_error(messages::kUnwritableText);
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "experiments/logs/plot/messages.hpp"
 #include "experiments/logs/plot/traces.hpp"
 
 namespace darwinop::plot {
@@ -117,7 +118,7 @@ std::vector<LogCurve> selectedCurves(const logs::Log& log, const std::vector<dou
     if (!matchesAny(column, patterns) ||
         std::none_of(column.values.begin(), column.values.end(), [](double v) { return v == v; }))
       continue;
-    const std::string unit = column.unit.empty() ? "plain numbers" : column.unit;
+    const std::string unit = column.unit.empty() ? messages::kNoUnit : column.unit;
     pieces.push_back({unit, column.name, column.name, withUnit("", unit), trace(x, column)});
     pieces.back().y_label = column.unit.empty() ? "" : unit;
   }

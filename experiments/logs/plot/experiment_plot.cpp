@@ -7,6 +7,7 @@
 
 #include "core/text/number_text.hpp"
 #include "core/units.hpp"
+#include "experiments/logs/plot/messages.hpp"
 #include "experiments/logs/plot/steps.hpp"
 #include "experiments/logs/plot/text.hpp"
 #include "experiments/logs/plot/traces.hpp"
@@ -154,7 +155,7 @@ std::vector<LogCurve> torqueFeedback(const logs::Log& log) {
   std::vector<LogCurve> pieces;
   for (const RowRange& rows : slowRanges(log, *j)) {
     const bool up = j->requested->values[rows.end - 1] > j->requested->values[rows.begin];
-    const std::string direction = up ? "angle rising" : "angle falling";
+    const std::string direction = up ? messages::kAngleRising : messages::kAngleFalling;
     pieces.push_back({j->name, direction, direction, withUnit("load of " + j->name, "1 = maximum torque"),
                       part(rows, j->position->values, j->load->values)});
   }
@@ -170,16 +171,16 @@ std::vector<LogCurve> angleOverTorque(const logs::Log& log) {
 }
 
 constexpr auto kPlots = std::to_array<ExperimentPlot>({
-    {"speed", "time per sweep over the speed setting", "speed setting [rad/s]", speed},
-    {"damping", "released arm", "time since release [s]", damping},
-    {"release", "released arm", "time since release [s]", damping},
+    {"speed", messages::kSweepTimes, messages::kSpeedSetting, speed},
+    {"damping", "released arm", messages::kTimeSinceRelease, damping},
+    {"release", "released arm", messages::kTimeSinceRelease, damping},
     {"gain", "step responses", "time since the step [s]", gain},
     {"torque-feedback", "load over angle", "angle [rad]", torqueFeedback},
     {"max-torque", "angle over torque limit", "torque limit [N m]", angleOverTorque},
     {"applied-torque", "angle over applied torque", "applied torque [N m]", angleOverTorque},
     {"gyroscope", "gyroscope", "time [s]", gyroscope},
     {"accelerometer", "accelerometer", "time [s]", accelerometer},
-    {"bow", "accelerometer over ankle angle", "angle of the ankle [rad]", bow},
+    {"bow", "accelerometer over ankle angle", messages::kAnkleAngle, bow},
 });
 
 }  // namespace

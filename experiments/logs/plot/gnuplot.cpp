@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "experiments/logs/plot/messages.hpp"
 #include "experiments/logs/plot/text.hpp"
 #include "hal/process/child_process.hpp"
 
@@ -60,7 +61,7 @@ std::string drawPicture(const Figure& figure, const std::string& path) {
   const int result = run(fileno(script.get()), fileno(picture.get()), fileno(errors.get()));
   if (result == 0) return "";
   (void)std::remove(path.c_str());
-  if (result == ENOENT) return "no picture " + path + ": gnuplot is not installed (apt-get install gnuplot-nox)";
+  if (result == ENOENT) return "no picture " + path + ": " + messages::kGnuplotMissing;
   if (result > 0) return "no picture " + path + ": cannot start gnuplot: " + std::strerror(result);
   return "no picture " + path + ": gnuplot error: " + firstLineOf(errors.get());
 }

@@ -10,6 +10,7 @@
 
 #include "experiments/logs/plot/choice.hpp"
 #include "experiments/logs/plot/experiment_plot.hpp"
+#include "experiments/logs/plot/messages.hpp"
 #include "experiments/logs/plot/text.hpp"
 #include "experiments/logs/plot/traces.hpp"
 
@@ -106,8 +107,8 @@ void drawCurves(const std::vector<logs::Log>& all, const PlotOptions& options, F
   if (!options.x.empty()) figure.x_label = oneLine(withUnit(options.x, all.front().column(options.x).unit));
   if (empty(figure))
     throw std::runtime_error(options.logs.front() +
-                             (!chosen ? ": no joint moves and no sensor changes; choose curves with --columns, as in "
-                                        "--columns 'Neck.*'"
+                             (!chosen ? std::string{": "} + messages::kNothingMoves +
+                                            "; choose curves with --columns, as in --columns 'Neck.*'"
                                       : ": the requested columns have no value in any row"));
 }
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -99,7 +101,7 @@ void writeKeys(const Keys& keys, const std::string& path) {
   std::ofstream file{path, std::ios::binary};
   file << all.dump(1) << '\n';
   file.close();
-  if (!file) throw std::runtime_error("cannot write " + path + "; is there space, and may you write there?");
+  if (!file) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
 }
 
 Keys readKeys(const std::string& path) {

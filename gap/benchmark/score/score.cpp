@@ -35,22 +35,22 @@ struct Details {
 
 /// All figures while they are counted.
 struct Tally {
-  ShareFigure strong{"severity 2 and 3, exact numbers: named first", 0.97};
-  ShareFigure wrong{"severity 2, numbers slightly wrong: named first", 0.85};
-  ShareFigure weak{"severity 1: named first", 0.82};
-  ShareFigure honest{"all of these, or in an ambiguity of 3 at most", 0.95};
-  ShareFigure interval{"90 % interval holds the truth", 0.8, 0.97};
-  ShareFigure alarm{"effect-free: false alarm", kNoTarget, 0.04};
-  ShareFigure both{"two effects: both and nothing else", 0.8};
-  ShareFigure first{"two effects: the first right", 0.98};
-  ShareFigure unknown{"outside the catalogue: unknown, right place", 0.85};
-  ShareFigure mistaken{"outside the catalogue: a wrong name", kNoTarget, 0.15};
-  ShareFigure block{"block of the loop right", 0.95};
-  ShareFigure first_open_block{"first open block right, before any fit"};
-  SpreadFigure error{"parameter error when named", "%", 3, 15};
-  SpreadFigure floors{"held-out logs: gap after, over the floor", "", 1.3, 3};
-  SpreadFigure shrunk{"held-out logs: gap after over before", "", 0.15, kNoTarget};
-  SpreadFigure runtime{"time of a case", "s", 30, 120, 1};
+  ShareFigure strong{figures::kExactNumbers, 0.97};
+  ShareFigure wrong{figures::kWrongNumbers, 0.85};
+  ShareFigure weak{figures::kWeak, 0.82};
+  ShareFigure honest{figures::kHonest, 0.95};
+  ShareFigure interval{figures::kInterval, 0.8, 0.97};
+  ShareFigure alarm{figures::kFalseAlarm, kNoTarget, 0.04};
+  ShareFigure both{figures::kBothOfTwo, 0.8};
+  ShareFigure first{figures::kFirstOfTwo, 0.98};
+  ShareFigure unknown{figures::kOutsideUnknown, 0.85};
+  ShareFigure mistaken{figures::kOutsideNamed, kNoTarget, 0.15};
+  ShareFigure block{figures::kBlock, 0.95};
+  ShareFigure first_open_block{figures::kFirstOpenBlock};
+  SpreadFigure error{figures::kParameterError, "%", 3, 15};
+  SpreadFigure floors{figures::kGapOverFloor, "", 1.3, 3};
+  SpreadFigure shrunk{figures::kGapOverBefore, "", 0.15, kNoTarget};
+  SpreadFigure runtime{figures::kRuntime, "s", 30, 120, 1};
 
   ShareFigure fair;
   Details details;

@@ -41,6 +41,26 @@ struct SpreadFigure {
   [[nodiscard]] bool reached() const;
 };
 
+/// Names of the figures, `what` of a ShareFigure or SpreadFigure.
+namespace figures {
+inline constexpr const char* kExactNumbers = "severity 2 and 3, exact numbers: named first";
+inline constexpr const char* kWrongNumbers = "severity 2, numbers slightly wrong: named first";
+inline constexpr const char* kWeak = "severity 1: named first";
+inline constexpr const char* kHonest = "all of these, or in an ambiguity of 3 at most";
+inline constexpr const char* kInterval = "90 % interval holds the truth";
+inline constexpr const char* kFalseAlarm = "effect-free: false alarm";
+inline constexpr const char* kBothOfTwo = "two effects: both and nothing else";
+inline constexpr const char* kFirstOfTwo = "two effects: the first right";
+inline constexpr const char* kOutsideUnknown = "outside the catalogue: unknown, right place";
+inline constexpr const char* kOutsideNamed = "outside the catalogue: a wrong name";
+inline constexpr const char* kBlock = "block of the loop right";
+inline constexpr const char* kFirstOpenBlock = "first open block right, before any fit";
+inline constexpr const char* kParameterError = "parameter error when named";
+inline constexpr const char* kGapOverFloor = "held-out logs: gap after, over the floor";
+inline constexpr const char* kGapOverBefore = "held-out logs: gap after over before";
+inline constexpr const char* kRuntime = "time of a case";
+}  // namespace figures
+
 struct Confusion {
   CaseClass kind = CaseClass::kSingle;
   std::string truth, answered;

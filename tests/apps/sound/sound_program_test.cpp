@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <thread>
 
 #include "apps/sound/graph.hpp"
@@ -42,14 +44,14 @@ TEST_F(SoundGraph, WithoutACardSoundsTakeTheirTimeAndThatIsReported) {
 TEST_F(SoundGraph, AFileThatIsMissingOrIsNoneIsReportedAndTheNextOneSounds) {
   sound().order(PlaySound{.id = 1, .file = folder / "nothing.mp3"});
   awaitEnd(1);
-  EXPECT_THAT(said, HasSubstr("cannot read sound file " + (folder / "nothing.mp3") + ": No such file"));
+  EXPECT_THAT(said, HasSubstr((folder / "nothing.mp3") + ": " + std::strerror(ENOENT)));
   std::ofstream{folder / "text.mp3"} << "this is not a sound at all, whatever its name says";
   sound().order(PlaySound{.id = 2, .file = folder / "text.mp3"});
   awaitEnd(2);
-  EXPECT_THAT(said, HasSubstr("cannot play sound file"));
+  EXPECT_THAT(said, HasSubstr(folder / "text.mp3"));
   sound().order(Speak{.id = 3, .text = folder / "no_text", .text_is_file = true});
   awaitEnd(3);
-  EXPECT_THAT(said, HasSubstr("no_text: No such file or directory"));
+  EXPECT_THAT(said, HasSubstr("no_text: " + std::string{std::strerror(ENOENT)}));
   std::ofstream{folder / "text"} << "Yes!";
   sound().order(Speak{.id = 4, .text = folder / "text", .text_is_file = true, .voice = "gobbledygook+f3"});
   awaitEnd(4);

@@ -9,6 +9,10 @@
 namespace darwinop::text {
 namespace {
 
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
 constexpr std::array<std::string_view, 3> kKnown{"coulomb", "viscous", "backlash"};
 
 TEST(Nearest, IgnoresCaseAndFindsOneOrTwoMistakes) {
@@ -22,8 +26,8 @@ TEST(Nearest, IsEmptyWhenNoWordIsCloseOrTheTextIsLong) {
 }
 
 TEST(Nearest, ASuggestionNamesTheWordOrAllWords) {
-  EXPECT_EQ(suggestion("colomb", kKnown), "did you mean coulomb?");
-  EXPECT_EQ(suggestion("friction", kKnown), "there are coulomb, viscous and backlash");
+  EXPECT_THAT(suggestion("colomb", kKnown), AllOf(HasSubstr("coulomb"), Not(HasSubstr("viscous"))));
+  EXPECT_THAT(suggestion("friction", kKnown), HasSubstr(listed(kKnown)));
 }
 
 TEST(UnitFactor, ConvertsWithinAQuantityOnly) {

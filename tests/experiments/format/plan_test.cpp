@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "experiments/format/messages.hpp"
 #include "experiments/format/texts.hpp"
 
 namespace darwinop::experiments {
@@ -81,7 +82,7 @@ TEST(Plan, AssumesTheFullRangeAfterALimpPhase) {
   EXPECT_TRUE(plan.moved[0].loose);
   EXPECT_NEAR(plan.moved[0].low, -1.93, 0.001);
   EXPECT_THAT(refusal(limp + "goal = sine\namplitude = 0.1 rad\nfrequency = 1 Hz\n"),
-              HasSubstr("add a phase with goal = move before it"));
+              HasSubstr(messages::kAddMoveBefore));
 }
 
 TEST(Plan, UnknownStartIsPlannedFromBothEndsOfTheRange) {
@@ -98,7 +99,7 @@ TEST(Plan, TrajectoryThatMayEndEarlyLeavesARange) {
   EXPECT_EQ(refusal(ramp), "");
   EXPECT_THAT(refusal(ramp + "[phase then]\njoints = Neck\ngoal = sine\namplitude = 0.1 rad\nfrequency = 1 Hz\n"
                              "duration = 1 s\n"),
-              HasSubstr("add a phase with goal = move before it"));
+              HasSubstr(messages::kAddMoveBefore));
 }
 
 TEST(Plan, RunsAreLimitedToHalfAnHour) {
@@ -112,7 +113,7 @@ TEST(Plan, TextContainsJointsRangesAndDurations) {
   const Experiment nod = parseExperiment(text, "my.ini");
   const std::string plan = planText(nod, makePlan(nod, safety::hardRanges()));
   for (const char* part : {"standing", "LegLowerR 2.247 to 0.928 rad", "Neck      0.000 to 0.524 rad, at most 2 rad/s",
-                           "until fallen", "takes", "YES: the robot falls"})
+                           "until fallen", "takes", messages::kFalls})
     EXPECT_THAT(plan, HasSubstr(part));
 }
 
@@ -123,10 +124,10 @@ TEST(Plan, TextStatesWhetherTheRobotMayFall) {
   };
   const std::string standing = text_of(with(kNod, "pose = start\nduration = 1 s", "pose = standing\nduration = 4 s"));
   EXPECT_THAT(standing, HasSubstr("\nfalls    "));
-  EXPECT_THAT(standing, testing::Not(HasSubstr("YES: the robot falls")));
+  EXPECT_THAT(standing, testing::Not(HasSubstr(messages::kFalls)));
   EXPECT_NE(standing.substr(standing.find("\nfalls")), text_of(kNod).substr(text_of(kNod).find("\nfalls")));
-  EXPECT_THAT(text_of(kNod), HasSubstr("no: the robot stays on its knees"));
-  EXPECT_THAT(text_of(with(kNod, "joints = Neck", "joints = AnkleR")), HasSubstr("possibly: the legs move"));
+  EXPECT_THAT(text_of(kNod), HasSubstr(messages::kOnKnees));
+  EXPECT_THAT(text_of(with(kNod, "joints = Neck", "joints = AnkleR")), HasSubstr(messages::kLegsMayMove));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "experiments/format/messages.hpp"
 #include "experiments/format/texts.hpp"
 
 namespace darwinop::experiments {
@@ -61,30 +62,30 @@ TEST_P(ExperimentErrors, NameFileLineAndAllowedValues) {
 INSTANTIATE_TEST_SUITE_P(
     Lines, ExperimentErrors,
     testing::Values(
-        Wrong{"velocity =", "velocty =", 11, {"no key 'velocty'", "did you mean velocity?", "allowed are"}},
+        Wrong{"velocity =", "velocty =", 11, {"'velocty'", "velocity?", "torque_limit"}},
         Wrong{"velocity = 2 rad/s", "velocity = 2", 11, {"'2' is not a speed", "rad/s, deg/s, rpm"}},
-        Wrong{"velocity = 2 rad/s", "velocity = 20 rad/s", 11, {"out of range", "0.0119 to 12.21 rad/s"}},
+        Wrong{"velocity = 2 rad/s", "velocity = 20 rad/s", 11, {"'20 rad/s'", "0.0119 to 12.21 rad/s"}},
         Wrong{"velocity = 2 rad/s", "velocity = nan rad/s", 11, {"is not a speed"}},
         Wrong{"velocity = 2 rad/s\n", "", 7, {"goal = step needs 'velocity'"}},
         Wrong{"duration = 1 s\n[record]", "[record]", 7, {"needs 'duration'"}},
         Wrong{"joints = Neck\ngoal", "joints = Nek\ngoal", 8, {"no joint 'Nek'", "did you mean Neck?", "ShoulderR"}},
         Wrong{"joints = Neck\ngoal", "joints = Neck, -Neck\ngoal", 8, {"Neck is listed twice"}},
-        Wrong{"goal = step", "goal = stop", 9, {"'stop' is not allowed", "did you mean step?", "multisine"}},
+        Wrong{"goal = step", "goal = stop", 9, {"'stop' is not allowed", "step?", "multisine"}},
         Wrong{"goal = step", "goal = sine", 7, {"goal = sine needs 'amplitude'"}},
         Wrong{"to = 30 deg",
               "to = 30 deg\nperiod = 1 s",
               11,
               {"'period' has no meaning for goal = step", "to, velocity"}},
-        Wrong{"goal = step", "torque = off\ngoal = step", 10, {"remove one"}},
+        Wrong{"goal = step", "torque = off\ngoal = step", 10, {"'torque'", "'goal'"}},
         Wrong{"velocity = 2 rad/s", "velocity = sweep", 11, {"needs a section [sweep]"}},
         Wrong{"velocity = 2 rad/s", "velocity = 2 rad/s\nwithin = 0.1 rad", 12, {"until = arrival"}},
         Wrong{"pose = start", "pose = stand", 5, {"no pose 'stand'", "start, standing"}},
         Wrong{"pose = start", "pose = start\npose = start", 6, {"'pose' is set twice"}},
-        Wrong{"[record]", "[recrod]", 13, {"no section [recrod]", "did you mean record?", "[phase NAME]"}},
-        Wrong{"[phase turn]", "[phase]", 7, {"a phase needs a name"}},
-        Wrong{"name = nod", "name = ../nod", 2, {"lower-case letters"}},
+        Wrong{"[record]", "[recrod]", 13, {"no section [recrod]", "record?", "[phase NAME]"}},
+        Wrong{"[phase turn]", "[phase]", 7, {messages::kPhaseNeedsName}},
+        Wrong{"name = nod", "name = ../nod", 2, {messages::kNameLetters}},
         Wrong{"title = The head nods\n", "", 1, {"needs 'title'"}},
-        Wrong{"pose = start\n", "pose = start\nhello\n", 6, {"neither a section nor key = value"}}));
+        Wrong{"pose = start\n", "pose = start\nhello\n", 6, {"'hello'", messages::kNeitherSectionNorPair}}));
 
 TEST(ExperimentReader, NamesAMissingSection) {
   EXPECT_THAT(refusal("[experiment]\nname = a\ntitle = b\n"), AllOf(StartsWith("my.ini"), HasSubstr("[setup]")));
@@ -96,7 +97,7 @@ TEST(ExperimentReader, SweptValuesAreCheckedAgainstTheirKey) {
 }
 
 TEST(ExperimentReader, UnusedSweepIsRefused) {
-  EXPECT_THAT(refusal(kNod + "[sweep]\nvalues = 1, 2\n"), HasSubstr("no phase uses these values"));
+  EXPECT_THAT(refusal(kNod + "[sweep]\nvalues = 1, 2\n"), HasSubstr(messages::kSweepUnused));
 }
 
 }  // namespace

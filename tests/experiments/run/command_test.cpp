@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "experiments/format/messages.hpp"
 #include "system/program.hpp"
 
 namespace darwinop {
@@ -50,7 +51,7 @@ TEST_F(Command, ListsTheSuiteWithTheMovedJoints) {
   EXPECT_EQ(experiment({"list"}), 0);
   EXPECT_THAT(output, HasSubstr("speed\n  Duration of half a turn of the head at six speeds, thesis 5.3.1\n"
                                 "  Neck -1.571 to 1.571 rad\n"));
-  EXPECT_THAT(output, HasSubstr("falls at the end"));
+  EXPECT_THAT(output, HasSubstr(experiments::messages::kFallsInList));
 }
 
 TEST_F(Command, RunRecordsUnderTheNameOfTheExperiment) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include "experiments/run/runner.hpp"
 #include "system/rig.hpp"
 
 namespace darwinop {
@@ -21,7 +22,7 @@ TEST_F(OnPty, CtrlCReturnsTheRobotToItsStartPoseAndKeepsTheRecording) {
   Program run{command("speed"), file("run.txt")};
   ASSERT_TRUE(run.says("rad/s, left", std::chrono::seconds{20})) << run.output();
   run.kill(SIGINT);
-  EXPECT_TRUE(run.says("back to the start pose", std::chrono::seconds{5})) << run.output();
+  EXPECT_TRUE(run.says(experiments::kReturnPhase, std::chrono::seconds{5})) << run.output();
   EXPECT_EQ(run.wait(std::chrono::seconds{30}), 130) << run.output();
   const std::string log = [this] {
     std::ostringstream text;

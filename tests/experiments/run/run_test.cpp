@@ -75,7 +75,7 @@ TEST(Run, NegativeTorquePushesToHigherAnglesAsInWebots) {
 TEST(Run, JointMovedByATorqueReturnsSlowly) {
   VirtualRun run{phase("torque = -0.5 N m\n")};
   EXPECT_EQ(run.run(), Outcome::kDone);
-  const auto back = run.rowsOf("back to the start pose");
+  const auto back = run.rowsOf(kReturnPhase);
   double fastest = 0;
   const std::size_t stopped = 20;  // 0.3 s to stop
   for (std::size_t i = stopped; i < back.size(); ++i)
@@ -123,7 +123,7 @@ TEST(Run, RobotSettlesBeforeTheFirstPhase) {
       with(kNod, "pose = start\nduration = 1 s", "pose = start\nduration = 1 s\nsettle = 0.8 s");
   VirtualRun run{parseExperiment(settling, "my.ini")};
   EXPECT_EQ(run.run(), Outcome::kDone);
-  EXPECT_NEAR(run.secondsOf(run.rowsOf("to the setup pose")), 1.8, 0.033) << "resolution of 16 ms at both ends";
+  EXPECT_NEAR(run.secondsOf(run.rowsOf(kSetupPhase)), 1.8, 0.033) << "resolution of 16 ms at both ends";
 }
 
 TEST(Run, UnexpectedFallEndsTheExperiment) {

@@ -20,14 +20,10 @@ TEST(BenchErrors, NameTheValueAndTheAllowedRange) {
   EXPECT_THAT([&] { make({.length_m = NAN}); }, ThrowsMessage<std::runtime_error>(HasSubstr("length (m)")));
   ServoParameters light;
   light.armature_kgm2 = 0;
-  EXPECT_THAT(
-      [&] {
-        (Bench{light, {}, {.payload_kg = 0}});
-      },
-      ThrowsMessage<std::runtime_error>(HasSubstr("set a payload")));
+  EXPECT_THAT([&] { (Bench{light, {}, {.payload_kg = 0}}); }, ThrowsMessage<std::runtime_error>(HasSubstr(kNoInertia)));
   Bench bench{ServoParameters{}, {}, {}};
   EXPECT_THAT([&] { bench.reset({.steps_per_period = 0}); },
-              ThrowsMessage<std::runtime_error>(HasSubstr("must be at least 1")));
+              ThrowsMessage<std::runtime_error>(HasSubstr(kTooFewSteps)));
 }
 
 TEST(BenchRuns, AreBitwiseRepeatable) {

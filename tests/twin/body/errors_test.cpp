@@ -6,7 +6,9 @@
 #include <fstream>
 #include <iterator>
 
+#include "hal/text_file.hpp"
 #include "support/text_of.hpp"
+#include "twin/body/mujoco_guard.hpp"
 #include "twin/body/support.hpp"
 
 namespace darwinop::twin::test {
@@ -50,14 +52,13 @@ TEST_F(RefusedBody, IsNoneAtAllWithTheShippedFile) {
 
 TEST_F(RefusedBody, NamesAMissingFile) {
   const std::string why = refusalOf("missing.xml");
-  EXPECT_NE(why.find("cannot read the body file"), std::string::npos) << why;
   EXPECT_NE(why.find("missing.xml"), std::string::npos) << why;
-  EXPECT_NE(why.find("section [body]"), std::string::npos) << why;
+  EXPECT_NE(why.find("[body]"), std::string::npos) << why;
 }
 
 TEST_F(RefusedBody, DoesNotWaitForTheWriterOfAPipe) {
   ASSERT_EQ(mkfifo((folder_ / "pipe.xml").c_str(), 0600), 0);
-  EXPECT_NE(refusalOf("pipe.xml").find("it is a pipe"), std::string::npos);
+  EXPECT_NE(refusalOf("pipe.xml").find(kPipeInsteadOfFile), std::string::npos);
 }
 
 TEST_F(RefusedBody, ReportsMujocosMessageAboutBrokenXml) {
@@ -80,7 +81,7 @@ TEST_F(RefusedBody, IsReportedInOneLine) {
 TEST_F(RefusedBody, IsOneThatRaisesAMujocoError) {
   replaceAll("<size njmax=\"600\"", "<size nstack=\"2000\" njmax=\"600\"");
   const std::string why = refusal();
-  EXPECT_NE(why.find("MuJoCo error with this body"), std::string::npos) << why;
+  EXPECT_NE(why.find(kMujocoError), std::string::npos) << why;
   EXPECT_NE(why.find("tack"), std::string::npos) << why;  // stack overflow
 }
 

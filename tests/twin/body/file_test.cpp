@@ -44,7 +44,7 @@ TEST_F(BrokenTable, IsNamedWithLineAndColumn) {
   write("link,mass\nBody,1\nHead\n");
   EXPECT_EQ(refusal([](const Csv&) {}), path_ + ", line 3: 1 cells; the header has 2");
   std::filesystem::remove(path_);
-  EXPECT_EQ(refusal([](const Csv&) {}), path_ + ": cannot read the file, or it is empty");
+  EXPECT_EQ(refusal([](const Csv&) {}), path_ + ": " + kNoHeaderLine);
 }
 
 }  // namespace

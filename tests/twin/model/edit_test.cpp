@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "twin/effects/catalogue.hpp"
+#include "twin/model/messages.hpp"
 #include "twin/model/texts.hpp"
 
 namespace darwinop::twin {
@@ -65,12 +66,10 @@ TEST(WithEffect, MakesOneCommentLineOfEachLineOfAComment) {
 }
 
 TEST(WithEffect, RefusesAValueOutOfRange) {
-  EXPECT_EQ(refusal([] { withEffect(kNamed, coulomb(7), {}); }),
-            "the model, line 5: [effect coulomb] friction = 7 N m: out of range; give 0 to 0.3 N m");
-  EXPECT_EQ(refusal([] {
-              withEffect(kNamed, {findEffect("coulomb"), {}, {}}, {});
-            }),
-            "cannot write an effect without a value for each of its parameters");
+  EXPECT_EQ(
+      refusal([] { withEffect(kNamed, coulomb(7), {}); }),
+      std::string{"the model, line 5: [effect coulomb] friction = 7 N m: "} + messages::kOutOfRange + "0 to 0.3 N m");
+  EXPECT_EQ(refusal([] { withEffect(kNamed, {findEffect("coulomb"), {}, {}}, {}); }), messages::kValuesMissing);
 }
 
 TEST(WithEffect, RefusesAnInvalidModel) {

@@ -3,6 +3,7 @@
 
 #include "twin/effects/catalogue.hpp"
 #include "twin/model/keys.hpp"
+#include "twin/model/messages.hpp"
 #include "twin/model/texts.hpp"
 
 namespace darwinop::twin {
@@ -64,7 +65,7 @@ TEST_P(EveryEffect, NeedsAllItsParameters) {
       if (&parameter != &left_out)
         lines += std::string{parameter.key} + " = " + writeNumber(parameter.typical, ruleOf(parameter)) + "\n";
     EXPECT_EQ(refusalOf(lines), "my.ini, line 3: [effect " + std::string{GetParam()->id} + "] " +
-                                    std::string{left_out.key} + " is missing; give " + allowed(ruleOf(left_out)));
+                                    std::string{left_out.key} + messages::kMissing + allowed(ruleOf(left_out)));
   }
 }
 

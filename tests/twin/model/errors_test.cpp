@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "twin/model/keys.hpp"
+#include "twin/model/messages.hpp"
 #include "twin/model/texts.hpp"
 
 namespace darwinop::twin {
@@ -52,7 +53,8 @@ INSTANTIATE_TEST_SUITE_P(
     Numbers, WrongModelFile,
     testing::Values(
         Wrong{"[servo]\nkt = +-5 N m/A\n", "4: [servo] kt = +-5 N m/A: not a number; give 0.01 to 10 N m/A"},
-        Wrong{"[servo]\nkt = 1e999 N m/A\n", "4: [servo] kt = 1e999 N m/A: out of range; give 0.01 to 10 N m/A"},
+        Wrong{"[servo]\nkt = 1e999 N m/A\n",
+              std::string{"4: [servo] kt = 1e999 N m/A: "} + messages::kOutOfRange + "0.01 to 10 N m/A"},
         Wrong{"[servo]\nkt = 1 N\xc2\xb7m/A\n",
               "4: [servo] kt = 1 N\xc2\xb7m/A: the unit is N m/A, not N\xc2\xb7m/A; write 1 N m/A"},
         Wrong{"[servo]\nkt = 1.786\n", "4: [servo] kt = 1.786: the unit is missing; write 1.786 N m/A"},
@@ -83,9 +85,10 @@ INSTANTIATE_TEST_SUITE_P(
               "4: [servo] accel_max = inf rad/s2: not a finite number; give 0.1 to 100000 rad/s2, or none for no "
               "limit"},
         Wrong{"[servo]\nkt = none\n", "4: [servo] kt = none: none is not allowed here; give 0.01 to 10 N m/A"},
-        Wrong{"[servo]\nkt = 1786 N m/A\n", "4: [servo] kt = 1786 N m/A: out of range; give 0.01 to 10 N m/A"},
+        Wrong{"[servo]\nkt = 1786 N m/A\n",
+              std::string{"4: [servo] kt = 1786 N m/A: "} + messages::kOutOfRange + "0.01 to 10 N m/A"},
         Wrong{"[servo]\narmature = -0.001 kg m2\n",
-              "4: [servo] armature = -0.001 kg m2: out of range; give 0 to 0.1 kg m2"}));
+              std::string{"4: [servo] armature = -0.001 kg m2: "} + messages::kOutOfRange + "0 to 0.1 kg m2"}));
 
 INSTANTIATE_TEST_SUITE_P(
     WordsTextsAndAxes, WrongModelFile,
@@ -104,26 +107,23 @@ INSTANTIATE_TEST_SUITE_P(
               "-1, 0, 1 rad/s"},
         Wrong{"[imu]\ngyro_bias = 0, 0, 0.1\n", "4: [imu] gyro_bias = 0, 0, 0.1: the unit is missing; write 0.1 rad/s"},
         Wrong{"[imu]\ngyro_bias = 0, 5, 0 rad/s\n",
-              "4: [imu] gyro_bias = 0, 5, 0 rad/s: out of range; give -1 to 1 rad/s"}));
+              std::string{"4: [imu] gyro_bias = 0, 5, 0 rad/s: "} + messages::kOutOfRange + "-1 to 1 rad/s"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Effects, WrongModelFile,
     testing::Values(
         Wrong{"[effect culomb]\n", "3: there is no effect \"culomb\"; did you mean coulomb?"},
-        Wrong{"[effect]\n",
-              "3: [effect]: write [effect NAME], or [effect NAME JOINT] for one joint, as in [effect coulomb "
-              "Neck]"},
+        Wrong{"[effect]\n", std::string{"3: [effect]: "} + messages::kEffectSyntax},
         Wrong{"[effect coulomb Nek]\n", "3: there is no joint \"Nek\"; did you mean Neck?"},
-        Wrong{"[effect coulomb Neck Head]\n",
-              "3: [effect coulomb Neck Head]: write [effect NAME], or [effect NAME JOINT] for one joint, as in "
-              "[effect coulomb Neck]"},
-        Wrong{"[effect coulomb]\n\n[body]\n", "3: [effect coulomb] friction is missing; give 0 to 0.3 N m"},
+        Wrong{"[effect coulomb Neck Head]\n", std::string{"3: [effect coulomb Neck Head]: "} + messages::kEffectSyntax},
+        Wrong{"[effect coulomb]\n\n[body]\n",
+              std::string{"3: [effect coulomb] friction"} + messages::kMissing + "0 to 0.3 N m"},
         Wrong{"[effect coulomb Neck]\nfriktion = 0.1 N m\n",
               "4: [effect coulomb Neck] friktion = 0.1 N m: no such key; did you mean friction?"},
         Wrong{"[effect coulomb]\nfriction = 25 mN m\n",
               "4: [effect coulomb] friction = 25 mN m: the unit is N m, not mN m; write 0.025 N m"},
         Wrong{"[effect coulomb]\nfriction = 1 N m\n",
-              "4: [effect coulomb] friction = 1 N m: out of range; give 0 to 0.3 N m"},
+              std::string{"4: [effect coulomb] friction = 1 N m: "} + messages::kOutOfRange + "0 to 0.3 N m"},
         Wrong{"[effect coulomb Neck]\nfriction = 0.1 N m\n[effect coulomb neck]\nfriction = 0.2 N m\n",
               "5: [effect coulomb Neck] is already in line 3; keep one of the two"}));
 
@@ -161,7 +161,7 @@ TEST(WrongModelFileAsAWhole, EveryNumberIsRefusedOutsideItsRangeAndAcceptedAtIts
       EXPECT_NO_THROW(readValue(model, row, writeNumber(end, row.number)));
     for (const double beyond : {row.number.low - 1e-6, row.number.high * 1.001})
       EXPECT_THAT(refusal([&] { readValue(model, row, writeNumber(beyond, row.number)); }),
-                  StartsWith("out of range; give "));
+                  StartsWith(messages::kOutOfRange));
   }
 }
 

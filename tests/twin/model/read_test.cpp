@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "twin/effects/catalogue.hpp"
+#include "twin/model/messages.hpp"
 #include "twin/model/texts.hpp"
 
 namespace darwinop::twin {
@@ -71,14 +72,13 @@ TEST(WriteModel, RefusesValuesThatCannotBeReadBack) {
       "#");
   for (const char* name : {"a;b", "a#b", "\"a\"", "a ", " a"}) {
     model.name = name;
-    EXPECT_EQ(refusal([&] { writeModel(model); }),
-              "cannot write the model: name and body.xml must not contain quotes, ; or #, or start or end with a blank")
-        << name;
+    EXPECT_EQ(refusal([&] { writeModel(model); }), messages::kUnwritableText) << name;
   }
   model.name = "test";
   model.servo.kt_nm_a = -1;
   EXPECT_EQ(refusal([&] { writeModel(model); }),
-            "the model to be written, line 8: [servo] kt = -1 N m/A: out of range; give 0.01 to 10 N m/A");
+            std::string{"the model to be written, line 8: [servo] kt = -1 N m/A: "} + messages::kOutOfRange +
+                "0.01 to 10 N m/A");
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ TEST(Film, TwoFilmsDoNotMixInOneFolder) {
   const TemporaryFolder folder;
   std::string note;
   makeFilm(folder / "film", 16, 16, 30, note)->add(testPattern(16, 16, ""));
-  EXPECT_THAT(refusal(folder / "film", 16, 16), HasSubstr("already contains pictures"));
+  EXPECT_THAT(refusal(folder / "film", 16, 16),
+              testing::AllOf(HasSubstr(folder / "film"), HasSubstr("frame_00001.png")));
 }
 
 TEST(Film, AVideoOfOddSizeIsRefusedAndAFolderIsNot) {

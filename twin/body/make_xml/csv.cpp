@@ -25,7 +25,7 @@ std::vector<std::string> split(const std::string& line) {
 Csv::Csv(const std::string& path) : path_{path} {
   std::ifstream file{path};
   std::string line;
-  if (!std::getline(file, line)) throw std::runtime_error{path + ": cannot read the file, or it is empty"};
+  if (!std::getline(file, line)) throw std::runtime_error{path + ": " + kNoHeaderLine};
   columns_ = split(line);
   while (std::getline(file, line)) {
     cells_.push_back(split(line));

@@ -7,6 +7,8 @@
 
 namespace darwinop::twin {
 
+inline constexpr const char* kNoHeaderLine = "cannot read the file, or it is empty";
+
 /// Cells are kept as text, so that numbers are copied to the body file unchanged.
 class Csv {
  public:

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "experiments/logs/plot/make_figure.hpp"
+#include "experiments/logs/plot/messages.hpp"
 #include "experiments/logs/read_log.hpp"
 
 namespace darwinop::plot {
@@ -46,8 +47,8 @@ TEST(ExperimentPlot, SpeedIsTimePerSweepOverTheSetting) {
         neck += std::clamp(goal - neck, -speed * 0.016, speed * 0.016);
       }
   const Figure figure = run.figure();
-  EXPECT_EQ(figure.title, "speed: time per sweep over the speed setting");
-  EXPECT_EQ(figure.x_label, "speed setting [rad/s]");
+  EXPECT_EQ(figure.title, std::string{"speed: "} + messages::kSweepTimes);
+  EXPECT_EQ(figure.x_label, messages::kSpeedSetting);
   ASSERT_EQ(figure.panels.size(), 1u);
   const Curve& curve = figure.panels[0].curves.at(0);
   // The motion from 0 to the first goal is not a sweep; the goal of the second speed is already set.
@@ -73,7 +74,7 @@ TEST(ExperimentPlot, DampingStartsAtTheRelease) {
   for (int i = 0; i < 50; ++i) run.row({i < 5 ? 0.0 : 1.5, 2.5, 1.5});
   for (int i = 0; i < 50; ++i) run.row({1.5, 0, 1.5 * std::cos(0.1 * i)});
   const Figure figure = run.figure();
-  EXPECT_EQ(figure.x_label, "time since release [s]");
+  EXPECT_EQ(figure.x_label, messages::kTimeSinceRelease);
   const Curve& curve = figure.panels.at(0).curves.at(0);
   ASSERT_EQ(curve.x.size(), 50u);
   EXPECT_EQ(curve.x.front(), 0);
@@ -124,8 +125,8 @@ TEST(ExperimentPlot, TorqueFeedbackIsLoadOverAngleDuringSlowRamps) {
   const Figure figure = run.figure();
   ASSERT_EQ(figure.panels.size(), 1u);
   ASSERT_EQ(figure.panels[0].curves.size(), 2u);
-  EXPECT_EQ(figure.panels[0].curves[0].label, "angle falling");
-  EXPECT_EQ(figure.panels[0].curves[1].label, "angle rising");
+  EXPECT_EQ(figure.panels[0].curves[0].label, messages::kAngleFalling);
+  EXPECT_EQ(figure.panels[0].curves[1].label, messages::kAngleRising);
   for (const Curve& curve : figure.panels[0].curves) {
     // The slow ramp without the rows near its ends, where the direction is ambiguous.
     EXPECT_NEAR(static_cast<double>(curve.x.size()), 500, 10);
@@ -155,7 +156,7 @@ TEST(ExperimentPlot, BowIsTheAccelerometerOverTheAnkleAngle) {
   for (int i = 0; i < 50; ++i) run.row({9, 9, 9, 1 - 0.02 * i, 1 - 0.02 * i});  // standing up
   for (int i = 0; i < 500; ++i) run.row({0.01 * i, 0, 9.8, 0.0005 * i, 0.0005 * i});
   const Figure figure = run.figure();
-  EXPECT_EQ(figure.x_label, "angle of the ankle [rad]");
+  EXPECT_EQ(figure.x_label, messages::kAnkleAngle);
   ASSERT_EQ(figure.panels.at(0).curves.size(), 3u);
   const Curve& x = figure.panels[0].curves[0];
   EXPECT_NEAR(*std::max_element(x.x.begin(), x.x.end()), 0.2495, 1e-6);

@@ -5,12 +5,14 @@
 #include <stdexcept>
 
 #include "experiments/logs/plot/make_figure.hpp"
+#include "experiments/logs/plot/messages.hpp"
 #include "experiments/logs/plot/text.hpp"
 #include "some_logs.hpp"
 
 namespace darwinop::plot {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -85,7 +87,7 @@ TEST(Figure, TheSameLogTwiceIsNumbered) {
 TEST(Figure, ShowsMatchingColumnsOverTheRequestedAxis) {
   const Figure figure = makeFigure({twoJoints("walk.csv")}, options({"Neck.*", "gyro.?"}, "Neck.position"));
   EXPECT_EQ(figure.x_label, "Neck.position [rad]");
-  EXPECT_THAT(titles(figure), ElementsAre("rad/s", "rad", "plain numbers"));
+  EXPECT_THAT(titles(figure), ElementsAre("rad/s", "rad", messages::kNoUnit));
   EXPECT_THAT(labels(figure.panels[1]), ElementsAre("Neck.asked", "Neck.position"));
   EXPECT_THAT(figure.panels[0].curves[0].x, ElementsAre(0, 0.5, testing::IsNan()));
 }
@@ -98,7 +100,7 @@ TEST(Figure, ListsTheColumnsIfAPatternMatchesNothing) {
 
 TEST(Figure, RefusesAnEmptyFigure) {
   EXPECT_THAT(refusal({logs::parseLog("t_s,pos_rad\n1,0\n2,0\n", "still.csv")}, options()),
-              HasSubstr("no joint moves and no sensor changes; choose curves with --columns"));
+              AllOf(HasSubstr(messages::kNothingMoves), HasSubstr("--columns")));
   EXPECT_THAT(refusal({logs::parseLog("t_s,pos_rad\n", "none.csv")}, options()), HasSubstr("none.csv has no rows"));
 }
 

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "experiments/logs/plot/gnuplot.hpp"
+#include "experiments/logs/plot/messages.hpp"
 #include "experiments/logs/plot/plot.hpp"
 #include "support/shell.hpp"
 #include "support/temporary_folder.hpp"
@@ -23,7 +24,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 #define DARWINOP_NEEDS_GNUPLOT() \
-  if (process::findProgram("gnuplot").empty()) GTEST_SKIP() << "gnuplot is not installed"
+  if (process::findProgram("gnuplot").empty()) GTEST_SKIP() << messages::kGnuplotMissing
 
 struct Size {
   int width, height;
@@ -173,8 +174,7 @@ TEST_F(PlotCommand, WithoutGnuplotWritesThePageAndNamesThePackage) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(plotCommand(options()), 1);
   setenv("PATH", path.c_str(), 1);
-  EXPECT_THAT(testing::internal::GetCapturedStderr(),
-              HasSubstr("gnuplot is not installed (apt-get install gnuplot-nox)"));
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr(messages::kGnuplotMissing));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "a.html")) << "named after the first log";
   EXPECT_FALSE(std::filesystem::exists(folder_ / "a.png"));
 }

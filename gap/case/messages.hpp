@@ -1,0 +1,42 @@
+// Phrases that identify the errors of a case and its logs.
+#pragma once
+
+namespace darwinop::gap::messages {
+
+// case.json
+inline constexpr const char* kBeyondFolder = "is outside the folder of the case";
+inline constexpr const char* kDigitsBeyondDouble = "a number has more digits than any number can have";
+inline constexpr const char* kEndBeforeStart = "is not after `from_s`";
+inline constexpr const char* kGivenTwice = "is there twice";
+inline constexpr const char* kInvalidName = "is not a valid name";
+inline constexpr const char* kMissing = "is missing; give ";
+inline constexpr const char* kNoFitLog = "has no log with \"role\": \"fit\"";
+inline constexpr const char* kNoPRegister = "the case does not have its P register";
+inline constexpr const char* kNotJson = "this is not JSON";
+inline constexpr const char* kNotJsonObject = "not a JSON object";
+inline constexpr const char* kOtherDatasheetVoltage = "is of another voltage than ";
+inline constexpr const char* kOtherGainOrPayload = "which has another kp or payload";
+inline constexpr const char* kOtherJoint = "is another one than that of `logs[0]`";
+inline constexpr const char* kRepeatOfItself = "names the log itself";
+inline constexpr const char* kRepeatOfNothing = "names no log of this case";
+inline constexpr const char* kSecondSigma = "stands for a number that has a sigma already";
+inline constexpr const char* kTwoModels = "and `baseline` are two models";
+inline constexpr const char* kUnknownKey = "is not known";
+inline constexpr const char* kUnknownParameter = "is not a parameter of an effect";
+
+// logs
+inline constexpr const char* kJointNotGiven = "a recording has twenty joints; give the joint of the log";
+inline constexpr const char* kLoadHasOppositeSign = ", but the opposite sign, in ";
+inline constexpr const char* kNotRegular = "it is not a regular file";
+inline constexpr const char* kOneInDegrees = "; one is in degrees, so name the column ";
+inline constexpr const char* kOutsideServoRange = ", outside the range of a servo (";
+inline constexpr const char* kStuckDespiteLoad = "though the servo pushes hard both ways";
+inline constexpr const char* kStuckDespiteSpeed = "though the joint moves according to speed";
+inline constexpr const char* kStuckLikeLoad = "and so does load, though the goals require torque both ways";
+inline constexpr const char* kTooFastForServo = " rad/s, and this servo without load reaches ";
+
+// the data check
+inline constexpr const char* kCanReveal = "These data can reveal:";
+inline constexpr const char* kCannotReveal = "These data cannot reveal:";
+
+}  // namespace darwinop::gap::messages

@@ -1,0 +1,15 @@
+// Phrases that identify why an experiment or an effect is refused.
+#pragma once
+
+namespace darwinop::gap::messages {
+
+// a phase that cannot be predicted
+inline constexpr const char* kEndDependsOnMotion = "its end depends on the joint's motion";
+inline constexpr const char* kTorqueNotLogged = "it commands a torque, and logs record goals only";
+inline constexpr const char* kTorqueLimitNotLogged = "it changes the torque limit, which logs do not record";
+
+// an effect of --against
+inline constexpr const char* kEffectGivenTwice = "is given twice in --against";
+inline constexpr const char* kEffectNotFittable = "cannot be fitted here";
+
+}  // namespace darwinop::gap::messages
