@@ -122,7 +122,7 @@ class Reader final : public text::IniReader {
 
   void takeOffset(std::string_view key, std::string_view value) {
     const auto joint = findJoint(jointName(key));
-    if (!joint) refuse("Offsets", key, value, "no joint has this name; joints are called as in Webots, e.g. Neck");
+    if (!joint) refuse("Offsets", key, value, safety::kNoSuchJoint);
     const auto offset = text::numberFromText(value);
     if (!offset || !(std::abs(*offset) <= kMostOffset))
       refuse("Offsets", key, value,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "runtime/file_lock.hpp"
+#include "runtime/messages.hpp"
 #include "runtime/operator.hpp"
 
 namespace darwinop::monitor {
@@ -35,7 +36,7 @@ std::string RuntimeObserver::whyUnavailable(Nanos now) {
   const pid_t living = runtime::FileLock::holder(files_.loop_lock);
   if (living != block.info.pid && living != -1) {
     exchange_.reset();  // the next runtime creates new memory
-    return "the runtime (pid " + pid + ")" + kHasEnded;
+    return "the runtime (pid " + pid + runtime::messages::kRuntimeHasEnded;
   }
   if (const std::uint32_t finished = block.finished.value(); finished != std::exchange(finished_, finished))
     advanced_at_ = now;

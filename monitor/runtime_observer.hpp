@@ -16,7 +16,6 @@ class RuntimeObserver {
  public:
   static constexpr Nanos kCheckInterval{200'000'000}, kHung{5'000'000'000};
   // After "the runtime (pid N)".
-  static constexpr const char* kHasEnded = " has ended; start it again with: darwinop runtime";
   static constexpr const char* kHangs =
       " is alive but has not run a cycle for 5 s; check it with: darwinop runtime --status";
 

@@ -3,8 +3,8 @@
 # facts in the message (file, line, key, value, command), or the constant that the program itself uses.
 #
 # A finding is a literal in a *_test.cpp with two words or more that is part of a literal of the program; with FILE: in
-# that file. Names of tests, comments, commands and what a test says when it fails (after <<) do not count, nor what is a name
-# and not a message: its line says "// a name".
+# that file. Names of tests, comments, commands and what a test says when it fails (after <<) do not count, nor what only
+# reads like one: its line says "// no message".
 use strict;
 use warnings;
 use Cwd qw(abs_path);
@@ -35,7 +35,7 @@ my $failed = 0;
 for my $file (@given ? @given : @tests) {
   open my $in, '<', $file or die "cannot read $file: $!\n";
   while (my $line = <$in>) {
-    next if $line =~ /^\s*(?:TEST|#include|\/\/)|\/\/ a name/;
+    next if $line =~ /^\s*(?:TEST|#include|\/\/)|\/\/ no message/;
     $line =~ s/\/\/ .*//;
     $line =~ s/<<.*//;
     for my $text ($line =~ /$quoted/g) {

@@ -88,10 +88,10 @@ const std::array kGroups{
     Group{"an ankle and what hangs behind it",
           joints([](const JointRow& r) { return r.chain == Chain::kLeftLeg && r.id >= 16; })},
     Group{"a leg", joints([](const JointRow& r) { return r.chain == Chain::kLeftLeg; })},
-    Group{"both legs",
+    Group{"both legs",  // no message
           joints([](const JointRow& r) { return r.chain == Chain::kLeftLeg || r.chain == Chain::kRightLeg; })},
     Group{"the right side", joints([](const JointRow& r) { return r.id % 2 == 1; })},
-    Group{"all servos", std::bitset<kJoints>{}.set()},
+    Group{"all servos", std::bitset<kJoints>{}.set()},  // no message
 };
 
 TEST(CorrelatedFaults, ServosThatLoseTheirSupplyTogetherComeBackWithoutAJump) {

@@ -22,7 +22,7 @@ std::string winner(std::string_view setting) {
   for (const safety::StricterRow& rule : safety::kStricterWins) {
     if (rule.name != setting) continue;
     if (rule.wins == safety::Stricter::kMode) return "`mode`";
-    return rule.wins == safety::Stricter::kLower ? "the lower" : "the higher";  // a name
+    return rule.wins == safety::Stricter::kLower ? "the lower" : "the higher";  // no message
   }
   return "config.ini";
 }

@@ -186,7 +186,7 @@ TEST_F(SuiteAlone, BytesOfABrokenFileDoNotBreakTheResults) {
     return answer;
   };
   EXPECT_EQ(runSuite(suite).size(), 3U);
-  EXPECT_THAT(written()[0].at("why").get<std::string>(), HasSubstr("is unknown"));
+  EXPECT_THAT(written()[0].at("why").get<std::string>(), HasSubstr("is unknown"));  // no message
 }
 
 }  // namespace

@@ -144,7 +144,7 @@ TEST(HandOver, WritesFilesThatRunAndStateTheirPurpose) {
       0};
   Ranked ranked;
   ranked.vetted.candidate = named("steps_three_gains", next.stand);
-  ranked.vetted.candidate.prepare = "hang 100 g more to the arm";
+  ranked.vetted.candidate.prepare = "hang 100 g more to the arm";  // no message
   ranked.vetted.seconds = 30;
   ranked.separations = {{0, 1, 9}};
   next.ranked.push_back(ranked);

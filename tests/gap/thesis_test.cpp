@@ -32,7 +32,7 @@ Identified namedIn(const Case& given) {
       result.trail += e.name + " = " + std::to_string(e.value) + " " + e.unit + ", " + std::to_string(e.low) + " to " +
                       std::to_string(e.high) + "\n";
   for (const Rival& rival : result.identification.rivals)
-    result.trail += "rival " + rival.effects.back() + " worse by " + std::to_string(rival.behind) + "\n";
+    result.trail += "rival " + rival.effects.back() + " worse by " + std::to_string(rival.behind) + "\n";  // no message
   for (const PriorConflict& one : result.identification.prior_conflicts)
     result.trail += one.number + " in conflict with its prior by " + std::to_string(one.sigmas) + " sigma\n";
   return result;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/daemon.hpp"
+#include "runtime/messages.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace darwinop::monitor {
@@ -236,7 +237,7 @@ TEST_F(MonitorTest, ReportsThatNoRuntimeRunsAndWhenOneStartsAndEnds) {
   end();
   pass(400ms);
   EXPECT_EQ(observer_.types[0], "gone");
-  EXPECT_THAT(observer_.texts[0]["reason"].get<std::string>(), HasSubstr(RuntimeObserver::kHasEnded));
+  EXPECT_THAT(observer_.texts[0]["reason"].get<std::string>(), HasSubstr(runtime::messages::kRuntimeHasEnded));
   observer_.clear();
   begin();
   pass(400ms);

@@ -6,6 +6,7 @@
 
 #include "hal/net/web/web_client.hpp"
 #include "monitor/monitor.hpp"
+#include "runtime/messages.hpp"
 #include "system/rig.hpp"
 
 namespace darwinop::monitor {
@@ -111,7 +112,7 @@ TEST_F(MonitorProcess, ShowsAMoveAFaultAndADaemonThatDiesAndComesBack) {
   EXPECT_EQ(receiveType(third, "faults")["active"][0]["name"], "servo_silent");
 
   daemon->kill(SIGKILL);
-  EXPECT_THAT(receiveType(peer, "gone")["reason"].dump(), HasSubstr(RuntimeObserver::kHasEnded));
+  EXPECT_THAT(receiveType(peer, "gone")["reason"].dump(), HasSubstr(runtime::messages::kRuntimeHasEnded));
   driver.kill(SIGKILL);
   daemon->wait(5s);
   daemon = startDaemon();

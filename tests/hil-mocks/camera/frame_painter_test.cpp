@@ -23,7 +23,7 @@ struct Mapped {
     const int fd = open(path.c_str(), O_RDWR | O_CLOEXEC);
     void* const memory = mmap(nullptr, kFrameFileSize, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
     close(fd);
-    if (memory == MAP_FAILED) throw std::runtime_error("cannot map " + path);
+    if (memory == MAP_FAILED) throw std::runtime_error("cannot map " + path);  // no message
     file = static_cast<FrameFile*>(memory);
   }
   ~Mapped() { munmap(file, kFrameFileSize); }

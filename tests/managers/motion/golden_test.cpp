@@ -87,7 +87,7 @@ TEST(GoldenMotion, TheVendorsFileIsUnchangedByReadingAndWriting) {
   EXPECT_EQ(encodePages(pages), bytes);
   EXPECT_EQ(pages[255], emptyPage());
   EXPECT_EQ(pages[12].nameText(), "rk");
-  EXPECT_EQ(findPage(pages, "sit down"), 15);  // a name
+  EXPECT_EQ(findPage(pages, "sit down"), 15);  // no message
   EXPECT_EQ(findPage(pages, "moonwalk"), 0);
   EXPECT_EQ(pGainRegister(pages[12].slopes[15]), 64);
   EXPECT_EQ(pGainRegister(pages[12].slopes[3]), 8);

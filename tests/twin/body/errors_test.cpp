@@ -123,7 +123,7 @@ TEST_F(RefusedBody, NamesAMissingSensor) {
 }
 
 TEST_F(RefusedBody, IsOneWithoutAFreeJoint) {
-  replaceAll("<freejoint name=\"Body\"/>", "");
+  replaceAll("<freejoint name=\"Body\"/>", "");  // no message
   EXPECT_NE(refusal().find("<freejoint/>"), std::string::npos);
 }
 

@@ -86,7 +86,7 @@ TEST(Inertia, IsRefusedIfTheTotalWouldBeNegative) {
     FAIL() << "a negative inertia was accepted";
   } catch (const std::runtime_error& error) {
     const std::string why = error.what();
-    for (const char* part : {"armature = 0.001", "change = -0.0015", "[effect inertia]"})
+    for (const char* part : {"armature = 0.001", "change = -0.0015", "[effect inertia]"})  // no message
       EXPECT_NE(why.find(part), std::string::npos) << why;
   }
 }

@@ -71,9 +71,9 @@ TEST(Figure, LabelsContainTheModelsIfTheyDiffer) {
 }
 
 TEST(Figure, LabelsOmitModelsThatDoNotFit) {
-  const Figure figure = makeFigure(
-      {twoJoints("twin_p_gain.csv", 0, "twin in memory"), twoJoints("b.csv", 0, "twin in memory, model webots-2013")},
-      options());
+  const Figure figure = makeFigure({twoJoints("twin_p_gain.csv", 0, "twin in memory"),            // no message
+                                    twoJoints("b.csv", 0, "twin in memory, model webots-2013")},  // no message
+                                   options());
   EXPECT_EQ(figure.sources[0].label, "twin_p_gain");
   EXPECT_EQ(figure.sources[1].label, "b");
   EXPECT_EQ(figure.sources[1].model, "twin in memory, model webots-2013");

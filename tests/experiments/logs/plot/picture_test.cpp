@@ -99,7 +99,7 @@ TEST(Picture, HasItsSizeAndEveryCurveInItsColour) {
 
 TEST(Picture, DrawsALineAtAMark) {
   Figure figure = waves(1);
-  EXPECT_THAT(gnuplotScript(figure), Not(HasSubstr("set arrow")));
+  EXPECT_THAT(gnuplotScript(figure), Not(HasSubstr("set arrow")));  // no message
   figure.marks = {0.5, 1};
   EXPECT_THAT(gnuplotScript(figure), HasSubstr("set arrow from 1, graph 0 to 1, graph 1 nohead"));
 }

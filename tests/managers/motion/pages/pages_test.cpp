@@ -24,7 +24,7 @@ TEST(OwnPages, HaveTheNumbersUsedByControllers) {
     if (pages[i].canPlay()) names[i] = pages[i].nameText();
   const std::map<std::size_t, std::string> expected{
       {1, "init"}, {2, "ok"},  {3, "no"},        {4, "hi"},        {9, "walkready"}, {10, "f up"},    {11, "b up"},
-      {12, "rk"},  {13, "lk"}, {15, "sit down"}, {16, "stand up"}, {24, "hello"},    {38, "bye bye"},  // a name
+      {12, "rk"},  {13, "lk"}, {15, "sit down"}, {16, "stand up"}, {24, "hello"},    {38, "bye bye"},  // no message
   };
   EXPECT_EQ(names, expected);
 }
