@@ -96,7 +96,7 @@ answer() {
 
 # may_differ CASE CONSTANT FACTOR: with it a comparison is decided otherwise, or the constant is used as a number.
 may_differ() {
-  awk -v name="$2" -v column=$(($3 == 2 ? 4 : 3)) '$1 == name { found = 1; if ($column || $5) differs = 1 }
+  awk -v name="$2" -v factor="$3" '$1 == name { found = 1; differs = (factor < 1 ? $3 : $4) || $5 }
     END { exit !(differs || !found) }' "$runs/identify/$1.margins"
 }
 
