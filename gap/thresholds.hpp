@@ -1,6 +1,7 @@
-// Every tuned constant of the identification, with its unit, what it does, and the evidence for its value.
+// Every tuned constant of the identification, with its unit, what it does, and the evidence for its value. What half
+// and twice of each do to cases of another simulator: tests/gap/sensitivity.tsv, printed by tools/gap-sensitivity.sh.
 //
-// "No evidence yet": chosen by judgement; the effect of half and twice the value on a suite has not been measured.
+// "No evidence yet": chosen by judgement; none or fewer than five of these cases have shown what another value does.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +11,17 @@ namespace darwinop::gap::thresholds {
 
 // ---- Assessment of a fitted model (gap/identify/assessment.cpp) ----
 
-/// Bootstrap standard deviations of a right model's cost. Above, something is missing. No evidence yet.
+/// Bootstrap standard deviations of a right model's cost. Above, something is missing.
 inline constexpr double kMisfitSigmas = 4;
 /// Prior standard deviations. A baseline number beyond is reported as a prior conflict. From the specification.
 inline constexpr double kPriorConflictSigmas = 3;
-/// Prior standard deviations. Beyond, effects that stand for this number are tried first. No evidence yet.
+/// Prior standard deviations. Beyond, effects that stand for this number are tried first.
 inline constexpr double kPriorTensionSigmas = 2.4;
-/// Cost. Least gain of an effect that releases such a number: most of what its sigmas cost. No evidence yet.
+/// Cost. Least gain of an effect that releases such a number: most of what its sigmas cost.
 inline constexpr double kPriorReleaseGain = 4;
 /// Half width of a 90 % interval of a normal distribution, in standard deviations. Statistics, not tuned.
 inline constexpr double kInterval90 = 1.645;
-/// Ratio of cost to expected cost. Up to here a model counts as right, and its intervals are not widened. No evidence
-/// yet.
+/// Ratio of cost to expected cost. Up to here a model counts as right, and its intervals are not widened.
 inline constexpr double kRightCostRatio = 1.15;
 /// Samples at 16 ms whose errors are correlated where a model is wrong; widens intervals. From the specification
 /// (N_eff = N / 8).
@@ -29,14 +29,14 @@ inline constexpr double kCorrelatedSamples = 8;
 /// Share of a parameter: its 90 % interval is never narrower. A limit of 80 rad/s2 came back 0.3 % off from the logs of
 /// another simulator.
 inline constexpr double kFinestInterval = 0.004;
-/// Share of a parameter's range. Closer to an end than this counts as at the bound. No evidence yet.
+/// Share of a parameter's range. Closer to an end than this counts as at the bound.
 inline constexpr double kBoundMargin = 1e-3;
 /// Share of a parameter's range. Closer to neutral than this is not a finding: the encoder cannot resolve a delay, a
 /// play or a gain that small.
 inline constexpr double kNegligibleShare = 3e-4;
-/// Noise floors that may remain after an effect that removes kExplainedGapShare of the gap. No evidence yet.
+/// Noise floors that may remain after an effect that removes kExplainedGapShare of the gap.
 inline constexpr double kRemainingFloors = 3;
-/// Share of the gap that has to be removed where the misfit is still significant. No evidence yet.
+/// Share of the gap that has to be removed where the misfit is still significant.
 inline constexpr double kExplainedGapShare = 0.85;
 /// Noise floors. A smaller gap without a named effect is `cannot_tell`, not `unknown`. From the specification.
 inline constexpr double kLeastGapFloors = 2;
@@ -47,36 +47,36 @@ inline constexpr double kLeastGapFloors = 2;
 inline constexpr int kBootstrapRuns = 200;
 /// Replicas where the model is plainly wrong (kPlainCost): the threshold matters less there.
 inline constexpr int kFewBootstrapRuns = 40;
-/// Cost per residual above which a model is plainly wrong for that purpose. No evidence yet.
+/// Cost per residual above which a model is plainly wrong for that purpose.
 inline constexpr double kPlainCost = 1.5;
 /// Seeds of replicas start here, apart from those of the noise model.
 inline constexpr std::uint64_t kBootstrapSeed = 900'000'000;
 
 // ---- Selection (gap/identify/selection.cpp, select.cpp, prune.cpp) ----
 
-/// Times the chance gain that an effect has to gain where noise alone explains the residual. No evidence yet.
+/// Times the chance gain that an effect has to gain where noise alone explains the residual.
 inline constexpr double kChanceMargin = 1.3;
 /// Least share of the cost beyond noise that an effect has to remove: any effect happens to remove some. From the
 /// specification (5 % of the excess gap).
 inline constexpr double kLeastExcessShare = 0.05;
-/// Share of the cost beyond noise that an effect at its bound has to remove to be accepted. No evidence yet.
+/// Share of the cost beyond noise that an effect at its bound has to remove to be accepted.
 inline constexpr double kBoundExcessShare = 0.8;
-/// Cost per residual beyond noise. Above, a further effect must improve leave-one-out predictions. No evidence yet.
+/// Cost per residual beyond noise. Above, a further effect must improve leave-one-out predictions.
 inline constexpr double kCrossValidateCost = 2;
-/// Prior standard deviations. With all other numbers fixed, a moved number is a finding beyond. No evidence yet.
+/// Prior standard deviations. With all other numbers fixed, a moved number is a finding beyond.
 inline constexpr double kFixedNumberSigmas = 1.5;
 /// Effects that are looked for with all numbers fixed; more are a sign that the numbers are off. No evidence yet.
 inline constexpr int kMaxEffectsFixed = 2;
-/// Share of the gap. If two effects leave more, the selection stops, and its effects are not named. No evidence yet.
+/// Share of the gap. If two effects leave more, the selection stops, and its effects are not named.
 inline constexpr double kHopelessGapShare = 0.5;
 /// A remaining gap below all three is a difference in how an effect is modelled, not a further effect: bootstrap
-/// standard deviations, noise floors, share of the gap. No evidence yet.
+/// standard deviations, noise floors, share of the gap.
 inline constexpr double kNearMisfitSigmas = 60, kNearFloors = 1.5, kNearGapShare = 0.15;
 /// Ratio of mean position errors on held-out logs, after over before, above which the effects are withdrawn, and noise
 /// floors by which it has to grow. None of 121 cases of two suites came near them.
 inline constexpr double kHeldOutErrorRatio = 1.5, kHeldOutFloors = 2;
 /// Twice the log evidence within which a rival is not excluded: odds of 150 to 1; of 7 to 1 against a rival with more
-/// free parameters. The scale of Kass and Raftery (1995); no evidence yet.
+/// free parameters. The scale of Kass and Raftery (1995).
 inline constexpr double kRivalEvidence = 10, kLargerRivalEvidence = 4;
 
 // ---- Shortlist of candidates (gap/identify/shortlist.cpp) ----
@@ -87,22 +87,20 @@ inline constexpr std::size_t kRefinedEffects = 10, kRefinedEffectsRough = 16;
 inline constexpr std::size_t kStartsPerEffect = 3;
 /// Effects that are fitted. From the specification (refine the best 5).
 inline constexpr std::size_t kFittedEffects = 6;
-/// Fitted models that are compared under the noise of the best. No evidence yet.
+/// Fitted models that are compared under the noise of the best.
 inline constexpr std::size_t kComparedModels = 5;
-/// Only models this close to the best are compared: share of its gain, or cost. No evidence yet.
+/// Only models this close to the best are compared: share of its gain, or cost.
 inline constexpr double kNearGainShare = 0.15, kNearCost = 60;
 /// Prior cost. Above, the fit may have pulled the baseline numbers away, so it is repeated from their expected values.
-/// No evidence yet.
 inline constexpr double kPulledPriorCost = 15;
-/// Twice the log evidence by which a rival must lead under the best model's noise to be refitted under its own. No
-/// evidence yet.
+/// Twice the log evidence by which a rival must lead under the best model's noise to be refitted under its own.
 inline constexpr double kRivalLead = 2;
 
 // ---- Refit with matching noise (gap/identify/fitted_model.cpp) ----
 
-/// Total cost. A round that gains less is the last. No evidence yet.
+/// Total cost. A round that gains less is the last.
 inline constexpr double kRefitGain = 0.5;
-/// Squared standard deviations. A fit that moved less keeps its noise model. No evidence yet.
+/// Squared standard deviations. A fit that moved less keeps its noise model.
 inline constexpr double kRefitMovement = 30;
 /// Simulations per log behind a noise model. Fewer leave modes out, which then look like an effect; where the model
 /// discrepancy counts as noise, fewer suffice.
@@ -146,7 +144,7 @@ inline constexpr double kSupplyUncertainOhm = 1;
 
 // ---- Roughly known baselines (gap/identify/rough_selection.cpp) ----
 
-/// Relative prior standard deviation of kt or resistance from which the motor counts as not measured. No evidence yet.
+/// Relative prior standard deviation of kt or resistance from which the motor counts as not measured.
 inline constexpr double kRoughPrior = 0.1;
 /// Cost. Least gain of an effect that every servo has: predictions improve from 2 on (Akaike 1974).
 inline constexpr double kCommonEffectGain = 2;
@@ -203,7 +201,7 @@ inline constexpr double kLeastStepRoom = 0.01;
 inline constexpr double kSolverTolerance = 1e-5;
 /// Standard deviations beyond which a residual counts linearly while the search is far off. No evidence yet.
 inline constexpr double kFarRobustSigmas = 100;
-/// Cost per residual above which a search counts as far off; a right model has about 1. No evidence yet.
+/// Cost per residual above which a search counts as far off; a right model has about 1.
 inline constexpr double kFarCost = 2.5;
 /// Share of the largest eigenvalue below which the data do not determine a direction.
 inline constexpr double kUnseenEigenvalue = 1e-9;
@@ -213,7 +211,7 @@ inline constexpr int kMaxJumps = 3;
 
 // ---- Block tests (gap/localize/block_test.cpp, blocks.cpp, absorb.cpp, fit_nuisances.cpp) ----
 
-/// Standard deviations beyond simulated repeats from which a block is open. No evidence yet.
+/// Standard deviations beyond simulated repeats from which a block is open.
 inline constexpr double kOpenSigmas = 6;
 /// Standard deviations that the baseline numbers may move for a block to close: exceeded once in 2000.
 inline constexpr double kMovedSigmas = 3.3;
@@ -233,15 +231,14 @@ inline constexpr int kNuisanceSteps = 3;
 inline constexpr double kNuisanceStepSigmas = 0.5;
 /// s. Window of law speed_p in which the positions show what the law commanded.
 inline constexpr double kSpeedLawWindow = 0.06;
-/// Share of the plant's cost beyond noise that a delay has to explain for the plant to count as closed. No evidence
-/// yet.
+/// Share of the plant's cost beyond noise that a delay has to explain for the plant to count as closed.
 inline constexpr double kDelayShare = 0.75;
 /// Times the expected rms that a speed register must exceed: servos filter their speed in many ways.
 inline constexpr double kSensorRatio = 1.5;
 /// Times the expected rms up to which an open controller that nothing explains counts as closed, and the share of its
-/// cost that counts as an explanation. No evidence yet.
+/// cost that counts as an explanation.
 inline constexpr double kControllerNoiseRatio = 1.2, kControllerExplainedShare = 0.15;
-/// Share of the plant's cost that may remain with what was found in earlier blocks. No evidence yet.
+/// Share of the plant's cost that may remain with what was found in earlier blocks.
 inline constexpr double kPlantRemainderShare = 0.1;
 
 // ---- Command or controller (gap/localize/command_split.cpp) ----
@@ -252,26 +249,28 @@ inline constexpr double kGoalAtRest = 0.5;
 inline constexpr double kSplitExplains = 0.15, kSplitExplainsAll = 0.9, kSplitRestIsNone = 0.1;
 
 // ---- Intervals, regions, remainder (gap/localize/intervals.cpp, interval_scan.cpp, regions.cpp, remains.cpp) ----
+//
+// No verdict depends on them: they choose what a report lists, and its words.
 
 /// False discovery rate of intervals (Benjamini and Hochberg 1995). From the specification.
 inline constexpr double kFalseDiscoveries = 0.01;
-/// Share of samples that counts as independent: a release leaves correlated errors. No evidence yet.
+/// Share of samples that counts as independent: a release leaves correlated errors.
 inline constexpr double kIndependentShare = 0.5;
 /// Intervals that are listed, and those of loads and voltages among them.
 inline constexpr std::size_t kMostIntervals = 10, kMostBlockIntervals = 4;
 /// rad from row to row that is a step of the goal; s that it lasts on; rad/s of rest and of slow motion.
 inline constexpr double kGoalStep = 0.1, kAfterGoalStep = 0.3, kRestSpeed = 0.05, kSlowSpeed = 0.3;
-/// Bins of a state variable and of the residual; samples in a bin that is named. No evidence yet.
+/// Bins of a state variable and of the residual; samples in a bin that is named.
 inline constexpr std::size_t kStateBins = 8, kResidualLevels = 4, kFewestInBin = 12;
-/// Share of the variance below which state or clock explain nothing. No evidence yet.
+/// Share of the variance below which state or clock explain nothing.
 inline constexpr double kDependenceShare = 0.05;
 /// rad/s above which a direction of motion is known.
 inline constexpr double kDirectionSpeed = 0.05;
-/// bits below which a state variable is not worth naming. No evidence yet.
+/// bits below which a state variable is not worth naming.
 inline constexpr double kInformativeBits = 0.05;
 /// Share of the energy in one interval that makes it an event. From the specification.
 inline constexpr double kEventShare = 0.8;
-/// Ratio of energy in a bin to the mean from which the bin is named. No evidence yet.
+/// Ratio of energy in a bin to the mean from which the bin is named.
 inline constexpr double kLiftedBin = 1.5;
 /// s by which rows of two repeated logs may differ.
 inline constexpr double kSameRowTime = 2e-3;

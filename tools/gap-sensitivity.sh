@@ -1,77 +1,135 @@
 #!/usr/bin/env bash
-# gap-sensitivity.sh CASES KEY RESULTS: what does half and twice each constant of gap/thresholds.hpp do to a suite? Builds
-# darwinop gap once, in a checkout of its own, with constants that the environment scales, and runs the suite for each of
-# them. Appends to RESULTS a line a run: constant, factor, fair answers, cases, cases with another answer than without a
-# factor. Lines that are there are not run again, so it can be stopped at any time. SENSITIVITY_JOBS: cases at once (1).
+# gap-sensitivity.sh CASES [CONSTANT...]: what do half and twice each constant of gap/thresholds.hpp do to the answers of
+# darwinop gap? Builds it once, in a checkout of its own, with constants that count what half and twice would have
+# decided otherwise (tools/gap-sensitivity.hpp). Where nothing would, the answer of a case is the same; else the case is
+# run again. Prints a line a constant: cases with another answer, and cases examined, at half and at twice; uses
+# in the suite (-: not counted).
+#
+# What has been run is kept in build/sensitivity/build/runs, so it can be stopped at any time.
+# SENSITIVITY_SECONDS: cases that took longer at first are not run again (1e9). 0: nothing is.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
-[ $# = 3 ] || { sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
-cases=$(readlink -f "$1") key=$(readlink -f "$2") results=$(readlink -f "$3")
+[ $# -ge 1 ] || { sed -n '2,10s/^# \?//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+cases=$(readlink -f "$1")
+shift
 tree=$PWD/build/sensitivity
-header=$tree/gap/thresholds.hpp
+runs=$tree/build/runs
+program=$tree/build/release/bin/darwinop-gap
 . tools/dev/build.sh
 
 # What sizes an array, seeds a draw or is counted as a statistic stays.
 fixed='kMaxRipplesPerTurn|kResidualLevels|kBootstrapSeed|kInterval90'
+# What the code hands to Eigen and the like; the other constants are tracked.
+numbers='kFinestInterval|kCorrelatedSamples|k\w*RobustSigmas|kDiscrepancyTime|kAbsorbedSigmas|kNuisanceStepSigmas'
+numbers+='|kNoise\w*HalfWindow|kFewRunsFactor|kImpossibleSigmas|kRepeatsHalfWindow|kSpreadOf\w+|kIndependentShare'
+numbers+='|kScreenRippleTorque|kRippleTorque|kRippleWindow|kRipplePeriod|kRefinePriorSigmas|kFarthestPriorSigmas'
+numbers+='|kSmallestScale|kLongestStep|kShortestStep|kLeastStepRoom|kSolverTolerance|kJumpGain\w*|kSpeedLawWindow'
+numbers+='|kCrossValidationIterations'
 
-scalable() {
+constants() {
   perl -ne 'next unless s/^inline constexpr (?:double|int|std::size_t) //; print "$1\n" while /(\w+) = /g' gap/thresholds.hpp |
     grep -vxE "$fixed"
 }
 
-make_scalable() {
-  FIXED=$fixed perl -pi -e '
-    s{^namespace darwinop::gap::thresholds \{}{
-#include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <type_traits>
-
-$&
-
-template <typename T>
-T scaled(const char* name, T value) {
-  const char* wanted = std::getenv("DARWINOP_THRESHOLD");
-  if (wanted == nullptr || std::strcmp(wanted, name) != 0) return value;
-  const double by = std::atof(std::getenv("DARWINOP_FACTOR")) * static_cast<double>(value);
-  return static_cast<T>(std::is_integral_v<T> ? std::ceil(by) : by);
-}
-};
-    if (/^inline constexpr (double|int|std::size_t) (.*);$/) {
+# Constants of the checkout become tracked; what is computed from them stays so up to the comparison.
+track() {
+  (
+    cd "$tree"
+    FIXED=$fixed NUMBERS=$numbers perl -pi -e '
+      next unless /^inline constexpr (double|int|std::size_t) (.*);$/;
       my $type = $1;
       $_ = join "", map {
         my ($name, $value) = split / = /;
-        $name =~ /^(?:$ENV{FIXED})$/ ? "inline constexpr $type $name = $value;\n"
-                                     : "inline const $type $name = scaled<$type>(\"$name\", $value);\n"
-      } split /, /, $2;
-    }' "$header"
+        my $set = "setting<$type>(\"$name\", $value)";
+        $name =~ /^(?:$ENV{FIXED})$/     ? "inline constexpr $type $name = $value;\n"
+        : $name =~ /^(?:$ENV{NUMBERS})$/ ? "inline const $type $name = $set;\n"
+        : "inline Margin ${name}_margin{\"$name\"};\ninline const Tracked ${name}{${name}_margin, $set};\n"
+      } split /, /, $2;' gap/thresholds.hpp
+    cat "$OLDPWD/tools/gap-sensitivity.hpp" gap/thresholds.hpp >thresholds.tracked
+    mv thresholds.tracked gap/thresholds.hpp
+    perl -0pi -e '
+      s/constexpr( double \w+ =\s+[^;]*thresholds::)/const$1/g;
+      s/\bconst (?:double|int) (\w+ =[^;,]*thresholds::)/const auto $1/g;
+      s/(\bconst double \w+ = [^;,]*), (\w+ = thresholds::)/$1; const auto $2/g;
+      s/(\? thresholds::\w+) : (1|threshold)\b/$1 : thresholds::Tracked{static_cast<double>($2)}/g;
+      s/\bdouble ((?:Selection::)?(?:leastGain|leastGainOf|neededFor)\()/thresholds::Tracked $1/g;
+      s/\bdouble needed\b/const thresholds::Tracked& needed/g;
+      s/(gain = 0), needed = 0;/$1; thresholds::Tracked needed{0};/;
+      s/, needed = neededFor/; const auto needed = neededFor/;
+      s/\badd\(best, gain, threshold_,/add(best, gain, thresholds::Tracked{threshold_},/;
+      s/gain, needed\);(\s+if \(!passes)/gain, +needed);$1/;
+      s/std::size_t (most = thresholds::)/thresholds::Tracked $1/;
+      s/keepFirst\(std::size_t most/keepFirst(const thresholds::Tracked& most/;
+    ' gap/{fit,identify,localize}/*.[ch]pp
+    perl -pi -e 's/thresholds::k\w+/(+$&)/g' gap/report/*.cpp
+  )
 }
 
-# run CONSTANT FACTOR: the suite with it; prints the folder's results file.
+# Localization changes no verdict and no effect: constants that only it uses need no identification.
+only_locates() { ! grep -rlw "$1" gap --include=*.cpp --include=*.hpp | grep -qvE '^gap/(localize/|thresholds.hpp)'; }
+
+# run CASE KIND [CONSTANT FACTOR]: KIND is identify or locate. Prints the name of its files, without .json and .margins.
 run() {
-  local out=$tree/build/results-$1-$2.json
-  DARWINOP_THRESHOLD=$1 DARWINOP_FACTOR=$2 "$tree/build/release/bin/darwinop-gap" benchmark run "$cases" --resume --out "$out" \
-    --jobs "${SENSITIVITY_JOBS:-1}" >"$tree/build/run.log" 2>&1 || { cat "$tree/build/run.log" >&2 && exit 1; }
+  local out=$runs/$2/$1${3:+/$3-$4} alone
+  if [ ! -e "$out.json" ]; then
+    mkdir -p "$(dirname "$out")"
+    rm -f "$out.margins"
+    alone=$(mktemp -d)
+    ln -s "$cases/$1" "$alone/$1"
+    export DARWINOP_MARGINS=$out.margins DARWINOP_THRESHOLD=${3:-} DARWINOP_FACTOR=${4:-1}
+    if [ "$2" = locate ]; then
+      "$program" locate "$cases/$1" --json >"$out.new" || exit 1
+    else
+      "$program" benchmark run "$alone" --out "$out.new" >"$runs/log" 2>&1 || { cat "$runs/log" >&2 && exit 1; }
+    fi
+    mv "$out.new" "$out.json"
+    rm -r "$alone"
+  fi
   echo "$out"
 }
 
-# answers FILE: a line a case: its name, verdict and effects.
-answers() { jq -r '.[] | [.case, .verdict, ([.effects[]?.id] | join("+"))] | @tsv' "$1" | sort; }
+# answer FILES: verdict and effects; of a localization the blocks of the loop.
+answer() {
+  jq -r 'if type == "array" then .[0] | .verdict, (.effects[]?.id)
+    else .first_block, (.blocks[] | .block, .verdict) end' "$1.json"
+}
 
-touch "$results"
-[ -d "$tree" ] || git worktree add --detach "$tree" HEAD >/dev/null
+# may_differ CASE CONSTANT FACTOR: with it a comparison is decided otherwise, or the constant is used as a number.
+may_differ() {
+  awk -v name="$2" -v factor="$3" '$1 == name { found = 1; differs = (factor < 1 ? $3 : $4) || $5 }
+    END { exit !(differs || !found) }' "$runs/identify/$1.margins"
+}
+
+# examine CONSTANT FACTOR: how many cases have another answer, and how many were examined.
+examine() {
+  local case examined=0 other=0 kind=identify
+  if only_locates "$1"; then kind=locate; fi
+  for case in "${names[@]}"; do
+    if may_differ "$case" "$1" "$2"; then
+      [ "$kind" = locate ] || may_take_as_long_as "$case" || continue
+      [ "$(answer "$(run "$case" "$kind")")" = "$(answer "$(run "$case" "$kind" "$1" "$2")")" ] || other=$((other + 1))
+    fi
+    examined=$((examined + 1))
+  done
+  printf '%s\t%s' "$other" "$examined"
+}
+may_take_as_long_as() {
+  jq -e --argjson most "${SENSITIVITY_SECONDS:-1e9}" '.[0].runtime_s <= $most' "$runs/identify/$1.json" >/dev/null
+}
+
+if [ ! -d "$tree" ]; then git worktree add --detach "$tree" HEAD >/dev/null; fi
 git -C "$tree" checkout -q -- .
 git -C "$tree" checkout -q --detach HEAD
-make_scalable
-sed -i 's/constexpr double kLost/const double kLost/' "$tree/gap/fit/noise.cpp"  # made of one of them
-(cd "$tree" && CXXFLAGS=-Wno-error=conversion build release-tests darwinop-gap)
-plain=$(run none 1)
-scalable | while read -r constant; do
-  for factor in 0.5 2; do
-    ! grep -q "^$constant	$factor	" "$results" || continue
-    scaled=$(run "$constant" "$factor")
-    fair=$("$tree/build/release/bin/darwinop-gap" benchmark score --json "$scaled" "$key" | jq -r '[.fair.right, .cases] | @tsv')
-    changed=$(diff <(answers "$plain") <(answers "$scaled") | grep -c '^>' || :)
-    printf '%s\t%s\t%s\t%s\n' "$constant" "$factor" "$fair" "$changed" | tee -a "$results"
-  done
+track
+(cd "$tree" && CXXFLAGS="-Wno-error=conversion -Wno-error=float-conversion" build release darwinop-gap) >&2
+mapfile -t names < <(cd "$cases" && printf '%s\n' */case.json | sed 's|/.*||')
+mkdir -p "$runs"
+for name in "${names[@]}"; do run "$name" identify >/dev/null; done
+[ $# -gt 0 ] || mapfile -t all < <(constants)
+printf 'constant\thalf: other\tof\ttwice: other\tof\tuses\n'
+for constant in "${@:-${all[@]}}"; do
+  half=$(examine "$constant" 0.5) twice=$(examine "$constant" 2)
+  compared=$(cat "$runs"/identify/*.margins |
+    awk -v name="$constant" '$1 == name { found = 1; n += $2 + $5 } END { print found ? n + 0 : "-" }')
+  printf '%s\t%s\t%s\t%s\n' "$constant" "$half" "$twice" "$compared"
 done
