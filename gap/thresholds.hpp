@@ -2,6 +2,7 @@
 // and twice of each do to cases of another simulator: tests/gap/sensitivity.tsv, printed by tools/gap-sensitivity.sh.
 //
 // "No evidence yet": chosen by judgement; none or fewer than five of these cases have shown what another value does.
+// Limits of what counts as a plausible recording stand beside their checks in gap/case: they judge data, not models.
 #pragma once
 
 #include <cstddef>
