@@ -53,20 +53,20 @@ Part partCalled(const std::string& word) {
 
 int runBenchmark(const Arguments& given) {
   if (given.resume && given.out.empty()) throw std::runtime_error("--resume needs the results file: give --out");
-  Suite battery;
-  battery.folder = given.folder;
-  battery.out = given.out;
-  battery.resume = given.resume;
-  battery.jobs = std::max<std::size_t>(1, given.jobs);
+  Suite suite;
+  suite.folder = given.folder;
+  suite.out = given.out;
+  suite.resume = given.resume;
+  suite.jobs = std::max<std::size_t>(1, given.jobs);
   const unsigned threads = given.threads == 0 ? Ranks::cores() : given.threads;
-  setThreads(std::max(1U, threads / static_cast<unsigned>(battery.jobs)));
-  battery.begun = [](std::size_t kept) {
+  setThreads(std::max(1U, threads / static_cast<unsigned>(suite.jobs)));
+  suite.begun = [](std::size_t kept) {
     show(kept == 0 ? "" : std::to_string(kept) + " cases have a result already", "");
   };
-  battery.progress = [](const SuiteProgress& progress) {
+  suite.progress = [](const SuiteProgress& progress) {
     show(lineOf(progress.answer), barOf(progress.done, progress.of, progress.elapsed_s));
   };
-  const nlohmann::json answers = runSuite(battery);
+  const nlohmann::json answers = runSuite(suite);
   if (!Ranks::isFirst()) return 0;
   if (given.out.empty()) std::cout << textOf(answers) << '\n';
   const std::size_t errors = errorsIn(answers);

@@ -27,7 +27,7 @@ struct Arguments {
   std::string part = "quick";          // of our own suite
   std::size_t cases = 0;               // of it; 0: all
   std::size_t jobs = 1;                // cases at once
-  bool resume = false;                 // of a battery
+  bool resume = false;                 // of a suite
   unsigned threads = 0;                // 0: as many as there are cores
   std::string results, key;            // to score
   std::string against;                 // to plan for: ids of effects, with commas; empty: from the identification

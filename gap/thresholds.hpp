@@ -205,7 +205,7 @@ inline constexpr double kFarRobustSigmas = 100;
 /// Cost per residual above which a search counts as far off; a right model has about 1.
 inline constexpr double kFarCost = 2.5;
 /// Share of the largest eigenvalue below which the data do not determine a direction.
-inline constexpr double kUnseenEigenvalue = 1e-9;
+inline constexpr double kUnobservableEigenvalue = 1e-9;
 /// Cost, and share of the cost, that a jump out of a local minimum has to gain; jumps per search. No evidence yet.
 inline constexpr double kJumpGain = 2, kJumpGainShare = 0.005;
 inline constexpr int kMaxJumps = 3;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # check_rooms.sh [ROOT]: do the sources keep to tools/cmake/rooms.table? No #include may lead to a room that its own room
 # does not use, no use may lead upward, and what a room must never hold is not in it. Prints each violation with file
-# and line. `ctest -R Rooms` runs it; tests/rooms has a small house with every kind of violation.
+# and line. `ctest -R Rooms` runs it; tests/rooms has a small tree with every kind of violation.
 set -euo pipefail
 cd "${1:-$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/..}"
 table=tools/cmake/rooms.table
@@ -27,7 +27,7 @@ never() {
 }
 
 violations=$(
-  # Every source of the house but tests, tools and examples, which may use all rooms.
+  # Every source of the tree but tests, tools and examples, which may use all rooms.
   find . -path ./build -prune -o -path ./tests -prune -o -path ./tools -prune -o -path ./controllers -prune -o \
     -path './.*' -prune -o -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' \) -print | sed 's:^\./::' | sort |
     xargs awk -F ' *[|] *' '

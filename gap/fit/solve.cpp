@@ -33,19 +33,19 @@ Eigen::MatrixXd covarianceOf(const Eigen::MatrixXd& information) {
   const Eigen::VectorXd scale =
       information.diagonal().unaryExpr([](double d) { return d > 0 ? 1 / std::sqrt(d) : 1.0; });
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen{scale.asDiagonal() * information * scale.asDiagonal()};
-  const double least = thresholds::kUnseenEigenvalue * std::max(1.0, eigen.eigenvalues().maxCoeff());
+  const double least = thresholds::kUnobservableEigenvalue * std::max(1.0, eigen.eigenvalues().maxCoeff());
   const Eigen::Index count = information.cols();
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
-  Eigen::VectorXd unseen = Eigen::VectorXd::Zero(count);
+  Eigen::VectorXd unobservable = Eigen::VectorXd::Zero(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const Eigen::VectorXd direction = scale.asDiagonal() * eigen.eigenvectors().col(i);
     if (eigen.eigenvalues()[i] > least)
       covariance += direction * direction.transpose() / eigen.eigenvalues()[i];
     else
-      unseen += eigen.eigenvectors().col(i).cwiseAbs2();
+      unobservable += eigen.eigenvectors().col(i).cwiseAbs2();
   }
   for (Eigen::Index i = 0; i < count; ++i)
-    if (unseen[i] > 0.01) covariance(i, i) = kInfinity;
+    if (unobservable[i] > 0.01) covariance(i, i) = kInfinity;
   return covariance;
 }
 

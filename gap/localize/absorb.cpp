@@ -10,17 +10,17 @@
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
-Absorption absorb(const Eigen::VectorXd& z, const Eigen::MatrixXd& slopes) {
-  Absorption out{.left = z, .moves = Eigen::VectorXd::Zero(slopes.cols())};
-  if (slopes.cols() == 0) return out;
+Absorption absorb(const Eigen::VectorXd& z, const Eigen::MatrixXd& jacobian) {
+  Absorption out{.left = z, .moves = Eigen::VectorXd::Zero(jacobian.cols())};
+  if (jacobian.cols() == 0) return out;
   for (int round = 0; round < thresholds::kAbsorptionRounds; ++round) {
     // Weights of the pseudo-Huber cost; the prior weighs 1.
     const Eigen::VectorXd weight = (1 + (out.left.array() / thresholds::kRobustSigmas).square()).rsqrt();
-    Eigen::MatrixXd normal = slopes.transpose() * weight.asDiagonal() * slopes;
+    Eigen::MatrixXd normal = jacobian.transpose() * weight.asDiagonal() * jacobian;
     normal.diagonal().array() += 1;
-    const Eigen::VectorXd right = slopes.transpose() * (weight.array() * z.array()).matrix();
+    const Eigen::VectorXd right = jacobian.transpose() * (weight.array() * z.array()).matrix();
     out.moves = normal.ldlt().solve(right).cwiseMax(-thresholds::kAbsorbedSigmas).cwiseMin(thresholds::kAbsorbedSigmas);
-    out.left = z - slopes * out.moves;
+    out.left = z - jacobian * out.moves;
   }
   return out;
 }

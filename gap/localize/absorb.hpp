@@ -10,9 +10,9 @@ struct Absorption {
   Eigen::VectorXd moves;  // of the numbers, in prior standard deviations
 };
 
-/// `z`: whitened residuals. `slopes`: their decrease per prior standard deviation of each number. Minimises robust cost
-/// plus prior.
-Absorption absorb(const Eigen::VectorXd& z, const Eigen::MatrixXd& slopes);
+/// `z`: whitened residuals. `jacobian`: their decrease per prior standard deviation of each number. Minimises robust
+/// cost plus prior.
+Absorption absorb(const Eigen::VectorXd& z, const Eigen::MatrixXd& jacobian);
 
 /// Significance of the moves together, in standard deviations of a normal distribution.
 double significanceOf(const Eigen::VectorXd& moves);

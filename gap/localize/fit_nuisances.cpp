@@ -30,9 +30,9 @@ class Mover {
     Eigen::VectorXd best = moves, z = best_z;
     double least = costAt(z, moves);
     for (int step = 0; step < thresholds::kNuisanceSteps; ++step) {
-      const Eigen::MatrixXd slopes = jacobianAt(moves, z);
-      if (slopes.isZero()) break;
-      moves = absorb(z + slopes * moves, slopes).moves;
+      const Eigen::MatrixXd jacobian = jacobianAt(moves, z);
+      if (jacobian.isZero()) break;
+      moves = absorb(z + jacobian * moves, jacobian).moves;
       z = columns({moves}).col(0);
       if (const double cost = costAt(z, moves); cost < least) least = cost, best = moves, best_z = z;
     }

@@ -28,7 +28,7 @@ std::vector<LogResidual> residualsOf(const Study& study, const NoiseFloor& floor
   const Hypothesis& baseline = study.baseline;
   const std::vector<Unknown> numbers = nuisancesOf(given, baseline);
   std::vector<LogResidual> out(evidence.logs.size());
-  std::vector<Eigen::MatrixXd> slopes(out.size());
+  std::vector<Eigen::MatrixXd> jacobians(out.size());
   forEach(out.size(), [&](std::size_t i) {
     Trace trace;
     LogResidual& one = out[i];
@@ -41,12 +41,12 @@ std::vector<LogResidual> residualsOf(const Study& study, const NoiseFloor& floor
     }
     one.rms_rad = std::sqrt(one.position_rad.squaredNorm() / static_cast<double>(one.z.size()));
     one.floors = one.rms_rad / floor.logs[i].rms_rad;
-    slopes[i].setZero(one.z.size(), static_cast<Eigen::Index>(numbers.size()));
+    jacobians[i].setZero(one.z.size(), static_cast<Eigen::Index>(numbers.size()));
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const double moved =
           numbers[k].toSearch(numbers[k].expected + thresholds::kNuisanceStepSigmas * numbers[k].sigma);
       const Eigen::VectorXd there = whitened(study, i, applied(baseline, {numbers[k]}, &moved), trace);
-      slopes[i].col(static_cast<Eigen::Index>(k)) = (one.z - there) / thresholds::kNuisanceStepSigmas;
+      jacobians[i].col(static_cast<Eigen::Index>(k)) = (one.z - there) / thresholds::kNuisanceStepSigmas;
     }
   });
   Eigen::Index rows = 0;
@@ -56,7 +56,7 @@ std::vector<LogResidual> residualsOf(const Study& study, const NoiseFloor& floor
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < out.size(); at += out[i].z.size(), ++i) {
     z.segment(at, out[i].z.size()) = out[i].z;
-    all.middleRows(at, out[i].z.size()) = slopes[i];
+    all.middleRows(at, out[i].z.size()) = jacobians[i];
   }
   z = absorb(z, all).left;
   at = 0;

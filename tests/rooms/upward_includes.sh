@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # upward_includes.sh COMPILER LIST [ROOT]: does an include of a room that is not used fail to compile, for every room?
 # LIST, made by CMake: a line for each room, PATH|include directories with : between them. For each room one tiny source
-# asks for every header of the house: those of used rooms must be found, the others not. Its last line includes one of
+# asks for every header of the tree: those of used rooms must be found, the others not. Its last line includes one of
 # those others, and must be the only error.
 set -euo pipefail
 compiler=$1 list=$2

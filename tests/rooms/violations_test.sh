@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Does tools/check_rooms.sh find what it is for? A small house with one violation of every kind.
+# Does tools/check_rooms.sh find what it is for? A small tree with one violation of every kind.
 set -euo pipefail
 check=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../../tools/check_rooms.sh")
-house=$(mktemp -d)
-trap 'rm -rf "$house"' EXIT
-cd "$house"
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+cd "$tree"
 mkdir -p tools/cmake core hal/a hal/b safety webots
 
 table() {
@@ -33,7 +33,7 @@ expect() {
   local said
   good
   eval "$2"
-  if said=$("$check" "$house"); then
+  if said=$("$check" "$tree"); then
     echo "not found: $2" && fails=1
   elif ! grep -qF -- "$1" <<<"$said"; then
     printf '%s\nshould say: %s\nsaid: %s\n' "$2" "$1" "$said" && fails=1
@@ -41,7 +41,7 @@ expect() {
 }
 
 good
-"$check" "$house" >/dev/null || { echo "the good house fails:" && "$check" "$house" || exit 1; }
+"$check" "$tree" >/dev/null || { echo "the good tree fails:" && "$check" "$tree" || exit 1; }
 expect 'safety/guard.hpp:2: safety (floor 1) does not use webots' 'echo "#include \"webots/robot.hpp\"" >>safety/guard.hpp'
 expect 'safety (floor 1) does not use webots' 'echo "#include <webots/Robot.hpp>" >>safety/guard.hpp'
 expect 'hal/b (floor 2) does not use core' 'echo "#include \"core/joints.hpp\"" >>hal/b/b.hpp'
