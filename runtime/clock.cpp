@@ -20,7 +20,7 @@ void MonotonicClock::sleepUntil(Nanos time) noexcept {
   timespec t{};
   t.tv_sec = static_cast<time_t>(time.count() / kSecond);
   t.tv_nsec = static_cast<long>(time.count() % kSecond);
-  // Absolute, so that time lost on the way here does not move the grid.
+  // Absolute time: a delay before this call does not shift later releases.
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, nullptr) == EINTR) {
   }
 }

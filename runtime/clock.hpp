@@ -1,4 +1,4 @@
-// The loop's time: CLOCK_MONOTONIC on a robot, a simulated clock in lockstep, a scripted one in tests.
+// Clock of the loop: CLOCK_MONOTONIC on a robot, simulated in lockstep, scripted in tests.
 #pragma once
 
 #include "hal/byte_line.hpp"
@@ -9,11 +9,11 @@ class Clock {
  public:
   virtual ~Clock() = default;
   [[nodiscard]] virtual Nanos now() const noexcept = 0;
-  /// Returns at `time` or later; at once when it has passed. A simulated clock jumps there.
+  /// Returns at `time` or later; at once if it has passed. A simulated clock advances to `time`.
   virtual void sleepUntil(Nanos time) noexcept = 0;
 };
 
-/// CLOCK_MONOTONIC: never set back, and the same for all processes of a machine.
+/// CLOCK_MONOTONIC: never set back; the same in all processes of a machine.
 class MonotonicClock final : public Clock {
  public:
   [[nodiscard]] Nanos now() const noexcept override;

@@ -1,4 +1,4 @@
-// `darwinop run`: starts a controller, hands signals on, reports.
+// `darwinop run`: starts a controller, forwards signals, reports.
 #include "runtime/controller_run.hpp"
 
 #include <signal.h>
@@ -31,14 +31,14 @@ namespace {
 
 volatile sig_atomic_t child_pid = 0;
 
-/// Ctrl-C in a terminal reaches the controller by itself; what another process sends reaches only us.
+/// The terminal sends Ctrl-C to the controller as well; a signal from another process reaches this process only.
 void handOn(int signal, siginfo_t* info, void*) {
   const int error = errno;
   if (child_pid > 0 && info->si_code <= 0) kill(static_cast<pid_t>(child_pid), signal);
   errno = error;
 }
 
-/// File in which a controller that hosts the loop itself leaves its figures. It outlives a kill -9.
+/// File with the statistics of a controller that hosts the loop itself. It survives a kill -9.
 class ObserverConnection {
  public:
   ObserverConnection() : path_{kPrefix + std::to_string(getpid())} {
@@ -54,7 +54,7 @@ class ObserverConnection {
   static constexpr const char* kPrefix = "/dev/shm/darwinop-run-";
 
   void forget() const { unlink(path_.c_str()); }
-  /// Removes what runs left behind that were killed themselves.
+  /// Removes files of earlier runs that were killed.
   static void sweep() {
     std::error_code unreadable;
     for (const auto& entry : std::filesystem::directory_iterator{"/dev/shm", unreadable}) {
@@ -67,7 +67,7 @@ class ObserverConnection {
   std::string path_;
 };
 
-/// Figures of a loop over the run.
+/// Statistics of a loop over the run.
 class LoopFigures {
  public:
   explicit LoopFigures(Exchange exchange) : exchange_{std::move(exchange)}, session_{exchange_.block().session.load()} {
@@ -76,15 +76,15 @@ class LoopFigures {
   /// Counts from the start of the loop.
   void fromTheBeginning() { *before_ = StatsView{}; }
 
-  /// Somebody has begun to drive since. A daemon may well run while the controller drives another robot.
+  /// A session has begun since. A daemon can run while the controller drives another robot.
   [[nodiscard]] bool driven() const { return exchange_.block().session.load() != session_; }
 
-  /// The loop ended, together with its process, while joints of a real robot may have had torque.
+  /// The loop's process ended while joints of a real robot may have had torque.
   [[nodiscard]] bool leftTorque() const {
     const auto now = std::make_unique<StatsView>();
     exchange_.block().stats.copyTo(*now);
     Sensors last;
-    const bool timed = !std::isnan(now->wake.max());  // in simulated time nothing is measured
+    const bool timed = !std::isnan(now->wake.max());  // simulated time has no latencies
     return timed && exchange_.block().sensors.read(last) && last.safety.state != State::kLimp;
   }
 
@@ -107,11 +107,11 @@ std::optional<LoopFigures> tryAttach(Exchange (*attach)(const RuntimeFiles&), co
   try {
     return LoopFigures{attach(files)};
   } catch (const std::runtime_error&) {
-    return std::nullopt;  // no daemon, or a controller that never made a robot: nothing to report on
+    return std::nullopt;  // no daemon, or the controller created no robot: nothing to report
   }
 }
 
-/// `robot`: as asked for; empty: as the environment says.
+/// `robot`: as requested; empty: as set in the environment.
 bool isElsewhere(const std::string& robot) {
   const char* const usual = std::getenv("DARWINOP_ROBOT");
   return (robot.empty() && usual != nullptr ? std::string{usual} : robot).starts_with("tcp://");
@@ -151,7 +151,7 @@ std::string controllerProgram(const std::string& controller) {
                              (fs::is_directory(controller) ? "; build it first (make, or ./dev build)" : ""));
   if (access(path.c_str(), X_OK) != 0)
     throw std::runtime_error(path.string() + messages::kNotAProgram + "; name the built controller");
-  // A name without a slash is a file here, not a command in PATH.
+  // A name without a slash is a file in the current folder, not a command in PATH.
   return path.has_parent_path() ? path.string() : "./" + path.string();
 }
 

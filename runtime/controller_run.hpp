@@ -1,4 +1,4 @@
-// `darwinop run`: starts a controller, hands signals on, and reports how the loop fared.
+// `darwinop run`: starts a controller, forwards signals to it, and reports the loop's timing statistics.
 #pragma once
 
 #include <string>
@@ -7,17 +7,18 @@
 namespace darwinop::runtime {
 
 struct RunRequest {
-  std::vector<std::string> command;  // controller and its arguments; a folder means the program of its name in it
-  std::string robot;                 // empty: as the environment says
-  std::string record;                // empty: no recording
-  std::string period_ms;             // empty: as the controller's config.ini says
+  std::vector<std::string> command;  // controller and its arguments; of a folder, the program with the folder's name
+  std::string robot;                 // empty: as set in the environment
+  std::string record;                // CSV file; empty: no recording
+  std::string period_ms;             // empty: as set in the controller's config.ini
 };
 
-/// The program that `controller` means. Throws std::runtime_error that says what was looked for.
+/// Path of the program for `controller`, a program or a folder. Throws std::runtime_error with the path that was
+/// tried.
 std::string controllerProgram(const std::string& controller);
 
-/// Runs it to its end. Prints the report; the last line is the stable one. Returns the exit status for the shell:
-/// the controller's, or 128 + signal.
+/// Runs the controller to its end and prints the report; its last line has a stable format (reportLine()). Returns the
+/// exit status for the shell: the controller's, or 128 + signal.
 int runController(const RunRequest& request);
 
 }  // namespace darwinop::runtime

@@ -9,11 +9,11 @@ Cycle::Cycle(ServoBus& bus, safety::Guard& guard, Nanos period) : bus_{bus}, gua
 }
 
 void Cycle::run(const Commands& asked, const CycleTime& time) noexcept {
-  const SafeCommands safe = guard_.vet(asked, sensors_);  // nothing reaches the bus but through here
-  bus_.write(safe);                                       // one SyncWrite, seldom two
+  const SafeCommands safe = guard_.vet(asked, sensors_);  // every command passes through the safety layer
+  bus_.write(safe);                                       // one SyncWrite; in rare cases two
   bus_.read(readings_);                                   // one BulkRead
   noteCommanded(safe, sensors_);
-  merge(readings_, sensors_);  // fresh values replace, missing ones grow old
+  merge(readings_, sensors_);  // devices without a reply keep their values; their age increases
   account(time);
 }
 

@@ -1,4 +1,4 @@
-// The cycle: what happens every 16 ms, in this order and in this thread.
+// One control cycle, every 16 ms, in the loop's thread: check commands, write goals, read sensors.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,24 @@
 
 namespace darwinop::runtime {
 
-/// When a cycle should have begun, and how the one before it went. Filled in by the driver, which has the clock.
+/// Timing of a cycle, measured by its caller (Pacer).
 struct CycleTime {
-  Nanos release{0};            // on the loop's clock
-  Nanos wake_latency{0};       // began this late
-  Nanos slack{0};              // of the previous cycle: its end to the release after it; negative: overrun
-  std::uint32_t overruns = 0;  // so far
+  Nanos release{0};            // scheduled start, on the loop's clock
+  Nanos wake_latency{0};       // actual start minus release
+  Nanos slack{0};              // of the previous cycle: from its end to the next release; negative: overrun
+  std::uint32_t overruns = 0;  // cumulative
 };
 
-/// Owns no thread, no clock, no memory beyond its members. The caller is the only thread that touches the bus.
+/// Has no thread, no clock and no heap memory of its own. Only the thread that calls run() uses the bus.
 class Cycle {
  public:
   Cycle(ServoBus& bus, safety::Guard& guard, Nanos period);
 
-  /// Runs one cycle. Blocks for the bus only. Never allocates, locks, logs or throws.
+  /// Runs one cycle. `asked`: the newest commands of the controller, unchecked. Blocks only on the bus. Never
+  /// allocates, locks, logs or throws.
   void run(const Commands& asked, const CycleTime& time) noexcept;
 
-  /// What is known after the last run.
+  /// Sensor image after the last run().
   [[nodiscard]] const Sensors& sensors() const noexcept { return sensors_; }
 
  private:

@@ -1,4 +1,4 @@
-// The loop in a process of its own.
+// The daemon: hosts the loop in its own process.
 #include "runtime/daemon.hpp"
 
 #include <time.h>
@@ -17,7 +17,7 @@ void doze() {
   nanosleep(&pause, nullptr);
 }
 
-/// Before the loop begins: a robot that was released under an earlier daemon stays so.
+/// Called before the loop starts: a robot that was released under an earlier daemon stays released.
 Exchange createExchange(const RuntimeFiles& files, gid_t group, bool released) {
   Exchange exchange = Exchange::create(files.exchange, group);
   exchange.ownBlock().released.store(released ? 1 : 0);
@@ -33,7 +33,7 @@ LoopConfig afterAnother(LoopConfig config, const RobotNotes& notes) {
 
 FileLock claimRuntime(const RuntimeFiles& files, gid_t group) {
   if (auto claim = FileLock::tryTake(files.loop_lock, group)) {
-    // Made here, so that it is the group's and not that of the first controller's user.
+    // Created here, so that it belongs to the group and not to the first controller's user.
     (void)FileLock::tryTake(files.drive_lock, group);
     return std::move(*claim);
   }
@@ -63,7 +63,7 @@ void Daemon::run(const std::atomic<bool>& stop) {
     announcer.update(seen);
     notes_.update(seen);
   }
-  exchange_.ownBlock().closing.store(ExchangeBlock::kClosing);  // ends the controller, and brings the robot to rest
+  exchange_.ownBlock().closing.store(ExchangeBlock::kClosing);  // ends the controller and brings the robot to rest
   const Nanos give_up = clock_.now() + rest_.atMost();
   for (Sensors seen = sensors(); !rest_.reached(seen) && clock_.now() < give_up; seen = sensors()) {
     announcer.update(seen);

@@ -1,4 +1,4 @@
-// The loop in a process of its own, which outlives its controllers.
+// `darwinop runtime`: hosts the loop in its own process, which keeps running when controllers end.
 #pragma once
 
 #include <sys/types.h>
@@ -16,23 +16,23 @@
 
 namespace darwinop::runtime {
 
-/// The right to be the one daemon of that name. Taken before the port is opened. Throws std::runtime_error that
-/// names the pid of the one that runs.
+/// Lock that permits one daemon per name. Take it before the port is opened. Throws std::runtime_error with the pid of
+/// the daemon that runs.
 FileLock claimRuntime(const RuntimeFiles& files, gid_t group);
 
 class Daemon {
  public:
-  /// Starts the loop and lets controllers in. Throws std::runtime_error with what to do.
+  /// Starts the loop and accepts controllers. Throws std::runtime_error with a remedy.
   Daemon(const LoopConfig& config, const RuntimeFiles& files, FileLock claim, gid_t group,
          std::unique_ptr<ServoBus> bus);
-  /// Removes the exchange, so that nobody attaches to a dead loop.
+  /// Removes the exchange, so that no process attaches to a dead loop.
   ~Daemon();
 
-  /// Returns when `stop` became true and safety has brought the robot to rest. Throws std::runtime_error, after the
-  /// same, when the exchange was lost.
+  /// Returns once `stop` is true and safety has brought the robot to rest. If the exchange is lost, brings the robot to
+  /// rest and throws std::runtime_error.
   void run(const std::atomic<bool>& stop);
 
-  /// Refused real-time settings and the remedy; empty: none.
+  /// Real-time settings that the kernel refused, with a remedy; empty: none.
   [[nodiscard]] const std::string& warning() const { return driver_.warning(); }
 
  private:
@@ -40,12 +40,12 @@ class Daemon {
 
   RuntimeFiles files_;
   FileLock claim_;
-  RobotNotes notes_;  // of a daemon before this one
+  RobotNotes notes_;  // initially those of the previous daemon
   Exchange exchange_;
   Rest rest_;
   MonotonicClock clock_;
   LoopHost host_;
-  PeriodicDriver driver_;  // last: it ends first
+  PeriodicDriver driver_;  // last member: destroyed first
 };
 
 }  // namespace darwinop::runtime

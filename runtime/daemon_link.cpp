@@ -1,4 +1,4 @@
-// A controller that drives the loop of a daemon.
+// Robot link to the loop of a daemon.
 #include "runtime/daemon_link.hpp"
 
 #include <unistd.h>
@@ -22,7 +22,7 @@ FileLock takeLease(const RuntimeFiles& files) {
 
 pid_t daemonPid(const RuntimeFiles& files) {
   const pid_t pid = FileLock::holder(files.loop_lock);
-  // A lock file outlives its daemon, so one that may not be looked into says nothing without the exchange.
+  // The lock file remains after its daemon ends, so an unreadable one proves nothing unless the exchange exists.
   return pid == -1 && access(files.exchange.c_str(), F_OK) != 0 ? 0 : pid;
 }
 
@@ -56,11 +56,11 @@ bool DaemonLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop
   }
 }
 
-/// No cycle for longer than the longest period: is there still a loop?
+/// Called after more than the longest period without a cycle: true if the daemon still runs.
 bool DaemonLink::daemonAnswers(Nanos asleep_since) {
   constexpr Nanos kHung{5'000'000'000};
   const std::string pid = std::to_string(info().pid);
-  const pid_t living = daemonPid(files_);  // another pid is a later daemon, with a memory of its own
+  const pid_t living = daemonPid(files_);  // another pid is a later daemon, with another exchange
   if (living != info().pid && living != -1) return end("the runtime (pid " + pid + messages::kRuntimeDied);
   if (now() - asleep_since > kHung)
     return end("the runtime (pid " + pid +

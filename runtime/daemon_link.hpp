@@ -1,4 +1,4 @@
-// A controller that drives the loop of a daemon through shared memory.
+// Robot link to the loop of a daemon, through shared memory.
 #pragma once
 
 #include "runtime/clock.hpp"
@@ -8,15 +8,15 @@
 
 namespace darwinop::runtime {
 
-/// Pid of the daemon that hosts the loop, 0: none runs, -1: there seems to be one, of another user.
+/// Pid of the daemon that hosts the loop; 0: none runs; -1: probably one of another user.
 pid_t daemonPid(const RuntimeFiles& files);
 
 class DaemonLink final : public ExchangeLink {
  public:
-  /// Takes the driving lease. Throws std::runtime_error, with what to do, when no daemon runs, when it is of another
-  /// version, or when another controller drives.
+  /// Takes the driving lease. Throws std::runtime_error with a remedy if no daemon runs, if it has another version, or
+  /// if another controller drives.
   explicit DaemonLink(const RuntimeFiles& files = RuntimeFiles{});
-  /// Ends the session and gives the lease back; the daemon brings the robot to rest.
+  /// Ends the session and releases the lease; the daemon brings the robot to rest.
   ~DaemonLink() override;
 
   [[nodiscard]] const RuntimeFiles& files() const { return files_; }

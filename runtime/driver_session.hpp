@@ -1,4 +1,4 @@
-// The one way to drive a robot: take over, publish, wait for cycles, hold or end, and why it ended.
+// Drives a robot through a RobotLink: take over, publish, wait for cycles, hold or end; reason of the end.
 #pragma once
 
 #include <atomic>
@@ -12,37 +12,39 @@
 
 namespace darwinop::runtime {
 
-/// "temperature above 75 C (LegLowerL, id 14); <remedy>": the worst fault.
+/// The worst fault: "temperature above 75 C (LegLowerL, id 14); <remedy>".
 std::string describe(const SafetyReport& report);
 
-/// Used by one thread. Its destructor ends the session as [Safety] on_exit says, unless hold() was last.
+/// Used by one thread. The destructor ends the session as configured by [Safety] on_exit, unless hold() was called
+/// last.
 class DriverSession {
  public:
   /// `link` holds the lease.
   explicit DriverSession(std::unique_ptr<RobotLink> link) : link_{std::move(link)} {}
 
-  /// Takes over with the next commands. Once more on the same link: a new driver for safety, which starts gently.
+  /// Takes over with the next commands. A further call begins a new session, which safety starts gently.
   void start();
-  /// First cycle whose safety report is about this session: the one under way at start() may have begun before.
+  /// First cycle whose safety report is certain to refer to this session: one that runs during start() may not.
   [[nodiscard]] std::uint64_t firstCycle() const { return first_cycle_; }
-  /// Safety lets this session drive: the move to the start pose, if any, is over.
+  /// True once safety executes this session's commands: any move to the start pose is over.
   [[nodiscard]] bool drives(const Sensors& seen) const;
 
   void publish(const Commands& commands) { link_->publish(commands); }
   [[nodiscard]] Sensors sensors() const { return link_->sensors(); }
-  /// False: the loop has ended, or `stop` is true; see loopEnd().
+  /// Waits until the loop has finished cycle number `cycle`. False: the loop has ended, or `stop` is true; see
+  /// loopEnd().
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop);
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle);
 
   /// A fault that ends this session, and its remedy; empty: none.
   [[nodiscard]] std::string faultEnd(const Sensors& seen) const;
-  /// Why there is no loop to drive any more; empty: it runs. Never blocks.
+  /// Why the loop has ended; empty: it runs. Never blocks.
   [[nodiscard]] std::string loopEnd(const Sensors& seen);
 
-  /// Makes each joint's present position the goal in `commands` and publishes them. The robot holds until the next
-  /// driver comes, at most gone_s; without effect where the end of the link is the end of the loop.
+  /// Sets each joint's goal in `commands` to its present position and publishes them. The robot then holds until the
+  /// next session begins, at most gone_s. No effect if the loop ends with the link (RobotLink::bringsToRest()).
   void hold(Commands& commands);
-  /// Ends it as [Safety] on_exit says.
+  /// Ends the session as configured by [Safety] on_exit.
   void end(Commands last);
 
   [[nodiscard]] RobotLink& link() { return *link_; }

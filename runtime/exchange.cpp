@@ -1,4 +1,4 @@
-// The homes of the exchange: private memory, or files that processes map.
+// Creates, maps and removes the exchange, in private memory or files.
 #include "runtime/exchange.hpp"
 
 #include <fcntl.h>
@@ -38,7 +38,7 @@ GuardedMapping mapped(const SharedFile& file, const std::string& path, std::size
   fail("cannot map " + path, error.code().value(), "");
 }
 
-/// The file is another user's.
+/// True if the file belongs to another user.
 std::string notPermitted(const std::string& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return "cannot open " + path + ": its folder may not be read";
@@ -55,7 +55,7 @@ std::string whoHas(const std::string& path) {
   return "it belongs to " + ownerOf(status) + ". Remove it (sudo rm " + path + "), or choose another name with --name";
 }
 
-/// A file under construction: made beside its place, so that nobody ever sees half a block.
+/// A file under construction: created under another name, so that no process maps an incomplete block.
 class FreshFile {
  public:
   FreshFile(std::string path, mode_t mode, gid_t group, std::size_t size)
@@ -65,7 +65,7 @@ class FreshFile {
       unlink(fresh_.c_str());
       fail("cannot give " + fresh_ + " to the group", error, "choose a group that you are a member of");
     }
-    // Takes the pages now: a full disk is an error here and not a SIGBUS in the loop.
+    // Allocates the pages now: a full disk is an error here instead of a SIGBUS in the loop.
     if (const int error = posix_fallocate(file_.fd(), 0, static_cast<off_t>(size)); error != 0) {
       unlink(fresh_.c_str());
       fail("cannot get " + std::to_string(size) + " bytes for " + fresh_, error, "free some space");

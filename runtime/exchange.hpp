@@ -1,4 +1,4 @@
-// The memory between the loop and those who use it: commands one way, sensors and figures the other way.
+// Shared memory between the loop and its clients: commands in, sensors and statistics out.
 #pragma once
 
 #include <sys/types.h>
@@ -19,66 +19,66 @@
 
 namespace darwinop::runtime {
 
-/// Set before the loop begins, then constant.
+/// Written before the loop starts, then constant.
 struct LoopInfo {
   std::int64_t period_ns = 0;
   std::int32_t pid = 0;  // of the process that hosts the loop
-  char robot[64] = {};   // a person's name for the robot
-  char port[160] = {};   // what the bus is: "/dev/ttyUSB0 (CM-730 firmware 19, 20 servos)"
+  char robot[64] = {};   // the robot's name, for display
+  char port[160] = {};   // description of the bus: "/dev/ttyUSB0 (CM-730 firmware 19, 20 servos)"
   // The robot's [Safety] and [Limits]; a session can make them stricter.
   SessionSettings safety{};
   std::uint32_t safety_named = 0;  // Config::named
 };
 
-/// Hash of names, offsets, sizes and types of all that the two blocks hold: exchange_layout.cpp.
+/// Hash of names, offsets, sizes and types of all fields of the two blocks: exchange_layout.cpp.
 std::uint64_t exchangeLayout();
 
-/// Output of the loop. Written by its process alone, which stores whole values and never counts on from what it finds
-/// here; everybody else maps it read-only. Plain words and bytes, no pointers.
+/// Output of the loop. Only the loop's process writes it, and it never reads its own output back; all other processes
+/// map it read-only. Contains no pointers.
 struct ExchangeBlock {
   static constexpr std::uint32_t kMagic = 0x50774f44;  // "DOwP"
 
   /// Values of `closing`. kClosing: the loop brings the robot to rest, then ends. kNoControllers: no controller may
-  /// drive, and the loop goes on by itself, as in a rescue.
+  /// drive; the loop continues without one, as in a rescue.
   static constexpr std::uint32_t kOpen = 0, kClosing = 1, kNoControllers = 2;
 
   std::atomic<std::uint32_t> magic{kMagic};
   std::uint32_t size = sizeof(ExchangeBlock);
   std::uint64_t layout = exchangeLayout();
-  std::uint32_t instance = 0;  // the same number as in the CommandBlock that belongs to it
+  std::uint32_t instance = 0;  // the same number as in the matching CommandBlock
   LoopInfo info{};
 
   Latest<Sensors> sensors;
-  WakeWord finished;                       // low 32 bits of Sensors::cycle; moves when a cycle is finished
+  WakeWord finished;                       // low 32 bits of Sensors::cycle; changes when a cycle is finished
   std::atomic<std::uint32_t> closing{0};   // kOpen, kClosing or kNoControllers
-  std::atomic<std::uint32_t> session{0};   // highest number of a driving session, or of a release, so far
-  std::atomic<std::uint32_t> released{0};  // number that the last release got; 0: there was none
-  std::atomic<std::uint32_t> refused{0};   // session that publishes and is not obeyed because of a release; 0: none
+  std::atomic<std::uint32_t> session{0};   // highest number of a session or a release so far
+  std::atomic<std::uint32_t> released{0};  // number of the last release; 0: none
+  std::atomic<std::uint32_t> refused{0};   // session whose commands are ignored because of a release; 0: none
   LoopStats stats;
 };
 
-/// What the loop is asked for. The runtime's group may write every byte of it, so the loop trusts none.
+/// Input of the loop. Every process of the runtime's group can write every byte of it, so the loop validates all of it.
 struct CommandBlock {
-  std::atomic<std::uint32_t> instance{0};  // the loop writes it in every cycle
+  std::atomic<std::uint32_t> instance{0};  // written by the loop in every cycle
   Latest<Commands> commands;
-  std::atomic<std::uint32_t> session_taken{0};  // number that the last driver has chosen
+  std::atomic<std::uint32_t> session_taken{0};  // chosen by the last driver
   RequestWord fault_reset, release;
   WaitNote wait;
 };
 
-/// Holds both blocks, in private memory or mapped from files.
+/// Both blocks, in private memory or mapped from files.
 class Exchange {
  public:
-  /// Private memory: loop and controller are one process, without observers.
+  /// Private memory: loop and controller share one process, without observers.
   static Exchange inMemory();
 
-  /// For a loop in the controller's own process: the file that DARWINOP_EXCHANGE names, so that others can read
-  /// on, or private memory when it is unset.
+  /// For a loop in the controller's process: the file named by DARWINOP_EXCHANGE, so that other processes can observe;
+  /// private memory if it is unset.
   static Exchange embedded();
 
-  /// New files `path` and `path`.commands that replace old ones. Processes that still map the old ones keep them.
+  /// Creates the files `path` and `path`.commands. Existing ones are replaced; processes that map those keep them.
   static Exchange create(const std::string& path, gid_t group = static_cast<gid_t>(-1));
-  /// The same, and the commands lie in private memory: other processes can observe, but not drive.
+  /// The same with the commands in private memory: other processes can observe but not drive.
   static Exchange createObservable(const std::string& path, gid_t group = static_cast<gid_t>(-1));
   /// Removes the files.
   static void remove(const std::string& path) noexcept;
@@ -87,20 +87,21 @@ class Exchange {
     kUse,   // commands can be written
     kRead,  // nothing can be written
   };
-  /// Existing files. Throws std::runtime_error, with a sentence for the user, when there are none, when they must not
-  /// be used, or when they are not of this build.
+  /// Maps existing files. Throws std::runtime_error with a message for the user if there are none, if their owner or
+  /// permissions are not trusted, or if another build wrote them.
   static Exchange attach(const std::string& path, Access access = Access::kUse);
 
   [[nodiscard]] const ExchangeBlock& block() const { return *block_; }
-  /// Where this process hosts the loop. Throws std::logic_error elsewhere.
+  /// For the process that hosts the loop; throws std::logic_error in others.
   [[nodiscard]] ExchangeBlock& ownBlock() const;
-  /// Throws std::logic_error when this process may only read.
+  /// Throws std::logic_error if this process has read access only.
   [[nodiscard]] CommandBlock& commands() const;
 
-  /// Somebody has shortened or overwritten a file: what is written here reaches nobody, what is read is empty.
+  /// True if another process truncated or overwrote a file: writes have no effect outside this process, and reads
+  /// return zeros.
   [[nodiscard]] bool lost() const noexcept;
-  /// The same for the process that hosts the loop, and sooner: also when what is missing was not touched yet. Asks the
-  /// kernel; not for the loop's thread.
+  /// The same for the process that hosts the loop, detected before the missing part is accessed. Makes system calls;
+  /// not for the loop's thread.
   [[nodiscard]] bool shortened() const;
 
  private:
@@ -116,12 +117,12 @@ class Exchange {
   bool own_ = true;
 };
 
-/// Sentence for a controller whose exchange is lost.
+/// Message for a controller whose exchange is lost.
 inline constexpr const char* kExchangeLost =
     "the runtime's shared memory was shortened or overwritten by another program, so no commands get through; start "
     "runtime and controller again";
 
-/// Copies what fits, always ended by 0.
+/// Copies as much as fits; always zero-terminated.
 void setText(char* to, std::size_t size, const std::string& text);
 
 }  // namespace darwinop::runtime

@@ -1,4 +1,4 @@
-// The fields of the exchange. A controller and a runtime of different builds must not read each other's memory.
+// Hash over the fields of the exchange. A controller and a runtime of incompatible builds must not share memory.
 #include <cstddef>
 
 #include "core/faults.hpp"
@@ -73,7 +73,7 @@ DARWINOP_LAYOUT(CommandBlock, instance, commands, session_taken, fault_reset, re
 
 namespace {
 
-/// The rows that indices and bits stand for count also.
+/// Includes the table rows that indices and bits refer to.
 constexpr std::uint64_t hashOfExchange() {
   LayoutHash hash;
   Layout<ExchangeBlock>::addTo(hash);

@@ -1,4 +1,4 @@
-// The controller's side of an exchange.
+// Controller's side of an exchange.
 #include "runtime/exchange_link.hpp"
 
 #include <utility>
@@ -37,7 +37,7 @@ void ExchangeLink::beginSession() {
   info_ = block().info;
   std::atomic<std::uint32_t>& taken = exchange_.commands().session_taken;
   session_ = later(later(block().session.load(), taken.load()), session_) + 1;
-  if (session_ == 0) session_ = 1;  // 0: nobody drives
+  if (session_ == 0) session_ = 1;  // 0 means no driver
   taken.store(session_);
 }
 
@@ -58,7 +58,7 @@ bool ExchangeLink::publishEndOfSession() {
 }
 
 bool ExchangeLink::finished(std::uint64_t cycle) const {
-  // The word holds the low half of the cycle number; both move on together.
+  // The word holds the low 32 bits of the cycle number.
   return static_cast<std::int32_t>(block().finished.value() - static_cast<std::uint32_t>(cycle)) >= 0;
 }
 

@@ -1,4 +1,4 @@
-// The controller's side of an exchange: what all kinds of robot link have in common.
+// Controller's side of an exchange: base class of the robot links.
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ class ExchangeLink : public RobotLink {
   [[nodiscard]] Sensors sensors() const override;
   [[nodiscard]] std::string whyEnded() const override { return why_ended_; }
 
-  /// Gives the next driver a new number, so that safety starts it gently. Only the holder of the
-  /// driving lease may do this; a link has done it once when it is made.
+  /// Begins a session with a new number, which safety starts gently. Only the holder of the driving lease may call
+  /// this; the constructor has called it once.
   void beginSession();
   /// The robot's [Safety] and [Limits], as published by the loop when the session began.
   [[nodiscard]] safety::Config robotSafety() const;
-  /// What this session asks for besides. Before the first image.
+  /// Stricter settings for this session. Call before the first publish().
   void setSafety(const safety::Config& config);
 
  protected:
@@ -30,15 +30,15 @@ class ExchangeLink : public RobotLink {
   [[nodiscard]] const ExchangeBlock& block() const { return exchange_.block(); }
   [[nodiscard]] const Exchange& exchange() const { return exchange_; }
   [[nodiscard]] const LoopInfo& info() const { return info_; }
-  /// Sleeps until a cycle after the one of this number is finished, a signal comes, or `at_most` is over.
+  /// Sleeps until a cycle later than number `finished` is complete, a signal arrives, or `at_most` has passed.
   void sleepUntilAfter(std::uint32_t finished, Nanos at_most) const;
-  /// Publishes the last image once more, as end of session. False: this controller never drove, so there is nothing to
-  /// bring to rest.
+  /// Publishes the last image again, marked as end of session. False: this controller never drove, so the robot need
+  /// not be brought to rest.
   bool publishEndOfSession();
   /// True when `darwinop runtime --release` ended this session.
   [[nodiscard]] bool releasedByOperator() const;
   [[nodiscard]] bool finished(std::uint64_t cycle) const;
-  /// Notes why the robot is gone; always false.
+  /// Stores the reason for whyEnded(); returns false.
   bool end(const std::string& why);
 
  private:
@@ -46,14 +46,14 @@ class ExchangeLink : public RobotLink {
   LoopInfo info_{};  // a copy: the memory may be lost
   Commands last_{};
   SessionSettings settings_{};
-  mutable Sensors sensors_{};  // kept when nothing new can be read
+  mutable Sensors sensors_{};  // the previous image if no newer one is available
   std::uint32_t session_ = 0;
   std::uint64_t sequence_ = 0;
   bool unattended_;
   std::string why_ended_;
 };
 
-/// Sentence for a controller that was asked to end.
+/// Message for a controller that was requested to end.
 inline constexpr const char* kAskedToStop = "the controller was asked to stop";
 
 }  // namespace darwinop::runtime

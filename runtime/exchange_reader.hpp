@@ -14,20 +14,19 @@
 
 namespace darwinop::runtime {
 
-/// For a process that must survive any change of the file: if it is shortened, read() fails, and nothing
-/// else. 70 KiB are copied at each refresh.
+/// For a process that must survive any change of the file: if it is truncated, only refresh() fails. Each refresh
+/// copies 70 KiB.
 class ExchangeReader {
  public:
-  /// Nothing: there is no file, it must not be used, or it is not of this build.
+  /// Nothing: there is no file, its owner or permissions are not trusted, or another build wrote it.
   static std::optional<ExchangeReader> open(const std::string& path);
 
-  /// Copies what the file says now. False: it is shorter than it was, or no exchange any more; the copy is then what it
-  /// was before.
+  /// Copies the file. False: it was truncated or is not an exchange any more; the previous copy is kept.
   [[nodiscard]] bool refresh();
-  /// Of the last successful refresh.
+  /// The copy of the last successful refresh.
   [[nodiscard]] const ExchangeBlock& block() const { return *copy_; }
-  /// Newest value in the copy. False: there is none, or the loop overwrote it while it was copied; `into` keeps what it
-  /// held.
+  /// Newest sensor image in the copy. False: there is none, or the loop overwrote it during the copy; `into` is then
+  /// unchanged.
   [[nodiscard]] bool sensors(Sensors& into) const;
 
  private:

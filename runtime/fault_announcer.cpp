@@ -1,4 +1,4 @@
-// Reports the begin and the end of faults to a person.
+// Logs begin and end of each fault.
 #include "runtime/fault_announcer.hpp"
 
 #include <ostream>
@@ -10,7 +10,7 @@ std::string nameOf(const FaultRow& fault) {
   return "darwinop: fault " + std::to_string(static_cast<int>(fault.fault)) + " " + std::string{fault.name};
 }
 
-/// Only of the worst fault is it known which joint it concerns.
+/// The joint is known for the worst fault only.
 std::string jointOf(const FaultRow& fault, const SafetyReport& safety) {
   if (fault.fault != safety.worst || safety.worst_joint < 1 || safety.worst_joint > kJoints) return {};
   return " (" + std::string{kJointTable[safety.worst_joint - 1U].name} + ", id " + std::to_string(safety.worst_joint) +
@@ -27,7 +27,7 @@ void FaultAnnouncer::update(const Sensors& seen) {
   if (seen.cycle == 0) return;
   for (std::size_t i = 0; i < kFaults; ++i) {
     const std::string line = change(memory_[i], i, seen);
-    if (!line.empty()) out_ << line << std::flush;  // in one piece: others write there also
+    if (!line.empty()) out_ << line << std::flush;  // one write: other threads use the same stream
   }
 }
 
@@ -44,7 +44,7 @@ std::string FaultAnnouncer::change(Memory& memory, std::size_t fault, const Sens
     if (begins) ++memory.left_out;
     return {};
   }
-  // One that began in the quiet time and still lasts is reported now itself, not as one left out.
+  // A fault that began within kQuietNs and is still active is reported now, not counted as omitted.
   if (active && !begins && memory.left_out > 0) --memory.left_out;
   std::string line;
   if (memory.left_out > 0) line = nameOf(row) + kCameAndWent + times(memory.left_out) + " more\n";

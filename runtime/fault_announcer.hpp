@@ -1,4 +1,4 @@
-// Reports the begin and the end of faults to a person, one line each.
+// Logs begin and end of each fault for the user, one line each.
 #pragma once
 
 #include <array>
@@ -10,28 +10,28 @@
 
 namespace darwinop::runtime {
 
-/// Never in the loop's thread: it formats and writes.
+/// Not for the loop's thread: it formats and writes.
 class FaultAnnouncer {
  public:
-  /// A fault that comes and goes all the time gets one begin and one end in this time (on the loop's clock), then a
-  /// count of what was left out.
+  /// Rate limit: an intermittent fault gets at most one begin and one end per this time (on the loop's clock), then a
+  /// count of the occurrences omitted.
   static constexpr std::int64_t kQuietNs = 5'000'000'000;
 
-  /// After the fault's name; the second is followed by how often.
+  /// Follow the fault's name; after the second comes the count.
   static constexpr const char *kIsOver = " is over\n", *kCameAndWent = " came and went ";
 
   explicit FaultAnnouncer(std::ostream& out) : out_{out} {}
 
-  /// For successive images; it does not matter when some are left out, as long as the faults in them last.
+  /// Call with successive images. Some may be skipped; a fault that is only in skipped images is not reported.
   void update(const Sensors& seen);
 
  private:
   struct Memory {
-    bool active = false;    // in the image before
-    bool reported = false;  // its begin was reported, its end not yet
-    bool ever = false;      // its begin was reported at `reported_ns`
-    std::int64_t reported_ns = 0;
-    std::uint32_t left_out = 0;  // begins that were not reported
+    bool active = false;           // in the previous image
+    bool reported = false;         // begin reported, end not yet
+    bool ever = false;             // `reported_ns` is valid
+    std::int64_t reported_ns = 0;  // time of the last reported begin
+    std::uint32_t left_out = 0;    // begins omitted since
   };
   [[nodiscard]] static std::string change(Memory& memory, std::size_t fault, const Sensors& seen);
 

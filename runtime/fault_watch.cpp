@@ -26,10 +26,10 @@ FaultWatch::~FaultWatch() {
 
 void FaultWatch::run() {
   pthread_setname_np(pthread_self(), "darwinop-faults");
-  sigset_t all;  // a signal shall end the controller's sleep, not this thread's
+  sigset_t all;  // signals must interrupt the controller's thread, not this one
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
-  NeverWaitingBuffer buffer{STDERR_FILENO};  // ending the loop must not wait for who reads
+  NeverWaitingBuffer buffer{STDERR_FILENO};  // the end of the loop must not wait for a reader of stderr
   std::ostream out{&buffer};
   FaultAnnouncer announcer{out};
   Sensors seen;

@@ -9,11 +9,11 @@
 
 namespace darwinop::runtime {
 
-/// Reads the newest sensors ten times a second and writes to stderr. The loop knows nothing of it.
+/// Reads the newest sensors ten times a second and writes to stderr. Independent of the loop.
 class FaultWatch {
  public:
   explicit FaultWatch(const Latest<Sensors>& sensors);
-  /// Reads once more, so that nothing of a short run is lost.
+  /// Reads once more, so that faults of a short run are reported.
   ~FaultWatch();
   FaultWatch(const FaultWatch&) = delete;
   FaultWatch& operator=(const FaultWatch&) = delete;

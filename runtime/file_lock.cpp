@@ -1,4 +1,4 @@
-// A lock between processes that the kernel gives back when its holder dies.
+// Lock between processes, by flock().
 #include "runtime/file_lock.hpp"
 
 #include <fcntl.h>
@@ -26,7 +26,7 @@ std::optional<SharedFile> openLockFile(const std::string& path, gid_t group, Fil
     if (auto file = openShared(path, O_RDWR, owner); file || errno != ENOENT) return file;
     SharedFile fresh{open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0660)};
     if (fresh.fd() >= 0) {
-      // Best effort: with other rights the lock works all the same for its owner.
+      // Best effort: the lock works for its owner with any permissions.
       if (fchmod(fresh.fd(), 0660) != 0 || fchown(fresh.fd(), static_cast<uid_t>(-1), group) != 0) errno = 0;
       return fresh;
     }
@@ -41,14 +41,14 @@ pid_t writtenPid(int fd) {
   return static_cast<pid_t>(std::strtol(text, nullptr, 10));
 }
 
-/// Who holds a flock() on this file, as the kernel lists it; 0: not listed, as in a container.
+/// Pid of the holder from /proc/locks; 0: not listed, as in a container.
 pid_t listedHolder(int fd) {
   struct stat status {};
   const std::unique_ptr<FILE, int (*)(FILE*)> list{std::fopen("/proc/locks", "re"), std::fclose};
   if (!list || fstat(fd, &status) != 0) return 0;
   char line[256];
   while (std::fgets(line, sizeof line, list.get()) != nullptr) {
-    // "1: FLOCK  ADVISORY  WRITE 3568 00:15:1234 0 EOF"; a process that waits has "->" in the second place.
+    // "1: FLOCK  ADVISORY  WRITE 3568 00:15:1234 0 EOF"; a waiting process has "->" in the second field.
     long pid = 0;
     unsigned device_major = 0, device_minor = 0;
     unsigned long long inode = 0;
@@ -61,7 +61,7 @@ pid_t listedHolder(int fd) {
   return 0;
 }
 
-/// Asks with a shared lock, which closing the file gives back.
+/// Tries a shared lock; closing the file releases it.
 bool isHeld(int fd) {
   return flock(fd, LOCK_SH | LOCK_NB) != 0;
 }
@@ -77,13 +77,13 @@ std::optional<FileLock> FileLock::tryTake(const std::string& path, gid_t group, 
                                                 "user's runtime has ended, remove what is left of it: sudo rm " +
                                                     path
                                               : ""));
-  // An observer may hold it for an instant (see holder()).
+  // A call of holder() in another process may hold it briefly.
   for (int attempt = 0; flock(file->fd(), LOCK_EX | LOCK_NB) != 0; ++attempt) {
     if (errno != EINTR && (errno != EWOULDBLOCK || attempt == 20)) return std::nullopt;
     usleep(5'000);
   }
   const std::string pid = std::to_string(getpid()) + "\n";
-  if (ftruncate(file->fd(), 0) != 0 || pwrite(file->fd(), pid.data(), pid.size(), 0) < 0) errno = 0;  // a courtesy
+  if (ftruncate(file->fd(), 0) != 0 || pwrite(file->fd(), pid.data(), pid.size(), 0) < 0) errno = 0;  // optional
   return FileLock{std::move(*file)};
 }
 
@@ -93,7 +93,7 @@ pid_t FileLock::holder(const std::string& path) try {
   if (!isHeld(file->fd())) return 0;
   if (const pid_t listed = listedHolder(file->fd()); listed > 0) return listed;
   const pid_t pid = writtenPid(file->fd());
-  return pid > 0 ? pid : -1;  // -1: held, by somebody who has not written the name yet
+  return pid > 0 ? pid : -1;  // -1: held, but the pid is not written yet
 } catch (const std::runtime_error&) {
   return 0;  // not a file that tryTake() would have accepted
 }
@@ -104,7 +104,7 @@ pid_t FileLock::provenHolder(const std::string& path) {
   if (!file) throw std::runtime_error("cannot open " + path + ": " + std::strerror(errno) + "; ask as root: sudo ...");
   if (!isHeld(file->fd())) return 0;
   if (const pid_t listed = listedHolder(file->fd()); listed > 0) return listed;
-  if (!isHeld(file->fd())) return 0;  // it was given back meanwhile
+  if (!isHeld(file->fd())) return 0;  // released meanwhile
   throw std::runtime_error("cannot find out which process holds " + path +
                            ": /proc/locks does not list it; ask on the computer itself, not in a container");
 }

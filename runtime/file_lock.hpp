@@ -1,4 +1,4 @@
-// A lock between processes that the kernel gives back when its holder dies, however it dies.
+// Lock between processes; the kernel releases it when its holder ends, even by a crash.
 #pragma once
 
 #include <sys/types.h>
@@ -11,21 +11,21 @@
 
 namespace darwinop::runtime {
 
-/// flock() on a small file that also says who holds it. The file stays behind; only the lock counts.
+/// flock() on a small file that contains the holder's pid. The file remains after release; only the lock counts.
 class FileLock {
  public:
-  /// Takes the lock, or gives nothing when another process has it. Throws std::runtime_error, with what to do,
-  /// when the file can be neither opened nor made, or must not be used. `group`: who else may use the file, -1:
-  /// unchanged. `owner`: whose file of that name is accepted.
+  /// Takes the lock; nothing if another process has it. Throws std::runtime_error with a remedy if the file can be
+  /// neither opened nor created, or its owner or permissions are not trusted. `group`: group of a new file; -1:
+  /// unchanged. `owner`: whose existing file is accepted.
   static std::optional<FileLock> tryTake(const std::string& path, gid_t group = static_cast<gid_t>(-1),
                                          FileOwner owner = FileOwner::kGroup);
 
-  /// Pid of the holder, 0: nobody holds it, -1: unknown (the file is another user's). Never disturbs the holder.
-  /// For messages: where the kernel hides the pid, it is the one written in a trusted user's file.
+  /// Pid of the holder; 0: not locked; -1: unknown (the file of another user). Does not affect the holder. For messages
+  /// only: where the kernel hides the pid, it is read from the file.
   static pid_t holder(const std::string& path);
 
-  /// The same for sending signals: the file belongs to this user or to root, and the pid comes from the kernel. Throws
-  /// std::runtime_error, with what to do, when either cannot be had.
+  /// The same for sending signals: the file must belong to this user or root, and the pid must come from the kernel.
+  /// Otherwise throws std::runtime_error with a remedy.
   static pid_t provenHolder(const std::string& path);
 
  private:

@@ -1,4 +1,4 @@
-// Waking and waiting across processes by futex.
+// Wakes and waits across processes by futex.
 #include "runtime/futex.hpp"
 
 #include <linux/futex.h>
@@ -11,7 +11,7 @@
 
 namespace darwinop::runtime {
 namespace {
-// What SYS_futex takes on i386 and amd64, whatever the C library's time_t is.
+// timespec of SYS_futex on i386 and amd64, independent of the C library's time_t.
 struct KernelTimespec {
   long seconds, nanoseconds;
 };

@@ -10,7 +10,7 @@
 namespace darwinop::runtime {
 namespace {
 
-/// The first entry that `wanted` says yes to, as `found` sees it.
+/// `found(entry)` of the first entry for which `wanted(entry)` is true.
 template <typename Result, typename Wanted, typename Found>
 std::optional<Result> lookUp(const std::string& path, Wanted wanted, Found found) {
   const std::unique_ptr<FILE, int (*)(FILE*)> file{std::fopen(path.c_str(), "re"), std::fclose};

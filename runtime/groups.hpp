@@ -1,5 +1,5 @@
-// Names of groups and users, read from /etc: getgrnam() and getpwnam() ask plug-ins of the C library, which a static
-// program has not.
+// Names of groups and users, read from /etc: getgrnam() and getpwnam() need plug-ins of the C library, which static
+// programs cannot load.
 #pragma once
 
 #include <sys/types.h>
@@ -11,10 +11,10 @@ namespace darwinop::runtime {
 
 std::optional<gid_t> groupId(const std::string& name, const std::string& file = "/etc/group");
 
-/// The name, or the number as text when the group has none.
+/// The group's name; its number as text if it has none.
 std::string groupName(gid_t id, const std::string& file = "/etc/group");
 
-/// Nothing when the user has no name here.
+/// Nothing if the user is not in the file.
 std::optional<std::string> userName(uid_t id, const std::string& file = "/etc/passwd");
 
 }  // namespace darwinop::runtime

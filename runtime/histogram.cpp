@@ -22,7 +22,7 @@ std::uint64_t HistogramView::total() const {
 double HistogramView::percentile(double fraction) const {
   const std::uint64_t all = total();
   if (all == 0) return kNotMeasured;
-  // Nearest rank: the smallest value that `fraction` of the counts do not exceed.
+  // Nearest rank: the smallest value that at least `fraction` of the counts do not exceed.
   const double wanted = std::clamp(std::ceil(fraction * static_cast<double>(all)), 1.0, static_cast<double>(all));
   std::uint64_t below = 0;
   for (std::size_t bin = 0; bin < Bins::kCount; ++bin) {
@@ -40,7 +40,7 @@ double HistogramView::percentile(double fraction) const {
 double HistogramView::max() const {
   for (std::size_t bin = Bins::kCount; bin-- > 0;) {
     if (count[bin] == 0) continue;
-    // Of a difference only the bin is known, unless the greatest value of all lies in it.
+    // The maximum of a difference is known to the bin only, unless the overall maximum is in it.
     if (Bins::of(greatest_us) == bin) return greatest_us;
     return Bins::low(bin) + width(bin) - 1;
   }

@@ -1,4 +1,4 @@
-// Histogram of microseconds with a relative resolution of 1/256, for one writer and any reader.
+// Histogram of durations with a relative resolution of 1/256; one writer, any number of readers.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace darwinop::runtime {
 
-/// The bins: exact below 512 us, then 256 to an octave (16 us wide at 5 ms), up to 1 s; the last one holds the rest.
+/// The bins: 1 us below 512 us, then 256 per octave (16 us wide at 5 ms), up to 1.05 s; the last bin is the overflow.
 struct Bins {
   static constexpr std::uint32_t kExact = 512, kPerOctave = 256, kOctaves = 11;
   static constexpr std::uint32_t kLimit = kExact << kOctaves;  // 1.05 s
@@ -38,15 +38,15 @@ struct HistogramView {
   std::uint32_t greatest_us = 0;
 
   [[nodiscard]] std::uint64_t total() const;
-  /// Value below which `fraction` (0..1) of the counts lie, us; NaN when there are none.
+  /// Value below which `fraction` (0..1) of the counts lie, us; NaN if there are none.
   [[nodiscard]] double percentile(double fraction) const;
-  /// Greatest value, us; NaN when there are none.
+  /// Maximum, us; NaN if there are no counts.
   [[nodiscard]] double max() const;
-  /// What was counted since `before` was taken.
+  /// Counts since the copy `before`.
   [[nodiscard]] HistogramView since(const HistogramView& before) const;
 };
 
-/// Lies in shared memory. Counting is one relaxed store.
+/// Usable in shared memory. Counting is one relaxed store.
 class Histogram {
  public:
   /// Writing thread only. A negative value counts as 0.

@@ -1,4 +1,5 @@
-// Newest-value mailbox: one writer, many readers, in plain or shared memory. Neither side ever waits.
+// Newest-value mailbox (sequence lock over several slots): one writer, many readers, in private or shared memory. Never
+// blocks.
 #pragma once
 
 #include <array>
@@ -10,16 +11,15 @@
 
 namespace darwinop::runtime {
 
-/// Holds no pointers, so it may lie in memory that processes share. A writer that dies in the middle of a publish
-/// leaves the value before it in force, and the next writer carries on.
+/// Contains no pointers, so processes can share it. If the writer dies during publish(), the previous value stays valid
+/// and the next writer continues.
 ///
-/// How: the writer fills slots in turn; `newest_` counts the publications and names the finished slot. A slot
-/// carries the count it was filled for, 0 while it is being filled, so a reader that was overtaken notices.
-/// Words are stored with release and loaded with acquire order (plain moves on x86): a reader that sees one word
-/// of a newer value is bound to see the slot's count gone as well. Words are as wide as a pointer: what one plain move
-/// loads and stores.
+/// The writer fills slots in turn; `newest_` counts the publications and selects the finished slot. A slot stores the
+/// count it was filled for, 0 while it is being filled; by this a reader detects that the slot was overwritten. Words
+/// are stored with release and loaded with acquire order (plain moves on x86): a reader that sees one word of a newer
+/// value also sees the changed count. Words have the size of a pointer, which one plain move loads or stores.
 ///
-/// With four slots a reader is disturbed only when three more values come while it copies.
+/// With four slots a read fails only if three more values are published while it copies.
 template <class T, std::uint32_t kSlots = 4>
 class Latest {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -31,7 +31,7 @@ class Latest {
   /// Writing thread only. Wait-free.
   void publish(const T& value) noexcept {
     std::uint32_t count = newest_.load(std::memory_order_relaxed) + 1;
-    if (count == 0) count = kSlots;  // 0 means "never"; same slot, so the order of the slots is kept
+    if (count == 0) count = kSlots;  // 0 means "none"; kSlots selects the same slot
     Slot& slot = slots_[count % kSlots];
     slot.filled_for.store(0, std::memory_order_relaxed);
     const auto* bytes = reinterpret_cast<const unsigned char*>(&value);
@@ -49,8 +49,8 @@ class Latest {
     newest_.store(count, std::memory_order_release);
   }
 
-  /// Any thread. True: `into` is the newest value. False: nothing was ever published, or (very seldom) the writer
-  /// overtook every attempt; `into` then keeps what it held.
+  /// Any thread. True: `into` is the newest value. False: nothing was published yet, or (very rarely) the writer
+  /// overwrote the slot in every attempt; `into` is then unchanged.
   [[nodiscard]] bool read(T& into) const noexcept {
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
       const std::uint32_t count = newest_.load(std::memory_order_acquire);
@@ -60,12 +60,12 @@ class Latest {
     return false;
   }
 
-  /// For a reader of a copy, which cannot read it twice: where the number of publications lies. A value that was read
-  /// from a copy is whole when the number, read later, is no more than kSlots - 2 above the copy's.
+  /// For a reader that copies the whole object: offset of the publication count. A value read from the copy is
+  /// consistent if the original's count, read after the copy, is at most kSafeLead above the copy's.
   static constexpr std::size_t offsetOfCount() noexcept { return offsetof(Latest, newest_); }
   static constexpr std::uint32_t kSafeLead = kSlots - 2;
 
-  /// Number of publications, wrapping past 0. A change means that there is something new.
+  /// Number of publications, wrapping past 0. A change means a new value.
   [[nodiscard]] std::uint32_t count() const noexcept { return newest_.load(std::memory_order_acquire); }
 
  private:
@@ -75,7 +75,7 @@ class Latest {
   static constexpr std::size_t kWhole = sizeof(T) / sizeof(Word), kTail = sizeof(T) % sizeof(Word);
   static constexpr std::size_t kWords = kWhole + (kTail > 0 ? 1 : 0);
 
-  /// The whole words, eight in a turn: counting and comparing takes as many instructions as copying one.
+  /// Unrolled eight times: loop overhead costs as many instructions as copying one word.
   template <class F>
   static void forEachWord(F&& copy) noexcept {
     constexpr std::size_t kEights = kWhole / 8 * 8;

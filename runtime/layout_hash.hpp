@@ -1,4 +1,4 @@
-// A hash of how a type lies in memory: names, offsets, sizes and types of its fields.
+// Hash of a type's memory layout: names, offsets, sizes and types of its fields.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ class LayoutHash {
   std::uint64_t hash_ = 0xcbf29ce484222325U;
 };
 
-/// Of numbers, truth values and enumerations. Structs have a specialisation made by DARWINOP_LAYOUT.
+/// For numbers, bool and enumerations. DARWINOP_LAYOUT specialises it for structs.
 template <class T>
 struct Layout {
   static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>, "name the fields of this type with DARWINOP_LAYOUT");
@@ -58,7 +58,7 @@ struct Layout<std::bitset<kCount>> {
   static constexpr void addTo(LayoutHash& hash) { hash.add("bits").add(kCount).add(sizeof(std::bitset<kCount>)); }
 };
 
-/// A class that keeps its members to itself: its size and its name.
+/// For a class with private members: its name and size.
 template <class T>
 constexpr void addOpaque(LayoutHash& hash, std::string_view name) {
   hash.add(name).add(sizeof(T));
@@ -66,7 +66,7 @@ constexpr void addOpaque(LayoutHash& hash, std::string_view name) {
 
 }  // namespace darwinop::runtime
 
-// For each of up to 24 names. One macro for each count would be no shorter.
+// Applies a macro to each of up to 24 names.
 #define DARWINOP_PARENTHESES ()
 #define DARWINOP_EXPAND(...) DARWINOP_EXPAND3(DARWINOP_EXPAND3(DARWINOP_EXPAND3(__VA_ARGS__)))
 #define DARWINOP_EXPAND3(...) DARWINOP_EXPAND2(DARWINOP_EXPAND2(DARWINOP_EXPAND2(__VA_ARGS__)))
@@ -79,8 +79,8 @@ constexpr void addOpaque(LayoutHash& hash, std::string_view name) {
   __VA_OPT__(DARWINOP_FIELDS_AGAIN DARWINOP_PARENTHESES(type, __VA_ARGS__))
 #define DARWINOP_FIELDS_AGAIN() DARWINOP_FIELDS_STEP
 
-/// Names all fields of a struct, in order, in namespace darwinop::runtime. The structured binding does not compile when
-/// one is missing.
+/// Lists all fields of a struct, in order; use in namespace darwinop::runtime. The structured binding does not compile
+/// if one is missing.
 #define DARWINOP_LAYOUT(type, ...)                                                                                   \
   template <>                                                                                                        \
   struct Layout<type> {                                                                                              \

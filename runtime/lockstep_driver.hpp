@@ -1,4 +1,4 @@
-// Runs the loop in the caller's thread on simulated time: no thread, no waiting, the same run every time.
+// Runs the loop in the caller's thread in simulated time: no thread, no waiting, reproducible.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace darwinop::runtime {
 
 class LockstepDriver {
  public:
-  /// `clock` jumps to each release when it is slept on.
+  /// `clock`: simulated; sleepUntil() advances it.
   LockstepDriver(Loop& loop, Clock& clock, Nanos period) : loop_{loop}, pacer_{clock, period} {}
 
-  /// Runs that many cycles now.
+  /// Runs `cycles` cycles.
   void run(std::uint64_t cycles) noexcept {
     for (std::uint64_t i = 0; i < cycles; ++i) loop_.step(pacer_);
   }

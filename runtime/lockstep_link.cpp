@@ -1,4 +1,4 @@
-// A robot in simulated time.
+// Robot link in simulated time.
 #include "runtime/lockstep_link.hpp"
 
 #include <iostream>

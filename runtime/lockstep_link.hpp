@@ -1,4 +1,4 @@
-// A robot in simulated time: a cycle runs when the controller waits for it, in the controller's thread.
+// Robot link in simulated time: a cycle runs when the controller waits for it, in the controller's thread.
 #pragma once
 
 #include <functional>
@@ -15,10 +15,10 @@ namespace darwinop::runtime {
 
 class LockstepLink final : public ExchangeLink {
  public:
-  /// Makes what the robot behind the bus sees.
+  /// Opens the camera of the simulated robot.
   using CameraOpener = std::function<std::unique_ptr<FrameSource>(int width, int height)>;
 
-  /// `clock` is the simulation's. Throws std::runtime_error with what to do.
+  /// `clock`: the simulation's. Throws std::runtime_error with a remedy.
   LockstepLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus, std::unique_ptr<Clock> clock,
                CameraOpener open_camera = {});
   ~LockstepLink() override;

@@ -1,5 +1,4 @@
-// The columns of a recording: name, unit, meaning and where the value comes from. docs/logs.md lists the same;
-// a test compares the two.
+// Columns of a recording: name, unit, meaning and source of the value. A test compares them with docs/logs.md.
 #pragma once
 
 #include <array>
@@ -11,13 +10,13 @@
 
 namespace darwinop::runtime {
 
-/// `get` gives NaN for "not known": the field is then empty.
+/// `get` returns NaN for an unknown value: the field is then empty.
 struct LogColumn {
-  std::string_view name, unit, meaning;  // unit "": a plain number, printed without brackets
+  std::string_view name, unit, meaning;  // unit "": dimensionless, printed without brackets
   double (*get)(const LogRow& row);
 };
 
-/// The same for each joint; the column is called "<joint>.<name>".
+/// One per joint, named "<joint>.<name>".
 struct JointLogColumn {
   std::string_view name, unit, meaning;
   double (*get)(const JointCommand& asked, const JointSensors& seen);
@@ -36,7 +35,7 @@ constexpr double when(bool known, double value) {
 using Asked = JointCommand;
 }  // namespace detail
 
-// Board values stand in the rows of those cycles in which the board answered.
+// Board values are present in rows of cycles in which the board replied.
 #define DARWINOP_BOARD(field) \
   [](const LogRow& r) { return detail::when(r.sensors.board.motion.fresh(), r.sensors.board.field); }
 

@@ -1,4 +1,4 @@
-// One line of a recording.
+// One row of a recording.
 #pragma once
 
 #include "core/commands.hpp"
@@ -7,8 +7,8 @@
 namespace darwinop::runtime {
 
 struct LogRow {
-  Commands asked;   // as the controller gave them, before safety
-  Sensors sensors;  // after the cycle, what was sent included
+  Commands asked;   // the controller's, before safety
+  Sensors sensors;  // after the cycle, including the goals sent
 };
 
 }  // namespace darwinop::runtime

@@ -1,4 +1,4 @@
-// One turn of the loop.
+// One step of the loop.
 #include "runtime/loop.hpp"
 
 namespace darwinop::runtime {
@@ -23,7 +23,7 @@ Loop::Loop(ServoBus& bus, safety::Guard& guard, const Exchange& exchange, Record
       released_{session_} {}
 
 void Loop::turn(const CycleTime& time, std::uint32_t skipped) noexcept {
-  (void)requests_.commands.read(newest_);  // nothing new: the last image stays in force
+  (void)requests_.commands.read(newest_);  // no new image: the last one remains valid
   takeRequests();
   const Commands& asked = withOperator();
   cycle_.run(asked, time);
@@ -33,7 +33,7 @@ void Loop::turn(const CycleTime& time, std::uint32_t skipped) noexcept {
   publish(sensors);
 }
 
-/// What an operator asked for beside the controller: `darwinop runtime --reset-faults` and `--release`.
+/// Requests of an operator: `darwinop runtime --reset-faults` and `--release`.
 void Loop::takeRequests() noexcept {
   if (isLater(newest_.session, session_)) session_ = newest_.session;
   if (requests_.fault_reset.isNew(resets_seen_)) ++fault_resets_;
@@ -42,23 +42,24 @@ void Loop::takeRequests() noexcept {
   released_ = ++session_;
 }
 
-/// Drivers from before the last release. The one that drove then is named: its number may be any.
+/// True for sessions that began before the last release. The one that drove at the release is compared by number: its
+/// number is chosen by the client and may be any.
 bool Loop::isRefused(std::uint32_t session) const noexcept {
   return released_ != 0 && (session == driven_at_release_ || !isLater(session, released_));
 }
 
 const Commands& Loop::withOperator() noexcept {
-  // Safety ends the session that drove at the release. An older session has no owner.
-  Commands& asked = newest_.session != 0 && isRefused(newest_.session) ? nobody_ : newest_;
+  // Safety ends the session that drove at the release; commands of older sessions are ignored.
+  Commands& asked = newest_.session != 0 && isRefused(newest_.session) ? no_commands_ : newest_;
   asked.operator_releases = released_;
   asked.operator_resets = fault_resets_;
-  // Without its memory the loop receives no commands, and nobody sees it: it brings the robot to rest.
+  // Without the exchange no commands arrive and no client can observe: bring the robot to rest.
   const bool closing = block_.closing.load(std::memory_order_relaxed) == ExchangeBlock::kClosing;
   if (closing || exchange_.lost()) asked.end_of_session = true;
   return asked;
 }
 
-/// Whole values in every cycle: what a stray write leaves here is gone with the next one.
+/// Writes every value in every cycle: this overwrites stray writes of other processes.
 void Loop::publish(const Sensors& sensors) noexcept {
   block_.session.store(session_, std::memory_order_relaxed);
   block_.released.store(released_, std::memory_order_relaxed);

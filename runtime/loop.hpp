@@ -1,4 +1,5 @@
-// One turn of the loop, for every kind of driver: newest commands in, a cycle, sensors out, figures, wake-up.
+// One step of the loop, in real and in simulated time: read commands, run a cycle, publish sensors and statistics, wake
+// waiting clients.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +13,10 @@
 
 namespace darwinop::runtime {
 
-/// Everything here runs in the loop's thread and neither allocates, locks, logs nor throws.
+/// step() runs in the loop's thread and never allocates, locks, logs or throws.
 class Loop {
  public:
-  /// `exchange` is this process' own; `recorder` may be null. All must outlive the loop.
+  /// `exchange` must be hosted by this process; `recorder` may be null. All must outlive the loop.
   Loop(ServoBus& bus, safety::Guard& guard, const Exchange& exchange, Recorder* recorder, Nanos period,
        LoopStats::Timed timed);
 
@@ -37,14 +38,14 @@ class Loop {
   CommandBlock& requests_;
   Recorder* recorder_;
   LoopStats::Timed timed_;
-  Commands newest_{};  // kept when nothing new can be read
-  Commands nobody_{};  // in place of images of a session that is refused
-  // The loop's own memory: nothing of this is read back from the exchange.
-  std::uint32_t resets_seen_ = 0, releases_seen_ = 0;  // numbers of the requests
+  Commands newest_{};       // the previous image if no newer one is available
+  Commands no_commands_{};  // replaces images of a refused session
+  // Kept here and never read back from the exchange, which other processes can write.
+  std::uint32_t resets_seen_ = 0, releases_seen_ = 0;  // last request numbers
   std::uint32_t fault_resets_ = 0;
-  std::uint32_t session_;   // highest so far, of a driver or a release
-  std::uint32_t released_;  // that the last release got; 0: there was none. Set by the maker of the exchange
-  std::uint32_t driven_at_release_ = 0;  // session that was in force then
+  std::uint32_t session_;                // highest number of a session or a release so far
+  std::uint32_t released_;               // number of the last release; 0: none. Initial value: ExchangeBlock::released
+  std::uint32_t driven_at_release_ = 0;  // session that drove at the last release
 };
 
 }  // namespace darwinop::runtime

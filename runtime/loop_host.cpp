@@ -1,4 +1,4 @@
-// The parts that make a loop, put together.
+// Builds a loop from its parts.
 #include "runtime/loop_host.hpp"
 
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// The parts that make a loop, put together: what an embedded, a lockstep and a daemon home have in common.
+// Bus, safety layer, recorder and loop as one object; used by ThreadedLink, LockstepLink and Daemon.
 #pragma once
 
 #include <memory>
@@ -16,20 +16,20 @@ namespace darwinop::runtime {
 
 struct LoopConfig {
   Nanos period{16'000'000};         // 8 ms to 1 s
-  safety::Config safety{};          // its period is set to the one above
-  std::string robot = "darwin-op";  // a person's name for it, for the recording and for --status
-  std::string port;                 // what the bus is, as OpenedBus describes it
+  safety::Config safety{};          // its period is replaced by the one above
+  std::string robot = "darwin-op";  // the robot's name, for recordings and --status
+  std::string port;                 // description of the bus: connect::OpenedBus
   std::string record_path;          // empty: no recording
   std::string record_notes;         // LogHead::notes
-  RealTimeConfig real_time{};       // not used in lockstep
+  RealTimeConfig real_time{};       // ignored in lockstep
 };
 
-/// The same. Throws std::runtime_error for a period out of range.
+/// Returns `config`. Throws std::runtime_error if the period is out of range.
 const LoopConfig& checked(const LoopConfig& config);
 
 class LoopHost {
  public:
-  /// Throws std::runtime_error for a period out of range or a recording that cannot be written.
+  /// Throws std::runtime_error if the period is out of range or the recording cannot be written.
   LoopHost(const LoopConfig& config, std::unique_ptr<ServoBus> bus, const Exchange& exchange, LoopStats::Timed timed,
            Recorder::Writer writer);
 

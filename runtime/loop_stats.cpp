@@ -1,4 +1,4 @@
-// What the loop counts about itself in every cycle.
+// Timing and link statistics of the loop.
 #include "runtime/loop_stats.hpp"
 
 namespace darwinop::runtime {
@@ -10,7 +10,7 @@ void LoopStats::account(const Sensors& sensors, std::uint32_t skipped, Timed tim
   const std::uint32_t cycles = cycles_.load(kRelaxed) + 1;
   if (timed == Timed::kYes) {
     wake_.add(Nanos{sensors.wake_latency_ns});
-    if (cycles > 1) slack_.add(Nanos{sensors.slack_ns});  // of the cycle before
+    if (cycles > 1) slack_.add(Nanos{sensors.slack_ns});  // of the previous cycle
     if (sensors.wire.bus_ns > 0) bus_.add(Nanos{sensors.wire.bus_ns});
   }
   if (sensors.wire.wire_ns > 0) wire_.add(Nanos{sensors.wire.wire_ns});

@@ -1,4 +1,4 @@
-// What the loop counts about itself in every cycle, and copies of it that can be subtracted.
+// Timing and link statistics of the loop, updated in every cycle; copies can be subtracted.
 #pragma once
 
 #include <atomic>
@@ -9,29 +9,30 @@
 
 namespace darwinop::runtime {
 
-/// Figures over a stretch of time: since the loop began, or between two copies.
+/// Statistics since the loop started, or between two copies.
 struct StatsView {
   std::uint32_t cycles = 0;
   std::uint32_t overruns = 0;    // cycles that ended after the next release
-  std::uint32_t skipped = 0;     // releases given up because a cycle was still running
-  std::uint32_t retries = 0;     // times a silent device was asked again
-  std::uint32_t incomplete = 0;  // BulkReads answered in part or not at all
+  std::uint32_t skipped = 0;     // releases skipped because a cycle was still running
+  std::uint32_t retries = 0;     // repeated requests to a device that did not reply
+  std::uint32_t incomplete = 0;  // BulkReads with missing replies
   std::uint32_t late_replies = 0;
   std::uint32_t reconnects = 0;
-  HistogramView wake;   // from release to begin of the cycle, us
-  HistogramView bus;    // from the first byte written to the last one decoded, us
-  HistogramView wire;   // the same bytes at the baud rate, us
+  HistogramView wake;   // from release to start of the cycle, us
+  HistogramView bus;    // from the first byte written to the last byte decoded, us
+  HistogramView wire;   // transmission time of these bytes at the baud rate, us
   HistogramView slack;  // from the end of a cycle to the next release, us; overruns count as 0
 
   [[nodiscard]] StatsView since(const StatsView& before) const;
 };
 
-/// Lies in shared memory. Written by the loop's thread alone, 32-bit words, relaxed: a reader may be one cycle off.
+/// Usable in shared memory. Written by the loop's thread only, as relaxed 32-bit words: values that a reader gets may
+/// differ by one cycle.
 class LoopStats {
  public:
-  enum class Timed : bool { kNo, kYes };  // kNo: time is simulated, so that latency and bus time say nothing
+  enum class Timed : bool { kNo, kYes };  // kNo: simulated time, where latency and bus time are meaningless
 
-  /// After a cycle. `skipped`: releases given up so far.
+  /// Call after each cycle. `skipped`: releases skipped so far.
   void account(const Sensors& sensors, std::uint32_t skipped, Timed timed) noexcept;
 
   [[nodiscard]] std::uint32_t cycles() const noexcept { return cycles_.load(std::memory_order_relaxed); }

@@ -1,4 +1,4 @@
-// Merges what the bus said in this cycle into what is known: fresh values replace, missing ones grow old.
+// Merges the readings of a cycle into the sensor image: new values replace old ones; without a reply the age increases.
 #pragma once
 
 #include "core/safe_commands.hpp"
@@ -9,7 +9,7 @@ namespace darwinop::runtime {
 
 void merge(const BusReadings& readings, Sensors& sensors) noexcept;
 
-/// Notes what was sent, so that a recording shows the command beside the measurement.
+/// Stores the goals sent, so that a recording has command and measurement in one row.
 void noteCommanded(const SafeCommands& sent, Sensors& sensors) noexcept;
 
 }  // namespace darwinop::runtime

@@ -1,4 +1,4 @@
-// Message texts, or the phrases by which they are recognized. Sorted by the file that uses them.
+// Message texts, or the parts that identify them. Sorted by the file that uses them.
 #pragma once
 
 namespace darwinop::runtime::messages {
@@ -8,12 +8,12 @@ inline constexpr const char* kNoSuchController = "there is no controller ";     
 inline constexpr const char* kNotAProgram = " is not a program that may be run";  // after its path
 inline constexpr const char* kNoLoopLeft = "no loop is left: the joints keep their torque and last goals";
 
-// daemon_link.cpp: why a controller has no loop any more
+// daemon_link.cpp: why the loop has ended
 inline constexpr const char* kRuntimeEnds = "the runtime was requested to end; start it again with: darwinop runtime";
 inline constexpr const char* kRobotReleased =
     "an operator has released the robot: torque is off; start the controller again to take over";
 inline constexpr const char* kRuntimeDied =  // after the pid
-    ") has died; the robot holds its last goals and nobody watches over it. Start it again with: darwinop runtime";
+    ") has died; the robot holds its last goals and is not monitored. Start it again with: darwinop runtime";
 
 // exchange.cpp
 inline constexpr const char* kNoRuntime = "no runtime has been started here (";  // then the file

@@ -1,4 +1,4 @@
-// Where the runtime's shared files are.
+// Paths of the runtime's shared files.
 #include "runtime/names.hpp"
 
 #include <cstdlib>

@@ -1,26 +1,25 @@
-// Where the runtime's shared files are.
+// Paths of the runtime's shared files.
 #pragma once
 
 #include <string>
 
 namespace darwinop::runtime {
 
-/// Environment variable, 1: a program started this process and no person did. Its sessions clear no latched fault.
+/// Environment variable; 1: a program, not a person, started this process. Its sessions do not clear latched faults.
 inline constexpr const char* kUnattended = "DARWINOP_UNATTENDED";
 [[nodiscard]] bool startedUnattended();
 
-/// The files of one daemon. Several may run on one machine under different names.
+/// Files of one daemon. Several daemons can run on one machine under different names.
 struct RuntimeFiles {
-  /// `name` without a slash lies in /dev/shm, with one it is a path. Empty: $DARWINOP_RUNTIME_NAME, or else
-  /// "darwinop-runtime".
+  /// `name`: a path, or without a slash a file in /dev/shm. Empty: $DARWINOP_RUNTIME_NAME, else "darwinop-runtime".
   explicit RuntimeFiles(const std::string& name = "");
 
-  std::string exchange;    // output of the loop: written by the runtime alone
-  std::string commands;    // what the loop is asked for: written by the runtime's group
-  std::string loop_lock;   // held as long as the loop lives
-  std::string drive_lock;  // held by the one controller that drives
-  std::string released;    // exists while a person's release waits for a person; outlives the daemon, not the computer
-  std::string held;        // exists while joints are held; the same
+  std::string exchange;    // output of the loop: written by the runtime only
+  std::string commands;    // input of the loop: written by the runtime's group
+  std::string loop_lock;   // locked while the loop runs
+  std::string drive_lock;  // driving lease: locked by the controller that drives
+  std::string released;    // exists from a release by a person until a person acts; survives the daemon, not a reboot
+  std::string held;        // exists while joints are held; survives the daemon, not a reboot
   // Camera pictures for observers, and the time of their last request: hal/shared_picture/layout.hpp.
   std::string pictures, pictures_asked;
 };

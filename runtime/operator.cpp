@@ -1,4 +1,4 @@
-// What a person may ask of a running daemon.
+// Operator commands to a running daemon.
 #include "runtime/operator.hpp"
 
 #include <string.h>
@@ -25,7 +25,7 @@ Exchange attachAs(Exchange::Access access, const RuntimeFiles& files) {
   return exchange;
 }
 
-/// Any process with write access may have written it.
+/// Input is untrusted: any process of the runtime's group can write it.
 template <std::size_t N>
 std::string shown(const char (&text)[N]) {
   return text::printable({text, strnlen(text, N)});
@@ -78,7 +78,7 @@ void releaseRobot(const RuntimeFiles& files) {
 }
 
 safety::StartPoseCheck startPoseNow(const RuntimeFiles& files) {
-  // Longer than the longest period: an image that does not change is one of a loop that hangs.
+  // Longer than the longest period: an image that does not change means that the loop hangs.
   constexpr Nanos kPatience{3'000'000'000}, kCheckInterval{5'000'000};
   const Exchange exchange = observeDaemon(files);
   const WakeWord& finished = exchange.block().finished;

@@ -1,4 +1,4 @@
-// What a person may ask of a running daemon without driving the robot.
+// Operator commands to a running daemon, without the driving lease: status, reset faults, release.
 #pragma once
 
 #include <string>
@@ -9,22 +9,22 @@
 
 namespace darwinop::runtime {
 
-/// Attaches to a daemon that lives. Throws std::runtime_error with what to do.
+/// Attaches to a running daemon. Throws std::runtime_error with a remedy.
 Exchange attachToDaemon(const RuntimeFiles& files);
-/// The same, and nothing can be written there.
+/// The same with read access only.
 Exchange observeDaemon(const RuntimeFiles& files);
 
-/// State, faults and what to do about them, battery, who drives, loop figures.
+/// Text for the user: state, faults with remedies, battery, driving controller, loop statistics.
 std::string daemonStatus(const RuntimeFiles& files);
 
-/// Latched faults are forgotten; the servos that shut themselves off may be driven again.
+/// Clears latched faults; servos that shut themselves off may be driven again.
 void resetFaults(const RuntimeFiles& files);
 
-/// Torque off on every joint, now, in any session: hold the robot. The controller is requested to end. Torque stays off
-/// until a person resets the fault or starts a controller.
+/// Switches torque off on every joint at once, in any session; the robot may drop. The controller is requested to end.
+/// Torque stays off until a person resets the fault or starts a controller.
 void releaseRobot(const RuntimeFiles& files);
 
-/// Where the robot is now, judged by a cycle that ends after the call. Throws std::runtime_error when none does.
+/// Checks the present pose in a cycle that ends after the call. Throws std::runtime_error if no cycle does.
 safety::StartPoseCheck startPoseNow(const RuntimeFiles& files);
 
 }  // namespace darwinop::runtime

@@ -1,4 +1,4 @@
-// The grid of releases: one cycle per grid point, and what happens when a cycle comes too late.
+// Periodic releases on a fixed grid, with overrun handling.
 #pragma once
 
 #include <cstdint>
@@ -8,15 +8,15 @@
 
 namespace darwinop::runtime {
 
-/// Releases are first, first + period, first + 2 periods, and so on, whatever happens: the next one is counted from
-/// the last release and never from now. A cycle that is still running at the next release is an overrun; the
-/// releases it covered are skipped, never made up for in a burst.
+/// Releases are at first + n * period, computed from the previous release and never from the present time, so they do
+/// not drift. A cycle that still runs at the next release is an overrun; releases that pass meanwhile are skipped,
+/// without a burst of cycles to catch up.
 class Pacer {
  public:
   /// The first release is one period from now.
   Pacer(Clock& clock, Nanos period) : clock_{clock}, period_{period}, next_{clock.now() + period} {}
 
-  /// Sleeps until the next release, runs `cycle(const CycleTime&)` once and accounts.
+  /// Sleeps until the next release, runs `cycle(const CycleTime&)` once and updates the timing.
   template <class F>
   void step(F&& cycle) noexcept {
     clock_.sleepUntil(next_);
@@ -26,7 +26,7 @@ class Pacer {
     finish(clock_.now());
   }
 
-  /// Releases given up so far.
+  /// Releases skipped so far.
   [[nodiscard]] std::uint32_t skipped() const noexcept { return skipped_; }
   [[nodiscard]] Nanos period() const noexcept { return period_; }
 

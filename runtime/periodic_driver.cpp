@@ -1,4 +1,4 @@
-// Runs the loop in a thread of its own.
+// Real-time thread of the loop.
 #include "runtime/periodic_driver.hpp"
 
 #include <pthread.h>
@@ -18,27 +18,27 @@ namespace {
 
 constexpr int kPriorityRefused = 1, kMemoryRefused = 2;
 
-/// Touches the stack that a cycle may need, so that it is there (and locked) before the first one.
+/// Pre-faults the stack that a cycle may need, so that it is mapped and locked before the first cycle.
 [[gnu::noinline]] void touchStack() {
   volatile unsigned char stack[128 * 1024];
   for (std::size_t i = 0; i < sizeof stack; i += 1024) stack[i] = 0;
 }
 
-/// Of the calling thread. Returns what was refused.
+/// Applies to the calling thread. Returns what was refused.
 int becomeRealTime(int priority) {
   int refused = 0;
   sched_param parameter{};
   parameter.sched_priority = priority;
   if (pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter) != 0) refused |= kPriorityRefused;
-  prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);  // matters without SCHED_FIFO only: 1 ns in place of 50 us
+  prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);  // has an effect without SCHED_FIFO only: 1 ns instead of 50 us
   touchStack();
-  // What is there now, and no more: the loop allocates nothing later, and locking the future of the whole process
-  // would make a controller's own allocations fail at the limit of an ordinary user.
+  // Not MCL_FUTURE: the loop allocates nothing later, and a controller's own allocations would fail at the limit for
+  // ordinary users.
   if (mlockall(MCL_CURRENT) != 0) refused |= kMemoryRefused;
   return refused;
 }
 
-/// A handler must not run in the middle of a cycle. What the thread does wrong itself still ends the process.
+/// Signal handlers must not run during a cycle. Signals of the thread's own errors (SIGSEGV and others) stay unblocked.
 void leaveSignalsToOthers() {
   sigset_t all;
   sigfillset(&all);

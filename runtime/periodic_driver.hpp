@@ -1,4 +1,4 @@
-// Runs the loop in a thread of its own, SCHED_FIFO, on absolute deadlines, with its memory locked.
+// Runs the loop in its own SCHED_FIFO thread, with absolute deadlines and locked memory.
 #pragma once
 
 #include <atomic>
@@ -12,11 +12,11 @@ namespace darwinop::runtime {
 
 /// What to do when the kernel refuses real-time priority or locked memory.
 enum class RealTime {
-  kRequired,   // an error that says what to do
-  kIfAllowed,  // one warning, then as well as it goes
+  kRequired,   // throw an error with a remedy
+  kIfAllowed,  // one warning; run without it
 };
 
-/// $DARWINOP_REALTIME: "required" or "if-allowed" (when unset). Throws std::runtime_error for anything else.
+/// $DARWINOP_REALTIME: "required" or "if-allowed" (default). Throws std::runtime_error for other values.
 RealTime realTimeFromEnvironment();
 RealTime realTimeFromText(const std::string& text);
 
@@ -27,14 +27,15 @@ struct RealTimeConfig {
 
 class PeriodicDriver {
  public:
-  /// Starts the thread; the first cycle is due one period from now. Throws when real time is required and refused.
+  /// Starts the thread; the first cycle is due one period from now. Throws std::runtime_error if real time is required
+  /// and refused.
   PeriodicDriver(Loop& loop, Clock& clock, Nanos period, const RealTimeConfig& config);
-  /// Finishes the cycle that runs and joins the thread.
+  /// Finishes the current cycle and joins the thread.
   ~PeriodicDriver();
   PeriodicDriver(const PeriodicDriver&) = delete;
   PeriodicDriver& operator=(const PeriodicDriver&) = delete;
 
-  /// Refused settings and the remedy; empty: none.
+  /// Real-time settings that the kernel refused, with a remedy; empty: none.
   [[nodiscard]] const std::string& warning() const { return warning_; }
 
  private:
@@ -45,7 +46,7 @@ class PeriodicDriver {
   Clock& clock_;
   Nanos period_;
   std::string warning_;
-  std::atomic<int> refused_{-1};  // -1: not tried yet; bit 0 priority, bit 1 memory
+  std::atomic<int> refused_{-1};  // -1: not known yet; else bit 0: priority, bit 1: locked memory
   std::atomic<Start> start_{Start::kPending};
   std::atomic<bool> stop_{false};
   std::thread thread_;

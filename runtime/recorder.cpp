@@ -1,4 +1,4 @@
-// Writes every cycle to a CSV file.
+// Records every cycle to a CSV file.
 #include "runtime/recorder.hpp"
 
 #include <pthread.h>
@@ -19,7 +19,7 @@
 namespace darwinop::runtime {
 namespace {
 
-/// Whole numbers as they are, others with seven digits: a tenth of a microradian at pi. NaN: an empty field.
+/// Integers exactly, other numbers with seven digits: 0.1 microradian resolution at pi. NaN: an empty field.
 void append(std::string& line, double value) {
   if (std::isnan(value)) return;
   char text[40];
@@ -41,7 +41,7 @@ void appendName(std::string& line, std::string_view name, std::string_view unit)
   if (!unit.empty()) line.append(" [").append(unit).append("]");
 }
 
-/// Each line as one of the head.
+/// Prefixes each line as a header comment.
 std::string commented(std::string_view lines) {
   std::string text;
   while (!lines.empty()) {
@@ -97,7 +97,7 @@ void Recorder::drain() {
 
 void Recorder::run() {
   pthread_setname_np(pthread_self(), "darwinop-record");
-  sigset_t all;  // a signal shall end the controller's sleep, not this thread's
+  sigset_t all;  // signals must interrupt the controller's thread, not this one
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
   const timespec pause{0, 100'000'000};

@@ -1,4 +1,4 @@
-// Writes every cycle to a CSV file, docs/logs.md. The loop only fills a ring; somebody else writes.
+// Records every cycle to a CSV file (docs/logs.md). The loop only fills a ring buffer; another thread writes.
 #pragma once
 
 #include <atomic>
@@ -14,26 +14,26 @@
 
 namespace darwinop::runtime {
 
-/// Comment before the number of rows that were lost; experiments/logs reads it.
+/// Comment line before the number of lost rows; experiments/logs reads it.
 inline constexpr const char* kLostRows = "# lost rows: ";
 
-/// What the head of a recording says.
+/// Header of a recording.
 struct LogHead {
   std::string robot = "darwin-op";
-  std::string model;  // what answered: a serial port, a simulation
+  std::string model;  // description of the bus: serial port or simulation
   Nanos period{0};
-  std::string notes{};  // further lines, "key: value", from the requester of the recording; empty: none
+  std::string notes{};  // further lines, "key: value"; empty: none
 };
 
 class Recorder {
  public:
-  /// kThread: a thread of ordinary priority writes ten times a second. kByHand: drain() is called, as lockstep does
-  /// it, where nothing may be lost and nothing depends on real time.
+  /// kThread: a thread of ordinary priority writes ten times a second. kByHand: the owner calls drain(); for lockstep,
+  /// where no row may be lost.
   enum class Writer { kThread, kByHand };
 
-  /// Opens the file. Throws std::runtime_error that says why it cannot.
+  /// Opens the file. Throws std::runtime_error with the reason if that fails.
   Recorder(const std::string& path, const LogHead& head, Writer writer);
-  /// Writes what is left and how many rows were lost.
+  /// Writes the remaining rows and the number of lost ones.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -41,11 +41,11 @@ class Recorder {
   /// Loop's thread only. Wait-free; a row that does not fit is dropped and counted.
   void push(const Commands& asked, const Sensors& sensors) noexcept;
 
-  /// Writer kByHand: writes all rows there are.
+  /// For Writer::kByHand: writes all rows in the buffer.
   void drain();
 
  private:
-  // Eight seconds at 16 ms, 2 MB: longer than an SD card of the robot's age stops to think.
+  // 8 s at 16 ms, 2 MB: longer than the write stalls of an old SD card.
   static constexpr std::uint32_t kRows = 512;
 
   void writeHead(const LogHead& head);

@@ -1,4 +1,4 @@
-// Loop figures as text.
+// Loop statistics as text.
 #include "runtime/report.hpp"
 
 #include <cmath>

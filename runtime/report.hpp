@@ -1,4 +1,4 @@
-// Loop figures as text: one stable line for scripts, some lines for people.
+// Loop statistics as text: one line with a stable format for scripts, several lines for the user.
 #pragma once
 
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace darwinop::runtime {
 
-/// Age in cycles from which on a device counts as stale. Single losses are normal on a serial line.
+/// Age in cycles from which a device counts as stale. Single lost replies are normal on a serial line.
 inline constexpr std::uint32_t kStaleAge = 4;
 
-/// Names of the devices that are stale, the board first: "CM-730", "Neck".
+/// Names of stale devices, the board first: "CM-730", "Neck".
 std::vector<std::string> staleDevices(const Sensors& sensors);
 
-/// "report: cycles=625 overruns=0 wake_p50_us=34 ... stale=0": names and order never change, "nan" where nothing was
-/// measured. bus_ratio is the median bus time over the median wire time.
+/// "report: cycles=625 overruns=0 wake_p50_us=34 ... stale=0". Stable format: names and order never change; "nan":
+/// not measured. bus_ratio: median bus time / median wire time.
 std::string reportLine(const StatsView& stats, const Sensors& last);
 
-/// The same for a person, several lines, stale devices by name.
+/// The same for the user: several lines, with the names of stale devices.
 std::string reportText(const StatsView& stats, const Sensors& last);
 
-/// What `darwinop runtime --status` says of the robot: state, faults and what to do about them, battery.
+/// The robot's part of `darwinop runtime --status`: state, faults with remedies, battery.
 std::string robotText(const Sensors& last);
 
 }  // namespace darwinop::runtime

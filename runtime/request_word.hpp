@@ -1,4 +1,4 @@
-// A request to the loop, in memory that others may write.
+// Request counter in memory that other processes can write.
 #pragma once
 
 #include <atomic>
@@ -6,18 +6,17 @@
 
 namespace darwinop::runtime {
 
-/// A number and its complement. A program that writes where it should not changes one of them, or both to values that
-/// do not belong together: that is not a request.
+/// A number and its complement: a stray write makes the pair inconsistent and is not taken for a request.
 class RequestWord {
  public:
   /// Any process.
   void ask() noexcept {
     const std::uint32_t next = count_.load() + 1;
-    complement_.store(~next);  // first: until both are there the pair is not valid
+    complement_.store(~next);  // first: the pair is invalid until both are written
     count_.store(next);
   }
-  /// The loop. `seen`: its own memory of the number; 0 at first. True once for each request; several between two calls
-  /// are one.
+  /// For the loop. `seen`: its private copy of the number, initially 0. True once per request; several requests between
+  /// two calls count as one.
   [[nodiscard]] bool isNew(std::uint32_t& seen) const noexcept {
     const std::uint32_t count = count_.load(), before = seen;
     seen = count;

@@ -5,11 +5,11 @@
 namespace darwinop::runtime {
 namespace {
 
-constexpr std::uint64_t kTakenIn = 3;  // cycles until an end of session is read, acted upon and reported
-// Torque off is a broadcast, which is not acknowledged. After this many cycles every servo has been polled once
-// and one that did not receive it got it again.
+constexpr std::uint64_t kTakenIn = 3;  // cycles until an end of session is read, executed and reported
+// Torque off is a broadcast without acknowledgement. After this many cycles every servo has been polled once, and the
+// command was repeated to those that had not received it.
 constexpr std::uint64_t kLookedAtAll = kJoints + 5;
-// A line that hiccups comes back and the kneel goes on; one that stays away for longer receives nothing.
+// After a short interruption of the line the kneel continues; after a longer one nothing is sent.
 constexpr Nanos kOfflineForGood{3'000'000'000};
 
 }  // namespace
@@ -37,7 +37,7 @@ bool Rest::reached(const Sensors& seen) noexcept {
 }
 
 Nanos Rest::atMost() const noexcept {
-  // No joint's range is wider than a turn; half as much again, and time to take over and to come to rest.
+  // At most one turn per joint, plus half of it as margin, plus time to take over and to come to rest.
   return safety::fromSeconds(1.5 * 2 * kPi / gentle_speed_ + 5);
 }
 

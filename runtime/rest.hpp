@@ -1,4 +1,4 @@
-// After the end of a session: has safety done what [Safety] on_exit asks for, so that the loop may end?
+// Decides when the loop may end after the end of a session: safety has completed [Safety] on_exit.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,9 @@ class Rest {
  public:
   Rest(const safety::Config& safety, Nanos period);
 
-  /// For each image after the end of session, in order; true when the loop may end.
+  /// Call with each image after the end of session, in order. True: the loop may end.
   [[nodiscard]] bool reached(const Sensors& seen) noexcept;
-  /// Longer than a kneel from anywhere can take. Nobody waits for it for ever.
+  /// Time-out: longer than a kneel from any pose takes.
   [[nodiscard]] Nanos atMost() const noexcept;
 
  private:

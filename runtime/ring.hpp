@@ -1,4 +1,4 @@
-// Queue of fixed size between two threads in which every item matters; what does not fit is counted.
+// Single-producer single-consumer ring buffer of fixed size; items that do not fit are counted.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace darwinop::runtime {
 
-/// One pushing and one popping thread. All memory is part of the object.
+/// Contains no pointers to heap memory.
 template <class T, std::uint32_t N>
 class Ring {
   static_assert(N != 0 && (N & (N - 1)) == 0, "a power of two, so that the counters may wrap");
@@ -31,7 +31,7 @@ class Ring {
     const std::uint32_t popped = popped_.load(std::memory_order_relaxed);
     return pushed_.load(std::memory_order_acquire) == popped ? nullptr : &items_[popped % N];
   }
-  /// Popping thread only, after front() gave an item.
+  /// Popping thread only, after front() returned an item.
   void pop() noexcept { popped_.store(popped_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
 
   /// Any thread.

@@ -1,4 +1,4 @@
-// What a controller holds of a robot, whichever kind it is: publish commands, wait for a cycle, read sensors.
+// Interface of a robot for its controller: publish commands, wait for a cycle, read sensors.
 #pragma once
 
 #include <atomic>
@@ -16,36 +16,37 @@ namespace darwinop::runtime {
 /// Used by one thread of the controller.
 class RobotLink {
  public:
-  virtual ~RobotLink() = default;  ///< Ends the session: safety then does what [Safety] on_exit asks for.
+  virtual ~RobotLink() = default;  ///< Ends the session: safety then executes [Safety] on_exit.
 
   /// Nominal period of the loop.
   [[nodiscard]] virtual Nanos period() const = 0;
   /// Time on the loop's clock: monotonic on a robot, simulated in lockstep.
   [[nodiscard]] virtual Nanos now() const = 0;
-  /// False in lockstep, where a cycle runs when it is waited for and as fast as the machine allows.
+  /// False in lockstep: cycles run only inside waitForCycle(), as fast as the machine allows.
   [[nodiscard]] virtual bool realTime() const = 0;
 
-  /// True when the end of this link is the end of the loop, which first brings the robot to rest: seconds in real time.
+  /// True if the loop ends with this link: the destructor then brings the robot to rest first, which takes seconds in
+  /// real time.
   [[nodiscard]] virtual bool bringsToRest() const { return realTime(); }
 
-  /// Offers an image to the loop; the newest one wins. Session and sequence are filled in here. Never waits.
+  /// Publishes commands; the loop uses the newest ones. Session and sequence numbers are filled in here. Never blocks.
   virtual void publish(Commands commands) = 0;
 
-  /// Waits until the loop has finished cycle number `cycle` (Sensors::cycle). False when the robot is gone for
-  /// good (the daemon died) or `stop` became true; whyEnded() then has a sentence for the user.
+  /// Waits until the loop has finished cycle number `cycle` (Sensors::cycle). False: the loop has ended (the daemon
+  /// died) or `stop` is true; whyEnded() then returns a message for the user.
   [[nodiscard]] virtual bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) = 0;
 
-  /// Does not end the session: the robot holds, as after a controller that died, and the next one may come within
-  /// gone_s. A link whose end is the end of the loop knows no such thing.
+  /// The destructor will not end the session: the robot holds, as after a controller crash, until the next session
+  /// begins, at most gone_s. No effect if the loop ends with this link.
   virtual void leaveHolding() {}
 
-  /// The newest consistent image. Never waits.
+  /// The newest consistent image. Never blocks.
   [[nodiscard]] virtual Sensors sensors() const = 0;
 
   [[nodiscard]] virtual std::string whyEnded() const = 0;
 
-  /// The camera of a robot that is not part of this computer, for pictures of this size; the link has to outlive it,
-  /// and the thread that waits for cycles uses it. Null: the robot's eye is a camera of this computer, or it has none.
+  /// Camera of a simulated or remote robot, with this picture size; used by the thread that waits for cycles. The link
+  /// must outlive it. Null: the camera is connected to this computer, or there is none.
   [[nodiscard]] virtual std::unique_ptr<FrameSource> openCamera(int /*width*/, int /*height*/) { return nullptr; }
 };
 

@@ -8,7 +8,7 @@
 namespace darwinop::runtime {
 namespace {
 
-// After so many limp cycles each servo was polled once (safety/guard_states.cpp), and a loss of power was noticed.
+// After this many limp cycles each servo was polled once (safety/guard_states.cpp), and a loss of power was detected.
 constexpr std::uint64_t kAllPolled = kJoints + 5;
 
 bool exists(const std::string& path) {

@@ -1,4 +1,4 @@
-// What has to be known of the robot when a loop was killed. Two files that outlive the process, not the computer.
+// State that must survive a killed loop: two marker files, which survive the process but not a reboot.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +10,23 @@
 
 namespace darwinop::runtime {
 
-/// Kept by the process that runs the loop: the daemon, or the supervisor's rescue. Not from the loop's own thread: it
-/// opens files.
+/// Used by the process that runs the loop: the daemon, or the supervisor's rescue. Not in the loop's thread: it opens
+/// files.
 class RobotNotes {
  public:
-  /// Reads what an earlier process has left.
+  /// Reads the markers of an earlier process.
   explicit RobotNotes(const RuntimeFiles& files);
 
-  /// A person released the robot, and no person has acted since: a loop that begins must not drive it.
+  /// A person released the robot, and no person has acted since: a new loop must not drive it.
   [[nodiscard]] bool released() const { return released_.exists; }
-  /// Joints were held, and not all were seen limp since. A loop that begins and finds servo power off
-  /// knows by this that RESET was pressed under torque (safety::Config::held_before).
+  /// Joints were held, and not all were seen limp since. If a new loop then finds servo power off, RESET was pressed
+  /// under torque (safety::Config::held_before).
   [[nodiscard]] bool held() const { return held_.exists; }
 
-  /// For each image of the loop, or for one in a few.
+  /// Call with every image of the loop, or every few images.
   void update(const Sensors& seen);
 
-  /// A person has acted while no loop was there.
+  /// Removes the markers: a person has acted while no loop ran.
   static void forget(const RuntimeFiles& files);
 
  private:

@@ -35,7 +35,7 @@ bool accepted(const struct stat& status, FileOwner owner) {
                            "), or choose another name with --name");
 }
 
-/// Empty: the file may be used.
+/// Reason why the file is not accepted; empty: it is.
 std::string whyRefused(const struct stat& status, FileOwner owner) {
   if (!S_ISREG(status.st_mode)) return messages::kNotARegularFile + ("; " + ownerOf(status)) + " made it";
   if (status.st_nlink > 1) return messages::kSeveralNames + ("; it belongs to " + ownerOf(status));

@@ -1,4 +1,4 @@
-// Opens files in a folder where every user may create names, such as /dev/shm.
+// Opens files safely in a world-writable folder such as /dev/shm.
 #pragma once
 
 #include <sys/stat.h>
@@ -9,11 +9,11 @@
 
 namespace darwinop::runtime {
 
-/// Whose file is accepted. Never one that everybody may write, never a link, a FIFO or a file with several names.
+/// Accepted owners. A world-writable file, a symbolic link, a FIFO or a file with several hard links is never accepted.
 enum class FileOwner {
   kOwn,    // this user or root
-  kGroup,  // also a user who shares the file with a group of this process; root accepts its own only
-  kAny,    // also any user who lets this process in, when this process is root: root may look at and release any robot
+  kGroup,  // also a user who shares the file with a group of this process; root accepts root's only
+  kAny,    // root also accepts files of every user: it may observe and release any robot
 };
 
 /// An open file, closed by its destructor.
@@ -30,9 +30,8 @@ class SharedFile {
   int fd_ = -1;
 };
 
-/// Opens without following a link, without waiting for a FIFO, and without creating. Nothing when there is no such
-/// file, or when this process may not open it (see errno). Throws std::runtime_error, with owner and remedy,
-/// for a file that must not be used.
+/// Does not follow links, block on a FIFO, or create the file. Nothing if there is no such file or this process may not
+/// open it (see errno). Throws std::runtime_error with owner and remedy for a file that is not accepted.
 std::optional<SharedFile> openShared(const std::string& path, int flags, FileOwner owner);
 
 /// "user 'eve' (uid 1001)".

@@ -1,4 +1,4 @@
-// Embedded home: the controller's process hosts the loop.
+// Embedded loop.
 #include "runtime/threaded_link.hpp"
 
 namespace darwinop::runtime {
@@ -13,7 +13,7 @@ ThreadedLink::ThreadedLink(const LoopConfig& config, std::unique_ptr<ServoBus> b
 }
 
 bool ThreadedLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
-  constexpr Nanos kCheckInterval{50'000'000};  // a signal ends the sleep; this is for a flag that another thread sets
+  constexpr Nanos kCheckInterval{50'000'000};  // for a `stop` that another thread sets; a signal ends the sleep early
   for (;;) {
     if (stop.load()) return end(kAskedToStop);
     if (exchange().lost()) return end(kExchangeLost);

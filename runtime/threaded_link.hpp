@@ -1,4 +1,4 @@
-// Embedded home: the controller's process hosts the loop, in a thread of its own.
+// Embedded loop: runs in a thread of the controller's process.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,8 @@ namespace darwinop::runtime {
 
 class ThreadedLink final : public ExchangeLink {
  public:
-  /// Starts the loop. The exchange lies in private memory, or in the file that DARWINOP_EXCHANGE names, where
-  /// others can observe. Throws std::runtime_error with what to do.
+  /// Starts the loop. The exchange is in private memory, or in the file named by DARWINOP_EXCHANGE, where other
+  /// processes can observe. Throws std::runtime_error with a remedy.
   ThreadedLink(const LoopConfig& config, std::unique_ptr<ServoBus> bus);
   /// Ends the session, lets safety bring the robot to rest, ends the loop.
   ~ThreadedLink() override;
@@ -23,14 +23,14 @@ class ThreadedLink final : public ExchangeLink {
   [[nodiscard]] bool realTime() const override { return true; }
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
 
-  /// Refused real-time settings and the remedy; empty: none.
+  /// Real-time settings that the kernel refused, with a remedy; empty: none.
   [[nodiscard]] const std::string& warning() const { return driver_.warning(); }
 
  private:
   Rest rest_;
   MonotonicClock clock_;
   LoopHost host_;
-  PeriodicDriver driver_;  // after what it uses: it ends before them
+  PeriodicDriver driver_;  // after the members it uses: destroyed before them
   FaultWatch watch_;
 };
 

@@ -1,4 +1,4 @@
-// Users, read from /etc/passwd and /etc/group, and becoming one of them.
+// Users, read from /etc/passwd and /etc/group; change of user.
 #include "runtime/users.hpp"
 
 #include <grp.h>

@@ -1,5 +1,5 @@
-// Users, read from /etc/passwd and /etc/group: getpwnam() and initgroups() ask plug-ins of the C library, which a
-// static program has not.
+// Users, read from /etc/passwd and /etc/group: getpwnam() and initgroups() need plug-ins of the C library, which static
+// programs cannot load.
 #pragma once
 
 #include <optional>
@@ -13,10 +13,10 @@ struct UserFiles {
   std::string passwd = "/etc/passwd", group = "/etc/group";
 };
 
-/// Empty when there is no user of this name.
+/// Empty if there is no user of this name.
 std::optional<process::Account> findAccount(const std::string& name, const UserFiles& files = {});
 
-/// For good, with the environment. Throws std::runtime_error.
+/// Switches user, groups and environment permanently. Throws std::runtime_error.
 void becomeUser(const process::Account& account);
 
 }  // namespace darwinop::runtime

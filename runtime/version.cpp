@@ -1,4 +1,4 @@
-// Which version of the runtime this is. The build gives both macros to this file alone.
+// Version of the runtime. The build defines both macros for this file only.
 #include "runtime/version.hpp"
 
 #ifndef DARWINOP_VERSION

@@ -1,11 +1,11 @@
-// Which version of the runtime this is.
+// Version of the runtime.
 #pragma once
 
 #include <string>
 
 namespace darwinop::runtime {
 
-/// "0.1.0 (a1b2c3d)": release, and the commit it was built from when that is known.
+/// Release and, if known, commit: "0.1.0 (a1b2c3d)".
 std::string version();
 
 }  // namespace darwinop::runtime
