@@ -1,4 +1,4 @@
-// The board's view of the robot as a whole.
+// Conditions derived from the board's readings.
 #include "safety/board_watch.hpp"
 
 #include <algorithm>
@@ -10,9 +10,9 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr double kTiltHysteresis = 15;  // deg
-constexpr double kLeastGravity = 3.0;   // m/s2; less is free fall or a blow, where direction means nothing
+constexpr double kLeastGravity = 3.0;   // m/s2; below this (free fall, impact) the direction is meaningless
 constexpr std::uint8_t kModeButton = 1, kStartButton = 2;
-constexpr Nanos kPress{milliseconds{250}};  // a shorter one may be a touch by accident
+constexpr Nanos kPress{milliseconds{250}};  // shorter presses may be accidental
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void BoardWatch::update(const BoardSensors& seen, bool waits, Nanos dt) noexcept
     power_off_.forget();
   }
   powered_for_ = powered_ ? powered_for_ + dt : Nanos{0};
-  if (!answers_now_) return;  // timers count only time in which the board answers
+  if (!answers_now_) return;  // timers count only cycles in which the board replies
 
   watchPower(seen);
   const double volt = seen.voltage.value;  // NaN fails every comparison: unknown is not a fault
@@ -63,7 +63,7 @@ void BoardWatch::update(const BoardSensors& seen, bool waits, Nanos dt) noexcept
 void BoardWatch::watchPower(const BoardSensors& seen) noexcept {
   power_bit_ = seen.servo_power;
   power_off_.update(!seen.servo_power, seen.servo_power);
-  if (seen.servo_power && !power_off_.on()) {  // as often confirmed as its loss
+  if (seen.servo_power && !power_off_.on()) {  // two replies in a row, as for the loss
     powered_ = had_power_ = true;
     lost_ = false;
   }

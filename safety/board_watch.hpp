@@ -1,4 +1,4 @@
-// The board's view of the robot as a whole: is it there, has it power, does it lie on the floor?
+// Conditions derived from the board's readings: online, servo power, battery, tilt, buttons.
 #pragma once
 
 #include <array>
@@ -14,24 +14,24 @@ class BoardWatch {
  public:
   explicit BoardWatch(const Config& config);
 
-  /// `waits`: the robot waits for a person, who may press START.
+  /// Once a cycle. `waits`: the robot waits for a person; only then does START count.
   void update(const BoardSensors& seen, bool waits, Nanos dt) noexcept;
 
-  /// The board answered at most kAnswerPatience cycles ago.
+  /// The board replied at most kAnswerPatience cycles ago.
   [[nodiscard]] bool online() const noexcept { return online_; }
   [[nodiscard]] bool answersNow() const noexcept { return answers_now_; }
-  /// It has not for longer, counted from the first cycle.
+  /// The board has not replied for more than kAnswerPatience cycles, counted from the first cycle.
   [[nodiscard]] bool silent() const noexcept { return missed_ > kAnswerPatience; }
-  /// The servos have power, for so long.
+  /// The servos have power; for how long.
   [[nodiscard]] bool powered() const noexcept { return powered_; }
   [[nodiscard]] Nanos poweredFor() const noexcept { return powered_for_; }
-  /// The servos had power and lost it; two answers in a row say so.
+  /// The servos had power and lost it; confirmed by two replies in a row.
   [[nodiscard]] bool powerLost() const noexcept { return online_ && lost_; }
-  /// Two answers in a row say that servo power is off, whether it was on or not.
+  /// Servo power is off, by two replies in a row, whether it was on before or not.
   [[nodiscard]] bool powerOff() const noexcept { return power_off_.on(); }
-  /// True in the cycle in which that is first known.
+  /// True in the cycle that confirms the loss of power.
   [[nodiscard]] bool powerLostNow() const noexcept { return lost_now_; }
-  /// Servo power has to be switched on.
+  /// Servo power is to be switched on.
   [[nodiscard]] bool wantsPower() const noexcept {
     return online_ && !power_bit_ && (lost_ || !had_power_) && !withheld_;
   }
@@ -46,10 +46,9 @@ class BoardWatch {
   /// True in the cycle in which a press of START that began while the robot waited for a person has lasted long enough.
   [[nodiscard]] bool startPressed() const noexcept { return start_now_; }
 
-  // Servo power that was lost is switched on again without a person at most so often in so long. A press of RESET or a
-  // supply that dipped once needs one; a loose battery connector or a short circuit loses it again within seconds, and
-  // every new try draws the inrush current of 20 servos. Without a bound the virtual board was re-powered after each of
-  // 30 presses in a row. Not measured on a robot.
+  // Lost servo power is switched on automatically at most kRepowers times in kRepowerWindow. RESET or a single supply
+  // dip needs one attempt; with a loose battery connector or a short circuit power is lost again within seconds, and
+  // every attempt draws the inrush current of 20 servos. Values not measured on a robot.
   static constexpr std::size_t kRepowers = 3;
   static constexpr Nanos kRepowerWindow{std::chrono::seconds{60}};
 
@@ -65,12 +64,12 @@ class BoardWatch {
   bool lost_ = false, lost_now_ = false, withheld_ = false;
   bool start_was_up_ = false, start_now_ = false;
   Nanos powered_for_{0};
-  std::array<Nanos, kRepowers> since_{};  // since the last times that power was lost, latest first
+  std::array<Nanos, kRepowers> since_{};  // time since the last losses of power, latest first
   Confirm power_off_;
   Debounce low_, empty_, fell_, released_, start_;
 };
 
-/// Angle between the trunk and the vertical, deg; NaN when the measurement cannot tell (unknown, or free fall).
+/// Angle between the trunk and the vertical, deg; NaN if acceleration is unknown or too small (free fall).
 [[nodiscard]] double tiltDegrees(const BoardSensors& seen) noexcept;
 
 }  // namespace darwinop::safety

@@ -1,4 +1,4 @@
-// Reads settings of the safety layer from text.
+// Parses settings of the safety layer.
 #include "safety/config.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::string show(double value) {
                            std::string{value} + ": " + allowed);
 }
 
-/// Visitor that sets the one field whose name is `key`.
+/// Visitor that sets the field named `key`.
 struct Setter {
   std::string_view key, value;
   std::size_t seen = 0;  // settings visited so far
@@ -73,7 +73,7 @@ void setRange(std::array<JointRange, kJoints>& ranges, std::string_view key, std
   const auto comma = value.find(',');
   const auto low = text::numberFromText(value.substr(0, comma));
   const auto high = comma == value.npos ? std::nullopt : text::numberFromText(value.substr(comma + 1));
-  // Half a tick of slack, so that a limit printed with a few digits can be given back.
+  // Half a tick of tolerance: a limit that was printed with a few digits is accepted.
   const double slack = kRadPerTick / 2;
   if (!low || !high || *low >= *high || *low < hard.low.value - slack || *high > hard.high.value + slack)
     refuse("Limits", key, value,

@@ -28,12 +28,12 @@ inline constexpr std::array<std::string_view, 3> kOnExitNames{"hold", "kneel", "
 inline constexpr std::array<std::string_view, 2> kReleaseButtonNames{"mode", "none"};
 inline constexpr std::array<std::string_view, 2> kStartMoveNames{"pose", "hold"};
 
-/// Goals a joint may be given, rad.
+/// Allowed goals of a joint, rad.
 struct JointRange {
   Rad low, high;
 };
 
-/// What the mechanics allow. A configuration may narrow it, never widen it.
+/// Mechanical range. A configuration may narrow it, never widen it.
 constexpr JointRange hardRange(Joint joint) {
   return {radFromTicks(row(joint).low), radFromTicks(row(joint).high)};
 }
@@ -43,7 +43,7 @@ constexpr std::array<JointRange, kJoints> hardRanges() {
   return all;
 }
 
-/// Allowed values, where a key names a joint that does not exist.
+/// Error text for a key of [Limits] that is not a joint.
 inline constexpr const char* kNoSuchJoint = "no joint has this name; joints are called as in Webots, e.g. Neck";
 
 struct Config {
@@ -73,15 +73,15 @@ struct Config {
   /// Section [Limits]: `Neck = -1.0, 1.0`.
   std::array<JointRange, kJoints> range = hardRanges();
 
-  /// Joints that are never driven. Absent ones (robot.ini) are not asked either and are not faults; those that start-up
-  /// has left out are asked and reported.
+  /// Joints that are never driven. `absent` (robot.ini): also not read, and no fault. `left_out` (at start-up): read
+  /// and reported.
   std::bitset<kJoints> absent, left_out;
 
-  /// An earlier loop held joints when it was seen last (runtime/robot_notes.hpp): servo power that is found off was
-  /// lost under torque.
+  /// An earlier loop held joints at its end (runtime/robot_notes.hpp): servo power that is off at the start was lost
+  /// under torque.
   bool held_before = false;
 
-  /// Settings of [Safety] that a file named, in the order of visit(); the others are defaults. safety/layers.hpp
+  /// Settings of [Safety] that a file sets, in the order of visit(); the others are defaults. safety/layers.hpp
   std::bitset<32> named;
 
   /// Calls v(name, value, low, high, unit, why) for each number and v(name, value, choices, why) for each choice.
@@ -94,12 +94,12 @@ struct Config {
     visitFields(*this, v);
   }
 
-  /// Takes one line of an INI file. Throws std::runtime_error that names the key and what is allowed.
+  /// Parses one line of an INI file. Throws std::runtime_error with key and allowed values.
   void set(std::string_view section, std::string_view key, std::string_view value);
 
-  /// Throws std::runtime_error when a setting is out of range or settings contradict each other.
+  /// Throws std::runtime_error if a setting is out of range or settings contradict each other.
   void check() const;
-  /// Which settings contradict each other, as a sentence; null: none do.
+  /// Error message about settings that contradict each other; null: none do.
   [[nodiscard]] const char* contradiction() const noexcept;
 
  private:

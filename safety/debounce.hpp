@@ -1,12 +1,12 @@
-// Conditions that must last before they count.
+// Debouncing: conditions that must last before they count.
 #pragma once
 
 #include "safety/config.hpp"
 
 namespace darwinop::safety {
 
-/// On after `rise` of uninterrupted `set`, off after `fall` of uninterrupted `clear`. Between the two thresholds,
-/// where neither holds, it stays as it is. `set` and `clear` never hold both.
+/// On after `rise` of uninterrupted `set`, off after `fall` of uninterrupted `clear`. If neither is true (between two
+/// thresholds), the state is kept. `set` and `clear` must not both be true.
 class Debounce {
  public:
   constexpr Debounce(Nanos rise, Nanos fall) : rise_{rise}, fall_{fall} {}
@@ -31,8 +31,8 @@ class Debounce {
   bool on_ = false;
 };
 
-/// On after two samples in a row, off after two in a row: one corrupted reading changes nothing. `set` and `clear`
-/// never hold both.
+/// On after two samples in a row, off after two in a row: one corrupted reading changes nothing. `set` and `clear` must
+/// not both be true.
 class Confirm {
  public:
   constexpr bool update(bool set, bool clear) noexcept {
@@ -47,7 +47,7 @@ class Confirm {
     return on_;
   }
   [[nodiscard]] constexpr bool on() const noexcept { return on_; }
-  /// One sample says so, the next one has to confirm it.
+  /// One sample was `set`; the next one confirms or clears it.
   [[nodiscard]] constexpr bool suspected() const noexcept { return !on_ && set_ == 1; }
   constexpr void forget() noexcept { *this = Confirm{}; }
 

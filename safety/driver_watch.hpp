@@ -1,4 +1,4 @@
-// Who drives, whether they are still there, and whether they ask for faults to be cleared.
+// Watchdog of the driving session: which session drives, whether it is alive, and whether it requests a fault reset.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@ namespace darwinop::safety {
 
 class DriverWatch {
  public:
-  /// `config` must outlive it and may change; the same holds for all parts of the guard.
+  /// `config` must outlive this object and may change; also for all other parts of the guard.
   explicit DriverWatch(const Config& config) : config_{config} {}
 
-  /// Once a cycle. `excused`: the robot moves by itself and a controller may well wait for that in silence.
+  /// Once a cycle. `excused`: safety moves the robot, so the controller may be silent meanwhile.
   void update(const Commands& asked, bool excused, Nanos dt) noexcept {
     came_ = asked.session != 0 && asked.session != session_;
     obeyed_ = came_ || (session_ != 0 && asked.session == session_);
-    // Only a number that grew is a sign of life: an image left behind by a dead controller is none.
+    // Heartbeat: only an increased sequence number counts, because the last image of a dead controller remains.
     const bool alive = came_ || (obeyed_ && !ended_ && asked.sequence > sequence_);
     const bool by_driver = came_ || (obeyed_ && asked.fault_resets != resets_);
     reset_asked_ = (by_driver && !asked.unattended) || asked.operator_resets != operator_resets_;
@@ -31,22 +31,22 @@ class DriverWatch {
       resets_ = asked.fault_resets;
       ended_ = asked.end_of_session || (ended_ && !came_);
     }
-    // A released session is over for good, and so is a loop that closes although nobody has ever driven it.
+    // A release ends the session permanently; so does the end of a loop that no session ever drove.
     ended_ = ended_ || released_ || (session_ == 0 && asked.end_of_session);
     silence_ = alive || excused || ended_ || session_ == 0 ? Nanos{0} : silence_ + dt;
   }
 
   /// True in the cycle in which a new session is first seen.
   [[nodiscard]] bool came() const noexcept { return came_; }
-  /// True when this cycle's image is that of the session that is obeyed.
+  /// True if this cycle's image belongs to the session that drives.
   [[nodiscard]] bool obeyed() const noexcept { return obeyed_; }
-  /// A new session that a person started is a request also: that person has seen to the robot.
+  /// A fault reset is requested. A new session started by a person counts as a request: a person has checked the robot.
   [[nodiscard]] bool resetAsked() const noexcept { return reset_asked_; }
   /// True in the cycle in which an operator releases the robot.
   [[nodiscard]] bool released() const noexcept { return released_; }
   [[nodiscard]] bool stalled() const noexcept { return silence_ >= fromSeconds(config_.stall_ms / 1000); }
   [[nodiscard]] bool gone() const noexcept { return silence_ >= fromSeconds(config_.gone_s); }
-  /// The controller has ended its session; only a new one counts from here on.
+  /// The session has ended; only a new one can drive.
   [[nodiscard]] bool ended() const noexcept { return ended_; }
   [[nodiscard]] bool present() const noexcept { return session_ != 0 && !ended_ && !gone(); }
   [[nodiscard]] std::uint32_t session() const noexcept { return session_; }

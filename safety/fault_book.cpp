@@ -1,10 +1,10 @@
-// Which faults are active.
+// Active faults.
 #include "safety/fault_book.hpp"
 
 namespace darwinop::safety {
 
 void FaultBook::update(const FaultCauses& causes) noexcept {
-  // A latched fault goes on naming the servo that raised it.
+  // A latched fault keeps the id of the servo that caused it.
   const FaultSet kept = active_ & kLatchedFaults;
   forEachFault(causes.all & ~kept, [&](std::size_t row) { servo_[row] = causes.servo[row]; });
   active_ = causes.all | kept;

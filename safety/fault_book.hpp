@@ -1,4 +1,4 @@
-// Which faults are active. Takes causes as they are now, keeps what latches, knows the strongest reaction.
+// Active faults: present causes plus latched faults, and the strongest reaction among them.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ constexpr void forEachFault(const FaultSet& faults, F&& f) {
     f(static_cast<std::size_t>(std::countr_zero(rest)));
 }
 
-/// All faults whose row is so.
+/// All faults for whose row `is(row)` is true.
 template <class Is>
 constexpr FaultSet faultsThat(Is is) {
   unsigned long long bits = 0;
@@ -47,7 +47,7 @@ inline constexpr FaultSet kLatchedFaults = faultsThat([](const FaultRow& fault) 
 inline constexpr FaultSet kLatchedLimpFaults =
     faultsThat([](const FaultRow& fault) { return fault.latched && fault.reaction == Reaction::kLimp; });
 
-/// The first active fault that stays until a person resets it; kNone: there is none.
+/// The first active latched fault; kNone: there is none.
 [[nodiscard]] inline Fault latchedFault(const FaultSet& active) {
   const unsigned long latched = (active & kLatchedFaults).to_ulong();
   return latched == 0 ? Fault::kNone : kFaultTable[static_cast<std::size_t>(std::countr_zero(latched))].fault;
@@ -58,7 +58,7 @@ inline constexpr FaultSet kLatchedLimpFaults =
   return (active & kLatchedLimpFaults).any();
 }
 
-/// The causes of faults as they are in one cycle.
+/// Causes of faults in one cycle.
 struct FaultCauses {
   FaultSet all;
   std::array<std::uint8_t, kFaults> servo{};  // id of the first servo that each concerns, 0 for none
@@ -76,16 +76,16 @@ class FaultBook {
 
   /// Once a cycle.
   void update(const FaultCauses& causes) noexcept;
-  /// Forgets all. Those whose cause is still there are noted again in the same cycle.
+  /// Clears all faults. Those whose cause persists become active again in the same cycle.
   void reset() noexcept;
 
   [[nodiscard]] const FaultSet& all() const noexcept { return active_; }
-  /// Strongest reaction among the active ones, first of equals; kNone when all is well.
+  /// The active fault with the strongest reaction, the first of equals; kNone: no fault is active.
   [[nodiscard]] Fault worst() const noexcept;
   [[nodiscard]] std::uint8_t servo(Fault fault) const noexcept;
   [[nodiscard]] Reaction reaction(Fault fault) const noexcept;
   [[nodiscard]] bool endsController() const noexcept;
-  /// A fault asks for gentle speed, whatever stronger ones ask for besides.
+  /// An active fault requires the gentle speed, independent of stronger reactions.
   [[nodiscard]] bool slow() const noexcept;
 
  private:

@@ -1,4 +1,4 @@
-// One cycle of the safety layer: listen, watch, note faults, change state, compose what may be sent.
+// One cycle of the safety layer: read commands, monitor sensors, update faults and state, compose safe commands.
 #include "safety/guard.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ Guard::Guard(const Config& config)
       move_{config_} {}
 
 SafeCommands Guard::vet(const Commands& asked, const Sensors& seen) noexcept {
-  // The nominal period, never the time that went by: the first step after an overrun is no longer than any other.
+  // The nominal period, not elapsed time: the first step after an overrun is no longer than any other.
   const Nanos dt = seen.period_ns > 0 ? Nanos{seen.period_ns} : config_.period;
   take(asked, dt);
   watch(seen, dt);
@@ -73,7 +73,7 @@ void Guard::beginSession(const Commands& asked) noexcept {
   for (JointGuard& joint : joints_) joint.forgetRequests();
 }
 
-/// A person has acted.
+/// Called when a person has acted.
 void Guard::clearFaults() noexcept {
   faults_.reset();
   board_.allowPower();
@@ -81,7 +81,7 @@ void Guard::clearFaults() noexcept {
 }
 
 void Guard::watch(const Sensors& seen, Nanos dt) noexcept {
-  // Without servo power nothing can move, whatever the state: a session may have come since power is withheld.
+  // While power is withheld nothing can move in any state: a session may have begun since.
   const bool released = latchedFault(faults_.all()) != Fault::kNone && !drives(state_);
   board_.update(seen.board, released || board_.powerWithheld(), dt);
   if (board_.startPressed()) clearFaults();
@@ -92,13 +92,13 @@ void Guard::watch(const Sensors& seen, Nanos dt) noexcept {
   for (JointGuard& joint : joints_) joint.losePower();
 }
 
-/// RESET is a way to release the robot. What counts is whether it held its joints when power went, not what was
-/// known: a torque off that was just sent may have been lost, and a robot that no loop has polled yet may be stiff.
-/// Servo power that is off from the start, on a robot that no loop has held, is a board that was just switched on.
+/// Pressing RESET releases the robot. It counts as a fault if joints may have been held when power was lost: a torque
+/// off just sent may not have arrived, and a robot that was not polled yet may be stiff. Servo power that is off from
+/// the start, on a robot that no loop has held, only means that the board was just switched on.
 void Guard::watchHold() noexcept {
   const bool held = drives(state_) || state_ == State::kFoundStiff || holding_up_ || perhaps_held_;
   lost_under_torque_ = board_.powerLostNow() && held;
-  // Silent servos count as polled, but only after time in which they could have answered.
+  // Silent servos count as polled, but only after enough time for a reply.
   const auto seen_limp = [this] {
     return board_.poweredFor() >= fromSeconds(config_.silent_s) && allKnown() && !anyStiff();
   };
@@ -146,8 +146,8 @@ inline Rad Guard::target(std::size_t joint) const noexcept {
   return Rad{};
 }
 
-/// Share of the full step each joint takes. On the way to a pose the joint that has furthest to go sets the pace and
-/// all arrive together: knees, hips and ankles of a robot that stands bend in proportion, and its feet stay flat.
+/// Fraction of the full step for each joint. In a move to a pose the joint with the longest distance sets the pace and
+/// all arrive together: hips, knees and ankles of a standing robot bend in proportion, and its feet stay flat.
 inline Guard::Shares Guard::shares() const noexcept {
   Shares shares;
   shares.fill(1.0);
@@ -174,10 +174,11 @@ inline void Guard::moveJoints(double speed, Nanos dt) noexcept {
 SafeCommands Guard::compose(Nanos dt) noexcept {
   SafeCommands safe;
   if (state_ == State::kOffline) return safe;
-  // A board that did not answer may not have received the last goals either: they wait for it, so that what it receives
-  // next is one step away from what it received last. Meanwhile nothing is written: a servo may have restarted unseen.
+  // A board that did not reply may not have received the last goals either. Goals do not advance until it replies, so
+  // that the next goals received are one step from the last ones. Nothing is written meanwhile: a servo may have
+  // restarted.
   const bool answers = board_.answersNow();
-  // For the same reason torque comes on only after a goal that was received; torque off goes out in any case.
+  // For the same reason torque is switched on only after a goal was received; torque off is always sent.
   safe.torque_off_ = jointsThat([this](std::size_t i) { return joints_[i].offDue(); });
   if (answers) safe.torque_on_ = jointsThat(polling_, [this](std::size_t i) { return joints_[i].onDue(); });
   const bool switches = (safe.torque_off_ | safe.torque_on_).any();

@@ -1,4 +1,4 @@
-// The last step before the packet encoder: turns requests of a controller into commands that may be sent.
+// The safety layer: turns a controller's commands into commands that may be sent to the bus.
 #pragma once
 
 #include <array>
@@ -21,16 +21,16 @@ namespace darwinop::safety {
 /// Owned by the loop. Deterministic: no I/O, no clock, no heap; time is the number of cycles times the period.
 class Guard {
  public:
-  /// Throws std::runtime_error when the configuration is out of range or contradicts itself.
+  /// Throws std::runtime_error if the configuration is out of range or contradicts itself.
   explicit Guard(const Config& config);
   Guard(const Guard&) = delete;
   Guard& operator=(const Guard&) = delete;
 
-  /// One cycle. `asked` is the newest image (session 0: nobody has driven yet); `seen` is the result of the
-  /// cycle before, default-built before the first.
+  /// Once a cycle. `asked`: newest commands (session 0: no session yet). `seen`: sensors after the previous cycle,
+  /// default-constructed before the first.
   [[nodiscard]] SafeCommands vet(const Commands& asked, const Sensors& seen) noexcept;
 
-  /// What vet() decided in its last call.
+  /// Result of the last vet().
   [[nodiscard]] const SafetyReport& report() const noexcept { return report_; }
 
  private:
@@ -58,7 +58,7 @@ class Guard {
   void act(Event event) noexcept;
   void finishStart() noexcept;
 
-  /// On the way to a pose that safety has chosen.
+  /// Safety moves the robot: to the start pose, or into a kneel.
   [[nodiscard]] bool movesByItself() const noexcept { return state_ == State::kStarting || state_ == State::kKneeling; }
   [[nodiscard]] Shares shares() const noexcept;
   void moveJoints(double speed, Nanos dt) noexcept;
@@ -66,8 +66,8 @@ class Guard {
   [[nodiscard]] Rad target(std::size_t joint) const noexcept;
   void writeReport() noexcept;
 
-  const Config robot_config_;  // holds while no session asks for more
-  Config config_;              // of this session; the parts below refer to it
+  const Config robot_config_;  // applies while no session makes it stricter
+  Config config_;              // of this session; referenced by the members below
   std::array<Rad, kJoints> start_pose_;
   DriverWatch driver_;
   BoardWatch board_;
@@ -75,13 +75,13 @@ class Guard {
   Joints joints_;
 
   State state_ = State::kOffline;
-  bool in_place_ = false;           // this session starts where the robot is
-  bool started_ = false;            // this session's start is over
-  SafeCommands::Mask polling_;      // joints that the last commands asked to poll; torque comes on for none but these
-  int polling_for_ = 0;             // cycles in which the board answers and it is not yet known whether the servos hold
-  bool holding_up_ = false;         // torque was switched on by us, and not off since
-  bool perhaps_held_ = true;        // not each servo was seen limp since torque was ordered off, or since the start
-  bool lost_under_torque_ = false;  // by the newest image servo power is lost, and joints were held until then
+  bool in_place_ = false;           // this session starts without a move to the start pose
+  bool started_ = false;            // this session's start is complete
+  SafeCommands::Mask polling_;      // joints polled by the last commands; torque is switched on for these only
+  int polling_for_ = 0;             // cycles with a reply of the board in which the servos' torque is not yet known
+  bool holding_up_ = false;         // torque was switched on here and not off since
+  bool perhaps_held_ = true;        // not every servo was seen limp since torque off was sent, or since the start
+  bool lost_under_torque_ = false;  // servo power was lost in the newest image while joints were held
   Nanos taking_over_for_{0};
   PoseMove move_;
   PoseMove::Progress progress_ = PoseMove::Progress::kMoving;

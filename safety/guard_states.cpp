@@ -1,4 +1,4 @@
-// The part of the guard that turns faults, timers and arrivals into events, and carries out what a change means.
+// Part of the guard: derives events from faults and timers, and executes the actions of a state change.
 #include <algorithm>
 
 #include "safety/guard.hpp"
@@ -28,7 +28,7 @@ Reaction atExit(OnExit requested) noexcept {
 
 Reaction Guard::demanded() const noexcept {
   const Reaction by_fault = faults_.reaction(faults_.worst());
-  // A controller that ends because the robot kneels must not make it drop half-way.
+  // A controller that ends because of the kneel must not make the robot drop half-way.
   if (!driver_.ended() || state_ == State::kKneeling) return by_fault;
   return std::max(by_fault, atExit(config_.on_exit));
 }
@@ -44,8 +44,8 @@ std::optional<Event> Guard::findEvent() const noexcept {
   return findEventOf(state_, wanted, demand == Reaction::kHold);
 }
 
-/// Servos keep their torque when their driver dies. A robot that has no driver yet counts as limp only when each
-/// servo that answers has been polled.
+/// Servos keep their torque when the process that drives them dies. Before the first session, the robot counts as limp
+/// only once every servo that replies has been polled.
 std::optional<Event> Guard::findEventOffline() const noexcept {
   if (!board_.answersNow()) return std::nullopt;
   if (anyStiff() || holding_up_) return Event::kStiffSeen;
@@ -67,7 +67,7 @@ bool Guard::allKnown() const noexcept {
   return std::ranges::all_of(joints_, [](const JointGuard& j) { return j.torqueKnown(); });
 }
 
-/// Joints are held, and not because a servo has missed our torque off, which is repeated to it alone.
+/// Joints are held. A servo that missed a torque off does not count: the command is repeated to it alone.
 bool Guard::holds() const noexcept {
   const auto left_stiff = [](const JointGuard& j) { return j.stiff() && !j.offOrdered(); };
   return drives(state_) || holding_up_ || (state_ == State::kFoundStiff && std::ranges::any_of(joints_, left_stiff));
@@ -90,7 +90,7 @@ std::optional<Event> Guard::findEventOf(State state, bool wanted, bool hold) con
       return when(!hold && wanted, started_ ? Event::kResume : Event::kDriverCame);
     case State::kKneeling:
       if (wanted) return Event::kDriverCame;
-      // A robot that lost its power has sat down already, one way or another.
+      // A robot that lost its power is already down.
       return when(board_.powerLost() || (arrived && sat_for_ >= kRest), Event::kKnelt);
     case State::kOffline:
     case State::kCount:
@@ -103,7 +103,7 @@ bool Guard::takenOver() const noexcept {
   if (!board_.powered()) return false;
   const auto settled = [](const JointGuard& j) { return j.channel().out() || j.channel().moving(); };
   const auto moving = [](const JointGuard& j) { return j.channel().moving(); };
-  // None moving: they have not been asked yet, or servos are still starting, or all are wanted limp.
+  // No joint moves: not read yet, servos still starting, or all requested limp.
   const bool some = std::ranges::any_of(joints_, moving);
   if (std::ranges::all_of(joints_, settled) && some) return true;
   const bool waited = taking_over_for_ >= fromSeconds(config_.take_over_s);

@@ -1,4 +1,4 @@
-// One joint's way from limp to driven.
+// Takeover of one joint.
 #include "safety/joint_channel.hpp"
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 namespace darwinop::safety {
 namespace {
 
-// Two readings agree within 4 ticks. A limb that swings faster than 0.38 rad/s (at 16 ms) is waited for: until the goal
-// is written it moves on by as much again, and a limb that falls by a little more.
+// Two readings agree within 4 ticks. A limb that swings faster than 0.38 rad/s (at 16 ms) is not accepted: it moves by
+// the same distance again until the goal is written, and a falling limb by slightly more.
 constexpr double kAgreement = 4.5 * kRadPerTick;
-// Readings further apart than this say nothing about each other.
+// Readings further apart in time are not compared.
 constexpr std::uint32_t kApart = 5;  // cycles
 
 }  // namespace

@@ -1,4 +1,5 @@
-// One joint's way from limp to driven: confirm where it is, put the goal there, switch torque on, catch up gently.
+// Takeover of one joint, from limp to driven: confirm its position, place the goal there, switch torque on, approach
+// the requested goal gently.
 #pragma once
 
 #include <cmath>
@@ -12,7 +13,7 @@
 
 namespace darwinop::safety {
 
-/// Believes a position when two readings in a row agree: one corrupted reading must never become a goal.
+/// Accepts a position if two readings in a row agree: one corrupted reading must never become a goal.
 class PositionConfirmer {
  public:
   void forget() noexcept { *this = PositionConfirmer{}; }
@@ -26,24 +27,24 @@ class PositionConfirmer {
 };
 
 class JointChannel {
-  // So far may a joint lag behind its goal (rad); at P gain 4 it lags 0.1 rad at the gentle speed.
+  // Maximum lag of a joint that has caught up, rad; at P gain 4 a joint lags 0.1 rad at the gentle speed.
   static constexpr double kCaughtUp = 0.15;
-  // A weight may hold a joint off its goal; it is not kept gentle for ever.
+  // Maximum time at the gentle speed: under load a joint may never reach its goal.
   static constexpr Nanos kHeldUp{std::chrono::seconds{3}};
 
  public:
   enum class Phase : std::uint8_t {
-    kOut,         // gets nothing
-    kConfirming,  // wanted, but where it is is not certain yet
-    kPlaced,      // its goal was put where it is; torque comes on when the servo is seen to have it
-    kGentle,      // driven at the gentle speed until goal and joint have caught up with what is wanted
+    kOut,         // nothing is sent
+    kConfirming,  // position not confirmed yet
+    kPlaced,      // goal = position; torque is switched on once a poll shows the goal in the servo
+    kGentle,      // driven at the gentle speed until goal and joint have reached the target
     kFree,        // driven
   };
 
   void leaveOut() noexcept { phase_ = Phase::kOut; }
-  /// From anywhere: readings from now on decide where it is.
+  /// Allowed in any phase: confirms the position again, from new readings.
   void restart() noexcept;
-  /// Once a cycle, with the reading of the cycle before.
+  /// Once a cycle, with the reading of the previous cycle.
   void observe(const JointSensors& seen, Nanos dt) noexcept {
     if (phase_ == Phase::kConfirming) confirmer_.update(seen);
     if (seen.motion.fresh()) seen_ = seen.position;
@@ -51,14 +52,14 @@ class JointChannel {
   }
 
   [[nodiscard]] bool ready() const noexcept { return phase_ == Phase::kConfirming && confirmer_.confirmed(); }
-  /// Goal := present, moved into the range if it is outside. ready() must hold.
+  /// Sets the goal to the confirmed position, clamped to `range`. Requires ready().
   void place(const JointRange& range) noexcept;
   void torqueOn() noexcept;
-  /// One cycle towards `target`. Returns false when the step was cut short.
+  /// One step towards `target`, rad. Returns false if the step limit applied.
   bool advance(Rad target, double gentle_step, double full_step) noexcept {
     goal_ = stepTowards(goal_, target, gentle() ? gentle_step : full_step);
     if (goal_ != target) return false;
-    // A joint that is held, or that came from outside its range, is still on its way when its goal has arrived.
+    // A joint that is blocked, or started outside its range, may lag after its goal has arrived.
     const bool there = std::abs(seen_.value - goal_.value) <= kCaughtUp;
     if (there || driven_for_ >= kHeldUp) phase_ = Phase::kFree;
     return true;
@@ -70,10 +71,10 @@ class JointChannel {
   /// Torque is on.
   [[nodiscard]] bool moving() const noexcept { return phase_ == Phase::kGentle || phase_ == Phase::kFree; }
   [[nodiscard]] bool gentle() const noexcept { return phase_ != Phase::kFree; }
-  /// It has a goal that is, or will be, on the wire.
+  /// Has a goal that was or will be sent.
   [[nodiscard]] bool hasGoal() const noexcept { return placed() || moving(); }
   [[nodiscard]] Rad goal() const noexcept { return goal_; }
-  /// Time since torque was switched on; nothing while it is off.
+  /// Time since torque was switched on; empty while it is off.
   [[nodiscard]] std::optional<Nanos> drivenFor() const noexcept {
     return moving() ? std::optional{driven_for_} : std::nullopt;
   }

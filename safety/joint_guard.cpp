@@ -1,4 +1,4 @@
-// All that protects one joint.
+// Safety of one joint.
 #include "safety/joint_guard.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void JointGuard::takeSettings(const JointCommand& asked, LimitHits& hits) noexce
 
 void JointGuard::takeTorqueRequest(bool on) noexcept {
   if (!on && !limp_) orderOff();
-  if (on && limp_) resetTrip();  // off and on again is how a controller asks for a tripped joint
+  if (on && limp_) resetTrip();  // off and on again is a controller's request to reset the trip
   limp_ = !on;
 }
 
@@ -50,11 +50,11 @@ FaultSet JointGuard::faults() const noexcept {
          faultIf(encoder_watch_.stuck(), Fault::kEncoderStuck);
 }
 
-/// Torque that the servo's P controller makes to reach its goal, N m; never more than it really is. 0: it is not
-/// driven, or so slowly that its goal says nothing about its torque, or the torque is too small to count.
+/// Lower bound of the torque of the servo's P controller, N m. 0: not driven, driven so slowly that the goal does not
+/// determine the torque, or too small to count.
 inline double JointGuard::push(const JointSensors& seen) const noexcept {
   constexpr double kFastEnough = 0.5;                                       // rad/s
-  if (!channel_.moving() || suspected_ || uncertain_) return 0;             // its last goal may not have arrived
+  if (!channel_.moving() || suspected_ || uncertain_) return 0;             // the last goal may not have arrived
   const double gain = std::min(requested_p_gain_, config_.default_p_gain);  // safety's own moves use the default
   const double torque = gain * (channel_.goal().value - seen.position.value) / kFullDriveError * kMaxTorqueNm;
   if (std::abs(torque) < EncoderWatch::kPush) return 0;
@@ -65,28 +65,26 @@ inline double JointGuard::push(const JointSensors& seen) const noexcept {
   return limit > 0 ? std::copysign(std::min(std::abs(torque), limit), torque) : 0;
 }
 
-/// A poll shows whether a servo has restarted: its moving speed is 0 then, and its torque is off unless a goal has
-/// switched it on again. (A servo that shut itself off has a torque limit of 0: TripWatch.)
+/// A poll shows whether the servo has restarted: its moving speed is then 0, and torque is off unless a goal switched
+/// it on again. (A servo that shut itself off has torque limit 0: TripWatch.)
 inline void JointGuard::noteRestart(const JointSensors& seen) noexcept {
   const bool polled = seen.motion.fresh() && seen.health.fresh();
   const bool off = polled && !seen.torque_enabled && seen.torque_limit.value > 0;
-  const bool never_on = !on_seen_ || uncertain_;  // torque on was lost, or it has restarted
+  const bool never_on = !on_seen_ || uncertain_;  // torque on was lost, or the servo has restarted
   const bool restarted = polled && (seen.speed_limit.value <= 0 || (off && never_on && channel_.moving()));
   if (polled && seen.torque_enabled) on_seen_ = true;
-  // It restarted while it was silent, and has torque: a board that was stalled has carried out a goal of before. It
-  // runs there without a speed limit.
+  // Restarted while silent, and has torque: a stalled board has executed an earlier goal, without a speed limit.
   if (polled && uncertain_ && had_limit_ && seen.speed_limit.value <= 0 && seen.torque_enabled) orderOff();
   if (polled) had_limit_ = seen.speed_limit.value > 0;
   if (!seen.motion.fresh())
     uncertain_ = true;
   else if (polled)
     uncertain_ = false;
-  const bool doubtful = channel_.placed() && uncertain_;  // where it is has to be certain until torque is on
+  const bool doubtful = channel_.placed() && uncertain_;  // the position must be certain until torque is on
   if (channel_.hasGoal() && (restarted || doubtful || seen.motion.age > kAnswerPatience)) restart();
 }
 
-/// A goal that was placed can be lost on the wire. Where the servo is by now has to be confirmed before it is placed
-/// again.
+/// A placed goal can be lost on the bus. The position must then be confirmed again before the goal is placed again.
 inline void JointGuard::notePlaced(const JointSensors& seen) noexcept {
   constexpr double kTolerance = kRadPerTick;              // rounding is half of it
   constexpr double kSpeedTolerance = kRadPerSecPerCount;  // as above
@@ -95,7 +93,8 @@ inline void JointGuard::notePlaced(const JointSensors& seen) noexcept {
   if (!channel_.placed() || !seen.motion.fresh() || !seen.health.fresh()) return;
   const bool took = std::abs(seen.goal.value - channel_.goal().value) <= kTolerance && seen.speed_limit.value > 0 &&
                     seen.speed_limit.value <= config_.gentle_speed + kSpeedTolerance;
-  // Its torque limit came with its goal: a servo that has none by now has shut itself off since. Twice is a fact.
+  // The torque limit was written with the goal: a limit of 0 means that the servo shut itself off since. Needs two
+  // readings.
   const bool shut = took && seen.torque_limit.value <= 0;
   if (shut && shut_at_once_) trip_ = Trip::kOverload;
   shut_at_once_ = shut && !shut_at_once_;
@@ -114,7 +113,7 @@ void JointGuard::observe(const JointSensors& seen, bool given_up, Nanos powered_
   suspected_ = verdict == TripWatch::Verdict::kSuspected;
   if (verdict == TripWatch::Verdict::kOverload) trip_ = Trip::kOverload;
   if (verdict == TripWatch::Verdict::kOverheat) trip_ = Trip::kOverheat;
-  // No longer suspected, or its torque is off (kNotOn): it may have swung away from its last goal.
+  // No longer suspected, or torque is off (kNotOn): the joint may have moved away from its last goal.
   if ((was_suspected && !suspected_) || watch_.lost() || given_up) restart();
   if (seen.health.fresh()) {
     stiff_ = seen.torque_enabled;
@@ -144,7 +143,7 @@ void JointGuard::restart() noexcept {
 
 void JointGuard::switchTorque(bool on) noexcept {
   if (off_due_) {
-    // Older polls say nothing any more. A servo that has missed an order counts as stiff until a poll says otherwise.
+    // Earlier polls are obsolete. A servo that missed a command counts as stiff until a poll shows otherwise.
     if (!off_ordered_) stiff_ = torque_known_ = false;
     off_due_ = false;
     off_ordered_ = true;

@@ -1,4 +1,4 @@
-// Protection of one joint: the controller's requests, the servo's health, how it is driven.
+// Safety of one joint: requests of the controller, health of the servo, takeover and motion.
 #pragma once
 
 #include <algorithm>
@@ -35,51 +35,52 @@ class JointGuard {
 
   // -- reports of the servo
   void observe(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept;
-  /// The causes of faults, by the reading of the cycle before.
+  /// Causes of faults, from the reading of the previous cycle.
   [[nodiscard]] FaultSet faults() const noexcept;
-  /// No faults(). Without a branch for each of them: this is asked of every joint in every cycle.
+  /// True if faults() is empty. Branch-free: called for every joint in every cycle.
   [[nodiscard]] bool well() const noexcept {
     const int problems = int{watch_.silent()} | watch_.hot() | watch_.overheated() | watch_.badVoltage() |
                          unresponsive() | encoder_watch_.stuck() | (trip_ != Trip::kNone);
     return problems == 0;
   }
   [[nodiscard]] Trip trip() const noexcept { return trip_; }
-  /// As far as is known the servo holds its joint, on any request.
+  /// As far as is known the servo has torque, regardless of which process switched it on.
   [[nodiscard]] bool stiff() const noexcept { return stiff_; }
-  /// It was polled since it answers, or it does not answer, and its torque cannot be known.
+  /// The servo was polled since it replies; or it does not reply, and its torque cannot be known.
   [[nodiscard]] bool torqueKnown() const noexcept { return torque_known_ || watch_.lost(); }
-  /// Servo power is off, and with it its torque.
+  /// Servo power is off, and with it the torque.
   void losePower() noexcept { stiff_ = torque_known_ = false; }
-  /// Asked for: a servo that shut itself off may be driven again.
+  /// Requested reset: a servo that shut itself off may be driven again.
   void resetTrip() noexcept;
 
   // -- how it is driven
-  /// `wanted`: the state of the robot is one in which joints are driven, and servos have power.
+  /// `wanted`: the robot's state is one in which joints are driven, and servos have power.
   void engage(bool wanted) noexcept;
   void restart() noexcept;
   void orderOff() noexcept { off_due_ = !absent_; }
   [[nodiscard]] bool offDue() const noexcept { return off_due_; }
-  /// Torque off was sent since torque was last switched on here.
+  /// Torque off was sent since torque was last switched on.
   [[nodiscard]] bool offOrdered() const noexcept { return off_ordered_; }
-  /// Its servo is polled in every cycle: torque waits for the placed goal to be seen, and the goal stays in its
-  /// place until torque is seen. A SyncWrite is not acknowledged, and a goal write switches torque on.
+  /// The servo must be polled in this cycle: torque is switched on after a poll shows the placed goal, and the goal
+  /// stays until a poll shows torque. A SyncWrite is not acknowledged, and a goal write switches torque on.
   [[nodiscard]] bool pollDue() const noexcept { return channel_.placed() || (channel_.moving() && !on_seen_); }
-  /// A poll in the cycle before found the placed goal and a gentle speed: torque must not find an older goal.
+  /// Torque may be switched on: a poll in the previous cycle showed the placed goal and a gentle speed. With an older
+  /// goal the joint would jump.
   [[nodiscard]] bool onDue() const noexcept { return channel_.placed() && has_goal_ && !suspected_; }
   [[nodiscard]] const JointChannel& channel() const noexcept { return channel_; }
-  /// Has a goal, and gets the next one in this cycle unless it is uncertain().
+  /// Has a goal, and gets the next one in this cycle unless uncertain().
   [[nodiscard]] bool driven() const noexcept { return channel_.hasGoal() && !suspected_; }
-  /// It has missed an answer and was not polled since: it may have restarted, and then a goal would switch its
-  /// torque on, wherever it is by now and without a speed limit.
+  /// The servo missed a reply and was not polled since. It may have restarted; a goal would then switch its torque on
+  /// at an unknown position and without a speed limit.
   [[nodiscard]] bool uncertain() const noexcept { return uncertain_; }
   [[nodiscard]] Rad requestedGoal() const noexcept { return requested_goal_; }
 
-  /// This cycle's write carries torque switches: takes the orders that are due; `on`: also those to switch on.
+  /// This cycle's write switches torque: marks pending torque off, and with `on` also torque on, as sent.
   void switchTorque(bool on) noexcept;
-  /// This cycle's write carries goals: places the joint, or moves it towards `target` (unknown: stays).
-  /// False when the step was cut short.
+  /// This cycle's write carries goals: places the joint, or moves it towards `target` (unknown: no move). False if the
+  /// step limit applied.
   bool move(Rad target, double gentle_step, double full_step) noexcept {
-    if (suspected_) return true;  // nothing of it is written in this cycle
+    if (suspected_) return true;  // nothing is written to it in this cycle
     if (channel_.ready()) {
       place();
       return true;
@@ -87,8 +88,8 @@ class JointGuard {
     if (uncertain_ || !on_seen_ || !channel_.moving() || !target.known()) return true;
     return channel_.advance(target, gentle_step, full_step);
   }
-  /// What goes on the wire. `speed_cap`: no faster than this.
-  /// `by_itself`: safety moves the robot, and the requested speed, torque and gain do not count.
+  /// The command to send. `speed_cap`: maximum speed. `by_itself`: safety moves the robot; requested speed, torque and
+  /// gain are ignored.
   [[nodiscard]] SafeCommands::JointGoal goal(RadPerSec speed_cap, bool by_itself) const noexcept {
     const double cap = channel_.gentle() ? std::min(config_.gentle_speed, speed_cap.value) : speed_cap.value;
     if (by_itself)
@@ -97,16 +98,16 @@ class JointGuard {
   }
 
  private:
-  // A lost write is rare; each try takes three cycles and does no harm, so all of them about a second.
+  // Lost writes are rare. An attempt takes three cycles and is harmless; all of them take about a second.
   static constexpr int kRefusals = 20;
 
-  /// It answers, and again and again it is seen without what was written to it.
+  /// The servo replies, but its registers repeatedly lack what was written.
   [[nodiscard]] bool unresponsive() const noexcept { return refused_ >= kRefusals; }
   void takeSettings(const JointCommand& asked, LimitHits& hits) noexcept;
   void takeTorqueRequest(bool on) noexcept;
   void place() noexcept {
     channel_.place(range());
-    uncertain_ = false;  // all it needs is written with this goal
+    uncertain_ = false;  // this goal is written with all settings
     off_ordered_ = false;
   }
   void noteRestart(const JointSensors& seen) noexcept;
@@ -122,7 +123,7 @@ class JointGuard {
   NewtonMeter requested_torque_;
   double requested_p_gain_ = 0;
   bool stiff_ = false, torque_known_ = false;
-  bool limp_ = false;  // the controller has switched its torque off
+  bool limp_ = false;  // the controller switched torque off
 
   ServoWatch watch_;
   TripWatch trip_watch_;
@@ -130,13 +131,13 @@ class JointGuard {
   JointChannel channel_;
   Trip trip_ = Trip::kNone;
   bool suspected_ = false, uncertain_ = false;
-  bool has_goal_ = false;      // a poll in the cycle before found it in the servo
-  bool on_seen_ = false;       // a poll has found torque on since it was switched on
-  bool shut_at_once_ = false;  // off again when it was seen with it
-  bool had_limit_ = false;     // of its speed, when it was polled last
-  int refused_ = 0;            // placed goals in a row that the servo was seen without
-  bool off_due_ = false;       // torque off has to be sent
-  bool off_ordered_ = false;   // it was; a poll that says otherwise means that the write was lost
+  bool has_goal_ = false;      // a poll in the previous cycle found it in the servo
+  bool on_seen_ = false;       // a poll found torque on since it was switched on
+  bool shut_at_once_ = false;  // torque limit was 0 when the placed goal was seen
+  bool had_limit_ = false;     // had a speed limit at its last poll
+  int refused_ = 0;            // placed goals in a row that were not in the servo when polled
+  bool off_due_ = false;       // torque off must be sent
+  bool off_ordered_ = false;   // torque off was sent; if a poll finds torque on, the write was lost
 };
 
 }  // namespace darwinop::safety

@@ -19,7 +19,7 @@ struct Numbers {
   }
 };
 
-/// Visitor that puts what the robot's file names into the controller's settings.
+/// Visitor that merges the settings of the robot's file into the controller's.
 struct Merger {
   const std::vector<double>& robots;
   const std::bitset<32>&robot_named, &controller_named;

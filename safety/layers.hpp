@@ -1,4 +1,4 @@
-// Two files of settings, one above the other: the robot's own (robot.ini) and a controller's (config.ini).
+// Merges the settings of two files: the robot's (robot.ini) and a controller's (config.ini).
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@
 
 namespace darwinop::safety {
 
-/// Who wins when both files name a setting. What is not listed is the controller's.
+/// Which value wins if both files set one. For settings not listed: the controller's.
 enum class Stricter : std::uint8_t { kLower, kHigher, kMode };
 struct StricterRow {
   std::string_view name;
   Stricter wins;
 };
-// What guards the robot: a controller can make it stricter than the robot's owner did, never laxer.
+// Settings that protect the robot: a controller can make them stricter than robot.ini, never laxer.
 inline constexpr auto kStricterWins = std::to_array<StricterRow>({
     {"max_joint_speed", Stricter::kLower},
     {"gentle_speed", Stricter::kLower},
@@ -29,20 +29,21 @@ inline constexpr auto kStricterWins = std::to_array<StricterRow>({
 });
 static_assert(static_cast<int>(ReleaseButton::kMode) < static_cast<int>(ReleaseButton::kNone));
 
-/// Of a setting that robot and controller both name, as numbers. What is not listed above is the controller's.
+/// The value that wins for setting `name`, which both files set.
 [[nodiscard]] double stricter(std::string_view name, double robot, double controller) noexcept;
 
-/// Every setting as a number, choices too: [Safety] in the order of visit(), then low and high of each joint.
+/// Every setting as a number (choices as their index): [Safety] in the order of visit(), then low and high of each
+/// joint.
 std::vector<double> numbers(const Config& config);
 
 struct Layer {
   const Config& config;
-  std::string file;  // for the sentences
+  std::string file;  // for error messages
 };
 
-/// The settings that hold. A setting that one file names is that file's; of one that both name, see kStricterWins.
-/// Ranges of joints are what both allow. Throws std::runtime_error, with both files, when nothing is left of a
-/// range or when the settings contradict each other.
+/// The effective settings. A setting in one file is taken from it; for one in both files see kStricterWins. Joint
+/// ranges are intersected. Throws std::runtime_error with both files if a range becomes empty or settings contradict
+/// each other.
 Config layered(const Layer& robot, const Layer& controller);
 
 }  // namespace darwinop::safety

@@ -1,4 +1,4 @@
-// A slow move of all driven joints to one pose.
+// Monitors a slow move to one pose.
 #include "safety/pose_move.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace darwinop::safety {
 namespace {
 
-// Half as long again as the way takes, and two seconds for gearboxes and loads.
+// Time-out: 1.5 times the nominal duration, plus two seconds for friction and loads.
 constexpr double kPatience = 1.5;
 constexpr double kSettle = 2.0;  // s
 
@@ -27,7 +27,7 @@ PoseMove::Progress PoseMove::update(const Mask& moving, bool on_the_way, const A
   for (std::size_t i = 0; i < kJoints; ++i) {
     if (!moving[i]) continue;
     const double way = std::abs(target[i].value - position[i].value);
-    if (!seen_[i]) {  // a joint that joins late gets its time, once
+    if (!seen_[i]) {  // a joint that is taken over later extends the deadline, once
       const double way_or_most = std::isfinite(way) ? way : 2 * kPi;
       deadline_ = std::max(deadline_, elapsed_ + fromSeconds(kPatience * way_or_most / config_.gentle_speed + kSettle));
     }

@@ -1,4 +1,4 @@
-// A slow move of all driven joints to one pose, with an end to waiting.
+// Monitors a slow move of all driven joints to one pose, with a time-out.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@ class PoseMove {
   explicit PoseMove(const Config& config) : config_{config} {}
 
   void begin() noexcept;
-  /// Once a cycle: the joints that are driven, whether goals are still on their way, where joints are and go.
+  /// Once a cycle. `moving`: joints that are driven; `on_the_way`: goals have not arrived yet; angles in rad.
   Progress update(const Mask& moving, bool on_the_way, const Angles& position, const Angles& target, Nanos dt) noexcept;
-  /// Joints that moved and are not within the tolerance.
+  /// Joints that moved and did not get within start_tolerance.
   [[nodiscard]] const Mask& missing() const noexcept { return missing_; }
 
  private:

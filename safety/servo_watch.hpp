@@ -1,4 +1,4 @@
-// Health of one servo: does it answer, is it warm, is its supply good?
+// Health of one servo: replies, temperature, supply voltage.
 #pragma once
 
 #include "core/packet.hpp"
@@ -12,7 +12,8 @@ class ServoWatch {
  public:
   explicit ServoWatch(const Config& config) : config_{config}, voltage_{kVoltageOn, kVoltageOff} {}
 
-  /// `given_up`: the bus has taken the servo off its list for now. `powered_for`: how long servos have had power.
+  /// Once a cycle. `given_up`: the bus has removed the servo from its read list for now. `powered_for`: time since
+  /// servo power came on.
   void update(const JointSensors& seen, bool given_up, Nanos powered_for, Nanos dt) noexcept {
     const bool answers = seen.motion.fresh();
     silence_ = answers ? Nanos{0} : silence_ + dt;
@@ -31,16 +32,16 @@ class ServoWatch {
     }
   }
 
-  /// Silent for so long that the last goal must not be trusted any more: it may have moved or restarted.
+  /// Silent for more than silent_s: it may have moved or restarted, so the last goal is not valid any more.
   [[nodiscard]] bool lost() const noexcept { return lost_; }
-  /// Lost, or given up by the bus; never in the second after power came on, in which servos start.
+  /// Lost, or removed from the read list; never in the first second after power-up, while servos start.
   [[nodiscard]] bool silent() const noexcept { return silent_now_; }
   [[nodiscard]] bool hot() const noexcept { return hot_.on(); }
   [[nodiscard]] bool overheated() const noexcept { return (int{overheated_.on()} | overheat_bit_.on()) != 0; }
   [[nodiscard]] bool badVoltage() const noexcept { return voltage_.on(); }
 
  private:
-  // Servos start in about 0.3 s; the bus asks a silent one again every 16 cycles.
+  // Servos start in about 0.3 s; the bus retries a silent one every 16 cycles.
   static constexpr Nanos kStartUp{std::chrono::milliseconds{1000}};
   static constexpr Nanos kVoltageOn{std::chrono::milliseconds{100}}, kVoltageOff{std::chrono::milliseconds{1000}};
 

@@ -1,4 +1,4 @@
-// Settings of a session: to numbers and back, and on top of the robot's.
+// Settings of a session: conversion to and from numbers, merge with the robot's.
 #include "safety/session_settings.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ struct ToNumbers {
   }
 };
 
-/// Visitor that takes each setting from the next number, where that is possible.
+/// Visitor that reads each setting from the next number, if valid.
 struct FromNumbers {
   const std::array<double, SessionSettings::kValues>& value;
   bool keeps_stricter;  // false: takes every number that is within its range

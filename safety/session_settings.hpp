@@ -1,4 +1,4 @@
-// [Safety] and [Limits] that travel with a controller's session and make the robot's own stricter.
+// [Safety] and [Limits] of a controller's session, as part of its commands; they can only make the robot's stricter.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@ namespace darwinop::safety {
 /// As numbers, for the command image.
 [[nodiscard]] SessionSettings toSession(const Config& config);
 
-/// Back to settings; `named` as Config::named. Of a number out of its range the default holds.
+/// Inverse of toSession(); `named` as Config::named. A number out of range becomes the default.
 [[nodiscard]] Config fromSession(const SessionSettings& settings, std::uint32_t named);
 
-/// The robot's settings for a session that asks for `asked`. Ranges of joints become what both allow; of the settings
-/// in kStricterWins the stricter one holds; all others are the session's. A number that is not finite or out of its
-/// range, a range that leaves nothing, and settings that contradict each other leave the robot's own: the image comes
-/// from another process. Called in the loop: no heap, no exception.
+/// The robot's settings for a session with settings `asked`. Joint ranges are intersected; of settings in kStricterWins
+/// the stricter value is used; all others are the session's. The input comes from another process: a number that is not
+/// finite or out of range, an empty range, and contradictory settings leave the robot's own. Called in the loop: no
+/// heap, no exception.
 [[nodiscard]] Config tightened(const Config& robot, const SessionSettings& asked) noexcept;
 
 }  // namespace darwinop::safety

@@ -1,4 +1,4 @@
-// The start pose and its check.
+// Start pose and its check.
 #include "safety/start_pose.hpp"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ StartPoseCheck checkStartPose(const Sensors& seen) noexcept {
     const Rad position = recent(seen.joint[i].motion) ? seen.joint[i].position : Rad{};
     const Rad start = radFromTicks(row(joint).start);
     const double off = position.value - start.value;
-    // A thousandth of a tick of slack: exactly 230 ticks are allowed.
+    // Tolerance of 0.001 ticks: exactly 230 ticks are allowed.
     if (!(std::abs(off) <= kStartPoseTolerance + kRadPerTick / 1000))
       result.off[result.off_count++] = {joint, position, start, off};
   }

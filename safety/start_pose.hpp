@@ -1,4 +1,4 @@
-// The start pose (sitting), and the check whether a robot is near enough to it to be moved there safely.
+// The start pose (sitting), and the check whether the robot is close enough to it to be moved there safely.
 #pragma once
 
 #include <array>
@@ -11,16 +11,16 @@
 
 namespace darwinop::safety {
 
-/// Start pose of the joint table, within the configured limits.
+/// Start pose of the joint table, clamped to the configured limits.
 [[nodiscard]] std::array<Rad, kJoints> startPose(const Config& config) noexcept;
 
-// Thresholds of the check that came with the robot: 230 ticks (20.2 deg) for leg joints, a quarter of a g in
-// each axis of the trunk. Arms and head are not checked: they are light and hit nothing on their way.
+// Thresholds of the robot's original software: 230 ticks (20.2 deg) for leg joints, g/4 for each axis of the trunk.
+// Arms and head are not checked: they are light and do not collide on the way.
 inline constexpr double kStartPoseTolerance = 230 * kRadPerTick;
 inline constexpr double kOrientationTolerance = kGravity / 4;  // m/s2
 inline constexpr std::array<double, 3> kUpright{0, 0, kGravity};
 
-// Parts of describe(): of a joint after its name, and the first words about the trunk.
+// Parts of describe(): after a joint's name, and at the start of the line about the trunk.
 inline constexpr const char* kPositionUnknown = "position not known";
 inline constexpr const char* kOrientationUnknown = "orientation not known";
 inline constexpr const char* kNotUpright = "not upright";
@@ -40,11 +40,11 @@ struct StartPoseCheck {
   [[nodiscard]] bool secure() const noexcept { return off_count == 0 && upright; }
 };
 
-/// Judges readings of the last few cycles; what is older, or was never read, is not known and fails.
+/// Checks readings of the last few cycles; older or missing readings count as unknown and fail.
 [[nodiscard]] StartPoseCheck checkStartPose(const Sensors& seen) noexcept;
 
-/// One line for each joint that is off, with its name and by how much, and one for the orientation. For people;
-/// never called in the loop.
+/// Text for the user: one line for each joint that is off, with its deviation, and one for the orientation. Not for the
+/// loop.
 [[nodiscard]] std::string describe(const StartPoseCheck& check);
 
 }  // namespace darwinop::safety

@@ -1,4 +1,4 @@
-// The state machine of the robot as a pure function. Timers and conditions are turned into events elsewhere.
+// State machine of the safety layer as a pure function. guard_states.cpp derives the events from timers and conditions.
 #pragma once
 
 #include <array>
@@ -11,19 +11,19 @@
 namespace darwinop::safety {
 
 enum class Event : std::uint8_t {
-  kBoardLost,         // the board has not answered for more than 5 cycles
-  kBoardFound,        // the board answers
-  kRelease,           // a fault, or the end of a controller, asks for torque off
-  kKneel,             // a fault, or the end of a controller, asks to sit down first
-  kHold,              // a fault, or the end of a controller, asks to stay as it is
-  kDriverCame,        // there is somebody to obey, or somebody else than before
-  kTakenOver,         // every joint that can be driven is; the start pose comes next
+  kBoardLost,         // the board has not replied for more than 5 cycles
+  kBoardFound,        // the board replies
+  kRelease,           // a fault, or the end of a session, requires torque off
+  kKneel,             // a fault, or the end of a session, requires sitting down, then torque off
+  kHold,              // a fault, or the end of a session, requires holding the last goals
+  kDriverCame,        // a new session begins
+  kTakenOver,         // every joint that can be driven is driven; the move to the start pose is next
   kTakenOverInPlace,  // the same, without a move to the start pose
-  kStartDone,         // the start pose is reached, or given up
-  kResume,            // the reason to hold has gone
+  kStartDone,         // the start pose is reached, or the move timed out
+  kResume,            // the reason to hold is gone
   kKnelt,             // the robot sits
-  kStiffSeen,         // nobody drives, and a servo holds its joint
-  kLimpSeen,          // no answering servo holds its joint any more
+  kStiffSeen,         // no session drives, but a servo has torque
+  kLimpSeen,          // no servo that replies has torque any more
   kCount
 };
 inline constexpr std::size_t kEvents = static_cast<std::size_t>(Event::kCount);
@@ -31,7 +31,7 @@ inline constexpr std::array<std::string_view, kEvents> kEventNames{
     "board_lost",          "board_found", "release", "kneel", "hold",       "driver_came", "taken_over",
     "taken_over_in_place", "start_done",  "resume",  "knelt", "stiff_seen", "limp_seen"};
 
-/// Where `event` leads from `state`; `state` itself where the event means nothing.
+/// State after `event`; `state` itself if the event has no effect in it.
 constexpr State next(State state, Event event) {
   if (event == Event::kBoardLost) return State::kOffline;
   if (state == State::kOffline && event == Event::kStiffSeen) return State::kFoundStiff;
@@ -63,8 +63,9 @@ constexpr State next(State state, Event event) {
   return state;
 }
 
-static_assert(next(State::kOffline, Event::kDriverCame) == State::kOffline, "nobody drives a board that is silent");
+static_assert(next(State::kOffline, Event::kDriverCame) == State::kOffline,
+              "no session drives while the board is silent");
 static_assert(next(State::kKneeling, Event::kResume) == State::kKneeling, "a kneel is not aborted by a request");
-static_assert(next(State::kLimp, Event::kResume) == State::kLimp, "torque comes on through a takeover only");
+static_assert(next(State::kLimp, Event::kResume) == State::kLimp, "torque is switched on by a takeover only");
 
 }  // namespace darwinop::safety

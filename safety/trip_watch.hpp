@@ -1,5 +1,5 @@
-// Finds out that a servo has shut itself off, by two witnesses: the error byte of every reply, and the torque
-// registers that are polled in turn. One witness once is a suspicion, twice a fact.
+// Detects that a servo has shut itself off, from two sources: the error byte of every reply, and the torque registers
+// of the round-robin poll. One reading raises a suspicion; a second one in a row confirms it.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ class TripWatch {
  public:
   enum class Verdict : std::uint8_t {
     kFine,
-    kSuspected,  // leave it out until the next reading: a routine write would arm it again
+    kSuspected,  // write nothing until the next reading: a routine write would switch torque on again
     kOverload,   // shut itself off
     kOverheat,   // shut itself off
-    kNotOn,      // torque is off, its torque limit is not: it has not received "torque on"
+    kNotOn,      // torque is off but the torque limit is not 0: "torque on" was lost
   };
 
-  /// `driven_for`: time since torque was switched on, nothing while the joint is not driven.
+  /// Once a cycle. `driven_for`: time since torque was switched on; empty while the joint is not driven.
   Verdict update(const JointSensors& seen, std::optional<Nanos> driven_for) noexcept {
     const bool armed = driven_for && *driven_for >= kGrace;
     if (!driven_for) {
@@ -39,11 +39,11 @@ class TripWatch {
     if (off_.on()) return judgePoll(seen);
     return early_ || bits_.suspected() || off_.suspected() ? Verdict::kSuspected : Verdict::kFine;
   }
-  /// A reset was asked: judge by readings from now on.
+  /// After a reset: use only readings from now on.
   void forget() noexcept { *this = TripWatch{}; }
 
-  /// An overload bit is believed only so long after torque came on. With torque off there is no load, so a bit
-  /// that is still set is a memory of the servo's; torque coming on is what clears it.
+  /// An overload bit counts only from this time after torque on. With torque off there is no load, so a bit that is
+  /// still set is left over from before; the servo clears it when torque comes on.
   static constexpr Nanos kGrace{std::chrono::milliseconds{300}};
 
  private:
@@ -60,13 +60,13 @@ class TripWatch {
     was_on_ = was_on_ || !off;
   }
   [[nodiscard]] Verdict judgePoll(const JointSensors& seen) const noexcept {
-    // A servo that has restarted was missed before (JointGuard); one that shut itself off goes on answering.
+    // A restarted servo has missed replies before (JointGuard); one that shut itself off keeps replying.
     if (!limit_zero_ && !was_on_) return Verdict::kNotOn;
     return (seen.error_bits & error_bit::kOverheat) != 0 ? Verdict::kOverheat : Verdict::kOverload;
   }
 
   Confirm bits_, off_;
-  bool early_ = false;   // an overload bit in the grace: a memory, or a servo that has shut itself off already
+  bool early_ = false;   // overload bit within kGrace: left over, or the servo has shut itself off already
   bool was_on_ = false;  // torque was seen on since it was switched on
   bool limit_zero_ = false;
   std::uint8_t last_bits_ = 0;
