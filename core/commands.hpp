@@ -1,4 +1,4 @@
-// Requests of a controller for one cycle. The newest image counts; a default-built one requests nothing.
+// Commands of a controller for one cycle. The loop uses the newest image; a default-constructed one requests nothing.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace darwinop {
 
-/// Requests for one joint. A field counts only if its bit in `set` is on; the functions set it.
-/// Values are as the controller gave them; only safety checks them.
+/// Commands for one joint. A field is valid only if its bit in `set` is on; the set functions do this. Values are not
+/// checked here: safety does that.
 struct JointCommand {
   enum Bit : std::uint8_t { kGoal = 1, kSpeedLimit = 2, kTorqueLimit = 4, kPGain = 8, kTorque = 16 };
 
@@ -70,8 +70,8 @@ struct LedCommand {
   }
 };
 
-/// [Safety] and [Limits] of the controller that drives, for its session. They make the robot's own stricter, never
-/// laxer; safety/session_settings.hpp says how.
+/// [Safety] and [Limits] of a controller, for its session. They can make the robot's settings stricter, never laxer:
+/// safety/session_settings.hpp.
 struct SessionSettings {
   /// Settings of [Safety] in the order of safety::Config::visit(), choices as their index; then low and high of each
   /// joint in rad.
@@ -83,24 +83,24 @@ struct SessionSettings {
 struct Commands {
   std::array<JointCommand, kJoints> joint{};
   LedCommand led{};
-  /// Who drives. 0: nobody has yet. A new driver gets a new number, so that safety starts it gently.
+  /// Number of the driving session; 0: none yet. A change means a new session, which safety starts gently.
   std::uint32_t session = 0;
-  /// Counts the images of a session; a number that stops moving is a controller that stalled.
+  /// Counts the images of a session (heartbeat): if it stops, the controller has stalled.
   std::uint64_t sequence = 0;
-  /// When the image was made, ns on the clock of the loop.
+  /// Creation time, ns on the loop's clock.
   std::int64_t made_ns = 0;
-  /// True in the last image of a controller that ends normally.
+  /// True in the last image of a session that ends normally.
   Flag end_of_session{};
-  /// Counts requests to clear latched faults; a change is one request. Ignored while `unattended`.
+  /// Counts requests to clear latched faults; a change is one request. Ignored if `unattended`.
   std::uint32_t fault_resets = 0;
-  /// Skip the slow move to the start pose that a new session begins with, and take over where the robot is.
+  /// Take over in the present pose, without the slow move to the start pose.
   Flag start_where_it_is{};
-  /// True when a program started this session and no person did (a restart after a crash). Such a session clears no
-  /// latched fault: a robot that a person released stays limp until a person acts.
+  /// A program, not a person, started this session (restart after a crash). It cannot clear latched faults: a robot
+  /// that a person released stays limp until a person acts.
   Flag unattended{};
-  /// Read once, in the first image of a session.
+  /// Read in the first image of a session only.
   SessionSettings settings{};
-  /// Requests of a person, independent of the controller; the loop fills them in. A change is one request.
+  /// Requests of an operator, independent of the controller; filled in by the loop. A change is one request.
   std::uint32_t operator_resets = 0;    // clear latched faults
   std::uint32_t operator_releases = 0;  // torque off on every joint
 };

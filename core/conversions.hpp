@@ -1,4 +1,4 @@
-// Exact conversions between register counts and SI units. One law for the runtime and the virtual robot.
+// Exact conversions between register counts and SI units, for the runtime and the virtual robot.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace darwinop {
 
-/// Nearest whole number, the even one of two, as std::nearbyint() rounds by default: adding 1.5 * 2^52 leaves no bits
-/// for a fraction. From 2^51 on it may be off by one; what is rounded here is clamped to a register afterwards.
+/// Nearest integer, ties to even, as std::nearbyint() by default: adding 1.5 * 2^52 leaves no bits for a fraction. From
+/// 2^51 on it may be off by one; results are clamped to a register range afterwards.
 constexpr double nearestWhole(double value) {
   constexpr double kNoFraction = 6755399441055744.0;
   return value + kNoFraction - kNoFraction;
@@ -50,7 +50,7 @@ inline std::uint16_t registerFromSpeedLimit(RadPerSec limit) {
   return static_cast<std::uint16_t>(nearestWithin(std::abs(limit.value) / kRadPerSecPerCount, 1, kSpeedMax));
 }
 
-/// Present load register (40): fraction of the greatest torque, -1..1, positive when pushing counter-clockwise.
+/// Present load register (40): fraction of the maximum torque, -1..1, positive when pushing counter-clockwise.
 constexpr double loadFromRegister(std::uint16_t raw) {
   const double magnitude = (raw & 1023) / 1023.0;
   return (raw & 1024) != 0 ? -magnitude : magnitude;
@@ -83,11 +83,11 @@ constexpr Volt voltFromRegister(std::uint8_t raw) {
   return Volt{raw * 0.1};
 }
 
-// What the on-robot wrapper of 2013 did instead, for controllers that were tuned on it. Its two factors are
-// not each other's inverse: 11.378 ticks a degree on the way out (truncated towards zero), 0.088 degrees a tick
-// on the way back (0.125 % too large). 1 rad went out as 2699 where 2700 is nearest; 0.5 rad read back as
-// 0.49916. This runtime uses the exact law above; a controller can see a difference of one tick going out
-// and of at most 4 mrad coming back at the ends of the range.
+// Conversions of the on-robot wrapper of 2013, for comparison. Its two factors are not inverse to each other: 11.378
+// ticks per degree for goals (truncated towards zero), 0.088 degrees per tick for positions (0.125 % too large). A goal
+// of 1 rad became 2699 (nearest: 2700); a position of 0.5 rad read as 0.49916. This runtime uses the exact conversions
+// above; controllers can see a difference of one tick in goals, and at most 4 mrad in positions at the ends of the
+// range.
 constexpr int ticksFromRadAsIn2013(Rad angle) {
   return static_cast<int>(angle.value * 180.0 / kPi * 11.378) + kTickCentre;
 }

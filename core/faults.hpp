@@ -1,5 +1,5 @@
-// Faults and limits: what can go wrong, what the robot does about it, what a person should do.
-// One row a fault; log lines, docs/faults.md and remote messages are these rows. A new fault: CONTRIBUTING.md.
+// Fault table: cause, reaction of the safety layer, and remedy of each fault. Also limits and states. Log lines,
+// docs/faults.md and remote messages use these rows. How to add a fault: CONTRIBUTING.md.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace darwinop {
 
-/// Latched ones stay until a reset is asked for. Numbers are stable: they stand in logs and in users' scripts.
+/// Latched faults stay until a reset is requested. Numbers are stable: logs and users' scripts contain them.
 enum class Fault : std::uint8_t {
   kNone = 0,
   kBusSilent = 10,
@@ -31,42 +31,42 @@ enum class Fault : std::uint8_t {
   kControllerGone = 41,
 };
 
-/// What safety does, from mildest to strongest. A reaction must be one the fault still permits.
+/// Reactions of the safety layer, in increasing strength.
 enum class Reaction : std::uint8_t {
   kReport,       // report only
   kSlow,         // joints move at the gentle speed
   kHold,         // keep the last safe goals
   kKneel,        // slow move to the start pose (sitting), then limp
   kLimp,         // torque off; the robot may drop
-  kStopSending,  // a bus that does not answer receives nothing
+  kStopSending,  // nothing is sent to a bus that does not reply
 };
 
-/// The cycles in which the cause of a fault is looked for; times are counted in these.
+/// Cycles in which the cause of a fault is checked; its times count these cycles only.
 enum class Checked : std::uint8_t {
   kAlways,  // each cycle
-  kBoard,   // cycles in which the board answers
-  kServo,   // cycles in which the servo answers
+  kBoard,   // cycles in which the board replies
+  kServo,   // cycles in which the servo replies
   kPoll,    // the round-robin poll of the servo's temperature and torque, once a second or more often
 };
 
 struct FaultRow {
   Fault fault;
   Reaction reaction;
-  bool latched;          // false: goes away with its cause
+  bool latched;          // false: ends with its cause
   bool ends_controller;  // true: step() returns -1
   std::string_view name, meaning, remedy;
-  // Of docs/faults.md only.
+  // For docs/faults.md only.
   Checked checked;
-  std::string_view ends;  // when it goes away, or can be reset; empty: when its cause is gone
+  std::string_view ends;  // when it ends, or can be reset; empty: when its cause is gone
   std::string_view details = "";
 };
 
-// Thresholds named here stand in safety/config.hpp; tests/safety/fault_docs_test.cpp compares them.
+// Thresholds are defined in safety/config.hpp; tests/safety/fault_docs_test.cpp compares them with these texts.
 inline constexpr auto kFaultTable = std::to_array<FaultRow>({
     {Fault::kBusSilent, Reaction::kStopSending, false, false, "bus_silent",
      "the CM-730 board has not answered for more than 5 cycles",
-     "check the USB cable and the robot's power switch; the runtime goes on by itself when the board is back",
-     Checked::kAlways, "",
+     "check the USB cable and the robot's power switch; the runtime resumes when the board replies", Checked::kAlways,
+     "",
      "Powered servos hold their last goal. At the first answer joints continue gently from where they are; without a "
      "controller the robot kneels."},
     {Fault::kBoardReset, Reaction::kLimp, true, true, "board_reset",
@@ -77,7 +77,7 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "Two answers in a row. A joint counts as under torque until polled after a torque off (0.4 s); `NAME.held` in "
      "`/dev/shm` keeps this across loops."},
     {Fault::kServoSilent, Reaction::kReport, false, false, "servo_silent",
-     "a servo has not answered for half a second, or does not take what is written to it",
+     "a servo has not answered for half a second, or does not store what is written to it",
      "check the cable that leads to the first silent servo of its chain", Checked::kAlways, "",
      "`silent_s` or three requests in a row, not in the first second of servo power; or 20 takeovers in a row (a "
      "second) did not store goal and speed. From the first missed answer on the joint gets no goal: a restarted servo "
@@ -85,7 +85,7 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "gently otherwise or after 5 cycles. A servo silent at start gets no goals until the next start."},
     {Fault::kServoPowerOff, Reaction::kReport, false, false, "servo_power_off",
      "the CM-730 reports that servo power is off although it was on",
-     "nothing: it is switched on again, at most 3 times in 60 s; after that press START or start a controller",
+     "nothing: power is switched on again, at most 3 times in 60 s; after that press START or start a controller",
      Checked::kBoard, "", "No joint gets a goal meanwhile."},
     {Fault::kBatteryLow, Reaction::kReport, false, false, "battery_low", "the supply is under 11.0 V for 2 s",
      "charge or change the battery soon", Checked::kBoard, "above 11.3 V for 2 s", "`battery_low`."},
@@ -132,7 +132,7 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
      "The previous daemon left the robot released (31, 33) or without power (11)."},
     {Fault::kControllerStalled, Reaction::kHold, false, false, "controller_stalled",
      "the controller has not called step() for 500 ms",
-     "the last safe goals are held; it goes on when step() is called", Checked::kAlways, "",
+     "the last safe goals are held; motion continues when step() is called", Checked::kAlways, "",
      "`stall_ms`, not during takeover and start."},
     {Fault::kControllerGone, Reaction::kKneel, false, false, "controller_gone",
      "the controller has been silent for 10 s and has not ended its session",
@@ -143,7 +143,7 @@ inline constexpr auto kFaultTable = std::to_array<FaultRow>({
 inline constexpr FaultRow kNoFault{Fault::kNone, Reaction::kReport, false, false, "none", "all is well",
                                    "",           Checked::kAlways,  ""};
 
-/// The row of a fault; kNoFault for kNone and for numbers that are not faults.
+/// Row of a fault; kNoFault for kNone and for invalid numbers.
 constexpr const FaultRow& row(Fault fault) {
   for (const FaultRow& r : kFaultTable)
     if (r.fault == fault) return r;
@@ -151,10 +151,10 @@ constexpr const FaultRow& row(Fault fault) {
 }
 inline constexpr std::size_t kFaults = kFaultTable.size();
 
-/// Limits act on a command and are counted; they are not faults.
+/// Limits that safety applies to commands. They are counted and are not faults.
 enum class Limit : std::uint8_t {
   kPosition,   // goal outside the joint's range: clamped
-  kRate,       // goal further away than the joint may move in a cycle: approached step by step
+  kRate,       // goal further away than the joint may move in one cycle: approached in steps
   kNotFinite,  // NaN or infinity: the previous goal is kept
   kSpeed,      // speed limit out of range: clamped
   kTorque,     // torque limit out of range: clamped
@@ -165,23 +165,23 @@ inline constexpr std::size_t kLimits = static_cast<std::size_t>(Limit::kCount);
 inline constexpr std::array<std::string_view, kLimits> kLimitNames{"position", "rate",   "not_finite",
                                                                    "speed",    "torque", "gain"};
 
-/// Where the robot is between "no contact" and "a controller drives". Transitions: safety/states.hpp.
+/// States of the safety layer. Transitions: safety/states.hpp.
 enum class State : std::uint8_t {
-  kOffline,     // the board does not answer; nothing is sent
-  kLimp,        // the board answers, torque is off, everything is read
-  kTakingOver,  // goals are at the present pose, torque comes on
+  kOffline,     // the board does not reply; nothing is sent
+  kLimp,        // torque is off, all sensors are read
+  kTakingOver,  // goals are set to the present pose, torque is switched on
   kStarting,    // slow move to the start pose
-  kDriven,      // a controller's commands are carried out
-  kHolding,     // the controller is silent: last safe goals
+  kDriven,      // a controller's commands are executed
+  kHolding,     // the controller is silent: the last safe goals are held
   kKneeling,    // slow move to the start pose, then limp
-  kFoundStiff,  // the board answers, nobody drives, and a servo holds its joint all the same
+  kFoundStiff,  // no session drives, but a servo has torque
   kCount
 };
 inline constexpr std::size_t kStates = static_cast<std::size_t>(State::kCount);
 inline constexpr std::array<std::string_view, kStates> kStateNames{"offline", "limp",    "taking_over", "starting",
                                                                    "driven",  "holding", "kneeling",    "found_stiff"};
 
-/// States in which joints get goals: somebody drives, or safety moves the robot.
+/// States in which joints get goals: a session drives, or safety moves the robot.
 constexpr bool drives(State state) {
   return state != State::kOffline && state != State::kLimp && state != State::kFoundStiff;
 }

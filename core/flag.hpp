@@ -1,4 +1,4 @@
-// A truth value of one byte in which every bit pattern is valid.
+// Boolean of one byte for which every bit pattern is valid.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace darwinop {
 
-/// For images that come from memory which another process writes: loading a bool from a byte other than 0 and 1 is
-/// undefined behaviour. Here every byte but 0 reads as true.
+/// For data in memory that another process writes: loading a bool from a byte other than 0 or 1 is undefined behaviour.
+/// Here every byte but 0 reads as true.
 class Flag {
  public:
   constexpr Flag() = default;

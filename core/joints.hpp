@@ -1,4 +1,4 @@
-// The twenty joints of a DARwIn-OP: ids, names, limits, start pose, wiring. Nothing here is typed twice.
+// The twenty joints of a DARwIn-OP: ids, names, limits, start pose, wiring. The only copy of these values.
 #pragma once
 
 #include <algorithm>
@@ -38,13 +38,13 @@ enum class Joint : std::uint8_t {
   kHead,
 };
 
-/// The daisy chain a servo hangs on. A broken lead silences the chain from that servo on.
+/// Daisy chain of a servo. A broken lead disconnects this servo and all behind it.
 enum class Chain : std::uint8_t { kRightArm, kLeftArm, kHead, kRightLeg, kLeftLeg };
 
 struct JointRow {
   std::uint8_t id;              // Dynamixel id, 1..20
   std::string_view name;        // Webots device name; its position sensor is name + "S"
-  std::string_view anatomical;  // what a person would call it
+  std::string_view anatomical;  // for display
   Chain chain;
   std::uint16_t low, high;  // goal limits, ticks 0..4095 (2048 is 0 rad)
   std::uint16_t start;      // start pose (sitting), ticks
@@ -86,7 +86,7 @@ inline constexpr std::array<JointRow, kJoints> kJointTable{{
 constexpr const JointRow& row(Joint joint) {
   return kJointTable[static_cast<std::size_t>(joint)];
 }
-/// Dynamixel id of the joint with this index; jointTableIsSound() checks that it is the table's.
+/// Dynamixel id of the joint with this index; jointTableIsSound() compares it with the table.
 constexpr std::uint8_t servoId(std::size_t joint) {
   return static_cast<std::uint8_t>(joint + 1);
 }
@@ -94,12 +94,12 @@ constexpr std::size_t index(Joint joint) {
   return static_cast<std::size_t>(joint);
 }
 
-/// All joints for which is(index) holds.
+/// All joints for which is(index) is true.
 template <class Is>
 constexpr std::bitset<kJoints> jointsThat(Is&& is) {
   const auto bit = [&](std::size_t i) { return static_cast<unsigned long>(static_cast<bool>(is(i))); };
   unsigned long bits = 0;
-  static_assert(kJoints % 4 == 0);  // four in a turn: counting takes as many instructions as setting one
+  static_assert(kJoints % 4 == 0);  // unrolled four times: loop overhead costs as much as setting one bit
   for (std::size_t i = 0; i < kJoints; i += 4)
     bits |= (bit(i) | bit(i + 1) << 1 | bit(i + 2) << 2 | bit(i + 3) << 3) << i;
   return bits;
@@ -112,7 +112,7 @@ constexpr void forEachJoint(const std::bitset<kJoints>& joints, F&& f) {
     f(static_cast<std::size_t>(std::countr_zero(rest)));
 }
 
-/// The joints of `some` for which is(index) holds.
+/// The joints of `some` for which is(index) is true.
 template <class Is>
 constexpr std::bitset<kJoints> jointsThat(const std::bitset<kJoints>& some, Is&& is) {
   std::bitset<kJoints> joints;

@@ -40,8 +40,8 @@ inline constexpr std::uint8_t kVoltage = 1, kAngleLimit = 2, kOverheat = 4, kRan
 /// Sum that makes a frame valid. `body` is id, len, inst|err and parameters: the frame without FF FF and chk.
 std::uint8_t checksum(Bytes body);
 
-/// Writes one instruction frame into `out` and returns the part used; empty if it does not fit or `params`
-/// has more than 253 bytes.
+/// Writes one instruction frame into `out` and returns it; empty if it does not fit or `params` has more than 253
+/// bytes.
 std::span<std::uint8_t> encodeInstruction(std::span<std::uint8_t> out, std::uint8_t id, Instruction instruction,
                                           Bytes params);
 std::span<std::uint8_t> encodePing(std::span<std::uint8_t> out, std::uint8_t id);
@@ -51,18 +51,19 @@ std::span<std::uint8_t> encodeWrite(std::span<std::uint8_t> out, std::uint8_t id
 /// Status frame, for the virtual devices.
 std::span<std::uint8_t> encodeStatus(std::span<std::uint8_t> out, std::uint8_t id, std::uint8_t error, Bytes params);
 
-/// Completes a frame whose parameters already stand behind the header. `out` has room for them and kFrameOverhead.
+/// Completes a frame whose parameters are already in place behind the header. `out` must have room for them plus
+/// kFrameOverhead.
 std::span<std::uint8_t> sealFrame(std::span<std::uint8_t> out, std::uint8_t id, std::uint8_t code, std::size_t params);
 
-/// The parameters of a frame under construction, byte by byte.
+/// Appends parameter bytes to a frame under construction.
 class FrameParams {
  public:
   explicit FrameParams(std::span<std::uint8_t> out)
       : out_{out}, limit_{out.empty() ? 0 : std::min(out.size() - 1, kFrameHeader + 253)} {}
 
-  /// So many more bytes fit into `out` and into what the length byte can say.
+  /// True if this many more bytes fit into `out` and the length byte.
   [[nodiscard]] bool fits(std::size_t bytes) const { return end_ + bytes <= limit_; }
-  /// Only after fits().
+  /// Requires fits().
   void put(std::uint8_t byte) { out_[end_++] = byte; }
   [[nodiscard]] std::size_t count() const { return end_ - kFrameHeader; }
   std::span<std::uint8_t> seal(Instruction instruction) const {
@@ -90,7 +91,7 @@ class SyncWriteEncoder {
     for (const std::uint8_t byte : data) params_.put(byte);
     return true;
   }
-  /// The finished frame; empty when nothing was added: an empty sync write is never sent.
+  /// The finished frame; empty if nothing was added: an empty sync write must not be sent.
   std::span<std::uint8_t> finish() const {
     return params_.count() > 2 ? params_.seal(Instruction::kSyncWrite) : std::span<std::uint8_t>{};
   }
@@ -121,7 +122,7 @@ class BulkReadEncoder {
   FrameParams params_;
 };
 
-/// A frame found in a stream: instruction or status, distinguished only by its sender.
+/// A frame in a stream: instruction or status; only the sender distinguishes them.
 struct Frame {
   std::uint8_t id = 0;
   std::uint8_t code = 0;  // instruction, or error bits of a status
@@ -133,7 +134,7 @@ struct Frame {
 class FrameReader {
  public:
   static constexpr std::size_t kRoom = 512;
-  /// Where the next bytes go. At least kRoom once next() has returned nothing; it may move what is held.
+  /// Free space for the next bytes: at least kRoom once next() has returned nothing. May move bytes held.
   std::span<std::uint8_t> room() {
     if (pending() == 0)
       begin_ = end_ = 0;
@@ -141,19 +142,19 @@ class FrameReader {
       moveTailToFront();  // so that a whole frame always fits behind it
     return std::span{buffer_}.subspan(end_);
   }
-  /// So many bytes were written to room().
+  /// `count` bytes were written to room().
   void taken(std::size_t count) { end_ += count; }
-  /// Takes as many bytes as fit and returns how many; call next() until it is empty, then feed the rest.
+  /// Copies as many bytes as fit and returns their number; call next() until it returns nothing, then feed the rest.
   std::size_t feed(Bytes bytes);
-  /// The next valid frame, or nothing when more bytes are needed. With `more_expected` false, a candidate that
-  /// waits for bytes that will not come is given up, so that frames behind it are found.
+  /// The next valid frame, or nothing if more bytes are needed. `more_expected` false: no more bytes will arrive, so an
+  /// incomplete candidate is dropped and frames behind it are found.
   std::optional<Frame> next(bool more_expected = true) {
     return pending() < kFrameOverhead && more_expected ? std::nullopt : find(more_expected);
   }
-  /// True once after a call of next() that found no header where the frame before had ended. That frame may have lost
-  /// or gained a byte and have a valid checksum by chance: without a byte, the FF of the next header is its checksum.
+  /// True once after a call of next() that found no header at the end of the previous frame. That frame may have lost
+  /// or gained a byte and have a valid checksum by chance: with a byte lost, the FF of the next header is its checksum.
   [[nodiscard]] bool boundaryLost() { return boundary_lost_ && std::exchange(boundary_lost_, false); }
-  /// Forgets what was fed, keeps the counters.
+  /// Drops bytes held, keeps the counters.
   void clear() {
     begin_ = end_ = 0;
     at_boundary_ = boundary_lost_ = false;
@@ -161,7 +162,7 @@ class FrameReader {
 
   [[nodiscard]] std::uint32_t garbageBytes() const { return garbage_bytes_; }
   [[nodiscard]] std::uint32_t badChecksums() const { return bad_checksums_; }
-  /// Bytes held that do not yet make a frame.
+  /// Bytes held that are not a frame yet.
   [[nodiscard]] std::size_t pending() const { return end_ - begin_; }
 
  private:

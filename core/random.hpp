@@ -1,4 +1,4 @@
-// Random numbers that are the same on every machine and with every standard library.
+// Random numbers that are identical on every machine and with every standard library.
 #pragma once
 
 #include <cmath>
@@ -10,9 +10,9 @@
 
 namespace darwinop {
 
-// SplitMix64 (Steele, Lea, Flood 2014; public domain): any seed will do, neighbours too.
+// SplitMix64 (Steele, Lea, Flood 2014; public domain): any seed works, also consecutive ones.
 inline constexpr std::uint64_t kSplitMixStep = 0x9e3779b97f4a7c15U;
-/// The number of a state. With a counter as state, draws need no memory and do not depend on the order of calls.
+/// Output for a state. With a counter as state, draws are stateless and independent of the order of calls.
 constexpr std::uint64_t splitMix(std::uint64_t state) noexcept {
   state = (state ^ (state >> 30)) * 0xbf58476d1ce4e5b9U;
   state = (state ^ (state >> 27)) * 0x94d049bb133111ebU;

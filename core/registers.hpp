@@ -1,5 +1,5 @@
 // Control tables of the CM-730 board and the MX-28 servo: address, width, access, scale, unit, meaning.
-// Encoder, decoder, virtual board, doctor and docs/registers.md all read these two tables.
+// Used by encoder, decoder, virtual board, doctor and docs/registers.md.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ inline constexpr auto M = Memory::kRam;
 // rad/s per count of the gyroscope; registers, virtual board, recordings, monitor, remote control and the API take it
 // from here. Source: the CM-730 firmware, count = clamp(512 + raw16 / 64 * 5 / 4, 0, 1023), and the data sheet of its
 // sensor, 70 mdeg/s per digit of raw16 in the range of 2000 deg/s: 3.584 deg/s a count, +-1835 deg/s.
-// Doubt: nobody has measured it. The simulator's model has 1600 deg/s over 512 counts (0.0545 rad/s a count, 1.147
+// Not measured. The simulator's model has 1600 deg/s over 512 counts (0.0545 rad/s a count, 1.147
 // times less), as if 2000 deg/s were 32768 digits, which the data sheet does not say; the vendor's table has 500 deg/s.
 // Turn a robot by 360 degrees on a table and integrate gyro.z of the recording: 360 confirms this, 413 the simulator's.
 inline constexpr double kGyroScale = 0.070 * 64.0 * 4.0 / 5.0 * kRadPerDegree;

@@ -17,7 +17,7 @@ class Guard;
 
 class SafeCommands {
  public:
-  /// All four are set for a joint that is driven, finite and within range.
+  /// For a driven joint all four are finite and within range.
   struct JointGoal {
     Rad goal;
     RadPerSec speed_limit;
@@ -27,25 +27,25 @@ class SafeCommands {
   };
   using Mask = std::bitset<kJoints>;
 
-  /// What this cycle's SyncWrite carries.
+  /// Content of this cycle's SyncWrite.
   enum class Write : std::uint8_t {
-    kNothing,  // nothing may be sent (link down, nobody drives yet)
-    kGoals,    // gains, goals, limits of the joints in driven() without skipped()
+    kNothing,  // nothing may be sent (link down, or no session yet)
+    kGoals,    // gains, goals, limits of the joints in driven() but not in skipped()
     kTorque,   // torque enable: on for torqueOn(), off for torqueOff(); goals wait for the next cycle
   };
 
   [[nodiscard]] Write write() const { return write_; }
   [[nodiscard]] const JointGoal& goal(Joint joint) const { return goal_[index(joint)]; }
   [[nodiscard]] const Mask& driven() const { return driven_; }
-  /// Driven joints that this cycle's write leaves out: they have the goal above already, or it is not certain that
-  /// they still hold it. They keep their settings.
+  /// Driven joints omitted from this cycle's write: they have the goal already, or may have restarted. They keep their
+  /// settings.
   [[nodiscard]] const Mask& skipped() const { return skipped_; }
-  /// Joints whose servos are to be polled in this cycle: torque waits for their goal registers.
+  /// Joints to poll in this cycle: torque is switched on only after their goal registers were read back.
   [[nodiscard]] const Mask& poll() const { return poll_; }
   [[nodiscard]] const Mask& torqueOn() const { return torque_on_; }
   [[nodiscard]] const Mask& torqueOff() const { return torque_off_; }
   [[nodiscard]] const LedCommand& led() const { return led_; }
-  /// True: the board reports that servo power is off and shall switch it on.
+  /// True: servo power is off, and the board is to switch it on.
   [[nodiscard]] bool powerOn() const { return power_on_; }
 
  private:

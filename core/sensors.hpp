@@ -1,4 +1,4 @@
-// What is known of the robot after a cycle. Not received is never zero: every device carries its age.
+// Sensor image after a cycle. A value not received is never zero: it is NaN or old, and every device has an age.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace darwinop {
 
-/// Age of a measurement in cycles. 0: received in the cycle of the image, which for safety is the one before.
+/// Age of a measurement in cycles. 0: received in the cycle of the image (for safety, the previous cycle).
 struct Freshness {
   static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t age = kNever;
@@ -26,34 +26,34 @@ struct Freshness {
   }
 };
 
-/// So many answers in a row may be lost before the last goals are not trusted any more: of the board, the link counts
-/// as lost; of one servo, it is taken over again. Lost answers are normal on this bus.
+/// Replies in a row that may be missing. After more, the link counts as lost (board), or the servo is taken over again.
+/// Single lost replies are normal on this bus.
 inline constexpr std::uint32_t kAnswerPatience = 5;  // cycles
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Values are the last received ones; NaN until the first. `motion` and `health` are their ages.
+/// Values are the last ones received; NaN before the first. `motion` and `health` are their ages.
 struct JointSensors {
   Freshness motion;             // age of position, velocity, load, error_bits
   Rad position;                 // rad
   RadPerSec velocity;           // rad/s
-  double load = kUnknown;       // fraction of the greatest torque, -1..1, positive pushes counter-clockwise
+  double load = kUnknown;       // fraction of the maximum torque, -1..1, positive pushes counter-clockwise
   std::uint8_t error_bits = 0;  // error byte of the last status packet, see error_bit
 
-  Freshness health;  // age of what follows, the values of the last poll: each servo in turn, all within a second
+  Freshness health;  // age of the values below, from the last round-robin poll (at least once a second)
   Volt voltage;
   Celsius temperature;
-  NewtonMeter torque_limit;  // as the servo has it; 0 after it shut itself off
-  Rad goal;                  // as the servo has it
-  RadPerSec speed_limit;     // as the servo has it; 0: none, as after power-up, which is never written
+  NewtonMeter torque_limit;  // register value; 0 after the servo shut itself off
+  Rad goal;                  // register value
+  RadPerSec speed_limit;     // register value; 0: unlimited, as after power-up; never written
   bool torque_enabled = false;
 
-  Rad commanded;        // goal sent last, after safety; NaN while the joint is not driven
+  Rad commanded;        // last goal sent, after safety; NaN while the joint is not driven
   bool driven = false;  // true: the joint gets goals
 };
 
 struct BoardSensors {
-  Freshness motion;                           // age of everything here
+  Freshness motion;                           // age of all values here
   std::array<RadPerSec, 3> gyro;              // x, y, z, rad/s
   std::array<MeterPerSec2, 3> accelerometer;  // x, y, z, m/s2; upright 0, 0, +9.8
   std::uint8_t buttons = 0;                   // 1 MODE, 2 START
@@ -69,34 +69,34 @@ struct BoardSensors {
 /// Cumulative since the loop started.
 struct LinkCounters {
   std::uint32_t exchanges = 0;   // BulkReads sent
-  std::uint32_t incomplete = 0;  // of these, answered in part or not at all
-  std::uint32_t retries = 0;     // times a silent device was asked again
+  std::uint32_t incomplete = 0;  // of these, with missing replies
+  std::uint32_t retries = 0;     // repeated requests to a device that did not reply
   std::uint32_t bad_checksums = 0;
   std::uint32_t garbage_bytes = 0;
-  std::uint32_t late_replies = 0;  // answers to an earlier request, thrown away
+  std::uint32_t late_replies = 0;  // replies to an earlier request, discarded
   std::uint32_t reconnects = 0;
-  std::uint32_t clamped_goals = 0;  // kept within the joint table's range at the wire; 0 unless there is a bug
+  std::uint32_t clamped_goals = 0;  // clamped to the joint table's range when encoded; 0 unless there is a bug
 };
 
-/// Figures of one cycle on the wire.
+/// Bus statistics of one cycle.
 struct WireFigures {
   std::uint32_t bytes_out = 0, bytes_in = 0;
-  std::int64_t wire_ns = 0;  // bytes at the baud rate: what the cycle cannot be faster than
-  std::int64_t bus_ns = 0;   // from the first byte written to the last one decoded
+  std::int64_t wire_ns = 0;  // transmission time at the baud rate: lower bound of bus_ns
+  std::int64_t bus_ns = 0;   // from the first byte written to the last byte decoded
 };
 
 struct SafetyReport {
   State state = State::kOffline;
   std::bitset<kFaults> active;   // by row of kFaultTable
-  Fault worst = Fault::kNone;    // strongest reaction among the active ones, first of equals
-  std::uint8_t worst_joint = 0;  // servo id it concerns, 0: none
+  Fault worst = Fault::kNone;    // active fault with the strongest reaction, first of equals
+  std::uint8_t worst_joint = 0;  // servo id of that fault, 0: none
   Reaction reaction = Reaction::kReport;
   std::array<std::uint32_t, kLimits> limit_hits{};  // cumulative, all joints
   bool controller_must_end = false;
-  std::uint32_t session = 0;          // session whose commands are obeyed
-  std::bitset<kJoints> tripped;       // shut themselves off; left alone until a reset is asked for
-  std::bitset<kJoints> missed_start;  // did not reach the start pose in time, in the last slow move to it
-  std::uint32_t start_timeouts = 0;   // slow moves to the start pose that ended without all joints there
+  std::uint32_t session = 0;          // session that drives
+  std::bitset<kJoints> tripped;       // shut themselves off; not driven until a reset is requested
+  std::bitset<kJoints> missed_start;  // did not reach the start pose in time in the last move to it
+  std::uint32_t start_timeouts = 0;   // moves to the start pose that timed out
 };
 
 struct Sensors {
@@ -111,7 +111,7 @@ struct Sensors {
   LinkCounters link{};
   WireFigures wire{};
   SafetyReport safety{};
-  std::bitset<kJoints> silent;  // servos given up on for now; asked again about twice a second
+  std::bitset<kJoints> silent;  // servos removed from the read list for now; retried about twice a second
 };
 static_assert(std::is_trivially_copyable_v<Sensors>);
 

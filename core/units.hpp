@@ -1,4 +1,4 @@
-// Physical quantities as types: a wrong unit does not compile.
+// Physical quantities as types: mixing units does not compile.
 #pragma once
 
 #include <compare>
@@ -7,8 +7,8 @@
 
 namespace darwinop {
 
-/// A number with a unit. `Tag` names the quantity; construction is explicit, arithmetic is done on `value`.
-/// A default-built quantity is NaN, "not known", never zero.
+/// A number with a unit. `Tag` distinguishes the quantity; construction is explicit, arithmetic uses `value`. A
+/// default-constructed quantity is NaN (unknown), never zero.
 template <class Tag>
 struct Unit {
   double value = std::numeric_limits<double>::quiet_NaN();
@@ -16,7 +16,7 @@ struct Unit {
   constexpr Unit() = default;
   constexpr explicit Unit(double v) : value{v} {}
   constexpr auto operator<=>(const Unit&) const = default;
-  /// False for "not known".
+  /// False for NaN.
   [[nodiscard]] constexpr bool known() const { return value == value; }
 };
 

@@ -1,4 +1,4 @@
-// Lines of an INI text for inih, with the liberties that robots' files have taken since 2013.
+// Lines of an INI text for inih, tolerant of the syntax that robots' files have used since 2013.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Text from somewhere else on its way to a terminal: nothing in it may be taken for a command.
+// Escapes untrusted text for output to a terminal.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@ namespace darwinop::text {
 /// Length of the valid UTF-8 sequence at the start of `text`, which is not empty; 0: there is none.
 [[nodiscard]] std::size_t utf8Length(std::string_view text);
 
-/// One line that a terminal shows as it is: control characters, bytes that are not UTF-8, and marks that change the
-/// direction of writing become \xNN. A backslash stays one: this is for people, not for reading it back.
+/// One line without terminal control: control characters, bytes that are not UTF-8, and bidirectional marks become
+/// \xNN. A backslash is not escaped, so the result cannot be parsed back.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The same of a text that may have several lines.
+/// The same for text with several lines.
 [[nodiscard]] std::string printableLines(std::string_view text);
 
 }  // namespace darwinop::text
