@@ -1,4 +1,4 @@
-// What each signal does to a program that drives or watches a robot. docs/threads.md has the table for people.
+// Effect of each signal on programs that drive or observe a robot. docs/threads.md describes it for users.
 #pragma once
 
 #include <signal.h>
@@ -11,18 +11,18 @@
 namespace darwinop {
 
 enum class SignalEffect {
-  kEnds,      // ends normally: the robot comes to rest first
-  kIgnored,   // has no effect, where its default would end or stop the process
-  kNoEffect,  // the default, which changes nothing
+  kEnds,      // normal end: the robot comes to rest first
+  kIgnored,   // ignored; the default action would end or stop the process
+  kNoEffect,  // default action, which is to ignore
   kKills,     // ends the process at once: a defect of the program, or kill -9. The supervisor's rescue takes over
-  kStops,     // cannot be caught: the process stands still. The supervisor's rescue takes over
+  kStops,     // cannot be caught; stops the process. The supervisor's rescue takes over
 };
 
 struct SignalRow {
   int number;
   std::string_view name;
   SignalEffect effect;
-  std::string_view comes_when = {};  // of those with an effect
+  std::string_view cause = {};  // for signals with an effect
 };
 
 /// The 31 signals of Linux on x86.
@@ -60,7 +60,7 @@ inline constexpr std::array<SignalRow, 31> kSignals{{
     {SIGSYS, "SIGSYS", SignalEffect::kKills, "defect: forbidden system call"},
 }};
 
-/// Those with one effect.
+/// Numbers of the signals with this effect.
 template <SignalEffect kEffect>
 consteval auto signalsThat() {
   constexpr auto kHas = [](const SignalRow& row) { return row.effect == kEffect; };
@@ -78,19 +78,19 @@ consteval auto signalsThat() {
 inline constexpr auto kEndSignals = signalsThat<SignalEffect::kEnds>();
 inline constexpr auto kIgnoredSignals = signalsThat<SignalEffect::kIgnored>();
 
-/// For programs of this project, before their first thread: signals of kIgnoredSignals and real-time signals have no
-/// effect. process::ChildProcess undoes this for programs that it starts.
+/// Ignores kIgnoredSignals and the real-time signals. Call before the first thread. process::ChildProcess restores the
+/// defaults for programs that it starts.
 void ignoreSignals();
 
-/// ignoreSignals(), and the signals of kEndSignals call `handler`. SIGHUP does not when it was ignored before (nohup).
+/// ignoreSignals(), and `handler` for kEndSignals; not for SIGHUP if it was ignored before (nohup).
 void onEndSignals(void (*handler)(int, siginfo_t*, void*), int flags = 0);
 
-/// ignoreSignals(), and the signals of kEndSignals set endRequested().
+/// ignoreSignals(), and kEndSignals set endRequested().
 void endOnSignals();
 [[nodiscard]] const std::atomic<bool>& endRequested();
 
-/// ignoreSignals(), and the signals of kEndSignals are blocked: the returned set is for sigtimedwait(). SIGHUP is not
-/// in it when it was ignored before (nohup): a blocked signal would be waited for although it is ignored.
+/// ignoreSignals(), and blocks kEndSignals; returns the set for sigtimedwait(). SIGHUP is not in it if it was ignored
+/// before (nohup): sigtimedwait() would return a blocked signal although it is ignored.
 [[nodiscard]] sigset_t blockEndSignals();
 
 }  // namespace darwinop

@@ -81,9 +81,9 @@ class Rescue::OwnLoop {
     runtime::Exchange exchange = runtime::Exchange::createObservable(path, group);
     exchange.ownBlock().closing.store(runtime::ExchangeBlock::kNoControllers);
     exchange.ownBlock().released.store(released ? kSession : 0);
-    Commands nobody;
-    nobody.led = redLights();
-    exchange.commands().commands.publish(nobody);
+    Commands no_session;
+    no_session.led = redLights();
+    exchange.commands().commands.publish(no_session);
     return exchange;
   }
 

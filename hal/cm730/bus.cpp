@@ -7,11 +7,11 @@
 namespace darwinop::cm730 {
 namespace {
 
-// A board that has been silent for longer than safety rides through is asked alone, and only now and then: a stalled
-// line answers all that was asked in the meantime, and the fewer those answers are the sooner it is current again.
+// After more missing replies than safety tolerates, only the board is read, and only every kRestEvery cycles: a stalled
+// line later delivers the replies to all requests, so fewer requests make it current again sooner.
 constexpr std::uint32_t kCyclesUntilRest = kAnswerPatience + 1;
 constexpr std::uint32_t kRestEvery = 8;
-// A board write is confirmed by the next BulkRead; it is not repeated before that can have happened.
+// Cycles until a board write is repeated: the next BulkRead confirms it.
 constexpr int kBoardWriteWait = 3;
 
 }  // namespace
@@ -38,7 +38,7 @@ void Cm730Bus::write(const SafeCommands& commands) noexcept {
   Bytes frame = goals_.encode(commands);
   list_.requestPolls(goals_.limitsWentAlone() ? commands.poll() | goals_.limitsAlone() : commands.poll());
   if (frame.empty() && locks_due_ > 0 && silent_cycles_ == 0 && list_.servosAreUp()) {
-    frame = goals_.encodeLock();  // safety drives nobody in the first cycles after power came on
+    frame = goals_.encodeLock();  // no joint is driven in the first cycles after power-up
     --locks_due_;
   }
   if (!frame.empty()) send(frame);
@@ -48,7 +48,7 @@ void Cm730Bus::write(const SafeCommands& commands) noexcept {
 void Cm730Bus::read(BusReadings& readings) noexcept {
   readings.forget();
   if (!restThisCycle()) {
-    // A board that does not answer is asked alone; replies of the servos behind it would be lost anyway.
+    // If the board does not reply, only the board is read: the servos' replies would be lost as well.
     const auto list = silent_cycles_ >= kCyclesUntilRest ? std::span<const ReadList::Entry>{} : list_.next();
     line_.discardInput();
     reader_.clear();
@@ -77,7 +77,7 @@ void Cm730Bus::read(BusReadings& readings) noexcept {
 }
 
 bool Cm730Bus::restThisCycle() noexcept {
-  if (line_.reconnects() != reconnects_seen_) {  // a new line: ask at once
+  if (line_.reconnects() != reconnects_seen_) {  // a new line: read at once
     reconnects_seen_ = line_.reconnects();
     goals_.forget();
     return false;
@@ -85,7 +85,7 @@ bool Cm730Bus::restThisCycle() noexcept {
   return silent_cycles_ >= kCyclesUntilRest && silent_cycles_++ % kRestEvery != 0;
 }
 
-/// Returns the bytes that the wire has to carry before the first answer.
+/// Returns the number of bytes sent before the first reply.
 std::size_t Cm730Bus::sendRequest(std::span<const ReadList::Entry> list) noexcept {
   BulkReadEncoder request{frame_};
   request.add(kBoardId, kBoardWindow.address, tag_.boardBytes());
@@ -98,8 +98,8 @@ std::size_t Cm730Bus::sendRequest(std::span<const ReadList::Entry> list) noexcep
   return wire_.bytes_out;
 }
 
-/// Waits for each answer as long as the wire needs for it plus the margin, and for all of them together no longer
-/// than they need plus twice the margin: a line that babbles must not keep the loop.
+/// Waits for each reply for its transmission time plus the margin, and for all replies at most their transmission time
+/// plus twice the margin: a line with continuous garbage must not block the loop.
 void Cm730Bus::receive(Nanos request_done) noexcept {
   const Nanos end = request_done + wireTime(decoder_.answerBytes()) + 2 * config_.margin;
   Nanos last = request_done, now = line_.now();
@@ -113,14 +113,14 @@ void Cm730Bus::receive(Nanos request_done) noexcept {
     wire_.bytes_in += static_cast<std::uint32_t>(count);
     decoder_.takeAll(reader_);
   }
-  // Nothing more will come: a damaged frame may hide whole ones behind it.
+  // No more bytes will arrive: there may be complete frames behind a damaged one.
   decoder_.takeAll(reader_, false);
 }
 
 void Cm730Bus::learn(std::span<const ReadList::Entry> list) noexcept {
   if (!decoder_.complete() || decoder_.answered().count() != list.size()) ++link_.incomplete;
-  // Late answers of servos come before the board's answer to the next request and do no harm there; a late
-  // answer of the board could pass for the next one.
+  // A late reply of a servo arrives before the board's next reply and is discarded there; a late reply of the board
+  // could be taken for the reply to the next request.
   tag_.note(!decoder_.boardAnswered());
   if (!decoder_.boardAnswered()) {
     list_.missedAll();
@@ -138,15 +138,15 @@ void Cm730Bus::learn(std::span<const ReadList::Entry> list) noexcept {
   }
 }
 
-/// LEDs and servo power are compared with what the board reports, so a lost write and a board reset repair
-/// themselves. Sent behind the answers, when the line is idle; the acknowledgement is not waited for.
+/// Writes LEDs and servo power if they differ from what the board reports, so a lost write or a board reset is
+/// corrected. Sent after the replies, when the line is idle; does not wait for the acknowledgement.
 void Cm730Bus::sendBoardWrite() noexcept {
   if (!decoder_.boardAnswered()) return;
   if (board_write_wait_ > 0 && --board_write_wait_ > 0) return;
   std::array<std::uint8_t, 16> buffer{};
   Bytes frame;
   if (power_wanted_ && !board_.servo_power) {
-    // Servo power is only ever switched on here: no damaged byte may make the robot drop.
+    // Servo power is never switched off: a damaged byte must not make the robot drop.
     frame = encodeWrite(buffer, kBoardId, board::kDxlPower, std::array<std::uint8_t, 1>{1});
   } else if (const std::optional<LedBytes> leds = ledsToWrite()) {
     frame = encodeWrite(buffer, kBoardId, board::kLedPanel, *leds);
@@ -156,7 +156,7 @@ void Cm730Bus::sendBoardWrite() noexcept {
   board_write_wait_ = kBoardWriteWait;
 }
 
-/// Registers 25..29 as wanted, or nothing when the board shows them already.
+/// Requested values of registers 25..29; nothing if the board has them already.
 std::optional<Cm730Bus::LedBytes> Cm730Bus::ledsToWrite() const noexcept {
   const std::uint8_t panel = led_wanted_.has(LedCommand::kPanel) ? led_wanted_.panel : board_.led_panel;
   const std::uint16_t head = led_wanted_.has(LedCommand::kHead) ? led_wanted_.head : board_.led_head;

@@ -22,27 +22,27 @@ namespace darwinop::cm730 {
 
 struct BusConfig {
   Nanos period{16'000'000};
-  /// How long past its wire time an answer may take before it counts as missing. USB delivers in 1 ms frames, the
-  /// FTDI chip holds back the end of an answer for 1 ms, and a plain kernel may be late by milliseconds.
+  /// Time beyond its transmission time after which a reply counts as missing. USB transfers in 1 ms frames, the FTDI
+  /// chip holds the end of a reply back for 1 ms, and a kernel without real-time patches may be late by milliseconds.
   Nanos margin{5'000'000};
   JointOffsets offsets{};
-  std::bitset<kJoints> absent{};    // joints that are never asked
+  std::bitset<kJoints> absent{};    // joints that are never read
   bool fixed_block_length = false;  // request_tag.hpp
 
-  /// As patient as the period allows: kFullCycle. At 8 ms a missing answer can make its cycle overrun;
-  /// less patience would take late USB frames for missing answers.
+  /// The longest margin that the period permits beside kFullCycle. At 8 ms a missing reply can make its cycle overrun;
+  /// a shorter margin would take late USB frames for missing replies.
   static constexpr BusConfig forPeriod(Nanos period, const JointOffsets& offsets = {}) {
     return {period, std::clamp(period - kFullCycle, Nanos{1'000'000}, Nanos{5'000'000}), offsets, {}, false};
   }
-  /// How many servos may be polled in one cycle: what the period has room for beside a full cycle and a missing
-  /// answer, and four in any case.
+  /// Maximum number of servos polled in one cycle: as many as fit into the period beside a full cycle and a missing
+  /// reply, at least four.
   [[nodiscard]] constexpr std::size_t polls() const {
     constexpr Nanos kPollTime = wireTime(kServoPoll.count - kServoWindow.count);
     const auto room = (period - kFullCycle - margin) / kPollTime;
     return static_cast<std::size_t>(std::clamp<std::int64_t>(room, 4, kJoints));
   }
 
-  static constexpr Nanos kFullCycle{5'500'000};  // on the wire, twenty servos
+  static constexpr Nanos kFullCycle{5'500'000};  // transmission time of a cycle with twenty servos
 };
 
 class Cm730Bus final : public ServoBus {
@@ -76,11 +76,11 @@ class Cm730Bus final : public ServoBus {
   LinkCounters link_{};
   Nanos began_{0};
   bool wrote_ = false;
-  std::uint32_t silent_cycles_ = 0;  // in a row without the board
+  std::uint32_t silent_cycles_ = 0;  // in a row without a reply of the board
   std::uint32_t reconnects_seen_ = 0;
   LedCommand led_wanted_{};
   bool power_wanted_ = false;
-  static constexpr int kLocks = 2;  // frames; nobody acknowledges them
+  static constexpr int kLocks = 2;  // frames; sent twice, because they are not acknowledged
   int locks_due_ = kLocks;
   int board_write_wait_ = 0;
   BoardReading board_{};

@@ -66,7 +66,7 @@ void GoalWriter::noteSent(const Block& block, const SafeCommands::Mask& who) noe
   });
 }
 
-/// The servo has this limit now or, if the frame is lost, the one before.
+/// The servo now has this limit or, if the frame is lost, the previous one.
 void GoalWriter::noteLimitSent(std::size_t joint) noexcept {
   Servo& servo = servo_[joint];
   if (servo.torque_due > 0) --servo.torque_due;
@@ -92,7 +92,7 @@ std::span<const std::uint8_t> GoalWriter::encodeGoals(const SafeCommands& comman
   return encodeBlock<kAll.address, kAll.bytes>(frame_, commands, who);
 }
 
-/// A servo that works at its torque limit must not get a limit together with a goal: two frames.
+/// Two frames: a servo that works at its torque limit must not get a limit together with a goal.
 std::span<const std::uint8_t> GoalWriter::encodeTwo(const SafeCommands& commands,
                                                     const SafeCommands::Mask& who) noexcept {
   Due due;
@@ -117,7 +117,7 @@ std::span<const std::uint8_t> GoalWriter::encodeTwo(const SafeCommands& commands
   return frame.empty() ? takeSecond() : frame;
 }
 
-/// New torque limits alone: goals of limitsAlone() wait for a cycle. Empty when no servo may get one yet.
+/// New torque limits only: goals of limitsAlone() are delayed by a cycle. Empty if no servo may get a limit yet.
 std::span<const std::uint8_t> GoalWriter::encodeLimits(const SafeCommands::Mask& who) noexcept {
   const auto due =
       jointsThat(who, [this](std::size_t i) { return servo_[i].torque_due > 0 && frames_ - entered_[i] >= kSettled; });
@@ -136,7 +136,7 @@ std::span<const std::uint8_t> GoalWriter::encodeLimits(const SafeCommands::Mask&
   const auto frame = sync.finish();
   if (!frame.empty()) {
     since_torque_ = 0;
-    torque_wait_ = kTorqueEvery + (5 * torque_wait_ + 3) % kTorqueEvery;  // each of kTorqueEvery numbers in turn
+    torque_wait_ = kTorqueEvery + (5 * torque_wait_ + 3) % kTorqueEvery;  // visits all kTorqueEvery values
   }
   return frame;
 }

@@ -1,5 +1,5 @@
-// Turns safe commands into the cycle's SyncWrite, as short as it may be (docs/performance.md has the sizes). Two of
-// them only while a servo works at its torque limit and limits change.
+// Encodes safe commands as the cycle's SyncWrite, as short as possible (sizes: docs/performance.md). Two frames only
+// while a servo works at its torque limit and limits change.
 #pragma once
 
 #include <array>
@@ -15,54 +15,54 @@
 
 namespace darwinop::cm730 {
 
-/// A goal write switches torque on by itself, so a servo that has restarted must not get a goal without a speed limit:
-/// goals alone are sent only while each servo in the frame is known to have its settings. A joint that is not driven
-/// in a cycle is not known any more.
+/// A goal write switches torque on, so a restarted servo must not get a goal without a speed limit: frames with goals
+/// only are sent while each servo in the frame is known to have its settings. If a joint is not driven in a cycle, its
+/// settings count as unknown again.
 ///
-/// Writing the torque limit makes a servo forget that it shut itself off, and a goal write switches its torque on
-/// again. Limits are written when a joint enters, and else only when they have changed. A servo shuts itself off after
-/// it has worked at its torque limit for long: while one does, limits go without goals, after kTorqueEvery cycles at
-/// the earliest, and are polled in the same cycle: the torque of a servo that has shut itself off is still off.
+/// Writing the torque limit clears a servo's automatic shutdown, and a goal write then switches its torque on again. So
+/// limits are written when a joint is taken over, and later only when they change. A servo shuts itself off after
+/// working at its torque limit for some time: while one does, limits are sent without goals, at most every kTorqueEvery
+/// cycles, and polled in the same cycle, in which the torque of a servo that has shut itself off is still off.
 class GoalWriter {
  public:
   explicit GoalWriter(const JointOffsets& offsets = {}) : offsets_{offsets} { forget(); }
 
-  /// The frame to send; empty when there is nothing to say. Valid until the next call.
+  /// The frame to send; empty if there is nothing to send. Valid until the next call.
   std::span<const std::uint8_t> encode(const SafeCommands& commands) noexcept;
 
-  /// What a servo has answered: its load, fraction of the greatest torque.
+  /// Load that a servo reported, as a fraction of the maximum torque.
   void noteLoad(Joint joint, double load) noexcept;
 
-  /// Locks the EEPROM of every servo until its power is cut: an 8-bit checksum lets one damaged frame in 256 pass,
-  /// and none of those may change an id, a baud rate or an angle limit for good.
+  /// Locks the EEPROM of every servo until power-off: with an 8-bit checksum one damaged frame in 256 is accepted, and
+  /// it must not change an id, a baud rate or an angle limit permanently.
   std::span<const std::uint8_t> encodeLock() noexcept;
 
-  /// What goes out behind that frame; empty nearly always.
+  /// Frame to send after the first one; nearly always empty.
   std::span<const std::uint8_t> takeSecond() noexcept { return std::exchange(second_, {}); }
   /// The last frame carried torque limits and no goals.
   [[nodiscard]] bool limitsWentAlone() const noexcept { return since_torque_ == 0; }
-  /// It went to these servos, which work at their limits.
+  /// The servos of that frame, which work at their limits.
   [[nodiscard]] const SafeCommands::Mask& limitsAlone() const noexcept { return limits_alone_; }
 
-  /// Forget what the servos know, so that the next write is a full one: after a reconnect or a power cut.
+  /// Marks all servos' settings as unknown, so that the next write is complete: after a reconnect or a power cut.
   void forget() noexcept { servo_.fill({}); }
 
-  /// Goals that would have left the joint table's range on the wire, since the start. Safety keeps angles within it,
-  /// and link keeps room for the offsets: one that is counted here is a bug, and does no harm.
+  /// Goals clamped to the joint table's range in servo ticks, since the start. Safety and connect() keep goals and
+  /// offsets within it, so a count above 0 indicates a bug, without harm.
   [[nodiscard]] std::uint32_t clamped() const noexcept { return clamped_; }
 
   static constexpr int kTorqueEvery = 8;     // cycles
-  static constexpr int kSettingsEvery = 16;  // cycles; nobody acknowledges a SyncWrite, so settings are repeated
+  static constexpr int kSettingsEvery = 16;  // cycles; a SyncWrite is not acknowledged, so settings are repeated
 
  private:
-  /// A frame that is lost must not leave a servo without its settings: they go out twice in a row.
+  /// Settings are sent twice in a row: a lost frame must not leave a servo without them.
   static constexpr int kWrites = 2;
-  /// Longer than an overload bit after torque on is taken for an old one: TripWatch::kGrace at a period of 8 ms.
+  /// Cycles; longer than an overload bit is ignored after torque on: TripWatch::kGrace at a period of 8 ms.
   static constexpr std::uint32_t kSettled = 48;
-  /// Servos that can be polled in one cycle in any case: BusConfig::polls().
+  /// Servos that can always be polled in one cycle: minimum of BusConfig::polls().
   static constexpr std::size_t kMostPolls = 4;
 
-  /// Registers that a frame writes: a goal is among them, except in kLimit.
+  /// Registers that a frame writes; all but kLimit include the goal.
   struct Block {
     std::uint8_t address, bytes;
   };
@@ -74,7 +74,7 @@ class GoalWriter {
   static_assert(servo::kGoalPosition == servo::kPGain + 2 && servo::kMovingSpeed == servo::kPGain + 4 &&
                 servo::kTorqueLimit == servo::kPGain + 6);
 
-  /// What goes with a goal and seldom changes.
+  /// Settings sent along with goals; they rarely change.
   struct Settings {
     RadPerSec speed_limit;
     NewtonMeter torque_limit;
@@ -85,19 +85,19 @@ class GoalWriter {
     return {goal.speed_limit, goal.torque_limit, goal.p_gain};
   }
 
-  /// Written to a servo since its joint entered.
+  /// Values written to a servo since its joint was taken over.
   struct Servo {
-    Settings settings;                                 // what the registers below were made from
+    Settings settings;                                 // source of the registers below
     std::uint16_t torque = 0;                          // limit
-    std::uint16_t least = 0;                           // of the last two limits sent
-    std::array<std::uint8_t, kAll.bytes> registers{};  // those of kAll; the goal is filled in when it is sent
-    int settings_due = kWrites;                        // writes of P gain and speed
-    int torque_due = kWrites;                          // writes of the torque limit
-    std::uint8_t entering = kWrites;                   // writes of all of it
-    bool straining = false;                            // works at its torque limit, or nearly
+    std::uint16_t least = 0;                           // the smaller of the last two limits sent
+    std::array<std::uint8_t, kAll.bytes> registers{};  // registers of kAll; the goal is filled in at encoding
+    int settings_due = kWrites;                        // remaining writes of P gain and speed
+    int torque_due = kWrites;                          // remaining writes of the torque limit
+    std::uint8_t entering = kWrites;                   // remaining complete writes
+    bool straining = false;                            // works close to its torque limit
   };
 
-  /// What the servos of a frame need together.
+  /// Union of what the servos of a frame need.
   struct Due {
     std::uint8_t all = 0;
     bool straining = false;
@@ -134,7 +134,7 @@ class GoalWriter {
   std::array<std::uint16_t, kJoints> sent_{};             // torque limit
   std::array<std::uint32_t, kJoints> entered_{};          // number of the frame
   int since_settings_ = 0, since_torque_ = kTorqueEvery;  // cycles
-  // Varies: a servo that trips again and again must not stay in step with the writes that hide it.
+  // Varied, so that a servo that trips periodically does not synchronise with the writes that hide it.
   int torque_wait_ = kTorqueEvery;  // cycles, kTorqueEvery .. 2 * kTorqueEvery - 1
 };
 

@@ -5,14 +5,14 @@
 namespace darwinop::cm730 {
 namespace {
 
-// A miss can be noise; three in a row at the end of the list, where nobody stands before it, is a silent servo.
+// One miss can be noise. Three in a row at the end of the list, where no other servo is the cause, mean a silent servo.
 constexpr std::uint8_t kMissesUntilSilent = 3;
-// After a miss a servo stays at the end until it has answered this often: a loose cable comes back in bursts.
+// Replies until a servo leaves the end of the list after a miss: a loose cable makes contact in bursts.
 constexpr std::uint16_t kTrialCycles = 64;
-// All silent servos together are asked once in this many cycles: 0.77 s at 16 ms.
+// Cycles in which all silent servos are retried once: 0.77 s at 16 ms.
 constexpr std::uint32_t kProbeRound = 48;
-constexpr std::uint32_t kSlowestProbe = 16;  // cycles; waiting for nobody costs the link's margin each time
-// An MX-28 answers about 0.2 s after its supply comes; the vendor's framework waits 0.3 s.
+constexpr std::uint32_t kSlowestProbe = 16;  // cycles; each missing reply costs the link's margin
+// An MX-28 replies about 0.2 s after power-up; the vendor's framework waits 0.3 s.
 constexpr Nanos kBootTime{300'000'000};
 
 }  // namespace
@@ -53,7 +53,7 @@ void ReadList::choosePolls() noexcept {
 }
 
 void ReadList::pollInTurn() noexcept {
-  // The next joint in turn that is in the list; a silent one loses its turn.
+  // The next joint in turn that is in the list; silent joints are skipped.
   for (std::size_t step = 0; step < kJoints && length_ > 0; ++step) {
     const std::size_t joint = (next_poll_ + step) % kJoints;
     if (!listed_[joint]) continue;
@@ -85,11 +85,11 @@ void ReadList::answered(const Mask& who) noexcept {
   forgive(who & listed_);
   std::size_t last_answer = length_;  // one past the last entry that answered
   while (last_answer > 0 && !who[list_[last_answer - 1].joint]) --last_answer;
-  // A device missing before the last answer was received by its neighbour: only its frame was damaged. Behind
-  // the last answer the first one is to blame; of those behind it nothing is known.
+  // A device missing before the last reply did reply, because the next one waits for it: only its frame was damaged. Of
+  // those behind the last reply the first one is the cause; nothing is known about the others.
   if (last_answer == length_) return;
   blame(list_[last_answer].joint);
-  // A plug that comes off silences the rest of its chain also: those are asked behind the others until they answer.
+  // An unplugged cable silences the rest of its chain as well: read those after the others until they reply.
   const Chain chain = kJointTable[list_[last_answer].joint].chain;
   for (std::size_t i = last_answer + 1; i < length_; ++i)
     if (kJointTable[list_[i].joint].chain == chain) suspected_.set(list_[i].joint);
@@ -105,7 +105,7 @@ void ReadList::forgive(const Mask& who) noexcept {
   forEachJoint(who & silent_, [this](std::size_t joint) {
     silent_.reset(joint);
     onTrial(joint);
-    probe_answered_ = true;  // what woke this one may have woken others: ask the next one at once
+    probe_answered_ = true;  // others may be back for the same reason: retry the next one at once
   });
 }
 

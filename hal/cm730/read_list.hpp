@@ -1,11 +1,11 @@
-// Which servos the next BulkRead asks, and in what order.
+// Servos of the next BulkRead, and their order.
 //
-// Devices answer in list order, each waiting for the one before it, so a silent servo silences all behind it.
-// The first one that did not answer goes to the end of the next list, where it can hurt only itself; if it stays
-// silent it is left out, and asked again now and then, always last.
+// Devices reply in list order, each after the one before it, so a silent servo silences all behind it. The first servo
+// that did not reply is moved to the end of the next list, where it affects no other; if it stays silent it is removed
+// and retried periodically, at the end of the list.
 //
-// One servo in turn is polled in each cycle. A servo that has missed an answer is polled as soon as it is
-// received again, because it may have restarted, and gets no goals before that. So is one that is about to get torque.
+// Each cycle polls one servo (round robin). A servo that missed a reply is polled as soon as it replies again, because
+// it may have restarted; it gets no goals before that. A servo about to get torque is polled as well.
 #pragma once
 
 #include <array>
@@ -26,31 +26,32 @@ class ReadList {
   };
   using Mask = std::bitset<kJoints>;
 
-  /// `period` of the loop, for what is counted in cycles but meant in seconds. `polls`: as many long windows at most
-  /// are asked for in a cycle besides the one in turn. `absent`: never asked.
+  /// `period` of the loop, to convert times to cycles. `polls`: maximum number of polls per cycle besides the
+  /// round-robin one. `absent`: never read.
   explicit ReadList(Nanos period, std::size_t polls = kJoints, const Mask& absent = {});
 
-  /// The servos to ask in this cycle, in order. The board is always asked first and is not part of the list.
+  /// Servos to read in this cycle, in order. The board is always read first and is not part of the list.
   std::span<const Entry> next() noexcept;
 
-  /// These are due to be polled, besides those that have missed an answer.
+  /// Requests polls, besides those of servos that missed a reply.
   void requestPolls(const Mask& who) noexcept { due_ |= who; }
 
-  /// What came of the last list. Call only when the board itself answered: otherwise nothing is learnt.
+  /// Servos of the last list that replied. Call only if the board replied; otherwise the result says nothing about
+  /// servos.
   void answered(const Mask& who) noexcept;
-  /// The board did not answer.
+  /// The board did not reply.
   void missedAll() noexcept { due_.set(); }
 
-  /// Servo power is off: nobody is asked until a while after the next call of powerIsOn().
+  /// Servo power is off: no servo is read until kBootTime after power returns.
   void powerIsOff() noexcept;
   void powerIsOn() noexcept;
 
-  /// Power is on, and has been for as long as a servo takes to start.
+  /// Power has been on for at least the start-up time of a servo.
   [[nodiscard]] bool servosAreUp() const noexcept { return boot_wait_ == 0 && powered_; }
 
-  /// Servos that have been given up on for now.
+  /// Servos that are removed from the list for now.
   [[nodiscard]] const Mask& silent() const noexcept { return silent_; }
-  /// Times a servo was asked again after it had not answered.
+  /// Repeated requests to servos that had not replied.
   [[nodiscard]] std::uint32_t retries() const noexcept { return retries_; }
 
  private:
@@ -65,14 +66,14 @@ class ReadList {
   std::array<Entry, kJoints> list_{};
   std::size_t length_ = 0;
   std::size_t polls_;
-  Mask listed_, polled_;  // in the list, with a long window
+  Mask listed_, polled_;  // in the list; of these, polled
   Mask silent_, absent_;
-  Mask suspected_;                                 // on the chain of the faulty servo, no answer since
-  Mask due_;                                       // to be polled: have missed an answer, or were asked for
-  Mask missed_;                                    // whose misses_ are not 0
-  Mask tried_;                                     // whose on_trial_ is not 0
-  std::array<std::uint8_t, kJoints> misses_{};     // in a row, only those the servo is to blame for
-  std::array<std::uint16_t, kJoints> on_trial_{};  // cycles it stays at the end after it misbehaved
+  Mask suspected_;                                 // behind the faulty servo on its chain, no reply since
+  Mask due_;                                       // to be polled: missed a reply, or requested
+  Mask missed_;                                    // misses_ is not 0
+  Mask tried_;                                     // on_trial_ is not 0
+  std::array<std::uint8_t, kJoints> misses_{};     // in a row, only those attributed to the servo
+  std::array<std::uint16_t, kJoints> on_trial_{};  // remaining cycles at the end of the list
   std::size_t next_probe_ = 0, next_poll_ = 0;
   std::uint32_t cycles_to_probe_ = 0;
   bool probe_answered_ = false;

@@ -6,7 +6,7 @@
 namespace darwinop::cm730 {
 namespace {
 
-/// A register's raw value out of a block that starts at address kFirst and is long enough.
+/// Raw value of a register from a block that starts at address kFirst and is long enough.
 template <std::uint8_t kFirst, const Register& kRegister>
 std::uint16_t raw(Bytes block) noexcept {
   constexpr std::size_t kAt = kRegister.address - kFirst;
@@ -112,7 +112,7 @@ void ReplyDecoder::takeServo(const Frame& frame) noexcept {
   constexpr std::uint8_t kMotion = kServoWindow.address, kPoll = kServoPoll.address;
   const ReadList::Entry entry = list_[at];
   if (frame.params.size() != kServoWindows[entry.poll].count) {
-    ++late_;  // not what was asked for
+    ++late_;  // not the expected reply
     return;
   }
   const Bytes motion = frame.params.subspan(entry.poll ? kMotion - kPoll : 0);

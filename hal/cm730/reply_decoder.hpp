@@ -1,4 +1,4 @@
-// Turns the answers to one BulkRead into readings in SI units. What is not received stays absent.
+// Decodes the replies to one BulkRead into readings in SI units. A missing reply leaves its reading unanswered.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,16 @@
 
 namespace darwinop::cm730 {
 
-/// Judges the frames of one reply stream.
-///
-/// A late answer to an earlier request must never pass for a fresh one. The board is asked first, and for a
-/// number of bytes that differs from one doubtful request to the next (`board_bytes`); nothing counts until an
-/// answer of exactly that length has come, and then only in list order.
+/// A late reply to an earlier request must never be taken for a new one. The board is read first, with a number of
+/// bytes that differs between successive requests (`board_bytes`, request_tag.hpp); frames count only after a board
+/// reply of exactly that length, and then only in list order.
 class ReplyDecoder {
  public:
   explicit ReplyDecoder(const JointOffsets& offsets = {}) : offsets_{offsets} {}
 
   void begin(std::span<const ReadList::Entry> list, std::uint8_t board_bytes, BusReadings& readings) noexcept;
-  /// Every frame that `reader` has. `more_expected`: see FrameReader::next(). A frame that is not followed by the next
-  /// one (FrameReader::boundaryLost) may be damaged: it does not count.
+  /// Takes all frames of `reader`. `more_expected`: see FrameReader::next(). A frame that is not followed directly by
+  /// another one (FrameReader::boundaryLost) may be damaged and does not count.
   void takeAll(FrameReader& reader, bool more_expected = true) noexcept {
     while (const auto frame = reader.next(more_expected)) {
       if (reader.boundaryLost()) withdraw();
@@ -39,18 +37,18 @@ class ReplyDecoder {
       takeServo(frame);
   }
 
-  /// True when nothing more is to come.
+  /// True if no more replies are expected.
   [[nodiscard]] bool complete() const noexcept { return board_answered_ && position_ == list_.size(); }
-  /// Bytes of all answers to this request.
+  /// Bytes of all replies to this request.
   [[nodiscard]] std::size_t answerBytes() const noexcept;
-  /// Bytes of the frame that is due next; 0 when complete.
+  /// Bytes of the next expected frame; 0 if complete.
   [[nodiscard]] std::size_t nextFrameBytes() const noexcept;
   [[nodiscard]] bool boardAnswered() const noexcept { return board_answered_; }
   [[nodiscard]] const ReadList::Mask& answered() const noexcept { return answered_; }
   [[nodiscard]] std::uint32_t lateReplies() const noexcept { return late_; }
 
  private:
-  /// The device whose frame was taken last has not answered.
+  /// Discards the frame taken last.
   void withdraw() noexcept;
   void takeBoard(const Frame& frame) noexcept;
   void takeServo(const Frame& frame) noexcept;
@@ -61,7 +59,7 @@ class ReplyDecoder {
   BusReadings* readings_ = nullptr;
   std::uint8_t board_bytes_ = 0;
   bool board_answered_ = false;
-  std::size_t position_ = 0;  // entries before it have answered or lost their turn
+  std::size_t position_ = 0;  // entries before it have replied or were skipped
   enum class Taken : std::uint8_t { kNothing, kBoard, kServo } last_ = Taken::kNothing;
   ReadList::Mask answered_;
   std::uint32_t late_ = 0;

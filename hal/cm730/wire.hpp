@@ -1,4 +1,4 @@
-// What a byte costs on the bus, and which registers a cycle reads.
+// Transmission times on the bus, and the registers that a cycle reads.
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@
 
 namespace darwinop::cm730 {
 
-/// 1 Mbaud, one start and one stop bit: 10 us a byte.
+/// 1 Mbaud, one start and one stop bit: 10 us per byte.
 inline constexpr Nanos kByteTime{10'000};
 constexpr Nanos wireTime(std::size_t bytes) {
   return kByteTime * static_cast<std::int64_t>(bytes);
 }
 
-/// Registers from `address` on.
+/// `count` bytes of registers from `address` on.
 struct Window {
   std::uint8_t address, count;
   [[nodiscard]] constexpr std::size_t frameBytes() const { return count + kFrameOverhead; }
@@ -26,15 +26,15 @@ struct Window {
 // Board: power, LEDs, buttons, gyro, accelerometer, voltage, left microphone.
 inline constexpr Window kBoardWindow{24, 30};  // 24..53
 
-// Servos: position, speed, load in every cycle. Torque limit (34, 35) is left to the poll: the error byte that
-// comes with every answer reports a shutdown sooner, and 20 x 2 bytes would cost 0.4 ms of each cycle.
+// Servos: position, speed, load in every cycle. The torque limit (34, 35) is read by the poll: the error byte of every
+// reply reports a shutdown sooner, and 20 x 2 bytes would cost 0.4 ms per cycle.
 inline constexpr Window kServoWindow{36, 6};  // 36..41
 
-// One servo a cycle, in turn, is polled: torque enable, gains, goal, limits, motion, voltage,
-// temperature. 14 bytes more: 0.14 ms; twenty servos take 0.32 s at 16 ms.
+// Round-robin poll of one servo per cycle: torque enable, gains, goal, limits, motion, voltage, temperature. 14 bytes
+// more: 0.14 ms; a round of twenty servos takes 0.32 s at 16 ms.
 inline constexpr Window kServoPoll{24, 20};  // 24..43
 
-/// What is read of a servo, by whether it is polled.
+/// Window to read from a servo; index: whether it is polled.
 inline constexpr std::array<Window, 2> kServoWindows{kServoWindow, kServoPoll};
 
 static_assert(kServoWindow.address == servo::kPresentPosition);

@@ -103,7 +103,7 @@ TEST(Signals, TheDocumentationHasTheSameTable) {
       continue;
     }
     const std::string line =
-        "| " + std::string{row.name} + " | " + effectText(row.effect) + " | " + std::string{row.comes_when} + " |";
+        "| " + std::string{row.name} + " | " + effectText(row.effect) + " | " + std::string{row.cause} + " |";
     EXPECT_NE(page.find(line), std::string::npos) << "docs/threads.md lacks: " << line;
   }
   EXPECT_NE(page.find(without), std::string::npos) << "docs/threads.md lacks: " << without;
