@@ -13,7 +13,7 @@
 namespace darwinop::connect {
 namespace {
 
-/// Observers belong to the daemon's group. A failure is reported and stops nothing.
+/// Shares raw frames with observers of the daemon's group. A failure is logged and not fatal.
 v4l2::RawFrameTaker shareFrames(const runtime::RuntimeFiles& files,
                                 const std::function<void(const std::string&)>& log) {
   struct stat exchange {};
@@ -46,7 +46,7 @@ std::unique_ptr<FrameSource> openLocalCamera(const CameraRequest& request) {
 
 std::unique_ptr<FrameSource> openCamera(runtime::RobotLink& robot, const CameraRequest& request) {
   if (auto its_own = robot.openCamera(request.width, request.height)) return its_own;
-  // A camera of this computer shows another world than the simulated one.
+  // A camera of this computer does not show the simulated world.
   if (!robot.realTime()) throw std::runtime_error("this virtual robot has no camera: the twin has one, --robot twin");
   CameraRequest seen = request;
   if (const auto* const daemon = dynamic_cast<const runtime::DaemonLink*>(&robot)) seen.observers = daemon->files();

@@ -1,4 +1,4 @@
-// What a robot sees, whichever kind it is.
+// Opens the camera of any kind of robot.
 #pragma once
 
 #include <functional>
@@ -16,20 +16,19 @@ namespace darwinop::connect {
 struct CameraRequest {
   int width = 320, height = 240;
   v4l2::CameraSettings settings{};
-  PictureForm form = PictureForm::kBgra;  // a simulated robot has no other
-  /// Receives errors and recoveries, perhaps from another thread.
+  PictureForm form = PictureForm::kBgra;  // simulated robots support no other
+  /// Receives messages about errors and recoveries; may be called from another thread.
   std::function<void(const std::string&)> log = {};
-  /// Of the daemon whose observers see the pictures also, while they ask for them; empty: there are none.
+  /// Files of a daemon whose observers also get the pictures, while they request them; empty: no observers.
   std::optional<runtime::RuntimeFiles> observers = {};
 };
 
-/// The camera of this computer that robot.ini names, or /dev/video0, independent of the driver. As openCamera().
+/// The camera of this computer: robot.ini, else /dev/video0. Errors as openCamera().
 std::unique_ptr<FrameSource> openLocalCamera(const CameraRequest& request);
 
-/// The twin's head camera in lockstep, a robot's over TCP; else the camera of this computer that robot.ini names, or
-/// /dev/video0. The link has to outlive it. A camera that is not there is no error: it may come, and `log` reports it.
-/// Throws std::runtime_error when the robot has no camera, or robot.ini is wrong.
-/// Where the loop is a daemon's, its observers see what this camera sees.
+/// The twin's head camera in lockstep, a remote robot's camera over TCP, else openLocalCamera(). The link must outlive
+/// it. A disconnected camera is not an error: it is opened when it appears, and `log` reports that. Throws
+/// std::runtime_error if the robot has no camera or robot.ini is invalid. Observers of a daemon get the same pictures.
 std::unique_ptr<FrameSource> openCamera(runtime::RobotLink& robot, const CameraRequest& request);
 
 }  // namespace darwinop::connect

@@ -88,7 +88,7 @@ std::unique_ptr<runtime::RobotLink> twin(const Request& request, const std::stri
 
 #ifdef DARWINOP_WITH_REMOTE_CLIENT
 std::unique_ptr<runtime::RobotLink> robotOverTcp(const Request& request, const Address& server) {
-  // The protocol has no word for them, and a robot that is given less than it was asked for must not look safe.
+  // The protocol cannot transmit them, and ignoring a requested limit silently would be unsafe.
   if (asksForSafety(request.safety))
     throw std::runtime_error(request.config_file +
                              ": [Safety] and [Limits] do not reach a robot over TCP. Remove them "
@@ -144,7 +144,7 @@ cm730::ProbeOptions probeOptions(const SerialRobot& robot) {
   return options;
 }
 
-/// Servos keep their torque over a restart of the computer, and a loop that does not start does not watch them.
+/// Servos keep their torque across a restart of the computer, and no loop monitors them if this one does not start.
 std::string stiffServos(const cm730::RobotFacts& facts) {
   const auto stiff = std::ranges::count_if(facts.servo, [](const auto& s) { return s.readable && s.torque_on; });
   if (stiff == 0) return {};
@@ -165,7 +165,7 @@ cm730::ProbeReport check(ByteLine& line, const SerialRobot& robot, cm730::Purpos
   throw std::runtime_error(text);
 }
 
-/// Within the limits that the servos have themselves. Those without a common angle are left out.
+/// Intersects the ranges with the servos' own angle limits. Joints with an empty range are not driven.
 safety::Config withinServoLimits(const SerialRobot& robot, const cm730::ProbeReport& report, cm730::Purpose purpose) {
   safety::Config config = robot.safety;
   config.left_out |= cm730::leftOut(report.findings, purpose);

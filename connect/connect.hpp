@@ -1,4 +1,4 @@
-// The one place that knows every kind of robot a controller can meet, and builds it.
+// Factory of robot links: daemon, serial port, virtual robot, twin, TCP.
 #pragma once
 
 #include <functional>
@@ -16,25 +16,25 @@
 
 namespace darwinop::connect {
 
-/// What a controller brings along. The defaults are those of a DARwIn-OP on its own computer.
+/// Configuration of a controller. The defaults are those of a controller on the robot's own computer.
 struct Request {
   /// As connect/setting.hpp reads it: "runtime", a serial device or pty, "virtual", "twin[:MODEL]",
   /// "tcp://HOST[:PORT]", or empty.
   std::string setting;
-  std::optional<Nanos> period;  // 8 ms or more on a real line; nothing: what robot.ini says, else 16 ms
+  std::optional<Nanos> period;  // at least 8 ms on a real bus; empty: as in robot.ini, else 16 ms
   safety::Config safety{};
-  std::string config_file = "config.ini";  // where `safety` was read, for sentences
+  std::string config_file = "config.ini";  // file that `safety` was read from, for error messages
   std::string record_path;                 // CSV of every cycle; empty: none
   std::string record_notes;                // further lines of its head, "key: value"
   std::string robot_name = "darwin-op";
   std::function<void(const std::string&)> warn;  // receives each line of warnings; empty: stderr
 };
 
-/// Builds the link: opens the port, looks at the robot, starts the loop. Throws std::runtime_error with a
-/// sentence that says what is wrong and what to do.
+/// Opens the port, checks the robot, starts the loop, and returns the link. Throws std::runtime_error with error and
+/// remedy.
 std::unique_ptr<runtime::RobotLink> connect(const Request& request);
 
-/// What is known of a robot before its port is opened.
+/// Configuration of a robot on a serial port.
 struct SerialRobot {
   std::string port;
   Nanos period{16'000'000};
@@ -42,21 +42,21 @@ struct SerialRobot {
   cm730::JointOffsets offsets{};
 };
 
-/// A bus with its line, for the daemon.
+/// An open bus with its line.
 struct OpenedBus {
   std::unique_ptr<ServoBus> bus;
-  /// SerialRobot's, within the limits that the servos have themselves and without the joints that they cannot drive.
-  /// A loop on this bus must have these.
+  /// SerialRobot::safety, restricted to the servos' own angle limits and without joints that cannot be driven. A loop
+  /// on this bus must use it.
   safety::Config safety{};
   std::string description;  // "/dev/ttyUSB0 (CM-730 firmware 19, 20 servos)"
-  std::string warnings;     // findings of the start-up probe, one a line; empty: none
+  std::string warnings;     // findings of the start-up probe, one per line; empty: none
 };
 
-/// The goals that servos can get with these settings, in their own ticks.
+/// Range of goals that each servo can receive with these settings, in servo ticks.
 cm730::TickRanges goalTicks(const safety::Config& safety, const cm730::JointOffsets& offsets);
 
-/// Opens a serial device and checks the robot behind it; hal/cm730/diagnosis/start_policy.hpp says what is refused.
-/// Throws as connect() does; cm730::NotReady when what is missing may come yet.
+/// Opens a serial device and checks the robot on it; hal/cm730/diagnosis/start_policy.hpp defines what is refused.
+/// Throws as connect(); cm730::NotReady if retrying is useful.
 OpenedBus openSerialBus(const SerialRobot& robot, cm730::Purpose purpose = cm730::Purpose::kDrive);
 
 }  // namespace darwinop::connect

@@ -1,4 +1,4 @@
-// Who drives on a robot.
+// User account of controllers.
 #include "connect/controller_user.hpp"
 
 #include <unistd.h>
@@ -37,7 +37,7 @@ std::optional<process::Account> controllerAccount(const RobotFile& robot, const 
   if (!account && named)
     throw std::runtime_error(robot.path + ": there is no user '" + name +
                              "' for [Robot] controller_user; make it, or leave the line out");
-  // A group of the runtime's that robot.ini names need not have the user among its members.
+  // The user need not be a member of the runtime's group in robot.ini.
   const gid_t group = runtimeGroup(robot, std::nullopt, files);
   if (account && group != kNoGroup && std::ranges::find(account->groups, group) == account->groups.end())
     account->groups.push_back(group);

@@ -1,5 +1,5 @@
-// Who drives on a robot: controllers, the remote server and the monitor run as a user without rights of root, whose
-// group may use the runtime. docs/run-on-the-robot.md has the table.
+// User account of controllers, remote server and monitor: not root; its group may use the runtime. Table in
+// docs/run-on-the-robot.md.
 #pragma once
 
 #include <sys/types.h>
@@ -12,27 +12,26 @@
 
 namespace darwinop::connect {
 
-/// User and group that the installer makes. Where robot.ini names no other, these are meant, if they exist.
+/// User and group that the installer creates: the default if robot.ini names no other, if they exist.
 inline constexpr const char* kControllerUser = "darwinop";
 
-/// Group whose members may use the runtime; `asked`, of a command line, comes before robot.ini. gid_t(-1): none. Throws
-/// std::runtime_error when a group that was named does not exist.
+/// Group whose members may use the runtime. `asked`: from the command line; takes precedence over robot.ini. gid_t(-1):
+/// none. Throws std::runtime_error if a configured group does not exist.
 gid_t runtimeGroup(const RobotFile& robot, const std::optional<std::string>& asked = std::nullopt,
                    const runtime::UserFiles& files = {});
 
-/// Empty: robot.ini says root, or it names nobody and there is no user darwinop. Throws std::runtime_error when the
-/// user that it names does not exist.
+/// Account of robot.ini, else of kControllerUser. Empty: robot.ini has `root`, or the default user does not exist.
+/// Throws std::runtime_error if the user of robot.ini does not exist.
 std::optional<process::Account> controllerAccount(const RobotFile& robot, const runtime::UserFiles& files = {});
 
-/// The same for what is started at boot, where nobody asked for rights of root: without a user it throws, unless
-/// robot.ini says root.
+/// The same for programs started at boot, which must not run as root by accident: throws if there is no user, unless
+/// robot.ini has `root`.
 std::optional<process::Account> defaultControllerAccount(const RobotFile& robot, const runtime::UserFiles& files = {});
 
-/// For a program that uses the runtime: when root has started it, it goes on as the user of controllers, if there is
-/// one.
+/// For programs that use the runtime: if started by root, switches to the controllers' account, if there is one.
 void leaveRoot();
 
-/// A controller for `setting` (as DARWINOP_ROBOT; may be empty) will use the runtime of this computer.
+/// True if a controller with this `setting` (as DARWINOP_ROBOT; may be empty) uses the runtime of this computer.
 bool usesRuntime(const std::string& setting);
 
 }  // namespace darwinop::connect

@@ -1,4 +1,4 @@
-// What a controller asks for that a daemon does not do for it.
+// Warnings about ignored requests of a controller.
 #include "connect/daemon_warnings.hpp"
 
 #include <string>

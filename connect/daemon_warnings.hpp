@@ -1,4 +1,4 @@
-// What a controller asks for that a daemon does not do for it.
+// Warnings about requests of a controller that a daemon or a remote robot ignores.
 #pragma once
 
 #include <string>
@@ -7,14 +7,13 @@
 
 namespace darwinop::connect {
 
-/// Settings of [Safety] or [Limits] are given.
+/// True if `config` has settings of [Safety] or [Limits].
 bool asksForSafety(const safety::Config& config);
 
-/// The daemon has a period and a recording of its own. One line for each request it does not grant, with what to do;
-/// empty: none.
+/// The daemon has its own period and recording. One line per request that it ignores, with a remedy; empty: none.
 std::string daemonWarnings(const Request& request, Nanos daemons_period);
 
-/// The same of a robot over TCP, whose loop runs on the other computer.
+/// The same for a robot over TCP, whose loop runs on the other computer.
 std::string tcpWarnings(const Request& request, Nanos robots_period);
 
 }  // namespace darwinop::connect

@@ -24,7 +24,7 @@
 namespace darwinop::connect {
 namespace {
 
-/// What the thread works with. It outlives the KeySource when an X server does not answer.
+/// Data of the thread. Outlives the KeySource if the X server does not respond.
 class KeyWork {
  public:
   KeyWork(KeysRequest request, const std::atomic<bool>& ending)
@@ -38,14 +38,14 @@ class KeyWork {
   void run() noexcept {
     try {
       lookAndListen();
-    } catch (...) {  // no memory for a sentence: no keys
+    } catch (...) {  // no memory for a message: no keys
     }
     const std::lock_guard lock{mutex_};
     ended_ = true;
     changed_.notify_all();
   }
 
-  /// False: the thread has to be left behind; it says nothing any more.
+  /// False: the thread does not end and must be abandoned; it logs nothing any more.
   bool stop() {
     const std::uint64_t one = 1;
     static_cast<void>(!::write(stop_fd_, &one, sizeof one));
@@ -68,7 +68,7 @@ class KeyWork {
       log(kNoKeys + (": no window (" + why + "); start the controller in a terminal, or in a graphical session"));
   }
 
-  /// False, and why: there is no window.
+  /// False and the reason: there is no window.
   bool fromWindow(std::string& why) {
     try {
       const std::string no_more = ": no key is pressed from now on; Ctrl-C ends the controller";
@@ -92,7 +92,7 @@ class KeyWork {
   bool fromTerminal(std::string& why) {
     {
       const std::lock_guard lock{mutex_};
-      if (stopping_) return true;  // a terminal must not be changed while the program ends
+      if (stopping_) return true;  // the terminal must not be changed while the program ends
     }
     try {
       terminal::KeyTerminal terminal{keys};
@@ -125,13 +125,13 @@ class Keys final : public KeySource {
       : work_{std::make_shared<KeyWork>(std::move(request), ending)} {
     sigset_t all, before;
     ::sigfillset(&all);
-    // What the thread does wrong itself still ends the process as it should.
+    // Signals of the thread's own errors stay unblocked.
     for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::sigdelset(&all, own);
     ::pthread_sigmask(SIG_BLOCK, &all, &before);  // inherited by the new thread: signals are for the main one
     try {
       thread_ = std::thread{[work = work_] {
         const sched_param none{};
-        ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &none);  // its maker may be a real-time one
+        ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &none);  // the creating thread may be real-time
         ::pthread_setname_np(::pthread_self(), "darwinop-keys");
         work->run();
       }};

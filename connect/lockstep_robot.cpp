@@ -9,7 +9,7 @@
 namespace darwinop::connect {
 namespace {
 
-/// The line and, behind it, the robot it ends at.
+/// Line to a virtual robot in memory.
 class VirtualLine final : public ByteLine {
  public:
   VirtualLine(const hil::BoardOptions& options, std::unique_ptr<Body> body) : robot_{options, 1, std::move(body)} {}
@@ -28,7 +28,7 @@ class VirtualLine final : public ByteLine {
   hil::MemoryLine line_{robot_};
 };
 
-/// Looks whenever it is asked: nothing steps the body meanwhile.
+/// Captures at each request: the body does not step meanwhile.
 class LockstepCamera final : public FrameSource {
  public:
   explicit LockstepCamera(std::unique_ptr<BodyCamera> camera) : camera_{std::move(camera)} {}
@@ -42,7 +42,7 @@ class LockstepCamera final : public FrameSource {
   std::unique_ptr<BodyCamera> camera_;
 };
 
-/// The loop sleeps by letting the line's time pass.
+/// Clock of the loop: sleeping advances the line's simulated time.
 class LineClock final : public runtime::Clock {
  public:
   explicit LineClock(hil::MemoryLine& line) : line_{line} {}

@@ -1,4 +1,4 @@
-// A virtual robot in this process, in simulated time: board, body, line and bus, all in memory.
+// Virtual robot in this process and in simulated time: board, body, line and bus in memory.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace darwinop::connect {
 
-/// The same bus code as on a robot, so the same bytes; only the wire is memory. Repeatable to the bit. Without a body
-/// the joints are plain motors. `config.port` names the robot in recordings.
+/// Uses the same bus code and bytes as a robot. Bit-exact reproducible. Without a body the joints are motors without
+/// physics. `config.port`: the robot's description in recordings.
 std::unique_ptr<runtime::RobotLink> lockstepRobot(const runtime::LoopConfig& config,
                                                   std::unique_ptr<Body> body = nullptr);
 

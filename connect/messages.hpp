@@ -1,4 +1,4 @@
-// Messages of connect, or the parts that identify them.
+// Message texts, or the parts that identify them.
 #pragma once
 
 namespace darwinop::connect::messages {
@@ -8,7 +8,7 @@ inline constexpr const char* kNoRobotFile = "no robot.ini: port, limits and offs
 inline constexpr const char* kNoJointLeft = "a robot without any joint cannot be driven";
 inline constexpr const char* kGivenTwice = " is there a second time; keep one of the two";  // after the key
 
-// Camera. Then the reason.
+// Camera; followed by the reason.
 inline constexpr const char* kNoPicturesForObservers =
     "observers of darwinop monitor see no pictures while this drives: ";
 

@@ -69,7 +69,7 @@ std::string atAngle(double rad) {
   return text;
 }
 
-/// Strict, unlike config.ini: no old files exist that must still be read.
+/// Strict, unlike config.ini: there are no old files to support.
 class Reader final : public text::IniReader {
  public:
   explicit Reader(const std::string& path) { file_.path = path; }

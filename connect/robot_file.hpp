@@ -13,32 +13,32 @@ namespace darwinop::connect {
 
 inline constexpr const char* kRobotsPort = "/dev/ttyUSB0";  // the CM-730's FTDI bridge on a stock robot
 inline constexpr Nanos kUsualPeriod{16'000'000};
-inline constexpr double kMostOffset = 0.2;  // rad, 11.5 deg: a horn is put on within half a tooth, 7.2 deg
+inline constexpr double kMostOffset = 0.2;  // rad, 11.5 deg: half a tooth of the horn is 7.2 deg
 
-/// A field that the file does not name is empty.
+/// Fields that the file does not set are empty.
 struct RobotFile {
   std::string path;  // empty: there is no such file
   std::optional<std::string> port, camera;
   std::optional<Nanos> period;
-  std::string group, controller_user;  // empty: as connect/controller_user.hpp says
-  safety::Config safety{};             // with the joints that the robot lacks
+  std::string group, controller_user;  // empty: see connect/controller_user.hpp
+  safety::Config safety{};             // including the joints that the robot lacks
   cm730::JointOffsets offsets{};
 
   [[nodiscard]] std::string serialPort() const { return port.value_or(kRobotsPort); }
 };
 
-/// Throws std::runtime_error that names file, line, key and what is allowed; then nothing of the file holds.
+/// Throws std::runtime_error with file, line, key and allowed values.
 RobotFile parseRobotFile(std::string_view text, const std::string& path);
 
-/// The file that $DARWINOP_ROBOT_FILE names, else `usual` when it exists, else one that says nothing. Throws as
-/// parseRobotFile(), and when the named file is not there.
+/// Reads the file named by $DARWINOP_ROBOT_FILE, else `usual` if it exists, else returns defaults. Throws as
+/// parseRobotFile(), and if the file of the variable does not exist.
 RobotFile readRobotFile(const std::string& usual = "/opt/darwinop/robot.ini");
 
-/// The settings that hold for a controller on this robot: both files' [Safety] and [Limits] (safety/layers.hpp),
-/// within what the offsets leave of each joint's range. `controller_file` is for the sentences of std::runtime_error.
+/// Effective settings of a controller on this robot: [Safety] and [Limits] of both files (safety/layers.hpp), with
+/// joint ranges reduced by the offsets. `controller_file`: for the messages of std::runtime_error.
 safety::Config safetyOn(const RobotFile& robot, const safety::Config& controller, const std::string& controller_file);
 
-/// One line for people: "/opt/darwinop/robot.ini: port /dev/ttyUSB0, 16 ms, offsets: Neck +0.0215".
+/// One line for the user: "/opt/darwinop/robot.ini: port /dev/ttyUSB0, 16 ms, offsets: Neck +0.0215".
 std::string describe(const RobotFile& robot);
 
 }  // namespace darwinop::connect

@@ -29,7 +29,7 @@ Setting whateverIsThere() {
 
 constexpr std::string_view kTcpScheme = "tcp://";
 
-/// The whole of a text that begins with tcp://.
+/// Parses "tcp://HOST[:PORT]".
 Address addressIn(const std::string& text) {
   const auto refuse = [&text](const std::string& why) -> void {
     throw std::runtime_error("'" + text + "' " + why + ". Give it as tcp://HOST or tcp://HOST:PORT, such as " +

@@ -1,4 +1,4 @@
-// Which robot is meant by DARWINOP_ROBOT or --robot.
+// Parses DARWINOP_ROBOT and --robot.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@ namespace darwinop::connect {
 
 enum class Kind { kDaemon, kSerial, kVirtual, kTwin, kTcp };
 
-/// Where a robot listens.
+/// Address of a remote robot.
 struct Address {
   std::string host;  // name or IPv4 address
   std::uint16_t port = 5023;
@@ -18,23 +18,23 @@ struct Address {
 struct Setting {
   Kind kind;
   std::string port;   // kSerial: the device
-  std::string model;  // kTwin: name or file of the model; empty: the usual one
+  std::string model;  // kTwin: name or file of the model; empty: the default one
   Address server{};   // kTcp
 };
 
-/// Reads a setting; an empty one means the daemon if one runs, else the serial port of robot.ini. Throws
-/// std::runtime_error, with the choices, for anything that is not a robot.
+/// Parses a setting. Empty: the daemon if one runs, else the serial port of robot.ini. Throws std::runtime_error with
+/// the choices if it is invalid.
 Setting readSetting(const std::string& text);
 
-/// The loop does not run in the controller's process: it has settings of its own, and makes recordings by itself.
+/// The loop runs in another process, with its own settings and recordings.
 constexpr bool loopIsElsewhere(const Setting& setting) {
   return setting.kind == Kind::kDaemon || setting.kind == Kind::kTcp;
 }
 
-/// The model in "twin" (empty: the usual one) or "twin:MODEL"; nothing: no twin is meant.
+/// Model of "twin" (empty: the default one) or "twin:MODEL"; nothing for other settings.
 std::optional<std::string> twinModel(const std::string& text);
 
-/// The choices, one line each, for error messages and --help.
+/// Valid settings, one line each, for error messages and --help.
 std::string settingChoices();
 
 }  // namespace darwinop::connect

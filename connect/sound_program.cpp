@@ -1,4 +1,4 @@
-// The program that plays and speaks for a controller: found, started at the first sound, talked to through a socket.
+// Child process for sound and speech.
 #include "connect/sound_program.hpp"
 
 #include <poll.h>
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 constexpr const char* kVariable = "DARWINOP_SOUND";
 constexpr const char* kProgram = "darwinop-sound";
 
-/// The command line: a robot's program lies beside a loader and libraries that its system does not have.
+/// Command line. On a robot the program comes with its own loader and libraries.
 std::vector<std::string> commandFor(const fs::path& program) {
   const fs::path loader = program.parent_path() / "ld-linux.so.2";
   std::error_code unreadable;
@@ -35,8 +35,8 @@ std::vector<std::string> commandFor(const fs::path& program) {
   return {loader, "--library-path", program.parent_path(), program};
 }
 
-/// Its standard input is the socket. It gets nothing else of ours: no signal that is blocked or handled, and no
-/// descriptor but standard error, whatever the controller has open: a pipe ends when the controller closes it.
+/// Standard input is the socket. The program inherits no signal mask, no handlers and no descriptors but standard
+/// error: a pipe of the controller must end when the controller closes it.
 process::Start startOf(const std::string& program, int socket) {
   using process::Stream;
   return {
@@ -90,7 +90,7 @@ SoundProgram::~SoundProgram() {
 
 bool SoundProgram::order(const SoundOrder& order) {
   const audio::Message message = audio::encode(order);
-  // One that has died is noticed where events are read.
+  // nextEvent() detects a program that has died.
   return send(socket_, message.data(), message.size(), MSG_DONTWAIT | MSG_NOSIGNAL) >= 0 || errno == EPIPE ||
          errno == ECONNRESET;
 }
@@ -112,7 +112,7 @@ std::optional<SoundEvent> SoundProgram::nextEvent(std::chrono::milliseconds wait
 
 std::optional<SoundEvent> SoundProgram::lost() {
   lost_ = true;
-  // Its socket is closed a moment before it can be reaped.
+  // The socket closes shortly before the process can be reaped.
   const std::optional<process::Ending> ending = process_->waitFor(std::chrono::milliseconds{50});
   return SoundLost{"the sound program " + (ending ? "ended " + describe(*ending) : std::string{"does not answer"}) +
                    "; sounds are cut off, the next one starts it again"};

@@ -1,4 +1,4 @@
-// The program that plays and speaks for a controller: found, started at the first sound, talked to through a socket.
+// Child process for sound and speech: found, started at the first sound, controlled through a socket.
 #pragma once
 
 #include <chrono>
@@ -12,19 +12,19 @@
 
 namespace darwinop::connect {
 
-/// Where the program is looked for, first one first: DARWINOP_SOUND alone if that is set, else beside the running
-/// program, else where it was built or installed.
+/// Paths to try, in order: only DARWINOP_SOUND if set, else beside the running program, else where it was built or
+/// installed.
 std::vector<std::string> soundProgramPlaces();
 
-/// Starts it. Throws std::runtime_error with what to do when there is none, or DARWINOP_SOUND is "none".
+/// Starts the program. Throws std::runtime_error with a remedy if it is not found or DARWINOP_SOUND is "none".
 std::unique_ptr<SoundOutput> openSound();
 
-/// `program` is a path. One that has a loader of its own beside it, as on a robot, is started by that.
+/// If there is a dynamic loader beside the program, as on a robot, it starts the program.
 class SoundProgram final : public SoundOutput {
  public:
-  /// Throws std::runtime_error when it cannot be started.
+  /// `program`: path. Throws std::runtime_error if it cannot be started.
   explicit SoundProgram(const std::string& program);
-  /// It ends with its socket; one that does not is killed after half a second.
+  /// Closes the socket, which ends the program; kills it after half a second if it does not end.
   ~SoundProgram() override;
   SoundProgram(const SoundProgram&) = delete;
   SoundProgram& operator=(const SoundProgram&) = delete;

@@ -1,4 +1,4 @@
-// Is the robot where a controller expects it to begin? Asked on every way to a robot on a serial line.
+// Checks at start-up whether the robot is in the start pose; for every robot on a serial line.
 #pragma once
 
 #include "hal/cm730/diagnosis/finding.hpp"
@@ -6,8 +6,8 @@
 
 namespace darwinop::connect {
 
-/// A robot in another pose is not a fault, as the loop moves it slowly; but somebody should look first. Each joint that
-/// is off is named, with how much.
+/// Another pose is a warning, not an error: the loop moves the robot slowly, but the user should look first. Lists each
+/// joint that is off, with its deviation.
 cm730::Findings startPoseFindings(const cm730::RobotFacts& facts);
 
 }  // namespace darwinop::connect

@@ -1,4 +1,4 @@
-// Finding, checking and loading the twin's library. It stays loaded until the program ends.
+// Finds, checks and loads the twin's library, which stays loaded until the program ends.
 #include "connect/twin_library.hpp"
 
 #include <charconv>
@@ -7,7 +7,7 @@
 
 #include "hal/body_library.hpp"
 
-// Definitions from the build, on a PC only. A robot's programs are static: they can load nothing.
+// Defined by the build on a PC only. A robot's programs are static and cannot load libraries.
 #ifdef DARWINOP_TWIN_FOLDERS
 #include <dlfcn.h>
 
@@ -46,7 +46,7 @@ namespace {
 
 constexpr const char* kVariable = "DARWINOP_TWIN_LIBRARY";
 
-/// What `make` gives; throws the sentence that it gives instead.
+/// Result of `make`; throws its error message.
 template <class Make>
 void* orThrow(Make&& make) {
   std::array<char, 2000> error{};
@@ -149,7 +149,7 @@ std::vector<std::string> twinLibraryPlaces() {
   std::error_code unknown;
   const fs::path home = fs::read_symlink("/proc/self/exe", unknown).parent_path();
   for (const char* const folder : {DARWINOP_TWIN_FOLDERS}) {
-    // One that is relative lies beside the folder of the program, as lib does beside bin.
+    // A relative path is relative to the parent of the program's folder, as lib is beside bin.
     const fs::path place = (home.parent_path() / folder / kTwinLibraryFile).lexically_normal();
     if (places.empty() || places.back() != place) places.push_back(place);
   }

@@ -1,4 +1,4 @@
-// The physics twin, loaded from its shared library when somebody asks for it.
+// Loads the physics twin from its shared library on demand.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace darwinop::connect {
 
-/// The model that is meant when none is named.
+/// Default model.
 inline const std::string kUsualTwin = "darwin-op";
 
-/// A robot with physics. `model`: name or INI file, empty for the usual one. `seed`: of the noise of its sensors; lost
-/// packets have one of their own in the model. Throws
-/// std::runtime_error with what to do when there is no library, it is another version's, or it refuses the model.
+/// A body with physics. `model`: name or INI file; empty: the default. `seed`: for sensor noise; the model has another
+/// seed for lost packets. Throws std::runtime_error with a remedy if the library is missing, has another version, or
+/// rejects the model.
 std::unique_ptr<Body> makeTwin(const std::string& model, std::uint64_t seed);
 
-/// DARWINOP_TWIN_SEED, or 1. Throws std::runtime_error when it is no number.
+/// DARWINOP_TWIN_SEED, or 1. Throws std::runtime_error if it is not a number.
 std::uint64_t twinSeed();
 
-/// Where the library is looked for, first one first: DARWINOP_TWIN_LIBRARY alone if that is set, else beside the
-/// running program, else where it was built or installed.
+/// Paths to try, in order: only DARWINOP_TWIN_LIBRARY if set, else beside the running program, else where it was built
+/// or installed.
 std::vector<std::string> twinLibraryPlaces();
 
 }  // namespace darwinop::connect

@@ -11,9 +11,9 @@ namespace darwinop::connect {
 namespace {
 
 constexpr Nanos kFirstPause{200'000'000}, kLongestPause{2'000'000'000};
-constexpr Nanos kSlice{100'000'000};  // a signal that comes just before a sleep is noticed after it
+constexpr Nanos kSlice{100'000'000};  // a signal just before a sleep takes effect after it
 
-/// What is measured differs from one attempt to the next; what is missing does not.
+/// To compare the messages of two attempts: measured values differ, the cause does not.
 std::string withoutDigits(std::string text) {
   std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
   return text;

@@ -1,4 +1,4 @@
-// A daemon that is started at boot is there before its USB port.
+// Waits for the USB port: a daemon started at boot runs before it appears.
 #pragma once
 
 #include <atomic>
@@ -10,9 +10,9 @@
 
 namespace darwinop::connect {
 
-/// Calls `open` until it succeeds, and pauses between the attempts: 0.2 s, then longer, 2 s at most. Waits only for
-/// what may come yet (cm730::NotReady); every other error is thrown at once. Logs what it waits for, again
-/// when that changes, and once that it came. Nothing: `stop` became true.
+/// Calls `open` until it succeeds, with a pause of 0.2 s, increasing to 2 s, between attempts. Retries only on
+/// cm730::NotReady; other errors are thrown at once. Logs what it waits for, each change of it, and success. Returns
+/// nothing if `stop` becomes true.
 std::optional<OpenedBus> waitForBus(const std::function<OpenedBus()>& open, const std::atomic<bool>& stop,
                                     const std::function<void(const std::string&)>& log,
                                     const std::function<void(Nanos)>& pause);
