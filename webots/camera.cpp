@@ -1,4 +1,4 @@
-// The camera in the head.
+// webots::Camera: the camera in the head.
 #include "webots/Camera.hpp"
 
 #include <exception>

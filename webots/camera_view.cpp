@@ -25,7 +25,7 @@ std::string CameraView::refresh() {
   shown_ = black_.data();
   if (source_ == nullptr) return {};
   const CameraFrame frame = source_->newest();
-  // An old picture would be followed as if it were the world.
+  // A controller would follow an old picture as if it were current.
   if (frame.sequence == 0 || !source_->health().seeing) return {};
   if (frame.width == width_ && frame.height == height_) {
     shown_ = frame.bgra.data();
@@ -35,11 +35,11 @@ std::string CameraView::refresh() {
   shown_ = stretched_.data();
   if (std::exchange(reported_, true)) return {};
   return "Camera: pictures of " + sizeText(frame.width, frame.height) + " are stretched to " +
-         sizeText(width_, height_) + "; say in config.ini camera_width = " + std::to_string(frame.width) +
-         ", camera_height = " + std::to_string(frame.height) + " and they are as they come";
+         sizeText(width_, height_) + "; to avoid this, set camera_width = " + std::to_string(frame.width) +
+         ", camera_height = " + std::to_string(frame.height) + " in config.ini";
 }
 
-// Each pixel is its nearest one.
+// Nearest-neighbour scaling.
 void CameraView::stretch(const CameraFrame& frame) {
   stretched_.resize(black_.size());
   std::uint8_t* into = stretched_.data();

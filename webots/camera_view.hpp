@@ -1,4 +1,4 @@
-// The picture that a controller holds: of the size that it was promised, whatever the camera gives.
+// Picture buffer of webots::Camera: constant size, independent of what the camera delivers.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace darwinop::facade {
 /// Used by the controller's thread.
 class CameraView {
  public:
-  /// Without a source it stays black.
+  /// Without a source the picture stays black.
   CameraView(int width, int height, std::unique_ptr<FrameSource> source);
 
-  /// Takes the newest picture. A sentence for the user when the picture is not as promised; empty: it is, or that was
-  /// said before.
+  /// Takes the newest picture. Returns a message for the user if its size is not as requested; empty: it is, or
+  /// that was reported before.
   [[nodiscard]] std::string refresh();
 
-  /// 4 * width * height bytes, the same until the next refresh().
+  /// 4 * width * height bytes, unchanged until the next refresh().
   [[nodiscard]] const std::uint8_t* bgra() const { return shown_; }
 
  private:

@@ -1,4 +1,4 @@
-// config.ini: what a controller says about itself and about the robot's limits.
+// Parses config.ini.
 #include "webots/config_ini.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace darwinop::facade {
 
 namespace {
 
-/// A whole number from 1 to `high`; "16.0" counts as one, fractions are cut off as they always were.
+/// An integer from 1 to `high`. For compatibility "16.0" is accepted and fractions are truncated.
 int number(std::string_view key, std::string_view value, int high) {
   const std::optional<double> parsed = text::numberFromText(value);
   if (!parsed || !(*parsed >= 1 && *parsed < high + 1.0))
@@ -50,7 +50,7 @@ class Reader final : public text::IniReader {
     ControllerConfig& config = reading_.config;
     if (safety::takeSafety(config.safety, section, key, value)) return;
     if (room == "camera") return takeCamera(config.camera, key, value, line);
-    // Read by the gait and the servo offsets, each by itself.
+    // Parsed elsewhere, by the gait and the servo offsets.
     if (room == "walking config" || room == "offset") return;
     if (room == "robot config") {
       const std::string name = text::lowered(key);
@@ -102,7 +102,7 @@ class Reader final : public text::IniReader {
               "Brightness, Contrast, Saturation, Gain, Exposure, Auto_exposure, Auto_white_balance, Auto_gain and "
               "Auto_hue");
     const std::optional<double> parsed = text::numberFromText(value);
-    // -2 stands for a key that is not there, in files of 2013.
+    // In files of 2013, -2 means that the key is missing.
     if (parsed && *parsed == -2) return;
     if (!parsed || !(*parsed >= v4l2::CameraSettings::kDriversDefault && *parsed < control->high + 1.0))
       throw std::runtime_error(std::string{key} + " = " + std::string{value} + ": give a number from 0 to " +
@@ -117,7 +117,7 @@ class Reader final : public text::IniReader {
 
   void finish() {
     ControllerConfig& config = reading_.config;
-    // The first words are those that users know from the wrapper of 2013.
+    // Starts with the message of the wrapper of 2013, which users know.
     if (!has_time_step_) reading_.warnings.push_back("Can't read time step from '" + file_ + "': 16 ms is used");
     if (!has_width_ || !has_height_)
       reading_.warnings.push_back("Can't read camera size from '" + file_ + "': 320x240 is used");

@@ -1,4 +1,4 @@
-// config.ini: what a controller says about itself and about the robot's limits.
+// config.ini: settings of a controller, including [Safety] and [Limits].
 #pragma once
 
 #include <string>
@@ -19,17 +19,16 @@ struct ControllerConfig {
 
 struct ConfigReading {
   ControllerConfig config;
-  std::vector<std::string> warnings;  // sentences; the controller goes on
+  std::vector<std::string> warnings;  // messages for the user; not fatal
 };
 
-/// Reads the text of a file called `file`. Throws std::runtime_error that names file, line, key and what is
-/// allowed when a value is wrong.
+/// Parses the text of `file`. Throws std::runtime_error with file, line, key and allowed values if a value is invalid.
 ConfigReading parseConfig(std::string_view text, const std::string& file);
 
-/// True for the sizes that the robot's camera offers.
+/// True for sizes that the robot's camera supports.
 bool cameraHasSize(int width, int height);
 
-/// Reads `path`; a file that is not there gives the defaults and a warning, one that cannot be read throws.
+/// Reads `path`. A missing file gives the defaults and a warning; throws std::runtime_error if it cannot be read.
 ConfigReading readConfig(const std::string& path);
 
 }  // namespace darwinop::facade

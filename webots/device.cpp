@@ -1,4 +1,4 @@
-// What all devices of a robot have in common: a name.
+// webots::Device: base class of the devices.
 #include "webots/Device.hpp"
 
 #include "webots/robot_impl.hpp"

@@ -1,4 +1,4 @@
-// The devices of the robot, one row each. Their order is that of getDeviceByIndex(), their names those of getDevice().
+// Table of the robot's devices, in the order of getDeviceByIndex(), with the names of getDevice().
 #include "webots/Accelerometer.hpp"
 #include "webots/Camera.hpp"
 #include "webots/Gyro.hpp"

@@ -1,4 +1,4 @@
-// The keys that a controller has still to ask for.
+// Keys that a controller has not read yet.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ class KeyQueue {
     keys_ = source_->take();
     next_ = 0;
   }
-  /// -1: no more until the next refresh().
+  /// Next key; -1: none until the next refresh().
   int next() { return next_ < keys_.size() ? keys_[next_++] : -1; }
 
  private:

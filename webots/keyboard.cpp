@@ -1,4 +1,4 @@
-// Keys pressed by a person.
+// webots::Keyboard.
 #include "webots/Keyboard.hpp"
 
 #include <exception>

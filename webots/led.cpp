@@ -1,4 +1,4 @@
-// A light of the robot.
+// webots::LED.
 #include "webots/LED.hpp"
 
 #include "core/counts.hpp"
@@ -20,7 +20,7 @@ void LED::set(int value) {
   set_ = true;
   if (which_ == EYE) return led.setEye(darwinop::rgb15From24(value_));
   if (which_ == HEAD) return led.setHead(darwinop::rgb15From24(value_));
-  // The three back LEDs share one register: the others stay as they were asked for, or as the board shows them.
+  // The three back LEDs share one register: the others keep their requested state, or the one that the board reports.
   const int others = led.has(darwinop::LedCommand::kPanel) ? led.panel : robot_.session().sensors().board.led_panel;
   led.setPanel(static_cast<std::uint8_t>(value_ != 0 ? others | panel_bit_ : others & ~panel_bit_));
 }

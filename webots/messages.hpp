@@ -1,4 +1,4 @@
-// Messages of the Webots API, or the parts that identify them.
+// Message texts, or the parts that identify them.
 #pragma once
 
 namespace darwinop::facade::messages {

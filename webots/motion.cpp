@@ -1,4 +1,4 @@
-// The player of .motion files, as controllers call it.
+// webots::Motion: player of .motion files.
 #include "webots/utils/Motion.hpp"
 
 #include "webots/motion_playback.hpp"

@@ -1,4 +1,4 @@
-// A motion file being played: the clock of one webots::Motion, and the list of them that Robot::step() drives.
+// Playback of motion files.
 #include "webots/motion_playback.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace darwinop::facade {
 
 namespace {
 
-// Never destroyed: a motion may be a global object of the controller. One thread uses it, that of the robot.
+// Never destroyed: a motion may be a global object of the controller. Used by the robot's thread only.
 std::vector<MotionPlayback*>& playbacks() {
   static auto* const list = new std::vector<MotionPlayback*>;
   return *list;
@@ -57,7 +57,7 @@ void MotionPlayback::play() {
 
 void MotionPlayback::setTime(std::chrono::milliseconds time) {
   time_ = std::clamp(time, std::chrono::milliseconds{0}, duration());
-  if (isLeading()) last_.reset();  // to another pose, from where it is by now
+  if (isLeading()) last_.reset();  // a new slow move, from the present pose
 }
 
 void MotionPlayback::advance(RobotImpl& robot, Nanos now) {
@@ -79,7 +79,7 @@ void MotionPlayback::goOn(Nanos passed) {
   time_ = std::clamp<Nanos>(time_ + (reverse_ ? -passed : passed), Nanos{0}, duration());
 }
 
-/// Done at once when all motors are near their values of the present time. Motors without one by then are left alone.
+/// Done at once if all motors are near their values at the present playback time. Motors without a value are not moved.
 goals::LeadIn MotionPlayback::leadIn(const RobotImpl& robot) const {
   goals::LeadIn::Pose from{}, to{};
   double way = 0;

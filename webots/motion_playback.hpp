@@ -1,4 +1,4 @@
-// A motion file being played: the clock of one webots::Motion, and the list of them that Robot::step() drives.
+// Playback of a motion file: time and state of one webots::Motion, and the list of them that Robot::step() advances.
 #pragma once
 
 #include <chrono>
@@ -14,10 +14,10 @@ namespace darwinop::facade {
 
 class RobotImpl;
 
-/// Alive, it is on the list; it moves motors between play() and its end or stop(), and at no other time.
+/// On the list during its lifetime. Moves motors only between play() and its end or stop().
 class MotionPlayback {
  public:
-  /// Says what is wrong with the file, and which of its motors the robot does not have.
+  /// Logs errors in the file, and motors of the file that the robot does not have.
   explicit MotionPlayback(const std::string& file);
   ~MotionPlayback();
   MotionPlayback(const MotionPlayback&) = delete;
@@ -33,12 +33,12 @@ class MotionPlayback {
   [[nodiscard]] Nanos time() const { return time_; }
   [[nodiscard]] bool isOver() const { return !valid_ || (!loop_ && isAtEnd() && !isLeading()); }
 
-  /// A motor farther from its first value than this, rad, is led there: 5.7 degrees.
+  /// Maximum distance of a motor from its first value without a slow move there, rad: 5.7 degrees.
   static constexpr double kNear = 0.1;
 
-  /// A step of the robot begins. The first one after play() sets the pose of the present time, each further one that
-  /// of as much later as the robot's clock has gone on. If that first pose is far away, all motors are led there
-  /// before, and the time stands still meanwhile.
+  /// Called at the start of each step. The first call after play() sets the pose of the present playback time; each
+  /// further call advances it by the time that passed on the robot's clock. If the first pose is far away, all motors
+  /// move there slowly first, and playback time stands still meanwhile.
   void advance(RobotImpl& robot, Nanos now);
 
  private:
@@ -52,11 +52,12 @@ class MotionPlayback {
   MotionText text_;
   bool valid_ = false, playing_ = false, loop_ = false, reverse_ = false;
   Nanos time_{0};              // 0 to duration()
-  std::optional<Nanos> last_;  // of the robot's clock, in the step before; none: not since play()
+  std::optional<Nanos> last_;  // robot's clock in the previous step; empty: no step since play()
   goals::LeadIn lead_in_;
 };
 
-/// Once per step, before the motors' commands are computed. If two move one motor, the newer one wins.
+/// Advances all motions. Call once per step, before the motors' commands are computed. If two motions move the same
+/// motor, the newer one wins.
 void advanceMotions(RobotImpl& robot);
 
 }  // namespace darwinop::facade

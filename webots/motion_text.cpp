@@ -1,4 +1,4 @@
-// The text of a .motion file: a header with the motors' names, then a line a pose.
+// Parser of .motion files: a header with the motors' names, then one line per pose.
 #include "webots/motion_text.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kFirstColumn = 2;  // before it: magic and version, or time and name
 
-/// What is wrong with one line. Fields are counted from 1.
+/// Error in one line. Fields are counted from 1.
 struct Refused {
   std::size_t field;
   std::string why;
@@ -95,7 +95,7 @@ std::optional<double> MotionCurve::at(double ms) const {
   const MotionKey& before = *std::prev(after);
   if (after == keys.end()) return before.rad;
   const double part = (ms - before.ms) / (after->ms - before.ms);
-  return before.rad * (1 - part) + after->rad * part;  // so that no sum of two finite numbers is infinite
+  return before.rad * (1 - part) + after->rad * part;  // this form cannot overflow for finite numbers
 }
 
 MotionText parseMotion(std::string_view text, const std::string& file) {

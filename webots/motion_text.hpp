@@ -1,4 +1,4 @@
-// The text of a .motion file: poses at times, as curves of joints. Source: docs/motions.md.
+// Parser of .motion files: poses over time, as one curve per joint. Format: docs/motions.md.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,12 @@ struct MotionKey {
   double rad;
 };
 
-/// One column of the file; keys in the order of time.
+/// One column of the file; keys sorted by time.
 struct MotionCurve {
   std::string motor;
   std::vector<MotionKey> keys;
 
-  /// Linear between two keys, held behind the last one; none before the first.
+  /// Linear between two keys, constant after the last one; empty before the first.
   [[nodiscard]] std::optional<double> at(double ms) const;
 };
 
@@ -27,7 +27,7 @@ struct MotionText {
   int duration_ms = 0;  // time of the last pose
 };
 
-/// Throws std::runtime_error, "FILE:LINE: field N: why", when anything is wrong with it.
+/// Throws std::runtime_error, "FILE:LINE: field N: reason", if the text is invalid.
 [[nodiscard]] MotionText parseMotion(std::string_view text, const std::string& file);
 
 /// As parseMotion().

@@ -1,4 +1,4 @@
-// A servo motor of the robot, under today's name and that of 2013.
+// webots::Motor, and webots::Servo, its name of 2013.
 #include "webots/Motor.hpp"
 
 #include <string>
@@ -111,7 +111,7 @@ double Motor::getForceFeedback() const {
 
 double Motor::getTorqueFeedback() const {
   const auto* seen = robot_.joint(static_cast<darwinop::Joint>(control_.joint().id - 1), getName());
-  // The sign of 2013, clockwise positive, which setTorque() shares.
+  // Sign as in 2013: clockwise positive, as in setTorque().
   return seen ? -seen->load * darwinop::kMaxTorqueNm : darwinop::kUnknown;
 }
 

@@ -1,4 +1,4 @@
-// Messages to the user: sentences on stderr, each warning once.
+// Messages for the user on stderr.
 #include "webots/notices.hpp"
 
 #include <cstdio>
@@ -10,11 +10,11 @@ namespace darwinop::facade {
 
 namespace {
 struct Logged {
-  std::mutex mutex;  // controllers may use threads of their own
+  std::mutex mutex;  // controllers may have several threads
   std::set<std::string, std::less<>> sentences;
 };
 
-// Never destroyed: a controller's global objects may still warn while the program ends.
+// Never destroyed: a controller's global objects may still log warnings while the program ends.
 Logged& logged() {
   static Logged* const instance = new Logged;
   return *instance;

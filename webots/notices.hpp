@@ -1,14 +1,14 @@
-// Messages to the user: sentences on stderr, each warning once.
+// Messages for the user on stderr; each warning once.
 #pragma once
 
 #include <string_view>
 
 namespace darwinop::facade {
 
-/// Prints "darwinop: SENTENCE".
+/// Prints "darwinop: MESSAGE".
 void logLine(std::string_view sentence);
 
-/// As logLine(), unless the same sentence was logged before.
+/// As logLine(), unless the same message was logged before.
 void warnOnce(std::string_view sentence);
 
 /// Forgets what was logged; for tests.

@@ -1,4 +1,4 @@
-// The robot a controller drives: webots::Robot on top of the session.
+// webots::Robot.
 #include "webots/Robot.hpp"
 
 #include "webots/Accelerometer.hpp"

@@ -1,4 +1,4 @@
-// What stands behind webots::Robot: the session, the command image, the devices.
+// Implementation of webots::Robot.
 #include "webots/robot_impl.hpp"
 
 #include <cstdlib>
@@ -13,7 +13,7 @@
 namespace darwinop::facade {
 
 namespace {
-// Two cycles may be lost without the controller noticing; at 16 ms a value is then 48 ms old.
+// Up to three lost cycles are tolerated; at 16 ms a value is then 48 ms old.
 bool usable(Freshness freshness) {
   return freshness.age <= 3;
 }
@@ -30,7 +30,7 @@ std::string_view endNotice(safety::OnExit on_exit) {
   return messages::kEndsLimp;
 }
 
-/// DARWINOP_KEYS: window, terminal or none instead of what there is.
+/// DARWINOP_KEYS selects window, terminal or none; unset: automatic.
 std::unique_ptr<KeySource> openTheUsualKeys(const std::atomic<bool>& stop) {
   const auto environment = [](const char* name) {
     const char* const value = std::getenv(name);
@@ -83,7 +83,7 @@ void RobotImpl::stepBegin(int ms) {
   session_.publish(commands_, ms);
 }
 
-/// What is not said stays as it was: a gain that was lent has to be taken back by a number.
+/// A gain that is not in the image stays unchanged, so the end of an override must set the previous gain explicitly.
 void RobotImpl::addLentGain(std::size_t joint) {
   JointCommand& command = commands_.joint[joint];
   if (lent_gain_[joint]) {
@@ -100,7 +100,7 @@ int RobotImpl::stepEnd() {
   return result;
 }
 
-/// Controllers may keep the pointers of getValues() and getImage(), and expect to see every step through them.
+/// Controllers may keep the pointers of getValues() and getImage(); their data must be updated in every step.
 void RobotImpl::refresh() {
   for (const auto& device : devices_) device->refresh();
   keyboard_.refresh(seconds());

@@ -1,4 +1,4 @@
-// What stands behind webots::Robot: the session, the command image, the devices.
+// Implementation of webots::Robot: session, command image, devices.
 #pragma once
 
 #include <array>
@@ -27,38 +27,38 @@ namespace darwinop::facade {
 
 class RobotImpl {
  public:
-  /// `stop` becomes true when the user asks the controller to end.
+  /// `stop` becomes true when the user requests the controller to end.
   RobotImpl(std::unique_ptr<runtime::RobotLink> link, const ControllerConfig& config, const std::atomic<bool>& stop);
-  /// The robot comes to rest meanwhile, which takes seconds; logged if the user requested the end.
+  /// Brings the robot to rest, which may take seconds; logged if the user requested the end.
   ~RobotImpl();
   RobotImpl(const RobotImpl&) = delete;
   RobotImpl& operator=(const RobotImpl&) = delete;
 
-  /// Waits for the robot to stand ready. Empty: it does; else why not.
+  /// Waits until the robot is ready to be driven. Returns an error message; empty: it is ready.
   [[nodiscard]] std::string begin();
   void stepBegin(int ms);
   [[nodiscard]] int stepEnd();
 
   [[nodiscard]] const ControllerConfig& config() const { return config_; }
   [[nodiscard]] const Session& session() const { return session_; }
-  /// False: simulated time, which steps as fast as the controller does.
+  /// False in simulated time, where steps run as fast as possible.
   [[nodiscard]] bool realTime() const { return session_.realTime(); }
   [[nodiscard]] LedCommand& led() { return commands_.led; }
   [[nodiscard]] webots::Keyboard& keyboard() { return keyboard_; }
 
-  /// Null when the robot has no such device.
+  /// Device by name; null: the robot has no such device.
   [[nodiscard]] webots::Device* find(const std::string& name) const;
   [[nodiscard]] const std::vector<std::unique_ptr<webots::Device>>& devices() const { return devices_; }
   [[nodiscard]] int nextTag() const { return static_cast<int>(devices_.size()) + 1; }
 
-  /// Time since the start, s.
+  /// Robot time since begin(), s.
   [[nodiscard]] double seconds() const { return std::chrono::duration<double>(session_.time()).count(); }
-  /// The board's values, or null when they are older than 3 cycles.
+  /// The board's values; null if they are older than 3 cycles.
   [[nodiscard]] const BoardSensors* usableBoard() const;
-  /// The board's or a joint's values, or null when they are older than 3 cycles; `device` is then named, once.
+  /// The board's or a joint's values; null if they are older than 3 cycles, with one warning that names `device`.
   [[nodiscard]] const BoardSensors* board(const std::string& device) const;
   [[nodiscard]] const JointSensors* joint(Joint joint, const std::string& device) const;
-  /// The same without a word, whatever its age.
+  /// Values of any age, without a warning.
   [[nodiscard]] const JointSensors& lastKnown(Joint joint) const { return session_.sensors().joint[index(joint)]; }
 
   /// The robot's camera; logs later errors itself. Throws std::runtime_error if it has no camera.
@@ -66,19 +66,19 @@ class RobotImpl {
     return session_.openCamera(width, height, config_.camera);
   }
 
-  /// Where keys come from; throws std::runtime_error when DARWINOP_KEYS is wrong. Another one than the usual: for
-  /// tests.
+  /// Opens the keyboard. Throws std::runtime_error if DARWINOP_KEYS is invalid. Tests replace `open_keys`.
   [[nodiscard]] std::unique_ptr<KeySource> openKeys() const { return open_keys(); }
   std::function<std::unique_ptr<KeySource>()> open_keys;
-  /// What sounds are played by; throws std::runtime_error when there is none. Another one: for tests.
+  /// Opens the sound output. Throws std::runtime_error if there is none. Tests replace it.
   std::function<std::unique_ptr<SoundOutput>()> open_sound;
 
-  /// Takes this P gain instead of the controller's until it is none: then the controller's again, which Motor keeps.
+  /// Overrides the controller's P gain; empty: ends the override. Motor keeps the controller's value meanwhile.
   void lendGain(Joint joint, std::optional<double> kp) { lent_gain_[index(joint)] = kp; }
 
-  /// Who moves joints by itself, a walk or a page; null: nobody. The later one has them, and the other one notices.
+  /// Owner of the joints: the manager that walks or plays a motion page; null: none. A later one takes over; the
+  /// earlier one detects this and stops.
   const void* joints_taken_by = nullptr;
-  int battery_period = 0;  // as the controller gave it
+  int battery_period = 0;  // ms, as set by the controller
   std::string custom_data;
 
  private:
@@ -89,32 +89,31 @@ class RobotImpl {
 
   ControllerConfig config_;
   const std::atomic<bool>& stop_;
-  bool ends_with_us_;  // the loop: in real time, in this process
+  bool ends_with_us_;  // the loop ends with this process, in real time
   Session session_;
   Commands commands_{};
   std::deque<goals::MotorControl> motors_;  // by joint
   std::array<std::optional<double>, kJoints> lent_gain_{};
-  std::array<bool, kJoints> was_lent_{};  // once: from then on every image says the gain
+  std::array<bool, kJoints> was_lent_{};  // overridden before: from then on every image sets the gain
   webots::Keyboard keyboard_{*this};
   std::vector<std::unique_ptr<webots::Device>> devices_;
   std::map<std::string, webots::Device*, std::less<>> by_name_;
 };
 
-/// Finds the robot as environment and config.ini say, and waits until it stands ready. Ends the program with a
-/// sentence when that fails.
+/// Connects to the robot configured by environment and config.ini, and waits until it is ready. On failure prints a
+/// message and ends the program.
 RobotImpl* connectOrExit();
 
-/// The one of this process, or null.
+/// The robot of this process; null: none.
 RobotImpl* currentRobot();
 
-/// Where the running program lies; config.ini is beside it.
+/// Folder of the running program and of config.ini.
 std::string programDirectory();
 
-/// Makes `robot` the one of this process; for tests.
+/// Sets the robot of this process; for tests.
 RobotImpl* adopt(RobotImpl* robot);
 
-/// Deletes `robot` if it is still the one of this process; it then ends its session. Done at the end of the program
-/// also.
+/// Deletes `robot`, which ends its session, if it is still the robot of this process. Also called at program exit.
 void release(RobotImpl* robot);
 
 }  // namespace darwinop::facade

@@ -1,12 +1,12 @@
-// When a device with a sampling period has its turn.
+// Sampling times of a device with a sampling period.
 #pragma once
 
 namespace darwinop::facade {
 
-/// True: now, and `due_s` becomes the next time. On a grid, so that 40 ms asked for in steps of 16 ms are 40 ms on
-/// average. A `due_s` below 0: it had none yet.
+/// True if a sample is due; `due_s` is then set to the next time. Times are on a grid, so that a period of 40 ms in
+/// steps of 16 ms is 40 ms on average. Initial `due_s`: below 0.
 inline bool isDue(double& due_s, double time_s, int period_ms) {
-  constexpr double kHalfCycle = 0.004;  // of the shortest loop: a step that ends early by jitter still counts
+  constexpr double kHalfCycle = 0.004;  // half of the shortest period: tolerance for steps that end early by jitter
   if (time_s + kHalfCycle < due_s) return false;
   const double period_s = period_ms / 1000.0;
   due_s = due_s >= 0 && due_s + period_s > time_s ? due_s + period_s : time_s + period_s;

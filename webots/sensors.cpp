@@ -1,4 +1,4 @@
-// Devices that are only read: encoders, accelerometer, gyroscope, buttons.
+// Sensors: encoders, accelerometer, gyroscope, buttons.
 #include "core/counts.hpp"
 #include "webots/Accelerometer.hpp"
 #include "webots/Gyro.hpp"
@@ -13,7 +13,7 @@ namespace webots {
 namespace facade = darwinop::facade;
 
 namespace {
-// 2013's range, 0..1024 about 512, in both rows: SI value, count, noise.
+// Lookup table of 2013, range 0..1024 about 512. Both rows: SI value, count, noise.
 void fillLookup(double (&table)[6], const darwinop::Register& law) {
   for (int row = 0; row < 2; ++row) {
     const double count = 1024.0 * row;

@@ -1,4 +1,4 @@
-// A controller's time with a robot: publish, wait, read one consistent image, know when to end.
+// Session of a controller.
 #include "webots/session.hpp"
 
 #include <algorithm>
@@ -11,11 +11,11 @@ namespace darwinop::facade {
 
 namespace {
 constexpr Nanos kBeat = std::chrono::milliseconds{200};
-constexpr Nanos kQuiet = std::chrono::seconds{3};      // then say what is being waited for
-constexpr Nanos kPatience = std::chrono::seconds{30};  // for a robot that does not even start to move
-constexpr Nanos kLongest = std::chrono::seconds{180};  // 6 rad at the slowest gentle_speed, 0.05 rad/s, and some
+constexpr Nanos kQuiet = std::chrono::seconds{3};      // then log what is being waited for
+constexpr Nanos kPatience = std::chrono::seconds{30};  // for a robot that does not start to move
+constexpr Nanos kLongest = std::chrono::seconds{180};  // 6 rad at the slowest gentle_speed, 0.05 rad/s, plus margin
 
-/// Joints that did not get to the start pose; empty: all did.
+/// Joints that did not reach the start pose; empty: all did.
 std::string startMissedBy(const SafetyReport& report) {
   std::string names;
   for (std::size_t i = 0; i < kJoints; ++i)
@@ -92,7 +92,7 @@ int Session::wait() {
     sensors_ = driver_.sensors();
     reached_ = Nanos{sensors_.time_ns} - origin_;
     if (sensors_.cycle > target_ &&
-        driver_.link().realTime()) {  // waited for longer than the step takes, as a slow network does
+        driver_.link().realTime()) {  // the wait took longer than the step, as in a slow network
       late = driver_.link().now() - due_;
       line_.restartAt(sensors_.cycle);
     }
@@ -108,7 +108,7 @@ int Session::wait() {
   return static_cast<int>(std::clamp<std::int64_t>(ms, 0, 1'000'000'000));
 }
 
-/// A controller inside a long step is alive, and says so: safety holds the robot of one that is silent for 500 ms.
+/// Sends heartbeats during a long step: safety holds the robot if a controller is silent for 500 ms.
 bool Session::waitForTarget() {
   const auto beat = static_cast<std::uint64_t>(std::max<Nanos::rep>(1, kBeat / driver_.link().period()));
   for (std::uint64_t now = driver_.sensors().cycle; now < target_; now = driver_.sensors().cycle) {

@@ -1,4 +1,4 @@
-// A controller's time with a robot: publish, wait, read one consistent image, know when to end.
+// Session of a controller: publish commands, wait for the end of a step, read one consistent image, detect the end.
 #pragma once
 
 #include <atomic>
@@ -16,24 +16,25 @@ namespace darwinop::facade {
 /// Used by one thread.
 class Session {
  public:
-  /// `stop` becomes true when the user asks the controller to end.
+  /// `stop` becomes true when the user requests the controller to end.
   Session(std::unique_ptr<runtime::RobotLink> link, const std::atomic<bool>& stop);
 
-  /// Offers `first` until the robot stands ready and obeys. Empty: it does; else a sentence that says why not.
+  /// Publishes `first` until the robot executes this session's commands. Returns an error message; empty: success.
   [[nodiscard]] std::string begin(const Commands& first);
 
-  /// Offers the image to the loop and sets the end of the step, `ms` after the end of the one before.
+  /// Publishes the image and sets the end of the step to `ms` after the end of the previous one.
   void publish(const Commands& commands, int ms);
-  /// Waits for that end and takes the newest image. 0 in time, positive: ms late, -1: the controller must end.
+  /// Waits for the end of the step and takes the newest image. Returns 0: in time; positive: ms late; -1: the
+  /// controller must end.
   [[nodiscard]] int wait();
 
   [[nodiscard]] const Sensors& sensors() const { return sensors_; }
-  /// Since the robot stood ready. After a step in time it is that of the newest image, so that steps add up exactly;
-  /// it goes on from there, except in lockstep.
+  /// Time since begin() returned. After a step that was in time: time of the newest image, so that steps add up
+  /// exactly. Between steps it advances in real time; not in lockstep.
   [[nodiscard]] Nanos time() const;
   [[nodiscard]] Nanos period() const { return driver_.link().period(); }
   [[nodiscard]] bool realTime() const { return driver_.link().realTime(); }
-  /// What this robot sees; it must not outlive the session. Throws std::runtime_error if it has no camera.
+  /// The robot's camera; must not outlive the session. Throws std::runtime_error if the robot has none.
   [[nodiscard]] std::unique_ptr<FrameSource> openCamera(int width, int height, const v4l2::CameraSettings& settings);
 
  private:
@@ -45,10 +46,10 @@ class Session {
   Commands asked_{};
   Sensors sensors_{};
   TimeLine line_;
-  std::uint64_t target_ = 0;    // cycle that this step ends with
-  Nanos returned_{0}, due_{0};  // when the last step ended; when this one should
-  Nanos origin_{0};             // release of the cycle that found the robot ready
-  Nanos reached_{0};            // time() when the last step ended
+  std::uint64_t target_ = 0;    // last cycle of this step
+  Nanos returned_{0}, due_{0};  // end of the last step; scheduled end of this one
+  Nanos origin_{0};             // release of the cycle in which the robot was ready
+  Nanos reached_{0};            // time() at the end of the last step
   bool ended_ = false;
 };
 

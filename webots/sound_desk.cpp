@@ -11,7 +11,7 @@
 namespace darwinop::facade {
 
 namespace {
-/// Where the controller is now: the program that plays does not follow when it goes elsewhere.
+/// Absolute path, from the controller's present working directory: the sound program has its own.
 std::string absoluteName(const std::string& file) {
   std::error_code unknown;
   const std::string absolute = std::filesystem::absolute(file, unknown);
@@ -49,7 +49,7 @@ void SoundDesk::speak(Speak speak) {
 
 void SoundDesk::stop(const std::string& file) {
   refresh();
-  if (!output_) return;  // nothing sounds
+  if (!output_) return;  // no sound was played
   order(StopSound{file.empty() ? "" : absoluteName(file)});
   if (!file.empty()) {
     sounds_.erase(file);

@@ -12,31 +12,31 @@
 
 namespace darwinop::facade {
 
-/// Used by one thread. Errors are reported once and end nothing.
+/// Used by one thread. Errors are reported once and are not fatal.
 class SoundDesk {
  public:
-  /// `open` is called at the first order, and again after an output was lost.
+  /// `open` is called at the first command, and again after the output was lost.
   explicit SoundDesk(std::function<std::unique_ptr<SoundOutput>()> open) : open_{std::move(open)} {}
 
-  /// Gives the order a name and its file a place; 0: there is no sound.
+  /// Sends the command with a new id and the file's absolute path; returns the id, 0: there is no sound output.
   SoundId play(PlaySound play);
   void speak(Speak speak);
-  /// Empty: everything.
+  /// Stops a file; empty: everything.
   void stop(const std::string& file);
 
-  /// Takes the events received, without waiting.
+  /// Processes received events; does not block.
   void refresh() { takeEvents(std::chrono::milliseconds{0}); }
-  /// Empty: is there any?
+  /// True if the file is playing; empty: if any is.
   [[nodiscard]] bool plays(const std::string& file) const;
   [[nodiscard]] bool plays(SoundId id) const;
   [[nodiscard]] bool speaks() const { return speech_ != 0; }
-  /// How long it takes from its beginning to its end; 0: it has ended, NaN: unknown. Waits for an answer.
+  /// Duration of a sound, s; 0: it has ended, NaN: unknown. Waits for a reply.
   [[nodiscard]] double seconds(SoundId id, std::chrono::milliseconds wait);
 
  private:
   struct Sound {
     SoundId id;
-    std::optional<double> seconds;  // once it has begun
+    std::optional<double> seconds;  // known once it has started
   };
   bool order(const SoundOrder& order);
   void takeEvents(std::chrono::milliseconds wait);

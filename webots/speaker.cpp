@@ -1,4 +1,4 @@
-// The loudspeaker: calls of today and of 2013 become orders to the sound program.
+// webots::Speaker: translates its functions, also those of 2013, to commands for the sound program.
 #include "webots/Speaker.hpp"
 
 #include <algorithm>
@@ -18,9 +18,9 @@ namespace webots {
 using darwinop::facade::warnOnce;
 
 namespace {
-constexpr int kSlowest = 80, kFastest = 450;  // words a minute
+constexpr int kSlowest = 80, kFastest = 450;  // words per minute
 
-/// A value out of range is reported once; NaN counts as the default.
+/// Clamped; a value out of range is reported once. NaN becomes the default.
 double within(double low, double value, double high, double usual, const char* what) {
   if (value >= low && value <= high) return value;
   std::ostringstream sentence;
@@ -33,7 +33,7 @@ std::string given(const char* text) {
   return text != nullptr ? text : "";
 }
 
-/// Letters in UTF-8 have up to four bytes, and none may be cut in two.
+/// UTF-8 characters have up to four bytes and must not be split.
 std::string shortened(std::string text) {
   std::ranges::replace(text, '\0', ' ');
   if (text.size() <= darwinop::audio::kLongestText) return text;
@@ -58,7 +58,7 @@ void Speaker::refresh() {
   desk_->refresh();
 }
 
-// The robot has one loudspeaker: where one side is missing, the other one gets both.
+// The robot has one loudspeaker: if one side is missing, the other gets both.
 void Speaker::playSound(Speaker* left, Speaker* right, const std::string& sound, double volume, double pitch,
                         double balance, bool loop) {
   const Speaker* const speaker = left != nullptr ? left : right;
@@ -118,20 +118,20 @@ void Speaker::playFile(const char* filename) {
   desk_->play({.id = 0, .file = given(filename), .afresh = true});
 }
 
-/// In lockstep for as long as the sound lasts, of the robot's time; otherwise until it has ended.
+/// In lockstep: for the duration of the sound in robot time. Otherwise: until it has ended.
 void Speaker::playFileWait(const char* filename) {
   const darwinop::SoundId id = desk_->play({.id = 0, .file = given(filename), .afresh = true});
   const bool lockstep = !robot_.realTime();
   const auto now = [this] { return std::chrono::duration<double>(robot_.session().time()).count(); };
   const double begin = now();
-  // Simulated time goes by in no time: there the answer is waited for, once, so that every run takes as many steps.
+  // Simulated time is not tied to real time: wait for the reply once, so that every run takes the same number of steps.
   std::chrono::milliseconds patience{lockstep ? 2000 : 0};
   double seconds = std::nan("");
   for (;;) {
     if (std::isnan(seconds)) seconds = desk_->seconds(id, std::exchange(patience, std::chrono::milliseconds{0}));
     const bool is_known = !std::isnan(seconds);
     if (lockstep && is_known ? now() >= begin + seconds : !desk_->plays(id)) return;
-    // A sound program that hangs must not keep the controller.
+    // A sound program that hangs must not block the controller.
     if (now() > begin + 10 + (is_known ? seconds : 0)) return desk_->stop(given(filename));
     robot_.stepBegin(robot_.config().time_step_ms);
     if (robot_.stepEnd() == -1) return;

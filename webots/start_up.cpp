@@ -1,4 +1,4 @@
-// From environment and config.ini to a robot that stands ready, or a sentence and the end of the program.
+// Start-up of a controller: configuration, connection, session; on failure a message and exit.
 #include <unistd.h>
 
 #include <charconv>
@@ -26,7 +26,7 @@ pid_t owner = 0;  // a child that this process forks must not end its session
 std::thread::id owning_thread;
 std::terminate_handler usual_end = nullptr;
 
-/// An uncaught exception ends the program; the robot is brought to rest first.
+/// Terminate handler: brings the robot to rest before an uncaught exception ends the program.
 void endAfterException() {
   if (std::this_thread::get_id() == owning_thread) release(current);
   if (usual_end) usual_end();
@@ -50,7 +50,7 @@ std::optional<Nanos> periodFromEnvironment() {
 
 std::unique_ptr<RobotImpl> start() {
   const std::string directory = programDirectory();
-  // Files are named relative to the program, as on the robot since 2013.
+  // Paths are relative to the program's folder, as on the robot since 2013.
   if (environment("DARWINOP_KEEP_CWD") != "1") std::filesystem::current_path(directory);
   const ConfigReading reading = readConfig(directory + "/config.ini");
   for (const std::string& warning : reading.warnings) logLine(warning);
@@ -79,7 +79,7 @@ std::unique_ptr<RobotImpl> start() {
 RobotImpl* connectOrExit() {
   if (current) giveUp(messages::kSecondRobot);
   installStopSignals();
-  // Into a pipe (to a PC, to a log) output goes by lines also: it is there when it happens, and survives a crash.
+  // Line-buffered output also into a pipe (PC, log): it appears immediately and survives a crash.
   if (isatty(STDOUT_FILENO) == 0) (void)std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   try {
     current = start().release();
@@ -89,7 +89,7 @@ RobotImpl* connectOrExit() {
   owner = getpid();
   owning_thread = std::this_thread::get_id();
   if (std::get_terminate() != endAfterException) usual_end = std::set_terminate(endAfterException);
-  // Controllers call exit() and never delete their Robot: the session must end all the same.
+  // Some controllers call exit() without deleting their Robot: the session must end nevertheless.
   std::atexit([] { release(current); });
   return current;
 }

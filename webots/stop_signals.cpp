@@ -1,4 +1,4 @@
-// What signals do to a controller: the table is in hal/signals.hpp.
+// Signal handling of controllers. Table: hal/signals.hpp.
 #include "webots/stop_signals.hpp"
 
 #include <algorithm>
@@ -16,18 +16,18 @@ namespace {
 std::atomic<bool> stop_requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
 
-/// What was sent to a whole process group reaches a controller twice: by itself, and handed on by who started it.
-/// Nobody presses Ctrl-C a second time as fast as that.
+/// A signal to the process group reaches a controller twice: directly, and forwarded by its parent. Two signals within
+/// this time count as one request.
 constexpr std::uint32_t kOneRequestMs = 300;
 
-/// Of these a second one ends the program at once: a controller that does not step any more could not be ended else.
+/// A second one of these ends the program at once: a controller that hangs could not be ended otherwise.
 constexpr std::array kInsisting{SIGINT, SIGTERM, SIGQUIT};
 
-/// The kernel stops or fails a system call in the background unless these are ignored; a handler would repeat it for
+/// Terminal access from the background stops or fails unless these are ignored; a handler would restart the call for
 /// ever.
 constexpr std::array kOfJobControl{SIGTSTP, SIGTTIN, SIGTTOU};
 
-/// When each signal came first, CLOCK_MONOTONIC in ms, and never 0.
+/// Time of the first signal of each number, CLOCK_MONOTONIC, ms; 0: none yet.
 std::array<std::atomic<std::uint32_t>, NSIG> came_ms{};
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "a signal handler sets it");
 
@@ -45,17 +45,17 @@ void onSignal(int signal) {
   if (!came_ms.at(static_cast<std::size_t>(signal)).compare_exchange_strong(first_ms, now_ms) &&
       now_ms - first_ms > kOneRequestMs) {
     std::signal(signal, SIG_DFL);
-    raise(signal);  // comes when this handler is done
+    raise(signal);  // delivered after this handler returns
   }
   errno = error;
 }
 
-/// A terminal that goes away says so more than once.
+/// For signals of which a second one does not end the program: a closed terminal sends several.
 void onOtherEnd(int) {
   stop_requested.store(true);
 }
 
-/// A handler and not SIG_IGN, which programs that the controller starts would inherit.
+/// A handler instead of SIG_IGN, which programs started by the controller would inherit.
 void onNothing(int) {}
 
 void handle(int signal, void (*handler)(int), int flags) {
@@ -65,7 +65,7 @@ void handle(int signal, void (*handler)(int), int flags) {
   sigaction(signal, &action, nullptr);
 }
 
-/// What the program or its parent chose for this signal; flags do not matter.
+/// True if `handler` is installed for this signal, with any flags.
 bool has(int signal, void (*handler)(int)) {
   struct sigaction now {};
   return sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) == 0 && now.sa_handler == handler;

@@ -1,17 +1,18 @@
-// What signals do to a controller: Ctrl-C and others as a flag, so that it can end normally; the rest without effect.
+// Signal handling of controllers: Ctrl-C and others set a flag, so that the controller can end normally; the rest are
+// ignored.
 #pragma once
 
 #include <atomic>
 
 namespace darwinop::facade {
 
-/// Becomes true with the first signal of kEndSignals after installStopSignals().
+/// True after the first signal of kEndSignals since installStopSignals().
 const std::atomic<bool>& stopRequested();
 
-/// The first signal of kEndSignals sets the flag; a second SIGINT, SIGTERM or SIGQUIT, from 0.3 s after the first, ends
-/// the program at once. A signal that the program's parent chose to ignore stays ignored. The signals of
-/// kIgnoredSignals no longer end or stop the program, unless it has a handler of its own for them: output into a pipe
-/// that nobody reads any more, as in `| head -3`, and Ctrl-Z, which would stop the loop with the joints under torque.
+/// The first signal of kEndSignals sets the flag; a second SIGINT, SIGTERM or SIGQUIT more than 0.3 s later ends the
+/// program at once. Signals that the parent process ignored stay ignored. Signals of kIgnoredSignals are ignored unless
+/// the program has its own handler: for example SIGPIPE, of a closed pipe as in `| head -3`, and SIGTSTP, of Ctrl-Z,
+/// which would stop the loop with the joints under torque.
 void installStopSignals();
 
 }  // namespace darwinop::facade

@@ -1,4 +1,4 @@
-// Which cycle of the loop each step() asks for.
+// Maps the steps of a controller to cycles of the loop.
 #pragma once
 
 #include <cstdint>
@@ -7,19 +7,19 @@
 
 namespace darwinop::facade {
 
-/// An absolute line: steps add up exactly, so that a step that is not a multiple of the period keeps its mean rate.
+/// Absolute times: steps add up exactly, so a step that is not a multiple of the period keeps its mean rate.
 class TimeLine {
  public:
   TimeLine() = default;
   TimeLine(Nanos period, std::uint64_t cycle) : period_{period}, origin_{cycle} {}
 
-  /// The first cycle that ends a step of this length; the same cycle again when steps are shorter than the period.
+  /// The cycle that ends a step of this length; the same cycle again if steps are shorter than the period.
   std::uint64_t advance(Nanos step) {
     due_ += step;
     return origin_ + static_cast<std::uint64_t>((due_ + period_ - Nanos{1}) / period_);
   }
 
-  /// Forgets the past: the next step counts from the end of `cycle`.
+  /// Restarts: the next step counts from the end of `cycle`.
   void restartAt(std::uint64_t cycle) {
     origin_ = cycle;
     due_ = Nanos{0};
