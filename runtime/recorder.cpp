@@ -145,7 +145,7 @@ void Recorder::put(const std::string& text) {
   if (failed_) return;
   if (std::fwrite(text.data(), 1, text.size(), file_) == text.size() && std::ferror(file_) == 0) return;
   failed_ = true;
-  std::cerr << "the recording " << path_ << " ends here: " << std::strerror(errno) << "; the robot goes on\n";
+  std::cerr << "the recording " << path_ << " ends here: " << std::strerror(errno) << "; the loop continues\n";
 }
 
 }  // namespace darwinop::runtime

@@ -1,4 +1,4 @@
-// What start-up does about each kind of finding. The doctor's marks and the start of a loop read the same table.
+// Start-up policy for each kind of finding; the doctor's severities use the same table.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ enum class Policy : std::uint8_t {
   kDrive,     // with a warning
   kLeaveOut,  // drive without that joint, with a warning
   kRest,      // the loop starts, as the robot may be stiff; the safety layer sits it down
-  kWait,      // do not start; it may come by itself, so `darwinop runtime --wait` tries again
-  kRefuse,    // do not start; somebody has to do something first
+  kWait,      // do not start; may resolve without user action, so `darwinop runtime --wait` retries
+  kRefuse,    // do not start; user action needed
 };
 // In the order of the enumerators.
 inline constexpr std::array<std::string_view, 5> kPolicyNames{"warn", "omit", "sit down", "wait", "refuse"};
@@ -24,7 +24,7 @@ inline constexpr std::array<std::string_view, 5> kPolicyNames{"warn", "omit", "s
 /// Why a loop is started.
 enum class Purpose : std::uint8_t {
   kDrive,
-  kRescue,  // the supervisor brings a robot to rest whose runtime has failed: it may be stiff, and nobody else is there
+  kRescue,  // the supervisor brings the robot to rest after its runtime has failed; it may be stiff
 };
 
 enum class Kind : std::uint8_t {
@@ -171,7 +171,7 @@ constexpr Policy policyOf(Kind kind, Purpose purpose = Purpose::kDrive) {
   return purpose == Purpose::kDrive ? row.drive : row.rescue;
 }
 
-/// The most severe policy; kDrive when there is no finding.
+/// The most severe policy; kDrive if there is no finding.
 inline Policy policyOf(const Kinds& kinds, Purpose purpose) {
   Policy worst = Policy::kDrive;
   for (std::size_t i = 0; i < kKinds; ++i)
