@@ -13,8 +13,7 @@ struct RunRequest {
   std::string period_ms;             // empty: as set in the controller's config.ini
 };
 
-/// Path of the program for `controller`, a program or a folder. Throws std::runtime_error with the path that was
-/// tried.
+/// Path of the program for `controller`, a program or a folder. Throws std::runtime_error with the path that was tried.
 std::string controllerProgram(const std::string& controller);
 
 /// Runs the controller to its end and prints the report; its last line has a stable format (reportLine()). Returns the

@@ -12,7 +12,7 @@ void Cycle::run(const Commands& asked, const CycleTime& time) noexcept {
   const SafeCommands safe = guard_.vet(asked, sensors_);  // every command passes through the safety layer
   bus_.write(safe);                                       // one SyncWrite; in rare cases two
   bus_.read(readings_);                                   // one BulkRead
-  noteCommanded(safe, sensors_);
+  noteCommanded(safe, sensors_);                          // adds the goals sent to the sensor image
   merge(readings_, sensors_);  // devices without a reply keep their values; their age increases
   account(time);
 }

@@ -16,8 +16,8 @@ class CameraView {
   /// Without a source the picture stays black.
   CameraView(int width, int height, std::unique_ptr<FrameSource> source);
 
-  /// Takes the newest picture. Returns a message for the user if its size is not as requested; empty: it is, or
-  /// that was reported before.
+  /// Takes the newest picture. Returns a message for the user if its size is not as requested; empty: it is, or that
+  /// was reported before.
   [[nodiscard]] std::string refresh();
 
   /// 4 * width * height bytes, unchanged until the next refresh().

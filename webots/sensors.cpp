@@ -58,7 +58,7 @@ void Accelerometer::disable() {
 }
 
 const double* Accelerometer::getValues() const {
-  static_cast<void>(robot_.board(getName()));  // says so when the values are too old
+  static_cast<void>(robot_.board(getName()));  // warns once if the values are too old
   return values_;
 }
 
@@ -83,7 +83,7 @@ void Gyro::disable() {
 }
 
 const double* Gyro::getValues() const {
-  static_cast<void>(robot_.board(getName()));  // says so when the values are too old
+  static_cast<void>(robot_.board(getName()));  // warns once if the values are too old
   return values_;
 }
 

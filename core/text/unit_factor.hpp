@@ -1,4 +1,4 @@
-// Conversion of units that people write into SI units.
+// Conversion of common units to SI units.
 #pragma once
 
 #include <optional>
