@@ -56,7 +56,7 @@ void Supervisor::updateRuntime() {
   if (state == RuntimeChild::State::kSilent && kill_at_ == Nanos{0})
     return rescue("runtime: hung, no cycle for " + std::to_string(runtime_->patience().count() / 1'000'000) + " ms");
   if (state != RuntimeChild::State::kStarting) {
-    if (phase_ == SupervisorPhase::kRuntime && state_text_ != messages::kRuntimeReady) show(messages::kRuntimeReady);
+    if (phase_ == SupervisorPhase::kStarting) onEvent(PhaseEvent::kFirstCycle, messages::kRuntimeReady);
     start_wait_ = kFirstWait;
     controller_.update(runtime_->sensors(), now_);
   } else {
