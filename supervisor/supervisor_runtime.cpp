@@ -67,7 +67,7 @@ void Supervisor::updateRuntime() {
 
 void Supervisor::endRuntime() {
   if (kill_at_ == Nanos{0}) {
-    kill_at_ = now_ + runtime::Rest{settings_.safety, settings_.period}.atMost() + kTimeToStop;
+    kill_at_ = now_ + runtime::Rest{settings_.serial.safety, settings_.serial.period}.atMost() + kTimeToStop;
     runtime_->process().signal(SIGTERM);
   }
   if (now_ >= kill_at_) rescue("runtime: has not ended in time");
