@@ -18,13 +18,13 @@
 #include "ssh_login.hpp"
 #include "window/assets.hpp"
 #include "window/body_json.hpp"
-#include "window/drive_session.hpp"
 #include "window/drive_thread.hpp"
 #include "window/pages_json.hpp"
 #include "window/report_page.hpp"
 #include "window/robot_choice.hpp"
 #include "window/secret.hpp"
 #include "window/ssh_connection.hpp"
+#include "window/steering_session.hpp"
 #include "window/transfer.hpp"
 #include "window/transfer_command.hpp"
 
@@ -48,7 +48,7 @@ void logWindow(const std::string& line) {
 
 /// Everything lies under a path that cannot be guessed: other users of this computer may connect, but find nothing.
 std::string serveWindow(web::WebServer& server, const WindowArguments& given, window::MonitorFeed& feed,
-                        window::DriveSession& session, window::Transfer& transfer) {
+                        window::SteeringSession& session, window::Transfer& transfer) {
   const std::string base = "/" + window::newSecret() + "/";
   for (const window::Asset& asset : window::assets())
     server.serve(base + std::string{asset.name}, {std::string{asset.type}, std::string{asset.body}});
@@ -71,7 +71,7 @@ void showWindow(const WindowArguments& given, window::SimulatedRobot* own, windo
   window::DriveThread drive_thread{[&] { return window::openDriveLink(given.choice, files, logWindow); },
                                    motion::ownPages()};
   const auto clock = [] { return runtime::MonotonicClock{}.now(); };
-  window::DriveSession session{drive_thread, clock};
+  window::SteeringSession session{drive_thread, clock};
   window::Transfer transfer{window::Child::programOf("install"), window::RememberedFile::usual(), clock,
                             window::robotOf(given.choice.logged_in_to, given.login.port, given.login.key)};
   web::WebServerConfig config;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "connect/connect.hpp"
 #include "runtime/daemon.hpp"
 #include "runtime/robot_notes.hpp"
 #include "supervisor/holder.hpp"
@@ -17,7 +16,7 @@ constexpr std::uint32_t kSession = 1;  // id of a session that ends with its fir
 
 runtime::LoopConfig loopConfig(const RobotSettings& robot, const connect::OpenedBus& opened, bool held) {
   runtime::LoopConfig config;
-  config.period = robot.period;
+  config.period = robot.serial.period;
   config.safety = opened.safety;
   // kStop would leave the robot as it was found; kRelease would drop it.
   config.safety.on_exit = safety::OnExit::kKneel;
@@ -29,13 +28,15 @@ runtime::LoopConfig loopConfig(const RobotSettings& robot, const connect::Opened
 /// The previous port, or its new name.
 connect::OpenedBus openBus(const RobotSettings& robot) {
   const auto open = [&](const std::string& port) {
-    return connect::openSerialBus({port, robot.period, robot.safety, robot.offsets}, cm730::Purpose::kRescue);
+    connect::SerialRobot serial = robot.serial;
+    serial.port = port;
+    return connect::openSerialBus(serial, cm730::Purpose::kRescue);
   };
   try {
-    return open(robot.port);
+    return open(robot.serial.port);
   } catch (const std::runtime_error&) {
     if (!robot.identity) throw;
-    const auto others = cm730::siblings(robot.port, robot.identity);
+    const auto others = cm730::siblings(robot.serial.port, robot.identity);
     if (others.empty()) throw;
     return open(others.front());
   }
@@ -71,10 +72,10 @@ class Rescue::OwnLoop {
         claim_{std::move(claim)},
         notes_{files},
         exchange_{closedExchange(path_, robot.group, released || notes_.released())},
-        watch_{robot.period, runtime::Rest{robot.safety, robot.period}.atMost()},
+        watch_{robot.serial.period, runtime::Rest{robot.serial.safety, robot.serial.period}.atMost()},
         host_{loopConfig(robot, opened, notes_.held()), std::move(opened.bus), exchange_,
               runtime::LoopStats::Timed::kYes, runtime::Recorder::Writer::kThread},
-        driver_{host_.loop(), clock_, robot.period, {}} {}
+        driver_{host_.loop(), clock_, robot.serial.period, {}} {}
 
   /// Red lights and no driver; no other process has access to the commands.
   static runtime::Exchange closedExchange(const std::string& path, gid_t group, bool released) {

@@ -7,21 +7,17 @@
 #include <optional>
 #include <string>
 
+#include "connect/connect.hpp"
 #include "hal/byte_line.hpp"
-#include "hal/cm730/joint_offsets.hpp"
 #include "hal/cm730/usb_serial.hpp"
 #include "runtime/names.hpp"
-#include "safety/config.hpp"
 #include "supervisor/rescue_watch.hpp"
 
 namespace darwinop::supervisor {
 
 /// Robot configuration for the rescue, read before the failure.
 struct RobotSettings {
-  std::string port = "/dev/ttyUSB0";
-  Nanos period{16'000'000};
-  safety::Config safety{};
-  cm730::JointOffsets offsets{};
+  connect::SerialRobot serial;
   gid_t group = static_cast<gid_t>(-1);        // group with read access
   std::optional<cm730::UsbIdentity> identity;  // of the port: after replugging, the device may become ttyUSB1
 };

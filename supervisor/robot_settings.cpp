@@ -19,15 +19,15 @@ void useRobotFileOf(const std::string& home) {
 RobotSettings readRobotSettings() {
   const connect::RobotFile file = connect::readRobotFile();
   RobotSettings robot;
-  robot.port = file.serialPort();
-  robot.period = file.period.value_or(connect::kUsualPeriod);
-  robot.safety = connect::safetyOn(file, safety::Config{}, "config.ini");
-  robot.offsets = file.offsets;
+  robot.serial = {.port = file.serialPort(),
+                  .period = file.period.value_or(connect::kUsualPeriod),
+                  .safety = connect::safetyOn(file, safety::Config{}, "config.ini"),
+                  .offsets = file.offsets};
   try {
     robot.group = connect::runtimeGroup(file);
   } catch (const std::runtime_error&) {  // the runtime reports and rejects a missing group
   }
-  robot.identity = cm730::usbIdentity(robot.port);
+  robot.identity = cm730::usbIdentity(robot.serial.port);
   return robot;
 }
 

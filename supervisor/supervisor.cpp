@@ -74,7 +74,8 @@ void Supervisor::update() {
   take(takeOrders());
   if (!hasRuntime(phase_)) controller_.updateWithoutRuntime(now_);
   switch (phase_) {
-    case SupervisorPhase::kRuntime:
+    case SupervisorPhase::kStarting:
+    case SupervisorPhase::kUp:
     case SupervisorPhase::kStopping:
       return updateRuntime();
     case SupervisorPhase::kBackOff:
@@ -93,10 +94,6 @@ void Supervisor::update() {
 
 void Supervisor::onEvent(PhaseEvent event, const std::string& text) {
   phase_ = next(phase_, event);
-  show(text);
-}
-
-void Supervisor::show(const std::string& text) {
   state_text_ = text;
   once_.forget();
   log(text);
@@ -130,8 +127,7 @@ void Supervisor::publishStatus() {
   status.home = setup_.home;
   status.runtime_pid = runtime_ ? runtime_->process().pid() : 0;
   status.orders = orders_;
-  const bool up = phase_ == SupervisorPhase::kRuntime && state_text_ == messages::kRuntimeReady;
-  if (!up) status.state = state_text_;
+  if (phase_ != SupervisorPhase::kUp) status.state = state_text_;
   if (status == published_) return;
   if (writeStatus(status, own_.status)) published_ = status;
 }

@@ -51,7 +51,6 @@ class Supervisor {
   void updateRescue();
   void onRest(Rescue::Step step);
   void onEvent(PhaseEvent event, const std::string& text);
-  void show(const std::string& text);
   void publishStatus();
 
   Setup setup_;
@@ -67,8 +66,8 @@ class Supervisor {
   std::unique_ptr<Rescue> rescue_;
   LogKeeper logs_;
 
-  SupervisorPhase phase_ = SupervisorPhase::kRuntime;
-  std::string state_text_;
+  SupervisorPhase phase_ = SupervisorPhase::kStarting;
+  std::string state_text_;  // of the last event, for people
   Once once_;
   Nanos next_start_{0}, start_wait_;
   Nanos kill_at_{0};         // time of SIGKILL for the runtime

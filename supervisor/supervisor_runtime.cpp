@@ -56,7 +56,7 @@ void Supervisor::updateRuntime() {
   if (state == RuntimeChild::State::kSilent && kill_at_ == Nanos{0})
     return rescue("runtime: hung, no cycle for " + std::to_string(runtime_->patience().count() / 1'000'000) + " ms");
   if (state != RuntimeChild::State::kStarting) {
-    if (phase_ == SupervisorPhase::kRuntime && state_text_ != messages::kRuntimeReady) show(messages::kRuntimeReady);
+    if (phase_ == SupervisorPhase::kStarting) onEvent(PhaseEvent::kFirstCycle, messages::kRuntimeReady);
     start_wait_ = kFirstWait;
     controller_.update(runtime_->sensors(), now_);
   } else {
@@ -67,7 +67,7 @@ void Supervisor::updateRuntime() {
 
 void Supervisor::endRuntime() {
   if (kill_at_ == Nanos{0}) {
-    kill_at_ = now_ + runtime::Rest{settings_.safety, settings_.period}.atMost() + kTimeToStop;
+    kill_at_ = now_ + runtime::Rest{settings_.serial.safety, settings_.serial.period}.atMost() + kTimeToStop;
     runtime_->process().signal(SIGTERM);
   }
   if (now_ >= kill_at_) rescue("runtime: has not ended in time");

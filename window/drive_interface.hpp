@@ -1,4 +1,4 @@
-// Interface between drive session and drive thread: requests and status.
+// Interface between steering session and drive thread: requests and status.
 #pragma once
 
 #include <array>

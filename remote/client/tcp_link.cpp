@@ -52,30 +52,30 @@ void TcpLink::log(const std::string& message) const {
 
 void TcpLink::publish(Commands commands) {
   commands_ = commands;
-  has_commands_ = true;
 }
 
 void TcpLink::send(std::uint64_t cycle) {
+  const Commands wanted = commands_.value_or(Commands{});
+  const bool was_lost = loss_.since.has_value();
   Request request;
-  if (has_commands_) command_delta_.add(commands_, request);
-  request.camera = picture_asked_ = pictures_.areDue();
-  request.extended = extended_;
-  if (extended_)
+  if (commands_) command_delta_.add(wanted, request);
+  request.camera = pictures_.areDue();
+  request.extended = server_.extended;
+  if (server_.extended)
     request.extension = {.until_cycle = isConnected(state_) ? cycle - cycle_ahead_ : 0,
-                         .fault_resets = commands_.fault_resets,
+                         .fault_resets = wanted.fault_resets,
                          .picture = pictures_.held(),
-                         .start_where_it_is = commands_.start_where_it_is || reconnected_,
+                         .start_where_it_is = wanted.start_where_it_is || was_lost,
                          .only_if_up = was_driven_,
-                         .unattended = commands_.unattended || unattended_ || reconnected_};
-  if (!extended_ || !isConnected(state_)) requestAllSensors(request);
-  sent_ = clock_.now();
-  exchanged_for_ = cycle;
+                         .unattended = wanted.unattended || unattended_ || was_lost};
+  if (!server_.extended || !isConnected(state_)) requestAllSensors(request);
+  last_request_ = {.cycle = cycle, .sent_at = clock_.now(), .for_picture = request.camera};
   connection_.send(request);
 }
 
 bool TcpLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
   if (cycle > stepped_to_) {
-    step_ = static_cast<Nanos::rep>(cycle - stepped_to_) * period_;
+    step_ = static_cast<Nanos::rep>(cycle - stepped_to_) * server_.period;
     stepped_to_ = cycle;
   }
   while (isRunning(stop)) {
@@ -85,15 +85,15 @@ bool TcpLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
     else if (mustRequest(cycle))
       send(cycle);
     // Counted from the request if that was later: a controller that computed for long still gets its reply.
-    const Nanos until = hasImage(cycle) ? image_at_ : std::max(expected(cycle), sent_) + replyGrace();
+    const Nanos until = hasImage(cycle) ? image_at_ : std::max(expected(cycle), last_request_.sent_at) + replyGrace();
     const Nanos left = until - clock_.now();
     if (hasImage(cycle) && left <= Nanos{0}) {
       shown_ = image_;
-    } else if (real_time_ && left <= Nanos{0}) {
+    } else if (server_.real_time && left <= Nanos{0}) {
       state_ = next(state_, TcpEvent::kReplyLate);
       ageShownImage();
     } else {
-      receive(real_time_ ? std::min(left, kStopCheck) : kStopCheck);
+      receive(server_.real_time ? std::min(left, kStopCheck) : kStopCheck);
     }
   }
   return false;
@@ -102,12 +102,12 @@ bool TcpLink::waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) {
 /// A server with the extension is polled until it has reached this cycle; another one gets one request per step.
 bool TcpLink::mustRequest(std::uint64_t cycle) const {
   if (connection_.awaitsReply() || hasImage(cycle)) return false;
-  return extended_ || !isConnected(state_) || exchanged_for_ < cycle;
+  return server_.extended || !isConnected(state_) || last_request_.cycle < cycle;
 }
 
 /// Local time at which the cycle is due.
 Nanos TcpLink::expected(std::uint64_t cycle) const {
-  return image_at_ + static_cast<Nanos::rep>(cycle - image_.cycle) * period_;
+  return image_at_ + static_cast<Nanos::rep>(cycle - image_.cycle) * server_.period;
 }
 
 /// Grace period for a late reply. None after a missed one: the following steps keep their time, without new values.
@@ -117,33 +117,33 @@ Nanos TcpLink::replyGrace() const {
 
 void TcpLink::take(const Reply& reply) {
   const TcpState before = std::exchange(state_, next(state_, TcpEvent::kReply));
-  const bool first = !isConnected(before);
   if (!reply.extension) {
-    extended_ = false;
-    takeLegacy(reply, first);
+    server_.extended = false;
+    takeLegacy(reply, before);
   } else if (!reply.extension->why_ended.empty()) {
     end(text::printableLines(reply.extension->why_ended));
     return connection_.close("");
   } else if (reply.extension->seen != nullptr) {
-    takeImage(*reply.extension, first);
+    takeImage(*reply.extension, before);
   }
-  if (picture_asked_) pictures_.take(reply, now());
-  if (real_time_) checkSpeed(reply);
-  if (before == TcpState::kLost && logs_loss_) log(name() + messages::kConnectedAgain);
+  if (last_request_.for_picture) pictures_.take(reply, now());
+  if (server_.real_time) checkSpeed(reply);
+  if (before == TcpState::kLost && loss_.isLogged()) log(name() + messages::kConnectedAgain);
 }
 
-void TcpLink::takeImage(const ReplyExtension& extension, bool first) {
-  real_time_ = extension.real_time;
+void TcpLink::takeImage(const ReplyExtension& extension, TcpState before) {
+  server_.real_time = extension.real_time;
   Sensors seen = *extension.seen;
-  if (const Nanos period{seen.period_ns}; period > Nanos{0} && period <= kLongestPeriod) period_ = period;
-  if (first && reconnected_) {  // possibly a restarted loop: map its cycle numbers behind the last one returned
+  if (const Nanos period{seen.period_ns}; period > Nanos{0} && period <= kLongestPeriod) server_.period = period;
+  if (before == TcpState::kLost) {  // possibly a restarted loop: map its cycle numbers behind the last one returned
     ageShownImage();
     cycle_ahead_ = shown_.cycle + 1 - seen.cycle;
-    time_ahead_ns_ = shown_.time_ns + period_.count() - seen.time_ns;
+    time_ahead_ns_ = shown_.time_ns + server_.period.count() - seen.time_ns;
   }
   seen.cycle += cycle_ahead_;
   seen.time_ns += time_ahead_ns_;
-  if (!first) ageImage(seen, cyclesOnTheWay(seen.cycle, Nanos{std::int64_t{extension.held_us} * 1000}), period_);
+  if (isConnected(before))
+    ageImage(seen, cyclesOnTheWay(seen.cycle, Nanos{std::int64_t{extension.held_us} * 1000}), server_.period);
   // Cycle numbers never decrease. A loop that stood still stays behind by that many cycles from now on.
   if (seen.cycle < shown_.cycle) cycle_ahead_ += shown_.cycle - std::exchange(seen.cycle, shown_.cycle);
   seen.time_ns = std::max(seen.time_ns, shown_.time_ns);
@@ -157,37 +157,37 @@ void TcpLink::takeImage(const ReplyExtension& extension, bool first) {
 /// Age of a reply that was buffered, for example while the controller was stopped, in cycles. Delays within the grace
 /// period count as 0.
 std::uint64_t TcpLink::cyclesOnTheWay(std::uint64_t cycle, Nanos held) const {
-  if (!real_time_) return 0;
+  if (!server_.real_time) return 0;
   const Nanos now = clock_.now();
-  const Nanos on_the_way = std::min(now - expected(cycle), now - sent_ - held);
-  return on_the_way > kLateReply ? static_cast<std::uint64_t>(on_the_way / period_) : 0;
+  const Nanos on_the_way = std::min(now - expected(cycle), now - last_request_.sent_at - held);
+  return on_the_way > kLateReply ? static_cast<std::uint64_t>(on_the_way / server_.period) : 0;
 }
 
 /// The image counts for the end of the step; the 2013 protocol does not report its age.
-void TcpLink::takeLegacy(const Reply& reply, bool first) {
+void TcpLink::takeLegacy(const Reply& reply, TcpState before) {
   const Nanos now = clock_.now();
-  if (first && !reconnected_) image_at_ = now;
-  const auto by_the_clock = image_.cycle + static_cast<std::uint64_t>((now - image_at_) / period_);
+  if (before == TcpState::kFirstContact) image_at_ = now;
+  const auto by_the_clock = image_.cycle + static_cast<std::uint64_t>((now - image_at_) / server_.period);
   const std::uint64_t cycle = std::max(stepped_to_, by_the_clock);
   image_at_ = expected(cycle);
-  ageImage(image_, cycle - image_.cycle, period_);  // health values are not in the 2013 protocol
-  image_.period_ns = period_.count();
+  ageImage(image_, cycle - image_.cycle, server_.period);  // health values are not in the 2013 protocol
+  image_.period_ns = server_.period.count();
   takeLegacyReply(reply, image_);
-  if (first && !reconnected_) shown_ = image_;
+  if (before == TcpState::kFirstContact) shown_ = image_;
 }
 
 /// Without a new image: the last one, aged by the cycles since then.
 void TcpLink::ageShownImage() {
   shown_ = image_;
-  if (!real_time_) return;
+  if (!server_.real_time) return;
   const Nanos elapsed = std::max(Nanos{0}, clock_.now() - image_at_);
-  ageImage(shown_, static_cast<std::uint64_t>(elapsed / period_), period_);
+  ageImage(shown_, static_cast<std::uint64_t>(elapsed / server_.period), server_.period);
   if (state_ == TcpState::kLost) shown_.safety.state = State::kOffline;
 }
 
 void TcpLink::checkSpeed(const Reply& reply) {
   const Nanos held{reply.extension ? std::int64_t{reply.extension->held_us} * 1000 : 0};
-  const std::string message = speed_.note({.network = clock_.now() - sent_ - held,
+  const std::string message = speed_.note({.network = clock_.now() - last_request_.sent_at - held,
                                            .step = step_,
                                            .picture = reply.jpeg.size(),
                                            .size = reply.jpeg.empty() ? std::nullopt : pictures_.size()});

@@ -38,9 +38,9 @@ class TcpLink final : public runtime::RobotLink {
   explicit TcpLink(TcpOptions options);
   ~TcpLink() override;
 
-  [[nodiscard]] Nanos period() const override { return period_; }
-  [[nodiscard]] Nanos now() const override { return real_time_ ? clock_.now() : Nanos{shown_.time_ns}; }
-  [[nodiscard]] bool realTime() const override { return real_time_; }
+  [[nodiscard]] Nanos period() const override { return server_.period; }
+  [[nodiscard]] Nanos now() const override { return server_.real_time ? clock_.now() : Nanos{shown_.time_ns}; }
+  [[nodiscard]] bool realTime() const override { return server_.real_time; }
   [[nodiscard]] bool bringsToRest() const override { return false; }
   void publish(Commands commands) override;
   [[nodiscard]] bool waitForCycle(std::uint64_t cycle, const std::atomic<bool>& stop) override;
@@ -51,13 +51,30 @@ class TcpLink final : public runtime::RobotLink {
   [[nodiscard]] std::unique_ptr<FrameSource> openCamera(int width, int height) override;
 
  private:
+  struct Server {
+    bool extended = true;   // supports the extension; assumed until a reply lacks it
+    bool real_time = true;  // its loop runs by the clock
+    Nanos period{16'000'000};
+  };
+  struct Loss {
+    std::optional<Nanos> since;      // of the connection; nullopt: never lost in this session
+    std::optional<Nanos> logged_at;  // `since` of the last loss that was logged
+    Nanos attempted_at{0};           // last attempt to reconnect
+    [[nodiscard]] bool isLogged() const { return logged_at == since; }
+  };
+  struct LastRequest {
+    std::uint64_t cycle = 0;
+    Nanos sent_at{0};
+    bool for_picture = false;
+  };
+
   void connect();
   void awaitFirstReply();
   void send(std::uint64_t cycle);
   void receive(Nanos longest);
   void take(const Reply& reply);
-  void takeImage(const ReplyExtension& extension, bool first);
-  void takeLegacy(const Reply& reply, bool first);
+  void takeImage(const ReplyExtension& extension, TcpState before);
+  void takeLegacy(const Reply& reply, TcpState before);
   void checkSpeed(const Reply& reply);
   void reconnect();
   void detectLoss();
@@ -82,28 +99,21 @@ class TcpLink final : public runtime::RobotLink {
   LinkSpeed speed_;
   runtime::FaultAnnouncer faults_;
 
-  Commands commands_{};
-  bool was_driven_ = false;  // the robot has been under torque in this session
-  bool unattended_ = runtime::startedUnattended();
   TcpState state_ = TcpState::kFirstContact;
-  bool has_commands_ = false;
-  bool reconnected_ = false;  // a connection has been lost in this session
-  bool extended_ = true;      // the server supports the extension; assumed until a reply lacks it
-  bool real_time_ = true;
-  bool ends_session_ = true;
-  Nanos period_{16'000'000};
+  Server server_;
+  Loss loss_;
+  LastRequest last_request_;
+  std::optional<Commands> commands_;  // published last
+  bool was_driven_ = false;           // the robot has been under torque in this session
+  const bool unattended_ = runtime::startedUnattended();
 
   Sensors image_{};                // of the last reply, in cycles and time of this link
   Nanos image_at_{0};              // when it was received
   Sensors shown_{};                // image_, aged by the cycles since then
   std::uint64_t cycle_ahead_ = 0;  // this link's cycle number minus the robot's, modulo 2^64
   std::int64_t time_ahead_ns_ = 0;
-  Nanos sent_{0}, attempted_{0}, lost_since_{0}, step_{0};
-  std::uint64_t stepped_to_ = 0;         // end of the present step of length step_
-  bool logs_loss_ = false;               // log the present loss and its end
-  std::optional<Nanos> loss_logged_at_;  // when a loss was logged last
-  std::uint64_t exchanged_for_ = 0;      // cycle of the last request
-  bool picture_asked_ = false;           // in the last request
+  Nanos step_{0};
+  std::uint64_t stepped_to_ = 0;  // end of the present step of length step_
   std::string why_ended_;
 };
 

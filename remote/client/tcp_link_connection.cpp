@@ -59,7 +59,7 @@ void TcpLink::awaitFirstReply() {
                                inSeconds(options_.connect_timeout) +
                                ": check that it is darwinop remote, and that no other client is waiting");
   }
-  if (!extended_)
+  if (!server_.extended)
     log(name() + " runs the 2013 protocol: buttons, battery, temperatures and faults are not available (NaN)");
 }
 
@@ -67,7 +67,7 @@ void TcpLink::receive(Nanos longest) {
   (void)connection_.wait(longest);
   if (const auto reply = connection_.reply()) take(*reply);
   const Nanos patience = isConnected(state_) ? options_.reply_timeout : options_.connect_timeout;
-  if (connection_.awaitsReply() && clock_.now() - sent_ > patience)
+  if (connection_.awaitsReply() && clock_.now() - last_request_.sent_at > patience)
     connection_.close(messages::kNoReplyFor + inSeconds(patience));
   detectLoss();
 }
@@ -75,12 +75,11 @@ void TcpLink::receive(Nanos longest) {
 void TcpLink::detectLoss() {
   if (connection_.state() == Connection::State::kOpen || state_ == TcpState::kLost || !why_ended_.empty()) return;
   state_ = next(state_, TcpEvent::kConnectionLost);
-  reconnected_ = true;
-  lost_since_ = clock_.now();
-  attempted_ = lost_since_ - kBetween;                                             // the first attempt is made at once
-  logs_loss_ = !loss_logged_at_ || lost_since_ - *loss_logged_at_ > kLogInterval;  // limits the log for a loose cable
-  if (!logs_loss_) return;
-  loss_logged_at_ = lost_since_;
+  const Nanos now = clock_.now();
+  loss_.since = now;
+  loss_.attempted_at = now - kBetween;                                    // the first attempt is made at once
+  if (loss_.logged_at && now - *loss_.logged_at <= kLogInterval) return;  // limits the log for a loose cable
+  loss_.logged_at = now;
   log("the connection to " + name() + messages::kConnectionLost + connection_.why() + "); reconnecting for " +
       inSeconds(options_.reconnect_timeout) + "; sensor values are NaN until then");
 }
@@ -89,18 +88,18 @@ void TcpLink::detectLoss() {
 void TcpLink::reconnect() {
   const Nanos now = clock_.now();
   detectLoss();
-  if (now - lost_since_ > options_.reconnect_timeout) {
+  if (now - loss_.since.value_or(now) > options_.reconnect_timeout) {
     end("the connection to " + name() + " was lost " + inSeconds(options_.reconnect_timeout) + messages::kNotRestored +
         connection_.why());
     return;
   }
   if (connection_.state() == Connection::State::kConnecting) {
-    if (now - attempted_ > kAttempt) connection_.close("no answer");
+    if (now - loss_.attempted_at > kAttempt) connection_.close("no answer");
     return;
   }
-  if (now - attempted_ < kBetween) return;
-  attempted_ = now;
-  extended_ = true;
+  if (now - loss_.attempted_at < kBetween) return;
+  loss_.attempted_at = now;
+  server_.extended = true;
   command_delta_.forget();
   pictures_.forgetHeld();
   connection_.connect(addresses_[next_address_++ % addresses_.size()], options_.port);
@@ -109,12 +108,12 @@ void TcpLink::reconnect() {
 void TcpLink::leaveHolding() {
   constexpr std::atomic<bool> kNeverStops{false};
   (void)waitForCycle(shown_.cycle + 1, kNeverStops);  // one cycle, whether or not a reply arrives
-  ends_session_ = false;
+  state_ = next(state_, TcpEvent::kLeaveHolding);
 }
 
 /// The 2013 protocol has no end of session: there the robot stops when the connection closes.
 TcpLink::~TcpLink() {
-  if (!ends_session_ || !has_commands_ || !extended_ || !isConnected(state_)) return;
+  if (state_ == TcpState::kLeft || !isConnected(state_) || !commands_ || !server_.extended) return;
   const Nanos give_up = clock_.now() + kEndTimeout;
   const auto drain = [&] {
     while (connection_.awaitsReply() && clock_.now() < give_up) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "window/drive_session.hpp"
+#include "window/steering_session.hpp"
 
 namespace {
 
@@ -61,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Nanos now{0};
   FakeDrive drive;
   FakePage pages[2];
-  window::DriveSession session{drive, [&] { return now; }};
+  window::SteeringSession session{drive, [&] { return now; }};
   for (FakePage& page : pages) session.opened(page);
   std::string_view rest{reinterpret_cast<const char*>(data), size};
   while (!rest.empty()) {

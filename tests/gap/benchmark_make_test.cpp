@@ -68,6 +68,16 @@ TEST(SyntheticCase, IsReadBackWithoutAWarning) {
               ElementsAre(testing::Key("c-CV"), testing::Key("c-W")));  // the second joins the first
 }
 
+// Exact: other bits would change every suite.
+TEST(SyntheticCase, KeepsTheDataSheetAsCaseFilesWriteIt) {
+  const twin::ServoParameters servo = drawnPlan("c", Baseline::kFriction, 1).given.datasheet->servo;
+  EXPECT_EQ(servo.kt_nm_a, 1.786);
+  EXPECT_EQ(servo.back_emf_vs_rad, 1.786);
+  EXPECT_EQ(servo.resistance_ohm, 8.57);
+  EXPECT_EQ(servo.speed_max_rad_s, 5.76);
+  EXPECT_EQ(servo.speed_gain_per_kp_1_s, 0.3125);
+}
+
 TEST(SyntheticCase, IsTheSameForASeedAndAnotherForTheNext) {
   const auto effects = std::vector<HiddenEffect>{{.id = "coulomb", .values = {{"friction", 0.03}}}};
   const std::string first = allText(hidden(secret(5, effects)).given);

@@ -8,18 +8,20 @@
 namespace darwinop::supervisor {
 namespace {
 
-constexpr SupervisorPhase kRun = SupervisorPhase::kRuntime, kWait = SupervisorPhase::kBackOff,
-                          kStop = SupervisorPhase::kStopping, kRescue = SupervisorPhase::kRescue,
-                          kDown = SupervisorPhase::kDown, kOver = SupervisorPhase::kOver;
+constexpr SupervisorPhase kStart = SupervisorPhase::kStarting, kUp = SupervisorPhase::kUp,
+                          kWait = SupervisorPhase::kBackOff, kStop = SupervisorPhase::kStopping,
+                          kRescue = SupervisorPhase::kRescue, kDown = SupervisorPhase::kDown,
+                          kOver = SupervisorPhase::kOver;
 
-// Rows: phases in order; columns: started start_failed ended lost rescue_ended stop_asked all_ended.
+// Rows: phases in order; columns: started first_cycle start_failed ended lost rescue_ended stop_asked all_ended.
 constexpr std::array<std::array<SupervisorPhase, kPhaseEvents>, kPhases> kTable{{
-    {kRun, kWait, kDown, kRescue, kRun, kStop, kRun},
-    {kRun, kWait, kWait, kWait, kWait, kDown, kWait},
-    {kStop, kStop, kDown, kRescue, kStop, kStop, kStop},
-    {kRescue, kRescue, kRescue, kRescue, kDown, kRescue, kRescue},
-    {kRun, kWait, kDown, kDown, kDown, kDown, kOver},
-    {kOver, kOver, kOver, kOver, kOver, kOver, kOver},
+    {kStart, kUp, kWait, kDown, kRescue, kStart, kStop, kStart},
+    {kUp, kUp, kUp, kDown, kRescue, kUp, kStop, kUp},
+    {kStart, kWait, kWait, kWait, kWait, kWait, kDown, kWait},
+    {kStop, kStop, kStop, kDown, kRescue, kStop, kStop, kStop},
+    {kRescue, kRescue, kRescue, kRescue, kRescue, kDown, kRescue, kRescue},
+    {kStart, kDown, kWait, kDown, kDown, kDown, kDown, kOver},
+    {kOver, kOver, kOver, kOver, kOver, kOver, kOver, kOver},
 }};
 
 TEST(SupervisorPhases, EveryPairOfPhaseAndEventLeadsWhereTheTableSays) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/servo_limits.hpp"
 #include "gap/benchmark/make/motions.hpp"
 #include "twin/effects/catalogue.hpp"
 
@@ -17,13 +18,14 @@ double rounded(double value, double step) {
   return std::round(value / step) * step;
 }
 
-// By the data sheet at 12 V: 2.5 N m, 1.4 A, 55 rpm.
+// Data sheet values, rounded as the case files write them.
 twin::ServoParameters sheetServo() {
   twin::ServoParameters servo;
-  servo.kt_nm_a = servo.back_emf_vs_rad = 1.786;
-  servo.resistance_ohm = 8.57;
-  servo.speed_gain_per_kp_1_s = 0.3125;
-  servo.speed_max_rad_s = 5.76;
+  servo.kt_nm_a = servo.back_emf_vs_rad = rounded(kMaxTorqueNm / kStallCurrent, 1e-3);
+  servo.resistance_ohm = rounded(kNominalSupply / kStallCurrent, 0.01);
+  // Not kGainPerCount: Webots' default gain of 10 1/s at the factory P register, 32. The servo's own scale gives 4 1/s.
+  servo.speed_gain_per_kp_1_s = 10.0 / 32;
+  servo.speed_max_rad_s = rounded(kNoLoadSpeed, 0.01);
   return servo;
 }
 

@@ -159,6 +159,19 @@ TEST_F(TcpLinkTest, SendsTheLastGoalsAndNoEndOfSessionWhenLeftHolding) {
   EXPECT_FALSE(requests[2].extension.end_of_session);
 }
 
+TEST_F(TcpLinkTest, EndsTheSessionIfAStepFollowsLeaveHolding) {
+  ScriptedRobot robot;
+  ScriptedServer server{std::ref(robot)};
+  {
+    const auto tcp = link(server.port());
+    ASSERT_TRUE(stepOf(*tcp));
+    tcp->leaveHolding();
+    ASSERT_TRUE(stepOf(*tcp));
+  }
+  ASSERT_EQ(server.requests().size(), 5);
+  EXPECT_TRUE(server.requests().back().extension.end_of_session);
+}
+
 TEST_F(TcpLinkTest, WorksWithA2013ServerAndMarksMissingValuesAsAbsent) {
   OldRobot robot;
   ScriptedServer server{std::ref(robot)};

@@ -11,12 +11,13 @@ namespace {
 
 using enum TcpState;
 
-// Rows: states in order; columns: reply reply_late connection_lost.
+// Rows: states in order; columns: reply reply_late connection_lost leave_holding.
 constexpr std::array<std::array<TcpState, kTcpEvents>, kTcpStates> kTable{{
-    {kOnline, kFirstContact, kLost},
-    {kOnline, kLate, kLost},
-    {kOnline, kLate, kLost},
-    {kOnline, kLost, kLost},
+    {kOnline, kFirstContact, kLost, kFirstContact},
+    {kOnline, kLate, kLost, kLeft},
+    {kOnline, kLate, kLost, kLeft},
+    {kOnline, kLost, kLost, kLost},
+    {kOnline, kLeft, kLost, kLeft},
 }};
 
 TEST(TcpStates, EveryPairOfStateAndEventLeadsWhereTheTableSays) {

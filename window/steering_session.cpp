@@ -1,5 +1,5 @@
-// Takeover, heartbeat and end of a page's drive session.
-#include "window/drive_session.hpp"
+// Takeover, heartbeat and end of a page's steering session.
+#include "window/steering_session.hpp"
 
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -19,15 +19,15 @@ void sendDriving(web::Channel& channel, bool yours, const std::string& text, boo
 
 }  // namespace
 
-DriveSession::~DriveSession() {
+SteeringSession::~SteeringSession() {
   if (driver_ != nullptr) drive_.finish();
 }
 
-void DriveSession::opened(web::Channel& channel) {
+void SteeringSession::opened(web::Channel& channel) {
   sendDriving(channel, false, "");
 }
 
-void DriveSession::received(web::Channel& channel, std::string_view message, bool binary) {
+void SteeringSession::received(web::Channel& channel, std::string_view message, bool binary) {
   std::string why = "requests must be text messages";
   const std::optional<SteeringMessage> request = binary ? std::nullopt : parseSteering(message, why);
   if (!request) return sendDriving(channel, is_driving_ && driver_ == &channel, why);  // does not count as a heartbeat
@@ -48,7 +48,7 @@ void DriveSession::received(web::Channel& channel, std::string_view message, boo
   requests_.merge(request->requests);
 }
 
-void DriveSession::take(web::Channel& channel) {
+void SteeringSession::take(web::Channel& channel) {
   if (drive_.report().state != DriveState::kFree) return sendDriving(channel, false, messages::kPreviousSessionEnds);
   driver_ = &channel;
   is_driving_ = false;
@@ -58,7 +58,7 @@ void DriveSession::take(web::Channel& channel) {
   drive_.start();
 }
 
-void DriveSession::update() {
+void SteeringSession::update() {
   if (driver_ == nullptr) return;
   const DriveInterface::Report report = drive_.report();
   if (report.state == DriveState::kFree || (is_driving_ && report.state != DriveState::kDriving))
@@ -78,7 +78,7 @@ void DriveSession::update() {
   if (report.status != sent_status_) sendStatus(report.status);
 }
 
-void DriveSession::sendStatus(const DriveStatus& status) {
+void SteeringSession::sendStatus(const DriveStatus& status) {
   sent_status_ = status;
   nlohmann::json limp = nlohmann::json::array();
   for (std::size_t i = 0; i < kLimbs; ++i)
@@ -88,12 +88,12 @@ void DriveSession::sendStatus(const DriveStatus& status) {
   driver_->send(web::kEvery, std::make_shared<const std::string>(message.dump()));
 }
 
-void DriveSession::release(const std::string& why) {
+void SteeringSession::release(const std::string& why) {
   is_driving_ = false;
   sendDriving(*std::exchange(driver_, nullptr), false, why);
 }
 
-void DriveSession::closed(web::Channel& channel) noexcept {
+void SteeringSession::closed(web::Channel& channel) noexcept {
   if (driver_ != &channel) return;
   driver_ = nullptr;
   is_driving_ = false;

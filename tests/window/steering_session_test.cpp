@@ -1,5 +1,5 @@
-// Drive session: takeover, requests, heartbeat, end.
-#include "window/drive_session.hpp"
+// Steering session: takeover, requests, heartbeat, end.
+#include "window/steering_session.hpp"
 
 #include <gmock/gmock.h>
 
@@ -45,7 +45,7 @@ struct Page final : web::Channel {
   std::string received, who = "page";
 };
 
-struct WindowDriveSession : testing::Test {
+struct WindowSteeringSession : testing::Test {
   void take() {
     session.received(page, R"({"take": true})", false);
     session.update();
@@ -58,15 +58,15 @@ struct WindowDriveSession : testing::Test {
   Nanos now{0};
   FakeDrive drive;
   Page page, other;
-  window::DriveSession session{drive, [this] { return now; }};
+  window::SteeringSession session{drive, [this] { return now; }};
 };
 
-TEST_F(WindowDriveSession, IgnoresRequestsBeforeTheTakeover) {
+TEST_F(WindowSteeringSession, IgnoresRequestsBeforeTheTakeover) {
   send(R"({"goals": {"Neck": 0.3}})");
   EXPECT_TRUE(drive.requested.empty());
 }
 
-TEST_F(WindowDriveSession, RequestsTheNewestGoalOnce) {
+TEST_F(WindowSteeringSession, RequestsTheNewestGoalOnce) {
   take();
   EXPECT_THAT(page.received, HasSubstr(R"("yours":true)"));
   session.received(page, R"({"goals": {"Neck": 0.1}})", false);
@@ -76,7 +76,7 @@ TEST_F(WindowDriveSession, RequestsTheNewestGoalOnce) {
   EXPECT_FALSE(drive.requested.back().goals[index(Joint::kNeck)]);
 }
 
-TEST_F(WindowDriveSession, AWalkLastsWhileThePageRequestsIt) {
+TEST_F(WindowSteeringSession, AWalkLastsWhileThePageRequestsIt) {
   take();
   send(R"({"walk": {"x": 0.5, "a": -3}})");
   session.update();
@@ -87,7 +87,7 @@ TEST_F(WindowDriveSession, AWalkLastsWhileThePageRequestsIt) {
   EXPECT_FALSE(drive.requested.back().walk);
 }
 
-TEST_F(WindowDriveSession, RequestsPagesAndTorqueOnceAndSendsTheStatus) {
+TEST_F(WindowSteeringSession, RequestsPagesAndTorqueOnceAndSendsTheStatus) {
   take();
   send(R"({"page": 9, "torque": {"left_arm": false}})");
   EXPECT_EQ(drive.requested.back().page, 9);
@@ -100,7 +100,7 @@ TEST_F(WindowDriveSession, RequestsPagesAndTorqueOnceAndSendsTheStatus) {
   EXPECT_THAT(page.received, HasSubstr(R"("limp":["left_arm"],"page":9,"refused":"no")"));
 }
 
-TEST_F(WindowDriveSession, RefusesASecondPage) {
+TEST_F(WindowSteeringSession, RefusesASecondPage) {
   take();
   session.received(other, R"({"take": true, "goals": {"Neck": 0.3}})", false);
   EXPECT_THAT(other.received, HasSubstr(window::messages::kAnotherPageDrives));
@@ -110,7 +110,7 @@ TEST_F(WindowDriveSession, RefusesASecondPage) {
   EXPECT_EQ(drive.end, "");
 }
 
-TEST_F(WindowDriveSession, StopHoldsAtOnceAndALostPageCompletesItsStep) {
+TEST_F(WindowSteeringSession, StopHoldsAtOnceAndALostPageCompletesItsStep) {
   take();
   send(R"({"stop": true})");
   EXPECT_EQ(drive.end, "stop");
@@ -119,7 +119,7 @@ TEST_F(WindowDriveSession, StopHoldsAtOnceAndALostPageCompletesItsStep) {
   EXPECT_EQ(drive.end, "leave");
 
   take();
-  now += window::DriveSession::kHeartbeatTimeout;
+  now += window::SteeringSession::kHeartbeatTimeout;
   session.update();
   EXPECT_EQ(drive.end, "");
   now += 1ms;
@@ -133,16 +133,16 @@ TEST_F(WindowDriveSession, StopHoldsAtOnceAndALostPageCompletesItsStep) {
   EXPECT_FALSE(session.drives());
 }
 
-TEST_F(WindowDriveSession, RefusesATakeoverWhileTheRobotComesToRest) {
+TEST_F(WindowSteeringSession, RefusesATakeoverWhileTheRobotComesToRest) {
   drive.now.state = window::DriveState::kEnding;
   take();
   EXPECT_FALSE(session.drives());
   EXPECT_THAT(page.received, HasSubstr(window::messages::kPreviousSessionEnds));
 }
 
-TEST_F(WindowDriveSession, AnInvalidRequestDoesNotCountAsAHeartbeat) {
+TEST_F(WindowSteeringSession, AnInvalidRequestDoesNotCountAsAHeartbeat) {
   take();
-  now += window::DriveSession::kHeartbeatTimeout;
+  now += window::SteeringSession::kHeartbeatTimeout;
   for (const char* nonsense :
        {"", "[]", "{", R"({"take": 1})", R"({"goals": [1]})", R"({"goals": {"Nose": 1}})",
         R"({"goals": {"Neck": "up"}})", R"({"goals": {"Neck": null}})", R"({"walk": {"z": 1}})",
@@ -157,7 +157,7 @@ TEST_F(WindowDriveSession, AnInvalidRequestDoesNotCountAsAHeartbeat) {
   EXPECT_EQ(drive.end, "leave");
 }
 
-TEST_F(WindowDriveSession, ReportsARefusedLeaseAndAFaultAsText) {
+TEST_F(WindowSteeringSession, ReportsARefusedLeaseAndAFaultAsText) {
   drive.refusal = "another controller drives";
   take();
   EXPECT_THAT(page.received, HasSubstr("another controller drives"));

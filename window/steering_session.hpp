@@ -1,4 +1,4 @@
-// Drive session of the page: one page at a time drives the robot, while its heartbeat arrives.
+// Session of a page on the steering channel: one page at a time drives the robot, while its heartbeat arrives.
 #pragma once
 
 #include <functional>
@@ -14,15 +14,15 @@ namespace darwinop::window {
 inline constexpr const char* kSteeringProtocol = "darwinop-steering.1";
 
 /// Runs in the web server's thread. Commands pass through safety, as those of a controller.
-class DriveSession final : public web::ChannelHandler {
+class SteeringSession final : public web::ChannelHandler {
  public:
   using Clock = std::function<Nanos()>;
   /// Heartbeat timeout: the page is closed, suspended or disconnected. Pages send ten messages a second.
   static constexpr Nanos kHeartbeatTimeout{500'000'000};
 
-  DriveSession(DriveInterface& drive, Clock clock) : drive_{drive}, clock_{std::move(clock)} {}
+  SteeringSession(DriveInterface& drive, Clock clock) : drive_{drive}, clock_{std::move(clock)} {}
   /// Ends an open session.
-  ~DriveSession() override;
+  ~SteeringSession() override;
 
   void opened(web::Channel& channel) override;
   void received(web::Channel& channel, std::string_view message, bool binary) override;

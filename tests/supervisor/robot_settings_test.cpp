@@ -1,0 +1,40 @@
+// Settings of robot.ini for the rescue.
+#include "supervisor/robot_settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "connect/robot_file.hpp"
+#include "runtime/environment.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace darwinop::supervisor {
+namespace {
+
+RobotSettings settingsOf(const std::string& text) {
+  const TemporaryFolder folder;
+  const std::string path = folder / "robot.ini";
+  std::ofstream{path} << text;
+  runtime::Environment file{"DARWINOP_ROBOT_FILE", path};
+  return readRobotSettings();
+}
+
+TEST(RobotSettings, AreThoseOfTheRobotFile) {
+  const RobotSettings settings =
+      settingsOf("[Robot]\nport = /tmp/no-robot\nperiod_ms = 8\nabsent = Neck\n[Offsets]\nHead = 0.1\n");
+  EXPECT_EQ(settings.serial.port, "/tmp/no-robot");
+  EXPECT_EQ(settings.serial.period, Nanos{8'000'000});
+  EXPECT_TRUE(settings.serial.safety.absent[index(Joint::kNeck)]);
+  EXPECT_EQ(settings.serial.offsets.servoTicks(Joint::kHead, Rad{0}), kTickCentre + 65);
+  EXPECT_FALSE(settings.identity.has_value()) << "no USB device";
+}
+
+TEST(RobotSettings, DefaultToAStockRobot) {
+  const RobotSettings settings = settingsOf("[Robot]\n");
+  EXPECT_EQ(settings.serial.port, connect::kRobotsPort);
+  EXPECT_EQ(settings.serial.period, connect::kUsualPeriod);
+}
+
+}  // namespace
+}  // namespace darwinop::supervisor
