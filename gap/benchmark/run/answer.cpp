@@ -2,12 +2,12 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
+#include "core/text/formatted.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/results.hpp"
 #include "hal/text_file.hpp"
@@ -38,12 +38,6 @@ std::string findingOf(const json& answer) {
   json ids = json::array();
   for (const json& effect : answer.at("effects")) ids.push_back(effect.at("id"));
   return ids.empty() ? verdict : verdict + " " + joined(ids, " + ");
-}
-
-std::string formatted(const char* format, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
 }
 
 /// Without the way to the case, which all lines would have, and to the width of a line.
@@ -90,8 +84,8 @@ std::string lineOf(const json& answer) {
   line += findingOf(answer);
   const json &before = answer.at("gap_score_before_mrad"), &after = answer.at("gap_score_after_mrad");
   if (before.is_number() && after.is_number())
-    line += formatted("  %.2f", before.get<double>()) + formatted(" -> %.2f mrad", after.get<double>());
-  return line + formatted("  %.1f s", answer.at("runtime_s").get<double>());
+    line += text::formatted("  %.2f", before.get<double>()) + text::formatted(" -> %.2f mrad", after.get<double>());
+  return line + text::formatted("  %.1f s", answer.at("runtime_s").get<double>());
 }
 
 }  // namespace darwinop::gap

@@ -1,8 +1,9 @@
-// The nearest known word, and units that are converted.
+// The nearest known word, units that are converted, and texts put together.
 #include <gmock/gmock.h>
 
 #include <array>
 
+#include "core/text/formatted.hpp"
 #include "core/text/nearest.hpp"
 #include "core/text/unit_factor.hpp"
 
@@ -36,6 +37,11 @@ TEST(UnitFactor, ConvertsWithinAQuantityOnly) {
   EXPECT_DOUBLE_EQ(unitFactor("g", "kg").value_or(0), 1e-3);
   EXPECT_DOUBLE_EQ(unitFactor("g", "m/s2").value_or(0), 9.80665);
   EXPECT_EQ(unitFactor("deg", "rad/s"), std::nullopt);
+}
+
+TEST(Formatted, IsAsPrintfAtAnyLength) {
+  EXPECT_EQ(formatted("%4d|%.2f|%s", 7, 0.5, "a"), "   7|0.50|a");
+  EXPECT_EQ(formatted("%s", std::string(1000, 'c').c_str()), std::string(1000, 'c'));
 }
 
 }  // namespace
