@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/text/joined.hpp"
 #include "gap/identify/assessment.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/messages.hpp"
@@ -39,7 +40,7 @@ std::vector<std::string> reasonsFor(const Case& given, const Identification& ide
     lines.emplace_back("These logs have a remainder that no effect of the catalogue explains");
   if (identification.verdict == Verdict::kAmbiguous && &found == &identification.effects.back())
     for (const Rival& rival : closeRivals(identification))
-      lines.push_back("Not certain: " + joined(rival.effects, " + ") + " explains the logs nearly as well");
+      lines.push_back("Not certain: " + text::joined(rival.effects, " + ") + " explains the logs nearly as well");
   if (!data_hash.empty()) lines.push_back("sha256 of the data: " + data_hash);
   return lines;
 }

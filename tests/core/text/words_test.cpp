@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/text/formatted.hpp"
+#include "core/text/joined.hpp"
 #include "core/text/nearest.hpp"
 #include "core/text/unit_factor.hpp"
 
@@ -37,6 +38,12 @@ TEST(UnitFactor, ConvertsWithinAQuantityOnly) {
   EXPECT_DOUBLE_EQ(unitFactor("g", "kg").value_or(0), 1e-3);
   EXPECT_DOUBLE_EQ(unitFactor("g", "m/s2").value_or(0), 9.80665);
   EXPECT_EQ(unitFactor("deg", "rad/s"), std::nullopt);
+}
+
+TEST(Joined, HasOneSeparatorBetweenTwoWordsEvenIfTheyAreEmpty) {
+  EXPECT_EQ(joined(kKnown), "coulomb, viscous, backlash");
+  EXPECT_EQ(joined(std::array{"", "b"}, " + "), " + b");
+  EXPECT_EQ(joined(std::array<std::string, 0>{}), "");
 }
 
 TEST(Formatted, IsAsPrintfAtAnyLength) {
