@@ -2,10 +2,12 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <stdexcept>
 
 #include "core/text/formatted.hpp"
 #include "core/text/joined.hpp"
 #include "core/text/nearest.hpp"
+#include "core/text/template.hpp"
 #include "core/text/unit_factor.hpp"
 
 namespace darwinop::text {
@@ -49,6 +51,16 @@ TEST(Joined, HasOneSeparatorBetweenTwoWordsEvenIfTheyAreEmpty) {
 TEST(Formatted, IsAsPrintfAtAnyLength) {
   EXPECT_EQ(formatted("%4d|%.2f|%s", 7, 0.5, "a"), "   7|0.50|a");
   EXPECT_EQ(formatted("%s", std::string(1000, 'c').c_str()), std::string(1000, 'c'));
+}
+
+TEST(FilledTemplate, ReplacesEachPlaceOnceAndLeavesWhatIsPutIn) {
+  const std::array<TemplatePart, 2> parts{{{"@A@", "@B@"}, {"@B@", "@A@"}}};
+  EXPECT_EQ(filledTemplate("<@A@|@B@>", parts), "<@B@|@A@>");
+}
+
+TEST(FilledTemplate, AMissingPlaceIsAnError) {
+  const std::array<TemplatePart, 2> parts{{{"@A@", ""}, {"@B@", ""}}};
+  EXPECT_THROW((void)filledTemplate("@B@ @A@", parts), std::logic_error);
 }
 
 }  // namespace
