@@ -6,7 +6,6 @@
 
 #include "core/text/joined.hpp"
 #include "gap/identify/assessment.hpp"
-#include "gap/report/data_hash.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "gap/report/sentences.hpp"
@@ -101,10 +100,6 @@ std::string caseModel(const Case& given) {
   twin::Model model = given.model;
   if (model.name.empty()) model.name = given.name;
   return twin::writeModel(model);
-}
-
-std::string repairedModel(const Case& given, const Outcome& outcome) {
-  return withAdditions(caseModel(given), additionsOf(given, outcome, dataHash(given)));
 }
 
 }  // namespace darwinop::gap
