@@ -8,7 +8,7 @@
 #include "hal/camera_v4l2/camera.hpp"
 #include "safety/config.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 struct ControllerConfig {
   int time_step_ms = 16;  // 1..10000
@@ -32,4 +32,4 @@ bool cameraHasSize(int width, int height);
 /// Reads `path`; a file that is not there gives the defaults and a warning, one that cannot be read throws.
 ConfigReading readConfig(const std::string& path);
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -10,7 +10,7 @@
 #include "hal/byte_line.hpp"
 #include "webots/motion_text.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 class RobotImpl;
 
@@ -59,4 +59,4 @@ class MotionPlayback {
 /// Once per step, before the motors' commands are computed. If two move one motor, the newer one wins.
 void advanceMotions(RobotImpl& robot);
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

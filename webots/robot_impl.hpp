@@ -23,7 +23,7 @@ namespace webots {
 class Device;
 }  // namespace webots
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 class RobotImpl {
  public:
@@ -117,4 +117,4 @@ RobotImpl* adopt(RobotImpl* robot);
 /// also.
 void release(RobotImpl* robot);
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

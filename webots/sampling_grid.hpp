@@ -1,7 +1,7 @@
 // When a device with a sampling period has its turn.
 #pragma once
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 /// True: now, and `due_s` becomes the next time. On a grid, so that 40 ms asked for in steps of 16 ms are 40 ms on
 /// average. A `due_s` below 0: it had none yet.
@@ -13,4 +13,4 @@ inline bool isDue(double& due_s, double time_s, int period_ms) {
   return true;
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

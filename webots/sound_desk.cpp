@@ -8,7 +8,7 @@
 
 #include "webots/notices.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 namespace {
 /// Where the controller is now: the program that plays does not follow when it goes elsewhere.
@@ -110,4 +110,4 @@ void SoundDesk::take(const SoundLost& lost) {
   lost_ = true;
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

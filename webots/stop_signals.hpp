@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 /// Becomes true with the first signal of kEndSignals after installStopSignals().
 const std::atomic<bool>& stopRequested();
@@ -14,4 +14,4 @@ const std::atomic<bool>& stopRequested();
 /// that nobody reads any more, as in `| head -3`, and Ctrl-Z, which would stop the loop with the joints under torque.
 void installStopSignals();
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

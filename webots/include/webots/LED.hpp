@@ -23,9 +23,9 @@ class LED : public Device {
   int get() const;
 
  private:
-  friend class darwinop::facade::RobotImpl;
+  friend class darwinop::webots_api::RobotImpl;
   enum Which { EYE, HEAD, BACK };
-  LED(const std::string& name, darwinop::facade::RobotImpl& robot, Which which, int panel_bit);
+  LED(const std::string& name, darwinop::webots_api::RobotImpl& robot, Which which, int panel_bit);
   Which which_;
   int panel_bit_, value_;
   bool set_;

@@ -30,8 +30,8 @@ class TouchSensor : public Device {
   Type getType() const { return BUMPER; }
 
  private:
-  friend class darwinop::facade::RobotImpl;
-  TouchSensor(const std::string& name, darwinop::facade::RobotImpl& robot, int bit);
+  friend class darwinop::webots_api::RobotImpl;
+  TouchSensor(const std::string& name, darwinop::webots_api::RobotImpl& robot, int bit);
   int bit_, period_;
 };
 
