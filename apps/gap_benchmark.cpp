@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "core/json/json_text.hpp"
 #include "gap/benchmark/make/own_suite.hpp"
 #include "gap/benchmark/run/results.hpp"
 #include "gap/benchmark/run/suite.hpp"
@@ -68,7 +69,7 @@ int runBenchmark(const Arguments& given) {
   };
   const nlohmann::json answers = runSuite(suite);
   if (!Ranks::isFirst()) return 0;
-  if (given.out.empty()) std::cout << textOf(answers) << '\n';
+  if (given.out.empty()) std::cout << jsonText(answers, 1) << '\n';
   const std::size_t errors = errorsIn(answers);
   show(std::to_string(answers.size()) + " cases" + (given.out.empty() ? "" : ", results in " + given.out), "");
   if (errors == 0) return 0;

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/json/json_text.hpp"
 #include "gap/parallel/ranks.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/report.hpp"
@@ -86,10 +87,6 @@ std::string modelOption(const Arguments& given) {
   return given.model.empty() ? "" : " --model " + shellWord(given.model);
 }
 
-std::string dumped(const nlohmann::json& json) {
-  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
-
 bool hasEffect(const std::string& model, const std::string& id) {
   for (const twin::EffectSetting& effect : twin::parseModel(model, "the model").effects)
     if (effect.info->id == id && !effect.joint) return true;
@@ -130,7 +127,7 @@ int run(const Arguments& given) {
                          (given.model.empty() ? "" : " --before " + shellWord(given.model)) + " " + on};
   const int code = exitCodeOf(outcome.identification.verdict);
   if (!Ranks::isFirst()) return code;
-  std::cout << (given.json ? dumped(asJson(read, outcome)) : asText(report)) << std::flush;
+  std::cout << (given.json ? jsonText(asJson(read, outcome), 1) + "\n" : asText(report)) << std::flush;
   if (!given.out.empty()) {
     writeTo(given.out, report.model_after);
     std::cerr << "darwinop gap: " << given.out << " is the model with the effects; the twin reads it\n";
@@ -145,7 +142,7 @@ int compareModels(const Arguments& given) {
   Report report = reportOn(read, before, textOf(twin::findModel(given.after)));
   report.commands = {"darwinop gap report" + (given.before.empty() ? "" : " --before " + shellWord(given.before)) +
                      " --after " + shellWord(given.after) + " " + shellWord(given.folder)};
-  std::cout << (given.json ? dumped(asJson(report)) : asText(report)) << std::flush;
+  std::cout << (given.json ? jsonText(asJson(report), 1) + "\n" : asText(report)) << std::flush;
   if (!given.no_report) deliver(report, given, reportFolder(given, read.name + "-compared"));
   return 0;
 }

@@ -42,7 +42,7 @@ std::string checkedPreview(const PlayRequest& request, bool is_motion) {
   if (is_motion) {
     if (!request.pages.empty())
       throw std::runtime_error(request.file + ": a .motion file has no pages; leave PAGE out");
-    return previewOf(facade::readMotion(request.file), request.file);
+    return previewOf(webots_api::readMotion(request.file), request.file);
   }
   if (request.pages.empty())
     throw std::runtime_error("PAGE is missing; list the pages with 'darwinop motion list " + request.file + "'");
@@ -107,7 +107,7 @@ class Stage {
     watch_.update(sensors(), seconds());
     return true;
   }
-  static const Sensors& sensors() { return facade::currentRobot()->session().sensors(); }
+  static const Sensors& sensors() { return webots_api::currentRobot()->session().sensors(); }
 
   webots::Robot robot_;
   const int step_ms_ = static_cast<int>(robot_.getBasicTimeStep());
@@ -127,8 +127,8 @@ int perform(const PlayRequest& request, bool is_motion) {
   stage.printSummary(seconds);
   if (!request.record.empty()) std::cout << "recorded: " << request.record << std::endl;
   if (whole) return kPlayed;
-  std::cerr << (facade::stopRequested() ? kStoppedOnRequest : "ended by the robot, see above\n");
-  return facade::stopRequested() ? kPlayStopped : kPlayEnded;
+  std::cerr << (webots_api::stopRequested() ? kStoppedOnRequest : "ended by the robot, see above\n");
+  return webots_api::stopRequested() ? kPlayStopped : kPlayEnded;
 }
 
 void setForRobot(const char* name, const std::string& value) {

@@ -64,9 +64,9 @@ std::string previewOf(const PageFile& file, const std::vector<int>& pages) {
   return text;
 }
 
-std::string previewOf(const facade::MotionText& motion, const std::string& file) {
+std::string previewOf(const webots_api::MotionText& motion, const std::string& file) {
   FarJoint far;
-  for (const facade::MotionCurve& curve : motion.curves) {
+  for (const webots_api::MotionCurve& curve : motion.curves) {
     const auto joint = findJoint(curve.motor);
     const auto first = curve.at(0);
     if (!joint || !first) continue;
@@ -74,7 +74,7 @@ std::string previewOf(const facade::MotionText& motion, const std::string& file)
     if (way > far.way) far = {index(*joint), way};
   }
   return file + ": " + text::fixedText(motion.duration_ms / 1000.0, 1) + " s; " +
-         wayText(far, far.way > facade::MotionPlayback::kNear) + '\n';
+         wayText(far, far.way > webots_api::MotionPlayback::kNear) + '\n';
 }
 
 }  // namespace darwinop::motion

@@ -59,11 +59,11 @@ remote::ServerConfig serverConfig(const RemoteArguments& given) {
   return config;
 }
 
-facade::ControllerConfig controllerConfig(const std::string& config) {
+webots_api::ControllerConfig controllerConfig(const std::string& config) {
   if (config.empty()) return {};
   if (access(config.c_str(), F_OK) != 0)
     throw std::runtime_error("cannot read " + config + "; specify an existing file with --config");
-  const facade::ConfigReading reading = facade::readConfig(config);
+  const webots_api::ConfigReading reading = webots_api::readConfig(config);
   for (const std::string& warning : reading.warnings) sayRemote(warning);
   return reading.config;
 }
@@ -72,7 +72,7 @@ int serveRemote(const RemoteArguments& given) {
   remote::ServerConfig config = serverConfig(given);
   connect::Request request;
   request.setting = given.robot;
-  const facade::ControllerConfig controller = controllerConfig(given.config);
+  const webots_api::ControllerConfig controller = controllerConfig(given.config);
   request.safety = controller.safety;
   if (!given.config.empty()) request.config_file = given.config;
   request.warn = sayRemote;

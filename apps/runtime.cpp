@@ -39,7 +39,7 @@ runtime::LoopConfig loopConfig(const Arguments& given, const connect::RobotFile&
   if (!given.config.empty()) {
     if (access(given.config.c_str(), F_OK) != 0)
       throw std::runtime_error("cannot read " + given.config + "; specify an existing file with --config");
-    const facade::ConfigReading reading = facade::readConfig(given.config);
+    const webots_api::ConfigReading reading = webots_api::readConfig(given.config);
     for (const std::string& warning : reading.warnings) std::cerr << warning << '\n';
     controllers = reading.config.safety;
   }

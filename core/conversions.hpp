@@ -83,16 +83,4 @@ constexpr Volt voltFromRegister(std::uint8_t raw) {
   return Volt{raw * 0.1};
 }
 
-// Conversions of the on-robot wrapper of 2013, for comparison. Its two factors are not inverse to each other: 11.378
-// ticks per degree for goals (truncated towards zero), 0.088 degrees per tick for positions (0.125 % too large). A goal
-// of 1 rad became 2699 (nearest: 2700); a position of 0.5 rad read as 0.49916. This runtime uses the exact conversions
-// above; controllers can see a difference of one tick in goals, and at most 4 mrad in positions at the ends of the
-// range.
-constexpr int ticksFromRadAsIn2013(Rad angle) {
-  return static_cast<int>(angle.value * 180.0 / kPi * 11.378) + kTickCentre;
-}
-constexpr Rad radFromTicksAsIn2013(int ticks) {
-  return Rad{(ticks - kTickCentre) * 0.088 * kRadPerDegree};
-}
-
 }  // namespace darwinop

@@ -15,7 +15,7 @@ namespace managers {
 
 using darwinop::Joint;
 
-BorrowedMotors::BorrowedMotors(webots::Robot& robot) : robot_{&robot}, impl_{darwinop::facade::currentRobot()} {
+BorrowedMotors::BorrowedMotors(webots::Robot& robot) : robot_{&robot}, impl_{darwinop::webots_api::currentRobot()} {
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     motors_[i] = robot.getMotor(std::string{darwinop::kJointTable[i].name});
     if (motors_[i] == nullptr) throw std::runtime_error("a joint is missing");
@@ -32,7 +32,7 @@ BorrowedMotors& BorrowedMotors::operator=(const BorrowedMotors& other) {
 }
 
 bool BorrowedMotors::exist() const {
-  return impl_ != nullptr && darwinop::facade::currentRobot() == impl_;
+  return impl_ != nullptr && darwinop::webots_api::currentRobot() == impl_;
 }
 
 const void* BorrowedMotors::takenBy() const {

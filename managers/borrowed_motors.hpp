@@ -11,7 +11,7 @@ namespace webots {
 class Motor;
 class Robot;
 }  // namespace webots
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 class RobotImpl;
 }
 
@@ -46,7 +46,7 @@ class BorrowedMotors {
   [[nodiscard]] const void* takenBy() const;
 
   webots::Robot* robot_ = nullptr;
-  darwinop::facade::RobotImpl* impl_ = nullptr;
+  darwinop::webots_api::RobotImpl* impl_ = nullptr;
   std::array<webots::Motor*, darwinop::gait::kWalkingJoints> motors_{};
   bool taken_ = false;
   std::array<double, darwinop::gait::kWalkingJoints> speed_{}, acceleration_{};  // saved settings

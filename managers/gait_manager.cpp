@@ -17,7 +17,7 @@
 
 namespace managers {
 
-using darwinop::facade::warnOnce;
+using darwinop::webots_api::warnOnce;
 namespace gait = darwinop::gait;
 
 namespace {

@@ -19,7 +19,7 @@ namespace managers {
 using darwinop::Joint;
 using darwinop::kJoints;
 using darwinop::body_player::PagePlayer;
-using darwinop::facade::warnOnce;
+using darwinop::webots_api::warnOnce;
 
 struct DARwInOPMotionManager::Stage {
   webots::Robot* robot = nullptr;
@@ -41,13 +41,13 @@ struct DARwInOPMotionManager::Stage {
   void end();
 
  private:
-  void setGoals(darwinop::facade::RobotImpl& inside);
+  void setGoals(darwinop::webots_api::RobotImpl& inside);
 };
 
 /// False if the page cannot be played; a warning has been logged.
 bool DARwInOPMotionManager::Stage::start(int page) {
   const std::string name = "MotionManager: page " + std::to_string(page);
-  darwinop::facade::RobotImpl* const inside = darwinop::facade::currentRobot();
+  darwinop::webots_api::RobotImpl* const inside = darwinop::webots_api::currentRobot();
   if (!pages || !inside) {
     warnOnce(name + " is skipped: no " + (pages ? "robot" : "motion file"));
     return false;
@@ -67,7 +67,7 @@ bool DARwInOPMotionManager::Stage::start(int page) {
 /// Plays for `ms`. False if the page has ended and the joints have their final goals.
 bool DARwInOPMotionManager::Stage::advance(int ms) {
   const bool moved = player->advance(std::clamp(ms, 0, 3'600'000));  // an hour is longer than any page
-  darwinop::facade::RobotImpl* const inside = darwinop::facade::currentRobot();
+  darwinop::webots_api::RobotImpl* const inside = darwinop::webots_api::currentRobot();
   if (!inside || inside->joints_taken_by != this)
     player->brake();  // the robot is gone, or another manager has taken the joints
   else if (moved)
@@ -76,7 +76,7 @@ bool DARwInOPMotionManager::Stage::advance(int ms) {
   return moved || player->isPlaying();
 }
 
-void DARwInOPMotionManager::Stage::setGoals(darwinop::facade::RobotImpl& inside) {
+void DARwInOPMotionManager::Stage::setGoals(darwinop::webots_api::RobotImpl& inside) {
   for (std::size_t i = 0; i < kJoints; ++i) {
     const auto joint = static_cast<Joint>(i);
     robot->getMotor(std::string{row(joint).name})->setPosition(player->goal(joint));
@@ -88,7 +88,7 @@ void DARwInOPMotionManager::Stage::setGoals(darwinop::facade::RobotImpl& inside)
 /// Ends the page and restores the controller's gains.
 void DARwInOPMotionManager::Stage::end() {
   if (player) player->brake();
-  darwinop::facade::RobotImpl* const inside = darwinop::facade::currentRobot();
+  darwinop::webots_api::RobotImpl* const inside = darwinop::webots_api::currentRobot();
   if (inside && inside->joints_taken_by == this) {
     inside->joints_taken_by = nullptr;
     if (gains_are_lent)

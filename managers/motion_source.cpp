@@ -11,7 +11,7 @@
 namespace managers {
 
 namespace motion = darwinop::motion;
-using darwinop::facade::warnOnce;
+using darwinop::webots_api::warnOnce;
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 namespace managers {
 
-inline darwinop::body_player::Pose presentPose(webots::Robot& robot, const darwinop::facade::RobotImpl& inside) {
+inline darwinop::body_player::Pose presentPose(webots::Robot& robot, const darwinop::webots_api::RobotImpl& inside) {
   return darwinop::body_player::presentPose(
       [&](darwinop::Joint joint) -> const darwinop::JointSensors& { return inside.lastKnown(joint); },
       [&](darwinop::Joint joint) { return robot.getMotor(std::string{row(joint).name})->getTargetPosition(); });

@@ -10,7 +10,7 @@
 
 namespace managers {
 
-using darwinop::facade::warnOnce;
+using darwinop::webots_api::warnOnce;
 namespace vision = darwinop::vision;
 
 namespace {

@@ -80,7 +80,7 @@ std::string helloText(const runtime::LoopInfo* info, const Subscription& subscri
                    "upright and at rest the accelerometer reads 0, 0, +9.8 m/s2"};
   text["faults"] = faultTable();
   text["limits"] = kLimitNames;
-  return dumped(text);
+  return jsonText(text);
 }
 
 }  // namespace darwinop::monitor

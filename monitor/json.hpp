@@ -6,14 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/json/json_text.hpp"
+
 namespace darwinop::monitor {
 
 using Json = nlohmann::ordered_json;
-
-inline std::string dumped(const Json& json) {
-  return json.dump(-1, ' ', false,
-                   Json::error_handler_t::replace);  // names come from shared memory and may be invalid UTF-8
-}
 
 /// Rounded to five decimals, finer than the resolution of any sensor; null if not finite.
 inline Json rounded(double value, double digits = 1e5) {

@@ -74,7 +74,7 @@ std::string loopText(const LoopFigures& figures, const Sensors& seen) {
   text["driver"] = driverOf(figures.driver);
   text["session"] = figures.session;
   text["lost"] = figures.lost;
-  return dumped(text);
+  return jsonText(text);
 }
 
 }  // namespace darwinop::monitor

@@ -135,7 +135,7 @@ std::string stateText(const Sensors& seen) {
   text["state"] = state < kStates ? Json(kStateNames[state]) : Json(nullptr);
   text["joints"] = jointsOf(seen);
   text["board"] = boardOf(seen.board);
-  return dumped(text);
+  return jsonText(text);
 }
 
 std::string faultsText(const SafetyReport& safety) {
@@ -151,23 +151,23 @@ std::string faultsText(const SafetyReport& safety) {
                       {"meaning", row.meaning},
                       {"remedy", row.remedy}});
   }
-  return dumped(Json{{"type", "faults"}, {"active", std::move(active)}});
+  return jsonText(Json{{"type", "faults"}, {"active", std::move(active)}});
 }
 
 std::string noticeText(std::uint64_t number, double time, const std::string& text) {
-  return dumped(Json{{"type", "notice"}, {"number", number}, {"time", rounded(time)}, {"text", text}});
+  return jsonText(Json{{"type", "notice"}, {"number", number}, {"time", rounded(time)}, {"text", text}});
 }
 
 std::string goneText(const std::string& reason) {
-  return dumped(Json{{"type", "gone"}, {"reason", reason}});
+  return jsonText(Json{{"type", "gone"}, {"reason", reason}});
 }
 
 std::string cameraText(bool seeing, const std::string& text) {
-  return dumped(Json{{"type", "camera"}, {"seeing", seeing}, {"text", text}});
+  return jsonText(Json{{"type", "camera"}, {"seeing", seeing}, {"text", text}});
 }
 
 std::string errorText(const std::string& text) {
-  return dumped(Json{{"type", "error"}, {"text", text}});
+  return jsonText(Json{{"type", "error"}, {"text", text}});
 }
 
 }  // namespace darwinop::monitor

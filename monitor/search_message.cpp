@@ -113,7 +113,7 @@ std::string colourMatchText(const ColourMatch& found, bool mask) {
   text["percent"] = rounded(100 * static_cast<double>(found.pixels) / all);
   text["box"] = any ? Json::array({found.left, found.top, found.right, found.bottom}) : Json(nullptr);
   if (mask) text["mask"] = base64(found.mask);
-  return dumped(text);
+  return jsonText(text);
 }
 
 }  // namespace darwinop::monitor

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/text/joined.hpp"
 #include "core/text/number_text.hpp"
 #include "runtime/messages.hpp"
 
@@ -32,10 +33,9 @@ std::string shown(double value, int digits, const char* unit) {
   return std::isnan(value) ? "not measured" : text::fixedText(value, digits) + unit;
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all.empty() ? "none" : all;
+std::string staleText(const Sensors& sensors) {
+  const std::vector<std::string> stale = staleDevices(sensors);
+  return stale.empty() ? "none" : text::joined(stale);
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ std::string reportText(const StatsView& stats, const Sensors& last) {
          shown(stats.slack.percentile(0.01) * 1e-3, 2, " ms") + "\n" + "answers       incomplete " +
          std::to_string(stats.incomplete) + ", late " + std::to_string(stats.late_replies) + ", retries " +
          std::to_string(stats.retries) + ", reconnects " + std::to_string(stats.reconnects) + "\n" + "stale devices " +
-         joined(staleDevices(last)) + "\n" +
+         staleText(last) + "\n" +
          (last.link.clamped_goals == 0 ? ""
                                        : "goals kept within the joint table at the wire: " +
                                              std::to_string(last.link.clamped_goals) + " (a bug; please report it)\n");

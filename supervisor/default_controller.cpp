@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/text/number_text.hpp"
 #include "runtime/operator.hpp"
 #include "safety/fault_book.hpp"
 #include "supervisor/messages.hpp"
@@ -16,10 +17,6 @@ namespace {
 
 // step() returns -1 within one cycle; the controller may then need time to save files.
 constexpr Nanos kTimeToEnd{3'000'000'000};
-
-std::string inSeconds(Nanos time) {
-  return std::to_string(std::chrono::duration_cast<std::chrono::seconds>(time).count()) + " s";
-}
 
 }  // namespace
 
@@ -58,11 +55,11 @@ void DefaultController::onEnd(const process::Ending& ending, Nanos now) {
     case RestartPolicy::Verdict::kAgain:
       not_before_ = now + RestartPolicy::kPause;
       return become(State::kWaiting,
-                    name_ + " ended " + describe(ending) + "; restart in " + inSeconds(RestartPolicy::kPause));
+                    name_ + " ended " + describe(ending) + "; restart in " + text::inSeconds(RestartPolicy::kPause));
     case RestartPolicy::Verdict::kGivenUp:
       may_hold_ = true;
       return become(State::kHeld, name_ + messages::kFailed + std::to_string(RestartPolicy::kCrashes) +
-                                      " crashes within " + inSeconds(RestartPolicy::kWindow) + ", the last one " +
+                                      " crashes within " + text::inSeconds(RestartPolicy::kWindow) + ", the last one " +
                                       describe(ending) + ". The robot holds its pose, with red lights; see " + home_ +
                                       "/log/controller.log; restart it with: darwinop supervisor --restart-controller");
   }
@@ -95,7 +92,7 @@ void DefaultController::end(Nanos now) {
 void DefaultController::whileEnding(bool loop_turns, Nanos now) {
   const auto ending = child_->ended();
   if (!ending && now >= kill_at_) {
-    once_.log(name_ + " has not ended within " + inSeconds(kTimeToEnd) + messages::kKilled);
+    once_.log(name_ + " has not ended within " + text::inSeconds(kTimeToEnd) + messages::kKilled);
     child_->signal(SIGKILL);
   }
   if (!ending) return;

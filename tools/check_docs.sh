@@ -55,13 +55,14 @@ else
 fi
 tools/check_test_texts.pl || failed=1
 
-# Public headers: a method without a comment, and one without a unit, have to be found; then all headers are checked.
+# Public headers: a method without a comment, one without a unit, and one with a bare number have to be found; then all
+# headers are checked.
 header=$(mktemp)
-printf 'class A {\n public:\n  int plain();\n  /// Speed.\n  double speed();\n};\n' >"$header"
-if [ "$(tools/check_headers.pl "$header" 2>&1 | grep -c "$header")" = 2 ]; then
+printf 'class A {\n public:\n  int plain();\n  /// Speed.\n  double speed();\n  /// As the robot'\''s in 2013.\n  double bare();\n};\n' >"$header"
+if [ "$(tools/check_headers.pl "$header" 2>&1 | grep -c "$header")" = 3 ]; then
   rm "$header"
 else
-  wrong "tools/check_headers.pl: does not find both mistakes in $header"
+  wrong "tools/check_headers.pl: does not find the three mistakes in $header"
 fi
 tools/check_headers.pl || failed=1
 

@@ -7,8 +7,8 @@
 use strict;
 use warnings;
 
-# A unit, a number, or a reference to the method that has them.
-my $unit = qr{\d|\b(?:rad|rad/s2?|N\sm|ms|us|s|V|J|m|g|Hz|degrees?|deg/s|pixels?|percent|bytes?|counts?|Kp)\b|\bSame\sas\b|\bno\sunit\b|\b[Aa]s\s\w+\(\)|\bNumber\sof\b|\bby\sname\b|\bWB_\w+|\bnever\b.*\bNULL\b};
+# A unit, a range, or a reference to the method that has them. A bare number is neither.
+my $unit = qr{-?\d[\w.]*\s(?:to|or)\s-?\d|(?<!')\b(?:rad|rad/s2?|N\sm|ms|us|s|V|J|m|g|Hz|degrees?|deg/s|[Pp]ixels?|percent|bytes?|counts?|Kp)\b|\bSame\sas\b|\bno\sunit\b|\b[Aa]s\s\w+\(\)|\bNumber\sof\b|\bby\sname\b|\bWB_\w+|\bnever\b.*\bNULL\b};
 my $number = qr/\b(?:int|unsigned|long|float|double|size_t)\b/;
 
 sub check {

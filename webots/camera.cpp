@@ -15,10 +15,10 @@
 
 namespace webots {
 
-using darwinop::facade::CameraView;
-using darwinop::facade::warnOnce;
+using darwinop::webots_api::CameraView;
+using darwinop::webots_api::warnOnce;
 
-Camera::Camera(const std::string& name, darwinop::facade::RobotImpl& robot, int width, int height)
+Camera::Camera(const std::string& name, darwinop::webots_api::RobotImpl& robot, int width, int height)
     : Device(name, Node::CAMERA, robot), width_(width), height_(height), period_(0), due_s_(-1), view_(nullptr) {}
 
 Camera::~Camera() {
@@ -46,9 +46,9 @@ void Camera::disable() {
 
 void Camera::refresh() {
   const double time_s = robot_.seconds();
-  if (view_ == nullptr || !darwinop::facade::isDue(due_s_, time_s, period_)) return;
+  if (view_ == nullptr || !darwinop::webots_api::isDue(due_s_, time_s, period_)) return;
   const std::string error = view_->refresh();
-  if (!error.empty()) darwinop::facade::logLine(error);
+  if (!error.empty()) darwinop::webots_api::logLine(error);
 }
 
 const unsigned char* Camera::getImage() const {
@@ -101,7 +101,7 @@ int Camera::saveImage(const std::string&, int) const {
 }
 
 bool Camera::checkResolution(int width, int height) {
-  return darwinop::facade::cameraHasSize(width, height);
+  return darwinop::webots_api::cameraHasSize(width, height);
 }
 
 }  // namespace webots

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <utility>
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 std::string sizeText(int width, int height) {
@@ -51,4 +51,4 @@ void CameraView::stretch(const CameraFrame& frame) {
   }
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -8,7 +8,7 @@
 
 #include "hal/frame_source.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 /// Used by the controller's thread.
 class CameraView {
@@ -33,4 +33,4 @@ class CameraView {
   bool reported_ = false;
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -14,7 +14,7 @@
 #include "hal/text_file.hpp"
 #include "safety/sections.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 namespace {
 
@@ -154,4 +154,4 @@ ConfigReading readConfig(const std::string& path) {
   return parseConfig(*text, path);
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -8,7 +8,7 @@
 #include "hal/camera_v4l2/camera.hpp"
 #include "safety/config.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 struct ControllerConfig {
   int time_step_ms = 16;  // 1..10000
@@ -31,4 +31,4 @@ bool cameraHasSize(int width, int height);
 /// Reads `path`. A missing file gives the defaults and a warning; throws std::runtime_error if it cannot be read.
 ConfigReading readConfig(const std::string& path);
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

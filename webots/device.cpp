@@ -5,7 +5,7 @@
 
 namespace webots {
 
-Device::Device(const std::string& name, int node_type, darwinop::facade::RobotImpl& robot)
+Device::Device(const std::string& name, int node_type, darwinop::webots_api::RobotImpl& robot)
     : robot_(robot), name_(name), node_type_(node_type), tag_(robot.nextTag()) {}
 
 Device::~Device() = default;

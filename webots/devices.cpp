@@ -9,7 +9,7 @@
 #include "webots/TouchSensor.hpp"
 #include "webots/robot_impl.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 void RobotImpl::addDevices() {
   for (const JointRow& row : kJointTable) {
@@ -31,4 +31,4 @@ void RobotImpl::addDevices() {
   add(new webots::TouchSensor("ButtonStart", *this, 2));
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

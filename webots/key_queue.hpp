@@ -8,7 +8,7 @@
 
 #include "hal/keyboard.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 class KeyQueue {
  public:
@@ -29,4 +29,4 @@ class KeyQueue {
   std::size_t next_ = 0;
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -31,7 +31,7 @@ static_assert(same(Keyboard::END, darwinop::kKeyEnd) && same(Keyboard::HOME, dar
               same(Keyboard::ALT, darwinop::kKeyAlt));
 }  // namespace
 
-Keyboard::Keyboard(darwinop::facade::RobotImpl& robot) : robot_(robot), period_(0), due_s_(-1), queue_(nullptr) {}
+Keyboard::Keyboard(darwinop::webots_api::RobotImpl& robot) : robot_(robot), period_(0), due_s_(-1), queue_(nullptr) {}
 
 Keyboard::~Keyboard() {
   delete queue_;
@@ -46,9 +46,9 @@ void Keyboard::enable(int sampling_period) {
   try {
     source = robot_.openKeys();
   } catch (const std::exception& error) {
-    darwinop::facade::warnOnce(std::string{"Keyboard: no key is ever pressed: "} + error.what());
+    darwinop::webots_api::warnOnce(std::string{"Keyboard: no key is ever pressed: "} + error.what());
   }
-  queue_ = new darwinop::facade::KeyQueue(std::move(source));
+  queue_ = new darwinop::webots_api::KeyQueue(std::move(source));
 }
 
 void Keyboard::disable() {
@@ -57,7 +57,7 @@ void Keyboard::disable() {
 }
 
 void Keyboard::refresh(double time_s) {
-  if (queue_ != nullptr && darwinop::facade::isDue(due_s_, time_s, period_)) queue_->refresh();
+  if (queue_ != nullptr && darwinop::webots_api::isDue(due_s_, time_s, period_)) queue_->refresh();
 }
 
 int Keyboard::getKey() const {

@@ -7,9 +7,9 @@
 
 namespace webots {
 
-namespace facade = darwinop::facade;
+namespace webots_api = darwinop::webots_api;
 
-LED::LED(const std::string& name, facade::RobotImpl& robot, Which which, int panel_bit)
+LED::LED(const std::string& name, webots_api::RobotImpl& robot, Which which, int panel_bit)
     : Device(name, Node::LED, robot), which_(which), panel_bit_(panel_bit), value_(0), set_(false) {}
 
 LED::~LED() = default;

@@ -1,7 +1,7 @@
 // Message texts, or the parts that identify them.
 #pragma once
 
-namespace darwinop::facade::messages {
+namespace darwinop::webots_api::messages {
 
 inline constexpr const char* kSecondRobot = "a second Robot was made in this program: there can be one only";
 inline constexpr const char* kAskedToEnd = "asked to end before the robot was ready";
@@ -16,4 +16,4 @@ inline constexpr const char* kEndsLimp =
 // Motion files, after "FILE:2".
 inline constexpr const char* kNoPose = ": it has no pose";
 
-}  // namespace darwinop::facade::messages
+}  // namespace darwinop::webots_api::messages

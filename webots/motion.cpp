@@ -5,7 +5,7 @@
 
 namespace webots {
 
-Motion::Motion(const std::string& file_name) : playback_(new darwinop::facade::MotionPlayback{file_name}) {}
+Motion::Motion(const std::string& file_name) : playback_(new darwinop::webots_api::MotionPlayback{file_name}) {}
 
 Motion::~Motion() {
   delete playback_;

@@ -9,7 +9,7 @@
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 namespace {
 
@@ -109,4 +109,4 @@ void advanceMotions(RobotImpl& robot) {
   for (MotionPlayback* const playback : playbacks()) playback->advance(robot, now);
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

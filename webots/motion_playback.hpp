@@ -10,7 +10,7 @@
 #include "hal/byte_line.hpp"
 #include "webots/motion_text.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 class RobotImpl;
 
@@ -60,4 +60,4 @@ class MotionPlayback {
 /// motor, the newer one wins.
 void advanceMotions(RobotImpl& robot);
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

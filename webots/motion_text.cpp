@@ -11,7 +11,7 @@
 #include "hal/text_file.hpp"
 #include "webots/messages.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 namespace {
 
@@ -124,4 +124,4 @@ MotionText readMotion(const std::string& file) {
   return parseMotion(*text, file);
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 struct MotionKey {
   int ms;
@@ -33,4 +33,4 @@ struct MotionText {
 /// As parseMotion().
 [[nodiscard]] MotionText readMotion(const std::string& file);
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

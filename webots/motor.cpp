@@ -11,9 +11,9 @@
 
 namespace webots {
 
-using darwinop::facade::warnOnce;
+using darwinop::webots_api::warnOnce;
 
-Motor::Motor(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::goals::MotorControl& control)
+Motor::Motor(const std::string& name, darwinop::webots_api::RobotImpl& robot, darwinop::goals::MotorControl& control)
     : Device(name, Node::ROTATIONAL_MOTOR, robot), control_(control), torque_period_(0), position_period_(0) {}
 
 Motor::~Motor() = default;
@@ -127,7 +127,7 @@ double Motor::getPosition() const {
   return seen ? seen->position.value : darwinop::kUnknown;
 }
 
-Servo::Servo(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::goals::MotorControl& control)
+Servo::Servo(const std::string& name, darwinop::webots_api::RobotImpl& robot, darwinop::goals::MotorControl& control)
     : Motor(name, robot, control) {}
 
 Servo::~Servo() = default;

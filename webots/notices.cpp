@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 namespace {
 struct Logged {
@@ -39,4 +39,4 @@ void forgetWarnings() {
   logged().sentences.clear();
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 /// Prints "darwinop: MESSAGE".
 void logLine(std::string_view sentence);
@@ -14,4 +14,4 @@ void warnOnce(std::string_view sentence);
 /// Forgets what was logged; for tests.
 void forgetWarnings();
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

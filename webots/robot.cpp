@@ -17,14 +17,14 @@
 
 namespace webots {
 
-namespace facade = darwinop::facade;
-using facade::warnOnce;
+namespace webots_api = darwinop::webots_api;
+using webots_api::warnOnce;
 
 namespace {
 Robot* instance = nullptr;
 
 template <class T>
-T* deviceAs(const facade::RobotImpl& robot, const std::string& name, const char* call) {
+T* deviceAs(const webots_api::RobotImpl& robot, const std::string& name, const char* call) {
   auto* const device = dynamic_cast<T*>(robot.find(name));
   if (!device)
     warnOnce("Robot::" + std::string{call} + "(\"" + name + "\"): this robot has no such device; it returns NULL");
@@ -32,16 +32,16 @@ T* deviceAs(const facade::RobotImpl& robot, const std::string& name, const char*
 }
 }  // namespace
 
-Robot::Robot() : impl_(facade::connectOrExit()) {
+Robot::Robot() : impl_(webots_api::connectOrExit()) {
   instance = this;
 }
-Robot::Robot(facade::RobotImpl* impl) : impl_(facade::adopt(impl)) {
+Robot::Robot(webots_api::RobotImpl* impl) : impl_(webots_api::adopt(impl)) {
   instance = this;
 }
 
 Robot::~Robot() {
   if (instance == this) instance = nullptr;
-  facade::release(impl_);
+  webots_api::release(impl_);
 }
 
 Robot* Robot::getInstance() {
@@ -152,7 +152,7 @@ int Robot::keyboardGetKey() const {
 }
 
 std::string Robot::getProjectPath() const {
-  return facade::programDirectory();
+  return webots_api::programDirectory();
 }
 std::string Robot::getCustomData() const {
   return impl_->custom_data;

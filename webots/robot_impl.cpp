@@ -10,7 +10,7 @@
 #include "webots/motion_playback.hpp"
 #include "webots/notices.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 namespace {
 // Up to three lost cycles are tolerated; at 16 ms a value is then 48 ms old.
@@ -128,4 +128,4 @@ const JointSensors* RobotImpl::joint(Joint joint, const std::string& device) con
   return nullptr;
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -23,7 +23,7 @@ namespace webots {
 class Device;
 }  // namespace webots
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 class RobotImpl {
  public:
@@ -116,4 +116,4 @@ RobotImpl* adopt(RobotImpl* robot);
 /// Deletes `robot`, which ends its session, if it is still the robot of this process. Also called at program exit.
 void release(RobotImpl* robot);
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -1,7 +1,7 @@
 // Sampling times of a device with a sampling period.
 #pragma once
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 /// True if a sample is due; `due_s` is then set to the next time. Times are on a grid, so that a period of 40 ms in
 /// steps of 16 ms is 40 ms on average. Initial `due_s`: below 0.
@@ -13,4 +13,4 @@ inline bool isDue(double& due_s, double time_s, int period_ms) {
   return true;
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

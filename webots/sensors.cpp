@@ -10,7 +10,7 @@
 
 namespace webots {
 
-namespace facade = darwinop::facade;
+namespace webots_api = darwinop::webots_api;
 
 namespace {
 // Lookup table of 2013, range 0..1024 about 512. Both rows: SI value, count, noise.
@@ -24,7 +24,7 @@ void fillLookup(double (&table)[6], const darwinop::Register& law) {
 }
 }  // namespace
 
-PositionSensor::PositionSensor(const std::string& name, facade::RobotImpl& robot, unsigned joint)
+PositionSensor::PositionSensor(const std::string& name, webots_api::RobotImpl& robot, unsigned joint)
     : Device(name, Node::POSITION_SENSOR, robot), joint_(joint), period_(0) {}
 
 PositionSensor::~PositionSensor() = default;
@@ -44,7 +44,7 @@ Motor* PositionSensor::getMotor() const {
   return dynamic_cast<Motor*>(robot_.find(std::string{darwinop::kJointTable[joint_].name}));
 }
 
-Accelerometer::Accelerometer(const std::string& name, facade::RobotImpl& robot)
+Accelerometer::Accelerometer(const std::string& name, webots_api::RobotImpl& robot)
     : Device(name, Node::ACCELEROMETER, robot), values_(), lookup_(), period_(0) {
   fillLookup(lookup_, darwinop::kAccelRegister);
 }
@@ -69,7 +69,7 @@ void Accelerometer::refresh() {
         darwinop::countFrom(board ? board->accelerometer[axis].value : darwinop::kUnknown, darwinop::kAccelRegister);
 }
 
-Gyro::Gyro(const std::string& name, facade::RobotImpl& robot)
+Gyro::Gyro(const std::string& name, webots_api::RobotImpl& robot)
     : Device(name, Node::GYRO, robot), values_(), lookup_(), period_(0) {
   fillLookup(lookup_, darwinop::kGyroRegister);
 }
@@ -93,7 +93,7 @@ void Gyro::refresh() {
     values_[axis] = darwinop::countFrom(board ? board->gyro[axis].value : darwinop::kUnknown, darwinop::kGyroRegister);
 }
 
-TouchSensor::TouchSensor(const std::string& name, facade::RobotImpl& robot, int bit)
+TouchSensor::TouchSensor(const std::string& name, webots_api::RobotImpl& robot, int bit)
     : Device(name, Node::TOUCH_SENSOR, robot), bit_(bit), period_(0) {}
 
 TouchSensor::~TouchSensor() = default;

@@ -7,7 +7,7 @@
 #include "webots/messages.hpp"
 #include "webots/notices.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 namespace {
 constexpr Nanos kBeat = std::chrono::milliseconds{200};
@@ -124,4 +124,4 @@ int Session::end(const std::string& sentence) {
   return -1;
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

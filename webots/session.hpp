@@ -11,7 +11,7 @@
 #include "runtime/driver_session.hpp"
 #include "webots/time_line.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 /// Used by one thread.
 class Session {
@@ -53,4 +53,4 @@ class Session {
   bool ended_ = false;
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

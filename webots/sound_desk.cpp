@@ -8,7 +8,7 @@
 
 #include "webots/notices.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 namespace {
 /// Absolute path, from the controller's present working directory: the sound program has its own.
@@ -110,4 +110,4 @@ void SoundDesk::take(const SoundLost& lost) {
   lost_ = true;
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

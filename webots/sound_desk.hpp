@@ -10,7 +10,7 @@
 
 #include "hal/sound_output.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 /// Used by one thread. Errors are reported once and are not fatal.
 class SoundDesk {
@@ -53,4 +53,4 @@ class SoundDesk {
   std::map<std::string, Sound> sounds_;  // by file
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -15,7 +15,7 @@
 
 namespace webots {
 
-using darwinop::facade::warnOnce;
+using darwinop::webots_api::warnOnce;
 
 namespace {
 constexpr int kSlowest = 80, kFastest = 450;  // words per minute
@@ -45,10 +45,10 @@ std::string shortened(std::string text) {
 }
 }  // namespace
 
-Speaker::Speaker(const std::string& name, darwinop::facade::RobotImpl& robot)
+Speaker::Speaker(const std::string& name, darwinop::webots_api::RobotImpl& robot)
     : Device(name, Node::SPEAKER, robot),
       language_("en"),
-      desk_(new darwinop::facade::SoundDesk([&robot] { return robot.open_sound(); })) {}
+      desk_(new darwinop::webots_api::SoundDesk([&robot] { return robot.open_sound(); })) {}
 
 Speaker::~Speaker() {
   delete desk_;

@@ -17,7 +17,7 @@
 #include "webots/robot_impl.hpp"
 #include "webots/stop_signals.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 namespace {
 
@@ -114,4 +114,4 @@ void release(RobotImpl* robot) {
   delete robot;
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -10,7 +10,7 @@
 
 #include "hal/signals.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 namespace {
 std::atomic<bool> stop_requested{false};
@@ -94,4 +94,4 @@ void installStopSignals() {
   for (int signal = SIGRTMIN; signal <= SIGRTMAX; ++signal) ignore(signal);
 }
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

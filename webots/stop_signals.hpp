@@ -4,7 +4,7 @@
 
 #include <atomic>
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 /// True after the first signal of kEndSignals since installStopSignals().
 const std::atomic<bool>& stopRequested();
@@ -15,4 +15,4 @@ const std::atomic<bool>& stopRequested();
 /// which would stop the loop with the joints under torque.
 void installStopSignals();
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

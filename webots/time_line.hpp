@@ -5,7 +5,7 @@
 
 #include "hal/byte_line.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 /// Absolute times: steps add up exactly, so a step that is not a multiple of the period keeps its mean rate.
 class TimeLine {
@@ -33,4 +33,4 @@ class TimeLine {
   Nanos due_{0};
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -3,13 +3,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/json/json_text.hpp"
+
 namespace darwinop::window {
 
 std::string pagesJson(const motion::PageFile& pages) {
   nlohmann::json list = nlohmann::json::array();
   for (std::size_t number = 1; number < pages.size(); ++number)
     if (pages[number].canPlay()) list.push_back({{"number", number}, {"name", std::string{pages[number].nameText()}}});
-  return list.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
+  return jsonText(list, -1, true);
 }
 
 }  // namespace darwinop::window

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/json/json_text.hpp"
 #include "hal/text_file.hpp"
 
 namespace darwinop::window {
@@ -112,9 +113,7 @@ void RememberedFile::write() {
   if (file_.empty()) return;
   json robots = json::array();
   for (const RobotAddress& robot : all_.robots) robots.push_back(jsonOf(robot));
-  const auto replace = json::error_handler_t::replace;
-  const std::string text =
-      json{{"robots", robots}, {"controllers", all_.controllers}}.dump(2, ' ', false, replace) + "\n";
+  const std::string text = jsonText(json{{"robots", robots}, {"controllers", all_.controllers}}, 2) + "\n";
   std::error_code failed;
   fs::create_directories(file_.parent_path(), failed);
   const std::string next = file_.string() + ".new-" + std::to_string(getpid());

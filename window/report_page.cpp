@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "core/json/json_text.hpp"
 #include "hal/text_file.hpp"
 
 namespace darwinop::window {
@@ -24,8 +25,7 @@ void serveReport(web::WebServer& server, const std::string& base, const std::str
     about["name"] = std::filesystem::path{file}.filename().string();
     server.serve(base + "report.html", {"text/html; charset=utf-8", *text, kReportPolicy});
   }
-  const auto replace = nlohmann::json::error_handler_t::replace;
-  server.serve(base + "report.json", {"application/json", about.dump(-1, ' ', false, replace)});
+  server.serve(base + "report.json", {"application/json", jsonText(about)});
 }
 
 }  // namespace darwinop::window

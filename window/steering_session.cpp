@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/json/json_text.hpp"
 #include "window/messages.hpp"
 
 namespace darwinop::window {
@@ -13,8 +14,7 @@ namespace {
 
 void sendDriving(web::Channel& channel, bool yours, const std::string& text, bool taking = false) {
   const nlohmann::json message{{"type", "driving"}, {"yours", yours}, {"taking", taking}, {"text", text}};
-  const auto replace = nlohmann::json::error_handler_t::replace;
-  channel.send(web::kEvery, std::make_shared<const std::string>(message.dump(-1, ' ', false, replace)));
+  channel.send(web::kEvery, std::make_shared<const std::string>(jsonText(message)));
 }
 
 }  // namespace

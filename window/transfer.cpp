@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/json/json_text.hpp"
 #include "window/messages.hpp"
 #include "window/transfer_command.hpp"
 
@@ -21,7 +22,7 @@ constexpr web::Lane kTransferState = 0, kTransferKnown = 1;
 constexpr std::chrono::seconds kCancelTimeout{20};
 
 web::Bytes packed(const json& message) {
-  return std::make_shared<const std::string>(message.dump(-1, ' ', false, json::error_handler_t::replace));
+  return std::make_shared<const std::string>(jsonText(message));
 }
 
 void refuse(web::Channel& channel, const std::string& why) {

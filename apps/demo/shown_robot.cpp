@@ -34,11 +34,11 @@ struct ShownRobot::Parts {
                                [robot_body] { robot_body->place(twin::startAngles()); }});
     auto seen = std::make_unique<twin::WatchedBody>(std::move(body), screen->posesPerSecond());
     watched = seen.get();
-    facade::installStopSignals();
+    webots_api::installStopSignals();
     runtime::LoopConfig loop;
     loop.port = "twin:" + options.model;
-    robot = std::make_unique<facade::RobotImpl>(connect::lockstepRobot(loop, std::move(seen)),
-                                                facade::ControllerConfig{}, facade::stopRequested());
+    robot = std::make_unique<webots_api::RobotImpl>(connect::lockstepRobot(loop, std::move(seen)),
+                                                    webots_api::ControllerConfig{}, webots_api::stopRequested());
     if (const std::string error = robot->begin(); !error.empty()) throw std::runtime_error(error);
     for (twin::Pose takeover; watched->poses().pop(takeover);) {
     }
@@ -46,7 +46,7 @@ struct ShownRobot::Parts {
 
   std::unique_ptr<twin::Screen> screen;
   twin::WatchedBody* watched = nullptr;
-  std::unique_ptr<facade::RobotImpl> robot;
+  std::unique_ptr<webots_api::RobotImpl> robot;
 };
 
 ShownRobot::ShownRobot(const twin::ShowOptions& options) : ShownRobot{options, Parts{options}} {}

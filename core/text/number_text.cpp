@@ -26,4 +26,8 @@ std::string shortestText(double value) {
   return textOf(value);
 }
 
+std::string inSeconds(std::chrono::nanoseconds time) {
+  return std::to_string(std::chrono::duration_cast<std::chrono::seconds>(time).count()) + " s";
+}
+
 }  // namespace darwinop::text

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -32,5 +33,8 @@ std::string fixedText(double value, int decimals);
 std::string generalText(double value, int digits);
 /// The shortest text that reads back as the same number.
 std::string shortestText(double value);
+
+/// Whole seconds, cut: "5 s".
+std::string inSeconds(std::chrono::nanoseconds time);
 
 }  // namespace darwinop::text

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "core/text/joined.hpp"
 #include "experiments/format/quantity.hpp"
 
 namespace darwinop::experiments {
@@ -55,7 +56,7 @@ std::string findExperiment(const std::string& name) {
   names.reserve(files.size());
   for (const auto& [known, path] : files) names.push_back(known);
   throw std::runtime_error("there is no experiment '" + name + "'" + didYouMean(name, names) + "; there are " +
-                           (names.empty() ? "none in " + experimentFolders().back() : joined(names)) +
+                           (names.empty() ? "none in " + experimentFolders().back() : text::joined(names)) +
                            ". Name your own file by its path: ./mine.ini");
 }
 

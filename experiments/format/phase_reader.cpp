@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/text/ini_text.hpp"
+#include "core/text/joined.hpp"
 #include "experiments/format/quantity.hpp"
 
 namespace darwinop::experiments {
@@ -37,7 +38,7 @@ Enum choice(std::string_view text, const std::array<std::string_view, size>& nam
   const Words all{names.begin(), names.end()};
   if (found == names.end())
     throw std::runtime_error("'" + std::string{text} + "' is not allowed here" + didYouMean(text, all) +
-                             "; choose one of " + joined(all));
+                             "; choose one of " + text::joined(all));
   return static_cast<Enum>(found - names.begin());
 }
 
@@ -139,7 +140,7 @@ class PhaseReader {
     for (const std::string_view key : {"to", "amplitude", "period", "frequency", "goals", "every"})
       if (const Entry* entry = section_.find(key); entry && std::ranges::find(needed, key) == needed.end())
         fail(entry->line, "'" + std::string{key} + "' has no meaning for goal = " + shape +
-                              (needed.empty() ? "" : ", which takes " + joined(needed)));
+                              (needed.empty() ? "" : ", which takes " + text::joined(needed)));
   }
 
   void readFrequencies(std::string_view text) {
@@ -187,7 +188,7 @@ Joint jointNamed(std::string_view name) {
   Words names;
   for (const JointRow& joint : kJointTable) names.push_back(joint.name);
   throw std::runtime_error("there is no joint '" + std::string{name} + "'" + didYouMean(name, names) + "; joints are " +
-                           joined(names));
+                           text::joined(names));
 }
 
 }  // namespace darwinop::experiments

@@ -83,12 +83,6 @@ std::string didYouMean(std::string_view text, const std::vector<std::string_view
   return near ? " (did you mean " + std::string{*near} + "?)" : "";
 }
 
-std::string joined(const std::vector<std::string_view>& words) {
-  std::string text;
-  for (const std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string{word};
-  return text;
-}
-
 std::string shortText(double value) {
   return text::generalText(value, 4);
 }

@@ -28,9 +28,6 @@ std::vector<std::string_view> splitList(std::string_view text);
 /// " (did you mean velocity?)" if one of `known` is close to `text`, else empty.
 std::string didYouMean(std::string_view text, const std::vector<std::string_view>& known);
 
-/// "a, b, c".
-std::string joined(const std::vector<std::string_view>& words);
-
 /// Four significant digits, for messages: "1.571", "-0.05", "20".
 std::string shortText(double value);
 

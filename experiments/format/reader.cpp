@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/text/ini_text.hpp"
+#include "core/text/joined.hpp"
 #include "core/text/number_text.hpp"
 #include "experiments/format/messages.hpp"
 #include "experiments/format/phase_reader.hpp"
@@ -83,8 +84,8 @@ class FileReader {
       if (known.name == pose.value) setup.named = &known;
     }
     if (!setup.named)
-      fail(pose.line,
-           "there is no pose '" + pose.value + "'" + didYouMean(pose.value, names) + "; poses are " + joined(names));
+      fail(pose.line, "there is no pose '" + pose.value + "'" + didYouMean(pose.value, names) + "; poses are " +
+                          text::joined(names));
     setup.pose = setup.named->pose;
     for (const Entry& entry : section.entries)
       if (const auto joint = findJoint(entry.key)) {

@@ -6,6 +6,7 @@
 
 #include "core/joints.hpp"
 #include "core/text/ini_text.hpp"
+#include "core/text/joined.hpp"
 #include "core/text/number_text.hpp"
 #include "experiments/format/messages.hpp"
 #include "experiments/format/quantity.hpp"
@@ -54,7 +55,7 @@ class SectionReader final : public text::IniReader {
     const Words known = keysOf(section.kind);
     if (std::ranges::find(known, key) == known.end())
       throw std::runtime_error("[" + section.kind + "] has no key '" + std::string{key} + "'" + didYouMean(key, known) +
-                               "; allowed are " + joined(known));
+                               "; allowed are " + text::joined(known));
     if (section.find(key) != nullptr && key != "description")
       throw std::runtime_error("'" + std::string{key} + "' is set twice in this section; remove one");
     if (value.empty()) throw std::runtime_error("'" + std::string{key} + "' has no value");

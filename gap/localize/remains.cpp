@@ -1,19 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "core/text/formatted.hpp"
 #include "gap/localize/localization.hpp"
 #include "gap/thresholds.hpp"
 
 namespace darwinop::gap {
 namespace {
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 /// Share of the energy of all positions that lies in the strongest place.
 double shareOf(const GapInterval& place, const Localization& where) {
@@ -24,9 +17,9 @@ double shareOf(const GapInterval& place, const Localization& where) {
 
 std::string whereText(const Localization& where) {
   const GapInterval& place = where.places.front();
-  std::string text =
-      formatted(" It is greatest in %s from %.2f to %.2f s, during %s: %.3g %s of %s.", place.file.c_str(), place.t0_s,
-                place.t1_s, place.happens.c_str(), place.size, place.unit.c_str(), place.signal.c_str());
+  std::string text = text::formatted(" It is greatest in %s from %.2f to %.2f s, during %s: %.3g %s of %s.",
+                                     place.file.c_str(), place.t0_s, place.t1_s, place.happens.c_str(), place.size,
+                                     place.unit.c_str(), place.signal.c_str());
   if (shareOf(place, where) > thresholds::kEventShare)
     text += " Nearly all of it lies there: something happened once, a push or a snag; repeat the log.";
   return text;
@@ -44,10 +37,10 @@ std::string stateText(const Localization& where) {
   if (on.regions.empty() || on.regions.front().information < thresholds::kInformativeBits)
     return std::string{clock(on.on)} + " No state of the joint predicts it: perhaps a hidden state.";
   const Region& first = on.regions.front();
-  text += formatted(" Of all states the %s is most informative", first.variable.c_str());
+  text += text::formatted(" Of all states the %s is most informative", first.variable.c_str());
   if (first.lift > thresholds::kLiftedBin)
-    text += formatted(": between %.3g and %.3g %s it is %.1f times the mean", first.low, first.high, first.unit.c_str(),
-                      std::sqrt(first.lift));
+    text += text::formatted(": between %.3g and %.3g %s it is %.1f times the mean", first.low, first.high,
+                            first.unit.c_str(), std::sqrt(first.lift));
   return text + "." + clock(on.on);
 }
 
@@ -55,9 +48,10 @@ std::string stateText(const Localization& where) {
 
 std::string describeRemainder(const Localization& where) {
   if (where.places.empty()) return "Nothing remains above the noise.";
-  std::string text = formatted("%.2f mrad remain, %.1f times the noise floor.", 1e3 * where.rms_rad(), where.floors());
+  std::string text =
+      text::formatted("%.2f mrad remain, %.1f times the noise floor.", 1e3 * where.rms_rad(), where.floors());
   if (where.blocks.first)
-    text += formatted(" Of the loop the %s does not close.", std::string{name(*where.blocks.first)}.c_str());
+    text += text::formatted(" Of the loop the %s does not close.", std::string{name(*where.blocks.first)}.c_str());
   return text + whereText(where) + stateText(where);
 }
 

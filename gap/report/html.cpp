@@ -3,12 +3,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/json/json_text.hpp"
+
 namespace darwinop::gap::html {
 namespace {
 
 /// Valid UTF-8: what JSON's writer makes of it.
 std::string repaired(std::string_view raw) {
-  const std::string quoted = nlohmann::json(raw).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const std::string quoted = jsonText(nlohmann::json(raw));
   return nlohmann::json::parse(quoted).get<std::string>();
 }
 

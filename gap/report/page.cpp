@@ -1,8 +1,8 @@
 // Puts the page together: what is written in page/, the plotting library, and the report.
 #include <array>
 #include <string_view>
-#include <utility>
 
+#include "core/text/template.hpp"
 #include "gap/report/html.hpp"
 #include "gap/report/page_parts.hpp"
 #include "gap/report/page_sections.hpp"
@@ -23,7 +23,7 @@ std::string libraryNote() {
 std::string asHtml(const Report& report) {
   const std::string body =
       verdictSection(report) + headlineSection(report) + whatSection(report) + whereSection(report);
-  const std::array<std::pair<std::string_view, std::string>, 8> parts{{
+  const std::array<text::TemplatePart, 8> parts{{
       {"@TITLE@", html::text("darwinop gap: " + report.given->name)},
       {"@STYLE@", std::string{page_parts::kLibraryStyle} + std::string{page_parts::kStyle}},
       {"@FINDINGS@", body},
@@ -33,14 +33,7 @@ std::string asHtml(const Report& report) {
       {"@LIBRARY@", std::string{page_parts::kLibrary}},
       {"@SCRIPT@", std::string{page_parts::kScript}},
   }};
-  std::string page;
-  std::string_view rest = page_parts::kPage;
-  for (const auto& [place, text] : parts) {  // in the order of the page
-    const std::size_t at = rest.find(place);
-    page.append(rest.substr(0, at)).append(text);
-    rest.remove_prefix(at + place.size());
-  }
-  return page.append(rest);
+  return text::filledTemplate(page_parts::kPage, parts);
 }
 
 }  // namespace darwinop::gap

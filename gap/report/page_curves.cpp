@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/json/json_text.hpp"
 #include "gap/report/html.hpp"
 #include "gap/report/page_sections.hpp"
 #include "gap/report/sentences.hpp"
@@ -39,7 +40,7 @@ std::string curvesAsJson(const Report& report) {
                     {"after", inUnits(one.after_rad, kAngleUnit)}});
   }
   const json all{{"time_unit_s", kTimeUnit}, {"angle_unit_rad", kAngleUnit}, {"logs", logs}};
-  return html::inScript(all.dump(-1, ' ', false, json::error_handler_t::replace));
+  return html::inScript(jsonText(all));
 }
 
 }  // namespace darwinop::gap

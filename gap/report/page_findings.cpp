@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/text/joined.hpp"
 #include "gap/report/html.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
@@ -50,10 +51,11 @@ std::string rivalsText(const Identification& identification) {
   if (identification.rivals.empty()) return "";
   std::string items;
   for (const Rival& rival : identification.rivals)
-    items += wrap("li", wrap("code", html::text(joined(rival.effects, " + "))) + " instead: the fit is worse by " +
-                            html::number(rival.behind, shortly(rival.behind, "%.0f")) +
-                            (rival.isClose() ? ", <strong>too little to decide</strong>" : "")) +
-             "\n";
+    items +=
+        wrap("li", wrap("code", html::text(text::joined(rival.effects, " + "))) + " instead: the fit is worse by " +
+                       html::number(rival.behind, shortly(rival.behind, "%.0f")) +
+                       (rival.isClose() ? ", <strong>too little to decide</strong>" : "")) +
+        "\n";
   std::string chance;
   if (std::isfinite(identification.threshold))
     chance = "A gain of " + html::number(identification.threshold, shortly(identification.threshold, "%.0f")) +

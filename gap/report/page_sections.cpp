@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/text/joined.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/html.hpp"
 #include "gap/report/line_diff.hpp"
@@ -73,7 +74,7 @@ std::string verdictSection(const Report& report) {
     std::ranges::replace(name, '_', ' ');
     inside +=
         wrap("h1", html::text(name), " class=\"" + std::string{nameOf(report.outcome->identification.verdict)} + "\"");
-    sentences = joined(verdictSentences(*report.outcome, report.comparison), " ");
+    sentences = text::joined(verdictSentences(*report.outcome, report.comparison), " ");
   }
   return wrap("header", inside + wrap("p", html::text(sentences), " id=\"verdict\"")) + "\n";
 }
@@ -145,7 +146,7 @@ std::string modelSection(const Report& report) {
 std::string againSection(const Report& report) {
   std::string inside;
   if (!report.commands.empty())
-    inside += wrap("pre", html::text(joined(report.commands, "\n")), " tabindex=\"0\" aria-label=\"Commands\"");
+    inside += wrap("pre", html::text(text::joined(report.commands, "\n")), " tabindex=\"0\" aria-label=\"Commands\"");
   if (!report.data_hash.empty())
     inside += wrap("p", "sha256 of the data: " + wrap("code", report.data_hash, " id=\"hash\"")) +
               wrap("p", "The same number, made in the folder of the case:") +

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "core/json/json_text.hpp"
 #include "gap/report/data_hash.hpp"
 
 namespace darwinop::gap {
@@ -69,8 +70,7 @@ void writeReport(const Report& report, const std::string& folder) {
     throw std::runtime_error("cannot create " + folder + ": " + wrong.message() +
                              "; give another folder with --report");
   writeInto(fs::path{folder} / "report.html", asHtml(report));
-  writeInto(fs::path{folder} / "report.json",
-            asJson(report).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  writeInto(fs::path{folder} / "report.json", jsonText(asJson(report), 1) + "\n");
   if (report.outcome != nullptr) writeInto(fs::path{folder} / "repaired.ini", report.model_after);
 }
 

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/text/joined.hpp"
 #include "gap/identify/assessment.hpp"
-#include "gap/report/data_hash.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "gap/report/sentences.hpp"
@@ -39,7 +39,7 @@ std::vector<std::string> reasonsFor(const Case& given, const Identification& ide
     lines.emplace_back("These logs have a remainder that no effect of the catalogue explains");
   if (identification.verdict == Verdict::kAmbiguous && &found == &identification.effects.back())
     for (const Rival& rival : closeRivals(identification))
-      lines.push_back("Not certain: " + joined(rival.effects, " + ") + " explains the logs nearly as well");
+      lines.push_back("Not certain: " + text::joined(rival.effects, " + ") + " explains the logs nearly as well");
   if (!data_hash.empty()) lines.push_back("sha256 of the data: " + data_hash);
   return lines;
 }
@@ -100,10 +100,6 @@ std::string caseModel(const Case& given) {
   twin::Model model = given.model;
   if (model.name.empty()) model.name = given.name;
   return twin::writeModel(model);
-}
-
-std::string repairedModel(const Case& given, const Outcome& outcome) {
-  return withAdditions(caseModel(given), additionsOf(given, outcome, dataHash(given)));
 }
 
 }  // namespace darwinop::gap

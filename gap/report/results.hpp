@@ -25,9 +25,6 @@ nlohmann::json badInput(const std::string& name, const std::string& why);
 
 /// The findings as additions to a model file; `data_hash` goes into its comments.
 Additions additionsOf(const Case& given, const Outcome& outcome, const std::string& data_hash);
-/// The case's model as a model file, with what was found: the twin reads it. Comments above each effect have its
-/// source and intervals.
-std::string repairedModel(const Case& given, const Outcome& outcome);
 /// The case's model as a model file.
 std::string caseModel(const Case& given);
 

@@ -4,6 +4,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "core/text/joined.hpp"
 #include "gap/identify/assessment.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
@@ -74,7 +75,7 @@ std::string rivalText(const Identification& identification) {
   std::string text;
   for (std::size_t i = 0; i < std::min(kRivalsShown, identification.rivals.size()); ++i)
     text += line("%-9s %s instead: worse by %.0f%s", i == 0 ? "rivals" : "",
-                 joined(identification.rivals[i].effects, " + ").c_str(), identification.rivals[i].behind,
+                 text::joined(identification.rivals[i].effects, " + ").c_str(), identification.rivals[i].behind,
                  identification.rivals[i].isClose() ? ", not excluded" : "");
   for (std::size_t i = 0; i < std::min(kConflictsShown, identification.prior_conflicts.size()); ++i) {
     const PriorConflict& one = identification.prior_conflicts[i];

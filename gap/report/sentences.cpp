@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/text/joined.hpp"
 #include "gap/report/messages.hpp"
 #include "gap/report/model_text.hpp"
 #include "twin/effects/catalogue.hpp"
@@ -19,10 +20,10 @@ std::string titlesOf(const std::vector<IdentifiedEffect>& found) {
   std::vector<std::string> titles;
   titles.reserve(found.size());
   for (const IdentifiedEffect& one : found) titles.emplace_back(one.effect->title);
-  if (titles.size() < 2) return joined(titles, "");
+  if (titles.size() < 2) return text::joined(titles, "");
   const std::string last = titles.back();
   titles.pop_back();
-  return joined(titles, ", ") + " and " + last;
+  return text::joined(titles, ", ") + " and " + last;
 }
 
 /// "friction 0.0812 N m (9 in 10 sure: 0.0781 to 0.0853 N m)" of the first number of the first effect.
@@ -54,9 +55,9 @@ std::string namedByRivals(const Identification& identification) {
       const twin::EffectInfo* const info = twin::findEffect(id);
       parts.push_back(info == nullptr ? id : std::string{info->title});
     }
-    titles.push_back(joined(parts, " and "));
+    titles.push_back(text::joined(parts, " and "));
   }
-  return joined(titles, ", or ");
+  return text::joined(titles, ", or ");
 }
 
 std::string firstSentence(const Outcome& outcome) {
@@ -84,12 +85,6 @@ std::string firstSentence(const Outcome& outcome) {
 }
 
 }  // namespace
-
-std::string joined(const std::vector<std::string>& words, std::string_view between) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : std::string{between}) + word;
-  return text;
-}
 
 double mradOf(double rad) {
   return std::round(rad * 1e6) / 1e3;
@@ -140,7 +135,7 @@ std::string rejectionSentence(const RejectedEffect& rejected) {
   }
   std::vector<std::string> doubles;
   for (const std::string_view id : rejected.effect->confused_with) doubles.emplace_back(twin::findEffect(id)->title);
-  return title + " is possible, as are the effects it is confused with (" + joined(doubles, ", ") +
+  return title + " is possible, as are the effects it is confused with (" + text::joined(doubles, ", ") +
          "): it predicts some left-out logs better and others worse. Experiment that decides: " +
          std::string{rejected.effect->separated_by};
 }

@@ -20,7 +20,6 @@ std::string rejectionSentence(const RejectedEffect& rejected);
 /// Rivals that the data do not exclude.
 std::vector<Rival> closeRivals(const Identification& identification);
 
-std::string joined(const std::vector<std::string>& words, std::string_view between);
 /// "31.0", "0.931": three digits of a position error, mrad.
 std::string inMrad(double rad);
 /// As results.json has it: three digits behind the point; NaN stays.

@@ -1,11 +1,17 @@
-// RAII owner of a socket descriptor.
+// RAII owner of a socket descriptor, and errors that need no new connection.
 #pragma once
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <utility>
 
 namespace darwinop::net {
+
+/// Whether a transfer with this errno value may succeed later on the same connection.
+constexpr bool isTemporary(int error) {
+  return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
+}
 
 class Socket {
  public:

@@ -3,11 +3,9 @@
 
 #include <iterator>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
 #include <string>
-
-#include "hal/text_file.hpp"
+#include <string_view>
 
 namespace darwinop::motion {
 
@@ -126,22 +124,6 @@ std::vector<std::uint8_t> encodePages(const PageFile& pages) {
   std::vector<std::uint8_t> bytes(kFileBytes);
   for (std::size_t i = 0; i < kPages; ++i) encodePage(pages[i], std::span{bytes}.subspan(i * kPageBytes, kPageBytes));
   return bytes;
-}
-
-PageFile readPageFile(const std::filesystem::path& path) {
-  const std::optional<std::string> text = readTextFile(path.string());
-  if (!text) throw std::runtime_error(path.string() + kCannotOpenFile);
-  try {
-    return decodePages(std::vector<std::uint8_t>{text->begin(), text->end()});
-  } catch (const std::runtime_error& why) {
-    throw std::runtime_error(path.string() + ": " + why.what());
-  }
-}
-
-int findPage(const PageFile& pages, std::string_view name) {
-  for (std::size_t i = 1; i < pages.size(); ++i)
-    if (pages[i].canPlay() && pages[i].nameText() == name) return static_cast<int>(i);
-  return 0;
 }
 
 }  // namespace darwinop::motion

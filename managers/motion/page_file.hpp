@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "managers/motion/page.hpp"
@@ -13,9 +11,6 @@ namespace darwinop::motion {
 
 inline constexpr std::size_t kPageBytes = 512;
 inline constexpr std::size_t kFileBytes = kPages * kPageBytes;
-
-/// After the path.
-inline constexpr const char* kCannotOpenFile = ": cannot open the file";
 
 /// Always 256 pages.
 using PageFile = std::vector<Page>;
@@ -26,11 +21,5 @@ using PageFile = std::vector<Page>;
 
 /// Computes the checksums.
 [[nodiscard]] std::vector<std::uint8_t> encodePages(const PageFile& pages);
-
-/// As decodePages(); messages begin with the path.
-[[nodiscard]] PageFile readPageFile(const std::filesystem::path& path);
-
-/// Number of the first playable page with this name; 0: none.
-[[nodiscard]] int findPage(const PageFile& pages, std::string_view name);
 
 }  // namespace darwinop::motion

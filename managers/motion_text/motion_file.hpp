@@ -10,6 +10,9 @@
 
 namespace darwinop::motion {
 
+/// After the path.
+inline constexpr const char* kCannotOpenFile = ": cannot open the file";
+
 /// Throws std::runtime_error if the file cannot be read or is longer than any motion file.
 [[nodiscard]] std::vector<std::uint8_t> readBytes(const std::filesystem::path& path);
 /// True if there is no zero byte or the first line is the text title; the vendor's binary files contain many zeros.

@@ -12,13 +12,6 @@
 #include "remote/client/messages.hpp"
 
 namespace darwinop::remote {
-namespace {
-
-bool isTemporary(int error) {
-  return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
-}
-
-}  // namespace
 
 void Connection::connect(std::uint32_t address, std::uint16_t port) {
   close("");
@@ -80,7 +73,7 @@ void Connection::flush() {
   while (!out_.empty()) {
     const ssize_t count = ::send(socket_.descriptor(), out_.data(), out_.size(), MSG_NOSIGNAL);
     if (count < 0) {
-      if (!isTemporary(errno)) close(std::strerror(errno));
+      if (!net::isTemporary(errno)) close(std::strerror(errno));
       return;
     }
     out_ = out_.subspan(static_cast<std::size_t>(count));
@@ -97,7 +90,7 @@ void Connection::receive() {
     return;
   }
   if (count == 0) return close("the server has closed the connection");
-  if (!isTemporary(errno)) close(std::strerror(errno));
+  if (!net::isTemporary(errno)) close(std::strerror(errno));
 }
 
 std::optional<Reply> Connection::reply() {

@@ -2,8 +2,8 @@
 #include "remote/client/link_speed.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "core/text/formatted.hpp"
 #include "remote/client/messages.hpp"
 
 namespace darwinop::remote {
@@ -23,13 +23,6 @@ void average(double& figure, double now) {
 
 std::string pixels(ImageSize size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
-}
-
-template <class... Numbers>
-std::string formatted(const char* format, Numbers... numbers) {
-  char text[160];
-  std::snprintf(text, sizeof text, format, numbers...);
-  return text;
 }
 
 double bytesOf(ImageSize size, ImageSize now, double bytes_now) {
@@ -60,10 +53,10 @@ std::string LinkSpeed::note(const Exchange& exchange) {
 std::string LinkSpeed::message(const Exchange& last) const {
   const double step = inMilliseconds(last.step);
   std::string text = messages::kNetworkTooSlow +
-                     formatted("%.0f ms: an exchange takes %.0f ms", step, std::max(plain_ms_, picture_ms_));
+                     text::formatted("%.0f ms: an exchange takes %.0f ms", step, std::max(plain_ms_, picture_ms_));
   const double for_picture = std::max(0.0, picture_ms_ - plain_ms_);
   if (picture_ms_ == 0 || !last.size) return text + "; no smaller picture would help. Use a cable, or a longer step";
-  text += formatted(", %.0f ms of it for the %.0f bytes of a picture of ", for_picture, picture_bytes_) +
+  text += text::formatted(", %.0f ms of it for the %.0f bytes of a picture of ", for_picture, picture_bytes_) +
           pixels(*last.size);
   for (std::size_t i = 0; i < kImageWidths.size(); ++i) {
     const ImageSize size{kImageWidths[i], kImageHeights[i]};
@@ -71,7 +64,8 @@ std::string LinkSpeed::message(const Exchange& last) const {
     const double would_take =
         plain_ms_ + for_picture * bytesOf(size, *last.size, picture_bytes_) / std::max(1.0, picture_bytes_);
     if (would_take > step) continue;
-    const std::string zooms = formatted("%d %d", kWholeImage.width / size.width, kWholeImage.height / size.height);
+    const std::string zooms =
+        text::formatted("%d %d", kWholeImage.width / size.width, kWholeImage.height / size.height);
     return text + ". The middle " + pixels(size) + messages::kSizeFits + zooms;
   }
   return text + "; no size would fit. Use a cable, a longer step, or a longer sampling period of the camera";

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/text/number_text.hpp"
 #include "remote/client/messages.hpp"
 #include "remote/client/tcp_link.hpp"
 
@@ -14,10 +15,6 @@ constexpr Nanos kAttempt{1'000'000'000};      // per attempt to connect
 constexpr Nanos kBetween{250'000'000};        // between attempts
 constexpr Nanos kEndTimeout{1'000'000'000};   // for the reply to the end of the session
 constexpr Nanos kLogInterval{5'000'000'000};  // minimum between two messages about a lost connection
-
-std::string inSeconds(Nanos time) {
-  return std::to_string(std::chrono::duration_cast<std::chrono::seconds>(time).count()) + " s";
-}
 
 }  // namespace
 
@@ -32,8 +29,8 @@ void TcpLink::connect() {
     if (connection_.state() == Connection::State::kOpen) return;
     const std::string why = connection_.why().empty() ? "no answer" : connection_.why();
     if (clock_.now() >= give_up)
-      throw std::runtime_error("no connection to " + name() + " in " + inSeconds(options_.connect_timeout) + ": " +
-                               why + messages::kNoServer);
+      throw std::runtime_error("no connection to " + name() + " in " + text::inSeconds(options_.connect_timeout) +
+                               ": " + why + messages::kNoServer);
     if (!std::exchange(logged, true)) log("waiting for " + name() + ": " + why);
     connection_.close(why);
     if (!connection_.wait(std::min(kBetween, give_up - clock_.now())))
@@ -56,7 +53,7 @@ void TcpLink::awaitFirstReply() {
                                "client drives");
     if (clock_.now() >= give_up)
       throw std::runtime_error(name() + " has accepted the connection but has not replied for " +
-                               inSeconds(options_.connect_timeout) +
+                               text::inSeconds(options_.connect_timeout) +
                                ": check that it is darwinop remote, and that no other client is waiting");
   }
   if (!server_.extended)
@@ -68,7 +65,7 @@ void TcpLink::receive(Nanos longest) {
   if (const auto reply = connection_.reply()) take(*reply);
   const Nanos patience = isConnected(state_) ? options_.reply_timeout : options_.connect_timeout;
   if (connection_.awaitsReply() && clock_.now() - last_request_.sent_at > patience)
-    connection_.close(messages::kNoReplyFor + inSeconds(patience));
+    connection_.close(messages::kNoReplyFor + text::inSeconds(patience));
   detectLoss();
 }
 
@@ -81,7 +78,7 @@ void TcpLink::detectLoss() {
   if (loss_.logged_at && now - *loss_.logged_at <= kLogInterval) return;  // limits the log for a loose cable
   loss_.logged_at = now;
   log("the connection to " + name() + messages::kConnectionLost + connection_.why() + "); reconnecting for " +
-      inSeconds(options_.reconnect_timeout) + "; sensor values are NaN until then");
+      text::inSeconds(options_.reconnect_timeout) + "; sensor values are NaN until then");
 }
 
 /// Starts an attempt, or ends one that takes too long.
@@ -89,8 +86,8 @@ void TcpLink::reconnect() {
   const Nanos now = clock_.now();
   detectLoss();
   if (now - loss_.since.value_or(now) > options_.reconnect_timeout) {
-    end("the connection to " + name() + " was lost " + inSeconds(options_.reconnect_timeout) + messages::kNotRestored +
-        connection_.why());
+    end("the connection to " + name() + " was lost " + text::inSeconds(options_.reconnect_timeout) +
+        messages::kNotRestored + connection_.why());
     return;
   }
   if (connection_.state() == Connection::State::kConnecting) {

@@ -25,15 +25,6 @@ inline std::int32_t wireFromPosition(double rad) {
 inline std::int32_t wireFromVelocity(double rad_per_s) {
   return cut(rad_per_s * 30.0 / (kRpmPerCount * kPi));
 }
-inline std::int32_t wireFromAcceleration(double rad_per_s2) {
-  return cut(rad_per_s2 * 100000.0);
-}
-inline std::int32_t wireFromTorque(double newton_meter) {
-  return cut(newton_meter * kTorqueMax / kMaxTorqueNm);
-}
-inline std::int32_t wireFromGain(double gain) {
-  return cut(gain * 1000.0);
-}
 
 constexpr double positionFromWire(std::int32_t wire) {
   return kPi * wire / 2048.0;

@@ -13,10 +13,6 @@
 namespace darwinop::remote {
 namespace {
 
-bool isTemporary(int error) {
-  return error == EAGAIN || error == EWOULDBLOCK || error == EINTR;
-}
-
 /// TCP segment size towards the client, bytes; 0: unknown.
 std::size_t segmentBytes(int descriptor) {
   int bytes = 0;
@@ -32,7 +28,8 @@ bool Client::receive() {
   const std::span<std::uint8_t> room = reader_.room();
   const ssize_t count = ::recv(descriptor(), room.data(), room.size(), 0);
   if (count == 0) return ended(messages::kDisconnected);
-  if (count < 0) return isTemporary(errno) || ended(std::string{"the connection was lost: "} + std::strerror(errno));
+  if (count < 0)
+    return net::isTemporary(errno) || ended(std::string{"the connection was lost: "} + std::strerror(errno));
   reader_.filled(static_cast<std::size_t>(count));
   return true;
 }
@@ -50,7 +47,8 @@ bool Client::reply(const Request& request, const Reply& reply) {
 bool Client::flush() {
   while (hasUnsent()) {
     const ssize_t count = ::send(descriptor(), out_.data() + sent_, out_.size() - sent_, MSG_NOSIGNAL);
-    if (count < 0) return isTemporary(errno) || ended(std::string{"the connection was lost: "} + std::strerror(errno));
+    if (count < 0)
+      return net::isTemporary(errno) || ended(std::string{"the connection was lost: "} + std::strerror(errno));
     sent_ += static_cast<std::size_t>(count);
   }
   return true;

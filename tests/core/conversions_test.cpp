@@ -28,6 +28,18 @@ RC_GTEST_PROP(PositionProperty, IsOffByHalfATickAtMost, ()) {
   RC_ASSERT(std::abs(radFromTicks(ticksFromRad(Rad{angle})).value - angle) <= kRadPerTick / 2 + 1e-12);
 }
 
+// What the on-robot wrapper of 2013 did instead, for controllers that were tuned on it. Its two factors are
+// not each other's inverse: 11.378 ticks a degree on the way out (truncated towards zero), 0.088 degrees a tick
+// on the way back (0.125 % too large). 1 rad went out as 2699 where 2700 is nearest; 0.5 rad read back as
+// 0.49916. This runtime uses the exact law above; a controller can see a difference of one tick going out
+// and of at most 4 mrad coming back at the ends of the range.
+constexpr int ticksFromRadAsIn2013(Rad angle) {
+  return static_cast<int>(angle.value * 180.0 / kPi * 11.378) + kTickCentre;
+}
+constexpr Rad radFromTicksAsIn2013(int ticks) {
+  return Rad{(ticks - kTickCentre) * 0.088 * kRadPerDegree};
+}
+
 TEST(Position, OneRadianIs2700TicksHereAnd2699In2013) {
   EXPECT_EQ(ticksFromRad(Rad{1.0}), 2700);
   EXPECT_EQ(ticksFromRadAsIn2013(Rad{1.0}), 2699);

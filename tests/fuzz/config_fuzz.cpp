@@ -16,9 +16,9 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-void requireSane(const facade::ControllerConfig& config) {
+void requireSane(const webots_api::ControllerConfig& config) {
   require(config.time_step_ms >= 1 && config.time_step_ms <= 10000);
-  require(facade::cameraHasSize(config.camera_width, config.camera_height));
+  require(webots_api::cameraHasSize(config.camera_width, config.camera_height));
   config.safety.visit([](std::string_view, const auto& value, auto low, auto... rest) {
     if constexpr (sizeof...(rest) == 3) {  // a number with low, high, unit, why; else a choice
       const auto high = std::get<0>(std::tuple{rest...});
@@ -36,7 +36,7 @@ void requireSane(const facade::ControllerConfig& config) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    requireSane(facade::parseConfig({reinterpret_cast<const char*>(data), size}, "config.ini").config);
+    requireSane(webots_api::parseConfig({reinterpret_cast<const char*>(data), size}, "config.ini").config);
   } catch (const std::runtime_error& refused) {
     require(!std::string_view{refused.what()}.empty());
   }

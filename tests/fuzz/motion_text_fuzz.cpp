@@ -9,7 +9,7 @@
 
 namespace {
 
-using namespace darwinop::facade;
+using namespace darwinop::webots_api;
 
 void require(bool holds) {
   if (!holds) std::abort();

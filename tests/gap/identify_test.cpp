@@ -168,7 +168,8 @@ TEST(Outcome, TheRepairedModelHasTheEffectAndReadsBack) {
   const Outcome outcome = investigate(given);
   ASSERT_EQ(idOf(outcome.identification), "encoder_offset");
   EXPECT_LT(outcome.verification.rms_after_rad, 0.3 * outcome.verification.rms_before_rad) << "on a held-out log";
-  const twin::Model repaired = twin::parseModel(repairedModel(given, outcome), "repaired.ini");
+  const twin::Model repaired =
+      twin::parseModel(withAdditions(caseModel(given), additionsOf(given, outcome, "")), "repaired.ini");
   ASSERT_EQ(repaired.effects.size(), 2U);
   const nlohmann::json json = asJson(given, outcome);
   EXPECT_EQ(json["verdict"], "named");

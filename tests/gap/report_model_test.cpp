@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text/nearest.hpp"
+#include "gap/report/data_hash.hpp"
 #include "gap/report/line_diff.hpp"
 #include "gap/report/model_text.hpp"
 #include "report_rig.hpp"
@@ -20,6 +21,10 @@ constexpr const char* kModel =
     "; my servo\n[model]\nname = mine\n\n[servo]\nkt = 1.8 N m/A  ; measured on Monday\nresistance = 8 ohm\n\n"
     "; as new\n[effect viscous]\ndamping = 0.01 N m s/rad\n";
 
+std::string repairedModel(const ReportRig& rig) {
+  return withAdditions(caseModel(rig.given), additionsOf(rig.given, rig.outcome, dataHash(rig.given)));
+}
+
 std::string sentenceOf(const std::function<void()>& wrong) {
   try {
     wrong();
@@ -31,7 +36,7 @@ std::string sentenceOf(const std::function<void()>& wrong) {
 
 TEST(RepairedModel, ReadBackIsTheHypothesisThatWasFound) {
   const ReportRig rig;
-  const Case again = withModel(rig.given, twin::parseModel(repairedModel(rig.given, rig.outcome), "repaired.ini"));
+  const Case again = withModel(rig.given, twin::parseModel(repairedModel(rig), "repaired.ini"));
   const Hypothesis read = baselineOf(again), found = rig.outcome.identification.model;
   EXPECT_EQ(movedNumbers(read.servo, rig.given.model.servo).size(), 1U) << "kt, nothing else";
   EXPECT_NEAR(read.servo.kt_nm_a, found.servo.kt_nm_a, 1e-5);
@@ -69,7 +74,7 @@ TEST(RepairedModel, NamesRivalsThatTheDataDoNotExclude) {
   ReportRig rig;
   rig.outcome.identification.verdict = Verdict::kAmbiguous;
   rig.outcome.identification.rivals.front().behind = 3;
-  EXPECT_THAT(repairedModel(rig.given, rig.outcome), HasSubstr("; Not certain: deadband explains the logs"));
+  EXPECT_THAT(repairedModel(rig), HasSubstr("; Not certain: deadband explains the logs"));
 }
 
 TEST(ServoNumber, ChangesItsLineAndNoOther) {

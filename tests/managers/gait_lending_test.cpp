@@ -9,7 +9,7 @@
 #include "gait_rig.hpp"
 #include "managers/messages.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using managers::DARwInOPGaitManager;
@@ -131,4 +131,4 @@ TEST_F(GaitLending, AnExceptionFromAStepLeavesItUsable) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -8,7 +8,7 @@
 #include "managers/gait/golden.hpp"
 #include "managers/messages.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using managers::DARwInOPGaitManager;
@@ -241,4 +241,4 @@ TEST_F(GaitManager, ShortStepsWarnOnce) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -12,7 +12,7 @@
 #include "support/temporary_folder.hpp"
 #include "webots/fixture.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 inline constexpr std::size_t kWalking = gait::kWalkingJoints;
 
@@ -59,4 +59,4 @@ class GaitManager : public Facade {
   std::unique_ptr<managers::DARwInOPGaitManager> manager_;
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -8,7 +8,7 @@
 #include "core/goals/lead_in.hpp"
 #include "motion_rig.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using managers::DARwInOPMotionManager;
@@ -117,4 +117,4 @@ TEST_F(GentleStart, EndsIfAnotherManagerTakesTheJoints) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

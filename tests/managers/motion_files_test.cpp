@@ -6,7 +6,7 @@
 
 #include "motion_rig.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using managers::DARwInOPMotionManager;
@@ -83,4 +83,4 @@ TEST_F(MotionFiles, ACustomFileMayBeText) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

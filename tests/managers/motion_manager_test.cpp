@@ -10,7 +10,7 @@
 
 #include "motion_rig.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using managers::DARwInOPMotionManager;
@@ -256,4 +256,4 @@ TEST_F(MotionManagerTest, TheTimerManagerDoesNothing) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -10,7 +10,7 @@
 #include "support/temporary_folder.hpp"
 #include "webots/fixture.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 class MotionManagerTest : public Facade {
  protected:
@@ -45,4 +45,4 @@ class MotionManagerTest : public Facade {
   motion::PageFile pages_ = motion::emptyFile();
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

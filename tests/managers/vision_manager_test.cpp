@@ -7,7 +7,7 @@
 #include "managers/vision/pictures.hpp"
 #include "webots/notices.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using managers::DARwInOPVisionManager;
@@ -193,4 +193,4 @@ TYPED_TEST(VisionManager, FindsTheBallsOfTheExamples) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

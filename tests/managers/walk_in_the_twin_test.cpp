@@ -20,13 +20,13 @@
 namespace managers {
 namespace {
 
-namespace facade = darwinop::facade;
+namespace webots_api = darwinop::webots_api;
 namespace twin = darwinop::twin;
 using std::chrono::milliseconds;
 
 class TwinRobot : public webots::Robot {
  public:
-  explicit TwinRobot(facade::RobotImpl* impl) : Robot(impl) {}
+  explicit TwinRobot(webots_api::RobotImpl* impl) : Robot(impl) {}
 };
 
 class WalkInTheTwin : public testing::Test {
@@ -36,8 +36,8 @@ class WalkInTheTwin : public testing::Test {
                                                   twin::RobotBodyOptions{.ball = twin::Ball::kNone});
     body_ = body.get();
     darwinop::runtime::LoopConfig config;
-    auto impl = std::make_unique<facade::RobotImpl>(darwinop::connect::lockstepRobot(config, std::move(body)),
-                                                    facade::ControllerConfig{}, stop_);
+    auto impl = std::make_unique<webots_api::RobotImpl>(darwinop::connect::lockstepRobot(config, std::move(body)),
+                                                        webots_api::ControllerConfig{}, stop_);
     EXPECT_EQ(impl->begin(), "");
     robot_ = std::make_unique<TwinRobot>(impl.release());
     accelerometer_ = robot_->getAccelerometer("Accelerometer");

@@ -8,7 +8,7 @@
 
 #include "webots/fixture.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using testing::HasSubstr;
@@ -186,4 +186,4 @@ TEST_F(CameraTest, ALockstepRobotNeverOpensTheCameraOfThisComputer) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -11,7 +11,7 @@
 
 #include "hal/text_file.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using testing::AllOf;
@@ -204,4 +204,4 @@ TEST(ConfigIni, AFileThatCannotBeReadIsAnErrorAndNotTakenForAbsent) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -12,7 +12,7 @@
 #include "core/conversions.hpp"
 #include "runtime/robot_link.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 /// What test and link share; it outlives the link, as the robot does.
 struct FakeRobot {
@@ -91,4 +91,4 @@ class FakeLink : public runtime::RobotLink {
   FakeRobot& robot_;
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

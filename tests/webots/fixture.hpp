@@ -12,7 +12,7 @@
 #include "webots/notices.hpp"
 #include "webots/robot_impl.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 
 /// As controllers do it: a class that derives from webots::Robot.
 class TestRobot : public webots::Robot {
@@ -75,4 +75,4 @@ class Facade : public testing::Test {
   std::unique_ptr<TestRobot> robot_;
 };
 
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -7,7 +7,7 @@
 
 #include "fixture.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using testing::ElementsAre;
@@ -125,4 +125,4 @@ TEST_F(KeyboardTest, WorksInTheStyleOf2013) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -3,7 +3,7 @@
 
 #include "fixture.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 class LedTest : public Facade {
@@ -69,4 +69,4 @@ TEST_F(LedTest, TheFirstSetKeepsTheLightsThatAreOn) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -15,7 +15,7 @@
 #include "webots/messages.hpp"
 #include "webots/motion_text.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using testing::AllOf;
@@ -351,4 +351,4 @@ TEST(MotionText, TwoPosesOfOneTimeAreAJump) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -8,7 +8,7 @@
 
 #include "fixture.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using testing::HasSubstr;
@@ -257,4 +257,4 @@ TEST_F(MotorTest, MotorAndSensorKnowEachOther) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -11,7 +11,7 @@
 #include "fixture.hpp"
 #include "webots/messages.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using testing::HasSubstr;
@@ -117,4 +117,4 @@ TEST_F(RobotTest, CallsOfTheSimulatorSayOnceThatTheyDoNothing) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

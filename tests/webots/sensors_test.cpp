@@ -9,7 +9,7 @@
 #include "core/counts.hpp"
 #include "fixture.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 class SensorTest : public Facade {};
@@ -87,4 +87,4 @@ TEST_F(SensorTest, SamplingPeriodsAreKeptAsGiven) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -8,7 +8,7 @@
 #include "fixture.hpp"
 #include "webots/messages.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using std::chrono::milliseconds;
@@ -322,4 +322,4 @@ TEST_F(SessionTest, StartInPlaceIsAskedForInEveryImage) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -6,7 +6,7 @@
 
 #include "fixture.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using namespace std::chrono_literals;
@@ -219,4 +219,4 @@ TEST_F(SpeakerTest, AProgramThatDiedIsReportedAndTheNextSoundStartsAnotherOne) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

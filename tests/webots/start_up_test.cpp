@@ -20,7 +20,7 @@
 #include "webots/stop_signals.hpp"
 
 namespace {
-darwinop::facade::FakeRobot* robot_to_meet = nullptr;
+darwinop::webots_api::FakeRobot* robot_to_meet = nullptr;
 darwinop::connect::Request request_seen;
 }  // namespace
 
@@ -28,7 +28,7 @@ namespace darwinop::connect {
 std::unique_ptr<runtime::RobotLink> connect(const Request& request) {
   request_seen = request;
   if (!robot_to_meet) throw std::runtime_error("no robot at " + request.setting + ": switch it on");
-  return std::make_unique<facade::FakeLink>(*robot_to_meet);
+  return std::make_unique<webots_api::FakeLink>(*robot_to_meet);
 }
 // Or their library would be linked after all, with the true connect().
 std::unique_ptr<FrameSource> openCamera(runtime::RobotLink& /*robot*/, const CameraRequest& /*request*/) {
@@ -39,7 +39,7 @@ std::unique_ptr<KeySource> openKeys(KeysRequest /*request*/, const std::atomic<b
 }
 }  // namespace darwinop::connect
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 namespace fs = std::filesystem;
@@ -181,7 +181,7 @@ TEST_F(StartUpDeathTest, ABadPeriodIsASentenceAndStatusOne) {
 
 TEST_F(StartUpDeathTest, ASecondRobotIsASentenceAndStatusOne) {
   const webots::Robot first;
-  EXPECT_EXIT(webots::Robot{}, testing::ExitedWithCode(1), testing::HasSubstr(facade::messages::kSecondRobot));
+  EXPECT_EXIT(webots::Robot{}, testing::ExitedWithCode(1), testing::HasSubstr(webots_api::messages::kSecondRobot));
 }
 
 void failUncaught() {
@@ -241,4 +241,4 @@ TEST_F(StartUpDeathTest, AnUncaughtExceptionOfAnotherThreadLeavesTheLinkAlone) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -7,7 +7,7 @@
 
 #include "fixture.hpp"
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 /// Output on stderr from here to the end.
@@ -35,4 +35,4 @@ TEST_F(StubTest, EachRobotHasItsDataDirectory) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace darwinop::facade {
+namespace darwinop::webots_api {
 namespace {
 
 using std::chrono::milliseconds;
@@ -46,4 +46,4 @@ TEST(TimeLine, ARestartForgetsTheRemainder) {
 }
 
 }  // namespace
-}  // namespace darwinop::facade
+}  // namespace darwinop::webots_api

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "managers/motion/pages/own_pages.hpp"
+#include "support/find_page.hpp"
 #include "window/messages.hpp"
 
 namespace darwinop {

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string_view>
-#include <utility>
 
 #include "core/text/number_text.hpp"
+#include "core/text/template.hpp"
 #include "experiments/logs/plot/page_parts.hpp"
 #include "experiments/logs/plot/text.hpp"
 
@@ -114,21 +113,14 @@ std::string figureText(const Figure& figure) {
 }  // namespace
 
 std::string htmlPage(const Figure& figure) {
-  const std::array<std::pair<std::string_view, std::string>, 5> parts{{
+  const std::array<text::TemplatePart, 5> parts{{
       {"@TITLE@", html(figure.title)},
       {"@STYLE@", std::string{page_parts::kLibraryStyle} + std::string{page_parts::kStyle}},
       {"@FIGURE@", figureText(figure)},
       {"@LIBRARY@", std::string{page_parts::kLibrary} + "\n" + std::string{page_parts::kSynchronizer}},
       {"@SCRIPT@", std::string{page_parts::kScript}},
   }};
-  std::string page;
-  std::string_view rest = page_parts::kPage;
-  for (const auto& [place, text] : parts) {  // in the order of the template
-    const std::size_t at = rest.find(place);
-    page.append(rest.substr(0, at)).append(text);
-    rest.remove_prefix(at + place.size());
-  }
-  return page.append(rest);
+  return text::filledTemplate(page_parts::kPage, parts);
 }
 
 }  // namespace darwinop::plot

@@ -159,8 +159,4 @@ void makeCases(const std::string& folder, const std::vector<CaseRequest>& reques
   writeKeys(keys, key.string());
 }
 
-void makeSuite(const std::string& folder, std::uint64_t seed, Part part, const Progress& progress) {
-  makeCases(folder, ownRequests(seed, part), progress);
-}
-
 }  // namespace darwinop::gap

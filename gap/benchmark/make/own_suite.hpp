@@ -30,6 +30,5 @@ inline constexpr std::uint64_t kEverydaySeed = 20130;
 using Progress = std::function<void(std::size_t done, std::size_t of)>;
 /// Writes FOLDER/cases/* and FOLDER/key.json, which must not be there yet.
 void makeCases(const std::string& folder, const std::vector<CaseRequest>& requests, const Progress& progress = {});
-void makeSuite(const std::string& folder, std::uint64_t seed, Part part, const Progress& progress = {});
 
 }  // namespace darwinop::gap

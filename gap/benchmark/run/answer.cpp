@@ -2,12 +2,15 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "core/text/formatted.hpp"
+#include "core/text/joined.hpp"
 #include "gap/report/data_hash.hpp"
 #include "gap/report/results.hpp"
 #include "hal/text_file.hpp"
@@ -25,25 +28,13 @@ json failed(const std::string& name, const std::string& why) {
   return answer;
 }
 
-std::string joined(const json& words, const char* between) {
-  std::string text;
-  for (const json& word : words) text += (text.empty() ? "" : between) + word.get<std::string>();
-  return text;
-}
-
 std::string findingOf(const json& answer) {
   const std::string verdict = answer.at("verdict");
   if (verdict == "ambiguous" && !answer.at("ambiguity").empty())
-    return verdict + ": " + joined(answer.at("ambiguity").front(), " or ");
-  json ids = json::array();
-  for (const json& effect : answer.at("effects")) ids.push_back(effect.at("id"));
-  return ids.empty() ? verdict : verdict + " " + joined(ids, " + ");
-}
-
-std::string formatted(const char* format, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
+    return verdict + ": " + text::joined(answer.at("ambiguity").front().get<std::vector<std::string>>(), " or ");
+  std::vector<std::string> ids;
+  for (const json& effect : answer.at("effects")) ids.push_back(effect.at("id").get<std::string>());
+  return ids.empty() ? verdict : verdict + " " + text::joined(ids, " + ");
 }
 
 /// Without the way to the case, which all lines would have, and to the width of a line.
@@ -90,8 +81,8 @@ std::string lineOf(const json& answer) {
   line += findingOf(answer);
   const json &before = answer.at("gap_score_before_mrad"), &after = answer.at("gap_score_after_mrad");
   if (before.is_number() && after.is_number())
-    line += formatted("  %.2f", before.get<double>()) + formatted(" -> %.2f mrad", after.get<double>());
-  return line + formatted("  %.1f s", answer.at("runtime_s").get<double>());
+    line += text::formatted("  %.2f", before.get<double>()) + text::formatted(" -> %.2f mrad", after.get<double>());
+  return line + text::formatted("  %.1f s", answer.at("runtime_s").get<double>());
 }
 
 }  // namespace darwinop::gap

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/json/json_text.hpp"
+
 namespace darwinop::gap {
 namespace {
 
@@ -16,10 +18,6 @@ using nlohmann::json;
 constexpr const char* kFingerprint = "case_hash";
 
 }  // namespace
-
-std::string textOf(const json& answers, int indent) {
-  return answers.dump(indent, ' ', false, json::error_handler_t::replace);
-}
 
 Results::Results(std::string path, bool resume) : path_{std::move(path)} {
   if (path_.empty()) return;
@@ -75,7 +73,7 @@ void Results::save() const {
   if (path_.empty()) return;
   const std::string fresh = path_ + ".part";
   std::ofstream file{fresh, std::ios::binary};
-  file << textOf(all()) << '\n';
+  file << jsonText(all(), 1) << '\n';
   file.close();
   std::error_code error;
   if (file) fs::rename(fresh, path_, error);

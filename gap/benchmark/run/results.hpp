@@ -7,9 +7,6 @@
 
 namespace darwinop::gap {
 
-/// Bytes that are not UTF-8, which errors may quote from a broken file, are replaced. `indent` -1: on one line.
-std::string textOf(const nlohmann::json& answers, int indent = 1);
-
 class Results {
  public:
   /// `path` empty: in memory only. `resume`: loads an existing file; else it is renamed to `path`.before.

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "core/json/json_text.hpp"
 #include "gap/benchmark/run/cases.hpp"
 #include "gap/benchmark/run/results.hpp"
 #include "gap/parallel/ranks.hpp"
@@ -104,7 +105,7 @@ void workForFirstRank(const Suite& suite) {
       throw std::runtime_error(suite.folder + ": rank " + std::to_string(Ranks::own()) + " does not have " + text +
                                " there; all ranks need the same files");
     auto answer = std::async(std::launch::async, [&] { return answerWithHash(suite, *one); });
-    sendTo(0, textOf(answer.get(), -1));
+    sendTo(0, jsonText(answer.get()));
   }
 }
 

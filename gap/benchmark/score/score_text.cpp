@@ -1,9 +1,9 @@
 // A score for people and for programs.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/text/formatted.hpp"
 #include "gap/benchmark/score/score.hpp"
 
 namespace darwinop::gap {
@@ -11,35 +11,28 @@ namespace {
 
 using nlohmann::json;
 
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-  char text[256];
-  const int length = std::snprintf(text, sizeof text, format, values...);
-  return {text, static_cast<std::size_t>(std::min<int>(length, sizeof text - 1))};
-}
-
 std::string targetText(double at_least, double at_most) {
   if (std::isnan(at_least) && std::isnan(at_most)) return "";
-  if (std::isnan(at_least)) return formatted("at most %.0f %%", 100 * at_most);
-  if (std::isnan(at_most)) return formatted("at least %.0f %%", 100 * at_least);
-  return formatted("%.0f to %.0f %%", 100 * at_least, 100 * at_most);
+  if (std::isnan(at_least)) return text::formatted("at most %.0f %%", 100 * at_most);
+  if (std::isnan(at_most)) return text::formatted("at least %.0f %%", 100 * at_least);
+  return text::formatted("%.0f to %.0f %%", 100 * at_least, 100 * at_most);
 }
 
 std::string lineOf(const ShareFigure& figure) {
-  if (figure.of == 0) return formatted("%-48s no case\n", figure.what.c_str());
+  if (figure.of == 0) return text::formatted("%-48s no case\n", figure.what.c_str());
   const auto [low, high] = wilson(figure.right, figure.of);
-  return formatted("%-48s %4zu of %-4zu %5.1f %%  %5.1f to %5.1f %%  %-14s %s\n", figure.what.c_str(), figure.right,
-                   figure.of, 100 * figure.share(), 100 * low, 100 * high,
-                   targetText(figure.at_least, figure.at_most).c_str(), figure.reached() ? "" : "MISSED");
+  return text::formatted("%-48s %4zu of %-4zu %5.1f %%  %5.1f to %5.1f %%  %-14s %s\n", figure.what.c_str(),
+                         figure.right, figure.of, 100 * figure.share(), 100 * low, 100 * high,
+                         targetText(figure.at_least, figure.at_most).c_str(), figure.reached() ? "" : "MISSED");
 }
 
 std::string lineOf(const SpreadFigure& figure) {
-  if (figure.values.empty()) return formatted("%-48s no case\n", figure.what.c_str());
-  std::string target = formatted("at most %g", figure.median_at_most);
-  if (!std::isnan(figure.upper_at_most)) target += formatted(" / %g", figure.upper_at_most);
-  return formatted("%-48s %9.3g / %-9.3g %-2s of %-5zu    %-18s %s\n", figure.what.c_str(), figure.quantile(0.5),
-                   figure.quantile(figure.upper_quantile), figure.unit.c_str(), figure.values.size(), target.c_str(),
-                   figure.reached() ? "" : "MISSED");
+  if (figure.values.empty()) return text::formatted("%-48s no case\n", figure.what.c_str());
+  std::string target = text::formatted("at most %g", figure.median_at_most);
+  if (!std::isnan(figure.upper_at_most)) target += text::formatted(" / %g", figure.upper_at_most);
+  return text::formatted("%-48s %9.3g / %-9.3g %-2s of %-5zu    %-18s %s\n", figure.what.c_str(), figure.quantile(0.5),
+                         figure.quantile(figure.upper_quantile), figure.unit.c_str(), figure.values.size(),
+                         target.c_str(), figure.reached() ? "" : "MISSED");
 }
 
 std::string headingOf(CaseClass kind) {
@@ -83,8 +76,8 @@ json jsonOf(const ShareFigure& figure) {
 
 std::string asText(const Score& score) {
   const auto [low, high] = wilson(score.fair.right, score.fair.of);
-  std::string text =
-      formatted("%zu cases, %zu fair answers: %.1f to %.1f %%. ", score.cases, score.fair.right, 100 * low, 100 * high);
+  std::string text = text::formatted("%zu cases, %zu fair answers: %.1f to %.1f %%. ", score.cases, score.fair.right,
+                                     100 * low, 100 * high);
   text += "Shares with their 95 %\nconfidence interval\n\n";
   for (const ShareFigure& figure : score.shares) text += lineOf(figure);
   if (!score.details.empty()) text += "\nin detail\n\n";
@@ -95,7 +88,7 @@ std::string asText(const Score& score) {
     const Confusion& confusion = score.confusions[i];
     if (i == 0 || score.confusions[i - 1].kind != confusion.kind)
       text += "\n" + headingOf(confusion.kind) + ", and the answers that are wrong\n\n";
-    text += formatted("%4zu  ", confusion.cases.size()) + confusion.truth + " -> " + confusion.answered + "  (" +
+    text += text::formatted("%4zu  ", confusion.cases.size()) + confusion.truth + " -> " + confusion.answered + "  (" +
             listOf(confusion.cases) + ")\n";
   }
   if (!score.unanswered.empty()) text += "\nno answer in time: " + listOf(score.unanswered) + "\n";

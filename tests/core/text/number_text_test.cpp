@@ -42,5 +42,10 @@ TEST(NumberText, NotANumberHasNoSign) {
   }
 }
 
+TEST(NumberText, SecondsAreWholeAndCut) {
+  EXPECT_EQ(inSeconds(std::chrono::milliseconds{5999}), "5 s");
+  EXPECT_EQ(inSeconds(std::chrono::minutes{10}), "600 s");
+}
+
 }  // namespace
 }  // namespace darwinop::text

@@ -1,9 +1,13 @@
-// The nearest known word, and units that are converted.
+// The nearest known word, units that are converted, and texts put together.
 #include <gmock/gmock.h>
 
 #include <array>
+#include <stdexcept>
 
+#include "core/text/formatted.hpp"
+#include "core/text/joined.hpp"
 #include "core/text/nearest.hpp"
+#include "core/text/template.hpp"
 #include "core/text/unit_factor.hpp"
 
 namespace darwinop::text {
@@ -36,6 +40,27 @@ TEST(UnitFactor, ConvertsWithinAQuantityOnly) {
   EXPECT_DOUBLE_EQ(unitFactor("g", "kg").value_or(0), 1e-3);
   EXPECT_DOUBLE_EQ(unitFactor("g", "m/s2").value_or(0), 9.80665);
   EXPECT_EQ(unitFactor("deg", "rad/s"), std::nullopt);
+}
+
+TEST(Joined, HasOneSeparatorBetweenTwoWordsEvenIfTheyAreEmpty) {
+  EXPECT_EQ(joined(kKnown), "coulomb, viscous, backlash");
+  EXPECT_EQ(joined(std::array{"", "b"}, " + "), " + b");
+  EXPECT_EQ(joined(std::array<std::string, 0>{}), "");
+}
+
+TEST(Formatted, IsAsPrintfAtAnyLength) {
+  EXPECT_EQ(formatted("%4d|%.2f|%s", 7, 0.5, "a"), "   7|0.50|a");
+  EXPECT_EQ(formatted("%s", std::string(1000, 'c').c_str()), std::string(1000, 'c'));
+}
+
+TEST(FilledTemplate, ReplacesEachPlaceOnceAndLeavesWhatIsPutIn) {
+  const std::array<TemplatePart, 2> parts{{{"@A@", "@B@"}, {"@B@", "@A@"}}};
+  EXPECT_EQ(filledTemplate("<@A@|@B@>", parts), "<@B@|@A@>");
+}
+
+TEST(FilledTemplate, AMissingPlaceIsAnError) {
+  const std::array<TemplatePart, 2> parts{{{"@A@", ""}, {"@B@", ""}}};
+  EXPECT_THROW((void)filledTemplate("@B@ @A@", parts), std::logic_error);
 }
 
 }  // namespace

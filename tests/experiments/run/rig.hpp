@@ -36,7 +36,7 @@ class VirtualRun {
     connect::Request request;
     request.setting = robot;
     auto spy = std::make_unique<Spy>(connect::connect(request), *this);
-    auto impl = std::make_unique<facade::RobotImpl>(std::move(spy), facade::ControllerConfig{}, api_stop_);
+    auto impl = std::make_unique<webots_api::RobotImpl>(std::move(spy), webots_api::ControllerConfig{}, api_stop_);
     EXPECT_EQ(impl->begin(), "");
     robot_ = std::make_unique<OwnRobot>(impl.release());
   }
@@ -73,7 +73,7 @@ class VirtualRun {
  private:
   class OwnRobot : public webots::Robot {
    public:
-    explicit OwnRobot(facade::RobotImpl* impl) : Robot(impl) {}
+    explicit OwnRobot(webots_api::RobotImpl* impl) : Robot(impl) {}
   };
 
   /// Forwards and records everything.

@@ -6,6 +6,7 @@
 #include "core/conversions.hpp"
 #include "managers/motion/first_step.hpp"
 #include "managers/motion/pages/own_pages.hpp"
+#include "support/find_page.hpp"
 
 namespace darwinop::body_player {
 namespace {

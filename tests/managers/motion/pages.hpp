@@ -3,9 +3,12 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <initializer_list>
+#include <iterator>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "managers/motion/page_file.hpp"
 #include "managers/motion/player.hpp"
@@ -17,6 +20,12 @@ namespace darwinop::motion {
 inline std::filesystem::path vendorsFile() {
   const char* const folder = std::getenv("DARWINOP_SHARED");
   return std::filesystem::path{folder != nullptr ? folder : DARWINOP_SHARED} / "reference/data/motion_4096.bin";
+}
+
+inline PageFile vendorsPages() {
+  std::ifstream file{vendorsFile(), std::ios::binary};
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>{file}, {}};
+  return decodePages(bytes);
 }
 #endif
 

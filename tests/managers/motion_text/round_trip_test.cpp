@@ -23,7 +23,7 @@ RC_GTEST_PROP(MotionText, AnyFileSurvivesTheWayThroughText, (std::uint32_t seed)
 
 TEST(MotionText, TheVendorsFileIsUnchanged) {
   if (!std::filesystem::exists(vendorsFile())) GTEST_SKIP() << "the vendor's motion file is not available";
-  const PageFile pages = readPageFile(vendorsFile());
+  const PageFile pages = vendorsPages();
   EXPECT_EQ(throughText(encodePages(pages)), encodePages(pages));
   EXPECT_EQ(parsePages(writePages(pages), "pages.txt"), pages);
 }

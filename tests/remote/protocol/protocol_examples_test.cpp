@@ -70,10 +70,10 @@ TEST(RemoteExample, AllSettingsOfAMotor) {
                                   .set = 63,
                                   .position = wireFromPosition(-1),
                                   .velocity = wireFromVelocity(1.5),
-                                  .acceleration = wireFromAcceleration(3.5),
-                                  .available_torque = wireFromTorque(1.25),
-                                  .torque = wireFromTorque(0.5),
-                                  .pid = {wireFromGain(10), 0, 0}}),
+                                  .acceleration = 350000,
+                                  .available_torque = cut(1.25 * kTorqueMax / kMaxTorqueNm),
+                                  .torque = cut(0.5 * kTorqueMax / kMaxTorqueNm),
+                                  .pid = {10000, 0, 0}}),
                  kSixRequest);
   EXPECT_EQ(accelerationFromWire(350000), 3);
   EXPECT_EQ(accelerationFromWire(50000), 0);
@@ -82,8 +82,7 @@ TEST(RemoteExample, AllSettingsOfAMotor) {
 
 TEST(RemoteExample, AnAccelerationOfMinusOneRemovesTheRamp) {
   expectExchange(
-      requestForMotor(
-          {.joint = Joint::kArmUpperR, .set = MotorSetting::kAcceleration, .acceleration = wireFromAcceleration(-1)}),
+      requestForMotor({.joint = Joint::kArmUpperR, .set = MotorSetting::kAcceleration, .acceleration = -100000}),
       kNoRampRequest);
   EXPECT_EQ(accelerationFromWire(-100000), -1);
 }

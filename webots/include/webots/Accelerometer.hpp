@@ -31,8 +31,8 @@ class Accelerometer : public Device {
   const double* getLookupTable() const { return lookup_; }
 
  private:
-  friend class darwinop::facade::RobotImpl;
-  Accelerometer(const std::string& name, darwinop::facade::RobotImpl& robot);
+  friend class darwinop::webots_api::RobotImpl;
+  Accelerometer(const std::string& name, darwinop::webots_api::RobotImpl& robot);
   /// NULL: too old.
   virtual void refresh();
   double values_[3];

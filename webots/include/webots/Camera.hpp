@@ -5,7 +5,7 @@
 #include <webots/Device.hpp>
 
 namespace darwinop {
-namespace facade {
+namespace webots_api {
 class CameraView;
 }
 }  // namespace darwinop
@@ -103,14 +103,14 @@ class Camera : public Device {
   }
 
  private:
-  friend class darwinop::facade::RobotImpl;
-  Camera(const std::string& name, darwinop::facade::RobotImpl& robot, int width, int height);
+  friend class darwinop::webots_api::RobotImpl;
+  Camera(const std::string& name, darwinop::webots_api::RobotImpl& robot, int width, int height);
   Camera(const Camera&);
   Camera& operator=(const Camera&);
   virtual void refresh();
   int width_, height_, period_;
-  double due_s_;                        // of the next picture; negative: at once
-  darwinop::facade::CameraView* view_;  // NULL while disabled
+  double due_s_;                            // of the next picture; negative: at once
+  darwinop::webots_api::CameraView* view_;  // NULL while disabled
 };
 
 }  // namespace webots

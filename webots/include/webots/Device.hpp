@@ -9,7 +9,7 @@
 #include <string>
 
 namespace darwinop {
-namespace facade {
+namespace webots_api {
 class RobotImpl;
 }
 }  // namespace darwinop
@@ -32,11 +32,11 @@ class Device {
   int getTag() const { return tag_; }
 
  protected:
-  Device(const std::string& name, int node_type, darwinop::facade::RobotImpl& robot);
-  darwinop::facade::RobotImpl& robot_;
+  Device(const std::string& name, int node_type, darwinop::webots_api::RobotImpl& robot);
+  darwinop::webots_api::RobotImpl& robot_;
 
  private:
-  friend class darwinop::facade::RobotImpl;
+  friend class darwinop::webots_api::RobotImpl;
   virtual void refresh();  // called after each step; does nothing in devices that have nothing to prepare
   Device(const Device&);
   Device& operator=(const Device&);

@@ -3,10 +3,10 @@
 #define KEYBOARD_HPP
 
 namespace darwinop {
-namespace facade {
+namespace webots_api {
 class KeyQueue;
 class RobotImpl;
-}  // namespace facade
+}  // namespace webots_api
 }  // namespace darwinop
 
 namespace webots {
@@ -56,15 +56,15 @@ class Keyboard {
   int getKey() const;
 
  private:
-  friend class darwinop::facade::RobotImpl;
-  explicit Keyboard(darwinop::facade::RobotImpl& robot);
+  friend class darwinop::webots_api::RobotImpl;
+  explicit Keyboard(darwinop::webots_api::RobotImpl& robot);
   Keyboard(const Keyboard&);
   Keyboard& operator=(const Keyboard&);
   void refresh(double time_s);
-  darwinop::facade::RobotImpl& robot_;
+  darwinop::webots_api::RobotImpl& robot_;
   int period_;
   double due_s_;
-  darwinop::facade::KeyQueue* queue_;  // NULL: disabled
+  darwinop::webots_api::KeyQueue* queue_;  // NULL: disabled
 };
 
 }  // namespace webots

@@ -122,7 +122,7 @@ class Motor : public Device {
   double getPosition() const;
 
  protected:
-  Motor(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::goals::MotorControl& control);
+  Motor(const std::string& name, darwinop::webots_api::RobotImpl& robot, darwinop::goals::MotorControl& control);
 
  private:
   darwinop::goals::MotorControl& control_;

@@ -36,8 +36,8 @@ class PositionSensor : public Device {
   Motor* getMotor() const;
 
  private:
-  friend class darwinop::facade::RobotImpl;
-  PositionSensor(const std::string& name, darwinop::facade::RobotImpl& robot, unsigned joint);
+  friend class darwinop::webots_api::RobotImpl;
+  PositionSensor(const std::string& name, darwinop::webots_api::RobotImpl& robot, unsigned joint);
   unsigned joint_;
   int period_;
 };

@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace darwinop {
-namespace facade {
+namespace webots_api {
 class RobotImpl;
 }
 }  // namespace darwinop
@@ -222,12 +222,12 @@ class Robot {
 
  protected:
   /// For tests: a robot that was made elsewhere; this object then owns it.
-  explicit Robot(darwinop::facade::RobotImpl* impl);
+  explicit Robot(darwinop::webots_api::RobotImpl* impl);
 
  private:
   Robot(const Robot&);
   Robot& operator=(const Robot&);
-  darwinop::facade::RobotImpl* impl_;
+  darwinop::webots_api::RobotImpl* impl_;
 };
 
 }  // namespace webots

@@ -26,8 +26,8 @@ class Servo : public Motor {
   int getSamplingPeriod() const { return getPositionSamplingPeriod(); }
 
  private:
-  friend class darwinop::facade::RobotImpl;
-  Servo(const std::string& name, darwinop::facade::RobotImpl& robot, darwinop::goals::MotorControl& control);
+  friend class darwinop::webots_api::RobotImpl;
+  Servo(const std::string& name, darwinop::webots_api::RobotImpl& robot, darwinop::goals::MotorControl& control);
 };
 
 }  // namespace webots

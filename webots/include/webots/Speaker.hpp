@@ -5,7 +5,7 @@
 #include <webots/Device.hpp>
 
 namespace darwinop {
-namespace facade {
+namespace webots_api {
 class SoundDesk;
 }
 }  // namespace darwinop
@@ -66,12 +66,12 @@ class Speaker : public Device {
   virtual void speakFile(const char* filename, const char* voice = "en", int speed = 175);
 
  private:
-  friend class darwinop::facade::RobotImpl;
-  Speaker(const std::string& name, darwinop::facade::RobotImpl& robot);
+  friend class darwinop::webots_api::RobotImpl;
+  Speaker(const std::string& name, darwinop::webots_api::RobotImpl& robot);
   virtual void refresh();
 
   std::string language_;
-  darwinop::facade::SoundDesk* desk_;
+  darwinop::webots_api::SoundDesk* desk_;
 };
 
 }  // namespace webots

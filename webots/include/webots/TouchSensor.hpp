@@ -23,15 +23,15 @@ class TouchSensor : public Device {
   virtual void disable();
   /// ms as set last; 0: disabled.
   int getSamplingPeriod() const { return period_; }
-  /// 1 while pressed, else 0. NaN: the board has not answered for 3 cycles, or over TCP the server does not send
+  /// 0 or 1; 1: pressed. NaN: the board has not answered for 3 cycles, or over TCP the server does not send
   /// buttons.
   double getValue() const;
   /// BUMPER.
   Type getType() const { return BUMPER; }
 
  private:
-  friend class darwinop::facade::RobotImpl;
-  TouchSensor(const std::string& name, darwinop::facade::RobotImpl& robot, int bit);
+  friend class darwinop::webots_api::RobotImpl;
+  TouchSensor(const std::string& name, darwinop::webots_api::RobotImpl& robot, int bit);
   int bit_, period_;
 };
 

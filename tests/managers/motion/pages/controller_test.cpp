@@ -16,7 +16,7 @@ namespace {
 
 class TwinRobot : public webots::Robot {
  public:
-  explicit TwinRobot(facade::RobotImpl* impl) : Robot(impl) {}
+  explicit TwinRobot(webots_api::RobotImpl* impl) : Robot(impl) {}
 };
 
 TEST(ThroughTheManager, ThePushedRobotGetsUpFromBothSidesAndSitsDown) {
@@ -24,8 +24,8 @@ TEST(ThroughTheManager, ThePushedRobotGetsUpFromBothSidesAndSitsDown) {
                                                 twin::RobotBodyOptions{.ball = twin::Ball::kNone});
   twin::RobotBody& body = *made;
   std::atomic<bool> stop{false};
-  auto impl = std::make_unique<facade::RobotImpl>(connect::lockstepRobot({}, std::move(made)),
-                                                  facade::ControllerConfig{}, stop);
+  auto impl = std::make_unique<webots_api::RobotImpl>(connect::lockstepRobot({}, std::move(made)),
+                                                      webots_api::ControllerConfig{}, stop);
   ASSERT_EQ(impl->begin(), "");
   TwinRobot robot{impl.release()};
   managers::RobotisOp2MotionManager pages{&robot, "own"};

@@ -9,7 +9,7 @@
 #include <string>
 
 namespace darwinop {
-namespace facade {
+namespace webots_api {
 class MotionPlayback;
 }
 }  // namespace darwinop
@@ -53,7 +53,7 @@ class Motion {
  private:
   Motion(const Motion&);
   Motion& operator=(const Motion&);
-  darwinop::facade::MotionPlayback* playback_;  // never NULL
+  darwinop::webots_api::MotionPlayback* playback_;  // never NULL
 };
 
 }  // namespace webots
