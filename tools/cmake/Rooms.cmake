@@ -15,6 +15,7 @@ target_compile_options(darwinop_options INTERFACE
 target_link_libraries(darwinop_options INTERFACE Threads::Threads)
 
 # -g would take a third longer.
+set(DARWINOP_LIGHT_OPTIONS "$<IF:$<CONFIG:Debug>,-O0,-O1>" CACHE STRING "compiler options of light rooms")
 set(DARWINOP_COMPUTE_OPTIONS "-O2;-g1" CACHE STRING "compiler options of rooms that compute, in debug builds")
 
 # The target of a path: hal/cm730 -> hal_cm730
@@ -91,7 +92,7 @@ function(darwinop_room PATH)
       target_compile_options(${NAME} PRIVATE "$<$<CONFIG:Debug>:${DARWINOP_COMPUTE_OPTIONS}>")
     endif()
     if("light" IN_LIST build)
-      target_compile_options(${NAME} PRIVATE "$<$<NOT:$<CONFIG:Debug>>:-O1>")
+      target_compile_options(${NAME} PRIVATE "${DARWINOP_LIGHT_OPTIONS}")
     endif()
     if("separate" IN_LIST build)
       set_target_properties(${NAME} PROPERTIES UNITY_BUILD OFF)
