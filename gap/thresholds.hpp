@@ -109,7 +109,7 @@ inline constexpr int kNoiseRuns = 96, kDiscrepancyNoiseRuns = 24;
 
 // ---- Cross-validation (gap/identify/cross_validation.cpp) ----
 
-/// Solver iterations, starting at the fit to all logs. No evidence yet.
+/// Solver iterations, starting at the fit to all logs.
 inline constexpr int kCrossValidationIterations = 6;
 
 // ---- Screen and refined starts (gap/identify/screen.cpp, refined_start.cpp, ripple_starts.cpp) ----
@@ -162,17 +162,15 @@ inline constexpr double kRoughErrorShare = 0.2;
 
 // ---- Noise model (gap/fit/noise.cpp, problem.cpp) ----
 
-/// Samples on either side of a moving average. What varies faster is independent noise, what varies slower a mode. No
-/// evidence yet.
+/// Samples on either side of a moving average. What varies faster is independent noise, what varies slower a mode.
 inline constexpr int kNoiseHalfWindow = 3;
-/// Samples on either side over which the variance of the independent part is averaged. No evidence yet.
+/// Samples on either side over which the variance of the independent part is averaged.
 inline constexpr int kNoiseVarianceHalfWindow = 5;
-/// Standard deviations of the independent part. Smaller modes are left out. No evidence yet.
+/// Standard deviations of the independent part. Smaller modes are left out.
 inline constexpr double kSmallestNoiseMode = 0.5;
 /// Factor on the spread of a few dozen runs, which underestimates that of many.
 inline constexpr double kFewRunsFactor = 1.1;
-/// Standard deviations beyond which a residual counts linearly (pseudo-Huber). The specification says 2. No evidence
-/// yet.
+/// Standard deviations beyond which a residual counts linearly (pseudo-Huber). The specification says 2.
 inline constexpr double kRobustSigmas = 3;
 /// Standard deviations of every sample of a hypothesis that cannot be simulated.
 inline constexpr double kImpossibleSigmas = 1e3;
@@ -181,7 +179,7 @@ inline constexpr double kImpossibleSigmas = 1e3;
 
 /// s. Correlation time of a discrepancy: half a swing of an arm of 0.1 m.
 inline constexpr double kDiscrepancyTime = 0.3;
-/// Standard deviations beyond which a residual against a discrepancy counts linearly. No evidence yet.
+/// Standard deviations beyond which a residual against a discrepancy counts linearly.
 inline constexpr double kDiscrepancyRobustSigmas = 2;
 
 // ---- Unknowns and steps (gap/fit/unknown.cpp, jacobian.cpp) ----
@@ -200,7 +198,7 @@ inline constexpr double kLeastStepRoom = 0.01;
 
 /// Relative cost. A solver step that gains less is the last.
 inline constexpr double kSolverTolerance = 1e-5;
-/// Standard deviations beyond which a residual counts linearly while the search is far off. No evidence yet.
+/// Standard deviations beyond which a residual counts linearly while the search is far off.
 inline constexpr double kFarRobustSigmas = 100;
 /// Cost per residual above which a search counts as far off; a right model has about 1.
 inline constexpr double kFarCost = 2.5;
@@ -216,12 +214,12 @@ inline constexpr int kMaxJumps = 3;
 inline constexpr double kOpenSigmas = 6;
 /// Standard deviations that the baseline numbers may move for a block to close: exceeded once in 2000.
 inline constexpr double kMovedSigmas = 3.3;
-/// Samples on either side over which the spread of the simulated repeats is averaged. No evidence yet.
+/// Samples on either side over which the spread of the simulated repeats is averaged.
 inline constexpr int kRepeatsHalfWindow = 3;
-/// s. Length of the boxes of which the worst is tested. No evidence yet.
+/// s. Length of the boxes of which the worst is tested.
 inline constexpr double kBlockBox = 0.25;
 /// Least relative spread of the mean cost over all logs, of the worst log and of the worst box: eight repeats estimate
-/// a spread badly, and no two simulators agree exactly. No evidence yet.
+/// a spread badly, and no two simulators agree exactly.
 inline constexpr double kSpreadOfAll = 0.07, kSpreadOfLog = 0.1, kSpreadOfWorst = 0.2;
 /// Prior standard deviations that absorption may move a number by; a larger move is itself a finding.
 inline constexpr double kAbsorbedSigmas = 3;
