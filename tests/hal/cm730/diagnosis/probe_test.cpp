@@ -9,6 +9,7 @@
 
 #include "core/registers.hpp"
 #include "hal/cm730/diagnosis/diagnosis.hpp"
+#include "hal/cm730/diagnosis/probe_bench.hpp"
 #include "hal/cm730/diagnosis/rows.hpp"
 #include "hal/cm730/diagnosis/servo_rows.hpp"
 #include "hal/cm730/diagnosis/transactions.hpp"
@@ -28,63 +29,14 @@ constexpr std::size_t at(Joint joint) {
   return index(joint);
 }
 
-/// Counts writes to servos.
-class WriteWatch final : public hil::WireObserver {
- public:
-  void request(const Frame& frame, Nanos) noexcept override {
-    const bool sync_write = frame.code == static_cast<std::uint8_t>(Instruction::kSyncWrite);
-    if (sync_write && frame.params[0] != find(kMx28, "led").address) ++ram_writes;
-    if (frame.code != static_cast<std::uint8_t>(Instruction::kWrite) || frame.id == kBoardId) return;
-    ++(frame.params[0] < servo::kTorqueEnable ? eeprom_writes : ram_writes);
-  }
-  void reply(Bytes, Nanos) noexcept override {}
-  int eeprom_writes = 0, ram_writes = 0;
-};
-
-struct Bench {
-  explicit Bench(const BoardOptions& options = powered()) : robot{options}, line{robot} { line.observe(&writes); }
-  static BoardOptions powered() {
-    BoardOptions options;
-    options.servo_power = true;
-    return options;
-  }
-  ProbeReport probe(const ProbeOptions& options = ProbeOptions::quick()) { return cm730::probe(line, options); }
-  const hil::VirtualServo& servo(Joint joint) { return robot.board().servo(joint); }
-
-  hil::VirtualRobot robot;
-  hil::MemoryLine line;
-  WriteWatch writes;
-};
-
 std::string allRows(const ProbeReport& report) {
   std::string text;
   for (const Finding& row : report.findings) text += toText(row);
   return text;
 }
 
-/// An adapter that delays replies.
-class SlowLine final : public ByteLine {
- public:
-  SlowLine(hil::MemoryLine& line, Nanos delay) : line_{line}, delay_{delay} {}
-  [[nodiscard]] Nanos now() noexcept override { return line_.now(); }
-  LineStatus write(std::span<const std::uint8_t> bytes) noexcept override {
-    not_before_ = line_.now() + delay_;
-    return line_.write(bytes);
-  }
-  LineStatus read(std::span<std::uint8_t> into, std::size_t& count, Nanos deadline) noexcept override {
-    line_.advanceTo(std::min(not_before_, deadline));
-    return line_.read(into, count, deadline);
-  }
-  void discardInput() noexcept override { line_.discardInput(); }
-  [[nodiscard]] std::uint32_t reconnects() const noexcept override { return line_.reconnects(); }
-
- private:
-  hil::MemoryLine& line_;
-  Nanos delay_, not_before_{0};
-};
-
 TEST(Probe, AHealthyRobotPassesQuickly) {
-  Bench bench;
+  ProbeBench bench;
   const ProbeReport report = bench.probe();
   EXPECT_EQ(worst(report.findings), Level::kOk) << allRows(report);
   EXPECT_LT(report.facts.took, 500ms);
@@ -97,7 +49,7 @@ TEST(Probe, AHealthyRobotPassesQuickly) {
 TEST(Probe, SwitchesServoPowerOnAndWaitsForTheServosToBoot) {
   BoardOptions options;
   options.servo_boot = 200ms;
-  Bench bench{options};
+  ProbeBench bench{options};
   const ProbeReport report = bench.probe();
   EXPECT_EQ(worst(report.findings), Level::kOk) << allRows(report);
   EXPECT_FALSE(report.facts.board.power_was_on);
@@ -107,15 +59,15 @@ TEST(Probe, SwitchesServoPowerOnAndWaitsForTheServosToBoot) {
 }
 
 TEST(Probe, WritesNothingToAHealthyServo) {
-  Bench bench;
+  ProbeBench bench;
   bench.probe();
   EXPECT_EQ(bench.writes.eeprom_writes + bench.writes.ram_writes, 0);
 }
 
 TEST(Probe, CorrectsAFactoryReturnDelayOnce) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   options.servo[at(Joint::kNeck)].return_delay = 250;
-  Bench bench{options};
+  ProbeBench bench{options};
   const ProbeReport first = bench.probe();
   EXPECT_EQ(bench.servo(Joint::kNeck).returnDelay(), 0ns);
   EXPECT_EQ(bench.writes.eeprom_writes, 1);
@@ -128,18 +80,18 @@ TEST(Probe, CorrectsAFactoryReturnDelayOnce) {
 }
 
 TEST(Probe, LeavesASmallReturnDelayAlone) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   for (ServoOptions& servo : options.servo) servo.return_delay = kMostReturnDelay;
-  Bench bench{options};
+  ProbeBench bench{options};
   EXPECT_EQ(worst(bench.probe().findings), Level::kOk);
   EXPECT_EQ(bench.writes.eeprom_writes, 0);
 }
 
 TEST(Probe, WritesNothingInReadOnlyMode) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   for (ServoOptions& servo : options.servo) servo.return_delay = 250;
   options.servo[at(Joint::kHead)].status_level = 0;
-  Bench bench{options};
+  ProbeBench bench{options};
   const ProbeReport report = bench.probe(ProbeOptions::thorough());
   EXPECT_EQ(bench.writes.eeprom_writes + bench.writes.ram_writes, 0);
   const Finding row = rowOf(report.findings, Joint::kShoulderR);
@@ -149,9 +101,9 @@ TEST(Probe, WritesNothingInReadOnlyMode) {
 }
 
 TEST(Probe, FactoryReturnDelayOnAllServosBreaksTheCycle) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   for (ServoOptions& servo : options.servo) servo.return_delay = 250;
-  Bench bench{options};
+  ProbeBench bench{options};
   ProbeOptions look = ProbeOptions::quick();
   look.correct = false;
   SlowLine usb{bench.line, 1500us};
@@ -163,9 +115,9 @@ TEST(Probe, FactoryReturnDelayOnAllServosBreaksTheCycle) {
 }
 
 TEST(Probe, DoesNotWriteToAServoUnderTorqueAndReportsWhy) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   options.servo[at(Joint::kNeck)].return_delay = 250;
-  Bench bench{options};
+  ProbeBench bench{options};
   const std::uint8_t on = 1;
   ASSERT_TRUE(writeRegisters(bench.line, 19, servo::kTorqueEnable, Bytes{&on, 1}).ok());
   const ProbeReport report = bench.probe();
@@ -179,9 +131,9 @@ TEST(Probe, DoesNotWriteToAServoUnderTorqueAndReportsWhy) {
 }
 
 TEST(Probe, ReportsARejectedSetting) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   options.servo[at(Joint::kNeck)].return_delay = 250;
-  Bench bench{options};
+  ProbeBench bench{options};
   const std::uint8_t lock = 1;
   ASSERT_TRUE(writeRegisters(bench.line, 19, find(kMx28, "lock").address, Bytes{&lock, 1}).ok());
   const ProbeReport report = bench.probe();
@@ -193,9 +145,9 @@ TEST(Probe, ReportsARejectedSetting) {
 class ProbeStatusLevel : public testing::TestWithParam<int> {};
 
 TEST_P(ProbeStatusLevel, IsSetToTwoOnce) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   options.servo[at(Joint::kFootL)].status_level = static_cast<std::uint8_t>(GetParam());
-  Bench bench{options};
+  ProbeBench bench{options};
   const ProbeReport report = bench.probe();
   EXPECT_EQ(worst(report.findings), Level::kOk) << allRows(report);
   EXPECT_EQ(bench.servo(Joint::kFootL).statusLevel(), 2);
@@ -207,27 +159,27 @@ TEST_P(ProbeStatusLevel, IsSetToTwoOnce) {
 INSTANTIATE_TEST_SUITE_P(ZeroAndOne, ProbeStatusLevel, testing::Values(0, 1));
 
 TEST(Probe, CorrectsAServoWithTwoWrongSettings) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   options.servo[at(Joint::kFootL)].status_level = 0;
   options.servo[at(Joint::kFootL)].return_delay = 250;
-  Bench bench{options};
+  ProbeBench bench{options};
   EXPECT_EQ(worst(bench.probe().findings), Level::kOk);
   EXPECT_EQ(bench.writes.eeprom_writes, 2);
 }
 
 TEST(Probe, RefusesOldFirmware) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   options.servo[at(Joint::kAnkleR)].firmware = 26;
-  Bench bench{options};
+  ProbeBench bench{options};
   const Finding row = rowOf(bench.probe().findings, Joint::kAnkleR);
   EXPECT_EQ(row.level, Level::kError);
   EXPECT_TRUE(row.is(Kind::kServoFirmware));
 }
 
 TEST(Probe, NamesAMissingServoAndTheSetupOfAReplacement) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   options.servo[at(Joint::kArmUpperR)].missing = true;
-  Bench bench{options};
+  ProbeBench bench{options};
   const ProbeReport report = bench.probe();
   const Finding row = rowOf(report.findings, Joint::kArmUpperR);
   EXPECT_TRUE(row.is(Kind::kServoSilent));
@@ -236,16 +188,16 @@ TEST(Probe, NamesAMissingServoAndTheSetupOfAReplacement) {
 }
 
 TEST(Probe, AReplacementServoAtItsFactoryBaudLooksMissing) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   options.servo[at(Joint::kHead)] = ServoOptions::factoryFresh();
-  Bench bench{options};
+  ProbeBench bench{options};
   EXPECT_THAT(rowOf(bench.probe().findings, Joint::kHead).remedy, HasSubstr("57142 baud"));
 }
 
 TEST(Probe, LocatesABrokenCableInAChain) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   for (const Joint joint : {Joint::kLegLowerR, Joint::kAnkleR, Joint::kFootR}) options.servo[at(joint)].missing = true;
-  Bench bench{options};
+  ProbeBench bench{options};
   const ProbeReport report = bench.probe();
   EXPECT_THAT(rowOf(report.findings, Joint::kLegLowerR).remedy,
               AllOf(HasSubstr(servoName(Joint::kLegUpperR)), HasSubstr(servoName(Joint::kLegLowerR))));
@@ -255,17 +207,17 @@ TEST(Probe, LocatesABrokenCableInAChain) {
 }
 
 TEST(Probe, AWholeSilentChainPointsAtTheBoard) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   for (const Joint joint : {Joint::kNeck, Joint::kHead}) options.servo[at(joint)].missing = true;
-  Bench bench{options};
+  ProbeBench bench{options};
   EXPECT_THAT(rowOf(bench.probe().findings, Joint::kNeck).remedy,
               AllOf(HasSubstr("board"), HasSubstr(servoName(Joint::kNeck))));
 }
 
 TEST(Probe, TwentySilentServosAreOneRowAndCostLessThanASecond) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   for (ServoOptions& servo : options.servo) servo.missing = true;
-  Bench bench{options};
+  ProbeBench bench{options};
   const ProbeReport report = bench.probe();
   EXPECT_EQ(rowOf(report.findings, Kind::kNoServo).level, Level::kError);
   EXPECT_LT(report.facts.took, 1s);
@@ -274,7 +226,7 @@ TEST(Probe, TwentySilentServosAreOneRowAndCostLessThanASecond) {
 
 TEST(Probe, AStallOfTheComputerMakesNoServoSilent) {
   for (Nanos at = 5ms; at < 100ms; at += 3ms) {
-    Bench bench;
+    ProbeBench bench;
     hil::Fault stall;
     stall.kind = hil::FaultKind::kStall;
     stall.at = at;
@@ -286,9 +238,9 @@ TEST(Probe, AStallOfTheComputerMakesNoServoSilent) {
 }
 
 TEST(Probe, TwoServosWithIdOneAreDistinguishedFromABadCable) {
-  BoardOptions options = Bench::powered();
+  BoardOptions options = ProbeBench::powered();
   options.servo[at(Joint::kHead)] = ServoOptions::factoryFresh(1);
-  Bench bench{options};
+  ProbeBench bench{options};
   const ProbeReport report = bench.probe();
   const Finding row = rowOf(report.findings, Joint::kShoulderR);
   EXPECT_EQ(row.level, Level::kError);
@@ -299,7 +251,7 @@ TEST(Probe, TwoServosWithIdOneAreDistinguishedFromABadCable) {
 }
 
 TEST(Probe, DetectsAnFtdiTimerByItsSignatureAndReportsTheCommand) {
-  Bench bench;
+  ProbeBench bench;
   SlowLine slow{bench.line, 16ms};
   ProbeOptions options = ProbeOptions::quick();
   options.port = "/dev/ttyUSB1";
@@ -313,7 +265,7 @@ TEST(Probe, DetectsAnFtdiTimerByItsSignatureAndReportsTheCommand) {
 }
 
 TEST(Probe, AFastAdapterPasses) {
-  Bench bench;
+  ProbeBench bench;
   SlowLine quick{bench.line, 1500us};
   const ProbeReport report = probe(quick, ProbeOptions::quick());
   EXPECT_EQ(worst(report.findings), Level::kOk) << allRows(report);
@@ -329,7 +281,7 @@ hil::Fault losing(double chance) {
 }
 
 TEST(Probe, ANoisyLineIsReportedByItsRate) {
-  Bench bench;
+  ProbeBench bench;
   bench.robot.faults().add(losing(0.05));
   const ProbeReport report = bench.probe(ProbeOptions::thorough());
   const Finding row = rowOf(report.findings, Kind::kRepliesLost);
@@ -340,7 +292,7 @@ TEST(Probe, ANoisyLineIsReportedByItsRate) {
 }
 
 TEST(Probe, AFewLossesAreNormal) {
-  Bench bench;
+  ProbeBench bench;
   bench.robot.faults().add(losing(0.003));
   const ProbeReport report = bench.probe(ProbeOptions::thorough());
   EXPECT_GT(report.facts.servo[0].reads, 0);
@@ -348,7 +300,7 @@ TEST(Probe, AFewLossesAreNormal) {
 }
 
 TEST(Probe, ErrorBitsAreNamed) {
-  Bench bench;
+  ProbeBench bench;
   bench.robot.board().setServoErrors(Joint::kArmLowerL, error_bit::kOverload);
   bench.robot.board().setServoErrors(Joint::kArmLowerR, error_bit::kVoltage);
   const ProbeReport report = bench.probe();
@@ -358,7 +310,7 @@ TEST(Probe, ErrorBitsAreNamed) {
 }
 
 TEST(Probe, HeatAndALowBatteryAreReported) {
-  Bench bench;
+  ProbeBench bench;
   bench.robot.board().setTemperature(Joint::kLegLowerL, 68);
   bench.robot.board().setSupply(10.6);
   const ProbeReport report = bench.probe();
@@ -368,7 +320,7 @@ TEST(Probe, HeatAndALowBatteryAreReported) {
 }
 
 TEST(Probe, ReportsAMissingBoard) {
-  Bench bench;
+  ProbeBench bench;
   hil::Fault stall;
   stall.kind = hil::FaultKind::kStall;
   bench.robot.faults().add(stall);
@@ -379,7 +331,7 @@ TEST(Probe, ReportsAMissingBoard) {
 }
 
 TEST(Probe, EndsAtOnceWhenThePortIsLost) {
-  Bench bench;
+  ProbeBench bench;
   hil::Fault unplug;
   unplug.kind = hil::FaultKind::kUnplug;
   unplug.at = 10ms;
@@ -392,7 +344,7 @@ TEST(Probe, EndsAtOnceWhenThePortIsLost) {
 }
 
 TEST(Probe, MovesNothingAndLeavesTorqueAlone) {
-  Bench bench;
+  ProbeBench bench;
   const std::uint8_t on = 1;
   ASSERT_TRUE(writeRegisters(bench.line, 19, servo::kTorqueEnable, Bytes{&on, 1}).ok());
   const auto before = bench.robot.body().state().joint;
