@@ -33,9 +33,9 @@ TEST(WindowRobotChoice, StartsAControllerOnlyOnItsOwnRobot) {
 }
 
 TEST(WindowRobotChoice, ObservesOnlyWithAMonitorAlone) {
-  const runtime::RuntimeFiles nobody{"/nowhere"};
+  const runtime::RuntimeFiles no_daemon{"/nowhere"};
   const RobotChoice looks{.monitor = "127.0.0.1:1"};
-  EXPECT_THAT(whyNot([&] { (void)window::openDriveLink(looks, nobody, {}); }), HasSubstr("tcp://HOST"));
+  EXPECT_THAT(whyNot([&] { (void)window::openDriveLink(looks, no_daemon, {}); }), HasSubstr("tcp://HOST"));
 }
 
 }  // namespace
