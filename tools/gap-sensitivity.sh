@@ -5,7 +5,7 @@
 # run again. Prints a line a constant: cases with another answer, and cases examined, at half and at twice; uses
 # in the suite (-: not counted).
 #
-# What has been run is kept in build/sensitivity/build/runs, so it can be stopped at any time.
+# What has been run is kept in build/sensitivity/build/runs, for each state of gap/, so it can be stopped at any time.
 # SENSITIVITY_SECONDS: cases that took longer at first are not run again (1e9). 0: nothing is.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
@@ -13,7 +13,7 @@ cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
 cases=$(readlink -f "$1")
 shift
 tree=$PWD/build/sensitivity
-runs=$tree/build/runs
+runs=$tree/build/runs/$(git rev-parse --short HEAD:gap)
 program=$tree/build/release/bin/darwinop-gap
 . tools/dev/build.sh
 
